@@ -186,6 +186,12 @@ std::vector<hrbfnpr_layer_desc>& App::own_layers() {
 
 void App::set_canvas(Size size) {
     if (size.width == canvas_.width && size.height == canvas_.height) return;
+    // What was in the picture stays in it when that gets narrow.
+    const auto room = [](Size of) { return std::min(1.0, static_cast<double>(of.width) / std::max(of.height, 1)); };
+    if (surface_ && settings.view && !settings.view->view && room(size) != room(canvas_)) {
+        zoom(*settings.view, room(size) / room(canvas_));
+        moved();
+    }
     canvas_ = size;
     is_stale_ = true;
 }

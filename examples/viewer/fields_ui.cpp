@@ -46,7 +46,7 @@ bool edit(const Field& field, void* values, const char* label) {
     void* const value = at(values, field);
     const int count = static_cast<int>(field.count);
     if (!field.choices.empty()) return edit_choice(field, value, label);
-    if (field.type == "float" && count == 4) return ImGui::ColorEdit4(label, static_cast<float*>(value));
+    if (field.type == "float" && count == 4) return edit_colour(label, static_cast<float*>(value));
     if (field.type == "float") return edit_number<float>(ImGuiDataType_Float, value, count, label, "%.3g");
     if (field.type == "double") return edit_number<double>(ImGuiDataType_Double, value, count, label, "%.4g");
     if (field.type == "int32_t") return edit_number<std::int32_t>(ImGuiDataType_S32, value, count, label, nullptr);
@@ -70,6 +70,10 @@ std::string in_words(const std::string& name) {
 }
 
 } // namespace
+
+bool edit_colour(const char* label, float* rgba) {
+    return ImGui::ColorEdit4(label, rgba, ImGuiColorEditFlags_NoInputs | ImGuiColorEditFlags_AlphaPreviewHalf);
+}
 
 bool edit_field(const char* c_name, const char* name, void* values, const char* label) {
     const Field* const field = find(c_name, name);

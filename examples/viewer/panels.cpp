@@ -7,10 +7,10 @@
 namespace viewer {
 
 void model_panel(App& app, Ui& ui) {
+    const float width = 0.5F * (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x);
     for (std::size_t i = 0; i < formulas().size(); ++i) {
-        if (i % 2 == 1) ImGui::SameLine(0.5F * ImGui::GetWindowWidth());
-        if (ImGui::Button(formulas()[i].c_str(), ImVec2(0.46F * ImGui::GetWindowWidth(), 0)))
-            app.load_formula(formulas()[i]);
+        if (i % 2 == 1) ImGui::SameLine();
+        if (ImGui::Button(formulas()[i].c_str(), ImVec2(width, 0))) app.load_formula(formulas()[i]);
     }
     if (ImGui::Button("Stanford bunny", ImVec2(-1, 0))) app.load_bunny();
     ImGui::InputTextWithHint("##file", "a file, or drop one here", ui.file, sizeof ui.file);
@@ -20,8 +20,8 @@ void model_panel(App& app, Ui& ui) {
     if (surface == nullptr) return;
     ImGui::TextWrapped("%s", surface->name.c_str());
     for (const std::string& note : surface->notes) ImGui::TextWrapped("- %s", note.c_str());
-    if (ImGui::TreeNode("of the fit")) {
-        ImGui::TextWrapped("For the next file that is opened.");
+    if (ImGui::TreeNode("fit")) {
+        ImGui::TextWrapped("For the next file that is opened:");
         edit_fields("hrbfnpr_fit_desc", &app.settings.fit);
         ImGui::Separator();
         ImGui::TextUnformatted("Of meshes:");

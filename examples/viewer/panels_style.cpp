@@ -74,7 +74,7 @@ void style_panel(App& app) {
     changed |= edit_field(style_name, "paper", &style.fields);
     float ink[4];
     std::copy(style.fields.silhouette_ink, style.fields.silhouette_ink + 4, ink);
-    if (ImGui::ColorEdit4("ink of all", ink)) {
+    if (edit_colour("ink of all", ink)) {
         set_ink(style, ink);
         changed = true;
     }
@@ -107,7 +107,7 @@ void lines_panel(App& app) {
             const auto here = std::find_if(lines.begin(), lines.end(), [&](const auto& l) { return l.kind == kind; });
             bool on = here != lines.end();
             if (kind == HRBFNPR_LINE_KIND_OWN && !on) continue; // there are none to draw
-            if (i % 2 == 1) ImGui::SameLine(0.5F * ImGui::GetWindowWidth());
+            if (i % 2 == 1) ImGui::SameLine(0.5F * ImGui::GetContentRegionAvail().x + 8);
             std::string label = field.choices[i];
             std::replace(label.begin(), label.end(), '_', ' ');
             if (!ImGui::Checkbox(label.c_str(), &on)) continue;

@@ -62,8 +62,7 @@ bool Script::step(App& app, Ui& ui, Window& window) {
     if (commands_.empty()) return false;
     const std::string& next = commands_.front();
     const bool may_fail = next == "wait" || next.rfind("expect", 0) == 0 || next.rfind("shot", 0) == 0;
-    if (!app.message.empty() && !may_fail)
-        throw Failure("before `" + commands_.front() + "`: " + app.message);
+    if (!app.message.empty() && !may_fail) throw Failure("before `" + commands_.front() + "`: " + app.message);
     // A command that has to wait comes again in the next frame.
     if (run(split(commands_.front()), app, ui, window)) commands_.pop_front();
     return true;

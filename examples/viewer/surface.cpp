@@ -51,12 +51,12 @@ void look_at(Surface& surface, Work& work) {
     desc.layers = &layer;
     desc.layer_count = 1;
     hrbfnpr_point_set* marks = nullptr;
-    work.stage("look", [&](auto* operation, auto* error) {
+    work.stage("probe", [&](auto* operation, auto* error) {
         return hrbfnpr_point_set_generate(work.context.get(), surface.model.get(), &desc, operation, &marks, error);
     });
     add_places(surface, PointSet(marks, hrbfnpr_point_set_release));
     find_bounds(surface);
-    work.stage("look", [&](auto* operation, auto* error) {
+    work.stage("steepness", [&](auto* operation, auto* error) {
         return hrbfnpr_model_lipschitz(surface.model.get(), &surface.lipschitz, operation, error);
     });
     auto trim = defaults<hrbfnpr_trim_info>(hrbfnpr_trim_info_init);
@@ -201,7 +201,9 @@ Vec up_of(const Surface& surface) {
 
 Surface surface_of_samples(const Shape& shape, const Settings& settings, Work& work) {
     Surface surface;
-    surface.model = fit_points(shape, settings, work);
+    Settings with = settings;
+    with.fit.normal_mode = HRBFNPR_NORMALS_GIVEN; // a formula's are right
+    surface.model = fit_points(shape, with, work);
     look_at(surface, work);
     return surface;
 }

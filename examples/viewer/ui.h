@@ -42,6 +42,8 @@ bool edit_field(const char* c_name, const char* field, void* values, const char*
 // The same for all fields that settings hold.
 bool edit_fields(const char* c_name, void* values);
 
+bool edit_colour(const char* label, float* rgba);
+
 // On the picture.
 void draw_patches(const App& app, const Ui& ui);
 void light_handle(App& app, Ui& ui);

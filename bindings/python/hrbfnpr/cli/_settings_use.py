@@ -156,9 +156,22 @@ def save(path: Path, arguments: Any, scene: Any) -> List[str]:
     if getattr(arguments, "own_paint", None):
         found["paint"] = arguments.own_paint
     _settings.parse(found)  # what is written can be read
-    text = json.dumps(found, indent=1)
-    path.write_text(text + "\n", encoding="utf-8")
+    path.write_text(_text(found) + "\n", encoding="utf-8")
     return [f"--{name.replace('_', '-')}" for name in _NOT_HELD if getattr(arguments, name, None)]
+
+
+def _text(value: Any, indent: str = "") -> str:
+    """JSON: what holds no lists or objects is on one line."""
+    parts = value.values() if isinstance(value, dict) else value if isinstance(value, list) else ()
+    if not any(isinstance(part, (dict, list)) for part in parts) or len(indent) > 4:
+        return json.dumps(value)
+    inner = indent + "  "
+    if isinstance(value, dict):
+        lines = [f"{json.dumps(key)}: {_text(part, inner)}" for key, part in value.items()]
+    else:
+        lines = [_text(part, inner) for part in value]
+    first, last = "{}" if isinstance(value, dict) else "[]"
+    return f"{first}\n{inner}" + f",\n{inner}".join(lines) + f"\n{indent}{last}"
 
 
 def _plain(value: Any) -> Any:
