@@ -62,7 +62,7 @@ void write_page(const Export& what, const Frame& frame, const std::string& path)
     page.height = frame.size.height * item.scale;
     const std::string title = what.surface.name;
     page.title = title.c_str();
-    const std::string metadata = to_json(what.settings).dump();
+    const std::string metadata = settings_text(what.settings);
     page.metadata = metadata.c_str();
     Target target(path);
     checked([&](auto* error) {

@@ -4,7 +4,7 @@
 
 #include "handles.h"
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 namespace viewer {
 

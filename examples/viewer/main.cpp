@@ -4,7 +4,6 @@
 
 #include <cstdio>
 #include <cstring>
-#include <iostream>
 
 namespace viewer {
 
@@ -96,7 +95,7 @@ int main(int argc, char** argv) {
         if (argc == 2 && std::strcmp(argv[1], "--help") == 0)
             std::fputs(viewer::usage, stdout);
         else if (argc == 2 && std::strcmp(argv[1], "--print-schema") == 0)
-            std::cout << viewer::schema().dump(2) << '\n';
+            std::puts(viewer::schema_text().c_str());
         else
             viewer::run(viewer::options_of(argc, argv));
         return 0;

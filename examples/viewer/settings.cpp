@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "settings.h"
 
+#include <nlohmann/json.hpp>
+
 namespace viewer {
 
 namespace {
 
 constexpr int version = 1;
-const char* const magic = "hrbfnpr_settings";
+const char* const magic = "hrbfnpr-settings";
 
 // Fields in pixels, which grow with the pen.
 constexpr float hrbfnpr_layer_style::*layer_lengths[] = {
@@ -323,8 +325,8 @@ Json to_json(const Settings& settings) {
 
 Settings settings_from_json(const Json& json) {
     if (!json.is_object() || !json.contains(magic))
-        throw Failure("these are no settings: they begin with {\"hrbfnpr_settings\": 1}");
-    if (json[magic] != version) throw Failure("hrbfnpr_settings: version 1 is known here, not " + json[magic].dump());
+        throw Failure("these are no settings: they begin with {\"hrbfnpr-settings\": 1}");
+    if (json[magic] != version) throw Failure("hrbfnpr-settings: version 1 is known here, not " + json[magic].dump());
     check_keys(json, "settings",
                {magic, "preset", "size", "pen", "camera", "style", "marks", "fit", "mesh_fit", "line_set", "paint"});
     const auto part = [&](const char* name) -> const Json* { return json.contains(name) ? &json[name] : nullptr; };

@@ -49,7 +49,8 @@ void write_settings(const Settings& settings, const std::string& path);
 std::string preset_name(std::uint32_t preset);
 std::uint32_t preset_of(const std::string& name, const std::string& where);
 
-// Every section, its fields, and the words that they can be: what docs/settings.md and the Python package agree with.
-Json schema();
+std::string settings_text(const Settings& settings); // on one line
+// Every section, its fields, and the words that they can be: what the Python package agrees with.
+std::string schema_text();
 
 } // namespace viewer

@@ -4,6 +4,7 @@
 
 #include <cstdio>
 #include <fstream>
+#include <nlohmann/json.hpp>
 #include <sstream>
 
 namespace viewer {
@@ -72,16 +73,19 @@ void write_settings(const Settings& settings, const std::string& path) {
     }
 }
 
-Json schema() {
-    return {{"style", section("hrbfnpr_style")},
-            {"style.layers", section("hrbfnpr_layer_style")},
-            {"style.lines", section("hrbfnpr_line_style")},
-            {"marks", section("hrbfnpr_generate_desc")},
-            {"marks.layers", section("hrbfnpr_layer_desc")},
-            {"fit", section("hrbfnpr_fit_desc")},
-            {"mesh_fit", section("hrbfnpr_mesh_fit_desc")},
-            {"line_set", section("hrbfnpr_line_set_desc")},
-            {"line_set.lines", section("hrbfnpr_line_desc")}};
+std::string settings_text(const Settings& settings) { return to_json(settings).dump(); }
+
+std::string schema_text() {
+    const Json schema = {{"style", section("hrbfnpr_style")},
+                         {"style.layers", section("hrbfnpr_layer_style")},
+                         {"style.lines", section("hrbfnpr_line_style")},
+                         {"marks", section("hrbfnpr_generate_desc")},
+                         {"marks.layers", section("hrbfnpr_layer_desc")},
+                         {"fit", section("hrbfnpr_fit_desc")},
+                         {"mesh_fit", section("hrbfnpr_mesh_fit_desc")},
+                         {"line_set", section("hrbfnpr_line_set_desc")},
+                         {"line_set.lines", section("hrbfnpr_line_desc")}};
+    return schema.dump(2);
 }
 
 } // namespace viewer

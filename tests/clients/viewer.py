@@ -19,7 +19,7 @@ except ImportError:
 NAME = "viewer"
 
 # What reference.c draws, whose contours are marks.
-SCENE = {"hrbfnpr_settings": 1, "preset": "contour-and-stipple", "pen": 1, "size": [run.WIDTH, run.HEIGHT]}
+SCENE = {"hrbfnpr-settings": 1, "preset": "contour-and-stipple", "pen": 1, "size": [run.WIDTH, run.HEIGHT]}
 
 
 def version():
@@ -174,7 +174,7 @@ def noisy_stl():
 def check_session(view):
     (view.work / "cube.ply").write_text(cube(), encoding="ascii")
     (view.work / "noisy.stl").write_bytes(noisy_stl())
-    few = {"hrbfnpr_settings": 1, "marks": {"layers": [{"kind": "stipples", "budget": 20000}]}}
+    few = {"hrbfnpr-settings": 1, "marks": {"layers": [{"kind": "stipples", "budget": 20000}]}}
     (view.work / "few.json").write_text(json.dumps(few), encoding="ascii")
     printed = view.run(*SESSION.strip().splitlines(), arguments=[run.SAMPLES, "--settings", "few.json"])
     times = re.search(r"frame: window ([\d.]+) ms, library ([\d.]+) ms", printed)
@@ -247,9 +247,9 @@ ERRORS = (
     ("cut.stl", "\0" * 80 + "\x05\0\0\0", "too short"),
     ("words.xyz", "0 0 0\n1 0\n", "line 2"),
     ("what.foo", "x", "python3 -m hrbfnpr"),
-    ("what.json", '{"hrbfnpr_settings": 1, "style": {"radiuss": 1}}', "style.radiuss: there is no such field"),
-    ("word.json", '{"hrbfnpr_settings": 1, "style": {"tone": "loud"}}', "style.tone: one of none, light"),
-    ("type.json", '{"hrbfnpr_settings": 1, "style": {"paper": 3}}', "style.paper: a list of 4 numbers"),
+    ("what.json", '{"hrbfnpr-settings": 1, "style": {"radiuss": 1}}', "style.radiuss: there is no such field"),
+    ("word.json", '{"hrbfnpr-settings": 1, "style": {"tone": "loud"}}', "style.tone: one of none, light"),
+    ("type.json", '{"hrbfnpr-settings": 1, "style": {"paper": 3}}', "style.paper: a list of 4 numbers"),
     ("none.json", "{}", "these are no settings"),
     ("half.json", "{", "this is no JSON"),
 )

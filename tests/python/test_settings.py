@@ -29,7 +29,7 @@ def draw(name, *options):
 
 
 def put(folder, **settings):
-    (folder / "s.json").write_text(json.dumps({"hrbfnpr_settings": 1, **settings}))
+    (folder / "s.json").write_text(json.dumps({"hrbfnpr-settings": 1, **settings}))
     return ("--settings", "s.json")
 
 
@@ -90,7 +90,7 @@ def test_paint_turns_hatching(folder):
 
 DAB = {"map": "tone", "position": [0, 0, 0], "normal": [0, 0, 1], "radius": 1, "strength": 1, "value": 0}
 WRONG = [
-    ({"styel": {}}, "styel: there is no such field; there are hrbfnpr_settings, preset"),
+    ({"styel": {}}, "styel: there is no such field; there are hrbfnpr-settings, preset"),
     ({"preset": "hatched"}, 'preset: there is no style "hatched"; there are stipple'),
     ({"size": [0, 5]}, "size: a pair of whole numbers"),
     ({"pen": "thick"}, "pen: a number from 0 to 100 is needed"),
@@ -116,7 +116,7 @@ def test_what_is_wrong_is_named(folder, capsys, settings, message):
 
 
 @pytest.mark.parametrize("text, message", [("{}", "these are no settings"), ("{", "this is no JSON"), ("[1]", "no settings"),
-                                           ('{"hrbfnpr_settings": 2}', "version 1 is known here, not 2")])  # fmt: skip
+                                           ('{"hrbfnpr-settings": 2}', "version 1 is known here, not 2")])  # fmt: skip
 def test_other_files_are_no_settings(folder, capsys, text, message):
     (folder / "s.json").write_text(text)
     assert main(["draw", str(SAMPLES), "a.png", "--settings", "s.json"]) == 1

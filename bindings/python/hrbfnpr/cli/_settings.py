@@ -47,7 +47,7 @@ from .._names import (
 )
 from .._style import LayerStyle, Style
 
-MAGIC, VERSION = "hrbfnpr_settings", 1
+MAGIC, VERSION = "hrbfnpr-settings", 1
 _KEYS = (MAGIC, "preset", "size", "pen", "camera", "style", "marks", "fit", "mesh_fit", "line_set", "paint")
 _VIEW = ("eye", "target", "up", "vertical_angle", "view_height", "near_plane", "far_plane")
 _MAPS = ("tone", "density", "direction")
