@@ -45,6 +45,7 @@ App::App()
 void App::start_loading(std::function<Surface(const Settings&, Work&)> open) {
     worker_.cancel();
     load_ = std::move(open);
+    wants_fine_ = false;
     message.clear();
 }
 
@@ -106,7 +107,7 @@ void App::load_settings(const std::string& path) {
 Settings App::complete() const {
     Settings result = settings;
     if (result.size.width == 0) result.size = canvas_;
-    if (ink_ && result.layers.empty()) result.layers = ink_->layers;
+    if (ink_) result.layers = ink_->made;
     return result;
 }
 
@@ -124,6 +125,7 @@ void App::save(const std::string& path) {
 
 void App::cancel() {
     worker_.cancel();
+    wants_marks_ = wants_fine_ = false;
     if (turntable_) said = "recording ended after " + std::to_string(turntable_->done) + " frames";
     turntable_.reset();
 }
@@ -160,22 +162,25 @@ void App::update() {
         if (worker_.is_busy())
             worker_.cancel(); // what it makes is not wanted any more
         else
-            start_marks();
+            start_marks(has_hatching(settings));
+    } else if (wants_fine_ && !worker_.is_busy()) {
+        start_marks(false);
     }
     if (!surface_ && !worker_.is_busy()) wants_marks_ = false;
     if (turntable_ && ink_) record_frame();
 }
 
-void App::start_marks() {
-    wants_marks_ = false;
+void App::start_marks(bool coarse) {
+    wants_marks_ = wants_fine_ = false;
     if (!settings.view) settings.view = first_view(*surface_, canvas_);
     const Size size = settings.size.width > 0 ? settings.size : canvas_;
     auto ink = std::make_shared<Ink>();
-    worker_.start([ink, surface = surface_, with = settings, size,
-                   patches = patches_shown_](Work& work) { *ink = ink_of(*surface, with, size, patches, work); },
-                  [this, ink](Work&) {
+    worker_.start([ink, surface = surface_, with = settings, size, coarse, patches = patches_shown_](
+                      Work& work) { *ink = ink_of(*surface, with, size, patches, coarse, work); },
+                  [this, ink, coarse](Work&) {
                       ink_ = ink;
                       is_stale_ = true;
+                      wants_fine_ = coarse;
                   });
 }
 

@@ -71,7 +71,9 @@ public:
     std::string message; // of the last thing that failed; empty: none
     std::string said;    // of the last thing that was done
 
-    bool is_busy() const { return worker_.is_busy() || wants_marks_ || load_ != nullptr || turntable_ != nullptr; }
+    bool is_busy() const {
+        return worker_.is_busy() || wants_marks_ || wants_fine_ || load_ != nullptr || turntable_ != nullptr;
+    }
     bool was_cancelled() const { return worker_.was_cancelled(); }
     const Worker& worker() const { return worker_; }
     const Turntable* turntable() const { return turntable_.get(); }
@@ -89,7 +91,7 @@ public:
 
 private:
     void start_loading(std::function<Surface(const Settings&, Work&)> open);
-    void start_marks();
+    void start_marks(bool coarse);
     void fail(const std::exception& failure) { message = failure.what(); }
     void record_frame();
     View* movable(); // nullptr: there is nothing to look at yet
@@ -101,7 +103,7 @@ private:
     std::shared_ptr<const Surface> surface_;
     std::shared_ptr<const Ink> ink_;
     std::function<Surface(const Settings&, Work&)> load_; // to be started
-    bool is_loading_ = false, wants_marks_ = false, is_stale_ = false, patches_shown_ = false;
+    bool is_loading_ = false, wants_marks_ = false, wants_fine_ = false, is_stale_ = false, patches_shown_ = false;
     bool settings_are_new_ = false; // read, and not used for a model yet: their camera and marks count
     Frame frame_;
     Size canvas_{640, 480};

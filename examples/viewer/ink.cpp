@@ -140,6 +140,17 @@ LineSet lines_of(const Surface& surface, const Settings& settings, Work& work) {
     return LineSet(lines, hrbfnpr_line_set_release);
 }
 
+// Made in a tenth of the time.
+void make_coarse(std::vector<hrbfnpr_layer_desc>& layers) {
+    for (auto& layer : layers) {
+        if (layer.kind == HRBFNPR_LAYER_KIND_HATCH) {
+            if (layer.separation == 0) layer.budget = std::max<std::int64_t>(layer.budget / 9, 100);
+            layer.separation *= 3;
+        }
+        if (layer.kind == HRBFNPR_LAYER_KIND_STIPPLES) layer.budget = std::min<std::int64_t>(layer.budget, 20000);
+    }
+}
+
 std::vector<hrbfnpr_layer_info> infos_of(const PointSet& marks) {
     auto info = defaults<hrbfnpr_point_set_info>(hrbfnpr_point_set_info_init);
     checked([&](auto* error) { return hrbfnpr_point_set_get_info(marks.get(), &info, error); });
@@ -199,7 +210,14 @@ Patches patches_of(const Surface& surface, const Settings& settings, Work& work)
     return patches;
 }
 
-Ink ink_of(const Surface& surface, const Settings& settings, Size size, bool wants_patches, Work& work) {
+bool has_hatching(const Settings& settings) {
+    const auto layers =
+        settings.layers.empty() ? preset_layers(settings.preset, settings.marks.distribution) : settings.layers;
+    return std::any_of(layers.begin(), layers.end(),
+                       [](const auto& layer) { return layer.kind == HRBFNPR_LAYER_KIND_HATCH; });
+}
+
+Ink ink_of(const Surface& surface, const Settings& settings, Size size, bool wants_patches, bool coarse, Work& work) {
     Ink ink;
     if (surface.model == nullptr) {
         ink.marks = surface.marks;
@@ -208,7 +226,9 @@ Ink ink_of(const Surface& surface, const Settings& settings, Size size, bool wan
     }
     if (wants_patches) ink.patches = patches_of(surface, settings, work);
     ink.layers = layers_for(surface, settings, size);
-    std::vector<hrbfnpr_layer_desc> layers = ink.layers;
+    ink.made = ink.layers;
+    if (coarse) make_coarse(ink.made);
+    std::vector<hrbfnpr_layer_desc> layers = ink.made;
     PaintedMap density(settings.paint, Map::density), direction(settings.paint, Map::direction);
     add_maps(layers, density, direction);
     hrbfnpr_generate_desc desc = settings.marks;

@@ -34,8 +34,9 @@ struct Patches {
 // What is drawn of a surface.
 struct Ink {
     PointSet marks;
-    LineSet lines; // may be none
-    std::vector<hrbfnpr_layer_desc> layers;
+    LineSet lines;                          // may be none
+    std::vector<hrbfnpr_layer_desc> layers; // as they are to be ...
+    std::vector<hrbfnpr_layer_desc> made;   // ... and as they are: coarser, of the first of two
     Patches patches;
     std::vector<Timing> timings;
     std::vector<hrbfnpr_layer_info> infos;
@@ -47,8 +48,11 @@ Surface surface_of_formula(const std::string& name, const Settings& settings, Wo
 // A mesh, points, a saved model or saved marks.
 Surface surface_of_file(const std::string& path, const Settings& settings, Work& work);
 
-// Marks for a picture of this size and camera.  `wants_patches`: Figure 5's too.
-Ink ink_of(const Surface& surface, const Settings& settings, Size size, bool wants_patches, Work& work);
+// Marks for a picture of this size and camera.  `wants_patches`: Figure 5's too.  `coarse`: a few lines of hatching, so
+// that there is something to see while the others are traced.
+Ink ink_of(const Surface& surface, const Settings& settings, Size size, bool wants_patches, bool coarse, Work& work);
+// Whether a coarse one is made so much sooner that it is worth it.
+bool has_hatching(const Settings& settings);
 Patches patches_of(const Surface& surface, const Settings& settings, Work& work);
 
 // The radius of the pen, pixels.
