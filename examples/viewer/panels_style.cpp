@@ -108,8 +108,7 @@ void lines_panel(App& app) {
             bool on = here != lines.end();
             if (kind == HRBFNPR_LINE_KIND_OWN && !on) continue; // there are none to draw
             if (i % 2 == 1) ImGui::SameLine(0.5F * ImGui::GetContentRegionAvail().x + 8);
-            std::string label = field.choices[i];
-            std::replace(label.begin(), label.end(), '_', ' ');
+            const std::string label = field.choices[i].substr(0, field.choices[i].find('_'));
             if (!ImGui::Checkbox(label.c_str(), &on)) continue;
             if (on) {
                 lines.push_back(defaults<hrbfnpr_line_style>(hrbfnpr_line_style_init));

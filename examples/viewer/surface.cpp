@@ -144,8 +144,25 @@ void choose(std::vector<Vec>& points, std::vector<Vec>& normals, Work& work) {
     if (!normals.empty()) pick(normals);
 }
 
+// Normals of unit length; points that have none are left out.
+void make_unit(std::vector<Vec>& points, std::vector<Vec>& normals, Work& work) {
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < normals.size(); ++i) {
+        const double size = length(normals[i]);
+        if (!std::isfinite(size) || size == 0) continue;
+        points[count] = points[i];
+        for (std::size_t k = 0; k < 3; ++k) normals[count][k] = normals[i][k] / size;
+        ++count;
+    }
+    if (count < normals.size())
+        work.notes.push_back(std::to_string(normals.size() - count) + " points without a usable normal are left out");
+    if (!normals.empty()) points.resize(count), normals.resize(count);
+    if (points.empty()) throw Failure("no point has a normal that is not zero");
+}
+
 Model fit_points(const Shape& shape, const Settings& settings, Work& work) {
     std::vector<Vec> points = shape.points, normals = shape.normals;
+    make_unit(points, normals, work);
     const bool chooses = settings.fit.tolerance > 0 || settings.fit.maximum_centres > 0; // the fit itself does
     if (static_cast<std::int64_t>(points.size()) > most_samples && !chooses) choose(points, normals, work);
     hrbfnpr_fit_desc fit = settings.fit;

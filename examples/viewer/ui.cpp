@@ -72,8 +72,9 @@ void message_window(App& app, const Ui& ui) {
     ImGui::Begin("##message", nullptr, fixed);
     ImGui::PushStyleColor(ImGuiCol_Text, ImVec4(1, 1, 1, 1));
     ImGui::TextWrapped("%s", app.message.c_str());
-    ImGui::PopStyleColor();
+    ImGui::PushStyleColor(ImGuiCol_Button, ImVec4(0.35F, 0.05F, 0.05F, 1));
     if (ImGui::Button("Close")) app.message.clear();
+    ImGui::PopStyleColor(2);
     ImGui::End();
     ImGui::PopStyleColor();
 }
@@ -100,6 +101,7 @@ void set_up_style() {
     ImGuiStyle& style = ImGui::GetStyle();
     style.WindowRounding = 0;
     style.FrameRounding = 3;
+    style.FrameBorderSize = 1;
     style.WindowBorderSize = 0;
     style.ItemSpacing = ImVec2(6, 5);
     ImGuiIO& io = ImGui::GetIO();

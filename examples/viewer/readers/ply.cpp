@@ -205,7 +205,7 @@ Shape read_ply(const std::string& data) {
     for (const Element& element : header.elements)
         if (element.name == "vertex") vertices = element.count;
     for (const Element& element : header.elements)
-        for (std::size_t row = 0; row < element.count; ++row) {
+        for (std::size_t row = 0; row < element.count && !element.properties.empty(); ++row) {
             source.begin_row(element.name, row);
             read_row(source, element, shape, vertices);
         }

@@ -109,6 +109,7 @@ Shape read_xyz(const std::string& data) {
         shape.points.push_back(vec_of(words, 0, lines));
         if (columns == 6) shape.normals.push_back(vec_of(words, 3, lines));
     }
+    if (columns == 0 && lines.number() > 0) throw Failure("it has no line of three numbers and more");
     if (columns != 0 && columns < 3) throw Failure("points need three numbers in a line");
     return shape;
 }
