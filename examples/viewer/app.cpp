@@ -281,7 +281,11 @@ void App::pan_by(double dx, double dy) {
 void App::zoom_by(double steps) {
     View* const view = movable();
     if (view == nullptr) return;
-    zoom(*view, std::pow(1.1, steps));
+    const double factor = std::pow(1.1, steps), far = length(view->eye - view->target) / surface_->diagonal();
+    const bool is_flat = view->vertical_angle == 0;
+    const double size = (is_flat ? view->view_height / surface_->diagonal() : far) / factor;
+    if ((size < 0.005 && factor > 1) || (size > 200 && factor < 1)) return; // farther there is nothing to see
+    zoom(*view, factor);
     moved();
 }
 

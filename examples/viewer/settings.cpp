@@ -338,7 +338,14 @@ Settings settings_from_json(const Json& json) {
     if (const Json* size = part("size")) settings.size = size_of(*size);
     if (const Json* pen = part("pen")) settings.pen = number_of(*pen, "pen");
     if (!(settings.pen >= 0 && settings.pen <= 100)) throw Failure("pen: a number from 0 to 100 is needed");
-    if (const Json* camera = part("camera")) settings.view = view_from_json(*camera, settings.size);
+    if (const Json* camera = part("camera")) {
+        settings.view = view_from_json(*camera, settings.size);
+        try {
+            camera_of(*settings.view, {100, 100});
+        } catch (const Failure& failure) {
+            throw Failure(std::string("camera: ") + failure.what());
+        }
+    }
     if (const Json* style = part("style")) settings.style = style_from_json(*style, settings.preset);
     if (const Json* marks = part("marks")) {
         fields_from_json("hrbfnpr_generate_desc", *marks, &settings.marks, "marks", {"layers"});

@@ -241,6 +241,7 @@ def check_command_line(view, library):
 
 ERRORS = (
     ("short.ply", MESH_WORDS + "0 0 0\n", "line 10, vertex 1: the file ends"),
+    ("header.ply", MESH_WORDS.rstrip(), "vertex 0: the file ends"),
     ("face.ply", cube().replace("4 1 3 7 5", "4 1 3 7 8"), "a face names vertex 8"),
     ("word.ply", cube().replace("1 1 1", "1 one 1"), "is no number"),
     ("face.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 4\n", "line 4"),
@@ -251,6 +252,8 @@ ERRORS = (
     ("word.json", '{"hrbfnpr-settings": 1, "style": {"tone": "loud"}}', "style.tone: one of none, light"),
     ("type.json", '{"hrbfnpr-settings": 1, "style": {"paper": 3}}', "style.paper: a list of 4 numbers"),
     ("none.json", "{}", "these are no settings"),
+    ("up.json", '{"hrbfnpr-settings": 1, "camera": {"eye": [0, 0, 1], "target": [0, 0, 0], "up": [0, 0, 1], "near_plane": 1, '
+     '"vertical_angle": 1, "far_plane": 2}}', "camera: up"),
     ("half.json", "{", "this is no JSON"),
 )
 

@@ -64,7 +64,7 @@ bool Lines::next(std::string_view& line) {
     if (offset_ >= text_.size()) return false;
     const std::size_t end = std::min(text_.find_first_of("\n\r", offset_), text_.size());
     line = text_.substr(offset_, end - offset_);
-    offset_ = end + 1;
+    offset_ = std::min(end + 1, text_.size());
     if (end + 1 < text_.size() && text_[end] == '\r' && text_[end + 1] == '\n') ++offset_;
     ++number_;
     return true;
