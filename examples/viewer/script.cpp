@@ -178,6 +178,8 @@ void Script::report(const App& app) const {
                     static_cast<long long>(layer.strokes));
     for (const auto* timings : {&app.surface()->timings, &app.ink()->timings})
         for (const Timing& timing : *timings) std::printf("stage: %s %.1f ms\n", timing.stage, timing.milliseconds);
+    const Vec low = app.surface()->low, high = app.surface()->high;
+    std::printf("bounds: %.3f %.3f %.3f to %.3f %.3f %.3f\n", low[0], low[1], low[2], high[0], high[1], high[2]);
     std::printf("dabs: %d\n", static_cast<int>(app.settings.paint.size()));
     std::printf("rho_0: %.9g estimate %.9g\n", app.settings.marks.initial_step, app.ink()->patches.estimate);
 }

@@ -82,11 +82,17 @@ def _with(layer: Layer, kind: str, **changes: Any) -> Layer:
     return replace(layer, **changes) if layer.kind == kind else layer
 
 
+def _along(vectors: Floats, direction: Any) -> Floats:
+    """Dot products, summed in the viewer's order: BLAS has others."""
+    x, y, z = (float(number) for number in direction)
+    return vectors[:, 0] * x + vectors[:, 1] * y + vectors[:, 2] * z
+
+
 def _weights(dab: Dict[str, Any], places: Floats, normals: Floats) -> Floats:
     """1 in the middle of a dab, 0 at its edge and on what faces away from it; as the viewer's paint.cpp has it."""
     away = places - np.array(dab["position"])
     share = (away[:, 0] ** 2 + away[:, 1] ** 2 + away[:, 2] ** 2) / dab["radius"] ** 2
-    faces = normals @ np.array(dab["normal"], dtype=float) > 0
+    faces = _along(normals, dab["normal"]) > 0
     weights: Floats = np.where((share < 1) & faces, dab["strength"] * (1 - share) * (1 - share), 0.0)
     return weights
 
@@ -101,12 +107,12 @@ def _pulled(values: Floats, dabs: Dabs, places: Any, normals: Any) -> Floats:
 def _painted_tone(style: Style, camera: Camera, dabs: Dabs) -> Any:
     light = np.array(style.light, dtype=float)
     if style.light_space == "camera":
-        light = np.asarray(camera.view)[:3, :3].T @ light
-    light /= np.linalg.norm(light)
+        light = _along(np.asarray(camera.view)[:3, :3].T, light)
+    light = (1 / np.sqrt(_along(light[None], light))) * light
     exponent, fill, is_lit = style.tone_exponent, style.fill_light, style.tone == "light"
 
     def tone(places: Any, normals: Any) -> Floats:
-        facing = np.asarray(normals, dtype=float) @ light
+        facing = _along(np.asarray(normals, dtype=float), light)
         lit = np.where(facing >= 0, np.maximum(facing, 0) ** exponent, fill * facing * facing)
         return _pulled(lit if is_lit else 0 * facing, dabs, places, normals)
 
@@ -122,7 +128,7 @@ def _direction(dabs: Dabs) -> Any:
         total = np.zeros((len(places), 3))
         for dab in dabs:
             along = np.array(dab["direction"], dtype=float)
-            sign = np.where(total @ along < 0, -1.0, 1.0)  # lines have no sign
+            sign = np.where(_along(total, along) < 0, -1.0, 1.0)  # lines have no sign
             weight = _weights(dab, np.asarray(places, dtype=float), np.asarray(normals, dtype=float))
             total = (1 - weight)[:, None] * total + (weight * sign)[:, None] * along
         return total
