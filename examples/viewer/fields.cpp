@@ -207,7 +207,8 @@ void fields_from_json(const std::string& c_name, const Json& json, void* values,
                       const std::vector<std::string>& others) {
     if (!json.is_object()) refuse(where, "an object with fields", json);
     const std::vector<Field>& fields = fields_of(c_name);
-    for (const auto& [key, value] : json.items()) {
+    for (const auto& each : json.items()) {
+        const std::string& key = each.key();
         if (std::find(others.begin(), others.end(), key) != others.end()) continue;
         const auto field = std::find_if(fields.begin(), fields.end(), [&](const Field& f) { return f.name == key; });
         if (field == fields.end()) {
@@ -216,7 +217,7 @@ void fields_from_json(const std::string& c_name, const Json& json, void* values,
             names.insert(names.end(), others.begin(), others.end());
             throw Failure(where + "." + key + ": there is no such field; there are " + listed(names));
         }
-        field_from_json(*field, value, values, where + "." + key);
+        field_from_json(*field, each.value(), values, where + "." + key);
     }
 }
 

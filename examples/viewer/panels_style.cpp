@@ -155,8 +155,6 @@ void choose_step(App& app, Ui& ui) {
     const Patches* const patches = app.ink() != nullptr ? &app.ink()->patches : nullptr;
     if (!shown || patches == nullptr || patches->estimate <= 0) return;
     const bool is_given = app.settings.marks.initial_step > 0;
-    if (!ImGui::IsAnyItemActive())
-        ui.step_ratio = is_given ? static_cast<float>(app.settings.marks.initial_step / patches->estimate) : 1;
     ImGui::SliderFloat("rho_0", &ui.step_ratio, 0.1F, 4, "%.2f estimates", ImGuiSliderFlags_Logarithmic);
     if (ImGui::IsItemDeactivatedAfterEdit()) app.set_step(ui.step_ratio * patches->estimate);
     ImGui::Text("= %.4g (estimate %.4g)", ui.step_ratio * patches->estimate, patches->estimate);

@@ -94,6 +94,13 @@ void picture(const App& app, const Ui& ui) {
         IM_COL32(90, 90, 90, 255), hint);
 }
 
+// The squares are those of the settings, unless the step is being chosen.
+void follow_step(const App& app, Ui& ui) {
+    if (ImGui::IsAnyItemActive() || app.ink() == nullptr) return;
+    const double step = app.settings.marks.initial_step, estimate = app.ink()->patches.estimate;
+    ui.step_ratio = step > 0 && estimate > 0 ? static_cast<float>(step / estimate) : 1;
+}
+
 } // namespace
 
 void set_up_style() {
@@ -116,6 +123,7 @@ void draw_ui(App& app, Ui& ui) {
     ui.canvas_min = ImVec2(side, 0);
     ui.canvas_max = window;
     picture(app, ui);
+    follow_step(app, ui);
     draw_patches(app, ui);
     ImGui::SetNextWindowPos(ImVec2(0, 0));
     ImGui::SetNextWindowSize(ImVec2(side, window.y));
