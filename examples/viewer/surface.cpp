@@ -160,6 +160,33 @@ void make_unit(std::vector<Vec>& points, std::vector<Vec>& normals, Work& work) 
     if (points.empty()) throw Failure("no point has a normal that is not zero");
 }
 
+Model fitted(const hrbfnpr_fit_desc& fit, Work& work) {
+    hrbfnpr_model* made = nullptr;
+    work.stage("fit", [&](auto* operation, auto* error) {
+        return hrbfnpr_model_fit(work.context.get(), &fit, operation, &made, error);
+    });
+    return keep(made);
+}
+
+// Whether some of the normals that a fit was given point the other way than their neighbours', or all inward.
+bool looks_wrong(const Model& model) {
+    auto info = defaults<hrbfnpr_model_info>(hrbfnpr_model_info_init);
+    checked([&](auto* error) { return hrbfnpr_model_get_info(model.get(), &info, error); });
+    return info.normals_inward != 0 || info.flipped_found > 0;
+}
+
+// Most normals are right, which a fit shows sooner than looking for others; nullptr if they are not.
+Model fitted_as_given(hrbfnpr_fit_desc fit, Work& work) {
+    fit.normal_mode = HRBFNPR_NORMALS_GIVEN;
+    try {
+        Model model = fitted(fit, work);
+        return looks_wrong(model) ? nullptr : model;
+    } catch (const Failure& failure) { // such as samples that contradict each other
+        if (failure.status == HRBFNPR_STATUS_CANCELLED) throw;
+        return nullptr;
+    }
+}
+
 Model fit_points(const Shape& shape, const Settings& settings, Work& work) {
     std::vector<Vec> points = shape.points, normals = shape.normals;
     make_unit(points, normals, work);
@@ -170,11 +197,9 @@ Model fit_points(const Shape& shape, const Settings& settings, Work& work) {
     fit.normals = view_of(normals);
     if (normals.empty()) fit.normals = {}, fit.normal_mode = HRBFNPR_NORMALS_NONE;
     fit.trim = HRBFNPR_TRIM_NEVER;
-    hrbfnpr_model* made = nullptr;
-    work.stage("fit", [&](auto* operation, auto* error) {
-        return hrbfnpr_model_fit(work.context.get(), &fit, operation, &made, error);
-    });
-    Model model = keep(made);
+    Model model;
+    if (fit.normal_mode == HRBFNPR_NORMALS_AUTO) model = fitted_as_given(fit, work);
+    if (model == nullptr) model = fitted(fit, work);
     if (normals.empty()) work.notes.push_back("the points have no normals: they are made");
     if (settings.fit.trim == HRBFNPR_TRIM_NEVER) return model;
     auto trim = defaults<hrbfnpr_trim_desc>(hrbfnpr_trim_desc_init);
