@@ -27,6 +27,7 @@ package_set() {
     godot) echo godot3-server godot3-runner xvfb xauth ;;
     rust) echo rustc cargo ;;
     sdl2) echo libsdl2-dev libxtst6 xvfb xauth ;;
+    viewer) echo libsdl2-dev libimgui-dev libpng-dev nlohmann-json3-dev xvfb xauth libgl1-mesa-dri ;;
     coverage) echo gcovr ;;
     memcheck) echo valgrind ;;
     bench) echo libtbb-dev libopenblas0 libegl-dev libgles-dev libgl1-mesa-dri ;;

@@ -27,7 +27,7 @@ from ._pictures import save as save_picture
 from ._point_set import PointSet
 from ._renderer import Item, Renderer
 from ._style import Style
-from .cli import _automatic, _blank, _lines, _plate, _vectors
+from .cli import _automatic, _blank, _lines, _plate, _settings_use, _vectors
 from .cli import _values as values
 from .cli._inputs import Loaded, given
 from .cli._progress import Reporter
@@ -51,11 +51,15 @@ def make_style(arguments: Any, size: Tuple[int, int]) -> Style:
     """The named style with what was given on the command line, marks sized for the picture."""
     own: Optional[Style] = getattr(arguments, "own_style", None)
     style = Style(arguments.style) if own is None else own.copy()
-    if arguments.distribution == "published":
+    by_settings = own is not None and bool(getattr(arguments, "settings", None))
+    if arguments.distribution == "published" and not by_settings:
         _draw_as_published(style)
-    style.layer("any")
-    # The named styles are made for a pen of one pixel.
-    pen = 1.0 if own is not None else arguments.mark_radius or _automatic.pen_radius(size)
+    if not by_settings:
+        style.layer("any")
+    # The named styles are made for a pen of one pixel, and so are those of settings.
+    pen = arguments.mark_radius or getattr(arguments, "own_pen", None) or _automatic.pen_radius(size)
+    if own is not None and not by_settings:
+        pen = 1.0
     for layer in style.layers:
         layer.radius *= pen
         for field in _HATCH_PIXELS:
@@ -157,7 +161,8 @@ def _wanted_layers(arguments: Any) -> List[Layer]:
 
 def generate(arguments: Any, model: Model, layers: Sequence[Layer], context: Context, report: Reporter) -> PointSet:
     """Place the marks."""
-    options = given(arguments, _GENERATE)
+    options = {**(getattr(arguments, "own_generate", None) or {}), **given(arguments, _GENERATE)}
+    arguments.made = list(layers), dict(options)
     if arguments.seed_points is not None:
         options["seed_points"] = shapes.read(arguments.seed_points).points
     with report.stage("place marks", "placing marks") as stage:
@@ -175,11 +180,14 @@ def plan(
     pixels = _automatic.pixels_per_unit(camera, np.add(low, high) / 2)
     area = known.info.spacing**2 * len(known)
     published, seeds = arguments.distribution == "published", max(model.info.centres, 1)
+    own: Optional[List[Layer]] = getattr(arguments, "own_layers", None)
+    if own is not None and arguments.layers is None:
+        return style, _settings_use.paint(arguments, style, make_layers(arguments, own), camera)
     layers = make_layers(arguments, _wanted_layers(arguments))
     layers = _automatic.marks(layers, style, area, pixels, published, seeds, report.note)
     if arguments.tone_ranges == "in-turn":
         layers = _automatic.in_turn(layers, style)
-    return style, layers
+    return style, _settings_use.paint(arguments, style, layers, camera)
 
 
 def _has_section(arguments: Any) -> bool:

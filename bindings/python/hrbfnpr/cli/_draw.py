@@ -8,7 +8,7 @@ from typing import Any, List
 from .._context import Context
 from .._model import Model
 from .._scene import Scene, draw_scene, set_scene
-from . import _lines
+from . import _lines, _settings_use
 from ._inputs import Loaded
 from ._progress import Reporter
 
@@ -28,6 +28,11 @@ def draw(arguments: Any, loaded: Loaded, context: Context, report: Reporter) -> 
         for path in outputs:
             scene.write(path, drawing, scene.camera, report)
         stage.says = ", ".join(map(str, outputs)) + _save(arguments, scene)
+        if arguments.save_settings:
+            lost = _settings_use.save(Path(arguments.save_settings), arguments, scene)
+            stage.says += f", {arguments.save_settings}"
+            if lost:
+                report.note(f"settings do not hold {', '.join(lost)}: give them again with --settings")
     for doubt in _lines.doubts(drawing.info):
         report.warn(doubt)
     width, height = scene.camera.size

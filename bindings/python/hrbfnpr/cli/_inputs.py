@@ -50,6 +50,11 @@ def given(arguments: Any, names: Tuple[str, ...]) -> "dict[str, Any]":
     return {name: value for name in names if (value := getattr(arguments, name, None)) is not None}
 
 
+def fit_options(arguments: Any) -> "dict[str, Any]":
+    """Of a fit to points: those given, before those of settings that were read."""
+    return {**(getattr(arguments, "own_fit", None) or {}), **given(arguments, FIT)}
+
+
 def load_saved(path: Path, context: Context) -> Union[Model, PointSet, None]:
     """A saved model or point set; None if the file is something else."""
     with open(path, "rb") as file:
@@ -119,7 +124,8 @@ def _with_normals(shape: Shape, context: Context, report: Reporter) -> Shape:
 
 def _samples(shape: Shape, arguments: Any, report: Reporter) -> Tuple[Floats, Floats]:
     count = arguments.samples
-    chosen = arguments.tolerance or arguments.maximum_centres  # the fit itself chooses, from all of them
+    options = fit_options(arguments)
+    chosen = options.get("tolerance") or options.get("maximum_centres")  # the fit itself chooses, from all of them
     if count is None and not chosen and len(shape.points) > MOST_SAMPLES:
         count = MOST_SAMPLES
         report.note(f"{len(shape.points)} points, of which {count} are used; --samples N sets another number")
@@ -236,7 +242,7 @@ def _load_mesh(shape: Shape, arguments: Any, context: Context, report: Reporter)
 def _fit(points: Floats, normals: Floats, arguments: Any, context: Context, report: Reporter) -> Model:
     """A model of these samples, and what there is to say of it."""
     with report.stage("fit", "fitting") as stage:
-        model = Model.fit(points, normals, trim="never", progress=stage.bar, context=context, **given(arguments, FIT))
+        model = Model.fit(points, normals, trim="never", progress=stage.bar, context=context, **fit_options(arguments))
         info = model.info
         how = _nearness.of_points(model)
         stage.says = f"{_nearness.of(info.centres, 'centre')}, {info.kernel}, {info.solver}; {how}"

@@ -80,7 +80,8 @@ def style_lines(arguments: Any, style: Style, pen: float) -> None:
         style.lines = [line for wanted in arguments.lines for line in _styles_of(wanted, contour)]
     elif any(getattr(arguments, option) is not None for option in _OF_MARKS):
         style.lines = []
-    if arguments.lines is None and style.lines and getattr(arguments, "has_end", False):
+    has_border = any(line.kind == "border" for line in style.lines)
+    if arguments.lines is None and style.lines and not has_border and getattr(arguments, "has_end", False):
         style.lines = [*style.lines, *_styles_of(Wanted("border"), contour)]
     wider = 1.0 if arguments.line_width is None else arguments.line_width / (pen * contour.width)
     for line in style.lines:
@@ -120,13 +121,18 @@ def make(
         return None
     wanted = wanted_lines(arguments, style)
     once = [_once(one, model) for one in wanted if one.kind in (*_FOUND_ONCE, "section")]
+    own: Optional[List[Lines]] = getattr(arguments, "own_lines", None)  # of settings that were read
+    if own is not None and arguments.lines is None:
+        once = list(own)
+    arguments.made_lines = tuple(once)
     once += more
     sharp = any(one.kind == "crease" for one in wanted)
     of_mesh = [Lines("own", "crease", polylines=creases(arguments.input_shape))] if sharp and _has_faces(arguments) else []
     curved = needs_curvature(style)
     support = _support(arguments, wanted, model)
     with report.stage("trace lines", "looking for lines") as stage:
-        keywords = dict(with_curvature=curved, support=support, progress=stage.bar, context=context)
+        size = (getattr(arguments, "own_line_set", None) or {}).get("cell_size", 0.0)
+        keywords = dict(with_curvature=curved, support=support, cell_size=size, progress=stage.bar, context=context)
         made = LineSet(model, [*once, *of_mesh], **keywords)
         if made.info.creases and of_mesh:
             made = LineSet(model, once, **keywords)
@@ -148,7 +154,11 @@ def wanted_lines(arguments: Any, style: Style) -> List[Wanted]:
     """Those asked for, or what a named style draws beside contours, as far as it can be had."""
     if arguments.lines is not None:
         return list(arguments.lines)
-    wanted = [Wanted(line.kind) for line in style.lines if line.kind in _FOUND_ONCE]
+    by_settings = getattr(arguments, "own_line_set", None) is not None
+    kinds = (*_FOUND_ONCE, "section") if by_settings else _FOUND_ONCE
+    wanted = [Wanted(line.kind) for line in style.lines if line.kind in kinds]
+    if by_settings:
+        return wanted
     if any(line.name == "crease" for line in style.lines) and _has_faces(arguments):
         wanted.append(Wanted("crease"))
     return wanted
@@ -158,6 +168,8 @@ def _support(arguments: Any, wanted: Sequence[Wanted], model: Model) -> float:
     """Whoever wants a border wants it where the samples end; a trimmed model has its own."""
     if arguments.support is not None:
         return float(arguments.support)
+    if "support" in (getattr(arguments, "own_line_set", None) or {}):
+        return float(arguments.own_line_set["support"])
     if model.trim_info.is_trimmed:
         return 0.0
     return _OPEN if any(one.kind == "border" for one in wanted) else 0.0

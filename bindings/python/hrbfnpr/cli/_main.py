@@ -91,10 +91,13 @@ def _load(arguments: Any, context: Context, report: Reporter) -> Loaded:
 
 def _draw(arguments: Any, context: Context, report: Reporter) -> None:
     from ._draw import draw, outputs_of
+    from ._settings_use import apply
     from ._vectors import given, is_vector
 
     outputs = outputs_of(arguments)
     check_all(arguments, outputs)
+    if arguments.settings:
+        apply(arguments)
     if not any(is_vector(path) for path in outputs) and (unused := given(arguments)):
         raise UsageError(f"{', '.join(unused)} is of vectors, and no file is: name one that ends in .svg, .pdf, .hpgl or "
                          ".gcode")  # fmt: skip

@@ -82,14 +82,15 @@ def chooses(arguments: Any) -> bool:
 
 def fit(read_mesh: Read, arguments: Any, report: Reporter) -> Model:
     """Within a tolerance both ways; what falls short is warned of."""
-    options = {name: value for name in _CHOOSES if (value := getattr(arguments, name, None)) is not None}
+    options = {"random_seed": _seed(arguments), **(getattr(arguments, "own_mesh_fit", None) or {})}
+    options.update({name: value for name in _CHOOSES if (value := getattr(arguments, name, None)) is not None})
     if arguments.regularization is not None:
         options["regularization"] = arguments.regularization
     if arguments.edges is not None:
         options["edges"], options["crease_angle"] = arguments.edges
     with report.stage("fit", "fitting") as stage:
         model = Model.fit_mesh(
-            read_mesh.mesh, random_seed=_seed(arguments), trim="never", progress=stage.bar, **options
+            read_mesh.mesh, trim="never", progress=stage.bar, **options
         )
         done = model.mesh_fit
         assert done is not None

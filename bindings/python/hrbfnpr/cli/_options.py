@@ -38,6 +38,9 @@ from . import _lines, _sheet_views, _vectors
 from . import _values as values
 
 
+DEFAULT_STYLE = "contour-and-stipple"
+
+
 class Parser(argparse.ArgumentParser):
     """Errors are one line."""
 
@@ -53,7 +56,10 @@ class Parser(argparse.ArgumentParser):
                 given[-1] += "=" + word
             else:
                 given.append(word)
-        return super().parse_args(given, namespace)
+        found = super().parse_args(given, namespace)
+        if getattr(found, "style", "") is None and not getattr(found, "settings", None):
+            found.style = DEFAULT_STYLE  # else that of the settings
+        return found
 
 
 def _choices(names: Sequence[str]) -> "dict[str, Any]":
@@ -175,8 +181,8 @@ def _add_camera(parser: Parser) -> None:
 
 
 def _add_name(parser: Parser) -> None:
-    parser.add_argument("--style", default="contour-and-stipple", choices=PRESETS, metavar="NAME",
-                        help=_listed("named style, contour-and-stipple by default", PRESETS))  # fmt: skip
+    parser.add_argument("--style", default=None, choices=PRESETS, metavar="NAME",
+                        help=_listed(f"named style, {DEFAULT_STYLE} by default", PRESETS))  # fmt: skip
 
 
 def _add_cells(parser: Parser) -> None:
@@ -285,6 +291,9 @@ def _add_drawing(draw: Parser) -> None:
                       "may be repeated")  # fmt: skip
     draw.add_argument("--save-model", metavar="FILE", help="save the model too")
     draw.add_argument("--save-points", metavar="FILE", help="save the marks too")
+    draw.add_argument("--settings", metavar="FILE", help="draw by a file of settings, as hrbfnpr-view saves them; other "
+                      "options win over it (docs/settings.md)")  # fmt: skip
+    draw.add_argument("--save-settings", metavar="FILE", help="save what the drawing was made with, for --settings")
     for add in (_add_blank, *_DRAWING, _vectors.add_options, _add_common):
         add(draw)
 

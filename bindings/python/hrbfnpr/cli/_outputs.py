@@ -54,3 +54,5 @@ def check_all(arguments: Any, drawings: Sequence[Path]) -> None:
         check_drawing(path)
     check_saved(getattr(arguments, "save_model", None), "model")
     check_saved(getattr(arguments, "save_points", None), "point set")
+    if getattr(arguments, "save_settings", None):
+        check(arguments.save_settings)

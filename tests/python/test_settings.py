@@ -1,0 +1,137 @@
+# SPDX-License-Identifier: MIT
+"""Settings in a file: --settings and --save-settings of draw."""
+
+import json
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import hrbfnpr
+from hrbfnpr.cli import _settings
+from hrbfnpr.cli._main import main
+
+Image = pytest.importorskip("PIL.Image")
+
+SAMPLES = Path(__file__).resolve().parents[2] / "examples" / "torus.xyzn"
+FEW = ("--size", "160x120", "--marks", "4000", "-q")
+
+
+@pytest.fixture
+def folder(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    return tmp_path
+
+
+def draw(name, *options):
+    assert main(["draw", str(SAMPLES), name, *options]) == 0
+    return np.asarray(Image.open(name).convert("RGBA")).astype(int)
+
+
+def put(folder, **settings):
+    (folder / "s.json").write_text(json.dumps({"hrbfnpr-settings": 1, **settings}))
+    return ("--settings", "s.json")
+
+
+@pytest.mark.parametrize("options", [
+    ("--style", "engraving", "--separation", "0.1"),
+    ("--style", "archaeological", "--profile", "no", "--scale-bar", "none", "--separation", "0.1"),
+    ("--lines", "contour,suggestive,section=z:7,isophotes=0.3:0.6", "--ink", "#204060", "--hidden", "dashed"),
+    ("--distribution", "published", "--levels", "3", "--step", "0.2", "--style", "full"),
+    ("--style", "combing", "--layers", "combing", "--fov", "0", "--set", "combing.directions=first"),
+    ("--kernel", "wendland-c2", "--kernel-radius", "3", "--tone", "none", "--transparent"),
+])  # fmt: skip
+def test_what_is_saved_draws_the_same_picture(folder, options):
+    first = draw("a.png", *FEW, *options, "--save-settings", "saved.json")
+    assert np.array_equal(draw("b.png", "--settings", "saved.json", "-q"), first)
+    draw("c.png", "--settings", "saved.json", "--save-settings", "again.json", "-q")
+    assert np.array_equal(draw("d.png", "--settings", "again.json", "-q"), first)
+
+
+def test_options_win_over_the_file(folder):
+    draw("a.png", *FEW, "--save-settings", "saved.json")
+    assert draw("b.png", "--settings", "saved.json", "--size", "80x60", "-q").shape == (60, 80, 4)
+    turned = draw("c.png", "--settings", "saved.json", "--azimuth", "120", "-q")
+    assert not np.array_equal(turned, draw("a.png", "--settings", "saved.json", "-q"))
+    blue = draw("d.png", "--settings", "saved.json", "--style", "blueprint", "-q")
+    assert blue[0, 0, 2] > blue[0, 0, 0] + 30
+
+
+def test_a_picture_of_another_size_has_the_same_view(folder):
+    small = draw("a.png", *FEW, "--save-settings", "saved.json")
+    large = draw("b.png", "--settings", "saved.json", "--size", "480x240", "-q")
+    assert large[:, :100].min() == 255, "the wider picture has free sides"
+    inked = [np.nonzero((picture[..., 0] < 200).any(axis=1))[0][[0, -1]] / len(picture) for picture in (small, large)]
+    assert np.abs(inked[0] - inked[1]).max() < 0.03
+
+
+def test_paint_changes_what_it_is_on(folder):
+    scene = put(folder, size=[200, 150], marks={"layers": [{"kind": "stipples", "budget": 8000}]})
+    bare = draw("a.png", *scene, "-q")
+    dab = {"map": "tone", "position": [1.0, 0.0, 0.4], "normal": [0, 0, 1], "radius": 0.6, "strength": 1.0}
+    scene = put(folder, size=[200, 150], marks={"layers": [{"kind": "stipples", "budget": 8000}]}, paint=[{**dab, "value": 0.0}])
+    dark = draw("b.png", *scene, "-q")
+    scene = put(folder, size=[200, 150], marks={"layers": [{"kind": "stipples", "budget": 8000}]}, paint=[{**dab, "value": 1.0}])
+    light = draw("c.png", *scene, "-q")
+    assert dark[..., 0].mean() < bare[..., 0].mean() < light[..., 0].mean()
+    scene = put(folder, size=[200, 150], marks={"layers": [{"kind": "stipples", "budget": 8000}]},
+                paint=[{**dab, "map": "density", "value": 0.0}])  # fmt: skip
+    assert not np.array_equal(draw("d.png", *scene, "-q"), bare)
+
+
+def test_paint_turns_hatching(folder):
+    layers = {"layers": [{"kind": "hatch", "budget": 0, "separation": 0.15}]}
+    dab = {"map": "direction", "position": [1.0, 0.0, 0.4], "normal": [0, 0, 1], "radius": 0.8, "strength": 1.0,
+           "direction": [1.0, 1.0, 0.0]}  # fmt: skip
+    bare = draw("a.png", *put(folder, size=[200, 150], preset="hatch", marks=layers), "-q")
+    combed = draw("b.png", *put(folder, size=[200, 150], preset="hatch", marks=layers, paint=[dab]), "-q")
+    assert not np.array_equal(bare, combed)
+
+
+DAB = {"map": "tone", "position": [0, 0, 0], "normal": [0, 0, 1], "radius": 1, "strength": 1, "value": 0}
+WRONG = [
+    ({"styel": {}}, "styel: there is no such field; there are hrbfnpr-settings, preset"),
+    ({"preset": "hatched"}, 'preset: there is no style "hatched"; there are stipple'),
+    ({"size": [0, 5]}, "size: a pair of whole numbers"),
+    ({"pen": "thick"}, "pen: a number from 0 to 100 is needed"),
+    ({"style": {"radiuss": 1}}, "style.radiuss: there is no such field; there are tone, paper"),
+    ({"style": {"tone": "loud"}}, 'style.tone: one of none, light is needed, not "loud"'),
+    ({"style": {"paper": [1, 1, 1]}}, "style.paper: a list of 4 numbers is needed"),
+    ({"style": {"layers": [{"kind": "hatch"}, {"radius": "wide"}]}}, "style.layers[1].radius: a number is needed"),
+    ({"marks": {"layers": [{"kind": "stipples", "budget": 1.5}]}}, "marks.layers[0].budget: a whole number is needed"),
+    ({"marks": {"box_resolution": -1}}, "marks.box_resolution: a number that fits"),
+    ({"camera": {"eye": [0, 0, 1]}}, "camera.target: it is missing, and needed"),
+    ({"camera": {"view": [0] * 16, "projection": [0] * 16}}, "size: it is missing"),
+    ({"line_set": {"lines": [{"kind": "contour"}]}}, "line_set.lines[0].kind: one of ridge"),
+    ({"paint": [DAB, {**DAB, "radius": 0}]}, "paint[1].radius: a number above 0"),
+    ({"paint": [{**DAB, "map": "colour"}]}, "paint[0].map: one of tone, density, direction"),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize("settings, message", WRONG)
+def test_what_is_wrong_is_named(folder, capsys, settings, message):
+    assert main(["draw", str(SAMPLES), "a.png", *put(folder, **settings)]) == 1
+    said = capsys.readouterr().err
+    assert message in said and "s.json" in said and said.count("\n") == 1
+
+
+@pytest.mark.parametrize("text, message", [("{}", "these are no settings"), ("{", "this is no JSON"), ("[1]", "no settings"),
+                                           ('{"hrbfnpr-settings": 2}', "version 1 is known here, not 2")])  # fmt: skip
+def test_other_files_are_no_settings(folder, capsys, text, message):
+    (folder / "s.json").write_text(text)
+    assert main(["draw", str(SAMPLES), "a.png", "--settings", "s.json"]) == 1
+    assert message in capsys.readouterr().err
+
+
+def test_what_is_not_held_is_said(folder, capsys):
+    assert main(["draw", str(SAMPLES), "a.png", "--samples", "100", "--size", "80", "--marks", "2000", "--save-settings",
+                 "s.json"]) == 0  # fmt: skip
+    assert "settings do not hold --samples" in " ".join(capsys.readouterr().err.split())
+
+
+def test_the_schema_has_every_field(folder):
+    schema = _settings.schema()
+    assert schema["style"]["hidden_lines"] == ["attenuate", "hide", "show"]
+    assert schema["style"]["paper"] == ["float", 4]
+    assert "layers" not in schema["style"], "lists have sections of their own"
+    assert set(hrbfnpr.LayerStyle.fields()) <= set(schema["style.layers"])
