@@ -33,7 +33,7 @@ CurvePoint as_curve_point(const CreasePoint& p, double sense) noexcept {
 class Cutter {
 public:
     Cutter(base::Memory& memory, const implicit::Sheets& sheets, const Creases& creases, const View& view)
-        : memory_(memory), sheets_(sheets), creases_(creases), view_(view), parts_(memory), path_(memory) {}
+        : sheets_(sheets), creases_(creases), view_(view), parts_(memory), path_(memory) {}
 
     void add(std::int64_t crease);
     [[nodiscard]] CreaseParts result() && { return std::move(parts_); }
@@ -49,7 +49,6 @@ private:
     void put(std::int64_t begin, std::int64_t end, bool closed);
     [[nodiscard]] Facing facing_between(std::int64_t k) const noexcept;
 
-    base::Memory& memory_;
     const implicit::Sheets& sheets_;
     const Creases& creases_;
     const View& view_;

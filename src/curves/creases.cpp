@@ -11,6 +11,7 @@ namespace {
 
 constexpr std::int64_t grain = 16;
 constexpr int most_rounds = 8;
+constexpr double degrees = 57.29577951308232;
 // In sides.
 constexpr double tolerance = 1e-9;
 constexpr double nearest = 0.1; // nodes of the mesh that are nearer to the one before say nothing more
@@ -211,7 +212,7 @@ Creases Tracer::run(const CreaseChains& chains, const base::Progress& progress) 
 
 double CreasePoint::angle() const noexcept {
     const glm::dvec3 cross = glm::cross(left, right);
-    const double size = glm::degrees(std::atan2(glm::length(cross), glm::dot(left, right)));
+    const double size = degrees * std::atan2(glm::length(cross), glm::dot(left, right));
     return glm::dot(cross, tangent) < 0.0 ? -size : size;
 }
 

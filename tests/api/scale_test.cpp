@@ -79,7 +79,7 @@ TEST(Scale, LengthsOfTheDescriptorAreInTheSamplesUnit) {
         Generation desc = small_desc();
         desc.seed_source = HRBFNPR_SEED_POINTS;
         desc.seed_points = in(seeds);
-        for (const std::size_t layer : {principal, combing}) {
+        for (const auto layer : {std::size_t{principal}, std::size_t{combing}}) {
             desc.layer[layer].separation = 0.3 * scale;
             desc.layer[layer].step = 0.05 * scale;
             desc.layer[layer].length = 2.0 * scale;
