@@ -41,7 +41,10 @@ SECTIONS = {
     ("docs/python.md", "Notebooks"): "tests/python/test_notebook.py",
 }
 HERE_PYTHON = {"docs/csg.md", "docs/fitting.md", "docs/lines.md", "docs/vectors.md"}
-PROGRAMS = set("apt-get cc cd cmake cp ctest export git mcs mkdir node npm npx pip pkg-config python3 sudo xvfb-run".split())
+PROGRAMS = set(
+    "apt-get cc cd cmake cp ctest export git hrbfnpr-view mcs mkdir node npm npx pip pkg-config python3 sudo xvfb-run"
+    .split()
+)
 
 
 class Block:

@@ -74,6 +74,19 @@ def test_transforms_keep_distances_and_orientation():
     assert max(abs(a - b) for a, b in zip(moved.bounds[1], (0.5, 1, 2.25))) < 1e-13
 
 
+def test_factors_of_scaled_are_one_or_three():
+    ball = csg.sphere(1)
+    egg = ball.scaled((1, 1, 2))
+    assert egg.contains((0, 0, 1.9)) and not egg.contains((1.1, 0, 0)) and not egg.contains((0, 0, 2.1))
+    assert values(ball.scaled(3)) == values(ball.scaled([3, 3, 3]))
+    for factor in ((1, 2), "2", None, (1, 2, 3, 4)):
+        with pytest.raises((TypeError, ValueError), match="factor"):
+            ball.scaled(factor)
+    for factor in (0, (1, 0, 1), math.nan, (1, math.inf, 1)):
+        with pytest.raises(hrbfnpr.Error, match="matrix"):
+            ball.scaled(factor)
+
+
 def test_solids_of_fits_and_functions_live_as_long_as_needed():
     fitted = hrbfnpr.Model.fit([(1, 0, 0), (-1, 0, 0), (0, 1, 0), (0, -1, 0), (0, 0, 1), (0, 0, -1)],
                                [(1, 0, 0), (-1, 0, 0), (0, 1, 0), (0, -1, 0), (0, 0, 1), (0, 0, -1)])  # fmt: skip

@@ -258,7 +258,10 @@ def matrix_out(numbers: Any) -> Array:
 
 def vector(argument: str, value: Any, length: int = 3) -> List[float]:
     """A few numbers."""
-    numbers = [float(number) for number in value]
+    try:
+        numbers = [float(number) for number in value]
+    except (TypeError, ValueError):
+        raise TypeError(f"{argument} must be {length} numbers, not {value!r}") from None
     if len(numbers) != length:
         raise ValueError(f"{argument} must be {length} numbers, not {len(numbers)}")
     return numbers

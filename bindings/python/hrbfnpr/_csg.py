@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import math
+import numbers
 from dataclasses import dataclass
-from typing import Any, Dict, List, Optional, Sequence, Tuple, Type, TypeVar
+from typing import Any, Dict, List, Optional, Sequence, Tuple, Type, TypeVar, Union
 
 from ._arrays import vector
 from ._callbacks import check
@@ -231,11 +232,15 @@ class Combining(Owner):
             ]
         )
 
-    def scaled(self: Self, factor: float) -> Self:
-        """Made larger about the origin."""
-        return self._moved(
-            [[factor, 0.0, 0.0, 0.0], [0.0, factor, 0.0, 0.0], [0.0, 0.0, factor, 0.0], [0.0, 0.0, 0.0, 1.0]]
-        )
+    def scaled(self: Self, factor: Union[float, Triple]) -> Self:
+        """Made larger about the origin, by one factor or by one along each axis; they are not 0.
+
+        Unequal factors are a `transformed`, with what is said there of f.
+        """
+        if isinstance(factor, numbers.Real):
+            factor = [float(factor)] * 3
+        x, y, z = vector("factor", factor)
+        return self._moved([[x, 0.0, 0.0, 0.0], [0.0, y, 0.0, 0.0], [0.0, 0.0, z, 0.0], [0.0, 0.0, 0.0, 1.0]])
 
     def _moved(self: Self, matrix: Matrix) -> Self:
         return self._combined(node("union", matrix=matrix), (), None)
