@@ -230,6 +230,41 @@ TEST(Creases, FacesInOnePlaneAreOne) {
     EXPECT_EQ(flat, 0.0);
 }
 
+// Beyond the inner corner of a notch both sheets of an edge of its floor are 0, and so is f, but there is no edge.
+TEST(Creases, EndAtInnerCorners) {
+    const double slope = std::tan(glm::radians(30.0));
+    const std::vector<glm::dvec2> outline{{-1.0, -1.0}, {1.0, -1.0}, {1.0, 0.05 + 0.9 * slope},
+                                          {0.1, 0.05},  {0.1, 1.0},  {-1.0, 1.0}};
+    const glm::dvec3 upper = glm::normalize(glm::dvec3(-slope, 1.0, 0.0));
+    std::vector<Sharp> all = sides({1.0, 1.0, 0.6}, odd_turn());
+    all.push_back(min_of({Sharp(turned(plane({1, 0, 0}, 0.1), odd_turn())),
+                          Sharp(turned(plane(upper, glm::dot(upper, glm::dvec3(0.1, 0.05, 0.0))), odd_turn()))}));
+    const SharpShape shape(cube(1.75), max_of(std::move(all)));
+    const auto distance = [&](const glm::dvec3& place) {
+        const glm::dvec3 p = odd_turn() * place;
+        const glm::dvec2 q(p);
+        double best = 1e9;
+        for (std::size_t i = 0; i < outline.size(); ++i) {
+            const glm::dvec2 along = outline[(i + 1) % outline.size()] - outline[i];
+            const double share = std::clamp(glm::dot(q - outline[i], along) / glm::dot(along, along), 0.0, 1.0);
+            best = std::min(best, std::hypot(glm::distance(q, outline[i] + share * along), std::abs(p.z) - 0.6));
+            const double beyond = std::max(0.0, std::abs(p.z) - 0.6);
+            best = std::min(best, std::hypot(glm::distance(q, outline[i]), beyond));
+        }
+        return best;
+    };
+    double length = 6.0 * 1.2;
+    for (std::size_t i = 0; i < outline.size(); ++i)
+        length += 2.0 * glm::distance(outline[i], outline[(i + 1) % outline.size()]);
+    for (const double side : {0.3, 0.17, 0.11, 0.07}) {
+        const auto lines = line_set(shape, side);
+        const Measured found = measure(lines->creases(), distance);
+        EXPECT_EQ(found.count, 18) << side;
+        EXPECT_LE(found.off, 1e-7) << side;
+        EXPECT_NEAR(found.length, length, 1e-6) << side;
+    }
+}
+
 // A section of a cube is a polygon, one line for each face; of a bored one there is a circle or an arc as well.
 TEST(Creases, SectionsHaveCorners) {
     const auto shape = bored_cube(0.6, glm::dmat3(1.0));
