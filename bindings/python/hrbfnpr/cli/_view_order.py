@@ -149,6 +149,11 @@ def _go_on(free: Any, at: Floats, reach: float) -> None:
         beside = [lengths[j] for j in (i - 1, i + 1) if 0 <= j < len(runs)]
         if not value and beside and lengths[i] < max(2 * reach, min(_JOINING, *beside)):
             free[first:last] = True
+    # Another line that begins where this one is left out is near to it before that.
+    more = math.ceil(reach / STEP)
+    for first, last, value in _runs(free):
+        if value:
+            free[max(0, first - more) : last + more] = True
 
 
 def _class_of(curve: Curve, hidden: bool) -> str:
