@@ -229,6 +229,21 @@ TEST_F(LineCreases, FadesWithItsAngle) {
         for (const StrokePoint& p : points_of(stroke)) EXPECT_EQ(p.opacity, 0.0F);
 }
 
+// Where it is sharper than 27 degrees it is a part of the contour; from there it goes on, to 15.
+TEST_F(LineCreases, GoOnWhereTheyAreNoContoursAnyMore) {
+    const auto wedge = test::fading_wedge();
+    look_at(*wedge, {-1.0, 0.0, -0.24});
+    draw();
+    float fading = 0.0F;
+    for (const Stroke& stroke : strokes_of(LineKind::crease)) {
+        const std::span<const StrokePoint> points = points_of(stroke);
+        for (std::size_t i = 1; i < points.size(); ++i)
+            if (points[i].opacity > 0.02F && points[i].opacity < 0.9F)
+                fading += points[i].length - points[i - 1].length;
+    }
+    EXPECT_GT(fading, 15.0F);
+}
+
 TEST_F(LineCreases, SmoothItemsHaveNoLayerForThem) {
     const test::SquareSphere ball;
     curves::LineSetSettings settings;

@@ -209,7 +209,8 @@ void TracedLines::add_bent(const Source& source, const LineStyle& style, std::ui
             source.item->lines->border().curves.count() == 0)
             continue;
         const curves::SurfaceLines& lines = *lines_.add(std::make_unique<curves::SurfaceLines>(
-            curves::bent_parts(runtime_.memory, *some, style.creases, by.lower, by.upper)));
+            curves::bent_parts(runtime_.memory, *some, some == &parts.inside ? parts.of_inside : parts.of_outside,
+                               style.creases, by.lower, by.upper)));
         if (lines.curves.count() == 0) continue;
         visibility::Subject& subject = add_subject(source, lines.curves);
         subject.sheets = 0;
