@@ -106,7 +106,9 @@ def _runs(flags: Any) -> List[Tuple[int, int, bool]]:
 def steady(curve: Curve) -> Any:
     """`hidden` without parts that are too short to be seen."""
     hidden, along = np.array(curve.hidden, dtype=bool), curve.along
-    for begin, end, value in _runs(hidden)[1:-1]:
+    runs = _runs(hidden)
+    goes_round = np.array_equal(curve.points[0], curve.points[-1]) and hidden[0] != hidden[-1]
+    for begin, end, value in runs if goes_round else runs[1:-1]:
         length = along[end] - along[begin]
         # What turns back, at a cusp, goes on as another line does.
         if length < _FLICKER and np.linalg.norm(curve.points[end] - curve.points[begin]) > _ONWARD * length:
