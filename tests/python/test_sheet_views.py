@@ -361,7 +361,7 @@ def test_a_line_that_goes_on_as_another_has_no_gap():
 
 
 def ring_of(begin, count, hidden):
-    """A circle of radius 4 mm that begins at an angle, and closes; of its 180 pieces so many are hidden at its beginning."""
+    """A circle of radius 4 mm from an angle on; so many of its 180 pieces, the first ones, are hidden, or seen alone."""
     angle = np.radians(begin + np.linspace(0.0, 360.0, 181))
     points = 4.0 * np.stack((np.cos(angle), np.sin(angle)), axis=1)
     points[-1] = points[0]
@@ -381,7 +381,7 @@ def test_a_circle_has_no_gap_where_it_begins():
 
 def test_two_halves_of_a_circle_have_no_gap():
     # The upper rim of a hole, of which a half is seen, and the lower one, of which more than the other half is.
-    pieces = _view_order.in_order([ring_of(0.0, 120, False), ring_of(-120.0, 80, False)])["outlines"]
+    pieces = _view_order.in_order([ring_of(0.0, 120, False), ring_of(-120.0, 160, False)])["outlines"]
     assert gap_of(pieces) < 2.1
 
 
