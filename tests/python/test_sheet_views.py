@@ -361,7 +361,7 @@ def test_a_line_that_goes_on_as_another_has_no_gap():
 
 
 def ring_of(begin, count, hidden):
-    """A circle of radius 4 mm from an angle on; so many of its 180 pieces, the first ones, are hidden, or seen alone."""
+    """A circle of radius 4 mm from an angle on; the first so many of its 180 pieces are hidden, or seen alone."""
     angle = np.radians(begin + np.linspace(0.0, 360.0, 181))
     points = 4.0 * np.stack((np.cos(angle), np.sin(angle)), axis=1)
     points[-1] = points[0]
