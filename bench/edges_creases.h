@@ -2,6 +2,7 @@
 // How far the creases that a line set traces are from the true ones.
 #pragma once
 
+#include "edge_places.h"
 #include "line_calls.h"
 
 #include <glm/gtc/type_ptr.hpp>
@@ -15,8 +16,10 @@ namespace bench {
 
 // In % of the diagonal.
 struct CreaseErrors {
-    double p95 = 0.0, most = 0.0;
-    std::int64_t points = 0; // that were compared
+    double p95 = 0.0, most = 0.0; // of traced points from the mesh's edges, which are chords of true ones
+    double corner_p95 = 0.0;      // of the ends of the mesh's edges, which are on true ones, from traced lines
+    double found = 0.0;           // share of these that have a traced line within 0.1 %
+    std::int64_t points = 0;      // that were compared
 };
 
 // All creases from the least angle on, in front and behind, also where they are parts of the contour.
@@ -41,21 +44,48 @@ struct CreaseErrors {
     return glm::dvec3(place) / place.w;
 }
 
-// distance(place): from the nearest true crease.  low, high: of the model's box.  Points are those of the drawn lines,
-// from three sides: they are on the lines' cubics, and as exact as floats.
-template <class Distance>
-[[nodiscard]] CreaseErrors crease_errors(hrbfnpr_context* context, const hrbfnpr_point_set* marks,
-                                         const hrbfnpr_line_set* lines, const double* low, const double* high,
-                                         double least_angle, Distance&& distance) {
-    LinePainter painter(context, marks, lines, {all_creases(least_angle)});
-    const double diagonal = glm::distance(glm::make_vec3(low), glm::make_vec3(high));
+[[nodiscard]] inline double distance_to_line(const std::vector<glm::dvec3>& line, const glm::dvec3& p) {
+    double least = 1e300;
+    for (std::size_t i = 0; i + 1 < line.size(); ++i) {
+        const glm::dvec3 along = line[i + 1] - line[i];
+        const double square = glm::dot(along, along);
+        const double share = square > 0.0 ? std::clamp(glm::dot(p - line[i], along) / square, 0.0, 1.0) : 0.0;
+        least = std::min(least, glm::distance(p, line[i] + share * along));
+    }
+    return least;
+}
+
+// Each edge has two places.
+[[nodiscard]] inline bool is_compared(const std::vector<EdgePlace>& places, std::size_t i) {
+    return i % 2 == 0 && places[i].angle >= 40.0;
+}
+
+// Of the model's creases of 30 degrees and more, against the mesh's edges of 20 degrees and more; and the mesh's edges
+// of 40 degrees and more against these.  Points are those of the drawn lines, from three sides: they are on the lines'
+// cubics, and as exact as floats.
+[[nodiscard]] inline CreaseErrors crease_errors(hrbfnpr_context* context, const hrbfnpr_model* model,
+                                                const std::vector<EdgePlace>& places) {
+    const auto info = info_of(model);
+    const glm::dvec3 low = glm::make_vec3(info.bounds_min);
+    const glm::dvec3 high = glm::make_vec3(info.bounds_max);
+    const double unit = 0.01 * glm::distance(low, high);
+    const LineSet lines = make_line_set(context, model);
+    const scenes::PointSet marks = generate(context, model, one_layer(HRBFNPR_LAYER_KIND_STIPPLES, 20));
+    LinePainter painter(context, marks.get(), lines.get(), {all_creases(30.0)});
     std::vector<double> off;
+    std::vector<double> nearest(places.size(), 1e300);
     for (const glm::dvec3& direction : {glm::dvec3(-1.0, -0.8, -0.6), {0.7, -0.5, 1.0}, {0.3, 1.0, -0.4}}) {
-        const hrbfnpr_camera camera = camera_of(low, high, glm::normalize(direction), 0.0);
+        const hrbfnpr_camera camera =
+            camera_of(glm::value_ptr(low), glm::value_ptr(high), glm::normalize(direction), 0.0);
         painter.draw(camera);
-        for (const Polyline& line : painter.polylines())
-            for (const glm::dvec3& window : line.window)
-                off.push_back(100.0 * distance(unprojected(camera, window)) / diagonal);
+        for (const Polyline& line : painter.polylines()) {
+            std::vector<glm::dvec3> points;
+            for (const glm::dvec3& window : line.window) points.push_back(unprojected(camera, window));
+            for (const glm::dvec3& p : points) off.push_back(distance_to_edges(places, 20.0, {p.x, p.y, p.z}) / unit);
+            for (std::size_t i = 0; i < places.size(); ++i)
+                if (is_compared(places, i))
+                    nearest[i] = std::min(nearest[i], distance_to_line(points, glm::make_vec3(places[i].from.data())));
+        }
     }
     CreaseErrors errors;
     errors.points = static_cast<std::int64_t>(off.size());
@@ -63,6 +93,13 @@ template <class Distance>
     std::sort(off.begin(), off.end());
     errors.p95 = off[static_cast<std::size_t>(0.95 * static_cast<double>(off.size() - 1))];
     errors.most = off.back();
+    std::vector<double> missed;
+    for (std::size_t i = 0; i < places.size(); ++i)
+        if (is_compared(places, i)) missed.push_back(nearest[i] / unit);
+    const auto found = std::count_if(missed.begin(), missed.end(), [](double d) { return d <= 0.1; });
+    errors.found = static_cast<double>(found) / static_cast<double>(missed.size());
+    std::sort(missed.begin(), missed.end());
+    errors.corner_p95 = missed[missed.size() * 95 / 100];
     return errors;
 }
 

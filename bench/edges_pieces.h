@@ -5,6 +5,7 @@
 
 #include "calls.h"
 #include "edge_places.h"
+#include "edges_creases.h"
 #include "read_meshes.h"
 #include "support/sharp_meshes.h"
 #include "timing.h"
@@ -89,6 +90,11 @@ public:
             off.push_back(best);
         }
         return edge_spread(off, 1.0);
+    }
+
+    // Of the creases that a line set traces.
+    [[nodiscard]] CreaseErrors creases() const {
+        return crease_errors(context_, model_.get(), edge_places(shape_.mesh, shape_.round, 20.0));
     }
 
     // Of places on the mesh within 2 % of its edges; normals from 0.1 % on.
@@ -219,9 +225,10 @@ inline void measure_pieces(hrbfnpr_context* context, const std::string& folder, 
     std::vector<EdgeShape> shapes = edge_shapes();
     if (!folder.empty())
         for (auto& [name, mesh] : read_meshes(folder, named)) shapes.push_back({name, std::move(mesh), 2000, {}});
-    std::printf("models of sheets; lengths in %% of the diagonal\n%-14s %8s %7s %7s %9s %9s %9s %9s %7s %7s %6s %7s\n",
+    std::printf("models of sheets; lengths in %% of the diagonal\n%-14s %8s %7s %7s %9s %9s %9s %9s %7s %7s %6s %7s "
+                "%9s %9s %9s %6s\n",
                 "mesh", "centres", "sheets", "cells", "edge p95", "max", "smooth", "near p95", "normal", "wrong",
-                "fit s", "speed");
+                "fit s", "speed", "traced", "max", "corners", "found");
     for (const EdgeShape& shape : shapes) {
         const PiecesRun run(context, shape, HRBFNPR_EDGES_AUTO);
         EdgeShape coarse = shape;
@@ -232,10 +239,12 @@ inline void measure_pieces(hrbfnpr_context* context, const std::string& folder, 
         run.beside(surface, normal);
         const int wrong = run.wrong_signs();
         const double speed = run.speed();
-        std::printf("%-14s %8lld %7d %7lld %9.4f %9.4f %9.4f %9.4f %7.2f %7d %6.2f %7.2f\n", shape.name.c_str(),
-                    static_cast<long long>(run.info.centres), run.info.sheets, static_cast<long long>(run.info.cells),
-                    edges.p95, edges.most, smooth.edges().p95, surface.p95, normal.p95, wrong, run.info.seconds_total,
-                    speed);
+        const CreaseErrors creases = run.creases();
+        std::printf("%-14s %8lld %7d %7lld %9.4f %9.4f %9.4f %9.4f %7.2f %7d %6.2f %7.2f %9.4f %9.4f %9.4f %6.3f\n",
+                    shape.name.c_str(), static_cast<long long>(run.info.centres), run.info.sheets,
+                    static_cast<long long>(run.info.cells), edges.p95, edges.most, smooth.edges().p95, surface.p95,
+                    normal.p95, wrong, run.info.seconds_total, speed, creases.p95, creases.most, creases.corner_p95,
+                    creases.found);
         std::string key = "edges." + shape.name.substr(0, shape.name.find(' '));
         report((key + "_p95").c_str(), edges.p95);
         report((key + "_max").c_str(), edges.most);
@@ -243,6 +252,10 @@ inline void measure_pieces(hrbfnpr_context* context, const std::string& folder, 
         report((key + "_normal_p95").c_str(), normal.p95);
         report((key + "_wrong_signs").c_str(), wrong);
         report((key + "_speed").c_str(), speed);
+        report((key + "_creases_p95").c_str(), creases.p95);
+        report((key + "_creases_max").c_str(), creases.most);
+        report((key + "_creases_corner_p95").c_str(), creases.corner_p95);
+        report((key + "_creases_found").c_str(), creases.found);
         report((key + "_fit_seconds").c_str(), run.info.seconds_total);
     }
 }

@@ -4,6 +4,7 @@
 
 #include "calls.h"
 #include "edges_csg.h"
+#include "edges_reach.h"
 #include "timing.h"
 
 #include <cstdio>
@@ -18,10 +19,13 @@ inline constexpr int rays_each = 40;
 inline constexpr int levels = 6;
 
 struct Score {
-    std::int64_t trees = 0, nodes = 0, empty = 0, given_bounds = 0;
+    std::int64_t trees = 0, nodes = 0, empty = 0, empty_boxes = 0, given_bounds = 0;
     std::int64_t values = 0, wrong_values = 0;
     std::int64_t gradients = 0, wrong_gradients = 0;
-    std::int64_t projections = 0, converged = 0, off_surface = 0;
+    std::int64_t projections = 0, off_surface = 0;
+    std::int64_t bare = 0, bare_converged = 0; // in boxes in which a dense search finds no surface
+    std::int64_t reaching = 0, converged = 0;  // in the others
+    std::vector<double> farther;               // than the nearest surface; in diagonals
     std::int64_t rays = 0, hits = 0, missed = 0, wrong_hits = 0;
     double value_error = 0.0, seconds = 0.0;
 };
@@ -119,10 +123,17 @@ inline void project(Tree& tree, Score& score) {
     projection.position = out(place, 3);
     projection.status = {status.data(), projections_each, 0, HRBFNPR_SCALAR_UINT32, 1};
     check(hrbfnpr_model_project(tree.model, &points, nullptr, &projection, nullptr, check.error()));
+    const double margin = 0.05 * tree.diagonal(); // of the search box
+    const DenseSurface dense(tree.model, tree.low - margin, tree.high + margin);
+    score.empty_boxes += dense.empty() ? 1 : 0;
     for (std::size_t i = 0; i < status.size(); ++i) {
         ++score.projections;
+        ++(dense.empty() ? score.bare : score.reaching);
         if (status[i] != HRBFNPR_PROJECTION_CONVERGED) continue;
-        ++score.converged;
+        ++(dense.empty() ? score.bare_converged : score.converged);
+        if (!dense.empty())
+            score.farther.push_back((glm::distance(at(places, i), at(place, i)) - dense.distance(at(places, i))) /
+                                    tree.diagonal());
         score.off_surface += std::abs(tree.reference.at(at(place, i))) <= 1e-8 * tree.diagonal() ? 0 : 1;
     }
 }
@@ -212,15 +223,27 @@ inline void measure_csg(hrbfnpr_context* context, int trees) {
     print("left out, as nothing is left of them", score.empty);
     print("values", score.values);
     print("gradients, off creases", score.gradients);
+    print("without a surface that a dense search finds", score.empty_boxes);
     print("projections", score.projections);
-    print("of these, converged", score.converged);
+    print("of these, of trees without a surface", score.bare);
+    print("  which converged, on thin walls", score.bare_converged);
+    print("of trees with a surface", score.reaching);
+    print("  which converged", score.converged);
     print("rays", score.rays);
     print("hits", score.hits);
     std::printf("edges.csg_value_error %.3g\n", score.value_error);
     std::printf("edges.csg_wrong_values %lld\n", static_cast<long long>(score.wrong_values));
     std::printf("edges.csg_wrong_gradients %lld\n", static_cast<long long>(score.wrong_gradients));
     std::printf("edges.csg_converged_share %.4f\n",
-                static_cast<double>(score.converged) / static_cast<double>(score.projections));
+                static_cast<double>(score.converged) / static_cast<double>(score.reaching));
+    std::sort(score.farther.begin(), score.farther.end());
+    const auto farther = [&](double share) {
+        return score.farther.empty()
+                   ? 0.0
+                   : score.farther[static_cast<std::size_t>(share * static_cast<double>(score.farther.size() - 1))];
+    };
+    std::printf("edges.csg_farther_than_nearest_median %.4f\n", std::max(0.0, farther(0.5)));
+    std::printf("edges.csg_farther_than_nearest_p95 %.4f\n", farther(0.95));
     std::printf("edges.csg_off_surface %lld\n", static_cast<long long>(score.off_surface));
     std::printf("edges.csg_wrong_hits %lld\n", static_cast<long long>(score.wrong_hits));
     std::printf("edges.csg_missed_hits %lld\n", static_cast<long long>(score.missed));

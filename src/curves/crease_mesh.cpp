@@ -20,8 +20,10 @@ constexpr std::int64_t grain = 32;
 // In sides.
 constexpr double tolerance = 1e-9;     // of a place where sheets meet
 constexpr double on_surface = 1e-3;    // that place's distance from the whole surface
+constexpr double aside = 1e-3;         // to either side of it, where f is looked at
 constexpr double farthest = 1.5;       // from the edge
 constexpr double shortest_edge = 0.01; // that is halved
+constexpr double least_sine = 0.02;    // of half the angle between sheets: below it curvature may be more
 constexpr double equal = 1e-7;         // sheets that are no farther apart, and as parallel, are one there
 
 // Of an edge whose ends belong to different sheets.
@@ -65,6 +67,7 @@ private:
     [[nodiscard]] bool settle_equal();
     void find_corners(const base::Progress& progress);
     [[nodiscard]] bool is_on_surface(const glm::dvec3& place) const;
+    [[nodiscard]] bool folds(const CreaseNode& at, const std::array<glm::dvec3, 2>& gradient) const;
     [[nodiscard]] bool halve(const base::Progress& progress);
     void place_rest();
     [[nodiscard]] std::int32_t vertex_of(std::int64_t edge, bool at_start) const noexcept;
@@ -112,6 +115,26 @@ bool Splitter::is_on_surface(const glm::dvec3& place) const {
     return std::abs(value) <= on_surface * mesh_.side * glm::length(g);
 }
 
+// Whether f is the larger or the lesser of both sheets around the place.  Beyond a corner it may be 0 where both are,
+// and one of them: where they differ most, it has then opposite signs to either side, and the edge passes a third
+// sheet.
+bool Splitter::folds(const CreaseNode& at, const std::array<glm::dvec3, 2>& gradient) const {
+    const glm::dvec3 across = glm::normalize(gradient[0]) - glm::normalize(gradient[1]);
+    const double sine = 0.5 * glm::length(across); // of half the angle between them: f aside is that share of the way
+    if (!(sine > least_sine)) return true;
+    const glm::dvec3 way = aside * mesh_.side / (2.0 * sine) * across;
+    const std::array<glm::dvec3, 2> beside{at.position + way, at.position - way};
+    std::array<double, 2> off{};
+    for (std::size_t k = 0; k < 2; ++k) {
+        surface::SheetValue f;
+        implicit_.evaluate({&beside[k].x, &beside[k].y, &beside[k].z, 1},
+                           {&f.value, {&f.gradient.x, &f.gradient.y, &f.gradient.z}, {}});
+        off[k] = f.value / glm::length(f.gradient);
+    }
+    const double least = 0.5 * sine * aside * mesh_.side;
+    return !(off[0] * off[1] < 0.0 && std::min(std::abs(off[0]), std::abs(off[1])) > least);
+}
+
 // From where the difference of both sheets is 0 as it is linear along the edge.
 void Splitter::look_at(EdgeNode& node) const {
     const std::array<std::int32_t, 2> end{start_of(mesh_, node.edge), end_of(mesh_, node.edge)};
@@ -133,7 +156,7 @@ void Splitter::look_at(EdgeNode& node) const {
     const surface::MeetingPlace found = surface::find_meeting(sheets_, meeting, from, tolerance * mesh_.side, reach);
     node.at.position = found.found ? found.position : from;
     node.gradient = {found.gradient[0], found.gradient[1]};
-    node.at.exact = found.found && is_on_surface(found.position);
+    node.at.exact = found.found && is_on_surface(found.position) && folds(node.at, node.gradient);
 }
 
 void Splitter::find_edges(const base::Progress& progress) {

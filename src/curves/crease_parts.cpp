@@ -54,6 +54,7 @@ private:
     const View& view_;
     CreaseParts parts_;
     base::Array<CreasePoint> path_; // of a crease, with the places where it turns
+    AngleRange angles_;             // of all of it
     bool closed_ = false;
 };
 
@@ -131,6 +132,10 @@ void Cutter::put(std::int64_t begin, std::int64_t end, bool closed) {
         builder.add(p.position, normal, p.angle(), backwards ? -p.tangent : p.tangent);
     }
     builder.end(closed);
+    base::Array<AngleRange>* const of = facing == Facing::outside  ? &parts_.of_outside
+                                        : facing == Facing::inside ? &parts_.of_inside
+                                                                   : nullptr;
+    if (of != nullptr && of->size() < to.curves.count()) of->push_back(angles_);
 }
 
 void Cutter::add(std::int64_t crease) {
@@ -138,7 +143,10 @@ void Cutter::add(std::int64_t crease) {
     const std::int64_t count = creases_.first[crease + 1] - first;
     closed_ = creases_.closed[crease] != 0;
     path_.clear();
+    angles_ = {};
     for (std::int64_t i = 0; i < count; ++i) {
+        const auto angle = static_cast<float>(creases_.point[first + i].angle());
+        angles_ = {std::min(angles_.least, angle), std::max(angles_.most, angle)};
         path_.push_back(creases_.point[first + i]);
         if (i + 1 < count || closed_) add_turns(crease, first + i, first + (i + 1) % count);
     }
@@ -169,7 +177,8 @@ CreaseParts parts_in_view(const base::Runtime& runtime, const implicit::Sheets& 
     return std::move(cutter).result();
 }
 
-SurfaceLines bent_parts(base::Memory& memory, const SurfaceLines& lines, CreaseSide side, double lower, double upper) {
+SurfaceLines bent_parts(base::Memory& memory, const SurfaceLines& lines, const base::Array<AngleRange>& of,
+                        CreaseSide side, double lower, double upper) {
     SurfaceLines parts(memory);
     LineBuilder builder(parts, true);
     const Curves& curves = lines.curves;
@@ -187,6 +196,7 @@ SurfaceLines bent_parts(base::Memory& memory, const SurfaceLines& lines, CreaseS
         const std::int64_t first = curves.first[c];
         const std::int64_t count = curves.size_of(c);
         const bool closed = curves.closed[c] != 0;
+        if (static_cast<double>(std::max(angle_on(side, of[c].least), angle_on(side, of[c].most))) < upper) continue;
         const auto wanted = [&](std::int64_t k) { return angle(first + k % count) >= lower; };
         std::int64_t begin = 0; // of a closed one a point that is too weak, if there is one
         while (closed && begin < count && wanted(begin)) ++begin;
@@ -198,14 +208,11 @@ SurfaceLines bent_parts(base::Memory& memory, const SurfaceLines& lines, CreaseS
                 continue;
             }
             std::int64_t end = k;
-            double strongest = 0.0;
-            for (; end < stop && wanted(end); ++end) strongest = std::max(strongest, angle(first + end % count));
-            if (strongest >= upper) {
-                if (k > 0 && !whole && !wanted(k - 1)) put_between(first + (k - 1) % count, first + k % count);
-                for (std::int64_t i = k; i < end; ++i) put(first + i % count);
-                if (end < stop) put_between(first + (end - 1) % count, first + end % count);
-                builder.end(whole);
-            }
+            while (end < stop && wanted(end)) ++end;
+            if (k > 0 && !whole && !wanted(k - 1)) put_between(first + (k - 1) % count, first + k % count);
+            for (std::int64_t i = k; i < end; ++i) put(first + i % count);
+            if (end < stop) put_between(first + (end - 1) % count, first + end % count);
+            builder.end(whole);
             k = end;
         }
     }

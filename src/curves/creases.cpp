@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace hrbfnpr::curves {
 namespace {
@@ -20,6 +21,8 @@ constexpr double shortest = 1e-3; // of a piece that is halved, and of a crease
 constexpr double farthest = 0.5;
 // Between points, by the cosine: 0.1 radians.
 constexpr double turn = 0.995;
+// The cosine of the angle to the crease beyond which a step is along it, or back.
+constexpr double returns = 0.7;
 // The sine of the angle between sheets below which the way along the crease is that of its points.
 constexpr double least_sine = 1e-3;
 
@@ -41,8 +44,11 @@ public:
 
 private:
     void add_chain(const CreaseChains& chains, std::int64_t chain);
+    [[nodiscard]] bool is_gap(const CreaseChains& chains, std::int64_t first, std::int64_t count, std::int64_t k,
+                              const glm::dvec3& place) const noexcept;
     void add_points(base::Array<CreasePoint>& points, bool closed, std::int32_t left, std::int32_t right);
     void measure(const base::Progress& progress);
+    void drop_returns();
     void find_tangents();
     [[nodiscard]] bool refine(const base::Progress& progress);
     [[nodiscard]] std::int64_t next(std::int64_t crease, std::int64_t i) const noexcept {
@@ -71,6 +77,15 @@ void Tracer::add_points(base::Array<CreasePoint>& points, bool closed, std::int3
     points.clear();
 }
 
+// Whether from a place to the next exact node of a chain after node k it is so near that the crease goes on.
+bool Tracer::is_gap(const CreaseChains& chains, std::int64_t first, std::int64_t count, std::int64_t k,
+                    const glm::dvec3& place) const noexcept {
+    for (std::int64_t i = k + 1; i < count; ++i)
+        if (const CreaseNode& next = chains.node[first + i]; next.exact)
+            return glm::distance(next.position, place) < nearest * side_;
+    return false;
+}
+
 // Nodes that crowd are left out, but for ends; where sheets could not be told apart there is no crease.
 void Tracer::add_chain(const CreaseChains& chains, std::int64_t chain) {
     const std::int64_t first = chains.first[chain];
@@ -85,7 +100,8 @@ void Tracer::add_chain(const CreaseChains& chains, std::int64_t chain) {
     for (std::int64_t k = 0; k < steps; ++k) {
         const CreaseNode& node = chains.node[first + (begin + k) % count];
         if (!node.exact) {
-            end(false);
+            if (whole || points.empty() || !is_gap(chains, first, count, begin + k, points[points.size() - 1].position))
+                end(false);
             continue;
         }
         const bool last = k + 1 == steps || !chains.node[first + (begin + k + 1) % count].exact;
@@ -118,6 +134,33 @@ void Tracer::measure(const base::Progress& progress) {
             p.right = glm::normalize(surface::sheet_at(sheets_, creases_.right[c], p.position).gradient);
         }
     });
+}
+
+// Whether a crease that comes from a to p and goes on to b turns back there.
+bool turns_back(const CreasePoint& a, const CreasePoint& p, const CreasePoint& b) noexcept {
+    const glm::dvec3 along = glm::cross(p.left, p.right);
+    const double size = glm::length(along);
+    if (!(size > least_sine)) return false;
+    const double in = glm::dot(along, glm::normalize(p.position - a.position)) / size;
+    const double out = glm::dot(along, glm::normalize(b.position - p.position)) / size;
+    return in * out < 0.0 && std::min(std::abs(in), std::abs(out)) > returns;
+}
+
+// Beside a corner nodes may not stand in the order in which edges of the mesh cross the crease, as Newton's steps lead
+// them along it.
+void Tracer::drop_returns() {
+    const Creases found = std::exchange(creases_, Creases(runtime_.memory));
+    creases_.first.push_back(0);
+    base::Array<CreasePoint> kept(runtime_.memory);
+    for (std::int64_t c = 0; c < found.count(); ++c) {
+        for (std::int64_t i = found.first[c]; i < found.first[c + 1]; ++i) {
+            const CreasePoint& p = found.point[i];
+            while (kept.size() >= 2 && turns_back(kept[kept.size() - 2], kept[kept.size() - 1], p))
+                kept.resize(kept.size() - 1);
+            if (kept.empty() || kept[kept.size() - 1].position != p.position) kept.push_back(p);
+        }
+        add_points(kept, found.closed[c] != 0, found.left[c], found.right[c]);
+    }
 }
 
 void Tracer::find_tangents() {
@@ -203,6 +246,7 @@ Creases Tracer::run(const CreaseChains& chains, const base::Progress& progress) 
     creases_.first.push_back(0);
     for (std::int64_t c = 0; c < chains.chains(); ++c) add_chain(chains, c);
     measure(progress);
+    drop_returns();
     find_tangents();
     for (int round = 0; round < most_rounds && refine(progress); ++round) continue;
     return std::move(creases_);

@@ -38,14 +38,22 @@ struct Creases {
 [[nodiscard]] Creases trace_creases(const base::Runtime& runtime, const implicit::Implicit& implicit,
                                     const CreaseChains& chains, double side, const base::Progress& progress);
 
+// Of a whole crease, degrees: concave ones are negative.
+struct AngleRange {
+    float least = 0.0F, most = 0.0F;
+};
+
 // The parts of creases in a view, as lines.
 struct CreaseParts {
-    explicit CreaseParts(base::Memory& memory) noexcept : folds(memory), outside(memory), inside(memory) {}
+    explicit CreaseParts(base::Memory& memory) noexcept
+        : folds(memory), outside(memory), inside(memory), of_outside(memory), of_inside(memory) {}
 
     // One sheet faces the eye and the other one away: parts of the contour, with the front sheet to their left.
     SurfaceLines folds;
     SurfaceLines outside; // both face the eye
     SurfaceLines inside;  // neither does
+    // The sharpest angles of the crease that each curve is a part of.
+    base::Array<AngleRange> of_outside, of_inside;
 };
 
 // strength: the angle, degrees, < 0 of concave ones.
@@ -53,13 +61,13 @@ struct CreaseParts {
                                         const Creases& creases, const View& view);
 
 // Of lines with angles for strengths: those of one way of bending, as positive angles, where they are `lower` or more,
-// if they are `upper` somewhere.
+// if the whole crease is `upper` somewhere: what goes on from a part of the contour does not end there.
 enum class CreaseSide : std::uint32_t { both = 0, convex = 1, concave = 2 };
 // That angle; the other way of bending is negative.
 [[nodiscard]] inline float angle_on(CreaseSide side, float angle) noexcept {
     return side == CreaseSide::both ? std::abs(angle) : side == CreaseSide::convex ? angle : -angle;
 }
-[[nodiscard]] SurfaceLines bent_parts(base::Memory& memory, const SurfaceLines& lines, CreaseSide side, double lower,
-                                      double upper);
+[[nodiscard]] SurfaceLines bent_parts(base::Memory& memory, const SurfaceLines& lines,
+                                      const base::Array<AngleRange>& of, CreaseSide side, double lower, double upper);
 
 } // namespace hrbfnpr::curves

@@ -3,6 +3,7 @@
 
 #include "base/clock.h"
 #include "curves/border.h"
+#include "curves/join_sections.h"
 #include "curves/section_corners.h"
 #include "implicit/evaluate_all.h"
 #include "surface/project.h"
@@ -211,10 +212,10 @@ SurfaceLines LineSet::find(const base::Runtime& runtime, const LineRequest& requ
     feature.upper = thresholds.upper;
     feature.shortest = request.shortest;
     FeatureLines found = find_feature_lines(runtime, features(), feature, progress);
-    if (const implicit::Sheets* const sheets = surface_.sheets();
-        sheets != nullptr && feature.kind == FeatureKind::section)
-        end_at_creases(runtime, *sheets, creases_, feature.plane, feature.levels, mesh_->side, found);
-    return as_lines(runtime.memory, found);
+    const implicit::Sheets* const sheets = surface_.sheets();
+    if (sheets == nullptr || feature.kind != FeatureKind::section) return as_lines(runtime.memory, found);
+    end_at_creases(runtime, *sheets, creases_, feature.plane, feature.levels, mesh_->side, found);
+    return join_at_corners(runtime.memory, as_lines(runtime.memory, found), mesh_->side);
 }
 
 LineSet::LineSet(const base::Runtime& runtime, const implicit::Implicit& surface,

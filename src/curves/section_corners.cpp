@@ -4,6 +4,7 @@
 #include "geometry/point_grid.h"
 #include "surface/sheets_meet.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -18,8 +19,9 @@ constexpr int most_steps = 20;
 
 // Corners of all levels, and of which each is.
 struct Corners {
-    explicit Corners(base::Memory& memory) : place(memory), level(memory) {}
+    explicit Corners(base::Memory& memory) : place(memory), left(memory), right(memory), level(memory) {}
     geometry::VecArray place;
+    geometry::VecArray left, right; // unit normals of both sheets
     base::Array<std::int32_t> level;
 };
 
@@ -53,8 +55,11 @@ Corners find_corners(const base::Runtime& runtime, const implicit::Sheets& sheet
                 const double from = glm::dot(plane, a) - levels[l];
                 const double to = glm::dot(plane, b) - levels[l];
                 if ((from < 0.0) == (to < 0.0)) continue;
-                corners.place.push_back(corner_at(sheets, creases.left[c], creases.right[c], plane, levels[l],
-                                                  glm::mix(a, b, from / (from - to)), side));
+                const glm::dvec3 at = corner_at(sheets, creases.left[c], creases.right[c], plane, levels[l],
+                                                glm::mix(a, b, from / (from - to)), side);
+                corners.place.push_back(at);
+                corners.left.push_back(glm::normalize(surface::sheet_at(sheets, creases.left[c], at).gradient));
+                corners.right.push_back(glm::normalize(surface::sheet_at(sheets, creases.right[c], at).gradient));
                 corners.level.push_back(static_cast<std::int32_t>(l));
             }
         }
@@ -62,12 +67,23 @@ Corners find_corners(const base::Runtime& runtime, const implicit::Sheets& sheet
     return corners;
 }
 
-// Moves an end, or the point before it where that lies beyond the corner.
-void move_end(FeatureLines& lines, std::int64_t end, std::int64_t before, const glm::dvec3& corner) noexcept {
-    const glm::dvec3 way = lines.position[end] - lines.position[before];
-    if (glm::dot(corner - lines.position[before], way) <= 0.0)
-        lines.position.set(before, glm::mix(lines.position[before], corner, 0.5));
-    lines.position.set(end, corner);
+// Moves an end, and points before it that lie beyond the corner: these come between it and the last one that does not.
+// The normal there is that of the line's own sheet.  inward: 1 at the beginning of a line, -1 at its end; of `count`
+// points.
+void move_end(FeatureLines& lines, std::int64_t end, std::int64_t inward, std::int64_t count, const Corners& corners,
+              std::int64_t corner) noexcept {
+    const glm::dvec3 place = corners.place[corner];
+    const auto at = [&](std::int64_t k) { return lines.position[end + k * inward]; };
+    std::int64_t kept = 1;
+    while (kept + 1 < count && glm::dot(place - at(kept), at(kept) - at(kept + 1)) <= 0.0) ++kept;
+    const glm::dvec3 inner = glm::normalize(lines.normal[end + std::min(count - 1, kept) * inward]);
+    const bool is_left = glm::dot(inner, corners.left[corner]) >= glm::dot(inner, corners.right[corner]);
+    const glm::dvec3 normal = is_left ? corners.left[corner] : corners.right[corner];
+    for (std::int64_t k = 0; k < kept; ++k) {
+        const double share = static_cast<double>(k) / static_cast<double>(kept);
+        lines.position.set(end + k * inward, glm::mix(place, at(kept), share));
+        lines.normal.set(end + k * inward, glm::mix(normal, inner, share));
+    }
 }
 
 } // namespace
@@ -92,7 +108,7 @@ void end_at_creases(const base::Runtime& runtime, const implicit::Sheets& sheets
                 least = distance;
                 nearest = i;
             });
-            if (nearest >= 0) move_end(lines, end, at_end ? end - 1 : end + 1, corners.place[nearest]);
+            if (nearest >= 0) move_end(lines, end, at_end ? -1 : 1, last + 1 - begin, corners, nearest);
         }
     }
 }

@@ -49,8 +49,13 @@ void polynomial_basis(std::int32_t degree, const glm::dvec3& p, PolynomialBasis&
 }
 
 PolynomialField polynomial(std::int32_t degree, const double* coefficients, const glm::dvec3& p) noexcept {
-    const Point point(p);
     PolynomialField field;
+    if (degree == 1) { // the same bits: of few centres the general way takes a tenth of the time
+        field.value = 0.0 + coefficients[0] + coefficients[1] * p.x + coefficients[2] * p.y + coefficients[3] * p.z;
+        field.gradient = 0.0 + glm::dvec3(coefficients[1], coefficients[2], coefficients[3]);
+        return field;
+    }
+    const Point point(p);
     for (std::size_t k = 0; k < static_cast<std::size_t>(polynomial_size(degree)); ++k) {
         const Exponents& e = monomials[k];
         const double c = coefficients[k];

@@ -3,6 +3,7 @@
 
 #include "implicit/evaluate_all.h"
 #include "surface/project_creases.h"
+#include "surface/project_search.h"
 
 #include <algorithm>
 #include <array>
@@ -187,6 +188,8 @@ void project(const base::Runtime& runtime, const implicit::Implicit& implicit, c
         progress.update(static_cast<double>(now) / static_cast<double>(count));
     });
     if (implicit.sheets() != nullptr) project_onto_creases(runtime, implicit, settings, points, progress);
+    if (implicit.sheets() != nullptr || implicit.lipschitz() > 0.0)
+        project_by_search(runtime, implicit, settings, points, progress);
 }
 
 } // namespace hrbfnpr::surface

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Projection onto the surface by steepest descent on f^2 with Armijo's rule.   [NPAR 4.2]
 // At a crease descent goes to and fro between sheets, by steps that become shorter: what has not come to an end by it
-// goes on with the sheets that meet there.
+// goes on with the sheets that meet there.  Minima and maxima of parts have least |f| off the surface, too, as between
+// two parts of an intersection: from there, and where a bound on |grad f| is known, the surface is searched for.
 #pragma once
 
 #include "base/memory.h"

@@ -30,11 +30,58 @@ LineStyle style_of(LineKind kind, float width) {
 class LineCreases : public ::testing::Test {
 protected:
     void look_at(const test::SharpShape& shape, const glm::dvec3& direction) {
+        look_through(shape, frame::fit_bounds(shape.bounds(), direction, {0, 0, 1}, 0.5, size, size, 0.05, {}));
+    }
+    void look_through(const test::SharpShape& shape, const frame::Camera& camera) {
         curves::LineSetSettings settings;
         settings.side = 0.1;
         lines_ = std::make_unique<curves::LineSet>(runtime, shape, std::make_unique<implicit::DifferencedShape>(shape),
                                                    settings, base::Progress());
-        camera_ = frame::fit_bounds(shape.bounds(), direction, {0, 0, 1}, 0.5, size, size, 0.05, {});
+        camera_ = camera;
+    }
+    [[nodiscard]] glm::dvec2 window_of(const glm::dvec3& place) const {
+        const glm::dvec4 clip = camera_.projection * camera_.view * glm::dvec4(place, 1.0);
+        return {0.5 * size * (1.0 + clip.x / clip.w), 0.5 * size * (1.0 - clip.y / clip.w)};
+    }
+    // All strokes are on the outline of that face of the cube, x = 1 of its own, and all of it is drawn.
+    void expect_face_alone(const glm::dmat3& to_world) {
+        std::array<glm::dvec2, 4> corner;
+        for (std::size_t k = 0; k < 4; ++k)
+            corner[k] = window_of(to_world * glm::dvec3(1.0, k == 1 || k == 2 ? 1.0 : -1.0, k < 2 ? -1.0 : 1.0));
+        std::array<std::array<int, 50>, 4> drawn{};
+        for (const Stroke& stroke : frame.drawing().strokes) {
+            const std::span<const StrokePoint> points = points_of(stroke);
+            for (std::size_t i = 0; i < points.size(); ++i)
+                for (std::size_t k = 0; k < 4; ++k) put(points, i, corner[k], corner[(k + 1) % 4], drawn[k]);
+            for (const StrokePoint& p : points) {
+                double off = 1e9;
+                for (std::size_t k = 0; k < 4; ++k)
+                    off = std::min(off, distance(glm::dvec2(p.x, p.y), corner[k], corner[(k + 1) % 4]));
+                EXPECT_LE(off, 0.1) << p.x << ' ' << p.y;
+            }
+        }
+        for (const auto& edge : drawn)
+            for (const int count : edge) EXPECT_GE(count, 1);
+        EXPECT_EQ(frame.drawing().line_counts.settled + frame.drawing().line_counts.contradictions, 0);
+    }
+    static double distance(const glm::dvec2& p, const glm::dvec2& a, const glm::dvec2& b) {
+        const double share = std::clamp(glm::dot(p - a, b - a) / glm::dot(b - a, b - a), 0.0, 1.0);
+        return glm::distance(p, a + share * (b - a));
+    }
+    // Counts which fiftieths of the line from a to b the piece up to point i passes.
+    static void put(std::span<const StrokePoint> points, std::size_t i, const glm::dvec2& a, const glm::dvec2& b,
+                    std::array<int, 50>& drawn) {
+        if (i == 0) return;
+        const glm::dvec2 p(points[i - 1].x, points[i - 1].y);
+        const glm::dvec2 q(points[i].x, points[i].y);
+        if (distance(p, a, b) > 0.1 || distance(q, a, b) > 0.1) return;
+        const double square = glm::dot(b - a, b - a);
+        const double from = glm::dot(p - a, b - a) / square;
+        const double to = glm::dot(q - a, b - a) / square;
+        for (std::size_t k = 0; k < drawn.size(); ++k) {
+            const double at = (static_cast<double>(k) + 0.5) / static_cast<double>(drawn.size());
+            drawn[k] += at >= std::min(from, to) && at <= std::max(from, to) ? 1 : 0;
+        }
     }
     const drawing::Drawing& draw() {
         frame::Item item = layered_item(set, frame::Style(), glm::dmat4(1.0));
@@ -106,6 +153,29 @@ TEST_F(LineCreases, EdgesOfACubeThatBoundItAreContours) {
                   2);
 }
 
+// The four sides of a cube that is looked at along an axis are seen edge-on.
+TEST_F(LineCreases, OfFacesSeenEdgeOnAreDrawn) {
+    for (const glm::dmat3& turn : {glm::dmat3(1.0), test::odd_turn()}) {
+        const auto cube = test::sharp_cube(turn);
+        const glm::dmat3 to_world = glm::transpose(turn);
+        const glm::dvec3 up = to_world * glm::dvec3(0.0, 0.0, 1.0);
+        frame::Camera camera;
+        camera.viewport = {0.0, 0.0, size, size};
+        camera.view = frame::look_at(to_world * glm::dvec3(8.0, 0.0, 0.0), glm::dvec3(0.0), up);
+        camera.projection = frame::orthographic(3.0, size, size, 1.0, 20.0, {});
+        look_through(*cube, camera);
+        draw();
+        expect_face_alone(to_world);
+        EXPECT_EQ(frame.drawing().strokes.size(), 4);
+        // In perspective with the eye in the plane of the upper one.
+        camera.view = frame::look_at(to_world * glm::dvec3(8.0, 0.3, 1.0), to_world * glm::dvec3(0.0, 0.3, 1.0), up);
+        camera.projection = frame::perspective(0.6, size, size, 1.0, 20.0, {});
+        look_through(*cube, camera);
+        draw();
+        expect_face_alone(to_world);
+    }
+}
+
 TEST_F(LineCreases, AllAreCreasesWhereNoContoursAreDrawn) {
     const auto cube = test::sharp_cube(glm::dmat3(1.0));
     look_at(*cube, {-0.8, 1.0, -0.6});
@@ -157,6 +227,21 @@ TEST_F(LineCreases, FadesWithItsAngle) {
     draw();
     for (const Stroke& stroke : strokes_of(LineKind::crease)) // parts of the contour
         for (const StrokePoint& p : points_of(stroke)) EXPECT_EQ(p.opacity, 0.0F);
+}
+
+// Where it is sharper than 27 degrees it is a part of the contour; from there it goes on, to 15.
+TEST_F(LineCreases, GoOnWhereTheyAreNoContoursAnyMore) {
+    const auto wedge = test::fading_wedge();
+    look_at(*wedge, {-1.0, 0.0, -0.24});
+    draw();
+    float fading = 0.0F;
+    for (const Stroke& stroke : strokes_of(LineKind::crease)) {
+        const std::span<const StrokePoint> points = points_of(stroke);
+        for (std::size_t i = 1; i < points.size(); ++i)
+            if (points[i].opacity > 0.02F && points[i].opacity < 0.9F)
+                fading += points[i].length - points[i - 1].length;
+    }
+    EXPECT_GT(fading, 15.0F);
 }
 
 TEST_F(LineCreases, SmoothItemsHaveNoLayerForThem) {

@@ -84,4 +84,15 @@ TEST(Polynomial, HessianIsTheDerivativeOfTheGradient) {
     }
 }
 
+TEST(Polynomial, OfDegreeOneHasTheBitsOfAHigherOne) {
+    std::array<double, kernel::polynomial_size_max> c{0.3, -1.7, 2.9, 0.41};
+    for (const glm::dvec3& p : {glm::dvec3(0.1, -0.7, 1.3), glm::dvec3(-31.7, 0.0, 2e-9)}) {
+        const kernel::PolynomialField low = kernel::polynomial(1, c.data(), p);
+        const kernel::PolynomialField high = kernel::polynomial(2, c.data(), p);
+        EXPECT_EQ(low.value, high.value);
+        EXPECT_EQ(low.gradient, high.gradient);
+        for (const double second : low.hessian) EXPECT_EQ(second, 0.0);
+    }
+}
+
 } // namespace

@@ -360,6 +360,31 @@ def test_a_line_that_goes_on_as_another_has_no_gap():
     assert sorted((min(p[:, 0]), max(p[:, 0])) for p in pieces) == [(0, 10), (10, 20)]
 
 
+def ring_of(begin, count, hidden):
+    """A circle of radius 4 mm from an angle on; the first so many of its 180 pieces are hidden, or seen alone."""
+    angle = np.radians(begin + np.linspace(0.0, 360.0, 181))
+    points = 4.0 * np.stack((np.cos(angle), np.sin(angle)), axis=1)
+    points[-1] = points[0]
+    return _view_order.Curve(points, np.arange(180) < count if hidden else np.arange(180) >= count)
+
+
+def gap_of(pieces):
+    """The widest angle of a circle that nothing is drawn of."""
+    angle = np.sort(np.concatenate([np.degrees(np.arctan2(*piece.T[::-1])) for piece in pieces]))
+    return float(np.diff(np.concatenate((angle, angle[:1] + 360.0))).max())
+
+
+def test_a_circle_has_no_gap_where_it_begins():
+    pieces = _view_order.in_order([ring_of(20.0, 2, True)])["outlines"]
+    assert gap_of(pieces) < 2.1
+
+
+def test_two_halves_of_a_circle_have_no_gap():
+    # The upper rim of a hole, of which a half is seen, and the lower one, of which more than the other half is.
+    pieces = _view_order.in_order([ring_of(0.0, 120, False), ring_of(-120.0, 160, False)])["outlines"]
+    assert gap_of(pieces) < 2.1
+
+
 def test_short_gaps_are_bridged():
     flags = np.zeros(1, dtype=bool)
     at = ((0, 10), (11, 20), (24, 30))

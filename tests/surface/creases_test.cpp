@@ -70,6 +70,37 @@ TEST(ProjectAtCreases, ComesOntoAcuteEdges) {
         for (const bool convex : {true, false}) EXPECT_EQ(not_converged(*wedge(angle, convex), 1.0), 0) << angle;
 }
 
+// Between two balls that do not meet |f| of their intersection is least, and not 0.
+Sharp no_intersection() { return max_of({sphere({-1.0, 0.0, 0.0}, 0.6), sphere({1.0, 0.0, 0.0}, 0.6)}); }
+
+TEST(ProjectBySearch, ComesFromLeastFOffTheSurfaceOntoIt) {
+    const SharpShape shape(cube(4.0), min_of({no_intersection(), sphere({0.0, 3.0, 0.0}, 0.7)}));
+    EXPECT_EQ(not_converged(shape, 3.0), 0);
+    Projection p(runtime().memory);
+    p.position.push_back({0.01, 0.02, -0.01});
+    project(runtime(), shape, {}, p, {});
+    ASSERT_EQ(p.status[0], ProjectionStatus::converged);
+    EXPECT_NEAR(glm::distance(p.position[0], {0.0, 3.0, 0.0}), 0.7, 1e-7);
+    const glm::dvec3 normal = (p.position[0] - glm::dvec3(0.0, 3.0, 0.0)) / 0.7;
+    EXPECT_LE(glm::distance(p.gradient[0], normal), 1e-6);
+}
+
+TEST(ProjectBySearch, WhereThereIsNoSurfaceItSaysSo) {
+    const SharpShape shape(cube(2.0), no_intersection());
+    EXPECT_EQ(not_converged(shape, 2.0), 3000);
+    Projection p(runtime().memory);
+    p.position.push_back({0.3, 0.4, 0.0});
+    project(runtime(), shape, {}, p, {});
+    EXPECT_EQ(p.status[0], ProjectionStatus::not_converged);
+    EXPECT_LE(std::abs(p.position[0].x), 1.5) << "the last iterate of descent stays";
+}
+
+// Beyond the search region the surface is not the shape's.
+TEST(ProjectBySearch, StaysInTheSearchRegion) {
+    const SharpShape shape(cube(2.0), min_of({no_intersection(), sphere({0.0, 3.4, 0.0}, 0.7)}));
+    EXPECT_EQ(not_converged(shape, 0.1), 3000);
+}
+
 TEST(ProjectAtCreases, FindsWhereSheetsMeet) {
     const auto shape = sharp_cube();
     const glm::dvec3 corner = glm::transpose(odd_turn()) * glm::dvec3(1.0);

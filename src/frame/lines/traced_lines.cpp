@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "frame/lines/traced_lines.h"
 
+#include "frame/lines/off_planes.h"
+
 #include <glm/matrix.hpp>
 
 #include <algorithm>
@@ -30,9 +32,9 @@ glm::dvec4 finite_eye(const glm::dvec4& eye, const geometry::Bounds& region) noe
     return {glm::normalize(middle / largest - place / largest), 0.0};
 }
 
-curves::View view_of(const Scene& scene, const Item& item) {
-    const Optics optics = make_optics(scene.camera);
-    const glm::dmat4 to_eye = scene.camera.view * item.transform;
+curves::View view_of(const Camera& camera, const Item& item) {
+    const Optics optics = make_optics(camera);
+    const glm::dmat4 to_eye = camera.view * item.transform;
     const glm::dvec4 eye = glm::inverse(to_eye) * optics.centre;
     return {eye.w != 0.0 ? finite_eye(eye, item.lines->mesh().region) : eye, optics.window * to_eye};
 }
@@ -63,9 +65,10 @@ TracedLines::TracedLines(const base::Runtime& runtime, const Scene& scene, std::
       subjects_(runtime.memory), occluders_(runtime.memory), items_(runtime.memory), styles_(runtime.memory),
       creases_(runtime.memory), strengths_(runtime.memory), contours_of_(runtime.memory), folds_of_(runtime.memory),
       borders_of_(runtime.memory) {
+    const Camera camera = camera_off_planes(scene, items);
     for (const Item& item : items) {
         if (item.lines == nullptr) continue;
-        const Source source{&item, view_of(scene, item), static_cast<std::int32_t>(occluders_.size()),
+        const Source source{&item, view_of(camera, item), static_cast<std::int32_t>(occluders_.size()),
                             is_mirrored(scene, item)};
         occluders_.push_back({&item.lines->sheets(), &item.lines->surface(), item.transform, source.view.eye});
         items_.push_back(static_cast<std::int32_t>(&item - items.data()));
@@ -206,7 +209,8 @@ void TracedLines::add_bent(const Source& source, const LineStyle& style, std::ui
             source.item->lines->border().curves.count() == 0)
             continue;
         const curves::SurfaceLines& lines = *lines_.add(std::make_unique<curves::SurfaceLines>(
-            curves::bent_parts(runtime_.memory, *some, style.creases, by.lower, by.upper)));
+            curves::bent_parts(runtime_.memory, *some, some == &parts.inside ? parts.of_inside : parts.of_outside,
+                               style.creases, by.lower, by.upper)));
         if (lines.curves.count() == 0) continue;
         visibility::Subject& subject = add_subject(source, lines.curves);
         subject.sheets = 0;

@@ -257,18 +257,8 @@ def _places(loaded: Loaded, model: Model, context: Context) -> Floats:
     return np.asarray(places, dtype=float)
 
 
-def _off_the_axes(model: Model) -> Model:
-    """A solid of several turned by a little that no sheet shows.
-
-    Of a face that is seen exactly edge-on nothing tells on which side of its edges it lies, and a section through a
-    plane of symmetry meets edges along their whole length.
-    """
-    return model.rotated(0.006, (1.0, 0.7, 0.3)) if model.csg_info.nodes > 0 else model
-
-
 def draw_views(arguments: Any, output: Path, loaded: Loaded, model: Model, context: Context, report: Reporter) -> None:
     """Draw all views and write the sheet."""
-    model = _off_the_axes(model)
     unit = _unit(arguments, loaded, report)
     sheet = _plan(arguments, loaded, _places(loaded, model, context), unit)
     solid = _solid(arguments, loaded, model, sheet, context, report)

@@ -106,7 +106,9 @@ def _runs(flags: Any) -> List[Tuple[int, int, bool]]:
 def steady(curve: Curve) -> Any:
     """`hidden` without parts that are too short to be seen."""
     hidden, along = np.array(curve.hidden, dtype=bool), curve.along
-    for begin, end, value in _runs(hidden)[1:-1]:
+    runs = _runs(hidden)
+    goes_round = np.array_equal(curve.points[0], curve.points[-1]) and hidden[0] != hidden[-1]
+    for begin, end, value in runs if goes_round else runs[1:-1]:
         length = along[end] - along[begin]
         # What turns back, at a cusp, goes on as another line does.
         if length < _FLICKER and np.linalg.norm(curve.points[end] - curve.points[begin]) > _ONWARD * length:
@@ -149,6 +151,11 @@ def _go_on(free: Any, at: Floats, reach: float) -> None:
         beside = [lengths[j] for j in (i - 1, i + 1) if 0 <= j < len(runs)]
         if not value and beside and lengths[i] < max(2 * reach, min(_JOINING, *beside)):
             free[first:last] = True
+    # Another line that begins where this one is left out is near to it before that.
+    more = math.ceil(reach / STEP)
+    for first, last, value in _runs(free):
+        if value:
+            free[max(0, first - more) : last + more] = True
 
 
 def _class_of(curve: Curve, hidden: bool) -> str:
