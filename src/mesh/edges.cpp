@@ -12,11 +12,12 @@ constexpr std::int64_t run = 1 << 16; // sides that are sorted at a time
     return a.edge < b.edge || (a.edge == b.edge && a.face < b.face);
 }
 
-void merge_runs(const base::Runtime& runtime, base::Array<Side>& sides) {
+void merge_runs(const base::Runtime& runtime, base::Array<Side>& sides, const base::Progress& progress) {
     base::Array<Side> other(runtime.memory);
     other.resize_for_overwrite(sides.size());
     for (std::int64_t width = run; width < sides.size(); width *= 2) {
         runtime.parallel.for_chunks(sides.size(), 2 * width, [&](std::int64_t begin, std::int64_t end) {
+            progress.check();
             const std::int64_t middle = std::min(begin + width, end);
             std::merge(sides.begin() + begin, sides.begin() + middle, sides.begin() + middle, sides.begin() + end,
                        other.begin() + begin, before);
@@ -27,7 +28,8 @@ void merge_runs(const base::Runtime& runtime, base::Array<Side>& sides) {
 
 } // namespace
 
-base::Array<Side> sides_by_edge(const base::Runtime& runtime, const base::Array<Triangle>& triangle) {
+base::Array<Side> sides_by_edge(const base::Runtime& runtime, const base::Array<Triangle>& triangle,
+                                const base::Progress& progress) {
     base::Array<Side> sides(runtime.memory);
     sides.resize_for_overwrite(3 * triangle.size());
     runtime.parallel.for_chunks(triangle.size(), run / 3, [&](std::int64_t begin, std::int64_t end) {
@@ -40,9 +42,10 @@ base::Array<Side> sides_by_edge(const base::Runtime& runtime, const base::Array<
             }
     });
     runtime.parallel.for_chunks(sides.size(), run, [&](std::int64_t begin, std::int64_t end) {
+        progress.check();
         std::sort(sides.begin() + begin, sides.begin() + end, before);
     });
-    merge_runs(runtime, sides);
+    merge_runs(runtime, sides, progress);
     return sides;
 }
 

@@ -37,7 +37,8 @@ struct Side {
 };
 
 // All sides, those of one edge one after the other.
-[[nodiscard]] base::Array<Side> sides_by_edge(const base::Runtime& runtime, const base::Array<Triangle>& triangle);
+[[nodiscard]] base::Array<Side> sides_by_edge(const base::Runtime& runtime, const base::Array<Triangle>& triangle,
+                                              const base::Progress& progress = {});
 
 // Calls visit(first side, behind the last) for each edge.
 template <class Visit>

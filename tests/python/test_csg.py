@@ -83,7 +83,7 @@ def test_factors_of_scaled_are_one_or_three():
         with pytest.raises((TypeError, ValueError), match="factor"):
             ball.scaled(factor)
     for factor in (0, (1, 0, 1), math.nan, (1, math.inf, 1)):
-        with pytest.raises(hrbfnpr.Error, match="matrix"):
+        with pytest.raises(hrbfnpr.Error, match="transform"):
             ball.scaled(factor)
 
 

@@ -15,11 +15,12 @@ constexpr double surely_clear = 0.9;
 constexpr double maybe_clear = 0.6;
 constexpr double clear_ratio = 3.0;
 constexpr double shortest = 0.05; // diagonals
+constexpr std::int64_t faces_a_check = 1024;
 
 class Looker {
 public:
-    Looker(const base::Runtime& runtime, const Mesh& mesh, double angle)
-        : mesh_(mesh), angle_(angle), sides_(sides_by_edge(runtime, mesh.triangle)),
+    Looker(const base::Runtime& runtime, const Mesh& mesh, double angle, const base::Progress& progress)
+        : mesh_(mesh), angle_(angle), progress_(progress), sides_(sides_by_edge(runtime, mesh.triangle, progress)),
           bend_(runtime.memory, 3 * mesh.faces()) {}
 
     [[nodiscard]] CreaseEvidence run() {
@@ -28,6 +29,7 @@ public:
         double clear = 0.0;
         CreaseEvidence evidence;
         for_edges(sides_, [&](const Side* first, const Side* last) {
+            if ((first - sides_.begin()) % faces_a_check == 0) progress_.check();
             if (last - first != 2) return;
             const double bend = bend_[side_of(first[0])];
             if (bend <= 0.5 * angle_) return;
@@ -67,9 +69,12 @@ private:
 
     void measure() {
         base::Array<glm::dvec3> normal(mesh_.vertex.memory());
-        for (std::int64_t face = 0; face < mesh_.faces(); ++face)
+        for (std::int64_t face = 0; face < mesh_.faces(); ++face) {
+            if (face % faces_a_check == 0) progress_.check();
             normal.push_back(glm::normalize(doubled_area(mesh_.corners(face))));
+        }
         for_edges(sides_, [&](const Side* first, const Side* last) {
+            if ((first - sides_.begin()) % faces_a_check == 0) progress_.check();
             if (last - first != 2) return;
             const glm::dvec3 a = normal[first[0].face];
             const glm::dvec3 b = (first[0].forward != first[1].forward ? 1.0 : -1.0) * normal[first[1].face];
@@ -92,6 +97,7 @@ private:
 
     const Mesh& mesh_;
     const double angle_;
+    const base::Progress& progress_;
     const base::Array<Side> sides_;
     base::Array<double> bend_; // of each side, degrees
 };
@@ -100,8 +106,7 @@ private:
 
 CreaseEvidence look_for_creases(const base::Runtime& runtime, const Mesh& mesh, double angle,
                                 const base::Progress& progress) {
-    progress.check();
-    return Looker(runtime, mesh, angle).run();
+    return Looker(runtime, mesh, angle, progress).run();
 }
 
 } // namespace hrbfnpr::mesh
