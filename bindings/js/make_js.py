@@ -69,6 +69,16 @@ class Names:
 
     def __init__(self, api):
         self.typedefs = {one["name"]: one["type"]["base"] for one in api["typedefs"]}
+        self.prefixes = {one["name"]: group["prefix"] for group in api["constants"] for one in group["constants"]}
+
+    def group(self, field):
+        """The prefix of the constants that a field takes: that in its comment, or that of one which it names."""
+        if field["name"].endswith("flags") or field["type"]["base"] not in ("uint32_t", "int32_t"):
+            return None
+        mentioned = [self.prefixes.get(name, "HRBFNPR") for name in re.findall(r"HRBFNPR_\w+", field["doc"])]
+        mentioned = [prefix for prefix in mentioned if prefix != "HRBFNPR"]  # the group of versions
+        own = f"HRBFNPR_{field['name'].upper()}"
+        return field.get("constants") or next(iter(mentioned), None) or (own if own in self.prefixes.values() else None)
 
     def scalar(self, kind):
         return SCALARS[self.typedefs.get(kind["base"], kind["base"])]
@@ -125,11 +135,10 @@ def field_layout(names, struct, at):
     for size in field["array"]:
         count *= size
     layout = [names.scalar(kind), offset]
-    if field["array"] or (field.get("constants") and not name.endswith("flags")):
-        layout.append(count if field["array"] else 0)
-    if len(layout) == 3 and not field["array"]:
-        layout.append(group_name(field["constants"]))
-    return layout
+    if field["array"]:
+        return [*layout, count]
+    group = names.group(field)
+    return [*layout, 0, group_name(group)] if group else layout
 
 
 def ts_type(layout):

@@ -58,7 +58,6 @@ function requestFrame(isMoving = false) {
 function make(marks) {
   const key = keyOf(marks);
   if (maker.busy === key) return;
-  find("message").hidden = true;
   find("work").hidden = false;
   find("progress").removeAttribute("value");
   maker.make({ key, source: models.get(source.key) ?? source, settings: { ...settings, marks } });
@@ -93,6 +92,7 @@ async function chooseScene(name) {
 
 async function openFile(file) {
   if (!file) return;
+  find("message").hidden = true;
   const bytes = new Uint8Array(await file.arrayBuffer());
   source = { key: `file ${file.name} ${file.lastModified} ${bytes.length}`, name: file.name, bytes };
   controls.addFile(file.name);
@@ -141,7 +141,7 @@ const FROM_MAKER = {
     shown = { key, preset: settings.preset, made, source, marks };
     requestFrame();
     if (key !== keyOf()) make(settings.marks);
-    else drawer.send({ type: "lines", key: source.key });
+    else drawer.send({ type: "lines", key: source.key, preset: settings.preset });
   },
   failed({ message, cancelled }) {
     if (!cancelled) complain(message);
@@ -178,10 +178,13 @@ const FROM_DRAWER = {
     dataset.frameMs = frame.milliseconds.toFixed(1);
     slowness = Math.min(Math.max(slowness * Math.sqrt(SLOW / Math.max(frame.milliseconds, 5)), 0.45), 1);
     if (maker.busy === undefined)
-      say(`${frame.dots + frame.strokes} dots and strokes of ${shown.marks} marks, ${frame.milliseconds.toFixed(0)} ms` +
+      say(`${frame.dots + frame.strokes} dots and strokes, ${frame.milliseconds.toFixed(0)} ms` +
           (threads > 1 ? `, ${threads} threads` : ""));
   },
-  lines: () => { document.documentElement.dataset.lines = source.key; requestFrame(); },
+  lines({ key, preset }) {
+    document.documentElement.dataset.lines = `${key} ${preset}`;
+    requestFrame();
+  },
   svg: ({ text }) => save.svg(text),
   failed: ({ message, what }) => complain(what === "begin" || !what ? `The library does not start: ${message}` : message),
 };
@@ -189,6 +192,7 @@ const FROM_DRAWER = {
 // What the user does.
 
 function changed(key) {
+  find("message").hidden = true;
   if (key === "model") {
     settings.model = controls.model.value;
     if (settings.model !== "file") chooseScene(settings.model);

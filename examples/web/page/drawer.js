@@ -46,9 +46,14 @@ function takeMarks({ key, bytes }) {
   sets.set(key, { set, sphere: sphereOf(set) });
 }
 
-function traceLines(wanted) {
-  if (model.lines || !model.model) return;
-  model.lines = model.model.createLineSet({ lines: wanted });
+/** The contours of the model, and its ridges where the preset draws them, which take longer. */
+function traceLines(preset) {
+  const { lines } = library.style(preset);
+  const ridges = lines?.some(({ kind }) => kind === "ridge") === true;
+  if (!lines || (model.lines && (model.hasRidges || !ridges))) return;
+  model.lines?.free();
+  model.lines = model.model.createLineSet(ridges ? { lines: [{ kind: "ridge" }] } : {});
+  model.hasRidges = ridges;
 }
 
 function draw({ settings, key, width, height, ratio }) {
@@ -96,9 +101,9 @@ async function begin({ wasm, threads }) {
 
 const ACTIONS = {
   begin, frame, svg, model: takeModel, marks: takeMarks,
-  lines: ({ key }) => {
-    if (model.key === key) traceLines([{ kind: "ridge" }]);
-    postMessage({ type: "lines", key });
+  lines: ({ key, preset }) => {
+    if (model.key === key) traceLines(preset);
+    postMessage({ type: "lines", key, preset });
   },
 };
 

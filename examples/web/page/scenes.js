@@ -56,12 +56,12 @@ const CUSTOM_HAS_GRADIENT = 1;
 
 /** Names and titles; "bunny" is a fitted model beside the page. */
 export const SCENES = {
-  bunny: { title: "Stanford bunny, fitted", file: "bunny.model" },
+  bunny: { title: "Stanford bunny", file: "bunny.model" },
   blob: { title: "Blended spheres", nodes: blob },
   cup: { title: "Cup", nodes: cup },
-  part: { title: "Machine part, with creases", nodes: part },
+  part: { title: "Machine part", nodes: part },
   torus: { title: "Torus", nodes: torus },
-  tangle: { title: "Tangle cube, a formula", custom: { function: tangle, flags: CUSTOM_HAS_GRADIENT,
+  tangle: { title: "Tangle cube", custom: { function: tangle, flags: CUSTOM_HAS_GRADIENT,
                                                        boundsMin: [-2.6, -2.6, -2.6], boundsMax: [2.6, 2.6, 2.6] } },
 };
 

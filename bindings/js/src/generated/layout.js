@@ -18,7 +18,7 @@ export const STRUCTS = {
     data: ["address", 0],
     count: ["i64", 8],
     stride: ["i64", 16],
-    scalar: ["u32", 24],
+    scalar: ["u32", 24, 0, "SCALAR"],
     components: ["u32", 28],
   } },
   hrbfnpr_image: { size: 32, sized: true, fields: {
@@ -42,8 +42,8 @@ export const STRUCTS = {
   } },
   hrbfnpr_context_info: { size: 32, sized: true, fields: {
     threadCount: ["i32", 4],
-    instructionSet: ["u32", 8],
-    threadBackend: ["u32", 12],
+    instructionSet: ["u32", 8, 0, "INSTRUCTION_SET"],
+    threadBackend: ["u32", 12, 0, "THREAD_BACKEND"],
     bytesNow: ["i64", 16],
     bytesPeak: ["i64", 24],
   } },
@@ -55,7 +55,7 @@ export const STRUCTS = {
     polynomialDegree: ["i32", 80],
     regularizationMode: ["u32", 84, 0, "REGULARIZATION"],
     regularization: ["f64", 88],
-    outliers: ["u32", 96],
+    outliers: ["u32", 96, 0, "REPAIR"],
     flippedNormals: ["u32", 100, 0, "REPAIR"],
     tolerance: ["f64", 104],
     maximumCentres: ["i64", 112],
@@ -98,7 +98,7 @@ export const STRUCTS = {
     differenceStep: ["f64", 72],
   } },
   hrbfnpr_model_info: { size: 352, sized: true, fields: {
-    kernel: ["u32", 4],
+    kernel: ["u32", 4, 0, "KERNEL"],
     polynomialDegree: ["i32", 8],
     choiceRounds: ["i32", 12],
     samples: ["i64", 16],
@@ -123,7 +123,7 @@ export const STRUCTS = {
     inputDistanceMax: ["f64", 200],
     inputDistanceRms: ["f64", 208],
     inputShareWithin: ["f64", 216],
-    solver: ["u32", 224],
+    solver: ["u32", 224, 0, "SOLVER"],
     solverReason: ["u32", 228, 0, "SOLVER_REASON"],
     iterations: ["i32", 232],
     fallback: ["u32", 236],
@@ -222,7 +222,7 @@ export const STRUCTS = {
     lipschitz: ["f64", 40],
   } },
   hrbfnpr_layer_desc: { size: 208, sized: true, fields: {
-    kind: ["u32", 4],
+    kind: ["u32", 4, 0, "LAYER_KIND"],
     name: ["text", 8],
     budget: ["i64", 16],
     toneBegin: ["f32", 24],
@@ -282,7 +282,7 @@ export const STRUCTS = {
     randomSeed: ["u64", 32],
   } },
   hrbfnpr_point_set_info: { size: 136, sized: true, fields: {
-    distribution: ["u32", 4],
+    distribution: ["u32", 4, 0, "DISTRIBUTION"],
     seedSource: ["u32", 8],
     layers: ["i64", 16],
     marks: ["i64", 24],
@@ -313,7 +313,7 @@ export const STRUCTS = {
     droppedBudget: ["i64", 48],
   } },
   hrbfnpr_line_desc: { size: 160, sized: true, fields: {
-    kind: ["u32", 4],
+    kind: ["u32", 4, 0, "LINE_KIND"],
     name: ["text", 8],
     lower: ["f64", 16],
     upper: ["f64", 24],
@@ -481,7 +481,7 @@ export const STRUCTS = {
     lineTangles: ["i64", 248],
   } },
   hrbfnpr_drawing_layer_info: { size: 128, sized: true, fields: {
-    markClass: ["u32", 4],
+    markClass: ["u32", 4, 0, "CLASS"],
     item: ["i64", 8],
     layer: ["i64", 16],
     kind: ["u32", 24, 0, "LAYER_KIND"],

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Made by bindings/generate from bindings/api.json; do not edit.
 
-import type { CapName, CreasesName, CsgName, DensityName, DepthName, DistributionName, DotShapeName, EdgesName,
-  FacesName, HatchGuideName, HiddenLinesName, HiddenPartsName, InstructionSetName, KernelName, LayerKindName,
-  LightName, LineKindName, LineTypeName, LogName, NormalsName, OutwardName, PageFormatName, PartsName, PrimitiveName,
-  RegularizationName, RepairName, ScalarName, SeedName, ShapeName, SilhouetteLawName, SolverName, SolverReasonName,
-  StrokeStartName, SymmetryName, ThreadBackendName, ToneCurveName, ToneName, ToneRangesName, ToneRuleName, TrimName,
-  VertexAttributeName, VisibilityName, WidthsName } from "./constants.js";
+import type { CapName, ClassName, CreasesName, CsgName, DensityName, DepthName, DistributionName, DotShapeName,
+  EdgesName, FacesName, HatchGuideName, HiddenLinesName, HiddenPartsName, InstructionSetName, KernelName,
+  LayerKindName, LightName, LineKindName, LineTypeName, LogName, NormalsName, OutwardName, PageFormatName, PartsName,
+  PrimitiveName, RegularizationName, RepairName, ScalarName, SeedName, ShapeName, SilhouetteLawName, SolverName,
+  SolverReasonName, StrokeStartName, SymmetryName, ThreadBackendName, ToneCurveName, ToneName, ToneRangesName,
+  ToneRuleName, TrimName, VertexAttributeName, VisibilityName, WidthsName } from "./constants.js";
 import type { Pointer } from "./functions.js";
 import type { AllocateFn, ArrayInput, ArrayOutput, DeallocateFn, DensityFn, DirectionFn, Drawing, ImplicitFn, LineSet,
   LogFn, Model, Numbers, PointSet, RunTasksFn, ToneFn } from "../index.js";
@@ -37,9 +37,9 @@ export interface ContextInfo {
   /** threads that a large call will use */
   readonly threadCount: number;
   /** the one in use */
-  readonly instructionSet: number;
+  readonly instructionSet: InstructionSetName | number;
   /** HRBFNPR_THREAD_BACKEND_POOL, OPENMP, RUN_TASKS or SERIAL */
-  readonly threadBackend: number;
+  readonly threadBackend: ThreadBackendName | number;
   /** allocated through this context at present */
   readonly bytesNow: number;
   /** the most there ever were */
@@ -113,7 +113,7 @@ export interface FitDesc {
    */
   regularization?: number;
   /** HRBFNPR_REPAIR_KEEP or DROP; KEEP */
-  outliers?: number;
+  outliers?: RepairName | number;
   /** HRBFNPR_REPAIR_...; KEEP */
   flippedNormals?: RepairName | number;
   /**
@@ -239,7 +239,7 @@ export interface CustomDesc {
 }
 
 export interface ModelInfo {
-  readonly kernel: number;
+  readonly kernel: KernelName | number;
   readonly polynomialDegree: number;
   /** fits made to choose the centres; 0 if all samples are centres */
   readonly choiceRounds: number;
@@ -285,7 +285,7 @@ export interface ModelInfo {
   /** share of all samples that lie within the tolerance; a dropped one counts as outside; NaN with tolerance 0 */
   readonly inputShareWithin: number;
   /** the one used */
-  readonly solver: number;
+  readonly solver: SolverName | number;
   /** HRBFNPR_SOLVER_REASON_... */
   readonly solverReason: SolverReasonName | number;
   /** refinement steps of DIRECT, steps of ITERATIVE */
@@ -504,7 +504,7 @@ export interface CsgInfo {
  */
 export interface LayerDesc {
   /** HRBFNPR_LAYER_KIND_STIPPLES, PRINCIPAL, COMBING, FIELD or HATCH; STIPPLES */
-  kind?: number;
+  kind?: LayerKindName | number;
   /** UTF-8, 1 .. 63 bytes, copied; NULL = "stipples", "principal", "combing", "field", "hatch" */
   name?: string;
   /**
@@ -663,7 +663,7 @@ export interface PointSetDesc {
 }
 
 export interface PointSetInfo {
-  readonly distribution: number;
+  readonly distribution: DistributionName | number;
   /** the one used */
   readonly seedSource: number;
   /** how many */
@@ -726,7 +726,7 @@ export interface PlacementInfo {
 /** Lines to find once. */
 export interface LineDesc {
   /** HRBFNPR_LINE_KIND_RIDGE, VALLEY, PARABOLIC, SECTION or OWN; RIDGE */
-  kind?: number;
+  kind?: LineKindName | number;
   /** up to 63 bytes of UTF-8, for styles; NULL = "" */
   name?: string;
   /** lines go on while their strength is at least `lower` ... */
@@ -1172,7 +1172,7 @@ export interface DrawingInfo {
 /** A layer of a drawing: ink of one layer of marks, of the front or of contours. */
 export interface DrawingLayerInfo {
   /** HRBFNPR_CLASS_FRONT or SILHOUETTE */
-  readonly markClass: number;
+  readonly markClass: ClassName | number;
   readonly item: number;
   /** of the item's point set; -1: of lines */
   readonly layer: number;
