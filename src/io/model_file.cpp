@@ -171,8 +171,8 @@ void check_weights(const Decoder& decoder, const implicit::HrbfData& data, const
             decoder.damaged("%s[%lld] is larger than a fit's", name, static_cast<long long>(i));
 }
 
-// Samples lie in the bounds, but for those that hold a fit to a mesh off the surface: they may lie anywhere in the search
-// box.  Centres are where their samples are, but for rounding.
+// Samples lie in the bounds, but for those that hold a fit to a mesh off the surface: they may lie anywhere in the
+// search box.  Centres are where their samples are, but for rounding.
 void check_places(const Decoder& decoder, const implicit::HrbfData& data) {
     const double beyond = 0.1 * data.bounds.diagonal();
     for (std::int64_t i = 0; i < data.count(); ++i) {

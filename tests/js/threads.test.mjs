@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The build with threads: the same bits as with one.
 import assert from "node:assert/strict";
+import { spawnSync } from "node:child_process";
 import test from "node:test";
 import { load } from "hrbfnpr";
 
@@ -25,4 +26,9 @@ test("progress and cancel with threads", () => {
   assert.throws(() => model.generate({}, { onProgress: (progress) => progress < 0.3 }), { statusName: "CANCELLED" });
 });
 
-test("the process ends though threads wait", () => setTimeout(() => process.exit(process.exitCode ?? 0), 50).unref());
+test("a process with idle threads ends by itself", () => {
+  const text = `const { load } = await import("hrbfnpr"); const library = await load({ threads: 2 });
+                library.createContext().createCsg([{ kind: "sphere" }]).generate({ layers: [{ budget: 5000 }] });`;
+  const { status, signal } = spawnSync(process.execPath, ["--input-type=module", "-e", text], { timeout: 60000 });
+  assert.deepEqual([status, signal], [0, null]);
+});

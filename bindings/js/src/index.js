@@ -44,8 +44,11 @@ export async function load({ threads = 1, wasm, base } = {}) {
       WebAssembly.instantiate(compiled, imports).then((instance) => done(instance, compiled));
       return {};
     },
-    locateFile: (name) => new URL(name, folder).href,
+    // Node starts workers by their path; only those of threads are looked for.
+    locateFile: (name) => (isNode ? decodeURIComponent(new URL(name, folder).pathname).replace(/^\/([A-Z]:)/, "$1")
+                                  : new URL(name, folder).href),
   });
+  if (isNode) module.PThread?.unusedWorkers.forEach((worker) => worker.unref()); // else node would never end
   return new Library(module, memory, count, compiled);
 }
 
