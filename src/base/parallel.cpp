@@ -9,7 +9,6 @@
 #include <exception>
 #include <limits>
 #include <mutex>
-#include <optional>
 
 namespace hrbfnpr::base {
 namespace {
@@ -34,7 +33,6 @@ public:
     }
 
     void rethrow() const {
-        if (known_) throw Error(*known_);
         if (error_) std::rethrow_exception(error_);
     }
 
@@ -64,19 +62,12 @@ private:
         const FpGuard guard;
         try {
             task_(context_, index);
-        } catch (const Error& error) { // by its value: what Emscripten rethrows has lost its type
-            keep(index, error, nullptr);
         } catch (...) {
-            keep(index, std::nullopt, std::current_exception());
+            const std::lock_guard lock(mutex_);
+            if (index >= first_failed_.load(std::memory_order_relaxed)) return;
+            error_ = std::current_exception();
+            first_failed_.store(index, std::memory_order_relaxed);
         }
-    }
-
-    void keep(std::int64_t index, const std::optional<Error>& known, const std::exception_ptr& error) noexcept {
-        const std::lock_guard lock(mutex_);
-        if (index >= first_failed_.load(std::memory_order_relaxed)) return;
-        known_ = known;
-        error_ = error;
-        first_failed_.store(index, std::memory_order_relaxed);
     }
 
     // Two multisets of as many indices and of the same sum of these are, but for one in 2^64, the same
@@ -94,7 +85,6 @@ private:
     // Lower indices go on after a failure, so that the same one is reported whatever the order.
     std::atomic<std::int64_t> first_failed_{std::numeric_limits<std::int64_t>::max()};
     std::mutex mutex_;
-    std::optional<Error> known_;
     std::exception_ptr error_;
     std::atomic<std::int64_t> calls_{0}, stray_{0}; // of a host
     std::atomic<std::uint64_t> sum_{0};

@@ -17,7 +17,9 @@ test("two threads give the bits of one", () => {
   assert.equal(context.info().threadCount, 2);
   assert.equal(context.info().threadBackend, "pool");
   const serial = two.createContext({ threadCount: 1 });
-  assert.deepEqual(made(context).save(), made(serial).save());
+  const [one, other] = [made(context), made(serial)];
+  for (const attribute of ["position", "normal", "rank"]) // the file holds times as well
+    assert.equal(Buffer.compare(Buffer.from(one.view(0, attribute).buffer), Buffer.from(other.view(0, attribute).buffer)), 0);
 });
 
 test("progress and cancel with threads", () => {

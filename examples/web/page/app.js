@@ -243,7 +243,10 @@ function listenForExports() {
 }
 
 async function begin() {
-  const moved = (isMoving) => requestFrame(isMoving);
+  const moved = (isMoving) => {
+    requestFrame(isMoving);
+    if (!isMoving) keepLink();
+  };
   controls = new Controls(find("controls"), () => settings, changed);
   find("controls").addEventListener("submit", (event) => event.preventDefault());
   find("cancel").addEventListener("click", () => maker.cancel());
