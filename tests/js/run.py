@@ -83,7 +83,7 @@ def in_package(work, name, build):
     installed(work)
     for path in HERE.glob("*.mjs"):
         shutil.copy(path, work)
-    run(node, "--test", f"{name}.test.mjs", cwd=work, env={**os.environ, "HRBFNPR_SOURCE": str(ROOT)})
+    run(node, f"{name}.test.mjs", cwd=work, env={**os.environ, "HRBFNPR_SOURCE": str(ROOT)})
 
 
 def package(work):

@@ -2,10 +2,11 @@
 // The build with threads: the same bits as with one.
 import assert from "node:assert/strict";
 import { spawnSync } from "node:child_process";
-import test from "node:test";
+import test, { after } from "node:test";
 import { load } from "hrbfnpr";
 
 const two = await load({ threads: 2 });
+after(() => setTimeout(() => process.exit(), 500)); // node:test may wait for threads that are idle
 
 function made(context) {
   const model = context.createCsg([{ kind: "torus", radius: 1, secondRadius: 0.4 }]);
