@@ -25,12 +25,6 @@ async function draws() {
   await page.waitForFunction(() => document.documentElement.dataset.lines !== undefined);
   await settled(page);
   const { dark, width, height } = await picture(page);
-  for (let key = 0; key < 12; ++key) {
-    await page.focus("#picture");
-    await page.keyboard.press("ArrowRight");
-    await page.waitForTimeout(120);
-  }
-  console.log(`page: a frame of ${width} x ${height} takes ${await told(page, "frameMs")} ms with one thread`);
   assert.ok(dark > 0.005 && dark < 0.5, `${dark}`);
   assert.ok(width > 800 && height > 700);
   assert.match(await page.textContent("#status"), /dots and strokes/);
