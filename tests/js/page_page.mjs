@@ -24,6 +24,8 @@ async function draws() {
   assert.ok(first < 4 * MOST_FIRST, `${first} ms`);
   await page.waitForFunction(() => document.documentElement.dataset.lines !== undefined);
   await settled(page);
+  const hasBunny = await page.evaluate(async () => (await fetch("bunny.model")).ok);
+  if (hasBunny) assert.equal(await told(page, "lines"), "bunny contour-and-stipple", "a fit to a mesh loads again");
   const { dark, width, height } = await picture(page);
   assert.ok(dark > 0.005 && dark < 0.5, `${dark}`);
   assert.ok(width > 800 && height > 700);
