@@ -28,8 +28,10 @@ set(HRBFNPR_GCC_WARNINGS -Wdouble-promotion -Wduplicated-cond -Wlogical-op)
 
 function(hrbfnpr_compile target)
   target_link_libraries(${target} PRIVATE hrbfnpr_options)
+  if(NOT EMSCRIPTEN) # whose modules are linked whole
+    set_target_properties(${target} PROPERTIES POSITION_INDEPENDENT_CODE ON)
+  endif()
   set_target_properties(${target} PROPERTIES
-    POSITION_INDEPENDENT_CODE ON
     CXX_EXTENSIONS OFF
     CXX_VISIBILITY_PRESET hidden
     C_VISIBILITY_PRESET hidden

@@ -16,3 +16,16 @@ endif()
 # Highway's headers only: which instruction set is used is decided by the library itself.
 find_path(HRBFNPR_HIGHWAY_INCLUDE_DIR hwy/highway.h REQUIRED)
 mark_as_advanced(HRBFNPR_HIGHWAY_INCLUDE_DIR)
+
+if(CMAKE_CROSSCOMPILING)
+  # A system's folder of headers is no place for another system to look into: links to these two alone.
+  foreach(package IN ITEMS GLM:glm HIGHWAY:hwy)
+    string(REPLACE ":" ";" package "${package}")
+    list(GET package 0 variable)
+    list(GET package 1 folder)
+    file(MAKE_DIRECTORY "${PROJECT_BINARY_DIR}/headers/${folder}")
+    file(CREATE_LINK "${HRBFNPR_${variable}_INCLUDE_DIR}/${folder}"
+      "${PROJECT_BINARY_DIR}/headers/${folder}/${folder}" SYMBOLIC)
+    set(HRBFNPR_${variable}_INCLUDE_DIR "${PROJECT_BINARY_DIR}/headers/${folder}")
+  endforeach()
+endif()

@@ -34,6 +34,8 @@ package_set() {
     fuzz) echo clang-14 libclang-rt-14-dev llvm-14 ;;
     thread) echo clang-14 libclang-rt-14-dev libomp-14-dev llvm-14 ;;
     npm) echo npm ;;
+    wasm) echo emscripten ;;
+    browser) echo chromium node-typescript ;;
     lint) echo clang-format-14 clang-tidy-14 libomp-14-dev ;;
     *) die "there is no package set '$1'" ;;
   esac

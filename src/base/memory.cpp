@@ -1,17 +1,20 @@
 // SPDX-License-Identifier: MIT
 #include "base/memory.h"
 
+#include <limits>
 #include <new>
 
 namespace hrbfnpr::base {
 namespace {
 
 void* default_allocate(void* /*user*/, std::uint64_t size, std::uint64_t alignment) {
-    return ::operator new (size, std::align_val_t{alignment}, std::nothrow);
+    if (size > std::numeric_limits<std::size_t>::max()) return nullptr; // with 32-bit pointers
+    return ::operator new (static_cast<std::size_t>(size), std::align_val_t{static_cast<std::size_t>(alignment)},
+                           std::nothrow);
 }
 
 void default_deallocate(void* /*user*/, void* memory, std::uint64_t /*size*/, std::uint64_t alignment) {
-    ::operator delete (memory, std::align_val_t{alignment});
+    ::operator delete (memory, std::align_val_t{static_cast<std::size_t>(alignment)});
 }
 
 } // namespace

@@ -14,6 +14,9 @@
 
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
+#if HWY_TARGET == HWY_WASM && !HWY_HAVE_FLOAT64
+#include "base/simd_wasm_doubles-inl.h"
+#endif
 
 #if HWY_ONCE && !defined(HRBFNPR_PICK)
 #if HWY_TARGETS & HWY_AVX3
@@ -39,6 +42,8 @@
 #define HWY_STATIC_NAME AVX3
 #elif HWY_STATIC_TARGET == HWY_NEON
 #define HWY_STATIC_NAME NEON
+#elif HWY_STATIC_TARGET == HWY_WASM
+#define HWY_STATIC_NAME WASM
 #endif
 #endif
 

@@ -2,17 +2,17 @@
 // Far-to-near order: a stable radix sort.
 #pragma once
 
+#include "base/bits.h"
 #include "base/memory.h"
 #include "base/parallel.h"
 
-#include <bit>
 #include <cstdint>
 
 namespace hrbfnpr::drawing {
 
 // A 64-bit key: depth in the upper half, ascending from far to near; what it stands for in the lower.
 [[nodiscard]] inline std::uint64_t far_first_key(float depth, std::uint32_t what) noexcept {
-    const auto bits = std::bit_cast<std::uint32_t>(depth);
+    const auto bits = base::bit_cast<std::uint32_t>(depth);
     // The usual map of floats to integers of the same order, then turned round.
     const std::uint32_t ascending = (bits >> 31U) != 0 ? ~bits : bits | 0x80000000U;
     return std::uint64_t{~ascending} << 32U | what;

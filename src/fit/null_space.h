@@ -29,7 +29,9 @@ public:
     [[nodiscard]] std::int64_t free() const noexcept { return rows_ - terms_; }
 
     // Q = I - V T V^T.
-    [[nodiscard]] ConstColumns v() const noexcept { return {v_.data(), rows_, terms_}; }
+    [[nodiscard]] ConstColumns v() const noexcept {
+        return {v_.data(), static_cast<Eigen::Index>(rows_), static_cast<Eigen::Index>(terms_)};
+    }
     [[nodiscard]] const Small& t() const noexcept { return t_; }
     [[nodiscard]] const Small& r() const noexcept { return r_; }
 

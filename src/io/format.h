@@ -8,8 +8,9 @@
 // Everything is little-endian, whatever the machine.
 #pragma once
 
+#include "base/bits.h"
+
 #include <array>
-#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <type_traits>
@@ -66,7 +67,7 @@ using Bits = std::conditional_t<
 // One path for every byte order: compilers make a plain copy of it where the machine is little-endian.
 template <class T>
 constexpr void store(std::uint8_t* to, T value) noexcept {
-    const auto bits = std::bit_cast<detail::Bits<sizeof(T)>>(value);
+    const auto bits = base::bit_cast<detail::Bits<sizeof(T)>>(value);
     for (std::size_t i = 0; i < sizeof(T); ++i) to[i] = static_cast<std::uint8_t>(bits >> (8 * i));
 }
 
@@ -75,7 +76,7 @@ template <class T>
     detail::Bits<sizeof(T)> bits = 0;
     for (std::size_t i = 0; i < sizeof(T); ++i)
         bits = static_cast<detail::Bits<sizeof(T)>>(bits | (detail::Bits<sizeof(T)>{from[i]} << (8 * i)));
-    return std::bit_cast<T>(bits);
+    return base::bit_cast<T>(bits);
 }
 
 } // namespace hrbfnpr::io

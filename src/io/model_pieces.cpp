@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
+#include "base/bits.h"
 #include "io/check.h"
 #include "io/model_sections.h"
-
-#include <bit>
 
 namespace hrbfnpr::io {
 namespace {
@@ -28,14 +27,14 @@ Space space_of(const implicit::PiecesData& data) noexcept {
 // Two's complement: all sections of whole numbers are of unsigned ones.
 base::Array<std::uint32_t> unsigned_of(const base::Array<std::int32_t>& numbers) {
     base::Array<std::uint32_t> result(numbers.memory());
-    for (const std::int32_t number : numbers) result.push_back(std::bit_cast<std::uint32_t>(number));
+    for (const std::int32_t number : numbers) result.push_back(base::bit_cast<std::uint32_t>(number));
     return result;
 }
 
 void decode_numbers(Decoder& decoder, std::uint32_t tag, base::Array<std::int32_t>& numbers) {
     base::Array<std::uint32_t> stored(numbers.memory());
     decoder.section(tag, stored);
-    for (const std::uint32_t number : stored) numbers.push_back(std::bit_cast<std::int32_t>(number));
+    for (const std::uint32_t number : stored) numbers.push_back(base::bit_cast<std::int32_t>(number));
 }
 
 } // namespace

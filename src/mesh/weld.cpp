@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "mesh/weld.h"
 
+#include "base/bits.h"
 #include "base/status.h"
 
 #include <algorithm>
@@ -81,9 +82,9 @@ void check_vertex(const glm::dvec3& p, std::int64_t vertex, std::int64_t face) {
 }
 
 [[nodiscard]] std::uint64_t hash_of(const glm::dvec3& p) noexcept {
-    std::uint64_t hash = mixed(std::bit_cast<std::uint64_t>(p.x));
-    hash = mixed(hash ^ std::bit_cast<std::uint64_t>(p.y));
-    return mixed(hash ^ std::bit_cast<std::uint64_t>(p.z));
+    std::uint64_t hash = mixed(base::bit_cast<std::uint64_t>(p.x));
+    hash = mixed(hash ^ base::bit_cast<std::uint64_t>(p.y));
+    return mixed(hash ^ base::bit_cast<std::uint64_t>(p.z));
 }
 
 // From given numbers of vertices to those of different places.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "stipples/layer_candidates.h"
 
+#include "base/bits.h"
 #include "base/random.h"
 #include "geometry/morton.h"
 #include "geometry/tangent_frame.h"
@@ -8,7 +9,6 @@
 #include "surface/creased.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -174,7 +174,7 @@ Projection* LayerCandidates::land(std::int64_t i, double distance, std::uint32_t
                      surprising || !(glm::dot(normal, cells_.cell[cell].normal) >= straight)};
         if (k + 1 == count) break;
         const base::Philox random = base::philox(
-            site_.random_seed, {trial_ticket_[i], std::bit_cast<std::uint32_t>(static_cast<float>(projection.x)),
+            site_.random_seed, {trial_ticket_[i], base::bit_cast<std::uint32_t>(static_cast<float>(projection.x)),
                                 static_cast<std::uint32_t>(base::Purpose::candidate_order), k});
         constexpr double scale = 2.0 / 4294967296.0;
         const double u = random[1] * scale - 1.0;

@@ -3,11 +3,11 @@
 
 #include "stipples/order_stage.h"
 
+#include "base/bits.h"
 #include "geometry/cell_grid.h"
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
 #include <utility>
 
@@ -179,7 +179,7 @@ OrderedMarks Ordering::shuffled() const {
         const std::int64_t end = sweep + 1 < sweep_.size() ? sweep_[sweep + 1] : marks_.size();
         for (std::int64_t i = begin; i < end; ++i) {
             std::uint64_t lot = 0;
-            for (const float c : marks_[i].position) lot = geometry::mixed_bits(lot ^ std::bit_cast<std::uint32_t>(c));
+            for (const float c : marks_[i].position) lot = geometry::mixed_bits(lot ^ base::bit_cast<std::uint32_t>(c));
             place[i] = {std::uint64_t{step_[i]} << 56U | lot >> 8U, i};
         }
         std::sort(place.data() + begin, place.data() + end);

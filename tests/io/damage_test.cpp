@@ -177,7 +177,10 @@ TEST(ModelFile, PlacesAndScalesAreThoseOfAFit) {
         EXPECT_NE(message.find(part), std::string::npos) << message;
     };
     expect(model_message([](Data& d) { d.sample_position[4] = 1e101; }), "sample_position[1] is outside its bounds");
-    expect(model_message([](Data& d) { d.sample_position[0] = -0.5; }), "sample_position[0] is outside its bounds");
+    expect(model_message([](Data& d) { d.sample_position[0] = -50.0; }), "sample_position[0] is outside its bounds");
+    // Within the search box: a fit to a mesh may be held there.
+    const auto held_off = [](Data& d) { d.sample_position[0] = d.bounds.min.x - 0.05 * d.bounds.diagonal(); };
+    expect(model_message(held_off), "centre[0] is not where its sample is");
     expect(model_message([](Data& d) { d.bounds.max.x = 1e101; }), "reach beyond 1e100");
     expect(model_message([](Data& d) { d.bounds.min.z = -1e308; }), "reach beyond 1e100");
     expect(model_message([](Data& d) { d.centre.y = 1e50; }), "centre is outside its bounds");

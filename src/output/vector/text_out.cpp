@@ -4,12 +4,26 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <cstdio>
 #include <cstring>
 
 namespace hrbfnpr::output {
 namespace {
 
 constexpr double largest = 1e15; // thousandths that a double tells apart
+
+[[nodiscard]] std::string_view between(const char* begin, const char* end) noexcept {
+    return {begin, static_cast<std::size_t>(end - begin)};
+}
+
+// With nine decimals.
+[[nodiscard]] char* write_fixed(char* begin, char* end, double number) noexcept {
+#if defined(__EMSCRIPTEN__) // whose library writes no doubles so yet, and has one locale only
+    return begin + std::snprintf(begin, static_cast<std::size_t>(end - begin), "%.9f", number);
+#else
+    return std::to_chars(begin, end, number, std::chars_format::fixed, 9).ptr;
+#endif
+}
 
 } // namespace
 
@@ -30,7 +44,7 @@ TextOut& TextOut::operator<<(std::string_view text) {
 
 TextOut& TextOut::operator<<(std::int64_t number) {
     char digits[24];
-    return *this << std::string_view(digits, std::to_chars(digits, digits + sizeof digits, number).ptr);
+    return *this << between(digits, std::to_chars(digits, digits + sizeof digits, number).ptr);
 }
 
 TextOut& TextOut::thousandths(std::int64_t number) {
@@ -46,7 +60,7 @@ TextOut& TextOut::thousandths(std::int64_t number) {
             rest %= unit;
         }
     }
-    return *this << std::string_view(digits, end);
+    return *this << between(digits, end);
 }
 
 TextOut& TextOut::operator<<(double number) { return thousandths(in_thousandths(number)); }
@@ -54,8 +68,7 @@ TextOut& TextOut::operator<<(double number) { return thousandths(in_thousandths(
 TextOut& TextOut::precise(double number) {
     char digits[64];
     const double known = std::clamp(number, -largest, largest);
-    return *this << std::string_view(
-               digits, std::to_chars(digits, digits + sizeof digits, known, std::chars_format::fixed, 9).ptr);
+    return *this << between(digits, write_fixed(digits, digits + sizeof digits, known));
 }
 
 TextOut& TextOut::escaped(std::string_view text) {

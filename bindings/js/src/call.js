@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: MIT
+// The memory of one call: arguments are put into the module's memory, results taken from it, and all is freed behind it.
+import { HrbfnprError } from "./errors.js";
+import { SCALAR, STATUS } from "./generated/constants.js";
+import { read, sizeOf, write } from "./structs.js";
+
+const TYPES = [[Float32Array, SCALAR.FLOAT32], [Float64Array, SCALAR.FLOAT64], [Uint8Array, SCALAR.UINT8],
+               [Uint8ClampedArray, SCALAR.UINT8], [Uint32Array, SCALAR.UINT32], [Int32Array, SCALAR.INT32],
+               [BigInt64Array, SCALAR.INT64]];
+const MAKERS = { 1: Float32Array, 2: Float64Array, 3: Uint8Array, 4: Uint32Array, 5: Int32Array, 6: BigInt64Array };
+
+function scalarOf(array) {
+  return TYPES.find(([type]) => array instanceof type)?.[1];
+}
+
+/** Elements in one flat typed array: of a typed array, of numbers, or of rows of numbers. */
+function flat(value, what) {
+  if (scalarOf(value)) return value;
+  if (Array.isArray(value)) return Float64Array.from(value.flat());
+  throw new TypeError(`${what} must be an array of numbers: Float32Array, Float64Array, ...`);
+}
+
+function bytesOf(array) {
+  return new Uint8Array(array.buffer, array.byteOffset, array.byteLength);
+}
+
+/** One array of the bytes of many. */
+export function joined(chunks) {
+  const whole = new Uint8Array(chunks.reduce((size, chunk) => size + chunk.length, 0));
+  let at = 0;
+  for (const chunk of chunks) {
+    whole.set(chunk, at);
+    at += chunk.length;
+  }
+  return whole;
+}
+
+export class Call {
+  #addresses = [];
+  #outputs = [];
+  #users = [];
+
+  constructor(library) {
+    this.library = library;
+    this.error = this.struct("hrbfnpr_error", {});
+  }
+
+  /** Runs `work` with a Call and frees what it took. */
+  static with(library, work) {
+    const call = new Call(library);
+    try {
+      return work(call);
+    } finally {
+      call.free();
+    }
+  }
+
+  free() {
+    this.#addresses.forEach((address) => this.library.free(address));
+    this.#users.forEach((user) => this.library.callbacks.forget(user));
+  }
+
+  /** Zeroed bytes. */
+  allocate(bytes) {
+    const address = this.library.malloc(bytes);
+    if (address === 0)
+      throw new HrbfnprError(STATUS.OUT_OF_MEMORY, `the module's memory has no room for ${bytes} bytes`);
+    this.#addresses.push(address);
+    this.library.views.bytes.fill(0, address, address + bytes);
+    return address;
+  }
+
+  setPointer(at, address) {
+    this.library.views.data.setUint32(at, address, true);
+  }
+
+  getPointer(at) {
+    return this.library.views.data.getUint32(at, true);
+  }
+
+  text(value) {
+    const encoded = new TextEncoder().encode(String(value));
+    const address = this.allocate(encoded.length + 1);
+    this.library.views.bytes.set(encoded, address);
+    return address;
+  }
+
+  bytes(values) {
+    const address = this.allocate(Math.max(values.byteLength, 1));
+    this.library.views.bytes.set(bytesOf(values), address);
+    return address;
+  }
+
+  doubles(values, count, what) {
+    const numbers = Float64Array.from(values ?? []);
+    if (numbers.length !== count) throw new TypeError(`${what} must be ${count} numbers, not ${numbers.length}`);
+    return this.bytes(numbers);
+  }
+
+  sizeOf(name) {
+    return sizeOf(name);
+  }
+
+  /** A struct with defaults and options; without `sized` all zero. */
+  struct(name, options, sized = true) {
+    const address = this.allocate(sizeOf(name));
+    if (sized) write(this, address, name, options);
+    return address;
+  }
+
+  /** The same, or NULL of no options; of a Camera or the like its own options. */
+  structOf(value, name, what = name) {
+    if (value === undefined || value === null) return 0;
+    const address = this.allocate(sizeOf(name));
+    write(this, address, name, value, what);
+    return address;
+  }
+
+  read(address, name) {
+    return read(this.library, address, name);
+  }
+
+  callback(type, value, what) {
+    const [address, user] = this.library.callbacks.register(type, value, what);
+    this.#users.push(user);
+    return [address, user];
+  }
+
+  /** Callbacks that were registered in this call live on: of a custom model, until it is released. */
+  keepCallbacks() {
+    return this.#users.splice(0);
+  }
+
+  #describe(at, address, count, scalar, components) {
+    const { data } = this.library.views;
+    data.setUint32(at, address, true);
+    data.setBigInt64(at + 8, BigInt(count), true);
+    data.setBigInt64(at + 16, 0n, true);
+    data.setUint32(at + 24, scalar, true);
+    data.setUint32(at + 28, components, true);
+  }
+
+  /** An hrbfnpr_array at `at`, of a copy of the elements. */
+  writeArray(at, value, components, what) {
+    const given = value?.data !== undefined && !ArrayBuffer.isView(value) ? value : { data: value, components };
+    const elements = flat(given.data, what);
+    if (elements.length % given.components !== 0)
+      throw new TypeError(`${what} has ${elements.length} numbers: they must be ${given.components} for each element`);
+    this.#describe(at, this.bytes(elements), elements.length / given.components, scalarOf(elements), given.components);
+  }
+
+  array(value, components, what) {
+    const at = this.allocate(sizeOf("hrbfnpr_array"));
+    this.writeArray(at, value, components, what);
+    return at;
+  }
+
+  /** An hrbfnpr_array_out at `at`; the caller's array is filled by `finish`. */
+  writeArrayOut(at, value, what) {
+    const given = ArrayBuffer.isView(value) ? { data: value, components: 1 } : value ?? {};
+    const scalar = scalarOf(given.data);
+    if (!scalar) throw new TypeError(`${what} must be a typed array, or { data, components }`);
+    const address = this.allocate(Math.max(given.data.byteLength, 1));
+    this.#outputs.push([address, given.data]);
+    this.#describe(at, address, given.data.length / given.components, scalar, given.components);
+  }
+
+  arrayOut(data, components, what = "array") {
+    const at = this.allocate(sizeOf("hrbfnpr_array_out"));
+    this.writeArrayOut(at, { data, components }, what);
+    return at;
+  }
+
+  /** Calls a function whose last parameter is an error; throws what it says. */
+  check(name, ...values) {
+    const status = this.library.raw[name](...values, this.error);
+    this.#raise(status);
+    for (const [address, array] of this.#outputs)
+      bytesOf(array).set(this.library.views.bytes.subarray(address, address + array.byteLength));
+  }
+
+  #raise(status) {
+    const thrown = this.library.callbacks.takeThrown();
+    if (thrown) throw thrown.error;
+    if (status === STATUS.OK) return;
+    throw new HrbfnprError(status, this.library.text(this.error + 8));
+  }
+
+  /** The handle that a function makes, whose last parameters are where it goes and the error. */
+  made(name, ...values) {
+    const out = this.allocate(4);
+    this.check(name, ...values, out);
+    return this.getPointer(out);
+  }
+
+  /** The elements of a view of the library's, copied. */
+  copyOfView(at) {
+    const { bytes, data } = this.library.views;
+    const count = Number(data.getBigInt64(at + 8, true));
+    const type = MAKERS[data.getUint32(at + 24, true)] ?? Float64Array;
+    const element = type.BYTES_PER_ELEMENT * data.getUint32(at + 28, true);
+    const stride = Number(data.getBigInt64(at + 16, true)) || element;
+    const first = data.getUint32(at, true);
+    const result = new type(count * element / type.BYTES_PER_ELEMENT);
+    if (stride === element) bytesOf(result).set(bytes.subarray(first, first + count * element));
+    else for (let row = 0; row < count; ++row)
+      bytesOf(result).set(bytes.subarray(first + row * stride, first + row * stride + element), row * element);
+    return result;
+  }
+}

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: MIT
+// Functions of JavaScript's that the library calls: one function of the module for each type of callback, whose user
+// pointer is the number of the function that is meant.
+import { CALLBACKS } from "./generated/functions.js";
+
+const LEVELS = ["debug", "info", "warning"];
+
+function doubles(library, address, count) {
+  return address === 0 ? null : new Float64Array(library.views.buffer, address, count);
+}
+function floats(library, address, count) {
+  return new Float32Array(library.views.buffer, address, count);
+}
+
+// How each type is called: (library, function, arguments behind the user pointer) -> its result; nothing is 0.
+const ADAPTERS = {
+  hrbfnpr_progress_fn: (_, call, progress) => (call(progress) === false ? 1 : 0),
+  hrbfnpr_log_fn: (library, call, level, message) => void call(library.text(message >>> 0), LEVELS[level] ?? level),
+  hrbfnpr_write_fn: (library, call, data, size) =>
+    void call(library.views.bytes.slice(data >>> 0, (data >>> 0) + Number(size))),
+  hrbfnpr_read_fn: (library, call, data, size) => {
+    const chunk = call(Number(size));
+    library.views.bytes.set(chunk, data >>> 0);
+    return BigInt(chunk.length);
+  },
+  hrbfnpr_implicit_fn: (library, call, count, points, value, gradient, hessian) => {
+    const n = Number(count);
+    return void call(doubles(library, points >>> 0, 3 * n), {
+      value: doubles(library, value >>> 0, n), gradient: doubles(library, gradient >>> 0, 3 * n),
+      hessian: doubles(library, hessian >>> 0, 6 * n) });
+  },
+  hrbfnpr_density_fn: (library, call, count, positions, normals, density) => {
+    const n = Number(count);
+    return void call(doubles(library, positions >>> 0, 3 * n), doubles(library, normals >>> 0, 3 * n),
+                     doubles(library, density >>> 0, n));
+  },
+  hrbfnpr_direction_fn: (library, call, count, positions, normals, directions) => {
+    const n = Number(count);
+    return void call(doubles(library, positions >>> 0, 3 * n), doubles(library, normals >>> 0, 3 * n),
+                     doubles(library, directions >>> 0, 3 * n));
+  },
+  hrbfnpr_tone_fn: (library, call, count, positions, normals, tau) => {
+    const n = Number(count);
+    return void call(floats(library, positions >>> 0, 3 * n), floats(library, normals >>> 0, 3 * n),
+                     floats(library, tau >>> 0, n));
+  },
+};
+
+export class Callbacks {
+  #library;
+  #addFunction;
+  #addresses = new Map();
+  #functions = new Map();
+  #releases = new Map();
+  #next = 1;
+  #thrown;
+
+  constructor(library, addFunction) {
+    this.#library = library;
+    this.#addFunction = addFunction;
+  }
+
+  /** [address of the module's function, user pointer] for a function of JavaScript's. */
+  register(type, call, what) {
+    if (!ADAPTERS[type]) throw new TypeError(`${what} cannot be given here: use the functions of Library.raw`);
+    if (typeof call !== "function") throw new TypeError(`${what} must be a function`);
+    if (!this.#addresses.has(type)) this.#addresses.set(type, this.#enter(type));
+    const user = this.#next++;
+    this.#functions.set(user, call);
+    return [this.#addresses.get(type), user];
+  }
+
+  forget(user) {
+    this.#functions.delete(user);
+    this.#releases.delete(user);
+  }
+
+  /** The module's function that, called with a user pointer, forgets its function and calls `then`. */
+  releaseOf(user, then) {
+    this.#releases.set(user, then);
+    if (!this.#addresses.has("release"))
+      this.#addresses.set("release", this.#addFunction((released) => {
+        const call = this.#releases.get(released);
+        this.forget(released);
+        call?.();
+      }, "vi"));
+    return this.#addresses.get("release");
+  }
+
+  #enter(type) {
+    const signature = CALLBACKS[type];
+    const failed = { v: undefined, i: 1, j: -1n }[signature[0]];
+    const good = { v: undefined, i: 0, j: 0n }[signature[0]];
+    const run = (user, ...values) => {
+      try {
+        return ADAPTERS[type](this.#library, this.#functions.get(user), ...values) ?? good;
+      } catch (error) {
+        this.#thrown ??= { error };
+        return failed;
+      }
+    };
+    return this.#addFunction(run, signature.replaceAll("p", "i"));
+  }
+
+  /** What a callback threw since the last time, in a box. */
+  takeThrown() {
+    const thrown = this.#thrown;
+    this.#thrown = undefined;
+    return thrown;
+  }
+}

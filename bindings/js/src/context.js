@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: MIT
+import { Call, joined } from "./call.js";
+import { OFFSETS } from "./generated/layout.js";
+import { Handle } from "./handle.js";
+import { LineSet } from "./line_set.js";
+import { Mesh } from "./mesh.js";
+import { Model } from "./model.js";
+import { operated } from "./operation.js";
+import { PointSet } from "./point_set.js";
+import { Renderer } from "./renderer.js";
+
+/** Threads, memory and log; everything else is made from one. */
+export class Context extends Handle {
+  /** Use Library.createContext. */
+  constructor(library, options) {
+    const pointer = Call.with(library, (call) => {
+      const made = call.made("hrbfnpr_context_create", call.structOf(options, "hrbfnpr_context_desc", "context"));
+      call.keepCallbacks(); // the log's: it may be called as long as anything of this context lives
+      return made;
+    });
+    super(library, "hrbfnpr_context", pointer);
+  }
+
+  info() {
+    return Call.with(this.library, (call) => {
+      const info = call.struct("hrbfnpr_context_info", {});
+      call.check("hrbfnpr_context_get_info", this.pointer, info);
+      return call.read(info, "hrbfnpr_context_info");
+    });
+  }
+
+  #made(type, name, options, struct, control) {
+    return Call.with(this.library, (call) => {
+      const desc = call.structOf(options, struct, struct.replace(/hrbfnpr_|_desc/g, ""));
+      return new type(this, operated(call, this.pointer, control,
+        (operation) => call.made(name, this.pointer, desc, ...(control === null ? [] : [operation]))));
+    });
+  }
+
+  fit(options, control) {
+    return this.#made(Model, "hrbfnpr_model_fit", options, "hrbfnpr_fit_desc", control);
+  }
+
+  createMesh(options, control) {
+    return this.#made(Mesh, "hrbfnpr_mesh_create", options, "hrbfnpr_mesh_desc", control);
+  }
+
+  createCsg(nodes, options = {}) {
+    return this.#made(Model, "hrbfnpr_model_create_csg", { ...options, nodes }, "hrbfnpr_csg_desc", null);
+  }
+
+  createPointSet(options) {
+    return this.#made(PointSet, "hrbfnpr_point_set_create", options, "hrbfnpr_point_set_desc", null);
+  }
+
+  createCustom(options) {
+    if (options.flags & 4)
+      throw new TypeError("custom.flags must not have CUSTOM.THREAD_SAFE: JavaScript runs on one thread");
+    const { release, ...rest } = options;
+    return Call.with(this.library, (call) => {
+      const desc = call.structOf(rest, "hrbfnpr_custom_desc", "custom");
+      const { user, release: at } = OFFSETS.hrbfnpr_custom_desc;
+      call.setPointer(desc + at, this.library.callbacks.releaseOf(call.getPointer(desc + user), release));
+      const model = new Model(this, call.made("hrbfnpr_model_create_custom", this.pointer, desc));
+      call.keepCallbacks(); // until the library releases it
+      return model;
+    });
+  }
+
+  #loaded(type, name, bytes) {
+    return Call.with(this.library, (call) =>
+      new type(this, call.made(name, this.pointer, call.bytes(bytes), bytes.byteLength)));
+  }
+
+  loadModel(bytes) {
+    return this.#loaded(Model, "hrbfnpr_model_load_memory", bytes);
+  }
+
+  loadPointSet(bytes) {
+    return this.#loaded(PointSet, "hrbfnpr_point_set_load_memory", bytes);
+  }
+
+  createRenderer() {
+    return Call.with(this.library, (call) => new Renderer(this, call.made("hrbfnpr_renderer_create", this.pointer)));
+  }
+
+  orient(options, control) {
+    return Call.with(this.library, (call) => {
+      const desc = call.structOf(options, "hrbfnpr_orient_desc", "orient");
+      const { data } = this.library.views; // of the struct just written
+      const normals = new Float64Array(3 * Number(data.getBigInt64(desc + 16, true)));
+      const out = call.arrayOut(normals, 3);
+      const info = call.struct("hrbfnpr_orient_info", {});
+      operated(call, this.pointer, control,
+        (operation) => call.check("hrbfnpr_orient", this.pointer, desc, operation, out, info));
+      return { normals, info: call.read(info, "hrbfnpr_orient_info") };
+    });
+  }
+
+  farthestPoints(points, count, control) {
+    return Call.with(this.library, (call) => {
+      const indices = new Uint32Array(count);
+      const distances = new Float64Array(count);
+      const out = [call.arrayOut(indices, 1), call.arrayOut(distances, 1)];
+      const given = call.array(points, 3, "points");
+      operated(call, this.pointer, control,
+        (operation) => call.check("hrbfnpr_farthest_points", this.pointer, given, ...out, operation));
+      return { indices, distances };
+    });
+  }
+
+  writePage(options, control) {
+    return Call.with(this.library, (call) => {
+      const desc = call.structOf(options, "hrbfnpr_page_desc", "page");
+      const chunks = [];
+      const [write, user] = call.callback("hrbfnpr_write_fn", (chunk) => void chunks.push(chunk), "write");
+      const info = call.struct("hrbfnpr_page_info", {});
+      operated(call, this.pointer, control, (operation) =>
+        call.check("hrbfnpr_page_write", this.pointer, desc, write, user, info, operation));
+      return { bytes: joined(chunks), info: call.read(info, "hrbfnpr_page_info") };
+    });
+  }
+
+  stepPatches(model, count, options = {}, control) {
+    return Call.with(this.library, (call) => {
+      const desc = call.structOf(options, "hrbfnpr_generate_desc", "generate");
+      const corners = new Float64Array(12 * count);
+      const out = call.arrayOut(corners, 12);
+      const step = call.allocate(8);
+      operated(call, this.pointer, control, (operation) =>
+        call.check("hrbfnpr_point_set_step_patches", this.pointer, model.pointer, desc, out, step, operation));
+      return { corners, step: this.library.views.data.getFloat64(step, true) };
+    });
+  }
+
+  generate(model, options = {}, control) {
+    const { preset, ...rest } = options;
+    const layers = preset === undefined ? {} : { layers: this.library.presetLayers(preset) };
+    return Call.with(this.library, (call) => {
+      const desc = call.structOf({ ...layers, ...rest }, "hrbfnpr_generate_desc", "generate");
+      return new PointSet(this, operated(call, this.pointer, control, (operation) =>
+        call.made("hrbfnpr_point_set_generate", this.pointer, model.pointer, desc, operation)));
+    });
+  }
+
+  createLineSet(model, options = {}, control) {
+    return Call.with(this.library, (call) => {
+      const desc = call.structOf(options, "hrbfnpr_line_set_desc", "line set");
+      return new LineSet(this, operated(call, this.pointer, control, (operation) =>
+        call.made("hrbfnpr_line_set_create", this.pointer, model.pointer, desc, operation)));
+    });
+  }
+
+  fitMesh(mesh, options = {}, control) {
+    const { fit, ...rest } = options;
+    return Call.with(this.library, (call) => {
+      const desc = call.structOf(rest, "hrbfnpr_mesh_fit_desc", "mesh fit");
+      const inner = call.structOf(fit, "hrbfnpr_fit_desc", "mesh fit.fit");
+      const info = call.struct("hrbfnpr_mesh_fit_info", {});
+      const model = new Model(this, operated(call, this.pointer, control, (operation) =>
+        call.made("hrbfnpr_model_fit_mesh", mesh.pointer, desc, inner, info, operation)));
+      model.meshFit = call.read(info, "hrbfnpr_mesh_fit_info");
+      return model;
+    });
+  }
+}

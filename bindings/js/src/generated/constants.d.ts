@@ -1,0 +1,1008 @@
+// SPDX-License-Identifier: MIT
+// Made by bindings/generate from bindings/api.json; do not edit.
+
+/**
+ * The header's version.  HRBFNPR_ABI_VERSION is the number in the shared
+ * library's SONAME; it moves only when an existing binary would break.
+ */
+export declare const VERSION: {
+  readonly VERSION_MAJOR: 0;
+  readonly VERSION_MINOR: 1;
+  readonly VERSION_PATCH: 0;
+  readonly ABI_VERSION: 1;
+};
+/** A constant of VERSION as options spell it. */
+export type VersionName = "version-major" | "version-minor" | "version-patch" | "abi-version";
+
+export declare const STATUS: {
+  readonly OK: 0;
+  /** the message names the argument and the remedy */
+  readonly INVALID_ARGUMENT: -1;
+  /** the allocator said no */
+  readonly OUT_OF_MEMORY: -2;
+  /** the needed size has been written, nothing else */
+  readonly BUFFER_TOO_SMALL: -3;
+  /** struct_size too small, or an unknown tail is not zero */
+  readonly UNSUPPORTED_STRUCT: -4;
+  /** the fit has no (numerically) unique solution */
+  readonly SINGULAR_SYSTEM: -5;
+  /** an iteration ended short of its goal */
+  readonly NOT_CONVERGED: -6;
+  /** by hrbfnpr_operation_cancel */
+  readonly CANCELLED: -7;
+  /** a read or write callback failed */
+  readonly IO: -8;
+  /** a stream is not ours, truncated or damaged */
+  readonly CORRUPT_DATA: -9;
+  /** a stream, or the caller's header, is too new */
+  readonly VERSION_MISMATCH: -10;
+  /** a caller's callback returned non-zero */
+  readonly CALLBACK: -11;
+  /** a bug in the library: please report it */
+  readonly INTERNAL: -99;
+};
+/** A constant of STATUS as options spell it. */
+export type StatusName = "ok" | "invalid-argument" | "out-of-memory" | "buffer-too-small" | "unsupported-struct" |
+  "singular-system" | "not-converged" | "cancelled" | "io" | "corrupt-data" | "version-mismatch" | "callback" |
+  "internal";
+
+export declare const SCALAR: {
+  readonly FLOAT32: 1;
+  readonly FLOAT64: 2;
+  readonly UINT8: 3;
+  readonly UINT32: 4;
+  readonly INT32: 5;
+  readonly INT64: 6;
+};
+/** A constant of SCALAR as options spell it. */
+export type ScalarName = "float32" | "float64" | "uint8" | "uint32" | "int32" | "int64";
+
+/**
+ * Channels in the order of memory, 8 bits each, or floats.  PREMULTIPLIED:
+ * colour times alpha.  Colours are sRGB-encoded.
+ */
+export declare const FORMAT: {
+  readonly RGBA8: 1;
+  readonly BGRA8: 2;
+  readonly RGBA8_PREMULTIPLIED: 3;
+  readonly BGRA8_PREMULTIPLIED: 4;
+  /** FLOAT32 in [0,1], aligned to 4 bytes */
+  readonly RGBA32F: 5;
+  readonly RGBA32F_PREMULTIPLIED: 6;
+  /** one byte: how much of the pixel ink covers, whatever its colour */
+  readonly COVERAGE8: 7;
+};
+/** A constant of FORMAT as options spell it. */
+export type FormatName = "rgba8" | "bgra8" | "rgba8-premultiplied" | "bgra8-premultiplied" | "rgba32f" |
+  "rgba32f-premultiplied" | "coverage8";
+
+export declare const LOG: {
+  readonly DEBUG: 0;
+  readonly INFO: 1;
+  readonly WARNING: 2;
+};
+/** A constant of LOG as options spell it. */
+export type LogName = "debug" | "info" | "warning";
+
+/** Instruction sets, for `highest_instruction_set` and `instruction_set`. */
+export declare const INSTRUCTION_SET: {
+  /** the best that build and processor have */
+  readonly AUTO: 0;
+  /** what the library was compiled for */
+  readonly BASELINE: 1;
+  readonly AVX2: 2;
+  readonly AVX512: 3;
+  readonly NEON: 4;
+};
+/** A constant of INSTRUCTION_SET as options spell it. */
+export type InstructionSetName = "auto" | "baseline" | "avx2" | "avx512" | "neon";
+
+/** Who runs the library's tasks.  The results are the same bits from all. */
+export declare const THREAD_BACKEND: {
+  /** RUN_TASKS where that is given, else POOL */
+  readonly AUTO: 0;
+  /**
+   * threads of the context's own. The calling thread takes part and waits only for tasks that others have begun,
+   * so a processor that is busy elsewhere costs little; idle threads sleep (docs/hosts.md)
+   */
+  readonly POOL: 1;
+  /**
+   * the OpenMP runtime's, shared with a host that uses it; serial in a forked child. For processors that nobody
+   * else wants. INVALID_ARGUMENT in a build without it (hrbfnpr_build_info: thread_backends)
+   */
+  readonly OPENMP: 2;
+  /** the host's job system */
+  readonly RUN_TASKS: 3;
+  /** the calling thread alone, as with thread_count 1 */
+  readonly SERIAL: 4;
+};
+/** A constant of THREAD_BACKEND as options spell it. */
+export type ThreadBackendName = "auto" | "pool" | "openmp" | "run-tasks" | "serial";
+
+/** Radial functions phi(r) [NPAR 4.1]. */
+export declare const KERNEL: {
+  /** r^3 (default); no parameter */
+  readonly TRIHARMONIC: 0;
+  /** exp(-r^2 / 2 radius^2) */
+  readonly GAUSSIAN: 1;
+  /** (1 - r/radius)^4_+ (4 r/radius + 1) */
+  readonly WENDLAND_C2: 2;
+  /** reported for a model made by _create_custom */
+  readonly CUSTOM: 3;
+  /** reported for a model made by _create_csg */
+  readonly CSG: 4;
+};
+/** A constant of KERNEL as options spell it. */
+export type KernelName = "triharmonic" | "gaussian" | "wendland-c2" | "custom" | "csg";
+
+export declare const SOLVER: {
+  readonly AUTO: 0;
+  /** dense factorisation; memory O(N^2), time O(N^3): docs/fitting.md has figures */
+  readonly DIRECT: 1;
+  /**
+   * conjugate gradients, preconditioned by a sparse factor of the inverse (Schaefer, Katzfuss, Owhadi 2021), with
+   * a fast multipole method for many samples; memory O(N). TRIHARMONIC needs polynomial_degree >= 1
+   */
+  readonly ITERATIVE: 2;
+};
+/** A constant of SOLVER as options spell it. */
+export type SolverName = "auto" | "direct" | "iterative";
+
+/** Why the solver that was used is the one. */
+export declare const SOLVER_REASON: {
+  /** the caller named it */
+  readonly REQUESTED: 0;
+  /** AUTO: DIRECT is the faster one */
+  readonly SMALL: 1;
+  /** AUTO: DIRECT would take too much memory or time */
+  readonly LARGE: 2;
+  /** ITERATIVE did not reach its tolerance */
+  readonly NOT_CONVERGED: 3;
+  /** ITERATIVE needs a definite system */
+  readonly NOT_DEFINITE: 4;
+};
+/** A constant of SOLVER_REASON as options spell it. */
+export type SolverReasonName = "requested" | "small" | "large" | "not-converged" | "not-definite";
+
+/** What becomes of samples that look wrong; they are counted in any case. */
+export declare const REPAIR: {
+  readonly KEEP: 0;
+  readonly DROP: 1;
+  /** of flipped normals only: turned round */
+  readonly REORIENT: 2;
+};
+/** A constant of REPAIR as options spell it. */
+export type RepairName = "keep" | "drop" | "reorient";
+
+export declare const REGULARIZATION: {
+  /** the field `regularization` */
+  readonly GIVEN: 0;
+  /** from the noise of the samples */
+  readonly AUTO: 1;
+};
+/** A constant of REGULARIZATION as options spell it. */
+export type RegularizationName = "given" | "auto";
+
+/** What is known of given normals, for a fit and for hrbfnpr_orient. */
+export declare const NORMALS: {
+  /** they are right, and point outward */
+  readonly GIVEN: 0;
+  /** there are none, or none to go by */
+  readonly NONE: 1;
+  /** directions are right, signs are not */
+  readonly UNORIENTED: 2;
+  /** most signs are right, too; some patches are turned */
+  readonly MIXED: 3;
+  /** right, but for all pointing inward */
+  readonly INWARD: 4;
+  /** find out which of these it is, and do what that calls for */
+  readonly AUTO: 5;
+};
+/** A constant of NORMALS as options spell it. */
+export type NormalsName = "given" | "none" | "unoriented" | "mixed" | "inward" | "auto";
+
+/** Whether a fitted surface ends where its samples do, all that were given (hrbfnpr_model_trim). */
+export declare const TRIM: {
+  /** it goes on, to the end of the search box */
+  readonly NEVER: 0;
+  /**
+   * that of an open surface does; a closed one, and one of fewer than ten samples, which tell too little, stays as
+   * it is. hrbfnpr_model_get_trim_info tells
+   */
+  readonly AUTO: 1;
+};
+/** A constant of TRIM as options spell it. */
+export type TrimName = "never" | "auto";
+
+/** How it was decided which side is outward. */
+export declare const OUTWARD: {
+  /** the other side is inside */
+  readonly INSIDE: 0;
+  /** the side that `up` points to */
+  readonly UP: 1;
+  /** the side that is seen */
+  readonly VIEWPOINT: 2;
+  /** most given normals say so */
+  readonly AS_GIVEN: 3;
+};
+/** A constant of OUTWARD as options spell it. */
+export type OutwardName = "inside" | "up" | "viewpoint" | "as-given";
+
+export declare const CUSTOM: {
+  /** else gradient is always NULL and differenced */
+  readonly HAS_GRADIENT: 1;
+  /** else hessian is always NULL and differenced */
+  readonly HAS_HESSIAN: 2;
+  /** may be called from several threads at once; else one calls at a time */
+  readonly THREAD_SAFE: 4;
+};
+/** A constant of CUSTOM as options spell it. */
+export type CustomName = "has-gradient" | "has-hessian" | "thread-safe";
+
+export declare const MODEL_ATTRIBUTE: {
+  /** the centres; of a model of sheets places all over the surface, FLOAT64 x 3 */
+  readonly POSITION: 0;
+  /** their unit normals, FLOAT64 x 3 */
+  readonly NORMAL: 1;
+  /** relative residual after each iteration of ITERATIVE, FLOAT64 x 1; empty after DIRECT or loading */
+  readonly RESIDUAL_HISTORY: 2;
+};
+/** A constant of MODEL_ATTRIBUTE as options spell it. */
+export type ModelAttributeName = "position" | "normal" | "residual-history";
+
+export declare const PROJECTION: {
+  readonly CONVERGED: 0;
+  /** evaluation limit, or no step lowers f^2 */
+  readonly NOT_CONVERGED: 1;
+  /** stuck at a critical point off the surface */
+  readonly ZERO_GRADIENT: 2;
+  /** f or its gradient was not finite, or the latter above 1e150 */
+  readonly NOT_FINITE: 3;
+};
+/** A constant of PROJECTION as options spell it. */
+export type ProjectionName = "converged" | "not-converged" | "zero-gradient" | "not-finite";
+
+export declare const RAY: {
+  /** one hit or more */
+  readonly HIT: 0;
+  /** none */
+  readonly MISS: 1;
+  /** maximum_hits of 2 or more, and there is a further one */
+  readonly TRUNCATED: 2;
+  /** given up on; what was found before is kept */
+  readonly EVALUATION_LIMIT: 3;
+  /** f or its gradient was not finite; what was found before is kept */
+  readonly NOT_FINITE: 4;
+};
+/** A constant of RAY as options spell it. */
+export type RayName = "hit" | "miss" | "truncated" | "evaluation-limit" | "not-finite";
+
+/**
+ * --------------------------------------------------------------------------
+ * Solids put together from others (constructive solid geometry): a tree of
+ * unions, intersections and differences, with a crease where parts meet or with
+ * a blend, whose leaves are primitives and models of any kind.  f is negative
+ * inside, in units of length:
+ *
+ *   union          min(a, b)
+ *   intersection   max(a, b)
+ *   difference     max(a, -b): the first child without all others
+ *   complement     -a
+ *   offset         a - distance
+ *   shell          max(a, -a - distance): what is less than `distance` inside
+ *
+ * Primitives lie about the origin and the z axis of their own coordinates; the
+ * transforms of a node and of those above it put them where they are.  f of a
+ * half-space, a sphere and a torus is the signed distance.  A box, a cylinder and a
+ * cone are the largest of the distances from their sides: the distance inside,
+ * and outside where a side is nearest; less beside edges and corners.
+ *
+ * A blend rounds where parts meet, within its radius: where both are nearer than that to
+ * their surfaces.  Children are blended one after the other, in their order.
+ *   exponent 0     min(a, b) - R/6 (1 - |a - b|/R)^3 where |a - b| < R, else min(a, b): twice
+ *                  continuously differentiable everywhere [bounded as those of Barthe, Wyvill &
+ *                  de Groot 2004].  At a right angle it begins at the distance R from the edge.
+ *   exponent p     max(R, min(a, b)) - (A^p + B^p)^(1/p), A = max(0, R - a), B likewise [Ricci
+ *                  1973]: of 2, at a right angle, an arc of the radius R; larger ones are sharper.
+ *                  Smooth where f < R: offset it by less.  |grad f| may grow by 2^(1/p).
+ *
+ * A model as a leaf ends at its search box (the bounds, grown by 0.05 diagonals):
+ * beyond it is outside, whatever its f is.  One that is a tree itself becomes part
+ * of the new one, without bounds that were given for it.  A trimmed model bounds no
+ * solid and is refused: fit it with trim NEVER.
+ */
+export declare const CSG: {
+  readonly UNION: 0;
+  readonly INTERSECTION: 1;
+  readonly DIFFERENCE: 2;
+  /** this and the next two: of one child */
+  readonly COMPLEMENT: 3;
+  /** by `distance`: outward, or inward if negative. Exact where f is the distance */
+  readonly OFFSET: 4;
+  /** `distance` is its thickness: the surface stays, and has a wall inside */
+  readonly SHELL: 5;
+  /** this and those below have no children */
+  readonly MODEL: 6;
+  /** z <= 0 */
+  readonly HALF_SPACE: 7;
+  /** of `size`, its middle at 0 */
+  readonly BOX: 8;
+  /** of `radius` about 0 */
+  readonly SPHERE: 9;
+  /** of `radius`, z from -height/2 to height/2 */
+  readonly CYLINDER: 10;
+  /** the same, its radius `radius` at the lower end and `second_radius` at the upper */
+  readonly CONE: 11;
+  /** about z: a tube of `second_radius` around a circle of `radius` */
+  readonly TORUS: 12;
+};
+/** A constant of CSG as options spell it. */
+export type CsgName = "union" | "intersection" | "difference" | "complement" | "offset" | "shell" | "model" |
+  "half-space" | "box" | "sphere" | "cylinder" | "cone" | "torus";
+
+/**
+ * What the marks of a layer are.  More kinds may come: treat one that is not
+ * in this list like OWN.
+ */
+export declare const LAYER_KIND: {
+  /** in styles only: layers of every kind */
+  readonly ANY: 0;
+  /** scattered marks */
+  readonly STIPPLES: 1;
+  /** strokes along the principal directions, d1 (the first) and d2 (the second) */
+  readonly PRINCIPAL: 2;
+  /** strokes along Stark's two directions, r (the first), u (the second) [NPAR 5.3] */
+  readonly COMBING: 3;
+  /** strokes along the caller's field of directions, and across it */
+  readonly FIELD: 4;
+  /** the caller's marks or strokes */
+  readonly OWN: 5;
+  /**
+   * evenly spaced lines along one smooth field of directions, nested: the level of marks is 0 on the coarsest
+   * lines, and those of each further level lie midway between all before; around a fork a line changes it
+   * [Knoeppel et al. 2015]
+   */
+  readonly HATCH: 6;
+};
+/** A constant of LAYER_KIND as options spell it. */
+export type LayerKindName = "any" | "stipples" | "principal" | "combing" | "field" | "own" | "hatch";
+
+export declare const DISTRIBUTION: {
+  /**
+   * Stipples evenly spread over the area in a progressive order, each prefix
+   * of which is evenly spread (docs/quality.md: distances, spectrum, tone); a
+   * budget may be missed by some marks in a thousand where the surface bends
+   * within their spacing.  Strokes that keep their distance from each other
+   * along their whole length, in an order of whole strokes each prefix of
+   * which is evenly spaced too: coarse ones first, then those between them.
+   * The default.
+   */
+  readonly BLUE_NOISE: 0;
+  /**
+   * The published recursion: x5 (stipples) and x3 (strokes) a level, ranks
+   * drawn independently at random [NPAR 5, 6.2].
+   */
+  readonly PUBLISHED: 1;
+};
+/** A constant of DISTRIBUTION as options spell it. */
+export type DistributionName = "blue-noise" | "published";
+
+/**
+ * What the strokes of BLUE_NOISE follow: directions as measured where they are
+ * sure, and the smoothest field between them where they are not (umbilics, flat
+ * parts, borders of the combing field's regions).
+ */
+export declare const SYMMETRY: {
+  /**
+   * Each direction has a field of its own.  The strokes of both are kept apart everywhere, and
+   * where two principal directions change places a stroke turns with its own.
+   */
+  readonly LINE: 0;
+  /**
+   * One field of crosses, which does not tell one direction from the other:
+   * strokes go straight on where these change places, and a stroke belongs to
+   * the direction that it follows for most of its length.
+   */
+  readonly CROSS: 1;
+};
+/** A constant of SYMMETRY as options spell it. */
+export type SymmetryName = "line" | "cross";
+
+/**
+ * What the lines of HATCH follow, besides a direction_function of the caller's.  Each is a line at every place,
+ * and how
+ * sure it is: where it is not, the smoothest field between decides.
+ */
+export declare const HATCH_GUIDE: {
+  /** the direction in which the surface bends most, where it bends unevenly */
+  readonly CURVATURE: 0;
+  /** the first direction of COMBING [NPAR 5.3] */
+  readonly COMBING: 1;
+  /** the surface's sections by planes across `axis` */
+  readonly SECTIONS: 2;
+  /** the tangent part of guide_direction, which points to the light */
+  readonly LIGHT: 3;
+  /**
+   * what is conjugate to guide_direction, which points to the eye: near where that grazes the surface lines run as
+   * the silhouette does
+   */
+  readonly SILHOUETTE: 4;
+};
+/** A constant of HATCH_GUIDE as options spell it. */
+export type HatchGuideName = "curvature" | "combing" | "sections" | "light" | "silhouette";
+
+export declare const SEED: {
+  /** SAMPLES if the model has well-spread ones, else BOX */
+  readonly AUTO: 0;
+  /** the model's samples; INVALID_ARGUMENT for a custom model */
+  readonly SAMPLES: 1;
+  /** jittered grid in the bounds, projected */
+  readonly BOX: 2;
+  /** seed_points, projected */
+  readonly POINTS: 3;
+};
+/** A constant of SEED as options spell it. */
+export type SeedName = "auto" | "samples" | "box" | "points";
+
+/** Where the strokes of PUBLISHED start. */
+export declare const STROKE_START: {
+  /** from the seeds */
+  readonly SEEDS: 0;
+  /** from the stipples up to level start_level */
+  readonly STIPPLES: 1;
+};
+/** A constant of STROKE_START as options spell it. */
+export type StrokeStartName = "seeds" | "stipples";
+
+export declare const DENSITY: {
+  /** as many stipples per area everywhere */
+  readonly UNIFORM: 0;
+  /** more where the surface bends: 1 - s + s c / (c + mean of c), s = density_strength, c = sqrt((k1^2 + k2^2) / 2) */
+  readonly CURVATURE: 1;
+  /** density_function */
+  readonly CALLBACK: 2;
+};
+/** A constant of DENSITY as options spell it. */
+export type DensityName = "uniform" | "curvature" | "callback";
+
+export declare const TONE_RANGES: {
+  /** each layer's ranks cover all tones */
+  readonly FULL: 0;
+  /**
+   * one after the other in the order of the list, the first direction of a layer of strokes before the second,
+   * each over an equal part of the tones: cross-hatching builds up from light to dark
+   */
+  readonly IN_TURN: 1;
+};
+/** A constant of TONE_RANGES as options spell it. */
+export type ToneRangesName = "full" | "in-turn";
+
+export declare const LAYER_WITH: {
+  /** fill the attribute CURVATURE; PRINCIPAL always does */
+  readonly CURVATURE: 1;
+};
+/** A constant of LAYER_WITH as options spell it. */
+export type LayerWithName = "curvature";
+
+/** What is known of each mark of a layer, and of each of its S strokes. */
+export declare const MARK_ATTRIBUTE: {
+  /** FLOAT32 x 3, relative to hrbfnpr_point_set_info.origin */
+  readonly POSITION: 0;
+  /** FLOAT32 x 3, unit, outward */
+  readonly NORMAL: 1;
+  /** FLOAT32 x 3, unit, tangent: along the stroke; for a mark of none the u of its basis [NPAR 5.2] */
+  readonly DIRECTION: 2;
+  /** FLOAT32 x 3: k1, k2, confidence (hrbfnpr_model_curvature) */
+  readonly CURVATURE: 3;
+  /**
+   * FLOAT32: the u of [NPAR 6.2], in [0,1): a mark is shown where u >= tau. All marks of a stroke of BLUE_NOISE
+   * have the same, and a share of the ranks is that share of each direction's marks
+   */
+  readonly RANK: 4;
+  /**
+   * UINT8: the refinement step that placed it, 0 = a seed. BLUE_NOISE strokes: the pass; each one halves the
+   * distance that strokes keep
+   */
+  readonly LEVEL: 5;
+  /**
+   * UINT32 x 2: 2 * number + direction (0 or 1) of the stroke, and the mark's place along it. PUBLISHED: the
+   * number is the seed's, places are 0 .. 3^levels - 1, the seed in the middle. Else 0 .. n - 1 from end to end.
+   * For a mark of no stroke: 2 * its number (PUBLISHED: its seed's), and 0
+   */
+  readonly STROKE: 6;
+  /**
+   * FLOAT32, relative, in (0,1]: 1 in the middle of a stroke, less towards its tapered ends. The ink of front
+   * marks has this much of the style's radius. Count 0 = all 1
+   */
+  readonly WIDTH: 7;
+  /**
+   * UINT32, S + 1 elements: stroke s has the marks order[first[s]] .. order[first[s + 1] - 1] from end to end,
+   * order being STROKE_ORDER. Count 0 = a layer without strokes
+   */
+  readonly STROKE_FIRST: 8;
+  /**
+   * UINT32: numbers of marks, stroke by stroke. Count 0 = the marks stand stroke by stroke already: every layer
+   * but those of PUBLISHED
+   */
+  readonly STROKE_ORDER: 9;
+  /**
+   * FLOAT32 x 3, unit: the normal that tone goes by with DEPTH_LAYERS, averaged over
+   * hrbfnpr_layer_desc.tone_smoothing of the same sheet. What faces the eye goes by NORMAL. Count 0 = NORMAL
+   */
+  readonly TONE_NORMAL: 10;
+};
+/** A constant of MARK_ATTRIBUTE as options spell it. */
+export type MarkAttributeName = "position" | "normal" | "direction" | "curvature" | "rank" | "level" | "stroke" |
+  "width" | "stroke-first" | "stroke-order" | "tone-normal";
+
+/**
+ * Kinds of lines.  Those marked "once" are found when a line set is made, for each element of its list; the
+ * others
+ * with every drawing.  Strengths have no unit: lengths are in diagonals of the model.
+ */
+export declare const LINE_KIND: {
+  /** occluding contours: the line of sight is tangent to the surface */
+  readonly CONTOUR: 1;
+  /**
+   * where a contour would appear soon; strength: the derivative of the radial curvature towards the eye;
+   * WITH_CURVATURE [DeCarlo 2003]
+   */
+  readonly SUGGESTIVE_CONTOUR: 2;
+  /** once; strength: curvature across the ridge less that along it [Ohtake, Belyaev & Seidel 2004] */
+  readonly RIDGE: 3;
+  /** once; the same */
+  readonly VALLEY: 4;
+  /** strength: view-dependent curvature; WITH_CURVATURE [Judd 2007] */
+  readonly APPARENT_RIDGE: 5;
+  /** once; Gaussian curvature 0 */
+  readonly PARABOLIC: 6;
+  /** n . l = the levels of the style, l its light; WITH_CURVATURE */
+  readonly ISOPHOTE: 7;
+  /** once; parallel planes */
+  readonly SECTION: 8;
+  /** where the surface ends: at the search box, or beyond the last samples (hrbfnpr_line_set_desc.support) */
+  readonly BORDER: 9;
+  /** once; polylines of the caller, such as creases of a mesh */
+  readonly OWN: 10;
+  /**
+   * where smooth sheets of the surface meet, of models that have such edges; found with the line set, in no list.
+   * Strength: the angle between the sheets' normals, degrees. Where one of them faces the eye and the other does
+   * not, a crease is a part of the CONTOUR and drawn as that
+   */
+  readonly CREASE: 11;
+};
+/** A constant of LINE_KIND as options spell it. */
+export type LineKindName = "contour" | "suggestive-contour" | "ridge" | "valley" | "apparent-ridge" | "parabolic" |
+  "isophote" | "section" | "border" | "own" | "crease";
+
+export declare const LINE_SET_WITH: {
+  /** measure curvatures and their derivatives, for kinds that need them with every drawing */
+  readonly CURVATURE: 1;
+};
+/** A constant of LINE_SET_WITH as options spell it. */
+export type LineSetWithName = "curvature";
+
+/** Range of window depth from near to far plane. */
+export declare const DEPTH: {
+  /** clip space of OpenGL; written depth is 0 .. 1 */
+  readonly NEGATIVE_ONE_TO_ONE: 0;
+  /** Direct3D, Vulkan, Metal */
+  readonly ZERO_TO_ONE: 1;
+  /** 1 at the near plane, 0 at the far plane */
+  readonly REVERSED: 2;
+};
+/** A constant of DEPTH as options spell it. */
+export type DepthName = "negative-one-to-one" | "zero-to-one" | "reversed";
+
+export declare const HIDDEN_LINES: {
+  /** seen faintly through the surface in front [NPAR 6.1] */
+  readonly ATTENUATE: 0;
+  /** marks behind a nearer depth layer are not drawn */
+  readonly HIDE: 1;
+  /** as if nothing were in front (lambda = 0) */
+  readonly SHOW: 2;
+};
+/** A constant of HIDDEN_LINES as options spell it. */
+export type HiddenLinesName = "attenuate" | "hide" | "show";
+
+export declare const VISIBILITY: {
+  /**
+   * Each mark of ink is seen through the depth layers of surface in front of it, which are found
+   * from the marks: its opacity is multiplied by their transmittance.  A depth layer never dims its
+   * own ink, and the picture does not depend on the number of marks.
+   */
+  readonly DEPTH_LAYERS: 0;
+  /** As published: marks paint discs of paper and of ink, from far to near [NPAR 6.1]. */
+  readonly PUBLISHED: 1;
+};
+/** A constant of VISIBILITY as options spell it. */
+export type VisibilityName = "depth-layers" | "published";
+
+export declare const TONE_CURVE: {
+  /**
+   * The coverage of the drawing is the tone that was asked for, 1 - tau: the number of marks
+   * follows from their size, their density on the screen and how they overlap, so that the
+   * tone stays when the zoom or the budget changes.  Where all marks together cover less than
+   * 0.6, the tone 0.6 shows all of them and the others are paler alike.
+   */
+  readonly COVERAGE: 0;
+  /** the share of marks is 1 - tau [NPAR 6.2] */
+  readonly LINEAR: 1;
+};
+/** A constant of TONE_CURVE as options spell it. */
+export type ToneCurveName = "coverage" | "linear";
+
+export declare const SILHOUETTE_LAW: {
+  /**
+   * A line of constant width: marks whose image lies within silhouette_width pixels of
+   * the contour's, by the surface's curvature along the line of sight.
+   */
+  readonly WIDTH: 0;
+  /** |n . v| <= silhouette_threshold, as published [NPAR 6] */
+  readonly ANGLE: 1;
+};
+/** A constant of SILHOUETTE_LAW as options spell it. */
+export type SilhouetteLawName = "width" | "angle";
+
+export declare const TONE: {
+  /** tau = 0: all front marks are shown */
+  readonly NONE: 0;
+  /** tau = max(0, n . l)^tone_exponent [NPAR 6.2], and fill_light */
+  readonly LIGHT: 1;
+  /** tau from tone_function */
+  readonly CALLBACK: 2;
+};
+/** A constant of TONE as options spell it. */
+export type ToneName = "none" | "light" | "callback";
+
+export declare const TONE_RULE: {
+  /**
+   * A front mark is shown if u >= 1 - (1 - tau) * tau_d * scale * share: all effects thin
+   * one and the same order of marks, so that a blue-noise order stays one.
+   */
+  readonly SHARE: 0;
+  /** As published, test by test: u >= tau, u < tau_d, u < scale, u < share. */
+  readonly PUBLISHED: 1;
+};
+/** A constant of TONE_RULE as options spell it. */
+export type ToneRuleName = "share" | "published";
+
+export declare const LIGHT: {
+  readonly WORLD: 0;
+  readonly CAMERA: 1;
+};
+/** A constant of LIGHT as options spell it. */
+export type LightName = "world" | "camera";
+
+/**
+ * How the front marks of a layer of strokes are drawn.  Layers without strokes are dots; so is everything with
+ * VISIBILITY_PUBLISHED.
+ */
+export declare const SHAPE: {
+  /** each mark is a dot */
+  readonly DOTS: 0;
+  /**
+   * marks that follow each other along a stroke, and are shown, are one line whose width and opacity are theirs; a
+   * single one is a dot
+   */
+  readonly STROKES: 1;
+  /**
+   * strokes are curves, drawn where the tone is dark enough, and their width makes the tone: hatch_... of
+   * hrbfnpr_layer_style. Of nested lines (those of level k midway between those of lower levels) as many levels
+   * are drawn as the picture has room for, so that the tone does not depend on the zoom. Points of lines have the
+   * id of the nearest mark; a stroke whose ends meet is closed. [Winkenbach & Salesin 1994; Praun et al. 2001]
+   */
+  readonly HATCH: 2;
+};
+/** A constant of SHAPE as options spell it. */
+export type ShapeName = "dots" | "strokes" | "hatch";
+
+/** What is drawn of the parts of a line that surface hides. */
+export declare const HIDDEN_PARTS: {
+  readonly NONE: 0;
+  /** paler with each layer of surface (two sheets) before them */
+  readonly ATTENUATED: 1;
+  /** dashes, the shorter the more layers lie before them */
+  readonly DASHED: 2;
+  /** like what is visible */
+  readonly SHOWN: 3;
+};
+/** A constant of HIDDEN_PARTS as options spell it. */
+export type HiddenPartsName = "none" | "attenuated" | "dashed" | "shown";
+
+/**
+ * How a line ends where it ends in the picture without meeting another: at a cusp, where it turns behind its own
+ * surface.
+ */
+export declare const CAP: {
+  readonly ROUND: 0;
+  readonly FLAT: 1;
+  /** narrowing to a tip; the tip's length is twice the width there */
+  readonly POINTED: 2;
+};
+/** A constant of CAP as options spell it. */
+export type CapName = "round" | "flat" | "pointed";
+
+/** Creases by the way that the surface bends there. */
+export declare const CREASES: {
+  readonly ALL: 0;
+  /** edges */
+  readonly CONVEX: 1;
+  /** grooves, and where something stands on a face */
+  readonly CONCAVE: 2;
+};
+/** A constant of CREASES as options spell it. */
+export type CreasesName = "all" | "convex" | "concave";
+
+/** Named styles. */
+export declare const PRESET: {
+  /** stipples by light, no contours */
+  readonly STIPPLE: 0;
+  /** lines of one width, the more of them the darker; contours. Of PRINCIPAL layers the second direction */
+  readonly HATCH: 1;
+  /**
+   * up to three sets of such lines, at 0, 35 and -30 degrees, a darker tone each; contours. Of PRINCIPAL layers
+   * both directions
+   */
+  readonly CROSS_HATCH: 2;
+  /** lines along Stark's combing direction, a second set in the darks; contours */
+  readonly COMBING: 3;
+  /** contours only, hidden ones attenuated */
+  readonly SILHOUETTE: 4;
+  /** contours and stipples */
+  readonly CONTOUR_AND_STIPPLE: 5;
+  /** contours only, hidden ones shown */
+  readonly XRAY: 6;
+  /** stipples, cross hatching in the darks, contours and halo: Figure 1 (e) */
+  readonly FULL: 7;
+  /** one set of lines that swell with the tone, contours; lights are empty */
+  readonly ENGRAVING: 8;
+  /** up to three sets of thin lines, at 0, 50 and -40 degrees, a darker tone each */
+  readonly ETCHING: 9;
+  /** few wide lines, which close up to black; heavy contours */
+  readonly WOODCUT: 10;
+  /** fine stipples lit from the upper left, empty lights; outlines swell in the shade */
+  readonly SCIENTIFIC_STIPPLE: 11;
+  /** pencil on warm paper: two sets of lines that stray and run past their ends, contours drawn twice */
+  readonly SKETCH: 12;
+  /** pale lines on blue without tone: contours, borders, creases and lines called "crease", hidden ones dashed */
+  readonly BLUEPRINT: 13;
+  /**
+   * lit from the upper left: short lines along curvature that taper to the light, heavy outlines, and the RIDGE
+   * lines of a line set
+   */
+  readonly ARCHAEOLOGICAL: 14;
+};
+/** A constant of PRESET as options spell it. */
+export type PresetName = "stipple" | "hatch" | "cross-hatch" | "combing" | "silhouette" | "contour-and-stipple" |
+  "xray" | "full" | "engraving" | "etching" | "woodcut" | "scientific-stipple" | "sketch" | "blueprint" |
+  "archaeological";
+
+/** What a mark is for the camera. */
+export declare const CLASS: {
+  readonly NONE: 0;
+  readonly FRONT: 1;
+  readonly BACK: 2;
+  readonly SILHOUETTE: 3;
+};
+/** A constant of CLASS as options spell it. */
+export type ClassName = "none" | "front" | "back" | "silhouette";
+
+export declare const RASTER: {
+  /**
+   * lay the drawing over the image's contents instead of replacing them inside the viewport; wants a style with
+   * transparent paper
+   */
+  readonly OVER: 1;
+  /** blend in linear light (sRGB decoded), not in encoded values */
+  readonly LINEAR_LIGHT: 2;
+};
+/** A constant of RASTER as options spell it. */
+export type RasterName = "over" | "linear-light";
+
+export declare const PRIMITIVE: {
+  /** the dots: one vertex each */
+  readonly POINTS: 1;
+  /** the strokes: one vertex for each of their points */
+  readonly LINE_STRIPS: 2;
+  /** the strokes: two for each point, on their left and right side */
+  readonly TRIANGLE_STRIPS: 3;
+};
+/** A constant of PRIMITIVE as options spell it. */
+export type PrimitiveName = "points" | "line-strips" | "triangle-strips";
+
+/** Ends a strip in an array of indices. */
+export declare const INDEX: {
+  readonly RESTART: -1;
+};
+/** A constant of INDEX as options spell it. */
+export type IndexName = "restart";
+
+/** What a vertex can carry, and the types it can have. */
+export declare const VERTEX_ATTRIBUTE: {
+  /**
+   * world, FLOAT32 x 3. Of marks and their line strips that of the mark; of lines, of hatching and of triangles
+   * what is drawn, as exact as the window depth
+   */
+  readonly POSITION: 0;
+  /** pixel x, pixel y, depth; FLOAT32 x 3 */
+  readonly WINDOW: 1;
+  /** pixels; FLOAT32 */
+  readonly RADIUS: 2;
+  /** straight RGBA; FLOAT32 x 4, or UINT8 x 4 */
+  readonly COLOR: 3;
+  /** world, unit; of lines 0; FLOAT32 x 3 */
+  readonly NORMAL: 4;
+  /** world, unit; of lines 0; FLOAT32 x 3 */
+  readonly DIRECTION: 5;
+  /** of the mark; 0 of lines; UINT32 */
+  readonly ID: 6;
+  /** HRBFNPR_CLASS_...; UINT8 or UINT32 */
+  readonly CLASS: 7;
+  /** 1 = a disc of paper, 0 = ink; UINT8 or UINT32 */
+  readonly IS_PAPER: 8;
+  /** of the drawing; UINT32 */
+  readonly LAYER: 9;
+  /** along its stroke, pixels from its first point; 0 for a dot; FLOAT32 */
+  readonly LENGTH: 10;
+  /** layers of surface before that part of a line, 0 = it is visible; 0 of marks; UINT32 */
+  readonly HIDDEN_LAYERS: 11;
+  /**
+   * item of the nearest surface before that part of a line; HRBFNPR_INDEX_RESTART = it is visible, or a mark;
+   * UINT32
+   */
+  readonly HIDDEN_BY: 12;
+  /**
+   * of lines: a number that a line keeps from one drawing of a renderer to the next, where the camera moves
+   * little; 0 of all else; UINT32
+   */
+  readonly LINE: 13;
+};
+/** A constant of VERTEX_ATTRIBUTE as options spell it. */
+export type VertexAttributeName = "position" | "window" | "radius" | "color" | "normal" | "direction" | "id" | "class"
+  | "is-paper" | "layer" | "length" | "hidden-layers" | "hidden-by" | "line";
+
+/**
+ * Which components are kept.  A component is what hangs together by shared
+ * vertices.
+ */
+export declare const PARTS: {
+  /** all but those that lie inside a closed one: eyes in a head, inner shells */
+  readonly OUTER: 0;
+  /** all; one that lies inside an odd number of closed ones is a cavity if its faces say so, and is not turned */
+  readonly ALL: 1;
+  /** that of the largest area */
+  readonly LARGEST: 2;
+};
+/** A constant of PARTS as options spell it. */
+export type PartsName = "outer" | "all" | "largest";
+
+/** What becomes of the order of a face's corners. */
+export declare const FACES: {
+  /** faces are turned to agree with their component, and closed components outward */
+  readonly TURN: 0;
+  /** as they are */
+  readonly KEEP: 1;
+};
+/** A constant of FACES as options spell it. */
+export type FacesName = "turn" | "keep";
+
+export declare const MESH_ATTRIBUTE: {
+  /** places, FLOAT64 x 3 */
+  readonly VERTEX: 0;
+  /** numbers of vertices, INT32 x 3, of each face */
+  readonly TRIANGLE: 1;
+  /** from 0, INT32 x 1, of each face */
+  readonly COMPONENT: 2;
+  /** the number that the face was given by, INT32 x 1 */
+  readonly GIVEN_FACE: 3;
+  /** unit normals of the three corners, FLOAT64 x 9, of each face */
+  readonly CORNER_NORMAL: 4;
+};
+/** A constant of MESH_ATTRIBUTE as options spell it. */
+export type MeshAttributeName = "vertex" | "triangle" | "component" | "given-face" | "corner-normal";
+
+/** What becomes of a mesh's edges. */
+export declare const EDGES: {
+  /**
+   * sharp where the mesh has edges: they stand out, as those of machine parts do, from what is beside them; noise
+   * and coarse faces of round shapes do not
+   */
+  readonly AUTO: 0;
+  /** the surface is one smooth fit, which rounds them */
+  readonly SMOOTH: 1;
+  /** sharp wherever faces meet at more than crease_angle */
+  readonly SHARP: 2;
+};
+/** A constant of EDGES as options spell it. */
+export type EdgesName = "auto" | "smooth" | "sharp";
+
+export declare const PAGE_FORMAT: {
+  /** 1.1; groups are layers of Inkscape */
+  readonly SVG: 0;
+  /** 1.5; groups are optional content, which viewers list as layers */
+  readonly PDF: 1;
+  /** for plotters: absolute, 40 units a millimetre, y up from the lower left corner */
+  readonly HPGL: 2;
+  /** for plotters: G0 and G1, millimetres, y up from the lower left corner */
+  readonly GCODE: 3;
+};
+/** A constant of PAGE_FORMAT as options spell it. */
+export type PageFormatName = "svg" | "pdf" | "hpgl" | "gcode";
+
+/** How strokes are written whose width varies. */
+export declare const WIDTHS: {
+  /** filled outlines; SVG and PDF */
+  readonly OUTLINES: 0;
+  /** lines of even widths, `width_step` apart */
+  readonly CLASSES: 1;
+};
+/** A constant of WIDTHS as options spell it. */
+export type WidthsName = "outlines" | "classes";
+
+/** How dots are written. */
+export declare const DOT_SHAPE: {
+  /** circles; plotters fill them, with SINGLE_PASS draw round them */
+  readonly CIRCLES: 0;
+  /** lines of no length with round ends; plotters touch the paper */
+  readonly LINES: 1;
+  /** spirals that a pen fills the disc with, if it is wider than the pen */
+  readonly SPIRALS: 2;
+};
+/** A constant of DOT_SHAPE as options spell it. */
+export type DotShapeName = "circles" | "lines" | "spirals";
+
+export declare const PAGE: {
+  /**
+   * groups are sorted so that a pen travels little, as HPGL and GCODE always are: greedily, then by 2-opt and Or-
+   * opt; lines may be turned round, closed ones begin elsewhere, and lines whose ends are nearer than `join`
+   * become one
+   */
+  readonly IN_PLOT_ORDER: 1;
+  /**
+   * a line that is wider than its pen is drawn once, along its centre; else, with HPGL and GCODE and with pens in
+   * plot order, it is filled: by passes side by side, 0.8 of the pen's width apart or a little less, each only
+   * where the line is so wide. A line up to 1.2 times as wide as the pen takes one
+   */
+  readonly SINGLE_PASS: 4;
+  /**
+   * else the page has the paper of its first drawing, white without one, and other drawings with another paper
+   * theirs; plotters draw none
+   */
+  readonly WITHOUT_PAPER: 2;
+};
+/** A constant of PAGE as options spell it. */
+export type PageName = "in-plot-order" | "single-pass" | "without-paper";
+
+/**
+ * Kinds of lines by the numbers of ISO 128-2.  In line widths a dot is 0.5, the three kinds of dashes 6, 12 and
+ * 24,
+ * a gap 3, a space 18; a little more or less, so that lines begin and end with a dash.
+ */
+export declare const LINE_TYPE: {
+  readonly AS_DRAWN: 0;
+  readonly CONTINUOUS: 1;
+  /** hidden edges */
+  readonly DASHED: 2;
+  readonly DASHED_SPACED: 3;
+  /** axes */
+  readonly LONG_DASHED_DOTTED: 4;
+  readonly LONG_DASHED_DOUBLE_DOTTED: 5;
+  readonly LONG_DASHED_TRIPLE_DOTTED: 6;
+  readonly DOTTED: 7;
+  readonly LONG_DASHED_SHORT_DASHED: 8;
+  readonly LONG_DASHED_DOUBLE_SHORT_DASHED: 9;
+  readonly DASHED_DOTTED: 10;
+  readonly DOUBLE_DASHED_DOTTED: 11;
+  readonly DASHED_DOUBLE_DOTTED: 12;
+  readonly DOUBLE_DASHED_DOUBLE_DOTTED: 13;
+  readonly DASHED_TRIPLE_DOTTED: 14;
+  readonly DOUBLE_DASHED_TRIPLE_DOTTED: 15;
+};
+/** A constant of LINE_TYPE as options spell it. */
+export type LineTypeName = "as-drawn" | "continuous" | "dashed" | "dashed-spaced" | "long-dashed-dotted" |
+  "long-dashed-double-dotted" | "long-dashed-triple-dotted" | "dotted" | "long-dashed-short-dashed" |
+  "long-dashed-double-short-dashed" | "dashed-dotted" | "double-dashed-dotted" | "dashed-double-dotted" |
+  "double-dashed-double-dotted" | "dashed-triple-dotted" | "double-dashed-triple-dotted";
+
+export declare const GROUPS: Readonly<Record<string, Readonly<Record<string, number>>>>;

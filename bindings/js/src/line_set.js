@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: MIT
+import { Made } from "./model.js";
+
+/** What the lines of a surface are drawn from. */
+export class LineSet extends Made {
+  constructor(context, pointer) {
+    super(context, "hrbfnpr_line_set", pointer);
+  }
+
+  info() {
+    return this.readInfo("hrbfnpr_line_set_get_info", "hrbfnpr_line_set_info");
+  }
+}

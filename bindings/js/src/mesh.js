@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+import { Call } from "./call.js";
+import { Made } from "./model.js";
+import { operated } from "./operation.js";
+
+/** Triangles, made usable. */
+export class Mesh extends Made {
+  constructor(context, pointer) {
+    super(context, "hrbfnpr_mesh", pointer);
+  }
+
+  info() {
+    return this.readInfo("hrbfnpr_mesh_get_info", "hrbfnpr_mesh_info");
+  }
+
+  view(attribute) {
+    return this.viewed("hrbfnpr_mesh_view", "MESH_ATTRIBUTE", attribute);
+  }
+
+  sample(count, options = {}, control) {
+    const points = new Float64Array(3 * count);
+    const normals = new Float64Array(3 * count);
+    return Call.with(this.library, (call) => {
+      const desc = call.structOf(options, "hrbfnpr_sample_desc", "sample");
+      const out = [call.arrayOut(points, 3), call.arrayOut(normals, 3)];
+      operated(call, this.context.pointer, control, (operation) =>
+        call.check("hrbfnpr_mesh_sample", this.pointer, desc, ...out, operation));
+      return { points, normals };
+    });
+  }
+}

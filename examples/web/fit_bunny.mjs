@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+// Fits the bunny once, so that the page need not: fit_bunny.mjs PACKAGE MESH.obj MODEL
+import { readFile, writeFile } from "node:fs/promises";
+import { resolve } from "node:path";
+import { pathToFileURL } from "node:url";
+import { readObj } from "./page/readers/obj.js";
+
+const [folder, meshPath, modelPath] = process.argv.slice(2);
+const { load } = await import(pathToFileURL(resolve(folder, "src/index.js")));
+const context = (await load()).createContext();
+const { vertices, triangles } = readObj(await readFile(meshPath));
+const mesh = context.createMesh({ vertices, triangles });
+const { boundsMin, boundsMax } = mesh.info();
+const diagonal = Math.hypot(...boundsMin.map((low, axis) => boundsMax[axis] - low));
+const model = context.fitMesh(mesh, { tolerance: 0.003 * diagonal });
+await writeFile(modelPath, model.save());

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+import { ShapeError, addPolygon, number, shapeOf, textOf } from "./shape.js";
+
+function three(words, what, line) {
+  return [1, 2, 3].map((at) => number(words[at], `${what} ${"xyz"[at - 1]}`, line));
+}
+
+/** The vertex that "7", "7/1/2" or "-1" of a face stands for, from 0. */
+function corner(word, count, line) {
+  const given = number(word.split("/")[0], "a face's corner", line);
+  const index = given < 0 ? count + given : given - 1;
+  if (!Number.isInteger(given) || index < 0 || index >= count)
+    throw new ShapeError(`a face has the corner ${given}, but there are ${count} vertices before it, counted from 1`, line);
+  return index;
+}
+
+export function readObj(bytes) {
+  const points = [];
+  const normals = [];
+  const triangles = [];
+  textOf(bytes).split("\n").forEach((text, at) => {
+    const words = text.split("#")[0].trim().split(/\s+/);
+    if (words[0] === "v") points.push(...three(words, "vertex", at + 1));
+    if (words[0] === "vn") normals.push(...three(words, "normal", at + 1));
+    if (words[0] === "f")
+      addPolygon(triangles, words.slice(1).map((word) => corner(word, points.length / 3, at + 1)), at + 1);
+  });
+  return shapeOf(points, triangles, normals);
+}

@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: MIT
+// The package as it was installed from its tarball.
+import assert from "node:assert/strict";
+import { readFile } from "node:fs/promises";
+import test from "node:test";
+import * as hrbfnpr from "hrbfnpr";
+
+const { HrbfnprError, KERNEL, STATUS, load } = hrbfnpr;
+const library = await load();
+const context = library.createContext({ threadCount: 1 });
+
+/** Samples of a sphere of radius 1. */
+function sphere(count) {
+  const points = new Float64Array(3 * count);
+  for (let i = 0; i < count; ++i) {
+    const z = 1 - (2 * i + 1) / count;
+    const angle = i * Math.PI * (3 - Math.sqrt(5));
+    points.set([Math.sqrt(1 - z * z) * Math.cos(angle), Math.sqrt(1 - z * z) * Math.sin(angle), z], 3 * i);
+  }
+  return points;
+}
+const points = sphere(200);
+const ball = context.fit({ points, normals: points });
+const marks = ball.generate({ preset: "contour-and-stipple", layers: [{ budget: 3000 }] });
+const camera = library.createCamera().fitBounds([-1, -1, -1], [1, 1, 1], { width: 160, height: 120 });
+
+function fails(work, status, pattern) {
+  assert.throws(work, (error) => {
+    assert.ok(error instanceof HrbfnprError, String(error));
+    assert.equal(error.statusName, status);
+    assert.match(error.message, pattern);
+    return true;
+  });
+}
+
+test("version, build and layouts are those of the package", async () => {
+  const described = JSON.parse(await readFile(new URL("node_modules/hrbfnpr/package.json", import.meta.url)));
+  assert.equal(library.version, described.version);
+  assert.equal(library.buildInfo().version, library.version);
+  library.checkLayouts();
+  assert.equal(library.layout("hrbfnpr_nothing"), undefined);
+});
+
+test("every struct's size is the module's, and every function is there", async () => {
+  const { STRUCTS } = await import(new URL("node_modules/hrbfnpr/src/generated/layout.js", import.meta.url));
+  const { FUNCTIONS } = await import(new URL("node_modules/hrbfnpr/src/generated/functions.js", import.meta.url));
+  for (const [name, { size }] of Object.entries(STRUCTS)) assert.equal(library.layout(name).size, size, name);
+  for (const name of Object.keys(FUNCTIONS)) assert.equal(typeof library.raw[name], "function", name);
+});
+
+test("a fit of a sphere is a sphere", () => {
+  const { value, gradient } = ball.evaluate([[0, 0, 0], [0, 0, 1.5]], { gradient: true });
+  assert.ok(value[0] < -0.5 && value[1] > 0.3);
+  assert.ok(Math.abs(gradient[5]) > 0.5 && Math.abs(gradient[3]) < 0.05);
+  const { position, converged } = ball.project(new Float32Array([0.2, 0.3, 0.9]));
+  assert.equal(converged, 1);
+  assert.ok(Math.abs(Math.hypot(...position) - 1) < 0.01);
+  assert.ok(Math.abs(ball.curvature([0, 0, 1]).k1[0] + 1) < 0.1);
+  const rays = ball.castRays([[0, 0, 5]], [[0, 0, -1]], { maximumHits: 2 });
+  assert.deepEqual([...rays.count], [2]);
+  assert.ok(Math.abs(rays.t[0] - 4) < 0.01 && Math.abs(rays.t[1] - 6) < 0.01);
+  assert.deepEqual([...ball.contains([[0, 0, 0], [2, 0, 0]])], [1, 0]);
+  assert.equal(ball.info().kernel, "triharmonic");
+  assert.equal(context.fit({ points, normals: points, kernel: KERNEL.GAUSSIAN }).info().kernel, "gaussian");
+  assert.ok(ball.lipschitz() > 0.9);
+});
+
+test("every preset draws", () => {
+  const renderer = context.createRenderer();
+  for (const preset of library.presetNames) {
+    const layers = library.presetLayers(preset).map((layer) => ({ ...layer, budget: 2000 }));
+    const set = ball.generate({ layers });
+    const drawing = renderer.draw({ pointSet: set, style: library.style(preset) }, camera);
+    const { data, width, height } = drawing.rasterize();
+    assert.deepEqual([width, height, data.length], [160, 120, 4 * 160 * 120]);
+    const darkest = Math.min(...data.filter((_, at) => at % 4 === 0));
+    const lightest = Math.max(...data.filter((_, at) => at % 4 === 0));
+    assert.ok(preset === "blueprint" || lightest - darkest > 100, preset); // which draws lines only
+    for (const handle of [drawing, set]) handle.free();
+  }
+});
+
+test("lines, planes, vertices and pages of a drawing", () => {
+  const lineSet = ball.createLineSet();
+  const drawing = context.createRenderer().draw({ pointSet: marks, lineSet, style: library.style("contour-and-stipple") }, camera);
+  assert.ok(drawing.info().lineCurves >= 1);
+  const { depth, id, markClass } = drawing.rasterize({ depth: true, id: true, markClass: true });
+  const middle = 60 * 160 + 80;
+  assert.ok(depth[middle] < depth[0]);
+  const seen = id.find((one) => one !== 0);
+  assert.equal(drawing.identify(seen).id, seen);
+  assert.ok(markClass.some((one) => one === hrbfnpr.CLASS.FRONT));
+  const { vertices, stride, offsets } = drawing.vertices("points", ["window", "radius", "color"]);
+  assert.equal(vertices.length, stride * drawing.info().dots);
+  assert.deepEqual(offsets, { window: 0, radius: 12, color: 16 });
+  const count = marks.layerInfo(0).marks;
+  assert.equal(drawing.markIndices(0, 0).length, drawing.markResults(0, 0, count).shown.filter((one) => one === 1).length);
+  assert.match(drawing.toSVG({ title: "A ball" }), /^<\?xml[^]*<title>A ball<\/title>[^]*<\/svg>\s*$/);
+  const { bytes, info } = context.writePage({ format: "pdf", items: [{ drawing, name: "ball" }] });
+  assert.equal(info.bytes, bytes.length);
+  assert.equal(new TextDecoder().decode(bytes.slice(0, 5)), "%PDF-");
+});
+
+test("models and marks are saved and loaded", () => {
+  const again = context.loadModel(ball.save());
+  assert.deepEqual(again.evaluate([0.3, 0.2, 0.1]), ball.evaluate([0.3, 0.2, 0.1]));
+  const loaded = context.loadPointSet(marks.save());
+  assert.deepEqual(loaded.view(0, "position"), marks.view(0, "position"));
+  const broken = ball.save();
+  broken[broken.length >> 1] ^= 1;
+  fails(() => context.loadModel(broken), "CORRUPT_DATA", /damaged/);
+});
+
+test("meshes, solids and formulas", () => {
+  const corners = [-1, 1].flatMap((x) => [-1, 1].flatMap((y) => [-1, 1].map((z) => [x, y, z])));
+  const faces = [[0, 1, 3, 2], [4, 6, 7, 5], [0, 4, 5, 1], [2, 3, 7, 6], [0, 2, 6, 4], [1, 5, 7, 3]];
+  const triangles = Int32Array.from(faces.flatMap(([a, b, c, d]) => [a, b, c, a, c, d]));
+  const mesh = context.createMesh({ vertices: corners, triangles });
+  assert.equal(mesh.info().closed, 1);
+  assert.ok(Math.abs(mesh.info().volume - 8) < 1e-9);
+  assert.equal(mesh.sample(20).points.length, 60);
+  const cube = context.fitMesh(mesh, { tolerance: 0.01 });
+  assert.equal(cube.meshFit.reached, 1);
+  assert.ok(cube.compareMesh(mesh, { points: 500 }).surfaceP99 < 0.02);
+  const solid = context.createCsg([{ kind: "difference" }, { kind: "box", parent: 0, size: [2, 2, 2] },
+                                   { kind: "sphere", parent: 0, radius: 0.5 }]);
+  assert.equal(solid.csgInfo().nodes, 3);
+  assert.deepEqual([...solid.contains([[0, 0, 0], [0.9, 0.9, 0.9]])], [0, 1]);
+});
+
+test("a formula in JavaScript, released with the last that needs it", () => {
+  let released = 0;
+  const formula = context.createCustom({
+    function(at, { value, gradient }) {
+      for (let i = 0; i < value.length; ++i) {
+        const length = Math.hypot(at[3 * i], at[3 * i + 1], at[3 * i + 2]);
+        value[i] = length - 1;
+        for (let axis = 0; axis < 3; ++axis) if (gradient) gradient[3 * i + axis] = at[3 * i + axis] / (length || 1);
+      }
+    },
+    flags: hrbfnpr.CUSTOM.HAS_GRADIENT, boundsMin: [-1, -1, -1], boundsMax: [1, 1, 1], release: () => { ++released; },
+  });
+  const lines = formula.createLineSet({ cellSize: 0.2 });
+  formula.free();
+  assert.equal(released, 0);
+  lines.free();
+  assert.equal(released, 1);
+  assert.throws(() => formula.info(), /this model has been freed/);
+});
+
+test("what callbacks throw comes out of the call", () => {
+  const wrong = context.createCustom({ function() { throw new RangeError("no such place"); },
+                                       boundsMin: [-1, -1, -1], boundsMax: [1, 1, 1] });
+  assert.throws(() => wrong.evaluate([0, 0, 0]), new RangeError("no such place"));
+  wrong.free();
+  const asked = [];
+  const tone = (positions, normals, tau) => { asked.push(tau.length); tau.fill(0); };
+  context.createRenderer().draw({ pointSet: marks, style: { tone: "callback", toneFunction: tone } }, camera);
+  assert.ok(asked.length > 0);
+  assert.throws(() => context.createCustom({ flags: hrbfnpr.CUSTOM.THREAD_SAFE, function() {} }), /THREAD_SAFE/);
+});
+
+test("long calls tell their progress, and are cancelled", () => {
+  const told = [];
+  ball.generate({ layers: [{ budget: 20000 }] }, { onProgress: (progress) => void told.push(progress) });
+  assert.ok(told.length > 2 && told.at(-1) <= 1 && told.every((one, at) => at === 0 || one >= told[at - 1]));
+  fails(() => ball.generate({}, { onProgress: () => false }), "CANCELLED", /./);
+  const flag = new Int32Array(new SharedArrayBuffer(4)).fill(1);
+  fails(() => ball.generate({}, { cancelFlag: flag }), "CANCELLED", /./);
+  fails(() => ball.generate({}, { signal: AbortSignal.abort() }), "CANCELLED", /./);
+});
+
+test("what is wrong is named", () => {
+  fails(() => context.fit({ points, normals: points.slice(3) }), "INVALID_ARGUMENT", /normals/);
+  fails(() => context.fit({ points: [NaN, 0, 0], normals: [0, 0, 1] }), "INVALID_ARGUMENT", /points/);
+  assert.throws(() => context.fit({ pionts: points }), /fit has no option "pionts": there are kernel, points/);
+  assert.throws(() => context.fit({ points: "all" }), /fit\.points must be an array of numbers/);
+  assert.throws(() => context.fit({ points: [1, 2] }), /fit\.points has 2 numbers: they must be 3 for each/);
+  assert.throws(() => context.fit({ kernel: "cubic" }), /fit\.kernel: there is no "cubic": use one of triharmonic/);
+  assert.throws(() => context.fit({ polynomialDegree: 1.5 }), /fit\.polynomialDegree must be a whole number/);
+  assert.throws(() => ball.generate({ layers: [{}, { budget: "9" }] }), /generate\.layers\[1\]\.budget must be a number/);
+  assert.throws(() => context.createRenderer().draw({ pointSet: ball }, camera), /items\[0\]\.pointSet must be a handle of kind point_set/);
+  assert.throws(() => library.style("oil"), /preset: there is no "oil": use one of stipple/);
+  assert.equal(library.text(library.raw.hrbfnpr_status_name(STATUS.IO)), "IO");
+});
+
+test("threads are refused in words where there are none", async () => {
+  await assert.rejects(load({ threads: 0 }), /threads must be "auto" or a whole number from 1 to 256, not 0/);
+});
+
+test("nothing stays in memory when all is freed", () => {
+  const own = library.createContext();
+  const before = own.info().bytesNow;
+  const handles = [];
+  for (let round = 0; round < 3; ++round) {
+    const model = own.fit({ points, normals: points });
+    const set = model.generate({ layers: [{ budget: 500 }] });
+    const renderer = own.createRenderer();
+    handles.push(model, set, renderer, renderer.draw({ pointSet: set }, camera));
+  }
+  assert.ok(own.info().bytesNow > before);
+  for (const handle of handles) handle.free();
+  assert.equal(own.info().bytesNow, before);
+});
+
+test("normals of a cloud are found", () => {
+  const { normals, info } = context.orient({ points, mode: "none" });
+  assert.equal(info.closed, 1);
+  assert.ok(normals[0] * points[0] + normals[1] * points[1] + normals[2] * points[2] > 0.9);
+  const { indices } = context.farthestPoints(points, 10);
+  assert.equal(new Set(indices).size, 10);
+});

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+// Compiled, never run: tests/js/run.py types.
+import { load, HrbfnprError, Style } from "hrbfnpr";
+async function main() {
+  const hrbf = await load({ threads: "auto" });
+  const context = hrbf.createContext({ log: (message, level) => console.log(level, message) });
+  const model = context.fit({ points: new Float64Array(9), normals: [[0, 0, 1]], kernel: "wendland-c2" }, { onProgress: (p) => p < 0.5 });
+  const marks = model.generate({ preset: "hatch", layers: hrbf.presetLayers("hatch").map((one) => ({ ...one, budget: 100 })) });
+  const style: Style = { ...hrbf.style("hatch"), light: [0, 0, 1] };
+  const camera = hrbf.createCamera().fitBounds([0, 0, 0], [1, 1, 1], { width: 10, height: 20 });
+  const drawing = context.createRenderer().draw({ pointSet: marks, style }, camera);
+  const svg: string = drawing.toSVG();
+  const status: number = hrbf.raw.hrbfnpr_status_name(-1);
+  // @ts-expect-error: no such kernel
+  context.fit({ kernel: "cubic" });
+  // @ts-expect-error: no such option
+  context.fit({ pionts: new Float64Array(3) });
+  try { marks.free(); } catch (error) { if (error instanceof HrbfnprError) console.log(error.statusName, svg, status); }
+}
+main();
