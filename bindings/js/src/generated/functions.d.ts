@@ -282,6 +282,9 @@ export interface Functions {
    * Projects n points on the surface by steepest descent on f^2 with Armijo's
    * rule, first step f^2's Newton step along the gradient [NPAR 4.2].
    * points: n x 3, FLOAT32 or FLOAT64.  desc may be NULL.
+   * Of models with creases, and where a bound on |grad f| is known, a point that
+   * descent leaves off the surface is searched a surface for around it, in the
+   * search box, with up to 2000 more evaluations.
    * A point that fails keeps its last iterate.
    */
   hrbfnpr_model_project(model: Pointer, points: Pointer, desc: Pointer, projection: Pointer, operation: Pointer, error: Pointer): number;
