@@ -118,7 +118,7 @@ def test_a_page_of_several(model):
 
 def test_a_notebook_shows_vectors_if_they_are_few(model, monkeypatch):
     drawing = drawn(model, "silhouette", 200)
-    assert drawing._repr_svg_().startswith("<?xml")
+    assert drawing._repr_svg_().startswith("<svg")
     monkeypatch.setattr("hrbfnpr._drawing._MOST_IN_NOTEBOOK", drawing.info.strokes - 1)
     assert drawing._repr_svg_() is None
 

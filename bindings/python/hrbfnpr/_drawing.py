@@ -373,7 +373,10 @@ class Drawing(Owner):
 
     def _repr_svg_(self) -> Optional[str]:
         info = self.info  # a browser takes long for more
-        return self.to_svg() if info.dots + info.strokes <= _MOST_IN_NOTEBOOK else None
+        if info.dots + info.strokes > _MOST_IN_NOTEBOOK:
+            return None
+        text = self.to_svg()
+        return text[text.index("<svg"):]  # nbconvert refuses texts with a declaration of their encoding
 
     def __repr__(self) -> str:
         if self.closed:
