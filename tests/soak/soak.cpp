@@ -6,8 +6,7 @@
 // Models, marks, line sets and drawings are shared by all threads; contexts are one call's, each with two threads of
 // its own.  First each input is run as it is, and all that is shared is made: on a slow machine chance would make some
 // of it late, which looks like growth.  Every tenth of the time all threads stop, and what the process holds is
-// measured.  The status is 1 if that grows in most of the tenths after the first three, or by much, or if nothing was
-// called.
+// measured.  The status is 1 if that grows by much after the first three tenths, or if nothing was called.
 #include "fuzz/fuzz.h"
 #include "fuzz/random.h"
 #include "fuzz/scenes.h"
@@ -56,10 +55,8 @@ struct Options {
 
 constexpr int rounds = 10;
 constexpr int warm_up = 3; // rounds in which caches fill
-// What shared objects keep ready for the next call grows by jumps, of up to 7 MiB, the rarer the longer it runs; what
-// leaks grows in each round.  Bytes of what malloc gave out:
-constexpr std::int64_t rise = 64LL << 10LL;
-constexpr int most_rises = 4; // rounds
+// Of what malloc gave out, bytes.  What shared objects keep ready for the next call grows by jumps of 0.5 to 7 MiB, the
+// rarer the longer it runs.  In two minutes that hides a leak of less than 1 kB a call, in half an hour of 0.3 kB.
 constexpr std::int64_t room_for_growth = 24LL << 20LL;
 constexpr std::int64_t room_for_pieces = 256LL << 20LL; // of resident memory, which allocation leaves in pieces
 
@@ -128,25 +125,19 @@ bool run(const Options& options) {
         randoms.emplace_back(options.seed + 1000 * static_cast<std::uint64_t>(i));
     soak::Memory warm;
     soak::Memory last;
-    std::int64_t highest = 0;
-    int rises = 0;
     for (int round = 0; round < rounds; ++round) {
         run_round(randoms, options.seconds / rounds);
         last = soak::measure_memory();
         if (round < warm_up) {
             warm.used = std::max(warm.used, last.used);
             warm.resident = std::max(warm.resident, last.resident);
-        } else if (last.used > highest + rise) {
-            ++rises;
         }
-        highest = std::max(highest, last.used);
         std::printf("round %d of %d: %.2f MiB given out, %.2f MiB resident\n", round + 1, rounds,
                     static_cast<double>(last.used) / 1048576.0, static_cast<double>(last.resident) / 1048576.0);
         std::fflush(stdout);
     }
     for (const Kind& kind : kinds) std::printf("%s: %lld\n", kind.name, static_cast<long long>(kind.calls));
-    const bool is_flat = rises <= most_rises && last.used <= warm.used + room_for_growth &&
-                         last.resident <= warm.resident + room_for_pieces;
+    const bool is_flat = last.used <= warm.used + room_for_growth && last.resident <= warm.resident + room_for_pieces;
     std::printf("memory %s\n", is_flat ? "stayed flat" : "GREW");
     return is_flat && std::all_of(kinds.begin(), kinds.end(), [](const Kind& kind) { return kind.calls > 0; });
 }
