@@ -6,7 +6,7 @@ import { opened, picture, started, told, whole } from "./page_tools.mjs";
 const [address, chromium] = process.argv.slice(2);
 const browser = await started(chromium);
 try {
-  const { page, done } = await opened(browser, `${address}#model=torus&marks=6000`);
+  const { page, done } = await opened(browser, `${address}?threads#model=torus&marks=6000`);
   assert.equal(await page.evaluate(() => crossOriginIsolated), true);
   await whole(page, "torus contour-and-stipple");
   assert.match(await page.textContent("#status"), /\d+ threads/);

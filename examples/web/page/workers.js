@@ -3,9 +3,10 @@
 
 const MOST_THREADS = 8;
 
-/** The module, compiled once for both workers, and how many threads it can have here. */
+/** The module, compiled once for both workers, and how many threads it has: one, or with ?threads as many as there can be. */
 export async function compileModule() {
-  const wanted = globalThis.crossOriginIsolated ? Math.min(navigator.hardwareConcurrency ?? 1, MOST_THREADS) : 1;
+  const asked = new URLSearchParams(location.search).has("threads") && globalThis.crossOriginIsolated;
+  const wanted = asked ? Math.min(navigator.hardwareConcurrency ?? 1, MOST_THREADS) : 1;
   for (const threads of wanted > 1 ? [wanted, 1] : [1]) {
     const folder = threads > 1 ? "wasm-threads" : "wasm";
     const response = await fetch(new URL(`hrbfnpr/${folder}/hrbfnpr.wasm`, import.meta.url));
