@@ -93,9 +93,14 @@ async function begin({ wasm, threads }) {
   postMessage({ type: "ready" });
 }
 
+// What is asked for while the module still starts waits for that.
+let begun;
+
 onmessage = async ({ data }) => {
   try {
-    await (data.type === "begin" ? begin(data) : make(data));
+    if (data.type === "begin") begun = begin(data);
+    await begun;
+    if (data.type === "make") make(data);
   } catch (error) {
     postMessage({ type: "failed", key: data.key, message: error.message, cancelled: error.isCancelled === true });
   }
