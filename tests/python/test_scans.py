@@ -141,20 +141,63 @@ def test_broken_las(tmp_path, monkeypatch):
     assert len(shape.points) == 20 and shape.notes == ("of its 60 points 20 are read",)
 
 
+class E57:
+    """What is used of pye57, which reads no normals by itself: two scans, the second one turned and with a point that is
+    not valid."""
+
+    scan_count = 2
+    image_file = None
+    with_normals = (True, True)
+    TURN = np.array([[0.0, -1, 0], [1, 0, 0], [0, 0, 1]])
+    closed = 0
+
+    def __init__(self, path):
+        self.fields = [
+            {f"nor:normal{axis}": NORMALS[:30, i] for i, axis in enumerate("XYZ")},
+            {f"nor:normal{axis}": np.append((NORMALS[30:] @ self.TURN)[:, i], 9) for i, axis in enumerate("XYZ")},
+        ]
+        self.fields[1]["cartesianInvalidState"] = np.append(np.zeros(30), 2)
+
+    def close(self):
+        E57.closed += 1
+
+    def read_scan(self, number, **options):
+        part = slice(None, 30) if number == 0 else slice(30, None)
+        return {f"cartesian{axis}": POINTS[part, i] for i, axis in enumerate("XYZ")}
+
+    def get_header(self, number):
+        fields = self.fields[number] if self.with_normals[number] else {}
+
+        def fill(buffers):
+            for name, column in buffers:
+                column[:] = fields[name]
+
+        return types.SimpleNamespace(
+            point_fields=list(fields),
+            point_count=30 + number,
+            rotation_matrix=self.TURN if number else np.eye(3),
+            points=types.SimpleNamespace(reader=lambda buffers: types.SimpleNamespace(read=lambda: fill(buffers))),
+        )
+
+
+def pye57_stand_in():
+    buffer = lambda file, name, column, count, convert, scale: (name, column)  # noqa: E731
+    return types.SimpleNamespace(
+        E57=E57, libe57=types.SimpleNamespace(VectorSourceDestBuffer=list, SourceDestBuffer=buffer)
+    )
+
+
 def test_e57_by_its_package(tmp_path, monkeypatch):
-    class E57:
-        scan_count = 2
-
-        def __init__(self, path):
-            pass
-
-        def read_scan(self, number, **options):
-            part = slice(None, 30) if number == 0 else slice(30, None)
-            names = [f"cartesian{axis}" for axis in "XYZ"], [f"nor:normal{axis}" for axis in "XYZ"]
-            return {**dict(zip(names[0], POINTS[part].T)), **dict(zip(names[1], NORMALS[part].T))}
-
-    monkeypatch.setitem(sys.modules, "pye57", types.SimpleNamespace(E57=E57))
-    assert is_right(shapes.read(write(tmp_path, "a.e57", b"ASTM-E57" + bytes(100))))
+    monkeypatch.setitem(sys.modules, "pye57", pye57_stand_in())
+    path = write(tmp_path, "a.e57", b"ASTM-E57" + bytes(100))
+    before = E57.closed
+    assert is_right(shapes.read(path)) and E57.closed == before + 1
+    monkeypatch.setattr(E57, "with_normals", (True, False))
+    mixed = shapes.read(path)
+    assert is_right(mixed, normals=False) and mixed.notes == ("of its 2 scans 1 have normals: none are used",)
+    monkeypatch.setattr(E57, "scan_count", 0)
+    with pytest.raises(shapes.ShapeError, match="no points"):
+        shapes.read(path)
 
 
 HEIGHTS = np.round(100 + 10 * np.add.outer(np.arange(5), np.arange(4)) ** 0.5, 3)

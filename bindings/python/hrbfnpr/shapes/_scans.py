@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import struct
+from contextlib import closing
 from pathlib import Path
 from typing import Any, List, Optional, Tuple
 
@@ -48,7 +49,7 @@ def _taken(count: int, used: int) -> Tuple[str, ...]:
 
 
 def _by_laspy(path: Path) -> Tuple[Floats, Tuple[str, ...]]:
-    laspy = needed("laspy", "LAZ", "pip install laspy[lazrs]", "pdal translate or las2las turns it into LAS")
+    laspy = needed("laspy", "LAZ", "pip install laspy[lazrs], or Debian 13's python3-laspy and python3-laszip", "pdal translate or las2las turns it into LAS")
     try:
         with laspy.open(path) as file:
             count = int(file.header.point_count)
@@ -66,19 +67,35 @@ def read_e57(path: Path) -> Shape:
     """All scans of an E57 file, in their common frame; by pye57."""
     pye57 = needed("pye57", "E57", "pip install pye57", "CloudCompare saves it as PLY, with normals")
     points: List[Floats] = []
-    normals: Optional[List[Floats]] = []
+    normals: List[Optional[Floats]] = []
     try:
-        file = pye57.E57(str(path))
-        for scan in range(file.scan_count):
-            data = file.read_scan(scan, ignore_missing_fields=True, transform=True)
-            points.append(np.column_stack([data[f"cartesian{axis}"] for axis in "XYZ"]))
-            if normals is not None and all(f"nor:normal{axis}" in data for axis in "XYZ"):
-                normals.append(np.column_stack([data[f"nor:normal{axis}"] for axis in "XYZ"]))
-            else:
-                normals = None
+        with closing(pye57.E57(str(path))) as file:
+            for scan in range(file.scan_count):
+                data = file.read_scan(scan, ignore_missing_fields=True, transform=True)
+                points.append(np.column_stack([data[f"cartesian{axis}"] for axis in "XYZ"]))
+                normals.append(_e57_normals(pye57, file, file.get_header(scan)))
     except Exception as error:  # whatever the library behind it raises
         raise ShapeError(f"pye57 cannot read it: {error}") from None
-    if not points:
-        raise ShapeError("the E57 file has no scans")
-    columns = ("x", "y", "z", "nx", "ny", "nz") if normals else ("x", "y", "z")
-    return Shape(np.concatenate(points), np.concatenate(normals) if normals else None, None, "E57", columns, UP)
+    if not sum(map(len, points)):
+        raise ShapeError("the E57 file has no points")
+    given = [part for part in normals if part is not None]
+    whole = len(given) == len(normals)
+    notes = () if whole or not given else (f"of its {len(normals)} scans {len(given)} have normals: none are used",)
+    columns = ("x", "y", "z", "nx", "ny", "nz") if whole else ("x", "y", "z")
+    return Shape(np.concatenate(points), np.concatenate(given) if whole else None, None, "E57", columns, UP, notes)
+
+
+def _e57_normals(pye57: Any, file: Any, header: Any) -> Optional[Floats]:
+    """Normals of a scan's valid points, turned as its pose says; pye57 itself leaves out what is an extension of E57."""
+    names = [f"nor:normal{axis}" for axis in "XYZ"]
+    if not set(names) <= set(header.point_fields):
+        return None
+    names += [name for name in ("cartesianInvalidState", "sphericalInvalidState") if name in header.point_fields]
+    columns = np.empty((len(names), header.point_count))
+    buffers = pye57.libe57.VectorSourceDestBuffer()
+    for name, column in zip(names, columns):
+        buffers.append(pye57.libe57.SourceDestBuffer(file.image_file, name, column, len(column), True, True))
+    header.points.reader(buffers).read()
+    valid = (columns[3:] == 0).all(axis=0)
+    turned: Floats = columns[:3, valid].T @ np.asarray(header.rotation_matrix, dtype=np.float64).T
+    return turned
