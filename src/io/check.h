@@ -40,4 +40,16 @@ inline void check_bounds(const Decoder& decoder, const geometry::Bounds& bounds)
             decoder.damaged("its bounds are not a box");
 }
 
+// Samples lie in the bounds (of a model of sheets: its cells), but for those that hold a fit to a mesh off the surface:
+// they may lie anywhere in the search box.
+inline void check_sample(const Decoder& decoder, const geometry::Bounds& bounds, const double* sample,
+                         std::int64_t index) {
+    const double beyond = 0.1 * bounds.diagonal();
+    for (int axis = 0; axis < 3; ++axis) {
+        const double slack = beyond + 1e-15 * std::abs(sample[axis]);
+        if (!(sample[axis] >= bounds.min[axis] - slack && sample[axis] <= bounds.max[axis] + slack))
+            decoder.damaged("sample_position[%lld] is outside its bounds", static_cast<long long>(index));
+    }
+}
+
 } // namespace hrbfnpr::io

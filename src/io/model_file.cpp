@@ -171,17 +171,13 @@ void check_weights(const Decoder& decoder, const implicit::HrbfData& data, const
             decoder.damaged("%s[%lld] is larger than a fit's", name, static_cast<long long>(i));
 }
 
-// Samples lie in the bounds, but for those that hold a fit to a mesh off the surface: they may lie anywhere in the
-// search box.  Centres are where their samples are, but for rounding.
+// Centres are where their samples are, but for rounding.
 void check_places(const Decoder& decoder, const implicit::HrbfData& data) {
-    const double beyond = 0.1 * data.bounds.diagonal();
     for (std::int64_t i = 0; i < data.count(); ++i) {
         const glm::dvec3 centre = data.centre_position[i];
+        check_sample(decoder, data.bounds, data.sample_position.data() + 3 * i, i);
         for (int axis = 0; axis < 3; ++axis) {
             const double sample = data.sample_position[3 * i + axis];
-            const double slack = beyond + 1e-15 * std::abs(sample);
-            if (!(sample >= data.bounds.min[axis] - slack && sample <= data.bounds.max[axis] + slack))
-                decoder.damaged("sample_position[%lld] is outside its bounds", static_cast<long long>(i));
             const double expected = implicit::normalised(sample, data.centre[axis], data.scale);
             const double off = 1e-6 * (1.0 + std::abs(expected)) + 1e-15 * std::abs(sample) / data.scale;
             if (!(std::abs(centre[axis] - expected) <= off))

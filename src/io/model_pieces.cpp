@@ -93,8 +93,9 @@ void check_pieces(const Decoder& decoder, const implicit::PiecesData& data) {
     if (data.sample_position.empty() || data.sample_position.size() % 3 != 0)
         decoder.damaged("it has no whole number of samples");
     check_finite(decoder, "sample_position", data.sample_position.span());
-    for (const double x : data.sample_position)
-        if (std::abs(x) > coordinate_limit) decoder.damaged("it has a sample beyond 1e100");
+    const geometry::Bounds cells{data.corner, data.corner + data.side};
+    for (std::int64_t i = 0; i < data.sample_position.size() / 3; ++i)
+        check_sample(decoder, cells, data.sample_position.data() + 3 * i, i);
     check_unit(decoder, "sample_normal", data.sample_normal.span());
 }
 

@@ -107,7 +107,7 @@ TEST(PiecesFile, ContentIsChecked) {
         d.sample_normal.push_back(0.0);
     });
     expect("sample_normal[0]", [](PiecesData& d) { d.sample_normal[1] = 2.0; });
-    expect("beyond 1e100", [](PiecesData& d) { d.sample_position[1] = 1e101; });
+    expect("sample_position[0] is outside its bounds", [](PiecesData& d) { d.sample_position[1] = 1e60; });
 }
 
 // Bytes that are changed with right checksums: what loads can be evaluated.
