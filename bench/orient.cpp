@@ -11,6 +11,7 @@
 
 #include "orient_bound.h"
 #include "orient_shapes.h"
+#include "orient_walls.h"
 #include "read_models.h"
 
 #include <hrbfnpr.h>
@@ -61,6 +62,7 @@ Options options_of(int count, char** words) {
 struct Score {
     double right = 0.0;
     double angle = 0.0; // mean, in degrees
+    std::vector<bool> is_right;
     hrbfnpr_orient_info info{};
 };
 
@@ -82,11 +84,15 @@ Score orient(hrbfnpr_context* context, const Samples& samples) {
         double cosine = 0.0;
         for (std::size_t c = 0; c < 3; ++c) cosine += normals[3 * i + c] * samples.normals[3 * i + c];
         score.right += cosine > 0.0 ? 1.0 : 0.0;
+        score.is_right.push_back(cosine > 0.0);
         score.angle += std::acos(std::min(1.0, std::abs(cosine))) * 360.0 / bench::tau;
     }
     score.right /= static_cast<double>(count);
     score.angle /= static_cast<double>(count);
-    if (score.info.outward_by != HRBFNPR_OUTWARD_INSIDE) score.right = std::max(score.right, 1.0 - score.right);
+    if (score.info.outward_by != HRBFNPR_OUTWARD_INSIDE && score.right < 0.5) {
+        score.right = 1.0 - score.right;
+        score.is_right.flip();
+    }
     return score;
 }
 
@@ -112,8 +118,10 @@ std::vector<NamedCloud> clouds_of(const Options& options) {
 }
 
 // Both sheets of a wall that is thinner than that are one band of noise.
+constexpr double deviations = 4.0;
+
 [[nodiscard]] bool is_thin(const NamedCloud& cloud, double noise) {
-    return cloud.wall < 4.0 * noise * bench::diagonal_of(cloud.samples);
+    return cloud.wall < deviations * noise * bench::diagonal_of(cloud.samples);
 }
 
 void measure_bound(hrbfnpr_context* context, const std::vector<NamedCloud>& clouds, double noise, std::uint64_t seed) {
@@ -132,11 +140,30 @@ void measure_bound(hrbfnpr_context* context, const std::vector<NamedCloud>& clou
     std::printf("orient.bound.smooth_angle_max %.2f\n", angle);
 }
 
+struct OnThickWalls {
+    double share = 0.0; // of all places
+    double right = 1.0; // share of these
+};
+
+OnThickWalls on_thick_walls(const Samples& clean, const Score& score, double noise) {
+    const double least = deviations * noise * bench::diagonal_of(clean);
+    const std::vector<double> thickness = bench::wall_thickness(clean, least);
+    double places = 0.0;
+    double right = 0.0;
+    for (std::size_t i = 0; i < thickness.size(); ++i) {
+        if (thickness[i] < least) continue;
+        places += 1.0;
+        right += score.is_right[i] ? 1.0 : 0.0;
+    }
+    return {places / static_cast<double>(thickness.size()), places > 0.0 ? right / places : 1.0};
+}
+
 // Prints a line a cloud, and the worst of all.
 void measure(hrbfnpr_context* context, const std::vector<NamedCloud>& clouds, double noise, std::uint64_t seed) {
     const char* kind = noise > 0.0 ? "noisy" : "clean";
     double right = 1.0;
     double others = 1.0;
+    double thick_right = 1.0;
     double angle = 0.0;
     int failed = 0;
     double sure_of_failed = 0.0;
@@ -150,6 +177,12 @@ void measure(hrbfnpr_context* context, const std::vector<NamedCloud>& clouds, do
         std::printf("%-22s %s  right %.4f  angle %5.1f  confidence %.2f  %s  %.2f s\n", cloud.name.c_str(), kind,
                     score.right, score.angle, score.info.confidence, score.info.closed != 0 ? "closed" : "open  ",
                     score.info.seconds);
+        if (noise > 0.0) {
+            const OnThickWalls thick = on_thick_walls(cloud.samples, score, noise);
+            std::printf("%-22s on walls of %g deviations and more: %.3f of the places, right %.4f\n", "", deviations,
+                        thick.share, thick.right);
+            thick_right = std::min(thick_right, thick.right);
+        }
         std::fflush(stdout);
         right = std::min(right, score.right);
         if (cloud.name != "heart_1024") others = std::min(others, score.right);
@@ -164,6 +197,7 @@ void measure(hrbfnpr_context* context, const std::vector<NamedCloud>& clouds, do
     std::printf("orient.%s.below_0.97 %d\n", kind, failed);
     if (failed > 0) std::printf("orient.%s.confidence_below_0.97 %.2f\n", kind, sure_of_failed);
     if (thin > 0) std::printf("orient.%s.walls_below_4_deviations %d\n", kind, thin);
+    if (noise > 0.0) std::printf("orient.%s.right_min_on_thick_walls %.4f\n", kind, thick_right);
     if (noise == 0.0) std::printf("orient.right_min %.4f\n", right);
 }
 

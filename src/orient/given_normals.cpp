@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "orient/given_normals.h"
 
+#include "orient/sides.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -18,12 +20,39 @@ constexpr double tossed = 0.75;
 constexpr std::size_t beside = 8; // neighbours
 // What is turned has a direction of its own, whichever way it points.
 constexpr double distinct = 0.5;
+// Around patches that were turned the normals of neighbours on a sheet are opposite: -0.97 and below.  Around walls too
+// thin for the noise, where the least energy is wrong and the normals right, they are not: -0.2 to -0.8.
+constexpr double torn = -0.9;
+// In doubt neighbours that point opposite ways are walls if more of them lie behind than before each other, or the
+// other way round, by this share; of random signs half do.
+constexpr double walls = 0.3;
+
+// How neighbours' normals go on over a patch's border: 1 the same way, -1 turned round.  Pairs count for as much as
+// they lie on one sheet: (1 - (n . d)^2) of both, d the direction from one to the other.
+class Border {
+public:
+    void add(const glm::dvec3& one, const glm::dvec3& two, const glm::dvec3& between) noexcept {
+        const double square = glm::dot(between, between);
+        if (!(square > 0.0)) return;
+        const double a = glm::dot(one, between);
+        const double b = glm::dot(two, between);
+        const double cosine = (1.0 - a * a / square) * (1.0 - b * b / square) * glm::dot(one, two);
+        sum_ += cosine;
+        size_ += std::abs(cosine);
+    }
+    [[nodiscard]] bool is_torn() const noexcept { return sum_ < torn * size_; }
+
+private:
+    double sum_ = 0.0;
+    double size_ = 0.0;
+};
 
 } // namespace
 
 GivenNormals::GivenNormals(const base::Runtime& runtime, const base::InView& normals, const Cloud& cloud,
                            const Near& near, bool used, const base::Progress& progress)
-    : runtime_(runtime), given_(normals), near_(near), normal_(runtime.memory), known_(runtime.memory) {
+    : runtime_(runtime), given_(normals), tree_(*cloud.tree), near_(near), normal_(runtime.memory),
+      known_(runtime.memory) {
     if (!used) return;
     known_.resize(cloud.size());
     normal_ = plane_normals(runtime, *cloud.tree, near, 16, progress);
@@ -45,8 +74,42 @@ glm::dvec3 GivenNormals::of(std::int64_t point) const noexcept {
     return {given_.get(point, 0), given_.get(point, 1), given_.get(point, 2)};
 }
 
-Judgement GivenNormals::judge(const VecArray& least, NormalMode mode, bool open, const fit::HermiteEnergy* form,
-                              const base::Progress& progress) const {
+// alike: share that agrees with those of least energy.  In doubt the given normals alone tell.
+bool GivenNormals::are_inward(double alike, bool doubtful, const base::Progress& progress) const {
+    if (!doubtful) return alike < 0.5;
+    const base::Array<double> spacing = local_spacing(runtime_, tree_, near_);
+    return measure_sides(runtime_, tree_, spacing, normal_, {}, progress).outward() < 0;
+}
+
+// Whether neighbours agree with those of least energy, or not, by chance; in doubt also where they lie behind each
+// other.
+bool GivenNormals::are_tossed(const Evidence& evidence) const {
+    const VecArray& least = evidence.least;
+    std::int64_t pairs = 0;
+    std::int64_t consistent = 0;
+    std::int64_t opposite = 0;
+    std::int64_t behind = 0; // less those before
+    for (std::int64_t at = 0; at < least.size(); ++at) {
+        if (known_[at] == 0) continue;
+        for (const std::int32_t other : near_.of(at).first(std::min(beside, near_.of(at).size()))) {
+            if (known_[other] == 0) continue;
+            const bool one = glm::dot(least[at], normal_[at]) > 0.0;
+            const bool two = glm::dot(least[other], normal_[other]) > 0.0;
+            ++pairs;
+            consistent += one == two ? 1 : 0;
+            if (glm::dot(normal_[at], normal_[other]) >= 0.0) continue;
+            ++opposite;
+            behind += glm::dot(tree_.points()[other] - tree_.points()[at], normal_[at]) < 0.0 ? 1 : -1;
+        }
+    }
+    const bool toss = static_cast<double>(consistent) < tossed * static_cast<double>(pairs);
+    const bool are_walls = static_cast<double>(std::abs(behind)) > walls * static_cast<double>(opposite);
+    return toss && !(evidence.doubtful && are_walls);
+}
+
+Judgement GivenNormals::judge(const Evidence& evidence, NormalMode mode, const base::Progress& progress) const {
+    const VecArray& least = evidence.least;
+    const bool open = evidence.open;
     Judgement judgement(runtime_.memory);
     judgement.found = NormalMode::none;
     if (known_count_ == 0) return judgement;
@@ -76,22 +139,10 @@ Judgement GivenNormals::judge(const VecArray& least, NormalMode mode, bool open,
     if (open && alike < 0.5 && mode != NormalMode::unoriented) judgement.made_sign = -1.0;
     judgement.follows_given = open && mode != NormalMode::unoriented;
     const double side = judgement.made_sign;
-    const bool inward = side > 0.0 && alike < 0.5;
-    std::int64_t pairs = 0;
-    std::int64_t consistent = 0;
-    for (std::int64_t at = 0; at < least.size(); ++at) {
-        if (known_[at] == 0) continue;
-        for (const std::int32_t other : near_.of(at).first(std::min(beside, near_.of(at).size()))) {
-            if (known_[other] == 0) continue;
-            const bool one = glm::dot(least[at], normal_[at]) > 0.0;
-            const bool two = glm::dot(least[other], normal_[other]) > 0.0;
-            ++pairs;
-            consistent += one == two ? 1 : 0;
-        }
-    }
+    const bool inward = side > 0.0 && are_inward(alike, evidence.doubtful, progress);
+    const bool toss = looks && are_tossed(evidence);
     const double share = std::max(alike, 1.0 - alike);
-    const bool toss = static_cast<double>(consistent) < tossed * static_cast<double>(pairs);
-    if (mode == NormalMode::unoriented || (looks && toss)) {
+    if (mode == NormalMode::unoriented || toss) {
         judgement.found = NormalMode::unoriented;
         judgement.by_place = true;
         for (std::int64_t at = 0; at < least.size(); ++at)
@@ -103,7 +154,7 @@ Judgement GivenNormals::judge(const VecArray& least, NormalMode mode, bool open,
         if (share < all_alike || mode == NormalMode::mixed) {
             std::int64_t before = 0;
             for (const std::int8_t s : judgement.signs) before += s;
-            repair(least, form, judgement.signs);
+            repair(evidence, judgement.signs);
             std::int64_t after = 0;
             for (const std::int8_t s : judgement.signs) after += s;
             if (after != before || mode == NormalMode::mixed) judgement.found = NormalMode::mixed;
@@ -113,9 +164,10 @@ Judgement GivenNormals::judge(const VecArray& least, NormalMode mode, bool open,
     return judgement;
 }
 
-// Turns patches of normals that are against the least energy's, where their directions agree, and where the given
-// directions, too, have less energy then.
-void GivenNormals::repair(const VecArray& least, const fit::HermiteEnergy* form, Signs& signs) const {
+// Places whose normals are against those of least energy, neighbour by neighbour, where their directions agree; in
+// doubt only those that the given normals themselves show to be turned, by how they go on around them.
+Groups GivenNormals::patches_against(const Evidence& evidence, const Signs& signs) const {
+    const VecArray& least = evidence.least;
     double side = 0.0;
     for (std::int64_t at = 0; at < least.size(); ++at)
         side += signs[at] * glm::dot(least[at], normal_[at]) > 0.0 ? 1.0 : -1.0;
@@ -131,25 +183,34 @@ void GivenNormals::repair(const VecArray& least, const fit::HermiteEnergy* form,
         patch.push_back(static_cast<std::int32_t>(start));
         seen[start] = 1;
         double cosines = 0.0;
+        Border border;
         for (std::int64_t k = begin; k < patch.size(); ++k) {
             const std::int32_t at = patch[k];
             cosines += std::abs(glm::dot(least[at], normal_[at]));
             for (const std::int32_t other : near_.of(at).first(std::min(beside, near_.of(at).size()))) {
+                if (!against(other) && known_[at] != 0 && known_[other] != 0)
+                    border.add(normal_[at], normal_[other], tree_.points()[other] - tree_.points()[at]);
                 if (seen[other] != 0 || !against(other)) continue;
                 seen[other] = 1;
                 patch.push_back(other);
             }
         }
-        if (cosines > distinct * static_cast<double>(patch.size() - begin))
+        if (cosines > distinct * static_cast<double>(patch.size() - begin) && (!evidence.doubtful || border.is_torn()))
             patches.close();
         else
             patch.resize(begin);
     }
-    if (form == nullptr) {
+    return patches;
+}
+
+// Turns those patches where the given directions, too, have less energy then.
+void GivenNormals::repair(const Evidence& evidence, Signs& signs) const {
+    const Groups patches = patches_against(evidence, signs);
+    if (evidence.form == nullptr) {
         for (const std::int32_t at : patches.member) signs[at] = static_cast<std::int8_t>(-signs[at]);
         return;
     }
-    (void)SignEnergy(runtime_, *form, normal_).turn(patches, 0.0, signs);
+    (void)SignEnergy(runtime_, *evidence.form, normal_).turn(patches, 0.0, signs);
 }
 
 } // namespace hrbfnpr::orient

@@ -17,6 +17,14 @@ struct Judgement {
     bool by_place = false;      // a place's given normals are turned to agree with its first
 };
 
+// What given normals are held against.
+struct Evidence {
+    const geometry::VecArray& least; // normals of least energy, outward
+    const fit::HermiteEnergy* form;  // their energy, or null
+    bool open = false;               // outward is by a rule only
+    bool doubtful = false;           // of low confidence: in doubt given normals stay
+};
+
 class GivenNormals {
 public:
     // Throws Error{invalid_argument} naming "normals" and the index.
@@ -28,15 +36,17 @@ public:
     // As given.
     [[nodiscard]] glm::dvec3 of(std::int64_t point) const noexcept;
 
-    // least: normals of least energy, outward.  open: outward is by a rule only.  form: their energy, or null.
-    [[nodiscard]] Judgement judge(const geometry::VecArray& least, NormalMode mode, bool open,
-                                  const fit::HermiteEnergy* form, const base::Progress& progress) const;
+    [[nodiscard]] Judgement judge(const Evidence& evidence, NormalMode mode, const base::Progress& progress) const;
 
 private:
-    void repair(const geometry::VecArray& least, const fit::HermiteEnergy* form, Signs& signs) const;
+    [[nodiscard]] bool are_inward(double alike, bool doubtful, const base::Progress& progress) const;
+    [[nodiscard]] bool are_tossed(const Evidence& evidence) const;
+    [[nodiscard]] Groups patches_against(const Evidence& evidence, const Signs& signs) const;
+    void repair(const Evidence& evidence, Signs& signs) const;
 
     const base::Runtime& runtime_;
     base::InView given_;
+    const geometry::PointTree& tree_;
     const Near& near_;
     geometry::VecArray normal_;
     base::Array<std::uint8_t> known_;

@@ -47,8 +47,9 @@ public:
         report.components = pieces.size();
         report.found = NormalMode::none;
         if (use_given) {
-            const Judgement judgement =
-                given.judge(normal_, input_.mode, whole.by != OutwardBy::inside, found.fitted.form.get(), progress);
+            const Evidence evidence{normal_, found.fitted.form.get(), whole.by != OutwardBy::inside,
+                                    found.confidence < doubtful};
+            const Judgement judgement = given.judge(evidence, input_.mode, progress);
             if (judgement.follows_given) report.outward_by = OutwardBy::as_given;
             report.found = judgement.found;
             write(given, judgement, result);

@@ -135,4 +135,38 @@ TEST(GivenNormals, OfAClosedSurfaceAreSeenToPointInward) {
     EXPECT_FALSE(inward(sheet, false));
 }
 
+// A wall of two deviations of noise, whose sides cannot be told apart by places, beside a ball.
+Samples wall_and_ball() {
+    Samples samples = noisy(sheets(10, 1.5), 0.75);
+    const Samples ball = test::sphere(200);
+    for (std::int64_t i = 0; i < ball.count(); ++i) {
+        const glm::dvec3 p = at(ball.points, i);
+        const glm::dvec3 n = at(ball.normals, i);
+        samples.add({30.0 + 6.0 * p.x, 6.0 * p.y, 6.0 * p.z}, {n.x, n.y, n.z});
+    }
+    return samples;
+}
+
+TEST(GivenNormals, StayInDoubtUnlessTheyShowByThemselves) {
+    const Samples both = wall_and_ball();
+    const std::vector<double> none(both.normals.size(), 0.0);
+    const orient::Orientation made = with(none, NormalMode::none, both);
+    ASSERT_LT(made.report.confidence, 0.5);
+    ASSERT_LT(score(both, made.normal).right, 0.95);
+    const auto wrong = [&](const std::vector<double>& normals) {
+        return 1.0 - score(both, with(normals, NormalMode::automatic, both).normal).right;
+    };
+    EXPECT_LE(wrong(both.normals), 0.01);
+    EXPECT_LE(wrong(turned(both, [](std::int64_t) { return true; })), 0.01);
+    EXPECT_LE(wrong(turned(both, [&](std::int64_t i) { return at(both.points, i).x > 33.0; })), 0.01);
+}
+
+// Those of random signs are none of a wall.
+TEST(GivenNormals, OfRandomSignsAreTossedInDoubtToo) {
+    const Samples wall = noisy(sheets(10, 1.5), 0.75);
+    const std::vector<double> tossed =
+        turned(wall, [](std::int64_t i) { return std::fmod(static_cast<double>(i * i) * 0.3819660113, 1.0) < 0.5; });
+    EXPECT_EQ(with(tossed, NormalMode::automatic, wall).report.found, NormalMode::unoriented);
+}
+
 } // namespace

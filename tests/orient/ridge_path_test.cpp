@@ -13,20 +13,6 @@ namespace {
 using namespace hrbfnpr;
 using namespace orient_test;
 
-// Of about the normal distribution, in the unit of the points.
-Samples noisy(Samples samples, double deviation) {
-    std::uint64_t state = 1;
-    for (double& x : samples.points) {
-        double sum = -6.0;
-        for (int k = 0; k < 12; ++k) {
-            state = state * 6364136223846793005U + 1442695040888963407U;
-            sum += static_cast<double>(state >> 11U) / 9007199254740992.0;
-        }
-        x += deviation * sum;
-    }
-    return samples;
-}
-
 // A wall 1.5 spacings thick, with a deviation of a fifth of that.
 Samples noisy_wall() { return noisy(sheets(14, 1.5), 0.3); }
 

@@ -71,6 +71,20 @@ inline Samples terrain(int side) {
     return samples;
 }
 
+// Of about the normal distribution, in the unit of the points.
+inline Samples noisy(Samples samples, double deviation) {
+    std::uint64_t state = 1;
+    for (double& x : samples.points) {
+        double sum = -6.0;
+        for (int k = 0; k < 12; ++k) {
+            state = state * 6364136223846793005U + 1442695040888963407U;
+            sum += static_cast<double>(state >> 11U) / 9007199254740992.0;
+        }
+        x += deviation * sum;
+    }
+    return samples;
+}
+
 inline hrbfnpr::orient::OrientInput input(const Samples& samples) {
     hrbfnpr::orient::OrientInput result;
     result.points = view(samples.points);
