@@ -6,7 +6,7 @@
 namespace fit_test {
 
 Eigen::MatrixXd product(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) { return a * b; }
-Eigen::VectorXd product(const Eigen::MatrixXd& a, const Eigen::VectorXd& x) { return a * x; }
+Eigen::VectorXd applied(const Eigen::MatrixXd& a, const Eigen::VectorXd& x) { return a * x; }
 
 Eigen::VectorXd solved(const Eigen::MatrixXd& a, const Eigen::VectorXd& right) { return a.fullPivLu().solve(right); }
 Eigen::MatrixXd inverse(const Eigen::MatrixXd& a) { return a.inverse(); }

@@ -7,7 +7,7 @@
 namespace fit_test {
 
 [[nodiscard]] Eigen::MatrixXd product(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b);
-[[nodiscard]] Eigen::VectorXd product(const Eigen::MatrixXd& a, const Eigen::VectorXd& x);
+[[nodiscard]] Eigen::VectorXd applied(const Eigen::MatrixXd& a, const Eigen::VectorXd& x);
 
 // By LU with full pivoting.
 [[nodiscard]] Eigen::VectorXd solved(const Eigen::MatrixXd& a, const Eigen::VectorXd& right);

@@ -169,9 +169,9 @@ double inverse_error(const base::Runtime& runtime, const VecArray& x, const fit:
     if (o.kernel == Kind::triharmonic) {
         Eigen::MatrixXd p(system.rows(), system.terms());
         system.constraints(p.data());
-        w -= fit_test::product(p, fit_test::least_squares(p, w));
+        w -= fit_test::applied(p, fit_test::least_squares(p, w));
     }
-    const Eigen::VectorXd aw = fit_test::product(plain(system), w);
+    const Eigen::VectorXd aw = fit_test::applied(plain(system), w);
     Eigen::VectorXd found(system.rows());
     preconditioner.apply(aw.data(), found.data());
     return (found - w).norm() / w.norm();
