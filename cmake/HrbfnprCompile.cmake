@@ -43,9 +43,11 @@ function(hrbfnpr_compile target)
   hrbfnpr_instrument(${target})
 endfunction()
 
-# A test's own code: what it tests is optimized in full, and half of a build's time would go here.
+# A test's own code: what it tests is optimized in full, and half of a build's time would go here.  -O1, or with PLAIN -O0.
 function(hrbfnpr_compile_test target)
-  target_compile_options(${target} PRIVATE $<$<AND:$<CONFIG:Release>,$<CXX_COMPILER_ID:GNU,Clang>>:-O1>)
+  cmake_parse_arguments(arg "PLAIN" "" "" ${ARGN})
+  set(level $<IF:$<BOOL:${arg_PLAIN}>,-O0,-O1>)
+  target_compile_options(${target} PRIVATE $<$<AND:$<CONFIG:Release>,$<CXX_COMPILER_ID:GNU,Clang>>:${level}>)
 endfunction()
 
 # Sanitizers, for the library and for everything that links it; the rooms alone count their lines.

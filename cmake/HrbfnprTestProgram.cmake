@@ -1,11 +1,13 @@
 # SPDX-License-Identifier: MIT
-# hrbfnpr_test_program(NAME SOURCE...): a program of tests, whose own code is neither what is tested nor what is measured.
+# hrbfnpr_test_program(NAME [PLAIN] SOURCE...): a program of tests, whose own code is neither what is tested nor what is
+# measured; PLAIN: nor does it work on much, and is not optimized at all.
 #
 # HRBFNPR_TEST_OBJECTS is the folder of another build of the same sources, whose objects are then linked with the library
 # of this one.  So a library under sanitizers is tested without compiling its tests, which takes longer than the library.
 
 function(hrbfnpr_test_program name)
-  set(sources ${ARGN})
+  cmake_parse_arguments(arg "PLAIN" "" "" ${ARGN})
+  set(sources ${arg_UNPARSED_ARGUMENTS})
   if(HRBFNPR_TEST_OBJECTS)
     hrbfnpr_built_objects(sources ${name} ${sources})
   endif()
@@ -14,8 +16,13 @@ function(hrbfnpr_test_program name)
   if(HRBFNPR_TEST_OBJECTS)
     set_target_properties(${name} PROPERTIES LINKER_LANGUAGE CXX)
   else()
-    hrbfnpr_compile_test(${name})
-    hrbfnpr_precompile(${name} tests)
+    if(arg_PLAIN)
+      hrbfnpr_compile_test(${name} PLAIN)
+      hrbfnpr_precompile(${name} plain_tests)
+    else()
+      hrbfnpr_compile_test(${name})
+      hrbfnpr_precompile(${name} tests)
+    endif()
   endif()
 endfunction()
 

@@ -59,6 +59,7 @@ namespace {
 constexpr double hessian_cost = 2.5;
 
 constexpr std::int64_t block_size = 262144;
+constexpr std::int64_t points_a_look = 8192;
 struct FieldOutputs {
     base::OutView value, gradient, hessian;
 };
@@ -105,13 +106,13 @@ void evaluate(const hrbfnpr_model& model, const Queries& queries, const FieldOut
     const implicit::Implicit& implicit = model.implicit_for(cost * static_cast<double>(queries.count()), progress);
     geometry::VecArray points(runtime.memory);
     FieldBlock block(runtime.memory, out, std::min(queries.count(), block_size));
-    for_blocks(queries.count(), block_size, progress,
-               [&](std::int64_t begin, std::int64_t end, const base::Progress& part) {
-                   queries.read(begin, end, points);
-                   implicit::evaluate_all(runtime, implicit, points, block.fields(), part);
-                   runtime.parallel.for_chunks(
-                       end - begin, 4096, [&](std::int64_t from, std::int64_t to) { block.write(from, to, begin); });
-               });
+    for_blocks(
+        queries.count(), block_size, progress, [&](std::int64_t begin, std::int64_t end, const base::Progress& part) {
+            queries.read(begin, end, points);
+            implicit::evaluate_all(runtime, implicit, points, block.fields(), part);
+            runtime.parallel.for_chunks(end - begin, 4096, part,
+                                        [&](std::int64_t from, std::int64_t to) { block.write(from, to, begin); });
+        });
 }
 
 ProjectionSettings checked(const hrbfnpr_project_desc& desc) {
@@ -132,9 +133,11 @@ struct ProjectionOutputs {
 };
 
 // Returns how many converged.
-std::int64_t write(const surface::Projection& block, const ProjectionOutputs& out, std::int64_t first) {
+std::int64_t write(const surface::Projection& block, const ProjectionOutputs& out, std::int64_t first,
+                   const base::Progress& progress) {
     std::int64_t converged = 0;
     for (std::int64_t i = 0; i < block.status.size(); ++i) {
+        if (i % points_a_look == 0) progress.check();
         const glm::dvec3 gradient = block.gradient[i];
         const double length = glm::length(gradient);
         const bool has_normal = std::isfinite(length) && length > 0.0;
@@ -157,7 +160,7 @@ std::int64_t project(const hrbfnpr_model& model, const Queries& queries, const s
                [&](std::int64_t begin, std::int64_t end, const base::Progress& part) {
                    queries.read(begin, end, block.position);
                    surface::project(model.runtime(), implicit, settings, block, part);
-                   converged += write(block, out, begin);
+                   converged += write(block, out, begin, part);
                });
     return converged;
 }
@@ -174,8 +177,10 @@ struct CurvatureOutputs {
     base::OutView k1, k2, d1, d2, confidence;
 };
 
-void write(const base::Array<surface::Curvature>& block, const CurvatureOutputs& out, std::int64_t first) {
+void write(const base::Array<surface::Curvature>& block, const CurvatureOutputs& out, std::int64_t first,
+           const base::Progress& progress) {
     for (std::int64_t i = 0; i < block.size(); ++i) {
+        if (i % points_a_look == 0) progress.check();
         const surface::Curvature& c = block[i];
         if (out.k1) Answer("curvature.k1").set(out.k1, first + i, 0, c.k1);
         if (out.k2) Answer("curvature.k2").set(out.k2, first + i, 0, c.k2);
@@ -195,7 +200,7 @@ void curvature(const hrbfnpr_model& model, const Queries& queries, const Curvatu
                [&](std::int64_t begin, std::int64_t end, const base::Progress& part) {
                    queries.read(begin, end, points);
                    surface::principal_curvatures(model.runtime(), implicit, points, block, part);
-                   write(block, out, begin);
+                   write(block, out, begin, part);
                });
 }
 

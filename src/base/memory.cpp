@@ -4,13 +4,36 @@
 #include <limits>
 #include <new>
 
+#if defined(__linux__)
+#include <cerrno>
+#include <sys/mman.h>
+#endif
+
 namespace hrbfnpr::base {
 namespace {
 
+// Below this little is gained, and up to a huge page more may be taken than was asked for.
+constexpr std::uint64_t large = std::uint64_t{4} << 20U;
+
+// Where the system gives huge pages to those who ask, as Linux by default: the first touch of a large array then takes
+// a quarter of the time, and its end, for which a cancelled call waits, next to none instead of 0.1 ms a megabyte.
+void ask_for_huge_pages([[maybe_unused]] void* memory, [[maybe_unused]] std::uint64_t size) noexcept {
+#if defined(__linux__)
+    constexpr std::uintptr_t page = 4096; // of a system with larger ones the call is refused, and nothing happens
+    const auto address = reinterpret_cast<std::uintptr_t>(memory);
+    const std::uintptr_t inward = (page - address % page) % page;
+    const int before = errno; // the host's
+    madvise(static_cast<char*>(memory) + inward, static_cast<std::size_t>(size) - inward, MADV_HUGEPAGE);
+    errno = before;
+#endif
+}
+
 void* default_allocate(void* /*user*/, std::uint64_t size, std::uint64_t alignment) {
     if (size > std::numeric_limits<std::size_t>::max()) return nullptr; // with 32-bit pointers
-    return ::operator new (static_cast<std::size_t>(size), std::align_val_t{static_cast<std::size_t>(alignment)},
-                           std::nothrow);
+    void* const memory = ::operator new (static_cast<std::size_t>(size),
+                                         std::align_val_t{static_cast<std::size_t>(alignment)}, std::nothrow);
+    if (memory != nullptr && size >= large) ask_for_huge_pages(memory, size);
+    return memory;
 }
 
 void default_deallocate(void* /*user*/, void* memory, std::uint64_t /*size*/, std::uint64_t alignment) {

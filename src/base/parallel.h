@@ -5,6 +5,7 @@
 // never by thread, and combine partial results in the order of the chunks.
 #pragma once
 
+#include "base/operation.h"
 #include "base/thread_pool.h"
 
 #include <algorithm>
@@ -46,6 +47,22 @@ public:
     void for_chunks(std::int64_t count, std::int64_t grain, F&& f) const {
         for_each((count + grain - 1) / grain,
                  [&](std::int64_t chunk) { f(chunk * grain, std::min(count, (chunk + 1) * grain)); });
+    }
+
+    // The same with a look for a cancel before each of them.
+    template <class F>
+    void for_each(std::int64_t count, const Progress& progress, F&& f) const {
+        for_each(count, [&](std::int64_t i) {
+            progress.check();
+            f(i);
+        });
+    }
+    template <class F>
+    void for_chunks(std::int64_t count, std::int64_t grain, const Progress& progress, F&& f) const {
+        for_chunks(count, grain, [&](std::int64_t begin, std::int64_t end) {
+            progress.check();
+            f(begin, end);
+        });
     }
 
 private:

@@ -24,4 +24,17 @@ void sort_long(T* begin, T* end, const Less& less, const Progress& progress = {}
     std::sort(begin, end, less);
 }
 
+// As std::merge, into an array of its own.
+template <class T, class Less>
+void merge_long(const T* a, const T* a_end, const T* b, const T* b_end, T* to, const Less& less,
+                const Progress& progress = {}) {
+    constexpr std::int64_t at_once = 65536;
+    while (a != a_end && b != b_end) {
+        progress.check();
+        for (std::int64_t left = at_once; left > 0 && a != a_end && b != b_end; --left)
+            *to++ = less(*b, *a) ? *b++ : *a++;
+    }
+    std::copy(b, b_end, std::copy(a, a_end, to));
+}
+
 } // namespace hrbfnpr::base

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "curves/crossed_cells.h"
 
+#include "base/sort.h"
 #include "curves/corner_map.h"
 #include "geometry/cell_block.h"
 #include "geometry/cell_set.h"
@@ -10,6 +11,8 @@ namespace hrbfnpr::curves {
 namespace {
 
 using Cell = Lattice::Cell;
+
+constexpr std::int64_t cells_a_look = 4096;
 
 // The corners of a cell's faces, and the ways over them.
 struct Face {
@@ -37,7 +40,7 @@ public:
     void run(const base::Progress& progress);
 
 private:
-    void find_corners();
+    void find_corners(const base::Progress& progress);
     void evaluate(const base::Progress& progress);
     void judge(const CrossedCell& cell, const Cell& place, bool seeded);
     void go_to(const Cell& cell);
@@ -64,10 +67,11 @@ void Flood::start(const geometry::VecArray& seeds) {
         if (cells_.lattice.region.contains(seeds[i])) go_to(cells_.lattice.cell_of(seeds[i]));
 }
 
-void Flood::find_corners() {
+void Flood::find_corners(const base::Progress& progress) {
     looked_at_.resize_for_overwrite(front_.size());
     fresh_.clear();
     for (std::int64_t i = 0; i < front_.size(); ++i) {
+        if (i % cells_a_look == 0) progress.check();
         const Cell cell = geometry::CellGrid::unpack(front_[i]);
         looked_at_[i].code = geometry::morton_code(cell);
         for (unsigned k = 0; k < 8; ++k) {
@@ -87,6 +91,7 @@ void Flood::evaluate(const base::Progress& progress) {
     value_.resize_for_overwrite(fresh_.size());
     implicit::evaluate_all(runtime_, implicit_, fresh_, {value_.data(), {}, {}}, progress.part(0.0, 0.0));
     for (std::int64_t i = 0; i < fresh_.size(); ++i) {
+        if (i % cells_a_look == 0) progress.check();
         cells_.position.push_back(fresh_[i]);
         cells_.value.push_back(value_[i]);
     }
@@ -111,10 +116,12 @@ void Flood::run(const base::Progress& progress) {
         progress.check();
         std::swap(front_, next_);
         next_.clear();
-        find_corners();
+        find_corners(progress);
         evaluate(progress);
-        for (std::int64_t i = 0; i < front_.size(); ++i)
+        for (std::int64_t i = 0; i < front_.size(); ++i) {
+            if (i % cells_a_look == 0) progress.check();
             judge(looked_at_[i], geometry::CellGrid::unpack(front_[i]), seeded);
+        }
         if (cells_.triangles > limit_)
             fail(Status::invalid_argument,
                  "the mesh would have more than %lld triangles: give its cells a larger side than %g",
@@ -132,8 +139,9 @@ CrossedCells find_crossed_cells(const base::Runtime& runtime, const implicit::Im
     Flood flood(runtime, implicit, triangle_limit, cells);
     flood.start(seeds);
     flood.run(progress);
-    std::sort(cells.cell.begin(), cells.cell.end(),
-              [](const CrossedCell& a, const CrossedCell& b) { return a.code < b.code; });
+    base::sort_long(
+        cells.cell.begin(), cells.cell.end(),
+        [](const CrossedCell& a, const CrossedCell& b) { return a.code < b.code; }, progress);
     return cells;
 }
 

@@ -40,12 +40,12 @@ void evaluate_some(const Level& level, CurvePoint* points, const std::int32_t* o
 
 // Cell by cell where the surface has cells and that pays; else as they come.
 base::Array<std::int32_t> order_of(const base::Runtime& runtime, const Level& level,
-                                   const base::Array<CurvePoint>& points) {
+                                   const base::Array<CurvePoint>& points, const base::Progress& progress) {
     base::Array<std::int32_t> order(runtime.memory);
     if (points.size() > points_a_task) {
         geometry::VecArray places(runtime.memory, points.size());
         for (std::int64_t i = 0; i < points.size(); ++i) places.set(i, points[i].position);
-        order = implicit::order_by_cell(runtime, level.surface(), places);
+        order = implicit::order_by_cell(runtime, level.surface(), places, progress);
     }
     if (!order.empty()) return order;
     order.resize(points.size());
@@ -87,7 +87,7 @@ glm::dvec3 CurvePoint::newton_step() const noexcept {
 void evaluate(const base::Runtime& runtime, const Level& level, base::Array<CurvePoint>& points,
               const base::Progress& progress) {
     const base::Parallel threads = level.surface().threads(runtime.parallel);
-    const base::Array<std::int32_t> order = order_of(runtime, level, points);
+    const base::Array<std::int32_t> order = order_of(runtime, level, points, progress);
     threads.for_chunks(points.size(), points_a_task, [&](std::int64_t begin, std::int64_t end) {
         progress.check();
         evaluate_some(level, points.data(), order.data() + begin, end - begin);

@@ -145,7 +145,7 @@ std::int64_t find_edge_roots(const base::Runtime& runtime, const implicit::Impli
     gradient.resize(count);
     for (std::int64_t i = 0; i < count; ++i)
         position.set(i, 0.5 * (edges.position[edges.edge[i].from] + edges.position[edges.edge[i].to]));
-    const base::Array<std::int32_t> order = implicit::order_by_cell(runtime, implicit, position);
+    const base::Array<std::int32_t> order = implicit::order_by_cell(runtime, implicit, position, progress);
     std::atomic<std::int64_t> unresolved{0};
     std::atomic<std::int64_t> done{0};
     const auto run = [&](std::int64_t begin, std::int64_t end) {

@@ -13,6 +13,7 @@ namespace hrbfnpr::curves {
 namespace {
 
 constexpr int rounds = 3;
+constexpr std::int64_t at_once = 8192; // edges without a look for a cancel
 // In diagonals: how far a line may be off, where a curvature's change along an edge is not what its derivatives say.
 constexpr double tolerance = 3e-4;
 // Of the root mean square of C: where it is smaller, what lines there are is not decided by it.
@@ -58,7 +59,7 @@ public:
 
     // Whether there was anything to halve.
     bool run(const base::Progress& progress) {
-        find_rough();
+        find_rough(progress);
         if (!add_vertices(progress)) return false;
         cut_at_middles(runtime_, middle_, mesh_);
         return true;
@@ -79,11 +80,11 @@ private:
         return least_change * std::sqrt(sum / std::max(1.0, static_cast<double>(shape_.size())));
     }
     // Of the two triangles of an edge the first decides.
-    void find_rough() {
+    void find_rough(const base::Progress& progress) {
         middle_.resize_for_overwrite(mesh_.corner.size());
         const double change = least();
         const double place = tolerance * implicit_.diagonal();
-        runtime_.parallel.for_chunks(mesh_.corner.size(), 8192, [&](std::int64_t begin, std::int64_t stop) {
+        runtime_.parallel.for_chunks(mesh_.corner.size(), 8192, progress, [&](std::int64_t begin, std::int64_t stop) {
             for (std::int64_t e = begin; e < stop; ++e) {
                 const bool rough =
                     is_first(mesh_, e) && is_rough(shape_[start(e)], shape_[end(e)], vector(e), change, place);
@@ -102,6 +103,7 @@ private:
         base::Array<std::int64_t> edge(runtime_.memory);
         surface::Projection at(runtime_.memory);
         for (std::int64_t e = 0; e < middle_.size(); ++e) {
+            if (e % at_once == 0) progress.check();
             if (middle_[e] != to_halve) continue;
             middle_[e] = whole;
             edge.push_back(e);
@@ -112,6 +114,7 @@ private:
         geometry::VecArray position(runtime_.memory);
         geometry::VecArray gradient(runtime_.memory);
         for (std::int64_t i = 0; i < edge.size(); ++i) {
+            if (i % at_once == 0) progress.check();
             const bool found = at.status[i] == surface::ProjectionStatus::converged;
             if (!found || !stays(edge[i], at.position[i], at.gradient[i])) continue;
             const auto vertex = static_cast<std::int32_t>(mesh_.vertices() + position.size());
@@ -123,6 +126,7 @@ private:
         base::Array<ShapePoint> shape(runtime_.memory);
         measure_shape(runtime_, source_, position, gradient, shape, progress.part(0.3, 0.7));
         for (std::int64_t i = 0; i < shape.size(); ++i) {
+            if (i % at_once == 0) progress.check();
             mesh_.position.push_back(position[i]);
             mesh_.gradient.push_back(gradient[i]);
             shape_.push_back(shape[i]);
@@ -155,8 +159,11 @@ ShapedMesh measured_mesh(const base::Runtime& runtime, const implicit::Implicit&
                          const implicit::ShapeSource& source, const SurfaceMesh& mesh, const base::Progress& progress) {
     ShapedMesh shaped(runtime.memory);
     copy(mesh.position, shaped.mesh.position);
+    progress.check();
     copy(mesh.gradient, shaped.mesh.gradient);
+    progress.check();
     copy(mesh.corner, shaped.mesh.corner);
+    progress.check();
     copy(mesh.neighbour, shaped.mesh.neighbour);
     shaped.mesh.region = mesh.region;
     shaped.mesh.side = mesh.side;

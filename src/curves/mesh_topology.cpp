@@ -4,20 +4,31 @@
 namespace hrbfnpr::curves {
 namespace {
 
+constexpr std::int64_t at_once = 65536; // edges without a look for a cancel
+
 [[nodiscard]] std::int64_t next_in_triangle(std::int64_t edge) noexcept { return edge % 3 == 2 ? edge - 2 : edge + 1; }
 
 } // namespace
 
 base::Array<std::int32_t> find_neighbours(const base::Runtime& runtime, const base::Array<std::int32_t>& corner,
-                                          std::int64_t vertices) {
+                                          std::int64_t vertices, const base::Progress& progress) {
     // Edges by the vertex that they start at: edge e = 3 t + k leads from corner k of triangle t.
     base::Array<std::int64_t> begin(runtime.memory, vertices + 2);
-    for (const std::int32_t vertex : corner) ++begin[vertex + 2];
+    progress.check();
+    for (std::int64_t e = 0; e < corner.size(); ++e) {
+        if (e % at_once == 0) progress.check();
+        ++begin[corner[e] + 2];
+    }
     for (std::int64_t v = 2; v < begin.size(); ++v) begin[v] += begin[v - 1];
-    base::Array<std::int64_t> edge(runtime.memory, corner.size());
-    for (std::int64_t e = 0; e < corner.size(); ++e) edge[begin[corner[e] + 1]++] = e;
-    base::Array<std::int32_t> neighbour(runtime.memory, corner.size());
-    runtime.parallel.for_chunks(corner.size(), 8192, [&](std::int64_t first, std::int64_t end) {
+    base::Array<std::int64_t> edge(runtime.memory);
+    edge.resize_for_overwrite(corner.size());
+    for (std::int64_t e = 0; e < corner.size(); ++e) {
+        if (e % at_once == 0) progress.check();
+        edge[begin[corner[e] + 1]++] = e;
+    }
+    base::Array<std::int32_t> neighbour(runtime.memory);
+    neighbour.resize_for_overwrite(corner.size());
+    runtime.parallel.for_chunks(corner.size(), 8192, progress, [&](std::int64_t first, std::int64_t end) {
         for (std::int64_t e = first; e < end; ++e) {
             const std::int32_t to = corner[next_in_triangle(e)];
             neighbour[e] = -1;

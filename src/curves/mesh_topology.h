@@ -3,6 +3,7 @@
 #pragma once
 
 #include "base/memory.h"
+#include "base/operation.h"
 #include "base/runtime.h"
 
 #include <cstdint>
@@ -11,6 +12,7 @@ namespace hrbfnpr::curves {
 
 // Of oriented triangles, no two of which have an edge in the same direction: see SurfaceMesh.
 [[nodiscard]] base::Array<std::int32_t> find_neighbours(const base::Runtime& runtime,
-                                                        const base::Array<std::int32_t>& corner, std::int64_t vertices);
+                                                        const base::Array<std::int32_t>& corner, std::int64_t vertices,
+                                                        const base::Progress& progress = {});
 
 } // namespace hrbfnpr::curves

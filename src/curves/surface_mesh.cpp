@@ -178,7 +178,7 @@ SurfaceMesh triangulate(const base::Runtime& runtime, const implicit::Implicit& 
         find_edge_roots(runtime, implicit, {cells.position, cells.value, edges.edge}, tolerance * implicit.diagonal(),
                         mesh.position, mesh.gradient, progress.part(0.4, 0.9));
     add_triangles(cells, edges, mesh, progress);
-    mesh.neighbour = find_neighbours(runtime, mesh.corner, mesh.vertices());
+    mesh.neighbour = find_neighbours(runtime, mesh.corner, mesh.vertices(), progress);
     mesh.missed_seeds = count_missed(runtime, on, mesh, progress);
     mesh.turned = count_all(runtime, mesh.triangles(), progress, [&](std::int64_t t) { return is_turned(mesh, t); });
     progress.update(1.0);

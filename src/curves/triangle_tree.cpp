@@ -11,6 +11,7 @@ namespace {
 
 // Of a side: how far the surface may be from a flat triangle.
 constexpr double least_bulge = 0.02;
+constexpr std::int64_t boxes_a_look = 16384;
 
 // An arc over a chord of length h that leaves it at an angle a is h a / 4 away from it: twice that, for arcs that are
 // not circles.
@@ -57,8 +58,11 @@ double distance_to_box(const geometry::Bounds& box, const glm::dvec3& p) noexcep
 TriangleTree::TriangleTree(const base::Runtime& runtime, const SurfaceMesh& mesh, const base::Progress& progress)
     : mesh_(mesh), box_(runtime.memory), bulge_(runtime.memory, mesh.triangles()) {
     while (leaves_ * leaf_size < mesh.triangles()) leaves_ *= 2;
-    box_.resize(2 * leaves_);
-    std::fill(box_.begin(), box_.end(), geometry::Bounds{});
+    box_.resize_for_overwrite(2 * leaves_);
+    for (std::int64_t node = 0; node < 2 * leaves_; ++node) {
+        if (node % boxes_a_look == 0) progress.check();
+        box_[node] = {};
+    }
     const std::int64_t used = (mesh.triangles() + leaf_size - 1) / leaf_size;
     runtime.parallel.for_chunks(used, 1024, [&](std::int64_t begin, std::int64_t end) {
         progress.check();
@@ -71,9 +75,11 @@ TriangleTree::TriangleTree(const base::Runtime& runtime, const SurfaceMesh& mesh
             box.extend(own.max + bulge_[t]);
         }
     });
-    for (std::int64_t node = leaves_ - 1; node > 0; --node)
+    for (std::int64_t node = leaves_ - 1; node > 0; --node) {
+        if (node % boxes_a_look == 0) progress.check();
         box_[node] = {glm::min(box_[2 * node].min, box_[2 * node + 1].min),
                       glm::max(box_[2 * node].max, box_[2 * node + 1].max)};
+    }
 }
 
 bool TriangleTree::any_facing(const glm::dvec3& p, const glm::dvec3& direction, double distance) const noexcept {

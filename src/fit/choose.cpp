@@ -95,8 +95,8 @@ private:
             for (std::int64_t i = 0; i < samples_.position.size(); ++i) centres_.push_back(i);
             return;
         }
-        const geometry::FarthestOrder first = geometry::farthest_order(samples_.position, count, base::Progress());
-        progress_.check();
+        const geometry::FarthestOrder first =
+            geometry::farthest_order(samples_.position, count, progress_.part(0.0, 0.0));
         for (const std::int64_t i : first.order) centres_.push_back(neighbours_ ? typical_[i] : i);
         sort_centres();
     }

@@ -71,8 +71,9 @@ CgOutcome ConjugateGradients::run(const CgState& state, double scale, double tol
     outcome.residual = start;
     double rho = 0.0;
     while (!(outcome.residual <= tolerance) && outcome.iterations < limit) {
-        preconditioner_.apply(r, z_.data());
+        preconditioner_.apply(r, z_.data(), progress);
         polynomials_.take_out(z_.data()); // the factor's floats leave a trace of them
+        progress.check();
         const double rho_next = dot(r, z_.data());
         const double beta = outcome.iterations > 0 ? rho_next / rho : 0.0;
         rho = rho_next;
@@ -81,8 +82,10 @@ CgOutcome ConjugateGradients::run(const CgState& state, double scale, double tol
                 Map(z_.data() + begin, end - begin) + beta * Map(p_.data() + begin, end - begin);
         });
         product_.multiply(p_.data(), ap_.data(), progress);
+        progress.check();
         std::array<double, PolynomialSpace::terms_max> q{};
         polynomials_.explain(ap_.data(), q.data());
+        progress.check();
         const double curvature = dot(p_.data(), ap_.data());
         if (!(curvature > 0.0) || !std::isfinite(rho)) break; // not definite: the caller's fallbacks go on
         const double alpha = rho / curvature;

@@ -10,6 +10,7 @@ namespace hrbfnpr::fit {
 namespace {
 
 constexpr std::int64_t grain = 1024; // samples
+constexpr std::int64_t elements_a_look = 65536;
 constexpr std::int32_t most_iterations = 60;
 
 [[nodiscard]] HermiteSystem::Options options_of(double ridge) noexcept {
@@ -21,7 +22,7 @@ constexpr std::int32_t most_iterations = 60;
 struct HermiteEnergy::Solver {
     Solver(const base::Runtime& runtime, const HermiteSystem& system, Preconditioner& preconditioner,
            const base::Progress& progress)
-        : size(system.rows()), polynomials(runtime, system),
+        : size(system.rows()), polynomials(runtime, system, progress),
           product(runtime, system.positions(), system.options(), 1e-3, progress),
           cg(runtime, product, preconditioner, polynomials, size), w(runtime.memory, size), r(runtime.memory, size),
           history(runtime.memory) {}
@@ -63,9 +64,10 @@ double HermiteEnergy::unload(const geometry::VecArray& normal, const double* z,
     return energy;
 }
 
-double HermiteEnergy::sparse(const geometry::VecArray& normal, geometry::VecArray& beta) {
+double HermiteEnergy::sparse(const geometry::VecArray& normal, geometry::VecArray& beta,
+                             const base::Progress& progress) {
     load(normal);
-    preconditioner_.apply(r_.data(), z_.data());
+    preconditioner_.apply(r_.data(), z_.data(), progress);
     return unload(normal, z_.data(), beta);
 }
 
@@ -86,12 +88,12 @@ double HermiteEnergy::solved(const geometry::VecArray& normal, geometry::VecArra
     return unload(normal, solver.w.data(), beta);
 }
 
-HermiteEnergy::Terms HermiteEnergy::terms(const geometry::VecArray& normal) const {
+HermiteEnergy::Terms HermiteEnergy::terms(const geometry::VecArray& normal, const base::Progress& progress) const {
     const Preconditioner::Blocks blocks = preconditioner_.blocks();
     Terms terms{blocks, base::Array<float>(runtime_.memory),
                 base::Array<double>(runtime_.memory, blocks.coarse_count * blocks.coarse_columns)};
     terms.add.resize_for_overwrite(size() * blocks.set_size * 4);
-    runtime_.parallel.for_chunks(size(), grain, [&](std::int64_t begin, std::int64_t end) {
+    runtime_.parallel.for_chunks(size(), grain, progress, [&](std::int64_t begin, std::int64_t end) {
         for (std::int64_t e = begin * blocks.set_size; e < end * blocks.set_size; ++e) {
             const bool has_term = blocks.set[e - e % blocks.set_size] >= 0;
             const glm::dvec3 n = has_term ? normal[blocks.set[e]] : glm::dvec3(0.0);
@@ -113,7 +115,7 @@ HermiteEnergy::Terms HermiteEnergy::terms(const geometry::VecArray& normal) cons
     return terms;
 }
 
-base::Array<double> HermiteEnergy::stiffness() const {
+base::Array<double> HermiteEnergy::stiffness(const base::Progress& progress) const {
     const Preconditioner::Blocks blocks = preconditioner_.blocks();
     base::Array<double> result(runtime_.memory, size());
     const auto square = [](const auto* f, std::int64_t begin, std::int64_t end) {
@@ -121,8 +123,10 @@ base::Array<double> HermiteEnergy::stiffness() const {
         for (std::int64_t i = begin; i < end; ++i) sum += static_cast<double>(f[i]) * static_cast<double>(f[i]);
         return sum;
     };
-    for (std::int64_t e = 0; e < size() * blocks.set_size; ++e)
+    for (std::int64_t e = 0; e < size() * blocks.set_size; ++e) {
+        if (e % elements_a_look == 0) progress.check();
         if (blocks.set[e - e % blocks.set_size] >= 0) result[blocks.set[e]] += square(blocks.factor + 16 * e, 4, 16);
+    }
     for (std::int64_t k = 0; k < blocks.coarse_count; ++k)
         for (std::int64_t c = 0; c < blocks.coarse_columns; ++c)
             result[blocks.coarse[k]] += square(blocks.coarse_factor + c * 4 * blocks.coarse_count + 4 * k, 1, 4);

@@ -31,7 +31,7 @@ public:
     [[nodiscard]] std::int64_t size() const noexcept { return system_.samples(); }
 
     // By the sparse factor; beta (half the derivative) is written.
-    double sparse(const geometry::VecArray& normal, geometry::VecArray& beta);
+    double sparse(const geometry::VecArray& normal, geometry::VecArray& beta, const base::Progress& progress = {});
     // By conjugate gradients, to this relative residual.
     double solved(const geometry::VecArray& normal, geometry::VecArray& beta, double tolerance,
                   const base::Progress& progress);
@@ -42,9 +42,9 @@ public:
         base::Array<float> add;         // 4 numbers for each element of blocks.set
         base::Array<double> coarse_add; // blocks.coarse_columns for each of the dense block's samples
     };
-    [[nodiscard]] Terms terms(const geometry::VecArray& normal) const;
+    [[nodiscard]] Terms terms(const geometry::VecArray& normal, const base::Progress& progress = {}) const;
     // Second derivatives by one normal, halved: trace of the 3 x 3 block, by the sparse factor.
-    [[nodiscard]] base::Array<double> stiffness() const;
+    [[nodiscard]] base::Array<double> stiffness(const base::Progress& progress = {}) const;
 
 private:
     struct Solver;

@@ -56,7 +56,7 @@ class Iteration {
 public:
     Iteration(const base::Runtime& runtime, const Arranged& arranged, Preconditioner& preconditioner, double tolerance,
               const base::Progress& progress)
-        : size_(arranged.system().rows()), polynomials_(runtime, arranged.system()),
+        : size_(arranged.system().rows()), polynomials_(runtime, arranged.system(), progress),
           product_(runtime, arranged.tree().points(), arranged.system().options(), tolerance, progress),
           cg_(runtime, product_, preconditioner, polynomials_, size_), w_(runtime.memory, size_),
           w_before_(runtime.memory, product_.approximate() ? size_ : 0), r_(runtime.memory, size_),
@@ -67,6 +67,7 @@ public:
         arranged.gather(rhs, h_.data());
         std::copy_n(h_.data(), size_, r_.data());
         polynomials_.explain(r_.data(), c_.data());
+        progress.check();
         scale_ = std::max(norm(rhs, size_), 1e-300);
         solution.residual = norm(r_.data(), size_) / scale_;
         run_until_confirmed(options, solution, progress);
@@ -127,6 +128,7 @@ private:
     // r = h - A w - P c with the c that makes it least.
     void find_residual(const base::Progress& progress) {
         product_.multiply(w_.data(), r_.data(), progress);
+        progress.check();
         for (std::int64_t i = 0; i < size_; ++i) r_[i] = h_[i] - r_[i];
         c_.fill(0.0);
         polynomials_.explain(r_.data(), c_.data());

@@ -16,19 +16,23 @@ using Map = Eigen::Map<Eigen::MatrixXd, 0, Eigen::OuterStride<>>;
 
 } // namespace
 
-PolynomialSpace::PolynomialSpace(const base::Runtime& runtime, const HermiteSystem& system)
+PolynomialSpace::PolynomialSpace(const base::Runtime& runtime, const HermiteSystem& system,
+                                 const base::Progress& progress)
     : runtime_(runtime), rows_(system.rows()), terms_(system.terms()), q_(runtime.memory, rows_ * terms_),
       r_(Small::Identity(terms_, terms_)) {
     if (terms_ == 0) return;
     system.constraints(q_.data());
     for (std::int64_t k = 0; k < terms_; ++k) {
+        progress.check();
         Eigen::Map<Eigen::VectorXd> column(q_.data() + k * rows_, rows_);
         const double norm = column.norm();
         if (norm > 0.0) column /= norm;
         r_(k, k) = norm;
     }
-    orthonormalise();
-    orthonormalise();
+    for (int pass = 0; pass < 2; ++pass) {
+        progress.check();
+        orthonormalise();
+    }
 }
 
 void PolynomialSpace::orthonormalise() {

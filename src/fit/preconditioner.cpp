@@ -19,6 +19,7 @@ namespace {
 }
 
 constexpr std::int64_t grain = 256; // samples
+constexpr std::int64_t samples_a_look = 4096;
 
 // Functionals of `at` less their Taylor expansions about sample 0: Z^T with Z's first rows for sample 0.
 [[nodiscard]] Eigen::MatrixXd beside_linear(const geometry::PointTree& tree, const base::Array<std::int64_t>& at) {
@@ -47,7 +48,7 @@ Preconditioner::Preconditioner(const base::Runtime& runtime, const HermiteSystem
     for (std::int64_t at = 0; at < samples_; ++at)
         if (rank[at] < coarse_.size()) coarse_[rank[at]] = at;
     find_sets(tree, rank, progress.part(0.0, 0.3));
-    index_uses();
+    index_uses(progress);
     factor_coarse(system, tree);
     factor_sets(system, tree, progress.part(0.3, 1.0));
 }
@@ -125,17 +126,20 @@ void Preconditioner::factor_coarse(const HermiteSystem& system, const geometry::
 }
 
 // A sample's uses: the elements of all sets that are this sample, in ascending order.
-void Preconditioner::index_uses() {
+void Preconditioner::index_uses(const base::Progress& progress) {
     use_begin_.resize(samples_ + 1);
     for (std::int64_t at = 0; at < samples_; ++at) {
+        if (at % samples_a_look == 0) progress.check();
         if (set_[at * set_size_] < 0) continue;
         for (std::int32_t k = 0; k < set_size_; ++k) ++use_begin_[set_[at * set_size_ + k] + 1];
     }
     for (std::int64_t at = 0; at < samples_; ++at) use_begin_[at + 1] += use_begin_[at];
+    progress.check();
     use_.resize(use_begin_[samples_]);
     base::Array<std::int64_t> next(runtime_.memory, samples_);
     std::copy_n(use_begin_.begin(), samples_, next.begin());
     for (std::int64_t at = 0; at < samples_; ++at) {
+        if (at % samples_a_look == 0) progress.check();
         if (set_[at * set_size_] < 0) continue;
         for (std::int32_t k = 0; k < set_size_; ++k) {
             const std::int64_t element = at * set_size_ + k;
@@ -144,13 +148,13 @@ void Preconditioner::index_uses() {
     }
 }
 
-void Preconditioner::apply(const double* r, double* z) {
+void Preconditioner::apply(const double* r, double* z, const base::Progress& progress) {
     const SparseBlocks blocks = sparse_blocks(runtime_.instruction_set);
     const SparseFactor factor{set_size_, set_.data(), factor_.data(), use_begin_.data(), use_.data()};
-    runtime_.parallel.for_chunks(samples_, 4 * grain, [&](std::int64_t begin, std::int64_t end) {
+    runtime_.parallel.for_chunks(samples_, 4 * grain, progress, [&](std::int64_t begin, std::int64_t end) {
         blocks.multiply_transposed(factor, begin, end, r, t_.data());
     });
-    runtime_.parallel.for_chunks(samples_, 4 * grain, [&](std::int64_t begin, std::int64_t end) {
+    runtime_.parallel.for_chunks(samples_, 4 * grain, progress, [&](std::int64_t begin, std::int64_t end) {
         blocks.multiply(factor, begin, end, t_.data(), z);
     });
     apply_coarse(r, z);

@@ -20,7 +20,7 @@ public:
                    const base::Array<std::int64_t>& rank, std::int32_t neighbours, const base::Progress& progress);
 
     // z = L L^T r
-    void apply(const double* r, double* z);
+    void apply(const double* r, double* z, const base::Progress& progress = {});
 
     // The factor itself: column block i has set_size blocks of 4 x 4, row-major, rows set[i * set_size + k]; -1 first:
     // none, since the sample is one of the dense block's.
@@ -49,7 +49,7 @@ private:
                    const base::Progress& progress);
     void factor_sets(const HermiteSystem& system, const geometry::PointTree& tree, const base::Progress& progress);
     void factor_coarse(const HermiteSystem& system, const geometry::PointTree& tree);
-    void index_uses();
+    void index_uses(const base::Progress& progress);
     void apply_coarse(const double* r, double* z) const;
 
     const base::Runtime& runtime_;

@@ -82,7 +82,7 @@ private:
 
     void cover(const geometry::VecArray& samples, const base::Progress& progress);
     void ask(const base::Progress& progress);
-    void collect(std::int64_t from, base::Array<std::int64_t>& front);
+    void collect(std::int64_t from, base::Array<std::int64_t>& front, const base::Progress& progress);
     void look_at(std::int64_t cell, Part& part) const noexcept;
     void judge(Part& part) const noexcept;
     [[nodiscard]] glm::dvec3 place(std::int64_t cell) const noexcept;
@@ -159,7 +159,7 @@ void Search::judge(Part& part) const noexcept {
     part.left_out = part.to_end || (sure && part.farthest > share * settings_.hole * diagonal_);
 }
 
-void Search::collect(std::int64_t from, base::Array<std::int64_t>& front) {
+void Search::collect(std::int64_t from, base::Array<std::int64_t>& front, const base::Progress& progress) {
     const auto number = static_cast<std::int32_t>(found_.size());
     Part part;
     front.clear();
@@ -169,10 +169,12 @@ void Search::collect(std::int64_t from, base::Array<std::int64_t>& front) {
         look_at(cell, part);
     };
     take(from);
-    for (std::int64_t next = 0; next < front.size(); ++next)
+    for (std::int64_t next = 0; next < front.size(); ++next) {
+        if (next % 256 == 0) progress.check();
         for_neighbours(front[next], [&](const CellGrid::Cell&, std::int32_t there) {
             if (there >= 0 && part_[there] == unknown) take(there);
         });
+    }
     judge(part);
     found_.push_back(part);
 }
@@ -182,7 +184,7 @@ void Search::run(const geometry::VecArray& samples, const base::Progress& progre
     ask(progress);
     base::Array<std::int64_t> front(runtime_.memory);
     for (std::int64_t i = 0; i < cells_.cell.size(); ++i)
-        if (part_[i] == unknown) collect(i, front);
+        if (part_[i] == unknown) collect(i, front, progress);
     for (const Part& part : found_) {
         if (!part.left_out) continue;
         ++report.parts;

@@ -45,7 +45,7 @@ private:
     };
 
     [[nodiscard]] Range whole() const noexcept { return {0, 0, tree_.size()}; }
-    Bounds build(const Range& range);
+    Bounds build(const Range& range, const base::Progress& progress);
     void come_nearer(const Range& range, const glm::dvec3& p) noexcept;
     void scan(const Range& leaf) noexcept;
     void take_farther_child(Node& node, const Range& range) noexcept;
@@ -65,16 +65,17 @@ FarthestTree::FarthestTree(const VecArray& points, const base::Progress& progres
     for (std::int64_t longest = points.size(); longest > leaf_size; longest = (longest + 1) / 2) nodes = 2 * nodes + 1;
     nodes_.resize(nodes);
     std::fill(squared_distance_.begin(), squared_distance_.end(), HUGE_VAL);
-    build(whole());
+    build(whole(), progress);
 }
 
-Bounds FarthestTree::build(const Range& range) {
+Bounds FarthestTree::build(const Range& range, const base::Progress& progress) {
+    if (range.end - range.begin > 16384) progress.check();
     Bounds box;
     if (range.leaf()) {
         for (std::int64_t at = range.begin; at < range.end; ++at) box.extend(tree_.points()[at]);
     } else {
-        box = build(range.low());
-        const Bounds other = build(range.high());
+        box = build(range.low(), progress);
+        const Bounds other = build(range.high(), progress);
         box.extend(other.min);
         box.extend(other.max);
     }
@@ -149,6 +150,7 @@ FarthestOrder farthest_order(const VecArray& points, std::int64_t count, const b
     FarthestTree tree(points, progress);
     for (std::int64_t k = 0; k < picks; ++k) {
         if (k % 256 == 0) progress.update(static_cast<double>(k) / static_cast<double>(picks));
+        progress.check(); // the first picks look at all points
         const std::int64_t at = k == 0 ? tree.nearest_to_centre() : tree.farthest();
         result.order[k] = tree.index(at);
         result.distance[k] = k == 0 ? HUGE_VAL : std::sqrt(tree.squared_distance());

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "geometry/octree.h"
 
+#include "base/sort.h"
 #include "geometry/cell_grid.h"
 #include "geometry/morton.h"
 
@@ -9,6 +10,8 @@
 
 namespace hrbfnpr::geometry {
 namespace {
+
+constexpr std::int64_t at_once = 16384; // without a look for a cancel
 
 struct Keyed {
     std::uint64_t key;
@@ -24,7 +27,8 @@ struct Keyed {
 // Walks pairs of cubes of one level from the root downwards.
 class Pairs {
 public:
-    Pairs(const Octree& tree, OctreeInteractions& lists) noexcept : tree_(tree), lists_(lists) {}
+    Pairs(const Octree& tree, OctreeInteractions& lists, const base::Progress& progress) noexcept
+        : tree_(tree), lists_(lists), progress_(progress) {}
 
     // First how many each node has, then which.
     void count() { walk(0, 0, true); }
@@ -32,6 +36,7 @@ public:
 
 private:
     void walk(std::int64_t target, std::int64_t source, bool counting) {
+        if (walked_++ % at_once == 0) progress_.check();
         const Octree::Node& t = tree_.nodes()[target];
         const Octree::Node& s = tree_.nodes()[source];
         if (!touching(t, s)) return add(lists_.far_begin, lists_.far, target, source, counting);
@@ -51,6 +56,8 @@ private:
 
     const Octree& tree_;
     OctreeInteractions& lists_;
+    const base::Progress& progress_;
+    std::int64_t walked_ = 0;
 };
 
 void add_up(base::Array<std::int64_t>& begin, base::Array<std::int64_t>& list) {
@@ -69,7 +76,7 @@ Octree::Octree(const VecArray& points, std::int64_t leaf_size, double margin, co
     const double largest = std::max({size.x, size.y, size.z});
     width_ = largest > 0.0 ? (1.0000001 + margin) * largest : 1.0;
     corner_ = points.empty() ? glm::dvec3(0.0) : bounds.centre() - glm::dvec3(0.5 * width_);
-    sort(points);
+    sort(points, progress);
     divide(leaf_size, progress);
 }
 
@@ -78,19 +85,23 @@ glm::dvec3 Octree::centre(const Node& node) const noexcept {
     return corner_ + half * glm::dvec3(2 * node.cell[0] + 1, 2 * node.cell[1] + 1, 2 * node.cell[2] + 1);
 }
 
-void Octree::sort(const VecArray& points) {
+void Octree::sort(const VecArray& points, const base::Progress& progress) {
     constexpr double cells = 1 << deepest_level;
     constexpr auto last = static_cast<std::int64_t>(cells) - 1;
     base::Array<Keyed> keyed(points.memory(), points.size());
     for (std::int64_t i = 0; i < points.size(); ++i) {
+        if (i % at_once == 0) progress.check();
         const glm::dvec3 place = (points[i] - corner_) * (cells / width_);
         std::array<std::int64_t, 3> cell;
         for (std::size_t c = 0; c < 3; ++c) cell[c] = whole(place[static_cast<glm::length_t>(c)], last);
         keyed[i] = {morton_code(cell), i};
     }
-    std::sort(keyed.begin(), keyed.end(),
-              [](const Keyed& a, const Keyed& b) { return a.key < b.key || (a.key == b.key && a.index < b.index); });
+    base::sort_long(
+        keyed.begin(), keyed.end(),
+        [](const Keyed& a, const Keyed& b) { return a.key < b.key || (a.key == b.key && a.index < b.index); },
+        progress);
     for (std::int64_t at = 0; at < keyed.size(); ++at) {
+        if (at % at_once == 0) progress.check();
         key_[at] = keyed[at].key;
         index_[at] = keyed[at].index;
         points_.set(at, points[keyed[at].index]);
@@ -136,11 +147,11 @@ void Octree::divide_node(std::int64_t node) {
     }
 }
 
-OctreeInteractions octree_interactions(const Octree& tree) {
+OctreeInteractions octree_interactions(const Octree& tree, const base::Progress& progress) {
     OctreeInteractions lists(tree.points().memory());
     lists.far_begin.resize(tree.nodes().size() + 2);
     lists.near_begin.resize(tree.nodes().size() + 2);
-    Pairs pairs(tree, lists);
+    Pairs pairs(tree, lists, progress);
     pairs.count();
     add_up(lists.far_begin, lists.far);
     add_up(lists.near_begin, lists.near);

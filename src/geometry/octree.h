@@ -53,7 +53,7 @@ public:
     }
 
 private:
-    void sort(const VecArray& points);
+    void sort(const VecArray& points, const base::Progress& progress);
     void divide(std::int64_t leaf_size, const base::Progress& progress);
     void divide_node(std::int64_t node);
 
@@ -79,6 +79,6 @@ struct OctreeInteractions {
     base::Array<std::int64_t> near;
 };
 
-[[nodiscard]] OctreeInteractions octree_interactions(const Octree& tree);
+[[nodiscard]] OctreeInteractions octree_interactions(const Octree& tree, const base::Progress& progress = {});
 
 } // namespace hrbfnpr::geometry

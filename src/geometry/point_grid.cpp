@@ -1,13 +1,21 @@
 // SPDX-License-Identifier: MIT
 #include "geometry/point_grid.h"
 
+#include "base/long_array.h"
+
 #include <bit>
 
 namespace hrbfnpr::geometry {
+namespace {
 
-PointGrid::PointGrid(const VecArray& points, double radius)
-    : radius_(radius), begin_(points.memory()), index_(points.memory(), points.size()),
-      cell_(points.memory(), points.size()) {
+constexpr std::int64_t at_once = 16384; // points without a look for a cancel
+
+} // namespace
+
+PointGrid::PointGrid(const VecArray& points, double radius, const base::Progress& progress)
+    : radius_(radius), begin_(points.memory()), index_(points.memory()), cell_(points.memory()) {
+    index_.resize_for_overwrite(points.size());
+    cell_.resize_for_overwrite(points.size());
     Bounds box;
     for (std::int64_t i = 0; i < points.size(); ++i) box.extend(points[i]);
     if (points.empty()) box = {glm::dvec3(0.0), glm::dvec3(0.0)};
@@ -15,16 +23,21 @@ PointGrid::PointGrid(const VecArray& points, double radius)
     grid_ = {box.min, std::max(2.0 * radius, 1e-6 * box.diagonal())};
     const auto buckets =
         static_cast<std::int64_t>(std::bit_ceil(static_cast<std::uint64_t>(std::max<std::int64_t>(points.size(), 1))));
-    begin_.resize(buckets + 1);
+    base::resize_long(begin_, buckets + 1, progress);
     const auto cell_of = [&](std::int64_t i) { return CellGrid::pack(grid_.cell_of(points[i])); };
     // Sorting by counting, which keeps the order of the points of a bucket.
     for (std::int64_t i = 0; i < points.size(); ++i) {
+        if (i % at_once == 0) progress.check();
         ++begin_[bucket(cell_of(i)) + 1];
     }
+    progress.check();
     for (std::int64_t b = 0; b < buckets; ++b) begin_[b + 1] += begin_[b];
-    base::Array<std::int64_t> next(points.memory(), buckets);
+    progress.check();
+    base::Array<std::int64_t> next(points.memory());
+    next.resize_for_overwrite(buckets);
     for (std::int64_t b = 0; b < buckets; ++b) next[b] = begin_[b];
     for (std::int64_t i = 0; i < points.size(); ++i) {
+        if (i % at_once == 0) progress.check();
         const std::uint64_t cell = cell_of(i);
         const std::int64_t at = next[bucket(cell)]++;
         index_[at] = i;

@@ -2,6 +2,7 @@
 // Points sorted into the cells of a grid: for many small balls of one radius, where a tree is slow.
 #pragma once
 
+#include "base/operation.h"
 #include "geometry/cell_grid.h"
 #include "geometry/vec_array.h"
 
@@ -10,7 +11,7 @@ namespace hrbfnpr::geometry {
 class PointGrid {
 public:
     // radius: of the balls that will be asked for.
-    PointGrid(const VecArray& points, double radius);
+    PointGrid(const VecArray& points, double radius, const base::Progress& progress = {});
 
     [[nodiscard]] std::int64_t size() const noexcept { return index_.size(); }
     // Which of the given points stands at place `at` of the grid's order.

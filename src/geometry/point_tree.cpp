@@ -7,6 +7,8 @@
 namespace hrbfnpr::geometry {
 namespace {
 
+constexpr std::int64_t at_once = 65536; // points without a look for a cancel
+
 const base::Array<double>& axis_of(const VecArray& points, int axis) noexcept {
     return axis == 0 ? points.x : axis == 1 ? points.y : points.z;
 }
@@ -26,20 +28,24 @@ PointTree::PointTree(const VecArray& points, const base::Progress& progress)
     std::int64_t nodes = 1;
     for (std::int64_t longest = count; longest > leaf_size; longest = (longest + 1) / 2) nodes = 2 * nodes + 1;
     bounds_.resize(nodes);
+    progress.check();
     for (std::int64_t i = 0; i < count; ++i) index_[i] = i;
     build(points, {0, 0, count}, progress);
     for (std::int64_t at = 0; at < count; ++at) {
-        if (at % 65536 == 0) progress.check();
+        if (at % at_once == 0) progress.check();
         points_.set(at, points[index_[at]]);
     }
 }
 
 void PointTree::build(const VecArray& points, const Range& range, const base::Progress& progress) {
-    if (range.end - range.begin > 4096) progress.check();
     Bounds box;
-    for (std::int64_t at = range.begin; at < range.end; ++at) box.extend(points[index_[at]]);
+    for (std::int64_t at = range.begin; at < range.end; ++at) {
+        if ((at - range.begin) % at_once == at_once - 1) progress.check();
+        box.extend(points[index_[at]]);
+    }
     bounds_[range.node] = box;
     if (range.leaf()) return;
+    if (range.end - range.begin > 4096) progress.check();
     const base::Array<double>& coordinate = axis_of(points, longest_axis(box));
     // Ties are broken by index, so that the halves are the same with any standard library.
     std::nth_element(index_.begin() + range.begin, index_.begin() + range.middle(), index_.begin() + range.end,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "hatching/even_lines.h"
 
+#include "base/long_array.h"
 #include "geometry/point_grid.h"
 #include "hatching/line_walk.h"
 
@@ -109,7 +110,7 @@ private:
 
 void Evener::sample(const StripeLines& lines) {
     for (std::int64_t l = 0; l < lines.count(); ++l) {
-        if (l % lines_a_task == 0) progress_.check();
+        progress_.check();
         const LineWalk walk(lines, l);
         if (!(walk.length() >= shortest * separation_)) continue;
         const auto steps = static_cast<std::int64_t>(std::round(walk.length() / (step * separation_)));
@@ -124,8 +125,10 @@ void Evener::sample(const StripeLines& lines) {
         });
         line_.push_back(line);
     }
+    progress_.check();
     across_.resize(position_.size());
-    neighbour_.resize(2 * position_.size());
+    progress_.check();
+    base::resize_long(neighbour_, 2 * position_.size(), progress_);
     move_.resize(position_.size());
     wanted_.resize(position_.size());
     for_lines([&](const Line& line) { smooth(line); });
@@ -158,7 +161,7 @@ void Evener::set_across(const Line& line) {
 
 void Evener::find_neighbours() {
     for_lines([&](const Line& line) { set_across(line); });
-    const geometry::PointGrid grid(position_, (reach + step) * separation_);
+    const geometry::PointGrid grid(position_, (reach + step) * separation_, progress_);
     for_lines([&](const Line& line) {
         for (std::int64_t i = line.begin; i < line.end; ++i) {
             if ((i - line.begin) % points_a_check == 0) progress_.check();
@@ -277,6 +280,7 @@ bool Evener::is_crowded(std::int64_t i) const noexcept {
 // One line after the other: what has been cut off crowds no other line.
 void Evener::cut_ends() {
     for (Line& line : line_) {
+        progress_.check();
         if (line.closed) continue;
         while (line.begin < line.end && is_crowded(line.begin)) ++line.begin;
         while (line.begin < line.end && is_crowded(line.end - 1)) --line.end;
@@ -287,6 +291,7 @@ void Evener::cut_ends() {
 StripeLines Evener::result() const {
     StripeLines lines(runtime_.memory);
     for (const Line& line : line_) {
+        progress_.check();
         if (line.begin == line.end) continue;
         for (std::int64_t i = line.begin; i < line.end; ++i) {
             lines.position.push_back(position_[i]);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "hatching/join_lines.h"
 
+#include "base/sort.h"
 #include "geometry/point_grid.h"
 
 #include <algorithm>
@@ -51,7 +52,7 @@ private:
 
     [[nodiscard]] bool faces(std::int64_t a, std::int64_t b, double reach) const noexcept;
     void add(std::int64_t line, bool reversed, StripeLines& result) const;
-    void follow(std::int64_t from, StripeLines& result);
+    void follow(std::int64_t from, StripeLines& result, const base::Progress& progress);
 
     base::Memory& memory_;
     const StripeLines& lines_;
@@ -69,7 +70,7 @@ bool Joiner::faces(std::int64_t a, std::int64_t b, double reach) const noexcept 
 
 // The nearest first.
 void Joiner::find(double reach, const base::Progress& progress) {
-    const geometry::PointGrid grid(place_, reach);
+    const geometry::PointGrid grid(place_, reach, progress);
     base::Array<Pair> pairs(memory_);
     for (std::int64_t a = 0; a < place_.size(); ++a) {
         if (a % ends_a_check == 0) progress.check();
@@ -80,10 +81,13 @@ void Joiner::find(double reach, const base::Progress& progress) {
             pairs.push_back({glm::distance(place_[a], place_[b]), a, b});
         });
     }
-    std::sort(pairs.begin(), pairs.end(), [](const Pair& x, const Pair& y) {
-        if (x.distance != y.distance) return x.distance < y.distance;
-        return x.a != y.a ? x.a < y.a : x.b < y.b;
-    });
+    base::sort_long(
+        pairs.begin(), pairs.end(),
+        [](const Pair& x, const Pair& y) {
+            if (x.distance != y.distance) return x.distance < y.distance;
+            return x.a != y.a ? x.a < y.a : x.b < y.b;
+        },
+        progress);
     for (const Pair& pair : pairs) {
         if (partner_[pair.a] >= 0 || partner_[pair.b] >= 0) continue;
         partner_[pair.a] = pair.b;
@@ -111,10 +115,11 @@ void Joiner::add(std::int64_t line, bool reversed, StripeLines& result) const {
 }
 
 // From this end into its line, and on.
-void Joiner::follow(std::int64_t from, StripeLines& result) {
+void Joiner::follow(std::int64_t from, StripeLines& result, const base::Progress& progress) {
     std::int64_t entry = from;
     bool closed = lines_.closed[from / 2] != 0;
     while (true) {
+        progress.check();
         taken_[entry / 2] = 1;
         add(entry / 2, entry % 2 != 0, result);
         const std::int64_t next = partner_[entry ^ 1];
@@ -132,7 +137,7 @@ StripeLines Joiner::join(const base::Progress& progress) {
         for (std::int64_t end = 0; end < place_.size(); ++end) {
             if (end % ends_a_check == 0) progress.check();
             if (taken_[end / 2] == 0 && (!free || (partner_[end] < 0 && lines_.closed[end / 2] == 0)))
-                follow(end, result);
+                follow(end, result, progress);
         }
     return result;
 }

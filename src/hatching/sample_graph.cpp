@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "hatching/sample_graph.h"
 
+#include "base/sort.h"
 #include "geometry/neighbours.h"
 #include "geometry/tangent_frame.h"
 #include "surface/creased.h"
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 namespace hrbfnpr::hatching {
 namespace {
@@ -72,7 +74,8 @@ SampleGraph::SampleGraph(const base::Runtime& runtime, geometry::VecArray positi
             pairs.push_back({j, i});
         }
     }
-    std::sort(pairs.begin(), pairs.end());
+    base::sort_long(pairs.begin(), pairs.end(), std::less<>(), progress); // equal ones are the same
+    progress.check();
     pairs.resize(std::unique(pairs.begin(), pairs.end()) - pairs.begin());
     for (const Pair& pair : pairs) {
         if (link.size() % pairs_a_check == 0) progress.check();

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "hatching/stripe_lines.h"
 
+#include "base/long_array.h"
+
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -15,6 +17,7 @@ constexpr double least_agreement = 0.12;
 // A piece of a line runs along the field, within an angle of this cosine: others turn back beside a fork.
 constexpr double least_cosine = 0.55;
 constexpr std::int64_t triangles_a_task = 4096;
+constexpr std::int64_t at_once = 262144; // numbers without a look for a cancel
 
 double wrapped(double angle) noexcept { return angle - tau * std::round(angle / tau); }
 
@@ -31,8 +34,7 @@ public:
     Stripes(const base::Runtime& runtime, const curves::SurfaceMesh& mesh, const StripeVertices& vertices,
             double period, int halvings)
         : runtime_(runtime), mesh_(mesh), vertices_(vertices), period_(period), parts_(std::int64_t{1} << halvings),
-          halvings_(halvings), first_(runtime.memory, 3 * mesh.triangles() + 1), crossing_(runtime.memory),
-          link_(runtime.memory) {}
+          halvings_(halvings), first_(runtime.memory), crossing_(runtime.memory), link_(runtime.memory) {}
 
     void cross_edges(const base::Progress& progress);
     void link_triangles(const base::Progress& progress);
@@ -73,7 +75,8 @@ private:
             glm::mix(glm::normalize(mesh_.gradient[c.a]), glm::normalize(mesh_.gradient[c.b]), c.share);
         return glm::normalize(sum);
     }
-    void add_line(std::int64_t from, base::Array<std::uint8_t>& taken, StripeLines& lines) const;
+    void add_line(std::int64_t from, base::Array<std::uint8_t>& taken, StripeLines& lines,
+                  const base::Progress& progress) const;
 
     const base::Runtime& runtime_;
     const curves::SurfaceMesh& mesh_;
@@ -123,17 +126,23 @@ void Stripes::visit_crossings(std::int64_t edge, Visit&& visit) const {
 
 void Stripes::cross_edges(const base::Progress& progress) {
     const std::int64_t edges = 3 * mesh_.triangles();
+    base::resize_long(first_, edges + 1, progress);
     runtime_.parallel.for_chunks(edges, triangles_a_task, [&](std::int64_t begin, std::int64_t end) {
         progress.check();
         for (std::int64_t edge = begin; edge < end; ++edge)
             if (owns(edge)) visit_crossings(edge, [&](const Crossing&) { ++first_[edge + 1]; });
     });
     progress.check();
-    for (std::int64_t edge = 0; edge < edges; ++edge) first_[edge + 1] += first_[edge];
-    crossing_.resize(first_[edges]);
-    progress.check();
-    link_.resize(2 * first_[edges]);
-    std::fill(link_.begin(), link_.end(), -1);
+    for (std::int64_t edge = 0; edge < edges; ++edge) {
+        if (edge % at_once == 0) progress.check();
+        first_[edge + 1] += first_[edge];
+    }
+    crossing_.resize_for_overwrite(first_[edges]);
+    base::resize_long(link_, 2 * first_[edges], progress);
+    for (std::int64_t at = 0; at < link_.size(); ++at) {
+        if (at % at_once == 0) progress.check();
+        link_[at] = -1;
+    }
     runtime_.parallel.for_chunks(edges, triangles_a_task, [&](std::int64_t begin, std::int64_t end) {
         progress.check();
         for (std::int64_t edge = begin; edge < end; ++edge) {
@@ -201,11 +210,13 @@ void Stripes::link_triangles(const base::Progress& progress) {
     });
 }
 
-void Stripes::add_line(std::int64_t from, base::Array<std::uint8_t>& taken, StripeLines& lines) const {
+void Stripes::add_line(std::int64_t from, base::Array<std::uint8_t>& taken, StripeLines& lines,
+                       const base::Progress& progress) const {
     std::int64_t last = -1;
     std::int64_t at = from;
     bool closed = false;
     for (std::int64_t count = 0;; ++count) {
+        if (count % triangles_a_task == 0) progress.check();
         taken[at] = 1;
         lines.position.push_back(place(crossing_[at]));
         lines.normal.push_back(normal(crossing_[at]));
@@ -229,7 +240,7 @@ StripeLines Stripes::walk(const base::Progress& progress) const {
             if (c % triangles_a_task == 0) progress.check();
             const bool is_end = link_[2 * c] < 0 || link_[2 * c + 1] < 0;
             const bool alone = link_[2 * c] < 0 && link_[2 * c + 1] < 0;
-            if (taken[c] == 0 && !alone && (is_end || !ends)) add_line(c, taken, lines);
+            if (taken[c] == 0 && !alone && (is_end || !ends)) add_line(c, taken, lines, progress);
         }
     return lines;
 }

@@ -111,7 +111,7 @@ StripeVertices::StripeVertices(const base::Runtime& runtime, const LineSamples& 
     : position(mesh.position), across(runtime.memory, mesh.vertices()), along(runtime.memory, mesh.vertices()),
       wave(runtime.memory) {
     for (std::int64_t level = 0; level < waves.levels(); ++level) wave.add(runtime.memory, mesh.vertices());
-    const geometry::PointGrid grid(samples.graph.position, influence * samples.graph.spacing);
+    const geometry::PointGrid grid(samples.graph.position, influence * samples.graph.spacing, progress);
     runtime.parallel.for_chunks(mesh.vertices(), vertices_a_task, [&](std::int64_t begin, std::int64_t end) {
         progress.check();
         Interpolator interpolator(samples, waves, sheets, grid, runtime.memory);

@@ -10,6 +10,8 @@
 namespace hrbfnpr::implicit {
 namespace {
 
+constexpr std::int64_t columns_a_look = 64; // columns of a matrix, or rows
+
 using Chebyshev = std::array<double, CubeBasis::degree_max + 1>;
 
 void chebyshev(int degree, double x, Chebyshev& t) noexcept {
@@ -30,11 +32,12 @@ void chebyshev(int degree, double x, Chebyshev& t) noexcept {
 
 // U(points), column-major with columns of `stride` rows; the rows from the points' number on are 0.
 [[nodiscard]] base::Array<double> vandermonde(const geometry::VecArray& points, std::int64_t count, int degree,
-                                              std::int64_t stride) {
+                                              std::int64_t stride, const base::Progress& progress) {
     const std::int64_t columns = CubeBasis::terms(degree);
     base::Array<double> matrix(points.memory(), stride * columns);
     base::Array<double> terms(points.memory(), columns);
     for (std::int64_t i = 0; i < count; ++i) {
+        if (i % columns_a_look == 0) progress.check();
         CubeBasis::evaluate(degree, points[i], terms.data());
         for (std::int64_t k = 0; k < columns; ++k) matrix[k * stride + i] = terms[k];
     }
@@ -148,10 +151,11 @@ public:
         : loops_(loops), factor_(factor), x_(x), stride_(stride), rows_(rows), in_(memory, factor.size * cube_batch),
           nobody_(memory, rows) {}
 
-    void run() noexcept {
+    void run(const base::Progress& progress) {
         const std::int64_t n = factor_.size;
         const std::int64_t last = (n - 1) / cube_batch * cube_batch;
         for (std::int64_t begin = 0; begin < n; begin += cube_batch) { // X U^-1, from the left
+            progress.check();
             const std::int64_t end = std::min<std::int64_t>(n, begin + cube_batch);
             take_in(0, begin, begin, end);
             for (std::int64_t j = begin; j < end; ++j) {
@@ -161,6 +165,7 @@ public:
             }
         }
         for (std::int64_t begin = last; begin >= 0; begin -= cube_batch) { // times L^-1, from the right
+            progress.check();
             const std::int64_t end = std::min<std::int64_t>(n, begin + cube_batch);
             take_in(end, n, begin, end);
             for (std::int64_t j = end - 1; j >= begin; --j)
@@ -206,13 +211,13 @@ CubeBasis::CubeBasis(const base::Runtime& runtime, int degree, const base::Progr
     : degree_(degree), nodes_(runtime.memory, stride()), to_coefficients_(runtime.memory), transposed_(runtime.memory) {
     const geometry::VecArray grid = lobatto_grid(runtime.memory, std::max(degree_, 1));
     const std::int64_t rows = padded(static_cast<int>(grid.size()));
-    base::Array<double> matrix = triharmonic_values(grid, grid.size(), degree_, rows);
+    base::Array<double> matrix = triharmonic_values(grid, grid.size(), degree_, rows, progress);
     Elimination elimination(runtime, matrix.data(), grid.size(), rows, size());
     const base::Array<std::int64_t>& row = elimination.run(progress);
     for (std::int64_t k = 0; k < size(); ++k) nodes_.set(k, grid[row[k]]);
     progress.check();
     invert(runtime, matrix.data(), rows, progress);
-    transpose();
+    transpose(progress);
 }
 
 void CubeBasis::evaluate(int degree, const glm::dvec3& p, double* terms) noexcept {
@@ -227,30 +232,32 @@ void CubeBasis::evaluate(int degree, const glm::dvec3& p, double* terms) noexcep
 // Coefficients of the basis times (L U)^-1.
 void CubeBasis::invert(const base::Runtime& runtime, const double* factor, std::int64_t factor_stride,
                        const base::Progress& progress) {
-    to_coefficients_ = triharmonic_coefficients(runtime.memory, degree_, term_stride());
+    to_coefficients_ = triharmonic_coefficients(runtime.memory, degree_, term_stride(), progress);
     // Rows by themselves, several vectors of them at a time.
     runtime.parallel.for_chunks(term_stride(), rows_at_a_time, [&](std::int64_t begin, std::int64_t end) {
         progress.check();
         RightSolve(runtime.memory, cube_loops(runtime.instruction_set), {factor, factor_stride, size()},
                    to_coefficients_.data() + begin, term_stride(), static_cast<int>(end - begin))
-            .run();
+            .run(progress);
     });
 }
 
-void CubeBasis::transpose() {
+void CubeBasis::transpose(const base::Progress& progress) {
     transposed_.resize(std::int64_t{terms()} * stride());
-    for (std::int64_t j = 0; j < size(); ++j)
+    for (std::int64_t j = 0; j < size(); ++j) {
+        if (j % columns_a_look == 0) progress.check();
         for (std::int64_t k = 0; k < terms(); ++k)
             transposed_[k * stride() + j] = to_coefficients_[j * term_stride() + k];
+    }
 }
 
-base::Array<double> CubeBasis::interpolation(const base::Runtime& runtime, const geometry::VecArray& points,
-                                             int count) const {
+base::Array<double> CubeBasis::interpolation(const base::Runtime& runtime, const geometry::VecArray& points, int count,
+                                             const base::Progress& progress) const {
     const int n = size();
     const int rows = padded(count);
-    const base::Array<double> values = vandermonde(points, count, degree_, rows);
+    const base::Array<double> values = vandermonde(points, count, degree_, rows, progress);
     base::Array<double> result(runtime.memory, std::int64_t{rows} * n);
-    runtime.parallel.for_chunks(n, cube_batch, [&](std::int64_t begin, std::int64_t end) {
+    runtime.parallel.for_chunks(n, cube_batch, progress, [&](std::int64_t begin, std::int64_t end) {
         base::Array<double> in(runtime.memory, std::int64_t{terms()} * cube_batch);
         for (std::int64_t v = 0; begin + v < end; ++v)
             for (std::int64_t k = 0; k < terms(); ++k)

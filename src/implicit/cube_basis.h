@@ -50,12 +50,12 @@ public:
     // The matrix that takes values at this basis' nodes to values at `count` points, column-major with columns of
     // padded(count).
     [[nodiscard]] base::Array<double> interpolation(const base::Runtime& runtime, const geometry::VecArray& points,
-                                                    int count) const;
+                                                    int count, const base::Progress& progress = {}) const;
 
 private:
     void invert(const base::Runtime& runtime, const double* factor, std::int64_t factor_stride,
                 const base::Progress& progress);
-    void transpose();
+    void transpose(const base::Progress& progress);
 
     int degree_;
     geometry::VecArray nodes_;

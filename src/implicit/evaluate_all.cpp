@@ -53,18 +53,20 @@ private:
 } // namespace
 
 base::Array<std::int32_t> order_by_cell(const base::Runtime& runtime, const Implicit& implicit,
-                                        const geometry::VecArray& points) {
+                                        const geometry::VecArray& points, const base::Progress& progress) {
     base::Array<std::int32_t> order(runtime.memory);
     const std::int64_t cells = implicit.cells();
     if (cells == 0 || points.size() > std::numeric_limits<std::int32_t>::max()) return order;
     base::Array<std::int32_t> cell(runtime.memory, points.size());
-    runtime.parallel.for_chunks(points.size(), 4096, [&](std::int64_t begin, std::int64_t end) {
+    runtime.parallel.for_chunks(points.size(), 4096, progress, [&](std::int64_t begin, std::int64_t end) {
         for (std::int64_t i = begin; i < end; ++i) cell[i] = implicit.cell_of(points[i]);
     });
     base::Array<std::int32_t> next(runtime.memory, cells + 1);
     for (const std::int32_t c : cell) ++next[c + 1];
+    progress.check();
     for (std::int64_t c = 0; c < cells; ++c) next[c + 1] += next[c];
     order.resize(points.size());
+    progress.check();
     for (std::int64_t i = 0; i < points.size(); ++i) order[next[cell[i]]++] = static_cast<std::int32_t>(i);
     return order;
 }
@@ -72,7 +74,7 @@ base::Array<std::int32_t> order_by_cell(const base::Runtime& runtime, const Impl
 void evaluate_all(const base::Runtime& runtime, const Implicit& implicit, const geometry::VecArray& points,
                   const FieldBatch& fields, const base::Progress& progress) {
     const std::int64_t count = points.size();
-    const base::Array<std::int32_t> order = order_by_cell(runtime, implicit, points);
+    const base::Array<std::int32_t> order = order_by_cell(runtime, implicit, points, progress);
     std::atomic<std::int64_t> done{0};
     implicit.threads(runtime.parallel).for_chunks(count, batch_size, [&](std::int64_t begin, std::int64_t end) {
         progress.check();

@@ -11,7 +11,8 @@ namespace hrbfnpr::implicit {
 
 // Which of the points comes first, second, ...: cell by cell.  Empty: in their own order, as there are no cells.
 [[nodiscard]] base::Array<std::int32_t> order_by_cell(const base::Runtime& runtime, const Implicit& implicit,
-                                                      const geometry::VecArray& points);
+                                                      const geometry::VecArray& points,
+                                                      const base::Progress& progress = {});
 
 // Fields are as long as there are points.
 void evaluate_all(const base::Runtime& runtime, const Implicit& implicit, const geometry::VecArray& points,

@@ -21,7 +21,7 @@ constexpr std::int64_t translate_tasks = 16;
 FarField::FarField(const base::Runtime& runtime, const geometry::VecArray& centres, const SourceTreeOptions& options,
                    const base::Progress& progress)
     : runtime_(runtime), sources_(runtime, centres, options, progress), tree_(sources_.tree()),
-      lists_(geometry::octree_interactions(tree_)), pairs_(runtime.memory), group_begin_(runtime.memory),
+      lists_(geometry::octree_interactions(tree_, progress)), pairs_(runtime.memory), group_begin_(runtime.memory),
       incoming_(runtime.memory, sources_.vectors_size()), value_(runtime.memory, centres.size()),
       gradient_(runtime.memory, centres.size()), leaves_(runtime.memory) {
     for (std::int64_t node = 0; node < tree_.nodes().size(); ++node)
@@ -97,7 +97,7 @@ void FarField::translate(std::int32_t level, std::int64_t first_group, const bas
         const std::span<const SourceTree::Pair> pairs(pairs_.data() + group_begin_[group],
                                                       pairs_.data() + group_begin_[group + 1]);
         sources_.translate(level, pairs, static_cast<int>(part * (rows / 8) / parts * 8),
-                           static_cast<int>((part + 1) * (rows / 8) / parts * 8), first_incoming(level));
+                           static_cast<int>((part + 1) * (rows / 8) / parts * 8), first_incoming(level), progress);
     });
 }
 
@@ -114,6 +114,7 @@ void FarField::pass_down(std::int32_t level, const base::Progress& progress) {
         for (int octant = 0; octant < 8; ++octant) {
             const auto flush = [&] {
                 if (batch.empty()) return;
+                progress.check();
                 loops.multiply(sources_.to_child(level, octant).data(), child_basis.stride(), child_basis.stride(),
                                basis.size(), batch.in(), batch.out(nobody.data()), batch.count());
                 batch.clear();
@@ -132,8 +133,10 @@ void FarField::pass_down(std::int32_t level, const base::Progress& progress) {
 
 void FarField::evaluate_leaves(const base::Progress& progress) {
     runtime_.parallel.for_chunks(leaves_.size(), 4, [&](std::int64_t begin, std::int64_t end) {
-        progress.check();
-        for (std::int64_t k = begin; k < end; ++k) evaluate_leaf(leaves_[k]);
+        for (std::int64_t k = begin; k < end; ++k) {
+            progress.check();
+            evaluate_leaf(leaves_[k]);
+        }
     });
 }
 

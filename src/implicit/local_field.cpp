@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "implicit/local_field.h"
 
+#include "base/long_array.h"
+
 #include "implicit/cube_loops.h"
 #include "implicit/cube_vectors.h"
 
@@ -62,16 +64,18 @@ public:
         for (std::int32_t level = 0; begin_ < field_.cells_.size(); ++level) {
             progress.check();
             end_ = field_.cells_.size();
-            classify();
+            classify(progress);
             if (SourceTree::has_expansions(level)) {
                 const int stride = field_.sources_.basis(level).stride();
                 incoming_.clear();
-                incoming_.resize((end_ - begin_) * stride + CubeBasis::padded(CubeBasis::terms(CubeBasis::degree_max)));
+                base::resize_long(incoming_,
+                                  (end_ - begin_) * stride + CubeBasis::padded(CubeBasis::terms(CubeBasis::degree_max)),
+                                  progress);
                 if (SourceTree::has_expansions(level - 1)) pass_down(level, progress);
                 translate(level, progress);
                 act_directly(level, progress);
             }
-            divide(level);
+            divide(level, progress);
             if (SourceTree::has_expansions(level)) keep_terms(level, progress);
             above_ = begin_;
             begin_ = end_;
@@ -99,9 +103,9 @@ private:
         return node.leaf() || static_cast<double>(node.count()) < few ? direct : translated;
     }
 
-    void classify() {
+    void classify(const base::Progress& progress) {
         kind_.resize(candidates_.size());
-        runtime_.parallel.for_chunks(end_ - begin_, 256, [&](std::int64_t first, std::int64_t last) {
+        runtime_.parallel.for_chunks(end_ - begin_, 256, progress, [&](std::int64_t first, std::int64_t last) {
             for (std::int64_t k = first; k < last; ++k)
                 for (std::int64_t i = candidate_begin_[k]; i < candidate_begin_[k + 1]; ++i)
                     kind_[i] = kind_of(field_.cells_[begin_ + k], tree_.nodes()[candidates_[i]]);
@@ -118,6 +122,7 @@ private:
             for (int octant = 0; octant < 8; ++octant) {
                 const auto flush = [&] {
                     if (batch.empty()) return;
+                    progress.check();
                     loops_.multiply(field_.sources_.to_child(level - 1, octant).data(), basis.stride(), basis.stride(),
                                     above.size(), batch.in(), batch.out(nobody.data()), batch.count());
                     batch.clear();
@@ -154,13 +159,15 @@ private:
     void translate(std::int32_t level, const base::Progress& progress) {
         const std::int64_t rows = field_.sources_.basis(level).stride();
         for (std::int64_t first = 0; first < end_ - begin_; first += translate_cells) {
+            progress.check();
             const base::Array<SourceTree::Pair> pairs =
                 pairs_of(first, std::min(end_ - begin_, first + translate_cells));
             const std::int64_t parts = std::min(translate_tasks, rows / 8);
             runtime_.parallel.for_each(parts, [&](std::int64_t part) {
                 progress.check();
                 field_.sources_.translate(level, pairs.span(), static_cast<int>(part * (rows / 8) / parts * 8),
-                                          static_cast<int>((part + 1) * (rows / 8) / parts * 8), incoming_.data());
+                                          static_cast<int>((part + 1) * (rows / 8) / parts * 8), incoming_.data(),
+                                          progress);
             });
         }
     }
@@ -171,9 +178,9 @@ private:
         const double half = tree_.half_width(level);
         const AddTriharmonicValues add = triharmonic_values_of(runtime_.instruction_set);
         runtime_.parallel.for_chunks(end_ - begin_, chunk, [&](std::int64_t first, std::int64_t last) {
-            progress.check();
             geometry::VecArray place(runtime_.memory, basis.size());
             for (std::int64_t k = first; k < last; ++k) {
+                progress.check();
                 const glm::dvec3 centre = field_.centre(field_.cells_[begin_ + k]);
                 for (std::int64_t i = 0; i < basis.size(); ++i) place.set(i, centre + half * basis.nodes()[i]);
                 for (std::int64_t i = candidate_begin_[k]; i < candidate_begin_[k + 1]; ++i) {
@@ -187,11 +194,12 @@ private:
     }
 
     // Gives cells children, with what is near them as candidates; and, where they serve themselves, what is near.
-    void divide(std::int32_t level) {
+    void divide(std::int32_t level, const base::Progress& progress) {
         base::Array<std::int64_t> next_begin(runtime_.memory);
         base::Array<std::int64_t> next(runtime_.memory);
         next_begin.push_back(0);
         for (std::int64_t k = 0; k < end_ - begin_; ++k) {
+            if (k % chunk == 0) progress.check();
             if (level + 1 < tree_.levels() && near_centres(k) > most_near(tree_.points().size()))
                 add_children(k, next_begin, next);
             if (field_.cells_[begin_ + k].serves()) keep_near(k);
@@ -282,7 +290,7 @@ private:
             field_.cells_[cell].terms = size;
             size += basis.term_stride();
         }
-        field_.terms_.resize(size);
+        base::resize_long(field_.terms_, size, progress);
         runtime_.parallel.for_chunks(end_ - begin_, 64, [&](std::int64_t first, std::int64_t last) {
             progress.check();
             base::Array<double> nobody(runtime_.memory, basis.term_stride());
@@ -292,6 +300,7 @@ private:
                 if (terms >= 0)
                     batch.add(incoming_.data() + k * basis.stride(), basis.size(), field_.terms_.data() + terms);
                 if (batch.empty() || (!batch.full() && k + 1 < last)) continue;
+                progress.check();
                 loops_.multiply(basis.to_coefficients().data(), basis.term_stride(), basis.term_stride(), basis.size(),
                                 batch.in(), batch.out(nobody.data()), batch.count());
                 batch.clear();

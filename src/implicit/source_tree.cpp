@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "implicit/source_tree.h"
 
+#include "base/long_array.h"
+
 #include "implicit/cube_loops.h"
 #include "implicit/cube_vectors.h"
 
@@ -44,7 +46,7 @@ SourceTree::SourceTree(const base::Runtime& runtime, const geometry::VecArray& c
     }
     for (std::int32_t level = 2; level + 1 < tree_.levels(); ++level)
         levels_[static_cast<std::size_t>(level)].transfers = find_transfers(level, progress);
-    outgoing_.resize(size + CubeBasis::padded(CubeBasis::terms(CubeBasis::degree_max)));
+    base::resize_long(outgoing_, size + CubeBasis::padded(CubeBasis::terms(CubeBasis::degree_max)), progress);
 }
 
 // The error of a pair of cubes is about (half width)^3 2.9^-degree, relative to their weights.
@@ -94,7 +96,7 @@ std::shared_ptr<SourceTree::Transfers> SourceTree::find_transfers(std::int32_t l
     auto transfers = std::make_shared<Transfers>();
     for (int octant = 0; octant < 8; ++octant) {
         progress.check();
-        transfers->to_child.push_back(here.interpolation(runtime_, in_parent(child, octant), child.size()));
+        transfers->to_child.push_back(here.interpolation(runtime_, in_parent(child, octant), child.size(), progress));
         transfers->transposed.push_back(transposed(transfers->to_child.back(), child.size(), here.size()));
     }
     return transfers;
@@ -106,8 +108,9 @@ void SourceTree::load(const double* alpha, const geometry::VecArray& beta, const
         alpha_[at] = alpha[tree_.index(at)];
         beta_.set(at, beta[tree_.index(at)]);
     }
-    progress.check();
-    std::fill(outgoing_.begin(), outgoing_.end(), 0.0);
+    const std::int64_t size = outgoing_.size();
+    outgoing_.clear();
+    base::resize_long(outgoing_, size, progress); // zeros
     for (std::int32_t level = tree_.levels() - 1; level >= 2; --level) gather_moments(level, progress);
 }
 
@@ -130,6 +133,7 @@ void SourceTree::gather_moments(std::int32_t level, const base::Progress& progre
         CubeVectors batch(runtime_.memory, basis.terms());
         const auto flush = [&] {
             if (batch.empty()) return;
+            progress.check();
             loops.multiply(basis.to_coefficients_transposed().data(), basis.stride(), basis.stride(), basis.terms(),
                            batch.in(), batch.out(nobody.data()), batch.count());
             batch.clear();
@@ -153,11 +157,12 @@ void SourceTree::gather_moments(std::int32_t level, const base::Progress& progre
             if (batch.full()) flush();
         }
         flush();
-        add_children(first + begin, first + end, level);
+        add_children(first + begin, first + end, level, progress);
     });
 }
 
-void SourceTree::add_children(std::int64_t begin, std::int64_t end, std::int32_t level) {
+void SourceTree::add_children(std::int64_t begin, std::int64_t end, std::int32_t level,
+                              const base::Progress& progress) {
     if (level + 1 == tree_.levels()) return;
     const CubeBasis& here = basis(level);
     const CubeBasis& child_basis = basis(level + 1);
@@ -167,6 +172,7 @@ void SourceTree::add_children(std::int64_t begin, std::int64_t end, std::int32_t
     for (int octant = 0; octant < 8; ++octant) {
         const auto flush = [&] {
             if (batch.empty()) return;
+            progress.check();
             loops.multiply(at(level).transfers->transposed[static_cast<std::size_t>(octant)].data(), here.stride(),
                            here.stride(), child_basis.size(), batch.in(), batch.out(nobody.data()), batch.count());
             batch.clear();
@@ -184,7 +190,7 @@ void SourceTree::add_children(std::int64_t begin, std::int64_t end, std::int32_t
 
 // Pairs of cubes at the same offset share the elements |x_i - x_k + offset|^3, which are made on the fly.
 void SourceTree::translate(std::int32_t level, std::span<const Pair> pairs, int first_row, int last_row,
-                           double* incoming) const {
+                           double* incoming, const base::Progress& progress) const {
     const CubeBasis& basis = *at(level).basis;
     const CubeLoops loops = cube_loops(runtime_.instruction_set);
     const double half = tree_.half_width(level);
@@ -195,6 +201,7 @@ void SourceTree::translate(std::int32_t level, std::span<const Pair> pairs, int 
         const Pair& pair = pairs[k];
         batch.add(outgoing(pair.source, level), basis.size(), incoming + std::int64_t{pair.target} * basis.stride());
         if (!batch.full() && k + 1 < pairs.size() && pairs[k + 1].direction == pair.direction) continue;
+        progress.check();
         const std::array<std::int32_t, 3> by = offset(pair.direction);
         const double shift[3] = {2.0 * by[0], 2.0 * by[1], 2.0 * by[2]};
         loops.translate(nodes, first_row, last_row, basis.size(), shift, half * half * half, batch.in(),

@@ -67,8 +67,8 @@ public:
     }
     // Adds to nodes [first_row, last_row) of the targets, multiples of 8; target t's vector is t basis strides after
     // `incoming`.  Pairs of one direction that stand together share the work.
-    void translate(std::int32_t level, std::span<const Pair> pairs, int first_row, int last_row,
-                   double* incoming) const;
+    void translate(std::int32_t level, std::span<const Pair> pairs, int first_row, int last_row, double* incoming,
+                   const base::Progress& progress) const;
 
     // Gives back what only translate(), to_child() and the basis' matrices need.
     void forget_expansions() noexcept;
@@ -95,7 +95,7 @@ private:
     [[nodiscard]] std::shared_ptr<CubeBasis> find_basis(int degree, const base::Progress& progress) const;
     [[nodiscard]] std::shared_ptr<Transfers> find_transfers(std::int32_t level, const base::Progress& progress) const;
     void gather_moments(std::int32_t level, const base::Progress& progress);
-    void add_children(std::int64_t begin, std::int64_t end, std::int32_t level);
+    void add_children(std::int64_t begin, std::int64_t end, std::int32_t level, const base::Progress& progress);
     [[nodiscard]] std::int64_t place(std::int64_t node, std::int32_t level) const noexcept {
         return at(level).begin + (node - tree_.level_begin(level)) * at(level).basis->stride();
     }

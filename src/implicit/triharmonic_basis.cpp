@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "implicit/triharmonic_basis.h"
 
+#include "base/long_array.h"
+
 #include <algorithm>
 #include <array>
 #include <utility>
@@ -86,19 +88,21 @@ template <class Columns>
 class Recurrence {
 public:
     Recurrence(const Columns& columns, int degree, std::int64_t stride)
-        : columns_(columns), degree_(degree), stride_(stride),
-          result_(columns.memory(), stride * triharmonic_size(degree)), spare_(columns.memory(), columns.size()) {}
+        : columns_(columns), degree_(degree), stride_(stride), result_(columns.memory()),
+          spare_(columns.memory(), columns.size()) {}
 
-    [[nodiscard]] base::Array<double> run() {
+    [[nodiscard]] base::Array<double> run(const base::Progress& progress) {
+        base::resize_long(result_, stride_ * triharmonic_size(degree_), progress);
         columns_.set_one(harmonic(0, 0));
         for (int m = 0; m <= degree_; ++m) {
+            progress.check();
             for (int side = 0; side < (m > 0 ? 2 : 1); ++side) climb(m, side);
             if (m < degree_) turn(m);
         }
-        for (int l = 0; l <= degree_; ++l)
-            for (int number = 0; number <= 2 * l; ++number) {
-                add_radial(l, number);
-            }
+        for (int l = 0; l <= degree_; ++l) {
+            progress.check();
+            for (int number = 0; number <= 2 * l; ++number) add_radial(l, number);
+        }
         return std::move(result_);
     }
 
@@ -164,14 +168,15 @@ private:
 } // namespace
 
 base::Array<double> triharmonic_values(const geometry::VecArray& points, std::int64_t count, int degree,
-                                       std::int64_t stride) {
+                                       std::int64_t stride, const base::Progress& progress) {
     const Values values(points, count);
-    return Recurrence(values, degree, stride).run();
+    return Recurrence(values, degree, stride).run(progress);
 }
 
-base::Array<double> triharmonic_coefficients(base::Memory& memory, int degree, std::int64_t stride) {
+base::Array<double> triharmonic_coefficients(base::Memory& memory, int degree, std::int64_t stride,
+                                             const base::Progress& progress) {
     const Coefficients coefficients(memory, degree);
-    return Recurrence(coefficients, degree, stride).run();
+    return Recurrence(coefficients, degree, stride).run(progress);
 }
 
 } // namespace hrbfnpr::implicit

@@ -7,6 +7,7 @@
 #pragma once
 
 #include "base/memory.h"
+#include "base/operation.h"
 #include "geometry/vec_array.h"
 
 namespace hrbfnpr::implicit {
@@ -20,9 +21,10 @@ namespace hrbfnpr::implicit {
 
 // Values at the first `count` points: a column of `stride` numbers for each of them, in ascending order of degrees.
 [[nodiscard]] base::Array<double> triharmonic_values(const geometry::VecArray& points, std::int64_t count, int degree,
-                                                     std::int64_t stride);
+                                                     std::int64_t stride, const base::Progress& progress = {});
 
 // Coefficients of the terms of CubeBasis, in columns alike.
-[[nodiscard]] base::Array<double> triharmonic_coefficients(base::Memory& memory, int degree, std::int64_t stride);
+[[nodiscard]] base::Array<double> triharmonic_coefficients(base::Memory& memory, int degree, std::int64_t stride,
+                                                           const base::Progress& progress = {});
 
 } // namespace hrbfnpr::implicit

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "marks/assemble.h"
 
+#include "base/long_array.h"
 #include "base/random.h"
 #include "geometry/tangent_frame.h"
 #include "marks/spacing.h"
@@ -18,11 +19,12 @@ void store(base::Array<float>& array, std::int64_t i, const glm::dvec3& v) noexc
     array[3 * i + 2] = static_cast<float>(v.z);
 }
 
-void resize(Layer& layer, std::int64_t count, bool with_curvature, bool with_width) {
-    layer.position.resize(3 * count);
-    layer.normal.resize(3 * count);
-    layer.direction.resize(3 * count);
-    if (with_curvature) layer.curvature.resize(3 * count);
+void resize(Layer& layer, std::int64_t count, bool with_curvature, bool with_width, const base::Progress& progress) {
+    base::resize_long(layer.position, 3 * count, progress);
+    base::resize_long(layer.normal, 3 * count, progress);
+    base::resize_long(layer.direction, 3 * count, progress);
+    if (with_curvature) base::resize_long(layer.curvature, 3 * count, progress);
+    progress.check();
     layer.rank.resize(count);
     layer.level.resize(count);
     layer.stroke.resize(2 * count);
@@ -56,7 +58,7 @@ float random_rank(std::uint64_t random_seed, std::uint64_t key, Kind kind) noexc
 void assemble(const Site& site, const Marks& marks, const AssembleSettings& settings, const glm::dvec3& origin,
               Layer& result, const base::Progress& progress) {
     const std::int64_t count = marks.count();
-    resize(result, count, settings.with_curvature, !marks.width.empty());
+    resize(result, count, settings.with_curvature, !marks.width.empty(), progress);
     for (std::int64_t i = 0; i < count; ++i) {
         if (i % 16384 == 0) progress.check();
         const glm::dvec3 n = marks.normal[i];
@@ -78,7 +80,7 @@ void assemble(const Site& site, const Marks& marks, const AssembleSettings& sett
                 result.curvature[3 * i + static_cast<std::int64_t>(k)] = marks.curvature[i][k];
     }
     if (settings.with_curvature && marks.curvature.empty()) compute_curvature(site, marks, result.curvature, progress);
-    if (settings.strokes) index_strokes(result);
+    if (settings.strokes) index_strokes(result, progress);
     progress.update(1.0);
 }
 

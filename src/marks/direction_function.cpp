@@ -27,6 +27,7 @@ void directions_at(const Site& site, const DirectionFunction& field, const geome
                    const geometry::VecArray& normals, geometry::VecArray& directions, const base::Progress& progress) {
     const std::int64_t all = positions.size();
     directions.resize(all);
+    progress.check();
     base::Array<double> packed(site.memory(), 9 * std::min(all, call_size));
     for (std::int64_t begin = 0; begin < all; begin += call_size) {
         progress.update(static_cast<double>(begin) / static_cast<double>(all));

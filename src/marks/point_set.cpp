@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "marks/point_set.h"
 
+#include "base/sort.h"
+
 #include <algorithm>
 #include <cstring>
 
@@ -52,7 +54,7 @@ std::int64_t PointSet::largest() const noexcept {
     return most;
 }
 
-void index_strokes(Layer& layer) {
+void index_strokes(Layer& layer, const base::Progress& progress) {
     const std::int64_t count = layer.count();
     const auto before = [&](std::int64_t a, std::int64_t b) {
         const std::uint32_t* const s = layer.stroke.data() + 2 * a;
@@ -66,10 +68,11 @@ void index_strokes(Layer& layer) {
     if (!ordered) {
         layer.stroke_order.resize_for_overwrite(count);
         for (std::int64_t i = 0; i < count; ++i) layer.stroke_order[i] = static_cast<std::uint32_t>(i);
-        std::sort(layer.stroke_order.begin(), layer.stroke_order.end(), before);
+        base::sort_long(layer.stroke_order.begin(), layer.stroke_order.end(), before, progress);
     }
     if (count == 0) return;
     layer.stroke_first.push_back(0);
+    progress.check();
     for (std::int64_t place = 1; place < count; ++place)
         if (layer.stroke[2 * layer.mark_of(place)] != layer.stroke[2 * layer.mark_of(place - 1)])
             layer.stroke_first.push_back(static_cast<std::uint32_t>(place));

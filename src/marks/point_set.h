@@ -3,6 +3,7 @@
 #pragma once
 
 #include "base/list.h"
+#include "base/operation.h"
 #include "geometry/vec.h"
 #include "marks/mark_clusters.h"
 
@@ -118,6 +119,6 @@ struct PointSet {
 };
 
 // Fills stroke_first and stroke_order from `stroke`: the strokes in the order of their numbers.
-void index_strokes(Layer& layer);
+void index_strokes(Layer& layer, const base::Progress& progress = {});
 
 } // namespace hrbfnpr::marks

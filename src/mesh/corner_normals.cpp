@@ -20,16 +20,19 @@ constexpr double radians = 0.017453292519943295;
 
 // Corners (3 face + k) by vertex: those of vertex v are index[first[v]] .. index[first[v + 1] - 1].
 struct Corners {
-    explicit Corners(const Mesh& mesh)
+    Corners(const Mesh& mesh, const base::Progress& progress)
         : first(mesh.vertex.memory(), mesh.vertex.size() + 1), index(mesh.vertex.memory(), 3 * mesh.faces()) {
         for (const Triangle& t : mesh.triangle)
             for (const std::int32_t v : t) ++first[v + 1];
         for (std::int64_t v = 0; v < mesh.vertex.size(); ++v) first[v + 1] += first[v];
+        progress.check();
         base::Array<std::int64_t> next(mesh.vertex.memory());
         for (const std::int64_t at : first) next.push_back(at);
-        for (std::int64_t face = 0; face < mesh.faces(); ++face)
+        for (std::int64_t face = 0; face < mesh.faces(); ++face) {
+            if (face % grain == 0) progress.check();
             for (std::size_t k = 0; k < 3; ++k)
                 index[next[mesh.triangle[face][k]]++] = 3 * face + static_cast<std::int64_t>(k);
+        }
     }
     base::Array<std::int64_t> first, index;
 };
@@ -37,7 +40,7 @@ struct Corners {
 } // namespace
 
 void set_corner_normals(const base::Runtime& runtime, double crease_angle, Mesh& mesh, const base::Progress& progress) {
-    const Corners corners(mesh);
+    const Corners corners(mesh, progress);
     base::Array<glm::dvec3> normal(runtime.memory);   // of faces
     base::Array<glm::dvec3> weighted(runtime.memory); // the same, times the angle, for each corner
     normal.resize_for_overwrite(mesh.faces());

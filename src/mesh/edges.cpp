@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "mesh/edges.h"
 
+#include "base/sort.h"
+
 #include <algorithm>
 
 namespace hrbfnpr::mesh {
 namespace {
 
 constexpr std::int64_t run = 1 << 16; // sides that are sorted at a time
+constexpr std::int64_t faces_a_look = 16384;
 
 [[nodiscard]] bool before(const Side& a, const Side& b) noexcept {
     return a.edge < b.edge || (a.edge == b.edge && a.face < b.face);
@@ -17,10 +20,9 @@ void merge_runs(const base::Runtime& runtime, base::Array<Side>& sides, const ba
     other.resize_for_overwrite(sides.size());
     for (std::int64_t width = run; width < sides.size(); width *= 2) {
         runtime.parallel.for_chunks(sides.size(), 2 * width, [&](std::int64_t begin, std::int64_t end) {
-            progress.check();
             const std::int64_t middle = std::min(begin + width, end);
-            std::merge(sides.begin() + begin, sides.begin() + middle, sides.begin() + middle, sides.begin() + end,
-                       other.begin() + begin, before);
+            base::merge_long(sides.begin() + begin, sides.begin() + middle, sides.begin() + middle, sides.begin() + end,
+                             other.begin() + begin, before, progress);
         });
         std::swap(sides, other);
     }
@@ -32,7 +34,7 @@ base::Array<Side> sides_by_edge(const base::Runtime& runtime, const base::Array<
                                 const base::Progress& progress) {
     base::Array<Side> sides(runtime.memory);
     sides.resize_for_overwrite(3 * triangle.size());
-    runtime.parallel.for_chunks(triangle.size(), run / 3, [&](std::int64_t begin, std::int64_t end) {
+    runtime.parallel.for_chunks(triangle.size(), run / 3, progress, [&](std::int64_t begin, std::int64_t end) {
         for (std::int64_t face = begin; face < end; ++face)
             for (std::size_t k = 0; k < 3; ++k) {
                 const auto a = static_cast<std::uint64_t>(triangle[face][k]);
@@ -50,10 +52,11 @@ base::Array<Side> sides_by_edge(const base::Runtime& runtime, const base::Array<
 }
 
 base::Array<std::int32_t> components_of(const base::Array<Triangle>& triangle, std::int64_t vertices,
-                                        std::int64_t& count) {
+                                        std::int64_t& count, const base::Progress& progress) {
     base::Memory& memory = triangle.memory();
     Sets sets(memory, vertices);
     for (std::int64_t face = 0; face < triangle.size(); ++face) {
+        if (face % faces_a_look == 0) progress.check();
         const Triangle& t = triangle[face];
         sets.join(t[0], t[1]);
         sets.join(t[0], t[2]);
@@ -62,6 +65,7 @@ base::Array<std::int32_t> components_of(const base::Array<Triangle>& triangle, s
     base::Array<std::int32_t> component(memory, triangle.size());
     count = 0;
     for (std::int64_t face = 0; face < triangle.size(); ++face) {
+        if (face % faces_a_look == 0) progress.check();
         std::int32_t& of = number[sets.of(triangle[face][0])];
         if (of == 0) of = static_cast<std::int32_t>(++count);
         component[face] = of - 1;

@@ -42,8 +42,11 @@ struct Side {
 
 // Calls visit(first side, behind the last) for each edge.
 template <class Visit>
-void for_edges(const base::Array<Side>& sides, Visit&& visit) {
+void for_edges(const base::Array<Side>& sides, const base::Progress& progress, Visit&& visit) {
+    constexpr std::int64_t edges_a_look = 16384;
+    std::int64_t edges = 0;
     for (const Side* first = sides.begin(); first != sides.end();) {
+        if (edges++ % edges_a_look == 0) progress.check();
         const Side* last = first + 1;
         while (last != sides.end() && last->edge == first->edge) ++last;
         visit(first, last);
@@ -51,8 +54,13 @@ void for_edges(const base::Array<Side>& sides, Visit&& visit) {
     }
 }
 
+template <class Visit>
+void for_edges(const base::Array<Side>& sides, Visit&& visit) {
+    for_edges(sides, base::Progress(), std::forward<Visit>(visit));
+}
+
 // Of each face, from 0, in the order of their first faces: what hangs together by shared vertices.
 [[nodiscard]] base::Array<std::int32_t> components_of(const base::Array<Triangle>& triangle, std::int64_t vertices,
-                                                      std::int64_t& count);
+                                                      std::int64_t& count, const base::Progress& progress = {});
 
 } // namespace hrbfnpr::mesh

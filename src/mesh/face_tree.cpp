@@ -71,7 +71,7 @@ FaceTree::FaceTree(const base::Runtime& runtime, const base::Array<glm::dvec3>& 
         const Triangle& t = triangle[face_[at]];
         corners_[at] = {vertex[t[0]], vertex[t[1]], vertex[t[2]]};
     }
-    bound({0, 0, count});
+    bound({0, 0, count}, progress);
 }
 
 // Halves a range along its longest side; of equals, by number.
@@ -87,14 +87,15 @@ void FaceTree::split(const base::Array<glm::dvec3>& middle, const Range& range) 
                      });
 }
 
-void FaceTree::bound(const Range& range) noexcept {
+void FaceTree::bound(const Range& range, const base::Progress& progress) {
+    if (range.end - range.begin > 4096) progress.check();
     geometry::Bounds box;
     if (range.leaf()) {
         for (std::int64_t at = range.begin; at < range.end; ++at)
             for (const glm::dvec3& corner : corners_[at]) box.extend(corner);
     } else {
-        bound(range.low());
-        bound(range.high());
+        bound(range.low(), progress);
+        bound(range.high(), progress);
         const geometry::Bounds& low = box_[range.low().node];
         const geometry::Bounds& high = box_[range.high().node];
         box = {glm::min(low.min, high.min), glm::max(low.max, high.max)};

@@ -61,7 +61,7 @@ private:
     [[nodiscard]] static bool meets(const geometry::Bounds& box, const glm::dvec3& origin, const glm::dvec3& inverse,
                                     double t_min, double t_max) noexcept;
     void split(const base::Array<glm::dvec3>& middle, const Range& range);
-    void bound(const Range& range) noexcept;
+    void bound(const Range& range, const base::Progress& progress);
     [[nodiscard]] double squared_distance_to_box(const glm::dvec3& p, std::int64_t node) const noexcept {
         const geometry::Bounds& box = box_[node];
         const glm::dvec3 outside = glm::max(glm::max(box.min - p, p - box.max), glm::dvec3(0.0));

@@ -15,6 +15,7 @@ namespace hrbfnpr::mesh {
 namespace {
 
 constexpr double smallest_mesh = 1e-60; // across
+constexpr std::int64_t at_once = 16384; // faces or vertices without a look for a cancel
 
 // Closed components that are inside out are turned; with all parts kept, not those inside others: they are cavities.
 void turn_components(const MeshInput& input, const base::Array<std::int32_t>& component,
@@ -40,7 +41,7 @@ void turn_components(const MeshInput& input, const base::Array<std::int32_t>& co
 }
 
 void keep(const Welded& welded, const base::Array<std::int32_t>& component, const base::Array<std::uint8_t>& kept,
-          Mesh& mesh) {
+          Mesh& mesh, const base::Progress& progress) {
     base::Memory& memory = welded.vertex.memory();
     base::Array<std::int32_t> name(memory, kept.size()); // of what is kept, and 1
     std::int32_t names = 0;
@@ -51,12 +52,14 @@ void keep(const Welded& welded, const base::Array<std::int32_t>& component, cons
         if (kept[component[face]] != 0)
             for (const std::int32_t corner : welded.triangle[face]) number[corner] = 1;
     for (std::int64_t v = 0; v < welded.vertex.size(); ++v) {
+        if (v % at_once == 0) progress.check();
         if (number[v] == 0) continue;
         mesh.vertex.push_back(welded.vertex[v]);
         mesh.bounds.extend(welded.vertex[v]);
         number[v] = static_cast<std::int32_t>(mesh.vertex.size());
     }
     for (std::int64_t face = 0; face < welded.triangle.size(); ++face) {
+        if (face % at_once == 0) progress.check();
         if (kept[component[face]] == 0) {
             ++mesh.report.left_out_faces;
             continue;
@@ -69,15 +72,15 @@ void keep(const Welded& welded, const base::Array<std::int32_t>& component, cons
 }
 
 // Counts edges of what is kept.
-void measure_edges(const base::Runtime& runtime, Mesh& mesh) {
+void measure_edges(const base::Runtime& runtime, Mesh& mesh, const base::Progress& progress) {
     MeshReport& report = mesh.report;
     mesh.border.resize(mesh.faces());
-    const base::Array<Side> sides = sides_by_edge(runtime, mesh.triangle);
+    const base::Array<Side> sides = sides_by_edge(runtime, mesh.triangle, progress);
     Sets rims(runtime.memory, mesh.vertex.size());
     std::int64_t edges = 0;
     std::int64_t joined = 0; // vertices of borders that are in a rim with another
     base::Array<std::uint8_t> at_border(runtime.memory, mesh.vertex.size());
-    for_edges(sides, [&](const Side* first, const Side* last) {
+    for_edges(sides, progress, [&](const Side* first, const Side* last) {
         report.nonmanifold_edges += last - first > 2 ? 1 : 0;
         ++edges;
         report.contrary_edges += last - first == 2 && first[0].forward == first[1].forward ? 1 : 0;
@@ -107,12 +110,13 @@ void measure_edges(const base::Runtime& runtime, Mesh& mesh) {
     report.euler_characteristic = mesh.vertex.size() - edges + mesh.faces();
 }
 
-void measure(const base::Runtime& runtime, Mesh& mesh) {
+void measure(const base::Runtime& runtime, Mesh& mesh, const base::Progress& progress) {
     MeshReport& report = mesh.report;
-    measure_edges(runtime, mesh);
+    measure_edges(runtime, mesh, progress);
     double volume = 0.0;
     const glm::dvec3 middle = mesh.bounds.centre();
     for (std::int64_t face = 0; face < mesh.faces(); ++face) {
+        if (face % at_once == 0) progress.check();
         const auto p = mesh.corners(face);
         report.area += 0.5 * glm::length(doubled_area(p));
         volume += glm::dot(p[0] - middle, doubled_area(p)) / 6.0;
@@ -152,17 +156,18 @@ Mesh make_mesh(const base::Runtime& runtime, const MeshInput& input, const base:
     check_extent(welded);
     progress.update(0.3);
     if (input.faces == Faces::turn) report.turned_faces = agree(runtime, welded.vertex, welded.triangle, progress);
-    const base::Array<std::int32_t> component = components_of(welded.triangle, welded.vertex.size(), report.components);
+    const base::Array<std::int32_t> component =
+        components_of(welded.triangle, welded.vertex.size(), report.components, progress);
     base::Array<Component> measured =
-        measure_components(runtime, welded.vertex, welded.triangle, component, report.components);
+        measure_components(runtime, welded.vertex, welded.triangle, component, report.components, progress);
     progress.update(0.6);
     find_nested(runtime, welded.vertex, welded.triangle, component, measured, progress);
     turn_components(input, component, measured, welded, report);
     for (const Component& each : measured) report.nested_components += each.nested ? 1 : 0;
     const base::Array<std::uint8_t> kept = kept_components(runtime.memory, input.parts, measured);
     for (const std::uint8_t is : kept) report.left_out_components += 1 - is;
-    keep(welded, component, kept, mesh);
-    measure(runtime, mesh);
+    keep(welded, component, kept, mesh, progress);
+    measure(runtime, mesh, progress);
     progress.update(0.8);
     set_corner_normals(runtime, input.crease_angle, mesh, progress);
     report.seconds = watch.seconds();

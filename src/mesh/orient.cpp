@@ -10,14 +10,17 @@ namespace {
 // An open component has an inside if its holes have less than this share of its area.
 constexpr double small_holes = 0.25;
 
+constexpr std::int64_t faces_a_look = 16384;
+
 // Across each side of each face: the other face, and whether the two agree; none where not exactly two faces meet.
 struct Across {
     std::int32_t face = -1;
     std::int32_t agrees = 0;
 };
 
-[[nodiscard]] base::Array<Across> across_of(const base::Runtime& runtime, const base::Array<Triangle>& triangle) {
-    const base::Array<Side> sides = sides_by_edge(runtime, triangle);
+[[nodiscard]] base::Array<Across> across_of(const base::Runtime& runtime, const base::Array<Triangle>& triangle,
+                                            const base::Progress& progress) {
+    const base::Array<Side> sides = sides_by_edge(runtime, triangle, progress);
     base::Array<Across> across(runtime.memory);
     across.resize_for_overwrite(3 * triangle.size());
     std::fill(across.begin(), across.end(), Across{});
@@ -30,7 +33,7 @@ struct Across {
             if ((std::min(a, b) << 32U | std::max(a, b)) == side.edge) return across[k];
         }
     };
-    for_edges(sides, [&](const Side* first, const Side* last) {
+    for_edges(sides, progress, [&](const Side* first, const Side* last) {
         if (last - first != 2) return;
         const std::int32_t agrees = first[0].forward != first[1].forward ? 1 : 0;
         place(first[0]) = {first[1].face, agrees};
@@ -53,11 +56,12 @@ struct Across {
 // Adds to each component's volume what fans about the middles of its holes enclose.
 void close_holes(const base::Runtime& runtime, const base::Array<glm::dvec3>& vertex,
                  const base::Array<Triangle>& triangle, const base::Array<std::int32_t>& component,
-                 const base::Array<glm::dvec3>& middle, base::Array<Component>& result) {
-    const base::Array<Side> sides = sides_by_edge(runtime, triangle);
+                 const base::Array<glm::dvec3>& middle, base::Array<Component>& result,
+                 const base::Progress& progress) {
+    const base::Array<Side> sides = sides_by_edge(runtime, triangle, progress);
     Sets rims(runtime.memory, vertex.size());
     bool open = false;
-    for_edges(sides, [&](const Side* first, const Side* last) {
+    for_edges(sides, progress, [&](const Side* first, const Side* last) {
         Component& of = result[component[first->face]];
         of.manifold = of.manifold && last - first == 2;
         if (surplus(first, last) == 0) return;
@@ -67,11 +71,11 @@ void close_holes(const base::Runtime& runtime, const base::Array<glm::dvec3>& ve
     });
     if (!open) return;
     base::Array<glm::dvec4> rim(runtime.memory, vertex.size()); // sum of the ends, and their number
-    for_edges(sides, [&](const Side* first, const Side* last) {
+    for_edges(sides, progress, [&](const Side* first, const Side* last) {
         if (surplus(first, last) == 0) return;
         for (const std::int32_t end : ends_of(*first)) rim[rims.of(end)] += glm::dvec4(vertex[end], 1.0);
     });
-    for_edges(sides, [&](const Side* first, const Side* last) {
+    for_edges(sides, progress, [&](const Side* first, const Side* last) {
         const auto more = static_cast<double>(surplus(first, last));
         if (more == 0.0) return;
         const auto [a, b] = ends_of(*first);
@@ -90,7 +94,7 @@ void turn(Triangle& triangle) noexcept { std::swap(triangle[1], triangle[2]); }
 
 std::int64_t agree(const base::Runtime& runtime, const base::Array<glm::dvec3>& vertex, base::Array<Triangle>& triangle,
                    const base::Progress& progress) {
-    const base::Array<Across> across = across_of(runtime, triangle);
+    const base::Array<Across> across = across_of(runtime, triangle, progress);
     base::Array<std::int8_t> way(runtime.memory, triangle.size()); // 1 as the first of its patch, -1 against it
     base::Array<std::int32_t> patch(runtime.memory);
     std::int64_t turned = 0;
@@ -123,25 +127,28 @@ std::int64_t agree(const base::Runtime& runtime, const base::Array<glm::dvec3>& 
 
 base::Array<Component> measure_components(const base::Runtime& runtime, const base::Array<glm::dvec3>& vertex,
                                           const base::Array<Triangle>& triangle,
-                                          const base::Array<std::int32_t>& component, std::int64_t count) {
+                                          const base::Array<std::int32_t>& component, std::int64_t count,
+                                          const base::Progress& progress) {
     base::Memory& memory = runtime.memory;
     base::Array<Component> result(memory);
     result.resize_for_overwrite(count);
     std::fill(result.begin(), result.end(), Component{});
     base::Array<glm::dvec3> middle(memory, count);
     for (std::int64_t face = 0; face < triangle.size(); ++face) {
+        if (face % faces_a_look == 0) progress.check();
         ++result[component[face]].faces;
         for (const std::int32_t corner : triangle[face]) middle[component[face]] += vertex[corner];
     }
     for (std::int64_t i = 0; i < count; ++i) middle[i] /= 3.0 * static_cast<double>(result[i].faces);
     for (std::int64_t face = 0; face < triangle.size(); ++face) {
+        if (face % faces_a_look == 0) progress.check();
         const Triangle& t = triangle[face];
         Component& of = result[component[face]];
         const glm::dvec3 area = doubled_area({vertex[t[0]], vertex[t[1]], vertex[t[2]]});
         of.area += 0.5 * glm::length(area);
         of.volume += glm::dot(vertex[t[0]] - middle[component[face]], area) / 6.0;
     }
-    close_holes(runtime, vertex, triangle, component, middle, result);
+    close_holes(runtime, vertex, triangle, component, middle, result, progress);
     return result;
 }
 

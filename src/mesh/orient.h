@@ -25,7 +25,8 @@ std::int64_t agree(const base::Runtime& runtime, const base::Array<glm::dvec3>& 
 [[nodiscard]] base::Array<Component> measure_components(const base::Runtime& runtime,
                                                         const base::Array<glm::dvec3>& vertex,
                                                         const base::Array<Triangle>& triangle,
-                                                        const base::Array<std::int32_t>& component, std::int64_t count);
+                                                        const base::Array<std::int32_t>& component, std::int64_t count,
+                                                        const base::Progress& progress);
 
 // Whether it is inside out: it encloses a volume but for small holes, and that is negative.
 [[nodiscard]] bool inside_out(const Component& component) noexcept;

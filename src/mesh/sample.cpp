@@ -21,11 +21,12 @@ constexpr std::int64_t grain = 4096;
 }
 
 // Area up to the end of each face.
-[[nodiscard]] base::Array<double> running_area(const Mesh& mesh) {
+[[nodiscard]] base::Array<double> running_area(const Mesh& mesh, const base::Progress& progress) {
     base::Array<double> area(mesh.vertex.memory());
     area.reserve(mesh.faces());
     double sum = 0.0;
     for (std::int64_t face = 0; face < mesh.faces(); ++face) {
+        if (face % grain == 0) progress.check();
         sum += glm::length(doubled_area(mesh.corners(face)));
         area.push_back(sum);
     }
@@ -44,7 +45,7 @@ glm::dvec3 normal_at(const Mesh& mesh, std::int64_t face, const glm::dvec3& shar
 MeshSamples random_samples(const base::Runtime& runtime, const Mesh& mesh, std::int64_t count, std::uint64_t seed,
                            std::uint32_t stream, const base::Progress& progress) {
     MeshSamples samples = of_size(runtime.memory, count);
-    const base::Array<double> area = running_area(mesh);
+    const base::Array<double> area = running_area(mesh, progress);
     runtime.parallel.for_chunks(count, grain, [&](std::int64_t begin, std::int64_t end) {
         progress.check();
         for (std::int64_t i = begin; i < end; ++i) {

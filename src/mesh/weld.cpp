@@ -93,6 +93,7 @@ void join_vertices(const base::InView& given, Welded& welded, MeshReport& report
     base::Array<std::int32_t> number(memory, given.count);
     for (const Triangle& t : welded.triangle)
         for (const std::int32_t corner : t) number[corner] = 1; // is used
+    progress.check();
     Numbers numbers(memory, given.count);
     std::int64_t used = 0;
     for (std::int64_t i = 0; i < given.count; ++i) {

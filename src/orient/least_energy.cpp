@@ -47,12 +47,12 @@ public:
           energy_(std::make_unique<fit::HermiteEnergy>(runtime, tree, rank,
                                                        fit::HermiteEnergy::Options{ridge, neighbours_for(tree.size())},
                                                        progress.part(0.0, 0.1))),
-          stiffness_(energy_->stiffness()) {}
+          stiffness_(energy_->stiffness(progress)) {}
 
     // Signs by the energy, then directions, and both again while that lowers it.
     Result settle(VecArray normal, bool keep_signs) {
         const int most_rounds = tree_.size() > patches_from ? rounds - 1 : rounds;
-        const Energy energy = [this](const VecArray& n, VecArray& beta) { return energy_->sparse(n, beta); };
+        const Energy energy = [this](const VecArray& n, VecArray& beta) { return energy_->sparse(n, beta, progress_); };
         if (!keep_signs) find_signs(normal);
         Result best{std::move(normal), 0.0};
         best.energy = descend(runtime_, energy, stiffness_, {}, best.normal, progress_.part(0.0, 0.0));
@@ -124,7 +124,7 @@ private:
 
     // Whether any was turned relative to the others.
     bool find_signs(VecArray& normal) {
-        const SignEnergy signs(runtime_, *energy_, normal);
+        const SignEnergy signs(runtime_, *energy_, normal, progress_);
         if (tree_.size() > patches_from && !levels_.cluster.empty()) return improve_signs(signs, normal);
         Signs as_it_is(runtime_.memory, tree_.size());
         std::fill(as_it_is.begin(), as_it_is.end(), std::int8_t{1});

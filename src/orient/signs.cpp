@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "orient/signs.h"
 
+#include "base/sort.h"
 #include "orient/coupling_table.h"
 
 #include <algorithm>
@@ -10,6 +11,8 @@ namespace hrbfnpr::orient {
 namespace {
 
 constexpr std::int64_t grain = 256;
+constexpr std::int64_t terms_a_look = 1024;
+constexpr std::int64_t places_a_look = 512;
 // A coupling so strong, of at most 1, cancels most of what two clusters have for being apart.
 constexpr double sure_strength = 0.5;
 constexpr std::int64_t large = 4;      // times as many members
@@ -26,7 +29,8 @@ constexpr double least_gain = 1e-6;
 // over.
 class SignEnergy::Agglomeration {
 public:
-    Agglomeration(const SignEnergy& energy, const base::Array<std::int32_t>* first, const Signs* signs)
+    Agglomeration(const SignEnergy& energy, const base::Array<std::int32_t>* first, const Signs* signs,
+                  const base::Progress& progress)
         : energy_(energy), blocks_(energy.terms_.blocks), size_(energy.size_), cluster_(energy.runtime_.memory, size_),
           next_(energy.runtime_.memory, size_), last_(energy.runtime_.memory, size_),
           signs_(energy.runtime_.memory, size_), self_(energy.runtime_.memory, size_),
@@ -47,7 +51,7 @@ public:
             else // names are of the first member, so that it has been seen
                 append(name, static_cast<std::int32_t>(at));
         }
-        measure_selves();
+        measure_selves(progress);
     }
 
     Signs run(Levels& levels, const base::Progress& progress) {
@@ -107,9 +111,10 @@ private:
         return sum * signs_[blocks_.coarse[a]] * signs_[blocks_.coarse[b]];
     }
 
-    void measure_selves() {
+    void measure_selves(const base::Progress& progress) {
         energy_.runtime_.parallel.for_chunks(names_.size(), grain, [&](std::int64_t begin, std::int64_t end) {
             for (std::int64_t k = begin; k < end; ++k) {
+                progress.check();
                 const std::int32_t name = names_[k];
                 double sum = 0.0;
                 for_terms(name, [&](std::int64_t term) {
@@ -131,8 +136,8 @@ private:
                 for (std::int64_t other = 0; other < blocks_.coarse_count; ++other) visit(coarse_of_[at] - 1, other);
     }
 
-    void mark_over() {
-        energy_.runtime_.parallel.for_chunks(size_, 8 * grain, [&](std::int64_t begin, std::int64_t end) {
+    void mark_over(const base::Progress& progress) {
+        energy_.runtime_.parallel.for_chunks(size_, 8 * grain, progress, [&](std::int64_t begin, std::int64_t end) {
             for (std::int64_t term = begin; term < end; ++term) {
                 const std::int32_t* set = blocks_.set + term * blocks_.set_size;
                 if (over_[term] != 0 || set[0] < 0) continue;
@@ -144,17 +149,18 @@ private:
     }
 
     void find_partners(const base::Progress& progress) {
-        mark_over();
+        mark_over(progress);
         energy_.runtime_.parallel.for_chunks(names_.size(), grain, [&](std::int64_t begin, std::int64_t end) {
-            progress.check();
             CouplingTable table(energy_.runtime_.memory);
-            for (std::int64_t k = begin; k < end; ++k) find_partner(names_[k], table);
+            for (std::int64_t k = begin; k < end; ++k) find_partner(names_[k], table, progress);
         });
     }
 
-    void find_partner(std::int32_t name, CouplingTable& table) {
+    void find_partner(std::int32_t name, CouplingTable& table, const base::Progress& progress) {
         table.clear();
+        std::int64_t terms = 0; // many of a large cluster
         for_terms(name, [&](std::int64_t term) {
+            if (terms++ % terms_a_look == 0) progress.check();
             const Four own = part_of(name, term);
             for (std::int64_t e = term * blocks_.set_size; e < (term + 1) * blocks_.set_size; ++e) {
                 const std::int32_t other = cluster_[blocks_.set[e]];
@@ -340,8 +346,9 @@ private:
     std::int64_t visit_ = 0;
 };
 
-SignEnergy::SignEnergy(const base::Runtime& runtime, const fit::HermiteEnergy& energy, const geometry::VecArray& normal)
-    : runtime_(runtime), terms_(energy.terms(normal)), size_(energy.size()) {}
+SignEnergy::SignEnergy(const base::Runtime& runtime, const fit::HermiteEnergy& energy, const geometry::VecArray& normal,
+                       const base::Progress& progress)
+    : runtime_(runtime), terms_(energy.terms(normal, progress)), size_(energy.size()) {}
 
 double SignEnergy::of(const Signs& signs) const {
     Signs copy(runtime_.memory, size_);
@@ -351,7 +358,7 @@ double SignEnergy::of(const Signs& signs) const {
 
 Signs SignEnergy::agglomerate(const base::Array<std::int32_t>* first, const Signs* signs, Levels& levels,
                               const base::Progress& progress) const {
-    return Agglomeration(*this, first, signs).run(levels, progress);
+    return Agglomeration(*this, first, signs, progress).run(levels, progress);
 }
 
 base::Array<std::uint8_t> SignEnergy::turn(const Groups& groups, double most, Signs& signs) const {
@@ -372,10 +379,18 @@ std::int64_t SignEnergy::improve(const Levels& levels, Signs& signs, const base:
             for (std::int64_t at = 0; at < size_; ++at) order[at] = static_cast<std::int32_t>(at);
             const base::Array<std::int32_t>* cluster = level > 0 ? &levels.cluster[level - 1] : nullptr;
             if (cluster != nullptr)
-                std::sort(order.begin(), order.end(), [&](std::int32_t a, std::int32_t b) {
-                    return (*cluster)[a] < (*cluster)[b] || ((*cluster)[a] == (*cluster)[b] && a < b);
-                });
+                base::sort_long(
+                    order.begin(), order.end(),
+                    [&](std::int32_t a, std::int32_t b) {
+                        return (*cluster)[a] < (*cluster)[b] || ((*cluster)[a] == (*cluster)[b] && a < b);
+                    },
+                    progress);
+            std::int64_t looked = 0;
             for (std::int64_t begin = 0; begin < size_;) {
+                if (begin >= looked) {
+                    progress.check();
+                    looked = begin + places_a_look;
+                }
                 std::int64_t end = begin + 1;
                 while (cluster != nullptr && end < size_ && (*cluster)[order[end]] == (*cluster)[order[begin]]) ++end;
                 if (turning.turn({order.data() + begin, static_cast<std::size_t>(end - begin)}, least_gain))

@@ -39,7 +39,8 @@ struct Groups {
 class SignEnergy {
 public:
     // normal: what terms were made of, in the energy that outlives this.
-    SignEnergy(const base::Runtime& runtime, const fit::HermiteEnergy& energy, const geometry::VecArray& normal);
+    SignEnergy(const base::Runtime& runtime, const fit::HermiteEnergy& energy, const geometry::VecArray& normal,
+               const base::Progress& progress = {});
 
     [[nodiscard]] double of(const Signs& signs) const;
 

@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: MIT
 #include "orient/spanning_tree.h"
 
+#include "base/sort.h"
+
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 namespace hrbfnpr::orient {
 namespace {
 
 constexpr std::int64_t grain = 1024;
+constexpr std::int64_t edges_a_look = 16384;
 
 struct Edge {
     float doubt;
@@ -77,20 +81,25 @@ Signs spread_signs(const base::Runtime& runtime, const geometry::PointTree& tree
     const std::int64_t each = std::min(neighbours, near.each());
     base::Array<Edge> edges(runtime.memory);
     edges.resize_for_overwrite(tree.size() * each);
-    runtime.parallel.for_chunks(tree.size(), grain, [&](std::int64_t begin, std::int64_t end) {
+    runtime.parallel.for_chunks(tree.size(), grain, progress, [&](std::int64_t begin, std::int64_t end) {
         for (std::int64_t at = begin; at < end; ++at)
             for (std::int64_t k = 0; k < each; ++k)
                 edges[at * each + k] =
                     edge_between(tree, normal, spreading, at, near.of(at)[static_cast<std::size_t>(k)]);
     });
     progress.check();
-    std::sort(edges.begin(), edges.end(), [](const Edge& x, const Edge& y) {
-        if (x.doubt != y.doubt) return x.doubt < y.doubt;
-        return x.a < y.a || (x.a == y.a && x.b < y.b);
-    });
-    progress.check();
+    // Two places that are each other's neighbours have an edge twice: those that are equal are the same.
+    base::sort_long(
+        edges.begin(), edges.end(),
+        [](const Edge& x, const Edge& y) {
+            return std::tie(x.doubt, x.a, x.b, x.turned) < std::tie(y.doubt, y.a, y.b, y.turned);
+        },
+        progress);
     SignedSets sets(runtime.memory, tree.size());
-    for (const Edge& edge : edges) sets.join(edge);
+    for (std::int64_t k = 0; k < edges.size(); ++k) {
+        if (k % edges_a_look == 0) progress.check();
+        sets.join(edges[k]);
+    }
     Signs signs(runtime.memory, tree.size());
     for (std::int64_t at = 0; at < tree.size(); ++at)
         signs[at] = sets.find(static_cast<std::int32_t>(at)).second ? std::int8_t{-1} : std::int8_t{1};

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "stipples/density_thinning.h"
 
+#include "base/sort.h"
 #include "marks/marks.h"
 #include "surface/curvature.h"
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 namespace hrbfnpr::stipples {
 namespace {
@@ -17,6 +19,7 @@ constexpr double most_excess = 16.0;
 // The mean is known to a few hundredths.
 constexpr double margin = 1.06;
 constexpr std::int64_t call_size = 4096;
+constexpr std::int64_t marks_a_look = 16384;
 
 class Densities {
 public:
@@ -48,6 +51,7 @@ private:
                 mean_bend_ += bend(i) / static_cast<double>(density.size());
         }
         for (std::int64_t i = 0; i < density.size(); ++i) {
+            if (i % marks_a_look == 0) progress.check();
             const double relative = mean_bend_ > 0.0 ? bend(i) / (bend(i) + mean_bend_) : 0.5;
             density[i] = 1.0 - settings_.strength + settings_.strength * relative;
         }
@@ -121,10 +125,11 @@ EvenMarks spread_by_density(const marks::Site& site, const SurfaceCells& cells, 
     const base::Array<double> at = densities.at(even, progress.part(0.9, 1.0));
     base::Array<Place> places(site.memory());
     for (std::int64_t i = 0; i < at.size(); ++i) {
+        if (i % marks_a_look == 0) progress.check();
         const double key = (static_cast<double>(i) + 0.5) / at[i]; // infinite where the density is 0
         if (key < static_cast<double>(at.size())) places.push_back({key, i});
     }
-    std::sort(places.begin(), places.end());
+    base::sort_long(places.begin(), places.end(), std::less<>(), progress);
     const std::int64_t kept = std::min(wanted, places.size());
     if (kept == 0)
         fail(Status::invalid_argument,
@@ -134,6 +139,7 @@ EvenMarks spread_by_density(const marks::Site& site, const SurfaceCells& cells, 
     marks.area = even.area;
     marks.report = even.report;
     for (std::int64_t i = 0; i < kept; ++i) {
+        if (i % marks_a_look == 0) progress.check();
         marks.position.push_back(even.position[places[i].mark]);
         marks.normal.push_back(even.normal[places[i].mark]);
     }

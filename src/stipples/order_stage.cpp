@@ -140,7 +140,7 @@ void OrderStage::Impl::find_tiles() {
     neighbour_.resize_for_overwrite(code_.size());
     lowest_.resize(code_.size());
     floor_.resize(code_.size());
-    site_.runtime.parallel.for_chunks(cell_.size(), cells_of_task,
+    site_.runtime.parallel.for_chunks(cell_.size(), cells_of_task, progress_,
                                       [&](std::int64_t begin, std::int64_t end) { find_neighbours(begin, end); });
 }
 
@@ -177,11 +177,14 @@ void OrderStage::Impl::link_more(const OrderMark& mark, std::int32_t cell) {
 // A mark outside all cells of the stage is felt by none: home cells see to it that there are none.
 void OrderStage::Impl::link_all(const OrderedMarks& marks) {
     base::Array<std::int32_t> cell(site_.memory(), marks.size());
-    site_.runtime.parallel.for_chunks(marks.size(), 8 * cells_of_task, [&](std::int64_t begin, std::int64_t end) {
-        for (std::int64_t i = begin; i < end; ++i) cell[i] = cell_at(vector(marks[i].position));
-    });
+    site_.runtime.parallel.for_chunks(marks.size(), 8 * cells_of_task, progress_,
+                                      [&](std::int64_t begin, std::int64_t end) {
+                                          for (std::int64_t i = begin; i < end; ++i)
+                                              cell[i] = cell_at(vector(marks[i].position));
+                                      });
     constexpr std::int64_t ahead = 16;
     for (std::int64_t i = 0; i < marks.size(); ++i) {
+        if (i % 16384 == 0) progress_.check();
         if (i + ahead < marks.size() && cell[i + ahead] >= 0) base::prefetch(&cell_[cell[i + ahead]], 1);
         if (cell[i] >= 0 && !link(marks[i], cell[i])) link_more(marks[i], cell[i]);
     }
@@ -434,8 +437,8 @@ void OrderStage::Impl::sweep(std::span<const SweepStep> steps, std::int64_t room
     for (std::size_t turn = 0; turn < 8; ++turn) {
         const std::int64_t first = turn_[turn];
         const std::int64_t tiles = turn_[turn + 1] - first;
-        fresh_.resize(most_fresh * tiles);
-        fresh_count_.resize(tiles);
+        fresh_.resize_for_overwrite(most_fresh * tiles);
+        fresh_count_.resize_for_overwrite(tiles);
         site_.runtime.parallel.for_chunks(
             tiles, std::clamp<std::int64_t>(tiles / 32, 1, 16), [&](std::int64_t begin, std::int64_t end) {
                 for (std::int64_t t = begin; t < end; ++t) {
@@ -445,8 +448,10 @@ void OrderStage::Impl::sweep(std::span<const SweepStep> steps, std::int64_t room
                     fresh_count_[t] = Turn(*this, fresh_.data() + most_fresh * t).run(tile_[first + t], steps);
                 }
             });
-        for (std::int64_t t = 0; t < tiles; ++t)
+        for (std::int64_t t = 0; t < tiles; ++t) {
+            if (t % 256 == 0) progress_.check();
             for (std::int32_t k = 0; k < fresh_count_[t]; ++k) append(fresh_[most_fresh * t + k], marks);
+        }
     }
     if (energy_.size() > room) keep_lowest(room, marks);
 }

@@ -133,11 +133,13 @@ void Flood::run(const base::Progress& progress) {
         progress.check();
         centre_.resize(front_.size());
         progress.check();
-        for (std::int64_t i = 0; i < front_.size(); ++i)
+        for (std::int64_t i = 0; i < front_.size(); ++i) {
+            if (i % 16384 == 0) progress.check();
             centre_.set(i, cells_.grid.centre(geometry::CellGrid::unpack(front_[i].cell)));
+        }
         evaluate(site_, centre_, field_, progress);
         judged_.resize_for_overwrite(front_.size());
-        site_.runtime.parallel.for_chunks(front_.size(), 1024, [&](std::int64_t begin, std::int64_t end) {
+        site_.runtime.parallel.for_chunks(front_.size(), 1024, progress, [&](std::int64_t begin, std::int64_t end) {
             for (std::int64_t i = begin; i < end; ++i) judged_[i] = judge(i, first);
         });
         next_.clear();

@@ -103,10 +103,12 @@ void Layering::prepare(int number) {
     trace_.least_cosine = std::cos(std::min(settings_.step / (tightest * settings_.separation), sharpest));
     trace_.turned = settings_.turned;
     trace_.region = settings_.region;
-    grid_.reset(box_.grown(apart_), sight * apart_);
+    grid_.reset(box_.grown(apart_), sight * apart_, trace_.progress);
+    grid_.reserve(std::min(settings_.most_points, most_reserved) / trace_.thin);
     seed_.clear();
     heap_.clear();
     for (std::int64_t s = 0; s < layer_.stroke.size(); ++s) {
+        trace_.progress.check();
         const Layer::Stroke& stroke = layer_.stroke[s];
         for (std::int64_t i = 0; i < stroke.count; i += trace_.thin)
             grid_.insert(layer_.point[stroke.begin + i], static_cast<std::int32_t>(s), static_cast<std::int32_t>(i));
@@ -195,6 +197,7 @@ void Layering::seed_beside(std::int64_t number) {
     const Layer::Stroke& stroke = layer_.stroke[number];
     const std::int64_t every = whole_steps(side_places * apart_ / settings_.step);
     for (std::int64_t i = every / 2; i < stroke.count; i += every) {
+        trace_.progress.check();
         const StrokePoint from = layer_.point[stroke.begin + i];
         const glm::dvec3 side = glm::cross(from.normal, from.direction);
         for (const double offset : {-apart_, apart_}) {
@@ -224,15 +227,12 @@ bool Layering::lay(const StrokePoint& seed) {
 }
 
 void Layering::pass(int number, const base::Progress& progress) {
-    prepare(number);
     trace_.progress = progress;
-    for (std::int64_t s = 0; s < layer_.stroke.size(); ++s) {
-        if (s % 8 == 0) progress.check();
-        seed_beside(s);
-    }
+    prepare(number);
+    for (std::int64_t s = 0; s < layer_.stroke.size(); ++s) seed_beside(s);
     seed_from_samples(progress);
-    for (std::int64_t turn = 0; !heap_.empty() && !full(); ++turn) {
-        if (turn % 8 == 0) progress.check();
+    while (!heap_.empty() && !full()) {
+        progress.check();
         const Entry entry = heap_[0];
         std::pop_heap(heap_.begin(), heap_.end());
         heap_.resize(heap_.size() - 1);

@@ -24,6 +24,7 @@ constexpr double other = 0.94;
 constexpr double widest_step = 1.25;
 constexpr double narrowest_step = 0.75;
 constexpr std::int64_t fewest_marks = 3;
+constexpr std::int64_t marks_a_look = 8192;
 // Strokes end in this part of their width, and have it in full this many separations away from the end.
 constexpr double tip_width = 0.3;
 constexpr double taper = 2.0;
@@ -37,7 +38,7 @@ public:
           given_(site.memory()) {}
 
     void project(const base::Progress& progress);
-    void append();
+    void append(const base::Progress& progress);
     void direct(const base::Progress& progress);
     void rank();
 
@@ -82,6 +83,7 @@ void Settling::settle(marks::Settler& settler, std::uint8_t pass, const base::Pr
 void Settling::project(const base::Progress& progress) {
     marks::Settler settler(site_);
     for (std::int64_t s = 0; s < strokes_.size(); ++s) {
+        progress.check();
         const OrderedStroke& stroke = strokes_[s];
         for (std::int64_t i = 0; i < stroke.count; ++i)
             settler.start.push_back(stroke.point[i * stroke.every].position);
@@ -115,9 +117,10 @@ Settling::Piece Settling::longest_piece(std::int64_t begin, std::int64_t count) 
     return longest;
 }
 
-void Settling::append() {
+void Settling::append(const base::Progress& progress) {
     std::int64_t first = 0;
     for (const OrderedStroke& stroke : strokes_) {
+        progress.check();
         Piece piece = longest_piece(first, stroke.count);
         if (piece.count < fewest_marks) piece.count = 0;
         std::int64_t landed = 0;
@@ -187,12 +190,15 @@ void Settling::direct(const base::Progress& progress) {
     if (settings_.kind == marks::Kind::principal) {
         surface::principal_curvatures(site_.runtime, site_.implicit, marks_.position, curvature_, progress);
         progress.check();
-        for (const surface::Curvature& c : curvature_)
+        for (std::int64_t i = 0; i < curvature_.size(); ++i) {
+            if (i % marks_a_look == 0) progress.check();
+            const surface::Curvature& c = curvature_[i];
             marks_.curvature.push_back(
                 {marks::held_curvature(c.k1), marks::held_curvature(c.k2), static_cast<float>(c.confidence)});
+        }
     }
     for (std::int64_t i = 0; i < marks_.count(); ++i) {
-        if (i % 16384 == 0) progress.check();
+        if (i % marks_a_look == 0) progress.check();
         const glm::dvec3 n = marks_.normal[i];
         const glm::dvec3 traced = marks_.direction[i];
         const glm::dvec3 along = glm::normalize(traced - glm::dot(traced, n) * n);
@@ -229,7 +235,7 @@ void settle_strokes(const marks::Site& site, const base::Array<OrderedStroke>& s
                     const base::Progress& progress) {
     Settling settling(site, strokes, settings, marks, report);
     settling.project(progress.part(0.0, 0.6));
-    settling.append();
+    settling.append(progress.part(0.6, 0.6));
     settling.direct(progress.part(0.6, 1.0));
     settling.rank();
 }

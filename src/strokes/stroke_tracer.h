@@ -32,13 +32,16 @@ public:
         std::int32_t place; // along the stroke, the seed at 0
     };
 
-    // Empty, with cells of this side in this box.
-    void reset(const geometry::Bounds& box, double side) {
+    // Empty, with cells of this side in this box.  Looks for a cancel where the table grows.
+    void reset(const geometry::Bounds& box, double side, const base::Progress& progress = {}) {
+        progress_ = progress;
         grid_ = {box.min, std::max(side, 1e-6 * box.diagonal())};
         centre_ = box.centre();
         node_.clear();
         resize_table(std::max<std::int64_t>(head_.size(), 1024));
     }
+    // Room for so many points: a copy of what had grown beyond it would take long.
+    void reserve(std::int64_t points) { node_.reserve(points); }
     void insert(const StrokePoint& point, std::int32_t stroke, std::int32_t place) {
         if (node_.size() >= head_.size()) resize_table(2 * head_.size());
         const std::uint64_t cell = geometry::CellGrid::pack(grid_.cell_of(point.position));
@@ -99,6 +102,7 @@ private:
         head_.resize(size);
         for (std::int64_t& head : head_) head = -1;
         for (std::int64_t i = 0; i < node_.size(); ++i) {
+            if (i % 16384 == 0) progress_.check();
             std::int64_t& head = head_[bucket(node_[i].cell)];
             node_[i].next = head;
             head = i;
@@ -106,6 +110,7 @@ private:
     }
 
     geometry::CellGrid grid_;
+    base::Progress progress_;
     glm::dvec3 centre_{0.0};
     base::Array<std::int64_t> head_; // of each bucket; a power of two
     base::Array<Kept> node_;

@@ -75,13 +75,14 @@ void principal_curvatures(const base::Runtime& runtime, const implicit::Implicit
                           const base::Progress& progress) {
     const std::int64_t count = points.size();
     const double diagonal = implicit.diagonal();
-    base::Array<double> columns(runtime.memory, 9 * count);
+    base::Array<double> columns(runtime.memory);
+    columns.resize_for_overwrite(9 * count);
     implicit::FieldBatch fields;
     for (std::int64_t k = 0; k < 3; ++k) fields.gradient[static_cast<std::size_t>(k)] = columns.data() + k * count;
     for (std::int64_t k = 0; k < 6; ++k) fields.hessian[static_cast<std::size_t>(k)] = columns.data() + (3 + k) * count;
     implicit::evaluate_all(runtime, implicit, points, fields, progress);
-    result.resize(count);
-    runtime.parallel.for_chunks(count, 4096, [&](std::int64_t begin, std::int64_t end) {
+    result.resize_for_overwrite(count);
+    runtime.parallel.for_chunks(count, 4096, progress, [&](std::int64_t begin, std::int64_t end) {
         for (std::int64_t i = begin; i < end; ++i) {
             std::array<double, 6> hessian;
             for (std::size_t k = 0; k < 6; ++k) hessian[k] = fields.hessian[k][i];

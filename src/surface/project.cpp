@@ -179,7 +179,7 @@ void project(const base::Runtime& runtime, const implicit::Implicit& implicit, c
     const std::int64_t count = points.position.size();
     points.gradient.resize(count);
     points.status.resize(count);
-    const base::Array<std::int32_t> order = implicit::order_by_cell(runtime, implicit, points.position);
+    const base::Array<std::int32_t> order = implicit::order_by_cell(runtime, implicit, points.position, progress);
     std::atomic<std::int64_t> done{0};
     implicit.threads(runtime.parallel).for_chunks(count, batch_size, [&](std::int64_t begin, std::int64_t end) {
         base::Boxed<Batch> batch(runtime.memory, implicit, settings, order.data());

@@ -13,6 +13,7 @@ namespace {
 
 using geometry::VecArray;
 
+constexpr std::int64_t at_once = 8192; // samples without a look for a cancel
 // Neighbours that are looked at, and how many of them at most take part: on a thin sheet half are of the other face.
 constexpr std::int64_t looked_at = 16;
 constexpr std::int64_t most_links = 8;
@@ -59,8 +60,8 @@ private:
     [[nodiscard]] geometry::TangentFrame frame(std::int64_t i) const noexcept { return {u_[i], r_[i]}; }
     [[nodiscard]] Turn between(std::int64_t from, std::int64_t to) const noexcept;
     void link(std::int64_t count, const base::Progress& progress);
-    void gather(std::int64_t fine, std::int64_t coarse);
-    void spread(std::int64_t coarse, std::int64_t fine);
+    void gather(std::int64_t fine, std::int64_t coarse, const base::Progress& progress);
+    void spread(std::int64_t coarse, std::int64_t fine, const base::Progress& progress);
     void believe(std::int64_t count);
     void relax(std::int64_t count, int times, const base::Progress& progress);
     [[nodiscard]] Turn relaxed(std::int64_t i) const noexcept;
@@ -115,7 +116,7 @@ void Relaxation::link(std::int64_t count, const base::Progress& progress) {
     VecArray points(runtime_.memory, count);
     for (std::int64_t i = 0; i < count; ++i) points.set(i, samples_.position[i]);
     const geometry::Neighbours neighbours(runtime_.parallel, points, looked_at, progress);
-    runtime_.parallel.for_chunks(count, 1024, [&](std::int64_t begin, std::int64_t end) {
+    runtime_.parallel.for_chunks(count, 1024, progress, [&](std::int64_t begin, std::int64_t end) {
         for (std::int64_t i = begin; i < end; ++i) {
             Link* out = link_.data() + most_links * i;
             std::int64_t found = 0;
@@ -139,8 +140,9 @@ std::int64_t Relaxation::coarse_neighbour(std::int64_t i, std::int64_t coarse) c
 }
 
 // What was measured at the finer samples counts at their coarse neighbours too.
-void Relaxation::gather(std::int64_t fine, std::int64_t coarse) {
+void Relaxation::gather(std::int64_t fine, std::int64_t coarse, const base::Progress& progress) {
     for (std::int64_t i = coarse; i < fine; ++i) {
+        if (i % at_once == 0) progress.check();
         const std::int64_t to = coarse_neighbour(i, coarse);
         if (to == i) continue;
         measured_[to] = measured_[to] + between(i, to) * measured_[i];
@@ -148,8 +150,9 @@ void Relaxation::gather(std::int64_t fine, std::int64_t coarse) {
     }
 }
 
-void Relaxation::spread(std::int64_t coarse, std::int64_t fine) {
+void Relaxation::spread(std::int64_t coarse, std::int64_t fine, const base::Progress& progress) {
     for (std::int64_t i = coarse; i < fine; ++i) {
+        if (i % at_once == 0) progress.check();
         const std::int64_t from = coarse_neighbour(i, coarse);
         if (from != i) value_[i] = between(from, i) * value_[from];
     }
@@ -186,7 +189,7 @@ Turn Relaxation::relaxed(std::int64_t i) const noexcept {
 void Relaxation::relax(std::int64_t count, int times, const base::Progress& progress) {
     for (int round = 0; round < times; ++round) {
         progress.check();
-        runtime_.parallel.for_chunks(count, 2048, [&](std::int64_t begin, std::int64_t end) {
+        runtime_.parallel.for_chunks(count, 2048, progress, [&](std::int64_t begin, std::int64_t end) {
             for (std::int64_t i = begin; i < end; ++i) next_[i] = relaxed(i);
         });
         std::swap(value_, next_);
@@ -203,13 +206,13 @@ void Relaxation::run(const base::Progress& progress) {
     std::copy(measured_.begin(), measured_.end(), measured.begin());
     for (std::int64_t level = 0; level + 1 < levels; ++level) {
         link(level_end_[level], progress);
-        gather(level_end_[level], level_end_[level + 1]);
+        gather(level_end_[level], level_end_[level + 1], progress);
         progress.update(0.3 * static_cast<double>(level + 1) / static_cast<double>(levels));
     }
     for (std::int64_t level = levels - 1; level >= 0; --level) {
         const std::int64_t count = level_end_[level];
         link(count, progress);
-        if (level + 1 < levels) spread(level_end_[level + 1], count);
+        if (level + 1 < levels) spread(level_end_[level + 1], count, progress);
         if (level == 0) { // here everybody speaks for himself again
             std::copy(measured.begin(), measured.end(), measured_.begin());
             for (double& voice : voices_) voice = 1.0;

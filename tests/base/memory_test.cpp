@@ -5,7 +5,11 @@
 
 #include <gtest/gtest.h>
 
+#include <cerrno>
+#include <cstdint>
 #include <cstring>
+#include <fstream>
+#include <sstream>
 #include <string>
 #include <utility>
 
@@ -32,6 +36,38 @@ TEST(Memory, AlignsToCacheLines) {
     EXPECT_EQ(reinterpret_cast<std::uintptr_t>(a) % Memory::alignment, 0U);
     memory.deallocate(a, 1);
 }
+
+#if defined(__linux__)
+// The flags of the mapping that an address lies in; empty where the system does not tell.
+std::string flags_of(const void* address) {
+    std::ifstream maps("/proc/self/smaps");
+    const auto place = reinterpret_cast<std::uintptr_t>(address);
+    bool here = false;
+    for (std::string line; std::getline(maps, line);) {
+        std::uintptr_t begin = 0, end = 0;
+        char dash = 0;
+        std::istringstream words(line);
+        if (words >> std::hex >> begin >> dash >> end && dash == '-') here = begin <= place && place < end;
+        if (here && line.rfind("VmFlags:", 0) == 0) return line + " ";
+    }
+    return "";
+}
+
+TEST(Memory, AsksForHugePagesForLargeArrays) {
+    if (!std::ifstream("/sys/kernel/mm/transparent_hugepage/enabled"))
+        GTEST_SKIP() << "this system has no huge pages to ask for";
+    constexpr std::uint64_t size = std::uint64_t{64} << 20U;
+    Memory memory;
+    errno = 7;
+    auto* large = static_cast<char*>(memory.allocate(size));
+    EXPECT_EQ(errno, 7);
+    const std::string flags = flags_of(large + size / 2);
+    if (!flags.empty()) {
+        EXPECT_NE(flags.find(" hg "), std::string::npos) << flags;
+    }
+    memory.deallocate(large, size);
+}
+#endif
 
 TEST(Memory, UsesTheGivenAllocatorWithSizeAndAlignment) {
     Allocator allocator;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "base/long_array.h"
 #include "base/operation.h"
 #include "base/sort.h"
 #include "base/status.h"
@@ -124,6 +125,37 @@ TEST(SortLong, SortsAsSortDoes) {
     std::sort(sorted.begin(), sorted.end());
     sort_long(numbers.data(), numbers.data() + numbers.size(), std::less<>());
     EXPECT_EQ(numbers, sorted);
+}
+
+TEST(ResizeLong, GivesZerosAndLooks) {
+    Memory memory;
+    Array<std::int32_t> numbers(memory, 2);
+    numbers[1] = 7;
+    resize_long(numbers, 3'000'000, {});
+    ASSERT_EQ(numbers.size(), 3'000'000);
+    EXPECT_EQ(numbers[1], 7);
+    EXPECT_EQ(std::count(numbers.begin(), numbers.end(), 0), 3'000'000 - 1);
+    resize_long(numbers, 5, {});
+    EXPECT_EQ(numbers.size(), 5);
+    Operation operation;
+    operation.cancel();
+    EXPECT_EQ(status_of([&] { resize_long(numbers, 3'000'000, Progress(&operation)); }), Status::cancelled);
+}
+
+TEST(MergeLong, MergesAsMergeDoesAndLooks) {
+    std::vector<int> a, b;
+    for (int i = 0; i < 200000; ++i) (i % 7 < 3 ? a : b).push_back(i / 2);
+    std::vector<int> merged(a.size() + b.size()), expected(merged.size());
+    std::merge(a.begin(), a.end(), b.begin(), b.end(), expected.begin());
+    const auto merge = [&](const Progress& progress) {
+        merge_long(a.data(), a.data() + a.size(), b.data(), b.data() + b.size(), merged.data(), std::less<>(),
+                   progress);
+    };
+    merge({});
+    EXPECT_EQ(merged, expected);
+    Operation operation;
+    operation.cancel();
+    EXPECT_EQ(status_of([&] { merge(Progress(&operation)); }), Status::cancelled);
 }
 
 } // namespace

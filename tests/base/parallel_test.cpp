@@ -59,6 +59,25 @@ TEST(Parallel, CutsChunksBySizeAlone) {
     }
 }
 
+TEST(Parallel, LooksForACancelBeforeEachTask) {
+    for (const int threads : {1, 3}) {
+        const Parallel parallel(threads, nullptr, nullptr);
+        Operation operation;
+        std::atomic<int> after{0};
+        const auto task = [&](std::int64_t begin) {
+            if (operation.is_cancelled()) after.fetch_add(1);
+            if (begin == 20) operation.cancel();
+        };
+        EXPECT_THROW(parallel.for_each(1000, Progress(&operation), task), Error);
+        EXPECT_LT(after.exchange(0), threads); // a task that had looked just before
+        Operation other;
+        other.cancel();
+        const auto chunk = [&](std::int64_t, std::int64_t) { after.fetch_add(1); };
+        EXPECT_THROW(parallel.for_chunks(1000, 10, Progress(&other), chunk), Error);
+        EXPECT_EQ(after, 0);
+    }
+}
+
 TEST(Parallel, ClampsTheThreadCount) {
     EXPECT_EQ(Parallel(1000, nullptr, nullptr).threads(), 256);
     EXPECT_EQ(Parallel(3, nullptr, nullptr).threads(), 3);

@@ -2,10 +2,10 @@
 #include "fit/polynomial_space.h"
 
 #include "base/status.h"
+#include "dense.h"
 #include "kernel/polynomial.h"
 #include "shapes.h"
 
-#include <Eigen/Dense>
 #include <gtest/gtest.h>
 
 namespace fit = hrbfnpr::fit;
@@ -57,7 +57,7 @@ TEST(PolynomialSpace, TakeOutIsTheOrthogonalProjection) {
         const Eigen::VectorXd taken = before - after;
         if (p.cols() > 0) {
             const Eigen::MatrixXd unit = p * p.colwise().norm().cwiseInverse().asDiagonal();
-            EXPECT_LT((unit * unit.colPivHouseholderQr().solve(taken) - taken).norm(), 1e-10) << degree;
+            EXPECT_LT((fit_test::applied(unit, fit_test::least_squares(unit, taken)) - taken).norm(), 1e-10) << degree;
         } else {
             EXPECT_EQ(taken.norm(), 0.0);
         }
@@ -75,7 +75,7 @@ TEST(PolynomialSpace, ExplainFindsThePolynomialAndLeavesNothing) {
         const fit::PolynomialSpace space(runtime, system);
         const Eigen::MatrixXd p = plain(system);
         const Eigen::VectorXd c = wave(p.cols());
-        Eigen::VectorXd values = p * c;
+        Eigen::VectorXd values = fit_test::applied(p, c);
         const double size = values.norm();
         Eigen::VectorXd found = Eigen::VectorXd::Constant(p.cols(), 0.25); // what is found is added
         space.explain(values.data(), found.data());
@@ -97,7 +97,7 @@ TEST(PolynomialSpace, ExplainTakesOutWhatItFinds) {
     space.explain(rest.data(), c.data());
     space.take_out(projected.data());
     EXPECT_LT((rest - projected).norm(), 1e-13);
-    EXPECT_LT((rest + plain(system) * c - wave(system.rows())).norm(), 1e-10);
+    EXPECT_LT((rest + fit_test::applied(plain(system), c) - wave(system.rows())).norm(), 1e-10);
 }
 
 TEST(PolynomialSpace, KnowsAPolynomialAtOneSample) {
@@ -107,7 +107,7 @@ TEST(PolynomialSpace, KnowsAPolynomialAtOneSample) {
         const fit::HermiteSystem system = system_of(x, degree);
         const fit::PolynomialSpace space(runtime, system);
         const Eigen::VectorXd c = wave(system.terms());
-        const Eigen::VectorXd values = plain(system) * c;
+        const Eigen::VectorXd values = fit_test::applied(plain(system), c);
         for (std::int64_t sample = 0; sample < x.size(); sample += 7) {
             const std::array<double, 4> at = space.at(sample, c.data());
             for (Eigen::Index i = 0; i < 4; ++i)
@@ -147,6 +147,15 @@ TEST(PolynomialSpace, SameBitsForAnyNumberOfThreads) {
         fit::PolynomialSpace(runtime, system).take_out(found.data());
         EXPECT_EQ(found, expected) << threads;
     }
+}
+
+TEST(PolynomialSpace, CanBeCancelled) {
+    const Runtime runtime;
+    const VecArray x = positions(runtime, 60);
+    hrbfnpr::base::Operation operation;
+    operation.cancel();
+    const hrbfnpr::base::Progress progress(&operation);
+    EXPECT_THROW(fit::PolynomialSpace(runtime, system_of(x, 1), progress), hrbfnpr::Error);
 }
 
 } // namespace

@@ -2,12 +2,12 @@
 #include "fit/preconditioner.h"
 
 #include "base/status.h"
+#include "dense.h"
 #include "fit/local_factors.h"
 #include "geometry/farthest_order.h"
 #include "shapes.h"
 #include "support/instruction_sets.h"
 
-#include <Eigen/Dense>
 #include <gtest/gtest.h>
 
 #include <string>
@@ -58,8 +58,8 @@ Eigen::MatrixXd plain_factor(const VecArray& x, const fit::HermiteSystem::Option
     const Eigen::MatrixXd a = plain(fit::HermiteSystem(x, o));
     const Eigen::MatrixXd z =
         o.kernel == Kind::triharmonic ? beside_linear(x) : Eigen::MatrixXd::Identity(a.rows(), a.rows());
-    const Eigen::LLT<Eigen::MatrixXd> cholesky(z.transpose() * a * z);
-    return (z * Eigen::MatrixXd(cholesky.matrixU().solve(Eigen::MatrixXd::Identity(z.cols(), z.cols())))).rightCols(4);
+    const Eigen::MatrixXd beside = fit_test::product(z.transpose(), fit_test::product(a, z));
+    return fit_test::product(z, fit_test::inverse_of_upper_cholesky(beside)).rightCols(4);
 }
 
 Eigen::MatrixXd found_factor(const std::vector<float>& factor, std::size_t at, Eigen::Index rows) {
@@ -169,9 +169,9 @@ double inverse_error(const base::Runtime& runtime, const VecArray& x, const fit:
     if (o.kernel == Kind::triharmonic) {
         Eigen::MatrixXd p(system.rows(), system.terms());
         system.constraints(p.data());
-        w -= p * p.colPivHouseholderQr().solve(w);
+        w -= fit_test::applied(p, fit_test::least_squares(p, w));
     }
-    const Eigen::VectorXd aw = plain(system) * w;
+    const Eigen::VectorXd aw = fit_test::applied(plain(system), w);
     Eigen::VectorXd found(system.rows());
     preconditioner.apply(aw.data(), found.data());
     return (found - w).norm() / w.norm();
@@ -209,6 +209,18 @@ TEST(Preconditioner, IsBetterTheMoreNeighboursItHas) {
         EXPECT_LT(now, before) << neighbours;
         before = now;
     }
+}
+
+TEST(Preconditioner, IsNotAppliedAfterACancel) {
+    const base::Runtime runtime;
+    const Arranged arranged(positions(runtime.memory, 60));
+    const fit::HermiteSystem system(arranged.tree.points(), options(Kind::triharmonic, 0.0));
+    fit::Preconditioner preconditioner(runtime, system, arranged.tree, arranged.rank, 16, {});
+    Eigen::VectorXd z(system.rows());
+    base::Operation operation;
+    operation.cancel();
+    EXPECT_THROW(preconditioner.apply(wave(system.rows()).data(), z.data(), base::Progress(&operation)),
+                 hrbfnpr::Error);
 }
 
 Eigen::VectorXd applied(const base::Runtime& runtime, const Arranged& arranged, const fit::HermiteSystem::Options& o) {

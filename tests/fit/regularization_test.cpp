@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "shapes.h"
 
+#include "dense.h"
 #include "kernel/polynomial.h"
 
-#include <Eigen/Dense>
 #include <gtest/gtest.h>
 
 namespace base = hrbfnpr::base;
@@ -42,7 +42,7 @@ Sampled by_definition(const Cloud& cloud, Kind kind, double radius, double eta, 
         }
     }
     k.diagonal().head(4 * n).array() += eta;
-    const Eigen::VectorXd w = k.fullPivLu().solve(rhs);
+    const Eigen::VectorXd w = fit_test::solved(k, rhs);
     const glm::dvec3 y = (at - bounds.centre()) / diagonal;
     Sampled s;
     s.gradient = {w[4 * n + 1], w[4 * n + 2], w[4 * n + 3]};

@@ -2,6 +2,7 @@
 #include "shapes.h"
 
 #include "base/status.h"
+#include "dense.h"
 #include "fit/cholesky.h"
 #include "fit/condition.h"
 #include "fit/lu.h"
@@ -10,7 +11,6 @@
 #include "fit/system.h"
 #include "kernel/polynomial.h"
 
-#include <Eigen/Dense>
 #include <gtest/gtest.h>
 
 namespace fit = hrbfnpr::fit;
@@ -88,7 +88,7 @@ TEST(System, BlocksAndProductsAreThePlainMatrix) {
         const Eigen::MatrixXd in = Eigen::MatrixXd::Random(rows, 3);
         Eigen::MatrixXd out(rows, 3);
         system.multiply(runtime.parallel, in.data(), 3, out.data(), {});
-        EXPECT_LT((out - plain.topLeftCorner(rows, rows) * in).norm(), 1e-11 * plain.norm());
+        EXPECT_LT((out - fit_test::product(plain.topLeftCorner(rows, rows), in)).norm(), 1e-11 * plain.norm());
         Eigen::VectorXd one(rows);
         system.multiply(runtime.parallel, in.data(), 1, one.data(), {});
         EXPECT_LT((one - out.col(0)).norm(), 1e-12 * plain.norm());
@@ -114,10 +114,10 @@ TEST(NullSpace, IsOrthogonalAndTakesTheConstraintsAway) {
             space.apply_transposed(qt.col(c).data());
         }
         EXPECT_LT((q.transpose() - qt).norm(), 1e-12) << degree;
-        EXPECT_LT((q.transpose() * q - Eigen::MatrixXd::Identity(n, n)).norm(), 1e-12) << degree;
+        EXPECT_LT((fit_test::product(q.transpose(), q) - Eigen::MatrixXd::Identity(n, n)).norm(), 1e-12) << degree;
         Eigen::MatrixXd p(n, m);
         system.constraints(p.data());
-        const Eigen::MatrixXd reduced = q.transpose() * p;
+        const Eigen::MatrixXd reduced = fit_test::product(q.transpose(), p);
         EXPECT_LT(reduced.topRows(n - m).norm(), 1e-12 * (1.0 + p.norm())) << degree;
         for (Eigen::Index k = 0; k < m; ++k)
             EXPECT_LT((reduced.row(n - 1 - k) - space.r().row(k)).norm(), 1e-12 * p.norm()) << degree;
@@ -135,7 +135,7 @@ TEST(NullSpaceSolver, EqualsAPlainLuOfTheWholeSystem) {
                 const fit::HermiteSystem system(x, options(kind, degree));
                 const Eigen::MatrixXd plain = plain_system(x, options(kind, degree));
                 const Eigen::VectorXd rhs = right_hand_side(plain.rows());
-                const Eigen::VectorXd expected = plain.fullPivLu().solve(rhs);
+                const Eigen::VectorXd expected = fit_test::solved(plain, rhs);
                 fit::NullSpaceSolver solver(runtime, system, {});
                 ASSERT_TRUE(solver.factor({})) << count << " " << kernel::name(kind) << degree;
                 Eigen::VectorXd found = rhs;
@@ -170,13 +170,13 @@ TEST(DenseLu, EqualsAPlainLu) {
             const fit::HermiteSystem system(x, options(Kind::triharmonic, degree));
             const Eigen::MatrixXd plain = plain_system(x, options(Kind::triharmonic, degree));
             const Eigen::VectorXd rhs = right_hand_side(plain.rows());
-            const Eigen::VectorXd expected = plain.fullPivLu().solve(rhs);
+            const Eigen::VectorXd expected = fit_test::solved(plain, rhs);
             const fit::DenseLu lu(runtime, system, {});
             Eigen::VectorXd found = rhs;
             lu.solve(found.data(), {});
             EXPECT_LT((found - expected).norm(), 1e-9 * expected.norm()) << count << " " << degree;
-            const double condition =
-                plain.cwiseAbs().colwise().sum().maxCoeff() * plain.inverse().cwiseAbs().colwise().sum().maxCoeff();
+            const double condition = plain.cwiseAbs().colwise().sum().maxCoeff() *
+                                     fit_test::inverse(plain).cwiseAbs().colwise().sum().maxCoeff();
             EXPECT_LE(lu.condition({}), condition * (1.0 + 1e-6));
             EXPECT_GE(lu.condition({}), 0.3 * condition);
         }
@@ -187,7 +187,8 @@ TEST(TiledCholesky, FactorsAndEstimates) {
     const Runtime runtime;
     for (const Eigen::Index size : {1, 5, 128, 129, 300}) {
         const Eigen::MatrixXd half = Eigen::MatrixXd::Random(size, size);
-        const Eigen::MatrixXd matrix = half * half.transpose() + 0.1 * Eigen::MatrixXd::Identity(size, size);
+        const Eigen::MatrixXd matrix =
+            fit_test::product(half, half.transpose()) + 0.1 * Eigen::MatrixXd::Identity(size, size);
         constexpr Eigen::Index side = fit::TiledCholesky::side;
         fit::TiledCholesky tiled(runtime.memory, size);
         Eigen::MatrixXd padded = Eigen::MatrixXd::Identity(tiled.padded(), tiled.padded());
@@ -203,11 +204,11 @@ TEST(TiledCholesky, FactorsAndEstimates) {
         Eigen::VectorXd x = Eigen::VectorXd::Zero(tiled.padded());
         x.head(size) = right_hand_side(size);
         tiled.solve(runtime.parallel, x.data(), {});
-        const Eigen::VectorXd expected = matrix.ldlt().solve(right_hand_side(size));
+        const Eigen::VectorXd expected = fit_test::solved(matrix, right_hand_side(size));
         EXPECT_LT((x.head(size) - expected).norm(), 1e-9 * expected.norm()) << size;
         EXPECT_EQ(x.tail(tiled.padded() - size).norm(), 0.0);
 
-        const double inverse = matrix.inverse().cwiseAbs().colwise().sum().maxCoeff();
+        const double inverse = fit_test::inverse(matrix).cwiseAbs().colwise().sum().maxCoeff();
         Eigen::VectorXd work = Eigen::VectorXd::Zero(tiled.padded());
         const double estimate =
             fit::inverse_norm(size, work.data(), [&](double* v) { tiled.solve(runtime.parallel, v, {}); });

@@ -159,6 +159,8 @@ TEST(Octree, CanBeCancelled) {
     base::Operation operation;
     operation.cancel();
     EXPECT_THROW(Octree(surface(50), 7, 0.0, base::Progress(&operation)), Error);
+    const Octree tree(surface(50), 7, 0.0, {});
+    EXPECT_THROW(static_cast<void>(octree_interactions(tree, base::Progress(&operation))), Error);
 }
 
 bool touching(const Octree::Node& a, const Octree::Node& b) {

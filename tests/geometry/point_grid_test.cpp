@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "geometry/point_grid.h"
 
+#include "base/status.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -27,6 +29,13 @@ TEST(PointGrid, VisitsEveryPointOfABallOnce) {
             ASSERT_TRUE(times == 1 || glm::distance(points[i], p) >= radius) << i;
         }
     }
+}
+
+TEST(PointGrid, CanBeCancelled) {
+    base::Memory memory;
+    base::Operation operation;
+    operation.cancel();
+    EXPECT_THROW(PointGrid(VecArray(memory, 7), 0.5, base::Progress(&operation)), Error);
 }
 
 TEST(PointGrid, OfNoPointsOrOfTwins) {

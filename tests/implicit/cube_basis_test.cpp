@@ -175,6 +175,10 @@ TEST(CubeBasis, CanBeCancelled) {
     base::Operation operation;
     operation.cancel();
     EXPECT_THROW(CubeBasis(runtime, 5, base::Progress(&operation)), hrbfnpr::Error);
+    const CubeBasis basis(runtime, 5, {});
+    const VecArray points = points_in_cube(runtime.memory, 3);
+    EXPECT_THROW(static_cast<void>(basis.interpolation(runtime, points, 3, base::Progress(&operation))),
+                 hrbfnpr::Error);
 }
 
 } // namespace

@@ -3,6 +3,7 @@
 
     package.py install BUILD WORK     installs BUILD below WORK and moves it
     package.py STEP SOURCE WORK       one of the other steps below; SOURCE is the library's sources
+    package.py static SOURCE WORK BUILD    takes objects from BUILD, which made the shared library of them
 """
 
 import os
@@ -42,10 +43,12 @@ def library_folder(prefix):
     return found[0]
 
 
-def configure(source, build, *definitions):
+def configure(source, build, *definitions, launcher=()):
     shutil.rmtree(build, ignore_errors=True)
-    launcher = ["-DCMAKE_CXX_COMPILER_LAUNCHER=ccache"] if shutil.which("ccache") else []
-    run("cmake", "-G", "Ninja", "-S", source, "-B", build, *launcher, *definitions)
+    launcher = [*map(str, launcher), *(["ccache"] if shutil.which("ccache") else [])]
+    if launcher:
+        definitions = [*definitions, f"-DCMAKE_CXX_COMPILER_LAUNCHER={';'.join(launcher)}"]
+    run("cmake", "-G", "Ninja", "-S", source, "-B", build, *definitions)
 
 
 def run_consumer(program, **environment):
@@ -103,12 +106,15 @@ def subdirectory(source, work):
 
 
 def static(source, work):
-    """A static library: linked into its host; installed, moved, and linked into C and C++ projects."""
+    """A static library: linked into its host; installed, moved, and linked into C and C++ projects.
+
+    Of its objects those of the boundary alone are not the shared library's."""
     build, stage, prefix = work / "static build", work / "static stage", work / "a static place"
     shutil.rmtree(prefix, ignore_errors=True)
     configure(HERE / "subdirectory", build, f"-DHRBFNPR_SOURCE_DIR={source}", "-DHOST_LANGUAGES=C;CXX",
               "-DBUILD_SHARED_LIBS=OFF", "-DHRBFNPR_INSTALL=ON", "-DCMAKE_BUILD_TYPE=Debug",
-              "-DCMAKE_CXX_FLAGS_DEBUG=-O0", "-DHRBFNPR_PRECOMPILE=ON")
+              "-DCMAKE_CXX_FLAGS_DEBUG=-O0", "-DHRBFNPR_PRECOMPILE=ON",
+              launcher=(HERE / "reuse.sh", sys.argv[4]))
     run("cmake", "--build", build)
     run_consumer(build / "consumer")
     run("cmake", "--install", build, "--prefix", stage)

@@ -82,24 +82,6 @@ def test_every_style(files, tmp_path, style):
     assert 0.002 < ink(output) < 0.95
 
 
-def test_hatching_is_the_same_at_every_size(files, tmp_path):
-    saved = []
-    for size in ("160", "400"):
-        saved.append(tmp_path / f"{size}.points")
-        picture = str(tmp_path / f"{size}.png")
-        assert main(["draw", str(files["ply"]), picture, "--style", "engraving", "--size", size, "--samples", "60",
-                     "--quiet", "--save-points", str(saved[-1])]) == 0  # fmt: skip
-        assert 0.01 < ink(picture) < 0.9
-    sets = [hrbfnpr.PointSet.load(path) for path in saved]
-    lines = [marks.layer("hatch") for marks in sets]
-    assert len(lines[0]) > 10000
-    for name in ("levels", "stroke_first"):
-        assert np.array_equal(getattr(lines[0], name), getattr(lines[1], name))
-    # Origins are those of all layers, and positions floats.
-    a, b = (line.positions + np.asarray(marks.origin) for line, marks in zip(lines, sets))
-    assert np.abs(a - b).max() < 1e-6
-
-
 def test_lines_of_hatching_are_turned(files, tmp_path):
     directions = []
     for angle in ("0", "90"):

@@ -16,6 +16,7 @@ namespace hrbfnpr::mesh {
 namespace {
 
 constexpr std::int64_t grain = 256;
+constexpr std::int64_t points_a_look = 16; // some are far from all faces
 constexpr double degrees = 57.29577951308232;
 constexpr int evaluations = 20;
 constexpr double projected_tolerance = 1e-6;
@@ -39,8 +40,10 @@ constexpr std::uint32_t stream = 77;                  // other places than those
                                             const FaceTree& tree, const base::Progress& progress) {
     base::Array<double> result(runtime.memory, from.size());
     runtime.parallel.for_chunks(from.size(), grain, [&](std::int64_t begin, std::int64_t end) {
-        progress.check();
-        for (std::int64_t i = begin; i < end; ++i) result[i] = tree.distance(from[i]);
+        for (std::int64_t i = begin; i < end; ++i) {
+            if (i % points_a_look == 0) progress.check();
+            result[i] = tree.distance(from[i]);
+        }
     });
     return result;
 }
@@ -94,8 +97,8 @@ private:
         const SurfacePlaces places = places_on(runtime_, implicit_, surface, search_, progress_.part(0.4, 0.6));
         base::Array<double> distance(runtime_.memory, places.position.size());
         runtime_.parallel.for_chunks(distance.size(), grain, [&](std::int64_t begin, std::int64_t end) {
-            progress_.check();
             for (std::int64_t i = begin; i < end; ++i) {
+                if (i % points_a_look == 0) progress_.check();
                 const FaceTree::Nearest nearest = outer_.tree().nearest(places.position[i]);
                 distance[i] = on_border(mesh_, nearest.face, nearest.place) ? -1.0 : std::sqrt(nearest.squared);
             }

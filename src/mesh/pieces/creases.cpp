@@ -32,7 +32,7 @@ public:
     Finder(const base::Runtime& runtime, const Mesh& mesh, double angle, double coarse, const base::Progress& progress)
         : runtime_(runtime), mesh_(mesh), angle_(angle * radians), coarse_(coarse), progress_(progress),
           bend_(runtime.memory), first_(runtime.memory), at_(runtime.memory),
-          degree_(runtime.memory, mesh.vertex.size()), sides_(sides_by_edge(runtime, mesh.triangle)),
+          degree_(runtime.memory, mesh.vertex.size()), sides_(sides_by_edge(runtime, mesh.triangle, progress)),
           result_(runtime.memory) {}
 
     [[nodiscard]] Creases run() {
@@ -64,7 +64,7 @@ private:
         base::Array<glm::dvec3> normal(runtime_.memory);
         for (std::int64_t face = 0; face < mesh_.faces(); ++face)
             normal.push_back(glm::normalize(doubled_area(mesh_.corners(face))));
-        for_edges(sides_, [&](const Side* first, const Side* last) {
+        for_edges(sides_, progress_, [&](const Side* first, const Side* last) {
             const auto low = static_cast<std::int32_t>(first->edge >> 32U);
             const auto high = static_cast<std::int32_t>(first->edge & 0xFFFFFFFFU);
             if (!is_plain(first, last)) { // patches end here, and so may creases
@@ -150,7 +150,7 @@ private:
                 sharp[side_of(bend.right, bend.to)] = 1;
             }
         Sets sets(runtime_.memory, mesh_.faces());
-        for_edges(sides_, [&](const Side* first, const Side* last) {
+        for_edges(sides_, progress_, [&](const Side* first, const Side* last) {
             const bool joined = is_plain(first, last);
             const auto low = static_cast<std::int32_t>(first->edge >> 32U);
             const auto high = static_cast<std::int32_t>(first->edge & 0xFFFFFFFFU);

@@ -28,8 +28,8 @@ Sides::Sides(const base::Runtime& runtime, const Mesh& mesh, const FaceTree& tre
                 std::atan2(glm::length(glm::cross(u, v)), glm::dot(u, v)) * normal_[face];
         }
     }
-    const base::Array<Side> sides = sides_by_edge(runtime, mesh.triangle);
-    for_edges(sides, [&](const Side* first, const Side* last) {
+    const base::Array<Side> sides = sides_by_edge(runtime, mesh.triangle, progress);
+    for_edges(sides, progress, [&](const Side* first, const Side* last) {
         glm::dvec3 sum(0.0);
         for (const Side* side = first; side != last; ++side) sum += normal_[side->face];
         const auto low = static_cast<std::int32_t>(first->edge >> 32U);

@@ -20,7 +20,7 @@ public:
           from_cut_(runtime.memory), heap_(runtime.memory) {
         across_.resize_for_overwrite(3 * mesh.faces());
         std::fill(across_.begin(), across_.end(), -1);
-        for_edges(sides, [&](const Side* first, const Side* last) {
+        for_edges(sides, progress, [&](const Side* first, const Side* last) {
             if (last - first != 2) return;
             across_[side_of(first[0])] = first[1].face;
             across_[side_of(first[1])] = first[0].face;
