@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Shapes with sharp edges: CSG trees beside a plain recursion, and models of sheets that are fitted to meshes.
-// --only=csg|pieces; --trees=N; --models=DIR: a folder of OBJ and PLY meshes that are measured, too; --named=TEXT: only
-// those with it in the name.
+// Shapes with sharp edges: CSG trees beside a plain recursion, unions of many fits, and models of sheets that are
+// fitted to meshes.  --only=csg|rows|pieces; --trees=N; --models=DIR: a folder of OBJ and PLY meshes that are measured,
+// too; --named=TEXT: only those with it in the name.
 #include "edges_pieces.h"
+#include "edges_rows.h"
 #include "edges_trees.h"
 
 #include <cstdio>
@@ -12,14 +13,16 @@
 int main(int argc, char** argv) {
     try {
         const std::string only = bench::option(argc, argv, "--only=");
-        if (!only.empty() && only != "csg" && only != "pieces")
-            throw std::runtime_error("--only=" + only + ": there are csg and pieces");
+        if (!only.empty() && only != "csg" && only != "rows" && only != "pieces")
+            throw std::runtime_error("--only=" + only + ": there are csg, rows and pieces");
         const scenes::Context context = bench::make_context(2);
-        if (only != "pieces") {
+        const auto wants = [&](const char* part) { return only.empty() || only == part; };
+        if (wants("csg")) {
             const std::string trees = bench::option(argc, argv, "--trees=");
             bench::csg::measure_csg(context.get(), trees.empty() ? 1000 : std::stoi(trees));
         }
-        if (only != "csg")
+        if (wants("rows")) bench::rows::measure_rows(context.get());
+        if (wants("pieces"))
             bench::measure_pieces(context.get(), bench::option(argc, argv, "--models="),
                                   bench::option(argc, argv, "--named="));
     } catch (const std::exception& error) {

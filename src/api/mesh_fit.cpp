@@ -8,9 +8,9 @@
 #include "api/mesh.h"
 #include "api/model_trim.h"
 #include "api/operation.h"
+#include "mesh/end_samples.h"
 #include "mesh/pieces/fit_pieces.h"
 #include "mesh/pieces/has_creases.h"
-#include "mesh/sample.h"
 
 #include <memory>
 #include <optional>
@@ -88,7 +88,7 @@ constexpr double smallest_cell = 1e-3;
 constexpr double end_of_fit = 0.9; // of its progress; then it is looked for the surface's end
 constexpr double too_coarse = 0.8; // of `far`: how far faces may be from what they stand for
 constexpr double off_mesh = 0.009; // diagonals: how far from a mesh what is none of it lies
-constexpr std::int64_t places_of_trim = 20000;
+constexpr std::int64_t places_of_trim = 40000;
 constexpr std::int64_t fewest_points = 100;
 constexpr std::int64_t fewest_candidates = 1000;
 
@@ -263,7 +263,8 @@ hrbfnpr_model* fit_pieces(const hrbfnpr_mesh& mesh, const mesh::FitMeshSettings&
         progress.update(1.0);
         model = make_handle<hrbfnpr_model>(mesh.context(), std::move(result.data), result.fit);
     } else {
-        const mesh::MeshSamples places = mesh::random_samples(runtime, mesh.mesh, places_of_trim, settings.seed, 1, {});
+        const mesh::MeshSamples places = mesh::end_samples(runtime, mesh.mesh, mesh.tree, places_of_trim,
+                                                           off_mesh * mesh.mesh.bounds.diagonal(), settings.seed, {});
         generate::TrimSettings end;
         end.hole = end.closest = off_mesh;
         model = ended_model(make_handle<hrbfnpr_model>(mesh.context(), std::move(result.data), result.fit),

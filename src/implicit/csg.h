@@ -21,7 +21,7 @@ public:
 
     void evaluate(const PointBatch& points, const FieldBatch& fields) const override;
     [[nodiscard]] bool concurrent() const noexcept override { return concurrent_; }
-    // Those of all leaves, one leaf's behind the other's.
+    // Those of all models, one model's behind the other's; of several that have none, one for each.
     [[nodiscard]] std::int64_t cells() const noexcept override { return cells_; }
     [[nodiscard]] std::int32_t cell_of(const glm::dvec3& point) const noexcept override;
     [[nodiscard]] const geometry::Bounds& bounds() const noexcept override { return bounds_; }
@@ -49,7 +49,11 @@ private:
         const CsgPlace* place;
         std::int64_t first; // its cells
     };
-    base::Array<Celled> celled_; // leaves that have cells
+    void place_cells(base::Memory& memory);
+
+    base::Array<Celled> celled_; // the models
+    CsgBoxTree boxes_;           // of them
+    std::int32_t boxes_root_ = -1;
     std::int64_t cells_ = 0;
     bool concurrent_ = true;
     SheetsOf sheets_{*this};

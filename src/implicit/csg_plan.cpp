@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "implicit/csg_plan.h"
+#include "implicit/csg_grouping.h"
 
 #include <glm/matrix.hpp>
 
@@ -61,6 +61,7 @@ public:
         plan_.drawn_ = reaches_[plan_.root_].drawn;
         plan_.whole_ = reaches_[plan_.root_].whole;
     }
+    [[nodiscard]] const base::Array<Reaches>& reaches() const noexcept { return reaches_; }
 
 private:
     // From the root down.
@@ -210,7 +211,8 @@ private:
             return reach_of(box_of(bounds), frame.linear, frame.linear * bounds.centre() + frame.translation,
                             frame.scale);
         };
-        return {reach(model.bounds), reach(model.region)};
+        place.reach = reach(model.region);
+        return {reach(model.bounds), place.reach};
     }
     static CsgShape box_of(const geometry::Bounds& bounds) noexcept {
         CsgNode box;
@@ -226,11 +228,19 @@ private:
     base::Array<Reaches> reaches_; // of each op
 };
 
-CsgPlan::CsgPlan(base::Memory& memory, const CsgTree& tree, const base::Array<CsgModel>& models)
-    : ops_(memory), places_(memory), steps_(memory) {
-    Builder(*this, memory, tree, models).run();
+CsgPlan::CsgPlan(base::Memory& memory, const CsgTree& tree, const base::Array<CsgModel>& models, Groups groups)
+    : ops_(memory), places_(memory), steps_(memory), groups_(memory), members_(memory), boxes_(memory) {
+    Builder builder(*this, memory, tree, models);
+    builder.run();
+    if (groups != Groups::never) Grouping(*this, builder.reaches(), groups == Groups::always).run();
     base::Array<Pending> pending(memory);
-    make_steps(-1, steps_, pending);
+    add_steps(root_, -1, steps_, pending);
+    root_steps_ = steps_.size();
+    for (CsgMember& member : members_) {
+        member.begin = steps_.size();
+        add_steps(member.op, -1, steps_, pending);
+        member.end = steps_.size();
+    }
 }
 
 bool CsgPlan::is_finite() const noexcept {
@@ -243,8 +253,13 @@ bool CsgPlan::is_finite() const noexcept {
 
 void CsgPlan::make_steps(std::int32_t sheet, base::Array<CsgStep>& steps, base::Array<Pending>& pending) const {
     steps.clear();
+    add_steps(root_, sheet, steps, pending);
+}
+
+void CsgPlan::add_steps(std::int32_t op, std::int32_t sheet, base::Array<CsgStep>& steps,
+                        base::Array<Pending>& pending) const {
     pending.clear();
-    pending.push_back({root_, 0, sheet, -1, false, false});
+    pending.push_back({op, 0, sheet, -1, false, false});
     while (!pending.empty()) {
         const Pending task = pending.back();
         pending.resize(pending.size() - 1);
@@ -255,8 +270,10 @@ void CsgPlan::make_steps(std::int32_t sheet, base::Array<CsgStep>& steps, base::
 void CsgPlan::visit(const Pending& task, base::Array<CsgStep>& steps, base::Array<Pending>& pending) const {
     const CsgOp& op = ops_[task.op];
     const std::int32_t sheet = op.merged ? -1 : task.sheet;
-    if (op.is_leaf() || task.done) {
+    const bool grouped = op.group >= 0 && sheet < 0;
+    if (op.is_leaf() || grouped || task.done) {
         const auto kind = op.is_leaf()    ? CsgStep::Kind::leaf
+                          : grouped       ? CsgStep::Kind::group
                           : op.is_shell() ? CsgStep::Kind::shell
                                           : CsgStep::Kind::combine;
         steps.push_back({kind, task.a_is_second, task.op, task.to, sheet, task.than});

@@ -4,10 +4,6 @@
 namespace hrbfnpr::implicit {
 namespace {
 
-glm::dvec3 local(const CsgPlace& place, const PointBatch& points, std::int64_t i) noexcept {
-    return place.to_local * glm::dvec3(points.x[i], points.y[i], points.z[i]) + place.shift;
-}
-
 // scale M^T H M.
 std::array<double, 6> moved(const std::array<double, 6>& h, const CsgPlace& place) noexcept {
     const glm::dmat3 full(h[0], h[1], h[2], h[1], h[3], h[4], h[2], h[4], h[5]);
@@ -61,7 +57,7 @@ void Csg::Run::put(CsgRegister& to, std::int64_t lane, const CsgOp& op, const Cs
 
 void Csg::Run::shape(const CsgStep& step, const CsgOp& op, const PointBatch& points) noexcept {
     const CsgPlace& place = plan_.place(op);
-    CsgRegister& to = scratch_.registers[step.to];
+    CsgRegister& to = registers_[step.to];
     for (std::int64_t i = 0; i < points.count; ++i) {
         const glm::dvec3 p = local(place, points, i);
         std::int32_t sheet = step.sheet;
@@ -82,7 +78,7 @@ bool Csg::Run::is_needed(const CsgStep& step, const CsgOp& op, const CsgPlace& p
     const CsgOp& both = plan_.ops()[step.than];
     if (both.takes_least() != (place.scale > 0.0)) return true;
     const double sign = place.scale > 0.0 ? 1.0 : -1.0;
-    const double other = sign * scratch_.registers[step.to - 1].value[lane];
+    const double other = sign * registers_[step.to - 1].value[lane];
     const double least = sign * (place.scale * beyond + op.add);
     const double radius = both.blend.radius;
     return !(least > (both.blend.exponent > 0.0 ? std::max(radius, other) : other + radius));
@@ -118,7 +114,7 @@ void Csg::Run::end_at_box(const CsgPlace& place, std::int64_t k) noexcept {
 
 void Csg::Run::model(const CsgStep& step, const CsgOp& op, const PointBatch& points) {
     const CsgPlace& place = plan_.place(op);
-    CsgRegister& to = scratch_.registers[step.to];
+    CsgRegister& to = registers_[step.to];
     const bool side = step.sheet >= place.model_sheets;
     std::int64_t asked = 0;
     for (std::int64_t i = 0; i < points.count; ++i) {
@@ -149,12 +145,12 @@ void Csg::Run::model(const CsgStep& step, const CsgOp& op, const PointBatch& poi
 }
 
 void Csg::Run::pick(const CsgStep& step, const CsgOp& op, std::int64_t count) noexcept {
-    CsgRegister& first = scratch_.registers[step.to];
+    CsgRegister& first = registers_[step.to];
     if (step.sheet >= 0) { // only one of them was made
         for (std::int64_t i = 0; i < count; ++i) first.value[i] += op.add;
         return;
     }
-    const CsgRegister& second = scratch_.registers[step.to + 1];
+    const CsgRegister& second = registers_[step.to + 1];
     const CsgRegister& a = step.a_is_second ? second : first;
     const CsgRegister& b = step.a_is_second ? first : second;
     const std::int32_t sheets_of_a = plan_.ops()[op.a].sheets;
@@ -170,8 +166,8 @@ void Csg::Run::pick(const CsgStep& step, const CsgOp& op, std::int64_t count) no
 }
 
 void Csg::Run::mix(const CsgStep& step, const CsgOp& op, std::int64_t count) noexcept {
-    CsgRegister& first = scratch_.registers[step.to];
-    const CsgRegister& second = scratch_.registers[step.to + 1];
+    CsgRegister& first = registers_[step.to];
+    const CsgRegister& second = registers_[step.to + 1];
     const CsgRegister& a = step.a_is_second ? second : first;
     const CsgRegister& b = step.a_is_second ? first : second;
     const std::int32_t sheets_of_b = plan_.ops()[op.b].sheets;
@@ -190,7 +186,7 @@ void Csg::Run::mix(const CsgStep& step, const CsgOp& op, std::int64_t count) noe
 }
 
 void Csg::Run::shell(const CsgStep& step, const CsgOp& op, std::int64_t count) noexcept {
-    CsgRegister& to = scratch_.registers[step.to];
+    CsgRegister& to = registers_[step.to];
     const std::int32_t sheets = plan_.ops()[op.a].sheets;
     const double sign = op.takes_least() ? 1.0 : -1.0;
     for (std::int64_t i = 0; i < count; ++i) {
@@ -204,8 +200,8 @@ void Csg::Run::shell(const CsgStep& step, const CsgOp& op, std::int64_t count) n
     }
 }
 
-const CsgRegister& Csg::Run::operator()(const PointBatch& points) {
-    for (const CsgStep& step : steps_) {
+void Csg::Run::run(std::span<const CsgStep> steps, const PointBatch& points) {
+    for (const CsgStep& step : steps) {
         const CsgOp& op = plan_.ops()[step.op];
         switch (step.kind) {
         case CsgStep::Kind::leaf:
@@ -221,9 +217,9 @@ const CsgRegister& Csg::Run::operator()(const PointBatch& points) {
                 pick(step, op, points.count);
             break;
         case CsgStep::Kind::shell: shell(step, op, points.count); break;
+        case CsgStep::Kind::group: group(step, op, points); break;
         }
     }
-    return scratch_.registers[0];
 }
 
 } // namespace hrbfnpr::implicit

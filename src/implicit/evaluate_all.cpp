@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "implicit/evaluate_all.h"
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <limits>
+#include <numeric>
 
 namespace hrbfnpr::implicit {
 namespace {
+
+constexpr std::int64_t many_cells = 64; // for each point
 
 using Column = std::array<double, static_cast<std::size_t>(batch_size)>;
 
@@ -61,11 +65,17 @@ base::Array<std::int32_t> order_by_cell(const base::Runtime& runtime, const Impl
     runtime.parallel.for_chunks(points.size(), 4096, progress, [&](std::int64_t begin, std::int64_t end) {
         for (std::int64_t i = begin; i < end; ++i) cell[i] = implicit.cell_of(points[i]);
     });
+    order.resize(points.size());
+    if (cells / many_cells > points.size()) { // to pass over them all would take longer
+        std::iota(order.begin(), order.end(), 0);
+        std::sort(order.begin(), order.end(),
+                  [&](std::int32_t a, std::int32_t b) { return cell[a] != cell[b] ? cell[a] < cell[b] : a < b; });
+        return order;
+    }
     base::Array<std::int32_t> next(runtime.memory, cells + 1);
     for (const std::int32_t c : cell) ++next[c + 1];
     progress.check();
     for (std::int64_t c = 0; c < cells; ++c) next[c + 1] += next[c];
-    order.resize(points.size());
     progress.check();
     for (std::int64_t i = 0; i < points.size(); ++i) order[next[cell[i]]++] = static_cast<std::int32_t>(i);
     return order;

@@ -249,31 +249,46 @@ TEST(FitMesh, EndsWithAnOpenMesh) {
     }
 }
 
-// Two tori side by side, by what is between them.
+// The warnings of a fit.
+std::vector<std::string> warnings_of(const Triangles& parts, std::uint32_t edges, double tolerance) {
+    std::vector<std::string> messages;
+    auto desc = made(hrbfnpr_context_desc_init);
+    desc.log_level = HRBFNPR_LOG_WARNING;
+    desc.log_user = &messages;
+    desc.log = [](void* user, std::int32_t, const char* message) {
+        static_cast<std::vector<std::string>*>(user)->emplace_back(message);
+    };
+    Error error;
+    hrbfnpr_context* raw_context = nullptr;
+    EXPECT_OK(hrbfnpr_context_create(&desc, &raw_context, error));
+    const Context context(raw_context);
+    const Mesh mesh = mesh_of(context, parts);
+    auto fit = made(hrbfnpr_mesh_fit_desc_init);
+    fit.tolerance = tolerance;
+    fit.edges = edges;
+    auto info = made(hrbfnpr_mesh_fit_info_init);
+    hrbfnpr_model* raw = nullptr;
+    EXPECT_OK(hrbfnpr_model_fit_mesh(mesh.get(), &fit, nullptr, &info, nullptr, &raw, error));
+    EXPECT_EQ(info.sheets > 1, edges == HRBFNPR_EDGES_SHARP);
+    Model(raw).reset();
+    return messages;
+}
+
+// Two side by side, by what is between them; or one in the other.  Fits of sheets say so in the same words.
 TEST(FitMesh, WarnsOfPartsThatItMayJoin) {
+    const auto says = [](const std::vector<std::string>& messages) {
+        return !messages.empty() && messages[0].find("mesh fit: parts ") == 0 &&
+               messages[0].find("cross or are nearer to each other than the tolerance") != std::string::npos;
+    };
+    const Triangles ring = torus(60, 24, 0.4);
+    const Triangles cube = hrbfnpr::test::box(1.0, 1.0, 1.0, 2);
     for (const double gap : {0.005, 0.2}) {
-        std::vector<std::string> messages;
-        auto desc = made(hrbfnpr_context_desc_init);
-        desc.log_level = HRBFNPR_LOG_WARNING;
-        desc.log_user = &messages;
-        desc.log = [](void* user, std::int32_t, const char* message) {
-            static_cast<std::vector<std::string>*>(user)->emplace_back(message);
-        };
-        Error error;
-        hrbfnpr_context* raw_context = nullptr;
-        ASSERT_OK(hrbfnpr_context_create(&desc, &raw_context, error));
-        const Context context(raw_context);
-        const auto one = torus(60, 24, 0.4);
-        const Mesh mesh = mesh_of(context, one.with(one.moved(1.0, 0.0, 0.0, 0.8 + gap)));
-        auto fit = made(hrbfnpr_mesh_fit_desc_init);
-        fit.tolerance = 0.02;
-        hrbfnpr_model* raw = nullptr;
-        ASSERT_OK(hrbfnpr_model_fit_mesh(mesh.get(), &fit, nullptr, nullptr, nullptr, &raw, error));
-        const Model model(raw);
-        const bool warned = !messages.empty() && messages[0].find("mesh fit: parts ") == 0 &&
-                            messages[0].find("nearer to each other than the tolerance") != std::string::npos;
-        EXPECT_EQ(warned, gap < fit.tolerance) << gap;
+        EXPECT_EQ(says(warnings_of(ring.with(ring.moved(1.0, 0.0, 0.0, 0.8 + gap)), HRBFNPR_EDGES_AUTO, 0.02)),
+                  gap < 0.02);
+        EXPECT_EQ(says(warnings_of(cube.with(cube.moved(1.0, 1.0 + gap, 0.3, 0.2)), HRBFNPR_EDGES_SHARP, 0.02)),
+                  gap < 0.02);
     }
+    EXPECT_TRUE(says(warnings_of(cube.with(cube.moved(1.0, 0.99, 0.99, 0.99)), HRBFNPR_EDGES_SHARP, 0.001)));
 }
 
 TEST(FitMesh, TakesTheOptionsOfAFit) {

@@ -159,8 +159,8 @@ ROWS = {
     "mesh, some faces turned over": ("a.obj", lambda: obj(*tube(turned=range(0, 60, 7))), [], 0),
     "mesh with parts inside others": ("a.obj", nested_parts, [], 0),
     "mesh with thin parts, `--samples` too few": ("a.obj", thin, ["--samples", "60"], 0),
-    "mesh with parts that cross, or are nearer to each other than the tolerance, `--edges smooth`":
-        ("a.obj", near_parts, ["--tolerance", "0.05", "--edges", "smooth"], 0),
+    "mesh with parts that cross, or are nearer to each other than the tolerance":
+        ("a.obj", near_parts, ["--tolerance", "0.05"], 0),
     "mesh, some corners not finite": ("a.obj", not_finite, [], 0),
     "height map": ("a.asc", waves, [], 0),
     "terrain whose normals look down": ("a.obj", hanging, [], 0),

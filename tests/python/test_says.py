@@ -34,8 +34,10 @@ def test_parts_that_a_fit_may_join_are_warned_of(tmp_path, capsys):
     for gap, warned in ((0.01, True), (0.5, False)):
         beside = [[i + len(vertices) for i in face] for face in faces]
         path = write(tmp_path, "tubes.obj", obj(np.vstack([vertices, vertices + [2 + gap, 0, 0]]), faces + beside))
-        assert draw(path, tmp_path / "tubes.png", "--tolerance", "0.05", "--edges", "smooth") == 0
-        assert ("of the mesh, and maybe others, cross or are nearer to each" in capsys.readouterr().err) == warned
+        for edges in ("smooth", "30"):
+            assert draw(path, tmp_path / "tubes.png", "--tolerance", "0.05", "--edges", edges) == 0
+            said = "of the mesh, and maybe others, cross or are nearer to each" in capsys.readouterr().err
+            assert said == warned, edges
 
 
 # --- normals -----------------------------------------------------------------------------------

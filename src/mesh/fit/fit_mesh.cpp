@@ -82,7 +82,7 @@ private:
         const std::int64_t wanted =
             settings_.candidates > 0 ? settings_.candidates : std::clamp(faces, fewest_candidates, most_candidates / 2);
         MeshSamples even = random_samples(runtime_, mesh_, wanted, settings_.seed, 1, progress_);
-        warn_of_touching(even);
+        warn_of_touching(runtime_, mesh_, tree_, even, report_.tolerance, progress_);
         candidates_.position = std::move(even.position);
         candidates_.normal = std::move(even.normal);
         const std::int64_t step = (faces + most_candidates / 2 - 1) / (most_candidates / 2);
@@ -99,18 +99,6 @@ private:
             search_.support = &*support_;
         }
         report_.seconds_sample = watch.seconds();
-    }
-
-    void warn_of_touching(const MeshSamples& places) const {
-        if (mesh_.report.components - mesh_.report.left_out_components < 2) return;
-        const Touching found = find_touching(runtime_, mesh_, tree_, places, report_.tolerance, progress_);
-        if (found.one < 0) return;
-        runtime_.log(
-            base::LogLevel::warning,
-            "mesh fit: parts %d and %d of the mesh, and maybe others, cross or are nearer to each other than the "
-            "tolerance, as near %.4g %.4g %.4g: the surface may join them there; a smaller tolerance holds apart "
-            "what does not cross",
-            static_cast<int>(found.one), static_cast<int>(found.other), found.place.x, found.place.y, found.place.z);
     }
 
     void choose_first() {

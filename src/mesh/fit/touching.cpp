@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "mesh/fit/touching.h"
 
+#include <algorithm>
+
 namespace hrbfnpr::mesh {
 namespace {
 
@@ -17,18 +19,71 @@ std::int32_t other_component(const Mesh& mesh, const FaceTree& tree, const MeshS
     return -1;
 }
 
+// The first face of another component that one of a face's own edges goes through; -1: there is none.
+std::int32_t pierced_by(const Mesh& mesh, const FaceTree& tree, std::int64_t face, glm::dvec3& place) noexcept {
+    constexpr int most_own = 8; // faces that an edge goes through before
+    constexpr double beyond = 1e-9;
+    const std::array<glm::dvec3, 3> p = mesh.corners(face);
+    for (std::size_t k = 0; k < 3; ++k) {
+        const glm::dvec3 along = p[(k + 1) % 3] - p[k];
+        FaceTree::Hit hit{0.0, face};
+        for (int own = 0; own < most_own && hit.face >= 0; ++own) {
+            hit = tree.first_hit(p[k], along, hit.t + beyond, 1.0);
+            if (hit.face < 0 || mesh.component[hit.face] == mesh.component[face]) continue;
+            place = p[k] + hit.t * along;
+            return mesh.component[hit.face];
+        }
+    }
+    return -1;
+}
+
+// The first of many for which find(i, place) is a component.
+template <class F>
+Touching first_of(const base::Runtime& runtime, std::int64_t count, const base::Progress& progress, F&& find) {
+    base::Array<std::int32_t> other(runtime.memory, count);
+    runtime.parallel.for_chunks(count, grain, [&](std::int64_t begin, std::int64_t end) {
+        progress.check();
+        glm::dvec3 place;
+        for (std::int64_t i = begin; i < end; ++i) other[i] = find(i, place);
+    });
+    const auto at = std::find_if(other.begin(), other.end(), [](std::int32_t one) { return one >= 0; });
+    Touching found;
+    if (at == other.end()) return found;
+    found.one = static_cast<std::int32_t>(at - other.begin());
+    found.other = find(found.one, found.place);
+    return found;
+}
+
 } // namespace
 
 Touching find_touching(const base::Runtime& runtime, const Mesh& mesh, const FaceTree& tree, const MeshSamples& places,
                        double near, const base::Progress& progress) {
-    base::Array<std::int32_t> other(runtime.memory, places.position.size());
-    runtime.parallel.for_chunks(other.size(), grain, [&](std::int64_t begin, std::int64_t end) {
-        progress.check();
-        for (std::int64_t i = begin; i < end; ++i) other[i] = other_component(mesh, tree, places, i, near);
+    Touching found = first_of(runtime, mesh.faces(), progress, [&](std::int64_t face, glm::dvec3& place) {
+        return pierced_by(mesh, tree, face, place);
     });
-    for (std::int64_t i = 0; i < other.size(); ++i)
-        if (other[i] >= 0) return {mesh.component[places.face[i]], other[i], places.position[i]};
-    return {};
+    if (found.one >= 0) {
+        found.one = mesh.component[found.one];
+        return found;
+    }
+    found = first_of(runtime, places.position.size(), progress, [&](std::int64_t i, glm::dvec3& place) {
+        place = places.position[i];
+        return other_component(mesh, tree, places, i, near);
+    });
+    if (found.one >= 0) found.one = mesh.component[places.face[found.one]];
+    return found;
+}
+
+void warn_of_touching(const base::Runtime& runtime, const Mesh& mesh, const FaceTree& tree, const MeshSamples& places,
+                      double near, const base::Progress& progress) {
+    if (mesh.report.components - mesh.report.left_out_components < 2) return;
+    const Touching found = find_touching(runtime, mesh, tree, places, near, progress);
+    if (found.one < 0) return;
+    runtime.log(base::LogLevel::warning,
+                "mesh fit: parts %d and %d of the mesh, and maybe others, cross or are nearer to each other than the "
+                "tolerance, as near %.4g %.4g %.4g: the surface may join them there; a smaller tolerance holds apart "
+                "what does not cross",
+                static_cast<int>(found.one), static_cast<int>(found.other), found.place.x, found.place.y,
+                found.place.z);
 }
 
 } // namespace hrbfnpr::mesh

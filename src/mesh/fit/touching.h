@@ -12,9 +12,13 @@ struct Touching {
     glm::dvec3 place{0.0};
 };
 
-// The first of some places on the mesh from which another component is no farther than `near` along the normal or
-// against it.
+// The first edge that goes through a face of another component; else the first of some places on the mesh from which
+// another component is no farther than `near` along the normal or against it.
 [[nodiscard]] Touching find_touching(const base::Runtime& runtime, const Mesh& mesh, const FaceTree& tree,
                                      const MeshSamples& places, double near, const base::Progress& progress);
+
+// Says so in the log.
+void warn_of_touching(const base::Runtime& runtime, const Mesh& mesh, const FaceTree& tree, const MeshSamples& places,
+                      double near, const base::Progress& progress);
 
 } // namespace hrbfnpr::mesh

@@ -4,6 +4,7 @@
 #include "base/clock.h"
 #include "mesh/fit/flat.h"
 #include "mesh/fit/outer.h"
+#include "mesh/fit/touching.h"
 #include "mesh/pieces/fit_sheet.h"
 #include "mesh/sample.h"
 
@@ -19,6 +20,8 @@ constexpr double far_from_crease = 0.25;
 constexpr double ramp = 0.05;      // diagonals
 constexpr std::int64_t fewest = 8; // centres that each sheet may have
 constexpr std::int64_t even_places = 2000;
+constexpr std::int64_t fewest_on_parts = 4000;
+constexpr std::int64_t most_on_parts = 100000;
 constexpr double cells_a_diagonal = 72.0; // that the surface is looked for in, when it is measured
 constexpr std::int64_t measured_places = 10000;
 
@@ -37,6 +40,7 @@ public:
 
     [[nodiscard]] PiecesFit run() {
         base::Stopwatch watch;
+        warn_of_touching(runtime_, mesh_, tree_, places_on_parts(), result_.mesh.tolerance, progress_);
         fit_sheets();
         result_.mesh.seconds_fit = watch.seconds();
         watch.restart();
@@ -54,6 +58,12 @@ public:
     }
 
 private:
+    // So many that no contact of two parts is missed that matters.
+    [[nodiscard]] MeshSamples places_on_parts() const {
+        const std::int64_t count = std::clamp(mesh_.faces(), fewest_on_parts, most_on_parts);
+        return random_samples(runtime_, mesh_, count, settings_.seed, 2, progress_);
+    }
+
     // The faces of each patch, one after the other.
     void group_faces() {
         first_.resize(creases_.patches + 1);

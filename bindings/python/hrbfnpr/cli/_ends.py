@@ -27,7 +27,12 @@ def end(model: Model, shape: Shape, close: bool, report: Reporter) -> Model:
 def end_of_mesh(model: Model, mesh: Mesh, close: bool, report: Reporter) -> Model:
     """The same beyond a mesh; what the surface has that a closed one does not was made by the fit."""
     fitted = model.mesh_fit
-    if close or (fitted is not None and fitted.sheets > 1 and mesh.info.closed):
+    of_sheets = fitted is not None and fitted.sheets > 1
+    if close or (of_sheets and mesh.info.closed):
+        return model
+    if of_sheets and mesh.info.boundary_edges:  # the fit has ended it along the border
+        with report.stage("end", "looking for the end of the surface") as stage:
+            stage.says = _in_words(model, "mesh")
         return model
     off = _mesh.off(model)
     places = mesh.sample(ON_MESH, candidates=ON_MESH).points

@@ -88,9 +88,10 @@ def fit(read_mesh: Read, arguments: Any, report: Reporter) -> Model:
         options["regularization"] = arguments.regularization
     if arguments.edges is not None:
         options["edges"], options["crease_angle"] = arguments.edges
+    is_open = read_mesh.mesh.info.boundary_edges > 0
     with report.stage("fit", "fitting") as stage:
         model = Model.fit_mesh(
-            read_mesh.mesh, trim="never", progress=stage.bar, **options
+            read_mesh.mesh, trim="auto" if is_open and not arguments.close else "never", progress=stage.bar, **options
         )
         done = model.mesh_fit
         assert done is not None

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: MIT
+#include "mesh/end_samples.h"
+
+#include "mesh/meshes.h"
+#include "support/runtime.h"
+#include "surface/support.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace base = hrbfnpr::base;
+namespace mesh = hrbfnpr::mesh;
+namespace surface = hrbfnpr::surface;
+using hrbfnpr::test::same_bits;
+using hrbfnpr::test::with_threads;
+using namespace mesh_test;
+
+namespace {
+
+constexpr double limit = 1.5;
+
+// x and y from 0 to 1 and 0 to `width`, z = 0; without the faces that `leave_out` names by their middles.
+template <class F>
+Triangles sheet(double width, int cells, F&& leave_out) {
+    Triangles made;
+    for (int i = 0; i <= cells; ++i)
+        for (int j = 0; j <= cells; ++j)
+            static_cast<void>(made.add(static_cast<double>(i) / cells, width * j / cells, 0.0));
+    for (int i = 0; i < cells; ++i)
+        for (int j = 0; j < cells; ++j) {
+            if (leave_out((i + 0.5) / cells, width * (j + 0.5) / cells)) continue;
+            const std::int32_t a = i * (cells + 1) + j, b = a + cells + 1;
+            made.face(a, b, b + 1);
+            made.face(a, b + 1, a + 1);
+        }
+    return made;
+}
+
+// What a sheet's end samples bear out.
+struct Ended {
+    explicit Ended(const Triangles& from, int threads = 2)
+        : runtime(with_threads(threads)), shape(made(runtime, from)), tree(runtime, shape.vertex, shape.triangle, {}),
+          closest(0.009 * shape.bounds.diagonal()),
+          samples(mesh::end_samples(runtime, shape, tree, 20000, closest, 1, {})),
+          support(runtime, samples.position, samples.normal, closest, {}) {}
+
+    // How far beyond a place the surface ends, in `closest`.
+    [[nodiscard]] double beyond(const glm::dvec3& place, const glm::dvec3& out) const {
+        double reach = 0.0;
+        while (reach > -2.0 && support.value(place + reach * closest * out, {0.0, 0.0, 1.0}) > limit) reach -= 0.01;
+        while (reach < 2.0 && support.value(place + reach * closest * out, {0.0, 0.0, 1.0}) <= limit) reach += 0.01;
+        return reach;
+    }
+
+    base::Runtime runtime;
+    mesh::Mesh shape;
+    mesh::FaceTree tree;
+    double closest;
+    mesh::MeshSamples samples;
+    surface::Support support;
+};
+
+const auto none = [](double, double) { return false; };
+
+// Of faces of any size.
+TEST(EndSamples, EndASheetAtItsBorder) {
+    for (const int cells : {1, 10, 200}) {
+        SCOPED_TRACE(cells);
+        const Ended ended(sheet(1.0, cells, none));
+        for (int i = 5; i <= 95; ++i) {
+            EXPECT_NEAR(ended.beyond({0.01 * i, 1.0, 0.0}, {0, 1, 0}), 0.0, 0.1);
+            EXPECT_NEAR(ended.beyond({0.0, 0.01 * i, 0.0}, {-1, 0, 0}), 0.0, 0.1);
+        }
+        for (int i = 0; i < 40000; ++i) { // no hole; corners are round
+            const glm::dvec3 p(0.00498 * (i % 200) + 0.002, 0.00498 * (i / 200) + 0.002, 0.0);
+            const bool corner = std::min(p.x, 1.0 - p.x) + std::min(p.y, 1.0 - p.y) < 0.02;
+            if (!corner) {
+                ASSERT_LE(ended.support.value(p, {0.0, 0.0, 1.0}), limit) << p.x << ' ' << p.y;
+            }
+        }
+    }
+}
+
+// Strips that have no room for a row stay whole, and end somewhat beyond.
+TEST(EndSamples, KeepNarrowStrips) {
+    for (const double width : {0.004, 0.01, 0.016, 0.03}) {
+        SCOPED_TRACE(width);
+        const Ended ended(sheet(width, 40, none));
+        for (int i = 5; i <= 95; ++i) {
+            for (const double share : {0.1, 0.5, 0.9})
+                EXPECT_LE(ended.support.value({0.01 * i, share * width, 0.0}, {0.0, 0.0, 1.0}), limit);
+            EXPECT_LT(ended.beyond({0.01 * i, width, 0.0}, {0, 1, 0}), 1.1);
+        }
+    }
+}
+
+// A hole ends there, too, unless it is so small that it stays closed anyway.
+TEST(EndSamples, EndAtLargeHolesOnly) {
+    const auto square = [](double x, double y) { return std::abs(x - 0.5) < 0.1 && std::abs(y - 0.5) < 0.1; };
+    const Ended large(sheet(1.0, 200, square));
+    EXPECT_NEAR(large.beyond({0.4, 0.53, 0.0}, {1, 0, 0}), 0.0, 0.1);
+    const Ended small(sheet(1.0, 200, [](double x, double y) { return std::hypot(x - 0.5, y - 0.5) < 0.008; }));
+    for (std::int64_t i = 0; i < small.samples.position.size(); ++i) {
+        const glm::dvec3 p = small.samples.position[i];
+        const double border = std::min({p.x, p.y, 1.0 - p.x, 1.0 - p.y});
+        EXPECT_GT(border, 0.6 * small.closest);
+    }
+    EXPECT_LT(small.support.nearest_sample({0.5, 0.5, 0.0}).distance, small.closest);
+}
+
+TEST(EndSamples, AreTheSameForAnyNumberOfThreads) {
+    const Triangles from = sheet(0.5, 20, none);
+    const Ended one(from, 1);
+    const Ended other(from, 3);
+    ASSERT_EQ(one.samples.position.size(), other.samples.position.size());
+    EXPECT_TRUE(same_bits(one.samples.face, other.samples.face));
+    for (std::int64_t i = 0; i < one.samples.position.size(); ++i)
+        EXPECT_EQ(one.samples.position[i], other.samples.position[i]);
+}
+
+} // namespace

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+#include "mesh/fit/touching.h"
+
+#include "mesh/meshes.h"
+#include "support/runtime.h"
+
+#include <glm/gtx/component_wise.hpp>
+#include <gtest/gtest.h>
+
+namespace mesh = hrbfnpr::mesh;
+using hrbfnpr::test::box;
+using hrbfnpr::test::with_threads;
+using namespace mesh_test;
+
+namespace {
+
+// Asks at so many places.
+mesh::Touching find(const Triangles& from, double near, std::int64_t places, int threads = 2) {
+    const auto runtime = with_threads(threads);
+    const mesh::Mesh shape = made(runtime, from);
+    const mesh::FaceTree tree(runtime, shape.vertex, shape.triangle, {});
+    const mesh::MeshSamples at = mesh::random_samples(runtime, shape, places, 1, 0, {});
+    return mesh::find_touching(runtime, shape, tree, at, near, {});
+}
+
+const Triangles cube = box(1.0, 1.0, 1.0, 1);
+
+TEST(Touching, IsFoundWherePartsAreNear) {
+    EXPECT_LT(find(cube.with(cube.moved(1.0, 1.011, 0.0, 0.0)), 0.01, 500).one, 0);
+    const mesh::Touching found = find(cube.with(cube.moved(1.0, 1.009, 0.0, 0.0)), 0.01, 500);
+    EXPECT_EQ(found.one + found.other, 1);
+    EXPECT_NEAR(found.place.x, 1.0045, 0.0046);
+}
+
+// Where hardly a place lies: by the edges, each end of which is on its own side.
+TEST(Touching, IsFoundWherePartsCross) {
+    // A corner in a corner, and a bar that goes through two faces and whose edges meet others of its own before.
+    const Triangles bar = box(3.0, 0.02, 0.02, 1).moved(1.0, -1.0, 0.4, 0.3);
+    for (const Triangles& two : {cube.with(cube.moved(1.0, 0.999, 0.999, 0.999)), cube.with(bar), bar.with(cube)}) {
+        const mesh::Touching found = find(two, 1e-6, 10);
+        EXPECT_GE(found.one, 0);
+        EXPECT_EQ(found.one + found.other, 1);
+        EXPECT_GE(glm::compMin(found.place), 0.0);
+        EXPECT_LE(glm::compMax(found.place), 1.0);
+    }
+    EXPECT_LT(find(cube.with(cube.moved(1.0, 1.001, 0.999, 0.999)), 1e-6, 10).one, 0);
+}
+
+TEST(Touching, IsTheSameForAnyNumberOfThreads) {
+    const Triangles two = box(1.0, 1.0, 1.0, 20).with(box(1.0, 1.0, 1.0, 20).moved(1.0, 0.5, 0.5, 0.5));
+    const mesh::Touching one = find(two, 0.01, 1000, 1);
+    const mesh::Touching other = find(two, 0.01, 1000, 3);
+    EXPECT_EQ(one.place, other.place);
+    EXPECT_EQ(one.one, other.one);
+}
+
+} // namespace
