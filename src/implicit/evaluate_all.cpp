@@ -57,14 +57,15 @@ base::Array<std::int32_t> order_by_cell(const base::Runtime& runtime, const Impl
     base::Array<std::int32_t> order(runtime.memory);
     const std::int64_t cells = implicit.cells();
     if (cells == 0 || points.size() > std::numeric_limits<std::int32_t>::max()) return order;
-    base::Array<std::int32_t> cell(runtime.memory, points.size());
+    base::Array<std::int32_t> cell(runtime.memory);
+    cell.resize_for_overwrite(points.size());
     runtime.parallel.for_chunks(points.size(), 4096, [&](std::int64_t begin, std::int64_t end) {
         for (std::int64_t i = begin; i < end; ++i) cell[i] = implicit.cell_of(points[i]);
     });
     base::Array<std::int32_t> next(runtime.memory, cells + 1);
     for (const std::int32_t c : cell) ++next[c + 1];
     for (std::int64_t c = 0; c < cells; ++c) next[c + 1] += next[c];
-    order.resize(points.size());
+    order.resize_for_overwrite(points.size());
     for (std::int64_t i = 0; i < points.size(); ++i) order[next[cell[i]]++] = static_cast<std::int32_t>(i);
     return order;
 }
