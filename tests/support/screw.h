@@ -32,7 +32,7 @@ struct ThreadProfile {
     }
 };
 inline constexpr ThreadProfile triangular{0.0, 0.5, 0.0};
-inline constexpr ThreadProfile trapezoidal{0.3, 0.2, 0.3};
+inline constexpr ThreadProfile trapezoidal{0.15, 0.35, 0.15};
 
 // About the z axis: a thread of the inner radius 0.8, the outer 1 and a pitch of 0.4, whose turns are side by side, cut
 // off flat at z = 0 and above; below it a shaft of the radius 0.65.

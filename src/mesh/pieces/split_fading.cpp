@@ -34,7 +34,7 @@ public:
         spread_labels();
         progress_.check();
         number_parts();
-        split_winding(runtime_, mesh_, across_, creases_, progress_);
+        split_winding(runtime_, mesh_, creases_, progress_);
         mark_cuts();
         measure_from_cuts();
         add_bands();
