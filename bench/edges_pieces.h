@@ -7,6 +7,7 @@
 #include "edge_places.h"
 #include "edges_creases.h"
 #include "read_meshes.h"
+#include "support/screw.h"
 #include "support/sharp_meshes.h"
 #include "timing.h"
 
@@ -217,7 +218,9 @@ inline std::vector<EdgeShape> edge_shapes() {
             {"shaft", stepped_shaft(96), 1700, {1.0, 0.6, 0.5, 0.35}},
             {"socket", socket(96), 3000, {0.7, 1.0}},
             {"gear", gear(16, 3), 1000, {0.3}},
-            {"plate", box(1.0, 1.0, 0.0042, 8), 1000, {}}};
+            {"plate", box(1.0, 1.0, 0.0042, 8), 1000, {}},
+            {"screw", screw(5, trapezoidal, 72, 3), 6000, {}},
+            {"screw10", screw(10, trapezoidal, 72, 3), 6000, {}}};
 }
 
 // Prints a line for each shape, and the numbers that are held.  folder: of OBJ and PLY meshes, which are measured, too.

@@ -11,6 +11,8 @@
 #include "api/views.h"
 #include "fit/local_factors.h"
 
+#include <algorithm>
+
 using namespace hrbfnpr;
 
 static_assert(static_cast<std::uint32_t>(kernel::Kind::triharmonic) == HRBFNPR_KERNEL_TRIHARMONIC);
@@ -33,27 +35,51 @@ hrbfnpr_model::~hrbfnpr_model() { api::release_handle(whole_); }
 const implicit::Implicit& hrbfnpr_model::trimmed(const implicit::Implicit& prepared) const {
     if (!trimmed_) return prepared;
     if (&prepared == &whole_->implicit()) return *trimmed_;
+    const auto is_prepared = [&](const Ready& ready) { return ready.implicit.get() == &prepared; };
+    std::size_t way = 0;
+    {
+        const std::scoped_lock lock(whole_->preparing_);
+        way = static_cast<std::size_t>(std::find_if(whole_->ready_.begin(), whole_->ready_.end(), is_prepared) -
+                                       whole_->ready_.begin());
+    }
     const std::scoped_lock lock(preparing_);
-    if (!prepared_trimmed_) prepared_trimmed_.emplace(prepared, *trim_.trim);
-    return *prepared_trimmed_;
+    if (!ready_trimmed_[way]) ready_trimmed_[way].emplace(prepared, *trim_.trim);
+    return *ready_trimmed_[way];
+}
+
+std::size_t hrbfnpr_model::way_for(double evaluations) const noexcept {
+    if (const auto* made = std::get_if<implicit::Pieces>(&surface)) {
+        const auto scope = implicit::PreparedPieces::pays(made->data(), evaluations);
+        return scope ? static_cast<std::size_t>(*scope) : ways;
+    }
+    const implicit::HrbfData* const hrbf = data();
+    return hrbf != nullptr && implicit::Prepared::pays(*hrbf, evaluations) ? 0 : ways;
+}
+
+std::unique_ptr<implicit::Implicit> hrbfnpr_model::prepare(std::size_t way, const base::Progress& progress) const {
+    if (const auto* made = std::get_if<implicit::Pieces>(&surface))
+        return std::make_unique<implicit::PreparedPieces>(runtime(), *made,
+                                                          static_cast<implicit::PreparedPieces::Scope>(way), progress);
+    return implicit::Prepared::make(runtime(), *data(), progress);
 }
 
 const implicit::Implicit& hrbfnpr_model::implicit_for(double evaluations, const base::Progress& progress) const {
     if (whole_ != nullptr) return trimmed(whole_->implicit_for(evaluations, progress));
     if (const api::CsgSolid* const solid = csg()) return solid->implicit_for(evaluations, progress);
-    const implicit::HrbfData* const hrbf = data();
-    if (hrbf == nullptr || !implicit::Prepared::pays(*hrbf, evaluations)) return implicit();
+    const std::size_t way = way_for(evaluations);
+    if (way == ways) return implicit();
+    Ready& ready = ready_[way];
     {
         const std::scoped_lock lock(preparing_);
-        if (tried_) return prepared_ != nullptr ? *prepared_ : implicit();
+        if (ready.tried) return ready.implicit != nullptr ? *ready.implicit : implicit();
     }
     // Not under the lock: the caller's callbacks, which this calls, may come back.  Of two that are made at a time,
     // which are the same, one stays.
-    std::unique_ptr<implicit::Prepared> made = implicit::Prepared::make(runtime(), *hrbf, progress.part(0.0, 0.0));
+    std::unique_ptr<implicit::Implicit> made = prepare(way, progress.part(0.0, 0.0));
     const std::scoped_lock lock(preparing_);
-    if (!tried_) prepared_ = std::move(made);
-    tried_ = true;
-    return prepared_ != nullptr ? *prepared_ : implicit();
+    if (!ready.tried) ready.implicit = std::move(made);
+    ready.tried = true;
+    return ready.implicit != nullptr ? *ready.implicit : implicit();
 }
 
 namespace hrbfnpr::api {

@@ -91,13 +91,23 @@ struct hrbfnpr_model : hrbfnpr::api::Child {
     hrbfnpr::base::Array<double> history; // of a fit's residual; empty for others than a fit
 
 private:
+    // Ways to prepare: an HRBF, or zones of pieces; those and their sheets.
+    static constexpr std::size_t ways = 2;
+    // The one that pays for so many evaluations; `ways`: none.
+    [[nodiscard]] std::size_t way_for(double evaluations) const noexcept;
+    [[nodiscard]] std::unique_ptr<hrbfnpr::implicit::Implicit> prepare(std::size_t way,
+                                                                       const hrbfnpr::base::Progress& progress) const;
     [[nodiscard]] const hrbfnpr::implicit::Implicit& trimmed(const hrbfnpr::implicit::Implicit& prepared) const;
 
     const hrbfnpr_model* whole_ = nullptr; // that it is the same function as
     hrbfnpr::generate::FoundTrim trim_;
     std::optional<hrbfnpr::implicit::Trimmed> trimmed_;
-    mutable std::optional<hrbfnpr::implicit::Trimmed> prepared_trimmed_;
     mutable std::mutex preparing_;
-    mutable bool tried_ = false; // to prepare
-    mutable std::unique_ptr<hrbfnpr::implicit::Prepared> prepared_;
+    struct Ready {
+        bool tried = false;
+        std::unique_ptr<hrbfnpr::implicit::Implicit> implicit; // null: it would not be accurate
+    };
+    mutable std::array<Ready, ways> ready_;
+    // Of whole()'s, at the same place.
+    mutable std::array<std::optional<hrbfnpr::implicit::Trimmed>, ways> ready_trimmed_;
 };

@@ -61,11 +61,12 @@ base::Array<std::int32_t> order_by_cell(const base::Runtime& runtime, const Impl
     base::Array<std::int32_t> order(runtime.memory);
     const std::int64_t cells = implicit.cells();
     if (cells == 0 || points.size() > std::numeric_limits<std::int32_t>::max()) return order;
-    base::Array<std::int32_t> cell(runtime.memory, points.size());
+    base::Array<std::int32_t> cell(runtime.memory);
+    cell.resize_for_overwrite(points.size());
     runtime.parallel.for_chunks(points.size(), 4096, progress, [&](std::int64_t begin, std::int64_t end) {
         for (std::int64_t i = begin; i < end; ++i) cell[i] = implicit.cell_of(points[i]);
     });
-    order.resize(points.size());
+    order.resize_for_overwrite(points.size());
     if (cells / many_cells > points.size()) { // to pass over them all would take longer
         std::iota(order.begin(), order.end(), 0);
         std::sort(order.begin(), order.end(),

@@ -7,13 +7,6 @@
 namespace hrbfnpr::implicit {
 namespace {
 
-// A cell has a say up to so many half sides from its centre.
-constexpr double reach = 1.4;
-// Beyond these distances from the bounds' centre, in their half diagonals, a sphere begins to have a say, and has all.
-// Beyond what is searched for surface, as that of an open sheet ends there.
-constexpr double sphere_begins = 1.45;
-constexpr double sphere_rules = PiecesData::reach;
-
 // Wendland's function (1 - t)^4 (4 t + 1) of one coordinate, with two derivatives (Wendland, "Piecewise polynomial,
 // positive definite and compactly supported radial functions of minimal degree", 1995).
 struct Bump {
@@ -26,11 +19,6 @@ struct Bump {
     }
     double w, d, h;
 };
-
-// Of a child's centre from its parent's.
-[[nodiscard]] glm::dvec3 offset(std::int32_t k, double q) noexcept {
-    return {(k & 1) != 0 ? q : -q, (k & 2) != 0 ? q : -q, (k & 4) != 0 ? q : -q};
-}
 
 void add_symmetric(const glm::dvec3& a, const glm::dvec3& b, double* h) noexcept {
     h[0] += 2.0 * a.x * b.x;
@@ -54,7 +42,7 @@ void radial_hessian(const glm::dvec3& u, double d, double h, double distance, do
 
 PiecesBlock::Weight PiecesBlock::weight_of(const Node& cell, const glm::dvec3& place) noexcept {
     const glm::dvec3 off = place - cell.centre;
-    const double width = reach * cell.half;
+    const double width = PiecesData::cell_reach * cell.half;
     const Bump x(off.x, width);
     const Bump y(off.y, width);
     const Bump z(off.z, width);
@@ -76,8 +64,8 @@ void PiecesBlock::weigh_outside(Hit& hit, const glm::dvec3& place) const noexcep
     const glm::dvec3 off = place - data_.bounds.centre();
     const double distance = glm::length(off);
     const glm::dvec3 u = off / distance;
-    const double width = (sphere_rules - sphere_begins) * radius;
-    const double t = std::min(1.0, (distance - sphere_begins * radius) / width);
+    const double width = (PiecesData::sphere_rules - PiecesData::sphere_begins) * radius;
+    const double t = std::min(1.0, (distance - PiecesData::sphere_begins * radius) / width);
     hit.value = distance - radius;
     hit.gradient = u;
     // t^3 (10 - 15 t + 6 t^2): two derivatives are 0 at both ends.
@@ -97,7 +85,8 @@ void PiecesBlock::find_hits(const glm::dvec3& place) noexcept {
     const double half = 0.5 * data_.side;
     const glm::dvec3 middle = data_.corner + half;
     const glm::dvec3 from_middle = glm::abs(place - middle);
-    if (std::max({from_middle.x, from_middle.y, from_middle.z}) < reach * half) stack[depth++] = {0, middle, half};
+    if (std::max({from_middle.x, from_middle.y, from_middle.z}) < PiecesData::cell_reach * half)
+        stack[depth++] = {0, middle, half};
     while (depth > 0 && hits_ < limit) {
         Node cell = stack[--depth];
         std::int32_t child = data_.child[cell.node];
@@ -105,35 +94,50 @@ void PiecesBlock::find_hits(const glm::dvec3& place) noexcept {
             // Along each axis the lower children reach so far up, and the upper ones so far down.
             const glm::dvec3 off = place - cell.centre;
             const double q = 0.5 * cell.half;
-            const double both = (reach - 1.0) * q;
+            const double both = (PiecesData::cell_reach - 1.0) * q;
             const int low = (off.x < both ? 1 : 0) | (off.y < both ? 2 : 0) | (off.z < both ? 4 : 0);
             const int high = (off.x > -both ? 1 : 0) | (off.y > -both ? 2 : 0) | (off.z > -both ? 4 : 0);
             for (int k = 7; (low & high) != 0 && k >= 0; --k)
                 if (k != high && (k & high) == k && (~k & 7 & low) == (~k & 7))
-                    stack[depth++] = {child + k, cell.centre + offset(k, q), q};
-            cell = {child + high, cell.centre + offset(high, q), q};
+                    stack[depth++] = {child + k, cell.centre + PiecesData::child_offset(k, q), q};
+            cell = {child + high, cell.centre + PiecesData::child_offset(high, q), q};
             child = data_.child[cell.node];
         }
-        Hit& hit = hit_[hits_++];
-        hit.cell = cell;
-        hit.leaf = -1 - child;
-        hit.pair = plain;
+        const std::int32_t leaf = -1 - child;
+        const std::int32_t begin = data_.program_begin[leaf];
+        add_hit(cell, leaf, data_.program.data() + begin, data_.program_begin[leaf + 1] - begin);
     }
     const double radius = 0.5 * data_.bounds.diagonal();
-    if (!(glm::distance(place, data_.bounds.centre()) > sphere_begins * radius)) return;
+    if (!(glm::distance(place, data_.bounds.centre()) > PiecesData::sphere_begins * radius)) return;
+    add_hit({}, -1, nullptr, 0);
+}
+
+void PiecesBlock::add_hit(const Node& cell, std::int32_t leaf, const std::int32_t* program,
+                          std::int32_t codes) noexcept {
     Hit& hit = hit_[hits_++];
-    hit.leaf = -1;
+    hit.cell = cell;
+    hit.leaf = leaf;
+    hit.program = program;
+    hit.codes = codes;
     hit.pair = plain;
+}
+
+void PiecesBlock::take_hits(const At& at, const glm::dvec3& place) noexcept {
+    const PiecesZones& zones = *parts_.zones;
+    const auto add = [&](const PiecesZones::Part& part) {
+        add_hit(zones.node(part.leaf), part.leaf, zones.programs() + part.begin, part.end - part.begin);
+    };
+    if (at.alone != nullptr) return add(*at.alone);
+    for (const PiecesZones::Part& part : zones.parts(zones[at.zone]))
+        if (zones.node(part.leaf).reaches(place)) add(part);
 }
 
 // Every sheet that a cell of the point asks for, once.
 void PiecesBlock::add_pairs(std::int64_t point) noexcept {
     const std::int64_t first = first_pair_[point];
     for (std::int64_t k = first_hit_[point]; k < hits_; ++k) {
-        if (hit_[k].leaf < 0) continue;
-        const std::int32_t* const program = data_.program.data();
-        for (std::int32_t at = data_.program_begin[hit_[k].leaf]; at < data_.program_begin[hit_[k].leaf + 1]; ++at) {
-            const std::int32_t sheet = program[at];
+        for (std::int32_t at = 0; at < hit_[k].codes; ++at) {
+            const std::int32_t sheet = hit_[k].program[at];
             if (sheet < 0) continue;
             bool known = false;
             for (std::int64_t i = first; i < pairs_ && !known; ++i) known = pair_[i].sheet == sheet;
@@ -159,14 +163,18 @@ void PiecesBlock::add_pair(std::int32_t sheet, std::int64_t point) noexcept {
     group_[groups_++] = {sheet, number, number};
 }
 
-std::int64_t PiecesBlock::take(const PointBatch& points) noexcept {
+std::int64_t PiecesBlock::take(const PointBatch& points, const At* at) noexcept {
     hits_ = pairs_ = groups_ = 0;
     std::int64_t count = 0;
     while (count < std::min(points.count, most_points) && hits_ + most_at_point <= most_hits &&
            pairs_ + most_at_point <= most_pairs) {
         first_hit_[count] = hits_;
         first_pair_[count] = pairs_;
-        find_hits({points.x[count], points.y[count], points.z[count]});
+        const glm::dvec3 where(points.x[count], points.y[count], points.z[count]);
+        if (at != nullptr && at[count].zone >= 0)
+            take_hits(at[count], where);
+        else
+            find_hits(where);
         add_pairs(count++);
     }
     first_hit_[count] = hits_;
@@ -191,14 +199,14 @@ struct Side {
 
 } // namespace
 
-void PiecesBlock::evaluate_sheets(bool gradient) noexcept {
+void PiecesBlock::evaluate_sheets(bool gradient) {
     Side<std::size_t{most_points}> side;
     FieldBatch fields{side.value, {}, {}};
     if (gradient) fields.gradient = {side.gradient[0], side.gradient[1], side.gradient[2]};
     for (std::int64_t g = 0; g < groups_; ++g) {
         std::int64_t count = 0;
         for (std::int32_t i = group_[g].first; i >= 0; i = pair_[i].next) side.add(points_, pair_[i].point, count++);
-        implicit::evaluate(set_, data_.sheet[group_[g].sheet], side.points(count), fields);
+        parts_.evaluate_sheet(group_[g].sheet, side.points(count), fields);
         count = 0;
         for (std::int32_t i = group_[g].first; i >= 0; i = pair_[i].next, ++count) {
             pair_[i].value = side.value[count];
@@ -209,7 +217,7 @@ void PiecesBlock::evaluate_sheets(bool gradient) noexcept {
 }
 
 // Of the sheets that rule somewhere.
-void PiecesBlock::evaluate_hessians() noexcept {
+void PiecesBlock::evaluate_hessians() {
     Side<std::size_t{most_points}> side;
     FieldBatch fields;
     for (std::size_t c = 0; c < 6; ++c) fields.hessian[c] = side.hessian[c];
@@ -218,7 +226,7 @@ void PiecesBlock::evaluate_hessians() noexcept {
         for (std::int32_t i = group_[g].first; i >= 0; i = pair_[i].next)
             if (pair_[i].weight.w > 0.0) side.add(points_, pair_[i].point, count++);
         if (count == 0) continue;
-        implicit::evaluate(set_, data_.sheet[group_[g].sheet], side.points(count), fields);
+        parts_.evaluate_sheet(group_[g].sheet, side.points(count), fields);
         count = 0;
         for (std::int32_t i = group_[g].first; i >= 0; i = pair_[i].next) {
             if (!(pair_[i].weight.w > 0.0)) continue;
@@ -228,12 +236,12 @@ void PiecesBlock::evaluate_hessians() noexcept {
     }
 }
 
-// The pair that a leaf's program ends with; plain if it has none.
-std::int32_t PiecesBlock::run(std::int32_t leaf, std::int64_t point) const noexcept {
+// The pair that a cell's program ends with; plain if it has none.
+std::int32_t PiecesBlock::run(const Hit& hit, std::int64_t point) const noexcept {
     std::int32_t stack[PiecesData::most_operands + 1];
     std::size_t depth = 0;
-    for (std::int32_t at = data_.program_begin[leaf]; at < data_.program_begin[leaf + 1]; ++at) {
-        const std::int32_t code = data_.program[at];
+    for (std::int32_t at = 0; at < hit.codes; ++at) {
+        const std::int32_t code = hit.program[at];
         if (code >= 0) {
             std::int64_t i = first_pair_[point];
             while (i < first_pair_[point + 1] && pair_[i].sheet != code) ++i;
@@ -256,9 +264,10 @@ void PiecesBlock::choose(std::int64_t point) noexcept {
     const std::int64_t end = first_hit_[point + 1];
     bool one = begin < end;
     for (std::int64_t k = begin; k < end; ++k) {
-        if (hit_[k].leaf >= 0) hit_[k].pair = run(hit_[k].leaf, point);
+        hit_[k].pair = run(hit_[k], point);
         one = one && hit_[k].pair != plain && hit_[k].pair == hit_[begin].pair;
     }
+    ruler_[point] = one ? hit_[begin].pair : plain;
     if (one) {
         pair_[hit_[begin].pair].weight.w = 1.0;
         return;
@@ -285,6 +294,15 @@ void PiecesBlock::for_parts(std::int64_t point, Visit&& visit) const noexcept {
         if (hit.leaf < 0) radial_hessian(hit.gradient, 1.0, 0.0, glm::distance(data_.bounds.centre(), place(point)), h);
         visit(hit.weight, hit.value, hit.gradient, h);
     }
+}
+
+// Of a point that one sheet rules.
+void PiecesBlock::copy(std::int64_t point, const FieldBatch& fields) const noexcept {
+    const Pair& pair = pair_[ruler_[point]];
+    if (fields.value != nullptr) fields.value[point] = pair.value;
+    for (glm::length_t c = 0; fields.wants_gradient() && c < 3; ++c)
+        fields.gradient[static_cast<std::size_t>(c)][point] = pair.gradient[c];
+    for (std::size_t c = 0; fields.wants_hessian() && c < 6; ++c) fields.hessian[c][point] = pair.hessian[c];
 }
 
 // f = sum w_k f_k / sum w_k.  What concerns the weights' derivatives is 0 where the parts agree.
@@ -322,14 +340,18 @@ void PiecesBlock::add_derivatives(std::int64_t point, double value, double total
     for (std::size_t c = 0; c < 6; ++c) fields.hessian[c][point] = hessian[c];
 }
 
-void PiecesBlock::evaluate(const FieldBatch& fields) noexcept {
+void PiecesBlock::evaluate(const FieldBatch& fields) {
     evaluate_sheets(fields.wants_gradient() || fields.wants_hessian());
     for (std::int64_t point = 0; point < points_.count; ++point) choose(point);
     if (fields.wants_hessian()) evaluate_hessians();
-    for (std::int64_t point = 0; point < points_.count; ++point) combine(point, fields);
+    for (std::int64_t point = 0; point < points_.count; ++point)
+        if (ruler_[point] != plain)
+            copy(point, fields);
+        else
+            combine(point, fields);
 }
 
-void PiecesBlock::active(std::int32_t* sheet) noexcept {
+void PiecesBlock::active(std::int32_t* sheet) {
     evaluate_sheets(false);
     for (std::int64_t point = 0; point < points_.count; ++point) {
         choose(point);

@@ -8,13 +8,20 @@ namespace hrbfnpr::implicit {
 
 class PiecesBlock {
 public:
-    PiecesBlock(base::InstructionSet set, const PiecesData& data) noexcept : set_(set), data_(data) {}
+    explicit PiecesBlock(const PiecesParts& parts) noexcept : parts_(parts), data_(parts.data) {}
 
-    // Takes as many of the points as it has room for; how many, one at least.
-    std::int64_t take(const PointBatch& points) noexcept;
+    // What is known of a point: its zone, as PiecesZones::at says, and the part that has all the say there, or null.
+    struct At {
+        std::int32_t zone;
+        const PiecesZones::Part* alone;
+    };
+
+    // Takes as many of the points as it has room for; how many, one at least.  at: of each; null: nothing
+    // is known.
+    std::int64_t take(const PointBatch& points, const At* at) noexcept;
     // Of those taken.
-    void evaluate(const FieldBatch& fields) noexcept;
-    void active(std::int32_t* sheet) noexcept;
+    void evaluate(const FieldBatch& fields);
+    void active(std::int32_t* sheet);
 
 private:
     static constexpr std::int64_t most_points = 64;
@@ -29,16 +36,14 @@ private:
         glm::dvec3 d;
         double h[6];
     };
-    struct Node {
-        std::int32_t node;
-        glm::dvec3 centre;
-        double half;
-    };
+    using Node = PiecesNode;
     // A cell that has a say at a point.
     struct Hit {
         Node cell;
-        std::int32_t leaf; // -1: what is far outside
-        std::int32_t pair; // that rules it, or plain
+        std::int32_t leaf;           // -1: what is far outside
+        const std::int32_t* program; // what is left of it here ...
+        std::int32_t codes;          // ... so much
+        std::int32_t pair;           // that rules it, or plain
         // Where not one sheet rules all cells of the point:
         Weight weight;
         double value; // of what is plain
@@ -59,6 +64,8 @@ private:
     };
     [[nodiscard]] static Weight weight_of(const Node& cell, const glm::dvec3& place) noexcept;
     void find_hits(const glm::dvec3& place) noexcept;
+    void take_hits(const At& at, const glm::dvec3& place) noexcept;
+    void add_hit(const Node& cell, std::int32_t leaf, const std::int32_t* program, std::int32_t codes) noexcept;
     void weigh(Hit& hit, const glm::dvec3& place) const noexcept;
     void weigh_outside(Hit& hit, const glm::dvec3& place) const noexcept;
     [[nodiscard]] glm::dvec3 place(std::int64_t point) const noexcept {
@@ -66,22 +73,24 @@ private:
     }
     void add_pairs(std::int64_t point) noexcept;
     void add_pair(std::int32_t sheet, std::int64_t point) noexcept;
-    void evaluate_sheets(bool gradient) noexcept;
-    void evaluate_hessians() noexcept;
+    void evaluate_sheets(bool gradient);
+    void evaluate_hessians();
     void choose(std::int64_t point) noexcept;
-    [[nodiscard]] std::int32_t run(std::int32_t leaf, std::int64_t point) const noexcept;
+    [[nodiscard]] std::int32_t run(const Hit& hit, std::int64_t point) const noexcept;
+    void copy(std::int64_t point, const FieldBatch& fields) const noexcept;
     void combine(std::int64_t point, const FieldBatch& fields) const noexcept;
     void add_derivatives(std::int64_t point, double value, double total, const FieldBatch& fields) const noexcept;
     template <class Visit>
     void for_parts(std::int64_t point, Visit&& visit) const noexcept;
 
-    base::InstructionSet set_;
+    const PiecesParts& parts_;
     const PiecesData& data_;
     PointBatch points_;
     std::int64_t hits_ = 0;
     std::int64_t pairs_ = 0;
     std::int64_t first_hit_[most_points + 1];
     std::int64_t first_pair_[most_points + 1];
+    std::int32_t ruler_[most_points]; // the pair that alone rules each point, or plain
     Hit hit_[most_hits];
     Pair pair_[most_pairs];
     // The pairs of each sheet, one after the other.

@@ -13,9 +13,9 @@ namespace {
 using implicit::PiecesData;
 
 constexpr double root_side = 1.02 * PiecesData::reach; // diagonals
-constexpr double reach = 1.4;                          // as of implicit::PiecesBlock
-constexpr std::int32_t least_level = 4;                // of cells with surface, ...
-constexpr std::int32_t least_plain_level = 3;          // ... and without
+constexpr double reach = PiecesData::cell_reach;
+constexpr std::int32_t least_level = 4;       // of cells with surface, ...
+constexpr std::int32_t least_plain_level = 3; // ... and without
 constexpr std::int32_t most_level = 9;
 constexpr std::int64_t most_cells = 60'000;
 constexpr double near = 2e-4;      // diagonals: how near to the surface signs may be wrong

@@ -44,10 +44,8 @@ public:
         if (sharpen_coarse()) find_patches();
         if (drop_short_fading()) find_patches();
         describe();
-        if (result_.fading > 0.0) {
-            split_fading(runtime_, mesh_, sides_, result_, progress_);
-            describe();
-        }
+        split_fading(runtime_, mesh_, sides_, result_, progress_);
+        describe();
         return std::move(result_);
     }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "mesh/pieces/split_fading.h"
 
+#include "mesh/pieces/split_winding.h"
+
 #include <algorithm>
 #include <limits>
 
@@ -32,6 +34,8 @@ public:
         spread_labels();
         progress_.check();
         number_parts();
+        split_winding(runtime_, mesh_, creases_, progress_);
+        mark_cuts();
         measure_from_cuts();
         add_bands();
     }
@@ -135,6 +139,9 @@ private:
             creases_.patch[face] = number - 1;
         }
         creases_.patches = count;
+    }
+
+    void mark_cuts() {
         for (std::int64_t side = 0; side < creases_.cut.size(); ++side)
             if (creases_.cut[side] == 0 && across_[side] >= 0 &&
                 creases_.patch[across_[side]] != creases_.patch[side / 3])

@@ -12,7 +12,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <vector>
 
+namespace geometry = hrbfnpr::geometry;
 namespace implicit = hrbfnpr::implicit;
 namespace mesh = hrbfnpr::mesh;
 namespace test = hrbfnpr::test;
@@ -280,6 +282,94 @@ TEST(FitPieces, GiveBackAllMemoryWhereSomeIsRefused) {
         }
         EXPECT_EQ(allocator.blocks, 0);
     }
+}
+
+// Values, gradients and Hessians of places beside the surface and all over the box.
+struct Asked {
+    std::vector<double> x, y, z;
+    std::vector<std::vector<double>> field;
+    std::vector<std::int32_t> sheet;
+
+    Asked(const Fitted& fitted, const implicit::PiecesOf& f) : field(10) {
+        const geometry::Bounds& box = fitted.shape.bounds;
+        for (std::uint64_t i = 0; i < 6000; ++i) {
+            const auto u = hrbfnpr::base::uniform4(5, i, hrbfnpr::base::Purpose::probe);
+            const auto corners = fitted.shape.corners(
+                static_cast<std::int64_t>(u[3] * 0.9999 * static_cast<double>(fitted.shape.faces())));
+            const glm::dvec3 off = glm::dvec3(u[0], u[1], u[2]) - 0.5;
+            const glm::dvec3 p = i % 3 == 0
+                                     ? box.centre() + 1.4 * off * (box.max - box.min)
+                                     : (corners[0] + u[0] * (corners[1] - corners[0]) +
+                                        (1.0 - u[0]) * u[1] * (corners[2] - corners[0]) + 0.01 * box.diagonal() * off);
+            x.push_back(p.x);
+            y.push_back(p.y);
+            z.push_back(p.z);
+        }
+        for (std::vector<double>& one : field) one.resize(x.size());
+        sheet.resize(x.size());
+        const auto at = [&](std::size_t k) { return field[k].data(); };
+        const implicit::PointBatch points{x.data(), y.data(), z.data(), static_cast<std::int64_t>(x.size())};
+        f.evaluate(points, {at(0), {at(1), at(2), at(3)}, {at(4), at(5), at(6), at(7), at(8), at(9)}});
+        f.active(points, sheet.data());
+    }
+};
+
+// Zones say where one sheet is f, and leave out sheets that cannot be: nothing but rounding may come of it.
+TEST(PreparedPieces, AreTheSameFunction) {
+    for (const Triangles& shape : {test::box(1.0, 1.0, 1.0, 8), test::gear(16, 3), test::drilled_cube(0.5, 48)}) {
+        const Fitted fitted(shape);
+        const implicit::PreparedPieces prepared(fitted.runtime, fitted.f, implicit::PreparedPieces::Scope::zones, {});
+        const Asked plain(fitted, fitted.f);
+        const Asked ready(fitted, prepared);
+        int same = 0;
+        for (std::size_t i = 0; i < plain.x.size(); ++i) {
+            for (std::size_t k = 0; k < 10; ++k)
+                EXPECT_NEAR(ready.field[k][i], plain.field[k][i], 1e-11 * (1.0 + std::abs(plain.field[k][i])))
+                    << "field " << k << " at " << plain.x[i] << ' ' << plain.y[i] << ' ' << plain.z[i];
+            same += ready.sheet[i] == plain.sheet[i] ? 1 : 0;
+        }
+        EXPECT_EQ(same, static_cast<int>(plain.x.size()));
+    }
+}
+
+// Whatever stands beside a point in its batch.
+TEST(PreparedPieces, OfAPointDoNotDependOnOthers) {
+    const Fitted fitted(test::drilled_cube(0.5, 48));
+    const implicit::PreparedPieces prepared(fitted.runtime, fitted.f, implicit::PreparedPieces::Scope::sheets, {});
+    const Asked all(fitted, prepared);
+    for (std::size_t i = 0; i < all.x.size(); i += 7) {
+        double value = 0.0, gradient[3];
+        const glm::dvec3 p(all.x[i], all.y[i], all.z[i]);
+        prepared.evaluate({&p.x, &p.y, &p.z, 1}, {&value, {&gradient[0], &gradient[1], &gradient[2]}, {}});
+        EXPECT_EQ(value, all.field[0][i]);
+        for (std::size_t c = 0; c < 3; ++c) EXPECT_EQ(gradient[c], all.field[1 + c][i]);
+    }
+}
+
+// Far from creases one sheet is asked, so most places cost that.
+TEST(PreparedPieces, KnowTheOneSheetOfMostPlaces) {
+    const Fitted fitted(test::drilled_cube(0.5, 48));
+    const implicit::PiecesZones zones(fitted.runtime, fitted.f.data(), {});
+    const Asked asked(fitted, fitted.f);
+    int one = 0;
+    int known = 0;
+    int beside = 0;
+    for (std::size_t i = 0; i < asked.x.size(); ++i) {
+        if (i % 3 == 0) continue;
+        ++beside;
+        const glm::dvec3 p(asked.x[i], asked.y[i], asked.z[i]);
+        const std::int32_t zone = zones.at(p);
+        if (zone == implicit::PiecesZones::nowhere) continue;
+        ++known;
+        if (zone < 0) {
+            EXPECT_EQ(-1 - zone, asked.sheet[i]);
+            ++one;
+        } else if (const auto* part = zones.alone_at(zones[zone], p)) {
+            one += zones.sheet_of(*part) >= 0 ? 1 : 0;
+        }
+    }
+    EXPECT_EQ(known, beside);
+    EXPECT_GT(one, beside / 2);
 }
 
 } // namespace
