@@ -207,7 +207,12 @@ HWY_INLINE void set_least(const HatchLaw& law, const HatchRows& rows) {
     hn::StoreU(hn::Min(tone, others), d, rows[HatchRow::least]);
 }
 
-HWY_INLINE void set_width(const HatchSight& sight, const HatchLaw& law, const HatchRows& rows) {
+// Rows that are not needed yet: of each mark alone.
+constexpr HatchRow own_margin = HatchRow::near;
+constexpr HatchRow own_width = HatchRow::leg;
+
+// near: the marks for which it is needed, the same for each instruction set.
+HWY_INLINE void set_width(const HatchSight& sight, const HatchLaw& law, const HatchRows& rows, M near) {
     const F d;
     const auto row = [&](HatchRow number) HWY_ATTR { return hn::LoadU(d, rows[number]); };
     const W one = set(1.0F);
@@ -225,9 +230,28 @@ HWY_INLINE void set_width(const HatchSight& sight, const HatchLaw& law, const Ha
     const M turned = hn::Not(hn::Lt(row(HatchRow::nu), set(law.widest_nu)));
     const M valid =
         hn::And(hn::And(hn::Eq(darkness, darkness), hn::Eq(spacing, spacing)), hn::Lt(width, set(law.widest)));
-    hn::StoreU(hn::IfThenElse(turned, one, margin), d, rows[HatchRow::level_margin]);
-    hn::StoreU(hn::IfThenZeroElse(turned, width), d, rows[HatchRow::width]);
+    hn::StoreU(hn::IfThenElse(hn::Or(turned, hn::Not(near)), one, clamped(margin, -1.0F, 1.0F)), d, rows[own_margin]);
+    hn::StoreU(hn::IfThenElseZero(near, hn::IfThenZeroElse(turned, width)), d, rows[own_width]);
     hn::StoreU(hn::IfThenElse(hn::Or(turned, valid), picture, set(hatch_nowhere)), d, rows[HatchRow::picture_margin]);
+}
+
+// A line changes its level from one mark to the next, and its width with it: means of each mark, twice, and those
+// beside it.
+HWY_INLINE void soften(const HatchRows& rows, std::int64_t count, bool closed) {
+    const F d;
+    for (const HatchRow own : {own_margin, own_width}) {
+        rows[own][-1] = rows[own][closed ? count - 1 : 0];
+        rows[own][count] = rows[own][closed ? 0 : count - 1];
+    }
+    const auto mean = [&](const float* row) HWY_ATTR {
+        const W beside = hn::Add(hn::LoadU(d, row - 1), hn::LoadU(d, row + 1));
+        const W own = hn::LoadU(d, row);
+        return hn::Mul(hn::Add(beside, hn::Add(own, own)), set(0.25F));
+    };
+    for_vectors(count, [&](std::int64_t at) HWY_ATTR {
+        hn::StoreU(mean(rows[own_margin] + at), d, rows[HatchRow::level_margin] + at);
+        hn::StoreU(mean(rows[own_width] + at), d, rows[HatchRow::width] + at);
+    });
 }
 
 void widen(const HatchSight& sight, const HatchLaw& law, const HatchRows& rows, std::int64_t count, bool closed) {
@@ -236,13 +260,15 @@ void widen(const HatchSight& sight, const HatchLaw& law, const HatchRows& rows, 
     put_around(rows[HatchRow::least], count, closed, 2, -1.0F);
     for_vectors(count, [&](std::int64_t at) HWY_ATTR {
         const HatchRows own = rows.from(at);
-        if (!hn::AllTrue(d, hn::Lt(largest_near(own[HatchRow::least]), hn::Zero(d)))) {
-            set_width(sight, law, own);
+        const M near = hn::Not(hn::Lt(largest_near(own[HatchRow::least]), hn::Zero(d)));
+        if (!hn::AllFalse(d, near)) {
+            set_width(sight, law, own, near);
             return;
         }
-        hn::StoreU(set(1.0F), d, own[HatchRow::level_margin]);
-        hn::StoreU(hn::Zero(d), d, own[HatchRow::width]);
+        hn::StoreU(set(1.0F), d, own[own_margin]);
+        hn::StoreU(hn::Zero(d), d, own[own_width]);
     });
+    soften(rows, count, closed);
 }
 
 void measure(const HatchRows& rows, std::int64_t count, bool closed) {

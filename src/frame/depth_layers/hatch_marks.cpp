@@ -145,7 +145,7 @@ bool HatchMarks::may_draw(const marks::StrokePiece& piece) const noexcept {
     const ClusterView view = view_cluster(piece, sight_, scene_.lens, gather_.frustum(), beyond_ + smallest_margin);
     if (view.outside || view.nu_min > last_nu + smallest_margin) return false;
     const float darkness = most_darkness(piece) + smallest_margin;
-    if (darkness < style_.hatch_tone_begin) return false;
+    if (darkness < style_.hatch_tone_begin - 1.0F / openness_of_tone) return false; // all of it is an open gap
     return !(separation_ > 0.0F) || has_room(piece.level, view.nearest, darkness);
 }
 

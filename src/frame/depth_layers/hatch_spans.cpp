@@ -10,7 +10,6 @@
 namespace hrbfnpr::frame {
 namespace {
 
-constexpr float point_step = 2.5F; // pixels
 // Gaps of fewer widths are closed.
 constexpr float least_gap = 2.0F;
 // Short parts fade while a gap beside them grows by so much, in the length of the shortest.
@@ -23,8 +22,15 @@ constexpr float crosses = 0.5F;
 constexpr float runs_along = 0.25F;
 // Of the tone, and of n . v: where so much of them is left at an end, it is its level's alone.
 constexpr float by_level_alone = 0.1F;
-constexpr float beyond_all = 1000.0F; // a gap longer than any taper, pixels
-constexpr float rim_part = 0.5F;      // of a taper: so much of the line is looked at
+// Where a stroke ends and its level has so much room left, in pens, that has nothing to do with the end.
+constexpr float level_left = 0.4F;
+constexpr float length_steps = 1024.0F; // of a pixel
+constexpr float beyond_all = 1000.0F;   // a gap longer than any taper, pixels
+constexpr float rim_part = 0.5F;        // of a taper: so much of the line is looked at
+// A line that ends beside a gap narrows over at least this, pixels: a shorter taper would lie between two points.
+constexpr float least_taper = hatch_point_step;
+// A gap that is no longer than this is as open as its marks say, pixels; one of twice that is open.
+constexpr float hardly_gap = 5.0F;
 
 struct Crossing {
     float share; // of the way from the mark that is drawn to the one that is not
@@ -47,6 +53,11 @@ struct Crossing {
 [[nodiscard]] glm::vec2 place(const HatchMark& m) noexcept { return {m.x, m.y}; }
 
 [[nodiscard]] float firmness(const HatchMark& m) noexcept { return hatch_firmness(m.margin[0], m.margin[1]); }
+
+// 0 where a part beside a gap is about to vanish, 1 where the gap is about to close.
+[[nodiscard]] float lasting(float firm, float open) noexcept {
+    return firm < 1.0F && open > 0.0F ? firm / (firm + open) : 1.0F;
+}
 
 [[nodiscard]] float smooth(float x) noexcept {
     const float at = std::clamp(x, 0.0F, 1.0F);
@@ -75,27 +86,18 @@ void HatchSpans::add(const LayerStyle& style, std::int64_t stroke, std::span<Hat
     for (std::int64_t i = 0; i < drawn_.size(); i += drawn_[i].joined) put(style, marks, i, part);
 }
 
-// Lengths of chords.
+// Lengths of chords, in steps that sum up exactly: parts have the same points whatever lies before them.
 void HatchSpans::measure(std::span<const HatchMark> marks) {
     const auto count = static_cast<std::int64_t>(marks.size());
     base::resize_scratch(length_, count);
     length_[0] = 0.0F;
-    for (std::int64_t i = 1; i < count; ++i) length_[i] = length_[i - 1] + marks[static_cast<std::size_t>(i)].way;
+    for (std::int64_t i = 1; i < count; ++i) {
+        const float way = marks[static_cast<std::size_t>(i)].way;
+        length_[i] = length_[i - 1] + std::trunc(way * length_steps + 0.5F) / length_steps;
+    }
     const HatchMark& first = marks.front();
     const HatchMark& last = marks.back();
     goes_round_ = first.valid && last.valid && place(first) == place(last);
-}
-
-// That of a Catmull-Rom curve at a mark, of unit length where marks lie evenly.
-glm::vec2 HatchSpans::tangent(std::span<const HatchMark> marks, std::int64_t i) const noexcept {
-    const auto count = static_cast<std::int64_t>(marks.size());
-    const auto m = [&](std::int64_t k) -> const HatchMark& { return marks[static_cast<std::size_t>(k)]; };
-    std::int64_t before = i > 0 ? i - 1 : goes_round_ ? count - 2 : 0;
-    std::int64_t after = i + 1 < count ? i + 1 : goes_round_ ? 1 : i;
-    if (!m(before).valid) before = i;
-    if (!m(after).valid) after = i;
-    const float way = (before != i ? m(i).way : 0.0F) + (after != i ? m(after).way : 0.0F);
-    return way > 0.0F ? (place(m(after)) - place(m(before))) / way : glm::vec2(0.0F);
 }
 
 HatchSpans::ByLevel HatchSpans::by_level(const HatchMark& drawn, const HatchMark& other, HatchEnd end,
@@ -107,7 +109,16 @@ HatchSpans::ByLevel HatchSpans::by_level(const HatchMark& drawn, const HatchMark
     };
     const float tone = margin(HatchEnd::tone);
     const float rim = margin(HatchEnd::rim);
-    return {std::clamp(std::min(tone, rim) / by_level_alone, 0.0F, 1.0F), tone < rim ? HatchEnd::tone : HatchEnd::rim};
+    return {std::clamp(std::min(tone, rim) / by_level_alone, 0.0F, 1.0F), tone < rim ? HatchEnd::tone : HatchEnd::rim,
+            1.0F};
+}
+
+// Where a stroke ends, and its level may soon end the line just before.
+HatchSpans::ByLevel HatchSpans::by_level(const HatchMark& last) noexcept {
+    ByLevel by = by_level(last, last, HatchEnd::level, 0.0F);
+    const float left = last.margin[static_cast<std::size_t>(HatchEnd::level)];
+    by.near = smooth(1.0F - left / level_left);
+    return by;
 }
 
 void HatchSpans::find(std::span<const HatchMark> marks, bool closed) {
@@ -123,7 +134,9 @@ void HatchSpans::find(std::span<const HatchMark> marks, bool closed) {
         Drawn drawn;
         drawn.open = std::exchange(open, 0.0F);
         drawn.begin = {i, 0.0F};
-        if (i > 0) {
+        if (i == 0) {
+            drawn.begins_by = by_level(m(i));
+        } else {
             const Crossing begin = crossing(m(i), m(i - 1));
             if (begin.share > 0.0F) drawn.begin = {i - 1, 1.0F - begin.share};
             drawn.begins = begin.end;
@@ -135,7 +148,9 @@ void HatchSpans::find(std::span<const HatchMark> marks, bool closed) {
         for (std::int64_t k = first; k <= i && drawn.firm < 1.0F; ++k)
             drawn.firm = std::max(drawn.firm, firmness(m(k)));
         drawn.end = {i, 0.0F};
-        if (i + 1 < count) {
+        if (i + 1 == count) {
+            drawn.ends_by = by_level(m(i));
+        } else {
             const Crossing end = crossing(m(i), m(i + 1));
             drawn.end = {i, end.share};
             drawn.ends = end.end;
@@ -149,6 +164,19 @@ void HatchSpans::find(std::span<const HatchMark> marks, bool closed) {
 float HatchSpans::at(const Place& place) const noexcept {
     const std::int64_t next = std::min(place.mark + 1, length_.size() - 1);
     return length_[place.mark] + place.share * (length_[next] - length_[place.mark]);
+}
+
+// Of a part, as it is drawn there: the mean over the step from one point to the next.
+float HatchSpans::width_at_begin(std::span<const HatchMark> marks, const Drawn& drawn) const noexcept {
+    const float begin = at(drawn.begin);
+    const float step = std::min(at(drawn.end) - begin, hatch_point_step);
+    return step > 0.0F ? area(marks, drawn.begin, place_at(begin + step)) / step : 0.0F;
+}
+
+float HatchSpans::width_at_end(std::span<const HatchMark> marks, const Drawn& drawn) const noexcept {
+    const float end = at(drawn.end);
+    const float step = std::min(end - at(drawn.begin), hatch_point_step);
+    return step > 0.0F ? area(marks, place_at(end - step), drawn.end) / step : 0.0F;
 }
 
 HatchSpans::Place HatchSpans::place_at(float length) const noexcept {
@@ -214,20 +242,21 @@ HatchSpans::Gap HatchSpans::gap_after(std::int64_t number) const noexcept {
 // Gaps that are no longer than they are wide look like mistakes.  They open little by little: up to half of that they
 // are closed, then the line is the thinner there the longer they are.
 void HatchSpans::join(const LayerStyle& style, std::span<const HatchMark> marks) {
-    const auto width = [&](const Place& place) { return point(marks, place).width; };
     const auto may = [](HatchEnd end) { return end == HatchEnd::tone || end == HatchEnd::level; };
     for (std::int64_t i = 1; i < drawn_.size(); ++i) {
         const Drawn& last = drawn_[i - 1];
         Drawn& next = drawn_[i];
         if (!may(last.ends) || !may(next.begins)) {
             next.open = 1.0F;
-            next.closes = least_gap * width(may(last.ends) ? last.end : next.begin);
+            next.closes = least_gap * (may(last.ends) ? width_at_end(marks, last) : width_at_begin(marks, next));
             continue;
         }
-        const float longest = 0.5F * least_gap * (width(last.end) + width(next.begin));
+        const float longest = 0.5F * least_gap * (width_at_end(marks, last) + width_at_begin(marks, next));
         const float gap = at(next.begin) - at(last.end);
         next.closes = longest;
-        if (gap < longest) next.link = std::min(2.0F * (1.0F - gap / longest), 1.0F);
+        const float stays = lasting(std::min(last.firm, next.firm), next.open);
+        const float hardly = (1.0F - next.open) * stays * std::clamp(2.0F - gap / hardly_gap, 0.0F, 1.0F);
+        next.link = std::clamp(std::max(2.0F * (1.0F - gap / longest), hardly), 0.0F, 1.0F);
         const float range = 0.5F * longest + fading_gap * style.hatch_shortest;
         next.near = std::clamp(std::max((longest + range - gap) / range, 1.0F - next.open), 0.0F, 1.0F);
     }
@@ -248,10 +277,14 @@ float HatchSpans::fade_of(std::int64_t number, float shortest) const noexcept {
         for (std::int64_t last = number; last < drawn_.size(); ++last) {
             if (last > number) near = std::min(near, drawn_[last].near);
             if (!(near > most)) break;
+            // Where the outermost part is about to vanish all are nearly as short as without it.
+            float stays = 1.0F;
+            if (first < number) stays = lasting(drawn_[first].firm, drawn_[first + 1].open);
+            if (last > number) stays = std::min(stays, lasting(drawn_[last].firm, drawn_[last].open));
             const float length = at(drawn_[last].end) - at(drawn_[first].begin);
-            const float fills = std::min(drawn_[first].begins_by.alone, drawn_[last].ends_by.alone);
+            const float fills = std::min(drawn_[first].begins_by.fills(), drawn_[last].ends_by.fills());
             const float least = std::lerp(1.0F, shortest_filling, fills) * shortest;
-            if (length >= least) most = std::max(most, near * smooth(length / least - 1.0F));
+            if (length >= least) most = std::max(most, std::min(near, stays) * smooth(length / least - 1.0F));
         }
     }
     return most;
@@ -267,7 +300,7 @@ float HatchSpans::taper(const LayerStyle& style, HatchEnd end, std::int64_t next
     default: break;
     }
     const float closes = next == 0 || next == drawn_.size() ? 0.0F : drawn_[next].closes;
-    return std::clamp(gap.length - closes, 0.0F, longest * gap.open);
+    return std::max(std::clamp(gap.length - closes, 0.0F, longest * gap.open), least_taper);
 }
 
 // 1 where the line goes along the contour that it ends at, 0 where it goes across.  The contour's image is normal to
@@ -289,7 +322,14 @@ float HatchSpans::along_rim(const LayerStyle& style, std::span<const HatchMark> 
 }
 
 // Where a line ends by its level and another margin runs out, too, it ends as by that: which of them is the first
-// changes with the view.
+// changes with the view.  So does whether its stroke ends first.
+template <class As>
+float HatchSpans::mixed_taper(HatchEnd end, const ByLevel& by, const As& as) noexcept {
+    if (by.near == 0.0F) return as(end);
+    const float level = by.alone == 1.0F ? as(HatchEnd::level) : std::lerp(as(by.other), as(HatchEnd::level), by.alone);
+    return by.near == 1.0F ? level : std::lerp(as(end), level, by.near);
+}
+
 float HatchSpans::taper_begin(const LayerStyle& style, std::span<const HatchMark> marks,
                               std::int64_t number) const noexcept {
     const Drawn& drawn = drawn_[number];
@@ -297,8 +337,7 @@ float HatchSpans::taper_begin(const LayerStyle& style, std::span<const HatchMark
         const float along = end == HatchEnd::rim ? along_rim(style, marks, drawn.begin, 1) : 1.0F;
         return along * taper(style, end, number, gap_before(number));
     };
-    if (drawn.begins != HatchEnd::level || drawn.begins_by.alone == 1.0F) return as(drawn.begins);
-    return std::lerp(as(drawn.begins_by.other), as(HatchEnd::level), drawn.begins_by.alone);
+    return mixed_taper(drawn.begins, drawn.begins_by, as);
 }
 
 float HatchSpans::taper_end(const LayerStyle& style, std::span<const HatchMark> marks,
@@ -308,96 +347,7 @@ float HatchSpans::taper_end(const LayerStyle& style, std::span<const HatchMark> 
         const float along = end == HatchEnd::rim ? along_rim(style, marks, drawn.end, -1) : 1.0F;
         return along * taper(style, end, number + 1, gap_after(number));
     };
-    if (drawn.ends != HatchEnd::level || drawn.ends_by.alone == 1.0F) return as(drawn.ends);
-    return std::lerp(as(drawn.ends_by.other), as(HatchEnd::level), drawn.ends_by.alone);
-}
-
-void HatchSpans::put(const LayerStyle& style, std::span<const HatchMark> marks, std::int64_t number, HatchPart& part) {
-    const Drawn& drawn = drawn_[number];
-    const std::int64_t next = number + drawn.joined;
-    const Drawn& last = drawn_[next - 1];
-    const float begin = at(drawn.begin);
-    const float length = at(last.end) - begin;
-    if (!(length > 0.0F && drawn.fade > 0.0F)) return;
-    HatchSpan span;
-    span.first = part.points.size();
-    span.count = 1 + static_cast<std::int32_t>(std::ceil(length / point_step));
-    span.closed = drawn.closed;
-    if (drawn.joined == 1) span.fade = drawn.fade;
-    if (!drawn.closed) {
-        span.taper_begin = taper_begin(style, marks, number);
-        span.taper_end = taper_end(style, marks, next - 1);
-    }
-    add_points(marks, number, span.count, part.points);
-    part.spans.push_back(span);
-}
-
-// Of parts that are joined: how wide the line is at that length, where it is in the one of that number or behind it.
-float HatchSpans::joined_fade(std::int64_t first, std::int64_t& part, float length) const noexcept {
-    const std::int64_t last = first + drawn_[first].joined - 1;
-    while (part < last && length >= at(drawn_[part + 1].begin)) ++part;
-    const Drawn& own = drawn_[part];
-    if (part == last || length <= at(own.end)) return own.fade;
-    return std::min(own.fade, drawn_[part + 1].fade) * drawn_[part + 1].link;
-}
-
-// At even steps along the chords.
-void HatchSpans::add_points(std::span<const HatchMark> marks, std::int64_t number, std::int32_t count,
-                            base::Array<HatchPoint>& points) const {
-    const Drawn& drawn = drawn_[number];
-    const Place& end = drawn_[number + drawn.joined - 1].end;
-    const float begin = at(drawn.begin);
-    const float step = (at(end) - begin) / static_cast<float>(count - 1);
-    const std::int64_t last = length_.size() - 2;
-    std::int64_t part = number;
-    const auto put = [&](const Place& place, float length) {
-        points.push_back(point(marks, place));
-        if (drawn.joined > 1) points.back().width *= joined_fade(number, part, length);
-        stray(marks, points.back(), place);
-    };
-    Place place = drawn.begin;
-    for (std::int32_t i = 0; i + 1 < count; ++i) {
-        const float wanted = begin + step * static_cast<float>(i);
-        while (place.mark < last && length_[place.mark + 1] < wanted) ++place.mark;
-        const float way = length_[place.mark + 1] - length_[place.mark];
-        place.share = way > 0.0F ? std::clamp((wanted - length_[place.mark]) / way, 0.0F, 1.0F) : 0.0F;
-        put(place, wanted);
-    }
-    put(end, at(end));
-}
-
-// Across the line, as the hand has it there.
-void HatchSpans::stray(std::span<const HatchMark> marks, HatchPoint& point, const Place& place) const noexcept {
-    if (!hand_.wobbles()) return;
-    const std::int64_t next = std::min(place.mark + 1, length_.size() - 1);
-    const glm::vec2 along = (1.0F - place.share) * tangent(marks, place.mark) + place.share * tangent(marks, next);
-    const float length = glm::length(along);
-    if (!(length > 0.0F)) return;
-    const double mark = static_cast<double>(place.mark + turned_) + static_cast<double>(place.share);
-    const float aside = hand_.aside(mark) / length;
-    point.x -= aside * along.y;
-    point.y += aside * along.x;
-}
-
-// Hermite's cubic between two marks; the rest changes evenly.
-HatchPoint HatchSpans::point(std::span<const HatchMark> marks, const Place& at_place) const noexcept {
-    const auto i = static_cast<std::size_t>(at_place.mark);
-    const HatchMark& a = marks[i];
-    const float t = at_place.share;
-    if (t == 0.0F || i + 1 == marks.size()) return {a.x, a.y, a.window, a.depth, a.pixels_per_unit, a.width, a.id};
-    const HatchMark& b = marks[i + 1];
-    const float way = length_[at_place.mark + 1] - length_[at_place.mark];
-    const float u = 1.0F - t;
-    const glm::vec2 p = u * u * (1.0F + 2.0F * t) * place(a) + t * t * (3.0F - 2.0F * t) * place(b) +
-                        t * u * way * (u * tangent(marks, at_place.mark) - t * tangent(marks, at_place.mark + 1));
-    const auto mixed = [t](float from, float to) { return from + t * (to - from); };
-    return {p.x,
-            p.y,
-            mixed(a.window, b.window),
-            mixed(a.depth, b.depth),
-            mixed(a.pixels_per_unit, b.pixels_per_unit),
-            mixed(a.width, b.width),
-            t < 0.5F ? a.id : b.id};
+    return mixed_taper(drawn.ends, drawn.ends_by, as);
 }
 
 } // namespace hrbfnpr::frame

@@ -7,6 +7,8 @@
 
 namespace hrbfnpr::frame {
 
+inline constexpr float hatch_point_step = 2.75F; // from one point of a line to the next, pixels
+
 // A part of a line that is drawn, before it is asked what hides it.  Its points follow each other at about even steps.
 struct HatchSpan {
     std::int64_t first = 0; // of its points
@@ -35,12 +37,12 @@ struct HatchPart {
 // Of one stroke after the other.
 class HatchSpans {
 public:
-    explicit HatchSpans(base::Memory& memory) noexcept : length_(memory), drawn_(memory) {}
+    explicit HatchSpans(base::Memory& memory) noexcept : length_(memory), drawn_(memory), dips_(memory) {}
 
     // Adds what is drawn of the stroke of that number; one that is closed ends with its first mark, and may be turned.
     void add(const LayerStyle& style, std::int64_t stroke, std::span<HatchMark> marks, bool closed, HatchPart& part);
 
-    [[nodiscard]] std::int64_t bytes() const noexcept { return length_.bytes() + drawn_.bytes(); }
+    [[nodiscard]] std::int64_t bytes() const noexcept { return length_.bytes() + drawn_.bytes() + dips_.bytes(); }
 
 private:
     // A place between a mark and the next one.
@@ -52,6 +54,17 @@ private:
     struct ByLevel {
         float alone = 0.0F;             // 1: its level's alone, 0: another margin runs out, too
         HatchEnd other = HatchEnd::rim; // which
+        float near = 0.0F;              // 1: its level ends it, 0: this is far from doing so where the stroke ends
+
+        [[nodiscard]] float fills() const noexcept { return alone * near; }
+    };
+    // A gap between two parts that the line goes on over.
+    struct Dip {
+        float begin, end;             // lengths
+        float taper_end, taper_begin; // of the part before it and of the one behind it
+        float link;
+
+        [[nodiscard]] float middle() const noexcept { return 0.5F * (begin + end); }
     };
     struct Drawn {
         Place begin, end;
@@ -84,12 +97,27 @@ private:
     void stray(std::span<const HatchMark> marks, HatchPoint& point, const Place& place) const noexcept;
     [[nodiscard]] glm::vec2 tangent(std::span<const HatchMark> marks, std::int64_t i) const noexcept;
     [[nodiscard]] float at(const Place& place) const noexcept;
+    // From the mark before where a part begins.
+    [[nodiscard]] float within(const Place& begin, const Place& place) const noexcept {
+        const std::int64_t next = std::min(place.mark + 1, length_.size() - 1);
+        return length_[place.mark] - length_[begin.mark] + place.share * (length_[next] - length_[place.mark]);
+    }
+    [[nodiscard]] float area(std::span<const HatchMark> marks, const Place& from, const Place& to) const noexcept;
+    [[nodiscard]] float width_at_begin(std::span<const HatchMark> marks, const Drawn& drawn) const noexcept;
+    [[nodiscard]] float width_at_end(std::span<const HatchMark> marks, const Drawn& drawn) const noexcept;
     void put(const LayerStyle& style, std::span<const HatchMark> marks, std::int64_t number, HatchPart& part);
-    void add_points(std::span<const HatchMark> marks, std::int64_t number, std::int32_t count,
+    void advance(Place& place, const Place& begin, float wanted) const noexcept;
+    void add_points(std::span<const HatchMark> marks, const Drawn& drawn, std::int32_t count,
                     base::Array<HatchPoint>& points) const;
-    [[nodiscard]] float joined_fade(std::int64_t first, std::int64_t& part, float length) const noexcept;
+    void add_joined(std::span<const HatchMark> marks, std::int64_t number, std::int32_t count,
+                    base::Array<HatchPoint>& points) const;
+    void find_dips(const LayerStyle& style, std::span<const HatchMark> marks, std::int64_t first);
+    [[nodiscard]] float joined_fade(std::int64_t first, std::int64_t& dip, float length) const noexcept;
     [[nodiscard]] static ByLevel by_level(const HatchMark& drawn, const HatchMark& other, HatchEnd end,
                                           float share) noexcept;
+    [[nodiscard]] static ByLevel by_level(const HatchMark& last) noexcept;
+    template <class As>
+    [[nodiscard]] static float mixed_taper(HatchEnd end, const ByLevel& by, const As& as) noexcept;
     [[nodiscard]] float taper_begin(const LayerStyle& style, std::span<const HatchMark> marks,
                                     std::int64_t number) const noexcept;
     [[nodiscard]] float taper_end(const LayerStyle& style, std::span<const HatchMark> marks,
@@ -103,6 +131,7 @@ private:
 
     base::Array<float> length_; // of each mark from the first one, pixels
     base::Array<Drawn> drawn_;
+    base::Array<Dip> dips_;   // of those that are joined
     HatchHand hand_;          // of the stroke at hand
     std::int64_t turned_ = 0; // by so many marks, if it is closed
     bool goes_round_ = false; // its last mark is its first one

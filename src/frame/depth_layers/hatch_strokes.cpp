@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace hrbfnpr::frame {
@@ -28,21 +29,41 @@ constexpr float straight = 0.05F;
 constexpr float even_radius = 0.006F;
 constexpr std::int64_t most_left_out = 6; // one after the other
 
-// Whether the points between a and b are what lies between them.
-[[nodiscard]] bool lie_between(const StrokePoint& a, std::span<const StrokePoint> points,
-                               const StrokePoint& b) noexcept {
-    const float way = b.length - a.length;
-    if (!(way > 0.0F) || a.opacity != b.opacity) return false;
-    const float scale = 1.0F / way;
-    const float x = b.x - a.x;
-    const float y = b.y - a.y;
-    const float radius = b.radius - a.radius;
-    return std::all_of(points.begin(), points.end(), [&](const StrokePoint& p) {
-        const float t = (p.length - a.length) * scale;
-        return p.opacity == a.opacity && std::abs(p.x - a.x - t * x) < straight &&
-               std::abs(p.y - a.y - t * y) < straight && std::abs(p.radius - a.radius - t * radius) < even_radius;
-    });
-}
+// The directions from a point in which its line may go on: those that pass by all points since nearly enough.
+class Passage {
+public:
+    explicit Passage(const StrokePoint& from) noexcept : from_(from) {}
+
+    // Whether the points taken lie between the first one and this one, if its opacity is theirs.
+    [[nodiscard]] bool reaches(const StrokePoint& to) const noexcept {
+        const float way = to.length - from_.length;
+        return way > 0.0F && to.opacity == from_.opacity && holds(to.x - from_.x, way, x_) &&
+               holds(to.y - from_.y, way, y_) && holds(to.radius - from_.radius, way, radius_);
+    }
+    void take(const StrokePoint& p) noexcept {
+        const float way = p.length - from_.length;
+        if (!(way > 0.0F)) return;
+        const float scale = 1.0F / way;
+        narrow(p.x - from_.x, straight, scale, x_);
+        narrow(p.y - from_.y, straight, scale, y_);
+        narrow(p.radius - from_.radius, even_radius, scale, radius_);
+    }
+
+private:
+    struct Slopes {
+        float least = -std::numeric_limits<float>::infinity(), most = std::numeric_limits<float>::infinity();
+    };
+    static bool holds(float rise, float way, const Slopes& slopes) noexcept {
+        return rise > slopes.least * way && rise < slopes.most * way;
+    }
+    static void narrow(float rise, float by, float scale, Slopes& slopes) noexcept {
+        slopes.least = std::max(slopes.least, (rise - by) * scale);
+        slopes.most = std::min(slopes.most, (rise + by) * scale);
+    }
+
+    StrokePoint from_;
+    Slopes x_, y_, radius_;
+};
 
 // An ellipse's quarter would be blunter.
 [[nodiscard]] float narrowed(float from_end, float taper) noexcept {
@@ -115,6 +136,8 @@ private:
         end_ = last + 1 < size() ? middle(last) : part_.length[size() - 1];
         begin_taper_ = first > 0 ? hidden_taper : 0.0F;
         end_taper_ = last + 1 < size() ? hidden_taper : 0.0F;
+        begins_narrow_ = std::max(span_.taper_begin, begin_ + begin_taper_);
+        ends_narrow_ = std::min(part_.length[size() - 1] - span_.taper_end, end_ - end_taper_);
         first_ = first;
         last_ = last;
         const bool whole = first == 0 && last + 1 == size();
@@ -157,12 +180,15 @@ private:
         base::Array<StrokePoint>& points = part_.made.points;
         std::int64_t kept = first;
         std::int64_t from = first; // the point that was kept last
+        Passage passage(points[first]);
         for (std::int64_t i = first + 1; i < points.size(); ++i) {
-            if (i + 1 < points.size() && i - from <= most_left_out &&
-                lie_between(points[kept], {points.data() + from + 1, points.data() + i + 1}, points[i + 1]))
+            passage.take(points[i]);
+            if (i + 1 < points.size() && i - from <= most_left_out && points[i].opacity == points[kept].opacity &&
+                passage.reaches(points[i + 1]))
                 continue;
             points[++kept] = points[i];
             from = i;
+            passage = Passage(points[kept]);
         }
         points.resize(kept + 1);
     }
@@ -208,6 +234,7 @@ private:
 
     [[nodiscard]] float profile(float at) const noexcept {
         const float whole = part_.length[size() - 1];
+        if (at >= begins_narrow_ && at <= ends_narrow_) return 1.0F;
         return std::min({narrowed(at, span_.taper_begin), narrowed(whole - at, span_.taper_end),
                          narrowed(at - begin_, begin_taper_), narrowed(end_ - at, end_taper_)});
     }
@@ -218,6 +245,7 @@ private:
     float shortest_, halo_;
     std::int64_t first_ = 0, last_ = 0, from_ = 0;
     float begin_ = 0.0F, end_ = 0.0F, begin_taper_ = 0.0F, end_taper_ = 0.0F, start_ = 0.0F, fade_ = 1.0F;
+    float begins_narrow_ = 0.0F, ends_narrow_ = 0.0F; // between them it is as wide as its points
 };
 
 // Calls f for each element whose number differs from that of the one before.
