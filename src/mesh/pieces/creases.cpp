@@ -39,6 +39,7 @@ public:
         find_bends();
         index_by_vertex();
         grow();
+        sharpen_between_corners();
         progress_.check();
         find_patches();
         if (sharpen_coarse()) find_patches();
@@ -133,6 +134,37 @@ private:
             ++degree_[other];
             before = end;
             end = other;
+        }
+    }
+
+    // Whether creases meet in a vertex, and none of them goes straight on.
+    [[nodiscard]] bool is_corner(std::int32_t vertex) const noexcept {
+        const auto way = [&](const Bend& bend) {
+            return glm::normalize(mesh_.vertex[bend.from == vertex ? bend.to : bend.from] - mesh_.vertex[vertex]);
+        };
+        std::int64_t creases = 0;
+        for (std::int64_t i = first_[vertex]; i < first_[vertex + 1]; ++i) {
+            if (!bend_[at_[i]].sharp) continue;
+            ++creases;
+            for (std::int64_t j = first_[vertex]; j < i; ++j)
+                if (bend_[at_[j]].sharp && glm::dot(way(bend_[at_[i]]), way(bend_[at_[j]])) < -std::cos(angle_))
+                    return false;
+        }
+        return creases >= 2;
+    }
+
+    // Edges that bend less, from one corner of creases to another: a smooth patch does not have an outline with
+    // corners there, so its faces are facets.
+    void sharpen_between_corners() {
+        base::Array<std::int64_t> found(runtime_.memory);
+        for (std::int64_t i = 0; i < bend_.size(); ++i)
+            if (!bend_[i].sharp && bend_[i].angle >= least_bend * radians && is_corner(bend_[i].from) &&
+                is_corner(bend_[i].to))
+                found.push_back(i);
+        for (const std::int64_t i : found) {
+            bend_[i].sharp = true;
+            ++degree_[bend_[i].from];
+            ++degree_[bend_[i].to];
         }
     }
 
