@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "curves/surface_mesh.h"
 
+#include "base/long_array.h"
 #include "curves/clear_corners.h"
 #include "curves/crossed_cells.h"
 #include "curves/edge_roots.h"
@@ -18,17 +19,23 @@ constexpr double seed_tolerance = 1e-3; // in sides
 constexpr double seed_reach = 1.5;      // in sides: how far from a seed its triangle may be
 constexpr std::int64_t most_triangles = std::int64_t{1} << 28;
 
+constexpr std::int64_t cells_a_look = 4096;
+
 // Edges that the surface crosses, each once.
 class Edges {
 public:
     explicit Edges(const CrossedCells& cells)
-        : edge(cells.value.memory()), cells_(cells), number_(cells.value.memory(), ways * cells.value.size()) {}
+        : edge(cells.value.memory()), cells_(cells), number_(cells.value.memory()) {}
 
-    void number_all() {
-        for (const CrossedCell& cell : cells_.cell)
+    void number_all(const base::Progress& progress) {
+        base::resize_long(number_, ways * cells_.value.size(), progress);
+        for (std::int64_t i = 0; i < cells_.cell.size(); ++i) {
+            if (i % cells_a_look == 0) progress.check();
+            const CrossedCell& cell = cells_.cell[i];
             cells_.sections_of(cell, [&](const Tetrahedron& tetrahedron, const Section& section) {
-                for (std::size_t i = 0; i < section.size; ++i) add(cell, tetrahedron, section.edge[i]);
+                for (std::size_t k = 0; k < section.size; ++k) add(cell, tetrahedron, section.edge[k]);
             });
+        }
     }
     // Of an edge between two corners of a tetrahedron.
     [[nodiscard]] std::int32_t vertex(const CrossedCell& cell, const Tetrahedron& tetrahedron,
@@ -79,7 +86,7 @@ void add_section(SurfaceMesh& mesh, const std::array<std::int32_t, 4>& v, std::s
 void add_triangles(const CrossedCells& cells, const Edges& edges, SurfaceMesh& mesh, const base::Progress& progress) {
     mesh.corner.reserve(3 * cells.triangles);
     for (std::int64_t i = 0; i < cells.cell.size(); ++i) {
-        if (i % 4096 == 0) progress.check();
+        if (i % cells_a_look == 0) progress.check();
         const CrossedCell& cell = cells.cell[i];
         cells.sections_of(cell, [&](const Tetrahedron& tetrahedron, const Section& section) {
             std::array<std::int32_t, 4> vertex{};
@@ -173,7 +180,7 @@ SurfaceMesh triangulate(const base::Runtime& runtime, const implicit::Implicit& 
                            progress.part(0.05, 0.3));
     clear_corners(runtime, implicit, cells, progress.part(0.3, 0.4));
     Edges edges(cells);
-    edges.number_all();
+    edges.number_all(progress);
     mesh.unresolved =
         find_edge_roots(runtime, implicit, {cells.position, cells.value, edges.edge}, tolerance * implicit.diagonal(),
                         mesh.position, mesh.gradient, progress.part(0.4, 0.9));
