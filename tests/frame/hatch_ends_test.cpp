@@ -339,6 +339,33 @@ TEST_F(Hatch, ASphereHidesWhatIsBehindIt) {
     }
 }
 
+// Its points stand elsewhere where it begins elsewhere, and its width may change from one mark to the next.
+TEST_F(Hatch, WidthsDoNotDependOnWhereALineBegins) {
+    for (const double y : {-0.1, 0.0, 0.1}) add_line(set, {y, -1.0, 1.0, 0}, 0.01); // 2 pixels
+    set_nesting(set, 0.1, 0);
+    cluster();
+    const auto width_in_the_middle = [&] {
+        const auto points = points_of(0);
+        const auto next = std::find_if(points.begin(), points.end(),
+                                       [](const StrokePoint& p) { return p.x >= 0.5F * static_cast<float>(size); });
+        const StrokePoint& a = *(next - 1);
+        const StrokePoint& b = *next;
+        return 2.0F * std::lerp(a.radius, b.radius, (0.5F * static_cast<float>(size) - a.x) / (b.x - a.x));
+    };
+    float least = 1e9F;
+    float most = 0.0F;
+    for (int i = 0; i < 12; ++i) {
+        const double begin = -0.5 + 0.002 * i; // 0.4 pixels
+        darkness = [=](const glm::dvec3& p) { return p.x < begin ? 0.0 : std::abs(p.x) < 0.005 ? 0.9 : 0.2; };
+        draw(front_camera(size, size, 1.25));
+        ASSERT_EQ(frame.drawing().strokes.size(), 3);
+        least = std::min(least, width_in_the_middle());
+        most = std::max(most, width_in_the_middle());
+    }
+    EXPECT_GT(most, 0.1F);
+    EXPECT_LT(most - least, 0.3F * most);
+}
+
 TEST_F(Hatch, TheBackIsNotDrawn) {
     add_latitudes(set);
     cluster();

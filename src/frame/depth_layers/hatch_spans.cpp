@@ -254,7 +254,9 @@ void HatchSpans::join(const LayerStyle& style, std::span<const HatchMark> marks)
         const float longest = 0.5F * least_gap * (width_at_end(marks, last) + width_at_begin(marks, next));
         const float gap = at(next.begin) - at(last.end);
         next.closes = longest;
-        const float stays = lasting(std::min(last.firm, next.firm), next.open);
+        // One of a tone grows as the picture does, and what was drawn in it would go.
+        const bool by_level = last.ends == HatchEnd::level && next.begins == HatchEnd::level;
+        const float stays = by_level ? lasting(std::min(last.firm, next.firm), next.open) : 0.0F;
         const float hardly = (1.0F - next.open) * stays * std::clamp(2.0F - gap / hardly_gap, 0.0F, 1.0F);
         next.link = std::clamp(std::max(2.0F * (1.0F - gap / longest), hardly), 0.0F, 1.0F);
         const float range = 0.5F * longest + fading_gap * style.hatch_shortest;
