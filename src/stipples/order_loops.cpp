@@ -5,6 +5,8 @@
 
 #include "stipples/order_loops.h"
 
+#include <algorithm>
+
 HWY_BEFORE_NAMESPACE();
 namespace hrbfnpr::stipples::HWY_NAMESPACE {
 namespace {
@@ -158,14 +160,26 @@ OrderLowest feel_and_find(const OrderBlock& block, const OrderMark& mark, float 
     return search.found();
 }
 
-std::int64_t smallest(const float* numbers, std::int64_t count) {
+// The first `left` of a vector's numbers, infinity behind them.  Without masked loads a vector is read whole, and
+// numbers behind may be another thread's, which is writing them: so the last ones are copied there.
+HWY_INLINE W first_of(const float* numbers, std::int64_t left) {
     const F d;
+    const W none = hn::Set(d, __builtin_inff());
+    const auto mask = lanes_left(left);
+#if HWY_TARGET == HWY_AVX2 || HWY_TARGET == HWY_AVX3 || HWY_TARGET == HWY_AVX3_DL
+    return hn::IfThenElse(mask, hn::MaskedLoad(mask, d, numbers), none);
+#else
+    if (left >= lanes()) return hn::LoadU(d, numbers);
+    HWY_ALIGN float some[HWY_LANES(float)] = {};
+    std::copy_n(numbers, left, some);
+    return hn::IfThenElse(mask, hn::Load(d, some), none);
+#endif
+}
+
+std::int64_t smallest(const float* numbers, std::int64_t count) {
     Search search(0.0F);
-    for (std::int64_t at = 0; at < count; at += lanes()) {
-        const auto mask = lanes_left(count - at);
-        search.look(hn::IfThenElse(mask, hn::MaskedLoad(mask, d, numbers + at), hn::Set(d, __builtin_inff())),
-                    hn::Zero(d), at);
-    }
+    for (std::int64_t at = 0; at < count; at += lanes())
+        search.look(first_of(numbers + at, count - at), hn::Zero(F()), at);
     return search.found().at;
 }
 
