@@ -15,8 +15,10 @@ namespace {
 // Below this little is gained, and up to a huge page more may be taken than was asked for.
 constexpr std::uint64_t large = std::uint64_t{4} << 20U;
 
-// Where the system gives huge pages to those who ask, as Linux by default: the first touch of a large array then takes
-// a quarter of the time, and its end, for which a cancelled call waits, next to none instead of 0.1 ms a megabyte.
+// Where the system gives huge pages to those who ask, as Linux by default: the end of a large array, for which a
+// cancelled call waits, then takes next to no time instead of 0.1 ms a megabyte.  Its first touch takes a quarter of
+// the time where huge pages are at hand, and longer where the system (or the host of a virtual machine) has to find
+// them first.
 void ask_for_huge_pages([[maybe_unused]] void* memory, [[maybe_unused]] std::uint64_t size) noexcept {
 #if defined(__linux__)
     constexpr std::uintptr_t page = 4096; // of a system with larger ones the call is refused, and nothing happens
