@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Minima and maxima of many: the same bits as pair by pair, and fewer of their operands asked.
-#include "fields.h"
+#include "csg_nodes.h"
 
 #include "implicit/csg.h"
 #include "implicit/custom.h"
 #include "implicit/evaluate_all.h"
-#include "support/csg_reference.h"
 
 #include <gtest/gtest.h>
 
@@ -18,7 +17,9 @@ namespace implicit = hrbfnpr::implicit;
 using Groups = implicit::CsgPlan::Groups;
 using test::CsgKind;
 using test::CsgNode;
+using test::node;
 using test::Nodes;
+using test::scattered;
 
 namespace {
 
@@ -111,20 +112,6 @@ void expect_same(const Both& both, const test::Points& points) {
     one->evaluate(active[0], points.batch(), quick.all());
     other->evaluate(active[0], points.batch(), plain.all());
     EXPECT_TRUE(same_bits(quick.value, plain.value));
-}
-
-test::Points scattered(int count, double reach) {
-    test::Points points;
-    for (int i = 0; i < count; ++i)
-        points.add({reach * test::scatter(3 * i), reach * test::scatter(3 * i + 1), reach * test::scatter(3 * i + 2)});
-    return points;
-}
-
-CsgNode node(CsgKind kind, std::int64_t parent = -1) {
-    CsgNode made;
-    made.kind = kind;
-    made.parent = parent;
-    return made;
 }
 
 TEST(CsgGroups, RandomTreesAreTheSameToTheLastBit) {

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 // CSG trees against a plain recursion, against differences, and against what is known of them.
-#include "fields.h"
+#include "csg_nodes.h"
 
 #include "implicit/csg.h"
 #include "implicit/custom.h"
-#include "support/csg_reference.h"
 
 #include <gtest/gtest.h>
 
@@ -13,7 +12,9 @@ namespace geometry = hrbfnpr::geometry;
 namespace implicit = hrbfnpr::implicit;
 using test::CsgKind;
 using test::CsgNode;
+using test::node;
 using test::Nodes;
+using test::scattered;
 
 namespace {
 
@@ -87,19 +88,6 @@ std::int32_t active(const implicit::Sheets& sheets, const glm::dvec3& p) {
     return sheet;
 }
 
-test::Points scattered(int count, double reach) {
-    test::Points points;
-    for (int i = 0; i < count; ++i)
-        points.add({reach * test::scatter(3 * i), reach * test::scatter(3 * i + 1), reach * test::scatter(3 * i + 2)});
-    return points;
-}
-
-CsgNode node(CsgKind kind, std::int64_t parent = -1) {
-    CsgNode made;
-    made.kind = kind;
-    made.parent = parent;
-    return made;
-}
 CsgNode ball(std::int64_t parent, const glm::dvec3& centre, double radius) {
     CsgNode made = node(CsgKind::sphere, parent);
     made.translation = centre;
