@@ -5,7 +5,7 @@
 #include <functional>
 #include <limits>
 
-namespace api_test {
+namespace api_test::bad_frame_input_test {
 namespace {
 
 constexpr auto invalid = HRBFNPR_STATUS_INVALID_ARGUMENT;
@@ -497,4 +497,4 @@ TEST_F(BadFrame, MarksAndIds) {
 }
 
 } // namespace
-} // namespace api_test
+} // namespace api_test::bad_frame_input_test

@@ -7,7 +7,7 @@
 #include <functional>
 #include <limits>
 
-namespace api_test {
+namespace api_test::bad_model_input_test {
 namespace {
 
 constexpr auto invalid = HRBFNPR_STATUS_INVALID_ARGUMENT;
@@ -325,4 +325,4 @@ TEST(BadInput, HugeStridesOfASingleElementAreFine) {
 }
 
 } // namespace
-} // namespace api_test
+} // namespace api_test::bad_model_input_test

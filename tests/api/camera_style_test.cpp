@@ -5,7 +5,7 @@
 #include <limits>
 #include <set>
 
-namespace api_test {
+namespace api_test::camera_style_test {
 namespace {
 
 // Where a world point comes to lie, in pixels.
@@ -256,4 +256,4 @@ TEST(Style, PresetsAreGeneratedAndDrawn) {
 }
 
 } // namespace
-} // namespace api_test
+} // namespace api_test::camera_style_test

@@ -8,7 +8,7 @@
 #include <functional>
 #include <limits>
 
-namespace api_test {
+namespace api_test::csg_test {
 namespace {
 
 using hrbfnpr::test::csg_part;
@@ -456,4 +456,4 @@ TEST(CsgModel, ContoursOfCylindersOnOneAxisEndWithThem) {
 }
 
 } // namespace
-} // namespace api_test
+} // namespace api_test::csg_test

@@ -7,7 +7,7 @@
 #include <set>
 #include <thread>
 
-namespace api_test {
+namespace api_test::custom_test {
 namespace {
 
 struct Threads {
@@ -225,4 +225,4 @@ TEST(Custom, ReleaseIsCalledOnceWithTheLastReferenceAndNotAfterAFailure) {
 }
 
 } // namespace
-} // namespace api_test
+} // namespace api_test::custom_test

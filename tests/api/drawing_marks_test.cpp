@@ -2,7 +2,7 @@
 // Drawings by their marks, as images of every format, and of marks that have moved.
 #include "drawing_fixture.h"
 
-namespace api_test {
+namespace api_test::drawing_marks_test {
 namespace {
 
 // ---- marks ---------------------------------------------------------------------------------
@@ -260,4 +260,4 @@ TEST_F(DrawingTest, OneLayerMovesAlone) {
 }
 
 } // namespace
-} // namespace api_test
+} // namespace api_test::drawing_marks_test

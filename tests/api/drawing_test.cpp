@@ -2,7 +2,7 @@
 // Drawings as values: what they hold, memory, vertices.
 #include "drawing_fixture.h"
 
-namespace api_test {
+namespace api_test::drawing_test {
 namespace {
 
 TEST_F(DrawingTest, OwnStrokesAreWhereTheyShouldBe) {
@@ -298,4 +298,4 @@ TEST_F(DrawingTest, StrokesFilledAsTrianglesAreTheImage) {
 }
 
 } // namespace
-} // namespace api_test
+} // namespace api_test::drawing_test

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace api_test {
+namespace api_test::edges_test {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -303,4 +303,4 @@ TEST(Edges, ImagesOfOnePixelAndOfOneRow) {
 }
 
 } // namespace
-} // namespace api_test
+} // namespace api_test::edges_test

@@ -2,7 +2,7 @@
 // From samples to a picture, as a program of a caller does it.
 #include "fixture.h"
 
-namespace api_test {
+namespace api_test::end_to_end_test {
 namespace {
 
 void expect_a_drawing(const std::vector<std::uint8_t>& pixels) {
@@ -41,4 +41,4 @@ TEST(EndToEnd, CustomFunction) {
 }
 
 } // namespace
-} // namespace api_test
+} // namespace api_test::end_to_end_test

@@ -2,7 +2,7 @@
 // Saving and loading over the C boundary; tests/io has the details of the format.
 #include "fixture.h"
 
-namespace api_test {
+namespace api_test::file_test {
 namespace {
 
 using Bytes = std::vector<std::uint8_t>;
@@ -231,4 +231,4 @@ TEST(File, TruncationAndFlippedBitsAreFound) {
 }
 
 } // namespace
-} // namespace api_test
+} // namespace api_test::file_test

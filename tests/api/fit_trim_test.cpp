@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cstring>
 
-namespace api_test {
+namespace api_test::fit_trim_test {
 namespace {
 
 TEST(FitTrim, IsTheDefault) {
@@ -138,4 +138,4 @@ TEST(FitTrim, RefusesAnotherWord) {
 }
 
 } // namespace
-} // namespace api_test
+} // namespace api_test::fit_trim_test

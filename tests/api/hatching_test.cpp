@@ -4,7 +4,7 @@
 
 #include <limits>
 
-namespace api_test {
+namespace api_test::hatching_test {
 namespace {
 
 using HatchingTest = DrawingTest;
@@ -105,4 +105,4 @@ TEST_F(HatchingTest, MarkResultsAreThoseOfItsLines) {
 }
 
 } // namespace
-} // namespace api_test
+} // namespace api_test::hatching_test

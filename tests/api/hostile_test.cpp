@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-namespace api_test {
+namespace api_test::hostile_test {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -297,4 +297,4 @@ TEST(Hostile, LengthsAtTheirLimits) {
 }
 
 } // namespace
-} // namespace api_test
+} // namespace api_test::hostile_test

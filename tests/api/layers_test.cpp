@@ -8,7 +8,7 @@
 #include <initializer_list>
 #include <vector>
 
-namespace api_test {
+namespace api_test::layers_test {
 namespace {
 
 // Two stipples, an empty layer, and two combing strokes, of three and of two marks.
@@ -484,4 +484,4 @@ TEST(Layers, OfPresets) {
 }
 
 } // namespace
-} // namespace api_test
+} // namespace api_test::layers_test

@@ -11,7 +11,7 @@
 #include <unistd.h>
 #endif
 
-namespace api_test {
+namespace api_test::lifetime_test {
 namespace {
 
 TEST(Lifetime, HandlesCanBeReleasedInAnyOrder) {
@@ -277,4 +277,4 @@ TEST(Fork, AChildGoesOnSerially) {
 #endif
 
 } // namespace
-} // namespace api_test
+} // namespace api_test::lifetime_test

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace api_test {
+namespace api_test::mesh_edges_test {
 namespace {
 
 using hrbfnpr::test::Triangles;
@@ -168,4 +168,4 @@ TEST(MeshEdges, CheckTheirFields) {
 }
 
 } // namespace
-} // namespace api_test
+} // namespace api_test::mesh_edges_test

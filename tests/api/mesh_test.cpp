@@ -7,7 +7,7 @@
 #include <limits>
 #include <string>
 
-namespace api_test {
+namespace api_test::mesh_test {
 namespace {
 
 using hrbfnpr::test::icosphere;
@@ -404,4 +404,4 @@ TEST(Mesh, EveryAllocationMayBeRefused) {
 }
 
 } // namespace
-} // namespace api_test
+} // namespace api_test::mesh_test

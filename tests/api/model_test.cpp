@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-namespace api_test {
+namespace api_test::model_test {
 namespace {
 
 // A plane through six samples is fitted exactly, so every number is known.
@@ -216,4 +216,4 @@ TEST(Model, CurvatureOfASphere) {
 }
 
 } // namespace
-} // namespace api_test
+} // namespace api_test::model_test

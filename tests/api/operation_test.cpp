@@ -4,7 +4,7 @@
 #include <functional>
 #include <thread>
 
-namespace api_test {
+namespace api_test::operation_test {
 namespace {
 
 // Every kind of long call, on the same data.
@@ -236,4 +236,4 @@ TEST(Operation, NullIsHarmless) {
 }
 
 } // namespace
-} // namespace api_test
+} // namespace api_test::operation_test

@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <functional>
 
-namespace api_test {
+namespace api_test::orient_test {
 namespace {
 
 scenes::Samples shape() { return scenes::torus(300); }
@@ -213,4 +213,4 @@ TEST(Orient, OldDescriptorsMeanTheNormalsAsGiven) {
 }
 
 } // namespace
-} // namespace api_test
+} // namespace api_test::orient_test

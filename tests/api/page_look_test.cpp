@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace api_test {
+namespace api_test::page_look_test {
 namespace {
 
 constexpr int lines = 100000;
@@ -83,4 +83,4 @@ TEST(PageLooks, AreFrequentWithManyLines) {
 }
 
 } // namespace
-} // namespace api_test
+} // namespace api_test::page_look_test

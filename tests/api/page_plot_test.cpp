@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace api_test {
+namespace api_test::page_plot_test {
 namespace {
 
 struct Page : hrbfnpr_page_desc {
@@ -257,4 +257,4 @@ TEST(PagePlot, FailsCleanlyWithoutMemory) {
 }
 
 } // namespace
-} // namespace api_test
+} // namespace api_test::page_plot_test

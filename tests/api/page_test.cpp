@@ -5,7 +5,7 @@
 #include <functional>
 #include <limits>
 
-namespace api_test {
+namespace api_test::page_test {
 namespace {
 
 constexpr auto invalid = HRBFNPR_STATUS_INVALID_ARGUMENT;
@@ -217,4 +217,4 @@ TEST_F(PageTest, HasDiscsOfPaperInTheirOrder) {
 }
 
 } // namespace
-} // namespace api_test
+} // namespace api_test::page_test

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-namespace api_test {
+namespace api_test::point_set_test {
 namespace {
 
 TEST(PointSet, DefaultsAreStipples) {
@@ -170,4 +170,4 @@ TEST(PointSet, StepPatchesAreSquares) {
 }
 
 } // namespace
-} // namespace api_test
+} // namespace api_test::point_set_test

@@ -8,7 +8,7 @@
 #include <cstring>
 #include <string>
 
-namespace api_test {
+namespace api_test::prepared_test {
 namespace {
 
 constexpr std::int64_t few = 20000; // of points; not worth preparing
@@ -114,4 +114,4 @@ TEST(Prepared, MarksAreKeptAndLieOnTheSurface) {
 }
 
 } // namespace
-} // namespace api_test
+} // namespace api_test::prepared_test

@@ -6,7 +6,7 @@
 #include <functional>
 #include <limits>
 
-namespace api_test {
+namespace api_test::ray_test {
 namespace {
 
 constexpr auto invalid = HRBFNPR_STATUS_INVALID_ARGUMENT;
@@ -327,4 +327,4 @@ TEST(CastRays, AFailureOfTheFunctionFailsTheCall) {
 }
 
 } // namespace
-} // namespace api_test
+} // namespace api_test::ray_test

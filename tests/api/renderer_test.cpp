@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-namespace api_test {
+namespace api_test::renderer_test {
 namespace {
 
 class RendererTest : public testing::Test {
@@ -308,4 +308,4 @@ TEST_F(RendererTest, StylesLayersByKindAndName) {
 }
 
 } // namespace
-} // namespace api_test
+} // namespace api_test::renderer_test

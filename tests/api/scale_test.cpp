@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-namespace api_test {
+namespace api_test::scale_test {
 namespace {
 
 scenes::Samples scaled(scenes::Samples samples, double by) {
@@ -406,4 +406,4 @@ TEST(Scale, BoxesOfCustomModelsAreAskedForTheirSize) {
 }
 
 } // namespace
-} // namespace api_test
+} // namespace api_test::scale_test

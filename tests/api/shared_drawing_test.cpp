@@ -4,7 +4,7 @@
 
 #include <thread>
 
-namespace api_test {
+namespace api_test::shared_drawing_test {
 namespace {
 
 std::vector<float> windows(const Drawing& drawing) {
@@ -118,4 +118,4 @@ TEST(SharedDrawing, ARunnerMayReadItInTheMiddleOfReading) {
 }
 
 } // namespace
-} // namespace api_test
+} // namespace api_test::shared_drawing_test

@@ -2,7 +2,7 @@
 // Versioned structs: short ones of older callers, long ones of newer ones, wrong ones.
 #include "fixture.h"
 
-namespace api_test {
+namespace api_test::struct_test {
 namespace {
 
 // Every struct with its `_init`.
@@ -295,4 +295,4 @@ TEST(Context, InstructionSetIsCapped) {
 }
 
 } // namespace
-} // namespace api_test
+} // namespace api_test::struct_test

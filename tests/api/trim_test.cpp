@@ -7,7 +7,7 @@
 #include <functional>
 #include <limits>
 
-namespace api_test {
+namespace api_test::trim_test {
 namespace {
 
 constexpr auto invalid = HRBFNPR_STATUS_INVALID_ARGUMENT;
@@ -268,4 +268,4 @@ TEST(Trim, CanBeCancelled) {
 }
 
 } // namespace
-} // namespace api_test
+} // namespace api_test::trim_test

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "fixture.h"
 
-namespace api_test {
+namespace api_test::version_test {
 namespace {
 
 TEST(Version, AgreesWithTheHeader) {
@@ -107,4 +107,4 @@ TEST(ErrorRecord, MayBeNull) {
 }
 
 } // namespace
-} // namespace api_test
+} // namespace api_test::version_test

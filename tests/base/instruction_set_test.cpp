@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <string>
 
-namespace hrbfnpr::base {
+namespace hrbfnpr::base::instruction_set_test {
 namespace {
 
 constexpr InstructionSet all[] = {InstructionSet::automatic, InstructionSet::baseline, InstructionSet::avx2,
@@ -60,4 +60,4 @@ TEST(InstructionSet, HasAName) {
 }
 
 } // namespace
-} // namespace hrbfnpr::base
+} // namespace hrbfnpr::base::instruction_set_test

@@ -13,7 +13,7 @@
 #include <string>
 #include <utility>
 
-namespace hrbfnpr::base {
+namespace hrbfnpr::base::memory_test {
 namespace {
 
 using test::Allocator;
@@ -198,4 +198,4 @@ TEST(Runtime, LogsFormattedMessages) {
 }
 
 } // namespace
-} // namespace hrbfnpr::base
+} // namespace hrbfnpr::base::memory_test

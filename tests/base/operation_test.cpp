@@ -15,7 +15,7 @@
 #include <thread>
 #include <vector>
 
-namespace hrbfnpr::base {
+namespace hrbfnpr::base::operation_test {
 namespace {
 
 using test::Watcher;
@@ -159,4 +159,4 @@ TEST(MergeLong, MergesAsMergeDoesAndLooks) {
 }
 
 } // namespace
-} // namespace hrbfnpr::base
+} // namespace hrbfnpr::base::operation_test

@@ -18,7 +18,7 @@
 #include <unistd.h>
 #endif
 
-namespace hrbfnpr::base {
+namespace hrbfnpr::base::parallel_test {
 namespace {
 
 // A host's job runner that uses a thread for each task and goes backwards.
@@ -220,4 +220,4 @@ TEST(ParallelOpenMp, IsSerialAfterAFork) {
 #endif
 
 } // namespace
-} // namespace hrbfnpr::base
+} // namespace hrbfnpr::base::parallel_test

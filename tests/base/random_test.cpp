@@ -6,7 +6,7 @@
 #include <cmath>
 #include <set>
 
-namespace hrbfnpr::base {
+namespace hrbfnpr::base::random_test {
 namespace {
 
 // The known-answer vectors that come with Random123 (kat_vectors, philox4x32 10).
@@ -52,4 +52,4 @@ TEST(Random, EveryKeyGivesOtherNumbers) {
 }
 
 } // namespace
-} // namespace hrbfnpr::base
+} // namespace hrbfnpr::base::random_test

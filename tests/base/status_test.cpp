@@ -5,7 +5,7 @@
 
 #include <string>
 
-namespace hrbfnpr {
+namespace hrbfnpr::status_test {
 namespace {
 
 std::string cut(const std::string& text, int capacity) {
@@ -44,4 +44,4 @@ TEST(Status, FailFormats) {
 }
 
 } // namespace
-} // namespace hrbfnpr
+} // namespace hrbfnpr::status_test

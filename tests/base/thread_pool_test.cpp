@@ -21,7 +21,7 @@
 #include <unistd.h>
 #endif
 
-namespace hrbfnpr::base {
+namespace hrbfnpr::base::thread_pool_test {
 namespace {
 
 // Calls f(i) for each i in [0, count).
@@ -255,4 +255,4 @@ TEST(ThreadPool, WorksInAChildThatWasForkedDuringJobs) {
 #endif
 
 } // namespace
-} // namespace hrbfnpr::base
+} // namespace hrbfnpr::base::thread_pool_test

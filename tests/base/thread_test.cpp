@@ -11,7 +11,7 @@
 #include <sched.h>
 #endif
 
-namespace hrbfnpr::base {
+namespace hrbfnpr::base::thread_test {
 namespace {
 
 TEST(Thread, RunsItsWorkUntilItIsJoined) {
@@ -83,4 +83,4 @@ TEST(Processors, TheOnlyOneIsNotLeft) {
 #endif
 
 } // namespace
-} // namespace hrbfnpr::base
+} // namespace hrbfnpr::base::thread_test

@@ -7,7 +7,7 @@
 #include <array>
 #include <limits>
 
-namespace hrbfnpr::base {
+namespace hrbfnpr::base::view_test {
 namespace {
 
 TEST(View, ReadsEveryScalarAtAnyStrideAndAlignment) {
@@ -59,4 +59,4 @@ TEST(FpState, IsSetAndGivenBack) {
 #endif
 
 } // namespace
-} // namespace hrbfnpr::base
+} // namespace hrbfnpr::base::view_test

@@ -7,7 +7,7 @@
 
 #include <cstring>
 
-namespace hrbfnpr::curves {
+namespace hrbfnpr::curves::border_test {
 namespace {
 
 using namespace test;
@@ -218,4 +218,4 @@ TEST(Border, SameBitsForAnyThreads) {
 }
 
 } // namespace
-} // namespace hrbfnpr::curves
+} // namespace hrbfnpr::curves::border_test

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <functional>
 
-namespace hrbfnpr::curves {
+namespace hrbfnpr::curves::creases_test {
 namespace {
 
 using namespace test;
@@ -329,4 +329,4 @@ TEST(Creases, SectionsThroughRimsAreClosed) {
 }
 
 } // namespace
-} // namespace hrbfnpr::curves
+} // namespace hrbfnpr::curves::creases_test

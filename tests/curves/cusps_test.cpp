@@ -7,7 +7,7 @@
 
 #include <set>
 
-namespace hrbfnpr::curves {
+namespace hrbfnpr::curves::cusps_test {
 namespace {
 
 using namespace test_traced;
@@ -212,4 +212,4 @@ TEST(Cusps, OfNoCurvesAreNone) {
 }
 
 } // namespace
-} // namespace hrbfnpr::curves
+} // namespace hrbfnpr::curves::cusps_test

@@ -9,7 +9,7 @@
 
 #include <gtest/gtest.h>
 
-namespace hrbfnpr::curves {
+namespace hrbfnpr::curves::feature_fit_test {
 namespace {
 
 using namespace test_features;
@@ -162,4 +162,4 @@ TEST(FittedFeatures, ASphereHasNone) {
 }
 
 } // namespace
-} // namespace hrbfnpr::curves
+} // namespace hrbfnpr::curves::feature_fit_test

@@ -8,7 +8,7 @@
 
 #include <cstring>
 
-namespace hrbfnpr::curves {
+namespace hrbfnpr::curves::feature_lines_test {
 namespace {
 
 using namespace test_features;
@@ -365,4 +365,4 @@ TEST(FeatureLines, CanBeCancelled) {
 }
 
 } // namespace
-} // namespace hrbfnpr::curves
+} // namespace hrbfnpr::curves::feature_lines_test

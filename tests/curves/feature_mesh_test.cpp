@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-namespace hrbfnpr::curves {
+namespace hrbfnpr::curves::feature_mesh_test {
 namespace {
 
 using namespace test_features;
@@ -103,4 +103,4 @@ TEST(FeatureMesh, MakesSuggestiveContoursOfARoughFitThoseOfADenseMesh) {
 }
 
 } // namespace
-} // namespace hrbfnpr::curves
+} // namespace hrbfnpr::curves::feature_mesh_test

@@ -5,7 +5,7 @@
 
 #include "traced.h"
 
-namespace hrbfnpr::curves {
+namespace hrbfnpr::curves::finer_curves_test {
 namespace {
 
 using namespace test_traced;
@@ -113,4 +113,4 @@ TEST(NearParts, HaveNoCurveBetween) {
 }
 
 } // namespace
-} // namespace hrbfnpr::curves
+} // namespace hrbfnpr::curves::finer_curves_test

@@ -7,7 +7,7 @@
 #include "mesh_checks.h"
 #include "traced.h"
 
-namespace hrbfnpr::curves {
+namespace hrbfnpr::curves::fitted_test {
 namespace {
 
 using namespace test;
@@ -114,4 +114,4 @@ TEST_F(Fitted, ContoursAreClosedAndOnTheCurve) {
 }
 
 } // namespace
-} // namespace hrbfnpr::curves
+} // namespace hrbfnpr::curves::fitted_test

@@ -7,7 +7,7 @@
 #include <functional>
 #include <set>
 
-namespace hrbfnpr::curves {
+namespace hrbfnpr::curves::mesh_chains_test {
 namespace {
 
 using namespace test_traced;
@@ -129,4 +129,4 @@ TEST(MeshChains, SameForAnyThreadCount) {
 }
 
 } // namespace
-} // namespace hrbfnpr::curves
+} // namespace hrbfnpr::curves::mesh_chains_test

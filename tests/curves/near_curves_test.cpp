@@ -8,7 +8,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace hrbfnpr::curves {
+namespace hrbfnpr::curves::near_curves_test {
 namespace {
 
 // f = z and g = the distance from the z axis less the radius: a circle, anticlockwise.
@@ -71,4 +71,4 @@ TEST(NearCurves, WhateverTheGuessTheSamePlacesAreNear) {
 }
 
 } // namespace
-} // namespace hrbfnpr::curves
+} // namespace hrbfnpr::curves::near_curves_test

@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-namespace hrbfnpr::curves {
+namespace hrbfnpr::curves::shape_test {
 namespace {
 
 using namespace test_features;
@@ -206,4 +206,4 @@ INSTANTIATE_TEST_SUITE_P(Near, Eyes, testing::Values(glm::dvec4(1.5, 2.0, 1.0, 1
 INSTANTIATE_TEST_SUITE_P(Far, Eyes, testing::Values(glm::dvec4(0.3, -0.9, 0.6, 0.0)));
 
 } // namespace
-} // namespace hrbfnpr::curves
+} // namespace hrbfnpr::curves::shape_test

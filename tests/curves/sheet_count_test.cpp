@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-namespace hrbfnpr::curves {
+namespace hrbfnpr::curves::sheet_count_test {
 namespace {
 
 using namespace test;
@@ -354,4 +354,4 @@ TEST_F(SheetCount, FailsCleanlyWithoutMemory) {
 }
 
 } // namespace
-} // namespace hrbfnpr::curves
+} // namespace hrbfnpr::curves::sheet_count_test

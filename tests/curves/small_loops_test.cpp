@@ -4,7 +4,7 @@
 
 #include "traced.h"
 
-namespace hrbfnpr::curves {
+namespace hrbfnpr::curves::small_loops_test {
 namespace {
 
 using namespace test_traced;
@@ -86,4 +86,4 @@ TEST(SmallLoop, NoneWhereTheSightIsSteeper) {
 }
 
 } // namespace
-} // namespace hrbfnpr::curves
+} // namespace hrbfnpr::curves::small_loops_test

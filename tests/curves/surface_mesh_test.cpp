@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-namespace hrbfnpr::curves {
+namespace hrbfnpr::curves::surface_mesh_test {
 namespace {
 
 using namespace test;
@@ -313,4 +313,4 @@ TEST(SurfaceMesh, FailsCleanlyWithoutMemory) {
 }
 
 } // namespace
-} // namespace hrbfnpr::curves
+} // namespace hrbfnpr::curves::surface_mesh_test

@@ -5,7 +5,7 @@
 #include "support/contour_shapes.h"
 #include "traced.h"
 
-namespace hrbfnpr::curves {
+namespace hrbfnpr::curves::trace_test {
 namespace {
 
 using namespace test_traced;
@@ -292,4 +292,4 @@ TEST(Trace, EmptyMesh) {
 }
 
 } // namespace
-} // namespace hrbfnpr::curves
+} // namespace hrbfnpr::curves::trace_test

@@ -6,7 +6,7 @@
 
 #include <initializer_list>
 
-namespace hrbfnpr::testing {
+namespace hrbfnpr::testing::drawing_test {
 namespace {
 
 using drawing::Drawing;
@@ -123,4 +123,4 @@ TEST_F(DrawingTest, TellsWhereAPosedMarkIs) {
 }
 
 } // namespace
-} // namespace hrbfnpr::testing
+} // namespace hrbfnpr::testing::drawing_test

@@ -11,7 +11,7 @@
 #include <limits>
 #include <vector>
 
-namespace hrbfnpr::testing {
+namespace hrbfnpr::testing::order_test {
 namespace {
 
 using drawing::FarToNear;
@@ -124,4 +124,4 @@ TEST(Tiles, BearStrangeFootprints) {
 }
 
 } // namespace
-} // namespace hrbfnpr::testing
+} // namespace hrbfnpr::testing::order_test

@@ -11,7 +11,7 @@
 #include <cstring>
 #include <set>
 
-namespace fields_test {
+namespace fields_test::fields_test {
 namespace {
 
 using hrbfnpr::api::FieldLayout;
@@ -135,4 +135,4 @@ TEST(FieldsOfTheBoundary, EveryDescriptorIsTried) {
 }
 
 } // namespace
-} // namespace fields_test
+} // namespace fields_test::fields_test

@@ -13,6 +13,8 @@
 #include <set>
 #include <string>
 
+namespace choose_test {
+
 namespace {
 
 using namespace hrbfnpr;
@@ -232,3 +234,5 @@ TEST(Choose, StopsWhereverItIsCancelled) {
 }
 
 } // namespace
+
+} // namespace choose_test

@@ -9,6 +9,8 @@
 
 #include <set>
 
+namespace clean_test {
+
 namespace {
 
 using namespace hrbfnpr;
@@ -221,3 +223,5 @@ TEST(Clean, CanBeCancelled) {
 }
 
 } // namespace
+
+} // namespace clean_test

@@ -9,6 +9,8 @@
 
 #include <gtest/gtest.h>
 
+namespace hermite_energy_test {
+
 namespace {
 
 using namespace hrbfnpr;
@@ -82,3 +84,5 @@ TEST(HermiteEnergy, DerivativesAreThose) {
 }
 
 } // namespace
+
+} // namespace hermite_energy_test

@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+namespace interpolation_test {
+
 namespace fit = hrbfnpr::fit;
 using hrbfnpr::base::Runtime;
 using hrbfnpr::kernel::Kind;
@@ -218,3 +220,5 @@ TEST(Interpolation, ARadiusIsInTheUnitOfThePoints) {
 }
 
 } // namespace
+
+} // namespace interpolation_test

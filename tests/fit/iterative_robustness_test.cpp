@@ -9,6 +9,8 @@
 
 #include <string>
 
+namespace iterative_robustness_test {
+
 namespace base = hrbfnpr::base;
 namespace fit = hrbfnpr::fit;
 using hrbfnpr::Status;
@@ -157,3 +159,5 @@ TEST(IterativeRobustness, EveryAllocationMayFail) {
 }
 
 } // namespace
+
+} // namespace iterative_robustness_test

@@ -10,6 +10,8 @@
 #include <string>
 #include <vector>
 
+namespace iterative_test {
+
 namespace base = hrbfnpr::base;
 namespace fit = hrbfnpr::fit;
 using hrbfnpr::Status;
@@ -255,3 +257,5 @@ TEST(Solver, AutomaticTakesWhatTheIterativeOneIsContentWith) {
 }
 
 } // namespace
+
+} // namespace iterative_test

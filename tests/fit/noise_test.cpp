@@ -9,6 +9,8 @@
 
 #include <cmath>
 
+namespace noise_test {
+
 namespace {
 
 using namespace hrbfnpr;
@@ -121,3 +123,5 @@ TEST(AutomaticRegularization, IsNoneForCleanSamples) {
 }
 
 } // namespace
+
+} // namespace noise_test

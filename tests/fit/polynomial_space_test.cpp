@@ -8,6 +8,8 @@
 
 #include <gtest/gtest.h>
 
+namespace polynomial_space_test {
+
 namespace fit = hrbfnpr::fit;
 namespace kernel = hrbfnpr::kernel;
 using hrbfnpr::base::Parallel;
@@ -159,3 +161,5 @@ TEST(PolynomialSpace, CanBeCancelled) {
 }
 
 } // namespace
+
+} // namespace polynomial_space_test

@@ -12,6 +12,8 @@
 
 #include <string>
 
+namespace preconditioner_test {
+
 namespace base = hrbfnpr::base;
 namespace fit = hrbfnpr::fit;
 namespace geometry = hrbfnpr::geometry;
@@ -270,3 +272,5 @@ TEST(Preconditioner, RefusesWhatIsNotDefiniteAndCanBeCancelled) {
 }
 
 } // namespace
+
+} // namespace preconditioner_test

@@ -12,6 +12,8 @@
 #include <cmath>
 #include <cstring>
 
+namespace prepared_test {
+
 namespace base = hrbfnpr::base;
 namespace fit = hrbfnpr::fit;
 namespace implicit = hrbfnpr::implicit;
@@ -147,3 +149,5 @@ TEST(Prepared, IsForManyCentresOfTheTriharmonicKernelOnly) {
 }
 
 } // namespace
+
+} // namespace prepared_test

@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+namespace regularization_test {
+
 namespace base = hrbfnpr::base;
 namespace fit = hrbfnpr::fit;
 namespace kernel = hrbfnpr::kernel;
@@ -129,3 +131,5 @@ TEST(Regularization, DoesNotDependOnTheUnit) {
 }
 
 } // namespace
+
+} // namespace regularization_test

@@ -8,6 +8,8 @@
 
 #include <atomic>
 
+namespace robustness_test {
+
 namespace base = hrbfnpr::base;
 namespace fit = hrbfnpr::fit;
 using hrbfnpr::Status;
@@ -206,3 +208,5 @@ TEST(Robustness, SamplesMayBeVeryClose) {
 }
 
 } // namespace
+
+} // namespace robustness_test

@@ -7,6 +7,8 @@
 
 #include <string>
 
+namespace samples_test {
+
 namespace fit = hrbfnpr::fit;
 using hrbfnpr::Status;
 using hrbfnpr::base::Runtime;
@@ -221,3 +223,5 @@ TEST(Samples, SpacingIsTheMeanDistanceToTheNearest) {
 }
 
 } // namespace
+
+} // namespace samples_test

@@ -13,6 +13,8 @@
 
 #include <gtest/gtest.h>
 
+namespace solver_test {
+
 namespace fit = hrbfnpr::fit;
 namespace kernel = hrbfnpr::kernel;
 using hrbfnpr::base::Array;
@@ -235,3 +237,5 @@ TEST(TiledCholesky, NumbersItsTiles) {
 }
 
 } // namespace
+
+} // namespace solver_test

@@ -8,6 +8,8 @@
 
 #include <algorithm>
 
+namespace typical_test {
+
 namespace {
 
 using namespace hrbfnpr;
@@ -51,3 +53,5 @@ TEST(Typical, CanBeCancelled) {
 }
 
 } // namespace
+
+} // namespace typical_test

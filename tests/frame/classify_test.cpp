@@ -7,7 +7,7 @@
 
 #include <limits>
 
-namespace hrbfnpr::testing {
+namespace hrbfnpr::testing::classify_test {
 namespace {
 
 using drawing::Counts;
@@ -279,4 +279,4 @@ TEST_F(BadFrame, NamesTheItemOfAnotherPaper) {
 }
 
 } // namespace
-} // namespace hrbfnpr::testing
+} // namespace hrbfnpr::testing::classify_test

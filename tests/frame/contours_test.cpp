@@ -8,7 +8,7 @@
 
 #include <algorithm>
 
-namespace hrbfnpr::testing {
+namespace hrbfnpr::testing::contours_test {
 namespace {
 
 using drawing::MarkClass;
@@ -269,4 +269,4 @@ TEST(StretchedContours, LieOnTheOutlineOfAnEllipsoid) {
 }
 
 } // namespace
-} // namespace hrbfnpr::testing
+} // namespace hrbfnpr::testing::contours_test

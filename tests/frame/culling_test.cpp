@@ -11,7 +11,7 @@
 #include <cstring>
 #include <map>
 
-namespace hrbfnpr::testing {
+namespace hrbfnpr::testing::culling_test {
 namespace {
 
 using drawing::Counts;
@@ -358,4 +358,4 @@ TEST_F(Culling, SameBitsForAnyThreadCountAndInstructionSet) {
 }
 
 } // namespace
-} // namespace hrbfnpr::testing
+} // namespace hrbfnpr::testing::culling_test

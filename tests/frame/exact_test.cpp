@@ -8,7 +8,7 @@
 
 #include <array>
 
-namespace hrbfnpr::testing {
+namespace hrbfnpr::testing::exact_test {
 namespace {
 
 using frame::HiddenLines;
@@ -152,4 +152,4 @@ TEST_F(Exact, ShowDimsNothingAndContoursLieOutside) {
 }
 
 } // namespace
-} // namespace hrbfnpr::testing
+} // namespace hrbfnpr::testing::exact_test

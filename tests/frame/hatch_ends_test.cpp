@@ -2,7 +2,7 @@
 // Where lines of hatching end, and how.
 #include "frame/hatching.h"
 
-namespace hrbfnpr::testing {
+namespace hrbfnpr::testing::hatch_ends_test {
 namespace {
 
 TEST_F(Hatch, ALineEndsWhereItsToneDoes) {
@@ -379,4 +379,4 @@ TEST_F(Hatch, TheBackIsNotDrawn) {
 }
 
 } // namespace
-} // namespace hrbfnpr::testing
+} // namespace hrbfnpr::testing::hatch_ends_test

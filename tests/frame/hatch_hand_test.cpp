@@ -2,7 +2,7 @@
 // Lines of hatching as an unsteady hand draws them.
 #include "frame/hatching.h"
 
-namespace hrbfnpr::testing {
+namespace hrbfnpr::testing::hatch_hand_test {
 namespace {
 
 constexpr double apart = 0.1; // 20 pixels
@@ -115,4 +115,4 @@ TEST_F(HatchByHand, AClosedLineStaysClosed) {
 }
 
 } // namespace
-} // namespace hrbfnpr::testing
+} // namespace hrbfnpr::testing::hatch_hand_test

@@ -4,7 +4,7 @@
 #include "support/instruction_sets.h"
 #include "support/runtime.h"
 
-namespace hrbfnpr::testing {
+namespace hrbfnpr::testing::hatch_test {
 namespace {
 
 TEST_F(Hatch, CoversWhatTheToneAsksForAtAnyZoom) {
@@ -407,4 +407,4 @@ TEST_F(Hatch, CountsAndLayersSayWhatIsDrawn) {
 }
 
 } // namespace
-} // namespace hrbfnpr::testing
+} // namespace hrbfnpr::testing::hatch_test

@@ -7,7 +7,7 @@
 
 #include <vector>
 
-namespace hrbfnpr::testing {
+namespace hrbfnpr::testing::hatch_tiles_test {
 namespace {
 
 // Ways that wander over the picture, and out of it.
@@ -52,4 +52,4 @@ TEST(HatchTiles, HoldEachPointInTheTileThatItIsNearestTo) {
 }
 
 } // namespace
-} // namespace hrbfnpr::testing
+} // namespace hrbfnpr::testing::hatch_tiles_test

@@ -8,7 +8,7 @@
 #include <array>
 #include <cstring>
 
-namespace hrbfnpr::testing {
+namespace hrbfnpr::testing::layer_styles_test {
 namespace {
 
 using frame::LayerStyle;
@@ -277,4 +277,4 @@ TEST(OwnStrokes, ChangeNothingOfOtherLayers) {
 }
 
 } // namespace
-} // namespace hrbfnpr::testing
+} // namespace hrbfnpr::testing::layer_styles_test

@@ -7,7 +7,7 @@
 
 #include <array>
 
-namespace hrbfnpr::testing {
+namespace hrbfnpr::testing::layers_test {
 namespace {
 
 using frame::HiddenLines;
@@ -383,4 +383,4 @@ TEST_F(LayersTest, StylesOfOneFrameHaveOneVisibility) {
 }
 
 } // namespace
-} // namespace hrbfnpr::testing
+} // namespace hrbfnpr::testing::layers_test

@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <array>
 
-namespace hrbfnpr::testing {
+namespace hrbfnpr::testing::line_creases_test {
 namespace {
 
 using drawing::Stroke;
@@ -276,4 +276,4 @@ TEST_F(LineCreases, FrameAfterFrame) {
 }
 
 } // namespace
-} // namespace hrbfnpr::testing
+} // namespace hrbfnpr::testing::line_creases_test

@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <array>
 
-namespace hrbfnpr::testing {
+namespace hrbfnpr::testing::line_strokes_test {
 namespace {
 
 using drawing::Cap;
@@ -470,4 +470,4 @@ TEST_F(LineStrokes, MirroredItems) {
 }
 
 } // namespace
-} // namespace hrbfnpr::testing
+} // namespace hrbfnpr::testing::line_strokes_test

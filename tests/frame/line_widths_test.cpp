@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <array>
 
-namespace hrbfnpr::testing {
+namespace hrbfnpr::testing::line_widths_test {
 namespace {
 
 using drawing::Stroke;
@@ -303,4 +303,4 @@ TEST_F(WobblingLines, HiddenPartsGoOn) {
 }
 
 } // namespace
-} // namespace hrbfnpr::testing
+} // namespace hrbfnpr::testing::line_widths_test

@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cstring>
 
-namespace hrbfnpr::testing {
+namespace hrbfnpr::testing::order_test {
 namespace {
 
 using frame::HiddenLines;
@@ -120,4 +120,4 @@ INSTANTIATE_TEST_SUITE_P(HiddenLines, Kept,
                          [](const auto& one) { return "mode_" + std::to_string(static_cast<int>(one.param)); });
 
 } // namespace
-} // namespace hrbfnpr::testing
+} // namespace hrbfnpr::testing::order_test

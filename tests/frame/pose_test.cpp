@@ -9,7 +9,7 @@
 #include <array>
 #include <map>
 
-namespace hrbfnpr::testing {
+namespace hrbfnpr::testing::pose_test {
 namespace {
 
 using frame::Item;
@@ -283,4 +283,4 @@ TEST_F(BadPose, IsForgottenAfterwards) {
 }
 
 } // namespace
-} // namespace hrbfnpr::testing
+} // namespace hrbfnpr::testing::pose_test

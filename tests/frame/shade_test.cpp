@@ -7,7 +7,7 @@
 
 #include <limits>
 
-namespace hrbfnpr::testing {
+namespace hrbfnpr::testing::shade_test {
 namespace {
 
 using drawing::Counts;
@@ -315,4 +315,4 @@ TEST_F(Shade, ACallbackThatFailsOrGivesNaNFailsTheFrame) {
 }
 
 } // namespace
-} // namespace hrbfnpr::testing
+} // namespace hrbfnpr::testing::shade_test

@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <array>
 
-namespace hrbfnpr::testing {
+namespace hrbfnpr::testing::strokes_test {
 namespace {
 
 using drawing::Stroke;
@@ -253,4 +253,4 @@ TEST_F(Strokes, SameBitsForAnyThreadCount) {
 }
 
 } // namespace
-} // namespace hrbfnpr::testing
+} // namespace hrbfnpr::testing::strokes_test

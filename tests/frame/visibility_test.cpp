@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace hrbfnpr::testing {
+namespace hrbfnpr::testing::visibility_test {
 namespace {
 
 using drawing::Counts;
@@ -207,4 +207,4 @@ TEST_F(Visibility, OneLayerOfMarksPaintsPaperWithLayersAndAllAsPublished) {
 }
 
 } // namespace
-} // namespace hrbfnpr::testing
+} // namespace hrbfnpr::testing::visibility_test

@@ -4,7 +4,7 @@
 
 #include <array>
 
-namespace hrbfnpr::generate {
+namespace hrbfnpr::generate::layers_test {
 namespace {
 
 using namespace marks;
@@ -145,4 +145,4 @@ TEST(Layers, StrokesOfTheSameKindMayDifferInAllTheySay) {
 }
 
 } // namespace
-} // namespace hrbfnpr::generate
+} // namespace hrbfnpr::generate::layers_test

@@ -5,7 +5,7 @@
 
 #include <thread>
 
-namespace hrbfnpr::generate {
+namespace hrbfnpr::generate::robust_test {
 namespace {
 
 using namespace marks;
@@ -167,4 +167,4 @@ TEST(Accuracy, AnyUnitWorks) {
 }
 
 } // namespace
-} // namespace hrbfnpr::generate
+} // namespace hrbfnpr::generate::robust_test

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "support/point_sets.h"
 
-namespace hrbfnpr::generate {
+namespace hrbfnpr::generate::seeds_test {
 namespace {
 
 using namespace marks;
@@ -191,4 +191,4 @@ TEST(Patches, AreSquaresOfTwoStepsInTangentPlanes) {
 }
 
 } // namespace
-} // namespace hrbfnpr::generate
+} // namespace hrbfnpr::generate::seeds_test

@@ -9,7 +9,7 @@
 #include <limits>
 #include <vector>
 
-namespace hrbfnpr::geometry {
+namespace hrbfnpr::geometry::farthest_order_test {
 namespace {
 
 base::Memory& memory() {
@@ -81,4 +81,4 @@ TEST(FarthestOrder, CanBeCancelled) {
 }
 
 } // namespace
-} // namespace hrbfnpr::geometry
+} // namespace hrbfnpr::geometry::farthest_order_test

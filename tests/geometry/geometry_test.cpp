@@ -12,7 +12,7 @@
 #include <set>
 #include <vector>
 
-namespace hrbfnpr::geometry {
+namespace hrbfnpr::geometry::geometry_test {
 namespace {
 
 base::Memory& memory() {
@@ -166,4 +166,4 @@ TEST(TangentFrame, CombingLeavesOutTheSmallestComponent) {
 }
 
 } // namespace
-} // namespace hrbfnpr::geometry
+} // namespace hrbfnpr::geometry::geometry_test

@@ -10,7 +10,7 @@
 #include <set>
 #include <vector>
 
-namespace hrbfnpr::geometry {
+namespace hrbfnpr::geometry::neighbours_test {
 namespace {
 
 base::Memory& memory() {
@@ -54,4 +54,4 @@ TEST(Neighbours, CanBeCancelled) {
 }
 
 } // namespace
-} // namespace hrbfnpr::geometry
+} // namespace hrbfnpr::geometry::neighbours_test

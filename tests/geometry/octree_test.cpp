@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-namespace hrbfnpr::geometry {
+namespace hrbfnpr::geometry::octree_test {
 namespace {
 
 base::Memory& memory() {
@@ -226,4 +226,4 @@ TEST(OctreeInteractions, NearnessIsMutual) {
 }
 
 } // namespace
-} // namespace hrbfnpr::geometry
+} // namespace hrbfnpr::geometry::octree_test

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <vector>
 
-namespace hrbfnpr::geometry {
+namespace hrbfnpr::geometry::point_grid_test {
 namespace {
 
 TEST(PointGrid, VisitsEveryPointOfABallOnce) {
@@ -48,4 +48,4 @@ TEST(PointGrid, OfNoPointsOrOfTwins) {
 }
 
 } // namespace
-} // namespace hrbfnpr::geometry
+} // namespace hrbfnpr::geometry::point_grid_test

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <vector>
 
-namespace hrbfnpr::geometry {
+namespace hrbfnpr::geometry::point_tree_test {
 namespace {
 
 using Places = std::vector<std::int64_t>;
@@ -134,4 +134,4 @@ TEST(PointTreeNodes, KnowTheSmallestValueOfTheirPoints) {
 }
 
 } // namespace
-} // namespace hrbfnpr::geometry
+} // namespace hrbfnpr::geometry::point_tree_test

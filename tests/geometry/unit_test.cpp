@@ -8,7 +8,7 @@
 
 #include <limits>
 
-namespace hrbfnpr::geometry {
+namespace hrbfnpr::geometry::unit_test {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -46,4 +46,4 @@ TEST(CellGrid, HasACellForAnyPoint) {
 }
 
 } // namespace
-} // namespace hrbfnpr::geometry
+} // namespace hrbfnpr::geometry::unit_test

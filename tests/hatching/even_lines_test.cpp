@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace hrbfnpr::hatching {
+namespace hrbfnpr::hatching::even_lines_test {
 namespace {
 
 // In the plane z = 0, along x, and rising.
@@ -71,4 +71,4 @@ TEST(EvenLines, ShortOnesWithoutRoomGo) {
 }
 
 } // namespace
-} // namespace hrbfnpr::hatching
+} // namespace hrbfnpr::hatching::even_lines_test

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace hrbfnpr::hatching {
+namespace hrbfnpr::hatching::guides_test {
 namespace {
 
 using namespace marks;
@@ -104,4 +104,4 @@ TEST(Guides, AreBlendedWithCurvature) {
 }
 
 } // namespace
-} // namespace hrbfnpr::hatching
+} // namespace hrbfnpr::hatching::guides_test

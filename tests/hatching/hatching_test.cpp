@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace hrbfnpr::hatching {
+namespace hrbfnpr::hatching::hatching_test {
 namespace {
 
 using namespace marks;
@@ -186,4 +186,4 @@ TEST(Hatching, IsRefusedWhereItCannotBe) {
 }
 
 } // namespace
-} // namespace hrbfnpr::hatching
+} // namespace hrbfnpr::hatching::hatching_test

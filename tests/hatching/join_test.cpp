@@ -9,7 +9,7 @@
 #include <cmath>
 #include <vector>
 
-namespace hrbfnpr::testing {
+namespace hrbfnpr::testing::join_test {
 namespace {
 
 using hatching::StripeLines;
@@ -84,4 +84,4 @@ TEST_F(Join, AnEndMayBeRagged) {
 }
 
 } // namespace
-} // namespace hrbfnpr::testing
+} // namespace hrbfnpr::testing::join_test

@@ -8,7 +8,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-namespace host_test {
+namespace host_test::fork_test {
 namespace {
 
 // Runs `work` in a child, which must return 0 in time: a hang must not outlive the test.
@@ -57,4 +57,4 @@ TEST(Fork, ChildrenReleaseWhatTheyGot) {
 }
 
 } // namespace
-} // namespace host_test
+} // namespace host_test::fork_test

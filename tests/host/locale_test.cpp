@@ -12,7 +12,7 @@
 #include <locale>
 #include <string>
 
-namespace host_test {
+namespace host_test::locale_test {
 namespace {
 
 const char* const german = "de_DE.UTF-8";
@@ -108,4 +108,4 @@ TEST_F(CommaLocale, OfCPlusPlus) {
 }
 
 } // namespace
-} // namespace host_test
+} // namespace host_test::locale_test

@@ -33,7 +33,7 @@ extern "C" int pthread_create(pthread_t* thread, const pthread_attr_t* attribute
     return reinterpret_cast<Create>(dlsym(RTLD_NEXT, "pthread_create"))(thread, attributes, work, user);
 }
 
-namespace host_test {
+namespace host_test::pool_test {
 namespace {
 
 std::set<std::string> threads_of_the_library() {
@@ -100,4 +100,4 @@ TEST(Pool, GoesOnWithoutThreadsThatTheSystemDoesNotGive) {
 }
 
 } // namespace
-} // namespace host_test
+} // namespace host_test::pool_test

@@ -15,7 +15,7 @@
 #include <xmmintrin.h>
 #endif
 
-namespace host_test {
+namespace host_test::process_state_test {
 namespace {
 
 struct Signals {
@@ -169,4 +169,4 @@ TEST(ProcessState, NothingIsPrinted) {
 }
 
 } // namespace
-} // namespace host_test
+} // namespace host_test::process_state_test

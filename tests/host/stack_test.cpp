@@ -7,7 +7,7 @@
 
 #include <cstdio>
 
-namespace host_test {
+namespace host_test::stack_test {
 namespace {
 
 constexpr std::size_t KiB = 1024;
@@ -129,4 +129,4 @@ TEST(SmallStacksOfWorkers, DoForEverythingButFit) {
 }
 
 } // namespace
-} // namespace host_test
+} // namespace host_test::stack_test

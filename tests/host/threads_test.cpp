@@ -11,7 +11,7 @@
 #include <string>
 #include <thread>
 
-namespace host_test {
+namespace host_test::threads_test {
 namespace {
 
 // Runs `work` on so many threads at a time; fails with what the first one says that throws.
@@ -105,4 +105,4 @@ TEST(Threads, OneDrawsWhileAnotherFits) {
 }
 
 } // namespace
-} // namespace host_test
+} // namespace host_test::threads_test

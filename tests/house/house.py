@@ -3,7 +3,8 @@
 
     house.py ROOT CHECK     prints what breaks the rule and returns 1, or 77 if it cannot tell
 
-A CHECK is a function below: floors, openmp, forbidden, sizes, abi_version, spdx, format.
+A CHECK is a function below: floors, openmp, forbidden, namespaces, sizes, abi_version, spdx,
+format.
 """
 
 import re
@@ -148,6 +149,15 @@ def forbidden(root):
                     yield f"{path.relative_to(root)}:{number} {reason}"
 
 
+def namespaces(root):
+    """Files of tests are compiled several at a time (HRBFNPR_UNITY_TESTS), so their names must not meet."""
+    for path in source_files(root, ["tests"], {".cpp"}):
+        if path.name.endswith("_test.cpp"):
+            own = rf"^namespace ([\w:]+::)?{path.stem} {{$"
+            if not re.search(own, path.read_text(encoding="utf-8"), re.MULTILINE):
+                yield f"{path.relative_to(root)} has no namespace {path.stem} of its own"
+
+
 def sizes(root):
     folders = ["src", "tests", "bench", "examples", "bindings"]
     for path in source_files(root, folders, {".h", ".cpp", ".c", ".cs", ".py", ".cmake"}):
@@ -189,7 +199,7 @@ def format(root):
         yield "please run scripts/lint --fix; clang-format-14 says:\n" + result.stderr
 
 
-CHECKS = {check.__name__: check for check in (floors, openmp, forbidden, sizes, abi_version, spdx, format)}
+CHECKS = {check.__name__: check for check in (floors, openmp, forbidden, namespaces, sizes, abi_version, spdx, format)}
 
 
 def main():

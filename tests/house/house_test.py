@@ -54,6 +54,7 @@ BREAKS = [
     ("forbidden", "src/fit/fit.cpp", "int r = rand();\n"),
     ("forbidden", "CMakeLists.txt", "add_compile_options(-march=" + "native)\n"),
     ("forbidden", "CMakePresets.json", '"-ffast' + '-math"\n'),
+    ("namespaces", "tests/fit/new_test.cpp", "namespace {\n}\n"),
     ("sizes", "src/fit/fit.cpp", "\n" * house.LONGEST_FILE),
     ("sizes", "bindings/csharp/Model.cs", "\n" * (house.LONGEST_FILE + 1)),
     ("abi_version", "CMakeLists.txt", "set(HRBFNPR_ABI_VERSION 4)\n"),

@@ -11,6 +11,8 @@
 #include <cstring>
 #include <set>
 
+namespace csg_groups_test {
+
 namespace base = hrbfnpr::base;
 namespace geometry = hrbfnpr::geometry;
 namespace implicit = hrbfnpr::implicit;
@@ -264,3 +266,5 @@ TEST(CsgGroups, PointsAreOrderedByTheModelThatTheyAreNear) {
 }
 
 } // namespace
+
+} // namespace csg_groups_test

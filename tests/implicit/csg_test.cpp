@@ -7,6 +7,8 @@
 
 #include <gtest/gtest.h>
 
+namespace csg_test {
+
 namespace base = hrbfnpr::base;
 namespace geometry = hrbfnpr::geometry;
 namespace implicit = hrbfnpr::implicit;
@@ -400,3 +402,5 @@ TEST(Csg, ModelsEndAtTheirBoxesAndAreAskedWhereTheyMatter) {
 }
 
 } // namespace
+
+} // namespace csg_test

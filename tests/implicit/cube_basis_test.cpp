@@ -11,6 +11,8 @@
 #include <complex>
 #include <cstring>
 
+namespace cube_basis_test {
+
 namespace base = hrbfnpr::base;
 using hrbfnpr::geometry::VecArray;
 using hrbfnpr::implicit::CubeBasis;
@@ -182,3 +184,5 @@ TEST(CubeBasis, CanBeCancelled) {
 }
 
 } // namespace
+
+} // namespace cube_basis_test

@@ -9,6 +9,8 @@
 
 #include <cmath>
 
+namespace cube_loops_test {
+
 namespace base = hrbfnpr::base;
 using hrbfnpr::implicit::cube_batch;
 using hrbfnpr::implicit::cube_lanes;
@@ -248,3 +250,5 @@ TEST(CubeLoops, HessianIsTheGradientsDerivative) {
 }
 
 } // namespace
+
+} // namespace cube_loops_test

@@ -9,6 +9,8 @@
 #include <cmath>
 #include <limits>
 
+namespace custom_test {
+
 namespace implicit = hrbfnpr::implicit;
 using test::Fields;
 using test::hessian_index;
@@ -227,3 +229,5 @@ TEST(Custom, RunsOnTheCallersThreadUnlessItIsThreadSafe) {
 }
 
 } // namespace
+
+} // namespace custom_test

@@ -9,6 +9,8 @@
 #include <atomic>
 #include <cmath>
 
+namespace evaluate_all_test {
+
 namespace base = hrbfnpr::base;
 namespace implicit = hrbfnpr::implicit;
 using hrbfnpr::geometry::Bounds;
@@ -113,3 +115,5 @@ TEST(EvaluateAll, CanBeCancelled) {
 }
 
 } // namespace
+
+} // namespace evaluate_all_test

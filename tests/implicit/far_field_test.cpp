@@ -12,6 +12,8 @@
 #include <algorithm>
 #include <cmath>
 
+namespace far_field_test {
+
 namespace base = hrbfnpr::base;
 namespace implicit = hrbfnpr::implicit;
 using hrbfnpr::geometry::VecArray;
@@ -192,3 +194,5 @@ TEST(FarField, CanBeCancelled) {
 }
 
 } // namespace
+
+} // namespace far_field_test

@@ -11,6 +11,8 @@
 #include <algorithm>
 #include <cmath>
 
+namespace hermite_hessians_test {
+
 namespace base = hrbfnpr::base;
 namespace implicit = hrbfnpr::implicit;
 namespace kernel = hrbfnpr::kernel;
@@ -193,3 +195,5 @@ INSTANTIATE_TEST_SUITE_P(Kernels, HermiteHessians,
                          [](const auto& kind) { return std::string(1, "TGW"[static_cast<int>(kind.param)]); });
 
 } // namespace
+
+} // namespace hermite_hessians_test

@@ -13,6 +13,8 @@
 #include <limits>
 #include <vector>
 
+namespace hermite_jets_test {
+
 namespace base = hrbfnpr::base;
 namespace implicit = hrbfnpr::implicit;
 namespace kernel = hrbfnpr::kernel;
@@ -132,3 +134,5 @@ TEST(HermiteJets, ReadNoSourceBeyondARange) {
 }
 
 } // namespace
+
+} // namespace hermite_jets_test

@@ -11,6 +11,8 @@
 #include <algorithm>
 #include <cmath>
 
+namespace hermite_sums_test {
+
 namespace base = hrbfnpr::base;
 namespace implicit = hrbfnpr::implicit;
 namespace kernel = hrbfnpr::kernel;
@@ -167,3 +169,5 @@ TEST(TriharmonicValues, AreTheValuesOfTheSums) {
 }
 
 } // namespace
+
+} // namespace hermite_sums_test

@@ -15,6 +15,8 @@
 #include <algorithm>
 #include <cmath>
 
+namespace hermite_thirds_test {
+
 namespace base = hrbfnpr::base;
 namespace implicit = hrbfnpr::implicit;
 namespace kernel = hrbfnpr::kernel;
@@ -260,3 +262,5 @@ TEST(ScaledShape, IsThatOfTheScaledFunction) {
 }
 
 } // namespace
+
+} // namespace hermite_thirds_test

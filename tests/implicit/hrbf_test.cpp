@@ -7,6 +7,8 @@
 
 #include <cmath>
 
+namespace hrbf_test {
+
 namespace implicit = hrbfnpr::implicit;
 namespace kernel = hrbfnpr::kernel;
 using hrbfnpr::base::Memory;
@@ -211,3 +213,5 @@ TEST(Hrbf, TakesAnEmptyBatchAndKnowsItsSize) {
 }
 
 } // namespace
+
+} // namespace hrbf_test

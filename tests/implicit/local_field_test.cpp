@@ -11,6 +11,8 @@
 #include <bit>
 #include <cmath>
 
+namespace local_field_test {
+
 namespace base = hrbfnpr::base;
 namespace implicit = hrbfnpr::implicit;
 using hrbfnpr::geometry::VecArray;
@@ -155,3 +157,5 @@ TEST(LocalField, CanBeCancelled) {
 }
 
 } // namespace
+
+} // namespace local_field_test

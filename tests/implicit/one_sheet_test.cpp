@@ -9,7 +9,7 @@
 #include <array>
 #include <vector>
 
-namespace hrbfnpr::implicit {
+namespace hrbfnpr::implicit::one_sheet_test {
 namespace {
 
 using namespace test;
@@ -68,4 +68,4 @@ TEST(DifferencedShape, StaysOnItsSheet) {
 }
 
 } // namespace
-} // namespace hrbfnpr::implicit
+} // namespace hrbfnpr::implicit::one_sheet_test

@@ -11,6 +11,8 @@
 #include <cmath>
 #include <vector>
 
+namespace pieces_test {
+
 namespace implicit = hrbfnpr::implicit;
 using hrbfnpr::base::InstructionSet;
 using implicit::PiecesData;
@@ -206,3 +208,5 @@ TEST(Pieces, WithADamagedProgramOrTreeAreNotSound) {
 }
 
 } // namespace
+
+} // namespace pieces_test

@@ -10,6 +10,8 @@
 
 #include <vector>
 
+namespace scaled_test {
+
 namespace implicit = hrbfnpr::implicit;
 
 namespace {
@@ -114,3 +116,5 @@ TEST(Scaled, HasTheSameSheets) {
 }
 
 } // namespace
+
+} // namespace scaled_test

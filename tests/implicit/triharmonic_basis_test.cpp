@@ -9,6 +9,8 @@
 #include <cmath>
 #include <vector>
 
+namespace triharmonic_basis_test {
+
 namespace base = hrbfnpr::base;
 namespace implicit = hrbfnpr::implicit;
 using hrbfnpr::geometry::VecArray;
@@ -81,3 +83,5 @@ TEST(TriharmonicBasis, TheLaplacianVanishesWhenTakenThreeTimes) {
 }
 
 } // namespace
+
+} // namespace triharmonic_basis_test

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace hrbfnpr::io {
+namespace hrbfnpr::io::damage_test {
 namespace {
 
 using namespace samples;
@@ -343,4 +343,4 @@ TEST(PointSetFile, ASetWithoutMarksHasNoOtherPlaces) {
 }
 
 } // namespace
-} // namespace hrbfnpr::io
+} // namespace hrbfnpr::io::damage_test

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace hrbfnpr::io {
+namespace hrbfnpr::io::fuzz_test {
 namespace {
 
 using namespace samples;
@@ -63,4 +63,4 @@ INSTANTIATE_TEST_SUITE_P(Files, Fuzz, testing::ValuesIn(all_samples),
                          [](const auto& kind) { return name_of(kind.param); });
 
 } // namespace
-} // namespace hrbfnpr::io
+} // namespace hrbfnpr::io::fuzz_test

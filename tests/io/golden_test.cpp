@@ -10,7 +10,7 @@
 #include <fstream>
 #include <iterator>
 
-namespace hrbfnpr::io {
+namespace hrbfnpr::io::golden_test {
 namespace {
 
 using namespace samples;
@@ -135,4 +135,4 @@ TEST(Golden, PointSetOfVersion2) {
 }
 
 } // namespace
-} // namespace hrbfnpr::io
+} // namespace hrbfnpr::io::golden_test

@@ -9,7 +9,7 @@
 #include <cmath>
 #include <functional>
 
-namespace hrbfnpr::io {
+namespace hrbfnpr::io::pieces_file_test {
 namespace {
 
 using namespace samples;
@@ -141,4 +141,4 @@ TEST(PiecesFile, ThatLoadsCanBeEvaluated) {
 }
 
 } // namespace
-} // namespace hrbfnpr::io
+} // namespace hrbfnpr::io::pieces_file_test

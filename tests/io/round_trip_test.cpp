@@ -8,7 +8,7 @@
 #include <limits>
 #include <utility>
 
-namespace hrbfnpr::io {
+namespace hrbfnpr::io::round_trip_test {
 namespace {
 
 using namespace samples;
@@ -270,4 +270,4 @@ TEST(MemoryWriter, CountsWhatDoesNotFit) {
 }
 
 } // namespace
-} // namespace hrbfnpr::io
+} // namespace hrbfnpr::io::round_trip_test

@@ -5,6 +5,8 @@
 
 #include <array>
 
+namespace polynomial_test {
+
 namespace kernel = hrbfnpr::kernel;
 
 namespace {
@@ -96,3 +98,5 @@ TEST(Polynomial, OfDegreeOneHasTheBitsOfAHigherOne) {
 }
 
 } // namespace
+
+} // namespace polynomial_test

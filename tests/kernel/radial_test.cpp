@@ -7,6 +7,8 @@
 #include <cmath>
 #include <string>
 
+namespace radial_test {
+
 using hrbfnpr::kernel::Kind;
 using hrbfnpr::kernel::Radial;
 using hrbfnpr::kernel::radial;
@@ -129,3 +131,5 @@ TEST(Radial, HasNames) {
 }
 
 } // namespace
+
+} // namespace radial_test

@@ -12,7 +12,7 @@
 #include <cmath>
 #include <limits>
 
-namespace hrbfnpr::testing {
+namespace hrbfnpr::testing::clusters_test {
 namespace {
 
 using marks::Cluster;
@@ -300,4 +300,4 @@ TEST_F(Clusters, AreTheSameForAnyThreadCount) {
 }
 
 } // namespace
-} // namespace hrbfnpr::testing
+} // namespace hrbfnpr::testing::clusters_test

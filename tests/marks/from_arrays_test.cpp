@@ -5,7 +5,7 @@
 #include "geometry/tangent_frame.h"
 #include "marks/from_arrays.h"
 
-namespace hrbfnpr::marks {
+namespace hrbfnpr::marks::from_arrays_test {
 namespace {
 
 using namespace test;
@@ -243,4 +243,4 @@ TEST(FromArrays, SpacingIsEstimatedFromThePositions) {
 }
 
 } // namespace
-} // namespace hrbfnpr::marks
+} // namespace hrbfnpr::marks::from_arrays_test

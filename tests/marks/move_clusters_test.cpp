@@ -11,7 +11,7 @@
 #include <cmath>
 #include <vector>
 
-namespace hrbfnpr::testing {
+namespace hrbfnpr::testing::move_clusters_test {
 namespace {
 
 using marks::Cluster;
@@ -181,4 +181,4 @@ TEST_F(MoveClusters, OfAnEmptyLayerAreNone) {
 }
 
 } // namespace
-} // namespace hrbfnpr::testing
+} // namespace hrbfnpr::testing::move_clusters_test

@@ -8,7 +8,7 @@
 
 #include <cmath>
 
-namespace hrbfnpr::marks {
+namespace hrbfnpr::marks::tone_normals_test {
 namespace {
 
 using namespace test;
@@ -116,4 +116,4 @@ TEST(ToneNormals, AreThoseOfLayersThatAskForThem) {
 }
 
 } // namespace
-} // namespace hrbfnpr::marks
+} // namespace hrbfnpr::marks::tone_normals_test

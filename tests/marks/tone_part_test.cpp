@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace hrbfnpr::marks {
+namespace hrbfnpr::marks::tone_part_test {
 namespace {
 
 TEST(TonePart, KeepsTheOrderInsideItsPart) {
@@ -19,4 +19,4 @@ TEST(TonePart, KeepsTheOrderInsideItsPart) {
 }
 
 } // namespace
-} // namespace hrbfnpr::marks
+} // namespace hrbfnpr::marks::tone_part_test

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-namespace bench {
+namespace bench::strokes_test {
 namespace {
 
 // Along x, of marks from this id on.
@@ -123,4 +123,4 @@ TEST(StrokeMeasures, ToneIsComparedInWindows) {
 }
 
 } // namespace
-} // namespace bench
+} // namespace bench::strokes_test

@@ -8,6 +8,8 @@
 
 #include <cmath>
 
+namespace face_tree_test {
+
 namespace mesh = hrbfnpr::mesh;
 using hrbfnpr::test::icosphere;
 using hrbfnpr::test::torus;
@@ -105,3 +107,5 @@ TEST(FaceTree, RaysMeetWhatAllFacesSay) {
 }
 
 } // namespace
+
+} // namespace face_tree_test

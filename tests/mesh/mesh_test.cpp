@@ -10,6 +10,8 @@
 #include <limits>
 #include <string>
 
+namespace mesh_test {
+
 namespace mesh = hrbfnpr::mesh;
 using hrbfnpr::test::box;
 using hrbfnpr::test::icosphere;
@@ -263,3 +265,5 @@ TEST(MakeMesh, IgnoresVerticesThatNoFaceHas) {
 }
 
 } // namespace
+
+} // namespace mesh_test

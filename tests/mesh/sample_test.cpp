@@ -9,6 +9,8 @@
 #include <cmath>
 #include <vector>
 
+namespace sample_test {
+
 namespace mesh = hrbfnpr::mesh;
 namespace base = hrbfnpr::base;
 using hrbfnpr::test::box;
@@ -71,3 +73,5 @@ TEST(MeshSamples, KeepTheirDistanceInEveryPrefix) {
 }
 
 } // namespace
+
+} // namespace sample_test

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+namespace given_normals_test {
+
 namespace {
 
 using namespace hrbfnpr;
@@ -170,3 +172,5 @@ TEST(GivenNormals, OfRandomSignsAreTossedInDoubtToo) {
 }
 
 } // namespace
+
+} // namespace given_normals_test

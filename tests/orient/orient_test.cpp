@@ -6,6 +6,8 @@
 
 #include <algorithm>
 
+namespace orient_test {
+
 namespace {
 
 using namespace hrbfnpr;
@@ -166,3 +168,5 @@ TEST(Orient, CanBeCancelled) {
 }
 
 } // namespace
+
+} // namespace orient_test

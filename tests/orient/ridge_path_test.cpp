@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <cstdlib>
 
+namespace ridge_path_test {
+
 namespace {
 
 using namespace hrbfnpr;
@@ -114,3 +116,5 @@ TEST(RidgePath, IsDoubtfulOfNoisyWallsAndMoreOfNoiseWithoutOrder) {
 }
 
 } // namespace
+
+} // namespace ridge_path_test

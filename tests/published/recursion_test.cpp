@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <set>
 
-namespace hrbfnpr::published {
+namespace hrbfnpr::published::recursion_test {
 namespace {
 
 using namespace generate;
@@ -255,4 +255,4 @@ TEST(PublishedCurvature, IsFilledWhereWanted) {
 }
 
 } // namespace
-} // namespace hrbfnpr::published
+} // namespace hrbfnpr::published::recursion_test

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <map>
 
-namespace hrbfnpr::published {
+namespace hrbfnpr::published::strokes_test {
 namespace {
 
 using namespace marks;
@@ -170,4 +170,4 @@ TEST(Strokes, CombingFollowsStarksField) {
 }
 
 } // namespace
-} // namespace hrbfnpr::published
+} // namespace hrbfnpr::published::strokes_test

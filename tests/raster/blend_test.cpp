@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace hrbfnpr::testing {
+namespace hrbfnpr::testing::blend_test {
 namespace {
 
 class Blend : public ::testing::Test {
@@ -165,4 +165,4 @@ TEST_F(Blend, AllocatesNothingOnceWarm) {
 }
 
 } // namespace
-} // namespace hrbfnpr::testing
+} // namespace hrbfnpr::testing::blend_test

@@ -10,7 +10,7 @@
 
 #include <array>
 
-namespace hrbfnpr::testing {
+namespace hrbfnpr::testing::coverage_test {
 namespace {
 
 using frame::ToneCurve;
@@ -251,4 +251,4 @@ TEST_F(Coverage, LinearShowsTheShareOfTheMarks) {
 }
 
 } // namespace
-} // namespace hrbfnpr::testing
+} // namespace hrbfnpr::testing::coverage_test

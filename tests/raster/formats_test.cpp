@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace hrbfnpr::testing {
+namespace hrbfnpr::testing::formats_test {
 namespace {
 
 using output::DrawSettings;
@@ -191,4 +191,4 @@ INSTANTIATE_TEST_SUITE_P(All, Formats, ::testing::ValuesIn(cases()), [](const au
 });
 
 } // namespace
-} // namespace hrbfnpr::testing
+} // namespace hrbfnpr::testing::formats_test

@@ -6,7 +6,7 @@
 
 #include <cstring>
 
-namespace hrbfnpr::testing {
+namespace hrbfnpr::testing::image_test {
 namespace {
 
 using drawing::MarkClass;
@@ -251,4 +251,4 @@ TEST_F(ImageTest, AOnePixelImageIsFine) {
 }
 
 } // namespace
-} // namespace hrbfnpr::testing
+} // namespace hrbfnpr::testing::image_test

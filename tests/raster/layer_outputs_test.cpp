@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace hrbfnpr::testing {
+namespace hrbfnpr::testing::layer_outputs_test {
 namespace {
 
 using drawing::DepthConvention;
@@ -133,4 +133,4 @@ INSTANTIATE_TEST_SUITE_P(Conventions, LayerOutputs,
                          [](const auto& one) { return "number_" + std::to_string(static_cast<int>(one.param)); });
 
 } // namespace
-} // namespace hrbfnpr::testing
+} // namespace hrbfnpr::testing::layer_outputs_test

@@ -8,7 +8,7 @@
 
 #include <algorithm>
 
-namespace hrbfnpr::testing {
+namespace hrbfnpr::testing::layer_raster_test {
 namespace {
 
 using drawing::DepthConvention;
@@ -415,4 +415,4 @@ TEST_F(LayerRaster, AllocatesNothingOnceWarm) {
 }
 
 } // namespace
-} // namespace hrbfnpr::testing
+} // namespace hrbfnpr::testing::layer_raster_test

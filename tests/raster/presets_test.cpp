@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace hrbfnpr::testing {
+namespace hrbfnpr::testing::presets_test {
 namespace {
 
 class Presets : public ::testing::TestWithParam<std::uint32_t> {
@@ -61,4 +61,4 @@ INSTANTIATE_TEST_SUITE_P(All, Presets, ::testing::Range(0U, frame::preset_count)
                          [](const auto& one) { return "number_" + std::to_string(one.param); });
 
 } // namespace
-} // namespace hrbfnpr::testing
+} // namespace hrbfnpr::testing::presets_test

@@ -8,7 +8,7 @@
 
 #include <numbers>
 
-namespace hrbfnpr::testing {
+namespace hrbfnpr::testing::stroke_coverage_test {
 namespace {
 
 using drawing::Cap;
@@ -318,4 +318,4 @@ TEST_F(StrokeCoverage, GoesOnFromTileToTile) {
 }
 
 } // namespace
-} // namespace hrbfnpr::testing
+} // namespace hrbfnpr::testing::stroke_coverage_test

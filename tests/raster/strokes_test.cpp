@@ -12,7 +12,7 @@
 #include <array>
 #include <cstring>
 
-namespace hrbfnpr::testing {
+namespace hrbfnpr::testing::strokes_test {
 namespace {
 
 using drawing::Cap;
@@ -413,4 +413,4 @@ TEST_F(StrokePicture, AllocatesNothingOnceWarm) {
 }
 
 } // namespace
-} // namespace hrbfnpr::testing
+} // namespace hrbfnpr::testing::strokes_test

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace hrbfnpr::testing {
+namespace hrbfnpr::testing::wash_test {
 namespace {
 
 using frame::HiddenLines;
@@ -164,4 +164,4 @@ TEST_F(Wash, AHaloSurroundsWhatIsInFront) {
 }
 
 } // namespace
-} // namespace hrbfnpr::testing
+} // namespace hrbfnpr::testing::wash_test

@@ -7,7 +7,7 @@
 
 #include <algorithm>
 
-namespace hrbfnpr::stipples {
+namespace hrbfnpr::stipples::blue_noise_test {
 namespace {
 
 using namespace marks;
@@ -256,4 +256,4 @@ TEST(BlueNoise, SmallSurfacesInLargeBoxesAreFound) {
 }
 
 } // namespace
-} // namespace hrbfnpr::stipples
+} // namespace hrbfnpr::stipples::blue_noise_test

@@ -11,7 +11,7 @@
 #include <cmath>
 #include <numeric>
 
-namespace hrbfnpr::stipples {
+namespace hrbfnpr::stipples::candidates_test {
 namespace {
 
 using namespace marks;
@@ -223,4 +223,4 @@ TEST(Candidates, OfAFunctionThatIsNoDistanceAreEnough) {
 }
 
 } // namespace
-} // namespace hrbfnpr::stipples
+} // namespace hrbfnpr::stipples::candidates_test

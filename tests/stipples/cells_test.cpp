@@ -7,7 +7,7 @@
 #include <random>
 #include <set>
 
-namespace hrbfnpr::stipples {
+namespace hrbfnpr::stipples::cells_test {
 namespace {
 
 using geometry::CellGrid;
@@ -58,4 +58,4 @@ TEST(CellNeighbours, AreThoseThatTheMapHas) {
 }
 
 } // namespace
-} // namespace hrbfnpr::stipples
+} // namespace hrbfnpr::stipples::cells_test

@@ -10,7 +10,7 @@
 #include <array>
 #include <cmath>
 
-namespace hrbfnpr::stipples {
+namespace hrbfnpr::stipples::creases_test {
 namespace {
 
 using namespace test;
@@ -110,4 +110,4 @@ TEST(StipplesAtCreases, CurvedAndConcaveOnes) {
 }
 
 } // namespace
-} // namespace hrbfnpr::stipples
+} // namespace hrbfnpr::stipples::creases_test

@@ -5,7 +5,7 @@
 #include <array>
 #include <cmath>
 
-namespace hrbfnpr::stipples {
+namespace hrbfnpr::stipples::density_test {
 namespace {
 
 using namespace test;
@@ -87,4 +87,4 @@ TEST(Density, BadOnesAreErrors) {
 }
 
 } // namespace
-} // namespace hrbfnpr::stipples
+} // namespace hrbfnpr::stipples::density_test

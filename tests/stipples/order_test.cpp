@@ -12,7 +12,7 @@
 #include <numeric>
 #include <random>
 
-namespace hrbfnpr::stipples {
+namespace hrbfnpr::stipples::order_test {
 namespace {
 
 using namespace marks;
@@ -308,4 +308,4 @@ TEST(ProgressiveOrder, EveryPrefixHasNoLowFrequencies) {
 }
 
 } // namespace
-} // namespace hrbfnpr::stipples
+} // namespace hrbfnpr::stipples::order_test

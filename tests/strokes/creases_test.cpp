@@ -8,7 +8,7 @@
 
 #include <cmath>
 
-namespace hrbfnpr::strokes {
+namespace hrbfnpr::strokes::creases_test {
 namespace {
 
 using namespace test;
@@ -96,4 +96,4 @@ TEST(StrokesAtCreases, NoneStepsOver) {
 }
 
 } // namespace
-} // namespace hrbfnpr::strokes
+} // namespace hrbfnpr::strokes::creases_test

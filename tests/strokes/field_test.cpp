@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace hrbfnpr::strokes {
+namespace hrbfnpr::strokes::field_test {
 namespace {
 
 using namespace marks;
@@ -183,4 +183,4 @@ TEST(Field, ThatFailsIsReported) {
 }
 
 } // namespace
-} // namespace hrbfnpr::strokes
+} // namespace hrbfnpr::strokes::field_test

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <map>
 
-namespace hrbfnpr::strokes {
+namespace hrbfnpr::strokes::hatch_test {
 namespace {
 
 using namespace marks;
@@ -268,4 +268,4 @@ TEST(Hatch, IsTheSameForAnyNumberOfThreads) {
 }
 
 } // namespace
-} // namespace hrbfnpr::strokes
+} // namespace hrbfnpr::strokes::hatch_test

@@ -166,7 +166,7 @@ void expect_error(Status status, std::initializer_list<const char*> words, F&& f
         FAIL() << "no error";
     } catch (const Error& error) {
         EXPECT_EQ(error.status(), status) << error.what();
-        for (const char* word : words) EXPECT_THAT(error.what(), testing::HasSubstr(word));
+        for (const char* word : words) EXPECT_THAT(error.what(), ::testing::HasSubstr(word));
         EXPECT_LT(std::strlen(error.what()), 247U) << "cut off: " << error.what();
     }
 }

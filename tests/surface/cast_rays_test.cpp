@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-namespace hrbfnpr::surface {
+namespace hrbfnpr::surface::cast_rays_test {
 namespace {
 
 using namespace test;
@@ -421,4 +421,4 @@ TEST(CastRays, NoRaysIsFine) {
 }
 
 } // namespace
-} // namespace hrbfnpr::surface
+} // namespace hrbfnpr::surface::cast_rays_test

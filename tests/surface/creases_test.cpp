@@ -10,7 +10,7 @@
 
 #include <gtest/gtest.h>
 
-namespace hrbfnpr::surface {
+namespace hrbfnpr::surface::creases_test {
 namespace {
 
 using namespace test;
@@ -172,4 +172,4 @@ TEST(RaysAtCreases, InsideAndCurvatureAreTheActiveSheets) {
 }
 
 } // namespace
-} // namespace hrbfnpr::surface
+} // namespace hrbfnpr::surface::creases_test

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace hrbfnpr::surface {
+namespace hrbfnpr::surface::curvature_test {
 namespace {
 
 using namespace test;
@@ -204,4 +204,4 @@ TEST(Eigen2, SolvesTheSymmetricProblem) {
 }
 
 } // namespace
-} // namespace hrbfnpr::surface
+} // namespace hrbfnpr::surface::curvature_test

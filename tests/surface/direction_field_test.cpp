@@ -7,7 +7,7 @@
 
 #include <cmath>
 
-namespace hrbfnpr::surface {
+namespace hrbfnpr::surface::direction_field_test {
 namespace {
 
 base::Runtime& runtime() {
@@ -160,4 +160,4 @@ TEST(DirectionField, OfOneSampleOrOfTwins) {
 }
 
 } // namespace
-} // namespace hrbfnpr::surface
+} // namespace hrbfnpr::surface::direction_field_test

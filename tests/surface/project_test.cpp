@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace hrbfnpr::surface {
+namespace hrbfnpr::surface::project_test {
 namespace {
 
 using namespace test;
@@ -195,4 +195,4 @@ TEST(Project, NoPointsIsFine) {
 }
 
 } // namespace
-} // namespace hrbfnpr::surface
+} // namespace hrbfnpr::surface::project_test

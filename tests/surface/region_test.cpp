@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace hrbfnpr::surface {
+namespace hrbfnpr::surface::region_test {
 namespace {
 
 using namespace test;
@@ -96,4 +96,4 @@ TEST(Contains, CanBeCancelledAndTakesNoPoints) {
 }
 
 } // namespace
-} // namespace hrbfnpr::surface
+} // namespace hrbfnpr::surface::region_test

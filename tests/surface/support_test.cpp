@@ -9,7 +9,7 @@
 #include <cmath>
 #include <cstring>
 
-namespace hrbfnpr::surface {
+namespace hrbfnpr::surface::support_test {
 namespace {
 
 using test::PartSamples;
@@ -121,4 +121,4 @@ TEST(Support, SameBitsForAnyThreads) {
 }
 
 } // namespace
-} // namespace hrbfnpr::surface
+} // namespace hrbfnpr::surface::support_test

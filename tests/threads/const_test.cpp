@@ -16,7 +16,7 @@
 #include <thread>
 #include <utility>
 
-namespace host_test {
+namespace host_test::const_test {
 namespace {
 
 constexpr int threads = 4;
@@ -465,4 +465,4 @@ TEST(Const, HandlesAreSharedByThreads) {
 }
 
 } // namespace
-} // namespace host_test
+} // namespace host_test::const_test

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <vector>
 
-namespace hrbfnpr::testing {
+namespace hrbfnpr::testing::curve_fit_test {
 namespace {
 
 using glm::dvec2;
@@ -134,4 +134,4 @@ TEST_F(CurveFitTest, DoesNotNestDeeply) {
 }
 
 } // namespace
-} // namespace hrbfnpr::testing
+} // namespace hrbfnpr::testing::curve_fit_test

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace hrbfnpr::testing {
+namespace hrbfnpr::testing::fill_test {
 namespace {
 
 using drawing::Cap;
@@ -193,4 +193,4 @@ TEST(FillLines, BoundsItsPasses) {
 }
 
 } // namespace
-} // namespace hrbfnpr::testing
+} // namespace hrbfnpr::testing::fill_test

@@ -12,7 +12,7 @@
 
 #include "base/runtime.h"
 
-namespace hrbfnpr::testing {
+namespace hrbfnpr::testing::lay_out_test {
 namespace {
 
 using drawing::Cap;
@@ -201,4 +201,4 @@ TEST(LineTypes, HaveDotsAndGoRound) {
 }
 
 } // namespace
-} // namespace hrbfnpr::testing
+} // namespace hrbfnpr::testing::lay_out_test

@@ -7,7 +7,7 @@
 
 #include <functional>
 
-namespace hrbfnpr::testing {
+namespace hrbfnpr::testing::look_test {
 namespace {
 
 constexpr int many = 100000;
@@ -110,4 +110,4 @@ TEST(Looks, AreManyWhereLinesAreFilled) {
 }
 
 } // namespace
-} // namespace hrbfnpr::testing
+} // namespace hrbfnpr::testing::look_test

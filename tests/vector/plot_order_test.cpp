@@ -12,7 +12,7 @@
 #include <numbers>
 #include <set>
 
-namespace hrbfnpr::testing {
+namespace hrbfnpr::testing::plot_order_test {
 namespace {
 
 using drawing::Cap;
@@ -328,4 +328,4 @@ TEST(PlotOrder, IsCancelled) {
 }
 
 } // namespace
-} // namespace hrbfnpr::testing
+} // namespace hrbfnpr::testing::plot_order_test

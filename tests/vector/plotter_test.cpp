@@ -11,7 +11,7 @@
 #include <cmath>
 #include <sstream>
 
-namespace hrbfnpr::testing {
+namespace hrbfnpr::testing::plotter_test {
 namespace {
 
 using output::PagePoint;
@@ -378,4 +378,4 @@ TEST(Hpgl, CutsLongInstructions) {
 }
 
 } // namespace
-} // namespace hrbfnpr::testing
+} // namespace hrbfnpr::testing::plotter_test

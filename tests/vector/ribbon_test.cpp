@@ -8,7 +8,7 @@
 #include <random>
 #include <vector>
 
-namespace hrbfnpr::testing {
+namespace hrbfnpr::testing::ribbon_test {
 namespace {
 
 using drawing::Cap;
@@ -141,4 +141,4 @@ TEST(Ribbon, EndsAsItIsAsked) {
 }
 
 } // namespace
-} // namespace hrbfnpr::testing
+} // namespace hrbfnpr::testing::ribbon_test

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace hrbfnpr::output {
+namespace hrbfnpr::output::shapes_test {
 namespace {
 
 std::int64_t points_of_spiral(double pen_width) {
@@ -26,4 +26,4 @@ TEST(SpiralTest, IsBoundedForPensOfNoWidth) {
 }
 
 } // namespace
-} // namespace hrbfnpr::output
+} // namespace hrbfnpr::output::shapes_test

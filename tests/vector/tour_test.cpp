@@ -10,7 +10,7 @@
 #include <set>
 #include <utility>
 
-namespace hrbfnpr::testing {
+namespace hrbfnpr::testing::tour_test {
 namespace {
 
 using output::Leg;
@@ -173,4 +173,4 @@ TEST(Tour, IsTheSameAgain) {
 }
 
 } // namespace
-} // namespace hrbfnpr::testing
+} // namespace hrbfnpr::testing::tour_test

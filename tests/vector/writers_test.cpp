@@ -9,7 +9,7 @@
 #include <limits>
 #include <string>
 
-namespace hrbfnpr::testing {
+namespace hrbfnpr::testing::writers_test {
 namespace {
 
 using output::PageCounts;
@@ -147,4 +147,4 @@ TEST(Pdf, HasItsObjectsWhereItSays) {
 }
 
 } // namespace
-} // namespace hrbfnpr::testing
+} // namespace hrbfnpr::testing::writers_test

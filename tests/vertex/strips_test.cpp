@@ -10,7 +10,7 @@
 #include <cstring>
 #include <vector>
 
-namespace hrbfnpr::testing {
+namespace hrbfnpr::testing::strips_test {
 namespace {
 
 using base::Scalar;
@@ -288,4 +288,4 @@ TEST_F(Strips, DotsAreNumberedToo) {
 }
 
 } // namespace
-} // namespace hrbfnpr::testing
+} // namespace hrbfnpr::testing::strips_test

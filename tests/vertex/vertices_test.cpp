@@ -9,7 +9,7 @@
 
 #include <cstring>
 
-namespace hrbfnpr::testing {
+namespace hrbfnpr::testing::vertices_test {
 namespace {
 
 using base::Scalar;
@@ -204,4 +204,4 @@ TEST_F(Vertices, OfLayersAreWrittenWithoutAllocationOnceWarm) {
 }
 
 } // namespace
-} // namespace hrbfnpr::testing
+} // namespace hrbfnpr::testing::vertices_test

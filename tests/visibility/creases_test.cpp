@@ -4,7 +4,7 @@
 #include "stage.h"
 #include "support/sharp_shapes.h"
 
-namespace hrbfnpr::visibility {
+namespace hrbfnpr::visibility::creases_test {
 namespace {
 
 using namespace test_stage;
@@ -215,4 +215,4 @@ TEST(CreasesSeen, CubeFromACorner) {
 }
 
 } // namespace
-} // namespace hrbfnpr::visibility
+} // namespace hrbfnpr::visibility::creases_test

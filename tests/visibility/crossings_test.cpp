@@ -7,7 +7,7 @@
 
 #include <glm/gtc/matrix_transform.hpp>
 
-namespace hrbfnpr::visibility {
+namespace hrbfnpr::visibility::crossings_test {
 namespace {
 
 using namespace test_stage;
@@ -225,4 +225,4 @@ TEST(Tangles, HaveFewCrossings) {
 }
 
 } // namespace
-} // namespace hrbfnpr::visibility
+} // namespace hrbfnpr::visibility::crossings_test

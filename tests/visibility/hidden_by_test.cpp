@@ -3,7 +3,7 @@
 
 #include "stage.h"
 
-namespace hrbfnpr::visibility {
+namespace hrbfnpr::visibility::hidden_by_test {
 namespace {
 
 using namespace test_stage;
@@ -94,4 +94,4 @@ TEST(HiddenBy, OneItemHidesItself) {
 }
 
 } // namespace
-} // namespace hrbfnpr::visibility
+} // namespace hrbfnpr::visibility::hidden_by_test

@@ -6,7 +6,7 @@
 #include "support/contour_shapes.h"
 #include "visibility/events.h"
 
-namespace hrbfnpr::visibility {
+namespace hrbfnpr::visibility::image_lines_test {
 namespace {
 
 using namespace test_stage;
@@ -115,4 +115,4 @@ TEST(ImageLines, AreFiniteWhereTheEyeIsOnTheSurface) {
 }
 
 } // namespace
-} // namespace hrbfnpr::visibility
+} // namespace hrbfnpr::visibility::image_lines_test

@@ -6,7 +6,7 @@
 #include "stage.h"
 #include "support/contour_shapes.h"
 
-namespace hrbfnpr::visibility {
+namespace hrbfnpr::visibility::invisibility_test {
 namespace {
 
 using namespace test_stage;
@@ -358,4 +358,4 @@ TEST(Invisibility, OfNothingIsNothing) {
 }
 
 } // namespace
-} // namespace hrbfnpr::visibility
+} // namespace hrbfnpr::visibility::invisibility_test

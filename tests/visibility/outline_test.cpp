@@ -6,7 +6,7 @@
 #include "stage.h"
 #include "support/contour_shapes.h"
 
-namespace hrbfnpr::visibility {
+namespace hrbfnpr::visibility::outline_test {
 namespace {
 
 using namespace test_stage;
@@ -203,4 +203,4 @@ TEST(Outline, OnlyOfWhatIsWanted) {
 }
 
 } // namespace
-} // namespace hrbfnpr::visibility
+} // namespace hrbfnpr::visibility::outline_test

@@ -8,7 +8,7 @@
 
 #include <cstring>
 
-namespace hrbfnpr::visibility {
+namespace hrbfnpr::visibility::pierced_test {
 namespace {
 
 using namespace test_stage;
@@ -141,4 +141,4 @@ TEST(Pierced, OneItemPiercesNothing) {
 }
 
 } // namespace
-} // namespace hrbfnpr::visibility
+} // namespace hrbfnpr::visibility::pierced_test

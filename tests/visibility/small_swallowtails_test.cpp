@@ -8,7 +8,7 @@
 
 #include <vector>
 
-namespace hrbfnpr::visibility {
+namespace hrbfnpr::visibility::small_swallowtails_test {
 namespace {
 
 constexpr double size = 0.25;
@@ -115,4 +115,4 @@ TEST_P(SmallSwallowtailsOfOpen, NotOverTheEnd) {
 }
 
 } // namespace
-} // namespace hrbfnpr::visibility
+} // namespace hrbfnpr::visibility::small_swallowtails_test

@@ -5,7 +5,7 @@
 #include "stage.h"
 #include "support/contour_shapes.h"
 
-namespace hrbfnpr::visibility {
+namespace hrbfnpr::visibility::verify_crossings_test {
 namespace {
 
 using namespace test_stage;
@@ -66,4 +66,4 @@ TEST(VerifyCrossings, NoCurveMeetsItself) {
 }
 
 } // namespace
-} // namespace hrbfnpr::visibility
+} // namespace hrbfnpr::visibility::verify_crossings_test

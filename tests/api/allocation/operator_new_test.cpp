@@ -38,7 +38,7 @@ void operator delete[](void* memory) noexcept { std::free(memory); }
 void operator delete(void* memory, std::size_t /*size*/) noexcept { std::free(memory); }
 void operator delete[](void* memory, std::size_t /*size*/) noexcept { std::free(memory); }
 
-namespace api_test {
+namespace api_test::operator_new_test {
 namespace {
 
 class NewRefusal : public Refusal {
@@ -101,4 +101,4 @@ TEST(OperatorNew, AContextIsMadeOrNot) {
 }
 
 } // namespace
-} // namespace api_test
+} // namespace api_test::operator_new_test

@@ -2,7 +2,7 @@
 // The k-th allocation fails, for every k: each time a clean OUT_OF_MEMORY and no leak.
 #include "fixture.h"
 
-namespace api_test {
+namespace api_test::pipeline_test {
 namespace {
 
 // From samples to pictures in steps, each of which may fail; whatever was made is released.
@@ -224,4 +224,4 @@ TEST(Allocation, ARendererGoesOnAfterAFailure) {
 }
 
 } // namespace
-} // namespace api_test
+} // namespace api_test::pipeline_test

@@ -7,7 +7,7 @@
 #include <array>
 #include <cstdio>
 
-namespace api_test {
+namespace api_test::retry_test {
 namespace {
 
 class AllocatorRefusal : public Refusal {
@@ -95,4 +95,4 @@ TEST_P(Retry, SomeRefusalsOfALargerRun) {
 }
 
 } // namespace
-} // namespace api_test
+} // namespace api_test::retry_test

@@ -7,7 +7,7 @@
 #include <chrono>
 #include <thread>
 
-namespace api_test {
+namespace api_test::cancel_test {
 namespace {
 
 // Begun from many of its tests on a busy machine, a callback is also called when time has passed: what a moment is,
@@ -142,4 +142,4 @@ TEST(Cancel, CallsFromWithinACallbackAreOnTheirOwn) {
 }
 
 } // namespace
-} // namespace api_test
+} // namespace api_test::cancel_test

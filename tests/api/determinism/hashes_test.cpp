@@ -11,7 +11,7 @@
 #include <map>
 #include <sstream>
 
-namespace api_test {
+namespace api_test::hashes_test {
 namespace {
 
 std::uint64_t fnv(const Bytes& bytes) {
@@ -210,4 +210,4 @@ TEST(Hashes, OfAFixedSceneAreThoseOfTheRepository) {
 }
 
 } // namespace
-} // namespace api_test
+} // namespace api_test::hashes_test

@@ -9,7 +9,7 @@
 #include <map>
 #include <thread>
 
-namespace api_test {
+namespace api_test::stages_test {
 namespace {
 
 // Of a scene that is large enough for its loops to have many tasks.
@@ -135,4 +135,4 @@ TEST(DeterminismOfInstructionSets, NearlyTheSameNumbers) {
 }
 
 } // namespace
-} // namespace api_test
+} // namespace api_test::stages_test

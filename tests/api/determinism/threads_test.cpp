@@ -9,7 +9,7 @@
 #include <xmmintrin.h>
 #endif
 
-namespace api_test {
+namespace api_test::threads_test {
 namespace {
 
 using Bytes = std::vector<std::uint8_t>;
@@ -218,4 +218,4 @@ TEST(FloatingPoint, TrapsOfTheCallerAreNotSprung) {
 #endif
 
 } // namespace
-} // namespace api_test
+} // namespace api_test::threads_test

@@ -9,7 +9,7 @@
 #include <functional>
 #include <limits>
 
-namespace hrbfnpr::testing {
+namespace hrbfnpr::testing::camera_test {
 namespace {
 
 using frame::Camera;
@@ -228,4 +228,4 @@ TEST(CameraErrors, NameTheArgument) {
 }
 
 } // namespace
-} // namespace hrbfnpr::testing
+} // namespace hrbfnpr::testing::camera_test

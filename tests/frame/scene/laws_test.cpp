@@ -8,7 +8,7 @@
 
 #include <initializer_list>
 
-namespace hrbfnpr::frame {
+namespace hrbfnpr::frame::laws_test {
 namespace {
 
 TEST(FrontAlpha, IsTheSquare) {
@@ -199,4 +199,4 @@ TEST(FrontVerdict, ZoomingInOnlyAddsMarks) {
 }
 
 } // namespace
-} // namespace hrbfnpr::frame
+} // namespace hrbfnpr::frame::laws_test

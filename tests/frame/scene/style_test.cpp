@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace hrbfnpr::frame {
+namespace hrbfnpr::frame::style_test {
 namespace {
 
 using marks::Kind;
@@ -100,4 +100,4 @@ TEST(Presets, AreWhatTheirNamesSay) {
 }
 
 } // namespace
-} // namespace hrbfnpr::frame
+} // namespace hrbfnpr::frame::style_test

@@ -12,6 +12,8 @@
 #include <cmath>
 #include <vector>
 
+namespace compare_test {
+
 namespace mesh = hrbfnpr::mesh;
 using hrbfnpr::test::box;
 using hrbfnpr::test::icosphere;
@@ -165,3 +167,5 @@ TEST(Compare, SpreadIsThatOfASortedList) {
 }
 
 } // namespace
+
+} // namespace compare_test

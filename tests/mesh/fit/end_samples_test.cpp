@@ -9,6 +9,8 @@
 
 #include <cmath>
 
+namespace end_samples_test {
+
 namespace base = hrbfnpr::base;
 namespace mesh = hrbfnpr::mesh;
 namespace surface = hrbfnpr::surface;
@@ -120,3 +122,5 @@ TEST(EndSamples, AreTheSameForAnyNumberOfThreads) {
 }
 
 } // namespace
+
+} // namespace end_samples_test

@@ -13,6 +13,8 @@
 
 #include <cmath>
 
+namespace fit_mesh_test {
+
 namespace mesh = hrbfnpr::mesh;
 using hrbfnpr::test::box;
 using hrbfnpr::test::icosphere;
@@ -213,3 +215,5 @@ TEST(FitMesh, CanBeCancelled) {
 }
 
 } // namespace
+
+} // namespace fit_mesh_test

@@ -7,6 +7,8 @@
 #include <glm/gtx/component_wise.hpp>
 #include <gtest/gtest.h>
 
+namespace touching_test {
+
 namespace mesh = hrbfnpr::mesh;
 using hrbfnpr::test::box;
 using hrbfnpr::test::with_threads;
@@ -55,3 +57,5 @@ TEST(Touching, IsTheSameForAnyNumberOfThreads) {
 }
 
 } // namespace
+
+} // namespace touching_test

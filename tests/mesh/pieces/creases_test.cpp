@@ -10,6 +10,8 @@
 
 #include <cmath>
 
+namespace creases_test {
+
 namespace mesh = hrbfnpr::mesh;
 namespace test = hrbfnpr::test;
 using hrbfnpr::test::Triangles;
@@ -149,3 +151,5 @@ TEST(Creases, AreTheSameForAnyNumberOfThreads) {
 }
 
 } // namespace
+
+} // namespace creases_test

@@ -14,6 +14,8 @@
 #include <cmath>
 #include <vector>
 
+namespace fit_pieces_test {
+
 namespace geometry = hrbfnpr::geometry;
 namespace implicit = hrbfnpr::implicit;
 namespace mesh = hrbfnpr::mesh;
@@ -373,3 +375,5 @@ TEST(PreparedPieces, KnowTheOneSheetOfMostPlaces) {
 }
 
 } // namespace
+
+} // namespace fit_pieces_test

@@ -9,6 +9,8 @@
 #include <set>
 #include <vector>
 
+namespace read_once_test {
+
 namespace mesh = hrbfnpr::mesh;
 using hrbfnpr::implicit::PiecesData;
 
@@ -55,3 +57,5 @@ TEST(ReadOnceTrees, AreAllThatThereAre) {
 }
 
 } // namespace
+
+} // namespace read_once_test

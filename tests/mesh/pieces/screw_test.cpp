@@ -13,6 +13,8 @@
 #include <cmath>
 #include <vector>
 
+namespace screw_test {
+
 namespace implicit = hrbfnpr::implicit;
 namespace mesh = hrbfnpr::mesh;
 namespace test = hrbfnpr::test;
@@ -104,3 +106,5 @@ TEST(Screws, OfTenTurnsAreMet) {
 }
 
 } // namespace
+
+} // namespace screw_test
