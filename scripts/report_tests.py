@@ -2,8 +2,10 @@
 """Prints what CTest's closing lines leave out: each client with its version and result, and why tests were skipped.
 
     report_tests.py JUNIT.XML
+    report_tests.py JUNIT.XML --longer SECONDS      regular expressions of the tests that took longer: for tests/long.txt
 """
 
+import re
 import sys
 import xml.etree.ElementTree as ElementTree
 
@@ -29,8 +31,16 @@ def clients(cases):
             yield title, result
 
 
+def long_tests(cases, seconds):
+    for name in sorted(case.get("name") for case in cases if float(case.get("time") or 0) > seconds):
+        yield "^" + re.sub(r"[^\w/]", lambda found: "[.]" if found.group() == "." else ".", name) + "$"
+
+
 def main():
     cases = list(ElementTree.parse(sys.argv[1]).getroot().iter("testcase"))
+    if sys.argv[2:3] == ["--longer"]:
+        print("\n".join(long_tests(cases, float(sys.argv[3]))))
+        return
     table = list(clients(cases))
     if table:
         width = max(len(title) for title, _ in table)
