@@ -7,19 +7,60 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <utility>
 
 namespace hrbfnpr::base {
+
+// Elements of which one look is enough.
+template <class T>
+constexpr std::int64_t at_once = std::max<std::int64_t>(1, (std::int64_t{1} << 22) / std::int64_t{sizeof(T)});
+
+// As array.reserve(capacity): where that is more than there is, what the array holds is copied.
+template <class T>
+void reserve_long(Array<T>& array, std::int64_t capacity, const Progress& progress) {
+    if (array.size() <= at_once<T>) return array.reserve(capacity);
+    if (capacity <= array.bytes() / std::int64_t{sizeof(T)}) return;
+    Array<T> grown(array.memory());
+    grown.reserve(capacity);
+    while (grown.size() < array.size()) {
+        progress.check();
+        const std::int64_t begin = grown.size();
+        grown.resize_for_overwrite(std::min(array.size(), begin + at_once<T>));
+        std::copy(array.begin() + begin, array.begin() + grown.size(), grown.begin() + begin);
+    }
+    array = std::move(grown);
+}
 
 // As array.resize(size): what it adds is zero.
 template <class T>
 void resize_long(Array<T>& array, std::int64_t size, const Progress& progress) {
-    constexpr std::int64_t at_once = std::max<std::int64_t>(1, (std::int64_t{1} << 22) / std::int64_t{sizeof(T)});
-    array.reserve(size);
-    while (size - array.size() > at_once) {
+    reserve_long(array, size, progress);
+    while (size - array.size() > at_once<T>) {
         progress.check();
-        array.resize(array.size() + at_once);
+        array.resize(array.size() + at_once<T>);
     }
     array.resize(size);
+}
+
+// As array.push_back(value).
+template <class T>
+void push_back_long(Array<T>& array, const T& value, const Progress& progress) {
+    if (const std::int64_t size = array.size(); size > at_once<T> && size == array.bytes() / std::int64_t{sizeof(T)})
+        reserve_long(array, size + size / 2, progress);
+    array.push_back(value);
+}
+
+// So many elements of one value; what the array held is forgotten.
+template <class T>
+void fill_long(Array<T>& array, std::int64_t size, const T& value, const Progress& progress) {
+    array.clear();
+    array.reserve(size);
+    while (array.size() < size) {
+        progress.check();
+        const std::int64_t begin = array.size();
+        array.resize_for_overwrite(std::min(size, begin + at_once<T>));
+        std::fill(array.begin() + begin, array.end(), value);
+    }
 }
 
 } // namespace hrbfnpr::base

@@ -78,7 +78,10 @@ base::Array<std::int32_t> order_by_cell(const base::Runtime& runtime, const Impl
     progress.check();
     for (std::int64_t c = 0; c < cells; ++c) next[c + 1] += next[c];
     progress.check();
-    for (std::int64_t i = 0; i < points.size(); ++i) order[next[cell[i]]++] = static_cast<std::int32_t>(i);
+    for (std::int64_t i = 0; i < points.size(); ++i) {
+        if (i % 65536 == 0) progress.check();
+        order[next[cell[i]]++] = static_cast<std::int32_t>(i);
+    }
     return order;
 }
 

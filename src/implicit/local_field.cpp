@@ -104,7 +104,7 @@ private:
     }
 
     void classify(const base::Progress& progress) {
-        kind_.resize(candidates_.size());
+        base::resize_long(kind_, candidates_.size(), progress);
         runtime_.parallel.for_chunks(end_ - begin_, 256, progress, [&](std::int64_t first, std::int64_t last) {
             for (std::int64_t k = first; k < last; ++k)
                 for (std::int64_t i = candidate_begin_[k]; i < candidate_begin_[k + 1]; ++i)
@@ -201,8 +201,8 @@ private:
         for (std::int64_t k = 0; k < end_ - begin_; ++k) {
             if (k % chunk == 0) progress.check();
             if (level + 1 < tree_.levels() && near_centres(k) > most_near(tree_.points().size()))
-                add_children(k, next_begin, next);
-            if (field_.cells_[begin_ + k].serves()) keep_near(k);
+                add_children(k, next_begin, next, progress);
+            if (field_.cells_[begin_ + k].serves()) keep_near(k, progress);
         }
         std::swap(candidate_begin_, next_begin);
         std::swap(candidates_, next);
@@ -232,11 +232,13 @@ private:
         return false;
     }
 
-    void add_children(std::int64_t k, base::Array<std::int64_t>& next_begin, base::Array<std::int64_t>& next) {
+    void add_children(std::int64_t k, base::Array<std::int64_t>& next_begin, base::Array<std::int64_t>& next,
+                      const base::Progress& progress) {
         const Cell parent = field_.cells_[begin_ + k];
         const auto first = static_cast<std::int32_t>(field_.cells_.size());
         std::uint32_t octants = 0;
         for (int octant = 0; octant < 8; ++octant) {
+            progress.check(); // near the first cells are all centres
             const Cell child{{2 * parent.cell[0] + (octant & 1), 2 * parent.cell[1] + (octant >> 1 & 1),
                               2 * parent.cell[2] + (octant >> 2)},
                              parent.level + 1,
@@ -248,7 +250,7 @@ private:
             if (!is_wanted(k, child)) continue;
             octants |= 1U << octant;
             field_.cells_.push_back(child);
-            add_candidates(k, next);
+            add_candidates(k, next, progress);
             next_begin.push_back(next.size());
         }
         field_.cells_[begin_ + k].first_child = first;
@@ -256,16 +258,17 @@ private:
     }
 
     // What is near a cell, for a child: cubes of the child's level, and larger ones that are not divided.
-    void add_candidates(std::int64_t parent, base::Array<std::int64_t>& next) const {
+    void add_candidates(std::int64_t parent, base::Array<std::int64_t>& next, const base::Progress& progress) const {
         for (std::int64_t i = candidate_begin_[parent]; i < candidate_begin_[parent + 1]; ++i) {
             if (kind_[i] != near) continue;
             const geometry::Octree::Node& node = tree_.nodes()[candidates_[i]];
-            if (node.leaf()) next.push_back(candidates_[i]);
-            for (std::int64_t child = 0; child < node.children; ++child) next.push_back(node.first_child + child);
+            if (node.leaf()) base::push_back_long(next, candidates_[i], progress);
+            for (std::int64_t child = 0; child < node.children; ++child)
+                base::push_back_long(next, node.first_child + child, progress);
         }
     }
 
-    void keep_near(std::int64_t k) {
+    void keep_near(std::int64_t k, const base::Progress& progress) {
         Cell& cell = field_.cells_[begin_ + k];
         cell.near_begin = field_.near_.size();
         for (std::int64_t i = candidate_begin_[k]; i < candidate_begin_[k + 1]; ++i) {
@@ -276,7 +279,7 @@ private:
             if (continues)
                 field_.near_[field_.near_.size() - 1].end = node.end;
             else
-                field_.near_.push_back({node.begin, node.end});
+                base::push_back_long(field_.near_, {node.begin, node.end}, progress);
         }
         cell.near_end = field_.near_.size();
     }

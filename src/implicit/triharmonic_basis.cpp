@@ -95,13 +95,14 @@ public:
         base::resize_long(result_, stride_ * triharmonic_size(degree_), progress);
         columns_.set_one(harmonic(0, 0));
         for (int m = 0; m <= degree_; ++m) {
-            progress.check();
-            for (int side = 0; side < (m > 0 ? 2 : 1); ++side) climb(m, side);
+            for (int side = 0; side < (m > 0 ? 2 : 1); ++side) climb(m, side, progress);
             if (m < degree_) turn(m);
         }
         for (int l = 0; l <= degree_; ++l) {
-            progress.check();
-            for (int number = 0; number <= 2 * l; ++number) add_radial(l, number);
+            for (int number = 0; number <= 2 * l; ++number) {
+                progress.check();
+                add_radial(l, number);
+            }
         }
         return std::move(result_);
     }
@@ -123,9 +124,10 @@ private:
     }
 
     // (l - m + 1) R_l+1 = (2 l + 1) z R_l - (l + m) |x|^2 R_l-1
-    void climb(int m, int side) {
+    void climb(int m, int side, const base::Progress& progress) {
         const int number = number_of(m, side);
         for (int l = m; l < degree_; ++l) {
+            progress.check();
             double* const next = harmonic(l + 1, number);
             columns_.add_times(2, (2.0 * l + 1.0) / (l - m + 1.0), harmonic(l, number), next);
             if (l > m) add_times_squared(-(l + m) / (l - m + 1.0), harmonic(l - 1, number), next);

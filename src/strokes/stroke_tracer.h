@@ -3,6 +3,7 @@
 // [Jobard & Lefer 1997, 3]
 #pragma once
 
+#include "base/long_array.h"
 #include "base/operation.h"
 #include "geometry/point_grid.h"
 #include "geometry/vec_array.h"
@@ -46,8 +47,10 @@ public:
         if (node_.size() >= head_.size()) resize_table(2 * head_.size());
         const std::uint64_t cell = geometry::CellGrid::pack(grid_.cell_of(point.position));
         std::int64_t& head = head_[bucket(cell)];
-        node_.push_back({cell, head, glm::vec3(point.position - centre_), glm::vec3(point.normal),
-                         glm::vec3(point.direction), stroke, place});
+        base::push_back_long(node_,
+                             {cell, head, glm::vec3(point.position - centre_), glm::vec3(point.normal),
+                              glm::vec3(point.direction), stroke, place},
+                             progress_);
         head = node_.size() - 1;
     }
     [[nodiscard]] std::int64_t size() const noexcept { return node_.size(); }
@@ -99,8 +102,7 @@ private:
     }
     // Threads the points anew in their order, so that the newest stands first in its bucket.
     void resize_table(std::int64_t size) {
-        head_.resize(size);
-        for (std::int64_t& head : head_) head = -1;
+        base::fill_long(head_, size, std::int64_t{-1}, progress_);
         for (std::int64_t i = 0; i < node_.size(); ++i) {
             if (i % 16384 == 0) progress_.check();
             std::int64_t& head = head_[bucket(node_[i].cell)];

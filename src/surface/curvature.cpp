@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "surface/curvature.h"
 
+#include "base/long_array.h"
+
 #include "geometry/tangent_frame.h"
 #include "implicit/evaluate_all.h"
 
@@ -76,7 +78,7 @@ void principal_curvatures(const base::Runtime& runtime, const implicit::Implicit
     const std::int64_t count = points.size();
     const double diagonal = implicit.diagonal();
     base::Array<double> columns(runtime.memory);
-    columns.resize_for_overwrite(9 * count);
+    base::resize_long(columns, 9 * count, progress); // each batch of points would touch it all over for the first time
     implicit::FieldBatch fields;
     for (std::int64_t k = 0; k < 3; ++k) fields.gradient[static_cast<std::size_t>(k)] = columns.data() + k * count;
     for (std::int64_t k = 0; k < 6; ++k) fields.hessian[static_cast<std::size_t>(k)] = columns.data() + (3 + k) * count;

@@ -142,6 +142,40 @@ TEST(ResizeLong, GivesZerosAndLooks) {
     EXPECT_EQ(status_of([&] { resize_long(numbers, 3'000'000, Progress(&operation)); }), Status::cancelled);
 }
 
+TEST(LongArray, GrowsAsOthersDoAndLooks) {
+    Memory memory({});
+    Array<std::int64_t> numbers(memory), same(memory);
+    for (std::int64_t i = 0; i < 2'000'000; ++i) {
+        push_back_long(numbers, 3 * i, {});
+        same.push_back(3 * i);
+    }
+    ASSERT_EQ(numbers.size(), same.size());
+    EXPECT_TRUE(std::equal(numbers.begin(), numbers.end(), same.begin()));
+    Operation operation;
+    operation.begin();
+    operation.cancel();
+    EXPECT_EQ(status_of([&] {
+                  for (std::int64_t i = 0; i < 2'000'000; ++i) push_back_long(numbers, i, Progress(&operation));
+              }),
+              Status::cancelled);
+    EXPECT_EQ(numbers[1'999'999], 3 * 1'999'999);
+}
+
+TEST(LongArray, IsFilledAnewAndCancelled) {
+    Memory memory({});
+    Array<std::int64_t> numbers(memory, 7);
+    fill_long(numbers, 1'200'000, std::int64_t{-1}, {});
+    ASSERT_EQ(numbers.size(), 1'200'000);
+    EXPECT_EQ(std::count(numbers.begin(), numbers.end(), -1), 1'200'000);
+    fill_long(numbers, 3, std::int64_t{5}, {});
+    ASSERT_EQ(numbers.size(), 3);
+    EXPECT_EQ(numbers[2], 5);
+    Operation operation;
+    operation.begin();
+    operation.cancel();
+    EXPECT_EQ(status_of([&] { fill_long(numbers, 3, std::int64_t{5}, Progress(&operation)); }), Status::cancelled);
+}
+
 TEST(MergeLong, MergesAsMergeDoesAndLooks) {
     std::vector<int> a, b;
     for (int i = 0; i < 200000; ++i) (i % 7 < 3 ? a : b).push_back(i / 2);
