@@ -82,6 +82,11 @@ void Settling::settle(marks::Settler& settler, std::uint8_t pass, const base::Pr
 // Strokes come pass by pass, so that a batch counts in one level's report.
 void Settling::project(const base::Progress& progress) {
     marks::Settler settler(site_);
+    std::int64_t points = 0;
+    for (const OrderedStroke& stroke : strokes_) points += stroke.count;
+    position_.reserve(points); // columns that grew would all be copied at the same point
+    normal_.reserve(points);
+    placed_.reserve(points);
     for (std::int64_t s = 0; s < strokes_.size(); ++s) {
         progress.check();
         const OrderedStroke& stroke = strokes_[s];
@@ -118,6 +123,13 @@ Settling::Piece Settling::longest_piece(std::int64_t begin, std::int64_t count) 
 }
 
 void Settling::append(const base::Progress& progress) {
+    const std::int64_t most = marks_.count() + position_.size();
+    for (geometry::VecArray* column : {&marks_.position, &marks_.normal, &marks_.direction}) column->reserve(most);
+    marks_.key.reserve(most);
+    marks_.stroke.reserve(most);
+    marks_.place.reserve(most);
+    marks_.level.reserve(most);
+    marks_.width.reserve(most);
     std::int64_t first = 0;
     for (const OrderedStroke& stroke : strokes_) {
         progress.check();
@@ -190,6 +202,7 @@ void Settling::direct(const base::Progress& progress) {
     if (settings_.kind == marks::Kind::principal) {
         surface::principal_curvatures(site_.runtime, site_.implicit, marks_.position, curvature_, progress);
         progress.check();
+        marks_.curvature.reserve(curvature_.size());
         for (std::int64_t i = 0; i < curvature_.size(); ++i) {
             if (i % marks_a_look == 0) progress.check();
             const surface::Curvature& c = curvature_[i];

@@ -192,7 +192,6 @@ HWY_INLINE W shown_for(const Selection& j, W tau, W nu) {
     if (j.coverage) {
         const hn::RebindToSigned<F> integer;
         const W at = hn::Mul(shown, hn::Set(d, static_cast<float>(needed_steps)));
-        // Lanes behind the last mark may hold anything.
         const auto cell =
             hn::Max(hn::Min(hn::ConvertTo(integer, at), hn::Set(integer, needed_steps - 1)), hn::Zero(integer));
         const W below = hn::GatherIndex(d, j.needed, cell);
@@ -277,9 +276,11 @@ void select(const Selection& j, const Seer& seer, const MarkRange& range, const 
         selected.fronts += fronts;
         selected.backs += count(valid) - contours - fronts;
         W front = zero;
-        if (j.front_ink)
-            front =
-                front_of(j, nu, place, hn::LoadU(d, taus + at), tau_depth, j.fade > 0.0F ? faces : own, own, selected);
+        if (j.front_ink) {
+            // Lanes behind the last mark have no tone: what they held would be where a table is read.
+            const W tau = hn::IfThenElseZero(all, hn::LoadU(d, taus + at));
+            front = front_of(j, nu, place, tau, tau_depth, j.fade > 0.0F ? faces : own, own, selected);
+        }
         const W contour =
             j.draws_contours ? contour_of(j, line, place, tau_depth, hn::Eq(front, zero), selected) : zero;
         hn::StoreU(front, d, selected.front + at);
