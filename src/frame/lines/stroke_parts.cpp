@@ -25,13 +25,14 @@ double tapered(double from_end, double taper) noexcept {
 // beside it, would be a bead.
 double thinned(double length, double taper) noexcept { return length < 2.0 * taper ? length / (2.0 * taper) : 1.0; }
 
+float strength_at(const DrawnAs& as, const visibility::Piece& piece, float share) noexcept {
+    return (1.0F - share) * as.strength[piece.a] + share * as.strength[piece.b];
+}
+
 // By its strength there.
 float faded(const DrawnAs& as, const visibility::Piece& piece, float share) noexcept {
-    if (as.strength == nullptr || !(as.upper > as.lower || as.cut)) return 1.0F;
-    const float strength = (1.0F - share) * as.strength[piece.a] + share * as.strength[piece.b];
-    if (as.cut && strength < as.lower) return 0.0F;
-    if (!(as.upper > as.lower)) return 1.0F;
-    const float full = std::clamp((strength - as.lower) / (as.upper - as.lower), 0.0F, 1.0F);
+    if (as.strength == nullptr || !(as.upper > as.lower)) return 1.0F;
+    const float full = std::clamp((strength_at(as, piece, share) - as.lower) / (as.upper - as.lower), 0.0F, 1.0F);
     return 1.0F - as.style->fade * (1.0F - full);
 }
 
@@ -181,7 +182,28 @@ void StrokeParts::draw(const DrawnAs& as, const Part& part) {
     if (hidden && style.hidden == HiddenParts::dashed)
         add_dashes(as, part);
     else
-        add(as, part, begin, end);
+        add_strong(as, part, begin, end);
+}
+
+// From one place along a part to another, but for what is too weak.
+void StrokeParts::add_strong(const DrawnAs& as, const Part& part, double from, double to) {
+    if (!as.cut) return add(as, part, from, to);
+    const auto strength = [&](std::int64_t i) {
+        return static_cast<double>(
+            strength_at(as, found_.lines.pieces[place_[i].piece], static_cast<float>(place_[i].share)) - as.lower);
+    };
+    double begin = from; // of what is strong enough, as far as the last place
+    bool strong = strength(0) >= 0.0;
+    for (std::int64_t i = 1; i < place_.size() && place_[i - 1].at < to; ++i) {
+        const double a = strength(i - 1);
+        const double b = strength(i);
+        if (strong == (b >= 0.0)) continue;
+        const double at = std::clamp(glm::mix(place_[i - 1].at, place_[i].at, a / (a - b)), from, to);
+        if (strong && at > begin) add(as, part, begin, at);
+        begin = at;
+        strong = !strong;
+    }
+    if (strong && to > begin) add(as, part, begin, to);
 }
 
 // Those that are seen: a line that passes beside the eye is as long as numbers go.
@@ -203,7 +225,7 @@ void StrokeParts::add_dashes(const DrawnAs& as, const Part& part) {
         next = std::max(next, std::floor((place_[i].at + seen.low * span - begin) / step));
         for (; next <= std::min(last, dashes - 1.0); next += 1.0) {
             const double middle = begin + (next + 0.5) * step;
-            add(as, part, middle - 0.5 * dash * step / period, middle + 0.5 * dash * step / period);
+            add_strong(as, part, middle - 0.5 * dash * step / period, middle + 0.5 * dash * step / period);
         }
     }
 }

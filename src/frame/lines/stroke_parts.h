@@ -65,6 +65,7 @@ private:
     [[nodiscard]] Pen pen_of(const DrawnAs& as, const Part& part) const noexcept;
     [[nodiscard]] Wobble wobble_of(const DrawnAs& as, std::int32_t line) const noexcept;
     [[nodiscard]] double from_origin(std::int32_t line, double at) const noexcept;
+    void add_strong(const DrawnAs& as, const Part& part, double from, double to);
     void add(const DrawnAs& as, const Part& part, double from, double to);
     void put(const DrawnAs& as, const Part& part, const Pen& pen, drawing::StrokePoint point, double at);
     void wobble(const DrawnAs& as, const Part& part, const drawing::Stroke& stroke);
