@@ -100,6 +100,31 @@ TEST(Creases, ThatFadeGoOnSmoothly) {
         EXPECT_NE(shared.patch, found.creases.patch[shared.face]);
 }
 
+// The wall of a step that fades ends in a tip: what is above and below it are two patches, cut on from there.
+TEST(Creases, AroundATipPartWhatIsAboveAndBelow) {
+    const Found found(test::fading_step(40));
+    EXPECT_EQ(found.creases.patches, 3);
+    std::int64_t cut = 0;
+    for (std::int64_t face = 0; face < found.shape.faces(); ++face) {
+        const auto p = found.shape.corners(face);
+        const glm::dvec3 middle = (p[0] + p[1] + p[2]) / 3.0;
+        for (std::int64_t other = 0; other < face; ++other) {
+            const auto q = found.shape.corners(other);
+            const glm::dvec3 its = (q[0] + q[1] + q[2]) / 3.0;
+            if (std::abs(middle.y) < 1e-9 || std::abs(its.y) < 1e-9) continue; // of the wall
+            const bool apart = std::min(middle.x, its.x) > 0.0 && (middle.y < 0.0) != (its.y < 0.0);
+            EXPECT_FALSE(apart && found.creases.patch[face] == found.creases.patch[other]);
+        }
+        for (std::int64_t side = 3 * face; side < 3 * face + 3; ++side) {
+            if (found.creases.cut[side] != 2) continue;
+            ++cut;
+            EXPECT_LT(middle.x, 0.1);
+        }
+    }
+    EXPECT_GT(cut, 10);
+    EXPECT_GT(found.creases.shared.size(), 20);
+}
+
 // A tube with one crease along it: a patch that meets only itself.
 TEST(Creases, AlongATubePartIt) {
     Triangles tube;
