@@ -140,6 +140,14 @@ bool StrokeParts::is_whole(const Part& part) const noexcept {
     return line.closed && !part.free_begin && !part.free_end && length_of(part.interval) >= lengths_.whole(line);
 }
 
+// What is seen of a line for less than half its width, and hidden before or behind that: where a line comes out from
+// behind another in its last pixel it says nothing.
+bool StrokeParts::is_dot(const LineStyle& style, const Part& part) const noexcept {
+    const visibility::Line& line = found_.lines.lines[part.interval.line];
+    return part.layers == 0 && length_of(part.interval) < 0.5 * static_cast<double>(style.width) &&
+           length_of(part.interval) < lengths_.whole(line);
+}
+
 glm::dvec2 StrokeParts::seen_at(const visibility::Subject& subject, const Place& place) const {
     return visibility::see(subject.view, visibility::cubic(subjects_, found_.lines.pieces[place.piece]).at(place.share))
         .place;
@@ -175,7 +183,7 @@ void StrokeParts::draw(const DrawnAs& as, const Part& part) {
         begin += gap_at(as, {in.line, in.begin_piece, in.begin_share, in.begin_at, in.begin_sine});
         end -= gap_at(as, {in.line, in.end_piece, in.end_share, in.end_at, in.end_sine});
     }
-    if (!(end > begin)) return;
+    if (!(end > begin) || is_dot(style, part)) return;
     if (end - begin < static_cast<double>(style.shortest) && (part.free_begin || part.free_end || hidden)) return;
     find_places(part);
     find_knots(as, part);

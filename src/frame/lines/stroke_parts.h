@@ -58,6 +58,7 @@ private:
     void find_places(const Part& part);
     // Of a closed line, all of it.
     [[nodiscard]] bool is_whole(const Part& part) const noexcept;
+    [[nodiscard]] bool is_dot(const LineStyle& style, const Part& part) const noexcept;
     void draw(const DrawnAs& as, const Part& part);
     void add_dashes(const DrawnAs& as, const Part& part);
     [[nodiscard]] Shares in_window(const DrawnAs& as, std::int64_t place, double beside) const;
