@@ -17,28 +17,120 @@ struct EdgePlace {
     BruteMesh::Point out; // unit: in the middle between the normals of both sides
     // Its edge, an arc about the z axis where the radius is not 0.
     BruteMesh::Point from, to;
+    BruteMesh::Point from_tangent{}, to_tangent{}; // unit, of the smooth curve through the edges' ends; 0: straight
     double radius = 0.0;
     double angle = 0.0; // between the faces, degrees
 };
 
+// The nearest place between two.
+inline BruteMesh::Point foot_on(const BruteMesh::Point& from, const BruteMesh::Point& to, const BruteMesh::Point& p) {
+    const BruteMesh::Point along = BruteMesh::less(to, from);
+    const double share = BruteMesh::dot(BruteMesh::less(p, from), along) / BruteMesh::dot(along, along);
+    BruteMesh::Point foot;
+    for (std::size_t c = 0; c < 3; ++c) foot[c] = from[c] + std::clamp(share, 0.0, 1.0) * along[c];
+    return foot;
+}
+
+// A place of an edge's smooth curve: a cubic whose handles are those of an arc, 1 / cos^2 of a quarter of its angle.
+inline BruteMesh::Point on_smooth_edge(const EdgePlace& e, double t) {
+    const BruteMesh::Point chord = BruteMesh::less(e.to, e.from);
+    const double size = BruteMesh::length(chord);
+    const auto handle = [&](const BruteMesh::Point& tangent) {
+        const double straight = BruteMesh::length(tangent) > 0.0 ? BruteMesh::dot(tangent, chord) / size : 1.0;
+        return size * 2.0 / (1.0 + straight);
+    };
+    const double a = handle(e.from_tangent);
+    const double b = handle(e.to_tangent);
+    const double s = 1.0 - t;
+    BruteMesh::Point p;
+    for (std::size_t c = 0; c < 3; ++c)
+        p[c] = s * s * (1.0 + 2.0 * t) * e.from[c] + t * t * (1.0 + 2.0 * s) * e.to[c] +
+               s * s * t * a * e.from_tangent[c] - t * t * s * b * e.to_tangent[c];
+    return p;
+}
+
+inline double distance_to_edge(const EdgePlace& e, const BruteMesh::Point& p) {
+    constexpr int parts = 16;
+    BruteMesh::Point foot = foot_on(e.from, e.to, p);
+    if (e.radius > 0.0) {
+        const double by = e.radius / std::hypot(foot[0], foot[1]);
+        foot[0] *= by;
+        foot[1] *= by;
+    }
+    double least = BruteMesh::length(BruteMesh::less(p, foot));
+    if (e.radius > 0.0 || (BruteMesh::length(e.from_tangent) == 0.0 && BruteMesh::length(e.to_tangent) == 0.0) ||
+        least > BruteMesh::length(BruteMesh::less(e.to, e.from)))
+        return least;
+    least = 1e300;
+    BruteMesh::Point last = e.from;
+    for (int k = 1; k <= parts; ++k) {
+        const BruteMesh::Point next = on_smooth_edge(e, static_cast<double>(k) / parts);
+        least = std::min(least, BruteMesh::length(BruteMesh::less(p, foot_on(last, next, p))));
+        last = next;
+    }
+    return least;
+}
+
 // From the nearest of the places' edges that bend by so many degrees; the second place of each edge is passed over.
 inline double distance_to_edges(const std::vector<EdgePlace>& places, double least_angle, const BruteMesh::Point& p) {
     double least = 1e300;
-    for (std::size_t i = 0; i < places.size(); i += 2) {
-        const EdgePlace& e = places[i];
-        if (e.angle < least_angle) continue;
-        const BruteMesh::Point along = BruteMesh::less(e.to, e.from);
-        const double share = BruteMesh::dot(BruteMesh::less(p, e.from), along) / BruteMesh::dot(along, along);
-        BruteMesh::Point foot;
-        for (std::size_t c = 0; c < 3; ++c) foot[c] = e.from[c] + std::clamp(share, 0.0, 1.0) * along[c];
-        if (e.radius > 0.0) {
-            const double by = e.radius / std::hypot(foot[0], foot[1]);
-            foot[0] *= by;
-            foot[1] *= by;
-        }
-        least = std::min(least, BruteMesh::length(BruteMesh::less(p, foot)));
-    }
+    for (std::size_t i = 0; i < places.size(); i += 2)
+        if (places[i].angle >= least_angle) least = std::min(least, distance_to_edge(places[i], p));
     return least;
+}
+
+// A curved edge of the shape is a row of chords in its mesh.  Where two of them go on most straight, of all that meet
+// there, and turn by less than 40 degrees, the curve has the direction of the circle through their three ends; beside a
+// corner an edge is an arc by its other end.
+inline void find_tangents(std::vector<EdgePlace>& places) {
+    constexpr double corner = 0.766;
+    using Point = BruteMesh::Point;
+    std::map<Point, std::vector<std::pair<std::size_t, Point>>> at; // edges, and their way from there
+    for (std::size_t i = 0; i < places.size(); i += 2) {
+        at[places[i].from].emplace_back(i, BruteMesh::less(places[i].to, places[i].from));
+        at[places[i].to].emplace_back(i, BruteMesh::less(places[i].from, places[i].to));
+    }
+    for (const auto& [vertex, ways] : at) {
+        const auto straight = [&, &ways = ways](std::size_t i, std::size_t k) {
+            const Point& a = ways[i].second;
+            const Point& b = ways[k].second;
+            return -BruteMesh::dot(a, b) / (BruteMesh::length(a) * BruteMesh::length(b));
+        };
+        const auto next = [&, &ways = ways](std::size_t i) { // itself: it ends
+            std::size_t best = i;
+            for (std::size_t k = 0; k < ways.size(); ++k)
+                if (k != i && straight(i, k) > (best == i ? corner : straight(i, best))) best = k;
+            return best;
+        };
+        for (std::size_t i = 0; i < ways.size(); ++i) {
+            const std::size_t k = next(i);
+            if (k == i || next(k) != i) continue;
+            const Point& a = ways[i].second;
+            const Point& b = ways[k].second;
+            Point out; // along a
+            for (std::size_t c = 0; c < 3; ++c) out[c] = a[c] / BruteMesh::dot(a, a) - b[c] / BruteMesh::dot(b, b);
+            EdgePlace& e = places[ways[i].first];
+            const double size = (e.from == vertex ? 1.0 : -1.0) * BruteMesh::length(out);
+            for (std::size_t c = 0; c < 3; ++c) (e.from == vertex ? e.from_tangent : e.to_tangent)[c] = out[c] / size;
+        }
+    }
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        EdgePlace& e = places[i];
+        if (i % 2 == 1) {
+            e.from_tangent = places[i - 1].from_tangent;
+            e.to_tangent = places[i - 1].to_tangent;
+            continue;
+        }
+        const Point chord = BruteMesh::less(e.to, e.from);
+        const auto mirror = [&](const Point& tangent, Point& to) { // about the chord
+            const double along = 2.0 * BruteMesh::dot(tangent, chord) / BruteMesh::dot(chord, chord);
+            for (std::size_t c = 0; c < 3; ++c) to[c] = along * chord[c] - tangent[c];
+        };
+        const bool has_from = BruteMesh::length(e.from_tangent) > 0.0;
+        const bool has_to = BruteMesh::length(e.to_tangent) > 0.0;
+        if (has_from && !has_to) mirror(e.from_tangent, e.to_tangent);
+        if (has_to && !has_from) mirror(e.to_tangent, e.from_tangent);
+    }
 }
 
 // Edges that bend by more than some degrees, at their ends and in between; those about the z axis whose radius is one
@@ -94,9 +186,10 @@ inline std::vector<EdgePlace> edge_places(const hrbfnpr::test::Triangles& mesh, 
                 arc = radius;
                 break;
             }
-            places.push_back({p, out, a, b, arc, angle});
+            places.push_back({p, out, a, b, {}, {}, arc, angle});
         }
     }
+    find_tangents(places);
     return places;
 }
 

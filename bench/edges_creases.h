@@ -16,7 +16,7 @@ namespace bench {
 
 // In % of the diagonal.
 struct CreaseErrors {
-    double p95 = 0.0, most = 0.0; // of traced points from the mesh's edges, which are chords of true ones
+    double p95 = 0.0, most = 0.0; // of traced points from the curves through the mesh's edges
     double corner_p95 = 0.0;      // of the ends of the mesh's edges, which are on true ones, from traced lines
     double found = 0.0;           // share of these that have a traced line within 0.1 %
     std::int64_t points = 0;      // that were compared

@@ -139,13 +139,13 @@ public:
 
     // Evaluations a second, over those of one smooth fit of as many samples; at places beside the surface.
     [[nodiscard]] double speed() const {
-        std::vector<double> points, normals, gradient;
+        std::vector<double> points, normals;
         sample(static_cast<int>(info.centres), points, normals);
         const scenes::Model smooth = bench::fit(context_, points, normals, HRBFNPR_TRIM_NEVER);
         std::vector<double> queries, ignored;
         sample(60000, queries, ignored);
         for (std::size_t i = 0; i < queries.size(); ++i) queries[i] += unit_ * random(i, 3);
-        gradient.resize(queries.size());
+        std::vector<double> gradient(queries.size());
         const Comparison times = compare(
             5, [&] { (void)values_of(smooth, queries, &gradient); },
             [&] { (void)values_of(model_, queries, &gradient); });

@@ -3,6 +3,7 @@
 
 #include "curves/edge_halving.h"
 #include "curves/mesh_topology.h"
+#include "curves/settle_alone.h"
 #include "surface/project.h"
 #include "surface/sheets_meet.h"
 
@@ -25,6 +26,7 @@ constexpr double farthest = 1.5;       // from the edge
 constexpr double shortest_edge = 0.01; // that is halved
 constexpr double least_sine = 0.02;    // of half the angle between sheets: below it curvature may be more
 constexpr double equal = 1e-7;         // sheets that are no farther apart, and as parallel, are one there
+constexpr double alike = 0.02;         // as far apart, and as parallel: what is between them is not looked for
 
 // Of an edge whose ends belong to different sheets.
 struct EdgeNode {
@@ -32,6 +34,7 @@ struct EdgeNode {
     CreaseNode at;
     std::array<glm::dvec3, 2> gradient; // of the sheets of the edge's start and end
     std::array<bool, 2> equal;          // the start may belong to the end's sheet, the end to the start's
+    bool alike;                         // both, nearly
 };
 
 // Of a triangle whose corners belong to three sheets.
@@ -140,12 +143,15 @@ void Splitter::look_at(EdgeNode& node) const {
     const std::array<std::int32_t, 2> end{start_of(mesh_, node.edge), end_of(mesh_, node.edge)};
     const std::array<glm::dvec3, 2> place{mesh_.position[end[0]], mesh_.position[end[1]]};
     std::array<double, 2> off{}; // of either end from the other's sheet
+    node.alike = true;
     for (std::size_t k = 0; k < 2; ++k) {
         const surface::SheetValue other = surface::sheet_at(sheets_, sheet_[end[1 - k]], place[k]);
         const double slope = glm::length(other.gradient);
         off[k] = other.value / slope;
         const glm::dvec3 own = glm::normalize(mesh_.gradient[end[k]]);
-        node.equal[k] = std::abs(off[k]) <= equal * mesh_.side && glm::distance(own, other.gradient / slope) <= equal;
+        const double turned = glm::distance(own, other.gradient / slope);
+        node.equal[k] = std::abs(off[k]) <= equal * mesh_.side && turned <= equal;
+        node.alike = node.alike && std::abs(off[k]) <= alike * mesh_.side && turned <= alike;
     }
     double share = off[0] / (off[0] + off[1]);
     if (!(share > 0.0 && share < 1.0)) share = 0.5;
@@ -166,7 +172,7 @@ void Splitter::find_edges(const base::Progress& progress) {
         node_[e] = -1;
         if (!is_first(mesh_, e) || sheet_[start_of(mesh_, e)] == sheet_[end_of(mesh_, e)]) continue;
         node_[e] = static_cast<std::int32_t>(edges_.size());
-        edges_.push_back({e, {}, {}, {}});
+        edges_.push_back({e, {}, {}, {}, false});
     }
     for (std::int64_t i = 0; i < edges_.size(); ++i)
         if (const std::int64_t other = opposite_of(mesh_, edges_[i].edge); other >= 0)
@@ -234,7 +240,7 @@ bool Splitter::halve(const base::Progress& progress) {
         edge.push_back(e);
     };
     for (const EdgeNode& node : edges_)
-        if (!node.at.exact) add(node.edge);
+        if (!node.at.exact && !node.alike) add(node.edge);
     for (const CornerNode& node : corners_) {
         if (node.at.exact) continue;
         std::int64_t longest = 3 * node.triangle;
@@ -450,6 +456,7 @@ void Splitter::find_chains() {
 SharpMesh Splitter::run(const base::Progress& progress) {
     find_sheets(0, progress);
     for (int round = 0;; ++round) {
+        settle_alone(runtime_, sheets_, alike, mesh_, sheet_);
         find_edges(progress.part(0.0, 0.0));
         for (int i = 0; i < most_settlings && settle_equal(); ++i) find_edges(progress.part(0.0, 0.0));
         find_corners(progress.part(0.0, 0.0));

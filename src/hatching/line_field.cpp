@@ -14,6 +14,8 @@ constexpr int averages = 48;
 // How strongly lines are pulled to unit length, and how often.
 constexpr double to_unit = 0.2;
 constexpr int pulls = 2;
+// What is less sure says nothing on a sheet of its own, as a flat face across the axis is.
+constexpr double unsure = 1e-3;
 
 void average(const base::Runtime& runtime, const SampleGraph& graph, const base::Array<Bend>& from,
              base::Array<Bend>& to, const base::Progress& progress) {
@@ -67,11 +69,19 @@ base::Array<Complex> guide_by_curvature(const base::Runtime& runtime, const Samp
     return guide;
 }
 
-// As long as it is not along the normal.
+// As long as it is not along the normal.  Between creases nothing from beside a flat face says more of it than rounding
+// errors do: it has another axis.
 void add_axis(const SampleGraph& graph, const FieldSettings& settings, base::Array<Complex>& guide) {
+    const glm::dvec3 size = glm::abs(settings.axis);
+    const glm::dvec3 other = size.x <= size.y && size.x <= size.z ? glm::dvec3(1.0, 0.0, 0.0)
+                             : size.y <= size.z                   ? glm::dvec3(0.0, 1.0, 0.0)
+                                                                  : glm::dvec3(0.0, 0.0, 1.0);
     for (std::int64_t i = 0; i < graph.size(); ++i) {
         const glm::dvec3 around = glm::cross(settings.axis, graph.normal[i]);
         guide[i] += settings.axis_weight * glm::dot(around, around) * std::polar(1.0, 2.0 * graph.angle(i, around));
+        if (graph.sheet.empty() || std::abs(guide[i]) >= unsure) continue;
+        const glm::dvec3 across = glm::cross(other, graph.normal[i]);
+        guide[i] += unsure * glm::dot(across, across) * std::polar(1.0, 2.0 * graph.angle(i, across));
     }
 }
 

@@ -231,6 +231,19 @@ TEST(Creases, FacesInOnePlaneAreOne) {
 }
 
 // Beyond the inner corner of a notch both sheets of an edge of its floor are 0, and so is f, but there is no edge.
+// Two sheets that differ by 1 % of a cell at most, as parts of one patch do, and a third one through both: the steps
+// between are nothing to draw.
+TEST(Creases, AreNotInStepsOfNothing) {
+    const glm::dmat3 turn = odd_turn();
+    const auto lower = turned(plane({0, 0, 1}, 0.0), turn);
+    const auto upper = turned(plane({1e-3, 0, 1}, 0.0), turn);
+    const auto wall = turned(plane({0.1, 1.0, 0.02}, 0.0), turn);
+    const SharpShape shape(cube(1.0), min_of({Sharp(lower), max_of({Sharp(upper), Sharp(wall)})}));
+    const auto lines = line_set(shape, 0.1);
+    for (std::int64_t c = 0; c < lines->creases().count(); ++c)
+        EXPECT_LT(std::abs(lines->creases().point[lines->creases().first[c]].angle()), 1.0) << c;
+}
+
 TEST(Creases, EndAtInnerCorners) {
     const double slope = std::tan(glm::radians(30.0));
     const std::vector<glm::dvec2> outline{{-1.0, -1.0}, {1.0, -1.0}, {1.0, 0.05 + 0.9 * slope},

@@ -236,6 +236,39 @@ TEST_F(Hatch, WhatIsHiddenForAHaloIsDrawn) {
     }
 }
 
+// Between two hidden parts a line is three times as long as others at least, and narrower up to twice as much.
+TEST_F(Hatch, ShortPartsBetweenHiddenOnesAreLeftOut) {
+    add_line(set, {0.0, -1.0, 1.0, 0}, 0.005);
+    set.spacing = 0.02;
+    layer.radius = 0.5F;
+    layer.hatch_shortest = 6.0F;
+    cluster();
+    marks::PointSet slotted(runtime.memory); // of half its width
+    slotted.spacing = 2.0 / 60;
+    for (int i = 0; i < 60; ++i)
+        for (int j = 0; j < 60; ++j)
+            if (i < 15 || i >= 45)
+                add_stipple(slotted, {(i + 0.5) / 30.0 - 1.0, (j + 0.5) / 30.0 - 1.0, 0.0}, {0.0, 0.0, 1.0});
+    const marks::PointSet wall = clustered(runtime, std::move(slotted));
+    const auto radius_in_slot = [&](double wide) { // pixels
+        glm::dmat4 narrow(1.0);
+        narrow[0][0] = 0.005 * wide;
+        narrow[3] = {0.0, 0.0, 2.0, 1.0};
+        double radius = 0.0;
+        draw_behind(wall, narrow);
+        EXPECT_GE(frame.drawing().strokes.size(), 2);
+        if (frame.drawing().strokes.size() == 3)
+            for (const StrokePoint& p : points_of(1)) radius = std::max(radius, static_cast<double>(p.radius));
+        return radius;
+    };
+    const double whole = radius_in_slot(40.0);
+    EXPECT_GT(whole, 0.2);
+    EXPECT_EQ(radius_in_slot(16.0), 0.0);
+    const double some = radius_in_slot(25.0);
+    EXPECT_GT(some, 0.1 * whole);
+    EXPECT_LT(some, 0.9 * whole);
+}
+
 // Helices around the upright cylinder that fills the picture's width; each rises by so much in a length of 1 around it.
 void add_helix(marks::PointSet& set, double rise) {
     constexpr int marks = 1200;

@@ -223,10 +223,29 @@ TEST_F(LineCreases, FadesWithItsAngle) {
         }
     EXPECT_LT(least, 0.01F);
     EXPECT_EQ(most, 1.0F);
-    styles[0].lower = styles[0].upper = 170.0; // sharper ones alone
-    draw();
-    for (const Stroke& stroke : strokes_of(LineKind::crease)) // parts of the contour
-        for (const StrokePoint& p : points_of(stroke)) EXPECT_EQ(p.opacity, 0.0F);
+}
+
+// Of a part of the contour what is sharp enough, and no stroke that would not be seen: a plotter draws any.
+TEST_F(LineCreases, WeakPartsOfTheContourHaveNoStrokes) {
+    const auto wedge = test::fading_wedge();
+    look_at(*wedge, {-1.0, 0.0, -0.24});
+    styles = {style_of(LineKind::crease, 1.0F)};
+    const auto length_of = [&](double least) {
+        styles[0].lower = styles[0].upper = least;
+        draw();
+        float sum = 0.0F;
+        for (const Stroke& stroke : strokes_of(LineKind::crease)) {
+            for (const StrokePoint& p : points_of(stroke)) EXPECT_EQ(p.opacity, 1.0F);
+            sum += points_of(stroke).back().length;
+        }
+        return sum;
+    };
+    const float all = length_of(15.0);
+    const float some = length_of(89.0);
+    EXPECT_GT(some, 0.1F * all);
+    EXPECT_LT(some, 0.9F * all);
+    EXPECT_EQ(length_of(170.0), 0.0F);
+    EXPECT_TRUE(strokes_of(LineKind::crease).empty());
 }
 
 // Where it is sharper than 27 degrees it is a part of the contour; from there it goes on, to 15.

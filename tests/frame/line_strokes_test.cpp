@@ -298,6 +298,24 @@ TEST_F(LineStrokes, LayersMultiply) {
 }
 
 // Of a ball and a ring, as one goes round them.
+// Of a circle of the radius 0.5 a larger one in front of it, of 0.6, leaves an arc: a dot, if it is shorter than half
+// the line's width.
+TEST_F(LineStrokes, WhatIsSeenIsNoDot) {
+    style[0].width = 8.0F;
+    style[0].hidden = HiddenParts::none;
+    const auto strokes = [&](double pixels) {
+        const double cosine = std::cos(0.5 * pixels / (0.5 * 200.0));
+        double d = 0.1; // between the middles: 0.6^2 = 0.5^2 + d^2 + d cosine
+        for (int i = 0; i < 20; ++i) d -= (0.25 + d * d + d * cosine - 0.36) / (2.0 * d + cosine);
+        const std::array items{item_of(&ball_lines, moved({d, 0.0, -2.0}, 0.5)), item_of(&ball_lines, moved({}, 0.6))};
+        draw(items);
+        return strokes_of(0);
+    };
+    EXPECT_TRUE(strokes(3.0).empty());
+    ASSERT_EQ(strokes(6.0).size(), 1U);
+    EXPECT_NEAR(length_of(strokes_of(0)[0]), 6.0, 0.3);
+}
+
 TEST_F(LineStrokes, LinesKeepTheirNumbersFromFrameToFrame) {
     std::vector<frame::Item> items{item_of(&ball_lines), item_of(&ring_lines)};
     items[0].transform[3] = {0.0, 0.0, 3.0, 1.0};

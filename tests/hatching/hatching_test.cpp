@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Evenly spaced, nested lines: distances, levels, directions, ends.
 #include "support/line_spacing.h"
+#include "support/sharp_shapes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -156,6 +157,40 @@ TEST(Hatching, IsStraightOnAPlane) {
     const ThinSlab slab(0.004);
     const PointSet both = make(slab, hatched(0.03));
     expect_even(both, 0.13, 0.1);
+}
+
+// Flat, but for rounding errors of its curvature.
+FieldFunction fitted_plane(const glm::dvec3& n) {
+    return [n](const glm::dvec3& p) {
+        const double k = 1e-9 * std::sin(7.0 * (p.x + p.y + p.z));
+        const double l = 1e-9 * std::sin(5.0 * (p.x - 2.0 * p.y - p.z));
+        return Field{glm::dot(n, p) - 1.0, n, {k, l, k + l, k - l, l, k}};
+    };
+}
+
+// The two sides across the axis have nothing that says more.
+TEST(Hatching, IsStraightOnEachSideOfACube) {
+    std::vector<Sharp> sides;
+    for (int axis = 0; axis < 3; ++axis)
+        for (const double sign : {1.0, -1.0}) {
+            glm::dvec3 n(0.0);
+            n[axis] = sign;
+            sides.emplace_back(fitted_plane(n));
+        }
+    const SharpShape box(cube(1.1), max_of(std::move(sides)));
+    const PointSet set = make(box, hatched(0.03));
+    const Layer& marks = hatch_of(set);
+    std::array<glm::dvec3, 6> first{};
+    for (std::int64_t i = 0; i < marks.count(); ++i) {
+        const glm::dvec3 p = vec(marks.position, i);
+        const glm::dvec3 q = glm::abs(p);
+        if (q.x + q.y + q.z - std::max({q.x, q.y, q.z}) - std::min({q.x, q.y, q.z}) > 0.97) continue; // at an edge
+        const int axis = q.x > q.y && q.x > q.z ? 0 : q.y > q.z ? 1 : 2;
+        glm::dvec3& along = first[static_cast<std::size_t>(2 * axis + (p[axis] > 0.0 ? 1 : 0))];
+        if (along == glm::dvec3(0.0)) along = vec(marks.direction, i);
+        EXPECT_GT(std::abs(glm::dot(along, vec(marks.direction, i))), 0.98) << i;
+    }
+    for (const glm::dvec3& along : first) EXPECT_NE(along, glm::dvec3(0.0));
 }
 
 TEST(Hatching, ABudgetIsAboutWhatIsMade) {

@@ -180,4 +180,33 @@ Triangles height_field(int n, Height&& height) {
     return mesh;
 }
 
+// A step along y = 0 of the height x^2 / 4 that fades at x = 0, up where y > 0; n: squares along each axis.
+inline Triangles fading_step(int n) {
+    Triangles mesh;
+    std::vector<std::int32_t> vertex[2]; // of both halves
+    const auto height = [](double x) { return x > 0.0 ? 0.25 * x * x : 0.0; };
+    for (int upper = 0; upper < 2; ++upper)
+        for (int j = 0; j <= n / 2; ++j)
+            for (int i = 0; i <= n; ++i) {
+                const double x = -1.0 + 2.0 * i / n;
+                const bool joined = upper == 1 && j == 0 && 2 * i <= n;
+                vertex[upper].push_back(
+                    joined ? vertex[0][static_cast<std::size_t>(i)]
+                           : mesh.add(x, (upper == 1 ? 2.0 : -2.0) * j / n, upper == 1 ? height(x) : 0.0));
+            }
+    const auto at = [&](int upper, int i, int j) { return vertex[upper][static_cast<std::size_t>(j * (n + 1) + i)]; };
+    for (int i = 0; i < n; ++i) {
+        for (int j = 0; j < n / 2; ++j) {
+            mesh.face(at(1, i, j), at(1, i + 1, j), at(1, i + 1, j + 1));
+            mesh.face(at(1, i, j), at(1, i + 1, j + 1), at(1, i, j + 1));
+            mesh.face(at(0, i, j), at(0, i + 1, j + 1), at(0, i + 1, j));
+            mesh.face(at(0, i, j), at(0, i, j + 1), at(0, i + 1, j + 1));
+        }
+        if (2 * i < n) continue;
+        mesh.face(at(0, i, 0), at(0, i + 1, 0), at(1, i + 1, 0));
+        if (2 * i > n) mesh.face(at(0, i, 0), at(1, i + 1, 0), at(1, i, 0));
+    }
+    return mesh;
+}
+
 } // namespace hrbfnpr::test

@@ -21,6 +21,9 @@ constexpr float least_gap = 2.0F;
 // contour and its halo run out.  Up to the second of these, in halos, it is thinner.
 constexpr float halo_alone = 1.0F;
 constexpr float halo_and_more = 1.5F;
+// A part that is seen between two hidden ones is so many times as long at least: what runs along a contour is in its
+// halo, whose rim is not even.
+constexpr float between_hidden = 3.0F;
 // Near a tip points lie closer, since the width changes like a root there; pixels from it.
 constexpr std::array<float, 2> tip_points = {0.3F, 1.2F};
 
@@ -142,9 +145,10 @@ private:
         last_ = last;
         const bool whole = first == 0 && last + 1 == size();
         const float length = end_ - begin_;
-        if (!whole && !(length > 0.5F * shortest_)) return;
+        const float shortest = first > 0 && last + 1 < size() ? between_hidden * shortest_ : shortest_;
+        if (!whole && !(length > 0.5F * shortest)) return;
         fade_ = span_.fade;
-        if (!whole && shortest_ > 0.0F) fade_ *= std::clamp(2.0F * length / shortest_ - 1.0F, 0.0F, 1.0F);
+        if (!whole && shortest > 0.0F) fade_ *= std::clamp(2.0F * length / shortest - 1.0F, 0.0F, 1.0F);
         Stroke stroke;
         stroke.first = part_.made.points.size();
         stroke.layer = dot(first).layer;

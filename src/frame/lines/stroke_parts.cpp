@@ -25,13 +25,14 @@ double tapered(double from_end, double taper) noexcept {
 // beside it, would be a bead.
 double thinned(double length, double taper) noexcept { return length < 2.0 * taper ? length / (2.0 * taper) : 1.0; }
 
+float strength_at(const DrawnAs& as, const visibility::Piece& piece, float share) noexcept {
+    return (1.0F - share) * as.strength[piece.a] + share * as.strength[piece.b];
+}
+
 // By its strength there.
 float faded(const DrawnAs& as, const visibility::Piece& piece, float share) noexcept {
-    if (as.strength == nullptr || !(as.upper > as.lower || as.cut)) return 1.0F;
-    const float strength = (1.0F - share) * as.strength[piece.a] + share * as.strength[piece.b];
-    if (as.cut && strength < as.lower) return 0.0F;
-    if (!(as.upper > as.lower)) return 1.0F;
-    const float full = std::clamp((strength - as.lower) / (as.upper - as.lower), 0.0F, 1.0F);
+    if (as.strength == nullptr || !(as.upper > as.lower)) return 1.0F;
+    const float full = std::clamp((strength_at(as, piece, share) - as.lower) / (as.upper - as.lower), 0.0F, 1.0F);
     return 1.0F - as.style->fade * (1.0F - full);
 }
 
@@ -139,6 +140,14 @@ bool StrokeParts::is_whole(const Part& part) const noexcept {
     return line.closed && !part.free_begin && !part.free_end && length_of(part.interval) >= lengths_.whole(line);
 }
 
+// What is seen of a line for less than half its width, and hidden before or behind that: where a line comes out from
+// behind another in its last pixel it says nothing.
+bool StrokeParts::is_dot(const LineStyle& style, const Part& part) const noexcept {
+    const visibility::Line& line = found_.lines.lines[part.interval.line];
+    return part.layers == 0 && length_of(part.interval) < 0.5 * static_cast<double>(style.width) &&
+           length_of(part.interval) < lengths_.whole(line);
+}
+
 glm::dvec2 StrokeParts::seen_at(const visibility::Subject& subject, const Place& place) const {
     return visibility::see(subject.view, visibility::cubic(subjects_, found_.lines.pieces[place.piece]).at(place.share))
         .place;
@@ -174,14 +183,35 @@ void StrokeParts::draw(const DrawnAs& as, const Part& part) {
         begin += gap_at(as, {in.line, in.begin_piece, in.begin_share, in.begin_at, in.begin_sine});
         end -= gap_at(as, {in.line, in.end_piece, in.end_share, in.end_at, in.end_sine});
     }
-    if (!(end > begin)) return;
+    if (!(end > begin) || is_dot(style, part)) return;
     if (end - begin < static_cast<double>(style.shortest) && (part.free_begin || part.free_end || hidden)) return;
     find_places(part);
     find_knots(as, part);
     if (hidden && style.hidden == HiddenParts::dashed)
         add_dashes(as, part);
     else
-        add(as, part, begin, end);
+        add_strong(as, part, begin, end);
+}
+
+// From one place along a part to another, but for what is too weak.
+void StrokeParts::add_strong(const DrawnAs& as, const Part& part, double from, double to) {
+    if (!as.cut) return add(as, part, from, to);
+    const auto strength = [&](std::int64_t i) {
+        return static_cast<double>(
+            strength_at(as, found_.lines.pieces[place_[i].piece], static_cast<float>(place_[i].share)) - as.lower);
+    };
+    double begin = from; // of what is strong enough, as far as the last place
+    bool strong = strength(0) >= 0.0;
+    for (std::int64_t i = 1; i < place_.size() && place_[i - 1].at < to; ++i) {
+        const double a = strength(i - 1);
+        const double b = strength(i);
+        if (strong == (b >= 0.0)) continue;
+        const double at = std::clamp(glm::mix(place_[i - 1].at, place_[i].at, a / (a - b)), from, to);
+        if (strong && at > begin) add(as, part, begin, at);
+        begin = at;
+        strong = !strong;
+    }
+    if (strong && to > begin) add(as, part, begin, to);
 }
 
 // Those that are seen: a line that passes beside the eye is as long as numbers go.
@@ -203,7 +233,7 @@ void StrokeParts::add_dashes(const DrawnAs& as, const Part& part) {
         next = std::max(next, std::floor((place_[i].at + seen.low * span - begin) / step));
         for (; next <= std::min(last, dashes - 1.0); next += 1.0) {
             const double middle = begin + (next + 0.5) * step;
-            add(as, part, middle - 0.5 * dash * step / period, middle + 0.5 * dash * step / period);
+            add_strong(as, part, middle - 0.5 * dash * step / period, middle + 0.5 * dash * step / period);
         }
     }
 }

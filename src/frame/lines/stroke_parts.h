@@ -58,6 +58,7 @@ private:
     void find_places(const Part& part);
     // Of a closed line, all of it.
     [[nodiscard]] bool is_whole(const Part& part) const noexcept;
+    [[nodiscard]] bool is_dot(const LineStyle& style, const Part& part) const noexcept;
     void draw(const DrawnAs& as, const Part& part);
     void add_dashes(const DrawnAs& as, const Part& part);
     [[nodiscard]] Shares in_window(const DrawnAs& as, std::int64_t place, double beside) const;
@@ -65,6 +66,7 @@ private:
     [[nodiscard]] Pen pen_of(const DrawnAs& as, const Part& part) const noexcept;
     [[nodiscard]] Wobble wobble_of(const DrawnAs& as, std::int32_t line) const noexcept;
     [[nodiscard]] double from_origin(std::int32_t line, double at) const noexcept;
+    void add_strong(const DrawnAs& as, const Part& part, double from, double to);
     void add(const DrawnAs& as, const Part& part, double from, double to);
     void put(const DrawnAs& as, const Part& part, const Pen& pen, drawing::StrokePoint point, double at);
     void wobble(const DrawnAs& as, const Part& part, const drawing::Stroke& stroke);

@@ -11,6 +11,7 @@ namespace {
 
 constexpr double widest_band = 0.04; // diagonals: of the faces beyond a smooth cut that both sheets have ...
 constexpr double band_share = 0.4;   // ... of the distance from the crease, where it is nearer
+constexpr double widest_tip = 1.0;   // radians: of a patch that ends between two sides of another
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
 class Splitter {
@@ -18,8 +19,9 @@ public:
     Splitter(const base::Runtime& runtime, const Mesh& mesh, const base::Array<Side>& sides, Creases& creases,
              const base::Progress& progress)
         : runtime_(runtime), mesh_(mesh), creases_(creases), progress_(progress), across_(runtime.memory),
-          sets_(runtime.memory, mesh.faces()), label_(runtime.memory), distance_(runtime.memory),
-          from_cut_(runtime.memory), heap_(runtime.memory) {
+          seed_(runtime.memory), on_crease_(runtime.memory, mesh.vertex.size()),
+          cuts_(runtime.memory, mesh.vertex.size()), sets_(runtime.memory, mesh.faces()), label_(runtime.memory),
+          distance_(runtime.memory), from_cut_(runtime.memory), heap_(runtime.memory) {
         across_.resize_for_overwrite(3 * mesh.faces());
         std::fill(across_.begin(), across_.end(), -1);
         for_edges(sides, progress, [&](const Side* first, const Side* last) {
@@ -30,6 +32,9 @@ public:
     }
 
     void run() {
+        count_cuts();
+        find_fading();
+        find_tips();
         join_along_creases();
         spread_labels();
         progress_.check();
@@ -64,25 +69,94 @@ private:
         return (p[0] + p[1] + p[2]) / 3.0;
     }
 
-    // Faces at the vertices of such a crease belong to one of its sides, but for its ends, where both are one.
-    void join_along_creases() {
-        base::Array<std::int32_t> cuts(runtime_.memory, mesh_.vertex.size()); // sides that are cut, at each vertex
-        base::Array<std::uint8_t> on_crease(runtime_.memory, mesh_.vertex.size());
+    // Sides that are cut, at each vertex: two of each crease.
+    void count_cuts() {
         for (std::int64_t side = 0; side < creases_.cut.size(); ++side) {
             if (creases_.cut[side] == 0) continue;
             const Triangle& t = mesh_.triangle[side / 3];
-            ++cuts[t[static_cast<std::size_t>(side % 3)]];
-            ++cuts[t[static_cast<std::size_t>((side + 1) % 3)]];
+            ++cuts_[t[static_cast<std::size_t>(side % 3)]];
+            ++cuts_[t[static_cast<std::size_t>((side + 1) % 3)]];
         }
-        for (const Crease& crease : creases_.edge)
-            if (is_fading(crease))
-                for (const std::int32_t v : {crease.from, crease.to})
-                    on_crease[v] = cuts[v] > 2 ? 1 : 0; // one crease has two sides
+    }
+
+    void find_fading() {
+        for (const Crease& crease : creases_.edge) {
+            if (!is_fading(crease)) continue;
+            for (const std::int32_t v : {crease.from, crease.to}) on_crease_[v] = cuts_[v] > 2 ? 1 : 0;
+            for (const std::int32_t face : {crease.left, crease.right}) seed_.push_back(face);
+        }
+    }
+
+    using TwoEdges = std::array<std::int32_t, 2>;
+
+    // Where a step in a patch fades, its wall ends in a tip around which the patch goes from one crease to the other:
+    // one sheet cannot be both above and below the wall there.
+    void find_tips() {
+        base::Array<TwoEdges> edge(runtime_.memory, mesh_.vertex.size()); // the last ones of each vertex
+        std::fill(edge.begin(), edge.end(), TwoEdges{-1, -1});
+        for (std::int32_t i = 0; i < creases_.edge.size(); ++i)
+            for (const std::int32_t v : {creases_.edge[i].from, creases_.edge[i].to}) edge[v] = {i, edge[v][0]};
+        base::Array<std::array<double, 2>> angle(runtime_.memory, mesh_.vertex.size());
+        add_angles(edge, angle);
+        base::Array<std::uint8_t> passed(runtime_.memory, creases_.edge.size());
+        base::Array<std::int32_t> tips(runtime_.memory);
+        for (std::int32_t v = 0; v < mesh_.vertex.size(); ++v) {
+            if (!is_between_two(v, edge) || std::min(angle[v][0], angle[v][1]) > widest_tip) continue;
+            const std::int32_t around = pair_of(edge[v][0])[angle[v][0] < angle[v][1] ? 1 : 0];
+            for (const std::int32_t i : edge[v]) follow_from_tip(v, i, around, edge, passed);
+            tips.push_back(v);
+        }
+        for (const std::int32_t v : tips) on_crease_[v] = 0;
+    }
+
+    // Of both patches, at vertices where they and no others meet.
+    void add_angles(const base::Array<TwoEdges>& edge, base::Array<std::array<double, 2>>& angle) const {
+        for (std::int64_t face = 0; face < mesh_.faces(); ++face) {
+            const auto p = mesh_.corners(face);
+            for (std::size_t k = 0; k < 3; ++k) {
+                const std::int32_t v = mesh_.triangle[face][k];
+                if (!is_between_two(v, edge)) continue;
+                const glm::dvec3 a = p[(k + 1) % 3] - p[k];
+                const glm::dvec3 b = p[(k + 2) % 3] - p[k];
+                angle[v][creases_.patch[face] == pair_of(edge[v][0])[0] ? 0 : 1] +=
+                    std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
+            }
+        }
+    }
+
+    [[nodiscard]] std::array<std::int32_t, 2> pair_of(std::int32_t edge) const noexcept {
+        const std::int32_t a = creases_.patch[creases_.edge[edge].left];
+        const std::int32_t b = creases_.patch[creases_.edge[edge].right];
+        return {std::min(a, b), std::max(a, b)};
+    }
+    [[nodiscard]] bool is_between_two(std::int32_t v, const base::Array<TwoEdges>& edge) const noexcept {
+        if (cuts_[v] != 4 || edge[v][1] < 0) return false;
+        const auto pair = pair_of(edge[v][0]);
+        return pair[0] != pair[1] && pair == pair_of(edge[v][1]);
+    }
+
+    // As far as the crease parts the same two patches.
+    void follow_from_tip(std::int32_t tip, std::int32_t first, std::int32_t around, const base::Array<TwoEdges>& edge,
+                         base::Array<std::uint8_t>& passed) {
+        std::int32_t v = tip;
+        for (std::int32_t i = first; passed[i] == 0;) {
+            passed[i] = 1;
+            const Crease& crease = creases_.edge[i];
+            seed_.push_back(creases_.patch[crease.left] == around ? crease.left : crease.right);
+            v = crease.from == v ? crease.to : crease.from;
+            on_crease_[v] = 1;
+            if (!is_between_two(v, edge)) return;
+            i = edge[v][0] == i ? edge[v][1] : edge[v][0];
+        }
+    }
+
+    // Faces at the vertices of such a crease belong to one of its sides, but for its ends, where both are one.
+    void join_along_creases() {
         for (std::int64_t side = 0; side < creases_.cut.size(); ++side) {
             if (creases_.cut[side] != 0 || across_[side] < 0) continue;
             const Triangle& t = mesh_.triangle[side / 3];
-            if (on_crease[t[static_cast<std::size_t>(side % 3)]] != 0 ||
-                on_crease[t[static_cast<std::size_t>((side + 1) % 3)]] != 0)
+            if (on_crease_[t[static_cast<std::size_t>(side % 3)]] != 0 ||
+                on_crease_[t[static_cast<std::size_t>((side + 1) % 3)]] != 0)
                 sets_.join(static_cast<std::int32_t>(side / 3), across_[side]);
         }
     }
@@ -112,14 +186,11 @@ private:
         distance_.resize_for_overwrite(mesh_.faces());
         std::fill(label_.begin(), label_.end(), -1);
         std::fill(distance_.begin(), distance_.end(), infinite);
-        for (const Crease& crease : creases_.edge) {
-            if (!is_fading(crease)) continue;
-            for (const std::int32_t face : {crease.left, crease.right}) {
-                if (distance_[face] == 0.0) continue;
-                label_[face] = sets_.of(face);
-                distance_[face] = 0.0;
-                heap_.push_back({0.0, face});
-            }
+        for (const std::int32_t face : seed_) {
+            if (distance_[face] == 0.0) continue;
+            label_[face] = sets_.of(face);
+            distance_[face] = 0.0;
+            heap_.push_back({0.0, face});
         }
         spread([&](std::int32_t face, std::int32_t from, double before, double distance) {
             if (before > distance_[from] || distance >= distance_[face]) return false;
@@ -187,7 +258,10 @@ private:
     const Mesh& mesh_;
     Creases& creases_;
     const base::Progress& progress_;
-    base::Array<std::int32_t> across_; // of each side: the face beyond, or -1
+    base::Array<std::int32_t> across_;    // of each side: the face beyond, or -1
+    base::Array<std::int32_t> seed_;      // faces beside creases on both sides of which the same patch is
+    base::Array<std::uint8_t> on_crease_; // vertices of these, but for their ends
+    base::Array<std::int32_t> cuts_;      // of each vertex
     Sets sets_;
     base::Array<std::int32_t> label_; // of each face: the side of a crease that it is nearest to; -1: of none
     base::Array<double> distance_;    // from that

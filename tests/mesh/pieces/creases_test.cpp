@@ -73,13 +73,14 @@ TEST(Creases, AreNotThereWhereAMeshIsRoundOrRough) {
 }
 
 // The slopes of an eight-sided roof meet at 18 degrees, but its outline has corners of 45: they are facets, as of the
-// ring of a lamp.  Of 32 sides it is round.
+// ring of a lamp.  Of 32 sides it is round.  Beside a large box it is small enough for either.
 TEST(Creases, AreBetweenCornersOfOthers) {
     const auto roof = [](int sides) {
-        return test::ringed({{0.0, 0.0}, {1.0, 0.0}, {0.5, 0.22}, {0.5, 0.6}, {0.0, 0.6}}, sides, 10.0);
+        return test::ringed({{0.0, 0.0}, {1.0, 0.0}, {0.5, 0.22}, {0.5, 0.6}, {0.0, 0.6}}, sides, 10.0)
+            .with(test::box(10.0, 10.0, 10.0, 1).moved(1.0, 5.0, 0.0, 0.0));
     };
-    EXPECT_EQ(Found(roof(8)).creases.patches, 1 + 8 + 8 + 1);
-    EXPECT_EQ(Found(roof(32)).creases.patches, 4);
+    EXPECT_EQ(Found(roof(8)).creases.patches, 1 + 8 + 8 + 1 + 6);
+    EXPECT_EQ(Found(roof(32)).creases.patches, 4 + 6);
 }
 
 // A ridge that fades towards positive x: it is grown to the last edges that bend by 8 degrees, and the patch is cut on
@@ -100,6 +101,31 @@ TEST(Creases, ThatFadeGoOnSmoothly) {
     EXPECT_GT(found.creases.shared.size(), 40);
     for (const mesh::Creases::Shared& shared : found.creases.shared)
         EXPECT_NE(shared.patch, found.creases.patch[shared.face]);
+}
+
+// The wall of a step that fades ends in a tip: what is above and below it are two patches, cut on from there.
+TEST(Creases, AroundATipPartWhatIsAboveAndBelow) {
+    const Found found(test::fading_step(40));
+    EXPECT_EQ(found.creases.patches, 3);
+    std::int64_t cut = 0;
+    for (std::int64_t face = 0; face < found.shape.faces(); ++face) {
+        const auto p = found.shape.corners(face);
+        const glm::dvec3 middle = (p[0] + p[1] + p[2]) / 3.0;
+        for (std::int64_t other = 0; other < face; ++other) {
+            const auto q = found.shape.corners(other);
+            const glm::dvec3 its = (q[0] + q[1] + q[2]) / 3.0;
+            if (std::abs(middle.y) < 1e-9 || std::abs(its.y) < 1e-9) continue; // of the wall
+            const bool apart = std::min(middle.x, its.x) > 0.0 && (middle.y < 0.0) != (its.y < 0.0);
+            EXPECT_FALSE(apart && found.creases.patch[face] == found.creases.patch[other]);
+        }
+        for (std::int64_t side = 3 * face; side < 3 * face + 3; ++side) {
+            if (found.creases.cut[side] != 2) continue;
+            ++cut;
+            EXPECT_LT(middle.x, 0.1);
+        }
+    }
+    EXPECT_GT(cut, 10);
+    EXPECT_GT(found.creases.shared.size(), 20);
 }
 
 // A tube with one crease along it: a patch that meets only itself.

@@ -197,6 +197,18 @@ TEST(FitPieces, FollowACreaseThatFades) {
     for (int i = 0; i <= 50; ++i) EXPECT_LT(fading.edge_offset({0.018 * i, 0.0, 0.0}, {0.0, 0.0, 1.0}), 4e-4) << i;
 }
 
+// Both edges of its wall are met up to the tip, where they are 0.03 % of the diagonal apart.
+TEST(FitPieces, FollowAStepThatFades) {
+    const Fitted step(test::fading_step(40));
+    EXPECT_TRUE(step.result.mesh.reached);
+    const double r = std::sqrt(0.5);
+    for (int i = 6; i <= 100; ++i) {
+        const double x = 0.01 * i;
+        EXPECT_LT(step.edge_offset({x, 0.0, 0.25 * x * x}, {0.0, -r, r}), 1e-4) << i;
+        EXPECT_LT(step.edge_offset({x, 0.0, 0.0}, {0.0, -r, r}), 1e-4) << i;
+    }
+}
+
 TEST(FitPieces, StandWhereFourFacesShareAnEdge) {
     const Fitted two(test::box(1.0, 1.0, 1.0, 3).with(test::box(1.0, 1.0, 1.0, 3).moved(1.0, 1.0, 1.0, 0.0)));
     EXPECT_LE(two.wrong_signs([](const glm::dvec3& p) {
