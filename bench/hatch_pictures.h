@@ -82,11 +82,18 @@ struct MarkTable {
             mark.closed = is_closed(mark);
         }
     }
-    // As lines of hatching are taken for closed.
+    // As lines of hatching are taken for closed: ends that meet at a corner, or side by side, are two.
     [[nodiscard]] bool is_closed(const MarkPlace& line) const {
         if (line.count < 4) return false;
         const glm::dvec3* const first = &position[line.first];
-        return glm::distance(first[0], first[line.count - 1]) <= 1.5 * glm::distance(first[0], first[1]);
+        const glm::dvec3* const last = first + line.count - 1;
+        const glm::dvec3 gap = first[0] - last[0];
+        const double step = glm::distance(first[0], first[1]);
+        const auto goes_on = [&](const glm::dvec3& way) {
+            return glm::dot(way, gap) >= 0.8 * glm::length(gap) * glm::length(way);
+        };
+        return glm::length(gap) <= 0.1 * step ||
+               (glm::length(gap) <= 1.5 * step && goes_on(first[1] - first[0]) && goes_on(last[0] - last[-1]));
     }
 
     std::vector<glm::dvec3> position, normal;

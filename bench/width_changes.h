@@ -7,6 +7,7 @@
 #include <glm/glm.hpp>
 
 #include <algorithm>
+#include <optional>
 
 namespace bench {
 
@@ -72,24 +73,40 @@ struct NearestPlace {
     return {mark, glm::distance(from + t * way, image), 2.0F * (a.radius + t * (b.radius - a.radius))};
 }
 
+// Along the line from the mark of a point of a stroke to that of the next one; nothing if they are of two lines.
+[[nodiscard]] inline std::optional<std::int64_t> way_after(const DrawnStroke& stroke, std::size_t point,
+                                                           const std::vector<MarkPlace>& places) {
+    if (point + 1 >= stroke.size()) return std::nullopt;
+    const std::uint32_t a = stroke[point].id - 1;
+    const std::uint32_t b = stroke[point + 1].id - 1;
+    const MarkPlace& line = places[a];
+    if (line.line != places[b].line) return std::nullopt;
+    std::int64_t way = std::int64_t{b} - std::int64_t{a};
+    const std::int64_t around = line.count;
+    if (line.closed && 2 * std::abs(way) > around) way += way > 0 ? -around : around; // the shorter one
+    return way;
+}
+
 // Puts the widths of a stroke on all marks that it passes, each as it is where the stroke is nearest to the mark's own
 // image, in pixels, if that is within a pixel.  A mark's number is its id - 1.
 inline void add_widths(const DrawnStroke& stroke, const std::vector<MarkPlace>& places,
                        const std::vector<glm::vec2>& images, std::vector<MarkInk>& inks) {
     std::vector<NearestPlace> found;
     for (std::size_t i = 0; i + 1 < stroke.size(); ++i) {
-        const std::int64_t a = std::int64_t{stroke[i].id} - 1;
-        const std::int64_t b = std::int64_t{stroke[i + 1].id} - 1;
-        const MarkPlace& line = places[static_cast<std::size_t>(a)];
-        if (line.line != places[static_cast<std::size_t>(b)].line) continue;
-        std::int64_t way = b - a;
+        const std::optional<std::int64_t> way = way_after(stroke, i, places);
+        if (!way) continue;
+        const std::uint32_t own = stroke[i].id - 1;
+        const MarkPlace& line = places[own];
         const std::int64_t around = line.count;
-        if (line.closed && 2 * std::abs(way) > around) way += way > 0 ? -around : around; // the shorter one
-        // And the marks beside: a point's mark is the nearest one.
-        const std::int64_t low = a - line.first + std::min<std::int64_t>(way, 0) - 1;
-        for (std::int64_t k = low; k <= low + std::abs(way) + 2; ++k) {
+        // And those beside: points near a tip have the mark of one that may be as far away as the next one.
+        const std::int64_t before = i > 0 ? std::abs(way_after(stroke, i - 1, places).value_or(0)) : 0;
+        const std::int64_t beside = 1 + std::max(before, std::abs(way_after(stroke, i + 1, places).value_or(0)));
+        const std::int64_t first = std::int64_t{own} - line.first;
+        const std::int64_t low = first + std::min<std::int64_t>(*way, 0) - beside;
+        const std::int64_t high = first + std::max<std::int64_t>(*way, 0) + beside;
+        for (std::int64_t k = low; k <= high; ++k) {
             if (!line.closed && (k < 0 || k >= around)) continue;
-            const auto mark = static_cast<std::size_t>(line.first + (k + around) % around);
+            const auto mark = static_cast<std::size_t>(line.first + (k % around + around) % around);
             found.push_back(nearest_place(mark, images[mark], stroke[i], stroke[i + 1]));
         }
     }

@@ -107,6 +107,19 @@ TEST(StrokeMeasures, AStrokePutsInkOnAllMarksThatItPasses) {
     EXPECT_EQ(inks[9].width, 2.0F);
 }
 
+// The points of a tip are nearer to the first mark than to the one of the next point of the line, and have its id.
+TEST(StrokeMeasures, MarksAtATipHaveTheWidthOfTheTip) {
+    std::vector<MarkPlace> places(10, MarkPlace{1, 0, 10, false});
+    std::vector<glm::vec2> images;
+    for (int i = 0; i < 10; ++i) images.emplace_back(0.4F * static_cast<float>(i), 0.0F);
+    std::vector<MarkInk> inks(10);
+    const DrawnStroke tip{{0.0F, 0.0F, 0.0F, 0.0F, 1}, {1.25F, 0.0F, 0.0F, 0.5F, 1}, {2.8F, 0.0F, 0.0F, 0.5F, 8}};
+    add_widths(tip, places, images, inks);
+    EXPECT_NEAR(inks[2].width, 0.64F, 1e-5F);
+    EXPECT_NEAR(inks[3].width, 0.96F, 1e-5F);
+    EXPECT_EQ(inks[5].width, 1.0F);
+}
+
 TEST(StrokeMeasures, ToneIsComparedInWindows) {
     constexpr int size = 80;
     ToneImage asked{size, size, std::vector<float>(size * size, 0.5F), std::vector<bool>(size * size, true)};

@@ -28,13 +28,15 @@ struct HatchWidths {
     std::int32_t full = 0;
     float width = 0.0F;
     float fading = 0.0F;
-    float margin = 0.0F; // of the level that fades in: it is drawn where this is positive
+    float margin = 0.0F; // of the level that fades in: it is drawn where this is positive, and full where it is 1
 };
 
 // A line that fades in is drawn where it should be at least this wide, in pens ...
 inline constexpr float thinnest_fading = 0.5F;
 // ... and has its width where it should be so much wider; until then the full lines have the rest.
 inline constexpr float fading_ramp = 0.25F;
+// From this weight on its margin goes to that of a full line.
+inline constexpr float nearly_full = 0.6F;
 
 // spacing: of the lines of level 0 in the picture, pixels; those of levels 0 to k are 2^k times as close.  gap: by
 // which lines are really farther apart; levels come and go without it.
@@ -52,6 +54,8 @@ inline constexpr float fading_ramp = 0.25F;
         std::min(coverage * period, std::max(period - lines * style.hatch_white, lines * style.hatch_pen));
     const float next = weight * ink / lines;
     widths.margin = next / style.hatch_pen - thinnest_fading;
+    const float rise = std::max((weight - nearly_full) / (1.0F - nearly_full), 0.0F);
+    widths.margin += rise * std::max(1.0F - widths.margin, 0.0F);
     widths.fading = next * std::clamp(widths.margin / fading_ramp, 0.0F, 1.0F);
     widths.width = ink - widths.fading;
     return widths;

@@ -176,7 +176,10 @@ HWY_INLINE Widths widths(const HatchLaw& law, W coverage, W spacing, W gap) {
     const W ink = hn::Min(hn::Mul(coverage, period),
                           hn::Max(hn::Sub(period, hn::Mul(lines, set(law.white))), hn::Mul(lines, set(law.pen))));
     const W next = hn::Div(hn::Mul(weight, ink), lines);
-    w.margin = hn::Sub(hn::Mul(next, set(1.0F / law.pen)), set(law.thinnest_fading));
+    const W margin = hn::Sub(hn::Mul(next, set(1.0F / law.pen)), set(law.thinnest_fading));
+    const W rise =
+        hn::Max(hn::Mul(hn::Sub(weight, set(law.nearly_full)), set(1.0F / (1.0F - law.nearly_full))), hn::Zero(d));
+    w.margin = hn::Add(margin, hn::Mul(rise, hn::Max(hn::Sub(one, margin), hn::Zero(d))));
     w.fading = hn::Mul(next, clamped(hn::Mul(w.margin, set(1.0F / law.fading_ramp)), 0.0F, 1.0F));
     w.width = hn::Sub(ink, w.fading);
     return w;

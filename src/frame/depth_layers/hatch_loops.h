@@ -75,7 +75,7 @@ struct HatchLaw {
     float share, coverage_begin, coverage_rise, coverage_exponent;
     float spacing, pen, white;
     float levels;
-    float thinnest_fading, fading_ramp;
+    float thinnest_fading, fading_ramp, nearly_full;
     float widest_nu; // what faces away more has no width
     float widest;    // what would be wider has no place
 };

@@ -91,6 +91,13 @@ constexpr float farthest = 1e6F;
     return most;
 }
 
+[[nodiscard]] float least_alone(const HatchRows& rows, std::int64_t count) noexcept {
+    float least = 1.0F;
+    for (std::int64_t i = 0; i < count; ++i)
+        least = std::min(least, hatch_level_alone(rows[HatchRow::tone_margin][i], rows[HatchRow::rim_margin][i]));
+    return least;
+}
+
 } // namespace
 
 HatchMarks::HatchMarks(const Gather& gather, const HatchLoops& loops, const Scene& scene, const Run& run,
@@ -318,6 +325,7 @@ HatchLaw HatchMarks::law() const noexcept {
     law.levels = static_cast<float>(levels_);
     law.thinnest_fading = thinnest_fading;
     law.fading_ramp = fading_ramp;
+    law.nearly_full = nearly_full;
     law.widest_nu = widest_nu;
     law.widest = farthest;
     return law;
@@ -420,9 +428,9 @@ void HatchMarks::put_marks(const HatchRows& rows, const std::uint32_t* numbers, 
                  width[i],
                  leg[i],
                  0.0F,
+                 1.0F,
                  {tone[i], level[i], rim[i], picture[i]},
-                 run_.first_id + numbers[i],
-                 picture[i] > hatch_nowhere};
+                 run_.first_id + numbers[i]};
 }
 
 // Those that are drawn and the two on either side, if any are.
@@ -438,6 +446,7 @@ void HatchMarks::keep(const HatchRows& rows, HatchStroke& seen) const {
     HatchMark* to = seen.mark.data();
     float way = 0.0F;
     float passed = 0.0F;
+    float alone = 1.0F;
     const HatchStroke::Range* range = seen.range.begin();
     std::int64_t leap = range->end - range->begin; // the row at which the next range begins
     const auto next_range = [&] {
@@ -450,6 +459,7 @@ void HatchMarks::keep(const HatchRows& rows, HatchStroke& seen) const {
         while (i < count && !is_kept(i)) ++i;
         way += sum(leg + first, i - first);
         passed = std::max(passed, leap <= i && leap < count ? 1.0F : most_open(rows.from(first), i - first));
+        if (passed < 1.0F) alone = std::min(alone, least_alone(rows.from(first), i - first));
         while (leap <= i && leap < count) next_range();
         first = i;
         while (i < count && is_kept(i)) ++i;
@@ -457,6 +467,7 @@ void HatchMarks::keep(const HatchRows& rows, HatchStroke& seen) const {
         put_marks(rows.from(first), seen.number.data() + first, i - first, to);
         to->way += std::exchange(way, 0.0F);
         to->passed = std::exchange(passed, 0.0F);
+        to->passed_alone = std::exchange(alone, 1.0F);
         while (leap < i) {
             to[leap - first].passed = 1.0F;
             next_range();
@@ -466,6 +477,7 @@ void HatchMarks::keep(const HatchRows& rows, HatchStroke& seen) const {
     if (seen.closed) {
         seen.mark[0].way += way;
         seen.mark[0].passed = std::max(seen.mark[0].passed, passed);
+        seen.mark[0].passed_alone = std::min(seen.mark[0].passed_alone, alone);
         *to++ = seen.mark[0];
     }
     seen.mark.resize(to - seen.mark.data());

@@ -35,8 +35,15 @@ inline constexpr float openness_of_level = 2.0F;
     return std::clamp(std::min(tone * openness_of_tone, level * openness_of_level), 0.0F, 1.0F);
 }
 
-// A line between others that there is room for on a short way only, shorter than so many of the shortest parts, is left
-// out.
+// How far an end, or a mark of a gap, is from lacking tone or facing away as well: 0 where another margin than its
+// level's runs out, too, 1 where so much of them is left, of the tone and of n . v.
+inline constexpr float by_level_alone = 0.1F;
+[[nodiscard]] inline float hatch_level_alone(float tone, float rim) noexcept {
+    return std::clamp(std::min(tone, rim) / by_level_alone, 0.0F, 1.0F);
+}
+
+// A line between others, for which there is hardly room, counts one in so many of its length where that may be too
+// short.
 inline constexpr float shortest_filling = 3.0F;
 
 struct HatchMark {
@@ -45,18 +52,20 @@ struct HatchMark {
     float side_x, side_y; // of the unit normal, eye space
     float width;          // of the line, pixels
     float way;            // from the mark before, pixels, along those that are left out
-    float passed;         // the most openness() of these; 0: none is left out
+    float passed;         // the most openness() of these; 0: none is left out ...
+    float passed_alone;   // ... and, where that is below 1, the least hatch_level_alone()
     // The line is drawn where none is negative; by HatchEnd.
     std::array<float, hatch_margins> margin;
     std::uint32_t id;
-    bool valid; // it has a place in the picture's plane
 
+    // It has a place in the picture's plane.
+    [[nodiscard]] bool is_valid() const noexcept { return margin[3] > hatch_nowhere; }
     [[nodiscard]] float openness() const noexcept {
-        return valid ? hatch_openness(margin[0], margin[1], std::min(margin[2], margin[3])) : 1.0F;
+        return is_valid() ? hatch_openness(margin[0], margin[1], std::min(margin[2], margin[3])) : 1.0F;
     }
 
     [[nodiscard]] bool is_drawn() const noexcept {
-        return valid && std::min({margin[0], margin[1], margin[2], margin[3]}) >= 0.0F;
+        return std::min({margin[0], margin[1], margin[2], margin[3]}) >= 0.0F;
     }
 };
 

@@ -27,8 +27,8 @@ glm::vec2 HatchSpans::tangent(std::span<const HatchMark> marks, std::int64_t i) 
     const auto m = [&](std::int64_t k) -> const HatchMark& { return marks[static_cast<std::size_t>(k)]; };
     std::int64_t before = i > 0 ? i - 1 : goes_round_ ? count - 2 : 0;
     std::int64_t after = i + 1 < count ? i + 1 : goes_round_ ? 1 : i;
-    if (!m(before).valid) before = i;
-    if (!m(after).valid) after = i;
+    if (!m(before).is_valid()) before = i;
+    if (!m(after).is_valid()) after = i;
     const float way = (before != i ? m(i).way : 0.0F) + (after != i ? m(after).way : 0.0F);
     return way > 0.0F ? (place(m(after)) - place(m(before))) / way : glm::vec2(0.0F);
 }
@@ -63,11 +63,10 @@ void HatchSpans::put(const LayerStyle& style, std::span<const HatchMark> marks, 
         span.taper_end = taper_end(style, marks, next - 1);
     }
     const std::int32_t count = 1 + static_cast<std::int32_t>(std::ceil(length / hatch_point_step));
-    if (drawn.joined == 1) {
-        add_points(marks, drawn, count, part.points);
-    } else {
+    add_points(marks, number, count, part.points);
+    if (drawn.joined > 1) {
         find_dips(style, marks, number);
-        add_joined(marks, number, count, part.points);
+        fade_joined(marks, number, span.first, part.points);
     }
     span.count = static_cast<std::int32_t>(part.points.size() - span.first);
     part.spans.push_back(span);
@@ -81,10 +80,9 @@ void HatchSpans::find_dips(const LayerStyle& style, std::span<const HatchMark> m
                          taper_begin(style, marks, i + 1), drawn_[i + 1].link});
 }
 
-// Of parts that are joined: how wide the line is at that length.  dip: the gap behind the part that this is in.  A line
-// that narrows until it is open in a gap has its tapers there before it is.
-float HatchSpans::joined_fade(std::int64_t first, std::int64_t& dip, float length) const noexcept {
-    while (dip < dips_.size() && length > dips_[dip].end) ++dip;
+// Of parts that are joined: how wide the line is at that length.  dip: the first gap that does not end before it.  A
+// line that narrows until it is open in a gap has its tapers there before it is.
+float HatchSpans::joined_fade(std::int64_t first, std::int64_t dip, float length) const noexcept {
     const Drawn& own = drawn_[first + dip];
     float fade = own.fade;
     if (dip < dips_.size()) {
@@ -110,10 +108,12 @@ void HatchSpans::advance(Place& place, const Place& begin, float wanted) const n
 
 // At even steps along the chords.  A width is the mean over both steps beside its point: from one mark to the next it
 // may change by much, and points stand elsewhere in the next frame.
-void HatchSpans::add_points(std::span<const HatchMark> marks, const Drawn& drawn, std::int32_t count,
+void HatchSpans::add_points(std::span<const HatchMark> marks, std::int64_t number, std::int32_t count,
                             base::Array<HatchPoint>& points) const {
+    const Drawn& drawn = drawn_[number];
+    const Place& end = drawn_[number + drawn.joined - 1].end;
     const float begin = within(drawn.begin, drawn.begin);
-    const float step = (within(drawn.begin, drawn.end) - begin) / static_cast<float>(count - 1);
+    const float step = (within(drawn.begin, end) - begin) / static_cast<float>(count - 1);
     const float scale = 0.5F / step;
     points.resize_for_overwrite(points.size() + count);
     HatchPoint* const own = points.end() - count;
@@ -124,7 +124,7 @@ void HatchSpans::add_points(std::span<const HatchMark> marks, const Drawn& drawn
     for (std::int32_t i = 1; i < count; ++i) {
         Place place = last;
         if (i + 1 == count)
-            place = drawn.end;
+            place = end;
         else
             advance(place, drawn.begin, begin + step * static_cast<float>(i));
         own[i] = point(marks, place);
@@ -138,54 +138,36 @@ void HatchSpans::add_points(std::span<const HatchMark> marks, const Drawn& drawn
     if (drawn.closed) own[0].width = own[count - 1].width = 0.5F * (own[0].width + own[count - 1].width);
 }
 
-// The same of parts that are joined, and a point in the middle of each gap.
-void HatchSpans::add_joined(std::span<const HatchMark> marks, std::int64_t number, std::int32_t count,
-                            base::Array<HatchPoint>& points) const {
-    struct Step {
-        float length = 0.0F, area = 0.0F;
-    };
-    const Drawn& drawn = drawn_[number];
-    const Place& end = drawn_[number + drawn.joined - 1].end;
-    const float begin = within(drawn.begin, drawn.begin);
-    const float step = (within(drawn.begin, end) - begin) / static_cast<float>(count - 1);
-    const float base = length_[drawn.begin.mark];
-    const std::int64_t first = points.size();
-    Step before;
-    Place last = drawn.begin;
-    float last_length = begin;
-    std::int64_t dip = 0;
-    float fade = 1.0F; // of the last point
-    const auto mean = [](const Step& a, const Step& b) {
-        const float length = a.length + b.length;
-        return length > 0.0F ? (a.area + b.area) / length : 0.0F;
-    };
-    const auto put = [&](const Place& place, float length) {
-        const Step own{length - last_length, area(marks, last, place)};
-        if (points.size() > first) points.back().width = fade * mean(before, own);
-        points.push_back(point(marks, place));
-        fade = joined_fade(number, dip, length + base);
-        points.back().width = fade * mean(own, {});
-        stray(marks, points.back(), place);
-        before = own;
-        last = place;
-        last_length = length;
-    };
-    Place place = drawn.begin;
-    std::int64_t gap = 0;
-    for (std::int32_t i = 0; i < count; ++i) {
-        const float wanted = begin + step * static_cast<float>(i);
-        for (; gap < dips_.size() && dips_[gap].middle() - base <= wanted; ++gap) {
-            if (dips_[gap].link == 1.0F) continue;
-            advance(place, drawn.begin, dips_[gap].middle() - base);
-            put(place, dips_[gap].middle() - base);
+// The points from `first` on are those of parts that are joined: as wide as the gaps between them let them, and one
+// more in the middle of each gap.  That one takes its width from those beside it, so that it is none as the gap closes.
+void HatchSpans::fade_joined(std::span<const HatchMark> marks, std::int64_t number, std::int64_t first,
+                             base::Array<HatchPoint>& points) const {
+    const auto count = points.size() - first;
+    const float begin = at(drawn_[number].begin);
+    const float step = (at(drawn_[number + drawn_[number].joined - 1].end) - begin) / static_cast<float>(count - 1);
+    points.resize_for_overwrite(
+        points.size() + std::count_if(dips_.begin(), dips_.end(), [](const Dip& dip) { return dip.link < 1.0F; }));
+    HatchPoint* to = points.end();
+    float next_width = points[first + count - 1].width; // before it was faded
+    std::int64_t dip = dips_.size();                    // the first one that does not end before a point
+    std::int64_t middle = dips_.size();                 // the first one whose middle is behind a point
+    for (std::int64_t i = count - 1; i >= 0; --i) {
+        const float length = begin + step * static_cast<float>(i);
+        HatchPoint own = points[first + i];
+        for (; middle > 0 && dips_[middle - 1].middle() > length; --middle) {
+            const Dip& gap = dips_[middle - 1];
+            if (gap.link == 1.0F) continue;
+            const Place place = place_at(gap.middle());
+            *--to = point(marks, place);
+            const float width = std::lerp(own.width, next_width, std::min((gap.middle() - length) / step, 1.0F));
+            to->width = width * joined_fade(number, middle - 1, gap.middle());
+            stray(marks, *to, place);
         }
-        if (i + 1 < count) {
-            advance(place, drawn.begin, wanted);
-            put(place, wanted);
-        }
+        while (dip > 0 && dips_[dip - 1].end >= length) --dip;
+        next_width = own.width;
+        own.width *= joined_fade(number, dip, length);
+        *--to = own;
     }
-    put(end, within(drawn.begin, end));
-    if (drawn.closed) points[first].width = points.back().width = 0.5F * (points[first].width + points.back().width);
 }
 
 // Across the line, as the hand has it there.

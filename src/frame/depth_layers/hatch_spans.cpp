@@ -20,8 +20,6 @@ constexpr float blunt = 0.35F;
 // and one that hardly does, by the second, narrows before it.
 constexpr float crosses = 0.5F;
 constexpr float runs_along = 0.25F;
-// Of the tone, and of n . v: where so much of them is left at an end, it is its level's alone.
-constexpr float by_level_alone = 0.1F;
 // Where a stroke ends and its level has so much room left, in pens, that has nothing to do with the end.
 constexpr float level_left = 0.4F;
 constexpr float length_steps = 1024.0F; // of a pixel
@@ -40,7 +38,7 @@ struct Crossing {
 // Where the first margin runs out, of those from one on, margins changing evenly.
 [[nodiscard]] Crossing crossing(const HatchMark& drawn, const HatchMark& other,
                                 HatchEnd from = HatchEnd::tone) noexcept {
-    if (!other.valid) return {0.0F, HatchEnd::picture};
+    if (!other.is_valid()) return {0.0F, HatchEnd::picture};
     Crossing first{1.0F, HatchEnd::picture};
     for (auto k = static_cast<std::size_t>(from); k < hatch_margins; ++k) {
         if (other.margin[k] >= 0.0F) continue;
@@ -59,6 +57,35 @@ struct Crossing {
     return firm < 1.0F && open > 0.0F ? firm / (firm + open) : 1.0F;
 }
 
+// A mark in the gap of a closed line that is the least likely to be closed: there it begins.  Gaps count by how open
+// they are, and up to so many pixels by their length.
+[[nodiscard]] std::int64_t widest_gap(std::span<const HatchMark> marks) noexcept {
+    constexpr float longest = 50.0F;
+    const std::size_t count = marks.size() - 1; // the last one is the first
+    const auto m = [&](std::size_t i) -> const HatchMark& { return marks[i % count]; };
+    std::size_t first = 0; // from a part on, so that no gap is cut
+    while (!m(first).is_drawn()) ++first;
+    std::size_t widest = first;
+    float most = -1.0F;
+    float length = 0.0F;
+    float open = 0.0F;
+    for (std::size_t i = first; i <= first + count; ++i) {
+        length += m(i).way;
+        open = std::max(open, m(i).passed);
+        if (!m(i).is_drawn()) {
+            open = std::max(open, m(i).openness());
+            continue;
+        }
+        const float score = open * (1.0F + std::min(length, longest));
+        if (!m(i + count - 1).is_drawn() && score > most) {
+            most = score;
+            widest = i + count - 1;
+        }
+        length = open = 0.0F;
+    }
+    return static_cast<std::int64_t>(widest % count);
+}
+
 [[nodiscard]] float smooth(float x) noexcept {
     const float at = std::clamp(x, 0.0F, 1.0F);
     return at * at * (3.0F - 2.0F * at);
@@ -69,12 +96,11 @@ struct Crossing {
 void HatchSpans::add(const LayerStyle& style, std::int64_t stroke, std::span<HatchMark> marks, bool closed,
                      HatchPart& part) {
     const auto is_drawn = [](const HatchMark& m) { return m.is_drawn(); };
-    const auto hidden = std::find_if_not(marks.begin(), marks.end(), is_drawn);
-    if (std::none_of(hidden, marks.end(), is_drawn) && hidden == marks.begin()) return;
-    const bool whole = hidden == marks.end();
-    turned_ = closed && !whole ? hidden - marks.begin() : 0;
-    if (closed && !whole) { // begin where nothing is drawn
-        std::rotate(marks.begin(), hidden, marks.end() - 1);
+    if (std::none_of(marks.begin(), marks.end(), is_drawn)) return;
+    const bool whole = std::all_of(marks.begin(), marks.end(), is_drawn);
+    turned_ = closed && !whole ? widest_gap(marks) : 0;
+    if (closed && !whole) {
+        std::rotate(marks.begin(), marks.begin() + turned_, marks.end() - 1);
         marks.back() = marks.front();
     }
     measure(marks);
@@ -97,7 +123,7 @@ void HatchSpans::measure(std::span<const HatchMark> marks) {
     }
     const HatchMark& first = marks.front();
     const HatchMark& last = marks.back();
-    goes_round_ = first.valid && last.valid && place(first) == place(last);
+    goes_round_ = first.is_valid() && last.is_valid() && place(first) == place(last);
 }
 
 HatchSpans::ByLevel HatchSpans::by_level(const HatchMark& drawn, const HatchMark& other, HatchEnd end,
@@ -109,8 +135,7 @@ HatchSpans::ByLevel HatchSpans::by_level(const HatchMark& drawn, const HatchMark
     };
     const float tone = margin(HatchEnd::tone);
     const float rim = margin(HatchEnd::rim);
-    return {std::clamp(std::min(tone, rim) / by_level_alone, 0.0F, 1.0F), tone < rim ? HatchEnd::tone : HatchEnd::rim,
-            1.0F};
+    return {hatch_level_alone(tone, rim), tone < rim ? HatchEnd::tone : HatchEnd::rim, 1.0F};
 }
 
 // Where a stroke ends, and its level may soon end the line just before.
@@ -126,13 +151,16 @@ void HatchSpans::find(std::span<const HatchMark> marks, bool closed) {
     const auto count = static_cast<std::int64_t>(marks.size());
     const auto m = [&](std::int64_t i) -> const HatchMark& { return marks[static_cast<std::size_t>(i)]; };
     float open = 0.0F;
+    float alone = 1.0F;
     for (std::int64_t i = 0; i < count; ++i) {
         if (!m(i).is_drawn()) {
             open = std::max({open, m(i).openness(), m(i).passed});
+            alone = std::min({alone, hatch_level_alone(m(i).margin[0], m(i).margin[2]), m(i).passed_alone});
             continue;
         }
         Drawn drawn;
         drawn.open = std::exchange(open, 0.0F);
+        drawn.level_gap = std::exchange(alone, 1.0F);
         drawn.begin = {i, 0.0F};
         if (i == 0) {
             drawn.begins_by = by_level(m(i));
@@ -159,6 +187,38 @@ void HatchSpans::find(std::span<const HatchMark> marks, bool closed) {
         drawn.closed = closed;
         drawn_.push_back(drawn);
     }
+}
+
+// A part's length is that of as much ink of its greatest width: so a hairline that joins it, or leaves it, changes
+// little, and one that is a hairline all along is long enough as soon as it appears.  Widths above the pen count as the
+// pen.
+void HatchSpans::weigh(const LayerStyle& style, std::span<const HatchMark> marks, Drawn& drawn) const noexcept {
+    const float full_width = 0.5F * style.hatch_pen;
+    const float most = 2.0F * style.hatch_shortest * full_width;
+    const auto weight = [&](float width, float level) {
+        drawn.widest = std::max(drawn.widest, width);
+        return width * std::lerp(1.0F / shortest_filling, 1.0F, std::clamp(level, 0.0F, 1.0F));
+    };
+    const auto width_of = [&](const HatchMark& mark) { return std::min(mark.width, full_width); };
+    constexpr auto level = static_cast<std::size_t>(HatchEnd::level);
+    const auto at_place = [&](const Place& place) {
+        const auto i = static_cast<std::size_t>(place.mark);
+        const HatchMark& a = marks[i];
+        if (place.share == 0.0F) return weight(width_of(a), a.margin[level]);
+        const HatchMark& b = marks[i + 1];
+        return weight(std::lerp(width_of(a), width_of(b), place.share),
+                      std::lerp(a.margin[level], b.margin[level], place.share));
+    };
+    float from = at(drawn.begin);
+    float before = at_place(drawn.begin);
+    for (std::int64_t i = drawn.begin.mark + 1; i <= drawn.end.mark && drawn.area < most; ++i) {
+        const HatchMark& mark = marks[static_cast<std::size_t>(i)];
+        const float own = weight(width_of(mark), mark.margin[level]);
+        drawn.area += 0.5F * (length_[i] - from) * (before + own);
+        before = own;
+        from = length_[i];
+    }
+    if (drawn.area < most) drawn.area += 0.5F * (at(drawn.end) - from) * (before + at_place(drawn.end));
 }
 
 float HatchSpans::at(const Place& place) const noexcept {
@@ -197,7 +257,7 @@ HatchSpans::Place HatchSpans::run_on(std::span<const HatchMark> marks, const Pla
         const auto i = static_cast<std::size_t>(next);
         const HatchMark& last = marks[static_cast<std::size_t>(next - way)];
         const Crossing other = crossing(last, marks[i], HatchEnd::level);
-        const bool ends = !marks[i].valid || marks[i].margin[static_cast<std::size_t>(other.end)] < 0.0F;
+        const bool ends = !marks[i].is_valid() || marks[i].margin[static_cast<std::size_t>(other.end)] < 0.0F;
         const float here = length_[next - way] + (ends ? other.share : 1.0F) * (length_[next] - length_[next - way]);
         if (std::abs(here - first) >= farthest) return place_at(first + static_cast<float>(way) * farthest);
         if (!ends) continue;
@@ -255,13 +315,13 @@ void HatchSpans::join(const LayerStyle& style, std::span<const HatchMark> marks)
         const float gap = at(next.begin) - at(last.end);
         next.closes = longest;
         // One of a tone grows as the picture does, and what was drawn in it would go.
-        const bool by_level = last.ends == HatchEnd::level && next.begins == HatchEnd::level;
-        const float stays = by_level ? lasting(std::min(last.firm, next.firm), next.open) : 0.0F;
+        const float stays = next.level_gap * lasting(std::min(last.firm, next.firm), next.open);
         const float hardly = (1.0F - next.open) * stays * std::clamp(2.0F - gap / hardly_gap, 0.0F, 1.0F);
         next.link = std::clamp(std::max(2.0F * (1.0F - gap / longest), hardly), 0.0F, 1.0F);
         const float range = 0.5F * longest + fading_gap * style.hatch_shortest;
         next.near = std::clamp(std::max((longest + range - gap) / range, 1.0F - next.open), 0.0F, 1.0F);
     }
+    for (Drawn& drawn : drawn_) weigh(style, marks, drawn);
     for (std::int64_t i = 0; i < drawn_.size(); ++i) drawn_[i].fade = fade_of(i, style.hatch_shortest);
     for (std::int64_t i = drawn_.size() - 2; i >= 0; --i)
         if (drawn_[i + 1].link > 0.0F && drawn_[i].fade > 0.0F && drawn_[i + 1].fade > 0.0F)
@@ -273,20 +333,23 @@ void HatchSpans::join(const LayerStyle& style, std::span<const HatchMark> marks)
 float HatchSpans::fade_of(std::int64_t number, float shortest) const noexcept {
     if (!(shortest > 0.0F)) return 1.0F;
     float most = 0.0F;
-    float before = 1.0F;
+    float before = 1.0F; // how much the parts from `first` to this one are one
+    float area_before = 0.0F;
+    float widest_before = 0.0F;
     for (std::int64_t first = number; first >= 0 && before > most; before = std::min(before, drawn_[first--].near)) {
+        area_before += drawn_[first].area;
+        widest_before = std::max(widest_before, drawn_[first].widest);
         float near = before;
+        float area = area_before;
+        float widest = widest_before;
         for (std::int64_t last = number; last < drawn_.size(); ++last) {
-            if (last > number) near = std::min(near, drawn_[last].near);
+            if (last > number) {
+                near = std::min(near, drawn_[last].near);
+                area += drawn_[last].area;
+                widest = std::max(widest, drawn_[last].widest);
+            }
             if (!(near > most)) break;
-            // Where the outermost part is about to vanish all are nearly as short as without it.
-            float stays = 1.0F;
-            if (first < number) stays = lasting(drawn_[first].firm, drawn_[first + 1].open);
-            if (last > number) stays = std::min(stays, lasting(drawn_[last].firm, drawn_[last].open));
-            const float length = at(drawn_[last].end) - at(drawn_[first].begin);
-            const float fills = std::min(drawn_[first].begins_by.fills(), drawn_[last].ends_by.fills());
-            const float least = std::lerp(1.0F, shortest_filling, fills) * shortest;
-            if (length >= least) most = std::max(most, std::min(near, stays) * smooth(length / least - 1.0F));
+            if (area > shortest * widest) most = std::max(most, near * smooth(area / (shortest * widest) - 1.0F));
         }
     }
     return most;

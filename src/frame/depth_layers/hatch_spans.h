@@ -55,8 +55,6 @@ private:
         float alone = 0.0F;             // 1: its level's alone, 0: another margin runs out, too
         HatchEnd other = HatchEnd::rim; // which
         float near = 0.0F;              // 1: its level ends it, 0: this is far from doing so where the stroke ends
-
-        [[nodiscard]] float fills() const noexcept { return alone * near; }
     };
     // A gap between two parts that the line goes on over.
     struct Dip {
@@ -72,7 +70,10 @@ private:
         ByLevel begins_by, ends_by;
         bool closed = false;
         float firm = 0.0F;       // the most firmness of its marks
-        float open = 1.0F;       // of the gap before it: the most openness() of its marks ...
+        float area = 0.0F;       // of its ink, as far as its length may be too short, ...
+        float widest = 0.0F;     // ... and how wide that is at most
+        float open = 1.0F;       // of the gap before it: the most openness() of its marks, ...
+        float level_gap = 0.0F;  // ... how far they are from being without tone or facing away, too, ...
         float closes = 0.0F;     // ... up to which length, pixels, the line goes on over it ...
         float link = 0.0F;       // ... and whether it does: 0 open, 1 closed
         float near = 0.0F;       // the same of wider gaps
@@ -81,6 +82,7 @@ private:
     };
 
     void find(std::span<const HatchMark> marks, bool closed);
+    void weigh(const LayerStyle& style, std::span<const HatchMark> marks, Drawn& drawn) const noexcept;
     // What lies beside a part: as much of what is behind the next one as that is about to vanish, since then the gap
     // is one with the next.
     struct Gap {
@@ -107,12 +109,12 @@ private:
     [[nodiscard]] float width_at_end(std::span<const HatchMark> marks, const Drawn& drawn) const noexcept;
     void put(const LayerStyle& style, std::span<const HatchMark> marks, std::int64_t number, HatchPart& part);
     void advance(Place& place, const Place& begin, float wanted) const noexcept;
-    void add_points(std::span<const HatchMark> marks, const Drawn& drawn, std::int32_t count,
+    void add_points(std::span<const HatchMark> marks, std::int64_t number, std::int32_t count,
                     base::Array<HatchPoint>& points) const;
-    void add_joined(std::span<const HatchMark> marks, std::int64_t number, std::int32_t count,
-                    base::Array<HatchPoint>& points) const;
+    void fade_joined(std::span<const HatchMark> marks, std::int64_t number, std::int64_t first,
+                     base::Array<HatchPoint>& points) const;
     void find_dips(const LayerStyle& style, std::span<const HatchMark> marks, std::int64_t first);
-    [[nodiscard]] float joined_fade(std::int64_t first, std::int64_t& dip, float length) const noexcept;
+    [[nodiscard]] float joined_fade(std::int64_t first, std::int64_t dip, float length) const noexcept;
     [[nodiscard]] static ByLevel by_level(const HatchMark& drawn, const HatchMark& other, HatchEnd end,
                                           float share) noexcept;
     [[nodiscard]] static ByLevel by_level(const HatchMark& last) noexcept;

@@ -25,7 +25,10 @@ constexpr float halo_and_more = 1.5F;
 // halo, whose rim is not even.
 constexpr float between_hidden = 3.0F;
 // Near a tip points lie closer, since the width changes like a root there; pixels from it.
-constexpr std::array<float, 2> tip_points = {0.3F, 1.2F};
+constexpr std::array<float, 2> tip_points = {0.3F, 1.25F};
+// At the first of these it is no wider than this, pens, however wide the line: what lies farther from the end gets no
+// thinner there when the line does.
+constexpr float widest_tip = 0.1F;
 
 // Points that differ by less than this from what lies between those beside them are left out, pixels.
 constexpr float straight = 0.05F;
@@ -76,8 +79,10 @@ private:
 // The strokes of one span.
 class HatchPieces {
 public:
-    HatchPieces(HatchStrokePart& part, const HatchSpan& span, std::span<Dot> dots, float shortest, float halo) noexcept
-        : part_(part), span_(span), dots_(dots), shortest_(shortest), halo_(halo) {}
+    HatchPieces(HatchStrokePart& part, const HatchSpan& span, std::span<Dot> dots, const LayerStyle& style,
+                float halo) noexcept
+        : part_(part), span_(span), dots_(dots), shortest_(style.hatch_shortest), halo_(halo),
+          tip_radius_(0.5F * widest_tip * style.hatch_pen) {}
 
     void operator()() {
         if (span_.closed) begin_hidden();
@@ -154,7 +159,6 @@ private:
         stroke.layer = dot(first).layer;
         stroke.closed = span_.closed && whole;
         add_points();
-        leave_out(stroke.first);
         stroke.count = static_cast<std::int32_t>(part_.made.points.size() - stroke.first);
         stroke.depth = part_.made.points[stroke.first + stroke.count / 2].depth;
         part_.made.strokes.push_back(stroke);
@@ -167,27 +171,38 @@ private:
         const bool tips = end_ - begin_ > 2.0F * reach;
         start_ = begin_;
         from_ = std::max<std::int64_t>(first_ - 1, 0);
+        std::int64_t first = part_.made.points.size();
         add(begin_);
-        if (tip && tips)
+        if (tip && tips) {
             for (const float at : tip_points) add(begin_ + at);
+            narrow_tip(++first);
+        }
         const float low = begin_ + (tip && tips ? reach : 0.5F);
         const float high = end_ - (end_tip && tips ? reach : 0.5F);
         for (std::int64_t i = first_; i <= last_; ++i)
             if (part_.length[i] > low && part_.length[i] < high) add_dot(i);
-        if (end_tip && tips)
+        if (end_tip && tips) {
             for (std::size_t k = tip_points.size(); k-- > 0;) add(end_ - tip_points[k]);
+            narrow_tip(part_.made.points.size() - 1);
+        }
         add(end_);
+        leave_out(first, part_.made.points.size() - (end_tip && tips ? 2 : 1));
     }
 
-    // Fewer points make fewer edges to draw.
-    void leave_out(std::int64_t first) {
+    void narrow_tip(std::int64_t point) noexcept {
+        float& radius = part_.made.points[point].radius;
+        radius = std::min(radius, tip_radius_);
+    }
+
+    // Fewer points make fewer edges to draw: some of those between two.
+    void leave_out(std::int64_t first, std::int64_t last) {
         base::Array<StrokePoint>& points = part_.made.points;
         std::int64_t kept = first;
         std::int64_t from = first; // the point that was kept last
         Passage passage(points[first]);
         for (std::int64_t i = first + 1; i < points.size(); ++i) {
             passage.take(points[i]);
-            if (i + 1 < points.size() && i - from <= most_left_out && points[i].opacity == points[kept].opacity &&
+            if (i < last && i - from <= most_left_out && points[i].opacity == points[kept].opacity &&
                 passage.reaches(points[i + 1]))
                 continue;
             points[++kept] = points[i];
@@ -246,7 +261,7 @@ private:
     HatchStrokePart& part_;
     const HatchSpan& span_;
     std::span<Dot> dots_;
-    float shortest_, halo_;
+    float shortest_, halo_, tip_radius_;
     std::int64_t first_ = 0, last_ = 0, from_ = 0;
     float begin_ = 0.0F, end_ = 0.0F, begin_taper_ = 0.0F, end_taper_ = 0.0F, start_ = 0.0F, fade_ = 1.0F;
     float begins_narrow_ = 0.0F, ends_narrow_ = 0.0F; // between them it is as wide as its points
@@ -270,7 +285,7 @@ void make_strokes(const LayerStyle& style, float halo, const HatchPart& from, st
             dots.subspan(static_cast<std::size_t>(span.first), static_cast<std::size_t>(span.count));
         for_each_mark(own, [&](const Dot& dot) { part.hidden += dot.opacity > 0.0F ? 0 : 1; });
         for (const Dot& dot : own) part.seen += dot.opacity > 0.0F ? 1 : 0;
-        HatchPieces(part, span, own, style.hatch_shortest, halo)();
+        HatchPieces(part, span, own, style, halo)();
     }
     for (Dot& dot : dots) dot.opacity = 0.0F;
     for_each_mark(part.made.points, [&](const StrokePoint&) { ++part.shown; });
