@@ -2,7 +2,7 @@
 // What is drawn of a line of hatching changes little where its margins do: no width pops.
 #include "frame/hatching.h"
 
-namespace hrbfnpr::testing {
+namespace hrbfnpr::testing::hatch_steady_test {
 namespace {
 
 // Of the level that fades in, up to where it is full.
@@ -142,4 +142,4 @@ TEST_F(SteadyHatch, TipsOfAllWidthsBeginAlike) {
 }
 
 } // namespace
-} // namespace hrbfnpr::testing
+} // namespace hrbfnpr::testing::hatch_steady_test
