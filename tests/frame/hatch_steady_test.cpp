@@ -113,6 +113,26 @@ TEST_F(SteadyHatch, AGapOpensLittleByLittle) {
     }
 }
 
+// A short gap that hardly lacks room for its level is closed; one that lacks tone as well grows with the picture, and
+// stays open.
+TEST_F(SteadyHatch, AGapThatLacksToneAsWellStaysOpen) {
+    add_line(set, {0.0, -1.0, 1.0, 0}, 0.0025); // half a pixel
+    for (std::int64_t i = 395; i <= 405; ++i) set.layers[0].level[i] = 1;
+    set_nesting(set, separation, 1);
+    cluster();
+    layer.hatch_spacing = 0.5F;
+    layer.hatch_white = 0.0F;
+    layer.hatch_tone_begin = 0.0F;
+    const double dark = darkness_of(-0.02F);
+    for (const bool lacks : {false, true}) {
+        layer.hatch_coverage_begin = layer.hatch_coverage_end = static_cast<float>(coverage(layer, dark));
+        layer.hatch_tone_begin = 0.15F;
+        darkness = [=](const glm::dvec3& p) { return lacks && std::abs(p.x) < 0.001 ? 0.1499 : 0.5; };
+        draw(front_camera(size, size, 1.25));
+        EXPECT_EQ(frame.drawing().strokes.size(), lacks ? 2 : 1);
+    }
+}
+
 // A gap that hardly opens at the mark that a closed line begins with opens like any other.
 TEST_F(SteadyHatch, AClosedLineBeginsInItsWidestGap) {
     add_circle(set, 0.8, 0.0, {0, 0, 1}, 400);

@@ -190,8 +190,8 @@ void HatchSpans::find(std::span<const HatchMark> marks, bool closed) {
 }
 
 // A part's length is that of as much ink of its greatest width: so a hairline that joins it, or leaves it, changes
-// little, and one that is a hairline all along is long enough as soon as it appears.  Widths above the pen count as the
-// pen.
+// little, and one that is a hairline all along is long enough as soon as it appears.  From half a pen on all widths
+// count alike.
 void HatchSpans::weigh(const LayerStyle& style, std::span<const HatchMark> marks, Drawn& drawn) const noexcept {
     const float full_width = 0.5F * style.hatch_pen;
     const float most = 2.0F * style.hatch_shortest * full_width;
