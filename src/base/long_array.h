@@ -42,9 +42,9 @@ void resize_long(Array<T>& array, std::int64_t size, const Progress& progress) {
     array.resize(size);
 }
 
-// As array.push_back(value).
+// As array.push_back(value), which may be one of its own.
 template <class T>
-void push_back_long(Array<T>& array, const T& value, const Progress& progress) {
+void push_back_long(Array<T>& array, T value, const Progress& progress) {
     if (const std::int64_t size = array.size(); size > at_once<T> && size == array.bytes() / std::int64_t{sizeof(T)})
         reserve_long(array, size + size / 2, progress);
     array.push_back(value);
