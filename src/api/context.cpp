@@ -46,7 +46,7 @@ using Context = hrbfnpr_context_desc;
 
 constexpr auto context_fields() noexcept {
     return FieldTable{field("abi_version", &Context::abi_version, rule::Any{}),
-                      field("thread_count", &Context::thread_count, rule::AtLeast{0.0}),
+                      field("thread_count", &Context::thread_count, rule::not_negative),
                       field("flags", &Context::flags, rule::Zero{}),
                       field("thread_backend", &Context::thread_backend,
                             rule::OneOf{HRBFNPR_THREAD_BACKEND_SERIAL, "HRBFNPR_THREAD_BACKEND_..."}),

@@ -184,7 +184,7 @@ hrbfnpr_model* create(hrbfnpr_context& context, const Desc& desc) {
     return make_csg_model(context, std::move(solid), given ? &box : nullptr);
 }
 
-hrbfnpr_csg_info describe(const hrbfnpr_model& model) {
+hrbfnpr_csg_info describe_csg(const hrbfnpr_model& model) {
     hrbfnpr_csg_info info{};
     const CsgSolid* const solid = model.whole().csg();
     if (solid == nullptr) return info;
@@ -237,7 +237,7 @@ hrbfnpr_status hrbfnpr_model_get_csg_info(const hrbfnpr_model* model, hrbfnpr_cs
     return api::guarded(error, [&] {
         const auto& handle = api::deref(model, "model");
         api::check_output_struct(info, "csg_info");
-        api::write_struct(info, api::describe(handle));
+        api::write_struct(info, api::describe_csg(handle));
     });
 }
 

@@ -46,6 +46,8 @@ struct AtLeast {
     }
 };
 
+inline constexpr AtLeast not_negative{0.0};
+
 struct Positive {
     template <class T>
     void operator()(const Checks& checks, const char* field, T value) const {

@@ -42,14 +42,12 @@ namespace {
 using Layer = hrbfnpr_layer_desc;
 using Generate = hrbfnpr_generate_desc;
 
-constexpr rule::AtLeast not_negative{0.0};
-
 // Of each room's settings those fields that it keeps.
 constexpr auto layer_fields() noexcept {
     using To = generate::LayerSettings;
     return FieldTable{field("kind", &Layer::kind, &To::kind, rule::Any{}),
                       field("name", &Layer::name, rule::Any{}),
-                      field("budget", &Layer::budget, &To::budget, not_negative),
+                      field("budget", &Layer::budget, &To::budget, rule::not_negative),
                       field("tone_begin", &Layer::tone_begin, rule::Any{}),
                       field("tone_end", &Layer::tone_end, rule::Any{}),
                       field("second_tone_begin", &Layer::second_tone_begin, rule::Any{}),
@@ -67,9 +65,9 @@ constexpr auto density_fields() noexcept {
 }
 constexpr auto stroke_fields() noexcept {
     using To = strokes::Settings;
-    return FieldTable{field("separation", &Layer::separation, &To::separation, not_negative),
-                      field("step", &Layer::step, &To::step, not_negative),
-                      field("length", &Layer::length, &To::longest, not_negative),
+    return FieldTable{field("separation", &Layer::separation, &To::separation, rule::not_negative),
+                      field("step", &Layer::step, &To::step, rule::not_negative),
+                      field("length", &Layer::length, &To::longest, rule::not_negative),
                       field("symmetry", &Layer::symmetry, &To::symmetry,
                             rule::OneOf{HRBFNPR_SYMMETRY_CROSS, "HRBFNPR_SYMMETRY_..."})};
 }
@@ -111,7 +109,7 @@ constexpr auto generate_fields() noexcept {
         field("layers", &Generate::layers, rule::Any{}),
         field("layer_count", &Generate::layer_count, rule::Any{}),
         field("layer_stride", &Generate::layer_stride, rule::Any{}),
-        field("shared_budget", &Generate::shared_budget, &To::shared_budget, not_negative),
+        field("shared_budget", &Generate::shared_budget, &To::shared_budget, rule::not_negative),
         field("tone_ranges", &Generate::tone_ranges, &To::tone_ranges,
               rule::OneOf{HRBFNPR_TONE_RANGES_IN_TURN, "HRBFNPR_TONE_RANGES_..."}),
         reserved("reserved", &Generate::reserved),
@@ -125,7 +123,7 @@ constexpr auto seed_fields() noexcept {
         field("seed_points", &Generate::seed_points, rule::Any{}),
         field("box_jitter", &Generate::box_jitter, &To::box_jitter, rule::Between{0.0, 0.5}),
         field("box_resolution", &Generate::box_resolution, &To::box_resolution, rule::Between{1.0, 256.0}),
-        field("initial_step", &Generate::initial_step, &To::initial_step, not_negative)};
+        field("initial_step", &Generate::initial_step, &To::initial_step, rule::not_negative)};
 }
 static_assert(sizeof(void*) != 8 ||
               generate_fields().bytes + seed_fields().bytes + sizeof(Generate::struct_size) == sizeof(Generate));

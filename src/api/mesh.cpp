@@ -19,7 +19,7 @@ static_assert(static_cast<std::uint32_t>(mesh::Faces::keep) == HRBFNPR_FACES_KEE
 namespace hrbfnpr::api {
 namespace {
 
-using Desc = hrbfnpr_mesh_desc;
+using MeshDesc = hrbfnpr_mesh_desc;
 
 constexpr std::int64_t candidates_a_sample = 40;
 constexpr std::int64_t most_candidates = 1'000'000;
@@ -30,14 +30,14 @@ constexpr std::int64_t grain = 4096;
 constexpr auto mesh_fields() noexcept {
     using mesh::MeshInput;
     return FieldTable{
-        field("parts", &Desc::parts, &MeshInput::parts, rule::OneOf{HRBFNPR_PARTS_LARGEST, "HRBFNPR_PARTS_..."}),
-        field("vertices", &Desc::vertices, rule::Any{}),
-        field("triangles", &Desc::triangles, rule::Any{}),
-        field("crease_angle", &Desc::crease_angle, &MeshInput::crease_angle, rule::Between{0.0, 180.0}),
-        field("faces", &Desc::faces, &MeshInput::faces, rule::OneOf{HRBFNPR_FACES_KEEP, "HRBFNPR_FACES_..."}),
-        reserved("reserved", &Desc::reserved)};
+        field("parts", &MeshDesc::parts, &MeshInput::parts, rule::OneOf{HRBFNPR_PARTS_LARGEST, "HRBFNPR_PARTS_..."}),
+        field("vertices", &MeshDesc::vertices, rule::Any{}),
+        field("triangles", &MeshDesc::triangles, rule::Any{}),
+        field("crease_angle", &MeshDesc::crease_angle, &MeshInput::crease_angle, rule::Between{0.0, 180.0}),
+        field("faces", &MeshDesc::faces, &MeshInput::faces, rule::OneOf{HRBFNPR_FACES_KEEP, "HRBFNPR_FACES_..."}),
+        reserved("reserved", &MeshDesc::reserved)};
 }
-static_assert(mesh_fields().covers<Desc>());
+static_assert(mesh_fields().covers<MeshDesc>());
 
 struct SampleSettings {
     std::int64_t candidates = 0;

@@ -24,35 +24,37 @@ namespace hrbfnpr::api {
 namespace {
 
 using Compare = hrbfnpr_compare_desc;
-using Fit = hrbfnpr_mesh_fit_desc;
+using MeshFitDesc = hrbfnpr_mesh_fit_desc;
 
 constexpr auto compare_fields() noexcept {
     using mesh::CompareSettings;
     return FieldTable{reserved("reserved", &Compare::reserved),
-                      field("tolerance", &Compare::tolerance, &CompareSettings::tolerance, rule::AtLeast{0.0}),
-                      field("far", &Compare::far, &CompareSettings::far, rule::AtLeast{0.0}),
-                      field("support", &Compare::support, &CompareSettings::support, rule::AtLeast{0.0}),
+                      field("tolerance", &Compare::tolerance, &CompareSettings::tolerance, rule::not_negative),
+                      field("far", &Compare::far, &CompareSettings::far, rule::not_negative),
+                      field("support", &Compare::support, &CompareSettings::support, rule::not_negative),
                       field("points", &Compare::points, &CompareSettings::points, rule::Between{0.0, 1e7}),
-                      field("cell_size", &Compare::cell_size, &CompareSettings::cell_size, rule::AtLeast{0.0}),
+                      field("cell_size", &Compare::cell_size, &CompareSettings::cell_size, rule::not_negative),
                       field("random_seed", &Compare::random_seed, &CompareSettings::seed, rule::Any{})};
 }
 static_assert(compare_fields().covers<Compare>());
 
-constexpr auto fit_fields() noexcept {
+constexpr auto mesh_fit_fields() noexcept {
     using mesh::FitMeshSettings;
     return FieldTable{
-        reserved("reserved", &Fit::reserved),
-        field("tolerance", &Fit::tolerance, &FitMeshSettings::tolerance, rule::AtLeast{0.0}),
-        field("share", &Fit::share, &FitMeshSettings::share, rule::PositiveUpTo{1.0}),
-        field("far", &Fit::far, &FitMeshSettings::far, rule::AtLeast{0.0}),
-        field("maximum_centres", &Fit::maximum_centres, &FitMeshSettings::maximum_centres, rule::Between{16.0, 1e6}),
-        field("candidates", &Fit::candidates, &FitMeshSettings::candidates, rule::Between{0.0, 1e7}),
-        field("random_seed", &Fit::random_seed, &FitMeshSettings::seed, rule::Any{}),
-        field("crease_angle", &Fit::crease_angle, &FitMeshSettings::crease_angle, rule::Between{5.0, 175.0}),
-        field("edges", &Fit::edges, &FitMeshSettings::edges, rule::OneOf{HRBFNPR_EDGES_SHARP, "HRBFNPR_EDGES_..."}),
-        reserved("reserved2", &Fit::reserved2)};
+        reserved("reserved", &MeshFitDesc::reserved),
+        field("tolerance", &MeshFitDesc::tolerance, &FitMeshSettings::tolerance, rule::not_negative),
+        field("share", &MeshFitDesc::share, &FitMeshSettings::share, rule::PositiveUpTo{1.0}),
+        field("far", &MeshFitDesc::far, &FitMeshSettings::far, rule::not_negative),
+        field("maximum_centres", &MeshFitDesc::maximum_centres, &FitMeshSettings::maximum_centres,
+              rule::Between{16.0, 1e6}),
+        field("candidates", &MeshFitDesc::candidates, &FitMeshSettings::candidates, rule::Between{0.0, 1e7}),
+        field("random_seed", &MeshFitDesc::random_seed, &FitMeshSettings::seed, rule::Any{}),
+        field("crease_angle", &MeshFitDesc::crease_angle, &FitMeshSettings::crease_angle, rule::Between{5.0, 175.0}),
+        field("edges", &MeshFitDesc::edges, &FitMeshSettings::edges,
+              rule::OneOf{HRBFNPR_EDGES_SHARP, "HRBFNPR_EDGES_..."}),
+        reserved("reserved2", &MeshFitDesc::reserved2)};
 }
-static_assert(fit_fields().covers<Fit>());
+static_assert(mesh_fit_fields().covers<MeshFitDesc>());
 
 } // namespace
 
@@ -71,7 +73,7 @@ hrbfnpr_comparison defaults() noexcept {
 template <>
 hrbfnpr_mesh_fit_desc defaults() noexcept {
     hrbfnpr_mesh_fit_desc desc{};
-    fit_fields().set_defaults(mesh::FitMeshSettings{}, desc);
+    mesh_fit_fields().set_defaults(mesh::FitMeshSettings{}, desc);
     return desc;
 }
 
@@ -85,9 +87,9 @@ namespace {
 constexpr double evaluations_of_a_comparison = 5e5;
 constexpr double smallest_tolerance = 1e-6; // in diagonals
 constexpr double smallest_cell = 1e-3;
-constexpr double end_of_fit = 0.9; // of its progress; then it is looked for the surface's end
-constexpr double too_coarse = 0.8; // of `far`: how far faces may be from what they stand for
-constexpr double off_mesh = 0.009; // diagonals: how far from a mesh what is none of it lies
+constexpr double end_of_mesh_fit = 0.9; // of its progress; then it is looked for the surface's end
+constexpr double too_coarse = 0.8;      // of `far`: how far faces may be from what they stand for
+constexpr double off_mesh = 0.009;      // diagonals: how far from a mesh what is none of it lies
 constexpr std::int64_t places_of_trim = 40000;
 constexpr std::int64_t fewest_points = 100;
 constexpr std::int64_t fewest_candidates = 1000;
@@ -251,8 +253,8 @@ hrbfnpr_model* fit_pieces(const hrbfnpr_mesh& mesh, const mesh::FitMeshSettings&
                           std::uint32_t trim, const mesh::Creases& creases, hrbfnpr_mesh_fit_info* info,
                           const base::Progress& progress) {
     const base::Runtime& runtime = mesh.runtime();
-    mesh::PiecesFit result =
-        mesh::fit_pieces(runtime, mesh.mesh, mesh.tree, creases, settings, options, progress.part(0.0, end_of_fit));
+    mesh::PiecesFit result = mesh::fit_pieces(runtime, mesh.mesh, mesh.tree, creases, settings, options,
+                                              progress.part(0.0, end_of_mesh_fit));
     const std::int64_t centres = result.data.centres();
     log_fit(runtime, result.mesh, centres);
     log_pieces(runtime, result.pieces);
@@ -268,7 +270,7 @@ hrbfnpr_model* fit_pieces(const hrbfnpr_mesh& mesh, const mesh::FitMeshSettings&
         generate::TrimSettings end;
         end.hole = end.closest = off_mesh;
         model = ended_model(make_handle<hrbfnpr_model>(mesh.context(), std::move(result.data), result.fit),
-                            places.position, places.normal, end, progress.part(end_of_fit, 1.0));
+                            places.position, places.normal, end, progress.part(end_of_mesh_fit, 1.0));
     }
     if (info == nullptr) return model;
     hrbfnpr_mesh_fit_info to = described(result.mesh, centres);
@@ -281,26 +283,26 @@ hrbfnpr_model* fit_pieces(const hrbfnpr_mesh& mesh, const mesh::FitMeshSettings&
     return model;
 }
 
-hrbfnpr_model* fit_mesh(const hrbfnpr_mesh& mesh, const Fit& desc, const hrbfnpr_fit_desc& fit,
+hrbfnpr_model* fit_mesh(const hrbfnpr_mesh& mesh, const MeshFitDesc& desc, const hrbfnpr_fit_desc& fit,
                         hrbfnpr_mesh_fit_info* info, hrbfnpr_operation* operation) {
     if (info != nullptr) check_output_struct(info, "mesh_fit_info");
-    fit_fields().check("mesh_fit_desc", desc);
+    mesh_fit_fields().check("mesh_fit_desc", desc);
     check_fewest("mesh_fit_desc", "candidates", desc.candidates, fewest_candidates);
     check_smallest("mesh_fit_desc", "tolerance", desc.tolerance, smallest_tolerance * mesh.mesh.bounds.diagonal());
     if (desc.far != 0.0 && desc.far < desc.tolerance)
         fail(Status::invalid_argument, "mesh_fit_desc.far is %g, less than the tolerance, %g", desc.far,
              desc.tolerance);
     mesh::FitMeshSettings settings;
-    fit_fields().copy(desc, settings);
+    mesh_fit_fields().copy(desc, settings);
     const fit::FitInput options = checked_options(fit);
     const OperationUse use(operation);
     if (const std::optional<mesh::Creases> creases = creases_of(mesh, settings, use.progress()))
         return fit_pieces(mesh, settings, options, fit.trim, *creases, info, use.progress());
-    mesh::MeshFit result =
-        mesh::fit_mesh(mesh.runtime(), mesh.mesh, mesh.tree, settings, options, use.progress().part(0.0, end_of_fit));
+    mesh::MeshFit result = mesh::fit_mesh(mesh.runtime(), mesh.mesh, mesh.tree, settings, options,
+                                          use.progress().part(0.0, end_of_mesh_fit));
     const std::int64_t centres = result.fit.data.count();
     log_fit(mesh.runtime(), result.report, centres);
-    hrbfnpr_model* const model = ended(mesh, result, fit.trim, use.progress().part(end_of_fit, 1.0));
+    hrbfnpr_model* const model = ended(mesh, result, fit.trim, use.progress().part(end_of_mesh_fit, 1.0));
     if (info != nullptr) write_struct(info, described(result.report, centres));
     return model;
 }

@@ -103,17 +103,17 @@ constexpr auto fit_fields() noexcept {
         field("kernel", &Fit::kernel, &FitInput::kernel, rule::OneOf{HRBFNPR_KERNEL_WENDLAND_C2, "HRBFNPR_KERNEL_..."}),
         field("points", &Fit::points, rule::Any{}),
         field("normals", &Fit::normals, rule::Any{}),
-        field("kernel_radius", &Fit::kernel_radius, &FitInput::kernel_radius, rule::AtLeast{0.0}),
+        field("kernel_radius", &Fit::kernel_radius, &FitInput::kernel_radius, rule::not_negative),
         field("polynomial_degree", &Fit::polynomial_degree, &FitInput::polynomial_degree, Degree{}),
         field("regularization_mode", &Fit::regularization_mode, &FitInput::regularization_mode,
               rule::OneOf{HRBFNPR_REGULARIZATION_AUTO, "HRBFNPR_REGULARIZATION_..."}),
-        field("regularization", &Fit::regularization, &FitInput::regularization, rule::AtLeast{0.0}),
+        field("regularization", &Fit::regularization, &FitInput::regularization, rule::not_negative),
         field("outliers", &Fit::outliers, &FitInput::outliers,
               rule::OneOf{HRBFNPR_REPAIR_DROP, "HRBFNPR_REPAIR_KEEP and _DROP"}),
         field("flipped_normals", &Fit::flipped_normals, &FitInput::flipped_normals,
               rule::OneOf{HRBFNPR_REPAIR_REORIENT, "HRBFNPR_REPAIR_..."}),
-        field("tolerance", &Fit::tolerance, &FitInput::tolerance, rule::AtLeast{0.0}),
-        field("maximum_centres", &Fit::maximum_centres, &FitInput::maximum_centres, rule::AtLeast{0.0}),
+        field("tolerance", &Fit::tolerance, &FitInput::tolerance, rule::not_negative),
+        field("maximum_centres", &Fit::maximum_centres, &FitInput::maximum_centres, rule::not_negative),
         field("solver", &Fit::solver, &FitInput::solver, rule::OneOf{HRBFNPR_SOLVER_ITERATIVE, "HRBFNPR_SOLVER_..."}),
         field("refinement_steps", &Fit::refinement_steps, &FitInput::refinement_steps, rule::Between{0.0, 20.0}),
         field("solver_tolerance", &Fit::solver_tolerance, &FitInput::solver_tolerance, rule::Between{0.0, 0.1}),
@@ -135,7 +135,7 @@ constexpr auto custom_fields() noexcept {
         field("bounds_min", &Custom::bounds_min, rule::All{rule::Finite{}}),
         field("bounds_max", &Custom::bounds_max, rule::All{rule::Finite{}}),
         field("difference_step", &Custom::difference_step, &implicit::CustomFunction::difference_step,
-              rule::AtLeast{0.0})};
+              rule::not_negative)};
 }
 static_assert(custom_fields().covers<Custom>());
 
@@ -162,7 +162,7 @@ hrbfnpr_model_info defaults() noexcept {
 namespace {
 
 // Diagonals as of fits: squares and cubes of lengths stay far from the ends of a double's range.
-constexpr double smallest_box = 1e-100;
+constexpr double smallest_fit_box = 1e-100;
 constexpr double end_of_fit = 0.9; // of its progress; then it is looked for the surface's end
 
 fit::FitInput checked(const hrbfnpr_fit_desc& desc) {
@@ -251,11 +251,11 @@ implicit::CustomFunction checked(const hrbfnpr_custom_desc& desc) {
     assign_field(custom.bounds.min, desc.bounds_min);
     assign_field(custom.bounds.max, desc.bounds_max);
     const double diagonal = custom.bounds.diagonal();
-    if (!(diagonal >= smallest_box && diagonal <= 1.0 / smallest_box))
+    if (!(diagonal >= smallest_fit_box && diagonal <= 1.0 / smallest_fit_box))
         fail(Status::invalid_argument,
              "custom_desc.bounds_min and bounds_max span no box; its diagonal is %g, and must be from %g to %g: scale "
              "the function",
-             diagonal, smallest_box, 1.0 / smallest_box);
+             diagonal, smallest_fit_box, 1.0 / smallest_fit_box);
     return custom;
 }
 

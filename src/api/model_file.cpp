@@ -206,7 +206,7 @@ hrbfnpr_model* tree_of(hrbfnpr_context& context, io::ModelFile& file) {
     }
 }
 
-hrbfnpr_model* load(hrbfnpr_context& context, io::Reader& reader) {
+hrbfnpr_model* read_model(hrbfnpr_context& context, io::Reader& reader) {
     io::ModelFile file = io::load_model(context.runtime.memory, reader);
     auto* const model = file.tree.empty() ? model_of(context, file) : tree_of(context, file);
     if (file.trim.position.empty()) return model;
@@ -244,7 +244,7 @@ hrbfnpr_status hrbfnpr_model_load(hrbfnpr_context* context, hrbfnpr_read_fn read
         auto& parent = api::deref(context, "context");
         if (read == nullptr) fail(Status::invalid_argument, "read is NULL");
         api::CallbackReader reader(read, user);
-        return api::load(parent, reader);
+        return api::read_model(parent, reader);
     });
 }
 
@@ -253,7 +253,7 @@ hrbfnpr_status hrbfnpr_model_load_memory(hrbfnpr_context* context, const void* d
     return api::guarded_create(out_model, "out_model", error, [&] {
         auto& parent = api::deref(context, "context");
         io::MemoryReader reader = api::memory_reader(data, size);
-        return api::load(parent, reader);
+        return api::read_model(parent, reader);
     });
 }
 

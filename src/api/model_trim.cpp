@@ -20,7 +20,7 @@ constexpr auto trim_fields() noexcept {
     using generate::TrimSettings;
     return FieldTable{field("reserved", &Trim::reserved, rule::OneOf{0, "0"}),
                       field("limit", &Trim::limit, &TrimSettings::limit, rule::Between{1e-3, 1e3}),
-                      field("hole", &Trim::hole, &TrimSettings::hole, rule::AtLeast{0.0}),
+                      field("hole", &Trim::hole, &TrimSettings::hole, rule::not_negative),
                       field("closest", &Trim::closest, &TrimSettings::closest, rule::Between{0.0, 1.0}),
                       field("points", &Trim::points, rule::Any{}),
                       field("normals", &Trim::normals, rule::Any{})};
@@ -123,7 +123,7 @@ hrbfnpr_model* trim(const hrbfnpr_model& given, const hrbfnpr_trim_desc& desc, h
     return make_handle<hrbfnpr_model>(whole.context(), whole, std::move(found));
 }
 
-hrbfnpr_trim_info describe(const hrbfnpr_model& model) noexcept {
+hrbfnpr_trim_info describe_trim(const hrbfnpr_model& model) noexcept {
     const generate::FoundTrim& found = model.trim();
     hrbfnpr_trim_info info{};
     info.is_trimmed = found.trim != nullptr ? 1 : 0;
@@ -192,7 +192,7 @@ hrbfnpr_status hrbfnpr_model_get_trim_info(const hrbfnpr_model* model, hrbfnpr_t
     return api::guarded(error, [&] {
         const auto& handle = api::deref(model, "model");
         api::check_output_struct(info, "trim_info");
-        api::write_struct(info, api::describe(handle));
+        api::write_struct(info, api::describe_trim(handle));
     });
 }
 

@@ -30,7 +30,7 @@ static_assert(static_cast<int>(output::LineType::last) == HRBFNPR_LINE_TYPE_DOUB
 namespace hrbfnpr::api {
 namespace {
 
-using Desc = hrbfnpr_page_desc;
+using PageDesc = hrbfnpr_page_desc;
 using output::PageSettings;
 using output::PlotSettings;
 using output::ShapeSettings;
@@ -46,37 +46,38 @@ constexpr std::uint32_t last_line_type = HRBFNPR_LINE_TYPE_DOUBLE_DASHED_TRIPLE_
 
 constexpr auto page_fields() noexcept {
     using rule::Between;
-    return FieldTable{field("format", &Desc::format, rule::OneOf{HRBFNPR_PAGE_FORMAT_GCODE, "HRBFNPR_PAGE_FORMAT_..."}),
-                      field("flags", &Desc::flags, rule::Flags{known_flags}),
-                      field("widths", &Desc::widths, rule::OneOf{HRBFNPR_WIDTHS_CLASSES, "HRBFNPR_WIDTHS_..."}),
-                      field("dots", &Desc::dots, rule::OneOf{HRBFNPR_DOT_SHAPE_SPIRALS, "HRBFNPR_DOT_SHAPE_..."}),
-                      reserved("reserved", &Desc::reserved),
-                      field("width", &Desc::width, &PageSettings::width, Between{0.0, far_away}),
-                      field("height", &Desc::height, &PageSettings::height, Between{0.0, far_away}),
-                      field("tolerance", &Desc::tolerance, Between{0.001, 10.0}),
-                      field("width_step", &Desc::width_step, Between{1.01, 4.0}),
-                      field("join", &Desc::join, Between{0.0, far_away}),
-                      field("shortest", &Desc::shortest, Between{0.0, far_away}),
-                      field("dot_distance", &Desc::dot_distance, Between{0.0, far_away}),
-                      field("draw_speed", &Desc::draw_speed, rule::PositiveUpTo{far_away}),
-                      field("travel_speed", &Desc::travel_speed, rule::PositiveUpTo{far_away}),
-                      field("pen_seconds", &Desc::pen_seconds, Between{0.0, 3600.0}),
-                      field("pen_down", &Desc::pen_down, rule::Any{}),
-                      field("pen_up", &Desc::pen_up, rule::Any{}),
-                      field("title", &Desc::title, rule::Any{}),
-                      field("description", &Desc::description, rule::Any{}),
-                      field("metadata", &Desc::metadata, rule::Any{}),
-                      field("items", &Desc::items, rule::Any{}),
-                      field("item_count", &Desc::item_count, rule::Any{}),
-                      field("item_stride", &Desc::item_stride, rule::Any{}),
-                      field("pens", &Desc::pens, rule::Any{}),
-                      field("pen_count", &Desc::pen_count, rule::Any{}),
-                      field("pen_stride", &Desc::pen_stride, rule::Any{}),
-                      field("annotations", &Desc::annotations, rule::Any{}),
-                      field("annotation_count", &Desc::annotation_count, rule::Any{}),
-                      field("annotation_stride", &Desc::annotation_stride, rule::Any{})};
+    return FieldTable{
+        field("format", &PageDesc::format, rule::OneOf{HRBFNPR_PAGE_FORMAT_GCODE, "HRBFNPR_PAGE_FORMAT_..."}),
+        field("flags", &PageDesc::flags, rule::Flags{known_flags}),
+        field("widths", &PageDesc::widths, rule::OneOf{HRBFNPR_WIDTHS_CLASSES, "HRBFNPR_WIDTHS_..."}),
+        field("dots", &PageDesc::dots, rule::OneOf{HRBFNPR_DOT_SHAPE_SPIRALS, "HRBFNPR_DOT_SHAPE_..."}),
+        reserved("reserved", &PageDesc::reserved),
+        field("width", &PageDesc::width, &PageSettings::width, Between{0.0, far_away}),
+        field("height", &PageDesc::height, &PageSettings::height, Between{0.0, far_away}),
+        field("tolerance", &PageDesc::tolerance, Between{0.001, 10.0}),
+        field("width_step", &PageDesc::width_step, Between{1.01, 4.0}),
+        field("join", &PageDesc::join, Between{0.0, far_away}),
+        field("shortest", &PageDesc::shortest, Between{0.0, far_away}),
+        field("dot_distance", &PageDesc::dot_distance, Between{0.0, far_away}),
+        field("draw_speed", &PageDesc::draw_speed, rule::PositiveUpTo{far_away}),
+        field("travel_speed", &PageDesc::travel_speed, rule::PositiveUpTo{far_away}),
+        field("pen_seconds", &PageDesc::pen_seconds, Between{0.0, 3600.0}),
+        field("pen_down", &PageDesc::pen_down, rule::Any{}),
+        field("pen_up", &PageDesc::pen_up, rule::Any{}),
+        field("title", &PageDesc::title, rule::Any{}),
+        field("description", &PageDesc::description, rule::Any{}),
+        field("metadata", &PageDesc::metadata, rule::Any{}),
+        field("items", &PageDesc::items, rule::Any{}),
+        field("item_count", &PageDesc::item_count, rule::Any{}),
+        field("item_stride", &PageDesc::item_stride, rule::Any{}),
+        field("pens", &PageDesc::pens, rule::Any{}),
+        field("pen_count", &PageDesc::pen_count, rule::Any{}),
+        field("pen_stride", &PageDesc::pen_stride, rule::Any{}),
+        field("annotations", &PageDesc::annotations, rule::Any{}),
+        field("annotation_count", &PageDesc::annotation_count, rule::Any{}),
+        field("annotation_stride", &PageDesc::annotation_stride, rule::Any{})};
 }
-static_assert(page_fields().covers<Desc>());
+static_assert(page_fields().covers<PageDesc>());
 
 constexpr auto placement_fields() noexcept {
     using From = hrbfnpr_page_item;
@@ -172,7 +173,7 @@ bool in_plot_order(const PageSettings& settings) noexcept {
     return settings.in_plot_order || settings.format >= output::PageFormat::hpgl;
 }
 
-PageSettings settings_of(const Desc& desc) noexcept {
+PageSettings settings_of(const PageDesc& desc) noexcept {
     PageSettings settings;
     page_fields().copy(desc, settings);
     settings.format = static_cast<output::PageFormat>(desc.format);
@@ -189,7 +190,7 @@ PageSettings settings_of(const Desc& desc) noexcept {
 // What a page is made of, read and checked before a byte is written.
 class PageReader {
 public:
-    PageReader(base::Memory& memory, const Desc& desc, const base::Progress& progress)
+    PageReader(base::Memory& memory, const PageDesc& desc, const base::Progress& progress)
         : placements_(memory), pens_(memory), annotations_(memory), numbers_(memory) {
         read_placements(desc);
         read_pens(desc);
@@ -214,7 +215,7 @@ public:
     }
 
 private:
-    void read_placements(const Desc& desc) {
+    void read_placements(const PageDesc& desc) {
         const List<hrbfnpr_page_item> list(desc.items, desc.item_count, desc.item_stride, most_items,
                                            "page_desc.items");
         for (std::int64_t i = 0; i < list.count(); ++i) {
@@ -229,7 +230,7 @@ private:
         }
     }
 
-    void read_pens(const Desc& desc) {
+    void read_pens(const PageDesc& desc) {
         const List<hrbfnpr_pen> list(desc.pens, desc.pen_count, desc.pen_stride, most_pens, "page_desc.pens");
         for (std::int64_t i = 0; i < list.count(); ++i) {
             const hrbfnpr_pen given = list[i];
@@ -242,7 +243,7 @@ private:
         }
     }
 
-    void read_annotations(base::Memory& memory, const Desc& desc, const base::Progress& progress) {
+    void read_annotations(base::Memory& memory, const PageDesc& desc, const base::Progress& progress) {
         const List<hrbfnpr_annotation> list(desc.annotations, desc.annotation_count, desc.annotation_stride,
                                             most_annotations, "page_desc.annotations");
         base::Array<std::int64_t> first(memory);
@@ -304,7 +305,7 @@ hrbfnpr_page_info describe(const output::PageCounts& counts, const glm::dvec2& s
     return info;
 }
 
-hrbfnpr_page_info write(const base::Runtime& runtime, const Desc& desc, io::Writer& writer,
+hrbfnpr_page_info write(const base::Runtime& runtime, const PageDesc& desc, io::Writer& writer,
                         hrbfnpr_operation* operation) {
     page_fields().check("page_desc", desc);
     const OperationUse use(operation);

@@ -117,7 +117,7 @@ hrbfnpr_array view_of(const marks::Layer& layer, std::uint32_t attribute) {
     }
 }
 
-hrbfnpr_point_set* load(hrbfnpr_context& context, io::Reader& reader) {
+hrbfnpr_point_set* read_set(hrbfnpr_context& context, io::Reader& reader) {
     return adopt(context, io::load_point_set(context.runtime.memory, reader));
 }
 
@@ -214,7 +214,7 @@ hrbfnpr_status hrbfnpr_point_set_load(hrbfnpr_context* context, hrbfnpr_read_fn 
         auto& parent = api::deref(context, "context");
         if (read == nullptr) fail(Status::invalid_argument, "read is NULL");
         api::CallbackReader reader(read, user);
-        return api::load(parent, reader);
+        return api::read_set(parent, reader);
     });
 }
 
@@ -223,7 +223,7 @@ hrbfnpr_status hrbfnpr_point_set_load_memory(hrbfnpr_context* context, const voi
     return api::guarded_create(out_point_set, "out_point_set", error, [&] {
         auto& parent = api::deref(context, "context");
         io::MemoryReader reader = api::memory_reader(data, size);
-        return api::load(parent, reader);
+        return api::read_set(parent, reader);
     });
 }
 

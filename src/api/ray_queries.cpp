@@ -34,7 +34,7 @@ constexpr auto cast_fields() noexcept {
         reserved("reserved", &Cast::reserved),
         field("t_min", &Cast::t_min, &RaySettings::t_min, rule::Finite{}),
         field("t_max", &Cast::t_max, &RaySettings::t_max, rule::Any{}),
-        field("lipschitz", &Cast::lipschitz, &RaySettings::lipschitz, rule::AtLeast{0.0}),
+        field("lipschitz", &Cast::lipschitz, &RaySettings::lipschitz, rule::not_negative),
         field("smallest_step", &Cast::smallest_step, &RaySettings::smallest_step, rule::PositiveUpTo{0.1}),
         field("tolerance", &Cast::tolerance, &RaySettings::tolerance, rule::Positive{})};
 }
@@ -56,7 +56,7 @@ hrbfnpr_ray_hits defaults() noexcept {
 
 namespace {
 
-constexpr std::int64_t block_size = 65536; // of points, or of places for hits
+constexpr std::int64_t rays_at_once = 65536; // of points, or of places for hits
 
 RaySettings checked(const hrbfnpr_cast_desc& desc) {
     cast_fields().check("cast_desc", desc);
@@ -108,7 +108,7 @@ std::int64_t cast_rays(const hrbfnpr_model& model, const Queries& origins, const
     surface::Rays rays(runtime.memory);
     surface::RayHits block(runtime.memory);
     std::int64_t hit_rays = 0;
-    for_blocks(origins.count(), block_size / settings.maximum_hits, progress.part(estimate ? 0.1 : 0.0, 1.0),
+    for_blocks(origins.count(), rays_at_once / settings.maximum_hits, progress.part(estimate ? 0.1 : 0.0, 1.0),
                [&](std::int64_t begin, std::int64_t end, const base::Progress& part) {
                    origins.read(begin, end, rays.origin);
                    directions.read(begin, end, rays.direction);
@@ -127,7 +127,7 @@ std::int64_t contains(const hrbfnpr_model& model, const Queries& queries, const 
     geometry::VecArray points(model.runtime().memory);
     base::Array<std::uint8_t> block(model.runtime().memory);
     std::int64_t inside = 0;
-    for_blocks(queries.count(), block_size, progress,
+    for_blocks(queries.count(), rays_at_once, progress,
                [&](std::int64_t begin, std::int64_t end, const base::Progress& part) {
                    queries.read(begin, end, points);
                    surface::contains(model.runtime(), model.implicit(), points, block, part);

@@ -31,7 +31,7 @@ hrbfnpr_layer_pose defaults() noexcept {
 
 namespace {
 
-constexpr std::int64_t most_items = 1000000;
+constexpr std::int64_t most_drawn_items = 1000000;
 constexpr std::int64_t most_poses = 65536;
 // Drawings that a renderer keeps to be filled again: one that is shown, one that is being made, and some in between.
 constexpr std::int64_t most_kept = 4;
@@ -213,7 +213,7 @@ hrbfnpr_status hrbfnpr_renderer_draw(hrbfnpr_renderer* renderer, const hrbfnpr_i
                                      hrbfnpr_error* error) {
     return api::guarded_create(out_drawing, "out_drawing", error, [&] {
         auto& handle = api::deref(renderer, "renderer");
-        return api::draw(handle, {items, item_count, item_stride, api::most_items, "items"}, camera);
+        return api::draw(handle, {items, item_count, item_stride, api::most_drawn_items, "items"}, camera);
     });
 }
 

@@ -37,7 +37,7 @@ static_assert(frame::preset_count == HRBFNPR_PRESET_ARCHAEOLOGICAL + 1);
 namespace hrbfnpr::api {
 namespace {
 
-using Layer = hrbfnpr_layer_style;
+using GivenLayer = hrbfnpr_layer_style;
 using Style = hrbfnpr_style;
 
 constexpr double largest_radius = 16384.0; // pixels
@@ -47,39 +47,38 @@ constexpr rule::PositiveUpTo radius{largest_radius};
 constexpr rule::Between share{0.0, 1.0};
 constexpr rule::PositiveUpTo some{1.0};
 constexpr rule::Between factor{0.0, 16.0}; // of a line's width or a pen
-constexpr rule::AtLeast not_negative{0.0};
 constexpr auto ink = rule::Each{share};
 
-constexpr auto layer_fields() noexcept {
+constexpr auto layer_style_fields() noexcept {
     using To = frame::LayerStyle;
     return FieldTable{
-        field("kind", &Layer::kind, &To::kind, rule::OneOf{marks::kind_count - 1, "HRBFNPR_LAYER_KIND_..."}),
-        field("name", &Layer::name, &To::name, rule::Any{}),
-        field("shown", &Layer::shown, &To::shown, share),
-        field("contours", &Layer::contours, &To::contours, share),
-        field("directions", &Layer::directions, &To::directions, rule::Flags{3}),
-        field("shape", &Layer::shape, &To::shape, rule::OneOf{HRBFNPR_SHAPE_HATCH, "HRBFNPR_SHAPE_..."}),
-        field("share", &Layer::share, &To::share, share),
-        field("radius", &Layer::radius, &To::radius, radius),
-        field("radius_zoom", &Layer::radius_zoom, &To::radius_zoom, share),
-        reserved("reserved", &Layer::reserved),
-        field("ink", &Layer::ink, &To::ink, ink),
-        field("hatch_tone_begin", &Layer::hatch_tone_begin, &To::hatch_tone_begin, share),
-        field("hatch_tone_end", &Layer::hatch_tone_end, &To::hatch_tone_end, some),
-        field("hatch_coverage_begin", &Layer::hatch_coverage_begin, &To::hatch_coverage_begin, some),
-        field("hatch_coverage_end", &Layer::hatch_coverage_end, &To::hatch_coverage_end, some),
-        field("hatch_spacing", &Layer::hatch_spacing, &To::hatch_spacing, radius),
-        field("hatch_pen", &Layer::hatch_pen, &To::hatch_pen, radius),
-        field("hatch_white", &Layer::hatch_white, &To::hatch_white, pixels),
-        field("hatch_taper", &Layer::hatch_taper, &To::hatch_taper, pixels),
-        field("hatch_shortest", &Layer::hatch_shortest, &To::hatch_shortest, pixels),
-        reserved("reserved2", &Layer::reserved2),
-        field("hatch_wobble", &Layer::hatch_wobble, &To::hatch_wobble, factor),
-        field("hatch_overshoot", &Layer::hatch_overshoot, &To::hatch_overshoot, pixels),
-        field("hatch_seed", &Layer::hatch_seed, &To::hatch_seed, rule::Any{}),
-        reserved("reserved3", &Layer::reserved3)};
+        field("kind", &GivenLayer::kind, &To::kind, rule::OneOf{marks::kind_count - 1, "HRBFNPR_LAYER_KIND_..."}),
+        field("name", &GivenLayer::name, &To::name, rule::Any{}),
+        field("shown", &GivenLayer::shown, &To::shown, share),
+        field("contours", &GivenLayer::contours, &To::contours, share),
+        field("directions", &GivenLayer::directions, &To::directions, rule::Flags{3}),
+        field("shape", &GivenLayer::shape, &To::shape, rule::OneOf{HRBFNPR_SHAPE_HATCH, "HRBFNPR_SHAPE_..."}),
+        field("share", &GivenLayer::share, &To::share, share),
+        field("radius", &GivenLayer::radius, &To::radius, radius),
+        field("radius_zoom", &GivenLayer::radius_zoom, &To::radius_zoom, share),
+        reserved("reserved", &GivenLayer::reserved),
+        field("ink", &GivenLayer::ink, &To::ink, ink),
+        field("hatch_tone_begin", &GivenLayer::hatch_tone_begin, &To::hatch_tone_begin, share),
+        field("hatch_tone_end", &GivenLayer::hatch_tone_end, &To::hatch_tone_end, some),
+        field("hatch_coverage_begin", &GivenLayer::hatch_coverage_begin, &To::hatch_coverage_begin, some),
+        field("hatch_coverage_end", &GivenLayer::hatch_coverage_end, &To::hatch_coverage_end, some),
+        field("hatch_spacing", &GivenLayer::hatch_spacing, &To::hatch_spacing, radius),
+        field("hatch_pen", &GivenLayer::hatch_pen, &To::hatch_pen, radius),
+        field("hatch_white", &GivenLayer::hatch_white, &To::hatch_white, pixels),
+        field("hatch_taper", &GivenLayer::hatch_taper, &To::hatch_taper, pixels),
+        field("hatch_shortest", &GivenLayer::hatch_shortest, &To::hatch_shortest, pixels),
+        reserved("reserved2", &GivenLayer::reserved2),
+        field("hatch_wobble", &GivenLayer::hatch_wobble, &To::hatch_wobble, factor),
+        field("hatch_overshoot", &GivenLayer::hatch_overshoot, &To::hatch_overshoot, pixels),
+        field("hatch_seed", &GivenLayer::hatch_seed, &To::hatch_seed, rule::Any{}),
+        reserved("reserved3", &GivenLayer::reserved3)};
 }
-static_assert(layer_fields().covers<Layer>());
+static_assert(layer_style_fields().covers<GivenLayer>());
 
 constexpr auto style_fields() noexcept {
     using To = frame::Style;
@@ -111,16 +110,16 @@ constexpr auto style_fields() noexcept {
               rule::OneOf{HRBFNPR_VISIBILITY_PUBLISHED, "HRBFNPR_VISIBILITY_..."}),
         field("hidden_lines", &Style::hidden_lines, &To::hidden_lines,
               rule::OneOf{HRBFNPR_HIDDEN_LINES_SHOW, "HRBFNPR_HIDDEN_LINES_..."}),
-        field("attenuation_front", &Style::attenuation_front, &To::attenuation_front, not_negative),
-        field("attenuation_back", &Style::attenuation_back, &To::attenuation_back, not_negative),
+        field("attenuation_front", &Style::attenuation_front, &To::attenuation_front, rule::not_negative),
+        field("attenuation_back", &Style::attenuation_back, &To::attenuation_back, rule::not_negative),
         field("splat_radius", &Style::splat_radius, &To::splat_radius, pixels),
         field("splat_overlap", &Style::splat_overlap, &To::splat_overlap, rule::Between{0.0, 1e6}),
         field("halo_width", &Style::halo_width, &To::halo_width, pixels),
         reserved("reserved", &Style::reserved),
-        field("depth_min", &Style::depth_min, &To::depth_min, not_negative),
-        field("depth_max", &Style::depth_max, &To::depth_max, not_negative),
-        field("zoom_reference", &Style::zoom_reference, &To::zoom_reference, not_negative),
-        field("zoom_exponent", &Style::zoom_exponent, &To::zoom_exponent, not_negative),
+        field("depth_min", &Style::depth_min, &To::depth_min, rule::not_negative),
+        field("depth_max", &Style::depth_max, &To::depth_max, rule::not_negative),
+        field("zoom_reference", &Style::zoom_reference, &To::zoom_reference, rule::not_negative),
+        field("zoom_exponent", &Style::zoom_exponent, &To::zoom_exponent, rule::not_negative),
         field("lines", &Style::lines, rule::Any{}),
         field("line_count", &Style::line_count, rule::Any{}),
         field("line_stride", &Style::line_stride, rule::Any{}),
@@ -147,8 +146,8 @@ constexpr auto line_fields() noexcept {
         field("gap", &LineStyle::gap, &To::gap, radius),
         field("shortest", &LineStyle::shortest, &To::shortest, pixels),
         field("fade", &LineStyle::fade, &To::fade, share),
-        field("lower", &LineStyle::lower, &To::lower, not_negative),
-        field("upper", &LineStyle::upper, &To::upper, not_negative),
+        field("lower", &LineStyle::lower, &To::lower, rule::not_negative),
+        field("upper", &LineStyle::upper, &To::upper, rule::not_negative),
         field("levels", &LineStyle::levels, rule::Any{}),
         field("ink", &LineStyle::ink, &To::ink, ink),
         field("outline_factor", &LineStyle::outline_factor, &To::outline_factor, factor),
@@ -177,7 +176,7 @@ void check_between_fields(const Style& style, const char* owner) {
              owner, style.depth_min, style.depth_max);
 }
 
-void check_hatch(const Layer& layer, const char* owner) {
+void check_hatch(const GivenLayer& layer, const char* owner) {
     if (!(layer.hatch_tone_begin < layer.hatch_tone_end))
         fail(Status::invalid_argument, "%s.hatch_tone_begin is %g and hatch_tone_end is %g; the end must be greater",
              owner, static_cast<double>(layer.hatch_tone_begin), static_cast<double>(layer.hatch_tone_end));
@@ -186,13 +185,13 @@ void check_hatch(const Layer& layer, const char* owner) {
 void add_layers(const Style& style, const char* owner, base::Array<frame::LayerStyle>& layers) {
     char name[80];
     std::snprintf(name, sizeof name, "%.60s.layers", owner);
-    const List<Layer> list(style.layers, style.layer_count, style.layer_stride, most_layer_styles, name);
+    const List<GivenLayer> list(style.layers, style.layer_count, style.layer_stride, most_layer_styles, name);
     for (std::int64_t i = 0; i < list.count(); ++i) {
-        const Layer given = list[i];
-        layer_fields().check(list.name(i).text, given);
+        const GivenLayer given = list[i];
+        layer_style_fields().check(list.name(i).text, given);
         check_hatch(given, list.name(i).text);
         frame::LayerStyle layer;
-        layer_fields().copy(given, layer);
+        layer_style_fields().copy(given, layer);
         layers.push_back(layer);
     }
 }
@@ -290,8 +289,8 @@ std::span<const LineStyle> preset_line_styles(std::uint32_t preset) noexcept {
     }
 }
 
-constexpr Layer constant(const frame::LayerStyle& from) {
-    Layer to{};
+constexpr GivenLayer constant(const frame::LayerStyle& from) {
+    GivenLayer to{};
     to.struct_size = sizeof to;
     to.kind = static_cast<std::uint32_t>(from.kind);
     to.name = from.name;
@@ -318,41 +317,41 @@ constexpr Layer constant(const frame::LayerStyle& from) {
     return to;
 }
 template <std::size_t count>
-constexpr std::array<Layer, count> constants(const frame::LayerStyle (&from)[count]) {
-    std::array<Layer, count> to{};
+constexpr std::array<GivenLayer, count> constants(const frame::LayerStyle (&from)[count]) {
+    std::array<GivenLayer, count> to{};
     for (std::size_t i = 0; i < count; ++i) to[i] = constant(from[i]);
     return to;
 }
 constexpr auto stipple = constants(frame::presets::stipple_layers);
 constexpr auto hatch = constants(frame::presets::hatch_layers);
-constexpr auto cross_hatch = constants(frame::presets::cross_hatch_layers);
-constexpr auto combing = constants(frame::presets::combing_layers);
+constexpr auto cross_hatch_styles = constants(frame::presets::cross_hatch_layers);
+constexpr auto combing_styles = constants(frame::presets::combing_layers);
 constexpr auto contours = constants(frame::presets::contour_layers);
 constexpr auto contour_and_stipple = constants(frame::presets::contour_and_stipple_layers);
 constexpr auto full = constants(frame::presets::full_layers);
-constexpr auto engraving = constants(frame::presets::engraving_layers);
-constexpr auto etching = constants(frame::presets::etching_layers);
+constexpr auto engraving_styles = constants(frame::presets::engraving_layers);
+constexpr auto etching_styles = constants(frame::presets::etching_layers);
 constexpr auto woodcut = constants(frame::presets::woodcut_layers);
-constexpr auto scientific = constants(frame::presets::scientific_layers);
+constexpr auto scientific_styles = constants(frame::presets::scientific_layers);
 constexpr auto sketch = constants(frame::presets::sketch_layers);
 constexpr auto blueprint = constants(frame::presets::blueprint_layers);
-constexpr auto archaeological = constants(frame::presets::archaeological_layers);
+constexpr auto archaeological_styles = constants(frame::presets::archaeological_layers);
 
-std::span<const Layer> preset_layer_styles(std::uint32_t preset) noexcept {
+std::span<const GivenLayer> preset_layer_styles(std::uint32_t preset) noexcept {
     switch (preset) {
     case HRBFNPR_PRESET_STIPPLE: return stipple;
     case HRBFNPR_PRESET_HATCH: return hatch;
-    case HRBFNPR_PRESET_CROSS_HATCH: return cross_hatch;
-    case HRBFNPR_PRESET_COMBING: return combing;
+    case HRBFNPR_PRESET_CROSS_HATCH: return cross_hatch_styles;
+    case HRBFNPR_PRESET_COMBING: return combing_styles;
     case HRBFNPR_PRESET_CONTOUR_AND_STIPPLE: return contour_and_stipple;
     case HRBFNPR_PRESET_FULL: return full;
-    case HRBFNPR_PRESET_ENGRAVING: return engraving;
-    case HRBFNPR_PRESET_ETCHING: return etching;
+    case HRBFNPR_PRESET_ENGRAVING: return engraving_styles;
+    case HRBFNPR_PRESET_ETCHING: return etching_styles;
     case HRBFNPR_PRESET_WOODCUT: return woodcut;
-    case HRBFNPR_PRESET_SCIENTIFIC_STIPPLE: return scientific;
+    case HRBFNPR_PRESET_SCIENTIFIC_STIPPLE: return scientific_styles;
     case HRBFNPR_PRESET_SKETCH: return sketch;
     case HRBFNPR_PRESET_BLUEPRINT: return blueprint;
-    case HRBFNPR_PRESET_ARCHAEOLOGICAL: return archaeological;
+    case HRBFNPR_PRESET_ARCHAEOLOGICAL: return archaeological_styles;
     default: return contours;
     }
 }

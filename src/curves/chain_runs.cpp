@@ -13,7 +13,7 @@ namespace {
 // nearer to each other are one, but where the curve turns; runs that are nearer
 // are the same curve.
 constexpr double reach = 1.0;
-constexpr double nearest = 0.1;
+constexpr double least_run = 0.1;
 constexpr double on_curve = 0.02;
 // In longest steps: between the crossings of a chain that are chosen; and a gap
 // that is wider is none of one curve.
@@ -24,7 +24,7 @@ constexpr double kept_turn = 0.8;
 // In turns: between a piece's chord and its ends.  Half of one in an arc.
 constexpr double off_chord = 0.75;
 // Halvings of a gap, down to a kink.
-constexpr int most_rounds = 10;
+constexpr int run_rounds = 10;
 
 glm::dvec3 unit_direction(const CurvePoint& p) noexcept { return glm::normalize(p.direction()); }
 
@@ -125,7 +125,7 @@ bool Linker::in_order(const CurvePoint& before, const CurvePoint& p) const noexc
     const glm::dvec3 a = unit_direction(before);
     const glm::dvec3 b = unit_direction(p);
     if (glm::distance(a, b) > settings_.turn) return true; // who knows
-    return length > nearest * settings_.longest * mesh_.side && glm::dot(a, way) > 0.0 && glm::dot(b, way) > 0.0;
+    return length > least_run * settings_.longest * mesh_.side && glm::dot(a, way) > 0.0 && glm::dot(b, way) > 0.0;
 }
 
 // Newton's steps go along the curve, too: points may have come together, or
@@ -332,7 +332,7 @@ Curves runs_from(const base::Runtime& runtime, const Level& level, const Surface
                  const TraceSettings& settings, TraceReport& report, const base::Progress& progress) {
     Linker linker(runtime, level, mesh, starts, settings, report, progress);
     linker.begin();
-    for (int round = 0; round < most_rounds && linker.fill_gaps(); ++round) progress.check();
+    for (int round = 0; round < run_rounds && linker.fill_gaps(); ++round) progress.check();
     return without_doubles(runtime, mesh, linker.split(), settings.longest * mesh.side);
 }
 

@@ -13,8 +13,8 @@ namespace hrbfnpr::curves {
 namespace {
 
 // In sides.
-constexpr double tolerance = 1e-9;
-constexpr double farthest = 0.35; // from where the edge says that the curve passes
+constexpr double cut_tolerance = 1e-9;
+constexpr double farthest_cut = 0.35; // from where the edge says that the curve passes
 constexpr int halvings = 10;
 
 struct Edge {
@@ -26,9 +26,10 @@ struct Edge {
     [[nodiscard]] bool operator==(const Edge& other) const noexcept { return kept == other.kept && lost == other.lost; }
 };
 
-class Clipper {
+class MeshClipper {
 public:
-    Clipper(const base::Runtime& runtime, const Level& level, const SurfaceMesh& mesh, const base::Progress& progress)
+    MeshClipper(const base::Runtime& runtime, const Level& level, const SurfaceMesh& mesh,
+                const base::Progress& progress)
         : runtime_(runtime), level_(level), mesh_(mesh), progress_(progress), value_(runtime.memory),
           number_(runtime.memory, mesh.vertices()), edge_(runtime.memory), out_(runtime.memory) {
         level.at_vertices(runtime, mesh, value_, progress);
@@ -59,7 +60,7 @@ private:
     ClippedMesh out_;
 };
 
-void Clipper::copy_vertices() {
+void MeshClipper::copy_vertices() {
     SurfaceMesh& to = out_.mesh;
     for (std::int32_t v = 0; v < mesh_.vertices(); ++v) {
         if (!keeps(v)) continue;
@@ -70,7 +71,7 @@ void Clipper::copy_vertices() {
     out_.first_cut = to.vertices();
 }
 
-void Clipper::find_edges() {
+void MeshClipper::find_edges() {
     for (std::int64_t e = 0; e < mesh_.corner.size(); ++e) {
         const std::int32_t a = mesh_.corner[e];
         const std::int32_t b = mesh_.corner[e - e % 3 + (e + 1) % 3];
@@ -81,7 +82,7 @@ void Clipper::find_edges() {
 }
 
 // Newton's steps from where g is 0 by its values at the edge's ends; where these fail, from where halving leads.
-void Clipper::find_cuts() {
+void MeshClipper::find_cuts() {
     base::Array<std::uint8_t> found(runtime_.memory);
     out_.cut.resize(edge_.size());
     for (std::int64_t i = 0; i < edge_.size(); ++i) {
@@ -89,7 +90,8 @@ void Clipper::find_cuts() {
         const double share = value_[kept] / (value_[kept] - value_[lost]);
         out_.cut[i].position = glm::mix(mesh_.position[kept], mesh_.position[lost], share);
     }
-    bring_to_curve(runtime_, level_, {tolerance * mesh_.side, farthest * mesh_.side}, out_.cut, found, progress_);
+    bring_to_curve(runtime_, level_, {cut_tolerance * mesh_.side, farthest_cut * mesh_.side}, out_.cut, found,
+                   progress_);
     base::Array<Straddle> places(runtime_.memory);
     base::Array<std::int64_t> which(runtime_.memory);
     for (std::int64_t i = 0; i < edge_.size(); ++i) {
@@ -101,23 +103,24 @@ void Clipper::find_cuts() {
     halve(runtime_, level_, places, halvings, halved, progress_);
     base::Array<CurvePoint> nearer(runtime_.memory);
     for (const CurvePoint& p : halved) nearer.push_back(p);
-    bring_to_curve(runtime_, level_, {tolerance * mesh_.side, 0.1 * farthest * mesh_.side}, nearer, found, progress_);
+    bring_to_curve(runtime_, level_, {cut_tolerance * mesh_.side, 0.1 * farthest_cut * mesh_.side}, nearer, found,
+                   progress_);
     for (std::int64_t i = 0; i < which.size(); ++i) out_.cut[which[i]] = found[i] != 0 ? nearer[i] : halved[i];
 }
 
-void Clipper::add_cuts() {
+void MeshClipper::add_cuts() {
     for (const CurvePoint& p : out_.cut) {
         out_.mesh.position.push_back(p.position);
         out_.mesh.gradient.push_back(p.gradient);
     }
 }
 
-void Clipper::put(const std::array<std::int32_t, 3>& corner) {
+void MeshClipper::put(const std::array<std::int32_t, 3>& corner) {
     for (const std::int32_t vertex : corner) out_.mesh.corner.push_back(vertex);
 }
 
 // Of a triangle of which one corner is kept a triangle is left, of two a quadrilateral.
-void Clipper::add_triangle(std::int64_t triangle) {
+void MeshClipper::add_triangle(std::int64_t triangle) {
     const std::int32_t* const v = mesh_.corner.data() + 3 * triangle;
     const int kept = static_cast<int>(keeps(v[0])) + static_cast<int>(keeps(v[1])) + static_cast<int>(keeps(v[2]));
     if (kept == 0) return;
@@ -146,7 +149,7 @@ double area_of(const SurfaceMesh& mesh) noexcept {
     return sum;
 }
 
-ClippedMesh Clipper::run() {
+ClippedMesh MeshClipper::run() {
     out_.mesh.region = mesh_.region;
     out_.mesh.side = mesh_.side;
     out_.mesh.unresolved = mesh_.unresolved;
@@ -166,7 +169,7 @@ ClippedMesh Clipper::run() {
 
 ClippedMesh clip(const base::Runtime& runtime, const Level& level, const SurfaceMesh& mesh,
                  const base::Progress& progress) {
-    return Clipper(runtime, level, mesh, progress).run();
+    return MeshClipper(runtime, level, mesh, progress).run();
 }
 
 } // namespace hrbfnpr::curves

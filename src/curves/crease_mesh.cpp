@@ -15,18 +15,18 @@
 namespace hrbfnpr::curves {
 namespace {
 
-constexpr int most_rounds = 6;
+constexpr int mesh_rounds = 6;
 constexpr int most_settlings = 20;
 constexpr std::int64_t grain = 32;
 // In sides.
-constexpr double tolerance = 1e-9;     // of a place where sheets meet
-constexpr double on_surface = 1e-3;    // that place's distance from the whole surface
-constexpr double aside = 1e-3;         // to either side of it, where f is looked at
-constexpr double farthest = 1.5;       // from the edge
-constexpr double shortest_edge = 0.01; // that is halved
-constexpr double least_sine = 0.02;    // of half the angle between sheets: below it curvature may be more
-constexpr double equal = 1e-7;         // sheets that are no farther apart, and as parallel, are one there
-constexpr double alike = 0.02;         // as far apart, and as parallel: what is between them is not looked for
+constexpr double meeting_tolerance = 1e-9; // of a place where sheets meet
+constexpr double on_surface = 1e-3;        // that place's distance from the whole surface
+constexpr double aside = 1e-3;             // to either side of it, where f is looked at
+constexpr double farthest_meeting = 1.5;   // from the edge
+constexpr double shortest_edge = 0.01;     // that is halved
+constexpr double least_sine = 0.02;        // of half the angle between sheets: below it curvature may be more
+constexpr double equal = 1e-7;             // sheets that are no farther apart, and as parallel, are one there
+constexpr double alike = 0.02;             // as far apart, and as parallel: what is between them is not looked for
 
 // Of an edge whose ends belong to different sheets.
 struct EdgeNode {
@@ -158,8 +158,9 @@ void Splitter::look_at(EdgeNode& node) const {
     surface::Meeting meeting;
     for (const std::int32_t vertex : end) meeting.add(sheet_[vertex]);
     const glm::dvec3 from = glm::mix(place[0], place[1], share);
-    const double reach = farthest * std::min(mesh_.side, 2.0 * glm::distance(place[0], place[1]));
-    const surface::MeetingPlace found = surface::find_meeting(sheets_, meeting, from, tolerance * mesh_.side, reach);
+    const double reach = farthest_meeting * std::min(mesh_.side, 2.0 * glm::distance(place[0], place[1]));
+    const surface::MeetingPlace found =
+        surface::find_meeting(sheets_, meeting, from, meeting_tolerance * mesh_.side, reach);
     node.at.position = found.found ? found.position : from;
     node.gradient = {found.gradient[0], found.gradient[1]};
     node.at.exact = found.found && is_on_surface(found.position) && folds(node.at, node.gradient);
@@ -214,8 +215,8 @@ void Splitter::find_corners(const base::Progress& progress) {
                 meeting.add(sheet_of(node.triangle, k));
                 middle += edges_[node_[3 * node.triangle + k]].at.position / 3.0;
             }
-            const surface::MeetingPlace found =
-                surface::find_meeting(sheets_, meeting, middle, tolerance * mesh_.side, farthest * mesh_.side);
+            const surface::MeetingPlace found = surface::find_meeting(
+                sheets_, meeting, middle, meeting_tolerance * mesh_.side, farthest_meeting * mesh_.side);
             node.at.corner = true;
             node.at.position = found.found ? found.position : middle;
             node.gradient = found.gradient;
@@ -460,7 +461,7 @@ SharpMesh Splitter::run(const base::Progress& progress) {
         find_edges(progress.part(0.0, 0.0));
         for (int i = 0; i < most_settlings && settle_equal(); ++i) find_edges(progress.part(0.0, 0.0));
         find_corners(progress.part(0.0, 0.0));
-        if (round == most_rounds || !halve(progress)) break;
+        if (round == mesh_rounds || !halve(progress)) break;
     }
     place_rest();
     find_chains();

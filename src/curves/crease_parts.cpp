@@ -10,9 +10,9 @@
 namespace hrbfnpr::curves {
 namespace {
 
-constexpr int most_steps = 60;
-constexpr double known = 1e-10;   // of a piece
-constexpr double at_point = 1e-7; // of a piece: a part that begins so near to a point begins there
+constexpr int part_steps = 60;
+constexpr double known_part = 1e-10; // of a piece
+constexpr double at_point = 1e-7;    // of a piece: a part that begins so near to a point begins there
 
 enum class Facing : std::uint8_t { outside, left_front, right_front, inside };
 
@@ -75,7 +75,7 @@ double Cutter::turn_of(std::int32_t sheet, const CubicPiece& piece, double from,
     double high = 1.0;
     double share = from / (from - to);
     int kept = 0;
-    for (int step = 0; step < most_steps && high - low > known && from != 0.0 && to != 0.0; ++step) {
+    for (int step = 0; step < part_steps && high - low > known_part && from != 0.0 && to != 0.0; ++step) {
         const glm::dvec3 place = piece.at(share);
         const glm::dvec3 gradient = surface::sheet_at(sheets_, sheet, place).gradient;
         const double value = glm::dot(gradient, view_.sight(place)) / glm::length(gradient);

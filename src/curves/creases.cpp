@@ -10,21 +10,21 @@
 namespace hrbfnpr::curves {
 namespace {
 
-constexpr std::int64_t grain = 16;
-constexpr int most_rounds = 8;
+constexpr std::int64_t nodes_a_task = 16;
+constexpr int crease_rounds = 8;
 constexpr double degrees = 57.29577951308232;
 // In sides.
-constexpr double tolerance = 1e-9;
-constexpr double nearest = 0.1; // nodes of the mesh that are nearer to the one before say nothing more
-constexpr double longest = 1.0;
-constexpr double shortest = 1e-3; // of a piece that is halved, and of a crease
-constexpr double farthest = 0.5;
+constexpr double crease_tolerance = 1e-9;
+constexpr double nearest_node = 0.1; // nodes of the mesh that are nearer to the one before say nothing more
+constexpr double longest_piece = 1.0;
+constexpr double shortest_piece = 1e-3; // of a piece that is halved, and of a crease
+constexpr double farthest_node = 0.5;
 // Between points, by the cosine: 0.1 radians.
-constexpr double turn = 0.995;
+constexpr double straight_turn = 0.995;
 // The cosine of the angle to the crease beyond which a step is along it, or back.
 constexpr double returns = 0.7;
 // The sine of the angle between sheets below which the way along the crease is that of its points.
-constexpr double least_sine = 1e-3;
+constexpr double least_crease_sine = 1e-3;
 
 CurvePoint as_curve_point(const CreasePoint& p) noexcept {
     CurvePoint point;
@@ -67,7 +67,7 @@ void Tracer::add_points(base::Array<CreasePoint>& points, bool closed, std::int3
     double length = 0.0;
     for (std::int64_t i = 1; i < points.size(); ++i)
         length += glm::distance(points[i - 1].position, points[i].position);
-    if (points.size() >= (closed ? 3 : 2) && length > shortest * side_) {
+    if (points.size() >= (closed ? 3 : 2) && length > shortest_piece * side_) {
         for (const CreasePoint& p : points) creases_.point.push_back(p);
         creases_.first.push_back(creases_.point.size());
         creases_.closed.push_back(closed ? 1 : 0);
@@ -82,7 +82,7 @@ bool Tracer::is_gap(const CreaseChains& chains, std::int64_t first, std::int64_t
                     const glm::dvec3& place) const noexcept {
     for (std::int64_t i = k + 1; i < count; ++i)
         if (const CreaseNode& next = chains.node[first + i]; next.exact)
-            return glm::distance(next.position, place) < nearest * side_;
+            return glm::distance(next.position, place) < nearest_node * side_;
     return false;
 }
 
@@ -111,10 +111,10 @@ void Tracer::add_chain(const CreaseChains& chains, std::int64_t chain) {
         };
         if (last && !whole)
             while (points.size() > 1 &&
-                   glm::distance(points[points.size() - 1].position, node.position) < nearest * side_)
+                   glm::distance(points[points.size() - 1].position, node.position) < nearest_node * side_)
                 points.resize(points.size() - 1);
-        if (!last && crowds(size - 1, nearest)) continue;
-        if (whole && (crowds(size - 1, nearest) || (size > 2 && crowds(0, nearest)))) continue;
+        if (!last && crowds(size - 1, nearest_node)) continue;
+        if (whole && (crowds(size - 1, nearest_node) || (size > 2 && crowds(0, nearest_node)))) continue;
         if (points.size() > 0 && points[points.size() - 1].position == node.position) continue;
         CreasePoint p;
         p.position = node.position;
@@ -140,7 +140,7 @@ void Tracer::measure(const base::Progress& progress) {
 bool turns_back(const CreasePoint& a, const CreasePoint& p, const CreasePoint& b) noexcept {
     const glm::dvec3 along = glm::cross(p.left, p.right);
     const double size = glm::length(along);
-    if (!(size > least_sine)) return false;
+    if (!(size > least_crease_sine)) return false;
     const double in = glm::dot(along, glm::normalize(p.position - a.position)) / size;
     const double out = glm::dot(along, glm::normalize(b.position - p.position)) / size;
     return in * out < 0.0 && std::min(std::abs(in), std::abs(out)) > returns;
@@ -180,8 +180,9 @@ void Tracer::find_tangents() {
             const double b = glm::dot(out, out);
             const glm::dvec3 along = a > 0.0 && b > 0.0 ? in / a + out / b : in + out;
             const glm::dvec3 cross = glm::cross(p.left, p.right);
-            p.tangent = glm::length(cross) > least_sine ? glm::normalize(glm::dot(cross, along) < 0.0 ? -cross : cross)
-                                                        : glm::normalize(along);
+            p.tangent = glm::length(cross) > least_crease_sine
+                            ? glm::normalize(glm::dot(cross, along) < 0.0 ? -cross : cross)
+                            : glm::normalize(along);
         }
     }
 }
@@ -198,28 +199,29 @@ bool Tracer::refine(const base::Progress& progress) {
             const CreasePoint& b = creases_.point[j];
             const double length = glm::distance(a.position, b.position) / side_;
             const glm::dvec3 chord = (b.position - a.position) / (length * side_);
-            const bool turns = std::min(glm::dot(a.tangent, chord), glm::dot(b.tangent, chord)) < turn;
-            if (!(length > longest || (turns && length > shortest))) continue;
+            const bool turns = std::min(glm::dot(a.tangent, chord), glm::dot(b.tangent, chord)) < straight_turn;
+            if (!(length > longest_piece || (turns && length > shortest_piece))) continue;
             CreasePoint p;
             p.position = CubicPiece(as_curve_point(a), as_curve_point(b)).at(0.5);
             added.push_back(p);
             after.push_back(i);
             of.push_back(c);
         }
-    implicit_.threads(runtime_.parallel).for_chunks(added.size(), grain, [&](std::int64_t begin, std::int64_t end) {
-        progress.check();
-        for (std::int64_t k = begin; k < end; ++k) {
-            surface::Meeting meeting;
-            meeting.add(creases_.left[of[k]]);
-            meeting.add(creases_.right[of[k]]);
-            const surface::MeetingPlace at =
-                surface::find_meeting(sheets_, meeting, added[k].position, tolerance * side_, farthest * side_);
-            if (!at.found) continue;
-            added[k].position = at.position;
-            added[k].left = glm::normalize(at.gradient[0]);
-            added[k].right = glm::normalize(at.gradient[1]);
-        }
-    });
+    implicit_.threads(runtime_.parallel)
+        .for_chunks(added.size(), nodes_a_task, [&](std::int64_t begin, std::int64_t end) {
+            progress.check();
+            for (std::int64_t k = begin; k < end; ++k) {
+                surface::Meeting meeting;
+                meeting.add(creases_.left[of[k]]);
+                meeting.add(creases_.right[of[k]]);
+                const surface::MeetingPlace at = surface::find_meeting(sheets_, meeting, added[k].position,
+                                                                       crease_tolerance * side_, farthest_node * side_);
+                if (!at.found) continue;
+                added[k].position = at.position;
+                added[k].left = glm::normalize(at.gradient[0]);
+                added[k].right = glm::normalize(at.gradient[1]);
+            }
+        });
     base::Array<CreasePoint> points(runtime_.memory);
     std::int64_t k = 0;
     bool changed = false;
@@ -248,7 +250,7 @@ Creases Tracer::run(const CreaseChains& chains, const base::Progress& progress) 
     measure(progress);
     drop_returns();
     find_tangents();
-    for (int round = 0; round < most_rounds && refine(progress); ++round) continue;
+    for (int round = 0; round < crease_rounds && refine(progress); ++round) continue;
     return std::move(creases_);
 }
 

@@ -10,7 +10,7 @@
 namespace hrbfnpr::curves {
 namespace {
 
-constexpr int most_steps = 40;
+constexpr int cusp_steps = 40;
 constexpr int trusted_steps = 6; // after these every step halves what is left: the value may jump at a sample
 constexpr int model_steps = 8;   // on a cubic, with no evaluation
 // Where more points are put on a piece that has a cusp.
@@ -21,7 +21,7 @@ constexpr double clear_of_cusps = 0.5;
 constexpr double near_curve = 2e-4;
 // In lengths of the piece: where a cusp is known so well, the search for it ends; nearer to an end of the piece than
 // the second, that end is replaced.
-constexpr double known = 1e-8;
+constexpr double known_cusp = 1e-8;
 // In lengths of the piece, too: a point that is led farther off it belongs to another curve.
 constexpr double astray = 0.3;
 constexpr double at_end = 1e-2;
@@ -173,7 +173,7 @@ void narrow(Search& s, double value, const View& view) noexcept {
     (is_low ? s.low : s.high) = s.share;
     const double next = next_share(s, value, view);
     (is_low ? s.a : s.b) = s.found;
-    s.done = s.high - s.low <= known || std::abs(next - s.share) <= known;
+    s.done = s.high - s.low <= known_cusp || std::abs(next - s.share) <= known_cusp;
     s.last_share = std::exchange(s.share, next);
     s.last_value = value;
 }
@@ -203,7 +203,7 @@ void search(const base::Runtime& runtime, const Level& contour, const View& view
     base::Array<CurvePoint> points(runtime.memory);
     geometry::VecArray place(runtime.memory);
     base::Array<double> enough(runtime.memory);
-    for (int step = 0; step < most_steps && !active.empty(); ++step) {
+    for (int step = 0; step < cusp_steps && !active.empty(); ++step) {
         points.resize(active.size());
         place.resize(active.size());
         enough.resize(active.size());

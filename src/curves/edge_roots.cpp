@@ -12,13 +12,13 @@ namespace hrbfnpr::curves {
 namespace {
 
 constexpr auto lanes = static_cast<std::size_t>(implicit::batch_size);
-using Column = std::array<double, lanes>;
+using RootColumn = std::array<double, lanes>;
 
 constexpr int evaluation_limit = 60;
-constexpr int trusted_steps = 6; // after these every other step halves the bracket
+constexpr int trusted_root_steps = 6; // after these every other step halves the bracket
 
 // An edge in its own coordinate, from 0 to 1, and the bracket of its root.
-struct Search {
+struct RootSearch {
     glm::dvec3 from{0.0}, along{0.0};
     double low = 0.0, high = 1.0;
     double low_value = 0.0, high_value = 0.0;
@@ -28,7 +28,7 @@ struct Search {
 };
 
 // The root of the cubic that has the bracket's values and, at the last place, f and its slope: by Newton from there.
-double root_of_cubic(const Search& search, double value, double slope) noexcept {
+double root_of_cubic(const RootSearch& search, double value, double slope) noexcept {
     const double x = search.low - search.at;
     const double y = search.high - search.at;
     const double at_x = (search.low_value - value - slope * x) / (x * x);
@@ -56,8 +56,8 @@ public:
 
 private:
     void evaluate() noexcept(false);
-    [[nodiscard]] bool goes_on(Search& search, double value, const glm::dvec3& gradient) noexcept;
-    void end_with(const Search& search, const glm::dvec3& gradient) noexcept;
+    [[nodiscard]] bool goes_on(RootSearch& search, double value, const glm::dvec3& gradient) noexcept;
+    void end_with(const RootSearch& search, const glm::dvec3& gradient) noexcept;
 
     const implicit::Implicit& implicit_;
     double tolerance_;
@@ -65,13 +65,13 @@ private:
     geometry::VecArray& gradient_;
     std::int64_t unresolved_ = 0;
     std::size_t count_ = 0; // of the edges that are still searched, packed
-    std::array<Search, lanes> search_;
-    Column x_, y_, z_, f_, gx_, gy_, gz_;
+    std::array<RootSearch, lanes> search_;
+    RootColumn x_, y_, z_, f_, gx_, gy_, gz_;
 };
 
-Search start(const CrossedEdges& edges, std::int64_t index) noexcept {
+RootSearch start(const CrossedEdges& edges, std::int64_t index) noexcept {
     const CrossedEdges::Edge edge = edges.edge[index];
-    Search search;
+    RootSearch search;
     search.from = edges.position[edge.from];
     search.along = edges.position[edge.to] - search.from;
     search.low_value = edges.value[edge.from];
@@ -93,12 +93,12 @@ void Batch::evaluate() noexcept(false) {
                        {f_.data(), {gx_.data(), gy_.data(), gz_.data()}, {}});
 }
 
-void Batch::end_with(const Search& search, const glm::dvec3& gradient) noexcept {
+void Batch::end_with(const RootSearch& search, const glm::dvec3& gradient) noexcept {
     position_.set(search.index, search.from + search.at * search.along);
     gradient_.set(search.index, surface::is_slope(glm::length(gradient)) ? gradient : glm::dvec3(0.0));
 }
 
-bool Batch::goes_on(Search& search, double value, const glm::dvec3& gradient) noexcept {
+bool Batch::goes_on(RootSearch& search, double value, const glm::dvec3& gradient) noexcept {
     const double slope = glm::length(gradient);
     const bool usable = std::isfinite(value) && std::isfinite(slope);
     const bool there = usable && surface::is_slope(slope) && std::abs(value) <= tolerance_ * slope;
@@ -111,7 +111,7 @@ bool Batch::goes_on(Search& search, double value, const glm::dvec3& gradient) no
     const bool low_side = (value < 0.0) == (search.low_value < 0.0);
     (low_side ? search.low : search.high) = search.at;
     (low_side ? search.low_value : search.high_value) = value;
-    const bool halve = search.evaluations > trusted_steps && search.evaluations % 2 == 0;
+    const bool halve = search.evaluations > trusted_root_steps && search.evaluations % 2 == 0;
     const bool within = next > search.low && next < search.high;
     search.at = within && !halve ? next : 0.5 * (search.low + search.high);
     return true;

@@ -114,9 +114,9 @@ private:
 };
 
 // Walks from triangle to triangle, each of which is crossed once.
-class Walker {
+class ChainWalker {
 public:
-    Walker(base::Memory& memory, const Edges& edges, base::Array<std::uint8_t>& crossed, bool directed)
+    ChainWalker(base::Memory& memory, const Edges& edges, base::Array<std::uint8_t>& crossed, bool directed)
         : edges_(edges), crossed_(crossed), directed_(directed), chains_(memory) {
         chains_.first.push_back(0);
     }
@@ -192,7 +192,7 @@ FeatureChains find_feature_chains(const base::Runtime& runtime, const SurfaceMes
         progress.check();
         for (std::int64_t t = begin; t < end; ++t) crossed[t] = edges.crossed(t);
     });
-    Walker walker(runtime.memory, edges, crossed, directed);
+    ChainWalker walker(runtime.memory, edges, crossed, directed);
     for (std::int64_t t = 0; t < mesh.triangles(); ++t)
         if (crossed[t] != 0) walker.open(t);
     for (std::int64_t t = 0; t < mesh.triangles(); ++t) walker.loop(t);

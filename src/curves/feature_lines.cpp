@@ -78,10 +78,10 @@ std::int64_t keep_promising(FeatureChains& chains, double upper) noexcept {
 }
 
 // Cuts refined chains where they are too weak, and adds what is strong and long enough to the lines.
-class Cutter {
+class FeatureCutter {
 public:
     // `gap`: between the points of a line at least.
-    Cutter(const FeatureRequest& request, double diagonal, double gap, FeatureLines& lines) noexcept
+    FeatureCutter(const FeatureRequest& request, double diagonal, double gap, FeatureLines& lines) noexcept
         : request_(request), shortest_(request.shortest * diagonal), gap_(gap), lines_(lines) {}
 
     void cut(const FeatureChains& chains, const FeaturePoints& points, std::int32_t level) {
@@ -190,7 +190,7 @@ FeatureLines find_feature_lines(const base::Runtime& runtime, const FeatureSurfa
         lines.weak += keep_promising(chains, request.upper);
         const FeaturePoints points = refine(runtime, surface, request, levels[k], value, chains.crossing, progress);
         for (const std::uint8_t resolved : points.resolved) lines.unresolved += resolved != 0 ? 0 : 1;
-        Cutter(request, surface.implicit.diagonal(), least_gap * surface.mesh.side, lines)
+        FeatureCutter(request, surface.implicit.diagonal(), least_gap * surface.mesh.side, lines)
             .cut(chains, points, static_cast<std::int32_t>(k));
     }
     return lines;

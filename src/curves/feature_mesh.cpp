@@ -15,7 +15,7 @@ namespace {
 constexpr int rounds = 3;
 constexpr std::int64_t at_once = 8192; // edges without a look for a cancel
 // In diagonals: how far a line may be off, where a curvature's change along an edge is not what its derivatives say.
-constexpr double tolerance = 3e-4;
+constexpr double feature_tolerance = 3e-4;
 // Of the root mean square of C: where it is smaller, what lines there are is not decided by it.
 constexpr double least_change = 0.3;
 constexpr std::int64_t most_triangles = 4'000'000;
@@ -83,7 +83,7 @@ private:
     void find_rough(const base::Progress& progress) {
         middle_.resize_for_overwrite(mesh_.corner.size());
         const double change = least();
-        const double place = tolerance * implicit_.diagonal();
+        const double place = feature_tolerance * implicit_.diagonal();
         runtime_.parallel.for_chunks(mesh_.corner.size(), 8192, progress, [&](std::int64_t begin, std::int64_t stop) {
             for (std::int64_t e = begin; e < stop; ++e) {
                 const bool rough =

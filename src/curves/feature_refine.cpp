@@ -20,7 +20,7 @@ constexpr double acceptable = 0.1;
 constexpr double grazing = 0.02;
 
 // The search for one root between the shares low and high of an edge.
-struct Search {
+struct FeatureSearch {
     std::int64_t crossing;
     double first;         // share of the edge to try first
     double low, high;     // shares of the edge
@@ -136,12 +136,12 @@ private:
         evaluate(runtime_, surface_, request_, level_, at_, shape_, value_, progress);
         std::int64_t kept = 0;
         for (std::int64_t i = 0; i < active_.size(); ++i) {
-            Search search = active_[i];
+            FeatureSearch search = active_[i];
             if (goes_on(i, search)) active_[kept++] = search;
         }
         active_.resize(kept);
     }
-    [[nodiscard]] bool goes_on(std::int64_t i, Search& search) {
+    [[nodiscard]] bool goes_on(std::int64_t i, FeatureSearch& search) {
         if (at_.status[i] != surface::ProjectionStatus::converged) return false;
         const FeatureCrossing& c = crossing_[search.crossing];
         const FeatureValue& value = value_[i];
@@ -168,7 +168,7 @@ private:
     const base::Array<FeatureValue>& vertex_;
     const base::Array<FeatureCrossing>& crossing_;
     FeaturePoints points_;
-    base::Array<Search> active_;
+    base::Array<FeatureSearch> active_;
     surface::Projection at_;
     base::Array<ShapePoint> shape_;
     base::Array<FeatureValue> value_;

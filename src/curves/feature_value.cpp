@@ -10,12 +10,12 @@ namespace hrbfnpr::curves {
 namespace {
 
 // The direction v to the eye: unit, in the tangent basis and along the normal.
-struct View {
+struct LookedFrom {
     glm::dvec2 w;
     double facing;   // n . v
     double nearness; // 1 / distance; 0: infinitely far
 
-    View(const ShapePoint& shape, const glm::dvec3& position, const glm::dvec4& towards) noexcept {
+    LookedFrom(const ShapePoint& shape, const glm::dvec3& position, const glm::dvec4& towards) noexcept {
         const glm::dvec3 v = glm::dvec3(towards) - towards.w * position;
         const double length = glm::length(v);
         const double inverse = length > 0.0 ? 1.0 / length : 0.0;
@@ -35,7 +35,7 @@ struct View {
 
 // With B = -II, so that a ball has B > 0, the line is B(w, w) = 0 where D_w (B(w, w)) > 0; there
 //   D_w (B(w, w)) = -C(w, w, w) - 2 (n . v) |B w|^2   [DeCarlo 2003, appendix].
-FeatureValue suggestive(const ShapePoint& shape, const View& view, double unit) noexcept {
+FeatureValue suggestive(const ShapePoint& shape, const LookedFrom& view, double unit) noexcept {
     const glm::dvec2 bent = shape.bend(view.w);
     const double sine2 = glm::dot(view.w, view.w);
     const double rise = -glm::dot(shape.change(view.w, view.w), view.w) - 2.0 * view.facing * glm::dot(bent, bent);
@@ -60,7 +60,7 @@ FeatureValue crest(const ShapePoint& shape, bool convex, double unit) noexcept {
 // through the point.  P shortens w by n . v, so that P^-1 P^-T = M = I + w w^T / (n . v)^2.  q1^2 is the larger
 // eigenvalue of Q Q^T = II M II, with x its eigenvector; t1 = Q^T x / q1 stands on the surface at s = M II x / q1.
 //   D_s q1^2 = 2 q1 C(x, s, s) + y^T (D_s M) y,     y = II x
-FeatureValue apparent_ridge(const ShapePoint& shape, const View& view, double unit) noexcept {
+FeatureValue apparent_ridge(const ShapePoint& shape, const LookedFrom& view, double unit) noexcept {
     FeatureValue value;
     value.facing = view.facing;
     const double facing = std::copysign(std::max(std::abs(view.facing), 1e-6), view.facing);
@@ -97,13 +97,13 @@ FeatureValue feature_value(FeatureKind kind, const ShapePoint& shape, const glm:
                            const glm::dvec4& towards, double unit) noexcept {
     if (shape.normal == glm::dvec3(0.0)) return {};
     switch (kind) {
-    case FeatureKind::suggestive_contour: return suggestive(shape, View(shape, position, towards), unit);
+    case FeatureKind::suggestive_contour: return suggestive(shape, LookedFrom(shape, position, towards), unit);
     case FeatureKind::ridge: return crest(shape, true, unit);
     case FeatureKind::valley: return crest(shape, false, unit);
-    case FeatureKind::apparent_ridge: return apparent_ridge(shape, View(shape, position, towards), unit);
+    case FeatureKind::apparent_ridge: return apparent_ridge(shape, LookedFrom(shape, position, towards), unit);
     case FeatureKind::parabolic: return parabolic(shape, unit);
     case FeatureKind::isophote: {
-        const View view(shape, position, towards);
+        const LookedFrom view(shape, position, towards);
         const glm::dvec2 gradient = view.gradient_of_facing(shape);
         return {view.facing, glm::length(gradient) * unit, view.facing, glm::dvec3(0.0), shape.in_space(gradient)};
     }

@@ -10,8 +10,9 @@ namespace {
 
 constexpr int deepest = 12;              // halvings of a piece
 constexpr std::int64_t most_points = 16; // in the mean, of a piece: more only where an eye is on the surface
-constexpr double astray = 0.3;    // of a part's length: a middle that is farther off the cubic belongs to another curve
-constexpr double smallest = 1e-9; // of the distance from the eye, or of the coordinates: a part's length
+constexpr double astray_middle =
+    0.3; // of a part's length: a middle that is farther off the cubic belongs to another curve
+constexpr double smallest_part = 1e-9; // of the distance from the eye, or of the coordinates: a part's length
 
 // Of a piece, between two points on its curve.
 struct Part {
@@ -56,11 +57,11 @@ private:
 void Halving::take(const Part& part, const CurvePoint& middle, base::Array<Part>& next) {
     const CubicPiece cubic(part.a, part.b);
     const glm::dvec3 expected = cubic.at(0.5);
-    if (!(glm::distance(middle.position, expected) <= astray * cubic.length())) return;
+    if (!(glm::distance(middle.position, expected) <= astray_middle * cubic.length())) return;
     const double share = 0.5 * (part.low + part.high);
     added_.push_back({part.piece, share, middle});
     const bool near = !(glm::distance(seen(view_, middle.position), seen(view_, expected)) > tolerance_);
-    if (near || cubic.length() <= smallest * glm::length(view_.sight(middle.position))) return;
+    if (near || cubic.length() <= smallest_part * glm::length(view_.sight(middle.position))) return;
     next.push_back({part.piece, part.low, share, part.a, middle});
     next.push_back({part.piece, share, part.high, middle, part.b});
 }

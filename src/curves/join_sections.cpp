@@ -14,9 +14,9 @@ constexpr double around_corner = 1e-4;
 // The cosine of an angle between lines that is no corner.
 constexpr double smooth = 0.9999;
 
-class Joiner {
+class SectionJoiner {
 public:
-    Joiner(base::Memory& memory, const SurfaceLines& lines, double side)
+    SectionJoiner(base::Memory& memory, const SurfaceLines& lines, double side)
         : memory_(memory), lines_(lines), side_(side), after_(memory, lines.curves.count()),
           before_(memory, lines.curves.count()) {}
 
@@ -40,7 +40,7 @@ private:
     base::Array<std::int64_t> after_, before_; // of each line; -1: none
 };
 
-void Joiner::find_followers() {
+void SectionJoiner::find_followers() {
     const Curves& curves = lines_.curves;
     geometry::VecArray start(memory_);
     base::Array<std::int64_t> of(memory_);
@@ -65,12 +65,12 @@ void Joiner::find_followers() {
     }
 }
 
-bool Joiner::turns(std::int64_t line, std::int64_t next) const noexcept {
+bool SectionJoiner::turns(std::int64_t line, std::int64_t next) const noexcept {
     return glm::dot(glm::normalize(last_of(line).direction()), glm::normalize(first_of(next).direction())) < smooth;
 }
 
 // A little of the way to another point, if it is another one.
-void Joiner::put_point(LineBuilder& builder, std::int64_t at, std::int64_t towards) const {
+void SectionJoiner::put_point(LineBuilder& builder, std::int64_t at, std::int64_t towards) const {
     const CurvePoint& p = lines_.curves.point[at];
     const glm::dvec3 way = lines_.curves.point[towards].position - p.position;
     const double length = glm::length(way);
@@ -79,7 +79,7 @@ void Joiner::put_point(LineBuilder& builder, std::int64_t at, std::int64_t towar
 }
 
 // Beside corners a little of the line is left out; at smooth joints its last point is the next line's first one.
-void Joiner::put(LineBuilder& builder, std::int64_t line) const {
+void SectionJoiner::put(LineBuilder& builder, std::int64_t line) const {
     const std::int64_t first = lines_.curves.first[line];
     const std::int64_t last = lines_.curves.first[line + 1] - 1;
     const std::int64_t before = before_[line];
@@ -90,7 +90,7 @@ void Joiner::put(LineBuilder& builder, std::int64_t line) const {
     if (after >= 0 && turns(line, after)) put_point(builder, last, last - 1);
 }
 
-SurfaceLines Joiner::run() {
+SurfaceLines SectionJoiner::run() {
     find_followers();
     const Curves& curves = lines_.curves;
     SurfaceLines joined(memory_);
@@ -119,7 +119,7 @@ SurfaceLines Joiner::run() {
 } // namespace
 
 SurfaceLines join_at_corners(base::Memory& memory, const SurfaceLines& lines, double side) {
-    return Joiner(memory, lines, side).run();
+    return SectionJoiner(memory, lines, side).run();
 }
 
 } // namespace hrbfnpr::curves

@@ -7,8 +7,8 @@
 namespace hrbfnpr::curves {
 namespace {
 
-constexpr int most_steps = 60;
-constexpr double known = 1e-10; // of a piece
+constexpr int turn_steps = 60;
+constexpr double known_turn = 1e-10; // of a piece
 
 // A piece at whose ends n . v has different signs.
 struct Turn {
@@ -29,7 +29,7 @@ struct Turn {
         if (kept < -1) at_low *= 0.5;
         share = low + (high - low) * at_low / (at_low - at_high);
     }
-    [[nodiscard]] bool done() const noexcept { return !(high - low > known) || at_low == 0.0 || at_high == 0.0; }
+    [[nodiscard]] bool done() const noexcept { return !(high - low > known_turn) || at_low == 0.0 || at_high == 0.0; }
 };
 
 double facing(const glm::dvec3& gradient, const glm::dvec3& place, const View& view) noexcept {
@@ -56,7 +56,7 @@ void refine(const base::Runtime& runtime, const Curves& curves, const implicit::
     geometry::VecArray place(runtime.memory, turns.size());
     geometry::VecArray gradient(runtime.memory, turns.size());
     bool left = !turns.empty();
-    for (int step = 0; step < most_steps && left; ++step) {
+    for (int step = 0; step < turn_steps && left; ++step) {
         for (std::int64_t i = 0; i < turns.size(); ++i)
             place.set(i, CubicPiece(curves.point[turns[i].a], curves.point[turns[i].b]).at(turns[i].share));
         implicit::evaluate_all(runtime, surface, place,

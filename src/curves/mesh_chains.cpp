@@ -6,7 +6,7 @@
 namespace hrbfnpr::curves {
 namespace {
 
-constexpr std::int64_t triangles_a_task = 8192;
+constexpr std::int64_t chained_a_task = 8192;
 
 // A triangle that the zero line passes through is left over the edge that goes from positive to negative in the
 // triangle's own sense, and entered over the one that goes from negative to positive.
@@ -54,18 +54,18 @@ private:
 
 // The triangles that are crossed, ascending.
 base::Array<std::int32_t> crossed_triangles(const base::Runtime& runtime, const SurfaceMesh& mesh, const Walk& walk) {
-    const std::int64_t tasks = (mesh.triangles() + triangles_a_task - 1) / triangles_a_task;
+    const std::int64_t tasks = (mesh.triangles() + chained_a_task - 1) / chained_a_task;
     base::Array<std::int32_t> found(runtime.memory, mesh.triangles());
     base::Array<std::int64_t> count(runtime.memory, tasks);
-    runtime.parallel.for_chunks(mesh.triangles(), triangles_a_task, [&](std::int64_t begin, std::int64_t end) {
+    runtime.parallel.for_chunks(mesh.triangles(), chained_a_task, [&](std::int64_t begin, std::int64_t end) {
         std::int64_t at = begin;
         for (std::int64_t t = begin; t < end; ++t)
             if (walk.crossed(t)) found[at++] = static_cast<std::int32_t>(t);
-        count[begin / triangles_a_task] = at - begin;
+        count[begin / chained_a_task] = at - begin;
     });
     std::int64_t all = 0;
     for (std::int64_t task = 0; task < tasks; ++task)
-        for (std::int64_t i = 0; i < count[task]; ++i) found[all++] = found[task * triangles_a_task + i];
+        for (std::int64_t i = 0; i < count[task]; ++i) found[all++] = found[task * chained_a_task + i];
     found.resize(all);
     return found;
 }

@@ -4,9 +4,9 @@
 namespace hrbfnpr::curves {
 namespace {
 
-constexpr std::int64_t at_once = 65536; // edges without a look for a cancel
+constexpr std::int64_t edges_at_once = 65536; // edges without a look for a cancel
 
-[[nodiscard]] std::int64_t next_in_triangle(std::int64_t edge) noexcept { return edge % 3 == 2 ? edge - 2 : edge + 1; }
+[[nodiscard]] std::int64_t edge_after(std::int64_t edge) noexcept { return edge % 3 == 2 ? edge - 2 : edge + 1; }
 
 } // namespace
 
@@ -16,25 +16,24 @@ base::Array<std::int32_t> find_neighbours(const base::Runtime& runtime, const ba
     base::Array<std::int64_t> begin(runtime.memory, vertices + 2);
     progress.check();
     for (std::int64_t e = 0; e < corner.size(); ++e) {
-        if (e % at_once == 0) progress.check();
+        if (e % edges_at_once == 0) progress.check();
         ++begin[corner[e] + 2];
     }
     for (std::int64_t v = 2; v < begin.size(); ++v) begin[v] += begin[v - 1];
     base::Array<std::int64_t> edge(runtime.memory);
     edge.resize_for_overwrite(corner.size());
     for (std::int64_t e = 0; e < corner.size(); ++e) {
-        if (e % at_once == 0) progress.check();
+        if (e % edges_at_once == 0) progress.check();
         edge[begin[corner[e] + 1]++] = e;
     }
     base::Array<std::int32_t> neighbour(runtime.memory);
     neighbour.resize_for_overwrite(corner.size());
     runtime.parallel.for_chunks(corner.size(), 8192, progress, [&](std::int64_t first, std::int64_t end) {
         for (std::int64_t e = first; e < end; ++e) {
-            const std::int32_t to = corner[next_in_triangle(e)];
+            const std::int32_t to = corner[edge_after(e)];
             neighbour[e] = -1;
             for (std::int64_t i = begin[to]; i < begin[to + 1]; ++i)
-                if (corner[next_in_triangle(edge[i])] == corner[e])
-                    neighbour[e] = static_cast<std::int32_t>(edge[i] / 3);
+                if (corner[edge_after(edge[i])] == corner[e]) neighbour[e] = static_cast<std::int32_t>(edge[i] / 3);
         }
     });
     return neighbour;

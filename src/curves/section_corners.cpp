@@ -12,10 +12,10 @@ namespace hrbfnpr::curves {
 namespace {
 
 // In sides.
-constexpr double reach = 0.75; // from the end of a line, which is on the chord between two vertices on a crease
-constexpr double tolerance = 1e-10;
-constexpr double farthest = 0.5;
-constexpr int most_steps = 20;
+constexpr double corner_reach = 0.75; // from the end of a line, which is on the chord between two vertices on a crease
+constexpr double corner_tolerance = 1e-10;
+constexpr double farthest_corner = 0.5;
+constexpr int corner_steps = 20;
 
 // Corners of all levels, and of which each is.
 struct Corners {
@@ -29,14 +29,14 @@ struct Corners {
 glm::dvec3 corner_at(const implicit::Sheets& sheets, std::int32_t left, std::int32_t right, const glm::dvec3& plane,
                      double level, const glm::dvec3& from, double side) {
     glm::dvec3 at = from;
-    for (int step = 0; step < most_steps; ++step) {
+    for (int step = 0; step < corner_steps; ++step) {
         const std::array<surface::SheetValue, 3> values{surface::sheet_at(sheets, left, at),
                                                         surface::sheet_at(sheets, right, at),
                                                         {glm::dot(plane, at) - level, plane}};
         const glm::dvec3 way = surface::way_to_zero(values);
-        if (!(glm::distance(at + way, from) <= farthest * side)) return from;
+        if (!(glm::distance(at + way, from) <= farthest_corner * side)) return from;
         at += way;
-        if (glm::length(way) <= tolerance * side) break;
+        if (glm::length(way) <= corner_tolerance * side) break;
     }
     return at;
 }
@@ -92,14 +92,14 @@ void end_at_creases(const base::Runtime& runtime, const implicit::Sheets& sheets
                     const glm::dvec3& plane, std::span<const double> levels, double side, FeatureLines& lines) {
     const Corners corners = find_corners(runtime, sheets, creases, plane, levels, side);
     if (corners.place.empty()) return;
-    const geometry::PointGrid grid(corners.place, reach * side);
+    const geometry::PointGrid grid(corners.place, corner_reach * side);
     for (std::int64_t l = 0; l < lines.lines(); ++l) {
         if (lines.closed[l] != 0) continue;
         const std::int64_t begin = lines.first[l];
         const std::int64_t last = lines.first[l + 1] - 1;
         for (const bool at_end : {false, true}) {
             const std::int64_t end = at_end ? last : begin;
-            double least = reach * side;
+            double least = corner_reach * side;
             std::int64_t nearest = -1;
             grid.around(lines.position[end], [&](std::int64_t at) {
                 const std::int64_t i = grid.index(at);

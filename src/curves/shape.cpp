@@ -13,7 +13,7 @@ namespace {
 
 // Third derivatives by sums over 100 000 centres take half a millisecond a point.
 constexpr std::int64_t points_a_look = 32;
-constexpr auto batch = static_cast<std::size_t>(points_a_look);
+constexpr auto shape_batch = static_cast<std::size_t>(points_a_look);
 
 glm::dvec3 times(const std::array<double, 6>& h, const glm::dvec3& v) noexcept {
     return {h[0] * v.x + h[1] * v.y + h[2] * v.z, h[1] * v.x + h[3] * v.y + h[4] * v.z,
@@ -27,9 +27,9 @@ std::array<double, 6> contracted(const std::array<double, 10>& t, const glm::dve
             t[4] * v.x + t[7] * v.y + t[8] * v.z, t[5] * v.x + t[8] * v.y + t[9] * v.z};
 }
 
-struct Batch {
-    std::array<std::array<double, batch>, 6> hessian;
-    std::array<std::array<double, batch>, 10> third;
+struct ShapeBatch {
+    std::array<std::array<double, shape_batch>, 6> hessian;
+    std::array<std::array<double, shape_batch>, 10> third;
 
     [[nodiscard]] implicit::ThirdBatch out() noexcept {
         implicit::ThirdBatch to;
@@ -101,7 +101,7 @@ void measure_shape(const base::Runtime& runtime, const implicit::ShapeSource& so
     const base::Parallel threads = source.concurrent() ? runtime.parallel : base::Parallel();
     threads.for_chunks(count, points_a_look, [&](std::int64_t begin, std::int64_t end) {
         progress.check();
-        base::Boxed<Batch> at(runtime.memory);
+        base::Boxed<ShapeBatch> at(runtime.memory);
         source.evaluate({position.x.data() + begin, position.y.data() + begin, position.z.data() + begin, end - begin},
                         at->out());
         for (std::int64_t i = begin; i < end; ++i) result[i] = at->at(static_cast<std::size_t>(i - begin), gradient[i]);

@@ -10,7 +10,7 @@
 namespace hrbfnpr::curves {
 namespace {
 
-constexpr std::int64_t grain = 16; // segments of a task
+constexpr std::int64_t segments_a_task = 16; // segments of a task
 
 void append(Spans& all, const Spans& some) {
     for (const Span& span : some.span) all.span.push_back(span);
@@ -39,14 +39,14 @@ void SheetCounter::count(const base::Runtime& runtime, const implicit::Implicit&
     const std::int64_t segments = from.size();
     base::Array<Line> lines(runtime.memory, segments);
     base::List<Spans> found(runtime.memory);
-    found.reserve((segments + grain - 1) / grain);
-    for (std::int64_t k = 0; k < segments; k += grain) found.add(runtime.memory);
-    runtime.parallel.for_chunks(segments, grain, [&](std::int64_t begin, std::int64_t end) {
+    found.reserve((segments + segments_a_task - 1) / segments_a_task);
+    for (std::int64_t k = 0; k < segments; k += segments_a_task) found.add(runtime.memory);
+    runtime.parallel.for_chunks(segments, segments_a_task, [&](std::int64_t begin, std::int64_t end) {
         progress.check();
         SpanFinder finder(mesh_, tree_, runtime.memory);
         for (std::int64_t i = begin; i < end; ++i) {
             lines[i] = Line(mesh_.region, from[i], to[i], clear[i]);
-            finder.find(lines[i], i, found[begin / grain]);
+            finder.find(lines[i], i, found[begin / segments_a_task]);
         }
     });
     Spans spans(runtime.memory);

@@ -11,18 +11,18 @@
 namespace hrbfnpr::curves {
 namespace {
 
-constexpr std::int64_t triangles_a_task = 8192;
+constexpr std::int64_t searched_a_task = 8192;
 // A vertex is looked around if |g| there is below this share of what it is more at a neighbour.  The extremum of a
 // quadratic is nearer than half an edge, and lower by a quarter of that difference.
 constexpr double low = 1.0;
 // In sides of the mesh.
 constexpr double probe = 0.05;
 constexpr double longest_step = 0.5;
-constexpr double farthest = 1.5;
+constexpr double farthest_extremum = 1.5;
 constexpr double near_surface = 1e-3; // what is no farther off counts as on it
 // Of |g| at the vertex: a quadratic whose extremum is no lower, and near, has no zero.
 constexpr double hopeless = 0.5;
-constexpr int most_steps = 5;
+constexpr int extremum_steps = 5;
 
 std::int64_t corner_of(const SurfaceMesh& mesh, std::int64_t triangle, std::int32_t vertex) noexcept {
     std::int64_t k = 0;
@@ -73,11 +73,11 @@ bool is_least(const SurfaceMesh& mesh, const base::Array<double>& level, std::in
 // Vertices where |g| is least and low, ascending.
 base::Array<std::int32_t> find_low(const base::Runtime& runtime, const SurfaceMesh& mesh,
                                    const base::Array<double>& level) {
-    const std::int64_t tasks = (mesh.triangles() + triangles_a_task - 1) / triangles_a_task;
+    const std::int64_t tasks = (mesh.triangles() + searched_a_task - 1) / searched_a_task;
     base::List<base::Array<std::int32_t>> found(runtime.memory);
     for (std::int64_t task = 0; task < tasks; ++task) found.add(base::Array<std::int32_t>(runtime.memory));
-    runtime.parallel.for_chunks(mesh.triangles(), triangles_a_task, [&](std::int64_t begin, std::int64_t end) {
-        base::Array<std::int32_t>& here = found[begin / triangles_a_task];
+    runtime.parallel.for_chunks(mesh.triangles(), searched_a_task, [&](std::int64_t begin, std::int64_t end) {
+        base::Array<std::int32_t>& here = found[begin / searched_a_task];
         for (std::int64_t t = begin; t < end; ++t) {
             const std::int32_t* const v = mesh.corner.data() + 3 * t;
             if (!is_low(level[v[0]], level[v[1]], level[v[2]])) continue;
@@ -94,7 +94,7 @@ base::Array<std::int32_t> find_low(const base::Runtime& runtime, const SurfaceMe
 }
 
 // On the way to an extremum.
-struct Search {
+struct LoopSearch {
     std::int32_t vertex;
     glm::dvec3 place;
 };
@@ -121,13 +121,13 @@ private:
     }
     void place_probes();
     void bring_to_surface(std::int64_t& evaluations, const base::Progress& progress);
-    [[nodiscard]] bool go_on(Search& search, const CurvePoint* three);
+    [[nodiscard]] bool go_on(LoopSearch& search, const CurvePoint* three);
 
     const base::Runtime& runtime_;
     const Level& level_;
     const SurfaceMesh& mesh_;
     const base::Array<double>& at_vertices_;
-    base::Array<Search> active_;
+    base::Array<LoopSearch> active_;
     base::Array<CurvePoint> points_; // three of each search: its place, and one beside it in each tangent direction
     base::Array<Straddle> found_;
 };
@@ -144,7 +144,7 @@ void Searches::place_probes() {
 }
 
 // Newton's step to where the part of grad g in the tangent plane is 0, by its differences between the three places.
-bool Searches::go_on(Search& search, const CurvePoint* three) {
+bool Searches::go_on(LoopSearch& search, const CurvePoint* three) {
     const bool negative = at_vertices_[search.vertex] < 0.0;
     for (int k = 0; k < 3; ++k) {
         if ((three[k].level < 0.0) == negative) continue;
@@ -173,7 +173,7 @@ bool Searches::go_on(Search& search, const CurvePoint* three) {
         return false;
     if (length > longest_step * mesh_.side) step *= longest_step * mesh_.side / length;
     search.place = three[0].position + step.x * frame.u + step.y * frame.v;
-    return glm::distance(search.place, mesh_.position[search.vertex]) <= farthest * mesh_.side;
+    return glm::distance(search.place, mesh_.position[search.vertex]) <= farthest_extremum * mesh_.side;
 }
 
 // By a step along grad f where that is needed: beside a vertex of the mesh it is not.
@@ -195,12 +195,12 @@ void Searches::bring_to_surface(std::int64_t& evaluations, const base::Progress&
 }
 
 void Searches::run(std::int64_t& evaluations, const base::Progress& progress) {
-    for (int step = 0; step < most_steps && !active_.empty(); ++step) {
+    for (int step = 0; step < extremum_steps && !active_.empty(); ++step) {
         place_probes();
         bring_to_surface(evaluations, progress);
         std::int64_t left = 0;
         for (std::int64_t i = 0; i < active_.size(); ++i) {
-            Search search = active_[i];
+            LoopSearch search = active_[i];
             if (go_on(search, points_.data() + 3 * i)) active_[left++] = search;
         }
         active_.resize(left);

@@ -18,7 +18,7 @@ constexpr double touch = 2e-8;
 // surface, on which side the segment is.
 constexpr double along_surface = 0.02;
 constexpr double leaves_surface = 1e-4;
-constexpr int deepest = 40;
+constexpr int deepest_span = 40;
 
 // A place on a line: f, its slope along the line, and the length of its gradient.
 struct Place {
@@ -152,7 +152,7 @@ void Counter::add_root(const Piece& piece) {
 
 // A piece that has become too short is left with the roots that its ends tell.
 void Counter::split(const Piece& piece, double at) {
-    if (piece.depth < deepest) {
+    if (piece.depth < deepest_span) {
         const double middle = piece.low.at + at * (piece.high.at - piece.low.at);
         if (middle > piece.low.at && middle < piece.high.at) {
             next_.push_back(piece);

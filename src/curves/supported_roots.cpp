@@ -9,9 +9,9 @@
 namespace hrbfnpr::curves {
 namespace {
 
-constexpr int most_steps = 40;
-constexpr double known = 1e-9;     // of a root, in diagonals
-constexpr double on_border = 1e-6; // of s
+constexpr int support_steps = 40;
+constexpr double known_support = 1e-9; // of a root, in diagonals
+constexpr double on_border = 1e-6;     // of s
 
 // A root that may lie beyond the border.
 struct Doubtful {
@@ -62,7 +62,7 @@ void Judge::step(std::int64_t i) noexcept {
     const double way = -value_[i] / glm::dot(gradient_[i], line(d).direction);
     double next = d.at + way;
     if (!(next > root.low && next < root.high)) next = 0.5 * (root.low + root.high);
-    d.done = std::abs(next - d.at) <= known * implicit_.diagonal();
+    d.done = std::abs(next - d.at) <= known_support * implicit_.diagonal();
     if (!d.done) d.at = next;
 }
 
@@ -71,7 +71,7 @@ void Judge::refine(const base::Progress& progress) {
     gradient_.resize(doubtful_.size());
     value_.resize(doubtful_.size());
     bool left = !doubtful_.empty();
-    for (int k = 0; k < most_steps && left; ++k) {
+    for (int k = 0; k < support_steps && left; ++k) {
         for (std::int64_t i = 0; i < doubtful_.size(); ++i) place_.set(i, line(doubtful_[i]).at(doubtful_[i].at));
         implicit::evaluate_all(runtime_, implicit_, place_,
                                {value_.data(), {gradient_.x.data(), gradient_.y.data(), gradient_.z.data()}, {}},

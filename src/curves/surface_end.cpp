@@ -13,7 +13,7 @@ namespace {
 constexpr double nowhere = 1e6;
 // In sides: a place of a sheet that is nearer to the whole surface is on it, whichever of two equal sheets is active,
 // if it is nearer than that to a vertex of the sheet.
-constexpr double on_surface = 1e-7;
+constexpr double on_surface_end = 1e-7;
 constexpr double of_own = 1.5;
 
 } // namespace
@@ -49,14 +49,14 @@ double SheetEnd::beyond(const glm::dvec3& place, const glm::dvec3& gradient) con
         glm::dvec3 slope(0.0);
         whole_.evaluate({&place.x, &place.y, &place.z, 1}, {&value, {&slope.x, &slope.y, &slope.z}, {}});
         const double off = std::abs(value) / glm::length(slope);
-        if (!(off <= on_surface * side_)) return off;
+        if (!(off <= on_surface_end * side_)) return off;
         bool is_own = false;
         own_.around(place, [&](std::int64_t at) {
             is_own = is_own || glm::distance(vertices_[own_.index(at)], place) <= of_own * side_;
         });
         if (!is_own) return side_;
     }
-    return base_ != nullptr && base_->near_border(place) ? base_->beyond(place, gradient) : -on_surface * side_;
+    return base_ != nullptr && base_->near_border(place) ? base_->beyond(place, gradient) : -on_surface_end * side_;
 }
 
 void SupportLevel::evaluate(const implicit::PointBatch& points, const LevelBatch& out) const {

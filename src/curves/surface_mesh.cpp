@@ -14,23 +14,23 @@
 namespace hrbfnpr::curves {
 namespace {
 
-constexpr double tolerance = 1e-9;      // of vertices, in diagonals
-constexpr double seed_tolerance = 1e-3; // in sides
-constexpr double seed_reach = 1.5;      // in sides: how far from a seed its triangle may be
-constexpr std::int64_t most_triangles = std::int64_t{1} << 28;
+constexpr double vertex_tolerance = 1e-9; // of vertices, in diagonals
+constexpr double seed_tolerance = 1e-3;   // in sides
+constexpr double seed_reach = 1.5;        // in sides: how far from a seed its triangle may be
+constexpr std::int64_t most_surface_triangles = std::int64_t{1} << 28;
 
-constexpr std::int64_t cells_a_look = 4096;
+constexpr std::int64_t meshed_a_look = 4096;
 
 // Edges that the surface crosses, each once.
-class Edges {
+class CellEdges {
 public:
-    explicit Edges(const CrossedCells& cells)
+    explicit CellEdges(const CrossedCells& cells)
         : edge(cells.value.memory()), cells_(cells), number_(cells.value.memory()) {}
 
     void number_all(const base::Progress& progress) {
         base::resize_long(number_, ways * cells_.value.size(), progress);
         for (std::int64_t i = 0; i < cells_.cell.size(); ++i) {
-            if (i % cells_a_look == 0) progress.check();
+            if (i % meshed_a_look == 0) progress.check();
             const CrossedCell& cell = cells_.cell[i];
             cells_.sections_of(cell, [&](const Tetrahedron& tetrahedron, const Section& section) {
                 for (std::size_t k = 0; k < section.size; ++k) add(cell, tetrahedron, section.edge[k]);
@@ -83,10 +83,11 @@ void add_section(SurfaceMesh& mesh, const std::array<std::int32_t, 4>& v, std::s
     add_triangle(mesh, v[first], v[first + 2], v[(first + 3) % 4], even);
 }
 
-void add_triangles(const CrossedCells& cells, const Edges& edges, SurfaceMesh& mesh, const base::Progress& progress) {
+void add_triangles(const CrossedCells& cells, const CellEdges& edges, SurfaceMesh& mesh,
+                   const base::Progress& progress) {
     mesh.corner.reserve(3 * cells.triangles);
     for (std::int64_t i = 0; i < cells.cell.size(); ++i) {
-        if (i % cells_a_look == 0) progress.check();
+        if (i % meshed_a_look == 0) progress.check();
         const CrossedCell& cell = cells.cell[i];
         cells.sections_of(cell, [&](const Tetrahedron& tetrahedron, const Section& section) {
             std::array<std::int32_t, 4> vertex{};
@@ -107,7 +108,7 @@ surface::Projection seeds_on_surface(const base::Runtime& runtime, const implici
     for (std::int64_t i = 0; i < on.position.size(); ++i) before.push_back(on.position[i]);
     surface::ProjectionSettings steps;
     steps.evaluation_limit = 12;
-    steps.tolerance = std::max(tolerance, seed_tolerance * settings.side / implicit.diagonal());
+    steps.tolerance = std::max(vertex_tolerance, seed_tolerance * settings.side / implicit.diagonal());
     surface::project(runtime, implicit, steps, on, progress);
     std::int64_t kept = 0;
     for (std::int64_t i = 0; i < before.size(); ++i) {
@@ -176,14 +177,14 @@ SurfaceMesh triangulate(const base::Runtime& runtime, const implicit::Implicit& 
     mesh.side = std::max({lattice.side.x, lattice.side.y, lattice.side.z});
     const surface::Projection on = seeds_on_surface(runtime, implicit, seeds, settings, progress.part(0.0, 0.05));
     CrossedCells cells =
-        find_crossed_cells(runtime, implicit, on.position, lattice, std::min(settings.triangle_limit, most_triangles),
-                           progress.part(0.05, 0.3));
+        find_crossed_cells(runtime, implicit, on.position, lattice,
+                           std::min(settings.triangle_limit, most_surface_triangles), progress.part(0.05, 0.3));
     clear_corners(runtime, implicit, cells, progress.part(0.3, 0.4));
-    Edges edges(cells);
+    CellEdges edges(cells);
     edges.number_all(progress);
     mesh.unresolved =
-        find_edge_roots(runtime, implicit, {cells.position, cells.value, edges.edge}, tolerance * implicit.diagonal(),
-                        mesh.position, mesh.gradient, progress.part(0.4, 0.9));
+        find_edge_roots(runtime, implicit, {cells.position, cells.value, edges.edge},
+                        vertex_tolerance * implicit.diagonal(), mesh.position, mesh.gradient, progress.part(0.4, 0.9));
     add_triangles(cells, edges, mesh, progress);
     mesh.neighbour = find_neighbours(runtime, mesh.corner, mesh.vertices(), progress);
     mesh.missed_seeds = count_missed(runtime, on, mesh, progress);

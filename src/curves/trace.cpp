@@ -16,11 +16,11 @@ namespace {
 
 // In sides of the mesh: so far may a place on the mesh be off the curve that it stands for; nearer to each other, two
 // starts are one.
-constexpr double reach = 1.0;
+constexpr double trace_reach = 1.0;
 constexpr double covered = 0.35;
-constexpr double same = 1e-3;
-constexpr double on_curve = 0.02;
-constexpr int halvings = 8;
+constexpr double same_seed = 1e-3;
+constexpr double found_already = 0.02;
+constexpr int trace_halvings = 8;
 // Where no curve is found for changes of sign: cells are so many times smaller, and so many along a box's diagonal.
 constexpr double closer = 8.0;
 constexpr double most_cells = 128.0;
@@ -87,7 +87,7 @@ base::Array<std::uint8_t> Rounds::on_curves(const base::Array<CurvePoint>& point
     base::Array<std::int64_t> of(runtime_.memory);
     for (std::int64_t i = 0; i < points.size(); ++i) {
         const NearCurves::Foot foot = near.nearest(points[i].position, points[i].direction());
-        on[i] = foot.distance <= on_curve * mesh_.side ? 1 : 0;
+        on[i] = foot.distance <= found_already * mesh_.side ? 1 : 0;
         if (on[i] != 0 || foot.distance > covered * mesh_.side) continue;
         feet.push_back({foot.place});
         of.push_back(i);
@@ -99,7 +99,7 @@ base::Array<std::uint8_t> Rounds::on_curves(const base::Array<CurvePoint>& point
         const glm::dvec3 way = points[of[i]].position - feet[i].position;
         const glm::dvec3 along = glm::normalize(feet[i].direction());
         const double off = glm::length(way - glm::dot(way, along) * along);
-        on[of[i]] = found[i] != 0 && off <= on_curve * mesh_.side ? 1 : 0;
+        on[of[i]] = found[i] != 0 && off <= found_already * mesh_.side ? 1 : 0;
     }
     return on;
 }
@@ -132,13 +132,13 @@ base::Array<CurvePoint> Rounds::new_ones(const base::Array<CurvePoint>& points,
         fresh.push_back(p);
         places.push_back(p.position);
     }
-    const geometry::PointGrid grid(places, same * mesh_.side);
+    const geometry::PointGrid grid(places, same_seed * mesh_.side);
     base::Array<CurvePoint> apart(runtime_.memory);
     for (std::int64_t i = 0; i < fresh.size(); ++i) {
         bool first = true;
         grid.around(places[i], [&](std::int64_t at) {
             const std::int64_t other = grid.index(at);
-            first = first && !(other < i && glm::distance(places[other], places[i]) <= same * mesh_.side &&
+            first = first && !(other < i && glm::distance(places[other], places[i]) <= same_seed * mesh_.side &&
                                glm::dot(fresh[other].direction(), fresh[i].direction()) > 0.0);
         });
         if (first) apart.push_back(fresh[i]);
@@ -148,7 +148,7 @@ base::Array<CurvePoint> Rounds::new_ones(const base::Array<CurvePoint>& points,
 
 base::Array<std::int64_t> Rounds::from(base::Array<CurvePoint> points) {
     base::Array<std::uint8_t> found(runtime_.memory);
-    const NewtonSettings newton{settings_.tolerance * mesh_.side, reach * mesh_.side};
+    const NewtonSettings newton{settings_.tolerance * mesh_.side, trace_reach * mesh_.side};
     report_.evaluations += bring_to_curve(runtime_, level_, newton, points, found, progress_);
     add(runs_of(new_ones(points, found)));
     base::Array<std::int64_t> lost(runtime_.memory);
@@ -159,7 +159,7 @@ base::Array<std::int64_t> Rounds::from(base::Array<CurvePoint> points) {
 
 base::Array<std::int64_t> Rounds::from(const base::Array<Straddle>& places) {
     base::Array<CurvePoint> points(runtime_.memory);
-    report_.evaluations += halve(runtime_, level_, places, halvings, points, progress_);
+    report_.evaluations += halve(runtime_, level_, places, trace_halvings, points, progress_);
     return from(std::move(points));
 }
 

@@ -9,7 +9,7 @@
 namespace hrbfnpr::fit {
 namespace {
 
-constexpr std::int64_t grain = 1024; // samples
+constexpr std::int64_t energies_a_task = 1024; // samples
 constexpr std::int64_t elements_a_look = 65536;
 constexpr std::int32_t most_iterations = 60;
 
@@ -93,7 +93,7 @@ HermiteEnergy::Terms HermiteEnergy::terms(const geometry::VecArray& normal, cons
     Terms terms{blocks, base::Array<float>(runtime_.memory),
                 base::Array<double>(runtime_.memory, blocks.coarse_count * blocks.coarse_columns)};
     terms.add.resize_for_overwrite(size() * blocks.set_size * 4);
-    runtime_.parallel.for_chunks(size(), grain, progress, [&](std::int64_t begin, std::int64_t end) {
+    runtime_.parallel.for_chunks(size(), energies_a_task, progress, [&](std::int64_t begin, std::int64_t end) {
         for (std::int64_t e = begin * blocks.set_size; e < end * blocks.set_size; ++e) {
             const bool has_term = blocks.set[e - e % blocks.set_size] >= 0;
             const glm::dvec3 n = has_term ? normal[blocks.set[e]] : glm::dvec3(0.0);

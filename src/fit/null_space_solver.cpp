@@ -8,8 +8,8 @@
 namespace hrbfnpr::fit {
 namespace {
 
-constexpr std::int64_t side = TiledCholesky::side;
-constexpr std::int64_t samples_per_tile = side / 4;
+constexpr std::int64_t tile_side = TiledCholesky::side;
+constexpr std::int64_t samples_per_tile = tile_side / 4;
 
 using Matrix = Eigen::Map<Eigen::MatrixXd, 0, Eigen::OuterStride<>>;
 using ConstMatrix = Eigen::Map<const Eigen::MatrixXd>;
@@ -72,23 +72,23 @@ void NullSpaceSolver::assemble_tile(const HermiteSystem& system, const double* x
     double* tile = cholesky_.tile(i, j);
     const std::int64_t samples = system.samples();
     system.block(i * samples_per_tile, std::min(samples, (i + 1) * samples_per_tile), j * samples_per_tile,
-                 std::min(samples, (j + 1) * samples_per_tile), tile, side);
-    const std::int64_t height = std::min(space_.rows() - i * side, side);
-    const std::int64_t width = std::min(space_.rows() - j * side, side);
+                 std::min(samples, (j + 1) * samples_per_tile), tile, tile_side);
+    const std::int64_t height = std::min(space_.rows() - i * tile_side, tile_side);
+    const std::int64_t width = std::min(space_.rows() - j * tile_side, tile_side);
     if (space_.terms() > 0) {
         const ConstMatrix x(x_data, space_.rows(), space_.terms());
         const NullSpace::ConstColumns v = space_.v();
-        Matrix map(tile, height, width, Eigen::OuterStride<>(side));
-        map.noalias() -= x.middleRows(i * side, height) * v.middleRows(j * side, width).transpose();
-        map.noalias() -= v.middleRows(i * side, height) * x.middleRows(j * side, width).transpose();
+        Matrix map(tile, height, width, Eigen::OuterStride<>(tile_side));
+        map.noalias() -= x.middleRows(i * tile_side, height) * v.middleRows(j * tile_side, width).transpose();
+        map.noalias() -= v.middleRows(i * tile_side, height) * x.middleRows(j * tile_side, width).transpose();
     }
     // The fixed rows are not part of the matrix, and it ends with the identity.
-    const std::int64_t free_height = std::clamp<std::int64_t>(space_.free() - i * side, 0, side);
-    const std::int64_t free_width = std::clamp<std::int64_t>(space_.free() - j * side, 0, side);
-    Matrix whole(tile, side, side, Eigen::OuterStride<>(side));
-    whole.bottomRows(side - free_height).setZero();
-    whole.rightCols(side - free_width).setZero();
-    if (i == j) whole.diagonal().tail(side - free_height).setOnes();
+    const std::int64_t free_height = std::clamp<std::int64_t>(space_.free() - i * tile_side, 0, tile_side);
+    const std::int64_t free_width = std::clamp<std::int64_t>(space_.free() - j * tile_side, 0, tile_side);
+    Matrix whole(tile, tile_side, tile_side, Eigen::OuterStride<>(tile_side));
+    whole.bottomRows(tile_side - free_height).setZero();
+    whole.rightCols(tile_side - free_width).setZero();
+    if (i == j) whole.diagonal().tail(tile_side - free_height).setOnes();
 }
 
 void NullSpaceSolver::assemble_border(const HermiteSystem& system, const double* x_data) {

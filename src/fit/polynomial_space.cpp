@@ -9,7 +9,7 @@ namespace hrbfnpr::fit {
 namespace {
 
 // Rows whose sums are taken in one go: the result does not depend on the number of threads.
-constexpr std::int64_t grain = 16384;
+constexpr std::int64_t rows_a_task = 16384;
 
 using ConstMap = Eigen::Map<const Eigen::MatrixXd, 0, Eigen::OuterStride<>>;
 using Map = Eigen::Map<Eigen::MatrixXd, 0, Eigen::OuterStride<>>;
@@ -36,11 +36,11 @@ PolynomialSpace::PolynomialSpace(const base::Runtime& runtime, const HermiteSyst
 }
 
 void PolynomialSpace::orthonormalise() {
-    const std::int64_t chunks = (rows_ + grain - 1) / grain;
+    const std::int64_t chunks = (rows_ + rows_a_task - 1) / rows_a_task;
     base::Array<double> sums(runtime_.memory, chunks * terms_ * terms_);
-    runtime_.parallel.for_chunks(rows_, grain, [&](std::int64_t begin, std::int64_t end) {
+    runtime_.parallel.for_chunks(rows_, rows_a_task, [&](std::int64_t begin, std::int64_t end) {
         const ConstMap part(q_.data() + begin, end - begin, terms_, Eigen::OuterStride<>(rows_));
-        Eigen::Map<Eigen::MatrixXd>(sums.data() + begin / grain * terms_ * terms_, terms_, terms_).noalias() =
+        Eigen::Map<Eigen::MatrixXd>(sums.data() + begin / rows_a_task * terms_ * terms_, terms_, terms_).noalias() =
             part.transpose() * part;
     });
     Small gram = Small::Zero(terms_, terms_);
@@ -55,18 +55,18 @@ void PolynomialSpace::orthonormalise() {
                  "samples",
                  static_cast<long long>(rows_ / 4));
     r_ = (factor * r_).eval();
-    runtime_.parallel.for_chunks(rows_, grain, [&](std::int64_t begin, std::int64_t end) {
+    runtime_.parallel.for_chunks(rows_, rows_a_task, [&](std::int64_t begin, std::int64_t end) {
         Map part(q_.data() + begin, end - begin, terms_, Eigen::OuterStride<>(rows_));
         factor.triangularView<Eigen::Upper>().solveInPlace<Eigen::OnTheRight>(part);
     });
 }
 
 PolynomialSpace::Vector PolynomialSpace::components(const double* x) const {
-    const std::int64_t chunks = (rows_ + grain - 1) / grain;
+    const std::int64_t chunks = (rows_ + rows_a_task - 1) / rows_a_task;
     base::Array<double> sums(runtime_.memory, chunks * terms_);
-    runtime_.parallel.for_chunks(rows_, grain, [&](std::int64_t begin, std::int64_t end) {
+    runtime_.parallel.for_chunks(rows_, rows_a_task, [&](std::int64_t begin, std::int64_t end) {
         const ConstMap part(q_.data() + begin, end - begin, terms_, Eigen::OuterStride<>(rows_));
-        Eigen::Map<Eigen::VectorXd>(sums.data() + begin / grain * terms_, terms_).noalias() =
+        Eigen::Map<Eigen::VectorXd>(sums.data() + begin / rows_a_task * terms_, terms_).noalias() =
             part.transpose() * Eigen::Map<const Eigen::VectorXd>(x + begin, end - begin);
     });
     Vector sum = Vector::Zero(terms_);
@@ -76,7 +76,7 @@ PolynomialSpace::Vector PolynomialSpace::components(const double* x) const {
 }
 
 void PolynomialSpace::subtract(const Vector& components, double* x) const {
-    runtime_.parallel.for_chunks(rows_, grain, [&](std::int64_t begin, std::int64_t end) {
+    runtime_.parallel.for_chunks(rows_, rows_a_task, [&](std::int64_t begin, std::int64_t end) {
         const ConstMap part(q_.data() + begin, end - begin, terms_, Eigen::OuterStride<>(rows_));
         Eigen::Map<Eigen::VectorXd>(x + begin, end - begin).noalias() -= part * components;
     });

@@ -18,7 +18,7 @@ namespace {
     return std::min<std::int64_t>(samples, std::max<std::int64_t>(32, neighbours));
 }
 
-constexpr std::int64_t grain = 256; // samples
+constexpr std::int64_t corrections_a_task = 256; // samples
 constexpr std::int64_t samples_a_look = 4096;
 
 // Functionals of `at` less their Taylor expansions about sample 0: Z^T with Z's first rows for sample 0.
@@ -56,7 +56,7 @@ Preconditioner::Preconditioner(const base::Runtime& runtime, const HermiteSystem
 void Preconditioner::find_sets(const geometry::PointTree& tree, const base::Array<std::int64_t>& rank,
                                const base::Progress& progress) {
     const base::Array<std::int64_t> smallest = tree.smallest_of_nodes([&](std::int64_t at) { return rank[at]; });
-    runtime_.parallel.for_chunks(samples_, grain, [&](std::int64_t begin, std::int64_t end) {
+    runtime_.parallel.for_chunks(samples_, corrections_a_task, [&](std::int64_t begin, std::int64_t end) {
         progress.check();
         std::int64_t found[LocalSystems::largest_set];
         for (std::int64_t at = begin; at < end; ++at) {
@@ -151,10 +151,10 @@ void Preconditioner::index_uses(const base::Progress& progress) {
 void Preconditioner::apply(const double* r, double* z, const base::Progress& progress) {
     const SparseBlocks blocks = sparse_blocks(runtime_.instruction_set);
     const SparseFactor factor{set_size_, set_.data(), factor_.data(), use_begin_.data(), use_.data()};
-    runtime_.parallel.for_chunks(samples_, 4 * grain, progress, [&](std::int64_t begin, std::int64_t end) {
+    runtime_.parallel.for_chunks(samples_, 4 * corrections_a_task, progress, [&](std::int64_t begin, std::int64_t end) {
         blocks.multiply_transposed(factor, begin, end, r, t_.data());
     });
-    runtime_.parallel.for_chunks(samples_, 4 * grain, progress, [&](std::int64_t begin, std::int64_t end) {
+    runtime_.parallel.for_chunks(samples_, 4 * corrections_a_task, progress, [&](std::int64_t begin, std::int64_t end) {
         blocks.multiply(factor, begin, end, t_.data(), z);
     });
     apply_coarse(r, z);

@@ -7,7 +7,7 @@
 namespace hrbfnpr::fit {
 namespace {
 
-constexpr std::int64_t grain = 128; // targets of a task: their sums stay in the first-level cache
+constexpr std::int64_t targets_a_task = 128; // targets of a task: their sums stay in the first-level cache
 
 // Samples that are in or out of reach together: few, as they are neighbours in the caller's order.
 constexpr std::int64_t box_samples = 32;
@@ -128,7 +128,7 @@ base::Array<double> HermiteProduct::multiply_some(const double* x, std::int64_t 
 void HermiteProduct::sum_directly(const geometry::VecArray& at, base::Array<double>& value,
                                   geometry::VecArray& gradient, const base::Progress& progress) const {
     const implicit::AddHermiteSums add = implicit::hermite_sums(runtime_.instruction_set, options_.kernel);
-    runtime_.parallel.for_chunks(at.size(), grain, [&](std::int64_t begin, std::int64_t end) {
+    runtime_.parallel.for_chunks(at.size(), targets_a_task, [&](std::int64_t begin, std::int64_t end) {
         progress.check();
         double* const sums[4] = {value.data() + begin, gradient.x.data() + begin, gradient.y.data() + begin,
                                  gradient.z.data() + begin};

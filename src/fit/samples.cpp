@@ -10,8 +10,8 @@ namespace {
 // Squares and cubes of what is accepted stay far from the ends of a double's range.
 constexpr double coordinate_limit = 1e100;
 
-constexpr double coincidence = 1e-9;         // in diagonals
-constexpr double agreement = 0.999847695156; // cosine of 1 degree
+constexpr double coincidence = 1e-9;           // in diagonals
+constexpr double same_normal = 0.999847695156; // cosine of 1 degree
 constexpr double degrees = 57.29577951308232;
 constexpr double rescaled_by = 1e-4;
 
@@ -68,7 +68,7 @@ struct Along {
 
 void require_agreement(const Samples& samples, std::int64_t a, std::int64_t b) {
     const double cosine = glm::dot(samples.normal[a], samples.normal[b]);
-    if (cosine >= agreement) return;
+    if (cosine >= same_normal) return;
     fail(Status::invalid_argument,
          "points[%lld] and points[%lld] coincide but their normals differ by %.3g degrees; "
          "remove one of them or move them apart",

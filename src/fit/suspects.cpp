@@ -39,7 +39,7 @@ constexpr double off_centre = 0.5;
 // Once some are turned, those beside them may show; a few passes find those in small groups.
 constexpr int passes = 4;
 
-constexpr std::int64_t grain = 512;
+constexpr std::int64_t suspects_a_task = 512;
 
 // Of a sample and its neighbours.
 struct Local {
@@ -56,10 +56,10 @@ using Buffer = std::array<double, geometry::Neighbours::most>;
     return *middle;
 }
 
-class Finder {
+class SuspectFinder {
 public:
-    Finder(const base::Runtime& runtime, const Samples& samples, const geometry::Neighbours& neighbours,
-           const base::Progress& progress)
+    SuspectFinder(const base::Runtime& runtime, const Samples& samples, const geometry::Neighbours& neighbours,
+                  const base::Progress& progress)
         : runtime_(runtime), samples_(samples), neighbours_(neighbours), progress_(progress),
           local_(runtime.memory, samples.position.size()), found_(runtime.memory) {
         for_each([&](std::int64_t i) { local_[i] = measure(i); });
@@ -82,10 +82,11 @@ public:
 private:
     template <class Visit>
     void for_each(Visit&& visit) const {
-        runtime_.parallel.for_chunks(samples_.position.size(), grain, [&](std::int64_t begin, std::int64_t end) {
-            progress_.check();
-            for (std::int64_t i = begin; i < end; ++i) visit(i);
-        });
+        runtime_.parallel.for_chunks(samples_.position.size(), suspects_a_task,
+                                     [&](std::int64_t begin, std::int64_t end) {
+                                         progress_.check();
+                                         for (std::int64_t i = begin; i < end; ++i) visit(i);
+                                     });
     }
 
     // How far sample i is from the tangent plane of j.
@@ -184,7 +185,7 @@ private:
 
 Suspects find_suspects(const base::Runtime& runtime, const Samples& samples, const geometry::Neighbours& neighbours,
                        const base::Progress& progress) {
-    return Finder(runtime, samples, neighbours, progress).run();
+    return SuspectFinder(runtime, samples, neighbours, progress).run();
 }
 
 } // namespace hrbfnpr::fit

@@ -7,8 +7,8 @@
 namespace hrbfnpr::fit {
 namespace {
 
-constexpr std::size_t nearest = 8; // a sample stands for no more of its neighbours than these
-constexpr std::int64_t grain = 512;
+constexpr std::size_t most_neighbours = 8; // a sample stands for no more of its neighbours than these
+constexpr std::int64_t spacings_a_task = 512;
 
 // Mean angle between a sample and its neighbours: of its normal with theirs, and of its position above their planes.
 [[nodiscard]] double oddness(const Samples& samples, const geometry::Neighbours& neighbours, std::int64_t i) {
@@ -32,7 +32,7 @@ base::Array<std::int64_t> typical_samples(const base::Runtime& runtime, const Sa
     base::Array<double> odd(runtime.memory, count);
     base::Array<std::int64_t> typical(runtime.memory, count);
     const auto for_each = [&](auto&& visit) {
-        runtime.parallel.for_chunks(count, grain, [&](std::int64_t begin, std::int64_t end) {
+        runtime.parallel.for_chunks(count, spacings_a_task, [&](std::int64_t begin, std::int64_t end) {
             progress.check();
             for (std::int64_t i = begin; i < end; ++i) visit(i);
         });
@@ -41,7 +41,7 @@ base::Array<std::int64_t> typical_samples(const base::Runtime& runtime, const Sa
     for_each([&](std::int64_t i) {
         typical[i] = i;
         const auto near = neighbours.of(i);
-        for (const std::int64_t j : near.first(std::min(nearest, near.size())))
+        for (const std::int64_t j : near.first(std::min(most_neighbours, near.size())))
             if (odd[j] < odd[typical[i]] || (odd[j] == odd[typical[i]] && j < typical[i])) typical[i] = j;
     });
     return typical;

@@ -8,7 +8,7 @@
 namespace hrbfnpr::geometry {
 namespace {
 
-constexpr std::int64_t at_once = 16384; // points without a look for a cancel
+constexpr std::int64_t numbered_at_once = 16384; // points without a look for a cancel
 
 } // namespace
 
@@ -27,7 +27,7 @@ PointGrid::PointGrid(const VecArray& points, double radius, const base::Progress
     const auto cell_of = [&](std::int64_t i) { return CellGrid::pack(grid_.cell_of(points[i])); };
     // Sorting by counting, which keeps the order of the points of a bucket.
     for (std::int64_t i = 0; i < points.size(); ++i) {
-        if (i % at_once == 0) progress.check();
+        if (i % numbered_at_once == 0) progress.check();
         ++begin_[bucket(cell_of(i)) + 1];
     }
     progress.check();
@@ -37,7 +37,7 @@ PointGrid::PointGrid(const VecArray& points, double radius, const base::Progress
     next.resize_for_overwrite(buckets);
     for (std::int64_t b = 0; b < buckets; ++b) next[b] = begin_[b];
     for (std::int64_t i = 0; i < points.size(); ++i) {
-        if (i % at_once == 0) progress.check();
+        if (i % numbered_at_once == 0) progress.check();
         const std::uint64_t cell = cell_of(i);
         const std::int64_t at = next[bucket(cell)]++;
         index_[at] = i;

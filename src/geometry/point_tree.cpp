@@ -7,7 +7,7 @@
 namespace hrbfnpr::geometry {
 namespace {
 
-constexpr std::int64_t at_once = 65536; // points without a look for a cancel
+constexpr std::int64_t halved_at_once = 65536; // points without a look for a cancel
 
 const base::Array<double>& axis_of(const VecArray& points, int axis) noexcept {
     return axis == 0 ? points.x : axis == 1 ? points.y : points.z;
@@ -32,7 +32,7 @@ PointTree::PointTree(const VecArray& points, const base::Progress& progress)
     for (std::int64_t i = 0; i < count; ++i) index_[i] = i;
     build(points, {0, 0, count}, progress);
     for (std::int64_t at = 0; at < count; ++at) {
-        if (at % at_once == 0) progress.check();
+        if (at % halved_at_once == 0) progress.check();
         points_.set(at, points[index_[at]]);
     }
 }
@@ -40,7 +40,7 @@ PointTree::PointTree(const VecArray& points, const base::Progress& progress)
 void PointTree::build(const VecArray& points, const Range& range, const base::Progress& progress) {
     Bounds box;
     for (std::int64_t at = range.begin; at < range.end; ++at) {
-        if ((at - range.begin) % at_once == at_once - 1) progress.check();
+        if ((at - range.begin) % halved_at_once == halved_at_once - 1) progress.check();
         box.extend(points[index_[at]]);
     }
     bounds_[range.node] = box;

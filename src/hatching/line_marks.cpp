@@ -16,10 +16,10 @@ namespace hrbfnpr::hatching {
 namespace {
 
 // Rounds of 1/4, 1/2, 1/4 along a line: points on a mesh's edges know their place to a part of its cells.
-constexpr int smoothings = 2;
+constexpr int mark_smoothings = 2;
 // In separations of the finest level: over so much of a line its points vote for one level, and no line is shorter.
 constexpr double votes = 6.0;
-constexpr double shortest = 2.0;
+constexpr double shortest_line = 2.0;
 // Marks next to each other that are farther apart than this, in steps, or nearer, do not belong together.
 constexpr double widest_step = 1.6;
 constexpr double narrowest_step = 0.5;
@@ -76,7 +76,7 @@ private:
 // A closed line ends where it begins: once more.
 void Laying::resample(std::int64_t line) {
     const LineWalk walk(lines_, line);
-    if (!(walk.length() >= shortest * settings_.separation)) return;
+    if (!(walk.length() >= shortest_line * settings_.separation)) return;
     const auto steps = static_cast<std::int64_t>(std::max(2.0, std::round(walk.length() / settings_.step)));
     const Path path{point_.size(), steps + 1, lines_.closed[line] != 0};
     walk.visit(steps, [&](const LinePlace& place) {
@@ -90,7 +90,7 @@ void Laying::resample(std::int64_t line) {
 
 void Laying::smooth(const Path& path) {
     const std::int64_t last = path.begin + path.count - 1;
-    for (int round = 0; round < smoothings; ++round) {
+    for (int round = 0; round < mark_smoothings; ++round) {
         glm::dvec3 before = path.closed ? point_[last - 1] : point_[path.begin];
         const glm::dvec3 second = point_[path.begin + 1];
         for (std::int64_t i = path.begin; i <= last; ++i) {

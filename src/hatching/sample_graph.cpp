@@ -16,9 +16,9 @@ namespace {
 constexpr std::int64_t neighbours = 8;
 // Normals that differ by more, and steps that leave the tangent planes by more, belong to another sheet.
 constexpr double least_cosine = 0.3;
-constexpr double steepest = 0.5;
+constexpr double steepest_link = 0.5;
 // In spacings: farther ones are none.
-constexpr double farthest = 3.0;
+constexpr double farthest_link = 3.0;
 // One look for a cancel for so many.
 constexpr std::int64_t samples_a_check = 512;
 constexpr std::int64_t pairs_a_check = 4096;
@@ -28,11 +28,11 @@ constexpr std::int64_t pairs_a_check = 4096;
 bool SampleGraph::is_linked(std::int64_t i, std::int64_t j) const noexcept {
     const glm::dvec3 way = position[j] - position[i];
     const double length = glm::length(way);
-    if (!(length > 0.0 && length <= farthest * spacing)) return false;
+    if (!(length > 0.0 && length <= farthest_link * spacing)) return false;
     if (!(glm::dot(normal[i], normal[j]) > least_cosine)) return false;
     if (!sheet.empty() && surface::is_creased(sheet[i], sheet[j], normal[i], normal[j])) return false;
-    return std::abs(glm::dot(way, normal[i])) <= steepest * length &&
-           std::abs(glm::dot(way, normal[j])) <= steepest * length;
+    return std::abs(glm::dot(way, normal[i])) <= steepest_link * length &&
+           std::abs(glm::dot(way, normal[j])) <= steepest_link * length;
 }
 
 // By the rotation that takes one normal to the other along the shortest way.

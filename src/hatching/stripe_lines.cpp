@@ -15,7 +15,7 @@ constexpr double tau = 2.0 * std::numbers::pi;
 // Where samples agree less about the phase there is none.
 constexpr double least_agreement = 0.12;
 // A piece of a line runs along the field, within an angle of this cosine: others turn back beside a fork.
-constexpr double least_cosine = 0.55;
+constexpr double least_stripe_cosine = 0.55;
 constexpr std::int64_t triangles_a_task = 4096;
 constexpr std::int64_t at_once = 262144; // numbers without a look for a cancel
 
@@ -164,7 +164,7 @@ bool Stripes::runs_along(std::int64_t c, std::int64_t d) const noexcept {
     glm::dvec3 along = vertices_.along[from.a];
     for (const std::int32_t v : {from.b, to.a, to.b})
         along += (glm::dot(along, vertices_.along[v]) < 0.0 ? -1.0 : 1.0) * vertices_.along[v];
-    return std::abs(glm::dot(way, along)) >= least_cosine * length * glm::length(along);
+    return std::abs(glm::dot(way, along)) >= least_stripe_cosine * length * glm::length(along);
 }
 
 // Around a triangle a line that comes in goes out where the phase comes back: neighbours of opposite sense belong to

@@ -19,7 +19,7 @@ constexpr int first_averages = 12;
 // grow into it from around there and forks appear; with waves of one height none would, and lines would stay too dense
 // or too sparse.  Then averages of one height.
 constexpr int means = 100;
-constexpr int averages = 20;
+constexpr int phase_averages = 20;
 
 // By how much the phase grows along each link, and whether the lines point to opposite ways.
 struct Waves {
@@ -117,7 +117,7 @@ Phases doubled(const base::Runtime& runtime, const LineSamples& samples, const P
     Phases z(runtime.memory, phases.size());
     for (std::int64_t i = 0; i < z.size(); ++i) z[i] = phases[i] * phases[i];
     spread(runtime, waves, means, z, progress);
-    average(runtime, waves, averages, z, progress);
+    average(runtime, waves, phase_averages, z, progress);
     return z;
 }
 

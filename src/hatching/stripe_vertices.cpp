@@ -16,12 +16,12 @@ namespace {
 // In spacings: so far samples have a say.
 constexpr double influence = 2.0;
 // Samples on other sheets: their normals differ by more, or they lie farther beside the tangent plane, in distances.
-constexpr double least_cosine = 0.3;
-constexpr double steepest = 0.6;
+constexpr double least_vertex_cosine = 0.3;
+constexpr double steepest_vertex = 0.6;
 constexpr std::int64_t vertices_a_task = 2048;
 // Rounds: of plain means, as for samples, and all.
-constexpr int means = 20;
-constexpr int averages = 40;
+constexpr int vertex_means = 20;
+constexpr int vertex_averages = 40;
 
 struct Heard {
     std::int64_t sample;
@@ -57,10 +57,10 @@ private:
             const std::int64_t i = grid_.index(at);
             const glm::dvec3 way = p - graph.position[i];
             const double squared = glm::dot(way, way);
-            if (!(squared < radius * radius) || !(glm::dot(graph.normal[i], n) > least_cosine)) return;
+            if (!(squared < radius * radius) || !(glm::dot(graph.normal[i], n) > least_vertex_cosine)) return;
             if (!sheets_.empty() && surface::is_creased(sheet, graph.sheet[i], n, graph.normal[i])) return;
             const double height = glm::dot(way, n);
-            if (height * height > steepest * steepest * squared) return;
+            if (height * height > steepest_vertex * steepest_vertex * squared) return;
             const double rest = 1.0 - squared / (radius * radius);
             heard_.push_back({i, rest * rest});
             sum_ += rest * rest;
@@ -153,7 +153,7 @@ struct MeshWaves {
     base::Array<std::uint8_t> turned;
 };
 
-Complex unit(const Complex& z) noexcept {
+Complex unit_phase(const Complex& z) noexcept {
     const double size = std::abs(z);
     return size > 0.0 ? z / size : z;
 }
@@ -169,14 +169,14 @@ void StripeVertices::refine(const base::Runtime& runtime, const curves::SurfaceM
         base::Array<Complex> z(runtime.memory, mesh.vertices());
         const base::Array<Complex>& before = wave[wave.size() - 1];
         progress.check();
-        for (std::int64_t v = 0; v < z.size(); ++v) z[v] = unit(before[v] * before[v]);
-        for (int round = 0; round <= averages; ++round) {
+        for (std::int64_t v = 0; v < z.size(); ++v) z[v] = unit_phase(before[v] * before[v]);
+        for (int round = 0; round <= vertex_averages; ++round) {
             progress.check();
             runtime.parallel.for_chunks(z.size(), vertices_a_task, [&](std::int64_t begin, std::int64_t end) {
                 progress.check();
                 for (std::int64_t v = begin; v < end; ++v) {
                     const Complex mean = waves.mean(v, z);
-                    next[v] = round < means || round == averages ? mean : unit(mean);
+                    next[v] = round < vertex_means || round == vertex_averages ? mean : unit_phase(mean);
                 }
             });
             std::swap(next, z);

@@ -4,7 +4,7 @@
 namespace hrbfnpr::implicit {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double boundless = std::numeric_limits<double>::infinity();
 
 // Of places, which are within 1e150: faster than std::hypot, and the same everywhere.
 double root_of_squares(double x, double y) noexcept { return std::sqrt(x * x + y * y); }
@@ -168,7 +168,7 @@ CsgBox CsgShape::box(const glm::dmat3& linear, const glm::dvec3& translation, do
 
 CsgBox CsgShape::box_outside(const glm::dmat3& linear, const glm::dvec3& translation, double level) const noexcept {
     if (kind_ == CsgKind::half_space) return half_space(linear, translation, level, -1.0);
-    return {glm::dvec3(-infinity), glm::dvec3(infinity)};
+    return {glm::dvec3(-boundless), glm::dvec3(boundless)};
 }
 
 } // namespace hrbfnpr::implicit

@@ -29,9 +29,9 @@ constexpr std::int64_t sources_in_leaf = 24;
 // Around the centres, of their width: a surface bulges beyond its samples.
 constexpr double margin = 0.2;
 
-constexpr std::int64_t chunk = 32;             // cells of a task
+constexpr std::int64_t cells_a_task = 32;      // cells of a task
 constexpr std::int64_t translate_cells = 1024; // that share the elements of a translation
-constexpr std::int64_t translate_tasks = 24;
+constexpr std::int64_t local_tasks = 24;
 
 // What sums of smooth functions' weights are off by is as these.
 [[nodiscard]] double root_mean_square(const double* alpha, const geometry::VecArray& beta) noexcept {
@@ -115,7 +115,7 @@ private:
     void pass_down(std::int32_t level, const base::Progress& progress) {
         const CubeBasis& basis = field_.sources_.basis(level);
         const CubeBasis& above = field_.sources_.basis(level - 1);
-        runtime_.parallel.for_chunks(begin_ - above_, chunk, [&](std::int64_t first, std::int64_t last) {
+        runtime_.parallel.for_chunks(begin_ - above_, cells_a_task, [&](std::int64_t first, std::int64_t last) {
             progress.check();
             base::Array<double> nobody(runtime_.memory, basis.stride());
             CubeVectors batch(runtime_.memory, above.size());
@@ -162,7 +162,7 @@ private:
             progress.check();
             const base::Array<SourceTree::Pair> pairs =
                 pairs_of(first, std::min(end_ - begin_, first + translate_cells));
-            const std::int64_t parts = std::min(translate_tasks, rows / 8);
+            const std::int64_t parts = std::min(local_tasks, rows / 8);
             runtime_.parallel.for_each(parts, [&](std::int64_t part) {
                 progress.check();
                 field_.sources_.translate(level, pairs.span(), static_cast<int>(part * (rows / 8) / parts * 8),
@@ -177,7 +177,7 @@ private:
         const CubeBasis& basis = field_.sources_.basis(level);
         const double half = tree_.half_width(level);
         const AddTriharmonicValues add = triharmonic_values_of(runtime_.instruction_set);
-        runtime_.parallel.for_chunks(end_ - begin_, chunk, [&](std::int64_t first, std::int64_t last) {
+        runtime_.parallel.for_chunks(end_ - begin_, cells_a_task, [&](std::int64_t first, std::int64_t last) {
             geometry::VecArray place(runtime_.memory, basis.size());
             for (std::int64_t k = first; k < last; ++k) {
                 progress.check();
@@ -199,7 +199,7 @@ private:
         base::Array<std::int64_t> next(runtime_.memory);
         next_begin.push_back(0);
         for (std::int64_t k = 0; k < end_ - begin_; ++k) {
-            if (k % chunk == 0) progress.check();
+            if (k % cells_a_task == 0) progress.check();
             if (level + 1 < tree_.levels() && near_centres(k) > most_near(tree_.points().size()))
                 add_children(k, next_begin, next, progress);
             if (field_.cells_[begin_ + k].serves()) keep_near(k, progress);

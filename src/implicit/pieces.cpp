@@ -15,7 +15,7 @@ constexpr double points_a_cell = 40.0; // from which on zones are worth it
 constexpr std::int64_t few_sheets = 8;
 
 // Points of a slice that are evaluated together, in their order, and what they are.
-class Gathered {
+class GatheredPoints {
 public:
     // visit: called with the function that takes a point's index.
     template <class ForPoints>
@@ -143,7 +143,7 @@ private:
     const PiecesParts& parts_;
     PiecesBlock block_;
     Groups groups_;
-    Gathered gathered_;
+    GatheredPoints gathered_;
     PiecesBlock::At at_[slice_size];
     std::int32_t active_[slice_size];
 };

@@ -16,8 +16,8 @@ constexpr std::int64_t most_parts = 64;
 constexpr std::size_t places = 9; // of a zone where programs are looked at: its corners and its middle
 // A sheet is left out of a maximum or minimum if it is less than the other by so many times what their difference
 // varies by between these places.
-constexpr double margin = 0.5;
-constexpr double rounding = 1e-6; // half sides
+constexpr double zone_margin = 0.5;
+constexpr double zone_rounding = 1e-6; // half sides
 constexpr std::int64_t most_codes = 2 * PiecesData::most_operands;
 
 using Values = std::array<double, places>;
@@ -36,7 +36,7 @@ void join(Simple& a, const Simple& b, std::int32_t operation) noexcept {
         least = std::min(least, difference);
         most = std::max(most, difference);
     }
-    const double enough = margin * (most - least);
+    const double enough = zone_margin * (most - least);
     if (most < -enough) return;
     if (least > enough) {
         a = b;
@@ -148,7 +148,7 @@ private:
     // Whether a cell has a say in the cube.
     [[nodiscard]] static bool reaches(const PiecesNode& cell, const glm::dvec3& centre, double half) noexcept {
         const glm::dvec3 off = glm::abs(cell.centre - centre);
-        return std::max({off.x, off.y, off.z}) < PiecesData::cell_reach * cell.half + (1.0 + rounding) * half;
+        return std::max({off.x, off.y, off.z}) < PiecesData::cell_reach * cell.half + (1.0 + zone_rounding) * half;
     }
 
     void look_beside(const PiecesNode& at, Beside& beside) const {

@@ -11,10 +11,10 @@
 namespace hrbfnpr::implicit {
 namespace {
 
-constexpr auto batch = static_cast<std::size_t>(batch_size);
+constexpr auto shape_batch = static_cast<std::size_t>(batch_size);
 
 // The places of hessian[j][k] among xx xy xz yy yz zz.
-constexpr std::array<std::array<std::size_t, 3>, 3> second = {{{0, 1, 2}, {1, 3, 4}, {2, 4, 5}}};
+constexpr std::array<std::array<std::size_t, 3>, 3> second_index = {{{0, 1, 2}, {1, 3, 4}, {2, 4, 5}}};
 
 // xxx xxy xxz xyy xyz xzz yyy yyz yzz zzz.
 constexpr std::array<std::array<std::size_t, 3>, 10> axes = {
@@ -106,7 +106,8 @@ void DifferencedShape::evaluate_block(const Implicit& own, const PointBatch& poi
             for (std::size_t c = 0; c < 10; ++c)
                 for (std::size_t k = 0; k < 3; ++k) {
                     if (axes[c][k] != axis) continue;
-                    const std::array<double, most>& h = hessian[second[axes[c][(k + 1) % 3]][axes[c][(k + 2) % 3]]];
+                    const std::array<double, most>& h =
+                        hessian[second_index[axes[c][(k + 1) % 3]][axes[c][(k + 2) % 3]]];
                     for (std::int64_t i = 0; i < points.count; ++i)
                         out.third[c][i] += weight * h[static_cast<std::size_t>(i)];
                 }
@@ -116,7 +117,7 @@ void DifferencedShape::evaluate_block(const Implicit& own, const PointBatch& poi
 }
 
 void ScaledShape::evaluate(const PointBatch& points, const ThirdBatch& out) const {
-    std::array<std::array<double, batch>, 3> at;
+    std::array<std::array<double, shape_batch>, 3> at;
     const std::array<const double*, 3> from = {points.x, points.y, points.z};
     for (std::size_t axis = 0; axis < 3; ++axis)
         std::transform(from[axis], from[axis] + points.count, at[axis].begin(), [&](double x) { return unit_ * x; });

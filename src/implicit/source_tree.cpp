@@ -12,7 +12,7 @@
 namespace hrbfnpr::implicit {
 namespace {
 
-constexpr std::int64_t chunk = 32; // cubes of a task
+constexpr std::int64_t cubes_a_task = 32; // cubes of a task
 
 [[nodiscard]] geometry::VecArray in_parent(const CubeBasis& child, int octant) {
     geometry::VecArray points(child.nodes().memory(), child.size());
@@ -125,40 +125,41 @@ void SourceTree::gather_moments(std::int32_t level, const base::Progress& progre
     const CubeBasis& basis = *at(level).basis;
     const CubeLoops loops = cube_loops(runtime_.instruction_set);
     const std::int64_t first = tree_.level_begin(level);
-    runtime_.parallel.for_chunks(tree_.level_end(level) - first, chunk, [&](std::int64_t begin, std::int64_t end) {
-        progress.check();
-        base::Array<double> terms(runtime_.memory, basis.terms());
-        base::Array<double> sums(runtime_.memory, std::int64_t{basis.terms()} * cube_lanes);
-        base::Array<double> nobody(runtime_.memory, basis.stride());
-        CubeVectors batch(runtime_.memory, basis.terms());
-        const auto flush = [&] {
-            if (batch.empty()) return;
+    runtime_.parallel.for_chunks(
+        tree_.level_end(level) - first, cubes_a_task, [&](std::int64_t begin, std::int64_t end) {
             progress.check();
-            loops.multiply(basis.to_coefficients_transposed().data(), basis.stride(), basis.stride(), basis.terms(),
-                           batch.in(), batch.out(nobody.data()), batch.count());
-            batch.clear();
-        };
-        for (std::int64_t node = first + begin; node < first + end; ++node) {
-            const geometry::Octree::Node& cube = tree_.nodes()[node];
-            if (!cube.leaf()) continue;
-            const glm::dvec3 centre = tree_.centre(cube);
-            const double* const beta[3] = {beta_.x.data() + cube.begin, beta_.y.data() + cube.begin,
-                                           beta_.z.data() + cube.begin};
-            const geometry::VecArray& p = tree_.points();
-            loops.moments(basis.degree(),
-                          {p.x.data() + cube.begin,
-                           p.y.data() + cube.begin,
-                           p.z.data() + cube.begin,
-                           cube.count(),
-                           {centre.x, centre.y, centre.z},
-                           tree_.half_width(level)},
-                          alpha_.data() + cube.begin, beta, sums.data(), terms.data());
-            batch.add(terms.data(), basis.terms(), outgoing(node, level));
-            if (batch.full()) flush();
-        }
-        flush();
-        add_children(first + begin, first + end, level, progress);
-    });
+            base::Array<double> terms(runtime_.memory, basis.terms());
+            base::Array<double> sums(runtime_.memory, std::int64_t{basis.terms()} * cube_lanes);
+            base::Array<double> nobody(runtime_.memory, basis.stride());
+            CubeVectors batch(runtime_.memory, basis.terms());
+            const auto flush = [&] {
+                if (batch.empty()) return;
+                progress.check();
+                loops.multiply(basis.to_coefficients_transposed().data(), basis.stride(), basis.stride(), basis.terms(),
+                               batch.in(), batch.out(nobody.data()), batch.count());
+                batch.clear();
+            };
+            for (std::int64_t node = first + begin; node < first + end; ++node) {
+                const geometry::Octree::Node& cube = tree_.nodes()[node];
+                if (!cube.leaf()) continue;
+                const glm::dvec3 centre = tree_.centre(cube);
+                const double* const beta[3] = {beta_.x.data() + cube.begin, beta_.y.data() + cube.begin,
+                                               beta_.z.data() + cube.begin};
+                const geometry::VecArray& p = tree_.points();
+                loops.moments(basis.degree(),
+                              {p.x.data() + cube.begin,
+                               p.y.data() + cube.begin,
+                               p.z.data() + cube.begin,
+                               cube.count(),
+                               {centre.x, centre.y, centre.z},
+                               tree_.half_width(level)},
+                              alpha_.data() + cube.begin, beta, sums.data(), terms.data());
+                batch.add(terms.data(), basis.terms(), outgoing(node, level));
+                if (batch.full()) flush();
+            }
+            flush();
+            add_children(first + begin, first + end, level, progress);
+        });
 }
 
 void SourceTree::add_children(std::int64_t begin, std::int64_t end, std::int32_t level,

@@ -13,9 +13,9 @@ namespace {
 // A function is a column of numbers; the recurrences multiply it by coordinates.
 
 // Columns are values at points.
-class Values {
+class BasisValues {
 public:
-    Values(const geometry::VecArray& points, std::int64_t count) noexcept : points_(points), count_(count) {}
+    BasisValues(const geometry::VecArray& points, std::int64_t count) noexcept : points_(points), count_(count) {}
 
     [[nodiscard]] base::Memory& memory() const noexcept { return points_.memory(); }
     [[nodiscard]] std::int64_t size() const noexcept { return count_; }
@@ -171,7 +171,7 @@ private:
 
 base::Array<double> triharmonic_values(const geometry::VecArray& points, std::int64_t count, int degree,
                                        std::int64_t stride, const base::Progress& progress) {
-    const Values values(points, count);
+    const BasisValues values(points, count);
     return Recurrence(values, degree, stride).run(progress);
 }
 

@@ -6,7 +6,7 @@ namespace hrbfnpr::io {
 namespace {
 
 constexpr std::uint32_t tag_kind = tag("KIND");
-constexpr std::uint32_t tag_numbers = tag("NUMB");
+constexpr std::uint32_t tag_model_numbers = tag("NUMB");
 constexpr std::uint32_t tag_sample_position = tag("SPOS");
 constexpr std::uint32_t tag_sample_normal = tag("SNRM");
 constexpr std::uint32_t tag_centre[3] = {tag("CENX"), tag("CENY"), tag("CENZ")};
@@ -37,9 +37,9 @@ constexpr std::int64_t term_count(std::int32_t degree) noexcept {
     return std::int64_t{degree + 1} * (degree + 2) * (degree + 3) / 6;
 }
 
-using Numbers = std::array<double, 12>;
+using ModelNumbers = std::array<double, 12>;
 
-Numbers numbers_of(const implicit::HrbfData& data) noexcept {
+ModelNumbers numbers_of(const implicit::HrbfData& data) noexcept {
     const auto& [low, high] = data.bounds;
     return {data.kernel_radius,
             data.centre.x,
@@ -55,7 +55,7 @@ Numbers numbers_of(const implicit::HrbfData& data) noexcept {
             data.spacing};
 }
 
-void set_numbers(implicit::HrbfData& data, const Numbers& n) noexcept {
+void set_numbers(implicit::HrbfData& data, const ModelNumbers& n) noexcept {
     data.kernel_radius = n[0];
     data.centre = {n[1], n[2], n[3]};
     data.scale = n[4];
@@ -70,7 +70,7 @@ void encode_hrbf(Encoder& encoder, const implicit::HrbfData& data) {
     const ModelKind kind{static_cast<std::uint32_t>(data.kernel),
                          static_cast<std::uint32_t>(data.polynomial_degree + 1)};
     encoder.section<std::uint32_t>(tag_kind, kind);
-    encoder.section<double>(tag_numbers, numbers_of(data));
+    encoder.section<double>(tag_model_numbers, numbers_of(data));
     encoder.section(tag_sample_position, data.sample_position.span());
     encoder.section(tag_sample_normal, data.sample_normal.span());
     encoder.section(tag_centre[0], data.centre_position.x.span());
@@ -148,7 +148,7 @@ void check_extent(const Decoder& decoder, const implicit::HrbfData& data) {
 }
 
 void check_numbers(const Decoder& decoder, const implicit::HrbfData& data) {
-    const Numbers numbers = numbers_of(data);
+    const ModelNumbers numbers = numbers_of(data);
     check_finite<double>(decoder, "numbers", numbers);
     if (!(data.scale > 0.0)) decoder.damaged("its scale is not positive");
     if (data.kernel_radius < 0.0 || (data.kernel_radius == 0.0 && data.kernel != kernel::Kind::triharmonic))
@@ -230,8 +230,8 @@ ModelKind decode_kind(Decoder& decoder) {
 
 void decode_hrbf(Decoder& decoder, const ModelKind& kind, implicit::HrbfData& data) {
     set_kind(decoder, kind, data);
-    Numbers numbers{};
-    decoder.section<double>(tag_numbers, numbers);
+    ModelNumbers numbers{};
+    decoder.section<double>(tag_model_numbers, numbers);
     set_numbers(data, numbers);
     decode_arrays(decoder, data);
 }

@@ -12,8 +12,8 @@ constexpr std::uint32_t tag_nodes = tag("NODE");
 constexpr std::uint32_t tag_program_begin = tag("PBEG");
 constexpr std::uint32_t tag_program = tag("PROG");
 constexpr std::uint32_t tag_plain = tag("PLAI");
-constexpr std::uint32_t tag_sample_position = tag("PSPO");
-constexpr std::uint32_t tag_sample_normal = tag("PSNR");
+constexpr std::uint32_t tag_piece_position = tag("PSPO");
+constexpr std::uint32_t tag_piece_normal = tag("PSNR");
 
 constexpr std::uint32_t most_sheets = 1U << 20U;
 using Space = std::array<double, 11>;
@@ -48,8 +48,8 @@ void encode_pieces(Encoder& encoder, const implicit::PiecesData& data) {
     encoder.section<std::uint32_t>(tag_program_begin, unsigned_of(data.program_begin).span());
     encoder.section<std::uint32_t>(tag_program, unsigned_of(data.program).span());
     encoder.section(tag_plain, data.plain.span());
-    encoder.section(tag_sample_position, data.sample_position.span());
-    encoder.section(tag_sample_normal, data.sample_normal.span());
+    encoder.section(tag_piece_position, data.sample_position.span());
+    encoder.section(tag_piece_normal, data.sample_normal.span());
 }
 
 void decode_pieces(Decoder& decoder, implicit::PiecesData& data) {
@@ -68,8 +68,8 @@ void decode_pieces(Decoder& decoder, implicit::PiecesData& data) {
     decode_numbers(decoder, tag_program_begin, data.program_begin);
     decode_numbers(decoder, tag_program, data.program);
     decoder.section(tag_plain, data.plain);
-    decoder.section(tag_sample_position, data.sample_position);
-    decoder.section(tag_sample_normal, data.sample_normal, data.sample_position.size());
+    decoder.section(tag_piece_position, data.sample_position);
+    decoder.section(tag_piece_normal, data.sample_normal, data.sample_position.size());
 }
 
 void check_pieces(const Decoder& decoder, const implicit::PiecesData& data) {

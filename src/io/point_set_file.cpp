@@ -15,8 +15,8 @@
 namespace hrbfnpr::io {
 namespace {
 
-constexpr std::uint32_t tag_kind = tag("KIND");
-constexpr std::uint32_t tag_numbers = tag("NUMB");
+constexpr std::uint32_t tag_set_kind = tag("KIND");
+constexpr std::uint32_t tag_set_numbers = tag("NUMB");
 constexpr std::uint32_t tag_seeds = tag("SEED");
 constexpr std::uint32_t tag_layer = tag("LAYR");
 constexpr std::uint32_t tag_name = tag("NAME");
@@ -29,16 +29,16 @@ constexpr std::uint32_t tag_tone_normal = tag("TNRM");
 
 constexpr std::int64_t most_level = 255; // of a mark
 
-using Numbers = std::array<double, 12>;
+using SetNumbers = std::array<double, 12>;
 using LevelNumbers = std::array<std::int64_t, level_numbers>;
 
-Numbers numbers_of(const marks::PointSet& set) noexcept {
+SetNumbers numbers_of(const marks::PointSet& set) noexcept {
     const auto& [low, high] = set.bounds;
     return {set.origin.x, set.origin.y,      set.origin.z,     low.x, low.y, low.z, high.x, high.y, high.z,
             set.spacing,  set.seconds_seeds, set.seconds_total};
 }
 
-void set_numbers(marks::PointSet& set, const Numbers& n) noexcept {
+void set_numbers(marks::PointSet& set, const SetNumbers& n) noexcept {
     set.origin = {n[0], n[1], n[2]};
     set.bounds = {{n[3], n[4], n[5]}, {n[6], n[7], n[8]}};
     set.spacing = n[9];
@@ -79,8 +79,8 @@ void encode(Encoder& encoder, const marks::PointSet& set) {
     const std::array<std::uint32_t, 3> kind{static_cast<std::uint32_t>(set.distribution),
                                             static_cast<std::uint32_t>(set.seed_source),
                                             static_cast<std::uint32_t>(set.layers.size())};
-    encoder.section<std::uint32_t>(tag_kind, kind);
-    encoder.section<double>(tag_numbers, numbers_of(set));
+    encoder.section<std::uint32_t>(tag_set_kind, kind);
+    encoder.section<double>(tag_set_numbers, numbers_of(set));
     encoder.section<std::int64_t>(tag_seeds, numbers_of(set.seeds));
     for (const marks::Layer& layer : set.layers) encode_layer(encoder, layer);
     if (std::any_of(set.layers.begin(), set.layers.end(),
@@ -91,7 +91,7 @@ void encode(Encoder& encoder, const marks::PointSet& set) {
 // Returns the number of layers.
 std::uint32_t decode_kind(Decoder& decoder, marks::PointSet& set) {
     std::array<std::uint32_t, 3> kind{};
-    decoder.section<std::uint32_t>(tag_kind, kind);
+    decoder.section<std::uint32_t>(tag_set_kind, kind);
     if (kind[0] > static_cast<std::uint32_t>(marks::Distribution::published))
         decoder.damaged("its distribution is unknown");
     if (kind[1] > static_cast<std::uint32_t>(marks::SeedSource::points)) decoder.damaged("its seed source is unknown");
@@ -282,8 +282,8 @@ marks::PointSet load_point_set(base::Memory& memory, Reader& reader) {
     Decoder decoder(reader, kind_point_set, point_set_version, "point set");
     marks::PointSet set(memory);
     const std::uint32_t layers = decode_kind(decoder, set);
-    Numbers numbers{};
-    decoder.section<double>(tag_numbers, numbers);
+    SetNumbers numbers{};
+    decoder.section<double>(tag_set_numbers, numbers);
     set_numbers(set, numbers);
     LevelNumbers seeds{};
     decoder.section<std::int64_t>(tag_seeds, seeds);

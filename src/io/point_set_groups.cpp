@@ -16,7 +16,7 @@ using GroupCounts = std::array<std::int64_t, 3 + levels * level_numbers>;
 
 constexpr std::array<marks::Kind, 3> kinds = {marks::Kind::stipples, marks::Kind::principal, marks::Kind::combing};
 
-void decode_report(Decoder& decoder, marks::LayerReport& report) {
+void decode_group_report(Decoder& decoder, marks::LayerReport& report) {
     GroupCounts counts{};
     std::array<double, 2> numbers{};
     decoder.section<std::int64_t>(tag_group_counts, counts);
@@ -50,7 +50,7 @@ void decode_groups(Decoder& decoder, marks::PointSet& set) {
     for (const marks::Kind kind : kinds) {
         marks::Layer& group = groups.add(set.layers.memory(), kind);
         group.progressive = set.distribution == marks::Distribution::blue_noise;
-        decode_report(decoder, group.report);
+        decode_group_report(decoder, group.report);
         decode_marks(decoder, group);
     }
     // Files from before there were widths have none.

@@ -24,7 +24,7 @@ glm::dvec3 of_moderate_length(const glm::dvec3& v) noexcept {
     return v / geometry::unit_for(std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}));
 }
 
-void store(base::Array<float>& array, std::int64_t i, const glm::dvec3& v) noexcept {
+void store_vector(base::Array<float>& array, std::int64_t i, const glm::dvec3& v) noexcept {
     for (int axis = 0; axis < 3; ++axis) array[3 * i + axis] = static_cast<float>(v[axis]);
 }
 
@@ -188,7 +188,7 @@ void Importer::direct_along(const geometry::VecArray& positions) {
                 of_moderate_length(positions[std::min(i + 1, last)] - positions[std::max(i - 1, begin)]);
             const glm::dvec3 tangent = d - glm::dot(d, n) * n;
             const double length = glm::length(tangent);
-            if (length > 1e-6 * glm::length(d)) store(layer_.direction, i, tangent / length);
+            if (length > 1e-6 * glm::length(d)) store_vector(layer_.direction, i, tangent / length);
         }
     }
 }
@@ -204,9 +204,9 @@ void Importer::rest(const geometry::VecArray& positions) {
     if (!arrays_.width.empty()) layer_.width.resize(count_);
     for (std::int64_t i = 0; i < count_; ++i) {
         const glm::dvec3 n = normal(i);
-        store(layer_.normal, i, n);
-        store(layer_.direction, i, direction(i, n));
-        if (!arrays_.curvature.empty()) store(layer_.curvature, i, vector(arrays_.curvature, "curvature", i));
+        store_vector(layer_.normal, i, n);
+        store_vector(layer_.direction, i, direction(i, n));
+        if (!arrays_.curvature.empty()) store_vector(layer_.curvature, i, vector(arrays_.curvature, "curvature", i));
         layer_.rank[i] = rank(i, layer_.has_strokes() ? std::int64_t{layer_.stroke[2 * i] / 2} : -1);
         if (!arrays_.width.empty()) layer_.width[i] = width(i);
         if (!arrays_.level.empty()) layer_.level[i] = static_cast<std::uint8_t>(arrays_.level.get(i, 0));
@@ -227,7 +227,7 @@ void Importer::report() {
 
 void Importer::relative_positions(const geometry::VecArray& positions, const glm::dvec3& origin) {
     layer_.position.resize(3 * count_);
-    for (std::int64_t i = 0; i < count_; ++i) store(layer_.position, i, positions[i] - origin);
+    for (std::int64_t i = 0; i < count_; ++i) store_vector(layer_.position, i, positions[i] - origin);
 }
 
 template <class T>

@@ -9,7 +9,7 @@ namespace hrbfnpr::marks {
 namespace {
 
 template <class T>
-void copy(const base::Array<T>& from, base::Array<T>& to) {
+void copy_array(const base::Array<T>& from, base::Array<T>& to) {
     to.resize_for_overwrite(from.size());
     if (!from.empty())
         std::memcpy(static_cast<void*>(to.data()), from.data(), sizeof(T) * static_cast<std::size_t>(from.size()));
@@ -74,10 +74,10 @@ private:
 } // namespace
 
 void move_clusters(const Layer& layer, const float* position, const float* normal, double unit, MarkClusters& moved) {
-    copy(layer.clusters.block, moved.block);
-    copy(layer.clusters.width, moved.width);
-    copy(layer.clusters.cluster, moved.cluster);
-    copy(layer.clusters.piece, moved.piece);
+    copy_array(layer.clusters.block, moved.block);
+    copy_array(layer.clusters.width, moved.width);
+    copy_array(layer.clusters.cluster, moved.cluster);
+    copy_array(layer.clusters.piece, moved.piece);
     for (const Cluster& cluster : moved.cluster) {
         for (std::int64_t i = 0; i < cluster.count; ++i) {
             MarkBlock& block = moved.block[cluster.block + i / MarkBlock::size];

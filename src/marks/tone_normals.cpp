@@ -11,11 +11,11 @@
 namespace hrbfnpr::marks {
 namespace {
 
-constexpr double reach = 2.0; // lengths
+constexpr double tone_reach = 2.0; // lengths
 // So many marks within reach tell the average; of more some are left out.
 constexpr double enough = 64.0;
 // What leaves the tangent plane more steeply is another sheet.
-constexpr double steepest = 0.7;
+constexpr double steepest_tone = 0.7;
 constexpr std::int64_t marks_a_check = 256;
 
 // Every n-th mark.
@@ -49,7 +49,7 @@ public:
             const double near = 1.0 - square / (radius_ * radius_);
             const double agree = glm::dot(own, normal);
             if (!sources_.sheet.empty() && surface::is_creased(sheet, sources_.sheet[i], own, normal)) return;
-            if (near > 0.0 && agree > 0.0 && std::abs(glm::dot(way, own)) <= steepest * std::sqrt(square))
+            if (near > 0.0 && agree > 0.0 && std::abs(glm::dot(way, own)) <= steepest_tone * std::sqrt(square))
                 sum += near * near * agree * normal;
         });
         return glm::normalize(sum);
@@ -65,7 +65,7 @@ private:
 
 void soften_normals(const Site& site, const Marks& marks, double length, double spacing, base::Array<float>& result,
                     const base::Progress& progress) {
-    const double radius = reach * length;
+    const double radius = tone_reach * length;
     const double within = std::numbers::pi * radius * radius / (spacing * spacing);
     const auto step = static_cast<std::int64_t>(std::clamp(within / enough, 1.0, 1e6));
     const base::Array<std::int32_t> sheets =

@@ -20,7 +20,7 @@ constexpr double covered = 2.0;
 // Of the circumference of a circle of that radius: shorter borders are those of holes that stay closed.
 constexpr double shortest = 1.5;
 constexpr std::int64_t candidates_each = 4;
-constexpr std::int64_t grain = 256;
+constexpr std::int64_t sides_a_task = 256;
 
 // Lengths of the mesh's borders, by a vertex of each.
 class Borders {
@@ -140,7 +140,7 @@ MeshSamples end_samples(const base::Runtime& runtime, const Mesh& mesh, const Fa
     const MeshSamples even = even_samples(runtime, mesh, count, candidates_each * count, seed, progress.part(0.0, 0.7));
     const Row row(runtime, mesh, tree, closest);
     base::Array<std::uint8_t> left_out(runtime.memory, even.position.size());
-    runtime.parallel.for_chunks(left_out.size(), grain, [&](std::int64_t begin, std::int64_t end) {
+    runtime.parallel.for_chunks(left_out.size(), sides_a_task, [&](std::int64_t begin, std::int64_t end) {
         progress.check();
         for (std::int64_t i = begin; i < end; ++i) left_out[i] = row.replaces(even.position[i]) ? 1 : 0;
     });

@@ -10,7 +10,7 @@ namespace {
 // An open component has an inside if its holes have less than this share of its area.
 constexpr double small_holes = 0.25;
 
-constexpr std::int64_t faces_a_look = 16384;
+constexpr std::int64_t turned_a_look = 16384;
 
 // Across each side of each face: the other face, and whether the two agree; none where not exactly two faces meet.
 struct Across {
@@ -135,13 +135,13 @@ base::Array<Component> measure_components(const base::Runtime& runtime, const ba
     std::fill(result.begin(), result.end(), Component{});
     base::Array<glm::dvec3> middle(memory, count);
     for (std::int64_t face = 0; face < triangle.size(); ++face) {
-        if (face % faces_a_look == 0) progress.check();
+        if (face % turned_a_look == 0) progress.check();
         ++result[component[face]].faces;
         for (const std::int32_t corner : triangle[face]) middle[component[face]] += vertex[corner];
     }
     for (std::int64_t i = 0; i < count; ++i) middle[i] /= 3.0 * static_cast<double>(result[i].faces);
     for (std::int64_t face = 0; face < triangle.size(); ++face) {
-        if (face % faces_a_look == 0) progress.check();
+        if (face % turned_a_look == 0) progress.check();
         const Triangle& t = triangle[face];
         Component& of = result[component[face]];
         const glm::dvec3 area = doubled_area({vertex[t[0]], vertex[t[1]], vertex[t[2]]});

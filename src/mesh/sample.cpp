@@ -10,7 +10,7 @@
 namespace hrbfnpr::mesh {
 namespace {
 
-constexpr std::int64_t grain = 4096;
+constexpr std::int64_t samples_a_task = 4096;
 
 [[nodiscard]] MeshSamples of_size(base::Memory& memory, std::int64_t count) {
     MeshSamples samples(memory);
@@ -26,7 +26,7 @@ constexpr std::int64_t grain = 4096;
     area.reserve(mesh.faces());
     double sum = 0.0;
     for (std::int64_t face = 0; face < mesh.faces(); ++face) {
-        if (face % grain == 0) progress.check();
+        if (face % samples_a_task == 0) progress.check();
         sum += glm::length(doubled_area(mesh.corners(face)));
         area.push_back(sum);
     }
@@ -46,7 +46,7 @@ MeshSamples random_samples(const base::Runtime& runtime, const Mesh& mesh, std::
                            std::uint32_t stream, const base::Progress& progress) {
     MeshSamples samples = of_size(runtime.memory, count);
     const base::Array<double> area = running_area(mesh, progress);
-    runtime.parallel.for_chunks(count, grain, [&](std::int64_t begin, std::int64_t end) {
+    runtime.parallel.for_chunks(count, samples_a_task, [&](std::int64_t begin, std::int64_t end) {
         progress.check();
         for (std::int64_t i = begin; i < end; ++i) {
             const auto random = base::uniform4(seed, static_cast<std::uint64_t>(i), base::Purpose::mesh_sample, stream);

@@ -12,7 +12,7 @@
 namespace hrbfnpr::mesh {
 namespace {
 
-constexpr std::int64_t grain = 8192;
+constexpr std::int64_t corners_a_task = 8192;
 
 [[nodiscard]] std::uint64_t mixed(std::uint64_t bits) noexcept { // the end of MurmurHash3
     bits = (bits ^ bits >> 33U) * 0xff51afd7ed558ccdU;
@@ -64,7 +64,7 @@ void check_vertex(const glm::dvec3& p, std::int64_t vertex, std::int64_t face) {
     const std::int64_t vertices = input.vertices.count;
     base::Array<Triangle> triangle(runtime.memory);
     triangle.resize_for_overwrite(input.triangles.count);
-    runtime.parallel.for_chunks(triangle.size(), grain, [&](std::int64_t begin, std::int64_t end) {
+    runtime.parallel.for_chunks(triangle.size(), corners_a_task, [&](std::int64_t begin, std::int64_t end) {
         progress.check();
         for (std::int64_t face = begin; face < end; ++face)
             for (std::uint32_t k = 0; k < 3; ++k) {
@@ -97,7 +97,7 @@ void join_vertices(const base::InView& given, Welded& welded, MeshReport& report
     Numbers numbers(memory, given.count);
     std::int64_t used = 0;
     for (std::int64_t i = 0; i < given.count; ++i) {
-        if (i % grain == 0) progress.check();
+        if (i % corners_a_task == 0) progress.check();
         if (number[i] == 0) continue;
         ++used;
         const glm::dvec3 p = vertex_at(given, i);
@@ -121,7 +121,7 @@ void leave_out_faces(Welded& welded, MeshReport& report, const base::Progress& p
     Numbers numbers(welded.vertex.memory(), welded.triangle.size());
     std::int64_t kept = 0;
     for (std::int64_t face = 0; face < welded.triangle.size(); ++face) {
-        if (face % grain == 0) progress.check();
+        if (face % corners_a_task == 0) progress.check();
         const Triangle t = welded.triangle[face];
         const glm::dvec3 area = doubled_area({welded.vertex[t[0]], welded.vertex[t[1]], welded.vertex[t[2]]});
         // Nor has it a normal where the square of its area is too small for a double.

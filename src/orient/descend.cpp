@@ -15,7 +15,7 @@ constexpr int memory_pairs = 6;
 constexpr double armijo = 1e-4;
 constexpr int most_halvings = 12;
 constexpr double longest_turn = 0.5; // of a step, about radians
-constexpr std::int64_t grain = 4096;
+constexpr std::int64_t rows_a_task = 4096;
 
 class Descent {
 public:
@@ -23,7 +23,7 @@ public:
             geometry::VecArray& normal)
         : runtime_(runtime), energy_(energy), stiffness_(stiffness), normal_(normal), size_(normal.size()),
           gradient_(runtime.memory, size_), next_(runtime.memory, size_), next_gradient_(runtime.memory, size_),
-          direction_(runtime.memory, size_), part_(runtime.memory, (size_ + grain - 1) / grain) {
+          direction_(runtime.memory, size_), part_(runtime.memory, (size_ + rows_a_task - 1) / rows_a_task) {
         for (int k = 0; k < memory_pairs; ++k) {
             step_.emplace_back(runtime.memory, size_);
             change_.emplace_back(runtime.memory, size_);
@@ -60,16 +60,16 @@ public:
 private:
     template <class F>
     void for_all(F&& f) const {
-        runtime_.parallel.for_chunks(size_, grain, [&](std::int64_t begin, std::int64_t end) {
+        runtime_.parallel.for_chunks(size_, rows_a_task, [&](std::int64_t begin, std::int64_t end) {
             for (std::int64_t i = begin; i < end; ++i) f(i);
         });
     }
 
     [[nodiscard]] double dot(const VecArray& a, const VecArray& b) {
-        runtime_.parallel.for_chunks(size_, grain, [&](std::int64_t begin, std::int64_t end) {
+        runtime_.parallel.for_chunks(size_, rows_a_task, [&](std::int64_t begin, std::int64_t end) {
             double sum = 0.0;
             for (std::int64_t i = begin; i < end; ++i) sum += a.x[i] * b.x[i] + a.y[i] * b.y[i] + a.z[i] * b.z[i];
-            part_[begin / grain] = sum;
+            part_[begin / rows_a_task] = sum;
         });
         double sum = 0.0;
         for (const double p : part_) sum += p;
@@ -77,10 +77,10 @@ private:
     }
 
     [[nodiscard]] double largest(const VecArray& a) {
-        runtime_.parallel.for_chunks(size_, grain, [&](std::int64_t begin, std::int64_t end) {
+        runtime_.parallel.for_chunks(size_, rows_a_task, [&](std::int64_t begin, std::int64_t end) {
             double most = 0.0;
             for (std::int64_t i = begin; i < end; ++i) most = std::max(most, glm::dot(a[i], a[i]));
-            part_[begin / grain] = most;
+            part_[begin / rows_a_task] = most;
         });
         return std::max(1e-300, std::sqrt(*std::max_element(part_.begin(), part_.end())));
     }

@@ -8,7 +8,7 @@
 namespace hrbfnpr::orient {
 namespace {
 
-constexpr std::int64_t grain = 512;
+constexpr std::int64_t planes_a_task = 512;
 
 struct Symmetric {
     double a[3][3];
@@ -83,7 +83,7 @@ Near::Near(const base::Runtime& runtime, const geometry::PointTree& tree, std::i
     : size_(tree.size()), each_(std::clamp<std::int64_t>(each, 0, std::min(most, tree.size() - 1))),
       index_(runtime.memory) {
     index_.resize_for_overwrite(size_ * each_);
-    runtime.parallel.for_chunks(size_, grain, [&](std::int64_t begin, std::int64_t end) {
+    runtime.parallel.for_chunks(size_, planes_a_task, [&](std::int64_t begin, std::int64_t end) {
         progress.check();
         std::array<std::int64_t, most> found;
         for (std::int64_t at = begin; at < end; ++at) {
@@ -100,7 +100,7 @@ geometry::VecArray plane_normals(const base::Runtime& runtime, const geometry::P
                                  std::int64_t count, const base::Progress& progress) {
     geometry::VecArray normal(runtime.memory, tree.size());
     const auto used = static_cast<std::size_t>(std::min(count, near.each()));
-    runtime.parallel.for_chunks(tree.size(), grain, [&](std::int64_t begin, std::int64_t end) {
+    runtime.parallel.for_chunks(tree.size(), planes_a_task, [&](std::int64_t begin, std::int64_t end) {
         progress.check();
         for (std::int64_t at = begin; at < end; ++at) {
             const glm::dvec3 p = tree.points()[at];

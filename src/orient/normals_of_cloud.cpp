@@ -24,7 +24,7 @@ constexpr int most_reductions = 3;
 constexpr std::size_t blended = 4; // means that a point's normal is made of
 
 // Fewer starts of more places.
-constexpr std::int64_t few = 6000;
+constexpr std::int64_t few_points = 6000;
 // Noisy ones with no more are fitted with several ridges.
 constexpr std::int64_t few_for_path = 2000;
 constexpr std::int64_t many = 150000;
@@ -38,7 +38,7 @@ constexpr double no_order = 0.03;
 constexpr double unsteady = 0.03;
 
 [[nodiscard]] Effort effort_for(std::int64_t count) noexcept {
-    if (count <= few) return {6, true, true};
+    if (count <= few_points) return {6, true, true};
     return {count <= many ? 3 : 1, false, count <= many};
 }
 
@@ -47,7 +47,7 @@ constexpr double softer = 0.125;
 
 [[nodiscard]] double sign_stability(const base::Runtime& runtime, const Cloud& cloud, const Near& near,
                                     const LeastEnergy& fitted, double ridge, const base::Progress& progress) {
-    if (ridge == 0.0 || cloud.size() > few) return 1.0;
+    if (ridge == 0.0 || cloud.size() > few_points) return 1.0;
     const LeastEnergy other = least_energy(runtime, *cloud.tree, cloud.rank, near, softer * ridge, nullptr,
                                            {1, false, false}, progress.part(0.0, 0.0));
     return std::max(0.0, 2.0 * share_alike(fitted.normal, other.normal) - 1.0);

@@ -13,7 +13,7 @@ namespace {
 
 using geometry::VecArray;
 
-constexpr std::int64_t neighbours = 32;
+constexpr std::int64_t typical_neighbours = 32;
 constexpr double doubtful = 0.5; // a confidence that is warned of
 
 // What becomes of each given point.
@@ -23,7 +23,7 @@ class Orienting {
 public:
     Orienting(const base::Runtime& runtime, const OrientInput& input, const base::Progress& progress)
         : runtime_(runtime), input_(input), cloud_(read_cloud(runtime, input.points, progress.part(0.0, 0.1))),
-          near_(runtime, *cloud_.tree, neighbours, progress), normal_(runtime.memory) {}
+          near_(runtime, *cloud_.tree, typical_neighbours, progress), normal_(runtime.memory) {}
 
     Orientation run(const base::Progress& progress) {
         const bool use_given = !input_.normals.empty() && input_.mode != NormalMode::none;

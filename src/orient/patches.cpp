@@ -8,8 +8,8 @@ namespace hrbfnpr::orient {
 namespace {
 
 constexpr std::size_t looked_at = 8;
-constexpr double alike = 0.9;   // cosine of normals
-constexpr double beside = 0.35; // sine of the angle between a pair and the surface
+constexpr double alike = 0.9;         // cosine of normals
+constexpr double patch_beside = 0.35; // sine of the angle between a pair and the surface
 
 } // namespace
 
@@ -30,7 +30,7 @@ Patches find_patches(const base::Runtime& runtime, const geometry::PointTree& tr
             const glm::dvec3 between = tree.points()[other] - tree.points()[at];
             const double off =
                 std::max(std::abs(glm::dot(between, normal[at])), std::abs(glm::dot(between, normal[other])));
-            if (std::abs(cosine) < alike || off > beside * glm::length(between)) continue;
+            if (std::abs(cosine) < alike || off > patch_beside * glm::length(between)) continue;
             patches.cluster[other] = static_cast<std::int32_t>(at);
             patches.signs[other] = cosine > 0.0 ? std::int8_t{1} : std::int8_t{-1};
         }

@@ -4,7 +4,7 @@
 namespace hrbfnpr::orient {
 namespace {
 
-constexpr std::int64_t looked_at = 4096;
+constexpr std::int64_t compared_at_most = 4096;
 constexpr std::int64_t fewest_points = 16;
 constexpr std::int64_t ring = 6;
 
@@ -13,7 +13,7 @@ constexpr std::int64_t ring = 6;
 bool plainly_inward(const base::Runtime& runtime, const base::InView& points, const base::InView& normals,
                     const base::Progress& progress) {
     if (points.count < fewest_points || normals.count != points.count) return false;
-    const std::int64_t step = (points.count + looked_at - 1) / looked_at;
+    const std::int64_t step = (points.count + compared_at_most - 1) / compared_at_most;
     geometry::VecArray position(runtime.memory);
     geometry::VecArray given(runtime.memory);
     for (std::int64_t i = 0; i < points.count; i += step) {

@@ -9,14 +9,14 @@ namespace {
 
 using geometry::VecArray;
 
-constexpr double first_ridge = 1.0;
-constexpr double factor = 3.1622776601683795;
+constexpr double path_begin = 1.0;
+constexpr double path_factor = 3.1622776601683795;
 // With less energy per degree of freedom the ridge is high enough for the signs.
 constexpr double trusted_below = 0.0095;
 // ... and the directions are smooth.
-constexpr double settled_below = 0.004;
+constexpr double path_settled = 0.004;
 // Share of equal signs.
-constexpr double same_signs = 0.97;
+constexpr double path_same_signs = 0.97;
 constexpr double reach = 1.5; // spacings
 
 } // namespace
@@ -24,16 +24,16 @@ constexpr double reach = 1.5; // spacings
 RidgeFit follow_ridges(const base::Runtime& runtime, const Cloud& cloud, const Near& near, double most,
                        const VecArray* given, const Effort& effort, const base::Progress& progress) {
     const base::Progress unseen = progress.part(0.0, 0.0);
-    RidgeFit best{least_energy(runtime, *cloud.tree, cloud.rank, near, first_ridge, given, effort, unseen)};
+    RidgeFit best{least_energy(runtime, *cloud.tree, cloud.rank, near, path_begin, given, effort, unseen)};
     best.roughest = best.fitted.energy;
-    double ridge = first_ridge;
+    double ridge = path_begin;
     const auto next_fit = [&](const LeastEnergy& last) {
-        progress.update(std::log(ridge) / std::log(factor * most));
-        ridge *= factor;
+        progress.update(std::log(ridge) / std::log(path_factor * most));
+        ridge *= path_factor;
         return least_energy(runtime, *cloud.tree, cloud.rank, near, ridge, &last.normal, {2, false, false}, unseen);
     };
     const auto ends = [&](const LeastEnergy& last) {
-        return last.energy < settled_below || ridge * factor > 1.01 * most;
+        return last.energy < path_settled || ridge * path_factor > 1.01 * most;
     };
     while (best.fitted.energy > trusted_below && !ends(best.fitted)) best.fitted = next_fit(best.fitted);
     LeastEnergy last(runtime.memory);
@@ -43,7 +43,7 @@ RidgeFit follow_ridges(const base::Runtime& runtime, const Cloud& cloud, const N
         best.steadiness = std::min(best.steadiness, alike);
         runtime.log(base::LogLevel::debug, "orient: ridge %.0f: energy %.4f, signs alike %.3f", ridge, last.energy,
                     alike);
-        if (alike < same_signs) return best;
+        if (alike < path_same_signs) return best;
     }
     if (last.form != nullptr) best.fitted = std::move(last);
     progress.update(1.0);

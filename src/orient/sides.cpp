@@ -7,7 +7,7 @@
 namespace hrbfnpr::orient {
 namespace {
 
-constexpr std::size_t ring = 6; // neighbours that a local spacing is the mean distance of
+constexpr std::size_t spacing_ring = 6; // neighbours that a local spacing is the mean distance of
 // Of a hexagonal lattice, area over squared distance.
 constexpr double area_share = 0.8660254037844386;
 constexpr double sphere = 12.566370614359172; // solid angle
@@ -49,7 +49,7 @@ int Sides::outward() const noexcept {
 
 base::Array<double> local_spacing(const base::Runtime& runtime, const geometry::PointTree& tree, const Near& near) {
     base::Array<double> spacing(runtime.memory, tree.size());
-    const std::size_t used = std::min<std::size_t>(ring, static_cast<std::size_t>(near.each()));
+    const std::size_t used = std::min<std::size_t>(spacing_ring, static_cast<std::size_t>(near.each()));
     runtime.parallel.for_chunks(tree.size(), 4096, [&](std::int64_t begin, std::int64_t end) {
         for (std::int64_t at = begin; at < end; ++at) {
             double sum = 0.0;

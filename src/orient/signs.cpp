@@ -10,7 +10,7 @@
 namespace hrbfnpr::orient {
 namespace {
 
-constexpr std::int64_t grain = 256;
+constexpr std::int64_t signs_a_task = 256;
 constexpr std::int64_t terms_a_look = 1024;
 constexpr std::int64_t places_a_look = 512;
 // A coupling so strong, of at most 1, cancels most of what two clusters have for being apart.
@@ -112,7 +112,7 @@ private:
     }
 
     void measure_selves(const base::Progress& progress) {
-        energy_.runtime_.parallel.for_chunks(names_.size(), grain, [&](std::int64_t begin, std::int64_t end) {
+        energy_.runtime_.parallel.for_chunks(names_.size(), signs_a_task, [&](std::int64_t begin, std::int64_t end) {
             for (std::int64_t k = begin; k < end; ++k) {
                 progress.check();
                 const std::int32_t name = names_[k];
@@ -137,20 +137,22 @@ private:
     }
 
     void mark_over(const base::Progress& progress) {
-        energy_.runtime_.parallel.for_chunks(size_, 8 * grain, progress, [&](std::int64_t begin, std::int64_t end) {
-            for (std::int64_t term = begin; term < end; ++term) {
-                const std::int32_t* set = blocks_.set + term * blocks_.set_size;
-                if (over_[term] != 0 || set[0] < 0) continue;
-                bool one = true;
-                for (std::int64_t k = 1; k < blocks_.set_size && one; ++k) one = cluster_[set[k]] == cluster_[set[0]];
-                over_[term] = one ? 1 : 0;
-            }
-        });
+        energy_.runtime_.parallel.for_chunks(size_, 8 * signs_a_task, progress,
+                                             [&](std::int64_t begin, std::int64_t end) {
+                                                 for (std::int64_t term = begin; term < end; ++term) {
+                                                     const std::int32_t* set = blocks_.set + term * blocks_.set_size;
+                                                     if (over_[term] != 0 || set[0] < 0) continue;
+                                                     bool one = true;
+                                                     for (std::int64_t k = 1; k < blocks_.set_size && one; ++k)
+                                                         one = cluster_[set[k]] == cluster_[set[0]];
+                                                     over_[term] = one ? 1 : 0;
+                                                 }
+                                             });
     }
 
     void find_partners(const base::Progress& progress) {
         mark_over(progress);
-        energy_.runtime_.parallel.for_chunks(names_.size(), grain, [&](std::int64_t begin, std::int64_t end) {
+        energy_.runtime_.parallel.for_chunks(names_.size(), signs_a_task, [&](std::int64_t begin, std::int64_t end) {
             CouplingTable table(energy_.runtime_.memory);
             for (std::int64_t k = begin; k < end; ++k) find_partner(names_[k], table, progress);
         });
@@ -266,7 +268,7 @@ public:
             coarse_of_[blocks_.coarse[k]] = k + 1;
             add_coarse(k, coarse_total_);
         }
-        energy.runtime_.parallel.for_chunks(energy.size_, grain, [&](std::int64_t begin, std::int64_t end) {
+        energy.runtime_.parallel.for_chunks(energy.size_, signs_a_task, [&](std::int64_t begin, std::int64_t end) {
             for (std::int64_t term = begin; term < end; ++term) {
                 if (blocks_.set[term * blocks_.set_size] < 0) continue;
                 for (std::int64_t e = term * blocks_.set_size; e < (term + 1) * blocks_.set_size; ++e) {

@@ -10,7 +10,7 @@
 namespace hrbfnpr::orient {
 namespace {
 
-constexpr std::int64_t grain = 1024;
+constexpr std::int64_t edges_a_task = 1024;
 constexpr std::int64_t edges_a_look = 16384;
 
 struct Edge {
@@ -81,7 +81,7 @@ Signs spread_signs(const base::Runtime& runtime, const geometry::PointTree& tree
     const std::int64_t each = std::min(neighbours, near.each());
     base::Array<Edge> edges(runtime.memory);
     edges.resize_for_overwrite(tree.size() * each);
-    runtime.parallel.for_chunks(tree.size(), grain, progress, [&](std::int64_t begin, std::int64_t end) {
+    runtime.parallel.for_chunks(tree.size(), edges_a_task, progress, [&](std::int64_t begin, std::int64_t end) {
         for (std::int64_t at = begin; at < end; ++at)
             for (std::int64_t k = 0; k < each; ++k)
                 edges[at * each + k] =

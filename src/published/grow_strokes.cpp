@@ -11,7 +11,7 @@
 namespace hrbfnpr::published {
 namespace {
 
-constexpr std::int64_t children = 2;
+constexpr std::int64_t stroke_children = 2;
 constexpr std::int32_t sets = 2;
 
 // A stroke takes a principal direction in full from `sure` on, and goes on in its own direction
@@ -167,13 +167,14 @@ bool Strokes::refine(std::int32_t level, double rho, const base::Progress& progr
     // Places are numbered in steps of the last level that was asked for.
     const auto finest = static_cast<std::int32_t>(marks::grown_count(1, 3, settings_.levels - level));
     const std::int64_t room =
-        settings_.budget > 0 ? std::max<std::int64_t>(0, settings_.budget - parents) : children * parents;
+        settings_.budget > 0 ? std::max<std::int64_t>(0, settings_.budget - parents) : stroke_children * parents;
     const auto key_of = [&](std::int64_t i) {
-        const std::int64_t parent = i / children;
-        return key(marks_.stroke[parent], marks_.place[parent] + (i % children == 0 ? -finest : finest));
+        const std::int64_t parent = i / stroke_children;
+        return key(marks_.stroke[parent], marks_.place[parent] + (i % stroke_children == 0 ? -finest : finest));
     };
-    const marks::Thinning thinning(site_, children * parents, room, marks::stream_of(settings_.kind), key_of, progress);
-    constexpr std::int64_t parents_of_chunk = marks::chunk_size / children;
+    const marks::Thinning thinning(site_, stroke_children * parents, room, marks::stream_of(settings_.kind), key_of,
+                                   progress);
+    constexpr std::int64_t parents_of_chunk = marks::chunk_size / stroke_children;
     for (std::int64_t begin = 0; begin < parents; begin += parents_of_chunk) {
         const std::int64_t end = std::min(parents, begin + parents_of_chunk);
         settler_.start.clear();
@@ -231,25 +232,26 @@ void Strokes::append_placed(std::uint8_t level, std::int32_t finest, const base:
 
 void grow_strokes(const marks::Site& site, const Start& start, const GrowthSettings& settings, marks::Marks& marks,
                   marks::LayerReport& report, const base::Progress& progress) {
-    report.full_count = marks::grown_count(sets * start.full_count, 1 + children, settings.levels);
+    report.full_count = marks::grown_count(sets * start.full_count, 1 + stroke_children, settings.levels);
     report.step = settings.step;
-    marks::require_room(settings.layer, marks::grown_count(stroke_count(start), 1 + children, settings.levels),
+    marks::require_room(settings.layer, marks::grown_count(stroke_count(start), 1 + stroke_children, settings.levels),
                         settings.levels, settings.budget);
     Strokes strokes(site, start, settings, marks, report);
-    const double work = static_cast<double>(marks::grown_count(1, 1 + children, settings.levels));
+    const double work = static_cast<double>(marks::grown_count(1, 1 + stroke_children, settings.levels));
     bool full = strokes.place_seeds(progress.part(0.0, 1.0 / work));
     double rho = settings.step;
     for (std::int32_t level = 1; level <= settings.levels && !full; ++level) {
         const auto share = [&](std::int32_t l) {
-            return static_cast<double>(marks::grown_count(1, 1 + children, l)) / work;
+            return static_cast<double>(marks::grown_count(1, 1 + stroke_children, l)) / work;
         };
         full = strokes.refine(level, rho, progress.part(share(level - 1), share(level)));
         report.levels = level;
         rho /= 3.0;
     }
     // Places were numbered for all levels; number them for those that were taken.
-    const auto unused = static_cast<std::int32_t>(marks::grown_count(1, 1 + children, settings.levels - report.levels));
-    const auto middle = static_cast<std::int32_t>((marks::grown_count(1, 1 + children, report.levels) - 1) / 2);
+    const auto unused =
+        static_cast<std::int32_t>(marks::grown_count(1, 1 + stroke_children, settings.levels - report.levels));
+    const auto middle = static_cast<std::int32_t>((marks::grown_count(1, 1 + stroke_children, report.levels) - 1) / 2);
     for (std::int32_t& place : marks.place) place = place / unused + middle;
 }
 

@@ -9,7 +9,7 @@
 namespace hrbfnpr::stipples {
 namespace {
 
-constexpr int most_rounds = 4;
+constexpr int candidate_rounds = 4;
 // Less than this part of the wanted calls for another round.
 constexpr double enough = 0.85;
 // Trials for each of the wanted, where planes and the surface do not agree.
@@ -28,7 +28,7 @@ base::Array<std::uint64_t> codes_of(const marks::Site& site, const SurfaceCells&
 void draw(const SurfaceCells& cells, PlaneCandidates& planes, LayerCandidates& layer, std::int64_t wanted,
           const base::Progress& progress) {
     double density = static_cast<double>(wanted) / cells.rough_area();
-    for (int round = 0; round < most_rounds; ++round) {
+    for (int round = 0; round < candidate_rounds; ++round) {
         planes.draw(density, most_trials * static_cast<double>(wanted), progress);
         layer.draw(layer_density * density, progress.part(round == 0 ? 0.0 : 0.7, round == 0 ? 0.7 : 0.8));
         const double placed =

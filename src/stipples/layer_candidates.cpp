@@ -18,7 +18,7 @@ namespace {
 
 // Points that are evaluated at a time.
 constexpr std::int64_t batch_points = 262144;
-constexpr std::int64_t cells_of_task = 512;
+constexpr std::int64_t layer_cells_of_task = 512;
 constexpr std::int64_t points_of_task = 4096;
 
 // Candidates from each point that is evaluated: its projection, and others beside that in its tangent plane.  Fewer
@@ -117,8 +117,8 @@ void LayerCandidates::draw_in(const SurfaceCell& cell, std::int64_t at, std::int
 // Each task leaves what is worth evaluating at the front of its slots.
 void LayerCandidates::draw_batch(std::int64_t cell_begin, std::int64_t cell_end) {
     const std::int64_t cells = cell_end - cell_begin;
-    kept_.resize((cells + cells_of_task - 1) / cells_of_task);
-    site_.runtime.parallel.for_chunks(cells, cells_of_task, [&](std::int64_t begin, std::int64_t end) {
+    kept_.resize((cells + layer_cells_of_task - 1) / layer_cells_of_task);
+    site_.runtime.parallel.for_chunks(cells, layer_cells_of_task, [&](std::int64_t begin, std::int64_t end) {
         for (std::int64_t i = begin; i < end; ++i) draw_in(trial_cell(cell_begin + i), slot_[i], slot_[i + 1]);
         std::int64_t to = slot_[begin];
         for (std::int64_t i = to; i < slot_[end]; ++i) {
@@ -126,14 +126,14 @@ void LayerCandidates::draw_batch(std::int64_t cell_begin, std::int64_t cell_end)
             drawn_.set(to, drawn_[i]);
             drawn_ticket_[to++] = drawn_ticket_[i];
         }
-        kept_[begin / cells_of_task] = to - slot_[begin];
+        kept_[begin / layer_cells_of_task] = to - slot_[begin];
     });
     const std::int64_t count = std::accumulate(kept_.begin(), kept_.end(), std::int64_t{0});
     trial_.resize(count);
     trial_ticket_.resize(count);
     std::int64_t to = 0;
     for (std::int64_t task = 0; task < kept_.size(); to += kept_[task++]) {
-        const std::int64_t from = slot_[task * cells_of_task];
+        const std::int64_t from = slot_[task * layer_cells_of_task];
         std::copy_n(drawn_.x.data() + from, kept_[task], trial_.x.data() + to);
         std::copy_n(drawn_.y.data() + from, kept_[task], trial_.y.data() + to);
         std::copy_n(drawn_.z.data() + from, kept_[task], trial_.z.data() + to);

@@ -18,13 +18,13 @@
 namespace hrbfnpr::stipples {
 namespace {
 
-constexpr std::int64_t cells_of_task = 512;
+constexpr std::int64_t ordered_cells_of_task = 512;
 constexpr std::uint64_t most_tickets = 0xffffffff;
 constexpr unsigned tile_bits = 3; // of each coordinate
 // A candidate whose gap was too small is tried again at this part of the squared radius.
 constexpr float again = 0.97F;
 // Cosine of the angle between normals of marks between which a surface is flat enough to move on.
-constexpr float straight = 0.7F;
+constexpr float straight_stage = 0.7F;
 // Marks around a candidate that are looked at; a plane has room for about 20 within the distance that counts.
 constexpr std::size_t most_around = 64;
 
@@ -76,7 +76,7 @@ void OrderStage::Impl::take_candidates(Candidates& candidates) {
 // All of them take part, in the same cells.
 void OrderStage::Impl::work_in(Candidates& candidates) {
     groups_ = candidates.group.data();
-    site_.runtime.parallel.for_chunks(cell_.size(), cells_of_task, [&](std::int64_t begin, std::int64_t end) {
+    site_.runtime.parallel.for_chunks(cell_.size(), ordered_cells_of_task, [&](std::int64_t begin, std::int64_t end) {
         progress_.check();
         for (std::int64_t c = begin; c < end; ++c) {
             cell_[c] = empty_cell(candidates.first[c] / OrderGroup::size, groups_for(candidates.number[c]), code_[c]);
@@ -87,7 +87,7 @@ void OrderStage::Impl::work_in(Candidates& candidates) {
 
 void OrderStage::Impl::copy_taken(Candidates& candidates, const base::Array<std::int64_t>& part) {
     // A few large cells have as many candidates as many small ones.
-    const std::int64_t grain = std::clamp<std::int64_t>(cell_.size() / 64, 1, 8 * cells_of_task);
+    const std::int64_t grain = std::clamp<std::int64_t>(cell_.size() / 64, 1, 8 * ordered_cells_of_task);
     const auto for_taken = [&](std::int64_t cell, auto&& visit) {
         for (std::int64_t from = part[cell]; from < part[cell + 1]; ++from)
             candidates.for_taken(from, settings_.ticket_limit, visit);
@@ -140,7 +140,7 @@ void OrderStage::Impl::find_tiles() {
     neighbour_.resize_for_overwrite(code_.size());
     lowest_.resize(code_.size());
     floor_.resize(code_.size());
-    site_.runtime.parallel.for_chunks(cell_.size(), cells_of_task, progress_,
+    site_.runtime.parallel.for_chunks(cell_.size(), ordered_cells_of_task, progress_,
                                       [&](std::int64_t begin, std::int64_t end) { find_neighbours(begin, end); });
 }
 
@@ -177,7 +177,7 @@ void OrderStage::Impl::link_more(const OrderMark& mark, std::int32_t cell) {
 // A mark outside all cells of the stage is felt by none: home cells see to it that there are none.
 void OrderStage::Impl::link_all(const OrderedMarks& marks) {
     base::Array<std::int32_t> cell(site_.memory(), marks.size());
-    site_.runtime.parallel.for_chunks(marks.size(), 8 * cells_of_task, progress_,
+    site_.runtime.parallel.for_chunks(marks.size(), 8 * ordered_cells_of_task, progress_,
                                       [&](std::int64_t begin, std::int64_t end) {
                                           for (std::int64_t i = begin; i < end; ++i)
                                               cell[i] = cell_at(vector(marks[i].position));
@@ -217,7 +217,7 @@ void OrderStage::Impl::for_reached(const glm::vec3& position, double distance, s
 }
 
 void OrderStage::Impl::feel_all() {
-    site_.runtime.parallel.for_chunks(cell_.size(), cells_of_task, [&](std::int64_t begin, std::int64_t end) {
+    site_.runtime.parallel.for_chunks(cell_.size(), ordered_cells_of_task, [&](std::int64_t begin, std::int64_t end) {
         progress_.check();
         std::array<OrderMark, 64> near; // more are felt in parts
         for (std::int64_t c = begin; c < end; ++c) {
@@ -247,20 +247,23 @@ void OrderStage::Impl::note(std::int32_t cell, const OrderLowest& found) noexcep
 
 void OrderStage::Impl::drop_nearer(double distance) {
     const auto enough = static_cast<float>(distance * distance);
-    site_.runtime.parallel.for_chunks(cell_.size(), 8 * cells_of_task, [&](std::int64_t begin, std::int64_t end) {
-        progress_.check();
-        for (std::int64_t c = begin; c < end; ++c) {
-            cell_[c].groups = static_cast<std::int32_t>(groups_for(keep(block_of(cell_[c]), enough)));
-            floor_[c] = 0.0F; // so that the best one is found again
-        }
-    });
+    site_.runtime.parallel.for_chunks(
+        cell_.size(), 8 * ordered_cells_of_task, [&](std::int64_t begin, std::int64_t end) {
+            progress_.check();
+            for (std::int64_t c = begin; c < end; ++c) {
+                cell_[c].groups = static_cast<std::int32_t>(groups_for(keep(block_of(cell_[c]), enough)));
+                floor_[c] = 0.0F; // so that the best one is found again
+            }
+        });
 }
 
 float OrderStage::Impl::lowest() {
-    site_.runtime.parallel.for_chunks(cell_.size(), 8 * cells_of_task, [&](std::int64_t begin, std::int64_t end) {
-        progress_.check();
-        for (std::int64_t c = begin; c < end; ++c) refresh(static_cast<std::int32_t>(c), enough_);
-    });
+    site_.runtime.parallel.for_chunks(cell_.size(), 8 * ordered_cells_of_task,
+                                      [&](std::int64_t begin, std::int64_t end) {
+                                          progress_.check();
+                                          for (std::int64_t c = begin; c < end; ++c)
+                                              refresh(static_cast<std::int32_t>(c), enough_);
+                                      });
     return *std::min_element(lowest_.begin(), lowest_.end());
 }
 
@@ -355,8 +358,8 @@ private:
         const float turn =
             (from.normal.x * unpacked[0] + from.normal.y * unpacked[1] + from.normal.z * unpacked[2]) / unpacked_length;
         if (turn < opposite) return;
-        const bool beyond = turn < straight && stage_.site_.implicit.sheets() != nullptr;
-        bent_ = bent_ || (turn < straight && !beyond);
+        const bool beyond = turn < straight_stage && stage_.site_.implicit.sheets() != nullptr;
+        bent_ = bent_ || (turn < straight_stage && !beyond);
         const glm::dvec3 precise(between);
         const glm::dvec2 tangent(glm::dot(precise, from.frame.u), glm::dot(precise, from.frame.r));
         const double length = glm::length(tangent);

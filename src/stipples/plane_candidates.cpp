@@ -15,10 +15,10 @@
 namespace hrbfnpr::stipples {
 namespace {
 
-constexpr std::int64_t cells_of_task = 2048;
+constexpr std::int64_t plane_cells_of_task = 2048;
 // Of the planes of flat neighbours: how far they may miss each other's centres, in sides, and the cosine between them.
-constexpr double expected = 0.1;
-constexpr double straight = 0.97;
+constexpr double expected_share = 0.1;
+constexpr double straight_plane = 0.97;
 // A plane that passes a cell by at this distance, in sides, is trusted to.
 constexpr double clearly = 0.25;
 // The second power's root of x^3 = x + 1: the multiples of 1/x and 1/x^2 fill the unit square evenly, however many
@@ -41,7 +41,7 @@ PlaneCandidates::PlaneCandidates(const marks::Site& site, const SurfaceCells& ce
                                  std::uint32_t stream, const base::Progress& progress)
     : site_(site), cells_(cells), stream_(stream | 0xffff0000U), kind_(site.memory(), cells.cell.size()),
       curvature_(site.memory(), cells.cell.size()), count_(site.memory(), cells.cell.size()) {
-    site.runtime.parallel.for_chunks(kind_.size(), cells_of_task, [&](std::int64_t begin, std::int64_t end) {
+    site.runtime.parallel.for_chunks(kind_.size(), plane_cells_of_task, [&](std::int64_t begin, std::int64_t end) {
         progress.check();
         CellNeighbours around(numbers);
         for (std::int64_t i = begin; i < end; ++i) {
@@ -84,8 +84,8 @@ PlaneCandidates::Judged PlaneCandidates::judge(const SurfaceCell& cell, CellNeig
             if (number < 0) continue;
             const SurfaceCell& there = cells_.cell[number];
             const double distance = cell.distance + way * side * cell.normal[axis];
-            if (!(std::abs(distance - there.distance) <= expected * side) ||
-                !(glm::dot(cell.normal, there.normal) >= straight))
+            if (!(std::abs(distance - there.distance) <= expected_share * side) ||
+                !(glm::dot(cell.normal, there.normal) >= straight_plane))
                 return {CellKind::bent, 0.0F};
             turn += way * (there.normal[axis] - cell.normal[axis]);
             ++beside;
@@ -164,7 +164,7 @@ void PlaneCandidates::draw(double density, double most_trials, const base::Progr
     density_ = density;
     const auto flat = static_cast<double>(std::count(kind_.begin(), kind_.end(), CellKind::flat));
     most_in_cell_ = std::clamp(most_trials / std::max(flat, 1.0), fewest_in_cell, most_of_cell);
-    site_.runtime.parallel.for_chunks(kind_.size(), cells_of_task, [&](std::int64_t begin, std::int64_t end) {
+    site_.runtime.parallel.for_chunks(kind_.size(), plane_cells_of_task, [&](std::int64_t begin, std::int64_t end) {
         for (std::int64_t i = begin; i < end; ++i) {
             progress.check(); // a cell may have many
             std::int32_t count = 0;

@@ -7,7 +7,7 @@
 namespace hrbfnpr::stipples {
 namespace {
 
-constexpr int most_steps = 6;
+constexpr int centre_steps = 6;
 constexpr std::size_t none = static_cast<std::size_t>(-1);
 
 double squared(const glm::dvec2& v) noexcept { return glm::dot(v, v); }
@@ -25,7 +25,7 @@ public:
 
     glm::dvec2 run() noexcept {
         nearest_[0] = nearest();
-        for (int step = 0; step < most_steps && advance(); ++step) {
+        for (int step = 0; step < centre_steps && advance(); ++step) {
         }
         return squared(at_) <= farthest_ * farthest_ ? at_ : glm::dvec2(0.0);
     }

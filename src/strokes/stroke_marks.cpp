@@ -15,8 +15,8 @@ namespace hrbfnpr::strokes {
 namespace {
 
 // The exact direction at a mark is taken where curvature is this sure of it ...
-constexpr double unsure = 0.02;
-constexpr double sure = 0.10;
+constexpr double unsure_direction = 0.02;
+constexpr double sure_direction = 0.10;
 // ... and where it is that of the stroke, within angles of these cosines (10 and 20 degrees).
 constexpr double same = 0.985;
 constexpr double other = 0.94;
@@ -175,7 +175,7 @@ glm::dvec3 Settling::exact(std::int64_t i, const glm::dvec3& along, double& weig
         const surface::Curvature& c = curvature_[i];
         first = c.d1;
         second = c.d2;
-        weight = glm::smoothstep(unsure, sure, c.confidence);
+        weight = glm::smoothstep(unsure_direction, sure_direction, c.confidence);
     } else if (settings_.kind == marks::Kind::field) {
         first = given_[i];
         second = glm::cross(marks_.normal[i], first);

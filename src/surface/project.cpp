@@ -13,8 +13,8 @@
 namespace hrbfnpr::surface {
 namespace {
 
-constexpr std::int64_t batch_size = implicit::batch_size;
-using Column = std::array<double, static_cast<std::size_t>(batch_size)>;
+constexpr std::int64_t projected_at_once = implicit::batch_size;
+using Column = std::array<double, static_cast<std::size_t>(projected_at_once)>;
 
 // Below this share of the Newton step a trial no longer moves a point by more than rounding.
 constexpr double smallest_share = 1e-14;
@@ -28,10 +28,11 @@ constexpr double smallest_share = 1e-14;
 //
 //   phi(x_new) <= phi(x) - sigma t |grad phi|^2
 //               = f^2 - sigma (s / (2 |g|^2)) 4 f^2 |g|^2 = f^2 (1 - 2 sigma s).
-class Batch {
+class ProjectedBatch {
 public:
     // order: of the points, or null for their own.
-    Batch(const implicit::Implicit& implicit, const ProjectionSettings& settings, const std::int32_t* order) noexcept
+    ProjectedBatch(const implicit::Implicit& implicit, const ProjectionSettings& settings,
+                   const std::int32_t* order) noexcept
         : implicit_(implicit), settings_(settings), order_(order), diagonal_(implicit.diagonal()),
           centre_(implicit.bounds().centre()) {}
 
@@ -68,20 +69,20 @@ private:
     std::int64_t begin_ = 0;
 
     // The iterate of each point of the batch.
-    std::array<glm::dvec3, static_cast<std::size_t>(batch_size)> position_;
-    std::array<glm::dvec3, static_cast<std::size_t>(batch_size)> gradient_;
-    std::array<glm::dvec3, static_cast<std::size_t>(batch_size)> trial_;
+    std::array<glm::dvec3, static_cast<std::size_t>(projected_at_once)> position_;
+    std::array<glm::dvec3, static_cast<std::size_t>(projected_at_once)> gradient_;
+    std::array<glm::dvec3, static_cast<std::size_t>(projected_at_once)> trial_;
     Column value_;
     Column share_; // s of the next trial; 0 before the first evaluation
-    std::array<std::int32_t, static_cast<std::size_t>(batch_size)> evaluations_;
+    std::array<std::int32_t, static_cast<std::size_t>(projected_at_once)> evaluations_;
 
     // The points that still move, packed, and what was evaluated for them.
-    std::array<std::size_t, static_cast<std::size_t>(batch_size)> active_;
+    std::array<std::size_t, static_cast<std::size_t>(projected_at_once)> active_;
     std::size_t active_count_ = 0;
     Column x_, y_, z_, f_, gx_, gy_, gz_;
 };
 
-void Batch::end_with(Projection& points, std::size_t i, ProjectionStatus status) noexcept {
+void ProjectedBatch::end_with(Projection& points, std::size_t i, ProjectionStatus status) noexcept {
     const std::int64_t at = index(i);
     points.position.set(at, position_[i]);
     points.gradient.set(at, gradient_[i]);
@@ -89,7 +90,7 @@ void Batch::end_with(Projection& points, std::size_t i, ProjectionStatus status)
 }
 
 // Looks at a new iterate: ends its search, or picks the first trial from it.
-bool Batch::finished(Projection& points, std::size_t i) noexcept {
+bool ProjectedBatch::finished(Projection& points, std::size_t i) noexcept {
     const double slope = glm::length(gradient_[i]);
     if (!is_slope(slope)) {
         end_with(points, i, ProjectionStatus::zero_gradient);
@@ -107,12 +108,12 @@ bool Batch::finished(Projection& points, std::size_t i) noexcept {
     return false;
 }
 
-void Batch::choose_trial(std::size_t i) noexcept {
+void ProjectedBatch::choose_trial(std::size_t i) noexcept {
     const glm::dvec3 g = gradient_[i];
     trial_[i] = position_[i] - (share_[i] * value_[i] / glm::dot(g, g)) * g;
 }
 
-void Batch::evaluate(const base::Progress& progress) {
+void ProjectedBatch::evaluate(const base::Progress& progress) {
     progress.check();
     for (std::size_t lane = 0; lane < active_count_; ++lane) {
         const glm::dvec3& p = trial_[active_[lane]];
@@ -127,7 +128,7 @@ void Batch::evaluate(const base::Progress& progress) {
 }
 
 // Judges the evaluated trial of a lane.  Returns whether the point goes on.
-bool Batch::take_trial(Projection& points, std::size_t lane) noexcept {
+bool ProjectedBatch::take_trial(Projection& points, std::size_t lane) noexcept {
     const std::size_t i = active_[lane];
     const double f = f_[lane];
     const glm::dvec3 g(gx_[lane], gy_[lane], gz_[lane]);
@@ -154,7 +155,7 @@ bool Batch::take_trial(Projection& points, std::size_t lane) noexcept {
     return true;
 }
 
-void Batch::run(Projection& points, std::int64_t begin, std::int64_t end, const base::Progress& progress) {
+void ProjectedBatch::run(Projection& points, std::int64_t begin, std::int64_t end, const base::Progress& progress) {
     begin_ = begin;
     active_count_ = static_cast<std::size_t>(end - begin);
     for (std::size_t i = 0; i < active_count_; ++i) {
@@ -181,8 +182,8 @@ void project(const base::Runtime& runtime, const implicit::Implicit& implicit, c
     points.status.resize(count);
     const base::Array<std::int32_t> order = implicit::order_by_cell(runtime, implicit, points.position, progress);
     std::atomic<std::int64_t> done{0};
-    implicit.threads(runtime.parallel).for_chunks(count, batch_size, [&](std::int64_t begin, std::int64_t end) {
-        base::Boxed<Batch> batch(runtime.memory, implicit, settings, order.data());
+    implicit.threads(runtime.parallel).for_chunks(count, projected_at_once, [&](std::int64_t begin, std::int64_t end) {
+        base::Boxed<ProjectedBatch> batch(runtime.memory, implicit, settings, order.data());
         batch->run(points, begin, end, progress);
         const std::int64_t now = done.fetch_add(end - begin, std::memory_order_relaxed) + end - begin;
         progress.update(static_cast<double>(now) / static_cast<double>(count));

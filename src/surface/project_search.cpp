@@ -15,7 +15,7 @@ constexpr std::size_t directions = 64;
 constexpr double growth = 1.25;   // of the radius, from sphere to sphere
 constexpr double smallest = 2e-3; // first radius, in diagonals
 constexpr int most_halvings = 80;
-constexpr std::int64_t grain = 8;
+constexpr std::int64_t searches_a_task = 8;
 
 // Evenly spread, by the golden angle.
 glm::dvec3 direction(std::size_t i) noexcept {
@@ -105,16 +105,17 @@ void project_by_search(const base::Runtime& runtime, const implicit::Implicit& i
     for (std::int64_t i = 0; i < points.status.size(); ++i)
         if (points.status[i] == ProjectionStatus::not_converged || points.status[i] == ProjectionStatus::zero_gradient)
             left.push_back(i);
-    implicit.threads(runtime.parallel).for_chunks(left.size(), grain, [&](std::int64_t begin, std::int64_t end) {
-        Searcher searcher(implicit, settings);
-        for (std::int64_t k = begin; k < end; ++k) {
-            const std::int64_t i = left[k];
-            if (!searcher.run(points.position[i], progress)) continue;
-            points.position.set(i, searcher.place);
-            points.gradient.set(i, searcher.gradient);
-            points.status[i] = ProjectionStatus::converged;
-        }
-    });
+    implicit.threads(runtime.parallel)
+        .for_chunks(left.size(), searches_a_task, [&](std::int64_t begin, std::int64_t end) {
+            Searcher searcher(implicit, settings);
+            for (std::int64_t k = begin; k < end; ++k) {
+                const std::int64_t i = left[k];
+                if (!searcher.run(points.position[i], progress)) continue;
+                points.position.set(i, searcher.place);
+                points.gradient.set(i, searcher.gradient);
+                points.status[i] = ProjectionStatus::converged;
+            }
+        });
 }
 
 } // namespace hrbfnpr::surface

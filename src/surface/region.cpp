@@ -10,8 +10,8 @@
 namespace hrbfnpr::surface {
 namespace {
 
-constexpr std::int64_t batch_size = implicit::batch_size / 4; // sums over 100 000 centres take long
-using Column = std::array<double, static_cast<std::size_t>(batch_size)>;
+constexpr std::int64_t region_batch = implicit::batch_size / 4; // sums over 100 000 centres take long
+using RegionColumn = std::array<double, static_cast<std::size_t>(region_batch)>;
 
 constexpr std::int64_t grid_side = 24;
 constexpr std::int64_t grid_size = grid_side * grid_side * grid_side;
@@ -29,7 +29,7 @@ glm::dvec3 grid_node(const geometry::Bounds& region, std::int64_t i) noexcept {
 // The largest finite |grad f| of the nodes [begin, end), at most a batch.
 double steepest(const implicit::Implicit& implicit, const geometry::Bounds& region, std::int64_t begin,
                 std::int64_t end) {
-    Column x, y, z, gx, gy, gz;
+    RegionColumn x, y, z, gx, gy, gz;
     for (std::int64_t i = begin; i < end; ++i) {
         const auto lane = static_cast<std::size_t>(i - begin);
         const glm::dvec3 p = grid_node(region, i);
@@ -52,8 +52,8 @@ double steepest(const implicit::Implicit& implicit, const geometry::Bounds& regi
 void contains_batch(const implicit::Implicit& implicit, const geometry::Bounds& region,
                     const geometry::VecArray& points, base::Array<std::uint8_t>& inside, std::int64_t begin,
                     std::int64_t end) {
-    Column x, y, z, f;
-    std::array<std::int64_t, static_cast<std::size_t>(batch_size)> which;
+    RegionColumn x, y, z, f;
+    std::array<std::int64_t, static_cast<std::size_t>(region_batch)> which;
     std::size_t count = 0;
     for (std::int64_t i = begin; i < end; ++i) {
         const glm::dvec3 p = points[i];
@@ -80,13 +80,13 @@ geometry::Bounds search_region(const implicit::Implicit& implicit) noexcept {
 double lipschitz_estimate(const base::Runtime& runtime, const implicit::Implicit& implicit,
                           const base::Progress& progress) {
     if (implicit.lipschitz() > 0.0) return implicit.lipschitz();
-    constexpr std::int64_t chunks = (grid_size + batch_size - 1) / batch_size;
+    constexpr std::int64_t chunks = (grid_size + region_batch - 1) / region_batch;
     const geometry::Bounds region = search_region(implicit);
     std::array<double, static_cast<std::size_t>(chunks)> most{};
     std::atomic<std::int64_t> done{0};
-    implicit.threads(runtime.parallel).for_chunks(grid_size, batch_size, [&](std::int64_t begin, std::int64_t end) {
+    implicit.threads(runtime.parallel).for_chunks(grid_size, region_batch, [&](std::int64_t begin, std::int64_t end) {
         progress.check();
-        most[static_cast<std::size_t>(begin / batch_size)] = steepest(implicit, region, begin, end);
+        most[static_cast<std::size_t>(begin / region_batch)] = steepest(implicit, region, begin, end);
         const std::int64_t now = done.fetch_add(end - begin, std::memory_order_relaxed) + end - begin;
         progress.update(static_cast<double>(now) / static_cast<double>(grid_size));
     });
@@ -100,7 +100,7 @@ void contains(const base::Runtime& runtime, const implicit::Implicit& implicit, 
     const geometry::Bounds region = search_region(implicit);
     inside.resize(count);
     std::atomic<std::int64_t> done{0};
-    implicit.threads(runtime.parallel).for_chunks(count, batch_size, [&](std::int64_t begin, std::int64_t end) {
+    implicit.threads(runtime.parallel).for_chunks(count, region_batch, [&](std::int64_t begin, std::int64_t end) {
         progress.check();
         contains_batch(implicit, region, points, inside, begin, end);
         const std::int64_t now = done.fetch_add(end - begin, std::memory_order_relaxed) + end - begin;

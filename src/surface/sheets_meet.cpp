@@ -9,7 +9,7 @@ namespace {
 
 // The square of the sine of the least angle between sheets that meet.
 constexpr double parallel = 1e-10;
-constexpr int most_steps = 20;
+constexpr int steps_to_meet = 20;
 
 implicit::PointBatch one(const glm::dvec3& place) noexcept { return {&place.x, &place.y, &place.z, 1}; }
 
@@ -64,7 +64,7 @@ MeetingPlace find_meeting(const implicit::Sheets& sheets, const Meeting& meeting
     MeetingPlace place;
     place.position = from;
     std::array<SheetValue, 3> at;
-    for (int step = 0; step < most_steps; ++step) {
+    for (int step = 0; step < steps_to_meet; ++step) {
         for (std::size_t k = 0; k < meeting.count; ++k) {
             at[k] = sheet_at(sheets, meeting.sheet[k], place.position);
             place.gradient[k] = at[k].gradient;

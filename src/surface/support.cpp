@@ -15,7 +15,7 @@ namespace {
 // The spacing around a sample: how far its sixth neighbour is, and the median of that over these neighbours.
 constexpr std::int64_t sixth = 6;
 constexpr std::int64_t around = 17;
-constexpr std::int64_t grain = 64;
+constexpr std::int64_t supported_a_task = 64;
 // Of the limit: s where the surface goes on whatever the samples say.
 constexpr double borne_out = 0.9;
 
@@ -88,7 +88,7 @@ void Support::measure_spacing(const base::Runtime& runtime, double closest, cons
     const double smallest = std::max(1e-9 * tree_.bounds().diagonal(), 1e-100);
     for (std::int64_t i = 0; i < count; ++i)
         distance[i] = std::max(smallest, neighbours.each() > 0 ? distance_to_sixth(position, neighbours, i) : smallest);
-    runtime.parallel.for_chunks(count, grain, [&](std::int64_t begin, std::int64_t end) {
+    runtime.parallel.for_chunks(count, supported_a_task, [&](std::int64_t begin, std::int64_t end) {
         progress.check();
         for (std::int64_t i = begin; i < end; ++i) {
             const double h = neighbours.each() > 0 ? own_and_median(distance, neighbours.of(i), i) : smallest;
@@ -169,7 +169,7 @@ void Support::evaluate_all(const base::Runtime& runtime, const geometry::VecArra
                            const geometry::VecArray& gradient, base::Array<double>& value,
                            const base::Progress& progress) const {
     value.resize_for_overwrite(place.size());
-    runtime.parallel.for_chunks(place.size(), grain, [&](std::int64_t begin, std::int64_t end) {
+    runtime.parallel.for_chunks(place.size(), supported_a_task, [&](std::int64_t begin, std::int64_t end) {
         progress.check();
         for (std::int64_t i = begin; i < end; ++i) value[i] = this->value(place[i], gradient[i]);
     });

@@ -12,7 +12,7 @@ namespace hrbfnpr::surface {
 namespace {
 
 // More would see across a hole that is as wide as three samples are apart.
-constexpr std::size_t looked_at = 12;
+constexpr std::size_t neighbours_around = 12;
 constexpr double same_way = 0.25; // cosine between normals
 constexpr double widest_gap = 2.0 / 3.0 * std::numbers::pi;
 
@@ -22,9 +22,9 @@ bool is_surrounded(const geometry::VecArray& position, const geometry::VecArray&
                    std::span<const std::int64_t> neighbours, std::int64_t i) noexcept {
     const glm::dvec3 u = geometry::any_perpendicular(normal[i]);
     const glm::dvec3 v = glm::cross(normal[i], u);
-    std::array<double, looked_at> turn{};
+    std::array<double, neighbours_around> turn{};
     std::size_t count = 0;
-    for (const std::int64_t j : neighbours.first(std::min(looked_at, neighbours.size()))) {
+    for (const std::int64_t j : neighbours.first(std::min(neighbours_around, neighbours.size()))) {
         if (glm::dot(normal[i], normal[j]) < same_way) continue;
         const glm::dvec3 way = position[j] - position[i];
         turn[count++] = std::atan2(glm::dot(way, v), glm::dot(way, u));

@@ -33,11 +33,11 @@ struct Stretch {
     std::int32_t behind; // as the ray says
 };
 
-class Finder {
+class OutlineFinder {
 public:
-    Finder(const base::Runtime& runtime, std::span<const Subject> subjects, std::span<const Occluder> occluders,
-           const Invisibility& found, const Lengths& lengths, std::span<const std::uint8_t> wanted,
-           const base::Progress& progress)
+    OutlineFinder(const base::Runtime& runtime, std::span<const Subject> subjects, std::span<const Occluder> occluders,
+                  const Invisibility& found, const Lengths& lengths, std::span<const std::uint8_t> wanted,
+                  const base::Progress& progress)
         : runtime_(runtime), subjects_(subjects), occluders_(occluders), found_(found), lengths_(lengths),
           wanted_(wanted), progress_(progress), changes_(runtime.memory), stretches_(runtime.memory),
           doubtful_(runtime.memory) {}
@@ -80,13 +80,13 @@ private:
     base::Array<std::int64_t> doubtful_; // lines that contradict themselves
 };
 
-void Finder::add_change(std::int32_t number, double share, std::int32_t change) {
+void OutlineFinder::add_change(std::int32_t number, double share, std::int32_t change) {
     const std::int32_t l = piece(number).line;
     if (change != 0 && is_wanted(line(l))) changes_.push_back({l, lengths_.at(line(l), number, share), change});
 }
 
 // Both lines that cross pass from what the other's surface does not reach to what it does, or back.
-void Finder::collect_changes() {
+void OutlineFinder::collect_changes() {
     for (const Crossing& c : found_.crossings) {
         const Piece& near = piece(c.near_piece);
         const Piece& far = piece(c.far_piece);
@@ -100,13 +100,13 @@ void Finder::collect_changes() {
     });
 }
 
-const Change* Finder::changes_of(std::int32_t number) const noexcept {
+const Change* OutlineFinder::changes_of(std::int32_t number) const noexcept {
     const auto less = [](const Change& c, std::int32_t l) { return c.line < l; };
     return std::lower_bound(changes_.begin(), changes_.end(), number, less);
 }
 
 // Of a closed line an interval may go round its end: the changes before that come again.
-void Finder::add_stretches(const Interval& part) {
+void OutlineFinder::add_stretches(const Interval& part) {
     const Line& its = line(part.line);
     const double whole = lengths_.whole(its);
     const Change* const first = changes_of(part.line);
@@ -129,7 +129,7 @@ void Finder::add_stretches(const Interval& part) {
 }
 
 // The line's last piece that begins at or before a place.
-std::int64_t Finder::piece_at(const Line& its, double at) const noexcept {
+std::int64_t OutlineFinder::piece_at(const Line& its, double at) const noexcept {
     std::int64_t low = 0;
     std::int64_t high = its.pieces;
     while (high - low > 1) {
@@ -140,7 +140,7 @@ std::int64_t Finder::piece_at(const Line& its, double at) const noexcept {
 }
 
 // The vertex that is farthest from the ends; where there is none, the middle.
-void Finder::find_place(Stretch& stretch) const {
+void OutlineFinder::find_place(Stretch& stretch) const {
     const Line& its = line(stretch.line);
     const double whole = lengths_.whole(its);
     const Subject& subject = subjects_[static_cast<std::size_t>(its.subject)];
@@ -170,7 +170,7 @@ void Finder::find_place(Stretch& stretch) const {
 }
 
 template <class F>
-void Finder::for_lines(const F& f) {
+void OutlineFinder::for_lines(const F& f) {
     for (std::int64_t first = 0; first < stretches_.size();) {
         std::int64_t end = first;
         while (end < stretches_.size() && stretches_[end].line == stretches_[first].line) ++end;
@@ -180,7 +180,7 @@ void Finder::for_lines(const F& f) {
 }
 
 // From behind all of the surface, as far as the eye is before it.
-void Finder::send_to(const Occluder& occluder, std::int32_t number, const base::Array<std::int64_t>& asked) {
+void OutlineFinder::send_to(const Occluder& occluder, std::int32_t number, const base::Array<std::int64_t>& asked) {
     const std::int64_t rays = asked.size();
     geometry::VecArray from(runtime_.memory, rays);
     geometry::VecArray to(runtime_.memory, rays);
@@ -208,7 +208,7 @@ void Finder::send_to(const Occluder& occluder, std::int32_t number, const base::
     }
 }
 
-void Finder::send(const base::Array<std::int64_t>& asked, Outline& out) {
+void OutlineFinder::send(const base::Array<std::int64_t>& asked, Outline& out) {
     for (const std::int64_t s : asked) {
         stretches_[s].behind = 0;
         stretches_[s].asked = stretches_[s].certain = true;
@@ -217,7 +217,7 @@ void Finder::send(const base::Array<std::int64_t>& asked, Outline& out) {
     out.rays += asked.size();
 }
 
-void Finder::ask_best(Outline& out) {
+void OutlineFinder::ask_best(Outline& out) {
     base::Array<std::int64_t> asked(runtime_.memory);
     base::Array<std::int64_t> best(runtime_.memory);
     for_lines([&](std::int64_t first, std::int64_t end) {
@@ -232,14 +232,14 @@ void Finder::ask_best(Outline& out) {
 }
 
 // All changes round a closed line add up to 0.
-bool Finder::closes(std::int32_t number) const noexcept {
+bool OutlineFinder::closes(std::int32_t number) const noexcept {
     std::int32_t sum = 0;
     for (const Change* c = changes_of(number); c != changes_.end() && c->line == number; ++c) sum += c->change;
     return sum == 0 || !line(number).closed;
 }
 
 // From relative numbers to all; false: rays or signs contradict them.
-bool Finder::count(std::span<Stretch> stretches) noexcept {
+bool OutlineFinder::count(std::span<Stretch> stretches) noexcept {
     std::int32_t shift = 0;
     bool known = false;
     bool agree = true;
@@ -258,7 +258,7 @@ bool Finder::count(std::span<Stretch> stretches) noexcept {
 }
 
 // What is too short to be asked is as the stretch before it.
-void Finder::settle(Outline& out) {
+void OutlineFinder::settle(Outline& out) {
     const auto is_doubtful = [&](const Stretch& s) {
         return std::binary_search(doubtful_.begin(), doubtful_.end(), std::int64_t{s.line});
     };
@@ -276,7 +276,7 @@ void Finder::settle(Outline& out) {
             stretches_[s].beside = stretches_[s - 1].beside;
 }
 
-void Finder::run(Outline& out) {
+void OutlineFinder::run(Outline& out) {
     collect_changes();
     for (const Interval& part : found_.intervals)
         if (part.sheets <= 0 && is_wanted(line(part.line))) add_stretches(part);
@@ -304,7 +304,7 @@ Outline find_outline(const base::Runtime& runtime, std::span<const Subject> subj
                      std::span<const Occluder> occluders, const Invisibility& found, const Lengths& lengths,
                      std::span<const std::uint8_t> wanted, const base::Progress& progress) {
     Outline out(runtime.memory);
-    Finder(runtime, subjects, occluders, found, lengths, wanted, progress).run(out);
+    OutlineFinder(runtime, subjects, occluders, found, lengths, wanted, progress).run(out);
     return out;
 }
 

@@ -12,9 +12,9 @@
 namespace hrbfnpr::visibility {
 namespace {
 
-constexpr double known = 1e-10;    // of a piece
-constexpr int deepest = 40;        // halvings of a piece
-constexpr int deepest_outside = 6; // of one whose ends lie outside the other's region
+constexpr double known_piercing = 1e-10; // of a piece
+constexpr int deepest_piece = 40;        // halvings of a piece
+constexpr int deepest_outside = 6;       // of one whose ends lie outside the other's region
 
 // A place of a piece: f of the other surface there, its slope along the piece, and its gradient.
 struct Place {
@@ -26,7 +26,7 @@ struct Place {
     [[nodiscard]] bool negative() const noexcept { return value < 0.0; }
 };
 
-struct Part {
+struct PiercedPart {
     std::int32_t piece;
     int depth;
     Place low, high;
@@ -62,9 +62,9 @@ private:
     void want(std::int32_t piece, double share) { wanted_.push_back({piece, share}); }
     void evaluate(const base::Progress& progress);
     void start(const base::Progress& progress);
-    [[nodiscard]] bool near_region(const Part& part) const noexcept;
-    void judge(const Part& part, base::Array<Pierced>& found);
-    void add(const Part& part, base::Array<Pierced>& found) const;
+    [[nodiscard]] bool near_region(const PiercedPart& part) const noexcept;
+    void judge(const PiercedPart& part, base::Array<Pierced>& found);
+    void add(const PiercedPart& part, base::Array<Pierced>& found) const;
 
     const base::Runtime& runtime_;
     std::span<const Subject> subjects_;
@@ -74,8 +74,8 @@ private:
     geometry::Bounds region_;
     glm::dmat4 from_world_;
     base::Array<Sample> wanted_;
-    base::Array<Part> parts_, next_; // to be halved
-    base::Array<Place> sample_;      // at what was wanted
+    base::Array<PiercedPart> parts_, next_; // to be halved
+    base::Array<Place> sample_;             // at what was wanted
 };
 
 void Search::evaluate(const base::Progress& progress) {
@@ -130,7 +130,7 @@ void Search::start(const base::Progress& progress) {
 }
 
 // The sheet lies before the line where the way back to the eye leads through it.
-void Search::add(const Part& part, base::Array<Pierced>& found) const {
+void Search::add(const PiercedPart& part, base::Array<Pierced>& found) const {
     const double rise = part.high.value - part.low.value;
     const double share = part.low.share - (part.high.share - part.low.share) * part.low.value / rise;
     const Place& at = part.low;
@@ -142,7 +142,7 @@ void Search::add(const Part& part, base::Array<Pierced>& found) const {
 }
 
 // A cubic stays this near to its chord.
-bool Search::near_region(const Part& part) const noexcept {
+bool Search::near_region(const PiercedPart& part) const noexcept {
     geometry::Bounds box;
     box.extend(part.low.point);
     box.extend(part.high.point);
@@ -150,12 +150,12 @@ bool Search::near_region(const Part& part) const noexcept {
     return glm::all(glm::lessThanEqual(box.min, region_.max)) && glm::all(glm::lessThanEqual(region_.min, box.max));
 }
 
-void Search::judge(const Part& part, base::Array<Pierced>& found) {
+void Search::judge(const PiercedPart& part, base::Array<Pierced>& found) {
     const Place& a = part.low;
     const Place& b = part.high;
     if (!a.inside && !b.inside && (part.depth >= deepest_outside || !near_region(part))) return;
     const double length = b.share - a.share;
-    const bool last = part.depth >= deepest || length <= known;
+    const bool last = part.depth >= deepest_piece || length <= known_piercing;
     if (a.inside && b.inside) {
         if (a.negative() != b.negative() && last) return add(part, found);
         if (a.negative() == b.negative() && !may_touch(a.value, length * a.slope, b.value, length * b.slope)) return;
@@ -167,14 +167,14 @@ void Search::judge(const Part& part, base::Array<Pierced>& found) {
 
 void Search::run(base::Array<Pierced>& found, const base::Progress& progress) {
     start(progress);
-    for (const Part& part : parts_) judge(part, found);
+    for (const PiercedPart& part : parts_) judge(part, found);
     while (!next_.empty()) {
         progress.check();
         evaluate(progress);
         std::swap(parts_, next_);
         next_.clear();
         for (std::int64_t i = 0; i < parts_.size(); ++i) {
-            const Part& part = parts_[i];
+            const PiercedPart& part = parts_[i];
             judge({part.piece, part.depth + 1, part.low, sample_[i]}, found);
             judge({part.piece, part.depth + 1, sample_[i], part.high}, found);
         }

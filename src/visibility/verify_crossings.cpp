@@ -13,7 +13,7 @@ constexpr int most_rounds = 8;
 // In gaps between the curves: steps that are shorter end the search, and longer ways in all make it fail.  So does a
 // gap that vanishes: at a cusp a curve meets itself.
 constexpr double settled = 0.01;
-constexpr double farthest = 0.5;
+constexpr double farthest_crossing = 0.5;
 constexpr double smallest = 0.1;
 
 // A crossing, and a place on either curve.
@@ -104,7 +104,7 @@ void Verifier::advance(std::int64_t i) noexcept {
     const Moving q = moving(subject(c.near_piece).view, point[1].position, glm::normalize(point[1].direction()));
     const auto [dp, dq] = meeting(p, q);
     const auto strayed = [&](int k) {
-        return !(glm::distance(point[k].position, suspect.begin[k]) <= farthest * suspect.gap);
+        return !(glm::distance(point[k].position, suspect.begin[k]) <= farthest_crossing * suspect.gap);
     };
     const bool met = glm::distance(point[0].position, point[1].position) < smallest * suspect.gap;
     const bool lost = !(std::abs(dp) <= suspect.gap && std::abs(dq) <= suspect.gap) || met || strayed(0) || strayed(1);

@@ -150,7 +150,7 @@ def forbidden(root):
 
 
 def namespaces(root):
-    """Files of tests are compiled several at a time (HRBFNPR_UNITY_TESTS), so their names must not meet."""
+    """Files of tests are compiled several at a time (HRBFNPR_UNITY), so their names must not meet."""
     for path in source_files(root, ["tests"], {".cpp"}):
         if path.name.endswith("_test.cpp"):
             own = rf"^namespace ([\w:]+::)?{path.stem} {{$"

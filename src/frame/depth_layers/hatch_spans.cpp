@@ -48,7 +48,7 @@ struct Crossing {
     return first;
 }
 
-[[nodiscard]] glm::vec2 place(const HatchMark& m) noexcept { return {m.x, m.y}; }
+[[nodiscard]] glm::vec2 place_of(const HatchMark& m) noexcept { return {m.x, m.y}; }
 
 [[nodiscard]] float firmness(const HatchMark& m) noexcept { return hatch_firmness(m.margin[0], m.margin[1]); }
 
@@ -123,7 +123,7 @@ void HatchSpans::measure(std::span<const HatchMark> marks) {
     }
     const HatchMark& first = marks.front();
     const HatchMark& last = marks.back();
-    goes_round_ = first.is_valid() && last.is_valid() && place(first) == place(last);
+    goes_round_ = first.is_valid() && last.is_valid() && place_of(first) == place_of(last);
 }
 
 HatchSpans::ByLevel HatchSpans::by_level(const HatchMark& drawn, const HatchMark& other, HatchEnd end,
@@ -201,13 +201,13 @@ void HatchSpans::weigh(const LayerStyle& style, std::span<const HatchMark> marks
     };
     const auto width_of = [&](const HatchMark& mark) { return std::min(mark.width, full_width); };
     constexpr auto level = static_cast<std::size_t>(HatchEnd::level);
-    const auto at_place = [&](const Place& place) {
-        const auto i = static_cast<std::size_t>(place.mark);
+    const auto at_place = [&](const Place& place_of) {
+        const auto i = static_cast<std::size_t>(place_of.mark);
         const HatchMark& a = marks[i];
-        if (place.share == 0.0F) return weight(width_of(a), a.margin[level]);
+        if (place_of.share == 0.0F) return weight(width_of(a), a.margin[level]);
         const HatchMark& b = marks[i + 1];
-        return weight(std::lerp(width_of(a), width_of(b), place.share),
-                      std::lerp(a.margin[level], b.margin[level], place.share));
+        return weight(std::lerp(width_of(a), width_of(b), place_of.share),
+                      std::lerp(a.margin[level], b.margin[level], place_of.share));
     };
     float from = at(drawn.begin);
     float before = at_place(drawn.begin);
@@ -221,9 +221,9 @@ void HatchSpans::weigh(const LayerStyle& style, std::span<const HatchMark> marks
     if (drawn.area < most) drawn.area += 0.5F * (at(drawn.end) - from) * (before + at_place(drawn.end));
 }
 
-float HatchSpans::at(const Place& place) const noexcept {
-    const std::int64_t next = std::min(place.mark + 1, length_.size() - 1);
-    return length_[place.mark] + place.share * (length_[next] - length_[place.mark]);
+float HatchSpans::at(const Place& place_of) const noexcept {
+    const std::int64_t next = std::min(place_of.mark + 1, length_.size() - 1);
+    return length_[place_of.mark] + place_of.share * (length_[next] - length_[place_of.mark]);
 }
 
 // Of a part, as it is drawn there: the mean over the step from one point to the next.
@@ -370,15 +370,15 @@ float HatchSpans::taper(const LayerStyle& style, HatchEnd end, std::int64_t next
 
 // 1 where the line goes along the contour that it ends at, 0 where it goes across.  The contour's image is normal to
 // that of the surface's normal.  All lines touch it in the end [Koenderink 1984], so a longer part of the line tells.
-float HatchSpans::along_rim(const LayerStyle& style, std::span<const HatchMark> marks, const Place& place,
+float HatchSpans::along_rim(const LayerStyle& style, std::span<const HatchMark> marks, const Place& place_of,
                             std::int64_t inward) const noexcept {
-    std::int64_t i = place.mark + (inward > 0 ? 1 : 0);
-    const float from = at(place);
+    std::int64_t i = place_of.mark + (inward > 0 ? 1 : 0);
+    const float from = at(place_of);
     while (i + inward >= 0 && i + inward < length_.size() && marks[static_cast<std::size_t>(i + inward)].is_drawn() &&
            std::abs(length_[i] - from) < rim_part * style.hatch_taper)
         i += inward;
-    const HatchPoint end = point(marks, place);
-    const HatchMark& mark = marks[static_cast<std::size_t>(place.mark)];
+    const HatchPoint end = point(marks, place_of);
+    const HatchMark& mark = marks[static_cast<std::size_t>(place_of.mark)];
     const glm::vec2 chord(marks[static_cast<std::size_t>(i)].x - end.x, marks[static_cast<std::size_t>(i)].y - end.y);
     const glm::vec2 normal(mark.side_x, -mark.side_y);
     const float lengths = glm::length(chord) * glm::length(normal);

@@ -16,7 +16,7 @@ namespace {
 // A line narrows over so many pixels where something hides it.
 constexpr float hidden_taper = 2.0F;
 // Hidden parts of fewer widths are drawn.
-constexpr float least_gap = 2.0F;
+constexpr float least_stroke_gap = 2.0F;
 // What hides a line has a halo on either side.  A part that is no longer than one halo is none of it: it is where a
 // contour and its halo run out.  Up to the second of these, in halos, it is thinner.
 constexpr float halo_alone = 1.0F;
@@ -72,7 +72,7 @@ private:
 };
 
 // An ellipse's quarter would be blunter.
-[[nodiscard]] float narrowed(float from_end, float taper) noexcept {
+[[nodiscard]] float narrowed_end(float from_end, float taper) noexcept {
     return from_end < taper ? std::sqrt(std::max(from_end, 0.0F) / taper) : 1.0F;
 }
 
@@ -130,7 +130,7 @@ private:
         while (end < size() && !seen(end)) ++end;
         if (first == 0 || end == size()) return 0.0F;
         const float gap = middle(end - 1) - middle(first - 1);
-        if (gap < least_gap * (dot(first - 1).radius + dot(end).radius)) return 1.0F;
+        if (gap < least_stroke_gap * (dot(first - 1).radius + dot(end).radius)) return 1.0F;
         return halo_ > 0.0F ? std::clamp((halo_and_more - gap / halo_) / (halo_and_more - halo_alone), 0.0F, 1.0F)
                             : 0.0F;
     }
@@ -254,8 +254,8 @@ private:
     [[nodiscard]] float profile(float at) const noexcept {
         const float whole = part_.length[size() - 1];
         if (at >= begins_narrow_ && at <= ends_narrow_) return 1.0F;
-        return std::min({narrowed(at, span_.taper_begin), narrowed(whole - at, span_.taper_end),
-                         narrowed(at - begin_, begin_taper_), narrowed(end_ - at, end_taper_)});
+        return std::min({narrowed_end(at, span_.taper_begin), narrowed_end(whole - at, span_.taper_end),
+                         narrowed_end(at - begin_, begin_taper_), narrowed_end(end_ - at, end_taper_)});
     }
 
     HatchStrokePart& part_;

@@ -13,7 +13,7 @@ namespace {
 // between frames, in sides.
 constexpr std::int64_t most_points = 16;
 constexpr std::int64_t kept_each = 4;
-constexpr double farthest = 3.0;
+constexpr double farthest_number = 3.0;
 
 const curves::CurvePoint& point_of(std::span<const visibility::Subject> subjects, const visibility::ImageLines& lines,
                                    std::int64_t piece) noexcept {
@@ -83,7 +83,7 @@ base::Array<LineNumbers::Vote> LineNumbers::count_votes(std::span<const LineFami
             }
         }
         if (place.empty()) continue;
-        const Finder finder(place, direction, farthest * subjects[subject].side);
+        const Finder finder(place, direction, farthest_number * subjects[subject].side);
         for (std::int64_t l = 0; l < lines.lines.size(); ++l) {
             const visibility::Line& line = lines.lines[l];
             if (static_cast<std::size_t>(line.subject) != subject) continue;

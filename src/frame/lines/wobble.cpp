@@ -12,8 +12,8 @@ namespace {
 constexpr double knots_a_swing = 3.0;
 constexpr double fewest_knots = 4.0; // of a closed line
 constexpr double steps_a_knot = 4.0;
-constexpr double shortest_step = 0.5; // pixels
-constexpr double farthest = 1e15;     // knots: a line that passes beside the eye is as long as numbers go
+constexpr double shortest_step = 0.5;  // pixels
+constexpr double farthest_knot = 1e15; // knots: a line that passes beside the eye is as long as numbers go
 
 } // namespace
 
@@ -39,7 +39,7 @@ double Wobble::random(std::int64_t knot, std::size_t which) const noexcept {
 }
 
 double Wobble::noise(double at, std::size_t which) const noexcept {
-    const double place = std::clamp(at / between_, -farthest, farthest);
+    const double place = std::clamp(at / between_, -farthest_knot, farthest_knot);
     const double knot = std::floor(place);
     const double u = place - knot;
     const double v = 1.0 - u;

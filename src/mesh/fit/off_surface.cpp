@@ -9,7 +9,7 @@ namespace {
 
 // The places of one look at the surface: each moves the surface around it, so that more at once are in vain.
 constexpr std::int64_t most_at_once = 200;
-constexpr double apart = 0.7; // of the distance from the mesh
+constexpr double far_apart = 0.7; // of the distance from the mesh
 
 } // namespace
 
@@ -27,7 +27,7 @@ std::int64_t OffSurface::add_from(const geometry::VecArray& place, const base::A
         const glm::dvec3 p = place[i];
         bool covered = false;
         for (std::int64_t j = 0; j < count() && !covered; ++j)
-            covered = glm::distance(position[j], p) < apart * distance[i];
+            covered = glm::distance(position[j], p) < far_apart * distance[i];
         if (covered) continue;
         const Where side = where(faces.all(), p);
         if (side == Where::unsure) continue;

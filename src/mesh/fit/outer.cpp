@@ -12,7 +12,7 @@ const std::array<glm::dvec3, 3> directions{glm::dvec3{0.5773, 0.2161, 0.7874}, g
 constexpr std::size_t rays = 16;
 constexpr std::size_t dissenters = 2;
 constexpr double beside = 1e-4; // a face, in diagonals
-constexpr std::int64_t grain = 512;
+constexpr std::int64_t tested_a_task = 512;
 
 [[nodiscard]] bool may_overlap(const Mesh& mesh) noexcept {
     return mesh.report.closed && mesh.report.components - mesh.report.left_out_components > 1;
@@ -63,7 +63,7 @@ void keep_outer(const base::Runtime& runtime, const Mesh& mesh, const FaceTree& 
     if (!may_overlap(mesh)) return;
     base::Array<std::uint8_t> inside(runtime.memory, position.size());
     const double off = beside * mesh.bounds.diagonal();
-    runtime.parallel.for_chunks(position.size(), grain, [&](std::int64_t begin, std::int64_t end) {
+    runtime.parallel.for_chunks(position.size(), tested_a_task, [&](std::int64_t begin, std::int64_t end) {
         progress.check();
         for (std::int64_t i = begin; i < end; ++i) inside[i] = is_inside(tree, position[i] + off * normal[i]) ? 1 : 0;
     });
@@ -84,7 +84,7 @@ OuterFaces::OuterFaces(const base::Runtime& runtime, const Mesh& mesh, const Fac
     if (!may_overlap(mesh)) return;
     base::Array<std::uint8_t> covered(runtime.memory, mesh.faces());
     const double off = beside * mesh.bounds.diagonal();
-    runtime.parallel.for_chunks(mesh.faces(), grain, [&](std::int64_t begin, std::int64_t end) {
+    runtime.parallel.for_chunks(mesh.faces(), tested_a_task, [&](std::int64_t begin, std::int64_t end) {
         progress.check();
         for (std::int64_t face = begin; face < end; ++face) covered[face] = is_covered(mesh, all, face, off) ? 1 : 0;
     });

@@ -14,9 +14,9 @@ namespace hrbfnpr::mesh {
 namespace {
 
 constexpr std::int64_t lattice = 16;
-constexpr std::int64_t grain = 4096;
+constexpr std::int64_t places_a_task = 4096;
 constexpr double tolerance = 1e-6; // of places, in diagonals
-constexpr int evaluations = 12;
+constexpr int place_evaluations = 12;
 // More triangles that look away from the surface than sharp edges make.
 constexpr double turned_share = 1e-2;
 constexpr std::int64_t most_triangles_of_finer = 1'200'000;
@@ -30,7 +30,7 @@ void add_lattice(const base::Runtime& runtime, const implicit::Implicit& implici
             for (std::int64_t x = 0; x < lattice; ++x)
                 points.position.push_back(region.min + step * (glm::dvec3(x, y, z) + 0.5));
     surface::ProjectionSettings settings;
-    settings.evaluation_limit = evaluations;
+    settings.evaluation_limit = place_evaluations;
     settings.tolerance = 1e-4;
     surface::project(runtime, implicit, settings, points, progress);
     for (std::int64_t i = 0; i < points.position.size(); ++i)
@@ -137,7 +137,7 @@ SurfacePlaces places_on(const base::Runtime& runtime, const implicit::Implicit& 
     geometry::VecArray flat(runtime.memory, search.count);
     surface::Projection on(runtime.memory);
     on.position.resize(search.count);
-    runtime.parallel.for_chunks(search.count, grain, [&](std::int64_t begin, std::int64_t end) {
+    runtime.parallel.for_chunks(search.count, places_a_task, [&](std::int64_t begin, std::int64_t end) {
         for (std::int64_t i = begin; i < end; ++i) {
             const auto random =
                 base::uniform4(search.seed, static_cast<std::uint64_t>(i), base::Purpose::mesh_sample, 1U << 16U);
@@ -151,7 +151,7 @@ SurfacePlaces places_on(const base::Runtime& runtime, const implicit::Implicit& 
         }
     });
     surface::ProjectionSettings settings;
-    settings.evaluation_limit = evaluations;
+    settings.evaluation_limit = place_evaluations;
     settings.tolerance = tolerance;
     surface::project(runtime, implicit, settings, on, progress);
     for (std::int64_t i = 0; i < search.count; ++i) {

@@ -6,7 +6,7 @@
 namespace hrbfnpr::mesh {
 namespace {
 
-constexpr std::int64_t grain = 256;
+constexpr std::int64_t boxes_a_task = 256;
 
 // The component that a short line through a place meets besides the place's own; -1: none.
 std::int32_t other_component(const Mesh& mesh, const FaceTree& tree, const MeshSamples& places, std::int64_t i,
@@ -41,7 +41,7 @@ std::int32_t pierced_by(const Mesh& mesh, const FaceTree& tree, std::int64_t fac
 template <class F>
 Touching first_of(const base::Runtime& runtime, std::int64_t count, const base::Progress& progress, F&& find) {
     base::Array<std::int32_t> other(runtime.memory, count);
-    runtime.parallel.for_chunks(count, grain, [&](std::int64_t begin, std::int64_t end) {
+    runtime.parallel.for_chunks(count, boxes_a_task, [&](std::int64_t begin, std::int64_t end) {
         progress.check();
         glm::dvec3 place;
         for (std::int64_t i = begin; i < end; ++i) other[i] = find(i, place);

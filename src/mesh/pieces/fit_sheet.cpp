@@ -31,10 +31,10 @@ constexpr double apart = 4.0; // tolerances between centres
     return chosen;
 }
 
-class Fitter {
+class SheetFitter {
 public:
-    Fitter(const base::Runtime& runtime, const PatchSamples& patch, const fit::FitInput& options, std::int64_t most,
-           const base::Progress& progress)
+    SheetFitter(const base::Runtime& runtime, const PatchSamples& patch, const fit::FitInput& options,
+                std::int64_t most, const base::Progress& progress)
         : runtime_(runtime), patch_(patch), options_(options), most_(most), progress_(progress),
           centres_(runtime.memory) {
         unit_ = *std::min_element(patch.tolerance.begin(), patch.tolerance.end());
@@ -139,7 +139,7 @@ private:
 
 SheetFit fit_sheet(const base::Runtime& runtime, const PatchSamples& patch, const fit::FitInput& options,
                    std::int64_t most, const base::Progress& progress) {
-    return Fitter(runtime, patch, options, most, progress).run();
+    return SheetFitter(runtime, patch, options, most, progress).run();
 }
 
 } // namespace hrbfnpr::mesh

@@ -11,7 +11,7 @@
 namespace hrbfnpr::mesh {
 namespace {
 
-constexpr double infinite = std::numeric_limits<double>::infinity();
+constexpr double boundless = std::numeric_limits<double>::infinity();
 // Two places are of two turns if they are so near to each other, in diagonals, ...
 constexpr double layers_apart = 0.2;
 // ... with normals that have at least this cosine, ...
@@ -23,18 +23,19 @@ constexpr double least_way = 0.3;
 // along the normal.
 constexpr double flat = 0.9;
 constexpr double along_normal = 0.5;
-constexpr std::int64_t probes = 256; // faces of a patch that are looked at: half of them are of turns, or it is not cut
+constexpr std::int64_t winding_probes =
+    256;                             // faces of a patch that are looked at: half of them are of turns, or it is not cut
 constexpr std::int64_t known = 4096; // faces of a patch that others are looked for among
 constexpr double most_parts = 256.0; // of a patch
 constexpr double part_of_turn = 0.5;
 
-class Splitter {
+class WindingSplitter {
 public:
-    Splitter(const base::Runtime& runtime, const Mesh& mesh, Creases& creases, const base::Progress& progress)
+    WindingSplitter(const base::Runtime& runtime, const Mesh& mesh, Creases& creases, const base::Progress& progress)
         : runtime_(runtime), mesh_(mesh), creases_(creases), progress_(progress), way_(runtime.memory),
           part_(runtime.memory, mesh.faces()), heap_(runtime.memory) {
         way_.resize_for_overwrite(mesh.faces());
-        std::fill(way_.begin(), way_.end(), infinite);
+        std::fill(way_.begin(), way_.end(), boundless);
     }
 
     void run() {
@@ -83,7 +84,7 @@ private:
     // with it.  (Along edges, as faces may be slivers: from middle to middle of these is a zigzag.)
     std::int32_t measure_ways(std::int32_t from, std::span<const std::int32_t> patch) {
         for (const std::int32_t face : patch)
-            for (const std::int32_t v : mesh_.triangle[face]) to_vertex_[v] = infinite;
+            for (const std::int32_t v : mesh_.triangle[face]) to_vertex_[v] = boundless;
         const std::int32_t start = mesh_.triangle[from][0];
         to_vertex_[start] = 0.0;
         heap_.clear();
@@ -100,7 +101,7 @@ private:
         for (const std::int32_t face : patch) {
             const Triangle& t = mesh_.triangle[face];
             way_[face] = (to_vertex_[t[0]] + to_vertex_[t[1]] + to_vertex_[t[2]]) / 3.0;
-            if (way_[face] < infinite && way_[face] > way_[last]) last = face;
+            if (way_[face] < boundless && way_[face] > way_[last]) last = face;
         }
         return last;
     }
@@ -131,7 +132,7 @@ private:
         for (std::size_t i = 0; i < patch.size(); i += step) place.push_back(middle(patch[i]));
         const geometry::PointTree tree(place, progress_);
         const auto face_at = [&](std::int64_t at) { return patch[static_cast<std::size_t>(tree.index(at)) * step]; };
-        const auto count = std::min(probes, static_cast<std::int64_t>(patch.size()));
+        const auto count = std::min(winding_probes, static_cast<std::int64_t>(patch.size()));
         base::Array<double> around(runtime_.memory);
         for (std::int64_t k = 0; k < count; ++k) {
             const std::int32_t face =
@@ -142,7 +143,7 @@ private:
                 [&](std::int64_t at) { return are_turns(face, face_at(at)); }, &found);
             if (any > 0) around.push_back(std::abs(way_[face] - way_[face_at(found)]));
         }
-        if (around.empty() || 2 * around.size() < count) return infinite;
+        if (around.empty() || 2 * around.size() < count) return boundless;
         // Not the least: where a flank runs out into a flat end, that lies above it a short way around.
         const std::int64_t quarter = around.size() / 4;
         std::nth_element(around.begin(), around.begin() + quarter, around.end());
@@ -157,7 +158,7 @@ private:
         const glm::dvec3 first = normal(patch[0]);
         flat_ = std::ranges::all_of(patch, [&](std::int32_t face) { return glm::dot(normal(face), first) > flat; });
         const double turn = turn_of(patch.span());
-        if (turn == infinite) return false;
+        if (turn == boundless) return false;
         const double parts = std::clamp(std::ceil(way_[last] / (part_of_turn * turn)), 1.0, most_parts);
         for (const std::int32_t face : patch) {
             const double share = std::min(way_[face] / way_[last], 1.0);
@@ -195,7 +196,7 @@ private:
 } // namespace
 
 void split_winding(const base::Runtime& runtime, const Mesh& mesh, Creases& creases, const base::Progress& progress) {
-    Splitter(runtime, mesh, creases, progress).run();
+    WindingSplitter(runtime, mesh, creases, progress).run();
 }
 
 } // namespace hrbfnpr::mesh

@@ -34,10 +34,11 @@ struct Scratch {
 };
 
 // Everything that a tile's task reads.
-class Painter {
+class TransmittancePainter {
 public:
-    Painter(const Drawing& drawing, const Image& image, const DrawSettings& settings, const DiscLoops& loops,
-            const StrokeLoops& stroke_loops, const Scratch& scratch, const float* colors, const Rect& drawn) noexcept
+    TransmittancePainter(const Drawing& drawing, const Image& image, const DrawSettings& settings,
+                         const DiscLoops& loops, const StrokeLoops& stroke_loops, const Scratch& scratch,
+                         const float* colors, const Rect& drawn) noexcept
         : drawing_(drawing), convention_(drawing.window.depth), image_(image), settings_(settings), loops_(loops),
           stroke_loops_(stroke_loops), scratch_(scratch.planes), stroke_planes_(scratch.strokes),
           numbers_(scratch.numbers), colors_(colors), drawn_(drawn), coverage_(image.format == Format::coverage8),
@@ -340,8 +341,8 @@ void TransmittanceRaster::draw(const Drawing& drawing, const Image& image, const
             std::fill_n(strokes.cover, plane, 0.0F);
             std::fill_n(strokes.ink, plane, 0.0F);
         }
-        Painter paint(drawing, image, settings, loops_, stroke_loops_, {own, strokes, numbers_[worker].of_tile},
-                      colors_.data(), drawn);
+        TransmittancePainter paint(drawing, image, settings, loops_, stroke_loops_,
+                                   {own, strokes, numbers_[worker].of_tile}, colors_.data(), drawn);
         for (std::int64_t tile = next++; tile < drawing.dot_tiles.tiles(); tile = next++) paint(tile);
     });
 }

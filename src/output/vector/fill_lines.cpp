@@ -27,7 +27,7 @@ constexpr double most_passes = 10000.0;                         // of one line
 constexpr double widest_turn = 20.0 / 180.0 * std::numbers::pi; // that one normal stands for
 constexpr int parts_of_cap = 6;
 
-dvec2 left_of(const dvec2& direction) noexcept { return {direction.y, -direction.x}; }
+dvec2 left_of_line(const dvec2& direction) noexcept { return {direction.y, -direction.x}; }
 
 dvec2 direction_of(const dvec2& way) noexcept {
     const double length = glm::length(way);
@@ -188,7 +188,7 @@ void FillLines::find_normals(bool closed) {
             const dvec2 direction{before.x * std::cos(angle) - before.y * std::sin(angle),
                                   before.x * std::sin(angle) + before.y * std::cos(angle)};
             Node node = nodes_[i];
-            node.normal = left_of(direction);
+            node.normal = left_of_line(direction);
             turned_.push_back(node);
         }
     }

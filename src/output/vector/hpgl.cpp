@@ -4,7 +4,7 @@
 namespace hrbfnpr::output {
 namespace {
 
-constexpr double units_per_mm = 40.0;
+constexpr double hpgl_units_per_mm = 40.0;
 constexpr int most_pairs = 64;          // of one instruction: old plotters have small buffers
 constexpr char end_of_label = '\x03';   // unless DT says otherwise
 constexpr double width_of_height = 0.7; // of characters
@@ -13,7 +13,7 @@ constexpr double width_of_height = 0.7; // of characters
 
 HpglWriter::HpglWriter(base::Memory& memory, io::Writer& writer, const PageInfo& page, const PlotFormat& format,
                        PageCounts& counts)
-    : PlotWriter(memory, writer, page, units_per_mm, format, counts) {
+    : PlotWriter(memory, writer, page, hpgl_units_per_mm, format, counts) {
     out_ << "IN;\n";
 }
 

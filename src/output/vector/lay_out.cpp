@@ -20,8 +20,8 @@ using drawing::Drawing;
 using drawing::Stroke;
 using drawing::StrokePoint;
 
-constexpr float opacity_step = 1.0F / 32.0F; // within a part of a stroke
-constexpr std::int64_t at_a_time = 4096;     // dots, or points of strokes
+constexpr float opacity_step = 1.0F / 32.0F;      // within a part of a stroke
+constexpr std::int64_t laid_out_at_a_time = 4096; // dots, or points of strokes
 
 // Numbers of HRBFNPR_LINE_KIND_...
 constexpr std::array<const char*, 12> line_names{"lines",   "contour",        "suggestive", "ridge",
@@ -65,7 +65,7 @@ private:
     void for_dots(const F& f) const {
         for (const drawing::Piece& piece : drawing_.dot_pieces)
             for (std::int64_t i = piece.begin; i < piece.end; ++i) {
-                if (i % at_a_time == 0) look(progress_);
+                if (i % laid_out_at_a_time == 0) look(progress_);
                 if (drawing_.dots[i].opacity >= drawing::faintest_ink) f(drawing_.dots[i], i);
             }
     }
@@ -146,7 +146,7 @@ private:
 
     void add_strokes(std::int64_t layer, std::int32_t hidden, std::int32_t run) {
         begin(layer, hidden, run);
-        Looks looks(progress_, at_a_time);
+        Looks looks(progress_, laid_out_at_a_time);
         for (std::int64_t i = 0; i < drawing_.strokes.size(); ++i) {
             const Stroke& stroke = drawing_.strokes[i];
             const bool is_here = stroke.layer == layer && InkGroups::hidden_of(stroke) == hidden;

@@ -16,8 +16,8 @@ using drawing::StrokePoint;
 
 constexpr double least_cell = 4.0; // pixels
 constexpr double most_cells = 4e6; // times colours
-constexpr std::int64_t at_a_time = 1024;
-constexpr std::int64_t compared_at_a_time = 65536;
+constexpr std::int64_t painted_at_a_time = 1024;
+constexpr std::int64_t runs_compared_at_a_time = 65536;
 
 } // namespace
 
@@ -38,11 +38,11 @@ void PaintRuns::assign(const Drawing& drawing, const base::Progress& progress) {
     std::int64_t dot = 0;
     const auto add_dots = [&](auto&& comes_before) {
         for (; dot < order_.size() && comes_before(drawing.dots[order_[dot]]); ++dot) {
-            if (dot % at_a_time == 0) look(progress);
+            if (dot % painted_at_a_time == 0) look(progress);
             add(drawing.dots[order_[dot]], dot_run_[order_[dot]]);
         }
     };
-    Looks looks(progress, at_a_time);
+    Looks looks(progress, painted_at_a_time);
     for (std::int64_t i = 0; i < drawing.strokes.size(); ++i) {
         const Stroke& stroke = drawing.strokes[i];
         looks.count(1 + stroke.count);
@@ -105,7 +105,7 @@ void PaintRuns::sort_dots(const Drawing& drawing, const base::Progress& progress
     for (const drawing::Piece& piece : drawing.dot_pieces)
         for (std::int64_t i = piece.begin; i < piece.end; ++i)
             if (drawing.dots[i].opacity >= drawing::faintest_ink) order_.push_back(static_cast<std::uint32_t>(i));
-    Looks looks(progress, compared_at_a_time);
+    Looks looks(progress, runs_compared_at_a_time);
     std::sort(order_.begin(), order_.end(), [&](std::uint32_t a, std::uint32_t b) {
         looks.count();
         return drawing.before(a, b);

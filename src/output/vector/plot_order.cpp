@@ -11,7 +11,7 @@
 namespace hrbfnpr::output {
 namespace {
 
-constexpr std::int64_t at_a_time = 64;
+constexpr std::int64_t ordered_at_a_time = 64;
 
 double mean_width(std::span<const PagePoint> points) noexcept {
     double sum = 0.0;
@@ -53,7 +53,7 @@ void PlotOrder::begin_group(const PageGroup& group) {
 }
 
 void PlotOrder::check_often() {
-    if (++taken_ % at_a_time == 0) look(progress_);
+    if (++taken_ % ordered_at_a_time == 0) look(progress_);
 }
 
 void PlotOrder::path(const PagePath& path) {

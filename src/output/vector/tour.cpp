@@ -14,7 +14,7 @@ namespace {
 
 using glm::dvec2;
 
-constexpr std::int32_t most_near = 8;
+constexpr std::int32_t most_near_ends = 8;
 constexpr std::int32_t longest_moved = 3;   // stops that an Or-opt move takes elsewhere together
 constexpr std::int64_t most_doors = 32;     // of a closed line, before the best of its points is looked for
 constexpr std::int64_t work_of_stop = 8000; // steps of moves, at most
@@ -24,7 +24,7 @@ constexpr std::int64_t least_work = 200000;      // this together
 constexpr std::int64_t longest_swapped = 30;     // stops of each part that a kick exchanges
 constexpr std::int64_t longest_reversed = 50000; // stops that a move may turn round or pass by
 constexpr std::int64_t longest_kicked = 1000;    // the same after a kick
-constexpr std::int64_t at_a_time = 512;
+constexpr std::int64_t toured_at_a_time = 512;
 constexpr int most_rounds = 4;      // of moves, and of turning closed lines
 constexpr double least_gain = 1e-9; // mm
 
@@ -81,7 +81,7 @@ void Tour::go_greedily(std::span<const Stop> stops, const base::Progress& progre
     door_point_.clear();
     first_door_.clear();
     for (std::int32_t i = 0; i < stops_; ++i) {
-        if (i % at_a_time == 0) look(progress);
+        if (i % toured_at_a_time == 0) look(progress);
         const Stop& stop = stops[static_cast<std::size_t>(i)];
         first_door_.push_back(static_cast<std::int32_t>(doors_.size()));
         const auto last = static_cast<std::int64_t>(stop.points.size()) - 1;
@@ -98,7 +98,7 @@ void Tour::go_greedily(std::span<const Stop> stops, const base::Progress& progre
     put(0, free_end());
     dvec2 pen = place_[free_end() + 1];
     for (std::int32_t next = 1; next < count_; ++next) {
-        if (next % at_a_time == 0) look(progress);
+        if (next % toured_at_a_time == 0) look(progress);
         const std::int32_t door = tree_.nearest(pen);
         const std::int32_t stop = door_stop_[door];
         if (stops[static_cast<std::size_t>(stop)].closed) {
@@ -121,25 +121,25 @@ void Tour::find_neighbours(const base::Progress& progress) {
         door_stop_.push_back(node);
     }
     tree_.build(doors_.span(), progress);
-    near_.resize_for_overwrite(std::int64_t{most_near} * 2 * count_);
+    near_.resize_for_overwrite(std::int64_t{most_near_ends} * 2 * count_);
     for (Node node = 0; node < 2 * count_; ++node) {
-        if (node % at_a_time == 0) look(progress);
-        Node* const near = near_.data() + std::int64_t{most_near} * node;
-        double squares[most_near];
+        if (node % toured_at_a_time == 0) look(progress);
+        Node* const near = near_.data() + std::int64_t{most_near_ends} * node;
+        double squares[most_near_ends];
         int count = 0;
         double square = node == free_end() ? 0.0 : std::numeric_limits<double>::infinity();
         tree_.search(place_[node], square, [&](std::int32_t door, double from) {
             if (door_stop_[door] / 2 == node / 2) return;
-            int to = count < most_near ? count++ : most_near - 1;
+            int to = count < most_near_ends ? count++ : most_near_ends - 1;
             for (; to > 0 && squares[to - 1] > from; --to) {
                 squares[to] = squares[to - 1];
                 near[to] = near[to - 1];
             }
             squares[to] = from;
             near[to] = door_stop_[door];
-            if (count == most_near) square = squares[most_near - 1];
+            if (count == most_near_ends) square = squares[most_near_ends - 1];
         });
-        std::fill(near + count, near + most_near, -1);
+        std::fill(near + count, near + most_near_ends, -1);
     }
 }
 
@@ -225,8 +225,8 @@ void Tour::undo() noexcept {
 bool Tour::improve_at(Node node) {
     if (node == free_end()) return false;
     const double link = distance(node, linked(node));
-    const Node* const near = near_.data() + std::int64_t{most_near} * node;
-    for (int i = 0; i < most_near && near[i] >= 0; ++i) {
+    const Node* const near = near_.data() + std::int64_t{most_near_ends} * node;
+    for (int i = 0; i < most_near_ends && near[i] >= 0; ++i) {
         const double nearer = distance(node, near[i]);
         if (nearer >= link) break;
         work_ -= 20;
@@ -332,7 +332,7 @@ void Tour::shift(std::int64_t first, std::int32_t length, std::int64_t gap, bool
 // Lets each closed line begin where the way to it and from it is shortest; false: all do.
 bool Tour::turn_closed(std::span<const Stop> stops, const base::Progress& progress) {
     bool turned = false;
-    Looks looks(progress, at_a_time);
+    Looks looks(progress, toured_at_a_time);
     for (std::int32_t i = 0; i < stops_; ++i) {
         const Stop& stop = stops[static_cast<std::size_t>(i)];
         looks.count(stop.closed ? static_cast<std::int64_t>(stop.points.size()) : 1);

@@ -15,7 +15,7 @@
 namespace hrbfnpr::output {
 namespace {
 
-constexpr std::int64_t at_a_time = 2048; // numbers of annotations
+constexpr std::int64_t written_at_a_time = 2048; // numbers of annotations
 
 bool is_plotter(PageFormat format) noexcept { return format == PageFormat::hpgl || format == PageFormat::gcode; }
 
@@ -51,7 +51,7 @@ void add_annotation(const Annotation& annotation, PageSink& sink, base::Array<Pa
 }
 
 void add_annotations(base::Memory& memory, const Page& page, PageSink& sink, const base::Progress& progress) {
-    Looks looks(progress, at_a_time);
+    Looks looks(progress, written_at_a_time);
     base::Array<PagePoint> points(memory);
     const Annotation* open = nullptr;
     for (const Annotation& annotation : page.annotations) {
