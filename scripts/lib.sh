@@ -60,7 +60,8 @@ install_packages() {
     as_root=(sudo)
   fi
   say "installing ${missing[*]}"
-  "${as_root[@]}" apt-get -q update
+  [ -n "${package_lists_are_new:-}" ] || "${as_root[@]}" apt-get -q update
+  package_lists_are_new=yes
   "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive \
     apt-get -q -y --no-install-recommends install "${missing[@]}"
 }
