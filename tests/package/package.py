@@ -113,7 +113,7 @@ def static(source, work):
     shutil.rmtree(prefix, ignore_errors=True)
     configure(HERE / "subdirectory", build, f"-DHRBFNPR_SOURCE_DIR={source}", "-DHOST_LANGUAGES=C;CXX",
               "-DBUILD_SHARED_LIBS=OFF", "-DHRBFNPR_INSTALL=ON", "-DCMAKE_BUILD_TYPE=Debug",
-              "-DCMAKE_CXX_FLAGS_DEBUG=-O0", "-DHRBFNPR_PRECOMPILE=ON",
+              "-DCMAKE_CXX_FLAGS_DEBUG=-O0", "-DHRBFNPR_PRECOMPILE=ON", "-DHRBFNPR_UNITY=ON",
               launcher=(HERE / "reuse.sh", sys.argv[4]))
     run("cmake", "--build", build)
     run_consumer(build / "consumer")

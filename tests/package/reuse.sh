@@ -16,7 +16,7 @@ for word; do
 done
 case $object in
   *src/CMakeFiles/hrbfnpr_api.dir/*) ;;
-  *src/CMakeFiles/hrbfnpr_*.cpp.o)
+  *src/CMakeFiles/hrbfnpr_*.cpp.o | *src/CMakeFiles/hrbfnpr_*.cxx.o)
     built=$build/src/CMakeFiles/${object##*src/CMakeFiles/}
     if [ -f "$built" ] && cp "$built" "$object"; then
       [ -z "$depends" ] || echo "$object:" >"$depends"
