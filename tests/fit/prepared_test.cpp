@@ -135,6 +135,20 @@ TEST_F(PreparedTest, CanBeCancelled) {
     EXPECT_THROW((void)Prepared::make(runtime, result.data, base::Progress(&operation)), hrbfnpr::Error);
 }
 
+// Where parts nearly lie in each other and cross, samples contradict each other, and weights have many digits.
+TEST(Prepared, IsThereForPartsThatCross) {
+    const base::Runtime runtime;
+    Cloud crossing = bumpy(1200);
+    const Cloud other = bumpy(1200).moved(1.0, {0.003, 0.002, 0.001});
+    for (std::int64_t i = 0; i < other.count(); ++i) crossing.add(other.point(i), other.normal(i));
+    const fit::FitResult fitted = fit::fit(runtime, input(crossing), {});
+    const auto prepared = Prepared::make(runtime, fitted.data, {});
+    ASSERT_NE(prepared, nullptr);
+    EXPECT_GT(prepared->error().gradient, 20e-7); // so it is what this is about
+    EXPECT_LT(prepared->error().value, 200e-9);
+    EXPECT_LT(prepared->error().gradient, 200e-7);
+}
+
 TEST(Prepared, IsForManyCentresOfTheTriharmonicKernelOnly) {
     const base::Runtime runtime;
     const fit::FitResult few = fit::fit(runtime, input(bumpy(100)), {});
