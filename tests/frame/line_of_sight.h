@@ -80,8 +80,8 @@ inline Style all_front(frame::HiddenLines hidden_lines) {
 }
 
 // An orthographic camera far away in this direction from the origin.
-inline frame::Camera camera_from(const glm::dvec3& toward, int size, double half) {
-    frame::Camera camera = front_camera(size, size, half);
+inline frame::Camera camera_from(const glm::dvec3& toward, int pixels, double half) {
+    frame::Camera camera = front_camera(pixels, pixels, half);
     const glm::dvec3 up = std::abs(toward.z) < 0.9 * glm::length(toward) ? glm::dvec3(0, 0, 1) : glm::dvec3(1, 0, 0);
     camera.view = frame::look_at(10.0 * glm::normalize(toward), glm::dvec3(0.0), up);
     return camera;

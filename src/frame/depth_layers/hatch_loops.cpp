@@ -80,6 +80,32 @@ void load(const float* triples, std::int64_t count, float factor, float other, f
     }
 }
 
+HWY_INLINE bool may_draw(const HatchBounds& b, const float* n, const float* t) {
+    const auto dot = [](const float(&a)[3], const float* v) { return a[0] * v[0] + a[1] * v[1] + a[2] * v[2]; };
+    return !(dot(b.sight, n) > b.away || dot(b.light, t) > b.lightest);
+}
+
+std::uint32_t may_draw(const HatchBounds& bounds, const float* normals, const float* tone_normals, std::int64_t count) {
+    const F d;
+    const auto lanes = static_cast<std::int64_t>(hn::Lanes(d));
+    const HatchBounds b = bounds;
+    std::uint32_t all = 0;
+    std::int64_t at = 0;
+    for (; at + lanes <= count; at += lanes) {
+        W x, y, z;
+        hn::LoadInterleaved3(d, normals + 3 * at, x, y, z);
+        const M away = hn::Gt(dot3(b.sight, x, y, z), set(b.away));
+        hn::LoadInterleaved3(d, tone_normals + 3 * at, x, y, z);
+        const M light = hn::Gt(dot3(b.light, x, y, z), set(b.lightest));
+        std::uint8_t bits[8] = {};
+        hn::StoreMaskBits(d, hn::Not(hn::Or(away, light)), bits);
+        all |= static_cast<std::uint32_t>(bits[0] | bits[1] << 8) << at;
+    }
+    for (; at < count; ++at)
+        if (may_draw(b, normals + 3 * at, tone_normals + 3 * at)) all |= 1U << at;
+    return all;
+}
+
 // n . l of normals for tone.
 HWY_INLINE W lit(const Seer& s, W nx, W ny, W nz) {
     if (s.rigid) return dot3(s.light, nx, ny, nz);
@@ -153,7 +179,7 @@ struct Widths {
 // hatch_coverage().
 HWY_INLINE W coverage(const HatchLaw& law, W darkness) {
     const F d;
-    const W at = clamped(hn::Mul(hn::Sub(darkness, set(law.tone_begin)), set(1.0F / law.tone_span)), 0.0F, 1.0F);
+    const W at = clamped(hn::Mul(hn::Sub(darkness, set(law.tone_begin)), set(law.per_tone_span)), 0.0F, 1.0F);
     const W risen = hn::IfThenElseZero(hn::Gt(at, hn::Zero(d)), exp2(hn::Mul(log2(at), set(law.coverage_exponent))));
     return hn::Mul(set(law.share), hn::Add(set(law.coverage_begin), hn::Mul(set(law.coverage_rise), risen)));
 }
@@ -164,7 +190,7 @@ HWY_INLINE Widths widths(const HatchLaw& law, W coverage, W spacing, W gap) {
     const I i;
     const W one = set(1.0F);
     // In distances that are wanted.
-    const W room = hn::Mul(spacing, hn::Min(set(1.0F / law.spacing), hn::Mul(coverage, set(1.0F / law.pen))));
+    const W room = hn::Mul(spacing, hn::Min(set(law.per_spacing), hn::Mul(coverage, set(law.per_pen))));
     Widths w;
     w.lambda = hn::IfThenElseZero(hn::Gt(room, one), hn::Min(log2(room), set(law.levels)));
     const auto full = hn::ConvertTo(i, w.lambda);
@@ -176,11 +202,10 @@ HWY_INLINE Widths widths(const HatchLaw& law, W coverage, W spacing, W gap) {
     const W ink = hn::Min(hn::Mul(coverage, period),
                           hn::Max(hn::Sub(period, hn::Mul(lines, set(law.white))), hn::Mul(lines, set(law.pen))));
     const W next = hn::Div(hn::Mul(weight, ink), lines);
-    const W margin = hn::Sub(hn::Mul(next, set(1.0F / law.pen)), set(law.thinnest_fading));
-    const W rise =
-        hn::Max(hn::Mul(hn::Sub(weight, set(law.nearly_full)), set(1.0F / (1.0F - law.nearly_full))), hn::Zero(d));
+    const W margin = hn::Sub(hn::Mul(next, set(law.per_pen)), set(law.thinnest_fading));
+    const W rise = hn::Max(hn::Mul(hn::Sub(weight, set(law.nearly_full)), set(law.per_rest)), hn::Zero(d));
     w.margin = hn::Add(margin, hn::Mul(rise, hn::Max(hn::Sub(one, margin), hn::Zero(d))));
-    w.fading = hn::Mul(next, clamped(hn::Mul(w.margin, set(1.0F / law.fading_ramp)), 0.0F, 1.0F));
+    w.fading = hn::Mul(next, clamped(hn::Mul(w.margin, set(law.per_fading_ramp)), 0.0F, 1.0F));
     w.width = hn::Sub(ink, w.fading);
     return w;
 }
@@ -235,7 +260,8 @@ HWY_INLINE void set_width(const HatchSight& sight, const HatchLaw& law, const Ha
         hn::And(hn::And(hn::Eq(darkness, darkness), hn::Eq(spacing, spacing)), hn::Lt(width, set(law.widest)));
     hn::StoreU(hn::IfThenElse(hn::Or(turned, hn::Not(near)), one, clamped(margin, -1.0F, 1.0F)), d, rows[own_margin]);
     hn::StoreU(hn::IfThenElseZero(near, hn::IfThenZeroElse(turned, width)), d, rows[own_width]);
-    hn::StoreU(hn::IfThenElse(hn::Or(turned, valid), picture, set(hatch_nowhere)), d, rows[HatchRow::picture_margin]);
+    hn::StoreU(hn::IfThenElse(hn::Or(hn::Or(turned, valid), hn::Not(near)), picture, set(hatch_nowhere)), d,
+               rows[HatchRow::picture_margin]);
 }
 
 // A line changes its level from one mark to the next, and its width with it: means of each mark, twice, and those
@@ -299,9 +325,51 @@ void measure(const HatchRows& rows, std::int64_t count, bool closed) {
     });
 }
 
+#if HWY_TARGET == HWY_SCALAR
+void pack(const HatchRows& rows, std::int64_t count, float* marks) {
+    for (std::int64_t at = 0; at < count; ++at) {
+        float* const to = marks + PackedMark::size * at;
+        for (std::int64_t k = 0; k < PackedMark::others; ++k) to[k] = rows[PackedMark::rows[k]][at];
+        to[PackedMark::others] = to[PackedMark::size - 1] = 0.0F;
+        to[PackedMark::size - 2] = 1.0F;
+    }
+}
+#else
+using Q = hn::FixedTag<float, PackedMark::at_once>;
+
+// Four numbers of each of four marks.
+template <class V>
+HWY_INLINE void pack_four(V a, V b, V c, V e, float* to) {
+    const Q d;
+    const V low = hn::InterleaveLower(d, a, b);
+    const V next_low = hn::InterleaveLower(d, c, e);
+    const V high = hn::InterleaveUpper(d, a, b);
+    const V next_high = hn::InterleaveUpper(d, c, e);
+    hn::StoreU(hn::ConcatLowerLower(d, next_low, low), d, to);
+    hn::StoreU(hn::ConcatUpperUpper(d, next_low, low), d, to + PackedMark::size);
+    hn::StoreU(hn::ConcatLowerLower(d, next_high, high), d, to + 2 * PackedMark::size);
+    hn::StoreU(hn::ConcatUpperUpper(d, next_high, high), d, to + 3 * PackedMark::size);
+}
+
+void pack(const HatchRows& rows, std::int64_t count, float* marks) {
+    const Q d;
+    const float* row[PackedMark::others];
+    for (std::int64_t k = 0; k < PackedMark::others; ++k) row[k] = rows[PackedMark::rows[k]];
+    const auto zero = hn::Zero(d);
+    for (std::int64_t at = 0; at < count; at += PackedMark::at_once) {
+        float* const to = marks + PackedMark::size * at;
+        const auto of = [&](std::int64_t k) HWY_ATTR { return hn::LoadU(d, row[k] + at); };
+        pack_four(of(0), of(1), of(2), of(3), to);
+        pack_four(of(4), of(5), of(6), of(7), to + 4);
+        pack_four(of(8), of(9), of(10), of(11), to + 8);
+        pack_four(of(12), zero, hn::Set(d, 1.0F), zero, to + 12);
+    }
+}
+#endif
+
 } // namespace
 
-HatchLoops pick_hatch_loops() noexcept { return {load, place, widen, measure}; }
+HatchLoops pick_hatch_loops() noexcept { return {may_draw, load, place, widen, measure, pack}; }
 
 } // namespace hrbfnpr::frame::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

@@ -58,6 +58,18 @@ struct HatchRows {
     [[nodiscard]] HatchRows from(std::int64_t mark) const noexcept { return {first + mark, stride}; }
 };
 
+// A mark on its own, as numbers.
+struct PackedMark {
+    static constexpr std::int64_t size = 16;
+    static constexpr std::int64_t others = 13; // those from there on are 0, but the next to the last one is 1
+    static constexpr HatchRow rows[others] = {HatchRow::left,           HatchRow::top,        HatchRow::window,
+                                              HatchRow::depth,          HatchRow::side_x,     HatchRow::side_y,
+                                              HatchRow::width,          HatchRow::leg,        HatchRow::tone_margin,
+                                              HatchRow::level_margin,   HatchRow::rim_margin, HatchRow::picture_margin,
+                                              HatchRow::pixels_per_unit};
+    static constexpr std::int64_t at_once = 4;
+};
+
 // How marks are seen.
 struct HatchSight {
     const Seer* seer;
@@ -76,11 +88,22 @@ struct HatchLaw {
     float spacing, pen, white;
     float levels;
     float thinnest_fading, fading_ramp, nearly_full;
+    float per_tone_span, per_spacing, per_pen, per_fading_ramp,
+        per_rest;    // 1 / what they are called; rest: 1 - nearly_full
     float widest_nu; // what faces away more has no width
     float widest;    // what would be wider has no place
 };
 
+// Of marks that may be drawn.
+struct HatchBounds {
+    float sight[3], away;     // a mark faces away where n . sight is larger
+    float light[3], lightest; // and is too light where n . l is
+};
+
 struct HatchLoops {
+    // Of at most 32 marks by their normals, and those for tone: a bit for each that may be drawn.
+    std::uint32_t (*may_draw)(const HatchBounds& bounds, const float* normals, const float* tone_normals,
+                              std::int64_t count);
     // From x, y, z of one mark after the other to rows, multiplied by the one and then by the other factor.
     void (*load)(const float* triples, std::int64_t count, float factor, float other, float* x, float* y, float* z);
     // Margins, and n . l of normals for tone, of marks that are seen.
@@ -90,6 +113,8 @@ struct HatchLoops {
     void (*widen)(const HatchSight& sight, const HatchLaw& law, const HatchRows& rows, std::int64_t count, bool closed);
     // Legs, and which marks are near to one that is drawn.
     void (*measure)(const HatchRows& rows, std::int64_t count, bool closed);
+    // One mark after the other, up to three more than asked for.
+    void (*pack)(const HatchRows& rows, std::int64_t count, float* marks);
 };
 
 [[nodiscard]] HatchLoops hatch_loops(base::InstructionSet set) noexcept;

@@ -22,6 +22,8 @@ constexpr float widest_nu = 0.2F;
 constexpr float smallest_margin = 1e-3F;
 // Marks around a piece: the first one that is not drawn, and the next one, for its tangent.
 constexpr std::int64_t around_piece = 2;
+// And around those that may be drawn: the next one, for the spacing there.
+constexpr std::int64_t around_limits = 3;
 // A stroke is closed if its ends are no farther apart than this, in steps from mark to mark, and go on into each other
 // with at least this cosine.  Ends that are nearer than `same_place` are one mark.
 constexpr float closed_gap = 1.5F;
@@ -105,6 +107,7 @@ HatchMarks::HatchMarks(const Gather& gather, const HatchLoops& loops, const Scen
     : gather_(gather), loops_(loops), scene_(scene), run_(run), item_(scene.item_of(run)),
       sight_(gather.sight(run.item)), seer_(sight_.seer), style_(*run.style), taus_(taus), levels_(0),
       per_unit_(1.0 / item_.unit), separation_(0.0F),
+      limits_(loops, run, item_, sight_, taus == nullptr && item_.style.tone == Tone::light),
       beyond_(
           std::min(style_.hatch_taper + 2.0F * shortest_filling * style_.hatch_shortest + 4.0F * style_.hatch_spacing,
                    scene.lens.diagonal)),
@@ -182,12 +185,25 @@ void HatchMarks::set_ends(std::int64_t stroke, HatchStroke& seen) const noexcept
     if (same) --seen.count;
 }
 
+// Outside of them nothing is drawn.  Where a closed stroke is cut is not known yet, and an unsteady hand goes by the
+// numbers of all marks.
+HatchLimits::Marks HatchMarks::limits(std::int64_t piece, const HatchStroke& seen) const noexcept {
+    const HatchLimits::Marks all{seen.first, seen.first + seen.count};
+    if (!limits_.any() || has_hand()) return all;
+    const HatchLimits::Marks own = limits_.of(seen.may_draw.span(), run_.clusters->piece.data() + piece);
+    if (own.begin == own.end) return own;
+    return seen.closed ? all
+                       : HatchLimits::Marks{std::max(own.begin - around_limits, all.begin),
+                                            std::min(own.end + around_limits, all.end)};
+}
+
 // Those of the pieces that may be drawn, and around each of them the marks that its ends and its tangents there need.
-void HatchMarks::find_ranges(HatchStroke& seen) const {
+void HatchMarks::find_ranges(const HatchLimits::Marks& limits, HatchStroke& seen) const {
     const std::int64_t end = seen.first + seen.count;
     const auto add = [&](std::int64_t from, std::int64_t to) {
-        from = std::max(from, seen.first);
-        to = std::min(to, end);
+        from = std::max(from, limits.begin);
+        to = std::min(to, limits.end);
+        if (from >= to) return;
         if (!seen.range.empty() && from <= seen.range.back().end)
             seen.range.back().end = std::max(seen.range.back().end, to);
         else
@@ -221,7 +237,9 @@ bool HatchMarks::see(std::int64_t stroke, std::int64_t piece, HatchStroke& seen)
     // An unsteady hand goes by the numbers of the marks, and past where the tone ends.
     if (has_hand()) std::fill(seen.may_draw.begin(), seen.may_draw.end(), true);
     set_ends(stroke, seen);
-    find_ranges(seen);
+    const HatchLimits::Marks limits = this->limits(piece, seen);
+    if (limits.begin == limits.end) return false;
+    find_ranges(limits, seen);
     const HatchRows rows = load(seen);
     see_rows(seen.number.span(), rows, seen.closed);
     keep(rows, seen);
@@ -326,6 +344,11 @@ HatchLaw HatchMarks::law() const noexcept {
     law.thinnest_fading = thinnest_fading;
     law.fading_ramp = fading_ramp;
     law.nearly_full = nearly_full;
+    law.per_tone_span = 1.0F / law.tone_span;
+    law.per_spacing = 1.0F / law.spacing;
+    law.per_pen = 1.0F / law.pen;
+    law.per_fading_ramp = 1.0F / law.fading_ramp;
+    law.per_rest = 1.0F / (1.0F - law.nearly_full);
     law.widest_nu = widest_nu;
     law.widest = farthest;
     return law;
@@ -403,34 +426,9 @@ void HatchMarks::set_widths_alone(std::span<const std::uint32_t> numbers, const 
 // One after the other, each with its leg.
 void HatchMarks::put_marks(const HatchRows& rows, const std::uint32_t* numbers, std::int64_t count,
                            HatchMark* to) const noexcept {
-    const auto row = [&](HatchRow which) { return static_cast<const float*>(rows[which]); };
-    const float* const left = row(HatchRow::left);
-    const float* const top = row(HatchRow::top);
-    const float* const window = row(HatchRow::window);
-    const float* const depth = row(HatchRow::depth);
-    const float* const scale = row(HatchRow::pixels_per_unit);
-    const float* const side_x = row(HatchRow::side_x);
-    const float* const side_y = row(HatchRow::side_y);
-    const float* const width = row(HatchRow::width);
-    const float* const leg = row(HatchRow::leg);
-    const float* const tone = row(HatchRow::tone_margin);
-    const float* const level = row(HatchRow::level_margin);
-    const float* const rim = row(HatchRow::rim_margin);
-    const float* const picture = row(HatchRow::picture_margin);
-    for (std::int64_t i = 0; i < count; ++i)
-        to[i] = {left[i],
-                 top[i],
-                 window[i],
-                 depth[i],
-                 scale[i],
-                 side_x[i],
-                 side_y[i],
-                 width[i],
-                 leg[i],
-                 0.0F,
-                 1.0F,
-                 {tone[i], level[i], rim[i], picture[i]},
-                 run_.first_id + numbers[i]};
+    static_assert(sizeof(HatchMark) == PackedMark::size * sizeof(float) && std::is_trivially_copyable_v<HatchMark>);
+    loops_.pack(rows, count, &to->x);
+    for (std::int64_t i = 0; i < count; ++i) to[i].id = run_.first_id + numbers[i];
 }
 
 // Those that are drawn and the two on either side, if any are.
@@ -442,7 +440,7 @@ void HatchMarks::keep(const HatchRows& rows, HatchStroke& seen) const {
     seen.mark.clear();
     if (std::none_of(near, near + count, is_near)) return;
     const bool all = has_hand();
-    base::resize_scratch(seen.mark, count + 1); // room for all of them
+    base::resize_scratch(seen.mark, count + PackedMark::at_once); // room for all of them
     HatchMark* to = seen.mark.data();
     float way = 0.0F;
     float passed = 0.0F;

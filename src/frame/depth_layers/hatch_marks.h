@@ -4,6 +4,7 @@
 
 #include "frame/depth_layers/gather.h"
 #include "frame/depth_layers/hatch_law.h"
+#include "frame/depth_layers/hatch_limits.h"
 #include "frame/depth_layers/hatch_loops.h"
 
 #include <array>
@@ -46,16 +47,18 @@ inline constexpr float by_level_alone = 0.1F;
 // short.
 inline constexpr float shortest_filling = 3.0F;
 
+// As a PackedMark, and its number.
 struct HatchMark {
     float x, y; // pixels
-    float window, depth, pixels_per_unit;
+    float window, depth;
     float side_x, side_y; // of the unit normal, eye space
     float width;          // of the line, pixels
     float way;            // from the mark before, pixels, along those that are left out
-    float passed;         // the most openness() of these; 0: none is left out ...
-    float passed_alone;   // ... and, where that is below 1, the least hatch_level_alone()
     // The line is drawn where none is negative; by HatchEnd.
     std::array<float, hatch_margins> margin;
+    float pixels_per_unit;
+    float passed;       // the most openness() of those that are left out; 0: none is ...
+    float passed_alone; // ... and, where that is below 1, the least hatch_level_alone()
     std::uint32_t id;
 
     // It has a place in the picture's plane.
@@ -113,7 +116,8 @@ private:
     [[nodiscard]] bool may_draw(const marks::StrokePiece& piece) const noexcept;
     [[nodiscard]] float most_darkness(const marks::StrokePiece& piece) const noexcept;
     void set_ends(std::int64_t stroke, HatchStroke& seen) const noexcept;
-    void find_ranges(HatchStroke& seen) const;
+    [[nodiscard]] HatchLimits::Marks limits(std::int64_t piece, const HatchStroke& seen) const noexcept;
+    void find_ranges(const HatchLimits::Marks& limits, HatchStroke& seen) const;
     void expect(const marks::StrokePiece& piece) const noexcept;
     [[nodiscard]] HatchRows load(HatchStroke& seen) const;
     void load(std::int64_t begin, std::int64_t count, std::uint32_t* numbers, const HatchRows& rows) const noexcept;
@@ -141,9 +145,10 @@ private:
     std::int32_t levels_; // the finest one
     double per_unit_;     // of the item: a power of two, as that
     float separation_;    // of the lines of level 0 alone, in the item's unit; 0: not known
-    float beyond_;        // the picture, pixels: there lines may end unseen
-    float stretch_;       // of a length of 1 at the distance 1, pixels, at most
-    std::int32_t shown_;  // no finer level can be seen from here
+    HatchLimits limits_;
+    float beyond_;       // the picture, pixels: there lines may end unseen
+    float stretch_;      // of a length of 1 at the distance 1, pixels, at most
+    std::int32_t shown_; // no finer level can be seen from here
     // No darkness of so many steps or less has a larger coverage.
     static constexpr std::size_t steps = 16;
     std::array<float, steps + 1> most_coverage_;

@@ -38,21 +38,22 @@ constexpr std::int64_t most_left_out = 6; // one after the other
 // The directions from a point in which its line may go on: those that pass by all points since nearly enough.
 class Passage {
 public:
-    explicit Passage(const StrokePoint& from) noexcept : from_(from) {}
+    explicit Passage(const StrokePoint& from) noexcept
+        : x_at_(from.x), y_at_(from.y), radius_at_(from.radius), length_(from.length), opacity_(from.opacity) {}
 
     // Whether the points taken lie between the first one and this one, if its opacity is theirs.
     [[nodiscard]] bool reaches(const StrokePoint& to) const noexcept {
-        const float way = to.length - from_.length;
-        return way > 0.0F && to.opacity == from_.opacity && holds(to.x - from_.x, way, x_) &&
-               holds(to.y - from_.y, way, y_) && holds(to.radius - from_.radius, way, radius_);
+        const float way = to.length - length_;
+        return way > 0.0F && to.opacity == opacity_ && holds(to.x - x_at_, way, x_) && holds(to.y - y_at_, way, y_) &&
+               holds(to.radius - radius_at_, way, radius_);
     }
     void take(const StrokePoint& p) noexcept {
-        const float way = p.length - from_.length;
+        const float way = p.length - length_;
         if (!(way > 0.0F)) return;
         const float scale = 1.0F / way;
-        narrow(p.x - from_.x, straight, scale, x_);
-        narrow(p.y - from_.y, straight, scale, y_);
-        narrow(p.radius - from_.radius, even_radius, scale, radius_);
+        narrow(p.x - x_at_, straight, scale, x_);
+        narrow(p.y - y_at_, straight, scale, y_);
+        narrow(p.radius - radius_at_, even_radius, scale, radius_);
     }
 
 private:
@@ -67,7 +68,7 @@ private:
         slopes.most = std::min(slopes.most, (rise + by) * scale);
     }
 
-    StrokePoint from_;
+    float x_at_, y_at_, radius_at_, length_, opacity_; // of the first point
     Slopes x_, y_, radius_;
 };
 
@@ -205,7 +206,7 @@ private:
             if (i < last && i - from <= most_left_out && points[i].opacity == points[kept].opacity &&
                 passage.reaches(points[i + 1]))
                 continue;
-            points[++kept] = points[i];
+            if (++kept != i) points[kept] = points[i];
             from = i;
             passage = Passage(points[kept]);
         }

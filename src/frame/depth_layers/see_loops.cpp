@@ -103,8 +103,10 @@ void see(const Seer& s, const MarkRange& range, Seen& seen) {
     }
 }
 
-void see_rows(const Seer& s, const MarkRows& marks, const SeenRows& seen) {
+void see_rows(const Seer& seer, const MarkRows& marks, const SeenRows& to) {
     const F d;
+    const Seer s = seer; // no store changes what is here
+    const SeenRows seen = to;
     const float* const rows[6] = {marks.x, marks.y, marks.z, marks.nx, marks.ny, marks.nz};
     const auto lanes = static_cast<std::int64_t>(hn::Lanes(d));
     for (std::int64_t at = 0; at < marks.count; at += lanes)
