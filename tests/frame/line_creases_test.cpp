@@ -263,6 +263,34 @@ TEST_F(LineCreases, GoOnWhereTheyAreNoContoursAnyMore) {
     EXPECT_GT(fading, 15.0F);
 }
 
+// There the contour ends: with its whole width where the crease that goes on is drawn, and with a taper, as at a cusp,
+// where it is too weak and the sheet's own contour turns back, hidden behind it.  From the other side that one goes on.
+TEST_F(LineCreases, ContoursNarrowWhereAWeakCreaseGoesOn) {
+    const auto wedge = test::fading_wedge();
+    struct Case {
+        double slope, y; // of the line of sight: slopes of 0.16 and 0.26 are creases of 18 and 29 degrees
+        float radius;
+    };
+    for (const auto [slope, y, expected] : {Case{0.26, 0.3, 1.5F}, {0.16, 0.3, 0.0F}, {0.16, -0.3, 1.5F}}) {
+        look_at(*wedge, {-1.0, y, -slope});
+        styles[0].taper = 10.0F;
+        draw();
+        const glm::dvec2 end = window_of({0.0, -1.0 - std::log(2.0 * slope) / 3.0, 0.0});
+        float radius = -1.0F; // of the end there
+        float whole = 0.0F;
+        for (const Stroke& stroke : strokes_of(LineKind::contour)) {
+            const std::span<const StrokePoint> points = points_of(stroke);
+            for (const StrokePoint& p : {points.front(), points.back()}) {
+                if (glm::distance(glm::dvec2(p.x, p.y), end) > 1.0) continue;
+                radius = std::max(radius, p.radius);
+                for (const StrokePoint& q : points) whole = std::max(whole, q.radius);
+            }
+        }
+        EXPECT_EQ(whole, 1.5F) << slope;
+        EXPECT_EQ(radius, expected) << slope << ' ' << y;
+    }
+}
+
 TEST_F(LineCreases, SmoothItemsHaveNoLayerForThem) {
     const test::SquareSphere ball;
     curves::LineSetSettings settings;
