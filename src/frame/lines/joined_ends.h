@@ -4,7 +4,7 @@
 #pragma once
 
 #include "base/memory.h"
-#include "frame/lines/width_laws.h"
+#include "frame/lines/hugging_parts.h"
 
 #include <span>
 
@@ -12,7 +12,7 @@ namespace hrbfnpr::frame {
 
 class JoinedEnds {
 public:
-    JoinedEnds(base::Memory& memory, const LineInput& input);
+    JoinedEnds(base::Memory& memory, const LineInput& input, const HuggingParts& hugging);
 
     // Of an open line of a subject that is `joined`, at its begin or its end: whether it is hidden there, or another
     // one is seen there as well.
@@ -26,9 +26,11 @@ private:
         std::int64_t number;
         bool contour, seen;
     };
-    void add(const LineInput& input, std::int32_t line, std::int64_t first, std::int64_t last);
+    void add(const LineInput& input, const HuggingParts& hugging, std::int32_t line, std::int64_t first,
+             std::int64_t last);
     [[nodiscard]] bool meets_another(std::int64_t end) const noexcept;
 
+    double together_;                   // pixels
     base::Array<End> ends_;             // by x
     base::Array<std::uint8_t> goes_on_; // two of each line
 };

@@ -53,8 +53,9 @@ void StrokeParts::collect(std::int64_t first, std::int64_t end) {
     parts_.clear();
     const visibility::Line& line = found_.lines.lines[found_.intervals[first].line];
     for (std::int64_t i = first; i < end; ++i) {
-        const visibility::Interval& next = found_.intervals[i];
-        const std::int32_t layers = layers_before(next.sheets);
+        visibility::Interval next = found_.intervals[i];
+        if (hugging_.has(i)) next.hidden_by = -1;
+        const std::int32_t layers = hugging_.has(i) ? 0 : layers_before(next.sheets);
         const bool joins =
             !parts_.empty() && (alike(parts_[parts_.size() - 1], layers, next.hidden_by) || length_of(next) < unseen);
         if (!joins) {

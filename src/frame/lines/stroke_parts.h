@@ -18,8 +18,9 @@ public:
     StrokeParts(const base::Runtime& runtime, const Scene& scene, const LineInput& input, const WidthLaws& laws,
                 LineStrokes& strokes)
         : scene_(scene), subjects_(input.subjects), items_(input.items), found_(input.found), lengths_(input.lengths),
-          numbers_(input.numbers), laws_(laws), ends_(runtime.memory, input), strokes_(strokes), parts_(runtime.memory),
-          place_(runtime.memory), knot_(runtime.memory), at_(runtime.memory) {}
+          numbers_(input.numbers), laws_(laws), hugging_(runtime.memory, input), ends_(runtime.memory, input, hugging_),
+          strokes_(strokes), parts_(runtime.memory), place_(runtime.memory), knot_(runtime.memory),
+          at_(runtime.memory) {}
 
     void run();
 
@@ -85,6 +86,7 @@ private:
     const visibility::Lengths& lengths_;
     const LineNumbers& numbers_;
     const WidthLaws& laws_;
+    HuggingParts hugging_;
     JoinedEnds ends_;
     LineStrokes& strokes_;
     base::Array<Part> parts_;
