@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "curves/crease_mesh.h"
 
+#include "curves/crease_nodes.h"
 #include "curves/edge_halving.h"
 #include "curves/mesh_topology.h"
 #include "curves/settle_alone.h"
@@ -15,34 +16,11 @@
 namespace hrbfnpr::curves {
 namespace {
 
-constexpr int mesh_rounds = 6;
+constexpr int most_rounds = 6;
 constexpr int most_settlings = 20;
 constexpr std::int64_t grain = 32;
 // In sides.
-constexpr double meeting_tolerance = 1e-9; // of a place where sheets meet
-constexpr double on_surface = 1e-3;        // that place's distance from the whole surface
-constexpr double aside = 1e-3;             // to either side of it, where f is looked at
-constexpr double farthest_meeting = 1.5;   // from the edge
-constexpr double shortest_edge = 0.01;     // that is halved
-constexpr double least_sine = 0.02;        // of half the angle between sheets: below it curvature may be more
-constexpr double equal = 1e-7;             // sheets that are no farther apart, and as parallel, are one there
-constexpr double alike = 0.02;             // as far apart, and as parallel: what is between them is not looked for
-
-// Of an edge whose ends belong to different sheets.
-struct EdgeNode {
-    std::int64_t edge; // the first of its two
-    CreaseNode at;
-    std::array<glm::dvec3, 2> gradient; // of the sheets of the edge's start and end
-    std::array<bool, 2> equal;          // the start may belong to the end's sheet, the end to the start's
-    bool alike;                         // both, nearly
-};
-
-// Of a triangle whose corners belong to three sheets.
-struct CornerNode {
-    std::int64_t triangle;
-    CreaseNode at;
-    std::array<glm::dvec3, 3> gradient; // of its corners' sheets
-};
+constexpr double shortest_edge = 0.01; // that is halved
 
 class Splitter {
 public:
@@ -66,11 +44,8 @@ private:
     }
     void find_sheets(std::int64_t from, const base::Progress& progress);
     void find_edges(const base::Progress& progress);
-    void look_at(EdgeNode& node) const;
     [[nodiscard]] bool settle_equal();
     void find_corners(const base::Progress& progress);
-    [[nodiscard]] bool is_on_surface(const glm::dvec3& place) const;
-    [[nodiscard]] bool folds(const CreaseNode& at, const std::array<glm::dvec3, 2>& gradient) const;
     [[nodiscard]] bool halve(const base::Progress& progress);
     void place_rest();
     [[nodiscard]] std::int32_t vertex_of(std::int64_t edge, bool at_start) const noexcept;
@@ -93,6 +68,7 @@ private:
     SurfaceMesh mesh_;
     base::Array<std::int32_t> sheet_; // of each vertex
     base::Array<std::int32_t> node_;  // of each edge, of both: among edges_; -1: it crosses no crease
+    CreaseNodes nodes_{implicit_, mesh_, sheet_};
     base::Array<EdgeNode> edges_;
     base::Array<CornerNode> corners_; // by triangle
     base::Array<std::uint8_t> taken_; // edges that chains have passed
@@ -111,61 +87,6 @@ void Splitter::find_sheets(std::int64_t from, const base::Progress& progress) {
     });
 }
 
-bool Splitter::is_on_surface(const glm::dvec3& place) const {
-    double value = 0.0;
-    glm::dvec3 g(0.0);
-    implicit_.evaluate({&place.x, &place.y, &place.z, 1}, {&value, {&g.x, &g.y, &g.z}, {}});
-    return std::abs(value) <= on_surface * mesh_.side * glm::length(g);
-}
-
-// Whether f is the larger or the lesser of both sheets around the place.  Beyond a corner it may be 0 where both are,
-// and one of them: where they differ most, it has then opposite signs to either side, and the edge passes a third
-// sheet.
-bool Splitter::folds(const CreaseNode& at, const std::array<glm::dvec3, 2>& gradient) const {
-    const glm::dvec3 across = glm::normalize(gradient[0]) - glm::normalize(gradient[1]);
-    const double sine = 0.5 * glm::length(across); // of half the angle between them: f aside is that share of the way
-    if (!(sine > least_sine)) return true;
-    const glm::dvec3 way = aside * mesh_.side / (2.0 * sine) * across;
-    const std::array<glm::dvec3, 2> beside{at.position + way, at.position - way};
-    std::array<double, 2> off{};
-    for (std::size_t k = 0; k < 2; ++k) {
-        surface::SheetValue f;
-        implicit_.evaluate({&beside[k].x, &beside[k].y, &beside[k].z, 1},
-                           {&f.value, {&f.gradient.x, &f.gradient.y, &f.gradient.z}, {}});
-        off[k] = f.value / glm::length(f.gradient);
-    }
-    const double least = 0.5 * sine * aside * mesh_.side;
-    return !(off[0] * off[1] < 0.0 && std::min(std::abs(off[0]), std::abs(off[1])) > least);
-}
-
-// From where the difference of both sheets is 0 as it is linear along the edge.
-void Splitter::look_at(EdgeNode& node) const {
-    const std::array<std::int32_t, 2> end{start_of(mesh_, node.edge), end_of(mesh_, node.edge)};
-    const std::array<glm::dvec3, 2> place{mesh_.position[end[0]], mesh_.position[end[1]]};
-    std::array<double, 2> off{}; // of either end from the other's sheet
-    node.alike = true;
-    for (std::size_t k = 0; k < 2; ++k) {
-        const surface::SheetValue other = surface::sheet_at(sheets_, sheet_[end[1 - k]], place[k]);
-        const double slope = glm::length(other.gradient);
-        off[k] = other.value / slope;
-        const glm::dvec3 own = glm::normalize(mesh_.gradient[end[k]]);
-        const double turned = glm::distance(own, other.gradient / slope);
-        node.equal[k] = std::abs(off[k]) <= equal * mesh_.side && turned <= equal;
-        node.alike = node.alike && std::abs(off[k]) <= alike * mesh_.side && turned <= alike;
-    }
-    double share = off[0] / (off[0] + off[1]);
-    if (!(share > 0.0 && share < 1.0)) share = 0.5;
-    surface::Meeting meeting;
-    for (const std::int32_t vertex : end) meeting.add(sheet_[vertex]);
-    const glm::dvec3 from = glm::mix(place[0], place[1], share);
-    const double reach = farthest_meeting * std::min(mesh_.side, 2.0 * glm::distance(place[0], place[1]));
-    const surface::MeetingPlace found =
-        surface::find_meeting(sheets_, meeting, from, meeting_tolerance * mesh_.side, reach);
-    node.at.position = found.found ? found.position : from;
-    node.gradient = {found.gradient[0], found.gradient[1]};
-    node.at.exact = found.found && is_on_surface(found.position) && folds(node.at, node.gradient);
-}
-
 void Splitter::find_edges(const base::Progress& progress) {
     edges_.clear();
     node_.resize(mesh_.corner.size());
@@ -173,14 +94,14 @@ void Splitter::find_edges(const base::Progress& progress) {
         node_[e] = -1;
         if (!is_first(mesh_, e) || sheet_[start_of(mesh_, e)] == sheet_[end_of(mesh_, e)]) continue;
         node_[e] = static_cast<std::int32_t>(edges_.size());
-        edges_.push_back({e, {}, {}, {}, false});
+        edges_.push_back({e, {}, {}, {}, false, false});
     }
     for (std::int64_t i = 0; i < edges_.size(); ++i)
         if (const std::int64_t other = opposite_of(mesh_, edges_[i].edge); other >= 0)
             node_[other] = static_cast<std::int32_t>(i);
     threads().for_chunks(edges_.size(), grain, [&](std::int64_t begin, std::int64_t end) {
         progress.check();
-        for (std::int64_t i = begin; i < end; ++i) look_at(edges_[i]);
+        for (std::int64_t i = begin; i < end; ++i) nodes_.look_at(edges_[i]);
     });
 }
 
@@ -209,18 +130,10 @@ void Splitter::find_corners(const base::Progress& progress) {
         progress.check();
         for (std::int64_t i = begin; i < end; ++i) {
             CornerNode& node = corners_[i];
-            surface::Meeting meeting;
             glm::dvec3 middle(0.0);
-            for (int k = 0; k < 3; ++k) {
-                meeting.add(sheet_of(node.triangle, k));
-                middle += edges_[node_[3 * node.triangle + k]].at.position / 3.0;
-            }
-            const surface::MeetingPlace found = surface::find_meeting(
-                sheets_, meeting, middle, meeting_tolerance * mesh_.side, farthest_meeting * mesh_.side);
-            node.at.corner = true;
-            node.at.position = found.found ? found.position : middle;
-            node.gradient = found.gradient;
-            node.at.exact = found.found && is_on_surface(found.position);
+            for (std::int64_t e = 3 * node.triangle; e < 3 * node.triangle + 3; ++e)
+                middle += edges_[node_[e]].at.position / 3.0;
+            nodes_.look_at(node, middle);
         }
     });
 }
@@ -272,17 +185,22 @@ bool Splitter::halve(const base::Progress& progress) {
     return true;
 }
 
-// What is left lies where it was looked for, with the gradients of its sheets there.
+// What is left lies where it was looked for, with the gradients of its sheets there.  Beside a seam f is a mean of both
+// parts, and a little off either one: what the crease of one part with another sheet is there is good enough.
 void Splitter::place_rest() {
     for (EdgeNode& node : edges_) {
         if (node.at.exact) continue;
+        node.at.exact = node.near;
+        if (node.near) continue;
         ++out_.unresolved;
         node.gradient = {surface::sheet_at(sheets_, sheet_[start_of(mesh_, node.edge)], node.at.position).gradient,
                          surface::sheet_at(sheets_, sheet_[end_of(mesh_, node.edge)], node.at.position).gradient};
     }
     for (CornerNode& node : corners_) {
         if (node.at.exact) continue;
-        ++out_.unresolved;
+        for (std::int64_t e = 3 * node.triangle; e < 3 * node.triangle + 3 && !node.at.exact; ++e)
+            if (const EdgeNode& beside = edges_[node_[e]]; beside.at.exact && nodes_.place_at_seam(node, beside)) break;
+        out_.unresolved += node.at.exact ? 0 : 1;
         for (int k = 0; k < 3; ++k)
             node.gradient[static_cast<std::size_t>(k)] =
                 surface::sheet_at(sheets_, sheet_of(node.triangle, k), node.at.position).gradient;
@@ -457,11 +375,11 @@ void Splitter::find_chains() {
 SharpMesh Splitter::run(const base::Progress& progress) {
     find_sheets(0, progress);
     for (int round = 0;; ++round) {
-        settle_alone(runtime_, sheets_, alike, mesh_, sheet_);
+        settle_alone(runtime_, sheets_, alike_sheets, mesh_, sheet_);
         find_edges(progress.part(0.0, 0.0));
         for (int i = 0; i < most_settlings && settle_equal(); ++i) find_edges(progress.part(0.0, 0.0));
         find_corners(progress.part(0.0, 0.0));
-        if (round == mesh_rounds || !halve(progress)) break;
+        if (round == most_rounds || !halve(progress)) break;
     }
     place_rest();
     find_chains();

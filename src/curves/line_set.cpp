@@ -144,6 +144,8 @@ void LineSet::measure_support(const base::Runtime& runtime, const SupportSetting
 void LineSet::split_mesh(const base::Runtime& runtime, const base::Progress& progress) {
     SharpMesh sharp = split_at_creases(runtime, surface_, std::move(*mesh_), progress.part(0.0, 0.0));
     creases_ = trace_creases(runtime, surface_, sharp.creases, sharp.mesh.side, progress.part(0.0, 0.0));
+    const Thresholds by = thresholds_of(LineKind::crease, {});
+    if (creases_.count() > 0) near_creases_.emplace(runtime.memory, creases_, by.lower, sharp.mesh.side);
     parts_ = sheet_parts(runtime, surface_, sharp);
     mesh_ = std::move(sharp.mesh);
 }
@@ -250,7 +252,7 @@ LineSet::LineSet(const base::Runtime& runtime, const implicit::Implicit& surface
 std::int64_t LineSet::bytes() const noexcept {
     std::int64_t bytes = mesh_->bytes() + sheets_->bytes() + shaped_.bytes() + border_.bytes();
     if (own_support_) bytes += own_support_->bytes();
-    bytes += creases_.bytes();
+    bytes += creases_.bytes() + (near_creases_ ? near_creases_->bytes() : 0);
     for (const std::unique_ptr<SheetPart>& part : parts_) bytes += part->mesh.bytes();
     for (const FoundLines& found : found_) bytes += found.lines.bytes();
     return bytes;

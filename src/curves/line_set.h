@@ -5,6 +5,7 @@
 #include "base/list.h"
 #include "curves/creases.h"
 #include "curves/feature_mesh.h"
+#include "curves/near_creases.h"
 #include "curves/sheet_count.h"
 #include "curves/sheet_parts.h"
 #include "curves/surface_end.h"
@@ -110,6 +111,10 @@ public:
     [[nodiscard]] const base::List<FoundLines>& found() const noexcept { return found_; }
     [[nodiscard]] const SurfaceLines& border() const noexcept { return border_; }
     [[nodiscard]] const Creases& creases() const noexcept { return creases_; }
+    // Whether a place is so near to one that is sharp enough to be drawn; reach: half a side of the mesh at most.
+    [[nodiscard]] bool has_crease_near(const glm::dvec3& place, double reach) const noexcept {
+        return near_creases_ && near_creases_->has(place, reach);
+    }
     // Of a surface with creases: contours are traced on these.
     [[nodiscard]] const base::List<std::unique_ptr<SheetPart>>& parts() const noexcept { return parts_; }
     // Whose zero lines the border is; null where it is the end of a region.
@@ -140,6 +145,7 @@ private:
     ShapedMesh shaped_;   // empty: nobody asked
     SurfaceLines border_; // where an open surface ends
     Creases creases_;
+    std::optional<NearCreases> near_creases_; // null: there are none
     base::List<std::unique_ptr<SheetPart>> parts_;
     base::List<FoundLines> found_;
     double left_out_ = 0.0;

@@ -14,6 +14,7 @@ public:
     PointGrid(const VecArray& points, double radius, const base::Progress& progress = {});
 
     [[nodiscard]] std::int64_t size() const noexcept { return index_.size(); }
+    [[nodiscard]] std::int64_t bytes() const noexcept { return begin_.bytes() + index_.bytes() + cell_.bytes(); }
     // Which of the given points stands at place `at` of the grid's order.
     [[nodiscard]] std::int64_t index(std::int64_t at) const noexcept { return index_[at]; }
 

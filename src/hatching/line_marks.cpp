@@ -7,6 +7,8 @@
 #include "marks/assemble.h"
 #include "marks/crease_ends.h"
 #include "marks/tone_part.h"
+#include "surface/creased.h"
+#include "surface/sheets_meet.h"
 
 #include <algorithm>
 #include <array>
@@ -24,6 +26,12 @@ constexpr double shortest_line = 2.0;
 constexpr double widest_step = 1.6;
 constexpr double narrowest_step = 0.5;
 constexpr std::int64_t fewest_marks = 3;
+// A crease that lies no farther ahead of a line's end, in steps, is where it ends; farther, if there is a mark to
+// spare.
+constexpr double crease_ahead = 0.6;
+constexpr double spare_ahead = 1.1;
+// In steps: of a place on a crease.
+constexpr double on_crease = 1e-7;
 
 // A line as its marks will be.
 struct Path {
@@ -43,7 +51,7 @@ public:
            marks::LayerReport& report)
         : site_(site), lines_(lines), settings_(settings), marks_(marks), report_(report), paths_(site.memory()),
           point_(site.memory()), level_(site.memory()), position_(site.memory()), normal_(site.memory()),
-          placed_(site.memory()), ends_(site.memory()), pieces_(site.memory()) {}
+          placed_(site.memory()), ends_(site.memory()), spare_(site.memory()), pieces_(site.memory()) {}
 
     void resample(const base::Progress& progress);
     void project(const base::Progress& progress);
@@ -56,6 +64,8 @@ private:
     void vote(const Path& path);
     void cut(const Path& path);
     [[nodiscard]] bool joined(std::int64_t i) const noexcept;
+    void reach_crease(Piece& piece, bool forwards);
+    [[nodiscard]] surface::MeetingPlace crease_ahead_of(std::int64_t end, std::int64_t inner, double ahead) const;
     [[nodiscard]] glm::dvec3 direction(const Piece& piece, std::int64_t i) const noexcept;
     void append(const Piece& piece, std::uint32_t number, float rank);
 
@@ -69,7 +79,8 @@ private:
     base::Array<std::uint8_t> level_;
     geometry::VecArray position_, normal_; // on the surface
     base::Array<std::uint8_t> placed_;
-    base::Array<std::uint8_t> ends_; // of marks/crease_ends.h
+    base::Array<std::uint8_t> ends_;  // of marks/crease_ends.h
+    base::Array<std::uint8_t> spare_; // marks that no piece has
     base::Array<Piece> pieces_;
 };
 
@@ -157,6 +168,49 @@ bool Laying::joined(std::int64_t i) const noexcept {
     return distance > narrowest_step && distance < widest_step && glm::dot(normal_[i], normal_[i - 1]) > 0.0;
 }
 
+// Where the piece's sheet meets the one that the line comes to so many steps ahead; not found if it comes to none.
+surface::MeetingPlace Laying::crease_ahead_of(std::int64_t end, std::int64_t inner, double ahead) const {
+    const implicit::Sheets& sheets = *site_.implicit.sheets();
+    const glm::dvec3 way = position_[end] - position_[inner];
+    const glm::dvec3 beyond = position_[end] + ahead * settings_.step / glm::length(way) * way;
+    const std::int32_t own = surface::active_at(sheets, position_[inner]);
+    const std::int32_t other = surface::active_at(sheets, beyond);
+    if (own == other) return {};
+    surface::Meeting meeting;
+    meeting.add(own);
+    meeting.add(other);
+    const surface::MeetingPlace place = surface::find_meeting(sheets, meeting, position_[end],
+                                                              on_crease * settings_.step, spare_ahead * settings_.step);
+    const bool creased = place.found && surface::is_creased(own, other, glm::normalize(place.gradient[0]),
+                                                            glm::normalize(place.gradient[1]));
+    return creased ? place : surface::MeetingPlace{};
+}
+
+// A line ends where the mesh's face does, but when it is moved to the middle between others, its last mark may come to
+// lie beyond the crease, on the next sheet, or somewhat before it.
+void Laying::reach_crease(Piece& piece, bool forwards) {
+    const std::int64_t way = forwards ? 1 : -1;
+    const std::int64_t end = forwards ? piece.begin + piece.count - 1 : piece.begin;
+    const std::int64_t next = end + way;
+    const bool spare = next >= 0 && next < spare_.size() && spare_[next] != 0 && ends_[std::max(end, next)] != 0;
+    const surface::MeetingPlace crease = crease_ahead_of(end, end - way, spare ? spare_ahead : crease_ahead);
+    if (!crease.found) return;
+    const auto steps_from = [&](std::int64_t i) {
+        return glm::distance(crease.position, position_[i]) / settings_.step;
+    };
+    const bool takes_next = spare && steps_from(end) > narrowest_step;
+    const double last_step = steps_from(takes_next ? end : end - way);
+    if (!(last_step > narrowest_step && last_step < widest_step)) return;
+    const std::int64_t at = takes_next ? next : end;
+    position_.set(at, crease.position);
+    normal_.set(at, glm::normalize(crease.gradient[0]));
+    if (!takes_next) return;
+    spare_[next] = 0;
+    level_[next] = level_[end];
+    ++piece.count;
+    if (!forwards) --piece.begin;
+}
+
 void Laying::cut(const Path& path) {
     const std::int64_t end = path.begin + path.count;
     for (std::int64_t begin = path.begin; begin < end;) {
@@ -164,14 +218,24 @@ void Laying::cut(const Path& path) {
         for (; begin + piece.count < end && joined(begin + piece.count); ++piece.count)
             piece.level = std::min(piece.level, level_[begin + piece.count]);
         begin += piece.count;
-        if (placed_[piece.begin] != 0 && piece.count >= fewest_marks) pieces_.push_back(piece);
+        if (placed_[piece.begin] == 0) continue;
+        if (piece.count >= fewest_marks)
+            pieces_.push_back(piece);
+        else if (!spare_.empty())
+            std::fill_n(spare_.begin() + piece.begin, piece.count, std::uint8_t{1});
     }
 }
 
 void Laying::cut(const base::Progress& progress) {
+    spare_.resize(ends_.size());
     for (const Path& path : paths_) {
         progress.check();
         cut(path);
+    }
+    for (Piece& piece : pieces_) {
+        if (ends_.empty()) break;
+        progress.check();
+        for (const bool forwards : {false, true}) reach_crease(piece, forwards);
     }
     // Of equal levels as they stand, along the paths; std::stable_sort would take memory that is not the caller's.
     base::sort_long(pieces_.begin(), pieces_.end(), [](const Piece& a, const Piece& b) {

@@ -244,6 +244,45 @@ TEST(Creases, AreNotInStepsOfNothing) {
         EXPECT_LT(std::abs(lines->creases().point[lines->creases().first[c]].angle()), 1.0) << c;
 }
 
+// The solid below z = 0 and y = 0, whose top is of two sheets a hundredth of a cell apart: between x = -0.3 and 0.3
+// f goes over from one to the other, and is neither.
+class SeamedTop : public SharpShape {
+public:
+    SeamedTop()
+        : SharpShape(cube(1.0), max_of({plane({0, 0, 1}, 0.0), plane({0, 0, 1}, 1e-3), plane({0, 1, 0}, 0.0)})) {}
+
+    [[nodiscard]] Field at(const glm::dvec3& p) const override {
+        const Field wall = sheet_at(2, p);
+        const double share = std::clamp((p.x + 0.3) / 0.6, 0.0, 1.0);
+        Field top = sheet_at(0, p);
+        top.value -= 1e-3 * share * share * (3.0 - 2.0 * share);
+        if (share > 0.0 && share < 1.0) top.gradient.x = -1e-3 * 6.0 * share * (1.0 - share) / 0.6;
+        return top.value > wall.value ? top : wall;
+    }
+    void active(const implicit::PointBatch& points, std::int32_t* sheet) const override {
+        for (std::int64_t i = 0; i < points.count; ++i) {
+            const glm::dvec3 p(points.x[i], points.y[i], points.z[i]);
+            const double wall = sheet_at(2, p).value;
+            sheet[i] = wall > at(p).value - 1e-12 ? 2 : p.x + 0.1 * p.y < 0.02 ? 0 : 1;
+        }
+    }
+};
+
+TEST(Creases, GoOnThroughSeams) {
+    const SeamedTop shape;
+    for (const double side : {0.13, 0.1}) {
+        const auto lines = line_set(shape, side);
+        const Creases& creases = lines->creases();
+        double length = 0.0;
+        for (std::int64_t c = 0; c < creases.count(); ++c)
+            for (std::int64_t i = creases.first[c] + 1; i < creases.first[c + 1]; ++i)
+                if (std::abs(creases.point[i].angle()) > 1.0)
+                    length += glm::distance(creases.point[i].position, creases.point[i - 1].position);
+        const geometry::Bounds region = lines->mesh().region;
+        EXPECT_NEAR(length, region.max.x - region.min.x, 2e-3) << side;
+    }
+}
+
 TEST(Creases, EndAtInnerCorners) {
     const double slope = std::tan(glm::radians(30.0));
     const std::vector<glm::dvec2> outline{{-1.0, -1.0}, {1.0, -1.0}, {1.0, 0.05 + 0.9 * slope},

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Where lines of hatching end, and how.
 #include "frame/hatching.h"
+#include "support/sharp_shapes.h"
 
 namespace hrbfnpr::testing::hatch_ends_test {
 namespace {
@@ -113,6 +114,35 @@ TEST_F(Hatch, LinesNarrowToTheirEnds) {
     for (const double away : {1.5, 3.0, 5.0})
         EXPECT_NEAR(radius_at(points, 50.0 + away), middle * std::sqrt(away / 7.0), 0.05 * middle) << away;
     EXPECT_NEAR(radius_at(points, 60.0), middle, 1e-3);
+}
+
+// The face z = 0 has an edge at x = 0.5, up to which it is dark; elsewhere lines narrow to their ends.
+TEST_F(Hatch, LinesOnlyRoundOffAtCreases) {
+    const test::SharpShape shape(geometry::Bounds{glm::dvec3(-1.0), glm::dvec3(1.0)},
+                                 test::max_of({test::plane({0, 0, 1}, 0.0), test::plane({1, 0, 0}, 0.5)}));
+    curves::LineSetSettings settings;
+    settings.side = 0.1;
+    const curves::LineSet lines(runtime, shape, std::make_unique<implicit::DifferencedShape>(shape), settings, {});
+    add_line(set, {0.1, -0.5, 0.5, 0}, 0.02);
+    add_line(set, {-0.1, -0.5, 0.3, 0}, 0.02);
+    set_nesting(set, 0.02, 0);
+    cluster();
+    layer.hatch_coverage_begin = layer.hatch_coverage_end = 0.6F;
+    style.layers = std::span(&layer, 1);
+    std::array items{layered_item(set, style)};
+    items[0].lines = &lines;
+    frame.draw(items, front_camera(size, size, 1.25)); // 200 pixels a unit
+    ASSERT_EQ(frame.drawing().strokes.size(), 2);
+    for (std::int64_t s = 0; s < 2; ++s) {
+        const auto points = points_of(s);
+        const bool at_crease = points.front().y < 250.0F;
+        const double end = at_crease ? 350.0 : 310.0;
+        EXPECT_NEAR(points.back().x, end, 0.01);
+        EXPECT_EQ(points.back().radius, 0.0F);
+        const double middle = radius_at(points, 200.0);
+        EXPECT_NEAR(radius_at(points, end - 3.0), middle * (at_crease ? 1.0 : std::sqrt(3.0 / 7.0)), 0.05 * middle);
+        EXPECT_NEAR(radius_at(points, 153.0), middle * std::sqrt(3.0 / 7.0), 0.05 * middle); // where both begin
+    }
 }
 
 TEST_F(Hatch, ShortPiecesAreLeftOutAndGrowFromNothing) {

@@ -70,11 +70,11 @@ protected:
     }
     // Counts which fiftieths of the line from a to b the piece up to point i passes.
     static void put(std::span<const StrokePoint> points, std::size_t i, const glm::dvec2& a, const glm::dvec2& b,
-                    std::array<int, 50>& drawn) {
+                    std::array<int, 50>& drawn, double off = 0.1) {
         if (i == 0) return;
         const glm::dvec2 p(points[i - 1].x, points[i - 1].y);
         const glm::dvec2 q(points[i].x, points[i].y);
-        if (distance(p, a, b) > 0.1 || distance(q, a, b) > 0.1) return;
+        if (distance(p, a, b) > off || distance(q, a, b) > off) return;
         const double square = glm::dot(b - a, b - a);
         const double from = glm::dot(p - a, b - a) / square;
         const double to = glm::dot(q - a, b - a) / square;
@@ -261,6 +261,68 @@ TEST_F(LineCreases, GoOnWhereTheyAreNoContoursAnyMore) {
                 fading += points[i].length - points[i - 1].length;
     }
     EXPECT_GT(fading, 15.0F);
+}
+
+// There the contour ends: with its whole width where the crease that goes on is drawn, and with a taper, as at a cusp,
+// where it is too weak and the sheet's own contour turns back, hidden behind it.  From the other side that one goes on.
+TEST_F(LineCreases, ContoursNarrowWhereAWeakCreaseGoesOn) {
+    const auto wedge = test::fading_wedge();
+    struct Case {
+        double slope, y; // of the line of sight: slopes of 0.16 and 0.26 are creases of 18 and 29 degrees
+        float radius;
+    };
+    for (const auto [slope, y, expected] : {Case{0.26, 0.3, 1.5F}, {0.16, 0.3, 0.0F}, {0.16, -0.3, 1.5F}}) {
+        look_at(*wedge, {-1.0, y, -slope});
+        styles[0].taper = 10.0F;
+        draw();
+        const glm::dvec2 end = window_of({0.0, -1.0 - std::log(2.0 * slope) / 3.0, 0.0});
+        float radius = -1.0F; // of the end there
+        float whole = 0.0F;
+        for (const Stroke& stroke : strokes_of(LineKind::contour)) {
+            const std::span<const StrokePoint> points = points_of(stroke);
+            for (const StrokePoint& p : {points.front(), points.back()}) {
+                if (glm::distance(glm::dvec2(p.x, p.y), end) > 1.0) continue;
+                radius = std::max(radius, p.radius);
+                for (const StrokePoint& q : points) whole = std::max(whole, q.radius);
+            }
+        }
+        EXPECT_EQ(whole, 1.5F) << slope;
+        EXPECT_EQ(radius, expected) << slope << ' ' << y;
+    }
+}
+
+// A top that is seen nearly edge-on, and bent to and fro by a fifth of a pixel: that hides parts of its far edge, and
+// the contours of what hides them are short, narrow to both their ends and draw nothing of the outline.
+TEST_F(LineCreases, OfAFaceThatIsNotQuiteFlatAreWhole) {
+    const auto top = [](const glm::dvec3& p) {
+        const double at = 60.0 * p.x + 30.0 * p.y;
+        const double high = 1e-3 * std::sin(at);
+        const double slope = 1e-3 * std::cos(at);
+        return test::Field{p.z - high,
+                           {-60.0 * slope, -30.0 * slope, 1.0},
+                           {3600.0 * high, 1800.0 * high, 0.0, 900.0 * high, 0.0, 0.0}};
+    };
+    std::vector<test::Sharp> all = test::sides(glm::dvec3(0.8));
+    all[4] = test::FieldFunction(top);
+    const test::SharpShape shape(test::cube(1.0), test::max_of(std::move(all)));
+    styles[0].taper = 15.0F;
+    for (const double slope : {0.012, 0.014, 0.016}) {
+        look_at(shape, {0.0, 1.0, -slope});
+        draw();
+        std::array<int, 50> drawn{};
+        for (const Stroke& stroke : strokes_of(LineKind::contour)) {
+            std::vector<StrokePoint> wide;
+            for (const StrokePoint& p : points_of(stroke)) {
+                if (stroke.hidden_layers > 0 || p.radius < 1.2F) {
+                    wide.clear();
+                    continue;
+                }
+                wide.push_back(p);
+                put(wide, wide.size() - 1, window_of({-0.79, 0.8, 0.0}), window_of({0.79, 0.8, 0.0}), drawn, 0.5);
+            }
+        }
+        for (const int count : drawn) EXPECT_GE(count, 1) << slope;
+    }
 }
 
 TEST_F(LineCreases, SmoothItemsHaveNoLayerForThem) {

@@ -17,7 +17,8 @@ enum class HatchEnd : std::uint8_t {
     level = 1,   // lines of its level are too close together
     rim = 2,     // the surface turns away
     picture = 3, // far enough outside of the picture
-    line = 4     // its stroke ends
+    line = 4,    // its stroke ends ...
+    crease = 5   // ... at a crease
 };
 inline constexpr std::size_t hatch_margins = 4;
 
@@ -90,6 +91,7 @@ struct HatchStroke {
     std::int64_t first = 0,
                  count = 0; // places; of a closed one without the last mark, if that lies where the first does
     bool closed = false;
+    HatchEnd begins = HatchEnd::line, ends = HatchEnd::line; // of find_crease_ends()
 
     [[nodiscard]] std::int64_t bytes() const noexcept {
         return mark.bytes() + may_draw.bytes() + range.bytes() + number.bytes() + row.bytes();

@@ -2,6 +2,7 @@
 #include "frame/depth_layers/hatch_points.h"
 
 #include "base/scratch.h"
+#include "frame/depth_layers/hatch_ends.h"
 
 #include <algorithm>
 
@@ -70,8 +71,10 @@ void HatchPoints::find(const Scene& scene, const Gather& gather, Batch& batch) c
     const HatchMarks seen(gather, loops_, scene, run, asks(scene, run) ? taus_.data() + run.first : nullptr);
     std::int64_t piece = batch.piece;
     for (std::int64_t s = batch.begin; s < batch.end; ++s) {
-        if (seen.see(s, piece, batch.stroke))
-            batch.spans.add(*run.style, s, batch.stroke.mark.span(), batch.stroke.closed, batch.part);
+        if (seen.see(s, piece, batch.stroke)) {
+            find_crease_ends(scene.item_of(run), run, batch.stroke);
+            batch.spans.add(*run.style, s, batch.stroke, batch.part);
+        }
         piece += pieces_of(*run.marks, s);
     }
 }

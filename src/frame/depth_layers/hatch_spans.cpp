@@ -16,6 +16,8 @@ constexpr float least_gap = 2.0F;
 constexpr float fading_gap = 0.25F;
 // A line's end where its stroke or its level ends is this much as long as where its tone ends ...
 constexpr float blunt = 0.35F;
+// ... and where its stroke ends at a crease it only rounds off, over so many widths: the face is dark up to its edge.
+constexpr float round_tip = 0.5F;
 // Where the surface turns away a line that crosses the contour by at least the first of these sines runs on under it,
 // and one that hardly does, by the second, narrows before it.
 constexpr float crosses = 0.5F;
@@ -47,6 +49,8 @@ struct Crossing {
     }
     return first;
 }
+
+[[nodiscard]] float blunt_taper(const LayerStyle& style) noexcept { return blunt * style.hatch_taper; }
 
 [[nodiscard]] glm::vec2 place_of(const HatchMark& m) noexcept { return {m.x, m.y}; }
 
@@ -93,8 +97,9 @@ struct Crossing {
 
 } // namespace
 
-void HatchSpans::add(const LayerStyle& style, std::int64_t stroke, std::span<HatchMark> marks, bool closed,
-                     HatchPart& part) {
+void HatchSpans::add(const LayerStyle& style, std::int64_t number, HatchStroke& stroke, HatchPart& part) {
+    const std::span<HatchMark> marks = stroke.mark.span();
+    const bool closed = stroke.closed;
     const auto is_drawn = [](const HatchMark& m) { return m.is_drawn(); };
     if (std::none_of(marks.begin(), marks.end(), is_drawn)) return;
     const bool whole = std::all_of(marks.begin(), marks.end(), is_drawn);
@@ -104,9 +109,9 @@ void HatchSpans::add(const LayerStyle& style, std::int64_t stroke, std::span<Hat
         marks.back() = marks.front();
     }
     measure(marks);
-    find(marks, closed && whole);
+    find(stroke, closed && whole);
     const std::int64_t steps = length_.size() - 1;
-    hand_ = HatchHand(style, stroke, closed ? steps : 0, length_[steps] / static_cast<float>(steps));
+    hand_ = HatchHand(style, number, closed ? steps : 0, length_[steps] / static_cast<float>(steps));
     if (hand_.overshoots()) overshoot(marks);
     join(style, marks);
     for (std::int64_t i = 0; i < drawn_.size(); i += drawn_[i].joined) put(style, marks, i, part);
@@ -146,10 +151,10 @@ HatchSpans::ByLevel HatchSpans::by_level(const HatchMark& last) noexcept {
     return by;
 }
 
-void HatchSpans::find(std::span<const HatchMark> marks, bool closed) {
+void HatchSpans::find(const HatchStroke& stroke, bool closed) {
     drawn_.clear();
-    const auto count = static_cast<std::int64_t>(marks.size());
-    const auto m = [&](std::int64_t i) -> const HatchMark& { return marks[static_cast<std::size_t>(i)]; };
+    const std::int64_t count = stroke.mark.size();
+    const auto m = [&](std::int64_t i) -> const HatchMark& { return stroke.mark[i]; };
     float open = 0.0F;
     float alone = 1.0F;
     for (std::int64_t i = 0; i < count; ++i) {
@@ -163,6 +168,7 @@ void HatchSpans::find(std::span<const HatchMark> marks, bool closed) {
         drawn.level_gap = std::exchange(alone, 1.0F);
         drawn.begin = {i, 0.0F};
         if (i == 0) {
+            drawn.begins = stroke.begins;
             drawn.begins_by = by_level(m(i));
         } else {
             const Crossing begin = crossing(m(i), m(i - 1));
@@ -177,6 +183,7 @@ void HatchSpans::find(std::span<const HatchMark> marks, bool closed) {
             drawn.firm = std::max(drawn.firm, firmness(m(k)));
         drawn.end = {i, 0.0F};
         if (i + 1 == count) {
+            drawn.ends = stroke.ends;
             drawn.ends_by = by_level(m(i));
         } else {
             const Crossing end = crossing(m(i), m(i + 1));
@@ -357,7 +364,7 @@ float HatchSpans::fade_of(std::int64_t number, float shortest) const noexcept {
 
 // next: the part behind the gap that the end is at.  A taper is shorter beside a gap that is about to be closed.
 float HatchSpans::taper(const LayerStyle& style, HatchEnd end, std::int64_t next, const Gap& gap) const noexcept {
-    const float longest = end == HatchEnd::tone ? style.hatch_taper : blunt * style.hatch_taper;
+    const float longest = end == HatchEnd::tone ? style.hatch_taper : blunt_taper(style);
     switch (end) {
     case HatchEnd::picture: return 0.0F;
     case HatchEnd::line: return longest;
@@ -399,6 +406,7 @@ float HatchSpans::taper_begin(const LayerStyle& style, std::span<const HatchMark
                               std::int64_t number) const noexcept {
     const Drawn& drawn = drawn_[number];
     const auto as = [&](HatchEnd end) {
+        if (end == HatchEnd::crease) return std::min(round_tip * width_at_begin(marks, drawn), blunt_taper(style));
         const float along = end == HatchEnd::rim ? along_rim(style, marks, drawn.begin, 1) : 1.0F;
         return along * taper(style, end, number, gap_before(number));
     };
@@ -409,6 +417,7 @@ float HatchSpans::taper_end(const LayerStyle& style, std::span<const HatchMark> 
                             std::int64_t number) const noexcept {
     const Drawn& drawn = drawn_[number];
     const auto as = [&](HatchEnd end) {
+        if (end == HatchEnd::crease) return std::min(round_tip * width_at_end(marks, drawn), blunt_taper(style));
         const float along = end == HatchEnd::rim ? along_rim(style, marks, drawn.end, -1) : 1.0F;
         return along * taper(style, end, number + 1, gap_after(number));
     };

@@ -40,7 +40,7 @@ public:
     explicit HatchSpans(base::Memory& memory) noexcept : length_(memory), drawn_(memory), dips_(memory) {}
 
     // Adds what is drawn of the stroke of that number; one that is closed ends with its first mark, and may be turned.
-    void add(const LayerStyle& style, std::int64_t stroke, std::span<HatchMark> marks, bool closed, HatchPart& part);
+    void add(const LayerStyle& style, std::int64_t number, HatchStroke& stroke, HatchPart& part);
 
     [[nodiscard]] std::int64_t bytes() const noexcept { return length_.bytes() + drawn_.bytes() + dips_.bytes(); }
 
@@ -81,7 +81,7 @@ private:
         std::int64_t joined = 1; // it and those that the line goes on with
     };
 
-    void find(std::span<const HatchMark> marks, bool closed);
+    void find(const HatchStroke& stroke, bool closed);
     void weigh(const LayerStyle& style, std::span<const HatchMark> marks, Drawn& drawn) const noexcept;
     // What lies beside a part: as much of what is behind the next one as that is about to vanish, since then the gap
     // is one with the next.

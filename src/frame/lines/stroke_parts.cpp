@@ -25,17 +25,6 @@ double tapered(double from_end, double taper) noexcept {
 // beside it, would be a bead.
 double thinned(double length, double taper) noexcept { return length < 2.0 * taper ? length / (2.0 * taper) : 1.0; }
 
-float strength_at(const DrawnAs& as, const visibility::Piece& piece, float share) noexcept {
-    return (1.0F - share) * as.strength[piece.a] + share * as.strength[piece.b];
-}
-
-// By its strength there.
-float faded(const DrawnAs& as, const visibility::Piece& piece, float share) noexcept {
-    if (as.strength == nullptr || !(as.upper > as.lower)) return 1.0F;
-    const float full = std::clamp((strength_at(as, piece, share) - as.lower) / (as.upper - as.lower), 0.0F, 1.0F);
-    return 1.0F - as.style->fade * (1.0F - full);
-}
-
 // Of the width there, by the points around it.
 float factor_at(const DrawnAs& as, const visibility::Piece& piece, float share) noexcept {
     return as.factor == nullptr ? 1.0F : (1.0F - share) * as.factor[piece.a] + share * as.factor[piece.b];
@@ -64,8 +53,9 @@ void StrokeParts::collect(std::int64_t first, std::int64_t end) {
     parts_.clear();
     const visibility::Line& line = found_.lines.lines[found_.intervals[first].line];
     for (std::int64_t i = first; i < end; ++i) {
-        const visibility::Interval& next = found_.intervals[i];
-        const std::int32_t layers = layers_before(next.sheets);
+        visibility::Interval next = found_.intervals[i];
+        if (hugging_.has(i)) next.hidden_by = -1;
+        const std::int32_t layers = hugging_.has(i) ? 0 : layers_before(next.sheets);
         const bool joins =
             !parts_.empty() && (alike(parts_[parts_.size() - 1], layers, next.hidden_by) || length_of(next) < unseen);
         if (!joins) {
@@ -81,8 +71,10 @@ void StrokeParts::collect(std::int64_t first, std::int64_t end) {
     }
     if (!line.closed) {
         const bool joined = subjects_[static_cast<std::size_t>(line.subject)].joined;
-        parts_[0].free_begin = !joined;
-        parts_[parts_.size() - 1].free_end = parts_[parts_.size() - 1].free_end || !joined;
+        const std::int32_t number = found_.intervals[first].line;
+        Part& last = parts_[parts_.size() - 1];
+        parts_[0].free_begin = !joined || !ends_.goes_on(number, false);
+        last.free_end = last.free_end || !joined || !ends_.goes_on(number, true);
     } else if (parts_.size() > 1 && alike(parts_[parts_.size() - 1], parts_[0].layers, parts_[0].interval.hidden_by)) {
         Part& last = parts_[parts_.size() - 1];
         const Part& begin = parts_[0];

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "base/runtime.h"
+#include "frame/lines/joined_ends.h"
 #include "frame/lines/width_laws.h"
 #include "frame/lines/wobble.h"
 #include "frame/scene/line_strokes.h"
@@ -17,8 +18,9 @@ public:
     StrokeParts(const base::Runtime& runtime, const Scene& scene, const LineInput& input, const WidthLaws& laws,
                 LineStrokes& strokes)
         : scene_(scene), subjects_(input.subjects), items_(input.items), found_(input.found), lengths_(input.lengths),
-          numbers_(input.numbers), laws_(laws), strokes_(strokes), parts_(runtime.memory), place_(runtime.memory),
-          knot_(runtime.memory), at_(runtime.memory) {}
+          numbers_(input.numbers), laws_(laws), hugging_(runtime.memory, input), ends_(runtime.memory, input, hugging_),
+          strokes_(strokes), parts_(runtime.memory), place_(runtime.memory), knot_(runtime.memory),
+          at_(runtime.memory) {}
 
     void run();
 
@@ -84,6 +86,8 @@ private:
     const visibility::Lengths& lengths_;
     const LineNumbers& numbers_;
     const WidthLaws& laws_;
+    HuggingParts hugging_;
+    JoinedEnds ends_;
     LineStrokes& strokes_;
     base::Array<Part> parts_;
     base::Array<Place> place_;

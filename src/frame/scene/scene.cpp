@@ -67,6 +67,7 @@ ItemView view_of(const Item& item, const Camera& camera) {
     ItemView view;
     view.style = item.style;
     view.model = item.model;
+    view.lines = item.lines;
     view.origin = item.set->origin;
     view.unit = item.set->unit;
     if (!item.set->bounds.empty()) {

@@ -103,6 +103,7 @@ private:
 struct ItemView {
     Style style;
     const implicit::Implicit* model = nullptr;
+    const curves::LineSet* lines = nullptr;
     glm::dvec3 origin{0.0}; // of the set's positions
     double unit = 1.0;      // in which positions are taken from here on: that of the set's clusters
     glm::vec3 centre{0.0F}; // of a ball around them, relative to the origin

@@ -15,7 +15,8 @@ constexpr double radians = 0.017453292519943295;
 constexpr double least_bend = 8.0;
 // ... and turn from it by an angle with at least this cosine.
 constexpr double aligned = 0.6;
-// A crease that parts nothing is noise if it is shorter than so many diagonals, or has fewer edges.
+// A crease that parts nothing, and does not go from one other crease to another as the corner of a plate does, is noise
+// if it is shorter than so many diagonals, or has fewer edges.
 constexpr double shortest_fading = 0.03;
 constexpr std::int64_t fewest_fading = 4;
 
@@ -229,10 +230,13 @@ private:
                 length[sets.of(bend.from)] += length_of(bend);
                 ++edges[sets.of(bend.from)];
             }
+        base::Array<std::int32_t> anchors(runtime_.memory, mesh_.vertex.size());
+        for (std::int32_t v = 0; v < mesh_.vertex.size(); ++v) anchors[sets.of(v)] += is_anchor(v) ? 1 : 0;
         bool dropped = false;
         for (Bend& bend : bend_) {
             if (!is_fading(bend)) continue;
             const std::int32_t set = sets.of(bend.from);
+            if (anchors[set] >= 2) continue;
             if (length[set] >= shortest_fading * mesh_.bounds.diagonal() && edges[set] >= fewest_fading) continue;
             bend.sharp = false;
             dropped = true;
@@ -242,6 +246,12 @@ private:
 
     [[nodiscard]] bool is_fading(const Bend& bend) const noexcept {
         return bend.sharp && result_.patch[bend.left] == result_.patch[bend.right];
+    }
+
+    // Whether a crease that parts two patches passes there.
+    [[nodiscard]] bool is_anchor(std::int32_t vertex) const noexcept {
+        return std::any_of(at_.data() + first_[vertex], at_.data() + first_[vertex + 1],
+                           [&](std::int64_t i) { return bend_[i].sharp && !is_fading(bend_[i]); });
     }
 
     void describe() {

@@ -15,6 +15,7 @@ constexpr double surely_clear = 0.9;
 constexpr double maybe_clear = 0.6;
 constexpr double clear_ratio = 3.0;
 constexpr double shortest = 0.05; // diagonals
+constexpr double far_off = 0.02;  // diagonals; a ball of 80 faces is off by 0.009, an icosahedron by 0.03
 constexpr std::int64_t faces_a_check = 1024;
 
 class Looker {
@@ -27,6 +28,7 @@ public:
         measure();
         double between = 0.0;
         double clear = 0.0;
+        double coarse = 0.0;
         CreaseEvidence evidence;
         for_edges(sides_, [&](const Side* first, const Side* last) {
             if ((first - sides_.begin()) % faces_a_check == 0) progress_.check();
@@ -41,13 +43,16 @@ public:
             evidence.length += length;
             const double beside = std::min(bend_beside(first[0]), bend_beside(first[1]));
             clear += bend >= stands_out * beside ? length : 0.0;
+            coarse += std::min(bulge(first[0]), bulge(first[1])) >= far_off * mesh_.bounds.diagonal() ? length : 0.0;
         });
         if (!(evidence.length > 0.0)) return evidence;
         evidence.clear = clear / evidence.length;
+        evidence.coarse = coarse / evidence.length;
         evidence.ratio = evidence.length / std::max(between, 1e-9 * evidence.length);
         evidence.length /= mesh_.bounds.diagonal();
-        const bool clear_enough =
-            evidence.clear >= surely_clear || (evidence.clear >= maybe_clear && evidence.ratio >= clear_ratio);
+        const bool clear_enough = evidence.clear >= surely_clear ||
+                                  (evidence.clear >= maybe_clear && evidence.ratio >= clear_ratio) ||
+                                  (evidence.coarse >= surely_clear && evidence.ratio >= clear_ratio);
         evidence.creases = clear_enough && evidence.length >= shortest;
         return evidence;
     }
@@ -93,6 +98,13 @@ private:
             most = std::max(most, bend_[other] * std::abs(glm::dot(glm::normalize(along(other)), direction)));
         }
         return most;
+    }
+
+    // How far a face is from something round that bends about the side as the mesh does, and has the face for a chord.
+    [[nodiscard]] double bulge(const Side& of) const noexcept {
+        const std::int64_t side = side_of(of);
+        const double across = glm::length(doubled_area(mesh_.corners(of.face))) / glm::length(along(side));
+        return 0.25 * across * std::tan(0.5 / degrees * std::min(bend_[side], 120.0));
     }
 
     const Mesh& mesh_;

@@ -9,12 +9,13 @@ namespace hrbfnpr::mesh {
 struct CreaseEvidence {
     double length = 0.0; // of the edges that bend by more than the angle, in diagonals
     double clear = 0.0;  // share of them beside which, on one side at least, the mesh bends six times less
+    double coarse = 0.0; // ... beside which, on both sides, faces would be far off what is round there
     double ratio = 0.0;  // their length, to that of the edges that bend by half the angle at least
     bool creases = false;
 };
 
-// Noise and coarse faces bend by any angle, more often less, and beside a bend there is another; edges stand out.
-// angle: degrees.
+// Noise and coarse faces bend by any angle, more often less, and beside a bend there is another; edges stand out.  So
+// do those of a polyhedron of a few faces: nobody means something round by them. angle: degrees.
 [[nodiscard]] CreaseEvidence look_for_creases(const base::Runtime& runtime, const Mesh& mesh, double angle,
                                               const base::Progress& progress);
 

@@ -9,6 +9,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <utility>
+#include <vector>
 
 namespace creases_test {
 
@@ -70,6 +72,68 @@ TEST(Creases, AreNotThereWhereAMeshIsRoundOrRough) {
     EXPECT_FALSE(found.evidence.creases);
     // Coarse: 80 faces that meet at 20 to 40 degrees.
     EXPECT_FALSE(Found(test::icosphere(1), 20.0).evidence.creases);
+}
+
+// An octahedron, and the same with the middles of its edges: flat faces of four triangles each.
+TEST(Creases, AreThoseOfAPolyhedron) {
+    for (const bool halved : {false, true}) {
+        Triangles shape;
+        for (int axis = 0; axis < 3; ++axis)
+            for (const double end : {1.0, -1.0})
+                static_cast<void>(shape.add(axis == 0 ? end : 0.0, axis == 1 ? end : 0.0, axis == 2 ? end : 0.0));
+        const auto at = [&](std::int32_t v, int k) { return shape.vertices[static_cast<std::size_t>(3 * v + k)]; };
+        const auto middle = [&](std::int32_t a, std::int32_t b) {
+            return shape.add(0.5 * (at(a, 0) + at(b, 0)), 0.5 * (at(a, 1) + at(b, 1)), 0.5 * (at(a, 2) + at(b, 2)));
+        };
+        for (std::int32_t i = 0; i < 8; ++i) {
+            std::int32_t a = i & 1, b = 2 + (i >> 1 & 1), c = 4 + (i >> 2 & 1);
+            if (((i & 1) + (i >> 1 & 1) + (i >> 2 & 1)) % 2 == 1) std::swap(b, c);
+            if (!halved) {
+                shape.face(a, b, c);
+                continue;
+            }
+            const std::int32_t ab = middle(a, b), bc = middle(b, c), ca = middle(c, a);
+            shape.face(a, ab, ca);
+            shape.face(b, bc, ab);
+            shape.face(c, ca, bc);
+            shape.face(ab, bc, ca);
+        }
+        const Found found(shape);
+        EXPECT_TRUE(found.evidence.creases) << found.evidence.coarse;
+        EXPECT_EQ(found.creases.patches, 8);
+    }
+    EXPECT_TRUE(Found(test::icosphere(0)).evidence.creases);
+}
+
+// A plate whose outline is round but for one corner: the edge there has the same patch on both its sides, and no more
+// than one edge of the mesh.
+TEST(Creases, AtTheOnlyCornerOfAPlate) {
+    for (const double thickness : {0.5, 0.02}) {
+        Triangles plate;
+        constexpr int around = 48;
+        std::vector<glm::dvec2> outline{{1.0, 1.0}};
+        for (int i = 0; i <= around; ++i) { // touches the straight sides to the corner
+            const double a = (0.5 + 1.5 * i / around) * 3.14159265358979;
+            outline.emplace_back(std::cos(a), std::sin(a));
+        }
+        const auto count = static_cast<std::int32_t>(outline.size());
+        for (const double z : {0.0, thickness})
+            for (const glm::dvec2& p : outline) static_cast<void>(plate.add(p.x, p.y, z));
+        double length = 0.0;
+        for (std::int32_t i = 0; i < count; ++i) {
+            const std::int32_t next = (i + 1) % count;
+            length +=
+                2.0 * glm::distance(outline[static_cast<std::size_t>(i)], outline[static_cast<std::size_t>(next)]);
+            plate.face(i, next, count + next);
+            plate.face(i, count + next, count + i);
+            if (i == 0 || next == 0) continue;
+            plate.face(0, next, i);
+            plate.face(count, count + i, count + next);
+        }
+        const Found found(plate);
+        EXPECT_EQ(found.creases.patches, 4); // the outline is cut once more, where it is round
+        EXPECT_NEAR(found.creases.length, length + thickness, 1e-9);
+    }
 }
 
 // The slopes of an eight-sided roof meet at 18 degrees, but its outline has corners of 45: they are facets, as of the

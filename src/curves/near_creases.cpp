@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+#include "curves/near_creases.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hrbfnpr::curves {
+namespace {
+
+// In sides: pieces of creases are no longer.
+constexpr double longest = 1.0;
+constexpr double farthest = 0.5;
+
+double distance_to(const glm::dvec3& place, const glm::dvec3& from, const glm::dvec3& to) noexcept {
+    const glm::dvec3 way = to - from;
+    const double square = glm::dot(way, way);
+    const double share = square > 0.0 ? std::clamp(glm::dot(place - from, way) / square, 0.0, 1.0) : 0.0;
+    return glm::distance(place, from + share * way);
+}
+
+} // namespace
+
+NearCreases::NearCreases(base::Memory& memory, const Creases& creases, double least, double side)
+    : most_(farthest * side), from_(memory), to_(memory) {
+    geometry::VecArray middle(memory);
+    const auto sharp = [&](std::int64_t i) { return std::abs(creases.point[i].angle()) >= least; };
+    const auto add = [&](std::int64_t i, std::int64_t next) {
+        if (!sharp(i) || !sharp(next)) return;
+        from_.push_back(creases.point[i].position);
+        to_.push_back(creases.point[next].position);
+        middle.push_back(0.5 * (creases.point[i].position + creases.point[next].position));
+    };
+    for (std::int64_t c = 0; c < creases.count(); ++c) {
+        const std::int64_t last = creases.first[c + 1] - 1;
+        for (std::int64_t i = creases.first[c]; i < last; ++i) add(i, i + 1);
+        if (creases.closed[c] != 0) add(last, creases.first[c]);
+    }
+    grid_.emplace(middle, 0.5 * longest * side + most_);
+}
+
+bool NearCreases::has(const glm::dvec3& place, double reach) const noexcept {
+    bool found = false;
+    grid_->around(place, [&](std::int64_t at) {
+        const std::int64_t i = grid_->index(at);
+        found = found || distance_to(place, from_[i], to_[i]) <= std::min(reach, most_);
+    });
+    return found;
+}
+
+} // namespace hrbfnpr::curves
