@@ -16,7 +16,7 @@
 namespace hrbfnpr::curves {
 namespace {
 
-constexpr int most_rounds = 6;
+constexpr int mesh_rounds = 6;
 constexpr int most_settlings = 20;
 constexpr std::int64_t grain = 32;
 // In sides.
@@ -379,7 +379,7 @@ SharpMesh Splitter::run(const base::Progress& progress) {
         find_edges(progress.part(0.0, 0.0));
         for (int i = 0; i < most_settlings && settle_equal(); ++i) find_edges(progress.part(0.0, 0.0));
         find_corners(progress.part(0.0, 0.0));
-        if (round == most_rounds || !halve(progress)) break;
+        if (round == mesh_rounds || !halve(progress)) break;
     }
     place_rest();
     find_chains();

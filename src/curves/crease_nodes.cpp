@@ -11,14 +11,14 @@ namespace hrbfnpr::curves {
 namespace {
 
 // In sides.
-constexpr double tolerance = 1e-9;      // of a place where sheets meet
-constexpr double on_surface = 1e-3;     // that place's distance from the whole surface
-constexpr double aside = 1e-3;          // to either side of it, where f is looked at
-constexpr double farthest = 1.5;        // from the edge
-constexpr double least_sine = 0.02;     // of half the angle between sheets: below it curvature may be more
-constexpr double equal = 1e-7;          // sheets that are no farther apart, and as parallel, are one there
-constexpr double beside_surface = 0.02; // a place's distance from it where a crease goes on through a seam
-constexpr double sharp_sine = 0.1;      // of half the angle: 11 degrees, below which none goes on so
+constexpr double meeting_tolerance = 1e-9; // of a place where sheets meet
+constexpr double on_surface = 1e-3;        // that place's distance from the whole surface
+constexpr double aside = 1e-3;             // to either side of it, where f is looked at
+constexpr double farthest_meeting = 1.5;   // from the edge
+constexpr double least_sine = 0.02;        // of half the angle between sheets: below it curvature may be more
+constexpr double equal = 1e-7;             // sheets that are no farther apart, and as parallel, are one there
+constexpr double beside_surface = 0.02;    // a place's distance from it where a crease goes on through a seam
+constexpr double sharp_sine = 0.1;         // of half the angle: 11 degrees, below which none goes on so
 
 } // namespace
 
@@ -76,8 +76,9 @@ void CreaseNodes::look_at(EdgeNode& node) const {
     surface::Meeting meeting;
     for (const std::int32_t vertex : end) meeting.add(sheet_[vertex]);
     const glm::dvec3 from = glm::mix(place[0], place[1], share);
-    const double reach = farthest * std::min(mesh_.side, 2.0 * glm::distance(place[0], place[1]));
-    const surface::MeetingPlace found = surface::find_meeting(sheets_, meeting, from, tolerance * mesh_.side, reach);
+    const double reach = farthest_meeting * std::min(mesh_.side, 2.0 * glm::distance(place[0], place[1]));
+    const surface::MeetingPlace found =
+        surface::find_meeting(sheets_, meeting, from, meeting_tolerance * mesh_.side, reach);
     node.at.position = found.found ? found.position : from;
     node.gradient = {found.gradient[0], found.gradient[1]};
     const double away = found.found ? off_surface(found.position) : beside_surface;
@@ -89,7 +90,7 @@ void CreaseNodes::look_at(CornerNode& node, const glm::dvec3& middle) const {
     surface::Meeting meeting;
     for (std::int64_t k = 3 * node.triangle; k < 3 * node.triangle + 3; ++k) meeting.add(sheet_[mesh_.corner[k]]);
     const surface::MeetingPlace found =
-        surface::find_meeting(sheets_, meeting, middle, tolerance * mesh_.side, farthest * mesh_.side);
+        surface::find_meeting(sheets_, meeting, middle, meeting_tolerance * mesh_.side, farthest_meeting * mesh_.side);
     node.at.corner = true;
     node.at.position = found.found ? found.position : middle;
     node.gradient = found.gradient;
@@ -102,8 +103,8 @@ bool CreaseNodes::place_at_seam(CornerNode& node, const EdgeNode& beside) const 
     surface::Meeting meeting;
     for (const std::int32_t vertex : {start_of(mesh_, beside.edge), end_of(mesh_, beside.edge)})
         meeting.add(sheet_[vertex]);
-    const surface::MeetingPlace found =
-        surface::find_meeting(sheets_, meeting, node.at.position, tolerance * mesh_.side, farthest * mesh_.side);
+    const surface::MeetingPlace found = surface::find_meeting(
+        sheets_, meeting, node.at.position, meeting_tolerance * mesh_.side, farthest_meeting * mesh_.side);
     node.at.exact = found.found && off_surface(found.position) < beside_surface;
     if (node.at.exact) node.at.position = found.position;
     return node.at.exact;

@@ -8,8 +8,8 @@ namespace hrbfnpr::curves {
 namespace {
 
 // In sides: pieces of creases are no longer.
-constexpr double longest = 1.0;
-constexpr double farthest = 0.5;
+constexpr double longest_part_beside = 1.0;
+constexpr double farthest_beside = 0.5;
 
 double distance_to(const glm::dvec3& place, const glm::dvec3& from, const glm::dvec3& to) noexcept {
     const glm::dvec3 way = to - from;
@@ -21,7 +21,7 @@ double distance_to(const glm::dvec3& place, const glm::dvec3& from, const glm::d
 } // namespace
 
 NearCreases::NearCreases(base::Memory& memory, const Creases& creases, double least, double side)
-    : most_(farthest * side), from_(memory), to_(memory) {
+    : most_(farthest_beside * side), from_(memory), to_(memory) {
     geometry::VecArray middle(memory);
     const auto sharp = [&](std::int64_t i) { return std::abs(creases.point[i].angle()) >= least; };
     const auto add = [&](std::int64_t i, std::int64_t next) {
@@ -35,7 +35,7 @@ NearCreases::NearCreases(base::Memory& memory, const Creases& creases, double le
         for (std::int64_t i = creases.first[c]; i < last; ++i) add(i, i + 1);
         if (creases.closed[c] != 0) add(last, creases.first[c]);
     }
-    grid_.emplace(middle, 0.5 * longest * side + most_);
+    grid_.emplace(middle, 0.5 * longest_part_beside * side + most_);
 }
 
 bool NearCreases::has(const glm::dvec3& place, double reach) const noexcept {
