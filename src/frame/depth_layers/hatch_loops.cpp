@@ -285,11 +285,14 @@ HWY_INLINE void soften(const HatchRows& rows, std::int64_t count, bool closed) {
 
 void widen(const HatchSight& sight, const HatchLaw& law, const HatchRows& rows, std::int64_t count, bool closed) {
     const F d;
+    const auto lanes = static_cast<std::int64_t>(hn::Lanes(d));
     for_vectors(count, [&](std::int64_t at) HWY_ATTR { set_least(law, rows.from(at)); });
     put_around(rows[HatchRow::least], count, closed, 2, -1.0F);
     for_vectors(count, [&](std::int64_t at) HWY_ATTR {
         const HatchRows own = rows.from(at);
-        const M near = hn::Not(hn::Lt(largest_near(own[HatchRow::least]), hn::Zero(d)));
+        // Behind the last mark stands whatever was there before: it decides nothing.
+        const M marks = hn::FirstN(d, static_cast<size_t>(count - at < lanes ? count - at : lanes));
+        const M near = hn::AndNot(hn::Lt(largest_near(own[HatchRow::least]), hn::Zero(d)), marks);
         if (!hn::AllFalse(d, near)) {
             set_width(sight, law, own, near);
             return;
