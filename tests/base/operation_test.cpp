@@ -143,7 +143,7 @@ TEST(ResizeLong, GivesZerosAndLooks) {
 }
 
 TEST(LongArray, GrowsAsOthersDoAndLooks) {
-    Memory memory({});
+    Memory memory;
     Array<std::int64_t> numbers(memory), same(memory);
     for (std::int64_t i = 0; i < 2'000'000; ++i) {
         push_back_long(numbers, 3 * i, {});
@@ -162,7 +162,7 @@ TEST(LongArray, GrowsAsOthersDoAndLooks) {
 }
 
 TEST(LongArray, IsFilledAnewAndCancelled) {
-    Memory memory({});
+    Memory memory;
     Array<std::int64_t> numbers(memory, 7);
     fill_long(numbers, 1'200'000, std::int64_t{-1}, {});
     ASSERT_EQ(numbers.size(), 1'200'000);
