@@ -375,7 +375,7 @@ void Splitter::find_chains() {
 SharpMesh Splitter::run(const base::Progress& progress) {
     find_sheets(0, progress);
     for (int round = 0;; ++round) {
-        settle_alone(runtime_, sheets_, alike_sheets, mesh_, sheet_);
+        settle_alone(runtime_, sheets_, alike_sheets, mesh_, sheet_, progress);
         find_edges(progress.part(0.0, 0.0));
         for (int i = 0; i < most_settlings && settle_equal(); ++i) find_edges(progress.part(0.0, 0.0));
         find_corners(progress.part(0.0, 0.0));

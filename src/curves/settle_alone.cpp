@@ -14,26 +14,28 @@ constexpr std::int32_t none = std::numeric_limits<std::int32_t>::max();
 constexpr std::int32_t not_alone = -1;
 
 template <class Visit>
-void for_neighbours(const SurfaceMesh& mesh, Visit&& visit) {
-    for (std::int64_t t = 0; t < mesh.triangles(); ++t)
+void for_neighbours(const SurfaceMesh& mesh, const base::Progress& progress, Visit&& visit) {
+    for (std::int64_t t = 0; t < mesh.triangles(); ++t) {
+        if (t % 4096 == 0) progress.check();
         for (std::int64_t k = 0; k < 3; ++k) {
             const std::int32_t a = mesh.corner[3 * t + k];
             const std::int32_t b = mesh.corner[3 * t + (k + 1) % 3];
             visit(a, b);
             visit(b, a);
         }
+    }
 }
 
 } // namespace
 
 void settle_alone(const base::Runtime& runtime, const implicit::Sheets& sheets, double alike, SurfaceMesh& mesh,
-                  base::Array<std::int32_t>& sheet) {
+                  base::Array<std::int32_t>& sheet, const base::Progress& progress) {
     base::Array<std::int32_t> first(runtime.memory, mesh.vertices()); // of the sheets beside each vertex
     std::fill(first.begin(), first.end(), none);
-    for_neighbours(mesh, [&](std::int32_t vertex, std::int32_t other) {
+    for_neighbours(mesh, progress, [&](std::int32_t vertex, std::int32_t other) {
         first[vertex] = sheet[vertex] == sheet[other] ? not_alone : std::min(first[vertex], sheet[other]);
     });
-    for_neighbours(mesh, [&](std::int32_t vertex, std::int32_t other) {
+    for_neighbours(mesh, progress, [&](std::int32_t vertex, std::int32_t other) {
         if (first[vertex] == not_alone) return;
         const glm::dvec3 place = mesh.position[vertex];
         const surface::SheetValue a = surface::sheet_at(sheets, first[vertex], place);
