@@ -170,6 +170,18 @@ inline Triangles wound_ring(int around, int along) {
     });
 }
 
+// Four faces, and as sharp as that.
+inline Triangles tetrahedron() {
+    Triangles mesh;
+    for (const double x : {-1.0, 1.0})
+        for (const double y : {-1.0, 1.0}) static_cast<void>(mesh.add(x, y, x * y));
+    mesh.face(0, 3, 1);
+    mesh.face(0, 1, 2);
+    mesh.face(0, 2, 3);
+    mesh.face(1, 3, 2);
+    return mesh;
+}
+
 // From 0 to x, y, z; each face of 2 * cells^2 triangles.
 inline Triangles box(double x, double y, double z, int cells) {
     Triangles mesh;

@@ -32,6 +32,7 @@ private:
     void add_pages(std::vector<Stage>& stages);
 
     void add_fit(std::vector<Stage>& stages, const char* name, const hrbfnpr_fit_desc& desc);
+    static void add_mesh_fit(std::vector<Stage>& stages, const char* name, const Mesh& mesh, std::uint32_t edges);
     void add_set(std::vector<Stage>& stages, const std::string& name, const Generation& desc);
     void add_line_set(std::vector<Stage>& stages, const char* name, bool curved);
     void add_frame(std::vector<Stage>& stages, const std::string& name, const hrbfnpr_style& style, bool lines);
@@ -51,7 +52,7 @@ private:
     LineSet curved_lines_;
     std::array<hrbfnpr_layer_style, 3> layer_styles_{};
     std::array<hrbfnpr_line_style, 4> line_styles_{};
-    Mesh mesh_;
+    Mesh mesh_, solid_;
     Renderer renderer_;
     Drawing drawing_;
 };
