@@ -113,6 +113,34 @@ TEST_F(HatchCuts, LinesThatPassACornerAreWhole) {
     EXPECT_EQ(inner_ends().size(), 0);
 }
 
+// Wide lines narrow beside an edge that they run along, and end bluntly at one that they meet.
+TEST_F(HatchCuts, WideLinesStayBesideTheEdgesThatTheyRunAlong) {
+    layer.hatch_coverage_begin = layer.hatch_coverage_end = 0.6F;
+    layer.hatch_spacing = 10.0F;
+    add_lines(0.02);
+    for (const double turn : {0.06, 0.2, -0.13}) {
+        for (const float halo : {0.0F, 2.0F}) {
+            draw_box(turn, 1.0, halo);
+            double widest = 0.0;
+            for (std::int64_t s = 0; s < frame.drawing().strokes.size(); ++s) {
+                if (frame.drawing().strokes[s].layer != 0) continue;
+                for (const StrokePoint& p : points_of(s)) {
+                    const glm::dvec2 at = glm::dvec2(p.x - 250.0F, 250.0F - p.y) / pixels;
+                    const auto radius = static_cast<double>(p.radius);
+                    widest = std::max(widest, radius);
+                    // Beside the edges at the top and the bottom.
+                    const double aside = std::abs(std::cos(turn) * at.y - std::sin(turn) * at.x) - half;
+                    const double along = std::abs(std::cos(turn) * at.x + std::sin(turn) * at.y);
+                    if (aside <= 0.0 || along >= half - 0.05) continue;
+                    EXPECT_LE(radius + static_cast<double>(halo), pixels * aside / std::cos(turn) + 0.3)
+                        << turn << ' ' << halo << ' ' << at.x << ' ' << at.y;
+                }
+            }
+            EXPECT_NEAR(widest, 6.0, 0.1);
+        }
+    }
+}
+
 // What is hardly behind an edge has no halo, as of contours.
 TEST_F(HatchCuts, HalosOpenWithTheDistanceOfWhatHides) {
     add_lines(0.02);

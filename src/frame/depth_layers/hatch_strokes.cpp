@@ -243,6 +243,7 @@ private:
         p.pixels_per_unit = mixed(a.pixels_per_unit, b.pixels_per_unit);
         p.length = at - start_;
         p.id = t < 0.5F ? a.id : b.id;
+        p.radius = within_edges(p, glm::vec2(b.x - a.x, b.y - a.y));
         part_.made.points.push_back(p);
     }
 
@@ -254,6 +255,14 @@ private:
         if (!(opacity > 0.0F)) opacity = part_.made.points.back().opacity;
         part_.made.points.push_back({own.x, own.y, shown_radius(i) * fade_ * profile(at), opacity, own.depth,
                                      own.window, own.pixels_per_unit, at - start_, own.id});
+        StrokePoint& p = part_.made.points.back();
+        const Dot& next = dot(std::min(i + 1, size() - 1));
+        p.radius = within_edges(p, glm::vec2(next.x - dot(i - 1).x, next.y - dot(i - 1).y));
+    }
+
+    // How wide it is, so that it does not go over an edge that it runs along.
+    [[nodiscard]] float within_edges(const StrokePoint& p, const glm::vec2& along) const noexcept {
+        return hiding_.edges.empty() ? p.radius : hiding_.edges.room(p, along, p.radius, halo_);
     }
 
     // What is not seen is a gap at an end, or one that the line goes on over.

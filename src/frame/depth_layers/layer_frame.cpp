@@ -57,7 +57,8 @@ void LayerFrame::run(Scene& scene, const LineStrokes& lines, drawing::Drawing& d
 
     watch.restart();
     edges_.clear();
-    if (!hatch_points_.batches().empty() && !lines.strokes.empty()) edges_.build(lines, scene.lens.viewport);
+    if (!hatch_points_.batches().empty() && !lines.strokes.empty())
+        edges_.build(lines, drawing.layers.span(), scene.lens.viewport);
     const std::span<const HatchStrokePart> hatching =
         hatch_strokes_.run(scene, hatch_points_, {edges_, layers_, drawing}, drawing);
     joiner_.run(scene, {lines, hatching}, drawing);

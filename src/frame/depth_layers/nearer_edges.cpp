@@ -2,6 +2,7 @@
 #include "frame/depth_layers/nearer_edges.h"
 
 #include "base/scratch.h"
+#include "frame/scene/style.h"
 #include "geometry/segment.h"
 
 #include <algorithm>
@@ -27,6 +28,9 @@ constexpr float at_edge = 0.05F;
 // pixels.
 constexpr float farthest_crossing = 24.0F;
 constexpr float steepest_surface = 6.0F;
+// A line ends bluntly at an edge that it makes an angle of at least the first cosine with.
+constexpr float goes_across = 0.25F;
+constexpr float goes_along = 0.5F;
 // Longer edges are cut into fewer pieces than would lie in few cells.
 constexpr float most_pieces = 4096.0F;
 
@@ -99,7 +103,7 @@ void NearerEdges::for_near(const glm::vec2& low, const glm::vec2& high, const F&
                 f(edges_[numbers_[i]]);
 }
 
-void NearerEdges::build(const LineStrokes& lines, const glm::vec4& picture) {
+void NearerEdges::build(const LineStrokes& lines, std::span<const drawing::Layer> layers, const glm::vec4& picture) {
     corner_ = glm::vec2(picture);
     columns_ = 1 + static_cast<std::int32_t>(picture.z / cell_side);
     rows_ = 1 + static_cast<std::int32_t>(picture.w / cell_side);
@@ -108,10 +112,15 @@ void NearerEdges::build(const LineStrokes& lines, const glm::vec4& picture) {
     edges_.clear();
     for (const drawing::Stroke& stroke : lines.strokes) {
         if (stroke.hidden_layers > 0) continue;
+        const drawing::Layer& layer = layers[stroke.layer];
+        const bool is_crease = layer.line_kind == static_cast<std::uint32_t>(LineKind::crease);
         const StrokePoint* const point = lines.points.data() + stroke.first;
         for (std::int32_t i = 0; i + 1 < stroke.count; ++i) {
-            const Edge edge{
-                {point[i].x, point[i].y}, {point[i + 1].x, point[i + 1].y}, point[i].depth, point[i + 1].depth};
+            const Edge edge{{point[i].x, point[i].y},
+                            {point[i + 1].x, point[i + 1].y},
+                            point[i].depth,
+                            point[i + 1].depth,
+                            is_crease};
             if (glm::all(glm::lessThan(glm::min(edge.a, edge.b), high)) &&
                 glm::all(glm::greaterThan(glm::max(edge.a, edge.b), low)))
                 edges_.push_back(edge);
@@ -186,6 +195,33 @@ float NearerEdges::entry(const Dot& a, const Dot& b, float halo) const noexcept 
             first = std::min(first, entry_of_strip(from, way, edge.a, edge.b, radius));
     });
     return first <= 1.0F ? first : nowhere;
+}
+
+float NearerEdges::room(const StrokePoint& point, const glm::vec2& along, float radius, float halo) const noexcept {
+    const float way = glm::length(along);
+    if (!(way > 0.0F)) return radius;
+    const glm::vec2 at(point.x, point.y);
+    const glm::vec2 u = along / way;
+    const float reach = radius + std::max(halo, at_edge);
+    float least = radius;
+    for_near(at - reach, at + reach, [&](const Edge& edge) {
+        // Where the line across the line through the point meets the edge.
+        const float from = glm::dot(edge.a - at, u);
+        const float to = glm::dot(edge.b - at, u);
+        if (from * to > 0.0F || from == to) return;
+        const float share = from / (from - to);
+        const float aside = std::abs(cross(u, edge.a + share * (edge.b - edge.a) - at));
+        if (aside > reach) return;
+        const float own = least_before + steepest_surface * aside;
+        const float nearer =
+            (point.depth - edge.depth_a - share * (edge.depth_b - edge.depth_a)) * point.pixels_per_unit;
+        if (!(nearer > own) && !(edge.is_crease && nearer > -own)) return;
+        const float cosine = std::abs(to - from) / glm::distance(edge.a, edge.b);
+        const float along_edge = std::clamp((cosine - goes_across) / (goes_along - goes_across), 0.0F, 1.0F);
+        const float free = nearer > own ? aside - halo_of(nearer - own, halo) : aside;
+        least = std::min(least, std::lerp(radius, std::max(free, 0.0F), along_edge));
+    });
+    return least;
 }
 
 } // namespace hrbfnpr::frame

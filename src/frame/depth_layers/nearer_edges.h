@@ -2,10 +2,12 @@
 // The lines that are drawn, as edges of what lies before hatching.
 #pragma once
 
+#include "drawing/drawing.h"
 #include "frame/scene/line_strokes.h"
 #include "geometry/vec.h"
 
 #include <limits>
+#include <span>
 
 namespace hrbfnpr::frame {
 
@@ -14,7 +16,7 @@ public:
     explicit NearerEdges(base::Memory& memory) noexcept : edges_(memory), first_(memory), numbers_(memory) {}
 
     // Of strokes that nothing hides.  picture: left, top, width, height, pixels.
-    void build(const LineStrokes& lines, const glm::vec4& picture);
+    void build(const LineStrokes& lines, std::span<const drawing::Layer> layers, const glm::vec4& picture);
     void clear() noexcept { edges_.clear(); }
     [[nodiscard]] bool empty() const noexcept { return edges_.empty(); }
 
@@ -27,12 +29,18 @@ public:
     // a; else `nowhere`.
     [[nodiscard]] float entry(const drawing::Dot& a, const drawing::Dot& b, float halo) const noexcept;
 
+    // How far to both sides a line through the point, which goes along there, may reach, up to that radius, so that it
+    // goes over no edge before it, or its halo, nor over a crease of its own surface.
+    [[nodiscard]] float room(const drawing::StrokePoint& point, const glm::vec2& along, float radius,
+                             float halo) const noexcept;
+
     [[nodiscard]] std::int64_t bytes() const noexcept { return edges_.bytes() + first_.bytes() + numbers_.bytes(); }
 
 private:
     struct Edge {
         glm::vec2 a, b;
         float depth_a, depth_b;
+        bool is_crease;
     };
     // Of cells, half-open.
     struct Cells {
