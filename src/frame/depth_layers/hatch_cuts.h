@@ -6,6 +6,7 @@
 #include "frame/depth_layers/depth_layers.h"
 #include "frame/depth_layers/nearer_edges.h"
 
+#include <algorithm>
 #include <span>
 
 namespace hrbfnpr::frame {
@@ -16,6 +17,9 @@ struct Hiding {
     const DepthLayers& layers;
     const drawing::Drawing& drawing;
 };
+
+// Of wider halos those of the depth layers stay as they are: edges are looked for so far around each point.  Pixels.
+inline constexpr float widest_halo = 32.0F;
 
 // A line is seen on one side of a place between two of its points, and hidden on the other.
 struct HatchCut {
@@ -31,7 +35,7 @@ public:
     // cuts: what is found, in their order.
     HatchCuts(const Hiding& hiding, float halo, std::span<Dot> dots, const base::Array<float>& length,
               base::Array<HatchCut>& cuts) noexcept
-        : hiding_(hiding), halo_(halo), dots_(dots), length_(length), cuts_(cuts) {}
+        : hiding_(hiding), halo_(std::min(halo, widest_halo)), dots_(dots), length_(length), cuts_(cuts) {}
 
     // Dots between where they said that it ends and where it does are seen, or hidden, from then on.
     void find();

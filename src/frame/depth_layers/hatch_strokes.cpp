@@ -262,7 +262,7 @@ private:
 
     // How wide it is, so that it does not go over an edge that it runs along.
     [[nodiscard]] float within_edges(const StrokePoint& p, const glm::vec2& along) const noexcept {
-        return hiding_.edges.empty() ? p.radius : hiding_.edges.room(p, along, p.radius, halo_);
+        return hiding_.edges.empty() ? p.radius : hiding_.edges.room(p, along, p.radius, std::min(halo_, widest_halo));
     }
 
     // What is not seen is a gap at an end, or one that the line goes on over.
