@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "curves/near_creases.h"
 
+#include "geometry/segment.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -10,13 +12,6 @@ namespace {
 // In sides: pieces of creases are no longer.
 constexpr double longest_part_beside = 1.0;
 constexpr double farthest_beside = 0.5;
-
-double distance_to(const glm::dvec3& place, const glm::dvec3& from, const glm::dvec3& to) noexcept {
-    const glm::dvec3 way = to - from;
-    const double square = glm::dot(way, way);
-    const double share = square > 0.0 ? std::clamp(glm::dot(place - from, way) / square, 0.0, 1.0) : 0.0;
-    return glm::distance(place, from + share * way);
-}
 
 } // namespace
 
@@ -42,7 +37,7 @@ bool NearCreases::has(const glm::dvec3& place, double reach) const noexcept {
     bool found = false;
     grid_->around(place, [&](std::int64_t at) {
         const std::int64_t i = grid_->index(at);
-        found = found || distance_to(place, from_[i], to_[i]) <= std::min(reach, most_);
+        found = found || geometry::distance_to_segment(place, from_[i], to_[i]) <= std::min(reach, most_);
     });
     return found;
 }

@@ -8,10 +8,17 @@
 namespace hrbfnpr::mesh {
 namespace {
 
-constexpr std::int64_t tested_faces = 16; // of a component
+constexpr std::int64_t tested_faces = 16;  // of a component ...
+constexpr std::int64_t places_of_face = 4; // ... the middle of each, and next to its corners
 // In no direction that edges of meshes have.
 const std::array<glm::dvec3, 3> directions{glm::dvec3{0.5773, 0.2161, 0.7874}, glm::dvec3{-0.6431, 0.7321, 0.2247},
                                            glm::dvec3{0.1713, -0.5119, -0.8418}};
+
+// Those of a face that is large reach farther out than its middle.
+glm::dvec3 place_of_face(const std::array<glm::dvec3, 3>& corners, std::int64_t number) noexcept {
+    const glm::dvec3 middle = (corners[0] + corners[1] + corners[2]) / 3.0;
+    return number == 0 ? middle : glm::mix(corners[static_cast<std::size_t>(number - 1)], middle, 0.01);
+}
 
 // Components that a ray meets an odd number of times, ascending.
 void met_oddly(const FaceTree& tree, const base::Array<std::int32_t>& component, const glm::dvec3& from,
@@ -62,9 +69,10 @@ void find_nested(const base::Runtime& runtime, const base::Array<glm::dvec3>& ve
         base::Array<std::int32_t> holders(runtime.memory); // closed ones that all tested places lie inside
         base::Array<std::int32_t> here(runtime.memory);
         const std::int64_t tests = std::min(tested_faces, measured[i].faces);
-        for (std::int64_t k = 0; k < tests; ++k) {
-            const Triangle& t = triangle[face[begin[i] + k * measured[i].faces / tests]];
-            around(tree, component, (vertex[t[0]] + vertex[t[1]] + vertex[t[2]]) / 3.0, here);
+        for (std::int64_t k = 0; k < places_of_face * tests; ++k) {
+            const Triangle& t = triangle[face[begin[i] + k / places_of_face * measured[i].faces / tests]];
+            around(tree, component, place_of_face({vertex[t[0]], vertex[t[1]], vertex[t[2]]}, k % places_of_face),
+                   here);
             std::int64_t kept = 0;
             for (const std::int32_t other : here) {
                 const bool before = k == 0 || std::binary_search(holders.begin(), holders.end(), other);

@@ -142,6 +142,22 @@ TEST(MakeMesh, LeavesOutWhatLiesInside) {
     EXPECT_EQ(largest.bounds.max.x, 1.0);
 }
 
+// Middles of all faces of the turned square lie inside the other, or on it; its corners do not.
+TEST(MakeMesh, KeepsWhatStandsOutAtItsCorners) {
+    const Triangles square = box(2.0, 2.0, 1.0, 1).moved(1.0, -1.0, -1.0, 0.0);
+    for (const double low : {0.0, 0.1}) {
+        Triangles turned = square.moved(std::sqrt(0.5), 0.0, 0.0, low);
+        for (std::size_t i = 0; i < turned.vertices.size(); i += 3) {
+            const double x = turned.vertices[i];
+            turned.vertices[i] = x - turned.vertices[i + 1];
+            turned.vertices[i + 1] += x;
+        }
+        const Mesh star = made(runtime(), square.with(turned));
+        EXPECT_EQ(star.report.nested_components, 0) << low;
+        EXPECT_EQ(star.faces(), 24) << low;
+    }
+}
+
 TEST(MakeMesh, KeepsCavitiesWithAllParts) {
     const Triangles shell = icosphere(3).with(icosphere(3).turned().moved(0.8, 0, 0, 0));
     const Mesh all = made(runtime(), shell, Parts::all);

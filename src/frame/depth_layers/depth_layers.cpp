@@ -102,6 +102,7 @@ std::int64_t DepthLayers::attenuate(const HatchTiles& hatching, drawing::Drawing
     const std::int64_t workers = std::max(1, runtime_.parallel.threads());
     base::resize_scratch(planes_, workers * planes_of_one * plane);
     base::resize_scratch(seen_, tiles.tiles());
+    base::resize_scratch(largest_, tiles.tiles());
     std::atomic<std::int64_t> next{0};
     runtime_.parallel.for_each(workers, [&](std::int64_t worker) {
         LayerPlanes planes = planes_of(worker);
@@ -116,7 +117,7 @@ std::int64_t DepthLayers::attenuate(const HatchTiles& hatching, drawing::Drawing
 // The inks whose centres lie in the tile: first through the nearest layers, then, if any ink is still seen behind
 // those, through the next.
 std::int64_t DepthLayers::dim_tile(LayerPlanes& planes, const HatchTiles& hatching, drawing::Drawing& drawing,
-                                   std::int64_t tile) const noexcept {
+                                   std::int64_t tile) noexcept {
     const drawing::Tiles& tiles = drawing.dot_tiles;
     const glm::vec2 origin(drawing.first_pixel);
     const std::int64_t column = tile % tiles.columns();
@@ -133,11 +134,13 @@ std::int64_t DepthLayers::dim_tile(LayerPlanes& planes, const HatchTiles& hatchi
     };
     std::int64_t seen = 0;
     bool laid = false;
+    largest_[tile] = 0.0F;
     float nearest = nothing;
     float farthest = -nothing;
     for_own([&](Dot& ink) {
         if (!laid) lay_tile(planes, drawing, tile, corner);
         laid = true;
+        largest_[tile] = planes.largest_splat;
         const Dimmed dimmed = dim(planes, ink, ink.x - corner.x, ink.y - corner.y, false);
         ink.opacity = dimmed.transmittance < faintest_ink ? 0.0F : dimmed.transmittance;
         seen += ink.opacity > 0.0F;
@@ -161,6 +164,13 @@ std::int64_t DepthLayers::dim_tile(LayerPlanes& planes, const HatchTiles& hatchi
         seen += ink.opacity > 0.0F;
     });
     return seen;
+}
+
+float DepthLayers::largest_splat(const drawing::Drawing& drawing, const Dot& dot) const noexcept {
+    if (!drawing.has_splats) return 0.0F;
+    const drawing::Tiles& tiles = drawing.dot_tiles;
+    const glm::vec2 at = glm::vec2(dot.x, dot.y) - glm::vec2(drawing.first_pixel);
+    return largest_[tile_of(at.y, tiles.rows()) * tiles.columns() + tile_of(at.x, tiles.columns())];
 }
 
 } // namespace hrbfnpr::frame

@@ -17,14 +17,17 @@ class DepthLayers {
 public:
     explicit DepthLayers(const base::Runtime& runtime) noexcept
         : runtime_(runtime), loops_(layer_loops(runtime.instruction_set)), planes_(runtime.memory),
-          seen_(runtime.memory) {}
+          seen_(runtime.memory), largest_(runtime.memory) {}
 
     // Bins the drawing's splats, and sets the opacity of each of its dots by what the depth layers that they stand for
     // let through.  The dots stand in tiles already, and those of hatching in tiles of their own.  Returns how many are
     // drawn.
     std::int64_t attenuate(const HatchTiles& hatching, drawing::Drawing& drawing);
 
-    [[nodiscard]] std::int64_t bytes() const noexcept { return planes_.bytes() + seen_.bytes(); }
+    // The radius of the largest splat where the dot is, pixels: what it hides ends up to that beyond its surface.
+    [[nodiscard]] float largest_splat(const drawing::Drawing& drawing, const Dot& dot) const noexcept;
+
+    [[nodiscard]] std::int64_t bytes() const noexcept { return planes_.bytes() + seen_.bytes() + largest_.bytes(); }
 
 private:
     static constexpr std::int32_t tile_size = drawing::tile_size;
@@ -38,12 +41,13 @@ private:
     void lay_tile(LayerPlanes& planes, const drawing::Drawing& drawing, std::int64_t tile,
                   const glm::vec2& corner) const noexcept;
     [[nodiscard]] std::int64_t dim_tile(LayerPlanes& planes, const HatchTiles& hatching, drawing::Drawing& drawing,
-                                        std::int64_t tile) const noexcept;
+                                        std::int64_t tile) noexcept;
 
     const base::Runtime& runtime_;
     LayerLoops loops_;
     base::Array<float> planes_; // of each worker
     base::Array<std::int64_t> seen_;
+    base::Array<float> largest_; // splat of each tile
 };
 
 } // namespace hrbfnpr::frame

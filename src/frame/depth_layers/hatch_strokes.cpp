@@ -80,14 +80,15 @@ private:
 // The strokes of one span.
 class HatchPieces {
 public:
-    HatchPieces(HatchStrokePart& part, const HatchSpan& span, std::span<Dot> dots, const LayerStyle& style,
-                float halo) noexcept
-        : part_(part), span_(span), dots_(dots), shortest_(style.hatch_shortest), halo_(halo),
+    HatchPieces(HatchStrokePart& part, const HatchSpan& span, std::span<Dot> dots, const LayerStyle& style, float halo,
+                const Hiding& hiding) noexcept
+        : part_(part), span_(span), dots_(dots), hiding_(hiding), shortest_(style.hatch_shortest), halo_(halo),
           tip_radius_(0.5F * widest_tip * style.hatch_pen) {}
 
     void operator()() {
         if (span_.closed) begin_hidden();
         measure();
+        find_cuts();
         const std::int64_t count = size();
         for (std::int64_t i = 0; i < count; ++i) {
             if (!seen(i)) continue;
@@ -123,6 +124,11 @@ private:
         }
     }
 
+    void find_cuts() {
+        part_.cuts.clear();
+        if (!hiding_.edges.empty()) HatchCuts(hiding_, halo_, dots_, part_.length, part_.cuts).find();
+    }
+
     // How wide the line is in the hidden part that i lies in, where it is so short that the line goes on; else 0.
     [[nodiscard]] float bridge(std::int64_t i) const noexcept {
         std::int64_t first = i;
@@ -130,19 +136,23 @@ private:
         std::int64_t end = i;
         while (end < size() && !seen(end)) ++end;
         if (first == 0 || end == size()) return 0.0F;
-        const float gap = middle(end - 1) - middle(first - 1);
+        const float gap = turn(end - 1) - turn(first - 1);
         if (gap < least_stroke_gap * (dot(first - 1).radius + dot(end).radius)) return 1.0F;
         return halo_ > 0.0F ? std::clamp((halo_and_more - gap / halo_) / (halo_and_more - halo_alone), 0.0F, 1.0F)
                             : 0.0F;
     }
     [[nodiscard]] bool closes(std::int64_t i) const noexcept { return bridge(i) > 0.0F; }
-    // Half way to the next one.
-    [[nodiscard]] float middle(std::int64_t i) const noexcept { return 0.5F * (part_.length[i] + part_.length[i + 1]); }
+    // Where the line begins or ends to be hidden between a point and the next one: half way, if nothing tells.
+    [[nodiscard]] float turn(std::int64_t i) const noexcept {
+        for (const HatchCut& cut : part_.cuts)
+            if (cut.before == i) return cut.at;
+        return 0.5F * (part_.length[i] + part_.length[i + 1]);
+    }
 
-    // From the point `first` to the point `last`, which are seen, and half way to the next ones, which are not.
+    // From the point `first` to the point `last`, which are seen, and on to where it is hidden.
     void put(std::int64_t first, std::int64_t last) {
-        begin_ = first > 0 ? middle(first - 1) : 0.0F;
-        end_ = last + 1 < size() ? middle(last) : part_.length[size() - 1];
+        begin_ = first > 0 ? turn(first - 1) : 0.0F;
+        end_ = last + 1 < size() ? turn(last) : part_.length[size() - 1];
         begin_taper_ = first > 0 ? hidden_taper : 0.0F;
         end_taper_ = last + 1 < size() ? hidden_taper : 0.0F;
         begins_narrow_ = std::max(span_.taper_begin, begin_ + begin_taper_);
@@ -233,6 +243,7 @@ private:
         p.pixels_per_unit = mixed(a.pixels_per_unit, b.pixels_per_unit);
         p.length = at - start_;
         p.id = t < 0.5F ? a.id : b.id;
+        p.radius = within_edges(p, glm::vec2(b.x - a.x, b.y - a.y));
         part_.made.points.push_back(p);
     }
 
@@ -244,6 +255,14 @@ private:
         if (!(opacity > 0.0F)) opacity = part_.made.points.back().opacity;
         part_.made.points.push_back({own.x, own.y, shown_radius(i) * fade_ * profile(at), opacity, own.depth,
                                      own.window, own.pixels_per_unit, at - start_, own.id});
+        StrokePoint& p = part_.made.points.back();
+        const Dot& next = dot(std::min(i + 1, size() - 1));
+        p.radius = within_edges(p, glm::vec2(next.x - dot(i - 1).x, next.y - dot(i - 1).y));
+    }
+
+    // How wide it is, so that it does not go over an edge that it runs along.
+    [[nodiscard]] float within_edges(const StrokePoint& p, const glm::vec2& along) const noexcept {
+        return hiding_.edges.empty() ? p.radius : hiding_.edges.room(p, along, p.radius, std::min(halo_, widest_halo));
     }
 
     // What is not seen is a gap at an end, or one that the line goes on over.
@@ -262,6 +281,7 @@ private:
     HatchStrokePart& part_;
     const HatchSpan& span_;
     std::span<Dot> dots_;
+    const Hiding& hiding_;
     float shortest_, halo_, tip_radius_;
     std::int64_t first_ = 0, last_ = 0, from_ = 0;
     float begin_ = 0.0F, end_ = 0.0F, begin_taper_ = 0.0F, end_taper_ = 0.0F, start_ = 0.0F, fade_ = 1.0F;
@@ -276,7 +296,7 @@ void for_each_mark(const Range& range, const F& f) {
         if (std::exchange(last, element.id) != element.id) f(element);
 }
 
-void make_strokes(const LayerStyle& style, float halo, const HatchPart& from, std::span<Dot> dots,
+void make_strokes(const LayerStyle& style, float halo, const Hiding& hiding, const HatchPart& from, std::span<Dot> dots,
                   HatchStrokePart& part) {
     part.made.strokes.clear();
     part.made.points.clear();
@@ -286,7 +306,7 @@ void make_strokes(const LayerStyle& style, float halo, const HatchPart& from, st
             dots.subspan(static_cast<std::size_t>(span.first), static_cast<std::size_t>(span.count));
         for_each_mark(own, [&](const Dot& dot) { part.hidden += dot.opacity > 0.0F ? 0 : 1; });
         for (const Dot& dot : own) part.seen += dot.opacity > 0.0F ? 1 : 0;
-        HatchPieces(part, span, own, style, halo)();
+        HatchPieces(part, span, own, style, halo, hiding)();
     }
     for (Dot& dot : dots) dot.opacity = 0.0F;
     for_each_mark(part.made.points, [&](const StrokePoint&) { ++part.shown; });
@@ -294,7 +314,7 @@ void make_strokes(const LayerStyle& style, float halo, const HatchPart& from, st
 
 } // namespace
 
-std::span<const HatchStrokePart> HatchStrokes::run(const Scene& scene, const HatchPoints& points,
+std::span<const HatchStrokePart> HatchStrokes::run(const Scene& scene, const HatchPoints& points, const Hiding& hiding,
                                                    drawing::Drawing& drawing) {
     const std::span<const HatchPoints::Batch> batches = points.batches();
     const auto count = static_cast<std::int64_t>(batches.size());
@@ -304,7 +324,7 @@ std::span<const HatchStrokePart> HatchStrokes::run(const Scene& scene, const Hat
         const std::span<Dot> dots(drawing.dots.data() + batch.first_dot,
                                   static_cast<std::size_t>(batch.part.points.size()));
         const Run& own = scene.runs[batch.run];
-        make_strokes(*own.style, scene.item_of(own).style.halo_width, batch.part, dots, parts_[i]);
+        make_strokes(*own.style, scene.item_of(own).style.halo_width, hiding, batch.part, dots, parts_[i]);
     });
     for (std::int64_t i = 0; i < count; ++i) {
         const HatchStrokePart& part = parts_[i];

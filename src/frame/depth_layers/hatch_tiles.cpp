@@ -6,16 +6,6 @@
 #include <algorithm>
 
 namespace hrbfnpr::frame {
-namespace {
-
-// The row or column of tiles that a place lies in, or is the nearest to.
-[[nodiscard]] std::int64_t cell(float at, std::int64_t count) noexcept {
-    constexpr float scale = 1.0F / static_cast<float>(drawing::tile_size);
-    return static_cast<std::int64_t>(std::clamp(at * scale, 0.0F, static_cast<float>(count - 1)));
-}
-
-} // namespace
-
 void HatchTiles::cut(const HatchPoints::Batch& batch, const drawing::Drawing& drawing, base::Array<DotRun>& runs) {
     const drawing::Tiles& tiles = drawing.dot_tiles;
     const glm::vec2 origin(drawing.first_pixel);
@@ -24,7 +14,7 @@ void HatchTiles::cut(const HatchPoints::Batch& batch, const drawing::Drawing& dr
     for (std::int64_t i = batch.first_dot; i < end; ++i) {
         const Dot& dot = drawing.dots[i];
         const std::int64_t tile =
-            cell(dot.y - origin.y, tiles.rows()) * tiles.columns() + cell(dot.x - origin.x, tiles.columns());
+            tile_of(dot.y - origin.y, tiles.rows()) * tiles.columns() + tile_of(dot.x - origin.x, tiles.columns());
         if (runs.empty() || runs.back().tile != tile) runs.push_back({tile, i, i});
         runs.back().end = i + 1;
     }

@@ -5,7 +5,15 @@
 
 #include "frame/depth_layers/hatch_points.h"
 
+#include <algorithm>
+
 namespace hrbfnpr::frame {
+
+// The row or column of tiles, of so many, that a place lies in, or is the nearest to.
+[[nodiscard]] inline std::int64_t tile_of(float at, std::int64_t count) noexcept {
+    constexpr float scale = 1.0F / static_cast<float>(drawing::tile_size);
+    return static_cast<std::int64_t>(std::clamp(at * scale, 0.0F, static_cast<float>(count - 1)));
+}
 
 class HatchTiles {
 public:

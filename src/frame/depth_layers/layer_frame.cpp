@@ -33,8 +33,8 @@ void find_color(const Scene& scene, drawing::Drawing& drawing) {
 } // namespace
 
 LayerFrame::LayerFrame(const base::Runtime& runtime) noexcept
-    : runtime_(runtime), gather_(runtime), hatch_points_(runtime), hatch_tiles_(runtime), hatch_strokes_(runtime),
-      layers_(runtime), exact_(runtime.memory), joiner_(runtime) {}
+    : runtime_(runtime), gather_(runtime), hatch_points_(runtime), hatch_tiles_(runtime), edges_(runtime.memory),
+      hatch_strokes_(runtime), layers_(runtime), exact_(runtime.memory), joiner_(runtime) {}
 
 void LayerFrame::run(Scene& scene, const LineStrokes& lines, drawing::Drawing& drawing) {
     drawing.painting = drawing::Painting::transmittance;
@@ -56,7 +56,11 @@ void LayerFrame::run(Scene& scene, const LineStrokes& lines, drawing::Drawing& d
     drawing.counts.nanoseconds_visibility = watch.nanoseconds();
 
     watch.restart();
-    const std::span<const HatchStrokePart> hatching = hatch_strokes_.run(scene, hatch_points_, drawing);
+    edges_.clear();
+    if (!hatch_points_.batches().empty() && !lines.strokes.empty())
+        edges_.build(lines, drawing.layers.span(), scene.lens.viewport);
+    const std::span<const HatchStrokePart> hatching =
+        hatch_strokes_.run(scene, hatch_points_, {edges_, layers_, drawing}, drawing);
     joiner_.run(scene, {lines, hatching}, drawing);
     drawing.counts.nanoseconds_sort += watch.nanoseconds();
 }
@@ -94,8 +98,8 @@ void LayerFrame::dim(const Scene& scene, drawing::Drawing& drawing) {
 }
 
 std::int64_t LayerFrame::bytes() const noexcept {
-    return gather_.bytes() + hatch_points_.bytes() + hatch_tiles_.bytes() + hatch_strokes_.bytes() + layers_.bytes() +
-           exact_.bytes() + joiner_.bytes();
+    return gather_.bytes() + hatch_points_.bytes() + hatch_tiles_.bytes() + edges_.bytes() + hatch_strokes_.bytes() +
+           layers_.bytes() + exact_.bytes() + joiner_.bytes();
 }
 
 } // namespace hrbfnpr::frame

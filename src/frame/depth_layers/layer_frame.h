@@ -28,6 +28,7 @@ private:
     Gather gather_;
     HatchPoints hatch_points_;
     HatchTiles hatch_tiles_;
+    NearerEdges edges_;
     HatchStrokes hatch_strokes_;
     DepthLayers layers_;
     ExactVisibility exact_;

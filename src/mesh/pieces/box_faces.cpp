@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "mesh/pieces/box_faces.h"
 
+#include "geometry/segment.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -46,11 +48,8 @@ double distance_to(const glm::dvec3& place, const std::array<glm::dvec3, 3>& cor
     if (shares.x >= 0.0 && shares.y >= 0.0 && shares.z >= 0.0)
         return glm::distance(place, shares.x * corners[0] + shares.y * corners[1] + shares.z * corners[2]);
     double least = std::numeric_limits<double>::infinity();
-    for (std::size_t k = 0; k < 3; ++k) {
-        const glm::dvec3 edge = corners[(k + 1) % 3] - corners[k];
-        const double t = std::clamp(glm::dot(place - corners[k], edge) / glm::dot(edge, edge), 0.0, 1.0);
-        least = std::min(least, glm::distance(place, corners[k] + t * edge));
-    }
+    for (std::size_t k = 0; k < 3; ++k)
+        least = std::min(least, geometry::distance_to_segment(place, corners[k], corners[(k + 1) % 3]));
     return least;
 }
 

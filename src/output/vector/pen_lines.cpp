@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "output/vector/pen_lines.h"
 
+#include "geometry/segment.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -11,11 +13,7 @@ namespace {
 using glm::dvec2;
 
 double square_from(const PagePoint& p, const PagePoint& a, const PagePoint& b) noexcept {
-    const dvec2 along(b.x - a.x, b.y - a.y), to(p.x - a.x, p.y - a.y);
-    const double square = glm::dot(along, along);
-    const double t = square > 0.0 ? std::clamp(glm::dot(to, along) / square, 0.0, 1.0) : 0.0;
-    const dvec2 off = to - t * along;
-    return glm::dot(off, off);
+    return geometry::square_from_segment(dvec2(p.x, p.y), dvec2(a.x, a.y), dvec2(b.x, b.y));
 }
 
 // Points of a line that is split by itself: the work is as the square of their number where all are kept.

@@ -7,6 +7,9 @@
 #include <glm/gtx/component_wise.hpp>
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <numbers>
+
 namespace touching_test {
 
 namespace mesh = hrbfnpr::mesh;
@@ -46,6 +49,32 @@ TEST(Touching, IsFoundWherePartsCross) {
         EXPECT_LE(glm::compMax(found.place), 1.0);
     }
     EXPECT_LT(find(cube.with(cube.moved(1.0, 1.001, 0.999, 0.999)), 1e-6, 10).one, 0);
+}
+
+// Turned about z and then about y.
+Triangles turned_by(const Triangles& from, double about_z, double about_y) {
+    Triangles result = from;
+    for (std::size_t i = 0; i < from.vertices.size(); i += 3) {
+        const double x = std::cos(about_z) * from.vertices[i] - std::sin(about_z) * from.vertices[i + 1];
+        result.vertices[i + 1] = std::sin(about_z) * from.vertices[i] + std::cos(about_z) * from.vertices[i + 1];
+        result.vertices[i] = std::cos(about_y) * x - std::sin(about_y) * from.vertices[i + 2];
+        result.vertices[i + 2] = std::sin(about_y) * x + std::cos(about_y) * from.vertices[i + 2];
+    }
+    return result;
+}
+
+// Two squares that make a star, whose edges go through each other's: rounding tells whether one goes through a face.
+TEST(Touching, IsFoundWherePartsCrossOnEdgesAlone) {
+    const Triangles square = box(2.0, 2.0, 1.0, 1).moved(1.0, -1.0, -1.0, 0.0);
+    const Triangles star = square.with(turned_by(square, 0.25 * std::numbers::pi, 0.0));
+    for (int turn = 0; turn < 20; ++turn) {
+        const mesh::Touching found = find(turned_by(star, 0.37 * turn, 0.23 * turn), 1e-6, 200);
+        EXPECT_GE(found.one, 0) << turn;
+        EXPECT_EQ(found.one + found.other, 1) << turn;
+    }
+    // A hollow is all inside.
+    const Triangles hollow = box(0.4, 0.4, 0.4, 1).moved(1.0, 0.3, 0.3, 0.3);
+    EXPECT_LT(find(cube.with(hollow), 1e-6, 200).one, 0);
 }
 
 TEST(Touching, IsTheSameForAnyNumberOfThreads) {

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+// Where lines of hatching end at what hides them.  Their points tell that to a step, and depth layers to a splat's
+// radius; the edges that are drawn there tell it exactly.
+#pragma once
+
+#include "frame/depth_layers/depth_layers.h"
+#include "frame/depth_layers/nearer_edges.h"
+
+#include <algorithm>
+#include <span>
+
+namespace hrbfnpr::frame {
+
+// What hides lines of hatching.
+struct Hiding {
+    const NearerEdges& edges;
+    const DepthLayers& layers;
+    const drawing::Drawing& drawing;
+};
+
+// Of wider halos those of the depth layers stay as they are: edges are looked for so far around each point.  Pixels.
+inline constexpr float widest_halo = 32.0F;
+
+// A line is seen on one side of a place between two of its points, and hidden on the other.
+struct HatchCut {
+    std::int64_t before = -1; // the first of the two points; -1: there is no such place
+    float at = 0.0F;          // along the line, pixels
+
+    [[nodiscard]] bool any() const noexcept { return before >= 0; }
+};
+
+// Of one line, as dots that are seen or not, with their places along it.
+class HatchCuts {
+public:
+    // cuts: what is found, in their order.
+    HatchCuts(const Hiding& hiding, float halo, std::span<Dot> dots, const base::Array<float>& length,
+              base::Array<HatchCut>& cuts) noexcept
+        : hiding_(hiding), halo_(std::min(halo, widest_halo)), dots_(dots), length_(length), cuts_(cuts) {}
+
+    // Dots between where they said that it ends and where it does are seen, or hidden, from then on.
+    void find();
+
+private:
+    // Points from `first` to `end`, half-open, are hidden, those from `seen` to `first` and from `end` to `next` seen.
+    struct Gap {
+        std::int64_t seen, first, end, next;
+    };
+
+    [[nodiscard]] std::int64_t size() const noexcept { return static_cast<std::int64_t>(dots_.size()); }
+    [[nodiscard]] Dot& dot(std::int64_t i) const noexcept { return dots_[static_cast<std::size_t>(i)]; }
+    [[nodiscard]] bool seen(std::int64_t i) const noexcept { return dot(i).opacity > 0.0F; }
+    [[nodiscard]] bool is_near(std::int64_t i, float reach) const noexcept;
+    [[nodiscard]] float reach_of_splats(std::int64_t i) const noexcept;
+    [[nodiscard]] bool may_be_seen(std::int64_t i) const noexcept;
+    [[nodiscard]] std::int64_t begin_of_search(std::int64_t last, std::int64_t way, std::int64_t limit) const noexcept;
+    [[nodiscard]] HatchCut search(std::int64_t last, std::int64_t way, std::int64_t first_seen,
+                                  std::int64_t last_hidden) const noexcept;
+    [[nodiscard]] bool by_nothing(const Gap& gap) const noexcept;
+    void show(std::int64_t first, std::int64_t end) noexcept;
+    std::int64_t mend(const Gap& gap);
+    void apply(const HatchCut& cut, std::int64_t last, std::int64_t way) noexcept;
+
+    const Hiding& hiding_;
+    float halo_;
+    std::span<Dot> dots_;
+    const base::Array<float>& length_;
+    base::Array<HatchCut>& cuts_;
+};
+
+} // namespace hrbfnpr::frame

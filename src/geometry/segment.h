@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+// The place of a straight line's part that is nearest to a point.
+#pragma once
+
+#include "geometry/vec.h"
+
+#include <cmath>
+
+namespace hrbfnpr::geometry {
+
+// Its share of the way from one end to the other, 0 to 1; 0 where both ends are one place.
+template <class V>
+[[nodiscard]] typename V::value_type nearest_share(const V& place, const V& from, const V& to) noexcept {
+    using T = typename V::value_type;
+    const V way = to - from;
+    const T square = glm::dot(way, way);
+    return square > T(0) ? glm::clamp(glm::dot(place - from, way) / square, T(0), T(1)) : T(0);
+}
+
+template <class V>
+[[nodiscard]] typename V::value_type square_from_segment(const V& place, const V& from, const V& to) noexcept {
+    const V off = place - (from + nearest_share(place, from, to) * (to - from));
+    return glm::dot(off, off);
+}
+
+template <class V>
+[[nodiscard]] typename V::value_type distance_to_segment(const V& place, const V& from, const V& to) noexcept {
+    return std::sqrt(square_from_segment(place, from, to));
+}
+
+} // namespace hrbfnpr::geometry
