@@ -348,7 +348,7 @@ HatchLaw HatchMarks::law() const noexcept {
     law.share = style_.share;
     law.coverage_begin = style_.hatch_coverage_begin;
     law.coverage_rise = style_.hatch_coverage_end - style_.hatch_coverage_begin;
-    law.coverage_exponent = coverage_exponent;
+    std::copy(hollow.begin(), hollow.end(), law.hollow);
     law.spacing = style_.hatch_spacing;
     law.pen = style_.hatch_pen;
     law.white = style_.hatch_white;
