@@ -198,7 +198,7 @@ bool HatchMarks::find_pieces(std::int64_t piece, std::int64_t count, HatchStroke
         seen.may_draw.push_back(may_draw(own) ? all >> (marks::StrokePiece::most - own.count) : 0U);
         if (seen.may_draw.back() == 0) continue;
         any = true;
-        expect(own);
+        expect_normals(own);
     }
     // An unsteady hand goes by the numbers of the marks, and past where the tone ends.
     if (any && has_hand()) std::fill(seen.may_draw.begin(), seen.may_draw.end(), all);
@@ -207,10 +207,15 @@ bool HatchMarks::find_pieces(std::int64_t piece, std::int64_t count, HatchStroke
 
 // Whether any mark may be drawn.
 bool HatchMarks::find_marks(std::int64_t piece, HatchStroke& seen) const noexcept {
-    if (!limits_.any() || has_hand()) return true;
+    const bool limited = limits_.any() && !has_hand();
     std::uint32_t any = 0;
-    for (std::int64_t k = 0; k < seen.may_draw.size(); ++k)
-        if (seen.may_draw[k] != 0) any |= seen.may_draw[k] = limits_.may_draw(run_.clusters->piece[piece + k]);
+    for (std::int64_t k = 0; k < seen.may_draw.size(); ++k) {
+        std::uint32_t& bits = seen.may_draw[k];
+        const marks::StrokePiece& own = run_.clusters->piece[piece + k];
+        if (bits != 0 && limited) bits = limits_.may_draw(own);
+        if (bits != 0) expect_places(own);
+        any |= bits;
+    }
     return any != 0;
 }
 
@@ -258,16 +263,22 @@ bool HatchMarks::see(std::int64_t stroke, std::int64_t piece, HatchStroke& seen)
     return !seen.mark.empty();
 }
 
-// Soon its marks are asked for.
-void HatchMarks::expect(const marks::StrokePiece& piece) const noexcept {
+// Soon its marks are asked whether they may be drawn ...
+void HatchMarks::expect_normals(const marks::StrokePiece& piece) const noexcept {
     const marks::Layer& layer = *run_.marks;
     if (!layer.stroke_order.empty()) return;
     const std::int64_t first = 3 * std::int64_t{piece.first};
     const std::int64_t count = 3 * std::int64_t{piece.count};
-    base::prefetch(run_.position + first, count);
     base::prefetch(run_.normal + first, count);
     if (run_.has_tone_normals() && run_.normal == layer.normal.data())
         base::prefetch(layer.tone_normal.data() + first, count);
+}
+
+// ... and those that may be where they are.
+void HatchMarks::expect_places(const marks::StrokePiece& piece) const noexcept {
+    const marks::Layer& layer = *run_.marks;
+    if (!layer.stroke_order.empty()) return;
+    base::prefetch(run_.position + 3 * std::int64_t{piece.first}, 3 * std::int64_t{piece.count});
     base::prefetch(layer.level.data() + piece.first, piece.count);
     if (!layer.clusters.gap.empty()) base::prefetch(layer.clusters.gap.data() + piece.first, piece.count);
 }

@@ -121,7 +121,8 @@ private:
     bool find_pieces(std::int64_t piece, std::int64_t count, HatchStroke& seen) const;
     bool find_marks(std::int64_t piece, HatchStroke& seen) const noexcept;
     void find_ranges(HatchStroke& seen) const;
-    void expect(const marks::StrokePiece& piece) const noexcept;
+    void expect_normals(const marks::StrokePiece& piece) const noexcept;
+    void expect_places(const marks::StrokePiece& piece) const noexcept;
     [[nodiscard]] HatchRows load(HatchStroke& seen) const;
     void load(std::int64_t begin, std::int64_t count, std::uint32_t* numbers, const HatchRows& rows) const noexcept;
     void see_rows(std::span<const std::uint32_t> numbers, const HatchRows& rows, bool closed) const noexcept;
