@@ -269,18 +269,18 @@ void HatchMarks::expect_normals(const marks::StrokePiece& piece) const noexcept 
     if (!layer.stroke_order.empty()) return;
     const std::int64_t first = 3 * std::int64_t{piece.first};
     const std::int64_t count = 3 * std::int64_t{piece.count};
-    base::prefetch(run_.normal + first, count);
+    base::prefetch_many(run_.normal + first, count);
     if (run_.has_tone_normals() && run_.normal == layer.normal.data())
-        base::prefetch(layer.tone_normal.data() + first, count);
+        base::prefetch_many(layer.tone_normal.data() + first, count);
 }
 
 // ... and those that may be where they are.
 void HatchMarks::expect_places(const marks::StrokePiece& piece) const noexcept {
     const marks::Layer& layer = *run_.marks;
     if (!layer.stroke_order.empty()) return;
-    base::prefetch(run_.position + 3 * std::int64_t{piece.first}, 3 * std::int64_t{piece.count});
-    base::prefetch(layer.level.data() + piece.first, piece.count);
-    if (!layer.clusters.gap.empty()) base::prefetch(layer.clusters.gap.data() + piece.first, piece.count);
+    base::prefetch_many(run_.position + 3 * std::int64_t{piece.first}, 3 * std::int64_t{piece.count});
+    base::prefetch_many(layer.level.data() + piece.first, piece.count);
+    if (!layer.clusters.gap.empty()) base::prefetch_many(layer.clusters.gap.data() + piece.first, piece.count);
 }
 
 HatchRows HatchMarks::load(HatchStroke& seen) const {
