@@ -32,7 +32,7 @@ public:
     struct Footprint {
         float x, y, radius;
     };
-    // One with four sides.
+    // Any other one's sides.
     struct BoxFootprint {
         float left, top, right, bottom;
     };
@@ -160,20 +160,23 @@ private:
 
     [[nodiscard]] Rect rect_of(const Footprint& print) const noexcept {
         if (!(print.radius >= 0.0F) || !std::isfinite(print.x) || !std::isfinite(print.y)) return {};
-        return rect_of(BoxFootprint{print.x - print.radius, print.y - print.radius, print.x + print.radius,
-                                    print.y + print.radius});
+        return rect_between(print.x - print.radius, print.y - print.radius, print.x + print.radius,
+                            print.y + print.radius);
     }
     [[nodiscard]] Rect rect_of(const BoxFootprint& print) const noexcept {
+        if (!(print.left <= print.right && print.top <= print.bottom)) return {}; // not numbers
+        return rect_between(print.left, print.top, print.right, print.bottom);
+    }
+    [[nodiscard]] Rect rect_between(float from_x, float from_y, float to_x, float to_y) const noexcept {
         // Clamped as floats: radii may be larger than any integer, or not numbers at all.
         const float scale = 1.0F / static_cast<float>(tile_size_);
         const auto cell = [scale](float at, std::int32_t limit) {
             return static_cast<std::int32_t>(std::clamp(at * scale + 1.0F, 0.0F, static_cast<float>(limit + 1))) - 1;
         };
-        if (!(print.left <= print.right && print.top <= print.bottom)) return {};
-        const std::int32_t left = std::max(cell(print.left, columns_), 0);
-        const std::int32_t right = std::min(cell(print.right, columns_), columns_ - 1) + 1;
-        const std::int32_t top = std::max(cell(print.top, rows_), 0);
-        const std::int32_t bottom = std::min(cell(print.bottom, rows_), rows_ - 1) + 1;
+        const std::int32_t left = std::max(cell(from_x, columns_), 0);
+        const std::int32_t right = std::min(cell(to_x, columns_), columns_ - 1) + 1;
+        const std::int32_t top = std::max(cell(from_y, rows_), 0);
+        const std::int32_t bottom = std::min(cell(to_y, rows_), rows_ - 1) + 1;
         if (left >= right || top >= bottom) return {};
         return {static_cast<std::uint16_t>(left), static_cast<std::uint16_t>(top), static_cast<std::uint16_t>(right),
                 static_cast<std::uint16_t>(bottom)};
