@@ -33,17 +33,18 @@ void bin_segments(const base::Parallel& parallel, Drawing& drawing) {
     const bool pointed = std::any_of(drawing.strokes.begin(), drawing.strokes.end(), [](const Stroke& stroke) {
         return stroke.cap_begin == Cap::pointed || stroke.cap_end == Cap::pointed;
     });
-    drawing.segment_tiles.build(parallel, like.columns() * tile_size, like.rows() * tile_size, all,
-                                [&](std::int64_t i, Tiles::Footprint& print) {
-                                    if (i + 1 >= drawing.points.size()) return false;
-                                    const StrokePoint& a = drawing.points[i];
-                                    const StrokePoint& b = drawing.points[i + 1];
-                                    if (!(b.length > 0.0F) && stroke_at(drawing, i + 1) != nullptr) return false;
-                                    const drawing::Footprint own =
-                                        footprint(pointed ? ends_at(drawing, i) : SegmentEnds{}, a, b);
-                                    print = {own.x - origin.x, own.y - origin.y, own.radius};
-                                    return true;
-                                });
+    drawing.segment_tiles.build<Tiles::BoxFootprint>(
+        parallel, like.columns() * tile_size, like.rows() * tile_size, all,
+        [&](std::int64_t i, Tiles::BoxFootprint& print) {
+            if (i + 1 >= drawing.points.size()) return false;
+            const StrokePoint& a = drawing.points[i];
+            const StrokePoint& b = drawing.points[i + 1];
+            if (!(b.length > 0.0F) && stroke_at(drawing, i + 1) != nullptr) return false;
+            const float around = reach(pointed ? ends_at(drawing, i) : SegmentEnds{}, a, b);
+            print = {std::min(a.x, b.x) - around - origin.x, std::min(a.y, b.y) - around - origin.y,
+                     std::max(a.x, b.x) + around - origin.x, std::max(a.y, b.y) + around - origin.y};
+            return true;
+        });
 }
 
 } // namespace hrbfnpr::drawing

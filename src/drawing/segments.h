@@ -20,16 +20,20 @@ struct SegmentEnds {
             segment + 2 == stroke.first + stroke.count ? stroke.cap_end : Cap::round};
 }
 
+// How far a segment may reach around the line between its points.
+[[nodiscard]] inline float reach(const SegmentEnds& ends, const StrokePoint& a, const StrokePoint& b) noexcept {
+    const bool pointed = ends.begin == Cap::pointed || ends.end == Cap::pointed;
+    const float widest = std::max({a.radius, b.radius, smallest_radius});
+    return widest * (pointed ? std::max(1.0F, 2.0F * point_length) : 1.0F) + soft_rim;
+}
+
 // A disc around all that a segment covers.
 struct Footprint {
     float x, y, radius;
 };
 [[nodiscard]] inline Footprint footprint(const SegmentEnds& ends, const StrokePoint& a, const StrokePoint& b) noexcept {
-    const bool pointed = ends.begin == Cap::pointed || ends.end == Cap::pointed;
-    const float widest = std::max({a.radius, b.radius, smallest_radius});
     return {0.5F * (a.x + b.x), 0.5F * (a.y + b.y),
-            0.5F * std::sqrt((b.x - a.x) * (b.x - a.x) + (b.y - a.y) * (b.y - a.y)) +
-                widest * (pointed ? std::max(1.0F, 2.0F * point_length) : 1.0F) + soft_rim};
+            0.5F * std::sqrt((b.x - a.x) * (b.x - a.x) + (b.y - a.y) * (b.y - a.y)) + reach(ends, a, b)};
 }
 
 // Whether a segment covers a place, and then how far along it that is, 0 to 1.  Thin ones are taken as a pixel wide.

@@ -32,6 +32,10 @@ public:
     struct Footprint {
         float x, y, radius;
     };
+    // Any other one's sides.
+    struct BoxFootprint {
+        float left, top, right, bottom;
+    };
 
     Tiles(base::Memory& memory, std::int32_t tile_size) noexcept
         : tile_size_(tile_size), rects_(memory), counts_(memory), offsets_(memory), entries_(memory), large_(memory),
@@ -39,7 +43,7 @@ public:
 
     // footprint(i, out) returns false for what is not to be binned; it is asked once for each i of the pieces, which
     // ascend.
-    template <class F>
+    template <class Print = Footprint, class F>
     void build(const base::Parallel& parallel, std::int32_t width, std::int32_t height, std::span<const Piece> pieces,
                const F& footprint) {
         columns_ = (width + tile_size_ - 1) / tile_size_;
@@ -55,7 +59,7 @@ public:
             std::uint32_t* const counts = counts_.data() + begin / grain_ * tiles();
             std::fill_n(counts, tiles(), 0U);
             for_each_disc(begin, end, [&](std::int64_t number, std::int64_t i) {
-                Footprint print{};
+                Print print{};
                 const Rect rect = footprint(i, print) ? rect_of(print) : Rect{};
                 rects_[number] = rect;
                 if (rect.tiles() > most_tiles_of_one) any_large.store(true, std::memory_order_relaxed);
@@ -155,16 +159,24 @@ private:
     };
 
     [[nodiscard]] Rect rect_of(const Footprint& print) const noexcept {
+        if (!(print.radius >= 0.0F) || !std::isfinite(print.x) || !std::isfinite(print.y)) return {};
+        return rect_between(print.x - print.radius, print.y - print.radius, print.x + print.radius,
+                            print.y + print.radius);
+    }
+    [[nodiscard]] Rect rect_of(const BoxFootprint& print) const noexcept {
+        if (!(print.left <= print.right && print.top <= print.bottom)) return {}; // not numbers
+        return rect_between(print.left, print.top, print.right, print.bottom);
+    }
+    [[nodiscard]] Rect rect_between(float from_x, float from_y, float to_x, float to_y) const noexcept {
         // Clamped as floats: radii may be larger than any integer, or not numbers at all.
         const float scale = 1.0F / static_cast<float>(tile_size_);
         const auto cell = [scale](float at, std::int32_t limit) {
             return static_cast<std::int32_t>(std::clamp(at * scale + 1.0F, 0.0F, static_cast<float>(limit + 1))) - 1;
         };
-        if (!(print.radius >= 0.0F) || !std::isfinite(print.x) || !std::isfinite(print.y)) return {};
-        const std::int32_t left = std::max(cell(print.x - print.radius, columns_), 0);
-        const std::int32_t right = std::min(cell(print.x + print.radius, columns_), columns_ - 1) + 1;
-        const std::int32_t top = std::max(cell(print.y - print.radius, rows_), 0);
-        const std::int32_t bottom = std::min(cell(print.y + print.radius, rows_), rows_ - 1) + 1;
+        const std::int32_t left = std::max(cell(from_x, columns_), 0);
+        const std::int32_t right = std::min(cell(to_x, columns_), columns_ - 1) + 1;
+        const std::int32_t top = std::max(cell(from_y, rows_), 0);
+        const std::int32_t bottom = std::min(cell(to_y, rows_), rows_ - 1) + 1;
         if (left >= right || top >= bottom) return {};
         return {static_cast<std::uint16_t>(left), static_cast<std::uint16_t>(top), static_cast<std::uint16_t>(right),
                 static_cast<std::uint16_t>(bottom)};

@@ -8,8 +8,9 @@
 namespace hrbfnpr::testing::hatch_limits_test {
 namespace {
 
-// Open lines that wind up round a ball, of nested levels.  Limits are not asked for where marks are in disorder.
-marks::PointSet wound_ball(base::Memory& memory, bool in_order, bool tone_normals) {
+// Lines that wind up round a ball, or closed ones around it, of nested levels.  Limits are not asked for where marks
+// are in disorder.
+marks::PointSet wound_ball(base::Memory& memory, bool in_order, bool tone_normals, bool closed) {
     constexpr int lines = 60;
     constexpr int count = 301;
     marks::PointSet set(memory);
@@ -17,8 +18,8 @@ marks::PointSet wound_ball(base::Memory& memory, bool in_order, bool tone_normal
     for (int line = 0; line < lines; ++line) {
         for (int k = 0; k < count; ++k) {
             const int i = in_order ? k : (2 * k) % count; // each once
-            const double around = 0.1 * line + 5.0 * i / (count - 1);
-            const double height = -0.9 + 1.8 * (line + 0.6 * i / (count - 1)) / lines;
+            const double around = 0.1 * line + (closed ? 2.0 * pi * i / count : 5.0 * i / (count - 1));
+            const double height = -0.9 + 1.8 * (line + (closed ? 0.0 : 0.6 * i / (count - 1))) / lines;
             const double flat = std::sqrt(1.0 - height * height);
             const glm::dvec3 place(flat * std::cos(around), height, flat * std::sin(around));
             add_mark(layer, place, place, {-std::sin(around), 0.0, std::cos(around)}, 2U * static_cast<unsigned>(line),
@@ -66,24 +67,28 @@ protected:
     }
 };
 
-TEST_F(HatchLimits, ChangeNothingThatIsDrawn) {
+class HatchLimitsOfLines : public HatchLimits, public ::testing::WithParamInterface<bool> {};
+
+TEST_P(HatchLimitsOfLines, ChangeNothingThatIsDrawn) {
+    const bool closed = GetParam();
     for (const bool tone_normals : {false, true}) {
         for (const double exponent : {0.5, 1.0, 3.0}) {
             style.tone_exponent = exponent;
             for (int view = 0; view < 12; ++view) {
                 const frame::Camera from = view == 11 ? front_camera(size, size) : camera(0.6 * view, 1.3 + 0.5 * view);
-                set = wound_ball(runtime.memory, true, tone_normals);
+                set = wound_ball(runtime.memory, true, tone_normals, closed);
                 cluster();
                 const Shown limited = shown(from);
-                set = wound_ball(runtime.memory, false, tone_normals);
+                set = wound_ball(runtime.memory, false, tone_normals, closed);
                 cluster();
                 const Shown plain = shown(from);
-                EXPECT_GT(plain.strokes, 10);
+                EXPECT_GT(plain.strokes, closed ? 5 : 10);
                 EXPECT_TRUE(limited == plain) << tone_normals << ' ' << exponent << ' ' << view;
             }
         }
     }
 }
+INSTANTIATE_TEST_SUITE_P(OpenAndClosed, HatchLimitsOfLines, ::testing::Bool());
 
 TEST(HatchLoops, KnowWhichMarksMayBeDrawn) {
     constexpr std::int64_t count = 29; // no whole number of vectors

@@ -7,19 +7,24 @@
 #include "frame/scene/style.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace hrbfnpr::frame {
 
-// Darkness to coverage.  A little hollow: ink spreads, and dark tones close up.
-inline constexpr float coverage_exponent = 1.1F;
+// Darkness to coverage, both from 0 to 1.  A little hollow: ink spreads, and dark tones close up.  Within 0.00014 of x
+// to the power of 1.1, as x times a polynomial of its root, which takes far less time.
+inline constexpr std::array<float, 5> hollow = {0.5399F, 1.1747F, -1.5068F, 1.1364F, -0.3442F};
+[[nodiscard]] inline float hollowed(float x) noexcept {
+    return x * ((hollow[0] + hollow[2] * x + hollow[4] * (x * x)) + std::sqrt(x) * (hollow[1] + hollow[3] * x));
+}
 
 // Of a darkness below the one at which lines begin, as at that.
 [[nodiscard]] inline float hatch_coverage(const LayerStyle& style, float darkness) noexcept {
     const float span = style.hatch_tone_end - style.hatch_tone_begin;
     const float at = std::clamp((darkness - style.hatch_tone_begin) / span, 0.0F, 1.0F);
-    return style.share * (style.hatch_coverage_begin +
-                          (style.hatch_coverage_end - style.hatch_coverage_begin) * std::pow(at, coverage_exponent));
+    return style.share *
+           (style.hatch_coverage_begin + (style.hatch_coverage_end - style.hatch_coverage_begin) * hollowed(at));
 }
 
 // The lines at one place: those of levels up to `full` are `width` wide, those of the next one `fading`; pixels.

@@ -3,7 +3,6 @@
 
 #include "frame/scene/tone.h"
 
-#include <bit>
 #include <cmath>
 #include <limits>
 
@@ -26,28 +25,16 @@ constexpr float most_length = 1.01F; // of a unit normal
 } // namespace
 
 HatchLimits::HatchLimits(const HatchLoops& loops, const Run& run, const ItemView& item, const ItemSight& sight,
-                         bool by_light) noexcept
+                         bool by_light, float darkness) noexcept
     : loops_(loops), sight_(sight), normal_(run.normal), tone_normal_(run.normal),
       lightest_(std::numeric_limits<float>::infinity()), any_(sight.rigid && run.marks->stroke_order.empty()) {
     const bool posed = run.normal != run.marks->normal.data();
     if (!by_light || (posed && run.has_tone_normals())) return;
     if (run.has_tone_normals()) tone_normal_ = run.marks->tone_normal.data();
-    lightest_ = lightest_of(run.style->hatch_tone_begin, static_cast<float>(item.style.tone_exponent));
+    lightest_ = lightest_of(darkness, static_cast<float>(item.style.tone_exponent));
 }
 
-HatchLimits::Marks HatchLimits::of(std::span<const bool> may_draw, const marks::StrokePiece* pieces) const noexcept {
-    const auto bits = [&](std::size_t k) { return may_draw[k] ? this->may_draw(pieces[k]) : 0U; };
-    std::size_t k = 0;
-    std::uint32_t first = 0;
-    while (k < may_draw.size() && (first = bits(k)) == 0) ++k;
-    if (first == 0) return {0, 0};
-    const std::int64_t begin = std::int64_t{pieces[k].first} + std::countr_zero(first);
-    std::uint32_t last = 0;
-    for (k = may_draw.size(); last == 0;) last = bits(--k);
-    return {begin, std::int64_t{pieces[k].first} + std::bit_width(last)};
-}
-
-// A bit for each mark of a piece.  At a place p of the ball around c, e the eye, n . (p - e) >= n . (c - e) - |n| r:
+// At a place p of the ball around c, e the eye, n . (p - e) >= n . (c - e) - |n| r:
 // where that is positive it faces away.
 std::uint32_t HatchLimits::may_draw(const marks::StrokePiece& piece) const noexcept {
     HatchBounds bounds{};

@@ -42,23 +42,12 @@ HWY_INLINE W log2(W x) {
     const W m = hn::BitCast(d, hn::Sub(bits, hn::ShiftLeft<23>(exponent)));
     const W t = hn::Div(hn::Sub(m, set(1.0F)), hn::Add(m, set(1.0F)));
     const W s = hn::Mul(t, t);
-    // 2 atanh(t) / ln 2
-    const float terms[] = {0.41219858F, 0.57707802F, 0.96179669F, 2.88539008F};
-    W sum = set(0.32059890F);
-    for (const float term : terms) sum = hn::Add(hn::Mul(sum, s), set(term));
+    // 2 atanh(t) / ln 2, in few steps one after the other
+    const auto line = [&](float at_0, float rise) HWY_ATTR { return hn::Add(set(at_0), hn::Mul(set(rise), s)); };
+    const W square = hn::Mul(s, s);
+    const W high = hn::Add(line(0.57707802F, 0.41219858F), hn::Mul(set(0.32059890F), square));
+    const W sum = hn::Add(line(2.88539008F, 0.96179669F), hn::Mul(high, square));
     return hn::Add(hn::ConvertTo(d, exponent), hn::Mul(sum, t));
-}
-
-HWY_INLINE W exp2(W x) {
-    const F d;
-    const I i;
-    const W y = clamped(x, -126.0F, 126.0F);
-    const auto whole = hn::NearestInt(y);
-    const W t = hn::Mul(hn::Sub(y, hn::ConvertTo(d, whole)), set(0.69314718F));
-    const float terms[] = {1.0F / 720.0F, 1.0F / 120.0F, 1.0F / 24.0F, 1.0F / 6.0F, 0.5F, 1.0F, 1.0F};
-    W sum = set(1.0F / 5040.0F);
-    for (const float term : terms) sum = hn::Add(hn::Mul(sum, t), set(term));
-    return hn::Mul(sum, hn::BitCast(d, hn::ShiftLeft<23>(hn::Add(whole, hn::Set(i, 127)))));
 }
 
 void load(const float* triples, std::int64_t count, float factor, float other, float* x, float* y, float* z) {
@@ -142,7 +131,7 @@ HWY_INLINE W spacing_at(const HatchSight& sight, const HatchRows& rows) {
     const W b_left = image(s.clip[0], left, bx, by, bz);
     const W b_top = image(s.clip[1], top, bx, by, bz);
     const W area = hn::Abs(hn::Sub(hn::Mul(a_left, b_top), hn::Mul(a_top, b_left)));
-    const W base = hn::Mul(hn::Sqrt(squared(a_left, a_top)), hn::Sqrt(squared(bx, by, bz)));
+    const W base = hn::Sqrt(hn::Mul(squared(a_left, a_top), squared(bx, by, bz)));
     return hn::IfThenElseZero(hn::Gt(base, hn::Zero(d)), hn::Div(hn::Mul(set(sight.separation), area), base));
 }
 
@@ -178,9 +167,11 @@ struct Widths {
 
 // hatch_coverage().
 HWY_INLINE W coverage(const HatchLaw& law, W darkness) {
-    const F d;
     const W at = clamped(hn::Mul(hn::Sub(darkness, set(law.tone_begin)), set(law.per_tone_span)), 0.0F, 1.0F);
-    const W risen = hn::IfThenElseZero(hn::Gt(at, hn::Zero(d)), exp2(hn::Mul(log2(at), set(law.coverage_exponent))));
+    const auto line = [&](int from)
+                          HWY_ATTR { return hn::Add(set(law.hollow[from]), hn::Mul(set(law.hollow[from + 2]), at)); };
+    const W even = hn::Add(line(0), hn::Mul(set(law.hollow[4]), hn::Mul(at, at)));
+    const W risen = hn::Mul(at, hn::Add(even, hn::Mul(hn::Sqrt(at), line(1))));
     return hn::Mul(set(law.share), hn::Add(set(law.coverage_begin), hn::Mul(set(law.coverage_rise), risen)));
 }
 

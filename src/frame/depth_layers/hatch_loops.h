@@ -84,7 +84,8 @@ struct HatchSight {
 // hatch_law.h, for a style and a layer.
 struct HatchLaw {
     float tone_begin, tone_span;
-    float share, coverage_begin, coverage_rise, coverage_exponent;
+    float share, coverage_begin, coverage_rise;
+    float hollow[5];
     float spacing, pen, white;
     float levels;
     float thinnest_fading, fading_ramp, nearly_full;

@@ -84,10 +84,10 @@ struct HatchStroke {
     };
 
     base::Array<HatchMark> mark; // those that are drawn and the two beside them; of a closed stroke the first one again
-    base::Array<bool> may_draw;  // of each piece
-    base::Array<Range> range;    // of places that are looked at, rising
-    base::Array<std::uint32_t> number; // in the layer, of those marks
-    base::Array<float> row;            // of HatchRows
+    base::Array<std::uint32_t> may_draw; // of each piece, a bit for each of its marks
+    base::Array<Range> range;            // of places that are looked at, rising
+    base::Array<std::uint32_t> number;   // in the layer, of those marks
+    base::Array<float> row;              // of HatchRows
     std::int64_t first = 0,
                  count = 0; // places; of a closed one without the last mark, if that lies where the first does
     bool closed = false;
@@ -118,9 +118,11 @@ private:
     [[nodiscard]] bool may_draw(const marks::StrokePiece& piece) const noexcept;
     [[nodiscard]] float most_darkness(const marks::StrokePiece& piece) const noexcept;
     void set_ends(std::int64_t stroke, HatchStroke& seen) const noexcept;
-    [[nodiscard]] HatchLimits::Marks limits(std::int64_t piece, const HatchStroke& seen) const noexcept;
-    void find_ranges(const HatchLimits::Marks& limits, HatchStroke& seen) const;
-    void expect(const marks::StrokePiece& piece) const noexcept;
+    bool find_pieces(std::int64_t piece, std::int64_t count, HatchStroke& seen) const;
+    bool find_marks(std::int64_t piece, HatchStroke& seen) const noexcept;
+    void find_ranges(HatchStroke& seen) const;
+    void expect_normals(const marks::StrokePiece& piece) const noexcept;
+    void expect_places(const marks::StrokePiece& piece) const noexcept;
     [[nodiscard]] HatchRows load(HatchStroke& seen) const;
     void load(std::int64_t begin, std::int64_t count, std::uint32_t* numbers, const HatchRows& rows) const noexcept;
     void see_rows(std::span<const std::uint32_t> numbers, const HatchRows& rows, bool closed) const noexcept;

@@ -204,7 +204,7 @@ void HatchSpans::weigh(const LayerStyle& style, std::span<const HatchMark> marks
     const float most = 2.0F * style.hatch_shortest * full_width;
     const auto weight = [&](float width, float level) {
         drawn.widest = std::max(drawn.widest, width);
-        return width * std::lerp(1.0F / shortest_filling, 1.0F, std::clamp(level, 0.0F, 1.0F));
+        return width * (1.0F / shortest_filling + (1.0F - 1.0F / shortest_filling) * std::clamp(level, 0.0F, 1.0F));
     };
     const auto width_of = [&](const HatchMark& mark) { return std::min(mark.width, full_width); };
     constexpr auto level = static_cast<std::size_t>(HatchEnd::level);
