@@ -103,7 +103,7 @@ void Job::await() noexcept {
 
 // ---- Team ----------------------------------------------------------------------------------
 
-Team::Team(int workers) noexcept : library_(hold_shared_object(reinterpret_cast<const void*>(&relax))) {
+Team::Team(int workers) noexcept {
     for (; started_ < workers; ++started_) {
         Worker& worker = worker_[static_cast<std::size_t>(started_)];
         worker.team = this;
@@ -121,7 +121,6 @@ Team::~Team() {
         woken_.notify_all();
     }
     for (int i = 0; i < started_; ++i) worker_[static_cast<std::size_t>(i)].thread.join();
-    release_shared_object(library_);
 }
 
 bool Team::run(std::int64_t count, TaskFn task, void* context) noexcept {
@@ -199,8 +198,13 @@ void Team::wait_for_news(std::uint32_t seen) noexcept {
 
 // ---- ThreadPool ----------------------------------------------------------------------------
 
+ThreadPool::ThreadPool(int threads) noexcept
+    : threads_(threads), library_(hold_shared_object(reinterpret_cast<const void*>(&relax))) {}
+
 ThreadPool::~ThreadPool() {
-    if (owner_.load(std::memory_order_acquire) == process_id()) room().~Team();
+    const std::int64_t owner = owner_.load(std::memory_order_acquire);
+    if (owner == process_id()) room().~Team();
+    if (owner == process_id() || owner == 0) release_shared_object(library_);
 }
 
 void ThreadPool::run(std::int64_t count, TaskFn task, void* context) noexcept {

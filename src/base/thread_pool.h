@@ -98,7 +98,6 @@ private:
     [[nodiscard]] bool within_a_task(std::thread::id self) const noexcept;
     [[nodiscard]] int take_job() noexcept;
 
-    void* library_; // held for as long as workers run in it
     std::array<Job, most_jobs> jobs_;
     std::atomic<std::uint32_t> taken_{0};            // a bit for each job that has a caller
     alignas(64) std::atomic<std::uint32_t> news_{0}; // counts jobs that were opened, and the end
@@ -115,7 +114,7 @@ public:
     static constexpr int most_threads = Team::most_workers + 1;
 
     // threads: the caller's among them, 1 to most_threads.
-    explicit ThreadPool(int threads) noexcept : threads_(threads) {}
+    explicit ThreadPool(int threads) noexcept;
     // Ends the workers.  No job may be running.
     ~ThreadPool();
     ThreadPool(const ThreadPool&) = delete;
@@ -135,6 +134,9 @@ private:
     [[nodiscard]] const Team& room() const noexcept { return *std::launder(reinterpret_cast<const Team*>(room_)); }
 
     int threads_;
+    // Held as long as workers may run in it.  Not by the team: in a child that was forked while another thread made
+    // one, the loader's locks may be held for ever.
+    void* library_;
     std::atomic<std::int64_t> owner_{0}; // the process whose team it is; negative while that starts
     alignas(Team) std::byte room_[sizeof(Team)];
 };
