@@ -72,7 +72,7 @@ TEST(Cancel, ByTheCallbackAtEveryStage) {
         EXPECT_OK(run(stage, nullptr, again, error));
         EXPECT_TRUE(again == wanted) << stage.name;
     }
-    EXPECT_EQ(with_operation, 39);
+    EXPECT_EQ(with_operation, 40);
 }
 
 // At moments spread over the call's time.
