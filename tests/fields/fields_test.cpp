@@ -75,7 +75,7 @@ protected:
     void try_change(const Slot& slot, const FieldLayout& field, const Change& change) {
         const std::vector<std::byte> before(slot.data, slot.data + slot.size);
         change.apply(slot.data + field.offset);
-        scene().take_time();
+        scene().take_time(std::chrono::milliseconds(900));
         const auto start = std::chrono::steady_clock::now();
         const Outcome outcome = (scene().*slot.run)();
         const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -102,7 +102,7 @@ protected:
 
 TEST_P(Fields, AnyValueGivesAPictureOrAFailureThatNamesTheField) {
     const Slot slot = scene().slots()[GetParam()];
-    scene().take_time();
+    scene().take_time(Scene::plenty);
     const Outcome untouched = (scene().*slot.run)();
     ASSERT_EQ(untouched.status, HRBFNPR_STATUS_OK) << slot.record << ": " << untouched.message;
     for (const FieldLayout& field : slot.fields)

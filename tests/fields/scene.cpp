@@ -64,7 +64,7 @@ Scene::Scene() {
     hrbfnpr_context* context = nullptr;
     check(hrbfnpr_context_create(&context_desc_, &context, check.error()));
     context_.reset(context);
-    take_time();
+    take_time(plenty);
     describe_marks();
     describe_style();
     describe_output();
@@ -73,10 +73,10 @@ Scene::Scene() {
 
 // An operation that was cancelled stays so.  Where a program is run by a tool that makes it slower, the environment
 // says how many times.
-void Scene::take_time() {
+void Scene::take_time(std::chrono::milliseconds time) {
     scenes::Check check;
     const char* const slower = std::getenv("HRBFNPR_TEST_SLOWER");
-    end_ = Clock::now() + std::chrono::milliseconds(900) * (slower != nullptr ? std::max(std::atoi(slower), 1) : 1);
+    end_ = Clock::now() + time * (slower != nullptr ? std::max(std::atoi(slower), 1) : 1);
     hrbfnpr_operation* operation = nullptr;
     check(hrbfnpr_operation_create(context_.get(), &operation, check.error()));
     operation_.reset(operation);

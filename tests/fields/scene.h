@@ -40,7 +40,9 @@ public:
     Scene& operator=(const Scene&) = delete;
 
     std::vector<Slot> slots(); // of all descriptors
-    void take_time();          // calls that take an operation are cancelled 0.9 s from now
+    // Calls that take an operation are cancelled so long from now.
+    static constexpr std::chrono::milliseconds plenty{60'000}; // for those that have to end
+    void take_time(std::chrono::milliseconds time);
 
 private:
     using Clock = std::chrono::steady_clock;
