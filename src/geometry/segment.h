@@ -19,7 +19,7 @@ template <class V>
 
 template <class V>
 [[nodiscard]] typename V::value_type square_from_segment(const V& place, const V& from, const V& to) noexcept {
-    const V off = place - (from + nearest_share(place, from, to) * (to - from));
+    const V off = (place - from) - nearest_share(place, from, to) * (to - from); // small numbers before the products
     return glm::dot(off, off);
 }
 

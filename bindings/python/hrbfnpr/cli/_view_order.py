@@ -171,14 +171,20 @@ def in_order(curves: Sequence[Curve], wanted: Sequence[str] = (VISIBLE, HIDDEN, 
     found: Dict[str, List[Floats]] = {kind: [] for kind in wanted}
     flags = [_runs(steady(curve)) for curve in curves]
     for kind in wanted:
-        for number, (curve, runs) in enumerate(zip(curves, flags)):
-            along = curve.along
-            for begin, end, hidden in runs:
-                if _class_of(curve, hidden) != kind or along[end] - along[begin] < _SHORTEST[kind]:
-                    continue
-                for first, last in _kept(curve, number, along[begin], along[end], drawn):
-                    if last - first >= _SHORTEST_REST:
-                        found[kind].append(_part(curve, along, first, last))
+        parts = [
+            (curve, number, curve.along[[begin, end]])
+            for number, (curve, runs) in enumerate(zip(curves, flags))
+            for begin, end, hidden in runs
+            if _class_of(curve, hidden) == kind
+        ]
+        # Long parts first: a line goes on over short ones beside it, which would then be drawn twice.
+        parts.sort(key=lambda one: (one[0].rank, one[2][0] - one[2][1]))
+        for curve, number, (begin, end) in parts:
+            if end - begin < _SHORTEST[kind]:
+                continue
+            for first, last in _kept(curve, number, begin, end, drawn):
+                if last - first >= _SHORTEST_REST:
+                    found[kind].append(_part(curve, curve.along, first, last))
     return {kind: _bridged(pieces) for kind, pieces in found.items()}
 
 
