@@ -14,8 +14,6 @@ constexpr float nothing = std::numeric_limits<float>::infinity();
 // A contour lies behind a layer that is nearer by so many pixels: where it is asked, its own layer is not, but the
 // discs of that may be.
 constexpr float contour_gap = 4.0F;
-// A halo's contour is nearer than what it cuts by so many pixels.
-constexpr float halo_gap = 4.0F;
 // Ink lies behind another layer that faces like its own by so many radii of the splats.
 constexpr float own_gap = 5.0F;
 

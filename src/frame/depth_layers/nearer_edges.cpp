@@ -2,6 +2,7 @@
 #include "frame/depth_layers/nearer_edges.h"
 
 #include "base/scratch.h"
+#include "frame/depth_layers/splat_law.h"
 #include "frame/scene/style.h"
 #include "geometry/segment.h"
 
@@ -18,10 +19,8 @@ namespace {
 constexpr float cell_side = 16.0F; // pixels
 // An edge lies before a line if it is nearer to the eye by so many pixels.
 constexpr float least_before = 1.0F;
-// Edges that are hardly before a line have no halo on it, those that are so much nearer have all of it, pixels.  As
-// DepthLayers has it.
-constexpr float no_halo = 4.0F;
-constexpr float full_halo = 12.0F;
+// Edges that are no nearer than halo_gap have no halo on a line, those that are so much nearer have all of it, pixels.
+constexpr float full_halo = 3.0F * halo_gap;
 // Without a halo a line ends where it crosses an edge, pixels.
 constexpr float at_edge = 0.05F;
 // Crossings farther along than this tell nothing of what is here, pixels; then a surface may be so steep, depth over
@@ -39,7 +38,7 @@ constexpr float most_pieces = 4096.0F;
 [[nodiscard]] float cross(const glm::vec2& a, const glm::vec2& b) noexcept { return a.x * b.y - a.y * b.x; }
 
 [[nodiscard]] float halo_of(float before, float halo) noexcept {
-    return std::max(at_edge, halo * std::clamp((before - no_halo) / (full_halo - no_halo), 0.0F, 1.0F));
+    return std::max(at_edge, halo * std::clamp((before - halo_gap) / (full_halo - halo_gap), 0.0F, 1.0F));
 }
 
 // The first share of the way from p, outside, at which it comes into the disc around the centre.

@@ -9,6 +9,8 @@ namespace hrbfnpr::frame {
 
 // A halo is as dark as a layer that turns away by this n . v.
 inline constexpr float halo_angle = 0.25F;
+// A halo's contour is nearer than what it cuts by so many pixels.
+inline constexpr float halo_gap = 4.0F;
 
 // What a layer of this item lets through of what lies behind.
 [[nodiscard]] inline float layer_transmittance(const Style& style, float nu) noexcept {
