@@ -393,6 +393,15 @@ def test_short_gaps_are_bridged():
     assert sorted((min(p[:, 0]), max(p[:, 0])) for p in pieces) == [(0, 20), (24, 30)]
 
 
+def test_short_parts_that_are_seen_before_a_longer_line_are_drawn_once():
+    along = np.arange(0.0, 40.5, 0.5)
+    behind = np.stack((along, 0.0 * along), axis=1)
+    hidden = ~((along[:-1] >= 10.0) & (along[:-1] < 14.5))
+    front = np.array(((5.0, 0.0), (35.0, 0.0)))
+    pieces = _view_order.in_order([_view_order.Curve(behind, hidden), _view_order.Curve(front, np.zeros(1, dtype=bool))])
+    assert [(min(p[:, 0]), max(p[:, 0])) for p in pieces["outlines"]] == [(5, 35)]
+
+
 def test_flat_faces_of_solids_that_are_seen_edge_on_have_their_edges(tmp_path):
     (tmp_path / "disc.csg").write_text("cylinder(0.5, 1) - cylinder(0.2, 3)\n")
     sheet = tmp_path / "disc.svg"

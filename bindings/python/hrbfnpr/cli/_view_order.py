@@ -166,21 +166,19 @@ def _class_of(curve: Curve, hidden: bool) -> str:
 
 def in_order(curves: Sequence[Curve], wanted: Sequence[str] = (VISIBLE, HIDDEN, SMOOTH)) -> Dict[str, List[Floats]]:
     """What is drawn of each kind."""
-    curves = sorted((one for one in curves if len(one.points) > 1), key=lambda one: (one.rank, -one.along[-1]))
+    curves = [one for one in curves if len(one.points) > 1]
     drawn = _Drawn(max([one.reach for one in curves], default=1.0))
     found: Dict[str, List[Floats]] = {kind: [] for kind in wanted}
-    flags = [_runs(steady(curve)) for curve in curves]
+    parts = [
+        (number, curve, float(curve.along[begin]), float(curve.along[end]), _class_of(curve, hidden))
+        for number, curve in enumerate(curves)
+        for begin, end, hidden in _runs(steady(curve))
+    ]
+    # Long parts first: a line goes on over short ones beside it, which would then be drawn twice.
+    parts.sort(key=lambda part: (part[1].rank, part[2] - part[3]))
     for kind in wanted:
-        parts = [
-            (curve, number, curve.along[[begin, end]])
-            for number, (curve, runs) in enumerate(zip(curves, flags))
-            for begin, end, hidden in runs
-            if _class_of(curve, hidden) == kind
-        ]
-        # Long parts first: a line goes on over short ones beside it, which would then be drawn twice.
-        parts.sort(key=lambda one: (one[0].rank, one[2][0] - one[2][1]))
-        for curve, number, (begin, end) in parts:
-            if end - begin < _SHORTEST[kind]:
+        for number, curve, begin, end, own in parts:
+            if own != kind or end - begin < _SHORTEST[kind]:
                 continue
             for first, last in _kept(curve, number, begin, end, drawn):
                 if last - first >= _SHORTEST_REST:
