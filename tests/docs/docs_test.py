@@ -7,6 +7,7 @@ import unittest
 from pathlib import Path
 
 import docs
+import reliability
 import snippets
 
 README = """# The title
@@ -160,6 +161,23 @@ class Documents(unittest.TestCase):
         self.assertEqual(list(snippets.wrong_c(self.root, compiler)), [])
         (self.root / "README.md").write_text("# T\n\n```c\nint f(void) { return g(); }\n```\n", encoding="utf-8")
         self.assertNotEqual(list(snippets.wrong_c(self.root, compiler)), [])
+
+    def test_commands_of_promises_that_run_nothing(self):
+        row = "| it holds | `a.B` | 3 | passed | {} |\n"
+        table = "| promise | test | cases | result | command |\n|---|---|---|---|---|\n"
+        self.assertEqual(list(reliability.commands(table + row.format("`a --x='p*'`; later `b c`"))), ["a --x='p*'", "b c"])
+        script = self.root / "scripts" / "run"
+        script.parent.mkdir(exist_ok=True)
+        script.write_text("", encoding="utf-8")
+        for command, wrong in (("scripts/run --all", False), ("scripts/walk", True), ("soak tests", True), ("ls", True)):
+            with self.subTest(command=command):
+                self.assertEqual(reliability.fault(command, self.root, self.root) is not None, wrong)
+        program = self.root / "tests" / "b" / "test_b"
+        program.parent.mkdir(parents=True)
+        program.write_text('#!/bin/sh\n[ "$2" != "--gtest_filter=A.*" ] || printf "A.\\n  One\\n"\n', encoding="utf-8")
+        program.chmod(0o755)
+        self.assertIsNone(reliability.fault("test_b --gtest_filter='A.*'", self.root, self.root))
+        self.assertIsNotNone(reliability.fault("test_b --gtest_filter=B.*", self.root, self.root))
 
 
 if __name__ == "__main__":
