@@ -37,6 +37,12 @@ constexpr double narrowest = 1.3;
 constexpr double nearest = 0.35;
 constexpr double shortest = 3.0;
 constexpr int smoothings = 2;
+// No line turns within its surface by more than this in two separations, but by more than the second where its field
+// does, around a singular point; in radians.  Rounds of moving points halfway to the middle of those beside them.
+constexpr double most_turn = 0.40;
+constexpr double singular_turn = 1.2;
+constexpr std::int64_t turns_of_kink = 5; // at points, on two separations
+constexpr int straightenings = 40;
 constexpr std::int64_t lines_a_task = 16;
 constexpr std::int64_t points_a_check = 512; // one look for a cancel
 
@@ -64,6 +70,7 @@ public:
     void find_neighbours();
     void cut_ends();
     void move();
+    void straighten();
     [[nodiscard]] StripeLines result() const;
 
 private:
@@ -95,6 +102,9 @@ private:
     [[nodiscard]] double way_to_middle(std::int64_t i) const noexcept;
     [[nodiscard]] bool is_crowded(std::int64_t i) const noexcept;
     void average(const Line& line);
+    [[nodiscard]] double turn_at(const Line& line, std::int64_t i) const noexcept;
+    bool mark_kinks(const Line& line);
+    void straighten_kinks(const Line& line);
 
     const base::Runtime& runtime_;
     const base::Progress& progress_;
@@ -105,7 +115,7 @@ private:
     base::Array<std::int32_t> line_of_;
     base::Array<Line> line_;
     base::Array<Neighbour> neighbour_; // two of each point: against the way across, and along it
-    base::Array<float> move_, wanted_; // across, in separations
+    base::Array<float> move_, wanted_; // across, in separations; then whether a point is in a kink, and turns
 };
 
 void Evener::sample(const StripeLines& lines) {
@@ -269,6 +279,59 @@ void Evener::move() {
     });
 }
 
+// In the tangent plane, from the leg before the point to the one behind it.
+double Evener::turn_at(const Line& line, std::int64_t i) const noexcept {
+    const std::int64_t last = before(line, i);
+    const std::int64_t next = after(line, i);
+    if (last < 0 || next < 0) return 0.0;
+    const glm::dvec3 n = normal_[i];
+    const glm::dvec3 from = position_[i] - position_[last];
+    const glm::dvec3 to = position_[next] - position_[i];
+    return std::atan2(glm::dot(glm::cross(from, to), n), glm::dot(from, to) - glm::dot(from, n) * glm::dot(to, n));
+}
+
+// Wherever a part of two separations turns too much, for all parts that begin at a point.
+bool Evener::mark_kinks(const Line& line) {
+    for (std::int64_t i = line.begin; i < line.end; ++i) {
+        wanted_[i] = static_cast<float>(turn_at(line, i));
+        move_[i] = 0.0F;
+    }
+    bool any = false;
+    for (std::int64_t i = line.begin; i < line.end; ++i) {
+        double turn = 0.0;
+        double most = 0.0;
+        std::int64_t j = i;
+        for (std::int64_t k = 0; k < turns_of_kink && j >= 0; ++k, j = after(line, j)) {
+            turn += static_cast<double>(wanted_[j]);
+            most = std::max(most, std::abs(turn));
+        }
+        if (most <= most_turn || most > singular_turn) continue;
+        any = true;
+        j = i;
+        for (std::int64_t k = 0; k < turns_of_kink && j >= 0; ++k, j = after(line, j)) move_[j] = 1.0F;
+    }
+    return any;
+}
+
+void Evener::straighten_kinks(const Line& line) {
+    for (int round = 0; round < straightenings && mark_kinks(line); ++round) {
+        set_across(line);
+        const glm::dvec3 first = position_[line.begin];
+        glm::dvec3 last = line.closed ? position_[line.end - 1] : first;
+        for (std::int64_t i = line.begin; i < line.end; ++i) {
+            const glm::dvec3 here = position_[i];
+            const glm::dvec3 next = i + 1 < line.end ? position_[i + 1] : first;
+            if (move_[i] > 0.0F && before(line, i) >= 0 && after(line, i) >= 0)
+                position_.set(i, here + 0.5 * glm::dot(0.5 * (last + next) - here, across_[i]) * across_[i]);
+            last = here;
+        }
+    }
+}
+
+void Evener::straighten() {
+    for_lines([&](const Line& line) { straighten_kinks(line); });
+}
+
 bool Evener::is_crowded(std::int64_t i) const noexcept {
     const Neighbour* const left = beside(i, 0);
     const Neighbour* const right = beside(i, 1);
@@ -315,6 +378,7 @@ StripeLines evened(const base::Runtime& runtime, const StripeLines& lines, doubl
         if (round > 0) evener.cut_ends();
         evener.move();
     }
+    evener.straighten();
     return evener.result();
 }
 

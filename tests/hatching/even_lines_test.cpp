@@ -70,5 +70,54 @@ TEST(EvenLines, ShortOnesWithoutRoomGo) {
     EXPECT_EQ(evened(runtime, lines, 1.0, {}).count(), 2);
 }
 
+// Along x, from there on by so many radians to the left over two separations, and on.
+void add_turning_line(StripeLines& lines, double turn) {
+    constexpr double step = 0.1;
+    glm::dvec2 p(0.0);
+    for (double length = 0.0; length <= 40.0; length += step) {
+        lines.position.push_back({p.x, p.y, 0.0});
+        lines.normal.push_back({0.0, 0.0, 1.0});
+        lines.level.push_back(0);
+        const double angle = turn * std::clamp((length - 20.0) / 2.0, 0.0, 1.0);
+        p += step * glm::dvec2(std::cos(angle), std::sin(angle));
+    }
+    lines.first.push_back(lines.position.size());
+    lines.closed.push_back(0);
+}
+
+// The most that a line turns by in two separations.
+double most_turn_of(const StripeLines& lines) {
+    const std::int64_t count = lines.position.size();
+    double most = 0.0;
+    for (std::int64_t i = 0; i + 1 < count; ++i) {
+        double way = 0.0;
+        const glm::dvec3 first = glm::normalize(lines.position[i + 1] - lines.position[i]);
+        for (std::int64_t k = i + 1; k + 1 < count && way < 2.0; ++k) {
+            way += glm::distance(lines.position[k], lines.position[k - 1]);
+            const glm::dvec3 leg = glm::normalize(lines.position[k + 1] - lines.position[k]);
+            most = std::max(most, std::acos(std::min(1.0, glm::dot(first, leg))));
+        }
+    }
+    return most;
+}
+
+TEST(EvenLines, TurnSlowlyButWhereTheFieldTurns) {
+    const base::Runtime runtime;
+    const auto turned = [&](double turn) {
+        StripeLines lines(runtime.memory);
+        add_turning_line(lines, turn);
+        return evened(runtime, lines, 1.0, {});
+    };
+    constexpr double degree = 0.0174533;
+    for (const double kink : {35.0, 50.0, 65.0}) EXPECT_LT(most_turn_of(turned(kink * degree)), 30.0 * degree) << kink;
+    // Round a singular point.
+    EXPECT_GT(most_turn_of(turned(150.0 * degree)), 90.0 * degree);
+    // What does not turn much stays where it is.
+    StripeLines lines(runtime.memory);
+    add_turning_line(lines, 15.0 * degree);
+    const StripeLines even = evened(runtime, lines, 1.0, {});
+    EXPECT_NEAR(most_turn_of(even), 15.0 * degree, 2.0 * degree);
+}
+
 } // namespace
 } // namespace hrbfnpr::hatching::even_lines_test
