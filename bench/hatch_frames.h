@@ -155,26 +155,49 @@ struct SameAtSizes {
     double added = 1.0; // from a size to a smaller one: the rest has been thinned out
 };
 
+// The lines of a named style for a picture of so many pixels.
+[[nodiscard]] inline std::vector<hrbfnpr_line_style> picture_lines(const Style& style, double size) {
+    std::vector<hrbfnpr_line_style> lines(style.lines, style.lines + style.line_count);
+    for (hrbfnpr_line_style& line : lines)
+        for (float* const pixels : {&line.width, &line.hidden_width, &line.taper, &line.shortest})
+            *pixels *= pen_of(size);
+    return lines;
+}
+
+// Hatching as pictures have it, with their contours and halos.
+[[nodiscard]] inline std::vector<DrawnStroke> picture_strokes(hrbfnpr_context* context, const hrbfnpr_model* model,
+                                                              const hrbfnpr_point_set* set,
+                                                              const hrbfnpr_line_set* line_set, std::uint32_t preset,
+                                                              double size) {
+    Style style = hatch_style(preset, size);
+    style.halo_width = Style(preset).halo_width * pen_of(size);
+    const std::vector<hrbfnpr_line_style> lines = picture_lines(style, size);
+    style.lines = lines.data();
+    const hrbfnpr_model_info info = info_of(model);
+    StrokePainter painter(context, set, style, line_set);
+    painter.draw(square_camera(info.bounds_min, info.bounds_max, frame_directions()[0], size));
+    std::vector<DrawnStroke> strokes = painter.strokes();
+    std::erase_if(strokes, [](const DrawnStroke& stroke) { return stroke.empty() || stroke.front().id == 0; });
+    return strokes;
+}
+
 [[nodiscard]] inline SameAtSizes same_at_sizes(hrbfnpr_context* context, const hrbfnpr_model* model,
                                                std::uint32_t preset) {
     const scenes::PointSet set = hatch_set(context, model, preset);
+    const LineSet line_set = make_line_set(context, model);
     const MarkTable marks(set.get());
     const auto line = [&](std::uint32_t id) { return marks.place[id - 1].line; };
-    const hrbfnpr_model_info info = info_of(model);
     std::vector<SizedStrokes> pictures;
-    for (const double size : frame_sizes) {
-        Style style = hatch_style(preset, size);
-        style.line_count = 0;
-        StrokePainter painter(context, set.get(), style);
-        painter.draw(square_camera(info.bounds_min, info.bounds_max, frame_directions()[0], size));
-        pictures.push_back({size, painter.strokes()});
-    }
+    for (const double size : frame_sizes)
+        pictures.push_back({size, picture_strokes(context, model, set.get(), line_set.get(), preset, size)});
     SameAtSizes same;
     for (const SizedStrokes& one : pictures)
         for (const SizedStrokes& other : pictures) {
             if (one.size == other.size) continue;
             const double reach = 0.5 * one.size / frame_sizes[0];
-            const double share = shared_length(one.strokes, other.strokes, one.size / other.size, reach, line).share();
+            const float seen = 0.025F * pen_of(one.size);
+            const double share =
+                shared_length(one.strokes, other.strokes, one.size / other.size, reach, line, seen).share();
             double& least = one.size < other.size ? same.kept : same.added;
             std::printf("  %5.0f in %5.0f: %.4f\n", one.size, other.size, share);
             least = std::min(least, share);

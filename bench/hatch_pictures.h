@@ -32,10 +32,13 @@ namespace bench {
     return generate(context, model, desc);
 }
 
+// A pen's width in a picture of so many pixels: below 800 it gets no thinner.
+[[nodiscard]] inline float pen_of(double size) { return static_cast<float>(std::max(1.0, size / 800.0)); }
+
 // For a picture of so many pixels, without contours: a named style, and hidden lines left out.
 [[nodiscard]] inline Style hatch_style(std::uint32_t preset, double size) {
     Style style(preset);
-    const auto pen = static_cast<float>(std::max(1.0, size / 800.0));
+    const float pen = pen_of(size);
     for (hrbfnpr_layer_style& layer : style.layer) {
         for (float* const pixels : {&layer.radius, &layer.hatch_spacing, &layer.hatch_pen, &layer.hatch_white,
                                     &layer.hatch_taper, &layer.hatch_shortest})

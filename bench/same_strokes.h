@@ -26,10 +26,11 @@ struct SharedLength {
 }
 
 // Of the strokes of `one`: what lies within `reach` of the same line in `other`, whose pixels are `scale` of this
-// one's. line(id): the line that a mark is of.
+// one's, but for parts narrower than `seen` pixels each way.  line(id): the line that a mark is of.
 [[nodiscard]] inline SharedLength shared_length(const std::vector<DrawnStroke>& one,
                                                 const std::vector<DrawnStroke>& other, double scale, double reach,
-                                                const std::function<std::uint32_t(std::uint32_t)>& line) {
+                                                const std::function<std::uint32_t(std::uint32_t)>& line,
+                                                float seen = 0.0F) {
     constexpr double step = 1.0; // pixels
     std::vector<DrawnStroke> scaled = other;
     for (DrawnStroke& stroke : scaled)
@@ -46,6 +47,7 @@ struct SharedLength {
                 const float t = (static_cast<float>(k) + 0.5F) / static_cast<float>(parts);
                 const auto x = static_cast<double>(a.x + t * (b.x - a.x));
                 const auto y = static_cast<double>(a.y + t * (b.y - a.y));
+                if (a.radius + t * (b.radius - a.radius) < seen) continue;
                 bool found = false;
                 segments.in_box(x - reach, y - reach, x + reach, y + reach, [&](const auto& s) {
                     found = found || (line(segments.begin(s).id) == line(a.id) &&

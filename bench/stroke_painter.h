@@ -12,15 +12,18 @@
 
 namespace bench {
 
-// A renderer with one point set and its style.
+// A renderer with one point set and its style, and with lines where there is a set of them.
 class StrokePainter {
 public:
-    StrokePainter(hrbfnpr_context* context, const hrbfnpr_point_set* set, const Style& style) : style_(style) {
+    StrokePainter(hrbfnpr_context* context, const hrbfnpr_point_set* set, const Style& style,
+                  const hrbfnpr_line_set* lines = nullptr)
+        : style_(style) {
         hrbfnpr_renderer* raw = nullptr;
         check_(hrbfnpr_renderer_create(context, &raw, check_.error()));
         renderer_.reset(raw);
         item_.point_set = set;
         item_.style = style_.get();
+        item_.line_set = lines;
     }
     StrokePainter(const StrokePainter&) = delete;
     StrokePainter& operator=(const StrokePainter&) = delete;

@@ -80,9 +80,25 @@ double turn_at(const Strokes& strokes, std::size_t i) {
     return std::atan2(bench::dot(bench::cross(carried, now), n), bench::dot(carried, now));
 }
 
+// Whether a part of two separations that ends at mark i turns by more than 30 degrees, none of it near a singular
+// point.
+bool is_kink(const Strokes& strokes, std::size_t i, const std::vector<bench::Singularity>& points, double separation) {
+    constexpr double most_turn = 30.0 * std::numbers::pi / 180.0;
+    double way = 0.0;
+    double turn = 0.0;
+    for (std::size_t k = i; strokes.goes_on(k) && way < 2.0 * separation; --k) {
+        const Vec3 step = Strokes::vec(strokes.position, k) - Strokes::vec(strokes.position, k - 1);
+        way += std::sqrt(bench::dot(step, step));
+        turn += turn_at(strokes, k);
+        if (is_singular(strokes, k, points, separation) || is_singular(strokes, k - 1, points, separation))
+            return false;
+        if (std::abs(turn) > most_turn) return true;
+    }
+    return false;
+}
+
 void measure_lines(const Strokes& strokes, double separation, const std::vector<bench::Singularity>& points,
                    Found& found) {
-    constexpr double most_turn = 30.0 * std::numbers::pi / 180.0;
     double length = 0.0;
     double ends = 0.0;
     double kinks = 0.0;
@@ -93,16 +109,7 @@ void measure_lines(const Strokes& strokes, double separation, const std::vector<
         }
         const Vec3 leg = Strokes::vec(strokes.position, i) - Strokes::vec(strokes.position, i - 1);
         length += std::sqrt(bench::dot(leg, leg));
-        double way = 0.0;
-        double turn = 0.0;
-        for (std::size_t k = i; k > 0 && strokes.goes_on(k) && way < 2.0 * separation; --k) {
-            const Vec3 step = Strokes::vec(strokes.position, k) - Strokes::vec(strokes.position, k - 1);
-            way += std::sqrt(bench::dot(step, step));
-            turn += turn_at(strokes, k);
-            if (std::abs(turn) <= most_turn) continue;
-            if (!is_singular(strokes, i, points, separation)) kinks += 1.0;
-            break;
-        }
+        if (is_kink(strokes, i, points, separation)) kinks += 1.0;
     }
     found.ends = 1000.0 * ends * separation / length;
     found.kinks = 1000.0 * kinks * separation / length;
