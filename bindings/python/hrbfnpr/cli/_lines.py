@@ -35,6 +35,10 @@ _LAWS = ("outline_factor", "far_factor", "lit_factor", "curvature_factor", "wobb
 _OPEN = 3.0
 # What is drawn finer than contours, as a share of their width.
 _FINE = 0.6
+# Edges of a mesh that are shorter than the first, on average, are facets but for those longer than the second; of the
+# diagonal.
+_MEAN_EDGE = 0.05
+_LONG_EDGE = 0.06
 
 
 class Wanted(NamedTuple):
@@ -127,7 +131,7 @@ def make(
     arguments.made_lines = tuple(once)
     once += more
     sharp = any(one.kind == "crease" for one in wanted)
-    of_mesh = [Lines("own", "crease", polylines=creases(arguments.input_shape))] if sharp and _has_faces(arguments) else []
+    of_mesh = _edges_of_mesh(arguments) if sharp and _has_faces(arguments) else []
     curved = needs_curvature(style)
     support = _support(arguments, wanted, model)
     with report.stage("trace lines", "looking for lines") as stage:
@@ -138,7 +142,7 @@ def make(
             made = LineSet(model, once, **keywords)
         info = made.info
         stage.says = f"on {info.triangles} triangles, {info.lines} lines found once"
-    if sharp and not (of_mesh or info.creases):
+    if sharp and not (_has_faces(arguments) or info.creases):
         raise shapes.ShapeError("creases come from a mesh, or from a model with edges; this file has neither")
     if support > 0:
         report.say(_what_ends(info, support))
@@ -210,6 +214,22 @@ def creases(shape: Any, angle: float = 30.0) -> Sequence[Any]:
     limit = float(np.cos(np.radians(angle)))
     sharp = [edge for edge, two in beside.items() if len(two) == 2 and normals[two[0]] @ normals[two[1]] < limit]
     return [points[line] for line in _chains(sharp)]
+
+
+def _edges_of_mesh(arguments: Any) -> List[Lines]:
+    """All that were asked for; what a named style draws by itself, without the facets of rounded shapes."""
+    found = creases(arguments.input_shape)
+    if arguments.lines is None:
+        found = without_facets(found, float(np.linalg.norm(np.ptp(arguments.input_shape.points, axis=0))))
+    return [Lines("own", "crease", polylines=found)] if len(found) else []
+
+
+def without_facets(edges: Sequence[Any], diagonal: float) -> Sequence[Any]:
+    """Of a mesh most of whose edges are short these are facets of a rounded shape: the long ones are left."""
+    lengths = np.array([np.linalg.norm(np.diff(line, axis=0), axis=1).sum() for line in edges])
+    if len(edges) == 0 or lengths.mean() > _MEAN_EDGE * diagonal:
+        return edges
+    return [line for line, length in zip(edges, lengths) if length > _LONG_EDGE * diagonal]
 
 
 def _chains(edges: Sequence[Tuple[int, int]]) -> List[List[int]]:
