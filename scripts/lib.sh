@@ -66,20 +66,31 @@ install_packages() {
     apt-get -q -y --no-install-recommends install "${missing[@]}"
 }
 
-# The same for packages that a system need not have: a set of which it does not offer all is left out.
-install_packages_if_offered() {
-  local set package offered=()
+# Of sets that a system need not have, those of which it offers all.
+offered_sets() {
+  local set package missing=() known=''
   command -v apt-cache >/dev/null || return 0
   for set in "$@"; do
     for package in $(package_set "$set"); do
-      if ! installed "$package" && [ -z "$(apt-cache madison "$package" 2>/dev/null)" ]; then
-        say "$package is not offered here: going on without"
+      installed "$package" || missing+=("$package")
+    done
+  done
+  [ ${#missing[@]} -eq 0 ] || known=$(apt-cache madison "${missing[@]}" 2>/dev/null | awk '{ print $1 }')
+  for set in "$@"; do
+    for package in $(package_set "$set"); do
+      if ! installed "$package" && ! grep -qxF "$package" <<<"$known"; then
+        say "$package is not offered here: going on without" >&2
         continue 2
       fi
     done
-    offered+=("$set")
+    printf '%s\n' "$set"
   done
-  [ ${#offered[@]} -eq 0 ] || install_packages "${offered[@]}"
+}
+
+install_packages_if_offered() {
+  local sets
+  mapfile -t sets < <(offered_sets "$@")
+  [ ${#sets[@]} -eq 0 ] || install_packages "${sets[@]}"
 }
 
 # configure PRESET [-DNAME=VALUE...]
