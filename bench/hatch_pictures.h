@@ -32,8 +32,8 @@ namespace bench {
     return generate(context, model, desc);
 }
 
-// A pen's width in a picture of so many pixels: below 800 it gets no thinner.
-[[nodiscard]] inline float pen_of(double size) { return static_cast<float>(std::max(1.0, size / 800.0)); }
+// A pen of the command line in a picture of so many pixels: below 600 it gets no finer.
+[[nodiscard]] inline float pen_of(double size) { return static_cast<float>(std::max(0.75, size / 800.0)); }
 
 // For a picture of so many pixels, without contours: a named style, and hidden lines left out.
 [[nodiscard]] inline Style hatch_style(std::uint32_t preset, double size) {
