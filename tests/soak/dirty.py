@@ -4,7 +4,7 @@
 
     PYTHONPATH=bindings/python HRBFNPR_LIBRARY=.../libhrbfnpr.so tests/soak/dirty.py [--only TEXT] [--clean] [FILE|DIR ...]
 
-Without files, points of a torus and of a sheet and a mesh of a torus are made.  --only draws those whose file or damage
+Without files, points of a torus and of a sheet and a mesh of a torus are made, and damaged in turns.  --only draws those whose file or damage
 has this TEXT, --clean none that are damaged.  Prints a line for each; the status is 1 if one of them broke the rule.
 """
 import argparse
@@ -189,6 +189,7 @@ def no_area(random, points, triangles):
 DAMAGES = [without_numbers, infinite, huge, noisy, repeated, tiny, far_away, flat, in_one_place, no_normals, inward,
            mixed_normals, zero_normals, long_normals, random_normals, turned_faces, inside_out, holes, no_such_vertex,
            no_area]  # fmt: skip
+OF_ALL = DAMAGES.index(in_one_place) + 1  # the rest is of points with normals, or of meshes
 
 
 def cut_off(path, folder):
@@ -198,14 +199,16 @@ def cut_off(path, folder):
     return short
 
 
-def cases(path, folder, clean):
-    """(what was done, file) of each."""
+def cases(path, folder, clean, turn, turns):
+    """(what was done, file) of each; a damage is done once in so many turns, but to what few files can have."""
     yield "as it is", path
     if clean:
         return
     yield "cut_off", cut_off(path, folder)
     shape = shapes.read(path)
     for number, damage in enumerate(DAMAGES):
+        if number < OF_ALL and number % turns != turn:
+            continue
         random = np.random.default_rng(number)
         changed = damage(random, shape.points, shape.normals, shape.triangles)
         if changed is not None:
@@ -252,8 +255,10 @@ def main():
     counts = {True: 0, False: 0}
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
-        for path in files_of(given.files, folder):
-            for done, file in cases(path, folder, given.clean):
+        files = files_of(given.files, folder)
+        for turn, path in enumerate(files):
+            turns = 1 if given.files else len(files)
+            for done, file in cases(path, folder, given.clean, turn % turns, turns):
                 if given.only not in f"{path.name} {done}":
                     continue
                 start = time.monotonic()
