@@ -20,6 +20,7 @@ STROKE_SPACING = 1.25  # of marks along a stroke, in radii: near enough to make 
 HATCH_LINES = 300  # of hatching, all levels, in the root of the area
 MOST_MARKS = 2_000_000  # of a layer, unless --marks says more: some 500 bytes each while they are placed and drawn
 MOST_LEVELS = 6  # the same of the published recursion
+_UNSEEN = 4000  # of a layer of which nothing is drawn: what lines hide, they know by themselves
 
 # Ink over area at the darkest tone; of strokes that of one direction, which leaves some paper between its lines.
 _COVERAGE = {"stipples": 0.8, "principal": 0.55, "combing": 0.55}
@@ -97,8 +98,14 @@ def marks(
     layers: Sequence[Layer], style: Style, area: float, pixels: float, published: bool, seeds: int, note: Note
 ) -> List[Layer]:
     """The layers with what fills the darkest tone, where they do not say themselves; `note` is told what is cut."""
+    if not published and style.lines and not any(one.shown for one in style.layers):
+        return [layer if _says_itself(layer) else replace(layer, budget=_UNSEEN) for layer in layers]
     fill = _published if published else _even
     return [fill(layer, style.style_of(layer.kind, layer.name).radius, area, pixels, seeds, note) for layer in layers]
+
+
+def _says_itself(layer: Layer) -> bool:
+    return layer.budget is not None or (layer.kind != "stipples" and layer.separation > 0)  # as many as there are
 
 
 def _even(layer: Layer, radius: float, area: float, pixels: float, seeds: int, note: Note) -> Layer:
@@ -112,8 +119,8 @@ def _even(layer: Layer, radius: float, area: float, pixels: float, seeds: int, n
         step = STROKE_SPACING * radius / pixels
         wanted = 2 * area * pixels * _COVERAGE[layer.kind] / (2 * radius) / step
         layer = replace(layer, step=layer.step or step)
-    if layer.budget is not None or (layer.kind != "stipples" and layer.separation > 0):
-        return layer  # of a separation as many as there are
+    if _says_itself(layer):
+        return layer
     if wanted > MOST_MARKS:
         name = layer.name or layer.kind
         note(
