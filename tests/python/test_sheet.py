@@ -119,7 +119,7 @@ def test_a_note_says_which_drawing_it_is_about(ring_file, tmp_path, monkeypatch,
     options = ["--size", "120", "--samples", "60", "--styles", "stipple,silhouette,full"]
     assert main(["sheet", ring_file, "-o", str(tmp_path / "out.png"), *options]) == 0
     notes = [line for line in capsys.readouterr().err.splitlines() if "would fill" in line]
-    assert [note.split(": ")[2] for note in notes] == ["stipple", "silhouette", "full"], notes
+    assert [note.split(": ")[2] for note in notes] == ["stipple", "full"], notes  # a silhouette needs few
 
 
 @pytest.mark.parametrize(
