@@ -14,7 +14,8 @@ constexpr int averages = 48;
 // How strongly lines are pulled to unit length, and how often.
 constexpr double to_unit = 0.2;
 constexpr int pulls = 2;
-// Curvatures over the diagonal that are smaller are those of a flat face, as a fit within its tolerance has it.
+// Curvatures over the diagonal that are smaller are those of a flat face, as a fit within its tolerance has it; from
+// twice as much on they count.
 constexpr double flat_bend = 0.1;
 // What is less sure says nothing on a sheet of its own, as a flat face across the axis is.
 constexpr double unsure = 1e-3;
@@ -64,8 +65,9 @@ base::Array<Complex> guide_by_curvature(const base::Runtime& runtime, const Samp
         const double k1 = std::abs(bend[i].mean + apart);
         const double k2 = std::abs(bend[i].mean - apart);
         if (!(apart > 0.0)) continue;
-        const double sure = std::pow((k1 - k2) / (k1 + k2), 2.0) *
-                            std::clamp(full_radius * (settings.diagonal * std::max(k1, k2) - flat_bend), 0.0, 1.0);
+        const double bends = settings.diagonal * std::max(k1, k2);
+        const double sure = std::pow((k1 - k2) / (k1 + k2), 2.0) * std::min(1.0, full_radius * bends) *
+                            std::clamp((bends - flat_bend) / flat_bend, 0.0, 1.0);
         guide[i] = (k1 >= k2 ? sure : -sure) / apart * bend[i].difference;
     }
     return guide;
