@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 from conftest import fibonacci_sphere, torus
 from hrbfnpr import shapes
+from hrbfnpr.cli import main
 from hrbfnpr.cli._lines import creases, doubts, without_facets
 
 
@@ -369,3 +370,13 @@ def test_facets_of_a_round_shape_are_no_edges():
     fin = np.array([[0.0, 0.0, z] for z in np.linspace(0.0, 0.2, 4)])
     left = without_facets([*facets, fin], 3.0)
     assert len(facets) > 100 and len(left) <= 3 and left[-1] is fin
+
+
+def test_pictures_of_lines_alone_place_few_marks(tmp_path, capsys):
+    ring = tmp_path / "ring.xyz"
+    np.savetxt(ring, np.hstack(torus()), fmt="%.17g")
+    draw = ["draw", str(ring), str(tmp_path / "out.png"), "--style", "silhouette", "--size", "200"]
+    assert main(draw) == 0 and "4000 marks" in capsys.readouterr().out
+    # What is saved may be drawn in another style.
+    assert main([*draw, "--save-points", str(tmp_path / "ring.points")]) == 0
+    assert len(hrbfnpr.PointSet.load(tmp_path / "ring.points")) > 20000

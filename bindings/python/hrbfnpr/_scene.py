@@ -184,6 +184,8 @@ def plan(
     if own is not None and arguments.layers is None:
         return style, _settings_use.paint(arguments, style, make_layers(arguments, own), camera)
     layers = make_layers(arguments, _wanted_layers(arguments))
+    if not published and not getattr(arguments, "save_points", None):  # what is saved may be drawn in another style
+        layers = _automatic.few_of_unseen(layers, style)
     layers = _automatic.marks(layers, style, area, pixels, published, seeds, report.note)
     if arguments.tone_ranges == "in-turn":
         layers = _automatic.in_turn(layers, style)

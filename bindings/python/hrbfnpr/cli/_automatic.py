@@ -98,10 +98,15 @@ def marks(
     layers: Sequence[Layer], style: Style, area: float, pixels: float, published: bool, seeds: int, note: Note
 ) -> List[Layer]:
     """The layers with what fills the darkest tone, where they do not say themselves; `note` is told what is cut."""
-    if not published and style.lines and not any(one.shown for one in style.layers):
-        return [layer if _says_itself(layer) else replace(layer, budget=_UNSEEN) for layer in layers]
     fill = _published if published else _even
     return [fill(layer, style.style_of(layer.kind, layer.name).radius, area, pixels, seeds, note) for layer in layers]
+
+
+def few_of_unseen(layers: Sequence[Layer], style: Style) -> List[Layer]:
+    """The layers with few marks where a style draws lines alone, and they do not say themselves."""
+    if not style.lines or any(one.shown for one in style.layers):
+        return list(layers)
+    return [layer if _says_itself(layer) else replace(layer, budget=_UNSEEN) for layer in layers]
 
 
 def _says_itself(layer: Layer) -> bool:
