@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "orient/normals_of_cloud.h"
 
-#include "geometry/farthest_order.h"
+#include "orient/means.h"
 #include "orient/ridge_path.h"
 
 #include <algorithm>
@@ -21,7 +21,6 @@ constexpr double means_apart = 2.0;
 constexpr std::int64_t fewest_to_reduce = 6000;
 constexpr std::int64_t fewest_means = 500;
 constexpr int most_reductions = 3;
-constexpr std::size_t blended = 4; // means that a point's normal is made of
 
 // Fewer starts of more places.
 constexpr std::int64_t few_points = 6000;
@@ -85,55 +84,6 @@ void fit(const base::Runtime& runtime, const Cloud& cloud, const Near& near, con
     result.fitted = std::move(found.fitted);
 }
 
-// The points nearest to each of the first places of the farthest-first order become their mean.
-[[nodiscard]] Cloud means_of(const base::Runtime& runtime, const Cloud& cloud, std::int64_t count,
-                             const base::Progress& progress) {
-    geometry::VecArray first(runtime.memory, count);
-    for (std::int64_t at = 0; at < cloud.size(); ++at)
-        if (cloud.rank[at] < count) first.set(cloud.rank[at], cloud.point(at));
-    const geometry::PointTree centres(first, progress);
-    base::Array<std::int64_t> nearest(runtime.memory, cloud.size());
-    runtime.parallel.for_chunks(cloud.size(), 1024, [&](std::int64_t begin, std::int64_t end) {
-        progress.check();
-        for (std::int64_t at = begin; at < end; ++at)
-            centres.nearest(
-                cloud.point(at), 1, [](std::int64_t) { return true; }, [](std::int64_t) { return true; }, &nearest[at]);
-    });
-    VecArray mean(runtime.memory, count);
-    base::Array<double> share(runtime.memory, count);
-    for (std::int64_t at = 0; at < cloud.size(); ++at) {
-        mean.set(nearest[at], mean[nearest[at]] + cloud.point(at));
-        share[nearest[at]] += 1.0;
-    }
-    base::Array<double> packed(runtime.memory, 3 * count);
-    for (std::int64_t k = 0; k < count; ++k)
-        for (glm::length_t c = 0; c < 3; ++c) packed[3 * k + c] = mean[k][c] / share[k];
-    return read_cloud(runtime, {reinterpret_cast<const std::byte*>(packed.data()), count, 24, base::Scalar::float64, 3},
-                      progress);
-}
-
-// Of each place of the cloud, from the means nearest to it.
-[[nodiscard]] VecArray spread(const base::Runtime& runtime, const Cloud& cloud, const Cloud& means,
-                              const VecArray& normal) {
-    VecArray result(runtime.memory, cloud.size());
-    runtime.parallel.for_chunks(cloud.size(), 1024, [&](std::int64_t begin, std::int64_t end) {
-        std::array<std::int64_t, blended> found;
-        for (std::int64_t at = begin; at < end; ++at) {
-            const glm::dvec3 p = (cloud.point(at) - means.centre) / means.spacing;
-            const std::int64_t there = means.tree->nearest(
-                p, blended, [](std::int64_t) { return true; }, [](std::int64_t) { return true; }, found.data());
-            const glm::dvec3 own = normal[found[0]];
-            glm::dvec3 sum = own;
-            for (std::int64_t k = 1; k < there; ++k) {
-                const glm::dvec3 other = normal[found[static_cast<std::size_t>(k)]];
-                if (glm::dot(own, other) > 0.5) sum += other;
-            }
-            result.set(at, glm::normalize(sum));
-        }
-    });
-    return result;
-}
-
 } // namespace
 
 CloudNormals normals_of_cloud(const base::Runtime& runtime, const Cloud& cloud, const Near& near, const VecArray* given,
@@ -166,7 +116,7 @@ CloudNormals normals_of_cloud(const base::Runtime& runtime, const Cloud& cloud, 
     }
     const Near near_means(runtime, *means.tree, neighbours, progress);
     fit(runtime, means, near_means, noise, nullptr, result, progress.part(0.2, 0.95));
-    result.fitted.normal = spread(runtime, cloud, means, result.fitted.normal);
+    result.fitted.normal = normals_by_means(runtime, cloud, means, result.fitted.normal, progress.part(0.95, 1.0));
     result.fitted.form.reset(); // it is the means'
     progress.update(1.0);
     return result;
