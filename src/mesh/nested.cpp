@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "mesh/nested.h"
 
+#include "base/random.h"
 #include "mesh/face_tree.h"
 
 #include <algorithm>
+#include <span>
 
 namespace hrbfnpr::mesh {
 namespace {
 
-constexpr std::int64_t tested_faces = 16;  // of a component ...
+constexpr std::int64_t tested_faces = 64;  // of a component, and those that reach farthest along the axes ...
 constexpr std::int64_t places_of_face = 4; // ... the middle of each, and next to its corners
 // In no direction that edges of meshes have.
 const std::array<glm::dvec3, 3> directions{glm::dvec3{0.5773, 0.2161, 0.7874}, glm::dvec3{-0.6431, 0.7321, 0.2247},
@@ -51,6 +53,54 @@ void around(const FaceTree& tree, const base::Array<std::int32_t>& component, co
         if (all[i] == all[i + 1] && (result.empty() || result.back() != all[i])) result.push_back(all[i]);
 }
 
+// Faces of every component.
+class FacesOfComponents {
+public:
+    FacesOfComponents(const base::Array<std::int32_t>& component, const base::Array<Component>& measured)
+        : begin_(measured.memory(), measured.size() + 1), face_(measured.memory(), component.size()) {
+        for (std::int64_t i = 0; i < measured.size(); ++i) begin_[i + 1] = begin_[i] + measured[i].faces;
+        base::Array<std::int64_t> next(measured.memory());
+        for (std::int64_t i = 0; i < measured.size(); ++i) next.push_back(begin_[i]);
+        for (std::int64_t i = 0; i < component.size(); ++i) face_[next[component[i]]++] = static_cast<std::int32_t>(i);
+    }
+    [[nodiscard]] std::span<const std::int32_t> of(std::int64_t component) const noexcept {
+        return face_.span().subspan(static_cast<std::size_t>(begin_[component]),
+                                    static_cast<std::size_t>(begin_[component + 1] - begin_[component]));
+    }
+
+private:
+    base::Array<std::int64_t> begin_;
+    base::Array<std::int32_t> face_;
+};
+
+// Those with a corner that lies farthest along an axis, either way, and others: one at random of every so many, as
+// every so many of a mesh of rows and columns may all lie at one place.
+void faces_to_test(const base::Array<glm::dvec3>& vertex, const base::Array<Triangle>& triangle,
+                   std::span<const std::int32_t> faces, base::Array<std::int32_t>& result) {
+    std::array<std::int32_t, 6> farthest;
+    farthest.fill(faces[0]);
+    std::array<double, 6> reach;
+    reach.fill(-std::numeric_limits<double>::infinity());
+    for (const std::int32_t face : faces)
+        for (const std::int32_t corner : triangle[face])
+            for (std::size_t way = 0; way < reach.size(); ++way) {
+                const double along = vertex[corner][static_cast<glm::length_t>(way / 2)];
+                const double far = way % 2 == 0 ? along : -along;
+                if (far <= reach[way]) continue;
+                reach[way] = far;
+                farthest[way] = face;
+            }
+    result.clear();
+    for (const std::int32_t face : farthest) result.push_back(face);
+    const auto count = static_cast<std::int64_t>(faces.size());
+    const std::int64_t tests = std::min(tested_faces, count);
+    for (std::int64_t k = 0; k < tests; ++k) {
+        const double share = base::uniform4(0, static_cast<std::uint64_t>(k), base::Purpose::probe)[0];
+        const double at = (static_cast<double>(k) + share) * static_cast<double>(count) / static_cast<double>(tests);
+        result.push_back(faces[static_cast<std::size_t>(std::min(static_cast<std::int64_t>(at), count - 1))]);
+    }
+}
+
 } // namespace
 
 void find_nested(const base::Runtime& runtime, const base::Array<glm::dvec3>& vertex,
@@ -58,19 +108,15 @@ void find_nested(const base::Runtime& runtime, const base::Array<glm::dvec3>& ve
                  base::Array<Component>& measured, const base::Progress& progress) {
     if (measured.size() < 2) return;
     const FaceTree tree(runtime, vertex, triangle, progress);
-    base::Array<std::int64_t> begin(runtime.memory, measured.size() + 1); // faces by component
-    for (std::int64_t i = 0; i < measured.size(); ++i) begin[i + 1] = begin[i] + measured[i].faces;
-    base::Array<std::int64_t> next(runtime.memory);
-    base::Array<std::int32_t> face(runtime.memory, triangle.size());
-    for (std::int64_t i = 0; i < measured.size(); ++i) next.push_back(begin[i]);
-    for (std::int64_t i = 0; i < triangle.size(); ++i) face[next[component[i]]++] = static_cast<std::int32_t>(i);
+    const FacesOfComponents faces(component, measured);
     runtime.parallel.for_each(measured.size(), [&](std::int64_t i) {
         progress.check();
         base::Array<std::int32_t> holders(runtime.memory); // closed ones that all tested places lie inside
         base::Array<std::int32_t> here(runtime.memory);
-        const std::int64_t tests = std::min(tested_faces, measured[i].faces);
-        for (std::int64_t k = 0; k < places_of_face * tests; ++k) {
-            const Triangle& t = triangle[face[begin[i] + k / places_of_face * measured[i].faces / tests]];
+        base::Array<std::int32_t> tested(runtime.memory);
+        faces_to_test(vertex, triangle, faces.of(i), tested);
+        for (std::int64_t k = 0; k < places_of_face * tested.size(); ++k) {
+            const Triangle& t = triangle[tested[k / places_of_face]];
             around(tree, component, place_of_face({vertex[t[0]], vertex[t[1]], vertex[t[2]]}, k % places_of_face),
                    here);
             std::int64_t kept = 0;

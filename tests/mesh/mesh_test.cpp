@@ -142,6 +142,39 @@ TEST(MakeMesh, LeavesOutWhatLiesInside) {
     EXPECT_EQ(largest.bounds.max.x, 1.0);
 }
 
+// A ball of radius 1, its faces column by column, each from the upper pole down.
+Triangles ball_of_columns(int columns, int rows) {
+    Triangles ball;
+    const std::int32_t top = ball.add(0, 0, 1), bottom = ball.add(0, 0, -1);
+    std::vector<std::vector<std::int32_t>> column(static_cast<std::size_t>(columns));
+    for (int i = 0; i < columns; ++i)
+        for (int j = 1; j < rows; ++j) {
+            const double along = pi * j / rows, around = 2.0 * pi * i / columns;
+            column[static_cast<std::size_t>(i)].push_back(
+                ball.add(std::sin(along) * std::cos(around), std::sin(along) * std::sin(around), std::cos(along)));
+        }
+    for (std::size_t i = 0; i < column.size(); ++i) {
+        const auto& here = column[i];
+        const auto& next = column[(i + 1) % column.size()];
+        ball.face(top, here.front(), next.front());
+        for (std::size_t j = 0; j + 1 < here.size(); ++j) {
+            ball.face(here[j], here[j + 1], next[j + 1]);
+            ball.face(here[j], next[j + 1], next[j]);
+        }
+        ball.face(here.back(), bottom, next.back());
+    }
+    return ball;
+}
+
+// One face of every so many is at the same place of each column.
+TEST(MakeMesh, KeepsBallsOfColumnsThatOverlap) {
+    const Triangles ball = ball_of_columns(48, 24);
+    const Mesh man = made(runtime(), ball.with(ball.moved(0.7, 0, 0, 1.4)).with(ball.moved(0.5, 0, 0, 2.3)));
+    EXPECT_EQ(man.report.components, 3);
+    EXPECT_EQ(man.report.nested_components, 0);
+    EXPECT_EQ(man.faces(), 3 * 2208);
+}
+
 // Middles of all faces of the turned square lie inside the other, or on it; its corners do not.
 TEST(MakeMesh, KeepsWhatStandsOutAtItsCorners) {
     const Triangles square = box(2.0, 2.0, 1.0, 1).moved(1.0, -1.0, -1.0, 0.0);
