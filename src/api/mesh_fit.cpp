@@ -202,16 +202,35 @@ hrbfnpr_mesh_fit_info described(const mesh::FitMeshReport& report, std::int64_t 
 }
 
 // Of a closed mesh the fit has looked itself, and found nothing that is far from it.
-hrbfnpr_model* ended(const hrbfnpr_mesh& mesh, mesh::MeshFit& result, std::uint32_t trim,
+// Where an open mesh ends, a model that is fitted to it shall.
+struct Border {
+    mesh::MeshSamples places;
+    generate::TrimSettings settings;
+
+    Border(const hrbfnpr_mesh& mesh, std::uint64_t seed)
+        : places(mesh::end_samples(mesh.runtime(), mesh.mesh, mesh.tree, places_of_trim,
+                                   off_mesh * mesh.mesh.bounds.diagonal(), seed, {})) {
+        settings.hole = settings.closest = off_mesh;
+    }
+    [[nodiscard]] hrbfnpr_model* end(hrbfnpr_model* model, const base::Progress& progress) const {
+        return ended_model(model, places.position, places.normal, settings, progress);
+    }
+};
+
+hrbfnpr_model* ended(const hrbfnpr_mesh& mesh, mesh::MeshFit& result, std::uint32_t trim, std::uint64_t seed,
                      const base::Progress& progress) {
     const std::optional<fit::Samples> samples = std::exchange(result.fit.samples, std::nullopt);
-    const bool whole = mesh.mesh.report.boundary_edges == 0 && result.report.reached;
-    generate::TrimSettings settings;
-    settings.hole = settings.closest = off_mesh;
-    if (trim == HRBFNPR_TRIM_NEVER || whole) {
+    const bool open = mesh.mesh.report.boundary_edges > 0;
+    if (trim == HRBFNPR_TRIM_NEVER || (!open && result.report.reached)) {
         progress.update(1.0);
         return make_handle<hrbfnpr_model>(mesh.context(), std::move(result.fit));
     }
+    if (open) {
+        const Border border(mesh, seed);
+        return border.end(make_handle<hrbfnpr_model>(mesh.context(), std::move(result.fit)), progress);
+    }
+    generate::TrimSettings settings;
+    settings.hole = settings.closest = off_mesh;
     return ended_model(make_handle<hrbfnpr_model>(mesh.context(), std::move(result.fit)), samples->position,
                        samples->normal, settings, progress);
 }
@@ -265,12 +284,9 @@ hrbfnpr_model* fit_pieces(const hrbfnpr_mesh& mesh, const mesh::FitMeshSettings&
         progress.update(1.0);
         model = make_handle<hrbfnpr_model>(mesh.context(), std::move(result.data), result.fit);
     } else {
-        const mesh::MeshSamples places = mesh::end_samples(runtime, mesh.mesh, mesh.tree, places_of_trim,
-                                                           off_mesh * mesh.mesh.bounds.diagonal(), settings.seed, {});
-        generate::TrimSettings end;
-        end.hole = end.closest = off_mesh;
-        model = ended_model(make_handle<hrbfnpr_model>(mesh.context(), std::move(result.data), result.fit),
-                            places.position, places.normal, end, progress.part(end_of_mesh_fit, 1.0));
+        const Border border(mesh, settings.seed);
+        model = border.end(make_handle<hrbfnpr_model>(mesh.context(), std::move(result.data), result.fit),
+                           progress.part(end_of_mesh_fit, 1.0));
     }
     if (info == nullptr) return model;
     hrbfnpr_mesh_fit_info to = described(result.mesh, centres);
@@ -302,7 +318,8 @@ hrbfnpr_model* fit_mesh(const hrbfnpr_mesh& mesh, const MeshFitDesc& desc, const
                                           use.progress().part(0.0, end_of_mesh_fit));
     const std::int64_t centres = result.fit.data.count();
     log_fit(mesh.runtime(), result.report, centres);
-    hrbfnpr_model* const model = ended(mesh, result, fit.trim, use.progress().part(end_of_mesh_fit, 1.0));
+    hrbfnpr_model* const model =
+        ended(mesh, result, fit.trim, settings.seed, use.progress().part(end_of_mesh_fit, 1.0));
     if (info != nullptr) write_struct(info, described(result.report, centres));
     return model;
 }

@@ -65,6 +65,24 @@ def test_a_fit_of_an_open_mesh_ends_where_that_does():
     assert not hrbfnpr.Model.fit_mesh(mesh, tolerance=0.01, trim="never").trim_info.is_trimmed
 
 
+def test_a_smooth_open_mesh_ends_straight_along_its_border():
+    n = 41
+    grid = [
+        (x / (n - 1), y / (n - 1), 0.1 * math.sin(6 * x / n) * math.cos(5 * y / n)) for y in range(n) for x in range(n)
+    ]
+    cells = [n * y + x for y in range(n - 1) for x in range(n - 1)]
+    triangles = [t for i in cells for t in ((i, i + 1, i + n + 1), (i, i + n + 1, i + n))]
+    marks = hrbfnpr.Model.fit_mesh(hrbfnpr.Mesh(grid, triangles)).generate(budget=40000)
+    farthest = [0.0] * 50  # towards the four sides, in strips of 0.02
+    for row in marks.layers[0].positions.tolist():
+        x, y = row[0] + marks.origin[0], row[1] + marks.origin[1]
+        for out, along in ((x, y), (y, x), (1 - x, y), (1 - y, x)):
+            strip = int(50 * along)
+            if 2 <= strip < 48:
+                farthest[strip] = max(farthest[strip], out)
+    assert 0.996 < min(farthest[2:48]) and max(farthest) < 1.001
+
+
 def test_given_samples_tell_where_it_ends():
     ball = zone(-1.0)
     model = hrbfnpr.Model.fit(ball, ball)

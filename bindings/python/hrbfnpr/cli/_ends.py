@@ -30,7 +30,7 @@ def end_of_mesh(model: Model, mesh: Mesh, close: bool, report: Reporter) -> Mode
     of_sheets = fitted is not None and fitted.sheets > 1
     if close or (of_sheets and mesh.info.closed):
         return model
-    if of_sheets and mesh.info.boundary_edges:  # the fit has ended it along the border
+    if fitted is not None and mesh.info.boundary_edges:  # the fit has ended it along the border
         with report.stage("end", "looking for the end of the surface") as stage:
             stage.says = _in_words(model, "mesh")
         return model
