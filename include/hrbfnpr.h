@@ -1966,11 +1966,21 @@ typedef struct hrbfnpr_layer_pose {
 
 HRBFNPR_API hrbfnpr_status hrbfnpr_layer_pose_init(hrbfnpr_layer_pose* pose, uint32_t struct_size);
 
+/* Which sides of an item's surface its marks are drawn on. */
+enum {
+    HRBFNPR_SIDES_FRONT = 0, /* that which the normals look to: a solid's inside is never seen */
+    HRBFNPR_SIDES_BOTH = 1   /* of a surface that ends, such as a bowl or a leaf, the other one, too, where it looks to
+                                the camera: with opposite normals for tone.  Such marks count twice in
+                                hrbfnpr_drawing_info, as of the front and of the back, their ids are the same, and the
+                                drawing has their layers once more, behind those of all items.  Lines are seen from
+                                both sides anyway */
+};
+
 /* One thing to draw.  Everything it points to is read during _draw only, but
  * the drawing retains the point set. */
 typedef struct hrbfnpr_item {
     uint32_t struct_size;
-    uint32_t reserved;
+    uint32_t sides;             /* HRBFNPR_SIDES_...; FRONT */
     const hrbfnpr_point_set* point_set;
     const hrbfnpr_style* style; /* NULL = default style */
     const hrbfnpr_model* model; /* NULL, or the surface that the marks lie on: with DEPTH_LAYERS, what

@@ -342,7 +342,8 @@ void hrbfnpr_renderer_retain(hrbfnpr_renderer* renderer); void hrbfnpr_renderer_
 typedef struct hrbfnpr_layer_pose { uint32_t struct_size; uint32_t reserved; int64_t layer; hrbfnpr_array position;
     hrbfnpr_array normal; hrbfnpr_array direction; } hrbfnpr_layer_pose;
 hrbfnpr_status hrbfnpr_layer_pose_init(hrbfnpr_layer_pose* pose, uint32_t struct_size);
-typedef struct hrbfnpr_item { uint32_t struct_size; uint32_t reserved; const hrbfnpr_point_set* point_set;
+enum { HRBFNPR_SIDES_FRONT = 0, HRBFNPR_SIDES_BOTH = 1 };
+typedef struct hrbfnpr_item { uint32_t struct_size; uint32_t sides; const hrbfnpr_point_set* point_set;
     const hrbfnpr_style* style; const hrbfnpr_model* model; double transform[16]; const hrbfnpr_layer_pose* poses;
     int64_t pose_count; int64_t pose_stride; const hrbfnpr_line_set* line_set; } hrbfnpr_item;
 hrbfnpr_status hrbfnpr_item_init(hrbfnpr_item* item, uint32_t struct_size);

@@ -72,7 +72,7 @@ public:
 private:
     void read(const hrbfnpr_item& given, const char* name) {
         const Checks checks(name);
-        checks.zero("reserved", given.reserved);
+        checks.one_of("sides", given.sides, HRBFNPR_SIDES_BOTH + 1, "HRBFNPR_SIDES_...");
         checks.given("point_set", given.point_set != nullptr);
         if (given.model != nullptr && given.pose_count > 0)
             fail(Status::invalid_argument, "%s.model is given, and so are poses: marks that have moved lie on no model",
@@ -82,6 +82,7 @@ private:
                  "%s.line_set is given, and so are poses: its surface does not move with them", name);
         frame::Item item;
         item.set = &given.point_set->set;
+        item.both_sides = given.sides == HRBFNPR_SIDES_BOTH;
         item.model = given.model != nullptr ? &given.model->implicit() : nullptr;
         const auto first_line = static_cast<std::size_t>(renderer_.line_styles.size());
         item.lines = given.line_set != nullptr ? &given.line_set->lines : nullptr;

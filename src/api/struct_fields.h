@@ -310,7 +310,7 @@ inline constexpr FieldLayout fields_of_hrbfnpr_layer_pose[] = {
 
 #define RECORD hrbfnpr_item
 inline constexpr FieldLayout fields_of_hrbfnpr_item[] = {
-    FIELD(struct_size, "uint32_t"), FIELD(reserved, "uint32_t"), FIELD(point_set, "const hrbfnpr_point_set*"),
+    FIELD(struct_size, "uint32_t"), FIELD(sides, "uint32_t"), FIELD(point_set, "const hrbfnpr_point_set*"),
     FIELD(style, "const hrbfnpr_style*"), FIELD(model, "const hrbfnpr_model*"), FIELD(transform, "double[16]"),
     FIELD(poses, "const hrbfnpr_layer_pose*"), FIELD(pose_count, "int64_t"), FIELD(pose_stride, "int64_t"),
     FIELD(line_set, "const hrbfnpr_line_set*")};

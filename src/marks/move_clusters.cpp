@@ -2,18 +2,10 @@
 #include "marks/move_clusters.h"
 
 #include "marks/cluster_shape.h"
-
-#include <cstring>
+#include "marks/copy_array.h"
 
 namespace hrbfnpr::marks {
 namespace {
-
-template <class T>
-void copy_array(const base::Array<T>& from, base::Array<T>& to) {
-    to.resize_for_overwrite(from.size());
-    if (!from.empty())
-        std::memcpy(static_cast<void*>(to.data()), from.data(), sizeof(T) * static_cast<std::size_t>(from.size()));
-}
 
 // Marks of clusters that follow each other, by their place in the blocks.
 class Moved {

@@ -297,8 +297,8 @@ TEST_F(BadFrame, ItemsAndCamera) {
     item.point_set = nullptr;
     EXPECT_FAILS(draw(), invalid, "items[0].point_set is NULL");
     item = good;
-    item.reserved = 1;
-    EXPECT_FAILS(draw(), invalid, "items[0].reserved is 1");
+    item.sides = 2;
+    EXPECT_FAILS(draw(), invalid, "items[0].sides is 2; it must be one of HRBFNPR_SIDES_... (0 to 1)");
     item = good;
     item.transform[5] = nan;
     EXPECT_FAILS(draw(), invalid, "items[0].transform[5] is nan");

@@ -89,3 +89,18 @@ def test_the_border_is_drawn(scan, tmp_path, capsys):
     assert (np.asarray(Image.open(picture).convert("L")) < 100).sum() > 300
     assert main(["draw", str(scan), picture, *options, "--close"]) == 3
     assert "would be blank" in capsys.readouterr().err
+
+
+def test_both_sides_of_what_ends_are_drawn(scan, tmp_path):
+    from PIL import Image
+
+    def ink(*options):
+        picture = str(tmp_path / "out.png")
+        below = ["--up", "z", "--elevation", "-80", "--light", "1,0,0.3", "--lines", "none", "--size", "150"]
+        assert main(["draw", str(scan), picture, *below, "--quiet", "--allow-blank", *options]) == 0
+        return int((np.asarray(Image.open(picture).convert("L")) < 100).sum())
+
+    for style, marks in (("stipple", "2000"), ("hatch", "hatch=20000")):
+        options = ["--style", style, "--marks", marks]
+        assert 10 * ink(*options, "--sides", "front") <= ink(*options)
+        assert ink(*options, "--sides", "both") > 100

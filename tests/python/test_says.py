@@ -244,8 +244,10 @@ def test_a_sheet_seen_from_behind(tmp_path, capsys):
     points = np.column_stack([grid, 0.1 * grid[:, 0] ** 2])
     path = write(tmp_path, "a.xyz", table(points, np.tile([0.0, 0, -1], (81, 1))))
     options = ["--up", "y", "--lines", "none", "--normals", "keep"]
+    assert draw(path, tmp_path / "a.png", *options) == 0, "both its sides are drawn"
+    options += ["--sides", "front"]
     assert draw(path, tmp_path / "a.png", *options) == 3
-    assert "looks away from the eye: another --azimuth shows its front, or --flip" in capsys.readouterr().err
+    assert "looks away from the eye: another --azimuth shows its front, or --sides both" in capsys.readouterr().err
     assert draw(path, tmp_path / "a.png", *options, "--azimuth", "210") == 0
 
 

@@ -201,6 +201,16 @@ namespace HrbfNpr
         Auto = 1,
     }
 
+    /// <summary>Which sides of a surface its marks are drawn on.</summary>
+    [NativeConstants("HRBFNPR_SIDES_")]
+    public enum Sides
+    {
+        /// <summary>That which the normals look to (default): a solid's inside is never seen.</summary>
+        Front = 0,
+        /// <summary>Of a surface that ends, the other one, too, where it looks to the camera.</summary>
+        Both = 1,
+    }
+
     /// <summary>How it was decided which side is outward.</summary>
     [NativeConstants("HRBFNPR_OUTWARD_")]
     public enum OutwardBy

@@ -75,6 +75,12 @@ namespace HrbfNpr
         /// </summary>
         public LineSet LineSet { get; set; }
 
+        /// <summary>
+        /// Which sides of the surface marks are drawn on: of one that ends, such as a bowl or a leaf, the inside is
+        /// seen, too.  There marks have opposite normals for tone, the same ids, and layers behind all others.
+        /// </summary>
+        public Sides Sides { get; set; }
+
         /// <summary>Object to world, 16 numbers, column-major, affine, invertible; the identity if null.</summary>
         public double[] Transform
         {

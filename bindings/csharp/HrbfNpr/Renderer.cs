@@ -186,6 +186,7 @@ namespace HrbfNpr
         private void Describe(Item item, hrbfnpr_item* native)
         {
             Errors.Check(NativeMethods.hrbfnpr_item_init(native, (uint)sizeof(hrbfnpr_item)));
+            native->sides = (uint)item.Sides;
             native->point_set = held.Hold(item.PointSet.Handle);
             if (item.Model != null)
             {

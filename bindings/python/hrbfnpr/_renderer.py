@@ -17,6 +17,7 @@ from ._layer import new_list
 from ._library import ffi, lib
 from ._line_set import LineSet
 from ._model import Model
+from ._names import SIDES, number_of
 from ._point_set import PointSet
 from ._style import Style
 
@@ -44,6 +45,9 @@ class Item:
     line_set : LineSet, optional
         What the style's lines are drawn from, in the place of contours that marks draw.  All items of a drawing
         that have one hide each other's lines.
+    sides : {"front", "both"}
+        "both" draws the marks on the inside of a surface that ends, such as a bowl or a leaf, too, where it looks to
+        the camera: with opposite normals for tone, the same ids, and in layers of their own behind all others.
     """
 
     point_set: PointSet
@@ -52,6 +56,7 @@ class Item:
     model: Optional[Model] = None
     poses: Optional[Poses] = None
     line_set: Optional[LineSet] = None
+    sides: str = "front"
 
 
 def _as_items(items: Items) -> List[Item]:
@@ -134,6 +139,7 @@ class Renderer(Owner):
         states: List[Optional[CallbackState]] = []
         functions: List[CallbackState] = []  # of the models
         for item, struct in zip(chosen, structs):
+            struct.sides = number_of("sides", SIDES, item.sides)
             struct.point_set = item.point_set._handle
             keep.append(struct.point_set)
             if item.style is not None:

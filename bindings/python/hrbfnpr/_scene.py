@@ -192,6 +192,14 @@ def plan(
     return style, _settings_use.paint(arguments, style, layers, camera)
 
 
+def sides_of(arguments: Any, source: Union[Model, PointSet]) -> str:
+    """On which sides of the surface marks are drawn: of one that ends the inside is seen, too."""
+    wanted = getattr(arguments, "sides", None) or "auto"
+    if wanted != "auto":
+        return str(wanted)
+    return "both" if isinstance(source, Model) and source.trim_info.is_trimmed else "front"
+
+
 def _has_section(arguments: Any) -> bool:
     return _is_find(arguments) if arguments.profile is None else bool(arguments.profile == "yes")
 
@@ -250,7 +258,8 @@ class Scene:
 
     def draw(self, camera: Camera) -> Drawing:
         """The drawing alone, without what a plate adds."""
-        return self.renderer.draw(Item(self.marks, self.style, line_set=self.line_set), camera)
+        sides = sides_of(self.arguments, self.source)
+        return self.renderer.draw(Item(self.marks, self.style, line_set=self.line_set, sides=sides), camera)
 
     @property
     def is_plate(self) -> bool:

@@ -335,7 +335,8 @@ void Gatherer::put(const Local& local, const Seen& seen, std::int64_t i, float r
     ink.id = run_.first_id + m.mark[i % MarkBlock::size];
     ink.layer = layer_ + (contour ? 1U : 0U);
     ink.mark_class = contour ? MarkClass::silhouette : MarkClass::front;
-    ink.flags = static_cast<std::uint8_t>((seen.nu[i] > 0.0F ? dot_faces_back : 0) |
+    // By the side that the splats are of.
+    ink.flags = static_cast<std::uint8_t>(((seen.nu[i] > 0.0F) != run_.turned ? dot_faces_back : 0) |
                                           (item_.model != nullptr ? dot_is_exact : 0));
     const float side = std::sqrt(seen.side_x[i] * seen.side_x[i] + seen.side_y[i] * seen.side_y[i]);
     const float step = contour && side > 0.0F ? probe * probe_steps / side : 0.0F;

@@ -81,7 +81,9 @@ void HatchPoints::find(const Scene& scene, const Gather& gather, Batch& batch) c
 
 void HatchPoints::put(const Scene& scene, const Batch& batch, drawing::Drawing& drawing) const noexcept {
     const auto layer = 2U * static_cast<std::uint32_t>(batch.run);
-    const std::uint8_t flags = scene.item_of(scene.runs[batch.run]).model != nullptr ? dot_is_exact : std::uint8_t{0};
+    const Run& run = scene.runs[batch.run];
+    const auto flags = static_cast<std::uint8_t>((run.turned ? dot_faces_back : 0) |
+                                                 (scene.item_of(run).model != nullptr ? dot_is_exact : 0));
     Dot* to = drawing.dots.data() + batch.first_dot;
     for (const HatchPoint& p : batch.part.points)
         *to++ = {p.x,  p.y,   0.5F * p.width,   1.0F,  p.depth, p.window, p.pixels_per_unit,

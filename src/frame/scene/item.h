@@ -27,6 +27,7 @@ struct Item {
     glm::dmat4 transform{1.0};
     std::span<const Pose> poses; // whoever made it keeps them
     const curves::LineSet* lines = nullptr;
+    bool both_sides = false; // marks are drawn on the inside of the surface, too
 };
 
 } // namespace hrbfnpr::frame

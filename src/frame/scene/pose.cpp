@@ -109,6 +109,7 @@ void pose(Scene& scene, std::span<const Item> items, drawing::Drawing& drawing) 
         marks::MarkClusters& moved = scene.posed[number++];
         marks::move_clusters(*run.marks, run.position, run.normal, scene.items[run.item].unit, moved);
         run.clusters = &moved;
+        run.is_posed = true;
     }
 }
 

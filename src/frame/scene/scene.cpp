@@ -2,6 +2,7 @@
 #include "frame/scene/scene.h"
 
 #include "frame/scene/pose.h"
+#include "frame/scene/turn.h"
 #include "geometry/unit.h"
 
 #include <glm/gtc/matrix_inverse.hpp>
@@ -155,19 +156,32 @@ Pen pen_of(const Style& style, const LayerStyle& layer, double spacing, double e
 
 glm::vec4 color(const float* c) noexcept { return {c[0], c[1], c[2], c[3]}; }
 
-// The runs of one item, and what the drawing knows of its layers.
+// The runs of one item, which is the last of the scene's, and what the drawing knows of its layers.
 class RunMaker {
 public:
     RunMaker(Scene& scene, const Item& item, std::int32_t number, drawing::Drawing& drawing) noexcept
-        : scene_(scene), item_(item), style_(item.style), number_(number), drawing_(drawing),
-          splats_(splat_layer(*item.set, item.style)), any_surface_(has_surface(*item.set, item.style)),
+        : scene_(scene), item_(item), style_(item.style), place_(static_cast<std::int32_t>(scene.items.size() - 1)),
+          number_(number), drawing_(drawing), splats_(splat_layer(*item.set, item.style)),
+          any_surface_(has_surface(*item.set, item.style)),
           eye_per_object_(mean_scale(item.transform) * static_cast<double>(scene.lens.eye_per_world)) {}
 
     void operator()() {
         for (std::int64_t i = 0; i < item_.set->layers.size(); ++i) {
             const marks::Layer& layer = item_.set->layers[i];
             note(i, layer);
-            if (is_drawn(layer, style_)) add(i, layer, style_.of(layer));
+            if (is_drawn(layer, style_)) add(made(i, layer, style_.of(layer), drawing_.runs.back().first_id));
+        }
+    }
+
+    // The same marks seen from the other side; `first_run` of the drawing's is that of its first layer.
+    void turned(std::int64_t first_run) {
+        for (std::int64_t i = 0; i < item_.set->layers.size(); ++i) {
+            const marks::Layer& layer = item_.set->layers[i];
+            if (!is_drawn(layer, style_)) continue;
+            Run run = made(i, layer, style_.of(layer), drawing_.runs[first_run + i].first_id);
+            run.turned = true;
+            run.draws_silhouettes = run.paints_paper = run.occludes = run.splats = false; // its front side does
+            if (run.draws_front) add(run);
         }
     }
 
@@ -188,18 +202,20 @@ private:
         drawing_.runs.push_back(run);
     }
 
-    void add(std::int64_t number, const marks::Layer& marks, const LayerStyle& style) {
+    [[nodiscard]] Run made(std::int64_t number, const marks::Layer& marks, const LayerStyle& style,
+                           std::uint32_t first_id) const noexcept {
         Run run;
         run.marks = &marks;
         run.style = &style;
         run.position = marks.position.data();
         run.normal = marks.normal.data();
         run.clusters = &marks.clusters;
-        run.item = number_;
+        run.item = place_;
+        run.source = number_;
         run.layer = static_cast<std::int32_t>(number);
         run.first = scene_.runs.empty() ? 0 : scene_.runs.back().first + scene_.runs.back().count;
         run.count = marks.count();
-        run.first_id = drawing_.runs.back().first_id;
+        run.first_id = first_id;
         run.scattered = !marks.has_strokes();
         // A stipple belongs to no direction.
         run.directions = run.scattered ? 3U : style.directions;
@@ -217,18 +233,22 @@ private:
         const bool lines = style_.visibility == Visibility::depth_layers && !run.scattered && run.draws_front;
         run.as_strokes = style.shape == Shape::strokes && lines;
         run.as_hatch = style.shape == Shape::hatch && lines;
-        if (run.as_strokes) run.first_joined = std::exchange(scene_.joined, scene_.joined + run.count);
         run.pen = pen_of(style_, style, spacing_of(*item_.set, marks), eye_per_object_, scene_.lens);
+        return run;
+    }
+
+    void add(Run run) {
+        if (run.as_strokes) run.first_joined = std::exchange(scene_.joined, scene_.joined + run.count);
         run.earlier_contours = earlier_;
         if (run.draws_silhouettes) earlier_ += 1.0F / (run.pen.spacing * run.pen.spacing);
         scene_.runs.push_back(run);
-        add_layer(run, drawing::MarkClass::front, color(style.ink));
+        add_layer(run, drawing::MarkClass::front, color(run.style->ink));
         add_layer(run, drawing::MarkClass::silhouette, style_.silhouette_ink);
     }
 
     void add_layer(const Run& run, drawing::MarkClass mark_class, const glm::vec4& ink) {
         drawing::Layer layer;
-        layer.item = run.item;
+        layer.item = run.source;
         layer.layer = run.layer;
         layer.mark_class = mark_class;
         layer.as_strokes = (run.as_strokes || run.as_hatch) && mark_class == drawing::MarkClass::front;
@@ -240,7 +260,7 @@ private:
     Scene& scene_;
     const Item& item_;
     const Style& style_;
-    std::int32_t number_;
+    std::int32_t place_, number_; // of the item: among the scene's, and those of the drawing
     drawing::Drawing& drawing_;
     std::int64_t splats_;
     bool any_surface_;
@@ -260,17 +280,29 @@ void check_common(std::span<const Item> items, std::int64_t index) {
              static_cast<long long>(index));
 }
 
+// Items after all others, with the numbers of their front sides.  Lines are seen from both sides already.
+void add_other_sides(Scene& scene, std::span<const Item> items, drawing::Drawing& drawing) {
+    std::int64_t first_run = 0;
+    for (std::size_t i = 0; i < items.size(); ++i) {
+        if (items[i].both_sides) {
+            scene.items.push_back(ItemView(scene.items[static_cast<std::int64_t>(i)]));
+            RunMaker(scene, items[i], static_cast<std::int32_t>(i), drawing).turned(first_run);
+        }
+        first_run += items[i].set->layers.size();
+    }
+}
+
 } // namespace
 
 glm::vec3 Run::posed_tone_normal(std::int64_t mark) const noexcept {
-    if (posed_direction == nullptr) return normal_of(mark);
+    if (posed_direction == nullptr) return turned ? -normal_of(mark) : normal_of(mark);
     const glm::vec3 soft = marks::vector_at(marks->tone_normal, mark);
     const glm::vec3 n = marks::vector_at(marks->normal, mark);
     const glm::vec3 d = marks::vector_at(marks->direction, mark);
-    const glm::vec3 turned(posed_direction[3 * mark], posed_direction[3 * mark + 1], posed_direction[3 * mark + 2]);
-    const glm::vec3 now = normal_of(mark);
-    return glm::dot(soft, n) * now + glm::dot(soft, d) * turned +
-           glm::dot(soft, glm::cross(n, d)) * glm::cross(now, turned);
+    const glm::vec3 along(posed_direction[3 * mark], posed_direction[3 * mark + 1], posed_direction[3 * mark + 2]);
+    const glm::vec3 now = turned ? -normal_of(mark) : normal_of(mark);
+    return glm::dot(soft, n) * now + glm::dot(soft, d) * along +
+           glm::dot(soft, glm::cross(n, d)) * glm::cross(now, along);
 }
 
 void Marks::resize(std::int64_t count) {
@@ -291,7 +323,9 @@ std::int64_t Marks::bytes() const noexcept {
            tau.bytes() + tau_depth.bytes() + mark_class.bytes() + role.bytes();
 }
 
-std::int64_t Scene::bytes() const noexcept { return items.bytes() + runs.bytes() + chunks.bytes() + marks.bytes(); }
+std::int64_t Scene::bytes() const noexcept {
+    return items.bytes() + runs.bytes() + chunks.bytes() + marks.bytes() + turned_normal.bytes();
+}
 
 void set_up(Scene& scene, std::span<const Item> items, const Camera& given, drawing::Drawing& drawing) {
     check(given);
@@ -314,7 +348,9 @@ void set_up(Scene& scene, std::span<const Item> items, const Camera& given, draw
         drawing.items.push_back({items[i].set, view.unit, view.to_world, view.normal_to_world});
         RunMaker(scene, items[i], static_cast<std::int32_t>(i), drawing)();
     }
+    add_other_sides(scene, items, drawing);
     pose(scene, items, drawing);
+    turn(scene);
     std::int64_t places = 0;
     for (Run& run : scene.runs) run.first_place = std::exchange(places, places + run.places());
 }

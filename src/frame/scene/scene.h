@@ -125,10 +125,12 @@ struct Run {
     const float* position = nullptr;
     const float* normal = nullptr;
     const float* posed_direction = nullptr;        // of the pose, if it has them
-    const marks::MarkClusters* clusters = nullptr; // the layer's, or the pose's
-    std::int32_t item = 0;
-    std::int32_t layer = 0; // of the item's set
-    std::int64_t first = 0; // place of its first mark in the arrays below
+    const marks::MarkClusters* clusters = nullptr; // the layer's, the pose's, or the other side's
+    bool is_posed = false;
+    std::int32_t item = 0;   // among the scene's
+    std::int32_t source = 0; // among the drawing's
+    std::int32_t layer = 0;  // of the item's set
+    std::int64_t first = 0;  // place of its first mark in the arrays below
     std::int64_t count = 0;
     std::int64_t first_place = 0; // of its clusters' blocks, one after the other
     std::uint32_t first_id = 0;
@@ -146,6 +148,7 @@ struct Run {
     bool makes_tone = true;        // its ink counts for the tone of its item
     bool spread_evenly = false;    // in a blue-noise order
     bool splats = false;           // its marks tell where the layers of its item are
+    bool turned = false;           // the other side: normals are opposite to those of the marks; lays no layers itself
     Pen pen;
 
     [[nodiscard]] std::int64_t places() const noexcept { return clusters->block.size() * marks::MarkBlock::size; }
@@ -159,13 +162,14 @@ struct Run {
     // What tone goes by: where the layer is posed, turned with normal and direction, or the normal.
     [[nodiscard]] glm::vec3 tone_normal_of(std::int64_t mark) const noexcept {
         if (!has_tone_normals()) return normal_of(mark);
-        return normal == marks->normal.data() ? marks::vector_at(marks->tone_normal, mark) : posed_tone_normal(mark);
+        const glm::vec3 n = is_posed ? posed_tone_normal(mark) : marks::vector_at(marks->tone_normal, mark);
+        return turned ? -n : n;
     }
     // In the item's unit.
     [[nodiscard]] glm::vec3 place_of(std::int64_t mark, double unit) const noexcept {
         return glm::vec3(glm::dvec3(position_of(mark)) / unit);
     }
-    [[nodiscard]] glm::vec3 posed_tone_normal(std::int64_t mark) const noexcept;
+    [[nodiscard]] glm::vec3 posed_tone_normal(std::int64_t mark) const noexcept; // of the front side
     // Radius of the ink of a front mark, by its number in the layer.  Contours are not tapered.
     [[nodiscard]] float front_ink(std::int64_t mark, float pixels_per_unit) const noexcept {
         const float radius = pen.front_ink(pixels_per_unit);
@@ -204,7 +208,8 @@ inline constexpr std::uint8_t role_paper = 2;
 
 struct Scene {
     explicit Scene(base::Memory& memory) noexcept
-        : items(memory), runs(memory), chunks(memory), marks(memory), posed(memory) {}
+        : items(memory), runs(memory), chunks(memory), marks(memory), posed(memory), turned(memory),
+          turned_normal(memory) {}
 
     Lens lens;
     Camera camera; // in the unit that eye space is measured in
@@ -212,8 +217,10 @@ struct Scene {
     base::Array<Run> runs;
     base::Array<Chunk> chunks;
     Marks marks;
-    std::int64_t joined = 0;               // marks of runs that are drawn as strokes
-    base::List<marks::MarkClusters> posed; // of layers whose marks have moved
+    std::int64_t joined = 0;                // marks of runs that are drawn as strokes
+    base::List<marks::MarkClusters> posed;  // of layers whose marks have moved
+    base::List<marks::MarkClusters> turned; // of runs that are
+    base::Array<float> turned_normal;       // of these, one after the other
 
     [[nodiscard]] const ItemView& item_of(const Run& run) const noexcept { return items[run.item]; }
     [[nodiscard]] std::int64_t mark_count() const noexcept {

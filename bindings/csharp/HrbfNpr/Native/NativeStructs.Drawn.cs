@@ -136,7 +136,7 @@ namespace HrbfNpr
     internal unsafe struct hrbfnpr_item
     {
         internal uint struct_size;
-        internal uint reserved;
+        internal uint sides;
         internal IntPtr point_set;
         internal IntPtr style;
         internal IntPtr model;

@@ -778,6 +778,21 @@ export type PresetName = "stipple" | "hatch" | "cross-hatch" | "combing" | "silh
   "xray" | "full" | "engraving" | "etching" | "woodcut" | "scientific-stipple" | "sketch" | "blueprint" |
   "archaeological";
 
+/** Which sides of an item's surface its marks are drawn on. */
+export declare const SIDES: {
+  /** that which the normals look to: a solid's inside is never seen */
+  readonly FRONT: 0;
+  /**
+   * of a surface that ends, such as a bowl or a leaf, the other one, too, where it looks to the camera: with
+   * opposite normals for tone. Such marks count twice in hrbfnpr_drawing_info, as of the front and of the back,
+   * their ids are the same, and the drawing has their layers once more, behind those of all items. Lines are seen
+   * from both sides anyway
+   */
+  readonly BOTH: 1;
+};
+/** A constant of SIDES as options spell it. */
+export type SidesName = "front" | "both";
+
 /** What a mark is for the camera. */
 export declare const CLASS: {
   readonly NONE: 0;

@@ -440,6 +440,7 @@ export const STRUCTS = {
     direction: ["array", 80, 3],
   } },
   hrbfnpr_item: { size: 184, sized: true, fields: {
+    sides: ["u32", 4, 0, "SIDES"],
     pointSet: ["handle", 8, "hrbfnpr_point_set"],
     style: ["pointer", 12, "hrbfnpr_style"],
     model: ["handle", 16, "hrbfnpr_model"],
@@ -775,8 +776,8 @@ export const OFFSETS = {
     depth_max: 192, zoom_reference: 200, zoom_exponent: 208, lines: 216, line_count: 224, line_stride: 232,
     fill_light: 240, reserved2: 244},
   hrbfnpr_layer_pose: {struct_size: 0, reserved: 4, layer: 8, position: 16, normal: 48, direction: 80},
-  hrbfnpr_item: {struct_size: 0, reserved: 4, point_set: 8, style: 12, model: 16, transform: 24, poses: 152,
-    pose_count: 160, pose_stride: 168, line_set: 176},
+  hrbfnpr_item: {struct_size: 0, sides: 4, point_set: 8, style: 12, model: 16, transform: 24, poses: 152, pose_count:
+    160, pose_stride: 168, line_set: 176},
   hrbfnpr_drawing_info: {struct_size: 0, reserved: 4, items: 8, layers: 16, dots: 24, strokes: 32, stroke_points: 40,
     marks: 48, outside: 56, front: 64, back: 72, silhouette: 80, culled: 88, shown: 96, dropped_tone: 104,
     dropped_depth: 112, dropped_zoom: 120, dropped_hidden: 128, splats: 136, nanoseconds_classify: 144,

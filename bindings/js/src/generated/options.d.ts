@@ -4,9 +4,9 @@
 import type { CapName, ClassName, CreasesName, CsgName, DensityName, DepthName, DistributionName, DotShapeName,
   EdgesName, FacesName, HatchGuideName, HiddenLinesName, HiddenPartsName, InstructionSetName, KernelName,
   LayerKindName, LightName, LineKindName, LineTypeName, LogName, NormalsName, OutwardName, PageFormatName, PartsName,
-  PrimitiveName, RegularizationName, RepairName, ScalarName, SeedName, ShapeName, SilhouetteLawName, SolverName,
-  SolverReasonName, StrokeStartName, SymmetryName, ThreadBackendName, ToneCurveName, ToneName, ToneRangesName,
-  ToneRuleName, TrimName, VertexAttributeName, VisibilityName, WidthsName } from "./constants.js";
+  PrimitiveName, RegularizationName, RepairName, ScalarName, SeedName, ShapeName, SidesName, SilhouetteLawName,
+  SolverName, SolverReasonName, StrokeStartName, SymmetryName, ThreadBackendName, ToneCurveName, ToneName,
+  ToneRangesName, ToneRuleName, TrimName, VertexAttributeName, VisibilityName, WidthsName } from "./constants.js";
 import type { Pointer } from "./functions.js";
 import type { AllocateFn, ArrayInput, ArrayOutput, DeallocateFn, DensityFn, DirectionFn, Drawing, ImplicitFn, LineSet,
   LogFn, Model, Numbers, PointSet, RunTasksFn, ToneFn } from "../index.js";
@@ -1086,6 +1086,8 @@ export interface LayerPose {
  * the drawing retains the point set.
  */
 export interface Item {
+  /** HRBFNPR_SIDES_...; FRONT */
+  sides?: SidesName | number;
   pointSet?: PointSet;
   /** NULL = default style */
   style?: Style;

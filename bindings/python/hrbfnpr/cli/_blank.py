@@ -57,7 +57,10 @@ def _why(drawing: Drawing, source: Any, camera: Camera, style: Style, flipped: b
     reasons: List[str] = []
     if info.back > 20 * facing:
         turn = "without --flip it is seen" if flipped else "--flip turns it over"
-        reasons.append(f"all that is in view looks away from the eye: another --azimuth shows its front, or {turn}")
+        reasons.append(
+            "all that is in view looks away from the eye: another --azimuth shows its front, or --sides both draws its "
+            f"back, or {turn}"
+        )
     if info.dropped_hidden > MOST_HIDDEN * facing:
         turn = "leave out --flip" if flipped else "--flip turns them"
         reasons.append(

@@ -24,6 +24,7 @@ from .._names import (
     REPAIRS,
     SEED_SOURCES,
     SHAPES,
+    SIDES,
     SILHOUETTE_LAWS,
     SOLVERS,
     STROKE_STARTS,
@@ -202,6 +203,8 @@ def _add_style(parser: Parser) -> None:
     _add(group, "--ink", "ink", values.paint, "COLOUR", "of all marks: #rrggbb[aa] or R,G,B[,A] in 0 to 1")
     _add(group, "--paper", "paper", values.paint, "COLOUR", "as --ink")
     group.add_argument("--transparent", action="store_true", help="paper that lets all through")
+    _add_choice(group, "--sides", "sides", ("auto", *SIDES), "of a surface on which marks are drawn: auto = both of one "
+                "that ends")
     _add_choice(group, "--hidden-lines", "hidden_lines", tuple(HIDDEN_LINES), "what becomes of them")
     _add_choice(group, "--visibility", "visibility", tuple(VISIBILITIES), "how hidden marks are found")
     _add(group, "--delta", "silhouette_threshold", values.number, "X", "limit of silhouettes, 0 to 1")

@@ -86,7 +86,8 @@ class _Artist:
         about = self._report.without_bars(cell.label)
         style, layers = _scene.plan(cell.arguments, self._model, self._known, camera, about)
         marks, line_set = self._marks_of(cell, layers), self._lines_of(cell, style, camera)
-        drawing = self._renderer.draw(Item(marks, style, line_set=line_set), camera)
+        sides = _scene.sides_of(cell.arguments, self._model)
+        drawing = self._renderer.draw(Item(marks, style, line_set=line_set, sides=sides), camera)
         try:
             _blank.check(drawing, self._model, camera, style, cell.arguments.flip)
         except _blank.BlankError as error:  # the others may be worth having

@@ -788,7 +788,7 @@ const _: () = {
 const _: () = {
     use core::mem::offset_of;
     assert!(offset_of!(hrbfnpr_item, struct_size) == 0);
-    assert!(offset_of!(hrbfnpr_item, reserved) == 4);
+    assert!(offset_of!(hrbfnpr_item, sides) == 4);
     assert!(offset_of!(hrbfnpr_item, point_set) == 8);
     assert!(offset_of!(hrbfnpr_item, style) == either(16, 12, 12));
     assert!(offset_of!(hrbfnpr_item, model) == either(24, 16, 16));

@@ -2799,13 +2799,24 @@ extern "C" {
     ) -> hrbfnpr_status;
 }
 
+// Which sides of an item's surface its marks are drawn on.
+/// that which the normals look to: a solid's inside is never seen
+pub const HRBFNPR_SIDES_FRONT: u32 = 0;
+/// of a surface that ends, such as a bowl or a leaf, the other one, too, where it looks to
+/// the camera: with opposite normals for tone. Such marks count twice in
+/// hrbfnpr_drawing_info, as of the front and of the back, their ids are the same, and the
+/// drawing has their layers once more, behind those of all items. Lines are seen from both
+/// sides anyway
+pub const HRBFNPR_SIDES_BOTH: u32 = 1;
+
 /// One thing to draw.  Everything it points to is read during _draw only, but
 /// the drawing retains the point set.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct hrbfnpr_item {
     pub struct_size: u32,
-    pub reserved: u32,
+    /// HRBFNPR_SIDES_...; FRONT
+    pub sides: u32,
     pub point_set: *const hrbfnpr_point_set,
     /// NULL = default style
     pub style: *const hrbfnpr_style,
