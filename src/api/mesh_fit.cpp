@@ -91,6 +91,7 @@ constexpr double end_of_mesh_fit = 0.9; // of its progress; then it is looked fo
 constexpr double too_coarse = 0.8;      // of `far`: how far faces may be from what they stand for
 constexpr double off_mesh = 0.009;      // diagonals: how far from a mesh what is none of it lies
 constexpr std::int64_t places_of_trim = 40000;
+constexpr double flat_faces = 0.5; // of the crease angle, where all faces are meant to be flat
 constexpr std::int64_t fewest_points = 100;
 constexpr std::int64_t fewest_candidates = 1000;
 
@@ -239,6 +240,7 @@ hrbfnpr_model* ended(const hrbfnpr_mesh& mesh, mesh::MeshFit& result, std::uint3
 std::optional<mesh::Creases> creases_of(const hrbfnpr_mesh& mesh, const mesh::FitMeshSettings& settings,
                                         const base::Progress& progress) {
     if (settings.edges == mesh::Edges::smooth) return std::nullopt;
+    double angle = settings.crease_angle;
     if (settings.edges == mesh::Edges::automatic) {
         const mesh::CreaseEvidence found =
             mesh::look_for_creases(mesh.runtime(), mesh.mesh, settings.crease_angle, progress);
@@ -248,11 +250,12 @@ std::optional<mesh::Creases> creases_of(const hrbfnpr_mesh& mesh, const mesh::Fi
                                "stand out: the fit is smooth; edges SHARP makes them sharp",
                                settings.crease_angle, found.length);
         if (!found.creases) return std::nullopt;
+        if (found.polyhedron) angle *= flat_faces;
     }
     const double tolerance =
         settings.tolerance > 0.0 ? settings.tolerance : mesh::default_tolerance * mesh.mesh.bounds.diagonal();
     const double coarse = too_coarse * (settings.far > 0.0 ? settings.far : 5.0 * tolerance);
-    mesh::Creases creases = mesh::find_creases(mesh.runtime(), mesh.mesh, settings.crease_angle, coarse, progress);
+    mesh::Creases creases = mesh::find_creases(mesh.runtime(), mesh.mesh, angle, coarse, progress);
     if (creases.patches < 2) return std::nullopt;
     return creases;
 }

@@ -14,6 +14,9 @@ constexpr double stands_out = 6.0;
 constexpr double surely_clear = 0.9;
 constexpr double maybe_clear = 0.6;
 constexpr double clear_ratio = 3.0;
+// Faces that are that coarse at a quarter of the edges are a rock's; coarse balls, rings and figures have none.
+constexpr double surely_coarse = 0.25;
+constexpr double coarse_ratio = 2.0;
 constexpr double shortest = 0.05; // diagonals
 constexpr double far_off = 0.02;  // diagonals; a ball of 80 faces is off by 0.009, an icosahedron by 0.03
 constexpr std::int64_t faces_a_check = 1024;
@@ -50,10 +53,10 @@ public:
         evidence.coarse = coarse / evidence.length;
         evidence.ratio = evidence.length / std::max(between, 1e-9 * evidence.length);
         evidence.length /= mesh_.bounds.diagonal();
-        const bool clear_enough = evidence.clear >= surely_clear ||
-                                  (evidence.clear >= maybe_clear && evidence.ratio >= clear_ratio) ||
-                                  (evidence.coarse >= surely_clear && evidence.ratio >= clear_ratio);
-        evidence.creases = clear_enough && evidence.length >= shortest;
+        const bool clear_enough =
+            evidence.clear >= surely_clear || (evidence.clear >= maybe_clear && evidence.ratio >= clear_ratio);
+        evidence.polyhedron = !clear_enough && evidence.coarse >= surely_coarse && evidence.ratio >= coarse_ratio;
+        evidence.creases = (clear_enough || evidence.polyhedron) && evidence.length >= shortest;
         return evidence;
     }
 

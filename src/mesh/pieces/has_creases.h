@@ -12,6 +12,7 @@ struct CreaseEvidence {
     double coarse = 0.0; // ... beside which, on both sides, faces would be far off what is round there
     double ratio = 0.0;  // their length, to that of the edges that bend by half the angle at least
     bool creases = false;
+    bool polyhedron = false; // it has them as its faces are coarse: all are meant to be flat
 };
 
 // Noise and coarse faces bend by any angle, more often less, and beside a bend there is another; edges stand out.  So

@@ -105,6 +105,17 @@ TEST(Creases, AreThoseOfAPolyhedron) {
     EXPECT_TRUE(Found(test::icosphere(0)).evidence.creases);
 }
 
+// A rock: 80 faces whose corners lie at 0.6 to 1.4.
+TEST(Creases, AreThoseOfARock) {
+    Triangles rock = test::icosphere(1);
+    for (std::size_t i = 0; i < rock.vertices.size(); ++i)
+        rock.vertices[i] *= 1.0 + 0.4 * std::sin(1e4 * static_cast<double>(i / 3));
+    const Found found(rock);
+    EXPECT_TRUE(found.evidence.creases) << found.evidence.coarse << ' ' << found.evidence.ratio;
+    EXPECT_TRUE(found.evidence.polyhedron);
+    EXPECT_GT(found.creases.patches, 40);
+}
+
 // A plate whose outline is round but for one corner: the edge there has the same patch on both its sides, and no more
 // than one edge of the mesh.
 TEST(Creases, AtTheOnlyCornerOfAPlate) {
