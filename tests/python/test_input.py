@@ -12,8 +12,9 @@ from test_cli import STAGE, rows
 from test_meshes import glb, gltf
 from test_shapes import CUBE, QUADS, ply_header, stl, write
 
+import hrbfnpr
 from hrbfnpr import shapes
-from hrbfnpr.cli import main
+from hrbfnpr.cli import _strays, main
 
 Image = pytest.importorskip("PIL.Image")
 
@@ -69,6 +70,16 @@ def mixed():
     points, normals = ball()
     signs = np.where(np.random.default_rng(3).random(200) < 0.3, -1, 1)
     return table(points, signs[:, None] * normals)
+
+
+def noisy():
+    points = fibonacci_sphere(1500)
+    return points + np.random.default_rng(4).normal(scale=0.03, size=points.shape)
+
+
+def dusty():
+    dust = np.random.default_rng(5).uniform(-3, 3, (40, 3))
+    return np.vstack([fibonacci_sphere(1500), dust[np.linalg.norm(dust, axis=1) > 1.5]])
 
 
 def edged():
@@ -144,6 +155,8 @@ ROWS = {
     "points, all normals inward": ("a.xyz", lambda: table(ball()[0], -ball()[1]), [], 0),
     "points, some normals inward": ("a.xyz", mixed, [], 0),
     "points without normals": ("a.xyz", lambda: table(ball()[0]), [], 0),
+    "points without normals, with noise": ("a.xyz", lambda: table(noisy()), [], 0),
+    "points without normals, with dust around them": ("a.xyz", lambda: table(dusty()), [], 0),
     "points with colours, without normals": (
         "a.xyz", lambda: "".join(f"{x} {y} {z} 9 200 31\n" for x, y, z in ball()[0].tolist()), [], 0),
     "points without a usable place or normal among others": ("a.xyz", with_zeros, [], 0),
@@ -348,3 +361,24 @@ def test_check_of_saved_files(tmp_path, capsys, sphere, marks):
     marks.save(tmp_path / "a.hrbm")
     assert checked(tmp_path / "a.hrbf", capsys)["kind"] == "model"
     assert checked(tmp_path / "a.hrbm", capsys)["kind"] == "point set"
+
+
+def test_dust_makes_no_sheets(tmp_path):
+    path = write(tmp_path, "a.xyz", table(dusty()))
+    far = {}
+    for options in ((), ("--outliers", "keep")):
+        model = tmp_path / "a.hrb"
+        assert main(["fit", str(path), str(model), "--quiet", *options]) == 0
+        marks = hrbfnpr.Model.load(model).generate(budget=2000)
+        places = np.asarray(marks.layers[0].positions) + marks.origin
+        far[options] = float((np.abs(np.linalg.norm(places, axis=1) - 1) > 0.05).mean())
+    assert far[()] == 0 and far[("--outliers", "keep")] > 0.1
+
+
+def test_strays_are_few_or_none():
+    assert not _strays.find(np.random.default_rng(6).uniform(size=(3000, 3))).any()
+    assert not _strays.find(fibonacci_sphere(3000) * [1, 1, 0]).any()
+    assert not _strays.find(np.zeros((300, 3))).any()
+    assert _strays.find(dusty()).sum() > 20 and not _strays.find(dusty())[:1500].any()
+    half = np.vstack([fibonacci_sphere(1500), np.random.default_rng(7).uniform(-9, 9, (300, 3))])
+    assert not _strays.find(half).any(), "too many to be strays"

@@ -21,7 +21,7 @@ from .._model import Model
 from .._point_set import PointSet
 from ..shapes import Shape, ShapeError
 from ..shapes._shape import Floats, Vector
-from . import _automatic, _ends, _mesh, _nearness, _orient, _script, _up
+from . import _automatic, _ends, _mesh, _nearness, _orient, _script, _strays, _up
 from ._progress import Reporter
 
 _MAGIC = b"\x89HRB\r\n\x1a\n"
@@ -106,9 +106,20 @@ def has_normals(shape: Shape) -> bool:
     return shape.normals is not None and bool(np.any(np.nan_to_num(shape.normals)))
 
 
-def _with_normals(shape: Shape, context: Context, report: Reporter) -> Shape:
+def _without_strays(points: Floats, report: Reporter) -> Floats:
+    strays = _strays.find(points)
+    if not strays.any():
+        return points
+    count = int(strays.sum())
+    report.note(f"{_nearness.of(count, 'point')} far from all others left out (--outliers keep keeps them)")
+    return points[~strays]
+
+
+def _with_normals(shape: Shape, arguments: Any, context: Context, report: Reporter) -> Shape:
     """Points that have none, with those that the library finds."""
     points = shape.points[np.isfinite(shape.points).all(axis=1)]
+    if arguments.outliers != "keep":
+        points = _without_strays(points, report)
     if len(points) > MOST_ORIENTED:
         chosen, _ = farthest_points(points, MOST_ORIENTED, context=context)
         points = points[np.asarray(chosen)]
@@ -192,14 +203,16 @@ def _fitted(shape: Shape, arguments: Any, context: Context, report: Reporter) ->
         return _load_mesh(shape, arguments, context, report)
     made = arguments.normals == "none" or not has_normals(shape)
     if made:
-        shape = _with_normals(shape, context, report)
+        shape = _with_normals(shape, arguments, context, report)
     points, normals = _samples(shape, arguments, report)
     if not made:
         points, normals = _normals(points, normals, arguments, context, report)
     elif arguments.flip:
         normals = -normals
     up = _up_of(shape, points, normals, arguments, report)
-    model = _fit(points, normals, arguments, context, report)
+    # What has no normals is a scan, and scans have noise and dust.
+    own = {"regularization": "auto", "outliers": "drop"} if made else {}
+    model = _fit(points, normals, arguments, context, report, **own)
     return Loaded(_ends.end(model, shape, arguments.close, report), shape, up)
 
 
@@ -239,13 +252,18 @@ def _load_mesh(shape: Shape, arguments: Any, context: Context, report: Reporter)
     return Loaded(_ends.end_of_mesh(model, read.mesh, arguments.close, report), shape, up)
 
 
-def _fit(points: Floats, normals: Floats, arguments: Any, context: Context, report: Reporter) -> Model:
+def _fit(
+    points: Floats, normals: Floats, arguments: Any, context: Context, report: Reporter, **unless_given: Any
+) -> Model:
     """A model of these samples, and what there is to say of it."""
+    options = {**unless_given, **fit_options(arguments)}
     with report.stage("fit", "fitting") as stage:
-        model = Model.fit(points, normals, trim="never", progress=stage.bar, context=context, **fit_options(arguments))
+        model = Model.fit(points, normals, trim="never", progress=stage.bar, context=context, **options)
         info = model.info
         how = _nearness.of_points(model)
         stage.says = f"{_nearness.of(info.centres, 'centre')}, {info.kernel}, {info.solver}; {how}"
+    if "regularization" in unless_given and options["regularization"] == "auto" and info.regularization > 0:
+        report.note("the samples have noise, and the surface is smooth (--regularization 0 goes through all of them)")
     for repair in _nearness.repairs(model):
         report.note(repair)
     for doubt in [*_nearness.doubts(model), *_thin_evidence(points)]:

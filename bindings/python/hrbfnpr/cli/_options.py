@@ -110,12 +110,12 @@ def _add_fit(parser: Parser) -> None:
     _add(group, "--kernel-radius", "kernel_radius", values.number, "LENGTH", "of gaussian and wendland-c2")
     _add(group, "--degree", "polynomial_degree", values.count(-1, 3), "N", "of the polynomial, -1 (none) to 3; 1")
     _add(group, "--regularization", "regularization", values.number_or_auto, "X", "0 interpolates, more is smoother, "
-         "auto takes it from the noise; 0")  # fmt: skip
+         "auto takes it from the noise; 0, or auto for points without normals")  # fmt: skip
     _add_choice(group, "--solver", "solver", tuple(SOLVERS), "solver")
     _add(group, "--tolerance", "tolerance", values.number, "LENGTH", "choose samples as centres until all are this "
          "near to the surface")  # fmt: skip
     _add(group, "--max-centres", "maximum_centres", values.count(0), "N", "choose no more samples than this as centres")
-    _add_choice(group, "--outliers", "outliers", ("keep", "drop"), "what becomes of stray samples")
+    _add_choice(group, "--outliers", "outliers", ("keep", "drop"), "what becomes of stray samples; without normals they are dropped")
     _add_choice(group, "--flipped-normals", "flipped_normals", tuple(REPAIRS), "what becomes of them")
     _add(group, "--refinement-steps", "refinement_steps", values.count(0, 20), "N", "after a direct solve; 2")
 
