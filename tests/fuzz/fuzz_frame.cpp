@@ -137,6 +137,7 @@ hrbfnpr_item some_item(const hrbfnpr_point_set* set, const Style& style, const P
         item.pose_stride = sizeof pose.pose;
     }
     change_transform(item, input);
+    if (input.once_in(3)) item.sides = static_cast<std::uint32_t>(input.below(3));
     if (input.once_in(4)) change_fields(input, "hrbfnpr_item", &item);
     return item;
 }

@@ -44,13 +44,15 @@ hrbfnpr_camera Stages::camera() const { return front_camera(sizes_.pixels); }
 
 void Stages::renew_renderer() { renderer_ = make_renderer(context_); }
 
-void Stages::add_frame(std::vector<Stage>& stages, const std::string& name, const hrbfnpr_style& style, bool lines) {
+void Stages::add_frame(std::vector<Stage>& stages, const std::string& name, const hrbfnpr_style& style, bool lines,
+                       std::uint32_t sides) {
     stages.push_back({name,
-                      [this, style, lines](Attempt& attempt, Bytes& bytes, hrbfnpr_error* error) {
+                      [this, style, lines, sides](Attempt& attempt, Bytes& bytes, hrbfnpr_error* error) {
                           const hrbfnpr_camera view = camera();
                           auto item = made(hrbfnpr_item_init);
                           item.point_set = set_.get();
                           item.style = &style;
+                          item.sides = sides;
                           if (lines) item.line_set = curved_lines_.get();
                           hrbfnpr_drawing* drawing = nullptr;
                           const auto status = attempt([&] {
@@ -76,6 +78,8 @@ void Stages::add_frames(std::vector<Stage>& stages) {
         add_frame(stages, shapes[i].second, style, false);
         style.hidden_lines = HRBFNPR_HIDDEN_LINES_HIDE;
         add_frame(stages, std::string(shapes[i].second) + ".hidden", style, false);
+        if (shapes[i].first == HRBFNPR_SHAPE_HATCH)
+            add_frame(stages, "frame.both_sides", style, false, HRBFNPR_SIDES_BOTH);
     }
     auto published = made(hrbfnpr_style_init);
     published.visibility = HRBFNPR_VISIBILITY_PUBLISHED;

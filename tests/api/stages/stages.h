@@ -35,7 +35,8 @@ private:
     static void add_mesh_fit(std::vector<Stage>& stages, const char* name, const Mesh& mesh, std::uint32_t edges);
     void add_set(std::vector<Stage>& stages, const std::string& name, const Generation& desc);
     void add_line_set(std::vector<Stage>& stages, const char* name, bool curved);
-    void add_frame(std::vector<Stage>& stages, const std::string& name, const hrbfnpr_style& style, bool lines);
+    void add_frame(std::vector<Stage>& stages, const std::string& name, const hrbfnpr_style& style, bool lines,
+                   std::uint32_t sides = HRBFNPR_SIDES_FRONT);
     void add_page(std::vector<Stage>& stages, const char* name, std::uint32_t format, std::uint32_t flags);
 
     [[nodiscard]] hrbfnpr_camera camera() const;
