@@ -202,22 +202,29 @@ hrbfnpr_mesh_fit_info described(const mesh::FitMeshReport& report, std::int64_t 
     return to;
 }
 
-// Of a closed mesh the fit has looked itself, and found nothing that is far from it.
-// Where an open mesh ends, a model that is fitted to it shall.
-struct Border {
-    mesh::MeshSamples places;
+generate::TrimSettings trim_off_mesh() noexcept {
     generate::TrimSettings settings;
+    settings.hole = settings.closest = off_mesh;
+    return settings;
+}
 
-    Border(const hrbfnpr_mesh& mesh, std::uint64_t seed)
-        : places(mesh::end_samples(mesh.runtime(), mesh.mesh, mesh.tree, places_of_trim,
-                                   off_mesh * mesh.mesh.bounds.diagonal(), seed, {})) {
-        settings.hole = settings.closest = off_mesh;
+// Where an open mesh ends, a model that is fitted to it shall.
+class Border {
+public:
+    Border(const hrbfnpr_mesh& mesh, std::uint64_t seed, const base::Progress& progress)
+        : places_(mesh::end_samples(mesh.runtime(), mesh.mesh, mesh.tree, places_of_trim,
+                                    off_mesh * mesh.mesh.bounds.diagonal(), seed, progress.part(0.0, 0.4))),
+          progress_(progress.part(0.4, 1.0)) {}
+    [[nodiscard]] hrbfnpr_model* end(hrbfnpr_model* model) const {
+        return ended_model(model, places_.position, places_.normal, trim_off_mesh(), progress_);
     }
-    [[nodiscard]] hrbfnpr_model* end(hrbfnpr_model* model, const base::Progress& progress) const {
-        return ended_model(model, places.position, places.normal, settings, progress);
-    }
+
+private:
+    mesh::MeshSamples places_;
+    base::Progress progress_;
 };
 
+// Of a closed mesh the fit has looked itself, and found nothing that is far from it.
 hrbfnpr_model* ended(const hrbfnpr_mesh& mesh, mesh::MeshFit& result, std::uint32_t trim, std::uint64_t seed,
                      const base::Progress& progress) {
     const std::optional<fit::Samples> samples = std::exchange(result.fit.samples, std::nullopt);
@@ -227,13 +234,11 @@ hrbfnpr_model* ended(const hrbfnpr_mesh& mesh, mesh::MeshFit& result, std::uint3
         return make_handle<hrbfnpr_model>(mesh.context(), std::move(result.fit));
     }
     if (open) {
-        const Border border(mesh, seed);
-        return border.end(make_handle<hrbfnpr_model>(mesh.context(), std::move(result.fit)), progress);
+        const Border border(mesh, seed, progress);
+        return border.end(make_handle<hrbfnpr_model>(mesh.context(), std::move(result.fit)));
     }
-    generate::TrimSettings settings;
-    settings.hole = settings.closest = off_mesh;
     return ended_model(make_handle<hrbfnpr_model>(mesh.context(), std::move(result.fit)), samples->position,
-                       samples->normal, settings, progress);
+                       samples->normal, trim_off_mesh(), progress);
 }
 
 // Where the mesh is to be sharp; nothing: nowhere.
@@ -287,9 +292,8 @@ hrbfnpr_model* fit_pieces(const hrbfnpr_mesh& mesh, const mesh::FitMeshSettings&
         progress.update(1.0);
         model = make_handle<hrbfnpr_model>(mesh.context(), std::move(result.data), result.fit);
     } else {
-        const Border border(mesh, settings.seed);
-        model = border.end(make_handle<hrbfnpr_model>(mesh.context(), std::move(result.data), result.fit),
-                           progress.part(end_of_mesh_fit, 1.0));
+        const Border border(mesh, settings.seed, progress.part(end_of_mesh_fit, 1.0));
+        model = border.end(make_handle<hrbfnpr_model>(mesh.context(), std::move(result.data), result.fit));
     }
     if (info == nullptr) return model;
     hrbfnpr_mesh_fit_info to = described(result.mesh, centres);

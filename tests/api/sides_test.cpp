@@ -8,18 +8,19 @@ namespace {
 
 class Sides : public testing::Test {
 protected:
-    Sides() { style.silhouette_law = HRBFNPR_SILHOUETTE_LAW_WIDTH; }
-
-    // Half a sphere whose inside looks to the camera, and its marks: stipples and two kinds of strokes.
-    PointSet bowl() {
+    // Half a sphere whose inside looks to the camera.
+    Model bowl_model() {
         scenes::Samples samples = zone(-2.0, 0.0);
         const hrbfnpr_fit_desc desc = fit_desc(samples);
         hrbfnpr_model* raw = nullptr;
         EXPECT_OK(hrbfnpr_model_fit(context.get(), &desc, nullptr, &raw, error));
-        const Model model(raw);
+        Model model(raw);
         EXPECT_EQ(info_of(model).is_trimmed, 1U);
-        return generate(context, model, small_desc());
+        return model;
     }
+
+    // Its marks: stipples and two kinds of strokes.
+    PointSet bowl() { return generate(context, bowl_model(), small_desc()); }
 
     Drawing draw(const PointSet& set, std::uint32_t sides) {
         hrbfnpr_item item = item_of(set, &style);
@@ -84,10 +85,10 @@ TEST_F(Sides, BothAreLitByTheirOwnNormals) {
 TEST_F(Sides, BothOfASolidAreItsFront) {
     Sphere sphere;
     const PointSet set = generate(context, custom_sphere(context, sphere), small_desc());
-    hrbfnpr_layer_style strokes[2] = {made(hrbfnpr_layer_style_init), made(hrbfnpr_layer_style_init)};
+    auto strokes = made(hrbfnpr_layer_style_init);
     for (const std::uint32_t shape : {HRBFNPR_SHAPE_DOTS, HRBFNPR_SHAPE_STROKES}) {
-        strokes[0].shape = shape;
-        style.layers = strokes;
+        strokes.shape = shape;
+        style.layers = &strokes;
         style.layer_count = 1;
         style.hidden_lines = HRBFNPR_HIDDEN_LINES_HIDE;
         EXPECT_EQ(picture(draw(set, HRBFNPR_SIDES_BOTH)), picture(draw(set, HRBFNPR_SIDES_FRONT)));
@@ -131,6 +132,21 @@ TEST_F(Sides, TheOtherOneIsThatOfOppositeNormals) {
     hrbfnpr_drawing* raw = nullptr;
     ASSERT_OK(hrbfnpr_renderer_draw(renderer.get(), items, 2, 0, &camera, &raw, error));
     EXPECT_EQ(both, picture(Drawing(raw)));
+}
+
+// By rays from the marks to the eye, which begin on the side that is seen.
+TEST_F(Sides, BothAreSeenThroughAModel) {
+    const Model model = bowl_model();
+    const PointSet set = generate(context, model, small_desc());
+    style.tone = HRBFNPR_TONE_NONE;
+    style.hidden_lines = HRBFNPR_HIDDEN_LINES_HIDE;
+    hrbfnpr_item item = item_of(set, &style);
+    item.model = model.get();
+    item.sides = HRBFNPR_SIDES_BOTH;
+    const hrbfnpr_drawing_info exact = info_of(draw_item(renderer, item, front_camera(side)));
+    const hrbfnpr_drawing_info splats = info_of(draw(set, HRBFNPR_SIDES_BOTH));
+    EXPECT_NEAR(static_cast<double>(exact.shown), static_cast<double>(splats.shown),
+                0.1 * static_cast<double>(splats.shown));
 }
 
 TEST_F(Sides, AreTheSameForAnyNumberOfThreads) {

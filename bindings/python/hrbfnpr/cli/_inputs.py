@@ -118,7 +118,7 @@ def _without_strays(points: Floats, report: Reporter) -> Floats:
 def _with_normals(shape: Shape, arguments: Any, context: Context, report: Reporter) -> Shape:
     """Points that have none, with those that the library finds."""
     points = shape.points[np.isfinite(shape.points).all(axis=1)]
-    if arguments.outliers != "keep":
+    if fit_options(arguments).get("outliers") != "keep":
         points = _without_strays(points, report)
     if len(points) > MOST_ORIENTED:
         chosen, _ = farthest_points(points, MOST_ORIENTED, context=context)
