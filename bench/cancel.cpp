@@ -7,7 +7,7 @@
 // Of each call that takes an operation: its time, the longest silence between two calls of its callback (the call's
 // begin and end count, too), and the worst and the median time from a cancel at random moments to its return.  On a
 // busy machine a thread may wait for a processor meanwhile: --threads=1 and the processor time tell the two apart.
-// Drawing and rasterizing take no operation: their times are what a host waits for.
+// Rasterizing takes no operation: its time is what a host waits for.
 #include "cancel_calls.h"
 #include "timing.h"
 

@@ -57,6 +57,8 @@ public:
         add_queries(calls);
         add_sets(calls);
         add_lines(calls);
+        add_frame(calls, "frame", false);
+        add_frame(calls, "frame.lines", true); // by a renderer that has no contours yet, with those that others hide
         return calls;
     }
 
@@ -297,6 +299,21 @@ private:
         add_page(calls, "page.hpgl", HRBFNPR_PAGE_FORMAT_HPGL);
     }
 
+    void add_frame(std::vector<LongCall>& calls, const char* name, bool lines) {
+        calls.push_back({name,
+                         [this, lines] {
+                             static_cast<void>(marks());
+                             if (lines) static_cast<void>(line_set());
+                             renew_renderer();
+                         },
+                         [this, lines](hrbfnpr_operation* operation, hrbfnpr_error* error) {
+                             hrbfnpr_drawing* drawing = nullptr;
+                             const auto status = draw(lines ? line_set() : nullptr, operation, &drawing, error);
+                             hrbfnpr_drawing_release(drawing);
+                             return status;
+                         }});
+    }
+
     void add_page(std::vector<LongCall>& calls, const char* name, std::uint32_t format) {
         calls.push_back({name, [this] { static_cast<void>(drawing()); },
                          [this, format](hrbfnpr_operation* operation, hrbfnpr_error* error) {
@@ -341,6 +358,16 @@ public:
         }
         return large_model_.get();
     }
+    [[nodiscard]] const hrbfnpr_line_set* line_set() {
+        if (!lines_) {
+            scenes::Check check;
+            const auto desc = defaults(hrbfnpr_line_set_desc_init);
+            hrbfnpr_line_set* made = nullptr;
+            check(hrbfnpr_line_set_create(context_, large(), &desc, nullptr, &made, check.error()));
+            lines_.reset(made);
+        }
+        return lines_.get();
+    }
     [[nodiscard]] const hrbfnpr_point_set* marks() {
         if (!marks_) marks_ = generate(context_, large(), one_layer(HRBFNPR_LAYER_KIND_STIPPLES, sizes_.marks));
         return marks_.get();
@@ -349,14 +376,21 @@ public:
     [[nodiscard]] const hrbfnpr_drawing* drawing() {
         if (!drawing_) {
             scenes::Check check;
-            hrbfnpr_renderer* made = nullptr;
-            check(hrbfnpr_renderer_create(context_, &made, check.error()));
-            renderer_.reset(made);
+            renew_renderer();
             drawing_ = draw();
         }
         return drawing_.get();
     }
     [[nodiscard]] scenes::Drawing draw() {
+        scenes::Check check;
+        hrbfnpr_drawing* made = nullptr;
+        check(draw(nullptr, nullptr, &made, check.error()));
+        return scenes::Drawing(made);
+    }
+
+private:
+    hrbfnpr_status draw(const hrbfnpr_line_set* lines, hrbfnpr_operation* operation, hrbfnpr_drawing** drawing,
+                        hrbfnpr_error* error) {
         scenes::Check check;
         auto camera = defaults(hrbfnpr_camera_init);
         const Row low{-1.2, -1.2, -1.2}, high{1.2, 1.2, 1.2}, direction{0, 0.3, -1}, up{0, 1, 0};
@@ -366,12 +400,15 @@ public:
         auto item = defaults(hrbfnpr_item_init);
         item.point_set = marks();
         item.style = style.get();
-        hrbfnpr_drawing* made = nullptr;
-        check(hrbfnpr_renderer_draw(renderer_.get(), &item, 1, 0, &camera, &made, check.error()));
-        return scenes::Drawing(made);
+        item.line_set = lines;
+        return hrbfnpr_renderer_draw_with_operation(renderer_.get(), &item, 1, 0, &camera, operation, drawing, error);
     }
-
-private:
+    void renew_renderer() {
+        scenes::Check check;
+        hrbfnpr_renderer* made = nullptr;
+        check(hrbfnpr_renderer_create(context_, &made, check.error()));
+        renderer_.reset(made);
+    }
     // The large model, as it comes from a file: nothing is prepared.
     void load_again() {
         scenes::Check check;
@@ -421,6 +458,7 @@ private:
     hrbfnpr::test::Mesh mesh_;
     scenes::Model large_model_, small_model_, half_model_, again_;
     scenes::PointSet marks_;
+    hrbfnpr::test::LineSet lines_;
     scenes::Renderer renderer_;
     scenes::Drawing drawing_;
 };

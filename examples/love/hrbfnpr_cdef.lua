@@ -350,7 +350,9 @@ typedef struct hrbfnpr_item { uint32_t struct_size; uint32_t sides; const hrbfnp
 hrbfnpr_status hrbfnpr_item_init(hrbfnpr_item* item, uint32_t struct_size);
 hrbfnpr_status hrbfnpr_renderer_draw(hrbfnpr_renderer* renderer, const hrbfnpr_item* items, int64_t item_count,
     int64_t item_stride, const hrbfnpr_camera* camera, hrbfnpr_drawing** out_drawing, hrbfnpr_error* error);
-void hrbfnpr_drawing_retain(const hrbfnpr_drawing* drawing);
+hrbfnpr_status hrbfnpr_renderer_draw_with_operation(hrbfnpr_renderer* renderer, const hrbfnpr_item* items,
+    int64_t item_count, int64_t item_stride, const hrbfnpr_camera* camera, hrbfnpr_operation* operation,
+    hrbfnpr_drawing** out_drawing, hrbfnpr_error* error); void hrbfnpr_drawing_retain(const hrbfnpr_drawing* drawing);
 void hrbfnpr_drawing_release(const hrbfnpr_drawing* drawing);
 enum { HRBFNPR_CLASS_NONE = 0, HRBFNPR_CLASS_FRONT = 1, HRBFNPR_CLASS_BACK = 2, HRBFNPR_CLASS_SILHOUETTE = 3 };
 typedef struct hrbfnpr_drawing_info { uint32_t struct_size; uint32_t reserved; int64_t items; int64_t layers;

@@ -8,6 +8,7 @@
 #include "api/line_set.h"
 #include "api/lists.h"
 #include "api/model.h"
+#include "api/operation.h"
 #include "api/style.h"
 #include "api/views.h"
 
@@ -159,23 +160,27 @@ hrbfnpr_drawing* idle_drawing(hrbfnpr_renderer& renderer) {
     return drawing;
 }
 
-void fill(hrbfnpr_renderer& renderer, const Items& items, const frame::Camera& camera, hrbfnpr_drawing& drawing) {
+void fill(hrbfnpr_renderer& renderer, const Items& items, const frame::Camera& camera, const OperationUse& use,
+          hrbfnpr_drawing& drawing) {
     for (std::int64_t i = 0; i < items.count(); ++i) {
         const hrbfnpr_point_set* const set = items[i].point_set;
         drawing.sets.push_back(set);
         set->add_reference();
     }
-    renderer.frame.draw(renderer.items.span(), camera, drawing.drawing);
+    renderer.frame.draw(renderer.items.span(), camera, use.progress(), drawing.drawing);
     drawing.drawing.counts.scratch_bytes +=
         renderer.items.bytes() + renderer.layer_styles.bytes() + renderer.line_styles.bytes() + renderer.poses.bytes();
+    use.finish();
 }
 
-hrbfnpr_drawing* draw(hrbfnpr_renderer& renderer, const Items& items, const hrbfnpr_camera* camera) {
+hrbfnpr_drawing* draw(hrbfnpr_renderer& renderer, const Items& items, const hrbfnpr_camera* camera,
+                      hrbfnpr_operation* operation) {
+    const OperationUse use(operation);
     ItemReader(renderer, items)();
     const frame::Camera view = to_camera(read_struct(camera, "camera"));
     hrbfnpr_drawing* const drawing = idle_drawing(renderer);
     try {
-        fill(renderer, items, view, *drawing);
+        fill(renderer, items, view, use, *drawing);
     } catch (...) {
         drawing->drawing.clear();
         release_handle(drawing);
@@ -212,9 +217,17 @@ hrbfnpr_status hrbfnpr_layer_pose_init(hrbfnpr_layer_pose* pose, uint32_t struct
 hrbfnpr_status hrbfnpr_renderer_draw(hrbfnpr_renderer* renderer, const hrbfnpr_item* items, int64_t item_count,
                                      int64_t item_stride, const hrbfnpr_camera* camera, hrbfnpr_drawing** out_drawing,
                                      hrbfnpr_error* error) {
+    return hrbfnpr_renderer_draw_with_operation(renderer, items, item_count, item_stride, camera, nullptr, out_drawing,
+                                                error);
+}
+
+hrbfnpr_status hrbfnpr_renderer_draw_with_operation(hrbfnpr_renderer* renderer, const hrbfnpr_item* items,
+                                                    int64_t item_count, int64_t item_stride,
+                                                    const hrbfnpr_camera* camera, hrbfnpr_operation* operation,
+                                                    hrbfnpr_drawing** out_drawing, hrbfnpr_error* error) {
     return api::guarded_create(out_drawing, "out_drawing", error, [&] {
         auto& handle = api::deref(renderer, "renderer");
-        return api::draw(handle, {items, item_count, item_stride, api::most_drawn_items, "items"}, camera);
+        return api::draw(handle, {items, item_count, item_stride, api::most_drawn_items, "items"}, camera, operation);
     });
 }
 

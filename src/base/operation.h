@@ -47,8 +47,11 @@ public:
     Progress() noexcept = default;
     explicit Progress(Operation* operation) noexcept : operation_(operation) {}
 
+    [[nodiscard]] bool is_watched() const noexcept { return operation_ != nullptr; }
     // The part of this stage between two fractions of it.
     [[nodiscard]] Progress part(double from, double to) const noexcept;
+    // For steps whose share nobody knows: they look for a cancel, and progress stands still.
+    [[nodiscard]] Progress standing() const noexcept { return part(0.0, 0.0); }
     // Reports that `fraction` of this stage is done and throws Error{cancelled} after a cancel.
     void update(double fraction) const;
     // Looks for a cancel; reports no progress.

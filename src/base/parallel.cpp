@@ -109,6 +109,17 @@ Parallel::Parallel(int threads, RunTasksFn run_tasks, void* user)
 Parallel Parallel::openmp(int threads) noexcept { return {threads, ThreadBackend::openmp}; }
 
 void Parallel::run(std::int64_t count, TaskFn task, void* context) const {
+    if (!watch_.is_watched()) return run_unwatched(count, task, context);
+    const auto watched = [&](std::int64_t i) {
+        watch_.check();
+        task(context, i);
+    };
+    run_unwatched(
+        count, [](void* call, std::int64_t i) { (*static_cast<decltype(watched)*>(call))(i); },
+        const_cast<void*>(static_cast<const void*>(std::addressof(watched))));
+}
+
+void Parallel::run_unwatched(std::int64_t count, TaskFn task, void* context) const {
     if (count <= 1 || backend_ == ThreadBackend::serial) {
         for (std::int64_t i = 0; i < count; ++i) {
             task(context, i);

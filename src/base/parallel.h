@@ -28,6 +28,10 @@ public:
     // The pool of the OpenMP runtime; serial in a build without one (openmp_is_built_in).
     [[nodiscard]] static Parallel openmp(int threads) noexcept;
 
+    // From now on a cancel of that operation ends whatever runs, before its next task; Progress() ends the watch.  Not
+    // while it runs; copies are watched apart.
+    void watch(const Progress& progress) noexcept { watch_ = progress; }
+
     [[nodiscard]] int threads() const noexcept { return threads_; }
     [[nodiscard]] ThreadBackend backend() const noexcept { return backend_; }
 
@@ -69,12 +73,14 @@ private:
     Parallel(int threads, ThreadBackend backend) noexcept;
 
     void run(std::int64_t count, TaskFn task, void* context) const;
+    void run_unwatched(std::int64_t count, TaskFn task, void* context) const;
 
     int threads_ = 1;
     ThreadBackend backend_ = ThreadBackend::serial;
     RunTasksFn run_tasks_ = nullptr;
     void* user_ = nullptr;
     std::shared_ptr<ThreadPool> pool_;
+    Progress watch_;
 };
 
 } // namespace hrbfnpr::base

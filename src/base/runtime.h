@@ -15,17 +15,26 @@ enum class LogLevel : std::int32_t { debug = 0, info = 1, warning = 2 };
 using LogFn = void (*)(void* user, std::int32_t level, const char* message);
 
 class Runtime {
+    Memory own_; // comes first, since `memory` may be it
+
 public:
     Runtime() = default; // all threads, no log
     Runtime(AllocateFn allocate, DeallocateFn deallocate, void* allocator_user, Parallel threads,
             InstructionSet highest, LogFn log_function, void* log_user, LogLevel least = LogLevel::debug) noexcept
-        : memory(allocate, deallocate, allocator_user), parallel(std::move(threads)),
+        : own_(allocate, deallocate, allocator_user), parallel(std::move(threads)),
           instruction_set(choose_instruction_set(highest)), log_(log_function), log_user_(log_user), least_(least) {}
+    // The memory and log of another one, which outlives it, with threads that may be watched apart from its.
+    Runtime(const Runtime& host, Parallel threads) noexcept
+        : memory(host.memory), parallel(std::move(threads)), instruction_set(host.instruction_set), log_(host.log_),
+          log_user_(host.log_user_), least_(host.least_) {}
+    Runtime(const Runtime&) = delete;
+    Runtime& operator=(const Runtime&) = delete;
+    ~Runtime() = default;
 
     // Call from the thread that entered the library only.  What is below the least level is not even put into words.
     [[gnu::format(printf, 3, 4)]] void log(LogLevel level, const char* format, ...) const noexcept;
 
-    mutable Memory memory;
+    Memory& memory{own_};
     Parallel parallel{0, nullptr, nullptr};
     InstructionSet instruction_set = choose_instruction_set(InstructionSet::automatic);
 

@@ -18,9 +18,10 @@ public:
     explicit Frame(const base::Runtime& runtime);
     ~Frame();
 
-    // Fills `drawing`, whatever was in it.  Throws Error{invalid_argument, callback, out_of_memory}; it is no drawing
-    // then.
-    void draw(std::span<const Item> items, const Camera& camera, drawing::Drawing& drawing);
+    // Fills `drawing`, whatever was in it.  Throws Error{invalid_argument, callback, cancelled, out_of_memory}; it is
+    // no drawing then.
+    void draw(std::span<const Item> items, const Camera& camera, const base::Progress& progress,
+              drawing::Drawing& drawing);
 
 private:
     struct Impl;

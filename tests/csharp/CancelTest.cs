@@ -46,6 +46,16 @@ namespace HrbfNpr.Tests
                 Cancelled(() => model.Generate(cancellationToken: token));
                 Cancelled(() => model.StepPatches(3, cancellationToken: token));
                 Cancelled(() => model.LineSet(cancellationToken: token));
+                using (PointSet marks = model.Generate(Shapes.Stipples(50)))
+                using (var renderer = new Renderer())
+                {
+                    Camera camera = Shapes.Look(marks, 32);
+                    Cancelled(() => renderer.Draw(new Item(marks), camera, cancellationToken: token));
+                    Cancelled(() => renderer.Draw(new[] { new Item(marks) }, camera, null, token));
+                    var reports = new Reports();
+                    renderer.Draw(new Item(marks), camera, reports).Dispose(); // it goes on
+                    Assert.Equal(1.0, reports.Seen.Last());
+                }
             }
         }
 

@@ -10,9 +10,9 @@ namespace {
 
 using namespace fuzz;
 
-constexpr std::initializer_list<hrbfnpr_status> failures = {HRBFNPR_STATUS_INVALID_ARGUMENT,
-                                                            HRBFNPR_STATUS_OUT_OF_MEMORY,
-                                                            HRBFNPR_STATUS_UNSUPPORTED_STRUCT, HRBFNPR_STATUS_CALLBACK};
+constexpr std::initializer_list<hrbfnpr_status> failures = {
+    HRBFNPR_STATUS_INVALID_ARGUMENT, HRBFNPR_STATUS_OUT_OF_MEMORY, HRBFNPR_STATUS_UNSUPPORTED_STRUCT,
+    HRBFNPR_STATUS_CALLBACK, HRBFNPR_STATUS_CANCELLED};
 
 std::int32_t tone(void* user, std::int64_t count, const float* positions, const float*, float* tau) {
     const float number = *static_cast<const float*>(user);
@@ -160,14 +160,16 @@ hrbfnpr_camera some_camera(Input& input) {
 }
 
 hrbfnpr_drawing* draw(hrbfnpr_renderer* renderer, std::span<const hrbfnpr_item> items, const hrbfnpr_camera& camera,
-                      Input& input) {
+                      Input& input, Input& ending) {
+    const Operation operation(scene_context(), ending);
     const ShortMemory memory(scene_context(), input);
     hrbfnpr_drawing* drawing = nullptr;
-    Call call("renderer_draw");
-    const bool drawn =
-        call.expect(hrbfnpr_renderer_draw(renderer, items.data(), static_cast<std::int64_t>(items.size()),
-                                          sizeof(hrbfnpr_item), &camera, &drawing, call.error()),
-                    failures);
+    Call call("renderer_draw_with_operation");
+    const hrbfnpr_status status =
+        hrbfnpr_renderer_draw_with_operation(renderer, items.data(), static_cast<std::int64_t>(items.size()),
+                                             sizeof(hrbfnpr_item), &camera, operation.handle, &drawing, call.error());
+    operation.check(status);
+    const bool drawn = call.expect(status, failures);
     require(drawn == (drawing != nullptr), "a handle comes with success only");
     return drawing;
 }
@@ -185,6 +187,7 @@ void use(const hrbfnpr_drawing* drawing, const hrbfnpr_camera& camera, Input& in
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     Input input(data, size);
+    Input ending(size > 0 ? data + size - 1 : data, size > 0 ? 1 : 0); // of the first drawing, by the last byte
     const Style style(input);
     const std::size_t count = 1 + (input.once_in(4) ? input.below(3) : 0);
     const hrbfnpr_point_set* const set = scene_set(input.below(set_count));
@@ -196,12 +199,12 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     hrbfnpr_renderer* renderer = nullptr;
     Call create("renderer_create");
     create.expect(hrbfnpr_renderer_create(scene_context().handle, &renderer, create.error()));
-    hrbfnpr_drawing* const first = draw(renderer, items, camera, input);
+    hrbfnpr_drawing* const first = draw(renderer, items, camera, input, ending);
     use(first, camera, input);
     if (input.once_in(3)) { // lines begin with those of the first drawing
         camera.view[12] += input.between(-0.1, 0.1);
         camera.view[0] *= input.between(0.99, 1.01);
-        hrbfnpr_drawing* const second = draw(renderer, items, camera, input);
+        hrbfnpr_drawing* const second = draw(renderer, items, camera, input, ending);
         use(second, camera, input);
         hrbfnpr_drawing_release(second);
     }

@@ -168,6 +168,11 @@ test("long calls tell their progress, and are cancelled", () => {
   const flag = new Int32Array(new SharedArrayBuffer(4)).fill(1);
   fails(() => ball.generate({}, { cancelFlag: flag }), "CANCELLED", /./);
   fails(() => ball.generate({}, { signal: AbortSignal.abort() }), "CANCELLED", /./);
+  const renderer = context.createRenderer();
+  const frames = [];
+  renderer.draw({ pointSet: marks }, camera, { onProgress: (progress) => void frames.push(progress) });
+  assert.equal(frames.at(-1), 1);
+  fails(() => renderer.draw({ pointSet: marks }, camera, { onProgress: () => false }), "CANCELLED", /./);
 });
 
 test("what is wrong is named", () => {

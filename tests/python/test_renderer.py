@@ -105,7 +105,8 @@ def test_the_model_of_an_item(renderer, marks, camera, ring, monkeypatch):
         closed = hrbfnpr.Model.load(ring.to_bytes())
         closed.close()
         renderer.draw(hrbfnpr.Item(marks, STYLE, model=closed), camera)
-    spy = Spy("hrbfnpr_renderer_draw", lambda renderer, items, count, *_: [items[i].model for i in range(count)])
+    draw = "hrbfnpr_renderer_draw_with_operation"
+    spy = Spy(draw, lambda renderer, items, count, *_: [items[i].model for i in range(count)])
     monkeypatch.setattr(hrbfnpr._renderer, "lib", spy)
     renderer.draw([hrbfnpr.Item(marks, model=ring), marks], camera)
     assert spy.seen == [[ring._handle, hrbfnpr._renderer.ffi.NULL]]
@@ -280,3 +281,21 @@ def test_drawings_save_themselves(renderer, marks, camera, tmp_path):
     with pytest.raises(FileNotFoundError):
         drawing.save(tmp_path / "no" / "a.png")
     assert sorted(path.name for path in tmp_path.iterdir()) == ["a.png", "b", "c.jpg"]
+
+
+def test_frames_are_cancelled_and_tell_their_progress(marks, camera):
+    renderer = hrbfnpr.Renderer()
+    wanted = renderer.draw(marks, camera).image()
+    seen = []
+    renderer.draw(marks, camera, progress=seen.append)
+    assert seen == sorted(seen) and seen[-1] == 1.0
+    operation = hrbfnpr.Operation(lambda fraction: operation.cancel())
+    with pytest.raises(hrbfnpr.CancelledError):
+        renderer.draw(marks, camera, operation=operation)
+
+    def fail(fraction):
+        raise KeyError("of the program's")
+
+    with pytest.raises(hrbfnpr.CallbackError, match="of the program's"):
+        renderer.draw(marks, camera, progress=fail)
+    np.testing.assert_array_equal(renderer.draw(marks, camera).image(), wanted)

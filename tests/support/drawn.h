@@ -71,7 +71,7 @@ public:
     void draw(std::span<const frame::Item> items, const frame::Camera& camera) {
         drawn_ = false;
         listed_ = false;
-        frame_.draw(items, camera, drawing_);
+        frame_.draw(items, camera, base::Progress(), drawing_);
         drawn_ = true;
     }
     [[nodiscard]] bool drawn() const noexcept { return drawn_; }

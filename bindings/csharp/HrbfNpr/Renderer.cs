@@ -2,6 +2,7 @@
 using System;
 using System.Collections.Generic;
 using System.Runtime.InteropServices;
+using System.Threading;
 
 namespace HrbfNpr
 {
@@ -45,12 +46,17 @@ namespace HrbfNpr
         /// <summary>Draws one item.</summary>
         /// <param name="item">What is drawn; a point set stands for itself in the default style.</param>
         /// <param name="camera">Where it is seen from.</param>
+        /// <param name="progress">May be null; called on this thread with a number in [0, 1].</param>
+        /// <param name="cancellationToken">Cancels the call; the renderer can go on.</param>
         /// <returns>A drawing; disposed of before the next but one, its memory is used again.</returns>
         /// <exception cref="InvalidArgumentException">A camera without a viewport, a singular transform, a style's
         /// number out of its range, or lines that need curvatures, of a line set without.</exception>
         /// <exception cref="CallbackException">A tone function, or the function of an item's model or of its line
         /// set's, threw.</exception>
-        public Drawing Draw(Item item, Camera camera)
+        /// <exception cref="CancelledException">The call was cancelled.</exception>
+        public Drawing Draw(
+            Item item, Camera camera, IProgress<double> progress = null,
+            CancellationToken cancellationToken = default(CancellationToken))
         {
             lock (gate)
             {
@@ -58,7 +64,7 @@ namespace HrbfNpr
                 single[0] = item;
                 try
                 {
-                    return DrawItems(single, camera);
+                    return DrawWatched(single, camera, progress, cancellationToken);
                 }
                 finally
                 {
@@ -70,13 +76,18 @@ namespace HrbfNpr
         /// <summary>Draws several items.</summary>
         /// <param name="items">What is drawn; may be none.</param>
         /// <param name="camera">Where they are seen from.</param>
+        /// <param name="progress">May be null; called on this thread with a number in [0, 1].</param>
+        /// <param name="cancellationToken">Cancels the call; the renderer can go on.</param>
         /// <returns>A drawing; disposed of before the next but one, its memory is used again.</returns>
         /// <exception cref="InvalidArgumentException">A camera without a viewport, a singular transform, a style's
         /// number out of its range, lines that need curvatures, of a line set without, or styles of different paper
         /// or visibility.</exception>
         /// <exception cref="CallbackException">A tone function, or the function of an item's model or of its line
         /// set's, threw.</exception>
-        public Drawing Draw(IReadOnlyList<Item> items, Camera camera)
+        /// <exception cref="CancelledException">The call was cancelled.</exception>
+        public Drawing Draw(
+            IReadOnlyList<Item> items, Camera camera, IProgress<double> progress = null,
+            CancellationToken cancellationToken = default(CancellationToken))
         {
             if (items == null)
             {
@@ -85,7 +96,7 @@ namespace HrbfNpr
             lock (gate)
             {
                 CheckIdle();
-                return DrawItems(items, camera);
+                return DrawWatched(items, camera, progress, cancellationToken);
             }
         }
 
@@ -142,7 +153,21 @@ namespace HrbfNpr
             }
         }
 
-        private Drawing DrawItems(IReadOnlyList<Item> items, Camera camera)
+        /// <summary>Without an operation where nobody wants one, so that a warm frame makes no garbage.</summary>
+        private Drawing DrawWatched(
+            IReadOnlyList<Item> items, Camera camera, IProgress<double> progress, CancellationToken token)
+        {
+            if (progress == null && !token.CanBeCanceled)
+            {
+                return DrawItems(items, camera, null);
+            }
+            using (var call = new LongCall(handle, progress, token))
+            {
+                return DrawItems(items, camera, call);
+            }
+        }
+
+        private Drawing DrawItems(IReadOnlyList<Item> items, Camera camera, LongCall call)
         {
             if (camera == null)
             {
@@ -167,7 +192,7 @@ namespace HrbfNpr
                 {
                     Describe(items[i], first + i);
                 }
-                return Call(items, camera, first, count);
+                return Call(items, camera, first, count, call);
             }
             finally
             {
@@ -290,13 +315,15 @@ namespace HrbfNpr
             return (IntPtr)copy;
         }
 
-        private Drawing Call(IReadOnlyList<Item> items, Camera camera, hrbfnpr_item* first, int count)
+        private Drawing Call(
+            IReadOnlyList<Item> items, Camera camera, hrbfnpr_item* first, int count, LongCall call)
         {
             hrbfnpr_camera view = camera.Native;
             hrbfnpr_error error = Errors.New();
             var made = new DrawingHandle();
-            int status = NativeMethods.hrbfnpr_renderer_draw(
-                handle, first, count, sizeof(hrbfnpr_item), &view, out IntPtr created, &error);
+            OperationHandle operation = call == null ? OperationHandle.None : call.Operation;
+            int status = NativeMethods.hrbfnpr_renderer_draw_with_operation(
+                handle, first, count, sizeof(hrbfnpr_item), &view, operation, out IntPtr created, &error);
             if (created != IntPtr.Zero)
             {
                 made.Take(created, handle.Anchor);
@@ -304,7 +331,14 @@ namespace HrbfNpr
             try
             {
                 CheckFunctions(items, status);
-                Errors.Check(status, &error);
+                if (call == null)
+                {
+                    Errors.Check(status, &error);
+                }
+                else
+                {
+                    call.Check(status, &error);
+                }
                 return new Drawing(made, camera.Width, camera.Height);
             }
             catch

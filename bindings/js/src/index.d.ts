@@ -235,7 +235,7 @@ export class Camera implements O.Camera {
 /** From items and a camera to a drawing.  One call at a time. */
 export class Renderer extends Handle {
   readonly context: Context;
-  draw(items: O.Item | readonly O.Item[], camera: O.Camera): Drawing;
+  draw(items: O.Item | readonly O.Item[], camera: O.Camera, control?: Control): Drawing;
 }
 
 export interface RasterOptions {

@@ -2,6 +2,7 @@
 import { Call } from "./call.js";
 import { Drawing } from "./drawing.js";
 import { Made } from "./model.js";
+import { operated } from "./operation.js";
 import { sizeOf, write } from "./structs.js";
 
 /** From items and a camera to a drawing.  One call at a time. */
@@ -10,15 +11,18 @@ export class Renderer extends Made {
     super(context, "hrbfnpr_renderer", pointer);
   }
 
-  draw(items, camera) {
+  draw(items, camera, control) {
     const list = Array.isArray(items) ? items : [items];
     const size = sizeOf("hrbfnpr_item");
     return Call.with(this.library, (call) => {
       const first = call.allocate(Math.max(size * list.length, 1));
       list.forEach((item, at) => write(call, first + at * size, "hrbfnpr_item", item, `items[${at}]`));
       const seen = call.structOf({ ...camera }, "hrbfnpr_camera", "camera");
-      const pointer = call.made("hrbfnpr_renderer_draw", this.pointer, first, list.length, size, seen);
-      return new Drawing(this.context, pointer, camera.viewport);
+      return operated(call, this.context.pointer, control, (operation) => {
+        const pointer = call.made("hrbfnpr_renderer_draw_with_operation", this.pointer, first, list.length, size, seen,
+          operation);
+        return new Drawing(this.context, pointer, camera.viewport);
+      });
     });
   }
 }

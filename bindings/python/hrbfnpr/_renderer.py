@@ -18,6 +18,7 @@ from ._library import ffi, lib
 from ._line_set import LineSet
 from ._model import Model
 from ._names import SIDES, number_of
+from ._operation import Operation, Progress, running
 from ._point_set import PointSet
 from ._style import Style
 
@@ -110,15 +111,25 @@ class Renderer(Owner):
         check(lib.hrbfnpr_renderer_create(context._handle, out, error), error)
         super().__init__(own(out[0], lib.hrbfnpr_renderer_release, context))
         self._context = context
+        self._context_handle = context._handle  # works where the context was closed meanwhile, too
         self._lock = threading.RLock()
 
-    def draw(self, items: Items, camera: Camera) -> Drawing:
+    def draw(
+        self,
+        items: Items,
+        camera: Camera,
+        *,
+        progress: Optional[Progress] = None,
+        operation: Optional[Operation] = None,
+    ) -> Drawing:
         """Classify, shade and order the marks for one camera.
 
         Parameters
         ----------
         items : PointSet, (PointSet, Style), Item, or an iterable of these
         camera : Camera
+        progress, operation
+            As in `Model.fit`: for frames that take long, as with lines of a fine surface or millions of marks.
 
         Returns
         -------
@@ -127,6 +138,8 @@ class Renderer(Owner):
 
         Raises
         ------
+        CancelledError
+            After a cancel; the renderer can go on.
         InvalidArgumentError
             For a camera without a viewport, a singular transform, or styles of different paper or
             visibility.
@@ -162,8 +175,11 @@ class Renderer(Owner):
                 keep.append(_fill_poses(struct, item))
         layers = [item.point_set.layers for item in chosen]
         out, error = ffi.new("hrbfnpr_drawing **"), new_error()
-        with self._lock:
-            status = lib.hrbfnpr_renderer_draw(self._handle, structs, len(chosen), 0, camera._struct, out, error)
+        with running(operation, progress, self._context_handle) as (handle, state), self._lock:
+            status = lib.hrbfnpr_renderer_draw_with_operation(
+                self._handle, structs, len(chosen), 0, camera._struct, handle, out, error
+            )
+            states.append(state)
         drawn = own(out[0], lib.hrbfnpr_drawing_release, self._context) if out[0] != ffi.NULL else None
         del keep
         raised = next((function for function in functions if function.exception is not None), None)

@@ -10,6 +10,11 @@
 namespace hrbfnpr::frame {
 namespace {
 
+// Shares of the time, as of many marks.
+constexpr double gathered_end = 0.4;
+constexpr double sorted_end = 0.5;
+constexpr double dimmed_end = 0.8;
+
 // Whether all ink that there can be has one colour: then its order does not matter.
 void find_color(const Scene& scene, drawing::Drawing& drawing) {
     drawing.one_color = true;
@@ -36,7 +41,8 @@ LayerFrame::LayerFrame(const base::Runtime& runtime) noexcept
     : runtime_(runtime), gather_(runtime), hatch_points_(runtime), hatch_tiles_(runtime), edges_(runtime.memory),
       hatch_strokes_(runtime), layers_(runtime), exact_(runtime.memory), joiner_(runtime) {}
 
-void LayerFrame::run(Scene& scene, const LineStrokes& lines, drawing::Drawing& drawing) {
+void LayerFrame::run(Scene& scene, const LineStrokes& lines, const base::Progress& progress,
+                     drawing::Drawing& drawing) {
     drawing.painting = drawing::Painting::transmittance;
     find_color(scene, drawing);
     base::Stopwatch watch;
@@ -46,15 +52,18 @@ void LayerFrame::run(Scene& scene, const LineStrokes& lines, drawing::Drawing& d
     hatch_points_.run(scene, gather_, drawing);
     drawing.counts.nanoseconds_classify = watch.nanoseconds();
 
+    progress.update(gathered_end);
     watch.restart();
     bin_dots(scene, drawing.dot_pieces.span().first(static_cast<std::size_t>(gathered)), drawing);
     hatch_tiles_.build(hatch_points_.batches(), drawing);
     drawing.counts.nanoseconds_sort = watch.nanoseconds();
 
+    progress.update(sorted_end);
     watch.restart();
     dim(scene, drawing);
     drawing.counts.nanoseconds_visibility = watch.nanoseconds();
 
+    progress.update(dimmed_end);
     watch.restart();
     edges_.clear();
     if (!hatch_points_.batches().empty() && !lines.strokes.empty())

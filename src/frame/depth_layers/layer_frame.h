@@ -14,8 +14,8 @@ class LayerFrame {
 public:
     explicit LayerFrame(const base::Runtime& runtime) noexcept;
 
-    // Fills what the scene does not.  Throws Error{callback, out_of_memory}.
-    void run(Scene& scene, const LineStrokes& lines, drawing::Drawing& drawing);
+    // Fills what the scene does not.  Throws Error{callback, cancelled, out_of_memory}.
+    void run(Scene& scene, const LineStrokes& lines, const base::Progress& progress, drawing::Drawing& drawing);
 
     [[nodiscard]] std::int64_t bytes() const noexcept;
 

@@ -17,23 +17,23 @@ constexpr double most_left_out = 0.1;
 constexpr double tolerance = 1e-3;
 
 void trace(const base::Runtime& runtime, const curves::SurfaceMesh& mesh, const curves::ContourLevel& level,
-           const curves::Curves* near, Contours& contours) {
+           const curves::Curves* near, const base::Progress& progress, Contours& contours) {
     curves::TraceReport report;
     curves::TraceSettings settings;
     if (near != nullptr) settings.tolerance = tolerance;
-    contours.traced = curves::trace(runtime, level, mesh, settings, report, base::Progress(), near);
+    contours.traced = curves::trace(runtime, level, mesh, settings, report, progress, near);
     contours.from_last = near != nullptr;
     contours.broken = report.broken + report.missed;
 }
 
 // From the last ones if all of them go on.
 void trace_on(const base::Runtime& runtime, const curves::SurfaceMesh& mesh, const curves::ContourLevel& level,
-              const curves::Curves& last, Contours& contours) {
+              const curves::Curves& last, const base::Progress& progress, Contours& contours) {
     const curves::Curves moved = level.moved(runtime.memory, last, farthest * mesh.side);
     const bool little = !moved.point.empty() && static_cast<double>(moved.point.size()) >=
                                                     (1.0 - most_left_out) * static_cast<double>(last.point.size());
-    if (little) trace(runtime, mesh, level, &moved, contours);
-    if (!little || contours.broken > 0) trace(runtime, mesh, level, nullptr, contours);
+    if (little) trace(runtime, mesh, level, &moved, progress, contours);
+    if (!little || contours.broken > 0) trace(runtime, mesh, level, nullptr, progress, contours);
 }
 
 } // namespace
@@ -56,7 +56,8 @@ std::unique_ptr<Contours> LastContours::take(const curves::LineSet& lines, std::
 }
 
 const Contours& LastContours::find(const base::Runtime& runtime, const curves::LineSet& lines, std::int64_t item,
-                                   std::int64_t part, const curves::ContourLevel& level, const curves::View& view) {
+                                   std::int64_t part, const curves::ContourLevel& level, const curves::View& view,
+                                   const base::Progress& progress) {
     std::unique_ptr<Contours> last = take(lines, item, part);
     const curves::SurfaceMesh& mesh = lines.parts().empty() ? lines.mesh() : lines.parts()[part]->mesh;
     if (last != nullptr && last->eye == view.eye) return *now_.add(std::move(last));
@@ -66,11 +67,11 @@ const Contours& LastContours::find(const base::Runtime& runtime, const curves::L
     contours->part = part;
     contours->eye = view.eye;
     if (last != nullptr)
-        trace_on(runtime, mesh, level, last->traced, *contours);
+        trace_on(runtime, mesh, level, last->traced, progress, *contours);
     else
-        trace(runtime, mesh, level, nullptr, *contours);
+        trace(runtime, mesh, level, nullptr, progress, *contours);
     std::int64_t evaluations = 0;
-    contours->with_cusps = curves::with_cusps(runtime, level, view, contours->traced, evaluations, base::Progress());
+    contours->with_cusps = curves::with_cusps(runtime, level, view, contours->traced, evaluations, progress);
     return *now_.add(std::move(contours));
 }
 

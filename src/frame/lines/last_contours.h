@@ -34,7 +34,8 @@ public:
     // Those of an item in this view, which stay until the frame after the next.  Seen from where the last frame saw
     // them, they are the same.
     const Contours& find(const base::Runtime& runtime, const curves::LineSet& lines, std::int64_t item,
-                         std::int64_t part, const curves::ContourLevel& level, const curves::View& view);
+                         std::int64_t part, const curves::ContourLevel& level, const curves::View& view,
+                         const base::Progress& progress);
     // Whether any of this frame were begun with those of the last.
     [[nodiscard]] bool are_from_last() const noexcept;
     // The frame is drawn once more, from nothing.

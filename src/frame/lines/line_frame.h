@@ -21,15 +21,19 @@ public:
         : runtime_(runtime), strokes_(runtime.memory), contours_(runtime.memory), numbers_(runtime.memory) {}
 
     // Of the items that have lines and styles for them; adds their layers, and what was found, to the drawing.
-    // All items with lines hide each other's.  Throws Error{callback, out_of_memory}.
-    const LineStrokes& run(const Scene& scene, std::span<const Item> items, drawing::Drawing& drawing);
+    // All items with lines hide each other's.  Throws Error{callback, cancelled, out_of_memory}.
+    const LineStrokes& run(const Scene& scene, std::span<const Item> items, const base::Progress& progress,
+                           drawing::Drawing& drawing);
+    // After a frame that was not finished: the next begins with no contours.
+    void forget() noexcept { contours_.forget(); }
 
 private:
     struct Found {
         std::unique_ptr<TracedLines> traced;
         visibility::Invisibility seen;
     };
-    [[nodiscard]] Found find(const Scene& scene, std::span<const Item> items, drawing::Drawing& drawing);
+    [[nodiscard]] Found find(const Scene& scene, std::span<const Item> items, const base::Progress& progress,
+                             drawing::Drawing& drawing);
 
     const base::Runtime& runtime_;
     LineStrokes strokes_;

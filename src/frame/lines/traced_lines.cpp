@@ -60,14 +60,15 @@ glm::dvec4 towards_light(const Scene& scene, const Item& item) {
 } // namespace
 
 TracedLines::TracedLines(const base::Runtime& runtime, const Scene& scene, std::span<const Item> items,
-                         LastContours& last, drawing::Drawing& drawing)
-    : runtime_(runtime), last_(last), sources_(runtime.memory), levels_(runtime.memory), lines_(runtime.memory),
-      subjects_(runtime.memory), occluders_(runtime.memory), items_(runtime.memory), styles_(runtime.memory),
-      creases_(runtime.memory), strengths_(runtime.memory), contours_of_(runtime.memory), folds_of_(runtime.memory),
-      borders_of_(runtime.memory) {
+                         LastContours& last, const base::Progress& progress, drawing::Drawing& drawing)
+    : runtime_(runtime), last_(last), progress_(progress), sources_(runtime.memory), levels_(runtime.memory),
+      lines_(runtime.memory), subjects_(runtime.memory), occluders_(runtime.memory), items_(runtime.memory),
+      styles_(runtime.memory), creases_(runtime.memory), strengths_(runtime.memory), contours_of_(runtime.memory),
+      folds_of_(runtime.memory), borders_of_(runtime.memory) {
     const Camera camera = camera_off_planes(scene, items);
     for (const Item& item : items) {
         if (item.lines == nullptr) continue;
+        progress_.update(static_cast<double>(&item - items.data()) / static_cast<double>(items.size()));
         const Source source{&item, view_of(camera, item), static_cast<std::int32_t>(occluders_.size()),
                             is_mirrored(scene, item)};
         occluders_.push_back({&item.lines->sheets(), &item.lines->surface(), item.transform, source.view.eye});
@@ -123,7 +124,8 @@ void TracedLines::trace_contours(const Source& source) {
 void TracedLines::trace_part(const Source& source, const implicit::Implicit& surface, std::int64_t part) {
     const curves::LineSet& lines = *source.item->lines;
     const curves::ContourLevel& level = *levels_.add(std::make_unique<curves::ContourLevel>(surface, source.view));
-    const Contours& contours = last_.find(runtime_, lines, items_[source.number], part, level, source.view);
+    const Contours& contours =
+        last_.find(runtime_, lines, items_[source.number], part, level, source.view, progress_.standing());
     broken_ += contours.broken;
     visibility::Subject& subject = add_subject(source, contours.with_cusps);
     subject.level = &level;
@@ -242,7 +244,7 @@ void TracedLines::add_features(const Source& source, const LineStyle& style, std
     request.shortest = shortest_feature;
     request.rounds = style.kind == LineKind::apparent_ridge ? 2 : 0;
     const curves::FeatureLines lines =
-        find_feature_lines(runtime_, source.item->lines->features(), request, base::Progress());
+        find_feature_lines(runtime_, source.item->lines->features(), request, progress_.standing());
     add_lines(source, curves::as_lines(runtime_.memory, lines), &style, layer, 0);
 }
 

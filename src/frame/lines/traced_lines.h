@@ -15,7 +15,7 @@ class TracedLines {
 public:
     // Adds a layer to the drawing for each style of lines.
     TracedLines(const base::Runtime& runtime, const Scene& scene, std::span<const Item> items, LastContours& last,
-                drawing::Drawing& drawing);
+                const base::Progress& progress, drawing::Drawing& drawing);
 
     [[nodiscard]] std::span<const visibility::Subject> subjects() const noexcept { return subjects_.span(); }
     [[nodiscard]] std::span<const visibility::Occluder> occluders() const noexcept { return occluders_.span(); }
@@ -54,6 +54,7 @@ private:
 
     const base::Runtime& runtime_;
     LastContours& last_;
+    base::Progress progress_;
     base::Array<Source> sources_;
     // What subjects refer to, each in a place of its own.
     base::List<std::unique_ptr<curves::ContourLevel>> levels_;

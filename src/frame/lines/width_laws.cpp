@@ -58,9 +58,9 @@ double bent(const LineStyle& style, double curvature) noexcept {
 } // namespace
 
 WidthLaws::WidthLaws(const base::Runtime& runtime, const Scene& scene, std::span<const Item> items,
-                     const drawing::Drawing& drawing, const LineInput& input)
-    : runtime_(runtime), scene_(scene), items_(items), drawing_(drawing), input_(input), styles_(runtime.memory),
-      factors_(runtime.memory), outline_(runtime.memory) {
+                     const drawing::Drawing& drawing, const LineInput& input, const base::Progress& progress)
+    : runtime_(runtime), scene_(scene), items_(items), drawing_(drawing), input_(input), progress_(progress),
+      styles_(runtime.memory), factors_(runtime.memory), outline_(runtime.memory) {
     for (const DrawnAs& as : input.styles) styles_.push_back(as);
     const auto by_depth = [](const DrawnAs& as) { return as.style->far_factor != 1.0F; };
     if (std::any_of(styles_.begin(), styles_.end(), by_depth)) depths_ = depth_range();
@@ -74,7 +74,7 @@ void WidthLaws::find_outline() {
     for (const DrawnAs& as : styles_)
         if (has_outline(as)) wanted[as.subject] = 1;
     outline_ = visibility::find_outline(runtime_, input_.subjects, input_.occluders, input_.found, input_.lengths,
-                                        wanted.span(), base::Progress());
+                                        wanted.span(), progress_.standing());
 }
 
 // Of the points that are in the window.
@@ -137,7 +137,7 @@ void WidthLaws::find_curvature_across(const visibility::Subject& subject, base::
     for (std::size_t c = 0; c < 6; ++c)
         fields.hessian[c] = hessian.data() + static_cast<std::int64_t>(c) * points.size();
     implicit::evaluate_all(runtime_, *input_.occluders[static_cast<std::size_t>(subject.item)].surface, place, fields,
-                           base::Progress());
+                           progress_.standing());
     for (std::int64_t i = 0; i < points.size(); ++i) {
         const glm::dvec3 b = glm::normalize(glm::cross(points[i].gradient, points[i].direction()));
         const auto h = [&](std::size_t c) { return fields.hessian[c][i]; };

@@ -28,7 +28,7 @@ class WidthLaws {
 public:
     // Throws Error{callback, out_of_memory}.
     WidthLaws(const base::Runtime& runtime, const Scene& scene, std::span<const Item> items,
-              const drawing::Drawing& drawing, const LineInput& input);
+              const drawing::Drawing& drawing, const LineInput& input, const base::Progress& progress);
 
     // Those of the input, with the factors of points.
     [[nodiscard]] std::span<const DrawnAs> styles() const noexcept { return styles_.span(); }
@@ -64,6 +64,7 @@ private:
     std::span<const Item> items_;
     const drawing::Drawing& drawing_;
     LineInput input_;
+    base::Progress progress_;
     base::Array<DrawnAs> styles_;
     base::List<base::Array<float>> factors_; // of the points of the subjects of styles that have them
     visibility::Outline outline_;

@@ -56,7 +56,8 @@ void Stages::add_frame(std::vector<Stage>& stages, const std::string& name, cons
                           if (lines) item.line_set = curved_lines_.get();
                           hrbfnpr_drawing* drawing = nullptr;
                           const auto status = attempt([&] {
-                              return hrbfnpr_renderer_draw(renderer_.get(), &item, 1, 0, &view, &drawing, error);
+                              return hrbfnpr_renderer_draw_with_operation(renderer_.get(), &item, 1, 0, &view,
+                                                                          attempt.operation, &drawing, error);
                           });
                           EXPECT_EQ(drawing != nullptr, status == HRBFNPR_STATUS_OK);
                           if (const Drawing owned(drawing); owned) append_pixels(bytes, drawing, sizes_.pixels);

@@ -264,6 +264,10 @@ namespace HrbfNpr
         internal static extern int hrbfnpr_renderer_draw(RendererHandle renderer, hrbfnpr_item* items,
             long item_count, long item_stride, hrbfnpr_camera* camera, out IntPtr out_drawing, hrbfnpr_error* error);
         [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int hrbfnpr_renderer_draw_with_operation(RendererHandle renderer, hrbfnpr_item* items,
+            long item_count, long item_stride, hrbfnpr_camera* camera, OperationHandle operation,
+            out IntPtr out_drawing, hrbfnpr_error* error);
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
         internal static extern void hrbfnpr_drawing_retain(IntPtr drawing);
         [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
         internal static extern void hrbfnpr_drawing_release(IntPtr drawing);

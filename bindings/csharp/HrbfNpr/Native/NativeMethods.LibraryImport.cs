@@ -266,6 +266,10 @@ namespace HrbfNpr
         internal static partial int hrbfnpr_renderer_draw(RendererHandle renderer, hrbfnpr_item* items,
             long item_count, long item_stride, hrbfnpr_camera* camera, out IntPtr out_drawing, hrbfnpr_error* error);
         [LibraryImport(Name), UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int hrbfnpr_renderer_draw_with_operation(RendererHandle renderer, hrbfnpr_item* items,
+            long item_count, long item_stride, hrbfnpr_camera* camera, OperationHandle operation,
+            out IntPtr out_drawing, hrbfnpr_error* error);
+        [LibraryImport(Name), UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
         internal static partial void hrbfnpr_drawing_retain(IntPtr drawing);
         [LibraryImport(Name), UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
         internal static partial void hrbfnpr_drawing_release(IntPtr drawing);

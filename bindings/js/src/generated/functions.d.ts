@@ -824,6 +824,18 @@ export interface Functions {
    */
   hrbfnpr_renderer_draw(renderer: Pointer, items: Pointer, item_count: number, item_stride: number, camera: Pointer, out_drawing: Pointer, error: Pointer): number;
   /**
+   * hrbfnpr_status hrbfnpr_renderer_draw_with_operation(hrbfnpr_renderer* renderer, const hrbfnpr_item* items,
+   * int64_t item_count, int64_t item_stride, const hrbfnpr_camera* camera, hrbfnpr_operation* operation,
+   * hrbfnpr_drawing** out_drawing, hrbfnpr_error* error)
+   *
+   * The same with an operation (NULL = none), for frames that take long: lines of
+   * a fine surface, millions of marks, rays of an item's model, callbacks of tone.
+   * After a cancel there is no drawing, and the renderer goes on as if the call
+   * had not been made, but that contours of line sets are traced from nothing.
+   * Errors: also CANCELLED.
+   */
+  hrbfnpr_renderer_draw_with_operation(renderer: Pointer, items: Pointer, item_count: number, item_stride: number, camera: Pointer, operation: Pointer, out_drawing: Pointer, error: Pointer): number;
+  /**
    * void hrbfnpr_drawing_retain(const hrbfnpr_drawing* drawing)
    *
    * any thread; NULL is ignored

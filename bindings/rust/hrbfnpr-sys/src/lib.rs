@@ -2852,6 +2852,21 @@ extern "C" {
         out_drawing: *mut *mut hrbfnpr_drawing,
         error: *mut hrbfnpr_error,
     ) -> hrbfnpr_status;
+    /// The same with an operation (NULL = none), for frames that take long: lines of
+    /// a fine surface, millions of marks, rays of an item's model, callbacks of tone.
+    /// After a cancel there is no drawing, and the renderer goes on as if the call
+    /// had not been made, but that contours of line sets are traced from nothing.
+    /// Errors: also CANCELLED.
+    pub fn hrbfnpr_renderer_draw_with_operation(
+        renderer: *mut hrbfnpr_renderer,
+        items: *const hrbfnpr_item,
+        item_count: i64,
+        item_stride: i64,
+        camera: *const hrbfnpr_camera,
+        operation: *mut hrbfnpr_operation,
+        out_drawing: *mut *mut hrbfnpr_drawing,
+        error: *mut hrbfnpr_error,
+    ) -> hrbfnpr_status;
 }
 
 // 11  DRAWING: a picture as a value, immutable

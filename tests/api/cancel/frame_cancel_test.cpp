@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: MIT
+// Frames that are cancelled: there is no drawing, and renderer and earlier drawings are as if nothing had been asked.
+#include "fixture.h"
+#include "support/handles.h"
+
+#include <chrono>
+#include <cmath>
+#include <set>
+#include <thread>
+
+namespace api_test::frame_cancel_test {
+namespace {
+
+using hrbfnpr::test::LineSet;
+
+constexpr std::int32_t side = 64;
+
+// A torus with hatching, dots and lines that need rays.
+struct Scene {
+    explicit Scene(std::int32_t threads) : context(make_context(threads)), model(fit(context, scenes::torus(80))) {
+        Error error;
+        Generation desc = small_desc(HRBFNPR_DISTRIBUTION_BLUE_NOISE);
+        hrbfnpr_point_set* generated = nullptr;
+        EXPECT_OK(hrbfnpr_point_set_generate(context.get(), model.get(), desc.get(), nullptr, &generated, error));
+        set.reset(generated);
+        auto lines_desc = made(hrbfnpr_line_set_desc_init);
+        hrbfnpr_line_set* traced = nullptr;
+        EXPECT_OK(hrbfnpr_line_set_create(context.get(), model.get(), &lines_desc, nullptr, &traced, error));
+        lines.reset(traced);
+        line = made(hrbfnpr_line_style_init);
+        line.kind = HRBFNPR_LINE_KIND_CONTOUR;
+        line.hidden = HRBFNPR_HIDDEN_PARTS_DASHED;
+        style = made(hrbfnpr_style_init);
+        style.lines = &line;
+        style.line_count = 1;
+        item = item_of(set, &style);
+        item.line_set = lines.get();
+        item.model = model.get();
+        renderer = make_renderer(context);
+    }
+
+    hrbfnpr_status draw(double turned, hrbfnpr_operation* operation, Drawing& drawing, hrbfnpr_error* error) {
+        auto camera = front_camera(side);
+        const double cosine = std::cos(turned), sine = std::sin(turned);
+        auto posed = item;
+        posed.transform[0] = posed.transform[10] = cosine;
+        posed.transform[2] = -sine;
+        posed.transform[8] = sine;
+        hrbfnpr_drawing* out = nullptr;
+        const hrbfnpr_status status =
+            hrbfnpr_renderer_draw_with_operation(renderer.get(), &posed, 1, 0, &camera, operation, &out, error);
+        EXPECT_EQ(out != nullptr, status == HRBFNPR_STATUS_OK);
+        drawing.reset(out);
+        return status;
+    }
+
+    std::vector<std::uint8_t> pixels(const Drawing& drawing) const {
+        std::vector<std::uint8_t> bytes(static_cast<std::size_t>(4 * side * side));
+        auto image = made(hrbfnpr_image_init);
+        image.format = HRBFNPR_FORMAT_RGBA8;
+        image.width = image.height = side;
+        image.pixels = bytes.data();
+        Error error;
+        EXPECT_OK(hrbfnpr_drawing_rasterize(drawing.get(), &image, nullptr, error));
+        return bytes;
+    }
+
+    Context context;
+    Model model;
+    PointSet set;
+    LineSet lines;
+    hrbfnpr_line_style line{};
+    hrbfnpr_style style{};
+    hrbfnpr_item item{};
+    Renderer renderer;
+};
+
+TEST(FrameCancel, TheRendererGoesOnAsIfNothingHadBeenAsked) {
+    Scene scene(1);
+    Error error;
+    Drawing first, none, again;
+    ASSERT_OK(scene.draw(0.0, nullptr, first, error));
+    const std::vector<std::uint8_t> wanted = scene.pixels(first);
+    Watcher counted;
+    const Operation whole = make_operation(scene.context);
+    hrbfnpr_operation_set_callback(whole.get(), Watcher::call, &counted, nullptr);
+    ASSERT_OK(scene.draw(0.7, whole.get(), again, error));
+    const std::set<double> moments(counted.values.begin(), counted.values.end());
+    EXPECT_GE(moments.size(), 6U);
+    EXPECT_EQ(*moments.rbegin(), 1.0);
+    for (const double moment : moments) {
+        const Operation operation = make_operation(scene.context);
+        Watcher watcher;
+        watcher.cancel_at = moment;
+        hrbfnpr_operation_set_callback(operation.get(), Watcher::call, &watcher, nullptr);
+        EXPECT_FAILS(scene.draw(0.7, operation.get(), none, error), HRBFNPR_STATUS_CANCELLED, "cancelled");
+        EXPECT_TRUE(scene.pixels(first) == wanted) << moment; // what is held is not touched
+        ASSERT_OK(scene.draw(0.0, nullptr, again, error));
+        EXPECT_TRUE(scene.pixels(again) == wanted) << moment;
+    }
+}
+
+// Anywhere between those moments, too.
+TEST(FrameCancel, FromAnotherThreadAtAnyTime) {
+    Scene scene(3);
+    Error error;
+    Drawing drawing;
+    ASSERT_OK(scene.draw(0.7, nullptr, drawing, error));
+    const std::vector<std::uint8_t> wanted = scene.pixels(drawing);
+    int cancelled = 0;
+    for (int wait = 0; wait < 60; ++wait) {
+        const Operation operation = make_operation(scene.context);
+        std::thread other([&] {
+            std::this_thread::sleep_for(std::chrono::microseconds(50 * wait));
+            hrbfnpr_operation_cancel(operation.get());
+        });
+        const hrbfnpr_status status = scene.draw(0.7 + wait, operation.get(), drawing, error);
+        other.join();
+        EXPECT_TRUE(status == HRBFNPR_STATUS_OK || status == HRBFNPR_STATUS_CANCELLED) << hrbfnpr_status_name(status);
+        cancelled += status == HRBFNPR_STATUS_CANCELLED ? 1 : 0;
+    }
+    EXPECT_GT(cancelled, 0);
+    scene.renderer = make_renderer(scene.context);
+    ASSERT_OK(scene.draw(0.7, nullptr, drawing, error));
+    EXPECT_TRUE(scene.pixels(drawing) == wanted);
+}
+
+// A call without an operation is watched by none that was there before.
+TEST(FrameCancel, AnOperationServesItsOwnCallAlone) {
+    Scene scene(2);
+    Error error;
+    Drawing drawing;
+    const Operation operation = make_operation(scene.context);
+    ASSERT_OK(scene.draw(0.0, operation.get(), drawing, error));
+    EXPECT_EQ(hrbfnpr_operation_progress(operation.get()), 1.0);
+    hrbfnpr_operation_cancel(operation.get());
+    ASSERT_OK(scene.draw(0.1, nullptr, drawing, error));
+    EXPECT_FAILS(scene.draw(0.2, operation.get(), drawing, error), HRBFNPR_STATUS_CANCELLED, "before the call");
+}
+
+} // namespace
+} // namespace api_test::frame_cancel_test
