@@ -160,17 +160,16 @@ hrbfnpr_drawing* idle_drawing(hrbfnpr_renderer& renderer) {
     return drawing;
 }
 
-void fill(hrbfnpr_renderer& renderer, const Items& items, const frame::Camera& camera, const OperationUse& use,
+void fill(hrbfnpr_renderer& renderer, const Items& items, const frame::Camera& camera, const base::Progress& progress,
           hrbfnpr_drawing& drawing) {
     for (std::int64_t i = 0; i < items.count(); ++i) {
         const hrbfnpr_point_set* const set = items[i].point_set;
         drawing.sets.push_back(set);
         set->add_reference();
     }
-    renderer.frame.draw(renderer.items.span(), camera, use.progress(), drawing.drawing);
+    renderer.frame.draw(renderer.items.span(), camera, progress, drawing.drawing);
     drawing.drawing.counts.scratch_bytes +=
         renderer.items.bytes() + renderer.layer_styles.bytes() + renderer.line_styles.bytes() + renderer.poses.bytes();
-    use.finish();
 }
 
 hrbfnpr_drawing* draw(hrbfnpr_renderer& renderer, const Items& items, const hrbfnpr_camera* camera,
@@ -180,7 +179,7 @@ hrbfnpr_drawing* draw(hrbfnpr_renderer& renderer, const Items& items, const hrbf
     const frame::Camera view = to_camera(read_struct(camera, "camera"));
     hrbfnpr_drawing* const drawing = idle_drawing(renderer);
     try {
-        fill(renderer, items, view, use, *drawing);
+        fill(renderer, items, view, use.progress(), *drawing);
     } catch (...) {
         drawing->drawing.clear();
         release_handle(drawing);

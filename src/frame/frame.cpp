@@ -62,6 +62,7 @@ void Frame::draw(std::span<const Item> items, const Camera& camera, const base::
     const Watch watch(impl_->runtime.parallel, progress);
     try {
         impl_->draw(items, camera, progress, drawing);
+        progress.update(1.0); // the last chance to cancel
     } catch (...) {
         impl_->lines.forget();
         throw;

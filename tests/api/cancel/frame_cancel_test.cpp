@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Frames that are cancelled: there is no drawing, and renderer and earlier drawings are as if nothing had been asked.
-#include "fixture.h"
+#include "stages/stage.h"
 #include "support/handles.h"
 
 #include <chrono>
@@ -54,7 +54,8 @@ struct Scene {
         return status;
     }
 
-    std::vector<std::uint8_t> pixels(const Drawing& drawing) const {
+    // Pixels, and the points of the lines to their last digits.
+    std::vector<std::uint8_t> bytes_of(const Drawing& drawing) const {
         std::vector<std::uint8_t> bytes(static_cast<std::size_t>(4 * side * side));
         auto image = made(hrbfnpr_image_init);
         image.format = HRBFNPR_FORMAT_RGBA8;
@@ -62,6 +63,15 @@ struct Scene {
         image.pixels = bytes.data();
         Error error;
         EXPECT_OK(hrbfnpr_drawing_rasterize(drawing.get(), &image, nullptr, error));
+        Layout layout(HRBFNPR_PRIMITIVE_LINE_STRIPS);
+        layout.add(HRBFNPR_VERTEX_ATTRIBUTE_WINDOW, HRBFNPR_SCALAR_FLOAT32, 0);
+        std::int64_t count = 0, indices = 0;
+        EXPECT_OK(hrbfnpr_drawing_vertex_bound(drawing.get(), HRBFNPR_PRIMITIVE_LINE_STRIPS, &count, &indices, error));
+        std::vector<float> vertex(static_cast<std::size_t>(3 * count));
+        std::vector<std::uint32_t> index(static_cast<std::size_t>(indices));
+        EXPECT_OK(hrbfnpr_drawing_write_vertices(drawing.get(), layout.get(), vertex.data(), count, nullptr,
+                                                 index.data(), indices, nullptr, error));
+        append(bytes, vertex);
         return bytes;
     }
 
@@ -76,15 +86,16 @@ struct Scene {
 };
 
 TEST(FrameCancel, TheRendererGoesOnAsIfNothingHadBeenAsked) {
+    constexpr double little = 0.005; // contours would begin with those of the last frame
     Scene scene(1);
     Error error;
     Drawing first, none, again;
     ASSERT_OK(scene.draw(0.0, nullptr, first, error));
-    const std::vector<std::uint8_t> wanted = scene.pixels(first);
+    const std::vector<std::uint8_t> wanted = scene.bytes_of(first);
     Watcher counted;
     const Operation whole = make_operation(scene.context);
     hrbfnpr_operation_set_callback(whole.get(), Watcher::call, &counted, nullptr);
-    ASSERT_OK(scene.draw(0.7, whole.get(), again, error));
+    ASSERT_OK(scene.draw(little, whole.get(), again, error));
     const std::set<double> moments(counted.values.begin(), counted.values.end());
     EXPECT_GE(moments.size(), 6U);
     EXPECT_EQ(*moments.rbegin(), 1.0);
@@ -93,10 +104,10 @@ TEST(FrameCancel, TheRendererGoesOnAsIfNothingHadBeenAsked) {
         Watcher watcher;
         watcher.cancel_at = moment;
         hrbfnpr_operation_set_callback(operation.get(), Watcher::call, &watcher, nullptr);
-        EXPECT_FAILS(scene.draw(0.7, operation.get(), none, error), HRBFNPR_STATUS_CANCELLED, "cancelled");
-        EXPECT_TRUE(scene.pixels(first) == wanted) << moment; // what is held is not touched
+        EXPECT_FAILS(scene.draw(little, operation.get(), none, error), HRBFNPR_STATUS_CANCELLED, "cancelled");
+        EXPECT_TRUE(scene.bytes_of(first) == wanted) << moment; // what is held is not touched
         ASSERT_OK(scene.draw(0.0, nullptr, again, error));
-        EXPECT_TRUE(scene.pixels(again) == wanted) << moment;
+        EXPECT_TRUE(scene.bytes_of(again) == wanted) << moment;
     }
 }
 
@@ -106,7 +117,7 @@ TEST(FrameCancel, FromAnotherThreadAtAnyTime) {
     Error error;
     Drawing drawing;
     ASSERT_OK(scene.draw(0.7, nullptr, drawing, error));
-    const std::vector<std::uint8_t> wanted = scene.pixels(drawing);
+    const std::vector<std::uint8_t> wanted = scene.bytes_of(drawing);
     int cancelled = 0;
     for (int wait = 0; wait < 60; ++wait) {
         const Operation operation = make_operation(scene.context);
@@ -122,7 +133,7 @@ TEST(FrameCancel, FromAnotherThreadAtAnyTime) {
     EXPECT_GT(cancelled, 0);
     scene.renderer = make_renderer(scene.context);
     ASSERT_OK(scene.draw(0.7, nullptr, drawing, error));
-    EXPECT_TRUE(scene.pixels(drawing) == wanted);
+    EXPECT_TRUE(scene.bytes_of(drawing) == wanted);
 }
 
 // A call without an operation is watched by none that was there before.
