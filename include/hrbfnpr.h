@@ -2455,7 +2455,8 @@ HRBFNPR_API hrbfnpr_status hrbfnpr_model_compare_mesh(const hrbfnpr_model* model
 /* What becomes of a mesh's edges. */
 enum {
     HRBFNPR_EDGES_AUTO = 0,   /* sharp where the mesh has edges: they stand out, as those of machine parts do, from what
-                                 is beside them; noise and coarse faces of round shapes do not */
+                                 is beside them; noise and coarse faces of round shapes do not.  Closed parts that
+                                 cross are fitted apart, and meet in creases */
     HRBFNPR_EDGES_SMOOTH = 1, /* the surface is one smooth fit, which rounds them */
     HRBFNPR_EDGES_SHARP = 2   /* sharp wherever faces meet at more than crease_angle */
 };

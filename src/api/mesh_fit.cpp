@@ -9,9 +9,11 @@
 #include "api/model_trim.h"
 #include "api/operation.h"
 #include "mesh/end_samples.h"
+#include "mesh/fit/touching.h"
 #include "mesh/pieces/fit_pieces.h"
 #include "mesh/pieces/has_creases.h"
 
+#include <limits>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -91,6 +93,9 @@ constexpr double end_of_mesh_fit = 0.9; // of its progress; then it is looked fo
 constexpr double too_coarse = 0.8;      // of `far`: how far faces may be from what they stand for
 constexpr double off_mesh = 0.009;      // diagonals: how far from a mesh what is none of it lies
 constexpr std::int64_t places_of_trim = 40000;
+// Where a mesh is round, each of its parts is one sheet: no edge bends by so much, and no face is too coarse.
+constexpr double no_crease = 180.0;
+constexpr double no_limit = std::numeric_limits<double>::infinity();
 constexpr double flat_faces = 0.5; // of the crease angle, where all faces are meant to be flat
 constexpr std::int64_t fewest_points = 100;
 constexpr std::int64_t fewest_candidates = 1000;
@@ -241,6 +246,12 @@ hrbfnpr_model* ended(const hrbfnpr_mesh& mesh, mesh::MeshFit& result, std::uint3
                        samples->normal, trim_off_mesh(), progress);
 }
 
+// Whether solids go through each other: one function would have to be two where they do.
+bool crosses(const hrbfnpr_mesh& mesh, const base::Progress& progress) {
+    return mesh.mesh.report.boundary_edges == 0 &&
+           mesh::find_crossing(mesh.runtime(), mesh.mesh, mesh.tree, progress).one >= 0;
+}
+
 // Where the mesh is to be sharp; nothing: nowhere.
 std::optional<mesh::Creases> creases_of(const hrbfnpr_mesh& mesh, const mesh::FitMeshSettings& settings,
                                         const base::Progress& progress) {
@@ -254,7 +265,8 @@ std::optional<mesh::Creases> creases_of(const hrbfnpr_mesh& mesh, const mesh::Fi
                                "mesh fit: the mesh bends by more than %g degrees along %.3g diagonals, but no edges "
                                "stand out: the fit is smooth; edges SHARP makes them sharp",
                                settings.crease_angle, found.length);
-        if (!found.creases) return std::nullopt;
+        if (!found.creases && !crosses(mesh, progress)) return std::nullopt;
+        if (!found.creases) return mesh::find_creases(mesh.runtime(), mesh.mesh, no_crease, no_limit, progress);
         if (found.polyhedron) angle *= flat_faces;
     }
     const double tolerance =

@@ -3,6 +3,7 @@
 #include "fixture.h"
 #include "support/sharp_meshes.h"
 
+#include <array>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -165,6 +166,49 @@ TEST(MeshEdges, CheckTheirFields) {
     desc.crease_angle = 30.0;
     desc.reserved2 = 1;
     expect(desc, "reserved2");
+}
+
+// Round solids that cross are one sheet each, and meet in creases: where one function would be off both, the surface is
+// that of the nearer one.
+TEST(MeshEdges, SolidsThatCrossAreFittedApart) {
+    const Context context = make_context();
+    const Triangles ball = hrbfnpr::test::icosphere(4);
+    const Mesh mesh = mesh_of(context, ball.with(ball.moved(0.7, 1.1, 0.1, 0.2)));
+    hrbfnpr_mesh_fit_info info{};
+    const Model model = fitted(mesh, HRBFNPR_EDGES_AUTO, info);
+    EXPECT_EQ(info.sheets, 2);
+    EXPECT_EQ(info.reached, 1U);
+    // Seen along the line of their middles both balls are round, and beside the circle that they meet in, too.
+    const double tolerance = 2.0 * info.tolerance;
+    const std::array<double, 3> middle{1.1, 0.1, 0.2};
+    std::vector<double> points;
+    for (int i = 0; i < 2000; ++i) {
+        const auto way = hrbfnpr::test::spiral_point(i, 2000);
+        std::array<double, 3> other{};
+        double squared = 0.0, squared_other = 0.0;
+        for (std::size_t k = 0; k < 3; ++k) {
+            other[k] = middle[k] + 0.7 * way[k];
+            squared += (way[k] - middle[k]) * (way[k] - middle[k]);
+            squared_other += other[k] * other[k];
+        }
+        // What is not within the other ball is the surface, and f changes its sign there.
+        for (const double side : {-tolerance, tolerance}) {
+            if (squared > 0.5)
+                for (std::size_t k = 0; k < 3; ++k) points.push_back((1.0 + side) * way[k]);
+            if (squared_other > 1.01)
+                for (std::size_t k = 0; k < 3; ++k) points.push_back(other[k] + side * way[k]);
+        }
+    }
+    const std::vector<double> f = values(model, points);
+    for (std::size_t i = 0; i < f.size(); ++i) {
+        const double *p = points.data() + 3 * i, x = p[0] - middle[0], y = p[1] - middle[1], z = p[2] - middle[2];
+        const bool inside = p[0] * p[0] + p[1] * p[1] + p[2] * p[2] < 1.0 || x * x + y * y + z * z < 0.49;
+        EXPECT_EQ(f[i] < 0.0, inside) << p[0] << " " << p[1] << " " << p[2];
+    }
+    // Beside each other they need no sheets.
+    const Mesh apart = mesh_of(context, ball.with(ball.moved(0.7, 2.0, 0.1, 0.2)));
+    fitted(apart, HRBFNPR_EDGES_AUTO, info);
+    EXPECT_EQ(info.sheets, 1);
 }
 
 } // namespace

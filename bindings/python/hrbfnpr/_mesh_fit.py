@@ -67,7 +67,7 @@ class MeshFits:
         random_seed : int
         edges : {"auto", "smooth", "sharp"}
             What becomes of the mesh's edges: sharp where they stand out, as those of machine parts do; never; or wherever
-            it bends by more than `crease_angle`.
+            it bends by more than `crease_angle`. With "auto" closed parts that cross are fitted apart.
         crease_angle : float
             Degrees between the normals of two faces, 5 to 175: what bends more is an edge, and what rounding would take
             four fifths of `far` off the mesh.

@@ -2,19 +2,28 @@
 #include "mesh/fit/touching.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace hrbfnpr::mesh {
 namespace {
 
 constexpr std::int64_t boxes_a_task = 256;
 
-// The component that a short line through a place meets besides the place's own; -1: none.
+bool has_parts(const Mesh& mesh) noexcept { return mesh.report.components - mesh.report.left_out_components >= 2; }
+
+// Parts that are near to each other, and not crossing, have normals with at least this cosine, or the opposite.
+constexpr double least_alike = 0.9;
+
+// The component that a short line through a place meets besides the place's own, where their normals are alike or
+// opposite by so much; -1: none.
 std::int32_t other_component(const Mesh& mesh, const FaceTree& tree, const MeshSamples& places, std::int64_t i,
-                             double near) noexcept {
+                             double near, double alike) noexcept {
     const std::int32_t own = mesh.component[places.face[i]];
     for (const double side : {near, -near}) {
         const FaceTree::Hit hit = tree.first_hit(places.position[i], side * places.normal[i], 1e-3, 1.0);
-        if (hit.face >= 0 && mesh.component[hit.face] != own) return mesh.component[hit.face];
+        if (hit.face < 0 || mesh.component[hit.face] == own) continue;
+        const glm::dvec3 there = doubled_area(mesh.corners(hit.face));
+        if (std::abs(glm::dot(there, places.normal[i])) >= alike * glm::length(there)) return mesh.component[hit.face];
     }
     return -1;
 }
@@ -56,34 +65,53 @@ Touching first_of(const base::Runtime& runtime, std::int64_t count, const base::
 
 } // namespace
 
-Touching find_touching(const base::Runtime& runtime, const Mesh& mesh, const FaceTree& tree, const MeshSamples& places,
-                       double near, const base::Progress& progress) {
+Touching find_crossing(const base::Runtime& runtime, const Mesh& mesh, const FaceTree& tree,
+                       const base::Progress& progress) {
+    if (!has_parts(mesh)) return {};
     Touching found = first_of(runtime, mesh.faces(), progress, [&](std::int64_t face, glm::dvec3& place) {
         return pierced_by(mesh, tree, face, place);
     });
-    if (found.one >= 0) {
-        found.one = mesh.component[found.one];
-        return found;
-    }
-    found = first_of(runtime, places.position.size(), progress, [&](std::int64_t i, glm::dvec3& place) {
+    if (found.one >= 0) found.one = mesh.component[found.one];
+    return found;
+}
+
+namespace {
+
+Touching find_beside(const base::Runtime& runtime, const Mesh& mesh, const FaceTree& tree, const MeshSamples& places,
+                     double near, double alike, const base::Progress& progress) {
+    Touching found = first_of(runtime, places.position.size(), progress, [&](std::int64_t i, glm::dvec3& place) {
         place = places.position[i];
-        return other_component(mesh, tree, places, i, near);
+        return other_component(mesh, tree, places, i, near, alike);
     });
     if (found.one >= 0) found.one = mesh.component[places.face[found.one]];
     return found;
 }
 
+} // namespace
+
+Touching find_touching(const base::Runtime& runtime, const Mesh& mesh, const FaceTree& tree, const MeshSamples& places,
+                       double near, const base::Progress& progress) {
+    const Touching found = find_crossing(runtime, mesh, tree, progress);
+    return found.one >= 0 ? found : find_beside(runtime, mesh, tree, places, near, 0.0, progress);
+}
+
+Touching find_near(const base::Runtime& runtime, const Mesh& mesh, const FaceTree& tree, const MeshSamples& places,
+                   double near, const base::Progress& progress) {
+    return find_beside(runtime, mesh, tree, places, near, least_alike, progress);
+}
+
 void warn_of_touching(const base::Runtime& runtime, const Mesh& mesh, const FaceTree& tree, const MeshSamples& places,
-                      double near, const base::Progress& progress) {
-    if (mesh.report.components - mesh.report.left_out_components < 2) return;
-    const Touching found = find_touching(runtime, mesh, tree, places, near, progress);
+                      double near, bool solids_apart, const base::Progress& progress) {
+    if (!has_parts(mesh)) return;
+    const Touching found = solids_apart ? find_near(runtime, mesh, tree, places, near, progress)
+                                        : find_touching(runtime, mesh, tree, places, near, progress);
     if (found.one < 0) return;
     runtime.log(base::LogLevel::warning,
-                "mesh fit: parts %d and %d of the mesh, and maybe others, cross or are nearer to each other than the "
+                "mesh fit: parts %d and %d of the mesh, and maybe others, %s nearer to each other than the "
                 "tolerance, as near %.4g %.4g %.4g: the surface may join them there; a smaller tolerance holds apart "
                 "what does not cross",
-                static_cast<int>(found.one), static_cast<int>(found.other), found.place.x, found.place.y,
-                found.place.z);
+                static_cast<int>(found.one), static_cast<int>(found.other), solids_apart ? "are" : "cross or are",
+                found.place.x, found.place.y, found.place.z);
 }
 
 } // namespace hrbfnpr::mesh

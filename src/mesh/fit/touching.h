@@ -12,13 +12,21 @@ struct Touching {
     glm::dvec3 place{0.0};
 };
 
-// The first edge that goes through a face of another component; else the first of some places on the mesh from which
+// The first edge that goes through a face of another component.
+[[nodiscard]] Touching find_crossing(const base::Runtime& runtime, const Mesh& mesh, const FaceTree& tree,
+                                     const base::Progress& progress);
+
+// The same; else the first of some places on the mesh from which
 // another component is no farther than `near` along the normal or against it.
 [[nodiscard]] Touching find_touching(const base::Runtime& runtime, const Mesh& mesh, const FaceTree& tree,
                                      const MeshSamples& places, double near, const base::Progress& progress);
 
-// Says so in the log.
+// The second alone, where the parts look to or from each other there: parts that cross are no reason.
+[[nodiscard]] Touching find_near(const base::Runtime& runtime, const Mesh& mesh, const FaceTree& tree,
+                                 const MeshSamples& places, double near, const base::Progress& progress);
+
+// Says so in the log.  Solids that are fitted apart may cross: they meet in creases.
 void warn_of_touching(const base::Runtime& runtime, const Mesh& mesh, const FaceTree& tree, const MeshSamples& places,
-                      double near, const base::Progress& progress);
+                      double near, bool solids_apart, const base::Progress& progress);
 
 } // namespace hrbfnpr::mesh

@@ -40,7 +40,8 @@ public:
 
     [[nodiscard]] PiecesFit run() {
         base::Stopwatch watch;
-        warn_of_touching(runtime_, mesh_, tree_, places_on_parts(), result_.mesh.tolerance, progress_);
+        warn_of_touching(runtime_, mesh_, tree_, places_on_parts(), result_.mesh.tolerance, !result_.mesh.supported,
+                         progress_);
         fit_sheets();
         result_.mesh.seconds_fit = watch.seconds();
         watch.restart();

@@ -20,12 +20,13 @@ using namespace mesh_test;
 namespace {
 
 // Asks at so many places.
-mesh::Touching find(const Triangles& from, double near, std::int64_t places, int threads = 2) {
+mesh::Touching find(const Triangles& from, double near, std::int64_t places, int threads = 2, bool crossing = true) {
     const auto runtime = with_threads(threads);
     const mesh::Mesh shape = made(runtime, from);
     const mesh::FaceTree tree(runtime, shape.vertex, shape.triangle, {});
     const mesh::MeshSamples at = mesh::random_samples(runtime, shape, places, 1, 0, {});
-    return mesh::find_touching(runtime, shape, tree, at, near, {});
+    return crossing ? mesh::find_touching(runtime, shape, tree, at, near, {})
+                    : mesh::find_near(runtime, shape, tree, at, near, {});
 }
 
 const Triangles cube = box(1.0, 1.0, 1.0, 1);
@@ -75,6 +76,15 @@ TEST(Touching, IsFoundWherePartsCrossOnEdgesAlone) {
     // A hollow is all inside.
     const Triangles hollow = box(0.4, 0.4, 0.4, 1).moved(1.0, 0.3, 0.3, 0.3);
     EXPECT_LT(find(cube.with(hollow), 1e-6, 200).one, 0);
+}
+
+// Places beside the line that two parts cross in are near to the other part, which is no reason.
+TEST(Touching, PartsThatCrossAreNotNear) {
+    const Triangles beside = cube.with(cube.moved(1.0, 1.009, 0.0, 0.0));
+    const Triangles crossing = cube.with(cube.moved(1.0, 0.5, 0.4, 0.3));
+    EXPECT_GE(find(beside, 0.01, 500, 2, false).one, 0);
+    EXPECT_GE(find(crossing, 0.01, 2000, 2, true).one, 0);
+    EXPECT_LT(find(crossing, 0.01, 2000, 2, false).one, 0);
 }
 
 TEST(Touching, IsTheSameForAnyNumberOfThreads) {

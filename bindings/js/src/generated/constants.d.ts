@@ -921,7 +921,7 @@ export type MeshAttributeName = "vertex" | "triangle" | "component" | "given-fac
 export declare const EDGES: {
   /**
    * sharp where the mesh has edges: they stand out, as those of machine parts do, from what is beside them; noise
-   * and coarse faces of round shapes do not
+   * and coarse faces of round shapes do not. Closed parts that cross are fitted apart, and meet in creases
    */
   readonly AUTO: 0;
   /** the surface is one smooth fit, which rounds them */

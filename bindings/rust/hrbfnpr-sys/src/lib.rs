@@ -3519,7 +3519,8 @@ extern "C" {
 
 // What becomes of a mesh's edges.
 /// sharp where the mesh has edges: they stand out, as those of machine parts do, from what is
-/// beside them; noise and coarse faces of round shapes do not
+/// beside them; noise and coarse faces of round shapes do not. Closed parts that cross are
+/// fitted apart, and meet in creases
 pub const HRBFNPR_EDGES_AUTO: u32 = 0;
 /// the surface is one smooth fit, which rounds them
 pub const HRBFNPR_EDGES_SMOOTH: u32 = 1;
