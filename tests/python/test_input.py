@@ -121,6 +121,12 @@ def nested_parts():
     return obj(np.vstack([vertices, middle + 0.3 * (vertices - middle)]), [*faces, *inside])
 
 
+def crossing_parts():
+    vertices, faces = tube(ends=False)
+    beside = [[i + len(vertices) for i in face] for face in faces]
+    return obj(np.vstack([vertices, vertices[:, [2, 0, 1]] + [0.3, 0.2, 0.1]]), [*faces, *beside])
+
+
 def near_parts():
     vertices, faces = tube()
     beside = [[i + len(vertices) for i in face] for face in faces]
@@ -172,8 +178,9 @@ ROWS = {
     "mesh, some faces turned over": ("a.obj", lambda: obj(*tube(turned=range(0, 60, 7))), [], 0),
     "mesh with parts inside others": ("a.obj", nested_parts, [], 0),
     "mesh with thin parts, `--samples` too few": ("a.obj", thin, ["--samples", "60"], 0),
-    "mesh with parts that cross, or are nearer to each other than the tolerance":
+    "mesh with parts nearer to each other than the tolerance":
         ("a.obj", near_parts, ["--tolerance", "0.05"], 0),
+    "mesh with open parts that cross": ("a.obj", crossing_parts, ["--tolerance", "0.05"], 0),
     "mesh, some corners not finite": ("a.obj", not_finite, [], 0),
     "height map": ("a.asc", waves, [], 0),
     "terrain whose normals look down": ("a.obj", hanging, [], 0),
