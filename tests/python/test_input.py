@@ -121,6 +121,26 @@ def nested_parts():
     return obj(np.vstack([vertices, middle + 0.3 * (vertices - middle)]), [*faces, *inside])
 
 
+def coarse_ball():
+    """Of eighty faces: an icosahedron's, each in four."""
+    golden = (1 + 5**0.5) / 2
+    corners = np.array([np.roll((0, one, golden * other), turn) for turn in range(3) for one in (-1, 1)
+                        for other in (-1, 1)]) / np.hypot(1, golden)  # fmt: skip
+    side = 2 / np.hypot(1, golden)
+    joined = np.linalg.norm(corners[:, None] - corners, axis=2) < 1.01 * side
+    faces = [(a, b, c) for a in range(12) for b in range(a) for c in range(b)
+             if joined[a, b] & joined[b, c] & joined[a, c]]  # fmt: skip
+    vertices, quarters = list(corners), []
+    for face in faces:
+        a, b, c = face if np.linalg.det(corners[list(face)]) > 0 else face[::-1]
+        first = len(vertices)
+        middles = [corners[p] + corners[q] for p, q in ((a, b), (b, c), (c, a))]
+        vertices += [middle / np.linalg.norm(middle) for middle in middles]
+        d, e, f = first, first + 1, first + 2
+        quarters += [(a, d, f), (b, e, d), (c, f, e), (d, e, f)]
+    return obj(vertices, quarters)
+
+
 def crossing_parts():
     vertices, faces = tube(ends=False)
     beside = [[i + len(vertices) for i in face] for face in faces]
@@ -176,6 +196,8 @@ ROWS = {
     "closed mesh, inside out": ("a.obj", lambda: obj(tube()[0], [face[::-1] for face in tube()[1]]), [], 0),
     "mesh with holes, inside out": ("a.obj", holed, [], 0),
     "mesh, some faces turned over": ("a.obj", lambda: obj(*tube(turned=range(0, 60, 7))), [], 0),
+    "mesh of coarse faces that is meant to be round: no edges stand out, and faces bulge by more than the tolerance":
+        ("a.obj", coarse_ball, [], 0),
     "mesh with parts inside others": ("a.obj", nested_parts, [], 0),
     "mesh with thin parts, `--samples` too few": ("a.obj", thin, ["--samples", "60"], 0),
     "mesh with parts nearer to each other than the tolerance":

@@ -243,6 +243,7 @@ def _load_mesh(shape: Shape, arguments: Any, context: Context, report: Reporter)
     read = _mesh.read(shape, arguments, context, report)
     for doubt in _thin_evidence(read.points):
         report.warn(doubt)
+    shape = read.shape
     up = _up_of(shape, read.points, read.normals, arguments, report)
     if _mesh.chooses(arguments):
         model = _mesh.fit(read, arguments, report)

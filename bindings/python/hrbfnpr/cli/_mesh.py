@@ -2,7 +2,7 @@
 """A model of a mesh: with as many samples as its shape needs, or with as many as were asked for."""
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any, Optional, Tuple
 
 import numpy as np
@@ -10,12 +10,16 @@ import numpy as np
 from .._context import Context
 from .._mesh import Mesh, MeshFitInfo, MeshInfo
 from .._model import Model
-from ..shapes import Shape
+from ..shapes import Shape, subdivide
 from ..shapes._shape import Floats
+from ..shapes._subdivide import coarseness
 from . import _orient, _up
 from ._nearness import in_words, of
 from ._progress import Reporter
 
+TOLERANCE = 0.002  # of the diagonal, as Model.fit_mesh has it
+MOST_COARSE = 50_000  # faces of a mesh that may be coarse
+MOST_ROUNDS = 3
 LOOKED_AT = 2000  # samples that tell which way is up
 SAMPLES = 1000  # where the fit is not to choose them
 _CHOOSES = ("tolerance", "maximum_centres", "kernel", "kernel_radius", "polynomial_degree", "solver")
@@ -24,9 +28,10 @@ _NOT_WITH_CHOICE = ("samples", "outliers", "flipped_normals", "refinement_steps"
 
 @dataclass(frozen=True)
 class Read:
-    """A mesh that was looked at, and even samples of it."""
+    """A mesh that was looked at, what it is of, and even samples of it."""
 
     mesh: Mesh
+    shape: Shape
     points: Floats
     normals: Floats
 
@@ -46,10 +51,65 @@ def read(shape: Shape, arguments: Any, context: Context, report: Reporter) -> Re
         if why is not None:
             assert shape.triangles is not None
             mesh = _welded(shape, np.ascontiguousarray(shape.triangles[:, ::-1]), arguments, None, context)
+        rounds = _rounds(mesh, arguments)
+        divided = ""
+        if rounds > 0:
+            mesh, shape, divided = _divided(mesh, shape, rounds, arguments, context)
+        if why is not None or divided:
             points, normals = _sampled(mesh, count, arguments, None)
     if why is not None:
         report.note(f"{why} (--normals keep leaves them)")
-    return Read(mesh, points, -normals if arguments.flip else normals)
+    if divided:
+        report.note(divided)
+    return Read(mesh, shape, points, -normals if arguments.flip else normals)
+
+
+def _plain(mesh: Mesh) -> Shape:
+    return Shape(np.array(mesh.vertices), None, np.array(mesh.triangles, dtype=np.int64))
+
+
+def _rounds(mesh: Mesh, arguments: Any) -> int:
+    """How often faces are to be divided: those that something round would bulge out of by more than the tolerance."""
+    wanted = getattr(arguments, "subdivide", None)
+    if wanted is not None:
+        return int(wanted)
+    sharp = arguments.edges is not None and arguments.edges[0] == "sharp"
+    if sharp or not chooses(arguments) or len(mesh.triangles) > MOST_COARSE:
+        return 0
+    given = _plain(mesh)
+    low, high = mesh.info.bounds_min, mesh.info.bounds_max
+    across = float(np.linalg.norm(np.subtract(high, low)))
+    tolerance = (arguments.tolerance or TOLERANCE * across) / across
+    off = coarseness(given)
+    if off <= tolerance or _has_edges(mesh, across):
+        return 0
+    return min(MOST_ROUNDS, int(np.ceil(np.log(2 * off / tolerance) / np.log(4))))
+
+
+def _has_edges(mesh: Mesh, across: float) -> bool:
+    """Whether a fit keeps some sharp, as those of machine parts and of polyhedra; asked with a rough one."""
+    rough = Model.fit_mesh(mesh, tolerance=0.1 * across, maximum_centres=100, trim="never")
+    assert rough.mesh_fit is not None
+    return rough.mesh_fit.sheets > 1
+
+
+def _divided(mesh: Mesh, shape: Shape, rounds: int, arguments: Any, context: Context) -> Tuple[Mesh, Shape, str]:
+    """A finer mesh, round where the given one is coarse; and what was done, in words."""
+    given = _plain(mesh)
+    finer = subdivide(given, rounds, 180.0 if arguments.crease is None else arguments.crease)
+    moved = np.linalg.norm(finer.points[: len(given.points)] - given.points, axis=1).max()
+    across = np.linalg.norm(np.ptp(given.points, axis=0))
+    said = (
+        f"the faces are coarse, {coarseness(given):.2%} of the diagonal off something round: divided "
+        f"{of(rounds, 'time')}, vertices moved by at most {moved / across:.2%} (--subdivide 0 leaves them)"
+    )
+    fine = replace(shape, points=finer.points, triangles=finer.triangles, normals=None)
+    assert fine.triangles is not None
+    made = Mesh(
+        fine.points, fine.triangles, parts="all", faces="keep", context=context,
+        crease_angle=60.0 if arguments.crease is None else arguments.crease,
+    )  # fmt: skip
+    return made, fine, said
 
 
 def _welded(shape: Shape, triangles: Any, arguments: Any, bar: Any, context: Context) -> Mesh:

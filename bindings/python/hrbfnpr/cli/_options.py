@@ -94,6 +94,8 @@ def _add_input(parser: Parser) -> None:
          "not share their normals; 60")  # fmt: skip
     _add(group, "--edges", "edges", values.edges, "EDGES", "of a mesh: auto (default) keeps those sharp that stand out, "
          "as of machine parts, smooth rounds them, a number of degrees keeps all that bend more")  # fmt: skip
+    _add(group, "--subdivide", "subdivide", values.count_or_auto(0, 6), "N", "divide the faces of a mesh into four, so often, to "
+         "something round; by default where they are coarse and no edges stand out")  # fmt: skip
     _add_choice(group, "--parts", "parts", ("outer", "all", "largest"), "which parts of a mesh: all but those inside "
                 "others (default), all, or that of the largest area")  # fmt: skip
     _add_choice(group, "--normals", "normals", ("auto", "keep", "none", "unoriented", "mixed", "inward"), "what is "

@@ -71,6 +71,11 @@ def count(low: int = 0, high: Optional[int] = None) -> Callable[[str], int]:
     return parse
 
 
+def count_or_auto(low: int, high: int) -> Callable[[str], Optional[int]]:
+    """A whole number in a range; None for auto."""
+    return lambda text: None if text == "auto" else count(low, high)(text)
+
+
 def vector(text: str) -> Vector:
     x, y, z = _numbers(text, 3)
     return x, y, z
