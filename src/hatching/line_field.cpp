@@ -29,7 +29,7 @@ void average(const base::Runtime& runtime, const SampleGraph& graph, const base:
             double count = 1.0;
             for (const SampleGraph::Link& link : graph.links(i)) {
                 sum.mean += from[link.to].mean;
-                sum.difference += link.back * from[link.to].difference;
+                sum.difference += product(link.back, from[link.to].difference);
                 count += 1.0;
             }
             to[i] = {sum.mean / count, sum.difference / count};
@@ -106,7 +106,7 @@ base::Array<double> smooth_lines(const base::Runtime& runtime, const SampleGraph
         solve(runtime, {}, right, z, progress, [&](std::int64_t i, const base::Array<Complex>& from) {
             Complex sum = (std::abs(guide[i]) + unit + 1e-6) * from[i];
             for (const SampleGraph::Link& link : graph.links(i))
-                sum += stiffness * (from[i] - link.back * from[link.to]);
+                sum += stiffness * (from[i] - product(link.back, from[link.to]));
             return sum;
         });
     }

@@ -14,6 +14,12 @@ namespace hrbfnpr::hatching {
 
 using Complex = std::complex<double>;
 
+// What finite factors make.  The operator of std::complex looks for NaN after each product, which costs more than the
+// product itself.
+[[nodiscard]] inline Complex product(const Complex& a, const Complex& b) noexcept {
+    return {a.real() * b.real() - a.imag() * b.imag(), a.real() * b.imag() + a.imag() * b.real()};
+}
+
 struct SampleGraph {
     // Samples a `spacing` apart: the root of the area for each.  sheets: of surface/creased.h, or empty.
     SampleGraph(const base::Runtime& runtime, geometry::VecArray positions, geometry::VecArray normals,

@@ -46,7 +46,7 @@ struct Waves {
     [[nodiscard]] Complex around(std::int64_t i, const base::Array<Complex>& z) const noexcept {
         Complex sum(0.0);
         for (std::int64_t k = graph.first[i]; k < graph.first[i + 1]; ++k)
-            sum += factor[k] * seen(z[graph.link[k].to], turned[k] != 0);
+            sum += product(factor[k], seen(z[graph.link[k].to], turned[k] != 0));
         return sum;
     }
 
@@ -115,7 +115,7 @@ Phases doubled(const base::Runtime& runtime, const LineSamples& samples, const P
                const base::Progress& progress) {
     const Waves waves(runtime, samples, 0.5 * period, progress);
     Phases z(runtime.memory, phases.size());
-    for (std::int64_t i = 0; i < z.size(); ++i) z[i] = phases[i] * phases[i];
+    for (std::int64_t i = 0; i < z.size(); ++i) z[i] = product(phases[i], phases[i]);
     spread(runtime, waves, means, z, progress);
     average(runtime, waves, phase_averages, z, progress);
     return z;

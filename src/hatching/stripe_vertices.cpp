@@ -74,7 +74,7 @@ private:
         for (const Heard& h : heard_) {
             const glm::dvec3 t = samples_.along[h.sample];
             const Complex z(glm::dot(t, u), glm::dot(t, v));
-            sum += h.weight * z * z;
+            sum += h.weight * product(z, z);
         }
         if (!(std::abs(sum) > 1e-3 * sum_) || !(sum_ > 0.0)) return glm::dvec3(0.0);
         const double angle = 0.5 * std::arg(sum);
@@ -89,8 +89,8 @@ private:
             const glm::dvec3 there = glm::cross(graph.normal[h.sample], samples_.along[h.sample]);
             const bool other = glm::dot(along, samples_.along[h.sample]) < 0.0;
             const glm::dvec3 mean = 0.5 * (across + (other ? -there : there));
-            sum += h.weight * seen(waves_.phases[level][h.sample], other) *
-                   std::polar(1.0, frequency * glm::dot(p - graph.position[h.sample], mean));
+            const Complex way = std::polar(1.0, frequency * glm::dot(p - graph.position[h.sample], mean));
+            sum += h.weight * product(seen(waves_.phases[level][h.sample], other), way);
         }
         return sum / sum_;
     }
@@ -144,7 +144,7 @@ struct MeshWaves {
     [[nodiscard]] Complex mean(std::int64_t v, const base::Array<Complex>& z) const noexcept {
         Complex sum = z[v];
         for (std::int64_t k = links.first[v]; k < links.first[v + 1]; ++k)
-            sum += factor[k] * seen(z[links.to[k]], turned[k] != 0);
+            sum += product(factor[k], seen(z[links.to[k]], turned[k] != 0));
         return sum / static_cast<double>(1 + links.first[v + 1] - links.first[v]);
     }
 
@@ -169,7 +169,7 @@ void StripeVertices::refine(const base::Runtime& runtime, const curves::SurfaceM
         base::Array<Complex> z(runtime.memory, mesh.vertices());
         const base::Array<Complex>& before = wave[wave.size() - 1];
         progress.check();
-        for (std::int64_t v = 0; v < z.size(); ++v) z[v] = unit_phase(before[v] * before[v]);
+        for (std::int64_t v = 0; v < z.size(); ++v) z[v] = unit_phase(product(before[v], before[v]));
         for (int round = 0; round <= vertex_averages; ++round) {
             progress.check();
             runtime.parallel.for_chunks(z.size(), vertices_a_task, [&](std::int64_t begin, std::int64_t end) {
