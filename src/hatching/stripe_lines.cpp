@@ -110,7 +110,7 @@ void Stripes::visit_crossings(std::int64_t edge, Visit&& visit) const {
     const std::int32_t b = end_of(edge);
     const Complex at_a = vertices_.wave[finest()][a];
     const Complex at_b = vertices_.wave[finest()][b];
-    if (!(std::min(std::abs(at_a), std::abs(at_b)) > least_agreement)) return;
+    if (!(std::min(quick_size(at_a), quick_size(at_b)) > least_agreement)) return;
     const bool turned = vertices_.turned(a, b);
     const double growth = vertices_.growth(a, b, turned, period_);
     const double begin = std::arg(at_a);

@@ -56,7 +56,7 @@ struct Waves {
 };
 
 Complex unit(const Complex& z) noexcept {
-    const double size = std::abs(z);
+    const double size = quick_size(z);
     return size > 0.0 ? z / size : Complex(1.0);
 }
 

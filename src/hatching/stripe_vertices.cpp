@@ -76,7 +76,7 @@ private:
             const Complex z(glm::dot(t, u), glm::dot(t, v));
             sum += h.weight * product(z, z);
         }
-        if (!(std::abs(sum) > 1e-3 * sum_) || !(sum_ > 0.0)) return glm::dvec3(0.0);
+        if (!(quick_size(sum) > 1e-3 * sum_) || !(sum_ > 0.0)) return glm::dvec3(0.0);
         const double angle = 0.5 * std::arg(sum);
         return std::cos(angle) * u + std::sin(angle) * v;
     }
@@ -154,7 +154,7 @@ struct MeshWaves {
 };
 
 Complex unit_phase(const Complex& z) noexcept {
-    const double size = std::abs(z);
+    const double size = quick_size(z);
     return size > 0.0 ? z / size : z;
 }
 
