@@ -89,9 +89,13 @@ SampleWaves waves_of(const marks::Site& site, const LineSamples& samples, double
                      const base::Progress& progress) {
     SampleWaves waves(site.memory());
     waves.period = coarsest;
-    waves.phases.add(first_phases(site.runtime, samples, coarsest, site.random_seed, progress.part(0.0, 0.8)));
-    for (int level = 0; level < levels && waves.period_of(level + 1) >= finest_period * samples.graph.spacing; ++level)
-        waves.phases.add(doubled(site.runtime, samples, waves.phases[level], waves.period_of(level), progress));
+    WaveLinks links = link_waves(site.runtime, samples, coarsest, progress);
+    waves.phases.add(first_phases(site.runtime, links, site.random_seed, progress.part(0.0, 0.8)));
+    for (int level = 0; level < levels && waves.period_of(level + 1) >= finest_period * samples.graph.spacing;
+         ++level) {
+        links.halve(site.runtime, progress);
+        waves.phases.add(doubled(site.runtime, links, waves.phases[level], progress));
+    }
     return waves;
 }
 

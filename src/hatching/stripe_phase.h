@@ -4,6 +4,7 @@
 #pragma once
 
 #include "hatching/line_field.h"
+#include "hatching/wave_links.h"
 
 namespace hrbfnpr::hatching {
 
@@ -16,14 +17,14 @@ struct LineSamples {
 // exp(i phase) of each sample, across `along`: towards normal x along the phase grows.
 using Phases = base::Array<Complex>;
 
-// The first of a period, by the smallest eigenvector of what neighbours disagree in.
-[[nodiscard]] Phases first_phases(const base::Runtime& runtime, const LineSamples& samples, double period,
-                                  std::uint64_t seed, const base::Progress& progress);
-// Of half the period.
-[[nodiscard]] Phases doubled(const base::Runtime& runtime, const LineSamples& samples, const Phases& phases,
-                             double period, const base::Progress& progress);
-
-// A wave as another line sees it: turned round if that points the other way.
-[[nodiscard]] inline Complex seen(const Complex& z, bool turned) noexcept { return turned ? std::conj(z) : z; }
+// Along the samples' links, for waves of this period.
+[[nodiscard]] WaveLinks link_waves(const base::Runtime& runtime, const LineSamples& samples, double period,
+                                   const base::Progress& progress);
+// The first of the period of these links, by the smallest eigenvector of what neighbours disagree in.
+[[nodiscard]] Phases first_phases(const base::Runtime& runtime, const WaveLinks& links, std::uint64_t seed,
+                                  const base::Progress& progress);
+// From those of twice the period of these links.
+[[nodiscard]] Phases doubled(const base::Runtime& runtime, const WaveLinks& links, const Phases& phases,
+                             const base::Progress& progress);
 
 } // namespace hrbfnpr::hatching

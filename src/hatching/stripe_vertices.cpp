@@ -26,6 +26,8 @@ constexpr int vertex_averages = 40;
 struct Heard {
     std::int64_t sample;
     double weight;
+    bool turned = false;
+    Complex factor{1.0}; // from the sample's wave to what that means here
 };
 
 class Interpolator {
@@ -43,8 +45,11 @@ public:
         const glm::dvec3 across = glm::cross(n, along);
         out.along.set(vertex, along);
         out.across.set(vertex, across);
-        for (std::int64_t level = 0; level < waves_.levels(); ++level)
-            out.wave[level][vertex] = wave(level, p, along, across);
+        hear_coarsest(p, along, across);
+        for (std::int64_t level = 0; level < waves_.levels(); ++level) {
+            if (level > 0) halve();
+            out.wave[level][vertex] = wave(level);
+        }
     }
 
 private:
@@ -62,7 +67,7 @@ private:
             const double height = glm::dot(way, n);
             if (height * height > steepest_vertex * steepest_vertex * squared) return;
             const double rest = 1.0 - squared / (radius * radius);
-            heard_.push_back({i, rest * rest});
+            heard_.push_back({.sample = i, .weight = rest * rest});
             sum_ += rest * rest;
         });
     }
@@ -80,18 +85,24 @@ private:
         const double angle = 0.5 * std::arg(sum);
         return std::cos(angle) * u + std::sin(angle) * v;
     }
-    [[nodiscard]] Complex wave(std::int64_t level, const glm::dvec3& p, const glm::dvec3& along,
-                               const glm::dvec3& across) const noexcept {
+    void hear_coarsest(const glm::dvec3& p, const glm::dvec3& along, const glm::dvec3& across) noexcept {
         const SampleGraph& graph = samples_.graph;
-        const double frequency = 2.0 * std::numbers::pi / waves_.period_of(level);
-        Complex sum(0.0);
-        for (const Heard& h : heard_) {
+        const double frequency = 2.0 * std::numbers::pi / waves_.period;
+        for (Heard& h : heard_) {
             const glm::dvec3 there = glm::cross(graph.normal[h.sample], samples_.along[h.sample]);
-            const bool other = glm::dot(along, samples_.along[h.sample]) < 0.0;
-            const glm::dvec3 mean = 0.5 * (across + (other ? -there : there));
-            const Complex way = std::polar(1.0, frequency * glm::dot(p - graph.position[h.sample], mean));
-            sum += h.weight * product(seen(waves_.phases[level][h.sample], other), way);
+            h.turned = glm::dot(along, samples_.along[h.sample]) < 0.0;
+            const glm::dvec3 mean = 0.5 * (across + (h.turned ? -there : there));
+            h.factor = std::polar(1.0, frequency * glm::dot(p - graph.position[h.sample], mean));
         }
+    }
+    // The next level's period is half of this one's.
+    void halve() noexcept {
+        for (Heard& h : heard_) h.factor = product(h.factor, h.factor);
+    }
+    [[nodiscard]] Complex wave(std::int64_t level) const noexcept {
+        Complex sum(0.0);
+        for (const Heard& h : heard_)
+            sum += h.weight * product(h.factor, seen(waves_.phases[level][h.sample], h.turned));
         return sum / sum_;
     }
 
@@ -124,34 +135,18 @@ StripeVertices::StripeVertices(const base::Runtime& runtime, const LineSamples& 
 
 namespace {
 
-// What the neighbours of a vertex say of its wave.
-struct MeshWaves {
-    MeshWaves(const base::Runtime& runtime, const StripeVertices& vertices, const VertexLinks& its_links, double period,
-              const base::Progress& progress)
-        : links(its_links), factor(runtime.memory, its_links.to.size()), turned(runtime.memory, its_links.to.size()) {
-        runtime.parallel.for_chunks(links.first.size() - 1, vertices_a_task, [&](std::int64_t begin, std::int64_t end) {
-            progress.check();
-            for (std::int64_t v = begin; v < end; ++v)
-                for (std::int64_t k = links.first[v]; k < links.first[v + 1]; ++k) {
-                    const bool other = vertices.turned(static_cast<std::int32_t>(v), links.to[k]);
-                    turned[k] = other ? 1 : 0;
-                    factor[k] =
-                        std::polar(1.0, -vertices.growth(static_cast<std::int32_t>(v), links.to[k], other, period));
-                }
-        });
-    }
-    // 1 where all of them agree.
-    [[nodiscard]] Complex mean(std::int64_t v, const base::Array<Complex>& z) const noexcept {
-        Complex sum = z[v];
-        for (std::int64_t k = links.first[v]; k < links.first[v + 1]; ++k)
-            sum += product(factor[k], seen(z[links.to[k]], turned[k] != 0));
-        return sum / static_cast<double>(1 + links.first[v + 1] - links.first[v]);
-    }
-
-    const VertexLinks& links;
-    base::Array<Complex> factor;
-    base::Array<std::uint8_t> turned;
-};
+// For waves of this period.
+WaveLinks link_vertices(const base::Runtime& runtime, const StripeVertices& vertices, const VertexLinks& links,
+                        double period, const base::Progress& progress) {
+    return {runtime, links.first, progress, [&](std::int64_t v) {
+                const auto from = static_cast<std::int32_t>(v);
+                return [&vertices, &links, period, from](std::int64_t k) -> WaveLink {
+                    const bool turned = vertices.turned(from, links.to[k]);
+                    const double growth = vertices.growth(from, links.to[k], turned, period);
+                    return {std::polar(1.0, -growth), links.to[k], turned ? -1.0F : 1.0F};
+                };
+            }};
+}
 
 Complex unit_phase(const Complex& z) noexcept {
     const double size = quick_size(z);
@@ -162,10 +157,12 @@ Complex unit_phase(const Complex& z) noexcept {
 
 void StripeVertices::refine(const base::Runtime& runtime, const curves::SurfaceMesh& mesh, double period, int halvings,
                             const base::Progress& progress) {
+    if (halvings <= 0) return;
     const VertexLinks links(runtime.memory, mesh);
+    WaveLinks waves = link_vertices(runtime, *this, links, period, progress);
     base::Array<Complex> next(runtime.memory, mesh.vertices());
     for (int halving = 1; halving <= halvings; ++halving) {
-        const MeshWaves waves(runtime, *this, links, std::ldexp(period, -halving), progress);
+        waves.halve(runtime, progress);
         base::Array<Complex> z(runtime.memory, mesh.vertices());
         const base::Array<Complex>& before = wave[wave.size() - 1];
         progress.check();
