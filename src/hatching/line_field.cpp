@@ -100,11 +100,11 @@ base::Array<double> smooth_lines(const base::Runtime& runtime, const SampleGraph
     base::Array<double> held(runtime.memory, graph.size()); // a and the pull
     for (int pull = 0; pull <= pulls; ++pull) {
         const double unit = pull > 0 ? to_unit : 0.0;
-        for (std::int64_t i = 0; i < graph.size(); ++i) {
+        for_samples(runtime, graph.size(), [&](std::int64_t i) {
             const double size = std::abs(z[i]);
             right[i] = guide[i] + (size > 0.0 ? unit / size * z[i] : Complex(0.0));
             held[i] = std::abs(guide[i]) + unit + 1e-6;
-        }
+        });
         solve(runtime, {}, right, z, progress, [&](std::int64_t i, const base::Array<Complex>& from) {
             Complex sum = held[i] * from[i];
             for (const SampleGraph::Link& link : graph.links(i))

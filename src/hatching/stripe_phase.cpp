@@ -31,9 +31,7 @@ void average(const base::Runtime& runtime, const WaveLinks& links, int rounds, P
     Phases next(runtime.memory, z.size());
     for (int round = 0; round < rounds; ++round) {
         progress.check();
-        runtime.parallel.for_chunks(z.size(), samples_a_task, [&](std::int64_t begin, std::int64_t end) {
-            for (std::int64_t i = begin; i < end; ++i) next[i] = unit(links.around(i, z) + z[i]);
-        });
+        for_samples(runtime, z.size(), [&](std::int64_t i) { next[i] = unit(links.around(i, z) + z[i]); });
         std::swap(next, z);
     }
 }
@@ -43,12 +41,10 @@ void spread(const base::Runtime& runtime, const WaveLinks& links, int rounds, Ph
     Phases next(runtime.memory, z.size());
     for (int round = 0; round < rounds; ++round) {
         progress.check();
-        runtime.parallel.for_chunks(z.size(), samples_a_task, [&](std::int64_t begin, std::int64_t end) {
-            for (std::int64_t i = begin; i < end; ++i) next[i] = links.mean(i, z);
-        });
+        for_samples(runtime, z.size(), [&](std::int64_t i) { next[i] = links.mean(i, z); });
         std::swap(next, z);
     }
-    for (Complex& x : z) x = unit(x);
+    for_samples(runtime, z.size(), [&](std::int64_t i) { z[i] = unit(z[i]); });
 }
 
 } // namespace
@@ -80,16 +76,20 @@ Phases first_phases(const base::Runtime& runtime, const WaveLinks& links, std::u
         x[i] = std::polar(1.0, 2.0 * std::numbers::pi *
                                    base::uniform4(seed, static_cast<std::uint64_t>(i), base::Purpose::stripes)[0]);
     Phases next(runtime.memory, x.size());
+    TaskSums sums(runtime, x.size());
     for (int step = 0; step < inverse_steps; ++step) {
-        const double size = std::sqrt(inner(runtime, x, x) / static_cast<double>(x.size()));
-        for (Complex& z : x) z /= size;
-        for (std::int64_t i = 0; i < x.size(); ++i) next[i] = x[i] / shift;
+        const double squared = sums.of([&](std::int64_t i) { return inner(x[i], x[i]); });
+        const double size = std::sqrt(squared / static_cast<double>(x.size()));
+        for_samples(runtime, x.size(), [&](std::int64_t i) {
+            x[i] /= size;
+            next[i] = x[i] / shift;
+        });
         solve(runtime, {1e-3, 200}, x, next, progress, [&](std::int64_t i, const base::Array<Complex>& from) {
             return (links.count(i) + shift) * from[i] - links.around(i, from);
         });
         std::swap(x, next);
     }
-    for (Complex& z : x) z = unit(z);
+    for_samples(runtime, x.size(), [&](std::int64_t i) { x[i] = unit(x[i]); });
     average(runtime, links, first_averages, x, progress);
     return x;
 }
@@ -97,7 +97,7 @@ Phases first_phases(const base::Runtime& runtime, const WaveLinks& links, std::u
 Phases doubled(const base::Runtime& runtime, const WaveLinks& links, const Phases& phases,
                const base::Progress& progress) {
     Phases z(runtime.memory, phases.size());
-    for (std::int64_t i = 0; i < z.size(); ++i) z[i] = product(phases[i], phases[i]);
+    for_samples(runtime, z.size(), [&](std::int64_t i) { z[i] = product(phases[i], phases[i]); });
     spread(runtime, links, means, z, progress);
     average(runtime, links, phase_averages, z, progress);
     return z;

@@ -166,7 +166,9 @@ void StripeVertices::refine(const base::Runtime& runtime, const curves::SurfaceM
         base::Array<Complex> z(runtime.memory, mesh.vertices());
         const base::Array<Complex>& before = wave[wave.size() - 1];
         progress.check();
-        for (std::int64_t v = 0; v < z.size(); ++v) z[v] = unit_phase(product(before[v], before[v]));
+        runtime.parallel.for_chunks(z.size(), vertices_a_task, progress, [&](std::int64_t begin, std::int64_t end) {
+            for (std::int64_t v = begin; v < end; ++v) z[v] = unit_phase(product(before[v], before[v]));
+        });
         for (int round = 0; round <= vertex_averages; ++round) {
             progress.check();
             runtime.parallel.for_chunks(z.size(), vertices_a_task, [&](std::int64_t begin, std::int64_t end) {
