@@ -45,4 +45,14 @@ PointGrid::PointGrid(const VecArray& points, double radius, const base::Progress
     }
 }
 
+VecArray PointGrid::in_order(const VecArray& values, const base::Progress& progress) const {
+    VecArray sorted(values.memory());
+    for (base::Array<double>* const part : {&sorted.x, &sorted.y, &sorted.z}) part->resize_for_overwrite(size());
+    for (std::int64_t at = 0; at < size(); ++at) {
+        if (at % numbered_at_once == 0) progress.check();
+        sorted.set(at, values[index_[at]]);
+    }
+    return sorted;
+}
+
 } // namespace hrbfnpr::geometry

@@ -17,6 +17,8 @@ public:
     [[nodiscard]] std::int64_t bytes() const noexcept { return begin_.bytes() + index_.bytes() + cell_.bytes(); }
     // Which of the given points stands at place `at` of the grid's order.
     [[nodiscard]] std::int64_t index(std::int64_t at) const noexcept { return index_[at]; }
+    // Values of the points in the grid's order: what is visited together then stands together.
+    [[nodiscard]] VecArray in_order(const VecArray& values, const base::Progress& progress = {}) const;
 
     // Calls visit(at) once for every point within the radius of p, and for some that are farther away.
     template <class Visit>

@@ -59,6 +59,16 @@ struct Line {
     bool closed;
 };
 
+// Where points of lines that are left stand, for one round.
+struct Places {
+    Places(const geometry::VecArray& points, double radius, const base::Progress& progress)
+        : grid(points, radius, progress), position(grid.in_order(points, progress)), next(points.memory()) {}
+
+    geometry::PointGrid grid;
+    geometry::VecArray position;    // in the grid's order
+    base::Array<std::int32_t> next; // of each point: the one behind it, or -1
+};
+
 class Evener {
 public:
     Evener(const base::Runtime& runtime, double separation, const base::Progress& progress)
@@ -95,7 +105,7 @@ private:
     }
     void smooth(const Line& line);
     void set_across(const Line& line);
-    void look_around(const geometry::PointGrid& grid, std::int64_t i);
+    void look_around(const Places& places, std::int64_t i);
     [[nodiscard]] bool is_neighbour(std::int64_t i, std::int64_t j) const noexcept;
     [[nodiscard]] const Neighbour* beside(std::int64_t i, int side) const noexcept;
     [[nodiscard]] double gap(std::int64_t i, int side, const Neighbour& neighbour) const noexcept;
@@ -171,11 +181,15 @@ void Evener::set_across(const Line& line) {
 
 void Evener::find_neighbours() {
     for_lines([&](const Line& line) { set_across(line); });
-    const geometry::PointGrid grid(position_, (reach + step) * separation_, progress_);
+    Places places(position_, (reach + step) * separation_, progress_);
+    base::fill_long(places.next, position_.size(), std::int32_t{-1}, progress_);
+    for_lines([&](const Line& line) {
+        for (std::int64_t i = line.begin; i < line.end; ++i) places.next[i] = static_cast<std::int32_t>(after(line, i));
+    });
     for_lines([&](const Line& line) {
         for (std::int64_t i = line.begin; i < line.end; ++i) {
             if ((i - line.begin) % points_a_check == 0) progress_.check();
-            look_around(grid, i);
+            look_around(places, i);
         }
     });
 }
@@ -191,19 +205,19 @@ bool Evener::is_neighbour(std::int64_t i, std::int64_t j) const noexcept {
 }
 
 // Where the plane across the line at point i meets other lines, the nearest on either side.
-void Evener::look_around(const geometry::PointGrid& grid, std::int64_t i) {
+void Evener::look_around(const Places& places, std::int64_t i) {
     const glm::dvec3 p = position_[i];
     const glm::dvec3 n = normal_[i];
     const glm::dvec3 across = across_[i];
     const glm::dvec3 along = glm::cross(across, n);
     std::array<Neighbour, 2> found{};
     for (Neighbour& none : found) none.gap = static_cast<float>(reach);
-    grid.around(p, [&](std::int64_t place) {
-        const std::int64_t j = grid.index(place);
-        const glm::dvec3 way = position_[j] - p;
+    places.grid.around(p, [&](std::int64_t at) {
+        const glm::dvec3 way = places.position[at] - p;
         const double from = glm::dot(way, along);
-        if (std::abs(from) > 2.0 * step * separation_ || !is_left(j)) return;
-        const std::int64_t next = after(line_[line_of_[j]], j);
+        if (std::abs(from) > 2.0 * step * separation_) return;
+        const std::int64_t j = places.grid.index(at);
+        const std::int64_t next = places.next[j];
         if (next < 0) return;
         const glm::dvec3 next_way = position_[next] - p;
         const double to = glm::dot(next_way, along);

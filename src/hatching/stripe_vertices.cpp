@@ -33,8 +33,8 @@ struct Heard {
 class Interpolator {
 public:
     Interpolator(const LineSamples& samples, const SampleWaves& waves, const base::Array<std::int32_t>& sheets,
-                 const geometry::PointGrid& grid, base::Memory& memory) noexcept
-        : samples_(samples), waves_(waves), sheets_(sheets), grid_(grid), heard_(memory) {}
+                 const geometry::PointGrid& grid, const geometry::VecArray& places, base::Memory& memory) noexcept
+        : samples_(samples), waves_(waves), sheets_(sheets), grid_(grid), places_(places), heard_(memory) {}
 
     void at(const curves::SurfaceMesh& mesh, std::int64_t vertex, StripeVertices& out) {
         const glm::dvec3 p = mesh.position[vertex];
@@ -59,10 +59,11 @@ private:
         heard_.clear();
         sum_ = 0.0;
         grid_.around(p, [&](std::int64_t at) {
-            const std::int64_t i = grid_.index(at);
-            const glm::dvec3 way = p - graph.position[i];
+            const glm::dvec3 way = p - places_[at];
             const double squared = glm::dot(way, way);
-            if (!(squared < radius * radius) || !(glm::dot(graph.normal[i], n) > least_vertex_cosine)) return;
+            if (!(squared < radius * radius)) return;
+            const std::int64_t i = grid_.index(at);
+            if (!(glm::dot(graph.normal[i], n) > least_vertex_cosine)) return;
             if (!sheets_.empty() && surface::is_creased(sheet, graph.sheet[i], n, graph.normal[i])) return;
             const double height = glm::dot(way, n);
             if (height * height > steepest_vertex * steepest_vertex * squared) return;
@@ -110,6 +111,7 @@ private:
     const SampleWaves& waves_;
     const base::Array<std::int32_t>& sheets_;
     const geometry::PointGrid& grid_;
+    const geometry::VecArray& places_; // of the samples, in the grid's order
     base::Array<Heard> heard_;
     double sum_ = 0.0;
 };
@@ -123,9 +125,10 @@ StripeVertices::StripeVertices(const base::Runtime& runtime, const LineSamples& 
       wave(runtime.memory) {
     for (std::int64_t level = 0; level < waves.levels(); ++level) wave.add(runtime.memory, mesh.vertices());
     const geometry::PointGrid grid(samples.graph.position, influence * samples.graph.spacing, progress);
+    const geometry::VecArray places = grid.in_order(samples.graph.position, progress);
     runtime.parallel.for_chunks(mesh.vertices(), vertices_a_task, [&](std::int64_t begin, std::int64_t end) {
         progress.check();
-        Interpolator interpolator(samples, waves, sheets, grid, runtime.memory);
+        Interpolator interpolator(samples, waves, sheets, grid, places, runtime.memory);
         for (std::int64_t v = begin; v < end; ++v) {
             if (v % 128 == 0) progress.check();
             interpolator.at(mesh, v, *this);

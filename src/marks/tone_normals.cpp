@@ -35,30 +35,34 @@ struct Sources {
 
 class Softener {
 public:
-    Softener(const Sources& sources, double radius)
-        : sources_(sources), radius_(radius), grid_(sources.position, radius) {}
+    Softener(const Sources& sources, double radius, const base::Progress& progress)
+        : radius_(radius), grid_(sources.position, radius, progress),
+          position_(grid_.in_order(sources.position, progress)), normal_(grid_.in_order(sources.normal, progress)),
+          sheet_(sources.sheet) {}
 
-    // The mark's own normal counts once, so that there is always one.
+    // The mark's own normal counts once, so that there is always one.  Most places are too far away: that first.
     [[nodiscard]] glm::dvec3 around(const glm::dvec3& place, const glm::dvec3& own, std::int32_t sheet) const {
         glm::dvec3 sum = own;
         grid_.around(place, [&](std::int64_t at) {
-            const std::int64_t i = grid_.index(at);
-            const glm::dvec3 way = sources_.position[i] - place;
-            const glm::dvec3 normal = sources_.normal[i];
+            const glm::dvec3 way = position_[at] - place;
             const double square = glm::dot(way, way);
-            const double near = 1.0 - square / (radius_ * radius_);
+            if (!(square < radius_ * radius_)) return;
+            const glm::dvec3 normal = normal_[at];
             const double agree = glm::dot(own, normal);
-            if (!sources_.sheet.empty() && surface::is_creased(sheet, sources_.sheet[i], own, normal)) return;
-            if (near > 0.0 && agree > 0.0 && std::abs(glm::dot(way, own)) <= steepest_tone * std::sqrt(square))
-                sum += near * near * agree * normal;
+            const double height = glm::dot(way, own);
+            if (!(agree > 0.0) || height * height > steepest_tone * steepest_tone * square) return;
+            if (!sheet_.empty() && surface::is_creased(sheet, sheet_[grid_.index(at)], own, normal)) return;
+            const double near = 1.0 - square / (radius_ * radius_);
+            sum += near * near * agree * normal;
         });
         return glm::normalize(sum);
     }
 
 private:
-    const Sources& sources_;
     double radius_;
     geometry::PointGrid grid_;
+    geometry::VecArray position_, normal_; // in the grid's order
+    const base::Array<std::int32_t>& sheet_;
 };
 
 } // namespace
@@ -71,7 +75,7 @@ void soften_normals(const Site& site, const Marks& marks, double length, double 
     const base::Array<std::int32_t> sheets =
         surface::sheets_at(site.runtime, site.implicit, marks.position, progress.part(0.0, 0.0));
     const Sources sources(site, marks, sheets, step);
-    const Softener softener(sources, radius);
+    const Softener softener(sources, radius, progress);
     result.resize(3 * marks.count());
     site.runtime.parallel.for_chunks(marks.count(), chunk_size, [&](std::int64_t begin, std::int64_t end) {
         for (std::int64_t i = begin; i < end; ++i) {

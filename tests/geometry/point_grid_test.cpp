@@ -31,11 +31,23 @@ TEST(PointGrid, VisitsEveryPointOfABallOnce) {
     }
 }
 
+TEST(PointGrid, PutsValuesInItsOrder) {
+    base::Memory memory;
+    VecArray points(memory);
+    for (int i = 0; i < 500; ++i) points.push_back({std::fmod(0.7548 * i, 1.0), std::fmod(0.5698 * i, 1.0), 0.01 * i});
+    const PointGrid grid(points, 0.2);
+    const VecArray sorted = grid.in_order(points);
+    ASSERT_EQ(sorted.size(), grid.size());
+    for (std::int64_t at = 0; at < grid.size(); ++at) EXPECT_EQ(sorted[at], points[grid.index(at)]);
+}
+
 TEST(PointGrid, CanBeCancelled) {
     base::Memory memory;
     base::Operation operation;
     operation.cancel();
-    EXPECT_THROW(PointGrid(VecArray(memory, 7), 0.5, base::Progress(&operation)), Error);
+    const VecArray points(memory, 7);
+    EXPECT_THROW(PointGrid(points, 0.5, base::Progress(&operation)), Error);
+    EXPECT_THROW((void)PointGrid(points, 0.5).in_order(points, base::Progress(&operation)), Error);
 }
 
 TEST(PointGrid, OfNoPointsOrOfTwins) {
