@@ -61,10 +61,10 @@ private:
             if (corner(other + k) == end_of(edge) && end_of(other + k) == corner(edge)) return other + k;
         return -1;
     }
+    // Calls visit(crossing, number of its line along the wave); levels are still 0.
     template <class Visit>
     void visit_crossings(std::int64_t edge, Visit&& visit) const;
-    [[nodiscard]] std::uint8_t level_of(std::int64_t number, std::int32_t a, std::int32_t b, bool turned,
-                                        double share) const noexcept;
+    [[nodiscard]] std::uint8_t level_of(const Crossing& c, std::int64_t number) const noexcept;
     void link_triangle(std::int64_t triangle, base::Array<std::int64_t>& around);
     [[nodiscard]] bool runs_along(std::int64_t c, std::int64_t d) const noexcept;
     [[nodiscard]] glm::dvec3 place(const Crossing& c) const noexcept {
@@ -90,15 +90,16 @@ private:
 };
 
 // A wave halved r times less than the finest one has every 2^r-th line.
-std::uint8_t Stripes::level_of(std::int64_t number, std::int32_t a, std::int32_t b, bool turned,
-                               double share) const noexcept {
+std::uint8_t Stripes::level_of(const Crossing& c, std::int64_t number) const noexcept {
     const std::int64_t place = ((number % parts_) + parts_) % parts_;
     if (place != 0)
         return static_cast<std::uint8_t>(finest() + halvings_ - std::countr_zero(static_cast<std::uint64_t>(place)));
+    const bool turned = vertices_.turned(c.a, c.b);
     for (std::int64_t level = finest() - 1; level >= 0; --level) {
-        const double growth = vertices_.growth(a, b, turned, period_of(level));
-        const Complex from_a = vertices_.wave[level][a] * std::polar(1.0 - share, share * growth);
-        const Complex from_b = seen(vertices_.wave[level][b], turned) * std::polar(share, (share - 1.0) * growth);
+        const double growth = vertices_.growth(c.a, c.b, turned, period_of(level));
+        const Complex at_b = seen(vertices_.wave[level][c.b], turned);
+        const Complex from_a = product(vertices_.wave[level][c.a], std::polar(1.0 - c.share, c.share * growth));
+        const Complex from_b = product(at_b, std::polar(c.share, (c.share - 1.0) * growth));
         if (std::real(from_a + from_b) < 0.0) return static_cast<std::uint8_t>(level + 1);
     }
     return 0;
@@ -120,7 +121,7 @@ void Stripes::visit_crossings(std::int64_t edge, Visit&& visit) const {
     const double high = scale * std::max(begin, begin + change);
     for (double k = std::floor(low) + 1.0; k <= high; k += 1.0) {
         const double share = std::clamp((k / scale - begin) / change, 0.0, 1.0);
-        visit(Crossing{share, a, b, change > 0.0, level_of(static_cast<std::int64_t>(k), a, b, turned, share)});
+        visit(Crossing{share, a, b, change > 0.0, 0}, static_cast<std::int64_t>(k));
     }
 }
 
@@ -130,7 +131,7 @@ void Stripes::cross_edges(const base::Progress& progress) {
     runtime_.parallel.for_chunks(edges, triangles_a_task, [&](std::int64_t begin, std::int64_t end) {
         progress.check();
         for (std::int64_t edge = begin; edge < end; ++edge)
-            if (owns(edge)) visit_crossings(edge, [&](const Crossing&) { ++first_[edge + 1]; });
+            if (owns(edge)) visit_crossings(edge, [&](const Crossing&, std::int64_t) { ++first_[edge + 1]; });
     });
     progress.check();
     for (std::int64_t edge = 0; edge < edges; ++edge) {
@@ -147,7 +148,11 @@ void Stripes::cross_edges(const base::Progress& progress) {
         progress.check();
         for (std::int64_t edge = begin; edge < end; ++edge) {
             std::int64_t at = first_[edge];
-            if (owns(edge)) visit_crossings(edge, [&](const Crossing& c) { crossing_[at++] = c; });
+            if (owns(edge))
+                visit_crossings(edge, [&](const Crossing& c, std::int64_t number) {
+                    crossing_[at] = c;
+                    crossing_[at++].level = level_of(c, number);
+                });
             // From corner a on: along an edge on which the phase falls they come the other way.
             if (at - first_[edge] > 1 && !crossing_[first_[edge]].rises)
                 std::reverse(crossing_.data() + first_[edge], crossing_.data() + at);
