@@ -177,8 +177,8 @@ void StripeVertices::refine(const base::Runtime& runtime, const curves::SurfaceM
             runtime.parallel.for_chunks(z.size(), vertices_a_task, [&](std::int64_t begin, std::int64_t end) {
                 progress.check();
                 for (std::int64_t v = begin; v < end; ++v) {
-                    const Complex mean = waves.mean(v, z);
-                    next[v] = round < vertex_means || round == vertex_averages ? mean : unit_phase(mean);
+                    const bool plain = round < vertex_means || round == vertex_averages;
+                    next[v] = plain ? waves.mean(v, z) : unit_phase(waves.around(v, z) + z[v]);
                 }
             });
             std::swap(next, z);
