@@ -121,13 +121,17 @@ def test_the_command_divides_what_is_coarse_and_round(tmp_path, capsys, options,
     assert f"divided {divided} time" in said if divided else "divided" not in said
 
 
-def test_edges_that_stand_out_and_fine_faces_are_left(tmp_path, capsys):
+def test_edges_that_stand_out_fine_faces_and_noise_are_left(tmp_path, capsys):
     box = cube()
     path = write(tmp_path, "box.obj", obj(box.points, box.triangles))
     assert main(["draw", str(path), str(tmp_path / "a.png"), "--size", "100", "--marks", "600"]) == 0
     fine = subdivide(Shape(*ball()[:1], None, ball()[1]), 2)
     path = write(tmp_path, "fine.obj", obj(fine.points, fine.triangles))
     assert main(["draw", str(path), str(tmp_path / "b.png"), "--size", "100", "--marks", "600"]) == 0
+    points = subdivide(Shape(*ball()[:1], None, ball()[1]), 3)
+    noise = 1 + 0.02 * np.random.default_rng(1).normal(size=(len(points.points), 1))
+    path = write(tmp_path, "noise.obj", obj(points.points * noise, points.triangles))
+    assert main(["draw", str(path), str(tmp_path / "c.png"), "--size", "100", "--marks", "600"]) == 0
     assert "divided" not in capsys.readouterr().err
 
 

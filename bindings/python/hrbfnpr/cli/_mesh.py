@@ -12,7 +12,7 @@ from .._mesh import Mesh, MeshFitInfo, MeshInfo
 from .._model import Model
 from ..shapes import Shape, subdivide
 from ..shapes._shape import Floats
-from ..shapes._subdivide import coarseness
+from ..shapes._subdivide import coarseness, mean_edge
 from . import _orient, _up
 from ._nearness import in_words, of
 from ._progress import Reporter
@@ -20,6 +20,7 @@ from ._progress import Reporter
 TOLERANCE = 0.002  # of the diagonal, as Model.fit_mesh has it
 MOST_COARSE = 50_000  # faces of a mesh that may be coarse
 MOST_ROUNDS = 3
+COARSE_EDGE = 0.025  # of the diagonal: faces whose edges are shorter on average bend by noise
 LOOKED_AT = 2000  # samples that tell which way is up
 SAMPLES = 1000  # where the fit is not to choose them
 _CHOOSES = ("tolerance", "maximum_centres", "kernel", "kernel_radius", "polynomial_degree", "solver")
@@ -77,6 +78,8 @@ def _rounds(mesh: Mesh, arguments: Any) -> int:
     if sharp or not chooses(arguments) or len(mesh.triangles) > MOST_COARSE:
         return 0
     given = _plain(mesh)
+    if mean_edge(given) < COARSE_EDGE:
+        return 0
     low, high = mesh.info.bounds_min, mesh.info.bounds_max
     across = float(np.linalg.norm(np.subtract(high, low)))
     tolerance = (arguments.tolerance or TOLERANCE * across) / across

@@ -72,6 +72,15 @@ def coarseness(shape: Shape) -> float:
     return float(np.percentile(angle * length, 90)) / (8 * diagonal) if len(angle) and diagonal > 0 else 0.0
 
 
+def mean_edge(shape: Shape) -> float:
+    """As a share of the diagonal."""
+    assert shape.triangles is not None
+    corner = shape.points[shape.triangles]
+    diagonal = float(np.linalg.norm(np.ptp(shape.points, axis=0)))
+    length = np.linalg.norm(corner - np.roll(corner, 1, axis=1), axis=2).mean()
+    return float(length) / diagonal if diagonal > 0 else 0.0
+
+
 class _Edges:
     """The edges of triangles; `of_side` says which one each side of a face is, the sides 0-1 of all faces first."""
 
