@@ -2324,7 +2324,7 @@ typedef struct hrbfnpr_mesh_info {
     int64_t faces;
     int64_t welded_vertices;      /* in the place of another, and joined with it */
     int64_t degenerate_faces;     /* without area, left out */
-    int64_t repeated_faces;       /* with the corners of another, left out */
+    int64_t repeated_faces;       /* with the corners of another, left out; both where two solids share a wall */
     int64_t turned_faces;         /* against those beside them, turned */
     int64_t components;           /* of the given faces */
     int64_t turned_components;    /* closed and inside out, turned */

@@ -3,6 +3,8 @@
 
 #include "base/bits.h"
 #include "base/status.h"
+#include "mesh/part_edges.h"
+#include "mesh/walls.h"
 
 #include <algorithm>
 #include <bit>
@@ -117,7 +119,15 @@ void join_vertices(const base::InView& given, Welded& welded, MeshReport& report
     return t;
 }
 
-void leave_out_faces(Welded& welded, MeshReport& report, const base::Progress& progress) {
+// 1 where the corners come in an even order, else -1.
+[[nodiscard]] std::int32_t sense(const Triangle& t) noexcept {
+    const int turns = (t[0] > t[1] ? 1 : 0) + (t[1] > t[2] ? 1 : 0) + (t[0] > t[2] ? 1 : 0);
+    return turns % 2 == 0 ? 1 : -1;
+}
+
+// balance: of each face that is kept, how many with its corners were given in one sense more than in the other.
+void leave_out_faces(Welded& welded, base::Array<std::int32_t>& balance, MeshReport& report,
+                     const base::Progress& progress) {
     Numbers numbers(welded.vertex.memory(), welded.triangle.size());
     std::int64_t kept = 0;
     for (std::int64_t face = 0; face < welded.triangle.size(); ++face) {
@@ -133,13 +143,36 @@ void leave_out_faces(Welded& welded, MeshReport& report, const base::Progress& p
         const std::uint64_t hash =
             mixed(mixed(static_cast<std::uint64_t>(key[0]) << 32U | static_cast<std::uint64_t>(key[1])) ^
                   static_cast<std::uint64_t>(key[2]));
-        if (numbers.find_or_add(hash, kept, [&](std::int64_t k) { return sorted(welded.triangle[k]) == key; }) !=
-            kept) {
+        const std::int64_t found =
+            numbers.find_or_add(hash, kept, [&](std::int64_t k) { return sorted(welded.triangle[k]) == key; });
+        if (found != kept) {
+            balance[found] += sense(t);
             ++report.repeated_faces;
             continue;
         }
+        balance.push_back(sense(t));
         welded.triangle[kept] = t;
         welded.given_face[kept++] = static_cast<std::int32_t>(face);
+    }
+    welded.triangle.resize(kept);
+    welded.given_face.resize(kept);
+}
+
+// Between solids that share them there is nothing to be seen.
+void leave_out_walls(const base::Runtime& runtime, const base::Array<std::int32_t>& balance, Welded& welded,
+                     MeshReport& report, const base::Progress& progress) {
+    if (report.repeated_faces == 0) return;
+    base::Array<std::uint8_t> twin(runtime.memory, welded.triangle.size());
+    for (std::int64_t face = 0; face < twin.size(); ++face) twin[face] = balance[face] == 0 ? 1 : 0;
+    const base::Array<std::uint8_t> wall = find_walls(runtime, welded.triangle, twin, progress);
+    std::int64_t kept = 0;
+    for (std::int64_t face = 0; face < wall.size(); ++face) {
+        if (wall[face] != 0) {
+            ++report.repeated_faces;
+            continue;
+        }
+        welded.triangle[kept] = welded.triangle[face];
+        welded.given_face[kept++] = welded.given_face[face];
     }
     welded.triangle.resize(kept);
     welded.given_face.resize(kept);
@@ -154,7 +187,10 @@ Welded weld(const base::Runtime& runtime, const MeshInput& input, MeshReport& re
     welded.triangle = read_triangles(runtime, input, progress);
     welded.given_face.resize(welded.triangle.size());
     join_vertices(input.vertices, welded, report, progress);
-    leave_out_faces(welded, report, progress);
+    base::Array<std::int32_t> balance(runtime.memory);
+    leave_out_faces(welded, balance, report, progress);
+    leave_out_walls(runtime, balance, welded, report, progress);
+    part_edges(runtime, welded.vertex, welded.triangle, progress);
     if (welded.triangle.empty())
         fail(Status::invalid_argument, "triangles has %lld faces, and none has an area; give at least one that has",
              static_cast<long long>(report.given_faces));

@@ -211,5 +211,25 @@ TEST(MeshEdges, SolidsThatCrossAreFittedApart) {
     EXPECT_EQ(info.sheets, 1);
 }
 
+// Boxes that stand on each other, and a pin in a wall: there is no wall where they touch.
+TEST(MeshEdges, SolidsThatTouchAreOne) {
+    const Context context = make_context();
+    const Triangles box = hrbfnpr::test::box(1.0, 1.0, 1.0, 1);
+    const Triangles small = hrbfnpr::test::box(0.5, 0.4, 0.3, 2);
+    const Mesh mesh = mesh_of(context, box.with(box.moved(1.0, 1.0, 0.0, 0.0)).with(small.moved(1.0, 0.7, 0.2, 1.0)));
+    hrbfnpr_mesh_fit_info info{};
+    const Model model = fitted(mesh, HRBFNPR_EDGES_AUTO, info);
+    EXPECT_EQ(info.reached, 1U);
+    std::vector<double> points;
+    for (int i = 1; i < 20; ++i)
+        for (int j = 1; j < 20; ++j) {
+            for (const double off : {-1e-4, 0.0, 1e-4}) {
+                points.insert(points.end(), {1.0 + off, 0.05 * i, 0.05 * j});
+                points.insert(points.end(), {0.7 + 0.025 * i, 0.2 + 0.02 * j, 1.0 + off});
+            }
+        }
+    for (const double f : values(model, points)) EXPECT_LT(f, -1e-5);
+}
+
 } // namespace
 } // namespace api_test::mesh_edges_test

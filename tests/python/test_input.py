@@ -121,6 +121,14 @@ def nested_parts():
     return obj(np.vstack([vertices, middle + 0.3 * (vertices - middle)]), [*faces, *inside])
 
 
+def voxels():
+    """Three cubes in a corner."""
+    cube = np.array([[x, y, z] for x in (0, 1) for y in (0, 1) for z in (0, 1)])
+    sides = [(0, 1, 3, 2), (4, 6, 7, 5), (0, 4, 5, 1), (2, 3, 7, 6), (0, 2, 6, 4), (1, 5, 7, 3)]
+    vertices = np.vstack([cube + place for place in ((0, 0, 0), (1, 0, 0), (0, 1, 0))])
+    return obj(vertices, [[8 * which + corner for corner in side] for which in range(3) for side in sides])
+
+
 def coarse_ball():
     """Of eighty faces: an icosahedron's, each in four."""
     golden = (1 + 5**0.5) / 2
@@ -198,6 +206,7 @@ ROWS = {
     "mesh, some faces turned over": ("a.obj", lambda: obj(*tube(turned=range(0, 60, 7))), [], 0),
     "mesh of coarse faces that is meant to be round: no edges stand out, and faces bulge by more than the tolerance":
         ("a.obj", coarse_ball, [], 0),
+    "mesh of solids that share faces, as voxels do": ("a.obj", voxels, [], 0),
     "mesh with parts inside others": ("a.obj", nested_parts, [], 0),
     "mesh with thin parts, `--samples` too few": ("a.obj", thin, ["--samples", "60"], 0),
     "mesh with parts nearer to each other than the tolerance":

@@ -9,8 +9,6 @@ namespace {
 
 constexpr std::int64_t boxes_a_task = 256;
 
-bool has_parts(const Mesh& mesh) noexcept { return mesh.report.components - mesh.report.left_out_components >= 2; }
-
 // Parts that are near to each other, and not crossing, have normals with at least this cosine, or the opposite.
 constexpr double least_alike = 0.9;
 
@@ -64,6 +62,8 @@ Touching first_of(const base::Runtime& runtime, std::int64_t count, const base::
 }
 
 } // namespace
+
+bool has_parts(const Mesh& mesh) noexcept { return mesh.report.components - mesh.report.left_out_components >= 2; }
 
 Touching find_crossing(const base::Runtime& runtime, const Mesh& mesh, const FaceTree& tree,
                        const base::Progress& progress) {

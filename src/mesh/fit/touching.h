@@ -7,6 +7,8 @@
 
 namespace hrbfnpr::mesh {
 
+[[nodiscard]] bool has_parts(const Mesh& mesh) noexcept;
+
 struct Touching {
     std::int32_t one = -1, other = -1; // components, numbered from 0; -1: none
     glm::dvec3 place{0.0};

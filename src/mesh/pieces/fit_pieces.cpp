@@ -5,6 +5,7 @@
 #include "mesh/fit/flat.h"
 #include "mesh/fit/outer.h"
 #include "mesh/fit/touching.h"
+#include "mesh/pieces/contacts.h"
 #include "mesh/pieces/fit_sheet.h"
 #include "mesh/sample.h"
 
@@ -23,6 +24,7 @@ constexpr std::int64_t even_places = 2000;
 constexpr std::int64_t fewest_on_parts = 4000;
 constexpr std::int64_t most_on_parts = 100000;
 constexpr double cells_a_diagonal = 72.0; // that the surface is looked for in, when it is measured
+constexpr double contact = 1e-4; // diagonals: parts that are no farther from each other, and by how much they grow
 constexpr std::int64_t measured_places = 10000;
 
 class Fitter {
@@ -40,8 +42,7 @@ public:
 
     [[nodiscard]] PiecesFit run() {
         base::Stopwatch watch;
-        warn_of_touching(runtime_, mesh_, tree_, places_on_parts(), result_.mesh.tolerance, !result_.mesh.supported,
-                         progress_);
+        look_at_parts();
         fit_sheets();
         result_.mesh.seconds_fit = watch.seconds();
         watch.restart();
@@ -59,6 +60,24 @@ public:
     }
 
 private:
+    void look_at_parts() {
+        const MeshSamples places = places_on_parts();
+        const bool solids = !result_.mesh.supported;
+        warn_of_touching(runtime_, mesh_, tree_, places, result_.mesh.tolerance, solids, progress_);
+        if (solids && has_parts(mesh_))
+            in_contact_ = patches_in_contact(runtime_, mesh_, tree_, creases_, places,
+                                             contact * mesh_.bounds.diagonal(), progress_);
+    }
+
+    // A sheet that lies against another part grows by so much that the two go through each other: where both are 0, or
+    // next to it, there would be surface in the midst of the solid.
+    void grow(std::int32_t p, fit::Samples& samples) const noexcept {
+        if (in_contact_.empty() || in_contact_[p] == 0) return;
+        const double by = contact * mesh_.bounds.diagonal();
+        for (std::int64_t i = 0; i < samples.position.size(); ++i)
+            samples.position.set(i, samples.position[i] + by * samples.normal[i]);
+    }
+
     // So many that no contact of two parts is missed that matters.
     [[nodiscard]] MeshSamples places_on_parts() const {
         const std::int64_t count = std::clamp(mesh_.faces(), fewest_on_parts, most_on_parts);
@@ -141,7 +160,8 @@ private:
                                      const PatchTolerance& tolerance, std::int64_t most) {
         const std::span<const std::int32_t> faces = faces_.span().subspan(
             static_cast<std::size_t>(first_[p]), static_cast<std::size_t>(first_[p + 1] - first_[p]));
-        const PatchSamples patch = sample_patch(runtime_, mesh_, creases_, normal, faces, tolerance, progress_);
+        PatchSamples patch = sample_patch(runtime_, mesh_, creases_, normal, faces, tolerance, progress_);
+        grow(p, patch.samples);
         SheetFit made = fit_sheet(runtime_, patch, options_, most, progress_.part(0.0, 0.0));
         result_.mesh.candidates += patch.samples.position.size();
         add_to_report(made);
@@ -228,7 +248,8 @@ private:
     const base::Stopwatch watch_;
     base::Array<std::int64_t> first_{runtime_.memory};
     base::Array<std::int32_t> faces_{runtime_.memory};
-    double unit_ = 0.0; // the least tolerance of a sample
+    base::Array<std::uint8_t> in_contact_{runtime_.memory}; // patches
+    double unit_ = 0.0;                                     // the least tolerance of a sample
     double values_ = 0.0, gradients_ = 0.0, squares_ = 0.0, centres_ = 0.0;
     base::Array<double> chord_{runtime_.memory};
     PiecesFit result_;

@@ -1289,7 +1289,7 @@ export interface MeshInfo {
   readonly weldedVertices: number;
   /** without area, left out */
   readonly degenerateFaces: number;
-  /** with the corners of another, left out */
+  /** with the corners of another, left out; both where two solids share a wall */
   readonly repeatedFaces: number;
   /** against those beside them, turned */
   readonly turnedFaces: number;

@@ -3312,7 +3312,7 @@ pub struct hrbfnpr_mesh_info {
     pub welded_vertices: i64,
     /// without area, left out
     pub degenerate_faces: i64,
-    /// with the corners of another, left out
+    /// with the corners of another, left out; both where two solids share a wall
     pub repeated_faces: i64,
     /// against those beside them, turned
     pub turned_faces: i64,

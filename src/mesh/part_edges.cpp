@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: MIT
+#include "mesh/part_edges.h"
+
+#include "mesh/edges.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace hrbfnpr::mesh {
+namespace {
+
+constexpr double fine = 1e7; // parts of a radian
+
+struct Turned {
+    const Side* side;
+    std::int64_t angle; // about the edge, from the first face
+};
+
+// -pi is pi.
+std::int64_t rounded(double angle) noexcept {
+    const std::int64_t half = std::llround(fine * std::numbers::pi);
+    const std::int64_t parts = std::llround(fine * angle);
+    return parts <= -half ? half : parts;
+}
+
+class Parter {
+public:
+    Parter(const base::Runtime& runtime, base::Array<glm::dvec3>& vertex, base::Array<Triangle>& triangle)
+        : vertex_(vertex), triangle_(triangle), corners_(runtime.memory, 3 * triangle.size()),
+          parted_(runtime.memory, vertex.size()), around_(runtime.memory) {}
+
+    std::int64_t run(const base::Array<Side>& sides, const base::Progress& progress) {
+        for_edges(sides, progress, [&](const Side* first, const Side* last) {
+            if (last - first >= 4 && turn(first, last))
+                join_pairs();
+            else
+                for (const Side* side = first + 1; side != last; ++side) join(first[0], *side);
+        });
+        return renumber();
+    }
+
+private:
+    // Sorted about the edge, from a face that has the solid behind it, if every second one has.
+    [[nodiscard]] bool turn(const Side* first, const Side* last) {
+        const glm::dvec3 from = vertex_[low(*first)];
+        const glm::dvec3 axis = glm::normalize(vertex_[high(*first)] - from);
+        around_.clear();
+        glm::dvec3 zero(0.0);
+        for (const Side* side = first; side != last; ++side) {
+            const glm::dvec3 way = vertex_[third(*side)] - from;
+            const glm::dvec3 off = glm::normalize(way - glm::dot(way, axis) * axis);
+            if (side == first) zero = off;
+            around_.push_back({side, rounded(std::atan2(glm::dot(glm::cross(axis, zero), off), glm::dot(zero, off)))});
+        }
+        // Of two solids that share a wall the one ends there, and the other begins.
+        std::sort(around_.begin(), around_.end(), [](const Turned& a, const Turned& b) {
+            if (a.angle != b.angle) return a.angle < b.angle;
+            if (a.side->forward != b.side->forward) return a.side->forward > b.side->forward;
+            return a.side->face < b.side->face;
+        });
+        for (std::int64_t i = 0; i < around_.size(); ++i)
+            if (around_[i].side->forward == around_[(i + 1) % around_.size()].side->forward) return false;
+        if (around_[0].side->forward != 0) std::rotate(around_.begin(), around_.begin() + 1, around_.end());
+        return true;
+    }
+
+    // A face that runs through the edge backward looks against the turn: the solid follows it, up to the next one.
+    void join_pairs() {
+        for (std::int64_t i = 0; i < around_.size(); i += 2) join(*around_[i].side, *around_[i + 1].side);
+        parted_[low(*around_[0].side)] = parted_[high(*around_[0].side)] = 1;
+        any_ = true;
+    }
+
+    void join(const Side& a, const Side& b) noexcept {
+        corners_.join(corner(a, low(a)), corner(b, low(b)));
+        corners_.join(corner(a, high(a)), corner(b, high(b)));
+    }
+
+    // Corners of one set share a vertex; the first set keeps it.
+    [[nodiscard]] std::int64_t renumber() {
+        if (!any_) return 0;
+        const std::int64_t before = vertex_.size();
+        base::Array<std::int32_t> owner(vertex_.memory(), before); // a set and 1
+        base::Array<std::int32_t> own(vertex_.memory(), 3 * triangle_.size());
+        for (std::int64_t face = 0; face < triangle_.size(); ++face)
+            for (std::size_t k = 0; k < 3; ++k) {
+                std::int32_t& at = triangle_[face][k];
+                if (parted_[at] == 0) continue;
+                const std::int32_t set =
+                    corners_.of(static_cast<std::int32_t>(3 * face) + static_cast<std::int32_t>(k));
+                if (owner[at] == 0) owner[at] = set + 1;
+                if (owner[at] == set + 1) continue;
+                if (own[set] == 0) {
+                    own[set] = static_cast<std::int32_t>(vertex_.size());
+                    vertex_.push_back(vertex_[at]);
+                }
+                at = own[set];
+            }
+        return vertex_.size() - before;
+    }
+
+    [[nodiscard]] static std::int32_t low(const Side& side) noexcept {
+        return static_cast<std::int32_t>(side.edge >> 32U);
+    }
+    [[nodiscard]] static std::int32_t high(const Side& side) noexcept {
+        return static_cast<std::int32_t>(side.edge & 0xFFFFFFFFU);
+    }
+    [[nodiscard]] std::int32_t third(const Side& side) const noexcept {
+        const Triangle& t = triangle_[side.face];
+        return *std::find_if(t.begin(), t.end(), [&](std::int32_t v) { return v != low(side) && v != high(side); });
+    }
+    [[nodiscard]] std::int32_t corner(const Side& side, std::int32_t at) const noexcept {
+        const Triangle& t = triangle_[side.face];
+        return 3 * side.face + (t[0] == at ? 0 : t[1] == at ? 1 : 2);
+    }
+
+    base::Array<glm::dvec3>& vertex_;
+    base::Array<Triangle>& triangle_;
+    Sets corners_;                     // that share a vertex
+    base::Array<std::uint8_t> parted_; // vertices of edges that are
+    base::Array<Turned> around_;       // an edge
+    bool any_ = false;
+};
+
+} // namespace
+
+std::int64_t part_edges(const base::Runtime& runtime, base::Array<glm::dvec3>& vertex, base::Array<Triangle>& triangle,
+                        const base::Progress& progress) {
+    const base::Array<Side> sides = sides_by_edge(runtime, triangle, progress);
+    bool any = false;
+    for_edges(sides, progress, [&](const Side* first, const Side* last) { any = any || last - first >= 4; });
+    return any ? Parter(runtime, vertex, triangle).run(sides, progress) : 0;
+}
+
+} // namespace hrbfnpr::mesh

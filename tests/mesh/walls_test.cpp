@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: MIT
+// Solids that share faces or edges with others.
+#include "meshes.h"
+#include "support/runtime.h"
+
+#include <gtest/gtest.h>
+
+namespace walls_test {
+
+namespace mesh = hrbfnpr::mesh;
+using hrbfnpr::test::box;
+using hrbfnpr::test::with_threads;
+using mesh::Mesh;
+using namespace mesh_test;
+
+namespace {
+
+const Triangles cube = box(1.0, 1.0, 1.0, 1);
+
+Triangles at(double x, double y, double z) { return cube.moved(1.0, x, y, z); }
+
+// Whose faces are cut along the other diagonals: all faces that are not in the planes of x = 0 and 1 change their
+// place, so that only the order of the corners does.
+Triangles cut_otherwise(const Triangles& from) {
+    Triangles result = from;
+    for (std::size_t i = 0; i < from.vertices.size(); i += 3) result.vertices[i + 1] = 1.0 - from.vertices[i + 1];
+    return result.turned();
+}
+
+TEST(Walls, BetweenTwoBoxesAreNone) {
+    const auto runtime = with_threads(2);
+    const Mesh two = made(runtime, cube.with(at(1, 0, 0)));
+    EXPECT_TRUE(two.report.closed);
+    EXPECT_EQ(two.report.components, 1);
+    EXPECT_EQ(two.report.repeated_faces, 4);
+    EXPECT_EQ(two.faces(), 20);
+    EXPECT_NEAR(two.report.area, 10.0, 1e-12);
+    EXPECT_NEAR(two.report.volume, 2.0, 1e-12);
+}
+
+TEST(Walls, BetweenManyBoxesAreNone) {
+    const auto runtime = with_threads(2);
+    Triangles all;
+    for (int x = 0; x < 3; ++x)
+        for (int y = 0; y < 3; ++y)
+            for (int z = 0; z < 3; ++z)
+                if (x != 2 || y != 1) all = all.with(at(x, y, z)); // a slot
+    const Mesh made_of = made(runtime, all);
+    EXPECT_TRUE(made_of.report.closed);
+    EXPECT_EQ(made_of.report.components, 1);
+    EXPECT_NEAR(made_of.report.volume, 24.0, 1e-12);
+    EXPECT_NEAR(made_of.report.area, 9.0 * 4 + 2 * 8 + 2 * 3, 1e-12);
+    EXPECT_EQ(made_of.report.genus, 0);
+}
+
+// Faces that are cut along other diagonals are no twins; the boxes are two solids all the same.
+TEST(Walls, OfOtherFacesPartTheSolids) {
+    const auto runtime = with_threads(2);
+    const Triangles other = cut_otherwise(cube).moved(1.0, 1.0, 0.0, 0.0);
+    const Mesh two = made(runtime, cube.with(other));
+    EXPECT_TRUE(two.report.closed);
+    EXPECT_EQ(two.report.components, 2);
+    EXPECT_EQ(two.report.repeated_faces, 0);
+    EXPECT_EQ(two.report.nonmanifold_edges, 0);
+    EXPECT_NEAR(two.report.volume, 2.0, 1e-12);
+}
+
+TEST(Walls, SolidsThatTouchInAnEdgeAreClosed) {
+    for (const int threads : {1, 3}) {
+        const auto runtime = with_threads(threads);
+        const Mesh two = made(runtime, cube.with(at(1, 1, 0)));
+        EXPECT_TRUE(two.report.closed);
+        EXPECT_EQ(two.report.components, 2);
+        EXPECT_EQ(two.vertex.size(), 16);
+        EXPECT_EQ(two.report.genus, 0);
+        // Four about one edge, two of which meet in walls with both others.
+        const Mesh three = made(runtime, cube.with(at(1, 1, 0)).with(at(0, 1, 0)));
+        EXPECT_TRUE(three.report.closed);
+        EXPECT_EQ(three.report.components, 1);
+        EXPECT_NEAR(three.report.volume, 3.0, 1e-12);
+    }
+}
+
+// A corner is no edge: what hangs together by it stays one component.
+TEST(Walls, SolidsThatTouchInACornerAreLeft) {
+    const auto runtime = with_threads(2);
+    const Mesh two = made(runtime, cube.with(at(1, 1, 1)));
+    EXPECT_TRUE(two.report.closed);
+    EXPECT_EQ(two.vertex.size(), 15);
+}
+
+TEST(Walls, AreNoLeavesOfTwoSides) {
+    const auto runtime = with_threads(2);
+    const Triangles top = box(1.0, 1.0, 1.0, 4).where([](double, double, double z) { return z > 0.999; });
+    const Mesh leaf = made(runtime, top.with(top.turned()));
+    EXPECT_EQ(leaf.faces(), static_cast<std::int64_t>(top.faces()));
+    EXPECT_EQ(leaf.report.repeated_faces, leaf.faces());
+    // Nor is it one beside a solid.
+    const Mesh beside = made(runtime, cube.with(top.with(top.turned()).moved(1.0, 1.0, 0.0, 0.0)));
+    EXPECT_EQ(beside.faces(), 12 + static_cast<std::int64_t>(top.faces()));
+}
+
+} // namespace
+
+} // namespace walls_test
