@@ -2322,7 +2322,8 @@ typedef struct hrbfnpr_mesh_info {
     int64_t given_faces;
     int64_t vertices;             /* kept */
     int64_t faces;
-    int64_t welded_vertices;      /* in the place of another, and joined with it */
+    int64_t welded_vertices;      /* in the place of another, and joined with it; on borders also within 1e-6 of the
+                                     diagonal from another */
     int64_t degenerate_faces;     /* without area, left out */
     int64_t repeated_faces;       /* with the corners of another, left out; both where two solids share a wall */
     int64_t turned_faces;         /* against those beside them, turned */

@@ -50,6 +50,24 @@ TEST(MakeMesh, OfATorusIsOfGenusOneAndOfTwoOfGenusTwo) {
     EXPECT_EQ(two.component[two.faces() - 1], 1);
 }
 
+// Faces that were computed apart: nearly in one place.  What is farther apart stays a gap.
+TEST(MakeMesh, JoinsVerticesOfBordersThatRoundingKeepsApart) {
+    for (const double off : {1e-7, 3e-6}) {
+        Triangles soup = icosphere(3).unwelded();
+        for (std::size_t i = 0; i < soup.vertices.size(); ++i)
+            soup.vertices[i] += off * std::sin(12.9898 * static_cast<double>(i));
+        const Mesh welded = made(runtime(), soup);
+        EXPECT_EQ(welded.report.closed, off < 1e-6) << off;
+        if (!welded.report.closed) continue;
+        EXPECT_EQ(welded.vertex.size(), 642);
+        EXPECT_EQ(welded.report.welded_vertices, 3 * 20 * 64 - 642);
+        EXPECT_EQ(welded.report.components, 1);
+    }
+    // Only borders: a closed mesh keeps the smallest of its faces.
+    const Triangles small = icosphere(2).moved(1e-7, 0.9, 0.0, 0.0);
+    EXPECT_EQ(made(runtime(), icosphere(2).with(small), Parts::all).faces(), 2 * 20 * 16);
+}
+
 TEST(MakeMesh, JoinsVerticesInOnePlace) {
     const Mesh welded = made(runtime(), icosphere(3).unwelded());
     EXPECT_EQ(welded.vertex.size(), 642);

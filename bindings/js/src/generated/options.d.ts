@@ -1285,7 +1285,7 @@ export interface MeshInfo {
   /** kept */
   readonly vertices: number;
   readonly faces: number;
-  /** in the place of another, and joined with it */
+  /** in the place of another, and joined with it; on borders also within 1e-6 of the diagonal from another */
   readonly weldedVertices: number;
   /** without area, left out */
   readonly degenerateFaces: number;

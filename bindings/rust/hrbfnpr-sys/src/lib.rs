@@ -3308,7 +3308,8 @@ pub struct hrbfnpr_mesh_info {
     /// kept
     pub vertices: i64,
     pub faces: i64,
-    /// in the place of another, and joined with it
+    /// in the place of another, and joined with it; on borders also within 1e-6 of the diagonal
+    /// from another
     pub welded_vertices: i64,
     /// without area, left out
     pub degenerate_faces: i64,
