@@ -121,6 +121,25 @@ def nested_parts():
     return obj(np.vstack([vertices, middle + 0.3 * (vertices - middle)]), [*faces, *inside])
 
 
+def far_away():
+    points = fibonacci_sphere(1000)
+    return table(np.vstack([points, [[40, 0, 0], [45, 3, 0]]]), np.vstack([points, [[1, 0, 0], [1, 0, 0]]]))
+
+
+def lost():
+    vertices, faces = tube()
+    first = len(vertices)
+    return obj(np.vstack([vertices, [[60, 0, 0], [60, 0.1, 0], [60, 0, 0.1]]]), [*faces, [first, first + 1, first + 2]])
+
+
+def no_data():
+    x, y = np.meshgrid(np.arange(12.0), np.arange(10.0))
+    z = np.sin(x / 3) * np.cos(y / 2)
+    z[4, 5:7] = -9999
+    cells = [12 * row + column for row in range(9) for column in range(11)]
+    return obj(np.column_stack([x.ravel(), y.ravel(), z.ravel()]), [[i, i + 1, i + 13, i + 12] for i in cells])
+
+
 def voxels():
     """Three cubes in a corner."""
     cube = np.array([[x, y, z] for x in (0, 1) for y in (0, 1) for z in (0, 1)])
@@ -194,6 +213,7 @@ ROWS = {
     "points with colours, without normals": (
         "a.xyz", lambda: "".join(f"{x} {y} {z} 9 200 31\n" for x, y, z in ball()[0].tolist()), [], 0),
     "points without a usable place or normal among others": ("a.xyz", with_zeros, [], 0),
+    "points with normals, a few far away": ("a.xyz", far_away, [], 0),
     "points at one place": ("a.xyz", lambda: 2 * table(*ball()), [], 0),
     "points at one place, with several normals, as on a sharp edge": ("a.xyz", edged, [], 0),
     "more than 4096 points": ("a.xyz", lambda: table(*2 * [fibonacci_sphere(4200)]), ["--max-centres", "0"], 0),
@@ -207,6 +227,8 @@ ROWS = {
     "mesh of coarse faces that is meant to be round: no edges stand out, and faces bulge by more than the tolerance":
         ("a.obj", coarse_ball, [], 0),
     "mesh of solids that share faces, as voxels do": ("a.obj", voxels, [], 0),
+    "mesh with a part of next to no area far away": ("a.obj", lost, [], 0),
+    "mesh or points with -9999 and the like where there is no data": ("a.obj", no_data, [], 0),
     "mesh with parts inside others": ("a.obj", nested_parts, [], 0),
     "mesh with thin parts, `--samples` too few": ("a.obj", thin, ["--samples", "60"], 0),
     "mesh with parts nearer to each other than the tolerance":

@@ -21,7 +21,7 @@ from .._model import Model
 from .._point_set import PointSet
 from ..shapes import Shape, ShapeError
 from ..shapes._shape import Floats, Vector
-from . import _automatic, _ends, _mesh, _nearness, _orient, _script, _strays, _up
+from . import _automatic, _ends, _far, _mesh, _nearness, _orient, _script, _strays, _up
 from ._progress import Reporter
 
 _MAGIC = b"\x89HRB\r\n\x1a\n"
@@ -87,6 +87,10 @@ def _usable(shape: Shape, report: Reporter) -> Shape:
         report.warn(f"{_nearness.of(left_out, 'face')} with a corner that is not finite left out")
     for note in shape.notes:
         report.note(note)
+    shape, empty, value = _far.without_data(shape)
+    if empty:
+        what = "point" if not shape.is_mesh else "vertex" if empty == 1 else "vertice"
+        report.note(f"{_nearness.of(empty, what)} at {value:g}, which stands for no data, left out")
     return shape
 
 
@@ -110,9 +114,23 @@ def _without_strays(points: Floats, report: Reporter) -> Floats:
     strays = _strays.find(points)
     if not strays.any():
         return points
-    count = int(strays.sum())
-    report.note(f"{_nearness.of(count, 'point')} far from all others left out (--outliers keep keeps them)")
+    _tell_strays(int(strays.sum()), report)
     return points[~strays]
+
+
+def _tell_strays(count: int, report: Reporter) -> None:
+    report.note(f"{_nearness.of(count, 'point')} far from all others left out (--outliers keep keeps them)")
+
+
+def _without_far(shape: Shape, arguments: Any, report: Reporter) -> Shape:
+    """Points without a few that would make all others a dot."""
+    far = _far.strays(shape.points) if fit_options(arguments).get("outliers") != "keep" else np.zeros(1, dtype=bool)
+    if not far.any():
+        return shape
+    _tell_strays(int(far.sum()), report)
+    return replace(
+        shape, points=shape.points[~far], normals=None if shape.normals is None else shape.normals[~far]
+    )
 
 
 def _with_normals(shape: Shape, arguments: Any, context: Context, report: Reporter) -> Shape:
@@ -201,6 +219,7 @@ def of_shape(shape: Shape, arguments: Any, context: Context, report: Reporter) -
 def _fitted(shape: Shape, arguments: Any, context: Context, report: Reporter) -> Loaded:
     if shape.is_mesh:
         return _load_mesh(shape, arguments, context, report)
+    shape = _without_far(shape, arguments, report)
     made = arguments.normals == "none" or not has_normals(shape)
     if made:
         shape = _with_normals(shape, arguments, context, report)

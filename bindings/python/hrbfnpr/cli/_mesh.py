@@ -13,7 +13,7 @@ from .._model import Model
 from ..shapes import Shape, subdivide
 from ..shapes._shape import Floats
 from ..shapes._subdivide import coarseness, mean_edge
-from . import _orient, _up
+from . import _far, _orient, _up
 from ._nearness import in_words, of
 from ._progress import Reporter
 
@@ -41,8 +41,11 @@ def read(shape: Shape, arguments: Any, context: Context, report: Reporter) -> Re
     """Weld it, turn its faces outward, leave out what lies inside; and say so."""
     with report.stage("mesh", "looking at the mesh") as stage:
         mesh = _welded(shape, shape.triangles, arguments, stage.bar, context)
+        mesh, shape, lost = _without_lost(mesh, shape, arguments, context)
         stage.says = _in_words(mesh.info)
     _tell(mesh.info, report)
+    if lost:
+        report.note(f"{lost} far from all others left out; --parts all keeps them")
     count = LOOKED_AT if chooses(arguments) else arguments.samples or SAMPLES
     with report.stage("sample", "sampling") as stage:
         points, normals = _sampled(mesh, count, arguments, stage.bar)
@@ -121,6 +124,18 @@ def _welded(shape: Shape, triangles: Any, arguments: Any, bar: Any, context: Con
         faces="keep" if arguments.normals == "keep" else "turn",
         crease_angle=60.0 if arguments.crease is None else arguments.crease,
     )  # fmt: skip
+
+
+def _without_lost(mesh: Mesh, shape: Shape, arguments: Any, context: Context) -> Tuple[Mesh, Shape, str]:
+    """Without parts of next to no area that are far away; and how many of what these were."""
+    lost = _far.lost_parts(mesh) if (arguments.parts or "outer") == "outer" else None
+    if lost is None:
+        return mesh, shape, ""
+    assert shape.triangles is not None
+    parts = len(np.unique(np.asarray(mesh.components)[lost]))
+    faces = np.delete(shape.triangles, np.asarray(mesh.given_faces)[lost], axis=0)
+    left_out = f"{of(parts, 'part')} ({of(int(lost.sum()), 'face')})"
+    return _welded(shape, faces, arguments, None, context), replace(shape, triangles=faces), left_out
 
 
 def _sampled(mesh: Mesh, count: int, arguments: Any, bar: Any) -> Tuple[Floats, Floats]:
