@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 from conftest import fibonacci_sphere
-from test_input import lost, obj, table, tube
+from test_input import lost, no_data, obj, table, tube
 from test_shapes import write
 
 import hrbfnpr
@@ -78,3 +78,13 @@ def test_what_is_far_is_counted_once(tmp_path, capsys):
     path = write(tmp_path, "a.obj", obj(vertices, faces))
     assert main(["draw", str(path), str(tmp_path / "a.png"), "--size", "100", "--marks", "600"]) == 0
     assert "left out" not in capsys.readouterr().err
+
+
+def test_the_check_says_so(tmp_path, capsys):
+    points = fibonacci_sphere(1000)
+    path = write(tmp_path, "a.xyz", table(np.vstack([points, [[40, 0, 0]]]), np.vstack([points, [[1, 0, 0]]])))
+    assert main(["check", str(path)]) == 0
+    assert "1 point far from all others left out" in capsys.readouterr().out
+    path = write(tmp_path, "b.obj", no_data())
+    main(["check", str(path)])
+    assert "2 points at -9999, which stands for no data, left out" in capsys.readouterr().out

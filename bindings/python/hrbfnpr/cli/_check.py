@@ -15,7 +15,7 @@ from .._errors import Error
 from .._model import Model
 from ..shapes import Shape, ShapeError
 from ..shapes._shape import Floats
-from . import _inputs, _orient, _up
+from . import _far, _inputs, _orient, _up
 from ._nearness import of
 from ._values import words_of
 
@@ -88,6 +88,7 @@ def _look(path: Path, findings: Findings, context: Context) -> None:
         normals=shape.normals is not None,
     )
     findings.facts["notes"] = list(shape.notes)
+    shape = _without_far(shape, findings)
     points = _places(shape, findings)
     try:
         samples, normals = _mesh(shape, findings) if shape.is_mesh else _cloud(shape, points, findings)
@@ -96,6 +97,21 @@ def _look(path: Path, findings: Findings, context: Context) -> None:
         return
     up, why = _up.choose(shape, samples, normals)
     findings.facts.update(up=_up.name(up), up_reason=why)
+
+
+def _without_far(shape: Shape, findings: Findings) -> Shape:
+    """Without what stands for no data, and a few points far away, as draw leaves them out."""
+    shape, empty, value = _far.without_data(shape)
+    if empty:
+        findings.repairs.append(f"{of(empty, 'point')} at {value:g}, which stands for no data, left out")
+    if shape.is_mesh:
+        return shape
+    far = _far.strays(shape.points)
+    if not far.any():
+        return shape
+    findings.repairs.append(f"{of(int(far.sum()), 'point')} far from all others left out")
+    normals = None if shape.normals is None else shape.normals[~far]
+    return dataclasses.replace(shape, points=shape.points[~far], normals=normals)
 
 
 def _places(shape: Shape, findings: Findings) -> Floats:
