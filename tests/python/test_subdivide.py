@@ -135,5 +135,12 @@ def test_edges_that_stand_out_fine_faces_and_noise_are_left(tmp_path, capsys):
     assert "divided" not in capsys.readouterr().err
 
 
+def test_what_the_look_for_edges_finds_is_not_told(tmp_path, capsys):
+    points, faces = ball()
+    path = write(tmp_path, "two.obj", obj(np.vstack([points, points + [2.003, 0, 0]]), np.vstack([faces, faces + 42])))
+    assert main(["draw", str(path), str(tmp_path / "a.png"), "--size", "100", "--marks", "600"]) == 0
+    assert capsys.readouterr().err.count("nearer to each other than the tolerance") == 1
+
+
 def test_the_module_has_it():
     assert shapes.subdivide is subdivide

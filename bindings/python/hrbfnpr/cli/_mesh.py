@@ -87,14 +87,16 @@ def _rounds(mesh: Mesh, arguments: Any) -> int:
     across = float(np.linalg.norm(np.subtract(high, low)))
     tolerance = (arguments.tolerance or TOLERANCE * across) / across
     off = coarseness(given)
-    if off <= tolerance or _has_edges(mesh, across):
+    if off <= tolerance or _has_edges(given, across, arguments):
         return 0
     return min(MOST_ROUNDS, int(np.ceil(np.log(2 * off / tolerance) / np.log(4))))
 
 
-def _has_edges(mesh: Mesh, across: float) -> bool:
-    """Whether a fit keeps some sharp, as those of machine parts and of polyhedra; asked with a rough one."""
-    rough = Model.fit_mesh(mesh, tolerance=0.1 * across, maximum_centres=100, trim="never")
+def _has_edges(given: Shape, across: float, arguments: Any) -> bool:
+    """Whether a fit keeps some sharp, as those of machine parts and of polyhedra; asked with a rough one, in silence."""
+    with Context(arguments.threads or 0) as silent:
+        mesh = Mesh(given.points, given.triangles, parts="all", faces="keep", context=silent)
+        rough = Model.fit_mesh(mesh, tolerance=0.1 * across, maximum_centres=100, trim="never")
     assert rough.mesh_fit is not None
     return rough.mesh_fit.sheets > 1
 
