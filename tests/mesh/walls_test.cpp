@@ -95,6 +95,10 @@ TEST(Walls, AreNoLeavesOfTwoSides) {
     const Mesh leaf = made(runtime, top.with(top.turned()));
     EXPECT_EQ(leaf.faces(), static_cast<std::int64_t>(top.faces()));
     EXPECT_EQ(leaf.report.repeated_faces, leaf.faces());
+    // A solid, all of whose faces have two sides, is one all the same.
+    const Mesh solid = made(runtime, cube.with(cube.turned()));
+    EXPECT_EQ(solid.faces(), 12);
+    EXPECT_TRUE(solid.report.closed);
     // Nor is it one beside a solid.
     const Mesh beside = made(runtime, cube.with(top.with(top.turned()).moved(1.0, 1.0, 0.0, 0.0)));
     EXPECT_EQ(beside.faces(), 12 + static_cast<std::int64_t>(top.faces()));
