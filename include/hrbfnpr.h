@@ -2320,7 +2320,8 @@ typedef struct hrbfnpr_mesh_info {
     uint32_t closed;              /* 1: no edge is at the boundary or not manifold, and all faces agree */
     int64_t given_vertices;
     int64_t given_faces;
-    int64_t vertices;             /* kept */
+    int64_t vertices;             /* kept; more than were given where solids that touch in an edge are parted there, at
+                                     most three for each face */
     int64_t faces;
     int64_t welded_vertices;      /* in the place of another, and joined with it; on borders also within 1e-6 of the
                                      diagonal from another */

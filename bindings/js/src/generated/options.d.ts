@@ -1282,7 +1282,7 @@ export interface MeshInfo {
   readonly closed: number;
   readonly givenVertices: number;
   readonly givenFaces: number;
-  /** kept */
+  /** kept; more than were given where solids that touch in an edge are parted there, at most three for each face */
   readonly vertices: number;
   readonly faces: number;
   /** in the place of another, and joined with it; on borders also within 1e-6 of the diagonal from another */

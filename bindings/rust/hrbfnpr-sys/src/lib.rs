@@ -3305,7 +3305,8 @@ pub struct hrbfnpr_mesh_info {
     pub closed: u32,
     pub given_vertices: i64,
     pub given_faces: i64,
-    /// kept
+    /// kept; more than were given where solids that touch in an edge are parted there, at most
+    /// three for each face
     pub vertices: i64,
     pub faces: i64,
     /// in the place of another, and joined with it; on borders also within 1e-6 of the diagonal
