@@ -19,8 +19,7 @@ const Triangles cube = box(1.0, 1.0, 1.0, 1);
 
 Triangles at(double x, double y, double z) { return cube.moved(1.0, x, y, z); }
 
-// Whose faces are cut along the other diagonals: all faces that are not in the planes of x = 0 and 1 change their
-// place, so that only the order of the corners does.
+// The box's mirror image in y, whose faces are cut along the other diagonals.
 Triangles cut_otherwise(const Triangles& from) {
     Triangles result = from;
     for (std::size_t i = 0; i < from.vertices.size(); i += 3) result.vertices[i + 1] = 1.0 - from.vertices[i + 1];
