@@ -35,6 +35,9 @@ def test_values_that_stand_for_none():
     assert _far.without_data(Shape(deep))[1] == 0
     alone = Shape(np.full((3, 3), -9999.0))
     assert _far.without_data(alone)[0] is alone
+    points[8, 2] = 1
+    none = Shape(points, None, np.array([[2, 3, 4]]))  # no face would be left
+    assert _far.without_data(none) == (none, 0, 0.0)
     mesh = Shape(points, points.copy(), np.array([[0, 1, 2], [2, 3, 4], [5, 6, 8]]))
     left = _far.without_data(mesh)[0]
     assert len(left.points) == len(left.normals) == 98
@@ -73,7 +76,7 @@ def test_outliers_are_kept_where_they_are_asked_for(tmp_path, capsys):
         assert ("far from all others" in capsys.readouterr().err) == (not option)
 
 
-def test_what_is_far_is_counted_once(tmp_path, capsys):
+def test_nothing_is_said_of_a_mesh_without_such(tmp_path, capsys):
     vertices, faces = tube()
     path = write(tmp_path, "a.obj", obj(vertices, faces))
     assert main(["draw", str(path), str(tmp_path / "a.png"), "--size", "100", "--marks", "600"]) == 0

@@ -106,12 +106,10 @@ def _without_far(shape: Shape, findings: Findings) -> Shape:
         findings.repairs.append(f"{of(empty, 'point')} at {value:g}, which stands for no data, left out")
     if shape.is_mesh:
         return shape
-    far = _far.strays(shape.points)
-    if not far.any():
-        return shape
-    findings.repairs.append(f"{of(int(far.sum()), 'point')} far from all others left out")
-    normals = None if shape.normals is None else shape.normals[~far]
-    return dataclasses.replace(shape, points=shape.points[~far], normals=normals)
+    shape, far = _far.without_strays(shape)
+    if far:
+        findings.repairs.append(f"{of(far, 'point')} far from all others left out")
+    return shape
 
 
 def _places(shape: Shape, findings: Findings) -> Floats:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from typing import Any, Tuple
+from typing import Any, Optional, Tuple
 
 import numpy as np
 
@@ -27,18 +27,28 @@ def without_data(shape: Shape) -> Tuple[Shape, int, float]:
         rest = rest[np.isfinite(rest).all(axis=1)]
         if len(rest) == 0 or rest.min() - value < np.ptp(rest, axis=0).max():
             continue
-        return _left(shape, ~empty), int(empty.sum()), value
+        left = _left(shape, ~empty)
+        if left is not None:
+            return left, int(empty.sum()), value
     return shape, 0, 0.0
 
 
-def _left(shape: Shape, kept: Any) -> Shape:
+def without_strays(shape: Shape) -> Tuple[Shape, int]:
+    """Points without a few that lie apart from all others, and how many these are."""
+    far = strays(shape.points)
+    left = _left(shape, ~far) if far.any() else None
+    return (shape, 0) if left is None else (left, int(far.sum()))
+
+
+def _left(shape: Shape, kept: Any) -> Optional[Shape]:
+    """Those points alone, with the faces that have no others; None if there would be none."""
     normals = None if shape.normals is None else shape.normals[kept]
     if not shape.is_mesh:
         return replace(shape, points=shape.points[kept], normals=normals)
     assert shape.triangles is not None
     faces = shape.triangles[kept[shape.triangles].all(axis=1)]
     if len(faces) == 0:
-        return shape
+        return None
     return replace(shape, points=shape.points[kept], normals=normals, triangles=(np.cumsum(kept) - 1)[faces])
 
 

@@ -124,13 +124,12 @@ def _tell_strays(count: int, report: Reporter) -> None:
 
 def _without_far(shape: Shape, arguments: Any, report: Reporter) -> Shape:
     """Points without a few that would make all others a dot."""
-    far = _far.strays(shape.points) if fit_options(arguments).get("outliers") != "keep" else np.zeros(1, dtype=bool)
-    if not far.any():
+    if fit_options(arguments).get("outliers") == "keep":
         return shape
-    _tell_strays(int(far.sum()), report)
-    return replace(
-        shape, points=shape.points[~far], normals=None if shape.normals is None else shape.normals[~far]
-    )
+    shape, far = _far.without_strays(shape)
+    if far:
+        _tell_strays(far, report)
+    return shape
 
 
 def _with_normals(shape: Shape, arguments: Any, context: Context, report: Reporter) -> Shape:

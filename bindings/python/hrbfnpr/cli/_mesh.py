@@ -107,10 +107,12 @@ def _divided(mesh: Mesh, shape: Shape, rounds: int, arguments: Any, context: Con
     finer = subdivide(given, rounds, 180.0 if arguments.crease is None else arguments.crease)
     moved = np.linalg.norm(finer.points[: len(given.points)] - given.points, axis=1).max()
     across = np.linalg.norm(np.ptp(given.points, axis=0))
-    said = (
-        f"the faces are coarse, {coarseness(given):.2%} of the diagonal off something round: divided "
-        f"{of(rounds, 'time')}, vertices moved by at most {moved / across:.2%} (--subdivide 0 leaves them)"
-    )
+    said = f"divided {of(rounds, 'time')}, vertices moved by at most {moved / across:.2%}"
+    if getattr(arguments, "subdivide", None) is not None:
+        said = f"the faces are {said}"
+    else:
+        why = f"the faces are coarse, {coarseness(given):.2%} of the diagonal off something round"
+        said = f"{why}: {said} (--subdivide 0 leaves them)"
     fine = replace(shape, points=finer.points, triangles=finer.triangles, normals=None)
     assert fine.triangles is not None
     made = Mesh(
