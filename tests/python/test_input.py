@@ -174,6 +174,13 @@ def crossing_parts():
     return obj(np.vstack([vertices, vertices[:, [2, 0, 1]] + [0.3, 0.2, 0.1]]), [*faces, *beside])
 
 
+def left_over():
+    """A tube with a small face on one of its edges."""
+    vertices, faces = tube()
+    outside = (vertices[100] + vertices[101]) / 2 * [1.01, 1, 1.01]
+    return obj(np.vstack([vertices, [outside]]), [*faces, [100, 101, len(vertices)]])
+
+
 def near_parts():
     vertices, faces = tube()
     beside = [[i + len(vertices) for i in face] for face in faces]
@@ -233,7 +240,9 @@ ROWS = {
     "mesh with thin parts, `--samples` too few": ("a.obj", thin, ["--samples", "60"], 0),
     "mesh with parts nearer to each other than the tolerance":
         ("a.obj", near_parts, ["--tolerance", "0.05"], 0),
-    "mesh with open parts that cross": ("a.obj", crossing_parts, ["--tolerance", "0.05"], 0),
+    "mesh with open parts that cross, or are close to each other":
+        ("a.obj", crossing_parts, ["--tolerance", "0.05"], 0),
+    "mesh with a few faces left over on an edge of two others": ("a.obj", left_over, [], 0),
     "mesh, some corners not finite": ("a.obj", not_finite, [], 0),
     "height map": ("a.asc", waves, [], 0),
     "terrain whose normals look down": ("a.obj", hanging, [], 0),

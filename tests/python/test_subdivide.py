@@ -5,6 +5,7 @@ import pytest
 from test_input import obj
 from test_shapes import write
 
+import hrbfnpr
 from hrbfnpr import shapes
 from hrbfnpr.cli import main
 from hrbfnpr.shapes import Shape, ShapeError, subdivide
@@ -144,3 +145,9 @@ def test_what_the_look_for_edges_finds_is_not_told(tmp_path, capsys):
 
 def test_the_module_has_it():
     assert shapes.subdivide is subdivide
+
+
+def test_a_call_divides_them_too():
+    points, faces = ball()
+    picture = hrbfnpr.draw((points, faces), size=60)
+    assert any("the faces are coarse" in note for note in picture.notes)

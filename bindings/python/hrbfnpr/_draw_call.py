@@ -55,12 +55,12 @@ class Picture:
 
     @property
     def model(self) -> Optional[Model]:
-        """The surface; None of saved marks."""
+        """The surface, the largest where parts of a mesh are fitted apart; None of saved marks."""
         return self._scene.source if isinstance(self._scene.source, Model) else None
 
     @property
     def marks(self) -> PointSet:
-        """The marks on it."""
+        """The marks on that surface."""
         return self._scene.marks
 
     @property
@@ -110,7 +110,7 @@ class Picture:
             view.direction = direction
             view.azimuth = view.azimuth if azimuth is None else azimuth
             view.elevation = view.elevation if elevation is None else elevation
-        seen_by = make_camera(view, scene.source, scene.places)
+        seen_by = make_camera(view, scene.bounds, scene.places)
         return Picture(scene, scene.draw(seen_by), seen_by, self.notes, view)
 
     def restyled(self, style: Union[str, Style]) -> Picture:
@@ -119,7 +119,8 @@ class Picture:
         set_style(arguments, style)
         arguments.own_camera = self.camera
         report = CallReport()
-        loaded = Loaded(self._scene.source, arguments.input_shape, arguments.up)
+        rest = tuple(Loaded(part.model, part.shape, arguments.up) for part in self._scene.rest)
+        loaded = Loaded(self._scene.source, arguments.input_shape, arguments.up, rest)
         with said_in_python():
             scene = set_scene(arguments, loaded, self._scene.context, report)
             drawing = draw_scene(scene, report)
@@ -163,7 +164,7 @@ class Picture:
 
     def __repr__(self) -> str:
         width, height = self.size
-        return f"<hrbfnpr.Picture {self._scene.arguments.style}, {width}x{height}, {len(self.marks)} marks>"
+        return f"<hrbfnpr.Picture {self._scene.arguments.style}, {width}x{height}, {self._scene.mark_count} marks>"
 
 
 def _pictures_formats() -> Any:

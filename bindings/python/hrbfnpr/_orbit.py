@@ -46,7 +46,7 @@ def first_camera(arguments: Any, source: Any, places: Any, *, frames: int, turn:
 
 def cameras_of(scene: Scene, frames: int, turn: float) -> List[Camera]:
     """Those of an orbit about the up axis through the middle of the model, from the scene's own camera on."""
-    centre, first = _centre(scene.arguments, scene.source), scene.camera
+    centre, first = _centre(scene.arguments, scene.bounds), scene.camera
     view = np.asarray(first.view)
     return [
         Camera(view @ about(scene.arguments.up, centre, -angle), first.projection, first.viewport, first.depth_convention)

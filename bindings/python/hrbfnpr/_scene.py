@@ -171,14 +171,18 @@ def generate(arguments: Any, model: Model, layers: Sequence[Layer], context: Con
     return marks
 
 
+def area_of(known: PointSet) -> float:
+    """Of a surface, from even marks on it."""
+    return float(known.info.spacing**2 * len(known))
+
+
 def plan(
-    arguments: Any, model: Model, known: PointSet, camera: Camera, report: Reporter
+    arguments: Any, model: Model, area: float, camera: Camera, report: Reporter
 ) -> Tuple[Style, List[Layer]]:
-    """The style for a camera, and the layers that it wants with what fills the darkest tone."""
+    """The style for a camera, and the layers that it wants with what fills the darkest tone of an area."""
     style = make_style(arguments, camera.size)
     low, high = model.bounds
     pixels = _automatic.pixels_per_unit(camera, np.add(low, high) / 2)
-    area = known.info.spacing**2 * len(known)
     published, seeds = arguments.distribution == "published", max(model.info.centres, 1)
     own: Optional[List[Layer]] = getattr(arguments, "own_layers", None)
     if own is not None and arguments.layers is None:
@@ -235,12 +239,23 @@ def plate(
     return _plate.compose(drawing.to_pil(), model, marks, section, camera, style, unit, context)
 
 
+@dataclass(frozen=True)
+class Part:
+    """A surface that is drawn beside others, with its marks and lines, and what it comes from."""
+
+    model: Model
+    shape: Optional[shapes.Shape]
+    marks: PointSet
+    line_set: Optional[LineSet]
+
+
 @dataclass
 class Scene:
     """What is drawn, by any number of cameras: one model, its marks and lines, and a renderer.
 
     Lines keep their numbers, and wobble the same, from one drawing to the next.  `places` are points spread over the
-    surface, shape (n, 3), which cameras are fitted to.
+    surface, shape (n, 3), which cameras are fitted to.  `rest` is what a mesh has beside it whose parts are no surface
+    together.
     """
 
     arguments: Any
@@ -251,6 +266,7 @@ class Scene:
     camera: Camera
     places: Any
     context: Context
+    rest: Tuple[Part, ...] = ()
     renderer: Renderer = field(init=False)
 
     def __post_init__(self) -> None:
@@ -258,8 +274,22 @@ class Scene:
 
     def draw(self, camera: Camera) -> Drawing:
         """The drawing alone, without what a plate adds."""
-        sides = sides_of(self.arguments, self.source)
-        return self.renderer.draw(Item(self.marks, self.style, line_set=self.line_set, sides=sides), camera)
+        items = [self._item(self.source, self.marks, self.line_set)]
+        items += [self._item(part.model, part.marks, part.line_set) for part in self.rest]
+        return self.renderer.draw(items, camera)
+
+    def _item(self, source: Union[Model, PointSet], marks: PointSet, line_set: Optional[LineSet]) -> Item:
+        return Item(marks, self.style, line_set=line_set, sides=sides_of(self.arguments, source))
+
+    @property
+    def bounds(self) -> Any:
+        """What cameras see all of: the source, or the corners of the box of several."""
+        return _bounds(self.source, [part.model for part in self.rest])
+
+    @property
+    def mark_count(self) -> int:
+        """Of all surfaces."""
+        return len(self.marks) + sum(len(part.marks) for part in self.rest)
 
     @property
     def is_plate(self) -> bool:
@@ -277,7 +307,7 @@ class Scene:
     def check(self, drawing: Drawing, camera: Camera) -> None:
         """Raise a ValueError if hardly anything can be seen, unless that is allowed."""
         if not self.arguments.allow_blank:
-            _blank.check(drawing, self.source, camera, self.style, self.arguments.flip)
+            _blank.check(drawing, self.bounds, camera, self.style, self.arguments.flip)
 
     def write(self, path: Path, drawing: Drawing, camera: Camera, report: Reporter) -> None:
         """A drawing in the format that the path's ending says."""
@@ -301,9 +331,12 @@ class Scene:
         """What the drawing is of, as JSON."""
         facts: Dict[str, Any] = {"input": Path(self.arguments.input).name, "style": self.arguments.style}
         if isinstance(self.source, Model):
-            info = self.source.info
-            facts["model"] = {"centres": info.centres, "kernel": info.kernel, "samples": info.samples}
-        facts["marks"] = len(self.marks)
+            infos = [self.source.info, *(part.model.info for part in self.rest)]
+            facts["model"] = {
+                "centres": sum(info.centres for info in infos), "kernel": infos[0].kernel,
+                "samples": sum(info.samples for info in infos),
+            }  # fmt: skip
+        facts["marks"] = self.mark_count
         facts["camera"] = {
             "view": np.asarray(camera.view).tolist(), "projection": np.asarray(camera.projection).tolist(),
             "viewport": list(camera.viewport),
@@ -319,26 +352,57 @@ def set_scene(
     arguments: Any, loaded: Loaded, context: Context, report: Reporter, look: Look = make_camera
 ) -> Scene:
     """The camera, the marks and the lines of a model; saved marks are used as they are."""
+    arguments.up = loaded.up
+    if isinstance(loaded.content, Model):
+        return _scene_of_models(arguments, loaded, context, report, look)
     source = loaded.content
-    arguments.up, arguments.input_shape = loaded.up, loaded.shape
-    arguments.has_end = isinstance(source, Model) and source.trim_info.is_trimmed
-    known = _automatic.probe(source, context) if isinstance(source, Model) else source
-    places = _automatic.positions(known)
+    arguments.input_shape, arguments.has_end = loaded.shape, False
+    places = _automatic.positions(source)
     camera = look(arguments, source, places)
-    if not isinstance(source, Model):
-        if arguments.lines:
-            report.note("lines are drawn of a model, not of saved points: contours come from marks")
-        return Scene(arguments, source, source, None, make_style(arguments, camera.size), camera, places, context)
-    style, layers = plan(arguments, source, known, camera, report)
-    marks = generate(arguments, source, layers, context, report)
-    line_set = _lines.make(arguments, source, style, context, report, section_lines(arguments, source, camera))
-    return Scene(arguments, source, marks, line_set, style, camera, places, context)
+    if arguments.lines:
+        report.note("lines are drawn of a model, not of saved points: contours come from marks")
+    return Scene(arguments, source, source, None, make_style(arguments, camera.size), camera, places, context)
+
+
+def _scene_of_models(arguments: Any, loaded: Loaded, context: Context, report: Reporter, look: Look) -> Scene:
+    """Marks are as dense on all surfaces, and lines of hatching as far from each other."""
+    sources = [loaded, *loaded.rest]
+    models = [each.content for each in sources if isinstance(each.content, Model)]
+    known = [_automatic.probe(model, context) for model in models]
+    areas = [area_of(marks) for marks in known]
+    places = np.concatenate([_automatic.positions(marks) for marks in known])
+    arguments.has_end = any(model.trim_info.is_trimmed for model in models)
+    camera = look(arguments, _bounds(models[0], models[1:]), places)
+    style, layers = plan(arguments, models[0], sum(areas), camera, report)
+    parts = []
+    for each, model, area in zip(sources, models, areas):
+        arguments.input_shape = each.shape
+        own = layers if len(models) == 1 else _share_of(layers, area / sum(areas))
+        marks = generate(arguments, model, own, context, report)
+        line_set = _lines.make(arguments, model, style, context, report, section_lines(arguments, model, camera))
+        parts.append(Part(model, each.shape, marks, line_set))
+    arguments.input_shape = loaded.shape
+    first, rest = parts[0], tuple(parts[1:])
+    return Scene(arguments, first.model, first.marks, first.line_set, style, camera, places, context, rest)
+
+
+def _share_of(layers: Sequence[Layer], share: float) -> List[Layer]:
+    """As many of a budget's marks as a part of the area gets."""
+    return [one if one.budget is None else replace(one, budget=max(1, round(share * one.budget))) for one in layers]
+
+
+def _bounds(source: Any, rest: Sequence[Model]) -> Any:
+    """The source itself where it is alone."""
+    if not rest:
+        return source
+    boxes = np.array([corners(each) for each in (source, *rest)], dtype=float)
+    return boxes[:, 0].min(axis=0), boxes[:, 1].max(axis=0)
 
 
 def draw_scene(scene: Scene, report: Reporter) -> Drawing:
     """By its own camera; a picture that would be blank is an error."""
     with report.stage("frame", "drawing") as stage:
         drawing = scene.draw(scene.camera)
-        stage.says = f"{drawing.info.shown} of {len(scene.marks)} marks shown, {drawing.info.line_curves} curves"
+        stage.says = f"{drawing.info.shown} of {scene.mark_count} marks shown, {drawing.info.line_curves} curves"
         scene.check(drawing, scene.camera)
     return drawing

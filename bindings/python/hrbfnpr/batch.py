@@ -33,9 +33,10 @@ from ._draw_call import said_in_python, scene_of
 from ._model import Model
 from ._orbit import cameras_of
 from ._point_set import PointSet
-from ._scene import Scene, draw_scene, make_style, section_lines
+from ._scene import Part, Scene, draw_scene, make_style, section_lines
 from ._style import Style
 from .cli import _lines
+from .shapes import Shape
 
 RETRIES = 3  # of what fails because its worker died
 _KEPT = 2  # scenes of a worker
@@ -47,8 +48,7 @@ class Sent(NamedTuple):
     """What a worker draws: the saved model and marks, and how."""
 
     name: str
-    model: Optional[bytes]
-    marks: bytes
+    surfaces: Tuple[Tuple[Optional[bytes], bytes, Optional[Shape]], ...]  # models, marks, and what these come from
     arguments: argparse.Namespace
     camera: Camera
     threads: int
@@ -219,7 +219,9 @@ def _client(scheduler: Any, workers: Optional[int]) -> Iterator[Tuple[Any, int]]
 def _sent(scene: Scene, threads: int) -> Sent:
     arguments = argparse.Namespace(**vars(scene.arguments))
     model = scene.source.to_bytes() if isinstance(scene.source, Model) else None
-    return Sent(uuid4().hex, model, scene.marks.to_bytes(), arguments, scene.camera, threads)
+    first = model, scene.marks.to_bytes(), arguments.input_shape
+    rest = ((part.model.to_bytes(), part.marks.to_bytes(), part.shape) for part in scene.rest)
+    return Sent(uuid4().hex, (first, *rest), arguments, scene.camera, threads)
 
 
 class _Work:
@@ -301,14 +303,18 @@ def _scene(sent: Sent) -> Scene:
 
 def _made(sent: Sent) -> Scene:
     context, report = Context(sent.threads), CallReport()
-    marks = PointSet.load(sent.marks, context=context)
     style = make_style(sent.arguments, sent.camera.size)
-    if sent.model is None:
-        return Scene(sent.arguments, marks, marks, None, style, sent.camera, None, context)
-    model = Model.load(sent.model, context=context)
-    more = section_lines(sent.arguments, model, sent.camera)
-    lines = _lines.make(sent.arguments, model, style, context, report, more)
-    return Scene(sent.arguments, model, marks, lines, style, sent.camera, None, context)
+    parts = []
+    for saved, saved_marks, shape in sent.surfaces:
+        marks = PointSet.load(saved_marks, context=context)
+        if saved is None:
+            return Scene(sent.arguments, marks, marks, None, style, sent.camera, None, context)
+        model = Model.load(saved, context=context)
+        arguments = argparse.Namespace(**{**vars(sent.arguments), "input_shape": shape})
+        more = section_lines(arguments, model, sent.camera)
+        parts.append(Part(model, shape, marks, _lines.make(arguments, model, style, context, report, more)))
+    first, rest = parts[0], tuple(parts[1:])
+    return Scene(sent.arguments, first.model, first.marks, first.line_set, style, sent.camera, None, context, rest)
 
 
 def _frame(sent: Sent, camera: Camera) -> Array:

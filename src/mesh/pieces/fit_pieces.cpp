@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace hrbfnpr::mesh {
 namespace {
@@ -26,6 +27,7 @@ constexpr std::int64_t most_on_parts = 100000;
 constexpr double cells_a_diagonal = 72.0; // that the surface is looked for in, when it is measured
 constexpr double contact = 1e-4; // diagonals: parts that are no farther from each other, and by how much they grow
 constexpr std::int64_t measured_places = 10000;
+constexpr double support_limit = 3.0; // of what dense samples bear out
 
 class Fitter {
 public:
@@ -219,6 +221,13 @@ private:
                      static_cast<long long>(report.poor_cells));
     }
 
+    // What sheets of an open mesh do beyond its borders is no error: a drawing trims it.
+    [[nodiscard]] std::optional<surface::Support> support_of_open() const {
+        if (!result_.mesh.supported) return std::nullopt;
+        const MeshSamples places = places_on_parts();
+        return std::make_optional<surface::Support>(runtime_, places.position, places.normal, 0.0, progress_);
+    }
+
     // Both ways, at places of their own.
     void measure() {
         implicit::Pieces made(runtime_.instruction_set, std::move(result_.data));
@@ -228,7 +237,10 @@ private:
         settings.points = measured_places;
         settings.cell_size = mesh_.bounds.diagonal() / cells_a_diagonal;
         settings.seed = settings_.seed;
-        const Comparison found = compare(runtime_, made, mesh_, tree_, nullptr, settings, progress_.part(0.85, 1.0));
+        const std::optional<surface::Support> support = support_of_open();
+        settings.support = support ? support_limit : 0.0;
+        const Comparison found =
+            compare(runtime_, made, mesh_, tree_, support ? &*support : nullptr, settings, progress_.part(0.85, 1.0));
         result_.mesh.surface = found.surface;
         result_.mesh.mesh = found.mesh;
         const auto good = [&](const Spread& spread) {

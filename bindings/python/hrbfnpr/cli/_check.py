@@ -237,8 +237,9 @@ def _mesh(shape: Shape, findings: Findings) -> Tuple[Floats, Floats]:
         )
     if facts.components > 1:
         findings.warn(
-            f"it has {facts.components} parts: those that cut others make lumps",
-            "nothing: parts inside others are left out; --parts all keeps them",
+            f"it has {facts.components} parts",
+            "nothing: those that cross, or are close to others, are drawn as surfaces of their own, and parts inside others "
+            "are left out; --parts all keeps them",
         )
     good = _inputs.finite_faces(shape)[0]
     points, normals = shapes.samples(good, _SAMPLES)

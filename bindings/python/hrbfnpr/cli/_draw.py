@@ -36,7 +36,7 @@ def draw(arguments: Any, loaded: Loaded, context: Context, report: Reporter) -> 
     for doubt in _lines.doubts(drawing.info):
         report.warn(doubt)
     width, height = scene.camera.size
-    report.summary(f"{outputs[0]}: {width} x {height} pixels, {len(scene.marks)} marks")
+    report.summary(f"{outputs[0]}: {width} x {height} pixels, {scene.mark_count} marks")
 
 
 def _save(arguments: Any, scene: Scene) -> str:

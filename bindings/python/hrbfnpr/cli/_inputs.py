@@ -38,11 +38,15 @@ FIT = (
 
 @dataclass(frozen=True)
 class Loaded:
-    """A model or a point set, what it comes from if that was read, and which way is up."""
+    """A model or a point set, what it comes from if that was read, and which way is up.
+
+    A mesh whose parts are no surface together makes several, which are drawn in one picture: the others are in `rest`.
+    """
 
     content: Union[Model, PointSet]
     shape: Optional[Shape]
     up: Vector
+    rest: Tuple[Loaded, ...] = ()
 
 
 def given(arguments: Any, names: Tuple[str, ...]) -> "dict[str, Any]":
@@ -261,14 +265,22 @@ def _load_mesh(shape: Shape, arguments: Any, context: Context, report: Reporter)
     read = _mesh.read(shape, arguments, context, report)
     for doubt in _thin_evidence(read.points):
         report.warn(doubt)
-    shape = read.shape
-    up = _up_of(shape, read.points, read.normals, arguments, report)
+    up = _up_of(read.shape, read.points, read.normals, arguments, report)
+    groups = _mesh.in_groups(read, arguments, context, report)
+    across = 0.0 if len(groups) == 1 else float(np.linalg.norm(np.ptp(read.shape.points, axis=0)))
+    made = [_of_mesh(group, up, across, arguments, context, report) for group in groups]
+    return replace(made[0], rest=tuple(made[1:]))
+
+
+def _of_mesh(
+    read: _mesh.Read, up: Vector, across: float, arguments: Any, context: Context, report: Reporter
+) -> Loaded:
     if _mesh.chooses(arguments):
-        model = _mesh.fit(read, arguments, report)
+        model = _mesh.fit(read, arguments, report, across)
     else:
         model = _fit(read.points, read.normals, arguments, context, report)
         _nearness.tell(read.mesh, model, report)
-    return Loaded(_ends.end_of_mesh(model, read.mesh, arguments.close, report), shape, up)
+    return Loaded(_ends.end_of_mesh(model, read.mesh, arguments.close, report), read.shape, up)
 
 
 def _fit(

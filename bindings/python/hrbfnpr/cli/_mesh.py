@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from typing import Any, Optional, Tuple
+from typing import Any, List, Optional, Tuple
 
 import numpy as np
 
@@ -13,7 +13,7 @@ from .._model import Model
 from ..shapes import Shape, subdivide
 from ..shapes._shape import Floats
 from ..shapes._subdivide import coarseness, mean_edge
-from . import _far, _orient, _up
+from . import _apart, _far, _orient, _up
 from ._nearness import in_words, of
 from ._progress import Reporter
 
@@ -24,6 +24,7 @@ COARSE_EDGE = 0.025  # of the diagonal: faces whose edges are shorter on average
 LOOKED_AT = 2000  # samples that tell which way is up
 SAMPLES = 1000  # where the fit is not to choose them
 _CHOOSES = ("tolerance", "maximum_centres", "kernel", "kernel_radius", "polynomial_degree", "solver")
+_OF_ONE = ("save_model", "save_points", "save_settings", "settings", "scale_bar")
 _NOT_WITH_CHOICE = ("samples", "outliers", "flipped_normals", "refinement_steps", "flip")
 
 
@@ -44,8 +45,8 @@ def read(shape: Shape, arguments: Any, context: Context, report: Reporter) -> Re
         mesh, shape, lost = _without_lost(mesh, shape, arguments, context)
         stage.says = _in_words(mesh.info)
     _tell(mesh.info, report)
-    if lost:
-        report.note(f"{lost} far from all others left out; --parts all keeps them")
+    for some in lost:
+        report.note(f"{some} left out; --parts all keeps them")
     count = LOOKED_AT if chooses(arguments) else arguments.samples or SAMPLES
     with report.stage("sample", "sampling") as stage:
         points, normals = _sampled(mesh, count, arguments, stage.bar)
@@ -94,7 +95,7 @@ def _rounds(mesh: Mesh, arguments: Any) -> int:
 
 def _has_edges(given: Shape, across: float, arguments: Any) -> bool:
     """Whether a fit keeps some sharp, as those of machine parts and of polyhedra; asked with a rough one, in silence."""
-    with Context(arguments.threads or 0) as silent:
+    with Context(getattr(arguments, "threads", None) or 0) as silent:
         mesh = Mesh(given.points, given.triangles, parts="all", faces="keep", context=silent)
         rough = Model.fit_mesh(mesh, tolerance=0.1 * across, maximum_centres=100, trim="never")
     assert rough.mesh_fit is not None
@@ -130,16 +131,27 @@ def _welded(shape: Shape, triangles: Any, arguments: Any, bar: Any, context: Con
     )  # fmt: skip
 
 
-def _without_lost(mesh: Mesh, shape: Shape, arguments: Any, context: Context) -> Tuple[Mesh, Shape, str]:
-    """Without parts of next to no area that are far away; and how many of what these were."""
-    lost = _far.lost_parts(mesh) if (arguments.parts or "outer") == "outer" else None
-    if lost is None:
-        return mesh, shape, ""
+def _without_lost(mesh: Mesh, shape: Shape, arguments: Any, context: Context) -> Tuple[Mesh, Shape, List[str]]:
+    """Without parts of next to no area that are far away, and faces left over; and in words how many these were."""
+    said: List[str] = []
+    if (arguments.parts or "outer") != "outer":
+        return mesh, shape, said
+    lost = _far.lost_parts(mesh)
+    if lost is not None:
+        parts = len(np.unique(np.asarray(mesh.components)[lost]))
+        said.append(f"{of(parts, 'part')} ({of(int(lost.sum()), 'face')}) far from all others")
+        mesh, shape = _without(lost, mesh, shape, arguments, context)
+    flaps = _apart.flaps(mesh)
+    if flaps is not None:
+        said.append(f"{of(len(flaps), 'face')} that only an edge of two others holds")
+        mesh, shape = _without(flaps, mesh, shape, arguments, context)
+    return mesh, shape, said
+
+
+def _without(which: Any, mesh: Mesh, shape: Shape, arguments: Any, context: Context) -> Tuple[Mesh, Shape]:
     assert shape.triangles is not None
-    parts = len(np.unique(np.asarray(mesh.components)[lost]))
-    faces = np.delete(shape.triangles, np.asarray(mesh.given_faces)[lost], axis=0)
-    left_out = f"{of(parts, 'part')} ({of(int(lost.sum()), 'face')})"
-    return _welded(shape, faces, arguments, None, context), replace(shape, triangles=faces), left_out
+    faces = np.delete(shape.triangles, np.asarray(mesh.given_faces)[which], axis=0)
+    return _welded(shape, faces, arguments, None, context), replace(shape, triangles=faces)
 
 
 def _sampled(mesh: Mesh, count: int, arguments: Any, bar: Any) -> Tuple[Floats, Floats]:
@@ -162,14 +174,54 @@ def chooses(arguments: Any) -> bool:
     return not any(getattr(arguments, name, None) for name in _NOT_WITH_CHOICE) and arguments.regularization != "auto"
 
 
-def fit(read_mesh: Read, arguments: Any, report: Reporter) -> Model:
-    """Within a tolerance both ways; what falls short is warned of."""
+def in_groups(read_mesh: Read, arguments: Any, context: Context, report: Reporter) -> List[Read]:
+    """The mesh, or groups of its parts that are no surface together, the largest first."""
+    found = _apart.groups(read_mesh.mesh) if _may_be_apart(arguments) else None
+    if found is None:
+        return [read_mesh]
+    report.note(
+        f"{of(found.parts, 'part')} of the mesh, not all of them closed, cross or are close to each other: they are "
+        f"fitted and drawn in {len(found.groups)} groups, each a surface of its own (--together makes one of them)"
+    )
+    return [_group(read_mesh, faces, arguments, context) for faces in found.groups]
+
+
+def _may_be_apart(arguments: Any) -> bool:
+    """Unless one model is wanted, or what is made of one."""
+    if arguments.together or arguments.close or arguments.command not in ("draw", "turntable"):
+        return False
+    one = any(getattr(arguments, name, None) for name in _OF_ONE) or arguments.style == "archaeological"
+    return chooses(arguments) and not one and arguments.profile != "yes"
+
+
+def _group(whole: Read, faces: Any, arguments: Any, context: Context) -> Read:
+    triangles = np.asarray(whole.mesh.triangles, dtype=np.int64)[faces]
+    used, triangles = np.unique(triangles, return_inverse=True)
+    shape = replace(
+        whole.shape, points=np.asarray(whole.mesh.vertices)[used], triangles=triangles.reshape(-1, 3), normals=None
+    )
+    mesh = Mesh(
+        shape.points, shape.triangles, parts="all", faces="keep", context=context,
+        crease_angle=60.0 if arguments.crease is None else arguments.crease,
+    )  # fmt: skip
+    return Read(mesh, shape, whole.points, whole.normals)
+
+
+def fit(read_mesh: Read, arguments: Any, report: Reporter, across: float = 0.0) -> Model:
+    """Within a tolerance both ways; what falls short is warned of.
+
+    `across` is the diagonal of all that is drawn.  What is small beside it is seen as near: its tolerance is between that
+    of the whole and its own.
+    """
     options = {"random_seed": _seed(arguments), **(getattr(arguments, "own_mesh_fit", None) or {})}
     options.update({name: value for name in _CHOOSES if (value := getattr(arguments, name, None)) is not None})
     if arguments.regularization is not None:
         options["regularization"] = arguments.regularization
     if arguments.edges is not None:
         options["edges"], options["crease_angle"] = arguments.edges
+    if across > 0:
+        own = float(np.linalg.norm(np.ptp(read_mesh.shape.points, axis=0)))
+        options.setdefault("tolerance", TOLERANCE * float(np.sqrt(own * across)))
     is_open = read_mesh.mesh.info.boundary_edges > 0
     with report.stage("fit", "fitting") as stage:
         model = Model.fit_mesh(

@@ -98,6 +98,7 @@ def _add_input(parser: Parser) -> None:
          "something round; by default where they are coarse and no edges stand out")  # fmt: skip
     _add_choice(group, "--parts", "parts", ("outer", "all", "largest"), "which parts of a mesh: all but those inside "
                 "others (default), all, or that of the largest area")  # fmt: skip
+    group.add_argument("--together", action="store_true", help="fit an open mesh as one surface, also where parts cross")
     _add_choice(group, "--normals", "normals", ("auto", "keep", "none", "unoriented", "mixed", "inward"), "what is "
                 "known of those of points: auto (default) finds it out and repairs them, keep leaves them, none makes "
                 "new ones, unoriented and mixed turn some, inward turns all")  # fmt: skip

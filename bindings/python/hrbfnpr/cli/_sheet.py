@@ -71,8 +71,8 @@ class _Artist:
 
     def __init__(self, model: Model, context: Context, report: Reporter) -> None:
         self._model, self._context, self._report = model, context, report
-        self._known = _automatic.probe(model, context)
-        self._places = _automatic.positions(self._known)
+        known = _automatic.probe(model, context)
+        self._places, self._area = _automatic.positions(known), _scene.area_of(known)
         self._renderer = Renderer(context=context)
         self._marks: List[Tuple[Any, Any]] = []
         self._lines: Dict[Any, Any] = {}
@@ -84,7 +84,7 @@ class _Artist:
         """A PIL.Image, the same as `draw` makes."""
         camera = self.camera(cell)
         about = self._report.without_bars(cell.label)
-        style, layers = _scene.plan(cell.arguments, self._model, self._known, camera, about)
+        style, layers = _scene.plan(cell.arguments, self._model, self._area, camera, about)
         marks, line_set = self._marks_of(cell, layers), self._lines_of(cell, style, camera)
         sides = _scene.sides_of(cell.arguments, self._model)
         drawing = self._renderer.draw(Item(marks, style, line_set=line_set, sides=sides), camera)

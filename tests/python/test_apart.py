@@ -1,0 +1,189 @@
+# SPDX-License-Identifier: MIT
+"""Parts of open meshes that are no surface together: each is fitted and drawn on its own, in one picture."""
+import numpy as np
+import pytest
+from test_input import obj, tube
+from test_shapes import write
+
+import hrbfnpr
+from hrbfnpr import Mesh, batch
+from hrbfnpr.cli import _apart, main
+
+Image = pytest.importorskip("PIL.Image")
+
+
+def triangles(faces):
+    return [(face[0], face[k], face[k + 1]) for face in faces for k in range(1, len(face) - 1)]
+
+
+def merged(*parts):
+    """Vertices and triangles of several meshes together."""
+    vertices, faces, first = [], [], 0
+    for points, some in parts:
+        vertices.append(points)
+        faces += [[first + corner for corner in face] for face in triangles(some)]
+        first += len(points)
+    return np.vstack(vertices), np.array(faces)
+
+
+def moved(part, by, turned=False):
+    points, faces = part
+    return (points[:, [2, 0, 1]] if turned else points) + np.array(by, dtype=float), faces
+
+
+def pipe(ends=False):
+    return tube(ends=ends)
+
+
+def crossing(ends=False):
+    return merged(pipe(), moved(pipe(ends), (-1, 1.5, 0.3), turned=True))
+
+
+def groups(mesh):
+    return _apart.groups(Mesh(*mesh, parts="all"))
+
+
+def wall(corner, along, up, count=12):
+    steps = np.linspace(0, 1, count + 1)
+    points = np.array([np.array(corner) + u * np.array(along) + v * np.array(up) for v in steps for u in steps], dtype=float)
+    row = count + 1
+    return points, [(r * row + c, r * row + c + 1, r * row + c + row + 1, r * row + c + row) for r in range(count)
+                    for c in range(count)]  # fmt: skip
+
+
+def test_parts_that_cross_are_apart():
+    found = groups(crossing())
+    assert found.parts == 2 and len(found.groups) == 2
+    faces = np.sort(np.concatenate(found.groups))
+    assert np.array_equal(faces, np.arange(len(faces)))
+    one = set(found.groups[0].tolist())
+    half = len(faces) // 2
+    assert one in (set(range(half)), set(range(half, 2 * half)))
+
+
+def test_what_is_far_shares_a_group():
+    found = groups(merged(pipe(), moved(pipe(), (-1, 1.5, 0.3), turned=True), moved(pipe(), (6, 0, 0))))
+    assert found.parts == 3 and sorted(map(len, found.groups)) == [528, 1056]
+    assert groups(merged(pipe(), moved(pipe(), (6, 0, 0)))) is None
+
+
+def test_solids_stay_together():
+    closed = merged(pipe(True), moved(pipe(True), (-1, 1.5, 0.3), turned=True))
+    assert groups(closed) is None
+    found = groups(merged(pipe(True), moved(pipe(True), (-1, 1.5, 0.3), turned=True), moved(pipe(), (0.2, 1, 0.2))))
+    assert len(found.groups) == 2  # the solids, and the open one
+
+
+def test_a_cut_is_no_reason():
+    upper = moved(pipe(), (0, 3.002, 0))
+    assert groups(merged(pipe(), upper)) is None
+    lid = moved(wall((-1, 0, -1), (0, 0, 2), (2, 0, 0)), (0, 2.95, 0))
+    assert len(groups(merged(pipe(), lid)).groups) == 2  # it lies on the pipe, and its border is elsewhere
+
+
+def test_walls_that_meet_in_one_edge():
+    three = merged(*(wall((0, 0, 0), along, (0, 1, 0)) for along in ((1, 0, 0), (-1, 0, 0), (0, 0, 1))))
+    found = groups(three)
+    assert found.parts == 3 and len(found.groups) == 3
+
+
+def with_flap():
+    points, faces = merged(wall((0, 0, 0), (1, 0, 0), (0, 1, 0)))
+    return np.vstack([points, [[0.49, 0.5, 0.004]]]), np.vstack([faces, [[84, 85, len(points)]]])
+
+
+def test_faces_left_over_on_an_edge_are_no_part(tmp_path, capsys):
+    mesh = Mesh(*with_flap())
+    assert mesh.info.nonmanifold_edges == 1
+    assert np.asarray(mesh.given_faces)[_apart.flaps(mesh)].tolist() == [288]
+    three = merged(*(wall((0, 0, 0), along, (0, 1, 0), 1) for along in ((1, 0, 0), (-1, 0, 0), (0, 0, 1))))
+    assert _apart.flaps(Mesh(*three)) is None  # each is a part
+    vertices, faces = with_flap()
+    path = str(write(tmp_path, "a.obj", obj(vertices, faces.tolist())))
+    assert main(["draw", path, str(tmp_path / "a.png"), "--size", "60", "-q"]) == 0
+    assert main(["draw", path, str(tmp_path / "a.png"), "--size", "60"]) == 0
+    assert "1 face that only an edge of two others holds left out" in capsys.readouterr().err
+
+
+@pytest.fixture(scope="module")
+def picture():
+    return hrbfnpr.draw(crossing(), size=400, marks={"stipples": 6000}, azimuth=70)
+
+
+def test_marks_lie_on_all_parts_and_nowhere_else(picture):
+    parts = picture._scene.rest
+    assert len(parts) == 1
+    assert any("2 parts of the mesh, not all of them closed" in note for note in picture.notes)
+    count = []
+    for marks in (picture.marks, parts[0].marks):
+        places = np.concatenate([np.asarray(layer.positions, dtype=float) for layer in marks.layers]) + marks.origin
+        apart = [places - (0, 0, 0), (places - (-1, 1.5, 0.3))[:, [1, 2, 0]]]
+        off = min(np.abs(np.hypot(p[:, 0], p[:, 2]) - 1).max() for p in apart)
+        assert off < 0.02  # the faces are flat: 0.0086
+        count.append(len(marks))
+    assert abs(count[0] / count[1] - 1) < 0.05  # both are as large
+    assert abs(sum(count) - 6000) < 100
+    assert f"{sum(count)} marks" in repr(picture)
+
+
+def test_no_warning_where_parts_are_apart(tmp_path, capsys):
+    vertices, faces = crossing()
+    path = str(write(tmp_path, "a.obj", obj(vertices, faces.tolist())))
+    assert main(["draw", path, str(tmp_path / "a.png"), "--size", "200", "--also", str(tmp_path / "a.svg")]) == 0
+    said = capsys.readouterr()
+    assert "warning" not in said.err and said.out.count("\nfit ") == 2
+    assert (tmp_path / "a.svg").read_text().count("<g") > 1
+    assert main(["draw", path, str(tmp_path / "b.png"), "--size", "200", "--together"]) == 0
+    said = capsys.readouterr()
+    assert "not all of them closed" not in said.err and said.out.count("\nfit ") == 1
+    assert main(["draw", path, str(tmp_path / "c.png"), "--size", "200", "--save-model", str(tmp_path / "c.hrbf")]) == 0
+    assert capsys.readouterr().out.count("\nfit ") == 1  # one model is wanted
+
+
+def test_one_part_hides_the_other():
+    """Of two walls one stands right before the other."""
+    front = moved(wall((-1, -1, 0), (2, 0, 0), (0, 2, 0)), (0, 0, 0.1))
+    back = wall((-1, -1, 0), (2, 0, 0), (0, 2, 0))
+    picture = hrbfnpr.draw(merged(front, back), "stipple", size=800, azimuth=0, elevation=0, up="y")
+    assert len(picture._scene.rest) == 1
+    info = picture.drawing.info
+    assert 0.4 < info.dropped_hidden / (info.shown + info.dropped_hidden) < 0.6
+
+
+def test_the_same_from_elsewhere_and_in_other_styles(picture):
+    other = picture.seen(azimuth=200)
+    assert len(other._scene.rest) == 1 and other.drawing.info.items == 2
+    hatched = picture.restyled("hatch")
+    assert len(hatched._scene.rest) == 1
+    count = [len(marks) for marks in (hatched.marks, hatched._scene.rest[0].marks)]
+    assert abs(count[0] / count[1] - 1) < 0.05  # lines are as far from each other on both
+
+
+def test_an_orbit_has_all_parts():
+    options = {"size": 80, "marks": 1500, "frames": 3}
+    here = list(hrbfnpr.animate(crossing(), **options).images())
+    assert min((image[..., 0] < 128).sum() for image in here) > 100
+    pytest.importorskip("distributed", reason="dask.distributed is not installed (Debian: python3-distributed)")
+    there = dict(batch.frames_of(crossing(), workers=1, **options))
+    assert all(np.array_equal(there[i], here[i]) for i in range(3))
+
+
+def surface_of_rings(radius, height):
+    """Of revolution about y: a radius and a height for each of fifteen rings."""
+    angle = 2 * np.pi * np.arange(60) / 60
+    rings = [np.column_stack([r * np.cos(angle), 0 * angle + y, r * np.sin(angle)]) for r, y in zip(radius, height)]
+    faces = [(60 * k + i, 60 * (k + 1) + i, 60 * (k + 1) + (i + 1) % 60, 60 * k + (i + 1) % 60)
+             for k in range(len(rings) - 1) for i in range(60)]  # fmt: skip
+    return np.vstack(rings), faces
+
+
+def test_what_lies_beyond_a_border_is_no_error():
+    """Two pipes, one above the other, and a flange between: sheets go on from one to the other."""
+    along = np.linspace(0, 1, 15)
+    pipes = [surface_of_rings(np.ones(15), along), surface_of_rings(np.ones(15), 1.2 + along)]
+    mesh = Mesh(*merged(*pipes, surface_of_rings(1 - 0.5 * along, np.ones(15))), parts="all")
+    model = hrbfnpr.Model.fit_mesh(mesh, edges="sharp")
+    everywhere = model.compare(mesh)
+    assert everywhere.surface_max > 0.1 * everywhere.diagonal  # they do, and are trimmed
+    assert model.mesh_fit.surface_max < 0.05 * everywhere.diagonal
+    assert model.mesh_fit.mesh_share > 0.99
