@@ -17,9 +17,10 @@ namespace {
 constexpr std::int64_t fewest_centres = 512;
 constexpr LocalFieldOptions wanted; // its tolerance is the one that is stated
 // What is measured may be this much more before the field is made finer, or given up: a maximum over some hundred
-// places.  Parts of a mesh that cross have weights of many digits, and rounding alone is then a hundred times the
-// tolerance; sums over all centres, with which every frame takes minutes, would be no better to look at.
-constexpr double slack = 200.0;
+// places.  Parts of a mesh that cross, or lie close to each other, have weights of many digits, and rounding alone is
+// then a hundred or a thousand times the tolerance; sums over all centres, with which lines and every frame take
+// minutes, would be no better to look at.
+constexpr double slack = 5000.0;
 constexpr double gradients_share = 100.0;
 constexpr int finest = 2;
 constexpr std::int64_t probes = 512;

@@ -15,6 +15,7 @@ namespace {
 constexpr double known_piercing = 1e-10; // of a piece
 constexpr int deepest_piece = 40;        // halvings of a piece
 constexpr int deepest_outside = 6;       // of one whose ends lie outside the other's region
+constexpr double in_surface = 1e-7;      // diagonals of the region: a line that stays nearer lies in the surface
 
 // A place of a piece: f of the other surface there, its slope along the piece, and its gradient.
 struct Place {
@@ -39,14 +40,24 @@ bool may_touch(double f0, double d0, double f1, double d1) noexcept {
     return !(sign * f0 + sign * d0 / 3.0 > 0.0 && sign * f1 - sign * d1 / 3.0 > 0.0);
 }
 
+// Whether f, taken for a cubic, stays nearer to 0 than a distance.
+bool stays_near(const Place& a, const Place& b, double length, double distance) noexcept {
+    const auto near = [&](const Place& place) {
+        const double most = distance * glm::length(place.gradient);
+        return std::abs(place.value) <= most && std::abs(length * place.slope) <= most;
+    };
+    return near(a) && near(b);
+}
+
 // The lines of all other items against one surface.
 class Search {
 public:
     Search(const base::Runtime& runtime, std::span<const Subject> subjects, const ImageLines& lines,
            const Occluder& occluder, std::int32_t item)
         : runtime_(runtime), subjects_(subjects), lines_(lines), occluder_(occluder), item_(item),
-          region_(occluder.sheets->mesh().region), from_world_(glm::inverse(occluder.to_world)),
-          wanted_(runtime.memory), parts_(runtime.memory), next_(runtime.memory), sample_(runtime.memory) {}
+          region_(occluder.sheets->mesh().region), in_surface_(in_surface * region_.diagonal()),
+          from_world_(glm::inverse(occluder.to_world)), wanted_(runtime.memory), parts_(runtime.memory),
+          next_(runtime.memory), sample_(runtime.memory) {}
 
     void run(base::Array<Pierced>& found, const base::Progress& progress);
 
@@ -72,6 +83,7 @@ private:
     const Occluder& occluder_;
     std::int32_t item_;
     geometry::Bounds region_;
+    double in_surface_; // a length
     glm::dmat4 from_world_;
     base::Array<Sample> wanted_;
     base::Array<PiercedPart> parts_, next_; // to be halved
@@ -158,7 +170,9 @@ void Search::judge(const PiercedPart& part, base::Array<Pierced>& found) {
     const bool last = part.depth >= deepest_piece || length <= known_piercing;
     if (a.inside && b.inside) {
         if (a.negative() != b.negative() && last) return add(part, found);
-        if (a.negative() == b.negative() && !may_touch(a.value, length * a.slope, b.value, length * b.slope)) return;
+        if (a.negative() == b.negative() &&
+            (!may_touch(a.value, length * a.slope, b.value, length * b.slope) || stays_near(a, b, length, in_surface_)))
+            return;
     }
     if (last) return;
     next_.push_back(part);

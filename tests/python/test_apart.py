@@ -187,3 +187,11 @@ def test_what_lies_beyond_a_border_is_no_error():
     assert everywhere.surface_max > 0.1 * everywhere.diagonal  # they do, and are trimmed
     assert model.mesh_fit.surface_max < 0.05 * everywhere.diagonal
     assert model.mesh_fit.mesh_share > 0.99
+
+
+def test_a_picture_on_a_wall():
+    """It lies in the wall, and so do its borders: to look for where they go through it had no end."""
+    picture = hrbfnpr.draw(
+        merged(wall((0, 0, 0), (3, 0, 0), (0, 2, 0)), wall((1, 0.5, 0), (1, 0, 0), (0, 1, 0), 5)), size=200, up="y", azimuth=20
+    )
+    assert picture.drawing.info.items == 2 and picture.drawing.info.line_curves >= 2

@@ -177,7 +177,7 @@ def test_up_by_the_shape():
         assert up_of(shapes.Shape(points, normals)) == "y"
         assert up_of(shapes.Shape(points + 5, normals)) == "y"
     for corner, up in (([0.5, 0.5, 0.5], "y"), ([0, 0, 0], "y"), ([0.5, 0.5, 0], "z"), ([0.5, 0, 0.5], "y")):
-        assert up_of(shapes.Shape(CUBE - corner, None, shapes._shape.fans(QUADS))) == up  # all ends are flat
+        assert up_of(shapes.Shape(CUBE - corner, None, shapes._polygons.fans(QUADS))) == up  # all ends are flat
 
 
 def test_which_terrains_hang():

@@ -290,7 +290,7 @@ def test_a_mesh_inside_out_is_turned():
 
 
 def test_creases():
-    cube = shapes.Shape(CUBE, triangles=shapes._shape.fans(QUADS))
+    cube = shapes.Shape(CUBE, triangles=shapes._polygons.fans(QUADS))
     sharp = np.abs(shapes.samples(cube, 200)[1]).max(axis=1)
     np.testing.assert_allclose(sharp, 1)
     round_ = np.abs(shapes.samples(cube, 200, crease=180)[1]).max(axis=1)

@@ -131,6 +131,17 @@ TEST(Pierced, SmallThroughLarge) {
     }
 }
 
+// Lines of each lie in the surface of the other, as of a picture on a wall: halving them had no end.
+TEST(Pierced, TwoAtTheSamePlace) {
+    const test::SquareSphere sphere;
+    Stage stage;
+    add(runtime(), stage, sphere, {1.0, 0.0, 0.0}, 0.1);
+    add(runtime(), stage, sphere, {1.0, 0.0, 0.0}, 0.1);
+    Picture picture(runtime(), stage, Eye::at({0.0, 0.0, 1.0}, 6.0, false));
+    picture.find();
+    EXPECT_LT(picture.found->pierced.size(), 10000);
+}
+
 TEST(Pierced, OneItemPiercesNothing) {
     const test::SquareSphere sphere;
     Stage stage;

@@ -12,7 +12,8 @@ from typing import Any, Optional
 import numpy as np
 
 from .shapes import Shape, ShapeError
-from .shapes._shape import Floats, Integers, fans
+from .shapes._polygons import fans
+from .shapes._shape import Floats, Integers
 
 
 def shape_of(thing: Any) -> Shape:
@@ -96,14 +97,14 @@ def _of_pyvista(thing: Any) -> Optional[Shape]:
             return None
         return shape_of(thing.extract_surface())
     points, row = _floats("points", thing.points), np.asarray(thing.faces).reshape(-1)
-    triangles = _unpacked(row)
+    triangles = _unpacked(row, points)
     if triangles is not None:
         return Shape(points, None, triangles, "PyVista")
     data = thing.point_data
     return Shape(points, _normals_for(points, data["Normals"] if "Normals" in data else None), None, "PyVista")
 
 
-def _unpacked(row: Any) -> Optional[Integers]:
+def _unpacked(row: Any, points: Floats) -> Optional[Integers]:
     """Triangles of a row of polygons, each its number of corners and then these."""
     if len(row) == 0:
         return None
@@ -117,7 +118,7 @@ def _unpacked(row: Any) -> Optional[Integers]:
             raise ShapeError(f"faces must be counts of corners, each with these behind it: {count} at {at}")
         polygons.append([int(v) for v in row[at + 1 : at + 1 + count]])
         at += 1 + count
-    found = fans(polygons)
+    found = fans(polygons, points)
     return found if len(found) else None
 
 

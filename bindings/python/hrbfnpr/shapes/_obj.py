@@ -40,7 +40,7 @@ def read_obj(data: bytes) -> Shape:
     vertices, wide = _vectors(*found[b"v"], "a vertex")
     columns = ("x", "y", "z", "red", "green", "blue") if wide >= 6 else ("x", "y", "z")
     if found[b"f"][0]:
-        triangles = _faces(*found[b"f"], np.array(found[b"v"][1]))
+        triangles = _faces(*found[b"f"], np.array(found[b"v"][1]), vertices)
         return Shape(vertices, None, triangles, "OBJ", columns)
     normals, _ = _vectors(*found[b"vn"], "a normal")
     if len(vertices) == 0:
@@ -77,7 +77,7 @@ def _vectors(lines: List[bytes], where: List[int], what: str) -> Tuple[Floats, i
     return rows.table(3, what).reshape(-1, 3), int(rows.counts[0]) if len(lines) else 0
 
 
-def _faces(lines: List[bytes], where: List[int], vertex_lines: Integers) -> Integers:
+def _faces(lines: List[bytes], where: List[int], vertex_lines: Integers, points: Floats) -> Integers:
     """Of corners such as 7, 7/1, 7//3 or -1: counted from 1, or back from the last vertex so far."""
     try:
         rows = _placed(re.sub(rb"/\S*", b"", b"\n".join(lines)).split(b"\n"), where)
@@ -97,7 +97,7 @@ def _faces(lines: List[bytes], where: List[int], vertex_lines: Integers) -> Inte
         i = int(wrong[0])
         column = i - int(rows.starts[np.searchsorted(rows.starts, i, side="right") - 1]) + 2
         raise at(int(line_of[i]), column, out_of_range(int(corners[i]), count, 1))
-    return polygons(rows, rows.counts, rows.starts, index)[0]
+    return polygons(rows, rows.counts, rows.starts, index, points)[0]
 
 
 def read_off(data: bytes) -> Shape:
@@ -126,7 +126,7 @@ def read_off(data: bytes) -> Shape:
     width = 6 if "N" in kind else 3
     cut = [counts[0], counts[0] + counts[1]]
     table = _part(rows, 0, cut[0]).table(width, "a vertex").reshape(-1, width)
-    triangles = _off_faces(_part(rows, *cut), counts[0]) if counts[1] else None
+    triangles = _off_faces(_part(rows, *cut), table[:, :3]) if counts[1] else None
     columns = ("x", "y", "z", "nx", "ny", "nz")[:width]
     return Shape(table[:, :3], table[:, 3:] if width == 6 else None, triangles, "OFF", columns)
 
@@ -151,7 +151,7 @@ def _part(rows: Rows, first: int, last: int) -> Rows:
     return Rows(rows.values[ends[first] : ends[last]], rows.counts[first:last], rows.lines[first:last])
 
 
-def _off_faces(rows: Rows, count: int) -> Integers:
+def _off_faces(rows: Rows, points: Floats) -> Integers:
     """A number of corners, the corners, and perhaps a colour, which need not be whole."""
     sizes = rows.values[rows.starts]
     for i in np.flatnonzero((sizes != np.round(sizes)) | (sizes < 0)):
@@ -159,6 +159,6 @@ def _off_faces(rows: Rows, count: int) -> Integers:
     corners = sizes.astype(np.int64)
     for i in np.flatnonzero(rows.counts < corners + 1):
         raise at(int(rows.lines[i]), 0, f"a face has fewer than its {corners[i]} corners")
-    triangles, lines = polygons(rows, corners, rows.starts + 1, rows.values.astype(np.int64))
-    check_indices(triangles, lines, count)
+    triangles, lines = polygons(rows, corners, rows.starts + 1, rows.values.astype(np.int64), points)
+    check_indices(triangles, lines, len(points))
     return triangles

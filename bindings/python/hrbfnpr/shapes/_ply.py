@@ -8,7 +8,8 @@ from typing import Any, Dict, Iterator, List, Optional, Tuple, Union
 
 import numpy as np
 
-from ._shape import Integers, Shape, ShapeError, fans, fans_of_block, strips
+from ._polygons import fans, fans_of_block
+from ._shape import Floats, Integers, Shape, ShapeError, strips
 from ._table import Rows, at, check_indices, numbers, polygons
 
 _TYPES = {
@@ -34,10 +35,10 @@ class _Lists:
     def __iter__(self) -> Iterator[List[int]]:
         return (self.values[start : start + count].tolist() for start, count in zip(self.starts, self.counts))
 
-    def triangles(self, vertices: int) -> Integers:
+    def triangles(self, points: Floats) -> Integers:
         rows = Rows(self.values.astype(float), self.counts, self.lines)
-        result, lines = polygons(rows, self.counts, self.starts, self.values)
-        check_indices(result, lines, vertices)
+        result, lines = polygons(rows, self.counts, self.starts, self.values, points)
+        check_indices(result, lines, len(points))
         return result
 
 
@@ -75,10 +76,10 @@ def read_ply(data: bytes) -> Shape:
     points = np.column_stack([vertex[axis] for axis in "xyz"]).astype(np.float64)
     names = next(tuple(name for name, _, _ in one.properties) for one in elements if one.name == "vertex")
     form = {"": "ascii", "<": "binary, little-endian", ">": "binary, big-endian"}[order]
-    return Shape(points, normals, _triangles(columns, len(points)), f"PLY, {form}", names)
+    return Shape(points, normals, _triangles(columns, points), f"PLY, {form}", names)
 
 
-def _triangles(columns: Dict[str, Dict[str, Any]], vertices: int) -> Any:
+def _triangles(columns: Dict[str, Dict[str, Any]], points: Floats) -> Any:
     parts = []
     for name, lists in columns.items():
         indices = next((lists[key] for key in _LIST_NAMES if key in lists), None)
@@ -87,9 +88,10 @@ def _triangles(columns: Dict[str, Dict[str, Any]], vertices: int) -> Any:
         if name == "tristrips":
             parts += [strips([int(i) for i in strip]) for strip in indices]
         elif name == "face" and isinstance(indices, _Lists):
-            parts.append(indices.triangles(vertices))
+            parts.append(indices.triangles(points))
         elif name == "face":
-            parts.append(fans_of_block(indices) if isinstance(indices, np.ndarray) else fans(indices))
+            is_block = isinstance(indices, np.ndarray)
+            parts.append(fans_of_block(indices, points).reshape(-1, 3) if is_block else fans(indices, points))
     return np.concatenate(parts) if parts else None
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any, Iterable, List, Optional, Sequence, Tuple
+from typing import List, Optional, Sequence, Tuple
 
 import numpy as np
 import numpy.typing as npt
@@ -57,24 +57,6 @@ class Shape:
     def is_mesh(self) -> bool:
         """Whether there are faces."""
         return self.triangles is not None and len(self.triangles) > 0
-
-
-def fans(polygons: Iterable[Sequence[int]]) -> Integers:
-    """Triangles of polygons: fans about their first corner.  What has no three corners is left out."""
-    result: List[Tuple[int, int, int]] = []
-    for polygon in polygons:
-        result.extend((polygon[0], polygon[i], polygon[i + 1]) for i in range(1, len(polygon) - 1))
-    return np.array(result, dtype=np.int64).reshape(-1, 3)
-
-
-def fans_of_block(corners: Any) -> Integers:
-    """As `fans`, for an array of polygons with the same number of corners."""
-    corners = np.asarray(corners, dtype=np.int64)
-    parts = [corners[:, [0, i, i + 1]] for i in range(1, corners.shape[1] - 1)]
-    if not parts:
-        return np.empty((0, 3), dtype=np.int64)
-    stacked: Integers = np.stack(parts, axis=1).reshape(-1, 3)
-    return stacked
 
 
 def strips(indices: Sequence[int]) -> Integers:

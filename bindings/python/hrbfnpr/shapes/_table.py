@@ -7,10 +7,11 @@ from __future__ import annotations
 
 import re
 import warnings
-from typing import Any, List, NamedTuple, Sequence, Tuple
+from typing import Any, List, NamedTuple, Optional, Sequence, Tuple
 
 import numpy as np
 
+from ._polygons import fans_of_block
 from ._shape import Floats, Integers, ShapeError
 
 _BLOCK = 1 << 24  # bytes that are looked at together
@@ -155,15 +156,18 @@ def whole(rows: Rows, what: str, least: int) -> Integers:
     return result
 
 
-def polygons(rows: Rows, counts: Integers, starts: Integers, values: Integers) -> Tuple[Integers, Integers]:
-    """Triangles of polygons whose corners are runs of `values`, and the line that each comes from."""
+def polygons(
+    rows: Rows, counts: Integers, starts: Integers, values: Integers, points: Optional[Floats] = None
+) -> Tuple[Integers, Integers]:
+    """Triangles of polygons whose corners are runs of `values`, and the line that each comes from; as `fans_of_block`."""
     parts: List[Any] = []
     lines: List[Any] = []
     for size in np.unique(counts[counts >= 3]):
         which = np.flatnonzero(counts == size)
         corners = values[starts[which][:, None] + np.arange(size)]
-        for i in range(1, int(size) - 1):
-            parts.append(corners[:, [0, i, i + 1]])
+        triangles = fans_of_block(corners, points)
+        for i in range(int(size) - 2):
+            parts.append(triangles[:, i])
             lines.append(np.column_stack([which, np.full(len(which), i)]))
     if not parts:
         return np.empty((0, 3), dtype=np.int64), np.empty(0, dtype=np.int64)

@@ -10,7 +10,8 @@ from typing import Any, Dict, List, Optional, Tuple
 import numpy as np
 
 from ._optional import needed
-from ._shape import Floats, Integers, Shape, ShapeError, fans, fans_of_block
+from ._polygons import fans, fans_of_block
+from ._shape import Floats, Integers, Shape, ShapeError
 
 # Faces of cells, seen from outside.
 _FACES = {
@@ -79,7 +80,7 @@ def read_meshio(path: Path, form: str = "") -> Shape:
     if points.ndim != 2 or points.shape[1] != 3:
         raise ShapeError("its points are not in three dimensions")
     parts: List[Integers] = [
-        fans_of_block(block.data)
+        fans_of_block(block.data, points).reshape(-1, 3)
         for block in mesh.cells
         if block.type in ("triangle", "quad") or block.type.startswith("polygon")
     ]

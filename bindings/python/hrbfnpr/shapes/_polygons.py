@@ -1,0 +1,103 @@
+# SPDX-License-Identifier: MIT
+"""Triangles of polygons: fans, and where these would turn over, as of polygons that are not convex, ears that are cut off."""
+from __future__ import annotations
+
+from typing import Any, Dict, Iterable, List, Optional, Sequence
+
+import numpy as np
+
+from ._shape import Floats, Integers
+
+TURNED = 1e-9  # of the polygon's area: a triangle of a fan that looks the other way by more ...
+MOST_CORNERS = 4096  # ... of a polygon of no more corners
+
+
+def fans(polygons: Iterable[Sequence[int]], points: Optional[Floats] = None) -> Integers:
+    """Triangles of polygons, by their corners' numbers.  What has no three corners is left out."""
+    given = [polygon for polygon in polygons if len(polygon) >= 3]
+    by_size: Dict[int, List[int]] = {}
+    for number, polygon in enumerate(given):
+        by_size.setdefault(len(polygon), []).append(number)
+    made: List[Any] = [None] * len(given)
+    for some in by_size.values():
+        for number, triangles in zip(some, fans_of_block([given[number] for number in some], points)):
+            made[number] = triangles
+    return np.concatenate(made).astype(np.int64) if made else np.empty((0, 3), dtype=np.int64)
+
+
+def fans_of_block(corners: Any, points: Optional[Floats] = None) -> Integers:
+    """Of n polygons with k corners each: triangles, shape (n, k - 2, 3).
+
+    With `points`, polygons that a fan about their first corner would not cover are cut by ears
+    [Meisters, "Polygons have ears", 1975]; one that crosses itself keeps its fan.
+    """
+    corners = np.asarray(corners, dtype=np.int64)
+    size = corners.shape[1]
+    if size < 3:
+        return np.empty((len(corners), 0, 3), dtype=np.int64)
+    made: Integers = np.stack([corners[:, [0, i, i + 1]] for i in range(1, size - 1)], axis=1)
+    if points is None or size == 3 or size > MOST_CORNERS:
+        return made
+    for number in _not_covered(corners, points):
+        ears = _ears(points[corners[number]])
+        if ears is not None:
+            made[number] = corners[number][ears]
+    return made
+
+
+def _not_covered(corners: Integers, points: Floats) -> Integers:
+    """Polygons of which a triangle of the fan looks away."""
+    usable = np.flatnonzero(((corners >= 0) & (corners < len(points))).all(axis=1))
+    place = points[corners[usable]]
+    spokes = place[:, 1:] - place[:, :1]
+    fan = np.cross(spokes[:, :-1], spokes[:, 1:])
+    whole = fan.sum(axis=1)
+    along = np.einsum("nij,nj->ni", fan, whole)
+    with np.errstate(invalid="ignore"):
+        return usable[(along < -TURNED * np.einsum("nj,nj->n", whole, whole)[:, None]).any(axis=1)]
+
+
+def _ears(place: Floats) -> Optional[Integers]:
+    """Triangles of one polygon, by numbers of its corners; None if it has no ears, as where it crosses itself."""
+    flat = _in_plane(place)
+    left, triangles, at = list(range(len(place))), [], 0
+    while len(left) > 3:
+        for step in range(len(left)):
+            i = (at + step) % len(left)
+            ear = (left[i - 1], left[i], left[(i + 1) % len(left)])
+            if _is_ear(flat, left, ear):
+                break
+        else:
+            return None
+        triangles.append(ear)
+        del left[i]
+        at = i % len(left)  # beside, and not fans of slivers about one corner
+    triangles.append((left[0], left[1], left[2]))
+    return np.array(triangles)
+
+
+def _in_plane(place: Floats) -> Floats:
+    """Counted against the clock, seen from where its normal points."""
+    spokes = place[1:] - place[0]
+    normal = np.cross(spokes[:-1], spokes[1:]).sum(axis=0)
+    axis = int(np.abs(normal).argmax())
+    kept = [(axis + 1) % 3, (axis + 2) % 3]
+    return place[:, kept if normal[axis] > 0 else kept[::-1]]
+
+
+def _is_ear(flat: Floats, left: List[int], ear: Sequence[int]) -> bool:
+    a, b, c = (flat[i] for i in ear)
+    if _turn(a, b, c) <= 0:
+        return False
+    others = flat[[i for i in left if i not in ear]]
+    inside = (_turn(a, b, others) >= 0) & (_turn(b, c, others) >= 0) & (_turn(c, a, others) >= 0)
+    if not inside.any():
+        return True
+    # A corner that stands where one of the ear's does, as where a slit leads to a hole, is not in its way.
+    same = [(others[inside] == one).all(axis=1) for one in (a, b, c)]
+    return bool(np.logical_or.reduce(same).all())
+
+
+def _turn(a: Any, b: Any, c: Any) -> Any:
+    """Twice the area of a triangle, above 0 against the clock; c may be many."""
+    return (b[..., 0] - a[..., 0]) * (c[..., 1] - a[..., 1]) - (b[..., 1] - a[..., 1]) * (c[..., 0] - a[..., 0])
