@@ -78,6 +78,8 @@ class _Reader:
         self._world: Dict[int, Floats] = {}
 
     def shape(self) -> Shape:
+        if isinstance(self._document.get("meshes"), dict):  # by names: they are lists since version 2
+            raise ShapeError("glTF files of version 1 are not read: version 2 is; Blender or MeshLab converts it")
         for extension in _COMPRESSED:
             if extension in self._document.get("extensionsRequired", ()):
                 raise ShapeError(
