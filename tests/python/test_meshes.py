@@ -180,7 +180,7 @@ def broken_gltf(change):
     [
         ("a.glb", glb(*gltf())[:-20], r"cut short: \d+ of \d+ bytes"),
         ("a.glb", b"glTF" + struct.pack("<II", 1, 20) + bytes(20), "version 1"),
-        ("a.gltf", b'{"meshes": {"cube": {}}, "nodes": {}}', "version 1 are not read"),
+        ("a.gltf", b'{"asset": {}, "meshes": {"cube": {}}, "nodes": {}}', "version 1 are not read"),
         ("a.glb", broken_gltf(lambda d: d["accessors"][0].update(count=4000)), "cut short"),
         ("a.glb", broken_gltf(lambda d: d["accessors"][1].update(componentType=1)), "refers to what is not there"),
         ("a.glb", broken_gltf(lambda d: d["nodes"][1].update(children=[0])), "in a circle"),
