@@ -17,10 +17,13 @@ namespace {
 constexpr std::int64_t fewest_centres = 512;
 constexpr LocalFieldOptions wanted; // its tolerance is the one that is stated
 // What is measured may be this much more before the field is made finer, or given up: a maximum over some hundred
-// places.  Parts of a mesh that cross, or lie close to each other, have weights of many digits, and rounding alone is
-// then a hundred or a thousand times the tolerance; sums over all centres, with which lines and every frame take
-// minutes, would be no better to look at.
-constexpr double slack = 5000.0;
+// places.
+constexpr double slack = 200.0;
+// Parts of a mesh that cross, or lie close to each other, have weights of many digits, and rounding alone is then a
+// hundred or a thousand times the tolerance: a finer field is no better.  Nor are sums over all centres, with which
+// lines and every frame take minutes, to look at.
+constexpr double slack_of_rounding = 5000.0;
+constexpr double no_better = 0.5; // of the error before
 constexpr double gradients_share = 100.0;
 constexpr int finest = 2;
 constexpr std::int64_t probes = 512;
@@ -54,8 +57,8 @@ std::unique_ptr<Prepared> Prepared::make(const base::Runtime& runtime, const Hrb
             "%.1e",
             static_cast<long long>(data.count()), watch.seconds(), static_cast<double>(prepared->bytes()) / 1e6,
             error.value, error.gradient);
-        if (error.value <= slack * wanted.tolerance && error.gradient <= slack * gradients_share * wanted.tolerance)
-            return prepared;
+        const double allowed = (error.value > no_better * before ? slack_of_rounding : slack) * wanted.tolerance;
+        if (error.value <= allowed && error.gradient <= gradients_share * allowed) return prepared;
         if (error.value >= before) break; // rounding is all that is left
         before = error.value;
     }

@@ -1020,7 +1020,8 @@ extern "C" {
     /// how much, and what values and gradients are off by, which is measured); after
     /// that a point hardly costs more with more centres.  f is then within 1e-9
     /// diagonals of the sum over all centres, its gradient within 1e-7; of rough,
-    /// uneven samples within 5000 times that, or all centres are summed.  What a call
+    /// uneven samples within 200 times that, 5000 where rounding leaves no more, or
+    /// all centres are summed.  What a call
     /// gives depends on its n, in the last bits on whether Hessians are asked for,
     /// never on calls before it.  _project, _curvature and
     /// hrbfnpr_point_set_generate do the same.
