@@ -232,6 +232,59 @@ TEST_F(Posed, AllocatesNothingOnceWarm) {
     EXPECT_EQ(counter.calls, warm);
 }
 
+// Each of many items is what it is alone: none of what is kept for one moves when others follow.
+class ManyItems : public Posed {
+protected:
+    static constexpr int many = 11;
+
+    void expect_sum(const std::vector<Item>& items, const frame::Camera& camera) {
+        for (const Visibility visibility : both) {
+            std::int64_t expected = 0;
+            std::vector<Item> all = items;
+            for (Item& item : all) {
+                item.style.visibility = visibility;
+                DrawnFrame alone(runtime);
+                alone.draw(std::array{item}, camera);
+                expected += alone.info().shown;
+                ASSERT_GT(alone.info().shown, 0);
+            }
+            DrawnFrame together(runtime);
+            together.draw(all, camera);
+            EXPECT_EQ(together.info().shown, expected);
+        }
+    }
+
+    marks::PointSet set = clustered(runtime, plane(runtime.memory, 30));
+    // Beside each other, and none in front of another.
+    [[nodiscard]] static glm::dmat4 place(int i) { return turned(0.0, {2.5 * (i - many / 2), 0.0, 0.0}); }
+    [[nodiscard]] static frame::Camera wide(bool from_behind) {
+        return camera_from({0.0, 0.0, from_behind ? -1.0 : 1.0}, size, 40.0);
+    }
+};
+
+TEST_F(ManyItems, AreSeenFromTheirOtherSide) {
+    std::vector<Item> items;
+    for (int i = 0; i < many; ++i) {
+        items.push_back(layered_item(set, all_front(frame::HiddenLines::hide), place(i)));
+        items.back().both_sides = true;
+    }
+    for (const bool from_behind : {false, true}) expect_sum(items, wide(from_behind));
+}
+
+TEST_F(ManyItems, ArePosed) {
+    std::vector<Places> places;
+    for (int i = 0; i < many; ++i) places.emplace_back(set, 0, place(i));
+    std::vector<Pose> poses;
+    for (const Places& one : places) poses.push_back(one.pose(0));
+    std::vector<Item> items;
+    for (const Pose& pose : poses) {
+        items.push_back(layered_item(set, all_front(frame::HiddenLines::hide)));
+        items.back().poses = std::span(&pose, 1);
+        items.back().both_sides = true;
+    }
+    for (const bool from_behind : {false, true}) expect_sum(items, wide(from_behind));
+}
+
 class BadPose : public Posed {
 protected:
     void expect_error(std::span<const Pose> poses, const char* text) {

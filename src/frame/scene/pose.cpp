@@ -98,6 +98,7 @@ void pose(Scene& scene, std::span<const Item> items, drawing::Drawing& drawing) 
     for (const drawing::Run& run : drawing.runs)
         if (run.posed >= 0) enclose(drawing, run, scene.items[run.item]);
     // All are there: from here on nothing moves any more.
+    scene.posed.reserve(scene.runs.size());
     std::int64_t number = 0;
     for (Run& run : scene.runs) {
         const drawing::Run& source = *drawing.run_of(run.first_id);

@@ -8,6 +8,7 @@ namespace hrbfnpr::frame {
 void turn(Scene& scene) {
     std::int64_t marks = 0;
     for (const Run& run : scene.runs) marks += run.turned ? run.count : 0;
+    if (marks > 0) scene.turned.reserve(scene.runs.size()); // runs point to what is in it
     scene.turned_normal.resize_for_overwrite(3 * marks);
     float* to = scene.turned_normal.data();
     std::int64_t number = 0;
