@@ -26,8 +26,9 @@ class Splitter {
 public:
     Splitter(const base::Runtime& runtime, const implicit::Implicit& implicit, SurfaceMesh mesh)
         : runtime_(runtime), implicit_(implicit), sheets_(*implicit.sheets()), mesh_(std::move(mesh)),
-          sheet_(runtime.memory), node_(runtime.memory), edges_(runtime.memory), corners_(runtime.memory),
-          taken_(runtime.memory), out_(runtime.memory) {}
+          sheet_(runtime.memory), node_(runtime.memory), node_before_(runtime.memory), edges_(runtime.memory),
+          edges_before_(runtime.memory), looked_at_(runtime.memory), corners_(runtime.memory), taken_(runtime.memory),
+          out_(runtime.memory) {}
 
     SharpMesh run(const base::Progress& progress);
 
@@ -67,11 +68,13 @@ private:
     const implicit::Sheets& sheets_;
     SurfaceMesh mesh_;
     base::Array<std::int32_t> sheet_; // of each vertex
-    base::Array<std::int32_t> node_;  // of each edge, of both: among edges_; -1: it crosses no crease
+    // Of each edge, of both: among edges_; -1: it crosses no crease.  And what it was before.
+    base::Array<std::int32_t> node_, node_before_;
     CreaseNodes nodes_{implicit_, mesh_, sheet_};
-    base::Array<EdgeNode> edges_;
-    base::Array<CornerNode> corners_; // by triangle
-    base::Array<std::uint8_t> taken_; // edges that chains have passed
+    base::Array<EdgeNode> edges_, edges_before_;
+    base::Array<std::int32_t> looked_at_; // of edges_: those that were not known
+    base::Array<CornerNode> corners_;     // by triangle
+    base::Array<std::uint8_t> taken_;     // edges that chains have passed
     SharpMesh out_;
     std::int32_t first_of_edges_ = 0, first_of_corners_ = 0; // vertices
 };
@@ -87,21 +90,32 @@ void Splitter::find_sheets(std::int64_t from, const base::Progress& progress) {
     });
 }
 
+// Whose ends have the same sheets as before are what they were.
 void Splitter::find_edges(const base::Progress& progress) {
+    std::swap(edges_, edges_before_);
+    std::swap(node_, node_before_);
     edges_.clear();
+    looked_at_.clear();
     node_.resize(mesh_.corner.size());
     for (std::int64_t e = 0; e < mesh_.corner.size(); ++e) {
         node_[e] = -1;
         if (!is_first(mesh_, e) || sheet_[start_of(mesh_, e)] == sheet_[end_of(mesh_, e)]) continue;
+        const std::array<std::int32_t, 2> sheet{sheet_[start_of(mesh_, e)], sheet_[end_of(mesh_, e)]};
+        const std::int32_t before = edges_before_.empty() ? -1 : node_before_[e];
         node_[e] = static_cast<std::int32_t>(edges_.size());
-        edges_.push_back({e, {}, {}, {}, false, false});
+        if (before >= 0 && edges_before_[before].sheet == sheet) {
+            edges_.push_back(edges_before_[before]);
+        } else {
+            looked_at_.push_back(node_[e]);
+            edges_.push_back({e, sheet, {}, {}, {}, false, false});
+        }
     }
     for (std::int64_t i = 0; i < edges_.size(); ++i)
         if (const std::int64_t other = opposite_of(mesh_, edges_[i].edge); other >= 0)
             node_[other] = static_cast<std::int32_t>(i);
-    threads().for_chunks(edges_.size(), grain, [&](std::int64_t begin, std::int64_t end) {
+    threads().for_chunks(looked_at_.size(), grain, [&](std::int64_t begin, std::int64_t end) {
         progress.check();
-        for (std::int64_t i = begin; i < end; ++i) nodes_.look_at(edges_[i]);
+        for (std::int64_t i = begin; i < end; ++i) nodes_.look_at(edges_[looked_at_[i]]);
     });
 }
 
@@ -181,6 +195,7 @@ bool Splitter::halve(const base::Progress& progress) {
     }
     if (mesh_.vertices() == before) return false;
     cut_at_middles(runtime_, middle, mesh_);
+    edges_.clear(); // edges have other numbers now
     find_sheets(before, progress);
     return true;
 }

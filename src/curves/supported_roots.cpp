@@ -26,7 +26,7 @@ public:
     Judge(const base::Runtime& runtime, const implicit::Implicit& implicit, const SurfaceEnd& end,
           const base::Array<Line>& lines, const Spans& spans)
         : runtime_(runtime), implicit_(implicit), end_(end), lines_(lines), spans_(spans), doubtful_(runtime.memory),
-          place_(runtime.memory), gradient_(runtime.memory), value_(runtime.memory) {}
+          place_(runtime.memory), gradient_(runtime.memory) {}
 
     void find(const base::Array<Root>& roots);
     void refine(const base::Progress& progress);
@@ -34,7 +34,7 @@ public:
 
 private:
     [[nodiscard]] const Line& line(const Doubtful& d) const noexcept { return lines_[spans_.span[d.root.span].line]; }
-    void step(std::int64_t i) noexcept;
+    void step(Doubtful& d, double value, const glm::dvec3& gradient) const noexcept;
 
     const base::Runtime& runtime_;
     const implicit::Implicit& implicit_;
@@ -42,8 +42,7 @@ private:
     const base::Array<Line>& lines_;
     const Spans& spans_;
     base::Array<Doubtful> doubtful_;
-    geometry::VecArray place_, gradient_;
-    base::Array<double> value_;
+    geometry::VecArray place_, gradient_; // where each was looked at last
 };
 
 void Judge::find(const base::Array<Root>& roots) {
@@ -54,33 +53,42 @@ void Judge::find(const base::Array<Root>& roots) {
 }
 
 // Newton's step, or halving where that leaves the root's bounds.
-void Judge::step(std::int64_t i) noexcept {
-    Doubtful& d = doubtful_[i];
-    if (d.done) return;
+void Judge::step(Doubtful& d, double value, const glm::dvec3& gradient) const noexcept {
     Root& root = d.root;
-    ((value_[i] < 0.0) == root.negative_at_low ? root.low : root.high) = d.at;
-    const double way = -value_[i] / glm::dot(gradient_[i], line(d).direction);
+    ((value < 0.0) == root.negative_at_low ? root.low : root.high) = d.at;
+    const double way = -value / glm::dot(gradient, line(d).direction);
     double next = d.at + way;
     if (!(next > root.low && next < root.high)) next = 0.5 * (root.low + root.high);
     d.done = std::abs(next - d.at) <= known_support * implicit_.diagonal();
     if (!d.done) d.at = next;
 }
 
+// A few take all steps, where f is not smooth: the others are not asked again.
 void Judge::refine(const base::Progress& progress) {
     place_.resize(doubtful_.size());
     gradient_.resize(doubtful_.size());
-    value_.resize(doubtful_.size());
-    bool left = !doubtful_.empty();
-    for (int k = 0; k < support_steps && left; ++k) {
-        for (std::int64_t i = 0; i < doubtful_.size(); ++i) place_.set(i, line(doubtful_[i]).at(doubtful_[i].at));
-        implicit::evaluate_all(runtime_, implicit_, place_,
-                               {value_.data(), {gradient_.x.data(), gradient_.y.data(), gradient_.z.data()}, {}},
+    base::Array<std::int64_t> left(runtime_.memory);
+    for (std::int64_t i = 0; i < doubtful_.size(); ++i) left.push_back(i);
+    geometry::VecArray place(runtime_.memory);
+    geometry::VecArray gradient(runtime_.memory);
+    base::Array<double> value(runtime_.memory);
+    for (int k = 0; k < support_steps && !left.empty(); ++k) {
+        place.resize(left.size());
+        gradient.resize(left.size());
+        value.resize(left.size());
+        for (std::int64_t i = 0; i < left.size(); ++i) place.set(i, line(doubtful_[left[i]]).at(doubtful_[left[i]].at));
+        implicit::evaluate_all(runtime_, implicit_, place,
+                               {value.data(), {gradient.x.data(), gradient.y.data(), gradient.z.data()}, {}},
                                progress.part(0.0, 0.0));
-        left = false;
-        for (std::int64_t i = 0; i < doubtful_.size(); ++i) {
-            step(i);
-            left = left || !doubtful_[i].done;
+        std::int64_t kept = 0;
+        for (std::int64_t i = 0; i < left.size(); ++i) {
+            const std::int64_t number = left[i];
+            place_.set(number, place[i]);
+            gradient_.set(number, gradient[i]);
+            step(doubtful_[number], value[i], gradient[i]);
+            if (!doubtful_[number].done) left[kept++] = number;
         }
+        left.resize(kept);
     }
 }
 

@@ -106,7 +106,7 @@ private:
     [[nodiscard]] bool consistent(std::int64_t l, base::Array<Interval>& parts, std::span<const Event> events) const;
     void find_parts(std::int64_t l, std::span<const double> sizes);
     [[nodiscard]] bool is_bad(std::int64_t l) const noexcept { return std::binary_search(bad_.begin(), bad_.end(), l); }
-    void mark(std::int32_t subject, base::Array<std::uint8_t>& marked) const;
+    void mark(const base::Array<std::int64_t>& first, base::Array<std::uint8_t>& marked) const;
     [[nodiscard]] bool is_in_reach(const Piece& piece) const noexcept;
 
     const base::Runtime& runtime_;
@@ -295,13 +295,14 @@ bool Round::is_in_reach(const Piece& piece) const noexcept {
             glm::length(image) < reach && glm::distance(image, see(subject.view, b).place) < longest_piece);
 }
 
-// Pieces of a subject's curves that may be why lines contradict themselves.
-void Round::mark(std::int32_t subject, base::Array<std::uint8_t>& marked) const {
+// Pieces of curves that may be why lines contradict themselves; first: of each subject's points.
+void Round::mark(const base::Array<std::int64_t>& first, base::Array<std::uint8_t>& marked) const {
     const auto mark_piece = [&](const Line& its, std::int64_t k) {
+        if (subjects_[static_cast<std::size_t>(its.subject)].level == nullptr) return; // it is as fine as can be
         if (its.closed) k = (k + its.pieces) % its.pieces;
-        if (its.subject != subject || k < 0 || k >= its.pieces) return;
+        if (k < 0 || k >= its.pieces) return;
         const Piece& piece = out_.lines.pieces[its.first_piece + k];
-        if (is_in_reach(piece)) marked[piece.a] = 1;
+        if (is_in_reach(piece)) marked[first[its.subject] + piece.a] = 1;
     };
     for (const std::int64_t l : bad_)
         for (std::int64_t k = 0; k < line(l).pieces; ++k) mark_piece(line(l), k);
@@ -317,16 +318,21 @@ void Round::mark(std::int32_t subject, base::Array<std::uint8_t>& marked) const 
 }
 
 void Round::refine(double tolerance) {
+    base::Array<std::int64_t> first(runtime_.memory);
+    first.push_back(0);
+    for (const Subject& subject : out_.subjects) first.push_back(first.back() + subject.curves->point.size());
+    base::Array<std::uint8_t> all_marked(runtime_.memory, first.back());
+    mark(first, all_marked);
     for (std::int64_t s = 0; s < out_.subjects.size(); ++s) {
         Subject& subject = out_.subjects[s];
-        if (subject.level == nullptr) continue;
-        base::Array<std::uint8_t> marked(runtime_.memory, subject.curves->point.size());
-        mark(static_cast<std::int32_t>(s), marked);
+        const auto marked =
+            std::as_const(all_marked)
+                .span()
+                .subspan(static_cast<std::size_t>(first[s]), static_cast<std::size_t>(first[s + 1] - first[s]));
         if (std::none_of(marked.begin(), marked.end(), [](std::uint8_t m) { return m != 0; })) continue;
         std::int64_t evaluations = 0;
-        auto& made = out_.finer.add(std::make_unique<curves::Curves>(
-            curves::finer_curves(runtime_, *subject.level, subject.view, *subject.curves, std::as_const(marked).span(),
-                                 tolerance, evaluations, progress_)));
+        auto& made = out_.finer.add(std::make_unique<curves::Curves>(curves::finer_curves(
+            runtime_, *subject.level, subject.view, *subject.curves, marked, tolerance, evaluations, progress_)));
         subject.curves = made.get();
     }
 }

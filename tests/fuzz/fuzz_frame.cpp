@@ -142,6 +142,13 @@ hrbfnpr_item some_item(const hrbfnpr_point_set* set, const Style& style, const P
     return item;
 }
 
+// One, a few, or so many that what is kept for each grows on the way.
+std::size_t count_of_items(Input& input) {
+    if (!input.once_in(4)) return 1;
+    const std::size_t count = input.below(16);
+    return 1 + (count < 12 ? count % 3 : count);
+}
+
 hrbfnpr_camera some_camera(Input& input) {
     const double low[3] = {-1.4, -1.4, -1.0};
     const double high[3] = {1.4, 1.4, 1.0};
@@ -189,7 +196,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     Input input(data, size);
     Input ending(size > 0 ? data + size - 1 : data, size > 0 ? 1 : 0); // of the first drawing, by the last byte
     const Style style(input);
-    const std::size_t count = 1 + (input.once_in(4) ? input.below(3) : 0);
+    const std::size_t count = count_of_items(input);
     const hrbfnpr_point_set* const set = scene_set(input.below(set_count));
     const Pose pose(set, input);
     std::vector<hrbfnpr_item> items;
