@@ -38,8 +38,7 @@ struct Curves {
 class CubicPiece {
 public:
     CubicPiece(const CurvePoint& a, const CurvePoint& b) noexcept
-        : a_(a.position), b_(b.position), length_(glm::distance(a_, b_)), begin_(glm::normalize(a.direction())),
-          end_(glm::normalize(b.direction())) {
+        : a_(a.position), b_(b.position), length_(glm::distance(a_, b_)), begin_(tangent(a)), end_(tangent(b)) {
         const double speed = length_ * over_chord(glm::dot(begin_, end_));
         begin_ *= speed;
         end_ *= speed;
@@ -57,6 +56,12 @@ public:
     [[nodiscard]] double length() const noexcept { return length_; }
 
 private:
+    // Where the curve's functions do not tell, as where one of them is constant, along the chord.
+    [[nodiscard]] glm::dvec3 tangent(const CurvePoint& point) const noexcept {
+        const glm::dvec3 unit = glm::normalize(point.direction());
+        if (std::isfinite(unit.x + unit.y + unit.z)) return unit;
+        return length_ > 0.0 ? (b_ - a_) / length_ : glm::dvec3(0.0);
+    }
     // How fast it begins and ends, in chords, for its middle to lie on the arc of a circle: an arc of the angle t wants
     // 4 tan(t / 4) radii, and its chord has 2 sin(t / 2).
     [[nodiscard]] static double over_chord(double cosine) noexcept {

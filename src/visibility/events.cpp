@@ -7,8 +7,8 @@ namespace hrbfnpr::visibility {
 
 Lengths::Lengths(base::Memory& memory, const ImageLines& lines)
     : lines_(lines), length_(memory, lines.points.size()), first_(memory, lines.pieces.size()) {
-    double all = 0.0;
     for (const Line& line : lines.lines) {
+        double all = 0.0;
         const std::int64_t end = line.first_point + line.points;
         for (std::int64_t p = line.first_point; p < end; ++p) {
             if (p > line.first_point) all += glm::distance(lines.points[p - 1].place, lines.points[p].place);
@@ -29,7 +29,7 @@ double Lengths::at(const Line& line, std::int64_t piece, double share) const noe
     const double from = lines_.points[p].share;
     const double to = p + 1 == end ? 1.0 : lines_.points[p + 1].share;
     const double on_chord = to > from ? std::clamp((share - from) / (to - from), 0.0, 1.0) : 0.0;
-    return length_[p] + on_chord * (length_[p + 1] - length_[p]) - length_[line.first_point];
+    return length_[p] + on_chord * (length_[p + 1] - length_[p]);
 }
 
 Events collect_events(base::Memory& memory, std::span<const Subject> subjects, const ImageLines& lines,

@@ -27,16 +27,12 @@ public:
     // From the line's begin, pixels.
     [[nodiscard]] double at(const Line& line, std::int64_t piece, double share) const noexcept;
     // The same of a point of the image.
-    [[nodiscard]] double at_point(const Line& line, std::int64_t point) const noexcept {
-        return length_[point] - length_[line.first_point];
-    }
-    [[nodiscard]] double whole(const Line& line) const noexcept {
-        return length_[line.first_point + line.points - 1] - length_[line.first_point];
-    }
+    [[nodiscard]] double at_point(std::int64_t point) const noexcept { return length_[point]; }
+    [[nodiscard]] double whole(const Line& line) const noexcept { return length_[line.first_point + line.points - 1]; }
 
 private:
     const ImageLines& lines_;
-    base::Array<double> length_;      // up to each point of the image, over all lines
+    base::Array<double> length_;      // of its line, up to each point of the image
     base::Array<std::int64_t> first_; // point of each piece
 };
 

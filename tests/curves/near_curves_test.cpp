@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace hrbfnpr::curves::near_curves_test {
@@ -29,6 +30,19 @@ TEST(CubicPiece, IsTheArcOfACircle) {
         for (double u = 0.0; u <= 1.0; u += 0.05)
             EXPECT_NEAR(glm::length(piece.at(u)), radius, 1e-4 * std::pow(angle, 6) * radius + 1e-14) << angle;
     }
+}
+
+// As on the border of a surface where its support is constant.
+TEST(CubicPiece, FollowsTheChordWhereTheCurveHasNoDirection) {
+    CurvePoint flat = on_circle(3.0, 0.0);
+    flat.level_gradient = glm::dvec3(0.0);
+    CurvePoint none = on_circle(3.0, 0.4);
+    none.level_gradient = glm::dvec3(std::numeric_limits<double>::quiet_NaN());
+    const CubicPiece piece(flat, none);
+    for (double u = 0.0; u <= 1.0; u += 0.25)
+        EXPECT_LT(glm::distance(piece.at(u), glm::mix(flat.position, none.position, u)), 1e-14);
+    const CubicPiece point(flat, flat);
+    EXPECT_EQ(point.at(0.5), flat.position);
 }
 
 // Two circles, one in the other.

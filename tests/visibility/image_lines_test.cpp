@@ -6,6 +6,8 @@
 #include "support/contour_shapes.h"
 #include "visibility/events.h"
 
+#include <limits>
+
 namespace hrbfnpr::visibility::image_lines_test {
 namespace {
 
@@ -40,6 +42,29 @@ double farthest_off(const Picture& picture, const ImageLines& lines) {
             }
         }
     return farthest;
+}
+
+// A line that is nowhere, or as long as numbers go, leaves the others as they are.
+TEST(Lengths, OfALineDoNotDependOnOthers) {
+    ImageLines lines(runtime().memory);
+    const double odd[] = {1.0, 1e300, std::numeric_limits<double>::quiet_NaN()};
+    for (std::int32_t l = 0; l < 3; ++l) {
+        for (const double far : {odd[l], 3.0}) {
+            lines.lines.push_back({0, 0, lines.pieces.size(), 1, lines.points.size(), 3, false});
+            const auto piece = static_cast<std::int32_t>(lines.pieces.size());
+            lines.points.push_back({{0.0, 0.0}, piece, 0.0});
+            lines.points.push_back({{far, 0.0}, piece, 0.5});
+            lines.points.push_back({{3.0, 4.0}, piece, 1.0});
+            lines.pieces.push_back({0, static_cast<std::int32_t>(lines.lines.size() - 1), 0, 1});
+        }
+    }
+    const Lengths lengths(runtime().memory, lines);
+    for (const std::int64_t l : {1, 3, 5}) {
+        const Line& line = lines.lines[l];
+        EXPECT_EQ(lengths.whole(line), 7.0);
+        EXPECT_EQ(lengths.at_point(line.first_point + 1), 3.0);
+        EXPECT_EQ(lengths.at(line, line.first_piece, 0.75), 5.0);
+    }
 }
 
 TEST(ImageLines, AreAsNearAsAsked) {

@@ -49,7 +49,7 @@ bool HuggingParts::may_hug(const visibility::Interval& interval) const noexcept 
 template <class F>
 void HuggingParts::walk(const visibility::Interval& interval, F&& f) const {
     const visibility::Line& line = input_.found.lines.lines[interval.line];
-    const auto at = [&](std::int64_t i) { return input_.lengths.at_point(line, line.first_point + i); };
+    const auto at = [&](std::int64_t i) { return input_.lengths.at_point(line.first_point + i); };
     const auto place = [&](std::int64_t i) { return input_.found.lines.points[line.first_point + i].place; };
     const double whole = input_.lengths.whole(line);
     const double step = steps * width_;

@@ -96,7 +96,7 @@ void StrokeParts::find_places(const Part& part) {
     place_.clear();
     place_.push_back({in.begin_at, in.begin_piece, in.begin_share});
     std::int64_t p = line.first_point;
-    const auto at = [&](std::int64_t i) { return lengths_.at_point(line, i); };
+    const auto at = [&](std::int64_t i) { return lengths_.at_point(i); };
     while (p + 1 < line.first_point + line.points && at(p) <= in.begin_at) ++p;
     double beyond = 0.0;
     for (std::int64_t step = 0; step < 2 * line.points; ++step, ++p) {

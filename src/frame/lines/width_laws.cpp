@@ -110,7 +110,8 @@ void WidthLaws::add_points(std::int64_t style) {
     base::Array<float>& factors = factors_.add(base::Array<float>(runtime_.memory, points.size()));
     for (std::int64_t i = 0; i < points.size(); ++i) {
         const double depth = -(to_eye * glm::dvec4(points[i].position, 1.0)).z;
-        const double lit = glm::dot(glm::normalize(normal_to_world * points[i].gradient), light);
+        double lit = glm::dot(glm::normalize(normal_to_world * points[i].gradient), light);
+        if (!std::isfinite(lit)) lit = 0.0; // where f is constant
         const double far = depths > 0.0 ? (depth - depths_.nearest) / depths : 0.0;
         factors[i] = static_cast<float>(by(as.style->far_factor, far) * by(as.style->lit_factor, 0.5 + 0.5 * lit));
     }
