@@ -26,13 +26,18 @@ class Splitter {
 public:
     Splitter(const base::Runtime& runtime, const implicit::Implicit& implicit, SurfaceMesh mesh)
         : runtime_(runtime), implicit_(implicit), sheets_(*implicit.sheets()), mesh_(std::move(mesh)),
-          sheet_(runtime.memory), node_(runtime.memory), node_before_(runtime.memory), edges_(runtime.memory),
-          edges_before_(runtime.memory), looked_at_(runtime.memory), corners_(runtime.memory), taken_(runtime.memory),
+          sheet_(runtime.memory), node_(runtime.memory), edges_(runtime.memory), looked_at_(runtime.memory),
+          known_node_(runtime.memory), known_(runtime.memory), corners_(runtime.memory), taken_(runtime.memory),
           out_(runtime.memory) {}
 
     SharpMesh run(const base::Progress& progress);
 
 private:
+    struct Known {
+        std::array<std::int32_t, 2> ends;
+        std::int32_t node;
+    };
+
     [[nodiscard]] base::Parallel threads() const noexcept { return implicit_.threads(runtime_.parallel); }
     [[nodiscard]] std::int32_t sheet_of(std::int64_t triangle, int k) const noexcept {
         return sheet_[mesh_.corner[3 * triangle + k % 3]];
@@ -44,6 +49,8 @@ private:
         return a == b && b == c ? 1 : a != b && b != c && a != c ? 3 : 2;
     }
     void find_sheets(std::int64_t from, const base::Progress& progress);
+    void remember_edges();
+    [[nodiscard]] const EdgeNode* known(const EdgeNode& edge) const noexcept;
     void find_edges(const base::Progress& progress);
     [[nodiscard]] bool settle_equal();
     void find_corners(const base::Progress& progress);
@@ -68,13 +75,14 @@ private:
     const implicit::Sheets& sheets_;
     SurfaceMesh mesh_;
     base::Array<std::int32_t> sheet_; // of each vertex
-    // Of each edge, of both: among edges_; -1: it crosses no crease.  And what it was before.
-    base::Array<std::int32_t> node_, node_before_;
+    base::Array<std::int32_t> node_;  // of each edge, of both: among edges_; -1: it crosses no crease
     CreaseNodes nodes_{implicit_, mesh_, sheet_};
-    base::Array<EdgeNode> edges_, edges_before_;
+    base::Array<EdgeNode> edges_;
     base::Array<std::int32_t> looked_at_; // of edges_: those that were not known
-    base::Array<CornerNode> corners_;     // by triangle
-    base::Array<std::uint8_t> taken_;     // edges that chains have passed
+    base::Array<EdgeNode> known_node_;    // of the edges before
+    base::Array<Known> known_;
+    base::Array<CornerNode> corners_; // by triangle
+    base::Array<std::uint8_t> taken_; // edges that chains have passed
     SharpMesh out_;
     std::int32_t first_of_edges_ = 0, first_of_corners_ = 0; // vertices
 };
@@ -90,25 +98,42 @@ void Splitter::find_sheets(std::int64_t from, const base::Progress& progress) {
     });
 }
 
-// Whose ends have the same sheets as before are what they were.
-void Splitter::find_edges(const base::Progress& progress) {
-    std::swap(edges_, edges_before_);
-    std::swap(node_, node_before_);
+// Of the edges as they are now, by their ends.
+void Splitter::remember_edges() {
+    std::swap(edges_, known_node_);
     edges_.clear();
+    known_.clear();
+    for (std::int64_t i = 0; i < known_node_.size(); ++i)
+        known_.push_back({known_node_[i].ends, static_cast<std::int32_t>(i)});
+    std::sort(known_.begin(), known_.end(), [](const Known& a, const Known& b) { return a.ends < b.ends; });
+}
+
+// What was known of an edge with the same ends, if these have the same sheets; else null.
+const EdgeNode* Splitter::known(const EdgeNode& edge) const noexcept {
+    const Known* const at =
+        std::lower_bound(known_.begin(), known_.end(), edge.ends,
+                         [](const Known& one, const std::array<std::int32_t, 2>& wanted) { return one.ends < wanted; });
+    if (at == known_.end() || at->ends != edge.ends || known_node_[at->node].sheet != edge.sheet) return nullptr;
+    return &known_node_[at->node];
+}
+
+void Splitter::find_edges(const base::Progress& progress) {
+    remember_edges();
     looked_at_.clear();
     node_.resize(mesh_.corner.size());
     for (std::int64_t e = 0; e < mesh_.corner.size(); ++e) {
         node_[e] = -1;
-        if (!is_first(mesh_, e) || sheet_[start_of(mesh_, e)] == sheet_[end_of(mesh_, e)]) continue;
-        const std::array<std::int32_t, 2> sheet{sheet_[start_of(mesh_, e)], sheet_[end_of(mesh_, e)]};
-        const std::int32_t before = edges_before_.empty() ? -1 : node_before_[e];
+        const std::array<std::int32_t, 2> ends{start_of(mesh_, e), end_of(mesh_, e)};
+        if (!is_first(mesh_, e) || sheet_[ends[0]] == sheet_[ends[1]]) continue;
+        EdgeNode edge{e, ends, {sheet_[ends[0]], sheet_[ends[1]]}, {}, {}, {}, false, false};
         node_[e] = static_cast<std::int32_t>(edges_.size());
-        if (before >= 0 && edges_before_[before].sheet == sheet) {
-            edges_.push_back(edges_before_[before]);
+        if (const EdgeNode* const before = known(edge)) {
+            edge = *before;
+            edge.edge = e;
         } else {
             looked_at_.push_back(node_[e]);
-            edges_.push_back({e, sheet, {}, {}, {}, false, false});
         }
+        edges_.push_back(edge);
     }
     for (std::int64_t i = 0; i < edges_.size(); ++i)
         if (const std::int64_t other = opposite_of(mesh_, edges_[i].edge); other >= 0)
@@ -195,7 +220,6 @@ bool Splitter::halve(const base::Progress& progress) {
     }
     if (mesh_.vertices() == before) return false;
     cut_at_middles(runtime_, middle, mesh_);
-    edges_.clear(); // edges have other numbers now
     find_sheets(before, progress);
     return true;
 }

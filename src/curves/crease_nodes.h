@@ -12,7 +12,8 @@ namespace hrbfnpr::curves {
 // Of an edge whose ends belong to different sheets.
 struct EdgeNode {
     std::int64_t edge;                 // the first of its two
-    std::array<std::int32_t, 2> sheet; // of its start and end
+    std::array<std::int32_t, 2> ends;  // its start and end
+    std::array<std::int32_t, 2> sheet; // of these
     CreaseNode at;
     std::array<glm::dvec3, 2> gradient; // of the sheets of the edge's start and end
     std::array<bool, 2> equal;          // the start may belong to the end's sheet, the end to the start's
