@@ -1,0 +1,69 @@
+# SPDX-License-Identifier: MIT
+"""scripts/out_of_turn.py: three turns run every test, and what its lists name exists.
+
+    turns_test.py SOURCE BINARY
+"""
+
+import re
+import subprocess
+import sys
+import unittest
+from pathlib import Path
+
+SOURCE, BINARY = (Path(path) for path in sys.argv[1:3])
+LISTS = ("long.txt", "in_turn_when_checked.txt")
+
+
+def listed():
+    told = subprocess.run(["ctest", "--test-dir", str(BINARY), "-N"], check=True, capture_output=True, text=True).stdout
+    return told, re.findall(r"^ *Test +#\d+: (.*)$", told, re.MULTILINE)
+
+
+TOLD, NAMES = listed()
+
+
+def left_out(turn, take_turns):
+    script = [sys.executable, "-B", str(SOURCE / "scripts/out_of_turn.py"), str(turn), "3"]
+    files = [str(SOURCE / "tests" / name) for name in ("every_turn.txt", take_turns)]
+    pattern = subprocess.run([*script, *files], input=TOLD, check=True, capture_output=True, text=True).stdout.strip()
+    return {name for name in NAMES if re.search(pattern, name)}
+
+
+def patterns(name):
+    return [line for line in (SOURCE / "tests" / name).read_text().splitlines() if line]
+
+
+class Turns(unittest.TestCase):
+    def test_each_test_has_one_turn(self):
+        for take_turns in LISTS:
+            out = [left_out(turn, take_turns) for turn in range(3)]
+            self.assertFalse(out[0] & out[1] & out[2])
+            for name in out[0] | out[1] | out[2]:
+                self.assertEqual(sum(name in one for one in out), 2, name)
+            kept = [len(NAMES) - len(one) for one in out]
+            self.assertLessEqual(max(kept) - min(kept), 2)
+
+    def test_some_are_in_every_turn(self):
+        always = [name for name in NAMES if any(re.search(one, name) for one in patterns("every_turn.txt"))]
+        self.assertIn("soak.short", always)
+        for take_turns in LISTS:
+            for turn in range(3):
+                self.assertFalse(left_out(turn, take_turns) & set(always))
+
+    def test_short_ones_are_too(self):
+        for turn in range(3):
+            self.assertNotIn("house.turns", left_out(turn, "long.txt"))
+
+    def test_what_is_named_exists(self):
+        for file in ("every_turn.txt", "in_turn_when_checked.txt"):
+            for one in patterns(file):
+                if one.startswith("^sanitized"):  # which the other build has
+                    continue
+                self.assertTrue(any(re.search(one, name) for name in NAMES), f"{file}: {one} is no test")
+
+
+if __name__ == "__main__":
+    if "soak.short" not in NAMES or "fuzz.mesh" not in NAMES:
+        print("skipped: not all test programs are built")
+        sys.exit(77)
+    unittest.main(argv=sys.argv[:1] + sys.argv[3:])
