@@ -1588,7 +1588,8 @@ typedef struct hrbfnpr_line_set_info {
     double cell_size;     /* as used */
     double seconds;       /* that it took to make */
     int64_t bytes;        /* kept */
-    double left_out;      /* the share of the surface's area that lies beyond the samples, 0 to 1; 0 without support */
+    double left_out;      /* the share of the area that was looked at that lies beyond the samples, 0 to 1; 0 without
+                             support.  Of a trimmed model little beyond its end is looked at: see its trim info */
     int64_t creases;      /* curves where sheets of the surface meet, at any angle: from corner to corner, or closed */
 } hrbfnpr_line_set_info;
 

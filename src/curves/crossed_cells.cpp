@@ -6,6 +6,7 @@
 #include "geometry/cell_block.h"
 #include "geometry/cell_set.h"
 #include "implicit/evaluate_all.h"
+#include "surface/support.h"
 
 namespace hrbfnpr::curves {
 namespace {
@@ -28,13 +29,46 @@ constexpr std::array<Face, 6> faces{{{0x55, {-1, 0, 0}},
 
 Cell sum(const Cell& a, const Cell& b) noexcept { return {a[0] + b[0], a[1] + b[1], a[2] + b[2]}; }
 
+// Cells that are surely beyond the end of the surface, with some around them: asked for in blocks of cells.
+class BeyondEnd {
+public:
+    BeyondEnd(base::Memory& memory, const MeshSettings& settings, const Lattice& lattice) noexcept
+        : settings_(settings), lattice_(lattice), asked_(memory), beyond_(memory) {}
+
+    [[nodiscard]] bool operator()(const Cell& cell) {
+        if (settings_.support == nullptr) return false;
+        const Cell block{cell[0] / block_side, cell[1] / block_side, cell[2] / block_side};
+        const std::uint64_t packed = geometry::CellGrid::pack(block);
+        if (asked_.insert(packed) && is_beyond(block)) beyond_.insert(packed);
+        return beyond_.contains(packed);
+    }
+
+private:
+    static constexpr std::int64_t block_side = 8; // cells
+    static constexpr double around = 2.0;         // cells
+
+    [[nodiscard]] bool is_beyond(const Cell& block) const noexcept {
+        const glm::dvec3 first(static_cast<double>(block[0]), static_cast<double>(block[1]),
+                               static_cast<double>(block[2]));
+        const double half = 0.5 * static_cast<double>(block_side);
+        const glm::dvec3 middle = lattice_.region.min + lattice_.side * (2.0 * half * first + half);
+        const double side = std::max({lattice_.side.x, lattice_.side.y, lattice_.side.z});
+        return settings_.support->has_nothing_near(middle, (half + around) * side, settings_.limit);
+    }
+
+    const MeshSettings& settings_;
+    const Lattice& lattice_;
+    geometry::CellSet asked_, beyond_; // blocks
+};
+
 class Flood {
 public:
-    Flood(const base::Runtime& runtime, const implicit::Implicit& implicit, std::int64_t triangle_limit,
+    Flood(const base::Runtime& runtime, const implicit::Implicit& implicit, const MeshSettings& settings,
           CrossedCells& cells) noexcept
-        : runtime_(runtime), implicit_(implicit), limit_(triangle_limit), cells_(cells), known_(runtime.memory),
-          corners_(runtime.memory), front_(runtime.memory), next_(runtime.memory), looked_at_(runtime.memory),
-          fresh_(runtime.memory), value_(runtime.memory) {}
+        : runtime_(runtime), implicit_(implicit), limit_(settings.triangle_limit), cells_(cells),
+          is_beyond_(runtime.memory, settings, cells.lattice), known_(runtime.memory), corners_(runtime.memory),
+          front_(runtime.memory), next_(runtime.memory), looked_at_(runtime.memory), fresh_(runtime.memory),
+          value_(runtime.memory) {}
 
     void start(const geometry::VecArray& seeds);
     void run(const base::Progress& progress);
@@ -49,6 +83,7 @@ private:
     const implicit::Implicit& implicit_;
     std::int64_t limit_;
     CrossedCells& cells_;
+    BeyondEnd is_beyond_;
     geometry::CellSet known_;
     CornerMap corners_;
     base::Array<std::uint64_t> front_, next_; // packed cells to look at in this wave and in the next one
@@ -58,7 +93,7 @@ private:
 };
 
 void Flood::go_to(const Cell& cell) {
-    if (!cells_.lattice.inside(cell)) return;
+    if (!cells_.lattice.inside(cell) || is_beyond_(cell)) return;
     if (const std::uint64_t packed = geometry::CellGrid::pack(cell); known_.insert(packed)) next_.push_back(packed);
 }
 
@@ -133,10 +168,10 @@ void Flood::run(const base::Progress& progress) {
 } // namespace
 
 CrossedCells find_crossed_cells(const base::Runtime& runtime, const implicit::Implicit& implicit,
-                                const geometry::VecArray& seeds, const Lattice& lattice, std::int64_t triangle_limit,
+                                const geometry::VecArray& seeds, const Lattice& lattice, const MeshSettings& settings,
                                 const base::Progress& progress) {
     CrossedCells cells(runtime.memory, lattice);
-    Flood flood(runtime, implicit, triangle_limit, cells);
+    Flood flood(runtime, implicit, settings, cells);
     flood.start(seeds);
     flood.run(progress);
     base::sort_long(

@@ -7,6 +7,7 @@
 #include "base/runtime.h"
 #include "curves/kuhn_tetrahedra.h"
 #include "curves/lattice.h"
+#include "curves/surface_mesh.h"
 #include "geometry/vec_array.h"
 #include "implicit/implicit.h"
 
@@ -54,9 +55,10 @@ struct CrossedCells {
     }
 };
 
-// Throws Error{invalid_argument} where there would be more triangles than the limit.
+// By the settings' triangle_limit, support and limit.  Throws Error{invalid_argument} where there would be more
+// triangles.
 [[nodiscard]] CrossedCells find_crossed_cells(const base::Runtime& runtime, const implicit::Implicit& implicit,
                                               const geometry::VecArray& seeds, const Lattice& lattice,
-                                              std::int64_t triangle_limit, const base::Progress& progress);
+                                              const MeshSettings& settings, const base::Progress& progress);
 
 } // namespace hrbfnpr::curves

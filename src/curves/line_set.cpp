@@ -102,6 +102,10 @@ void LineSet::make_mesh(const base::Runtime& runtime, const LineSetSettings& set
                                          ? found_seeds(runtime, surface_, mesh.region, progress.part(0.0, 0.2))
                                          : given_seeds(runtime.memory, settings.seeds);
     const double limit = settings.support.trim != nullptr ? settings.support.trim->limit() : settings.support.limit;
+    if (settings.support.trim != nullptr) {
+        mesh.support = support_;
+        mesh.limit = limit;
+    }
     double last = std::numeric_limits<double>::infinity(); // the side before
     for (double from = 0.2;; from = 0.5 * (1.0 + from)) {
         mesh_ = automatic ? of_any_size(runtime, surface_, seeds, mesh, progress.part(from, 0.5 * (1.0 + from)))

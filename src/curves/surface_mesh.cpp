@@ -176,9 +176,9 @@ SurfaceMesh triangulate(const base::Runtime& runtime, const implicit::Implicit& 
     mesh.region = settings.region;
     mesh.side = std::max({lattice.side.x, lattice.side.y, lattice.side.z});
     const surface::Projection on = seeds_on_surface(runtime, implicit, seeds, settings, progress.part(0.0, 0.05));
-    CrossedCells cells =
-        find_crossed_cells(runtime, implicit, on.position, lattice,
-                           std::min(settings.triangle_limit, most_surface_triangles), progress.part(0.05, 0.3));
+    MeshSettings within = settings;
+    within.triangle_limit = std::min(settings.triangle_limit, most_surface_triangles);
+    CrossedCells cells = find_crossed_cells(runtime, implicit, on.position, lattice, within, progress.part(0.05, 0.3));
     clear_corners(runtime, implicit, cells, progress.part(0.3, 0.4));
     CellEdges edges(cells);
     edges.number_all(progress);

@@ -12,6 +12,10 @@
 
 #include <cstdint>
 
+namespace hrbfnpr::surface {
+class Support;
+}
+
 namespace hrbfnpr::curves {
 
 class SurfaceEnd;
@@ -20,6 +24,9 @@ struct MeshSettings {
     geometry::Bounds region; // beyond it there is no surface: the mesh ends there, and f is not asked for but at seeds
     double side = 0.0;       // of a cell at most, > 0: what is thinner or smaller may be missed
     std::int64_t triangle_limit = 4'000'000;
+    // Where its s is surely above `limit` the mesh need not go on: at least some cells beyond the surface's end.
+    const surface::Support* support = nullptr;
+    double limit = 0.0;
 };
 
 // Oriented, and closed but where the region ends.

@@ -65,18 +65,29 @@ void Support::keep(const geometry::CellGrid& grid, geometry::CellSet kept, geome
     limit_ = limit;
 }
 
-bool Support::may_end_near(const glm::dvec3& place, double half) const noexcept {
+template <class Visit>
+bool Support::for_cells(const glm::dvec3& place, double half, Visit&& visit) const {
     constexpr std::int64_t most = 8; // cells along an axis that are looked at
-    if (!(limit_ > 0.0)) return true;
     const geometry::CellGrid::Cell low = grid_.cell_of(place - half);
     const geometry::CellGrid::Cell high = grid_.cell_of(place + half);
     for (std::size_t axis = 0; axis < 3; ++axis)
-        if (high[axis] - low[axis] > most) return true;
+        if (high[axis] - low[axis] > most) return false;
     for (std::int64_t z = low[2]; z <= high[2]; ++z)
         for (std::int64_t y = low[1]; y <= high[1]; ++y)
             for (std::int64_t x = low[0]; x <= high[0]; ++x)
-                if (ends_.contains(geometry::CellGrid::pack({x, y, z}))) return true;
-    return false;
+                if (!visit(geometry::CellGrid::pack({x, y, z}))) return false;
+    return true;
+}
+
+bool Support::may_end_near(const glm::dvec3& place, double half) const noexcept {
+    return !(limit_ > 0.0) || !for_cells(place, half, [&](std::uint64_t cell) { return !ends_.contains(cell); });
+}
+
+// All distances are at least that to the nearest sample, so s >= the least loss there - ln of how many are summed.
+bool Support::has_nothing_near(const glm::dvec3& place, double half, double limit) const noexcept {
+    const double left = nearest_sample(place).distance - std::sqrt(3.0) * half;
+    if (!(left > 0.0 && least_sharpness_ * left * left > limit + std::log(static_cast<double>(nearest)))) return false;
+    return !(limit_ > 0.0) || for_cells(place, half, [&](std::uint64_t cell) { return !kept_.contains(cell); });
 }
 
 void Support::measure_spacing(const base::Runtime& runtime, double closest, const base::Progress& progress) {
@@ -96,6 +107,7 @@ void Support::measure_spacing(const base::Runtime& runtime, double closest, cons
             surrounded_[i] = is_surrounded(position, normal_, neighbours.of(i), i) ? 1 : 0;
         }
     });
+    least_sharpness_ = *std::min_element(sharpness_.begin(), sharpness_.end());
 }
 
 Support::Near Support::look(const glm::dvec3& place, const glm::dvec3& normal) const noexcept {

@@ -58,6 +58,9 @@ public:
     };
     [[nodiscard]] Nearest nearest_sample(const glm::dvec3& place) const noexcept;
     [[nodiscard]] double median_spacing() const;
+    // Whether in all of a cube around the place s is above `limit` for any normal, and the surface may end: then there
+    // is none of it.  False where that is not certain.
+    [[nodiscard]] bool has_nothing_near(const glm::dvec3& place, double half, double limit) const noexcept;
     // Those that are not surrounded.
     [[nodiscard]] geometry::VecArray not_surrounded() const;
 
@@ -75,12 +78,16 @@ public:
 private:
     struct Near;
 
+    // visit(packed cell) for the cells of the grid in a cube, until it returns false; false where they are many.
+    template <class Visit>
+    [[nodiscard]] bool for_cells(const glm::dvec3& place, double half, Visit&& visit) const;
     void measure_spacing(const base::Runtime& runtime, double closest, const base::Progress& progress);
     [[nodiscard]] Near look(const glm::dvec3& place, const glm::dvec3& normal) const noexcept;
 
     geometry::PointTree tree_;
     geometry::VecArray normal_;     // in the tree's order, as the next
     base::Array<double> sharpness_; // (2 / h)^2
+    double least_sharpness_ = 0.0;
     base::Array<std::uint8_t> surrounded_;
     geometry::CellGrid grid_;
     geometry::CellSet kept_, ends_; // where it goes on, and where it may end, if there is a limit

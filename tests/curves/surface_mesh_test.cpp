@@ -5,8 +5,12 @@
 #include "shapes.h"
 #include "support/runtime.h"
 #include "support/watched_operation.h"
+#include "surface/support.h"
 
 #include <gtest/gtest.h>
+
+#include <array>
+#include <set>
 
 namespace hrbfnpr::curves::surface_mesh_test {
 namespace {
@@ -120,6 +124,38 @@ TEST(SurfaceMesh, EndsWhereTheRegionEnds) {
             }
     EXPECT_EQ(on_border, found.border);
     for (std::int64_t i = 0; i < mesh.vertices(); ++i) ASSERT_TRUE(half.region.contains(mesh.position[i]));
+}
+
+// All of the surface that its samples bear out, and little of what goes on beyond them.
+TEST(SurfaceMesh, EndsBeyondItsSamples) {
+    const base::Runtime runtime = with_threads(2);
+    const Sphere sphere;
+    geometry::VecArray samples(runtime.memory);
+    for (double angle = 0.0; angle < 0.4; angle += 0.04) // around the south pole
+        for (double turn = 0.0; turn < 2 * pi; turn += 0.04 / std::max(0.04, std::sin(angle)))
+            samples.push_back({std::sin(angle) * std::cos(turn), std::sin(angle) * std::sin(turn), -std::cos(angle)});
+    const surface::Support support(runtime, samples, samples, 0.0, {});
+    MeshSettings cells = settings(sphere, 0.02);
+    const SurfaceMesh whole = triangulate(runtime, sphere, samples, cells, {});
+    cells.support = &support;
+    cells.limit = 3.0;
+    const SurfaceMesh cap = triangulate(runtime, sphere, samples, cells, {});
+    std::set<std::array<double, 3>> kept;
+    double highest = -1.0;
+    for (std::int64_t i = 0; i < cap.vertices(); ++i) {
+        kept.insert({cap.position[i].x, cap.position[i].y, cap.position[i].z});
+        highest = std::max(highest, cap.position[i].z);
+    }
+    std::int64_t supported = 0;
+    for (std::int64_t i = 0; i < whole.vertices(); ++i) {
+        const glm::dvec3 p = whole.position[i];
+        if (!(support.value(p, whole.gradient[i]) <= cells.limit)) continue;
+        ++supported;
+        ASSERT_TRUE(kept.contains({p.x, p.y, p.z}));
+    }
+    EXPECT_GT(supported, 500);
+    EXPECT_LT(highest, -0.4);
+    EXPECT_LT(3 * cap.triangles(), whole.triangles());
 }
 
 TEST(SurfaceMesh, ReachesOnlyPartsWithASeed) {

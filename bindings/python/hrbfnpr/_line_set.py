@@ -84,7 +84,8 @@ class LineSetInfo:
     cell_size, seconds : float
     bytes : int
     left_out : float
-        The share of the surface's area that lies beyond its samples, 0 to 1; 0 without `support`.
+        The share of the area that was looked at that lies beyond its samples, 0 to 1; 0 without `support`. Of a trimmed
+        model little beyond its end is looked at: see `Model.trim_info`.
     creases : int
         Curves where smooth sheets of the surface meet, from corner to corner, or closed.
     """

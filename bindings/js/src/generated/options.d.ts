@@ -803,7 +803,10 @@ export interface LineSetInfo {
   readonly seconds: number;
   /** kept */
   readonly bytes: number;
-  /** the share of the surface's area that lies beyond the samples, 0 to 1; 0 without support */
+  /**
+   * the share of the area that was looked at that lies beyond the samples, 0 to 1; 0 without support. Of a trimmed
+   * model little beyond its end is looked at: see its trim info
+   */
   readonly leftOut: number;
   /** curves where sheets of the surface meet, at any angle: from corner to corner, or closed */
   readonly creases: number;

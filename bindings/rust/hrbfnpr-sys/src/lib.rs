@@ -2241,7 +2241,8 @@ pub struct hrbfnpr_line_set_info {
     pub seconds: f64,
     /// kept
     pub bytes: i64,
-    /// the share of the surface's area that lies beyond the samples, 0 to 1; 0 without support
+    /// the share of the area that was looked at that lies beyond the samples, 0 to 1; 0 without
+    /// support. Of a trimmed model little beyond its end is looked at: see its trim info
     pub left_out: f64,
     /// curves where sheets of the surface meet, at any angle: from corner to corner, or closed
     pub creases: i64,
