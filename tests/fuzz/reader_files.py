@@ -2,8 +2,10 @@
 """Small valid files of every format that hrbfnpr.shapes reads, to be damaged."""
 import base64
 import gzip
+import io
 import json
 import struct
+import zipfile
 
 VERTICES = [(x, y, z) for z in (0, 1) for y in (0, 1) for x in (0, 1)]
 QUADS = [(0, 2, 3, 1), (4, 5, 7, 6), (0, 1, 5, 4), (2, 6, 7, 3), (0, 4, 6, 2), (1, 3, 7, 5)]
@@ -167,6 +169,30 @@ def vtu():
     return xml("UnstructuredGrid", f"<Cells>{corners}{ends}</Cells>")
 
 
+CORE = "http://schemas.microsoft.com/3dmanufacturing/core/2015/02"
+
+
+def mf3_model(build='<item objectid="1"/>', resources=""):
+    """The XML of a 3MF file, with the cube as its object 1."""
+    vertices = "".join('<vertex x="{}" y="{}" z="{}"/>'.format(*v) for v in VERTICES)
+    triangles = "".join('<triangle v1="{}" v2="{}" v3="{}"/>'.format(*t) for t in TRIANGLES)
+    mesh = f"<mesh><vertices>{vertices}</vertices><triangles>{triangles}</triangles></mesh>"
+    head = f'<?xml version="1.0" encoding="UTF-8"?><model unit="millimeter" xmlns="{CORE}">'
+    objects = f'<object id="1" type="model">{mesh}</object>{resources}'
+    return f"{head}<resources>{objects}</resources><build>{build}</build></model>"
+
+
+def mf3(model=None, name="3D/3dmodel.model", target=None, more=()):
+    kind = "http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel"
+    relations = "http://schemas.openxmlformats.org/package/2006/relationships"
+    links = f'<Relationships xmlns="{relations}"><Relationship Target="{target or "/" + name}" Type="{kind}"/>'
+    data = io.BytesIO()
+    with zipfile.ZipFile(data, "w", zipfile.ZIP_STORED) as archive:
+        for part, text in (("_rels/.rels", links + "</Relationships>"), (name, model or mf3_model()), *more):
+            archive.writestr(zipfile.ZipInfo(part), text)
+    return data.getvalue()
+
+
 def files():
     """Bytes by name.  What needs a package that is not there is refused whole, which is fine."""
     table = rows(VERTICES, NORMALS)
@@ -178,6 +204,7 @@ def files():
         "cube.off": off(), "normals.off": off("NOFF", (NORMALS,)), "ascii.pcd": pcd("ascii"),
         "binary.pcd": pcd("binary"), "packed.pcd": pcd("binary_compressed"), "cube.gltf": gltf(), "cube.glb": glb(),
         "cube.las": las(), "cube_4.las": las(4), "grid.asc": grid(), "text.pgm": pgm(False), "binary.pgm": pgm(True),
+        "cube.3mf": mf3(),
         "cube.vtk": vtk(), "cube.vtp": vtp(), "cube.vtu": vtu(), "plain.xyz": table.encode(),
         "comma.csv": numbered.encode(), "decimal.txt": table.replace("1", "1,5").replace(" ", "\t").encode(),
         "meshlab.pts": ("8\n" + table).encode(), "cloud.asc": ("//X Y Z Nx Ny Nz\n" + table).encode(),

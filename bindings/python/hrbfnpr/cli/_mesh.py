@@ -273,10 +273,11 @@ def _tell(info: MeshInfo, report: Reporter) -> None:
 
 def _shortfall(done: MeshFitInfo, model: Model, arguments: Any) -> str:
     d = diagonal(model)
+    farthest = max(done.mesh_max, done.surface_max) / d
     text = (
         f"the surface is not within {done.tolerance / d:.2%} of the diagonal everywhere: {1 - done.mesh_share:.1%} of "
-        f"the mesh and {1 - done.surface_share:.1%} of the surface are farther, at most "
-        f"{max(done.mesh_max, done.surface_max) / d:.1%}"
+        f"the mesh and {1 - done.surface_share:.1%} of the surface are farther, "
+        + (f"at most {farthest:.1%}" if np.isfinite(farthest) else "and some of the mesh has no surface near it")
     )
     most = arguments.maximum_centres or 8000
     if done.centres >= 0.9 * most:

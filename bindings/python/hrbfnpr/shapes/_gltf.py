@@ -41,8 +41,16 @@ def read_gltf(data: bytes, folder: Path) -> Shape:
         raise ShapeError("the JSON of the glTF file has lists in lists without an end") from None
     except ShapeError:
         raise
-    except (KeyError, IndexError, TypeError, AttributeError, ValueError) as error:
-        raise ShapeError(f"the glTF file refers to what is not there: {error!r}") from None
+    except KeyError as error:
+        key = error.args[0]
+        lacks = f"is not whole: a part of it has no {key!r}" if isinstance(key, str) else f"has a type {key!r}, unknown"
+        raise ShapeError(f"the glTF file {lacks}") from None
+    except IndexError:
+        raise ShapeError("the glTF file refers to what is not there: one of its numbers is beyond its list") from None
+    except (TypeError, AttributeError, ValueError):
+        raise ShapeError(
+            "the glTF file is not as the format has it: a list stands where a number belongs, or the like"
+        ) from None
 
 
 def _chunks(data: bytes) -> Tuple[bytes, bytes]:

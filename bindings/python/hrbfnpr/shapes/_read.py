@@ -13,6 +13,7 @@ from typing import Callable, Dict, NamedTuple, Optional, Tuple, Union
 import numpy as np
 
 from . import _heights, _scans, _vtk
+from ._3mf import is_3mf, read_3mf
 from ._gltf import read_gltf
 from ._obj import read_obj, read_off
 from ._pcd import read_pcd
@@ -44,7 +45,7 @@ FORMATS: Dict[str, Format] = {
         Format("VTP", None, _vtk.read_vtp), Format("VTU", None, lambda path: _vtk.read_meshio(path, "VTU")),
         Format("VTK", None, _vtk.read_vtk), Format("LAS", None, _scans.read_las), Format("E57", None, _scans.read_e57),
         Format("grid", _heights.read_grid), Format("PGM", _heights.read_pgm),
-        Format("GeoTIFF", None, _heights.read_geotiff),
+        Format("GeoTIFF", None, _heights.read_geotiff), Format("3MF", None, read_3mf),
     )
 }  # fmt: skip
 ENDINGS = {
@@ -52,6 +53,7 @@ ENDINGS = {
     ".xyz": "text", ".xyzn": "text", ".pwn": "text", ".txt": "text", ".asc": "text", ".csv": "text", ".pts": "text",
     ".gltf": "glTF", ".glb": "glTF", ".vtp": "VTP", ".vtu": "VTU", ".vtk": "VTK", ".las": "LAS", ".laz": "LAS",
     ".e57": "E57", ".grd": "grid", ".pgm": "PGM", ".tif": "GeoTIFF", ".tiff": "GeoTIFF",
+    ".3mf": "3MF",
 }  # fmt: skip
 _BY_MESHIO = (".msh", ".inp", ".mesh", ".bdf", ".nas", ".med", ".xdmf", ".tet", ".avs", ".e", ".exo", ".dat")
 _MAGIC: Tuple[Tuple[bytes, str], ...] = (
@@ -65,7 +67,7 @@ _MAGIC: Tuple[Tuple[bytes, str], ...] = (
     (rb"(?:\s*(?:#[^\n]*|mtllib[^\n]*|[og]\s[^\n]*|s\s[^\n]*|usemtl[^\n]*)?\n)*v[ \t]+[-+.\d]\S*[ \t]+[-+.\d]", "OBJ"),
 )  # fmt: skip
 READ = (
-    "PLY, OBJ, STL, OFF, glTF and GLB; points as XYZ, TXT, ASC, CSV, PTS, PWN, PCD, LAS, LAZ or E57; "
+    "PLY, OBJ, STL, OFF, 3MF, glTF and GLB; points as XYZ, TXT, ASC, CSV, PTS, PWN, PCD, LAS, LAZ or E57; "
     "VTK, VTU and VTP; height maps as ESRI grid, PGM or GeoTIFF"
 )
 _CONVERT = {
@@ -76,7 +78,7 @@ _CONVERT = {
     **dict.fromkeys((".ptx", ".fls", ".rcp", ".rcs", ".zfs", ".bin", ".pod"),
                     "CloudCompare saves it as PLY, with normals"),
     **dict.fromkeys((".zip", ".7z", ".rar", ".tar"), "unpack it first"),
-    **dict.fromkeys((".3mf", ".amf", ".ctm"), "MeshLab or a slicer exports it as STL"),
+    **dict.fromkeys((".amf", ".ctm"), "MeshLab or a slicer exports it as STL"),
     **dict.fromkeys((".nii", ".dcm", ".nrrd", ".mha", ".vti"), "it holds a volume: 3D Slicer exports a surface as PLY"),
     **dict.fromkeys((".png", ".jpg", ".jpeg", ".bmp"), "it is a picture; heights of terrain go into a PGM of 16 bits"),
     **dict.fromkeys((".npy", ".npz", ".mat"), "save the points and normals as text, x y z nx ny nz in a line"),
@@ -117,7 +119,7 @@ def read(path: Union[str, "os.PathLike[str]"]) -> Shape:
     Parameters
     ----------
     path : path
-        PLY, OBJ, STL, OFF, glTF and GLB; tables of points with three columns or more (XYZ, TXT, CSV, PTS, PWN ...);
+        PLY, OBJ, STL, OFF, 3MF, glTF and GLB; tables of points with three columns or more (XYZ, TXT, CSV, PTS, PWN ...);
         PCD, LAS; LAZ, E57, GeoTIFF, VTK and its kin with the package that reads them.  What the file holds counts
         for more than its ending.  A file that gzip has packed is unpacked.
 
@@ -147,7 +149,7 @@ def _read(path: Path) -> Shape:
     for pattern, what in _NO_MODEL:
         if re.match(pattern, head):
             raise ShapeError(what)
-    name = format_of(head, size) or expected
+    name = format_of(head, size) or ("3MF" if head[:4] == b"PK\3\4" and not packed and is_3mf(path) else expected)
     if name is None:
         return _unknown(path, ending, packed)
     form = FORMATS[name]
