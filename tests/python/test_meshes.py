@@ -24,6 +24,17 @@ def test_ply_of_triangles_and_quads_in_binary(tmp_path):
     assert triangle_set(shape.triangles) == {(0, 2, 3), (0, 3, 1), (4, 5, 7), (0, 1, 5), (0, 5, 4)}
 
 
+def test_ply_with_lists_that_are_no_numbers(tmp_path):
+    points = ("vertex", 3, ["float x", "float y", "float z"])
+    data = ply_header("binary_little_endian", points, ("face", 1, ["list float int vertex_indices"]))
+    with pytest.raises(shapes.ShapeError, match="line 9: the PLY header has lists whose length is a float"):
+        shapes.read(write(tmp_path, "a.ply", data + bytes(64)))
+    data = ply_header("binary_little_endian", points, ("face", 1, ["list uchar float vertex_indices"]))
+    data += bytes(36) + struct.pack("<B3f", 3, 0, 1, float("nan"))
+    with pytest.raises(shapes.ShapeError, match="a list 'vertex_indices' with what is not a number"):
+        shapes.read(write(tmp_path, "b.ply", data))
+
+
 def test_indices_are_named_by_line_and_number(tmp_path):
     ply = "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
     ply += "element face 2\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n3 0 1 7\n"

@@ -2,6 +2,7 @@
 """PLY: any elements, any types, ASCII and binary, faces as polygons or triangle strips."""
 from __future__ import annotations
 
+import math
 import struct
 from dataclasses import dataclass, field
 from typing import Any, Dict, Iterator, List, Optional, Tuple, Union
@@ -115,9 +116,13 @@ def _header(data: bytes) -> Tuple[str, List[_Element], int]:
             elif words[:1] == ["element"]:
                 elements.append(_Element(words[1], int(words[2])))
             elif words[:2] == ["property", "list"]:
+                if _TYPES[words[2]][0] == "f":
+                    raise at(number, 0, f"the PLY header has lists whose length is a {words[2]}: it is a whole number")
                 elements[-1].add(words[4], _TYPES[words[3]], _TYPES[words[2]])
             elif words[:1] == ["property"]:
                 elements[-1].add(words[2], _TYPES[words[1]], None)
+        except ShapeError:
+            raise
         except (KeyError, IndexError, ValueError):
             raise at(number, 0, f"the PLY header cannot be understood: {line.strip()[:80]!r}") from None
     if order is None:
@@ -262,6 +267,8 @@ class _Binary:
             if count < 0:
                 raise ShapeError(f"the PLY file has a list of {count} numbers")
             numbers = self._unpack(kind, count, element)
+            if length and not all(map(math.isfinite, numbers)):
+                raise ShapeError(f"the PLY file has a list {name!r} with what is not a number")
             values[name] = [int(n) for n in numbers] if length else numbers[0]
         return values
 
