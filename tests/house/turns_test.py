@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""scripts/out_of_turn.py: three turns run every test, and what its lists name exists.
+"""scripts/out_of_turn.py: all turns together run every test, and what its lists name exists.
 
     turns_test.py SOURCE BINARY
 """
@@ -11,6 +11,7 @@ import unittest
 from pathlib import Path
 
 SOURCE, BINARY = (Path(path) for path in sys.argv[1:3])
+TURNS = int(re.search(r"^ *turns=(\d+)$", (SOURCE / "scripts/test").read_text(), re.MULTILINE).group(1))
 LISTS = ("long.txt", "in_turn_when_checked.txt")
 
 
@@ -23,7 +24,7 @@ TOLD, NAMES = listed()
 
 
 def left_out(turn, take_turns):
-    script = [sys.executable, "-B", str(SOURCE / "scripts/out_of_turn.py"), str(turn), "3"]
+    script = [sys.executable, "-B", str(SOURCE / "scripts/out_of_turn.py"), str(turn), str(TURNS)]
     files = [str(SOURCE / "tests" / name) for name in ("every_turn.txt", take_turns)]
     pattern = subprocess.run([*script, *files], input=TOLD, check=True, capture_output=True, text=True).stdout.strip()
     return {name for name in NAMES if re.search(pattern, name)}
@@ -36,22 +37,22 @@ def patterns(name):
 class Turns(unittest.TestCase):
     def test_each_test_has_one_turn(self):
         for take_turns in LISTS:
-            out = [left_out(turn, take_turns) for turn in range(3)]
-            self.assertFalse(out[0] & out[1] & out[2])
-            for name in out[0] | out[1] | out[2]:
-                self.assertEqual(sum(name in one for one in out), 2, name)
+            out = [left_out(turn, take_turns) for turn in range(TURNS)]
+            self.assertFalse(set.intersection(*out))
+            for name in set.union(*out):
+                self.assertEqual(sum(name in one for one in out), TURNS - 1, name)
             kept = [len(NAMES) - len(one) for one in out]
-            self.assertLessEqual(max(kept) - min(kept), 2)
+            self.assertLessEqual(max(kept) - min(kept), len(LISTS))
 
     def test_some_are_in_every_turn(self):
         always = [name for name in NAMES if any(re.search(one, name) for one in patterns("every_turn.txt"))]
         self.assertIn("soak.short", always)
         for take_turns in LISTS:
-            for turn in range(3):
+            for turn in range(TURNS):
                 self.assertFalse(left_out(turn, take_turns) & set(always))
 
     def test_short_ones_are_too(self):
-        for turn in range(3):
+        for turn in range(TURNS):
             self.assertNotIn("house.turns", left_out(turn, "long.txt"))
 
     def test_what_is_named_exists(self):
