@@ -36,12 +36,12 @@ function(hrbfnpr_room name)
   set_property(GLOBAL PROPERTY HRBFNPR_ROOM_${name} "${closure}")
 endfunction()
 
-# Eight files are compiled as one, in half of the time, so no two files of a room name the same thing.  Files stay by
+# Two dozen files are compiled as one, in half of the time, so no two files of a room name the same thing.  Files stay by
 # themselves that are compiled once for each instruction set; CMake leaves out those with options of their own.  What a
 # file's own names are in the way of is no fault then; builds of single files, such as `check` and `debug`, warn of it.
 function(hrbfnpr_unite_room target)
   target_compile_options(${target} PRIVATE -Wno-shadow $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)
-  set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 24)
   foreach(source IN LISTS ARGN)
     file(STRINGS "${source}" several REGEX "HWY_TARGET_INCLUDE" LIMIT_COUNT 1)
     if(several)

@@ -20,7 +20,7 @@ def dealt(names, every_turn, take_turns):
     def is_one_of(name, some):
         return any(re.search(one, name) for one in some)
 
-    return sorted(name for name in names if is_one_of(name, take_turns) and not is_one_of(name, every_turn))
+    return sorted({name for name in names if is_one_of(name, take_turns) and not is_one_of(name, every_turn)})
 
 
 def as_pattern(name):

@@ -96,7 +96,7 @@ private:
 
     [[nodiscard]] Local measure(std::int64_t i) const {
         const auto near = neighbours_.of(i);
-        Buffer heights;
+        Buffer heights{};
         Local local{};
         for (std::size_t k = 0; k < near.size(); ++k) {
             local.distance += glm::distance(samples_.position[i], samples_.position[near[k]]);
@@ -109,7 +109,7 @@ private:
 
     [[nodiscard]] double median_of_neighbours(std::int64_t i, double Local::*field) const {
         const auto near = neighbours_.of(i);
-        Buffer values;
+        Buffer values{};
         for (std::size_t k = 0; k < near.size(); ++k) values[k] = local_[near[k]].*field;
         return median(values, near.size());
     }
@@ -141,7 +141,7 @@ private:
         std::size_t count = 0;
         double sum = 0.0;
         glm::dvec3 offset(0.0);
-        Buffer heights;
+        Buffer heights{};
         for (const std::int64_t j : near) {
             const double cosine = glm::dot(samples_.normal[i], samples_.normal[j]) *
                                   (found_.flipped[i] == found_.flipped[j] ? 1.0 : -1.0);

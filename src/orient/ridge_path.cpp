@@ -17,7 +17,7 @@ constexpr double trusted_below = 0.0095;
 constexpr double path_settled = 0.004;
 // Share of equal signs.
 constexpr double path_same_signs = 0.97;
-constexpr double reach = 1.5; // spacings
+constexpr double smoothed_over = 1.5; // spacings
 
 } // namespace
 
@@ -61,7 +61,8 @@ void smooth_directions(const base::Runtime& runtime, const geometry::PointTree& 
                 const glm::dvec3 between = tree.points()[other] - tree.points()[at];
                 const double alike = glm::dot(own, normal[other]);
                 if (alike > 0.0)
-                    sum += alike * std::exp(-0.5 * glm::dot(between, between) / (reach * reach)) * normal[other];
+                    sum += alike * std::exp(-0.5 * glm::dot(between, between) / (smoothed_over * smoothed_over)) *
+                           normal[other];
             }
             smooth.set(at, glm::normalize(sum));
         }

@@ -23,11 +23,11 @@ def listed():
 TOLD, NAMES = listed()
 
 
-def left_out(turn, take_turns):
+def left_out(turn, take_turns, told=TOLD, names=NAMES):
     script = [sys.executable, "-B", str(SOURCE / "scripts/out_of_turn.py"), str(turn), str(TURNS)]
     files = [str(SOURCE / "tests" / name) for name in ("every_turn.txt", take_turns)]
-    pattern = subprocess.run([*script, *files], input=TOLD, check=True, capture_output=True, text=True).stdout.strip()
-    return {name for name in NAMES if re.search(pattern, name)}
+    pattern = subprocess.run([*script, *files], input=told, check=True, capture_output=True, text=True).stdout.strip()
+    return {name for name in names if re.search(pattern, name)}
 
 
 def patterns(name):
@@ -43,6 +43,11 @@ class Turns(unittest.TestCase):
                 self.assertEqual(sum(name in one for one in out), TURNS - 1, name)
             kept = [len(NAMES) - len(one) for one in out]
             self.assertLessEqual(max(kept) - min(kept), len(LISTS))
+
+    def test_names_that_several_tests_have_are_one(self):
+        told = "".join(f"  Test #{i}: soak.twice\n" for i in range(TURNS))
+        out = [left_out(turn, "long.txt", told, {"soak.twice"}) for turn in range(TURNS)]
+        self.assertEqual(sum(len(one) for one in out), TURNS - 1)
 
     def test_some_are_in_every_turn(self):
         always = [name for name in NAMES if any(re.search(one, name) for one in patterns("every_turn.txt"))]
