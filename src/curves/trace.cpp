@@ -194,12 +194,12 @@ base::Array<geometry::Bounds> boxes_around(base::Memory& memory, const base::Arr
 // does not, as where |grad f| nearly vanishes.
 std::int64_t look_closer(const base::Runtime& runtime, const Level& level, const SurfaceMesh& mesh,
                          const base::Array<Straddle>& lost, Rounds& rounds, const base::Progress& progress) {
-    std::int64_t missed = 0;
     geometry::VecArray seeds(runtime.memory);
     for (const Straddle& edge : lost) {
         seeds.push_back(edge.negative);
         seeds.push_back(edge.positive);
     }
+    base::Array<Bead> beads(runtime.memory);
     for (const geometry::Bounds& box : boxes_around(runtime.memory, lost, mesh.side)) {
         MeshSettings settings;
         settings.region = {glm::max(box.min, mesh.region.min), glm::min(box.max, mesh.region.max)};
@@ -207,13 +207,12 @@ std::int64_t look_closer(const base::Runtime& runtime, const Level& level, const
         const SurfaceMesh part = triangulate(runtime, level.surface(), seeds, settings, {});
         base::Array<double> at_vertices(runtime.memory);
         level.at_vertices(runtime, part, at_vertices, progress);
-        const base::Array<Bead> left =
-            rounds.uncovered(beads_of(runtime, part, find_chains(runtime, part, at_vertices)));
-        base::Array<Straddle> edges(runtime.memory);
-        for (const std::int64_t i : rounds.from(at_places(runtime.memory, left))) edges.push_back(left[i].edge);
-        missed += rounds.from(edges).size();
+        for (const Bead& bead : beads_of(runtime, part, find_chains(runtime, part, at_vertices))) beads.push_back(bead);
     }
-    return missed;
+    const base::Array<Bead> left = rounds.uncovered(beads);
+    base::Array<Straddle> edges(runtime.memory);
+    for (const std::int64_t i : rounds.from(at_places(runtime.memory, left))) edges.push_back(left[i].edge);
+    return rounds.from(edges).size();
 }
 
 } // namespace

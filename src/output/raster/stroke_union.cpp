@@ -13,8 +13,8 @@ constexpr std::int64_t usual_shades = 512;
 constexpr std::int64_t usual_pieces = 256;
 constexpr std::int64_t usual_spans = 1024;
 // A row with more heights than this is cut evenly instead: each of its lines is exact along x.
-constexpr std::int64_t most_breaks = 1024;
-constexpr int even_slabs = 512;
+constexpr std::int64_t most_breaks = 256;
+constexpr int even_slabs = 256;
 constexpr double flat = 1e-12; // pixels: slabs that are less high
 
 std::int32_t row_of(double y, std::int32_t rows) noexcept {
@@ -25,11 +25,11 @@ std::int32_t row_of(double y, std::int32_t rows) noexcept {
 
 StrokeUnion::StrokeUnion(base::Memory& memory)
     : edges_(memory), shades_(memory), winding_(memory), active_(memory), pieces_(memory), breaks_(memory),
-      order_(memory), inside_(memory), spans_(memory), found_(memory) {
+      beginnings_(memory), order_(memory), inside_(memory), spans_(memory), found_(memory) {
     edges_.reserve(usual_edges);
     shades_.reserve(usual_shades);
     winding_.reserve(usual_shades);
-    for (base::Array<std::int32_t>* const of_row : {&active_, &order_, &inside_, &found_})
+    for (base::Array<std::int32_t>* const of_row : {&active_, &beginnings_, &order_, &inside_, &found_})
         of_row->reserve(usual_pieces);
     pieces_.reserve(usual_pieces);
     breaks_.reserve(most_breaks + 1);
@@ -99,7 +99,7 @@ void StrokeUnion::find_pieces(std::int32_t y) {
         const double a = e.x + (upper - e.top) * e.slope;
         const double b = e.x + (lower - e.top) * e.slope;
         pieces_.push_back(
-            {upper, lower, e.x - e.top * e.slope, e.slope, std::min(a, b), std::max(a, b), e.winding, e.shade});
+            {upper, lower, e.x - e.top * e.slope, e.slope, std::min(a, b), std::max(a, b), e.winding, e.shade, 0.0});
         if (e.bottom > top + 1.0) active_[kept++] = number;
     }
     active_.resize(kept);
@@ -165,31 +165,53 @@ void StrokeUnion::add_span(const Piece& left, const Piece& right, double from, d
     if (std::find(found_.begin(), found_.end(), shade) == found_.end()) found_.push_back(shade);
 }
 
+void StrokeUnion::find_beginnings() {
+    beginnings_.clear();
+    for (std::int64_t i = 0; i < pieces_.size(); ++i) beginnings_.push_back(static_cast<std::int32_t>(i));
+    std::sort(beginnings_.begin(), beginnings_.end(), [&](std::int32_t a, std::int32_t b) {
+        return pieces_[a].upper != pieces_[b].upper ? pieces_[a].upper < pieces_[b].upper : a < b;
+    });
+    begun_ = 0;
+    order_.clear();
+}
+
+// Nearly that of the slab above, so that putting each into its place moves few others.
+void StrokeUnion::find_order(double y) {
+    std::int64_t kept = 0;
+    for (const std::int32_t number : order_)
+        if (y < pieces_[number].lower) order_[kept++] = number;
+    order_.resize(kept);
+    for (; begun_ < beginnings_.size() && pieces_[beginnings_[begun_]].upper <= y; ++begun_)
+        if (y < pieces_[beginnings_[begun_]].lower) order_.push_back(beginnings_[begun_]);
+    for (std::int64_t i = 0; i < order_.size(); ++i) {
+        const std::int32_t number = order_[i];
+        const double x = pieces_[number].here = pieces_[number].at(y);
+        const auto is_right = [&](std::int32_t other) {
+            return pieces_[other].here != x ? pieces_[other].here > x : other > number;
+        };
+        std::int64_t k = i;
+        for (; k > 0 && is_right(order_[k - 1]); --k) order_[k] = order_[k - 1];
+        order_[k] = number;
+    }
+}
+
 // Between two heights where nothing begins, ends or crosses.
 void StrokeUnion::add_slab(double from, double to) {
     const double middle = 0.5 * (from + to);
-    order_.clear();
-    for (std::int64_t i = 0; i < pieces_.size(); ++i) {
-        if (!(pieces_[i].upper <= middle && middle < pieces_[i].lower)) continue;
-        const double x = pieces_[i].at(middle);
-        order_.push_back(0);
-        std::int64_t k = order_.size() - 1;
-        for (; k > 0 && pieces_[order_[k - 1]].at(middle) > x; --k) order_[k] = order_[k - 1];
-        order_[k] = static_cast<std::int32_t>(i);
-    }
+    find_order(middle);
     inside_.clear();
     const Piece* left = nullptr;
     std::int32_t whose = -1;
     for (const std::int32_t number : order_) {
         const Piece& piece = pieces_[number];
         turn(piece.shade, piece.winding);
-        const std::int32_t now = inside_.empty() ? -1 : owner(piece.at(middle), middle);
+        const std::int32_t now = inside_.empty() ? -1 : owner(piece.here, middle);
         if (now == whose) continue;
         if (whose >= 0) add_span(*left, piece, from, to, whose);
         left = &piece;
         whose = now;
     }
-    constexpr Piece beyond{0.0, 0.0, 1e9, 0.0, 1e9, 1e9, 0, 0}; // edges there are left out
+    constexpr Piece beyond{0.0, 0.0, 1e9, 0.0, 1e9, 1e9, 0, 0, 1e9}; // edges there are left out
     if (whose >= 0) add_span(*left, beyond, from, to, whose);
     for (const std::int32_t shade : inside_) winding_[shade] = 0;
 }
@@ -213,6 +235,7 @@ std::int32_t StrokeUnion::cut(std::int32_t y) {
     found_.clear();
     find_pieces(y);
     find_breaks(y);
+    find_beginnings();
     for (std::int64_t i = 0; i + 1 < breaks_.size(); ++i)
         if (breaks_[i + 1] - breaks_[i] > flat) add_slab(breaks_[i], breaks_[i + 1]);
     std::sort(found_.begin(), found_.end());

@@ -50,6 +50,7 @@ private:
         double upper, lower, x, slope; // x: at height 0 of the tile
         double low, high;              // of x
         std::int32_t winding, shade;
+        double here; // x in the slab at hand
         [[nodiscard]] double at(double y) const noexcept { return x + y * slope; }
     };
     // Between two edges, from one height to another.
@@ -61,6 +62,8 @@ private:
     void find_pieces(std::int32_t y);
     void find_breaks(std::int32_t y);
     void add_crossings();
+    void find_beginnings();
+    void find_order(double y);
     void add_slab(double from, double to);
     void turn(std::int32_t shade, std::int32_t by);
     void add_span(const Piece& left, const Piece& right, double from, double to, std::int32_t shade);
@@ -77,6 +80,8 @@ private:
     base::Array<std::int32_t> active_;  // edges that pass the row
     base::Array<Piece> pieces_;
     base::Array<double> breaks_;
+    base::Array<std::int32_t> beginnings_; // of the pieces, from the first to begin
+    std::int64_t begun_ = 0;
     base::Array<std::int32_t> order_;  // of the pieces in a slab, from left to right
     base::Array<std::int32_t> inside_; // shades whose winding is not 0
     base::Array<Span> spans_;
