@@ -127,6 +127,13 @@ def las(version=2):
     return bytes(head) + b"".join(struct.pack("<3i8x", *v) for v in VERTICES)
 
 
+def ptx(points=VERTICES, columns=2, turn=((1, 0, 0), (0, 1, 0), (0, 0, 1)), stood=(0, 0, 0), more="0.5"):
+    """A scan whose places are given in the scanner's frame, which `turn` (for rows) and `stood` place."""
+    matrix = [(*row, 0) for row in turn] + [(*stood, 1)]
+    head = f"{columns}\n{len(points) // columns}\n" + rows([stood], mark=" ") + rows(turn) + rows(matrix)
+    return (head + "".join("{:.6f} {:.6f} {:.6f} {}\n".format(*p, more) for p in points)).encode()
+
+
 def grid():
     head = "ncols 4\nnrows 3\nxllcorner 7.5\nyllcorner 46.0\ncellsize 0.01\nNODATA_value -9999\n"
     heights = "".join(" ".join(str(x * y) for x in range(4)) + "\n" for y in range(3))
@@ -204,7 +211,7 @@ def files():
         "cube.off": off(), "normals.off": off("NOFF", (NORMALS,)), "ascii.pcd": pcd("ascii"),
         "binary.pcd": pcd("binary"), "packed.pcd": pcd("binary_compressed"), "cube.gltf": gltf(), "cube.glb": glb(),
         "cube.las": las(), "cube_4.las": las(4), "grid.asc": grid(), "text.pgm": pgm(False), "binary.pgm": pgm(True),
-        "cube.3mf": mf3(),
+        "cube.3mf": mf3(), "cube.ptx": ptx(),
         "cube.vtk": vtk(), "cube.vtp": vtp(), "cube.vtu": vtu(), "plain.xyz": table.encode(),
         "comma.csv": numbered.encode(), "decimal.txt": table.replace("1", "1,5").replace(" ", "\t").encode(),
         "meshlab.pts": ("8\n" + table).encode(), "cloud.asc": ("//X Y Z Nx Ny Nz\n" + table).encode(),

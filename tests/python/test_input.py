@@ -10,6 +10,7 @@ import pytest
 from conftest import ROOT, fibonacci_sphere, torus
 from test_cli import STAGE, rows
 from test_meshes import glb, gltf
+from test_ptx import ptx, wall
 from test_shapes import CUBE, QUADS, ply_header, stl, write
 
 import hrbfnpr
@@ -215,6 +216,8 @@ ROWS = {
     "points, all normals inward": ("a.xyz", lambda: table(ball()[0], -ball()[1]), [], 0),
     "points, some normals inward": ("a.xyz", mixed, [], 0),
     "points without normals": ("a.xyz", lambda: table(ball()[0]), [], 0),
+    "points without normals, of one scan that tells where the scanner stood (PTX, PCD)": (
+        "a.ptx", lambda: ptx(wall(), 30).decode(), [], 0),
     "points without normals, with noise": ("a.xyz", lambda: table(noisy()), [], 0),
     "points without normals, with dust around them": ("a.xyz", lambda: table(dusty()), [], 0),
     "points with colours, without normals": (

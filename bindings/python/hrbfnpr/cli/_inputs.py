@@ -146,9 +146,11 @@ def _with_normals(shape: Shape, arguments: Any, context: Context, report: Report
         points = points[np.asarray(chosen)]
         report.note(f"{len(shape.points)} points, of which {MOST_ORIENTED} get normals")
     with report.stage("orient", "looking for normals") as stage:
-        made = _orient.make(points, "none", None, stage.bar, context)
+        up = arguments.up or shape.up
+        made = _orient.make(points, "none", None, stage.bar, context, up=up, viewpoint=shape.viewpoint)
         stage.says = _orient.in_words_of(made, len(points))
-    report.note(f"the points have no normals: {len(points)} are made")
+    seen = ", which look to where the scanner stood" if made.info.outward_by == "viewpoint" else ""
+    report.note(f"the points have no normals: {len(points)} are made{seen}")
     for doubt in _orient.doubts_of(made):
         report.warn(doubt)
     return replace(shape, points=points, normals=np.asarray(made.normals, dtype=float))

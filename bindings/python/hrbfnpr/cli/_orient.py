@@ -11,7 +11,7 @@ import numpy as np
 
 from .._context import Context
 from .._orient import Oriented, orient
-from ..shapes._shape import Floats
+from ..shapes._shape import Floats, Vector
 from ._progress import Reporter
 
 SOURCES = 2500  # samples that stand for all
@@ -146,9 +146,12 @@ def agreed(points: Floats, normals: Floats) -> Tuple[Floats, Floats, int, int]:
     return points[keep], new[keep], int(joined.sum()), int((differs & ~joined).sum())
 
 
-def make(points: Floats, mode: str, normals: Optional[Floats], bar: Any, context: Context) -> Oriented:
-    """Outward normals by the library."""
-    return orient(points, normals, mode, progress=bar, context=context)
+def make(
+    points: Floats, mode: str, normals: Optional[Floats], bar: Any, context: Context, **seen: Optional[Vector]
+) -> Oriented:
+    """Outward normals by the library; `seen`: the `up` and `viewpoint` of open surfaces, if they are known."""
+    known = {name: value for name, value in seen.items() if value is not None}
+    return orient(points, normals, mode, progress=bar, context=context, **known)
 
 
 def in_words_of(oriented: Oriented, count: int) -> str:

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import struct
-from typing import Any, Dict, List, Tuple
+from dataclasses import replace
+from typing import Any, Dict, List, Optional, Tuple
 
 import numpy as np
 
-from ._shape import Shape, ShapeError
+from ._shape import Shape, ShapeError, Vector
 from ._table import at, numbers
 
 _TYPES = {"F": "f", "I": "i", "U": "u"}
@@ -37,7 +38,16 @@ def read_pcd(data: bytes) -> Shape:
         columns = _compressed(data[offset:], fields, points)
     else:
         raise ShapeError(f"PCD files with data in the form {form!r} are not understood")
-    return _shape(columns, tuple(names), form)
+    return replace(_shape(columns, tuple(names), form), viewpoint=_viewpoint(head.get("VIEWPOINT", [])))
+
+
+def _viewpoint(words: List[str]) -> Optional[Vector]:
+    """Where the scanner stood; the origin is what writers put there that do not know."""
+    try:
+        x, y, z = (float(word) for word in words[:3])
+    except ValueError:
+        return None
+    return (x, y, z) if np.isfinite((x, y, z)).all() and (x, y, z) != (0.0, 0.0, 0.0) else None
 
 
 def _shape(columns: Dict[str, Any], names: Tuple[str, ...], form: str) -> Shape:

@@ -18,6 +18,8 @@ from ._gltf import read_gltf
 from ._obj import read_obj, read_off
 from ._pcd import read_pcd
 from ._ply import read_ply
+from ._ptx import MAGIC as PTX_MAGIC
+from ._ptx import read_ptx
 from ._shape import Shape, ShapeError
 from ._stl import read_stl
 from ._xyz import read_xyz
@@ -45,7 +47,7 @@ FORMATS: Dict[str, Format] = {
         Format("VTP", None, _vtk.read_vtp), Format("VTU", None, lambda path: _vtk.read_meshio(path, "VTU")),
         Format("VTK", None, _vtk.read_vtk), Format("LAS", None, _scans.read_las), Format("E57", None, _scans.read_e57),
         Format("grid", _heights.read_grid), Format("PGM", _heights.read_pgm),
-        Format("GeoTIFF", None, _heights.read_geotiff), Format("3MF", None, read_3mf),
+        Format("GeoTIFF", None, _heights.read_geotiff), Format("3MF", None, read_3mf), Format("PTX", read_ptx),
     )
 }  # fmt: skip
 ENDINGS = {
@@ -53,7 +55,7 @@ ENDINGS = {
     ".xyz": "text", ".xyzn": "text", ".pwn": "text", ".txt": "text", ".asc": "text", ".csv": "text", ".pts": "text",
     ".gltf": "glTF", ".glb": "glTF", ".vtp": "VTP", ".vtu": "VTU", ".vtk": "VTK", ".las": "LAS", ".laz": "LAS",
     ".e57": "E57", ".grd": "grid", ".pgm": "PGM", ".tif": "GeoTIFF", ".tiff": "GeoTIFF",
-    ".3mf": "3MF",
+    ".3mf": "3MF", ".ptx": "PTX",
 }  # fmt: skip
 _BY_MESHIO = (".msh", ".inp", ".mesh", ".bdf", ".nas", ".med", ".xdmf", ".tet", ".avs", ".e", ".exo", ".dat")
 _MAGIC: Tuple[Tuple[bytes, str], ...] = (
@@ -62,12 +64,12 @@ _MAGIC: Tuple[Tuple[bytes, str], ...] = (
     (rb"\s*(?:<\?xml[^>]*>\s*)?(?:<!--.*?-->\s*)*<VTKFile[^>]*PolyData", "VTP"),
     (rb"\s*(?:<\?xml[^>]*>\s*)?(?:<!--.*?-->\s*)*<VTKFile[^>]*UnstructuredGrid", "VTU"),
     (rb"P[25]\s", "PGM"), (rb"II[*+]\0|MM\0[*+]", "GeoTIFF"), (rb"\s*(?i:ncols|nrows)\s+\d+\s", "grid"),
-    (rb"\s*(?:ST)?C?N?4?n?OFF\b", "OFF"), (rb"\s*\{[^\0]*\"asset\"\s*:", "glTF"),
+    (PTX_MAGIC, "PTX"), (rb"\s*(?:ST)?C?N?4?n?OFF\b", "OFF"), (rb"\s*\{[^\0]*\"asset\"\s*:", "glTF"),
     (rb"\s*(?i:solid)\b[^\0]*\n\s*(?i:facet|endsolid)\b", "STL"),
     (rb"(?:\s*(?:#[^\n]*|mtllib[^\n]*|[og]\s[^\n]*|s\s[^\n]*|usemtl[^\n]*)?\n)*v[ \t]+[-+.\d]\S*[ \t]+[-+.\d]", "OBJ"),
 )  # fmt: skip
 READ = (
-    "PLY, OBJ, STL, OFF, 3MF, glTF and GLB; points as XYZ, TXT, ASC, CSV, PTS, PWN, PCD, LAS, LAZ or E57; "
+    "PLY, OBJ, STL, OFF, 3MF, glTF and GLB; points as XYZ, TXT, ASC, CSV, PTS, PWN, PTX, PCD, LAS, LAZ or E57; "
     "VTK, VTU and VTP; height maps as ESRI grid, PGM or GeoTIFF"
 )
 _CONVERT = {
@@ -75,7 +77,7 @@ _CONVERT = {
                     "it holds no triangles: FreeCAD exports them as STL"),
     **dict.fromkeys((".blend", ".fbx", ".dae", ".3ds", ".max", ".usd", ".usda", ".usdc", ".usdz", ".x3d", ".wrl"),
                     "Blender exports it as glTF or PLY"),
-    **dict.fromkeys((".ptx", ".fls", ".rcp", ".rcs", ".zfs", ".bin", ".pod"),
+    **dict.fromkeys((".fls", ".rcp", ".rcs", ".zfs", ".bin", ".pod"),
                     "CloudCompare saves it as PLY, with normals"),
     **dict.fromkeys((".zip", ".7z", ".rar", ".tar"), "unpack it first"),
     **dict.fromkeys((".amf", ".ctm"), "MeshLab or a slicer exports it as STL"),
@@ -120,7 +122,7 @@ def read(path: Union[str, "os.PathLike[str]"]) -> Shape:
     ----------
     path : path
         PLY, OBJ, STL, OFF, 3MF, glTF and GLB; tables of points with three columns or more (XYZ, TXT, CSV, PTS, PWN ...);
-        PCD, LAS; LAZ, E57, GeoTIFF, VTK and its kin with the package that reads them.  What the file holds counts
+        PTX, PCD, LAS; LAZ, E57, GeoTIFF, VTK and its kin with the package that reads them.  What the file holds counts
         for more than its ending.  A file that gzip has packed is unpacked.
 
     Raises
@@ -152,6 +154,8 @@ def _read(path: Path) -> Shape:
     name = format_of(head, size) or ("3MF" if head[:4] == b"PK\3\4" and not packed and is_3mf(path) else expected)
     if name is None:
         return _unknown(path, ending, packed)
+    if name == "text" and expected == "PTX" and len(head.split(b"\n", 1)[0].split()) < 3:
+        name = expected  # damaged: what is wrong is said of its header
     form = FORMATS[name]
     if form.read is not None:
         data = data if packed else path.read_bytes()

@@ -32,6 +32,8 @@ class Shape:
         What the file has for each point, in its order, such as ``("x", "y", "z", "red", "green", "blue")``.
     up : tuple of float, or None
         The direction that is up by the convention of the format, if it has one.
+    viewpoint : tuple of float, or None
+        Where the scanner stood, of points that it saw from one place, if the file tells.
     notes : tuple of str
         What was left out or taken for something while it was read.
     """
@@ -43,6 +45,7 @@ class Shape:
     columns: Tuple[str, ...] = ()
     up: Optional[Vector] = None
     notes: Tuple[str, ...] = ()
+    viewpoint: Optional[Vector] = None
 
     def __post_init__(self) -> None:
         if len(self.points) == 0:

@@ -1,0 +1,86 @@
+# SPDX-License-Identifier: MIT
+"""Scans in Leica's PTX: for each scanner position a header, then a grid of points in the scanner's frame."""
+from __future__ import annotations
+
+from typing import List, Tuple
+
+import numpy as np
+
+from ._scans import UP
+from ._shape import Floats, Shape, ShapeError, Vector
+from ._table import Rows, at, numbers, plain
+
+# Of a header's lines: columns and rows of the grid; where the scanner stands and its axes, which the matrix repeats;
+# the matrix that takes points of the grid, as rows (x, y, z, 1), to the common frame.
+_HEADER = (1, 1, 3, 3, 3, 3, 4, 4, 4, 4)
+MAGIC = (
+    rb"\s*\d+[ \t]*\r?\n\s*\d+[ \t]*\r?\n"
+    rb"(?:[ \t]*(?:[-+.\deE]+[ \t]+){2}[-+.\deE]+[ \t]*\r?\n){4}"
+    rb"[ \t]*(?:[-+.\deE]+[ \t]+){3}[-+.\deE]+[ \t]*\r?\n"
+)
+
+
+def read_ptx(data: bytes) -> Shape:
+    """All scans of a file, in their common frame.
+
+    A place of the grid that nothing came back from, 0 0 0, is no point.  One scan tells where the scanner stood.
+    """
+    rows = numbers(plain(data))
+    starts = rows.starts
+    scans: List[Floats] = []
+    stood: Vector = (0.0, 0.0, 0.0)
+    line, empty = 0, 0
+    while line < len(rows.counts):
+        columns, height, matrix = _header(rows, starts, line)
+        line += len(_HEADER)
+        points = _grid(rows, starts, line, columns * height)
+        line += columns * height
+        there = (points != 0.0).any(axis=1)
+        empty += int((~there).sum())
+        stood = (float(matrix[3, 0]), float(matrix[3, 1]), float(matrix[3, 2]))
+        scans.append(np.column_stack([points[there], np.ones(int(there.sum()))]) @ matrix[:, :3])
+    places: Floats = np.concatenate(scans) if scans else np.empty((0, 3))
+    if len(places) == 0:
+        raise ShapeError("the PTX file has no points: nothing came back from any place of its grids")
+    notes = [f"{len(scans)} scans are taken together"] if len(scans) > 1 else []
+    if empty:
+        notes.append(f"nothing came back from {empty} places of {'its grids' if len(scans) > 1 else 'its grid'}")
+    viewpoint = stood if len(scans) == 1 else None
+    return Shape(places, None, None, "PTX", ("x", "y", "z"), UP, tuple(notes), viewpoint)
+
+
+def _header(rows: Rows, starts: Floats, line: int) -> Tuple[int, int, Floats]:
+    """Columns, rows and the matrix of the scan that begins at a line of numbers."""
+    counts = rows.counts[line : line + len(_HEADER)]
+    if len(counts) < len(_HEADER):
+        raise ShapeError("the PTX file ends in the middle of a header")
+    for i, (count, wanted) in enumerate(zip(counts, _HEADER)):
+        if count != wanted:
+            what = f"line {i + 1} of a scan's header has {wanted} numbers; here are {count}"
+            raise at(int(rows.lines[line + i]), 0, what)
+    sides: List[int] = []
+    for i in range(2):
+        side = rows.values[starts[line + i]]
+        if not (0 < side <= 1e9 and side == int(side)):
+            raise at(int(rows.lines[line + i]), 1, f"a grid has 1 to 1000000000 {('columns', 'rows')[i]}; not {side:g}")
+        sides.append(int(side))
+    begin = starts[line + 6]
+    matrix = rows.values[begin : begin + 16].reshape(4, 4)
+    if not np.isfinite(matrix).all() or (matrix[:, 3] != (0.0, 0.0, 0.0, 1.0)).any():
+        what = "the matrix of a scan is of finite numbers, and its last column 0 0 0 1"
+        raise at(int(rows.lines[line + 6]), 0, what)
+    return sides[0], sides[1], matrix
+
+
+def _grid(rows: Rows, starts: Floats, line: int, count: int) -> Floats:
+    """The places of a grid's points, whose lines go on with what came back and colours."""
+    there = len(rows.counts) - line
+    if there < count:
+        raise ShapeError(f"the PTX file ends in the middle of the {count} points of a scan, behind {there} of them")
+    short = np.flatnonzero(rows.counts[line : line + count] < 3)
+    if len(short):
+        i = line + int(short[0])
+        what = f"a point has three numbers or more; here are {rows.counts[i]}: is the grid of another size?"
+        raise at(int(rows.lines[i]), 0, what)
+    points: Floats = rows.values[starts[line : line + count, None] + np.arange(3)]
+    return points
