@@ -43,17 +43,23 @@ package_set() {
 
 installed() { [ "$(dpkg-query -W -f='${db:Status-Status}' "$1" 2>/dev/null)" = installed ]; }
 
+# Of sets, the packages that are not installed.
+missing_packages() {
+  local set package
+  for set in "$@"; do
+    for package in $(package_set "$set"); do
+      installed "$package" || printf '%s\n' "$package"
+    done
+  done
+}
+
 install_packages() {
-  local set package missing=() as_root=()
+  local missing as_root=()
   if ! command -v apt-get >/dev/null; then
     say "no apt-get here: going on with the tools that are installed"
     return
   fi
-  for set in "$@"; do
-    for package in $(package_set "$set"); do
-      installed "$package" || missing+=("$package")
-    done
-  done
+  mapfile -t missing < <(missing_packages "$@")
   [ ${#missing[@]} -gt 0 ] || return 0
   if [ "$(id -u)" -ne 0 ]; then
     command -v sudo >/dev/null || die "please install, as root: apt-get install ${missing[*]}"
@@ -68,13 +74,9 @@ install_packages() {
 
 # Of sets that a system need not have, those of which it offers all.
 offered_sets() {
-  local set package missing=() known=''
+  local set package missing known=''
   command -v apt-cache >/dev/null || return 0
-  for set in "$@"; do
-    for package in $(package_set "$set"); do
-      installed "$package" || missing+=("$package")
-    done
-  done
+  mapfile -t missing < <(missing_packages "$@")
   [ ${#missing[@]} -eq 0 ] || known=$(apt-cache madison "${missing[@]}" 2>/dev/null | awk '{ print $1 }')
   for set in "$@"; do
     for package in $(package_set "$set"); do
