@@ -95,8 +95,11 @@ def test_walls_look_to_the_scanner(tmp_path, capsys, kind):
     quick = ["--size", "100", "--marks", "600"]
     assert main(["draw", str(path), str(tmp_path / "a.png"), *quick, "--save-model", str(saved)]) == 0
     assert "600 are made, which look to where the scanner stood" in capsys.readouterr().err
-    with hrbfnpr.Model.load(saved) as model:
-        assert looks_to(model, points, stood) == 1
+    fitted = tmp_path / "b.hrbf"
+    assert main(["fit", str(path), str(fitted)]) == 0
+    for file in (saved, fitted):
+        with hrbfnpr.Model.load(file) as model:
+            assert looks_to(model, points, stood) == 1
 
 
 def test_a_pcd_whose_viewpoint_is_the_origin_tells_nothing(tmp_path):

@@ -146,7 +146,7 @@ def _with_normals(shape: Shape, arguments: Any, context: Context, report: Report
         points = points[np.asarray(chosen)]
         report.note(f"{len(shape.points)} points, of which {MOST_ORIENTED} get normals")
     with report.stage("orient", "looking for normals") as stage:
-        up = arguments.up or shape.up
+        up = getattr(arguments, "up", None) or shape.up  # a model has none
         made = _orient.make(points, "none", None, stage.bar, context, up=up, viewpoint=shape.viewpoint)
         stage.says = _orient.in_words_of(made, len(points))
     seen = ", which look to where the scanner stood" if made.info.outward_by == "viewpoint" else ""
