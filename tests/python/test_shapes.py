@@ -78,6 +78,14 @@ def test_ply_with_elements_before_and_lists_of_any_length(tmp_path):
     assert triangle_set(shape.triangles) == {(0, 2, 3), (0, 3, 1), (4, 5, 7)}
 
 
+@pytest.mark.parametrize("form, data", [("ascii", b"\n\n1 2 3\n"), ("binary_little_endian", struct.pack("<3f", 1, 2, 3))])
+def test_ply_with_elements_of_nothing(tmp_path, form, data):
+    for count in (3, 2**64):
+        head = f"ply\nformat {form} 1.0\nelement nothing {count}\nelement vertex 1\n"
+        head += "".join(f"property float {axis}\n" for axis in "xyz") + "end_header\n"
+        np.testing.assert_array_equal(shapes.read(write(tmp_path, "a.ply", head.encode() + data)).points, [[1, 2, 3]])
+
+
 def test_ply_strips(tmp_path):
     grid = np.array([[x, y, 0] for x in range(3) for y in range(2)], dtype=float)
     data = ply_header("ascii", ("vertex", 6, XYZ), ("tristrips", 1, ["list int int vertex_indices"]))

@@ -129,7 +129,8 @@ def _header(data: bytes) -> Tuple[str, List[_Element], int]:
         raise ShapeError("the PLY header has no format line")
     if any(element.count < 0 for element in elements):
         raise ShapeError("the PLY header has a negative count")
-    return order, elements, end + 1
+    # One without properties takes no bytes and no words, however many there are.
+    return order, [element for element in elements if element.properties], end + 1
 
 
 def _cut_short(element: _Element, found: Optional[int] = None) -> ShapeError:
