@@ -58,7 +58,7 @@ class Turns(unittest.TestCase):
 
     def test_short_ones_are_too(self):
         for turn in range(TURNS):
-            self.assertNotIn("house.turns", left_out(turn, "long.txt"))
+            self.assertNotIn("house.floors", left_out(turn, "long.txt"))
 
     def test_what_is_named_exists(self):
         for file in ("every_turn.txt", "in_turn_when_checked.txt"):
