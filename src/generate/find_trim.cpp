@@ -26,7 +26,8 @@ constexpr double wary = 0.7;
 constexpr double on_surface = 0.25;
 // Marks lie in a box around the samples' bounds that is wider by up to so many diagonals.
 constexpr double margin = 0.1;
-// s where there can be no doubt: some 1.2 times as far from all samples as their sixth neighbours are.
+// s where there can be no doubt: some 0.8 times as far beyond a border as sixth neighbours are, 1.7 times in the middle
+// of a hole.
 constexpr double doubtless = 6.0;
 constexpr std::int64_t grain = 256;
 

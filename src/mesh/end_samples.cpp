@@ -10,7 +10,7 @@ namespace hrbfnpr::mesh {
 namespace {
 
 // Of `closest`: how far beyond a row s is 1.5, measured, and how far apart its places are then.
-constexpr double row_inset = 0.905;
+constexpr double row_inset = 0.943;
 constexpr double row_step = 0.15;
 // Of the inset: what is nearer to the border than the first is not as far inside as a row shall be; even samples that
 // are nearer than the second are in the row's place; a place of the border has a row if some of it is within the third.

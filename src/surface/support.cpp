@@ -16,6 +16,11 @@ namespace {
 constexpr std::int64_t sixth = 6;
 constexpr std::int64_t around = 17;
 constexpr std::int64_t supported_a_task = 64;
+// Of s; and the width of a kernel in spacings, or in `closest` where samples are denser than that, so that all of the
+// nearest count fully.
+constexpr double scale = 3.0;
+constexpr double width = 0.9;
+constexpr double width_of_dense = 0.8;
 // Of the limit: s where the surface goes on whatever the samples say.
 constexpr double borne_out = 0.9;
 
@@ -36,24 +41,26 @@ double own_and_median(const base::Array<double>& distance, std::span<const std::
 
 } // namespace
 
-// The nearest samples of a place, and -ln of their shares: the least of these is taken out of the sum, so that it does
-// not vanish far away.
+// The nearest samples of a place, and -ln of their weights: the least of these is taken out of the sums, so that they
+// do not vanish far away.
 struct Support::Near {
     std::array<std::int64_t, nearest> at;
     std::array<double, nearest> facing; // (1 + n_j . m) / 2
     std::array<double, nearest> loss;
     std::size_t count = 0;
     double least = std::numeric_limits<double>::infinity();
-    double sum = 0.0; // of exp(least - loss)
+    double sum = 0.0;       // of exp(least - loss)
+    glm::dvec3 middle{0.0}; // c
 
-    [[nodiscard]] double share(std::size_t k) const noexcept { return std::exp(least - loss[k]); }
+    [[nodiscard]] double weight(std::size_t k) const noexcept { return std::exp(least - loss[k]); }
+    [[nodiscard]] double s() const noexcept { return scale * (glm::dot(middle, middle) + least - std::log(sum)); }
 };
 
 Support::Support(const base::Runtime& runtime, const geometry::VecArray& position, const geometry::VecArray& normal,
                  double closest, const base::Progress& progress)
     : tree_(position, progress), normal_(position.memory(), position.size()),
-      sharpness_(position.memory(), position.size()), surrounded_(position.memory(), position.size()),
-      kept_(position.memory()), ends_(position.memory()) {
+      spacing_(position.memory(), position.size()), sharpness_(position.memory(), position.size()),
+      surrounded_(position.memory(), position.size()), kept_(position.memory()), ends_(position.memory()) {
     for (std::int64_t at = 0; at < tree_.size(); ++at) normal_.set(at, normal[tree_.index(at)]);
     measure_spacing(runtime, closest, progress);
 }
@@ -83,10 +90,11 @@ bool Support::may_end_near(const glm::dvec3& place, double half) const noexcept 
     return !(limit_ > 0.0) || !for_cells(place, half, [&](std::uint64_t cell) { return !ends_.contains(cell); });
 }
 
-// All distances are at least that to the nearest sample, so s >= the least loss there - ln of how many are summed.
+// All distances are at least that to the nearest sample, so the sum is at most that of as many as are nearest.
 bool Support::has_nothing_near(const glm::dvec3& place, double half, double limit) const noexcept {
     const double left = nearest_sample(place).distance - std::sqrt(3.0) * half;
-    if (!(left > 0.0 && least_sharpness_ * left * left > limit + std::log(static_cast<double>(nearest)))) return false;
+    const double most = std::log(static_cast<double>(nearest));
+    if (!(left > 0.0 && scale * (least_sharpness_ * left * left - most) > limit)) return false;
     return !(limit_ > 0.0) || for_cells(place, half, [&](std::uint64_t cell) { return !kept_.contains(cell); });
 }
 
@@ -103,11 +111,16 @@ void Support::measure_spacing(const base::Runtime& runtime, double closest, cons
         progress.check();
         for (std::int64_t i = begin; i < end; ++i) {
             const double h = neighbours.each() > 0 ? own_and_median(distance, neighbours.of(i), i) : smallest;
-            sharpness_[i] = 4.0 / std::pow(std::max(h, closest), 2.0);
+            spacing_[i] = std::max(h, closest);
+            sharpness_[i] = std::pow(std::max(width * h, width_of_dense * closest), -2.0);
             surrounded_[i] = is_surrounded(position, normal_, neighbours.of(i), i) ? 1 : 0;
         }
     });
     least_sharpness_ = *std::min_element(sharpness_.begin(), sharpness_.end());
+}
+
+glm::dvec3 Support::away(std::int64_t j, const glm::dvec3& place) const noexcept {
+    return std::sqrt(sharpness_[j]) * (place - tree_.points()[j]);
 }
 
 Support::Near Support::look(const glm::dvec3& place, const glm::dvec3& normal) const noexcept {
@@ -122,13 +135,18 @@ Support::Near Support::look(const glm::dvec3& place, const glm::dvec3& normal) c
         near.least = std::min(near.least, near.loss[k]);
     }
     if (!std::isfinite(near.least)) return near;
-    for (std::size_t k = 0; k < near.count; ++k) near.sum += near.share(k);
+    for (std::size_t k = 0; k < near.count; ++k) {
+        const double weight = near.weight(k);
+        near.sum += weight;
+        near.middle += weight * away(near.at[k], place);
+    }
+    near.middle /= near.sum;
     return near;
 }
 
 double Support::value(const glm::dvec3& place, const glm::dvec3& gradient) const noexcept {
     const Near near = look(place, glm::normalize(gradient));
-    const double s = near.sum > 0.0 ? near.least - std::log(near.sum) : std::numeric_limits<double>::infinity();
+    const double s = near.sum > 0.0 ? near.s() : std::numeric_limits<double>::infinity();
     return s < limit_ || may_end_at(place) ? s : borne_out * limit_;
 }
 
@@ -136,18 +154,18 @@ Support::Nearest Support::nearest_sample(const glm::dvec3& place) const noexcept
     std::int64_t at = 0;
     const auto any = [](std::int64_t) { return true; };
     if (tree_.nearest(place, 1, any, any, &at) == 0) return {std::numeric_limits<double>::infinity(), 0.0, false};
-    return {glm::distance(place, tree_.points()[at]), 2.0 / std::sqrt(sharpness_[at]), surrounded_[at] != 0};
+    return {glm::distance(place, tree_.points()[at]), spacing_[at], surrounded_[at] != 0};
 }
 
 double Support::median_spacing() const {
-    base::Array<double> all(sharpness_.memory());
-    for (const double sharpness : sharpness_) all.push_back(2.0 / std::sqrt(sharpness));
+    base::Array<double> all(spacing_.memory());
+    for (const double spacing : spacing_) all.push_back(spacing);
     std::nth_element(all.begin(), all.begin() + all.size() / 2, all.end());
     return all[all.size() / 2];
 }
 
 geometry::VecArray Support::not_surrounded() const {
-    geometry::VecArray some(sharpness_.memory());
+    geometry::VecArray some(spacing_.memory());
     for (std::int64_t i = 0; i < samples(); ++i)
         if (surrounded_[i] == 0) some.push_back(tree_.points()[i]);
     return some;
@@ -161,17 +179,20 @@ Support::Answer Support::evaluate(const glm::dvec3& place, const glm::dvec3& gra
         if (!may_end_at(place)) answer.value = borne_out * limit_;
         return answer;
     }
-    answer.value = near.least - std::log(near.sum);
+    answer.value = near.s();
     if (answer.value >= limit_ && !may_end_at(place)) {
         answer.value = borne_out * limit_;
         return answer;
     }
+    const double middle = glm::dot(near.middle, near.middle);
     for (std::size_t k = 0; k < near.count; ++k) {
         if (!(near.facing[k] > 0.0)) continue;
         const std::int64_t j = near.at[k];
-        const double weight = near.share(k) / near.sum;
-        answer.by_place += 2.0 * weight * sharpness_[j] * (place - tree_.points()[j]);
-        answer.by_normal -= weight / near.facing[k] * normal_[j];
+        const glm::dvec3 q = away(j, place);
+        const double weight = scale * near.weight(k) / near.sum;
+        const double change = 1.0 + 2.0 * (middle - glm::dot(near.middle, q)); // of -s, by the weight's own
+        answer.by_place += 2.0 * weight * std::sqrt(sharpness_[j]) * (near.middle + change * q);
+        answer.by_normal -= weight * change / near.facing[k] * normal_[j];
     }
     answer.by_normal -= glm::dot(answer.by_normal, normal) * normal;
     return answer;
@@ -188,8 +209,9 @@ void Support::evaluate_all(const base::Runtime& runtime, const geometry::VecArra
 }
 
 std::int64_t Support::bytes() const noexcept {
-    return tree_.points().bytes() + normal_.bytes() + sharpness_.bytes() + surrounded_.bytes() + kept_.bytes() +
-           ends_.bytes() + tree_.nodes() * static_cast<std::int64_t>(sizeof(geometry::Bounds) + sizeof(std::int64_t));
+    return tree_.points().bytes() + normal_.bytes() + spacing_.bytes() + sharpness_.bytes() + surrounded_.bytes() +
+           kept_.bytes() + ends_.bytes() +
+           tree_.nodes() * static_cast<std::int64_t>(sizeof(geometry::Bounds) + sizeof(std::int64_t));
 }
 
 } // namespace hrbfnpr::surface

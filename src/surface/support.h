@@ -2,10 +2,12 @@
 // How well the samples of a surface bear out a place of it: the surface of an implicit goes on where they end, and
 // what lies there is an invention.
 //
-//   s(x) = -ln sum_j exp(-(d_j / (h_j / 2))^2) ((1 + n_j . m) / 2)^2
+//   s(x) = 3 (|c|^2 - ln sum_j w_j),   w_j = exp(-|q_j|^2) ((1 + n_j . m) / 2)^2,   q_j = (x - p_j) / (0.9 h_j)
 //
-// over the nearest samples j, d_j their distances, n_j their normals, h_j the spacing around each, m the unit normal at
-// x.  It is near 0 among samples, and grows away from them and where they face another way.
+// over the samples p_j nearest to x, n_j their normals, h_j the spacing around each, m the unit normal at x, and
+// c = sum_j w_j q_j / sum_j w_j: how far x is from the middle of its neighbours (Adamson and Alexa 2004), which does
+// not go by how many there happen to be.  s is near -4.7 among samples, and grows away from them and where they face
+// another way.
 #pragma once
 
 #include "base/operation.h"
@@ -82,11 +84,14 @@ private:
     template <class Visit>
     [[nodiscard]] bool for_cells(const glm::dvec3& place, double half, Visit&& visit) const;
     void measure_spacing(const base::Runtime& runtime, double closest, const base::Progress& progress);
+    // From a sample to a place, in widths of its kernel.
+    [[nodiscard]] glm::dvec3 away(std::int64_t j, const glm::dvec3& place) const noexcept;
     [[nodiscard]] Near look(const glm::dvec3& place, const glm::dvec3& normal) const noexcept;
 
     geometry::PointTree tree_;
     geometry::VecArray normal_;     // in the tree's order, as the next
-    base::Array<double> sharpness_; // (2 / h)^2
+    base::Array<double> spacing_;   // h
+    base::Array<double> sharpness_; // 1 / r^2, r the width of the kernel
     double least_sharpness_ = 0.0;
     base::Array<std::uint8_t> surrounded_;
     geometry::CellGrid grid_;

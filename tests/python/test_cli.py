@@ -165,16 +165,17 @@ def test_every_option(files, tmp_path, options, capsys):
 
 
 @pytest.mark.parametrize(
-    "options, words",
+    "points, options, words",
     [
-        (["--lines", "contour,border"], "ends nowhere within support 3"),
-        (["--lines", "border", "--support", "0"], ""),
-        (["--support", "0.01", "--style", "silhouette"], "% of it is left out"),
+        (72, ["--lines", "contour,border"], "ends nowhere within support 3"),
+        (72, ["--lines", "border", "--support", "0"], ""),
+        (36, ["--support", "0.01", "--style", "silhouette"], "% of it is left out"),  # half of a torus
     ],
 )
-def test_where_the_surface_ends(files, tmp_path, options, words, capsys):
+def test_where_the_surface_ends(files, tmp_path, points, options, words, capsys):
     few = [word for word in QUICK if word != "--quiet"]
-    assert main(["draw", str(files["xyz"]), str(tmp_path / "out.png"), *few, *options]) == 0
+    some = write(tmp_path, "some.xyz", "".join(files["xyz"].read_text().splitlines(keepends=True)[:points]))
+    assert main(["draw", str(some), str(tmp_path / "out.png"), *few, *options]) == 0
     out = capsys.readouterr().out
     assert (words in out) and ("lines:" in out) == bool(words)
 

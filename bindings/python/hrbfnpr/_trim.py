@@ -77,9 +77,10 @@ class Trimming(Owner):
             The samples; by default the model's centres.  All points of a scan tell better where it ends.  Without
             normals those of the surface are taken.
         limit : float
-            The surface ends where s(x) = -ln sum_j exp(-(2 d_j / h_j)^2) ((1 + n_j . m) / 2)^2 exceeds this; j: the 24
-            samples nearest to x, d_j away, with normals n_j and the spacing h_j around them, m: the normal at x.  1.5
-            ends it some 0.7 spacings beyond the last samples.
+            The surface ends where s(x) = 3 (|c|^2 - ln sum_j w_j) exceeds this, with q_j = (x - p_j) / (0.9 h_j),
+            w_j = exp(-|q_j|^2) ((1 + n_j . m) / 2)^2 and c = sum_j w_j q_j / sum_j w_j; p_j: the 24 samples nearest
+            to x, with normals n_j and the spacing h_j around them, m: the normal at x.  1.5 ends it some 0.7 spacings
+            beyond the last samples, 3 some 0.9.
         hole : float
             Holes that nowhere are farther from the samples than so many diagonals stay closed.
         closest : float

@@ -767,11 +767,10 @@ export interface LineSetDesc {
   /** a list; NULL and 0 */
   lines?: readonly LineDesc[];
   /**
-   * where the surface ends for want of samples, as an open scan or a terrain does: where s(x) = -ln sum_j exp(-(2
-   * d_j / h_j)^2) ((1 + n_j . m) / 2)^2 exceeds this; j: the 24 samples nearest to x, d_j away, with normals n_j
-   * and the spacing h_j around them (as far as the sixth neighbour), m: the surface's normal at x. Mesh, curves,
-   * and what hides them end there, and the end is a border. 1.5 ends it some 0.7 spacings beyond the last samples,
-   * 3 some 0.9, and leaves larger holes closed. 0 = it ends at the search box only; 0 or more, 0
+   * where the surface ends for want of samples, as an open scan or a terrain does: where s(x), as of
+   * hrbfnpr_trim_desc, exceeds this. Mesh, curves, and what hides them end there, and the end is a border. 1.5
+   * ends it some 0.7 spacings beyond the last samples, 3 some 0.9, and leaves larger holes closed. 0 = it ends at
+   * the search box only; 0 or more, 0
    */
   support?: number;
   /**

@@ -104,14 +104,16 @@
 //! one view of a scan, or of a terrain, to the end of the search box; and it may
 //! grow sheets where no sample ever was.  Trimming leaves these out:
 //!
-//!     s(x) = -ln sum_j exp(-(2 d_j / h_j)^2) ((1 + n_j . m) / 2)^2
+//!     s(x) = 3 (|c|^2 - ln sum_j w_j),     c = sum_j w_j q_j / sum_j w_j
+//!     w_j = exp(-|q_j|^2) ((1 + n_j . m) / 2)^2,     q_j = (x - p_j) / (0.9 h_j)
 //!
-//! tells how well the samples bear out a place x of the surface; j: the 24 samples
-//! nearest to x, d_j away, with normals n_j and the spacing h_j around them (as far
-//! as the sixth neighbour), m: the surface's normal at x.  A connected part of the
-//! surface where s exceeds `limit` is left out if it reaches the end of the search
-//! box, or if it is too far from all samples to be a hole between them (`hole`).
-//! Other parts stay: a hole that is closed so is no error.
+//! tells how well the samples bear out a place x of the surface; p_j: the 24 samples
+//! nearest to x, with normals n_j and the spacing h_j around them (as far as the
+//! sixth neighbour), m: the surface's normal at x; c: how far x is from the middle
+//! of its neighbours (Adamson and Alexa 2004).  A connected part of the surface
+//! where s exceeds `limit` is left out if it reaches the end of the search box, or
+//! if it is too far from all samples to be a hole between them (`hole`).  Other
+//! parts stay: a hole that is closed so is no error.
 //!
 //! # POINT SET: layers of marks on a surface, immutable [NPAR 4.2, 5]
 //!
@@ -2181,12 +2183,10 @@ pub struct hrbfnpr_line_set_desc {
     pub lines: *const hrbfnpr_line_desc,
     pub line_count: i64,
     pub line_stride: i64,
-    /// where the surface ends for want of samples, as an open scan or a terrain does: where s(x)
-    /// = -ln sum_j exp(-(2 d_j / h_j)^2) ((1 + n_j . m) / 2)^2 exceeds this; j: the 24 samples
-    /// nearest to x, d_j away, with normals n_j and the spacing h_j around them (as far as the
-    /// sixth neighbour), m: the surface's normal at x. Mesh, curves, and what hides them end
-    /// there, and the end is a border. 1.5 ends it some 0.7 spacings beyond the last samples, 3
-    /// some 0.9, and leaves larger holes closed. 0 = it ends at the search box only; 0 or more, 0
+    /// where the surface ends for want of samples, as an open scan or a terrain does: where s(x),
+    /// as of hrbfnpr_trim_desc, exceeds this. Mesh, curves, and what hides them end there, and
+    /// the end is a border. 1.5 ends it some 0.7 spacings beyond the last samples, 3 some 0.9,
+    /// and leaves larger holes closed. 0 = it ends at the search box only; 0 or more, 0
     pub support: f64,
     /// FLOAT32 or FLOAT64, 3: those samples; not given = the model's centres. All points of a
     /// scan tell better where it ends than the centres chosen from them
