@@ -82,6 +82,16 @@ TEST_F(CurveFitTest, KeepsWhatLiesBetweenFarPoints) {
     EXPECT_LE(apart(line, line.front(), fit.fit(line, 0.05, false)), 0.08);
 }
 
+// So far apart that no integer holds the number of pieces: as many as there may be, each with its own curve, as the
+// tolerance is below what rounding leaves.
+TEST_F(CurveFitTest, TakesPointsAnyDistanceApart) {
+    std::vector<dvec2> line{{0, 0}, {50, 0}, {90, 25}, {91, 26}, {92, 28}, {93, 31}, {60, 80}};
+    for (dvec2& p : line) p *= std::ldexp(1.0, 120);
+    const std::span<const Cubic> cubics = fit.fit(line, 0.05, false);
+    EXPECT_GT(cubics.size(), 100U);
+    EXPECT_EQ(cubics.back().end, line.back());
+}
+
 TEST_F(CurveFitTest, KeepsCorners) {
     const std::vector<dvec2> line{{0, 0}, {10, 0}, {10, 10}, {0, 10}};
     const std::span<const Cubic> cubics = fit.fit(line, 0.05, false);

@@ -13,7 +13,7 @@ namespace {
 constexpr double wanted = 3000.0; // places of a patch, about
 constexpr double thinned = 0.7;   // no two in one cell of so many spacings ...
 constexpr double thinned_crease = 0.35;
-constexpr std::int64_t most_cuts = 64;    // of an edge
+constexpr double most_cuts = 64.0;        // of an edge
 constexpr std::int64_t most_about = 1024; // corners of a vertex
 
 [[nodiscard]] glm::dvec3 unit_or(const glm::dvec3& v, const glm::dvec3& other) noexcept {
@@ -90,7 +90,7 @@ private:
     }
 
     [[nodiscard]] std::int64_t cuts(double length, double spacing) const noexcept {
-        return std::clamp<std::int64_t>(static_cast<std::int64_t>(length / spacing), 1, most_cuts);
+        return static_cast<std::int64_t>(std::clamp(length / spacing, 1.0, most_cuts));
     }
 
     // Each patch has the places between vertices on its own curved surface: what is common to both is where these meet.

@@ -15,7 +15,7 @@ constexpr int improvements = 4;
 // Of the tolerance, at the points that are measured: between them a curve may be somewhat farther off.
 constexpr double measured_share = 0.9;
 constexpr int deep = 24; // from here on runs are halved in the middle, so that the depth is bounded
-constexpr std::int64_t most_between = 64;
+constexpr double most_between = 64.0;
 
 dvec2 at(const dvec2& start, const Cubic& c, double t) noexcept {
     const double s = 1.0 - t;
@@ -40,8 +40,7 @@ void CurveFit::densify(std::span<const dvec2> points) {
             const dvec2 from = points_[points_.size() - 1];
             const double length = std::sqrt(square(p - from));
             if (!(length > 0.0)) continue;
-            const auto parts =
-                1 + std::clamp(static_cast<std::int64_t>(length / spacing), std::int64_t{1}, most_between);
+            const auto parts = 1 + static_cast<std::int64_t>(std::clamp(length / spacing, 1.0, most_between));
             for (std::int64_t k = 1; k < parts; ++k)
                 points_.push_back(from + (static_cast<double>(k) / static_cast<double>(parts)) * (p - from));
         }
