@@ -216,7 +216,7 @@ ROWS = {
     "points, all normals inward": ("a.xyz", lambda: table(ball()[0], -ball()[1]), [], 0),
     "points, some normals inward": ("a.xyz", mixed, [], 0),
     "points without normals": ("a.xyz", lambda: table(ball()[0]), [], 0),
-    "points without normals, of one scan that tells where the scanner stood (PTX, PCD)": (
+    "points without normals, of one scan that tells where the scanner stood (PTX, PCD, `--viewpoint`)": (
         "a.ptx", lambda: ptx(wall(), 30).decode(), [], 0),
     "points without normals, with noise": ("a.xyz", lambda: table(noisy()), [], 0),
     "points without normals, with dust around them": ("a.xyz", lambda: table(dusty()), [], 0),

@@ -102,6 +102,33 @@ def test_walls_look_to_the_scanner(tmp_path, capsys, kind):
             assert looks_to(model, points, stood) == 1
 
 
+# What a file does not tell, the user may; the other side, too.
+@pytest.mark.parametrize("normals", [[], ["--normals", "none"], ["--normals", "unoriented"]])
+@pytest.mark.parametrize("side", [1, -1])
+def test_walls_look_to_a_given_viewpoint(tmp_path, capsys, normals, side):
+    points = wall() + [10, 20, 30]
+    stood = np.array([10, 20, 30]) + (0 if side == 1 else 1000 * wall().mean(axis=0))
+    columns = [points] if not normals else [points, np.tile([0.6, 0, 0.8], (len(points), 1))]
+    rows = "".join(" ".join(f"{x:.6f}" for x in row) + "\n" for row in np.hstack(columns))
+    path, saved = write(tmp_path, "a.xyz", rows.encode()), tmp_path / "a.hrbf"
+    given = ",".join(f"{x:.6f}" for x in stood)
+    assert main(["fit", str(path), str(saved), "--viewpoint", given, *normals]) == 0
+    assert "which side is its front" not in capsys.readouterr().err
+    with hrbfnpr.Model.load(saved) as model:
+        assert looks_to(model, points, stood) == 1
+
+
+def test_a_viewpoint_that_tells_nothing_is_said(tmp_path, capsys):
+    points = wall()
+    normals = -points / np.linalg.norm(points, axis=1, keepdims=True)
+    rows = "".join(" ".join(f"{x:.6f}" for x in row) + "\n" for row in np.hstack([points, normals]))
+    path = write(tmp_path, "a.xyz", rows.encode())
+    assert main(["fit", str(path), str(tmp_path / "a.hrbf"), "--viewpoint", "0,0,0"]) == 0
+    assert "--viewpoint is for points whose normals are made" in capsys.readouterr().err
+    assert main(["fit", str(path), str(tmp_path / "b.hrbf"), "--viewpoint", "0,0"]) == 2
+    assert "--viewpoint" in capsys.readouterr().err
+
+
 def test_a_pcd_whose_viewpoint_is_the_origin_tells_nothing(tmp_path):
     head = "VERSION 0.7\nFIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nCOUNT 1 1 1\nWIDTH 1\nHEIGHT 1\n"
     for line in ("VIEWPOINT 0 0 0 1 0 0 0\n", "VIEWPOINT\n", "VIEWPOINT 1 x 3\n", "VIEWPOINT 1 nan 3\n", ""):

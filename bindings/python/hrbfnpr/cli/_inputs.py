@@ -9,7 +9,7 @@ from __future__ import annotations
 from argparse import Namespace
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import Any, Optional, Tuple, Union
+from typing import Any, Dict, Optional, Tuple, Union
 
 import numpy as np
 
@@ -136,6 +136,11 @@ def _without_far(shape: Shape, arguments: Any, report: Reporter) -> Shape:
     return shape
 
 
+def _seen(shape: Shape, arguments: Any) -> Dict[str, Optional[Vector]]:
+    """What open surfaces look to, as far as it is known; for a model no direction of up is asked."""
+    return {"up": getattr(arguments, "up", None) or shape.up, "viewpoint": arguments.viewpoint or shape.viewpoint}
+
+
 def _with_normals(shape: Shape, arguments: Any, context: Context, report: Reporter) -> Shape:
     """Points that have none, with those that the library finds."""
     points = shape.points[np.isfinite(shape.points).all(axis=1)]
@@ -146,8 +151,7 @@ def _with_normals(shape: Shape, arguments: Any, context: Context, report: Report
         points = points[np.asarray(chosen)]
         report.note(f"{len(shape.points)} points, of which {MOST_ORIENTED} get normals")
     with report.stage("orient", "looking for normals") as stage:
-        up = getattr(arguments, "up", None) or shape.up  # a model has none
-        made = _orient.make(points, "none", None, stage.bar, context, up=up, viewpoint=shape.viewpoint)
+        made = _orient.make(points, "none", None, stage.bar, context, **_seen(shape, arguments))
         stage.says = _orient.in_words_of(made, len(points))
     seen = ", which look to where the scanner stood" if made.info.outward_by == "viewpoint" else ""
     report.note(f"the points have no normals: {len(points)} are made{seen}")
@@ -175,7 +179,7 @@ def _samples(shape: Shape, arguments: Any, report: Reporter) -> Tuple[Floats, Fl
 
 
 def _normals(
-    points: Floats, normals: Floats, arguments: Any, context: Context, report: Reporter
+    points: Floats, normals: Floats, shape: Shape, arguments: Any, context: Context, report: Reporter
 ) -> Tuple[Floats, Floats]:
     """Those that look outward; --flip is the user's own word on it."""
     points, normals, joined, opposite = _orient.agreed(points, normals)
@@ -188,7 +192,8 @@ def _normals(
     if arguments.flip:
         return points, -normals
     with report.stage("orient", "orienting") as stage:
-        normals, stage.says = _orient.settle(points, normals, arguments.normals or "auto", report, stage.bar, context)
+        mode, seen = arguments.normals or "auto", _seen(shape, arguments)
+        normals, stage.says = _orient.settle(points, normals, mode, report, stage.bar, context, **seen)
         axis = _up.hangs(points, normals) if arguments.normals != "keep" else None
         if axis is not None:
             normals, stage.says = -normals, "a terrain looked down: its normals are turned"
@@ -222,6 +227,8 @@ def of_shape(shape: Shape, arguments: Any, context: Context, report: Reporter) -
 
 
 def _fitted(shape: Shape, arguments: Any, context: Context, report: Reporter) -> Loaded:
+    if arguments.viewpoint and (shape.is_mesh or (has_normals(shape) and arguments.normals in (None, "auto", "keep"))):
+        report.warn("--viewpoint is for points whose normals are made, and these have some: --normals none makes new ones")
     if shape.is_mesh:
         return _load_mesh(shape, arguments, context, report)
     shape = _without_far(shape, arguments, report)
@@ -230,7 +237,7 @@ def _fitted(shape: Shape, arguments: Any, context: Context, report: Reporter) ->
         shape = _with_normals(shape, arguments, context, report)
     points, normals = _samples(shape, arguments, report)
     if not made:
-        points, normals = _normals(points, normals, arguments, context, report)
+        points, normals = _normals(points, normals, shape, arguments, context, report)
     elif arguments.flip:
         normals = -normals
     up = _up_of(shape, points, normals, arguments, report)

@@ -177,21 +177,24 @@ def doubts_of(oriented: Oriented) -> Tuple[str, ...]:
             "or normals of the scanner, help"
         )
     if info.outward_by == "up":
-        sure.append("the surface is open, and which side is its front cannot be told: --flip takes the other one")
+        sure.append(
+            "the surface is open, and which side is its front cannot be told: --flip takes the other one, and --viewpoint "
+            "X,Y,Z that which the scanner saw"
+        )
     return tuple(sure)
 
 
 def settle(
-    points: Floats, normals: Floats, mode: str, report: Reporter, bar: Any, context: Context
+    points: Floats, normals: Floats, mode: str, report: Reporter, bar: Any, context: Context, **seen: Optional[Vector]
 ) -> Tuple[Floats, str]:
-    """The normals of points, turned outward as far as that can be told, and what was done in words."""
+    """The normals of points, turned outward as far as that can be told, and what was done in words; `seen`: of `make`."""
     if mode == "keep":
         return normals, "normals as they are"
     if mode != "auto":
-        return repaired(points, normals, mode, report, bar, context)
+        return repaired(points, normals, mode, report, bar, context, **seen)
     found = look(points, normals, False)
     if found.mixed and len(points) >= LEAST:
-        return repaired(points, normals, "auto", report, bar, context)
+        return repaired(points, normals, "auto", report, bar, context, **seen)
     if found.inward:
         report.note("all normals looked inward: they are turned (--normals keep leaves them)")
         return -normals, "normals looked inward: all are turned"
@@ -201,10 +204,10 @@ def settle(
 
 
 def repaired(
-    points: Floats, normals: Floats, mode: str, report: Reporter, bar: Any, context: Context
+    points: Floats, normals: Floats, mode: str, report: Reporter, bar: Any, context: Context, **seen: Optional[Vector]
 ) -> Tuple[Floats, str]:
     """The same by the library, said."""
-    made = make(points, mode, normals, bar, context)
+    made = make(points, mode, normals, bar, context, **seen)
     for doubt in doubts_of(made):
         report.warn(doubt)
     if made.info.turned or made.info.made:
