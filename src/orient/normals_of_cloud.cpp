@@ -2,6 +2,7 @@
 #include "orient/normals_of_cloud.h"
 
 #include "orient/means.h"
+#include "orient/noisy_normals.h"
 #include "orient/ridge_path.h"
 
 #include <algorithm>
@@ -21,6 +22,8 @@ constexpr double means_apart = 2.0;
 constexpr std::int64_t fewest_to_reduce = 6000;
 constexpr std::int64_t fewest_means = 500;
 constexpr int most_reductions = 3;
+// Of noisy clouds with fewer the shape is no larger than what directions would be means over.
+constexpr std::int64_t fewest_to_refine = 400;
 
 // Fewer starts of more places.
 constexpr std::int64_t few_points = 6000;
@@ -93,7 +96,10 @@ CloudNormals normals_of_cloud(const base::Runtime& runtime, const Cloud& cloud, 
     progress.update(0.1);
     result.noise = noise.deviation;
     if (noise.deviation <= noisiest || cloud.size() <= fewest_to_reduce) {
-        fit(runtime, cloud, near, noise, given, result, progress.part(0.1, 1.0));
+        fit(runtime, cloud, near, noise, given, result, progress.part(0.1, 0.95));
+        if (noise.ridge > 0.0 && cloud.size() >= fewest_to_refine && cloud.size() <= fewest_to_reduce)
+            refine_noisy(runtime, *cloud.tree, result.fitted.normal, progress.part(0.95, 1.0));
+        progress.update(1.0);
         return result;
     }
     Cloud means(runtime.memory);
