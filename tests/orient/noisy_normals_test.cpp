@@ -62,7 +62,7 @@ TEST(NoisyNormals, AreMeansWhereTheSurfaceIsSmooth) {
 }
 
 // Right ones of a roof of many ridges, eight spacings wide each, that bend by 100 degrees.
-TEST(NoisyNormals, StayWhereMeansWouldBeWorse) {
+TEST(NoisyNormals, DoNotMixFacesThatAreApart) {
     const base::Runtime runtime = test::with_threads(2);
     constexpr int width = 8;
     const double slope = std::tan(50.0 / 57.29577951308232);
