@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "orient/noisy_normals.h"
 
+#include "orient/ridge_path.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -17,7 +19,7 @@ constexpr std::size_t of_place = 40;
 // Of a plane of even samples, in spacings.
 constexpr std::size_t sixth = 5;
 constexpr double distance_to_sixth = 1.38;
-// Spacings.
+// Spacings; of a mean, where its weights have fallen by e.
 constexpr std::array<double, 5> means_over{1.0, 1.5, 2.0, 2.5, 3.0};
 constexpr double places_over = 1.5;
 constexpr double chords_from = 2.0;
@@ -52,8 +54,8 @@ public:
         Means best{VecArray(runtime_.memory)};
         double least = plainly_better * misfit(normal_);
         for (const double over : means_over) {
-            VecArray means(runtime_.memory, tree_.size());
-            for_all([&](std::int64_t at) { means.set(at, mean_direction(at, over * spacing_)); });
+            progress_.check();
+            VecArray means = smooth_directions(runtime_, tree_, near_, normal_, over * spacing_ / std::sqrt(2.0));
             const double now = misfit(means);
             if (!(now < least)) continue;
             least = now;
@@ -106,15 +108,6 @@ private:
     template <class Visit>
     void around(std::int64_t at, double within, Visit&& visit) const {
         tree_.within(tree_.points()[at], within * spacing_, visit);
-    }
-
-    [[nodiscard]] glm::dvec3 mean_direction(std::int64_t at, double over) const noexcept {
-        const glm::dvec3 own = normal_[at];
-        glm::dvec3 sum = own;
-        for (const std::int32_t other : near_.of(at))
-            if (const double alike = glm::dot(own, normal_[other]); alike > 0.0)
-                sum += alike * weight(at, other, over) * normal_[other];
-        return glm::normalize(sum);
     }
 
     [[nodiscard]] glm::dvec3 mean_place(std::int64_t at) const noexcept {

@@ -29,6 +29,7 @@ constexpr std::int64_t fewest_to_refine = 400;
 constexpr std::int64_t few_points = 6000;
 // Noisy ones with no more are fitted with several ridges.
 constexpr std::int64_t few_for_path = 2000;
+constexpr double smoothed_over = 1.5; // spacings
 constexpr std::int64_t many = 150000;
 
 constexpr Effort path_effort{3, false, true};
@@ -83,7 +84,7 @@ void fit(const base::Runtime& runtime, const Cloud& cloud, const Near& near, con
     result.confidence = confidence_of(found, noise.deviation);
     runtime.log(base::LogLevel::debug, "orient: energy %.4f, agreement %.3f, steadiness %.3f, noise %.3f, ridge %.0f",
                 found.roughest, found.fitted.agreement, found.steadiness, noise.deviation, noise.ridge);
-    smooth_directions(runtime, *cloud.tree, near, found.fitted.normal);
+    found.fitted.normal = smooth_directions(runtime, *cloud.tree, near, found.fitted.normal, smoothed_over);
     result.fitted = std::move(found.fitted);
 }
 

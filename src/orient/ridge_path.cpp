@@ -17,7 +17,6 @@ constexpr double trusted_below = 0.0095;
 constexpr double path_settled = 0.004;
 // Share of equal signs.
 constexpr double path_same_signs = 0.97;
-constexpr double smoothed_over = 1.5; // spacings
 
 } // namespace
 
@@ -50,8 +49,8 @@ RidgeFit follow_ridges(const base::Runtime& runtime, const Cloud& cloud, const N
     return best;
 }
 
-void smooth_directions(const base::Runtime& runtime, const geometry::PointTree& tree, const Near& near,
-                       VecArray& normal) {
+VecArray smooth_directions(const base::Runtime& runtime, const geometry::PointTree& tree, const Near& near,
+                           const VecArray& normal, double deviation) {
     VecArray smooth(runtime.memory, tree.size());
     runtime.parallel.for_chunks(tree.size(), 1024, [&](std::int64_t begin, std::int64_t end) {
         for (std::int64_t at = begin; at < end; ++at) {
@@ -61,13 +60,13 @@ void smooth_directions(const base::Runtime& runtime, const geometry::PointTree& 
                 const glm::dvec3 between = tree.points()[other] - tree.points()[at];
                 const double alike = glm::dot(own, normal[other]);
                 if (alike > 0.0)
-                    sum += alike * std::exp(-0.5 * glm::dot(between, between) / (smoothed_over * smoothed_over)) *
-                           normal[other];
+                    sum +=
+                        alike * std::exp(-0.5 * glm::dot(between, between) / (deviation * deviation)) * normal[other];
             }
             smooth.set(at, glm::normalize(sum));
         }
     });
-    normal = std::move(smooth);
+    return smooth;
 }
 
 } // namespace hrbfnpr::orient

@@ -18,8 +18,9 @@ struct RidgeFit {
                                      const geometry::VecArray* given, const Effort& effort,
                                      const base::Progress& progress);
 
-// Means of the normals about each place that point the same way.
-void smooth_directions(const base::Runtime& runtime, const geometry::PointTree& tree, const Near& near,
-                       geometry::VecArray& normal);
+// Means of the normals about each place that point the same way, by a Gaussian of this deviation.
+[[nodiscard]] geometry::VecArray smooth_directions(const base::Runtime& runtime, const geometry::PointTree& tree,
+                                                   const Near& near, const geometry::VecArray& normal,
+                                                   double deviation);
 
 } // namespace hrbfnpr::orient

@@ -79,7 +79,7 @@ TEST(RidgePath, SmoothsDirectionsButNotOverToTheOtherSide) {
         return score(wall, of_points).angle;
     };
     const double before = angle();
-    orient::smooth_directions(runtime, *clean.cloud.tree, clean.near, normal);
+    normal = orient::smooth_directions(runtime, *clean.cloud.tree, clean.near, normal, 1.5);
     EXPECT_LT(angle(), 0.6 * before);
     EXPECT_EQ(clean.right(wall, normal), 1.0);
 }
