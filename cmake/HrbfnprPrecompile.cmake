@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: MIT
-# Headers that are parsed once for many files: hrbfnpr_precompile(target SET) with SET src, tests or
-# plain_tests.
+# Headers that are parsed once for many files: hrbfnpr_precompile(target SET) with SET src or tests.
 #
 # Only where HRBFNPR_PRECOMPILE is ON, as in the release preset, and with GCC or Clang.  Other builds compile each file
 # by itself and so notice an include that is missing.
@@ -8,26 +7,21 @@
 set(HRBFNPR_PRECOMPILED_src <algorithm> <array> <atomic> <cmath> <cstdint> <cstring> <functional> <limits> <memory>
   <numeric> <optional> <span> <string> <vector> <glm/glm.hpp> <glm/gtc/matrix_transform.hpp>)
 set(HRBFNPR_PRECOMPILED_tests ${HRBFNPR_PRECOMPILED_src} <map> <random> <set> <thread> <gmock/gmock.h> <gtest/gtest.h>)
-set(HRBFNPR_PRECOMPILED_plain_tests ${HRBFNPR_PRECOMPILED_tests})
 
 function(hrbfnpr_precompile target set)
   if(NOT HRBFNPR_PRECOMPILE OR NOT CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
     return()
   endif()
   if(NOT TARGET hrbfnpr_precompiled_${set})
-    if(set MATCHES "tests") # compiled as programs are
+    if(set STREQUAL "tests") # compiled as programs are
       add_executable(hrbfnpr_precompiled_${set} "${PROJECT_SOURCE_DIR}/cmake/precompiled.cpp")
     else()
       add_library(hrbfnpr_precompiled_${set} OBJECT "${PROJECT_SOURCE_DIR}/cmake/precompiled.cpp")
     endif()
     hrbfnpr_compile(hrbfnpr_precompiled_${set})
     target_precompile_headers(hrbfnpr_precompiled_${set} PRIVATE ${HRBFNPR_PRECOMPILED_${set}})
-    if(set MATCHES "tests")
-      set(plain)
-      if(set STREQUAL "plain_tests")
-        set(plain PLAIN)
-      endif()
-      hrbfnpr_compile_test(hrbfnpr_precompiled_${set} ${plain})
+    if(set STREQUAL "tests")
+      hrbfnpr_compile_test(hrbfnpr_precompiled_${set})
       target_compile_definitions(hrbfnpr_precompiled_${set} PRIVATE GTEST_HAS_PTHREAD=1)
     endif()
   endif()

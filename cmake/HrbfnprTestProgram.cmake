@@ -1,13 +1,11 @@
 # SPDX-License-Identifier: MIT
-# hrbfnpr_test_program(NAME [PLAIN] SOURCE...): a program of tests, whose own code is neither what is tested nor what is
-# measured; PLAIN: nor does it work on much, and is not optimized at all.
+# hrbfnpr_test_program(NAME SOURCE...): a program of tests, whose own code is neither what is tested nor what is measured.
 #
 # HRBFNPR_TEST_OBJECTS is the folder of another build of the same sources, whose objects are then linked with the library
 # of this one.  So a library under sanitizers is tested without compiling its tests, which takes longer than the library.
 
 function(hrbfnpr_test_program name)
-  cmake_parse_arguments(arg "PLAIN" "" "" ${ARGN})
-  set(sources ${arg_UNPARSED_ARGUMENTS})
+  set(sources ${ARGN})
   if(HRBFNPR_TEST_OBJECTS)
     hrbfnpr_built_objects(sources ${name})
   endif()
@@ -17,13 +15,8 @@ function(hrbfnpr_test_program name)
     set_target_properties(${name} PROPERTIES LINKER_LANGUAGE CXX)
     return()
   endif()
-  if(arg_PLAIN)
-    hrbfnpr_compile_test(${name} PLAIN)
-    hrbfnpr_precompile(${name} plain_tests)
-  else()
-    hrbfnpr_compile_test(${name})
-    hrbfnpr_precompile(${name} tests)
-  endif()
+  hrbfnpr_compile_test(${name})
+  hrbfnpr_precompile(${name} tests)
   if(HRBFNPR_UNITY)
     hrbfnpr_unite(${name} ${sources})
   endif()

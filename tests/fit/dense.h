@@ -13,7 +13,7 @@ namespace fit_test {
 [[nodiscard]] Eigen::VectorXd solved(const Eigen::MatrixXd& a, const Eigen::VectorXd& right);
 [[nodiscard]] Eigen::MatrixXd inverse(const Eigen::MatrixXd& a);
 
-// The x that brings a x nearest, by QR with pivoting of columns.
+// The x that brings a x nearest, by the normal equations: a must not be badly conditioned.
 [[nodiscard]] Eigen::VectorXd least_squares(const Eigen::MatrixXd& a, const Eigen::VectorXd& right);
 
 // U^-1 with U^T U = a; nothing of a matrix that is not positive definite is promised.
