@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: MIT
-"""Triangles of polygons that are not convex."""
+"""Triangles of polygons, of those that are not convex, too."""
 import numpy as np
 import pytest
 from test_shapes import write
 
+import hrbfnpr
 from hrbfnpr import shapes
 from hrbfnpr.shapes._polygons import MOST_CORNERS, fans, fans_of_block
 
@@ -98,3 +99,20 @@ def test_readers_cut_them(tmp_path, form):
     area = areas(shape.points, shape.triangles)[:, 2]
     assert np.allclose(area[:6].sum(), whole(letter_c())[2]) and (area[:6] > 0).all()
     assert (area[7:] < 0).all()
+
+
+@pytest.mark.parametrize("apart", [False, True])
+def test_cells_of_a_solid_cut_the_faces_between_them_alike(tmp_path, apart):
+    faces = [[0, 3, 2, 1], [4, 5, 6, 7], [0, 1, 5, 4], [1, 2, 6, 5], [2, 3, 7, 6], [3, 0, 4, 7]]
+    corners = np.array([(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0), (0, 0, 1), (1, 0, 1), (1, 1, 1), (0, 1, 1)])
+    chance = np.random.default_rng(5)
+    places = [tuple(corner) for cell in np.ndindex(3, 3, 3) for corner in corners + cell]
+    points = places if apart else sorted(set(places))
+    lines = [f"v {x} {y} {z}" for x, y, z in points]
+    for cell in range(27):
+        for face in faces:
+            numbers = [8 * cell + i if apart else points.index(places[8 * cell + i]) for i in face]
+            lines.append("f " + " ".join(str(i + 1) for i in np.roll(numbers, chance.integers(4))))
+    shape = shapes.read(write(tmp_path, "cells.obj", "\n".join(lines)))
+    info = hrbfnpr.Mesh(shape.points, shape.triangles).info
+    assert info.closed and np.isclose(info.volume, 27.0) and np.isclose(info.area, 54.0)

@@ -28,13 +28,16 @@ def fans(polygons: Iterable[Sequence[int]], points: Optional[Floats] = None) -> 
 def fans_of_block(corners: Any, points: Optional[Floats] = None) -> Integers:
     """Of n polygons with k corners each: triangles, shape (n, k - 2, 3).
 
-    With `points`, polygons that a fan about their first corner would not cover are cut by ears
-    [Meisters, "Polygons have ears", 1975]; one that crosses itself keeps its fan.
+    With `points`, fans are about the corner of the least x, y and z, so that cells of a solid cut the face between them
+    alike, and polygons that such a fan would not cover are cut by ears [Meisters, "Polygons have ears", 1975]; one that
+    crosses itself keeps its fan.
     """
     corners = np.asarray(corners, dtype=np.int64)
     size = corners.shape[1]
     if size < 3:
         return np.empty((len(corners), 0, 3), dtype=np.int64)
+    if points is not None and size > 3:
+        corners = _from_the_least(corners, points)
     made: Integers = np.stack([corners[:, [0, i, i + 1]] for i in range(1, size - 1)], axis=1)
     if points is None or size == 3 or size > MOST_CORNERS:
         return made
@@ -43,6 +46,17 @@ def fans_of_block(corners: Any, points: Optional[Floats] = None) -> Integers:
         if ears is not None:
             made[number] = corners[number][ears]
     return made
+
+
+def _from_the_least(corners: Integers, points: Floats) -> Integers:
+    """The same polygons, each from its corner of the least x, of these the least y, then z."""
+    place = points[np.clip(corners, 0, len(points) - 1)]  # corners that are none are found later
+    least = np.ones(corners.shape, dtype=bool)
+    for axis in range(3):
+        value = np.where(least, place[:, :, axis], np.inf)
+        least &= value == value.min(axis=1, keepdims=True)
+    turned = (np.argmax(least, axis=1)[:, None] + np.arange(corners.shape[1])) % corners.shape[1]
+    return np.take_along_axis(corners, turned, axis=1)
 
 
 def _not_covered(corners: Integers, points: Floats) -> Integers:
