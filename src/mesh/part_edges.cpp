@@ -28,9 +28,14 @@ class Parter {
 public:
     Parter(const base::Runtime& runtime, base::Array<glm::dvec3>& vertex, base::Array<Triangle>& triangle)
         : vertex_(vertex), triangle_(triangle), corners_(runtime.memory, 3 * triangle.size()),
-          parted_(runtime.memory, vertex.size()), around_(runtime.memory) {}
+          parted_(runtime.memory, vertex.size()), around_(runtime.memory) {
+        for (std::uint8_t& is : parted_) is = 1;
+    }
 
     std::int64_t run(const base::Array<Side>& sides, const base::Progress& progress) {
+        for_edges(sides, progress, [&](const Side* first, const Side* last) {
+            if (last - first == 1) parted_[low(*first)] = parted_[high(*first)] = 0;
+        });
         for_edges(sides, progress, [&](const Side* first, const Side* last) {
             if (last - first >= 4 && turn(first, last))
                 join_pairs();
@@ -60,16 +65,33 @@ private:
             return a.side->face < b.side->face;
         });
         for (std::int64_t i = 0; i < around_.size(); ++i)
-            if (around_[i].side->forward == around_[(i + 1) % around_.size()].side->forward) return false;
+            if (around_[i].side->forward == around_[(i + 1) % around_.size()].side->forward) return pair_flattest();
         if (around_[0].side->forward != 0) std::rotate(around_.begin(), around_.begin() + 1, around_.end());
         return true;
+    }
+
+    // Solids that go through each other there, as round ones that touch along a line do by their flat faces: each goes
+    // on straight.
+    [[nodiscard]] bool pair_flattest() {
+        std::sort(around_.begin(), around_.end(), [](const Turned& a, const Turned& b) {
+            if (a.side->forward != b.side->forward) return a.side->forward < b.side->forward;
+            return a.side->face < b.side->face;
+        });
+        if (around_.size() != 4 || around_[1].side->forward != 0 || around_[2].side->forward == 0) return false;
+        const bool crossed = bend(0, 3) + bend(1, 2) < bend(0, 2) + bend(1, 3);
+        std::swap(around_[1], around_[crossed ? 3 : 2]);
+        return true;
+    }
+
+    // How far the angle between two faces is from a half turn.
+    [[nodiscard]] std::int64_t bend(std::int64_t a, std::int64_t b) const noexcept {
+        return std::abs(std::abs(around_[a].angle - around_[b].angle) - rounded(std::numbers::pi));
     }
 
     // A face that runs through the edge backward looks against the turn: the solid follows it, up to the next one.
     void join_pairs() {
         for (std::int64_t i = 0; i < around_.size(); i += 2) join(*around_[i].side, *around_[i + 1].side);
         parted_[low(*around_[0].side)] = parted_[high(*around_[0].side)] = 1;
-        any_ = true;
     }
 
     void join(const Side& a, const Side& b) noexcept {
@@ -79,7 +101,6 @@ private:
 
     // Corners of one set share a vertex; the first set keeps it.
     [[nodiscard]] std::int64_t renumber() {
-        if (!any_) return 0;
         const std::int64_t before = vertex_.size();
         base::Array<std::int32_t> owner(vertex_.memory(), before); // a set and 1
         base::Array<std::int32_t> own(vertex_.memory(), 3 * triangle_.size());
@@ -118,19 +139,15 @@ private:
     base::Array<glm::dvec3>& vertex_;
     base::Array<Triangle>& triangle_;
     Sets corners_;                     // that share a vertex
-    base::Array<std::uint8_t> parted_; // vertices of edges that are
+    base::Array<std::uint8_t> parted_; // vertices of edges that are, and those that no border passes
     base::Array<Turned> around_;       // an edge
-    bool any_ = false;
 };
 
 } // namespace
 
 std::int64_t part_edges(const base::Runtime& runtime, base::Array<glm::dvec3>& vertex, base::Array<Triangle>& triangle,
                         const base::Progress& progress) {
-    const base::Array<Side> sides = sides_by_edge(runtime, triangle, progress);
-    bool any = false;
-    for_edges(sides, progress, [&](const Side* first, const Side* last) { any = any || last - first >= 4; });
-    return any ? Parter(runtime, vertex, triangle).run(sides, progress) : 0;
+    return Parter(runtime, vertex, triangle).run(sides_by_edge(runtime, triangle, progress), progress);
 }
 
 } // namespace hrbfnpr::mesh

@@ -5,6 +5,9 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <cmath>
+
 namespace walls_test {
 
 namespace mesh = hrbfnpr::mesh;
@@ -80,12 +83,43 @@ TEST(Walls, SolidsThatTouchInAnEdgeAreClosed) {
     }
 }
 
-// A corner is no edge: what hangs together by it stays one component.
-TEST(Walls, SolidsThatTouchInACornerAreLeft) {
+// Nor are they one where they share a corner alone.  Sheets that do stay as they are: they have borders there.
+TEST(Walls, SolidsThatTouchInACornerAreTwo) {
     const auto runtime = with_threads(2);
     const Mesh two = made(runtime, cube.with(at(1, 1, 1)));
     EXPECT_TRUE(two.report.closed);
-    EXPECT_EQ(two.vertex.size(), 15);
+    EXPECT_EQ(two.report.components, 2);
+    EXPECT_EQ(two.vertex.size(), 16);
+    EXPECT_EQ(two.report.genus, 0);
+    Triangles sheets;
+    const std::int32_t middle = sheets.add(0, 0, 0);
+    const std::int32_t a = sheets.add(1, 0, 0), b = sheets.add(0, 1, 0);
+    const std::int32_t c = sheets.add(-1, 0, 0), d = sheets.add(0, -1, 0);
+    sheets.face(middle, a, b);
+    sheets.face(middle, c, d);
+    EXPECT_EQ(made(runtime, sheets).vertex.size(), 5);
+}
+
+// Two wedges that share an edge and reach into each other: each keeps the faces that go on straight.
+TEST(Walls, SolidsThatCrossInAnEdgeAreClosed) {
+    const auto runtime = with_threads(2);
+    const auto wedge = [](double first, double last) { // about the edge from (0, 0, 0) to (0, 0, 1), by degrees
+        Triangles made;
+        const auto corner = [&](double degrees, double z) {
+            const double angle = degrees * 3.141592653589793 / 180.0;
+            return made.add(std::cos(angle), std::sin(angle), z);
+        };
+        const std::int32_t p = made.add(0, 0, 0), q = made.add(0, 0, 1);
+        const std::int32_t a = corner(first, 0), b = corner(first, 1), c = corner(last, 0), d = corner(last, 1);
+        for (const std::array<std::int32_t, 3>& face :
+             {std::array{p, c, a}, {q, b, d}, {p, a, b}, {p, b, q}, {p, q, d}, {p, d, c}, {a, c, d}, {a, d, b}})
+            made.face(face[0], face[1], face[2]);
+        return made;
+    };
+    const Mesh two = made(runtime, wedge(0.0, 160.0).with(wedge(100.0, 265.0)));
+    EXPECT_TRUE(two.report.closed);
+    EXPECT_EQ(two.report.nonmanifold_edges, 0);
+    EXPECT_EQ(two.report.components, 2);
 }
 
 TEST(Walls, AreNoLeavesOfTwoSides) {

@@ -218,6 +218,17 @@ TEST(FitPieces, StandWhereFourFacesShareAnEdge) {
               0);
 }
 
+// Boxes on each other that share one vertex: a part each, so that there is no wall where the one stands on the other.
+TEST(FitPieces, StandOnEachOtherWhereTheyShareAVertex) {
+    const Fitted two(test::box(1.0, 1.0, 1.0, 2).with(test::box(0.7, 0.6, 1.0, 3).moved(1.0, 0.0, 0.0, 1.0)));
+    EXPECT_EQ(two.shape.report.components, 2);
+    EXPECT_LE(two.wrong_signs([](const glm::dvec3& p) {
+        return in_box(p, glm::dvec3(0.0), glm::dvec3(1.0)) ||
+               in_box(p, glm::dvec3(0.0, 0.0, 1.0), glm::dvec3(0.7, 0.6, 2.0));
+    }),
+              0);
+}
+
 // A box whose top is cut otherwise than its sides, and its halves otherwise than each other: no edge there is shared.
 TEST(FitPieces, BridgeTJunctions) {
     Triangles shape = test::box(1.0, 1.0, 1.0, 4).where([](double, double, double z) { return z < 0.999; });
