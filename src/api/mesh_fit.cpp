@@ -252,11 +252,30 @@ bool crosses(const hrbfnpr_mesh& mesh, const base::Progress& progress) {
            mesh::find_crossing(mesh.runtime(), mesh.mesh, mesh.tree, progress).one >= 0;
 }
 
+mesh::Sharpness sharpness_of(const mesh::CreaseEvidence& found, const mesh::FitMeshSettings& settings, double coarse) {
+    if (!found.creases) return {no_crease, no_limit};
+    return {found.polyhedron ? flat_faces * settings.crease_angle : settings.crease_angle, coarse};
+}
+
+// Solids that go through each other are surfaces of their own: each has edges, or none.
+mesh::Creases creases_of_solids(const hrbfnpr_mesh& mesh, const mesh::FitMeshSettings& settings, double coarse,
+                                const base::Progress& progress) {
+    const base::Runtime& runtime = mesh.runtime();
+    base::Array<mesh::Sharpness> sharpness(runtime.memory);
+    for (const mesh::CreaseEvidence& found :
+         mesh::look_for_creases_of_parts(runtime, mesh.mesh, settings.crease_angle, progress))
+        sharpness.push_back(sharpness_of(found, settings, coarse));
+    return mesh::find_creases(runtime, mesh.mesh, sharpness, progress);
+}
+
 // Where the mesh is to be sharp; nothing: nowhere.
 std::optional<mesh::Creases> creases_of(const hrbfnpr_mesh& mesh, const mesh::FitMeshSettings& settings,
                                         const base::Progress& progress) {
     if (settings.edges == mesh::Edges::smooth) return std::nullopt;
-    double angle = settings.crease_angle;
+    const double tolerance =
+        settings.tolerance > 0.0 ? settings.tolerance : mesh::default_tolerance * mesh.mesh.bounds.diagonal();
+    mesh::Sharpness sharpness{settings.crease_angle,
+                              too_coarse * (settings.far > 0.0 ? settings.far : 5.0 * tolerance)};
     if (settings.edges == mesh::Edges::automatic) {
         const mesh::CreaseEvidence found =
             mesh::look_for_creases(mesh.runtime(), mesh.mesh, settings.crease_angle, progress);
@@ -266,13 +285,10 @@ std::optional<mesh::Creases> creases_of(const hrbfnpr_mesh& mesh, const mesh::Fi
                                "stand out: the fit is smooth; edges SHARP makes them sharp",
                                settings.crease_angle, found.length);
         if (!found.creases && !crosses(mesh, progress)) return std::nullopt;
-        if (!found.creases) return mesh::find_creases(mesh.runtime(), mesh.mesh, no_crease, no_limit, progress);
-        if (found.polyhedron) angle *= flat_faces;
+        if (!found.creases) return creases_of_solids(mesh, settings, sharpness.coarse, progress);
+        sharpness = sharpness_of(found, settings, sharpness.coarse);
     }
-    const double tolerance =
-        settings.tolerance > 0.0 ? settings.tolerance : mesh::default_tolerance * mesh.mesh.bounds.diagonal();
-    const double coarse = too_coarse * (settings.far > 0.0 ? settings.far : 5.0 * tolerance);
-    mesh::Creases creases = mesh::find_creases(mesh.runtime(), mesh.mesh, angle, coarse, progress);
+    mesh::Creases creases = mesh::find_creases(mesh.runtime(), mesh.mesh, sharpness.angle, sharpness.coarse, progress);
     if (creases.patches < 2) return std::nullopt;
     return creases;
 }

@@ -211,6 +211,23 @@ TEST(MeshEdges, SolidsThatCrossAreFittedApart) {
     EXPECT_EQ(info.sheets, 1);
 }
 
+// Of solids that cross each has edges or none, though those of a box are few beside those of a ball of 80 faces.
+TEST(MeshEdges, SolidsThatCrossKeepTheirEdges) {
+    const Context context = make_context();
+    const Triangles ball = hrbfnpr::test::icosphere(1);
+    const Triangles box = hrbfnpr::test::box(1.0, 1.0, 1.0, 2).moved(1.0, 0.4, -0.5, -0.5);
+    hrbfnpr_mesh_fit_info info{};
+    fitted(mesh_of(context, ball), HRBFNPR_EDGES_AUTO, info, 15.0);
+    EXPECT_EQ(info.sheets, 1);
+    const Model model = fitted(mesh_of(context, ball.with(box)), HRBFNPR_EDGES_AUTO, info, 15.0);
+    EXPECT_EQ(info.sheets, 7);
+    std::vector<double> points; // on both sides of the box's far edges
+    for (int i = 1; i < 20; ++i)
+        for (const double off : {-1e-3, 1e-3}) points.insert(points.end(), {1.4 + off, 0.5 + off, -0.5 + 0.05 * i});
+    const std::vector<double> f = values(model, points);
+    for (std::size_t i = 0; i < f.size(); ++i) EXPECT_EQ(f[i] < 0.0, i % 2 == 0) << i;
+}
+
 // Boxes that stand on each other, and a pin in a wall: there is no wall where they touch.
 TEST(MeshEdges, SolidsThatTouchAreOne) {
     const Context context = make_context();

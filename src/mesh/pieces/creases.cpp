@@ -30,11 +30,12 @@ struct Bend {
 
 class Finder {
 public:
-    Finder(const base::Runtime& runtime, const Mesh& mesh, double angle, double coarse, const base::Progress& progress)
-        : runtime_(runtime), mesh_(mesh), angle_(angle * radians), coarse_(coarse), progress_(progress),
-          bend_(runtime.memory), first_(runtime.memory), at_(runtime.memory),
-          degree_(runtime.memory, mesh.vertex.size()), sides_(sides_by_edge(runtime, mesh.triangle, progress)),
-          result_(runtime.memory) {}
+    // One sharpness for all components, or one for each.
+    Finder(const base::Runtime& runtime, const Mesh& mesh, const base::Array<Sharpness>& sharpness,
+           const base::Progress& progress)
+        : runtime_(runtime), mesh_(mesh), sharpness_(sharpness), progress_(progress), bend_(runtime.memory),
+          first_(runtime.memory), at_(runtime.memory), degree_(runtime.memory, mesh.vertex.size()),
+          sides_(sides_by_edge(runtime, mesh.triangle, progress)), result_(runtime.memory) {}
 
     [[nodiscard]] Creases run() {
         find_bends();
@@ -55,6 +56,11 @@ private:
     [[nodiscard]] static bool is_plain(const Side* first, const Side* last) noexcept {
         return last - first == 2 && first[0].forward != first[1].forward;
     }
+
+    [[nodiscard]] const Sharpness& sharpness_of(std::int32_t face) const noexcept {
+        return sharpness_[sharpness_.size() == 1 ? 0 : mesh_.component[face]];
+    }
+    [[nodiscard]] double limit_of(std::int32_t face) const noexcept { return sharpness_of(face).angle * radians; }
 
     [[nodiscard]] double length_of(const Bend& bend) const noexcept {
         return glm::distance(mesh_.vertex[bend.from], mesh_.vertex[bend.to]);
@@ -77,8 +83,9 @@ private:
             const glm::dvec3 a = normal[left.face];
             const glm::dvec3 b = normal[right.face];
             const double angle = std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
-            if (angle < std::min(least_bend * radians, angle_)) return;
-            const bool sharp = angle > angle_;
+            const double limit = limit_of(left.face);
+            if (angle < std::min(least_bend * radians, limit)) return;
+            const bool sharp = angle > limit;
             bend_.push_back({low, high, left.face, right.face, angle, sharp});
             degree_[low] += sharp ? 1 : 0;
             degree_[high] += sharp ? 1 : 0;
@@ -148,7 +155,8 @@ private:
             if (!bend_[at_[i]].sharp) continue;
             ++creases;
             for (std::int64_t j = first_[vertex]; j < i; ++j)
-                if (bend_[at_[j]].sharp && glm::dot(way(bend_[at_[i]]), way(bend_[at_[j]])) < -std::cos(angle_))
+                if (bend_[at_[j]].sharp &&
+                    glm::dot(way(bend_[at_[i]]), way(bend_[at_[j]])) < -std::cos(limit_of(bend_[at_[i]].left)))
                     return false;
         }
         return creases >= 2;
@@ -210,8 +218,8 @@ private:
         const base::Array<glm::dvec3> normal = patch_normals(runtime_, mesh_, result_);
         bool sharpened = false;
         for (Bend& bend : bend_) {
-            if (bend.sharp ||
-                std::max(chord_error(mesh_, normal, bend.left), chord_error(mesh_, normal, bend.right)) <= coarse_)
+            if (bend.sharp || std::max(chord_error(mesh_, normal, bend.left), chord_error(mesh_, normal, bend.right)) <=
+                                  sharpness_of(bend.left).coarse)
                 continue;
             bend.sharp = sharpened = true;
         }
@@ -267,8 +275,7 @@ private:
 
     const base::Runtime& runtime_;
     const Mesh& mesh_;
-    const double angle_;
-    const double coarse_;
+    const base::Array<Sharpness>& sharpness_;
     const base::Progress& progress_;
     base::Array<Bend> bend_;
     base::Array<std::int64_t> first_; // of the bends at each vertex, in at_
@@ -282,7 +289,14 @@ private:
 
 Creases find_creases(const base::Runtime& runtime, const Mesh& mesh, double angle, double coarse,
                      const base::Progress& progress) {
-    return Finder(runtime, mesh, angle, coarse, progress).run();
+    base::Array<Sharpness> all(runtime.memory);
+    all.push_back({angle, coarse});
+    return find_creases(runtime, mesh, all, progress);
+}
+
+Creases find_creases(const base::Runtime& runtime, const Mesh& mesh, const base::Array<Sharpness>& of_component,
+                     const base::Progress& progress) {
+    return Finder(runtime, mesh, of_component, progress).run();
 }
 
 } // namespace hrbfnpr::mesh

@@ -29,10 +29,17 @@ struct Creases {
     double fading = 0.0; // of those that one patch meets itself in, though it was cut
 };
 
-// angle: in degrees; what bends more is sharp.  Creases that end nowhere are grown along edges that go on as they do;
-// short pieces that part nothing are none.  coarse: faces that would be farther than that from a surface which is
+// angle: in degrees; what bends more is sharp.  coarse: faces that would be farther than that from a surface which is
 // curved as their normals are stay flat, with sharp edges.
+struct Sharpness {
+    double angle, coarse;
+};
+
+// Creases that end nowhere are grown along edges that go on as they do; short pieces that part nothing are none.
 [[nodiscard]] Creases find_creases(const base::Runtime& runtime, const Mesh& mesh, double angle, double coarse,
                                    const base::Progress& progress);
+// By what each component is said to be.
+[[nodiscard]] Creases find_creases(const base::Runtime& runtime, const Mesh& mesh,
+                                   const base::Array<Sharpness>& of_component, const base::Progress& progress);
 
 } // namespace hrbfnpr::mesh

@@ -27,40 +27,65 @@ public:
         : mesh_(mesh), angle_(angle), progress_(progress), sides_(sides_by_edge(runtime, mesh.triangle, progress)),
           bend_(runtime.memory, 3 * mesh.faces()) {}
 
-    [[nodiscard]] CreaseEvidence run() {
+    // Of each component, or of all as one.
+    [[nodiscard]] base::Array<CreaseEvidence> run(bool by_part) {
         measure();
-        double between = 0.0;
-        double clear = 0.0;
-        double coarse = 0.0;
-        CreaseEvidence evidence;
+        base::Array<CreaseEvidence> found(mesh_.vertex.memory(), by_part ? components() : 1);
+        const base::Array<double> diagonal = diagonals(found.size());
         for_edges(sides_, [&](const Side* first, const Side* last) {
             if ((first - sides_.begin()) % faces_a_check == 0) progress_.check();
-            if (last - first != 2) return;
-            const double bend = bend_[side_of(first[0])];
-            if (bend <= 0.5 * angle_) return;
-            const double length = glm::length(along(first[0]));
-            if (bend <= angle_) {
-                between += length;
-                return;
+            if (last - first == 2) {
+                const std::int64_t part = by_part ? mesh_.component[first->face] : 0;
+                add(first[0], first[1], diagonal[part], found[part]);
             }
-            evidence.length += length;
-            const double beside = std::min(bend_beside(first[0]), bend_beside(first[1]));
-            clear += bend >= stands_out * beside ? length : 0.0;
-            coarse += std::min(bulge(first[0]), bulge(first[1])) >= far_off * mesh_.bounds.diagonal() ? length : 0.0;
         });
-        if (!(evidence.length > 0.0)) return evidence;
-        evidence.clear = clear / evidence.length;
-        evidence.coarse = coarse / evidence.length;
-        evidence.ratio = evidence.length / std::max(between, 1e-9 * evidence.length);
-        evidence.length /= mesh_.bounds.diagonal();
-        const bool clear_enough =
-            evidence.clear >= surely_clear || (evidence.clear >= maybe_clear && evidence.ratio >= clear_ratio);
-        evidence.polyhedron = !clear_enough && evidence.coarse >= surely_coarse && evidence.ratio >= coarse_ratio;
-        evidence.creases = (clear_enough || evidence.polyhedron) && evidence.length >= shortest;
-        return evidence;
+        for (std::int64_t part = 0; part < found.size(); ++part) conclude(diagonal[part], found[part]);
+        return found;
     }
 
 private:
+    [[nodiscard]] std::int64_t components() const noexcept {
+        return 1 + *std::max_element(mesh_.component.begin(), mesh_.component.end());
+    }
+
+    [[nodiscard]] base::Array<double> diagonals(std::int64_t parts) const {
+        base::Array<geometry::Bounds> bounds(mesh_.vertex.memory());
+        for (std::int64_t part = 0; part < parts; ++part) bounds.push_back({});
+        for (std::int64_t face = 0; face < mesh_.faces(); ++face)
+            for (const glm::dvec3& p : mesh_.corners(face)) bounds[parts == 1 ? 0 : mesh_.component[face]].extend(p);
+        base::Array<double> diagonal(mesh_.vertex.memory());
+        for (const geometry::Bounds& each : bounds) diagonal.push_back(each.diagonal());
+        return diagonal;
+    }
+
+    // Lengths; `ratio`: of what bends by half the angle, and not by all of it.
+    void add(const Side& left, const Side& right, double diagonal, CreaseEvidence& to) const noexcept {
+        const double bend = bend_[side_of(left)];
+        if (bend <= 0.5 * angle_) return;
+        const double length = glm::length(along(left));
+        if (bend <= angle_) {
+            to.ratio += length;
+            return;
+        }
+        to.length += length;
+        to.clear += bend >= stands_out * std::min(bend_beside(left), bend_beside(right)) ? length : 0.0;
+        to.coarse += std::min(bulge(left), bulge(right)) >= far_off * diagonal ? length : 0.0;
+    }
+
+    static void conclude(double diagonal, CreaseEvidence& of) noexcept {
+        if (!(of.length > 0.0)) {
+            of = {};
+            return;
+        }
+        of.clear /= of.length;
+        of.coarse /= of.length;
+        of.ratio = of.length / std::max(of.ratio, 1e-9 * of.length);
+        of.length /= diagonal;
+        const bool clear_enough = of.clear >= surely_clear || (of.clear >= maybe_clear && of.ratio >= clear_ratio);
+        of.polyhedron = !clear_enough && of.coarse >= surely_coarse && of.ratio >= coarse_ratio;
+        of.creases = (clear_enough || of.polyhedron) && of.length >= shortest;
+    }
+
     [[nodiscard]] std::int64_t side_of(const Side& side) const noexcept {
         const auto low = static_cast<std::int32_t>(side.edge >> 32U);
         const auto high = static_cast<std::int32_t>(side.edge & 0xFFFFFFFFU);
@@ -121,7 +146,12 @@ private:
 
 CreaseEvidence look_for_creases(const base::Runtime& runtime, const Mesh& mesh, double angle,
                                 const base::Progress& progress) {
-    return Looker(runtime, mesh, angle, progress).run();
+    return Looker(runtime, mesh, angle, progress).run(false)[0];
+}
+
+base::Array<CreaseEvidence> look_for_creases_of_parts(const base::Runtime& runtime, const Mesh& mesh, double angle,
+                                                      const base::Progress& progress) {
+    return Looker(runtime, mesh, angle, progress).run(true);
 }
 
 } // namespace hrbfnpr::mesh

@@ -20,4 +20,8 @@ struct CreaseEvidence {
 [[nodiscard]] CreaseEvidence look_for_creases(const base::Runtime& runtime, const Mesh& mesh, double angle,
                                               const base::Progress& progress);
 
+// Of each component by itself, in its own diagonals.
+[[nodiscard]] base::Array<CreaseEvidence> look_for_creases_of_parts(const base::Runtime& runtime, const Mesh& mesh,
+                                                                    double angle, const base::Progress& progress);
+
 } // namespace hrbfnpr::mesh

@@ -48,6 +48,20 @@ TEST(Creases, CutABoxIntoItsSides) {
     }
 }
 
+TEST(Creases, AreLookedForInEachPart) {
+    const Found both(test::icosphere(1).with(test::box(1.0, 1.0, 1.0, 2).moved(1.0, 0.4, -0.5, -0.5)), 15.0);
+    EXPECT_FALSE(both.evidence.creases);
+    const auto parts = mesh::look_for_creases_of_parts(both.runtime, both.shape, 15.0, {});
+    ASSERT_EQ(parts.size(), 2);
+    EXPECT_FALSE(parts[0].creases);
+    EXPECT_TRUE(parts[1].creases);
+    EXPECT_NEAR(parts[1].length, 12.0 / std::sqrt(3.0), 1e-9);
+    hrbfnpr::base::Array<mesh::Sharpness> sharpness(both.runtime.memory);
+    sharpness.push_back({180.0, 1.0});
+    sharpness.push_back({15.0, 1.0});
+    EXPECT_EQ(mesh::find_creases(both.runtime, both.shape, sharpness, {}).patches, 7);
+}
+
 TEST(Creases, OfTurnedShapesAreTheirSteps) {
     EXPECT_EQ(Found(test::stepped_shaft(96)).creases.patches, 11);
     EXPECT_EQ(Found(test::drilled_cube(0.5, 96)).creases.patches, 7);
