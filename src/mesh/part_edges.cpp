@@ -11,6 +11,7 @@ namespace hrbfnpr::mesh {
 namespace {
 
 constexpr double fine = 1e7; // parts of a radian
+constexpr std::int64_t faces_a_check = 16384;
 
 struct Turned {
     const Side* side;
@@ -42,7 +43,7 @@ public:
             else
                 for (const Side* side = first + 1; side != last; ++side) join(first[0], *side);
         });
-        return renumber();
+        return renumber(progress);
     }
 
 private:
@@ -100,11 +101,12 @@ private:
     }
 
     // Corners of one set share a vertex; the first set keeps it.
-    [[nodiscard]] std::int64_t renumber() {
+    [[nodiscard]] std::int64_t renumber(const base::Progress& progress) {
         const std::int64_t before = vertex_.size();
         base::Array<std::int32_t> owner(vertex_.memory(), before); // a set and 1
         base::Array<std::int32_t> own(vertex_.memory(), 3 * triangle_.size());
-        for (std::int64_t face = 0; face < triangle_.size(); ++face)
+        for (std::int64_t face = 0; face < triangle_.size(); ++face) {
+            if (face % faces_a_check == 0) progress.check();
             for (std::size_t k = 0; k < 3; ++k) {
                 std::int32_t& at = triangle_[face][k];
                 if (parted_[at] == 0) continue;
@@ -118,6 +120,7 @@ private:
                 }
                 at = own[set];
             }
+        }
         return vertex_.size() - before;
     }
 
