@@ -81,6 +81,7 @@ private:
     void add_children(std::int64_t parent, std::int32_t finest, double rho, const marks::Thinning& thinning,
                       marks::LevelReport& report);
     void append_placed(std::uint8_t level, std::int32_t finest, const base::Progress& progress);
+    void reserve(std::int64_t count, const base::Progress& progress);
 
     const marks::Site& site_;
     const Start& start_;
@@ -174,6 +175,7 @@ bool Strokes::refine(std::int32_t level, double rho, const base::Progress& progr
     };
     const marks::Thinning thinning(site_, stroke_children * parents, room, marks::stream_of(settings_.kind), key_of,
                                    progress);
+    reserve(parents + std::min(room, stroke_children * parents), progress);
     constexpr std::int64_t parents_of_chunk = marks::chunk_size / stroke_children;
     for (std::int64_t begin = 0; begin < parents; begin += parents_of_chunk) {
         const std::int64_t end = std::min(parents, begin + parents_of_chunk);
@@ -226,6 +228,13 @@ void Strokes::append_placed(std::uint8_t level, std::int32_t finest, const base:
                marks_.direction[parent]);
         ++at;
     }
+}
+
+// Columns that grew by themselves would all be copied at the same mark, without a look for a cancel.
+void Strokes::reserve(std::int64_t count, const base::Progress& progress) {
+    const auto each = [&](auto&... column) { ((column.reserve(count), progress.check()), ...); };
+    each(marks_.position, marks_.normal, marks_.direction, marks_.key, marks_.stroke, marks_.place, marks_.level);
+    if (by_curvature()) each(marks_.bend, marks_.curvature);
 }
 
 } // namespace
