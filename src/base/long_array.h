@@ -13,11 +13,12 @@ namespace hrbfnpr::base {
 
 // Elements of which one look is enough.
 template <class T>
-constexpr std::int64_t at_once = std::max<std::int64_t>(1, (std::int64_t{1} << 22) / std::int64_t{sizeof(T)});
+constexpr std::int64_t at_once = std::max<std::int64_t>(1, (std::int64_t{1} << 21) / std::int64_t{sizeof(T)});
 
 // As array.reserve(capacity): where that is more than there is, what the array holds is copied.
 template <class T>
 void reserve_long(Array<T>& array, std::int64_t capacity, const Progress& progress) {
+    progress.check();
     if (array.size() <= at_once<T>) return array.reserve(capacity);
     if (capacity <= array.bytes() / std::int64_t{sizeof(T)}) return;
     Array<T> grown(array.memory());

@@ -24,11 +24,10 @@ void resize(Layer& layer, std::int64_t count, bool with_curvature, bool with_wid
     base::resize_long(layer.normal, 3 * count, progress);
     base::resize_long(layer.direction, 3 * count, progress);
     if (with_curvature) base::resize_long(layer.curvature, 3 * count, progress);
-    progress.check();
-    layer.rank.resize(count);
-    layer.level.resize(count);
-    layer.stroke.resize(2 * count);
-    if (with_width) layer.width.resize(count);
+    base::resize_long(layer.rank, count, progress);
+    base::resize_long(layer.level, count, progress);
+    base::resize_long(layer.stroke, 2 * count, progress);
+    if (with_width) base::resize_long(layer.width, count, progress);
 }
 
 void compute_curvature(const Site& site, const Marks& marks, base::Array<float>& result,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "marks/cluster_marks.h"
 
+#include "base/long_array.h"
 #include "base/sort.h"
 #include "geometry/cell_grid.h"
 #include "geometry/morton.h"
@@ -128,8 +129,8 @@ private:
             cluster.block = blocks;
             blocks += (cluster.count + size - 1) / size;
         }
-        result_.block.resize(blocks);
-        if (!layer_.width.empty()) result_.width.resize(blocks * size);
+        base::resize_long(result_.block, blocks, progress_);
+        if (!layer_.width.empty()) base::resize_long(result_.width, blocks * size, progress_);
         const Keyed* from = order_.data();
         for (const Cluster& cluster : result_.cluster) {
             progress_.check();
@@ -160,9 +161,10 @@ private:
     base::Array<Keyed> order_;
 };
 
-void cut_strokes(const Layer& layer, double unit, base::Array<StrokePiece>& pieces) {
+void cut_strokes(const Layer& layer, double unit, base::Array<StrokePiece>& pieces, const base::Progress& progress) {
     const float* const tone_normal = layer.tone_normal.empty() ? layer.normal.data() : layer.tone_normal.data();
     for (std::int64_t s = 0; s < layer.strokes(); ++s) {
+        if (s % 1024 == 0) progress.check();
         const std::int64_t end = layer.stroke_first[s + 1];
         for (std::int64_t first = layer.stroke_first[s]; first < end; first += StrokePiece::most) {
             StrokePiece piece;
@@ -172,7 +174,7 @@ void cut_strokes(const Layer& layer, double unit, base::Array<StrokePiece>& piec
             for (std::int64_t i = 1; i < piece.count; ++i)
                 piece.level = std::min(piece.level, layer.level[layer.mark_of(first + i)]);
             set_extent(piece, layer, {layer.position.data(), layer.normal.data(), tone_normal}, unit);
-            pieces.push_back(piece);
+            base::push_back_long(pieces, piece, progress);
         }
     }
 }
@@ -189,7 +191,7 @@ void cluster_marks(const base::Runtime& runtime, PointSet& set, const base::Prog
         Layer& layer = set.layers[number];
         layer.clusters = MarkClusters(runtime.memory);
         Clustering(layer, set.unit, layer.clusters, progress).run();
-        cut_strokes(layer, set.unit, layer.clusters.piece);
+        cut_strokes(layer, set.unit, layer.clusters.piece, progress);
     });
     for (Layer& layer : set.layers) measure_gaps(runtime, layer, layer.clusters.gap, progress);
 }

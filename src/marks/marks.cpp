@@ -4,6 +4,7 @@
 #include "base/random.h"
 
 #include <algorithm>
+#include <array>
 
 namespace hrbfnpr::marks {
 
@@ -42,8 +43,24 @@ std::uint64_t Thinning::ticket(std::uint64_t key) const noexcept {
     return static_cast<std::uint64_t>(bits[0]) << 32U | bits[1];
 }
 
-void Thinning::choose(base::Array<std::uint64_t>& tickets, std::int64_t kept) {
-    std::nth_element(tickets.begin(), tickets.begin() + kept, tickets.end());
+// The limit is the ticket of place `kept`.  Tickets are uniform: of those that share their first bits with it there are
+// few, and the others are only counted.
+void Thinning::choose(base::Array<std::uint64_t>& tickets, std::int64_t kept, const base::Progress& progress) {
+    constexpr unsigned first_bits = 52; // of 64: a counter for each value of the upper 12
+    constexpr std::int64_t at_once = 262144;
+    std::array<std::int64_t, std::size_t{1} << (64U - first_bits)> counted{};
+    for (std::int64_t i = 0; i < tickets.size(); ++i) {
+        if (i % at_once == 0) progress.check();
+        ++counted[static_cast<std::size_t>(tickets[i] >> first_bits)];
+    }
+    std::uint64_t first = 0;
+    for (; kept >= counted[static_cast<std::size_t>(first)]; ++first) kept -= counted[static_cast<std::size_t>(first)];
+    std::int64_t alike = 0;
+    for (std::int64_t i = 0; i < tickets.size(); ++i) {
+        if (i % at_once == 0) progress.check();
+        if (tickets[i] >> first_bits == first) tickets[alike++] = tickets[i];
+    }
+    std::nth_element(tickets.begin(), tickets.begin() + kept, tickets.begin() + alike);
     limit_ = tickets[kept];
 }
 

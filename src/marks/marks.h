@@ -64,7 +64,7 @@ public:
 
 private:
     [[nodiscard]] std::uint64_t ticket(std::uint64_t key) const noexcept;
-    void choose(base::Array<std::uint64_t>& tickets, std::int64_t kept);
+    void choose(base::Array<std::uint64_t>& tickets, std::int64_t kept, const base::Progress& progress);
 
     bool active_ = false;
     std::uint64_t seed_ = 0;
@@ -77,12 +77,13 @@ Thinning::Thinning(const Site& site, std::int64_t count, std::int64_t kept, std:
                    const base::Progress& progress)
     : active_(kept < count), seed_(site.random_seed), stream_(stream) {
     if (!active_) return;
-    base::Array<std::uint64_t> tickets(site.memory(), count);
+    base::Array<std::uint64_t> tickets(site.memory());
+    tickets.resize_for_overwrite(count);
     site.runtime.parallel.for_chunks(count, chunk_size, [&](std::int64_t begin, std::int64_t end) {
         progress.check();
         for (std::int64_t i = begin; i < end; ++i) tickets[i] = ticket(key_of(i));
     });
-    choose(tickets, kept);
+    choose(tickets, kept, progress);
 }
 
 // A layer's random numbers do not depend on which other layers are made: this is their seed.  number: of the layer
