@@ -2,7 +2,7 @@
 // Numbers the corners of a grid in the order in which they are asked for.
 #pragma once
 
-#include "base/memory.h"
+#include "base/long_array.h"
 #include "geometry/cell_grid.h"
 
 namespace hrbfnpr::curves {
@@ -12,8 +12,8 @@ public:
     explicit CornerMap(base::Memory& memory) noexcept : table_(memory) {}
 
     // A new corner gets the number of corners so far.
-    std::int32_t number_of(std::uint64_t packed) {
-        if (2 * (count_ + 1) > table_.size()) grow();
+    std::int32_t number_of(std::uint64_t packed, const base::Progress& progress = {}) {
+        if (2 * (count_ + 1) > table_.size()) grow(progress);
         Entry& entry = place(table_, packed + 1);
         if (entry.name == 0) entry = {packed + 1, static_cast<std::int32_t>(count_++)};
         return entry.number;
@@ -32,10 +32,14 @@ private:
             if (entry.name == name || entry.name == 0) return entry;
         }
     }
-    void grow() {
-        base::Array<Entry> larger(table_.memory(), std::max<std::int64_t>(1024, 2 * table_.size()));
-        for (const Entry& entry : table_)
-            if (entry.name != 0) place(larger, entry.name) = entry;
+    void grow(const base::Progress& progress) {
+        constexpr std::int64_t at_once = 16384;
+        base::Array<Entry> larger(table_.memory());
+        base::resize_long(larger, std::max<std::int64_t>(1024, 2 * table_.size()), progress);
+        for (std::int64_t i = 0; i < table_.size(); ++i) {
+            if (i % at_once == 0) progress.check();
+            if (table_[i].name != 0) place(larger, table_[i].name) = table_[i];
+        }
         table_ = std::move(larger);
     }
 

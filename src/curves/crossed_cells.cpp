@@ -5,6 +5,7 @@
 #include "curves/corner_map.h"
 #include "geometry/cell_block.h"
 #include "geometry/cell_set.h"
+#include "geometry/long_vec_array.h"
 #include "implicit/evaluate_all.h"
 #include "surface/support.h"
 
@@ -76,7 +77,7 @@ public:
 private:
     void find_corners(const base::Progress& progress);
     void evaluate(const base::Progress& progress);
-    void judge(const CrossedCell& cell, const Cell& place, bool seeded);
+    void judge(const CrossedCell& cell, const Cell& place, bool seeded, const base::Progress& progress);
     void go_to(const Cell& cell);
 
     const base::Runtime& runtime_;
@@ -112,10 +113,10 @@ void Flood::find_corners(const base::Progress& progress) {
         for (unsigned k = 0; k < 8; ++k) {
             const Cell corner = sum(cell, {k & 1U, k >> 1U & 1U, k >> 2U});
             const std::uint64_t packed = geometry::CellGrid::pack(corner);
-            const std::int32_t number = corners_.number_of(packed);
+            const std::int32_t number = corners_.number_of(packed, progress);
             if (number == cells_.place.size()) {
-                cells_.place.push_back(packed);
-                fresh_.push_back(cells_.lattice.corner(corner));
+                base::push_back_long(cells_.place, packed, progress);
+                geometry::push_back_long(fresh_, cells_.lattice.corner(corner), progress);
             }
             looked_at_[i].corner[k] = number;
         }
@@ -127,18 +128,18 @@ void Flood::evaluate(const base::Progress& progress) {
     implicit::evaluate_all(runtime_, implicit_, fresh_, {value_.data(), {}, {}}, progress.part(0.0, 0.0));
     for (std::int64_t i = 0; i < fresh_.size(); ++i) {
         if (i % cells_a_look == 0) progress.check();
-        cells_.position.push_back(fresh_[i]);
-        cells_.value.push_back(value_[i]);
+        geometry::push_back_long(cells_.position, fresh_[i], progress);
+        base::push_back_long(cells_.value, value_[i], progress);
     }
 }
 
 // The flood goes on over every face that the surface passes through.  A seed may be nearer to the surface than the
 // corners of its own cell can tell: then the cells around it are looked at.
-void Flood::judge(const CrossedCell& cell, const Cell& place, bool seeded) {
+void Flood::judge(const CrossedCell& cell, const Cell& place, bool seeded, const base::Progress& progress) {
     const unsigned negative = cells_.negative_corners(cell);
     std::int64_t triangles = 0;
     cells_.sections_of(cell, [&](const Tetrahedron&, const Section& section) { triangles += section.size - 2; });
-    if (triangles > 0) cells_.cell.push_back(cell);
+    if (triangles > 0) base::push_back_long(cells_.cell, cell, progress);
     cells_.triangles += triangles;
     for (const Face& face : faces)
         if ((negative & face.corners) != 0 && (~negative & face.corners) != 0) go_to(sum(place, face.way));
@@ -155,7 +156,7 @@ void Flood::run(const base::Progress& progress) {
         evaluate(progress);
         for (std::int64_t i = 0; i < front_.size(); ++i) {
             if (i % cells_a_look == 0) progress.check();
-            judge(looked_at_[i], geometry::CellGrid::unpack(front_[i]), seeded);
+            judge(looked_at_[i], geometry::CellGrid::unpack(front_[i]), seeded, progress);
         }
         if (cells_.triangles > limit_)
             fail(Status::invalid_argument,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "curves/edge_roots.h"
 
+#include "geometry/long_vec_array.h"
 #include "implicit/evaluate_all.h"
 #include "surface/project.h"
 
@@ -15,6 +16,7 @@ constexpr auto lanes = static_cast<std::size_t>(implicit::batch_size);
 using RootColumn = std::array<double, lanes>;
 
 constexpr int evaluation_limit = 60;
+constexpr std::int64_t edges_a_look = 65536;
 constexpr int trusted_root_steps = 6; // after these every other step halves the bracket
 
 // An edge in its own coordinate, from 0 to 1, and the bracket of its root.
@@ -141,10 +143,12 @@ std::int64_t find_edge_roots(const base::Runtime& runtime, const implicit::Impli
                              const CrossedEdges& edges, double tolerance, geometry::VecArray& position,
                              geometry::VecArray& gradient, const base::Progress& progress) {
     const std::int64_t count = edges.edge.size();
-    position.resize(count);
-    gradient.resize(count);
-    for (std::int64_t i = 0; i < count; ++i)
+    resize_long(position, count, progress);
+    resize_long(gradient, count, progress);
+    for (std::int64_t i = 0; i < count; ++i) {
+        if (i % edges_a_look == 0) progress.check();
         position.set(i, 0.5 * (edges.position[edges.edge[i].from] + edges.position[edges.edge[i].to]));
+    }
     const base::Array<std::int32_t> order = implicit::order_by_cell(runtime, implicit, position, progress);
     std::atomic<std::int64_t> unresolved{0};
     std::atomic<std::int64_t> done{0};

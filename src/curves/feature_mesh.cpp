@@ -2,6 +2,7 @@
 #include "curves/feature_mesh.h"
 
 #include "curves/edge_halving.h"
+#include "geometry/long_vec_array.h"
 #include "surface/project.h"
 
 #include <algorithm>
@@ -127,9 +128,9 @@ private:
         measure_shape(runtime_, source_, position, gradient, shape, progress.part(0.3, 0.7));
         for (std::int64_t i = 0; i < shape.size(); ++i) {
             if (i % at_once == 0) progress.check();
-            mesh_.position.push_back(position[i]);
-            mesh_.gradient.push_back(gradient[i]);
-            shape_.push_back(shape[i]);
+            geometry::push_back_long(mesh_.position, position[i], progress);
+            geometry::push_back_long(mesh_.gradient, gradient[i], progress);
+            base::push_back_long(shape_, shape[i], progress);
         }
         return !shape.empty();
     }
@@ -143,14 +144,14 @@ private:
 };
 
 template <class T>
-void copy(const base::Array<T>& from, base::Array<T>& to) {
-    to.resize_for_overwrite(from.size());
+void copy(const base::Array<T>& from, base::Array<T>& to, const base::Progress& progress) {
+    base::resize_long(to, from.size(), progress);
     std::copy(from.begin(), from.end(), to.begin());
 }
-void copy(const geometry::VecArray& from, geometry::VecArray& to) {
-    copy(from.x, to.x);
-    copy(from.y, to.y);
-    copy(from.z, to.z);
+void copy(const geometry::VecArray& from, geometry::VecArray& to, const base::Progress& progress) {
+    copy(from.x, to.x, progress);
+    copy(from.y, to.y, progress);
+    copy(from.z, to.z, progress);
 }
 
 } // namespace
@@ -158,13 +159,10 @@ void copy(const geometry::VecArray& from, geometry::VecArray& to) {
 ShapedMesh measured_mesh(const base::Runtime& runtime, const implicit::Implicit& implicit,
                          const implicit::ShapeSource& source, const SurfaceMesh& mesh, const base::Progress& progress) {
     ShapedMesh shaped(runtime.memory);
-    copy(mesh.position, shaped.mesh.position);
-    progress.check();
-    copy(mesh.gradient, shaped.mesh.gradient);
-    progress.check();
-    copy(mesh.corner, shaped.mesh.corner);
-    progress.check();
-    copy(mesh.neighbour, shaped.mesh.neighbour);
+    copy(mesh.position, shaped.mesh.position, progress);
+    copy(mesh.gradient, shaped.mesh.gradient, progress);
+    copy(mesh.corner, shaped.mesh.corner, progress);
+    copy(mesh.neighbour, shaped.mesh.neighbour, progress);
     shaped.mesh.region = mesh.region;
     shaped.mesh.side = mesh.side;
     measure_shape(runtime, source, mesh.position, mesh.gradient, shaped.shape, progress.part(0.0, 0.3));

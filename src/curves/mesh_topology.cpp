@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "curves/mesh_topology.h"
 
+#include "base/long_array.h"
+
 namespace hrbfnpr::curves {
 namespace {
 
@@ -13,15 +15,16 @@ constexpr std::int64_t edges_at_once = 65536; // edges without a look for a canc
 base::Array<std::int32_t> find_neighbours(const base::Runtime& runtime, const base::Array<std::int32_t>& corner,
                                           std::int64_t vertices, const base::Progress& progress) {
     // Edges by the vertex that they start at: edge e = 3 t + k leads from corner k of triangle t.
-    base::Array<std::int64_t> begin(runtime.memory, vertices + 2);
-    progress.check();
+    base::Array<std::int64_t> begin(runtime.memory);
+    base::resize_long(begin, vertices + 2, progress);
     for (std::int64_t e = 0; e < corner.size(); ++e) {
         if (e % edges_at_once == 0) progress.check();
         ++begin[corner[e] + 2];
     }
     for (std::int64_t v = 2; v < begin.size(); ++v) begin[v] += begin[v - 1];
+    progress.check();
     base::Array<std::int64_t> edge(runtime.memory);
-    edge.resize_for_overwrite(corner.size());
+    base::resize_long(edge, corner.size(), progress);
     for (std::int64_t e = 0; e < corner.size(); ++e) {
         if (e % edges_at_once == 0) progress.check();
         edge[begin[corner[e] + 1]++] = e;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "curves/triangle_tree.h"
 
+#include "base/long_array.h"
 #include "surface/project.h"
 
 #include <algorithm>
@@ -56,8 +57,9 @@ double distance_to_box(const geometry::Bounds& box, const glm::dvec3& p) noexcep
 } // namespace
 
 TriangleTree::TriangleTree(const base::Runtime& runtime, const SurfaceMesh& mesh, const base::Progress& progress)
-    : mesh_(mesh), box_(runtime.memory), bulge_(runtime.memory, mesh.triangles()) {
+    : mesh_(mesh), box_(runtime.memory), bulge_(runtime.memory) {
     while (leaves_ * leaf_size < mesh.triangles()) leaves_ *= 2;
+    base::resize_long(bulge_, mesh.triangles(), progress);
     box_.resize_for_overwrite(2 * leaves_);
     for (std::int64_t node = 0; node < 2 * leaves_; ++node) {
         if (node % boxes_a_look == 0) progress.check();

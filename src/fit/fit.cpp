@@ -97,7 +97,9 @@ FitResult fit(const base::Runtime& runtime, const FitInput& input, const base::P
 
     FitReport& report = choice.fit.result.report;
     report_cleaning(cleaning, report);
+    progress.check();
     report_residuals(choice, samples, report);
+    progress.check();
     report_distances(choice, input.tolerance, before_cleaning - cleaning.near_duplicates, report);
     report.samples = input.points.count;
     report.merged_samples = samples.merged;

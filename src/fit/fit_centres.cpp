@@ -150,12 +150,17 @@ CentreFit fit_centres(const base::Runtime& runtime, const FitInput& input, const
                   base::Array<double>(runtime.memory),
                   0.0};
     implicit::HrbfData& data = fit.result.data;
+    progress.check();
     const HermiteSystem system(data.centre_position, system_options(input, smoothing, data));
     const base::Array<double> rhs = right_hand_side(runtime.memory, system, centres, data.scale);
     const double seconds_before = watch.seconds();
+    progress.check();
     Solution solution = solve(runtime, system, rhs.data(), solve_options(input), progress);
+    progress.check();
     store(solution, data);
+    progress.check();
     fit.variance = variance(system, rhs.data(), solution, data);
+    progress.check();
     report_solution(solution, fit.result.report);
     fit.misfit = std::move(solution.misfit);
     fit.result.history = std::move(solution.history);

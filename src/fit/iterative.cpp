@@ -2,6 +2,7 @@
 #include "fit/iterative.h"
 
 #include "base/clock.h"
+#include "base/long_array.h"
 #include "fit/conjugate_gradients.h"
 #include "geometry/farthest_order.h"
 
@@ -58,14 +59,18 @@ public:
               const base::Progress& progress)
         : size_(arranged.system().rows()), polynomials_(runtime, arranged.system(), progress),
           product_(runtime, arranged.tree().points(), arranged.system().options(), tolerance, progress),
-          cg_(runtime, product_, preconditioner, polynomials_, size_), w_(runtime.memory, size_),
-          w_before_(runtime.memory, product_.approximate() ? size_ : 0), r_(runtime.memory, size_),
-          h_(runtime.memory, size_) {}
+          cg_(runtime, product_, preconditioner, polynomials_, size_), w_(runtime.memory), w_before_(runtime.memory),
+          r_(runtime.memory), h_(runtime.memory) {
+        for (base::Array<double>* of : {&w_, &r_, &h_}) base::resize_long(*of, size_, progress);
+        if (product_.approximate()) base::resize_long(w_before_, size_, progress);
+    }
 
     void run(const Arranged& arranged, const double* rhs, const SolveOptions& options, Solution& solution,
              const base::Progress& progress) {
+        progress.check();
         arranged.gather(rhs, h_.data());
         std::copy_n(h_.data(), size_, r_.data());
+        progress.check();
         polynomials_.explain(r_.data(), c_.data());
         progress.check();
         scale_ = std::max(norm(rhs, size_), 1e-300);

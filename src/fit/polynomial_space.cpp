@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "fit/polynomial_space.h"
 
+#include "base/long_array.h"
+
 #include <Eigen/Cholesky>
 
 #include <cmath>
@@ -18,9 +20,10 @@ using Map = Eigen::Map<Eigen::MatrixXd, 0, Eigen::OuterStride<>>;
 
 PolynomialSpace::PolynomialSpace(const base::Runtime& runtime, const HermiteSystem& system,
                                  const base::Progress& progress)
-    : runtime_(runtime), rows_(system.rows()), terms_(system.terms()), q_(runtime.memory, rows_ * terms_),
+    : runtime_(runtime), rows_(system.rows()), terms_(system.terms()), q_(runtime.memory),
       r_(Small::Identity(terms_, terms_)) {
     if (terms_ == 0) return;
+    base::resize_long(q_, rows_ * terms_, progress);
     system.constraints(q_.data());
     for (std::int64_t k = 0; k < terms_; ++k) {
         progress.check();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "fit/preconditioner.h"
 
+#include "base/long_array.h"
 #include "fit/local_factors.h"
 #include "fit/sparse_blocks.h"
 
@@ -42,19 +43,22 @@ Preconditioner::Preconditioner(const base::Runtime& runtime, const HermiteSystem
                                std::int32_t neighbours, const base::Progress& progress)
     : runtime_(runtime), samples_(system.samples()), set_size_(neighbours + 1),
       beside_linear_(kernel::order(system.options().kernel) > 1), coarse_(runtime.memory),
-      coarse_factor_(runtime.memory), set_(runtime.memory, samples_ * set_size_), factor_(runtime.memory),
-      use_begin_(runtime.memory), use_(runtime.memory), t_(runtime.memory, 4 * samples_) {
+      coarse_factor_(runtime.memory), set_(runtime.memory), factor_(runtime.memory), use_begin_(runtime.memory),
+      use_(runtime.memory), t_(runtime.memory, 4 * samples_) {
+    base::resize_long(set_, samples_ * set_size_, progress);
     coarse_.resize(coarse_count(samples_, neighbours));
     for (std::int64_t at = 0; at < samples_; ++at)
         if (rank[at] < coarse_.size()) coarse_[rank[at]] = at;
     find_sets(tree, rank, progress.part(0.0, 0.3));
     index_uses(progress);
+    progress.check();
     factor_coarse(system, tree);
     factor_sets(system, tree, progress.part(0.3, 1.0));
 }
 
 void Preconditioner::find_sets(const geometry::PointTree& tree, const base::Array<std::int64_t>& rank,
                                const base::Progress& progress) {
+    progress.check();
     const base::Array<std::int64_t> smallest = tree.smallest_of_nodes([&](std::int64_t at) { return rank[at]; });
     runtime_.parallel.for_chunks(samples_, corrections_a_task, [&](std::int64_t begin, std::int64_t end) {
         progress.check();
@@ -135,7 +139,7 @@ void Preconditioner::index_uses(const base::Progress& progress) {
     }
     for (std::int64_t at = 0; at < samples_; ++at) use_begin_[at + 1] += use_begin_[at];
     progress.check();
-    use_.resize(use_begin_[samples_]);
+    base::resize_long(use_, use_begin_[samples_], progress);
     base::Array<std::int64_t> next(runtime_.memory, samples_);
     std::copy_n(use_begin_.begin(), samples_, next.begin());
     for (std::int64_t at = 0; at < samples_; ++at) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "fit/samples.h"
 
+#include "base/sort.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -8,6 +10,7 @@ namespace hrbfnpr::fit {
 namespace {
 
 // Squares and cubes of what is accepted stay far from the ends of a double's range.
+constexpr std::int64_t read_at_once = 4096; // samples without a look for a cancel
 constexpr double coordinate_limit = 1e100;
 
 constexpr double coincidence = 1e-9;           // in diagonals
@@ -57,12 +60,15 @@ struct Along {
     std::int64_t index;
 };
 
-[[nodiscard]] base::Array<Along> sorted_along(const geometry::VecArray& position, const geometry::Bounds& bounds) {
+[[nodiscard]] base::Array<Along> sorted_along(const geometry::VecArray& position, const geometry::Bounds& bounds,
+                                              const base::Progress& progress) {
     const glm::dvec3 direction = glm::normalize(glm::dvec3(0.5257, 0.7331, 0.4313));
     base::Array<Along> order(position.memory(), position.size());
     for (std::int64_t i = 0; i < order.size(); ++i) order[i] = {glm::dot(direction, position[i] - bounds.min), i};
-    std::sort(order.begin(), order.end(),
-              [](const Along& a, const Along& b) { return a.key < b.key || (a.key == b.key && a.index < b.index); });
+    base::sort_long(
+        order.begin(), order.end(),
+        [](const Along& a, const Along& b) { return a.key < b.key || (a.key == b.key && a.index < b.index); },
+        progress);
     return order;
 }
 
@@ -77,13 +83,15 @@ void require_agreement(const Samples& samples, std::int64_t a, std::int64_t b) {
 }
 
 // For each sample, the one that stands for all that coincide with it.
-[[nodiscard]] base::Array<std::int64_t> representatives(const Samples& samples) {
+[[nodiscard]] base::Array<std::int64_t> representatives(const Samples& samples, const base::Progress& progress) {
     base::Memory& memory = samples.position.memory();
     const double tolerance = coincidence * samples.bounds.diagonal();
-    const base::Array<Along> order = sorted_along(samples.position, samples.bounds);
+    const base::Array<Along> order = sorted_along(samples.position, samples.bounds, progress);
     base::Array<std::int64_t> representative(memory, order.size());
     base::Array<Along> kept(memory);
+    std::int64_t looked = 0;
     for (const Along& sample : order) {
+        if (looked++ % read_at_once == 0) progress.check();
         std::int64_t found = -1;
         for (std::int64_t k = kept.size() - 1; k >= 0 && found < 0; --k) {
             if (sample.key - kept[k].key > 1.001 * tolerance) break;
@@ -116,7 +124,7 @@ void require_agreement(const Samples& samples, std::int64_t a, std::int64_t b) {
                                   const base::Progress& progress) {
     const std::int64_t count = samples.position.size();
     if (count < 2) return 0.0;
-    const base::Array<Along> order = sorted_along(samples.position, samples.bounds);
+    const base::Array<Along> order = sorted_along(samples.position, samples.bounds, progress);
     base::Array<double> distance(runtime.memory, count);
     runtime.parallel.for_chunks(count, 256, [&](std::int64_t begin, std::int64_t end) {
         progress.check();
@@ -171,6 +179,7 @@ Samples read_samples(const base::Runtime& runtime, const base::InView& points, c
     samples.position.resize(points.count);
     samples.normal.resize(points.count);
     for (std::int64_t i = 0; i < points.count; ++i) {
+        if (i % read_at_once == 0) progress.check();
         samples.position.set(i, checked_point(points, i));
         samples.normal.set(i, checked_normal(normals, i, samples.rescaled_normals));
         samples.bounds.extend(samples.position[i]);
@@ -179,7 +188,8 @@ Samples read_samples(const base::Runtime& runtime, const base::InView& points, c
     if (diagonal > 0.0 && diagonal < 1.0 / coordinate_limit)
         fail(Status::invalid_argument, "points span %.3g only, less than 1e-100; use a smaller unit", diagonal);
     progress.update(0.25);
-    merge(samples, representatives(samples));
+    merge(samples, representatives(samples, progress));
+    progress.check();
     samples.merged = points.count - samples.position.size();
     progress.update(0.5);
     samples.spacing = mean_spacing(runtime, samples, progress);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "geometry/farthest_order.h"
 
+#include "base/long_array.h"
 #include "geometry/point_tree.h"
 
 #include <algorithm>
@@ -60,11 +61,11 @@ private:
 };
 
 FarthestTree::FarthestTree(const VecArray& points, const base::Progress& progress)
-    : tree_(points, progress), squared_distance_(points.memory(), points.size()), nodes_(points.memory()) {
+    : tree_(points, progress), squared_distance_(points.memory()), nodes_(points.memory()) {
     std::int64_t nodes = 1;
     for (std::int64_t longest = points.size(); longest > leaf_size; longest = (longest + 1) / 2) nodes = 2 * nodes + 1;
-    nodes_.resize(nodes);
-    std::fill(squared_distance_.begin(), squared_distance_.end(), HUGE_VAL);
+    base::resize_long(nodes_, nodes, progress);
+    base::fill_long(squared_distance_, points.size(), HUGE_VAL, progress);
     build(whole(), progress);
 }
 

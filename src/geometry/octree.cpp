@@ -3,6 +3,7 @@
 
 #include "base/sort.h"
 #include "geometry/cell_grid.h"
+#include "geometry/long_vec_array.h"
 #include "geometry/morton.h"
 
 #include <algorithm>
@@ -68,8 +69,8 @@ void add_up(base::Array<std::int64_t>& begin, base::Array<std::int64_t>& list) {
 } // namespace
 
 Octree::Octree(const VecArray& points, std::int64_t leaf_size, double margin, const base::Progress& progress)
-    : points_(points.memory(), points.size()), index_(points.memory(), points.size()),
-      key_(points.memory(), points.size()), nodes_(points.memory()), level_begin_(points.memory()) {
+    : points_(points.memory()), index_(points.memory()), key_(points.memory()), nodes_(points.memory()),
+      level_begin_(points.memory()) {
     Bounds bounds;
     for (std::int64_t i = 0; i < points.size(); ++i) bounds.extend(points[i]);
     const glm::dvec3 size = points.empty() ? glm::dvec3(0.0) : bounds.size();
@@ -88,7 +89,11 @@ glm::dvec3 Octree::centre(const Node& node) const noexcept {
 void Octree::sort(const VecArray& points, const base::Progress& progress) {
     constexpr double cells = 1 << deepest_level;
     constexpr auto last = static_cast<std::int64_t>(cells) - 1;
-    base::Array<Keyed> keyed(points.memory(), points.size());
+    base::resize_long(key_, points.size(), progress);
+    base::resize_long(index_, points.size(), progress);
+    resize_long(points_, points.size(), progress);
+    base::Array<Keyed> keyed(points.memory());
+    base::resize_long(keyed, points.size(), progress);
     for (std::int64_t i = 0; i < points.size(); ++i) {
         if (i % at_once == 0) progress.check();
         const glm::dvec3 place = (points[i] - corner_) * (cells / width_);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "geometry/point_tree.h"
 
+#include "geometry/long_vec_array.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -22,12 +24,14 @@ int longest_axis(const Bounds& box) noexcept {
 } // namespace
 
 PointTree::PointTree(const VecArray& points, const base::Progress& progress)
-    : points_(points.memory(), points.size()), index_(points.memory(), points.size()), bounds_(points.memory()) {
+    : points_(points.memory()), index_(points.memory()), bounds_(points.memory()) {
     const std::int64_t count = points.size();
     if (count == 0) return;
     std::int64_t nodes = 1;
     for (std::int64_t longest = count; longest > leaf_size; longest = (longest + 1) / 2) nodes = 2 * nodes + 1;
-    bounds_.resize(nodes);
+    base::resize_long(bounds_, nodes, progress);
+    base::resize_long(index_, count, progress);
+    resize_long(points_, count, progress);
     progress.check();
     for (std::int64_t i = 0; i < count; ++i) index_[i] = i;
     build(points, {0, 0, count}, progress);

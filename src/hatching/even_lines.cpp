@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "hatching/even_lines.h"
 
-#include "base/long_array.h"
+#include "geometry/long_vec_array.h"
 #include "geometry/point_grid.h"
 #include "hatching/line_walk.h"
 
@@ -138,19 +138,17 @@ void Evener::sample(const StripeLines& lines) {
         line.end = line.begin + steps + (line.closed ? 0 : 1);
         walk.visit(steps, [&](const LinePlace& place) {
             if (position_.size() == line.end) return;
-            position_.push_back(place.of(lines.position));
-            normal_.push_back(glm::normalize(place.of(lines.normal)));
+            geometry::push_back_long(position_, place.of(lines.position), progress_);
+            geometry::push_back_long(normal_, glm::normalize(place.of(lines.normal)), progress_);
             level_.push_back(place.level(lines));
             line_of_.push_back(static_cast<std::int32_t>(line_.size()));
         });
         line_.push_back(line);
     }
-    progress_.check();
-    across_.resize(position_.size());
-    progress_.check();
+    geometry::resize_long(across_, position_.size(), progress_);
     base::resize_long(neighbour_, 2 * position_.size(), progress_);
-    move_.resize(position_.size());
-    wanted_.resize(position_.size());
+    base::resize_long(move_, position_.size(), progress_);
+    base::resize_long(wanted_, position_.size(), progress_);
     for_lines([&](const Line& line) { smooth(line); });
 }
 
@@ -371,9 +369,9 @@ StripeLines Evener::result() const {
         progress_.check();
         if (line.begin == line.end) continue;
         for (std::int64_t i = line.begin; i < line.end; ++i) {
-            lines.position.push_back(position_[i]);
-            lines.normal.push_back(normal_[i]);
-            lines.level.push_back(level_[i]);
+            geometry::push_back_long(lines.position, position_[i], progress_);
+            geometry::push_back_long(lines.normal, normal_[i], progress_);
+            base::push_back_long(lines.level, level_[i], progress_);
         }
         lines.first.push_back(lines.position.size());
         lines.closed.push_back(line.closed ? 1 : 0);

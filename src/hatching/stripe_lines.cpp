@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "hatching/stripe_lines.h"
 
-#include "base/long_array.h"
+#include "geometry/long_vec_array.h"
 
 #include <algorithm>
 #include <bit>
@@ -223,9 +223,9 @@ void Stripes::add_line(std::int64_t from, base::Array<std::uint8_t>& taken, Stri
     for (std::int64_t count = 0;; ++count) {
         if (count % triangles_a_task == 0) progress.check();
         taken[at] = 1;
-        lines.position.push_back(place(crossing_[at]));
-        lines.normal.push_back(normal(crossing_[at]));
-        lines.level.push_back(crossing_[at].level);
+        geometry::push_back_long(lines.position, place(crossing_[at]), progress);
+        geometry::push_back_long(lines.normal, normal(crossing_[at]), progress);
+        base::push_back_long(lines.level, crossing_[at].level, progress);
         std::int64_t next = link_[2 * at] != last ? link_[2 * at] : link_[2 * at + 1];
         if (last < 0 && next < 0) next = link_[2 * at + 1];
         closed = next == from;

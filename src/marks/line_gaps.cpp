@@ -33,9 +33,9 @@ constexpr std::int64_t chunk = 16;         // lines
 
 class Gaps {
 public:
-    Gaps(const base::Runtime& runtime, const Layer& layer)
+    Gaps(const base::Runtime& runtime, const Layer& layer, const base::Progress& progress)
         : layer_(layer), separation_(layer.report.step), place_(places(runtime.memory, layer)),
-          grid_(place_, reach * separation_) {}
+          grid_(place_, reach * separation_, progress) {}
 
     // Whether so few marks lie around each one that they can all be looked at: a file may have any separation.
     [[nodiscard]] bool are_few() const noexcept {
@@ -131,7 +131,7 @@ void measure_gaps(const base::Runtime& runtime, const Layer& layer, base::Array<
                   const base::Progress& progress) {
     gap.clear();
     if (!has_nested_lines(layer)) return;
-    const Gaps gaps(runtime, layer);
+    const Gaps gaps(runtime, layer, progress);
     if (!gaps.are_few()) return;
     gap.resize(layer.count());
     runtime.parallel.for_chunks(layer.strokes(), chunk, [&](std::int64_t begin, std::int64_t end) {

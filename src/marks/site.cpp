@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "marks/site.h"
 
+#include "geometry/long_vec_array.h"
 #include "implicit/evaluate_all.h"
 
 #include <cmath>
@@ -9,7 +10,7 @@ namespace hrbfnpr::marks {
 
 void Settler::settle(double stray_limit, LevelReport& report, const base::Progress& progress) {
     const std::int64_t count = start.size();
-    projection_.position.resize(count);
+    resize_long(projection_.position, count, progress);
     for (std::int64_t i = 0; i < count; ++i) projection_.position.set(i, start[i]);
     surface::ProjectionSettings settings;
     settings.tolerance = site_.projection_tolerance;
@@ -59,8 +60,9 @@ void Settler::drop(std::int64_t i, std::int64_t& reason, LevelReport& report) no
 void evaluate(const Site& site, const geometry::VecArray& points, FieldSamples& fields,
               const base::Progress& progress) {
     const std::int64_t count = points.size();
-    fields.value.resize(count);
-    fields.gradient.resize(count);
+    fields.value.resize_for_overwrite(count);
+    for (base::Array<double>* of : {&fields.gradient.x, &fields.gradient.y, &fields.gradient.z})
+        of->resize_for_overwrite(count);
     implicit::FieldBatch all;
     all.value = fields.value.data();
     all.gradient = {fields.gradient.x.data(), fields.gradient.y.data(), fields.gradient.z.data()};

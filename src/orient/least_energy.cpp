@@ -137,7 +137,7 @@ private:
         Signs best = signs.agglomerate(has_patches ? &patches.cluster : nullptr, has_patches ? &patches.signs : nullptr,
                                        levels, progress_);
         signs.improve(levels, best, progress_);
-        if (!(signs.of(best) < signs.of(as_it_is) * (1.0 - 1e-9))) return false;
+        if (!(signs.of(best, progress_) < signs.of(as_it_is, progress_) * (1.0 - 1e-9))) return false;
         turn(best, normal);
         return true;
     }

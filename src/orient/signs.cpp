@@ -257,7 +257,7 @@ private:
 // Totals of all terms, and what turning a cluster would do to them.
 class SignEnergy::Turning {
 public:
-    Turning(const SignEnergy& energy, Signs& signs)
+    Turning(const SignEnergy& energy, Signs& signs, const base::Progress& progress = {})
         : energy_(energy), blocks_(energy.terms_.blocks), signs_(signs),
           total_(energy.runtime_.memory, 4 * energy.size_),
           coarse_total_(energy.runtime_.memory, blocks_.coarse_columns),
@@ -268,7 +268,8 @@ public:
             coarse_of_[blocks_.coarse[k]] = k + 1;
             add_coarse(k, coarse_total_);
         }
-        energy.runtime_.parallel.for_chunks(energy.size_, signs_a_task, [&](std::int64_t begin, std::int64_t end) {
+        const auto& parallel = energy.runtime_.parallel;
+        parallel.for_chunks(energy.size_, signs_a_task, progress, [&](std::int64_t begin, std::int64_t end) {
             for (std::int64_t term = begin; term < end; ++term) {
                 if (blocks_.set[term * blocks_.set_size] < 0) continue;
                 for (std::int64_t e = term * blocks_.set_size; e < (term + 1) * blocks_.set_size; ++e) {
@@ -352,10 +353,10 @@ SignEnergy::SignEnergy(const base::Runtime& runtime, const fit::HermiteEnergy& e
                        const base::Progress& progress)
     : runtime_(runtime), terms_(energy.terms(normal, progress)), size_(energy.size()) {}
 
-double SignEnergy::of(const Signs& signs) const {
+double SignEnergy::of(const Signs& signs, const base::Progress& progress) const {
     Signs copy(runtime_.memory, size_);
     std::copy_n(signs.data(), size_, copy.data());
-    return Turning(*this, copy).energy();
+    return Turning(*this, copy, progress).energy();
 }
 
 Signs SignEnergy::agglomerate(const base::Array<std::int32_t>* first, const Signs* signs, Levels& levels,
@@ -371,7 +372,7 @@ base::Array<std::uint8_t> SignEnergy::turn(const Groups& groups, double most, Si
 }
 
 std::int64_t SignEnergy::improve(const Levels& levels, Signs& signs, const base::Progress& progress) const {
-    Turning turning(*this, signs);
+    Turning turning(*this, signs, progress);
     std::int64_t turned = 0;
     base::Array<std::int32_t> order(runtime_.memory, size_);
     for (int sweep = 0; sweep < most_sweeps; ++sweep) {

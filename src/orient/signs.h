@@ -42,7 +42,7 @@ public:
     SignEnergy(const base::Runtime& runtime, const fit::HermiteEnergy& energy, const geometry::VecArray& normal,
                const base::Progress& progress = {});
 
-    [[nodiscard]] double of(const Signs& signs) const;
+    [[nodiscard]] double of(const Signs& signs, const base::Progress& progress = {}) const;
 
     // Places join, two clusters at a time that are each other's nearest by |coupling| / sqrt(self energies), with the
     // sign that lowers the energy; the couplings of what has joined are added up.  first: clusters to begin with (of

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "base/long_array.h"
+#include "geometry/long_vec_array.h"
 #include "geometry/tangent_frame.h"
 #include "published/growth.h"
 #include "surface/curvature.h"
@@ -233,10 +233,8 @@ void Strokes::append_placed(std::uint8_t level, std::int32_t finest, const base:
 
 // Columns that grew by themselves would all be copied at the same mark, without a look for a cancel.
 void Strokes::reserve(std::int64_t count, const base::Progress& progress) {
-    const auto each = [&](auto&... column) { (base::reserve_long(column, count, progress), ...); };
-    for (geometry::VecArray* vectors : {&marks_.position, &marks_.normal, &marks_.direction})
-        each(vectors->x, vectors->y, vectors->z);
-    each(marks_.key, marks_.stroke, marks_.place, marks_.level);
+    const auto each = [&](auto&... column) { (reserve_long(column, count, progress), ...); };
+    each(marks_.position, marks_.normal, marks_.direction, marks_.key, marks_.stroke, marks_.place, marks_.level);
     if (by_curvature()) each(marks_.bend, marks_.curvature);
 }
 

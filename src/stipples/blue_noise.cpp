@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "stipples/blue_noise.h"
 
+#include "geometry/long_vec_array.h"
 #include "geometry/morton.h"
 #include "stipples/candidates.h"
 #include "stipples/distance_repair.h"
@@ -21,6 +22,7 @@ constexpr double cell_spacings = 2.2;
 constexpr double candidates_per_mark = 3.5;
 constexpr std::int64_t fewest_candidates = 6000;
 constexpr std::int64_t settled_at_once = 262144;
+constexpr std::int64_t appended_at_once = 16384; // without a look for a cancel
 
 constexpr int most_rounds = 8;
 // Cells along the longest side of a surface that is to be drawn.
@@ -80,7 +82,7 @@ public:
         for (std::int64_t begin = 0; begin < count; begin += settled_at_once) {
             const std::int64_t end = std::min(count, begin + settled_at_once);
             settle(begin, end, progress.part(static_cast<double>(begin) / all, static_cast<double>(end) / all));
-            append();
+            append(progress);
         }
         if (!wandered_.empty()) repair_distances(site_, wandered_, marks_, report_);
         marks::LevelReport& report = marks_.report;
@@ -127,13 +129,14 @@ private:
         return far || turn < 0.95 * double{unpacked_length} ? Fate::wandered : Fate::near;
     }
 
-    void append() {
+    void append(const base::Progress& progress) {
         for (std::int64_t i = 0; i < fate_.size(); ++i) {
+            if (i % appended_at_once == 0) progress.check();
             if (fate_[i] == Fate::outside) settler_.drop(i, report_.dropped_strayed, report_);
             if (fate_[i] < Fate::near) continue;
             if (fate_[i] == Fate::wandered) wandered_.push_back(marks_.position.size());
-            marks_.position.push_back(settler_.position(i));
-            marks_.normal.push_back(normal_[i]);
+            geometry::push_back_long(marks_.position, settler_.position(i), progress);
+            geometry::push_back_long(marks_.normal, normal_[i], progress);
         }
     }
 

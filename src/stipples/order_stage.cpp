@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "stipples/order_stage_impl.h"
 
+#include "base/long_array.h"
 #include "base/prefetch.h"
 #include "geometry/morton.h"
 #include "geometry/tangent_frame.h"
@@ -460,10 +461,10 @@ void OrderStage::Impl::sweep(std::span<const SweepStep> steps, std::int64_t room
 }
 
 void OrderStage::Impl::append(const Fresh& fresh, OrderedMarks& marks) {
-    marks.push_back(fresh.mark);
+    base::push_back_long(marks, fresh.mark, progress_);
     if (!fresh.linked) link_more(fresh.mark, fresh.cell);
-    energy_.push_back(fresh.energy);
-    step_.push_back(fresh.step);
+    base::push_back_long(energy_, fresh.energy, progress_);
+    base::push_back_long(step_, fresh.step, progress_);
 }
 
 void OrderStage::Impl::keep_lowest(std::int64_t room, OrderedMarks& marks) {

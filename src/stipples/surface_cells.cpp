@@ -4,6 +4,7 @@
 #include "base/sort.h"
 #include "geometry/cell_block.h"
 #include "geometry/cell_set.h"
+#include "geometry/long_vec_array.h"
 
 #include <algorithm>
 #include <array>
@@ -49,7 +50,7 @@ private:
     [[nodiscard]] bool meets_region(const Cell& cell) const noexcept;
     [[nodiscard]] Judged judge(std::int64_t i, bool first) const noexcept;
     [[nodiscard]] std::uint32_t onward(const Cell& place, const SurfaceCell& cell, bool anywhere) const noexcept;
-    void go_on(const Judged& from);
+    void go_on(const Judged& from, const base::Progress& progress);
 
     const marks::Site& site_;
     SurfaceCells& cells_;
@@ -117,9 +118,9 @@ std::uint32_t Flood::onward(const Cell& place, const SurfaceCell& cell, bool any
     return found;
 }
 
-void Flood::go_on(const Judged& from) {
+void Flood::go_on(const Judged& from, const base::Progress& progress) {
     if (!from.belongs) return;
-    cells_.cell.push_back(from.cell);
+    base::push_back_long(cells_.cell, from.cell, progress);
     const Cell place = geometry::morton_cell(from.cell.code);
     for (std::uint32_t left = known_.insert_around(place, from.onward); left != 0; left &= left - 1) {
         const Cell next = geometry::neighbour(place, std::countr_zero(left));
@@ -131,8 +132,7 @@ void Flood::go_on(const Judged& from) {
 void Flood::run(const base::Progress& progress) {
     for (bool first = true; !front_.empty(); first = false) {
         progress.check();
-        centre_.resize(front_.size());
-        progress.check();
+        resize_long(centre_, front_.size(), progress);
         for (std::int64_t i = 0; i < front_.size(); ++i) {
             if (i % 16384 == 0) progress.check();
             centre_.set(i, cells_.grid.centre(geometry::CellGrid::unpack(front_[i].cell)));
@@ -145,7 +145,7 @@ void Flood::run(const base::Progress& progress) {
         next_.clear();
         for (std::int64_t i = 0; i < judged_.size(); ++i) {
             if (i % 4096 == 0) progress.check();
-            go_on(judged_[i]);
+            go_on(judged_[i], progress);
         }
         std::swap(front_, next_);
     }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "strokes/stroke_layer.h"
 
+#include "base/long_array.h"
+
 #include <cmath>
 
 namespace hrbfnpr::strokes {
@@ -172,7 +174,7 @@ void Layering::push(std::int32_t bucket, std::int64_t seed) {
 void Layering::offer(StrokePoint point) {
     const std::int32_t bucket = move_to_middle(point);
     if (bucket < 0) return;
-    seed_.push_back(point);
+    base::push_back_long(seed_, point, trace_.progress);
     push(bucket, seed_.size() - 1);
 }
 
@@ -221,7 +223,8 @@ bool Layering::lay(const StrokePoint& seed) {
         return false;
     }
     const std::int64_t begin = layer_.point.size();
-    for (std::int64_t i = 0; i < tracer_.count(); ++i) layer_.point.push_back(tracer_.point(i));
+    for (std::int64_t i = 0; i < tracer_.count(); ++i)
+        base::push_back_long(layer_.point, tracer_.point(i), trace_.progress);
     layer_.stroke.push_back({begin, tracer_.count(), static_cast<std::uint8_t>(number_), tracer_.closed()});
     return true;
 }

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+// Points or vectors so many that their first touch takes long: a cancel is seen meanwhile.
+#pragma once
+
+#include "base/long_array.h"
+#include "geometry/vec_array.h"
+
+namespace hrbfnpr::geometry {
+
+inline void reserve_long(VecArray& array, std::int64_t capacity, const base::Progress& progress) {
+    for (base::Array<double>* of : {&array.x, &array.y, &array.z}) base::reserve_long(*of, capacity, progress);
+}
+
+// What it adds is zero.
+inline void resize_long(VecArray& array, std::int64_t size, const base::Progress& progress) {
+    for (base::Array<double>* of : {&array.x, &array.y, &array.z}) base::resize_long(*of, size, progress);
+}
+
+inline void push_back_long(VecArray& array, const glm::dvec3& v, const base::Progress& progress) {
+    base::push_back_long(array.x, v.x, progress);
+    base::push_back_long(array.y, v.y, progress);
+    base::push_back_long(array.z, v.z, progress);
+}
+
+} // namespace hrbfnpr::geometry
