@@ -43,6 +43,14 @@ void resize_long(Array<T>& array, std::int64_t size, const Progress& progress) {
     array.resize(size);
 }
 
+// Room for so many elements, which push_back then touches no more for the first time.
+template <class T>
+void make_room_long(Array<T>& array, std::int64_t capacity, const Progress& progress) {
+    const std::int64_t size = array.size();
+    resize_long(array, capacity, progress);
+    array.resize_for_overwrite(size);
+}
+
 // As array.push_back(value), which may be one of its own.
 template <class T>
 void push_back_long(Array<T>& array, T value, const Progress& progress) {

@@ -7,8 +7,9 @@
 
 namespace hrbfnpr::geometry {
 
-inline void reserve_long(VecArray& array, std::int64_t capacity, const base::Progress& progress) {
-    for (base::Array<double>* of : {&array.x, &array.y, &array.z}) base::reserve_long(*of, capacity, progress);
+// Room for so many, which push_back then touches no more for the first time.
+inline void make_room_long(VecArray& array, std::int64_t capacity, const base::Progress& progress) {
+    for (base::Array<double>* of : {&array.x, &array.y, &array.z}) base::make_room_long(*of, capacity, progress);
 }
 
 // What it adds is zero.

@@ -25,6 +25,10 @@ public:
     bool refine(std::int32_t level, double rho, const base::Progress& progress);
 
 private:
+    void reserve(std::int64_t count, const base::Progress& progress) {
+        make_room(count, progress, marks_.position, marks_.normal, marks_.key, marks_.stroke, marks_.place,
+                  marks_.level);
+    }
     // Where a child starts: (i r + j u) rho in the parent's tangent plane, i and j = +-1 + U(-1/8, 1/8),
     // drawn for each child.                                                        [NPAR 5.2]
     [[nodiscard]] glm::dvec3 offset(std::int64_t parent, std::int64_t child, std::uint64_t key) const noexcept {
@@ -55,7 +59,9 @@ bool Stipples::place_seeds(const base::Progress& progress) {
     const marks::Thinning thinning(
         site_, count, room, marks::stream_of(marks::Kind::stipples),
         [](std::int64_t i) { return static_cast<std::uint64_t>(i); }, progress);
+    reserve(std::min(room, count), progress);
     for (std::int64_t i = 0; i < count; ++i) {
+        if (i % marks::chunk_size == 0) progress.check();
         if (!thinning.keeps(static_cast<std::uint64_t>(i))) continue;
         marks_.position.push_back(start_.position[i]);
         marks_.normal.push_back(start_.normal[i]);
@@ -83,6 +89,7 @@ bool Stipples::refine(std::int32_t level, double rho, const base::Progress& prog
     };
     const marks::Thinning thinning(site_, children * parents, room, marks::stream_of(marks::Kind::stipples), key_of,
                                    progress);
+    reserve(parents + std::min(room, children * parents), progress);
     constexpr std::int64_t parents_of_chunk = marks::chunk_size / children;
     // No start is farther from its parent than this, and a child that lands farther from its start
     // than its start is from the parent belongs to another part of the surface.

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "geometry/long_vec_array.h"
 #include "geometry/tangent_frame.h"
 #include "published/growth.h"
 #include "surface/curvature.h"
@@ -150,7 +149,9 @@ bool Strokes::place_seeds(const base::Progress& progress) {
     const auto key_of = [](std::int64_t i) { return key(static_cast<std::uint32_t>(i), 0); };
     const marks::Thinning thinning(site_, count, settings_.budget > 0 ? settings_.budget : count,
                                    marks::stream_of(settings_.kind), key_of, progress);
+    reserve(settings_.budget > 0 ? std::min(settings_.budget, count) : count, progress);
     for (std::int64_t i = 0; i < count; ++i) {
+        if (i % marks::chunk_size == 0) progress.check();
         if (!thinning.keeps(key_of(i))) continue;
         const std::int64_t from = i / sets;
         append(start_.position[from], start_.normal[from], static_cast<std::uint32_t>(i), 0, 0,
@@ -231,11 +232,10 @@ void Strokes::append_placed(std::uint8_t level, std::int32_t finest, const base:
     }
 }
 
-// Columns that grew by themselves would all be copied at the same mark, without a look for a cancel.
 void Strokes::reserve(std::int64_t count, const base::Progress& progress) {
-    const auto each = [&](auto&... column) { (reserve_long(column, count, progress), ...); };
-    each(marks_.position, marks_.normal, marks_.direction, marks_.key, marks_.stroke, marks_.place, marks_.level);
-    if (by_curvature()) each(marks_.bend, marks_.curvature);
+    make_room(count, progress, marks_.position, marks_.normal, marks_.direction, marks_.key, marks_.stroke,
+              marks_.place, marks_.level);
+    if (by_curvature()) make_room(count, progress, marks_.bend, marks_.curvature);
 }
 
 } // namespace

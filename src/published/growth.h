@@ -2,6 +2,7 @@
 // Multi-level refinement: from seeds to stipples and strokes.         [NPAR 5]
 #pragma once
 
+#include "geometry/long_vec_array.h"
 #include "marks/direction_function.h"
 #include "marks/marks.h"
 
@@ -29,6 +30,13 @@ struct GrowthSettings {
     std::int64_t budget = 0;            // 0 = none
     marks::DirectionFunction direction; // of FIELD
 };
+
+// Room for so many marks in each of these columns.  They would all grow at the same mark, and be touched there for the
+// first time, without a look for a cancel.
+template <class... Column>
+void make_room(std::int64_t marks, const base::Progress& progress, Column&... column) {
+    (make_room_long(column, marks, progress), ...);
+}
 
 // The x5 recursion.
 void grow_stipples(const marks::Site& site, const Start& start, const GrowthSettings& settings, marks::Marks& marks,
