@@ -189,7 +189,7 @@ def test_broken_obj(tmp_path, text, words):
         shapes.read(write(tmp_path, "a.obj", text))
 
 
-@pytest.mark.parametrize("head", ["OFF\n8 6 12\n", "OFF 8 6 12\n", "OFF # cube\n\n8  6\t0\n", "COFF\n8 6 0\n"])
+@pytest.mark.parametrize("head", ["OFF\n8 6 12\n", "OFF 8 6 12\n", "OFF # cube\n\n8  6\t0\n", "COFF\n8 6 0\n", "\t  OFF8 6\n"])
 def test_off(tmp_path, head):
     colour = " 255 0 0 255" if head.startswith("COFF") else ""
     text = head + "".join(f"{x} {y} {z}{colour}\n" for x, y, z in CUBE)

@@ -105,7 +105,7 @@ def read_off(data: bytes) -> Shape:
     if re.match(rb"\s*\w*OFF\s+BINARY", data[:100]):
         raise ShapeError("not an OFF file in text form: binary ones are not read; save it as text, or as PLY")
     text = without_comments(plain(data))
-    head = re.match(rb"\s*(\w*OFF)\b", text)
+    head = re.match(rb"\s*(\w*?OFF)(?=\d|\b)", text)
     if head is None:
         raise ShapeError("not an OFF file in text form: it does not begin with OFF")
     kind = head.group(1).decode()
