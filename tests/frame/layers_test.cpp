@@ -249,8 +249,9 @@ TEST_F(LayersTest, OpenLayersOneBehindTheOtherDimExactly) {
     // 100 pixels a unit.
     const Case cases[] = {{{}, 1.0F},
                           {{{0.6, false}}, front},
+                          {{{0.05, false}}, front}, // layers of two items need but a small gap
                           {{{0.6, true}}, back},
-                          {{{0.05, true}}, back}, // two sides need but a small gap
+                          {{{0.05, true}}, back}, // and so do two sides
                           {{{0.6, true}, {1.2, false}}, back * front},
                           {{{0.05, true}, {0.1, false}}, back * front}, // a thin slab
                           {{{0.6, false}, {1.2, true}}, back * front},

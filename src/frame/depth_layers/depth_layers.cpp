@@ -14,7 +14,7 @@ constexpr float nothing = std::numeric_limits<float>::infinity();
 // A contour lies behind a layer that is nearer by so many pixels: where it is asked, its own layer is not, but the
 // discs of that may be.
 constexpr float contour_gap = 4.0F;
-// Ink lies behind another layer that faces like its own by so many radii of the splats.
+// Ink lies behind another layer of its item that faces like its own by so many radii of the splats.
 constexpr float own_gap = 5.0F;
 
 [[nodiscard]] SplatList list_of(std::span<const Splat> splats, std::span<const std::uint32_t> numbers,
@@ -31,7 +31,8 @@ struct Dimmed {
 };
 
 // By the nearest layers and the halo, or by the next ones, at (x, y) pixels of the planes, clamped to them.
-Dimmed dim(const LayerPlanes& p, const Dot& ink, float x, float y, bool next) noexcept {
+// item: of the ink; -1: all is of one item.
+Dimmed dim(const LayerPlanes& p, const Dot& ink, std::int32_t item, float x, float y, bool next) noexcept {
     const auto pixel = [&](float px, float py) {
         const auto column = static_cast<std::int32_t>(std::clamp(px, 0.0F, static_cast<float>(p.width - 1)));
         const auto row = static_cast<std::int32_t>(std::clamp(py, 0.0F, static_cast<float>(p.height - 1)));
@@ -50,8 +51,13 @@ Dimmed dim(const LayerPlanes& p, const Dot& ink, float x, float y, bool next) no
     const float front = p.depth[first][at];
     const float back = p.depth[first + 1][at];
     const bool faces_back = (ink.flags & dot_faces_back) != 0;
-    const bool behind_back = back + (faces_back ? own : other) < ink.depth;
-    const bool behind_front = front + (faces_back ? other : own) < ink.depth || (behind_back && front < back);
+    // Of another item, which is nowhere the ink's own layer.
+    const auto is_other = [&](std::int64_t layer) {
+        return item >= 0 && p.depth[layer][at] < nothing && !is_of_item(p.transmittance[layer][at], item);
+    };
+    const bool behind_back = back + (faces_back && !is_other(first + 1) ? own : other) < ink.depth;
+    const bool behind_front =
+        front + (faces_back || is_other(first) ? other : own) < ink.depth || (behind_back && front < back);
     if (behind_front) result.transmittance *= p.transmittance[first][at];
     if (behind_back) result.transmittance *= p.transmittance[first + 1][at];
     // In solids, a layer that faces away lies between two that face the eye.
@@ -87,7 +93,7 @@ void DepthLayers::lay_tile(LayerPlanes& planes, const drawing::Drawing& drawing,
     });
 }
 
-std::int64_t DepthLayers::attenuate(const HatchTiles& hatching, drawing::Drawing& drawing) {
+std::int64_t DepthLayers::attenuate(const Scene& scene, const HatchTiles& hatching, drawing::Drawing& drawing) {
     const drawing::Tiles& tiles = drawing.dot_tiles;
     const glm::vec2 origin(drawing.first_pixel);
     drawing.splat_tiles.build(
@@ -105,7 +111,7 @@ std::int64_t DepthLayers::attenuate(const HatchTiles& hatching, drawing::Drawing
     runtime_.parallel.for_each(workers, [&](std::int64_t worker) {
         LayerPlanes planes = planes_of(worker);
         for (std::int64_t tile = next++; tile < tiles.tiles(); tile = next++)
-            seen_[tile] = dim_tile(planes, hatching, drawing, tile);
+            seen_[tile] = dim_tile(planes, scene, hatching, drawing, tile);
     });
     std::int64_t seen = 0;
     for (const std::int64_t count : seen_) seen += count;
@@ -114,8 +120,8 @@ std::int64_t DepthLayers::attenuate(const HatchTiles& hatching, drawing::Drawing
 
 // The inks whose centres lie in the tile: first through the nearest layers, then, if any ink is still seen behind
 // those, through the next.
-std::int64_t DepthLayers::dim_tile(LayerPlanes& planes, const HatchTiles& hatching, drawing::Drawing& drawing,
-                                   std::int64_t tile) noexcept {
+std::int64_t DepthLayers::dim_tile(LayerPlanes& planes, const Scene& scene, const HatchTiles& hatching,
+                                   drawing::Drawing& drawing, std::int64_t tile) noexcept {
     const drawing::Tiles& tiles = drawing.dot_tiles;
     const glm::vec2 origin(drawing.first_pixel);
     const std::int64_t column = tile % tiles.columns();
@@ -130,6 +136,10 @@ std::int64_t DepthLayers::dim_tile(LayerPlanes& planes, const HatchTiles& hatchi
         });
         hatching.for_tile(tile, [&](std::int64_t i) { f(drawing.dots[i]); });
     };
+    const auto item_of = [&](const Dot& ink) { return scene.items.size() > 1 ? scene.runs[ink.layer / 2].item : -1; };
+    const auto dimmed_by = [&](const Dot& ink, bool next) {
+        return dim(planes, ink, item_of(ink), ink.x - corner.x, ink.y - corner.y, next);
+    };
     std::int64_t seen = 0;
     bool laid = false;
     largest_[tile] = 0.0F;
@@ -139,7 +149,7 @@ std::int64_t DepthLayers::dim_tile(LayerPlanes& planes, const HatchTiles& hatchi
         if (!laid) lay_tile(planes, drawing, tile, corner);
         laid = true;
         largest_[tile] = planes.largest_splat;
-        const Dimmed dimmed = dim(planes, ink, ink.x - corner.x, ink.y - corner.y, false);
+        const Dimmed dimmed = dimmed_by(ink, false);
         ink.opacity = dimmed.transmittance < faintest_ink ? 0.0F : dimmed.transmittance;
         seen += ink.opacity > 0.0F;
         if (!(ink.opacity > 0.0F) || dimmed.more_behind == nothing) return;
@@ -157,7 +167,7 @@ std::int64_t DepthLayers::dim_tile(LayerPlanes& planes, const HatchTiles& hatchi
     });
     seen = 0;
     for_own([&](Dot& ink) {
-        if (ink.opacity > 0.0F) ink.opacity *= dim(planes, ink, ink.x - corner.x, ink.y - corner.y, true).transmittance;
+        if (ink.opacity > 0.0F) ink.opacity *= dimmed_by(ink, true).transmittance;
         if (ink.opacity < faintest_ink) ink.opacity = 0.0F;
         seen += ink.opacity > 0.0F;
     });

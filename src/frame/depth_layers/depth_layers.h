@@ -2,8 +2,8 @@
 // The second half of a frame by layers: what each mark of ink is seen through.        [NPAR 6.1]
 //
 // Splats give, for each pixel of a tile, the two nearest layers on either side.  A mark
-// that faces the eye is never hidden by its own layer, nor by one that faces the eye like it
-// unless one that faces away lies between: solids have both, in turn.
+// that faces the eye is never hidden by its own layer, nor by one of its item that faces the eye like
+// it unless one that faces away lies between: solids have both, in turn.
 #pragma once
 
 #include "base/runtime.h"
@@ -22,7 +22,7 @@ public:
     // Bins the drawing's splats, and sets the opacity of each of its dots by what the depth layers that they stand for
     // let through.  The dots stand in tiles already, and those of hatching in tiles of their own.  Returns how many are
     // drawn.
-    std::int64_t attenuate(const HatchTiles& hatching, drawing::Drawing& drawing);
+    std::int64_t attenuate(const Scene& scene, const HatchTiles& hatching, drawing::Drawing& drawing);
 
     // The radius of the largest splat where the dot is, pixels: what it hides ends up to that beyond its surface.
     [[nodiscard]] float largest_splat(const drawing::Drawing& drawing, const Dot& dot) const noexcept;
@@ -40,8 +40,8 @@ private:
     [[nodiscard]] LayerPlanes planes_of(std::int64_t worker) noexcept;
     void lay_tile(LayerPlanes& planes, const drawing::Drawing& drawing, std::int64_t tile,
                   const glm::vec2& corner) const noexcept;
-    [[nodiscard]] std::int64_t dim_tile(LayerPlanes& planes, const HatchTiles& hatching, drawing::Drawing& drawing,
-                                        std::int64_t tile) noexcept;
+    [[nodiscard]] std::int64_t dim_tile(LayerPlanes& planes, const Scene& scene, const HatchTiles& hatching,
+                                        drawing::Drawing& drawing, std::int64_t tile) noexcept;
 
     const base::Runtime& runtime_;
     LayerLoops loops_;

@@ -225,6 +225,7 @@ void Gatherer::splat(const Local& local, const Seen& seen, std::int64_t count) n
         c.slope_x = x * shrink;
         c.slope_y = y * shrink;
         c.transmittance = transmittance_.at(nu);
+        if (scene_.items.size() > 1) c.transmittance = of_item(c.transmittance, run_.item);
         c.window = seen.window[i];
         set_halo(c, local, seen, i);
         c.id = run_.first_id + blocks[i / MarkBlock::size].mark[i % MarkBlock::size];

@@ -99,7 +99,7 @@ void LayerFrame::dim(const Scene& scene, drawing::Drawing& drawing) {
     std::int64_t inks = 0;
     for (const Piece& piece : drawing.dot_pieces) inks += piece.end - piece.begin;
     drawing.has_splats = std::any_of(scene.runs.begin(), scene.runs.end(), [](const Run& run) { return run.splats; });
-    drawing.dot_count = drawing.has_splats ? layers_.attenuate(hatch_tiles_, drawing) : inks;
+    drawing.dot_count = drawing.has_splats ? layers_.attenuate(scene, hatch_tiles_, drawing) : inks;
     if (std::any_of(scene.items.begin(), scene.items.end(), [](const ItemView& i) { return i.model != nullptr; }))
         drawing.dot_count -= exact_.attenuate(runtime_, scene, drawing.dots.span(), drawing.dot_pieces.span());
     drawing.counts.shown = drawing.dot_count;

@@ -2,6 +2,7 @@
 // How opaque a layer of surface is, and how far apart the marks are that it is found from.     [NPAR 6.1]
 #pragma once
 
+#include "base/bits.h"
 #include "frame/scene/attenuation.h"
 #include "frame/scene/style.h"
 
@@ -19,6 +20,21 @@ inline constexpr float halo_gap = 4.0F;
     const float alpha = nu > 0.0F ? back_alpha(nu, static_cast<float>(style.attenuation_back))
                                   : front_alpha(nu, static_cast<float>(style.attenuation_front));
     return style.splat_overlap > 0.0F ? std::pow(1.0F - alpha, style.splat_overlap) : 1.0F - alpha;
+}
+
+// What a layer lets through has its item in the lowest bits, where no pixel shows it: planes of items would take as
+// long to lay as those of depths.  Items that agree in these bits are taken for one.
+inline constexpr std::uint32_t item_bits = 15;
+// The nearest number with these bits that is not above 1.
+[[nodiscard]] inline float of_item(float transmittance, std::int32_t item) noexcept {
+    const std::uint32_t own = static_cast<std::uint32_t>(item) & item_bits;
+    const auto bits = base::bit_cast<std::uint32_t>(transmittance);
+    if (bits <= item_bits) return base::bit_cast<float>(own);
+    const std::uint32_t with = ((bits + item_bits / 2 - own) & ~item_bits) + own;
+    return base::bit_cast<float>(with > base::bit_cast<std::uint32_t>(1.0F) ? with - item_bits - 1 : with);
+}
+[[nodiscard]] inline bool is_of_item(float transmittance, std::int32_t item) noexcept {
+    return ((base::bit_cast<std::uint32_t>(transmittance) ^ static_cast<std::uint32_t>(item)) & item_bits) == 0;
 }
 
 // Pixels between the marks that stand for a layer where there are enough of them, and near its contour.
