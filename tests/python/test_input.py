@@ -67,6 +67,16 @@ def hanging():
     return obj(vertices, [[i, i + 12, i + 13, i + 1] for i in corners])
 
 
+def mask(way):
+    """A bowl of which the outside looks along z, or against it."""
+    turn, tilt = np.meshgrid(2 * np.pi * np.arange(16) / 16, np.pi / 2 * np.arange(1, 9) / 8)
+    rim = np.column_stack([(np.sin(tilt) * np.cos(turn)).ravel(), (np.sin(tilt) * np.sin(turn)).ravel(), np.cos(tilt).ravel()])
+    vertices = np.vstack([rim, [[0, 0, 1]]]) * [1, 1, way]
+    faces = [[128, i, (i + 1) % 16] for i in range(16)]
+    faces += [[r + i, r + 16 + i, r + 16 + (i + 1) % 16, r + (i + 1) % 16] for r in range(0, 112, 16) for i in range(16)]
+    return obj(vertices, faces if way > 0 else [face[::-1] for face in faces])
+
+
 def mixed():
     points, normals = ball()
     signs = np.where(np.random.default_rng(3).random(200) < 0.3, -1, 1)
@@ -247,6 +257,8 @@ ROWS = {
         ("a.obj", crossing_parts, ["--tolerance", "0.05"], 0),
     "mesh with a few faces left over on an edge of two others": ("a.obj", left_over, [], 0),
     "mesh, some corners not finite": ("a.obj", not_finite, [], 0),
+    "open surface whose front the usual camera does not see, as a mask that looks to -z":
+        ("a.obj", lambda: mask(-1), [], 0),
     "height map": ("a.asc", waves, [], 0),
     "terrain whose normals look down": ("a.obj", hanging, [], 0),
     "STL": ("a.stl", lambda: stl(True), ["--samples", "200"], 0),
@@ -434,6 +446,12 @@ def test_check_of_saved_files(tmp_path, capsys, sphere, marks):
     marks.save(tmp_path / "a.hrbm")
     assert checked(tmp_path / "a.hrbf", capsys)["kind"] == "model"
     assert checked(tmp_path / "a.hrbm", capsys)["kind"] == "point set"
+
+
+@pytest.mark.parametrize("way, options", [(1, []), (-1, ["--azimuth", "30"]), (-1, ["--direction", "0,0,-1"])])
+def test_the_usual_side_is_kept(tmp_path, capsys, way, options):
+    assert main(["draw", str(write(tmp_path, "a.obj", mask(way))), str(tmp_path / "out.png"), *QUICK, *options]) == 0
+    assert "usual side" not in capsys.readouterr().err
 
 
 def test_dust_makes_no_sheets(tmp_path):

@@ -193,7 +193,8 @@ def draw(
     style : str or Style
         A named style (`hrbfnpr.PRESETS`), whose marks are sized for the picture, or one that is used as it is.
     camera : Camera, optional
-        By default one that sees all, from `azimuth` and `elevation` in degrees.
+        By default one that sees all, from `azimuth` and `elevation` in degrees: 30, or another where that sees the back
+        of an open surface, and 20.
     progress : callable, tqdm bar or True, optional
         Called with what is done and a fraction in [0, 1] of it; True makes a bar of tqdm's.
     context : Context, optional

@@ -111,8 +111,8 @@ def make_camera(arguments: Any, source: Any, points: Any) -> Camera:
     size = arguments.size or _automatic.LONG_SIDE
     if arguments.eye is not None:
         return _camera_at(arguments, source, up, angle, (size, size) if isinstance(size, int) else size)
-    azimuth = 30.0 if arguments.azimuth is None else arguments.azimuth
-    elevation = 20.0 if arguments.elevation is None else arguments.elevation
+    azimuth = _automatic.AZIMUTH if arguments.azimuth is None else arguments.azimuth
+    elevation = _automatic.ELEVATION if arguments.elevation is None else arguments.elevation
     direction = arguments.direction or _automatic.view_direction(up, azimuth, elevation)
     margin = 0.05 if arguments.margin is None else arguments.margin
     camera = Camera.fit(source, direction, up, vertical_angle=angle, margin=margin)
@@ -372,6 +372,8 @@ def _scene_of_models(arguments: Any, loaded: Loaded, context: Context, report: R
     areas = [area_of(marks) for marks in known]
     places = np.concatenate([_automatic.positions(marks) for marks in known])
     arguments.has_end = any(model.trim_info.is_trimmed for model in models)
+    if arguments.has_end:
+        _look_at_front(arguments, known, areas, report)
     camera = look(arguments, _bounds(models[0], models[1:]), places)
     style, layers = plan(arguments, models[0], sum(areas), camera, report)
     parts = []
@@ -384,6 +386,21 @@ def _scene_of_models(arguments: Any, loaded: Loaded, context: Context, report: R
     arguments.input_shape = loaded.shape
     first, rest = parts[0], tuple(parts[1:])
     return Scene(arguments, first.model, first.marks, first.line_set, style, camera, places, context, rest)
+
+
+def _look_at_front(arguments: Any, known: Sequence[PointSet], areas: Sequence[float], report: Reporter) -> None:
+    """From the side that an open surface looks to, where nothing is said of the camera."""
+    if any(getattr(arguments, name, None) is not None for name in ("own_camera", "eye", "direction", "azimuth")):
+        return
+    means = [np.concatenate([layer.normals for layer in marks.layers]).mean(axis=0) for marks in known]
+    azimuth = _automatic.front_azimuth(arguments.up, np.average(means, axis=0, weights=areas))
+    if azimuth is None:
+        return
+    arguments.azimuth = azimuth
+    report.note(
+        f"the surface looks away from the usual side: seen from azimuth {azimuth:g} (--azimuth {_automatic.AZIMUTH:g} "
+        "sees its back)"
+    )
 
 
 def _share_of(layers: Sequence[Layer], share: float) -> List[Layer]:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import replace
-from typing import Any, Callable, Dict, List, Sequence, Tuple, Union
+from typing import Any, Callable, Dict, List, Optional, Sequence, Tuple, Union
 
 import numpy as np
 
@@ -20,6 +20,8 @@ STROKE_SPACING = 1.25  # of marks along a stroke, in radii: near enough to make 
 HATCH_LINES = 300  # of hatching, all levels, in the root of the area
 MOST_MARKS = 2_000_000  # of a layer, unless --marks says more: some 500 bytes each while they are placed and drawn
 MOST_LEVELS = 6  # the same of the published recursion
+AZIMUTH, ELEVATION = 30.0, 20.0  # of a camera of which nothing is said
+_LOOKS_ONE_WAY = 0.25  # length of the mean normal: half of a sphere has 0.5, a box without one side 0.17
 _UNSEEN = 4000  # of a layer of which nothing is drawn: what lines hide, they know by themselves
 
 # Ink over area at the darkest tone; of strokes that of one direction, which leaves some paper between its lines.
@@ -30,16 +32,31 @@ def _unit(v: Any) -> Any:
     return v / np.linalg.norm(v)
 
 
-def view_direction(up: Sequence[float], azimuth: float, elevation: float) -> Tuple[float, float, float]:
-    """From the eye into the scene.  Azimuth 0 looks from the front: +z, or -y where z is up."""
+def _axes(up: Sequence[float]) -> Any:
+    """Unit vectors up, to the front and to its right."""
     upward = _unit(np.asarray(up, dtype=float))
     front = np.array([0.0, 0.0, 1.0]) if abs(upward[2]) < 0.9 else np.array([0.0, -1.0, 0.0])
     front = _unit(front - (front @ upward) * upward)
-    right = np.cross(upward, front)
+    return upward, front, np.cross(upward, front)
+
+
+def view_direction(up: Sequence[float], azimuth: float, elevation: float) -> Tuple[float, float, float]:
+    """From the eye into the scene.  Azimuth 0 looks from the front: +z, or -y where z is up."""
+    upward, front, right = _axes(up)
     around, above = math.radians(azimuth), math.radians(elevation)
     eye = math.cos(above) * (math.cos(around) * front + math.sin(around) * right) + math.sin(above) * upward
     x, y, z = -eye
     return float(x), float(y), float(z)
+
+
+def front_azimuth(up: Sequence[float], normal: Any) -> Optional[float]:
+    """From where an open surface of this mean normal shows its front, if the usual camera sees its back; degrees."""
+    usual = -np.array(view_direction(up, AZIMUTH, ELEVATION))
+    upward, front, right = _axes(up)
+    level = normal - (normal @ upward) * upward
+    if normal @ usual >= 0 or np.linalg.norm(level) < _LOOKS_ONE_WAY:
+        return None
+    return float(round(math.degrees(math.atan2(level @ right, level @ front)) + AZIMUTH) % 360)
 
 
 def frame(camera: Camera, points: Any, size: Union[int, Tuple[int, int]], margin: float) -> Camera:

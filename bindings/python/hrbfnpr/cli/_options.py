@@ -177,7 +177,8 @@ def _add_camera(parser: Parser) -> None:
     group = parser.add_argument_group("camera")
     _add(group, "--up", "up", values.up, "AXIS", "x, y, z, -y, ... or X,Y,Z; auto (default): by the kind of file "
          "and the shape, y where neither tells")  # fmt: skip
-    _add(group, "--azimuth", "azimuth", values.number, "DEGREES", "of the camera about the up axis; 30")
+    _add(group, "--azimuth", "azimuth", values.number, "DEGREES", "of the camera about the up axis; 30, and "
+         "another where that sees the back of an open surface")  # fmt: skip
     _add(group, "--elevation", "elevation", values.number, "DEGREES", "of the camera above the horizon; 20")
     _add(group, "--direction", "direction", values.direction, "X,Y,Z", "from the eye into the scene, instead of these")
     _add(group, "--eye", "eye", values.vector, "X,Y,Z", "place of the eye, looking at --target")
