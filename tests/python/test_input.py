@@ -414,6 +414,18 @@ def test_check_of_what_cannot_be_used(tmp_path, capsys):
         assert facts["status"] == "unusable" and re.search(words, facts["errors"][0]), facts["errors"]
 
 
+def test_check_of_solids_that_touch_in_an_edge(tmp_path, capsys):
+    corners = np.array([[x, y, z] for x in (0, 1) for y in (0, 1) for z in (0, 1)])
+    quads = [[0, 1, 3, 2], [4, 6, 7, 5], [0, 4, 5, 1], [2, 3, 7, 6], [0, 2, 6, 4], [1, 5, 7, 3]]
+    two = obj(np.vstack([corners, corners + [1, 1, 0]]), [[i + at for i in quad] for at in (0, 8) for quad in quads])
+    facts = checked(write(tmp_path, "a.obj", two), capsys)
+    assert facts["mesh"]["non_manifold_edges"] == 1
+    assert "1 edge of more than two triangles parted, as solids touch there" in facts["repairs"]
+    assert not any("more than two" in warning for warning in facts["warnings"])
+    faces = obj([[0, 0, 0], [0, 0, 1], [1, 0, 0], [-1, 1, 0], [-1, -1, 0]], [[0, 1, 2], [0, 1, 3], [0, 1, 4]])
+    assert "1 edge of more than two triangles" in checked(write(tmp_path, "b.obj", faces), capsys)["warnings"]
+
+
 def test_check_of_meshes(tmp_path, capsys):
     facts = checked(write(tmp_path, "a.obj", obj(*tube())), capsys)
     mesh = facts["mesh"]

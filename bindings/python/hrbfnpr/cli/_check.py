@@ -12,6 +12,7 @@ import numpy as np
 from .. import shapes
 from .._context import Context
 from .._errors import Error
+from .._mesh import Mesh
 from .._model import Model
 from ..shapes import Shape, ShapeError
 from ..shapes._shape import Floats
@@ -228,8 +229,13 @@ def _mesh(shape: Shape, findings: Findings) -> Tuple[Floats, Floats]:
             "nothing: what is drawn ends at wide borders, with a line, and closes small holes; --close closes all",
         )
     if facts.non_manifold_edges:
-        what = f"{of(facts.non_manifold_edges, 'edge')} of more than two triangles"
-        findings.warn(what, "nothing, if the picture is right")
+        left = _never_parted(shape, facts.non_manifold_edges)
+        if left < facts.non_manifold_edges:
+            findings.repairs.append(
+                f"{of(facts.non_manifold_edges - left, 'edge')} of more than two triangles parted, as solids touch there"
+            )
+        if left:
+            findings.warn(f"{of(left, 'edge')} of more than two triangles", "nothing, if the picture is right")
     if facts.inconsistent_edges:
         findings.warn(
             f"{of(facts.inconsistent_edges, 'edge')} between triangles that look to opposite sides",
@@ -245,6 +251,16 @@ def _mesh(shape: Shape, findings: Findings) -> Tuple[Floats, Floats]:
     points, normals = shapes.samples(good, _SAMPLES)
     _orientation(points, normals, True, findings)
     return points, normals
+
+
+def _never_parted(shape: Shape, most: int) -> int:
+    """Edges of more than two triangles that a fit has, too."""
+    good = _inputs.finite_faces(shape)[0]
+    try:
+        with Context() as silent:
+            return Mesh(good.points, good.triangles, parts="all", context=silent).info.nonmanifold_edges
+    except Error:
+        return most
 
 
 def _finite(value: Any) -> Any:
