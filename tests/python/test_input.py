@@ -422,6 +422,9 @@ def test_check_of_solids_that_touch_in_an_edge(tmp_path, capsys):
     assert facts["mesh"]["non_manifold_edges"] == 1
     assert "1 edge of more than two triangles parted, as solids touch there" in facts["repairs"]
     assert not any("more than two" in warning for warning in facts["warnings"])
+    both = [face for quad in quads for face in (quad, quad[::-1])]
+    repairs = checked(write(tmp_path, "c.obj", obj(corners, both)), capsys)["repairs"]
+    assert any("mended, as faces that are there twice are left out" in repair for repair in repairs)
     faces = obj([[0, 0, 0], [0, 0, 1], [1, 0, 0], [-1, 1, 0], [-1, -1, 0]], [[0, 1, 2], [0, 1, 3], [0, 1, 4]])
     assert "1 edge of more than two triangles" in checked(write(tmp_path, "b.obj", faces), capsys)["warnings"]
 

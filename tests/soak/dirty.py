@@ -20,6 +20,7 @@ from PIL import Image
 from hrbfnpr import shapes
 
 PATIENCE = 600  # seconds
+MADE = 3  # shapes, which are damaged in turns
 DRAW = ["--size", "200", "--marks", "3000"]
 QUICK = ["--samples", "400"]  # of files that are made
 
@@ -60,7 +61,8 @@ def make_files(folder):
     x, y = (grid.ravel() for grid in np.meshgrid(np.linspace(-1, 1, 15), np.linspace(-1, 1, 15)))
     up = np.stack([-0.6 * np.cos(3 * x), 0 * x, np.ones_like(x)], axis=1)
     write(folder / "sheet.ply", np.stack([x, y, 0.2 * np.sin(3 * x)], axis=1), up / np.linalg.norm(up, axis=1)[:, None])
-    return sorted(folder.glob("*.ply"))
+    (folder / "zz.md").write_text("# Not a shape\n")
+    return sorted(folder.glob("*.ply")) + [folder / "zz.md"]
 
 
 def some(random, points, share):
@@ -205,7 +207,10 @@ def cases(path, folder, clean, turn, turns):
     if clean:
         return
     yield "cut_off", cut_off(path, folder)
-    shape = shapes.read(path)
+    try:
+        shape = shapes.read(path)
+    except shapes.ShapeError:
+        return  # no shape that could be damaged: a text beside the models
     for number, damage in enumerate(DAMAGES):
         if number < OF_ALL and number % turns != turn:
             continue
@@ -243,7 +248,11 @@ def draw(path, out, options):
 def files_of(arguments, folder):
     if not arguments:
         return make_files(folder)
-    return [path for given in map(Path, arguments) for path in (sorted(given.iterdir()) if given.is_dir() else [given])]
+    return [path for given in map(Path, arguments) for path in _within(given)]
+
+
+def _within(given):
+    return sorted(path for path in given.rglob("*") if path.is_file()) if given.is_dir() else [given]
 
 
 def main():
@@ -257,7 +266,7 @@ def main():
         folder = Path(name)
         files = files_of(given.files, folder)
         for turn, path in enumerate(files):
-            turns = 1 if given.files else len(files)
+            turns = 1 if given.files else MADE
             for done, file in cases(path, folder, given.clean, turn % turns, turns):
                 if given.only not in f"{path.name} {done}":
                     continue

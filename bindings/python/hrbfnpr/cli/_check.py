@@ -229,11 +229,10 @@ def _mesh(shape: Shape, findings: Findings) -> Tuple[Floats, Floats]:
             "nothing: what is drawn ends at wide borders, with a line, and closes small holes; --close closes all",
         )
     if facts.non_manifold_edges:
-        left = _never_parted(shape, facts.non_manifold_edges)
+        left, twice = _never_parted(shape, facts.non_manifold_edges)
         if left < facts.non_manifold_edges:
-            findings.repairs.append(
-                f"{of(facts.non_manifold_edges - left, 'edge')} of more than two triangles parted, as solids touch there"
-            )
+            how = "mended, as faces that are there twice are left out" if twice else "parted, as solids touch there"
+            findings.repairs.append(f"{of(facts.non_manifold_edges - left, 'edge')} of more than two triangles {how}")
         if left:
             findings.warn(f"{of(left, 'edge')} of more than two triangles", "nothing, if the picture is right")
     if facts.inconsistent_edges:
@@ -253,14 +252,15 @@ def _mesh(shape: Shape, findings: Findings) -> Tuple[Floats, Floats]:
     return points, normals
 
 
-def _never_parted(shape: Shape, most: int) -> int:
-    """Edges of more than two triangles that a fit has, too."""
+def _never_parted(shape: Shape, most: int) -> Tuple[int, int]:
+    """Edges of more than two triangles that a fit has, too, and faces that it leaves out as they are there twice."""
     good = _inputs.finite_faces(shape)[0]
     try:
         with Context() as silent:
-            return Mesh(good.points, good.triangles, parts="all", context=silent).info.nonmanifold_edges
+            info = Mesh(good.points, good.triangles, parts="all", context=silent).info
+        return info.nonmanifold_edges, info.repeated_faces
     except Error:
-        return most
+        return most, 0
 
 
 def _finite(value: Any) -> Any:
