@@ -151,6 +151,7 @@ void Gather::ask_tones(Scene& scene) {
     const auto asks = [&](const Run& run) { return scene.item_of(run).style.tone == Tone::callback; };
     if (!std::any_of(scene.runs.begin(), scene.runs.end(), asks)) return;
     base::resize_scratch(tau_, scene.place_count());
+    std::fill(tau_.begin(), tau_.end(), 0.0F); // of marks that are not asked for, which loops read and do not use
     for (const Run& run : scene.runs) {
         if (!asks(run) || !run.draws_front) continue;
         tone_calls_.begin(scene.item_of(run), tau_);
