@@ -16,8 +16,8 @@ constexpr auto lanes = static_cast<std::size_t>(implicit::batch_size);
 using RootColumn = std::array<double, lanes>;
 
 constexpr int evaluation_limit = 60;
-constexpr std::int64_t edges_a_look = 65536;
-constexpr int trusted_root_steps = 6; // after these every other step halves the bracket
+constexpr int trusted_root_steps = 6;        // after these every other step halves the bracket
+constexpr std::int64_t edges_a_look = 65536; // without a look for a cancel
 
 // An edge in its own coordinate, from 0 to 1, and the bracket of its root.
 struct RootSearch {

@@ -9,8 +9,9 @@
 namespace hrbfnpr::fit {
 namespace {
 
-// Squares and cubes of what is accepted stay far from the ends of a double's range.
 constexpr std::int64_t read_at_once = 4096; // samples without a look for a cancel
+
+// Squares and cubes of what is accepted stay far from the ends of a double's range.
 constexpr double coordinate_limit = 1e100;
 
 constexpr double coincidence = 1e-9;           // in diagonals
