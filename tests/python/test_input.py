@@ -11,6 +11,7 @@ from conftest import ROOT, fibonacci_sphere, torus
 from test_cli import STAGE, rows
 from test_meshes import glb, gltf
 from test_ptx import ptx, wall
+from test_scans import pcd_picture
 from test_shapes import CUBE, QUADS, ply_header, stl, write
 
 import hrbfnpr
@@ -257,6 +258,7 @@ ROWS = {
         ("a.obj", crossing_parts, ["--tolerance", "0.05"], 0),
     "mesh with a few faces left over on an edge of two others": ("a.obj", left_over, [], 0),
     "mesh, some corners not finite": ("a.obj", not_finite, [], 0),
+    "picture of a depth camera: PCD whose rows are those of a picture": ("a.pcd", lambda: pcd_picture(), [], 0),
     "open surface whose front the usual camera does not see, as a mask that looks to -z":
         ("a.obj", lambda: mask(-1), [], 0),
     "height map": ("a.asc", waves, [], 0),

@@ -180,6 +180,32 @@ def test_up_by_the_shape():
         assert up_of(shapes.Shape(CUBE - corner, None, shapes._polygons.fans(QUADS))) == up  # all ends are flat
 
 
+def four_legs():
+    """A slab on four legs, which differ in length by a little."""
+    top = np.array([[x, y, 0.7 + z] for x in (0, 2) for y in (0, 1.2) for z in (0, 0.1)])
+    parts = [top] + [
+        np.array([[x + a, y + b, z] for a in (0, 0.1) for b in (0, 0.1) for z in (0.003 * i, 0.7)])
+        for i, (x, y) in enumerate(((0.1, 0.1), (1.8, 0.1), (0.1, 1.0), (1.8, 1.0)))
+    ]
+    quads = np.concatenate([np.asarray(QUADS) + 8 * i for i in range(5)])
+    return shapes.Shape(np.concatenate(parts) + [5, 7, 3], None, shapes._polygons.fans(quads.tolist()))
+
+
+def test_up_by_what_it_stands_on():
+    assert up_of(four_legs(), 4000) == "z"
+    for order in ([0, 2, 1], [2, 0, 1]):  # it lies along z, its feet along y and x
+        assert up_of(shapes.Shape(four_legs().points[:, order], None, four_legs().triangles[:, ::-1]), 4000) == "y"
+    hanging = shapes.Shape(four_legs().points * [1, -1, -1], None, four_legs().triangles)  # on its top, which is wider
+    assert up_of(hanging, 4000) == "z"
+
+
+def test_up_of_maps():
+    steep = terrain(4.0)
+    far = 5403000
+    for place, up in (([512000, far, 0], "z"), ([512000, 0, 0], "y"), ([512000, far, 400000], "y"), ([9000, 9000, 0], "y")):
+        assert up_of(shapes.Shape(steep.points + place, steep.normals)) == up
+
+
 def test_which_terrains_hang():
     ground = terrain(0.6)
     assert _up.hangs(ground.points, ground.normals) is None
@@ -243,7 +269,7 @@ def test_a_sheet_seen_from_behind(tmp_path, capsys):
     grid = np.stack(np.meshgrid(*2 * [np.linspace(-1, 1, 9)]), axis=-1).reshape(-1, 2)
     points = np.column_stack([grid, 0.1 * grid[:, 0] ** 2])
     path = write(tmp_path, "a.xyz", table(points, np.tile([0.0, 0, -1], (81, 1))))
-    options = ["--up", "y", "--lines", "none", "--normals", "keep"]
+    options = ["--up", "y", "--lines", "none", "--normals", "keep", "--azimuth", "30"]
     assert draw(path, tmp_path / "a.png", *options) == 0, "both its sides are drawn"
     options += ["--sides", "front"]
     assert draw(path, tmp_path / "a.png", *options) == 3

@@ -73,6 +73,22 @@ def pcd(form):
     return head + struct.pack("<II", len(packed), len(raw)) + packed
 
 
+def pcd_picture(upward=1.0, looks=1.0, holes=True):
+    """40 x 30 pixels of a ball before a wall, as a camera at the origin sees it that looks along z (`looks`: its sign)."""
+    row, column = np.indices((30, 40)).reshape(2, -1)
+    x, y = (column - 19.5) / 35, -upward * (row - 14.5) / 35
+    ray = np.column_stack([x, y, np.ones(1200)])
+    along, middle = np.sum(ray * ray, axis=1), ray @ [0.1, 0.0, 2.0]
+    inside = middle**2 - along * (0.1**2 + 2.0**2 - 0.5**2)
+    depth = np.where(inside > 0, (middle - np.sqrt(np.maximum(inside, 0))) / along, 3.0)
+    points = ray * depth[:, None] * [1, 1, looks]
+    if holes:
+        points[::17] = np.nan
+    head = "VERSION 0.7\nFIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nWIDTH 40\nHEIGHT 30\nVIEWPOINT 0 0 0 0 1 0 0\n"
+    rows = "".join("{:.6f} {:.6f} {:.6f}\n".format(*point) for point in points.tolist())
+    return (head + "POINTS 1200\nDATA ascii\n" + rows).encode()
+
+
 def test_compressed_runs():
     from hrbfnpr.shapes._pcd import _unpack
 
@@ -89,6 +105,22 @@ def test_compressed_runs():
 @pytest.mark.parametrize("form", ["ascii", "binary", "binary_compressed"])
 def test_pcd(tmp_path, form):
     assert is_right(shapes.read(write(tmp_path, "a.pcd", pcd(form))))
+
+
+def test_pictures_of_depth_cameras(tmp_path):
+    for upward in (1.0, -1.0):
+        for looks in (1.0, -1.0):
+            shape = shapes.read(write(tmp_path, "a.pcd", pcd_picture(upward, looks)))
+            assert shape.is_picture and shape.up == (0.0, upward, 0.0) and shape.viewpoint == (0.0, 0.0, 0.0)
+    data = pcd_picture(holes=False)
+    for other in (
+        data.replace(b"WIDTH 40\nHEIGHT 30", b"WIDTH 1200\nHEIGHT 1"),
+        data.replace(b"WIDTH 40\nHEIGHT 30", b"WIDTH 30\nHEIGHT 40"),
+        data.replace(b"FIELDS x y z", b"FIELDS z x y"),  # it looks along y
+        data.replace(b"WIDTH 40\n", b"WIDTH\n"),
+    ):
+        shape = shapes.read(write(tmp_path, "a.pcd", other))
+        assert not shape.is_picture and shape.up is None and shape.viewpoint is None
 
 
 @pytest.mark.parametrize(

@@ -373,7 +373,7 @@ def _scene_of_models(arguments: Any, loaded: Loaded, context: Context, report: R
     places = np.concatenate([_automatic.positions(marks) for marks in known])
     arguments.has_end = any(model.trim_info.is_trimmed for model in models)
     if arguments.has_end:
-        _look_at_front(arguments, known, areas, report)
+        _look_at_front(arguments, loaded.shape, known, areas, report)
     camera = look(arguments, _bounds(models[0], models[1:]), places)
     style, layers = plan(arguments, models[0], sum(areas), camera, report)
     parts = []
@@ -388,9 +388,20 @@ def _scene_of_models(arguments: Any, loaded: Loaded, context: Context, report: R
     return Scene(arguments, first.model, first.marks, first.line_set, style, camera, places, context, rest)
 
 
-def _look_at_front(arguments: Any, known: Sequence[PointSet], areas: Sequence[float], report: Reporter) -> None:
+def _look_at_front(
+    arguments: Any, shape: Optional[shapes.Shape], known: Sequence[PointSet], areas: Sequence[float], report: Reporter
+) -> None:
     """From the side that an open surface looks to, where nothing is said of the camera."""
     if any(getattr(arguments, name, None) is not None for name in ("own_camera", "eye", "direction", "azimuth")):
+        return
+    if shape is not None and shape.is_picture and shape.viewpoint is not None:
+        towards = np.asarray(shape.viewpoint) - _automatic.positions(known[0]).mean(axis=0)
+        arguments.azimuth = float(round(_automatic.azimuth_of(arguments.up, towards)) % 360)
+        arguments.elevation = 0.0 if arguments.elevation is None else arguments.elevation
+        report.note(
+            f"the points are a picture of a depth camera: seen from where it stood, azimuth {arguments.azimuth:g}; what "
+            "it did not see is missing"
+        )
         return
     means = [np.concatenate([layer.normals for layer in marks.layers]).mean(axis=0) for marks in known]
     azimuth = _automatic.front_azimuth(arguments.up, np.average(means, axis=0, weights=areas))

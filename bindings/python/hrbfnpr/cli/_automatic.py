@@ -52,11 +52,16 @@ def view_direction(up: Sequence[float], azimuth: float, elevation: float) -> Tup
 def front_azimuth(up: Sequence[float], normal: Any) -> Optional[float]:
     """From where an open surface of this mean normal shows its front, if the usual camera sees its back; degrees."""
     usual = -np.array(view_direction(up, AZIMUTH, ELEVATION))
-    upward, front, right = _axes(up)
-    level = normal - (normal @ upward) * upward
-    if normal @ usual >= 0 or np.linalg.norm(level) < _LOOKS_ONE_WAY:
+    upward = _axes(up)[0]
+    if normal @ usual >= 0 or np.linalg.norm(normal - (normal @ upward) * upward) < _LOOKS_ONE_WAY:
         return None
-    return float(round(math.degrees(math.atan2(level @ right, level @ front)) + AZIMUTH) % 360)
+    return float(round(azimuth_of(up, normal) + AZIMUTH) % 360)
+
+
+def azimuth_of(up: Sequence[float], direction: Any) -> float:
+    """From where an eye sees what looks in this direction; degrees, 0 to 360."""
+    _, front, right = _axes(up)
+    return math.degrees(math.atan2(direction @ right, direction @ front)) % 360
 
 
 def frame(camera: Camera, points: Any, size: Union[int, Tuple[int, int]], margin: float) -> Camera:

@@ -2,7 +2,7 @@
 """Which direction is up: by the format's convention, by the shape where that is clear, else y."""
 from __future__ import annotations
 
-from typing import Any, Optional, Tuple
+from typing import Any, List, Optional, Tuple
 
 import numpy as np
 
@@ -15,18 +15,24 @@ _FLAT = 0.3  # relief of a terrain over its shorter side, at most ...
 _RELIEF = 0.003  # ... and at least
 _UPWARD = 0.7  # mean of the normals' upward parts
 _BASE = 0.05  # share of the surface that a base has, at least
+_MAP = 10000.0  # eastings and northings, at least
+_FOOT = 0.04  # share of the height that what it stands on has ...
+_STEADY = 0.3  # ... and the share of its shadow
 _NOTHING = "nothing speaks for another direction"
-_OTHERS = 4.0  # how much larger it is than any other flat end
+_OTHERS = 4.0  # how much larger it is than any other flat end; a top than feet
 
 
 def choose(shape: Optional[Shape], points: Floats, normals: Floats) -> Tuple[Vector, str]:
     """Up, and why."""
     if shape is not None and shape.up is not None:
-        return shape.up, f"it is so in {shape.format.split(',')[0]} files"
+        of = "pictures of a depth camera" if shape.is_picture else f"{shape.format.split(',')[0]} files"
+        return shape.up, f"it is so in {of}"
     low, high = points.min(axis=0), points.max(axis=0)
     extent = high - low
     if (extent <= 0).any():
         return Y, _NOTHING
+    if _on_a_map(low, high, extent):
+        return Z, "x and y are coordinates of a map"
     if _is_terrain(extent, normals, 2) and not _is_terrain(extent, normals, 1):
         return Z, "the surface is a terrain: it is flat, and looks along z everywhere"
     if (np.abs(normals[:, 2]) > 0.05).mean() > 0.98 and abs(np.sign(normals[:, 2]).mean()) > 0.95:
@@ -36,7 +42,17 @@ def choose(shape: Optional[Shape], points: Floats, normals: Floats) -> Tuple[Vec
         return Z, "it has a flat base below along z, and no other flat end"
     if _stands(low, high, extent, 2) and not _stands(low, high, extent, 1) and bases[4] >= bases[2]:
         return Z, "it stands on z = 0, in the middle of x and y"
+    if _rests(points, 2, 1) and not (_rests(points, 1, 1) or _rests(points, 1, -1)):
+        feet, top = (int(_end_of(points, 2, side).sum()) for side in (1, -1))
+        if top > _OTHERS * feet or not _rests(points, 2, -1):
+            return Z, "it stands on its feet below along z, and would fall along y"
     return Y, _NOTHING
+
+
+def _on_a_map(low: Floats, high: Floats, extent: Floats) -> bool:
+    """Eastings and northings are far from 0, heights are not."""
+    middle, height = np.abs(low + high)[:2] / 2, max(abs(low[2]), abs(high[2]))
+    return bool((middle > np.maximum(_MAP, 2 * extent[:2])).all() and middle.min() > 2 * height)
 
 
 def hangs(points: Floats, normals: Floats) -> Optional[str]:
@@ -71,6 +87,44 @@ def _stands(low: Floats, high: Floats, extent: Floats, axis: int) -> bool:
     across = [other for other in range(3) if other != axis]
     middle = np.abs(low + high)[across] / 2
     return bool(abs(low[axis]) <= 0.005 * extent[axis] and (middle <= 0.05 * extent[across]).all())
+
+
+def _rests(points: Floats, axis: int, side: int) -> bool:
+    """Whether it stands on what is lowest along an axis: that is wide, and the middle of all lies above it."""
+    flat = np.delete(points, axis, axis=1)
+    shadow, base = _hull(flat), _hull(flat[_end_of(points, axis, side)])
+    if len(base) < 3 or _area(base) < _STEADY * _area(shadow):
+        return False
+    along, off = np.roll(base, -1, axis=0) - base, flat.mean(axis=0) - base
+    return bool((along[:, 0] * off[:, 1] - along[:, 1] * off[:, 0] > 0).all())
+
+
+def _end_of(points: Floats, axis: int, side: int) -> Any:
+    height = side * points[:, axis]
+    return height < height.min() + _FOOT * np.ptp(height)
+
+
+def _area(polygon: Floats) -> float:
+    following = np.roll(polygon, -1, axis=0)
+    return float((polygon[:, 0] * following[:, 1] - polygon[:, 1] * following[:, 0]).sum()) / 2
+
+
+def _hull(points: Floats) -> Floats:
+    """Corners of the convex hull, anticlockwise [Andrew 1979]."""
+    ordered = np.unique(points, axis=0)
+    chains = []
+    for half in (ordered, ordered[::-1]):
+        chain: List[Floats] = []
+        for point in half:
+            while len(chain) > 1 and _turn(chain[-2], chain[-1], point) <= 0:
+                chain.pop()
+            chain.append(point)
+        chains += chain[:-1]
+    return np.array(chains).reshape(-1, 2)
+
+
+def _turn(a: Floats, b: Floats, c: Floats) -> float:
+    return float((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]))
 
 
 def name(up: Vector) -> str:

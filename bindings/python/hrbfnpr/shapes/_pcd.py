@@ -8,10 +8,12 @@ from typing import Any, Dict, List, Optional, Tuple
 
 import numpy as np
 
-from ._shape import Shape, ShapeError, Vector
+from ._shape import Floats, Shape, ShapeError, Vector
 from ._table import at, numbers
 
 _TYPES = {"F": "f", "I": "i", "U": "u"}
+_LEAST_PICTURE = 16  # sides
+_LIKE_A_PICTURE = 0.99  # correlation of places in space and in the picture, at least
 
 
 def read_pcd(data: bytes) -> Shape:
@@ -38,7 +40,9 @@ def read_pcd(data: bytes) -> Shape:
         columns = _compressed(data[offset:], fields, points)
     else:
         raise ShapeError(f"PCD files with data in the form {form!r} are not understood")
-    return replace(_shape(columns, tuple(names), form), viewpoint=_viewpoint(head.get("VIEWPOINT", [])))
+    shape = replace(_shape(columns, tuple(names), form), viewpoint=_viewpoint(head.get("VIEWPOINT", [])))
+    up = _up_of_picture(shape.points, head)
+    return shape if up is None else replace(shape, up=up, is_picture=True, viewpoint=(0.0, 0.0, 0.0))
 
 
 def _viewpoint(words: List[str]) -> Optional[Vector]:
@@ -48,6 +52,29 @@ def _viewpoint(words: List[str]) -> Optional[Vector]:
     except ValueError:
         return None
     return (x, y, z) if np.isfinite((x, y, z)).all() and (x, y, z) != (0.0, 0.0, 0.0) else None
+
+
+def _up_of_picture(points: Floats, head: Dict[str, List[str]]) -> Optional[Vector]:
+    """What is up in the picture of a camera at the origin that looks along z; None if the points are no such picture.
+
+    In one, x / z goes with the column and y / z with the row. Most have y downward, as cameras do; what the header says
+    of the camera's rotation is no help: writers put there what turns the picture for their own viewer.
+    """
+    try:
+        columns, rows = int(head["WIDTH"][0]), int(head["HEIGHT"][0])
+    except (KeyError, ValueError, IndexError):
+        return None
+    if min(columns, rows) < _LEAST_PICTURE or columns * rows != len(points):
+        return None
+    row, column = np.divmod(np.arange(len(points)), columns)
+    known = np.isfinite(points).all(axis=1) & (points[:, 2] != 0)
+    x, y, z = points[known].T
+    if known.sum() < _LEAST_PICTURE**2 or not ((z > 0).all() or (z < 0).all()):
+        return None
+    across, down = np.corrcoef(x / z, column[known])[0, 1], np.corrcoef(y / z, row[known])[0, 1]
+    if not min(abs(across), abs(down)) > _LIKE_A_PICTURE:
+        return None
+    return (0.0, -1.0 if (down > 0) == (z[0] > 0) else 1.0, 0.0)
 
 
 def _shape(columns: Dict[str, Any], names: Tuple[str, ...], form: str) -> Shape:

@@ -31,7 +31,9 @@ class Shape:
     columns : tuple of str
         What the file has for each point, in its order, such as ``("x", "y", "z", "red", "green", "blue")``.
     up : tuple of float, or None
-        The direction that is up by the convention of the format, if it has one.
+        The direction that is up by the convention of the format, if it has one, or by what the file is.
+    is_picture : bool
+        Whether the points are one picture of a depth camera, which stood at `viewpoint`.
     viewpoint : tuple of float, or None
         Where the scanner stood, of points that it saw from one place, if the file tells.
     notes : tuple of str
@@ -46,6 +48,7 @@ class Shape:
     up: Optional[Vector] = None
     notes: Tuple[str, ...] = ()
     viewpoint: Optional[Vector] = None
+    is_picture: bool = False
 
     def __post_init__(self) -> None:
         if len(self.points) == 0:
