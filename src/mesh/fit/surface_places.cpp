@@ -19,6 +19,7 @@ constexpr double tolerance = 1e-6; // of places, in diagonals
 constexpr int place_evaluations = 12;
 // More triangles that look away from the surface than sharp edges make.
 constexpr double turned_share = 1e-2;
+constexpr double cells_a_diagonal_at_most = 1024.0; // where those that are asked for show no surface at all
 constexpr std::int64_t most_triangles_of_finer = 1'200'000;
 
 void add_lattice(const base::Runtime& runtime, const implicit::Implicit& implicit, const geometry::Bounds& region,
@@ -82,7 +83,8 @@ curves::SurfaceMesh find_surface(const base::Runtime& runtime, const implicit::I
     add_lattice(runtime, implicit, search.region, all, progress);
     curves::MeshSettings settings{search.region, search.side};
     curves::SurfaceMesh surface = of_any_size(runtime, implicit, all, settings, progress);
-    while (search.finer && too_thin(surface)) {
+    const double least = implicit.diagonal() / cells_a_diagonal_at_most;
+    while ((search.finer && too_thin(surface)) || (surface.triangles() == 0 && settings.side > least)) {
         settings.side *= 0.5;
         surface = curves::triangulate(runtime, implicit, all, settings, progress);
     }

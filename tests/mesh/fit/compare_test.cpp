@@ -2,6 +2,8 @@
 // Distances that are known: spheres of which one is the mesh and one the surface.
 #include "mesh/fit/compare.h"
 
+#include "curves/surface_mesh.h"
+#include "mesh/fit/surface_places.h"
 #include "mesh/meshes.h"
 #include "support/analytic.h"
 #include "support/runtime.h"
@@ -100,6 +102,28 @@ TEST(Compare, LeavesOutWhatGoesOnBeyondABorder) {
     EXPECT_LT(found.left_out, 0.25);
     EXPECT_EQ(found.surface.share, 1.0);
     EXPECT_EQ(found.genus, -1);
+}
+
+// Between two planes, much nearer to each other than cells are wide.
+class Plate : public hrbfnpr::test::Analytic {
+public:
+    Plate() : Analytic(hrbfnpr::test::cube(1.0)) {}
+    [[nodiscard]] hrbfnpr::test::Field at(const glm::dvec3& p) const override {
+        const double above = p.z - 0.137;
+        return {std::abs(above) - 0.005, {0.0, 0.0, above < 0.0 ? -1.0 : 1.0}};
+    }
+};
+
+TEST(FindSurface, TakesSmallerCellsWhereNoneShowsAnything) {
+    const hrbfnpr::base::Runtime runtime = with_threads(2);
+    hrbfnpr::geometry::VecArray seeds(runtime.memory);
+    seeds.push_back({0.1, 0.2, 0.142});
+    mesh::SurfaceSearch search;
+    search.region = hrbfnpr::test::cube(1.0);
+    search.side = 0.3;
+    const hrbfnpr::curves::SurfaceMesh found = mesh::find_surface(runtime, Plate(), seeds, search, {});
+    EXPECT_GT(found.triangles(), 0);
+    EXPECT_LT(found.side, 0.02);
 }
 
 TEST(Compare, LeavesOutWhatIsNotSupported) {

@@ -273,10 +273,12 @@ def _tell(info: MeshInfo, report: Reporter) -> None:
 
 def _shortfall(done: MeshFitInfo, model: Model, arguments: Any) -> str:
     d = diagonal(model)
-    farthest = max(done.mesh_max, done.surface_max) / d
+    farthest = float(np.fmax(done.mesh_max, done.surface_max)) / d
+    surface = "nothing of the surface was found to measure from" if np.isnan(done.surface_share) else (
+        f"{1 - done.surface_share:.1%} of the surface are farther")  # fmt: skip
     text = (
         f"the surface is not within {done.tolerance / d:.2%} of the diagonal everywhere: {1 - done.mesh_share:.1%} of "
-        f"the mesh and {1 - done.surface_share:.1%} of the surface are farther, "
+        f"the mesh and {surface}, "
         + (f"at most {farthest:.1%}" if np.isfinite(farthest) else "and some of the mesh has no surface near it")
     )
     most = arguments.maximum_centres or 8000

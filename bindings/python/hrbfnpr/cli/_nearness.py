@@ -17,6 +17,8 @@ SHARE = 0.01  # of the mesh that may be as far without a warning
 
 def in_words(found: Union[Comparison, MeshFitInfo], diagonal: float) -> str:
     """Distances both ways, as shares of the diagonal."""
+    if np.isnan(found.surface_p99):
+        return f"no surface was found to measure from; mesh to surface: {found.mesh_p99 / diagonal:.2%}"
     return (
         f"surface to mesh: 99 % within {found.surface_p99 / diagonal:.2%} of the diagonal, all within "
         f"{found.surface_max / diagonal:.2%}; mesh to surface: {found.mesh_p99 / diagonal:.2%}, "
