@@ -21,6 +21,7 @@ constexpr double sides_a_diagonal = 96.0; // where no spacing is known
 constexpr std::int64_t lattice = 24;      // points of the bounds that seeds are looked for from, along each axis
 // More triangles than this share that look away from the surface: walls are too thin for the cells.
 constexpr double turned_share = 2e-4;
+constexpr double torn_share = 2e-2; // ... by far
 // Lines of the caller's that turn by more are two, each straight up to the corner: 25 degrees.
 constexpr double corner_cosine = 0.906;
 constexpr std::int64_t most_triangles_of_finer = 1'200'000;
@@ -112,10 +113,14 @@ void LineSet::make_mesh(const base::Runtime& runtime, const LineSetSettings& set
                           : triangulate(runtime, surface_, seeds, mesh, progress.part(from, 0.5 * (1.0 + from)));
         if (support_ != nullptr) clip_mesh(runtime, limit, progress);
         if (support_ == nullptr) border_ = border_lines(runtime.memory, *mesh_);
-        if (surface_.sheets() != nullptr) split_mesh(runtime, progress);
-        const auto triangles = static_cast<double>(mesh_->triangles());
-        const bool thin = static_cast<double>(mesh_->turned) > turned_share * triangles || mesh_->missed_seeds > 0;
-        if (!automatic || !thin || 4 * mesh_->triangles() > most_triangles_of_finer || mesh.side >= last) break;
+        // Of walls thinner than the cells creases cut very many triangles, and fewer where the cells are smaller.
+        const bool last_one = !automatic || 4 * mesh_->triangles() > most_triangles_of_finer || mesh.side >= last;
+        const bool missed = mesh_->missed_seeds > 0;
+        if (surface_.sheets() != nullptr && (last_one || !missed)) split_mesh(runtime, progress);
+        const bool many = 4 * mesh_->triangles() > most_triangles_of_finer;
+        const double turned = static_cast<double>(mesh_->turned) / static_cast<double>(mesh_->triangles());
+        const bool thin = missed || turned > (many ? torn_share : turned_share);
+        if (last_one || !thin) break;
         last = mesh.side;
         mesh.side *= 0.5;
     }

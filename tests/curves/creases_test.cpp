@@ -230,6 +230,34 @@ TEST(Creases, FacesInOnePlaneAreOne) {
     EXPECT_EQ(flat, 0.0);
 }
 
+// Five plates, thinner than the cells that the spacing asks for: where these tear them creases cut very many triangles,
+// which are no reason to leave it at that.
+TEST(Creases, OfThinWallsAreFoundInSmallerCells) {
+    constexpr double thickness = 0.034;
+    std::vector<Sharp> plates;
+    for (int k = -2; k <= 2; ++k) {
+        std::vector<Sharp> all = sides({0.5 * thickness, 1.0, 1.0});
+        all[0] = plane({1.0, 0.0, 0.0}, 0.3 * k + 0.5 * thickness);
+        all[1] = plane({-1.0, 0.0, 0.0}, -0.3 * k + 0.5 * thickness);
+        for (Sharp& side : all) side = turned(side.field, odd_turn());
+        plates.push_back(max_of(std::move(all)));
+    }
+    const SharpShape shape(cube(1.8), min_of(std::move(plates)));
+    std::vector<double> seeds;
+    for (int k = -2; k <= 2; ++k)
+        for (const double side : {-0.5, 0.5}) {
+            const glm::dvec3 p = glm::transpose(odd_turn()) * glm::dvec3(0.3 * k + side * thickness, 0.2, 0.3);
+            seeds.insert(seeds.end(), {p.x, p.y, p.z});
+        }
+    LineSetSettings settings;
+    settings.seeds = seeds;
+    settings.spacing = 0.08;
+    const LineSet lines(runtime(), shape, std::make_unique<implicit::DifferencedShape>(shape), settings, {});
+    EXPECT_LT(lines.mesh().side, thickness);
+    EXPECT_LT(lines.mesh().turned, 1e-3 * static_cast<double>(lines.mesh().triangles()));
+    EXPECT_EQ(lines.mesh().missed_seeds, 0);
+}
+
 // Beyond the inner corner of a notch both sheets of an edge of its floor are 0, and so is f, but there is no edge.
 // Two sheets that differ by 1 % of a cell at most, as parts of one patch do, and a third one through both: the steps
 // between are nothing to draw.
