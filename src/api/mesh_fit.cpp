@@ -89,9 +89,11 @@ namespace {
 constexpr double evaluations_of_a_comparison = 5e5;
 constexpr double smallest_tolerance = 1e-6; // in diagonals
 constexpr double smallest_cell = 1e-3;
-constexpr double end_of_mesh_fit = 0.9; // of its progress; then it is looked for the surface's end
-constexpr double too_coarse = 0.8;      // of `far`: how far faces may be from what they stand for
-constexpr double off_mesh = 0.009;      // diagonals: how far from a mesh what is none of it lies
+constexpr double end_of_mesh_fit = 0.9;  // of its progress; then it is looked for the surface's end
+constexpr double too_coarse = 0.8;       // of `far`: how far faces may be from what they stand for
+constexpr double least_off_mesh = 0.009; // diagonals; of off_mesh()
+constexpr double most_off_mesh = 0.015;
+constexpr double of_coarse_faces = 1.5; // distance of 99 % of the mesh from the surface
 constexpr std::int64_t places_of_trim = 40000;
 // Where a mesh is round, each of its parts is one sheet: no edge bends by so much, and no face is too coarse.
 constexpr double no_crease = 180.0;
@@ -207,24 +209,32 @@ hrbfnpr_mesh_fit_info described(const mesh::FitMeshReport& report, std::int64_t 
     return to;
 }
 
-generate::TrimSettings trim_off_mesh() noexcept {
+// Diagonals: how far from a mesh what is none of it lies.  Faces too coarse for what they stand for are far off a
+// surface that is round, everywhere.
+double off_mesh(const hrbfnpr_mesh& mesh, const mesh::FitMeshReport& report) noexcept {
+    const double p99 = report.mesh.p99 / mesh.mesh.bounds.diagonal();
+    return p99 > 0.0 ? std::clamp(of_coarse_faces * p99, least_off_mesh, most_off_mesh) : least_off_mesh;
+}
+
+generate::TrimSettings trim_off_mesh(double off) noexcept {
     generate::TrimSettings settings;
-    settings.hole = settings.closest = off_mesh;
+    settings.hole = settings.closest = off;
     return settings;
 }
 
 // Where an open mesh ends, a model that is fitted to it shall.
 class Border {
 public:
-    Border(const hrbfnpr_mesh& mesh, std::uint64_t seed, const base::Progress& progress)
-        : places_(mesh::end_samples(mesh.runtime(), mesh.mesh, mesh.tree, places_of_trim,
-                                    off_mesh * mesh.mesh.bounds.diagonal(), seed, progress.part(0.0, 0.4))),
+    Border(const hrbfnpr_mesh& mesh, double off, std::uint64_t seed, const base::Progress& progress)
+        : off_(off), places_(mesh::end_samples(mesh.runtime(), mesh.mesh, mesh.tree, places_of_trim,
+                                               off * mesh.mesh.bounds.diagonal(), seed, progress.part(0.0, 0.4))),
           progress_(progress.part(0.4, 1.0)) {}
     [[nodiscard]] hrbfnpr_model* end(hrbfnpr_model* model) const {
-        return ended_model(model, places_.position, places_.normal, trim_off_mesh(), progress_);
+        return ended_model(model, places_.position, places_.normal, trim_off_mesh(off_), progress_);
     }
 
 private:
+    double off_;
     mesh::MeshSamples places_;
     base::Progress progress_;
 };
@@ -239,11 +249,11 @@ hrbfnpr_model* ended(const hrbfnpr_mesh& mesh, mesh::MeshFit& result, std::uint3
         return make_handle<hrbfnpr_model>(mesh.context(), std::move(result.fit));
     }
     if (open) {
-        const Border border(mesh, seed, progress);
+        const Border border(mesh, off_mesh(mesh, result.report), seed, progress);
         return border.end(make_handle<hrbfnpr_model>(mesh.context(), std::move(result.fit)));
     }
     return ended_model(make_handle<hrbfnpr_model>(mesh.context(), std::move(result.fit)), samples->position,
-                       samples->normal, trim_off_mesh(), progress);
+                       samples->normal, trim_off_mesh(off_mesh(mesh, result.report)), progress);
 }
 
 // Whether solids go through each other: one function would have to be two where they do.
@@ -320,7 +330,7 @@ hrbfnpr_model* fit_pieces(const hrbfnpr_mesh& mesh, const mesh::FitMeshSettings&
         progress.update(1.0);
         model = make_handle<hrbfnpr_model>(mesh.context(), std::move(result.data), result.fit);
     } else {
-        const Border border(mesh, settings.seed, progress.part(end_of_mesh_fit, 1.0));
+        const Border border(mesh, off_mesh(mesh, result.mesh), settings.seed, progress.part(end_of_mesh_fit, 1.0));
         model = border.end(make_handle<hrbfnpr_model>(mesh.context(), std::move(result.data), result.fit));
     }
     if (info == nullptr) return model;

@@ -112,3 +112,23 @@ def test_wrong_arguments_are_named(wrong):
     model = hrbfnpr.Model.fit(cap, cap)
     with pytest.raises(hrbfnpr.InvalidArgumentError, match=f"trim_desc.{next(iter(wrong))}"):
         model.trim(**wrong)
+
+
+def test_coarse_round_walls_have_no_holes():
+    """A bowl of ten sides is round, and bulges by a hundredth of its diagonal over them: that is no invention."""
+    sides, rows = 10, 5
+    vertices = [(0.0, 0.0, 0.0)]
+    for row in range(rows + 1):
+        radius = 0.6 + 0.5 * math.sin(math.pi * (0.15 + 0.7 * row / rows))
+        turns = [2 * math.pi * i / sides for i in range(sides)]
+        vertices += [(radius * math.cos(turn), radius * math.sin(turn), row / rows) for turn in turns]
+    faces = [(0, 1 + (i + 1) % sides, 1 + i) for i in range(sides)]
+    for row in range(rows):
+        for i in range(sides):
+            p, q = 1 + row * sides + i, 1 + row * sides + (i + 1) % sides
+            faces += [(p, q, q + sides), (p, q + sides, p + sides)]
+    mesh = hrbfnpr.Mesh(vertices, faces)
+    diagonal = math.dist(mesh.info.bounds_min, mesh.info.bounds_max)
+    bowl = hrbfnpr.Model.fit_mesh(mesh, edges="sharp", crease_angle=60.0, far=0.02 * diagonal)
+    assert bowl.mesh_fit.mesh_p99 > 0.009 * diagonal
+    assert bowl.trim_info.share < 0.16  # the open top; with holes in its walls 0.31
