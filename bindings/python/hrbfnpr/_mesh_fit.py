@@ -72,8 +72,8 @@ class MeshFits:
             Degrees between the normals of two faces, 5 to 175: what bends more is an edge, and what rounding would take
             four fifths of `far` off the mesh.
         trim : {"auto", "never"}
-            Whether the surface ends where an open mesh does, and what lies more than 0.009 diagonals (of coarse faces up to 0.015) off a mesh that
-            was not reached is left out.
+            Whether the surface ends where an open mesh does, and what lies more than 0.009 diagonals (of coarse faces
+            up to 0.015) off a mesh that was not reached is left out.
         kernel, kernel_radius, polynomial_degree, regularization, solver, progress, operation
             As in `fit`.
 
