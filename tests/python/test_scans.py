@@ -118,6 +118,8 @@ def test_pictures_of_depth_cameras(tmp_path):
         data.replace(b"WIDTH 40\nHEIGHT 30", b"WIDTH 30\nHEIGHT 40"),
         data.replace(b"FIELDS x y z", b"FIELDS z x y"),  # it looks along y
         data.replace(b"WIDTH 40\n", b"WIDTH\n"),
+        data[: data.index(b"ascii\n") + 6] + 1200 * b"0 0 1\n",
+        data[: data.index(b"ascii\n") + 6] + 1200 * b"1e30 2 1e-300\n",
     ):
         shape = shapes.read(write(tmp_path, "a.pcd", other))
         assert not shape.is_picture and shape.up is None and shape.viewpoint is None

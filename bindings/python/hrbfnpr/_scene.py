@@ -395,7 +395,8 @@ def _look_at_front(
     if any(getattr(arguments, name, None) is not None for name in ("own_camera", "eye", "direction", "azimuth")):
         return
     if shape is not None and shape.is_picture and shape.viewpoint is not None:
-        towards = np.asarray(shape.viewpoint) - _automatic.positions(known[0]).mean(axis=0)
+        places = np.concatenate([_automatic.positions(marks) for marks in known])
+        towards = np.asarray(shape.viewpoint) - places.mean(axis=0)
         arguments.azimuth = float(round(_automatic.azimuth_of(arguments.up, towards)) % 360)
         arguments.elevation = 0.0 if arguments.elevation is None else arguments.elevation
         report.note(

@@ -71,7 +71,8 @@ def _up_of_picture(points: Floats, head: Dict[str, List[str]]) -> Optional[Vecto
     x, y, z = points[known].T
     if known.sum() < _LEAST_PICTURE**2 or not ((z > 0).all() or (z < 0).all()):
         return None
-    across, down = np.corrcoef(x / z, column[known])[0, 1], np.corrcoef(y / z, row[known])[0, 1]
+    with np.errstate(all="ignore"):  # what is no picture may be 0 throughout, or overflow
+        across, down = np.corrcoef(x / z, column[known])[0, 1], np.corrcoef(y / z, row[known])[0, 1]
     if not min(abs(across), abs(down)) > _LIKE_A_PICTURE:
         return None
     return (0.0, -1.0 if (down > 0) == (z[0] > 0) else 1.0, 0.0)
