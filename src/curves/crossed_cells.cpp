@@ -7,7 +7,6 @@
 #include "geometry/cell_set.h"
 #include "geometry/long_vec_array.h"
 #include "implicit/evaluate_all.h"
-#include "surface/support.h"
 
 namespace hrbfnpr::curves {
 namespace {
@@ -37,7 +36,7 @@ public:
         : settings_(settings), lattice_(lattice), asked_(memory), beyond_(memory) {}
 
     [[nodiscard]] bool operator()(const Cell& cell) {
-        if (settings_.support == nullptr) return false;
+        if (settings_.extent == nullptr) return false;
         const Cell block{cell[0] / block_side, cell[1] / block_side, cell[2] / block_side};
         const std::uint64_t packed = geometry::CellGrid::pack(block);
         if (asked_.insert(packed) && is_beyond(block)) beyond_.insert(packed);
@@ -54,7 +53,7 @@ private:
         const double half = 0.5 * static_cast<double>(block_side);
         const glm::dvec3 middle = lattice_.region.min + lattice_.side * (2.0 * half * first + half);
         const double side = std::max({lattice_.side.x, lattice_.side.y, lattice_.side.z});
-        return settings_.support->has_nothing_near(middle, (half + around) * side, settings_.limit);
+        return settings_.extent->is_nowhere_near(middle, (half + around) * side);
     }
 
     const MeshSettings& settings_;

@@ -51,19 +51,6 @@ geometry::VecArray found_seeds(const base::Runtime& runtime, const implicit::Imp
 
 constexpr double least_side = 1e-9; // in diagonals: no lattice has cells as small
 
-// With cells twice as wide, and again, where samples that are very uneven would give too many.
-SurfaceMesh of_any_size(const base::Runtime& runtime, const implicit::Implicit& surface,
-                        const geometry::VecArray& seeds, MeshSettings& settings, const base::Progress& progress) {
-    while (true) {
-        try {
-            return triangulate(runtime, surface, seeds, settings, progress);
-        } catch (const Error& error) {
-            if (error.status() != Status::invalid_argument || settings.side > surface.diagonal()) throw;
-            settings.side *= 2.0;
-        }
-    }
-}
-
 } // namespace
 
 FeatureKind feature_of(LineKind kind) noexcept {
@@ -103,14 +90,12 @@ void LineSet::make_mesh(const base::Runtime& runtime, const LineSetSettings& set
                                          ? found_seeds(runtime, surface_, mesh.region, progress.part(0.0, 0.2))
                                          : given_seeds(runtime.memory, settings.seeds);
     const double limit = settings.support.trim != nullptr ? settings.support.trim->limit() : settings.support.limit;
-    if (settings.support.trim != nullptr) {
-        mesh.support = support_;
-        mesh.limit = limit;
-    }
+    mesh.extent = settings.support.trim;
     double last = std::numeric_limits<double>::infinity(); // the side before
     for (double from = 0.2;; from = 0.5 * (1.0 + from)) {
-        mesh_ = automatic ? of_any_size(runtime, surface_, seeds, mesh, progress.part(from, 0.5 * (1.0 + from)))
-                          : triangulate(runtime, surface_, seeds, mesh, progress.part(from, 0.5 * (1.0 + from)));
+        mesh_ = automatic
+                    ? triangulate_of_any_size(runtime, surface_, seeds, mesh, progress.part(from, 0.5 * (1.0 + from)))
+                    : triangulate(runtime, surface_, seeds, mesh, progress.part(from, 0.5 * (1.0 + from)));
         if (support_ != nullptr) clip_mesh(runtime, limit, progress);
         if (support_ == nullptr) border_ = border_lines(runtime.memory, *mesh_);
         // Of walls thinner than the cells creases cut very many triangles, and fewer where the cells are smaller.

@@ -193,4 +193,17 @@ SurfaceMesh triangulate(const base::Runtime& runtime, const implicit::Implicit& 
     return mesh;
 }
 
+SurfaceMesh triangulate_of_any_size(const base::Runtime& runtime, const implicit::Implicit& implicit,
+                                    const geometry::VecArray& seeds, MeshSettings& settings,
+                                    const base::Progress& progress) {
+    while (true) {
+        try {
+            return triangulate(runtime, implicit, seeds, settings, progress);
+        } catch (const Error& error) {
+            if (error.status() != Status::invalid_argument || settings.side > implicit.diagonal()) throw;
+            settings.side *= 2.0;
+        }
+    }
+}
+
 } // namespace hrbfnpr::curves

@@ -12,10 +12,6 @@
 
 #include <cstdint>
 
-namespace hrbfnpr::surface {
-class Support;
-}
-
 namespace hrbfnpr::curves {
 
 class SurfaceEnd;
@@ -24,9 +20,8 @@ struct MeshSettings {
     geometry::Bounds region; // beyond it there is no surface: the mesh ends there, and f is not asked for but at seeds
     double side = 0.0;       // of a cell at most, > 0: what is thinner or smaller may be missed
     std::int64_t triangle_limit = 4'000'000;
-    // Where its s is surely above `limit` the mesh need not go on: at least some cells beyond the surface's end.
-    const surface::Support* support = nullptr;
-    double limit = 0.0;
+    // Where this says that the surface is nowhere near the mesh need not go on: at least some cells beyond its end.
+    const implicit::Extent* extent = nullptr;
 };
 
 // Oriented, and closed but where the region ends.
@@ -63,5 +58,10 @@ struct SurfaceMesh {
 [[nodiscard]] SurfaceMesh triangulate(const base::Runtime& runtime, const implicit::Implicit& implicit,
                                       const geometry::VecArray& seeds, const MeshSettings& settings,
                                       const base::Progress& progress);
+
+// With cells twice as wide, and again, where there would be too many triangles; settings.side: what it came to.
+[[nodiscard]] SurfaceMesh triangulate_of_any_size(const base::Runtime& runtime, const implicit::Implicit& implicit,
+                                                  const geometry::VecArray& seeds, MeshSettings& settings,
+                                                  const base::Progress& progress);
 
 } // namespace hrbfnpr::curves

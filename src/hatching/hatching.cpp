@@ -81,7 +81,8 @@ curves::SurfaceMesh mesh_of(const marks::Site& site, const geometry::Bounds& reg
     curves::MeshSettings settings;
     settings.region = region;
     settings.side = std::max(separation, std::sqrt(triangles_a_cell * area / most_triangles));
-    return triangulate(site.runtime, site.implicit, graph.position, settings, progress);
+    settings.extent = site.implicit.extent();
+    return triangulate_of_any_size(site.runtime, site.implicit, graph.position, settings, progress);
 }
 
 // Coarse waves first; as fine as the samples know.

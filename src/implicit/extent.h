@@ -18,6 +18,10 @@ public:
     [[nodiscard]] virtual bool holds(const glm::dvec3& place, const glm::dvec3& gradient) const noexcept = 0;
     // Whether it may end within a cube around a place, of so long a half side.
     [[nodiscard]] virtual bool may_end_near(const glm::dvec3& place, double half) const noexcept = 0;
+    // Whether it is surely nowhere within such a cube.
+    [[nodiscard]] virtual bool is_nowhere_near(const glm::dvec3& /*place*/, double /*half*/) const noexcept {
+        return false;
+    }
 };
 
 } // namespace hrbfnpr::implicit

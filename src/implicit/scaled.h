@@ -36,6 +36,9 @@ private:
         [[nodiscard]] bool may_end_near(const glm::dvec3& place, double half) const noexcept override {
             return own.extent()->may_end_near(unit * place, unit * half);
         }
+        [[nodiscard]] bool is_nowhere_near(const glm::dvec3& place, double half) const noexcept override {
+            return own.extent()->is_nowhere_near(unit * place, unit * half);
+        }
         const Implicit& own;
         double unit;
     };

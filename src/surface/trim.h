@@ -25,6 +25,9 @@ public:
     [[nodiscard]] bool may_end_near(const glm::dvec3& place, double half) const noexcept override {
         return support_.may_end_near(place, half);
     }
+    [[nodiscard]] bool is_nowhere_near(const glm::dvec3& place, double half) const noexcept override {
+        return support_.has_nothing_near(place, half, limit_);
+    }
 
 private:
     Support support_;

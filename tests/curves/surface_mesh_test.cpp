@@ -5,7 +5,7 @@
 #include "shapes.h"
 #include "support/runtime.h"
 #include "support/watched_operation.h"
-#include "surface/support.h"
+#include "surface/trim.h"
 
 #include <gtest/gtest.h>
 
@@ -134,11 +134,10 @@ TEST(SurfaceMesh, EndsBeyondItsSamples) {
     for (double angle = 0.0; angle < 0.4; angle += 0.04) // around the south pole
         for (double turn = 0.0; turn < 2 * pi; turn += 0.04 / std::max(0.04, std::sin(angle)))
             samples.push_back({std::sin(angle) * std::cos(turn), std::sin(angle) * std::sin(turn), -std::cos(angle)});
-    const surface::Support support(runtime, samples, samples, 0.0, {});
+    const surface::Trim trim(surface::Support(runtime, samples, samples, 0.0, {}), 3.0, 0.0);
     MeshSettings cells = settings(sphere, 0.02);
     const SurfaceMesh whole = triangulate(runtime, sphere, samples, cells, {});
-    cells.support = &support;
-    cells.limit = 3.0;
+    cells.extent = &trim;
     const SurfaceMesh cap = triangulate(runtime, sphere, samples, cells, {});
     std::set<std::array<double, 3>> kept;
     double highest = -1.0;
@@ -149,13 +148,26 @@ TEST(SurfaceMesh, EndsBeyondItsSamples) {
     std::int64_t supported = 0;
     for (std::int64_t i = 0; i < whole.vertices(); ++i) {
         const glm::dvec3 p = whole.position[i];
-        if (!(support.value(p, whole.gradient[i]) <= cells.limit)) continue;
+        if (!trim.holds(p, whole.gradient[i])) continue;
         ++supported;
         ASSERT_TRUE(kept.contains({p.x, p.y, p.z}));
     }
     EXPECT_GT(supported, 500);
     EXPECT_LT(highest, -0.4);
     EXPECT_LT(3 * cap.triangles(), whole.triangles());
+}
+
+TEST(SurfaceMesh, OfAnySizeTakesWiderCellsWhereTooManyTrianglesWouldBe) {
+    const base::Runtime runtime = with_threads(2);
+    const Sphere sphere;
+    const geometry::VecArray seed = seeds(runtime, {{0.0, 0.0, 1.0}});
+    MeshSettings cells = settings(sphere, 0.02);
+    cells.triangle_limit = 20000;
+    EXPECT_THROW((void)triangulate(runtime, sphere, seed, cells, {}), Error);
+    const SurfaceMesh mesh = triangulate_of_any_size(runtime, sphere, seed, cells, {});
+    EXPECT_LE(mesh.triangles(), 20000);
+    EXPECT_GT(mesh.triangles(), 2000);
+    EXPECT_EQ(cells.side, 0.08);
 }
 
 TEST(SurfaceMesh, ReachesOnlyPartsWithASeed) {

@@ -59,19 +59,6 @@ void add_lattice(const base::Runtime& runtime, const implicit::Implicit& implici
     return thin && 4 * surface.triangles() <= most_triangles_of_finer;
 }
 
-[[nodiscard]] curves::SurfaceMesh of_any_size(const base::Runtime& runtime, const implicit::Implicit& implicit,
-                                              const geometry::VecArray& seeds, curves::MeshSettings& settings,
-                                              const base::Progress& progress) {
-    while (true) {
-        try {
-            return curves::triangulate(runtime, implicit, seeds, settings, progress);
-        } catch (const Error& error) { // too many triangles
-            if (error.status() != Status::invalid_argument || settings.side > implicit.diagonal()) throw;
-            settings.side *= 2.0;
-        }
-    }
-}
-
 } // namespace
 
 curves::SurfaceMesh find_surface(const base::Runtime& runtime, const implicit::Implicit& implicit,
@@ -82,7 +69,7 @@ curves::SurfaceMesh find_surface(const base::Runtime& runtime, const implicit::I
     for (std::int64_t i = 0; i < seeds.size(); ++i) all.push_back(seeds[i]);
     add_lattice(runtime, implicit, search.region, all, progress);
     curves::MeshSettings settings{search.region, search.side};
-    curves::SurfaceMesh surface = of_any_size(runtime, implicit, all, settings, progress);
+    curves::SurfaceMesh surface = curves::triangulate_of_any_size(runtime, implicit, all, settings, progress);
     const double least = implicit.diagonal() / cells_a_diagonal_at_most;
     while ((search.finer && too_thin(surface)) || (surface.triangles() == 0 && settings.side > least)) {
         settings.side *= 0.5;
