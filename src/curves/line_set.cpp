@@ -21,7 +21,7 @@ constexpr double sides_a_diagonal = 96.0; // where no spacing is known
 constexpr std::int64_t lattice = 24;      // points of the bounds that seeds are looked for from, along each axis
 // More triangles than this share that look away from the surface: walls are too thin for the cells.
 constexpr double turned_share = 2e-4;
-constexpr double torn_share = 2e-2; // ... by far
+constexpr double torn_share = 2e-2; // the same where finer cells cost much: walls are torn
 // Lines of the caller's that turn by more are two, each straight up to the corner: 25 degrees.
 constexpr double corner_cosine = 0.906;
 constexpr std::int64_t most_triangles_of_finer = 1'200'000;
