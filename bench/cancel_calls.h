@@ -4,6 +4,7 @@
 
 #include "calls.h"
 #include "samples.h"
+#include "support/depth_image.h"
 #include "support/meshes.h"
 
 #include <algorithm>
@@ -117,6 +118,17 @@ private:
                              std::vector<double> normals(samples_.points.size());
                              const hrbfnpr_array_out out = writable(normals, 3);
                              return hrbfnpr_orient(context_, &desc, operation, &out, nullptr, error);
+                         }});
+        calls.push_back({"smooth_depth_image", [this] { make_depths(); },
+                         [this](hrbfnpr_operation* operation, hrbfnpr_error* error) {
+                             auto desc = defaults(hrbfnpr_depth_image_desc_init);
+                             desc.columns = depths_.columns;
+                             desc.rows = depths_.rows;
+                             desc.points = view(depths_.points);
+                             const hrbfnpr_array_out points = writable(smoothed_[0], 3);
+                             const hrbfnpr_array_out normals = writable(smoothed_[1], 3);
+                             return hrbfnpr_smooth_depth_image(context_, &desc, operation, &points, &normals, nullptr,
+                                                               error);
                          }});
         calls.push_back({"trim", [this] { static_cast<void>(half()); },
                          [this](hrbfnpr_operation* operation, hrbfnpr_error* error) {
@@ -348,6 +360,11 @@ private:
         return kept.get();
     }
     const hrbfnpr_model* half() { return model(half_, half_model_); }
+    void make_depths() { // and room for what comes of them, which is so much that it takes time, too
+        if (!depths_.points.empty()) return;
+        depths_ = hrbfnpr::test::seen_depths(1280, 960, {0.0014, 0.0, 1.0});
+        for (auto& numbers : smoothed_) numbers.resize(depths_.points.size());
+    }
 
 public:
     [[nodiscard]] const hrbfnpr_model* large() {
@@ -455,6 +472,8 @@ private:
     std::vector<double> points_, inward_;
     std::vector<unsigned char> saved_;
     hrbfnpr::test::Triangles triangles_;
+    hrbfnpr::test::SeenDepths depths_;
+    std::vector<double> smoothed_[2];
     hrbfnpr::test::Mesh mesh_;
     scenes::Model large_model_, small_model_, half_model_, again_;
     scenes::PointSet marks_;

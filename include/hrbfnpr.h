@@ -612,6 +612,61 @@ HRBFNPR_API hrbfnpr_status hrbfnpr_orient(hrbfnpr_context* context, const hrbfnp
                                           hrbfnpr_operation* operation, const hrbfnpr_array_out* out_normals,
                                           hrbfnpr_orient_info* info, hrbfnpr_error* error);
 
+/* The image of a depth camera (Kinect, RealSense, time of flight, stereo): columns x rows points.
+ *
+ * The camera is in the origin and looks along z, or against it; x / z goes
+ * with the column and y / z with the row, either way.  Of an image of depths
+ * with focal lengths f and a centre c, in pixels, those are
+ * x = (column - c_x) z / f_x and y = (row - c_y) z / f_y.
+ *
+ * The sensor's errors are as large everywhere in 1 / z, so that they grow with
+ * z^2, and planes are linear in it.  A plane is fitted in 1 / z to the pixels
+ * around each, those that are within 6.5 standard deviations of it: what lies
+ * beyond an edge does not count.  The point moves along its ray onto the plane,
+ * whose normal is the normal.  The radius is 12 sqrt(s f) pixels, for a standard
+ * deviation of s z in the depth, and from 2 to 48.  Points with hardly any others on
+ * their plane, as between an edge and what is behind it, are left out. */
+typedef struct hrbfnpr_depth_image_desc {
+    uint32_t struct_size;
+    int32_t columns;       /* 8 .. 65535 */
+    int32_t rows;          /* 8 .. 65535 */
+    uint32_t keep_points;  /* 1: points stay where they are, and get normals; 0 */
+    hrbfnpr_array points;  /* rows * columns x 3, row by row, FLOAT32 or FLOAT64; NaN, infinity or z = 0:
+                              nothing was seen there */
+    double noise;          /* standard deviation of 1 / z, in 1 / unit of the points; 0 = measured */
+    double smoothing;      /* factor of the radius, > 0 .. 100; 1 */
+} hrbfnpr_depth_image_desc;
+
+HRBFNPR_API hrbfnpr_status hrbfnpr_depth_image_desc_init(hrbfnpr_depth_image_desc* desc, uint32_t struct_size);
+
+typedef struct hrbfnpr_depth_image_info {
+    uint32_t struct_size;
+    uint32_t reserved;
+    int64_t seen;         /* pixels that have a point */
+    int64_t left_out;     /* of these, without enough others on their plane */
+    double noise;         /* standard deviation of 1 / z, as given or measured */
+    double focal_length;  /* in pixels: the mean of both directions' */
+    double depth;         /* median distance |z| of the points */
+    double radius;        /* smoothed over at this depth, in pixels */
+    double seconds;
+} hrbfnpr_depth_image_info;
+
+HRBFNPR_API hrbfnpr_status hrbfnpr_depth_image_info_init(hrbfnpr_depth_image_info* info, uint32_t struct_size);
+
+/* Takes the sensor's noise off the image of a depth camera, and finds normals.
+ * out_points:  rows * columns x 3, FLOAT32 or FLOAT64; may be desc.points' memory, or NULL.  NaN where
+ *   nothing was seen, and for points that are left out.
+ * out_normals: of the same size, towards the camera, of unit length; 0 where out_points is NaN.  May be NULL.
+ * info:        may be NULL.  operation: may be NULL.
+ * To choose some of the points, as even in the image as they can be, pass x / z,
+ * y / z and log |z| to hrbfnpr_farthest_points.
+ * Errors: INVALID_ARGUMENT (the points are no such image), OUT_OF_MEMORY, CANCELLED. */
+HRBFNPR_API hrbfnpr_status hrbfnpr_smooth_depth_image(hrbfnpr_context* context, const hrbfnpr_depth_image_desc* desc,
+                                                      hrbfnpr_operation* operation,
+                                                      const hrbfnpr_array_out* out_points,
+                                                      const hrbfnpr_array_out* out_normals,
+                                                      hrbfnpr_depth_image_info* info, hrbfnpr_error* error);
+
 /* Evaluates the caller's implicit at `count` points (packed x,y,z doubles).
  * Fills `value` (count), and, where the pointer is not NULL, `gradient`
  * (count x 3) and `hessian` (count x 6: xx xy xz yy yz zz).  Returns 0, or

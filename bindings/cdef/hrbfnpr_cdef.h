@@ -85,6 +85,15 @@ typedef struct hrbfnpr_orient_info { uint32_t struct_size; uint32_t found; int64
 hrbfnpr_status hrbfnpr_orient_info_init(hrbfnpr_orient_info* info, uint32_t struct_size);
 hrbfnpr_status hrbfnpr_orient(hrbfnpr_context* context, const hrbfnpr_orient_desc* desc, hrbfnpr_operation* operation,
     const hrbfnpr_array_out* out_normals, hrbfnpr_orient_info* info, hrbfnpr_error* error);
+typedef struct hrbfnpr_depth_image_desc { uint32_t struct_size; int32_t columns; int32_t rows; uint32_t keep_points;
+    hrbfnpr_array points; double noise; double smoothing; } hrbfnpr_depth_image_desc;
+hrbfnpr_status hrbfnpr_depth_image_desc_init(hrbfnpr_depth_image_desc* desc, uint32_t struct_size);
+typedef struct hrbfnpr_depth_image_info { uint32_t struct_size; uint32_t reserved; int64_t seen; int64_t left_out;
+    double noise; double focal_length; double depth; double radius; double seconds; } hrbfnpr_depth_image_info;
+hrbfnpr_status hrbfnpr_depth_image_info_init(hrbfnpr_depth_image_info* info, uint32_t struct_size);
+hrbfnpr_status hrbfnpr_smooth_depth_image(hrbfnpr_context* context, const hrbfnpr_depth_image_desc* desc,
+    hrbfnpr_operation* operation, const hrbfnpr_array_out* out_points, const hrbfnpr_array_out* out_normals,
+    hrbfnpr_depth_image_info* info, hrbfnpr_error* error);
 typedef int32_t (*hrbfnpr_implicit_fn)(void* user, int64_t count, const double* points, double* value, double* gradient,
     double* hessian);
 enum { HRBFNPR_CUSTOM_HAS_GRADIENT = 1, HRBFNPR_CUSTOM_HAS_HESSIAN = 2, HRBFNPR_CUSTOM_THREAD_SAFE = 4 };

@@ -25,6 +25,7 @@ BY_HAND = {
     "hrbfnpr_context_info": "ContextInfo",
     "hrbfnpr_model_info": "ModelInfo",
     "hrbfnpr_orient_info": "OrientationInfo",
+    "hrbfnpr_depth_image_info": "DepthImageInfo",
     "hrbfnpr_point_set_info": "PointSetInfo",
     "hrbfnpr_layer_info": "LayerInfo",
     "hrbfnpr_placement_info": "PlacementInfo",

@@ -5,6 +5,7 @@
 #include "api/descriptor.h"
 #include "api/fields.h"
 #include "api/operation.h"
+#include "api/queries.h"
 #include "api/views.h"
 #include "geometry/farthest_order.h"
 #include "mesh/sample.h"
@@ -160,28 +161,6 @@ hrbfnpr_array view_of(const mesh::Mesh& mesh, std::uint32_t attribute) {
         fail(Status::invalid_argument, "attribute is %u; it must be one of HRBFNPR_MESH_ATTRIBUTE_... (0 to 4)",
              attribute);
     }
-}
-
-// What does not fit is found before anything is written.
-void check_fits(double number, std::int64_t element, const base::OutView& to, const char* name) {
-    constexpr double most = 3.4028234663852886e38;
-    if (to.scalar == base::Scalar::float32 && std::isfinite(number) && std::abs(number) > most)
-        fail(Status::invalid_argument, "%s[%lld] is %g, beyond FLOAT32: give a FLOAT64 array", name,
-             static_cast<long long>(element), number);
-}
-
-void check_fits(const geometry::VecArray& from, const base::OutView& to, const char* name) {
-    if (!to || to.scalar != base::Scalar::float32) return;
-    for (std::int64_t i = 0; i < from.size(); ++i)
-        for (glm::length_t c = 0; c < 3; ++c) check_fits(from[i][c], i, to, name);
-}
-
-void write_vectors(const base::Runtime& runtime, const geometry::VecArray& from, const base::OutView& to) {
-    if (!to) return;
-    runtime.parallel.for_chunks(from.size(), grain, [&](std::int64_t begin, std::int64_t end) {
-        for (std::int64_t i = begin; i < end; ++i)
-            for (std::uint32_t c = 0; c < 3; ++c) to.set(i, c, from[i][static_cast<glm::length_t>(c)]);
-    });
 }
 
 void sample(const hrbfnpr_mesh& handle, const hrbfnpr_sample_desc& desc, const hrbfnpr_array_out* points,

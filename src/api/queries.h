@@ -120,4 +120,26 @@ inline void set_vector(const base::OutView& out, std::int64_t i, const glm::dvec
         out.set(i, first_component + axis, v[static_cast<glm::length_t>(axis)]);
 }
 
+// What does not fit is found before anything is written.
+inline void check_fits(double number, std::int64_t element, const base::OutView& to, const char* name) {
+    constexpr double most = 3.4028234663852886e38;
+    if (to.scalar == base::Scalar::float32 && std::isfinite(number) && std::abs(number) > most)
+        fail(Status::invalid_argument, "%s[%lld] is %g, beyond FLOAT32: give a FLOAT64 array", name,
+             static_cast<long long>(element), number);
+}
+
+inline void check_fits(const geometry::VecArray& from, const base::OutView& to, const char* name) {
+    if (!to || to.scalar != base::Scalar::float32) return;
+    for (std::int64_t i = 0; i < from.size(); ++i)
+        for (glm::length_t c = 0; c < 3; ++c) check_fits(from[i][c], i, to, name);
+}
+
+inline void write_vectors(const base::Runtime& runtime, const geometry::VecArray& from, const base::OutView& to) {
+    if (!to) return;
+    runtime.parallel.for_chunks(from.size(), copy_grain, [&](std::int64_t begin, std::int64_t end) {
+        for (std::int64_t i = begin; i < end; ++i)
+            for (std::uint32_t c = 0; c < 3; ++c) to.set(i, c, from[i][static_cast<glm::length_t>(c)]);
+    });
+}
+
 } // namespace hrbfnpr::api

@@ -81,6 +81,19 @@ inline constexpr FieldLayout fields_of_hrbfnpr_orient_info[] = {
     FIELD(components, "int64_t"), FIELD(seconds, "double")};
 #undef RECORD
 
+#define RECORD hrbfnpr_depth_image_desc
+inline constexpr FieldLayout fields_of_hrbfnpr_depth_image_desc[] = {
+    FIELD(struct_size, "uint32_t"), FIELD(columns, "int32_t"), FIELD(rows, "int32_t"), FIELD(keep_points, "uint32_t"),
+    FIELD(points, "hrbfnpr_array"), FIELD(noise, "double"), FIELD(smoothing, "double")};
+#undef RECORD
+
+#define RECORD hrbfnpr_depth_image_info
+inline constexpr FieldLayout fields_of_hrbfnpr_depth_image_info[] = {
+    FIELD(struct_size, "uint32_t"), FIELD(reserved, "uint32_t"), FIELD(seen, "int64_t"), FIELD(left_out, "int64_t"),
+    FIELD(noise, "double"), FIELD(focal_length, "double"), FIELD(depth, "double"), FIELD(radius, "double"),
+    FIELD(seconds, "double")};
+#undef RECORD
+
 #define RECORD hrbfnpr_custom_desc
 inline constexpr FieldLayout fields_of_hrbfnpr_custom_desc[] = {
     FIELD(struct_size, "uint32_t"), FIELD(flags, "uint32_t"), FIELD(function, "hrbfnpr_implicit_fn"),
@@ -474,16 +487,17 @@ inline constexpr FieldLayout fields_of_hrbfnpr_page_info[] = {
 // X(name) of all structs, in the header's order.
 #define HRBFNPR_STRUCTS(X) \
     X(hrbfnpr_error) X(hrbfnpr_array) X(hrbfnpr_array_out) X(hrbfnpr_image) X(hrbfnpr_context_desc) \
-    X(hrbfnpr_context_info) X(hrbfnpr_fit_desc) X(hrbfnpr_orient_desc) X(hrbfnpr_orient_info) X(hrbfnpr_custom_desc) \
-    X(hrbfnpr_model_info) X(hrbfnpr_project_desc) X(hrbfnpr_projection) X(hrbfnpr_curvature) X(hrbfnpr_cast_desc) \
-    X(hrbfnpr_ray_hits) X(hrbfnpr_trim_desc) X(hrbfnpr_trim_info) X(hrbfnpr_csg_node) X(hrbfnpr_csg_desc) \
-    X(hrbfnpr_csg_info) X(hrbfnpr_layer_desc) X(hrbfnpr_generate_desc) X(hrbfnpr_layer_arrays) \
-    X(hrbfnpr_point_set_desc) X(hrbfnpr_point_set_info) X(hrbfnpr_layer_info) X(hrbfnpr_placement_info) \
-    X(hrbfnpr_line_desc) X(hrbfnpr_line_set_desc) X(hrbfnpr_line_set_info) X(hrbfnpr_camera) X(hrbfnpr_layer_style) \
-    X(hrbfnpr_line_style) X(hrbfnpr_style) X(hrbfnpr_layer_pose) X(hrbfnpr_item) X(hrbfnpr_drawing_info) \
-    X(hrbfnpr_drawing_layer_info) X(hrbfnpr_raster_desc) X(hrbfnpr_vertex_attribute) X(hrbfnpr_vertex_layout) \
-    X(hrbfnpr_mark_results) X(hrbfnpr_mark_identity) X(hrbfnpr_mesh_desc) X(hrbfnpr_mesh_info) X(hrbfnpr_sample_desc) \
-    X(hrbfnpr_compare_desc) X(hrbfnpr_comparison) X(hrbfnpr_mesh_fit_desc) X(hrbfnpr_mesh_fit_info) \
-    X(hrbfnpr_page_item) X(hrbfnpr_pen) X(hrbfnpr_annotation) X(hrbfnpr_page_desc) X(hrbfnpr_page_info)
+    X(hrbfnpr_context_info) X(hrbfnpr_fit_desc) X(hrbfnpr_orient_desc) X(hrbfnpr_orient_info) \
+    X(hrbfnpr_depth_image_desc) X(hrbfnpr_depth_image_info) X(hrbfnpr_custom_desc) X(hrbfnpr_model_info) \
+    X(hrbfnpr_project_desc) X(hrbfnpr_projection) X(hrbfnpr_curvature) X(hrbfnpr_cast_desc) X(hrbfnpr_ray_hits) \
+    X(hrbfnpr_trim_desc) X(hrbfnpr_trim_info) X(hrbfnpr_csg_node) X(hrbfnpr_csg_desc) X(hrbfnpr_csg_info) \
+    X(hrbfnpr_layer_desc) X(hrbfnpr_generate_desc) X(hrbfnpr_layer_arrays) X(hrbfnpr_point_set_desc) \
+    X(hrbfnpr_point_set_info) X(hrbfnpr_layer_info) X(hrbfnpr_placement_info) X(hrbfnpr_line_desc) \
+    X(hrbfnpr_line_set_desc) X(hrbfnpr_line_set_info) X(hrbfnpr_camera) X(hrbfnpr_layer_style) X(hrbfnpr_line_style) \
+    X(hrbfnpr_style) X(hrbfnpr_layer_pose) X(hrbfnpr_item) X(hrbfnpr_drawing_info) X(hrbfnpr_drawing_layer_info) \
+    X(hrbfnpr_raster_desc) X(hrbfnpr_vertex_attribute) X(hrbfnpr_vertex_layout) X(hrbfnpr_mark_results) \
+    X(hrbfnpr_mark_identity) X(hrbfnpr_mesh_desc) X(hrbfnpr_mesh_info) X(hrbfnpr_sample_desc) X(hrbfnpr_compare_desc) \
+    X(hrbfnpr_comparison) X(hrbfnpr_mesh_fit_desc) X(hrbfnpr_mesh_fit_info) X(hrbfnpr_page_item) X(hrbfnpr_pen) \
+    X(hrbfnpr_annotation) X(hrbfnpr_page_desc) X(hrbfnpr_page_info)
 
 } // namespace hrbfnpr::api

@@ -45,6 +45,30 @@ namespace HrbfNpr.Tests
         }
 
         [Fact]
+        public void ImagesOfDepthCamerasAreSmoothed()
+        {
+            var seen = new double[3 * 32 * 24];
+            for (int i = 0; i < 32 * 24; ++i)
+            {
+                double z = i == 101 ? 0 : 2 + 0.01 * Math.Sin(3 * i);
+                seen[3 * i] = (i % 32 - 16) * z / 40;
+                seen[3 * i + 1] = (i / 32 - 12) * z / 40;
+                seen[3 * i + 2] = z;
+            }
+            double[] moved = DepthImage.Smooth(
+                seen, 32, 24, out double[] normals, out DepthImageInfo info, new DepthImageOptions { Noise = 0.002 });
+            Assert.Equal(32L * 24 - 1, info.Seen);
+            Assert.Equal(40.0, info.FocalLength, 1e-9);
+            Assert.True(double.IsNaN(moved[3 * 101 + 2]) && normals[3 * 101 + 2] == 0);
+            Assert.True(Math.Abs(moved[3 * 400 + 2] - 2) < 0.003 && normals[3 * 400 + 2] < -0.99);
+            double[] kept = DepthImage.Smooth(
+                seen, 32, 24, out normals, out info, new DepthImageOptions { KeepPoints = true, Smoothing = 2 });
+            Assert.Equal(seen[3 * 400 + 2], kept[3 * 400 + 2]);
+            Assert.Throws<InvalidArgumentException>(
+                () => DepthImage.Smooth(seen, 24, 32, out double[] none, out DepthImageInfo nothing));
+        }
+
+        [Fact]
         public void NormalsAreFoundAndTurned()
         {
             double[] inward = Points.Select(x => -x).ToArray();

@@ -113,7 +113,7 @@ TEST_P(Fields, AnyValueGivesAPictureOrAFailureThatNamesTheField) {
 }
 
 // As in Scene::slots().
-INSTANTIATE_TEST_SUITE_P(OfEveryDescriptor, Fields, testing::Range<std::size_t>(0, 42));
+INSTANTIATE_TEST_SUITE_P(OfEveryDescriptor, Fields, testing::Range<std::size_t>(0, 43));
 
 // What a caller fills in has a place in the scene; what the library fills in has not.
 TEST(FieldsOfTheBoundary, EveryDescriptorIsTried) {
@@ -122,12 +122,12 @@ TEST(FieldsOfTheBoundary, EveryDescriptorIsTried) {
         "hrbfnpr_orient_info",   "hrbfnpr_model_info", "hrbfnpr_trim_info",      "hrbfnpr_point_set_info",
         "hrbfnpr_layer_info",    "hrbfnpr_mesh_info",  "hrbfnpr_placement_info", "hrbfnpr_line_set_info",
         "hrbfnpr_drawing_info",  "hrbfnpr_comparison", "hrbfnpr_mesh_fit_info",  "hrbfnpr_drawing_layer_info",
-        "hrbfnpr_mark_identity", "hrbfnpr_page_info",  "hrbfnpr_csg_info"};
+        "hrbfnpr_mark_identity", "hrbfnpr_page_info",  "hrbfnpr_csg_info",       "hrbfnpr_depth_image_info"};
     Scene scene;
     std::set<std::string> tried;
     const std::vector<Slot> slots = scene.slots();
     for (const Slot& slot : slots) tried.insert(slot.record);
-    EXPECT_EQ(slots.size(), 42U) << "the range of the tests above";
+    EXPECT_EQ(slots.size(), 43U) << "the range of the tests above";
 #define FIELDS_TEST_STRUCT(record)                                                                                     \
     EXPECT_EQ(tried.count(#record) + results.count(#record), 1U) << #record << ": tried, or filled in by the library?";
     HRBFNPR_STRUCTS(FIELDS_TEST_STRUCT)

@@ -93,6 +93,7 @@ void Scene::describe_surface() {
     std::copy(samples_.points.begin(), samples_.points.end(), points_.begin());
     std::copy(samples_.normals.begin(), samples_.normals.end(), normals_.begin());
     for (auto& numbers : result_) numbers = room(1024);
+    depths_.points.resize(16 * depths_.points.size());
 
     context_desc_ = made(hrbfnpr_context_desc_init);
     context_desc_.thread_count = 1;
@@ -108,6 +109,10 @@ void Scene::describe_surface() {
     orient_desc_ = made(hrbfnpr_orient_desc_init);
     orient_desc_.points = in(points_, 6);
     orient_desc_.normals = in(normals_, 6);
+    depth_image_desc_ = made(hrbfnpr_depth_image_desc_init);
+    depth_image_desc_.columns = depths_.columns;
+    depth_image_desc_.rows = depths_.rows;
+    depth_image_desc_.points = in(depths_.points, std::int64_t{depths_.columns} * depths_.rows);
     custom_desc_ = made(hrbfnpr_custom_desc_init);
     custom_desc_.flags = HRBFNPR_CUSTOM_HAS_GRADIENT | HRBFNPR_CUSTOM_HAS_HESSIAN;
     custom_desc_.function = unit_sphere;

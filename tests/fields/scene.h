@@ -5,6 +5,7 @@
 #include "api/struct_fields.h"
 #include "scenes/shapes.h"
 #include "support/allocator.h"
+#include "support/depth_image.h"
 #include "support/handles.h"
 
 #include <chrono>
@@ -50,6 +51,7 @@ private:
     Outcome create_context();
     Outcome fit();
     Outcome orient();
+    Outcome smooth_depth_image();
     Outcome create_custom();
     Outcome create_csg();
     Outcome project();
@@ -108,6 +110,8 @@ private:
     hrbfnpr_context_desc context_desc_{};
     hrbfnpr_fit_desc fit_desc_{};
     hrbfnpr_orient_desc orient_desc_{};
+    hrbfnpr_depth_image_desc depth_image_desc_{};
+    hrbfnpr::test::SeenDepths depths_ = hrbfnpr::test::seen_depths(16, 12);
     hrbfnpr_custom_desc custom_desc_{};
     hrbfnpr_csg_node csg_node_[3]{};
     hrbfnpr_csg_desc csg_desc_{};

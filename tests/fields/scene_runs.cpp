@@ -44,6 +44,18 @@ Outcome Scene::orient() {
     return outcome(status, normals == before);
 }
 
+Outcome Scene::smooth_depth_image() {
+    const std::int64_t pixels = std::int64_t{depths_.columns} * depths_.rows;
+    std::vector<double> points = room(static_cast<std::size_t>(3 * pixels));
+    std::vector<double> normals = points;
+    const std::vector<double> before = points;
+    const hrbfnpr_array_out moved = out(points, pixels);
+    const hrbfnpr_array_out made_normals = out(normals, pixels);
+    const hrbfnpr_status status = hrbfnpr_smooth_depth_image(context_.get(), &depth_image_desc_, operation_.get(),
+                                                             &moved, &made_normals, nullptr, &error_);
+    return outcome(status, points == before && normals == before);
+}
+
 Outcome Scene::create_custom() {
     hrbfnpr_model* model = sentinel<hrbfnpr_model>();
     const hrbfnpr_status status = hrbfnpr_model_create_custom(context_.get(), &custom_desc_, &model, &error_);
@@ -212,6 +224,7 @@ std::vector<Slot> Scene::slots() {
         FIELDS_TEST_SLOT(hrbfnpr_context_desc, context_desc_, create_context),
         FIELDS_TEST_SLOT(hrbfnpr_fit_desc, fit_desc_, fit),
         FIELDS_TEST_SLOT(hrbfnpr_orient_desc, orient_desc_, orient),
+        FIELDS_TEST_SLOT(hrbfnpr_depth_image_desc, depth_image_desc_, smooth_depth_image),
         FIELDS_TEST_SLOT(hrbfnpr_custom_desc, custom_desc_, create_custom),
         FIELDS_TEST_SLOT(hrbfnpr_csg_node, csg_node_[0], create_csg),
         FIELDS_TEST_SLOT(hrbfnpr_csg_node, csg_node_[1], create_csg),

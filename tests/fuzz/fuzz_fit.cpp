@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Fits a few points by any descriptor, orients them, trims what was fitted; uses what comes of it.
+// Fits a few points by any descriptor, orients them, trims what was fitted, smooths depths; uses what comes of it.
 #include "arrays.h"
 #include "fields.h"
 #include "limits.h"
+#include "odd.h"
 #include "samples.h"
+#include "support/depth_image.h"
 
 namespace {
 
@@ -125,6 +127,45 @@ void orient(Context& context, const Samples& samples, Input& input) {
     require(info.turned >= 0 && info.made >= 0 && info.turned + info.made <= points.view.count, "normals are counted");
 }
 
+// What a depth camera sees, with odd numbers in it.
+void smooth_depths(Context& context, Input& input) {
+    const auto side = [&] { return static_cast<std::int32_t>(8 + input.below(16)); };
+    const std::int32_t columns = side();
+    const double steps[] = {0.0, 0.001, 0.1};
+    hrbfnpr::test::SeenDepths image =
+        hrbfnpr::test::seen_depths(columns, side(), {0.1 * input.unit() * input.unit(), input.one_of(steps), 1.0});
+    for (std::size_t odd = input.below(8); odd > 0; --odd) {
+        double& number = image.points[input.below(image.points.size())];
+        number = odd_float(number, 1.0, input);
+    }
+    const Array points(image.points, 3, input);
+    hrbfnpr_depth_image_desc desc;
+    hrbfnpr_depth_image_desc_init(&desc, sizeof desc);
+    desc.columns = image.columns;
+    desc.rows = image.rows;
+    desc.points = points.view;
+    change_fields(input, "hrbfnpr_depth_image_desc", &desc);
+    const std::uint32_t scalar = input.once_in(2) ? HRBFNPR_SCALAR_FLOAT32 : HRBFNPR_SCALAR_FLOAT64;
+    Room moved(points.view.count, 3, scalar);
+    Room normals(points.view.count, 3, scalar);
+    hrbfnpr_depth_image_info info;
+    hrbfnpr_depth_image_info_init(&info, sizeof info);
+    const Operation operation(context, input);
+    const ShortMemory memory(context, input);
+    Call call("smooth_depth_image");
+    const hrbfnpr_status status = hrbfnpr_smooth_depth_image(context.handle, &desc, operation.handle, &moved.out,
+                                                             &normals.out, &info, call.error());
+    operation.check(status);
+    if (!call.expect(status, failures)) {
+        require(moved.is_untouched() && normals.is_untouched(), "a failed call leaves points untouched");
+        return;
+    }
+    require(normals.is_finite(), "normals of images are finite");
+    require(info.seen >= 0 && info.left_out >= 0 && info.left_out <= info.seen && info.seen <= points.view.count,
+            "pixels are counted");
+    require(info.radius >= 2.0 && info.radius <= 48.0, "a radius is in its range");
+}
+
 } // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
@@ -136,5 +177,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         orient(context, samples, input);
     else
         fit(context, samples, input);
+    if (input.once_in(3)) smooth_depths(context, input);
     return 0;
 }

@@ -208,6 +208,24 @@ test("nothing stays in memory when all is freed", () => {
   assert.equal(own.info().bytesNow, before);
 });
 
+test("the image of a depth camera is smoothed", () => {
+  const [columns, rows] = [32, 24];
+  const seen = [];
+  for (let row = 0; row < rows; row += 1)
+    for (let column = 0; column < columns; column += 1) {
+      const z = row === 3 && column === 5 ? 0 : 2 + 0.01 * Math.sin(7 * row + 3 * column);
+      seen.push((column - 16) * z / 40, (row - 12) * z / 40, z);
+    }
+  const { points: moved, normals, info } =
+    context.smoothDepthImage({ columns, rows, points: new Float64Array(seen), noise: 0.002 });
+  assert.equal(info.seen, columns * rows - 1);
+  assert.ok(Number.isNaN(moved[3 * (3 * columns + 5)]));
+  const middle = 3 * (12 * columns + 16);
+  assert.ok(Math.abs(moved[middle + 2] - 2) < 0.003 && normals[middle + 2] < -0.99);
+  assert.throws(() => context.smoothDepthImage({ columns: rows, rows: columns, points: new Float64Array(seen) }),
+    /no image of a camera/);
+});
+
 test("normals of a cloud are found", () => {
   const { normals, info } = context.orient({ points, mode: "none" });
   assert.equal(info.closed, 1);

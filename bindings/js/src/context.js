@@ -97,6 +97,21 @@ export class Context extends Handle {
     });
   }
 
+  smoothDepthImage(options, control) {
+    return Call.with(this.library, (call) => {
+      const desc = call.structOf(options, "hrbfnpr_depth_image_desc", "depthImage");
+      const { data } = this.library.views; // of the struct just written
+      const count = Number(data.getBigInt64(desc + 24, true));
+      const points = new Float64Array(3 * count);
+      const normals = new Float64Array(3 * count);
+      const out = [call.arrayOut(points, 3), call.arrayOut(normals, 3)];
+      const info = call.struct("hrbfnpr_depth_image_info", {});
+      operated(call, this.pointer, control,
+        (operation) => call.check("hrbfnpr_smooth_depth_image", this.pointer, desc, operation, ...out, info));
+      return { points, normals, info: call.read(info, "hrbfnpr_depth_image_info") };
+    });
+  }
+
   farthestPoints(points, count, control) {
     return Call.with(this.library, (call) => {
       const indices = new Uint32Array(count);

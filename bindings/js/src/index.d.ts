@@ -9,10 +9,10 @@ export * from "./generated/constants.js";
 export type { Functions, Pointer } from "./generated/functions.js";
 export type {
   Annotation, CastDesc, CompareDesc, Comparison, ContextDesc, ContextInfo, CsgDesc, CsgInfo, CsgNode, CustomDesc,
-  DrawingInfo, DrawingLayerInfo, FitDesc, GenerateDesc, Item, LayerArrays, LayerDesc, LayerInfo, LayerPose, LayerStyle,
-  LineDesc, LineSetDesc, LineSetInfo, LineStyle, MarkIdentity, MeshDesc, MeshFitDesc, MeshFitInfo, MeshInfo, ModelInfo,
-  OrientDesc, OrientInfo, PageDesc, PageInfo, PageItem, Pen, PlacementInfo, PointSetDesc, PointSetInfo, ProjectDesc,
-  SampleDesc, Style, TrimDesc, TrimInfo,
+  DepthImageDesc, DepthImageInfo, DrawingInfo, DrawingLayerInfo, FitDesc, GenerateDesc, Item, LayerArrays, LayerDesc,
+  LayerInfo, LayerPose, LayerStyle, LineDesc, LineSetDesc, LineSetInfo, LineStyle, MarkIdentity, MeshDesc, MeshFitDesc,
+  MeshFitInfo, MeshInfo, ModelInfo, OrientDesc, OrientInfo, PageDesc, PageInfo, PageItem, Pen, PlacementInfo,
+  PointSetDesc, PointSetInfo, ProjectDesc, SampleDesc, Style, TrimDesc, TrimInfo,
 } from "./generated/options.js";
 
 export type Numbers = ArrayLike<number>;
@@ -132,6 +132,9 @@ export class Context extends Handle {
   loadPointSet(bytes: Uint8Array): PointSet;
   createRenderer(): Renderer;
   /** Finds or repairs outward unit normals, n x 3. */
+  smoothDepthImage(options: O.DepthImageDesc, control?: Control): {
+    points: Float64Array; normals: Float64Array; info: O.DepthImageInfo;
+  };
   orient(options: O.OrientDesc, control?: Control): { normals: Float64Array; info: O.OrientInfo };
   farthestPoints(points: ArrayInput, count: number, control?: Control): { indices: Uint32Array; distances: Float64Array };
   /** SVG, PDF, HPGL or G-code of drawings, lines and texts. */

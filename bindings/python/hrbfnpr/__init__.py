@@ -20,6 +20,7 @@ from typing import TYPE_CHECKING, Any, List
 from ._camera import Camera
 from ._context import Context, ContextInfo, build_info, default_context, set_default_context
 from ._csg import CsgInfo
+from ._depth_image import DepthImageInfo, SmoothedDepthImage, smooth_depth_image
 from ._drawing import Drawing, MarkResults, Raster, Vertices
 from ._drawing_info import DrawingInfo, DrawingLayerInfo, MarkIdentity
 from ._errors import (
@@ -65,15 +66,15 @@ __version__: str = _ffi.string(_lib.hrbfnpr_version_string()).decode()
 
 __all__ = [
     "CLASSES", "PRESETS", "PROJECTION_STATUS", "RAY_STATUS", "Annotation", "BufferTooSmallError", "CallbackError",
-    "Camera", "CancelledError", "Comparison", "Context", "ContextInfo", "CorruptDataError", "CsgInfo", "Curvature", "Drawing",
-    "DrawingInfo", "DrawingLayerInfo", "Error", "Evaluation", "InternalError", "InvalidArgumentError", "Item", "Layer",
+    "Camera", "CancelledError", "Comparison", "Context", "ContextInfo", "CorruptDataError", "CsgInfo", "Curvature",
+    "DepthImageInfo", "Drawing", "DrawingInfo", "DrawingLayerInfo", "Error", "Evaluation", "InternalError", "InvalidArgumentError", "Item", "Layer",
     "LayerInfo", "LayerStyle", "LineSet", "LineSetInfo", "LineStyle", "Lines", "MarkIdentity", "MarkLayer",
     "MarkResults", "Mesh", "MeshFitInfo", "MeshInfo", "MeshSamples", "Model", "ModelInfo", "NotConvergedError",
     "Operation", "OrientInfo", "Oriented", "OutOfMemoryError", "OwnLayer", "PageInfo", "PageItem", "Pen",
     "PlacementInfo", "PointSet", "PointSetInfo", "Projection", "Raster", "RayHits", "Renderer", "SingularSystemError",
-    "StepPatches", "StreamError", "Style", "TrimInfo", "UnsupportedStructError", "VersionMismatchError", "Vertices",
+    "SmoothedDepthImage", "StepPatches", "StreamError", "Style", "TrimInfo", "UnsupportedStructError", "VersionMismatchError", "Vertices",
     "build_info", "csg", "default_context", "farthest_points", "library_path", "orient", "preset_layers",
-    "set_default_context", "write_page",
+    "set_default_context", "smooth_depth_image", "write_page",
 ]  # fmt: skip
 
 

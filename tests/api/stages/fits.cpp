@@ -40,7 +40,8 @@ Stages::Stages(const Context& context, const StageSizes& sizes)
     : context_(context), sizes_(sizes), samples_(hrbfnpr::test::bumpy(sizes.samples)),
       dense_(hrbfnpr::test::bumpy(sizes.dense_samples)), cloud_(hrbfnpr::test::sphere(sizes.cloud)),
       half_(half_of(hrbfnpr::test::sphere(sizes.half_samples))),
-      triangles_(hrbfnpr::test::torus(sizes.mesh_around, sizes.mesh_around / 2, 0.4)) {
+      triangles_(hrbfnpr::test::torus(sizes.mesh_around, sizes.mesh_around / 2, 0.4)),
+      depths_(hrbfnpr::test::seen_depths(sizes.pixels, sizes.pixels, {0.002, 0.0, 1.0})) {
     Error error;
     for (std::int64_t i = 0; i < sizes.places; ++i)
         for (const double c : hrbfnpr::test::spiral_point(i, sizes.places)) {
@@ -142,6 +143,22 @@ void Stages::add_fits(std::vector<Stage>& stages) {
                               return hrbfnpr_orient(context_.get(), &orient, attempt.operation, &to, nullptr, error);
                           });
                           if (status == HRBFNPR_STATUS_OK) append(bytes, normals);
+                          return status;
+                      },
+                      {}});
+    stages.push_back({"smooth_depth_image",
+                      [this](Attempt& attempt, Bytes& bytes, hrbfnpr_error* error) {
+                          auto image = made(hrbfnpr_depth_image_desc_init);
+                          image.columns = depths_.columns;
+                          image.rows = depths_.rows;
+                          image.points = in(depths_.points);
+                          std::vector<double> points(depths_.points.size()), normals(points);
+                          const hrbfnpr_array_out to = out(points), normals_to = out(normals);
+                          const auto status = attempt([&] {
+                              return hrbfnpr_smooth_depth_image(context_.get(), &image, attempt.operation, &to,
+                                                                &normals_to, nullptr, error);
+                          });
+                          if (status == HRBFNPR_STATUS_OK) append(bytes, points), append(bytes, normals);
                           return status;
                       },
                       {}});

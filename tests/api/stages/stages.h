@@ -3,6 +3,7 @@
 #pragma once
 
 #include "stages/stage.h"
+#include "support/depth_image.h"
 #include "support/meshes.h"
 #include "support/samples.h"
 
@@ -47,6 +48,7 @@ private:
     StageSizes sizes_;
     hrbfnpr::test::Samples samples_, dense_, cloud_, half_;
     hrbfnpr::test::Triangles triangles_;
+    hrbfnpr::test::SeenDepths depths_;
     std::vector<double> places_, directions_, uneven_;
     Model model_, half_model_;
     PointSet set_;

@@ -67,6 +67,14 @@ namespace HrbfNpr
         internal static extern int hrbfnpr_orient(ContextHandle context, hrbfnpr_orient_desc* desc,
             OperationHandle operation, hrbfnpr_array* out_normals, OrientationInfo* info, hrbfnpr_error* error);
         [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int hrbfnpr_depth_image_desc_init(hrbfnpr_depth_image_desc* desc, uint struct_size);
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int hrbfnpr_depth_image_info_init(DepthImageInfo* info, uint struct_size);
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int hrbfnpr_smooth_depth_image(ContextHandle context, hrbfnpr_depth_image_desc* desc,
+            OperationHandle operation, hrbfnpr_array* out_points, hrbfnpr_array* out_normals, DepthImageInfo* info,
+            hrbfnpr_error* error);
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
         internal static extern int hrbfnpr_custom_desc_init(hrbfnpr_custom_desc* desc, uint struct_size);
         [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
         internal static extern int hrbfnpr_model_create_custom(ContextHandle context, hrbfnpr_custom_desc* desc,

@@ -68,6 +68,14 @@ namespace HrbfNpr
         internal static partial int hrbfnpr_orient(ContextHandle context, hrbfnpr_orient_desc* desc,
             OperationHandle operation, hrbfnpr_array* out_normals, OrientationInfo* info, hrbfnpr_error* error);
         [LibraryImport(Name), UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int hrbfnpr_depth_image_desc_init(hrbfnpr_depth_image_desc* desc, uint struct_size);
+        [LibraryImport(Name), UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int hrbfnpr_depth_image_info_init(DepthImageInfo* info, uint struct_size);
+        [LibraryImport(Name), UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int hrbfnpr_smooth_depth_image(ContextHandle context, hrbfnpr_depth_image_desc* desc,
+            OperationHandle operation, hrbfnpr_array* out_points, hrbfnpr_array* out_normals, DepthImageInfo* info,
+            hrbfnpr_error* error);
+        [LibraryImport(Name), UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
         internal static partial int hrbfnpr_custom_desc_init(hrbfnpr_custom_desc* desc, uint struct_size);
         [LibraryImport(Name), UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
         internal static partial int hrbfnpr_model_create_custom(ContextHandle context, hrbfnpr_custom_desc* desc,

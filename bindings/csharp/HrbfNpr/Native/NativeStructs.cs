@@ -102,6 +102,18 @@ namespace HrbfNpr
         internal uint reserved;
     }
 
+    [StructLayout(LayoutKind.Sequential), NativeStruct("hrbfnpr_depth_image_desc")]
+    internal unsafe struct hrbfnpr_depth_image_desc
+    {
+        internal uint struct_size;
+        internal int columns;
+        internal int rows;
+        internal uint keep_points;
+        internal hrbfnpr_array points;
+        internal double noise;
+        internal double smoothing;
+    }
+
     [StructLayout(LayoutKind.Sequential), NativeStruct("hrbfnpr_custom_desc")]
     internal unsafe struct hrbfnpr_custom_desc
     {

@@ -191,6 +191,33 @@ export interface Functions {
    */
   hrbfnpr_orient(context: Pointer, desc: Pointer, operation: Pointer, out_normals: Pointer, info: Pointer, error: Pointer): number;
   /**
+   * hrbfnpr_status hrbfnpr_depth_image_desc_init(hrbfnpr_depth_image_desc* desc, uint32_t struct_size)
+   *
+   *
+   */
+  hrbfnpr_depth_image_desc_init(desc: Pointer, struct_size: number): number;
+  /**
+   * hrbfnpr_status hrbfnpr_depth_image_info_init(hrbfnpr_depth_image_info* info, uint32_t struct_size)
+   *
+   *
+   */
+  hrbfnpr_depth_image_info_init(info: Pointer, struct_size: number): number;
+  /**
+   * hrbfnpr_status hrbfnpr_smooth_depth_image(hrbfnpr_context* context, const hrbfnpr_depth_image_desc* desc,
+   * hrbfnpr_operation* operation, const hrbfnpr_array_out* out_points, const hrbfnpr_array_out* out_normals,
+   * hrbfnpr_depth_image_info* info, hrbfnpr_error* error)
+   *
+   * Takes the sensor's noise off the image of a depth camera, and finds normals.
+   * out_points:  rows * columns x 3, FLOAT32 or FLOAT64; may be desc.points' memory, or NULL.  NaN where
+   *   nothing was seen, and for points that are left out.
+   * out_normals: of the same size, towards the camera, of unit length; 0 where out_points is NaN.  May be NULL.
+   * info:        may be NULL.  operation: may be NULL.
+   * To choose some of the points, as even in the image as they can be, pass x / z,
+   * y / z and log |z| to hrbfnpr_farthest_points.
+   * Errors: INVALID_ARGUMENT (the points are no such image), OUT_OF_MEMORY, CANCELLED.
+   */
+  hrbfnpr_smooth_depth_image(context: Pointer, desc: Pointer, operation: Pointer, out_points: Pointer, out_normals: Pointer, info: Pointer, error: Pointer): number;
+  /**
    * hrbfnpr_status hrbfnpr_custom_desc_init(hrbfnpr_custom_desc* desc, uint32_t struct_size)
    *
    *

@@ -90,6 +90,23 @@ export const STRUCTS = {
     components: ["i64", 80],
     seconds: ["f64", 88],
   } },
+  hrbfnpr_depth_image_desc: { size: 64, sized: true, fields: {
+    columns: ["i32", 4],
+    rows: ["i32", 8],
+    keepPoints: ["u32", 12],
+    points: ["array", 16, 3],
+    noise: ["f64", 48],
+    smoothing: ["f64", 56],
+  } },
+  hrbfnpr_depth_image_info: { size: 64, sized: true, fields: {
+    seen: ["i64", 8],
+    leftOut: ["i64", 16],
+    noise: ["f64", 24],
+    focalLength: ["f64", 32],
+    depth: ["f64", 40],
+    radius: ["f64", 48],
+    seconds: ["f64", 56],
+  } },
   hrbfnpr_custom_desc: { size: 80, sized: true, fields: {
     flags: ["u32", 4],
     function: ["callback", 8, "hrbfnpr_implicit_fn", 12],
@@ -709,6 +726,10 @@ export const OFFSETS = {
     reserved: 124},
   hrbfnpr_orient_info: {struct_size: 0, found: 4, turned: 8, made: 16, merged: 24, direction_change: 32, noise: 40,
     spacing: 48, energy: 56, confidence: 64, closed: 72, outward_by: 76, components: 80, seconds: 88},
+  hrbfnpr_depth_image_desc: {struct_size: 0, columns: 4, rows: 8, keep_points: 12, points: 16, noise: 48, smoothing:
+    56},
+  hrbfnpr_depth_image_info: {struct_size: 0, reserved: 4, seen: 8, left_out: 16, noise: 24, focal_length: 32, depth:
+    40, radius: 48, seconds: 56},
   hrbfnpr_custom_desc: {struct_size: 0, flags: 4, function: 8, user: 12, release: 16, bounds_min: 24, bounds_max: 48,
     difference_step: 72},
   hrbfnpr_model_info: {struct_size: 0, kernel: 4, polynomial_degree: 8, choice_rounds: 12, samples: 16, centres: 24,

@@ -219,6 +219,53 @@ export interface OrientInfo {
 }
 
 /**
+ * The image of a depth camera (Kinect, RealSense, time of flight, stereo): columns x rows points.
+ *
+ * The camera is in the origin and looks along z, or against it; x / z goes
+ * with the column and y / z with the row, either way.  Of an image of depths
+ * with focal lengths f and a centre c, in pixels, those are
+ * x = (column - c_x) z / f_x and y = (row - c_y) z / f_y.
+ *
+ * The sensor's errors are as large everywhere in 1 / z, so that they grow with
+ * z^2, and planes are linear in it.  A plane is fitted in 1 / z to the pixels
+ * around each, those that are within 6.5 standard deviations of it: what lies
+ * beyond an edge does not count.  The point moves along its ray onto the plane,
+ * whose normal is the normal.  The radius is 12 sqrt(s f) pixels, for a standard
+ * deviation of s z in the depth, and from 2 to 48.  Points with hardly any others on
+ * their plane, as between an edge and what is behind it, are left out.
+ */
+export interface DepthImageDesc {
+  /** 8 .. 65535 */
+  columns?: number;
+  /** 8 .. 65535 */
+  rows?: number;
+  /** 1: points stay where they are, and get normals; 0 */
+  keepPoints?: number;
+  /** rows * columns x 3, row by row, FLOAT32 or FLOAT64; NaN, infinity or z = 0: nothing was seen there */
+  points?: ArrayInput;
+  /** standard deviation of 1 / z, in 1 / unit of the points; 0 = measured */
+  noise?: number;
+  /** factor of the radius, > 0 .. 100; 1 */
+  smoothing?: number;
+}
+
+export interface DepthImageInfo {
+  /** pixels that have a point */
+  readonly seen: number;
+  /** of these, without enough others on their plane */
+  readonly leftOut: number;
+  /** standard deviation of 1 / z, as given or measured */
+  readonly noise: number;
+  /** in pixels: the mean of both directions' */
+  readonly focalLength: number;
+  /** median distance |z| of the points */
+  readonly depth: number;
+  /** smoothed over at this depth, in pixels */
+  readonly radius: number;
+  readonly seconds: number;
+}
+
+/**
  * Any implicit function in place of a fit: every operator below works on it
  * [NPAR 8].  It should be negative inside and of a gradient near 1 at the
  * surface; it must be finite inside twice the bounds.  Where it is not, or its

@@ -2,7 +2,7 @@
 """Where the surface of a fitted model ends: where what was read does."""
 from __future__ import annotations
 
-from typing import Any
+from typing import Any, Optional
 
 import numpy as np
 
@@ -17,10 +17,16 @@ ON_MESH = 60_000  # places on a mesh, some 0.005 diagonals from each other
 DOUBTED = 0.002  # share of a closed surface left out that is warned of
 
 
-def end(model: Model, shape: Shape, close: bool, report: Reporter) -> Model:
-    """The model with what lies beyond the points left out, unless it shall be closed; says what that is."""
+def end(model: Model, shape: Shape, close: bool, report: Reporter, hole: Optional[float] = None) -> Model:
+    """The model with what lies beyond the points left out, unless it shall be closed; says what that is.
+
+    `hole` is of points with normals whose gaps are known to be some where they are larger, in their unit.
+    """
     if close:
         return model
+    if hole is not None:
+        options = {"hole": hole / _mesh.diagonal(model), "normals": shape.normals}
+        return _ended(model, shape.points, "points", options, report)
     return _ended(model, shape.points[np.isfinite(shape.points).all(axis=1)], "points", {}, report)
 
 
@@ -46,7 +52,7 @@ def end_of_mesh(model: Model, mesh: Mesh, close: bool, report: Reporter) -> Mode
     return ended
 
 
-def _ended(model: Model, places: Any, of: str, options: "dict[str, float]", report: Reporter) -> Model:
+def _ended(model: Model, places: Any, of: str, options: "dict[str, Any]", report: Reporter) -> Model:
     with report.stage("end", "looking for the end of the surface") as stage:
         try:
             ended = model.trim(places, progress=stage.bar, **options)

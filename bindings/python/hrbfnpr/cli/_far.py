@@ -44,7 +44,7 @@ def _left(shape: Shape, kept: Any) -> Optional[Shape]:
     """Those points alone, with the faces that have no others; None if there would be none."""
     normals = None if shape.normals is None else shape.normals[kept]
     if not shape.is_mesh:
-        return replace(shape, points=shape.points[kept], normals=normals)
+        return replace(shape, points=shape.points[kept], normals=normals, image_shape=None)
     assert shape.triangles is not None
     faces = shape.triangles[kept[shape.triangles].all(axis=1)]
     if len(faces) == 0:

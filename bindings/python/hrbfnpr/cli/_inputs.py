@@ -21,7 +21,7 @@ from .._model import Model
 from .._point_set import PointSet
 from ..shapes import Shape, ShapeError
 from ..shapes._shape import Floats, Vector
-from . import _automatic, _ends, _far, _mesh, _nearness, _orient, _script, _strays, _up
+from . import _automatic, _depth_image, _ends, _far, _mesh, _nearness, _orient, _script, _strays, _up
 from ._progress import Reporter
 
 _MAGIC = b"\x89HRB\r\n\x1a\n"
@@ -160,17 +160,21 @@ def _with_normals(shape: Shape, arguments: Any, context: Context, report: Report
     return replace(shape, points=points, normals=np.asarray(made.normals, dtype=float))
 
 
-def _samples(shape: Shape, arguments: Any, report: Reporter) -> Tuple[Floats, Floats]:
+def _samples(shape: Shape, arguments: Any, context: Context, report: Reporter) -> Tuple[Floats, Floats]:
     count = arguments.samples
     options = fit_options(arguments)
-    chosen = options.get("tolerance") or options.get("maximum_centres")  # the fit itself chooses, from all of them
-    if count is None and not chosen and len(shape.points) > MOST_SAMPLES:
+    fit_chooses = options.get("tolerance") or options.get("maximum_centres")  # the fit itself chooses, from all of them
+    if count is None and not fit_chooses and len(shape.points) > MOST_SAMPLES:
         count = MOST_SAMPLES
         report.note(f"{len(shape.points)} points, of which {count} are used; --samples N sets another number")
     with report.stage("sample", "sampling") as stage:
         bar = stage.bar
         progress = None if bar is None else lambda fraction: bar.update(fraction - bar.n)
-        points, normals = shapes.samples(shape, count, report=progress, **given(arguments, ("random_seed",)))
+        of_all = None if shape.is_picture else count
+        points, normals = shapes.samples(shape, of_all, report=progress, **given(arguments, ("random_seed",)))
+        if shape.is_picture and count is not None and count < len(points):
+            chosen = _depth_image.chosen(points, count, context)
+            points, normals = points[chosen], normals[chosen]
         stage.says = f"{len(points)} samples"
     if count is None and len(points) < len(shape.points):
         left_out = len(shape.points) - len(points)
@@ -232,10 +236,12 @@ def _fitted(shape: Shape, arguments: Any, context: Context, report: Reporter) ->
     if shape.is_mesh:
         return _load_mesh(shape, arguments, context, report)
     shape = _without_far(shape, arguments, report)
-    made = arguments.normals == "none" or not has_normals(shape)
-    if made:
+    made, hole = arguments.normals == "none" or not has_normals(shape), None
+    if made and shape.image_shape is not None:
+        shape, hole = _depth_image.smooth(shape, arguments, context, report)
+    elif made:
         shape = _with_normals(shape, arguments, context, report)
-    points, normals = _samples(shape, arguments, report)
+    points, normals = _samples(shape, arguments, context, report)
     if not made:
         points, normals = _normals(points, normals, shape, arguments, context, report)
     elif arguments.flip:
@@ -244,7 +250,7 @@ def _fitted(shape: Shape, arguments: Any, context: Context, report: Reporter) ->
     # What has no normals is a scan, and scans have noise and dust.
     own = {"regularization": "auto", "outliers": "drop"} if made else {}
     model = _fit(points, normals, arguments, context, report, **own)
-    return Loaded(_ends.end(model, shape, arguments.close, report), shape, up)
+    return Loaded(_ends.end(model, shape, arguments.close, report, hole), shape, up)
 
 
 def is_script(path: Path, arguments: Any) -> bool:

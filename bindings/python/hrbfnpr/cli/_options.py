@@ -104,6 +104,8 @@ def _add_input(parser: Parser) -> None:
                 "new ones, unoriented and mixed turn some, inward turns all")  # fmt: skip
     _add(group, "--viewpoint", "viewpoint", values.vector, "X,Y,Z", "where the scanner stood, in the coordinates of the "
          "file: open surfaces of points whose normals are made look to it; by default what the file tells")  # fmt: skip
+    _add(group, "--depth-smoothing", "depth_smoothing", values.number, "F", "factor of the width over which the picture "
+         "of a depth camera is smoothed; 1, and 0 leaves its points where they are")  # fmt: skip
     group.add_argument("--flip", action="store_true", help="turn all normals, whatever they look like")
     group.add_argument("--close", action="store_true", help="let the surface go on beyond open data, as the fit has it")
     _add(group, "--random-seed", "random_seed", values.count(0, 2**64 - 1), "N", "of all that is random; 1")

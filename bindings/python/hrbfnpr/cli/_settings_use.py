@@ -21,7 +21,7 @@ from ._settings import MAGIC, VERSION
 _CAMERA = ("up", "azimuth", "elevation", "direction", "eye", "target", "fov", "margin")
 _OF_MESH = ("tolerance", "maximum_centres")  # of both fits, which mean other things by them
 # What settings do not hold, though it changes the surface.
-_NOT_HELD = ("samples", "crease", "parts", "viewpoint", "flip", "seed_points")
+_NOT_HELD = ("samples", "crease", "parts", "viewpoint", "depth_smoothing", "flip", "seed_points")
 
 Dabs = Sequence[Dict[str, Any]]
 

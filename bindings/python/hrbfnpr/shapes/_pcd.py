@@ -42,7 +42,10 @@ def read_pcd(data: bytes) -> Shape:
         raise ShapeError(f"PCD files with data in the form {form!r} are not understood")
     shape = replace(_shape(columns, tuple(names), form), viewpoint=_viewpoint(head.get("VIEWPOINT", [])))
     up = _up_of_picture(shape.points, head)
-    return shape if up is None else replace(shape, up=up, is_picture=True, viewpoint=(0.0, 0.0, 0.0))
+    if up is None:
+        return shape
+    rows, columns = int(head["HEIGHT"][0]), int(head["WIDTH"][0])
+    return replace(shape, up=up, is_picture=True, image_shape=(rows, columns), viewpoint=(0.0, 0.0, 0.0))
 
 
 def _viewpoint(words: List[str]) -> Optional[Vector]:

@@ -34,6 +34,9 @@ class Shape:
         The direction that is up by the convention of the format, if it has one, or by what the file is.
     is_picture : bool
         Whether the points are one picture of a depth camera, which stood at `viewpoint`.
+    image_shape : tuple of int, or None
+        Rows and columns of that picture, where there is a point for each pixel, row by row: what
+        `hrbfnpr.smooth_depth_image` takes as ``points.reshape(*image_shape, 3)``.
     viewpoint : tuple of float, or None
         Where the scanner stood, of points that it saw from one place, if the file tells.
     notes : tuple of str
@@ -49,6 +52,7 @@ class Shape:
     notes: Tuple[str, ...] = ()
     viewpoint: Optional[Vector] = None
     is_picture: bool = False
+    image_shape: Optional[Tuple[int, int]] = None
 
     def __post_init__(self) -> None:
         if len(self.points) == 0:

@@ -179,6 +179,40 @@ const _: () = {
 };
 
 const _: () = {
+    assert!(size_of::<hrbfnpr_depth_image_desc>() == either(64, 64, 60));
+    assert!(align_of::<hrbfnpr_depth_image_desc>() == either(8, 8, 4));
+};
+#[cfg(not(hrbfnpr_no_offset_of))]
+const _: () = {
+    use core::mem::offset_of;
+    assert!(offset_of!(hrbfnpr_depth_image_desc, struct_size) == 0);
+    assert!(offset_of!(hrbfnpr_depth_image_desc, columns) == 4);
+    assert!(offset_of!(hrbfnpr_depth_image_desc, rows) == 8);
+    assert!(offset_of!(hrbfnpr_depth_image_desc, keep_points) == 12);
+    assert!(offset_of!(hrbfnpr_depth_image_desc, points) == 16);
+    assert!(offset_of!(hrbfnpr_depth_image_desc, noise) == either(48, 48, 44));
+    assert!(offset_of!(hrbfnpr_depth_image_desc, smoothing) == either(56, 56, 52));
+};
+
+const _: () = {
+    assert!(size_of::<hrbfnpr_depth_image_info>() == 64);
+    assert!(align_of::<hrbfnpr_depth_image_info>() == either(8, 8, 4));
+};
+#[cfg(not(hrbfnpr_no_offset_of))]
+const _: () = {
+    use core::mem::offset_of;
+    assert!(offset_of!(hrbfnpr_depth_image_info, struct_size) == 0);
+    assert!(offset_of!(hrbfnpr_depth_image_info, reserved) == 4);
+    assert!(offset_of!(hrbfnpr_depth_image_info, seen) == 8);
+    assert!(offset_of!(hrbfnpr_depth_image_info, left_out) == 16);
+    assert!(offset_of!(hrbfnpr_depth_image_info, noise) == 24);
+    assert!(offset_of!(hrbfnpr_depth_image_info, focal_length) == 32);
+    assert!(offset_of!(hrbfnpr_depth_image_info, depth) == 40);
+    assert!(offset_of!(hrbfnpr_depth_image_info, radius) == 48);
+    assert!(offset_of!(hrbfnpr_depth_image_info, seconds) == 56);
+};
+
+const _: () = {
     assert!(size_of::<hrbfnpr_custom_desc>() == either(88, 80, 76));
     assert!(align_of::<hrbfnpr_custom_desc>() == either(8, 8, 4));
 };

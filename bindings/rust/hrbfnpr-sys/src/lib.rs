@@ -833,6 +833,91 @@ extern "C" {
     ) -> hrbfnpr_status;
 }
 
+/// The image of a depth camera (Kinect, RealSense, time of flight, stereo): columns x rows points.
+///
+/// The camera is in the origin and looks along z, or against it; x / z goes
+/// with the column and y / z with the row, either way.  Of an image of depths
+/// with focal lengths f and a centre c, in pixels, those are
+/// x = (column - c_x) z / f_x and y = (row - c_y) z / f_y.
+///
+/// The sensor's errors are as large everywhere in 1 / z, so that they grow with
+/// z^2, and planes are linear in it.  A plane is fitted in 1 / z to the pixels
+/// around each, those that are within 6.5 standard deviations of it: what lies
+/// beyond an edge does not count.  The point moves along its ray onto the plane,
+/// whose normal is the normal.  The radius is 12 sqrt(s f) pixels, for a standard
+/// deviation of s z in the depth, and from 2 to 48.  Points with hardly any others on
+/// their plane, as between an edge and what is behind it, are left out.
+#[repr(C)]
+#[derive(Debug, Clone, Copy)]
+pub struct hrbfnpr_depth_image_desc {
+    pub struct_size: u32,
+    /// 8 .. 65535
+    pub columns: i32,
+    /// 8 .. 65535
+    pub rows: i32,
+    /// 1: points stay where they are, and get normals; 0
+    pub keep_points: u32,
+    /// rows * columns x 3, row by row, FLOAT32 or FLOAT64; NaN, infinity or z = 0: nothing was seen there
+    pub points: hrbfnpr_array,
+    /// standard deviation of 1 / z, in 1 / unit of the points; 0 = measured
+    pub noise: f64,
+    /// factor of the radius, > 0 .. 100; 1
+    pub smoothing: f64,
+}
+
+extern "C" {
+    pub fn hrbfnpr_depth_image_desc_init(
+        desc: *mut hrbfnpr_depth_image_desc,
+        struct_size: u32,
+    ) -> hrbfnpr_status;
+}
+
+#[repr(C)]
+#[derive(Debug, Clone, Copy)]
+pub struct hrbfnpr_depth_image_info {
+    pub struct_size: u32,
+    pub reserved: u32,
+    /// pixels that have a point
+    pub seen: i64,
+    /// of these, without enough others on their plane
+    pub left_out: i64,
+    /// standard deviation of 1 / z, as given or measured
+    pub noise: f64,
+    /// in pixels: the mean of both directions'
+    pub focal_length: f64,
+    /// median distance |z| of the points
+    pub depth: f64,
+    /// smoothed over at this depth, in pixels
+    pub radius: f64,
+    pub seconds: f64,
+}
+
+extern "C" {
+    pub fn hrbfnpr_depth_image_info_init(
+        info: *mut hrbfnpr_depth_image_info,
+        struct_size: u32,
+    ) -> hrbfnpr_status;
+    /// Takes the sensor's noise off the image of a depth camera, and finds normals.
+    /// out_points:  rows * columns x 3, FLOAT32 or FLOAT64; may be desc.points' memory, or NULL.
+    /// NaN where
+    ///   nothing was seen, and for points that are left out.
+    /// out_normals: of the same size, towards the camera, of unit length; 0 where out_points is
+    /// NaN.  May be NULL.
+    /// info:        may be NULL.  operation: may be NULL.
+    /// To choose some of the points, as even in the image as they can be, pass x / z,
+    /// y / z and log |z| to hrbfnpr_farthest_points.
+    /// Errors: INVALID_ARGUMENT (the points are no such image), OUT_OF_MEMORY, CANCELLED.
+    pub fn hrbfnpr_smooth_depth_image(
+        context: *mut hrbfnpr_context,
+        desc: *const hrbfnpr_depth_image_desc,
+        operation: *mut hrbfnpr_operation,
+        out_points: *const hrbfnpr_array_out,
+        out_normals: *const hrbfnpr_array_out,
+        info: *mut hrbfnpr_depth_image_info,
+        error: *mut hrbfnpr_error,
+    ) -> hrbfnpr_status;
+}
+
 /// Evaluates the caller's implicit at `count` points (packed x,y,z doubles).
 /// Fills `value` (count), and, where the pointer is not NULL, `gradient`
 /// (count x 3) and `hessian` (count x 6: xx xy xz yy yz zz).  Returns 0, or
