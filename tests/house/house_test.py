@@ -27,7 +27,7 @@ CLEAN = {
     "src/frame/frame.h": '#pragma once\n#include "frame/published/classify.h"\n',
     "src/output/raster/draw.h": "#pragma once\n",
     "src/output/vertex/vertices.h": "#pragma once\n",
-    "bindings/made.h": "// Made by bindings/generate from bindings/api.json; do not edit.\n" + "\n" * house.LONGEST_FILE,
+    "src/base/made.h": "// Made by bindings/generate from bindings/api.json; do not edit.\n#pragma once\n" + "// A.\n" * house.LONGEST_FILE,
     "src/api/model.cpp": '#include "fit/fit.h"\n#include "output/raster/draw.h"\n\n#include <hrbfnpr.h>\n',
 }
 
