@@ -3,6 +3,7 @@
 
 #include "base/list.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -244,10 +245,13 @@ private:
                 return a.leaf == b.leaf && std::equal(codes.begin() + a.begin, codes.begin() + a.end,
                                                       codes.begin() + b.begin, codes.begin() + b.end);
             };
+            const auto is_known = [&](const Zone& other) {
+                const auto a = parts(other);
+                const auto b = parts(zone);
+                return other.alone == zone.alone && std::equal(a.begin(), a.end(), b.begin(), b.end(), same);
+            };
             std::int32_t known = 0;
-            while (known < made.zone.size() && (made.zone[known].alone != zone.alone ||
-                                                !std::ranges::equal(parts(made.zone[known]), parts(zone), same)))
-                ++known;
+            while (known < made.zone.size() && !is_known(made.zone[known])) ++known;
             made.code.push_back(known);
             if (known == made.zone.size()) {
                 made.zone.push_back(zone);
@@ -265,7 +269,9 @@ private:
         };
         for (std::int64_t k = first; k < made.part.size(); ++k) {
             const Part& other = made.part[k];
-            if (!std::ranges::equal(codes(other), codes(part))) continue;
+            const auto a = codes(other);
+            const auto b = codes(part);
+            if (!std::equal(a.begin(), a.end(), b.begin(), b.end())) continue;
             made.program.resize(part.begin);
             return {part.leaf, other.begin, other.end};
         }

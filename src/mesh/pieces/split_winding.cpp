@@ -156,7 +156,8 @@ private:
         const std::int32_t last = measure_ways(end, patch.span());
         if (way_[last] < least_way * mesh_.bounds.diagonal()) return false;
         const glm::dvec3 first = normal(patch[0]);
-        flat_ = std::ranges::all_of(patch, [&](std::int32_t face) { return glm::dot(normal(face), first) > flat; });
+        flat_ = std::all_of(patch.begin(), patch.end(),
+                            [&](std::int32_t face) { return glm::dot(normal(face), first) > flat; });
         const double turn = turn_of(patch.span());
         if (turn == boundless) return false;
         const double parts = std::clamp(std::ceil(way_[last] / (part_of_turn * turn)), 1.0, most_parts);
