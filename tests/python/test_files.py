@@ -203,12 +203,14 @@ def test_what_is_not_read(tmp_path, name, data, words):
     ("laspy", "a.laz", None, "pip install laspy"),
     ("pye57", "a.e57", b"ASTM-E57" + bytes(100), "pip install pye57"),
     ("rasterio", "a.tif", b"II*\0" + bytes(100), "python3-rasterio"),
+    ("rasterio", "a.dem", bytes(100), "python3-rasterio"),
     ("vtk", "a.vtp", b'<?xml version="1.0"?>\n<VTKFile type="PolyData">', "python3-vtk9"),
     ("vtk", "a.vtk", b"# vtk DataFile Version 3.0\nx\nASCII\nDATASET POLYDATA\n", "python3-vtk9"),
     ("meshio", "a.vtu", b'<?xml version="1.0"?>\n<VTKFile type="UnstructuredGrid">', "python3-meshio"),
 ])  # fmt: skip
 def test_a_package_that_is_missing_is_named(tmp_path, monkeypatch, module, name, data, package):
-    monkeypatch.setitem(sys.modules, module, None)
+    for missing in {module, "vtk"}:
+        monkeypatch.setitem(sys.modules, missing, None)
     data = las(form=0x80) if data is None else data
     with pytest.raises(shapes.ShapeError, match=f"needs {module} .*{package}.*or without it"):
         shapes.read(write(tmp_path, name, data))

@@ -10,6 +10,7 @@ from conftest import fibonacci_sphere
 from test_shapes import CUBE, VERTICES, write
 
 from hrbfnpr import shapes
+from hrbfnpr.shapes import _vtk
 
 POINTS = fibonacci_sphere(60) * [1.0, 0.7, 1.3] + 5
 NORMALS = fibonacci_sphere(60)
@@ -297,16 +298,74 @@ def test_pgm(tmp_path):
 # --- VTK ---------------------------------------------------------------------------------------
 
 
-def test_cells_of_a_volume(tmp_path):
+@pytest.mark.parametrize("with_vtk", [False, True])
+def test_cells_of_a_volume(tmp_path, monkeypatch, with_vtk):
     meshio = pytest.importorskip("meshio")
+    if with_vtk:
+        pytest.importorskip("vtk")
+    else:
+        monkeypatch.setitem(sys.modules, "vtk", None)
     points = np.vstack([VERTICES, [[1, 1, 1]]])
     meshio.Mesh(points, [("tetra", np.array([[0, 1, 2, 3], [1, 2, 3, 4]]))]).write(tmp_path / "a.vtu")
     shape = shapes.read(tmp_path / "a.vtu")
     facts = shapes.mesh_facts(shape)
     assert len(shape.triangles) == 6 and facts.boundary_edges == 0 and "outer faces" in shape.notes[0]
+    assert len(shape.notes) == 1
     meshio.Mesh(CUBE, [("hexahedron", np.array([[0, 1, 3, 2, 4, 5, 7, 6]]))]).write(tmp_path / "b.vtk")
     facts = shapes.mesh_facts(shapes.read(tmp_path / "b.vtk"))
     assert facts.closed and not facts.inside_out and facts.volume == pytest.approx(1)
+
+
+def round_tetrahedron():
+    """Corners on a sphere, and the nodes in the middle of the edges, too."""
+    corners = np.array([[1, 1, 1], [-1, 1, -1], [1, -1, -1], [-1, -1, 1]], dtype=float)
+    middles = [corners[a] + corners[b] for a, b in ((0, 1), (1, 2), (2, 0), (0, 3), (1, 3), (2, 3))]
+    points = np.vstack([corners, middles])
+    return points / np.linalg.norm(points, axis=1)[:, None]
+
+
+@pytest.mark.parametrize("with_vtk, faces", [(False, 4), (True, 16)])
+def test_cells_with_nodes_on_their_edges(tmp_path, monkeypatch, with_vtk, faces):
+    """They were drawn as a cloud of points, whose surface was a guess."""
+    meshio = pytest.importorskip("meshio")
+    if with_vtk:
+        pytest.importorskip("vtk")
+    else:
+        monkeypatch.setitem(sys.modules, "vtk", None)
+    meshio.Mesh(round_tetrahedron(), [("tetra10", np.arange(10)[None])]).write(tmp_path / "a.vtu")
+    shape = shapes.read(tmp_path / "a.vtu")
+    facts = shapes.mesh_facts(shape)
+    assert len(shape.triangles) == faces and facts.closed and not facts.inside_out
+    np.testing.assert_allclose(np.linalg.norm(shape.points[shape.triangles], axis=2), 1)
+    meshio.Mesh(round_tetrahedron(), [("triangle6", np.array([[0, 1, 2, 4, 5, 6]]))]).write(tmp_path / "b.vtu")
+    assert len(shapes.read(tmp_path / "b.vtu").triangles) in (1, 4)
+
+
+def test_what_meshio_may_have_misread_is_said(tmp_path, monkeypatch):
+    meshio = pytest.importorskip("meshio")
+    monkeypatch.setitem(sys.modules, "vtk", None)
+    apart = np.vstack([VERTICES, VERTICES + 5.0])
+    meshio.Mesh(apart, [("tetra", np.arange(8).reshape(2, 4))]).write(tmp_path / "a.vtu")
+    assert "no two of its 2 cells share a face" in shapes.read(tmp_path / "a.vtu").notes[1]
+    meshio.Mesh(VERTICES, [("triangle", np.array([[0, 1, 2]])), ("line", np.array([[0, 1]]))]).write(tmp_path / "b.vtu")
+    assert shapes.read(tmp_path / "b.vtu").notes == ()
+    kinds = [meshio.CellBlock("tetra", np.zeros((1, 4))), meshio.CellBlock("hexahedron64", np.zeros((3, 64)))]
+    assert _vtk._left_out(kinds) == ("3 cells of the kind hexahedron64 left out",)
+    broken = b'<?xml version="1.0"?>\n<VTKFile type="UnstructuredGrid">'
+    with pytest.raises(shapes.ShapeError, match="meshio cannot read it.*VTK itself, if it is installed .python3-vtk9"):
+        shapes.read(write(tmp_path, "c.vtu", broken))
+
+
+def test_lines_and_volumes_of_vtk(tmp_path):
+    vtk = pytest.importorskip("vtk")
+    writer, source = vtk.vtkPolyDataWriter(), vtk.vtkLineSource()
+    writer.SetInputConnection(source.GetOutputPort())
+    writer.SetFileName(str(tmp_path / "a.vtk"))
+    writer.Write()
+    assert shapes.read(tmp_path / "a.vtk").notes == ("it has 1 lines and no faces: their points are taken",)
+    volume = b"# vtk DataFile Version 3.0\nx\nASCII\nDATASET STRUCTURED_POINTS\n"
+    with pytest.raises(shapes.ShapeError, match="it holds a volume"):
+        shapes.read(write(tmp_path, "b.vtk", volume))
 
 
 def test_polygons_of_vtk(tmp_path):
@@ -328,3 +387,10 @@ def test_geotiff(tmp_path):
         file.write(HEIGHTS, 1)
     shape = shapes.read(tmp_path / "a.tif")
     np.testing.assert_allclose(shape.points, shapes.read(write(tmp_path, "a.asc", grid())).points)
+    with rasterio.open(tmp_path / "a.bil", "w", driver="EHdr", **{**options, "dtype": "float32"}) as file:
+        file.write(HEIGHTS.astype("f"), 1)
+    elevations = shapes.read(tmp_path / "a.bil")
+    np.testing.assert_allclose(elevations.points, shape.points, rtol=1e-6)
+    assert elevations.format == "height map, DEM"
+    with pytest.raises(shapes.ShapeError, match="rasterio cannot read it"):
+        shapes.read(write(tmp_path, "a.dem", b"no elevations"))

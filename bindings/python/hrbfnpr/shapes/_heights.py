@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Height maps: ESRI's ASCII grids, PGM, and GeoTIFF, which rasterio reads.  They become meshes, z up."""
+"""Height maps: ESRI's ASCII grids, PGM; GeoTIFF and digital elevation models, which rasterio reads.  They become meshes, z up."""
 from __future__ import annotations
 
 import math
@@ -129,7 +129,16 @@ def _scale_of(comments: str, heights: Floats) -> Tuple[Tuple[float, float], floa
 
 def read_geotiff(path: Path) -> Shape:
     """The first band of a GeoTIFF."""
-    rasterio = needed("rasterio", "GeoTIFF", "python3-rasterio", "gdal_translate -of AAIGrid makes a grid of it, .asc")
+    return _raster(path, "GeoTIFF")
+
+
+def read_dem(path: Path) -> Shape:
+    """Elevations of another kind that rasterio knows: USGS DEM, SRTM, DTED, and those with a header beside them."""
+    return _raster(path, "DEM")
+
+
+def _raster(path: Path, form: str) -> Shape:
+    rasterio = needed("rasterio", form, "python3-rasterio", "gdal_translate -of AAIGrid makes a grid of it, .asc")
     import warnings
 
     notes: List[str] = []
@@ -151,5 +160,5 @@ def read_geotiff(path: Path) -> Shape:
     heights = np.ma.filled(band.astype(np.float64), np.nan)
     if degrees:
         cell = _in_metres(cell, bounds.left, bounds.bottom, shape[0], notes)
-        return mesh(heights, cell, "height map, GeoTIFF", notes)
-    return mesh(heights, cell, "height map, GeoTIFF", notes, bounds.left, bounds.bottom)
+        return mesh(heights, cell, f"height map, {form}", notes)
+    return mesh(heights, cell, f"height map, {form}", notes, bounds.left, bounds.bottom)

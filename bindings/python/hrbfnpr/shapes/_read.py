@@ -44,10 +44,10 @@ FORMATS: Dict[str, Format] = {
     for one in (
         Format("PLY", read_ply), Format("OBJ", read_obj), Format("STL", read_stl), Format("OFF", read_off),
         Format("text", read_xyz), Format("PCD", read_pcd), Format("glTF", None, _gltf_of),
-        Format("VTP", None, _vtk.read_vtp), Format("VTU", None, lambda path: _vtk.read_meshio(path, "VTU")),
+        Format("VTP", None, _vtk.read_vtp), Format("VTU", None, _vtk.read_vtu),
         Format("VTK", None, _vtk.read_vtk), Format("LAS", None, _scans.read_las), Format("E57", None, _scans.read_e57),
         Format("grid", _heights.read_grid), Format("PGM", _heights.read_pgm),
-        Format("GeoTIFF", None, _heights.read_geotiff), Format("3MF", None, read_3mf), Format("PTX", read_ptx),
+        Format("GeoTIFF", None, _heights.read_geotiff), Format("DEM", None, _heights.read_dem), Format("3MF", None, read_3mf), Format("PTX", read_ptx),
     )
 }  # fmt: skip
 ENDINGS = {
@@ -55,7 +55,7 @@ ENDINGS = {
     ".xyz": "text", ".xyzn": "text", ".pwn": "text", ".txt": "text", ".asc": "text", ".csv": "text", ".pts": "text",
     ".gltf": "glTF", ".glb": "glTF", ".vtp": "VTP", ".vtu": "VTU", ".vtk": "VTK", ".las": "LAS", ".laz": "LAS",
     ".e57": "E57", ".grd": "grid", ".pgm": "PGM", ".tif": "GeoTIFF", ".tiff": "GeoTIFF",
-    ".3mf": "3MF", ".ptx": "PTX",
+    ".3mf": "3MF", ".ptx": "PTX", **dict.fromkeys((".dem", ".hgt", ".dt0", ".dt1", ".dt2", ".bil", ".flt"), "DEM"),
 }  # fmt: skip
 _BY_MESHIO = (".msh", ".inp", ".mesh", ".bdf", ".nas", ".med", ".xdmf", ".tet", ".avs", ".e", ".exo", ".dat")
 _MAGIC: Tuple[Tuple[bytes, str], ...] = (
@@ -70,7 +70,7 @@ _MAGIC: Tuple[Tuple[bytes, str], ...] = (
 )  # fmt: skip
 READ = (
     "PLY, OBJ, STL, OFF, 3MF, glTF and GLB; points as XYZ, TXT, ASC, CSV, PTS, PWN, PTX, PCD, LAS, LAZ or E57; "
-    "VTK, VTU and VTP; height maps as ESRI grid, PGM or GeoTIFF"
+    "VTK, VTU and VTP; height maps as ESRI grid, PGM, GeoTIFF or DEM"
 )
 _CONVERT = {
     **dict.fromkeys((".step", ".stp", ".iges", ".igs", ".brep", ".sldprt", ".ipt", ".fcstd"),
@@ -122,7 +122,7 @@ def read(path: Union[str, "os.PathLike[str]"]) -> Shape:
     ----------
     path : path
         PLY, OBJ, STL, OFF, 3MF, glTF and GLB; tables of points with three columns or more (XYZ, TXT, CSV, PTS, PWN ...);
-        PTX, PCD, LAS; LAZ, E57, GeoTIFF, VTK and its kin with the package that reads them.  What the file holds counts
+        PTX, PCD, LAS; LAZ, E57, GeoTIFF, DEM, VTK and its kin with the package that reads them.  What the file holds counts
         for more than its ending.  A file that gzip has packed is unpacked.
 
     Raises

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import contextlib
 import io
+from importlib import import_module
 from pathlib import Path
-from typing import Any, Dict, List, Optional, Tuple
+from typing import Any, Dict, Iterator, List, Optional, Tuple
 
 import numpy as np
 
@@ -13,13 +14,20 @@ from ._optional import needed
 from ._polygons import fans, fans_of_block
 from ._shape import Floats, Integers, Shape, ShapeError
 
-# Faces of cells, seen from outside.
+# Faces of cells, seen from outside; and the cells that have a node in the middle of each edge, too, which is left out.
 _FACES = {
     "tetra": [[0, 2, 1], [0, 1, 3], [1, 2, 3], [0, 3, 2]],
     "hexahedron": [[0, 3, 2, 1], [4, 5, 6, 7], [0, 1, 5, 4], [1, 2, 6, 5], [2, 3, 7, 6], [3, 0, 4, 7]],
     "wedge": [[0, 1, 2], [3, 5, 4], [0, 3, 4, 1], [1, 4, 5, 2], [2, 5, 3, 0]],
     "pyramid": [[0, 3, 2, 1], [0, 1, 4], [1, 2, 4], [2, 3, 4], [3, 0, 4]],
 }
+_CORNERS = {
+    "triangle": 3, "triangle6": 3, "triangle7": 3, "quad": 4, "quad8": 4, "quad9": 4,
+    "tetra": 4, "tetra10": 4, "hexahedron": 8, "hexahedron20": 8, "hexahedron24": 8, "hexahedron27": 8,
+    "wedge": 6, "wedge15": 6, "wedge18": 6, "pyramid": 5, "pyramid13": 5, "pyramid14": 5,
+}  # fmt: skip
+_NO_SURFACE = ("vertex", "line")  # and those with more nodes
+_VOLUME = "its cells fill a volume: their outer faces are used"
 _OTHERWISE = "ParaView or MeshLab saves it as PLY"
 
 
@@ -30,25 +38,43 @@ def read_vtp(path: Path) -> Shape:
 
 
 def read_vtk(path: Path) -> Shape:
-    """VTK's older files: polygons by VTK, other kinds by meshio."""
+    """VTK's older files: polygons by VTK, other kinds by VTK or meshio."""
     with open(path, "rb") as file:
         head = file.read(1000).upper()
     if b"POLYDATA" in head:
         vtk = needed("vtk", "polygons of VTK", "python3-vtk9", _OTHERWISE)
         return _polydata(vtk, vtk.vtkPolyDataReader(), path, "VTK")
-    return read_meshio(path, "VTK")
+    if b"STRUCTURED_POINTS" in head:
+        raise ShapeError("it holds a volume: ParaView's Contour makes a surface of it, to save as PLY")
+    return _cells("vtkDataSetReader", path, "VTK")
+
+
+def read_vtu(path: Path) -> Shape:
+    """Cells in VTK's XML files."""
+    return _cells("vtkXMLUnstructuredGridReader", path, "VTU")
+
+
+def _cells(reader: str, path: Path, form: str) -> Shape:
+    """By VTK where it is installed, which reads all that it writes; else by meshio."""
+    try:
+        vtk: Any = import_module("vtk")
+    except ImportError:
+        return read_meshio(path, form)
+    return _polydata(vtk, getattr(vtk, reader)(), path, form)
 
 
 def _polydata(vtk: Any, reader: Any, path: Path, form: str) -> Shape:
-    from importlib import import_module
-
     to_numpy = import_module("vtk.util.numpy_support").vtk_to_numpy
-    vtk.vtkObject.GlobalWarningDisplayOff()
     reader.SetFileName(str(path))
-    reader.Update()
-    data = reader.GetOutput()
+    with _quiet(vtk):
+        reader.Update()
+        data = reader.GetOutput()  # which some readers read the file for again
     if data is None or data.GetNumberOfPoints() == 0:
         raise ShapeError("VTK finds no points in it: it is damaged, or empty")
+    notes: Tuple[str, ...] = ()
+    if not data.IsA("vtkPolyData"):
+        notes = (_VOLUME,) if _fills_a_volume(vtk, data) else ()
+        data = _surface_of(vtk, data)
     triangles = vtk.vtkTriangleFilter()
     triangles.SetInputData(data)
     triangles.PassVertsOff()
@@ -59,10 +85,45 @@ def _polydata(vtk: Any, reader: Any, path: Path, form: str) -> Shape:
     points: Floats = to_numpy(data.GetPoints().GetData()).astype(np.float64)
     if count:
         index: Integers = to_numpy(faces.GetData()).reshape(count, 4)[:, 1:].astype(np.int64)
-        return Shape(points, None, index, form, ("x", "y", "z"))
+        return Shape(points, None, index, form, ("x", "y", "z"), notes=notes)
+    if data.GetNumberOfLines():
+        notes = (f"it has {data.GetNumberOfLines()} lines and no faces: their points are taken",)
     normals = data.GetPointData().GetNormals()
     given: Optional[Floats] = None if normals is None else to_numpy(normals).astype(np.float64)
-    return Shape(points, given, None, form, ("x", "y", "z") if given is None else ("x", "y", "z", "nx", "ny", "nz"))
+    columns = ("x", "y", "z") if given is None else ("x", "y", "z", "nx", "ny", "nz")
+    return Shape(points, given, None, form, columns, notes=notes)
+
+
+@contextlib.contextmanager
+def _quiet(vtk: Any) -> Iterator[None]:
+    """What VTK has to say goes nowhere: it ends in the error of its reader, and standard error is the host's."""
+    shown, told = vtk.vtkObject.GetGlobalWarningDisplay(), vtk.vtkLogger.GetCurrentVerbosityCutoff()
+    vtk.vtkObject.GlobalWarningDisplayOff()
+    vtk.vtkLogger.SetStderrVerbosity(vtk.vtkLogger.VERBOSITY_OFF)
+    try:
+        yield
+    finally:
+        vtk.vtkLogger.SetStderrVerbosity(vtk.vtkLogger.ConvertToVerbosity(told))
+        vtk.vtkObject.SetGlobalWarningDisplay(shown)
+
+
+def _fills_a_volume(vtk: Any, cells: Any) -> bool:
+    kinds, cell = vtk.vtkCellTypes(), vtk.vtkGenericCell()
+    cells.GetCellTypes(kinds)
+    for i in range(kinds.GetNumberOfTypes()):
+        cell.SetCellType(kinds.GetCellType(i))
+        if cell.GetCellDimension() == 3:
+            return True
+    return False
+
+
+def _surface_of(vtk: Any, cells: Any) -> Any:
+    """Outer faces; those of cells with nodes between their corners in as many parts as these make."""
+    surface = vtk.vtkDataSetSurfaceFilter()
+    surface.SetInputData(cells)
+    surface.SetNonlinearSubdivisionLevel(1)
+    surface.Update()
+    return surface.GetOutput()
 
 
 def read_meshio(path: Path, form: str = "") -> Shape:
@@ -75,20 +136,21 @@ def read_meshio(path: Path, form: str = "") -> Shape:
             mesh = meshio.read(path)
     except (Exception, SystemExit) as error:
         reason = str(error).splitlines()[0] if str(error) else type(error).__name__
-        raise ShapeError(f"meshio cannot read it: {reason}; {_OTHERWISE}") from error
+        other = "VTK itself, if it is installed (python3-vtk9), may, and " if form else ""
+        raise ShapeError(f"meshio cannot read it: {reason}; {other}{_OTHERWISE}") from error
     points = np.asarray(mesh.points, dtype=np.float64)
     if points.ndim != 2 or points.shape[1] != 3:
         raise ShapeError("its points are not in three dimensions")
     parts: List[Integers] = [
-        fans_of_block(block.data, points).reshape(-1, 3)
+        fans_of_block(_corners(block), points).reshape(-1, 3)
         for block in mesh.cells
-        if block.type in ("triangle", "quad") or block.type.startswith("polygon")
+        if block.type.startswith(("triangle", "quad", "polygon"))
     ]
     notes: Tuple[str, ...] = ()
     if not parts:
-        outer = _outer(mesh.cells)
+        outer, notes = _outer(mesh.cells)
         parts = [outer] if len(outer) else []
-        notes = ("its cells fill a volume: their outer faces are used",) if parts else ()
+    notes += _left_out(mesh.cells)
     normals = mesh.point_data.get("Normals", mesh.point_data.get("normals"))
     given = None if parts or normals is None else np.asarray(normals, dtype=np.float64)
     columns = ("x", "y", "z") if given is None else ("x", "y", "z", "nx", "ny", "nz")
@@ -96,14 +158,39 @@ def read_meshio(path: Path, form: str = "") -> Shape:
     return Shape(points, given, triangles, form or path.suffix[1:].upper(), columns, notes=notes)
 
 
-def _outer(blocks: Any) -> Integers:
-    """Triangles of the faces that one cell only has."""
+def _corners(block: Any) -> Any:
+    """Of each cell."""
+    data = np.asarray(block.data)
+    return data[:, : _CORNERS.get(block.type, data.shape[1])]
+
+
+def _outer(blocks: Any) -> Tuple[Integers, Tuple[str, ...]]:
+    """Triangles of the faces that one cell only has, and what is said of them."""
     faces: Dict[Tuple[int, ...], List[int]] = {}
+    count = all_faces = 0
     for block in blocks:
-        for cell in np.asarray(block.data).tolist() if block.type in _FACES else ():
-            for corners in _FACES[block.type]:
+        kind = block.type.rstrip("0123456789")
+        for cell in _corners(block).tolist() if kind in _FACES and block.type in _CORNERS else ():
+            count, all_faces = count + 1, all_faces + len(_FACES[kind])
+            for corners in _FACES[kind]:
                 face = [cell[i] for i in corners]
                 key = tuple(sorted(face))
                 if faces.pop(key, None) is None:
                     faces[key] = face
-    return fans(faces.values())
+    notes: Tuple[str, ...] = (_VOLUME,) if faces else ()
+    if count > 1 and len(faces) == all_faces:
+        notes += (
+            f"no two of its {count} cells share a face: meshio may have misread them; with VTK installed (python3-vtk9) "
+            "it reads them",
+        )
+    return fans(faces.values()), notes
+
+
+def _left_out(blocks: Any) -> Tuple[str, ...]:
+    """Cells that are no faces, and have none that are known."""
+    unknown = {
+        block.type: len(block.data)
+        for block in blocks
+        if block.type not in _CORNERS and not block.type.startswith((*_NO_SURFACE, "polygon"))
+    }
+    return tuple(f"{count} cells of the kind {kind} left out" for kind, count in sorted(unknown.items()))
