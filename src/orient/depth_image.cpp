@@ -14,8 +14,6 @@
 namespace hrbfnpr::orient {
 namespace {
 
-using geometry::VecArray;
-
 constexpr std::int64_t pixels_a_task = 1024;
 constexpr std::int64_t tasks_a_band = 32;
 constexpr std::int64_t least_seen = 64;

@@ -153,3 +153,15 @@ def test_what_is_behind_is_no_hole(tmp_path):
     from_wall = np.abs(places @ [0.1, -0.05, -1.0] + 2.2) / np.linalg.norm([0.1, -0.05, -1.0])
     between = (from_ball > 0.06) & (from_wall > 0.06)
     assert between.mean() < 0.01
+
+
+def test_a_check_says_what_is_done(tmp_path, capsys):
+    points, _ = kinect(80, 60)
+    points[:20] = np.nan
+    file = write(tmp_path, "a.pcd", pcd(points))
+    assert main(["check", str(file)]) == 0
+    said = capsys.readouterr().out
+    assert "image rows: 60" in said and "image columns: 80" in said and "image seen: 3200" in said
+    assert "the picture of a depth camera smoothed over" in said and "normals made" in said
+    assert main(["fit", str(file), str(tmp_path / "a.hrbf"), "--viewpoint", "1,2,3"]) == 0
+    assert "--viewpoint is not used: the points are a picture" in capsys.readouterr().err

@@ -11,6 +11,7 @@ import numpy as np
 
 from .. import shapes
 from .._context import Context
+from .._depth_image import smooth_depth_image
 from .._errors import Error
 from .._mesh import Mesh
 from .._model import Model
@@ -89,10 +90,14 @@ def _look(path: Path, findings: Findings, context: Context) -> None:
         normals=shape.normals is not None,
     )
     findings.facts["notes"] = list(shape.notes)
-    shape = _without_far(shape, findings)
+    of_camera = shape.image_shape is not None and not _inputs.has_normals(shape)
+    shape = shape if of_camera else _without_far(shape, findings)
     points = _places(shape, findings)
     try:
-        samples, normals = _mesh(shape, findings) if shape.is_mesh else _cloud(shape, points, findings)
+        if of_camera:
+            samples, normals = _picture(shape, findings, context)
+        else:
+            samples, normals = _mesh(shape, findings) if shape.is_mesh else _cloud(shape, points, findings)
     except ShapeError as error:
         findings.errors.append(str(error))
         return
@@ -124,7 +129,7 @@ def _places(shape: Shape, findings: Findings) -> Floats:
     diagonal = float(np.linalg.norm(high - low))
     unit = "metres" if shape.format in _METRES else "unknown"
     findings.facts.update(bounds_min=low.tolist(), bounds_max=high.tolist(), diagonal=diagonal, unit=unit)
-    if not finite.all() and not shape.is_mesh:
+    if not finite.all() and not shape.is_mesh and not shape.is_picture:
         findings.repairs.append(f"{of(int((~finite).sum()), 'point')} without a finite position left out")
         findings.warn(f"{of(int((~finite).sum()), 'position')} not finite")
     if diagonal == 0:
@@ -137,6 +142,25 @@ def _places(shape: Shape, findings: Findings) -> Floats:
             "move it near to the origin, in double precision",
         )
     return points
+
+
+def _picture(shape: Shape, findings: Findings, context: Context) -> Tuple[Floats, Floats]:
+    """What draw makes of one: points without noise, with normals."""
+    assert shape.image_shape is not None
+    smoothed = smooth_depth_image(shape.points.reshape(*shape.image_shape, 3), context=context)
+    points, normals = (np.asarray(each, dtype=float).reshape(-1, 3) for each in (smoothed.points, smoothed.normals))
+    info, (rows, columns), kept = smoothed.info, shape.image_shape, np.isfinite(points).all(axis=1)
+    noise = info.noise * info.depth**2
+    findings.facts.update(
+        image_rows=rows, image_columns=columns, image_seen=info.seen, image_depth=info.depth, image_noise=noise
+    )
+    findings.repairs.append(
+        f"the picture of a depth camera smoothed over {info.radius:.1f} pixels where the depth is {info.depth:.3g}, where "
+        f"its noise is {noise:.2g}; normals made"
+    )
+    if info.left_out:
+        findings.repairs.append(f"{of(info.left_out, 'pixel')} on no surface left out")
+    return points[kept], normals[kept]
 
 
 def _cloud(shape: Shape, points: Floats, findings: Findings) -> Tuple[Floats, Floats]:

@@ -238,6 +238,8 @@ def _fitted(shape: Shape, arguments: Any, context: Context, report: Reporter) ->
     shape = _without_far(shape, arguments, report)
     made, hole = arguments.normals == "none" or not has_normals(shape), None
     if made and shape.image_shape is not None:
+        if arguments.viewpoint:
+            report.warn("--viewpoint is not used: the points are a picture, whose camera is known")
         shape, hole = _depth_image.smooth(shape, arguments, context, report)
     elif made:
         shape = _with_normals(shape, arguments, context, report)
