@@ -356,6 +356,39 @@ def test_what_meshio_may_have_misread_is_said(tmp_path, monkeypatch):
         shapes.read(write(tmp_path, "c.vtu", broken))
 
 
+MNI = """P 0.3 0.3 0.4 10 1 4
+ 0 0 0
+ 1 0 0
+ 0 1 0
+ 0 0 1
+
+ 0 0 -1
+ 1 0 0
+ 0 1 0
+ 0 0 1
+
+ 4
+ 0 1 1 1 1
+
+ 3 6 9 12
+
+ 0 2 1 0 1 3 1 2 3 0 3 2
+"""
+
+
+def test_mni_objects(tmp_path, monkeypatch):
+    """They end in .obj, and are no Wavefront OBJ."""
+    file = write(tmp_path, "a.obj", MNI)
+    with monkeypatch.context() as without:
+        without.setitem(sys.modules, "vtk", None)
+        with pytest.raises(shapes.ShapeError, match="reading MNI objects needs vtk .python3-vtk9"):
+            shapes.read(file)
+    pytest.importorskip("vtk")
+    shape = shapes.read(file)
+    facts = shapes.mesh_facts(shape)
+    assert len(shape.triangles) == 4 and facts.closed and not facts.inside_out and shape.format == "MNI object"
+
+
 def test_lines_and_volumes_of_vtk(tmp_path):
     vtk = pytest.importorskip("vtk")
     writer, source = vtk.vtkPolyDataWriter(), vtk.vtkLineSource()

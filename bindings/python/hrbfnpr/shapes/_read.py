@@ -44,7 +44,7 @@ FORMATS: Dict[str, Format] = {
     for one in (
         Format("PLY", read_ply), Format("OBJ", read_obj), Format("STL", read_stl), Format("OFF", read_off),
         Format("text", read_xyz), Format("PCD", read_pcd), Format("glTF", None, _gltf_of),
-        Format("VTP", None, _vtk.read_vtp), Format("VTU", None, _vtk.read_vtu),
+        Format("MNI object", None, _vtk.read_mni), Format("VTP", None, _vtk.read_vtp), Format("VTU", None, _vtk.read_vtu),
         Format("VTK", None, _vtk.read_vtk), Format("LAS", None, _scans.read_las), Format("E57", None, _scans.read_e57),
         Format("grid", _heights.read_grid), Format("PGM", _heights.read_pgm),
         Format("GeoTIFF", None, _heights.read_geotiff), Format("DEM", None, _heights.read_dem), Format("3MF", None, read_3mf), Format("PTX", read_ptx),
@@ -64,7 +64,7 @@ _MAGIC: Tuple[Tuple[bytes, str], ...] = (
     (rb"\s*(?:<\?xml[^>]*>\s*)?(?:<!--.*?-->\s*)*<VTKFile[^>]*PolyData", "VTP"),
     (rb"\s*(?:<\?xml[^>]*>\s*)?(?:<!--.*?-->\s*)*<VTKFile[^>]*UnstructuredGrid", "VTU"),
     (rb"P[25]\s", "PGM"), (rb"II[*+]\0|MM\0[*+]", "GeoTIFF"), (rb"\s*(?i:ncols|nrows)\s+\d+\s", "grid"),
-    (PTX_MAGIC, "PTX"), (rb"\s*(?:ST)?C?N?4?n?OFF(?=\d|\b)", "OFF"), (rb"\s*\{[^\0]*\"asset\"\s*:", "glTF"),
+    (PTX_MAGIC, "PTX"), (rb"P(?: \d*\.?\d+){3} \d+ \d+\s", "MNI object"), (rb"\s*(?:ST)?C?N?4?n?OFF(?=\d|\b)", "OFF"), (rb"\s*\{[^\0]*\"asset\"\s*:", "glTF"),
     (rb"\s*(?i:solid)\b[^\0]*\n\s*(?i:facet|endsolid)\b", "STL"),
     (rb"(?:\s*(?:#[^\n]*|mtllib[^\n]*|[og]\s[^\n]*|s\s[^\n]*|usemtl[^\n]*)?\n)*v[ \t]+[-+.\d]\S*[ \t]+[-+.\d]", "OBJ"),
 )  # fmt: skip

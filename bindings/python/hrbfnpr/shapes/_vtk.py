@@ -37,6 +37,12 @@ def read_vtp(path: Path) -> Shape:
     return _polydata(vtk, vtk.vtkXMLPolyDataReader(), path, "VTP")
 
 
+def read_mni(path: Path) -> Shape:
+    """Surfaces of the Montreal Neurological Institute's tools, whose files end in .obj, too."""
+    vtk = needed("vtk", "MNI objects", "python3-vtk9", _OTHERWISE)
+    return _polydata(vtk, vtk.vtkMNIObjectReader(), path, "MNI object")
+
+
 def read_vtk(path: Path) -> Shape:
     """VTK's older files: polygons by VTK, other kinds by VTK or meshio."""
     with open(path, "rb") as file:
