@@ -345,7 +345,8 @@ def test_the_keys_of_json(tmp_path, capsys):
     entries = re.findall(r"^\| (`.+?) \| (.+) \|$", section, re.M)
     keys = {key for names, _ in entries for key in re.findall(r"`(\w+)`", names)}
     found = set()
-    for path in (write(tmp_path, "a.xyz", table(*ball())), write(tmp_path, "a.obj", obj(CUBE, QUADS))):
+    files = {"a.xyz": table(*ball()), "a.obj": obj(CUBE, QUADS), "a.pcd": pcd_picture()}
+    for path in (write(tmp_path, name, data) for name, data in files.items()):
         assert main(["check", str(path), "--json"]) == 0
         found |= json.loads(capsys.readouterr().out).keys()
     assert found == keys

@@ -389,6 +389,21 @@ def test_mni_objects(tmp_path, monkeypatch):
     assert len(shape.triangles) == 4 and facts.closed and not facts.inside_out and shape.format == "MNI object"
 
 
+@pytest.mark.parametrize("ended, words", [("exit 1", "cannot read it, and ended"), ("kill -SEGV $$", "and ended"),
+                                          ("exit 0", "VTK finds no points in it")])  # fmt: skip
+def test_a_file_that_ends_vtk_ends_nothing_else(tmp_path, monkeypatch, ended, words):
+    interpreter = tmp_path / "python"
+    interpreter.write_text(f"#!/bin/sh\n{ended}\n")
+    interpreter.chmod(0o755)
+    monkeypatch.setattr(sys, "executable", str(interpreter))
+    monkeypatch.setattr(_vtk, "is_here", lambda module: True)
+    with pytest.raises(shapes.ShapeError, match=words):
+        shapes.read(write(tmp_path, "a.vtp", b'<?xml version="1.0"?>\n<VTKFile type="PolyData">'))
+    monkeypatch.setattr(sys, "executable", "")
+    with pytest.raises(shapes.ShapeError, match="needs an interpreter of its own"):
+        shapes.read(tmp_path / "a.vtp")
+
+
 def test_lines_and_volumes_of_vtk(tmp_path):
     vtk = pytest.importorskip("vtk")
     writer, source = vtk.vtkPolyDataWriter(), vtk.vtkLineSource()

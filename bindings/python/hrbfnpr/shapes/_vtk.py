@@ -4,13 +4,15 @@ from __future__ import annotations
 
 import contextlib
 import io
-from importlib import import_module
+import subprocess
+import sys
+import tempfile
 from pathlib import Path
-from typing import Any, Dict, Iterator, List, Optional, Tuple
+from typing import Any, Dict, List, Optional, Tuple
 
 import numpy as np
 
-from ._optional import needed
+from ._optional import is_here, needed
 from ._polygons import fans, fans_of_block
 from ._shape import Floats, Integers, Shape, ShapeError
 
@@ -31,16 +33,19 @@ _VOLUME = "its cells fill a volume: their outer faces are used"
 _OTHERWISE = "ParaView or MeshLab saves it as PLY"
 
 
+_LONGEST = 600.0  # seconds, for files of gigabytes
+
+
 def read_vtp(path: Path) -> Shape:
     """Polygons of VTK's XML files."""
-    vtk = needed("vtk", "VTP", "python3-vtk9", _OTHERWISE)
-    return _polydata(vtk, vtk.vtkXMLPolyDataReader(), path, "VTP")
+    _need_vtk("VTP")
+    return _by_vtk("vtkXMLPolyDataReader", path, "VTP")
 
 
 def read_mni(path: Path) -> Shape:
     """Surfaces of the Montreal Neurological Institute's tools, whose files end in .obj, too."""
-    vtk = needed("vtk", "MNI objects", "python3-vtk9", _OTHERWISE)
-    return _polydata(vtk, vtk.vtkMNIObjectReader(), path, "MNI object")
+    _need_vtk("MNI objects")
+    return _by_vtk("vtkMNIObjectReader", path, "MNI object")
 
 
 def read_vtk(path: Path) -> Shape:
@@ -48,8 +53,8 @@ def read_vtk(path: Path) -> Shape:
     with open(path, "rb") as file:
         head = file.read(1000).upper()
     if b"POLYDATA" in head:
-        vtk = needed("vtk", "polygons of VTK", "python3-vtk9", _OTHERWISE)
-        return _polydata(vtk, vtk.vtkPolyDataReader(), path, "VTK")
+        _need_vtk("polygons of VTK")
+        return _by_vtk("vtkPolyDataReader", path, "VTK")
     if b"STRUCTURED_POINTS" in head:
         raise ShapeError("it holds a volume: ParaView's Contour makes a surface of it, to save as PLY")
     return _cells("vtkDataSetReader", path, "VTK")
@@ -62,74 +67,44 @@ def read_vtu(path: Path) -> Shape:
 
 def _cells(reader: str, path: Path, form: str) -> Shape:
     """By VTK where it is installed, which reads all that it writes; else by meshio."""
-    try:
-        vtk: Any = import_module("vtk")
-    except ImportError:
-        return read_meshio(path, form)
-    return _polydata(vtk, getattr(vtk, reader)(), path, form)
+    return _by_vtk(reader, path, form) if is_here("vtk") and sys.executable else read_meshio(path, form)
 
 
-def _polydata(vtk: Any, reader: Any, path: Path, form: str) -> Shape:
-    to_numpy = import_module("vtk.util.numpy_support").vtk_to_numpy
-    reader.SetFileName(str(path))
-    with _quiet(vtk):
-        reader.Update()
-        data = reader.GetOutput()  # which some readers read the file for again
-    if data is None or data.GetNumberOfPoints() == 0:
-        raise ShapeError("VTK finds no points in it: it is damaged, or empty")
-    notes: Tuple[str, ...] = ()
-    if not data.IsA("vtkPolyData"):
-        notes = (_VOLUME,) if _fills_a_volume(vtk, data) else ()
-        data = _surface_of(vtk, data)
-    triangles = vtk.vtkTriangleFilter()
-    triangles.SetInputData(data)
-    triangles.PassVertsOff()
-    triangles.PassLinesOff()
-    triangles.Update()
-    faces = triangles.GetOutput().GetPolys()
-    count = faces.GetNumberOfCells()
-    points: Floats = to_numpy(data.GetPoints().GetData()).astype(np.float64)
-    if count:
-        index: Integers = to_numpy(faces.GetData()).reshape(count, 4)[:, 1:].astype(np.int64)
-        return Shape(points, None, index, form, ("x", "y", "z"), notes=notes)
-    if data.GetNumberOfLines():
-        notes = (f"it has {data.GetNumberOfLines()} lines and no faces: their points are taken",)
-    normals = data.GetPointData().GetNormals()
-    given: Optional[Floats] = None if normals is None else to_numpy(normals).astype(np.float64)
+def _need_vtk(what: str) -> None:
+    if not is_here("vtk"):
+        needed("vtk", what, "python3-vtk9", _OTHERWISE)
+    if not sys.executable:
+        raise ShapeError(f"reading {what} needs an interpreter of its own, which this program does not know: {_OTHERWISE}")
+
+
+def _by_vtk(reader: str, path: Path, form: str) -> Shape:
+    """In a process of its own: damaged files may end the one that VTK runs in."""
+    path.stat()  # a missing file is an OSError like everywhere
+    with tempfile.TemporaryDirectory() as folder:
+        result = Path(folder) / "result.npz"
+        script = Path(__file__).with_name("_vtk_reader.py")
+        command = [sys.executable, str(script), reader, str(path.resolve()), str(result)]
+        try:
+            done = subprocess.run(command, stdin=subprocess.DEVNULL, capture_output=True, timeout=_LONGEST, check=False)
+        except subprocess.TimeoutExpired:
+            raise ShapeError(f"VTK does not come to an end with it; {_OTHERWISE}") from None
+        if done.returncode:
+            raise ShapeError(f"VTK cannot read it, and ended: it is damaged; {_OTHERWISE}")
+        if not result.exists():
+            raise ShapeError("VTK finds no points in it: it is damaged, or empty")
+        with np.load(result) as found:
+            return _shape_of(found, form)
+
+
+def _shape_of(found: Any, form: str) -> Shape:
+    points, triangles, normals = found["points"], found["triangles"], found["normals"]
+    if len(triangles):
+        return Shape(points, None, triangles, form, ("x", "y", "z"), notes=(_VOLUME,) if found["volume"] else ())
+    count = int(found["lines"])
+    notes = (f"it has {count} lines and no faces: their points are taken",) if count else ()
+    given: Optional[Floats] = normals if len(normals) == len(points) else None
     columns = ("x", "y", "z") if given is None else ("x", "y", "z", "nx", "ny", "nz")
     return Shape(points, given, None, form, columns, notes=notes)
-
-
-@contextlib.contextmanager
-def _quiet(vtk: Any) -> Iterator[None]:
-    """What VTK has to say goes nowhere: it ends in the error of its reader, and standard error is the host's."""
-    shown, told = vtk.vtkObject.GetGlobalWarningDisplay(), vtk.vtkLogger.GetCurrentVerbosityCutoff()
-    vtk.vtkObject.GlobalWarningDisplayOff()
-    vtk.vtkLogger.SetStderrVerbosity(vtk.vtkLogger.VERBOSITY_OFF)
-    try:
-        yield
-    finally:
-        vtk.vtkLogger.SetStderrVerbosity(vtk.vtkLogger.ConvertToVerbosity(told))
-        vtk.vtkObject.SetGlobalWarningDisplay(shown)
-
-
-def _fills_a_volume(vtk: Any, cells: Any) -> bool:
-    kinds, cell = vtk.vtkCellTypes(), vtk.vtkGenericCell()
-    cells.GetCellTypes(kinds)
-    for i in range(kinds.GetNumberOfTypes()):
-        cell.SetCellType(kinds.GetCellType(i))
-        if cell.GetCellDimension() == 3:
-            return True
-    return False
-
-
-def _surface_of(vtk: Any, cells: Any) -> Any:
-    """Outer faces; those of cells with nodes between their corners in as many parts as these make."""
-    surface = vtk.vtkDataSetSurfaceFilter()
-    surface.SetInputData(cells)
-    surface.SetNonlinearSubdivisionLevel(1)
-    surface.Update()
-    return surface.GetOutput()
 
 
 def read_meshio(path: Path, form: str = "") -> Shape:
