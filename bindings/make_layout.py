@@ -49,7 +49,7 @@ def fields_of(struct):
 
 def outputs(api):
     table = packed(" ".join(f"X({struct['name']})" for struct in api["structs"]), " \\")
-    parts = [HEAD, *map(fields_of, api["structs"]), "#undef FIELD\n",
-             f"// X(name) of all structs, in the header's order.\n#define HRBFNPR_STRUCTS(X) \\\n{table}\n",
-             "} // namespace hrbfnpr::api\n"]
-    return {PATH: "\n".join(parts)}
+    parts = [HEAD, "\n", *map(fields_of, api["structs"]), "#undef FIELD\n",
+             f"\n// X(name) of all structs, in the header's order.\n#define HRBFNPR_STRUCTS(X) \\\n{table}\n",
+             "\n} // namespace hrbfnpr::api\n"]
+    return {PATH: "".join(parts)}

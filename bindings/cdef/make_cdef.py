@@ -32,22 +32,25 @@ def text_of(kind, entry):
     return f"{signature(entry)};"
 
 
-def folded(text):
-    """One declaration, its lines filled and broken after a comma, a semicolon or a brace."""
+def folded(text, before=""):
+    """One declaration behind what stands in its first line, broken after a comma, a semicolon or a brace."""
     text = re.sub(r"(?<![,;{]) ", "\0", text)
-    lines = textwrap.wrap(text, WIDTH, subsequent_indent="    ", break_on_hyphens=False)
-    return "\n".join(lines).replace("\0", " ") + "\n"
+    lines = textwrap.wrap(text, WIDTH, initial_indent=before, subsequent_indent="    ", break_on_hyphens=False,
+                          break_long_words=False)
+    return [line.replace("\0", " ") for line in lines]
 
 
 def c_text(api):
-    """All declarations in the header's order; a short one goes on in the line before, where it fits."""
+    """All declarations in the header's order; one goes on in the line before, where that saves a line."""
     lines = []
     for kind, entry in declarations(api):
-        first, *more = folded(text_of(kind, entry)).rstrip("\n").split("\n")
-        if lines and not more and len(lines[-1]) + 1 + len(first) <= WIDTH:
-            lines[-1] += " " + first
+        text = text_of(kind, entry)
+        alone = folded(text)
+        behind = folded(text, lines[-1] + " ") if lines else alone
+        if lines and len(behind) <= len(alone) and len(behind[0]) <= WIDTH:
+            lines[-1:] = behind
         else:
-            lines += [first, *more]
+            lines += alone
     return "".join(line + "\n" for line in lines)
 
 

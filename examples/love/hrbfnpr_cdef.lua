@@ -3,25 +3,22 @@
 require("ffi").cdef[[
 enum { HRBFNPR_VERSION_MAJOR = 0, HRBFNPR_VERSION_MINOR = 1, HRBFNPR_VERSION_PATCH = 0, HRBFNPR_ABI_VERSION = 1 };
 uint32_t hrbfnpr_version(void); uint32_t hrbfnpr_abi_version(void); const char* hrbfnpr_version_string(void);
-typedef int32_t hrbfnpr_status;
-enum { HRBFNPR_STATUS_OK = 0, HRBFNPR_STATUS_INVALID_ARGUMENT = -1, HRBFNPR_STATUS_OUT_OF_MEMORY = -2,
-    HRBFNPR_STATUS_BUFFER_TOO_SMALL = -3, HRBFNPR_STATUS_UNSUPPORTED_STRUCT = -4, HRBFNPR_STATUS_SINGULAR_SYSTEM = -5,
-    HRBFNPR_STATUS_NOT_CONVERGED = -6, HRBFNPR_STATUS_CANCELLED = -7, HRBFNPR_STATUS_IO = -8,
-    HRBFNPR_STATUS_CORRUPT_DATA = -9, HRBFNPR_STATUS_VERSION_MISMATCH = -10, HRBFNPR_STATUS_CALLBACK = -11,
-    HRBFNPR_STATUS_INTERNAL = -99 }; const char* hrbfnpr_status_name(hrbfnpr_status status);
+typedef int32_t hrbfnpr_status; enum { HRBFNPR_STATUS_OK = 0, HRBFNPR_STATUS_INVALID_ARGUMENT = -1,
+    HRBFNPR_STATUS_OUT_OF_MEMORY = -2, HRBFNPR_STATUS_BUFFER_TOO_SMALL = -3, HRBFNPR_STATUS_UNSUPPORTED_STRUCT = -4,
+    HRBFNPR_STATUS_SINGULAR_SYSTEM = -5, HRBFNPR_STATUS_NOT_CONVERGED = -6, HRBFNPR_STATUS_CANCELLED = -7,
+    HRBFNPR_STATUS_IO = -8, HRBFNPR_STATUS_CORRUPT_DATA = -9, HRBFNPR_STATUS_VERSION_MISMATCH = -10,
+    HRBFNPR_STATUS_CALLBACK = -11, HRBFNPR_STATUS_INTERNAL = -99 };
+const char* hrbfnpr_status_name(hrbfnpr_status status);
 typedef struct hrbfnpr_error { uint32_t struct_size; hrbfnpr_status status; char message[248]; } hrbfnpr_error;
 hrbfnpr_status hrbfnpr_error_init(hrbfnpr_error* error, uint32_t struct_size);
 hrbfnpr_status hrbfnpr_build_info(char* destination, int64_t capacity, int64_t* needed);
-const char* hrbfnpr_layout(const char* name);
-enum { HRBFNPR_SCALAR_FLOAT32 = 1, HRBFNPR_SCALAR_FLOAT64 = 2, HRBFNPR_SCALAR_UINT8 = 3, HRBFNPR_SCALAR_UINT32 = 4,
-    HRBFNPR_SCALAR_INT32 = 5, HRBFNPR_SCALAR_INT64 = 6 };
+const char* hrbfnpr_layout(const char* name); enum { HRBFNPR_SCALAR_FLOAT32 = 1, HRBFNPR_SCALAR_FLOAT64 = 2,
+    HRBFNPR_SCALAR_UINT8 = 3, HRBFNPR_SCALAR_UINT32 = 4, HRBFNPR_SCALAR_INT32 = 5, HRBFNPR_SCALAR_INT64 = 6 };
 typedef struct hrbfnpr_array { const void* data; int64_t count; int64_t stride; uint32_t scalar; uint32_t components;
-    } hrbfnpr_array;
-typedef struct hrbfnpr_array_out { void* data; int64_t count; int64_t stride; uint32_t scalar; uint32_t components;
-    } hrbfnpr_array_out;
-enum { HRBFNPR_FORMAT_RGBA8 = 1, HRBFNPR_FORMAT_BGRA8 = 2, HRBFNPR_FORMAT_RGBA8_PREMULTIPLIED = 3,
-    HRBFNPR_FORMAT_BGRA8_PREMULTIPLIED = 4, HRBFNPR_FORMAT_RGBA32F = 5, HRBFNPR_FORMAT_RGBA32F_PREMULTIPLIED = 6,
-    HRBFNPR_FORMAT_COVERAGE8 = 7 };
+    } hrbfnpr_array; typedef struct hrbfnpr_array_out { void* data; int64_t count; int64_t stride; uint32_t scalar;
+    uint32_t components; } hrbfnpr_array_out; enum { HRBFNPR_FORMAT_RGBA8 = 1, HRBFNPR_FORMAT_BGRA8 = 2,
+    HRBFNPR_FORMAT_RGBA8_PREMULTIPLIED = 3, HRBFNPR_FORMAT_BGRA8_PREMULTIPLIED = 4, HRBFNPR_FORMAT_RGBA32F = 5,
+    HRBFNPR_FORMAT_RGBA32F_PREMULTIPLIED = 6, HRBFNPR_FORMAT_COVERAGE8 = 7 };
 typedef struct hrbfnpr_image { uint32_t struct_size; uint32_t format; int32_t width; int32_t height; void* pixels;
     int64_t row_stride; } hrbfnpr_image; hrbfnpr_status hrbfnpr_image_init(hrbfnpr_image* image, uint32_t struct_size);
 typedef struct hrbfnpr_context hrbfnpr_context;
@@ -77,9 +74,8 @@ hrbfnpr_status hrbfnpr_model_fit(hrbfnpr_context* context, const hrbfnpr_fit_des
     hrbfnpr_model** out_model, hrbfnpr_error* error);
 typedef struct hrbfnpr_orient_desc { uint32_t struct_size; uint32_t mode; hrbfnpr_array points; hrbfnpr_array normals;
     double up[3]; double viewpoint[3]; uint32_t has_viewpoint; uint32_t reserved; } hrbfnpr_orient_desc;
-hrbfnpr_status hrbfnpr_orient_desc_init(hrbfnpr_orient_desc* desc, uint32_t struct_size);
-enum { HRBFNPR_OUTWARD_INSIDE = 0, HRBFNPR_OUTWARD_UP = 1, HRBFNPR_OUTWARD_VIEWPOINT = 2,
-    HRBFNPR_OUTWARD_AS_GIVEN = 3 };
+hrbfnpr_status hrbfnpr_orient_desc_init(hrbfnpr_orient_desc* desc, uint32_t struct_size); enum {
+    HRBFNPR_OUTWARD_INSIDE = 0, HRBFNPR_OUTWARD_UP = 1, HRBFNPR_OUTWARD_VIEWPOINT = 2, HRBFNPR_OUTWARD_AS_GIVEN = 3 };
 typedef struct hrbfnpr_orient_info { uint32_t struct_size; uint32_t found; int64_t turned; int64_t made; int64_t merged;
     double direction_change; double noise; double spacing; double energy; double confidence; uint32_t closed;
     uint32_t outward_by; int64_t components; double seconds; } hrbfnpr_orient_info;
@@ -94,9 +90,8 @@ typedef struct hrbfnpr_depth_image_info { uint32_t struct_size; uint32_t reserve
 hrbfnpr_status hrbfnpr_depth_image_info_init(hrbfnpr_depth_image_info* info, uint32_t struct_size);
 hrbfnpr_status hrbfnpr_smooth_depth_image(hrbfnpr_context* context, const hrbfnpr_depth_image_desc* desc,
     hrbfnpr_operation* operation, const hrbfnpr_array_out* out_points, const hrbfnpr_array_out* out_normals,
-    hrbfnpr_depth_image_info* info, hrbfnpr_error* error);
-typedef int32_t (*hrbfnpr_implicit_fn)(void* user, int64_t count, const double* points, double* value, double* gradient,
-    double* hessian);
+    hrbfnpr_depth_image_info* info, hrbfnpr_error* error); typedef int32_t (*hrbfnpr_implicit_fn)(void* user,
+    int64_t count, const double* points, double* value, double* gradient, double* hessian);
 enum { HRBFNPR_CUSTOM_HAS_GRADIENT = 1, HRBFNPR_CUSTOM_HAS_HESSIAN = 2, HRBFNPR_CUSTOM_THREAD_SAFE = 4 };
 typedef struct hrbfnpr_custom_desc { uint32_t struct_size; uint32_t flags; hrbfnpr_implicit_fn function; void* user;
     void (*release)(void* user); double bounds_min[3]; double bounds_max[3]; double difference_step;
@@ -118,14 +113,12 @@ typedef struct hrbfnpr_model_info { uint32_t struct_size; uint32_t kernel; int32
 hrbfnpr_status hrbfnpr_model_info_init(hrbfnpr_model_info* info, uint32_t struct_size);
 hrbfnpr_status hrbfnpr_model_get_info(const hrbfnpr_model* model, hrbfnpr_model_info* info, hrbfnpr_error* error);
 enum { HRBFNPR_MODEL_ATTRIBUTE_POSITION = 0, HRBFNPR_MODEL_ATTRIBUTE_NORMAL = 1,
-    HRBFNPR_MODEL_ATTRIBUTE_RESIDUAL_HISTORY = 2 };
-hrbfnpr_status hrbfnpr_model_view(const hrbfnpr_model* model, uint32_t attribute, hrbfnpr_array* out_view,
-    hrbfnpr_error* error);
+    HRBFNPR_MODEL_ATTRIBUTE_RESIDUAL_HISTORY = 2 }; hrbfnpr_status hrbfnpr_model_view(const hrbfnpr_model* model,
+    uint32_t attribute, hrbfnpr_array* out_view, hrbfnpr_error* error);
 hrbfnpr_status hrbfnpr_model_evaluate(const hrbfnpr_model* model, const hrbfnpr_array* points,
     const hrbfnpr_array_out* value, const hrbfnpr_array_out* gradient, const hrbfnpr_array_out* hessian,
-    hrbfnpr_operation* operation, hrbfnpr_error* error);
-enum { HRBFNPR_PROJECTION_CONVERGED = 0, HRBFNPR_PROJECTION_NOT_CONVERGED = 1, HRBFNPR_PROJECTION_ZERO_GRADIENT = 2,
-    HRBFNPR_PROJECTION_NOT_FINITE = 3 };
+    hrbfnpr_operation* operation, hrbfnpr_error* error); enum { HRBFNPR_PROJECTION_CONVERGED = 0,
+    HRBFNPR_PROJECTION_NOT_CONVERGED = 1, HRBFNPR_PROJECTION_ZERO_GRADIENT = 2, HRBFNPR_PROJECTION_NOT_FINITE = 3 };
 typedef struct hrbfnpr_project_desc { uint32_t struct_size; int32_t evaluation_limit; double tolerance;
     double armijo_slope; double armijo_factor; } hrbfnpr_project_desc;
 hrbfnpr_status hrbfnpr_project_desc_init(hrbfnpr_project_desc* desc, uint32_t struct_size);
@@ -139,9 +132,8 @@ typedef struct hrbfnpr_curvature { uint32_t struct_size; uint32_t reserved; hrbf
     hrbfnpr_array_out d1; hrbfnpr_array_out d2; hrbfnpr_array_out confidence; } hrbfnpr_curvature;
 hrbfnpr_status hrbfnpr_curvature_init(hrbfnpr_curvature* curvature, uint32_t struct_size);
 hrbfnpr_status hrbfnpr_model_curvature(const hrbfnpr_model* model, const hrbfnpr_array* points,
-    hrbfnpr_curvature* curvature, hrbfnpr_operation* operation, hrbfnpr_error* error);
-enum { HRBFNPR_RAY_HIT = 0, HRBFNPR_RAY_MISS = 1, HRBFNPR_RAY_TRUNCATED = 2, HRBFNPR_RAY_EVALUATION_LIMIT = 3,
-    HRBFNPR_RAY_NOT_FINITE = 4 };
+    hrbfnpr_curvature* curvature, hrbfnpr_operation* operation, hrbfnpr_error* error); enum { HRBFNPR_RAY_HIT = 0,
+    HRBFNPR_RAY_MISS = 1, HRBFNPR_RAY_TRUNCATED = 2, HRBFNPR_RAY_EVALUATION_LIMIT = 3, HRBFNPR_RAY_NOT_FINITE = 4 };
 typedef struct hrbfnpr_cast_desc { uint32_t struct_size; int32_t maximum_hits; int32_t evaluation_limit;
     uint32_t reserved; double t_min; double t_max; double lipschitz; double smallest_step; double tolerance;
     } hrbfnpr_cast_desc; hrbfnpr_status hrbfnpr_cast_desc_init(hrbfnpr_cast_desc* desc, uint32_t struct_size);
@@ -168,10 +160,9 @@ hrbfnpr_status hrbfnpr_model_get_trim_info(const hrbfnpr_model* model, hrbfnpr_t
 enum { HRBFNPR_CSG_UNION = 0, HRBFNPR_CSG_INTERSECTION = 1, HRBFNPR_CSG_DIFFERENCE = 2, HRBFNPR_CSG_COMPLEMENT = 3,
     HRBFNPR_CSG_OFFSET = 4, HRBFNPR_CSG_SHELL = 5, HRBFNPR_CSG_MODEL = 6, HRBFNPR_CSG_HALF_SPACE = 7,
     HRBFNPR_CSG_BOX = 8, HRBFNPR_CSG_SPHERE = 9, HRBFNPR_CSG_CYLINDER = 10, HRBFNPR_CSG_CONE = 11,
-    HRBFNPR_CSG_TORUS = 12 };
-typedef struct hrbfnpr_csg_node { uint32_t struct_size; uint32_t kind; int64_t parent; const hrbfnpr_model* model;
-    double transform[16]; double size[3]; double radius; double second_radius; double height; double distance;
-    double blend; double exponent; } hrbfnpr_csg_node;
+    HRBFNPR_CSG_TORUS = 12 }; typedef struct hrbfnpr_csg_node { uint32_t struct_size; uint32_t kind; int64_t parent;
+    const hrbfnpr_model* model; double transform[16]; double size[3]; double radius; double second_radius;
+    double height; double distance; double blend; double exponent; } hrbfnpr_csg_node;
 hrbfnpr_status hrbfnpr_csg_node_init(hrbfnpr_csg_node* node, uint32_t struct_size);
 typedef struct hrbfnpr_csg_desc { uint32_t struct_size; uint32_t reserved; const hrbfnpr_csg_node* nodes;
     int64_t node_count; int64_t node_stride; double bounds_min[3]; double bounds_max[3]; } hrbfnpr_csg_desc;
@@ -184,14 +175,13 @@ hrbfnpr_status hrbfnpr_csg_info_init(hrbfnpr_csg_info* info, uint32_t struct_siz
 hrbfnpr_status hrbfnpr_model_get_csg_info(const hrbfnpr_model* model, hrbfnpr_csg_info* info, hrbfnpr_error* error);
 hrbfnpr_status hrbfnpr_model_save(const hrbfnpr_model* model, hrbfnpr_write_fn write, void* user, hrbfnpr_error* error);
 hrbfnpr_status hrbfnpr_model_save_memory(const hrbfnpr_model* model, void* destination, int64_t capacity, int64_t* size,
-    hrbfnpr_error* error);
-hrbfnpr_status hrbfnpr_model_load(hrbfnpr_context* context, hrbfnpr_read_fn read, void* user, hrbfnpr_model** out_model,
-    hrbfnpr_error* error);
-hrbfnpr_status hrbfnpr_model_load_memory(hrbfnpr_context* context, const void* data, int64_t size,
-    hrbfnpr_model** out_model, hrbfnpr_error* error); typedef struct hrbfnpr_point_set hrbfnpr_point_set;
-enum { HRBFNPR_LAYER_KIND_ANY = 0, HRBFNPR_LAYER_KIND_STIPPLES = 1, HRBFNPR_LAYER_KIND_PRINCIPAL = 2,
-    HRBFNPR_LAYER_KIND_COMBING = 3, HRBFNPR_LAYER_KIND_FIELD = 4, HRBFNPR_LAYER_KIND_OWN = 5,
-    HRBFNPR_LAYER_KIND_HATCH = 6 }; enum { HRBFNPR_DISTRIBUTION_BLUE_NOISE = 0, HRBFNPR_DISTRIBUTION_PUBLISHED = 1 };
+    hrbfnpr_error* error); hrbfnpr_status hrbfnpr_model_load(hrbfnpr_context* context, hrbfnpr_read_fn read, void* user,
+    hrbfnpr_model** out_model, hrbfnpr_error* error); hrbfnpr_status hrbfnpr_model_load_memory(hrbfnpr_context* context,
+    const void* data, int64_t size, hrbfnpr_model** out_model, hrbfnpr_error* error);
+typedef struct hrbfnpr_point_set hrbfnpr_point_set; enum { HRBFNPR_LAYER_KIND_ANY = 0, HRBFNPR_LAYER_KIND_STIPPLES = 1,
+    HRBFNPR_LAYER_KIND_PRINCIPAL = 2, HRBFNPR_LAYER_KIND_COMBING = 3, HRBFNPR_LAYER_KIND_FIELD = 4,
+    HRBFNPR_LAYER_KIND_OWN = 5, HRBFNPR_LAYER_KIND_HATCH = 6 };
+enum { HRBFNPR_DISTRIBUTION_BLUE_NOISE = 0, HRBFNPR_DISTRIBUTION_PUBLISHED = 1 };
 enum { HRBFNPR_SYMMETRY_LINE = 0, HRBFNPR_SYMMETRY_CROSS = 1 };
 enum { HRBFNPR_HATCH_GUIDE_CURVATURE = 0, HRBFNPR_HATCH_GUIDE_COMBING = 1, HRBFNPR_HATCH_GUIDE_SECTIONS = 2,
     HRBFNPR_HATCH_GUIDE_LIGHT = 3, HRBFNPR_HATCH_GUIDE_SILHOUETTE = 4 };
@@ -199,17 +189,16 @@ enum { HRBFNPR_SEED_AUTO = 0, HRBFNPR_SEED_SAMPLES = 1, HRBFNPR_SEED_BOX = 2, HR
 enum { HRBFNPR_STROKE_START_SEEDS = 0, HRBFNPR_STROKE_START_STIPPLES = 1 };
 enum { HRBFNPR_DENSITY_UNIFORM = 0, HRBFNPR_DENSITY_CURVATURE = 1, HRBFNPR_DENSITY_CALLBACK = 2 };
 typedef int32_t (*hrbfnpr_density_fn)(void* user, int64_t count, const double* positions, const double* normals,
-    double* density);
-typedef int32_t (*hrbfnpr_direction_fn)(void* user, int64_t count, const double* positions, const double* normals,
-    double* directions); enum { HRBFNPR_TONE_RANGES_FULL = 0, HRBFNPR_TONE_RANGES_IN_TURN = 1 };
-enum { HRBFNPR_LAYER_WITH_CURVATURE = 1 };
-typedef struct hrbfnpr_layer_desc { uint32_t struct_size; uint32_t kind; const char* name; int64_t budget;
-    float tone_begin; float tone_end; float second_tone_begin; float second_tone_end; uint32_t flags; uint32_t density;
-    double density_strength; hrbfnpr_density_fn density_function; void* density_user; double separation; double step;
-    double length; hrbfnpr_direction_fn direction_function; void* direction_user; uint32_t symmetry; uint32_t start;
-    int32_t start_level; int32_t levels; double angle; double smoothing; double axis[3]; double axis_weight;
-    double tone_smoothing; uint32_t guide; uint32_t reserved; double guide_direction[3]; double guide_weight;
-    } hrbfnpr_layer_desc; hrbfnpr_status hrbfnpr_layer_desc_init(hrbfnpr_layer_desc* desc, uint32_t struct_size);
+    double* density); typedef int32_t (*hrbfnpr_direction_fn)(void* user, int64_t count, const double* positions,
+    const double* normals, double* directions); enum { HRBFNPR_TONE_RANGES_FULL = 0, HRBFNPR_TONE_RANGES_IN_TURN = 1 };
+enum { HRBFNPR_LAYER_WITH_CURVATURE = 1 }; typedef struct hrbfnpr_layer_desc { uint32_t struct_size; uint32_t kind;
+    const char* name; int64_t budget; float tone_begin; float tone_end; float second_tone_begin; float second_tone_end;
+    uint32_t flags; uint32_t density; double density_strength; hrbfnpr_density_fn density_function; void* density_user;
+    double separation; double step; double length; hrbfnpr_direction_fn direction_function; void* direction_user;
+    uint32_t symmetry; uint32_t start; int32_t start_level; int32_t levels; double angle; double smoothing;
+    double axis[3]; double axis_weight; double tone_smoothing; uint32_t guide; uint32_t reserved;
+    double guide_direction[3]; double guide_weight; } hrbfnpr_layer_desc;
+hrbfnpr_status hrbfnpr_layer_desc_init(hrbfnpr_layer_desc* desc, uint32_t struct_size);
 typedef struct hrbfnpr_generate_desc { uint32_t struct_size; uint32_t distribution; const hrbfnpr_layer_desc* layers;
     int64_t layer_count; int64_t layer_stride; int64_t shared_budget; uint32_t tone_ranges; uint32_t seed_source;
     hrbfnpr_array seed_points; double box_jitter; uint32_t box_resolution; uint32_t reserved; double initial_step;
@@ -244,24 +233,20 @@ typedef struct hrbfnpr_layer_info { uint32_t struct_size; uint32_t kind; char na
     int64_t full_count; int32_t levels; uint32_t reserved; double step; double seconds; } hrbfnpr_layer_info;
 hrbfnpr_status hrbfnpr_layer_info_init(hrbfnpr_layer_info* info, uint32_t struct_size);
 hrbfnpr_status hrbfnpr_point_set_get_layer_info(const hrbfnpr_point_set* set, int64_t layer, hrbfnpr_layer_info* info,
-    hrbfnpr_error* error);
-typedef struct hrbfnpr_placement_info { uint32_t struct_size; uint32_t reserved; int64_t attempted; int64_t placed;
-    int64_t dropped_not_converged; int64_t dropped_strayed; int64_t dropped_degenerate; int64_t dropped_budget;
-    } hrbfnpr_placement_info;
+    hrbfnpr_error* error); typedef struct hrbfnpr_placement_info { uint32_t struct_size; uint32_t reserved;
+    int64_t attempted; int64_t placed; int64_t dropped_not_converged; int64_t dropped_strayed;
+    int64_t dropped_degenerate; int64_t dropped_budget; } hrbfnpr_placement_info;
 hrbfnpr_status hrbfnpr_placement_info_init(hrbfnpr_placement_info* info, uint32_t struct_size);
 hrbfnpr_status hrbfnpr_point_set_get_seed_placement(const hrbfnpr_point_set* set, hrbfnpr_placement_info* info,
-    hrbfnpr_error* error);
-hrbfnpr_status hrbfnpr_point_set_get_placement(const hrbfnpr_point_set* set, int64_t layer, int32_t level,
-    hrbfnpr_placement_info* info, hrbfnpr_error* error);
+    hrbfnpr_error* error); hrbfnpr_status hrbfnpr_point_set_get_placement(const hrbfnpr_point_set* set, int64_t layer,
+    int32_t level, hrbfnpr_placement_info* info, hrbfnpr_error* error);
 hrbfnpr_status hrbfnpr_point_set_view(const hrbfnpr_point_set* set, int64_t layer, uint32_t attribute,
     hrbfnpr_array* out_view, hrbfnpr_error* error);
 hrbfnpr_status hrbfnpr_point_set_step_patches(hrbfnpr_context* context, const hrbfnpr_model* model,
     const hrbfnpr_generate_desc* desc, const hrbfnpr_array_out* corners, double* step, hrbfnpr_operation* operation,
-    hrbfnpr_error* error);
-hrbfnpr_status hrbfnpr_point_set_save(const hrbfnpr_point_set* set, hrbfnpr_write_fn write, void* user,
-    hrbfnpr_error* error);
-hrbfnpr_status hrbfnpr_point_set_save_memory(const hrbfnpr_point_set* set, void* destination, int64_t capacity,
-    int64_t* size, hrbfnpr_error* error);
+    hrbfnpr_error* error); hrbfnpr_status hrbfnpr_point_set_save(const hrbfnpr_point_set* set, hrbfnpr_write_fn write,
+    void* user, hrbfnpr_error* error); hrbfnpr_status hrbfnpr_point_set_save_memory(const hrbfnpr_point_set* set,
+    void* destination, int64_t capacity, int64_t* size, hrbfnpr_error* error);
 hrbfnpr_status hrbfnpr_point_set_load(hrbfnpr_context* context, hrbfnpr_read_fn read, void* user,
     hrbfnpr_point_set** out_point_set, hrbfnpr_error* error);
 hrbfnpr_status hrbfnpr_point_set_load_memory(hrbfnpr_context* context, const void* data, int64_t size,
@@ -269,10 +254,10 @@ hrbfnpr_status hrbfnpr_point_set_load_memory(hrbfnpr_context* context, const voi
 enum { HRBFNPR_LINE_KIND_CONTOUR = 1, HRBFNPR_LINE_KIND_SUGGESTIVE_CONTOUR = 2, HRBFNPR_LINE_KIND_RIDGE = 3,
     HRBFNPR_LINE_KIND_VALLEY = 4, HRBFNPR_LINE_KIND_APPARENT_RIDGE = 5, HRBFNPR_LINE_KIND_PARABOLIC = 6,
     HRBFNPR_LINE_KIND_ISOPHOTE = 7, HRBFNPR_LINE_KIND_SECTION = 8, HRBFNPR_LINE_KIND_BORDER = 9,
-    HRBFNPR_LINE_KIND_OWN = 10, HRBFNPR_LINE_KIND_CREASE = 11 };
-typedef struct hrbfnpr_line_desc { uint32_t struct_size; uint32_t kind; const char* name; double lower; double upper;
-    double shortest; double plane[3]; hrbfnpr_array levels; hrbfnpr_array position; hrbfnpr_array line_first;
-    } hrbfnpr_line_desc; hrbfnpr_status hrbfnpr_line_desc_init(hrbfnpr_line_desc* desc, uint32_t struct_size);
+    HRBFNPR_LINE_KIND_OWN = 10, HRBFNPR_LINE_KIND_CREASE = 11 }; typedef struct hrbfnpr_line_desc {
+    uint32_t struct_size; uint32_t kind; const char* name; double lower; double upper; double shortest; double plane[3];
+    hrbfnpr_array levels; hrbfnpr_array position; hrbfnpr_array line_first; } hrbfnpr_line_desc;
+hrbfnpr_status hrbfnpr_line_desc_init(hrbfnpr_line_desc* desc, uint32_t struct_size);
 enum { HRBFNPR_LINE_SET_WITH_CURVATURE = 1 };
 typedef struct hrbfnpr_line_set_desc { uint32_t struct_size; uint32_t flags; double cell_size;
     hrbfnpr_array seed_points; const hrbfnpr_line_desc* lines; int64_t line_count; int64_t line_stride; double support;
@@ -293,17 +278,15 @@ typedef struct hrbfnpr_camera { uint32_t struct_size; uint32_t depth_convention;
     double viewport[4]; } hrbfnpr_camera;
 hrbfnpr_status hrbfnpr_camera_init(hrbfnpr_camera* camera, uint32_t struct_size);
 hrbfnpr_status hrbfnpr_camera_look_at(hrbfnpr_camera* camera, const double* eye, const double* target, const double* up,
-    hrbfnpr_error* error);
-hrbfnpr_status hrbfnpr_camera_perspective(hrbfnpr_camera* camera, double vertical_angle, double width, double height,
-    double near_plane, double far_plane, hrbfnpr_error* error);
+    hrbfnpr_error* error); hrbfnpr_status hrbfnpr_camera_perspective(hrbfnpr_camera* camera, double vertical_angle,
+    double width, double height, double near_plane, double far_plane, hrbfnpr_error* error);
 hrbfnpr_status hrbfnpr_camera_orthographic(hrbfnpr_camera* camera, double view_height, double width, double height,
     double near_plane, double far_plane, hrbfnpr_error* error);
 hrbfnpr_status hrbfnpr_camera_fit_bounds(hrbfnpr_camera* camera, const double* bounds_min, const double* bounds_max,
     const double* direction, const double* up, double vertical_angle, double width, double height, double margin,
-    hrbfnpr_error* error);
-hrbfnpr_status hrbfnpr_camera_fit_points(hrbfnpr_camera* camera, const hrbfnpr_array* points, const double* origin,
-    const double* direction, const double* up, double vertical_angle, double width, double height, double margin,
-    hrbfnpr_error* error);
+    hrbfnpr_error* error); hrbfnpr_status hrbfnpr_camera_fit_points(hrbfnpr_camera* camera, const hrbfnpr_array* points,
+    const double* origin, const double* direction, const double* up, double vertical_angle, double width, double height,
+    double margin, hrbfnpr_error* error);
 enum { HRBFNPR_HIDDEN_LINES_ATTENUATE = 0, HRBFNPR_HIDDEN_LINES_HIDE = 1, HRBFNPR_HIDDEN_LINES_SHOW = 2 };
 enum { HRBFNPR_VISIBILITY_DEPTH_LAYERS = 0, HRBFNPR_VISIBILITY_PUBLISHED = 1 };
 enum { HRBFNPR_TONE_CURVE_COVERAGE = 0, HRBFNPR_TONE_CURVE_LINEAR = 1 };
@@ -328,23 +311,23 @@ typedef struct hrbfnpr_line_style { uint32_t struct_size; uint32_t kind; const c
     float shortest; float fade; double lower; double upper; hrbfnpr_array levels; float ink[4]; float outline_factor;
     float far_factor; float lit_factor; float curvature_factor; float curvature_radius; float wobble;
     float wobble_width; float wobble_length; uint32_t wobble_seed; uint32_t creases; } hrbfnpr_line_style;
-hrbfnpr_status hrbfnpr_line_style_init(hrbfnpr_line_style* style, uint32_t struct_size);
-typedef struct hrbfnpr_style { uint32_t struct_size; uint32_t tone; float paper[4]; const hrbfnpr_layer_style* layers;
-    int64_t layer_count; int64_t layer_stride; uint32_t tone_rule; uint32_t tone_curve; double light[3];
-    double tone_exponent; hrbfnpr_tone_fn tone_function; void* tone_user; uint32_t light_space; float tone_fade;
-    uint32_t silhouette_law; float silhouette_width; double silhouette_threshold; float silhouette_radius;
-    float silhouette_radius_zoom; float silhouette_ink[4]; uint32_t visibility; uint32_t hidden_lines;
-    double attenuation_front; double attenuation_back; float splat_radius; float splat_overlap; float halo_width;
-    uint32_t reserved; double depth_min; double depth_max; double zoom_reference; double zoom_exponent;
-    const hrbfnpr_line_style* lines; int64_t line_count; int64_t line_stride; float fill_light; uint32_t reserved2;
-    } hrbfnpr_style; hrbfnpr_status hrbfnpr_style_init(hrbfnpr_style* style, uint32_t struct_size);
+hrbfnpr_status hrbfnpr_line_style_init(hrbfnpr_line_style* style, uint32_t struct_size); typedef struct hrbfnpr_style {
+    uint32_t struct_size; uint32_t tone; float paper[4]; const hrbfnpr_layer_style* layers; int64_t layer_count;
+    int64_t layer_stride; uint32_t tone_rule; uint32_t tone_curve; double light[3]; double tone_exponent;
+    hrbfnpr_tone_fn tone_function; void* tone_user; uint32_t light_space; float tone_fade; uint32_t silhouette_law;
+    float silhouette_width; double silhouette_threshold; float silhouette_radius; float silhouette_radius_zoom;
+    float silhouette_ink[4]; uint32_t visibility; uint32_t hidden_lines; double attenuation_front;
+    double attenuation_back; float splat_radius; float splat_overlap; float halo_width; uint32_t reserved;
+    double depth_min; double depth_max; double zoom_reference; double zoom_exponent; const hrbfnpr_line_style* lines;
+    int64_t line_count; int64_t line_stride; float fill_light; uint32_t reserved2; } hrbfnpr_style;
+hrbfnpr_status hrbfnpr_style_init(hrbfnpr_style* style, uint32_t struct_size);
 enum { HRBFNPR_PRESET_STIPPLE = 0, HRBFNPR_PRESET_HATCH = 1, HRBFNPR_PRESET_CROSS_HATCH = 2, HRBFNPR_PRESET_COMBING = 3,
     HRBFNPR_PRESET_SILHOUETTE = 4, HRBFNPR_PRESET_CONTOUR_AND_STIPPLE = 5, HRBFNPR_PRESET_XRAY = 6,
     HRBFNPR_PRESET_FULL = 7, HRBFNPR_PRESET_ENGRAVING = 8, HRBFNPR_PRESET_ETCHING = 9, HRBFNPR_PRESET_WOODCUT = 10,
     HRBFNPR_PRESET_SCIENTIFIC_STIPPLE = 11, HRBFNPR_PRESET_SKETCH = 12, HRBFNPR_PRESET_BLUEPRINT = 13,
-    HRBFNPR_PRESET_ARCHAEOLOGICAL = 14 };
-hrbfnpr_status hrbfnpr_style_init_preset(hrbfnpr_style* style, uint32_t struct_size, uint32_t preset,
-    hrbfnpr_error* error); const hrbfnpr_layer_desc* hrbfnpr_preset_layers(uint32_t preset, int64_t* count);
+    HRBFNPR_PRESET_ARCHAEOLOGICAL = 14 }; hrbfnpr_status hrbfnpr_style_init_preset(hrbfnpr_style* style,
+    uint32_t struct_size, uint32_t preset, hrbfnpr_error* error);
+const hrbfnpr_layer_desc* hrbfnpr_preset_layers(uint32_t preset, int64_t* count);
 const char* hrbfnpr_preset_name(uint32_t preset); typedef struct hrbfnpr_renderer hrbfnpr_renderer;
 typedef struct hrbfnpr_drawing hrbfnpr_drawing;
 hrbfnpr_status hrbfnpr_renderer_create(hrbfnpr_context* context, hrbfnpr_renderer** out_renderer, hrbfnpr_error* error);
@@ -373,10 +356,9 @@ typedef struct hrbfnpr_drawing_info { uint32_t struct_size; uint32_t reserved; i
     int64_t nanoseconds_lines; int64_t line_refined; int64_t line_tangles; } hrbfnpr_drawing_info;
 hrbfnpr_status hrbfnpr_drawing_info_init(hrbfnpr_drawing_info* info, uint32_t struct_size);
 hrbfnpr_status hrbfnpr_drawing_get_info(const hrbfnpr_drawing* drawing, hrbfnpr_drawing_info* info,
-    hrbfnpr_error* error);
-typedef struct hrbfnpr_drawing_layer_info { uint32_t struct_size; uint32_t mark_class; int64_t item; int64_t layer;
-    uint32_t kind; uint32_t shape; char name[64]; float ink[4]; int64_t dots; int64_t strokes;
-    } hrbfnpr_drawing_layer_info;
+    hrbfnpr_error* error); typedef struct hrbfnpr_drawing_layer_info { uint32_t struct_size; uint32_t mark_class;
+    int64_t item; int64_t layer; uint32_t kind; uint32_t shape; char name[64]; float ink[4]; int64_t dots;
+    int64_t strokes; } hrbfnpr_drawing_layer_info;
 hrbfnpr_status hrbfnpr_drawing_layer_info_init(hrbfnpr_drawing_layer_info* info, uint32_t struct_size);
 hrbfnpr_status hrbfnpr_drawing_get_layer_info(const hrbfnpr_drawing* drawing, int64_t number,
     hrbfnpr_drawing_layer_info* info, hrbfnpr_error* error);
@@ -387,15 +369,13 @@ hrbfnpr_status hrbfnpr_raster_desc_init(hrbfnpr_raster_desc* desc, uint32_t stru
 hrbfnpr_status hrbfnpr_drawing_rasterize(const hrbfnpr_drawing* drawing, const hrbfnpr_image* image,
     const hrbfnpr_raster_desc* desc, hrbfnpr_error* error);
 enum { HRBFNPR_PRIMITIVE_POINTS = 1, HRBFNPR_PRIMITIVE_LINE_STRIPS = 2, HRBFNPR_PRIMITIVE_TRIANGLE_STRIPS = 3 };
-enum { HRBFNPR_INDEX_RESTART = -1 };
-enum { HRBFNPR_VERTEX_ATTRIBUTE_POSITION = 0, HRBFNPR_VERTEX_ATTRIBUTE_WINDOW = 1, HRBFNPR_VERTEX_ATTRIBUTE_RADIUS = 2,
-    HRBFNPR_VERTEX_ATTRIBUTE_COLOR = 3, HRBFNPR_VERTEX_ATTRIBUTE_NORMAL = 4, HRBFNPR_VERTEX_ATTRIBUTE_DIRECTION = 5,
-    HRBFNPR_VERTEX_ATTRIBUTE_ID = 6, HRBFNPR_VERTEX_ATTRIBUTE_CLASS = 7, HRBFNPR_VERTEX_ATTRIBUTE_IS_PAPER = 8,
-    HRBFNPR_VERTEX_ATTRIBUTE_LAYER = 9, HRBFNPR_VERTEX_ATTRIBUTE_LENGTH = 10,
+enum { HRBFNPR_INDEX_RESTART = -1 }; enum { HRBFNPR_VERTEX_ATTRIBUTE_POSITION = 0, HRBFNPR_VERTEX_ATTRIBUTE_WINDOW = 1,
+    HRBFNPR_VERTEX_ATTRIBUTE_RADIUS = 2, HRBFNPR_VERTEX_ATTRIBUTE_COLOR = 3, HRBFNPR_VERTEX_ATTRIBUTE_NORMAL = 4,
+    HRBFNPR_VERTEX_ATTRIBUTE_DIRECTION = 5, HRBFNPR_VERTEX_ATTRIBUTE_ID = 6, HRBFNPR_VERTEX_ATTRIBUTE_CLASS = 7,
+    HRBFNPR_VERTEX_ATTRIBUTE_IS_PAPER = 8, HRBFNPR_VERTEX_ATTRIBUTE_LAYER = 9, HRBFNPR_VERTEX_ATTRIBUTE_LENGTH = 10,
     HRBFNPR_VERTEX_ATTRIBUTE_HIDDEN_LAYERS = 11, HRBFNPR_VERTEX_ATTRIBUTE_HIDDEN_BY = 12,
-    HRBFNPR_VERTEX_ATTRIBUTE_LINE = 13 };
-typedef struct hrbfnpr_vertex_attribute { uint32_t struct_size; uint32_t attribute; uint32_t scalar; uint32_t offset;
-    } hrbfnpr_vertex_attribute;
+    HRBFNPR_VERTEX_ATTRIBUTE_LINE = 13 }; typedef struct hrbfnpr_vertex_attribute { uint32_t struct_size;
+    uint32_t attribute; uint32_t scalar; uint32_t offset; } hrbfnpr_vertex_attribute;
 hrbfnpr_status hrbfnpr_vertex_attribute_init(hrbfnpr_vertex_attribute* attribute, uint32_t struct_size);
 typedef struct hrbfnpr_vertex_layout { uint32_t struct_size; uint32_t primitive;
     const hrbfnpr_vertex_attribute* attributes; int64_t attribute_count; int64_t attribute_stride; int64_t stride;
@@ -437,13 +417,12 @@ hrbfnpr_status hrbfnpr_mesh_get_info(const hrbfnpr_mesh* mesh, hrbfnpr_mesh_info
 enum { HRBFNPR_MESH_ATTRIBUTE_VERTEX = 0, HRBFNPR_MESH_ATTRIBUTE_TRIANGLE = 1, HRBFNPR_MESH_ATTRIBUTE_COMPONENT = 2,
     HRBFNPR_MESH_ATTRIBUTE_GIVEN_FACE = 3, HRBFNPR_MESH_ATTRIBUTE_CORNER_NORMAL = 4 };
 hrbfnpr_status hrbfnpr_mesh_view(const hrbfnpr_mesh* mesh, uint32_t attribute, hrbfnpr_array* out_view,
-    hrbfnpr_error* error);
-typedef struct hrbfnpr_sample_desc { uint32_t struct_size; uint32_t reserved; int64_t candidates; uint64_t random_seed;
-    } hrbfnpr_sample_desc; hrbfnpr_status hrbfnpr_sample_desc_init(hrbfnpr_sample_desc* desc, uint32_t struct_size);
+    hrbfnpr_error* error); typedef struct hrbfnpr_sample_desc { uint32_t struct_size; uint32_t reserved;
+    int64_t candidates; uint64_t random_seed; } hrbfnpr_sample_desc;
+hrbfnpr_status hrbfnpr_sample_desc_init(hrbfnpr_sample_desc* desc, uint32_t struct_size);
 hrbfnpr_status hrbfnpr_mesh_sample(const hrbfnpr_mesh* mesh, const hrbfnpr_sample_desc* desc,
     const hrbfnpr_array_out* points, const hrbfnpr_array_out* normals, hrbfnpr_operation* operation,
-    hrbfnpr_error* error);
-hrbfnpr_status hrbfnpr_farthest_points(hrbfnpr_context* context, const hrbfnpr_array* points,
+    hrbfnpr_error* error); hrbfnpr_status hrbfnpr_farthest_points(hrbfnpr_context* context, const hrbfnpr_array* points,
     const hrbfnpr_array_out* indices, const hrbfnpr_array_out* distance, hrbfnpr_operation* operation,
     hrbfnpr_error* error);
 typedef struct hrbfnpr_compare_desc { uint32_t struct_size; uint32_t reserved; double tolerance; double far;
@@ -471,9 +450,9 @@ typedef struct hrbfnpr_mesh_fit_info { uint32_t struct_size; uint32_t reached; d
 hrbfnpr_status hrbfnpr_mesh_fit_info_init(hrbfnpr_mesh_fit_info* info, uint32_t struct_size);
 hrbfnpr_status hrbfnpr_model_fit_mesh(const hrbfnpr_mesh* mesh, const hrbfnpr_mesh_fit_desc* desc,
     const hrbfnpr_fit_desc* fit, hrbfnpr_mesh_fit_info* info, hrbfnpr_operation* operation, hrbfnpr_model** out_model,
-    hrbfnpr_error* error);
-enum { HRBFNPR_PAGE_FORMAT_SVG = 0, HRBFNPR_PAGE_FORMAT_PDF = 1, HRBFNPR_PAGE_FORMAT_HPGL = 2,
-    HRBFNPR_PAGE_FORMAT_GCODE = 3 }; enum { HRBFNPR_WIDTHS_OUTLINES = 0, HRBFNPR_WIDTHS_CLASSES = 1 };
+    hrbfnpr_error* error); enum { HRBFNPR_PAGE_FORMAT_SVG = 0, HRBFNPR_PAGE_FORMAT_PDF = 1,
+    HRBFNPR_PAGE_FORMAT_HPGL = 2, HRBFNPR_PAGE_FORMAT_GCODE = 3 };
+enum { HRBFNPR_WIDTHS_OUTLINES = 0, HRBFNPR_WIDTHS_CLASSES = 1 };
 enum { HRBFNPR_DOT_SHAPE_CIRCLES = 0, HRBFNPR_DOT_SHAPE_LINES = 1, HRBFNPR_DOT_SHAPE_SPIRALS = 2 };
 enum { HRBFNPR_PAGE_IN_PLOT_ORDER = 1, HRBFNPR_PAGE_SINGLE_PASS = 4, HRBFNPR_PAGE_WITHOUT_PAPER = 2 };
 enum { HRBFNPR_LINE_TYPE_AS_DRAWN = 0, HRBFNPR_LINE_TYPE_CONTINUOUS = 1, HRBFNPR_LINE_TYPE_DASHED = 2,

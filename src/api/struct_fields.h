@@ -21,25 +21,21 @@ struct FieldLayout {
 inline constexpr FieldLayout fields_of_hrbfnpr_error[] = {
     FIELD(struct_size, "uint32_t"), FIELD(status, "hrbfnpr_status"), FIELD(message, "char[248]")};
 #undef RECORD
-
 #define RECORD hrbfnpr_array
 inline constexpr FieldLayout fields_of_hrbfnpr_array[] = {
     FIELD(data, "const void*"), FIELD(count, "int64_t"), FIELD(stride, "int64_t"), FIELD(scalar, "uint32_t"),
     FIELD(components, "uint32_t")};
 #undef RECORD
-
 #define RECORD hrbfnpr_array_out
 inline constexpr FieldLayout fields_of_hrbfnpr_array_out[] = {
     FIELD(data, "void*"), FIELD(count, "int64_t"), FIELD(stride, "int64_t"), FIELD(scalar, "uint32_t"),
     FIELD(components, "uint32_t")};
 #undef RECORD
-
 #define RECORD hrbfnpr_image
 inline constexpr FieldLayout fields_of_hrbfnpr_image[] = {
     FIELD(struct_size, "uint32_t"), FIELD(format, "uint32_t"), FIELD(width, "int32_t"), FIELD(height, "int32_t"),
     FIELD(pixels, "void*"), FIELD(row_stride, "int64_t")};
 #undef RECORD
-
 #define RECORD hrbfnpr_context_desc
 inline constexpr FieldLayout fields_of_hrbfnpr_context_desc[] = {
     FIELD(struct_size, "uint32_t"), FIELD(abi_version, "uint32_t"), FIELD(thread_count, "int32_t"),
@@ -48,13 +44,11 @@ inline constexpr FieldLayout fields_of_hrbfnpr_context_desc[] = {
     FIELD(log, "hrbfnpr_log_fn"), FIELD(log_user, "void*"), FIELD(log_level, "int32_t"), FIELD(reserved, "uint32_t"),
     FIELD(run_tasks, "hrbfnpr_run_tasks_fn"), FIELD(run_tasks_user, "void*")};
 #undef RECORD
-
 #define RECORD hrbfnpr_context_info
 inline constexpr FieldLayout fields_of_hrbfnpr_context_info[] = {
     FIELD(struct_size, "uint32_t"), FIELD(thread_count, "int32_t"), FIELD(instruction_set, "uint32_t"),
     FIELD(thread_backend, "uint32_t"), FIELD(bytes_now, "int64_t"), FIELD(bytes_peak, "int64_t")};
 #undef RECORD
-
 #define RECORD hrbfnpr_fit_desc
 inline constexpr FieldLayout fields_of_hrbfnpr_fit_desc[] = {
     FIELD(struct_size, "uint32_t"), FIELD(kernel, "uint32_t"), FIELD(points, "hrbfnpr_array"),
@@ -65,14 +59,12 @@ inline constexpr FieldLayout fields_of_hrbfnpr_fit_desc[] = {
     FIELD(iteration_limit, "int32_t"), FIELD(preconditioner_neighbours, "uint32_t"), FIELD(normal_mode, "uint32_t"),
     FIELD(trim, "uint32_t")};
 #undef RECORD
-
 #define RECORD hrbfnpr_orient_desc
 inline constexpr FieldLayout fields_of_hrbfnpr_orient_desc[] = {
     FIELD(struct_size, "uint32_t"), FIELD(mode, "uint32_t"), FIELD(points, "hrbfnpr_array"),
     FIELD(normals, "hrbfnpr_array"), FIELD(up, "double[3]"), FIELD(viewpoint, "double[3]"),
     FIELD(has_viewpoint, "uint32_t"), FIELD(reserved, "uint32_t")};
 #undef RECORD
-
 #define RECORD hrbfnpr_orient_info
 inline constexpr FieldLayout fields_of_hrbfnpr_orient_info[] = {
     FIELD(struct_size, "uint32_t"), FIELD(found, "uint32_t"), FIELD(turned, "int64_t"), FIELD(made, "int64_t"),
@@ -80,27 +72,23 @@ inline constexpr FieldLayout fields_of_hrbfnpr_orient_info[] = {
     FIELD(energy, "double"), FIELD(confidence, "double"), FIELD(closed, "uint32_t"), FIELD(outward_by, "uint32_t"),
     FIELD(components, "int64_t"), FIELD(seconds, "double")};
 #undef RECORD
-
 #define RECORD hrbfnpr_depth_image_desc
 inline constexpr FieldLayout fields_of_hrbfnpr_depth_image_desc[] = {
     FIELD(struct_size, "uint32_t"), FIELD(columns, "int32_t"), FIELD(rows, "int32_t"), FIELD(keep_points, "uint32_t"),
     FIELD(points, "hrbfnpr_array"), FIELD(noise, "double"), FIELD(smoothing, "double")};
 #undef RECORD
-
 #define RECORD hrbfnpr_depth_image_info
 inline constexpr FieldLayout fields_of_hrbfnpr_depth_image_info[] = {
     FIELD(struct_size, "uint32_t"), FIELD(reserved, "uint32_t"), FIELD(seen, "int64_t"), FIELD(left_out, "int64_t"),
     FIELD(noise, "double"), FIELD(focal_length, "double"), FIELD(depth, "double"), FIELD(radius, "double"),
     FIELD(seconds, "double")};
 #undef RECORD
-
 #define RECORD hrbfnpr_custom_desc
 inline constexpr FieldLayout fields_of_hrbfnpr_custom_desc[] = {
     FIELD(struct_size, "uint32_t"), FIELD(flags, "uint32_t"), FIELD(function, "hrbfnpr_implicit_fn"),
     FIELD(user, "void*"), FIELD(release, "void (*)(void* user)"), FIELD(bounds_min, "double[3]"),
     FIELD(bounds_max, "double[3]"), FIELD(difference_step, "double")};
 #undef RECORD
-
 #define RECORD hrbfnpr_model_info
 inline constexpr FieldLayout fields_of_hrbfnpr_model_info[] = {
     FIELD(struct_size, "uint32_t"), FIELD(kernel, "uint32_t"), FIELD(polynomial_degree, "int32_t"),
@@ -119,52 +107,44 @@ inline constexpr FieldLayout fields_of_hrbfnpr_model_info[] = {
     FIELD(peak_bytes, "int64_t"), FIELD(normals_found, "uint32_t"), FIELD(normals_inward, "uint32_t"),
     FIELD(normals_turned, "int64_t"), FIELD(normals_confidence, "double"), FIELD(seconds_orient, "double")};
 #undef RECORD
-
 #define RECORD hrbfnpr_project_desc
 inline constexpr FieldLayout fields_of_hrbfnpr_project_desc[] = {
     FIELD(struct_size, "uint32_t"), FIELD(evaluation_limit, "int32_t"), FIELD(tolerance, "double"),
     FIELD(armijo_slope, "double"), FIELD(armijo_factor, "double")};
 #undef RECORD
-
 #define RECORD hrbfnpr_projection
 inline constexpr FieldLayout fields_of_hrbfnpr_projection[] = {
     FIELD(struct_size, "uint32_t"), FIELD(reserved, "uint32_t"), FIELD(position, "hrbfnpr_array_out"),
     FIELD(normal, "hrbfnpr_array_out"), FIELD(status, "hrbfnpr_array_out"), FIELD(converged, "int64_t")};
 #undef RECORD
-
 #define RECORD hrbfnpr_curvature
 inline constexpr FieldLayout fields_of_hrbfnpr_curvature[] = {
     FIELD(struct_size, "uint32_t"), FIELD(reserved, "uint32_t"), FIELD(k1, "hrbfnpr_array_out"),
     FIELD(k2, "hrbfnpr_array_out"), FIELD(d1, "hrbfnpr_array_out"), FIELD(d2, "hrbfnpr_array_out"),
     FIELD(confidence, "hrbfnpr_array_out")};
 #undef RECORD
-
 #define RECORD hrbfnpr_cast_desc
 inline constexpr FieldLayout fields_of_hrbfnpr_cast_desc[] = {
     FIELD(struct_size, "uint32_t"), FIELD(maximum_hits, "int32_t"), FIELD(evaluation_limit, "int32_t"),
     FIELD(reserved, "uint32_t"), FIELD(t_min, "double"), FIELD(t_max, "double"), FIELD(lipschitz, "double"),
     FIELD(smallest_step, "double"), FIELD(tolerance, "double")};
 #undef RECORD
-
 #define RECORD hrbfnpr_ray_hits
 inline constexpr FieldLayout fields_of_hrbfnpr_ray_hits[] = {
     FIELD(struct_size, "uint32_t"), FIELD(reserved, "uint32_t"), FIELD(count, "hrbfnpr_array_out"),
     FIELD(t, "hrbfnpr_array_out"), FIELD(position, "hrbfnpr_array_out"), FIELD(normal, "hrbfnpr_array_out"),
     FIELD(entering, "hrbfnpr_array_out"), FIELD(status, "hrbfnpr_array_out"), FIELD(hit_rays, "int64_t")};
 #undef RECORD
-
 #define RECORD hrbfnpr_trim_desc
 inline constexpr FieldLayout fields_of_hrbfnpr_trim_desc[] = {
     FIELD(struct_size, "uint32_t"), FIELD(reserved, "uint32_t"), FIELD(limit, "double"), FIELD(hole, "double"),
     FIELD(closest, "double"), FIELD(points, "hrbfnpr_array"), FIELD(normals, "hrbfnpr_array")};
 #undef RECORD
-
 #define RECORD hrbfnpr_trim_info
 inline constexpr FieldLayout fields_of_hrbfnpr_trim_info[] = {
     FIELD(struct_size, "uint32_t"), FIELD(is_trimmed, "uint32_t"), FIELD(samples, "int64_t"), FIELD(parts, "int64_t"),
     FIELD(parts_to_end, "int64_t"), FIELD(share, "double"), FIELD(farthest, "double"), FIELD(spacing, "double")};
 #undef RECORD
-
 #define RECORD hrbfnpr_csg_node
 inline constexpr FieldLayout fields_of_hrbfnpr_csg_node[] = {
     FIELD(struct_size, "uint32_t"), FIELD(kind, "uint32_t"), FIELD(parent, "int64_t"),
@@ -172,20 +152,17 @@ inline constexpr FieldLayout fields_of_hrbfnpr_csg_node[] = {
     FIELD(radius, "double"), FIELD(second_radius, "double"), FIELD(height, "double"), FIELD(distance, "double"),
     FIELD(blend, "double"), FIELD(exponent, "double")};
 #undef RECORD
-
 #define RECORD hrbfnpr_csg_desc
 inline constexpr FieldLayout fields_of_hrbfnpr_csg_desc[] = {
     FIELD(struct_size, "uint32_t"), FIELD(reserved, "uint32_t"), FIELD(nodes, "const hrbfnpr_csg_node*"),
     FIELD(node_count, "int64_t"), FIELD(node_stride, "int64_t"), FIELD(bounds_min, "double[3]"),
     FIELD(bounds_max, "double[3]")};
 #undef RECORD
-
 #define RECORD hrbfnpr_csg_info
 inline constexpr FieldLayout fields_of_hrbfnpr_csg_info[] = {
     FIELD(struct_size, "uint32_t"), FIELD(reserved, "uint32_t"), FIELD(nodes, "int64_t"), FIELD(depth, "int64_t"),
     FIELD(models, "int64_t"), FIELD(sheets, "int64_t"), FIELD(lipschitz, "double")};
 #undef RECORD
-
 #define RECORD hrbfnpr_layer_desc
 inline constexpr FieldLayout fields_of_hrbfnpr_layer_desc[] = {
     FIELD(struct_size, "uint32_t"), FIELD(kind, "uint32_t"), FIELD(name, "const char*"), FIELD(budget, "int64_t"),
@@ -199,7 +176,6 @@ inline constexpr FieldLayout fields_of_hrbfnpr_layer_desc[] = {
     FIELD(guide, "uint32_t"), FIELD(reserved, "uint32_t"), FIELD(guide_direction, "double[3]"),
     FIELD(guide_weight, "double")};
 #undef RECORD
-
 #define RECORD hrbfnpr_generate_desc
 inline constexpr FieldLayout fields_of_hrbfnpr_generate_desc[] = {
     FIELD(struct_size, "uint32_t"), FIELD(distribution, "uint32_t"), FIELD(layers, "const hrbfnpr_layer_desc*"),
@@ -208,7 +184,6 @@ inline constexpr FieldLayout fields_of_hrbfnpr_generate_desc[] = {
     FIELD(box_jitter, "double"), FIELD(box_resolution, "uint32_t"), FIELD(reserved, "uint32_t"),
     FIELD(initial_step, "double"), FIELD(projection_tolerance, "double"), FIELD(random_seed, "uint64_t")};
 #undef RECORD
-
 #define RECORD hrbfnpr_layer_arrays
 inline constexpr FieldLayout fields_of_hrbfnpr_layer_arrays[] = {
     FIELD(struct_size, "uint32_t"), FIELD(kind, "uint32_t"), FIELD(name, "const char*"),
@@ -216,14 +191,12 @@ inline constexpr FieldLayout fields_of_hrbfnpr_layer_arrays[] = {
     FIELD(stroke_direction, "hrbfnpr_array"), FIELD(direction, "hrbfnpr_array"), FIELD(curvature, "hrbfnpr_array"),
     FIELD(rank, "hrbfnpr_array"), FIELD(level, "hrbfnpr_array"), FIELD(width, "hrbfnpr_array")};
 #undef RECORD
-
 #define RECORD hrbfnpr_point_set_desc
 inline constexpr FieldLayout fields_of_hrbfnpr_point_set_desc[] = {
     FIELD(struct_size, "uint32_t"), FIELD(reserved, "uint32_t"), FIELD(base, "const hrbfnpr_point_set*"),
     FIELD(layers, "const hrbfnpr_layer_arrays*"), FIELD(layer_count, "int64_t"), FIELD(layer_stride, "int64_t"),
     FIELD(random_seed, "uint64_t")};
 #undef RECORD
-
 #define RECORD hrbfnpr_point_set_info
 inline constexpr FieldLayout fields_of_hrbfnpr_point_set_info[] = {
     FIELD(struct_size, "uint32_t"), FIELD(distribution, "uint32_t"), FIELD(seed_source, "uint32_t"),
@@ -231,28 +204,24 @@ inline constexpr FieldLayout fields_of_hrbfnpr_point_set_info[] = {
     FIELD(bounds_min, "double[3]"), FIELD(bounds_max, "double[3]"), FIELD(spacing, "double"),
     FIELD(seconds_seeds, "double"), FIELD(seconds_total, "double"), FIELD(bytes, "int64_t")};
 #undef RECORD
-
 #define RECORD hrbfnpr_layer_info
 inline constexpr FieldLayout fields_of_hrbfnpr_layer_info[] = {
     FIELD(struct_size, "uint32_t"), FIELD(kind, "uint32_t"), FIELD(name, "char[64]"), FIELD(marks, "int64_t"),
     FIELD(strokes, "int64_t"), FIELD(full_count, "int64_t"), FIELD(levels, "int32_t"), FIELD(reserved, "uint32_t"),
     FIELD(step, "double"), FIELD(seconds, "double")};
 #undef RECORD
-
 #define RECORD hrbfnpr_placement_info
 inline constexpr FieldLayout fields_of_hrbfnpr_placement_info[] = {
     FIELD(struct_size, "uint32_t"), FIELD(reserved, "uint32_t"), FIELD(attempted, "int64_t"), FIELD(placed, "int64_t"),
     FIELD(dropped_not_converged, "int64_t"), FIELD(dropped_strayed, "int64_t"), FIELD(dropped_degenerate, "int64_t"),
     FIELD(dropped_budget, "int64_t")};
 #undef RECORD
-
 #define RECORD hrbfnpr_line_desc
 inline constexpr FieldLayout fields_of_hrbfnpr_line_desc[] = {
     FIELD(struct_size, "uint32_t"), FIELD(kind, "uint32_t"), FIELD(name, "const char*"), FIELD(lower, "double"),
     FIELD(upper, "double"), FIELD(shortest, "double"), FIELD(plane, "double[3]"), FIELD(levels, "hrbfnpr_array"),
     FIELD(position, "hrbfnpr_array"), FIELD(line_first, "hrbfnpr_array")};
 #undef RECORD
-
 #define RECORD hrbfnpr_line_set_desc
 inline constexpr FieldLayout fields_of_hrbfnpr_line_set_desc[] = {
     FIELD(struct_size, "uint32_t"), FIELD(flags, "uint32_t"), FIELD(cell_size, "double"),
@@ -260,20 +229,17 @@ inline constexpr FieldLayout fields_of_hrbfnpr_line_set_desc[] = {
     FIELD(line_stride, "int64_t"), FIELD(support, "double"), FIELD(support_points, "hrbfnpr_array"),
     FIELD(support_normals, "hrbfnpr_array")};
 #undef RECORD
-
 #define RECORD hrbfnpr_line_set_info
 inline constexpr FieldLayout fields_of_hrbfnpr_line_set_info[] = {
     FIELD(struct_size, "uint32_t"), FIELD(reserved, "uint32_t"), FIELD(triangles, "int64_t"), FIELD(turned, "int64_t"),
     FIELD(missed_seeds, "int64_t"), FIELD(lines, "int64_t"), FIELD(borders, "int64_t"), FIELD(cell_size, "double"),
     FIELD(seconds, "double"), FIELD(bytes, "int64_t"), FIELD(left_out, "double"), FIELD(creases, "int64_t")};
 #undef RECORD
-
 #define RECORD hrbfnpr_camera
 inline constexpr FieldLayout fields_of_hrbfnpr_camera[] = {
     FIELD(struct_size, "uint32_t"), FIELD(depth_convention, "uint32_t"), FIELD(view, "double[16]"),
     FIELD(projection, "double[16]"), FIELD(viewport, "double[4]")};
 #undef RECORD
-
 #define RECORD hrbfnpr_layer_style
 inline constexpr FieldLayout fields_of_hrbfnpr_layer_style[] = {
     FIELD(struct_size, "uint32_t"), FIELD(kind, "uint32_t"), FIELD(name, "const char*"), FIELD(shown, "uint32_t"),
@@ -285,7 +251,6 @@ inline constexpr FieldLayout fields_of_hrbfnpr_layer_style[] = {
     FIELD(reserved2, "uint32_t"), FIELD(hatch_wobble, "float"), FIELD(hatch_overshoot, "float"),
     FIELD(hatch_seed, "uint32_t"), FIELD(reserved3, "uint32_t")};
 #undef RECORD
-
 #define RECORD hrbfnpr_line_style
 inline constexpr FieldLayout fields_of_hrbfnpr_line_style[] = {
     FIELD(struct_size, "uint32_t"), FIELD(kind, "uint32_t"), FIELD(name, "const char*"), FIELD(hidden, "uint32_t"),
@@ -297,7 +262,6 @@ inline constexpr FieldLayout fields_of_hrbfnpr_line_style[] = {
     FIELD(wobble_width, "float"), FIELD(wobble_length, "float"), FIELD(wobble_seed, "uint32_t"),
     FIELD(creases, "uint32_t")};
 #undef RECORD
-
 #define RECORD hrbfnpr_style
 inline constexpr FieldLayout fields_of_hrbfnpr_style[] = {
     FIELD(struct_size, "uint32_t"), FIELD(tone, "uint32_t"), FIELD(paper, "float[4]"),
@@ -314,13 +278,11 @@ inline constexpr FieldLayout fields_of_hrbfnpr_style[] = {
     FIELD(line_count, "int64_t"), FIELD(line_stride, "int64_t"), FIELD(fill_light, "float"),
     FIELD(reserved2, "uint32_t")};
 #undef RECORD
-
 #define RECORD hrbfnpr_layer_pose
 inline constexpr FieldLayout fields_of_hrbfnpr_layer_pose[] = {
     FIELD(struct_size, "uint32_t"), FIELD(reserved, "uint32_t"), FIELD(layer, "int64_t"),
     FIELD(position, "hrbfnpr_array"), FIELD(normal, "hrbfnpr_array"), FIELD(direction, "hrbfnpr_array")};
 #undef RECORD
-
 #define RECORD hrbfnpr_item
 inline constexpr FieldLayout fields_of_hrbfnpr_item[] = {
     FIELD(struct_size, "uint32_t"), FIELD(sides, "uint32_t"), FIELD(point_set, "const hrbfnpr_point_set*"),
@@ -328,7 +290,6 @@ inline constexpr FieldLayout fields_of_hrbfnpr_item[] = {
     FIELD(poses, "const hrbfnpr_layer_pose*"), FIELD(pose_count, "int64_t"), FIELD(pose_stride, "int64_t"),
     FIELD(line_set, "const hrbfnpr_line_set*")};
 #undef RECORD
-
 #define RECORD hrbfnpr_drawing_info
 inline constexpr FieldLayout fields_of_hrbfnpr_drawing_info[] = {
     FIELD(struct_size, "uint32_t"), FIELD(reserved, "uint32_t"), FIELD(items, "int64_t"), FIELD(layers, "int64_t"),
@@ -342,50 +303,42 @@ inline constexpr FieldLayout fields_of_hrbfnpr_drawing_info[] = {
     FIELD(line_broken, "int64_t"), FIELD(line_settled, "int64_t"), FIELD(line_contradictions, "int64_t"),
     FIELD(nanoseconds_lines, "int64_t"), FIELD(line_refined, "int64_t"), FIELD(line_tangles, "int64_t")};
 #undef RECORD
-
 #define RECORD hrbfnpr_drawing_layer_info
 inline constexpr FieldLayout fields_of_hrbfnpr_drawing_layer_info[] = {
     FIELD(struct_size, "uint32_t"), FIELD(mark_class, "uint32_t"), FIELD(item, "int64_t"), FIELD(layer, "int64_t"),
     FIELD(kind, "uint32_t"), FIELD(shape, "uint32_t"), FIELD(name, "char[64]"), FIELD(ink, "float[4]"),
     FIELD(dots, "int64_t"), FIELD(strokes, "int64_t")};
 #undef RECORD
-
 #define RECORD hrbfnpr_raster_desc
 inline constexpr FieldLayout fields_of_hrbfnpr_raster_desc[] = {
     FIELD(struct_size, "uint32_t"), FIELD(flags, "uint32_t"), FIELD(host_depth, "hrbfnpr_array"),
     FIELD(depth, "hrbfnpr_array_out"), FIELD(id, "hrbfnpr_array_out"), FIELD(mark_class, "hrbfnpr_array_out")};
 #undef RECORD
-
 #define RECORD hrbfnpr_vertex_attribute
 inline constexpr FieldLayout fields_of_hrbfnpr_vertex_attribute[] = {
     FIELD(struct_size, "uint32_t"), FIELD(attribute, "uint32_t"), FIELD(scalar, "uint32_t"), FIELD(offset, "uint32_t")};
 #undef RECORD
-
 #define RECORD hrbfnpr_vertex_layout
 inline constexpr FieldLayout fields_of_hrbfnpr_vertex_layout[] = {
     FIELD(struct_size, "uint32_t"), FIELD(primitive, "uint32_t"), FIELD(attributes, "const hrbfnpr_vertex_attribute*"),
     FIELD(attribute_count, "int64_t"), FIELD(attribute_stride, "int64_t"), FIELD(stride, "int64_t")};
 #undef RECORD
-
 #define RECORD hrbfnpr_mark_results
 inline constexpr FieldLayout fields_of_hrbfnpr_mark_results[] = {
     FIELD(struct_size, "uint32_t"), FIELD(reserved, "uint32_t"), FIELD(shown, "hrbfnpr_array_out"),
     FIELD(radius, "hrbfnpr_array_out"), FIELD(opacity, "hrbfnpr_array_out")};
 #undef RECORD
-
 #define RECORD hrbfnpr_mark_identity
 inline constexpr FieldLayout fields_of_hrbfnpr_mark_identity[] = {
     FIELD(struct_size, "uint32_t"), FIELD(id, "uint32_t"), FIELD(item, "int64_t"), FIELD(layer, "int64_t"),
     FIELD(mark, "int64_t"), FIELD(stroke, "int64_t"), FIELD(place, "int64_t")};
 #undef RECORD
-
 #define RECORD hrbfnpr_mesh_desc
 inline constexpr FieldLayout fields_of_hrbfnpr_mesh_desc[] = {
     FIELD(struct_size, "uint32_t"), FIELD(parts, "uint32_t"), FIELD(vertices, "hrbfnpr_array"),
     FIELD(triangles, "hrbfnpr_array"), FIELD(crease_angle, "double"), FIELD(faces, "uint32_t"),
     FIELD(reserved, "uint32_t")};
 #undef RECORD
-
 #define RECORD hrbfnpr_mesh_info
 inline constexpr FieldLayout fields_of_hrbfnpr_mesh_info[] = {
     FIELD(struct_size, "uint32_t"), FIELD(closed, "uint32_t"), FIELD(given_vertices, "int64_t"),
@@ -398,19 +351,16 @@ inline constexpr FieldLayout fields_of_hrbfnpr_mesh_info[] = {
     FIELD(area, "double"), FIELD(volume, "double"), FIELD(bounds_min, "double[3]"), FIELD(bounds_max, "double[3]"),
     FIELD(seconds, "double"), FIELD(bytes, "int64_t")};
 #undef RECORD
-
 #define RECORD hrbfnpr_sample_desc
 inline constexpr FieldLayout fields_of_hrbfnpr_sample_desc[] = {
     FIELD(struct_size, "uint32_t"), FIELD(reserved, "uint32_t"), FIELD(candidates, "int64_t"),
     FIELD(random_seed, "uint64_t")};
 #undef RECORD
-
 #define RECORD hrbfnpr_compare_desc
 inline constexpr FieldLayout fields_of_hrbfnpr_compare_desc[] = {
     FIELD(struct_size, "uint32_t"), FIELD(reserved, "uint32_t"), FIELD(tolerance, "double"), FIELD(far, "double"),
     FIELD(support, "double"), FIELD(points, "int64_t"), FIELD(cell_size, "double"), FIELD(random_seed, "uint64_t")};
 #undef RECORD
-
 #define RECORD hrbfnpr_comparison
 inline constexpr FieldLayout fields_of_hrbfnpr_comparison[] = {
     FIELD(struct_size, "uint32_t"), FIELD(reserved, "uint32_t"), FIELD(surface_points, "int64_t"),
@@ -421,7 +371,6 @@ inline constexpr FieldLayout fields_of_hrbfnpr_comparison[] = {
     FIELD(normal_p99, "double"), FIELD(components, "int64_t"), FIELD(genus, "int64_t"), FIELD(tolerance, "double"),
     FIELD(diagonal, "double"), FIELD(seconds, "double")};
 #undef RECORD
-
 #define RECORD hrbfnpr_mesh_fit_desc
 inline constexpr FieldLayout fields_of_hrbfnpr_mesh_fit_desc[] = {
     FIELD(struct_size, "uint32_t"), FIELD(reserved, "uint32_t"), FIELD(tolerance, "double"), FIELD(share, "double"),
@@ -429,7 +378,6 @@ inline constexpr FieldLayout fields_of_hrbfnpr_mesh_fit_desc[] = {
     FIELD(random_seed, "uint64_t"), FIELD(crease_angle, "double"), FIELD(edges, "uint32_t"),
     FIELD(reserved2, "uint32_t")};
 #undef RECORD
-
 #define RECORD hrbfnpr_mesh_fit_info
 inline constexpr FieldLayout fields_of_hrbfnpr_mesh_fit_info[] = {
     FIELD(struct_size, "uint32_t"), FIELD(reached, "uint32_t"), FIELD(tolerance, "double"), FIELD(far, "double"),
@@ -441,25 +389,21 @@ inline constexpr FieldLayout fields_of_hrbfnpr_mesh_fit_info[] = {
     FIELD(reserved, "uint32_t"), FIELD(crease_length, "double"), FIELD(smooth_length, "double"),
     FIELD(cells, "int64_t"), FIELD(poor_cells, "int64_t")};
 #undef RECORD
-
 #define RECORD hrbfnpr_page_item
 inline constexpr FieldLayout fields_of_hrbfnpr_page_item[] = {
     FIELD(struct_size, "uint32_t"), FIELD(reserved, "uint32_t"), FIELD(drawing, "const hrbfnpr_drawing*"),
     FIELD(x, "double"), FIELD(y, "double"), FIELD(scale, "double"), FIELD(name, "const char*")};
 #undef RECORD
-
 #define RECORD hrbfnpr_pen
 inline constexpr FieldLayout fields_of_hrbfnpr_pen[] = {
     FIELD(struct_size, "uint32_t"), FIELD(line_type, "uint32_t"), FIELD(groups, "const char*"), FIELD(width, "double"),
     FIELD(ink, "float[4]"), FIELD(number, "uint32_t"), FIELD(reserved, "uint32_t")};
 #undef RECORD
-
 #define RECORD hrbfnpr_annotation
 inline constexpr FieldLayout fields_of_hrbfnpr_annotation[] = {
     FIELD(struct_size, "uint32_t"), FIELD(line_type, "uint32_t"), FIELD(group, "const char*"),
     FIELD(text, "const char*"), FIELD(points, "hrbfnpr_array"), FIELD(width, "double"), FIELD(ink, "float[4]")};
 #undef RECORD
-
 #define RECORD hrbfnpr_page_desc
 inline constexpr FieldLayout fields_of_hrbfnpr_page_desc[] = {
     FIELD(struct_size, "uint32_t"), FIELD(format, "uint32_t"), FIELD(flags, "uint32_t"), FIELD(widths, "uint32_t"),
@@ -473,7 +417,6 @@ inline constexpr FieldLayout fields_of_hrbfnpr_page_desc[] = {
     FIELD(annotations, "const hrbfnpr_annotation*"), FIELD(annotation_count, "int64_t"),
     FIELD(annotation_stride, "int64_t")};
 #undef RECORD
-
 #define RECORD hrbfnpr_page_info
 inline constexpr FieldLayout fields_of_hrbfnpr_page_info[] = {
     FIELD(struct_size, "uint32_t"), FIELD(reserved, "uint32_t"), FIELD(bytes, "int64_t"), FIELD(groups, "int64_t"),
@@ -481,7 +424,6 @@ inline constexpr FieldLayout fields_of_hrbfnpr_page_info[] = {
     FIELD(dropped_paths, "int64_t"), FIELD(dropped_dots, "int64_t"), FIELD(width, "double"), FIELD(height, "double"),
     FIELD(drawn, "double"), FIELD(travelled, "double"), FIELD(seconds, "double"), FIELD(filled_paths, "int64_t")};
 #undef RECORD
-
 #undef FIELD
 
 // X(name) of all structs, in the header's order.

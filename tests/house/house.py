@@ -158,18 +158,10 @@ def namespaces(root):
                 yield f"{path.relative_to(root)} has no namespace {path.stem} of its own"
 
 
-def is_made(path):
-    """Whether a script has written it, as its second line says."""
-    head = [line for _, line in zip(range(2), path.read_text(encoding="utf-8").splitlines())]
-    return any(re.search(r"Made by bindings/\S+ from \S+; do not edit\.", line) for line in head)
-
-
 def sizes(root):
     folders = ["src", "tests", "bench", "examples", "bindings"]
     for path in source_files(root, folders, {".h", ".cpp", ".c", ".cs", ".py", ".cmake"}):
         count = sum(1 for _ in lines(path))
-        if is_made(path):
-            continue  # as long as the header makes it; nobody reads or splits it
         if count > LONGEST_FILE:
             yield f"{path.relative_to(root)} has {count} lines: split it ({LONGEST_FILE} at most)"
 

@@ -27,7 +27,6 @@ CLEAN = {
     "src/frame/frame.h": '#pragma once\n#include "frame/published/classify.h"\n',
     "src/output/raster/draw.h": "#pragma once\n",
     "src/output/vertex/vertices.h": "#pragma once\n",
-    "src/base/made.h": "// Made by bindings/generate from bindings/api.json; do not edit.\n#pragma once\n" + "// A.\n" * house.LONGEST_FILE,
     "src/api/model.cpp": '#include "fit/fit.h"\n#include "output/raster/draw.h"\n\n#include <hrbfnpr.h>\n',
 }
 
@@ -58,7 +57,6 @@ BREAKS = [
     ("namespaces", "tests/fit/new_test.cpp", "namespace {\n}\n"),
     ("sizes", "src/fit/fit.cpp", "\n" * house.LONGEST_FILE),
     ("sizes", "bindings/csharp/Model.cs", "\n" * (house.LONGEST_FILE + 1)),
-    ("sizes", "bindings/csharp/Made.cs", "// As what is made.\n" + "\n" * house.LONGEST_FILE),
     ("abi_version", "CMakeLists.txt", "set(HRBFNPR_ABI_VERSION 4)\n"),
     ("abi_version", "include/hrbfnpr.h", "HRBFNPR_VERSION_MINOR = 2\n"),
     ("spdx", "src/fit/new.cpp", "int a;\n"),
