@@ -11,13 +11,12 @@ import numpy as np
 
 from .. import shapes
 from .._context import Context
-from .._depth_image import smooth_depth_image
 from .._errors import Error
 from .._mesh import Mesh
 from .._model import Model
 from ..shapes import Shape, ShapeError
 from ..shapes._shape import Floats
-from . import _far, _inputs, _orient, _up
+from . import _depth_image, _far, _inputs, _orient, _up
 from ._nearness import of
 from ._values import words_of
 
@@ -147,10 +146,9 @@ def _places(shape: Shape, findings: Findings) -> Floats:
 def _picture(shape: Shape, findings: Findings, context: Context) -> Tuple[Floats, Floats]:
     """What draw makes of one: points without noise, with normals."""
     assert shape.image_shape is not None
-    smoothed = smooth_depth_image(shape.points.reshape(*shape.image_shape, 3), context=context)
-    points, normals = (np.asarray(each, dtype=float).reshape(-1, 3) for each in (smoothed.points, smoothed.normals))
-    info, (rows, columns), kept = smoothed.info, shape.image_shape, np.isfinite(points).all(axis=1)
-    noise = info.noise * info.depth**2
+    (rows, columns), (seen, info) = shape.image_shape, _depth_image.smoothed(shape, context)
+    assert seen.normals is not None
+    noise = _depth_image.noise_of(info)
     findings.facts.update(
         image_rows=rows, image_columns=columns, image_seen=info.seen, image_depth=info.depth, image_noise=noise
     )
@@ -160,7 +158,7 @@ def _picture(shape: Shape, findings: Findings, context: Context) -> Tuple[Floats
     )
     if info.left_out:
         findings.repairs.append(f"{of(info.left_out, 'pixel')} on no surface left out")
-    return points[kept], normals[kept]
+    return seen.points, seen.normals
 
 
 def _cloud(shape: Shape, points: Floats, findings: Findings) -> Tuple[Floats, Floats]:

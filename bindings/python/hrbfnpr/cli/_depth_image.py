@@ -8,7 +8,7 @@ from typing import Any, Tuple
 import numpy as np
 
 from .._context import Context
-from .._depth_image import smooth_depth_image
+from .._depth_image import DepthImageInfo, smooth_depth_image
 from .._mesh import farthest_points
 from ..shapes import Shape
 from ..shapes._shape import Floats
@@ -25,22 +25,30 @@ def smooth(shape: Shape, arguments: Any, context: Context, report: Reporter) -> 
     factor = arguments.depth_smoothing
     options = {} if factor is None else {"keep_points": True} if factor == 0 else {"smoothing": factor}
     with report.stage("smooth", "smoothing") as stage:
-        image = shape.points.reshape(*shape.image_shape, 3)
-        smoothed = smooth_depth_image(image, progress=stage.bar, context=context, **options)
-        info = smoothed.info
+        seen, info = smoothed(shape, context, progress=stage.bar, **options)
         stage.says = (
             f"{info.seen} pixels of {shape.image_shape[1]} x {shape.image_shape[0]}, over {info.radius:.1f} pixels where "
             f"the depth is {info.depth:.3g}"
         )
     if info.left_out:
         report.note(f"{_nearness.of(info.left_out, 'pixel')} on no surface left out, as between an edge and what is behind it")
-    # Noise of 1 / z, at the median depth.
-    noise = "the points keep it" if factor == 0 else "it is smoothed (--depth-smoothing F: more or less, 0 keeps it)"
-    report.note(f"the depth camera has noise of {info.noise * info.depth**2:.2g} where the depth is {info.depth:.3g}: {noise}")
-    points, normals = (np.asarray(each, dtype=float).reshape(-1, 3) for each in (smoothed.points, smoothed.normals))
-    kept = np.isfinite(points).all(axis=1)
-    seen = replace(shape, points=points[kept], normals=normals[kept], image_shape=None)
+    fate = "the points keep it" if factor == 0 else "it is smoothed (--depth-smoothing F: more or less, 0 keeps it)"
+    report.note(f"the depth camera has noise of {noise_of(info):.2g} where the depth is {info.depth:.3g}: {fate}")
     return seen, HOLE * info.depth / info.focal_length
+
+
+def smoothed(shape: Shape, context: Context, **options: Any) -> Tuple[Shape, DepthImageInfo]:
+    """The pixels that have a point, with normals; options of `hrbfnpr.smooth_depth_image`."""
+    assert shape.image_shape is not None
+    made = smooth_depth_image(shape.points.reshape(*shape.image_shape, 3), context=context, **options)
+    points, normals = (np.asarray(each, dtype=float).reshape(-1, 3) for each in (made.points, made.normals))
+    kept = np.isfinite(points).all(axis=1)
+    return replace(shape, points=points[kept], normals=normals[kept], image_shape=None), made.info
+
+
+def noise_of(info: DepthImageInfo) -> float:
+    """Of the median depth z, from that of 1 / z."""
+    return info.noise * info.depth**2
 
 
 def chosen(points: Floats, count: int, context: Context) -> Any:
