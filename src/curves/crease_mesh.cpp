@@ -125,7 +125,7 @@ void Splitter::find_edges(const base::Progress& progress) {
         node_[e] = -1;
         const std::array<std::int32_t, 2> ends{start_of(mesh_, e), end_of(mesh_, e)};
         if (!is_first(mesh_, e) || sheet_[ends[0]] == sheet_[ends[1]]) continue;
-        EdgeNode edge{e, ends, {sheet_[ends[0]], sheet_[ends[1]]}, {}, {}, {}, false, false};
+        EdgeNode edge{e, ends, {sheet_[ends[0]], sheet_[ends[1]]}, {}, {}, {}, false, false, false};
         node_[e] = static_cast<std::int32_t>(edges_.size());
         if (const EdgeNode* const before = known(edge)) {
             edge = *before;
@@ -177,8 +177,8 @@ void Splitter::find_corners(const base::Progress& progress) {
     });
 }
 
-// Edges beside which their sheets do not meet, and the longest of triangles that have no corner where theirs do.
-// Returns whether there were any.
+// Edges whose sheets meet beside them, but not on the surface, and the longest of triangles that have no corner where
+// theirs do.  Returns whether there were any.
 bool Splitter::halve(const base::Progress& progress) {
     const auto length = [&](std::int64_t e) {
         return glm::distance(mesh_.position[start_of(mesh_, e)], mesh_.position[end_of(mesh_, e)]);
@@ -193,7 +193,7 @@ bool Splitter::halve(const base::Progress& progress) {
         edge.push_back(e);
     };
     for (const EdgeNode& node : edges_)
-        if (!node.at.exact && !node.alike) add(node.edge);
+        if (!node.at.exact && !node.alike && node.meet) add(node.edge);
     for (const CornerNode& node : corners_) {
         if (node.at.exact) continue;
         std::int64_t longest = 3 * node.triangle;

@@ -39,8 +39,8 @@ struct SharpMesh {
     std::int64_t unresolved = 0; // nodes that are not exact
 };
 
-// The vertices of `mesh` stay the first ones.  Edges whose sheets do not meet beside them, since another one lies
-// between, are halved, some times.  The same bits for any thread count.
+// The vertices of `mesh` stay the first ones.  Edges whose sheets meet beside them, but off the surface, since
+// another one lies between, are halved, some times.  The same bits for any thread count.
 [[nodiscard]] SharpMesh split_at_creases(const base::Runtime& runtime, const implicit::Implicit& implicit,
                                          SurfaceMesh mesh, const base::Progress& progress);
 

@@ -80,6 +80,7 @@ void CreaseNodes::look_at(EdgeNode& node) const {
     const surface::MeetingPlace found =
         surface::find_meeting(sheets_, meeting, from, meeting_tolerance * mesh_.side, reach);
     node.at.position = found.found ? found.position : from;
+    node.meet = found.found;
     node.gradient = {found.gradient[0], found.gradient[1]};
     const double away = found.found ? off_surface(found.position) : beside_surface;
     node.at.exact = away <= on_surface && folds(node.at, node.gradient, aside);

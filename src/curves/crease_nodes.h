@@ -18,6 +18,7 @@ struct EdgeNode {
     std::array<glm::dvec3, 2> gradient; // of the sheets of the edge's start and end
     std::array<bool, 2> equal;          // the start may belong to the end's sheet, the end to the start's
     bool alike;                         // both, nearly
+    bool meet;                          // both do somewhere beside the edge, on the surface or off it
     bool near;                          // both meet beside the surface, at an angle
 };
 
