@@ -34,6 +34,9 @@ constexpr double longest_piece = 1e3;
 constexpr double from_eye = 2.0;
 // Of the image's tolerance: how far curves that are made finer may be off.
 constexpr double off_curve = 0.2;
+// Of all lines, and at least so many: where more contradict themselves it is not for the curves' tolerance.
+constexpr double most_torn = 0.1;
+constexpr double least_torn = 50.0;
 // Pieces of a curve before and after one with a crossing that are made finer with it.
 constexpr std::int64_t beside_crossing = 2;
 
@@ -84,8 +87,9 @@ public:
     }
 
     // Returns how many lines contradict themselves.
-    std::int64_t run(int probes, bool last);
-    // Each part of these lines as its own ray says.
+    std::int64_t run(int probes);
+    // For the last round: larger groups of cusps, and then each part of lines that contradict themselves still as its
+    // own ray says.
     void settle();
     // Makes their curves finer, and those of lines that cross them: off by the tolerance at most, pixels.  After this
     // the round is over.
@@ -105,6 +109,7 @@ private:
     void send();
     [[nodiscard]] bool consistent(std::int64_t l, base::Array<Interval>& parts, std::span<const Event> events) const;
     void find_parts(std::int64_t l, std::span<const double> sizes);
+    void find_parts(std::span<const double> sizes);
     [[nodiscard]] bool is_bad(std::int64_t l) const noexcept { return std::binary_search(bad_.begin(), bad_.end(), l); }
     void mark(const base::Array<std::int64_t>& first, base::Array<std::uint8_t>& marked) const;
     [[nodiscard]] bool is_in_reach(const Piece& piece) const noexcept;
@@ -268,7 +273,13 @@ void Round::find_parts(std::int64_t l, std::span<const double> sizes) {
     for (const Interval& part : taken) out_.intervals.push_back(part);
 }
 
-std::int64_t Round::run(int probes, bool last) {
+void Round::find_parts(std::span<const double> sizes) {
+    out_.intervals.clear();
+    bad_.clear();
+    for (std::int64_t l = 0; l < out_.lines.lines.size(); ++l) find_parts(l, sizes);
+}
+
+std::int64_t Round::run(int probes) {
     const std::int64_t lines = out_.lines.lines.size();
     for (std::int64_t l = 0; l < lines; ++l) {
         first_chosen_.push_back(chosen_.size());
@@ -277,9 +288,7 @@ std::int64_t Round::run(int probes, bool last) {
     }
     first_chosen_.push_back(chosen_.size());
     send();
-    out_.intervals.clear();
-    const std::span<const double> sizes(swallowtails.data(), last ? swallowtails.size() : first_sizes);
-    for (std::int64_t l = 0; l < lines; ++l) find_parts(l, sizes);
+    find_parts(std::span<const double>(swallowtails).first(first_sizes));
     return bad_.size();
 }
 
@@ -338,6 +347,7 @@ void Round::refine(double tolerance) {
 }
 
 void Round::settle() {
+    find_parts(swallowtails);
     base::Array<Probe> rays(runtime_.memory);
     base::Array<std::int64_t> of(runtime_.memory);
     for (std::int64_t i = 0; i < out_.intervals.size(); ++i) {
@@ -370,13 +380,13 @@ Invisibility find_invisibility(const base::Runtime& runtime, std::span<const Sub
     double tolerance = settings.tolerance;
     for (int r = 0; r < settings.rounds; ++r, tolerance *= finer) {
         Round round(runtime, occluders, tolerance, out, progress);
-        // What is finer does not disentangle lines over one another.
-        const bool last = r + 1 == settings.rounds || out.report.crossings.tangles > 0;
-        const std::int64_t bad = round.run(settings.probes, last);
+        const std::int64_t bad = round.run(settings.probes);
         out.report.rounds = r;
         if (r == 0) out.report.refined = bad;
         if (bad == 0) break;
-        if (last) {
+        // What is finer does not disentangle lines over one another, nor mend a torn surface.
+        const double torn = std::max(least_torn, most_torn * static_cast<double>(out.lines.lines.size()));
+        if (r + 1 == settings.rounds || out.report.crossings.tangles > 0 || static_cast<double>(bad) > torn) {
             round.settle();
             break;
         }
