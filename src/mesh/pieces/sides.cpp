@@ -12,12 +12,14 @@ constexpr double on_edge = 1e-6;     // shares of a corner
 constexpr double off_face = 1e-4;    // diagonals: where it is looked which side a face has to the outside
 constexpr std::int64_t probes = 128; // faces that tell whether a mesh with gaps is solid all the same
 constexpr double solid_share = 0.95;
+constexpr double folded = 0.4; // length of the sum of both normals: faces at less than 23 degrees, one upon the other
 
 } // namespace
 
 Sides::Sides(const base::Runtime& runtime, const Mesh& mesh, const FaceTree& tree, const base::Progress& progress)
     : mesh_(mesh), tree_(tree), normal_(runtime.memory), edge_(runtime.memory, 3 * mesh.faces()),
-      vertex_(runtime.memory, mesh.vertex.size()), off_(off_face * mesh.bounds.diagonal()) {
+      vertex_(runtime.memory, mesh.vertex.size()), folded_(runtime.memory, mesh.vertex.size()),
+      off_(off_face * mesh.bounds.diagonal()) {
     for (std::int64_t face = 0; face < mesh.faces(); ++face) {
         const auto p = mesh.corners(face);
         normal_.push_back(glm::normalize(doubled_area(p)));
@@ -32,6 +34,9 @@ Sides::Sides(const base::Runtime& runtime, const Mesh& mesh, const FaceTree& tre
     for_edges(sides, progress, [&](const Side* first, const Side* last) {
         glm::dvec3 sum(0.0);
         for (const Side* side = first; side != last; ++side) sum += normal_[side->face];
+        if (last - first == 2 && glm::length(sum) < folded)
+            for (const Side* side = first; side != last; ++side)
+                for (const std::int32_t vertex : mesh.triangle[side->face]) folded_[vertex] = 1;
         const auto low = static_cast<std::int32_t>(first->edge >> 32U);
         const auto high = static_cast<std::int32_t>(first->edge & 0xFFFFFFFFU);
         for (const Side* side = first; side != last; ++side) {
@@ -79,9 +84,15 @@ Beside Sides::beside(const glm::dvec3& place) const noexcept {
     const FaceTree::Nearest nearest = tree_.nearest(place);
     Beside result{std::sqrt(nearest.squared), nearest.face, nearest.place, false};
     const glm::dvec3 normal = pseudo_normal(nearest.face, nearest.place, result.inner);
-    const bool inside = by_rays_ ? is_inside(tree_, place) : glm::dot(place - nearest.place, normal) < 0.0;
+    const bool by_rays = by_rays_ || (solid_ && is_folded(nearest.face));
+    const bool inside = by_rays ? is_inside(tree_, place) : glm::dot(place - nearest.place, normal) < 0.0;
     if (inside) result.distance = -result.distance;
     return result;
+}
+
+bool Sides::is_folded(std::int64_t face) const noexcept {
+    const Triangle& t = mesh_.triangle[face];
+    return folded_[t[0]] != 0 || folded_[t[1]] != 0 || folded_[t[2]] != 0;
 }
 
 double Sides::room(const glm::dvec3& place, const glm::dvec3& along, double most) const noexcept {

@@ -19,8 +19,9 @@ class Sides {
 public:
     Sides(const base::Runtime& runtime, const Mesh& mesh, const FaceTree& tree, const base::Progress& progress);
 
-    // By rays where the mesh is closed and is more than one part, or not a manifold; else by the normal there
-    // (Baerentzen and Aanaes, "Signed distance computation using the angle weighted pseudonormal", 2005).
+    // By rays where the mesh is closed and is more than one part, or not a manifold, or where faces are folded upon
+    // each other, whose normals do not tell; else by the normal there (Baerentzen and Aanaes, "Signed distance
+    // computation using the angle weighted pseudonormal", 2005).
     [[nodiscard]] Beside beside(const glm::dvec3& place) const noexcept;
     // How far one may go from an inner place of a face along its normal, or against it, so that the mesh is no nearer
     // on the other side: at most `most`.
@@ -33,13 +34,15 @@ public:
 
 private:
     [[nodiscard]] bool looks_solid(const base::Runtime& runtime, const base::Progress& progress) const;
+    [[nodiscard]] bool is_folded(std::int64_t face) const noexcept;
     [[nodiscard]] glm::dvec3 pseudo_normal(std::int64_t face, const glm::dvec3& place, bool& inner) const noexcept;
 
     const Mesh& mesh_;
     const FaceTree& tree_;
-    base::Array<glm::dvec3> normal_; // of faces, unit
-    base::Array<glm::dvec3> edge_;   // of sides (3 face + k): the sum of the faces'
-    base::Array<glm::dvec3> vertex_; // by angles
+    base::Array<glm::dvec3> normal_;   // of faces, unit
+    base::Array<glm::dvec3> edge_;     // of sides (3 face + k): the sum of the faces'
+    base::Array<glm::dvec3> vertex_;   // by angles
+    base::Array<std::uint8_t> folded_; // vertices of faces that are folded upon another
     double off_ = 0.0;
     bool solid_ = false;
     bool by_rays_ = false;

@@ -229,6 +229,22 @@ TEST(FitPieces, StandOnEachOtherWhereTheyShareAVertex) {
               0);
 }
 
+// A vertex of the top lies beyond the edge, as in a mesh that somebody has edited: a fold sticks out, faces of which
+// look up, and others down.
+TEST(FitPieces, KnowTheOutsideOfFoldedFaces) {
+    Triangles shape = test::box(1.0, 1.0, 1.0, 5);
+    int moved = 0;
+    for (std::size_t i = 0; i < shape.vertices.size(); i += 3)
+        if (std::abs(shape.vertices[i] - 0.8) + std::abs(shape.vertices[i + 1] - 0.4) < 1e-9 &&
+            shape.vertices[i + 2] > 0.999) {
+            shape.vertices[i] = 1.15;
+            ++moved;
+        }
+    ASSERT_EQ(moved, 1);
+    const Fitted folded(shape);
+    EXPECT_EQ(folded.wrong_signs([](const glm::dvec3& p) { return in_box(p, glm::dvec3(0.0), glm::dvec3(1.0)); }), 0);
+}
+
 // A box whose top is cut otherwise than its sides, and its halves otherwise than each other: no edge there is shared.
 TEST(FitPieces, BridgeTJunctions) {
     Triangles shape = test::box(1.0, 1.0, 1.0, 4).where([](double, double, double z) { return z < 0.999; });

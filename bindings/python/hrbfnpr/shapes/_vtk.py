@@ -118,7 +118,7 @@ def read_meshio(path: Path, form: str = "") -> Shape:
     except (Exception, SystemExit) as error:
         reason = str(error).splitlines()[0] if str(error) else type(error).__name__
         other = "VTK itself, if it is installed (python3-vtk9), may, and " if form else ""
-        raise ShapeError(f"meshio cannot read it: {reason}; {other}{_OTHERWISE}") from error
+        raise ShapeError(f"meshio cannot read it, which may be damaged or empty: {reason}; {other}{_OTHERWISE}") from error
     points = np.asarray(mesh.points, dtype=np.float64)
     if points.ndim != 2 or points.shape[1] != 3:
         raise ShapeError("its points are not in three dimensions")
