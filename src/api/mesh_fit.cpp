@@ -323,14 +323,17 @@ hrbfnpr_model* fit_pieces(const hrbfnpr_mesh& mesh, const mesh::FitMeshSettings&
     const std::int64_t centres = result.data.centres();
     log_fit(runtime, result.mesh, centres);
     log_pieces(runtime, result.pieces);
-    // What is inside and outside was taken from the mesh, so that there is nothing that it does not have.
-    const bool whole = mesh.mesh.report.boundary_edges == 0;
+    // What is inside and outside was taken from the mesh: a closed one has nothing that it does not have, but where it
+    // crosses itself, so that nobody knows.
+    const double off = off_mesh(mesh, result.mesh);
+    const bool whole =
+        mesh.mesh.report.boundary_edges == 0 && !(result.mesh.surface.most > off * mesh.mesh.bounds.diagonal());
     hrbfnpr_model* model = nullptr;
     if (trim == HRBFNPR_TRIM_NEVER || whole) {
         progress.update(1.0);
         model = make_handle<hrbfnpr_model>(mesh.context(), std::move(result.data), result.fit);
     } else {
-        const Border border(mesh, off_mesh(mesh, result.mesh), settings.seed, progress.part(end_of_mesh_fit, 1.0));
+        const Border border(mesh, off, settings.seed, progress.part(end_of_mesh_fit, 1.0));
         model = border.end(make_handle<hrbfnpr_model>(mesh.context(), std::move(result.data), result.fit));
     }
     if (info == nullptr) return model;

@@ -248,5 +248,25 @@ TEST(MeshEdges, SolidsThatTouchAreOne) {
     for (const double f : values(model, points)) EXPECT_LT(f, -1e-5);
 }
 
+// A box whose top has a vertex far below its bottom: nobody knows what is inside.  What the fit makes of it where the
+// mesh is not is left out.
+TEST(MeshEdges, OfAMeshThatCrossesItselfEndWithIt) {
+    const Context context = make_context();
+    Triangles crossed = hrbfnpr::test::box(1.0, 1.0, 1.0, 5);
+    for (std::size_t i = 0; i < crossed.vertices.size(); i += 3)
+        if (std::abs(crossed.vertices[i] - 0.4) + std::abs(crossed.vertices[i + 1] - 0.4) < 1e-9 &&
+            crossed.vertices[i + 2] > 0.9)
+            crossed.vertices[i + 2] = -0.6;
+    const Mesh mesh = mesh_of(context, crossed);
+    hrbfnpr_mesh_fit_info info{};
+    const Model model = fitted(mesh, HRBFNPR_EDGES_AUTO, info);
+    EXPECT_GT(info.sheets, 1);
+    Error error;
+    auto trim = made(hrbfnpr_trim_info_init);
+    ASSERT_OK(hrbfnpr_model_get_trim_info(model.get(), &trim, error));
+    EXPECT_EQ(trim.is_trimmed, 1);
+    EXPECT_GT(trim.share, 0.1);
+}
+
 } // namespace
 } // namespace api_test::mesh_edges_test

@@ -79,6 +79,23 @@ def test_a_mesh_tells_where_it_ends(tmp_path, capsys):
     assert "is beyond the mesh" in capsys.readouterr().out
 
 
+def test_what_a_mesh_that_crosses_itself_does_not_have_is_left_out(tmp_path, capsys):
+    # A box, the top of which has a corner far below its bottom.
+    corner, faces = {}, []
+    for axis, side, i, j in np.ndindex(3, 2, 5, 5):
+        square = []
+        for a, b in ((i, j), (i + 1, j), (i + 1, j + 1), (i, j + 1)):
+            place = [0, 0, 0]
+            place[axis], place[(axis + 1) % 3], place[(axis + 2) % 3] = 5 * side, a, b
+            square.append(corner.setdefault(tuple(place), len(corner) + 1))
+        faces.append(square if side else square[::-1])
+    rows = [f"v {x / 5} {y / 5} {-0.6 if (x, y, z) == (2, 2, 5) else z / 5}\n" for x, y, z in corner]
+    path = tmp_path / "mesh.obj"
+    path.write_text("".join(rows + ["f {} {} {} {}\n".format(*face) for face in faces]))
+    assert fitted(path).trim_info.share > 0.1
+    assert "left out: its faces cross or are folded" in capsys.readouterr().err
+
+
 def test_the_border_is_drawn(scan, tmp_path, capsys):
     from PIL import Image
 

@@ -199,6 +199,18 @@ def test_up_by_what_it_stands_on():
     assert up_of(hanging, 4000) == "z"
 
 
+def test_up_by_left_and_right():
+    points, normals = ball()
+    x, y, z = points.T
+    pear = np.column_stack([1.5 * x + 0.5 * z**2, y, z + 0.9 * x**2 + 0.4 * x])  # its sides are along y
+    assert up_of(shapes.Shape(pear, normals)) == "z"
+    assert up_of(shapes.Shape(pear[:, [0, 2, 1]], normals[:, [0, 2, 1]])) == "y"
+    upright = pear[:, [0, 2, 1]] - (pear.min(axis=0) + pear.max(axis=0))[[0, 2, 1]] / 2 + [0, 0, 1]
+    assert up_of(shapes.Shape(upright, normals[:, [0, 2, 1]])) == "y"  # though on z = 0, in the middle of x and y
+    leaf = pear * [1, 0.05, 1]
+    assert up_of(shapes.Shape(leaf, normals)) == "y"  # it lies
+
+
 def test_up_of_maps():
     steep = terrain(4.0)
     far = 5403000

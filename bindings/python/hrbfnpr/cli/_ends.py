@@ -34,21 +34,23 @@ def end_of_mesh(model: Model, mesh: Mesh, close: bool, report: Reporter) -> Mode
     """The same beyond a mesh; what the surface has that a closed one does not was made by the fit."""
     fitted = model.mesh_fit
     of_sheets = fitted is not None and fitted.sheets > 1
-    if close or (of_sheets and mesh.info.closed):
+    off = _mesh.off(model)
+    if close or (fitted and of_sheets and mesh.info.closed and fitted.surface_max <= off * _mesh.diagonal(model)):
         return model
     if fitted is not None and mesh.info.boundary_edges:  # the fit has ended it along the border
         with report.stage("end", "looking for the end of the surface") as stage:
             stage.says = _in_words(model, "mesh")
         return model
-    off = _mesh.off(model)
     places = mesh.sample(ON_MESH, candidates=ON_MESH).points
     ended = _ended(model, places, "mesh", {"hole": off, "closest": off}, report)
     info = ended.trim_info
     if mesh.info.closed and info.share > DOUBTED:
-        report.warn(
-            f"the fit made {_parts(info.parts)} of surface that the mesh does not have, left out: more samples may do "
-            f"without, --samples {4 * model.info.centres} for example"
+        remedy = (
+            "its faces cross or are folded there, and mending them may do without"
+            if of_sheets
+            else f"more samples may do without, --samples {4 * model.info.centres} for example"
         )
+        report.warn(f"the fit made {_parts(info.parts)} of surface that the mesh does not have, left out: {remedy}")
     return ended
 
 

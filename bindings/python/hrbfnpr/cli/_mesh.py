@@ -294,5 +294,7 @@ def diagonal(model: Model) -> float:
 
 
 def off(model: Model) -> float:
-    """How far from the mesh what is none of it lies, in diagonals: few samples round what is sharp."""
-    return 0.009 if model.mesh_fit is not None else max(0.009, 1.5 * model.info.spacing / diagonal(model))
+    """How far from the mesh what is none of it lies, in diagonals: few samples round what is sharp, as the fit has it."""
+    if model.mesh_fit is None:
+        return max(0.009, 1.5 * model.info.spacing / diagonal(model))
+    return float(np.clip(1.5 * np.nan_to_num(model.mesh_fit.mesh_p99) / diagonal(model), 0.009, 0.015))
