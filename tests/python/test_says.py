@@ -40,6 +40,17 @@ def test_parts_that_a_fit_may_join_are_warned_of(tmp_path, capsys):
             assert said == warned, edges
 
 
+def test_what_coarse_faces_are_taken_for(tmp_path, capsys):
+    angle = 2 * np.pi * np.arange(16) / 16  # a prism, or a cylinder
+    rings = [np.column_stack([np.cos(angle), 0 * angle + y, np.sin(angle)]) for y in (0, 1)]
+    sides = [[i, 16 + i, 16 + (i + 1) % 16, (i + 1) % 16] for i in range(16)]
+    path = write(tmp_path, "prism.obj", obj(np.vstack(rings), [*sides, list(range(16)), list(range(31, 15, -1))]))
+    assert draw(path, tmp_path / "round.png") == 0
+    assert "what is round bulges over them: if they are flat, --edges 5" in capsys.readouterr().err
+    assert draw(path, tmp_path / "flat.png", "--edges", "5") == 0
+    assert "is not within" not in capsys.readouterr().err
+
+
 # --- normals -----------------------------------------------------------------------------------
 
 

@@ -209,7 +209,8 @@ def test_noff_points(tmp_path):
     "text, words",
     [
         ("", "not an OFF"),
-        ("OFF BINARY\n", "not an OFF"),
+        ("OFF BINARY\n", "lacks its counts"),
+        ("COFF BINARY\n" + 12 * "\0", "of the kind 'COFF'"),
         ("OFF\n", "lacks its counts"),
         ("OFF\n8 x 0\n", "count was expected"),
         ("OFF\n8 6 0\n1 2 3\n", "ends before"),
@@ -221,6 +222,39 @@ def test_noff_points(tmp_path):
 def test_broken_off(tmp_path, text, words):
     with pytest.raises(shapes.ShapeError, match=words):
         shapes.read(write(tmp_path, "a.off", text))
+
+
+@pytest.mark.parametrize("order", "<>")
+@pytest.mark.parametrize("faces", [FACES, QUADS])
+@pytest.mark.parametrize("colours", [None, 0, 3])
+def test_binary_off(tmp_path, order, faces, colours):
+    faces = np.asarray(faces)
+    corners = VERTICES if faces.shape[1] == 3 else CUBE
+    behind = [] if colours is None else [colours] + colours * [0.5]
+    words = [(len(face), *face.tolist()) for face in faces]
+    data = struct.pack(f"{order}3i", len(corners), len(faces), 0) + np.asarray(corners, order + "f4").tobytes()
+    for row in words:
+        data += struct.pack(f"{order}{len(row)}i", *row)
+        data += b"" if colours is None else struct.pack(f"{order}i{colours}f", *behind)
+    head = b"OFF BINARY\n"
+    shape = shapes.read(write(tmp_path, "a.off", head + data))
+    np.testing.assert_array_equal(shape.points, np.asarray(corners, dtype=np.float32))
+    assert len(shape.triangles) == (4 if faces.shape[1] == 3 else 12)
+    assert shape.triangles.max() == len(corners) - 1
+    for broken in (data[:-4], data[:20], data + b"\0\0\0\0"):
+        with pytest.raises(shapes.ShapeError, match="is damaged"):
+            shapes.read(write(tmp_path, "a.off", head + broken))
+    if faces.shape[1] == 3 and colours is None:
+        with pytest.raises(shapes.ShapeError, match="names vertex 9, but there are 4 vertices"):
+            shapes.read(write(tmp_path, "a.off", head + data[:-4] + struct.pack(f"{order}i", 9)))
+
+
+def test_binary_noff(tmp_path):
+    table = np.arange(12, dtype="<f4")
+    data = b"NOFF BINARY\n" + struct.pack("<3i", 2, 0, 0) + table.tobytes()
+    shape = shapes.read(write(tmp_path, "a.off", data))
+    np.testing.assert_array_equal(shape.normals, [[3, 4, 5], [9, 10, 11]])
+    assert not shape.is_mesh
 
 
 def stl(binary):

@@ -23,6 +23,7 @@ MOST_ROUNDS = 3
 COARSE_EDGE = 0.025  # of the diagonal: faces whose edges are shorter on average bend by noise
 LOOKED_AT = 2000  # samples that tell which way is up
 SAMPLES = 1000  # where the fit is not to choose them
+_ROUND = 0.9  # share of a mesh within the tolerance: where it is less, that is not for a few edges
 _CHOOSES = ("tolerance", "maximum_centres", "kernel", "kernel_radius", "polynomial_degree", "solver")
 _OF_ONE = ("save_model", "save_points", "save_settings", "settings", "scale_bar")
 _NOT_WITH_CHOICE = ("samples", "outliers", "flipped_normals", "refinement_steps", "flip")
@@ -284,6 +285,8 @@ def _shortfall(done: MeshFitInfo, model: Model, arguments: Any) -> str:
     most = arguments.maximum_centres or 8000
     if done.centres >= 0.9 * most:
         return text + f"; --max-centres {2 * most} allows more samples"
+    if done.sheets > 1 and done.mesh_share < _ROUND and arguments.edges is None:
+        return text + "; its faces are coarse, and what is round bulges over them: if they are flat, --edges 5 keeps them so"
     rounded = "sharp edges and very thin parts" if done.sheets == 1 else "some edges and very thin parts"
     return text + f"; {rounded} are rounded"
 

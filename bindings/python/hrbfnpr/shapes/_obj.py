@@ -7,6 +7,7 @@ from typing import Dict, List, Tuple
 
 import numpy as np
 
+from . import _off_binary
 from ._shape import Floats, Integers, Shape, ShapeError
 from ._table import (
     Rows,
@@ -101,9 +102,10 @@ def _faces(lines: List[bytes], where: List[int], vertex_lines: Integers, points:
 
 
 def read_off(data: bytes) -> Shape:
-    """OFF and its kin with normals (NOFF) or colours (COFF); text only."""
-    if re.match(rb"\s*\w*OFF\s+BINARY", data[:100]):
-        raise ShapeError("not an OFF file in text form: binary ones are not read; save it as text, or as PLY")
+    """OFF and its kin with normals (NOFF) or colours (COFF)."""
+    binary = re.match(rb"\s*(\w*OFF)\s+BINARY[^\n]*\n", data[:100])
+    if binary is not None:
+        return _off_binary.read(binary.group(1).decode(), data[binary.end() :])
     text = without_comments(plain(data))
     head = re.match(rb"\s*(\w*?OFF)(?=\d|\b)", text)
     if head is None:
