@@ -11,12 +11,14 @@ from urllib.parse import unquote
 
 import numpy as np
 
+from . import _meshopt
 from ._shape import Floats, Integers, Shape, ShapeError, Vector
 
 UP: Vector = (0.0, 1.0, 0.0)
 _TYPES = {5120: "<i1", 5121: "<u1", 5122: "<i2", 5123: "<u2", 5125: "<u4", 5126: "<f4"}
 _WIDTHS = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4, "MAT4": 16}
-_COMPRESSED = ("KHR_draco_mesh_compression", "EXT_meshopt_compression", "KHR_meshopt_compression")
+_COMPRESSED = ("KHR_draco_mesh_compression",)
+_PACKED = ("EXT_meshopt_compression", "KHR_meshopt_compression")
 _POINTS, _TRIANGLES, _STRIP, _FAN = 0, 4, 5, 6
 _MOST = 1 << 28  # numbers in a list
 _DEEPEST = 200  # nodes of nodes
@@ -79,6 +81,7 @@ class _Reader:
     def __init__(self, document: Dict[str, Any], chunk: bytes, folder: Path, form: str) -> None:
         self._document, self._chunk, self._folder, self._form = document, chunk, folder, form
         self._buffers: Dict[int, bytes] = {}
+        self._views: Dict[int, bytes] = {}  # that are packed
         self._points: List[Floats] = []
         self._normals: List[Optional[Floats]] = []
         self._triangles: List[Integers] = []
@@ -195,15 +198,26 @@ class _Reader:
 
     def _view(self, number: int, offset: int, dtype: Any, width: int, count: int) -> Any:
         view = self._document["bufferViews"][number]
-        data = self._buffer(view["buffer"])
-        start, size = view.get("byteOffset", 0) + offset, dtype.itemsize * width
-        stride = view.get("byteStride") or size
+        packed = next((view["extensions"][name] for name in _PACKED if name in view.get("extensions", {})), None)
+        size = dtype.itemsize * width
+        if packed is None:
+            data, start = self._buffer(view["buffer"]), view.get("byteOffset", 0) + offset
+            stride = view.get("byteStride") or size
+        else:
+            data, start, stride = self._unpacked(number, packed), offset, packed["byteStride"]
         if count == 0:
             return np.zeros((0, width), dtype)
         if min(start, count, stride) < 0 or start + stride * (count - 1) + size > len(data):
             raise ShapeError(f"the glTF file is cut short: part {number} ends beyond the {len(data)} bytes there are")
         rows = np.ndarray((count, size), np.uint8, data, start, (stride, 1))
         return np.ascontiguousarray(rows).view(dtype)
+
+    def _unpacked(self, number: int, packed: Dict[str, Any]) -> bytes:
+        if number not in self._views:
+            begin = packed.get("byteOffset", 0)
+            data = self._buffer(packed["buffer"])[begin : begin + packed["byteLength"]]
+            self._views[number] = _meshopt.unpack(packed, data)
+        return self._views[number]
 
     def _buffer(self, number: int) -> bytes:
         if number not in self._buffers:
