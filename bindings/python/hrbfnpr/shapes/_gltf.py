@@ -11,13 +11,13 @@ from urllib.parse import unquote
 
 import numpy as np
 
-from . import _meshopt
+from . import _draco, _meshopt
 from ._shape import Floats, Integers, Shape, ShapeError, Vector
 
 UP: Vector = (0.0, 1.0, 0.0)
 _TYPES = {5120: "<i1", 5121: "<u1", 5122: "<i2", 5123: "<u2", 5125: "<u4", 5126: "<f4"}
 _WIDTHS = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4, "MAT4": 16}
-_COMPRESSED = ("KHR_draco_mesh_compression",)
+_DRACO = "KHR_draco_mesh_compression"
 _PACKED = ("EXT_meshopt_compression", "KHR_meshopt_compression")
 _POINTS, _TRIANGLES, _STRIP, _FAN = 0, 4, 5, 6
 _MOST = 1 << 28  # numbers in a list
@@ -91,12 +91,6 @@ class _Reader:
     def shape(self) -> Shape:
         if isinstance(self._document.get("meshes"), dict):  # by names: they are lists since version 2
             raise ShapeError("glTF files of version 1 are not read: version 2 is; Blender or MeshLab converts it")
-        for extension in _COMPRESSED:
-            if extension in self._document.get("extensionsRequired", ()):
-                raise ShapeError(
-                    f"its geometry is compressed ({extension}), which is not read; save it without compression, "
-                    "in Blender for example, or convert it to PLY"
-                )
         nodes = self._document.get("nodes", [])
         self._world = self._places(nodes)
         for number, place in self._world.items():
@@ -135,19 +129,22 @@ class _Reader:
             mode = part.get("mode", _TRIANGLES)
             if mode not in (_POINTS, _TRIANGLES, _STRIP, _FAN) or "POSITION" not in part["attributes"]:
                 continue
-            points = self._accessor(part["attributes"]["POSITION"])
+            draco = self._by_draco(part)
+            points = self._accessor(part["attributes"]["POSITION"]) if draco is None else draco.points
             if "skin" in node and "JOINTS_0" in part["attributes"]:
-                points = self._posed(points, part["attributes"], self._document["skins"][node["skin"]])
+                if draco is None:  # else as it was modelled: its joints are not unpacked
+                    points = self._posed(points, part["attributes"], self._document["skins"][node["skin"]])
                 linear = np.eye(3)
             else:
                 points = points @ matrix[:3, :3].T + matrix[:3, 3]
                 linear = matrix[:3, :3]
             normals = None
-            if mode == _POINTS and "NORMAL" in part["attributes"]:
+            if mode == _POINTS and "NORMAL" in part["attributes"] and draco is None:
                 normals = self._accessor(part["attributes"]["NORMAL"]) @ np.linalg.inv(linear)
             if mode != _POINTS:
-                indices = self._accessor(part["indices"])[:, 0].astype(np.int64) if "indices" in part else None
-                triangles = _triangles(np.arange(len(points)) if indices is None else indices, mode)
+                triangles = self._triangles_of(part, mode, len(points)) if draco is None else draco.triangles
+                if triangles is None:
+                    triangles = np.zeros((0, 3), np.int64)
                 self._check(triangles, len(points))
                 if np.linalg.det(linear) < 0:
                     triangles = triangles[:, ::-1]
@@ -155,6 +152,19 @@ class _Reader:
             self._points.append(points)
             self._normals.append(normals)
             self._count += len(points)
+
+    def _triangles_of(self, part: Dict[str, Any], mode: int, count: int) -> Integers:
+        indices = self._accessor(part["indices"])[:, 0].astype(np.int64) if "indices" in part else np.arange(count)
+        return _triangles(indices, mode)
+
+    def _by_draco(self, part: Dict[str, Any]) -> Optional[Shape]:
+        """None of a part that is there without it."""
+        packed = part.get("extensions", {}).get(_DRACO)
+        if packed is None or "bufferView" in self._document["accessors"][part["attributes"]["POSITION"]]:
+            return None
+        view = self._document["bufferViews"][packed["bufferView"]]
+        begin = view.get("byteOffset", 0)
+        return _draco.unpack(self._buffer(view["buffer"])[begin : begin + view["byteLength"]])
 
     @staticmethod
     def _check(triangles: Integers, count: int) -> None:

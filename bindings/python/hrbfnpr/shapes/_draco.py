@@ -1,0 +1,33 @@
+# SPDX-License-Identifier: MIT
+"""What KHR_draco_mesh_compression packs, by the program of the Draco library: no package of Debian has it for Python."""
+from __future__ import annotations
+
+import shutil
+import subprocess
+import tempfile
+from pathlib import Path
+
+from ._ply import read_ply
+from ._shape import Shape, ShapeError
+
+_PROGRAM = "draco_decoder"
+_LONGEST = 600  # seconds
+_OTHERWISE = "save it without compression, in Blender for example, or convert it to PLY"
+
+
+def unpack(data: bytes) -> Shape:
+    """Points and triangles, in an order of its own."""
+    program = shutil.which(_PROGRAM)
+    if program is None:
+        raise ShapeError(f"its geometry is compressed by Draco: reading that needs {_PROGRAM} (draco); or {_OTHERWISE}")
+    with tempfile.TemporaryDirectory() as folder:
+        packed, plain = Path(folder) / "packed.drc", Path(folder) / "plain.ply"
+        packed.write_bytes(data)
+        command = [program, "-i", str(packed), "-o", str(plain)]
+        try:
+            done = subprocess.run(command, stdin=subprocess.DEVNULL, capture_output=True, timeout=_LONGEST, check=False)
+        except subprocess.TimeoutExpired:
+            raise ShapeError(f"{_PROGRAM} does not come to an end with it; {_OTHERWISE}") from None
+        if done.returncode or not plain.exists():
+            raise ShapeError(f"a part that Draco compressed is damaged: {_PROGRAM} cannot read it")
+        return read_ply(plain.read_bytes())
