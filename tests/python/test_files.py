@@ -179,7 +179,7 @@ def test_contents_count_for_more_than_the_ending(tmp_path, ending, data, kind):
     [
         ("a.docx", b"PK\3\4" + bytes(200), r"files that end in \.docx are not read; MeshLab.* Read are PLY, OBJ, STL"),
         ("a.step", b"ISO-10303-21;", "FreeCAD exports them as STL"),
-        ("a.fbx", b"Kaydara FBX Binary  \0", "Blender exports it as glTF"),
+        ("a.usdz", b"PK", "Blender exports it as glTF"),
         ("a.zip", b"PK\3\4" + bytes(200), "unpack it first"),
         ("a", bytes(range(256)), "no ending, and its contents tell nothing.* Read are"),
         ("a.xyz", bytes(range(256)), "binary data"),

@@ -12,7 +12,7 @@ from typing import Callable, Dict, NamedTuple, Optional, Tuple, Union
 
 import numpy as np
 
-from . import _heights, _scans, _vtk
+from . import _assimp, _heights, _scans, _vtk
 from ._3mf import is_3mf, read_3mf
 from ._gltf import read_gltf
 from ._obj import read_obj, read_off
@@ -48,6 +48,7 @@ FORMATS: Dict[str, Format] = {
         Format("VTK", None, _vtk.read_vtk), Format("LAS", None, _scans.read_las), Format("E57", None, _scans.read_e57),
         Format("grid", _heights.read_grid), Format("PGM", _heights.read_pgm),
         Format("GeoTIFF", None, _heights.read_geotiff), Format("DEM", None, _heights.read_dem), Format("3MF", None, read_3mf), Format("PTX", read_ptx),
+        *(Format(name, None, _assimp.read) for name in _assimp.ENDINGS.values()),
     )
 }  # fmt: skip
 ENDINGS = {
@@ -56,6 +57,7 @@ ENDINGS = {
     ".gltf": "glTF", ".glb": "glTF", ".vtp": "VTP", ".vtu": "VTU", ".vtk": "VTK", ".las": "LAS", ".laz": "LAS",
     ".e57": "E57", ".grd": "grid", ".pgm": "PGM", ".tif": "GeoTIFF", ".tiff": "GeoTIFF",
     ".3mf": "3MF", ".ptx": "PTX", **dict.fromkeys((".dem", ".hgt", ".dt0", ".dt1", ".dt2", ".bil", ".flt"), "DEM"),
+    **_assimp.ENDINGS,
 }  # fmt: skip
 _BY_MESHIO = (".msh", ".inp", ".mesh", ".bdf", ".nas", ".med", ".xdmf", ".tet", ".avs", ".e", ".exo", ".dat")
 _MAGIC: Tuple[Tuple[bytes, str], ...] = (
@@ -70,17 +72,17 @@ _MAGIC: Tuple[Tuple[bytes, str], ...] = (
 )  # fmt: skip
 READ = (
     "PLY, OBJ, STL, OFF, 3MF, glTF and GLB; points as XYZ, TXT, ASC, CSV, PTS, PWN, PTX, PCD, LAS, LAZ or E57; "
-    "VTK, VTU and VTP; height maps as ESRI grid, PGM, GeoTIFF or DEM"
+    "VTK, VTU and VTP; Collada, FBX, 3DS, Blender, X3D and others by assimp; height maps as ESRI grid, PGM, GeoTIFF or DEM"
 )
 _CONVERT = {
     **dict.fromkeys((".step", ".stp", ".iges", ".igs", ".brep", ".sldprt", ".ipt", ".fcstd"),
                     "it holds no triangles: FreeCAD exports them as STL"),
-    **dict.fromkeys((".blend", ".fbx", ".dae", ".3ds", ".max", ".usd", ".usda", ".usdc", ".usdz", ".x3d", ".wrl"),
+    **dict.fromkeys((".max", ".usd", ".usda", ".usdc", ".usdz", ".wrl"),
                     "Blender exports it as glTF or PLY"),
     **dict.fromkeys((".fls", ".rcp", ".rcs", ".zfs", ".bin", ".pod"),
                     "CloudCompare saves it as PLY, with normals"),
     **dict.fromkeys((".zip", ".7z", ".rar", ".tar"), "unpack it first"),
-    **dict.fromkeys((".amf", ".ctm"), "MeshLab or a slicer exports it as STL"),
+    **dict.fromkeys((".ctm",), "MeshLab exports it as STL"),
     **dict.fromkeys((".nii", ".dcm", ".nrrd", ".mha", ".vti"), "it holds a volume: 3D Slicer exports a surface as PLY"),
     **dict.fromkeys((".png", ".jpg", ".jpeg", ".bmp"), "it is a picture; heights of terrain go into a PGM of 16 bits"),
     **dict.fromkeys((".npy", ".npz", ".mat"), "save the points and normals as text, x y z nx ny nz in a line"),

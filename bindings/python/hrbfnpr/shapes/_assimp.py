@@ -1,0 +1,52 @@
+# SPDX-License-Identifier: MIT
+"""What 3D programs save (Collada, FBX, 3DS, Blender, X3D ...), by the program of the Open Asset Import Library."""
+from __future__ import annotations
+
+import shutil
+import subprocess
+import tempfile
+from dataclasses import replace
+from pathlib import Path
+
+from ._gltf import read_gltf
+from ._shape import Shape, ShapeError
+
+ENDINGS = {
+    ".dae": "Collada", ".fbx": "FBX", ".3ds": "3DS", ".blend": "Blender", ".x3d": "X3D", ".ac": "AC3D", ".lwo": "LWO",
+    ".ms3d": "MS3D", ".md2": "MD2", ".md3": "MD3", ".md5mesh": "MD5", ".iqm": "IQM", ".ase": "ASE", ".cob": "COB",
+    ".x": "X", ".b3d": "B3D", ".amf": "AMF", ".dxf": "DXF", ".ifc": "IFC", ".lxo": "LXO", ".nff": "NFF",
+    ".ogex": "OGEX", ".smd": "SMD",
+}  # fmt: skip
+_LONGEST = 600  # seconds
+_OTHERWISE = "Blender exports it as glTF or PLY"
+
+
+def read(path: Path) -> Shape:
+    """As a glTF scene, in a process of its own: damaged files may end the one that reads them."""
+    path.stat()  # a missing file is an OSError like everywhere
+    form = ENDINGS[path.suffix.lower()]
+    program = shutil.which("assimp")
+    if program is None:
+        raise ShapeError(f"reading {form} files needs assimp (assimp-utils); or without it: {_OTHERWISE}")
+    with tempfile.TemporaryDirectory() as folder:
+        scene = Path(folder) / "scene.glb"
+        command = [program, "export", str(path.resolve()), str(scene), "-fglb2"]
+        try:
+            done = subprocess.run(command, stdin=subprocess.DEVNULL, capture_output=True, timeout=_LONGEST, check=False)
+        except subprocess.TimeoutExpired:
+            raise ShapeError(f"assimp does not come to an end with it; {_OTHERWISE}") from None
+        if done.returncode or not scene.exists():
+            raise ShapeError(f"assimp cannot read it{_reason(done.stdout)}; {_OTHERWISE}")
+        try:
+            shape = read_gltf(scene.read_bytes(), Path(folder))
+        except ShapeError as error:
+            raise ShapeError(f"of what assimp makes of it, {error}; {_OTHERWISE}") from None
+    return replace(shape, format=form)
+
+
+def _reason(said: bytes) -> str:
+    """The line of what it prints that begins so."""
+    for line in said.decode(errors="replace").splitlines():
+        if line.startswith("ERROR:"):
+            return ": " + line[6:].strip()[:200]
+    return ""
