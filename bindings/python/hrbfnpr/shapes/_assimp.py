@@ -9,14 +9,16 @@ from dataclasses import replace
 from pathlib import Path
 
 from ._gltf import read_gltf
-from ._shape import Shape, ShapeError
+from ._shape import Shape, ShapeError, Vector
 
+Z: Vector = (0.0, 0.0, 1.0)
 ENDINGS = {
     ".dae": "Collada", ".fbx": "FBX", ".3ds": "3DS", ".blend": "Blender", ".x3d": "X3D", ".ac": "AC3D", ".lwo": "LWO",
     ".ms3d": "MS3D", ".md2": "MD2", ".md3": "MD3", ".md5mesh": "MD5", ".iqm": "IQM", ".ase": "ASE", ".cob": "COB",
     ".x": "X", ".b3d": "B3D", ".amf": "AMF", ".dxf": "DXF", ".ifc": "IFC", ".lxo": "LXO", ".nff": "NFF",
     ".ogex": "OGEX", ".smd": "SMD",
 }  # fmt: skip
+_Z_UP = ("AMF", "Blender", "COB", "DXF", "SMD")  # which assimp does not turn
 _LONGEST = 600  # seconds
 _OTHERWISE = "Blender exports it as glTF or PLY"
 
@@ -41,7 +43,7 @@ def read(path: Path) -> Shape:
             shape = read_gltf(scene.read_bytes(), Path(folder))
         except ShapeError as error:
             raise ShapeError(f"of what assimp makes of it, {error}; {_OTHERWISE}") from None
-    return replace(shape, format=form)
+    return replace(shape, format=form, up=Z if form in _Z_UP else shape.up)
 
 
 def _reason(said: bytes) -> str:
