@@ -24,6 +24,7 @@ constexpr int trace_halvings = 8;
 // Where no curve is found for changes of sign: cells are so many times smaller, and so many along a box's diagonal.
 constexpr double closer = 8.0;
 constexpr double most_cells = 128.0;
+constexpr std::int64_t most_lost = 2000; // changes of sign: a surface that has more is torn, in smaller cells as well
 
 // Each a run of its own.
 Curves runs_of(const base::Array<CurvePoint>& starts) {
@@ -241,7 +242,7 @@ Curves trace(const base::Runtime& runtime, const Level& level, const SurfaceMesh
         find_small_loops(runtime, level, mesh, at_vertices, report.evaluations, progress);
     for (const std::int64_t i : rounds.from(loops)) lost.push_back(loops[i]);
     report.loops = report.starts - before;
-    report.missed = look_closer(runtime, level, mesh, lost, rounds, progress);
+    report.missed = lost.size() > most_lost ? lost.size() : look_closer(runtime, level, mesh, lost, rounds, progress);
     report.added = report.starts - first;
     Curves curves = std::move(rounds).result();
     return mesh.end != nullptr ? clip(runtime, level, *mesh.end, curves, progress) : std::move(curves);
