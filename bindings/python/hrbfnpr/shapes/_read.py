@@ -124,8 +124,9 @@ def read(path: Union[str, "os.PathLike[str]"]) -> Shape:
     ----------
     path : path
         PLY, OBJ, STL, OFF, 3MF, glTF and GLB; tables of points with three columns or more (XYZ, TXT, CSV, PTS, PWN ...);
-        PTX, PCD, LAS; LAZ, E57, GeoTIFF, DEM, VTK and its kin with the package that reads them.  What the file holds counts
-        for more than its ending.  A file that gzip has packed is unpacked.
+        PTX, PCD, LAS; LAZ, E57, GeoTIFF, DEM, VTK and its kin, and Collada, FBX, 3DS, Blender and others, with the package
+        or program that reads them.  What the file holds counts for more than its ending.  A file that gzip has packed is
+        unpacked.
 
     Raises
     ------
