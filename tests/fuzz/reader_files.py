@@ -75,6 +75,13 @@ def pcd(form):
     return head.encode() + struct.pack("<II", len(packed), len(raw)) + packed
 
 
+def off_binary(order="<"):
+    """A count of colours behind each face, as Geomview has it, of the one byte order."""
+    behind = [0] if order == ">" else []
+    data = struct.pack(f"{order}3i", 8, 6, 0) + b"".join(struct.pack(f"{order}3f", *v) for v in VERTICES)
+    return b"OFF BINARY\n" + data + b"".join(struct.pack(f"{order}{5 + len(behind)}i", 4, *quad, *behind) for quad in QUADS)
+
+
 def gltf_document(uri=None):
     """A node that is turned, of a triangle mesh with a sparse accessor; and points with normals."""
     positions = b"".join(struct.pack("<3f", *v) for v in VERTICES)
@@ -107,8 +114,38 @@ def gltf():
     return gltf_document(lambda data: "data:application/octet-stream;base64," + base64.b64encode(data).decode())[0]
 
 
-def glb():
-    text, data = gltf_document()
+def packed_document():
+    """By EXT_meshopt_compression: each byte of a vertex and each corner is told as it is."""
+    steps = [[]] + [[b - a for a, b in zip(*pair)] for pair in zip(VERTICES, VERTICES[1:])]
+    turned = [[2 * step if step >= 0 else -2 * step - 1 for step in row] or [0, 0, 0] for row in steps]
+    positions = b"\xa0"
+    for k in range(4):  # of bytes; the last one is 0
+        column = [row[k] for row in turned] + 8 * [0] if k < 3 else []
+        positions += b"\3" + bytes(column) if column else b"\0"
+    positions += bytes(32)
+    indices, last = b"\xe1" + 12 * b"\xff", 0
+    for three in TRIANGLES:
+        indices += b"\xff"
+        for corner in three:
+            step, last = corner - last, corner
+            indices += bytes([2 * step if step >= 0 else -2 * step - 1])
+    indices += bytes(16)
+    views, data = [], positions + indices
+    for packed, start, count, stride, mode in (
+        (positions, 0, 8, 4, "ATTRIBUTES"), (indices, len(positions), 36, 2, "TRIANGLES"),
+    ):  # fmt: skip
+        extension = {"buffer": 0, "byteOffset": start, "byteLength": len(packed), "byteStride": stride, "count": count}
+        views.append({"buffer": 1, "extensions": {"EXT_meshopt_compression": {**extension, "mode": mode}}})
+    document = {
+        "asset": {"version": "2.0"}, "nodes": [{"mesh": 0}], "bufferViews": views, "buffers": [{"byteLength": len(data)}],
+        "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "indices": 1}]}],
+        "accessors": [{"bufferView": 0, "componentType": 5120, "type": "VEC3", "count": 8},
+                      {"bufferView": 1, "componentType": 5123, "type": "SCALAR", "count": 36}],
+    }  # fmt: skip
+    return json.dumps(document).encode(), data
+
+
+def glb(text, data):
     text += b" " * (-len(text) % 4)
     size = 12 + 8 + len(text) + 8 + len(data)
     head = struct.pack("<4sII", b"glTF", 2, size) + struct.pack("<I4s", len(text), b"JSON")
@@ -209,7 +246,8 @@ def files():
         "big.ply": ply("binary_big_endian", "int"), "wide.ply": ply("binary_little_endian", "uint"),
         "strips.ply": ply_strips(), "cube.obj": obj(), "text.stl": stl(False), "binary.stl": stl(True),
         "cube.off": off(), "normals.off": off("NOFF", (NORMALS,)), "ascii.pcd": pcd("ascii"),
-        "binary.pcd": pcd("binary"), "packed.pcd": pcd("binary_compressed"), "cube.gltf": gltf(), "cube.glb": glb(),
+        "binary.pcd": pcd("binary"), "packed.pcd": pcd("binary_compressed"), "cube.gltf": gltf(), "cube.glb": glb(*gltf_document()),
+        "packed.glb": glb(*packed_document()), "little.off": off_binary(), "big.off": off_binary(">"),
         "cube.las": las(), "cube_4.las": las(4), "grid.asc": grid(), "text.pgm": pgm(False), "binary.pgm": pgm(True),
         "cube.3mf": mf3(), "cube.ptx": ptx(),
         "cube.vtk": vtk(), "cube.vtp": vtp(), "cube.vtu": vtu(), "plain.xyz": table.encode(),

@@ -42,6 +42,8 @@ def _attributes(data: bytes, count: int, stride: int) -> Any:
     """Shape (count, stride), bytes: differences from element to element, those of each byte of theirs together."""
     if data[0] != 0xA0 or stride % 4:
         raise ShapeError(f"a part of the glTF file is compressed as version {data[0] & 15}, which is not known")
+    if count * stride > 64 * len(data):  # a byte stands for 64 of them at most
+        raise ValueError
     tail = max(stride, _TAIL)
     before = np.frombuffer(data, np.uint8, stride, len(data) - stride)
     result = np.empty((count, stride), np.uint8)
