@@ -8,6 +8,7 @@ from test_shapes import CUBE, QUADS, write
 
 from hrbfnpr import shapes
 from hrbfnpr.cli import main
+from hrbfnpr.shapes import _optional
 
 COLLADA = """<?xml version="1.0" encoding="utf-8"?>
 <COLLADA xmlns="http://www.collada.org/2005/11/COLLADASchema" version="1.4.1">
@@ -72,3 +73,9 @@ def test_what_is_needed_is_said(tmp_path, monkeypatch):
     monkeypatch.setattr(shutil, "which", lambda name: None)
     with pytest.raises(shapes.ShapeError, match="reading Collada files needs assimp .assimp-utils.; or without it"):
         shapes.read(write(tmp_path, "box.dae", collada()))
+
+
+def test_what_does_not_end_is_said(monkeypatch):
+    monkeypatch.setattr(_optional, "_LONGEST", 0.2)
+    with pytest.raises(shapes.ShapeError, match="sleep does not come to an end with it; wake it"):
+        _optional.run("sleep", ["sleep", "20"], "wake it")

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import shutil
-import subprocess
 import tempfile
 from dataclasses import replace
 from pathlib import Path
 
 from ._gltf import read_gltf
+from ._optional import run
 from ._shape import Shape, ShapeError, Vector
 
 Z: Vector = (0.0, 0.0, 1.0)
@@ -19,12 +19,11 @@ ENDINGS = {
     ".ogex": "OGEX", ".smd": "SMD",
 }  # fmt: skip
 _Z_UP = ("AMF", "Blender", "COB", "DXF", "SMD")  # which assimp does not turn
-_LONGEST = 600  # seconds
 _OTHERWISE = "Blender exports it as glTF or PLY"
 
 
 def read(path: Path) -> Shape:
-    """As a glTF scene, in a process of its own: damaged files may end the one that reads them."""
+    """As a glTF scene."""
     path.stat()  # a missing file is an OSError like everywhere
     form = ENDINGS[path.suffix.lower()]
     program = shutil.which("assimp")
@@ -32,11 +31,7 @@ def read(path: Path) -> Shape:
         raise ShapeError(f"reading {form} files needs assimp (assimp-utils); or without it: {_OTHERWISE}")
     with tempfile.TemporaryDirectory() as folder:
         scene = Path(folder) / "scene.glb"
-        command = [program, "export", str(path.resolve()), str(scene), "-fglb2"]
-        try:
-            done = subprocess.run(command, stdin=subprocess.DEVNULL, capture_output=True, timeout=_LONGEST, check=False)
-        except subprocess.TimeoutExpired:
-            raise ShapeError(f"assimp does not come to an end with it; {_OTHERWISE}") from None
+        done = run("assimp", [program, "export", str(path.resolve()), str(scene), "-fglb2"], _OTHERWISE)
         if done.returncode or not scene.exists():
             raise ShapeError(f"assimp cannot read it{_reason(done.stdout)}; {_OTHERWISE}")
         try:

@@ -3,15 +3,14 @@
 from __future__ import annotations
 
 import shutil
-import subprocess
 import tempfile
 from pathlib import Path
 
+from ._optional import run
 from ._ply import read_ply
 from ._shape import Shape, ShapeError
 
 _PROGRAM = "draco_decoder"
-_LONGEST = 600  # seconds
 _OTHERWISE = "save it without compression, in Blender for example, or convert it to PLY"
 
 
@@ -23,11 +22,7 @@ def unpack(data: bytes) -> Shape:
     with tempfile.TemporaryDirectory() as folder:
         packed, plain = Path(folder) / "packed.drc", Path(folder) / "plain.ply"
         packed.write_bytes(data)
-        command = [program, "-i", str(packed), "-o", str(plain)]
-        try:
-            done = subprocess.run(command, stdin=subprocess.DEVNULL, capture_output=True, timeout=_LONGEST, check=False)
-        except subprocess.TimeoutExpired:
-            raise ShapeError(f"{_PROGRAM} does not come to an end with it; {_OTHERWISE}") from None
+        done = run(_PROGRAM, [program, "-i", str(packed), "-o", str(plain)], _OTHERWISE)
         if done.returncode or not plain.exists():
             raise ShapeError(f"a part that Draco compressed is damaged: {_PROGRAM} cannot read it")
         return read_ply(plain.read_bytes())

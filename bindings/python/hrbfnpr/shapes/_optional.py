@@ -4,10 +4,13 @@ from __future__ import annotations
 
 import importlib
 import importlib.util
+import subprocess
 import sys
-from typing import Any
+from typing import Any, Sequence
 
 from ._shape import ShapeError
+
+_LONGEST = 600  # seconds
 
 
 def needed(module: str, what: str, package: str, otherwise: str) -> Any:
@@ -23,3 +26,11 @@ def is_here(module: str) -> bool:
     if module in sys.modules:
         return sys.modules[module] is not None
     return importlib.util.find_spec(module) is not None
+
+
+def run(name: str, command: Sequence[str], otherwise: str) -> "subprocess.CompletedProcess[bytes]":
+    """A program, in a process of its own: damaged files may end the one that reads them, or keep it for ever."""
+    try:
+        return subprocess.run(command, stdin=subprocess.DEVNULL, capture_output=True, timeout=_LONGEST, check=False)
+    except subprocess.TimeoutExpired:
+        raise ShapeError(f"{name} does not come to an end with it; {otherwise}") from None

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import contextlib
 import io
-import subprocess
 import sys
 import tempfile
 from pathlib import Path
@@ -12,7 +11,7 @@ from typing import Any, Dict, List, Optional, Tuple
 
 import numpy as np
 
-from ._optional import is_here, needed
+from ._optional import is_here, needed, run
 from ._polygons import fans, fans_of_block
 from ._shape import Floats, Integers, Shape, ShapeError
 
@@ -33,7 +32,6 @@ _VOLUME = "its cells fill a volume: their outer faces are used"
 _OTHERWISE = "ParaView or MeshLab saves it as PLY"
 
 
-_LONGEST = 600.0  # seconds, for files of gigabytes
 
 
 def read_vtp(path: Path) -> Shape:
@@ -84,10 +82,7 @@ def _by_vtk(reader: str, path: Path, form: str) -> Shape:
         result = Path(folder) / "result.npz"
         script = Path(__file__).with_name("_vtk_reader.py")
         command = [sys.executable, str(script), reader, str(path.resolve()), str(result)]
-        try:
-            done = subprocess.run(command, stdin=subprocess.DEVNULL, capture_output=True, timeout=_LONGEST, check=False)
-        except subprocess.TimeoutExpired:
-            raise ShapeError(f"VTK does not come to an end with it; {_OTHERWISE}") from None
+        done = run("VTK", command, _OTHERWISE)
         if done.returncode:
             raise ShapeError(f"VTK cannot read it, and ended: it is damaged; {_OTHERWISE}")
         if not result.exists():
