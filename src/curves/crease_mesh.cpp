@@ -54,6 +54,9 @@ private:
     void find_edges(const base::Progress& progress);
     [[nodiscard]] bool settle_equal();
     void find_corners(const base::Progress& progress);
+    [[nodiscard]] double length_of(std::int64_t edge) const noexcept;
+    void add_middles(const base::Array<std::int64_t>& edge, base::Array<std::int32_t>& middle,
+                     const base::Progress& progress);
     [[nodiscard]] bool halve(const base::Progress& progress);
     void place_rest();
     [[nodiscard]] std::int32_t vertex_of(std::int64_t edge, bool at_start) const noexcept;
@@ -177,47 +180,54 @@ void Splitter::find_corners(const base::Progress& progress) {
     });
 }
 
-// Edges whose sheets meet beside them, but not on the surface, and the longest of triangles that have no corner where
-// theirs do.  Returns whether there were any.
-bool Splitter::halve(const base::Progress& progress) {
-    const auto length = [&](std::int64_t e) {
-        return glm::distance(mesh_.position[start_of(mesh_, e)], mesh_.position[end_of(mesh_, e)]);
-    };
-    base::Array<std::int32_t> middle(runtime_.memory, mesh_.corner.size());
-    std::fill(middle.begin(), middle.end(), -1);
-    base::Array<std::int64_t> edge(runtime_.memory);
-    const auto add = [&](std::int64_t e) {
-        if (const std::int64_t other = opposite_of(mesh_, e); !is_first(mesh_, e) && other >= 0) e = other;
-        if (middle[e] == 0 || length(e) < shortest_edge * mesh_.side) return;
-        middle[e] = 0;
-        edge.push_back(e);
-    };
-    for (const EdgeNode& node : edges_)
-        if (!node.at.exact && !node.alike && node.meet) add(node.edge);
-    for (const CornerNode& node : corners_) {
-        if (node.at.exact) continue;
-        std::int64_t longest = 3 * node.triangle;
-        for (std::int64_t e = longest; e < 3 * node.triangle + 3; ++e)
-            if (length(e) > length(longest)) longest = e;
-        add(longest);
-    }
+double Splitter::length_of(std::int64_t edge) const noexcept {
+    return glm::distance(mesh_.position[start_of(mesh_, edge)], mesh_.position[end_of(mesh_, edge)]);
+}
+
+// Vertices on the surface beside the middles of edges, where there is such a place; middle: of edges, -1: none.
+void Splitter::add_middles(const base::Array<std::int64_t>& edge, base::Array<std::int32_t>& middle,
+                           const base::Progress& progress) {
     surface::Projection at(runtime_.memory);
     for (const std::int64_t e : edge)
         at.position.push_back(0.5 * (mesh_.position[start_of(mesh_, e)] + mesh_.position[end_of(mesh_, e)]));
     surface::project(runtime_, implicit_, {}, at, progress.part(0.0, 0.0));
-    const std::int64_t before = mesh_.vertices();
     for (std::int64_t i = 0; i < edge.size(); ++i) {
         const std::int64_t e = edge[i];
         const glm::dvec3 between = 0.5 * (mesh_.position[start_of(mesh_, e)] + mesh_.position[end_of(mesh_, e)]);
         middle[e] = -1;
         if (at.status[i] != surface::ProjectionStatus::converged ||
-            !(glm::distance(at.position[i], between) < 0.5 * length(e)))
+            !(glm::distance(at.position[i], between) < 0.5 * length_of(e)))
             continue;
         middle[e] = static_cast<std::int32_t>(mesh_.vertices());
         if (const std::int64_t other = opposite_of(mesh_, e); other >= 0) middle[other] = middle[e];
         mesh_.position.push_back(at.position[i]);
         mesh_.gradient.push_back(at.gradient[i]);
     }
+}
+
+// Edges whose sheets meet beside them, but not on the surface, and the longest of triangles that have no corner where
+// theirs do.  Returns whether there were any.
+bool Splitter::halve(const base::Progress& progress) {
+    base::Array<std::int32_t> middle(runtime_.memory, mesh_.corner.size());
+    std::fill(middle.begin(), middle.end(), -1);
+    base::Array<std::int64_t> edge(runtime_.memory);
+    const auto add = [&](std::int64_t e) {
+        if (const std::int64_t other = opposite_of(mesh_, e); !is_first(mesh_, e) && other >= 0) e = other;
+        if (middle[e] == 0 || length_of(e) < shortest_edge * mesh_.side) return;
+        middle[e] = 0;
+        edge.push_back(e);
+    };
+    for (const EdgeNode& node : edges_)
+        if (node.passes_another()) add(node.edge);
+    for (const CornerNode& node : corners_) {
+        if (node.at.exact) continue;
+        std::int64_t longest = 3 * node.triangle;
+        for (std::int64_t e = longest; e < 3 * node.triangle + 3; ++e)
+            if (length_of(e) > length_of(longest)) longest = e;
+        add(longest);
+    }
+    const std::int64_t before = mesh_.vertices();
+    add_middles(edge, middle, progress);
     if (mesh_.vertices() == before) return false;
     cut_at_middles(runtime_, middle, mesh_);
     find_sheets(before, progress);

@@ -20,6 +20,9 @@ struct EdgeNode {
     bool alike;                         // both, nearly
     bool meet;                          // both do somewhere beside the edge, on the surface or off it
     bool near;                          // both meet beside the surface, at an angle
+
+    // Another sheet lies between both, where they meet.
+    [[nodiscard]] bool passes_another() const noexcept { return !at.exact && !alike && meet; }
 };
 
 // Of a triangle whose corners belong to three sheets.

@@ -102,7 +102,7 @@ double Sides::room(const glm::dvec3& place, const glm::dvec3& along, double most
 
 bool Sides::is_outer(const Beside& beside) const noexcept {
     return !by_rays_ || !is_inside(tree_, beside.place + off_ * normal_[beside.face]) ||
-           is_inside(tree_, beside.place - off_ * normal_[beside.face]) == false;
+           !is_inside(tree_, beside.place - off_ * normal_[beside.face]);
 }
 
 } // namespace hrbfnpr::mesh
