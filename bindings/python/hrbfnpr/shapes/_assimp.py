@@ -11,7 +11,7 @@ from ._gltf import read_gltf
 from ._optional import run
 from ._shape import Shape, ShapeError, Vector
 
-Z: Vector = (0.0, 0.0, 1.0)
+UP: Vector = (0.0, 0.0, 1.0)  # of _Z_UP
 ENDINGS = {
     ".dae": "Collada", ".fbx": "FBX", ".3ds": "3DS", ".blend": "Blender", ".x3d": "X3D", ".ac": "AC3D", ".lwo": "LWO",
     ".ms3d": "MS3D", ".md2": "MD2", ".md3": "MD3", ".md5mesh": "MD5", ".iqm": "IQM", ".ase": "ASE", ".cob": "COB",
@@ -38,7 +38,7 @@ def read(path: Path) -> Shape:
             shape = read_gltf(scene.read_bytes(), Path(folder))
         except ShapeError as error:
             raise ShapeError(f"of what assimp makes of it, {error}; {_OTHERWISE}") from None
-    return replace(shape, format=form, up=Z if form in _Z_UP else shape.up)
+    return replace(shape, format=form, up=UP if form in _Z_UP else shape.up)
 
 
 def _reason(said: bytes) -> str:

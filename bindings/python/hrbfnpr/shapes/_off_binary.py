@@ -10,8 +10,6 @@ from ._polygons import fans
 from ._shape import Floats, Shape, ShapeError
 from ._table import out_of_range
 
-_MOST_CORNERS = 1000  # of a face
-
 
 def read(kind: str, data: bytes) -> Shape:
     """What follows the line OFF BINARY.  Geomview writes the high byte first and colours behind faces; others do not."""
@@ -43,7 +41,7 @@ def _polygons(words: Any, faces: int, coloured: bool) -> Any:
     found: List[Any] = []
     at = 0
     while len(found) < faces:
-        if at >= len(words) or not 0 <= words[at] <= _MOST_CORNERS or at + words[at] >= len(words):
+        if at >= len(words) or not 0 <= words[at] < len(words) - at:
             return None
         end = at + 1 + int(words[at])
         found.append(words[at + 1 : end])
