@@ -71,21 +71,37 @@ TEST(Creases, OfTurnedShapesAreTheirSteps) {
               12);
 }
 
+// Every coordinate off by as much as that.
+Triangles roughened(Triangles shape, double off) {
+    for (std::size_t i = 0; i < shape.vertices.size(); ++i)
+        shape.vertices[i] += off * std::sin(1e4 * static_cast<double>(i));
+    return shape;
+}
+
 TEST(Creases, AreNotThereWhereAMeshIsRoundOrRough) {
     for (const Triangles& round : {test::icosphere(2), test::torus(60, 30, 0.4), test::wound_ring(200, 40)}) {
         const Found found(round);
         EXPECT_FALSE(found.evidence.creases);
         EXPECT_EQ(found.creases.patches, 1);
     }
-    // Rough: every vertex is off its place by a third of an edge.
-    Triangles rough = test::icosphere(4);
-    for (std::size_t i = 0; i < rough.vertices.size(); ++i)
-        rough.vertices[i] += 0.025 * std::sin(1e4 * static_cast<double>(i));
-    const Found found(rough);
+    const Found found(roughened(test::icosphere(4), 0.025));
     EXPECT_GT(found.evidence.length, 1.0);
     EXPECT_FALSE(found.evidence.creases);
     // Coarse: 80 faces that meet at 20 to 40 degrees.
     EXPECT_FALSE(Found(test::icosphere(1), 20.0).evidence.creases);
+}
+
+// A box with something rough on it, half of whose bends are the box's: flat faces tell that edges are meant.
+TEST(Creases, AreThereWhereFacesWereConstructed) {
+    const Triangles box = test::box(1.0, 1.0, 1.0, 12);
+    const Triangles rough = roughened(test::icosphere(4), 0.025).moved(0.2, 0.5, 0.5, 1.5);
+    const Found both(box.with(rough));
+    EXPECT_LT(both.evidence.clear, 0.6);
+    EXPECT_GT(both.evidence.even, 0.5);
+    EXPECT_TRUE(both.evidence.creases);
+    const Found uneven(roughened(box, 0.005).with(rough));
+    EXPECT_LT(uneven.evidence.even, 0.16);
+    EXPECT_FALSE(uneven.evidence.creases);
 }
 
 // An octahedron, and the same with the middles of its edges: flat faces of four triangles each.
