@@ -210,6 +210,16 @@ def test_up_by_what_it_stands_on():
     assert up_of(hanging, 4000) == "z"
 
 
+def test_up_by_the_hole_it_stands_on():
+    table = four_legs()
+    table.points[:, 1] += 0.3 * (table.points[:, 0] - 5) * (table.points[:, 1] - 7)  # left and right are not alike
+    for axis, up in ((1, "y"), (0, "z")):  # open where y is least, or where x is
+        low = np.isclose(table.points[:, axis], table.points[:, axis].min())
+        closed = ~low[table.triangles].all(axis=1)
+        assert 0 < (~closed).sum() <= 2
+        assert up_of(shapes.Shape(table.points, None, table.triangles[closed]), 4000) == up
+
+
 def test_up_by_left_and_right():
     points, normals = ball()
     x, y, z = points.T

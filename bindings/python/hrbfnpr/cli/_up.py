@@ -25,6 +25,10 @@ _UNLIKE = 1.2  # ... and where it is more they are not
 _CLEARLY = 1.8  # how much farther those mirrored along another axis are
 _LEAF = 0.1  # thickness of a leaf, over its shorter side: it lies
 _LOOKED_AT = 1200  # samples that are mirrored
+_BELOW = 0.15  # share of the height that the border of what is open below has ...
+_ITS_BORDER = 0.5  # ... for that share of its length ...
+_NOT_ABOVE = 0.05  # ... with less than that in the same share of the height above ...
+_ITS_HOLE = 2.0  # ... and how much larger its hole is, seen along that axis, than along others
 
 
 def choose(shape: Optional[Shape], points: Floats, normals: Floats) -> Tuple[Vector, str]:
@@ -48,7 +52,7 @@ def choose(shape: Optional[Shape], points: Floats, normals: Floats) -> Tuple[Vec
     left_right = _sideways(points, extent)
     if left_right == 1:
         return Z, "left and right, along y, are alike, above and below along z are not"
-    if left_right == 2:
+    if left_right == 2 or _opens_below(shape, 1):
         return Y, _NOTHING
     if _stands(low, high, extent, 2) and not _stands(low, high, extent, 1) and bases[4] >= bases[2]:
         return Z, "it stands on z = 0, in the middle of x and y"
@@ -117,6 +121,29 @@ def _sideways(points: Floats, extent: Floats) -> Optional[int]:
         if alike and unlike and not lies:
             return axis
     return None
+
+
+def _opens_below(shape: Optional[Shape], axis: int) -> bool:
+    """Whether it is a mesh with a hole to stand on, as busts have and what was scanned on a table."""
+    if shape is None or shape.triangles is None or len(shape.triangles) == 0:
+        return False
+    faces = np.asarray(shape.triangles, dtype=np.int64)
+    sides = np.stack([faces, np.roll(faces, -1, axis=1)], axis=2).reshape(-1, 2)
+    low, high = sides.min(axis=1), sides.max(axis=1)
+    _, first, count = np.unique(low * len(shape.points) + high, return_index=True, return_counts=True)
+    start, end = (np.asarray(shape.points)[sides[first[count == 1], k]] for k in (0, 1))
+    length = np.linalg.norm(end - start, axis=1)
+    if not length.sum() > 0:
+        return False
+    height = (start[:, axis] + end[:, axis]) / 2
+    heights = np.asarray(shape.points)[faces.ravel(), axis]
+    share = (height - heights.min()) / np.ptp(heights)
+    hole = np.abs(np.cross(start - start[0], end - start[0]).sum(axis=0))
+    return bool(
+        length[share < _BELOW].sum() >= _ITS_BORDER * length.sum()
+        and length[share > 1 - _BELOW].sum() <= _NOT_ABOVE * length.sum()
+        and hole[axis] > _ITS_HOLE * np.delete(hole, axis).max()
+    )
 
 
 def _farther(places: Floats, points: Floats) -> float:
