@@ -2399,6 +2399,10 @@ typedef struct hrbfnpr_mesh_info {
     double bounds_max[3];
     double seconds;               /* that making it took */
     int64_t bytes;                /* kept by the mesh */
+    double crease_length;         /* of the edges that bend by more than 30 degrees, in diagonals of the bounds */
+    uint32_t creases;             /* 1: these stand out, as those of machine parts; hrbfnpr_model_fit_mesh with edges
+                                     AUTO and the default crease angle keeps them sharp */
+    uint32_t reserved;
 } hrbfnpr_mesh_info;
 
 HRBFNPR_API hrbfnpr_status hrbfnpr_mesh_info_init(hrbfnpr_mesh_info* info, uint32_t struct_size);

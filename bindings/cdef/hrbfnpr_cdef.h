@@ -410,7 +410,8 @@ typedef struct hrbfnpr_mesh_info { uint32_t struct_size; uint32_t closed; int64_
     int64_t turned_faces; int64_t components; int64_t turned_components; int64_t nested_components;
     int64_t left_out_components; int64_t left_out_faces; int64_t boundary_edges; int64_t boundary_loops;
     int64_t nonmanifold_edges; int64_t contrary_edges; int64_t euler_characteristic; int64_t genus; double area;
-    double volume; double bounds_min[3]; double bounds_max[3]; double seconds; int64_t bytes; } hrbfnpr_mesh_info;
+    double volume; double bounds_min[3]; double bounds_max[3]; double seconds; int64_t bytes; double crease_length;
+    uint32_t creases; uint32_t reserved; } hrbfnpr_mesh_info;
 hrbfnpr_status hrbfnpr_mesh_info_init(hrbfnpr_mesh_info* info, uint32_t struct_size);
 hrbfnpr_status hrbfnpr_mesh_get_info(const hrbfnpr_mesh* mesh, hrbfnpr_mesh_info* info, hrbfnpr_error* error);
 enum { HRBFNPR_MESH_ATTRIBUTE_VERTEX = 0, HRBFNPR_MESH_ATTRIBUTE_TRIANGLE = 1, HRBFNPR_MESH_ATTRIBUTE_COMPONENT = 2,

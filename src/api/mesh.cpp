@@ -107,7 +107,7 @@ hrbfnpr_mesh* create(hrbfnpr_context& context, const hrbfnpr_mesh_desc& desc, hr
     const OperationUse use(operation);
     mesh::Mesh made = mesh::make_mesh(context.runtime, input, use.progress().part(0.0, 0.9));
     log_mesh(context.runtime, made.report);
-    return use.finish_with(make_handle<hrbfnpr_mesh>(context, std::move(made), use.progress()));
+    return use.finish_with(make_handle<hrbfnpr_mesh>(context, std::move(made), use.progress().part(0.9, 1.0)));
 }
 
 hrbfnpr_mesh_info describe(const hrbfnpr_mesh& handle) noexcept {
@@ -141,6 +141,8 @@ hrbfnpr_mesh_info describe(const hrbfnpr_mesh& handle) noexcept {
     }
     info.seconds = report.seconds;
     info.bytes = static_cast<std::int64_t>(sizeof(hrbfnpr_mesh)) + handle.mesh.bytes() + handle.tree.bytes();
+    info.crease_length = handle.creases.length;
+    info.creases = handle.creases.creases ? 1 : 0;
     return info;
 }
 

@@ -288,7 +288,9 @@ std::optional<mesh::Creases> creases_of(const hrbfnpr_mesh& mesh, const mesh::Fi
                               too_coarse * (settings.far > 0.0 ? settings.far : 5.0 * tolerance)};
     if (settings.edges == mesh::Edges::automatic) {
         const mesh::CreaseEvidence found =
-            mesh::look_for_creases(mesh.runtime(), mesh.mesh, settings.crease_angle, progress);
+            settings.crease_angle == mesh::default_crease_angle
+                ? mesh.creases
+                : mesh::look_for_creases(mesh.runtime(), mesh.mesh, settings.crease_angle, progress);
         if (!found.creases && found.length > 0.0)
             mesh.runtime().log(base::LogLevel::info,
                                "mesh fit: the mesh bends by more than %g degrees along %.3g diagonals, but no edges "

@@ -349,7 +349,8 @@ inline constexpr FieldLayout fields_of_hrbfnpr_mesh_info[] = {
     FIELD(boundary_edges, "int64_t"), FIELD(boundary_loops, "int64_t"), FIELD(nonmanifold_edges, "int64_t"),
     FIELD(contrary_edges, "int64_t"), FIELD(euler_characteristic, "int64_t"), FIELD(genus, "int64_t"),
     FIELD(area, "double"), FIELD(volume, "double"), FIELD(bounds_min, "double[3]"), FIELD(bounds_max, "double[3]"),
-    FIELD(seconds, "double"), FIELD(bytes, "int64_t")};
+    FIELD(seconds, "double"), FIELD(bytes, "int64_t"), FIELD(crease_length, "double"), FIELD(creases, "uint32_t"),
+    FIELD(reserved, "uint32_t")};
 #undef RECORD
 #define RECORD hrbfnpr_sample_desc
 inline constexpr FieldLayout fields_of_hrbfnpr_sample_desc[] = {

@@ -52,6 +52,16 @@ std::vector<std::uint8_t> saved(const Model& model) {
     return bytes;
 }
 
+TEST(MeshEdges, AreToldByTheMesh) {
+    const Context context = make_context();
+    const Mesh mesh = mesh_of(context, hrbfnpr::test::box(1.0, 1.0, 1.0, 3));
+    auto info = made(hrbfnpr_mesh_info_init);
+    Error error;
+    EXPECT_OK(hrbfnpr_mesh_get_info(mesh.get(), &info, error));
+    EXPECT_EQ(info.creases, 1U);
+    EXPECT_NEAR(info.crease_length, 12.0 / std::sqrt(3.0), 1e-9);
+}
+
 TEST(MeshEdges, AreSharpWhereTheyStandOut) {
     const Context context = make_context();
     const Mesh mesh = mesh_of(context, hrbfnpr::test::drilled_cube(0.5, 48));

@@ -51,6 +51,7 @@ TEST(Mesh, SaysWhatItIs) {
     EXPECT_GT(info.volume, 2.5);
     EXPECT_EQ(info.bounds_max[2], 0.4);
     EXPECT_GT(info.bytes, 720 * 100);
+    EXPECT_EQ(info.creases, 0U);
 }
 
 TEST(Mesh, TakesIndicesOfAllTypes) {

@@ -29,6 +29,7 @@ def test_info_and_views(ring):
     info = ring.info
     assert info.closed is True and info.genus == 1 and info.components == 1
     assert info.faces == len(triangles) and info.vertices == len(vertices)
+    assert info.creases is False
     assert info.volume == pytest.approx(2 * np.pi**2 * 0.16, rel=0.02)
     np.testing.assert_array_equal(ring.vertices, vertices)
     np.testing.assert_array_equal(ring.triangles, triangles)

@@ -85,10 +85,22 @@ namespace HrbfNpr
         /// <summary>Bytes kept by the mesh.</summary>
         public readonly long Bytes;
 
+        /// <summary>Length of the edges that bend by more than 30 degrees, in diagonals of the box.</summary>
+        public readonly double CreaseLength;
+
+        private readonly uint creases;
+        private readonly uint reserved;
+
         /// <summary>Whether no edge has one face, or more than two, and all faces agree.</summary>
         public bool Closed
         {
             get { return closed != 0; }
+        }
+
+        /// <summary>Whether those edges stand out, as of machine parts: fits with edges AUTO keep them sharp.</summary>
+        public bool Creases
+        {
+            get { return creases != 0; }
         }
     }
 

@@ -44,6 +44,10 @@ class MeshInfo:
     bounds_min, bounds_max : (float, float, float)
     seconds : float
     bytes : int
+    crease_length : float
+        Of the edges that bend by more than 30 degrees, in diagonals of the bounds.
+    creases : bool
+        These stand out, as those of machine parts: `Model.fit_mesh` with edges "auto" keeps them sharp.
     """
 
     closed: bool
@@ -72,6 +76,8 @@ class MeshInfo:
     bounds_max: Vector
     seconds: float
     bytes: int
+    crease_length: float
+    creases: bool
 
 
 @dataclass(frozen=True)
@@ -243,7 +249,7 @@ class Mesh(Owner):
         """What making it found, and did."""
         info, error = new_struct("hrbfnpr_mesh_info"), new_error()
         check(lib.hrbfnpr_mesh_get_info(self._handle, info, error), error)
-        return read_struct(MeshInfo, info, {"closed": bool})
+        return read_struct(MeshInfo, info, {"closed": bool, "creases": bool})
 
     def _view(self, attribute: str) -> Array:
         view, error = ffi.new("hrbfnpr_array *"), new_error()

@@ -546,7 +546,7 @@ export const STRUCTS = {
     creaseAngle: ["f64", 72],
     faces: ["u32", 80, 0, "FACES"],
   } },
-  hrbfnpr_mesh_info: { size: 240, sized: true, fields: {
+  hrbfnpr_mesh_info: { size: 256, sized: true, fields: {
     closed: ["u32", 4],
     givenVertices: ["i64", 8],
     givenFaces: ["i64", 16],
@@ -573,6 +573,8 @@ export const STRUCTS = {
     boundsMax: ["f64", 200, 3],
     seconds: ["f64", 224],
     bytes: ["i64", 232],
+    creaseLength: ["f64", 240],
+    creases: ["u32", 248, 0, "CREASES"],
   } },
   hrbfnpr_sample_desc: { size: 24, sized: true, fields: {
     candidates: ["i64", 8],
@@ -819,7 +821,8 @@ export const OFFSETS = {
     welded_vertices: 40, degenerate_faces: 48, repeated_faces: 56, turned_faces: 64, components: 72,
     turned_components: 80, nested_components: 88, left_out_components: 96, left_out_faces: 104, boundary_edges: 112,
     boundary_loops: 120, nonmanifold_edges: 128, contrary_edges: 136, euler_characteristic: 144, genus: 152, area:
-    160, volume: 168, bounds_min: 176, bounds_max: 200, seconds: 224, bytes: 232},
+    160, volume: 168, bounds_min: 176, bounds_max: 200, seconds: 224, bytes: 232, crease_length: 240, creases: 248,
+    reserved: 252},
   hrbfnpr_sample_desc: {struct_size: 0, reserved: 4, candidates: 8, random_seed: 16},
   hrbfnpr_compare_desc: {struct_size: 0, reserved: 4, tolerance: 8, far: 16, support: 24, points: 32, cell_size: 40,
     random_seed: 48},

@@ -1369,6 +1369,13 @@ export interface MeshInfo {
   readonly seconds: number;
   /** kept by the mesh */
   readonly bytes: number;
+  /** of the edges that bend by more than 30 degrees, in diagonals of the bounds */
+  readonly creaseLength: number;
+  /**
+   * 1: these stand out, as those of machine parts; hrbfnpr_model_fit_mesh with edges AUTO and the default crease
+   * angle keeps them sharp
+   */
+  readonly creases: CreasesName | number;
 }
 
 export interface SampleDesc {

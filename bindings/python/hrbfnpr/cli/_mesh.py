@@ -95,9 +95,12 @@ def _rounds(mesh: Mesh, arguments: Any) -> int:
 
 
 def _has_edges(given: Shape, across: float, arguments: Any) -> bool:
-    """Whether a fit keeps some sharp, as those of machine parts and of polyhedra; asked with a rough one, in silence."""
+    """Whether a fit keeps some sharp, as those of machine parts and of polyhedra. Where none stand out, those of a part
+    by itself may: asked with a rough fit, in silence."""
     with Context(getattr(arguments, "threads", None) or 0) as silent:
         mesh = Mesh(given.points, given.triangles, parts="all", faces="keep", context=silent)
+        if mesh.info.creases:
+            return True
         rough = Model.fit_mesh(mesh, tolerance=0.1 * across, maximum_centres=100, trim="never")
     assert rough.mesh_fit is not None
     return rough.mesh_fit.sheets > 1

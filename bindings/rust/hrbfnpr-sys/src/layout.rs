@@ -984,7 +984,7 @@ const _: () = {
 };
 
 const _: () = {
-    assert!(size_of::<hrbfnpr_mesh_info>() == 240);
+    assert!(size_of::<hrbfnpr_mesh_info>() == 256);
     assert!(align_of::<hrbfnpr_mesh_info>() == either(8, 8, 4));
 };
 #[cfg(not(hrbfnpr_no_offset_of))]
@@ -1017,6 +1017,9 @@ const _: () = {
     assert!(offset_of!(hrbfnpr_mesh_info, bounds_max) == 200);
     assert!(offset_of!(hrbfnpr_mesh_info, seconds) == 224);
     assert!(offset_of!(hrbfnpr_mesh_info, bytes) == 232);
+    assert!(offset_of!(hrbfnpr_mesh_info, crease_length) == 240);
+    assert!(offset_of!(hrbfnpr_mesh_info, creases) == 248);
+    assert!(offset_of!(hrbfnpr_mesh_info, reserved) == 252);
 };
 
 const _: () = {

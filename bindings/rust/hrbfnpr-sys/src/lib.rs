@@ -3432,6 +3432,12 @@ pub struct hrbfnpr_mesh_info {
     pub seconds: f64,
     /// kept by the mesh
     pub bytes: i64,
+    /// of the edges that bend by more than 30 degrees, in diagonals of the bounds
+    pub crease_length: f64,
+    /// 1: these stand out, as those of machine parts; hrbfnpr_model_fit_mesh with edges AUTO and
+    /// the default crease angle keeps them sharp
+    pub creases: u32,
+    pub reserved: u32,
 }
 
 extern "C" {
