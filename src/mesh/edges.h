@@ -59,6 +59,9 @@ void for_edges(const base::Array<Side>& sides, Visit&& visit) {
     for_edges(sides, base::Progress(), std::forward<Visit>(visit));
 }
 
+// Whether faces bend by more than an angle, but for rounding: those of a prism of twelve sides do by 30 degrees.
+[[nodiscard]] constexpr bool bends_more(double bend, double angle) noexcept { return bend > 1.01 * angle; }
+
 // Of each face, from 0, in the order of their first faces: what hangs together by shared vertices.
 [[nodiscard]] base::Array<std::int32_t> components_of(const base::Array<Triangle>& triangle, std::int64_t vertices,
                                                       std::int64_t& count, const base::Progress& progress = {});

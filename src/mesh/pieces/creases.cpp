@@ -85,7 +85,7 @@ private:
             const double angle = std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
             const double limit = limit_of(left.face);
             if (angle < std::min(least_bend * radians, limit)) return;
-            const bool sharp = angle > limit;
+            const bool sharp = bends_more(angle, limit);
             bend_.push_back({low, high, left.face, right.face, angle, sharp});
             degree_[low] += sharp ? 1 : 0;
             degree_[high] += sharp ? 1 : 0;
@@ -154,10 +154,12 @@ private:
         for (std::int64_t i = first_[vertex]; i < first_[vertex + 1]; ++i) {
             if (!bend_[at_[i]].sharp) continue;
             ++creases;
-            for (std::int64_t j = first_[vertex]; j < i; ++j)
-                if (bend_[at_[j]].sharp &&
-                    glm::dot(way(bend_[at_[i]]), way(bend_[at_[j]])) < -std::cos(limit_of(bend_[at_[i]].left)))
-                    return false;
+            const double limit = limit_of(bend_[at_[i]].left);
+            for (std::int64_t j = first_[vertex]; j < i; ++j) {
+                if (!bend_[at_[j]].sharp) continue;
+                const double cosine = -glm::dot(way(bend_[at_[i]]), way(bend_[at_[j]]));
+                if (!bends_more(std::acos(std::clamp(cosine, -1.0, 1.0)), limit)) return false;
+            }
         }
         return creases >= 2;
     }

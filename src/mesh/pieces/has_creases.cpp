@@ -103,9 +103,9 @@ private:
     // Lengths; `ratio`: of what bends by half the angle, and not by all of it.
     void add(const Side& left, const Side& right, double diagonal, CreaseEvidence& to) const noexcept {
         const double bend = bend_[side_of(left)];
-        if (bend <= 0.5 * angle_) return;
+        if (!bends_more(bend, 0.5 * angle_)) return;
         const double length = glm::length(along(left));
-        if (bend <= angle_) {
+        if (!bends_more(bend, angle_)) {
             to.ratio += length;
             return;
         }

@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 #include <utility>
 #include <vector>
 
@@ -69,6 +70,33 @@ TEST(Creases, OfTurnedShapesAreTheirSteps) {
     EXPECT_EQ(Found(test::box(1.0, 1.0, 0.004, 3).with(test::box(1.0, 1.0, 1.0, 3).moved(1.0, 3.0, 0.0, 0.0)))
                   .creases.patches,
               12);
+}
+
+// A prism of twelve sides, in single precision: its sides meet at 30 degrees, and a little more or less.
+Triangles twelve_sides(double height, double turn) {
+    constexpr std::int32_t sides = 12;
+    Triangles prism;
+    for (const double z : {0.0, height})
+        for (std::int32_t i = 0; i < sides; ++i) {
+            const double around = turn + 2.0 * std::numbers::pi * i / sides;
+            static_cast<void>(prism.add(static_cast<float>(std::cos(around)), static_cast<float>(std::sin(around)), z));
+        }
+    const std::int32_t low = prism.add(0.0, 0.0, 0.0), high = prism.add(0.0, 0.0, height);
+    for (std::int32_t a = 0; a < sides; ++a) {
+        const std::int32_t b = (a + 1) % sides;
+        prism.face(a, b, sides + b);
+        prism.face(a, sides + b, sides + a);
+        prism.face(b, a, low);
+        prism.face(sides + a, sides + b, high);
+    }
+    return prism;
+}
+
+TEST(Creases, OfAllSidesOfAPrismOrOfNone) {
+    for (const double turn : {0.0, 0.1, 0.3, 0.7}) {
+        EXPECT_EQ(Found(twelve_sides(8.0, turn)).creases.patches, 3) << turn;
+        EXPECT_EQ(Found(twelve_sides(2.0, turn)).creases.patches, 14) << turn; // so coarse that they are meant
+    }
 }
 
 // Every coordinate off by as much as that.
