@@ -105,7 +105,12 @@ std::vector<NamedCloud> clouds_of(const Options& options) {
         std::sort(files.begin(), files.end());
         for (const auto& file : files) {
             const bool scan = file.stem().string().find("raw") != std::string::npos; // noisy as it is
-            if (!scan) clouds.push_back({file.stem().string(), bench::read_ply(file.string()), false});
+            if (scan) continue;
+            try {
+                clouds.push_back({file.stem().string(), bench::read_ply(file.string()), false});
+            } catch (const std::runtime_error& error) {
+                std::printf("left out: %s\n", error.what());
+            }
         }
     }
     clouds.erase(std::remove_if(clouds.begin(), clouds.end(),

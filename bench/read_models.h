@@ -25,10 +25,13 @@ inline Samples read_ply(const std::string& path) {
     std::string line;
     std::size_t count = 0;
     bool binary = false;
+    std::string properties;
     while (std::getline(file, line) && line != "end_header") {
         if (line.rfind("element vertex", 0) == 0) count = std::stoull(line.substr(15));
         if (line.rfind("format binary", 0) == 0) binary = true;
+        if (line.rfind("property float", 0) == 0) properties += line.substr(14);
     }
+    if (properties != " x y z nx ny nz") throw std::runtime_error(path + " is not a PLY of points with normals");
     std::vector<float> numbers(6 * count);
     if (binary)
         file.read(reinterpret_cast<char*>(numbers.data()), static_cast<std::streamsize>(24 * count));

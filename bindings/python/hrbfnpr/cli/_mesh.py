@@ -21,6 +21,8 @@ TOLERANCE = 0.002  # of the diagonal, as Model.fit_mesh has it
 MOST_COARSE = 50_000  # faces of a mesh that may be coarse
 MOST_ROUNDS = 3
 COARSE_EDGE = 0.025  # of the diagonal: faces whose edges are shorter on average bend by noise
+_MOST_MOVED = 1.5  # how much farther than the faces bulge vertices may be moved: of figures and rings it is 1.2 at most
+_FLAT_BEND = 5.0  # degrees by which flat faces bend to each other
 LOOKED_AT = 2000  # samples that tell which way is up
 SAMPLES = 1000  # where the fit is not to choose them
 _ROUND = 0.9  # share of a mesh within the tolerance: where it is less, that is not for a few edges
@@ -37,6 +39,7 @@ class Read:
     shape: Shape
     points: Floats
     normals: Floats
+    flat: bool = False  # nothing round goes through its vertices
 
 
 def read(shape: Shape, arguments: Any, context: Context, report: Reporter) -> Read:
@@ -58,16 +61,16 @@ def read(shape: Shape, arguments: Any, context: Context, report: Reporter) -> Re
             assert shape.triangles is not None
             mesh = _welded(shape, np.ascontiguousarray(shape.triangles[:, ::-1]), arguments, None, context)
         rounds = _rounds(mesh, arguments)
-        divided = ""
+        divided, flat = "", False
         if rounds > 0:
-            mesh, shape, divided = _divided(mesh, shape, rounds, arguments, context)
-        if why is not None or divided:
+            mesh, shape, divided, flat = _divided(mesh, shape, rounds, arguments, context)
+        if why is not None or (divided and not flat):
             points, normals = _sampled(mesh, count, arguments, None)
     if why is not None:
         report.note(f"{why} (--normals keep leaves them)")
     if divided:
         report.note(divided)
-    return Read(mesh, shape, points, -normals if arguments.flip else normals)
+    return Read(mesh, shape, points, -normals if arguments.flip else normals, flat)
 
 
 def _plain(mesh: Mesh) -> Shape:
@@ -106,8 +109,9 @@ def _has_edges(given: Shape, across: float, arguments: Any) -> bool:
     return rough.mesh_fit.sheets > 1
 
 
-def _divided(mesh: Mesh, shape: Shape, rounds: int, arguments: Any, context: Context) -> Tuple[Mesh, Shape, str]:
-    """A finer mesh, round where the given one is coarse; and what was done, in words."""
+def _divided(mesh: Mesh, shape: Shape, rounds: int, arguments: Any, context: Context) -> Tuple[Mesh, Shape, str, bool]:
+    """A finer mesh, round where the given one is coarse; what was done, in words; whether that is nothing, as nothing
+    round goes through the vertices: faces of a convex hull, which are long and of any size, would fold."""
     given = _plain(mesh)
     finer = subdivide(given, rounds, 180.0 if arguments.crease is None else arguments.crease)
     moved = np.linalg.norm(finer.points[: len(given.points)] - given.points, axis=1).max()
@@ -116,7 +120,10 @@ def _divided(mesh: Mesh, shape: Shape, rounds: int, arguments: Any, context: Con
     if getattr(arguments, "subdivide", None) is not None:
         said = f"the faces are {said}"
     else:
-        why = f"the faces are coarse, {coarseness(given):.2%} of the diagonal off something round"
+        off = coarseness(given)
+        if moved > _MOST_MOVED * off * across and arguments.edges is None:
+            return mesh, shape, "the faces are coarse, but nothing round goes through them: flat (--edges smooth rounds)", True
+        why = f"the faces are coarse, {off:.2%} of the diagonal off something round"
         said = f"{why}: {said} (--subdivide 0 leaves them)"
     fine = replace(shape, points=finer.points, triangles=finer.triangles, normals=None)
     assert fine.triangles is not None
@@ -124,7 +131,7 @@ def _divided(mesh: Mesh, shape: Shape, rounds: int, arguments: Any, context: Con
         fine.points, fine.triangles, parts="all", faces="keep", context=context,
         crease_angle=60.0 if arguments.crease is None else arguments.crease,
     )  # fmt: skip
-    return made, fine, said
+    return made, fine, said, False
 
 
 def _welded(shape: Shape, triangles: Any, arguments: Any, bar: Any, context: Context) -> Mesh:
@@ -208,7 +215,7 @@ def _group(whole: Read, faces: Any, arguments: Any, context: Context) -> Read:
         shape.points, shape.triangles, parts="all", faces="keep", context=context,
         crease_angle=60.0 if arguments.crease is None else arguments.crease,
     )  # fmt: skip
-    return Read(mesh, shape, whole.points, whole.normals)
+    return Read(mesh, shape, whole.points, whole.normals, whole.flat)
 
 
 def fit(read_mesh: Read, arguments: Any, report: Reporter, across: float = 0.0) -> Model:
@@ -223,6 +230,8 @@ def fit(read_mesh: Read, arguments: Any, report: Reporter, across: float = 0.0) 
         options["regularization"] = arguments.regularization
     if arguments.edges is not None:
         options["edges"], options["crease_angle"] = arguments.edges
+    elif read_mesh.flat:
+        options["edges"], options["crease_angle"] = "sharp", _FLAT_BEND
     if across > 0:
         own = float(np.linalg.norm(np.ptp(read_mesh.shape.points, axis=0)))
         options.setdefault("tolerance", TOLERANCE * float(np.sqrt(own * across)))
