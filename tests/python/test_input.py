@@ -8,6 +8,7 @@ import shlex
 import numpy as np
 import pytest
 from conftest import ROOT, fibonacci_sphere, torus
+from convex_hulls import rounded_box
 from test_cli import STAGE, rows
 from test_meshes import glb, gltf
 from test_ptx import ptx, wall
@@ -247,6 +248,8 @@ ROWS = {
     "mesh, some faces turned over": ("a.obj", lambda: obj(*tube(turned=range(0, 60, 7))), [], 0),
     "mesh of coarse faces that is meant to be round: no edges stand out, and faces bulge by more than the tolerance":
         ("a.obj", coarse_ball, [], 0),
+    "mesh of coarse faces that nothing round goes through, as of a convex hull": (
+        "a.obj", lambda: obj(*rounded_box()), [], 0),
     "mesh of solids that share faces, as voxels do": ("a.obj", voxels, [], 0),
     "mesh with a part of next to no area far away": ("a.obj", lost, [], 0),
     "mesh or points with -9999 and the like where there is no data": ("a.obj", no_data, [], 0),

@@ -1,9 +1,8 @@
 # SPDX-License-Identifier: MIT
 """Coarse meshes that are divided to something round."""
-import itertools
-
 import numpy as np
 import pytest
+from convex_hulls import rounded_box
 from test_input import obj
 from test_shapes import write
 
@@ -124,22 +123,8 @@ def test_the_command_divides_what_is_coarse_and_round(tmp_path, capsys, options,
     assert f"divided {divided} time" in said if divided else "divided" not in said
 
 
-def convex_hull(points):
-    """Faces through three points that have all others on one side."""
-    three = np.array(list(itertools.combinations(range(len(points)), 3)))
-    a, b, c = (points[three[:, k]] for k in range(3))
-    normal = np.cross(b - a, c - a)
-    above = np.einsum("fk,pk->fp", normal, points) - np.einsum("fk,fk->f", normal, a)[:, None]
-    tiny = 1e-9 * np.abs(above).max()
-    outward, inward = (above <= tiny).all(axis=1), (above >= -tiny).all(axis=1)
-    return np.concatenate([three[outward], three[inward][:, ::-1]])
-
-
 def test_a_convex_hull_is_flat(tmp_path, capsys):
-    points = np.random.default_rng(3).normal(size=(60, 3))
-    points /= np.linalg.norm(points, axis=1, keepdims=True)
-    points = np.sign(points) * np.abs(points) ** 0.3 * [1, 0.2, 0.2]  # a box with rounded edges, as far as it is one
-    path = write(tmp_path, "hull.obj", obj(points, convex_hull(points)))
+    path = write(tmp_path, "hull.obj", obj(*rounded_box()))
     assert main(["draw", str(path), str(tmp_path / "a.png"), "--size", "100", "--marks", "600"]) == 0
     said = capsys.readouterr().err
     assert "nothing round goes through them" in said and "divided" not in said

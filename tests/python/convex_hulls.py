@@ -1,0 +1,24 @@
+# SPDX-License-Identifier: MIT
+"""Convex hulls of a few points: faces that are long and of any size."""
+import itertools
+
+import numpy as np
+
+
+def convex_hull(points):
+    """Faces through three points that have all others on one side."""
+    three = np.array(list(itertools.combinations(range(len(points)), 3)))
+    a, b, c = (points[three[:, k]] for k in range(3))
+    normal = np.cross(b - a, c - a)
+    above = np.einsum("fk,pk->fp", normal, points) - np.einsum("fk,fk->f", normal, a)[:, None]
+    tiny = 1e-9 * np.abs(above).max()
+    outward, inward = (above <= tiny).all(axis=1), (above >= -tiny).all(axis=1)
+    return np.concatenate([three[outward], three[inward][:, ::-1]])
+
+
+def rounded_box():
+    """The hull of sixty places of one, at random."""
+    points = np.random.default_rng(3).normal(size=(60, 3))
+    points /= np.linalg.norm(points, axis=1, keepdims=True)
+    points = np.sign(points) * np.abs(points) ** 0.3 * [1, 0.2, 0.2]
+    return points, convex_hull(points)
