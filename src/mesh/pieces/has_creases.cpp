@@ -15,9 +15,9 @@ constexpr double stands_out = 6.0;
 constexpr double surely_clear = 0.9;
 constexpr double maybe_clear = 0.6;
 constexpr double clear_ratio = 3.0;
-// Where edges that bend by less than a fiftieth of what 0.9 of all edges stay below are 0.17 to 0.6 of their length:
-// parts of machines, vehicles, arms, planes. Of scans, figures and animals they are 0.02 to 0.14, of 100 to 300 000
-// faces alike.
+// Edges that bend by less than a fiftieth of what 0.9 of all edges stay below are 0.2 to 0.5 of the length of machines,
+// vehicles and arms whose edges are not that clear.  Of scans, figures and animals they are 0.02 to 0.143, of 100 to
+// 300 000 faces alike.
 constexpr double constructed = 0.16;
 constexpr double constructed_clear = 0.45;
 constexpr double hardly = 0.02;
