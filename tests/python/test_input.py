@@ -230,6 +230,7 @@ ROWS = {
     "points without normals": ("a.xyz", lambda: table(ball()[0]), [], 0),
     "points without normals, of one scan that tells where the scanner stood (PTX, PCD, `--viewpoint`)": (
         "a.ptx", lambda: ptx(wall(), 30).decode(), [], 0),
+    "points with normals, with noise": ("a.xyz", lambda: table(noisy(), fibonacci_sphere(1500)), [], 0),
     "points without normals, with noise": ("a.xyz", lambda: table(noisy()), [], 0),
     "points without normals, with dust around them": ("a.xyz", lambda: table(dusty()), [], 0),
     "points with colours, without normals": (

@@ -249,8 +249,8 @@ def _fitted(shape: Shape, arguments: Any, context: Context, report: Reporter) ->
     elif arguments.flip:
         normals = -normals
     up = _up_of(shape, points, normals, arguments, report)
-    # What has no normals is a scan, and scans have noise and dust.
-    own = {"regularization": "auto", "outliers": "drop"} if made else {}
+    # Scans have noise, of which none is seen in clean samples; what has no normals is one, and has dust, too.
+    own = {"regularization": "auto", **({"outliers": "drop"} if made else {})}
     model = _fit(points, normals, arguments, context, report, **own)
     return Loaded(_ends.end(model, shape, arguments.close, report, hole), shape, up)
 

@@ -117,7 +117,7 @@ def _add_fit(parser: Parser) -> None:
     _add(group, "--kernel-radius", "kernel_radius", values.number, "LENGTH", "of gaussian and wendland-c2")
     _add(group, "--degree", "polynomial_degree", values.count(-1, 3), "N", "of the polynomial, -1 (none) to 3; 1")
     _add(group, "--regularization", "regularization", values.number_or_auto, "X", "0 interpolates, more is smoother, "
-         "auto takes it from the noise; 0, or auto for points without normals")  # fmt: skip
+         "auto takes it from the noise, and is 0 if none is seen; auto, but 0 for samples of meshes")  # fmt: skip
     _add_choice(group, "--solver", "solver", tuple(SOLVERS), "solver")
     _add(group, "--tolerance", "tolerance", values.number, "LENGTH", "choose samples as centres until all are this "
          "near to the surface")  # fmt: skip
