@@ -237,6 +237,10 @@ def mf3(model=None, name="3D/3dmodel.model", target=None, more=()):
     return data.getvalue()
 
 
+def wires():
+    return ("".join(f"v {x} {y} {z}\n" for x, y, z in VERTICES) + "l 1 2 3 4 1\nl -4 -1\nl 2/1 7/1\n").encode()
+
+
 def files():
     """Bytes by name.  What needs a package that is not there is refused whole, which is fine."""
     table = rows(VERTICES, NORMALS)
@@ -244,7 +248,7 @@ def files():
     return {
         "ascii.ply": ply("ascii"), "little.ply": ply("binary_little_endian"),
         "big.ply": ply("binary_big_endian", "int"), "wide.ply": ply("binary_little_endian", "uint"),
-        "strips.ply": ply_strips(), "cube.obj": obj(), "text.stl": stl(False), "binary.stl": stl(True),
+        "strips.ply": ply_strips(), "cube.obj": obj(), "wires.obj": wires(), "text.stl": stl(False), "binary.stl": stl(True),
         "cube.off": off(), "normals.off": off("NOFF", (NORMALS,)), "ascii.pcd": pcd("ascii"),
         "binary.pcd": pcd("binary"), "packed.pcd": pcd("binary_compressed"),
         "cube.gltf": gltf(), "cube.glb": glb(*gltf_document()),

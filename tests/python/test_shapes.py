@@ -174,9 +174,28 @@ def test_obj_points(tmp_path):
     assert shapes.read(write(tmp_path, "b.obj", "v 1 2 3\n")).normals is None
 
 
+def test_obj_lines(tmp_path):
+    corners = "".join(f"v {x} {y} {z}\n" for x, y, z in [(0, 0, 0), (2, 0, 0), (2, 1, 0), (9, 9, 9)])
+    shape = shapes.read(write(tmp_path, "a.obj", corners + "l 1 2/5 3\nl -2 1\n"))
+    assert shape.triangles is None and "along its lines (2)" in shape.notes[0]
+    points = shape.points
+    assert 4000 <= len(points) <= 4004 and len(np.unique(points, axis=0)) == len(points)  # 3 is an end, and a beginning
+    assert points[:, 0].max() == 2 and (points[:, 2] == 0).all()
+    sides = [points[:, 1] == 0, points[:, 0] == 2, np.isclose(points[:, 0], 2 * points[:, 1])]
+    assert np.logical_or.reduce(sides).all()
+    for side, length in zip(sides, (2, 1, 5**0.5)):
+        assert side.sum() == pytest.approx(4000 * length / (3 + 5**0.5), abs=3)
+    few = shapes.read(write(tmp_path, "b.obj", 3 * corners + "l 1 2\n"))
+    assert len(few.points) == 12 and "1 line among the points not used" in few.notes
+
+
 @pytest.mark.parametrize(
     "text, words",
     [
+        ("v 1 2 3\nl 1 2\n", "line 2, column 3: a line names vertex 2, but there is one vertex, 1"),
+        ("v 1 2 3\nl 1 1\n", "its lines have no length"),
+        ("v 1 2 3\nl 1\n", "its lines have no length"),
+        ("v 1 2 3\nl a 1\n", "a line has the corner 'a'"),
         ("f 1 2 3\n", "names vertex|no points"),
         ("v 1 2\n", "line 1: a vertex needs 3 numbers, and there are 2"),
         ("v 1 2 3\nf 1 2 3\n", "line 2, column 3: a face names vertex 2, but there is one vertex, 1"),

@@ -24,14 +24,16 @@ from ._table import (
 )
 
 _CORNER = re.compile(rb"[+-]?\d+(?:/[+-]?\d*){0,2}")
+_ALONG_LINES = 4000  # points that are taken along all lines, about
 
 
 def read_obj(data: bytes) -> Shape:
-    """Vertices and faces; normals only where there are no faces and one for each vertex."""
+    """Vertices and faces; normals only where there are no faces and one for each vertex. Of lines alone, as of a frame of
+    wires or of cross sections, points along them."""
     text = without_comments(plain(data))
     if b"\\\n" in text:
         text = re.sub(rb"((?:[^\n]*\\\n)+)([^\n]*)", _joined, text)
-    found: Dict[bytes, Tuple[List[bytes], List[int]]] = {b"v": ([], []), b"vn": ([], []), b"f": ([], [])}
+    found: Dict[bytes, Tuple[List[bytes], List[int]]] = {b"v": ([], []), b"vn": ([], []), b"f": ([], []), b"l": ([], [])}
     for number, line in enumerate(text.split(b"\n"), 1):
         words = line.split(None, 1)
         if words and words[0] in found:
@@ -47,9 +49,15 @@ def read_obj(data: bytes) -> Shape:
     if len(vertices) == 0:
         raise ShapeError("there are no points: no line begins with v")
     matched = len(normals) == len(vertices)
+    if found[b"l"][0] and not matched:
+        rows, index = _corners(*found[b"l"], np.array(found[b"v"][1]), "line")
+        if 2 * len(np.unique(index)) >= len(vertices):
+            return _wires(rows, vertices[index])
     if matched:
         columns = (*columns, "nx", "ny", "nz")
-    return Shape(vertices, normals if matched else None, None, "OBJ", columns)
+    count = len(found[b"l"][0])
+    notes = (f"{count} line{'s' if count > 1 else ''} among the points not used",) if count else ()
+    return Shape(vertices, normals if matched else None, None, "OBJ", columns, notes=notes)
 
 
 def _joined(found: "re.Match[bytes]") -> bytes:
@@ -79,6 +87,30 @@ def _vectors(lines: List[bytes], where: List[int], what: str) -> Tuple[Floats, i
 
 
 def _faces(lines: List[bytes], where: List[int], vertex_lines: Integers, points: Floats) -> Integers:
+    rows, index = _corners(lines, where, vertex_lines, "face")
+    return polygons(rows, rows.counts, rows.starts, index, points)[0]
+
+
+def _wires(rows: Rows, corners: Floats) -> Shape:
+    """Points along lines, which are rows of corners, as near to each other everywhere."""
+    following = np.ones(len(corners), dtype=bool)
+    following[rows.starts + rows.counts - 1] = False  # the last of each line
+    first = np.flatnonzero(following)
+    start, end = corners[first], corners[first + 1]
+    length = np.linalg.norm(end - start, axis=1)
+    if not 0 < length.sum() < np.inf:
+        raise ShapeError("its lines have no length, and there are no faces")
+    parts = np.maximum(1, np.ceil(length / (length.sum() / _ALONG_LINES))).astype(np.int64)
+    part = np.arange(parts.sum()) - np.repeat(np.cumsum(parts) - parts, parts)
+    share = (part / np.repeat(parts, parts))[:, None]
+    along = np.repeat(start, parts, axis=0) * (1 - share) + np.repeat(end, parts, axis=0) * share
+    along = np.concatenate([along, corners[~following]])
+    along = along[np.sort(np.unique(along, axis=0, return_index=True)[1])]
+    note = f"it holds no faces: points are taken along its lines ({len(rows.counts)})"
+    return Shape(along, None, None, "OBJ", ("x", "y", "z"), notes=(note,))
+
+
+def _corners(lines: List[bytes], where: List[int], vertex_lines: Integers, what: str) -> Tuple[Rows, Integers]:
     """Of corners such as 7, 7/1, 7//3 or -1: counted from 1, or back from the last vertex so far."""
     try:
         rows = _placed(re.sub(rb"/\S*", b"", b"\n".join(lines)).split(b"\n"), where)
@@ -87,7 +119,7 @@ def _faces(lines: List[bytes], where: List[int], vertex_lines: Integers, points:
         for line, number in zip(lines, where):
             for column, word in enumerate(line.split(), 2):
                 if not _CORNER.fullmatch(word):
-                    raise at(number, column, f"a face has the corner {shown(word)}; 7, 7/1 or 7//3 are right") from None
+                    raise at(number, column, f"a {what} has the corner {shown(word)}; 7, 7/1 or 7//3 are right") from None
         raise
     count = len(vertex_lines)
     line_of = np.repeat(rows.lines, rows.counts)
@@ -97,8 +129,8 @@ def _faces(lines: List[bytes], where: List[int], vertex_lines: Integers, points:
     if len(wrong):
         i = int(wrong[0])
         column = i - int(rows.starts[np.searchsorted(rows.starts, i, side="right") - 1]) + 2
-        raise at(int(line_of[i]), column, out_of_range(int(corners[i]), count, 1))
-    return polygons(rows, rows.counts, rows.starts, index, points)[0]
+        raise at(int(line_of[i]), column, out_of_range(int(corners[i]), count, 1, what))
+    return rows, index
 
 
 def read_off(data: bytes) -> Shape:

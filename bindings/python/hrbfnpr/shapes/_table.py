@@ -185,8 +185,8 @@ def check_indices(triangles: Integers, lines: Integers, count: int, first: int =
     raise at(int(lines[i]), 0, out_of_range(index + first, count, first))
 
 
-def out_of_range(index: int, count: int, first: int = 0) -> str:
+def out_of_range(index: int, count: int, first: int = 0, what: str = "face") -> str:
     """What is said of a face that names a vertex which is not there."""
     if count > 1:
-        return f"a face names vertex {index}, but there are {count} vertices, {first} to {count - 1 + first}"
-    return f"a face names vertex {index}, but there " + (f"is one vertex, {first}" if count else "are no vertices")
+        return f"a {what} names vertex {index}, but there are {count} vertices, {first} to {count - 1 + first}"
+    return f"a {what} names vertex {index}, but there " + (f"is one vertex, {first}" if count else "are no vertices")
