@@ -24,7 +24,7 @@ std::int64_t halve(const base::Runtime& runtime, const Level& level, const base:
         for (std::int64_t i = 0; i < places.size(); ++i)
             (points[i].level < 0.0 ? between[i].negative : between[i].positive) = points[i].position;
     }
-    return 2 * halvings * places.size();
+    return std::int64_t{2} * halvings * places.size();
 }
 
 } // namespace hrbfnpr::curves

@@ -21,7 +21,7 @@ constexpr double clear_ratio = 3.0;
 constexpr double constructed = 0.16;
 constexpr double constructed_clear = 0.45;
 constexpr double hardly = 0.02;
-constexpr double most = 0.9;
+constexpr double nearly_all = 0.9;
 // Faces that are that coarse at a quarter of the edges are a rock's; coarse balls, rings and figures have none.
 constexpr double surely_coarse = 0.25;
 constexpr double coarse_ratio = 2.0;
@@ -81,7 +81,7 @@ private:
         double all = 0.0, below = 0.0, even = 0.0;
         for (const Bend* each = first; each != last; ++each) all += each->length;
         const Bend* large = first;
-        while (large + 1 != last && below + large->length < most * all) below += (large++)->length;
+        while (large + 1 != last && below + large->length < nearly_all * all) below += (large++)->length;
         for (const Bend* each = first; each != last && each->bend <= hardly * large->bend; ++each) even += each->length;
         return even / all;
     }
