@@ -98,8 +98,25 @@ Samples stipples(hrbfnpr_context* context, const scenes::Model& model, std::int6
 
 struct Totals {
     double bad = 0.0, caught = 0.0, good = 0.0, lost = 0.0, worst = 0.0;
+    double over = 0.0, lost_over = 0.0; // of the good ones, those that lie over the mesh and not beyond its border
     int fits = 0;
 };
+
+// Whether a place lies beside the nearest of dense samples and not over it: beyond the border of an open mesh.
+bool is_beside(const bench::NearPoints& nearest, const Samples& truth, const double* p, double reach, double beside) {
+    double least = 2.0 * reach;
+    std::size_t at = 0;
+    nearest.visit(p, reach, [&](std::size_t i, double distance) {
+        if (distance < least) {
+            least = distance;
+            at = 3 * i;
+        }
+        return true;
+    });
+    double along = 0.0;
+    for (std::size_t c = 0; c < 3; ++c) along += (p[c] - truth.points[at + c]) * truth.normals[at + c];
+    return least * least - along * along > beside * beside;
+}
 
 // Even samples of a mesh, and what its dense ones make of the fit.
 void run_mesh(hrbfnpr_context* context, const Named& named, Totals& totals) {
@@ -119,7 +136,8 @@ void run_mesh(hrbfnpr_context* context, const Named& named, Totals& totals) {
     for (std::size_t c = 0; c < 3; ++c) size[c] = info.bounds_max[c] - info.bounds_min[c];
     const double diagonal = bench::length(size);
     const Samples around = sampled(raw, dense, dense);
-    const bench::NearPoints nearest(sampled(raw, truth, truth).points, 0.5 * off * diagonal);
+    const Samples dense_truth = sampled(raw, truth, truth);
+    const bench::NearPoints nearest(dense_truth.points, 0.5 * off * diagonal);
     for (const std::int64_t count : {500, 1000, 4096}) {
         const Samples samples = sampled(raw, count, 0);
         const scenes::Model model = bench::fit(context, samples.points, samples.normals, HRBFNPR_TRIM_NEVER);
@@ -132,15 +150,23 @@ void run_mesh(hrbfnpr_context* context, const Named& named, Totals& totals) {
             const bool is_bad = !nearest.is_within(all.points.data() + 3 * i, off * diagonal);
             (is_bad ? here.bad : here.good) += 1.0;
             if (!stays[i]) (is_bad ? here.caught : here.lost) += 1.0;
+            if (is_bad || (info.boundary_edges > 0 && is_beside(nearest, dense_truth, all.points.data() + 3 * i,
+                                                                off * diagonal, 0.3 * off * diagonal)))
+                continue;
+            here.over += 1.0;
+            here.lost_over += stays[i] ? 0.0 : 1.0;
         }
         const double lost = here.lost / std::max(here.good, 1.0);
-        std::printf("%-20s %6lld %9.0f %9.4f %9.4f %8.2f\n", named.first.c_str(), static_cast<long long>(count),
-                    here.bad, here.bad > 0.0 ? here.caught / here.bad : 1.0, lost, seconds);
+        std::printf("%-20s %6lld %9.0f %9.4f %9.4f %9.4f %8.2f\n", named.first.c_str(), static_cast<long long>(count),
+                    here.bad, here.bad > 0.0 ? here.caught / here.bad : 1.0, lost,
+                    here.lost_over / std::max(here.over, 1.0), seconds);
         std::fflush(stdout);
         totals.bad += here.bad;
         totals.caught += here.caught;
         totals.good += here.good;
         totals.lost += here.lost;
+        totals.over += here.over;
+        totals.lost_over += here.lost_over;
         totals.worst = std::max(totals.worst, lost);
         ++totals.fits;
     }
@@ -232,12 +258,13 @@ int main(int argc, char** argv) {
                                                                    {"plate", hrbfnpr::test::box(1.0, 1.0, 0.02, 90)}}
                                               : bench::read_meshes(folder, bench::option(argc, argv, "--named="));
         std::printf("\nstipples of fits to even samples; bad ones are more than 1 %% of the diagonal off the mesh\n"
-                    "%-20s %6s %9s %9s %9s %8s\n",
-                    "mesh", "samples", "bad", "caught", "lost", "seconds");
+                    "%-20s %6s %9s %9s %9s %9s %8s\n",
+                    "mesh", "samples", "bad", "caught", "lost", "over it", "seconds");
         Totals totals;
         for (const Named& named : meshes) run_mesh(context.get(), named, totals);
         bench::report("support.caught", totals.bad > 0.0 ? totals.caught / totals.bad : 1.0);
         bench::report("support.lost", totals.lost / std::max(totals.good, 1.0));
+        bench::report("support.lost_over_the_mesh", totals.lost_over / std::max(totals.over, 1.0));
         bench::report("support.lost_worst", totals.worst);
         bench::report("support.border_even", even.mean);
         bench::report("support.border_even_deviation", even.deviation);
