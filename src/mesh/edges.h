@@ -59,6 +59,8 @@ void for_edges(const base::Array<Side>& sides, Visit&& visit) {
     for_edges(sides, base::Progress(), std::forward<Visit>(visit));
 }
 
+inline constexpr double default_crease_angle = 30.0; // degrees
+
 // Whether faces bend by more than an angle, but for rounding: those of a prism of twelve sides do by 30 degrees.
 [[nodiscard]] constexpr bool bends_more(double bend, double angle) noexcept { return bend > 1.01 * angle; }
 

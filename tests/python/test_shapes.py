@@ -185,6 +185,9 @@ def test_obj_lines(tmp_path):
     assert np.logical_or.reduce(sides).all()
     for side, length in zip(sides, (2, 1, 5**0.5)):
         assert side.sum() == pytest.approx(4000 * length / (3 + 5**0.5), abs=3)
+    assert shape.notes[1:] == ("vertices on no line, left out: 1",)
+    broken = shapes.read(write(tmp_path, "c.obj", corners + "v nan 0 0\nl 1 2 3 5\n"))
+    assert np.isfinite(broken.points).all() and "not finite, left out: 1" in broken.notes[2]
     few = shapes.read(write(tmp_path, "b.obj", 3 * corners + "l 1 2\n"))
     assert len(few.points) == 12 and "1 line among the points not used" in few.notes
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "fit/fit.h"
+#include "mesh/edges.h"
 #include "mesh/fit/compare.h"
 
 namespace hrbfnpr::mesh {
@@ -17,7 +18,7 @@ struct FitMeshSettings {
     std::int64_t maximum_centres = 8000;
     std::int64_t candidates = 0; // 0: automatic
     std::uint64_t seed = 1;
-    double crease_angle = 30.0;     // degrees
+    double crease_angle = default_crease_angle;
     Edges edges = Edges::automatic; // fit_mesh itself makes a smooth one
 };
 

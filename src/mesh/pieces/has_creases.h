@@ -6,8 +6,6 @@
 
 namespace hrbfnpr::mesh {
 
-inline constexpr double default_crease_angle = 30.0; // degrees
-
 struct CreaseEvidence {
     double length = 0.0; // of the edges that bend by more than the angle, in diagonals
     double clear = 0.0;  // share of them beside which, on one side at least, the mesh bends six times less

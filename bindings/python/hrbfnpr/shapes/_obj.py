@@ -51,8 +51,9 @@ def read_obj(data: bytes) -> Shape:
     matched = len(normals) == len(vertices)
     if found[b"l"][0] and not matched:
         rows, index = _corners(*found[b"l"], np.array(found[b"v"][1]), "line")
-        if 2 * len(np.unique(index)) >= len(vertices):
-            return _wires(rows, vertices[index])
+        loose = len(vertices) - len(np.unique(index))
+        if 2 * loose <= len(vertices):
+            return _wires(rows, vertices[index], loose)
     if matched:
         columns = (*columns, "nx", "ny", "nz")
     count = len(found[b"l"][0])
@@ -91,23 +92,27 @@ def _faces(lines: List[bytes], where: List[int], vertex_lines: Integers, points:
     return polygons(rows, rows.counts, rows.starts, index, points)[0]
 
 
-def _wires(rows: Rows, corners: Floats) -> Shape:
-    """Points along lines, which are rows of corners, as near to each other everywhere."""
+def _wires(rows: Rows, corners: Floats, loose: int) -> Shape:
+    """Points along lines, which are rows of corners, as near to each other everywhere. loose: vertices on no line."""
     following = np.ones(len(corners), dtype=bool)
     following[rows.starts + rows.counts - 1] = False  # the last of each line
     first = np.flatnonzero(following)
     start, end = corners[first], corners[first + 1]
     length = np.linalg.norm(end - start, axis=1)
+    usable = np.isfinite(length)
+    start, end, length = start[usable], end[usable], length[usable]
     if not 0 < length.sum() < np.inf:
-        raise ShapeError("its lines have no length, and there are no faces")
+        raise ShapeError("its lines have no length that can be told, and there are no faces")
     parts = np.maximum(1, np.ceil(length / (length.sum() / _ALONG_LINES))).astype(np.int64)
     part = np.arange(parts.sum()) - np.repeat(np.cumsum(parts) - parts, parts)
     share = (part / np.repeat(parts, parts))[:, None]
     along = np.repeat(start, parts, axis=0) * (1 - share) + np.repeat(end, parts, axis=0) * share
-    along = np.concatenate([along, corners[~following]])
+    along = np.concatenate([along, corners[~following & np.isfinite(corners).all(axis=1)]])
     along = along[np.sort(np.unique(along, axis=0, return_index=True)[1])]
-    note = f"it holds no faces: points are taken along its lines ({len(rows.counts)})"
-    return Shape(along, None, None, "OBJ", ("x", "y", "z"), notes=(note,))
+    notes = [f"it holds no faces: points are taken along its lines ({len(rows.counts)})"]
+    notes += [f"vertices on no line, left out: {loose}"] if loose else []
+    notes += [f"pieces of lines with a corner that is not finite, left out: {(~usable).sum()}"] if not usable.all() else []
+    return Shape(along, None, None, "OBJ", ("x", "y", "z"), notes=tuple(notes))
 
 
 def _corners(lines: List[bytes], where: List[int], vertex_lines: Integers, what: str) -> Tuple[Rows, Integers]:
