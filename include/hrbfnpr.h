@@ -721,7 +721,8 @@ typedef struct hrbfnpr_model_info {
     int64_t outliers_dropped;
     int64_t flipped_found;    /* normals against those of their neighbours */
     int64_t flipped_repaired; /* of these, dropped or turned round */
-    double bounds_min[3];     /* of the samples */
+    double bounds_min[3];     /* of the samples; of samples along curves that of the surface, too, if it closes within a
+                                 third of a diagonal around them */
     double bounds_max[3];
     double spacing;           /* mean distance of a sample to its nearest neighbour */
     double kernel_radius;     /* as used */
@@ -965,7 +966,9 @@ HRBFNPR_API hrbfnpr_status hrbfnpr_model_contains(const hrbfnpr_model* model, co
  * of its neighbours (Adamson and Alexa 2004).  A connected part of the surface
  * where s exceeds `limit` is left out if it reaches the end of the search box, or
  * if it is too far from all samples to be a hole between them (`hole`).  Other
- * parts stay: a hole that is closed so is no error.
+ * parts stay: a hole that is closed so is no error.  Samples along curves, as of
+ * wires and cross sections, have no holes between them: what reaches the end of
+ * the box is left out, and nothing else.
  */
 
 typedef struct hrbfnpr_trim_desc {

@@ -10,6 +10,7 @@
 #include "api/orient.h"
 #include "api/views.h"
 #include "fit/local_factors.h"
+#include "generate/closed_bounds.h"
 
 #include <algorithm>
 
@@ -164,6 +165,7 @@ namespace {
 // Diagonals as of fits: squares and cubes of lengths stay far from the ends of a double's range.
 constexpr double smallest_fit_box = 1e-100;
 constexpr double end_of_fit = 0.9; // of its progress; then it is looked for the surface's end
+constexpr double end_of_bounds = 0.91;
 
 fit::FitInput checked(const hrbfnpr_fit_desc& desc) {
     fit::FitInput input;
@@ -217,6 +219,16 @@ void log_fit(const base::Runtime& runtime, const fit::FitReport& report) {
                     static_cast<long long>(report.rescaled_normals));
 }
 
+// The fitted model, in a box that holds its surface where that closes around samples along curves.
+hrbfnpr_model* reaching_all(hrbfnpr_model* fitted, const geometry::VecArray& samples, const base::Progress& progress) {
+    const Hold<hrbfnpr_model> whole(fitted); // from here on
+    release_handle(fitted);
+    auto& surface = *std::get_if<implicit::Hrbf>(&fitted->surface);
+    surface.set_bounds(generate::closed_bounds(fitted->runtime(), surface, samples, progress));
+    fitted->add_reference();
+    return fitted;
+}
+
 hrbfnpr_model* fit_model(hrbfnpr_context& context, const hrbfnpr_fit_desc& desc, hrbfnpr_operation* operation) {
     fit::FitInput input = checked(desc);
     const OperationUse use(operation);
@@ -229,12 +241,12 @@ hrbfnpr_model* fit_model(hrbfnpr_context& context, const hrbfnpr_fit_desc& desc,
     const std::optional<fit::Samples> samples = std::exchange(result.samples, std::nullopt);
     generate::TrimSettings settings;
     settings.off = result.report.input_distance_max;
-    if (desc.trim == HRBFNPR_TRIM_NEVER) {
-        use.finish();
-        return make_handle<hrbfnpr_model>(context, std::move(result));
-    }
-    return ended_model(make_handle<hrbfnpr_model>(context, std::move(result)), samples->position, samples->normal,
-                       settings, progress.part(end_of_fit, 1.0));
+    hrbfnpr_model* const fitted = reaching_all(make_handle<hrbfnpr_model>(context, std::move(result)),
+                                               samples->position, progress.part(end_of_fit, end_of_bounds));
+    if (desc.trim != HRBFNPR_TRIM_NEVER)
+        return ended_model(fitted, samples->position, samples->normal, settings, progress.part(end_of_bounds, 1.0));
+    use.finish();
+    return fitted;
 }
 
 implicit::CustomFunction checked(const hrbfnpr_custom_desc& desc) {

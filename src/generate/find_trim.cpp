@@ -57,6 +57,7 @@ public:
     Search(const base::Runtime& runtime, const implicit::Implicit& implicit, const surface::Support& support,
            const TrimSettings& settings, bool wary_look)
         : runtime_(runtime), support_(support), settings_(settings), wary_(wary_look),
+          curves_(!wary_look && support.along_curves()),
           diagonal_(implicit.diagonal()), site_{runtime, implicit, 1e-7, 1}, cells_(runtime.memory),
           value_(runtime.memory), part_(runtime.memory), numbers_(runtime.memory), found_(runtime.memory) {}
 
@@ -101,6 +102,7 @@ private:
     const surface::Support& support_;
     const TrimSettings& settings_;
     bool wary_;
+    bool curves_; // samples along them
     double diagonal_;
     marks::Site site_;
     stipples::SurfaceCells cells_;
@@ -153,11 +155,13 @@ void Search::look_at(std::int64_t cell, Part& part) const noexcept {
     ++part.cells;
 }
 
-// Between samples that are denser than the surface is accurate there are no holes.
+// Between samples that are denser than the surface is accurate there are no holes, and between curves what they bound
+// is meant, however far from them.
 void Search::judge(Part& part) const noexcept {
     const double share = wary_ ? wary : 1.0;
     const bool sure = settings_.closest > 0.0 || part.highest >= share * doubtless;
-    part.left_out = part.to_end || (sure && part.farthest > share * settings_.hole * diagonal_);
+    const bool hole = !curves_ && sure && part.farthest > share * settings_.hole * diagonal_;
+    part.left_out = part.to_end || hole;
 }
 
 void Search::collect(std::int64_t from, base::Array<std::int64_t>& front, const base::Progress& progress) {

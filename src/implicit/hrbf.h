@@ -55,6 +55,8 @@ public:
     void evaluate(const PointBatch& points, const FieldBatch& fields) const override;
     [[nodiscard]] bool concurrent() const noexcept override { return true; }
     [[nodiscard]] const geometry::Bounds& bounds() const noexcept override { return data_.bounds; }
+    // Where the surface is looked for, from here on.
+    void set_bounds(const geometry::Bounds& bounds) noexcept { data_.bounds = bounds; }
     [[nodiscard]] const HrbfData& data() const noexcept { return data_; }
 
 private:

@@ -13,6 +13,8 @@ using geometry::VecArray;
 
 // Half of normals that are some have a cosine above it with those of least energy; of colours half are above 0.5.
 constexpr double meaningful = 0.75;
+// ... and no more than this share, where those of least energy are sure, have one below 0.5.
+constexpr double senseless = 0.2;
 // Shares of signs that agree: what is between is mixed.
 constexpr double all_alike = 0.99;
 // Of neighbours, where signs are no more than a toss.
@@ -115,10 +117,12 @@ Judgement GivenNormals::judge(const Evidence& evidence, NormalMode mode, const b
     if (known_count_ == 0) return judgement;
     base::Array<double> cosine(runtime_.memory);
     double alike = 0.0;
+    double far = 0.0;
     for (std::int64_t at = 0; at < least.size(); ++at) {
         if (known_[at] == 0) continue;
         const double c = glm::dot(least[at], normal_[at]);
         cosine.push_back(std::abs(c));
+        far += std::abs(c) < 0.5 ? 1.0 : 0.0;
         alike += c > 0.0 ? 1.0 : 0.0;
     }
     progress.check();
@@ -126,7 +130,8 @@ Judgement GivenNormals::judge(const Evidence& evidence, NormalMode mode, const b
     double* middle = cosine.data() + cosine.size() / 2;
     std::nth_element(cosine.begin(), middle, cosine.end());
     const bool looks = mode == NormalMode::automatic || mode == NormalMode::given;
-    if (looks && *middle < meaningful) return judgement;
+    const bool strange = !evidence.doubtful && far > senseless * static_cast<double>(known_count_);
+    if (looks && (*middle < meaningful || strange)) return judgement;
 
     judgement.signs.resize(least.size());
     std::fill(judgement.signs.begin(), judgement.signs.end(), std::int8_t{1});

@@ -187,6 +187,7 @@ LeastEnergy least_energy(const base::Runtime& runtime, const geometry::PointTree
         results.push_back(search.settle(copy(*given), true));
         results.push_back(search.settle(copy(*given), false));
     }
+    if (effort.begin != nullptr) results.push_back(search.settle(copy(effort.begin->normal), true));
     if (effort.tree) results.push_back(search.settle(search.tree_normals(), true));
     const auto best = [&] {
         return std::min_element(results.begin(), results.end(),
@@ -217,6 +218,10 @@ LeastEnergy least_energy(const base::Runtime& runtime, const geometry::PointTree
         const double weight = std::exp(-(over_chosen(*r) - 1.0) / unlikely);
         weights += weight;
         alike += weight * (2.0 * share - 1.0);
+    }
+    if (effort.begin != nullptr) {
+        weights += 1.0;
+        alike += effort.begin->agreement * (2.0 * share_alike(effort.begin->normal, chosen->normal) - 1.0);
     }
     result.agreement = results.size() > 1 ? alike / weights : 0.5;
     result.energy = std::max(chosen->energy, 0.0) / search.freedom();

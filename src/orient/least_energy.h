@@ -11,10 +11,24 @@
 
 namespace hrbfnpr::orient {
 
+// Normals of a coarser cloud's least energy at every place, that energy, and how far its own starts agreed.
+struct Begin {
+    explicit Begin(base::Memory& memory) noexcept : normal(memory) {}
+
+    geometry::VecArray normal;
+    double energy = 0.0; // over the degrees of freedom
+    double apart = 1.0;  // how far its points are from each other
+    double agreement = 0.0;
+
+    // With points 1 apart.
+    [[nodiscard]] double own_energy() const noexcept { return energy * apart; }
+};
+
 struct Effort {
-    int starts = 6;    // at most: two that come to the same are enough
-    bool all = false;  // ... unless all are wanted
-    bool tree = false; // beside them one with the signs of a spanning tree
+    int starts = 6;               // at most: two that come to the same are enough
+    bool all = false;             // ... unless all are wanted
+    bool tree = false;            // beside them one with the signs of a spanning tree
+    const Begin* begin = nullptr; // and one from these
 };
 
 struct LeastEnergy {

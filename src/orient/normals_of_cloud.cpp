@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "orient/normals_of_cloud.h"
 
+#include "orient/coarser.h"
 #include "orient/means.h"
 #include "orient/noisy_normals.h"
 #include "orient/ridge_path.h"
@@ -8,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <vector>
 
 namespace hrbfnpr::orient {
 namespace {
@@ -37,6 +39,11 @@ constexpr Effort path_effort{3, false, true};
 // Energies: see noise.cpp.
 constexpr double sure_below = 0.012;
 constexpr double no_order = 0.03;
+// Without noise twice as many points along curves have 0.8 of the energy and less.
+constexpr double falling = 1.2;
+constexpr double signs_of_level = 0.97; // share of equal ones
+// How far starts agree that need no warning.
+constexpr double agreed = 0.9;
 // Share of signs that change with the ridge: confidence falls by e with every so many.
 constexpr double unsteady = 0.03;
 
@@ -70,9 +77,47 @@ constexpr double softer = 0.125;
            std::exp(-(1.0 - found.steadiness) / unsteady - 0.5 * noise * noise);
 }
 
+// Of points along curves, the coarser cloud whose normals are to stay; null: none.  Noise has the more energy the
+// nearer points are to each other, and directions that are off by it: if that of all points is no less than that of
+// fewer, it is the one of least energy whose signs are those of these.  Where starts disagree on all points it is the
+// finest that they agree on.
+[[nodiscard]] Begin* to_stay(std::vector<Begin>& coarser, double energy, double confidence) noexcept {
+    const auto least = std::min_element(coarser.begin(), coarser.end(),
+                                        [](const Begin& a, const Begin& b) { return a.own_energy() < b.own_energy(); });
+    if (least->own_energy() < falling * energy) {
+        Begin* best = &*least;
+        for (Begin& level : coarser)
+            if (level.energy < best->energy && share_alike(level.normal, least->normal) > signs_of_level) best = &level;
+        return best;
+    }
+    if (confidence > doubtful) return nullptr;
+    const auto sure =
+        std::find_if(coarser.rbegin(), coarser.rend(), [](const Begin& level) { return level.agreement > agreed; });
+    return sure != coarser.rend() ? &*sure : nullptr;
+}
+
+void fit_curves(const base::Runtime& runtime, const Cloud& cloud, const Near& near, const VecArray* given,
+                CloudNormals& result, const base::Progress& progress) {
+    std::vector<Begin> coarser = begin_from_coarser(runtime, cloud, progress.part(0.0, 0.5));
+    Effort effort = effort_for(cloud.size());
+    effort.begin = &coarser.back();
+    result.fitted = least_energy(runtime, *cloud.tree, cloud.rank, near, 0.0, given, effort, progress.part(0.5, 1.0));
+    result.confidence = confidence_of(result.fitted, result.fitted.energy, 0.0);
+    if (Begin* const level =
+            to_stay(coarser, result.fitted.energy * cloud.apart[cloud.size() / 2], result.confidence)) {
+        result.fitted.normal = std::move(level->normal);
+        result.fitted.agreement = level->agreement;
+        result.confidence = level->agreement * level->agreement;
+    }
+}
+
 // Fits the cloud as its noise calls for.
 void fit(const base::Runtime& runtime, const Cloud& cloud, const Near& near, const Noise& noise, const VecArray* given,
          CloudNormals& result, const base::Progress& progress) {
+    if (cloud.size() <= few_points && is_of_curves(cloud)) {
+        fit_curves(runtime, cloud, near, given, result, progress);
+        return;
+    }
     if (noise.ridge == 0.0 || cloud.size() > few_for_path) {
         result.fitted = least_energy(runtime, *cloud.tree, cloud.rank, near, noise.ridge, given,
                                      effort_for(cloud.size()), progress);

@@ -6,6 +6,8 @@
 
 namespace hrbfnpr::orient {
 
+inline constexpr double doubtful = 0.5; // a confidence that is warned of
+
 struct CloudNormals {
     explicit CloudNormals(base::Memory& memory) noexcept : fitted(memory) {}
 

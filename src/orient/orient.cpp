@@ -14,7 +14,6 @@ namespace {
 using geometry::VecArray;
 
 constexpr std::int64_t typical_neighbours = 32;
-constexpr double doubtful = 0.5; // a confidence that is warned of
 
 // What becomes of each given point.
 enum class Fate : std::uint8_t { keep, turn, make };

@@ -15,7 +15,7 @@ constexpr std::int64_t probes = 192;
 // In local spacings: near enough for thin walls not to matter outside, and far enough for dipoles to be a surface.
 constexpr double step = 1.5;
 constexpr double closed_below = 0.035;
-constexpr double nearly_closed = 0.12;
+constexpr double nearly_closed_below = 0.12;
 constexpr double told_apart = 0.2;
 constexpr double least_volume = 3e-4;
 
@@ -40,10 +40,12 @@ struct Dipoles {
 
 bool Sides::closed() const noexcept { return std::min(along, against) < closed_below; }
 
+bool Sides::nearly_closed() const noexcept { return std::min(along, against) < nearly_closed_below; }
+
 int Sides::outward() const noexcept {
     if (std::abs(along - against) > told_apart) return along < against ? 1 : -1;
     // A thin wall: a step inward leads out of it on the other side.
-    if (std::min(along, against) < nearly_closed && std::abs(volume) > least_volume) return volume > 0.0 ? 1 : -1;
+    if (std::min(along, against) < nearly_closed_below && std::abs(volume) > least_volume) return volume > 0.0 ? 1 : -1;
     return 0;
 }
 

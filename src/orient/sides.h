@@ -12,6 +12,8 @@ struct Sides {
     double volume = 0.0;  // signed, over area times the extent
 
     [[nodiscard]] bool closed() const noexcept;
+    // As far as some hundred places tell.
+    [[nodiscard]] bool nearly_closed() const noexcept;
     // 1: the normals point outward, -1: inward, 0: there is no telling.
     [[nodiscard]] int outward() const noexcept;
 };

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "orient/whole.h"
 
+#include "orient/coarser.h"
+
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace hrbfnpr::orient {
 namespace {
@@ -18,6 +21,7 @@ constexpr std::int64_t most_pieces = 64;
 // Turning a piece that is far from the others changes the energy by less than this share of its own.
 constexpr double indifferent = 0.05;
 constexpr std::int64_t inside_probes = 8;
+constexpr std::int64_t spacing_neighbours = 16;
 
 std::int32_t root_of(base::Array<std::int32_t>& parent, std::int32_t at) noexcept {
     while (parent[at] != at) {
@@ -88,6 +92,16 @@ void turn_pieces(const base::Runtime& runtime, const Cloud& cloud, const base::A
     return 1;
 }
 
+// Places along curves stand for no area: the first of them do.
+[[nodiscard]] Sides sides_of(const base::Runtime& runtime, const Cloud& cloud, const base::Array<double>& spacing,
+                             const VecArray& normal, const First* first, const base::Progress& progress) {
+    if (first == nullptr) return measure_sides(runtime, *cloud.tree, spacing, normal, {}, progress);
+    const Near near(runtime, *first->tree, std::min<std::int64_t>(spacing_neighbours, first->tree->size() - 1),
+                    progress);
+    return measure_sides(runtime, *first->tree, local_spacing(runtime, *first->tree, near), first->pick(normal), {},
+                         progress);
+}
+
 } // namespace
 
 Groups find_pieces(const base::Runtime& runtime, const geometry::PointTree& tree, const Near& near) {
@@ -124,16 +138,19 @@ Whole turn_outward(const base::Runtime& runtime, const Cloud& cloud, const Near&
                    const Outward& outward, const fit::HermiteEnergy* form, VecArray& normal,
                    const base::Progress& progress) {
     const base::Array<double> spacing = local_spacing(runtime, *cloud.tree, near);
-    Sides sides = measure_sides(runtime, *cloud.tree, spacing, normal, {}, progress);
+    std::optional<First> first;
+    if (is_of_curves(cloud)) first.emplace(runtime, cloud, coarsest_of(cloud.size()), progress);
+    const auto measure = [&] { return sides_of(runtime, cloud, spacing, normal, first ? &*first : nullptr, progress); };
+    Sides sides = measure();
     const auto turn_whole = [&] {
         for (std::int64_t at = 0; at < normal.size(); ++at) normal.set(at, -normal[at]);
     };
     if (sides.outward() < 0) turn_whole();
     if (form != nullptr && pieces.size() > 1 && pieces.of(1).size() >= fewest_of_piece)
         turn_pieces(runtime, cloud, spacing, pieces, *form, normal, progress);
-    sides = measure_sides(runtime, *cloud.tree, spacing, normal, {}, progress);
+    sides = measure();
     Whole whole;
-    whole.closed = sides.closed();
+    whole.closed = first ? sides.nearly_closed() : sides.closed();
     int side = sides.outward();
     // An open surface that was seen from somewhere has no other outside.
     if (side == 0 || (!whole.closed && outward.has_viewpoint)) {

@@ -12,6 +12,7 @@
 
 #include "base/operation.h"
 #include "base/runtime.h"
+#include "geometry/along_curves.h"
 #include "geometry/cell_set.h"
 #include "geometry/point_tree.h"
 #include "geometry/vec_array.h"
@@ -63,6 +64,8 @@ public:
     // Whether in all of a cube around the place s is above `limit` for any normal, and the surface may end: then there
     // is none of it.  False where that is not certain.
     [[nodiscard]] bool has_nothing_near(const glm::dvec3& place, double half, double limit) const noexcept;
+    // Whether they stand along curves, with nothing between these.
+    [[nodiscard]] bool along_curves() const { return geometry::along_curves(tree_); }
     // Those that are not surrounded.
     [[nodiscard]] geometry::VecArray not_surrounded() const;
 

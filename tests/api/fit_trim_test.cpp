@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Fits end where their samples do without being told; closed surfaces, and samples that tell nothing, stay whole.
+#include "support/samples.h"
 #include "trimmed.h"
 
 #include <algorithm>
@@ -66,6 +67,27 @@ TEST(FitTrim, FindsAHoleInAClosedSurface) {
     EXPECT_EQ(info_of(model).parts, 1);
     EXPECT_EQ(info_of(model).parts_to_end, 0);
     EXPECT_NEAR(info_of(model).share, 0.05, 0.03);
+}
+
+// Between wires and cross sections all is meant, and beyond the last ones what closes the surface.
+TEST(FitTrim, LeavesASurfaceThatCurvesBound) {
+    const Context context = make_context();
+    const Model wires = fit(context, hrbfnpr::test::torus_wires(0.08));
+    EXPECT_EQ(info_of(wires).is_trimmed, 0U);
+    const Model sections = fit(context, hrbfnpr::test::torus_sections(9, 60));
+    EXPECT_EQ(info_of(sections).is_trimmed, 0U);
+    const std::vector<float> stipples = stipples_of(context, sections);
+    float farthest = 0.0F;
+    for (std::size_t i = 0; i < stipples.size(); i += 3) farthest = std::max(farthest, std::abs(stipples[i]));
+    EXPECT_GT(farthest, 3.85F); // of 4; the box of the samples ends at 3, and margins at 3.6
+}
+
+TEST(FitTrim, EndsAnOpenSurfaceThatCurvesBound) {
+    const Context context = make_context();
+    scenes::Samples lines;
+    for (int line = 0; line < 6; ++line)
+        for (int i = 0; i < 60; ++i) lines.add({0.05 * i, 0.6 * line, 0.0}, {0.0, 0.0, 1.0});
+    EXPECT_EQ(info_of(fit(context, lines)).is_trimmed, 1U);
 }
 
 TEST(FitTrim, LeavesAFlatSquareOfASquare) {

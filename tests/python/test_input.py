@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 from conftest import ROOT, fibonacci_sphere, torus
 from convex_hulls import rounded_box
+from curves import rings
 from test_cli import STAGE, rows
 from test_meshes import glb, gltf
 from test_ptx import ptx, wall
@@ -233,6 +234,7 @@ ROWS = {
     "points with normals, with noise": ("a.xyz", lambda: table(noisy(), fibonacci_sphere(1500)), [], 0),
     "points without normals, with noise": ("a.xyz", lambda: table(noisy()), [], 0),
     "points without normals, with dust around them": ("a.xyz", lambda: table(dusty()), [], 0),
+    "points along curves, as of wires, cross sections or a tracked pen": ("a.xyz", lambda: table(rings()), [], 0),
     "points with colours, without normals": (
         "a.xyz", lambda: "".join(f"{x} {y} {z} 9 200 31\n" for x, y, z in ball()[0].tolist()), [], 0),
     "points without a usable place or normal among others": ("a.xyz", with_zeros, [], 0),

@@ -120,4 +120,52 @@ inline Samples bumpy(std::int64_t count, double bump = 0.15) {
     return samples;
 }
 
+// A torus of radii 3 and 1 about z, at an angle around it and one around the tube.
+inline void add_of_torus(Samples& samples, double around, double tube) {
+    const std::array<double, 3> normal{std::cos(tube) * std::cos(around), std::cos(tube) * std::sin(around),
+                                       std::sin(tube)};
+    samples.add({3.0 * std::cos(around) + normal[0], 3.0 * std::sin(around) + normal[1], normal[2]}, normal);
+}
+
+// Wires on it: both equators, and four circles around the tube.
+inline Samples torus_wires(double spacing) {
+    constexpr double tau = 6.283185307179586;
+    Samples samples;
+    const auto steps = [&](double radius) { return static_cast<int>(tau * radius / spacing); };
+    for (const double tube : {0.0, 0.5 * tau})
+        for (int i = 0, n = steps(3.0 + std::cos(tube)); i < n; ++i) add_of_torus(samples, tau * (i + 0.5) / n, tube);
+    for (int turn = 0; turn < 4; ++turn)
+        for (int i = 0, n = steps(1.0); i < n; ++i) add_of_torus(samples, 0.25 * tau * turn + 0.1, tau * (i + 0.5) / n);
+    return samples;
+}
+
+// Cross sections of it, by planes across x from -3 to 3: it reaches to -4 and 4.
+inline Samples torus_sections(int planes, int each) {
+    constexpr double tau = 6.283185307179586;
+    Samples samples;
+    for (int plane = 0; plane < planes; ++plane) {
+        const double x = -3.0 + 6.0 * plane / (planes - 1);
+        for (int i = 0; i < each; ++i) {
+            const double tube = tau * (i + 0.5) / each;
+            const double cosine = x / (3.0 + std::cos(tube));
+            if (std::abs(cosine) > 1.0) continue;
+            for (const double side : {1.0, -1.0}) add_of_torus(samples, side * std::acos(cosine), tube);
+        }
+    }
+    return samples;
+}
+
+// With noise of this deviation, sums of uniform numbers, that is the same everywhere.
+inline Samples with_noise(Samples samples, double deviation) {
+    std::uint64_t state = 1;
+    const auto uniform = [&] { // splitmix64
+        std::uint64_t x = state += 0x9E3779B97F4A7C15U;
+        x = (x ^ (x >> 30U)) * 0xBF58476D1CE4E5B9U;
+        x = (x ^ (x >> 27U)) * 0x94D049BB133111EBU;
+        return static_cast<double>((x ^ (x >> 31U)) >> 11U) / 9007199254740992.0 - 0.5;
+    };
+    for (double& x : samples.points) x += deviation * 2.0 * (uniform() + uniform() + uniform());
+    return samples;
+}
+
 } // namespace hrbfnpr::test

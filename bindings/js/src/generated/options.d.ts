@@ -306,7 +306,10 @@ export interface ModelInfo {
   readonly flippedFound: number;
   /** of these, dropped or turned round */
   readonly flippedRepaired: number;
-  /** of the samples */
+  /**
+   * of the samples; of samples along curves that of the surface, too, if it closes within a third of a diagonal
+   * around them
+   */
   readonly boundsMin: Numbers;
   readonly boundsMax: Numbers;
   /** mean distance of a sample to its nearest neighbour */

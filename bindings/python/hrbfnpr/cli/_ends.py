@@ -10,7 +10,7 @@ from .._errors import NotConvergedError
 from .._mesh import Mesh
 from .._model import Model
 from ..shapes import Shape
-from . import _mesh
+from . import _mesh, _orient
 from ._progress import Reporter
 
 ON_MESH = 60_000  # places on a mesh, some 0.005 diagonals from each other
@@ -27,7 +27,11 @@ def end(model: Model, shape: Shape, close: bool, report: Reporter, hole: Optiona
     if hole is not None:
         options = {"hole": hole / _mesh.diagonal(model), "normals": shape.normals}
         return _ended(model, shape.points, "points", options, report)
-    return _ended(model, shape.points[np.isfinite(shape.points).all(axis=1)], "points", {}, report)
+    points = shape.points[np.isfinite(shape.points).all(axis=1)]
+    ended = _ended(model, points, "points", {}, report)
+    if _orient.along_curves(points):
+        report.note("the points lie along curves, as of wires or cross sections: the surface between these is drawn, too")
+    return ended
 
 
 def end_of_mesh(model: Model, mesh: Mesh, close: bool, report: Reporter) -> Model:

@@ -25,6 +25,7 @@ DOUBTFUL = -0.25
 MIXED = 0.02  # share of normals against their neighbours that is warned of ...
 UNSURE = 0.1  # ... and up to which all others may be trusted
 UNSURE_BELOW = 0.5  # confidence of normals that the library made
+MANY = 6000  # points, more than curves have
 LEAST = 10  # points with normals to repair
 FOUND = {
     "given": "right", "none": "none of these points'", "unoriented": "of any sign", "mixed": "turned here and there",
@@ -193,7 +194,7 @@ def settle(
     if mode != "auto":
         return repaired(points, normals, mode, report, bar, context, **seen)
     found = look(points, normals, False)
-    if found.mixed and len(points) >= LEAST:
+    if (found.mixed and len(points) >= LEAST) or along_curves(points):
         return repaired(points, normals, "auto", report, bar, context, **seen)
     if found.inward:
         report.note("all normals looked inward: they are turned (--normals keep leaves them)")
@@ -201,6 +202,19 @@ def settle(
     for doubt in doubts(found, len(points), False):
         report.warn(doubt)
     return normals, in_words(found)
+
+
+def along_curves(points: Floats) -> bool:
+    """Whether points lie along curves, where neighbours tell nothing of normals; not asked of many."""
+    if not 2 * NEIGHBOURS <= len(points) <= MANY:
+        return False
+    _, nearest = neighbours(points, points, 13)
+    for count, across, share in ((4, 0.2, 0.2), (12, 0.25, 0.07)):  # as the library has it
+        away = points[nearest[:, 1 : count + 1]] - points[:, None]
+        values = np.linalg.eigvalsh(np.einsum("ijk,ijl->ikl", away, away))
+        if (values[:, :2].sum(axis=1) < across**2 * values[:, 2]).mean() > share:
+            return True
+    return False
 
 
 def repaired(

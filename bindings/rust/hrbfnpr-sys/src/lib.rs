@@ -113,7 +113,9 @@
 //! of its neighbours (Adamson and Alexa 2004).  A connected part of the surface
 //! where s exceeds `limit` is left out if it reaches the end of the search box, or
 //! if it is too far from all samples to be a hole between them (`hole`).  Other
-//! parts stay: a hole that is closed so is no error.
+//! parts stay: a hole that is closed so is no error.  Samples along curves, as of
+//! wires and cross sections, have no holes between them: what reaches the end of
+//! the box is left out, and nothing else.
 //!
 //! # POINT SET: layers of marks on a surface, immutable [NPAR 4.2, 5]
 //!
@@ -1006,7 +1008,8 @@ pub struct hrbfnpr_model_info {
     pub flipped_found: i64,
     /// of these, dropped or turned round
     pub flipped_repaired: i64,
-    /// of the samples
+    /// of the samples; of samples along curves that of the surface, too, if it closes within a
+    /// third of a diagonal around them
     pub bounds_min: [f64; 3],
     pub bounds_max: [f64; 3],
     /// mean distance of a sample to its nearest neighbour

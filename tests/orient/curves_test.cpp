@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+// Normals of points along curves, whose neighbours tell no plane.
+#include "shapes.h"
+
+#include <gtest/gtest.h>
+
+namespace orient_test::curves_test {
+namespace {
+
+using namespace hrbfnpr;
+using orient::NormalMode;
+using orient::OutwardBy;
+
+// From planes through neighbours 0.4 to 0.6 of these are right, from the first of the farthest-first order all.
+TEST(OrientCurves, IsRightWhereTheyAreFarApart) {
+    const base::Runtime runtime;
+    for (const double spacing : {0.05, 0.065}) {
+        const Samples wires = test::torus_wires(spacing);
+        const orient::Orientation result = orient::orient(runtime, input(wires), base::Progress());
+        EXPECT_EQ(score(wires, result.normal).right, 1.0) << spacing;
+        EXPECT_LT(score(wires, result.normal).angle, 3.0) << spacing;
+        EXPECT_EQ(result.report.outward_by, OutwardBy::inside);
+        EXPECT_TRUE(result.report.closed);
+    }
+}
+
+TEST(OrientCurves, IsRightOfCrossSections) {
+    const base::Runtime runtime;
+    const Samples sections = test::torus_sections(9, 60);
+    const orient::Orientation result = orient::orient(runtime, input(sections), base::Progress());
+    EXPECT_EQ(score(sections, result.normal).right, 1.0);
+    EXPECT_TRUE(result.report.closed);
+    EXPECT_GT(result.report.confidence, 0.5);
+}
+
+// Of noise of 0.2 to 0.9 spacings, which begins to hide the wires, directions are those of fewer points.
+TEST(OrientCurves, IsRightWithNoise) {
+    const base::Runtime runtime;
+    const Samples wires = test::torus_wires(0.05);
+    for (const double noise : {0.01, 0.02, 0.045}) {
+        const orient::Orientation result =
+            orient::orient(runtime, input(test::with_noise(wires, noise)), base::Progress());
+        EXPECT_GE(score(wires, result.normal).right, 0.99) << noise;
+        EXPECT_LT(score(wires, result.normal).angle, 20.0) << noise;
+        EXPECT_TRUE(result.report.closed) << noise;
+    }
+}
+
+// As planes through neighbours on a wire have them: half are right but for their sign, the others lie in the surface.
+TEST(OrientCurves, MakesNormalsAnewOfWhichManyLieInTheSurface) {
+    const base::Runtime runtime;
+    const Samples sections = test::torus_sections(9, 60);
+    Samples given = sections;
+    for (std::size_t i = 0; i < given.normals.size(); i += 12) {
+        const double x = given.normals[i];
+        given.normals[i] = given.normals[i + 2];
+        given.normals[i + 1] = 0.0;
+        given.normals[i + 2] = -x;
+    }
+    orient::OrientInput wanted = input(sections);
+    wanted.normals = view(given.normals);
+    const orient::Orientation result = orient::orient(runtime, wanted, base::Progress());
+    EXPECT_EQ(result.report.found, NormalMode::none);
+    EXPECT_EQ(score(sections, result.normal).right, 1.0);
+}
+
+} // namespace
+} // namespace orient_test::curves_test

@@ -1,0 +1,48 @@
+# SPDX-License-Identifier: MIT
+"""Wires, cross sections and the like: points along curves."""
+import numpy as np
+import pytest
+from curves import rings, wires
+from test_cli import rows
+
+import hrbfnpr
+from hrbfnpr.cli import _orient, main
+
+Image = pytest.importorskip("PIL.Image")
+
+
+def drawn(tmp_path, capsys, table, *options):
+    (tmp_path / "a.xyz").write_text(rows(table))
+    assert main(["draw", str(tmp_path / "a.xyz"), str(tmp_path / "a.png"), "--size", "120x120", *options]) == 0
+    return capsys.readouterr()
+
+
+def test_what_wires_bound_is_drawn(tmp_path, capsys):
+    out, err = drawn(tmp_path, capsys, wires()[0])
+    assert "the surface is closed" in out and "the surface is whole" in out
+    assert "the points lie along curves" in err and "left out" not in out + err
+    ink = np.asarray(Image.open(tmp_path / "a.png").convert("L")) < 250
+    drawn(tmp_path, capsys, np.hstack(wires()), "--close")
+    assert (ink ^ (np.asarray(Image.open(tmp_path / "a.png").convert("L")) < 250)).mean() < 0.1
+
+
+def test_normals_that_lie_in_the_surface_are_made_anew(tmp_path, capsys):
+    points, normals = wires()
+    wrong = normals.copy()
+    wrong[::3] = np.cross(normals[::3], [0.6, 0.0, 0.8])
+    _, err = drawn(tmp_path, capsys, np.hstack([points, wrong]))
+    assert f"the normals were none of these points': 0 are turned, {len(points)} are made anew" in err
+
+
+def test_normals_of_wires_with_noise_are_right():
+    points, normals = wires()
+    noise = np.random.default_rng(1).normal(scale=0.015, size=points.shape)
+    found = hrbfnpr.orient(points + noise)
+    assert (np.einsum("ij,ij->i", found.normals, normals) > 0).mean() > 0.99
+    assert found.info.closed
+
+
+@pytest.mark.parametrize("points, expected", [(rings(), True), (wires()[0], True), (rings(60, 18), False)])
+def test_along_curves(points, expected):
+    assert _orient.along_curves(points) == expected
+    assert not _orient.along_curves(points[:10])
