@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace hrbfnpr::surface {
 namespace {
@@ -10,6 +11,9 @@ namespace {
 // The square of the sine of the least angle between sheets that meet.
 constexpr double parallel = 1e-10;
 constexpr int steps_to_meet = 20;
+// Steps below so many tolerances that do not become shorter are rounding: of sheets of thousands of centres with large
+// weights it is above 1e-9 of a cell.
+constexpr double rounded = 1e3;
 
 implicit::PointBatch one(const glm::dvec3& place) noexcept { return {&place.x, &place.y, &place.z, 1}; }
 
@@ -64,6 +68,7 @@ MeetingPlace find_meeting(const implicit::Sheets& sheets, const Meeting& meeting
     MeetingPlace place;
     place.position = from;
     std::array<SheetValue, 3> at;
+    double last = std::numeric_limits<double>::infinity();
     for (int step = 0; step < steps_to_meet; ++step) {
         for (std::size_t k = 0; k < meeting.count; ++k) {
             at[k] = sheet_at(sheets, meeting.sheet[k], place.position);
@@ -72,13 +77,16 @@ MeetingPlace find_meeting(const implicit::Sheets& sheets, const Meeting& meeting
         const glm::dvec3 way = way_to_zero(std::span<const SheetValue>(at).first(meeting.count));
         const double length = glm::length(way);
         if (!(glm::distance(place.position + way, from) <= farthest)) return place;
+        const bool rounding = length <= rounded * tolerance && length > 0.5 * last;
         // Parallel sheets, of which not all count, need not be 0.
-        if (length <= tolerance) {
-            place.found = std::all_of(
-                at.begin(), at.begin() + static_cast<std::ptrdiff_t>(meeting.count),
-                [&](const SheetValue& v) { return std::abs(v.value) <= 2.0 * tolerance * glm::length(v.gradient); });
+        if (length <= tolerance || rounding) {
+            const double near = 2.0 * std::max(tolerance, length);
+            place.found =
+                std::all_of(at.begin(), at.begin() + static_cast<std::ptrdiff_t>(meeting.count),
+                            [&](const SheetValue& v) { return std::abs(v.value) <= near * glm::length(v.gradient); });
             return place;
         }
+        last = length;
         place.position += way;
     }
     return place;

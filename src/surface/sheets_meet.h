@@ -37,7 +37,8 @@ struct MeetingPlace {
     bool found = false;
 };
 
-// From a place, by steps until one is shorter than the tolerance, and no farther away than `farthest`.
+// From a place, by steps until one is shorter than the tolerance, or as short as rounding makes it, and no farther away
+// than `farthest`.
 [[nodiscard]] MeetingPlace find_meeting(const implicit::Sheets& sheets, const Meeting& meeting, const glm::dvec3& from,
                                         double tolerance, double farthest);
 

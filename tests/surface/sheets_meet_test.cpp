@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+#include "surface/sheets_meet.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace hrbfnpr::surface::sheets_meet_test {
+namespace {
+
+// A ball of radius 2 and the plane z = 1, whose values are rounded: off by `noise`, one way or the other.
+class BallAndPlane final : public implicit::Sheets {
+public:
+    explicit BallAndPlane(double noise) : noise_(noise) {}
+
+    [[nodiscard]] std::int32_t count() const noexcept override { return 2; }
+    void active(const implicit::PointBatch& points, std::int32_t* sheet) const override {
+        for (std::int64_t i = 0; i < points.count; ++i) sheet[i] = points.z[i] > 1.0 ? 1 : 0;
+    }
+    void evaluate(std::int32_t sheet, const implicit::PointBatch& points,
+                  const implicit::FieldBatch& fields) const override {
+        for (std::int64_t i = 0; i < points.count; ++i) {
+            const glm::dvec3 p(points.x[i], points.y[i], points.z[i]);
+            const double radius = glm::length(p);
+            const double rounding = noise_ * std::sin(1e13 * (p.x + 2.0 * p.y + 3.0 * p.z));
+            fields.value[i] = (sheet == 0 ? radius - 2.0 : p.z - 1.0) + rounding;
+            const glm::dvec3 g = sheet == 0 ? p / radius : glm::dvec3(0.0, 0.0, 1.0);
+            fields.gradient[0][i] = g.x;
+            fields.gradient[1][i] = g.y;
+            fields.gradient[2][i] = g.z;
+        }
+    }
+
+private:
+    double noise_;
+};
+
+MeetingPlace meet(double noise, double tolerance) {
+    Meeting meeting;
+    meeting.add(0);
+    meeting.add(1);
+    return find_meeting(BallAndPlane(noise), meeting, {1.6, 0.3, 1.2}, tolerance, 1.0);
+}
+
+TEST(SheetsMeet, WhereBothAreZero) {
+    const MeetingPlace place = meet(0.0, 1e-12);
+    ASSERT_TRUE(place.found);
+    EXPECT_NEAR(place.position.z, 1.0, 1e-12);
+    EXPECT_NEAR(glm::length(place.position), 2.0, 1e-12);
+}
+
+// Creases of a machine part were missing around one of its sheets, whose rounding was ten times the tolerance.
+TEST(SheetsMeet, AsNearAsRoundingLets) {
+    const MeetingPlace place = meet(1e-11, 1e-12);
+    ASSERT_TRUE(place.found);
+    EXPECT_NEAR(place.position.z, 1.0, 1e-10);
+    EXPECT_NEAR(glm::length(place.position), 2.0, 1e-10);
+    EXPECT_FALSE(meet(1e-3, 1e-12).found);
+}
+
+TEST(SheetsMeet, NowhereWithinReach) {
+    Meeting meeting;
+    meeting.add(0);
+    meeting.add(1);
+    EXPECT_FALSE(find_meeting(BallAndPlane(0.0), meeting, {1.6, 0.3, 1.2}, 1e-12, 0.05).found);
+}
+
+} // namespace
+} // namespace hrbfnpr::surface::sheets_meet_test
