@@ -49,12 +49,12 @@ TEST(SheetsMeet, WhereBothAreZero) {
     EXPECT_NEAR(glm::length(place.position), 2.0, 1e-12);
 }
 
-// Creases of a machine part were missing around one of its sheets, whose rounding was ten times the tolerance.
+// Creases of a machine part were missing around one of its sheets, whose rounding was above the tolerance.
 TEST(SheetsMeet, AsNearAsRoundingLets) {
-    const MeetingPlace place = meet(1e-11, 1e-12);
+    const MeetingPlace place = meet(2e-10, 1e-12);
     ASSERT_TRUE(place.found);
-    EXPECT_NEAR(place.position.z, 1.0, 1e-10);
-    EXPECT_NEAR(glm::length(place.position), 2.0, 1e-10);
+    EXPECT_NEAR(place.position.z, 1.0, 1e-9);
+    EXPECT_NEAR(glm::length(place.position), 2.0, 1e-9);
     EXPECT_FALSE(meet(1e-3, 1e-12).found);
 }
 
