@@ -35,11 +35,11 @@ private:
     double noise_;
 };
 
-MeetingPlace meet(double noise, double tolerance) {
+MeetingPlace meet(double noise, double tolerance, double x = 1.6) {
     Meeting meeting;
     meeting.add(0);
     meeting.add(1);
-    return find_meeting(BallAndPlane(noise), meeting, {1.6, 0.3, 1.2}, tolerance, 1.0);
+    return find_meeting(BallAndPlane(noise), meeting, {x, 0.3, 1.2}, tolerance, 1.0);
 }
 
 TEST(SheetsMeet, WhereBothAreZero) {
@@ -51,10 +51,12 @@ TEST(SheetsMeet, WhereBothAreZero) {
 
 // Creases of a machine part were missing around one of its sheets, whose rounding was above the tolerance.
 TEST(SheetsMeet, AsNearAsRoundingLets) {
-    const MeetingPlace place = meet(2e-10, 1e-12);
-    ASSERT_TRUE(place.found);
-    EXPECT_NEAR(place.position.z, 1.0, 1e-9);
-    EXPECT_NEAR(glm::length(place.position), 2.0, 1e-9);
+    for (int i = 0; i < 20; ++i) { // some come below the tolerance by chance
+        const MeetingPlace place = meet(2e-10, 1e-12, 1.5 + 0.01 * i);
+        ASSERT_TRUE(place.found) << i;
+        EXPECT_NEAR(place.position.z, 1.0, 1e-9);
+        EXPECT_NEAR(glm::length(place.position), 2.0, 1e-9);
+    }
     EXPECT_FALSE(meet(1e-3, 1e-12).found);
 }
 
