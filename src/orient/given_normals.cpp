@@ -109,29 +109,50 @@ bool GivenNormals::are_tossed(const Evidence& evidence) const {
     return toss && !(evidence.doubtful && are_walls);
 }
 
+// With those of least energy, of those that are given.
+GivenNormals::Likeness GivenNormals::compare(const VecArray& least) const {
+    base::Array<double> cosine(runtime_.memory);
+    Likeness likeness;
+    for (std::int64_t at = 0; at < least.size(); ++at) {
+        if (known_[at] == 0) continue;
+        const double c = glm::dot(least[at], normal_[at]);
+        cosine.push_back(std::abs(c));
+        likeness.same_sign += c > 0.0 ? 1.0 : 0.0;
+        likeness.far += std::abs(c) < 0.5 ? 1.0 : 0.0;
+    }
+    likeness.same_sign /= static_cast<double>(known_count_);
+    likeness.far /= static_cast<double>(known_count_);
+    double* middle = cosine.data() + cosine.size() / 2;
+    std::nth_element(cosine.begin(), middle, cosine.end());
+    likeness.median = *middle;
+    return likeness;
+}
+
+// What most of them say, and then the patches that are against it.
+void GivenNormals::follow_most(const Evidence& evidence, bool inward, bool may_differ, Judgement& judgement) const {
+    if (inward) std::fill(judgement.signs.begin(), judgement.signs.end(), std::int8_t{-1});
+    judgement.found = inward ? NormalMode::inward : NormalMode::given;
+    if (!may_differ) return;
+    std::int64_t before = 0;
+    for (const std::int8_t s : judgement.signs) before += s;
+    repair(evidence, judgement.signs);
+    std::int64_t after = 0;
+    for (const std::int8_t s : judgement.signs) after += s;
+    if (after != before) judgement.found = NormalMode::mixed;
+}
+
 Judgement GivenNormals::judge(const Evidence& evidence, NormalMode mode, const base::Progress& progress) const {
     const VecArray& least = evidence.least;
     const bool open = evidence.open;
     Judgement judgement(runtime_.memory);
     judgement.found = NormalMode::none;
     if (known_count_ == 0) return judgement;
-    base::Array<double> cosine(runtime_.memory);
-    double alike = 0.0;
-    double far = 0.0;
-    for (std::int64_t at = 0; at < least.size(); ++at) {
-        if (known_[at] == 0) continue;
-        const double c = glm::dot(least[at], normal_[at]);
-        cosine.push_back(std::abs(c));
-        far += std::abs(c) < 0.5 ? 1.0 : 0.0;
-        alike += c > 0.0 ? 1.0 : 0.0;
-    }
+    const Likeness likeness = compare(least);
     progress.check();
-    alike /= static_cast<double>(known_count_);
-    double* middle = cosine.data() + cosine.size() / 2;
-    std::nth_element(cosine.begin(), middle, cosine.end());
+    const double alike = likeness.same_sign;
     const bool looks = mode == NormalMode::automatic || mode == NormalMode::given;
-    const bool strange = !evidence.doubtful && far > senseless * static_cast<double>(known_count_);
-    if (looks && (*middle < meaningful || strange)) return judgement;
+    const bool strange = !evidence.doubtful && likeness.far > senseless;
+    if (looks && (likeness.median < meaningful || strange)) return judgement;
 
     judgement.signs.resize(least.size());
     std::fill(judgement.signs.begin(), judgement.signs.end(), std::int8_t{1});
@@ -146,24 +167,14 @@ Judgement GivenNormals::judge(const Evidence& evidence, NormalMode mode, const b
     const double side = judgement.made_sign;
     const bool inward = side > 0.0 && are_inward(alike, evidence.doubtful, progress);
     const bool toss = looks && are_tossed(evidence);
-    const double share = std::max(alike, 1.0 - alike);
     if (mode == NormalMode::unoriented || toss) {
         judgement.found = NormalMode::unoriented;
         judgement.by_place = true;
         for (std::int64_t at = 0; at < least.size(); ++at)
             if (side * glm::dot(least[at], normal_[at]) < 0.0) judgement.signs[at] = -1;
     } else {
-        // What most of them say, and then the patches that are against it.
-        if (inward) std::fill(judgement.signs.begin(), judgement.signs.end(), std::int8_t{-1});
-        judgement.found = inward ? NormalMode::inward : NormalMode::given;
-        if (share < all_alike || mode == NormalMode::mixed) {
-            std::int64_t before = 0;
-            for (const std::int8_t s : judgement.signs) before += s;
-            repair(evidence, judgement.signs);
-            std::int64_t after = 0;
-            for (const std::int8_t s : judgement.signs) after += s;
-            if (after != before || mode == NormalMode::mixed) judgement.found = NormalMode::mixed;
-        }
+        follow_most(evidence, inward, std::max(alike, 1.0 - alike) < all_alike || mode == NormalMode::mixed, judgement);
+        if (mode == NormalMode::mixed) judgement.found = NormalMode::mixed;
     }
     if (mode == NormalMode::given) std::fill(judgement.signs.begin(), judgement.signs.end(), std::int8_t{1});
     return judgement;

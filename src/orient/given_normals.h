@@ -40,6 +40,13 @@ public:
 
 private:
     [[nodiscard]] bool are_inward(double alike, bool doubtful, const base::Progress& progress) const;
+    struct Likeness {
+        double same_sign = 0.0; // share
+        double far = 0.0;       // share with a cosine below 0.5
+        double median = 0.0;    // of cosines of the angle between lines
+    };
+    [[nodiscard]] Likeness compare(const geometry::VecArray& least) const;
+    void follow_most(const Evidence& evidence, bool inward, bool may_differ, Judgement& judgement) const;
     [[nodiscard]] bool are_tossed(const Evidence& evidence) const;
     [[nodiscard]] Groups patches_against(const Evidence& evidence, const Signs& signs) const;
     void repair(const Evidence& evidence, Signs& signs) const;

@@ -165,6 +165,30 @@ private:
     Levels levels_; // of the signs found last
 };
 
+// How far the others agree with the chosen one: of energies near its, weighted by how near, and of the coarser cloud
+// that was begun from.  rival: see LeastEnergy.
+double agreement(const std::vector<Result>& results, const Result& chosen, const Begin* begin, double& rival) noexcept {
+    // A sum of squares, but by its rounding it may lie below 0.
+    const auto over_chosen = [&](const Result& r) {
+        return std::max(r.energy, 1e-300) / std::max(chosen.energy, 1e-300);
+    };
+    double weights = 1e-9;
+    double alike = 1e-9;
+    for (const Result& r : results) {
+        if (&r == &chosen) continue;
+        const double share = share_alike(r.normal, chosen.normal);
+        if (share < others) rival = std::min(rival, over_chosen(r));
+        const double weight = std::exp(-(over_chosen(r) - 1.0) / unlikely);
+        weights += weight;
+        alike += weight * (2.0 * share - 1.0);
+    }
+    if (begin != nullptr) {
+        weights += 1.0;
+        alike += begin->agreement * (2.0 * share_alike(begin->normal, chosen.normal) - 1.0);
+    }
+    return results.size() > 1 ? alike / weights : 0.5;
+}
+
 } // namespace
 
 double share_alike(const VecArray& a, const VecArray& b) noexcept {
@@ -205,25 +229,7 @@ LeastEnergy least_energy(const base::Runtime& runtime, const geometry::PointTree
     }
     const auto chosen = best();
     LeastEnergy result(runtime.memory);
-    // A sum of squares, but by its rounding it may lie below 0.
-    const auto over_chosen = [&](const Result& r) {
-        return std::max(r.energy, 1e-300) / std::max(chosen->energy, 1e-300);
-    };
-    double weights = 1e-9;
-    double alike = 1e-9;
-    for (auto r = results.begin(); r != results.end(); ++r) {
-        if (r == chosen) continue;
-        const double share = share_alike(r->normal, chosen->normal);
-        if (share < others) result.rival = std::min(result.rival, over_chosen(*r));
-        const double weight = std::exp(-(over_chosen(*r) - 1.0) / unlikely);
-        weights += weight;
-        alike += weight * (2.0 * share - 1.0);
-    }
-    if (effort.begin != nullptr) {
-        weights += 1.0;
-        alike += effort.begin->agreement * (2.0 * share_alike(effort.begin->normal, chosen->normal) - 1.0);
-    }
-    result.agreement = results.size() > 1 ? alike / weights : 0.5;
+    result.agreement = agreement(results, *chosen, effort.begin, result.rival);
     result.energy = std::max(chosen->energy, 0.0) / search.freedom();
     result.normal = std::move(chosen->normal);
     result.form = search.take_form();
