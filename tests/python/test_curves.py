@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Wires, cross sections and the like: points along curves."""
+import json
+
 import numpy as np
 import pytest
 from curves import rings, wires
@@ -32,6 +34,24 @@ def test_normals_that_lie_in_the_surface_are_made_anew(tmp_path, capsys):
     wrong[::3] = np.cross(normals[::3], [0.6, 0.0, 0.8])
     _, err = drawn(tmp_path, capsys, np.hstack([points, wrong]))
     assert f"the normals were none of these points': 0 are turned, {len(points)} are made anew" in err
+
+
+def checked(tmp_path, capsys, table):
+    (tmp_path / "a.xyz").write_text(rows(table))
+    status = main(["check", str(tmp_path / "a.xyz"), "--json"])
+    return status, json.loads(capsys.readouterr().out)
+
+
+def test_check_says_what_they_are(tmp_path, capsys):
+    points, normals = wires()
+    status, facts = checked(tmp_path, capsys, np.hstack([points, normals]))
+    assert status == 0 and facts["along_curves"] is True and facts["normals_look"] == "outward"
+    status, facts = checked(tmp_path, capsys, np.hstack([points, -normals]))
+    assert status == 1 and facts["normals_look"] == "inward"
+    normals[::3] = np.cross(normals[::3], [0.6, 0.0, 0.8])
+    status, facts = checked(tmp_path, capsys, np.hstack([points, normals]))
+    assert status == 1 and facts["normals_look"] == "none"
+    assert "the normals are none of these points'" in facts["warnings"]
 
 
 def test_normals_of_wires_with_noise_are_right():

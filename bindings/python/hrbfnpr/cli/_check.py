@@ -14,6 +14,7 @@ from .._context import Context
 from .._errors import Error
 from .._mesh import Mesh
 from .._model import Model
+from .._orient import orient
 from ..shapes import Shape, ShapeError
 from ..shapes._shape import Floats
 from . import _depth_image, _far, _inputs, _orient, _up
@@ -163,6 +164,7 @@ def _picture(shape: Shape, findings: Findings, context: Context) -> Tuple[Floats
 
 def _cloud(shape: Shape, points: Floats, findings: Findings) -> Tuple[Floats, Floats]:
     finite = np.isfinite(shape.points).all(axis=1)
+    findings.facts["along_curves"] = _orient.along_curves(shape.points[finite])
     repeated = len(points) - len(np.unique(points, axis=0))
     findings.facts["duplicates"] = repeated
     if repeated:
@@ -196,8 +198,21 @@ def _cloud(shape: Shape, points: Floats, findings: Findings) -> Tuple[Floats, Fl
         findings.warn(f"{of(opposite, 'place')} with opposite normals, left out")
     if len(points) == 0:
         raise ShapeError("all points are in pairs with opposite normals")
-    _orientation(points, normals, False, findings)
+    if findings.facts["along_curves"]:
+        _orientation_of_curves(points, normals, findings)
+    else:
+        _orientation(points, normals, False, findings)
     return points, normals
+
+
+def _orientation_of_curves(points: Floats, normals: Floats, findings: Findings) -> None:
+    """By the library: of points along curves neighbours and winding numbers tell nothing."""
+    info = orient(points, normals, "given").info
+    words = {"given": "outward", "none": "none"}.get(info.found, "inward" if info.found == "inward" else "mixed")
+    findings.facts["normals_look"] = words
+    if words != "outward":
+        findings.repairs.append(f"normals repaired: they are {_orient.FOUND[info.found]}")
+        findings.warn(f"the normals are {_orient.FOUND[info.found]}", "nothing: --normals keep leaves them")
 
 
 def _orientation(points: Floats, normals: Floats, mesh: bool, findings: Findings) -> None:
