@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "geometry/along_curves.h"
 
+#include "geometry/cell_grid.h"
+
 #include <algorithm>
 #include <array>
 #include <span>
@@ -10,6 +12,9 @@ namespace {
 
 constexpr std::int64_t most_asked = 4096;
 constexpr std::int64_t fewest = 16; // points that tell
+constexpr std::int64_t thinner = 4;
+constexpr std::int64_t fewest_thinned = 256;
+constexpr std::int64_t most_thinned = 200000;
 // Nearest others, how far they may be across a line, of the deviation along it, and the share of points of which they
 // shall lie so.  More neighbours see over noise.  Of points all over a surface shares are 0.12, 0.00 and 0.00 at most
 // (a scan's layers, and 0.03 at the first of others), of wires and sections with noise of 0.001 diagonals one is above.
@@ -57,15 +62,29 @@ void look_at(const PointTree& tree, std::int64_t at, std::array<std::int64_t, lo
             ++on_lines[k];
 }
 
-} // namespace
-
-bool along_curves(const PointTree& tree) {
+bool are_on_lines(const PointTree& tree) noexcept {
     if (tree.size() < fewest) return false;
     const std::int64_t asked = std::min(tree.size(), most_asked);
     std::array<std::int64_t, looks.size()> on_lines{};
     for (std::int64_t k = 0; k < asked; ++k) look_at(tree, k * tree.size() / asked, on_lines);
     for (std::size_t k = 0; k < looks.size(); ++k)
         if (static_cast<double>(on_lines[k]) > looks[k].share * static_cast<double>(asked)) return true;
+    return false;
+}
+
+} // namespace
+
+// Of fewer points, which are farther apart, noise is less.  Any of them: of a grid every fourth would lie along lines.
+bool along_curves(const PointTree& tree) {
+    if (are_on_lines(tree)) return true;
+    if (tree.size() > most_thinned) return false;
+    for (std::int64_t step = thinner; tree.size() / step >= fewest_thinned; step *= thinner) {
+        VecArray some(tree.points().memory());
+        for (std::int64_t at = 0; at < tree.size(); ++at)
+            if (mixed_bits(static_cast<std::uint64_t>(at)) % static_cast<std::uint64_t>(step) == 0)
+                some.push_back(tree.points()[at]);
+        if (are_on_lines(PointTree(some, {}))) return true;
+    }
     return false;
 }
 

@@ -67,10 +67,10 @@ std::int64_t coarsest_of(std::int64_t count) noexcept {
 
 bool is_of_curves(const Cloud& cloud) { return cloud.size() >= 2 * coarsest && geometry::along_curves(*cloud.tree); }
 
-std::vector<Begin> begin_from_coarser(const base::Runtime& runtime, const Cloud& cloud,
+std::vector<Begin> begin_from_coarser(const base::Runtime& runtime, const Cloud& cloud, std::int64_t most,
                                       const base::Progress& progress) {
     std::vector<Begin> levels;
-    for (std::int64_t count = coarsest_of(cloud.size()); 3 * count < 2 * cloud.size(); count *= 2) {
+    for (std::int64_t count = coarsest_of(cloud.size()); 3 * count < 2 * std::min(cloud.size(), most); count *= 2) {
         const First level(runtime, cloud, count, progress);
         Begin begin(runtime.memory);
         Effort effort{6, true, true};

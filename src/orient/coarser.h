@@ -30,7 +30,8 @@ struct First {
 
 // The normals of least energy of the coarsest, then of twice as many, each time begun from those before: one for each.
 // Of points without noise the energy falls; interpolated noise has the more the nearer points are to each other.
-[[nodiscard]] std::vector<Begin> begin_from_coarser(const base::Runtime& runtime, const Cloud& cloud,
+// `most`: points of the finest.
+[[nodiscard]] std::vector<Begin> begin_from_coarser(const base::Runtime& runtime, const Cloud& cloud, std::int64_t most,
                                                     const base::Progress& progress);
 
 } // namespace hrbfnpr::orient

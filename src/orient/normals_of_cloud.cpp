@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 namespace hrbfnpr::orient {
@@ -96,25 +97,33 @@ constexpr double softer = 0.125;
     return sure != coarser.rend() ? &*sure : nullptr;
 }
 
+void stay(Begin& level, CloudNormals& result) {
+    result.fitted.normal = std::move(level.normal);
+    result.fitted.energy = level.energy;
+    result.fitted.agreement = level.agreement;
+    result.confidence = level.agreement * level.agreement;
+}
+
+// Points along curves.  Of many the coarser clouds are enough.
 void fit_curves(const base::Runtime& runtime, const Cloud& cloud, const Near& near, const VecArray* given,
                 CloudNormals& result, const base::Progress& progress) {
-    std::vector<Begin> coarser = begin_from_coarser(runtime, cloud, progress.part(0.0, 0.5));
+    std::vector<Begin> coarser = begin_from_coarser(runtime, cloud, few_points, progress.part(0.0, 0.5));
+    if (cloud.size() > few_points) {
+        stay(*to_stay(coarser, std::numeric_limits<double>::infinity(), 0.0), result);
+        return;
+    }
     Effort effort = effort_for(cloud.size());
     effort.begin = &coarser.back();
     result.fitted = least_energy(runtime, *cloud.tree, cloud.rank, near, 0.0, given, effort, progress.part(0.5, 1.0));
     result.confidence = confidence_of(result.fitted, result.fitted.energy, 0.0);
-    if (Begin* const level =
-            to_stay(coarser, result.fitted.energy * cloud.apart[cloud.size() / 2], result.confidence)) {
-        result.fitted.normal = std::move(level->normal);
-        result.fitted.agreement = level->agreement;
-        result.confidence = level->agreement * level->agreement;
-    }
+    Begin* const level = to_stay(coarser, result.fitted.energy * cloud.apart[cloud.size() / 2], result.confidence);
+    if (level != nullptr) stay(*level, result);
 }
 
 // Fits the cloud as its noise calls for.
 void fit(const base::Runtime& runtime, const Cloud& cloud, const Near& near, const Noise& noise, const VecArray* given,
          CloudNormals& result, const base::Progress& progress) {
-    if (cloud.size() <= few_points && is_of_curves(cloud)) {
+    if (is_of_curves(cloud)) {
         fit_curves(runtime, cloud, near, given, result, progress);
         return;
     }
@@ -141,7 +150,7 @@ CloudNormals normals_of_cloud(const base::Runtime& runtime, const Cloud& cloud, 
     Noise noise = measure_noise(runtime, cloud, progress.part(0.0, 0.1));
     progress.update(0.1);
     result.noise = noise.deviation;
-    if (noise.deviation <= noisiest || cloud.size() <= fewest_to_reduce) {
+    if (noise.deviation <= noisiest || cloud.size() <= fewest_to_reduce || is_of_curves(cloud)) {
         fit(runtime, cloud, near, noise, given, result, progress.part(0.1, 0.95));
         if (noise.ridge > 0.0 && cloud.size() >= fewest_to_refine && cloud.size() <= fewest_to_reduce)
             refine_noisy(runtime, *cloud.tree, result.fitted.normal, progress.part(0.95, 1.0));

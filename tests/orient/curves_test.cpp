@@ -46,6 +46,20 @@ TEST(OrientCurves, IsRightWithNoise) {
     }
 }
 
+// Of more than 6000 fewer are enough; with noise of four spacings every sixteenth still lies along the wires.
+TEST(OrientCurves, IsRightOfMany) {
+    const base::Runtime runtime;
+    const Samples wires = test::torus_wires(0.005);
+    ASSERT_GT(wires.count(), 6000);
+    for (const double noise : {0.0, 0.02}) {
+        const orient::Orientation result =
+            orient::orient(runtime, input(test::with_noise(wires, noise)), base::Progress());
+        EXPECT_EQ(score(wires, result.normal).right, 1.0) << noise;
+        EXPECT_LT(score(wires, result.normal).angle, 10.0) << noise;
+        EXPECT_TRUE(result.report.closed) << noise;
+    }
+}
+
 // As planes through neighbours on a wire have them: half are right but for their sign, the others lie in the surface.
 TEST(OrientCurves, MakesNormalsAnewOfWhichManyLieInTheSurface) {
     const base::Runtime runtime;

@@ -14,6 +14,7 @@ from . import _mesh, _orient
 from ._progress import Reporter
 
 ON_MESH = 60_000  # places on a mesh, some 0.005 diagonals from each other
+CLOSED = 0.5  # share of the surface left out, below which the rest is no strips along curves
 DOUBTED = 0.002  # share of a closed surface left out that is warned of
 
 
@@ -29,7 +30,7 @@ def end(model: Model, shape: Shape, close: bool, report: Reporter, hole: Optiona
         return _ended(model, shape.points, "points", options, report)
     points = shape.points[np.isfinite(shape.points).all(axis=1)]
     ended = _ended(model, points, "points", {}, report)
-    if _orient.along_curves(points):
+    if ended.trim_info.share < CLOSED and _orient.along_curves(points):
         report.note("the points lie along curves, as of wires or cross sections: the surface between these is drawn, too")
     return ended
 

@@ -25,7 +25,8 @@ DOUBTFUL = -0.25
 MIXED = 0.02  # share of normals against their neighbours that is warned of ...
 UNSURE = 0.1  # ... and up to which all others may be trusted
 UNSURE_BELOW = 0.5  # confidence of normals that the library made
-MANY = 6000  # points, more than curves have
+MANY = 6000  # points of which all are asked whether they lie along curves
+THINNED = 256  # and the fewest of which a part is
 LEAST = 10  # points with normals to repair
 FOUND = {
     "given": "right", "none": "none of these points'", "unoriented": "of any sign", "mixed": "turned here and there",
@@ -205,11 +206,18 @@ def settle(
 
 
 def along_curves(points: Floats) -> bool:
-    """Whether points lie along curves, where neighbours tell nothing of normals; not asked of many."""
-    if not 2 * NEIGHBOURS <= len(points) <= MANY:
-        return False
+    """Whether points lie along curves, where neighbours tell nothing of normals, as the library has it; not asked of many."""
+    points = np.random.default_rng(1).permutation(points)[:MANY] if len(points) <= 4 * MANY else points[:0]
+    while len(points) >= 2 * NEIGHBOURS:
+        if _are_on_lines(points):
+            return True
+        points = points[::4] if len(points) >= 4 * THINNED else points[:0]
+    return False
+
+
+def _are_on_lines(points: Floats) -> bool:
     _, nearest = neighbours(points, points, 13)
-    for count, across, share in ((4, 0.2, 0.2), (12, 0.25, 0.07)):  # as the library has it
+    for count, across, share in ((4, 0.2, 0.2), (12, 0.25, 0.07)):
         away = points[nearest[:, 1 : count + 1]] - points[:, None]
         values = np.linalg.eigvalsh(np.einsum("ijk,ijl->ikl", away, away))
         if (values[:, :2].sum(axis=1) < across**2 * values[:, 2]).mean() > share:
