@@ -10,7 +10,7 @@
 namespace hrbfnpr::geometry {
 namespace {
 
-constexpr std::int64_t most_asked = 4096;
+constexpr std::int64_t most_asked = 256;
 constexpr std::int64_t fewest = 16; // points that tell
 constexpr std::int64_t thinner = 4;
 constexpr std::int64_t fewest_thinned = 256;
@@ -46,7 +46,7 @@ bool on_a_line(std::span<const glm::dvec3> offsets, double across) noexcept {
 
 // By each of the looks.  Points that coincide with this one tell nothing.
 void look_at(const PointTree& tree, std::int64_t at, std::array<std::int64_t, looks.size()>& on_lines) noexcept {
-    constexpr std::size_t asked = 2 * most;
+    constexpr std::size_t asked = most + 8;
     const glm::dvec3 p = tree.points()[at];
     std::array<std::int64_t, asked> found;
     const auto any = [](std::int64_t /*at*/) { return true; };
@@ -57,6 +57,9 @@ void look_at(const PointTree& tree, std::int64_t at, std::array<std::int64_t, lo
         const glm::dvec3 offset = tree.points()[found[k]] - p;
         if (glm::dot(offset, offset) > 0.0) offsets[count++] = offset;
     }
+    if (count == 0) return;
+    const double unit = glm::length(offsets[count - 1]);
+    for (std::size_t k = 0; k < count; ++k) offsets[k] /= unit;
     for (std::size_t k = 0; k < looks.size(); ++k)
         if (count >= looks[k].neighbours && on_a_line({offsets.data(), looks[k].neighbours}, looks[k].across))
             ++on_lines[k];
