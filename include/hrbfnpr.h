@@ -721,8 +721,8 @@ typedef struct hrbfnpr_model_info {
     int64_t outliers_dropped;
     int64_t flipped_found;    /* normals against those of their neighbours */
     int64_t flipped_repaired; /* of these, dropped or turned round */
-    double bounds_min[3];     /* of the samples; of samples along curves that of the surface, too, if it closes within a
-                                 third of a diagonal around them */
+    double bounds_min[3];     /* of the samples; of samples along curves, 20 000 at most, that of the surface, too, if it
+                                 closes within a third of a diagonal around them */
     double bounds_max[3];
     double spacing;           /* mean distance of a sample to its nearest neighbour */
     double kernel_radius;     /* as used */

@@ -10,8 +10,8 @@
 
 namespace hrbfnpr::generate {
 
-// position: of the samples.  The implicit's own bounds, unless the samples stand along curves and the surface closes
-// within a third of a diagonal around them: then both boxes' own.
+// position: of the samples.  The implicit's own bounds; of 20 000 samples along curves at most, where the surface
+// closes within a third of a diagonal around them, those of both.
 [[nodiscard]] geometry::Bounds closed_bounds(const base::Runtime& runtime, const implicit::Implicit& implicit,
                                              const geometry::VecArray& position, const base::Progress& progress);
 

@@ -307,8 +307,8 @@ export interface ModelInfo {
   /** of these, dropped or turned round */
   readonly flippedRepaired: number;
   /**
-   * of the samples; of samples along curves that of the surface, too, if it closes within a third of a diagonal
-   * around them
+   * of the samples; of samples along curves, 20 000 at most, that of the surface, too, if it closes within a third
+   * of a diagonal around them
    */
   readonly boundsMin: Numbers;
   readonly boundsMax: Numbers;

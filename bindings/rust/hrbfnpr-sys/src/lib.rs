@@ -1008,8 +1008,8 @@ pub struct hrbfnpr_model_info {
     pub flipped_found: i64,
     /// of these, dropped or turned round
     pub flipped_repaired: i64,
-    /// of the samples; of samples along curves that of the surface, too, if it closes within a
-    /// third of a diagonal around them
+    /// of the samples; of samples along curves, 20 000 at most, that of the surface, too, if it
+    /// closes within a third of a diagonal around them
     pub bounds_min: [f64; 3],
     pub bounds_max: [f64; 3],
     /// mean distance of a sample to its nearest neighbour
