@@ -1,35 +1,20 @@
 // SPDX-License-Identifier: MIT
 #include "mesh/part_edges.h"
 
-#include "mesh/edges.h"
+#include "mesh/edge_angles.h"
 
 #include <algorithm>
-#include <cmath>
-#include <numbers>
 
 namespace hrbfnpr::mesh {
 namespace {
 
-constexpr double fine = 1e7; // parts of a radian
 constexpr std::int64_t faces_a_check = 16384;
-
-struct Turned {
-    const Side* side;
-    std::int64_t angle; // about the edge, from the first face
-};
-
-// -pi is pi.
-std::int64_t rounded(double angle) noexcept {
-    const std::int64_t half = std::llround(fine * std::numbers::pi);
-    const std::int64_t parts = std::llround(fine * angle);
-    return parts <= -half ? half : parts;
-}
 
 class Parter {
 public:
     Parter(const base::Runtime& runtime, base::Array<glm::dvec3>& vertex, base::Array<Triangle>& triangle)
         : vertex_(vertex), triangle_(triangle), corners_(runtime.memory, 3 * triangle.size()),
-          parted_(runtime.memory, vertex.size()), around_(runtime.memory) {
+          parted_(runtime.memory, vertex.size()), around_(runtime.memory), angles_(vertex, triangle) {
         for (std::uint8_t& is : parted_) is = 1;
     }
 
@@ -49,26 +34,31 @@ public:
 private:
     // Sorted about the edge, from a face that has the solid behind it, if every second one has.
     [[nodiscard]] bool turn(const Side* first, const Side* last) {
-        const glm::dvec3 from = vertex_[low(*first)];
-        const glm::dvec3 axis = glm::normalize(vertex_[high(*first)] - from);
-        around_.clear();
-        glm::dvec3 zero(0.0);
-        for (const Side* side = first; side != last; ++side) {
-            const glm::dvec3 way = vertex_[third(*side)] - from;
-            const glm::dvec3 off = glm::normalize(way - glm::dot(way, axis) * axis);
-            if (side == first) zero = off;
-            around_.push_back({side, rounded(std::atan2(glm::dot(glm::cross(axis, zero), off), glm::dot(zero, off)))});
-        }
-        // Of two solids that share a wall the one ends there, and the other begins.
+        angles_.measure(first, last, around_);
         std::sort(around_.begin(), around_.end(), [](const Turned& a, const Turned& b) {
-            if (a.angle != b.angle) return a.angle < b.angle;
-            if (a.side->forward != b.side->forward) return a.side->forward > b.side->forward;
-            return a.side->face < b.side->face;
+            return a.angle != b.angle ? a.angle < b.angle : a.side->face < b.side->face;
         });
+        end_before_begin();
         for (std::int64_t i = 0; i < around_.size(); ++i)
             if (around_[i].side->forward == around_[(i + 1) % around_.size()].side->forward) return pair_flattest();
         if (around_[0].side->forward != 0) std::rotate(around_.begin(), around_.begin() + 1, around_.end());
         return true;
+    }
+
+    // Of two solids that share a wall, but for rounding, the one ends there, and the other begins.
+    void end_before_begin() noexcept {
+        for (std::int64_t turns = 0; turns < around_.size(); ++turns) {
+            bool moved = false;
+            for (std::int64_t i = 0; i < around_.size(); ++i) {
+                Turned& one = around_[i];
+                Turned& next = around_[(i + 1) % around_.size()];
+                const bool ends = next.side->forward != 0 && one.side->forward == 0;
+                if (!ends || !EdgeAngles::alike(one, next)) continue;
+                std::swap(one.side, next.side);
+                moved = true;
+            }
+            if (!moved) return;
+        }
     }
 
     // Solids that go through each other there, as round ones that touch along a line do by their flat faces: each goes
@@ -79,14 +69,10 @@ private:
             return a.side->face < b.side->face;
         });
         if (around_.size() != 4 || around_[1].side->forward != 0 || around_[2].side->forward == 0) return false;
+        const auto bend = [this](std::int64_t a, std::int64_t b) { return EdgeAngles::bend(around_[a], around_[b]); };
         const bool crossed = bend(0, 3) + bend(1, 2) < bend(0, 2) + bend(1, 3);
         std::swap(around_[1], around_[crossed ? 3 : 2]);
         return true;
-    }
-
-    // How far the angle between two faces is from a half turn.
-    [[nodiscard]] std::int64_t bend(std::int64_t a, std::int64_t b) const noexcept {
-        return std::abs(std::abs(around_[a].angle - around_[b].angle) - rounded(std::numbers::pi));
     }
 
     // A face that runs through the edge backward looks against the turn: the solid follows it, up to the next one.
@@ -124,16 +110,6 @@ private:
         return vertex_.size() - before;
     }
 
-    [[nodiscard]] static std::int32_t low(const Side& side) noexcept {
-        return static_cast<std::int32_t>(side.edge >> 32U);
-    }
-    [[nodiscard]] static std::int32_t high(const Side& side) noexcept {
-        return static_cast<std::int32_t>(side.edge & 0xFFFFFFFFU);
-    }
-    [[nodiscard]] std::int32_t third(const Side& side) const noexcept {
-        const Triangle& t = triangle_[side.face];
-        return *std::find_if(t.begin(), t.end(), [&](std::int32_t v) { return v != low(side) && v != high(side); });
-    }
     [[nodiscard]] std::int32_t corner(const Side& side, std::int32_t at) const noexcept {
         const Triangle& t = triangle_[side.face];
         return 3 * side.face + (t[0] == at ? 0 : t[1] == at ? 1 : 2);
@@ -144,6 +120,7 @@ private:
     Sets corners_;                     // that share a vertex
     base::Array<std::uint8_t> parted_; // vertices of edges that are, and those that no border passes
     base::Array<Turned> around_;       // an edge
+    EdgeAngles angles_;
 };
 
 } // namespace

@@ -149,8 +149,13 @@ void join_rounded(const base::Runtime& runtime, Welded& welded, MeshReport& repo
     return turns % 2 == 0 ? 1 : -1;
 }
 
-// balance: of each face that is kept, how many with its corners were given in one sense more than in the other.
-void leave_out_faces(Welded& welded, base::Array<std::int32_t>& balance, MeshReport& report,
+// What else was given with the corners of a face that is kept.
+struct Repeated {
+    std::int32_t balance = 0; // how many in one sense more than in the other
+    std::int32_t last = -1;   // the last one's number
+};
+
+void leave_out_faces(Welded& welded, base::Array<Repeated>& repeated, MeshReport& report,
                      const base::Progress& progress) {
     Numbers numbers(welded.vertex.memory(), welded.triangle.size());
     std::int64_t kept = 0;
@@ -170,11 +175,12 @@ void leave_out_faces(Welded& welded, base::Array<std::int32_t>& balance, MeshRep
         const std::int64_t found =
             numbers.find_or_add(hash, kept, [&](std::int64_t k) { return sorted(welded.triangle[k]) == key; });
         if (found != kept) {
-            balance[found] += sense(t);
+            repeated[found].balance += sense(t);
+            repeated[found].last = static_cast<std::int32_t>(face);
             ++report.repeated_faces;
             continue;
         }
-        balance.push_back(sense(t));
+        repeated.push_back({sense(t)});
         welded.triangle[kept] = t;
         welded.given_face[kept++] = static_cast<std::int32_t>(face);
     }
@@ -182,24 +188,38 @@ void leave_out_faces(Welded& welded, base::Array<std::int32_t>& balance, MeshRep
     welded.given_face.resize(kept);
 }
 
-// Between solids that share them there is nothing to be seen.
-void leave_out_walls(const base::Runtime& runtime, const base::Array<std::int32_t>& balance, Welded& welded,
+// Between solids that share them there is nothing to be seen.  Where solids touch in more than in faces that both have,
+// each keeps its own.
+void leave_out_walls(const base::Runtime& runtime, const base::Array<Repeated>& repeated, Welded& welded,
                      MeshReport& report, const base::Progress& progress) {
     if (report.repeated_faces == 0) return;
-    base::Array<std::uint8_t> twin(runtime.memory, welded.triangle.size());
-    for (std::int64_t face = 0; face < twin.size(); ++face) twin[face] = balance[face] == 0 ? 1 : 0;
-    const base::Array<std::uint8_t> wall = find_walls(runtime, welded.triangle, twin, progress);
+    const std::int64_t faces = welded.triangle.size();
+    base::Array<std::uint8_t> twin(runtime.memory, faces);
+    for (std::int64_t face = 0; face < faces; ++face) twin[face] = repeated[face].balance == 0 ? 1 : 0;
+    const base::Array<Twin> kind = find_walls(runtime, welded.vertex, welded.triangle, twin, progress);
+    base::Array<Triangle> other(runtime.memory); // sides of contacts
+    base::Array<std::int32_t> given(runtime.memory);
     std::int64_t kept = 0;
-    for (std::int64_t face = 0; face < wall.size(); ++face) {
-        if (wall[face] != 0) {
+    for (std::int64_t face = 0; face < faces; ++face) {
+        if (kind[face] == Twin::wall) {
             ++report.repeated_faces;
             continue;
+        }
+        if (kind[face] == Twin::contact) {
+            --report.repeated_faces;
+            const Triangle& t = welded.triangle[face];
+            other.push_back({t[0], t[2], t[1]});
+            given.push_back(repeated[face].last);
         }
         welded.triangle[kept] = welded.triangle[face];
         welded.given_face[kept++] = welded.given_face[face];
     }
     welded.triangle.resize(kept);
     welded.given_face.resize(kept);
+    for (std::int64_t i = 0; i < other.size(); ++i) {
+        welded.triangle.push_back(other[i]);
+        welded.given_face.push_back(given[i]);
+    }
 }
 
 } // namespace
@@ -212,9 +232,9 @@ Welded weld(const base::Runtime& runtime, const MeshInput& input, MeshReport& re
     welded.given_face.resize(welded.triangle.size());
     join_vertices(input.vertices, welded, report, progress);
     if (!is_balanced(welded.triangle)) join_rounded(runtime, welded, report, progress);
-    base::Array<std::int32_t> balance(runtime.memory);
-    leave_out_faces(welded, balance, report, progress);
-    leave_out_walls(runtime, balance, welded, report, progress);
+    base::Array<Repeated> repeated(runtime.memory);
+    leave_out_faces(welded, repeated, report, progress);
+    leave_out_walls(runtime, repeated, welded, report, progress);
     part_edges(runtime, welded.vertex, welded.triangle, progress);
     if (welded.triangle.empty())
         fail(Status::invalid_argument, "triangles has %lld faces, and none has an area; give at least one that has",

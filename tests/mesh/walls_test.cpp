@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cmath>
+#include <vector>
 
 namespace walls_test {
 
@@ -65,6 +66,46 @@ TEST(Walls, OfOtherFacesPartTheSolids) {
     EXPECT_EQ(two.report.repeated_faces, 0);
     EXPECT_EQ(two.report.nonmanifold_edges, 0);
     EXPECT_NEAR(two.report.volume, 2.0, 1e-12);
+}
+
+// Two pyramids, base on base.  Those have two faces in common, and others of their own: what looks like a wall is a
+// part of a contact, and would be a window in it.  Turned, and rounded to single precision, the bases are not quite one
+// plane.
+TEST(Walls, OfSomeFacesOnlyAreNone) {
+    const auto runtime = with_threads(2);
+    const auto pyramid = [](double top, const std::vector<std::array<std::int32_t, 3>>& base) {
+        const auto turned = [](double x, double y, double z) {
+            const glm::dvec3 p = glm::dmat3(0.36, 0.48, -0.8, -0.8, 0.6, 0.0, 0.48, 0.64, 0.6) * glm::dvec3(x, y, z);
+            return glm::dvec3(glm::vec3(p + glm::dvec3(40.1, 20.3, 10.7)));
+        };
+        Triangles result;
+        for (const auto& [x, y, z] : {std::array{0.0, 0.0, 0.0},
+                                      {1.0, 0.0, 0.0},
+                                      {1.0, 1.0, 0.0},
+                                      {0.0, 1.0, 0.0},
+                                      {0.4, 0.3, 0.0},
+                                      {0.5, 0.5, top}}) {
+            const glm::dvec3 p = turned(x, y, z);
+            static_cast<void>(result.add(p.x, p.y, p.z));
+        }
+        for (const auto& face : base) result.face(face[0], face[1], face[2]);
+        for (std::int32_t i = 0; i < 4; ++i) result.face(i, (i + 1) % 4, 5);
+        return top > 0.0 ? result : result.turned();
+    };
+    const Triangles upper = pyramid(1.0, {{1, 0, 4}, {2, 1, 4}, {3, 2, 4}, {0, 3, 4}});
+    const Triangles lower = pyramid(-1.0, {{1, 0, 4}, {0, 3, 4}, {3, 1, 4}, {3, 2, 1}});
+    ASSERT_TRUE(made(runtime, upper).report.closed);
+    ASSERT_TRUE(made(runtime, lower).report.closed);
+    const Mesh two = made(runtime, upper.with(lower));
+    EXPECT_TRUE(two.report.closed);
+    EXPECT_EQ(two.report.components, 2);
+    EXPECT_EQ(two.report.repeated_faces, 0);
+    EXPECT_EQ(two.report.nonmanifold_edges, 0);
+    EXPECT_EQ(two.faces(), 16);
+    EXPECT_NEAR(two.report.volume, 2.0 / 3.0, 1e-5);
+    std::vector<int> seen(16);
+    for (std::int64_t i = 0; i < two.faces(); ++i) ++seen[static_cast<std::size_t>(two.given_face[i])];
+    EXPECT_EQ(seen, std::vector<int>(16, 1));
 }
 
 TEST(Walls, SolidsThatTouchInAnEdgeAreClosed) {
