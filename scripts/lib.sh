@@ -18,7 +18,7 @@ package_set() {
     python) echo python3 python3-cffi python3-numpy python3-pil python3-meshio python3-tqdm ;;
     test) echo libgtest-dev libgmock-dev locales python3-pytest python3-numpy python3-cffi python3-dev binutils librsvg2-bin ;;
     gallery) echo librsvg2-bin ;;
-    scenes) echo draco assimp-utils ;;
+    scenes) echo draco assimp-utils occt-draw ;;
     guide) echo python3-sphinx python3-myst-parser furo ;;
     abi) echo tcc abigail-tools ;;
     valid) echo libxml2-utils w3c-sgml-lib qpdf ;;

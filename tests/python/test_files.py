@@ -178,7 +178,7 @@ def test_contents_count_for_more_than_the_ending(tmp_path, ending, data, kind):
     "name, data, words",
     [
         ("a.docx", b"PK\3\4" + bytes(200), r"files that end in \.docx are not read; MeshLab.* Read are PLY, OBJ, STL"),
-        ("a.step", b"ISO-10303-21;", "FreeCAD exports them as STL"),
+        ("a.sldprt", b"\xd0\xcf", "the program that it is of exports STEP or STL"),
         ("a.usdz", b"PK", "Blender exports it as glTF"),
         ("a.zip", b"PK\3\4" + bytes(200), "unpack it first"),
         ("a", bytes(range(256)), "no ending, and its contents tell nothing.* Read are"),

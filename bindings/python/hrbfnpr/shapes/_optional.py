@@ -6,7 +6,7 @@ import importlib
 import importlib.util
 import subprocess
 import sys
-from typing import Any, Sequence
+from typing import Any, Mapping, Optional, Sequence
 
 from ._shape import ShapeError
 
@@ -28,9 +28,17 @@ def is_here(module: str) -> bool:
     return importlib.util.find_spec(module) is not None
 
 
-def run(name: str, command: Sequence[str], otherwise: str) -> "subprocess.CompletedProcess[bytes]":
+def run(
+    name: str,
+    command: Sequence[str],
+    otherwise: str,
+    folder: Optional[str] = None,
+    environment: Optional[Mapping[str, str]] = None,
+) -> "subprocess.CompletedProcess[bytes]":
     """A program, in a process of its own: damaged files may end the one that reads them, or keep it for ever."""
     try:
-        return subprocess.run(command, stdin=subprocess.DEVNULL, capture_output=True, timeout=_LONGEST, check=False)
+        return subprocess.run(
+            command, stdin=subprocess.DEVNULL, capture_output=True, timeout=_LONGEST, check=False, cwd=folder, env=environment
+        )
     except subprocess.TimeoutExpired:
         raise ShapeError(f"{name} does not come to an end with it; {otherwise}") from None

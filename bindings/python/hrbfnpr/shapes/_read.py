@@ -12,9 +12,10 @@ from typing import Callable, Dict, NamedTuple, Optional, Tuple, Union
 
 import numpy as np
 
-from . import _assimp, _heights, _scans, _vtk
+from . import _assimp, _cad, _heights, _scans, _vtk
 from ._3mf import is_3mf, read_3mf
 from ._gltf import read_gltf
+from ._npy import read_npy, read_npz
 from ._obj import read_obj, read_off
 from ._pcd import read_pcd
 from ._ply import read_ply
@@ -48,7 +49,9 @@ FORMATS: Dict[str, Format] = {
         Format("VTK", None, _vtk.read_vtk), Format("LAS", None, _scans.read_las), Format("E57", None, _scans.read_e57),
         Format("grid", _heights.read_grid), Format("PGM", _heights.read_pgm),
         Format("GeoTIFF", None, _heights.read_geotiff), Format("DEM", None, _heights.read_dem), Format("3MF", None, read_3mf), Format("PTX", read_ptx),
+        Format("NPY", read_npy), Format("NPZ", read_npz),
         *(Format(name, None, _assimp.read) for name in _assimp.ENDINGS.values()),
+        *(Format(name, None, _cad.read) for name in dict.fromkeys(_cad.ENDINGS.values())),
     )
 }  # fmt: skip
 ENDINGS = {
@@ -56,27 +59,29 @@ ENDINGS = {
     ".xyz": "text", ".xyzn": "text", ".pwn": "text", ".txt": "text", ".asc": "text", ".csv": "text", ".pts": "text",
     ".gltf": "glTF", ".glb": "glTF", ".vtp": "VTP", ".vtu": "VTU", ".vtk": "VTK", ".las": "LAS", ".laz": "LAS",
     ".e57": "E57", ".grd": "grid", ".pgm": "PGM", ".tif": "GeoTIFF", ".tiff": "GeoTIFF",
-    ".3mf": "3MF", ".ptx": "PTX", **dict.fromkeys((".dem", ".hgt", ".dt0", ".dt1", ".dt2", ".bil", ".flt"), "DEM"),
-    **_assimp.ENDINGS,
+    ".3mf": "3MF", ".ptx": "PTX", ".npy": "NPY", ".npz": "NPZ", **dict.fromkeys((".dem", ".hgt", ".dt0", ".dt1", ".dt2", ".bil", ".flt"), "DEM"),
+    **_assimp.ENDINGS, **_cad.ENDINGS,
 }  # fmt: skip
 _BY_MESHIO = (".msh", ".inp", ".mesh", ".bdf", ".nas", ".med", ".xdmf", ".tet", ".avs", ".e", ".exo", ".dat")
 _MAGIC: Tuple[Tuple[bytes, str], ...] = (
-    (rb"ply\s", "PLY"), (rb"glTF", "glTF"), (rb"LASF", "LAS"), (rb"ASTM-E57", "E57"),
+    (rb"ply\s", "PLY"), (rb"\x93NUMPY", "NPY"), (rb"glTF", "glTF"), (rb"LASF", "LAS"), (rb"ASTM-E57", "E57"),
     (rb"(?:#[^\n]*\n|\s)*(?:VERSION\s[.\d]+\s+)?FIELDS\s", "PCD"), (rb"# vtk DataFile", "VTK"),
     (rb"\s*(?:<\?xml[^>]*>\s*)?(?:<!--.*?-->\s*)*<VTKFile[^>]*PolyData", "VTP"),
     (rb"\s*(?:<\?xml[^>]*>\s*)?(?:<!--.*?-->\s*)*<VTKFile[^>]*UnstructuredGrid", "VTU"),
     (rb"P[25]\s", "PGM"), (rb"II[*+]\0|MM\0[*+]", "GeoTIFF"), (rb"\s*(?i:ncols|nrows)\s+\d+\s", "grid"),
+    (rb"ISO-10303-21;(?:(?!FILE_SCHEMA).)*FILE_SCHEMA\s*\(\s*\(\s*'(?!IFC)", "STEP"), (rb"\s*(?:DBRep_DrawableShape\s+)?CASCADE Topology", "BREP"),
     (PTX_MAGIC, "PTX"), (rb"P(?: \d*\.?\d+){3} \d+ \d+\s", "MNI object"), (rb"\s*(?:ST)?C?N?4?n?OFF(?=\d|\b)", "OFF"), (rb"\s*\{[^\0]*\"asset\"\s*:", "glTF"),
     (rb"\s*(?i:solid)\b[^\0]*\n\s*(?i:facet|endsolid)\b", "STL"),
     (rb"(?:\s*(?:#[^\n]*|mtllib[^\n]*|[og]\s[^\n]*|s\s[^\n]*|usemtl[^\n]*)?\n)*v[ \t]+[-+.\d]\S*[ \t]+[-+.\d]", "OBJ"),
 )  # fmt: skip
 READ = (
-    "PLY, OBJ, STL, OFF, 3MF, glTF and GLB; points as XYZ, TXT, ASC, CSV, PTS, PWN, PTX, PCD, LAS, LAZ or E57; "
-    "VTK, VTU and VTP; Collada, FBX, 3DS, Blender, X3D and others by assimp; height maps as ESRI grid, PGM, GeoTIFF or DEM"
+    "PLY, OBJ, STL, OFF, 3MF, glTF and GLB; points as XYZ, TXT, ASC, CSV, PTS, PWN, PTX, PCD, LAS, LAZ, E57, NPY or NPZ; "
+    "VTK, VTU and VTP; STEP, IGES and BREP by Open CASCADE; Collada, FBX, 3DS, Blender, X3D and others by assimp; "
+    "height maps as ESRI grid, PGM, GeoTIFF or DEM"
 )
 _CONVERT = {
-    **dict.fromkeys((".step", ".stp", ".iges", ".igs", ".brep", ".sldprt", ".ipt", ".fcstd"),
-                    "it holds no triangles: FreeCAD exports them as STL"),
+    **dict.fromkeys((".sldprt", ".sldasm", ".ipt", ".iam", ".prt", ".catpart", ".x_t", ".sat", ".fcstd", ".f3d"),
+                    "the program that it is of exports STEP or STL"),
     **dict.fromkeys((".max", ".usd", ".usda", ".usdc", ".usdz", ".wrl"),
                     "Blender exports it as glTF or PLY"),
     **dict.fromkeys((".fls", ".rcp", ".rcs", ".zfs", ".bin", ".pod"),
@@ -85,7 +90,7 @@ _CONVERT = {
     **dict.fromkeys((".ctm",), "MeshLab exports it as STL"),
     **dict.fromkeys((".nii", ".dcm", ".nrrd", ".mha", ".vti"), "it holds a volume: 3D Slicer exports a surface as PLY"),
     **dict.fromkeys((".png", ".jpg", ".jpeg", ".bmp"), "it is a picture; heights of terrain go into a PGM of 16 bits"),
-    **dict.fromkeys((".npy", ".npz", ".mat"), "save the points and normals as text, x y z nx ny nz in a line"),
+    **dict.fromkeys((".mat", ".pkl", ".h5", ".hdf5"), "NumPy saves its arrays of points, normals and triangles as .npz"),
 }  # fmt: skip
 
 
@@ -124,9 +129,9 @@ def read(path: Union[str, "os.PathLike[str]"]) -> Shape:
     ----------
     path : path
         PLY, OBJ, STL, OFF, 3MF, glTF and GLB; tables of points with three columns or more (XYZ, TXT, CSV, PTS, PWN ...);
-        PTX, PCD, LAS; LAZ, E57, GeoTIFF, DEM, VTK and its kin, and Collada, FBX, 3DS, Blender and others, with the package
-        or program that reads them.  What the file holds counts for more than its ending.  A file that gzip has packed is
-        unpacked.
+        PTX, PCD, LAS, NPY, NPZ; LAZ, E57, GeoTIFF, DEM, VTK and its kin, STEP, IGES and BREP, and Collada, FBX, 3DS,
+        Blender and others, with the package or program that reads them.  What the file holds counts for more than its
+        ending.  A file that gzip has packed is unpacked.
 
     Raises
     ------

@@ -1,0 +1,97 @@
+# SPDX-License-Identifier: MIT
+"""What CAD programs exchange (STEP, IGES, BREP), by the test program of Open CASCADE, DRAW, which makes triangles of it."""
+from __future__ import annotations
+
+import os
+import re
+import shutil
+import tempfile
+from dataclasses import replace
+from pathlib import Path
+from typing import Dict, Optional
+
+from ._optional import run
+from ._shape import Shape, ShapeError, Vector
+from ._stl import read_stl
+
+UP: Vector = (0.0, 0.0, 1.0)
+ENDINGS = {".step": "STEP", ".stp": "STEP", ".iges": "IGES", ".igs": "IGES", ".brep": "BREP", ".brp": "BREP"}
+OTHERWISE = "FreeCAD exports it as STL"
+_OFF = 5e-4  # diagonals: triangles are no farther from what they stand for ...
+_BEND = 12  # ... nor do they bend by more degrees
+_READ = {
+    "STEP": "ReadStep D model; XGetOneShape shape D",
+    "IGES": "ReadIges D model; XGetOneShape shape D",
+    "BREP": "restore model shape",
+}
+_SCRIPT = """pload MODELING XDE
+{read}
+if {{![isdraw shape]}} {{exit 2}}
+lassign [bounding shape] a b c d e f
+incmesh shape [expr {{{off} * sqrt(($d - $a)**2 + ($e - $b)**2 + ($f - $c)**2)}}] -a {bend} -parallel
+writestl shape model.stl
+"""
+_SAID = re.compile(rb"(?:\*+ *ERR\w*|Error|.*Exception|.*Could not open|Cannot|File was not)[^\n]*", re.I)
+
+
+def read(path: Path) -> Shape:
+    """As triangles."""
+    with open(path, "rb") as file:
+        form = _by_content(file.read(65536)) or ENDINGS[path.suffix.lower()]
+    program = _program()
+    if program is None:
+        raise ShapeError(f"reading {form} files needs DRAW of Open CASCADE (occt-draw); or without it: {OTHERWISE}")
+    with tempfile.TemporaryDirectory() as folder:
+        work = Path(folder)
+        shutil.copyfile(path, work / "model")  # a name that Tcl does not read anything into
+        (work / "read.tcl").write_text(_SCRIPT.format(read=_READ[form], off=_OFF, bend=_BEND), "ascii")
+        command = [program, "-b", "-f", "read.tcl"]
+        done = run("Open CASCADE", command, OTHERWISE, folder, _with_plugins(program, work / "plugins"))
+        made = work / "model.stl"
+        if b"Mesh writing has been failed" in done.stdout:
+            raise ShapeError("it has no faces: curves alone are not read from CAD files")
+        if not made.exists():
+            raise ShapeError(f"Open CASCADE makes no triangles of it{_reason(done.stdout + done.stderr)}; {OTHERWISE}")
+        shape = read_stl(made.read_bytes())
+    note = f"its surfaces are made triangles, at most {100 * _OFF:g}% of the diagonal off"
+    return replace(shape, format=form, up=UP, notes=(*shape.notes, note))
+
+
+def _by_content(head: bytes) -> Optional[str]:
+    """Endings lie."""
+    if head.startswith(b"ISO-10303-21"):
+        return "STEP"
+    return "BREP" if b"CASCADE Topology" in head[:200] else None
+
+
+def _program() -> Optional[str]:
+    """Debian's has its version in its name."""
+    for name in ("DRAWEXE", "occt-draw"):
+        if shutil.which(name):
+            return shutil.which(name)
+    folders = os.environ.get("PATH", os.defpath).split(os.pathsep)
+    found = [path for folder in folders if folder for path in sorted(Path(folder).glob("occt-draw-[0-9]*"))]
+    return str(found[-1]) if found else None
+
+
+def _with_plugins(program: str, folder: Path) -> Dict[str, str]:
+    """The environment in which DRAW finds its parts: it asks for names that Debian has in a package for developers only."""
+    environment = dict(os.environ)
+    ldd = shutil.which("ldd")
+    if ldd is None:
+        return environment
+    linked = re.search(rb"=> (\S+)/libTKDraw\.so", run("ldd", [ldd, program], OTHERWISE).stdout)
+    if linked is None:
+        return environment
+    folder.mkdir()
+    for library in sorted(Path(os.fsdecode(linked[1])).glob("libTK*.so.*")):
+        name = folder / (library.name.split(".so.")[0] + ".so")
+        if not name.exists():
+            name.symlink_to(library)
+    environment["LD_LIBRARY_PATH"] = os.pathsep.join(filter(None, [str(folder), os.environ.get("LD_LIBRARY_PATH")]))
+    return environment
+
+
+def _reason(said: bytes) -> str:
+    found = _SAID.search(said)
+    return "" if found is None else ": " + " ".join(found[0].decode(errors="replace").strip("* ").split())[:200]

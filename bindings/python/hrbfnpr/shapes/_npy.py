@@ -1,0 +1,119 @@
+# SPDX-License-Identifier: MIT
+"""NumPy's files: an array of points, or several by name."""
+from __future__ import annotations
+
+import io
+import zipfile
+import zlib
+from typing import Any, Dict, Optional, Tuple
+
+import numpy as np
+
+from ._columns import Columns, by_content, by_heading
+from ._shape import Floats, Shape, ShapeError
+
+_HINT = "an array of n x 3 or more numbers holds points, x y z in a row; in .npz, arrays points, normals and triangles"
+_POINTS = ("points", "point", "vertices", "verts", "vertex", "positions", "position", "pos", "xyz", "coords", "v", "arr_0")
+_NORMALS = ("normals", "normal", "vertex_normals", "n", "vn")
+_MOST_COLUMNS = 32  # that a point may have
+_FACES = ("triangles", "faces", "face", "tri", "cells", "f")
+
+
+def read_npy(data: bytes) -> Shape:
+    """One array: a point in a row, by columns like those of a table, or by names."""
+    return _points(_loaded(data), "NPY")
+
+
+def read_npz(data: bytes) -> Shape:
+    """Arrays by name."""
+    archive = _loaded(data)
+    try:
+        arrays: Dict[str, Any] = {name.lower(): archive[name] for name in archive.files}
+    except (ValueError, OSError, EOFError, zipfile.BadZipFile, zlib.error) as error:
+        raise ShapeError(f"not a usable NPZ file: {_first_line(error)}") from None
+    place, normal, face = (_first(arrays, names) for names in (_POINTS, _NORMALS, _FACES))
+    if place is None:
+        raise ShapeError(f"{_HINT}; here are {', '.join(sorted(arrays)) or 'none'}")
+    shape = _points(arrays[place], "NPZ")
+    normals = _rows(arrays[normal], normal) if normal is not None else shape.normals
+    if normals is not None and normals.shape != shape.points.shape:
+        raise ShapeError(f"{normal} is of shape {_shape(normals)}, and {place} of {_shape(shape.points)}")
+    triangles = _triangles(arrays[face], face) if face is not None else None
+    return Shape(shape.points, normals, triangles, "NPZ", shape.columns, notes=shape.notes)
+
+
+def _loaded(data: bytes) -> Any:
+    try:
+        return np.load(io.BytesIO(data), allow_pickle=False)
+    except (ValueError, OSError, EOFError, zipfile.BadZipFile, MemoryError) as error:
+        raise ShapeError(f"not a usable file of NumPy's: {_first_line(error)}") from None
+
+
+def _first_line(error: Exception) -> str:
+    text = str(error)
+    return "it holds Python objects; save numbers" if "allow_pickle" in text else text.split("\n")[0][:200]
+
+
+def _first(arrays: Dict[str, Any], names: Tuple[str, ...]) -> Optional[str]:
+    return next((name for name in names if name in arrays), None)
+
+
+def _shape(array: Any) -> str:
+    return " x ".join(map(str, array.shape)) or "a single number"
+
+
+def _points(array: Any, form: str) -> Shape:
+    if array.dtype.names:
+        return _named(array, form)
+    notes: Tuple[str, ...] = ()
+    if array.ndim == 2 and array.shape[0] in (3, 6) and array.shape[1] > _MOST_COLUMNS:
+        notes = (f"the array is of shape {_shape(array)}: its columns are the points",)
+        array = array.T
+    table = _rows(array, "the array")
+    columns = by_content(table)
+    normals = columns.triple(("nx", "ny", "nz"))
+    at = columns.triple("xyz")
+    assert at is not None
+    notes = (*notes, *columns.notes)
+    return Shape(
+        table[:, at], None if normals is None else table[:, normals], format=form, columns=columns.names, notes=notes
+    )
+
+
+def _named(array: Any, form: str) -> Shape:
+    """Of records."""
+    columns: Optional[Columns] = by_heading(array.dtype.names)
+    if columns is None:
+        raise ShapeError(f"its records name no x, y and z: {', '.join(array.dtype.names)[:200]}")
+    record = array.reshape(-1)
+
+    def triple(names: Any) -> Optional[Floats]:
+        assert columns is not None
+        found = columns.triple(names)
+        if found is None:
+            return None
+        return np.column_stack([_numbers(record[array.dtype.names[k]], array.dtype.names[k]) for k in found])
+
+    points = triple("xyz")
+    assert points is not None
+    return Shape(points, triple(("nx", "ny", "nz")), format=form, columns=columns.names)
+
+
+def _numbers(array: Any, name: str) -> Floats:
+    if array.dtype.kind not in "fiu":
+        raise ShapeError(f"{name} holds {array.dtype}, not numbers; {_HINT}")
+    return np.asarray(array, dtype=np.float64)
+
+
+def _rows(array: Any, name: str) -> Floats:
+    """n x 3 and wider; pictures, h x w x 3, row by row."""
+    if array.ndim < 2 or array.shape[-1] < 3:
+        raise ShapeError(f"{name} is of shape {_shape(array)}; {_HINT}")
+    return _numbers(array, name).reshape(-1, array.shape[-1])
+
+
+def _triangles(array: Any, name: str) -> Any:
+    if array.dtype.kind not in "iu" or array.ndim != 2 or array.shape[1] not in (3, 4):
+        raise ShapeError(f"{name} is of shape {_shape(array)} and holds {array.dtype}; n x 3 whole numbers are faces, from 0")
+    corners = array.astype(np.int64)
+    return corners if corners.shape[1] == 3 else np.vstack([corners[:, [0, 1, 2]], corners[:, [0, 2, 3]]])
