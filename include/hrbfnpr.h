@@ -2520,8 +2520,8 @@ enum {
     HRBFNPR_EDGES_AUTO = 0,   /* sharp where the mesh has edges: they stand out, as those of machine parts do, from what
                                  is beside them; noise and coarse faces of round shapes do not.  Closed parts that
                                  cross are fitted apart, and meet in creases.  Where sheets that meet in edges leave
-                                 more than a fifth of the mesh beyond the tolerance, 99 % of it farther off than `far`,
-                                 and a smooth fit comes much nearer, the fit is that one, and a warning says so */
+                                 more than a fifth of the mesh beyond the tolerance, and 1 % of it beyond `far`, and a
+                                 smooth fit comes much nearer, the fit is that one, and a warning says so */
     HRBFNPR_EDGES_SMOOTH = 1, /* the surface is one smooth fit, which rounds them */
     HRBFNPR_EDGES_SHARP = 2   /* sharp wherever faces meet at more than crease_angle */
 };

@@ -93,6 +93,7 @@ constexpr double smallest_cell = 1e-3;
 constexpr double end_of_pieces = 0.8;    // of the progress of a mesh fit
 constexpr double end_of_mesh_fit = 0.9;  // then it is looked for the surface's end
 constexpr double torn_share = 0.8;       // of a mesh, or of the surface, that is within the tolerance
+constexpr double much_coarser = 1.5;     // of what faces are off what is round
 constexpr double much_nearer = 0.6;      // of the distance of 99 %
 constexpr double too_coarse = 0.8;       // of `far`: how far faces may be from what they stand for
 constexpr double least_off_mesh = 0.009; // diagonals; of off_mesh()
@@ -359,19 +360,17 @@ hrbfnpr_model* model_of(const hrbfnpr_mesh& mesh, mesh::MeshFit& result, const m
     return model;
 }
 
-double worst_p99(const mesh::FitMeshReport& report) noexcept { return std::max(report.mesh.p99, report.surface.p99); }
-double least_share(const mesh::FitMeshReport& report) noexcept {
-    return std::min(report.mesh.share, report.surface.share);
-}
-
 // Sheets by the hundred, as of thin things on a long one, may be too many for the centres that there may be, and for
-// the cells in which they meet.
-bool is_torn(const mesh::FitMeshReport& report) noexcept {
-    return least_share(report) < torn_share && worst_p99(report) > report.far;
+// the cells in which they meet.  Faces that are coarse are meant to be off.  What the surface has beyond the mesh is
+// left out.
+bool is_torn(const mesh::PiecesFit& fit) noexcept {
+    const mesh::FitMeshReport& report = fit.mesh;
+    return report.mesh.share < torn_share && report.mesh.p99 > std::max(report.far, much_coarser * fit.pieces.coarse);
 }
 
 bool is_nearer(const mesh::FitMeshReport& one, const mesh::FitMeshReport& other) noexcept {
-    return least_share(one) > least_share(other) && worst_p99(one) < much_nearer * worst_p99(other);
+    return one.mesh.share > other.mesh.share && one.mesh.p99 < much_nearer * other.mesh.p99 &&
+           one.surface.p99 < other.surface.p99;
 }
 
 hrbfnpr_model* fit_pieces(const hrbfnpr_mesh& mesh, const mesh::FitMeshSettings& settings, const fit::FitInput& options,
@@ -380,14 +379,14 @@ hrbfnpr_model* fit_pieces(const hrbfnpr_mesh& mesh, const mesh::FitMeshSettings&
     const base::Runtime& runtime = mesh.runtime();
     mesh::PiecesFit sharp =
         mesh::fit_pieces(runtime, mesh.mesh, mesh.tree, creases, settings, options, progress.part(0.0, end_of_pieces));
-    if (settings.edges == mesh::Edges::automatic && is_torn(sharp.mesh)) {
+    if (settings.edges == mesh::Edges::automatic && is_torn(sharp)) {
         mesh::MeshFit smooth = mesh::fit_mesh(runtime, mesh.mesh, mesh.tree, settings, options,
                                               progress.part(end_of_pieces, end_of_mesh_fit));
         if (is_nearer(smooth.report, sharp.mesh)) {
             runtime.log(base::LogLevel::warning,
                         "mesh fit: edges are rounded: of %d sheets that meet in sharp ones 99 %% of the mesh would be "
                         "within %.3g, of a smooth fit within %.3g; edges SHARP makes them sharp",
-                        static_cast<int>(sharp.pieces.sheets), worst_p99(sharp.mesh), worst_p99(smooth.report));
+                        static_cast<int>(sharp.pieces.sheets), sharp.mesh.mesh.p99, smooth.report.mesh.p99);
             return model_of(mesh, smooth, settings, trim, info, progress.part(end_of_mesh_fit, 1.0));
         }
     }

@@ -180,6 +180,36 @@ Triangles height_field(int n, Height&& height) {
     return mesh;
 }
 
+// A plate, 15 by 9 by 3.6, with round corners, chamfered above by as much as these are round: there the chamfer is a
+// quarter of a cone, whose tip is a corner of the top.
+inline Triangles chamfered_plate(int cuts) {
+    constexpr double chamfer = 1.0;
+    const std::array<std::array<double, 2>, 4> middles{{{14.0, 8.0}, {1.0, 8.0}, {1.0, 1.0}, {14.0, 1.0}}};
+    Triangles mesh;
+    std::vector<std::int32_t> below, above, top;
+    const int per = cuts + 1;
+    for (int k = 0; k < 4 * per; ++k) {
+        const std::array<double, 2>& middle = middles[static_cast<std::size_t>(k / per)];
+        const double angle = 0.5 * 3.141592653589793 * (k / per + static_cast<double>(k % per) / cuts);
+        const double x = middle[0] + chamfer * std::cos(angle), y = middle[1] + chamfer * std::sin(angle);
+        below.push_back(mesh.add(x, y, 0.0));
+        above.push_back(mesh.add(x, y, 3.6 - chamfer));
+    }
+    for (const std::array<double, 2>& middle : middles) top.push_back(mesh.add(middle[0], middle[1], 3.6));
+    for (std::size_t k = 0; k < below.size(); ++k) {
+        const std::size_t next = (k + 1) % below.size();
+        const std::size_t corner = k / static_cast<std::size_t>(per), other = next / static_cast<std::size_t>(per);
+        if (k > 0 && next > 0) mesh.face(below[0], below[next], below[k]);
+        mesh.face(below[k], below[next], above[next]);
+        mesh.face(below[k], above[next], above[k]);
+        mesh.face(above[k], above[next], top[corner]);
+        if (corner != other) mesh.face(above[next], top[other], top[corner]);
+    }
+    mesh.face(top[0], top[1], top[2]);
+    mesh.face(top[0], top[2], top[3]);
+    return mesh;
+}
+
 // A step along y = 0 of the height x^2 / 4 that fades at x = 0, up where y > 0; n: squares along each axis.
 inline Triangles fading_step(int n) {
     Triangles mesh;

@@ -217,7 +217,7 @@ private:
 
     // Whether there were faces too far from what is curved as their normals are.
     [[nodiscard]] bool sharpen_coarse() {
-        const base::Array<glm::dvec3> normal = patch_normals(runtime_, mesh_, result_);
+        const base::Array<glm::dvec3> normal = patch_normals(runtime_, mesh_, result_).normal;
         bool sharpened = false;
         for (Bend& bend : bend_) {
             if (bend.sharp || std::max(chord_error(mesh_, normal, bend.left), chord_error(mesh_, normal, bend.right)) <=

@@ -114,28 +114,42 @@ private:
 
     void fit_sheets() {
         group_faces();
-        const base::Array<glm::dvec3> normal = patch_normals(runtime_, mesh_, creases_);
-        chord_ = chord_errors(mesh_, normal);
+        const PatchNormals normal = patch_normals(runtime_, mesh_, creases_);
+        chord_ = chord_errors(mesh_, normal.normal);
+        result_.pieces.coarse = *std::max_element(chord_.begin(), chord_.end());
         const PatchTolerance tolerance{at_crease * result_.mesh.tolerance, far_from_crease * result_.mesh.tolerance,
                                        ramp * mesh_.bounds.diagonal()};
         std::int64_t faces_left = faces_.size();
         std::int64_t centres = 0;
         base::List<SheetFit> made(runtime_.memory);
         base::Array<std::int64_t> at(runtime_.memory, creases_.patches);
+        base::Array<std::int32_t> starved(runtime_.memory); // for which their share was too little
         for (const std::int32_t p : small_first()) {
             at[p] = made.size();
             const std::int64_t faces = first_[p + 1] - first_[p];
             const double share = static_cast<double>(faces) / static_cast<double>(faces_left);
             const std::int64_t room = std::max<std::int64_t>(settings_.maximum_centres - centres, 0);
-            const auto most = static_cast<std::int64_t>(share * static_cast<double>(room));
-            made.add(fit_patch(p, normal, tolerance, std::max(fewest, most)));
+            const std::int64_t most = std::max(fewest, static_cast<std::int64_t>(share * static_cast<double>(room)));
+            made.add(fit_patch(p, normal, tolerance, most));
             faces_left -= faces;
             centres += made.back().data.count();
-            progress_.update(0.6 * (1.0 - static_cast<double>(faces_left) / static_cast<double>(faces_.size())));
+            if (made.back().outside > 0 && made.back().data.count() >= most) starved.push_back(p);
+            progress_.update(0.5 * (1.0 - static_cast<double>(faces_left) / static_cast<double>(faces_.size())));
         }
+        // A few coarse faces may stand for what takes many centres, as cones do.
+        for (std::int64_t left = starved.size(); const std::int32_t p : starved) {
+            SheetFit& one = made[at[p]];
+            const std::int64_t more = std::max<std::int64_t>(settings_.maximum_centres - centres, 0) / left--;
+            if (more < one.data.count() / 4) continue;
+            centres -= one.data.count();
+            one = fit_patch(p, normal, tolerance, one.data.count() + more);
+            centres += one.data.count();
+        }
+        progress_.update(0.6);
+        for (const std::int64_t i : at) add_to_report(made[i]);
         for (std::int32_t p = 0; p < creases_.patches; ++p) result_.data.sheet.add(std::move(made[at[p]].data));
         finish_report();
-        gather_samples(normal);
+        gather_samples(normal.normal);
     }
 
     // Places that whoever looks for the surface may begin at.
@@ -158,16 +172,13 @@ private:
             }
     }
 
-    [[nodiscard]] SheetFit fit_patch(std::int32_t p, const base::Array<glm::dvec3>& normal,
-                                     const PatchTolerance& tolerance, std::int64_t most) {
+    [[nodiscard]] SheetFit fit_patch(std::int32_t p, const PatchNormals& normal, const PatchTolerance& tolerance,
+                                     std::int64_t most) {
         const std::span<const std::int32_t> faces = faces_.span().subspan(
             static_cast<std::size_t>(first_[p]), static_cast<std::size_t>(first_[p + 1] - first_[p]));
         PatchSamples patch = sample_patch(runtime_, mesh_, creases_, normal, faces, tolerance, progress_);
         grow(p, patch.samples);
         SheetFit made = fit_sheet(runtime_, patch, options_, most, progress_.part(0.0, 0.0));
-        result_.mesh.candidates += patch.samples.position.size();
-        add_to_report(made);
-        result_.mesh.rounds = std::max(result_.mesh.rounds, made.rounds);
         runtime_.log(base::LogLevel::debug,
                      "pieces: sheet %d: %lld faces, %lld samples, %lld centres in %d rounds, %lld outside, the worst "
                      "by %.2f",
@@ -187,6 +198,8 @@ private:
         all.solver_residual = std::max(all.solver_residual, one.solver_residual);
         all.condition_estimate = std::max(all.condition_estimate, one.condition_estimate);
         all.iterations = std::max(all.iterations, one.iterations);
+        result_.mesh.rounds = std::max(result_.mesh.rounds, made.rounds);
+        result_.mesh.candidates += made.samples;
         all.choice_rounds = std::max(all.choice_rounds, one.choice_rounds);
         all.fallback = all.fallback || one.fallback;
         if (one.solver == fit::SolverKind::iterative) all.solver = one.solver;

@@ -49,7 +49,8 @@ public:
         while (fit_round() && add_centres()) {
         }
         describe();
-        return {std::move(fit_->result.data), fit_->result.report, squares_, worst_, outside_, rounds_};
+        return {std::move(fit_->result.data),  fit_->result.report, squares_, worst_, outside_, rounds_,
+                patch_.samples.position.size()};
     }
 
 private:

@@ -14,6 +14,7 @@ struct SheetFit {
     double worst = 0.0;       // distance of a sample, in its tolerance
     std::int64_t outside = 0; // samples beyond their tolerance
     std::int32_t rounds = 0;
+    std::int64_t samples = 0;
 };
 
 // options: as of fit_mesh.  most: centres.

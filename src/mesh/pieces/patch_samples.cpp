@@ -13,8 +13,16 @@ namespace {
 constexpr double wanted = 3000.0; // places of a patch, about
 constexpr double thinned = 0.7;   // no two in one cell of so many spacings ...
 constexpr double thinned_crease = 0.35;
+constexpr double around_tip = 3.0;        // spacings: where a sheet is not held as near to tips of cones
+constexpr double tip_tolerance = 4.0;     // of that far from creases
 constexpr double most_cuts = 64.0;        // of an edge
 constexpr std::int64_t most_about = 1024; // corners of a vertex
+
+[[nodiscard]] double corner_angle(const std::array<glm::dvec3, 3>& p, std::size_t k) noexcept {
+    const glm::dvec3 u = p[(k + 1) % 3] - p[k];
+    const glm::dvec3 v = p[(k + 2) % 3] - p[k];
+    return std::atan2(glm::length(glm::cross(u, v)), glm::dot(u, v));
+}
 
 [[nodiscard]] glm::dvec3 unit_or(const glm::dvec3& v, const glm::dvec3& other) noexcept {
     const double length = glm::length(v);
@@ -58,11 +66,11 @@ private:
 
 class Sampler {
 public:
-    Sampler(const base::Runtime& runtime, const Mesh& mesh, const Creases& creases,
-            const base::Array<glm::dvec3>& normal, std::span<const std::int32_t> faces, const PatchTolerance& tolerance,
-            const base::Progress& progress)
-        : runtime_(runtime), mesh_(mesh), creases_(creases), normal_(normal), faces_(faces), tolerance_(tolerance),
-          progress_(progress), taken_(runtime.memory), taken_crease_(runtime.memory), result_(runtime.memory) {
+    Sampler(const base::Runtime& runtime, const Mesh& mesh, const Creases& creases, const PatchNormals& normals,
+            std::span<const std::int32_t> faces, const PatchTolerance& tolerance, const base::Progress& progress)
+        : runtime_(runtime), mesh_(mesh), creases_(creases), normal_(normals.normal), tip_(normals.tip), faces_(faces),
+          tolerance_(tolerance), progress_(progress), taken_(runtime.memory), taken_crease_(runtime.memory),
+          result_(runtime.memory) {
         double area = 0.0;
         for (const std::int32_t face : faces) area += 0.5 * glm::length(doubled_area(mesh.corners(face)));
         spacing_ = std::max(std::sqrt(area / wanted), 1e-4 * mesh.bounds.diagonal());
@@ -89,6 +97,14 @@ private:
         result_.samples.normal.push_back(normal);
     }
 
+    // No sheet has several normals at a tip: it is rounded as finely as the places around it are.
+    void add_corner(std::int32_t face, std::size_t k, bool crease) {
+        const std::int64_t corner = 3 * std::int64_t{face} + static_cast<std::int64_t>(k);
+        const glm::dvec3 place = mesh_.corners(face)[k];
+        if (tip_[corner] == 0) return add(place, normal_[corner], crease);
+        if (std::find(tips_.begin(), tips_.end(), place) == tips_.end()) tips_.push_back(place);
+    }
+
     [[nodiscard]] std::int64_t cuts(double length, double spacing) const noexcept {
         return static_cast<std::int64_t>(std::clamp(length / spacing, 1.0, most_cuts));
     }
@@ -99,8 +115,7 @@ private:
         const auto a = static_cast<std::size_t>(k);
         const auto b = static_cast<std::size_t>((k + 1) % 3);
         const glm::dvec3* const n = normal_.data() + 3 * std::int64_t{face};
-        add(p[a], n[a], true);
-        add(p[b], n[b], true);
+        for (const std::size_t end : {a, b}) add_corner(face, end, true);
         const std::int64_t parts = cuts(glm::distance(p[a], p[b]), 0.5 * spacing_);
         if (parts == 1) return;
         const CurvedFace curved(p, n);
@@ -116,7 +131,7 @@ private:
     void add_face(std::int32_t face) {
         const auto p = mesh_.corners(face);
         const glm::dvec3* const n = normal_.data() + 3 * std::int64_t{face};
-        for (std::size_t k = 0; k < 3; ++k) add(p[k], n[k], false);
+        for (std::size_t k = 0; k < 3; ++k) add_corner(face, k, false);
         const double longest =
             std::max({glm::distance(p[0], p[1]), glm::distance(p[1], p[2]), glm::distance(p[2], p[0])});
         const std::int64_t parts = cuts(longest, spacing_);
@@ -150,15 +165,27 @@ private:
                 const double distance =
                     any ? glm::distance(result_.samples.position[i], tree.points()[found]) : tolerance_.ramp;
                 const double share = std::clamp(distance / tolerance_.ramp, 0.0, 1.0);
-                result_.tolerance[i] = tolerance_.crease + share * share * (tolerance_.far - tolerance_.crease);
+                result_.tolerance[i] =
+                    std::max(tolerance_.crease + share * share * (tolerance_.far - tolerance_.crease),
+                             at_tips(result_.samples.position[i]));
             }
         });
+    }
+
+    // What is rounded there is off by as much as its centres are apart.
+    [[nodiscard]] double at_tips(const glm::dvec3& place) const noexcept {
+        double most = 0.0;
+        for (const glm::dvec3& tip : tips_)
+            most = std::max(most, 1.0 - glm::distance(place, tip) / (around_tip * spacing_));
+        return most * tip_tolerance * tolerance_.far;
     }
 
     const base::Runtime& runtime_;
     const Mesh& mesh_;
     const Creases& creases_;
     const base::Array<glm::dvec3>& normal_;
+    const base::Array<std::uint8_t>& tip_;
+    base::Array<glm::dvec3> tips_{runtime_.memory};
     std::span<const std::int32_t> faces_;
     const PatchTolerance tolerance_;
     const base::Progress& progress_;
@@ -181,11 +208,13 @@ public:
         above_.resize(count);
         for (std::int64_t i = 0; i < count; ++i) above_[i] = i;
         for (std::int64_t i = 0; i < count; ++i) {
-            if (creases.cut[corner[i]] == 1) continue; // the side from the vertex onward
-            const std::int32_t onward = ahead(mesh, corner[i], 1);
             for (std::int64_t j = 0; j < count; ++j)
-                if (ahead(mesh, corner[j], 2) == onward) above_[root(i)] = root(j);
+                if (go_on(mesh, creases, corner[i], corner[j])) above_[root(i)] = root(j);
         }
+    }
+    // Whether the second one's face lies across the side from the vertex onward, and that is no crease.
+    [[nodiscard]] static bool go_on(const Mesh& mesh, const Creases& creases, std::int64_t a, std::int64_t b) {
+        return creases.cut[a] != 1 && ahead(mesh, b, 2) == ahead(mesh, a, 1);
     }
     [[nodiscard]] std::int64_t root(std::int64_t i) const noexcept {
         while (above_[i] != i) i = above_[i];
@@ -201,7 +230,99 @@ private:
 
 } // namespace
 
-base::Array<glm::dvec3> patch_normals(const base::Runtime& runtime, const Mesh& mesh, const Creases& creases) {
+namespace {
+
+// At the tip of a cone each face goes on as it is towards its far side, and turns to the mean normal: by so small a
+// part of that.  On what is smooth it turns half as much, or as much.
+constexpr double straight = 0.25;
+constexpr double least_turn = 0.05; // radians, on average
+constexpr double small_step = 0.3;  // from face to face, of the whole turn
+
+// The normals of the corners at one vertex after another.
+class VertexNormals {
+public:
+    VertexNormals(base::Memory& memory, const Mesh& mesh, const Creases& creases,
+                  const base::Array<glm::dvec3>& weighted, PatchNormals& result) noexcept
+        : mesh_(mesh), creases_(creases), weighted_(weighted), result_(result), fan_(memory) {}
+
+    void set(const std::int64_t* corner, std::int64_t count) {
+        const bool joined = count <= most_about; // else by patches
+        if (joined) fan_.join(mesh_, creases_, corner, count);
+        for (std::int64_t i = 0; i < count; ++i) {
+            const auto together = [&](std::int64_t j) {
+                return joined ? fan_.root(i) == fan_.root(j)
+                              : creases_.patch[corner[i] / 3] == creases_.patch[corner[j] / 3];
+            };
+            glm::dvec3 sum(0.0);
+            for (std::int64_t j = 0; j < count; ++j)
+                if (together(j)) sum += weighted_[corner[j]];
+            const double length = glm::length(sum);
+            const bool usable = length > 0.0 && std::isfinite(length);
+            result_.normal[corner[i]] = usable ? sum / length : own(corner[i]);
+        }
+    }
+
+    // Once all have normals.
+    void find_tips(const std::int64_t* corner, std::int64_t count) {
+        const auto turned = [&](std::int64_t i) { return glm::distance(own(corner[i]), result_.normal[corner[i]]); };
+        double most = 0.0;
+        for (std::int64_t i = 0; i < count; ++i) most = std::max(most, turned(i));
+        if (most < least_turn || count > most_about) return;
+        fan_.join(mesh_, creases_, corner, count);
+        for (std::int64_t root = 0; root < count; ++root) {
+            if (fan_.root(root) != root) continue;
+            double here = 0.0, beyond = 0.0, angles = 0.0;
+            for (std::int64_t i = 0; i < count; ++i) {
+                if (fan_.root(i) != root) continue;
+                const double angle =
+                    corner_angle(mesh_.corners(corner[i] / 3), static_cast<std::size_t>(corner[i] % 3));
+                here += angle * turned(i);
+                beyond += angle * turned_beyond(corner[i]);
+                angles += angle;
+            }
+            if (here < least_turn * angles || beyond > straight * here || !turns_slowly(corner, count, root)) continue;
+            for (std::int64_t i = 0; i < count; ++i)
+                if (fan_.root(i) == root) result_.tip[corner[i]] = 1;
+        }
+    }
+
+private:
+    [[nodiscard]] glm::dvec3 own(std::int64_t corner) const noexcept {
+        return glm::normalize(doubled_area(mesh_.corners(corner / 3)));
+    }
+    // An edge that is no crease turns at once.
+    [[nodiscard]] bool turns_slowly(const std::int64_t* corner, std::int64_t count, std::int64_t root) const noexcept {
+        double turn = 0.0;
+        double step = 0.0;
+        for (std::int64_t i = 0; i < count; ++i)
+            for (std::int64_t j = 0; j < count; ++j) {
+                if (fan_.root(i) != root || fan_.root(j) != root) continue;
+                const double angle = glm::distance(own(corner[i]), own(corner[j]));
+                turn = std::max(turn, angle);
+                if (Fan::go_on(mesh_, creases_, corner[i], corner[j])) step = std::max(step, angle);
+            }
+        return step <= small_step * turn;
+    }
+
+    // At the face's other corners: at that where it does less, as the other one may be a tip itself.
+    [[nodiscard]] double turned_beyond(std::int64_t corner) const noexcept {
+        const std::int64_t first = corner - corner % 3;
+        const auto turned = [&](std::int64_t k) {
+            return glm::distance(own(corner), result_.normal[first + (corner + k) % 3]);
+        };
+        return std::min(turned(1), turned(2));
+    }
+
+    const Mesh& mesh_;
+    const Creases& creases_;
+    const base::Array<glm::dvec3>& weighted_;
+    PatchNormals& result_;
+    Fan fan_;
+};
+
+} // namespace
+
+PatchNormals patch_normals(const base::Runtime& runtime, const Mesh& mesh, const Creases& creases) {
     base::Array<std::int64_t> first(runtime.memory, mesh.vertex.size() + 1);
     for (const Triangle& t : mesh.triangle)
         for (const std::int32_t v : t) ++first[v + 1];
@@ -212,41 +333,30 @@ base::Array<glm::dvec3> patch_normals(const base::Runtime& runtime, const Mesh& 
     for (std::int64_t i = 0; i < corner.size(); ++i)
         corner[next[mesh.triangle[i / 3][static_cast<std::size_t>(i % 3)]]++] = i;
     base::Array<glm::dvec3> weighted(runtime.memory);
-    base::Array<glm::dvec3> normal(runtime.memory);
+    PatchNormals result(runtime.memory);
     weighted.resize_for_overwrite(3 * mesh.faces());
-    normal.resize_for_overwrite(3 * mesh.faces());
+    result.normal.resize_for_overwrite(3 * mesh.faces());
+    result.tip.resize(3 * mesh.faces());
     runtime.parallel.for_chunks(mesh.faces(), 4096, [&](std::int64_t begin, std::int64_t end) {
         for (std::int64_t face = begin; face < end; ++face) {
             const auto p = mesh.corners(face);
             const glm::dvec3 area = doubled_area(p);
             for (std::size_t k = 0; k < 3; ++k) {
-                const glm::dvec3 u = p[(k + 1) % 3] - p[k];
-                const glm::dvec3 v = p[(k + 2) % 3] - p[k];
-                const double angle = std::atan2(glm::length(glm::cross(u, v)), glm::dot(u, v));
-                weighted[3 * face + static_cast<std::int64_t>(k)] = angle * area;
+                weighted[3 * face + static_cast<std::int64_t>(k)] = corner_angle(p, k) * area;
             }
         }
     });
     runtime.parallel.for_chunks(mesh.vertex.size(), 4096, [&](std::int64_t begin, std::int64_t end) {
-        Fan fan(runtime.memory);
-        for (std::int64_t v = begin; v < end; ++v) {
-            const std::int64_t* const at = corner.data() + first[v];
-            const std::int64_t count = first[v + 1] - first[v];
-            const bool joined = count <= most_about; // else by patches
-            if (joined) fan.join(mesh, creases, at, count);
-            for (std::int64_t i = 0; i < count; ++i) {
-                glm::dvec3 sum(0.0);
-                for (std::int64_t j = 0; j < count; ++j)
-                    if (joined ? fan.root(i) == fan.root(j) : creases.patch[at[i] / 3] == creases.patch[at[j] / 3])
-                        sum += weighted[at[j]];
-                const double length = glm::length(sum);
-                normal[at[i]] = length > 0.0 && std::isfinite(length)
-                                    ? sum / length
-                                    : glm::normalize(doubled_area(mesh.corners(at[i] / 3)));
-            }
-        }
+        VertexNormals normals(runtime.memory, mesh, creases, weighted, result);
+        for (std::int64_t v = begin; v < end; ++v) normals.set(corner.data() + first[v], first[v + 1] - first[v]);
     });
-    return normal;
+    runtime.parallel.for_chunks(mesh.vertex.size(), 4096, [&](std::int64_t begin, std::int64_t end) {
+        VertexNormals normals(runtime.memory, mesh, creases, weighted, result);
+        for (std::int64_t v = begin; v < end; ++v) normals.find_tips(corner.data() + first[v], first[v + 1] - first[v]);
+    });
+    for (std::int64_t i = 0; i < corner.size(); ++i)
+        if (result.tip[i] != 0) result.normal[i] = glm::normalize(doubled_area(mesh.corners(i / 3)));
+    return result;
 }
 
 double chord_error(const Mesh& mesh, const base::Array<glm::dvec3>& normal, std::int64_t face) noexcept {
@@ -270,9 +380,9 @@ base::Array<double> chord_errors(const Mesh& mesh, const base::Array<glm::dvec3>
 }
 
 PatchSamples sample_patch(const base::Runtime& runtime, const Mesh& mesh, const Creases& creases,
-                          const base::Array<glm::dvec3>& normal, std::span<const std::int32_t> faces,
+                          const PatchNormals& normals, std::span<const std::int32_t> faces,
                           const PatchTolerance& tolerance, const base::Progress& progress) {
-    return Sampler(runtime, mesh, creases, normal, faces, tolerance, progress).run();
+    return Sampler(runtime, mesh, creases, normals, faces, tolerance, progress).run();
 }
 
 } // namespace hrbfnpr::mesh

@@ -7,10 +7,17 @@
 
 namespace hrbfnpr::mesh {
 
-// Unit normals of corners (3 face + k) as their patch has them: those of another do not count.  By area and angle, so
-// that a large flat face beside a rounding stays flat.
-[[nodiscard]] base::Array<glm::dvec3> patch_normals(const base::Runtime& runtime, const Mesh& mesh,
-                                                    const Creases& creases);
+// Of corners (3 face + k).
+struct PatchNormals {
+    explicit PatchNormals(base::Memory& memory) noexcept : normal(memory), tip(memory) {}
+
+    base::Array<glm::dvec3> normal; // of length 1
+    base::Array<std::uint8_t> tip;  // 1: of a cone, where no normal is everybody's, and each face has its own
+};
+
+// As their patch has them: those of another do not count.  By area and angle, so that a large flat face beside a
+// rounding stays flat.
+[[nodiscard]] PatchNormals patch_normals(const base::Runtime& runtime, const Mesh& mesh, const Creases& creases);
 
 // Of a face: how far the middles of its edges are from the surface that is curved as the normals are.
 [[nodiscard]] double chord_error(const Mesh& mesh, const base::Array<glm::dvec3>& normal, std::int64_t face) noexcept;
@@ -33,7 +40,7 @@ struct PatchTolerance {
 // faces: those of the patch.  Vertices, and places between them on the surface that is curved as the normals are
 // (Vlachos et al., "Curved PN triangles", 2001).
 [[nodiscard]] PatchSamples sample_patch(const base::Runtime& runtime, const Mesh& mesh, const Creases& creases,
-                                        const base::Array<glm::dvec3>& normal, std::span<const std::int32_t> faces,
+                                        const PatchNormals& normals, std::span<const std::int32_t> faces,
                                         const PatchTolerance& tolerance, const base::Progress& progress);
 
 } // namespace hrbfnpr::mesh

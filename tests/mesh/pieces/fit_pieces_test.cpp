@@ -25,13 +25,18 @@ using hrbfnpr::test::Triangles;
 namespace {
 
 struct Fitted {
-    explicit Fitted(const Triangles& from, int threads = 2)
+    explicit Fitted(const Triangles& from, int threads = 2, std::int64_t most = 8000)
         : runtime(test::with_threads(threads)), shape(mesh_test::made(runtime, from, mesh::Parts::all)),
           tree(runtime, shape.vertex, shape.triangle, {}),
           creases(mesh::find_creases(runtime, shape, 30.0, 0.008 * shape.bounds.diagonal(), {})),
-          result(mesh::fit_pieces(runtime, shape, tree, creases, {}, {}, {})),
+          result(mesh::fit_pieces(runtime, shape, tree, creases, settings(most), {}, {})),
           f(runtime.instruction_set, std::move(result.data)) {}
 
+    [[nodiscard]] static mesh::FitMeshSettings settings(std::int64_t most) {
+        mesh::FitMeshSettings result;
+        result.maximum_centres = most;
+        return result;
+    }
     [[nodiscard]] double value(const glm::dvec3& p) const {
         double value = 0.0;
         f.evaluate({&p.x, &p.y, &p.z, 1}, {&value, {}, {}});
@@ -195,6 +200,28 @@ TEST(FitPieces, FollowACreaseThatFades) {
     for (int i = 0; i <= 100; ++i) EXPECT_LT(fading.edge_offset({-0.01 * i, 0.0, 0.0}, {0.0, 0.0, 1.0}), 4e-4) << i;
     // On from the crease's end both sheets are one.
     for (int i = 0; i <= 50; ++i) EXPECT_LT(fading.edge_offset({0.018 * i, 0.0, 0.0}, {0.0, 0.0, 1.0}), 4e-4) << i;
+}
+
+// The flat faces of the chamfer stay flat up to the tips of the cones between them.
+TEST(FitPieces, KeepChamfersFlatBesideTipsOfCones) {
+    const Fitted plate(test::chamfered_plate(20));
+    EXPECT_TRUE(plate.result.mesh.reached);
+    EXPECT_EQ(plate.result.mesh.mesh.share, 1.0);
+    EXPECT_LT(plate.result.mesh.mesh.most, 1e-3 * plate.shape.bounds.diagonal());
+    EXPECT_LT(plate.result.mesh.surface.most, 1e-3 * plate.shape.bounds.diagonal());
+    for (int i = 0; i <= 60; ++i) { // along the middle of a side
+        const double x = 1.0 + 13.0 * i / 60.0;
+        const double off = plate.value({x, 0.5, 3.1});
+        EXPECT_LT(std::abs(off), 1e-3 * plate.shape.bounds.diagonal()) << x;
+    }
+}
+
+// A ball of few faces beside a box of many: each gets as many centres as it takes.
+TEST(FitPieces, AreNotStarvedForHavingFewFaces) {
+    const Triangles ball = test::icosphere(3).moved(1.0, 3.0, 0.0, 0.0);
+    const Fitted both(test::box(1.0, 1.0, 1.0, 60).with(ball), 2, 400);
+    EXPECT_EQ(both.result.pieces.sheets, 7);
+    EXPECT_TRUE(both.result.mesh.reached);
 }
 
 // Both edges of its wall are met up to the tip, where they are 0.03 % of the diagonal apart.

@@ -3619,8 +3619,8 @@ extern "C" {
 /// sharp where the mesh has edges: they stand out, as those of machine parts do, from what is
 /// beside them; noise and coarse faces of round shapes do not. Closed parts that cross are
 /// fitted apart, and meet in creases. Where sheets that meet in edges leave more than a fifth
-/// of the mesh beyond the tolerance, 99 % of it farther off than `far`, and a smooth fit
-/// comes much nearer, the fit is that one, and a warning says so
+/// of the mesh beyond the tolerance, and 1 % of it beyond `far`, and a smooth fit comes much
+/// nearer, the fit is that one, and a warning says so
 pub const HRBFNPR_EDGES_AUTO: u32 = 0;
 /// the surface is one smooth fit, which rounds them
 pub const HRBFNPR_EDGES_SMOOTH: u32 = 1;
