@@ -7,7 +7,7 @@ import types
 import numpy as np
 import pytest
 from conftest import fibonacci_sphere
-from test_shapes import CUBE, VERTICES, write
+from test_shapes import CUBE, QUADS, VERTICES, write
 
 from hrbfnpr import shapes
 from hrbfnpr.shapes import _vtk
@@ -442,3 +442,23 @@ def test_geotiff(tmp_path):
     assert elevations.format == "height map, DEM"
     with pytest.raises(shapes.ShapeError, match="rasterio cannot read it"):
         shapes.read(write(tmp_path, "a.dem", b"no elevations"))
+
+
+VRML = """#VRML V2.0 utf8
+Transform { translation 1 2 3 children [ Shape { geometry IndexedFaceSet { coord Coordinate { point [ %s ] }
+coordIndex [ %s ] } } ] }
+"""
+
+
+def test_vrml(tmp_path):
+    pytest.importorskip("vtk")
+    corners = ", ".join(f"{x} {y} {2 * z}" for x, y, z in CUBE)
+    faces = ", ".join(" ".join(map(str, [*quad, -1])) for quad in QUADS)
+    for name in ("box.wrl", "box.txt"):
+        shape = shapes.read(write(tmp_path, name, VRML % (corners, faces)))
+        assert shape.format == "VRML" and len(shape.triangles) == 12
+        np.testing.assert_allclose(shape.points.max(axis=0), [2, 3, 5], atol=1e-6)
+    with pytest.raises(shapes.ShapeError, match="VTK finds no points"):
+        shapes.read(write(tmp_path, "bad.wrl", VRML[:90]))
+    with pytest.raises(shapes.ShapeError, match="VRML of version 1"):
+        shapes.read(write(tmp_path, "old.wrl", "#VRML V1.0 ascii\n"))

@@ -86,6 +86,18 @@ def test_ply_with_elements_of_nothing(tmp_path, form, data):
         np.testing.assert_array_equal(shapes.read(write(tmp_path, "a.ply", head.encode() + data)).points, [[1, 2, 3]])
 
 
+def test_ply_of_a_range_image_tells_where_the_scanner_stood(tmp_path):
+    rows = "".join(f"{x} {y} 5\n" for x in range(4) for y in range(3))
+    grid = "".join(f"1 {i}\n" if i < 12 else "0\n" for i in range(16))
+    head = "ply\nformat ascii 1.0\nobj_info num_cols 4\nobj_info num_rows 4\nelement vertex 12\n"
+    places = "property float x\nproperty float y\nproperty float z\n"
+    grid_head = "element range_grid 16\nproperty list uchar int vertex_indices\nend_header\n"
+    shape = shapes.read(write(tmp_path, "view.ply", head + places + grid_head + rows + grid))
+    assert len(shape.points) == 12 and shape.triangles is None
+    assert shape.viewpoint[2] > 100 and shape.viewpoint[:2] == (1.5, 1.0)
+    assert shapes.read(write(tmp_path, "no.ply", head + places + "end_header\n" + rows)).viewpoint is None
+
+
 def test_ply_strips(tmp_path):
     grid = np.array([[x, y, 0] for x in range(3) for y in range(2)], dtype=float)
     data = ply_header("ascii", ("vertex", 6, XYZ), ("tristrips", 1, ["list int int vertex_indices"]))

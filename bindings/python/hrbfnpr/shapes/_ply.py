@@ -10,7 +10,7 @@ from typing import Any, Dict, Iterator, List, Optional, Tuple, Union
 import numpy as np
 
 from ._polygons import fans, fans_of_block
-from ._shape import Floats, Integers, Shape, ShapeError, strips
+from ._shape import Floats, Integers, Shape, ShapeError, Vector, strips
 from ._table import Rows, at, check_indices, numbers, polygons
 
 _TYPES = {
@@ -77,7 +77,17 @@ def read_ply(data: bytes) -> Shape:
     points = np.column_stack([vertex[axis] for axis in "xyz"]).astype(np.float64)
     names = next(tuple(name for name, _, _ in one.properties) for one in elements if one.name == "vertex")
     form = {"": "ascii", "<": "binary, little-endian", ">": "binary, big-endian"}[order]
-    return Shape(points, normals, _triangles(columns, points), f"PLY, {form}", names)
+    seen_from = _scanner(points) if "range_grid" in columns else None
+    return Shape(points, normals, _triangles(columns, points), f"PLY, {form}", names, viewpoint=seen_from)
+
+
+def _scanner(points: Floats) -> Optional[Vector]:
+    """Where it stood, far off, of one range image as Cyberware's scanners save it: its rays go along -z."""
+    finite = points[np.isfinite(points).all(axis=1)]
+    if len(finite) == 0:
+        return None
+    middle, far = finite.mean(axis=0), 1000 * float(np.linalg.norm(np.ptp(finite, axis=0)))
+    return float(middle[0]), float(middle[1]), float(middle[2]) + far
 
 
 def _triangles(columns: Dict[str, Dict[str, Any]], points: Floats) -> Any:

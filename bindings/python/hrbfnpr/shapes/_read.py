@@ -49,7 +49,7 @@ FORMATS: Dict[str, Format] = {
         Format("VTK", None, _vtk.read_vtk), Format("LAS", None, _scans.read_las), Format("E57", None, _scans.read_e57),
         Format("grid", _heights.read_grid), Format("PGM", _heights.read_pgm),
         Format("GeoTIFF", None, _heights.read_geotiff), Format("DEM", None, _heights.read_dem), Format("3MF", None, read_3mf), Format("PTX", read_ptx),
-        Format("NPY", read_npy), Format("NPZ", read_npz),
+        Format("VRML", None, _vtk.read_vrml), Format("NPY", read_npy), Format("NPZ", read_npz),
         *(Format(name, None, _assimp.read) for name in _assimp.ENDINGS.values()),
         *(Format(name, None, _cad.read) for name in dict.fromkeys(_cad.ENDINGS.values())),
     )
@@ -59,12 +59,12 @@ ENDINGS = {
     ".xyz": "text", ".xyzn": "text", ".pwn": "text", ".txt": "text", ".asc": "text", ".csv": "text", ".pts": "text",
     ".gltf": "glTF", ".glb": "glTF", ".vtp": "VTP", ".vtu": "VTU", ".vtk": "VTK", ".las": "LAS", ".laz": "LAS",
     ".e57": "E57", ".grd": "grid", ".pgm": "PGM", ".tif": "GeoTIFF", ".tiff": "GeoTIFF",
-    ".3mf": "3MF", ".ptx": "PTX", ".npy": "NPY", ".npz": "NPZ", **dict.fromkeys((".dem", ".hgt", ".dt0", ".dt1", ".dt2", ".bil", ".flt"), "DEM"),
+    ".3mf": "3MF", ".ptx": "PTX", ".npy": "NPY", ".npz": "NPZ", ".wrl": "VRML", ".vrml": "VRML", **dict.fromkeys((".dem", ".hgt", ".dt0", ".dt1", ".dt2", ".bil", ".flt"), "DEM"),
     **_assimp.ENDINGS, **_cad.ENDINGS,
 }  # fmt: skip
 _BY_MESHIO = (".msh", ".inp", ".mesh", ".bdf", ".nas", ".med", ".xdmf", ".tet", ".avs", ".e", ".exo", ".dat")
 _MAGIC: Tuple[Tuple[bytes, str], ...] = (
-    (rb"ply\s", "PLY"), (rb"\x93NUMPY", "NPY"), (rb"glTF", "glTF"), (rb"LASF", "LAS"), (rb"ASTM-E57", "E57"),
+    (rb"ply\s", "PLY"), (rb"\x93NUMPY", "NPY"), (rb"#VRML V[12]", "VRML"), (rb"glTF", "glTF"), (rb"LASF", "LAS"), (rb"ASTM-E57", "E57"),
     (rb"(?:#[^\n]*\n|\s)*(?:VERSION\s[.\d]+\s+)?FIELDS\s", "PCD"), (rb"# vtk DataFile", "VTK"),
     (rb"\s*(?:<\?xml[^>]*>\s*)?(?:<!--.*?-->\s*)*<VTKFile[^>]*PolyData", "VTP"),
     (rb"\s*(?:<\?xml[^>]*>\s*)?(?:<!--.*?-->\s*)*<VTKFile[^>]*UnstructuredGrid", "VTU"),
@@ -76,13 +76,13 @@ _MAGIC: Tuple[Tuple[bytes, str], ...] = (
 )  # fmt: skip
 READ = (
     "PLY, OBJ, STL, OFF, 3MF, glTF and GLB; points as XYZ, TXT, ASC, CSV, PTS, PWN, PTX, PCD, LAS, LAZ, E57, NPY or NPZ; "
-    "VTK, VTU and VTP; STEP, IGES and BREP by Open CASCADE; Collada, FBX, 3DS, Blender, X3D and others by assimp; "
+    "VTK, VTU, VTP and VRML; STEP, IGES and BREP by Open CASCADE; Collada, FBX, 3DS, Blender, X3D and others by assimp; "
     "height maps as ESRI grid, PGM, GeoTIFF or DEM"
 )
 _CONVERT = {
     **dict.fromkeys((".sldprt", ".sldasm", ".ipt", ".iam", ".prt", ".catpart", ".x_t", ".sat", ".fcstd", ".f3d"),
                     "the program that it is of exports STEP or STL"),
-    **dict.fromkeys((".max", ".usd", ".usda", ".usdc", ".usdz", ".wrl"),
+    **dict.fromkeys((".max", ".usd", ".usda", ".usdc", ".usdz"),
                     "Blender exports it as glTF or PLY"),
     **dict.fromkeys((".fls", ".rcp", ".rcs", ".zfs", ".bin", ".pod"),
                     "CloudCompare saves it as PLY, with normals"),

@@ -46,6 +46,15 @@ def read_mni(path: Path) -> Shape:
     return _by_vtk("vtkMNIObjectReader", path, "MNI object")
 
 
+def read_vrml(path: Path) -> Shape:
+    """Scenes of the second version, VRML 97."""
+    with open(path, "rb") as file:
+        if file.read(8) == b"#VRML V1":
+            raise ShapeError("it is VRML of version 1, which is not read; MeshLab saves it as PLY")
+    _need_vtk("VRML")
+    return _by_vtk("vtkVRMLImporter", path, "VRML")
+
+
 def read_vtk(path: Path) -> Shape:
     """VTK's older files: polygons by VTK, other kinds by VTK or meshio."""
     with open(path, "rb") as file:

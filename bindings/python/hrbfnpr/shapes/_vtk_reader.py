@@ -29,14 +29,35 @@ def fills_a_volume(vtk: Any, cells: Any) -> bool:
     return False
 
 
+def scene_of(vtk: Any, importer: Any) -> Any:
+    """The polygons of a scene, each where it stands."""
+    importer.Read()
+    actors, together = importer.GetRenderer().GetActors(), vtk.vtkAppendPolyData()
+    actors.InitTraversal()
+    for _ in range(actors.GetNumberOfItems()):
+        actor = actors.GetNextActor()
+        actor.GetMapper().Update()
+        place, moved = vtk.vtkTransform(), vtk.vtkTransformPolyDataFilter()
+        place.SetMatrix(actor.GetMatrix())
+        moved.SetTransform(place)
+        moved.SetInputData(actor.GetMapper().GetInput())
+        moved.Update()
+        together.AddInputData(moved.GetOutput())
+    together.Update()
+    return together.GetOutput()
+
+
 def read(kind: str, path: str, result: str) -> None:
     import vtk
     from vtk.util.numpy_support import vtk_to_numpy
 
     reader = getattr(vtk, kind)()
     reader.SetFileName(path)
-    reader.Update()
-    data = reader.GetOutput()
+    if kind.endswith("Importer"):
+        data = scene_of(vtk, reader)
+    else:
+        reader.Update()
+        data = reader.GetOutput()
     if data is None or data.GetNumberOfPoints() == 0:
         return
     volume = not data.IsA("vtkPolyData") and fills_a_volume(vtk, data)
