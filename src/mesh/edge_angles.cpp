@@ -9,7 +9,7 @@ namespace hrbfnpr::mesh {
 namespace {
 
 constexpr double fine = 1e7;           // parts of a radian
-constexpr double last_place = 0x1p-22; // of the largest coordinate: most files hold single precision
+constexpr double last_place = 0x1p-22; // of the largest coordinate
 constexpr double most_rounding = 0.01; // radians
 
 // -pi is pi.
@@ -21,10 +21,10 @@ std::int64_t rounded(double angle) noexcept {
 
 } // namespace
 
-EdgeAngles::EdgeAngles(const base::Array<glm::dvec3>& vertex, const base::Array<Triangle>& triangle)
-    : vertex_(vertex), triangle_(triangle) {
-    for (const glm::dvec3& p : vertex) rounding_ = std::max({rounding_, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
-    rounding_ *= last_place;
+double coordinate_rounding(const base::Array<glm::dvec3>& vertex) noexcept {
+    double largest = 0.0;
+    for (const glm::dvec3& p : vertex) largest = std::max({largest, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+    return last_place * largest;
 }
 
 void EdgeAngles::measure(const Side* first, const Side* last, base::Array<Turned>& result) const {

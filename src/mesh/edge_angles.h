@@ -17,9 +17,13 @@ struct Turned {
     return static_cast<std::int32_t>(side.edge & 0xFFFFFFFFU);
 }
 
+// How far single precision, in which most files are, may have moved places.
+[[nodiscard]] double coordinate_rounding(const base::Array<glm::dvec3>& vertex) noexcept;
+
 class EdgeAngles {
 public:
-    EdgeAngles(const base::Array<glm::dvec3>& vertex, const base::Array<Triangle>& triangle);
+    EdgeAngles(const base::Array<glm::dvec3>& vertex, const base::Array<Triangle>& triangle) noexcept
+        : vertex_(vertex), triangle_(triangle), rounding_(coordinate_rounding(vertex)) {}
 
     // Of faces that have an area.
     void measure(const Side* first, const Side* last, base::Array<Turned>& result) const;
@@ -33,7 +37,7 @@ private:
 
     const base::Array<glm::dvec3>& vertex_;
     const base::Array<Triangle>& triangle_;
-    double rounding_ = 0.0; // of coordinates
+    double rounding_;
 };
 
 } // namespace hrbfnpr::mesh

@@ -5,12 +5,14 @@
 #include "base/status.h"
 #include "mesh/join_borders.h"
 #include "mesh/part_edges.h"
+#include "mesh/split_slivers.h"
 #include "mesh/walls.h"
 
 #include <algorithm>
 #include <bit>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 namespace hrbfnpr::mesh {
 namespace {
@@ -176,13 +178,13 @@ void leave_out_faces(Welded& welded, base::Array<Repeated>& repeated, MeshReport
             numbers.find_or_add(hash, kept, [&](std::int64_t k) { return sorted(welded.triangle[k]) == key; });
         if (found != kept) {
             repeated[found].balance += sense(t);
-            repeated[found].last = static_cast<std::int32_t>(face);
+            repeated[found].last = welded.given_face[face];
             ++report.repeated_faces;
             continue;
         }
         repeated.push_back({sense(t)});
         welded.triangle[kept] = t;
-        welded.given_face[kept++] = static_cast<std::int32_t>(face);
+        welded.given_face[kept++] = welded.given_face[face];
     }
     welded.triangle.resize(kept);
     welded.given_face.resize(kept);
@@ -229,9 +231,11 @@ Welded weld(const base::Runtime& runtime, const MeshInput& input, MeshReport& re
     report.given_vertices = input.vertices.count;
     report.given_faces = input.triangles.count;
     welded.triangle = read_triangles(runtime, input, progress);
-    welded.given_face.resize(welded.triangle.size());
+    welded.given_face.resize_for_overwrite(welded.triangle.size());
+    std::iota(welded.given_face.begin(), welded.given_face.end(), 0);
     join_vertices(input.vertices, welded, report, progress);
     if (!is_balanced(welded.triangle)) join_rounded(runtime, welded, report, progress);
+    report.degenerate_faces = split_slivers(welded, progress);
     base::Array<Repeated> repeated(runtime.memory);
     leave_out_faces(welded, repeated, report, progress);
     leave_out_walls(runtime, repeated, welded, report, progress);
