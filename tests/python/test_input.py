@@ -229,7 +229,7 @@ ROWS = {
     "points, all normals inward": ("a.xyz", lambda: table(ball()[0], -ball()[1]), [], 0),
     "points, some normals inward": ("a.xyz", mixed, [], 0),
     "points without normals": ("a.xyz", lambda: table(ball()[0]), [], 0),
-    "points without normals, of one scan that tells where the scanner stood (PTX, PCD, `--viewpoint`)": (
+    "points without normals, of one scan that tells where the scanner stood (PTX, PCD, `range_grid`, `--viewpoint`)": (
         "a.ptx", lambda: ptx(wall(), 30).decode(), [], 0),
     "points with normals, with noise": ("a.xyz", lambda: table(noisy(), fibonacci_sphere(1500)), [], 0),
     "points without normals, with noise": ("a.xyz", lambda: table(noisy()), [], 0),

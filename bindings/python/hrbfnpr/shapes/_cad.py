@@ -18,7 +18,7 @@ UP: Vector = (0.0, 0.0, 1.0)
 ENDINGS = {".step": "STEP", ".stp": "STEP", ".iges": "IGES", ".igs": "IGES", ".brep": "BREP", ".brp": "BREP"}
 OTHERWISE = "FreeCAD exports it as STL"
 _OFF = 5e-4  # diagonals: triangles are no farther from what they stand for ...
-_BEND = 12  # ... nor do they bend by more degrees
+_BEND, _OTHERS = 12, (16, 20, 28)  # ... nor do they bend by more degrees: others where faces get no triangles
 _READ = {
     "STEP": "ReadStep D model; XGetOneShape shape D",
     "IGES": "ReadIges D model; XGetOneShape shape D",
@@ -28,7 +28,21 @@ _SCRIPT = """pload MODELING XDE
 {read}
 if {{![isdraw shape]}} {{exit 2}}
 lassign [bounding shape] a b c d e f
-incmesh shape [expr {{{off} * sqrt(($d - $a)**2 + ($e - $b)**2 + ($f - $c)**2)}}] -a {bend} -parallel
+proc meshed {{bend deflection}} {{
+  global shape
+  tclean shape
+  incmesh shape $deflection -a $bend -parallel
+  return [expr {{[regexp {{([0-9]+) empty}} [trinfo shape] all empty] ? $empty : 0}}]
+}}
+set deflection [expr {{{off} * sqrt(($d - $a)**2 + ($e - $b)**2 + ($f - $c)**2)}}]
+set empty [meshed {bend} $deflection]
+foreach other {{{others}}} {{
+  if {{$empty == 0}} break
+  set fewer [meshed $other $deflection]
+  if {{$fewer < $empty}} {{set empty $fewer; break}}
+  if {{$other == {last}}} {{meshed {bend} $deflection}}
+}}
+puts "without triangles: $empty"
 writestl shape model.stl
 """
 _SAID = re.compile(rb"(?:\*+ *ERR\w*|Error|.*Exception|.*Could not open|Cannot|File was not)[^\n]*", re.I)
@@ -44,7 +58,9 @@ def read(path: Path) -> Shape:
     with tempfile.TemporaryDirectory() as folder:
         work = Path(folder)
         shutil.copyfile(path, work / "model")  # a name that Tcl does not read anything into
-        (work / "read.tcl").write_text(_SCRIPT.format(read=_READ[form], off=_OFF, bend=_BEND), "ascii")
+        others = " ".join(map(str, _OTHERS))
+        script = _SCRIPT.format(read=_READ[form], off=_OFF, bend=_BEND, others=others, last=_OTHERS[-1])
+        (work / "read.tcl").write_text(script, "ascii")
         command = [program, "-b", "-f", "read.tcl"]
         done = run("Open CASCADE", command, OTHERWISE, folder, _with_plugins(program, work / "plugins"))
         made = work / "model.stl"
@@ -53,8 +69,11 @@ def read(path: Path) -> Shape:
         if not made.exists():
             raise ShapeError(f"Open CASCADE makes no triangles of it{_reason(done.stdout + done.stderr)}; {OTHERWISE}")
         shape = read_stl(made.read_bytes())
-    note = f"its surfaces are made triangles, at most {100 * _OFF:g}% of the diagonal off"
-    return replace(shape, format=form, up=UP, notes=(*shape.notes, note))
+    notes = [*shape.notes, f"its surfaces are made triangles, at most {100 * _OFF:g}% of the diagonal off"]
+    empty = re.search(rb"without triangles: ([1-9]\d*)", done.stdout)
+    if empty:
+        notes.append(f"Open CASCADE makes no triangles of {int(empty[1])} of its surfaces, which are missing; {OTHERWISE}")
+    return replace(shape, format=form, up=UP, notes=tuple(notes))
 
 
 def _by_content(head: bytes) -> Optional[str]:
