@@ -2382,7 +2382,8 @@ typedef struct hrbfnpr_mesh_info {
     int64_t faces;
     int64_t welded_vertices;      /* in the place of another, and joined with it; on borders also within 1e-6 of the
                                      diagonal from another */
-    int64_t degenerate_faces;     /* without area, left out */
+    int64_t degenerate_faces;     /* without area but for the rounding of single precision, left out; the face across the
+                                     longest side is cut in two at the corner that lies within it, so that no slit stays */
     int64_t repeated_faces;       /* with the corners of another, left out; both where two solids share a wall */
     int64_t turned_faces;         /* against those beside them, turned */
     int64_t components;           /* of the given faces */
@@ -2519,9 +2520,7 @@ HRBFNPR_API hrbfnpr_status hrbfnpr_model_compare_mesh(const hrbfnpr_model* model
 enum {
     HRBFNPR_EDGES_AUTO = 0,   /* sharp where the mesh has edges: they stand out, as those of machine parts do, from what
                                  is beside them; noise and coarse faces of round shapes do not.  Closed parts that
-                                 cross are fitted apart, and meet in creases.  Where sheets that meet in edges leave
-                                 more than a fifth of the mesh beyond the tolerance, and 1 % of it beyond `far`, and a
-                                 smooth fit comes much nearer, the fit is that one, and a warning says so */
+                                 cross are fitted apart, and meet in creases */
     HRBFNPR_EDGES_SMOOTH = 1, /* the surface is one smooth fit, which rounds them */
     HRBFNPR_EDGES_SHARP = 2   /* sharp wherever faces meet at more than crease_angle */
 };
@@ -2534,7 +2533,8 @@ typedef struct hrbfnpr_mesh_fit_desc {
                                 0.002 diagonals; not below 1e-6 diagonals */
     double share;            /* of both that has to be within the tolerance, above 0, at most 1; 0.99 */
     double far;              /* what no part may be beyond; 0 = five times the tolerance */
-    int64_t maximum_centres; /* 16 .. 1000000; 8000 */
+    int64_t maximum_centres; /* 16 .. 1000000; 8000.  A fit with sharp edges may have 32 for each of its sheets, if that
+                                is more: each is solved alone */
     int64_t candidates;      /* places on the mesh to choose from, 1000 .. 10000000; 0 = by its area and its details */
     uint64_t random_seed;    /* any number; 1 */
     double crease_angle;     /* degrees between the normals of two faces, 5 .. 175: what bends more is an edge, and what

@@ -13,7 +13,6 @@
 #include "mesh/pieces/fit_pieces.h"
 #include "mesh/pieces/has_creases.h"
 
-#include <algorithm>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -90,11 +89,7 @@ namespace {
 constexpr double evaluations_of_a_comparison = 5e5;
 constexpr double smallest_tolerance = 1e-6; // in diagonals
 constexpr double smallest_cell = 1e-3;
-constexpr double end_of_pieces = 0.8;    // of the progress of a mesh fit
-constexpr double end_of_mesh_fit = 0.9;  // then it is looked for the surface's end
-constexpr double torn_share = 0.8;       // of a mesh, or of the surface, that is within the tolerance
-constexpr double much_coarser = 1.5;     // of what faces are off what is round
-constexpr double much_nearer = 0.6;      // of the distance of 99 %
+constexpr double end_of_mesh_fit = 0.9;  // of its progress; then it is looked for the surface's end
 constexpr double too_coarse = 0.8;       // of `far`: how far faces may be from what they stand for
 constexpr double least_off_mesh = 0.009; // diagonals; of off_mesh()
 constexpr double most_off_mesh = 0.015;
@@ -321,9 +316,12 @@ void log_pieces(const base::Runtime& runtime, const mesh::PiecesReport& report) 
             report.smooth_length, static_cast<long long>(report.poor_cells));
 }
 
-hrbfnpr_model* model_of(const hrbfnpr_mesh& mesh, mesh::PiecesFit& result, const mesh::FitMeshSettings& settings,
-                        std::uint32_t trim, hrbfnpr_mesh_fit_info* info, const base::Progress& progress) {
+hrbfnpr_model* fit_pieces(const hrbfnpr_mesh& mesh, const mesh::FitMeshSettings& settings, const fit::FitInput& options,
+                          std::uint32_t trim, const mesh::Creases& creases, hrbfnpr_mesh_fit_info* info,
+                          const base::Progress& progress) {
     const base::Runtime& runtime = mesh.runtime();
+    mesh::PiecesFit result = mesh::fit_pieces(runtime, mesh.mesh, mesh.tree, creases, settings, options,
+                                              progress.part(0.0, end_of_mesh_fit));
     const std::int64_t centres = result.data.centres();
     log_fit(runtime, result.mesh, centres);
     log_pieces(runtime, result.pieces);
@@ -337,7 +335,7 @@ hrbfnpr_model* model_of(const hrbfnpr_mesh& mesh, mesh::PiecesFit& result, const
         progress.update(1.0);
         model = make_handle<hrbfnpr_model>(mesh.context(), std::move(result.data), result.fit);
     } else {
-        const Border border(mesh, off, settings.seed, progress);
+        const Border border(mesh, off, settings.seed, progress.part(end_of_mesh_fit, 1.0));
         model = border.end(make_handle<hrbfnpr_model>(mesh.context(), std::move(result.data), result.fit));
     }
     if (info == nullptr) return model;
@@ -349,48 +347,6 @@ hrbfnpr_model* model_of(const hrbfnpr_mesh& mesh, mesh::PiecesFit& result, const
     to.poor_cells = result.pieces.poor_cells;
     write_struct(info, to);
     return model;
-}
-
-hrbfnpr_model* model_of(const hrbfnpr_mesh& mesh, mesh::MeshFit& result, const mesh::FitMeshSettings& settings,
-                        std::uint32_t trim, hrbfnpr_mesh_fit_info* info, const base::Progress& progress) {
-    const std::int64_t centres = result.fit.data.count();
-    log_fit(mesh.runtime(), result.report, centres);
-    hrbfnpr_model* const model = ended(mesh, result, trim, settings.seed, progress);
-    if (info != nullptr) write_struct(info, described(result.report, centres));
-    return model;
-}
-
-// Sheets by the hundred, as of thin things on a long one, may be too many for the centres that there may be, and for
-// the cells in which they meet.  Faces that are coarse are meant to be off.  What the surface has beyond the mesh is
-// left out.
-bool is_torn(const mesh::PiecesFit& fit) noexcept {
-    const mesh::FitMeshReport& report = fit.mesh;
-    return report.mesh.share < torn_share && report.mesh.p99 > std::max(report.far, much_coarser * fit.pieces.coarse);
-}
-
-bool is_nearer(const mesh::FitMeshReport& one, const mesh::FitMeshReport& other) noexcept {
-    return one.mesh.share > other.mesh.share && one.mesh.p99 < much_nearer * other.mesh.p99 &&
-           one.surface.p99 < other.surface.p99;
-}
-
-hrbfnpr_model* fit_pieces(const hrbfnpr_mesh& mesh, const mesh::FitMeshSettings& settings, const fit::FitInput& options,
-                          std::uint32_t trim, const mesh::Creases& creases, hrbfnpr_mesh_fit_info* info,
-                          const base::Progress& progress) {
-    const base::Runtime& runtime = mesh.runtime();
-    mesh::PiecesFit sharp =
-        mesh::fit_pieces(runtime, mesh.mesh, mesh.tree, creases, settings, options, progress.part(0.0, end_of_pieces));
-    if (settings.edges == mesh::Edges::automatic && is_torn(sharp)) {
-        mesh::MeshFit smooth = mesh::fit_mesh(runtime, mesh.mesh, mesh.tree, settings, options,
-                                              progress.part(end_of_pieces, end_of_mesh_fit));
-        if (is_nearer(smooth.report, sharp.mesh)) {
-            runtime.log(base::LogLevel::warning,
-                        "mesh fit: edges are rounded: of %d sheets that meet in sharp ones 99 %% of the mesh would be "
-                        "within %.3g, of a smooth fit within %.3g; edges SHARP makes them sharp",
-                        static_cast<int>(sharp.pieces.sheets), sharp.mesh.mesh.p99, smooth.report.mesh.p99);
-            return model_of(mesh, smooth, settings, trim, info, progress.part(end_of_mesh_fit, 1.0));
-        }
-    }
-    return model_of(mesh, sharp, settings, trim, info, progress.part(end_of_mesh_fit, 1.0));
 }
 
 hrbfnpr_model* fit_mesh(const hrbfnpr_mesh& mesh, const MeshFitDesc& desc, const hrbfnpr_fit_desc& fit,
@@ -410,7 +366,12 @@ hrbfnpr_model* fit_mesh(const hrbfnpr_mesh& mesh, const MeshFitDesc& desc, const
         return fit_pieces(mesh, settings, options, fit.trim, *creases, info, use.progress());
     mesh::MeshFit result = mesh::fit_mesh(mesh.runtime(), mesh.mesh, mesh.tree, settings, options,
                                           use.progress().part(0.0, end_of_mesh_fit));
-    return model_of(mesh, result, settings, fit.trim, info, use.progress().part(end_of_mesh_fit, 1.0));
+    const std::int64_t centres = result.fit.data.count();
+    log_fit(mesh.runtime(), result.report, centres);
+    hrbfnpr_model* const model =
+        ended(mesh, result, fit.trim, settings.seed, use.progress().part(end_of_mesh_fit, 1.0));
+    if (info != nullptr) write_struct(info, described(result.report, centres));
+    return model;
 }
 
 } // namespace

@@ -51,24 +51,6 @@ def test_what_coarse_faces_are_taken_for(tmp_path, capsys):
     assert "is not within" not in capsys.readouterr().err
 
 
-def test_edges_are_rounded_where_sharp_ones_take_too_many_centres(tmp_path, capsys):
-    large, faces = tube(48, 2)
-    parts = [(large * [1, 20 / 3, 1], faces)]
-    for i in range(40):
-        small, faces = tube(24, 2)
-        parts.append((0.15 * small * [1, 2 / 3, 1] + [1.6 * np.cos(2.4 * i), 1 + 0.45 * i, 1.6 * np.sin(2.4 * i)], faces))
-    first = np.cumsum([0] + [len(part[0]) for part in parts])
-    faces = [[k + int(at) for k in face] for at, part in zip(first, parts) for face in part[1]]
-    path = write(tmp_path, "studs.obj", obj(np.vstack([part[0] for part in parts]), faces))
-    few = ["--tolerance", "0.01", "--max-centres", "900"]
-    said = r"edges are rounded: of 123 sheets that meet in sharp ones 99 % of the mesh would be within .*; --edges 30"
-    assert draw(path, tmp_path / "a.png", *few) == 0
-    assert re.search(said, capsys.readouterr().err)
-    assert draw(path, tmp_path / "a.png", *few, "--edges", "30") == 0
-    captured = capsys.readouterr()
-    assert "edges are rounded" not in captured.err and "in 123 sheets" in captured.out
-
-
 # --- normals -----------------------------------------------------------------------------------
 
 

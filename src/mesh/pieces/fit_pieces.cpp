@@ -19,8 +19,9 @@ namespace {
 // Shares of the fit's tolerance: at creases, where an error shows as a wave in a straight line, and far from them.
 constexpr double at_crease = 0.025;
 constexpr double far_from_crease = 0.25;
-constexpr double ramp = 0.05;      // diagonals
-constexpr std::int64_t fewest = 8; // centres that each sheet may have
+constexpr double ramp = 0.05;             // diagonals
+constexpr std::int64_t fewest = 8;        // centres that each sheet may have ...
+constexpr std::int64_t room_a_sheet = 32; // ... and that there may be for each, at least
 constexpr std::int64_t even_places = 2000;
 constexpr std::int64_t fewest_on_parts = 4000;
 constexpr std::int64_t most_on_parts = 100000;
@@ -100,6 +101,11 @@ private:
         for (const Creases::Shared& shared : creases_.shared) faces_[next[shared.patch]++] = shared.face;
     }
 
+    // Of many sheets each takes few, and is solved alone.
+    [[nodiscard]] std::int64_t most_centres() const noexcept {
+        return std::max(settings_.maximum_centres, room_a_sheet * creases_.patches);
+    }
+
     // Small patches first: what they need not is left to the larger ones.
     [[nodiscard]] base::Array<std::int32_t> small_first() const {
         base::Array<std::int32_t> order(runtime_.memory);
@@ -116,7 +122,6 @@ private:
         group_faces();
         const PatchNormals normal = patch_normals(runtime_, mesh_, creases_);
         chord_ = chord_errors(mesh_, normal.normal);
-        result_.pieces.coarse = *std::max_element(chord_.begin(), chord_.end());
         const PatchTolerance tolerance{at_crease * result_.mesh.tolerance, far_from_crease * result_.mesh.tolerance,
                                        ramp * mesh_.bounds.diagonal()};
         std::int64_t faces_left = faces_.size();
@@ -128,18 +133,19 @@ private:
             at[p] = made.size();
             const std::int64_t faces = first_[p + 1] - first_[p];
             const double share = static_cast<double>(faces) / static_cast<double>(faces_left);
-            const std::int64_t room = std::max<std::int64_t>(settings_.maximum_centres - centres, 0);
+            const std::int64_t room = std::max<std::int64_t>(most_centres() - centres, 0);
             const std::int64_t most = std::max(fewest, static_cast<std::int64_t>(share * static_cast<double>(room)));
             made.add(fit_patch(p, normal, tolerance, most));
             faces_left -= faces;
             centres += made.back().data.count();
-            if (made.back().outside > 0 && made.back().data.count() >= most) starved.push_back(p);
+            const bool far = made.back().report.input_distance_max > result_.mesh.tolerance;
+            if (far && made.back().data.count() >= most) starved.push_back(p);
             progress_.update(0.5 * (1.0 - static_cast<double>(faces_left) / static_cast<double>(faces_.size())));
         }
         // A few coarse faces may stand for what takes many centres, as cones do.
         for (std::int64_t left = starved.size(); const std::int32_t p : starved) {
             SheetFit& one = made[at[p]];
-            const std::int64_t more = std::max<std::int64_t>(settings_.maximum_centres - centres, 0) / left--;
+            const std::int64_t more = std::max<std::int64_t>(most_centres() - centres, 0) / left--;
             if (more < one.data.count() / 4) continue;
             centres -= one.data.count();
             one = fit_patch(p, normal, tolerance, one.data.count() + more);

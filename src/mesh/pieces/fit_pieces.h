@@ -12,7 +12,6 @@ struct PiecesReport {
     std::int32_t sheets = 0;
     double crease_length = 0.0; // of those that are sharp
     double smooth_length = 0.0; // of creases that fade, which stay smooth
-    double coarse = 0.0;        // how far faces are from what is round
     std::int64_t cells = 0;
     std::int64_t poor_cells = 0;
     double seconds_cells = 0.0;

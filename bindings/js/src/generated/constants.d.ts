@@ -921,9 +921,7 @@ export type MeshAttributeName = "vertex" | "triangle" | "component" | "given-fac
 export declare const EDGES: {
   /**
    * sharp where the mesh has edges: they stand out, as those of machine parts do, from what is beside them; noise
-   * and coarse faces of round shapes do not. Closed parts that cross are fitted apart, and meet in creases. Where
-   * sheets that meet in edges leave more than a fifth of the mesh beyond the tolerance, and 1 % of it beyond
-   * `far`, and a smooth fit comes much nearer, the fit is that one, and a warning says so
+   * and coarse faces of round shapes do not. Closed parts that cross are fitted apart, and meet in creases
    */
   readonly AUTO: 0;
   /** the surface is one smooth fit, which rounds them */

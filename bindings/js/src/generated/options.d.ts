@@ -1339,7 +1339,10 @@ export interface MeshInfo {
   readonly faces: number;
   /** in the place of another, and joined with it; on borders also within 1e-6 of the diagonal from another */
   readonly weldedVertices: number;
-  /** without area, left out */
+  /**
+   * without area but for the rounding of single precision, left out; the face across the longest side is cut in
+   * two at the corner that lies within it, so that no slit stays
+   */
   readonly degenerateFaces: number;
   /** with the corners of another, left out; both where two solids share a wall */
   readonly repeatedFaces: number;
@@ -1466,7 +1469,10 @@ export interface MeshFitDesc {
   share?: number;
   /** what no part may be beyond; 0 = five times the tolerance */
   far?: number;
-  /** 16 .. 1000000; 8000 */
+  /**
+   * 16 .. 1000000; 8000. A fit with sharp edges may have 32 for each of its sheets, if that is more: each is
+   * solved alone
+   */
   maximumCentres?: number;
   /** places on the mesh to choose from, 1000 .. 10000000; 0 = by its area and its details */
   candidates?: number;

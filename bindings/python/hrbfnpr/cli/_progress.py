@@ -59,11 +59,9 @@ class Reporter:
 
     def logged(self, level: str, message: str) -> None:
         """A line of the library's log: what it alone knows of a mesh is warned of."""
-        text = message[len("mesh fit: ") :]
-        if message.startswith("mesh fit: parts "):
-            self.warn(f"{text} (--tolerance)")
-        if message.startswith("mesh fit: edges are rounded: "):
-            self.warn(text.replace("edges SHARP makes", "--edges 30 makes"))
+        start = "mesh fit: parts "
+        if message.startswith(start):
+            self.warn(f"parts {message[len(start):]} (--tolerance)")
 
     def say(self, text: str) -> None:
         """A line on stdout."""

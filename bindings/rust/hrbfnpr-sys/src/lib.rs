@@ -3402,7 +3402,8 @@ pub struct hrbfnpr_mesh_info {
     /// in the place of another, and joined with it; on borders also within 1e-6 of the diagonal
     /// from another
     pub welded_vertices: i64,
-    /// without area, left out
+    /// without area but for the rounding of single precision, left out; the face across the
+    /// longest side is cut in two at the corner that lies within it, so that no slit stays
     pub degenerate_faces: i64,
     /// with the corners of another, left out; both where two solids share a wall
     pub repeated_faces: i64,
@@ -3618,9 +3619,7 @@ extern "C" {
 // What becomes of a mesh's edges.
 /// sharp where the mesh has edges: they stand out, as those of machine parts do, from what is
 /// beside them; noise and coarse faces of round shapes do not. Closed parts that cross are
-/// fitted apart, and meet in creases. Where sheets that meet in edges leave more than a fifth
-/// of the mesh beyond the tolerance, and 1 % of it beyond `far`, and a smooth fit comes much
-/// nearer, the fit is that one, and a warning says so
+/// fitted apart, and meet in creases
 pub const HRBFNPR_EDGES_AUTO: u32 = 0;
 /// the surface is one smooth fit, which rounds them
 pub const HRBFNPR_EDGES_SMOOTH: u32 = 1;
@@ -3640,7 +3639,8 @@ pub struct hrbfnpr_mesh_fit_desc {
     pub share: f64,
     /// what no part may be beyond; 0 = five times the tolerance
     pub far: f64,
-    /// 16 .. 1000000; 8000
+    /// 16 .. 1000000; 8000. A fit with sharp edges may have 32 for each of its sheets, if that is
+    /// more: each is solved alone
     pub maximum_centres: i64,
     /// places on the mesh to choose from, 1000 .. 10000000; 0 = by its area and its details
     pub candidates: i64,
