@@ -320,41 +320,60 @@ private:
     Fan fan_;
 };
 
-} // namespace
+// The corners of the faces at each vertex, those of one after those of another.
+struct Corners {
+    Corners(base::Memory& memory, const Mesh& mesh)
+        : first(memory, mesh.vertex.size() + 1), corner(memory, 3 * mesh.faces()) {
+        for (const Triangle& t : mesh.triangle)
+            for (const std::int32_t v : t) ++first[v + 1];
+        for (std::int64_t v = 0; v < mesh.vertex.size(); ++v) first[v + 1] += first[v];
+        base::Array<std::int64_t> next(memory);
+        for (const std::int64_t at : first) next.push_back(at);
+        for (std::int64_t i = 0; i < corner.size(); ++i)
+            corner[next[mesh.triangle[i / 3][static_cast<std::size_t>(i % 3)]]++] = i;
+    }
+    [[nodiscard]] const std::int64_t* of(std::int64_t vertex) const noexcept { return corner.data() + first[vertex]; }
+    [[nodiscard]] std::int64_t count(std::int64_t vertex) const noexcept { return first[vertex + 1] - first[vertex]; }
 
-PatchNormals patch_normals(const base::Runtime& runtime, const Mesh& mesh, const Creases& creases) {
-    base::Array<std::int64_t> first(runtime.memory, mesh.vertex.size() + 1);
-    for (const Triangle& t : mesh.triangle)
-        for (const std::int32_t v : t) ++first[v + 1];
-    for (std::int64_t v = 0; v < mesh.vertex.size(); ++v) first[v + 1] += first[v];
-    base::Array<std::int64_t> next(runtime.memory);
-    for (const std::int64_t at : first) next.push_back(at);
-    base::Array<std::int64_t> corner(runtime.memory, 3 * mesh.faces());
-    for (std::int64_t i = 0; i < corner.size(); ++i)
-        corner[next[mesh.triangle[i / 3][static_cast<std::size_t>(i % 3)]]++] = i;
-    base::Array<glm::dvec3> weighted(runtime.memory);
-    PatchNormals result(runtime.memory);
-    weighted.resize_for_overwrite(3 * mesh.faces());
-    result.normal.resize_for_overwrite(3 * mesh.faces());
-    result.tip.resize(3 * mesh.faces());
+    base::Array<std::int64_t> first;
+    base::Array<std::int64_t> corner;
+};
+
+// By which the normals of faces count at their corners.
+[[nodiscard]] base::Array<glm::dvec3> weighted_normals(const base::Runtime& runtime, const Mesh& mesh) {
+    base::Array<glm::dvec3> result(runtime.memory);
+    result.resize_for_overwrite(3 * mesh.faces());
     runtime.parallel.for_chunks(mesh.faces(), 4096, [&](std::int64_t begin, std::int64_t end) {
         for (std::int64_t face = begin; face < end; ++face) {
             const auto p = mesh.corners(face);
             const glm::dvec3 area = doubled_area(p);
-            for (std::size_t k = 0; k < 3; ++k) {
-                weighted[3 * face + static_cast<std::int64_t>(k)] = corner_angle(p, k) * area;
-            }
+            for (std::size_t k = 0; k < 3; ++k)
+                result[3 * face + static_cast<std::int64_t>(k)] = corner_angle(p, k) * area;
         }
     });
-    runtime.parallel.for_chunks(mesh.vertex.size(), 4096, [&](std::int64_t begin, std::int64_t end) {
-        VertexNormals normals(runtime.memory, mesh, creases, weighted, result);
-        for (std::int64_t v = begin; v < end; ++v) normals.set(corner.data() + first[v], first[v + 1] - first[v]);
+    return result;
+}
+
+} // namespace
+
+PatchNormals patch_normals(const base::Runtime& runtime, const Mesh& mesh, const Creases& creases) {
+    const Corners corners(runtime.memory, mesh);
+    const base::Array<glm::dvec3> weighted = weighted_normals(runtime, mesh);
+    PatchNormals result(runtime.memory);
+    result.normal.resize_for_overwrite(3 * mesh.faces());
+    result.tip.resize(3 * mesh.faces());
+    const auto for_vertices = [&](auto&& visit) {
+        runtime.parallel.for_chunks(mesh.vertex.size(), 4096, [&](std::int64_t begin, std::int64_t end) {
+            VertexNormals normals(runtime.memory, mesh, creases, weighted, result);
+            for (std::int64_t v = begin; v < end; ++v) visit(normals, corners.of(v), corners.count(v));
+        });
+    };
+    for_vertices(
+        [](VertexNormals& normals, const std::int64_t* corner, std::int64_t count) { normals.set(corner, count); });
+    for_vertices([](VertexNormals& normals, const std::int64_t* corner, std::int64_t count) {
+        normals.find_tips(corner, count);
     });
-    runtime.parallel.for_chunks(mesh.vertex.size(), 4096, [&](std::int64_t begin, std::int64_t end) {
-        VertexNormals normals(runtime.memory, mesh, creases, weighted, result);
-        for (std::int64_t v = begin; v < end; ++v) normals.find_tips(corner.data() + first[v], first[v + 1] - first[v]);
-    });
-    for (std::int64_t i = 0; i < corner.size(); ++i)
+    for (std::int64_t i = 0; i < result.tip.size(); ++i)
         if (result.tip[i] != 0) result.normal[i] = glm::normalize(doubled_area(mesh.corners(i / 3)));
     return result;
 }
