@@ -15,7 +15,7 @@ from test_shapes import CUBE, QUADS, stl, write
 
 import hrbfnpr
 from hrbfnpr import shapes
-from hrbfnpr.cli import _orient, _up, main
+from hrbfnpr.cli import _nearness, _orient, _up, main
 
 Image = pytest.importorskip("PIL.Image")
 
@@ -407,3 +407,17 @@ def test_how_near_the_surface_is(tmp_path, capsys):
     assert found[0] > 1 > found[1] > 0
     assert draw(write(tmp_path, "a.xyz", table(*ball())), tmp_path / "a.png") == 0
     assert re.search(r"(?m)^fit .* 200 centres, .*; through all samples$", capsys.readouterr().out)
+
+
+def test_distances_that_are_none_are_words():
+    found = hrbfnpr.Comparison.__new__(hrbfnpr.Comparison)
+    numbers = {"surface_p99": 0.1, "surface_max": 0.2, "mesh_p99": 0.3, "mesh_max": np.inf}
+    for name, value in numbers.items():
+        object.__setattr__(found, name, value)
+    words = _nearness.in_words(found, 10.0)
+    assert words.endswith("mesh to surface: 3.00%, and somewhere none is near")
+    object.__setattr__(found, "mesh_max", 0.4)
+    assert _nearness.in_words(found, 10.0).endswith("mesh to surface: 3.00%, 4.00%")
+    object.__setattr__(found, "surface_p99", np.nan)
+    object.__setattr__(found, "mesh_p99", np.inf)
+    assert _nearness.in_words(found, 10.0) == "no surface was found to measure from; mesh to surface: not found"

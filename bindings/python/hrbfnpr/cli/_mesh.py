@@ -26,6 +26,7 @@ _FLAT_BEND = 5.0  # degrees by which flat faces bend to each other
 LOOKED_AT = 2000  # samples that tell which way is up
 SAMPLES = 1000  # where the fit is not to choose them
 _ROUND = 0.9  # share of a mesh within the tolerance: where it is less, that is not for a few edges
+_ROOM_A_SHEET = 32  # centres that a fit with sharp edges may have, as the library has it
 _CHOOSES = ("tolerance", "maximum_centres", "kernel", "kernel_radius", "polynomial_degree", "solver")
 _OF_ONE = ("save_model", "save_points", "save_settings", "settings", "scale_bar")
 _NOT_WITH_CHOICE = ("samples", "outliers", "flipped_normals", "refinement_steps", "flip")
@@ -294,7 +295,7 @@ def _shortfall(done: MeshFitInfo, model: Model, arguments: Any) -> str:
         f"the mesh and {surface}, "
         + (f"at most {farthest:.1%}" if np.isfinite(farthest) else "and some of the mesh has no surface near it")
     )
-    most = arguments.maximum_centres or 8000
+    most = max(arguments.maximum_centres or 8000, _ROOM_A_SHEET * done.sheets if done.sheets > 1 else 0)
     if done.centres >= 0.9 * most:
         return text + f"; --max-centres {2 * most} allows more samples"
     if done.sheets > 1 and done.mesh_share < _ROUND and arguments.edges is None:

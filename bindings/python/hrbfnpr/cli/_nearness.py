@@ -17,12 +17,14 @@ SHARE = 0.01  # of the mesh that may be as far without a warning
 
 def in_words(found: Union[Comparison, MeshFitInfo], diagonal: float) -> str:
     """Distances both ways, as shares of the diagonal."""
+    # From some places of the mesh no surface may be found at all.
+    far = f"{found.mesh_max / diagonal:.2%}" if np.isfinite(found.mesh_max) else "and somewhere none is near"
+    near = f"{found.mesh_p99 / diagonal:.2%}" if np.isfinite(found.mesh_p99) else "not found"
     if np.isnan(found.surface_p99):
-        return f"no surface was found to measure from; mesh to surface: {found.mesh_p99 / diagonal:.2%}"
+        return f"no surface was found to measure from; mesh to surface: {near}"
     return (
         f"surface to mesh: 99 % within {found.surface_p99 / diagonal:.2%} of the diagonal, all within "
-        f"{found.surface_max / diagonal:.2%}; mesh to surface: {found.mesh_p99 / diagonal:.2%}, "
-        f"{found.mesh_max / diagonal:.2%}"
+        f"{found.surface_max / diagonal:.2%}; mesh to surface: {near}, {far}"
     )
 
 
