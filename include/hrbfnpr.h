@@ -2383,7 +2383,7 @@ typedef struct hrbfnpr_mesh_info {
     int64_t welded_vertices;      /* in the place of another, and joined with it; on borders also within 1e-6 of the
                                      diagonal from another */
     int64_t degenerate_faces;     /* without area but for the rounding of single precision, left out; the face across the
-                                     longest side is cut in two at the corner that lies within it, so that no slit stays */
+                                     largest side is cut in two at the corner that lies within it, so that no slit stays */
     int64_t repeated_faces;       /* with the corners of another, left out; both where two solids share a wall */
     int64_t turned_faces;         /* against those beside them, turned */
     int64_t components;           /* of the given faces */

@@ -1340,7 +1340,7 @@ export interface MeshInfo {
   /** in the place of another, and joined with it; on borders also within 1e-6 of the diagonal from another */
   readonly weldedVertices: number;
   /**
-   * without area but for the rounding of single precision, left out; the face across the longest side is cut in
+   * without area but for the rounding of single precision, left out; the face across the largest side is cut in
    * two at the corner that lies within it, so that no slit stays
    */
   readonly degenerateFaces: number;

@@ -3403,7 +3403,7 @@ pub struct hrbfnpr_mesh_info {
     /// from another
     pub welded_vertices: i64,
     /// without area but for the rounding of single precision, left out; the face across the
-    /// longest side is cut in two at the corner that lies within it, so that no slit stays
+    /// largest side is cut in two at the corner that lies within it, so that no slit stays
     pub degenerate_faces: i64,
     /// with the corners of another, left out; both where two solids share a wall
     pub repeated_faces: i64,
