@@ -458,6 +458,9 @@ def test_vrml(tmp_path):
         shape = shapes.read(write(tmp_path, name, VRML % (corners, faces)))
         assert shape.format == "VRML" and len(shape.triangles) == 12
         np.testing.assert_allclose(shape.points.max(axis=0), [2, 3, 5], atol=1e-6)
+        assert shape.notes == () or name != "box.wrl"
+    cut = shapes.read(write(tmp_path, "cut.wrl", VRML % (corners, faces) + "Transform { children [ ] ] }\n"))
+    assert len(cut.triangles) == 12 and "VTK stops near line 4" in cut.notes[0]
     with pytest.raises(shapes.ShapeError, match="VTK finds no points"):
         shapes.read(write(tmp_path, "bad.wrl", VRML[:90]))
     with pytest.raises(shapes.ShapeError, match="VRML of version 1"):

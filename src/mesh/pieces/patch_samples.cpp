@@ -232,8 +232,8 @@ private:
 
 namespace {
 
-// At the tip of a cone each face goes on as it is towards its far side, and turns to the mean normal: by so small a
-// part of that.  On what is smooth it turns half as much, or as much.
+// At the tip of a cone the mean normal is turned from that of each face; at the face's far side the normals there are
+// so small a part of that.  On a sphere they are turned as much at all corners of a face.
 constexpr double straight = 0.25;
 constexpr double least_turn = 0.05; // radians, on average
 constexpr double small_step = 0.3;  // from face to face, of the whole turn

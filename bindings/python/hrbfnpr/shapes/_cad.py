@@ -17,8 +17,8 @@ from ._stl import read_stl
 UP: Vector = (0.0, 0.0, 1.0)
 ENDINGS = {".step": "STEP", ".stp": "STEP", ".iges": "IGES", ".igs": "IGES", ".brep": "BREP", ".brp": "BREP"}
 OTHERWISE = "FreeCAD exports it as STL"
-_OFF = 5e-4  # diagonals: triangles are no farther from what they stand for ...
-_BEND, _OTHERS = 12, (16, 20, 28)  # ... nor do they bend by more degrees: others where faces get no triangles
+_OFF = 5e-4  # diagonals, that triangles are meant to be from what they stand for at most ...
+_BEND, _OTHERS = 12, (16, 20, 28)  # ... and degrees that they bend by: others where faces get no triangles
 _READ = {
     "STEP": "ReadStep D model; XGetOneShape shape D",
     "IGES": "ReadIges D model; XGetOneShape shape D",
@@ -28,13 +28,14 @@ _SCRIPT = """pload MODELING XDE
 {read}
 if {{![isdraw shape]}} {{exit 2}}
 lassign [bounding shape] a b c d e f
+set across [expr {{sqrt(($d - $a)**2 + ($e - $b)**2 + ($f - $c)**2)}}]
 proc meshed {{bend deflection}} {{
   global shape
   tclean shape
   incmesh shape $deflection -a $bend -parallel
   return [expr {{[regexp {{([0-9]+) empty}} [trinfo shape] all empty] ? $empty : 0}}]
 }}
-set deflection [expr {{{off} * sqrt(($d - $a)**2 + ($e - $b)**2 + ($f - $c)**2)}}]
+set deflection [expr {{{off} * $across}}]
 set empty [meshed {bend} $deflection]
 foreach other {{{others}}} {{
   if {{$empty == 0}} break
@@ -43,6 +44,7 @@ foreach other {{{others}}} {{
   if {{$other == {last}}} {{meshed {bend} $deflection}}
 }}
 puts "without triangles: $empty"
+if {{[regexp {{Maximal deflection ([-+.0-9e]+)}} [trinfo shape] all off]}} {{puts "off by: [expr {{100 * $off / $across}}]"}}
 writestl shape model.stl
 """
 _SAID = re.compile(rb"(?:\*+ *ERR\w*|Error|.*Exception|.*Could not open|Cannot|File was not)[^\n]*", re.I)
@@ -69,7 +71,9 @@ def read(path: Path) -> Shape:
         if not made.exists():
             raise ShapeError(f"Open CASCADE makes no triangles of it{_reason(done.stdout + done.stderr)}; {OTHERWISE}")
         shape = read_stl(made.read_bytes())
-    notes = [*shape.notes, f"its surfaces are made triangles, at most {100 * _OFF:g}% of the diagonal off"]
+    off = re.search(rb"off by: ([-+.0-9e]+)", done.stdout)
+    how_near = f", at most {float(off[1]):.2g}% of the diagonal off" if off else ""
+    notes = [*shape.notes, f"its surfaces are made triangles{how_near}"]
     empty = re.search(rb"without triangles: ([1-9]\d*)", done.stdout)
     if empty:
         notes.append(f"Open CASCADE makes no triangles of {int(empty[1])} of its surfaces, which are missing; {OTHERWISE}")
@@ -89,8 +93,8 @@ def _program() -> Optional[str]:
         if shutil.which(name):
             return shutil.which(name)
     folders = os.environ.get("PATH", os.defpath).split(os.pathsep)
-    found = [path for folder in folders if folder for path in sorted(Path(folder).glob("occt-draw-[0-9]*"))]
-    return str(found[-1]) if found else None
+    found = (str(path) for folder in folders if folder for path in sorted(Path(folder).glob("occt-draw-[0-9]*"), reverse=True))
+    return next(found, None)
 
 
 def _with_plugins(program: str, folder: Path) -> Dict[str, str]:

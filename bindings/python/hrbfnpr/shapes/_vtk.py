@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import contextlib
 import io
+import re
 import sys
 import tempfile
+from dataclasses import replace
 from pathlib import Path
 from typing import Any, Dict, List, Optional, Tuple
 
@@ -97,7 +99,12 @@ def _by_vtk(reader: str, path: Path, form: str) -> Shape:
         if not result.exists():
             raise ShapeError("VTK finds no points in it: it is damaged, or empty")
         with np.load(result) as found:
-            return _shape_of(found, form)
+            shape = _shape_of(found, form)
+    stopped = re.search(rb"near line (\d+): parse error", done.stdout + done.stderr)
+    if stopped is None:
+        return shape
+    note = f"VTK stops near line {int(stopped[1]) + 1}, which it does not understand: what is behind may be missing; {_OTHERWISE}"
+    return replace(shape, notes=(*shape.notes, note))
 
 
 def _shape_of(found: Any, form: str) -> Shape:
