@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "mesh/pieces/creases.h"
 
-#include "mesh/pieces/patch_samples.h"
+#include "mesh/pieces/patch_normals.h"
 #include "mesh/pieces/split_fading.h"
 
 #include <algorithm>

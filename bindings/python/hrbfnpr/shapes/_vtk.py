@@ -96,15 +96,13 @@ def _by_vtk(reader: str, path: Path, form: str) -> Shape:
         done = run("VTK", command, _OTHERWISE)
         if done.returncode:
             raise ShapeError(f"VTK cannot read it, and ended: it is damaged; {_OTHERWISE}")
+        stopped = re.search(rb"near line (\d+): parse error", done.stdout + done.stderr)
+        where = f"VTK stops near line {int(stopped[1]) + 1}, which it does not understand" if stopped else ""
         if not result.exists():
-            raise ShapeError("VTK finds no points in it: it is damaged, or empty")
+            raise ShapeError(f"VTK finds no points in it: {where or 'it is damaged, or empty'}")
         with np.load(result) as found:
             shape = _shape_of(found, form)
-    stopped = re.search(rb"near line (\d+): parse error", done.stdout + done.stderr)
-    if stopped is None:
-        return shape
-    note = f"VTK stops near line {int(stopped[1]) + 1}, which it does not understand: what is behind may be missing; {_OTHERWISE}"
-    return replace(shape, notes=(*shape.notes, note))
+    return replace(shape, notes=(*shape.notes, f"{where}: what is behind may be missing; {_OTHERWISE}")) if where else shape
 
 
 def _shape_of(found: Any, form: str) -> Shape:
