@@ -2,7 +2,9 @@
 // Models made of a caller's function.
 #include "fixture.h"
 
+#include <algorithm>
 #include <chrono>
+#include <condition_variable>
 #include <mutex>
 #include <set>
 #include <thread>
@@ -70,22 +72,33 @@ TEST(Custom, IsCalledOnTheEnteringThreadOnly) {
 
 // A model is const to callers, who may share it: a function that is not thread-safe is still called by one at a time.
 TEST(Custom, ThatIsNotThreadSafeIsCalledByOneThreadAtATime) {
+    // Of a function that is thread-safe, the first call waits for a second one, however busy the machine is.
     struct Alone {
-        std::atomic<int> inside{0};
-        std::atomic<int> most{0};
+        bool waits = false;
+        std::mutex mutex;
+        std::condition_variable entered;
+        int inside = 0;
+        int most = 0;
         static std::int32_t call(void* user, std::int64_t count, const double* points, double* value, double*,
                                  double*) {
             auto& self = *static_cast<Alone*>(user);
-            const int now = self.inside.fetch_add(1) + 1;
-            if (now > self.most) self.most = now;
-            std::this_thread::sleep_for(std::chrono::microseconds(50));
+            std::unique_lock lock(self.mutex);
+            self.most = std::max(self.most, ++self.inside);
+            self.entered.notify_all();
+            const bool waited = self.waits;
+            if (waited)
+                self.waits = self.entered.wait_for(lock, std::chrono::seconds(20), [&] { return self.most > 1; });
+            lock.unlock();
+            if (!waited) std::this_thread::sleep_for(std::chrono::microseconds(50));
             for (std::int64_t i = 0; i < count; ++i) value[i] = points[3 * i];
-            self.inside.fetch_sub(1);
+            lock.lock();
+            --self.inside;
             return 0;
         }
     };
     for (const bool safe : {false, true}) {
         Alone alone;
+        alone.waits = safe;
         Error error;
         const Context context = make_context(1);
         auto desc = made(hrbfnpr_custom_desc_init);
