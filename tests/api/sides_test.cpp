@@ -95,6 +95,35 @@ TEST_F(Sides, BothOfASolidAreItsFront) {
     }
 }
 
+// A box whose bottom is seen at a low angle, where a layer that faces the eye alone lets through half of what is behind
+// it.
+TEST_F(Sides, BothOfASolidHideItsInside) {
+    auto desc = made(hrbfnpr_custom_desc_init);
+    desc.function = [](void* /*user*/, std::int64_t count, const double* points, double* value, double*, double*) {
+        for (std::int64_t i = 0; i < count; ++i) {
+            value[i] = -1.0;
+            for (int k = 0; k < 3; ++k) value[i] += std::pow(points[3 * i + k], 16.0);
+        }
+        return std::int32_t{0};
+    };
+    std::fill_n(desc.bounds_min, 3, -1.0);
+    std::fill_n(desc.bounds_max, 3, 1.0);
+    hrbfnpr_model* raw = nullptr;
+    ASSERT_OK(hrbfnpr_model_create_custom(context.get(), &desc, &raw, error));
+    const PointSet set = generate(context, Model(raw), small_desc());
+    ASSERT_EQ(style.hidden_lines, HRBFNPR_HIDDEN_LINES_ATTENUATE);
+    style.tone = HRBFNPR_TONE_NONE;
+    const auto ink = [&](std::uint32_t sides) {
+        const std::vector<std::uint8_t> pixels = picture(draw(set, sides));
+        double sum = 0.0;
+        for (std::size_t i = 0; i < pixels.size(); i += 4) sum += 255.0 - pixels[i];
+        return sum;
+    };
+    const double front = ink(HRBFNPR_SIDES_FRONT);
+    EXPECT_GT(front, 0.0);
+    EXPECT_LT(ink(HRBFNPR_SIDES_BOTH), 1.02 * front);
+}
+
 // The plain way: the same marks, posed with opposite normals.
 TEST_F(Sides, TheOtherOneIsThatOfOppositeNormals) {
     const PointSet set = bowl();

@@ -114,7 +114,7 @@ TEST_F(Exact, DimsByTheLawsOfTheLayersThatALineCrosses) {
             if (t > 0.021 && (d < 0.0) != (before < 0.0)) {
                 const test::Field field = solid.at(p);
                 law *= static_cast<double>(frame::layer_transmittance(
-                    style, static_cast<float>(-glm::dot(glm::normalize(field.gradient), toward))));
+                    style, static_cast<float>(-glm::dot(glm::normalize(field.gradient), toward)), false));
             }
             before = d;
         }

@@ -215,7 +215,7 @@ TEST_F(LayersTest, ABallInFrontDimsByTheLawsOfBothItsLayers) {
             ASSERT_EQ(drawn, 1.0F) << off;
         } else if (off < 0.8 * radius) {
             const auto nu = static_cast<float>(std::sqrt(1.0 - off * off / (radius * radius)));
-            const float law = layer_transmittance(style, -nu) * layer_transmittance(style, nu);
+            const float law = layer_transmittance(style, -nu, false) * layer_transmittance(style, nu, false);
             worst = std::max(worst, static_cast<double>(std::abs(drawn - law)));
             ++selected;
         }
@@ -240,8 +240,8 @@ TEST_F(LayersTest, OpenLayersOneBehindTheOtherDimExactly) {
     style.attenuation_front = 0.4;
     style.attenuation_back = 0.3;
     style.splat_overlap = 1.0F;
-    const float front = layer_transmittance(style, -1.0F);
-    const float back = layer_transmittance(style, 1.0F);
+    const float front = layer_transmittance(style, -1.0F, false);
+    const float back = layer_transmittance(style, 1.0F, false);
     struct Case {
         std::vector<Front> layers;
         float clear;

@@ -47,7 +47,7 @@ void ExactVisibility::ask(const base::Runtime& runtime, const Scene& scene, std:
         for (std::int32_t hit = 0; hit < hits_.count[i]; ++hit) {
             const glm::dvec3 n = hits_.normal[i * most_layers + hit];
             const double nu = glm::dot(n, sight) / glm::length(sight);
-            inks[asked_[i]].opacity *= layer_transmittance(view.style, static_cast<float>(nu));
+            inks[asked_[i]].opacity *= layer_transmittance(view.style, static_cast<float>(nu), view.both_sides);
         }
     }
     rays_.origin.clear();

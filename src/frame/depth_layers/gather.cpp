@@ -11,23 +11,26 @@ namespace {
 
 constexpr std::int64_t marks_of_work = 8192;
 
-[[nodiscard]] TransmittanceTable transmittance_table(const Style& style) noexcept {
+[[nodiscard]] TransmittanceTable transmittance_table(const ItemView& item) noexcept {
     TransmittanceTable table{};
     for (std::size_t i = 0; i <= TransmittanceTable::steps; ++i) {
         const float nu = static_cast<float>(i) / TransmittanceTable::steps;
-        table.front[i] = layer_transmittance(style, -nu);
-        table.back[i] = layer_transmittance(style, nu);
+        table.front[i] = layer_transmittance(item.style, -nu, item.both_sides);
+        table.back[i] = layer_transmittance(item.style, nu, item.both_sides);
     }
-    table.halo = layer_transmittance(style, halo_angle);
+    table.halo = layer_transmittance(item.style, halo_angle, false);
     return table;
 }
 
 // Hatching sees its marks itself: neither dots nor splats come from them.
 [[nodiscard]] bool is_unused(const Run& run) noexcept { return run.as_hatch && !run.splats && !run.draws_silhouettes; }
 
-[[nodiscard]] bool same_layers(const Style& a, const Style& b) noexcept {
-    return a.hidden_lines == b.hidden_lines && a.attenuation_front == b.attenuation_front &&
-           a.attenuation_back == b.attenuation_back && a.splat_overlap == b.splat_overlap;
+[[nodiscard]] bool same_layers(const ItemView& one, const ItemView& other) noexcept {
+    const Style& a = one.style;
+    const Style& b = other.style;
+    return one.both_sides == other.both_sides && a.hidden_lines == b.hidden_lines &&
+           a.attenuation_front == b.attenuation_front && a.attenuation_back == b.attenuation_back &&
+           a.splat_overlap == b.splat_overlap;
 }
 
 } // namespace
@@ -87,8 +90,8 @@ void Gather::set_up(const Scene& scene) {
     transmittances_.clear();
     for (std::int64_t i = 0; i < scene.items.size(); ++i) {
         sights_[i] = sight_of(scene.items[i], scene.lens, frustum_);
-        if (i == 0 || !same_layers(scene.items[i].style, scene.items[i - 1].style))
-            transmittances_.push_back(transmittance_table(scene.items[i].style));
+        if (i == 0 || !same_layers(scene.items[i], scene.items[i - 1]))
+            transmittances_.push_back(transmittance_table(scene.items[i]));
         transmittance_of_[i] = static_cast<std::int32_t>(transmittances_.size() - 1);
     }
     for (std::int64_t r = 0; r < scene.runs.size(); ++r) {

@@ -13,13 +13,21 @@ inline constexpr float halo_angle = 0.25F;
 // A halo's contour is nearer than what it cuts by so many pixels.
 inline constexpr float halo_gap = 4.0F;
 
-// What a layer of this item lets through of what lies behind.
-[[nodiscard]] inline float layer_transmittance(const Style& style, float nu) noexcept {
+// What a layer of this item lets through of what lies behind.  What a solid hides lies behind two layers, one that
+// faces the eye and one that faces away.  Of a surface that is drawn on both sides only one may lie there: it hides
+// like both.
+[[nodiscard]] inline float layer_transmittance(const Style& style, float nu, bool both_sides) noexcept {
     if (style.hidden_lines == HiddenLines::show) return 1.0F;
     if (style.hidden_lines == HiddenLines::hide) return 0.0F;
-    const float alpha = nu > 0.0F ? back_alpha(nu, static_cast<float>(style.attenuation_back))
-                                  : front_alpha(nu, static_cast<float>(style.attenuation_front));
-    return style.splat_overlap > 0.0F ? std::pow(1.0F - alpha, style.splat_overlap) : 1.0F - alpha;
+    const auto of = [&](float alpha) {
+        return style.splat_overlap > 0.0F ? std::pow(1.0F - alpha, style.splat_overlap) : 1.0F - alpha;
+    };
+    const float angle = std::abs(nu);
+    float transmittance = 1.0F;
+    if (nu > 0.0F || both_sides) transmittance *= of(back_alpha(angle, static_cast<float>(style.attenuation_back)));
+    if (!(nu > 0.0F) || both_sides)
+        transmittance *= of(front_alpha(-angle, static_cast<float>(style.attenuation_front)));
+    return transmittance;
 }
 
 // What a layer lets through has its item in the lowest bits, where no pixel shows it: planes of items would take as

@@ -67,6 +67,7 @@ Camera in_unit(Camera camera, double unit) noexcept {
 ItemView view_of(const Item& item, const Camera& camera) {
     ItemView view;
     view.style = item.style;
+    view.both_sides = item.both_sides;
     view.model = item.model;
     view.lines = item.lines;
     view.origin = item.set->origin;

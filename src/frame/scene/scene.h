@@ -102,6 +102,7 @@ private:
 // One item's matrices.
 struct ItemView {
     Style style;
+    bool both_sides = false;
     const implicit::Implicit* model = nullptr;
     const curves::LineSet* lines = nullptr;
     glm::dvec3 origin{0.0}; // of the set's positions
