@@ -62,14 +62,18 @@ def subdivide(shape: Shape, rounds: int = 1, crease_angle: float = 60.0) -> Shap
 def coarseness(shape: Shape) -> float:
     """How far faces are off something round, as a share of the diagonal: for nine tenths of the edges at most this.
 
-    Two faces whose normals are an angle apart, with edges of a length, bulge by their product over eight.
+    Two faces whose normals are an angle apart bulge by its product with what they measure across their edge over eight.
+    Of a bevel beside a flat face that is the bevel's width, however long it is, and what is equilateral measures an edge.
     """
     assert shape.triangles is not None
     edges = _Edges(np.asarray(shape.triangles, dtype=np.int64))
     angle = _angles(shape.points, edges)
     length = np.linalg.norm(shape.points[edges.ends[:, 0]] - shape.points[edges.ends[:, 1]], axis=1)[edges.plain]
+    area = _areas(shape.points, edges.triangles)
+    one, other = edges.both_faces()
+    across = 4 / np.sqrt(3) * np.minimum(area[one], area[other]) / np.maximum(length, 1e-300)
     diagonal = float(np.linalg.norm(np.ptp(shape.points, axis=0)))
-    return float(np.percentile(angle * length, 90)) / (8 * diagonal) if len(angle) and diagonal > 0 else 0.0
+    return float(np.percentile(angle * across, 90)) / (8 * diagonal) if len(angle) and diagonal > 0 else 0.0
 
 
 def mean_edge(shape: Shape) -> float:
@@ -100,6 +104,13 @@ class _Edges:
         first = np.searchsorted(self.of_side[order], np.flatnonzero(self.plain))
         count = len(self.triangles)
         return order[first] % count, order[first + 1] % count
+
+
+def _areas(points: Floats, triangles: Integers) -> Floats:
+    corner = points[triangles]
+    cross = np.cross(corner[:, 1] - corner[:, 0], corner[:, 2] - corner[:, 0])
+    areas: Floats = np.linalg.norm(cross, axis=1) / 2
+    return areas
 
 
 def _angles(points: Floats, edges: _Edges) -> Floats:
