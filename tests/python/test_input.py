@@ -8,7 +8,9 @@ import shlex
 import numpy as np
 import pytest
 from conftest import ROOT, fibonacci_sphere, torus
+from coarse import coarse_ball, flat_ball, obj
 from convex_hulls import rounded_box
+from corner_normals import obj as obj_with_normals, prism
 from curves import rings
 from test_cli import STAGE, rows
 from test_meshes import glb, gltf
@@ -33,11 +35,6 @@ def ball(scale=1.0):
 
 def table(points, normals=None):
     return rows(points if normals is None else np.hstack([points, normals]))
-
-
-def obj(vertices, faces):
-    text = "".join(f"v {x} {y} {z}\n" for x, y, z in np.asarray(vertices).tolist())
-    return text + "".join("f " + " ".join(str(i + 1) for i in face) + "\n" for face in faces)
 
 
 def tube(across=24, along=12, turned=(), ends=True):
@@ -162,26 +159,6 @@ def voxels():
     return obj(vertices, [[8 * which + corner for corner in side] for which in range(3) for side in sides])
 
 
-def coarse_ball():
-    """Of eighty faces: an icosahedron's, each in four."""
-    golden = (1 + 5**0.5) / 2
-    corners = np.array([np.roll((0, one, golden * other), turn) for turn in range(3) for one in (-1, 1)
-                        for other in (-1, 1)]) / np.hypot(1, golden)  # fmt: skip
-    side = 2 / np.hypot(1, golden)
-    joined = np.linalg.norm(corners[:, None] - corners, axis=2) < 1.01 * side
-    faces = [(a, b, c) for a in range(12) for b in range(a) for c in range(b)
-             if joined[a, b] & joined[b, c] & joined[a, c]]  # fmt: skip
-    vertices, quarters = list(corners), []
-    for face in faces:
-        a, b, c = face if np.linalg.det(corners[list(face)]) > 0 else face[::-1]
-        first = len(vertices)
-        middles = [corners[p] + corners[q] for p, q in ((a, b), (b, c), (c, a))]
-        vertices += [middle / np.linalg.norm(middle) for middle in middles]
-        d, e, f = first, first + 1, first + 2
-        quarters += [(a, d, f), (b, e, d), (c, f, e), (d, e, f)]
-    return obj(vertices, quarters)
-
-
 def crossing_parts():
     vertices, faces = tube(ends=False)
     beside = [[i + len(vertices) for i in face] for face in faces]
@@ -251,6 +228,9 @@ ROWS = {
     "mesh, some faces turned over": ("a.obj", lambda: obj(*tube(turned=range(0, 60, 7))), [], 0),
     "mesh of coarse faces that is meant to be round: no edges stand out, and faces bulge by more than the tolerance":
         ("a.obj", coarse_ball, [], 0),
+    "mesh of coarse faces, some of which share their normals in the file": (
+        "a.obj", lambda: obj_with_normals(*prism()), [], 0),
+    "mesh of coarse faces, none of which shares its normals in the file": ("a.obj", flat_ball, [], 0),
     "mesh of coarse faces that nothing round goes through, as of a convex hull": (
         "a.obj", lambda: obj(*rounded_box()), [], 0),
     "mesh of solids that share faces, as voxels do": ("a.obj", voxels, [], 0),

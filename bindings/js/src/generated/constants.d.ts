@@ -786,7 +786,8 @@ export declare const SIDES: {
    * of a surface that ends, such as a bowl or a leaf, the other one, too, where it looks to the camera: with
    * opposite normals for tone. Such marks count twice in hrbfnpr_drawing_info, as of the front and of the back,
    * their ids are the same, and the drawing has their layers once more, behind those of all items. Lines are seen
-   * from both sides anyway
+   * from both sides anyway. With ATTENUATE a depth layer is as opaque as two, one that faces the camera and one
+   * that faces away, as those of a solid before what it hides
    */
   readonly BOTH: 1;
 };

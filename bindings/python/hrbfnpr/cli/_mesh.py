@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from typing import Any, List, Optional, Tuple
+from typing import Any, List, NamedTuple, Optional, Tuple
 
 import numpy as np
 
@@ -12,7 +12,8 @@ from .._mesh import Mesh, MeshFitInfo, MeshInfo
 from .._model import Model
 from ..shapes import Shape, subdivide
 from ..shapes._shape import Floats
-from ..shapes._subdivide import coarseness, mean_edge
+from ..shapes._sharp_edges import Kind, kind, moved
+from ..shapes._subdivide import coarseness, mean_edge, subdivide_round
 from . import _apart, _far, _orient, _up
 from ._nearness import in_words, of
 from ._progress import Reporter
@@ -22,6 +23,7 @@ MOST_COARSE = 50_000  # faces of a mesh that may be coarse
 MOST_ROUNDS = 3
 COARSE_EDGE = 0.025  # of the diagonal: faces whose edges are shorter on average bend by noise
 _MOST_MOVED = 1.5  # how much farther than the faces bulge vertices may be moved: of figures and rings it is 1.2 at most
+_OTHERWISE = "--edges auto keeps those that stand out"
 _FLAT_BEND = 5.0  # degrees by which flat faces bend to each other
 LOOKED_AT = 2000  # samples that tell which way is up
 SAMPLES = 1000  # where the fit is not to choose them
@@ -40,7 +42,7 @@ class Read:
     shape: Shape
     points: Floats
     normals: Floats
-    flat: bool = False  # nothing round goes through its vertices
+    edges: Optional[float] = None  # degrees: what bends more is an edge; None: what stands out is
 
 
 def read(shape: Shape, arguments: Any, context: Context, report: Reporter) -> Read:
@@ -61,46 +63,73 @@ def read(shape: Shape, arguments: Any, context: Context, report: Reporter) -> Re
         if why is not None:
             assert shape.triangles is not None
             mesh = _welded(shape, np.ascontiguousarray(shape.triangles[:, ::-1]), arguments, None, context)
-        rounds = _rounds(mesh, arguments)
-        divided, flat = "", False
-        if rounds > 0:
-            mesh, shape, divided, flat = _divided(mesh, shape, rounds, arguments, context)
-        if why is not None or (divided and not flat):
-            points, normals = _sampled(mesh, count, arguments, None)
+        made = _with_edges(mesh, shape, arguments, context)
+        if why is not None or made.mesh is not mesh:
+            points, normals = _sampled(made.mesh, count, arguments, None)
     if why is not None:
         report.note(f"{why} (--normals keep leaves them)")
-    if divided:
-        report.note(divided)
-    return Read(mesh, shape, points, -normals if arguments.flip else normals, flat)
+    for said in made.said:
+        report.note(said)
+    return Read(made.mesh, made.shape, points, -normals if arguments.flip else normals, made.edges)
+
+
+class _Made(NamedTuple):
+    """Of a mesh: a finer one or itself, what was done, in words, and from which angle on edges are some."""
+
+    mesh: Mesh
+    shape: Shape
+    said: Tuple[str, ...] = ()
+    edges: Optional[float] = None
+
+
+def _with_edges(mesh: Mesh, shape: Shape, arguments: Any, context: Context) -> _Made:
+    """Round where the mesh is coarse and meant to be so, and sharp where it is, as far as that can be told."""
+    given, told = _plain(mesh), Kind.NOTHING
+    if arguments.edges is None and chooses(arguments):
+        given, told = _with_given_edges(given, shape)
+    rounds = _rounds(mesh, given, told, arguments)
+    if rounds == 0:
+        return _Made(mesh, shape)
+    if told is Kind.ALL and getattr(arguments, "subdivide", None) is None:
+        return _Made(mesh, shape, ("by the normals of its file all faces are flat (--edges smooth rounds)",), _FLAT_BEND)
+    return _divided(mesh, shape, given, rounds, arguments, context)
 
 
 def _plain(mesh: Mesh) -> Shape:
     return Shape(np.array(mesh.vertices), None, np.array(mesh.triangles, dtype=np.int64))
 
 
-def _rounds(mesh: Mesh, arguments: Any) -> int:
+def _with_given_edges(given: Shape, shape: Shape) -> Tuple[Shape, Kind]:
+    """A welded mesh, with the edges that are sharp by the normals of its file where others are not."""
+    assert given.triangles is not None
+    if shape.sharp_edges is None:
+        return given, Kind.NOTHING
+    edges = moved(shape.sharp_edges, shape.points, given.points)
+    said = kind(given.points, given.triangles, edges)
+    return (replace(given, sharp_edges=edges) if said is Kind.SOME else given), said
+
+
+def _rounds(mesh: Mesh, given: Shape, told: Kind, arguments: Any) -> int:
     """How often faces are to be divided: those that something round would bulge out of by more than the tolerance."""
     wanted = getattr(arguments, "subdivide", None)
     if wanted is not None:
         return int(wanted)
     sharp = arguments.edges is not None and arguments.edges[0] == "sharp"
-    if sharp or not chooses(arguments) or len(mesh.triangles) > MOST_COARSE:
-        return 0
-    given = _plain(mesh)
-    if mean_edge(given) < COARSE_EDGE:
+    if sharp or not chooses(arguments) or len(mesh.triangles) > MOST_COARSE or mean_edge(given) < COARSE_EDGE:
         return 0
     low, high = mesh.info.bounds_min, mesh.info.bounds_max
     across = float(np.linalg.norm(np.subtract(high, low)))
     tolerance = (arguments.tolerance or TOLERANCE * across) / across
     off = coarseness(given)
-    if off <= tolerance or _has_edges(given, across, arguments):
+    if off <= tolerance or (told is not Kind.SOME and _has_edges(given, arguments)):
         return 0
     return min(MOST_ROUNDS, int(np.ceil(np.log(2 * off / tolerance) / np.log(4))))
 
 
-def _has_edges(given: Shape, across: float, arguments: Any) -> bool:
+def _has_edges(given: Shape, arguments: Any) -> bool:
     """Whether a fit keeps some sharp, as those of machine parts and of polyhedra. Where none stand out, those of a part
     by itself may: asked with a rough fit, in silence."""
+    across = float(np.linalg.norm(np.ptp(given.points, axis=0)))
     with Context(getattr(arguments, "threads", None) or 0) as silent:
         mesh = Mesh(given.points, given.triangles, parts="all", faces="keep", context=silent)
         if mesh.info.creases:
@@ -110,29 +139,34 @@ def _has_edges(given: Shape, across: float, arguments: Any) -> bool:
     return rough.mesh_fit.sheets > 1
 
 
-def _divided(mesh: Mesh, shape: Shape, rounds: int, arguments: Any, context: Context) -> Tuple[Mesh, Shape, str, bool]:
-    """A finer mesh, round where the given one is coarse; what was done, in words; whether that is nothing, as nothing
-    round goes through the vertices: faces of a convex hull, which are long and of any size, would fold."""
-    given = _plain(mesh)
-    finer = subdivide(given, rounds, 180.0 if arguments.crease is None else arguments.crease)
-    moved = np.linalg.norm(finer.points[: len(given.points)] - given.points, axis=1).max()
+def _divided(mesh: Mesh, shape: Shape, given: Shape, rounds: int, arguments: Any, context: Context) -> _Made:
+    """A finer mesh, round where the given one is coarse, or the same if nothing round goes through its vertices: faces
+    of a convex hull, which are long and of any size, would fold."""
+    told, wanted = given.sharp_edges is not None, getattr(arguments, "subdivide", None) is not None
+    crease = 180.0 if arguments.crease is None else arguments.crease
+    some = told and not wanted
+    finer = subdivide_round(given, rounds, crease, TOLERANCE) if some else subdivide(given, rounds, crease)
+    moved_by = np.linalg.norm(finer.points[: len(given.points)] - given.points, axis=1).max()
     across = np.linalg.norm(np.ptp(given.points, axis=0))
-    said = f"divided {of(rounds, 'time')}, vertices moved by at most {moved / across:.2%}"
-    if getattr(arguments, "subdivide", None) is not None:
+    said = f"divided {of(rounds, 'time')}, vertices moved by at most {moved_by / across:.2%}"
+    if wanted:
         said = f"the faces are {said}"
     else:
         off = coarseness(given)
-        if moved > _MOST_MOVED * off * across and arguments.edges is None:
-            return mesh, shape, "the faces are coarse, but nothing round goes through them: flat (--edges smooth rounds)", True
-        why = f"the faces are coarse, {off:.2%} of the diagonal off something round"
-        said = f"{why}: {said} (--subdivide 0 leaves them)"
-    fine = replace(shape, points=finer.points, triangles=finer.triangles, normals=None)
-    assert fine.triangles is not None
+        if told and moved_by > _MOST_MOVED * coarseness(given, 100.0) * across:
+            return _Made(mesh, shape)
+        if not told and moved_by > _MOST_MOVED * off * across and arguments.edges is None:
+            said = "the faces are coarse, but nothing round goes through them: flat (--edges smooth rounds)"
+            return _Made(mesh, shape, (said,), _FLAT_BEND)
+        said = f"the faces are coarse, {off:.2%} of the diagonal off something round: {said} (--subdivide 0 leaves them)"
+    assert finer.triangles is not None
     made = Mesh(
-        fine.points, fine.triangles, parts="all", faces="keep", context=context,
+        finer.points, finer.triangles, parts="all", faces="keep", context=context,
         crease_angle=60.0 if arguments.crease is None else arguments.crease,
     )  # fmt: skip
-    return made, fine, said, False
+    fine = replace(shape, points=finer.points, triangles=finer.triangles, normals=None, sharp_edges=None)
+    by_file = f"some edges are sharp and others round, by the normals of its file ({_OTHERWISE})"
+    return _Made(made, fine, (by_file, said) if told else (said,))
 
 
 def _welded(shape: Shape, triangles: Any, arguments: Any, bar: Any, context: Context) -> Mesh:
@@ -216,7 +250,7 @@ def _group(whole: Read, faces: Any, arguments: Any, context: Context) -> Read:
         shape.points, shape.triangles, parts="all", faces="keep", context=context,
         crease_angle=60.0 if arguments.crease is None else arguments.crease,
     )  # fmt: skip
-    return Read(mesh, shape, whole.points, whole.normals, whole.flat)
+    return Read(mesh, shape, whole.points, whole.normals, whole.edges)
 
 
 def fit(read_mesh: Read, arguments: Any, report: Reporter, across: float = 0.0) -> Model:
@@ -231,8 +265,8 @@ def fit(read_mesh: Read, arguments: Any, report: Reporter, across: float = 0.0) 
         options["regularization"] = arguments.regularization
     if arguments.edges is not None:
         options["edges"], options["crease_angle"] = arguments.edges
-    elif read_mesh.flat:
-        options["edges"], options["crease_angle"] = "sharp", _FLAT_BEND
+    elif read_mesh.edges is not None:
+        options["edges"], options["crease_angle"] = "sharp", read_mesh.edges
     if across > 0:
         own = float(np.linalg.norm(np.ptp(read_mesh.shape.points, axis=0)))
         options.setdefault("tolerance", TOLERANCE * float(np.sqrt(own * across)))

@@ -92,8 +92,9 @@ def _add_input(parser: Parser) -> None:
          "its shape needs), or chosen from a point set (all up to 4096 by default)")  # fmt: skip
     _add(group, "--crease", "crease", values.number, "DEGREES", "faces of a mesh that meet at a sharper angle do "
          "not share their normals; 60")  # fmt: skip
-    _add(group, "--edges", "edges", values.edges, "EDGES", "of a mesh: auto (default) keeps those sharp that stand out, "
-         "as of machine parts, smooth rounds them, a number of degrees keeps all that bend more")  # fmt: skip
+    _add(group, "--edges", "edges", values.edges, "EDGES", "of a mesh: auto keeps those sharp that stand out, as of "
+         "machine parts, smooth rounds them, a number of degrees keeps all that bend more; by default as auto, and where faces "
+         "are coarse as the normals of the file tell, if they do")  # fmt: skip
     _add(group, "--subdivide", "subdivide", values.count_or_auto(0, 6), "N", "divide the faces of a mesh into four, so often, to "
          "something round; by default where they are coarse and no edges stand out")  # fmt: skip
     _add_choice(group, "--parts", "parts", ("outer", "all", "largest"), "which parts of a mesh: all but those inside "

@@ -13,6 +13,7 @@ import numpy as np
 
 from . import _draco, _meshopt
 from ._shape import Floats, Integers, Shape, ShapeError, Vector
+from ._sharp_edges import of_vertices
 
 UP: Vector = (0.0, 1.0, 0.0)
 _TYPES = {5120: "<i1", 5121: "<u1", 5122: "<i2", 5123: "<u2", 5125: "<u4", 5126: "<f4"}
@@ -103,7 +104,17 @@ class _Reader:
         if triangles is None and all(part is not None for part in self._normals):
             normals = np.concatenate([part for part in self._normals if part is not None])
         columns = ("x", "y", "z") if normals is None else ("x", "y", "z", "nx", "ny", "nz")
-        return Shape(np.concatenate(self._points), normals, triangles, self._form, columns, UP)
+        points = np.concatenate(self._points)
+        sharp = None if triangles is None else self._sharp_edges(points, triangles)
+        return Shape(points, normals, triangles, self._form, columns, UP, sharp_edges=sharp)
+
+    def _sharp_edges(self, points: Floats, triangles: Integers) -> Optional[Integers]:
+        """Of the parts that have normals."""
+        if all(part is None for part in self._normals):
+            return None
+        normals = [np.full_like(place, np.nan) if part is None or len(part) != len(place) else part
+                   for place, part in zip(self._points, self._normals)]  # fmt: skip
+        return of_vertices(points, triangles, np.concatenate(normals))
 
     def _roots(self, nodes: List[Any]) -> List[int]:
         scenes = self._document.get("scenes", [])
@@ -139,8 +150,8 @@ class _Reader:
                 points = points @ matrix[:3, :3].T + matrix[:3, 3]
                 linear = matrix[:3, :3]
             normals = None
-            if mode == _POINTS and "NORMAL" in part["attributes"] and draco is None:
-                normals = self._accessor(part["attributes"]["NORMAL"]) @ np.linalg.inv(linear)
+            if "NORMAL" in part["attributes"] and draco is None:
+                normals = self._normals_of(part, linear, mode)
             if mode != _POINTS:
                 triangles = self._triangles_of(part, mode, len(points)) if draco is None else draco.triangles
                 if triangles is None:
@@ -152,6 +163,17 @@ class _Reader:
             self._points.append(points)
             self._normals.append(normals)
             self._count += len(points)
+
+    def _normals_of(self, part: Dict[str, Any], linear: Floats, mode: int) -> Optional[Floats]:
+        """Those of faces are no more than a hint: nothing fails for them, and they stay as they are."""
+        number = part["attributes"]["NORMAL"]
+        if mode == _POINTS:
+            placed: Floats = self._accessor(number) @ np.linalg.inv(linear)
+            return placed
+        try:
+            return self._accessor(number)
+        except ShapeError:
+            return None
 
     def _triangles_of(self, part: Dict[str, Any], mode: int, count: int) -> Integers:
         indices = self._accessor(part["indices"])[:, 0].astype(np.int64) if "indices" in part else np.arange(count)

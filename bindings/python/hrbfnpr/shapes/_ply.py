@@ -11,6 +11,7 @@ import numpy as np
 
 from ._polygons import fans, fans_of_block
 from ._shape import Floats, Integers, Shape, ShapeError, Vector, strips
+from ._sharp_edges import of_vertices
 from ._table import Rows, at, check_indices, numbers, polygons
 
 _TYPES = {
@@ -78,7 +79,9 @@ def read_ply(data: bytes) -> Shape:
     names = next(tuple(name for name, _, _ in one.properties) for one in elements if one.name == "vertex")
     form = {"": "ascii", "<": "binary, little-endian", ">": "binary, big-endian"}[order]
     seen_from = _scanner(points) if "range_grid" in columns else None
-    return Shape(points, normals, _triangles(columns, points), f"PLY, {form}", names, viewpoint=seen_from)
+    triangles = _triangles(columns, points)
+    sharp = None if triangles is None or normals is None else of_vertices(points, triangles, normals)
+    return Shape(points, normals, triangles, f"PLY, {form}", names, viewpoint=seen_from, sharp_edges=sharp)
 
 
 def _scanner(points: Floats) -> Optional[Vector]:

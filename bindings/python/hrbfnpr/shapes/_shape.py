@@ -39,6 +39,9 @@ class Shape:
         `hrbfnpr.smooth_depth_image` takes as ``points.reshape(*image_shape, 3)``.
     viewpoint : tuple of float, or None
         Where the scanner stood, of points that it saw from one place, if the file tells.
+    sharp_edges : array of int64, shape (k, 2), or None
+        Of a mesh whose file gives its corners normals: edges, as numbers of vertices, along which faces have normals of
+        their own; along others they share them. None where there are no normals, or more than 50 000 faces.
     notes : tuple of str
         What was left out or taken for something while it was read.
     """
@@ -53,6 +56,7 @@ class Shape:
     viewpoint: Optional[Vector] = None
     is_picture: bool = False
     image_shape: Optional[Tuple[int, int]] = None
+    sharp_edges: Optional[Integers] = None
 
     def __post_init__(self) -> None:
         if len(self.points) == 0:

@@ -16,6 +16,9 @@ from ._shape import Floats, Integers, Shape, ShapeError
 
 MOST_FACES = 4_000_000
 _CORNER = np.cos(np.radians(60.0))  # of a border or crease that turns by more: it stays where it is
+_NARROW = 0.25  # share of the area of a flat face: one beside it that has no more is a bevel
+_BEVELLED = np.radians(15.0)  # by which edges of bevels bend at least
+_FLAT = np.radians(2.0)  # triangles that bend by less to each other are one flat face
 _CORRECTIONS = 4  # of the vertices: what is left is some hundredth of what plain subdivision moves them by
 
 
@@ -29,7 +32,9 @@ def subdivide(shape: Shape, rounds: int = 1, crease_angle: float = 60.0) -> Shap
     rounds : int
         0 .. 6.
     crease_angle : float
-        Degrees: edges between faces that meet at more stay sharp, as borders do, and edges of more than two faces.
+        Degrees: edges between faces that meet at more stay sharp, as borders do, and edges of more than two faces. So
+        do those that the shape says are sharp, and then also parts that are bevelled: of which most of the others lie
+        between flat faces and narrow ones.
 
     Returns
     -------
@@ -51,36 +56,48 @@ def subdivide(shape: Shape, rounds: int = 1, crease_angle: float = 60.0) -> Shap
             f"{len(shape.triangles)} faces are {len(shape.triangles) * 4**rounds} after {rounds} rounds of subdivision, "
             f"and {MOST_FACES} are the most: subdivide fewer times"
         )
-    steps = _steps(shape.points, np.asarray(shape.triangles, dtype=np.int64), rounds, crease_angle)
+    edges = _Edges(np.asarray(shape.triangles, dtype=np.int64))
+    steps, sharp = _steps(shape.points, edges, _sharp(shape, edges, crease_angle), rounds)
     control = shape.points
     for _ in range(_CORRECTIONS if steps else 0):
         control = control + shape.points - _refined(control, steps)[: len(control)]
     triangles = steps[-1].triangles if steps else shape.triangles
-    return replace(shape, points=_refined(control, steps), triangles=triangles, normals=None)
+    kept = None if shape.sharp_edges is None else sharp
+    return replace(shape, points=_refined(control, steps), triangles=triangles, normals=None, sharp_edges=kept)
 
 
-def coarseness(shape: Shape) -> float:
+def subdivide_round(shape: Shape, rounds: int, crease_angle: float, tolerance: float) -> Shape:
+    """The same of the parts that are coarse: of which a smooth edge bulges by more than a share of the diagonal."""
+    assert shape.triangles is not None
+    triangles = np.asarray(shape.triangles, dtype=np.int64)
+    edges = _Edges(triangles)
+    part = _joined(len(triangles), *edges.both_faces())
+    one, _ = edges.both_faces()
+    coarse = np.isin(part, part[one[_bulge(shape, edges) > tolerance]])
+    fine = subdivide(replace(shape, triangles=triangles[coarse]), rounds, crease_angle)
+    assert fine.triangles is not None
+    return replace(fine, triangles=np.concatenate([triangles[~coarse], fine.triangles]))
+
+
+def coarseness(shape: Shape, percent: float = 90.0) -> float:
     """How far faces are off something round, as a share of the diagonal: for nine tenths of the edges at most this.
 
+    What the shape says is sharp is none of it.
     Two faces whose normals are an angle apart bulge by its product with what they measure across their edge over eight.
     Of a bevel beside a flat face that is the bevel's width, however long it is, and what is equilateral measures an edge.
     """
     assert shape.triangles is not None
     edges = _Edges(np.asarray(shape.triangles, dtype=np.int64))
-    angle = _angles(shape.points, edges)
-    length = np.linalg.norm(shape.points[edges.ends[:, 0]] - shape.points[edges.ends[:, 1]], axis=1)[edges.plain]
-    area = _areas(shape.points, edges.triangles)
-    one, other = edges.both_faces()
-    across = 4 / np.sqrt(3) * np.minimum(area[one], area[other]) / np.maximum(length, 1e-300)
-    diagonal = float(np.linalg.norm(np.ptp(shape.points, axis=0)))
-    return float(np.percentile(angle * across, 90)) / (8 * diagonal) if len(angle) and diagonal > 0 else 0.0
+    bulge = _bulge(shape, edges)
+    bulge = bulge[~_sharp(shape, edges, 180.0)[edges.plain]]
+    return float(np.percentile(bulge, percent)) if len(bulge) else 0.0
 
 
 def mean_edge(shape: Shape) -> float:
     """As a share of the diagonal."""
     assert shape.triangles is not None
     corner = shape.points[shape.triangles]
-    diagonal = float(np.linalg.norm(np.ptp(shape.points, axis=0)))
+    diagonal = _diagonal(shape.points)
     length = np.linalg.norm(corner - np.roll(corner, 1, axis=1), axis=2).mean()
     return float(length) / diagonal if diagonal > 0 else 0.0
 
@@ -106,11 +123,57 @@ class _Edges:
         return order[first] % count, order[first + 1] % count
 
 
-def _areas(points: Floats, triangles: Integers) -> Floats:
-    corner = points[triangles]
-    cross = np.cross(corner[:, 1] - corner[:, 0], corner[:, 2] - corner[:, 0])
-    areas: Floats = np.linalg.norm(cross, axis=1) / 2
-    return areas
+def _diagonal(points: Floats) -> float:
+    return float(np.linalg.norm(np.ptp(points, axis=0)))
+
+
+def _across(points: Floats, edges: _Edges) -> Tuple[Floats, Floats]:
+    """What both faces at each plain edge measure across it, shape (2, n); what is equilateral measures an edge. And the
+    areas of all faces."""
+    corner = points[edges.triangles]
+    area = np.linalg.norm(np.cross(corner[:, 1] - corner[:, 0], corner[:, 2] - corner[:, 0]), axis=1) / 2
+    length = np.linalg.norm(points[edges.ends[:, 0]] - points[edges.ends[:, 1]], axis=1)[edges.plain]
+    one, other = edges.both_faces()
+    across: Floats = 4 / np.sqrt(3) * np.stack([area[one], area[other]]) / np.maximum(length, 1e-300)
+    return across, area
+
+
+def _bulge(shape: Shape, edges: _Edges) -> Floats:
+    """Of each plain edge, as a share of the diagonal; 0 of sharp ones."""
+    diagonal = _diagonal(shape.points)
+    if not diagonal > 0:
+        return np.zeros(int(edges.plain.sum()))
+    across = _across(shape.points, edges)[0].min(axis=0)
+    smooth = ~_sharp(shape, edges, 180.0)[edges.plain]
+    bulge: Floats = np.where(smooth, _angles(shape.points, edges) * across / (8 * diagonal), 0.0)
+    return bulge
+
+
+def _of_bevelled_parts(points: Floats, edges: _Edges, angle: Floats, smooth: Any) -> Any:
+    """Whether a plain edge is of a part of which most smooth edges lie between a flat face and a narrow one beside it."""
+    _, area = _across(points, edges)
+    one, other = edges.both_faces()
+    face = _joined(len(area), one[angle < _FLAT], other[angle < _FLAT])
+    area = np.bincount(face, area, len(area))[face]
+    narrow = np.minimum(area[one], area[other]) <= _NARROW * np.maximum(area[one], area[other])
+    part = _joined(len(area), one, other)[one]
+    length = np.linalg.norm(points[edges.ends[:, 0]] - points[edges.ends[:, 1]], axis=1)[edges.plain]
+    bends = smooth & (angle > _BEVELLED)
+    of_bevels, of_all = (np.bincount(part[some], length[some], len(area)) for some in (bends & narrow, bends))
+    return bends & (2 * of_bevels > of_all)[part]
+
+
+def _joined(count: int, one: Integers, other: Integers) -> Integers:
+    """Of each triangle the least number of those that it is joined to."""
+    least = np.arange(count)
+    while True:
+        before = least.copy()
+        low = np.minimum(least[one], least[other])
+        np.minimum.at(least, least[one], low)
+        np.minimum.at(least, least[other], low)
+        least = least[least]
+        if (least == before).all():
+            return least
 
 
 def _angles(points: Floats, edges: _Edges) -> Floats:
@@ -134,12 +197,20 @@ class _Step:
     triangles: Integers
 
 
-def _steps(points: Floats, triangles: Integers, rounds: int, crease_angle: float) -> List[_Step]:
-    if rounds == 0:
-        return []
-    edges = _Edges(triangles)
+def _sharp(shape: Shape, edges: _Edges, crease_angle: float) -> Any:
     sharp = ~edges.plain
-    sharp[edges.plain] = _angles(points, edges) > np.radians(crease_angle)
+    angle = _angles(shape.points, edges)
+    sharp[edges.plain] = angle > np.radians(crease_angle)
+    if shape.sharp_edges is not None:
+        size = len(shape.points)
+        given = np.sort(shape.sharp_edges, axis=1)
+        sharp |= np.isin(edges.ends[:, 0] * size + edges.ends[:, 1], given[:, 0] * size + given[:, 1])
+        sharp[edges.plain] |= _of_bevelled_parts(shape.points, edges, angle, ~sharp[edges.plain])
+    return sharp
+
+
+def _steps(points: Floats, edges: _Edges, sharp: Any, rounds: int) -> Tuple[List[_Step], Integers]:
+    """And the ends of what is sharp after the last."""
     lines = np.bincount(edges.ends[sharp].ravel(), minlength=len(points))
     stays = (lines == 1) | (lines > 2) | _turns(points, edges.ends[sharp], lines)
     steps: List[_Step] = []
@@ -156,7 +227,7 @@ def _steps(points: Floats, triangles: Integers, rounds: int, crease_angle: float
         sharp = np.isin(edges.ends[:, 0] * size + edges.ends[:, 1], halves[:, 0] * size + halves[:, 1])
         lines = np.bincount(edges.ends[sharp].ravel(), minlength=size)
         stays = np.concatenate([stays, np.zeros(size - count, dtype=bool)])
-    return steps
+    return steps, edges.ends[sharp]
 
 
 def _turns(points: Floats, sharp: Integers, lines: Any) -> Any:

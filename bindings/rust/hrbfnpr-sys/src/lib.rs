@@ -2896,7 +2896,8 @@ pub const HRBFNPR_SIDES_FRONT: u32 = 0;
 /// the camera: with opposite normals for tone. Such marks count twice in
 /// hrbfnpr_drawing_info, as of the front and of the back, their ids are the same, and the
 /// drawing has their layers once more, behind those of all items. Lines are seen from both
-/// sides anyway
+/// sides anyway. With ATTENUATE a depth layer is as opaque as two, one that faces the camera
+/// and one that faces away, as those of a solid before what it hides
 pub const HRBFNPR_SIDES_BOTH: u32 = 1;
 
 /// One thing to draw.  Everything it points to is read during _draw only, but

@@ -1,0 +1,179 @@
+# SPDX-License-Identifier: MIT
+"""Edges that the normals of a file tell sharp ones from smooth ones."""
+import json
+import struct
+
+import numpy as np
+import pytest
+from coarse import flat_ball
+from corner_normals import SIDES, obj, prism
+from test_shapes import write
+from test_subdivide import ball, bevelled_cube
+
+from hrbfnpr import shapes
+from hrbfnpr.cli import main
+from hrbfnpr.shapes import Shape
+from hrbfnpr.shapes._sharp_edges import Kind, kind, moved, sharp_edges
+from hrbfnpr.shapes._subdivide import subdivide, subdivide_round
+
+def split(points, faces, normals, own):
+    """Vertices with normals, several at a place."""
+    corners, number = np.unique(np.column_stack([faces.ravel(), own.ravel()]), axis=0, return_inverse=True)
+    return points[corners[:, 0]], number.reshape(-1, 3), normals[corners[:, 1]]
+
+
+def glb(points, faces, normals):
+    parts = [np.asarray(points, "<f4").tobytes(), np.asarray(normals, "<f4").tobytes(), np.asarray(faces, "<u4").tobytes()]
+    start = np.cumsum([0] + [len(part) for part in parts])
+    kinds = [(5126, "VEC3", len(points)), (5126, "VEC3", len(points)), (5125, "SCALAR", faces.size)]
+    document = {
+        "asset": {"version": "2.0"}, "scenes": [{"nodes": [0]}], "scene": 0, "nodes": [{"mesh": 0}],
+        "meshes": [{"primitives": [{"attributes": {"POSITION": 0, "NORMAL": 1}, "indices": 2}]}],
+        "accessors": [{"bufferView": i, "componentType": c, "type": t, "count": n} for i, (c, t, n) in enumerate(kinds)],
+        "bufferViews": [{"buffer": 0, "byteOffset": int(start[i]), "byteLength": len(part)} for i, part in enumerate(parts)],
+        "buffers": [{"byteLength": int(start[-1])}],
+    }  # fmt: skip
+    text = json.dumps(document).encode()
+    text += b" " * (-len(text) % 4)
+    chunks = struct.pack("<II", len(text), 0x4E4F534A) + text + struct.pack("<II", int(start[-1]), 0x004E4942) + b"".join(parts)
+    return b"glTF" + struct.pack("<II", 2, 12 + len(chunks)) + chunks
+
+
+def ply(points, faces, normals):
+    head = "ply\nformat ascii 1.0\n" + f"element vertex {len(points)}\n"
+    head += "".join(f"property float {name}\n" for name in ("x", "y", "z", "nx", "ny", "nz"))
+    head += f"element face {len(faces)}\nproperty list uchar int vertex_indices\nend_header\n"
+    rows = [" ".join(map(str, row)) for row in np.column_stack([points, normals])]
+    return head + "\n".join(rows + [f"3 {a} {b} {c}" for a, b, c in faces]) + "\n"
+
+
+def rims(shape):
+    """The ends of its sharp edges, without order: those of the two rims are to be all."""
+    return {frozenset(map(tuple, np.round(shape.points[edge], 6))) for edge in shape.sharp_edges}
+
+
+def rims_of_prism():
+    points = np.round(prism()[0], 6)
+    return {
+        frozenset([tuple(points[base + i]), tuple(points[base + (i + 1) % SIDES])])
+        for base in (0, SIDES)
+        for i in range(SIDES)
+    }
+
+
+@pytest.mark.parametrize(
+    "name, data",
+    [
+        ("a.obj", obj(*prism())),
+        ("b.obj", obj(*prism(), corner="{}/1/{}")),
+        ("c.obj", obj(*prism(), back=True)),
+        ("d.glb", glb(*split(*prism()))),
+        ("e.ply", ply(*split(*prism()))),
+    ],
+)
+def test_files_tell_which_edges_are_sharp(tmp_path, name, data):
+    shape = shapes.read(write(tmp_path, name, data))
+    assert len(shape.triangles) == len(prism()[1])
+    assert rims(shape) == rims_of_prism()
+    assert kind(shape.points, shape.triangles, shape.sharp_edges) is Kind.SOME
+
+
+@pytest.mark.parametrize("corner", ["{}", "{}/1", "{}//{}7", "{}//x"])
+def test_corners_without_normals_that_are_some_tell_nothing(tmp_path, corner):
+    shape = shapes.read(write(tmp_path, "a.obj", obj(*prism(), corner=corner)))
+    assert shape.sharp_edges is None and len(shape.triangles) == len(prism()[1])
+
+
+def test_kinds():
+    points, faces = ball()
+    assert kind(points, faces, sharp_edges(points, faces, points[faces])) is Kind.NOTHING  # all are smooth
+    corner = points[faces]
+    flat = np.cross(corner[:, 1] - corner[:, 0], corner[:, 2] - corner[:, 0])
+    assert kind(points, faces, sharp_edges(points, faces, np.repeat(flat[:, None], 3, axis=1))) is Kind.ALL
+    assert sharp_edges(points, faces, np.zeros((len(faces), 3, 3))) is None
+    assert sharp_edges(points, np.tile(faces, (700, 1)), np.zeros((700 * len(faces), 3, 3))) is None  # too fine
+
+
+def test_edges_are_found_by_place():
+    points = np.array([[0.0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 0]])
+    edges = moved(np.array([[3, 1], [1, 2]]), points, points[[2, 1, 0]])
+    np.testing.assert_array_equal(np.sort(edges, axis=1), [[1, 2], [0, 1]])
+    assert len(moved(np.array([[3, 1], [1, 2]]), points, points[[1, 2]])) == 1
+
+
+def cylinder(sharp=True):
+    points, faces, normals, own = prism()
+    return Shape(points, None, faces, sharp_edges=sharp_edges(points, faces, normals[own]) if sharp else None)
+
+
+def test_what_is_smooth_becomes_round_between_sharp_edges():
+    fine = subdivide(cylinder(), 3, 180.0)
+    radius = np.hypot(fine.points[:, 0], fine.points[:, 1])
+    inside = (fine.points[:, 2] > 0.05) & (fine.points[:, 2] < 1.95)
+    assert radius[inside].min() > 0.97 and radius[inside].max() < 1.02  # those of the prism's sides: 0.924
+    for z in (0.0, 2.0):  # the caps stay flat, and end in the rims
+        assert (np.abs(fine.points[:, 2] - z) < 1e-9).sum() > 8 * SIDES
+    assert fine.points[:, 2].min() > -1e-9 and fine.points[:, 2].max() < 2 + 1e-9
+    assert subdivide(cylinder(sharp=False), 3, 180.0).points[:, 2].max() > 2.01
+
+
+def test_parts_that_are_fine_or_bevelled_stay():
+    one, (points, faces) = cylinder(), bevelled_cube()
+    shape = Shape(
+        np.vstack([one.points, points + 5]), None, np.vstack([one.triangles, faces + len(one.points)]),
+        sharp_edges=one.sharp_edges,
+    )  # fmt: skip
+    fine = subdivide_round(shape, 2, 180.0, 0.002)
+    assert len(fine.triangles) == 16 * len(one.triangles) + len(faces)
+    # A box of which the chamfers are smooth: all of it stays flat.
+    points, faces = chamfered_box()
+    given = np.zeros((0, 2), dtype=np.int64)
+    fine = subdivide(Shape(points, None, faces, sharp_edges=given), 2, 180.0)
+    assert np.abs(fine.points).max() < 1 + 1e-9 and fine.sharp_edges is not None
+    planes = np.sort(np.abs(fine.points), axis=1)
+    on_face = np.abs(planes[:, 2] - 1) < 1e-9
+    on_chamfer = np.abs(planes[:, 2] + planes[:, 1] - 1.9) < 1e-9
+    on_corner = np.abs(planes.sum(axis=1) - 2.8) < 1e-9
+    assert (on_face | on_chamfer | on_corner).all()
+    assert np.abs(subdivide(Shape(points, None, faces), 2, 180.0).points).max() > 1 + 1e-3
+
+
+def chamfered_box():
+    """From -1 to 1, 0.1 off its edges."""
+    hull = {(s * a, t * b, u * c) for a, b, c in ((1, 0.9, 0.9), (0.9, 1, 0.9), (0.9, 0.9, 1))
+            for s in (-1, 1) for t in (-1, 1) for u in (-1, 1)}  # fmt: skip
+    points = np.array(sorted(hull))
+    normals = [np.array(n, dtype=float) for n in np.ndindex(3, 3, 3)]
+    faces = []
+    for normal in (n - 1 for n in normals if (n != 1).any()):
+        height = points @ normal
+        on = np.flatnonzero(height > height.max() - 1e-9)
+        middle = points[on].mean(axis=0)
+        u = points[on[0]] - middle
+        v = np.cross(normal / np.linalg.norm(normal), u)
+        turn = on[np.argsort(np.arctan2((points[on] - middle) @ v, (points[on] - middle) @ u))]
+        faces += [(turn[0], turn[i], turn[i + 1]) for i in range(1, len(turn) - 1)]
+    return points, np.array(faces)
+
+
+def drawn(tmp_path, capsys, text, *options):
+    path = write(tmp_path, "a.obj", text)
+    assert main(["draw", str(path), str(tmp_path / "a.png"), "--size", "100", "--marks", "600", *options]) == 0
+    return capsys.readouterr().err
+
+
+def test_the_command_goes_by_them(tmp_path, capsys):
+    said = drawn(tmp_path, capsys, obj(*prism()))
+    assert "some edges are sharp and others round, by the normals of its file" in said and "divided" in said
+    assert "warning" not in said
+    assert "normals of its file" not in drawn(tmp_path, capsys, obj(*prism()), "--edges", "auto")
+    assert "divided 1 time" in drawn(tmp_path, capsys, obj(*prism()), "--subdivide", "1")
+
+
+def test_a_ball_is_flat_if_its_file_says_so(tmp_path, capsys):
+    flat = flat_ball()
+    said = drawn(tmp_path, capsys, flat)
+    assert "all faces are flat" in said and "divided" not in said
+    assert "divided" in drawn(tmp_path, capsys, flat, "--edges", "auto")
+    points, faces = ball()
+    assert "divided" in drawn(tmp_path, capsys, obj(points, faces, points, faces))
