@@ -5,21 +5,21 @@ import numpy as np
 SIDES = 8
 
 
-def prism():
-    """Of eight sides, whose normals are those of a cylinder, and of two caps: points, faces, normals, and for each corner
-    of a face the number of its normal."""
-    turn = 2 * np.pi * np.arange(SIDES) / SIDES
+def prism(sides=SIDES):
+    """With the normals of a cylinder on its sides, and of planes on its two caps: points, faces, normals, and for each
+    corner of a face the number of its normal."""
+    turn = 2 * np.pi * np.arange(sides) / sides
     ring = np.column_stack([np.cos(turn), np.sin(turn)])
-    points = np.vstack([np.c_[ring, np.zeros(SIDES)], np.c_[ring, np.full(SIDES, 2.0)]])
-    normals = np.vstack([np.c_[ring, np.zeros(SIDES)], [[0, 0, -1], [0, 0, 1]]])
+    points = np.vstack([np.c_[ring, np.zeros(sides)], np.c_[ring, np.full(sides, 2.0)]])
+    normals = np.vstack([np.c_[ring, np.zeros(sides)], [[0, 0, -1], [0, 0, 1]]])
     faces, own = [], []
-    for i in range(SIDES):
-        j = (i + 1) % SIDES
-        faces += [(i, j, j + SIDES), (i, j + SIDES, i + SIDES)]
+    for i in range(sides):
+        j = (i + 1) % sides
+        faces += [(i, j, j + sides), (i, j + sides, i + sides)]
         own += [(i, j, j), (i, j, i)]
-    for i in range(1, SIDES - 1):
-        faces += [(0, i + 1, i), (SIDES, SIDES + i, SIDES + i + 1)]
-        own += [(SIDES,) * 3, (SIDES + 1,) * 3]
+    for i in range(1, sides - 1):
+        faces += [(0, i + 1, i), (sides, sides + i, sides + i + 1)]
+        own += [(sides,) * 3, (sides + 1,) * 3]
     return points, np.array(faces), normals, np.array(own)
 
 

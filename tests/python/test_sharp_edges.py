@@ -125,6 +125,7 @@ def test_parts_that_are_fine_or_bevelled_stay():
     )  # fmt: skip
     fine = subdivide_round(shape, 2, 180.0, 0.002)
     assert len(fine.triangles) == 16 * len(one.triangles) + len(faces)
+    assert subdivide_round(shape, 2, 180.0, 1.0) is shape
     # A box of which the chamfers are smooth: all of it stays flat.
     points, faces = chamfered_box()
     given = np.zeros((0, 2), dtype=np.int64)
@@ -167,6 +168,7 @@ def test_the_command_goes_by_them(tmp_path, capsys):
     assert "some edges are sharp and others round, by the normals of its file" in said and "divided" in said
     assert "warning" not in said
     assert "normals of its file" not in drawn(tmp_path, capsys, obj(*prism()), "--edges", "auto")
+    assert "divided 2 times" in drawn(tmp_path, capsys, obj(*prism(40)), "--tolerance", "0.0005")  # less than by default
     assert "divided 1 time" in drawn(tmp_path, capsys, obj(*prism()), "--subdivide", "1")
 
 

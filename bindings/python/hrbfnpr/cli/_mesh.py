@@ -117,13 +117,16 @@ def _rounds(mesh: Mesh, given: Shape, told: Kind, arguments: Any) -> int:
     sharp = arguments.edges is not None and arguments.edges[0] == "sharp"
     if sharp or not chooses(arguments) or len(mesh.triangles) > MOST_COARSE or mean_edge(given) < COARSE_EDGE:
         return 0
-    low, high = mesh.info.bounds_min, mesh.info.bounds_max
-    across = float(np.linalg.norm(np.subtract(high, low)))
-    tolerance = (arguments.tolerance or TOLERANCE * across) / across
-    off = coarseness(given)
+    tolerance, off = _tolerance(given, arguments), coarseness(given)
     if off <= tolerance or (told is not Kind.SOME and _has_edges(given, arguments)):
         return 0
     return min(MOST_ROUNDS, int(np.ceil(np.log(2 * off / tolerance) / np.log(4))))
+
+
+def _tolerance(given: Shape, arguments: Any) -> float:
+    """As a share of the diagonal."""
+    across = float(np.linalg.norm(np.ptp(given.points, axis=0)))
+    return float(arguments.tolerance) / across if arguments.tolerance and across > 0 else TOLERANCE
 
 
 def _has_edges(given: Shape, arguments: Any) -> bool:
@@ -144,8 +147,10 @@ def _divided(mesh: Mesh, shape: Shape, given: Shape, rounds: int, arguments: Any
     of a convex hull, which are long and of any size, would fold."""
     told, wanted = given.sharp_edges is not None, getattr(arguments, "subdivide", None) is not None
     crease = 180.0 if arguments.crease is None else arguments.crease
-    some = told and not wanted
-    finer = subdivide_round(given, rounds, crease, TOLERANCE) if some else subdivide(given, rounds, crease)
+    if told and not wanted:
+        finer = subdivide_round(given, rounds, crease, _tolerance(given, arguments))
+    else:
+        finer = subdivide(given, rounds, crease)
     moved_by = np.linalg.norm(finer.points[: len(given.points)] - given.points, axis=1).max()
     across = np.linalg.norm(np.ptp(given.points, axis=0))
     said = f"divided {of(rounds, 'time')}, vertices moved by at most {moved_by / across:.2%}"

@@ -74,6 +74,8 @@ def subdivide_round(shape: Shape, rounds: int, crease_angle: float, tolerance: f
     part = _joined(len(triangles), *edges.both_faces())
     one, _ = edges.both_faces()
     coarse = np.isin(part, part[one[_bulge(shape, edges) > tolerance]])
+    if not coarse.any():
+        return shape
     fine = subdivide(replace(shape, triangles=triangles[coarse]), rounds, crease_angle)
     assert fine.triangles is not None
     return replace(fine, triangles=np.concatenate([triangles[~coarse], fine.triangles]))
