@@ -35,7 +35,8 @@ def glb(points, faces, normals):
     }  # fmt: skip
     text = json.dumps(document).encode()
     text += b" " * (-len(text) % 4)
-    chunks = struct.pack("<II", len(text), 0x4E4F534A) + text + struct.pack("<II", int(start[-1]), 0x004E4942) + b"".join(parts)
+    chunks = struct.pack("<II", len(text), 0x4E4F534A) + text
+    chunks += struct.pack("<II", int(start[-1]), 0x004E4942) + b"".join(parts)
     return b"glTF" + struct.pack("<II", 2, 12 + len(chunks)) + chunks
 
 
@@ -170,6 +171,25 @@ def test_the_command_goes_by_them(tmp_path, capsys):
     assert "normals of its file" not in drawn(tmp_path, capsys, obj(*prism()), "--edges", "auto")
     assert "divided 2 times" in drawn(tmp_path, capsys, obj(*prism(40)), "--tolerance", "0.0005")  # less than by default
     assert "divided 1 time" in drawn(tmp_path, capsys, obj(*prism()), "--subdivide", "1")
+
+
+# What is left out takes numbers of vertices with it.
+def test_they_stay_where_vertices_are_left_out(tmp_path, capsys):
+    points, faces, normals, own = prism()
+    points, own = np.vstack([[[-9999.0] * 3] * 2, points]), np.vstack([own, own[:1]])
+    said = drawn(tmp_path, capsys, obj(points, np.vstack([faces + 2, [[0, 1, 2]]]), normals, own))
+    assert "stands for no data" in said and "some edges are sharp" in said
+
+
+def test_damaged_normals_are_no_error(tmp_path):
+    points, faces, normals = split(*prism())
+    whole = glb(points, faces, normals)
+    for damage in ((b'"NORMAL": 1', b'"NORMAL": 7'), (b'"NORMAL": 1', b'"NORMAL": 2'), (b'"NORMAL": 1', b'"NORMAL": []')):
+        data = whole.replace(*damage)
+        if len(data) != len(whole):  # the chunk of text ends in spaces
+            data = whole.replace(b'"NORMAL": 1}, ', b'"NORMAL": []},')
+        shape = shapes.read(write(tmp_path, "a.glb", data))
+        assert shape.sharp_edges is None and len(shape.triangles) == len(faces)
 
 
 def test_a_ball_is_flat_if_its_file_says_so(tmp_path, capsys):

@@ -49,7 +49,11 @@ def _left(shape: Shape, kept: Any) -> Optional[Shape]:
     faces = shape.triangles[kept[shape.triangles].all(axis=1)]
     if len(faces) == 0:
         return None
-    return replace(shape, points=shape.points[kept], normals=normals, triangles=(np.cumsum(kept) - 1)[faces])
+    number = np.cumsum(kept) - 1
+    sharp = shape.sharp_edges
+    if sharp is not None:
+        sharp = number[sharp[kept[sharp].all(axis=1)]]
+    return replace(shape, points=shape.points[kept], normals=normals, triangles=number[faces], sharp_edges=sharp)
 
 
 def strays(points: Floats) -> Any:

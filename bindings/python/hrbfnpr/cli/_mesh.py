@@ -249,8 +249,9 @@ def _group(whole: Read, faces: Any, arguments: Any, context: Context) -> Read:
     triangles = np.asarray(whole.mesh.triangles, dtype=np.int64)[faces]
     used, triangles = np.unique(triangles, return_inverse=True)
     shape = replace(
-        whole.shape, points=np.asarray(whole.mesh.vertices)[used], triangles=triangles.reshape(-1, 3), normals=None
-    )
+        whole.shape, points=np.asarray(whole.mesh.vertices)[used], triangles=triangles.reshape(-1, 3), normals=None,
+        sharp_edges=None,
+    )  # fmt: skip
     mesh = Mesh(
         shape.points, shape.triangles, parts="all", faces="keep", context=context,
         crease_angle=60.0 if arguments.crease is None else arguments.crease,

@@ -112,7 +112,7 @@ class _Reader:
         """Of the parts that have normals."""
         if all(part is None for part in self._normals):
             return None
-        normals = [np.full_like(place, np.nan) if part is None or len(part) != len(place) else part
+        normals = [np.full_like(place, np.nan) if part is None or part.shape != place.shape else part
                    for place, part in zip(self._points, self._normals)]  # fmt: skip
         return of_vertices(points, triangles, np.concatenate(normals))
 
@@ -172,7 +172,7 @@ class _Reader:
             return placed
         try:
             return self._accessor(number)
-        except ShapeError:
+        except (LookupError, TypeError, ValueError):
             return None
 
     def _triangles_of(self, part: Dict[str, Any], mode: int, count: int) -> Integers:
