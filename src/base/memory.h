@@ -158,6 +158,7 @@ public:
     }
 
     [[nodiscard]] T* operator->() noexcept { return object_; }
+    [[nodiscard]] T& operator*() noexcept { return *object_; }
 
 private:
     Memory& memory_;

@@ -21,7 +21,7 @@ using V = hn::Vec<D>;
 // inverse_root() begins in floats, whose smallest is 1.2e-38.
 constexpr double smallest_r2 = 1e-37;
 
-// A step of third order: of y = (1 - e)^(1/2) / sqrt(x), e becomes 35/128 e^4.
+// One step from y = (1 - e)^(1/2) / sqrt(x), by the series of (1 - e)^(-1/2); what is left out is 35/128 e^4.
 HWY_INLINE V polish_inverse_root(V x, V y) {
     const D d;
     const V e = hn::NegMulAdd(hn::Mul(x, y), y, hn::Set(d, 1.0));
@@ -30,18 +30,39 @@ HWY_INLINE V polish_inverse_root(V x, V y) {
     return hn::MulAdd(hn::Mul(y, e), p, y);
 }
 
-// 1 / sqrt(x), smallest_r2 <= x < 1e38, to two units in the last place: division and square root would take
-// longer than all the rest of a pair.
-HWY_INLINE V inverse_root(V x) {
+// With a term more: what is left out is 63/256 e^5.
+HWY_INLINE V polish_rough_inverse_root(V x, V y) {
+    const D d;
+    const V e = hn::NegMulAdd(hn::Mul(x, y), y, hn::Set(d, 1.0));
+    V p = hn::MulAdd(e, hn::Set(d, 0.2734375), hn::Set(d, 0.3125));
+    p = hn::MulAdd(e, p, hn::Set(d, 0.375));
+    p = hn::MulAdd(e, p, hn::Set(d, 0.5));
+    return hn::MulAdd(hn::Mul(y, e), p, y);
+}
+
+// 1 / sqrt(x), smallest_r2 <= x < 1e38, in two steps: what the processor's estimate is, if it has one; and, from that,
+// to two units in the last place.  Division and square root would take longer than all the rest of a pair.
+HWY_INLINE V rough_inverse_root(V x) {
 #if HWY_TARGET == HWY_AVX3
-    return polish_inverse_root(x, V{_mm512_rsqrt14_pd(x.raw)});
+    return V{_mm512_rsqrt14_pd(x.raw)};
 #elif HWY_TARGET == HWY_AVX2
-    const V y{_mm256_cvtps_pd(_mm_rsqrt_ps(_mm256_cvtpd_ps(x.raw)))}; // 12 bits
-    return polish_inverse_root(x, polish_inverse_root(x, y));
+    return V{_mm256_cvtps_pd(_mm_rsqrt_ps(_mm256_cvtpd_ps(x.raw)))};
+#else
+    return x;
+#endif
+}
+
+HWY_INLINE V finish_inverse_root(V x, [[maybe_unused]] V rough) {
+#if HWY_TARGET == HWY_AVX3
+    return polish_inverse_root(x, rough);
+#elif HWY_TARGET == HWY_AVX2
+    return polish_rough_inverse_root(x, rough); // |e| is 1.5 / 2^11 at most, so that e^5 is 2^-52
 #else
     return hn::Div(hn::Set(D(), 1.0), hn::Sqrt(x));
 #endif
 }
+
+HWY_INLINE V inverse_root(V x) { return finish_inverse_root(x, rough_inverse_root(x)); }
 
 } // namespace hrbfnpr::base::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

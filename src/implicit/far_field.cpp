@@ -41,6 +41,7 @@ double* FarField::first_incoming(std::int32_t level) noexcept {
 void FarField::sum(const double* alpha, const geometry::VecArray& beta, double* value, geometry::VecArray& gradient,
                    const base::Progress& progress) {
     sources_.load(alpha, beta, progress);
+    sources_.gather(progress);
     progress.check();
     std::fill(incoming_.begin(), incoming_.end(), 0.0);
     std::int64_t group = 0;

@@ -6,8 +6,6 @@
 #include "implicit/hermite_hessians.h"
 #include "implicit/hermite_pairs-inl.h"
 
-#include <hwy/contrib/math/math-inl.h>
-
 HWY_BEFORE_NAMESPACE();
 namespace hrbfnpr::implicit::HWY_NAMESPACE {
 namespace {
@@ -52,12 +50,11 @@ HWY_INLINE void add_product(V ex, V ey, V ez, V wx, V wy, V wz, Sum& sum) {
 
 // a = 3 r, b = 3 / r, c = -3 / r^3: with the unit vector u = d / r and p = beta . u,
 //   H / 3 = (alpha r - p) I + (alpha r + p) u u^T - (beta u^T + u beta^T).
-struct Triharmonic {
+struct Triharmonic : InverseRoot {
     explicit Triharmonic(double) {}
     [[nodiscard]] double factor() const { return 3.0; }
 
-    HWY_INLINE void add(V r2, V dx, V dy, V dz, const Weights& w, Sum& sum) const {
-        const V inverse = inverse_root(hn::Max(r2, hn::Set(D(), smallest_r2)));
+    HWY_INLINE void add(V r2, V inverse, V dx, V dy, V dz, const Weights& w, Sum& sum) const {
         const V ux = hn::Mul(dx, inverse);
         const V uy = hn::Mul(dy, inverse);
         const V uz = hn::Mul(dz, inverse);
@@ -72,16 +69,14 @@ struct Triharmonic {
 
 // a = -f phi, b = f^2 phi, c = -f^3 phi with f = 1 / radius^2: with m = alpha / f + beta . d,
 //   H / f^2 = -phi m I + phi (f m d d^T - (beta d^T + d beta^T)).
-struct Gaussian {
-    explicit Gaussian(double radius) : radius2(radius * radius), falloff(1.0 / (radius * radius)) {}
-    double radius2, falloff;
+struct Gaussian : Exponential {
+    explicit Gaussian(double radius) : Exponential(radius), radius2(radius * radius) {}
+    double radius2;
     [[nodiscard]] double factor() const { return falloff * falloff; }
 
-    HWY_INLINE void add(V r2, V dx, V dy, V dz, const Weights& w, Sum& sum) const {
+    HWY_INLINE void add(V, V phi, V dx, V dy, V dz, const Weights& w, Sum& sum) const {
         const D d;
         const V f = hn::Set(d, falloff);
-        const V exponent = hn::Mul(hn::Mul(f, hn::Set(d, -0.5)), r2);
-        const V phi = hn::Exp(d, hn::Max(exponent, hn::Set(d, -700.0)));
         const V m = hn::MulAdd(w.alpha, hn::Set(d, radius2), along(dx, dy, dz, w));
         sum.iso = hn::NegMulAdd(phi, m, sum.iso);
         const V outer = hn::Mul(f, m);
@@ -94,15 +89,14 @@ struct Gaussian {
 // a = -R g t^3 / 3, b = g t^2 / r, c = -g t (1 + s) / r^3 with g = 60 / R^3, s = r / R, t = 1 - s or 0:
 // with u = d / r and p = beta . u,
 //   H / g = -(R / 3 t^3 alpha + t^2 p) I + t ((alpha t r + (1 + s) p) u u^T - t (beta u^T + u beta^T)).
-struct WendlandC2 {
+struct WendlandC2 : InverseRoot {
     explicit WendlandC2(double kernel_radius) : radius(kernel_radius), inverse_radius(1.0 / kernel_radius) {}
     double radius, inverse_radius;
     [[nodiscard]] double factor() const { return 60.0 * inverse_radius * inverse_radius * inverse_radius; }
 
-    HWY_INLINE void add(V r2, V dx, V dy, V dz, const Weights& w, Sum& sum) const {
+    HWY_INLINE void add(V r2, V inverse, V dx, V dy, V dz, const Weights& w, Sum& sum) const {
         const D d;
         const V one = hn::Set(d, 1.0);
-        const V inverse = inverse_root(hn::Max(r2, hn::Set(d, smallest_r2)));
         const V ux = hn::Mul(dx, inverse);
         const V uy = hn::Mul(dy, inverse);
         const V uz = hn::Mul(dz, inverse);

@@ -6,8 +6,6 @@
 #include "implicit/hermite_pairs-inl.h"
 #include "implicit/hermite_sums.h"
 
-#include <hwy/contrib/math/math-inl.h>
-
 HWY_BEFORE_NAMESPACE();
 namespace hrbfnpr::implicit::HWY_NAMESPACE {
 namespace {
@@ -31,12 +29,11 @@ struct Weights {
 };
 
 // phi = r^3, a = 3 r, b = 3 / r.  The sum of the gradient is kept without its factor 3.
-struct Triharmonic {
+struct Triharmonic : InverseRoot {
     static constexpr double gradient_factor = 3.0;
     explicit Triharmonic(double) {}
 
-    HWY_INLINE void add(V r2, V dx, V dy, V dz, const Weights& w, Sum& sum) const {
-        const V inverse = inverse_root(hn::Max(r2, hn::Set(D(), smallest_r2)));
+    HWY_INLINE void add(V r2, V inverse, V dx, V dy, V dz, const Weights& w, Sum& sum) const {
         const V r = hn::Mul(r2, inverse);
         const V s = hn::MulAdd(dz, w.z, hn::MulAdd(dy, w.y, hn::Mul(dx, w.x)));
         sum.value = hn::MulAdd(r, hn::MulSub(r2, w.alpha, hn::Mul(s, hn::Set(D(), 3.0))), sum.value);
@@ -57,29 +54,24 @@ HWY_INLINE void add_radial(V phi, V a, V b, V dx, V dy, V dz, const Weights& w, 
     sum.z = hn::NegMulAdd(a, w.z, hn::MulAdd(along, dz, sum.z));
 }
 
-struct Gaussian {
+struct Gaussian : Exponential {
     static constexpr double gradient_factor = 1.0;
-    explicit Gaussian(double radius) : falloff(1.0 / (radius * radius)) {}
-    double falloff;
+    using Exponential::Exponential;
 
-    HWY_INLINE void add(V r2, V dx, V dy, V dz, const Weights& w, Sum& sum) const {
-        const D d;
-        const V f = hn::Set(d, falloff);
-        const V exponent = hn::Mul(hn::Mul(f, hn::Set(d, -0.5)), r2);
-        const V phi = hn::Exp(d, hn::Max(exponent, hn::Set(d, -700.0)));
+    HWY_INLINE void add(V, V phi, V dx, V dy, V dz, const Weights& w, Sum& sum) const {
+        const V f = hn::Set(D(), falloff);
         const V a = hn::Neg(hn::Mul(f, phi));
         add_radial(phi, a, hn::Neg(hn::Mul(f, a)), dx, dy, dz, w, sum);
     }
 };
 
-struct WendlandC2 {
+struct WendlandC2 : InverseRoot {
     static constexpr double gradient_factor = 1.0;
     explicit WendlandC2(double radius) : inverse_radius(1.0 / radius) {}
     double inverse_radius;
 
-    HWY_INLINE void add(V r2, V dx, V dy, V dz, const Weights& w, Sum& sum) const {
+    HWY_INLINE void add(V r2, V inverse, V dx, V dy, V dz, const Weights& w, Sum& sum) const {
         const D d;
-        const V inverse = inverse_root(hn::Max(r2, hn::Set(d, smallest_r2)));
         const V s = hn::Mul(hn::Mul(r2, inverse), hn::Set(d, inverse_radius));
         const V t = hn::Max(hn::Zero(d), hn::Sub(hn::Set(d, 1.0), s));
         const V t2 = hn::Mul(t, t);
@@ -146,22 +138,20 @@ void add_sums(double radius, const Sources& sources, const Targets& targets) {
         add_part(kernel, sources, targets, at, targets.count - at < lanes ? targets.count - at : lanes);
 }
 
-// Values only.
-HWY_INLINE V value_sum(const Sources& s, V x, V y, V z) {
-    const D d;
-    V sum = hn::Zero(d);
-    for (std::int64_t j = 0; j < s.count; ++j) {
-        const V dx = hn::Sub(x, hn::Set(d, s.x[j]));
-        const V dy = hn::Sub(y, hn::Set(d, s.y[j]));
-        const V dz = hn::Sub(z, hn::Set(d, s.z[j]));
-        const V r2 = hn::MulAdd(dz, dz, hn::MulAdd(dy, dy, hn::Mul(dx, dx)));
-        const V r = hn::Mul(r2, inverse_root(hn::Max(r2, hn::Set(d, smallest_r2))));
-        const V q = hn::MulAdd(dz, hn::Set(d, s.beta_z[j]),
-                               hn::MulAdd(dy, hn::Set(d, s.beta_y[j]), hn::Mul(dx, hn::Set(d, s.beta_x[j]))));
-        sum = hn::MulAdd(r, hn::NegMulAdd(q, hn::Set(d, 3.0), hn::Mul(r2, hn::Set(d, s.alpha[j]))), sum);
+struct ValueSum {
+    V value;
+
+    static HWY_INLINE ValueSum zero() { return {hn::Zero(D())}; }
+};
+
+// As Triharmonic, but values only.
+struct TriharmonicValue : InverseRoot {
+    HWY_INLINE void add(V r2, V inverse, V dx, V dy, V dz, const Weights& w, ValueSum& sum) const {
+        const V s = hn::MulAdd(dz, w.z, hn::MulAdd(dy, w.y, hn::Mul(dx, w.x)));
+        sum.value =
+            hn::MulAdd(hn::Mul(r2, inverse), hn::NegMulAdd(s, hn::Set(D(), 3.0), hn::Mul(r2, w.alpha)), sum.value);
     }
-    return sum;
-}
+};
 
 void add_values(const Sources& sources, const double* x, const double* y, const double* z, double* value,
                 std::int64_t count) {
@@ -169,9 +159,12 @@ void add_values(const Sources& sources, const double* x, const double* y, const 
     const auto lanes = static_cast<std::int64_t>(hn::Lanes(d));
     for (std::int64_t at = 0; at < count; at += lanes) {
         const auto mask = hn::FirstN(d, static_cast<size_t>(count - at < lanes ? count - at : lanes));
-        const V sum = value_sum(sources, hn::MaskedLoad(mask, d, x + at), hn::MaskedLoad(mask, d, y + at),
-                                hn::MaskedLoad(mask, d, z + at));
-        add_some(value + at, sum, mask);
+        const V px = hn::MaskedLoad(mask, d, x + at);
+        const V py = hn::MaskedLoad(mask, d, y + at);
+        const V pz = hn::MaskedLoad(mask, d, z + at);
+        ValueSum sum;
+        sum_up<1, Weights>(TriharmonicValue(), sources, &px, &py, &pz, &sum);
+        add_some(value + at, sum.value, mask);
     }
 }
 

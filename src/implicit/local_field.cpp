@@ -4,6 +4,7 @@
 #include "base/long_array.h"
 
 #include "implicit/cube_loops.h"
+#include "implicit/cube_shift.h"
 #include "implicit/cube_vectors.h"
 
 #include <algorithm>
@@ -51,12 +52,13 @@ constexpr std::int64_t local_tasks = 24;
 // Makes the cells level by level.
 class LocalField::Builder {
 public:
-    Builder(const base::Runtime& runtime, LocalField& field)
+    Builder(const base::Runtime& runtime, LocalField& field, bool translates)
         : runtime_(runtime), field_(field), tree_(field.sources_.tree()), loops_(cube_loops(runtime.instruction_set)),
-          candidate_begin_(runtime.memory), candidates_(runtime.memory), kind_(runtime.memory),
-          incoming_(runtime.memory), incoming_above_(runtime.memory) {}
+          translates_(translates), candidate_begin_(runtime.memory),
+          candidates_(runtime.memory), kind_(runtime.memory), incoming_(runtime.memory) {}
 
     void run(const base::Progress& progress) {
+        if (translates_) field_.sources_.gather(progress);
         field_.cells_.push_back({{0, 0, 0}, 0, 0, 0, 0, 0, -1});
         candidate_begin_.push_back(0);
         candidates_.push_back(0);
@@ -71,15 +73,14 @@ public:
                 base::resize_long(incoming_,
                                   (end_ - begin_) * stride + CubeBasis::padded(CubeBasis::terms(CubeBasis::degree_max)),
                                   progress);
-                if (SourceTree::has_expansions(level - 1)) pass_down(level, progress);
-                translate(level, progress);
+                if (translates_) translate(level, progress);
                 act_directly(level, progress);
+                make_terms(level, progress);
+                if (SourceTree::has_expansions(level - 1)) pass_down(level, progress);
             }
             divide(level, progress);
-            if (SourceTree::has_expansions(level)) keep_terms(level, progress);
             above_ = begin_;
             begin_ = end_;
-            std::swap(incoming_, incoming_above_);
         }
     }
 
@@ -100,7 +101,7 @@ private:
     [[nodiscard]] Kind kind_of(const Cell& cell, const geometry::Octree::Node& node) const noexcept {
         if (too_near(cell, node)) return near;
         const double few = worth_a_node * field_.sources_.basis(cell.level).size();
-        return node.leaf() || static_cast<double>(node.count()) < few ? direct : translated;
+        return !translates_ || node.leaf() || static_cast<double>(node.count()) < few ? direct : translated;
     }
 
     void classify(const base::Progress& progress) {
@@ -112,29 +113,18 @@ private:
         });
     }
 
+    // What the polynomial of the cell above is in its children.
     void pass_down(std::int32_t level, const base::Progress& progress) {
-        const CubeBasis& basis = field_.sources_.basis(level);
-        const CubeBasis& above = field_.sources_.basis(level - 1);
+        const CubeShift shift(field_.sources_.basis(level - 1).degree(), field_.sources_.basis(level).degree());
         runtime_.parallel.for_chunks(begin_ - above_, cells_a_task, [&](std::int64_t first, std::int64_t last) {
             progress.check();
-            base::Array<double> nobody(runtime_.memory, basis.stride());
-            CubeVectors batch(runtime_.memory, above.size());
-            for (int octant = 0; octant < 8; ++octant) {
-                const auto flush = [&] {
-                    if (batch.empty()) return;
-                    progress.check();
-                    loops_.multiply(field_.sources_.to_child(level - 1, octant).data(), basis.stride(), basis.stride(),
-                                    above.size(), batch.in(), batch.out(nobody.data()), batch.count());
-                    batch.clear();
-                };
-                for (std::int64_t k = first; k < last; ++k) {
-                    const Cell& parent = field_.cells_[above_ + k];
-                    if (!parent.has_child(octant)) continue;
-                    batch.add(incoming_above_.data() + k * above.stride(), above.size(),
-                              incoming_.data() + local(parent.child(octant)) * basis.stride());
-                    if (batch.full()) flush();
-                }
-                flush();
+            base::Boxed<CubeShift::Work> work(runtime_.memory);
+            for (std::int64_t k = first; k < last; ++k) {
+                const Cell& parent = field_.cells_[above_ + k];
+                for (int octant = 0; octant < 8; ++octant)
+                    if (parent.has_child(octant))
+                        shift.add(field_.terms_.data() + parent.terms, octant,
+                                  field_.terms_.data() + field_.cells_[parent.child(octant)].terms, *work);
             }
         });
     }
@@ -183,14 +173,27 @@ private:
                 progress.check();
                 const glm::dvec3 centre = field_.centre(field_.cells_[begin_ + k]);
                 for (std::int64_t i = 0; i < basis.size(); ++i) place.set(i, centre + half * basis.nodes()[i]);
-                for (std::int64_t i = candidate_begin_[k]; i < candidate_begin_[k + 1]; ++i) {
-                    const geometry::Octree::Node& node = tree_.nodes()[candidates_[i]];
-                    if (kind_[i] == direct)
-                        add(field_.sources_.sources(node.begin, node.end), place.x.data(), place.y.data(),
+                for (std::int64_t i = candidate_begin_[k]; i < candidate_begin_[k + 1];) {
+                    const SourceRange range = direct_range(i, candidate_begin_[k + 1]);
+                    if (range.begin < range.end)
+                        add(field_.sources_.sources(range.begin, range.end), place.x.data(), place.y.data(),
                             place.z.data(), incoming_.data() + k * basis.stride(), basis.size());
                 }
             }
         });
+    }
+
+    // Of the next candidates that act directly, those whose centres stand together; `i` moves behind them.
+    [[nodiscard]] SourceRange direct_range(std::int64_t& i, std::int64_t end) const noexcept {
+        SourceRange range{0, 0};
+        for (; i < end; ++i) {
+            if (kind_[i] != direct) continue;
+            const geometry::Octree::Node& node = tree_.nodes()[candidates_[i]];
+            if (range.begin < range.end && node.begin != range.end) break;
+            if (range.begin == range.end) range.begin = node.begin;
+            range.end = node.end;
+        }
+        return range;
     }
 
     // Gives cells children, with what is near them as candidates; and, where they serve themselves, what is near.
@@ -284,25 +287,21 @@ private:
         cell.near_end = field_.near_.size();
     }
 
-    // The polynomials of cells that serve.
-    void keep_terms(std::int32_t level, const base::Progress& progress) {
+    // The polynomials of what acts on the level's cells.
+    void make_terms(std::int32_t level, const base::Progress& progress) {
         const CubeBasis& basis = field_.sources_.basis(level);
         std::int64_t size = field_.terms_.size();
-        for (std::int64_t cell = begin_; cell < end_; ++cell) {
-            if (!field_.cells_[cell].serves()) continue;
+        for (std::int64_t cell = begin_; cell < end_; ++cell, size += basis.term_stride())
             field_.cells_[cell].terms = size;
-            size += basis.term_stride();
-        }
         base::resize_long(field_.terms_, size, progress);
         runtime_.parallel.for_chunks(end_ - begin_, 64, [&](std::int64_t first, std::int64_t last) {
             progress.check();
             base::Array<double> nobody(runtime_.memory, basis.term_stride());
             CubeVectors batch(runtime_.memory, basis.size());
             for (std::int64_t k = first; k < last; ++k) {
-                const std::int64_t terms = field_.cells_[begin_ + k].terms;
-                if (terms >= 0)
-                    batch.add(incoming_.data() + k * basis.stride(), basis.size(), field_.terms_.data() + terms);
-                if (batch.empty() || (!batch.full() && k + 1 < last)) continue;
+                batch.add(incoming_.data() + k * basis.stride(), basis.size(),
+                          field_.terms_.data() + field_.cells_[begin_ + k].terms);
+                if (!batch.full() && k + 1 < last) continue;
                 progress.check();
                 loops_.multiply(basis.to_coefficients().data(), basis.term_stride(), basis.term_stride(), basis.size(),
                                 batch.in(), batch.out(nobody.data()), batch.count());
@@ -315,14 +314,14 @@ private:
     LocalField& field_;
     const geometry::Octree& tree_;
     CubeLoops loops_;
+    bool translates_;
     std::int64_t above_ = 0; // the first cell of the level above, of this one, and of the one below
     std::int64_t begin_ = 0;
     std::int64_t end_ = 0;
     base::Array<std::int64_t> candidate_begin_; // of each cell of the level, in candidates_
     base::Array<std::int64_t> candidates_;      // nodes of the tree that its parent left for it
     base::Array<Kind> kind_;                    // of each candidate
-    base::Array<double> incoming_;              // values at the nodes of each cell of the level
-    base::Array<double> incoming_above_;
+    base::Array<double> incoming_;              // values at the nodes of each cell of the level, of what acts there
 };
 
 LocalField::LocalField(const base::Runtime& runtime, const geometry::VecArray& centres, const double* alpha,
@@ -334,7 +333,7 @@ LocalField::LocalField(const base::Runtime& runtime, const geometry::VecArray& c
                progress),
       cells_(runtime.memory), near_(runtime.memory), terms_(runtime.memory) {
     sources_.load(alpha, beta, progress);
-    Builder(runtime, *this).run(progress);
+    Builder(runtime, *this, centres.size() >= options.worth_translations).run(progress);
     sources_.forget_expansions();
 }
 

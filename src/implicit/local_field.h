@@ -26,6 +26,9 @@ struct LocalFieldOptions {
     double spacing = 1.0;    // of the centres, mean
     double tolerance = 1e-9; // of values, relative to the centres' diagonal; of gradients it is a hundred times as much
     int finer = 0;           // steps of two degrees: each divides the error by about 10
+    // Of fewer centres all that are far act one by one on cubes: what it takes for cubes to act as a whole is a second
+    // of two cores (AVX2) to make, and saves less.
+    std::int64_t worth_translations = 32768;
 };
 
 class LocalField {

@@ -15,7 +15,6 @@ namespace hrbfnpr::implicit {
 namespace {
 
 constexpr std::int64_t fewest_centres = 512;
-constexpr LocalFieldOptions wanted; // its tolerance is the one that is stated
 // What is measured may be this much more before the field is made finer, or given up: a maximum over some hundred
 // places.
 constexpr double slack = 200.0;
@@ -44,12 +43,12 @@ bool Prepared::pays(const HrbfData& data, double points) noexcept {
 }
 
 std::unique_ptr<Prepared> Prepared::make(const base::Runtime& runtime, const HrbfData& data,
-                                         const base::Progress& progress) {
+                                         const base::Progress& progress, double tolerance) {
     if (data.kernel != kernel::Kind::triharmonic || data.count() < fewest_centres) return nullptr;
     double before = std::numeric_limits<double>::infinity();
     for (int finer = 0; finer <= finest; ++finer) {
         const base::Stopwatch watch;
-        auto prepared = std::make_unique<Prepared>(runtime, data, finer, progress);
+        auto prepared = std::make_unique<Prepared>(runtime, data, tolerance, finer, progress);
         const Error error = prepared->error();
         runtime.log(
             base::LogLevel::info,
@@ -57,7 +56,7 @@ std::unique_ptr<Prepared> Prepared::make(const base::Runtime& runtime, const Hrb
             "%.1e",
             static_cast<long long>(data.count()), watch.seconds(), static_cast<double>(prepared->bytes()) / 1e6,
             error.value, error.gradient);
-        const double allowed = (error.value > no_better * before ? slack_of_rounding : slack) * wanted.tolerance;
+        const double allowed = (error.value > no_better * before ? slack_of_rounding : slack) * tolerance;
         if (error.value <= allowed && error.gradient <= gradients_share * allowed) return prepared;
         if (error.value >= before) break; // rounding is all that is left
         before = error.value;
@@ -65,9 +64,10 @@ std::unique_ptr<Prepared> Prepared::make(const base::Runtime& runtime, const Hrb
     return nullptr;
 }
 
-Prepared::Prepared(const base::Runtime& runtime, const HrbfData& data, int finer, const base::Progress& progress)
+Prepared::Prepared(const base::Runtime& runtime, const HrbfData& data, double tolerance, int finer,
+                   const base::Progress& progress)
     : set_(runtime.instruction_set), data_(data), field_(runtime, data.centre_position, data.alpha.data(), data.beta,
-                                                         {spacing_of(data), wanted.tolerance, finer}, progress) {
+                                                         {spacing_of(data), tolerance, finer}, progress) {
     measure_error(runtime, progress);
 }
 

@@ -19,13 +19,15 @@ public:
     };
 
     // Null where it is not for this kind of function, or would not be accurate: weights that contradict each other.
-    // The data must outlive it.
+    // The data must outlive it.  tolerance: of LocalFieldOptions.
     [[nodiscard]] static std::unique_ptr<Prepared> make(const base::Runtime& runtime, const HrbfData& data,
-                                                        const base::Progress& progress);
+                                                        const base::Progress& progress,
+                                                        double tolerance = LocalFieldOptions().tolerance);
     // Whether for so many points preparing takes less time than it saves.
     [[nodiscard]] static bool pays(const HrbfData& data, double points) noexcept;
 
-    Prepared(const base::Runtime& runtime, const HrbfData& data, int finer, const base::Progress& progress);
+    Prepared(const base::Runtime& runtime, const HrbfData& data, double tolerance, int finer,
+             const base::Progress& progress);
 
     void evaluate(const PointBatch& points, const FieldBatch& fields) const override;
     [[nodiscard]] bool concurrent() const noexcept override { return true; }

@@ -44,9 +44,7 @@ SourceTree::SourceTree(const base::Runtime& runtime, const geometry::VecArray& c
         levels_.push_back({find_basis(degree, progress), nullptr, size});
         size += levels_.back().basis->stride() * (tree_.level_end(level) - tree_.level_begin(level));
     }
-    for (std::int32_t level = 2; level + 1 < tree_.levels(); ++level)
-        levels_[static_cast<std::size_t>(level)].transfers = find_transfers(level, progress);
-    base::resize_long(outgoing_, size + CubeBasis::padded(CubeBasis::terms(CubeBasis::degree_max)), progress);
+    vectors_size_ = size + CubeBasis::padded(CubeBasis::terms(CubeBasis::degree_max));
 }
 
 // The error of a pair of cubes is about (half width)^3 2.9^-degree, relative to their weights.
@@ -108,9 +106,18 @@ void SourceTree::load(const double* alpha, const geometry::VecArray& beta, const
         alpha_[at] = alpha[tree_.index(at)];
         beta_.set(at, beta[tree_.index(at)]);
     }
-    const std::int64_t size = outgoing_.size();
+}
+
+void SourceTree::make_transfers(const base::Progress& progress) {
+    for (std::int32_t level = 2; level + 1 < tree_.levels(); ++level)
+        if (at(level).transfers == nullptr)
+            levels_[static_cast<std::size_t>(level)].transfers = find_transfers(level, progress);
+}
+
+void SourceTree::gather(const base::Progress& progress) {
+    make_transfers(progress);
     outgoing_.clear();
-    base::resize_long(outgoing_, size, progress); // zeros
+    base::resize_long(outgoing_, vectors_size_, progress); // zeros
     for (std::int32_t level = tree_.levels() - 1; level >= 2; --level) gather_moments(level, progress);
 }
 

@@ -36,10 +36,12 @@ public:
 
     // Gives the centres their weights, in the centres' order.
     void load(const double* alpha, const geometry::VecArray& beta, const base::Progress& progress);
+    // And the nodes of each cube theirs, for translate(): of few centres they take longer to make than they save.
+    void gather(const base::Progress& progress);
 
     [[nodiscard]] const geometry::Octree& tree() const noexcept { return tree_; }
     [[nodiscard]] const CubeBasis& basis(std::int32_t level) const noexcept { return *at(level).basis; }
-    // From a level's nodes to those of a child's; the child's level exists.
+    // From a level's nodes to those of a child's, after gather(); the child's level exists.
     [[nodiscard]] const base::Array<double>& to_child(std::int32_t level, int octant) const noexcept {
         return at(level).transfers->to_child[static_cast<std::size_t>(octant)];
     }
@@ -47,7 +49,7 @@ public:
     [[nodiscard]] static bool has_expansions(std::int32_t level) noexcept { return level >= 2; }
     // Of each node, one after the other; padded for reading beyond the last.
     [[nodiscard]] std::int64_t vectors_begin(std::int32_t level) const noexcept { return at(level).begin; }
-    [[nodiscard]] std::int64_t vectors_size() const noexcept { return outgoing_.size(); }
+    [[nodiscard]] std::int64_t vectors_size() const noexcept { return vectors_size_; }
     // A node's centres in the tree's order, with their weights.
     [[nodiscard]] Sources sources(std::int64_t begin, std::int64_t end) const noexcept;
 
@@ -70,7 +72,7 @@ public:
     void translate(std::int32_t level, std::span<const Pair> pairs, int first_row, int last_row, double* incoming,
                    const base::Progress& progress) const;
 
-    // Gives back what only translate(), to_child() and the basis' matrices need.
+    // Gives back what only translate(), to_child() and the bases' matrices need.
     void forget_expansions() noexcept;
 
     [[nodiscard]] std::int64_t bytes() const noexcept;
@@ -94,6 +96,7 @@ private:
     [[nodiscard]] int degree_of(std::int32_t level, const SourceTreeOptions& options) const noexcept;
     [[nodiscard]] std::shared_ptr<CubeBasis> find_basis(int degree, const base::Progress& progress) const;
     [[nodiscard]] std::shared_ptr<Transfers> find_transfers(std::int32_t level, const base::Progress& progress) const;
+    void make_transfers(const base::Progress& progress);
     void gather_moments(std::int32_t level, const base::Progress& progress);
     void add_children(std::int64_t begin, std::int64_t end, std::int32_t level, const base::Progress& progress);
     [[nodiscard]] std::int64_t place(std::int64_t node, std::int32_t level) const noexcept {
@@ -109,6 +112,7 @@ private:
     const base::Runtime& runtime_;
     geometry::Octree tree_;
     std::vector<Level> levels_;
+    std::int64_t vectors_size_ = 0;
     base::Array<double> outgoing_; // weights at the nodes of each cube
     base::Array<double> alpha_;    // in the tree's order
     geometry::VecArray beta_;
