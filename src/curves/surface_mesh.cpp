@@ -14,7 +14,6 @@
 namespace hrbfnpr::curves {
 namespace {
 
-constexpr double vertex_tolerance = 1e-9; // of vertices, in diagonals
 constexpr double seed_tolerance = 1e-3;   // in sides
 constexpr double seed_reach = 1.5;        // in sides: how far from a seed its triangle may be
 constexpr std::int64_t most_surface_triangles = std::int64_t{1} << 28;
@@ -108,7 +107,7 @@ surface::Projection seeds_on_surface(const base::Runtime& runtime, const implici
     for (std::int64_t i = 0; i < on.position.size(); ++i) before.push_back(on.position[i]);
     surface::ProjectionSettings steps;
     steps.evaluation_limit = 12;
-    steps.tolerance = std::max(vertex_tolerance, seed_tolerance * settings.side / implicit.diagonal());
+    steps.tolerance = std::max(settings.tolerance, seed_tolerance * settings.side / implicit.diagonal());
     surface::project(runtime, implicit, steps, on, progress);
     std::int64_t kept = 0;
     for (std::int64_t i = 0; i < before.size(); ++i) {
@@ -184,7 +183,7 @@ SurfaceMesh triangulate(const base::Runtime& runtime, const implicit::Implicit& 
     edges.number_all(progress);
     mesh.unresolved =
         find_edge_roots(runtime, implicit, {cells.position, cells.value, edges.edge},
-                        vertex_tolerance * implicit.diagonal(), mesh.position, mesh.gradient, progress.part(0.4, 0.9));
+                        settings.tolerance * implicit.diagonal(), mesh.position, mesh.gradient, progress.part(0.4, 0.9));
     add_triangles(cells, edges, mesh, progress);
     mesh.neighbour = find_neighbours(runtime, mesh.corner, mesh.vertices(), progress);
     mesh.missed_seeds = count_missed(runtime, on, mesh, progress);

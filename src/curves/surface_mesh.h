@@ -22,6 +22,7 @@ struct MeshSettings {
     std::int64_t triangle_limit = 4'000'000;
     // Where this says that the surface is nowhere near the mesh need not go on: at least some cells beyond its end.
     const implicit::Extent* extent = nullptr;
+    double tolerance = 1e-9; // of vertices, in diagonals
 };
 
 // Oriented, and closed but where the region ends.
@@ -29,7 +30,7 @@ struct SurfaceMesh {
     explicit SurfaceMesh(base::Memory& memory) noexcept
         : position(memory), gradient(memory), corner(memory), neighbour(memory) {}
 
-    geometry::VecArray position; // of the vertices, on the surface to 1e-9 diagonals; else `unresolved` counts them
+    geometry::VecArray position; // of the vertices, on the surface to the tolerance; else `unresolved` counts them
     geometry::VecArray gradient; // of f there
     base::Array<std::int32_t> corner;    // 3 of each triangle, counter-clockwise as seen from where f > 0
     base::Array<std::int32_t> neighbour; // 3 of each triangle: the one across the edge from corner k to k + 1; -1: none

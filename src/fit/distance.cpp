@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "fit/distance.h"
 
+#include "implicit/evaluate_all.h"
+
 #include <algorithm>
 
 namespace hrbfnpr::fit {
@@ -49,6 +51,17 @@ Distances measure_distances(const base::Runtime& runtime, const implicit::HrbfDa
         implicit::evaluate(runtime.instruction_set, data, implicit::slice(points, begin, end), fields.from(begin));
         for (std::int64_t i = begin; i < end; ++i) set_distance(result, i);
     });
+    return result;
+}
+
+Distances measure_distances(const base::Runtime& runtime, const implicit::Implicit& implicit, const Samples& samples,
+                            const base::Progress& progress) {
+    Distances result = of_size(runtime.memory, samples.position.size());
+    implicit::evaluate_all(
+        runtime, implicit, samples.position,
+        {result.value.data(), {result.gradient.x.data(), result.gradient.y.data(), result.gradient.z.data()}, {}},
+        progress);
+    for (std::int64_t i = 0; i < samples.position.size(); ++i) set_distance(result, i);
     return result;
 }
 

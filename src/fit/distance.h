@@ -25,5 +25,8 @@ struct Distances {
 
 [[nodiscard]] Distances measure_distances(const base::Runtime& runtime, const implicit::HrbfData& data,
                                           const Samples& samples, const base::Progress& progress);
+// The same of any function of which the surface is 0.
+[[nodiscard]] Distances measure_distances(const base::Runtime& runtime, const implicit::Implicit& implicit,
+                                          const Samples& samples, const base::Progress& progress);
 
 } // namespace hrbfnpr::fit

@@ -35,6 +35,7 @@ struct FitInput {
     SolverKind solver = SolverKind::automatic;
     std::uint32_t preconditioner_neighbours = 0; // 0 = automatic
     double solver_tolerance = 0.0;               // 0 = automatic
+    double automatic_tolerance = 0.0;            // what that is; 0 = as the number of centres has it
     std::int32_t iteration_limit = 200;
 };
 

@@ -111,6 +111,7 @@ constexpr double radius_limit = 1e30;
     options.neighbours = static_cast<std::int32_t>(input.preconditioner_neighbours);
     // Chosen centres are judged by how far all samples are from the surface, not by the residual.
     if (input.tolerance > 0.0 || input.maximum_centres > 0) options.acceptable = 1e-3;
+    options.tolerance = input.automatic_tolerance;
     if (input.solver_tolerance > 0.0) options.tolerance = options.acceptable = input.solver_tolerance;
     options.iterations = input.iteration_limit;
     return options;

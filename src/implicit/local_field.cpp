@@ -16,9 +16,9 @@ namespace {
 // Cubes between a centre and a cube whose polynomial it is in: with one, the same accuracy took twice the degrees.
 constexpr int separation = 2;
 
-// Cubes with more near centres are divided: about as many pairs as the polynomial costs, and a few more, as cubes and
-// polynomials have to be made, too.
-// With many centres the cubes take longer to make than a million points to evaluate.
+// Cubes with more near centres are divided, by default: about as many pairs as the polynomial costs, and a few more, as
+// cubes and polynomials have to be made, too. With many centres the cubes take longer to make than a million points to
+// evaluate.
 constexpr std::int64_t many_centres = 16384;
 [[nodiscard]] std::int64_t most_near(std::int64_t centres) noexcept { return centres < many_centres ? 250 : 500; }
 // A cube is divided where there are centres within this many half widths of a part's middle.
@@ -52,10 +52,12 @@ constexpr std::int64_t local_tasks = 24;
 // Makes the cells level by level.
 class LocalField::Builder {
 public:
-    Builder(const base::Runtime& runtime, LocalField& field, bool translates)
+    Builder(const base::Runtime& runtime, LocalField& field, const LocalFieldOptions& options)
         : runtime_(runtime), field_(field), tree_(field.sources_.tree()), loops_(cube_loops(runtime.instruction_set)),
-          translates_(translates), candidate_begin_(runtime.memory),
-          candidates_(runtime.memory), kind_(runtime.memory), incoming_(runtime.memory) {}
+          translates_(tree_.points().size() >= options.worth_translations),
+          most_near_(options.most_near > 0 ? options.most_near : most_near(tree_.points().size())),
+          candidate_begin_(runtime.memory), candidates_(runtime.memory), kind_(runtime.memory),
+          incoming_(runtime.memory) {}
 
     void run(const base::Progress& progress) {
         if (translates_) field_.sources_.gather(progress);
@@ -203,8 +205,7 @@ private:
         next_begin.push_back(0);
         for (std::int64_t k = 0; k < end_ - begin_; ++k) {
             if (k % cells_a_task == 0) progress.check();
-            if (level + 1 < tree_.levels() && near_centres(k) > most_near(tree_.points().size()))
-                add_children(k, next_begin, next, progress);
+            if (level + 1 < tree_.levels() && near_centres(k) > most_near_) add_children(k, next_begin, next, progress);
             if (field_.cells_[begin_ + k].serves()) keep_near(k, progress);
         }
         std::swap(candidate_begin_, next_begin);
@@ -315,6 +316,7 @@ private:
     const geometry::Octree& tree_;
     CubeLoops loops_;
     bool translates_;
+    std::int64_t most_near_;
     std::int64_t above_ = 0; // the first cell of the level above, of this one, and of the one below
     std::int64_t begin_ = 0;
     std::int64_t end_ = 0;
@@ -333,7 +335,7 @@ LocalField::LocalField(const base::Runtime& runtime, const geometry::VecArray& c
                progress),
       cells_(runtime.memory), near_(runtime.memory), terms_(runtime.memory) {
     sources_.load(alpha, beta, progress);
-    Builder(runtime, *this, centres.size() >= options.worth_translations).run(progress);
+    Builder(runtime, *this, options).run(progress);
     sources_.forget_expansions();
 }
 

@@ -29,6 +29,7 @@ struct LocalFieldOptions {
     // Of fewer centres all that are far act one by one on cubes: what it takes for cubes to act as a whole is a second
     // of two cores (AVX2) to make, and saves less.
     std::int64_t worth_translations = 32768;
+    std::int64_t most_near = 0; // cubes with more near centres are divided; 0 = as is best for millions of places
 };
 
 class LocalField {

@@ -43,12 +43,15 @@ bool Prepared::pays(const HrbfData& data, double points) noexcept {
 }
 
 std::unique_ptr<Prepared> Prepared::make(const base::Runtime& runtime, const HrbfData& data,
-                                         const base::Progress& progress, double tolerance) {
+                                         const base::Progress& progress, const LocalFieldOptions& options) {
     if (data.kernel != kernel::Kind::triharmonic || data.count() < fewest_centres) return nullptr;
+    LocalFieldOptions its = options;
+    its.spacing = spacing_of(data);
     double before = std::numeric_limits<double>::infinity();
     for (int finer = 0; finer <= finest; ++finer) {
         const base::Stopwatch watch;
-        auto prepared = std::make_unique<Prepared>(runtime, data, tolerance, finer, progress);
+        its.finer = finer;
+        auto prepared = std::make_unique<Prepared>(runtime, data, its, progress);
         const Error error = prepared->error();
         runtime.log(
             base::LogLevel::info,
@@ -56,7 +59,7 @@ std::unique_ptr<Prepared> Prepared::make(const base::Runtime& runtime, const Hrb
             "%.1e",
             static_cast<long long>(data.count()), watch.seconds(), static_cast<double>(prepared->bytes()) / 1e6,
             error.value, error.gradient);
-        const double allowed = (error.value > no_better * before ? slack_of_rounding : slack) * tolerance;
+        const double allowed = (error.value > no_better * before ? slack_of_rounding : slack) * options.tolerance;
         if (error.value <= allowed && error.gradient <= gradients_share * allowed) return prepared;
         if (error.value >= before) break; // rounding is all that is left
         before = error.value;
@@ -64,10 +67,10 @@ std::unique_ptr<Prepared> Prepared::make(const base::Runtime& runtime, const Hrb
     return nullptr;
 }
 
-Prepared::Prepared(const base::Runtime& runtime, const HrbfData& data, double tolerance, int finer,
+Prepared::Prepared(const base::Runtime& runtime, const HrbfData& data, const LocalFieldOptions& options,
                    const base::Progress& progress)
-    : set_(runtime.instruction_set), data_(data), field_(runtime, data.centre_position, data.alpha.data(), data.beta,
-                                                         {spacing_of(data), tolerance, finer}, progress) {
+    : set_(runtime.instruction_set), data_(data),
+      field_(runtime, data.centre_position, data.alpha.data(), data.beta, options, progress) {
     measure_error(runtime, progress);
 }
 

@@ -19,14 +19,14 @@ public:
     };
 
     // Null where it is not for this kind of function, or would not be accurate: weights that contradict each other.
-    // The data must outlive it.  tolerance: of LocalFieldOptions.
+    // The data must outlive it.  Of the options, the spacing is the data's.
     [[nodiscard]] static std::unique_ptr<Prepared> make(const base::Runtime& runtime, const HrbfData& data,
                                                         const base::Progress& progress,
-                                                        double tolerance = LocalFieldOptions().tolerance);
+                                                        const LocalFieldOptions& options = {});
     // Whether for so many points preparing takes less time than it saves.
     [[nodiscard]] static bool pays(const HrbfData& data, double points) noexcept;
 
-    Prepared(const base::Runtime& runtime, const HrbfData& data, double tolerance, int finer,
+    Prepared(const base::Runtime& runtime, const HrbfData& data, const LocalFieldOptions& options,
              const base::Progress& progress);
 
     void evaluate(const PointBatch& points, const FieldBatch& fields) const override;

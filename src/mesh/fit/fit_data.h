@@ -7,6 +7,8 @@
 #include "mesh/fit/fit_mesh.h"
 #include "mesh/fit/off_surface.h"
 
+#include <memory>
+
 namespace hrbfnpr::mesh {
 
 // The data must outlive it.
@@ -23,6 +25,23 @@ public:
 private:
     base::InstructionSet set_;
     const implicit::HrbfData& data_;
+};
+
+// The data at many places, as near as a search for what is off needs: prepared, where that takes less time.
+class FitField {
+public:
+    // precision: in diagonals.  The data must outlive it.
+    FitField(const base::Runtime& runtime, const implicit::HrbfData& data, double precision, std::int64_t places,
+             const base::Progress& progress);
+
+    [[nodiscard]] const implicit::Implicit& operator*() const noexcept {
+        if (prepared_ != nullptr) return *prepared_;
+        return plain_;
+    }
+
+private:
+    FitData plain_;
+    std::unique_ptr<implicit::Implicit> prepared_;
 };
 
 // The chosen candidates, then the centres off the surface.

@@ -45,7 +45,10 @@ constexpr std::int32_t idle_rounds = 2;
 constexpr double wrong_side = 2.0; // tolerances
 constexpr double first_look = 0.9;
 constexpr std::int64_t verified_places = 10000;
-constexpr double support_limit = 3.0; // of what dense samples bear out
+constexpr double residual = 1e-6;                   // of the equations, relative
+constexpr double precision = 5e-3;                  // of f, and of the surface's vertices, in tolerances
+constexpr std::int64_t places_of_surface = 100'000; // that f is asked at to find it, about
+constexpr double support_limit = 3.0;               // of what dense samples bear out
 
 class Fitter {
 public:
@@ -60,8 +63,10 @@ public:
         report_.supported = mesh.report.boundary_edges > 0;
         share_ = settings.share + margin * (1.0 - settings.share);
         options_.tolerance = report_.tolerance; // residuals that a distance does not show are accepted
+        options_.automatic_tolerance = residual;
         search_.region = search_region(mesh);
         search_.side = diagonal / side_of_rounds;
+        search_.precision = precision * report_.tolerance / diagonal;
         search_.limit = support_limit;
     }
 
@@ -115,6 +120,7 @@ private:
         const double from = 1.0 - std::pow(0.8, report_.rounds);
         const double to = 1.0 - std::pow(0.8, report_.rounds + 1);
         const fit::Samples chosen = chosen_samples(runtime_, candidates_, centres_, off_, progress_);
+        field_.reset();
         try {
             fit_.emplace(fit::fit_centres(runtime_, options_, chosen,
                                           {options_.regularization, options_.regularization},
@@ -146,7 +152,10 @@ private:
     }
 
     [[nodiscard]] bool measure_and_add() {
-        const fit::Distances distances = fit::measure_distances(runtime_, fit_->result.data, candidates_, progress_);
+        const base::Progress silent = progress_.part(0, 0);
+        field_.emplace(runtime_, fit_->result.data, search_.precision, candidates_.position.size() + places_of_surface,
+                       silent);
+        const fit::Distances distances = fit::measure_distances(runtime_, **field_, candidates_, silent);
         base::Array<double> distance(runtime_.memory);
         for (std::int64_t i = 0; i < candidates_.position.size(); ++i) {
             // Where f grows inward the surface is another one, or none.
@@ -228,8 +237,7 @@ private:
     // Holds f off the surface where that is far from the mesh, and it is sure which side that is; whether there is such
     // a place.
     [[nodiscard]] bool look_at_surface() {
-        const FitData implicit(runtime_.instruction_set, fit_->result.data);
-        curves::SurfaceMesh surface = find_surface(runtime_, implicit, positions(), search_, progress_.part(0, 0));
+        curves::SurfaceMesh surface = find_surface(runtime_, **field_, positions(), search_, progress_.part(0, 0));
         // Its vertices, which lie on f = 0: a part that is small has some, too.
         SurfacePlaces places(runtime_.memory);
         places.position = std::move(surface.position);
@@ -318,6 +326,7 @@ private:
     SurfaceSearch search_;
     double share_ = 0.99;
     std::optional<fit::CentreFit> fit_;
+    std::optional<FitField> field_; // of the last fit
     FitMeshReport report_;
 };
 

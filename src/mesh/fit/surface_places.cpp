@@ -69,6 +69,7 @@ curves::SurfaceMesh find_surface(const base::Runtime& runtime, const implicit::I
     for (std::int64_t i = 0; i < seeds.size(); ++i) all.push_back(seeds[i]);
     add_lattice(runtime, implicit, search.region, all, progress);
     curves::MeshSettings settings{search.region, search.side};
+    settings.tolerance = search.precision;
     curves::SurfaceMesh surface = curves::triangulate_of_any_size(runtime, implicit, all, settings, progress);
     const double least = implicit.diagonal() / cells_a_diagonal_at_most;
     while ((search.finer && too_thin(surface)) || (surface.triangles() == 0 && settings.side > least)) {

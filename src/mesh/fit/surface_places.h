@@ -20,6 +20,7 @@ struct SurfaceSearch {
     geometry::Bounds region; // that the surface is looked for in
     double side = 0.0;       // of cells
     bool finer = false;      // with cells half as wide, and again, where the surface is thinner than they are
+    double precision = 1e-9; // of its vertices, in diagonals
     std::int64_t count = 0;  // of places
     std::uint64_t seed = 1;
     // Not null: places that it does not bear out up to the limit are left out.
