@@ -17,7 +17,6 @@ constexpr double seconds_a_field = 0.05;
 constexpr double seconds_a_centre = 8.5e-5;
 constexpr double worth = 1.5;
 constexpr std::int64_t most_near = 1000;
-// Of a place's value, that its gradient may be off by.
 constexpr double gradient_precision = 1e-2;
 
 [[nodiscard]] bool pays(std::int64_t centres, std::int64_t places) noexcept {
@@ -27,17 +26,15 @@ constexpr double gradient_precision = 1e-2;
 
 } // namespace
 
-FitField::FitField(const base::Runtime& runtime, const implicit::HrbfData& data, double precision, std::int64_t places,
-                   const base::Progress& progress)
-    : plain_(runtime.instruction_set, data) {
-    if (!pays(data.count(), places)) return;
+void FitField::expect(const base::Runtime& runtime, std::int64_t places, const base::Progress& progress) {
+    if (prepared_ != nullptr || !pays(data_.count(), places)) return;
     implicit::LocalFieldOptions options;
-    options.tolerance = precision;
+    options.tolerance = precision_;
     options.most_near = most_near;
-    std::unique_ptr<implicit::Prepared> prepared = implicit::Prepared::make(runtime, data, progress, options);
+    std::unique_ptr<implicit::Prepared> prepared = implicit::Prepared::make(runtime, data_, progress, options);
     if (prepared == nullptr) return;
     const implicit::Prepared::Error error = prepared->error();
-    if (error.value <= precision && error.gradient <= gradient_precision) prepared_ = std::move(prepared);
+    if (error.value <= precision_ && error.gradient <= gradient_precision) prepared_ = std::move(prepared);
 }
 
 fit::Samples chosen_samples(const base::Runtime& runtime, const fit::Samples& candidates,

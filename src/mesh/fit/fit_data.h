@@ -27,12 +27,15 @@ private:
     const implicit::HrbfData& data_;
 };
 
-// The data at many places, as near as a search for what is off needs: prepared, where that takes less time.
+// The data at many places, as near as a search for what is off needs.
 class FitField {
 public:
     // precision: in diagonals.  The data must outlive it.
-    FitField(const base::Runtime& runtime, const implicit::HrbfData& data, double precision, std::int64_t places,
-             const base::Progress& progress);
+    FitField(base::InstructionSet set, const implicit::HrbfData& data, double precision) noexcept
+        : data_(data), plain_(set, data), precision_(precision) {}
+
+    // Before it is asked at so many places: prepares for that, where it takes less time.
+    void expect(const base::Runtime& runtime, std::int64_t places, const base::Progress& progress);
 
     [[nodiscard]] const implicit::Implicit& operator*() const noexcept {
         if (prepared_ != nullptr) return *prepared_;
@@ -40,7 +43,9 @@ public:
     }
 
 private:
+    const implicit::HrbfData& data_;
     FitData plain_;
+    double precision_;
     std::unique_ptr<implicit::Implicit> prepared_;
 };
 

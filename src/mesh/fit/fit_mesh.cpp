@@ -45,10 +45,10 @@ constexpr std::int32_t idle_rounds = 2;
 constexpr double wrong_side = 2.0; // tolerances
 constexpr double first_look = 0.9;
 constexpr std::int64_t verified_places = 10000;
-constexpr double residual = 1e-6;                   // of the equations, relative
-constexpr double precision = 5e-3;                  // of f, and of the surface's vertices, in tolerances
-constexpr std::int64_t places_of_surface = 100'000; // that f is asked at to find it, about
-constexpr double support_limit = 3.0;               // of what dense samples bear out
+constexpr double residual = 1e-6;           // of the equations, relative
+constexpr double precision = 5e-3;          // of f, and of the surface's vertices, in tolerances
+constexpr std::int64_t places_a_vertex = 3; // that f is asked at, about
+constexpr double support_limit = 3.0;       // of what dense samples bear out
 
 class Fitter {
 public:
@@ -153,8 +153,8 @@ private:
 
     [[nodiscard]] bool measure_and_add() {
         const base::Progress silent = progress_.part(0, 0);
-        field_.emplace(runtime_, fit_->result.data, search_.precision, candidates_.position.size() + places_of_surface,
-                       silent);
+        field_.emplace(runtime_.instruction_set, fit_->result.data, search_.precision);
+        field_->expect(runtime_, candidates_.position.size() + surface_places_, silent);
         const fit::Distances distances = fit::measure_distances(runtime_, **field_, candidates_, silent);
         base::Array<double> distance(runtime_.memory);
         for (std::int64_t i = 0; i < candidates_.position.size(); ++i) {
@@ -184,7 +184,10 @@ private:
     [[nodiscard]] bool look_closer() {
         const double side = mesh_.bounds.diagonal() / side_of_last;
         if (search_.side <= side) return false;
+        const double ratio = search_.side / side;
         search_.side = side;
+        field_->expect(runtime_, static_cast<std::int64_t>(ratio * ratio * static_cast<double>(surface_places_)),
+                       progress_.part(0, 0));
         const bool added = look_at_surface();
         report_.reached = good(report_.mesh, settings_.share) && good(report_.surface, settings_.share);
         return added && !good(report_.surface, share_);
@@ -238,6 +241,7 @@ private:
     // a place.
     [[nodiscard]] bool look_at_surface() {
         curves::SurfaceMesh surface = find_surface(runtime_, **field_, positions(), search_, progress_.part(0, 0));
+        surface_places_ = places_a_vertex * surface.position.size();
         // Its vertices, which lie on f = 0: a part that is small has some, too.
         SurfacePlaces places(runtime_.memory);
         places.position = std::move(surface.position);
@@ -326,7 +330,8 @@ private:
     SurfaceSearch search_;
     double share_ = 0.99;
     std::optional<fit::CentreFit> fit_;
-    std::optional<FitField> field_; // of the last fit
+    std::optional<FitField> field_;         // of the last fit
+    std::int64_t surface_places_ = 100'000; // that f is asked at to find the surface, about
     FitMeshReport report_;
 };
 
