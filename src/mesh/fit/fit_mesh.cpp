@@ -45,8 +45,12 @@ constexpr std::int32_t idle_rounds = 2;
 constexpr double wrong_side = 2.0; // tolerances
 constexpr double first_look = 0.9;
 constexpr std::int64_t verified_places = 10000;
-constexpr double residual = 1e-6;           // of the equations, relative
+// Of the equations, relative: in tolerances, and at least and at most.
+constexpr double residual = 5e-4;
+constexpr double finest_residual = 1e-8;
+constexpr double roughest_residual = 1e-6;
 constexpr double precision = 5e-3;          // of f, and of the surface's vertices, in tolerances
+constexpr double finest_precision = 1e-9;   // in diagonals
 constexpr std::int64_t places_a_vertex = 3; // that f is asked at, about
 constexpr double support_limit = 3.0;       // of what dense samples bear out
 
@@ -63,10 +67,11 @@ public:
         report_.supported = mesh.report.boundary_edges > 0;
         share_ = settings.share + margin * (1.0 - settings.share);
         options_.tolerance = report_.tolerance; // residuals that a distance does not show are accepted
-        options_.automatic_tolerance = residual;
+        options_.automatic_tolerance =
+            std::clamp(residual * report_.tolerance / diagonal, finest_residual, roughest_residual);
         search_.region = search_region(mesh);
         search_.side = diagonal / side_of_rounds;
-        search_.precision = precision * report_.tolerance / diagonal;
+        search_.precision = std::max(finest_precision, precision * report_.tolerance / diagonal);
         search_.limit = support_limit;
     }
 
