@@ -14,8 +14,8 @@
 namespace hrbfnpr::curves {
 namespace {
 
-constexpr double seed_tolerance = 1e-3;   // in sides
-constexpr double seed_reach = 1.5;        // in sides: how far from a seed its triangle may be
+constexpr double seed_tolerance = 1e-3; // in sides
+constexpr double seed_reach = 1.5;      // in sides: how far from a seed its triangle may be
 constexpr std::int64_t most_surface_triangles = std::int64_t{1} << 28;
 
 constexpr std::int64_t meshed_a_look = 4096;
@@ -181,9 +181,9 @@ SurfaceMesh triangulate(const base::Runtime& runtime, const implicit::Implicit& 
     clear_corners(runtime, implicit, cells, progress.part(0.3, 0.4));
     CellEdges edges(cells);
     edges.number_all(progress);
-    mesh.unresolved =
-        find_edge_roots(runtime, implicit, {cells.position, cells.value, edges.edge},
-                        settings.tolerance * implicit.diagonal(), mesh.position, mesh.gradient, progress.part(0.4, 0.9));
+    mesh.unresolved = find_edge_roots(runtime, implicit, {cells.position, cells.value, edges.edge},
+                                      settings.tolerance * implicit.diagonal(), mesh.position, mesh.gradient,
+                                      progress.part(0.4, 0.9));
     add_triangles(cells, edges, mesh, progress);
     mesh.neighbour = find_neighbours(runtime, mesh.corner, mesh.vertices(), progress);
     mesh.missed_seeds = count_missed(runtime, on, mesh, progress);

@@ -30,9 +30,9 @@ struct SurfaceMesh {
     explicit SurfaceMesh(base::Memory& memory) noexcept
         : position(memory), gradient(memory), corner(memory), neighbour(memory) {}
 
-    geometry::VecArray position; // of the vertices, on the surface to the tolerance; else `unresolved` counts them
-    geometry::VecArray gradient; // of f there
-    base::Array<std::int32_t> corner;    // 3 of each triangle, counter-clockwise as seen from where f > 0
+    geometry::VecArray position;      // of the vertices, on the surface to the tolerance; else `unresolved` counts them
+    geometry::VecArray gradient;      // of f there
+    base::Array<std::int32_t> corner; // 3 of each triangle, counter-clockwise as seen from where f > 0
     base::Array<std::int32_t> neighbour; // 3 of each triangle: the one across the edge from corner k to k + 1; -1: none
     geometry::Bounds region;
     const SurfaceEnd* end = nullptr; // where the surface ends within the region, if it does

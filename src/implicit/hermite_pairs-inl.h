@@ -55,34 +55,63 @@ struct Exponential {
     HWY_INLINE V finish(V, V begun) const { return hn::Exp(D(), hn::Max(begun, hn::Set(D(), -700.0))); }
 };
 
-// All sources at the targets of `n` vectors: what kernel.add() makes of each pair, by its distance squared, what
-// kernel.begin() and finish() make of that, and along the axes.  Sum::zero() begins, Weights::of() takes what a source
-// weighs.
+// The targets of `n` vectors.
+template <int n>
+struct Places {
+    const V* x;
+    const V* y;
+    const V* z;
+
+    struct Apart {
+        V x, y, z, r2;
+    };
+    HWY_INLINE Apart from(const Sources& s, std::int64_t j, int u) const {
+        const D d;
+        const V dx = hn::Sub(x[u], hn::Set(d, s.x[j]));
+        const V dy = hn::Sub(y[u], hn::Set(d, s.y[j]));
+        const V dz = hn::Sub(z[u], hn::Set(d, s.z[j]));
+        return {dx, dy, dz, hn::MulAdd(dz, dz, hn::MulAdd(dy, dy, hn::Mul(dx, dx)))};
+    }
+};
+
+// Sources [first, first + count), whose radial functions are made first.
 template <int n, class Weights, class Kernel, class Sum>
-HWY_INLINE void sum_up(const Kernel& kernel, const Sources& s, const V* x, const V* y, const V* z, Sum* sum) {
-    const D d;
+HWY_INLINE void sum_some(const Kernel& kernel, const Sources& s, std::int64_t first, std::int64_t count,
+                         const Places<n>& to, Sum* sum) {
     V r2[static_cast<size_t>(ahead)][static_cast<size_t>(n)];
     V radial[static_cast<size_t>(ahead)][static_cast<size_t>(n)];
-    for (int u = 0; u < n; ++u) sum[u] = Sum::zero();
-    for (std::int64_t first = 0; first < s.count; first += ahead) {
-        const std::int64_t count = s.count - first < ahead ? s.count - first : ahead;
-        for (std::int64_t k = 0; k < count; ++k) {
-            for (int u = 0; u < n; ++u) {
-                const V dx = hn::Sub(x[u], hn::Set(d, s.x[first + k]));
-                const V dy = hn::Sub(y[u], hn::Set(d, s.y[first + k]));
-                const V dz = hn::Sub(z[u], hn::Set(d, s.z[first + k]));
-                r2[k][u] = hn::MulAdd(dz, dz, hn::MulAdd(dy, dy, hn::Mul(dx, dx)));
-                radial[k][u] = kernel.begin(r2[k][u]);
-            }
+    for (std::int64_t k = 0; k < count; ++k)
+        for (int u = 0; u < n; ++u) {
+            r2[k][u] = to.from(s, first + k, u).r2;
+            radial[k][u] = kernel.begin(r2[k][u]);
         }
-        for (std::int64_t k = 0; k < count; ++k)
-            for (int u = 0; u < n; ++u) radial[k][u] = kernel.finish(r2[k][u], radial[k][u]);
-        for (std::int64_t k = 0; k < count; ++k) {
-            const Weights w = Weights::of(s, first + k);
-            for (int u = 0; u < n; ++u)
-                kernel.add(r2[k][u], radial[k][u], hn::Sub(x[u], hn::Set(d, s.x[first + k])),
-                           hn::Sub(y[u], hn::Set(d, s.y[first + k])), hn::Sub(z[u], hn::Set(d, s.z[first + k])), w,
-                           sum[u]);
+    for (std::int64_t k = 0; k < count; ++k)
+        for (int u = 0; u < n; ++u) radial[k][u] = kernel.finish(r2[k][u], radial[k][u]);
+    for (std::int64_t k = 0; k < count; ++k) {
+        const Weights w = Weights::of(s, first + k);
+        for (int u = 0; u < n; ++u) {
+            const auto d = to.from(s, first + k, u);
+            kernel.add(r2[k][u], radial[k][u], d.x, d.y, d.z, w, sum[u]);
+        }
+    }
+}
+
+// All sources at the targets: what kernel.add() makes of each pair, by its distance squared, what kernel.begin() and
+// finish() make of that, and along the axes.  Sum::zero() begins, Weights::of() takes what a source weighs.
+template <int n, class Weights, class Kernel, class Sum>
+HWY_INLINE void sum_up(const Kernel& kernel, const Sources& s, const V* x, const V* y, const V* z, Sum* sum) {
+    const Places<n> to{x, y, z};
+    for (int u = 0; u < n; ++u) sum[u] = Sum::zero();
+    if constexpr (ahead > 1) {
+        for (std::int64_t first = 0; first < s.count; first += ahead)
+            sum_some<n, Weights>(kernel, s, first, s.count - first < ahead ? s.count - first : ahead, to, sum);
+    } else {
+        for (std::int64_t j = 0; j < s.count; ++j) {
+            const Weights w = Weights::of(s, j);
+            for (int u = 0; u < n; ++u) {
+                const auto d = to.from(s, j, u);
+                kernel.add(d.r2, kernel.finish(d.r2, kernel.begin(d.r2)), d.x, d.y, d.z, w, sum[u]);
+            }
         }
     }
 }
