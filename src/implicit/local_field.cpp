@@ -89,8 +89,6 @@ public:
 private:
     enum Kind : std::uint8_t { near, translated, direct };
 
-    [[nodiscard]] std::int64_t local(std::int64_t cell) const noexcept { return cell - begin_; }
-
     [[nodiscard]] static bool too_near(const Cell& cell, const geometry::Octree::Node& node) noexcept {
         const int shift = cell.level - node.level;
         for (std::size_t c = 0; c < 3; ++c)
@@ -172,10 +170,10 @@ private:
         runtime_.parallel.for_chunks(end_ - begin_, cells_a_task, [&](std::int64_t first, std::int64_t last) {
             geometry::VecArray place(runtime_.memory, basis.size());
             for (std::int64_t k = first; k < last; ++k) {
-                progress.check();
                 const glm::dvec3 centre = field_.centre(field_.cells_[begin_ + k]);
                 for (std::int64_t i = 0; i < basis.size(); ++i) place.set(i, centre + half * basis.nodes()[i]);
                 for (std::int64_t i = candidate_begin_[k]; i < candidate_begin_[k + 1];) {
+                    progress.check();
                     const SourceRange range = direct_range(i, candidate_begin_[k + 1]);
                     if (range.begin < range.end)
                         add(field_.sources_.sources(range.begin, range.end), place.x.data(), place.y.data(),
