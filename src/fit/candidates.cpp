@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "fit/candidates.h"
 
-#include "geometry/point_tree.h"
-
 #include <algorithm>
 #include <cmath>
 
@@ -21,13 +19,14 @@ constexpr double least_apart = 1e-3;
 
 class Finder {
 public:
-    Finder(const base::Runtime& runtime, const Samples& samples, const base::Array<std::int64_t>& centres,
-           const Distances& distances, const CandidateOptions& options, const base::Progress& progress)
-        : runtime_(runtime), samples_(samples), distances_(distances), options_(options), progress_(progress),
-          centre_tree_(positions(centres), progress), centre_spacing_(runtime.memory, centres.size()),
-          is_centre_(runtime.memory, samples.position.size()), error_(runtime.memory, samples.position.size()),
-          score_(runtime.memory, samples.position.size()), to_centre_(runtime.memory, samples.position.size()),
-          spacing_(runtime.memory, samples.position.size()) {
+    Finder(const base::Runtime& runtime, const Samples& samples, const geometry::PointTree& tree,
+           const base::Array<std::int64_t>& centres, const Distances& distances, const CandidateOptions& options,
+           const base::Progress& progress)
+        : runtime_(runtime), samples_(samples), tree_(tree), distances_(distances), options_(options),
+          progress_(progress), centre_tree_(positions(centres), progress),
+          centre_spacing_(runtime.memory, centres.size()), is_centre_(runtime.memory, samples.position.size()),
+          error_(runtime.memory, samples.position.size()), score_(runtime.memory, samples.position.size()),
+          to_centre_(runtime.memory, samples.position.size()), spacing_(runtime.memory, samples.position.size()) {
         for (const std::int64_t i : centres) is_centre_[i] = 1;
         for (std::int64_t at = 0; at < centres.size(); ++at)
             centre_spacing_[at] = std::min(centre_tree_.nearest_other(at), samples.bounds.diagonal());
@@ -42,9 +41,8 @@ public:
         for (const double error : error_) result.outside += error > options_.tolerance ? 1 : 0;
         if (result.outside == 0) return result;
         const base::Array<std::int64_t> order = worst_first();
-        const geometry::PointTree tree(samples_.position, progress_);
         for (double share = apart; share >= least_apart && result.chosen.empty(); share *= 0.5) {
-            take(order, tree, share, result.chosen);
+            take(order, share, result.chosen);
             if (options_.neighbours != nullptr) break; // noise is not chased
         }
         return result;
@@ -99,11 +97,10 @@ private:
         return order;
     }
 
-    void take(const base::Array<std::int64_t>& order, const geometry::PointTree& tree, double share,
-              base::Array<std::int64_t>& chosen) const {
+    void take(const base::Array<std::int64_t>& order, double share, base::Array<std::int64_t>& chosen) const {
         base::Array<std::uint8_t> covered(runtime_.memory, samples_.position.size()); // by place in the tree
         base::Array<std::int64_t> place(runtime_.memory, samples_.position.size());
-        for (std::int64_t at = 0; at < tree.size(); ++at) place[tree.index(at)] = at;
+        for (std::int64_t at = 0; at < tree_.size(); ++at) place[tree_.index(at)] = at;
         for (const std::int64_t i : order) {
             if (chosen.size() >= options_.most) return;
             const double radius = std::max(share * spacing_[i], options_.least_distance);
@@ -111,13 +108,14 @@ private:
             const std::int64_t added = options_.typical != nullptr ? (*options_.typical)[i] : i;
             // What is near enough to share its typical sample with another is not tried again.
             if (is_centre_[added] == 0) chosen.push_back(added);
-            tree.within(samples_.position[i], radius, [&](std::int64_t at, double) { covered[at] = 1; });
+            tree_.within(samples_.position[i], radius, [&](std::int64_t at, double) { covered[at] = 1; });
             if (chosen.size() % 256 == 0) progress_.check();
         }
     }
 
     const base::Runtime& runtime_;
     const Samples& samples_;
+    const geometry::PointTree& tree_;
     const Distances& distances_;
     const CandidateOptions& options_;
     const base::Progress& progress_;
@@ -132,10 +130,10 @@ private:
 
 } // namespace
 
-Candidates find_candidates(const base::Runtime& runtime, const Samples& samples,
+Candidates find_candidates(const base::Runtime& runtime, const Samples& samples, const geometry::PointTree& tree,
                            const base::Array<std::int64_t>& centres, const Distances& distances,
                            const CandidateOptions& options, const base::Progress& progress) {
-    return Finder(runtime, samples, centres, distances, options, progress).run();
+    return Finder(runtime, samples, tree, centres, distances, options, progress).run();
 }
 
 } // namespace hrbfnpr::fit

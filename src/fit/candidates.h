@@ -6,6 +6,7 @@
 #include "base/runtime.h"
 #include "fit/distance.h"
 #include "geometry/neighbours.h"
+#include "geometry/point_tree.h"
 
 namespace hrbfnpr::fit {
 
@@ -26,9 +27,10 @@ struct Candidates {
     std::int64_t outside = 0;         // samples beyond the tolerance
 };
 
-// centres: samples that are centres, not empty.
+// tree: of the samples.  centres: samples that are centres, not empty.
 [[nodiscard]] Candidates find_candidates(const base::Runtime& runtime, const Samples& samples,
-                                         const base::Array<std::int64_t>& centres, const Distances& distances,
-                                         const CandidateOptions& options, const base::Progress& progress);
+                                         const geometry::PointTree& tree, const base::Array<std::int64_t>& centres,
+                                         const Distances& distances, const CandidateOptions& options,
+                                         const base::Progress& progress);
 
 } // namespace hrbfnpr::fit

@@ -159,6 +159,7 @@ private:
 
     void add_rounds(Distances& distances) {
         double share = large_batch;
+        const geometry::PointTree tree(samples_.position, progress_);
         std::int64_t outside = 0;
         while (centres_.size() < most_centres() && rounds_ < most_rounds) {
             const auto count = static_cast<double>(centres_.size());
@@ -166,7 +167,7 @@ private:
             const CandidateOptions options{mean_tolerance(), noise_apart * noise_.position,
                                            std::min(most, most_centres() - centres_.size()),
                                            neighbours_ ? &*neighbours_ : nullptr, neighbours_ ? &typical_ : nullptr};
-            const Candidates added = find_candidates(runtime_, samples_, centres_, distances, options, progress_);
+            const Candidates added = find_candidates(runtime_, samples_, tree, centres_, distances, options, progress_);
             outside = added.outside;
             runtime_.log(base::LogLevel::debug, "fit: round %d: %lld centres, %lld samples outside, %lld to be added",
                          static_cast<int>(rounds_), static_cast<long long>(centres_.size()),

@@ -36,7 +36,7 @@ constexpr double softened_tolerance = 3e-4;
 // iterations of 4096, 16 384 and 65 536 even samples).
 [[nodiscard]] std::int32_t first_neighbours(std::int64_t samples, kernel::Kind kernel) noexcept {
     if (kernel == kernel::Kind::gaussian) return 40; // whose far samples are not screened by near ones
-    return samples < 6000 ? 16 : samples < 12000 ? 24 : samples < 40000 ? 28 : 32;
+    return samples < 3000 ? 16 : samples < 12000 ? 24 : samples < 40000 ? 28 : 32;
 }
 
 // The preconditioner needs the system to be definite beside the linear polynomials.

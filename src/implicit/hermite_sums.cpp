@@ -153,11 +153,26 @@ struct TriharmonicValue : InverseRoot {
     }
 };
 
+// As unroll: values alone need fewer registers.
+constexpr int values_unroll = 2;
+
 void add_values(const Sources& sources, const double* x, const double* y, const double* z, double* value,
                 std::int64_t count) {
     const D d;
     const auto lanes = static_cast<std::int64_t>(hn::Lanes(d));
-    for (std::int64_t at = 0; at < count; at += lanes) {
+    std::int64_t at = 0;
+    for (; at + values_unroll * lanes <= count; at += values_unroll * lanes) {
+        V px[values_unroll], py[values_unroll], pz[values_unroll];
+        ValueSum sum[values_unroll];
+        for (int u = 0; u < values_unroll; ++u) {
+            px[u] = hn::LoadU(d, x + at + u * lanes);
+            py[u] = hn::LoadU(d, y + at + u * lanes);
+            pz[u] = hn::LoadU(d, z + at + u * lanes);
+        }
+        sum_up<values_unroll, Weights>(TriharmonicValue(), sources, px, py, pz, sum);
+        for (int u = 0; u < values_unroll; ++u) add_to(value + at + u * lanes, sum[u].value);
+    }
+    for (; at < count; at += lanes) {
         const auto mask = hn::FirstN(d, static_cast<size_t>(count - at < lanes ? count - at : lanes));
         const V px = hn::MaskedLoad(mask, d, x + at);
         const V py = hn::MaskedLoad(mask, d, y + at);

@@ -12,10 +12,10 @@ namespace {
 
 // Measured on two cores, AVX2: what all pairs of places and centres take, and fields of the precision and with as many
 // near centres as below.
-constexpr double seconds_a_pair = 0.9e-9;
+constexpr double seconds_a_pair = 1.1e-9;
 constexpr double seconds_a_field = 0.05;
 constexpr double seconds_a_centre = 8.5e-5;
-constexpr double worth = 1.5;
+constexpr double worth = 1.2;
 constexpr std::int64_t most_near = 1000;
 constexpr double gradient_precision = 1e-2;
 
@@ -59,6 +59,12 @@ fit::Samples chosen_samples(const base::Runtime& runtime, const fit::Samples& ca
     return chosen;
 }
 
+double root_mean_square(const base::Array<double>& distance, double unit) noexcept {
+    double sum = 0.0;
+    for (const double d : distance) sum += (d / unit) * (d / unit);
+    return unit * std::sqrt(sum / static_cast<double>(distance.size()));
+}
+
 void describe(const base::Runtime& runtime, const fit::Samples& candidates, const base::Array<std::int64_t>& centres,
               const OffSurface& off, const FitMeshReport& report, fit::CentreFit& fit, const base::Progress& progress) {
     fit::FitReport& to = fit.result.report;
@@ -84,10 +90,6 @@ void describe(const base::Runtime& runtime, const fit::Samples& candidates, cons
     to.input_share_within = report.mesh.share;
     to.seconds_choose = report.seconds_sample + report.seconds_measure;
     to.peak_bytes = runtime.memory.bytes_peak();
-    const fit::Distances all = fit::measure_distances(runtime, fit.result.data, candidates, progress);
-    double distances = 0.0;
-    for (const double d : all.distance) distances += (d / unit) * (d / unit);
-    to.input_distance_rms = unit * std::sqrt(distances / static_cast<double>(candidates.position.size()));
 }
 
 } // namespace hrbfnpr::mesh

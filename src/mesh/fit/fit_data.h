@@ -54,7 +54,10 @@ private:
                                           const base::Array<std::int64_t>& centres, const OffSurface& off,
                                           const base::Progress& progress);
 
-// Fills in the fit's report.
+// The root of the mean square, unit: a length, so that squares of small ones do not underflow.
+[[nodiscard]] double root_mean_square(const base::Array<double>& distance, double unit) noexcept;
+
+// Fills in the fit's report, but for the candidates' distances.
 void describe(const base::Runtime& runtime, const fit::Samples& candidates, const base::Array<std::int64_t>& centres,
               const OffSurface& off, const FitMeshReport& report, fit::CentreFit& fit, const base::Progress& progress);
 

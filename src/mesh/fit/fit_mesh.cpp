@@ -46,10 +46,10 @@ constexpr double wrong_side = 2.0; // tolerances
 constexpr double first_look = 0.9;
 constexpr std::int64_t verified_places = 10000;
 // Of the equations, relative: in tolerances, and at least and at most.
-constexpr double residual = 5e-4;
+constexpr double residual = 5e-3;
 constexpr double finest_residual = 1e-8;
-constexpr double roughest_residual = 1e-6;
-constexpr double precision = 5e-3;          // of f, and of the surface's vertices, in tolerances
+constexpr double roughest_residual = 1e-5;
+constexpr double precision = 2e-2;          // of f, and of the surface's vertices, in tolerances
 constexpr double finest_precision = 1e-9;   // in diagonals
 constexpr std::int64_t places_a_vertex = 3; // that f is asked at, about
 constexpr double support_limit = 3.0;       // of what dense samples bear out
@@ -161,6 +161,7 @@ private:
         field_.emplace(runtime_.instruction_set, fit_->result.data, search_.precision);
         field_->expect(runtime_, candidates_.position.size() + surface_places_, silent);
         const fit::Distances distances = fit::measure_distances(runtime_, **field_, candidates_, silent);
+        fit_->result.report.input_distance_rms = root_mean_square(distances.distance, fit_->result.data.scale);
         base::Array<double> distance(runtime_.memory);
         for (std::int64_t i = 0; i < candidates_.position.size(); ++i) {
             // Where f grows inward the surface is another one, or none.
@@ -235,8 +236,9 @@ private:
         const std::int64_t most = std::max(smallest_batch, static_cast<std::int64_t>(share * count));
         const fit::CandidateOptions options{inner * report_.tolerance, apart * report_.tolerance,
                                             std::min(most, room()), nullptr, nullptr};
+        if (!candidate_tree_) candidate_tree_.emplace(candidates_.position, progress_);
         const fit::Candidates added =
-            fit::find_candidates(runtime_, candidates_, centres_, distances, options, progress_);
+            fit::find_candidates(runtime_, candidates_, *candidate_tree_, centres_, distances, options, progress_);
         for (const std::int64_t i : added.chosen) centres_.push_back(i);
         std::sort(centres_.begin(), centres_.end());
         return !added.chosen.empty();
@@ -324,6 +326,7 @@ private:
     const base::Progress& progress_;
     const base::Stopwatch watch_;
     fit::Samples candidates_;
+    std::optional<geometry::PointTree> candidate_tree_;
     base::Array<std::int64_t> centres_; // candidates
     OffSurface off_;
     base::Array<std::int64_t> centres_before_; // of the last fit

@@ -92,8 +92,9 @@ private:
         const auto share = static_cast<std::int64_t>(batch * static_cast<double>(centres_.size()));
         const fit::CandidateOptions options{unit_, apart * unit_, std::min(room, std::max(smallest_batch, share)),
                                             nullptr, nullptr};
+        if (!tree_) tree_.emplace(patch_.samples.position, progress_);
         const fit::Candidates added =
-            fit::find_candidates(runtime_, patch_.samples, centres_, distances, options, progress_);
+            fit::find_candidates(runtime_, patch_.samples, *tree_, centres_, distances, options, progress_);
         for (const std::int64_t i : added.chosen) centres_.push_back(i);
         std::sort(centres_.begin(), centres_.end());
         return !added.chosen.empty();
@@ -127,7 +128,8 @@ private:
     fit::FitInput options_;
     const std::int64_t most_;
     const base::Progress& progress_;
-    double unit_ = 0.0; // the least tolerance
+    double unit_ = 0.0;                       // the least tolerance
+    std::optional<geometry::PointTree> tree_; // of the samples
     base::Array<std::int64_t> centres_;
     std::optional<fit::CentreFit> fit_;
     double squares_ = 0.0;
