@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
 """What 3D programs save, read by assimp where it is installed."""
+import gzip
 import shutil
 
 import numpy as np
@@ -43,6 +44,12 @@ def test_collada(assimp, tmp_path, up, high):
     assert shape.format == "Collada" and shape.up == (0, 1, 0)  # what was z is y
     np.testing.assert_allclose(shape.points.max(axis=0), high, atol=1e-5)
     assert len(shape.triangles) == 12
+
+
+@pytest.mark.parametrize("name", ["box.dae.gz", "box.dae"])
+def test_what_is_packed(assimp, tmp_path, name):
+    shape = shapes.read(write(tmp_path, name, gzip.compress(collada().encode())))
+    assert shape.format == "Collada" and len(shape.triangles) == 12
 
 
 AMF = """<?xml version="1.0"?><amf unit="millimeter"><object id="0"><mesh><vertices>{vertices}</vertices>

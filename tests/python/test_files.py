@@ -188,6 +188,8 @@ def test_contents_count_for_more_than_the_ending(tmp_path, ending, data, kind):
         ("a.csv", b" \n", "no points: the file holds blanks only"),
         ("a.obj", b"# nothing\n", "no points"),
         ("a.ply.gz", gzip.compress(b"ply\n")[:-6], "packed by gzip, and damaged"),
+        ("a.blend", b"\x28\xb5\x2f\xfd" + bytes(20), "packed by zstd.*unzstd"),
+        ("a.docx.gz", gzip.compress(b"PK\3\4" + bytes(200)), r"files that end in \.docx are not read"),
         ("a.obj", b"<!DOCTYPE html>\n<html>", "a page of the web"),
         ("a.ply", b"version https://git-lfs.github.com/spec/v1\noid sha256:00", "git lfs pull"),
         ("a.png", b"\x89PNG\r\n\x1a\n" + bytes(40), "it is a picture"),

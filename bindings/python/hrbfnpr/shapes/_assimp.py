@@ -44,6 +44,6 @@ def read(path: Path) -> Shape:
 def _reason(said: bytes) -> str:
     """The line of what it prints that begins so."""
     for line in said.decode(errors="replace").splitlines():
-        if line.startswith("ERROR:"):
+        if line.startswith("ERROR:") and line[6:].strip():
             return ": " + line[6:].strip()[:200]
     return ""

@@ -5,6 +5,7 @@ from __future__ import annotations
 import gzip
 import os
 import re
+import tempfile
 import zlib
 from dataclasses import replace
 from pathlib import Path
@@ -97,6 +98,7 @@ _CONVERT = {
 _NO_MODEL = (
     (rb"\s*<(?i:!doctype html|html)\b", "this is a page of the web, not a model: the download went wrong"),
     (rb"version https://git-lfs", "this is a pointer of Git LFS, not the file itself: git lfs pull fetches it"),
+    (rb"\x28\xb5\x2f\xfd", "it is packed by zstd, as Blender packs its files: unzstd unpacks it; or export it as glTF or PLY"),
 )
 
 
@@ -152,7 +154,9 @@ def _read(path: Path) -> Shape:
     packed = head[:2] == b"\x1f\x8b"
     if packed:
         data = _unpacked(path)
-        head, size, ending = data[:_HEAD], len(data), Path(path.stem).suffix.lower()
+        head, size = data[:_HEAD], len(data)
+        if ending in (".gz", ".gzip"):
+            ending = Path(path.stem).suffix.lower()
     expected = ENDINGS.get(ending)
     if not head.strip():
         raise ShapeError(_empty(expected, size))
@@ -161,18 +165,18 @@ def _read(path: Path) -> Shape:
             raise ShapeError(what)
     name = format_of(head, size) or ("3MF" if head[:4] == b"PK\3\4" and not packed and is_3mf(path) else expected)
     if name is None:
-        return _unknown(path, ending, packed)
+        if ending not in _BY_MESHIO:
+            raise ShapeError(_unknown(ending))
+        return _read_unpacked(_vtk.read_meshio, data, ending) if packed else _vtk.read_meshio(path)
     if name == "text" and expected == "PTX" and len(head.split(b"\n", 1)[0].split()) < 3:
         name = expected  # damaged: what is wrong is said of its header
     form = FORMATS[name]
     if form.read is not None:
         data = data if packed else path.read_bytes()
         shape = read_xyz(data, ending in (".xyzn", ".pwn")) if name == "text" else form.read(data)
-    elif packed:
-        raise ShapeError(f"{name} is read from files that are not packed: unpack it first (gunzip)")
     else:
         assert form.read_path is not None
-        shape = form.read_path(path)
+        shape = _read_unpacked(form.read_path, data, ending) if packed else form.read_path(path)
     if expected is not None and name != expected and {name, expected} != {"grid", "text"}:
         what = "a table of points" if name == "text" else name
         note = f"the ending is {ending}, but the file holds {what}, and is read so"
@@ -195,11 +199,17 @@ def _unpacked(path: Path) -> bytes:
         raise ShapeError(f"it is packed by gzip, and damaged: {error}") from None
 
 
-def _unknown(path: Path, ending: str, packed: bool) -> Shape:
-    if ending in _BY_MESHIO and not packed:
-        return _vtk.read_meshio(path)
+def _read_unpacked(reader: Callable[[Path], Shape], data: bytes, ending: str) -> Shape:
+    """By a program or a library that wants a file, and may go by its ending."""
+    with tempfile.TemporaryDirectory() as folder:
+        path = Path(folder) / f"unpacked{ending}"
+        path.write_bytes(data)
+        return reader(path)
+
+
+def _unknown(ending: str) -> str:
     what = "the file has no ending, and its contents tell nothing"
     if ending:
         what = f"files that end in {ending} are not read"
     advice = _CONVERT.get(ending, "MeshLab, Blender or CloudCompare convert others, to PLY for example")
-    raise ShapeError(f"{what}; {advice}. Read are {READ}")
+    return f"{what}; {advice}. Read are {READ}"
