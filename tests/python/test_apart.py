@@ -195,3 +195,33 @@ def test_a_picture_on_a_wall():
         merged(wall((0, 0, 0), (3, 0, 0), (0, 2, 0)), wall((1, 0.5, 0), (1, 0, 0), (0, 1, 0), 5)), size=200, up="y", azimuth=20
     )
     assert picture.drawing.info.items == 2 and picture.drawing.info.line_curves >= 2
+
+
+def columns(path):
+    """Ink of the columns between a fifth and four of a picture's width, in its middle rows."""
+    with Image.open(path) as image:
+        paper = Image.new("RGBA", image.size, "white")
+        paper.alpha_composite(image.convert("RGBA"))
+    ink = 1 - np.asarray(paper.convert("L")) / 255.0
+    height, width = ink.shape
+    mean = np.convolve(ink[int(0.4 * height) : int(0.6 * height)].mean(axis=0), np.ones(3) / 3, "same")
+    return mean[int(0.2 * width) : int(0.8 * width)]
+
+
+def test_where_parts_touch_is_no_gap(tmp_path):
+    floor, side = wall((0, 0, 0), (1, 0, 0), (0, 1, 0), 5), wall((1, -0.1, 0), (0, 1.2, 0), (0.3, 0, -1), 7)
+    points, faces = merged(floor, (side[0], [face[::-1] for face in side[1]]))
+    picture = tmp_path / "seam.png"
+    assert main(["draw", str(write(tmp_path, "seam.obj", obj(points, faces))), str(picture), "--size", "400", "--quiet"]) == 0
+    ink = columns(picture)
+    assert ink.max() > 1.5 * ink[: len(ink) // 3].mean()  # the other one is there
+    assert ink.min() > 0.8 * ink[: len(ink) // 3].mean()
+
+
+def test_where_parts_cross_none_shines_through(tmp_path):
+    one, other = wall((0, 0, 0), (1, 0, 0.6), (0, 1, 0), 6), wall((0, 0.1, 0.6), (1, 0, -0.6), (0, 1, 0), 6)
+    picture = tmp_path / "cross.png"
+    file = write(tmp_path, "cross.obj", obj(*merged(one, other)))
+    assert main(["draw", str(file), str(picture), "--size", "400", "--quiet"]) == 0
+    ink = columns(picture)
+    assert ink.max() < 1.2 * np.quantile(ink, 0.9)

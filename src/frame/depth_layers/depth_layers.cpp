@@ -16,6 +16,10 @@ constexpr float nothing = std::numeric_limits<float>::infinity();
 constexpr float contour_gap = 4.0F;
 // Ink lies behind another layer of its item that faces like its own by so many radii of the splats.
 constexpr float own_gap = 5.0F;
+// Discs reach beyond the border of a surface that ends, and would hide a strip of another one that begins there: in so
+// many radii behind such a layer ink is hidden only if the layer goes on, as far as so many radii, on all sides.
+constexpr float border_gap = 2.0F;
+constexpr float border_reach = 1.5F;
 
 [[nodiscard]] SplatList list_of(std::span<const Splat> splats, std::span<const std::uint32_t> numbers,
                                 const glm::vec2& corner) noexcept {
@@ -30,34 +34,63 @@ struct Dimmed {
     float more_behind = nothing;
 };
 
-// By the nearest layers and the halo, or by the next ones, at (x, y) pixels of the planes, clamped to them.
-// item: of the ink; -1: all is of one item.
-Dimmed dim(const LayerPlanes& p, const Dot& ink, std::int32_t item, float x, float y, bool next) noexcept {
-    const auto pixel = [&](float px, float py) {
-        const auto column = static_cast<std::int32_t>(std::clamp(px, 0.0F, static_cast<float>(p.width - 1)));
-        const auto row = static_cast<std::int32_t>(std::clamp(py, 0.0F, static_cast<float>(p.height - 1)));
-        return row * p.stride + column;
+// Which items there are, by their numbers' lowest bits.
+struct Items {
+    std::int32_t ink;   // the ink's; -1: all is of one item
+    std::uint32_t ends; // a bit for each that ends in the open: it is drawn on both sides
+};
+
+// Clamped to the planes.
+[[nodiscard]] std::int32_t pixel_at(const LayerPlanes& p, const glm::vec2& place) noexcept {
+    const auto column = static_cast<std::int32_t>(std::clamp(place.x, 0.0F, static_cast<float>(p.width - 1)));
+    const auto row = static_cast<std::int32_t>(std::clamp(place.y, 0.0F, static_cast<float>(p.height - 1)));
+    return row * p.stride + column;
+}
+
+// Whether the layer there goes on in all directions: it is seen there, or something before where its slope leads.
+[[nodiscard]] bool goes_on(const LayerPlanes& p, std::int64_t layer, const glm::vec2& place) noexcept {
+    const float reach = border_reach * p.largest_splat;
+    const std::int32_t here = pixel_at(p, place);
+    const float* const depth = p.depth[layer];
+    const auto is_same = [&](std::int32_t at) {
+        return depth[at] < nothing && item_of(p.transmittance[layer][at]) == item_of(p.transmittance[layer][here]);
     };
+    for (const glm::vec2& to : {glm::vec2(reach, 0.0F), {-reach, 0.0F}, {0.0F, reach}, {0.0F, -reach}}) {
+        const std::int32_t there = pixel_at(p, place + to);
+        if (is_same(there)) continue;
+        const std::int32_t opposite = pixel_at(p, place - to);
+        if (!is_same(opposite) || depth[there] >= 2.0F * depth[here] - depth[opposite]) return false;
+    }
+    return true;
+}
+
+// By the nearest layers and the halo, or by the next ones, at a place in pixels of the planes.
+Dimmed dim(const LayerPlanes& p, const Dot& ink, const Items& items, const glm::vec2& place, bool next) noexcept {
     Dimmed result;
-    if (const std::int32_t at = pixel(x, y); !next && p.halo[at] + halo_gap / ink.pixels_per_unit < ink.depth)
+    if (const std::int32_t at = pixel_at(p, place); !next && p.halo[at] + halo_gap / ink.pixels_per_unit < ink.depth)
         result.transmittance = p.halo_transmittance[at];
     if ((ink.flags & dot_is_exact) != 0) return result;
-    const std::int32_t at =
-        pixel(x + static_cast<float>(ink.probe_x) / probe_steps, y + static_cast<float>(ink.probe_y) / probe_steps);
+    const glm::vec2 probed = place + glm::vec2(ink.probe_x, ink.probe_y) / static_cast<float>(probe_steps);
+    const std::int32_t at = pixel_at(p, probed);
     const bool contour = ink.mark_class == MarkClass::silhouette;
     const float other = (contour ? contour_gap : side_gap) / ink.pixels_per_unit;
     const float own = contour ? other : own_gap * p.largest_splat / ink.pixels_per_unit;
+    const float border = contour ? other : border_gap * p.largest_splat / ink.pixels_per_unit;
+    const bool faces_back = (ink.flags & dot_faces_back) != 0;
+    const auto hides = [&](std::int64_t layer, bool alike) {
+        const float depth = p.depth[layer][at];
+        // Of another item it is nowhere the ink's own layer.
+        const bool is_other = items.ink >= 0 && depth < nothing && !is_of_item(p.transmittance[layer][at], items.ink);
+        if (alike && !is_other) return depth + own < ink.depth;
+        if (!(depth + other < ink.depth)) return false;
+        const bool may_end = is_other && alike && (items.ends >> item_of(p.transmittance[layer][at]) & 1U) != 0;
+        return !may_end || depth + border < ink.depth || goes_on(p, layer, probed);
+    };
     const std::int64_t first = next ? std::int64_t{LayerPlanes::next_front} : std::int64_t{LayerPlanes::front};
     const float front = p.depth[first][at];
     const float back = p.depth[first + 1][at];
-    const bool faces_back = (ink.flags & dot_faces_back) != 0;
-    // Of another item, which is nowhere the ink's own layer.
-    const auto is_other = [&](std::int64_t layer) {
-        return item >= 0 && p.depth[layer][at] < nothing && !is_of_item(p.transmittance[layer][at], item);
-    };
-    const bool behind_back = back + (faces_back && !is_other(first + 1) ? own : other) < ink.depth;
-    const bool behind_front =
-        front + (faces_back || is_other(first) ? other : own) < ink.depth || (behind_back && front < back);
+    const bool behind_back = hides(first + 1, faces_back);
+    const bool behind_front = hides(first, !faces_back) || (behind_back && front < back);
     if (behind_front) result.transmittance *= p.transmittance[first][at];
     if (behind_back) result.transmittance *= p.transmittance[first + 1][at];
     // In solids, a layer that faces away lies between two that face the eye.
@@ -65,11 +98,19 @@ Dimmed dim(const LayerPlanes& p, const Dot& ink, std::int32_t item, float x, flo
     return result;
 }
 
+[[nodiscard]] std::uint32_t items_that_end(const Scene& scene) noexcept {
+    std::uint32_t ends = 0;
+    for (std::int64_t i = 0; i < scene.items.size(); ++i)
+        if (scene.items[i].both_sides) ends |= 1U << (static_cast<std::uint32_t>(i) & item_bits);
+    return ends;
+}
+
 } // namespace
 
 LayerPlanes DepthLayers::planes_of(std::int64_t worker) noexcept {
     float* at = planes_.data() + worker * planes_of_one * plane;
-    LayerPlanes planes{side, side, stride, {}, {}, nullptr, nullptr, 0.0F};
+    const std::int32_t size = tile_size + 2 * apron_;
+    LayerPlanes planes{size, size, stride, {}, {}, nullptr, nullptr, 0.0F};
     const auto next = [&] { return std::exchange(at, at + plane); };
     for (float*& depth : planes.depth) depth = next();
     planes.halo = next();
@@ -96,11 +137,13 @@ void DepthLayers::lay_tile(LayerPlanes& planes, const drawing::Drawing& drawing,
 std::int64_t DepthLayers::attenuate(const Scene& scene, const HatchTiles& hatching, drawing::Drawing& drawing) {
     const drawing::Tiles& tiles = drawing.dot_tiles;
     const glm::vec2 origin(drawing.first_pixel);
+    ends_ = scene.items.size() > 1 ? items_that_end(scene) : 0;
+    apron_ = ends_ != 0 ? wide_apron : narrow_apron;
     drawing.splat_tiles.build(
         runtime_.parallel, tiles.columns() * tile_size, tiles.rows() * tile_size, drawing.splat_pieces.span(),
         [&](std::int64_t i, drawing::Tiles::Footprint& print) {
             const Splat& c = drawing.splats[i];
-            print = {c.x - origin.x, c.y - origin.y, std::max(c.radius, c.halo) + static_cast<float>(apron) + 1.0F};
+            print = {c.x - origin.x, c.y - origin.y, std::max(c.radius, c.halo) + static_cast<float>(apron_) + 1.0F};
             return true;
         });
     const std::int64_t workers = std::max(1, runtime_.parallel.threads());
@@ -126,8 +169,8 @@ std::int64_t DepthLayers::dim_tile(LayerPlanes& planes, const Scene& scene, cons
     const glm::vec2 origin(drawing.first_pixel);
     const std::int64_t column = tile % tiles.columns();
     const std::int64_t row = tile / tiles.columns();
-    const glm::vec2 corner =
-        origin + glm::vec2(static_cast<float>(column * tile_size - apron), static_cast<float>(row * tile_size - apron));
+    const glm::vec2 corner = origin + glm::vec2(static_cast<float>(column * tile_size - apron_),
+                                                static_cast<float>(row * tile_size - apron_));
     const drawing::Tiles::Extent own = tiles.own_extent(tile);
     const auto for_own = [&](auto&& f) {
         tiles.for_tile(tile, [&](std::uint32_t i) {
@@ -136,9 +179,9 @@ std::int64_t DepthLayers::dim_tile(LayerPlanes& planes, const Scene& scene, cons
         });
         hatching.for_tile(tile, [&](std::int64_t i) { f(drawing.dots[i]); });
     };
-    const auto item_of = [&](const Dot& ink) { return scene.items.size() > 1 ? scene.runs[ink.layer / 2].item : -1; };
     const auto dimmed_by = [&](const Dot& ink, bool next) {
-        return dim(planes, ink, item_of(ink), ink.x - corner.x, ink.y - corner.y, next);
+        const Items items{scene.items.size() > 1 ? scene.runs[ink.layer / 2].item : -1, ends_};
+        return dim(planes, ink, items, glm::vec2(ink.x, ink.y) - corner, next);
     };
     std::int64_t seen = 0;
     bool laid = false;

@@ -31,8 +31,10 @@ public:
 
 private:
     static constexpr std::int32_t tile_size = drawing::tile_size;
-    static constexpr std::int32_t apron = 4; // pixels around a tile, for probes
-    static constexpr std::int32_t side = tile_size + 2 * apron;
+    // Pixels around a tile, for probes; and to see there how far surfaces go on.
+    static constexpr std::int32_t narrow_apron = 4;
+    static constexpr std::int32_t wide_apron = 9;
+    static constexpr std::int32_t side = tile_size + 2 * wide_apron;
     static constexpr std::int32_t stride = side + 16;
     static constexpr std::int64_t plane = std::int64_t{stride} * side;
     static constexpr std::int64_t planes_of_one = 2 * LayerPlanes::layers + 2;
@@ -48,6 +50,8 @@ private:
     base::Array<float> planes_; // of each worker
     base::Array<std::int64_t> seen_;
     base::Array<float> largest_; // splat of each tile
+    std::uint32_t ends_ = 0;     // items that end, a bit for each
+    std::int32_t apron_ = narrow_apron;
 };
 
 } // namespace hrbfnpr::frame

@@ -41,8 +41,11 @@ inline constexpr std::uint32_t item_bits = 15;
     const std::uint32_t with = ((bits + item_bits / 2 - own) & ~item_bits) + own;
     return base::bit_cast<float>(with > base::bit_cast<std::uint32_t>(1.0F) ? with - item_bits - 1 : with);
 }
+[[nodiscard]] inline std::uint32_t item_of(float transmittance) noexcept {
+    return base::bit_cast<std::uint32_t>(transmittance) & item_bits;
+}
 [[nodiscard]] inline bool is_of_item(float transmittance, std::int32_t item) noexcept {
-    return ((base::bit_cast<std::uint32_t>(transmittance) ^ static_cast<std::uint32_t>(item)) & item_bits) == 0;
+    return item_of(transmittance) == (static_cast<std::uint32_t>(item) & item_bits);
 }
 
 // Pixels between the marks that stand for a layer where there are enough of them, and near its contour.
