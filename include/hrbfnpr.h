@@ -2600,8 +2600,8 @@ HRBFNPR_API hrbfnpr_status hrbfnpr_mesh_fit_info_init(hrbfnpr_mesh_fit_info* inf
  * Trimmed by places on the mesh is what was fitted to an open one, or not reached.
  * desc may be NULL.  fit (may be NULL): kernel, solver, regularization and trim of
  * the fits; its points and normals must be empty, its tolerance and maximum_centres
- * 0; a solver_tolerance of 0 is, of a smooth fit, the tolerance / 2000 diagonals,
- * from 1e-8 to 1e-6: what a distance shows is a thousand times as much.
+ * 0; a solver_tolerance of 0 is, of a smooth fit, the tolerance / 200 diagonals,
+ * from 1e-8 to 1e-5: what a distance shows is a hundred times as much.
  * info and operation may be NULL.  Errors as of hrbfnpr_model_fit, whose
  * stack it needs as well. */
 HRBFNPR_API hrbfnpr_status hrbfnpr_model_fit_mesh(const hrbfnpr_mesh* mesh, const hrbfnpr_mesh_fit_desc* desc,
