@@ -5,15 +5,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
 
 namespace hrbfnpr::geometry {
 namespace {
 
 constexpr std::int64_t halved_at_once = 65536; // points without a look for a cancel
-
-const base::Array<double>& axis_of(const VecArray& points, int axis) noexcept {
-    return axis == 0 ? points.x : axis == 1 ? points.y : points.z;
-}
 
 int longest_axis(const Bounds& box) noexcept {
     const glm::dvec3 size = box.size();
@@ -30,34 +27,48 @@ PointTree::PointTree(const VecArray& points, const base::Progress& progress)
     std::int64_t nodes = 1;
     for (std::int64_t longest = count; longest > leaf_size; longest = (longest + 1) / 2) nodes = 2 * nodes + 1;
     base::resize_long(bounds_, nodes, progress);
+    base::Array<Place> places(points.memory());
+    base::resize_long(places, count, progress);
+    for (std::int64_t i = 0; i < count; ++i) {
+        if (i % halved_at_once == 0) progress.check();
+        places[i] = {points[i], i};
+    }
+    build(places.data(), {0, 0, count}, progress);
     base::resize_long(index_, count, progress);
     resize_long(points_, count, progress);
-    progress.check();
-    for (std::int64_t i = 0; i < count; ++i) index_[i] = i;
-    build(points, {0, 0, count}, progress);
     for (std::int64_t at = 0; at < count; ++at) {
         if (at % halved_at_once == 0) progress.check();
-        points_.set(at, points[index_[at]]);
+        points_.set(at, places[at].point);
+        index_[at] = places[at].index;
     }
 }
 
-void PointTree::build(const VecArray& points, const Range& range, const base::Progress& progress) {
+void PointTree::build(Place* places, const Range& range, const base::Progress& progress) {
     Bounds box;
     for (std::int64_t at = range.begin; at < range.end; ++at) {
         if ((at - range.begin) % halved_at_once == halved_at_once - 1) progress.check();
-        box.extend(points[index_[at]]);
+        box.extend(places[at].point);
     }
     bounds_[range.node] = box;
     if (range.leaf()) return;
     if (range.end - range.begin > 4096) progress.check();
-    const base::Array<double>& coordinate = axis_of(points, longest_axis(box));
-    // Ties are broken by index, so that the halves are the same with any standard library.
-    std::nth_element(index_.begin() + range.begin, index_.begin() + range.middle(), index_.begin() + range.end,
-                     [&](std::int64_t a, std::int64_t b) {
-                         return coordinate[a] < coordinate[b] || (coordinate[a] == coordinate[b] && a < b);
-                     });
-    build(points, range.low(), progress);
-    build(points, range.high(), progress);
+    const auto halve = [&](auto of) {
+        constexpr glm::length_t axis = decltype(of)::value;
+        // Ties are broken by index, so that the halves are the same with any standard library.
+        std::nth_element(places + range.begin, places + range.middle(), places + range.end,
+                         [](const Place& a, const Place& b) {
+                             const double x = a.point[axis];
+                             const double y = b.point[axis];
+                             return x < y || (x == y && a.index < b.index);
+                         });
+    };
+    switch (longest_axis(box)) {
+    case 0: halve(std::integral_constant<glm::length_t, 0>()); break;
+    case 1: halve(std::integral_constant<glm::length_t, 1>()); break;
+    default: halve(std::integral_constant<glm::length_t, 2>());
+    }
+    build(places, range.low(), progress);
+    build(places, range.high(), progress);
 }
 
 double PointTree::nearest_other(std::int64_t at) const noexcept {

@@ -72,7 +72,14 @@ private:
     // The best few in ascending order, in memory of the caller's.
     class Best;
 
-    void build(const VecArray& points, const Range& range, const base::Progress& progress);
+    // A point while the tree is built: they are moved, and not their numbers, so that parts of space become parts of
+    // memory.
+    struct Place {
+        glm::dvec3 point;
+        std::int64_t index;
+    };
+
+    void build(Place* places, const Range& range, const base::Progress& progress);
     template <class Value>
     std::int64_t fill_smallest(const Range& range, const Value& value, base::Array<std::int64_t>& smallest) const;
     [[nodiscard]] double squared_distance_to_box(const glm::dvec3& p, std::int64_t node) const noexcept;
