@@ -24,11 +24,15 @@ def listed():
 TOLD, NAMES = listed()
 
 
+def pattern_of(turn, take_turns, told=TOLD, never=()):
+    script = [sys.executable, "-B", str(SOURCE / "scripts/out_of_turn.py"), str(turn), str(TURNS)]
+    files = [str(SOURCE / "tests" / name) for name in ("every_turn.txt", take_turns, *never)]
+    return subprocess.run([*script, *files], input=told, check=True, capture_output=True, text=True).stdout.strip()
+
+
 @functools.lru_cache(maxsize=None)
 def left_out(turn, take_turns, told=TOLD, names=tuple(NAMES)):
-    script = [sys.executable, "-B", str(SOURCE / "scripts/out_of_turn.py"), str(turn), str(TURNS)]
-    files = [str(SOURCE / "tests" / name) for name in ("every_turn.txt", take_turns)]
-    pattern = subprocess.run([*script, *files], input=told, check=True, capture_output=True, text=True).stdout.strip()
+    pattern = pattern_of(turn, take_turns, told)
     return {name for name in names if re.search(pattern, name)}
 
 
@@ -61,6 +65,16 @@ class Turns(unittest.TestCase):
     def test_short_ones_are_too(self):
         for turn in range(TURNS):
             self.assertNotIn("house.floors", left_out(turn, "long.txt"))
+
+    def test_ctest_leaves_out_what_it_is_told_to(self):
+        for take_turns, never in zip(LISTS, ((), ("long_when_checked.txt",))):
+            always = [one for name in never for one in patterns(name)]
+            pattern = "|".join([*always, pattern_of(0, take_turns, TOLD, never)])
+            command = ["ctest", "--test-dir", str(BINARY), "-N", "-E", pattern]
+            told = subprocess.run(command, check=True, capture_output=True, text=True)
+            self.assertNotIn("too big", told.stdout + told.stderr)
+            kept = {name for name in NAMES if not re.search(pattern, name)}
+            self.assertEqual(set(re.findall(r"^ *Test +#\d+: (.*)$", told.stdout, re.MULTILINE)), kept)
 
     def test_what_is_named_exists(self):
         for file in ("every_turn.txt", "in_turn_when_checked.txt"):
