@@ -170,6 +170,19 @@ def test_gltf_nodes(tmp_path):
     np.testing.assert_array_equal(shape.points[3], [0, 0, 9])
 
 
+def test_gltf_nodes_of_several(tmp_path):
+    """A node that is the child of several stands once below each of them."""
+    document, data = gltf()
+    document["nodes"][0]["children"] = [2, 3]
+    document["nodes"] += [{"children": [1]}, {"translation": [9, 0, 0], "children": [1]}]
+    shape = shapes.read(write(tmp_path, "a.glb", glb(document, data)))
+    np.testing.assert_array_equal(shape.points[4:], shape.points[:4] + [9, 0, 0])
+    assert len(shape.triangles) == 8
+    document["nodes"][0]["children"] = [2] * 400_000
+    with pytest.raises(shapes.ShapeError, match="more than 100000 nodes"):
+        shapes.read(write(tmp_path, "b.glb", glb(document, data)))
+
+
 def test_gltf_modes(tmp_path):
     strip = shapes.read(write(tmp_path, "a.glb", glb(*gltf([[0], [1], [2], [3]], mode=5))))
     assert triangle_set(strip.triangles) == {(0, 1, 2), (1, 3, 2)}

@@ -23,6 +23,7 @@ _PACKED = ("EXT_meshopt_compression", "KHR_meshopt_compression")
 _POINTS, _TRIANGLES, _STRIP, _FAN = 0, 4, 5, 6
 _MOST = 1 << 28  # numbers in a list
 _DEEPEST = 200  # nodes of nodes
+_MOST_PLACED = 100_000  # nodes
 
 
 def read_gltf(data: bytes, folder: Path) -> Shape:
@@ -93,8 +94,9 @@ class _Reader:
         if isinstance(self._document.get("meshes"), dict):  # by names: they are lists since version 2
             raise ShapeError("glTF files of version 1 are not read: version 2 is; Blender or MeshLab converts it")
         nodes = self._document.get("nodes", [])
-        self._world = self._places(nodes)
-        for number, place in self._world.items():
+        placed = self._places(nodes)
+        self._world = dict(reversed(placed))  # joints: the first place of each
+        for number, place in placed:
             if "mesh" in nodes[number]:
                 self._mesh(nodes[number], place)
         if not self._points:
@@ -123,17 +125,21 @@ class _Reader:
         children = {child for node in nodes for child in node.get("children", [])}
         return [i for i in range(len(nodes)) if i not in children]
 
-    def _places(self, nodes: List[Any]) -> Dict[int, Floats]:
-        """Where the nodes of the scene are, as matrices."""
-        world: Dict[int, Floats] = {}
+    def _places(self, nodes: List[Any]) -> List[Tuple[int, Floats]]:
+        """Where the nodes of the scene are, as matrices; often, what several nodes have for a child (the format wants
+        a tree, but some write what stands there more than once so)."""
+        placed: List[Tuple[int, Floats]] = []
         todo = [(root, np.eye(4), 0) for root in reversed(self._roots(nodes))]
         while todo:
             number, above, depth = todo.pop()
-            if depth > _DEEPEST or number in world:
+            if depth > _DEEPEST:
                 raise ShapeError("the nodes of the glTF file go in a circle")
-            world[number] = above @ _matrix(nodes[number])
-            todo += [(child, world[number], depth + 1) for child in reversed(nodes[number].get("children", []))]
-        return world
+            if len(placed) == _MOST_PLACED:
+                raise ShapeError(f"the scene of the glTF file places more than {_MOST_PLACED} nodes")
+            place = above @ _matrix(nodes[number])
+            placed.append((number, place))
+            todo += [(child, place, depth + 1) for child in reversed(nodes[number].get("children", []))]
+        return placed
 
     def _mesh(self, node: Dict[str, Any], matrix: Floats) -> None:
         for part in self._document["meshes"][node["mesh"]]["primitives"]:
