@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Meshes: made, sampled, fitted, compared."""
+import math
+
 import numpy as np
 import pytest
 
@@ -156,3 +158,21 @@ def test_closing():
     mesh = hrbfnpr.Mesh(*torus(12, 6))
     mesh.close()
     assert repr(mesh) == "<hrbfnpr.Mesh closed>"
+
+
+def test_flats_beside_soft_bevels_stay_flat():
+    """A slab of round corners, whose upper edge has a bevel that bends less than a crease does."""
+    steps, radius, inset, drop = 4, 1.2, 0.6, 0.3
+    vertices = []
+    for inward, z in ((0, 0), (0, 1 - drop), (inset, 1)):
+        for k, (x, y) in enumerate(((1, 1), (-1, 1), (-1, -1), (1, -1))):
+            for a in (0.5 * math.pi * (k + s / steps) for s in range(steps + 1)):
+                r = radius - inward
+                vertices.append((x * (5 - radius) + r * math.cos(a), y * (3 - radius) + r * math.sin(a), z))
+    n = 4 * (steps + 1)
+    triangles = [(0, i + 1, i) for i in range(1, n - 1)] + [(2 * n, 2 * n + i, 2 * n + i + 1) for i in range(1, n - 1)]
+    sides = [(j + i, j + (i + 1) % n) for j in (0, n) for i in range(n)]
+    triangles += [t for a, b in sides for t in ((a, b, b + n), (a, b + n, a + n))]
+    model = hrbfnpr.Model.fit_mesh(hrbfnpr.Mesh(vertices, triangles), edges="sharp")
+    marks = model.generate(budget=4000)
+    assert max(row[2] + marks.origin[2] for row in marks.layers[0].positions.tolist()) < 1.005

@@ -120,7 +120,7 @@ private:
 
     void fit_sheets() {
         group_faces();
-        const PatchNormals normal = patch_normals(runtime_, mesh_, creases_);
+        const PatchNormals normal = patch_normals(runtime_, mesh_, creases_, result_.mesh.tolerance);
         chord_ = chord_errors(mesh_, normal.normal);
         const PatchTolerance tolerance{at_crease * result_.mesh.tolerance, far_from_crease * result_.mesh.tolerance,
                                        ramp * mesh_.bounds.diagonal()};

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "mesh/pieces/patch_normals.h"
 
+#include "mesh/pieces/flat_faces.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -13,6 +15,11 @@ constexpr std::int64_t most_about = 1024; // corners of a vertex
     const glm::dvec3 u = p[(k + 1) % 3] - p[k];
     const glm::dvec3 v = p[(k + 2) % 3] - p[k];
     return std::atan2(glm::length(glm::cross(u, v)), glm::dot(u, v));
+}
+
+// How far the middle of a side is from what is curved as the normals at its ends are.
+[[nodiscard]] double bulge(const glm::dvec3& side, const glm::dvec3& a, const glm::dvec3& b) noexcept {
+    return std::abs(glm::dot(side, b - a)) / 8.0;
 }
 
 // The corners at one vertex that hang together by sides that are no crease.
@@ -74,6 +81,25 @@ public:
         }
     }
 
+    // Where one flat is much larger than all others there: it stays flat, and what is beside it bends.
+    void keep_flat(const std::int64_t* corner, std::int64_t count, const FlatFaces& flats) {
+        if (count > most_about) return;
+        const bool any =
+            std::any_of(corner, corner + count, [&](std::int64_t at) { return flats.bulges(flats.region_of(at / 3)); });
+        if (!any) return;
+        fan_.join(mesh_, creases_, corner, count);
+        for (std::int64_t root = 0; root < count; ++root) {
+            if (fan_.root(root) != root) continue;
+            LargestFlat largest(flats);
+            for (std::int64_t i = 0; i < count; ++i)
+                if (fan_.root(i) == root) largest.add(corner[i] / 3);
+            const std::int32_t flat = largest.region();
+            if (flat < 0 || !bends_less(corner, count, root, flats, flat)) continue;
+            for (std::int64_t i = 0; i < count; ++i)
+                if (fan_.root(i) == root) result_.normal[corner[i]] = flats.normal(flat);
+        }
+    }
+
     // Once all have normals.
     void find_tips(const std::int64_t* corner, std::int64_t count) {
         const auto turned = [&](std::int64_t i) { return glm::distance(own(corner[i]), result_.normal[corner[i]]); };
@@ -101,6 +127,22 @@ public:
 private:
     [[nodiscard]] glm::dvec3 own(std::int64_t corner) const noexcept {
         return glm::normalize(doubled_area(mesh_.corners(corner / 3)));
+    }
+    // Whether what is beside a flat bulges less, once the flat keeps its normal there, than the flat did with means.
+    [[nodiscard]] bool bends_less(const std::int64_t* corner, std::int64_t count, std::int64_t root,
+                                  const FlatFaces& flats, std::int32_t flat) const noexcept {
+        double most = 0.0;
+        for (std::int64_t i = 0; i < count; ++i) {
+            const std::int64_t face = corner[i] / 3;
+            if (fan_.root(i) != root || flats.region_of(face) == flat) continue;
+            const auto p = mesh_.corners(face);
+            const auto k = static_cast<std::size_t>(corner[i] % 3);
+            for (const std::size_t other : {(k + 1) % 3, (k + 2) % 3}) {
+                const glm::dvec3& beyond = flats.mean(3 * face + static_cast<std::int64_t>(other));
+                most = std::max(most, bulge(p[other] - p[k], flats.normal(flat), beyond));
+            }
+        }
+        return most < flats.bulge(flat);
     }
     // An edge that is no crease turns at once.
     [[nodiscard]] bool turns_slowly(const std::int64_t* corner, std::int64_t count, std::int64_t root) const noexcept {
@@ -168,7 +210,7 @@ struct Corners {
 
 } // namespace
 
-PatchNormals patch_normals(const base::Runtime& runtime, const Mesh& mesh, const Creases& creases) {
+PatchNormals patch_normals(const base::Runtime& runtime, const Mesh& mesh, const Creases& creases, double tolerance) {
     const Corners corners(runtime.memory, mesh);
     const base::Array<glm::dvec3> weighted = weighted_normals(runtime, mesh);
     PatchNormals result(runtime.memory);
@@ -182,6 +224,10 @@ PatchNormals patch_normals(const base::Runtime& runtime, const Mesh& mesh, const
     };
     for_vertices(
         [](VertexNormals& normals, const std::int64_t* corner, std::int64_t count) { normals.set(corner, count); });
+    if (const FlatFaces flats(runtime, mesh, creases, result.normal, tolerance); flats.any())
+        for_vertices([&](VertexNormals& normals, const std::int64_t* corner, std::int64_t count) {
+            normals.keep_flat(corner, count, flats);
+        });
     for_vertices([](VertexNormals& normals, const std::int64_t* corner, std::int64_t count) {
         normals.find_tips(corner, count);
     });
@@ -196,7 +242,7 @@ double chord_error(const Mesh& mesh, const base::Array<glm::dvec3>& normal, std:
     double most = 0.0;
     for (std::size_t k = 0; k < 3; ++k) {
         const std::size_t next = (k + 1) % 3;
-        most = std::max(most, std::abs(glm::dot(p[next] - p[k], n[next] - n[k])) / 8.0);
+        most = std::max(most, bulge(p[next] - p[k], n[k], n[next]));
     }
     return most;
 }

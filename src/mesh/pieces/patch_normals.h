@@ -4,6 +4,8 @@
 
 #include "mesh/pieces/creases.h"
 
+#include <limits>
+
 namespace hrbfnpr::mesh {
 
 // Of corners (3 face + k).
@@ -14,9 +16,10 @@ struct PatchNormals {
     base::Array<std::uint8_t> tip;  // 1: of a cone, where no normal is everybody's, and each face has its own
 };
 
-// As their patch has them: those of another do not count.  By area and angle, so that a large flat face beside a
-// rounding stays flat.
-[[nodiscard]] PatchNormals patch_normals(const base::Runtime& runtime, const Mesh& mesh, const Creases& creases);
+// As their patch has them: those of another do not count.  By area and angle; a flat that would still bulge by more
+// than the tolerance keeps its own beside what is much smaller, where that bulges less for it than the flat did.
+[[nodiscard]] PatchNormals patch_normals(const base::Runtime& runtime, const Mesh& mesh, const Creases& creases,
+                                         double tolerance = std::numeric_limits<double>::infinity());
 
 // Of a face: how far the middles of its edges are from the surface that is curved as the normals are.
 [[nodiscard]] double chord_error(const Mesh& mesh, const base::Array<glm::dvec3>& normal, std::int64_t face) noexcept;
