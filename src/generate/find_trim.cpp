@@ -57,7 +57,7 @@ public:
     Search(const base::Runtime& runtime, const implicit::Implicit& implicit, const surface::Support& support,
            const TrimSettings& settings, bool wary_look)
         : runtime_(runtime), support_(support), settings_(settings), wary_(wary_look),
-          curves_(!wary_look && support.along_curves()),
+          curves_(!wary_look && settings.closest == 0.0 && support.along_curves()),
           diagonal_(implicit.diagonal()), site_{runtime, implicit, 1e-7, 1}, cells_(runtime.memory),
           value_(runtime.memory), part_(runtime.memory), numbers_(runtime.memory), found_(runtime.memory) {}
 

@@ -132,3 +132,50 @@ def test_coarse_round_walls_have_no_holes():
     bowl = hrbfnpr.Model.fit_mesh(mesh, edges="sharp", crease_angle=60.0, far=0.02 * diagonal)
     assert bowl.mesh_fit.mesh_p99 > 0.009 * diagonal
     assert bowl.trim_info.share < 0.16  # the open top; with holes in its walls 0.31
+
+
+def quarter(steps):
+    return [0.5 * math.pi * k / steps for k in range(steps + 1)]
+
+
+def test_a_narrow_trough_ends_at_its_border():
+    """Places on a mesh are none along curves, however narrow it is: what lies between its borders is open."""
+    length, around = 80, 10
+    ends = [(-math.cos(a), math.sin(a)) for a in quarter(5)[1:]]
+    stations = ends + [(length - x, r) for x, r in reversed(ends)]
+    turns = [math.pi * i / around for i in range(around + 1)]
+    vertices = [(x, r * math.cos(a), -r * math.sin(a)) for x, r in stations for a in turns]
+    n, last = len(turns), (len(stations) - 1) * len(turns)
+    corners = [n * j + i for j in range(len(stations) - 1) for i in range(around)]
+    triangles = [t for i in corners for t in ((i, i + 1, i + n + 1), (i, i + n + 1, i + n))]
+    vertices += [(-1, 0, 0), (length + 1, 0, 0)]
+    triangles += [t for i in range(around) for t in ((last + n, i + 1, i), (last + n + 1, last + i, last + i + 1))]
+    model = hrbfnpr.Model.fit_mesh(hrbfnpr.Mesh(vertices, triangles))
+    marks = model.generate(budget=2000)
+    assert max(row[2] + marks.origin[2] for row in marks.layers[0].positions.tolist()) < 0.1
+
+
+def test_a_tray_with_small_faces_at_its_corners_stays_open():
+    """Most faces are at round edges that rays from within hardly leave; most of the area is not."""
+    width, depth, height, radius, rim = 5.8, 5.1, 0.28, 0.05, 0.12
+    turns = quarter(5)
+    profile = [(radius * (1 - math.sin(a)), radius * (1 - math.cos(a))) for a in turns]
+    profile += [(radius * (1 - math.cos(a)), height - radius * (1 - math.sin(a))) for a in turns]
+    profile += [(rim, height), (rim, height - 0.03)]
+    vertices = []
+    for inward, z in profile:
+        r, off = radius - min(inward, radius), max(inward, radius)
+        for k, (x, y) in enumerate(((1, 1), (-1, 1), (-1, -1), (1, -1))):
+            for a in (turn + 0.5 * math.pi * k for turn in turns):
+                vertices.append(
+                    (x * (width / 2 - off) + r * math.cos(a), y * (depth / 2 - off) + r * math.sin(a), z)
+                )
+    n = 4 * len(turns)
+    sides = [(n * j + i, n * j + (i + 1) % n) for j in range(len(profile) - 1) for i in range(n)]
+    triangles = [t for a, b in sides for t in ((a, b, b + n), (a, b + n, a + n))]
+    triangles += [(0, i + 1, i) for i in range(1, n - 1)]
+    model = hrbfnpr.Model.fit_mesh(hrbfnpr.Mesh(vertices, triangles), edges="sharp")
+    marks = model.generate(budget=4000)
+    places = [[a + b for a, b in zip(row, marks.origin)] for row in marks.layers[0].positions.tolist()]
+    within = [z for x, y, z in places if abs(x) < 2.7 and abs(y) < 2.3]
+    assert len(within) > 2000 and max(within) < 0.02

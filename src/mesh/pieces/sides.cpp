@@ -51,22 +51,38 @@ Sides::Sides(const base::Runtime& runtime, const Mesh& mesh, const FaceTree& tre
     by_rays_ = solid_ && !simple;
 }
 
+// By number, and by area: of a tray the many small faces of its rounded corners may look solid.
 bool Sides::looks_solid(const base::Runtime& runtime, const base::Progress& progress) const {
+    base::Array<std::int64_t> by_number(runtime.memory);
+    base::Array<std::int64_t> by_area(runtime.memory);
     const std::int64_t step = std::max<std::int64_t>(1, mesh_.faces() / probes);
-    const std::int64_t count = (mesh_.faces() + step - 1) / step;
-    base::Array<std::uint8_t> right(runtime.memory, count);
-    runtime.parallel.for_chunks(count, 16, [&](std::int64_t begin, std::int64_t end) {
+    for (std::int64_t face = 0; face < mesh_.faces(); face += step) by_number.push_back(face);
+    double area = 0.0;
+    for (std::int64_t face = 0; face < mesh_.faces(); ++face) area += glm::length(doubled_area(mesh_.corners(face)));
+    double passed = 0.0;
+    for (std::int64_t face = 0; face < mesh_.faces(); ++face) {
+        passed += glm::length(doubled_area(mesh_.corners(face)));
+        while (by_area.size() < probes && passed * probes >= area * (static_cast<double>(by_area.size()) + 0.5))
+            by_area.push_back(face);
+    }
+    return look_solid(runtime, by_number, progress) && look_solid(runtime, by_area, progress);
+}
+
+bool Sides::look_solid(const base::Runtime& runtime, const base::Array<std::int64_t>& face,
+                       const base::Progress& progress) const {
+    base::Array<std::uint8_t> right(runtime.memory, face.size());
+    runtime.parallel.for_chunks(face.size(), 16, [&](std::int64_t begin, std::int64_t end) {
         progress.check();
         for (std::int64_t i = begin; i < end; ++i) {
-            const auto p = mesh_.corners(i * step);
+            const auto p = mesh_.corners(face[i]);
             const glm::dvec3 middle = (p[0] + p[1] + p[2]) / 3.0;
-            const glm::dvec3 off = off_ * normal_[i * step];
+            const glm::dvec3 off = off_ * normal_[face[i]];
             right[i] = where(tree_, middle + off) == Where::outside && where(tree_, middle - off) == Where::inside;
         }
     });
     std::int64_t sum = 0;
     for (const std::uint8_t one : right) sum += one;
-    return static_cast<double>(sum) >= solid_share * static_cast<double>(count);
+    return static_cast<double>(sum) >= solid_share * static_cast<double>(face.size());
 }
 
 glm::dvec3 Sides::pseudo_normal(std::int64_t face, const glm::dvec3& place, bool& inner) const noexcept {

@@ -34,6 +34,9 @@ public:
 
 private:
     [[nodiscard]] bool looks_solid(const base::Runtime& runtime, const base::Progress& progress) const;
+    // Whether rays agree, at nearly all of these faces, with the side that they look to.
+    [[nodiscard]] bool look_solid(const base::Runtime& runtime, const base::Array<std::int64_t>& face,
+                                  const base::Progress& progress) const;
     [[nodiscard]] bool is_folded(std::int64_t face) const noexcept;
     [[nodiscard]] glm::dvec3 pseudo_normal(std::int64_t face, const glm::dvec3& place, bool& inner) const noexcept;
 
