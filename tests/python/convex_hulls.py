@@ -22,3 +22,11 @@ def rounded_box():
     points /= np.linalg.norm(points, axis=1, keepdims=True)
     points = np.sign(points) * np.abs(points) ** 0.3 * [1, 0.2, 0.2]
     return points, convex_hull(points)
+
+
+def hull_in_a_box():
+    """Of places at random, of which few are at its corners: large faces, and vertices that something round goes near to."""
+    points = np.random.default_rng(6).uniform(-1, 1, size=(40, 3)) * [2, 1, 0.6]
+    faces = convex_hull(points)
+    used, faces = np.unique(faces, return_inverse=True)
+    return points[used], faces.reshape(-1, 3)

@@ -2,7 +2,7 @@
 """Coarse meshes that are divided to something round."""
 import numpy as np
 import pytest
-from convex_hulls import rounded_box
+from convex_hulls import hull_in_a_box, rounded_box
 from test_input import obj
 from test_shapes import write
 
@@ -155,8 +155,9 @@ def test_a_bevelled_cube_is_left(tmp_path, capsys):
     assert "the surface is whole" in out
 
 
-def test_a_convex_hull_is_flat(tmp_path, capsys):
-    path = write(tmp_path, "hull.obj", obj(*rounded_box()))
+@pytest.mark.parametrize("hull", (rounded_box, hull_in_a_box))
+def test_a_convex_hull_is_flat(hull, tmp_path, capsys):
+    path = write(tmp_path, "hull.obj", obj(*hull()))
     assert main(["draw", str(path), str(tmp_path / "a.png"), "--size", "100", "--marks", "600"]) == 0
     said = capsys.readouterr().err
     assert "nothing round goes through them" in said and "divided" not in said

@@ -13,7 +13,7 @@ from .._model import Model
 from ..shapes import Shape, subdivide
 from ..shapes._shape import Floats
 from ..shapes._sharp_edges import Kind, kind, moved
-from ..shapes._subdivide import coarseness, mean_edge, subdivide_round
+from ..shapes._subdivide import coarseness, mean_edge, raised, subdivide_round
 from . import _apart, _far, _orient, _up
 from ._nearness import in_words, of
 from ._progress import Reporter
@@ -23,6 +23,7 @@ MOST_COARSE = 50_000  # faces of a mesh that may be coarse
 MOST_ROUNDS = 3
 COARSE_EDGE = 0.025  # of the diagonal: faces whose edges are shorter on average bend by noise
 _MOST_MOVED = 1.5  # how much farther than the faces bulge vertices may be moved: of figures and rings it is 1.2 at most
+_MOST_RAISED = 3.0  # the same of places in the midst of faces: of a ball of 80 faces 1.8, of figures 2.7 at most
 _OTHERWISE = "--edges auto keeps those that stand out"
 _FLAT_BEND = 5.0  # degrees by which flat faces bend to each other
 LOOKED_AT = 2000  # samples that tell which way is up
@@ -160,7 +161,8 @@ def _divided(mesh: Mesh, shape: Shape, given: Shape, rounds: int, arguments: Any
         off = coarseness(given)
         if told and moved_by > _MOST_MOVED * coarseness(given, 100.0) * across:
             return _Made(mesh, shape)
-        if not told and moved_by > _MOST_MOVED * off * across and arguments.edges is None:
+        folds = not told and (moved_by > _MOST_MOVED * off * across or raised(given, finer) > _MOST_RAISED * off)
+        if folds and arguments.edges is None:
             said = "the faces are coarse, but nothing round goes through them: flat (--edges smooth rounds)"
             return _Made(mesh, shape, (said,), _FLAT_BEND)
         said = f"the faces are coarse, {off:.2%} of the diagonal off something round: {said} (--subdivide 0 leaves them)"

@@ -95,6 +95,21 @@ def coarseness(shape: Shape, percent: float = 90.0) -> float:
     return float(np.percentile(bulge, percent)) if len(bulge) else 0.0
 
 
+def raised(shape: Shape, finer: Shape) -> float:
+    """How far `subdivide` has moved places out of the planes of the faces that they are of, as a share of the diagonal:
+    for 0.99 of them at most this."""
+    assert shape.triangles is not None and finer.triangles is not None
+    corner = shape.points[np.asarray(shape.triangles)]
+    normal = np.cross(corner[:, 1] - corner[:, 0], corner[:, 2] - corner[:, 0])
+    normal /= np.maximum(np.linalg.norm(normal, axis=1, keepdims=True), 1e-300)
+    of = np.arange(len(finer.triangles)) % len(corner)  # each round puts the four parts of all faces one after another
+    least = np.full(len(finer.points), np.inf)
+    for place in np.asarray(finer.triangles).T:
+        np.minimum.at(least, place, np.abs(((finer.points[place] - corner[of, 0]) * normal[of]).sum(axis=1)))
+    diagonal = _diagonal(shape.points)
+    return float(np.percentile(least[np.isfinite(least)], 99)) / diagonal if diagonal > 0 else 0.0
+
+
 def mean_edge(shape: Shape) -> float:
     """As a share of the diagonal."""
     assert shape.triangles is not None
