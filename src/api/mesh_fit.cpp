@@ -93,6 +93,10 @@ constexpr double end_of_mesh_fit = 0.9;  // of its progress; then it is looked f
 constexpr double too_coarse = 0.8;       // of `far`: how far faces may be from what they stand for
 constexpr double least_off_mesh = 0.009; // diagonals; of off_mesh()
 constexpr double most_off_mesh = 0.015;
+constexpr double least_off_narrow = 0.001;
+constexpr double exact = 2e-4;   // diagonals, of planes and the like
+constexpr double of_width = 0.2; // of a strip: a row of places on either side, and something between
+constexpr double of_places = 1.5;
 constexpr double of_coarse_faces = 1.5; // distance of 99 % of the mesh from the surface
 constexpr std::int64_t places_of_trim = 40000;
 // Where a mesh is round, each of its parts is one sheet: no edge bends by so much, and no face is too coarse.
@@ -209,11 +213,23 @@ hrbfnpr_mesh_fit_info described(const mesh::FitMeshReport& report, std::int64_t 
     return to;
 }
 
+// Diagonals: what is left in the midst of strips that are as wide as these faces on average, where those are met
+// exactly.
+double least_off(const mesh::Mesh& mesh, const mesh::FitMeshReport& report) noexcept {
+    const double diagonal = mesh.bounds.diagonal();
+    const double border = mesh::border_length(mesh);
+    if (border == 0.0 || !(std::max(report.mesh.p99, report.surface.p99) < exact * diagonal)) return least_off_mesh;
+    const double dense = std::sqrt(mesh.report.area / static_cast<double>(places_of_trim));
+    const double narrow = of_width * 2.0 * mesh.report.area / border;
+    return std::clamp(std::max(narrow, of_places * dense) / diagonal, least_off_narrow, least_off_mesh);
+}
+
 // Diagonals: how far from a mesh what is none of it lies.  Faces too coarse for what they stand for are far off a
 // surface that is round, everywhere.
 double off_mesh(const hrbfnpr_mesh& mesh, const mesh::FitMeshReport& report) noexcept {
     const double p99 = report.mesh.p99 / mesh.mesh.bounds.diagonal();
-    return p99 > 0.0 ? std::clamp(of_coarse_faces * p99, least_off_mesh, most_off_mesh) : least_off_mesh;
+    const double least = least_off(mesh.mesh, report);
+    return p99 > 0.0 ? std::clamp(of_coarse_faces * p99, least, most_off_mesh) : least;
 }
 
 generate::TrimSettings trim_off_mesh(double off) noexcept {

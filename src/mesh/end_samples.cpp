@@ -135,6 +135,16 @@ private:
 
 } // namespace
 
+double border_length(const Mesh& mesh) noexcept {
+    double length = 0.0;
+    for (std::int64_t face = 0; face < mesh.faces(); ++face) {
+        const auto p = mesh.corners(face);
+        for (std::size_t k = 0; k < 3; ++k)
+            if ((mesh.border[face] >> k & 1) != 0) length += glm::distance(p[k], p[(k + 1) % 3]);
+    }
+    return length;
+}
+
 MeshSamples end_samples(const base::Runtime& runtime, const Mesh& mesh, const FaceTree& tree, std::int64_t count,
                         double closest, std::uint64_t seed, const base::Progress& progress) {
     const MeshSamples even = even_samples(runtime, mesh, count, candidates_each * count, seed, progress.part(0.0, 0.7));

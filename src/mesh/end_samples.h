@@ -14,4 +14,7 @@ namespace hrbfnpr::mesh {
                                       std::int64_t count, double closest, std::uint64_t seed,
                                       const base::Progress& progress);
 
+// Of all borders.
+[[nodiscard]] double border_length(const Mesh& mesh) noexcept;
+
 } // namespace hrbfnpr::mesh

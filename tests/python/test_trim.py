@@ -179,3 +179,14 @@ def test_a_tray_with_small_faces_at_its_corners_stays_open():
     places = [[a + b for a, b in zip(row, marks.origin)] for row in marks.layers[0].positions.tolist()]
     within = [z for x, y, z in places if abs(x) < 2.7 and abs(y) < 2.3]
     assert len(within) > 2000 and max(within) < 0.02
+
+
+def test_lines_of_a_flat_drawing_are_as_wide_as_they_are():
+    """A frame of a hundredth of what it is across, as the lines of a field or of letters."""
+    outer, inner = [(0, 0), (10, 0), (10, 6), (0, 6)], [(0.12, 0.12), (9.88, 0.12), (9.88, 5.88), (0.12, 5.88)]
+    vertices = [(x, y, 0) for x, y in outer + inner]
+    triangles = [t for i in range(4) for t in ((i, (i + 1) % 4, (i + 1) % 4 + 4), (i, (i + 1) % 4 + 4, i + 4))]
+    marks = hrbfnpr.Model.fit_mesh(hrbfnpr.Mesh(vertices, triangles)).generate(budget=4000)
+    places = [[a + b for a, b in zip(row, marks.origin)] for row in marks.layers[0].positions.tolist()]
+    within = [min(x, y, 10 - x, 6 - y) for x, y, _ in places]  # from the outer side
+    assert -0.02 < min(within) and max(within) < 0.14
