@@ -63,8 +63,12 @@ void FlatFaces::grow(const base::Runtime& runtime, const Mesh& mesh, const Creas
         order.push_back(face);
         area.push_back(0.5 * doubled_area(mesh.corners(face)));
     }
-    std::stable_sort(order.begin(), order.end(),
-                     [&](std::int64_t a, std::int64_t b) { return glm::length(area[a]) > glm::length(area[b]); });
+    // Of equal areas by their numbers; std::stable_sort would take memory of its own.
+    std::sort(order.begin(), order.end(), [&](std::int64_t a, std::int64_t b) {
+        const double of_a = glm::length(area[a]);
+        const double of_b = glm::length(area[b]);
+        return of_a > of_b || (of_a == of_b && a < b);
+    });
     region_.resize_for_overwrite(mesh.faces());
     std::fill(region_.begin(), region_.end(), -1);
     base::Array<std::int64_t> todo(memory);
