@@ -94,9 +94,9 @@ constexpr double too_coarse = 0.8;       // of `far`: how far faces may be from 
 constexpr double least_off_mesh = 0.009; // diagonals; of off_mesh()
 constexpr double most_off_mesh = 0.015;
 constexpr double least_off_narrow = 0.001;
-constexpr double exact = 2e-4;   // diagonals, of planes and the like
-constexpr double of_width = 0.2; // of a strip: a row of places on either side, and something between
-constexpr double of_places = 1.5;
+constexpr double exact = 2e-4;          // diagonals, of planes and the like
+constexpr double of_width = 0.2;        // of a strip: a row of places on either side, and something between
+constexpr double of_places = 1.5;       // of their mean distance
 constexpr double of_coarse_faces = 1.5; // distance of 99 % of the mesh from the surface
 constexpr std::int64_t places_of_trim = 40000;
 // Where a mesh is round, each of its parts is one sheet: no edge bends by so much, and no face is too coarse.
@@ -213,8 +213,8 @@ hrbfnpr_mesh_fit_info described(const mesh::FitMeshReport& report, std::int64_t 
     return to;
 }
 
-// Diagonals: what is left in the midst of strips that are as wide as these faces on average, where those are met
-// exactly.
+// Diagonals: the least of off_mesh().  A support of spacings that wide cannot end a strip as narrow, so of a mesh that
+// is met exactly they are a share of its mean width, 2 area / border, but no less than its places are apart.
 double least_off(const mesh::Mesh& mesh, const mesh::FitMeshReport& report) noexcept {
     const double diagonal = mesh.bounds.diagonal();
     const double border = mesh::border_length(mesh);

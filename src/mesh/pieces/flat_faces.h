@@ -13,13 +13,14 @@ public:
               const base::Array<glm::dvec3>& mean, double tolerance);
 
     [[nodiscard]] bool any() const noexcept { return !area_.empty(); }
-    // More than the tolerance.
+    // By more than the tolerance.
     [[nodiscard]] bool bulges(std::int32_t region) const noexcept { return bulge_[region] > tolerance_; }
-    // Of its faces the largest, with the means.
+    // How far the means make it bulge: the largest chord_error() of its faces.
     [[nodiscard]] double bulge(std::int32_t region) const noexcept { return bulge_[region]; }
     [[nodiscard]] std::int32_t region_of(std::int64_t face) const noexcept { return region_[face]; }
     [[nodiscard]] double area(std::int32_t region) const noexcept { return area_[region]; }
     [[nodiscard]] const glm::dvec3& normal(std::int32_t region) const noexcept { return normal_[region]; }
+    // As it was given: several threads put the normals of flats in their place, and ask for those beside them.
     [[nodiscard]] const glm::dvec3& mean(std::int64_t corner) const noexcept { return mean_[corner]; }
 
 private:
