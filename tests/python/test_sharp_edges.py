@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Edges that the normals of a file tell sharp ones from smooth ones."""
 import json
+import re
 import struct
 
 import numpy as np
@@ -14,7 +15,7 @@ from hrbfnpr import shapes
 from hrbfnpr.cli import main
 from hrbfnpr.shapes import Shape
 from hrbfnpr.shapes._sharp_edges import Kind, kind, moved, sharp_edges
-from hrbfnpr.shapes._subdivide import subdivide, subdivide_round
+from hrbfnpr.shapes._subdivide import raised, subdivide, subdivide_round
 
 def split(points, faces, normals, own):
     """Vertices with normals, several at a place."""
@@ -124,9 +125,13 @@ def test_parts_that_are_fine_or_bevelled_stay():
         np.vstack([one.points, points + 5]), None, np.vstack([one.triangles, faces + len(one.points)]),
         sharp_edges=one.sharp_edges,
     )  # fmt: skip
-    fine = subdivide_round(shape, 2, 180.0, 0.002)
-    assert len(fine.triangles) == 16 * len(one.triangles) + len(faces)
-    assert subdivide_round(shape, 2, 180.0, 1.0) is shape
+    fine, of = subdivide_round(shape, 2, 180.0, 0.002)
+    assert len(fine.triangles) == len(of) == 16 * len(one.triangles) + len(faces)
+    np.testing.assert_array_equal(np.bincount(of), np.repeat([16, 1], [len(one.triangles), len(faces)]))
+    middle = [s.points[s.triangles].mean(axis=1) for s in (fine, shape)]
+    assert np.linalg.norm(middle[0] - middle[1][of], axis=1).max() < 1.2  # a side is 2 long
+    assert 0.005 < raised(shape, fine, of).max() < 0.02  # a sixteenth of the cylinder bulges by 0.076, across is 12.1
+    assert subdivide_round(shape, 2, 180.0, 1.0)[0] is shape
     # A box of which the chamfers are smooth: all of it stays flat.
     points, faces = chamfered_box()
     given = np.zeros((0, 2), dtype=np.int64)
@@ -167,6 +172,7 @@ def drawn(tmp_path, capsys, text, *options):
 def test_the_command_goes_by_them(tmp_path, capsys):
     said = drawn(tmp_path, capsys, obj(*prism()))
     assert "some edges are sharp and others round, by the normals of its file" in said and "divided" in said
+    assert 0 < float(re.search(r"what lies between them by ([0-9.]+)%", said)[1]) < 3
     assert "warning" not in said
     assert "normals of its file" not in drawn(tmp_path, capsys, obj(*prism()), "--edges", "auto")
     assert "divided 2 times" in drawn(tmp_path, capsys, obj(*prism(40)), "--tolerance", "0.0005")  # less than by default

@@ -149,19 +149,22 @@ def _divided(mesh: Mesh, shape: Shape, given: Shape, rounds: int, arguments: Any
     told, wanted = given.sharp_edges is not None, getattr(arguments, "subdivide", None) is not None
     crease = 180.0 if arguments.crease is None else arguments.crease
     if told and not wanted:
-        finer = subdivide_round(given, rounds, crease, _tolerance(given, arguments))
+        finer, parents = subdivide_round(given, rounds, crease, _tolerance(given, arguments))
+        rise = raised(given, finer, parents)
     else:
         finer = subdivide(given, rounds, crease)
+        rise = raised(given, finer)
     moved_by = np.linalg.norm(finer.points[: len(given.points)] - given.points, axis=1).max()
     across = np.linalg.norm(np.ptp(given.points, axis=0))
     said = f"divided {of(rounds, 'time')}, vertices moved by at most {moved_by / across:.2%}"
+    said += f", what lies between them by {rise.max():.2%}"
     if wanted:
         said = f"the faces are {said}"
     else:
         off = coarseness(given)
         if told and moved_by > _MOST_MOVED * coarseness(given, 100.0) * across:
             return _Made(mesh, shape)
-        folds = not told and (moved_by > _MOST_MOVED * off * across or raised(given, finer) > _MOST_RAISED * off)
+        folds = not told and (moved_by > _MOST_MOVED * off * across or np.percentile(rise, 99) > _MOST_RAISED * off)
         if folds and arguments.edges is None:
             said = "the faces are coarse, but nothing round goes through them: flat (--edges smooth rounds)"
             return _Made(mesh, shape, (said,), _FLAT_BEND)

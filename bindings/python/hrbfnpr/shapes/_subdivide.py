@@ -8,7 +8,7 @@ Surface Based Progressive Interpolation", JCST 24(1), 2009, for going through th
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from typing import Any, List, Tuple
+from typing import Any, List, Optional, Tuple
 
 import numpy as np
 
@@ -66,8 +66,9 @@ def subdivide(shape: Shape, rounds: int = 1, crease_angle: float = 60.0) -> Shap
     return replace(shape, points=_refined(control, steps), triangles=triangles, normals=None, sharp_edges=kept)
 
 
-def subdivide_round(shape: Shape, rounds: int, crease_angle: float, tolerance: float) -> Shape:
-    """The same of the parts that are coarse: of which a smooth edge bulges by more than a share of the diagonal."""
+def subdivide_round(shape: Shape, rounds: int, crease_angle: float, tolerance: float) -> Tuple[Shape, Integers]:
+    """The same of the parts that are coarse: of which a smooth edge bulges by more than a share of the diagonal. And of
+    which given face each one is."""
     assert shape.triangles is not None
     triangles = np.asarray(shape.triangles, dtype=np.int64)
     edges = _Edges(triangles)
@@ -75,10 +76,17 @@ def subdivide_round(shape: Shape, rounds: int, crease_angle: float, tolerance: f
     one, _ = edges.both_faces()
     coarse = np.isin(part, part[one[_bulge(shape, edges) > tolerance]])
     if not coarse.any():
-        return shape
+        return shape, np.arange(len(triangles))
     fine = subdivide(replace(shape, triangles=triangles[coarse]), rounds, crease_angle)
     assert fine.triangles is not None
-    return replace(fine, triangles=np.concatenate([triangles[~coarse], fine.triangles]))
+    of = np.concatenate([np.flatnonzero(~coarse), _parents(np.flatnonzero(coarse), fine)])
+    return replace(fine, triangles=np.concatenate([triangles[~coarse], fine.triangles])), of
+
+
+def _parents(faces: Integers, finer: Shape) -> Integers:
+    """Of which face each one of a finer mesh is: a round puts the four parts of all faces one after another."""
+    assert finer.triangles is not None
+    return np.resize(faces, len(finer.triangles))
 
 
 def coarseness(shape: Shape, percent: float = 90.0) -> float:
@@ -95,19 +103,20 @@ def coarseness(shape: Shape, percent: float = 90.0) -> float:
     return float(np.percentile(bulge, percent)) if len(bulge) else 0.0
 
 
-def raised(shape: Shape, finer: Shape) -> float:
-    """How far `subdivide` has moved places out of the planes of the faces that they are of, as a share of the diagonal:
-    for 0.99 of them at most this."""
+def raised(shape: Shape, finer: Shape, of: Optional[Integers] = None) -> Floats:
+    """How far `subdivide` has moved each place out of the planes of the faces that it is of, as a share of the diagonal.
+    `of` is as `subdivide_round` has it."""
     assert shape.triangles is not None and finer.triangles is not None
     corner = shape.points[np.asarray(shape.triangles)]
     normal = np.cross(corner[:, 1] - corner[:, 0], corner[:, 2] - corner[:, 0])
     normal /= np.maximum(np.linalg.norm(normal, axis=1, keepdims=True), 1e-300)
-    of = np.arange(len(finer.triangles)) % len(corner)  # each round puts the four parts of all faces one after another
+    of = _parents(np.arange(len(corner)), finer) if of is None else of
     least = np.full(len(finer.points), np.inf)
     for place in np.asarray(finer.triangles).T:
         np.minimum.at(least, place, np.abs(((finer.points[place] - corner[of, 0]) * normal[of]).sum(axis=1)))
     diagonal = _diagonal(shape.points)
-    return float(np.percentile(least[np.isfinite(least)], 99)) / diagonal if diagonal > 0 else 0.0
+    rise: Floats = least[np.isfinite(least)] / max(diagonal, 1e-300)
+    return rise
 
 
 def mean_edge(shape: Shape) -> float:
