@@ -237,6 +237,18 @@ def mf3(model=None, name="3D/3dmodel.model", target=None, more=()):
     return data.getvalue()
 
 
+def amf():
+    def under(name, parts):
+        return f"<{name}>{parts}</{name}>"
+
+    places = ("".join(under(axis, value) for axis, value in zip("xyz", vertex)) for vertex in VERTICES)
+    vertices = "".join(under("vertex", under("coordinates", place)) for place in places)
+    corners = ("".join(under(f"v{k + 1}", value) for k, value in enumerate(triangle)) for triangle in TRIANGLES)
+    mesh = under("mesh", under("vertices", vertices) + under("volume", "".join(under("triangle", c) for c in corners)))
+    place = '<instance objectid="1"><deltax>2</deltax><rz>30</rz></instance>'
+    return f'<amf unit="inch"><object id="1">{mesh}</object><constellation id="2">{place}</constellation></amf>'.encode()
+
+
 def wires():
     return ("".join(f"v {x} {y} {z}\n" for x, y, z in VERTICES) + "l 1 2 3 4 1\nl -4 -1\nl 2/1 7/1\n").encode()
 
@@ -254,7 +266,7 @@ def files():
         "cube.gltf": gltf(), "cube.glb": glb(*gltf_document()),
         "packed.glb": glb(*packed_document()), "little.off": off_binary(), "big.off": off_binary(">"),
         "cube.las": las(), "cube_4.las": las(4), "grid.asc": grid(), "text.pgm": pgm(False), "binary.pgm": pgm(True),
-        "cube.3mf": mf3(), "cube.ptx": ptx(),
+        "cube.3mf": mf3(), "cube.amf": amf(), "cube.ptx": ptx(),
         "cube.vtk": vtk(), "cube.vtp": vtp(), "cube.vtu": vtu(), "plain.xyz": table.encode(),
         "comma.csv": numbered.encode(), "decimal.txt": table.replace("1", "1,5").replace(" ", "\t").encode(),
         "meshlab.pts": ("8\n" + table).encode(), "cloud.asc": ("//X Y Z Nx Ny Nz\n" + table).encode(),

@@ -52,18 +52,6 @@ def test_what_is_packed(assimp, tmp_path, name):
     assert shape.format == "Collada" and len(shape.triangles) == 12
 
 
-AMF = """<?xml version="1.0"?><amf unit="millimeter"><object id="0"><mesh><vertices>{vertices}</vertices>
-<volume>{triangles}</volume></mesh></object></amf>"""
-
-
-def test_what_is_printed_stands_along_z(assimp, tmp_path):
-    corners = "".join(f"<vertex><coordinates><x>{x}</x><y>{y}</y><z>{z}</z></coordinates></vertex>" for x, y, z in CUBE)
-    quads = [part for a, b, c, d in QUADS for part in ((a, b, c), (a, c, d))]
-    faces = "".join(f"<triangle><v1>{a}</v1><v2>{b}</v2><v3>{c}</v3></triangle>" for a, b, c in quads)
-    shape = shapes.read(write(tmp_path, "box.amf", AMF.format(vertices=corners, triangles=faces)))
-    assert shape.up == (0, 0, 1) and len(shape.triangles) == 12
-
-
 def test_it_is_drawn(assimp, tmp_path, capsys):
     path = write(tmp_path, "box.dae", collada())
     assert main(["draw", str(path), str(tmp_path / "a.png"), "--size", "100", "--marks", "600"]) == 0

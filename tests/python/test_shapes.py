@@ -51,7 +51,7 @@ def test_ascii_ply_points(tmp_path, newline):
 @pytest.mark.parametrize("form, order", [("binary_little_endian", "<"), ("binary_big_endian", ">")])
 @pytest.mark.parametrize("code, kind", [("f", "float"), ("d", "double")])
 def test_binary_ply_with_foreign_properties(tmp_path, form, order, code, kind):
-    properties = ["uchar red", f"{kind} x", f"{kind} y", f"{kind} z", "short label", f"{kind} nx", f"{kind} ny", f"{kind} nz"]
+    properties = ["bool red", f"{kind} x", f"{kind} y", f"{kind} z", "short label", f"{kind} nx", f"{kind} ny", f"{kind} nz"]
     data = ply_header(form, ("vertex", 4, properties), ("face", 4, ["list uchar int vertex_indices", "float quality"]))
     for v in VERTICES:
         data += struct.pack(order + "B3" + code + "h3" + code, 7, *v, -5, *(v + 1))
@@ -311,6 +311,12 @@ def test_stl(tmp_path, binary):
     on_slope = np.abs(points.sum(axis=1) - 1) < 1e-6
     assert 80 < on_slope.sum() < 180
     np.testing.assert_allclose(normals[on_slope], np.full((on_slope.sum(), 3), 3**-0.5), atol=1e-6)
+
+
+def test_stl_with_comments(tmp_path):
+    text = b"# by hand\n" + stl(False).replace(b"\n", b" # vertex\n").replace(b"facet normal", b"# facet\n facet normal")
+    shape = shapes.read(write(tmp_path, "a.stl", text))
+    assert shape.format == "STL, ascii" and len(shape.triangles) == 4
 
 
 @pytest.mark.parametrize("name, data", [("a.stl", b"solid"), ("a.stl", b""), ("a.vtk", b"x"), ("a.nothing", b""), ("a", b"")])

@@ -15,10 +15,10 @@ UP: Vector = (0.0, 0.0, 1.0)  # of _Z_UP
 ENDINGS = {
     ".dae": "Collada", ".fbx": "FBX", ".3ds": "3DS", ".blend": "Blender", ".x3d": "X3D", ".ac": "AC3D", ".lwo": "LWO",
     ".ms3d": "MS3D", ".md2": "MD2", ".md3": "MD3", ".md5mesh": "MD5", ".iqm": "IQM", ".ase": "ASE", ".cob": "COB",
-    ".x": "X", ".b3d": "B3D", ".amf": "AMF", ".dxf": "DXF", ".ifc": "IFC", ".lxo": "LXO", ".nff": "NFF",
+    ".x": "X", ".b3d": "B3D", ".dxf": "DXF", ".ifc": "IFC", ".lxo": "LXO", ".nff": "NFF",
     ".ogex": "OGEX", ".smd": "SMD",
 }  # fmt: skip
-_Z_UP = ("AMF", "Blender", "COB", "DXF", "SMD")  # which assimp does not turn
+_Z_UP = ("Blender", "COB", "DXF", "SMD")  # which assimp does not turn
 _OTHERWISE = "Blender exports it as glTF or PLY"
 
 

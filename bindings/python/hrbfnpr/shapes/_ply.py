@@ -15,7 +15,7 @@ from ._sharp_edges import of_vertices
 from ._table import Rows, at, check_indices, numbers, polygons
 
 _TYPES = {
-    "char": "i1", "int8": "i1", "uchar": "u1", "uint8": "u1",
+    "char": "i1", "int8": "i1", "uchar": "u1", "uint8": "u1", "bool": "u1",
     "short": "i2", "int16": "i2", "ushort": "u2", "uint16": "u2",
     "int": "i4", "int32": "i4", "uint": "u4", "uint32": "u4",
     "float": "f4", "float32": "f4", "double": "f8", "float64": "f8",

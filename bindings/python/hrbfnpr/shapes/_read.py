@@ -15,6 +15,8 @@ import numpy as np
 
 from . import _assimp, _cad, _heights, _scans, _vtk
 from ._3mf import is_3mf, read_3mf
+from ._amf import MAGIC as AMF_MAGIC
+from ._amf import read_amf
 from ._gltf import read_gltf
 from ._npy import read_npy, read_npz
 from ._obj import read_obj, read_off
@@ -49,7 +51,7 @@ FORMATS: Dict[str, Format] = {
         Format("MNI object", None, _vtk.read_mni), Format("VTP", None, _vtk.read_vtp), Format("VTU", None, _vtk.read_vtu),
         Format("VTK", None, _vtk.read_vtk), Format("LAS", None, _scans.read_las), Format("E57", None, _scans.read_e57),
         Format("grid", _heights.read_grid), Format("PGM", _heights.read_pgm),
-        Format("GeoTIFF", None, _heights.read_geotiff), Format("DEM", None, _heights.read_dem), Format("3MF", None, read_3mf), Format("PTX", read_ptx),
+        Format("GeoTIFF", None, _heights.read_geotiff), Format("DEM", None, _heights.read_dem), Format("3MF", None, read_3mf), Format("AMF", read_amf), Format("PTX", read_ptx),
         Format("VRML", None, _vtk.read_vrml), Format("NPY", read_npy), Format("NPZ", read_npz),
         *(Format(name, None, _assimp.read) for name in _assimp.ENDINGS.values()),
         *(Format(name, None, _cad.read) for name in dict.fromkeys(_cad.ENDINGS.values())),
@@ -60,7 +62,7 @@ ENDINGS = {
     ".xyz": "text", ".xyzn": "text", ".pwn": "text", ".txt": "text", ".asc": "text", ".csv": "text", ".pts": "text",
     ".gltf": "glTF", ".glb": "glTF", ".vtp": "VTP", ".vtu": "VTU", ".vtk": "VTK", ".las": "LAS", ".laz": "LAS",
     ".e57": "E57", ".grd": "grid", ".pgm": "PGM", ".tif": "GeoTIFF", ".tiff": "GeoTIFF",
-    ".3mf": "3MF", ".ptx": "PTX", ".npy": "NPY", ".npz": "NPZ", ".wrl": "VRML", ".vrml": "VRML", **dict.fromkeys((".dem", ".hgt", ".dt0", ".dt1", ".dt2", ".bil", ".flt"), "DEM"),
+    ".3mf": "3MF", ".amf": "AMF", ".ptx": "PTX", ".npy": "NPY", ".npz": "NPZ", ".wrl": "VRML", ".vrml": "VRML", **dict.fromkeys((".dem", ".hgt", ".dt0", ".dt1", ".dt2", ".bil", ".flt"), "DEM"),
     **_assimp.ENDINGS, **_cad.ENDINGS,
 }  # fmt: skip
 _BY_MESHIO = (".msh", ".inp", ".mesh", ".bdf", ".nas", ".med", ".xdmf", ".tet", ".avs", ".e", ".exo", ".dat")
@@ -69,14 +71,14 @@ _MAGIC: Tuple[Tuple[bytes, str], ...] = (
     (rb"(?:#[^\n]*\n|\s)*(?:VERSION\s[.\d]+\s+)?FIELDS\s", "PCD"), (rb"# vtk DataFile", "VTK"),
     (rb"\s*(?:<\?xml[^>]*>\s*)?(?:<!--.*?-->\s*)*<VTKFile[^>]*PolyData", "VTP"),
     (rb"\s*(?:<\?xml[^>]*>\s*)?(?:<!--.*?-->\s*)*<VTKFile[^>]*UnstructuredGrid", "VTU"),
-    (rb"P[25]\s", "PGM"), (rb"II[*+]\0|MM\0[*+]", "GeoTIFF"), (rb"\s*(?i:ncols|nrows)\s+\d+\s", "grid"),
+    (AMF_MAGIC, "AMF"), (rb"P[25]\s", "PGM"), (rb"II[*+]\0|MM\0[*+]", "GeoTIFF"), (rb"\s*(?i:ncols|nrows)\s+\d+\s", "grid"),
     (rb"ISO-10303-21;(?:(?!FILE_SCHEMA).)*FILE_SCHEMA\s*\(\s*\(\s*'(?!IFC)", "STEP"), (rb"\s*(?:DBRep_DrawableShape\s+)?CASCADE Topology", "BREP"),
     (PTX_MAGIC, "PTX"), (rb"P(?: \d*\.?\d+){3} \d+ \d+\s", "MNI object"), (rb"\s*(?:ST)?C?N?4?n?OFF(?=\d|\b)", "OFF"), (rb"\s*\{[^\0]*\"asset\"\s*:", "glTF"),
-    (rb"\s*(?i:solid)\b[^\0]*\n\s*(?i:facet|endsolid)\b", "STL"),
+    (rb"(?:\s*#[^\r\n]*[\r\n])*\s*(?i:solid)\b[^\0]*\n\s*(?i:facet|endsolid)\b", "STL"),
     (rb"(?:\s*(?:#[^\n]*|mtllib[^\n]*|[og]\s[^\n]*|s\s[^\n]*|usemtl[^\n]*)?\n)*v[ \t]+[-+.\d]\S*[ \t]+[-+.\d]", "OBJ"),
 )  # fmt: skip
 READ = (
-    "PLY, OBJ, STL, OFF, 3MF, glTF and GLB; points as XYZ, TXT, ASC, CSV, PTS, PWN, PTX, PCD, LAS, LAZ, E57, NPY or NPZ; "
+    "PLY, OBJ, STL, OFF, 3MF, AMF, glTF and GLB; points as XYZ, TXT, ASC, CSV, PTS, PWN, PTX, PCD, LAS, LAZ, E57, NPY or NPZ; "
     "VTK, VTU, VTP and VRML; STEP, IGES and BREP by Open CASCADE; Collada, FBX, 3DS, Blender, X3D and others by assimp; "
     "height maps as ESRI grid, PGM, GeoTIFF or DEM"
 )
@@ -130,7 +132,7 @@ def read(path: Union[str, "os.PathLike[str]"]) -> Shape:
     Parameters
     ----------
     path : path
-        PLY, OBJ, STL, OFF, 3MF, glTF and GLB; tables of points with three columns or more (XYZ, TXT, CSV, PTS, PWN ...);
+        PLY, OBJ, STL, OFF, 3MF, AMF, glTF and GLB; tables of points with three columns or more (XYZ, TXT, CSV, PTS, PWN ...);
         PTX, PCD, LAS, NPY, NPZ; LAZ, E57, GeoTIFF, DEM, VTK and its kin, STEP, IGES and BREP, and Collada, FBX, 3DS,
         Blender and others, with the package or program that reads them.  What the file holds counts for more than its
         ending.  A file that gzip has packed is unpacked.

@@ -7,11 +7,13 @@ import re
 import numpy as np
 
 from ._shape import Shape, ShapeError, Vector
-from ._table import at, is_number, number_at, plain
+from ._table import at, is_number, number_at, plain, without_comments
 
 UP: Vector = (0.0, 0.0, 1.0)  # of printers and workshops
 _HEADER = 84  # bytes of a binary file before its triangles
 _TRIANGLE = np.dtype([("normal", "<f4", 3), ("corners", "<f4", (3, 3)), ("attribute", "<u2")])
+_LOOKED_AT = 4096  # bytes, of comments before a text begins
+_BEGINS = re.compile(rb"(\s*#[^\r\n]*[\r\n])*\s*solid", re.I)
 _VERTEX = re.compile(rb"^[ \t]*vertex[ \t]+(\S+)[ \t]+(\S+)[ \t]+(\S+)[ \t]*$", re.M | re.I)
 
 
@@ -28,7 +30,7 @@ def read_stl(data: bytes) -> Shape:
     """Read the bytes of an STL file.  Its normals are not used: they are those of the faces."""
     if not data:
         raise ShapeError("the file is empty")
-    if not is_binary(data) and data.lstrip()[:5].lower() == b"solid" and b"\0" not in data[:512]:
+    if not is_binary(data) and _BEGINS.match(data[:_LOOKED_AT]) and b"\0" not in data[:512]:
         return _text(data)
     return _binary(data)
 
@@ -46,7 +48,7 @@ def _binary(data: bytes) -> Shape:
 
 
 def _text(data: bytes) -> Shape:
-    text = plain(data)
+    text = without_comments(plain(data))
     words = [word for vertex in _VERTEX.findall(text) for word in vertex]
     count = len(re.findall(rb"\bvertex\b", text, re.I))
     if 3 * count != len(words) or count % 3 or not all(is_number(word) for word in words):
