@@ -6,11 +6,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace hrbfnpr::mesh {
 namespace {
 
 constexpr double radians = 0.017453292519943295;
+constexpr double no_crease = 180.0;
 // A crease that ends is grown along edges that bend by so many degrees, ...
 constexpr double least_bend = 8.0;
 // ... and turn from it by an angle with at least this cosine.
@@ -30,12 +32,13 @@ struct Bend {
 
 class Finder {
 public:
-    // One sharpness for all components, or one for each.
+    // One sharpness for all faces, or several, and the number of its own for each face.  known: edges that are sharp.
     Finder(const base::Runtime& runtime, const Mesh& mesh, const base::Array<Sharpness>& sharpness,
-           const base::Progress& progress)
-        : runtime_(runtime), mesh_(mesh), sharpness_(sharpness), progress_(progress), bend_(runtime.memory),
-          first_(runtime.memory), at_(runtime.memory), degree_(runtime.memory, mesh.vertex.size()),
-          sides_(sides_by_edge(runtime, mesh.triangle, progress)), result_(runtime.memory) {}
+           const base::Array<std::int32_t>& of_face, const base::Array<Crease>& known, const base::Progress& progress)
+        : runtime_(runtime), mesh_(mesh), sharpness_(sharpness), of_face_(of_face), known_(known), progress_(progress),
+          bend_(runtime.memory), first_(runtime.memory), at_(runtime.memory),
+          degree_(runtime.memory, mesh.vertex.size()), sides_(sides_by_edge(runtime, mesh.triangle, progress)),
+          result_(runtime.memory) {}
 
     [[nodiscard]] Creases run() {
         find_bends();
@@ -58,7 +61,7 @@ private:
     }
 
     [[nodiscard]] const Sharpness& sharpness_of(std::int32_t face) const noexcept {
-        return sharpness_[sharpness_.size() == 1 ? 0 : mesh_.component[face]];
+        return sharpness_[sharpness_.size() == 1 ? 0 : of_face_[face]];
     }
     [[nodiscard]] double limit_of(std::int32_t face) const noexcept { return sharpness_of(face).angle * radians; }
 
@@ -70,6 +73,7 @@ private:
         base::Array<glm::dvec3> normal(runtime_.memory);
         for (std::int64_t face = 0; face < mesh_.faces(); ++face)
             normal.push_back(glm::normalize(doubled_area(mesh_.corners(face))));
+        const Crease* known = known_.begin(); // in the same order
         for_edges(sides_, progress_, [&](const Side* first, const Side* last) {
             const auto low = static_cast<std::int32_t>(first->edge >> 32U);
             const auto high = static_cast<std::int32_t>(first->edge & 0xFFFFFFFFU);
@@ -84,8 +88,10 @@ private:
             const glm::dvec3 b = normal[right.face];
             const double angle = std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
             const double limit = limit_of(left.face);
-            if (angle < std::min(least_bend * radians, limit)) return;
-            const bool sharp = bends_more(angle, limit);
+            const bool is_known = known != known_.end() && known->from == low && known->to == high;
+            known += is_known ? 1 : 0;
+            if (!is_known && angle < std::min(least_bend * radians, limit)) return;
+            const bool sharp = is_known || bends_more(angle, limit);
             bend_.push_back({low, high, left.face, right.face, angle, sharp});
             degree_[low] += sharp ? 1 : 0;
             degree_[high] += sharp ? 1 : 0;
@@ -278,6 +284,8 @@ private:
     const base::Runtime& runtime_;
     const Mesh& mesh_;
     const base::Array<Sharpness>& sharpness_;
+    const base::Array<std::int32_t>& of_face_;
+    const base::Array<Crease>& known_;
     const base::Progress& progress_;
     base::Array<Bend> bend_;
     base::Array<std::int64_t> first_; // of the bends at each vertex, in at_
@@ -298,7 +306,16 @@ Creases find_creases(const base::Runtime& runtime, const Mesh& mesh, double angl
 
 Creases find_creases(const base::Runtime& runtime, const Mesh& mesh, const base::Array<Sharpness>& of_component,
                      const base::Progress& progress) {
-    return Finder(runtime, mesh, of_component, progress).run();
+    const base::Array<Crease> none(runtime.memory);
+    return Finder(runtime, mesh, of_component, mesh.component, none, progress).run();
+}
+
+Creases find_more_creases(const base::Runtime& runtime, const Mesh& mesh, const Creases& known,
+                          const base::Array<std::uint8_t>& within, double angle, const base::Progress& progress) {
+    constexpr double no_limit = std::numeric_limits<double>::infinity();
+    base::Array<Sharpness> of_patch(runtime.memory);
+    for (const std::uint8_t is : within) of_patch.push_back({is != 0 ? angle : no_crease, no_limit});
+    return Finder(runtime, mesh, of_patch, known.patch, known.edge, progress).run();
 }
 
 } // namespace hrbfnpr::mesh

@@ -41,5 +41,9 @@ struct Sharpness {
 // By what each component is said to be.
 [[nodiscard]] Creases find_creases(const base::Runtime& runtime, const Mesh& mesh,
                                    const base::Array<Sharpness>& of_component, const base::Progress& progress);
+// Those, and what bends by more than an angle in some of the patches between them: patch by patch, whether.
+[[nodiscard]] Creases find_more_creases(const base::Runtime& runtime, const Mesh& mesh, const Creases& known,
+                                        const base::Array<std::uint8_t>& within, double angle,
+                                        const base::Progress& progress);
 
 } // namespace hrbfnpr::mesh
