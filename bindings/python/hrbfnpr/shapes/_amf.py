@@ -16,6 +16,7 @@ from typing import Dict, List, Set, Tuple
 import numpy as np
 
 from ._shape import Floats, Integers, Shape, ShapeError, Vector
+from ._table import is_number
 
 UP: Vector = (0.0, 0.0, 1.0)  # of printers
 MAGIC = rb"\s*(?:<\?xml[^>]*>\s*)?(?:<!--.*?-->\s*)*<(?i:amf)\b"
@@ -128,16 +129,8 @@ def _numbers(elements: List[ElementTree.Element], names: Tuple[str, str, str], n
     try:
         found: Floats = np.array(words, dtype=np.float64).reshape(-1, 3)
     except ValueError:
-        bad = next(row for row in words if not all(_is_number(word) for word in row))
+        bad = next(row for row in words if not all(is_number(word.encode()) for word in row))
         raise ShapeError(
             f"object {name!r} of the AMF file has a {elements[0].tag} whose {', '.join(names)} are no numbers: {bad}"[:300]
         ) from None
     return found
-
-
-def _is_number(word: str) -> bool:
-    try:
-        float(word)
-    except ValueError:
-        return False
-    return True
