@@ -129,7 +129,7 @@ def _numbers(elements: List[ElementTree.Element], names: Tuple[str, str, str], n
     try:
         found: Floats = np.array(words, dtype=np.float64).reshape(-1, 3)
     except ValueError:
-        bad = next(row for row in words if not all(is_number(word.encode()) for word in row))
+        bad = next((row for row in words if not all(is_number(word.encode()) for word in row)), words[0])
         raise ShapeError(
             f"object {name!r} of the AMF file has a {elements[0].tag} whose {', '.join(names)} are no numbers: {bad}"[:300]
         ) from None
