@@ -30,9 +30,9 @@ constexpr double cells_a_diagonal = 72.0; // that the surface is looked for in, 
 constexpr double contact = 1e-4; // diagonals: parts that are no farther from each other, and by how much they grow
 constexpr std::int64_t measured_places = 10000;
 constexpr double support_limit = 3.0; // of what dense samples bear out
-// Of a sheet's samples those that may be outside its tolerance.  Where more are, its patch is parted along edges that
-// bend by so many degrees, and that is kept if all is so much nearer: what is curved at random does not become better
-// by it.
+// Of a sheet's samples those that may be outside its tolerance.  Where more are, and something is far off, its patch is
+// parted along edges that bend by so many degrees.  That is kept if all is so much nearer, or so much less of it is
+// outside: what is curved at random does not become better by it.
 constexpr double settled = 0.02;
 constexpr double smaller_angles[] = {20.0, 10.0};
 constexpr double promised = 0.8; // of what is outside, before all is made and measured

@@ -24,8 +24,8 @@ struct PiecesFit {
     PiecesReport pieces;
 };
 
-// settings and options as of fit_mesh.  Patches whose sheets are far off are parted along edges that bend less, unless
-// the settings say what is sharp.
+// settings and options as of fit_mesh.  Where the surface is far off, patches that no function goes through are parted
+// along edges that bend less, unless the settings say what is sharp.
 [[nodiscard]] PiecesFit fit_pieces(const base::Runtime& runtime, const Mesh& mesh, const FaceTree& tree,
                                    const Creases& creases, const FitMeshSettings& settings,
                                    const fit::FitInput& options, const base::Progress& progress);

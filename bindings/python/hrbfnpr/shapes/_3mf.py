@@ -26,7 +26,7 @@ _LARGEST_PART = 1 << 31  # bytes unpacked
 _MOST_PLACED = 100_000  # objects
 _DEEPEST = 64  # components in components
 # What the standard library raises at damaged archives, and at those that are encrypted or packed in an odd way.
-_UNPACKING = (zlib.error, lzma.LZMAError, struct.error, EOFError, LookupError, OSError, RuntimeError, ValueError)
+UNPACKING = (zlib.error, lzma.LZMAError, struct.error, EOFError, LookupError, OSError, RuntimeError, ValueError)
 _NO_PARTS = ("support", "other")  # what a printer needs, and notes
 
 
@@ -41,7 +41,7 @@ def is_3mf(path: Path) -> bool:
     try:
         with zipfile.ZipFile(path) as archive:
             return any(name.lower().endswith(".model") for name in archive.namelist())
-    except (zipfile.BadZipFile, *_UNPACKING):
+    except (zipfile.BadZipFile, *UNPACKING):
         return False
 
 
@@ -54,7 +54,7 @@ def read_3mf(path: Path) -> Shape:
         raise ShapeError(f"the 3MF file is no whole ZIP archive: {error}") from None
     except ShapeError:
         raise
-    except _UNPACKING as error:
+    except UNPACKING as error:
         raise ShapeError(f"a part of the 3MF file cannot be unpacked: {error}") from None
 
 

@@ -6,15 +6,13 @@ Additive Manufacturing File Format, ISO/ASTM 52915. Triangles whose sides are cu
 from __future__ import annotations
 
 import io
-import lzma
-import struct
 import xml.etree.ElementTree as ElementTree
 import zipfile
-import zlib
 from typing import Dict, List, Set, Tuple
 
 import numpy as np
 
+from ._3mf import UNPACKING
 from ._shape import Floats, Integers, Shape, ShapeError, Vector
 from ._table import is_number
 
@@ -24,8 +22,6 @@ _LARGEST = 1 << 31  # bytes unpacked
 _COORDINATES = ("coordinates/x", "coordinates/y", "coordinates/z")
 _MOST_PLACED = 100_000  # objects
 _DEEPEST = 64  # constellations in constellations
-# What the standard library raises at damaged archives, and at those that are encrypted or packed in an odd way.
-_UNPACKING = (zipfile.BadZipFile, zlib.error, lzma.LZMAError, struct.error, EOFError, LookupError, OSError, RuntimeError)
 _Mesh = Tuple[Floats, Integers]
 
 
@@ -50,7 +46,7 @@ def _unpacked(data: bytes) -> bytes:
             infos = [info for info in archive.infolist() if info.filename.lower().endswith((".amf", ".xml"))]
             if infos and infos[0].file_size <= _LARGEST:
                 return archive.read(infos[0])
-    except _UNPACKING as error:
+    except (zipfile.BadZipFile, *UNPACKING) as error:
         raise ShapeError(f"the AMF file is packed as a ZIP archive, and damaged: {error}") from None
     what = f"larger than {_LARGEST >> 30} GiB" if infos else "not in it"
     raise ShapeError(f"the AMF file is packed as a ZIP archive, and the model is {what}")
