@@ -2792,6 +2792,464 @@ HRBFNPR_API hrbfnpr_status hrbfnpr_page_write(hrbfnpr_context* context, const hr
                                               hrbfnpr_write_fn write, void* user, hrbfnpr_page_info* info,
                                               hrbfnpr_operation* operation, hrbfnpr_error* error);
 
+/*
+ * ==========================================================================
+ * 14  PICTURE: from any source to a drawing in one call
+ * ==========================================================================
+ *
+ * A picture chooses what a user leaves open: repairs, samples, the fit, where the
+ * surface ends, which way is up, the camera, the size of the pen, how many marks
+ * there are, and which lines are drawn.  It is made of the calls of the sections
+ * above, and each part of it can be taken out and used by them.
+ *
+ * Every choice that a user may want to know is a note: a code, its figures and a
+ * sentence.  A picture keeps its notes and the seconds of its stages.
+ */
+
+typedef struct hrbfnpr_picture hrbfnpr_picture;
+typedef struct hrbfnpr_settings hrbfnpr_settings;
+
+/* ---- What is drawn ---------------------------------------------------------- */
+
+enum {
+    HRBFNPR_SOURCE_HAS_SHARP_EDGES = 1, /* `sharp_edges` is known, even if it is empty */
+    HRBFNPR_SOURCE_HAS_VIEWPOINT = 2,   /* `viewpoint` is known */
+    HRBFNPR_SOURCE_IS_PHOTO = 4         /* the points are one picture of a depth camera that stood at `viewpoint` */
+};
+
+/* One of four kinds: points (with or without normals), a mesh (points and triangles), a
+ * model, or a point set.  A model and a point set together are a model with its marks,
+ * which are then used as they are. */
+typedef struct hrbfnpr_picture_source {
+    uint32_t struct_size;
+    uint32_t flags;            /* HRBFNPR_SOURCE_...; 0 */
+    hrbfnpr_array points;      /* n x 3, FLOAT32 or FLOAT64: points, or the vertices of the triangles.  Points that are
+                                  not finite are left out */
+    hrbfnpr_array normals;     /* n x 3, FLOAT32 or FLOAT64, of any length; not given or all zero = none.  Not read of a
+                                  mesh */
+    hrbfnpr_array triangles;   /* m x 3, INT32, INT64 or UINT32: a mesh; not given = points */
+    hrbfnpr_array sharp_edges; /* k x 2, INT32, INT64 or UINT32: of a mesh, the pairs of vertices whose faces have normals
+                                  of their own in its file; with HAS_SHARP_EDGES */
+    const hrbfnpr_model* model;         /* kept; NULL */
+    const hrbfnpr_point_set* point_set; /* kept; NULL */
+    double up[3];              /* which way is up by the convention of the file's format; 0, 0, 0 = not known */
+    const char* up_by;         /* why, for the note: "PLY files"; NULL = "files of this kind" */
+    double viewpoint[3];       /* where the scanner stood, with HAS_VIEWPOINT */
+    int64_t columns;           /* of a depth camera's image, whose points stand row by row; 0 = it is none */
+    int64_t rows;
+    const char* name;          /* UTF-8: of the file, for titles and metadata; NULL */
+} hrbfnpr_picture_source;
+
+HRBFNPR_API hrbfnpr_status hrbfnpr_picture_source_init(hrbfnpr_picture_source* source, uint32_t struct_size);
+
+/* ---- How it is drawn --------------------------------------------------------- */
+
+enum {
+    HRBFNPR_PICTURE_ALLOW_BLANK = 1,   /* drawing what can hardly be seen is no error */
+    HRBFNPR_PICTURE_FLIP = 2,          /* all normals are turned, whatever they look like */
+    HRBFNPR_PICTURE_CLOSE = 4,         /* the surface goes on beyond open data, as the fit has it */
+    HRBFNPR_PICTURE_TOGETHER = 8,      /* an open mesh is one surface, also where its parts cross */
+    HRBFNPR_PICTURE_TRANSPARENT = 16,  /* the paper lets all through */
+    HRBFNPR_PICTURE_KEEP_MARKS = 32,   /* layers have all their marks, also where the style draws lines alone: for marks
+                                          that are saved */
+    HRBFNPR_PICTURE_SURFACE_ONLY = 64, /* no camera is chosen, no marks are placed, no lines are looked for: for the model
+                                          alone */
+    HRBFNPR_PICTURE_IS_SOLID = 128     /* nothing is said of a source that is a part of a solid, and no up is looked for */
+};
+
+/* The edges of a mesh. */
+enum {
+    HRBFNPR_PICTURE_EDGES_AS_GIVEN = 0, /* as AUTO; where faces are coarse as the normals of the file tell, if they do */
+    HRBFNPR_PICTURE_EDGES_AUTO = 1,     /* HRBFNPR_EDGES_AUTO */
+    HRBFNPR_PICTURE_EDGES_SMOOTH = 2,   /* HRBFNPR_EDGES_SMOOTH */
+    HRBFNPR_PICTURE_EDGES_SHARP = 3     /* HRBFNPR_EDGES_SHARP, with `edge_angle` */
+};
+
+enum {
+    HRBFNPR_PROFILE_AUTO = 0, /* YES of the style archaeological, else NO */
+    HRBFNPR_PROFILE_YES = 1,  /* an upright section through the middle stands beside the drawing */
+    HRBFNPR_PROFILE_NO = 2
+};
+
+enum {
+    HRBFNPR_PICTURE_SIDES_AUTO = 0,  /* both of a surface that ends, else the front */
+    HRBFNPR_PICTURE_SIDES_FRONT = 1, /* HRBFNPR_SIDES_FRONT */
+    HRBFNPR_PICTURE_SIDES_BOTH = 2   /* HRBFNPR_SIDES_BOTH */
+};
+
+/* How notes and errors name the options that they speak of. */
+enum {
+    HRBFNPR_WORDING_FIELDS = 0,   /* samples 400 */
+    HRBFNPR_WORDING_OPTIONS = 1,  /* --samples 400, of a command line */
+    HRBFNPR_WORDING_ARGUMENTS = 2 /* samples=400, of a call in Python */
+};
+
+/* One field that is changed on top of all that was chosen.  `field` is the path of a field:
+ *   style.F            of hrbfnpr_style; style.ink is that of all layers, lines and contours
+ *   style.KIND.F       of hrbfnpr_layer_style, of a kind of layers: style.hatch.ink
+ *   style.layers.F     of all layers of the style; share is multiplied
+ *   style.lines.F      of hrbfnpr_line_style, of all lines
+ *   fit.F              of hrbfnpr_fit_desc
+ *   mesh_fit.F         of hrbfnpr_mesh_fit_desc
+ *   marks.F            of hrbfnpr_generate_desc
+ *   marks.KIND.F       of hrbfnpr_layer_desc, of a kind of layers; marks.layers.F of all
+ *   line_set.F         of hrbfnpr_line_set_desc
+ * Lengths in pixels are those of this picture: they are not scaled by the pen. */
+typedef struct hrbfnpr_change {
+    uint32_t struct_size;
+    uint32_t reserved;
+    const char* field;
+    const char* value; /* a number, several with commas between, #rrggbb or #rrggbbaa of a colour, or the name of a
+                          constant without its prefix: "blue-noise" */
+} hrbfnpr_change;
+
+HRBFNPR_API hrbfnpr_status hrbfnpr_change_init(hrbfnpr_change* change, uint32_t struct_size);
+
+/* A stroke of a brush on the surface: within its radius what is painted goes towards a value. */
+enum { HRBFNPR_DAB_TONE = 0, HRBFNPR_DAB_DENSITY = 1, HRBFNPR_DAB_DIRECTION = 2 };
+
+typedef struct hrbfnpr_dab {
+    uint32_t struct_size;
+    uint32_t map;        /* HRBFNPR_DAB_...; TONE: 1 = light, 0 = dark */
+    double position[3];
+    double normal[3];    /* unit: what faces away from it is not painted */
+    double radius;       /* > 0 */
+    double strength;     /* 0 .. 1 in the middle; it falls to 0 at the radius; 1 */
+    double value;        /* of TONE and DENSITY, 0 .. 1 */
+    double direction[3]; /* of DIRECTION: that of hatching */
+} hrbfnpr_dab;
+
+HRBFNPR_API hrbfnpr_status hrbfnpr_dab_init(hrbfnpr_dab* dab, uint32_t struct_size);
+
+/* The parts of the work. */
+enum {
+    HRBFNPR_STAGE_MESH = 1,    /* looking at a mesh: welding, turning faces */
+    HRBFNPR_STAGE_SAMPLE = 2,  /* choosing samples */
+    HRBFNPR_STAGE_ORIENT = 3,  /* looking for normals */
+    HRBFNPR_STAGE_SMOOTH = 4,  /* the image of a depth camera */
+    HRBFNPR_STAGE_FIT = 5,
+    HRBFNPR_STAGE_COMPARE = 6, /* the surface with the mesh */
+    HRBFNPR_STAGE_END = 7,     /* looking for the end of the surface */
+    HRBFNPR_STAGE_MARKS = 8,   /* placing marks */
+    HRBFNPR_STAGE_LINES = 9,   /* looking for lines */
+    HRBFNPR_STAGE_FRAME = 10,  /* drawing */
+    HRBFNPR_STAGE_VIEWS = 11   /* drawing the views of a sheet */
+};
+
+enum {
+    HRBFNPR_SEVERITY_INFO = 0,    /* a measurement */
+    HRBFNPR_SEVERITY_NOTE = 1,    /* what was chosen, repaired or left out */
+    HRBFNPR_SEVERITY_WARNING = 2, /* the result may be wrong there */
+    HRBFNPR_SEVERITY_FAILURE = 3  /* there is no result: the error of the call, in full length */
+};
+
+/* Notes.  In brackets the figures of each. */
+enum {
+    HRBFNPR_NOTE_FACES_NOT_FINITE = 1,        /* left out [faces] */
+    HRBFNPR_NOTE_NO_DATA = 2,                 /* points at a value that stands for none, left out [points, value] */
+    HRBFNPR_NOTE_STRAYS = 3,                  /* points far from all others, left out [points] */
+    HRBFNPR_NOTE_SOME_ORIENTED = 4,           /* so many that only some get normals [points, used] */
+    HRBFNPR_NOTE_NORMALS_MADE = 5,            /* there were none [points] */
+    HRBFNPR_NOTE_NORMALS_NOT_SURE = 6,        /* [confidence] */
+    HRBFNPR_NOTE_FRONT_NOT_TOLD = 7,          /* which side of an open surface is its front */
+    HRBFNPR_NOTE_SAMPLES_CHOSEN = 8,          /* [points, used] */
+    HRBFNPR_NOTE_POINTS_NOT_USABLE = 9,       /* without a position or normal, left out [points] */
+    HRBFNPR_NOTE_NORMALS_JOINED = 10,         /* several at one place: their mean [places] */
+    HRBFNPR_NOTE_NORMALS_OPPOSITE = 11,       /* opposite ones at one place, left out [places] */
+    HRBFNPR_NOTE_TERRAIN_TURNED = 12,         /* it looked down [axis] */
+    HRBFNPR_NOTE_NORMALS_TURNED = 13,         /* all looked inward */
+    HRBFNPR_NOTE_NORMALS_REPAIRED = 14,       /* [turned, made, what they were: HRBFNPR_NORMALS_...] */
+    HRBFNPR_NOTE_NORMALS_AGAINST = 15,        /* those around them [normals, of] */
+    HRBFNPR_NOTE_NORMALS_MIXED = 16,          /* some parts outward, others inward [share] */
+    HRBFNPR_NOTE_NORMALS_INWARD = 17,         /* most of an open surface */
+    HRBFNPR_NOTE_VIEWPOINT_NOT_USED = 18,
+    HRBFNPR_NOTE_PIXELS_LEFT_OUT = 19,        /* of a depth camera, on no surface [pixels] */
+    HRBFNPR_NOTE_DEPTH_NOISE = 20,            /* [noise, depth] */
+    HRBFNPR_NOTE_SMOOTHED = 21,               /* the samples have noise, and the surface does not go through all */
+    HRBFNPR_NOTE_SAMPLES_MERGED = 22,         /* at the same place [samples] */
+    HRBFNPR_NOTE_SAMPLES_NEAR = 23,           /* merged with another very near [samples] */
+    HRBFNPR_NOTE_SAMPLES_DROPPED = 24,        /* as strays [samples] */
+    HRBFNPR_NOTE_SAMPLES_FLIPPED = 25,        /* with a flipped normal, repaired [samples] */
+    HRBFNPR_NOTE_LIKE_STRAYS = 26,            /* samples that look so, and stay [samples] */
+    HRBFNPR_NOTE_LIKE_FLIPPED = 27,           /* samples that look so, and stay [samples] */
+    HRBFNPR_NOTE_FEW_POINTS = 28,             /* the surface is a guess [points] */
+    HRBFNPR_NOTE_ON_A_LINE = 29,              /* all points */
+    HRBFNPR_NOTE_IN_A_PLANE = 30,             /* all points */
+    HRBFNPR_NOTE_ALONG_CURVES = 31,           /* the points: the surface between them is drawn, too */
+    HRBFNPR_NOTE_END_NOT_FOUND = 32,          /* where the surface ends */
+    HRBFNPR_NOTE_UP = 33,                     /* another direction than y [x, y, z] */
+    HRBFNPR_NOTE_FACES_TURNED = 34,           /* against those beside them [faces] */
+    HRBFNPR_NOTE_INSIDE_OUT = 35,             /* a mesh, or parts of it, turned [parts] */
+    HRBFNPR_NOTE_FACES_LEFT_OUT = 36,         /* without area, or twice there [faces] */
+    HRBFNPR_NOTE_PARTS_INSIDE = 37,           /* others, left out [parts, faces] */
+    HRBFNPR_NOTE_CONTRARY_EDGES = 38,         /* a surface of one side, or one that crosses itself [edges] */
+    HRBFNPR_NOTE_PARTS_FAR = 39,              /* from all others, left out [parts, faces] */
+    HRBFNPR_NOTE_FLAPS = 40,                  /* faces on an edge of two others, left out [faces] */
+    HRBFNPR_NOTE_ALL_FLAT = 41,               /* by the normals of the file */
+    HRBFNPR_NOTE_EDGES_BY_NORMALS = 42,       /* some edges are sharp by the normals of the file */
+    HRBFNPR_NOTE_DIVIDED = 43,                /* faces [times, vertices moved, places between them raised, off a round
+                                                 surface; shares of the diagonal] */
+    HRBFNPR_NOTE_COARSE_FLAT = 44,            /* faces are coarse, but nothing round goes through them */
+    HRBFNPR_NOTE_GROUPS = 45,                 /* parts that cross are surfaces of their own [parts, groups] */
+    HRBFNPR_NOTE_NOT_REACHED = 46,            /* the tolerance [tolerance, share of the mesh, share of the surface, farthest;
+                                                 of the diagonal] */
+    HRBFNPR_NOTE_EDGES_STAY_SMOOTH = 47,      /* [their length in diagonals] */
+    HRBFNPR_NOTE_OFF_MESH = 48,               /* the surface, at a share of the mesh [share, farthest] */
+    HRBFNPR_NOTE_MADE_BY_FIT = 49,            /* parts of surface that the mesh does not have, left out [parts] */
+    HRBFNPR_NOTE_PARTS_TOO_THIN = 50,         /* parts of a mesh that the tolerance is too large for */
+    HRBFNPR_NOTE_MARKS_LIMITED = 51,          /* fewer than fill the darkest tone [wanted, made] */
+    HRBFNPR_NOTE_LEVELS_LIMITED = 52,         /* of the published recursion [wanted, taken] */
+    HRBFNPR_NOTE_SEEN_FROM_CAMERA = 53,       /* the depth camera's [azimuth] */
+    HRBFNPR_NOTE_SEEN_FROM_FRONT = 54,        /* of an open surface [azimuth] */
+    HRBFNPR_NOTE_NO_LINES_OF_MARKS = 55,      /* lines want a model, and the source is a point set */
+    HRBFNPR_NOTE_LINES_THIN = 56,             /* the surface is thinner than the cells that lines are looked for in
+                                                 [triangles turned, of, samples missed] */
+    HRBFNPR_NOTE_LINES_END = 57,              /* where the surface ends beyond its samples [borders, support, share] */
+    HRBFNPR_NOTE_LINES_BROKEN = 58,           /* curves that end inside the surface [curves] */
+    HRBFNPR_NOTE_LINES_DOUBTED = 59,          /* lines whose visibility contradicts itself [lines] */
+    HRBFNPR_NOTE_LINES_TANGLED = 60,          /* places with too many crossings of lines [places] */
+    HRBFNPR_NOTE_BLANK = 61,                  /* hardly anything can be seen [shown, marks, share of ink] */
+    HRBFNPR_NOTE_PENS = 62,                   /* that were chosen by the widths at hand */
+    HRBFNPR_NOTE_PLOTTED = 63,                /* [metres drawn, metres travelled, seconds] */
+    HRBFNPR_NOTE_NOT_IN_SETTINGS = 64,        /* what settings do not hold */
+    HRBFNPR_NOTE_UNIT_IS_METRE = 65,          /* of the format */
+    HRBFNPR_NOTE_NO_SYMMETRY = 66,            /* for centre lines */
+    HRBFNPR_NOTE_SECTION_OPEN = 67            /* outlines of a cut that are not closed [outlines] */
+};
+
+typedef struct hrbfnpr_note {
+    uint32_t struct_size;
+    uint32_t code;       /* HRBFNPR_NOTE_... */
+    uint32_t severity;   /* HRBFNPR_SEVERITY_... */
+    uint32_t figure_count;
+    double figures[8];   /* as above, in that order */
+    const char* text;    /* one sentence without a full stop, UTF-8, in the words of `wording` */
+} hrbfnpr_note;
+
+HRBFNPR_API hrbfnpr_status hrbfnpr_note_init(hrbfnpr_note* note, uint32_t struct_size);
+
+/* What happens while a picture is made. */
+typedef struct hrbfnpr_picture_event {
+    uint32_t struct_size;
+    uint32_t stage;      /* HRBFNPR_STAGE_... that runs; 0 = between two */
+    double fraction;     /* of the stage, 0 when it begins, 1 when it is over */
+    double seconds;      /* of the stage, when it is over */
+    const char* name;    /* of the stage: "place marks" */
+    const char* doing;   /* the same for a progress bar: "placing marks" */
+    const char* says;    /* what the stage came to, when it is over; else NULL */
+    const hrbfnpr_note* note; /* a new one; NULL = this is about the stage */
+} hrbfnpr_picture_event;
+
+/* Runs on the thread that entered; what it is given lives during the call only. */
+typedef void (*hrbfnpr_picture_event_fn)(void* user, const hrbfnpr_picture_event* event);
+
+/* Every field has a default that makes a good picture; a source and, if wanted, a style are enough.
+ * NaN (or 0 or NULL, where a line says so) stands for what is chosen. */
+typedef struct hrbfnpr_picture_desc {
+    uint32_t struct_size;
+    uint32_t flags;                        /* HRBFNPR_PICTURE_...; 0 */
+    const hrbfnpr_picture_source* sources; /* a list, 1 and more: each is a surface of its own */
+    int64_t source_count;
+    int64_t source_stride;
+
+    /* Style. */
+    uint32_t preset;               /* HRBFNPR_PRESET_...; CONTOUR_AND_STIPPLE */
+    uint32_t wording;              /* HRBFNPR_WORDING_...; FIELDS */
+    const char* style_name;        /* the name of a preset, in place of its number; NULL */
+    const hrbfnpr_style* style;    /* used as it is, with lengths in pixels of this picture; NULL.  `preset` then says
+                                      which layers of marks there are */
+    const hrbfnpr_settings* settings; /* what this descriptor leaves at its defaults; kept; NULL */
+    const hrbfnpr_change* changes; /* a list; NULL and 0 */
+    int64_t change_count;
+    int64_t change_stride;
+    const hrbfnpr_dab* dabs;       /* what is painted, a list; NULL and 0 */
+    int64_t dab_count;
+    int64_t dab_stride;
+
+    /* Size, in pixels. */
+    int32_t width;     /* 1 .. 32768, with `height`; 0 = from `size` */
+    int32_t height;
+    int32_t size;      /* of the longer side, 1 .. 32768; the shorter one is as the object needs it; 0 = 1600 */
+    uint32_t sides;    /* HRBFNPR_PICTURE_SIDES_...; AUTO */
+    double pen;        /* radius of the pen, which styles vary a little; 0 = an 800th of the longer side, at least 0.75 */
+    double line_width; /* of contours; others are finer; 0 = that of the style */
+
+    /* Camera. */
+    const hrbfnpr_camera* camera; /* used as it is, with its viewport as size; NULL */
+    double up[3];        /* 0, 0, 0 = by the format and the shape, y where neither tells */
+    double azimuth;      /* degrees, of the camera about the up axis; NaN = 30, and another where that sees the back of
+                            an open surface */
+    double elevation;    /* degrees, of the camera above the horizon; NaN = 20 */
+    double direction[3]; /* from the eye into the scene, in place of these two; 0, 0, 0 = not given */
+    double eye[3];       /* place of the eye, which looks at `target`; NaN = not given */
+    double target[3];    /* NaN = the middle of the model */
+    double fov;          /* degrees, vertical angle of view, 0 = orthographic; NaN = 30, 0 of the style archaeological */
+    double margin;       /* share that is free on each side, 0 .. 0.45; NaN = 0.05 */
+    double turn;         /* degrees, of an orbit that starts here: the picture has room for all of it; 0 = a still */
+    int32_t turn_frames; /* of that orbit, 1 and more; 36 */
+
+    /* From the source to a surface. */
+    uint32_t normals;        /* HRBFNPR_NORMALS_...: what is known of those of points; AUTO */
+    int64_t samples;         /* of a mesh, or chosen from points; 0 = as many as a mesh needs, of points all up to 4096 */
+    double tolerance;        /* units of the source: samples are chosen until all is this near; 0 = 0.002 diagonals of a
+                                mesh, none of points */
+    int64_t maximum_centres; /* the most samples that are chosen; 0 = 8000 of a mesh, no limit of points */
+    uint32_t parts;          /* HRBFNPR_PARTS_...: of a mesh; OUTER */
+    uint32_t edges;          /* HRBFNPR_PICTURE_EDGES_...: of a mesh; AS_GIVEN */
+    double edge_angle;       /* degrees, 5 .. 175: of EDGES_SHARP; 30 */
+    double crease_angle;     /* degrees, 0 .. 180: faces that meet at a sharper angle do not share their normals; NaN = 60 */
+    int32_t subdivide;       /* how often faces are divided into four towards something round, 0 .. 6; -1 = where they
+                                are coarse and no edges stand out */
+    uint32_t profile;        /* HRBFNPR_PROFILE_...; AUTO */
+    double viewpoint[3];     /* where the scanner stood: open surfaces without normals look to it; NaN = as the source
+                                tells */
+    double depth_smoothing;  /* factor of the width over which the image of a depth camera is smoothed; 0 leaves its
+                                points where they are; NaN = 1 */
+    uint64_t random_seed;    /* of all that is random; 1 */
+
+    /* Marks, lines, and what stands beside the drawing. */
+    const char* mark_kinds;    /* kinds of layers with commas between, "stipples,hatch"; NULL = those of the style */
+    hrbfnpr_array seed_points; /* n x 3: where marks of PUBLISHED start; not given */
+    double hatch_angle;        /* degrees by which all lines of hatching are turned; 0 */
+    const char* lines;         /* kinds with commas between: contour, suggestive, ridges, valleys, apparent, parabolic,
+                                  isophotes=0.3:0.6, section=z:20, border, crease; "none": contours by marks; NULL =
+                                  those of the style */
+    const char* scale_bar;     /* the unit of a scale bar below the drawing; "none": no bar; NULL = "units" of the style
+                                  archaeological, else "none" */
+
+    hrbfnpr_picture_event_fn on_event; /* NULL */
+    void* event_user;
+} hrbfnpr_picture_desc;
+
+HRBFNPR_API hrbfnpr_status hrbfnpr_picture_desc_init(hrbfnpr_picture_desc* desc, uint32_t struct_size);
+
+/* ---- Making and drawing ------------------------------------------------------ */
+
+/* Fits, places marks and looks for lines; draws nothing yet.  operation may be NULL.
+ * Needs the stack of hrbfnpr_model_fit.
+ * Errors: INVALID_ARGUMENT (also for a source that cannot be drawn), SINGULAR_SYSTEM,
+ * NOT_CONVERGED, OUT_OF_MEMORY, CANCELLED, CALLBACK. */
+HRBFNPR_API hrbfnpr_status hrbfnpr_picture_create(hrbfnpr_context* context, const hrbfnpr_picture_desc* desc,
+                                                  hrbfnpr_operation* operation, hrbfnpr_picture** out_picture,
+                                                  hrbfnpr_error* error);
+/* The same surfaces in another style, size or view: desc has no sources.  Marks and lines
+ * that fit are used again; else they are placed and looked for anew. */
+HRBFNPR_API hrbfnpr_status hrbfnpr_picture_restyle(const hrbfnpr_picture* picture, const hrbfnpr_picture_desc* desc,
+                                                   hrbfnpr_operation* operation, hrbfnpr_picture** out_picture,
+                                                   hrbfnpr_error* error);
+HRBFNPR_API void hrbfnpr_picture_retain(hrbfnpr_picture* picture);  /* any thread; NULL is ignored */
+HRBFNPR_API void hrbfnpr_picture_release(hrbfnpr_picture* picture); /* any thread; NULL is ignored */
+
+/* Draws it.  camera NULL: as it was planned, and INVALID_ARGUMENT with a note BLANK if hardly
+ * anything could be seen (ALLOW_BLANK lets it be).  Lines keep their numbers from one
+ * drawing to the next.  operation may be NULL. */
+HRBFNPR_API hrbfnpr_status hrbfnpr_picture_draw(hrbfnpr_picture* picture, const hrbfnpr_camera* camera,
+                                                hrbfnpr_operation* operation, hrbfnpr_drawing** out_drawing,
+                                                hrbfnpr_error* error);
+
+typedef struct hrbfnpr_picture_info {
+    uint32_t struct_size;
+    uint32_t preset;      /* HRBFNPR_PRESET_... */
+    int64_t parts;        /* surfaces, or 1 of a point set */
+    int64_t marks;        /* of all parts */
+    int64_t notes;
+    int64_t stages;
+    int32_t width;        /* pixels, of the drawing */
+    int32_t height;
+    double bounds_min[3]; /* of all parts */
+    double bounds_max[3];
+    double up[3];         /* as used */
+    double pen;           /* radius, pixels, as used */
+    int32_t plate_width;  /* pixels, with the section and the scale bar beside the drawing */
+    int32_t plate_height;
+    double seconds;       /* that it took to make */
+} hrbfnpr_picture_info;
+
+HRBFNPR_API hrbfnpr_status hrbfnpr_picture_info_init(hrbfnpr_picture_info* info, uint32_t struct_size);
+HRBFNPR_API hrbfnpr_status hrbfnpr_picture_get_info(const hrbfnpr_picture* picture, hrbfnpr_picture_info* info,
+                                                    hrbfnpr_error* error);
+
+/* One surface: handles without references of their own, valid while the picture lives. */
+typedef struct hrbfnpr_picture_part {
+    uint32_t struct_size;
+    uint32_t sides;                     /* HRBFNPR_SIDES_... as used */
+    const hrbfnpr_model* model;         /* NULL of a point set */
+    const hrbfnpr_point_set* point_set; /* NULL with SURFACE_ONLY */
+    const hrbfnpr_line_set* line_set;   /* NULL without lines */
+    const hrbfnpr_mesh* mesh;           /* of a mesh, as it was fitted to; else NULL */
+} hrbfnpr_picture_part;
+
+HRBFNPR_API hrbfnpr_status hrbfnpr_picture_part_init(hrbfnpr_picture_part* part, uint32_t struct_size);
+/* number: 0 .. hrbfnpr_picture_info.parts - 1; the largest is 0. */
+HRBFNPR_API hrbfnpr_status hrbfnpr_picture_get_part(const hrbfnpr_picture* picture, int64_t number,
+                                                    hrbfnpr_picture_part* part, hrbfnpr_error* error);
+/* What was chosen for hrbfnpr_renderer_draw, valid while the picture lives. */
+HRBFNPR_API hrbfnpr_status hrbfnpr_picture_get_style(const hrbfnpr_picture* picture, const hrbfnpr_style** style,
+                                                     hrbfnpr_error* error);
+/* ... and for hrbfnpr_point_set_generate; *desc is NULL where marks were given. */
+HRBFNPR_API hrbfnpr_status hrbfnpr_picture_get_marks(const hrbfnpr_picture* picture,
+                                                     const hrbfnpr_generate_desc** desc, hrbfnpr_error* error);
+/* number: 0 .. hrbfnpr_picture_info.notes - 1.  The text is valid while the picture lives. */
+HRBFNPR_API hrbfnpr_status hrbfnpr_picture_get_note(const hrbfnpr_picture* picture, int64_t number,
+                                                    hrbfnpr_note* note, hrbfnpr_error* error);
+/* number: 0 .. hrbfnpr_picture_info.stages - 1: those that are over, as their last event. */
+HRBFNPR_API hrbfnpr_status hrbfnpr_picture_get_stage(const hrbfnpr_picture* picture, int64_t number,
+                                                     hrbfnpr_picture_event* stage, hrbfnpr_error* error);
+
+/* ---- Cameras ------------------------------------------------------------------ */
+
+/* The camera that was planned. */
+HRBFNPR_API hrbfnpr_status hrbfnpr_picture_get_camera(const hrbfnpr_picture* picture, hrbfnpr_camera* camera,
+                                                      hrbfnpr_error* error);
+/* One from another side, with the size, the lens and the margin of the picture: along `direction`, or from azimuth and
+ * elevation in degrees, where direction is NULL; NaN = as planned. */
+HRBFNPR_API hrbfnpr_status hrbfnpr_picture_look(const hrbfnpr_picture* picture, const double* direction,
+                                                double azimuth, double elevation, hrbfnpr_camera* camera,
+                                                hrbfnpr_error* error);
+/* The planned one, turned about the up axis through the middle of the model (or the target of an eye). */
+HRBFNPR_API hrbfnpr_status hrbfnpr_picture_orbit(const hrbfnpr_picture* picture, double degrees,
+                                                 hrbfnpr_camera* camera, hrbfnpr_error* error);
+
+/* ---- As an image and as vectors ------------------------------------------------ */
+
+/* As hrbfnpr_drawing_rasterize, with the section and the scale bar that the picture has
+ * beside the drawing: the image has plate_width x plate_height pixels then. */
+HRBFNPR_API hrbfnpr_status hrbfnpr_picture_rasterize(const hrbfnpr_picture* picture, const hrbfnpr_drawing* drawing,
+                                                     const hrbfnpr_image* image, hrbfnpr_error* error);
+
+/* On which paper a drawing is written, and with which pens. */
+typedef struct hrbfnpr_picture_page_desc {
+    uint32_t struct_size;
+    uint32_t reserved;
+    const hrbfnpr_page_desc* page; /* format, flags, tolerance, speeds, pens and the like; its items, annotations and
+                                      size are set by this call, and its title, description and metadata where they
+                                      are NULL; NULL = its defaults */
+    const char* paper;             /* "a0" .. "a6", "letter", "legal", "tabloid", or "210x297" in mm: the drawing fills
+                                      it, turned as it fits better; NULL = a pixel is 25.4 / 96 mm */
+    double paper_margin;           /* mm, free on each side of the paper; 10 */
+    hrbfnpr_array pen_widths;      /* FLOAT64, 1, mm, ascending: of the pens at hand; each group gets that which is
+                                      nearest to its lines' median width; not given */
+} hrbfnpr_picture_page_desc;
+
+HRBFNPR_API hrbfnpr_status hrbfnpr_picture_page_desc_init(hrbfnpr_picture_page_desc* desc, uint32_t struct_size);
+/* As hrbfnpr_page_write.  desc, info and operation may be NULL.  Adds notes PENS and PLOTTED to the picture. */
+HRBFNPR_API hrbfnpr_status hrbfnpr_picture_write(hrbfnpr_picture* picture, const hrbfnpr_drawing* drawing,
+                                                 const hrbfnpr_picture_page_desc* desc, hrbfnpr_write_fn write,
+                                                 void* user, hrbfnpr_page_info* info, hrbfnpr_operation* operation,
+                                                 hrbfnpr_error* error);
+
+/* ---- Settings: a descriptor as JSON --------------------------------------------- */
+
+/* Reads what _write_settings or the viewer wrote (docs/settings.md).
+ * Errors: IO, INVALID_ARGUMENT that names the key and what would be right, OUT_OF_MEMORY. */
+HRBFNPR_API hrbfnpr_status hrbfnpr_settings_load(hrbfnpr_context* context, hrbfnpr_read_fn read, void* user,
+                                                 hrbfnpr_settings** out_settings, hrbfnpr_error* error);
+HRBFNPR_API void hrbfnpr_settings_retain(const hrbfnpr_settings* settings);  /* any thread; NULL is ignored */
+HRBFNPR_API void hrbfnpr_settings_release(const hrbfnpr_settings* settings); /* any thread; NULL is ignored */
+/* Writes what a picture was made with.  What settings do not hold becomes a note NOT_IN_SETTINGS. */
+HRBFNPR_API hrbfnpr_status hrbfnpr_picture_write_settings(hrbfnpr_picture* picture, hrbfnpr_write_fn write,
+                                                          void* user, hrbfnpr_error* error);
+
 #ifdef __cplusplus
 }
 #endif

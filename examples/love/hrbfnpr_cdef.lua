@@ -486,4 +486,107 @@ typedef struct hrbfnpr_page_info { uint32_t struct_size; uint32_t reserved; int6
     } hrbfnpr_page_info; hrbfnpr_status hrbfnpr_page_info_init(hrbfnpr_page_info* info, uint32_t struct_size);
 hrbfnpr_status hrbfnpr_page_write(hrbfnpr_context* context, const hrbfnpr_page_desc* desc, hrbfnpr_write_fn write,
     void* user, hrbfnpr_page_info* info, hrbfnpr_operation* operation, hrbfnpr_error* error);
+typedef struct hrbfnpr_picture hrbfnpr_picture; typedef struct hrbfnpr_settings hrbfnpr_settings;
+enum { HRBFNPR_SOURCE_HAS_SHARP_EDGES = 1, HRBFNPR_SOURCE_HAS_VIEWPOINT = 2, HRBFNPR_SOURCE_IS_PHOTO = 4 };
+typedef struct hrbfnpr_picture_source { uint32_t struct_size; uint32_t flags; hrbfnpr_array points;
+    hrbfnpr_array normals; hrbfnpr_array triangles; hrbfnpr_array sharp_edges; const hrbfnpr_model* model;
+    const hrbfnpr_point_set* point_set; double up[3]; const char* up_by; double viewpoint[3]; int64_t columns;
+    int64_t rows; const char* name; } hrbfnpr_picture_source;
+hrbfnpr_status hrbfnpr_picture_source_init(hrbfnpr_picture_source* source, uint32_t struct_size);
+enum { HRBFNPR_PICTURE_ALLOW_BLANK = 1, HRBFNPR_PICTURE_FLIP = 2, HRBFNPR_PICTURE_CLOSE = 4,
+    HRBFNPR_PICTURE_TOGETHER = 8, HRBFNPR_PICTURE_TRANSPARENT = 16, HRBFNPR_PICTURE_KEEP_MARKS = 32,
+    HRBFNPR_PICTURE_SURFACE_ONLY = 64, HRBFNPR_PICTURE_IS_SOLID = 128 }; enum { HRBFNPR_PICTURE_EDGES_AS_GIVEN = 0,
+    HRBFNPR_PICTURE_EDGES_AUTO = 1, HRBFNPR_PICTURE_EDGES_SMOOTH = 2, HRBFNPR_PICTURE_EDGES_SHARP = 3 };
+enum { HRBFNPR_PROFILE_AUTO = 0, HRBFNPR_PROFILE_YES = 1, HRBFNPR_PROFILE_NO = 2 };
+enum { HRBFNPR_PICTURE_SIDES_AUTO = 0, HRBFNPR_PICTURE_SIDES_FRONT = 1, HRBFNPR_PICTURE_SIDES_BOTH = 2 };
+enum { HRBFNPR_WORDING_FIELDS = 0, HRBFNPR_WORDING_OPTIONS = 1, HRBFNPR_WORDING_ARGUMENTS = 2 };
+typedef struct hrbfnpr_change { uint32_t struct_size; uint32_t reserved; const char* field; const char* value;
+    } hrbfnpr_change; hrbfnpr_status hrbfnpr_change_init(hrbfnpr_change* change, uint32_t struct_size);
+enum { HRBFNPR_DAB_TONE = 0, HRBFNPR_DAB_DENSITY = 1, HRBFNPR_DAB_DIRECTION = 2 };
+typedef struct hrbfnpr_dab { uint32_t struct_size; uint32_t map; double position[3]; double normal[3]; double radius;
+    double strength; double value; double direction[3]; } hrbfnpr_dab;
+hrbfnpr_status hrbfnpr_dab_init(hrbfnpr_dab* dab, uint32_t struct_size);
+enum { HRBFNPR_STAGE_MESH = 1, HRBFNPR_STAGE_SAMPLE = 2, HRBFNPR_STAGE_ORIENT = 3, HRBFNPR_STAGE_SMOOTH = 4,
+    HRBFNPR_STAGE_FIT = 5, HRBFNPR_STAGE_COMPARE = 6, HRBFNPR_STAGE_END = 7, HRBFNPR_STAGE_MARKS = 8,
+    HRBFNPR_STAGE_LINES = 9, HRBFNPR_STAGE_FRAME = 10, HRBFNPR_STAGE_VIEWS = 11 }; enum { HRBFNPR_SEVERITY_INFO = 0,
+    HRBFNPR_SEVERITY_NOTE = 1, HRBFNPR_SEVERITY_WARNING = 2, HRBFNPR_SEVERITY_FAILURE = 3 };
+enum { HRBFNPR_NOTE_FACES_NOT_FINITE = 1, HRBFNPR_NOTE_NO_DATA = 2, HRBFNPR_NOTE_STRAYS = 3,
+    HRBFNPR_NOTE_SOME_ORIENTED = 4, HRBFNPR_NOTE_NORMALS_MADE = 5, HRBFNPR_NOTE_NORMALS_NOT_SURE = 6,
+    HRBFNPR_NOTE_FRONT_NOT_TOLD = 7, HRBFNPR_NOTE_SAMPLES_CHOSEN = 8, HRBFNPR_NOTE_POINTS_NOT_USABLE = 9,
+    HRBFNPR_NOTE_NORMALS_JOINED = 10, HRBFNPR_NOTE_NORMALS_OPPOSITE = 11, HRBFNPR_NOTE_TERRAIN_TURNED = 12,
+    HRBFNPR_NOTE_NORMALS_TURNED = 13, HRBFNPR_NOTE_NORMALS_REPAIRED = 14, HRBFNPR_NOTE_NORMALS_AGAINST = 15,
+    HRBFNPR_NOTE_NORMALS_MIXED = 16, HRBFNPR_NOTE_NORMALS_INWARD = 17, HRBFNPR_NOTE_VIEWPOINT_NOT_USED = 18,
+    HRBFNPR_NOTE_PIXELS_LEFT_OUT = 19, HRBFNPR_NOTE_DEPTH_NOISE = 20, HRBFNPR_NOTE_SMOOTHED = 21,
+    HRBFNPR_NOTE_SAMPLES_MERGED = 22, HRBFNPR_NOTE_SAMPLES_NEAR = 23, HRBFNPR_NOTE_SAMPLES_DROPPED = 24,
+    HRBFNPR_NOTE_SAMPLES_FLIPPED = 25, HRBFNPR_NOTE_LIKE_STRAYS = 26, HRBFNPR_NOTE_LIKE_FLIPPED = 27,
+    HRBFNPR_NOTE_FEW_POINTS = 28, HRBFNPR_NOTE_ON_A_LINE = 29, HRBFNPR_NOTE_IN_A_PLANE = 30,
+    HRBFNPR_NOTE_ALONG_CURVES = 31, HRBFNPR_NOTE_END_NOT_FOUND = 32, HRBFNPR_NOTE_UP = 33,
+    HRBFNPR_NOTE_FACES_TURNED = 34, HRBFNPR_NOTE_INSIDE_OUT = 35, HRBFNPR_NOTE_FACES_LEFT_OUT = 36,
+    HRBFNPR_NOTE_PARTS_INSIDE = 37, HRBFNPR_NOTE_CONTRARY_EDGES = 38, HRBFNPR_NOTE_PARTS_FAR = 39,
+    HRBFNPR_NOTE_FLAPS = 40, HRBFNPR_NOTE_ALL_FLAT = 41, HRBFNPR_NOTE_EDGES_BY_NORMALS = 42, HRBFNPR_NOTE_DIVIDED = 43,
+    HRBFNPR_NOTE_COARSE_FLAT = 44, HRBFNPR_NOTE_GROUPS = 45, HRBFNPR_NOTE_NOT_REACHED = 46,
+    HRBFNPR_NOTE_EDGES_STAY_SMOOTH = 47, HRBFNPR_NOTE_OFF_MESH = 48, HRBFNPR_NOTE_MADE_BY_FIT = 49,
+    HRBFNPR_NOTE_PARTS_TOO_THIN = 50, HRBFNPR_NOTE_MARKS_LIMITED = 51, HRBFNPR_NOTE_LEVELS_LIMITED = 52,
+    HRBFNPR_NOTE_SEEN_FROM_CAMERA = 53, HRBFNPR_NOTE_SEEN_FROM_FRONT = 54, HRBFNPR_NOTE_NO_LINES_OF_MARKS = 55,
+    HRBFNPR_NOTE_LINES_THIN = 56, HRBFNPR_NOTE_LINES_END = 57, HRBFNPR_NOTE_LINES_BROKEN = 58,
+    HRBFNPR_NOTE_LINES_DOUBTED = 59, HRBFNPR_NOTE_LINES_TANGLED = 60, HRBFNPR_NOTE_BLANK = 61, HRBFNPR_NOTE_PENS = 62,
+    HRBFNPR_NOTE_PLOTTED = 63, HRBFNPR_NOTE_NOT_IN_SETTINGS = 64, HRBFNPR_NOTE_UNIT_IS_METRE = 65,
+    HRBFNPR_NOTE_NO_SYMMETRY = 66, HRBFNPR_NOTE_SECTION_OPEN = 67 }; typedef struct hrbfnpr_note { uint32_t struct_size;
+    uint32_t code; uint32_t severity; uint32_t figure_count; double figures[8]; const char* text; } hrbfnpr_note;
+hrbfnpr_status hrbfnpr_note_init(hrbfnpr_note* note, uint32_t struct_size);
+typedef struct hrbfnpr_picture_event { uint32_t struct_size; uint32_t stage; double fraction; double seconds;
+    const char* name; const char* doing; const char* says; const hrbfnpr_note* note; } hrbfnpr_picture_event;
+typedef void (*hrbfnpr_picture_event_fn)(void* user, const hrbfnpr_picture_event* event);
+typedef struct hrbfnpr_picture_desc { uint32_t struct_size; uint32_t flags; const hrbfnpr_picture_source* sources;
+    int64_t source_count; int64_t source_stride; uint32_t preset; uint32_t wording; const char* style_name;
+    const hrbfnpr_style* style; const hrbfnpr_settings* settings; const hrbfnpr_change* changes; int64_t change_count;
+    int64_t change_stride; const hrbfnpr_dab* dabs; int64_t dab_count; int64_t dab_stride; int32_t width;
+    int32_t height; int32_t size; uint32_t sides; double pen; double line_width; const hrbfnpr_camera* camera;
+    double up[3]; double azimuth; double elevation; double direction[3]; double eye[3]; double target[3]; double fov;
+    double margin; double turn; int32_t turn_frames; uint32_t normals; int64_t samples; double tolerance;
+    int64_t maximum_centres; uint32_t parts; uint32_t edges; double edge_angle; double crease_angle; int32_t subdivide;
+    uint32_t profile; double viewpoint[3]; double depth_smoothing; uint64_t random_seed; const char* mark_kinds;
+    hrbfnpr_array seed_points; double hatch_angle; const char* lines; const char* scale_bar;
+    hrbfnpr_picture_event_fn event; void* event_user; } hrbfnpr_picture_desc;
+hrbfnpr_status hrbfnpr_picture_desc_init(hrbfnpr_picture_desc* desc, uint32_t struct_size);
+hrbfnpr_status hrbfnpr_picture_create(hrbfnpr_context* context, const hrbfnpr_picture_desc* desc,
+    hrbfnpr_operation* operation, hrbfnpr_picture** out_picture, hrbfnpr_error* error);
+hrbfnpr_status hrbfnpr_picture_restyle(const hrbfnpr_picture* picture, const hrbfnpr_picture_desc* desc,
+    hrbfnpr_operation* operation, hrbfnpr_picture** out_picture, hrbfnpr_error* error);
+void hrbfnpr_picture_retain(hrbfnpr_picture* picture); void hrbfnpr_picture_release(hrbfnpr_picture* picture);
+hrbfnpr_status hrbfnpr_picture_draw(hrbfnpr_picture* picture, const hrbfnpr_camera* camera,
+    hrbfnpr_operation* operation, hrbfnpr_drawing** out_drawing, hrbfnpr_error* error);
+typedef struct hrbfnpr_picture_info { uint32_t struct_size; uint32_t preset; int64_t parts; int64_t marks;
+    int64_t notes; int64_t stages; int32_t width; int32_t height; double bounds_min[3]; double bounds_max[3];
+    double up[3]; double pen; int32_t plate_width; int32_t plate_height; double seconds; } hrbfnpr_picture_info;
+hrbfnpr_status hrbfnpr_picture_info_init(hrbfnpr_picture_info* info, uint32_t struct_size);
+hrbfnpr_status hrbfnpr_picture_get_info(const hrbfnpr_picture* picture, hrbfnpr_picture_info* info,
+    hrbfnpr_error* error); typedef struct hrbfnpr_picture_part { uint32_t struct_size; uint32_t sides;
+    const hrbfnpr_model* model; const hrbfnpr_point_set* point_set; const hrbfnpr_line_set* line_set;
+    const hrbfnpr_mesh* mesh; } hrbfnpr_picture_part;
+hrbfnpr_status hrbfnpr_picture_part_init(hrbfnpr_picture_part* part, uint32_t struct_size);
+hrbfnpr_status hrbfnpr_picture_get_part(const hrbfnpr_picture* picture, int64_t number, hrbfnpr_picture_part* part,
+    hrbfnpr_error* error); hrbfnpr_status hrbfnpr_picture_get_style(const hrbfnpr_picture* picture,
+    const hrbfnpr_style** style, hrbfnpr_error* error);
+hrbfnpr_status hrbfnpr_picture_get_marks(const hrbfnpr_picture* picture, const hrbfnpr_generate_desc** desc,
+    hrbfnpr_error* error); hrbfnpr_status hrbfnpr_picture_get_note(const hrbfnpr_picture* picture, int64_t number,
+    hrbfnpr_note* note, hrbfnpr_error* error); hrbfnpr_status hrbfnpr_picture_get_stage(const hrbfnpr_picture* picture,
+    int64_t number, hrbfnpr_picture_event* stage, hrbfnpr_error* error);
+hrbfnpr_status hrbfnpr_picture_get_camera(const hrbfnpr_picture* picture, hrbfnpr_camera* camera, hrbfnpr_error* error);
+hrbfnpr_status hrbfnpr_picture_look(const hrbfnpr_picture* picture, const double* direction, double azimuth,
+    double elevation, hrbfnpr_camera* camera, hrbfnpr_error* error);
+hrbfnpr_status hrbfnpr_picture_orbit(const hrbfnpr_picture* picture, double degrees, hrbfnpr_camera* camera,
+    hrbfnpr_error* error); hrbfnpr_status hrbfnpr_picture_rasterize(const hrbfnpr_picture* picture,
+    const hrbfnpr_drawing* drawing, const hrbfnpr_image* image, hrbfnpr_error* error);
+typedef struct hrbfnpr_picture_page_desc { uint32_t struct_size; uint32_t reserved; const hrbfnpr_page_desc* page;
+    const char* paper; double paper_margin; hrbfnpr_array pen_widths; } hrbfnpr_picture_page_desc;
+hrbfnpr_status hrbfnpr_picture_page_desc_init(hrbfnpr_picture_page_desc* desc, uint32_t struct_size);
+hrbfnpr_status hrbfnpr_picture_write(hrbfnpr_picture* picture, const hrbfnpr_drawing* drawing,
+    const hrbfnpr_picture_page_desc* desc, hrbfnpr_write_fn write, void* user, hrbfnpr_page_info* info,
+    hrbfnpr_operation* operation, hrbfnpr_error* error); hrbfnpr_status hrbfnpr_settings_load(hrbfnpr_context* context,
+    hrbfnpr_read_fn read, void* user, hrbfnpr_settings** out_settings, hrbfnpr_error* error);
+void hrbfnpr_settings_retain(const hrbfnpr_settings* settings);
+void hrbfnpr_settings_release(const hrbfnpr_settings* settings);
+hrbfnpr_status hrbfnpr_picture_write_settings(hrbfnpr_picture* picture, hrbfnpr_write_fn write, void* user,
+    hrbfnpr_error* error);
 ]]
