@@ -5,9 +5,9 @@ add_library(hrbfnpr_options INTERFACE)
 target_compile_features(hrbfnpr_options INTERFACE cxx_std_20)
 target_include_directories(hrbfnpr_options INTERFACE
   "${PROJECT_SOURCE_DIR}/include" "${PROJECT_SOURCE_DIR}/src")
-# GLM and Highway as system headers, unless they are where the compiler looks anyway: moving
+# GLM, Highway and nlohmann's JSON as system headers, unless they are where the compiler looks anyway: moving
 # /usr/include with -isystem breaks #include_next.
-foreach(folder IN ITEMS "${HRBFNPR_GLM_INCLUDE_DIR}" "${HRBFNPR_HIGHWAY_INCLUDE_DIR}")
+foreach(folder IN ITEMS "${HRBFNPR_GLM_INCLUDE_DIR}" "${HRBFNPR_HIGHWAY_INCLUDE_DIR}" "${HRBFNPR_JSON_INCLUDE_DIR}")
   if(NOT folder IN_LIST CMAKE_CXX_IMPLICIT_INCLUDE_DIRECTORIES)
     target_include_directories(hrbfnpr_options SYSTEM INTERFACE "${folder}")
   endif()

@@ -17,9 +17,15 @@ endif()
 find_path(HRBFNPR_HIGHWAY_INCLUDE_DIR hwy/highway.h REQUIRED)
 mark_as_advanced(HRBFNPR_HIGHWAY_INCLUDE_DIR)
 
+# The parser of settings (src/picture/json.cpp, and nothing else): numbers in any locale, escapes, UTF-8 and the place of
+# a mistake, where every other part of a reader for JSON is a dozen lines.  It is headers only, tested far more widely
+# than one of our own would be, and the viewer needs it anyway.
+find_path(HRBFNPR_JSON_INCLUDE_DIR nlohmann/json.hpp REQUIRED)
+mark_as_advanced(HRBFNPR_JSON_INCLUDE_DIR)
+
 if(CMAKE_CROSSCOMPILING)
-  # A system's folder of headers is no place for another system to look into: links to these two alone.
-  foreach(package IN ITEMS GLM:glm HIGHWAY:hwy)
+  # A system's folder of headers is no place for another system to look into: links to these alone.
+  foreach(package IN ITEMS GLM:glm HIGHWAY:hwy JSON:nlohmann)
     string(REPLACE ":" ";" package "${package}")
     list(GET package 0 variable)
     list(GET package 1 folder)

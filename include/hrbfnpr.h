@@ -2574,6 +2574,11 @@ typedef struct hrbfnpr_mesh_fit_info {
     double smooth_length;        /* of those that are not, as the mesh could not be cut there */
     int64_t cells;               /* of space, in each of which a few sheets rule */
     int64_t poor_cells;          /* in which no maximum and minimum of its sheets does all that the mesh does */
+    int32_t touching_parts[2];   /* of the mesh, from 0: two that are nearer to each other than the tolerance, so that the
+                                    surface may join them; -1, -1: none were found */
+    double touching_place[3];    /* where they are */
+    uint32_t parts_may_cross;    /* 1: they may go through each other there; 0: they are near to each other */
+    uint32_t reserved2;
 } hrbfnpr_mesh_fit_info;
 
 HRBFNPR_API hrbfnpr_status hrbfnpr_mesh_fit_info_init(hrbfnpr_mesh_fit_info* info, uint32_t struct_size);
@@ -3040,6 +3045,7 @@ typedef struct hrbfnpr_picture_event {
     const hrbfnpr_note* note; /* a new one; NULL = this is about the stage */
 } hrbfnpr_picture_event;
 
+HRBFNPR_API hrbfnpr_status hrbfnpr_picture_event_init(hrbfnpr_picture_event* event, uint32_t struct_size);
 /* Runs on the thread that entered; what it is given lives during the call only. */
 typedef void (*hrbfnpr_picture_event_fn)(void* user, const hrbfnpr_picture_event* event);
 
@@ -3160,8 +3166,6 @@ typedef struct hrbfnpr_picture_info {
     double bounds_max[3];
     double up[3];         /* as used */
     double pen;           /* radius, pixels, as used */
-    int32_t plate_width;  /* pixels, with the section and the scale bar beside the drawing */
-    int32_t plate_height;
     double seconds;       /* that it took to make */
 } hrbfnpr_picture_info;
 
@@ -3212,10 +3216,15 @@ HRBFNPR_API hrbfnpr_status hrbfnpr_picture_orbit(const hrbfnpr_picture* picture,
 
 /* ---- As an image and as vectors ------------------------------------------------ */
 
-/* As hrbfnpr_drawing_rasterize, with the section and the scale bar that the picture has
- * beside the drawing: the image has plate_width x plate_height pixels then. */
+/* A plate is a drawing with the section and the scale bar that the picture has beside it; without these it is the
+ * drawing alone.  In this part `camera` is the one that the drawing was made by; NULL = the planned one.
+ * *width and *height get the pixels of the plate. */
+HRBFNPR_API hrbfnpr_status hrbfnpr_picture_plate_size(const hrbfnpr_picture* picture, const hrbfnpr_camera* camera,
+                                                      int32_t* width, int32_t* height, hrbfnpr_error* error);
+/* The plate as an image of at least plate_size pixels, from its top-left corner; as hrbfnpr_drawing_rasterize. */
 HRBFNPR_API hrbfnpr_status hrbfnpr_picture_rasterize(const hrbfnpr_picture* picture, const hrbfnpr_drawing* drawing,
-                                                     const hrbfnpr_image* image, hrbfnpr_error* error);
+                                                     const hrbfnpr_camera* camera, const hrbfnpr_image* image,
+                                                     hrbfnpr_error* error);
 
 /* On which paper a drawing is written, and with which pens. */
 typedef struct hrbfnpr_picture_page_desc {
@@ -3232,8 +3241,9 @@ typedef struct hrbfnpr_picture_page_desc {
 } hrbfnpr_picture_page_desc;
 
 HRBFNPR_API hrbfnpr_status hrbfnpr_picture_page_desc_init(hrbfnpr_picture_page_desc* desc, uint32_t struct_size);
-/* As hrbfnpr_page_write.  desc, info and operation may be NULL.  Adds notes PENS and PLOTTED to the picture. */
+/* The plate as vectors; as hrbfnpr_page_write.  desc, info and operation may be NULL.  Adds notes PENS and PLOTTED. */
 HRBFNPR_API hrbfnpr_status hrbfnpr_picture_write(hrbfnpr_picture* picture, const hrbfnpr_drawing* drawing,
+                                                 const hrbfnpr_camera* camera,
                                                  const hrbfnpr_picture_page_desc* desc, hrbfnpr_write_fn write,
                                                  void* user, hrbfnpr_page_info* info, hrbfnpr_operation* operation,
                                                  hrbfnpr_error* error);
@@ -3249,6 +3259,109 @@ HRBFNPR_API void hrbfnpr_settings_release(const hrbfnpr_settings* settings); /* 
 /* Writes what a picture was made with.  What settings do not hold becomes a note NOT_IN_SETTINGS. */
 HRBFNPR_API hrbfnpr_status hrbfnpr_picture_write_settings(hrbfnpr_picture* picture, hrbfnpr_write_fn write,
                                                           void* user, hrbfnpr_error* error);
+
+/*
+ * ==========================================================================
+ * 15  VIEWS: technical drawings on a sheet, to scale
+ * ==========================================================================
+ *
+ * A sheet has orthographic views of a model, and sections, with the line conventions
+ * of ISO 128: outlines are thick, hidden edges thin and dashed, cut faces hatched.
+ * Views stand around the front view [ISO 5456-2], sections follow at the right, or
+ * below if they are seen from above.  Where lines coincide one is drawn: outlines of
+ * cuts before visible edges, then hidden ones, then smooth ones [ISO 128-2].  The
+ * sheet has a frame [ISO 5457], a title block [ISO 7200] without a date, a scale bar,
+ * and arrows and letters where it is cut [ISO 128-3].
+ *
+ * The model stands along the up axis of its picture; its front is +z, or -y where z
+ * is up.  Contours and outlines of cuts are curves of the surface.  Sharp edges are
+ * those of the model, or of the mesh that it was fitted to.
+ *
+ * Layers of the page have the name of their kind of lines and of their view: "outlines
+ * front", "hidden top", "hatching A-A".  Of plotters, pen 1 is the wide one, pen 2 the
+ * fine one.
+ */
+
+enum {
+    HRBFNPR_VIEWS_CENTRE_LINES = 1, /* planes of symmetry through the middle have a centre line in each view that sees
+                                       them as a line; a note NO_SYMMETRY says that there are none */
+    HRBFNPR_VIEWS_LABELS = 2,       /* the name of each view stands above it; that of a section always does */
+    HRBFNPR_VIEWS_UNIT_IS_METRE = 4 /* the format of the source is in metres, as glTF: a unit_mm of 0 is 1000, with a
+                                       note UNIT_IS_METRE */
+};
+
+/* Where views stand [ISO 5456-2]. */
+enum {
+    HRBFNPR_VIEWS_ANGLE_FIRST = 0, /* first angle: the left view at the right, the top view below */
+    HRBFNPR_VIEWS_ANGLE_THIRD = 1  /* third angle: the left view at the left, the top view above */
+};
+
+/* Hidden edges.  Sections never have any [ISO 128-3]. */
+enum {
+    HRBFNPR_VIEWS_HIDDEN_DASHED = 0, /* dashed thin lines */
+    HRBFNPR_VIEWS_HIDDEN_NONE = 1,   /* they are not drawn */
+    HRBFNPR_VIEWS_HIDDEN_SHOWN = 2   /* continuous thin lines */
+};
+
+/* Texts are UTF-8 and are read during the call only. */
+typedef struct hrbfnpr_views_desc {
+    uint32_t struct_size;
+    uint32_t flags;       /* HRBFNPR_VIEWS_...; 0 */
+    uint32_t projection;  /* HRBFNPR_VIEWS_ANGLE_...; FIRST */
+    uint32_t hidden;      /* HRBFNPR_VIEWS_HIDDEN_...; DASHED */
+    const char* views;    /* names with commas between: front, back, left, right, top, bottom, iso; each is drawn once.
+                             NULL = "front,left,top,iso", with ANGLE_THIRD "front,right,top,iso" */
+    const char* sections; /* planes with semicolons between: "z:20" cuts at z = 20, "z" through the middle, "1:1:0:5" at
+                             x + y = 5.  An axis without a sign is seen from the front, from above or from the side that
+                             is drawn; "+z:20" from above, "-z:20" from below.  They are called A-A, B-B, ...; NULL =
+                             none */
+    const char* paper;    /* "a0" .. "a6", "letter", "legal" or "tabloid", lying, or "297x210", width and height in mm;
+                             "auto" = the smallest of a4 to a0 that has room at the scale, a3 where the scale is "auto",
+                             too; NULL = "auto" */
+    const char* scale;    /* "1:2" = half as large as it is; "auto" = the largest of 1, 2 and 5 times a power of ten
+                             [ISO 5455] that has room on the paper; NULL = "auto" */
+    const char* smooth;   /* thin lines where the surface bends without an edge: kinds with commas between, ridges,
+                             valleys, suggestive; "none"; NULL = "none" */
+    const char* title;    /* in the title block; NULL or "" = `model` without the ending of its name */
+    const char* model;    /* the file's name, in the title block; NULL or "" = the name of the picture's source */
+    double unit_mm;       /* mm of a unit of the model, up to 1e9; 0 = 1, or 1000 with UNIT_IS_METRE */
+    double crease_angle;  /* degrees, > 0: edges of a mesh are sharp if its faces meet at more than this; 30.  Larger:
+                             fewer edges */
+    double line_width;    /* mm, > 0: of outlines; thin lines are half as wide; 0.5 */
+    double hatch_spacing; /* mm, > 0: between the lines in cut faces; 3 */
+    double spacing;       /* mm, > 0: free between views; 15 */
+    const hrbfnpr_page_desc* page; /* format, flags, tolerance, speeds and the like; its items, annotations, pens and
+                                      size are set by this call, and its title and description where they are NULL; NULL
+                                      = its defaults with a tolerance of 0.02 */
+} hrbfnpr_views_desc;
+
+HRBFNPR_API hrbfnpr_status hrbfnpr_views_desc_init(hrbfnpr_views_desc* desc, uint32_t struct_size);
+
+/* What was drawn. */
+typedef struct hrbfnpr_views_info {
+    uint32_t struct_size;
+    uint32_t reserved;
+    int64_t views;       /* sections are among them */
+    int64_t bytes;       /* that were written */
+    double width;        /* mm, of the page */
+    double height;       /* mm, of the page */
+    double scale;        /* 0.5 of 1:2 */
+    double unit_mm;      /* mm of a unit of the model, as used */
+    char scale_text[64]; /* "1:2" */
+    char paper[64];      /* "a3", "297 x 210" */
+} hrbfnpr_views_info;
+
+HRBFNPR_API hrbfnpr_status hrbfnpr_views_info_init(hrbfnpr_views_info* info, uint32_t struct_size);
+
+/* Draws the first part of a picture, which has a model, as a sheet of views; a picture made with SURFACE_ONLY is
+ * enough.  desc, info and operation may be NULL.  The picture gets stages LINES and VIEWS, and notes UNIT_IS_METRE,
+ * NO_SYMMETRY and SECTION_OPEN.
+ * Errors: INVALID_ARGUMENT (a picture of a point set; a text that is not understood; a plane that misses the model;
+ * views that have no room on the paper at the scale: the message says which scale or paper has), and those of
+ * hrbfnpr_line_set_create, hrbfnpr_renderer_draw and hrbfnpr_page_write. */
+HRBFNPR_API hrbfnpr_status hrbfnpr_picture_write_views(hrbfnpr_picture* picture, const hrbfnpr_views_desc* desc,
+                                                       hrbfnpr_write_fn write, void* user, hrbfnpr_views_info* info,
+                                                       hrbfnpr_operation* operation, hrbfnpr_error* error);
 
 #ifdef __cplusplus
 }

@@ -14,7 +14,7 @@ die() { printf '%s: %s\n' "$(basename "$0")" "$*" >&2; exit 1; }
 
 package_set() {
   case $1 in
-    build) echo g++ cmake ninja-build pkgconf libeigen3-dev libglm-dev libhwy-dev ;;
+    build) echo g++ cmake ninja-build pkgconf libeigen3-dev libglm-dev libhwy-dev nlohmann-json3-dev ;;
     python) echo python3 python3-cffi python3-numpy python3-pil python3-meshio python3-tqdm ;;
     test) echo libgtest-dev libgmock-dev locales python3-pytest python3-numpy python3-cffi python3-dev binutils librsvg2-bin ;;
     gallery) echo librsvg2-bin ;;

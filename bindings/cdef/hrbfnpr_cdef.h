@@ -446,6 +446,7 @@ typedef struct hrbfnpr_mesh_fit_info { uint32_t struct_size; uint32_t reached; d
     double surface_share; double surface_p99; double surface_max; double mesh_share; double mesh_p99; double mesh_max;
     double seconds_sample; double seconds_fit; double seconds_measure; double seconds_total; int32_t sheets;
     uint32_t reserved; double crease_length; double smooth_length; int64_t cells; int64_t poor_cells;
+    int32_t touching_parts[2]; double touching_place[3]; uint32_t parts_may_cross; uint32_t reserved2;
     } hrbfnpr_mesh_fit_info;
 hrbfnpr_status hrbfnpr_mesh_fit_info_init(hrbfnpr_mesh_fit_info* info, uint32_t struct_size);
 hrbfnpr_status hrbfnpr_model_fit_mesh(const hrbfnpr_mesh* mesh, const hrbfnpr_mesh_fit_desc* desc,
@@ -535,6 +536,7 @@ enum { HRBFNPR_NOTE_FACES_NOT_FINITE = 1, HRBFNPR_NOTE_NO_DATA = 2, HRBFNPR_NOTE
 hrbfnpr_status hrbfnpr_note_init(hrbfnpr_note* note, uint32_t struct_size);
 typedef struct hrbfnpr_picture_event { uint32_t struct_size; uint32_t stage; double fraction; double seconds;
     const char* name; const char* doing; const char* says; const hrbfnpr_note* note; } hrbfnpr_picture_event;
+hrbfnpr_status hrbfnpr_picture_event_init(hrbfnpr_picture_event* event, uint32_t struct_size);
 typedef void (*hrbfnpr_picture_event_fn)(void* user, const hrbfnpr_picture_event* event);
 typedef struct hrbfnpr_picture_desc { uint32_t struct_size; uint32_t flags; const hrbfnpr_picture_source* sources;
     int64_t source_count; int64_t source_stride; uint32_t preset; uint32_t wording; const char* style_name;
@@ -546,7 +548,7 @@ typedef struct hrbfnpr_picture_desc { uint32_t struct_size; uint32_t flags; cons
     int64_t maximum_centres; uint32_t parts; uint32_t edges; double edge_angle; double crease_angle; int32_t subdivide;
     uint32_t profile; double viewpoint[3]; double depth_smoothing; uint64_t random_seed; const char* mark_kinds;
     hrbfnpr_array seed_points; double hatch_angle; const char* lines; const char* scale_bar;
-    hrbfnpr_picture_event_fn event; void* event_user; } hrbfnpr_picture_desc;
+    hrbfnpr_picture_event_fn on_event; void* event_user; } hrbfnpr_picture_desc;
 hrbfnpr_status hrbfnpr_picture_desc_init(hrbfnpr_picture_desc* desc, uint32_t struct_size);
 hrbfnpr_status hrbfnpr_picture_create(hrbfnpr_context* context, const hrbfnpr_picture_desc* desc,
     hrbfnpr_operation* operation, hrbfnpr_picture** out_picture, hrbfnpr_error* error);
@@ -557,7 +559,7 @@ hrbfnpr_status hrbfnpr_picture_draw(hrbfnpr_picture* picture, const hrbfnpr_came
     hrbfnpr_operation* operation, hrbfnpr_drawing** out_drawing, hrbfnpr_error* error);
 typedef struct hrbfnpr_picture_info { uint32_t struct_size; uint32_t preset; int64_t parts; int64_t marks;
     int64_t notes; int64_t stages; int32_t width; int32_t height; double bounds_min[3]; double bounds_max[3];
-    double up[3]; double pen; int32_t plate_width; int32_t plate_height; double seconds; } hrbfnpr_picture_info;
+    double up[3]; double pen; double seconds; } hrbfnpr_picture_info;
 hrbfnpr_status hrbfnpr_picture_info_init(hrbfnpr_picture_info* info, uint32_t struct_size);
 hrbfnpr_status hrbfnpr_picture_get_info(const hrbfnpr_picture* picture, hrbfnpr_picture_info* info,
     hrbfnpr_error* error); typedef struct hrbfnpr_picture_part { uint32_t struct_size; uint32_t sides;
@@ -575,16 +577,32 @@ hrbfnpr_status hrbfnpr_picture_get_camera(const hrbfnpr_picture* picture, hrbfnp
 hrbfnpr_status hrbfnpr_picture_look(const hrbfnpr_picture* picture, const double* direction, double azimuth,
     double elevation, hrbfnpr_camera* camera, hrbfnpr_error* error);
 hrbfnpr_status hrbfnpr_picture_orbit(const hrbfnpr_picture* picture, double degrees, hrbfnpr_camera* camera,
-    hrbfnpr_error* error); hrbfnpr_status hrbfnpr_picture_rasterize(const hrbfnpr_picture* picture,
-    const hrbfnpr_drawing* drawing, const hrbfnpr_image* image, hrbfnpr_error* error);
+    hrbfnpr_error* error); hrbfnpr_status hrbfnpr_picture_plate_size(const hrbfnpr_picture* picture,
+    const hrbfnpr_camera* camera, int32_t* width, int32_t* height, hrbfnpr_error* error);
+hrbfnpr_status hrbfnpr_picture_rasterize(const hrbfnpr_picture* picture, const hrbfnpr_drawing* drawing,
+    const hrbfnpr_camera* camera, const hrbfnpr_image* image, hrbfnpr_error* error);
 typedef struct hrbfnpr_picture_page_desc { uint32_t struct_size; uint32_t reserved; const hrbfnpr_page_desc* page;
     const char* paper; double paper_margin; hrbfnpr_array pen_widths; } hrbfnpr_picture_page_desc;
 hrbfnpr_status hrbfnpr_picture_page_desc_init(hrbfnpr_picture_page_desc* desc, uint32_t struct_size);
 hrbfnpr_status hrbfnpr_picture_write(hrbfnpr_picture* picture, const hrbfnpr_drawing* drawing,
-    const hrbfnpr_picture_page_desc* desc, hrbfnpr_write_fn write, void* user, hrbfnpr_page_info* info,
-    hrbfnpr_operation* operation, hrbfnpr_error* error); hrbfnpr_status hrbfnpr_settings_load(hrbfnpr_context* context,
-    hrbfnpr_read_fn read, void* user, hrbfnpr_settings** out_settings, hrbfnpr_error* error);
+    const hrbfnpr_camera* camera, const hrbfnpr_picture_page_desc* desc, hrbfnpr_write_fn write, void* user,
+    hrbfnpr_page_info* info, hrbfnpr_operation* operation, hrbfnpr_error* error);
+hrbfnpr_status hrbfnpr_settings_load(hrbfnpr_context* context, hrbfnpr_read_fn read, void* user,
+    hrbfnpr_settings** out_settings, hrbfnpr_error* error);
 void hrbfnpr_settings_retain(const hrbfnpr_settings* settings);
 void hrbfnpr_settings_release(const hrbfnpr_settings* settings);
 hrbfnpr_status hrbfnpr_picture_write_settings(hrbfnpr_picture* picture, hrbfnpr_write_fn write, void* user,
     hrbfnpr_error* error);
+enum { HRBFNPR_VIEWS_CENTRE_LINES = 1, HRBFNPR_VIEWS_LABELS = 2, HRBFNPR_VIEWS_UNIT_IS_METRE = 4 };
+enum { HRBFNPR_VIEWS_ANGLE_FIRST = 0, HRBFNPR_VIEWS_ANGLE_THIRD = 1 };
+enum { HRBFNPR_VIEWS_HIDDEN_DASHED = 0, HRBFNPR_VIEWS_HIDDEN_NONE = 1, HRBFNPR_VIEWS_HIDDEN_SHOWN = 2 };
+typedef struct hrbfnpr_views_desc { uint32_t struct_size; uint32_t flags; uint32_t projection; uint32_t hidden;
+    const char* views; const char* sections; const char* paper; const char* scale; const char* smooth;
+    const char* title; const char* model; double unit_mm; double crease_angle; double line_width; double hatch_spacing;
+    double spacing; const hrbfnpr_page_desc* page; } hrbfnpr_views_desc;
+hrbfnpr_status hrbfnpr_views_desc_init(hrbfnpr_views_desc* desc, uint32_t struct_size);
+typedef struct hrbfnpr_views_info { uint32_t struct_size; uint32_t reserved; int64_t views; int64_t bytes; double width;
+    double height; double scale; double unit_mm; char scale_text[64]; char paper[64]; } hrbfnpr_views_info;
+hrbfnpr_status hrbfnpr_views_info_init(hrbfnpr_views_info* info, uint32_t struct_size);
+hrbfnpr_status hrbfnpr_picture_write_views(hrbfnpr_picture* picture, const hrbfnpr_views_desc* desc,
+    hrbfnpr_write_fn write, void* user, hrbfnpr_views_info* info, hrbfnpr_operation* operation, hrbfnpr_error* error);

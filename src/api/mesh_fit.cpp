@@ -8,12 +8,10 @@
 #include "api/mesh.h"
 #include "api/model_trim.h"
 #include "api/operation.h"
-#include "mesh/end_samples.h"
-#include "mesh/fit/touching.h"
+#include "base/assert.h"
 #include "mesh/pieces/fit_pieces.h"
-#include "mesh/pieces/has_creases.h"
+#include "mesh/pieces/plan.h"
 
-#include <limits>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -89,20 +87,7 @@ namespace {
 constexpr double evaluations_of_a_comparison = 5e5;
 constexpr double smallest_tolerance = 1e-6; // in diagonals
 constexpr double smallest_cell = 1e-3;
-constexpr double end_of_mesh_fit = 0.9;  // of its progress; then it is looked for the surface's end
-constexpr double too_coarse = 0.8;       // of `far`: how far faces may be from what they stand for
-constexpr double least_off_mesh = 0.009; // diagonals; of off_mesh()
-constexpr double most_off_mesh = 0.015;
-constexpr double least_off_narrow = 0.001;
-constexpr double exact = 2e-4;          // diagonals, of planes and the like
-constexpr double of_width = 0.2;        // of a strip: a row of places on either side, and something between
-constexpr double of_places = 1.5;       // of their mean distance
-constexpr double of_coarse_faces = 1.5; // distance of 99 % of the mesh from the surface
-constexpr std::int64_t places_of_trim = 40000;
-// Where a mesh is round, each of its parts is one sheet: no edge bends by so much, and no face is too coarse.
-constexpr double no_crease = 180.0;
-constexpr double no_limit = std::numeric_limits<double>::infinity();
-constexpr double flat_faces = 0.5; // of the crease angle, where all faces are meant to be flat
+constexpr double end_of_mesh_fit = 0.9; // of its progress; then it is looked for the surface's end
 constexpr std::int64_t fewest_points = 100;
 constexpr std::int64_t fewest_candidates = 1000;
 
@@ -210,115 +195,45 @@ hrbfnpr_mesh_fit_info described(const mesh::FitMeshReport& report, std::int64_t 
     to.seconds_fit = report.seconds_fit;
     to.seconds_measure = report.seconds_measure;
     to.seconds_total = report.seconds_total;
+    to.touching_parts[0] = report.touching.one;
+    to.touching_parts[1] = report.touching.other;
+    for (int axis = 0; axis < 3; ++axis) to.touching_place[axis] = report.touching.place[axis];
+    to.parts_may_cross = report.touching.may_cross ? 1 : 0;
     return to;
 }
 
-// Diagonals: the least of off_mesh().  A support of spacings that wide cannot end a strip as narrow, so of a mesh that
-// is met exactly they are a share of its mean width, 2 area / border, but no less than its places are apart.
-double least_off(const mesh::Mesh& mesh, const mesh::FitMeshReport& report) noexcept {
-    const double diagonal = mesh.bounds.diagonal();
-    const double border = mesh::border_length(mesh);
-    if (border == 0.0 || !(std::max(report.mesh.p99, report.surface.p99) < exact * diagonal)) return least_off_mesh;
-    const double dense = std::sqrt(mesh.report.area / static_cast<double>(places_of_trim));
-    const double narrow = of_width * 2.0 * mesh.report.area / border;
-    return std::clamp(std::max(narrow, of_places * dense) / diagonal, least_off_narrow, least_off_mesh);
-}
-
-// Diagonals: how far from a mesh what is none of it lies.  Faces too coarse for what they stand for are far off a
-// surface that is round, everywhere.
-double off_mesh(const hrbfnpr_mesh& mesh, const mesh::FitMeshReport& report) noexcept {
-    const double p99 = report.mesh.p99 / mesh.mesh.bounds.diagonal();
-    const double least = least_off(mesh.mesh, report);
-    return p99 > 0.0 ? std::clamp(of_coarse_faces * p99, least, most_off_mesh) : least;
-}
-
-generate::TrimSettings trim_off_mesh(double off) noexcept {
-    generate::TrimSettings settings;
-    settings.hole = settings.closest = off;
-    return settings;
-}
-
-// Where an open mesh ends, a model that is fitted to it shall.
-class Border {
-public:
-    Border(const hrbfnpr_mesh& mesh, double off, std::uint64_t seed, const base::Progress& progress)
-        : off_(off), places_(mesh::end_samples(mesh.runtime(), mesh.mesh, mesh.tree, places_of_trim,
-                                               off * mesh.mesh.bounds.diagonal(), seed, progress.part(0.0, 0.4))),
-          progress_(progress.part(0.4, 1.0)) {}
-    [[nodiscard]] hrbfnpr_model* end(hrbfnpr_model* model) const {
-        return ended_model(model, places_.position, places_.normal, trim_off_mesh(off_), progress_);
-    }
-
-private:
-    double off_;
-    mesh::MeshSamples places_;
-    base::Progress progress_;
-};
-
-// Of a closed mesh the fit has looked itself, and found nothing that is far from it.
-hrbfnpr_model* ended(const hrbfnpr_mesh& mesh, mesh::MeshFit& result, std::uint32_t trim, std::uint64_t seed,
-                     const base::Progress& progress) {
-    const std::optional<fit::Samples> samples = std::exchange(result.fit.samples, std::nullopt);
-    const bool open = mesh.mesh.report.boundary_edges > 0;
-    if (trim == HRBFNPR_TRIM_NEVER || (!open && result.report.reached)) {
+// Carries out a plan: takes the model that make() makes, and gives it its end.  samples: those of the fit, where the
+// plan may name them.
+template <class Make>
+hrbfnpr_model* ended(const hrbfnpr_mesh& mesh, const mesh::EndPlan& plan, const fit::Samples* samples,
+                     std::uint64_t seed, const base::Progress& progress, Make&& make) {
+    if (plan.end == mesh::End::nowhere) {
         progress.update(1.0);
-        return make_handle<hrbfnpr_model>(mesh.context(), std::move(result.fit));
+        return make();
     }
-    if (open) {
-        const Border border(mesh, off_mesh(mesh, result.report), seed, progress);
-        return border.end(make_handle<hrbfnpr_model>(mesh.context(), std::move(result.fit)));
+    generate::TrimSettings settings;
+    settings.hole = settings.closest = plan.off;
+    if (plan.end == mesh::End::at_samples) {
+        HRBFNPR_ASSERT(samples != nullptr);
+        return ended_model(make(), samples->position, samples->normal, settings, progress);
     }
-    return ended_model(make_handle<hrbfnpr_model>(mesh.context(), std::move(result.fit)), samples->position,
-                       samples->normal, trim_off_mesh(off_mesh(mesh, result.report)), progress);
+    const mesh::MeshSamples places =
+        mesh::end_places(mesh.runtime(), mesh.mesh, mesh.tree, plan, seed, progress.part(0.0, 0.4));
+    return ended_model(make(), places.position, places.normal, settings, progress.part(0.4, 1.0));
 }
 
-// Whether solids go through each other: one function would have to be two where they do.
-bool crosses(const hrbfnpr_mesh& mesh, const base::Progress& progress) {
-    return mesh.mesh.report.boundary_edges == 0 &&
-           mesh::find_crossing(mesh.runtime(), mesh.mesh, mesh.tree, progress).one >= 0;
+mesh::EndPlan end_of(const hrbfnpr_mesh& mesh, const mesh::FitMeshReport& report, bool has_creases,
+                     std::uint32_t trim) noexcept {
+    return trim == HRBFNPR_TRIM_NEVER ? mesh::EndPlan() : mesh::plan_end(mesh.mesh, report, has_creases);
 }
 
-mesh::Sharpness sharpness_of(const mesh::CreaseEvidence& found, const mesh::FitMeshSettings& settings, double coarse) {
-    if (!found.creases) return {no_crease, no_limit};
-    return {found.polyhedron ? flat_faces * settings.crease_angle : settings.crease_angle, coarse};
-}
-
-// Solids that go through each other are surfaces of their own: each has edges, or none.
-mesh::Creases creases_of_solids(const hrbfnpr_mesh& mesh, const mesh::FitMeshSettings& settings, double coarse,
-                                const base::Progress& progress) {
-    const base::Runtime& runtime = mesh.runtime();
-    base::Array<mesh::Sharpness> sharpness(runtime.memory);
-    for (const mesh::CreaseEvidence& found :
-         mesh::look_for_creases_of_parts(runtime, mesh.mesh, settings.crease_angle, progress))
-        sharpness.push_back(sharpness_of(found, settings, coarse));
-    return mesh::find_creases(runtime, mesh.mesh, sharpness, progress);
-}
-
-// Where the mesh is to be sharp; nothing: nowhere.
-std::optional<mesh::Creases> creases_of(const hrbfnpr_mesh& mesh, const mesh::FitMeshSettings& settings,
-                                        const base::Progress& progress) {
-    if (settings.edges == mesh::Edges::smooth) return std::nullopt;
-    const double tolerance =
-        settings.tolerance > 0.0 ? settings.tolerance : mesh::default_tolerance * mesh.mesh.bounds.diagonal();
-    mesh::Sharpness sharpness{settings.crease_angle,
-                              too_coarse * (settings.far > 0.0 ? settings.far : 5.0 * tolerance)};
-    if (settings.edges == mesh::Edges::automatic) {
-        const mesh::CreaseEvidence found =
-            settings.crease_angle == mesh::default_crease_angle
-                ? mesh.creases
-                : mesh::look_for_creases(mesh.runtime(), mesh.mesh, settings.crease_angle, progress);
-        if (!found.creases && found.length > 0.0)
-            mesh.runtime().log(base::LogLevel::info,
-                               "mesh fit: the mesh bends by more than %g degrees along %.3g diagonals, but no edges "
-                               "stand out: the fit is smooth; edges SHARP makes them sharp",
-                               settings.crease_angle, found.length);
-        if (!found.creases && !crosses(mesh, progress)) return std::nullopt;
-        if (!found.creases) return creases_of_solids(mesh, settings, sharpness.coarse, progress);
-        sharpness = sharpness_of(found, settings, sharpness.coarse);
-    }
-    mesh::Creases creases = mesh::find_creases(mesh.runtime(), mesh.mesh, sharpness.angle, sharpness.coarse, progress);
-    if (creases.patches < 2) return std::nullopt;
-    return creases;
+void log_plan(const base::Runtime& runtime, const mesh::CreasePlan& plan, double crease_angle) {
+    if (plan.doubtful > 0.0)
+        runtime.log(
+            base::LogLevel::info,
+            "mesh fit: the mesh bends by more than %g degrees along %.3g diagonals, but no edges stand out: the "
+            "fit is smooth; edges SHARP makes them sharp",
+            crease_angle, plan.doubtful);
 }
 
 void log_pieces(const base::Runtime& runtime, const mesh::PiecesReport& report) {
@@ -341,19 +256,10 @@ hrbfnpr_model* fit_pieces(const hrbfnpr_mesh& mesh, const mesh::FitMeshSettings&
     const std::int64_t centres = result.data.centres();
     log_fit(runtime, result.mesh, centres);
     log_pieces(runtime, result.pieces);
-    // What is inside and outside was taken from the mesh: a closed one has nothing that it does not have, but where it
-    // crosses itself, so that nobody knows.
-    const double off = off_mesh(mesh, result.mesh);
-    const bool whole =
-        mesh.mesh.report.boundary_edges == 0 && !(result.mesh.surface.most > off * mesh.mesh.bounds.diagonal());
-    hrbfnpr_model* model = nullptr;
-    if (trim == HRBFNPR_TRIM_NEVER || whole) {
-        progress.update(1.0);
-        model = make_handle<hrbfnpr_model>(mesh.context(), std::move(result.data), result.fit);
-    } else {
-        const Border border(mesh, off, settings.seed, progress.part(end_of_mesh_fit, 1.0));
-        model = border.end(make_handle<hrbfnpr_model>(mesh.context(), std::move(result.data), result.fit));
-    }
+    const mesh::EndPlan end = end_of(mesh, result.mesh, true, trim);
+    hrbfnpr_model* const model = ended(mesh, end, nullptr, settings.seed, progress.part(end_of_mesh_fit, 1.0), [&] {
+        return make_handle<hrbfnpr_model>(mesh.context(), std::move(result.data), result.fit);
+    });
     if (info == nullptr) return model;
     hrbfnpr_mesh_fit_info to = described(result.mesh, centres);
     to.sheets = result.pieces.sheets;
@@ -378,14 +284,20 @@ hrbfnpr_model* fit_mesh(const hrbfnpr_mesh& mesh, const MeshFitDesc& desc, const
     mesh_fit_fields().copy(desc, settings);
     const fit::FitInput options = checked_options(fit);
     const OperationUse use(operation);
-    if (const std::optional<mesh::Creases> creases = creases_of(mesh, settings, use.progress()))
-        return fit_pieces(mesh, settings, options, fit.trim, *creases, info, use.progress());
-    mesh::MeshFit result = mesh::fit_mesh(mesh.runtime(), mesh.mesh, mesh.tree, settings, options,
-                                          use.progress().part(0.0, end_of_mesh_fit));
+    const base::Progress progress = use.progress();
+    const mesh::CreasePlan plan =
+        mesh::plan_creases(mesh.runtime(), mesh.mesh, mesh.tree, mesh.creases, settings, progress);
+    log_plan(mesh.runtime(), plan, settings.crease_angle);
+    if (plan.creases) return fit_pieces(mesh, settings, options, fit.trim, *plan.creases, info, progress);
+    mesh::MeshFit result =
+        mesh::fit_mesh(mesh.runtime(), mesh.mesh, mesh.tree, settings, options, progress.part(0.0, end_of_mesh_fit));
     const std::int64_t centres = result.fit.data.count();
     log_fit(mesh.runtime(), result.report, centres);
+    const std::optional<fit::Samples> samples = std::exchange(result.fit.samples, std::nullopt);
+    const mesh::EndPlan end = end_of(mesh, result.report, false, fit.trim);
     hrbfnpr_model* const model =
-        ended(mesh, result, fit.trim, settings.seed, use.progress().part(end_of_mesh_fit, 1.0));
+        ended(mesh, end, samples ? &*samples : nullptr, settings.seed, progress.part(end_of_mesh_fit, 1.0),
+              [&] { return make_handle<hrbfnpr_model>(mesh.context(), std::move(result.fit)); });
     if (info != nullptr) write_struct(info, described(result.report, centres));
     return model;
 }

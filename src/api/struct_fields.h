@@ -388,7 +388,8 @@ inline constexpr FieldLayout fields_of_hrbfnpr_mesh_fit_info[] = {
     FIELD(mesh_max, "double"), FIELD(seconds_sample, "double"), FIELD(seconds_fit, "double"),
     FIELD(seconds_measure, "double"), FIELD(seconds_total, "double"), FIELD(sheets, "int32_t"),
     FIELD(reserved, "uint32_t"), FIELD(crease_length, "double"), FIELD(smooth_length, "double"),
-    FIELD(cells, "int64_t"), FIELD(poor_cells, "int64_t")};
+    FIELD(cells, "int64_t"), FIELD(poor_cells, "int64_t"), FIELD(touching_parts, "int32_t[2]"),
+    FIELD(touching_place, "double[3]"), FIELD(parts_may_cross, "uint32_t"), FIELD(reserved2, "uint32_t")};
 #undef RECORD
 #define RECORD hrbfnpr_page_item
 inline constexpr FieldLayout fields_of_hrbfnpr_page_item[] = {
@@ -425,6 +426,86 @@ inline constexpr FieldLayout fields_of_hrbfnpr_page_info[] = {
     FIELD(dropped_paths, "int64_t"), FIELD(dropped_dots, "int64_t"), FIELD(width, "double"), FIELD(height, "double"),
     FIELD(drawn, "double"), FIELD(travelled, "double"), FIELD(seconds, "double"), FIELD(filled_paths, "int64_t")};
 #undef RECORD
+#define RECORD hrbfnpr_picture_source
+inline constexpr FieldLayout fields_of_hrbfnpr_picture_source[] = {
+    FIELD(struct_size, "uint32_t"), FIELD(flags, "uint32_t"), FIELD(points, "hrbfnpr_array"),
+    FIELD(normals, "hrbfnpr_array"), FIELD(triangles, "hrbfnpr_array"), FIELD(sharp_edges, "hrbfnpr_array"),
+    FIELD(model, "const hrbfnpr_model*"), FIELD(point_set, "const hrbfnpr_point_set*"), FIELD(up, "double[3]"),
+    FIELD(up_by, "const char*"), FIELD(viewpoint, "double[3]"), FIELD(columns, "int64_t"), FIELD(rows, "int64_t"),
+    FIELD(name, "const char*")};
+#undef RECORD
+#define RECORD hrbfnpr_change
+inline constexpr FieldLayout fields_of_hrbfnpr_change[] = {
+    FIELD(struct_size, "uint32_t"), FIELD(reserved, "uint32_t"), FIELD(field, "const char*"),
+    FIELD(value, "const char*")};
+#undef RECORD
+#define RECORD hrbfnpr_dab
+inline constexpr FieldLayout fields_of_hrbfnpr_dab[] = {
+    FIELD(struct_size, "uint32_t"), FIELD(map, "uint32_t"), FIELD(position, "double[3]"), FIELD(normal, "double[3]"),
+    FIELD(radius, "double"), FIELD(strength, "double"), FIELD(value, "double"), FIELD(direction, "double[3]")};
+#undef RECORD
+#define RECORD hrbfnpr_note
+inline constexpr FieldLayout fields_of_hrbfnpr_note[] = {
+    FIELD(struct_size, "uint32_t"), FIELD(code, "uint32_t"), FIELD(severity, "uint32_t"),
+    FIELD(figure_count, "uint32_t"), FIELD(figures, "double[8]"), FIELD(text, "const char*")};
+#undef RECORD
+#define RECORD hrbfnpr_picture_event
+inline constexpr FieldLayout fields_of_hrbfnpr_picture_event[] = {
+    FIELD(struct_size, "uint32_t"), FIELD(stage, "uint32_t"), FIELD(fraction, "double"), FIELD(seconds, "double"),
+    FIELD(name, "const char*"), FIELD(doing, "const char*"), FIELD(says, "const char*"),
+    FIELD(note, "const hrbfnpr_note*")};
+#undef RECORD
+#define RECORD hrbfnpr_picture_desc
+inline constexpr FieldLayout fields_of_hrbfnpr_picture_desc[] = {
+    FIELD(struct_size, "uint32_t"), FIELD(flags, "uint32_t"), FIELD(sources, "const hrbfnpr_picture_source*"),
+    FIELD(source_count, "int64_t"), FIELD(source_stride, "int64_t"), FIELD(preset, "uint32_t"),
+    FIELD(wording, "uint32_t"), FIELD(style_name, "const char*"), FIELD(style, "const hrbfnpr_style*"),
+    FIELD(settings, "const hrbfnpr_settings*"), FIELD(changes, "const hrbfnpr_change*"), FIELD(change_count, "int64_t"),
+    FIELD(change_stride, "int64_t"), FIELD(dabs, "const hrbfnpr_dab*"), FIELD(dab_count, "int64_t"),
+    FIELD(dab_stride, "int64_t"), FIELD(width, "int32_t"), FIELD(height, "int32_t"), FIELD(size, "int32_t"),
+    FIELD(sides, "uint32_t"), FIELD(pen, "double"), FIELD(line_width, "double"), FIELD(camera, "const hrbfnpr_camera*"),
+    FIELD(up, "double[3]"), FIELD(azimuth, "double"), FIELD(elevation, "double"), FIELD(direction, "double[3]"),
+    FIELD(eye, "double[3]"), FIELD(target, "double[3]"), FIELD(fov, "double"), FIELD(margin, "double"),
+    FIELD(turn, "double"), FIELD(turn_frames, "int32_t"), FIELD(normals, "uint32_t"), FIELD(samples, "int64_t"),
+    FIELD(tolerance, "double"), FIELD(maximum_centres, "int64_t"), FIELD(parts, "uint32_t"), FIELD(edges, "uint32_t"),
+    FIELD(edge_angle, "double"), FIELD(crease_angle, "double"), FIELD(subdivide, "int32_t"), FIELD(profile, "uint32_t"),
+    FIELD(viewpoint, "double[3]"), FIELD(depth_smoothing, "double"), FIELD(random_seed, "uint64_t"),
+    FIELD(mark_kinds, "const char*"), FIELD(seed_points, "hrbfnpr_array"), FIELD(hatch_angle, "double"),
+    FIELD(lines, "const char*"), FIELD(scale_bar, "const char*"), FIELD(on_event, "hrbfnpr_picture_event_fn"),
+    FIELD(event_user, "void*")};
+#undef RECORD
+#define RECORD hrbfnpr_picture_info
+inline constexpr FieldLayout fields_of_hrbfnpr_picture_info[] = {
+    FIELD(struct_size, "uint32_t"), FIELD(preset, "uint32_t"), FIELD(parts, "int64_t"), FIELD(marks, "int64_t"),
+    FIELD(notes, "int64_t"), FIELD(stages, "int64_t"), FIELD(width, "int32_t"), FIELD(height, "int32_t"),
+    FIELD(bounds_min, "double[3]"), FIELD(bounds_max, "double[3]"), FIELD(up, "double[3]"), FIELD(pen, "double"),
+    FIELD(seconds, "double")};
+#undef RECORD
+#define RECORD hrbfnpr_picture_part
+inline constexpr FieldLayout fields_of_hrbfnpr_picture_part[] = {
+    FIELD(struct_size, "uint32_t"), FIELD(sides, "uint32_t"), FIELD(model, "const hrbfnpr_model*"),
+    FIELD(point_set, "const hrbfnpr_point_set*"), FIELD(line_set, "const hrbfnpr_line_set*"),
+    FIELD(mesh, "const hrbfnpr_mesh*")};
+#undef RECORD
+#define RECORD hrbfnpr_picture_page_desc
+inline constexpr FieldLayout fields_of_hrbfnpr_picture_page_desc[] = {
+    FIELD(struct_size, "uint32_t"), FIELD(reserved, "uint32_t"), FIELD(page, "const hrbfnpr_page_desc*"),
+    FIELD(paper, "const char*"), FIELD(paper_margin, "double"), FIELD(pen_widths, "hrbfnpr_array")};
+#undef RECORD
+#define RECORD hrbfnpr_views_desc
+inline constexpr FieldLayout fields_of_hrbfnpr_views_desc[] = {
+    FIELD(struct_size, "uint32_t"), FIELD(flags, "uint32_t"), FIELD(projection, "uint32_t"), FIELD(hidden, "uint32_t"),
+    FIELD(views, "const char*"), FIELD(sections, "const char*"), FIELD(paper, "const char*"),
+    FIELD(scale, "const char*"), FIELD(smooth, "const char*"), FIELD(title, "const char*"), FIELD(model, "const char*"),
+    FIELD(unit_mm, "double"), FIELD(crease_angle, "double"), FIELD(line_width, "double"),
+    FIELD(hatch_spacing, "double"), FIELD(spacing, "double"), FIELD(page, "const hrbfnpr_page_desc*")};
+#undef RECORD
+#define RECORD hrbfnpr_views_info
+inline constexpr FieldLayout fields_of_hrbfnpr_views_info[] = {
+    FIELD(struct_size, "uint32_t"), FIELD(reserved, "uint32_t"), FIELD(views, "int64_t"), FIELD(bytes, "int64_t"),
+    FIELD(width, "double"), FIELD(height, "double"), FIELD(scale, "double"), FIELD(unit_mm, "double"),
+    FIELD(scale_text, "char[64]"), FIELD(paper, "char[64]")};
+#undef RECORD
 #undef FIELD
 
 // X(name) of all structs, in the header's order.
@@ -441,6 +522,8 @@ inline constexpr FieldLayout fields_of_hrbfnpr_page_info[] = {
     X(hrbfnpr_raster_desc) X(hrbfnpr_vertex_attribute) X(hrbfnpr_vertex_layout) X(hrbfnpr_mark_results) \
     X(hrbfnpr_mark_identity) X(hrbfnpr_mesh_desc) X(hrbfnpr_mesh_info) X(hrbfnpr_sample_desc) X(hrbfnpr_compare_desc) \
     X(hrbfnpr_comparison) X(hrbfnpr_mesh_fit_desc) X(hrbfnpr_mesh_fit_info) X(hrbfnpr_page_item) X(hrbfnpr_pen) \
-    X(hrbfnpr_annotation) X(hrbfnpr_page_desc) X(hrbfnpr_page_info)
+    X(hrbfnpr_annotation) X(hrbfnpr_page_desc) X(hrbfnpr_page_info) X(hrbfnpr_picture_source) X(hrbfnpr_change) \
+    X(hrbfnpr_dab) X(hrbfnpr_note) X(hrbfnpr_picture_event) X(hrbfnpr_picture_desc) X(hrbfnpr_picture_info) \
+    X(hrbfnpr_picture_part) X(hrbfnpr_picture_page_desc) X(hrbfnpr_views_desc) X(hrbfnpr_views_info)
 
 } // namespace hrbfnpr::api

@@ -17,12 +17,18 @@ public:
     // Called by the boundary when a long call enters; throws Error{cancelled} if cancelled before.
     void begin();
     void cancel() noexcept { cancelled_.store(true, std::memory_order_relaxed); }
-    [[nodiscard]] bool is_cancelled() const noexcept { return cancelled_.load(std::memory_order_relaxed); }
+    [[nodiscard]] bool is_cancelled() const noexcept {
+        return cancelled_.load(std::memory_order_relaxed) || (whole_ != nullptr && whole_->is_cancelled());
+    }
     [[nodiscard]] double progress() const noexcept { return progress_.load(std::memory_order_relaxed); }
     void set_callback(ProgressFn callback, void* user) noexcept {
         callback_ = callback;
         user_ = user;
     }
+
+    // Makes this a part of another operation: a cancel of that one cancels this one.  Call it before begin(); `whole`
+    // outlives this.
+    void be_part_of(const Operation* whole) noexcept { whole_ = whole; }
 
     // From any thread.  Progress never falls; the callback runs only on the thread of begin().
     void report(double progress) noexcept;
@@ -35,6 +41,7 @@ private:
 
     std::atomic<bool> cancelled_{false};
     std::atomic<double> progress_{0.0};
+    const Operation* whole_ = nullptr;
     ProgressFn callback_ = nullptr;
     void* user_ = nullptr;
     std::thread::id entered_;

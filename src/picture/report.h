@@ -8,6 +8,7 @@
 
 #include <hrbfnpr.h>
 
+#include <array>
 #include <initializer_list>
 #include <string_view>
 
@@ -60,6 +61,11 @@ public:
     [[noreturn]] void refuse(std::string_view text) const;
 
     [[nodiscard]] Pool& pool() const noexcept { return *pool_; }
+    // The operation of the call that goes on with this report; nullable.
+    void serve(hrbfnpr_operation* operation) noexcept {
+        operation_ = operation;
+        done_ = 0.0;
+    }
 
     Vector<Note> notes;
     Vector<FinishedStage> stages;
@@ -77,6 +83,9 @@ private:
     double done_ = 0.0;            // of its progress
     std::uint32_t running_ = 0;    // stage
 };
+
+[[nodiscard]] hrbfnpr_note described(const Note& note) noexcept;
+[[nodiscard]] hrbfnpr_picture_event described(const FinishedStage& finished) noexcept;
 
 // A part of the work while it lives: it measures its seconds, and passes progress and cancels on.  Stages do not
 // overlap.
@@ -100,7 +109,8 @@ private:
 
     Report& report_;
     std::uint32_t stage_;
-    int exceptions_; // in flight when it began
+    int exceptions_;    // in flight when it began
+    double told_ = 0.0; // the largest fraction
     base::Stopwatch watch_;
     String says_;
     hrbfnpr_operation operation_;

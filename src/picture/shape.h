@@ -18,8 +18,7 @@ using Triangle = std::array<std::int64_t, 3>;
 using Edge = std::array<std::int64_t, 2>;
 
 struct Shape {
-    explicit Shape(Pool& pool)
-        : points(&pool), normals(&pool), triangles(&pool), sharp_edges(&pool), up_by(&pool), name(&pool) {}
+    explicit Shape(Pool& pool) : points(&pool), normals(&pool), triangles(&pool), sharp_edges(&pool), up_by(&pool) {}
 
     Points points;
     Points normals;               // as many as points; empty: there are none
@@ -32,7 +31,6 @@ struct Shape {
     bool is_photo = false;    // one picture of a depth camera
     std::int64_t columns = 0; // of its image, if there is a point for each pixel
     std::int64_t rows = 0;
-    String name;
 
     [[nodiscard]] bool is_mesh() const noexcept { return !triangles.empty(); }
 };

@@ -65,7 +65,7 @@ def install(build, work):
     expect(len(texts) >= 4, f"package files are missing: {texts}")
     for path in texts:
         text = path.read_text()
-        for leak in (str(stage), str(build), str(HERE.parent.parent), "Eigen", "glm"):
+        for leak in (str(stage), str(build), str(HERE.parent.parent), "Eigen", "glm", "nlohmann"):
             expect(leak not in text, f"{path.name} names {leak}")
         expect("OpenMP::" not in text or path.name == "hrbfnprConfig.cmake", f"{path.name} names OpenMP")
     for name in ("include/hrbfnpr.h", "share/doc/hrbfnpr/LICENSE", "share/hrbfnpr/api.json",

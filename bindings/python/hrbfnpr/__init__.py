@@ -81,7 +81,7 @@ __all__ = [
 # Only on demand: they need NumPy, and some of them other packages.
 _MODULES = ("shapes", "datasets", "batch")
 _ON_DEMAND = {
-    "Animation": "_animate", "DrawingWarning": "_call_report", "Picture": "_draw_call", "animate": "_animate",
+    "Animation": "_animate", "DrawingWarning": "_report", "Note": "_report", "Picture": "_picture", "animate": "_animate",
     "draw": "_draw_call", "matplotlib_show": "_notebook", "widget": "_notebook", "Viewer": "_notebook",
 }  # fmt: skip
 
@@ -91,12 +91,13 @@ if TYPE_CHECKING:
     from . import shapes as shapes
     from ._animate import Animation as Animation
     from ._animate import animate as animate
-    from ._call_report import DrawingWarning as DrawingWarning
-    from ._draw_call import Picture as Picture
     from ._draw_call import draw as draw
     from ._notebook import Viewer as Viewer
     from ._notebook import matplotlib_show as matplotlib_show
     from ._notebook import widget as widget
+    from ._picture import Picture as Picture
+    from ._report import DrawingWarning as DrawingWarning
+    from ._report import Note as Note
 
 
 def __getattr__(name: str) -> Any:

@@ -172,6 +172,14 @@ class LineSet(Owner):
         self._function = model._function
         self._curved = with_curvature or any(line.kind in ("ridge", "valley", "parabolic") for line in made)
 
+    @classmethod
+    def _of(cls, handle: Any, model: Model, curved: bool) -> LineSet:
+        """One that the library made for a picture."""
+        made = cls.__new__(cls)
+        Owner.__init__(made, handle)
+        made._function, made._curved = model._function, curved
+        return made
+
     @property
     def info(self) -> LineSetInfo:
         """What making it did."""

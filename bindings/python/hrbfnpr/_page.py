@@ -156,7 +156,7 @@ def _rgba(ink: Sequence[float]) -> List[float]:
     return [*ink] if len(ink) == 4 else [*ink, 1.0]
 
 
-def _text(keep: List[Any], text: Optional[str]) -> Any:
+def text_in(keep: List[Any], text: Optional[str]) -> Any:
     if text is None:
         return ffi.NULL
     encoded = ffi.new("char[]", text.encode())
@@ -169,15 +169,15 @@ def _fill_items(desc: Any, items: Sequence[PageItem], keep: List[Any]) -> None:
     for struct, item in zip(structs, items):
         struct.drawing = item.drawing._handle
         struct.x, struct.y, struct.scale = item.x, item.y, item.scale
-        struct.name = _text(keep, item.name)
+        struct.name = text_in(keep, item.name)
     desc.items, desc.item_count = structs, len(items)
     keep.append(structs)
 
 
-def _fill_pens(desc: Any, pens: Sequence[Pen], keep: List[Any]) -> None:
+def fill_pens(desc: Any, pens: Sequence[Pen], keep: List[Any]) -> None:
     structs = new_list("hrbfnpr_pen", len(pens))
     for struct, pen in zip(structs, pens):
-        struct.groups = _text(keep, pen.groups)
+        struct.groups = text_in(keep, pen.groups)
         struct.width, struct.number = pen.width, pen.number
         struct.line_type = number_of("line_type", LINE_TYPES, pen.line_type)
         if pen.ink is not None:
@@ -190,7 +190,7 @@ def _fill_annotations(desc: Any, annotations: Sequence[Annotation], keep: List[A
     structs = new_list("hrbfnpr_annotation", len(annotations))
     for struct, annotation in zip(structs, annotations):
         keep.append(block_in("points", annotation.points, 2).fill(struct.points))
-        struct.text, struct.group = _text(keep, annotation.text), _text(keep, annotation.group)
+        struct.text, struct.group = text_in(keep, annotation.text), text_in(keep, annotation.group)
         struct.width, struct.ink = annotation.width, _rgba(annotation.ink)
         struct.line_type = number_of("line_type", LINE_TYPES, annotation.line_type)
     desc.annotations, desc.annotation_count = structs, len(annotations)
@@ -259,9 +259,9 @@ def write_page(
     for name, value in options.items():
         if name not in _OPTIONS:
             raise TypeError(f"write_page() has no option {name!r}; it has {', '.join(_OPTIONS)}")
-        setattr(desc, name, _text(keep, value) if name in _STRINGS else value)
+        setattr(desc, name, text_in(keep, value) if name in _STRINGS else value)
     _fill_items(desc, items, keep)
-    _fill_pens(desc, pens, keep)
+    fill_pens(desc, pens, keep)
     _fill_annotations(desc, annotations, keep)
     handle = resolve(context)._handle
 

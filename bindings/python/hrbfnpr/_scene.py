@@ -1,437 +1,392 @@
 # SPDX-License-Identifier: MIT
-"""From a model or marks and options to a picture: what the command line and `hrbfnpr.draw` have in common.
-
-Options are the attributes of a namespace as the command line's grammar makes it (`cli/_options.py`); two more come from
-programs only: `own_style`, a Style that is used as it is, and `own_camera`.
-"""
+"""What is drawn, by any number of cameras: the library's pictures."""
 from __future__ import annotations
 
-import json
 import math
-from dataclasses import dataclass, field, replace
-from pathlib import Path
-from typing import Any, Callable, Dict, List, Optional, Sequence, Tuple, Union
+import threading
+from contextlib import contextmanager
+from typing import Any, Callable, Iterator, List, NamedTuple, Optional, Sequence, Tuple, Union
 
-import numpy as np
-
-from . import shapes
-from ._camera import Camera, corners
+from . import _streams
+from ._arrays import Array
+from ._callbacks import CallbackState, callback, check
+from ._camera import Camera
 from ._context import Context
 from ._drawing import Drawing
-from ._layer import Layer, preset_layers
-from ._line_set import Lines, LineSet
+from ._errors import Error, OutOfMemoryError, new_error, new_struct
+from ._handles import Owner, own
+from ._images import image_for
+from ._layer import new_list
+from ._library import ffi, lib
+from ._line_set import LineSet
 from ._model import Model
-from ._names import MADE_KINDS
-from ._page import PageItem
-from ._pictures import save as save_picture
+from ._names import PRESETS
+from ._operation import running
+from ._page import PageInfo, format_of
 from ._point_set import PointSet
-from ._renderer import Item, Renderer
+from ._report import Reporter
+from ._request import Options, describe, describe_page, fill_source, in_names
+from ._structs import read_struct
 from ._style import Style
-from .cli import _automatic, _blank, _lines, _plate, _settings_use, _vectors
-from .cli import _values as values
-from .cli._inputs import Loaded, given
-from .cli._progress import Reporter
+from ._values import words_of
 
-_GENERATE = (
-    "distribution", "initial_step", "seed_source", "box_resolution", "box_jitter", "tone_ranges", "shared_budget",
-    "projection_tolerance", "random_seed",
-)  # fmt: skip
-_STROKES = ("separation", "step", "length", "symmetry", "start", "start_level")
-_HATCH = ("separation", "step", "guide", "guide_direction", "guide_weight")
-_HATCH_PIXELS = ("hatch_spacing", "hatch_pen", "hatch_white", "hatch_taper", "hatch_shortest", "hatch_overshoot")
-_STYLE = (
-    "paper", "hidden_lines", "visibility", "silhouette_threshold", "silhouette_law", "silhouette_width",
-    "attenuation_front", "attenuation_back", "splat_radius", "splat_overlap", "halo_width", "tone", "tone_rule",
-    "tone_curve", "tone_fade", "tone_exponent", "fill_light", "light", "light_space", "zoom_reference", "zoom_exponent",
-    "ink",
-)  # fmt: skip
+Source = Union[Any, Model, PointSet, Tuple[Model, PointSet]]
+"""A Shape, a model, marks, or a model with its marks."""
 
 
-def make_style(arguments: Any, size: Tuple[int, int]) -> Style:
-    """The named style with what was given on the command line, marks sized for the picture."""
-    own: Optional[Style] = getattr(arguments, "own_style", None)
-    style = Style(arguments.style) if own is None else own.copy()
-    by_settings = own is not None and bool(getattr(arguments, "settings", None))
-    if arguments.distribution == "published" and not by_settings:
-        _draw_as_published(style)
-    if not by_settings:
-        style.layer("any")
-    # The named styles are made for a pen of one pixel, and so are those of settings.
-    pen = arguments.mark_radius or getattr(arguments, "own_pen", None) or _automatic.pen_radius(size)
-    if own is not None and not by_settings:
-        pen = 1.0
-    for layer in style.layers:
-        layer.radius *= pen
-        for field in _HATCH_PIXELS:
-            setattr(layer, field, pen * getattr(layer, field))
-        if arguments.share is not None:
-            layer.share *= arguments.share
-        if arguments.shape is not None:
-            layer.shape = arguments.shape
-    style.silhouette_radius *= pen
-    style.halo_width *= pen
-    if arguments.contours_of is not None:
-        for kind in MADE_KINDS:
-            style.layer(kind).contours = kind in arguments.contours_of
-        style.layer("any").contours = False
-    _lines.style_lines(arguments, style, pen)
-    style.update(**given(arguments, _STYLE))
-    style.update(**given(arguments, ("silhouette_ink", "silhouette_radius")))
-    if arguments.silhouette_ink is not None:
-        for line in style.lines:
-            line.ink = arguments.silhouette_ink
-    if arguments.transparent:
-        red, green, blue, _ = style.paper
-        style.paper = (red, green, blue, 0.0)
-    if arguments.depth_range is not None:
-        style.depth_min, style.depth_max = arguments.depth_range
-    for owner, field, text in arguments.assignments:
-        values.assign(style, owner, field, text)
-    return style
+class BlankError(ValueError):
+    """There is hardly anything to see in a drawing; the message says why."""
 
 
-def _draw_as_published(style: Style) -> None:
-    """Marks of the recursion are dots of one size."""
-    for layer in style.layers:
-        if layer.kind == "combing" and layer.shown:
-            layer.shape, layer.radius, layer.share = "dots", 1.1, 1.0
-        if layer.kind == "stipples" and style.preset == "full":
-            layer.radius = layer.share = 1.0
+class Part(NamedTuple):
+    """A surface that is drawn, with its marks and lines; None of what it does not have."""
 
-
-def make_camera(arguments: Any, source: Any, points: Any) -> Camera:
-    """The camera asked for; without --eye one that sees all of the points, of a source or a box."""
-    own: Optional[Camera] = getattr(arguments, "own_camera", None)
-    if own is not None:
-        return own
-    up = arguments.up
-    # Finds are drawn as they are measured.
-    fov = 0.0 if _is_find(arguments) else 30.0
-    angle = math.radians(fov if arguments.fov is None else arguments.fov)
-    size = arguments.size or _automatic.LONG_SIDE
-    if arguments.eye is not None:
-        return _camera_at(arguments, source, up, angle, (size, size) if isinstance(size, int) else size)
-    azimuth = _automatic.AZIMUTH if arguments.azimuth is None else arguments.azimuth
-    elevation = _automatic.ELEVATION if arguments.elevation is None else arguments.elevation
-    direction = arguments.direction or _automatic.view_direction(up, azimuth, elevation)
-    margin = 0.05 if arguments.margin is None else arguments.margin
-    camera = Camera.fit(source, direction, up, vertical_angle=angle, margin=margin)
-    return _automatic.frame(camera, points, size, margin)
-
-
-def _camera_at(arguments: Any, source: Any, up: Any, angle: float, size: Tuple[int, int]) -> Camera:
-    """From --eye towards --target or the middle of the model."""
-    low, high = (np.asarray(corner) for corner in corners(source))
-    target = (low + high) / 2 if arguments.target is None else arguments.target
-    distance = float(np.linalg.norm(np.subtract(target, arguments.eye)))
-    radius = float(np.linalg.norm(high - low))
-    camera = Camera.look_at(arguments.eye, target, up)
-    if angle == 0:
-        return camera.orthographic(radius, size, -distance - radius, distance + radius)
-    return camera.perspective(angle, size, max(distance - 2 * radius, distance / 1000), distance + 2 * radius)
-
-
-def _is_find(arguments: Any) -> bool:
-    return bool(arguments.style == "archaeological")
-
-
-def make_layers(arguments: Any, wanted: Sequence[Layer]) -> List[Layer]:
-    """These layers with what was given on the command line."""
-    layers = []
-    for layer in wanted:
-        kind = layer.kind
-        fields = {"stipples": ("density", "density_strength"), "hatch": _HATCH}.get(kind, _STROKES)
-        layer = replace(layer, **given(arguments, (*fields, "tone_smoothing")))
-        for field, numbers in (("budget", arguments.budget), ("levels", arguments.levels)):
-            if numbers is not None and kind in numbers:
-                layer = replace(layer, **{field: numbers[kind]})
-        if kind == "hatch" and arguments.hatch_angle is not None:
-            layer = replace(layer, angle=layer.angle + arguments.hatch_angle)
-        layers.append(replace(layer, with_curvature=kind in (arguments.curvature_of or ())))
-    return layers
-
-
-def _wanted_layers(arguments: Any) -> List[Layer]:
-    """Those asked for, or those of the style, whose strokes follow each other from light to dark unless told not to."""
-    if arguments.layers:
-        return [Layer(kind) for kind in arguments.layers]
-    layers = preset_layers(arguments.style, arguments.distribution or "blue_noise")
-    return layers if arguments.tone_ranges is None else [replace(one, tone=None, second_tone=None) for one in layers]
-
-
-def generate(arguments: Any, model: Model, layers: Sequence[Layer], context: Context, report: Reporter) -> PointSet:
-    """Place the marks."""
-    options = {**(getattr(arguments, "own_generate", None) or {}), **given(arguments, _GENERATE)}
-    arguments.made = list(layers), dict(options)
-    if arguments.seed_points is not None:
-        options["seed_points"] = shapes.read(arguments.seed_points).points
-    with report.stage("place marks", "placing marks") as stage:
-        marks = PointSet.generate(model, layers, progress=stage.bar, context=context, **options)
-        stage.says = f"{len(marks)} marks: {', '.join(layer.name or layer.kind for layer in marks.layers)}"
-    return marks
-
-
-def area_of(known: PointSet) -> float:
-    """Of a surface, from even marks on it."""
-    return float(known.info.spacing**2 * len(known))
-
-
-def plan(
-    arguments: Any, model: Model, area: float, camera: Camera, report: Reporter
-) -> Tuple[Style, List[Layer]]:
-    """The style for a camera, and the layers that it wants with what fills the darkest tone of an area."""
-    style = make_style(arguments, camera.size)
-    low, high = model.bounds
-    pixels = _automatic.pixels_per_unit(camera, np.add(low, high) / 2)
-    published, seeds = arguments.distribution == "published", max(model.info.centres, 1)
-    own: Optional[List[Layer]] = getattr(arguments, "own_layers", None)
-    if own is not None and arguments.layers is None:
-        return style, _settings_use.paint(arguments, style, make_layers(arguments, own), camera)
-    layers = make_layers(arguments, _wanted_layers(arguments))
-    if not published and not getattr(arguments, "save_points", None):  # what is saved may be drawn in another style
-        layers = _automatic.few_of_unseen(layers, style)
-    layers = _automatic.marks(layers, style, area, pixels, published, seeds, report.note)
-    if arguments.tone_ranges == "in-turn":
-        layers = _automatic.in_turn(layers, style)
-    return style, _settings_use.paint(arguments, style, layers, camera)
-
-
-def sides_of(arguments: Any, source: Union[Model, PointSet]) -> str:
-    """On which sides of the surface marks are drawn: of one that ends the inside is seen, too."""
-    wanted = getattr(arguments, "sides", None) or "auto"
-    if wanted != "auto":
-        return str(wanted)
-    return "both" if isinstance(source, Model) and source.trim_info.is_trimmed else "front"
-
-
-def _has_section(arguments: Any) -> bool:
-    return _is_find(arguments) if arguments.profile is None else bool(arguments.profile == "yes")
-
-
-def _unit_of_bar(arguments: Any) -> str:
-    unit = arguments.scale_bar or ("units" if _is_find(arguments) else "none")
-    return "" if unit == "none" else str(unit)
-
-
-def is_plate(arguments: Any) -> bool:
-    """Whether there is more on the paper than the drawing."""
-    return _has_section(arguments) or _unit_of_bar(arguments) != ""
-
-
-def section_lines(arguments: Any, model: Model, camera: Camera) -> List[Lines]:
-    """What a section beside the drawing needs of the line set."""
-    return [_plate.section(model, camera)] if _has_section(arguments) else []
-
-
-def plate(
-    arguments: Any,
-    drawing: Drawing,
-    model: Model,
-    marks: PointSet,
-    line_set: Optional[LineSet],
-    camera: Camera,
-    style: Style,
-    context: Context,
-) -> Any:
-    """A PIL.Image: the drawing with a section beside it and a scale bar."""
-    section = line_set if _has_section(arguments) else None
-    unit = _unit_of_bar(arguments)
-    return _plate.compose(drawing.to_pil(), model, marks, section, camera, style, unit, context)
-
-
-@dataclass(frozen=True)
-class Part:
-    """A surface that is drawn beside others, with its marks and lines, and what it comes from."""
-
-    model: Model
-    shape: Optional[shapes.Shape]
-    marks: PointSet
+    model: Optional[Model]
+    marks: Optional[PointSet]
     line_set: Optional[LineSet]
 
 
-@dataclass
-class Scene:
-    """What is drawn, by any number of cameras: one model, its marks and lines, and a renderer.
+class _Listener:
+    """Hears what pictures tell, and hands it to the reporter of the call that runs."""
 
-    Lines keep their numbers, and wobble the same, from one drawing to the next.  `places` are points spread over the
-    surface, shape (n, 3), which cameras are fitted to.  `rest` is what a mesh has beside it whose parts are no surface
-    together.
+    def __init__(self) -> None:
+        self.state = CallbackState(self.hear)
+        self.user = self.state.new_handle()
+        self.report: Optional[Reporter] = None
+        self.last_stage = 0
+        self.of_options = False  # whether what failed is the descriptor
+
+    def hear(self, event: Any) -> None:
+        self.last_stage = max(self.last_stage, event.stage)
+        if self.report is not None and self.state.exception is None:
+            self.report.take(event)
+
+    def stop(self, fraction: float) -> None:
+        """Of an operation: what a listener raised ends the call."""
+        if self.state.exception is not None:
+            raise self.state.exception
+
+    @contextmanager
+    def telling(self, report: Reporter, context: Any) -> Iterator[Callable[..., None]]:
+        """The handle of an operation, for one call whose status is then to be checked."""
+        self.report = report
+        report.failure = None
+        try:
+            with running(None, self.stop, context) as (operation, state):
+                yield lambda call, *states: self._check(call(operation), report, state, *states)
+        finally:
+            self.report = None
+            report.fail()
+
+    def _check(self, result: Tuple[int, Any], report: Reporter, *states: Any) -> None:
+        status, error = result
+        try:
+            check(status, error, self.state, *states)
+        except Error as failed:
+            failure = report.failure
+            if failure is not None and failure.code == "blank":
+                raise BlankError(str(failure)) from None
+            as_option = report.wording == lib.HRBFNPR_WORDING_OPTIONS
+            text = in_names(str(failed) if failure is None else str(failure), as_option)
+            self.of_options = str(failed).startswith(("picture_desc.", "changes["))
+            if text == str(failed):
+                raise
+            raise type(failed)(text, failed.status) from None
+
+
+@callback("void(void *, const hrbfnpr_picture_event *)", failure=None)
+def _on_event(user: Any, event: Any) -> None:
+    ffi.from_handle(user).function(event)
+
+
+class Scene(Owner):
+    """A picture of the library's, which holds its surfaces, marks and lines.
+
+    Attributes
+    ----------
+    options, style_given
+        What it was made with.
     """
 
-    arguments: Any
-    source: Union[Model, PointSet]
-    marks: PointSet
-    line_set: Optional[LineSet]
-    style: Style
-    camera: Camera
-    places: Any
-    context: Context
-    rest: Tuple[Part, ...] = ()
-    renderer: Renderer = field(init=False)
+    def __init__(
+        self, handle: Any, context: Context, listener: _Listener, options: Options, style: Any, states: List[Any], *keep: Any
+    ) -> None:  # fmt: skip
+        super().__init__(own(handle, lib.hrbfnpr_picture_release, listener.user, *keep))
+        self._context, self._listener, self._states = context, listener, states
+        self._lock = threading.RLock()
+        self.options, self.style_given = options, style
+        self.sources: Sequence[Source] = ()
+        self._parts: Optional[Tuple[Part, ...]] = None
 
-    def __post_init__(self) -> None:
-        self.renderer = Renderer(context=self.context)
+    # ---- Making
 
-    def draw(self, camera: Camera) -> Drawing:
-        """The drawing alone, without what a plate adds."""
-        items = [self._item(self.source, self.marks, self.line_set)]
-        items += [self._item(part.model, part.marks, part.line_set) for part in self.rest]
-        return self.renderer.draw(items, camera)
+    @classmethod
+    def create(
+        cls, sources: Sequence[Source], options: Options, style: Any, context: Context, report: Reporter, *,
+        camera: Optional[Camera] = None, flags: Sequence[str] = (), name: Optional[str] = None, settings: Any = None,
+        turn: Optional[Tuple[float, int]] = None, path: Optional[str] = None,
+    ) -> Scene:  # fmt: skip
+        """Fits, places marks and looks for lines.
 
-    def _item(self, source: Union[Model, PointSet], marks: PointSet, line_set: Optional[LineSet]) -> Item:
-        return Item(marks, self.style, line_set=line_set, sides=sides_of(self.arguments, source))
+        Parameters
+        ----------
+        style : str, Style or None
+            None: that of the settings, or the default.
+        name : str, optional
+            For titles and metadata.
+        settings : Settings, optional
+        turn : (degrees, frames), optional
+            The picture has room for this orbit.
+        path : str, optional
+            The file that errors of its contents name.
+        """
+        desc, keep = describe(options, flags)
+        structs = new_list("hrbfnpr_picture_source", len(sources))
+        for struct, source in zip(structs, sources):
+            keep.append(fill_source(struct, source, name))
+        desc.sources, desc.source_count = structs, len(sources)
+        if settings is not None:
+            desc.settings = settings._handle
+        if turn is not None:
+            desc.turn, desc.turn_frames = turn
+        listener = _Listener()
+        functions = [part._function for source in sources for part in _parts_of(source) if isinstance(part, Model)]
+        handle = context._handle
+        try:
+            made = cls._made(
+                lambda *rest: lib.hrbfnpr_picture_create(handle, desc, *rest),
+                desc, keep, [structs, settings], options, style, camera, context, report, listener, functions)  # fmt: skip
+        except (Error, ValueError) as error:
+            of_contents = path is not None and listener.last_stage < lib.HRBFNPR_STAGE_MARKS and not listener.of_options
+            if not of_contents or isinstance(error, (OutOfMemoryError, BlankError)):
+                raise
+            raise ValueError(f"{path}: {words_of(error)}") from error
+        made.sources = tuple(sources)
+        return made
+
+    def restyled(
+        self, options: Options, style: Any, report: Reporter, *, camera: Optional[Camera] = None, flags: Sequence[str] = ()
+    ) -> Scene:  # fmt: skip
+        """The same surfaces in another style, size or view."""
+        desc, keep = describe(options, flags)
+        handle = self._handle
+        made = self._made(
+            lambda *rest: lib.hrbfnpr_picture_restyle(handle, desc, *rest),
+            desc, keep, [self], options, style, camera, self._context, report, _Listener(), [])  # fmt: skip
+        made.sources = self.sources
+        return made
+
+    @classmethod
+    def _made(
+        cls, call: Any, desc: Any, keep: List[Any], hold: List[Any], options: Options, style: Any,
+        camera: Optional[Camera], context: Context, report: Reporter, listener: _Listener, functions: List[Any],
+    ) -> Scene:  # fmt: skip
+        desc.wording, desc.on_event, desc.event_user = report.wording, _on_event, listener.user
+        if camera is not None:
+            desc.camera = camera._struct
+        states: List[Any] = [function for function in functions if function is not None]
+        if isinstance(style, Style):
+            desc.style, state, kept = style._prepared()
+            hold.append(kept)
+            states += [] if state is None else [state]
+            desc.preset = PRESETS.index(style.preset) if style.preset else desc.preset
+        elif style is not None:
+            name = ffi.new("char[]", style.encode())
+            keep.append(name)
+            desc.style_name = name
+        out, error = ffi.new("hrbfnpr_picture **"), new_error()
+        with listener.telling(report, context._handle) as checked:
+            try:
+                checked(lambda operation: (call(operation, out, error), error), *states)
+            except BaseException:
+                lib.hrbfnpr_picture_release(out[0])
+                raise
+        del keep
+        return cls(out[0], context, listener, options, style, states, *hold)
+
+    # ---- Looking at it
+
+    def _get(self, what: str, *arguments: Any) -> Any:
+        """A struct that a function of the library fills."""
+        struct, error = new_struct(f"hrbfnpr_{what}"), new_error()
+        getter = getattr(lib, f"hrbfnpr_picture_get_{what.replace('picture_', '')}")
+        check(getter(self._handle, *arguments, struct, error), error)
+        return struct
 
     @property
-    def bounds(self) -> Any:
-        """What cameras see all of: the source, or the corners of the box of several."""
-        return _bounds(self.source, [part.model for part in self.rest])
+    def info(self) -> Any:
+        """A hrbfnpr_picture_info."""
+        return self._get("picture_info")
 
     @property
-    def mark_count(self) -> int:
-        """Of all surfaces."""
-        return len(self.marks) + sum(len(part.marks) for part in self.rest)
+    def parts(self) -> Tuple[Part, ...]:
+        """The surfaces, the largest first."""
+        if self._parts is None:
+            self._parts = tuple(self._part(number) for number in range(self.info.parts))
+        return self._parts
+
+    def _part(self, number: int) -> Part:
+        struct = self._get("picture_part", number)
+        given = {part._handle: part for source in self.sources for part in _parts_of(source) if not part.closed}
+        handles = []
+        for kind, field in (("model", struct.model), ("point_set", struct.point_set), ("line_set", struct.line_set)):
+            if field == ffi.NULL:
+                handles.append(None)
+                continue
+            raw = ffi.cast(f"hrbfnpr_{kind} *", field)
+            known = next((part for handle, part in given.items() if ffi.cast("void *", handle) == ffi.cast("void *", raw)), None)
+            if known is None:
+                getattr(lib, f"hrbfnpr_{kind}_retain")(raw)
+                handle = own(raw, getattr(lib, f"hrbfnpr_{kind}_release"))
+                known = {"model": Model, "point_set": PointSet}[kind](handle, self._context) if kind != "line_set" else (
+                    LineSet._of(handle, handles[0], _is_curved(self.style)))  # fmt: skip
+            handles.append(known)
+        return Part(*handles)
 
     @property
-    def is_plate(self) -> bool:
+    def model(self) -> Optional[Model]:
+        """The surface, the largest of several; None of saved marks."""
+        return self.parts[0].model
+
+    @property
+    def style(self) -> Style:
+        """How it is drawn; a copy."""
+        out, error = ffi.new("const hrbfnpr_style **"), new_error()
+        check(lib.hrbfnpr_picture_get_style(self._handle, out, error), error)
+        given = self.style_given
+        return Style._from_struct(out[0], self.preset, given._tone if isinstance(given, Style) else None)
+
+    @property
+    def preset(self) -> str:
+        """The name of its style."""
+        return PRESETS[self.info.preset]
+
+    @property
+    def camera(self) -> Camera:
+        """As it was planned."""
+        return _camera_of(self._get("camera"))
+
+    def look(self, direction: Any, azimuth: Optional[float], elevation: Optional[float]) -> Camera:
+        """From another side; None = as planned."""
+        struct, error = new_struct("hrbfnpr_camera"), new_error()
+        towards = ffi.NULL if direction is None else ffi.new("double[3]", [float(x) for x in direction])
+        angles = (math.nan if angle is None else float(angle) for angle in (azimuth, elevation))
+        check(lib.hrbfnpr_picture_look(self._handle, towards, *angles, struct, error), error)
+        return _camera_of(struct)
+
+    def orbit(self, frames: int, turn: float) -> List[Camera]:
+        """Of an orbit from the planned camera on: a whole turn comes back to its first frame after its last."""
+        whole = math.isclose(abs(turn) % 360, 0, abs_tol=1e-9) and turn != 0
+        steps = frames if whole else max(frames - 1, 1)
+        cameras = []
+        for i in range(frames):
+            struct, error = new_struct("hrbfnpr_camera"), new_error()
+            check(lib.hrbfnpr_picture_orbit(self._handle, turn * i / steps, struct, error), error)
+            cameras.append(_camera_of(struct))
+        return cameras
+
+    # ---- Drawing
+
+    def draw(self, camera: Optional[Camera] = None, report: Optional[Reporter] = None) -> Drawing:
+        """The drawing alone, without what a plate adds; by the planned camera it must not be blank."""
+        seen_by = ffi.NULL if camera is None else camera._struct
+        report = Reporter() if report is None else report
+        out, error, handle = ffi.new("hrbfnpr_drawing **"), new_error(), self._handle
+        with self._lock, self._listener.telling(report, self._context_handle) as checked:
+            try:
+                checked(lambda operation: (lib.hrbfnpr_picture_draw(handle, seen_by, operation, out, error), error),
+                        *self._states)  # fmt: skip
+            except BaseException:
+                lib.hrbfnpr_drawing_release(out[0])
+                raise
+        drawn = own(out[0], lib.hrbfnpr_drawing_release, self._context)
+        layers = [part.marks.layers for part in self.parts if part.marks is not None]
+        return Drawing(drawn, (camera or self.camera).size, layers)
+
+    @property
+    def _context_handle(self) -> Any:
+        return self._context._handle
+
+    def plate_size(self, camera: Camera) -> Tuple[int, int]:
+        """Of the drawing with what stands beside it."""
+        size, error = ffi.new("int32_t[2]"), new_error()
+        check(lib.hrbfnpr_picture_plate_size(self._handle, camera._struct, size, size + 1, error), error)
+        return size[0], size[1]
+
+    def image(self, drawing: Drawing, camera: Camera) -> Array:
+        """The plate: straight RGBA, uint8 (height, width, 4)."""
+        pixels, image = image_for("rgba8", None, self.plate_size(camera), drawing.size)
+        error = new_error()
+        status = lib.hrbfnpr_picture_rasterize(self._handle, drawing._handle, camera._struct, image, error)
+        check(status, error)
+        return pixels
+
+    def is_plate(self, drawing: Drawing, camera: Camera) -> bool:
         """Whether there is more on the paper than the drawing."""
-        return isinstance(self.source, Model) and is_plate(self.arguments)
+        return self.plate_size(camera) != drawing.size
 
-    def picture(self, drawing: Drawing, camera: Camera) -> Any:
-        """A PIL.Image of a drawing, with a section beside it and a scale bar where they are wanted."""
-        if not (isinstance(self.source, Model) and is_plate(self.arguments)):
-            return drawing.to_pil()
-        return plate(
-            self.arguments, drawing, self.source, self.marks, self.line_set, camera, self.style, self.context
-        )
+    def write(self, target: Any, drawing: Drawing, camera: Camera, report: Reporter, format: Optional[str] = None) -> PageInfo:
+        """As vectors, by the options of the page."""
+        desc, keep = describe_page(self.options, format or format_of(target) or "svg")
+        info = new_struct("hrbfnpr_page_info")
+        arguments = drawing._handle, camera._struct, desc
+        self._written(target, lib.hrbfnpr_picture_write, arguments, info, report)
+        del keep
+        return read_struct(PageInfo, info)
 
-    def check(self, drawing: Drawing, camera: Camera) -> None:
-        """Raise a ValueError if hardly anything can be seen, unless that is allowed."""
-        if not self.arguments.allow_blank:
-            _blank.check(drawing, self.bounds, camera, self.style, self.arguments.flip)
+    def write_views(self, target: Any, desc: Any, report: Reporter) -> Any:
+        """As a sheet of views; returns a hrbfnpr_views_info."""
+        info = new_struct("hrbfnpr_views_info")
+        self._written(target, lib.hrbfnpr_picture_write_views, (desc,), info, report)
+        return info
 
-    def write(self, path: Path, drawing: Drawing, camera: Camera, report: Reporter) -> None:
-        """A drawing in the format that the path's ending says."""
-        if _vectors.is_vector(path):
-            self._vectors(path, drawing, camera, report)
+    def _written(self, target: Any, function: Any, arguments: Any, info: Any, report: Reporter) -> None:
+        handle = self._handle
+
+        def to_file(file: Any) -> None:
+            error, state = new_error(), CallbackState(file.write)
+            user = state.new_handle()
+            with self._lock, self._listener.telling(report, self._context_handle) as checked:
+                checked(lambda operation: (function(
+                    handle, *arguments, _streams._on_write, user, info, operation, error), error), state)  # fmt: skip
+
+        if isinstance(target, (str, bytes)) or hasattr(target, "__fspath__"):
+            _streams.write_atomically(target, to_file)
         else:
-            save_picture(self.picture(drawing, camera), path, None)
+            to_file(target)
 
-    def _vectors(self, path: Path, drawing: Drawing, camera: Camera, report: Reporter) -> None:
-        items: List[PageItem] = [PageItem(drawing)]
-        notes: List[Any] = []
-        size: Tuple[float, float] = drawing.size
-        if isinstance(self.source, Model) and is_plate(self.arguments):
-            section = self.line_set if _has_section(self.arguments) else None
-            items, notes, size = _plate.vectors(
-                drawing, self.source, self.marks, section, camera, self.style, _unit_of_bar(self.arguments), self.context
-            )
-        _vectors.write(self.arguments, items, size, path, notes, self._metadata(camera), report)
-
-    def _metadata(self, camera: Camera) -> str:
-        """What the drawing is of, as JSON."""
-        facts: Dict[str, Any] = {"input": Path(self.arguments.input).name, "style": self.arguments.style}
-        if isinstance(self.source, Model):
-            infos = [self.source.info, *(part.model.info for part in self.rest)]
-            facts["model"] = {
-                "centres": sum(info.centres for info in infos), "kernel": infos[0].kernel,
-                "samples": sum(info.samples for info in infos),
-            }  # fmt: skip
-        facts["marks"] = self.mark_count
-        facts["camera"] = {
-            "view": np.asarray(camera.view).tolist(), "projection": np.asarray(camera.projection).tolist(),
-            "viewport": list(camera.viewport),
-        }  # fmt: skip
-        return json.dumps(facts)
+    def write_settings(self, path: Any, report: Reporter) -> None:
+        """What it was made with, for `Settings`; a note says what this does not hold."""
+        self._listener.report = report
+        try:
+            _streams.save(lib.hrbfnpr_picture_write_settings, self._handle, path)
+        finally:
+            self._listener.report = None
 
 
-Look = Callable[[Any, Any, Any], Camera]
-"""From options, a model or a point set, and points spread over it, to a camera."""
+class Settings(Owner):
+    """A file of settings, as the viewer or `Scene.write_settings` wrote it."""
+
+    def __init__(self, path: Any, context: Context) -> None:
+        out = ffi.new("hrbfnpr_settings **")
+        with open(path, "rb") as file:
+            _streams._stream_call(
+                lambda user, error: lib.hrbfnpr_settings_load(context._handle, _streams._on_read, user, out, error),
+                file.read)  # fmt: skip
+        super().__init__(own(out[0], lib.hrbfnpr_settings_release, context))
 
 
-def set_scene(
-    arguments: Any, loaded: Loaded, context: Context, report: Reporter, look: Look = make_camera
-) -> Scene:
-    """The camera, the marks and the lines of a model; saved marks are used as they are."""
-    arguments.up = loaded.up
-    if isinstance(loaded.content, Model):
-        return _scene_of_models(arguments, loaded, context, report, look)
-    source = loaded.content
-    arguments.input_shape, arguments.has_end = loaded.shape, False
-    places = _automatic.positions(source)
-    camera = look(arguments, source, places)
-    if arguments.lines:
-        report.note("lines are drawn of a model, not of saved points: contours come from marks")
-    return Scene(arguments, source, source, None, make_style(arguments, camera.size), camera, places, context)
+def _parts_of(source: Any) -> List[Any]:
+    """Models and point sets of a source."""
+    return [part for part in (source if isinstance(source, tuple) else (source,)) if isinstance(part, (Model, PointSet))]
 
 
-def _scene_of_models(arguments: Any, loaded: Loaded, context: Context, report: Reporter, look: Look) -> Scene:
-    """Marks are as dense on all surfaces, and lines of hatching as far from each other."""
-    sources = [loaded, *loaded.rest]
-    models = [each.content for each in sources if isinstance(each.content, Model)]
-    known = [_automatic.probe(model, context) for model in models]
-    areas = [area_of(marks) for marks in known]
-    places = np.concatenate([_automatic.positions(marks) for marks in known])
-    arguments.has_end = any(model.trim_info.is_trimmed for model in models)
-    if arguments.has_end:
-        _look_at_front(arguments, loaded.shape, known, areas, report)
-    camera = look(arguments, _bounds(models[0], models[1:]), places)
-    style, layers = plan(arguments, models[0], sum(areas), camera, report)
-    parts = []
-    for each, model, area in zip(sources, models, areas):
-        arguments.input_shape = each.shape
-        own = layers if len(models) == 1 else _share_of(layers, area / sum(areas))
-        marks = generate(arguments, model, own, context, report)
-        line_set = _lines.make(arguments, model, style, context, report, section_lines(arguments, model, camera))
-        parts.append(Part(model, each.shape, marks, line_set))
-    arguments.input_shape = loaded.shape
-    first, rest = parts[0], tuple(parts[1:])
-    return Scene(arguments, first.model, first.marks, first.line_set, style, camera, places, context, rest)
+def _is_curved(style: Style) -> bool:
+    """Whether its lines want curvatures."""
+    return any(line.kind in ("suggestive_contour", "apparent_ridge", "isophote") for line in style.lines)
 
 
-def _look_at_front(
-    arguments: Any, shape: Optional[shapes.Shape], known: Sequence[PointSet], areas: Sequence[float], report: Reporter
-) -> None:
-    """From the side that an open surface looks to, where nothing is said of the camera."""
-    if any(getattr(arguments, name, None) is not None for name in ("own_camera", "eye", "direction", "azimuth")):
-        return
-    if shape is not None and shape.is_picture and shape.viewpoint is not None:
-        places = np.concatenate([_automatic.positions(marks) for marks in known])
-        towards = np.asarray(shape.viewpoint) - places.mean(axis=0)
-        arguments.azimuth = float(round(_automatic.azimuth_of(arguments.up, towards)) % 360)
-        arguments.elevation = 0.0 if arguments.elevation is None else arguments.elevation
-        report.note(
-            f"the points are a picture of a depth camera: seen from where it stood, azimuth {arguments.azimuth:g}; what "
-            "it did not see is missing"
-        )
-        return
-    means = [np.concatenate([layer.normals for layer in marks.layers]).mean(axis=0) for marks in known]
-    azimuth = _automatic.front_azimuth(arguments.up, np.average(means, axis=0, weights=areas))
-    if azimuth is None:
-        return
-    arguments.azimuth = azimuth
-    report.note(
-        f"the surface looks away from the usual side: seen from azimuth {azimuth:g} (--azimuth {_automatic.AZIMUTH:g} "
-        "sees its back)"
-    )
-
-
-def _share_of(layers: Sequence[Layer], share: float) -> List[Layer]:
-    """As many of a budget's marks as a part of the area gets."""
-    return [one if one.budget is None else replace(one, budget=max(1, round(share * one.budget))) for one in layers]
-
-
-def _bounds(source: Any, rest: Sequence[Model]) -> Any:
-    """The source itself where it is alone."""
-    if not rest:
-        return source
-    boxes = np.array([corners(each) for each in (source, *rest)], dtype=float)
-    return boxes[:, 0].min(axis=0), boxes[:, 1].max(axis=0)
-
-
-def draw_scene(scene: Scene, report: Reporter) -> Drawing:
-    """By its own camera; a picture that would be blank is an error."""
-    with report.stage("frame", "drawing") as stage:
-        drawing = scene.draw(scene.camera)
-        stage.says = f"{drawing.info.shown} of {scene.mark_count} marks shown, {drawing.info.line_curves} curves"
-        scene.check(drawing, scene.camera)
-    return drawing
+def _camera_of(struct: Any) -> Camera:
+    camera = Camera()
+    camera._struct[0] = struct[0]
+    return camera

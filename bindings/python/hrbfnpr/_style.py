@@ -185,13 +185,27 @@ class Style(Attributes):
         error = new_error()
         status = lib.hrbfnpr_style_init_preset(struct, ffi.sizeof("hrbfnpr_style"), PRESETS.index(preset), error)
         check(status, error)
-        # Copied, so that they can be changed.
+        self._copy_lists()
+
+    def _copy_lists(self) -> None:
+        """Lists of the struct as lists of Python, which can be changed."""
+        struct = self._struct
         self._layers = [LayerStyle._from_struct(each) for each in _elements(struct, "layer")]
         self._lines = [LineStyle._from_struct(each) for each in _elements(struct, "line")]
         for name in ("layer", "line"):
             setattr(struct, f"{name}s", ffi.NULL)
             setattr(struct, f"{name}_count", 0)
             setattr(struct, f"{name}_stride", 0)
+
+    @classmethod
+    def _from_struct(cls, struct: Any, preset: str, tone: Optional[ToneFunction]) -> Style:
+        """A hrbfnpr_style of the library's; `tone` is its function of tone, if it is one of Python."""
+        style = cls()
+        style._struct[0], style._preset = struct[0], preset
+        style._copy_lists()
+        if style._struct.tone == TONES["callback"]:
+            style._tone, style._struct.tone = tone, TONES["light" if tone is None else "callback"]
+        return style
 
     @property
     def preset(self) -> Optional[str]:

@@ -92,7 +92,7 @@ private:
         const std::int64_t wanted =
             settings_.candidates > 0 ? settings_.candidates : std::clamp(faces, fewest_candidates, most_candidates / 2);
         MeshSamples even = random_samples(runtime_, mesh_, wanted, settings_.seed, 1, progress_);
-        warn_of_touching(runtime_, mesh_, tree_, even, report_.tolerance, false, progress_);
+        report_.touching = warn_of_touching(runtime_, mesh_, tree_, even, report_.tolerance, false, progress_);
         candidates_.position = std::move(even.position);
         candidates_.normal = std::move(even.normal);
         const std::int64_t step = (faces + most_candidates / 2 - 1) / (most_candidates / 2);

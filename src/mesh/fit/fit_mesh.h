@@ -5,6 +5,7 @@
 #include "fit/fit.h"
 #include "mesh/edges.h"
 #include "mesh/fit/compare.h"
+#include "mesh/fit/touching.h"
 
 namespace hrbfnpr::mesh {
 
@@ -32,6 +33,7 @@ struct FitMeshReport {
     std::int32_t rounds = 0;
     Spread surface;
     Spread mesh;
+    Touching touching; // parts that are nearer to each other than the tolerance, so that the surface may join them
     double seconds_sample = 0.0;
     double seconds_fit = 0.0;
     double seconds_measure = 0.0;

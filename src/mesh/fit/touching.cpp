@@ -100,18 +100,20 @@ Touching find_near(const base::Runtime& runtime, const Mesh& mesh, const FaceTre
     return find_beside(runtime, mesh, tree, places, near, least_alike, progress);
 }
 
-void warn_of_touching(const base::Runtime& runtime, const Mesh& mesh, const FaceTree& tree, const MeshSamples& places,
-                      double near, bool solids_apart, const base::Progress& progress) {
-    if (!has_parts(mesh)) return;
-    const Touching found = solids_apart ? find_near(runtime, mesh, tree, places, near, progress)
-                                        : find_touching(runtime, mesh, tree, places, near, progress);
-    if (found.one < 0) return;
+Touching warn_of_touching(const base::Runtime& runtime, const Mesh& mesh, const FaceTree& tree,
+                          const MeshSamples& places, double near, bool solids_apart, const base::Progress& progress) {
+    if (!has_parts(mesh)) return {};
+    Touching found = solids_apart ? find_near(runtime, mesh, tree, places, near, progress)
+                                  : find_touching(runtime, mesh, tree, places, near, progress);
+    if (found.one < 0) return {};
+    found.may_cross = !solids_apart;
     runtime.log(base::LogLevel::warning,
                 "mesh fit: parts %d and %d of the mesh, and maybe others, %s nearer to each other than the "
                 "tolerance, as near %.4g %.4g %.4g: the surface may join them there; a smaller tolerance holds apart "
                 "what does not cross",
-                static_cast<int>(found.one), static_cast<int>(found.other), solids_apart ? "are" : "cross or are",
+                static_cast<int>(found.one), static_cast<int>(found.other), found.may_cross ? "cross or are" : "are",
                 found.place.x, found.place.y, found.place.z);
+    return found;
 }
 
 } // namespace hrbfnpr::mesh

@@ -12,6 +12,7 @@ namespace hrbfnpr::mesh {
 struct Touching {
     std::int32_t one = -1, other = -1; // components, numbered from 0; -1: none
     glm::dvec3 place{0.0};
+    bool may_cross = false; // they go through each other, or are near; else they are near
 };
 
 // The first edge that goes through a face of another component.
@@ -27,8 +28,10 @@ struct Touching {
 [[nodiscard]] Touching find_near(const base::Runtime& runtime, const Mesh& mesh, const FaceTree& tree,
                                  const MeshSamples& places, double near, const base::Progress& progress);
 
-// Says so in the log.  Solids that are fitted apart may cross: they meet in creases.
-void warn_of_touching(const base::Runtime& runtime, const Mesh& mesh, const FaceTree& tree, const MeshSamples& places,
-                      double near, bool solids_apart, const base::Progress& progress);
+// Finds parts that a fit may join, and says so in the log.  Solids that are fitted apart may cross, because they meet
+// in creases.
+[[nodiscard]] Touching warn_of_touching(const base::Runtime& runtime, const Mesh& mesh, const FaceTree& tree,
+                                        const MeshSamples& places, double near, bool solids_apart,
+                                        const base::Progress& progress);
 
 } // namespace hrbfnpr::mesh

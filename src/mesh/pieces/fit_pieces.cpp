@@ -393,7 +393,8 @@ PiecesFit fit_pieces(const base::Runtime& runtime, const Mesh& mesh, const FaceT
     const base::Stopwatch watch;
     const bool closed = mesh.report.boundary_edges == 0;
     const MeshSamples places = places_on_parts(runtime, mesh, settings.seed, progress);
-    warn_of_touching(runtime, mesh, tree, places, tolerance_of(mesh, settings), closed, progress);
+    const Touching touching =
+        warn_of_touching(runtime, mesh, tree, places, tolerance_of(mesh, settings), closed, progress);
     std::optional<Fitter> best(std::in_place, runtime, mesh, tree, places, creases, settings, options,
                                progress.part(0.0, end_of_first));
     best->fit_sheets(nullptr);
@@ -413,6 +414,7 @@ PiecesFit fit_pieces(const base::Runtime& runtime, const Mesh& mesh, const FaceT
         done = next;
     }
     PiecesFit result = best->take();
+    result.mesh.touching = touching;
     result.mesh.seconds_total = result.fit.seconds_total = watch.seconds();
     progress.update(1.0);
     return result;

@@ -8,13 +8,12 @@ from __future__ import annotations
 import ast
 import math
 import operator
-from pathlib import Path
 from typing import Any, Callable, Dict, Optional
 
-from .. import csg
-from .._context import Context
-from .._errors import Error
-from .._model import Model
+from . import csg
+from ._context import Context
+from ._errors import Error
+from ._model import Model
 
 MOST_REPEATS = 10_000  # of a script's loops, in all
 METHODS = ("blend", "difference", "intersection", "offset", "rotated", "scaled", "shell", "transformed", "translated",
@@ -45,11 +44,6 @@ def run(text: str, load: Callable[[str], Model], context: Optional[Context] = No
         line = getattr(error, "lineno", None) or 1
         raise ScriptError(f"line {line}: {getattr(error, 'msg', error)}") from None
     return _Script(load, context).run(tree)
-
-
-def read(path: Path, load: Callable[[Path], Model], context: Context) -> Model:
-    """The solid of a script in a file; files that it names are beside it."""
-    return run(path.read_text(encoding="utf-8"), lambda name: load(path.parent / name), context)
 
 
 class _Script:

@@ -1,0 +1,199 @@
+# SPDX-License-Identifier: MIT
+"""Pictures: what `hrbfnpr.draw` makes.  Needs NumPy."""
+from __future__ import annotations
+
+import io
+import os
+from typing import Any, BinaryIO, Mapping, Optional, Tuple, Union
+
+from . import _pictures
+from ._arrays import Array
+from ._camera import Camera
+from ._context import Context
+from ._drawing import Drawing
+from ._line_set import LineSet
+from ._model import Model
+from ._names import PRESETS
+from ._page import format_of
+from ._point_set import PointSet
+from ._report import CallReport, Note, Progress
+from ._request import Options, chosen, options_of
+from ._scene import Scene
+from ._sources import scene_of
+from ._style import Style
+
+View = Tuple[Any, Optional[float], Optional[float]]
+"""Direction, azimuth and elevation of a camera; None where the picture's own are used."""
+_USUAL = 30.0, 20.0  # azimuth and elevation
+
+
+class Picture:
+    """What `draw` made: a drawing, and what it was made of.  Shows itself in a notebook.
+
+    Attributes
+    ----------
+    drawing : Drawing
+    camera : Camera
+    notes : tuple of Note
+        What was chosen or repaired on the way: sentences, each with its `code`, `severity` and `figures`.
+    """
+
+    def __init__(
+        self, scene: Scene, drawing: Drawing, camera: Camera, notes: Tuple[Note, ...] = (), view: Optional[View] = None
+    ) -> None:  # fmt: skip
+        self._scene, self._view = scene, view or (None, None, None)
+        self.drawing, self.camera, self.notes = drawing, camera, notes
+
+    @property
+    def model(self) -> Optional[Model]:
+        """The surface, the largest where parts of a mesh are fitted apart; None of saved marks."""
+        return self._scene.model
+
+    @property
+    def marks(self) -> PointSet:
+        """The marks on that surface."""
+        marks = self._scene.parts[0].marks
+        assert marks is not None
+        return marks
+
+    @property
+    def line_set(self) -> Optional[LineSet]:
+        """What its lines are drawn from; None without lines."""
+        return self._scene.parts[0].line_set
+
+    @property
+    def style(self) -> Style:
+        """How it is drawn, with marks sized for the picture; a copy."""
+        return self._scene.style
+
+    @property
+    def size(self) -> Tuple[int, int]:
+        """Width and height of the drawing, pixels; a section or a scale bar makes the image larger."""
+        return self.drawing.size
+
+    @property
+    def image(self) -> Array:
+        """The pixels: straight RGBA, a new uint8 array of the shape (height, width, 4)."""
+        return self._scene.image(self.drawing, self.camera)
+
+    @property
+    def angles(self) -> Tuple[float, float]:
+        """Azimuth and elevation that it is seen from, degrees, as far as these were chosen."""
+        found = {note.code: note.figures for note in self.notes if note.code.startswith("seen_from_")}
+        usual = (next(iter(found.values()))[0], 0.0 if "seen_from_camera" in found else _USUAL[1]) if found else _USUAL
+        options = self._scene.options
+        azimuth, elevation = (self._view[i] if self._view[i] is not None else options.get(name)
+                              for i, name in ((1, "azimuth"), (2, "elevation")))  # fmt: skip
+        return usual[0] if azimuth is None else azimuth, usual[1] if elevation is None else elevation
+
+    def seen(
+        self,
+        azimuth: Optional[float] = None,
+        elevation: Optional[float] = None,
+        *,
+        direction: Optional[Any] = None,
+        camera: Optional[Camera] = None,
+    ) -> Picture:
+        """The same model, marks and lines from another side; what is not given stays.
+
+        Parameters
+        ----------
+        azimuth, elevation : float, optional
+            Degrees, as in `draw`.
+        direction : sequence of float, optional
+            From the eye into the scene, instead of these.
+        camera : Camera, optional
+            Instead of all of these.
+        """
+        view = self._view
+        if camera is None and (direction is not None or azimuth is not None or elevation is not None):
+            view = direction, view[1] if azimuth is None else azimuth, view[2] if elevation is None else elevation
+            camera = self._scene.look(*view)
+        camera = camera or self.camera
+        return Picture(self._scene, self._scene.draw(camera), camera, self.notes, view)
+
+    def restyled(self, style: Union[str, Style]) -> Picture:
+        """The same surface from the same side in another style; marks are placed, and lines looked for, anew."""
+        options, report = self._scene.options, CallReport()
+        scene = self._scene.restyled(options, checked_style(style, options), report, camera=self.camera)
+        drawing = scene.draw(report=report)
+        report.finish()
+        return Picture(scene, drawing, self.camera, tuple(report.notes), self._view)
+
+    def to_pil(self) -> Any:
+        """A PIL.Image.  Needs Pillow."""
+        return _pictures.to_pil(self.image)
+
+    def to_png(self) -> bytes:
+        """The bytes of a PNG file.  Needs Pillow."""
+        buffer = io.BytesIO()
+        _pictures.save(self.to_pil(), buffer, "PNG")
+        return buffer.getvalue()
+
+    def save(self, target: Union[str, "os.PathLike[str]", BinaryIO], format: Optional[str] = None) -> None:
+        """Write a picture, or vectors where the path ends in .svg, .pdf, .hpgl or .gcode; paths atomically.
+
+        Parameters
+        ----------
+        target : path or binary file object
+        format : str, optional
+            As in `Drawing.save`; by default as the path's ending says, or PNG.
+        """
+        if format is not None and format.upper() not in _formats_of_pillow():
+            self.drawing.save(target, format)
+        elif format is not None or format_of(target) is None:
+            _pictures.save(self.to_pil(), target, format or (None if isinstance(target, (str, os.PathLike)) else "PNG"))
+        else:
+            report = CallReport()
+            self._scene.write(target, self.drawing, self.camera, report)
+            report.finish()
+
+    def _repr_png_(self) -> bytes:
+        return self.to_png()
+
+    def _repr_svg_(self) -> Optional[str]:
+        return None if self._scene.is_plate(self.drawing, self.camera) else self.drawing._repr_svg_()
+
+    def __repr__(self) -> str:
+        width, height = self.size
+        return f"<hrbfnpr.Picture {self._scene.preset}, {width}x{height}, {self._scene.info.marks} marks>"
+
+
+def _formats_of_pillow() -> Any:
+    from PIL import Image
+
+    Image.init()
+    return Image.SAVE
+
+
+def checked_style(style: Any, options: Options) -> Union[str, Style]:
+    """A named style, or one that is used as it is."""
+    if not isinstance(style, Style):
+        return chosen("style", str(style), PRESETS)
+    if "mark_radius" in options:
+        raise ValueError("mark_radius sizes named styles; a Style has the radii of its layers")
+    return style.copy()
+
+
+def asked(
+    source: Any, style: Any, options: Mapping[str, Any], camera: Optional[Camera], context: Optional[Context],
+    report: CallReport, **more: Any,
+) -> Scene:  # fmt: skip
+    """What is drawn of a source with options as Python's values."""
+    read = options_of(options)
+    wanted = checked_style(style, read)
+    if camera is not None and not isinstance(camera, Camera):
+        raise TypeError(f"camera must be a hrbfnpr.Camera, not {type(camera).__name__}")
+    return scene_of(source, wanted, read, camera, context, report, **more)
+
+
+def draw_of(
+    source: Any, style: Any, options: Mapping[str, Any], camera: Optional[Camera], progress: Progress,
+    context: Optional[Context],
+) -> Picture:  # fmt: skip
+    """What `draw` does."""
+    report = CallReport(progress)
+    scene = asked(source, style, options, camera, context, report)
+    drawing = scene.draw(report=report)
+    report.finish()
+    return Picture(scene, drawing, scene.camera, tuple(report.notes))

@@ -1,0 +1,288 @@
+# SPDX-License-Identifier: MIT
+"""From options by their names to the descriptors of the library: what `_options.py` says of each."""
+from __future__ import annotations
+
+import argparse
+import difflib
+import re
+from typing import Any, Dict, List, Mapping, Optional, Sequence, Tuple
+
+import numpy as np
+
+from . import _values
+from ._arrays import block_in
+from ._errors import new_struct
+from ._layer import new_list
+from ._library import ffi, lib
+from ._model import Model
+from ._names import NORMALS
+from ._options import OPTIONS, Option
+from ._page import fill_pens, text_in
+from ._point_set import PointSet
+
+Options = Dict[str, Any]
+"""Values as `_values.py` reads them, by the names of the table; those that were not given are missing."""
+
+BY_NAME: Dict[str, Option] = {row.alias: row for row in OPTIONS if row.alias}
+BY_NAME.update({row.name: row for row in OPTIONS})
+_ACROSS = ("size", "page")  # WIDTHxHEIGHT
+_PREFIXES = {"profile": "PROFILE", "parts": "PARTS", "sides": "PICTURE_SIDES"}
+_CHOICES = {"dots": "DOT_SHAPE", "widths": "WIDTHS"}  # of a page
+_PLOTTERS = ("hpgl", "gcode")
+
+
+# ---- Values of Python
+
+
+def option_of(name: str) -> Option:
+    """The row of an option, by either of its names."""
+    found = BY_NAME.get(name)
+    if found is None:
+        near = difflib.get_close_matches(name, BY_NAME, 3)
+        hint = f"did you mean {' or '.join(near)}?" if near else "help(hrbfnpr.draw) lists them"
+        raise TypeError(f"a drawing has no option {name!r}: {hint}")
+    return found
+
+
+def options_of(given: Mapping[str, Any]) -> Options:
+    """Python's values as the command line would have read them; None stands for the default.
+
+    Raises
+    ------
+    TypeError
+        For an option that is none.
+    ValueError
+        For a value that it cannot have.
+    """
+    options: Options = {}
+    for name, value in given.items():
+        row = option_of(name)
+        if row.kind == "assignment" and value is not None:
+            options[row.name] = _assignments(value)
+        elif value is not None:
+            options[row.name] = parsed(name, row, value)
+    return {name: value for name, value in options.items() if value is not False and value is not None}
+
+
+def parsed(name: str, row: Option, value: Any) -> Any:
+    """One value; `name` is for messages."""
+    if row.kind == "flag":
+        if not isinstance(value, (bool, np.bool_)):
+            raise ValueError(f"{name} must be True or False, not {value!r}")
+        return bool(value)
+    text = _words(value, "x" if row.kind in _ACROSS else ",")
+    if row.kind == "lines" and not text:
+        text = "none"
+    if row.choices:
+        return chosen(name, text, row.choices)
+    try:
+        return _values.parser_of(row.kind)(text)
+    except (argparse.ArgumentTypeError, ValueError) as error:
+        raise ValueError(f"{name}: {error}") from None
+
+
+def chosen(name: str, text: str, choices: Sequence[str]) -> str:
+    """One of these; hyphens and underscores are alike."""
+    names = {choice.replace("_", "-"): choice for choice in choices}
+    if text.replace("_", "-") not in names:
+        raise ValueError(f"{name} must be one of {', '.join(names)}, not {text!r}")
+    return names[text.replace("_", "-")]
+
+
+def _words(value: Any, between: str) -> str:
+    """A value as the command line has it."""
+    if isinstance(value, str):
+        return value
+    if isinstance(value, Mapping):
+        return ",".join(f"{name}={_words(part, between)}" for name, part in value.items())
+    if isinstance(value, (bool, np.bool_)):
+        return "true" if value else "false"
+    if isinstance(value, (int, np.integer)):
+        return str(int(value))
+    if isinstance(value, (float, np.floating)):
+        return repr(float(value))
+    if isinstance(value, (list, tuple, np.ndarray)):
+        return between.join(_words(part, between) for part in value)
+    return str(value)
+
+
+def _assignments(value: Any) -> Any:
+    if not isinstance(value, Mapping):
+        raise TypeError("set must be a mapping of fields to values, such as {'principal.ink': '#800000'}")
+    try:
+        return [_values.assignment(f"{name}={_words(part, ',')}") for name, part in value.items()]
+    except argparse.ArgumentTypeError as error:
+        raise ValueError(f"set: {error}") from None
+
+
+# ---- The descriptor of a picture
+
+
+def constant(name: str) -> int:
+    """HRBFNPR_NAME."""
+    number: int = ffi.integer_const(f"HRBFNPR_{name.replace('-', '_').upper()}")
+    return number
+
+
+def describe(options: Options, flags: Sequence[str] = ()) -> Tuple[Any, List[Any]]:
+    """A hrbfnpr_picture_desc with these options, and what must be kept alive with it."""
+    desc, keep = new_struct("hrbfnpr_picture_desc"), []
+    for flag in flags:
+        desc.flags |= constant(f"PICTURE_{flag}")
+    changes: List[Tuple[str, str]] = []
+    for row in OPTIONS:
+        if row.name in options:
+            changes += _set(desc, row, options[row.name], keep)
+    structs = new_list("hrbfnpr_change", len(changes))
+    for struct, (field, value) in zip(structs, changes):
+        struct.field, struct.value = text_in(keep, field), text_in(keep, value)
+    desc.changes, desc.change_count = structs, len(changes)
+    keep.append(structs)
+    return desc, keep
+
+
+def _set(desc: Any, row: Option, value: Any, keep: List[Any]) -> List[Tuple[str, str]]:
+    """Set what an option means; returns the changes that it is."""
+    section, _, field = row.target.rpartition(".")
+    if section == "flags":
+        desc.flags |= constant(f"PICTURE_{field}")
+    elif row.target.startswith("marks.*."):
+        return [(f"marks.{kind}.{field}", str(number)) for kind, number in value.items()]
+    elif section == "page":
+        pass  # of what the drawing is written on
+    elif section:
+        return [(row.target, _text(value))]
+    elif row.name in _SPECIAL:
+        return _SPECIAL[row.name](desc, value, keep) or []
+    elif row.choices:
+        setattr(desc, field, constant(f"{_PREFIXES[field]}_{value}"))
+    elif isinstance(value, str) or row.kind == "layers":
+        if value:
+            setattr(desc, field, text_in(keep, _text(value)))
+    else:
+        setattr(desc, field, list(value) if isinstance(value, tuple) else value)
+    return []
+
+
+def _text(value: Any) -> str:
+    """A value as a change has it."""
+    if isinstance(value, (tuple, list)):
+        return ",".join(map(_text, value))
+    return repr(value) if isinstance(value, float) else str(value)
+
+
+def _set_size(desc: Any, value: Any, keep: List[Any]) -> None:
+    if isinstance(value, int):
+        desc.size = value
+    else:
+        desc.width, desc.height = value
+
+
+def _set_edges(desc: Any, value: Any, keep: List[Any]) -> None:
+    desc.edges, desc.edge_angle = constant(f"PICTURE_EDGES_{value[0]}"), value[1]
+
+
+def _set_normals(desc: Any, value: Any, keep: List[Any]) -> None:
+    desc.normals = NORMALS["given" if value == "keep" else value]
+
+
+def _set_seed_points(desc: Any, value: Any, keep: List[Any]) -> None:
+    from . import shapes
+
+    points = value if isinstance(value, np.ndarray) else shapes.read(value).points
+    keep.append(block_in("seed_points", points).fill(desc.seed_points))
+
+
+def _set_random_seed(desc: Any, value: int, keep: List[Any]) -> List[Tuple[str, str]]:
+    desc.random_seed = value
+    return [("marks.random_seed", str(value))]
+
+
+_SPECIAL: Dict[str, Any] = {
+    "size": _set_size, "edges": _set_edges, "normals": _set_normals, "seed_points": _set_seed_points,
+    "random_seed": _set_random_seed,
+    "depth_range": lambda desc, value, keep: [("style.depth_min", repr(value[0])), ("style.depth_max", repr(value[1]))],
+    "set": lambda desc, value, keep: list(value),
+    "curvature_of": lambda desc, value, keep: [(f"marks.{kind}.flags", "1") for kind in value],
+}  # fmt: skip
+
+
+def in_names(text: str, as_option: bool) -> str:
+    """An error of the library's on its descriptor in the words of a caller: picture_desc.pen is mark_radius."""
+
+    def named(found: "re.Match[str]") -> str:
+        target = found.group(1) or found.group(2)
+        row = next((row for row in OPTIONS if row.target == target or (not row.target and row.name == target)), None)
+        if row is None:
+            return found.group(0)
+        return f"--{row.name.replace('_', '-')}" if as_option else row.name
+
+    return re.sub(r"^(?:picture_desc\.(\w+)|changes\[\d+\]\.value of ([\w.]+))", named, text)
+
+
+# ---- Sources
+
+
+def fill_source(struct: Any, thing: Any, name: Optional[str]) -> List[Any]:
+    """Write a hrbfnpr_picture_source of a Shape, a Model, a PointSet, or the two last; returns what must be kept alive."""
+    keep: List[Any] = []
+    if name is not None:
+        struct.name = text_in(keep, name)
+    for part in thing if isinstance(thing, tuple) else (thing,):
+        if isinstance(part, (Model, PointSet)):
+            setattr(struct, "model" if isinstance(part, Model) else "point_set", part._handle)
+            keep.append(part)
+        else:
+            _fill_shape(struct, part, keep)
+    return keep
+
+
+def _fill_shape(struct: Any, shape: Any, keep: List[Any]) -> None:
+    keep.append(block_in("points", shape.points).fill(struct.points))
+    if shape.normals is not None and not shape.is_mesh:
+        keep.append(block_in("normals", shape.normals).fill(struct.normals))
+    if shape.is_mesh:
+        keep.append(block_in("triangles", shape.triangles, 3, "q").fill(struct.triangles))
+    if shape.sharp_edges is not None and shape.is_mesh:
+        struct.flags |= lib.HRBFNPR_SOURCE_HAS_SHARP_EDGES
+        keep.append(block_in("sharp_edges", shape.sharp_edges, 2, "q").fill(struct.sharp_edges))
+    if shape.up is not None:
+        of = "pictures of a depth camera" if shape.is_picture else f"{shape.format.split(',')[0]} files"
+        struct.up, struct.up_by = list(shape.up), text_in(keep, of)
+    if shape.viewpoint is not None:
+        struct.flags |= lib.HRBFNPR_SOURCE_HAS_VIEWPOINT
+        struct.viewpoint = list(shape.viewpoint)
+    if shape.is_picture:
+        struct.flags |= lib.HRBFNPR_SOURCE_IS_PHOTO
+    if shape.image_shape is not None:
+        struct.rows, struct.columns = shape.image_shape
+
+
+# ---- Pages
+
+
+def describe_page(options: Options, format: str) -> Tuple[Any, List[Any]]:
+    """A hrbfnpr_picture_page_desc with these options."""
+    whole, page, keep = new_struct("hrbfnpr_picture_page_desc"), new_struct("hrbfnpr_page_desc"), []
+    whole.page, page.format = page, constant(f"PAGE_FORMAT_{format}")
+    keep.append(page)
+    if format in _PLOTTERS and options.get("single_pass"):
+        page.dots = constant("DOT_SHAPE_LINES")
+    for row in OPTIONS:
+        if not row.target.startswith("page.") or row.name not in options:
+            continue
+        value, field = options[row.name], row.target[5:]
+        if row.kind == "flag":
+            page.flags |= constant(f"PAGE_{field}")
+        elif row.choices:
+            setattr(page, field, constant(f"{_CHOICES[field]}_{value}"))
+        elif field == "pens":
+            fill_pens(page, value, keep)
+        elif field == "pen_widths":
+            keep.append(block_in(field, np.array(value, dtype=float), 1, "d").fill(whole.pen_widths))
+        elif field in ("paper", "paper_margin"):
+            setattr(whole, field, text_in(keep, value) if field == "paper" else value)
+        else:
+            setattr(page, field, text_in(keep, value) if isinstance(value, str) else value)
+    return whole, keep
+

@@ -1,0 +1,115 @@
+# SPDX-License-Identifier: MIT
+"""What is drawn: files, arrays, meshes of other packages, saved models and marks, scripts of solids."""
+from __future__ import annotations
+
+import os
+from pathlib import Path
+from typing import Any, Optional, Union
+
+from . import shapes
+from ._camera import Camera
+from ._context import Context
+from ._errors import CorruptDataError, Error, OutOfMemoryError
+from ._foreign import name_of, shape_of
+from ._model import Model
+from ._point_set import PointSet
+from ._report import Reporter
+from ._request import Options
+from ._scene import Scene
+from ._script import run
+from ._values import words_of
+
+_MAGIC = b"\x89HRB\r\n\x1a\n"
+_OF_SOLIDS = ("SURFACE_ONLY", "IS_SOLID", "CLOSE")
+
+
+def load_saved(path: Path, context: Context) -> Union[Model, PointSet, None]:
+    """A saved model or point set; None if the file is something else."""
+    with open(path, "rb") as file:
+        if file.read(len(_MAGIC)) != _MAGIC:
+            return None
+    try:
+        return Model.load(path, context=context)
+    except CorruptDataError as as_model:
+        try:
+            return PointSet.load(path, context=context)
+        except CorruptDataError as as_points:
+            # The one that fails later knows more about what is wrong.
+            raise as_points if "model" in str(as_points) else as_model from None
+
+
+def in_words(content: Any) -> str:
+    """What was read, in a line."""
+    if isinstance(content, Model):
+        if content.csg_info.nodes:
+            return f"a saved solid of {content.csg_info.nodes} nodes"
+        return f"a saved model of {content.info.centres} centres"
+    if isinstance(content, PointSet):
+        return f"a saved point set of {len(content)} marks"
+    count = f"{len(content.points)} points"
+    if content.is_mesh:
+        count = f"{len(content.points)} vertices, {len(content.triangles)} triangles"
+    elif content.normals is not None:
+        count += " with normals"
+    return f"{content.format}: {count}"
+
+
+def read(path: Path, options: Options, context: Context, report: Reporter, is_script: bool = False) -> Any:
+    """The saved model or point set, the solid of a script, or the shape in a file.
+
+    Raises
+    ------
+    ValueError
+        For a file that cannot be used, which it names.
+    """
+    try:
+        if is_script or path.suffix.lower() == ".csg":
+            return _solid(path, options, context, report)
+        with report.stage("read", "reading") as stage:
+            content: Any = load_saved(path, context)
+            if content is None:
+                content = shapes.read(path)
+                for note in content.notes:
+                    report.note(note)
+            stage.says = in_words(content)
+        return content
+    except OutOfMemoryError:
+        raise
+    except (Error, ValueError) as error:
+        raise ValueError(f"{path}: {words_of(error)}") from error
+
+
+def _solid(path: Path, options: Options, context: Context, report: Reporter) -> Model:
+    def leaf(name: str) -> Model:
+        file = path.parent / name
+        content = read(file, options, context, report)
+        if not isinstance(content, Model) and not isinstance(content, PointSet):
+            # A solid has no end; how its file is drawn alone does not matter here.
+            content = Scene.create([content], options, None, context, report, flags=_OF_SOLIDS, path=str(file)).model
+        if not isinstance(content, Model):
+            raise ValueError(f"{file} holds a point set; solids are models")
+        return content
+
+    model = run(path.read_text(encoding="utf-8"), leaf, context)
+    nodes, sheets = (f"{count} {what}{'' if count == 1 else 's'}" for count, what in (
+        (model.csg_info.nodes, "node"), (model.csg_info.sheets, "sheet")))  # fmt: skip
+    report.note(f"a solid of {nodes}, {sheets}")
+    return model
+
+
+def scene_of(
+    source: Any, style: Any, options: Options, camera: Optional[Camera], context: Optional[Context], report: Reporter,
+    **more: Any,
+) -> Scene:  # fmt: skip
+    """What is drawn of a source; `more` as in `Scene.create`."""
+    context = Context() if context is None else context
+    if isinstance(source, (str, os.PathLike)):
+        path = Path(source)
+        content, name, file = read(path, options, context, report), path.name, os.fspath(source)
+    else:
+        content, name, file = source, name_of(source), None
+        if not isinstance(source, (Model, PointSet)):
+            content = shape_of(source)
+            for note in content.notes:
+                report.note(note)
+    return Scene.create([content], options, style, context, report, camera=camera, name=name, path=file, **more)

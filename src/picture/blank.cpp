@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: MIT
+// The picture is rasterized, and pixels that differ from the paper are counted.  The counts of the drawing tell why
+// marks are not shown.
+#include "picture/blank.h"
+
+#include "picture/look.h"
+#include "picture/report.h"
+#include "picture/tuning_look.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+namespace hrbfnpr::picture {
+namespace {
+
+// Calls visit(layer) for each layer of a style.
+template <class Visit>
+void each_layer_of(const hrbfnpr_style& style, Visit&& visit) {
+    const std::int64_t stride =
+        style.layer_stride != 0 ? style.layer_stride : static_cast<std::int64_t>(sizeof(hrbfnpr_layer_style));
+    const auto* const first = reinterpret_cast<const std::byte*>(style.layers);
+    for (std::int64_t i = 0; i < style.layer_count; ++i)
+        visit(*reinterpret_cast<const hrbfnpr_layer_style*>(first + i * stride));
+}
+
+bool shows_marks(const hrbfnpr_style& style) {
+    bool any = false;
+    each_layer_of(style, [&](const hrbfnpr_layer_style& layer) { any = any || layer.shown != 0; });
+    return any;
+}
+
+// Whether no layer that is shown has an ink that differs from the paper.
+bool has_invisible_ink(const hrbfnpr_style& style) {
+    bool all = true;
+    each_layer_of(style, [&](const hrbfnpr_layer_style& layer) {
+        const bool is_paper = std::equal(layer.ink, layer.ink + 3, style.paper);
+        all = all && (layer.shown == 0 || is_paper || layer.ink[3] == 0.0F);
+    });
+    return all;
+}
+
+// The share of the picture that is not as the paper.
+double share_of_ink(const Drawing& drawing, const hrbfnpr_camera& camera, const hrbfnpr_style& style, Pool& pool) {
+    constexpr double most_pixels = 32768.0; // of a side
+    const double width = std::min(std::ceil(camera.viewport[0] + camera.viewport[2]), most_pixels);
+    const double height = std::min(std::ceil(camera.viewport[1] + camera.viewport[3]), most_pixels);
+    if (!(width >= 1.0 && height >= 1.0)) return 0.0; // the viewport ends left of the image, or above it
+    auto image = defaults<hrbfnpr_image>(hrbfnpr_image_init);
+    image.format = HRBFNPR_FORMAT_RGBA8;
+    image.width = static_cast<std::int32_t>(width);
+    image.height = static_cast<std::int32_t>(height);
+    const std::size_t count = static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
+    Vector<std::array<std::uint8_t, 4>> pixels(count, &pool);
+    image.pixels = pixels.data();
+    call([&](hrbfnpr_error* error) { return hrbfnpr_drawing_rasterize(drawing.get(), &image, nullptr, error); });
+    std::array<double, 4> paper{};
+    for (std::size_t k = 0; k < 4; ++k) paper[k] = 255.0 * static_cast<double>(style.paper[k]);
+    const auto has_ink = [&](const std::array<std::uint8_t, 4>& pixel) {
+        double colour = 0.0;
+        for (std::size_t k = 0; k < 3; ++k)
+            colour = std::max(
+                colour, std::abs(static_cast<double>(pixel[k]) * static_cast<double>(pixel[3]) - paper[k] * paper[3]));
+        return std::max(colour / 255.0, std::abs(pixel[3] - paper[3])) >= blank_tuning.ink_seen;
+    };
+    return static_cast<double>(std::count_if(pixels.begin(), pixels.end(), has_ink)) / static_cast<double>(count);
+}
+
+// Whether a corner of the box, or the middle of an edge, of a face or of the box, is in the picture.
+bool is_in_view(const geometry::Bounds& bounds, const hrbfnpr_camera& camera) noexcept {
+    constexpr std::array steps{0.0, 0.5, 1.0};
+    for (const double x : steps) {
+        for (const double y : steps) {
+            for (const double z : steps) {
+                const glm::dvec3 place = bounds.min + glm::dvec3(x, y, z) * (bounds.max - bounds.min);
+                const glm::dvec4 clip = clip_place(camera, place);
+                if (std::abs(clip.x) <= clip.w && std::abs(clip.y) <= clip.w && std::abs(clip.z) <= clip.w) return true;
+            }
+        }
+    }
+    return false;
+}
+
+void add_reason(String& reasons, std::string_view reason) {
+    if (!reasons.empty()) reasons += "; ";
+    reasons += reason;
+}
+
+String reasons_of_blank(const hrbfnpr_drawing_info& info, const geometry::Bounds& bounds, const hrbfnpr_camera& camera,
+                        const hrbfnpr_style& style, bool is_flipped, Pool& pool) {
+    const auto facing = static_cast<double>(info.front + info.silhouette);
+    const auto takes_most = [&](std::int64_t dropped) {
+        return static_cast<double>(dropped) > facing / blank_tuning.cause_divisor;
+    };
+    String reasons(&pool);
+    if (info.outside == info.marks || !is_in_view(bounds, camera)) {
+        reasons = "The camera looks away from the model, or past it: leave out {eye} and {direction}, or let {target} "
+                  "be in the model";
+        return reasons;
+    }
+    if (bounds.longest_side() == 0.0) {
+        reasons = "All samples are at one point";
+        return reasons;
+    }
+    if (info.back > blank_tuning.back_over_front * (info.front + info.silhouette)) {
+        add_reason(reasons, "all that is in view looks away from the eye: another {azimuth} shows its front, or "
+                            "{sides=both} draws its back, or ");
+        reasons += is_flipped ? "without {flip!} it is seen" : "{flip!} turns it over";
+    }
+    if (static_cast<double>(info.dropped_hidden) > blank_tuning.most_hidden * facing) {
+        add_reason(reasons, formatted(pool,
+                                      "%lld of %lld marks that face the eye are behind something, as where normals "
+                                      "look inward: ",
+                                      static_cast<long long>(info.dropped_hidden),
+                                      static_cast<long long>(info.front + info.silhouette)));
+        reasons += is_flipped ? "leave out {flip!}" : "{flip!} turns them";
+    }
+    if (takes_most(info.dropped_tone) && reasons.empty())
+        add_reason(reasons, "all is so light that no mark is drawn: {tone=none} draws all marks, {light} turns the "
+                            "light");
+    if (takes_most(info.dropped_depth)) add_reason(reasons, "marks vanish with the distance: leave out {depth_range}");
+    if (takes_most(info.dropped_zoom)) add_reason(reasons, "marks vanish with the zoom: leave out {zoom_reference}");
+    if (has_invisible_ink(style)) add_reason(reasons, "the ink cannot be seen on the paper");
+    if (reasons.empty())
+        add_reason(reasons, "the model is too small in the picture, or the style draws no marks: try "
+                            "{style=contour-and-stipple}");
+    if (reasons[0] >= 'a' && reasons[0] <= 'z') reasons[0] = static_cast<char>(reasons[0] - 'a' + 'A');
+    return reasons;
+}
+
+} // namespace
+
+std::optional<Blank> why_blank(const Drawing& drawing, const geometry::Bounds& bounds, const hrbfnpr_camera& camera,
+                               const hrbfnpr_style& style, bool is_flipped, Pool& pool) {
+    auto info = defaults<hrbfnpr_drawing_info>(hrbfnpr_drawing_info_init);
+    call([&](hrbfnpr_error* error) { return hrbfnpr_drawing_get_info(drawing.get(), &info, error); });
+    const double ink = share_of_ink(drawing, camera, style, pool);
+    const auto facing = static_cast<double>(info.front + info.silhouette);
+    const bool has_few = shows_marks(style) && static_cast<double>(info.shown) < blank_tuning.least_shown * facing;
+    const bool is_hidden = static_cast<double>(info.dropped_hidden) > blank_tuning.most_hidden * facing;
+    if (ink >= blank_tuning.least_ink && !(has_few && is_hidden)) return std::nullopt;
+    String text("the picture would be blank: ", &pool);
+    if (ink > 0.0)
+        text += formatted(pool, "%lld of %lld marks are visible, and ink is on %.2f%% of it",
+                          static_cast<long long>(info.shown), static_cast<long long>(info.marks), 100.0 * ink);
+    else
+        text += "nothing is drawn";
+    (text += ". ") += reasons_of_blank(info, bounds, camera, style, is_flipped, pool);
+    return Blank{info.shown, info.marks, ink, std::move(text)};
+}
+
+} // namespace hrbfnpr::picture

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: MIT
+// JSON as one list of values in the order of the document, in the context's memory.
+#pragma once
+
+#include "picture/memory.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+namespace hrbfnpr::picture {
+
+enum class JsonKind : std::uint8_t { null, boolean, whole, real, text, list, object };
+
+// A value and, after it in the document, its parts.
+struct JsonItem {
+    JsonKind kind = JsonKind::null;
+    bool is_negative = false;     // of a whole number
+    std::uint32_t end = 0;        // number of the item after this and its parts
+    std::uint32_t key_begin = 0;  // of a part of an object: its key, in the document's texts
+    std::uint32_t key_size = 0;   //
+    std::uint64_t magnitude = 0;  // of a whole number; 1 of true
+    double number = 0.0;          // of a real and of a whole number
+    std::uint32_t text_begin = 0; // of a text, in the document's texts
+    std::uint32_t text_size = 0;
+};
+
+class JsonValue;
+
+class JsonDocument {
+public:
+    explicit JsonDocument(Pool& pool) : items_(&pool), texts_(&pool), open_(&pool) {}
+    // Reads a document.  Throws Error{invalid_argument} that says where it is no JSON.
+    JsonDocument(std::string_view json, Pool& pool);
+
+    [[nodiscard]] JsonValue root() const noexcept;
+
+    // Writing: each value gets the key that was set before, in objects.
+    JsonDocument& key(std::string_view key);
+    void add_null();
+    void add_bool(bool value);
+    void add_number(double value); // finite
+    void add_whole(bool is_negative, std::uint64_t magnitude);
+    void add_text(std::string_view value);
+    void begin(JsonKind kind); // list or object
+    void end();
+
+    // As Python's json.dumps: in one line, with letters of ASCII only.
+    void write_line(String& to, std::size_t item) const;
+    // The same, but values that hold lists or objects have a line for each of their parts.
+    void write(String& to, std::size_t item, std::size_t indent) const;
+
+private:
+    friend class JsonValue;
+    JsonItem& push(JsonKind kind);
+    void write_scalar(String& to, const JsonItem& item) const;
+    void write_key(String& to, const JsonItem& item) const;
+    [[nodiscard]] std::string_view key_of(const JsonItem& item) const noexcept;
+    [[nodiscard]] std::string_view text_of_item(const JsonItem& item) const noexcept;
+
+    Vector<JsonItem> items_;
+    String texts_;
+    Vector<std::uint32_t> open_; // items whose parts are being added
+    std::uint32_t next_key_begin_ = 0;
+    std::uint32_t next_key_size_ = 0;
+};
+
+// One value of a document that is not changed any more.
+class JsonValue {
+public:
+    JsonValue(const JsonDocument& document, std::size_t item) noexcept : document_(&document), item_(item) {}
+
+    [[nodiscard]] JsonKind kind() const noexcept { return item().kind; }
+    [[nodiscard]] bool is_number() const noexcept { return kind() == JsonKind::whole || kind() == JsonKind::real; }
+    [[nodiscard]] double number() const noexcept { return item().number; }
+    [[nodiscard]] bool is_negative() const noexcept { return item().is_negative; }
+    [[nodiscard]] std::uint64_t magnitude() const noexcept { return item().magnitude; }
+    [[nodiscard]] std::string_view text() const noexcept { return document_->text_of_item(item()); }
+    [[nodiscard]] std::string_view key() const noexcept { return document_->key_of(item()); }
+    [[nodiscard]] std::size_t size() const noexcept; // how many parts a list or object has
+    // The last part of an object that has this key.
+    [[nodiscard]] std::optional<JsonValue> find(std::string_view key) const noexcept;
+    // In one line, cut to this many bytes.
+    [[nodiscard]] String in_short(std::size_t most, Pool& pool) const;
+
+    class Iterator {
+    public:
+        Iterator(const JsonDocument& document, std::size_t item) noexcept : document_(&document), item_(item) {}
+        JsonValue operator*() const noexcept { return {*document_, item_}; }
+        Iterator& operator++() noexcept {
+            item_ = document_->items_[item_].end;
+            return *this;
+        }
+        bool operator!=(const Iterator& other) const noexcept { return item_ != other.item_; }
+
+    private:
+        friend class JsonValue;
+        const JsonDocument* document_;
+        std::size_t item_;
+    };
+    // The parts of a list or of an object.
+    [[nodiscard]] Iterator begin() const noexcept { return {*document_, item_ + 1}; }
+    [[nodiscard]] Iterator end() const noexcept { return {*document_, item().end}; }
+
+private:
+    [[nodiscard]] const JsonItem& item() const noexcept { return document_->items_[item_]; }
+
+    const JsonDocument* document_;
+    std::size_t item_;
+};
+
+inline JsonValue JsonDocument::root() const noexcept { return {*this, 0}; }
+
+} // namespace hrbfnpr::picture

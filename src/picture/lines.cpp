@@ -1,0 +1,402 @@
+// SPDX-License-Identifier: MIT
+// A line set is made in four steps: the lines that have to be found once are listed; the edges of a mesh are joined to
+// polylines, for models without creases of their own; where the surface ends is decided; the library looks for lines.
+#include "picture/lines.h"
+
+#include "base/assert.h"
+#include "base/status.h"
+#include "picture/tuning_lines.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+
+namespace hrbfnpr::picture {
+
+hrbfnpr_line_desc LinesOnce::view() const noexcept {
+    auto desc = defaults<hrbfnpr_line_desc>(hrbfnpr_line_desc_init);
+    desc.kind = kind;
+    desc.name = name.c_str();
+    desc.lower = lower;
+    desc.upper = upper;
+    desc.shortest = shortest;
+    for (int axis = 0; axis < 3; ++axis) desc.plane[axis] = plane[axis];
+    if (!levels.empty())
+        desc.levels = {levels.data(), static_cast<std::int64_t>(levels.size()), 0, HRBFNPR_SCALAR_FLOAT64, 1};
+    if (!points.empty()) {
+        desc.position = view_of(points);
+        desc.line_first = {line_first.data(), static_cast<std::int64_t>(line_first.size()), 0, HRBFNPR_SCALAR_UINT32,
+                           1};
+    }
+    return desc;
+}
+
+// ---- Creases of a mesh
+
+namespace {
+
+// Points in the same place have one number; numbers ascend by x, then y, then z.
+struct NumberedPlaces {
+    Points places;
+    Vector<std::int64_t> number; // of each point
+};
+
+// NaN comes last.
+bool is_less_place(double a, double b) noexcept { return std::isnan(a) ? false : std::isnan(b) || a < b; }
+bool is_less_place(const glm::dvec3& a, const glm::dvec3& b) noexcept {
+    for (int axis = 0; axis < 3; ++axis) {
+        if (is_less_place(a[axis], b[axis])) return true;
+        if (is_less_place(b[axis], a[axis])) return false;
+    }
+    return false;
+}
+
+NumberedPlaces number_places(const Points& points, Pool& pool) {
+    Vector<std::size_t> order(points.size(), &pool);
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+        if (is_less_place(points[a], points[b])) return true;
+        return !is_less_place(points[b], points[a]) && a < b;
+    });
+    NumberedPlaces numbered{Points(&pool), Vector<std::int64_t>(points.size(), &pool)};
+    for (const std::size_t i : order) {
+        if (numbered.places.empty() || is_less_place(numbered.places.back(), points[i]))
+            numbered.places.push_back(points[i]);
+        numbered.number[i] = static_cast<std::int64_t>(numbered.places.size()) - 1;
+    }
+    return numbered;
+}
+
+// A side of a face.
+struct FaceSide {
+    std::int64_t low, high; // numbers of places
+    std::size_t turn;       // 3 times the face's number, and which of its sides it is
+
+    [[nodiscard]] bool is_same_edge(const FaceSide& other) const noexcept {
+        return low == other.low && high == other.high;
+    }
+};
+
+constexpr double least_normal = 1e-300; // of a face without area the normal stays 0
+
+// The edges between just two faces that meet at more than an angle, in the order in which the faces come to them.
+Vector<FaceSide> sharp_sides(const NumberedPlaces& numbered, const Vector<Triangle>& triangles, double angle,
+                             Pool& pool) {
+    Points normals(&pool);
+    Vector<FaceSide> sides(&pool);
+    normals.reserve(triangles.size());
+    sides.reserve(3 * triangles.size());
+    for (const Triangle& triangle : triangles) {
+        std::array<std::int64_t, 3> corners{};
+        for (std::size_t k = 0; k < 3; ++k) {
+            HRBFNPR_ASSERT(triangle[k] >= 0 && static_cast<std::size_t>(triangle[k]) < numbered.number.size());
+            corners[k] = numbered.number[static_cast<std::size_t>(triangle[k])];
+        }
+        const auto corner = [&](std::size_t k) { return numbered.places[static_cast<std::size_t>(corners[k])]; };
+        const glm::dvec3 normal = glm::cross(corner(1) - corner(0), corner(2) - corner(0));
+        normals.push_back(normal / std::max(glm::length(normal), least_normal));
+        for (std::size_t k = 0; k < 3; ++k) {
+            const auto [low, high] = std::minmax(corners[k], corners[(k + 1) % 3]);
+            sides.push_back({low, high, sides.size()});
+        }
+    }
+    std::sort(sides.begin(), sides.end(), [](const FaceSide& a, const FaceSide& b) {
+        return std::array<std::int64_t, 3>{a.low, a.high, static_cast<std::int64_t>(a.turn)} <
+               std::array<std::int64_t, 3>{b.low, b.high, static_cast<std::int64_t>(b.turn)};
+    });
+    const double limit = std::cos(angle * (std::numbers::pi / 180.0));
+    Vector<FaceSide> sharp(&pool);
+    for (std::size_t begin = 0, end = 0; begin < sides.size(); begin = end) {
+        while (end < sides.size() && sides[end].is_same_edge(sides[begin])) ++end;
+        if (end - begin == 2 && glm::dot(normals[sides[begin].turn / 3], normals[sides[begin + 1].turn / 3]) < limit)
+            sharp.push_back(sides[begin]);
+    }
+    std::sort(sharp.begin(), sharp.end(), [](const FaceSide& a, const FaceSide& b) { return a.turn < b.turn; });
+    return sharp;
+}
+
+// Which edges meet in each vertex.  Vertices have new numbers, in the order in which edges come to them.
+struct EdgeGraph {
+    struct Way {
+        std::size_t to;   // vertex
+        std::size_t edge; // number
+    };
+    Vector<std::int64_t> place; // of each vertex
+    Vector<std::size_t> first;  // of each vertex in `ways`, and the end
+    Vector<Way> ways;
+
+    [[nodiscard]] std::size_t degree(std::size_t vertex) const noexcept { return first[vertex + 1] - first[vertex]; }
+};
+
+EdgeGraph graph_of_edges(const Vector<FaceSide>& edges, std::size_t place_count, Pool& pool) {
+    EdgeGraph graph{Vector<std::int64_t>(&pool), Vector<std::size_t>(&pool), Vector<EdgeGraph::Way>(&pool)};
+    constexpr auto none = static_cast<std::size_t>(-1);
+    Vector<std::size_t> vertex_of_place(place_count, none, &pool);
+    Vector<std::size_t> degrees(&pool);
+    const auto add = [&](std::int64_t place) {
+        std::size_t& vertex = vertex_of_place[static_cast<std::size_t>(place)];
+        if (vertex == none) {
+            vertex = graph.place.size();
+            graph.place.push_back(place);
+            degrees.push_back(0);
+        }
+        ++degrees[vertex];
+    };
+    for (const FaceSide& edge : edges) {
+        add(edge.low);
+        add(edge.high);
+    }
+    graph.first.reserve(degrees.size() + 1);
+    graph.first.push_back(0);
+    for (const std::size_t degree : degrees) graph.first.push_back(graph.first.back() + degree);
+    graph.ways.resize(graph.first.back());
+    Vector<std::size_t> next(graph.first.begin(), graph.first.end(), &pool);
+    for (std::size_t i = 0; i < edges.size(); ++i) {
+        const std::size_t low = vertex_of_place[static_cast<std::size_t>(edges[i].low)];
+        const std::size_t high = vertex_of_place[static_cast<std::size_t>(edges[i].high)];
+        graph.ways[next[low]++] = {high, i};
+        graph.ways[next[high]++] = {low, i};
+    }
+    return graph;
+}
+
+// Edges that follow each other as lines, each edge once: vertices where not just two meet begin lines first.
+Vector<Polyline> join_edges(const EdgeGraph& graph, std::size_t edge_count, const Points& places, Pool& pool) {
+    Vector<bool> is_left(edge_count, true, &pool);
+    Vector<Polyline> lines(&pool);
+    const std::size_t vertices = graph.place.size();
+    const auto place = [&](std::size_t vertex) { return places[static_cast<std::size_t>(graph.place[vertex])]; };
+    const auto follow = [&](std::size_t start) {
+        for (std::size_t w = graph.first[start]; w < graph.first[start + 1]; ++w) {
+            if (!is_left[graph.ways[w].edge]) continue;
+            Polyline& line = lines.emplace_back();
+            line.push_back(place(start));
+            const EdgeGraph::Way* way = &graph.ways[w];
+            while (way != nullptr) {
+                is_left[way->edge] = false;
+                line.push_back(place(way->to));
+                const std::size_t vertex = way->to;
+                way = nullptr;
+                if (graph.degree(vertex) != 2) break;
+                for (std::size_t k = graph.first[vertex]; k < graph.first[vertex + 1] && way == nullptr; ++k)
+                    if (is_left[graph.ways[k].edge]) way = &graph.ways[k];
+            }
+        }
+    };
+    for (std::size_t vertex = 0; vertex < vertices; ++vertex)
+        if (graph.degree(vertex) != 2) follow(vertex);
+    for (std::size_t vertex = 0; vertex < vertices; ++vertex) follow(vertex);
+    return lines;
+}
+
+double length_of_polyline(const Polyline& line) noexcept {
+    double length = 0.0;
+    for (std::size_t i = 1; i < line.size(); ++i) length += glm::length(line[i] - line[i - 1]);
+    return length;
+}
+
+double diagonal_of_points(const Points& points) noexcept {
+    geometry::Bounds bounds;
+    for (const glm::dvec3& point : points) bounds.extend(point);
+    return points.empty() ? 0.0 : bounds.diagonal();
+}
+
+} // namespace
+
+Vector<Polyline> mesh_creases(const Shape& shape, double angle, Pool& pool) {
+    if (!shape.is_mesh()) fail(Status::invalid_argument, "creases come from a mesh; this file has no faces");
+    const NumberedPlaces numbered = number_places(shape.points, pool);
+    const Vector<FaceSide> sharp = sharp_sides(numbered, shape.triangles, angle, pool);
+    return join_edges(graph_of_edges(sharp, numbered.places.size(), pool), sharp.size(), numbered.places, pool);
+}
+
+Vector<Polyline> without_facets(Vector<Polyline> creases, double diagonal) {
+    double sum = 0.0;
+    for (const Polyline& line : creases) sum += length_of_polyline(line);
+    if (creases.empty() || sum / static_cast<double>(creases.size()) > lines_tuning.mean_facet * diagonal)
+        return creases;
+    std::erase_if(creases, [&](const Polyline& line) {
+        return !(length_of_polyline(line) > lines_tuning.long_crease * diagonal);
+    });
+    return creases;
+}
+
+// ---- Line sets
+
+namespace {
+
+bool is_found_once(std::uint32_t kind) noexcept {
+    return kind == HRBFNPR_LINE_KIND_RIDGE || kind == HRBFNPR_LINE_KIND_VALLEY || kind == HRBFNPR_LINE_KIND_PARABOLIC ||
+           kind == HRBFNPR_LINE_KIND_SECTION;
+}
+
+bool wants_kind(const Vector<WantedLine>& wanted, std::uint32_t kind) noexcept {
+    return std::any_of(wanted.begin(), wanted.end(), [&](const WantedLine& one) { return one.kind == kind; });
+}
+
+LinesOnce lines_of_wanted(const WantedLine& wanted, const hrbfnpr_model& model, Pool& pool) {
+    LinesOnce lines(wanted.kind, pool);
+    if (wanted.kind != HRBFNPR_LINE_KIND_SECTION) return lines;
+    HRBFNPR_ASSERT(wanted.axis >= 0 && wanted.axis < 3 && wanted.planes >= 1);
+    auto info = defaults<hrbfnpr_model_info>(hrbfnpr_model_info_init);
+    call([&](hrbfnpr_error* error) { return hrbfnpr_model_get_info(&model, &info, error); });
+    const double low = info.bounds_min[wanted.axis];
+    const double high = info.bounds_max[wanted.axis];
+    const auto planes = static_cast<double>(wanted.planes);
+    lines.levels.reserve(static_cast<std::size_t>(wanted.planes));
+    for (std::int64_t i = 0; i < wanted.planes; ++i)
+        lines.levels.push_back(low + (high - low) * (static_cast<double>(i) + 0.5) / planes);
+    lines.plane = glm::dvec3(0.0);
+    lines.plane[wanted.axis] = 1.0;
+    return lines;
+}
+
+LinesOnce lines_of_settings(const hrbfnpr_line_desc& of_file, Pool& pool) {
+    LinesOnce lines(of_file.kind, pool);
+    if (of_file.name != nullptr) lines.name = of_file.name;
+    lines.lower = of_file.lower;
+    lines.upper = of_file.upper;
+    lines.shortest = of_file.shortest;
+    lines.plane = {of_file.plane[0], of_file.plane[1], of_file.plane[2]};
+    HRBFNPR_ASSERT(of_file.levels.count == 0 ||
+                   (of_file.levels.scalar == HRBFNPR_SCALAR_FLOAT64 && of_file.levels.stride == 0));
+    const auto* const levels = static_cast<const double*>(of_file.levels.data);
+    lines.levels.assign(levels, levels + of_file.levels.count);
+    return lines;
+}
+
+// The edges of a mesh as lines called "crease": all that the caller asks for; without the facets of rounded shapes
+// where the style draws them by itself.
+LinesOnce edges_of_mesh(const Call& call, const Shape& shape) {
+    Vector<Polyline> found = mesh_creases(shape, lines_tuning.crease_angle, call.pool);
+    if (call.options.desc.lines == nullptr) found = without_facets(std::move(found), diagonal_of_points(shape.points));
+    LinesOnce lines(HRBFNPR_LINE_KIND_OWN, call.pool);
+    lines.name = "crease";
+    lines.line_first.push_back(0);
+    for (const Polyline& line : found) {
+        lines.points.insert(lines.points.end(), line.begin(), line.end());
+        lines.line_first.push_back(static_cast<std::uint32_t>(lines.points.size()));
+    }
+    return lines;
+}
+
+// A border is wanted where the samples end; a trimmed model has one of its own.
+double support_of_lines(const hrbfnpr_model& model, const Vector<WantedLine>& wanted) {
+    auto trim = defaults<hrbfnpr_trim_info>(hrbfnpr_trim_info_init);
+    call([&](hrbfnpr_error* error) { return hrbfnpr_model_get_trim_info(&model, &trim, error); });
+    return trim.is_trimmed == 0 && wants_kind(wanted, HRBFNPR_LINE_KIND_BORDER) ? lines_tuning.open_support : 0.0;
+}
+
+LineSet create_line_set(const Call& call, const hrbfnpr_model& model, const hrbfnpr_line_set_desc& desc, Stage& stage) {
+    return make<LineSet>([&](hrbfnpr_line_set** made, hrbfnpr_error* error) {
+        return hrbfnpr_line_set_create(&call.context, &model, &desc, stage.operation(), made, error);
+    });
+}
+
+hrbfnpr_line_set_info info_of(const LineSet& line_set) {
+    auto info = defaults<hrbfnpr_line_set_info>(hrbfnpr_line_set_info_init);
+    call([&](hrbfnpr_error* error) { return hrbfnpr_line_set_get_info(line_set.get(), &info, error); });
+    return info;
+}
+
+void tell_where_it_ends(const Call& call, const hrbfnpr_line_set_info& info, double support) {
+    String text(&call.pool);
+    if (info.borders == 0) {
+        text = formatted(call.pool, "lines: the surface ends nowhere within support %g", support);
+    } else {
+        text = formatted(call.pool,
+                         "lines: the surface ends beyond its samples, at %lld border%s (support %g); %.1f %% of it is "
+                         "left out",
+                         static_cast<long long>(info.borders), info.borders == 1 ? "" : "s", support,
+                         100.0 * info.left_out);
+    }
+    call.report.info(HRBFNPR_NOTE_LINES_END, {static_cast<double>(info.borders), support, info.left_out}, text);
+}
+
+void tell_if_thin(const Call& call, const hrbfnpr_line_set_info& info) {
+    const auto turned = static_cast<double>(info.turned);
+    const auto triangles = static_cast<double>(info.triangles);
+    if (!(turned > lines_tuning.turned_share * triangles) && info.missed_seeds == 0) return;
+    call.report.warn(HRBFNPR_NOTE_LINES_THIN, {turned, triangles, static_cast<double>(info.missed_seeds)},
+                     formatted(call.pool,
+                               "the surface is thinner than the cells that lines are looked for in (%lld of %lld "
+                               "triangles look away, %lld samples are missed): lines may be missing there",
+                               static_cast<long long>(info.turned), static_cast<long long>(info.triangles),
+                               static_cast<long long>(info.missed_seeds)));
+}
+
+} // namespace
+
+Vector<LinesOnce> lines_found_once(const Call& call, const hrbfnpr_model& model, const Vector<WantedLine>& wanted) {
+    Vector<LinesOnce> once(&call.pool);
+    const Settings* const settings = call.options.settings.get();
+    if (settings != nullptr && settings->has_lines && call.options.desc.lines == nullptr) {
+        for (const hrbfnpr_line_desc& lines : settings->lines) once.push_back(lines_of_settings(lines, call.pool));
+        return once;
+    }
+    for (const WantedLine& one : wanted)
+        if (is_found_once(one.kind)) once.push_back(lines_of_wanted(one, model, call.pool));
+    return once;
+}
+
+LineSet make_lines(const Call& call, const Surface& surface, const Style& style, const Vector<WantedLine>& wanted,
+                   const Vector<LinesOnce>& more) {
+    HRBFNPR_ASSERT(surface.model);
+    if (style.base.visibility == HRBFNPR_VISIBILITY_PUBLISHED || (style.lines.empty() && more.empty())) return {};
+    const hrbfnpr_model& model = *surface.model.get();
+    const bool has_faces = surface.shape != nullptr && surface.shape->is_mesh();
+    const bool is_sharp = wants_kind(wanted, HRBFNPR_LINE_KIND_CREASE);
+
+    const Vector<LinesOnce> once = lines_found_once(call, model, wanted);
+    Vector<hrbfnpr_line_desc> list(&call.pool);
+    for (const LinesOnce& lines : once) list.push_back(lines.view());
+    for (const LinesOnce& lines : more) list.push_back(lines.view());
+    LinesOnce edges(HRBFNPR_LINE_KIND_OWN, call.pool);
+    if (is_sharp && has_faces) edges = edges_of_mesh(call, *surface.shape);
+    const bool has_edges = !edges.points.empty();
+    if (has_edges) list.push_back(edges.view());
+
+    auto desc = defaults<hrbfnpr_line_set_desc>(hrbfnpr_line_set_desc_init);
+    desc.support = support_of_lines(model, wanted);
+    call.options.changes.apply("line_set", desc);
+    if (needs_curvature(style)) desc.flags |= HRBFNPR_LINE_SET_WITH_CURVATURE;
+    desc.lines = list.data();
+    desc.line_count = static_cast<std::int64_t>(list.size());
+
+    LineSet made;
+    hrbfnpr_line_set_info info{};
+    {
+        Stage stage(call.report, HRBFNPR_STAGE_LINES);
+        made = create_line_set(call, model, desc, stage);
+        info = info_of(made);
+        if (info.creases > 0 && has_edges) { // the model's own take the place of the mesh's
+            --desc.line_count;
+            made = create_line_set(call, model, desc, stage);
+            info = info_of(made);
+        }
+        stage.says(formatted(call.pool, "on %lld triangles, %lld lines found once",
+                             static_cast<long long>(info.triangles), static_cast<long long>(info.lines)));
+    }
+    if (is_sharp && !has_faces && info.creases == 0)
+        call.report.refuse("creases come from a mesh, or from a model with edges; this file has neither");
+    if (desc.support > 0.0) tell_where_it_ends(call, info, desc.support);
+    tell_if_thin(call, info);
+    return made;
+}
+
+void tell_doubts(Report& report, const hrbfnpr_drawing_info& info) {
+    const auto warn = [&](std::uint32_t code, std::int64_t count, const char* what) {
+        if (count > 0)
+            report.warn(code, {static_cast<double>(count)},
+                        formatted(report.pool(), "%s: %lld", what, static_cast<long long>(count)));
+    };
+    warn(HRBFNPR_NOTE_LINES_BROKEN, info.line_broken,
+         "curves that end inside the surface, or were missed; more samples there would help");
+    warn(HRBFNPR_NOTE_LINES_DOUBTED, info.line_contradictions,
+         "lines of which a part may be drawn where it is hidden, or the other way round");
+    warn(HRBFNPR_NOTE_LINES_TANGLED, info.line_tangles,
+         "places of the picture with so many crossings of lines that none was taken");
+}
+
+} // namespace hrbfnpr::picture

@@ -1,0 +1,714 @@
+// SPDX-License-Identifier: MIT
+// The story of a mesh: look_at_mesh() welds it, turns its faces outward, leaves out what is lost, samples it, and
+// divides it where it is coarse; groups_of_mesh() parts what is no surface together; surface_of_group() fits a model,
+// and end_of_mesh() lets it end where the mesh does.
+#include "picture/mesh_surface.h"
+
+#include "api/mesh.h"
+#include "base/assert.h"
+#include "mesh/pieces/plan.h"
+#include "picture/apart.h"
+#include "picture/ends.h"
+#include "picture/nearness.h"
+#include "picture/normals.h"
+#include "picture/points.h"
+#include "picture/sharp_edges.h"
+#include "picture/subdivide.h"
+#include "picture/tuning_mesh.h"
+#include "picture/up.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace hrbfnpr::picture {
+namespace {
+
+// ---- What the options ask for
+
+// The options of a fit to samples, of which a fit to a mesh takes some.
+hrbfnpr_fit_desc wanted_fit(const Options& options) {
+    auto desc = defaults<hrbfnpr_fit_desc>(hrbfnpr_fit_desc_init);
+    options.changes.apply("fit", desc);
+    return desc;
+}
+
+// Whether the fit takes as many samples as it needs: unless the caller asks for these, or for what only a fit to
+// samples does.
+bool chooses_samples(const Options& options) {
+    const Changes& changes = options.changes;
+    const bool refines = changes.is_callers("fit.refinement_steps") && changes.number("fit.refinement_steps") != 0.0;
+    const bool asks_for_samples = options.desc.samples > 0 || options.has(HRBFNPR_PICTURE_FLIP) || refines ||
+                                  changes.is_callers("fit.outliers") || changes.is_callers("fit.flipped_normals");
+    return !asks_for_samples && wanted_fit(options).regularization_mode != HRBFNPR_REGULARIZATION_AUTO;
+}
+
+bool edges_are_as_given(const Options& options) noexcept {
+    return options.desc.edges == HRBFNPR_PICTURE_EDGES_AS_GIVEN;
+}
+bool subdivides_as_told(const Options& options) noexcept { return options.desc.subdivide >= 0; }
+
+double crease_angle_of(const Options& options) noexcept {
+    return std::isnan(options.desc.crease_angle) ? mesh_tuning.crease_angle : options.desc.crease_angle;
+}
+
+// ---- Meshes of the library
+
+hrbfnpr_mesh_desc mesh_desc_of(const Points& points, const Vector<Triangle>& triangles, double crease_angle) {
+    auto desc = defaults<hrbfnpr_mesh_desc>(hrbfnpr_mesh_desc_init);
+    desc.vertices = view_of(points);
+    desc.triangles = view_of(triangles);
+    desc.crease_angle = crease_angle;
+    return desc;
+}
+
+Mesh create_mesh(const Call& call, const hrbfnpr_mesh_desc& desc, hrbfnpr_operation* operation) {
+    return make<Mesh>([&](hrbfnpr_mesh** made, hrbfnpr_error* error) {
+        return hrbfnpr_mesh_create(&call.context, &desc, operation, made, error);
+    });
+}
+
+// A mesh with the repairs that the options leave open.
+Mesh welded_mesh(const Call& call, const Points& points, const Vector<Triangle>& triangles,
+                 hrbfnpr_operation* operation) {
+    const Options& options = call.options;
+    hrbfnpr_mesh_desc desc = mesh_desc_of(points, triangles, crease_angle_of(options));
+    desc.parts = options.desc.parts;
+    desc.faces = options.desc.normals == HRBFNPR_NORMALS_GIVEN ? HRBFNPR_FACES_KEEP : HRBFNPR_FACES_TURN;
+    return create_mesh(call, desc, operation);
+}
+
+// A mesh of what was repaired before.
+Mesh same_mesh(const Call& call, const Points& points, const Vector<Triangle>& triangles, double crease_angle,
+               hrbfnpr_operation* operation) {
+    hrbfnpr_mesh_desc desc = mesh_desc_of(points, triangles, crease_angle);
+    desc.parts = HRBFNPR_PARTS_ALL;
+    desc.faces = HRBFNPR_FACES_KEEP;
+    return create_mesh(call, desc, operation);
+}
+
+void sample_mesh(const Mesh& mesh, const hrbfnpr_sample_desc& desc, Points& points, Points* normals,
+                 hrbfnpr_operation* operation) {
+    const hrbfnpr_array_out to_points = room_in(points);
+    const hrbfnpr_array_out to_normals = normals != nullptr ? room_in(*normals) : hrbfnpr_array_out{};
+    picture::call([&](hrbfnpr_error* error) {
+        return hrbfnpr_mesh_sample(mesh.get(), &desc, &to_points, normals != nullptr ? &to_normals : nullptr, operation,
+                                   error);
+    });
+}
+
+// ---- What a mesh is found to be
+
+// A mesh that was looked at, the shape that it is of, and even samples of it.
+struct LookedAtMesh {
+    Mesh mesh;
+    Shape shape;
+    Points points;
+    Points normals;
+    double edge_angle = 0.0; // degrees: what bends more is an edge; 0: what stands out is
+};
+
+String borders_in_words(const hrbfnpr_mesh_info& info, Pool& pool) {
+    String words = count_of(info.components, "part", pool);
+    words += ", ";
+    words += info.closed != 0           ? String("closed", &pool)
+             : info.boundary_edges == 0 ? String("not closed", &pool)
+                                        : count_of(info.boundary_loops, "border", pool);
+    return words;
+}
+
+// Notes what was repaired, and warns of what cannot be.
+void tell_mesh_repairs(const Call& call, const hrbfnpr_mesh_info& info) {
+    Pool& pool = call.pool;
+    Report& report = call.report;
+    const auto figure = [](std::int64_t count) { return static_cast<double>(count); };
+    if (info.turned_faces > 0)
+        report.note(HRBFNPR_NOTE_FACES_TURNED, {figure(info.turned_faces)},
+                    count_of(info.turned_faces, "face", pool) += " looked to the other side than those beside: turned");
+    if (info.turned_components > 0) {
+        String what("the mesh was", &pool);
+        if (info.components != 1) what = count_of(info.turned_components, "part", pool) += " of the mesh were";
+        report.note(HRBFNPR_NOTE_INSIDE_OUT, {figure(info.turned_components)},
+                    what += " inside out: its faces are turned");
+    }
+    const std::int64_t left_out = info.degenerate_faces + info.repeated_faces;
+    if (left_out > 0)
+        report.note(HRBFNPR_NOTE_FACES_LEFT_OUT, {figure(left_out)},
+                    count_of(left_out, "face", pool) += " without area, or twice there, left out");
+    if (info.left_out_components > 0)
+        report.note(HRBFNPR_NOTE_PARTS_INSIDE, {figure(info.left_out_components), figure(info.left_out_faces)},
+                    formatted(pool, "%s inside others left out (%lld faces); {parts=all} keeps them",
+                              count_of(info.left_out_components, "part", pool).c_str(),
+                              static_cast<long long>(info.left_out_faces)));
+    if (info.contrary_edges > 0)
+        report.warn(HRBFNPR_NOTE_CONTRARY_EDGES, {figure(info.contrary_edges)},
+                    count_of(info.contrary_edges, "edge", pool) +=
+                    " between faces that look to opposite sides, which cannot be turned: a surface of one side, or one "
+                    "that crosses itself");
+}
+
+// Leaves out faces of a mesh, by the numbers that it has for them, and welds the rest anew.
+void leave_out_faces(const Call& call, const FaceNumbers& which, Mesh& mesh, Shape& shape,
+                     hrbfnpr_operation* operation) {
+    const Vector<std::int32_t> given = numbers_of(mesh, HRBFNPR_MESH_ATTRIBUTE_GIVEN_FACE, call.pool);
+    Vector<std::uint8_t> leaves(shape.triangles.size(), 0, &call.pool);
+    for (const std::int64_t face : which) leaves[static_cast<std::size_t>(given[static_cast<std::size_t>(face)])] = 1;
+    Vector<Triangle> kept(&call.pool);
+    for (std::size_t f = 0; f < leaves.size(); ++f)
+        if (leaves[f] == 0) kept.push_back(shape.triangles[f]);
+    shape.triangles = std::move(kept);
+    mesh = welded_mesh(call, shape.points, shape.triangles, operation);
+}
+
+// How many parts far away, with how many faces, and how many faces left over were left out.
+struct LeftOut {
+    std::int64_t far_parts = 0, far_faces = 0, flaps = 0;
+};
+
+LeftOut leave_out_lost(const Call& call, Mesh& mesh, Shape& shape, hrbfnpr_operation* operation) {
+    LeftOut left_out;
+    if (call.options.desc.parts != HRBFNPR_PARTS_OUTER) return left_out;
+    const LostParts lost = find_lost_parts(mesh, call.pool);
+    if (lost.parts > 0) {
+        left_out.far_parts = lost.parts;
+        left_out.far_faces = static_cast<std::int64_t>(lost.faces.size());
+        leave_out_faces(call, lost.faces, mesh, shape, operation);
+    }
+    const FaceNumbers flaps = find_flaps(mesh, call.pool);
+    if (!flaps.empty()) {
+        left_out.flaps = static_cast<std::int64_t>(flaps.size());
+        leave_out_faces(call, flaps, mesh, shape, operation);
+    }
+    return left_out;
+}
+
+void tell_left_out(const Call& call, const LeftOut& left_out) {
+    Pool& pool = call.pool;
+    if (left_out.far_parts > 0)
+        call.report.note(HRBFNPR_NOTE_PARTS_FAR,
+                         {static_cast<double>(left_out.far_parts), static_cast<double>(left_out.far_faces)},
+                         formatted(pool, "%s (%s) far from all others left out; {parts=all} keeps them",
+                                   count_of(left_out.far_parts, "part", pool).c_str(),
+                                   count_of(left_out.far_faces, "face", pool).c_str()));
+    if (left_out.flaps > 0)
+        call.report.note(HRBFNPR_NOTE_FLAPS, {static_cast<double>(left_out.flaps)},
+                         count_of(left_out.flaps, "face", pool) +=
+                         " that only an edge of two others holds left out; {parts=all} keeps them");
+}
+
+// Why the faces of an open mesh are to be turned.
+enum class Wrong { nothing, looks_down_z, looks_down_y, looks_inward };
+
+Wrong looks_wrong(const Points& points, const Points& normals, Pool& pool) {
+    if (const char axis = hangs_along(points, normals); axis != 0)
+        return axis == 'z' ? Wrong::looks_down_z : Wrong::looks_down_y;
+    return look_at_normals(points, normals, true, pool).inward() ? Wrong::looks_inward : Wrong::nothing;
+}
+
+void tell_wrong(const Call& call, Wrong wrong) {
+    if (wrong == Wrong::nothing) return;
+    if (wrong == Wrong::looks_inward) {
+        call.report.note(HRBFNPR_NOTE_NORMALS_TURNED, {},
+                         "all normals looked inward: they are turned ({normals=keep} leaves them)");
+        return;
+    }
+    const char axis = wrong == Wrong::looks_down_z ? 'z' : 'y';
+    call.report.note(HRBFNPR_NOTE_TERRAIN_TURNED, {static_cast<double>(axis - 'x')},
+                     formatted(call.pool,
+                               "the surface is a terrain that looked down along %c: its normals are turned "
+                               "({normals=keep} leaves them)",
+                               axis));
+}
+
+// ---- Coarse meshes
+
+// What was chosen for faces that are coarse.
+struct Divided {
+    enum class Choice {
+        nothing,     // the mesh stays as it is
+        all_flat,    // by the normals of its file
+        coarse_flat, // nothing round goes through its faces
+        divided
+    };
+    Choice choice = Choice::nothing;
+    bool by_file = false;     // some edges are sharp, as its normals say
+    std::int32_t rounds = 0;  // of division, and in shares of the diagonal:
+    double moved = 0.0;       // the vertices, at most
+    double raised = 0.0;      // places between them, at most
+    double coarseness = -1.0; // before; below 0: it was not asked, as the options say that faces are divided
+};
+
+double tolerance_as_share(const Options& options, const Points& points) noexcept {
+    const double across = box_diagonal_of(points);
+    return options.desc.tolerance > 0.0 && across > 0.0 ? options.desc.tolerance / across : mesh_tuning.tolerance;
+}
+
+// Whether a fit keeps some edges sharp, as those of machine parts and of polyhedra.  Where none stand out on the whole,
+// those of a part by itself may.  A caller sees the same from the sheets of a rough fit.
+bool has_edges(const Call& call, const Shape& shape, hrbfnpr_operation* operation) {
+    const Mesh mesh = same_mesh(call, shape.points, shape.triangles, mesh_tuning.crease_angle, operation);
+    if (info_of(mesh).creases != 0) return true;
+    const hrbfnpr_mesh& made = *mesh.get();
+    mesh::FitMeshSettings rough;
+    rough.tolerance = mesh_tuning.rough_tolerance * box_diagonal_of(shape.points);
+    rough.maximum_centres = mesh_tuning.rough_centres;
+    const base::Progress progress =
+        operation != nullptr ? base::Progress(&operation->operation).standing() : base::Progress();
+    return mesh::plan_creases(made.runtime(), made.mesh, made.tree, made.creases, rough, progress).creases.has_value();
+}
+
+// How often faces are to be divided: those that something round would bulge out of by more than the tolerance.
+std::int32_t rounds_of(const Call& call, const Shape& welded, SaidOfEdges said, hrbfnpr_operation* operation) {
+    const Options& options = call.options;
+    if (subdivides_as_told(options)) return options.desc.subdivide;
+    if (options.desc.edges == HRBFNPR_PICTURE_EDGES_SHARP || !chooses_samples(options) ||
+        welded.triangles.size() > mesh_tuning.most_coarse || mean_edge(welded, call.pool) < mesh_tuning.coarse_edge)
+        return 0;
+    const double tolerance = tolerance_as_share(options, welded.points);
+    const double off = coarseness(welded, subdivide_tuning.coarse_percentile, call.pool);
+    if (!(off > tolerance) || (said != SaidOfEdges::some_are_sharp && has_edges(call, welded, operation))) return 0;
+    const double rounds = std::ceil(std::log(2.0 * off / tolerance) / std::log(4.0));
+    return rounds < mesh_tuning.most_rounds ? static_cast<std::int32_t>(rounds) : mesh_tuning.most_rounds;
+}
+
+double farthest_moved(const Points& from, const Points& to) noexcept {
+    double most = 0.0;
+    for (std::size_t i = 0; i < from.size(); ++i) most = std::max(most, glm::length(to[i] - from[i]));
+    return most;
+}
+
+// Divides a welded mesh, unless nothing round goes through its vertices: faces of a convex hull, which are long and of
+// any size, would fold.
+Divided divide(const Call& call, const Shape& welded, std::int32_t rounds, Shape& finer,
+               const base::Progress& progress) {
+    Pool& pool = call.pool;
+    const Options& options = call.options;
+    const bool as_told = subdivides_as_told(options);
+    const double crease = std::isnan(options.desc.crease_angle) ? 180.0 : options.desc.crease_angle;
+    Divided found;
+    found.rounds = rounds;
+    found.by_file = welded.has_sharp_edges;
+    Vector<std::int64_t> parents(&pool);
+    if (found.by_file && !as_told) {
+        DividedParts parts =
+            subdivide_coarse_parts(welded, rounds, crease, tolerance_as_share(options, welded.points), pool, progress);
+        finer = std::move(parts.shape);
+        parents = std::move(parts.parents);
+    } else {
+        finer = subdivide(welded, rounds, crease, pool, progress);
+        parents = parents_of(welded.triangles.size(), finer.triangles.size(), pool);
+    }
+    Vector<double> rise = raised(welded, finer, parents, pool);
+    const double across = box_diagonal_of(welded.points);
+    const double moved_by = farthest_moved(welded.points, finer.points);
+    found.moved = moved_by / across;
+    found.raised = rise.empty() ? 0.0 : *std::max_element(rise.begin(), rise.end());
+    found.choice = Divided::Choice::divided;
+    if (as_told) return found;
+    found.coarseness = coarseness(welded, subdivide_tuning.coarse_percentile, pool);
+    if (found.by_file) {
+        if (moved_by > mesh_tuning.most_moved * coarseness(welded, 100.0, pool) * across)
+            found.choice = Divided::Choice::nothing;
+        return found;
+    }
+    const bool folds = moved_by > mesh_tuning.most_moved * found.coarseness * across ||
+                       percentile(rise, mesh_tuning.raised_percentile) > mesh_tuning.most_raised * found.coarseness;
+    if (folds && edges_are_as_given(options)) found.choice = Divided::Choice::coarse_flat;
+    return found;
+}
+
+void tell_divided(const Call& call, const Divided& found) {
+    Pool& pool = call.pool;
+    Report& report = call.report;
+    switch (found.choice) {
+    case Divided::Choice::nothing: return;
+    case Divided::Choice::all_flat:
+        report.note(HRBFNPR_NOTE_ALL_FLAT, {}, "by the normals of its file all faces are flat ({edges=smooth} rounds)");
+        return;
+    case Divided::Choice::coarse_flat:
+        report.note(HRBFNPR_NOTE_COARSE_FLAT, {},
+                    "the faces are coarse, but nothing round goes through them: flat ({edges=smooth} rounds)");
+        return;
+    case Divided::Choice::divided: break;
+    }
+    if (found.by_file)
+        report.note(HRBFNPR_NOTE_EDGES_BY_NORMALS, {},
+                    "some edges are sharp and others round, by the normals of its file ({edges=auto} keeps those that "
+                    "stand out)");
+    const String divided =
+        formatted(pool, "divided %s, vertices moved by at most %s, what lies between them by %s",
+                  count_of(found.rounds, "time", pool).c_str(), percent_of(found.moved, 2, pool).c_str(),
+                  percent_of(found.raised, 2, pool).c_str());
+    const double times = found.rounds;
+    if (found.coarseness < 0.0)
+        report.note(HRBFNPR_NOTE_DIVIDED, {times, found.moved, found.raised},
+                    formatted(pool, "the faces are %s", divided.c_str()));
+    else
+        report.note(HRBFNPR_NOTE_DIVIDED, {times, found.moved, found.raised, found.coarseness},
+                    formatted(pool,
+                              "the faces are coarse, %s of the diagonal off something round: %s ({subdivide=0} leaves "
+                              "them)",
+                              percent_of(found.coarseness, 2, pool).c_str(), divided.c_str()));
+}
+
+// Makes a mesh round where it is coarse and meant to be so, and sharp where it is, as far as that can be told.
+Divided make_round(const Call& call, LookedAtMesh& looked, Stage& stage) {
+    Pool& pool = call.pool;
+    const Options& options = call.options;
+    Shape welded(pool);
+    welded.points = vertices_of(looked.mesh, pool);
+    welded.triangles = triangles_of(looked.mesh, pool);
+    SaidOfEdges said = SaidOfEdges::nothing;
+    if (edges_are_as_given(options) && chooses_samples(options) && looked.shape.has_sharp_edges) {
+        Vector<Edge> sharp = edges_among(welded.points, looked.shape.sharp_edges, looked.shape.points, pool);
+        said = said_of_edges(welded.points, welded.triangles, sharp, pool);
+        welded.has_sharp_edges = said == SaidOfEdges::some_are_sharp;
+        if (welded.has_sharp_edges) welded.sharp_edges = std::move(sharp);
+    }
+    const std::int32_t rounds = rounds_of(call, welded, said, stage.operation());
+    Divided found;
+    if (rounds == 0) return found;
+    Shape finer(pool);
+    if (said == SaidOfEdges::all_are_sharp && !subdivides_as_told(options))
+        found.choice = Divided::Choice::all_flat;
+    else
+        found = divide(call, welded, rounds, finer, base::Progress(&stage.operation()->operation).standing());
+    if (found.choice == Divided::Choice::all_flat || found.choice == Divided::Choice::coarse_flat)
+        looked.edge_angle = mesh_tuning.flat_bend;
+    if (found.choice != Divided::Choice::divided) return found;
+    looked.mesh = same_mesh(call, finer.points, finer.triangles, crease_angle_of(options), stage.operation());
+    looked.shape.points = std::move(finer.points);
+    looked.shape.triangles = std::move(finer.triangles);
+    looked.shape.normals.clear();
+    looked.shape.sharp_edges.clear();
+    looked.shape.has_sharp_edges = false;
+    return found;
+}
+
+// ---- The whole mesh
+
+void weld_and_clean(const Call& call, LookedAtMesh& looked) {
+    LeftOut left_out;
+    hrbfnpr_mesh_info info;
+    {
+        Stage stage(call.report, HRBFNPR_STAGE_MESH);
+        looked.mesh = welded_mesh(call, looked.shape.points, looked.shape.triangles, stage.operation());
+        left_out = leave_out_lost(call, looked.mesh, looked.shape, stage.operation());
+        info = info_of(looked.mesh);
+        stage.says(borders_in_words(info, call.pool));
+    }
+    tell_mesh_repairs(call, info);
+    tell_left_out(call, left_out);
+}
+
+std::int64_t samples_of_look(const Call& call) {
+    if (chooses_samples(call.options)) return mesh_tuning.looked_at;
+    const std::int64_t wanted = call.options.desc.samples > 0 ? call.options.desc.samples : mesh_tuning.samples;
+    if (wanted > mesh_tuning.most_samples)
+        call.report.refuse(formatted(call.pool, "{samples=%lld} is more than a mesh can have: %lld",
+                                     static_cast<long long>(wanted), static_cast<long long>(mesh_tuning.most_samples)));
+    return wanted;
+}
+
+// Turns the faces that are seen to look the wrong way, and makes the mesh round where it is coarse.
+void sample_and_divide(const Call& call, LookedAtMesh& looked) {
+    const Options& options = call.options;
+    const std::int64_t count = samples_of_look(call);
+    auto desc = defaults<hrbfnpr_sample_desc>(hrbfnpr_sample_desc_init);
+    desc.random_seed = options.desc.random_seed;
+    Wrong wrong = Wrong::nothing;
+    Divided divided;
+    {
+        Stage stage(call.report, HRBFNPR_STAGE_SAMPLE);
+        looked.points.resize(static_cast<std::size_t>(count));
+        looked.normals.resize(static_cast<std::size_t>(count));
+        sample_mesh(looked.mesh, desc, looked.points, &looked.normals, stage.operation());
+        stage.says(formatted(call.pool, "%lld samples%s", static_cast<long long>(count),
+                             chooses_samples(options) ? ", to look at" : ""));
+        const bool is_settled = info_of(looked.mesh).closed != 0 || options.desc.normals == HRBFNPR_NORMALS_GIVEN ||
+                                options.has(HRBFNPR_PICTURE_FLIP);
+        if (!is_settled) wrong = looks_wrong(looked.points, looked.normals, call.pool);
+        if (wrong != Wrong::nothing) {
+            Vector<Triangle> turned(&call.pool);
+            for (const Triangle& face : looked.shape.triangles) turned.push_back({face[2], face[1], face[0]});
+            looked.mesh = welded_mesh(call, looked.shape.points, turned, stage.operation());
+        }
+        divided = make_round(call, looked, stage);
+        if (wrong != Wrong::nothing || divided.choice == Divided::Choice::divided)
+            sample_mesh(looked.mesh, desc, looked.points, &looked.normals, stage.operation());
+    }
+    tell_wrong(call, wrong);
+    tell_divided(call, divided);
+    if (options.has(HRBFNPR_PICTURE_FLIP))
+        for (glm::dvec3& normal : looked.normals) normal = -normal;
+}
+
+LookedAtMesh look_at_mesh(const Call& call, Shape&& shape) {
+    LookedAtMesh looked{{}, std::move(shape), Points(&call.pool), Points(&call.pool)};
+    weld_and_clean(call, looked);
+    sample_and_divide(call, looked);
+    return looked;
+}
+
+// ---- Groups
+
+struct MeshGroup {
+    Mesh mesh;
+    std::shared_ptr<const Shape> shape;
+};
+
+// Unless one surface is wanted, or what is made of one.
+bool may_be_apart(const Options& options) {
+    const bool wants_one = options.has(HRBFNPR_PICTURE_TOGETHER) || options.has(HRBFNPR_PICTURE_CLOSE) ||
+                           options.has(HRBFNPR_PICTURE_SURFACE_ONLY) || options.is_find() ||
+                           options.settings != nullptr || options.desc.profile == HRBFNPR_PROFILE_YES ||
+                           options.desc.scale_bar != nullptr || options.desc.source_count > 1;
+    return !wants_one && chooses_samples(options);
+}
+
+// Some faces of a mesh, as a mesh of its own; `whole` is the shape of all.
+MeshGroup group_of_faces(const Call& call, const Mesh& mesh, const Shape& whole, const FaceNumbers& faces) {
+    Pool& pool = call.pool;
+    const Points vertices = vertices_of(mesh, pool);
+    const Vector<Triangle> triangles = triangles_of(mesh, pool);
+    Vector<std::int64_t> number(vertices.size(), -1, &pool); // of vertices that are used
+    for (const std::int64_t face : faces)
+        for (const std::int64_t corner : triangles[static_cast<std::size_t>(face)])
+            number[static_cast<std::size_t>(corner)] = 0;
+    auto shape = std::make_shared<Shape>(pool);
+    for (std::size_t v = 0; v < vertices.size(); ++v) {
+        if (number[v] < 0) continue;
+        number[v] = static_cast<std::int64_t>(shape->points.size());
+        shape->points.push_back(vertices[v]);
+    }
+    const auto number_of = [&](std::int64_t corner) { return number[static_cast<std::size_t>(corner)]; };
+    for (const std::int64_t f : faces) {
+        const Triangle& face = triangles[static_cast<std::size_t>(f)];
+        shape->triangles.push_back({number_of(face[0]), number_of(face[1]), number_of(face[2])});
+    }
+    shape->up = whole.up;
+    shape->up_by = whole.up_by;
+    shape->viewpoint = whole.viewpoint;
+    shape->is_photo = whole.is_photo;
+    shape->columns = whole.columns;
+    shape->rows = whole.rows;
+    Mesh made = same_mesh(call, shape->points, shape->triangles, crease_angle_of(call.options), nullptr);
+    return {std::move(made), std::move(shape)};
+}
+
+// The mesh, or groups of its parts that are no surface together, the largest first.
+Vector<MeshGroup> groups_of_mesh(const Call& call, Mesh&& mesh, Shape&& shape) {
+    Vector<MeshGroup> groups(&call.pool);
+    std::optional<FaceGroups> found;
+    if (may_be_apart(call.options)) found = find_groups(mesh, call.pool);
+    if (!found) {
+        groups.push_back({std::move(mesh), std::make_shared<Shape>(std::move(shape))});
+        return groups;
+    }
+    call.report.note(HRBFNPR_NOTE_GROUPS,
+                     {static_cast<double>(found->parts), static_cast<double>(found->groups.size())},
+                     formatted(call.pool,
+                               "%s of the mesh, not all of them closed, cross or are close to each other: they are "
+                               "fitted and drawn in %zu groups, each a surface of its own ({together!} makes one of "
+                               "them)",
+                               count_of(found->parts, "part", call.pool).c_str(), found->groups.size()));
+    for (const FaceNumbers& faces : found->groups) groups.push_back(group_of_faces(call, mesh, shape, faces));
+    return groups;
+}
+
+// ---- The fit
+
+// across: the diagonal of all that is drawn, 0 of one group.  What is small beside it is seen as near: its tolerance is
+// between that of the whole and its own.
+hrbfnpr_mesh_fit_desc fit_of_mesh(const Options& options, const Shape& shape, double edge_angle, double across) {
+    auto desc = defaults<hrbfnpr_mesh_fit_desc>(hrbfnpr_mesh_fit_desc_init);
+    desc.random_seed = options.desc.random_seed;
+    options.changes.apply("mesh_fit", desc);
+    const bool gives_tolerance = options.desc.tolerance > 0.0 || options.changes.has("mesh_fit.tolerance");
+    if (options.desc.tolerance > 0.0) desc.tolerance = options.desc.tolerance;
+    if (options.desc.maximum_centres > 0) desc.maximum_centres = options.desc.maximum_centres;
+    if (!edges_are_as_given(options)) {
+        static_assert(HRBFNPR_PICTURE_EDGES_SHARP - HRBFNPR_PICTURE_EDGES_AUTO ==
+                      HRBFNPR_EDGES_SHARP - HRBFNPR_EDGES_AUTO);
+        desc.edges = options.desc.edges - HRBFNPR_PICTURE_EDGES_AUTO;
+        desc.crease_angle = options.desc.edges == HRBFNPR_PICTURE_EDGES_SHARP
+                                ? options.desc.edge_angle
+                                : defaults<hrbfnpr_mesh_fit_desc>(hrbfnpr_mesh_fit_desc_init).crease_angle;
+    } else if (edge_angle > 0.0) {
+        desc.edges = HRBFNPR_EDGES_SHARP;
+        desc.crease_angle = edge_angle;
+    }
+    if (across > 0.0 && !gives_tolerance)
+        desc.tolerance = mesh_tuning.tolerance * std::sqrt(box_diagonal_of(shape.points) * across);
+    return desc;
+}
+
+// Of the options of a fit to samples those that a fit to a mesh has as well.
+hrbfnpr_fit_desc solver_of_mesh(const Options& options, bool ends) {
+    const hrbfnpr_fit_desc wanted = wanted_fit(options);
+    auto desc = defaults<hrbfnpr_fit_desc>(hrbfnpr_fit_desc_init);
+    desc.kernel = wanted.kernel;
+    desc.kernel_radius = wanted.kernel_radius;
+    desc.polynomial_degree = wanted.polynomial_degree;
+    desc.regularization = wanted.regularization;
+    desc.solver = wanted.solver;
+    desc.trim = ends ? HRBFNPR_TRIM_AUTO : HRBFNPR_TRIM_NEVER;
+    return desc;
+}
+
+// What a fit that fell short of its tolerance can do better.
+String remedy_of_shortfall(const Call& call, const hrbfnpr_mesh_fit_info& done) {
+    const Options& options = call.options;
+    std::int64_t most = options.desc.maximum_centres > 0 ? options.desc.maximum_centres : mesh_tuning.most_centres;
+    if (done.sheets > 1) most = std::max(most, mesh_tuning.centres_a_sheet * done.sheets);
+    if (static_cast<double>(done.centres) >= mesh_tuning.nearly_all_centres * static_cast<double>(most))
+        return formatted(call.pool, "{max_centres=%lld} allows more samples", static_cast<long long>(2 * most));
+    if (done.sheets > 1 && done.mesh_share < mesh_tuning.mostly_reached && edges_are_as_given(options))
+        return {"its faces are coarse, and what is round bulges over them: if they are flat, {edges=5} keeps them so",
+                &call.pool};
+    return formatted(call.pool, "%s edges and very thin parts are rounded", done.sheets == 1 ? "sharp" : "some");
+}
+
+void warn_of_shortfall(const Call& call, const hrbfnpr_mesh_fit_info& done, double diagonal) {
+    Pool& pool = call.pool;
+    const double farthest = std::fmax(done.mesh_max, done.surface_max) / diagonal;
+    String surface("nothing of the surface was found to measure from", &pool);
+    if (!std::isnan(done.surface_share))
+        surface = percent_of(1.0 - done.surface_share, 1, pool) += " of the surface are farther";
+    String most("and some of the mesh has no surface near it", &pool);
+    if (std::isfinite(farthest)) most = formatted(pool, "at most %s", percent_of(farthest, 1, pool).c_str());
+    call.report.warn(
+        HRBFNPR_NOTE_NOT_REACHED, {done.tolerance / diagonal, done.mesh_share, done.surface_share, farthest},
+        formatted(pool, "the surface is not within %s of the diagonal everywhere: %s of the mesh and %s, %s; %s",
+                  percent_of(done.tolerance / diagonal, 2, pool).c_str(),
+                  percent_of(1.0 - done.mesh_share, 1, pool).c_str(), surface.c_str(), most.c_str(),
+                  remedy_of_shortfall(call, done).c_str()));
+}
+
+void tell_mesh_fit(const Call& call, const hrbfnpr_mesh_fit_info& done, double diagonal) {
+    if (done.touching_parts[0] >= 0)
+        call.report.warn(HRBFNPR_NOTE_PARTS_TOO_THIN,
+                         {static_cast<double>(done.touching_parts[0]), static_cast<double>(done.touching_parts[1]),
+                          done.touching_place[0], done.touching_place[1], done.touching_place[2]},
+                         formatted(call.pool,
+                                   "parts %d and %d of the mesh, and maybe others, %s nearer to each other than the "
+                                   "tolerance, as near %.4g %.4g %.4g: the surface may join them there; a smaller "
+                                   "tolerance holds apart what does not cross ({tolerance})",
+                                   static_cast<int>(done.touching_parts[0]), static_cast<int>(done.touching_parts[1]),
+                                   done.parts_may_cross != 0 ? "cross or are" : "are", done.touching_place[0],
+                                   done.touching_place[1], done.touching_place[2]));
+    if (done.reached == 0) warn_of_shortfall(call, done, diagonal);
+    if (done.smooth_length > mesh_tuning.told_smooth_length * diagonal)
+        call.report.note(HRBFNPR_NOTE_EDGES_STAY_SMOOTH, {done.smooth_length / diagonal},
+                         formatted(call.pool, "edges %.2g diagonals long stay smooth", done.smooth_length / diagonal));
+}
+
+// Within a tolerance both ways; a warning tells what falls short.
+Model fit_group(const Call& call, const MeshGroup& group, double edge_angle, double across,
+                hrbfnpr_mesh_fit_info& done) {
+    Pool& pool = call.pool;
+    const bool ends = info_of(group.mesh).boundary_edges > 0 && !call.options.has(HRBFNPR_PICTURE_CLOSE);
+    const hrbfnpr_mesh_fit_desc desc = fit_of_mesh(call.options, *group.shape, edge_angle, across);
+    const hrbfnpr_fit_desc solver = solver_of_mesh(call.options, ends);
+    done = defaults<hrbfnpr_mesh_fit_info>(hrbfnpr_mesh_fit_info_init);
+    Model model;
+    double diagonal = 1.0;
+    {
+        Stage stage(call.report, HRBFNPR_STAGE_FIT);
+        model = make<Model>([&](hrbfnpr_model** made, hrbfnpr_error* error) {
+            return hrbfnpr_model_fit_mesh(group.mesh.get(), &desc, &solver, &done, stage.operation(), made, error);
+        });
+        diagonal = diagonal_of(model);
+        const String how = done.sheets == 1 ? count_of(done.rounds, "round", pool)
+                                            : formatted(pool, "%d sheets", static_cast<int>(done.sheets));
+        stage.says(formatted(pool, "%lld centres in %s; %s", static_cast<long long>(done.centres), how.c_str(),
+                             distances_in_words(done, diagonal, pool).c_str()));
+    }
+    tell_mesh_fit(call, done, diagonal);
+    return model;
+}
+
+// ---- The end
+
+// In diagonals: how far from the mesh the surface is none of it.  Few samples round what is sharp, as the fit has it.
+double off_of_model(const Model& model, const std::optional<hrbfnpr_mesh_fit_info>& fit) {
+    const hrbfnpr_model_info info = model_info_of(model);
+    const double diagonal = diagonal_of(info);
+    if (!fit) return std::max(mesh_tuning.least_off, mesh_tuning.off_factor * info.spacing / diagonal);
+    const double p99 = std::isnan(fit->mesh_p99) ? 0.0 : fit->mesh_p99;
+    return std::clamp(mesh_tuning.off_factor * p99 / diagonal, mesh_tuning.least_off, mesh_tuning.most_off);
+}
+
+// Warns of parts of a closed surface that the fit made, and that are left out.
+void tell_made_by_fit(const Call& call, const Model& ended, bool of_sheets) {
+    const hrbfnpr_trim_info info = trim_info_of(ended);
+    if (!(info.share > mesh_tuning.doubted_share)) return;
+    String remedy("its faces cross or are folded there, and mending them may do without", &call.pool);
+    if (!of_sheets)
+        remedy = formatted(call.pool, "more samples may do without, {samples=%lld} for example",
+                           static_cast<long long>(mesh_tuning.more_samples) *
+                               static_cast<long long>(model_info_of(ended).centres));
+    call.report.warn(HRBFNPR_NOTE_MADE_BY_FIT, {static_cast<double>(info.parts)},
+                     formatted(call.pool, "the fit made %s of surface that the mesh does not have, left out: %s",
+                               count_of(info.parts, "part", call.pool).c_str(), remedy.c_str()));
+}
+
+// The model with what lies beyond the mesh left out, unless it shall be closed.  What the surface has that a closed
+// mesh does not was made by the fit.
+Model end_of_mesh(const Call& call, const Model& model, const Mesh& mesh,
+                  const std::optional<hrbfnpr_mesh_fit_info>& fit) {
+    if (call.options.has(HRBFNPR_PICTURE_CLOSE)) return model;
+    const hrbfnpr_mesh_info info = info_of(mesh);
+    const bool is_closed = info.closed != 0;
+    const bool of_sheets = fit && fit->sheets > 1;
+    const double off = off_of_model(model, fit);
+    if (of_sheets && is_closed && fit->surface_max <= off * diagonal_of(model)) return model;
+    if (fit && info.boundary_edges > 0) { // the fit has ended it along the border
+        Stage stage(call.report, HRBFNPR_STAGE_END);
+        stage.says(trim_in_words(call, model, "mesh"));
+        return model;
+    }
+    Points places(static_cast<std::size_t>(mesh_tuning.end_places), glm::dvec3(0.0), &call.pool);
+    auto dense = defaults<hrbfnpr_sample_desc>(hrbfnpr_sample_desc_init);
+    dense.candidates = mesh_tuning.end_candidates;
+    sample_mesh(mesh, dense, places, nullptr, nullptr);
+    auto desc = defaults<hrbfnpr_trim_desc>(hrbfnpr_trim_desc_init);
+    desc.hole = desc.closest = off;
+    Model ended = ended_by(call, model, places, "mesh", desc);
+    if (is_closed) tell_made_by_fit(call, ended, of_sheets);
+    return ended;
+}
+
+// looked: the samples of the whole mesh, where the fit does not choose them.
+Surface surface_of_group(const Call& call, MeshGroup&& group, const LookedAtMesh& looked, double across) {
+    Surface surface;
+    if (chooses_samples(call.options)) {
+        surface.fit.emplace();
+        surface.model = fit_group(call, group, looked.edge_angle, across, *surface.fit);
+    } else {
+        surface.model = fit_samples(call, looked.points, looked.normals, false, false);
+        tell_nearness(call, group.mesh, surface.model);
+    }
+    surface.model = end_of_mesh(call, surface.model, group.mesh, surface.fit);
+    surface.mesh = std::move(group.mesh);
+    surface.shape = std::move(group.shape);
+    return surface;
+}
+
+} // namespace
+
+Vector<Surface> fit_mesh(const Call& call, Shape&& shape, glm::dvec3& up) {
+    HRBFNPR_ASSERT(shape.is_mesh());
+    LookedAtMesh looked = look_at_mesh(call, std::move(shape));
+    tell_thin_evidence(call, looked.points);
+    up = choose_up(call, &looked.shape, looked.points, looked.normals);
+    const double diagonal = box_diagonal_of(looked.shape.points);
+    Vector<MeshGroup> groups = groups_of_mesh(call, std::move(looked.mesh), std::move(looked.shape));
+    const double across = groups.size() == 1 ? 0.0 : diagonal;
+    Vector<Surface> surfaces(&call.pool);
+    surfaces.reserve(groups.size());
+    for (MeshGroup& group : groups) surfaces.push_back(surface_of_group(call, std::move(group), looked, across));
+    return surfaces;
+}
+
+} // namespace hrbfnpr::picture

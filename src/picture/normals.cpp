@@ -1,0 +1,374 @@
+// SPDX-License-Identifier: MIT
+#include "picture/normals.h"
+
+#include "base/assert.h"
+#include "geometry/along_curves.h"
+#include "geometry/neighbours.h"
+#include "picture/statistics.h"
+#include "picture/tuning_points.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+
+namespace hrbfnpr::picture {
+namespace {
+
+constexpr std::uint64_t look_seed = 1;
+// Random numbers of one use are independent of those of another.
+constexpr std::uint32_t sources_stream = 1;
+constexpr std::uint32_t queries_stream = 2;
+
+Points those_of(const Points& points, const Vector<std::int64_t>& chosen, Pool& pool) {
+    Points some(&pool);
+    some.reserve(chosen.size());
+    for (const std::int64_t i : chosen) some.push_back(points[static_cast<std::size_t>(i)]);
+    return some;
+}
+
+geometry::VecArray in_columns(const Points& points, Pool& pool) {
+    geometry::VecArray columns(pool.memory(), static_cast<std::int64_t>(points.size()));
+    for (std::size_t i = 0; i < points.size(); ++i) columns.set(static_cast<std::int64_t>(i), points[i]);
+    return columns;
+}
+
+double typical_length(const Points& points) noexcept {
+    geometry::Bounds bounds;
+    for (const glm::dvec3& p : points) bounds.extend(p);
+    return bounds.diagonal();
+}
+
+glm::dvec3 mean_point(const Points& points) noexcept {
+    return std::accumulate(points.begin(), points.end(), glm::dvec3(0.0)) / static_cast<double>(points.size());
+}
+
+// Samples that stand for all, about the origin, with a size of 1.
+struct LookedAt {
+    Points points;
+    Points normals;
+    Vector<double> spacing; // to the last neighbour
+    Vector<double> area;
+};
+
+// The winding number of the samples at a place. A flat piece fills half of the view at most.
+double winding_number(const glm::dvec3& place, const LookedAt& samples) noexcept {
+    double sum = 0.0;
+    for (std::size_t j = 0; j < samples.points.size(); ++j) {
+        const glm::dvec3 away = samples.points[j] - place;
+        const double distance = std::sqrt(glm::dot(away, away) + normals_tuning.soft_area * samples.area[j]);
+        const double part = glm::dot(away, samples.normals[j] * samples.area[j]) / (distance * distance * distance) /
+                            (4.0 * std::numbers::pi);
+        sum += std::clamp(part, -0.5, 0.5);
+    }
+    return sum;
+}
+
+// Sums of the winding numbers on both sides, at some samples.
+Vector<double> winding_sums(const LookedAt& samples, Pool& pool) {
+    constexpr double least_step = 1e-6;
+    Vector<double> sums(&pool);
+    for (const std::int64_t query :
+         random_subset(samples.points.size(), normals_tuning.most_queries, look_seed, queries_stream, pool)) {
+        const auto i = static_cast<std::size_t>(query);
+        const glm::dvec3 step = std::max(samples.spacing[i], least_step) * samples.normals[i];
+        const double side = normals_tuning.off_surface;
+        sums.push_back(winding_number(samples.points[i] + side * step, samples) +
+                       winding_number(samples.points[i] - side * step, samples));
+    }
+    return sums;
+}
+
+double share_outside_in(const Vector<double>& sums) noexcept {
+    double telling = 0.0;
+    double negative = 0.0;
+    for (const double sum : sums) {
+        telling += std::abs(sum) > normals_tuning.telling_sum ? 1.0 : 0.0;
+        negative += sum < -normals_tuning.telling_sum ? 1.0 : 0.0;
+    }
+    return telling / static_cast<double>(sums.size()) > normals_tuning.telling_share ? negative / telling : 0.0;
+}
+
+// Sets against and flipped: how many normals most of their neighbours on the same sheet are against, and what pairs of
+// neighbours that differ tell.
+void compare_neighbours(const LookedAt& samples, const geometry::Neighbours& near, NormalsLook& look) noexcept {
+    const std::size_t count = samples.points.size();
+    std::int64_t against = 0;
+    std::int64_t level_pairs = 0;
+    std::int64_t opposed_pairs = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+        std::int64_t beside = 0;
+        std::int64_t opposed_beside = 0;
+        for (const std::int64_t other : near.of(static_cast<std::int64_t>(i))) {
+            const auto j = static_cast<std::size_t>(other);
+            const glm::dvec3 away = samples.points[j] - samples.points[i];
+            const double length = glm::length(away);
+            const double height = std::abs(glm::dot(away, samples.normals[i]));
+            const bool opposed = glm::dot(samples.normals[j], samples.normals[i]) < normals_tuning.opposed_cosine;
+            if (height < normals_tuning.beside_height * length) {
+                ++beside;
+                opposed_beside += opposed ? 1 : 0;
+            }
+            if (height < normals_tuning.level_height * length) { // surely on the same sheet
+                ++level_pairs;
+                opposed_pairs += opposed ? 1 : 0;
+            }
+        }
+        if (beside >= normals_tuning.fewest_beside &&
+            static_cast<double>(opposed_beside) > normals_tuning.against_share * static_cast<double>(beside))
+            ++against;
+    }
+    look.against = look.flipped = static_cast<double>(against) / static_cast<double>(count);
+    const double all_pairs = static_cast<double>(count) * static_cast<double>(near.each());
+    if (static_cast<double>(level_pairs) / all_pairs < normals_tuning.least_level_share) return;
+    const double pairs = static_cast<double>(opposed_pairs) / static_cast<double>(level_pairs);
+    look.flipped = (1.0 - std::sqrt(std::max(1.0 - 2.0 * pairs, 0.0))) / 2.0; // pairs: 2 p (1 - p) of a share p
+}
+
+} // namespace
+
+bool NormalsLook::inward() const noexcept {
+    return closed < normals_tuning.inward_sum && against < normals_tuning.unsure_share;
+}
+
+bool NormalsLook::mixed() const noexcept {
+    return against >= normals_tuning.mixed_share || flipped >= normals_tuning.unsure_share ||
+           (normals_tuning.least_outside_in < outside_in && outside_in < normals_tuning.most_outside_in);
+}
+
+NormalsLook look_at_normals(const Points& points, const Points& normals, bool even, Pool& pool) {
+    HRBFNPR_ASSERT(points.size() == normals.size());
+    const Vector<std::int64_t> some =
+        random_subset(points.size(), normals_tuning.most_sources, look_seed, sources_stream, pool);
+    LookedAt samples{those_of(points, some, pool), those_of(normals, some, pool), Vector<double>(&pool),
+                     Vector<double>(&pool)};
+    NormalsLook look;
+    const std::size_t count = samples.points.size();
+    const double size = count > 0 ? typical_length(samples.points) : 0.0;
+    if (count < normals_tuning.fewest_looked_at || !(size > 0.0) || !std::isfinite(size)) return look;
+    const glm::dvec3 middle = mean_point(samples.points);
+    for (glm::dvec3& p : samples.points) p = (p - middle) / size;
+
+    const geometry::Neighbours near(base::Parallel(), in_columns(samples.points, pool), normals_tuning.neighbours, {});
+    for (std::size_t i = 0; i < count; ++i) {
+        const auto last = static_cast<std::size_t>(near.of(static_cast<std::int64_t>(i)).back());
+        samples.spacing.push_back(glm::length(samples.points[last] - samples.points[i]));
+    }
+    Vector<double> spacing(samples.spacing, &pool);
+    const double typical = even ? median_of(spacing) : 0.0;
+    for (const double each : samples.spacing) {
+        const double side = even ? typical : each;
+        samples.area.push_back(side * side * (std::numbers::pi / static_cast<double>(near.each())));
+    }
+
+    Vector<double> sums = winding_sums(samples, pool);
+    look.outside_in = share_outside_in(sums);
+    look.closed = median_of(sums);
+    compare_neighbours(samples, near, look);
+    return look;
+}
+
+String normals_in_words(const NormalsLook& look, Pool& pool) {
+    const char* const words = look.mixed() ? "normals differ"
+                              : look.closed > -normals_tuning.inward_sum
+                                  ? "normals look outward"
+                                  : "an open surface: its normals are as they are";
+    return {words, &pool};
+}
+
+void tell_wrong_normals(const Call& call, const NormalsLook& look, std::size_t count, bool of_mesh) {
+    if (look.inward()) return;
+    Report& report = call.report;
+    if (of_mesh && look.mixed()) {
+        const double share = std::max(look.flipped, look.outside_in);
+        report.warn(
+            HRBFNPR_NOTE_NORMALS_MIXED, {share},
+            formatted(call.pool,
+                      "some faces look outward and others inward (about %.0f%%), so the surface is wrong there: "
+                      "turn them in MeshLab (Re-orient all faces coherently) or Blender (Recalculate outside)",
+                      100.0 * share));
+    } else if (look.against >= normals_tuning.mixed_share || look.flipped >= normals_tuning.unsure_share) {
+        const double wrong = std::nearbyint(look.flipped * static_cast<double>(count));
+        report.warn(
+            HRBFNPR_NOTE_NORMALS_AGAINST, {wrong, static_cast<double>(count)},
+            formatted(call.pool,
+                      "about %.0f of %zu normals look against those around them, so the surface is wrong there: "
+                      "{flipped_normals=reorient} repairs a few; orient them anew, in MeshLab or CloudCompare, "
+                      "if they are many",
+                      wrong, count));
+    } else if (look.mixed()) {
+        report.warn(HRBFNPR_NOTE_NORMALS_MIXED, {look.outside_in},
+                    formatted(call.pool,
+                              "some parts have outward normals and others inward ones (about %.0f%%): parts that look "
+                              "inward are drawn empty",
+                              100.0 * look.outside_in));
+    } else if (look.closed < normals_tuning.doubtful_sum) {
+        report.warn(HRBFNPR_NOTE_NORMALS_INWARD, {},
+                    "most of the surface looks inward, and it is open: {flip!} turns all normals, if the picture is "
+                    "empty");
+    }
+}
+
+// ---- Points along curves
+
+bool lie_along_curves(const Points& points, Pool& pool) {
+    if (points.size() > normals_tuning.most_along_curves) return false;
+    return geometry::along_curves(geometry::PointTree(in_columns(points, pool), {}));
+}
+
+// ---- Samples at one place
+
+SharedPlaces agreed(Points& points, Points& normals, Pool& pool) {
+    HRBFNPR_ASSERT(points.size() == normals.size());
+    Vector<std::size_t> order(points.size(), 0, &pool);
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) {
+        const glm::dvec3& a = points[i];
+        const glm::dvec3& b = points[j];
+        if (a.x != b.x) return a.x < b.x;
+        if (a.y != b.y) return a.y < b.y;
+        if (a.z != b.z) return a.z < b.z;
+        return i < j;
+    });
+
+    SharedPlaces places;
+    Vector<std::uint8_t> goes(points.size(), 0, &pool);
+    for (std::size_t begin = 0, end = 0; begin < order.size(); begin = end) {
+        const std::size_t first = order[begin];
+        glm::dvec3 mean(0.0);
+        bool differs = false;
+        for (end = begin; end < order.size() && points[order[end]] == points[first]; ++end) {
+            const glm::dvec3& normal = normals[order[end]];
+            mean += normal;
+            differs = differs || glm::dot(normal, normals[first]) < normals_tuning.agreement;
+        }
+        if (!differs) continue;
+        for (std::size_t k = begin; k < end; ++k) goes[order[k]] = 1;
+        mean /= static_cast<double>(end - begin);
+        const double length = glm::length(mean);
+        if (length > normals_tuning.opposite) {
+            goes[first] = 0;
+            normals[first] = mean / length;
+            ++places.joined;
+        } else {
+            ++places.left_out;
+        }
+    }
+    if (places.joined + places.left_out == 0) return places;
+    std::size_t to = 0;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        if (goes[i] != 0) continue;
+        points[to] = points[i];
+        normals[to++] = normals[i];
+    }
+    points.resize(to);
+    normals.resize(to);
+    return places;
+}
+
+// ---- Normals by the library
+
+namespace {
+
+constexpr const char* name_of_found(std::uint32_t found) noexcept {
+    switch (found) {
+    case HRBFNPR_NORMALS_NONE: return "none of these points'";
+    case HRBFNPR_NORMALS_UNORIENTED: return "of any sign";
+    case HRBFNPR_NORMALS_MIXED: return "turned here and there";
+    case HRBFNPR_NORMALS_INWARD: return "inward";
+    default: return "right";
+    }
+}
+
+void set_vector(double (&to)[3], const glm::dvec3& from) noexcept {
+    to[0] = from.x;
+    to[1] = from.y;
+    to[2] = from.z;
+}
+
+} // namespace
+
+MadeNormals make_normals(const Call& call, Stage& stage, const Points& points, const Points& normals,
+                         std::uint32_t mode, const SeenFrom& seen) {
+    HRBFNPR_ASSERT(normals.empty() || normals.size() == points.size());
+    auto desc = defaults<hrbfnpr_orient_desc>(hrbfnpr_orient_desc_init);
+    desc.mode = mode;
+    desc.points = view_of(points);
+    if (!normals.empty()) desc.normals = view_of(normals);
+    if (seen.up) set_vector(desc.up, *seen.up);
+    if (seen.viewpoint) {
+        set_vector(desc.viewpoint, *seen.viewpoint);
+        desc.has_viewpoint = 1;
+    }
+    MadeNormals made{Points(points.size(), glm::dvec3(0.0), &call.pool),
+                     defaults<hrbfnpr_orient_info>(hrbfnpr_orient_info_init)};
+    const hrbfnpr_array_out to = room_in(made.normals);
+    picture::call([&](hrbfnpr_error* error) {
+        return hrbfnpr_orient(&call.context, &desc, stage.operation(), &to, &made.info, error);
+    });
+    return made;
+}
+
+String made_in_words(const hrbfnpr_orient_info& info, std::size_t count, Pool& pool) {
+    String words(&pool);
+    if (info.made >= static_cast<std::int64_t>(count))
+        words = "normals are made";
+    else if (info.turned != 0 || info.made != 0)
+        words = formatted(pool, "%lld normals turned, %lld made anew", static_cast<long long>(info.turned),
+                          static_cast<long long>(info.made));
+    else
+        words = "normals stay as they are";
+    words += info.closed != 0 ? "; the surface is closed" : "; the surface is open";
+    words += formatted(pool, ", confidence %.2f", info.confidence);
+    return words;
+}
+
+void tell_unsure_normals(const Call& call, const hrbfnpr_orient_info& info) {
+    if (info.confidence < normals_tuning.unsure_confidence)
+        call.report.warn(HRBFNPR_NOTE_NORMALS_NOT_SURE, {info.confidence},
+                         formatted(call.pool,
+                                   "normals of the points are not sure (confidence %.2f): look at the picture; more "
+                                   "points, or normals of the scanner, help",
+                                   info.confidence));
+    if (info.outward_by == HRBFNPR_OUTWARD_UP)
+        call.report.warn(HRBFNPR_NOTE_FRONT_NOT_TOLD, {},
+                         "the surface is open, and which side is its front cannot be told: {flip!} takes the other "
+                         "one, and {viewpoint=X,Y,Z} that which the scanner saw");
+}
+
+String repaired_normals(const Call& call, Stage& stage, const Points& points, Points& normals, std::uint32_t mode,
+                        const SeenFrom& seen) {
+    MadeNormals made = make_normals(call, stage, points, normals, mode, seen);
+    const hrbfnpr_orient_info& info = made.info;
+    tell_unsure_normals(call, info);
+    if (info.turned != 0 || info.made != 0)
+        call.report.note(
+            HRBFNPR_NOTE_NORMALS_REPAIRED,
+            {static_cast<double>(info.turned), static_cast<double>(info.made), static_cast<double>(info.found)},
+            formatted(call.pool,
+                      "the normals were %s: %lld are turned, %lld are made anew ({normals=keep} leaves "
+                      "them)",
+                      name_of_found(info.found), static_cast<long long>(info.turned),
+                      static_cast<long long>(info.made)));
+    normals = std::move(made.normals);
+    return made_in_words(info, points.size(), call.pool);
+}
+
+String settle_normals(const Call& call, Stage& stage, const Points& points, Points& normals, std::uint32_t mode,
+                      const SeenFrom& seen) {
+    if (mode == HRBFNPR_NORMALS_GIVEN) return {"normals as they are", &call.pool};
+    if (mode != HRBFNPR_NORMALS_AUTO) return repaired_normals(call, stage, points, normals, mode, seen);
+    const NormalsLook look = look_at_normals(points, normals, false, call.pool);
+    if ((look.mixed() && points.size() >= normals_tuning.fewest_repaired) || lie_along_curves(points, call.pool))
+        return repaired_normals(call, stage, points, normals, HRBFNPR_NORMALS_AUTO, seen);
+    if (look.inward()) {
+        call.report.note(HRBFNPR_NOTE_NORMALS_TURNED, {},
+                         "all normals looked inward: they are turned ({normals=keep} leaves them)");
+        for (glm::dvec3& normal : normals) normal = -normal;
+        return {"normals looked inward: all are turned", &call.pool};
+    }
+    tell_wrong_normals(call, look, points.size(), false);
+    return normals_in_words(look, call.pool);
+}
+
+} // namespace hrbfnpr::picture

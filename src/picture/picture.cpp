@@ -1,0 +1,359 @@
+// SPDX-License-Identifier: MIT
+// From sources to surfaces, from surfaces to marks and lines, and from these to drawings.
+#include "picture/picture.h"
+
+#include "api/drawing.h"
+#include "base/clock.h"
+#include "picture/blank.h"
+#include "picture/ends.h"
+#include "picture/field_table.h"
+#include "picture/lines.h"
+#include "picture/make.h"
+#include "picture/mesh_surface.h"
+#include "picture/plate.h"
+#include "picture/points.h"
+#include "picture/up.h"
+#include "picture/wanted_lines.h"
+
+#include <algorithm>
+
+using namespace hrbfnpr;
+
+geometry::Bounds hrbfnpr_picture::bounds() const {
+    const picture::Surfaces& all = surfaces();
+    if (all.list.empty()) return picture::bounds_of(all.marks);
+    geometry::Bounds bounds;
+    for (const picture::Surface& surface : all.list) {
+        const geometry::Bounds own = picture::bounds_of(surface.model);
+        bounds.extend(own.min);
+        bounds.extend(own.max);
+    }
+    return bounds;
+}
+
+std::int64_t hrbfnpr_picture::mark_count() const {
+    std::int64_t count = 0;
+    for (const picture::Part& part : parts) count += picture::mark_count_of(part.marks);
+    return count;
+}
+
+namespace hrbfnpr::picture {
+namespace {
+
+// ---- From sources to surfaces
+
+glm::dvec3 given_up(const Options& options) noexcept {
+    return {options.desc.up[0], options.desc.up[1], options.desc.up[2]};
+}
+
+// The up of what is no file: as the options say, or as its marks show.
+glm::dvec3 up_of_marks(const Call& call, const PointSet& marks) {
+    if (call.options.has_up()) return given_up(call.options);
+    return choose_up(call, nullptr, positions_of(marks, call.pool), normals_of(marks, call.pool));
+}
+
+void add_model(const Call& call, Source& source, Surfaces& to, bool is_first) {
+    Surface& surface = to.list.emplace_back();
+    surface.model = source.model;
+    surface.marks = source.marks;
+    if (!is_first || call.options.has(HRBFNPR_PICTURE_IS_SOLID)) return;
+    to.up = call.options.has_up() ? given_up(call.options) : up_of_marks(call, probe(call, source.model).marks);
+}
+
+void add_shape(const Call& call, Shape&& shape, Surfaces& to, bool is_first) {
+    leave_out_unusable(call, shape);
+    if (shape.is_mesh()) tell_unused_viewpoint(call, shape);
+    glm::dvec3 up = to.up;
+    if (shape.is_mesh()) {
+        for (Surface& surface : fit_mesh(call, std::move(shape), up)) to.list.push_back(std::move(surface));
+    } else {
+        to.list.push_back(fit_points(call, std::move(shape), up));
+    }
+    if (is_first) to.up = up;
+}
+
+void make_surfaces(hrbfnpr_picture& made, const hrbfnpr_picture_desc& desc) {
+    const Call call = made.call();
+    Surfaces& to = made.own_surfaces;
+    Vector<Source> sources = read_sources(desc, made.pool);
+    to.name = sources.front().name;
+    for (Source& source : sources) {
+        const bool is_first = &source == &sources.front();
+        if (source.shape) {
+            add_shape(call, std::move(*source.shape), to, is_first);
+        } else if (source.model) {
+            add_model(call, source, to, is_first);
+        } else {
+            to.marks = source.marks;
+            to.up = up_of_marks(call, source.marks);
+            to.places = positions_of(source.marks, made.pool);
+        }
+    }
+}
+
+void probe_surfaces(const Call& call, Surfaces& to) {
+    for (const Surface& surface : to.list) {
+        to.probes.push_back(probe(call, surface.model));
+        const Points& places = to.probes.back().places;
+        to.places.insert(to.places.end(), places.begin(), places.end());
+    }
+}
+
+// ---- Marks and lines
+
+bool is_trimmed(const Model& model) { return trim_info_of(model).is_trimmed != 0; }
+
+// All that the lines of a surface depend on but for the surface: pictures with the same key share their line sets.
+String key_of_lines(const Call& call, const Style& style, const Vector<WantedLine>& wanted) {
+    String key(&call.pool);
+    key += needs_curvature(style) ? "curved" : "plain";
+    for (const WantedLine& line : wanted) {
+        key += ';';
+        for (const double number : {double(line.kind), double(line.axis), double(line.planes)})
+            append_decimals(key += ' ', number);
+        for (const double level : line.levels) append_decimals(key += ' ', level);
+    }
+    for (const Change& change : call.options.changes.list())
+        if (std::string_view(change.path).starts_with("line_set."))
+            (((key += ';') += change.path) += '=') += change.value;
+    return key;
+}
+
+// What was made for a picture of the same surfaces, and fits this one.
+std::optional<Vector<Part>> made_before(const hrbfnpr_picture& picture, const Marks* marks, const String* lines_key) {
+    const hrbfnpr_picture& root = picture.root();
+    const std::scoped_lock lock(root.making);
+    for (const Made& made : root.made) {
+        const bool same_marks = marks != nullptr && made.marks && made.marks->same_as(*marks);
+        const bool same_lines = lines_key != nullptr && made.has_lines && made.lines_key == *lines_key;
+        if (marks != nullptr ? same_marks : same_lines) return made.parts;
+    }
+    return std::nullopt;
+}
+
+constexpr std::size_t most_made = 24; // marks and lines that are kept for pictures of the same surfaces
+
+void remember(const hrbfnpr_picture& picture, Made&& made) {
+    const hrbfnpr_picture& root = picture.root();
+    const std::scoped_lock lock(root.making);
+    if (root.made.size() < most_made) root.made.push_back(std::move(made));
+}
+
+void place_marks(hrbfnpr_picture& picture, const Call& call, double area) {
+    const Surfaces& surfaces = picture.surfaces();
+    if (const std::optional<Vector<Part>> before = made_before(picture, &*picture.marks, nullptr)) {
+        for (std::size_t i = 0; i < picture.parts.size(); ++i) picture.parts[i].marks = (*before)[i].marks;
+        return;
+    }
+    Made made(picture.root().pool);
+    made.marks.emplace(*picture.marks, picture.root().pool);
+    for (std::size_t i = 0; i < surfaces.list.size(); ++i) {
+        const double share = surfaces.probes[i].area / area;
+        const Marks own = surfaces.list.size() == 1 ? *picture.marks : share_of(*picture.marks, share);
+        picture.parts[i].marks = generate_marks(call, surfaces.list[i].model, own);
+        made.parts.push_back(picture.parts[i]);
+    }
+    remember(picture, std::move(made));
+}
+
+void trace_lines(hrbfnpr_picture& picture, const Call& call, std::size_t i) {
+    const Surface& surface = picture.surfaces().list[i];
+    const Style& style = *picture.style;
+    const bool is_mesh = surface.shape != nullptr && surface.shape->is_mesh();
+    const Vector<WantedLine> wanted = wanted_lines(call, style, is_mesh);
+    const Vector<LinesOnce> section = section_lines(call, surface.model, picture.camera);
+    picture.parts[i].lines = make_lines(call, surface, style, wanted, section);
+}
+
+// The lines of all parts; those of a section are of this camera alone.
+void trace_all_lines(hrbfnpr_picture& picture, const Call& call) {
+    const bool is_mesh =
+        std::any_of(picture.surfaces().list.begin(), picture.surfaces().list.end(),
+                    [](const Surface& surface) { return surface.shape != nullptr && surface.shape->is_mesh(); });
+    const bool is_shared = !has_section(call.options);
+    const String key = key_of_lines(call, *picture.style, wanted_lines(call, *picture.style, is_mesh));
+    const bool is_drawn =
+        picture.style->base.visibility != HRBFNPR_VISIBILITY_PUBLISHED && !picture.style->lines.empty();
+    if (is_shared && is_drawn) {
+        if (const std::optional<Vector<Part>> before = made_before(picture, nullptr, &key)) {
+            for (std::size_t i = 0; i < picture.parts.size(); ++i) picture.parts[i].lines = (*before)[i].lines;
+            return;
+        }
+    }
+    for (std::size_t i = 0; i < picture.parts.size(); ++i) trace_lines(picture, call, i);
+    if (!is_shared || !is_drawn) return;
+    Made made(picture.root().pool);
+    made.lines_key = key;
+    made.has_lines = true;
+    made.parts = picture.parts;
+    remember(picture, std::move(made));
+}
+
+// ---- The picture
+
+void finish(hrbfnpr_picture& picture) {
+    picture.style_view = picture.style->view();
+    if (picture.marks) picture.marks_view = picture.marks->view();
+    picture.renderer = make<Renderer>([&](hrbfnpr_renderer** made, hrbfnpr_error* error) {
+        return hrbfnpr_renderer_create(&picture.context(), made, error);
+    });
+}
+
+hrbfnpr_camera choose_camera(const hrbfnpr_picture& picture) {
+    const Options& options = picture.options;
+    const Points& places = picture.surfaces().places;
+    if (options.desc.turn != 0.0)
+        return first_camera(picture.view, picture.bounds(), places, options.desc.turn, options.desc.turn_frames,
+                            options.is_find());
+    return camera_for(picture.view, picture.bounds(), places, options.is_find());
+}
+
+void plan_point_set(hrbfnpr_picture& picture, const Call& call) {
+    const Surfaces& surfaces = picture.surfaces();
+    picture.camera = choose_camera(picture);
+    const std::string_view lines = picture.options.desc.lines != nullptr ? picture.options.desc.lines : "none";
+    if (lines != "none" && !lines.empty())
+        call.report.note(HRBFNPR_NOTE_NO_LINES_OF_MARKS, {},
+                         "lines are drawn of a model, not of saved points: contours come from marks");
+    picture.style.emplace(plan_style(call, picture.camera.viewport[2], picture.camera.viewport[3], false));
+    Part& part = picture.parts.emplace_back();
+    part.marks = surfaces.marks;
+    part.sides = sides_of(call, Model());
+}
+
+void plan_surfaces(hrbfnpr_picture& picture, const Call& call) {
+    const Surfaces& surfaces = picture.surfaces();
+    const bool has_end = std::any_of(surfaces.list.begin(), surfaces.list.end(),
+                                     [](const Surface& surface) { return is_trimmed(surface.model); });
+    if (has_end) look_at_front(call, picture.view, surfaces.list.front().shape.get(), surfaces.probes);
+    picture.camera = choose_camera(picture);
+    const hrbfnpr_camera& camera = picture.camera;
+    picture.style.emplace(plan_style(call, camera.viewport[2], camera.viewport[3], has_end));
+    double area = 0.0;
+    for (const Probe& probe : surfaces.probes) area += probe.area;
+    for (const Surface& surface : surfaces.list) {
+        Part& part = picture.parts.emplace_back();
+        part.marks = surface.marks;
+        part.sides = sides_of(call, surface.model);
+    }
+    if (!surfaces.list.front().marks) {
+        const Model& first = surfaces.list.front().model;
+        const double pixels = pixels_per_unit(camera, bounds_of(first).centre());
+        picture.marks.emplace(plan_marks(call, *picture.style, area, pixels, model_info_of(first).centres, camera));
+        place_marks(picture, call, area);
+    }
+    trace_all_lines(picture, call);
+}
+
+void plan(hrbfnpr_picture& picture) {
+    const Call call = picture.call();
+    picture.view = view_of(picture.options, picture.surfaces().up);
+    if (picture.surfaces().list.empty())
+        plan_point_set(picture, call);
+    else
+        plan_surfaces(picture, call);
+    picture.pen = pen_of(call, picture.camera.viewport[2], picture.camera.viewport[3]);
+    finish(picture);
+}
+
+// A picture that work(picture) completes; released if it fails.
+template <class Work>
+hrbfnpr_picture* made_by(hrbfnpr_context& context, const hrbfnpr_picture_desc& desc, const hrbfnpr_picture* root,
+                         hrbfnpr_operation* operation, Work&& work) {
+    const api::OperationUse use(operation);
+    const base::Stopwatch watch;
+    auto* const picture = api::make_handle<hrbfnpr_picture>(context, desc, root);
+    picture->report.serve(operation);
+    try {
+        work(*picture);
+    } catch (...) {
+        api::release_handle(picture);
+        throw;
+    }
+    picture->report.serve(nullptr);
+    picture->seconds = watch.seconds();
+    return use.finish_with(picture);
+}
+
+void check_visible(hrbfnpr_picture& picture, const Drawing& drawing) {
+    if (picture.options.has(HRBFNPR_PICTURE_ALLOW_BLANK)) return;
+    const std::optional<Blank> blank = why_blank(drawing, picture.bounds(), picture.camera, picture.style_view,
+                                                 picture.options.has(HRBFNPR_PICTURE_FLIP), picture.pool);
+    if (!blank) return;
+    picture.report.fail(HRBFNPR_NOTE_BLANK,
+                        {static_cast<double>(blank->shown), static_cast<double>(blank->marks), blank->ink},
+                        blank->text);
+}
+
+Drawing draw(hrbfnpr_picture& picture, const hrbfnpr_camera& camera, hrbfnpr_operation* operation) {
+    Vector<hrbfnpr_item> items(&picture.pool);
+    for (const Part& part : picture.parts) {
+        auto& item = items.emplace_back(defaults<hrbfnpr_item>(hrbfnpr_item_init));
+        item.point_set = part.marks.get();
+        item.line_set = part.lines.get();
+        item.style = &picture.style_view;
+        item.sides = part.sides;
+    }
+    return make<Drawing>([&](hrbfnpr_drawing** made, hrbfnpr_error* error) {
+        return hrbfnpr_renderer_draw_with_operation(picture.renderer.get(), items.data(),
+                                                    static_cast<std::int64_t>(items.size()), sizeof(hrbfnpr_item),
+                                                    &camera, operation, made, error);
+    });
+}
+
+} // namespace
+
+std::int64_t mark_count_of(const PointSet& marks) {
+    if (!marks) return 0;
+    auto info = defaults<hrbfnpr_point_set_info>(hrbfnpr_point_set_info_init);
+    call([&](hrbfnpr_error* error) { return hrbfnpr_point_set_get_info(marks.get(), &info, error); });
+    return info.marks;
+}
+
+hrbfnpr_picture* create_picture(hrbfnpr_context& context, const hrbfnpr_picture_desc& desc,
+                                hrbfnpr_operation* operation) {
+    return made_by(context, desc, nullptr, operation, [&](hrbfnpr_picture& picture) {
+        make_surfaces(picture, desc);
+        if (picture.options.has(HRBFNPR_PICTURE_SURFACE_ONLY)) return;
+        probe_surfaces(picture.call(), picture.own_surfaces);
+        plan(picture);
+    });
+}
+
+hrbfnpr_picture* restyle_picture(const hrbfnpr_picture& of, const hrbfnpr_picture_desc& desc,
+                                 hrbfnpr_operation* operation) {
+    if (desc.source_count != 0)
+        fail(Status::invalid_argument,
+             "picture_desc.source_count is %lld; a restyled picture keeps its surfaces: give 0",
+             static_cast<long long>(desc.source_count));
+    if (of.surfaces().probes.empty() && !of.surfaces().marks)
+        fail(Status::invalid_argument, "picture was made with HRBFNPR_PICTURE_SURFACE_ONLY; make it without");
+    return made_by(of.context(), desc, &of.root(), operation, [](hrbfnpr_picture& picture) { plan(picture); });
+}
+
+void require_planned(const hrbfnpr_picture& picture) {
+    if (!picture.style)
+        fail(Status::invalid_argument,
+             "picture was made with HRBFNPR_PICTURE_SURFACE_ONLY, and has no marks and no camera");
+}
+
+hrbfnpr_drawing* draw_picture(hrbfnpr_picture& picture, const hrbfnpr_camera* camera, hrbfnpr_operation* operation) {
+    require_planned(picture);
+    const api::OperationUse use(operation);
+    picture.report.serve(operation);
+    Drawing drawing;
+    {
+        Stage stage(picture.report, HRBFNPR_STAGE_FRAME);
+        drawing = draw(picture, camera != nullptr ? *camera : picture.camera, stage.operation());
+        auto info = defaults<hrbfnpr_drawing_info>(hrbfnpr_drawing_info_init);
+        call([&](hrbfnpr_error* error) { return hrbfnpr_drawing_get_info(drawing.get(), &info, error); });
+        stage.says(formatted(picture.pool, "%lld of %lld marks shown, %lld curves", static_cast<long long>(info.shown),
+                             static_cast<long long>(picture.mark_count()), static_cast<long long>(info.line_curves)));
+        if (camera == nullptr) check_visible(picture, drawing);
+        if (camera == nullptr) tell_doubts(picture.report, info);
+    }
+    picture.report.serve(nullptr);
+    return use.finish_with(drawing.take());
+}
+
+} // namespace hrbfnpr::picture

@@ -1,0 +1,519 @@
+// SPDX-License-Identifier: MIT
+#include "picture/plan.h"
+
+#include "base/assert.h"
+#include "picture/paint.h"
+#include "picture/tuning_plan.h"
+#include "picture/wanted_lines.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace hrbfnpr::picture {
+namespace {
+
+// ---- Changes by their paths
+
+// By number: HRBFNPR_LAYER_KIND_...
+constexpr std::array<const char*, 7> layer_kind_names{"any",   "stipples", "principal", "combing",
+                                                      "field", "own",      "hatch"};
+
+const char* layer_kind_name(std::uint32_t kind) noexcept {
+    return kind < layer_kind_names.size() ? layer_kind_names[kind] : "layer";
+}
+
+std::optional<std::uint32_t> layer_kind_of(std::string_view name) noexcept {
+    for (std::uint32_t kind = 0; kind < layer_kind_names.size(); ++kind)
+        if (layer_kind_names[kind] == name) return kind;
+    return std::nullopt;
+}
+
+// The parts of "style.hatch.ink": the section "style", the group "hatch" and the field "ink".
+struct ChangedField {
+    std::string_view section, group, field;
+};
+
+ChangedField parts_of_path(std::string_view path) noexcept {
+    const std::size_t first = path.find('.');
+    const std::size_t last = path.rfind('.');
+    if (first == std::string_view::npos) return {{}, {}, path};
+    const std::string_view group = last > first ? path.substr(first + 1, last - first - 1) : std::string_view();
+    return {path.substr(0, first), group, path.substr(last + 1)};
+}
+
+// Applies one change of a list.  `name` of the record, if that is what changes, becomes a text that `keeper` keeps.
+template <class Struct, class Keeper>
+void apply_one_change(const Change& change, Struct& record, Keeper& keeper, Pool& pool) {
+    const hrbfnpr_change given{sizeof given, 0, change.path.c_str(), change.value.c_str()};
+    const Changes one(&given, 1, 0, pool);
+    const char* const before = record.name;
+    one.apply(std::string_view(change.path).substr(0, change.path.rfind('.')), record);
+    if (record.name != before && record.name != nullptr) record.name = keeper.keep(record.name);
+}
+
+// Whether the caller changed a field, and not a file of settings.
+bool is_changed_by_caller(const Changes& changes, std::string_view path) noexcept {
+    const Vector<Change>& all = changes.list();
+    HRBFNPR_ASSERT(changes.from_settings() <= all.size());
+    return std::any_of(all.begin() + static_cast<std::ptrdiff_t>(changes.from_settings()), all.end(),
+                       [&](const Change& change) { return change.path == path; });
+}
+
+bool is_published(const Options& options) noexcept {
+    return options.changes.number("marks.distribution") == double{HRBFNPR_DISTRIBUTION_PUBLISHED};
+}
+
+// Kinds of layers with commas between.  Throws where a picture cannot make one: a field is a function.
+Vector<std::uint32_t> mark_kinds_of(const Call& call, std::string_view names) {
+    Vector<std::uint32_t> kinds(&call.pool);
+    while (!names.empty()) {
+        const std::size_t comma = names.find(',');
+        const std::string_view name = names.substr(0, comma);
+        names.remove_prefix(comma == std::string_view::npos ? names.size() : comma + 1);
+        if (name.empty()) continue;
+        const std::optional<std::uint32_t> kind = layer_kind_of(name);
+        if (!kind || *kind == HRBFNPR_LAYER_KIND_ANY || *kind == HRBFNPR_LAYER_KIND_FIELD ||
+            *kind == HRBFNPR_LAYER_KIND_OWN)
+            call.report.refuse(formatted(call.pool, "layers must be of stipples, principal, combing, hatch, not '%.*s'",
+                                         static_cast<int>(std::min<std::size_t>(name.size(), 60)), name.data()));
+        kinds.push_back(*kind);
+    }
+    return kinds;
+}
+
+// ---- The style
+
+float scaled_number(float number, double factor) noexcept {
+    return static_cast<float>(static_cast<double>(number) * factor);
+}
+
+Style chosen_style(const Call& call) {
+    const Options& options = call.options;
+    if (options.style) return {*options.style, call.pool};
+    if (options.takes_style_of_settings) return {options.settings->style, call.pool};
+    return {options.desc.preset, call.pool};
+}
+
+// Makes marks of the recursion dots of one size.
+void draw_as_published(Style& style, std::uint32_t preset) noexcept {
+    for (hrbfnpr_layer_style& layer : style.layers) {
+        if (layer.kind == HRBFNPR_LAYER_KIND_COMBING && layer.shown != 0) {
+            layer.shape = HRBFNPR_SHAPE_DOTS;
+            layer.radius = plan_tuning.published_dot;
+            layer.share = 1.0F;
+        }
+        if (layer.kind == HRBFNPR_LAYER_KIND_STIPPLES && preset == HRBFNPR_PRESET_FULL)
+            layer.radius = layer.share = 1.0F;
+    }
+}
+
+void scale_by_pen(Style& style, double pen) noexcept {
+    for (hrbfnpr_layer_style& layer : style.layers)
+        for (float* const length : {&layer.radius, &layer.hatch_spacing, &layer.hatch_pen, &layer.hatch_white,
+                                    &layer.hatch_taper, &layer.hatch_shortest, &layer.hatch_overshoot})
+            *length = scaled_number(*length, pen);
+    style.base.silhouette_radius = scaled_number(style.base.silhouette_radius, pen);
+    style.base.halo_width = scaled_number(style.base.halo_width, pen);
+}
+
+// "style.layers.F" of all layers.  A share is one of what the style shows.
+void change_all_layers(const Call& call, Style& style) {
+    const std::optional<double> share = call.options.changes.number("style.layers.share");
+    for (hrbfnpr_layer_style& layer : style.layers) {
+        if (share) layer.share = scaled_number(layer.share, *share);
+        for (const Change& change : call.options.changes.list()) {
+            const ChangedField path = parts_of_path(change.path);
+            if (path.section == "style" && path.group == "layers" && path.field != "share")
+                apply_one_change(change, layer, style, call.pool);
+        }
+    }
+}
+
+// Lets only layers of these kinds draw contours by their marks.
+void choose_contours(const Call& call, Style& style, std::string_view names) {
+    const Vector<std::uint32_t> kinds = mark_kinds_of(call, names);
+    for (const std::uint32_t kind : {HRBFNPR_LAYER_KIND_STIPPLES, HRBFNPR_LAYER_KIND_PRINCIPAL,
+                                     HRBFNPR_LAYER_KIND_COMBING, HRBFNPR_LAYER_KIND_FIELD, HRBFNPR_LAYER_KIND_HATCH})
+        style.layer(kind).contours = std::find(kinds.begin(), kinds.end(), kind) != kinds.end() ? 1 : 0;
+    style.layer(HRBFNPR_LAYER_KIND_ANY).contours = 0;
+}
+
+// "style.F".  One ink of all comes before that of contours, which is also that of lines.
+void change_style(const Call& call, Style& style) {
+    const Changes& changes = call.options.changes;
+    changes.apply("style", style.base);
+    float contours[4];
+    std::copy(style.base.silhouette_ink, style.base.silhouette_ink + 4, contours);
+    if (const auto given = changes.colour("style.ink")) {
+        float ink[4];
+        std::copy(given->begin(), given->end(), ink);
+        style.set_ink(ink);
+    }
+    if (changes.has("style.silhouette_ink")) {
+        std::copy(contours, contours + 4, style.base.silhouette_ink);
+        for (hrbfnpr_line_style& line : style.lines) std::copy(contours, contours + 4, line.ink);
+    }
+    if (call.options.has(HRBFNPR_PICTURE_TRANSPARENT)) style.base.paper[3] = 0.0F;
+}
+
+// "style.KIND.F", one after the other: a kind that is named first gets an element of its own.
+void change_kinds(const Call& call, Style& style) {
+    for (const Change& change : call.options.changes.list()) {
+        const ChangedField path = parts_of_path(change.path);
+        if (path.section != "style") continue;
+        if (const std::optional<std::uint32_t> kind = layer_kind_of(path.group))
+            apply_one_change(change, style.layer(*kind), style, call.pool);
+    }
+}
+
+// "style.lines.F".  Lines that stray are also uneven in width.
+void change_lines(const Call& call, Style& style) {
+    const Changes& changes = call.options.changes;
+    const std::optional<double> wobble = changes.number("style.lines.wobble");
+    for (hrbfnpr_line_style& line : style.lines) {
+        if (wobble) line.wobble_width = static_cast<float>(std::min(1.0, line_style_tuning.width_of_wobble * *wobble));
+        for (const Change& change : changes.list()) {
+            const ChangedField path = parts_of_path(change.path);
+            if (path.section == "style" && path.group == "lines") apply_one_change(change, line, style, call.pool);
+        }
+    }
+}
+
+// ---- The layers of marks
+
+struct LayerPlan {
+    hrbfnpr_layer_desc desc;
+    bool has_budget; // somebody said how many marks there are, or it was decided; otherwise the budget means nothing
+};
+
+LayerPlan layer_of_kind(std::uint32_t kind) noexcept {
+    LayerPlan layer{defaults<hrbfnpr_layer_desc>(hrbfnpr_layer_desc_init), false};
+    layer.desc.kind = kind;
+    return layer;
+}
+
+bool is_stroke_kind(std::uint32_t kind) noexcept { return kind != HRBFNPR_LAYER_KIND_STIPPLES; }
+
+const char* name_of_layer(const hrbfnpr_layer_desc& layer) noexcept {
+    return layer.name != nullptr ? layer.name : layer_kind_name(layer.kind);
+}
+
+// What the published recursion has in the place of lines of hatching; nothing: as the preset has it.
+std::optional<std::uint32_t> published_strokes_of(std::uint32_t preset) noexcept {
+    switch (preset) {
+    case HRBFNPR_PRESET_HATCH:
+    case HRBFNPR_PRESET_CROSS_HATCH:
+    case HRBFNPR_PRESET_FULL: return HRBFNPR_LAYER_KIND_PRINCIPAL;
+    case HRBFNPR_PRESET_COMBING: return HRBFNPR_LAYER_KIND_COMBING;
+    default: return std::nullopt;
+    }
+}
+
+Vector<LayerPlan> layers_of_preset(const Call& call) {
+    const Options& options = call.options;
+    Vector<LayerPlan> layers(&call.pool);
+    const std::optional<std::uint32_t> strokes = published_strokes_of(options.desc.preset);
+    if (strokes && is_published(options)) {
+        layers.push_back(layer_of_kind(HRBFNPR_LAYER_KIND_STIPPLES));
+        layers.push_back(layer_of_kind(*strokes));
+    } else {
+        std::int64_t count = 0;
+        const hrbfnpr_layer_desc* const first = hrbfnpr_preset_layers(options.desc.preset, &count);
+        for (std::int64_t i = 0; i < count; ++i) layers.push_back({first[i], false});
+    }
+    // Strokes follow each other from light to dark as the preset has them, unless the caller says how they do.
+    if (is_changed_by_caller(options.changes, "marks.tone_ranges"))
+        for (LayerPlan& layer : layers)
+            layer.desc.tone_begin = layer.desc.tone_end = layer.desc.second_tone_begin = layer.desc.second_tone_end = 0;
+    return layers;
+}
+
+Vector<LayerPlan> layers_of_style(const Call& call) {
+    const char* const names = call.options.desc.mark_kinds;
+    Vector<LayerPlan> layers(&call.pool);
+    if (names != nullptr)
+        for (const std::uint32_t kind : mark_kinds_of(call, names)) layers.push_back(layer_of_kind(kind));
+    return layers.empty() ? layers_of_preset(call) : std::move(layers);
+}
+
+// Every layer of a file says how many marks it has, if only by leaving it at the default.
+Vector<LayerPlan> layers_of_settings(const Call& call, Marks& marks) {
+    Vector<LayerPlan> layers(&call.pool);
+    for (const hrbfnpr_layer_desc& desc : call.options.settings->marks.layers) {
+        layers.push_back({desc, true});
+        if (desc.name != nullptr) layers.back().desc.name = marks.keep(desc.name);
+    }
+    return layers;
+}
+
+// Whether a field of "marks.layers" means something to layers of a kind.
+bool means_something_to(std::uint32_t kind, std::string_view field) noexcept {
+    const bool is_stipples = kind == HRBFNPR_LAYER_KIND_STIPPLES;
+    const bool is_hatch = kind == HRBFNPR_LAYER_KIND_HATCH;
+    if (field == "density" || field == "density_strength") return is_stipples;
+    if (field == "guide" || field == "guide_direction" || field == "guide_weight") return is_hatch;
+    if (field == "angle" || field == "smoothing" || field == "axis" || field == "axis_weight") return is_hatch;
+    if (field == "separation" || field == "step") return !is_stipples;
+    if (field == "length" || field == "symmetry" || field == "start" || field == "start_level")
+        return !is_stipples && !is_hatch;
+    return true;
+}
+
+// "marks.layers.F", then "marks.KIND.F", then what turns all lines of hatching.
+void change_layers(const Call& call, Vector<LayerPlan>& layers, Marks& marks) {
+    for (LayerPlan& layer : layers) {
+        const std::uint32_t kind = layer.desc.kind;
+        layer.desc.flags = 0;
+        for (const std::string_view group : {std::string_view("layers"), std::string_view(layer_kind_name(kind))})
+            for (const Change& change : call.options.changes.list()) {
+                const ChangedField path = parts_of_path(change.path);
+                if (path.section != "marks" || path.group != group || path.field == "kind") continue;
+                if (group == "layers" && !means_something_to(kind, path.field)) continue;
+                apply_one_change(change, layer.desc, marks, call.pool);
+                if (path.field == "budget") layer.has_budget = true;
+            }
+        if (kind == HRBFNPR_LAYER_KIND_HATCH) layer.desc.angle += call.options.desc.hatch_angle;
+    }
+}
+
+// Whether a layer has as many marks as somebody said, or as a separation gives.
+bool says_itself(const LayerPlan& layer) noexcept {
+    return layer.has_budget || (is_stroke_kind(layer.desc.kind) && layer.desc.separation > 0.0);
+}
+
+void set_budget(LayerPlan& layer, std::int64_t budget) noexcept {
+    layer.desc.budget = budget;
+    layer.has_budget = true;
+}
+
+// Where a style draws lines alone, few marks are enough: what they hide, lines know by themselves.
+void thin_unseen(Vector<LayerPlan>& layers, const Style& style) noexcept {
+    const bool shows_marks = std::any_of(style.layers.begin(), style.layers.end(),
+                                         [](const hrbfnpr_layer_style& layer) { return layer.shown != 0; });
+    if (style.lines.empty() || shows_marks) return;
+    for (LayerPlan& layer : layers)
+        if (!says_itself(layer)) set_budget(layer, plan_tuning.unseen_marks);
+}
+
+struct Canvas {
+    double area;            // of the surface, in square units of the model
+    double pixels_per_unit; // of the picture
+    double seeds;           // of the published recursion
+};
+
+// Whole marks out of a number that may be anything.
+std::int64_t whole_marks(double wanted) noexcept {
+    if (!(wanted >= 1.0)) return 1; // NaN, too
+    return static_cast<std::int64_t>(std::nearbyint(std::min(wanted, static_cast<double>(plan_tuning.most_marks))));
+}
+
+void note_limited(const Call& call, const hrbfnpr_layer_desc& layer, double wanted) {
+    const char* const kind = layer_kind_name(layer.kind);
+    const auto most = static_cast<long long>(plan_tuning.most_marks);
+    const auto made = static_cast<double>(plan_tuning.most_marks);
+    call.report.note(
+        HRBFNPR_NOTE_MARKS_LIMITED, {wanted, made},
+        formatted(call.pool,
+                  "%s: %.0f marks would fill the darkest tone, %lld are made, so that it gets %.0f%% of its ink: "
+                  "{marks=%s=%.0f} makes all, and with a larger {mark_radius} fewer are needed",
+                  name_of_layer(layer), wanted, most, 100.0 * (made / wanted), kind, wanted));
+}
+
+// Gives an evenly spread layer what fills the darkest tone, unless it says itself.  radius: of its marks, pixels.
+void fill_evenly(const Call& call, LayerPlan& layer, double radius, const Canvas& canvas) {
+    const auto [area, pixels, seeds] = canvas;
+    hrbfnpr_layer_desc& desc = layer.desc;
+    if (desc.kind == HRBFNPR_LAYER_KIND_HATCH) {
+        // The same lines whatever the picture: they are nested, and the finest are not always drawn.
+        const bool is_said = (layer.has_budget && desc.budget != 0) || desc.separation != 0.0;
+        if (!is_said) desc.separation = std::sqrt(area) / plan_tuning.hatch_lines;
+        return;
+    }
+    double wanted = 0.0;
+    if (desc.kind == HRBFNPR_LAYER_KIND_STIPPLES) {
+        wanted = plan_tuning.stipple_coverage * area * (pixels * pixels) / (std::numbers::pi * (radius * radius));
+    } else {
+        // Both directions have area / separation of length each.
+        const double step = plan_tuning.stroke_spacing * radius / pixels;
+        wanted = 2.0 * area * pixels * plan_tuning.stroke_coverage / (2.0 * radius) / step;
+        if (desc.step == 0.0) desc.step = step;
+    }
+    if (says_itself(layer)) return;
+    if (wanted > static_cast<double>(plan_tuning.most_marks)) note_limited(call, desc, wanted);
+    set_budget(layer, whole_marks(wanted));
+}
+
+// Gives a layer of the recursion as many refinement steps as do not overfill the picture.
+void fill_as_published(const Call& call, LayerPlan& layer, double radius, const Canvas& canvas) {
+    hrbfnpr_layer_desc& desc = layer.desc;
+    if (desc.levels >= 0) return;
+    const auto [area, pixels, seeds] = canvas;
+    const bool is_stipples = desc.kind == HRBFNPR_LAYER_KIND_STIPPLES;
+    const double wanted = area * (pixels * pixels) / (std::numbers::pi * (radius * radius));
+    const double start = is_stipples ? seeds : 2.0 * seeds;
+    const double factor = is_stipples ? 5.0 : 3.0;
+    const double steps = std::nearbyint(std::log(std::max(wanted, 1.0) / std::max(start, 1.0)) / std::log(factor));
+    if (steps > plan_tuning.most_levels)
+        call.report.note(HRBFNPR_NOTE_LEVELS_LIMITED, {steps, static_cast<double>(plan_tuning.most_levels)},
+                         formatted(call.pool,
+                                   "%s: %.0f refinement steps would fill the picture, %d are taken, so that dark tones "
+                                   "are pale: {levels=%s=%.0f} takes all",
+                                   name_of_layer(desc), steps, plan_tuning.most_levels, layer_kind_name(desc.kind),
+                                   steps));
+    desc.levels = steps >= 1.0 ? static_cast<std::int32_t>(std::min<double>(steps, plan_tuning.most_levels)) : 1;
+}
+
+void fill_layers(const Call& call, Vector<LayerPlan>& layers, const Style& style, const Canvas& canvas) {
+    const bool published = is_published(call.options);
+    for (LayerPlan& layer : layers) {
+        const double radius = static_cast<double>(style.style_of(layer.desc.kind, layer.desc.name).radius);
+        if (published)
+            fill_as_published(call, layer, radius, canvas);
+        else
+            fill_evenly(call, layer, radius, canvas);
+    }
+}
+
+// Shares the tones out evenly among what the style draws: some layers are only there for contours.
+void take_turns(Pool& pool, Vector<LayerPlan>& layers, const Style& style) {
+    struct Turn {
+        std::size_t layer;
+        bool is_second; // direction of strokes
+    };
+    Vector<Turn> turns(&pool);
+    for (std::size_t i = 0; i < layers.size(); ++i) {
+        const hrbfnpr_layer_desc& desc = layers[i].desc;
+        const hrbfnpr_layer_style how = style.style_of(desc.kind, desc.name);
+        // The style of hatching says at which tones there are lines.
+        if (desc.kind == HRBFNPR_LAYER_KIND_HATCH || how.shown == 0) continue;
+        const bool is_stipples = desc.kind == HRBFNPR_LAYER_KIND_STIPPLES;
+        if (is_stipples || (how.directions & 1U) != 0) turns.push_back({i, false});
+        if (!is_stipples && (how.directions & 2U) != 0) turns.push_back({i, true});
+    }
+    const auto count = static_cast<double>(turns.size());
+    for (std::size_t turn = 0; turn < turns.size(); ++turn) {
+        hrbfnpr_layer_desc& desc = layers[turns[turn].layer].desc;
+        const auto begin = static_cast<float>(static_cast<double>(turn) / count);
+        const auto end = static_cast<float>(static_cast<double>(turn + 1) / count);
+        (turns[turn].is_second ? desc.second_tone_begin : desc.tone_begin) = begin;
+        (turns[turn].is_second ? desc.second_tone_end : desc.tone_end) = end;
+    }
+}
+
+// What is left open: no limit for the recursion and for strokes with a separation.
+void set_open_budget(LayerPlan& layer, std::uint32_t distribution) noexcept {
+    if (layer.has_budget) return;
+    if (distribution == HRBFNPR_DISTRIBUTION_PUBLISHED || says_itself(layer)) layer.desc.budget = 0;
+}
+
+// The fields of "marks.F", with seeds and the random number that the descriptor has.
+void set_base(const Call& call, Marks& marks) {
+    const Options& options = call.options;
+    options.changes.apply("marks", marks.base);
+    constexpr std::uint64_t usual_seed = 1;
+    if (options.desc.random_seed != usual_seed && !is_changed_by_caller(options.changes, "marks.random_seed"))
+        marks.base.random_seed = options.desc.random_seed;
+    if (options.seed_points.empty()) return;
+    marks.set_seed_points(view_of(options.seed_points));
+    if (marks.base.seed_source == HRBFNPR_SEED_AUTO) marks.base.seed_source = HRBFNPR_SEED_POINTS;
+}
+
+} // namespace
+
+double pen_of(const Call& call, double width, double height) {
+    const Options& options = call.options;
+    if (options.style) return 1.0;
+    if (options.desc.pen > 0.0) return options.desc.pen;
+    if (options.takes_style_of_settings && options.settings->pen > 0.0) return options.settings->pen;
+    return std::max(plan_tuning.least_pen, std::max(width, height) / plan_tuning.sides_of_pen);
+}
+
+Style plan_style(const Call& call, double width, double height, bool has_end) {
+    const Options& options = call.options;
+    Style style = chosen_style(call);
+    if (!options.takes_style_of_settings) {
+        if (is_published(options)) draw_as_published(style, options.desc.preset);
+        static_cast<void>(style.layer(HRBFNPR_LAYER_KIND_ANY));
+    }
+    const double pen = pen_of(call, width, height);
+    scale_by_pen(style, pen);
+    change_all_layers(call, style);
+    if (const auto names = options.changes.value("style.contours_of")) choose_contours(call, style, *names);
+    size_lines(call, style, pen, has_end);
+    change_style(call, style);
+    change_kinds(call, style);
+    change_lines(call, style);
+    return style;
+}
+
+Marks plan_marks(const Call& call, Style& style, double area, double pixels_per_unit, std::int64_t centres,
+                 const hrbfnpr_camera& camera) {
+    HRBFNPR_ASSERT(centres >= 0);
+    const Options& options = call.options;
+    Marks marks(call.pool);
+    set_base(call, marks);
+    const bool are_given =
+        options.takes_style_of_settings && options.settings->has_layers && options.desc.mark_kinds == nullptr;
+    Vector<LayerPlan> layers = are_given ? layers_of_settings(call, marks) : layers_of_style(call);
+    change_layers(call, layers, marks);
+    if (!are_given) {
+        // Marks that are kept may be drawn in another style.
+        if (!is_published(options) && !options.has(HRBFNPR_PICTURE_KEEP_MARKS)) thin_unseen(layers, style);
+        fill_layers(call, layers, style,
+                    {area, pixels_per_unit, static_cast<double>(std::max<std::int64_t>(centres, 1))});
+        if (is_changed_by_caller(options.changes, "marks.tone_ranges") &&
+            marks.base.tone_ranges == HRBFNPR_TONE_RANGES_IN_TURN)
+            take_turns(call.pool, layers, style);
+    }
+    marks.layers.reserve(layers.size());
+    for (LayerPlan& layer : layers) {
+        set_open_budget(layer, marks.base.distribution);
+        marks.layers.push_back(layer.desc);
+    }
+    put_paint(options.dabs, camera, style, marks, call.pool);
+    return marks;
+}
+
+Marks share_of(const Marks& marks, double share) {
+    HRBFNPR_ASSERT(!(share < 0.0) && !(share > 1.0));
+    Marks part(marks);
+    for (hrbfnpr_layer_desc& layer : part.layers) {
+        if (layer.budget <= 0) continue; // no limit, of a part as of all
+        const double wanted = std::nearbyint(share * static_cast<double>(layer.budget));
+        layer.budget = wanted >= 1.0 ? static_cast<std::int64_t>(wanted) : 1;
+    }
+    return part;
+}
+
+PointSet generate_marks(const Call& call, const Model& model, const Marks& marks) {
+    Stage stage(call.report, HRBFNPR_STAGE_MARKS);
+    const hrbfnpr_generate_desc desc = marks.view();
+    auto made = make<PointSet>([&](hrbfnpr_point_set** set, hrbfnpr_error* error) {
+        return hrbfnpr_point_set_generate(&call.context, model.get(), &desc, stage.operation(), set, error);
+    });
+    auto info = defaults<hrbfnpr_point_set_info>(hrbfnpr_point_set_info_init);
+    picture::call([&](hrbfnpr_error* error) { return hrbfnpr_point_set_get_info(made.get(), &info, error); });
+    String says = formatted(call.pool, "%lld marks:", static_cast<long long>(info.marks));
+    for (std::int64_t i = 0; i < info.layers; ++i) {
+        auto layer = defaults<hrbfnpr_layer_info>(hrbfnpr_layer_info_init);
+        picture::call(
+            [&](hrbfnpr_error* error) { return hrbfnpr_point_set_get_layer_info(made.get(), i, &layer, error); });
+        says += i == 0 ? " " : ", ";
+        says += layer.name;
+    }
+    stage.says(says);
+    return made;
+}
+
+std::uint32_t sides_of(const Call& call, const Model& model) {
+    if (call.options.desc.sides == HRBFNPR_PICTURE_SIDES_FRONT) return HRBFNPR_SIDES_FRONT;
+    if (call.options.desc.sides == HRBFNPR_PICTURE_SIDES_BOTH) return HRBFNPR_SIDES_BOTH;
+    if (!model) return HRBFNPR_SIDES_FRONT;
+    auto info = defaults<hrbfnpr_trim_info>(hrbfnpr_trim_info_init);
+    picture::call([&](hrbfnpr_error* error) { return hrbfnpr_model_get_trim_info(model.get(), &info, error); });
+    return info.is_trimmed != 0 ? HRBFNPR_SIDES_BOTH : HRBFNPR_SIDES_FRONT;
+}
+
+} // namespace hrbfnpr::picture

@@ -1,0 +1,450 @@
+// SPDX-License-Identifier: MIT
+#include "picture/points.h"
+
+#include "base/assert.h"
+#include "orient/directions.h"
+#include "picture/ends.h"
+#include "picture/nearness.h"
+#include "picture/normals.h"
+#include "picture/statistics.h"
+#include "picture/strays.h"
+#include "picture/tuning_points.h"
+#include "picture/up.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <memory>
+#include <numeric>
+
+namespace hrbfnpr::picture {
+namespace {
+
+constexpr std::uint32_t candidates_stream = 3; // its random numbers are independent of those of other uses
+
+bool is_finite_place(const glm::dvec3& p) noexcept {
+    return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
+}
+
+long long as_printed(std::size_t count) noexcept { return static_cast<long long>(count); }
+
+bool keeps_outliers(const Call& call) noexcept {
+    const std::optional<double> given = call.options.changes.number("fit.outliers");
+    return given && *given == double{HRBFNPR_REPAIR_KEEP};
+}
+
+void tell_left_out_strays(const Call& call, std::int64_t count) {
+    call.report.note(HRBFNPR_NOTE_STRAYS, {static_cast<double>(count)},
+                     count_of(count, "point", call.pool) +=
+                     " far from all others left out ({outliers=keep} keeps them)");
+}
+
+// The elements with these numbers, in their order.
+void choose_elements(Points& points, const Vector<std::int64_t>& chosen, Pool& pool) {
+    Points some(&pool);
+    some.reserve(chosen.size());
+    for (const std::int64_t i : chosen) some.push_back(points[static_cast<std::size_t>(i)]);
+    points = std::move(some);
+}
+
+// Numbers of points of which each next one is the farthest from those before it.
+Vector<std::int64_t> farthest_points(const Call& call, Stage& stage, const Points& points, std::size_t count) {
+    HRBFNPR_ASSERT(count >= 1 && count <= points.size());
+    Vector<std::int64_t> chosen(count, 0, &call.pool);
+    const hrbfnpr_array from = view_of(points);
+    const hrbfnpr_array_out to{chosen.data(), static_cast<std::int64_t>(count), 0, HRBFNPR_SCALAR_INT64, 1};
+    picture::call([&](hrbfnpr_error* error) {
+        return hrbfnpr_farthest_points(&call.context, &from, &to, nullptr, stage.operation(), error);
+    });
+    return chosen;
+}
+
+// ---- Points without normals
+
+SeenFrom seen_from(const Call& call, const Shape& shape) noexcept {
+    const Options& options = call.options;
+    SeenFrom seen{shape.up, shape.viewpoint};
+    if (options.has_up()) seen.up = glm::dvec3(options.desc.up[0], options.desc.up[1], options.desc.up[2]);
+    if (options.viewpoint()) seen.viewpoint = options.viewpoint();
+    return seen;
+}
+
+void leave_out_not_finite(Points& points) {
+    points.erase(std::remove_if(points.begin(), points.end(), [](const glm::dvec3& p) { return !is_finite_place(p); }),
+                 points.end());
+}
+
+void leave_out_strays(const Call& call, Points& points) {
+    const PointMask strays = find_strays(points, call.pool);
+    std::size_t to = 0;
+    for (std::size_t i = 0; i < points.size(); ++i)
+        if (strays[i] == 0) points[to++] = points[i];
+    if (to == points.size()) return;
+    const auto count = static_cast<std::int64_t>(points.size() - to);
+    points.resize(to);
+    tell_left_out_strays(call, count);
+}
+
+// Gives points that have no normals those that the library finds; only some points, if they are very many.
+void give_normals(const Call& call, Shape& shape) {
+    const std::size_t all = shape.points.size();
+    Points points = std::move(shape.points);
+    leave_out_not_finite(points);
+    if (!keeps_outliers(call)) leave_out_strays(call, points);
+    Stage stage(call.report, HRBFNPR_STAGE_ORIENT);
+    if (points.size() > points_tuning.most_oriented) {
+        choose_elements(points, farthest_points(call, stage, points, points_tuning.most_oriented), call.pool);
+        call.report.note(
+            HRBFNPR_NOTE_SOME_ORIENTED, {static_cast<double>(all), static_cast<double>(points.size())},
+            formatted(call.pool, "%lld points, of which %lld get normals", as_printed(all), as_printed(points.size())));
+    }
+    MadeNormals made =
+        make_normals(call, stage, points, Points(&call.pool), HRBFNPR_NORMALS_NONE, seen_from(call, shape));
+    stage.says(made_in_words(made.info, points.size(), call.pool));
+    call.report.note(
+        HRBFNPR_NOTE_NORMALS_MADE, {static_cast<double>(points.size())},
+        formatted(call.pool, "the points have no normals: %lld are made%s", as_printed(points.size()),
+                  made.info.outward_by == HRBFNPR_OUTWARD_VIEWPOINT ? ", which look to where the scanner stood" : ""));
+    tell_unsure_normals(call, made.info);
+    shape.points = std::move(points);
+    shape.normals = std::move(made.normals);
+}
+
+// ---- The image of a depth camera
+
+bool is_depth_image(const Shape& shape) noexcept { return shape.columns > 0 && shape.rows > 0; }
+
+// Takes the sensor's noise off the image, and leaves the points that were seen, with normals that look to the camera.
+// Returns how large gaps between them are known to be.
+double smooth_depth_image(const Call& call, Shape& shape) {
+    Pool& pool = call.pool;
+    const double factor = call.options.desc.depth_smoothing; // NaN: not given
+    auto desc = defaults<hrbfnpr_depth_image_desc>(hrbfnpr_depth_image_desc_init);
+    desc.columns = static_cast<std::int32_t>(shape.columns);
+    desc.rows = static_cast<std::int32_t>(shape.rows);
+    desc.points = view_of(shape.points);
+    if (factor == 0.0)
+        desc.keep_points = 1;
+    else if (!std::isnan(factor))
+        desc.smoothing = factor;
+    shape.normals.assign(shape.points.size(), glm::dvec3(0.0));
+    auto info = defaults<hrbfnpr_depth_image_info>(hrbfnpr_depth_image_info_init);
+    {
+        Stage stage(call.report, HRBFNPR_STAGE_SMOOTH);
+        const hrbfnpr_array_out to_points = room_in(shape.points);
+        const hrbfnpr_array_out to_normals = room_in(shape.normals);
+        picture::call([&](hrbfnpr_error* error) {
+            return hrbfnpr_smooth_depth_image(&call.context, &desc, stage.operation(), &to_points, &to_normals, &info,
+                                              error);
+        });
+        stage.says(formatted(pool, "%lld pixels of %lld x %lld, over %.1f pixels where the depth is %.3g",
+                             static_cast<long long>(info.seen), static_cast<long long>(shape.columns),
+                             static_cast<long long>(shape.rows), info.radius, info.depth));
+    }
+    PointMask kept(shape.points.size(), 0, &pool);
+    std::transform(shape.points.begin(), shape.points.end(), kept.begin(),
+                   [](const glm::dvec3& p) { return static_cast<std::uint8_t>(is_finite_place(p) ? 1 : 0); });
+    keep_points(shape, kept, pool);
+    if (info.left_out != 0)
+        call.report.note(HRBFNPR_NOTE_PIXELS_LEFT_OUT, {static_cast<double>(info.left_out)},
+                         count_of(info.left_out, "pixel", pool) +=
+                         " on no surface left out, as between an edge and what is behind it");
+    const double noise = info.noise * info.depth * info.depth; // in the depth; the library measures it in the inverse
+    call.report.note(HRBFNPR_NOTE_DEPTH_NOISE, {noise, info.depth},
+                     formatted(pool, "the depth camera has noise of %.2g where the depth is %.3g: %s", noise,
+                               info.depth,
+                               factor == 0.0 ? "the points keep it"
+                                             : "it is smoothed ({depth_smoothing=F}: more or less, 0 keeps it)"));
+    return points_tuning.hole_pixels * info.depth / info.focal_length;
+}
+
+// ---- Samples
+
+struct Samples {
+    Points points;
+    Points normals;
+};
+
+// The points that are finite and have a normal, with unit normals.
+Samples usable_samples(const Call& call, const Shape& shape) {
+    HRBFNPR_ASSERT(shape.normals.size() == shape.points.size());
+    Samples samples{Points(&call.pool), Points(&call.pool)};
+    samples.points.reserve(shape.points.size());
+    samples.normals.reserve(shape.points.size());
+    for (std::size_t i = 0; i < shape.points.size(); ++i) {
+        const double length = glm::length(shape.normals[i]);
+        if (!is_finite_place(shape.points[i]) || !std::isfinite(length) || !(length > 0.0)) continue;
+        samples.points.push_back(shape.points[i]);
+        const glm::dvec3& normal = shape.normals[i];
+        samples.normals.emplace_back(normal.x / length, normal.y / length, normal.z / length);
+    }
+    if (samples.points.empty()) call.report.refuse("no point is finite and has a normal that is not zero");
+    return samples;
+}
+
+void choose_samples(Samples& samples, const Vector<std::int64_t>& chosen, Pool& pool) {
+    choose_elements(samples.points, chosen, pool);
+    choose_elements(samples.normals, chosen, pool);
+}
+
+// The places of points in the camera's image, with the logarithm of their depth. Points even in these coordinates are
+// as dense on a surface as its pixels are.
+Points places_in_image(const Points& points, Pool& pool) {
+    Points places(&pool);
+    places.reserve(points.size());
+    for (const glm::dvec3& p : points) places.emplace_back(p.x / p.z, p.y / p.z, std::log(std::abs(p.z)));
+    return places;
+}
+
+// Whether the fit itself chooses centres, from all samples.
+bool fit_chooses(const Options& options) noexcept {
+    return options.desc.tolerance != 0.0 || options.desc.maximum_centres != 0 ||
+           options.changes.number("fit.tolerance").value_or(0.0) != 0.0 ||
+           options.changes.number("fit.maximum_centres").value_or(0.0) != 0.0;
+}
+
+Samples samples_of(const Call& call, const Shape& shape) {
+    const std::size_t all = shape.points.size();
+    HRBFNPR_ASSERT(call.options.desc.samples >= 0);
+    auto wanted = static_cast<std::size_t>(call.options.desc.samples); // 0: all of them
+    if (wanted == 0 && !fit_chooses(call.options) && all > points_tuning.most_samples) {
+        wanted = points_tuning.most_samples;
+        call.report.note(HRBFNPR_NOTE_SAMPLES_CHOSEN, {static_cast<double>(all), static_cast<double>(wanted)},
+                         formatted(call.pool, "%lld points, of which %lld are used; {samples=N} sets another number",
+                                   as_printed(all), as_printed(wanted)));
+    }
+    Stage stage(call.report, HRBFNPR_STAGE_SAMPLE);
+    Samples samples = usable_samples(call, shape);
+    const std::size_t usable = samples.points.size();
+    const std::size_t candidates = points_tuning.candidates_a_sample * wanted;
+    if (wanted != 0 && !shape.is_photo && candidates < usable)
+        choose_samples(samples,
+                       random_subset(usable, candidates, call.options.desc.random_seed, candidates_stream, call.pool),
+                       call.pool);
+    if (wanted != 0 && wanted < usable) {
+        const Vector<std::int64_t> chosen =
+            shape.is_photo ? farthest_points(call, stage, places_in_image(samples.points, call.pool), wanted)
+                           : farthest_points(call, stage, samples.points, wanted);
+        choose_samples(samples, chosen, call.pool);
+    }
+    stage.says(formatted(call.pool, "%lld samples", as_printed(samples.points.size())));
+    if (wanted == 0 && samples.points.size() < all) {
+        const std::size_t left_out = all - samples.points.size();
+        call.report.note(
+            HRBFNPR_NOTE_POINTS_NOT_USABLE, {static_cast<double>(left_out)},
+            formatted(call.pool, "%lld points without a usable position or normal are left out", as_printed(left_out)));
+    }
+    return samples;
+}
+
+void turn(Points& normals) noexcept {
+    for (glm::dvec3& normal : normals) normal = -normal;
+}
+
+// Turns given normals outward; with the flag FLIP it is the user's own word that they are to be turned.
+void turn_outward(const Call& call, const Shape& shape, Samples& samples) {
+    Pool& pool = call.pool;
+    Report& report = call.report;
+    const SharedPlaces places = agreed(samples.points, samples.normals, pool);
+    if (places.joined != 0)
+        report.note(HRBFNPR_NOTE_NORMALS_JOINED, {static_cast<double>(places.joined)},
+                    count_of(places.joined, "place", pool) +=
+                    " with several normals, as on a sharp edge: their mean is used");
+    if (places.left_out != 0)
+        report.warn(HRBFNPR_NOTE_NORMALS_OPPOSITE, {static_cast<double>(places.left_out)},
+                    count_of(places.left_out, "place", pool) += " with opposite normals left out");
+    if (samples.points.empty()) report.refuse("all points are in pairs with opposite normals");
+    if (call.options.has(HRBFNPR_PICTURE_FLIP)) {
+        turn(samples.normals);
+        return;
+    }
+    const std::uint32_t mode = call.options.desc.normals;
+    Stage stage(report, HRBFNPR_STAGE_ORIENT);
+    stage.says(settle_normals(call, stage, samples.points, samples.normals, mode, seen_from(call, shape)));
+    const char axis = mode != HRBFNPR_NORMALS_GIVEN ? hangs_along(samples.points, samples.normals) : char{0};
+    if (axis == 0) return;
+    turn(samples.normals);
+    stage.says("a terrain looked down: its normals are turned");
+    report.note(HRBFNPR_NOTE_TERRAIN_TURNED, {static_cast<double>(axis - 'x')},
+                formatted(pool,
+                          "the surface is a terrain that looked down along %c: its normals are turned ({normals=keep} "
+                          "leaves them)",
+                          axis));
+}
+
+// ---- The fit
+
+// Whether the caller himself has changed a field, and not only settings.
+bool changes_fit_field(const Changes& changes, std::string_view path) noexcept {
+    const auto& list = changes.list();
+    const auto first = list.begin() + static_cast<std::ptrdiff_t>(changes.from_settings());
+    return std::any_of(first, list.end(), [&](const Change& each) { return each.path == path; });
+}
+
+hrbfnpr_fit_desc fit_desc_of(const Call& call, bool of_points, bool normals_made) {
+    const Options& options = call.options;
+    auto desc = defaults<hrbfnpr_fit_desc>(hrbfnpr_fit_desc_init);
+    // Scans have noise; clean samples show none. Points without normals are a scan, which has dust, too.
+    if (of_points && !options.gives_fit("regularization")) desc.regularization_mode = HRBFNPR_REGULARIZATION_AUTO;
+    if (normals_made) desc.outliers = HRBFNPR_REPAIR_DROP;
+    options.changes.apply("fit", desc);
+    // These options win over settings, and changes of single fields over all.
+    if (options.desc.tolerance != 0.0 && !changes_fit_field(options.changes, "fit.tolerance"))
+        desc.tolerance = options.desc.tolerance;
+    if (options.desc.maximum_centres != 0 && !changes_fit_field(options.changes, "fit.maximum_centres"))
+        desc.maximum_centres = options.desc.maximum_centres;
+    desc.normal_mode = HRBFNPR_NORMALS_GIVEN;
+    desc.trim = HRBFNPR_TRIM_NEVER;
+    return desc;
+}
+
+constexpr const char* name_of_kernel(std::uint32_t kernel) noexcept {
+    switch (kernel) {
+    case HRBFNPR_KERNEL_TRIHARMONIC: return "triharmonic";
+    case HRBFNPR_KERNEL_GAUSSIAN: return "gaussian";
+    case HRBFNPR_KERNEL_WENDLAND_C2: return "wendland_c2";
+    case HRBFNPR_KERNEL_CSG: return "csg";
+    default: return "custom";
+    }
+}
+
+constexpr const char* name_of_solver(std::uint32_t solver) noexcept {
+    switch (solver) {
+    case HRBFNPR_SOLVER_DIRECT: return "direct";
+    case HRBFNPR_SOLVER_ITERATIVE: return "iterative";
+    default: return "auto";
+    }
+}
+
+// The samples' extents along their principal axes, ascending, up to a common factor.
+std::array<double, 3> principal_extents(const Points& points) noexcept {
+    const glm::dvec3 mean =
+        std::accumulate(points.begin(), points.end(), glm::dvec3(0.0)) / static_cast<double>(points.size());
+    orient::Moments moments;
+    for (const glm::dvec3& p : points) moments.add(p - mean);
+    std::array<double, 3> extents = orient::plane_of(moments).variance;
+    for (double& extent : extents) extent = std::sqrt(extent);
+    return extents;
+}
+
+} // namespace
+
+void leave_out_unusable(const Call& call, Shape& shape) {
+    Pool& pool = call.pool;
+    if (shape.is_mesh()) {
+        const auto is_unusable = [&](const Triangle& face) {
+            return !std::all_of(face.begin(), face.end(), [&](std::int64_t corner) {
+                HRBFNPR_ASSERT(corner >= 0 && corner < static_cast<std::int64_t>(shape.points.size()));
+                return is_finite_place(shape.points[static_cast<std::size_t>(corner)]);
+            });
+        };
+        const auto unusable = std::remove_if(shape.triangles.begin(), shape.triangles.end(), is_unusable);
+        const std::int64_t left_out = shape.triangles.end() - unusable;
+        if (unusable == shape.triangles.begin()) call.report.refuse("no face has three corners that are finite");
+        shape.triangles.erase(unusable, shape.triangles.end());
+        if (left_out != 0)
+            call.report.warn(HRBFNPR_NOTE_FACES_NOT_FINITE, {static_cast<double>(left_out)},
+                             count_of(left_out, "face", pool) += " with a corner that is not finite left out");
+    }
+    const NoData no_data = leave_out_no_data(shape, pool);
+    if (no_data.points == 0) return;
+    const auto count = static_cast<long long>(no_data.points);
+    const char* const one = shape.is_mesh() ? "vertex" : "point";
+    const char* const several = shape.is_mesh() ? "vertices" : "points";
+    call.report.note(HRBFNPR_NOTE_NO_DATA, {static_cast<double>(count), no_data.value},
+                     formatted(pool, "%lld %s at %g, which stands for no data, left out", count,
+                               count == 1 ? one : several, no_data.value));
+}
+
+bool has_normals(const Shape& shape) noexcept {
+    const auto tells = [](double x) { return x != 0.0 && !std::isnan(x); };
+    return std::any_of(shape.normals.begin(), shape.normals.end(),
+                       [&](const glm::dvec3& n) { return tells(n.x) || tells(n.y) || tells(n.z); });
+}
+
+void tell_unused_viewpoint(const Call& call, const Shape& shape) {
+    const std::uint32_t mode = call.options.desc.normals;
+    const bool keeps = mode == HRBFNPR_NORMALS_AUTO || mode == HRBFNPR_NORMALS_GIVEN;
+    if (call.options.viewpoint() && (shape.is_mesh() || (has_normals(shape) && keeps)))
+        call.report.warn(HRBFNPR_NOTE_VIEWPOINT_NOT_USED, {},
+                         "{viewpoint} is for points whose normals are made, and these have some: {normals=none} makes "
+                         "new ones");
+}
+
+Surface fit_points(const Call& call, Shape&& shape, glm::dvec3& up) {
+    HRBFNPR_ASSERT(!shape.is_mesh());
+    tell_unused_viewpoint(call, shape);
+    if (!keeps_outliers(call)) {
+        const std::int64_t far = leave_out_far(shape, call.pool);
+        if (far != 0) tell_left_out_strays(call, far);
+    }
+    const bool made = call.options.desc.normals == HRBFNPR_NORMALS_NONE || !has_normals(shape);
+    std::optional<double> hole;
+    if (made && is_depth_image(shape)) {
+        if (call.options.viewpoint())
+            call.report.warn(HRBFNPR_NOTE_VIEWPOINT_NOT_USED, {},
+                             "{viewpoint} is not used: the points are a picture, whose camera is known");
+        hole = smooth_depth_image(call, shape);
+    } else if (made) {
+        give_normals(call, shape);
+    }
+    Samples samples = samples_of(call, shape);
+    if (!made)
+        turn_outward(call, shape, samples);
+    else if (call.options.has(HRBFNPR_PICTURE_FLIP))
+        turn(samples.normals);
+    up = choose_up(call, &shape, samples.points, samples.normals);
+    const Model model = fit_samples(call, samples.points, samples.normals, true, made);
+    Surface surface;
+    surface.model = end_of_points(call, model, shape, hole);
+    surface.shape = std::make_shared<const Shape>(std::move(shape));
+    return surface;
+}
+
+Model fit_samples(const Call& call, const Points& points, const Points& normals, bool of_points, bool normals_made) {
+    HRBFNPR_ASSERT(points.size() == normals.size());
+    hrbfnpr_fit_desc desc = fit_desc_of(call, of_points, normals_made);
+    desc.points = view_of(points);
+    desc.normals = view_of(normals);
+    Model model;
+    hrbfnpr_model_info info;
+    {
+        Stage stage(call.report, HRBFNPR_STAGE_FIT);
+        model = make<Model>([&](hrbfnpr_model** to, hrbfnpr_error* error) {
+            return hrbfnpr_model_fit(&call.context, &desc, stage.operation(), to, error);
+        });
+        info = model_info_of(model);
+        stage.says(formatted(call.pool, "%s, %s, %s; %s", count_of(info.centres, "centre", call.pool).c_str(),
+                             name_of_kernel(info.kernel), name_of_solver(info.solver),
+                             nearness_of_points(info, call.pool).c_str()));
+    }
+    if (of_points && desc.regularization_mode == HRBFNPR_REGULARIZATION_AUTO && info.regularization > 0.0)
+        call.report.note(HRBFNPR_NOTE_SMOOTHED, {},
+                         "the samples have noise, and the surface is smooth ({regularization=0} goes through all of "
+                         "them)");
+    tell_repaired_samples(call, info);
+    tell_doubted_samples(call, info);
+    tell_thin_evidence(call, points);
+    return model;
+}
+
+void tell_thin_evidence(const Call& call, const Points& points) {
+    Report& report = call.report;
+    const auto count = static_cast<double>(points.size());
+    if (points.size() == 1) {
+        report.warn(HRBFNPR_NOTE_FEW_POINTS, {count}, "there is one point only: what is drawn is its plane");
+    } else if (points.size() < points_tuning.few_samples) {
+        report.warn(HRBFNPR_NOTE_FEW_POINTS, {count},
+                    formatted(call.pool, "there are %lld points only: the surface between them is a guess",
+                              as_printed(points.size())));
+    } else {
+        const std::array<double, 3> extent = principal_extents(points);
+        if (extent[1] < points_tuning.thin * extent[2])
+            report.warn(HRBFNPR_NOTE_ON_A_LINE, {}, "all points are on a line: the surface beside it is a guess");
+        else if (extent[0] < points_tuning.thin * extent[2])
+            report.warn(HRBFNPR_NOTE_IN_A_PLANE, {},
+                        "all points lie in a plane: the surface is flat, and ends where they do");
+    }
+}
+
+} // namespace hrbfnpr::picture

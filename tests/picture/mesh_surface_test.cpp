@@ -1,0 +1,246 @@
+// SPDX-License-Identifier: MIT
+#include "picture/mesh_surface.h"
+
+#include "mesh_shapes.h"
+#include "planned_call.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+namespace picture_tests::mesh_surface_test {
+namespace {
+
+using namespace hrbfnpr;
+using namespace hrbfnpr::picture;
+using testing::Contains;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::Not;
+
+class MeshSurface : public testing::Test {
+protected:
+    PlannedCall planned;
+    glm::dvec3 up{0.0};
+
+    Vector<Surface> surfaces(const test::Triangles& from) { return surfaces(shape_of(from, planned.pool)); }
+    Vector<Surface> surfaces(Shape&& shape) { return fit_mesh(planned.call(), std::move(shape), up); }
+
+    // What the last surfaces() told.
+    [[nodiscard]] std::vector<std::string> notes() const {
+        std::vector<std::string> all;
+        for (const Note& note : planned.report->notes) all.emplace_back(note.text);
+        return all;
+    }
+    [[nodiscard]] std::vector<std::string> stages() const {
+        std::vector<std::string> all;
+        for (const FinishedStage& stage : planned.report->stages)
+            all.push_back(std::to_string(stage.stage) + ": " + std::string(stage.says));
+        return all;
+    }
+    // With the code 0 if there is none.
+    [[nodiscard]] Note note(std::uint32_t code) const {
+        for (const Note& one : planned.report->notes)
+            if (one.code == code) return one;
+        return {};
+    }
+    std::string refusal(const test::Triangles& from) {
+        try {
+            static_cast<void>(surfaces(from));
+        } catch (const Error& error) {
+            return error.what();
+        }
+        return "";
+    }
+};
+
+double greatest_radius(const Points& points) {
+    double most = 0.0;
+    for (const glm::dvec3& p : points) most = std::max(most, glm::length(p));
+    return most;
+}
+
+TEST_F(MeshSurface, DividesACoarseBall) {
+    planned.desc.tolerance = 0.02;
+    const Vector<Surface> made = surfaces(test::icosphere(1));
+    ASSERT_EQ(made.size(), 1U);
+    ASSERT_TRUE(made[0].model && made[0].mesh && made[0].fit && made[0].shape);
+    EXPECT_EQ(made[0].shape->triangles.size(), 320U);
+    EXPECT_EQ(info_of(made[0].mesh).faces, 320);
+    EXPECT_EQ(made[0].fit->reached, 1U);
+    EXPECT_EQ(made[0].fit->tolerance, 0.02);
+    EXPECT_NEAR(greatest_radius(made[0].shape->points), 1.0, 5e-3);
+    ASSERT_EQ(notes().size(), 1U);
+    EXPECT_EQ(notes()[0],
+              "the faces are coarse, 0.83% of the diagonal off something round: divided 1 time, vertices moved "
+              "by at most 0.13%, what lies between them by 1.29% (--subdivide 0 leaves them)");
+    const Note divided = note(HRBFNPR_NOTE_DIVIDED);
+    ASSERT_EQ(divided.figure_count, 4U);
+    EXPECT_EQ(divided.figures[0], 1.0);
+    EXPECT_NEAR(divided.figures[3], 0.00832568926515175, 1e-9);
+    ASSERT_EQ(stages().size(), 4U);
+    EXPECT_EQ(stages()[0], "1: 1 part, closed");
+    EXPECT_EQ(stages()[1], "2: 2000 samples, to look at");
+    EXPECT_THAT(stages()[2], HasSubstr(" centres in "));
+    EXPECT_THAT(stages()[2], HasSubstr("; surface to mesh: 99 % within "));
+    EXPECT_EQ(stages()[3], "7: the surface is whole");
+    EXPECT_EQ(up, glm::dvec3(0, 1, 0));
+}
+
+TEST_F(MeshSurface, LeavesWhatIsNotToBeDivided) {
+    planned.desc.tolerance = 0.1;
+    planned.desc.subdivide = 0;
+    EXPECT_EQ(surfaces(test::icosphere(1))[0].shape->triangles.size(), 80U);
+    EXPECT_THAT(notes(), IsEmpty());
+    planned.desc.subdivide = -1;
+    planned.desc.edges = HRBFNPR_PICTURE_EDGES_SHARP;
+    EXPECT_EQ(surfaces(test::icosphere(1))[0].shape->triangles.size(), 80U);
+    planned.desc.edges = HRBFNPR_PICTURE_EDGES_AS_GIVEN;
+    EXPECT_EQ(surfaces(test::box(1, 1, 1, 1))[0].fit->sheets, 6); // its edges stand out
+    EXPECT_THAT(notes(), IsEmpty());
+}
+
+TEST_F(MeshSurface, DividesAsOftenAsItIsTold) {
+    planned.desc.tolerance = 0.1;
+    planned.desc.subdivide = 1;
+    EXPECT_EQ(surfaces(test::box(1, 1, 1, 1))[0].shape->triangles.size(), 48U);
+    ASSERT_EQ(notes().size(), 1U);
+    EXPECT_THAT(notes()[0], testing::StartsWith("the faces are divided 1 time, vertices moved by at most "));
+    EXPECT_EQ(note(HRBFNPR_NOTE_DIVIDED).figure_count, 3U);
+    planned.desc.subdivide = 6;
+    EXPECT_THAT(refusal(test::icosphere(3)), HasSubstr("and 4000000 are the most: subdivide fewer times"));
+}
+
+TEST_F(MeshSurface, GoesByTheSharpEdgesOfAFile) {
+    planned.desc.tolerance = 0.02;
+    Shape ball = shape_of(test::icosphere(1), planned.pool);
+    ball.has_sharp_edges = true;
+    ball.sharp_edges = find_edges(ball.triangles, ball.points.size(), planned.pool).ends;
+    const Vector<Surface> flat = surfaces(std::move(ball));
+    EXPECT_THAT(notes(), ElementsAre("by the normals of its file all faces are flat (--edges smooth rounds)"));
+    EXPECT_GT(flat[0].fit->sheets, 40);
+}
+
+TEST_F(MeshSurface, PartsThatCrossAreSurfaces) {
+    planned.desc.tolerance = 0.1;
+    const test::Triangles pipes = pipe().with(pipe_across());
+    const Vector<Surface> two = surfaces(pipes);
+    ASSERT_EQ(two.size(), 2U);
+    for (const Surface& one : two) EXPECT_EQ(one.shape->triangles.size(), info_of(one.mesh).faces);
+    EXPECT_THAT(notes(),
+                Contains("2 parts of the mesh, not all of them closed, cross or are close to each other: they "
+                         "are fitted and drawn in 2 groups, each a surface of its own (--together makes one of "
+                         "them)"));
+    const auto fits = [&] {
+        int count = 0;
+        for (const FinishedStage& stage : planned.report->stages) count += stage.stage == HRBFNPR_STAGE_FIT ? 1 : 0;
+        return count;
+    };
+    EXPECT_EQ(fits(), 2);
+    planned.desc.flags = HRBFNPR_PICTURE_TOGETHER;
+    const Vector<Surface> one = surfaces(pipes);
+    ASSERT_EQ(one.size(), 1U);
+    EXPECT_EQ(fits(), 1);
+    EXPECT_EQ(note(HRBFNPR_NOTE_GROUPS).code, 0U);
+    // What the library alone knows of a mesh is warned of.
+    const Note thin = note(HRBFNPR_NOTE_PARTS_TOO_THIN);
+    EXPECT_EQ(thin.severity, HRBFNPR_SEVERITY_WARNING);
+    EXPECT_EQ(thin.figure_count, 5U);
+    const std::string text(thin.text);
+    EXPECT_EQ(text.find("parts 0 and 1 of the mesh, and maybe others, cross or are nearer to each other than the "
+                        "tolerance, as near "),
+              0U);
+    EXPECT_THAT(text, HasSubstr(": the surface may join them there; a smaller tolerance holds apart what does not "
+                                "cross (--tolerance)"));
+}
+
+TEST_F(MeshSurface, OfSeveralSourcesAndPlatesIsOneSurface) {
+    planned.desc.tolerance = 0.1;
+    const test::Triangles pipes = pipe().with(pipe_across());
+    planned.desc.profile = HRBFNPR_PROFILE_YES;
+    EXPECT_EQ(surfaces(pipes).size(), 1U);
+    planned.desc.profile = HRBFNPR_PROFILE_AUTO;
+    planned.desc.scale_bar = "none";
+    EXPECT_EQ(surfaces(pipes).size(), 1U);
+}
+
+TEST_F(MeshSurface, TurnsAnInsideOutMesh) {
+    planned.desc.tolerance = 0.1;
+    planned.desc.subdivide = 0;
+    EXPECT_EQ(info_of(surfaces(test::icosphere(1).turned())[0].mesh).turned_components, 1);
+    EXPECT_THAT(notes(), ElementsAre("the mesh was inside out: its faces are turned"));
+    // A bowl that looks inward has no closed part that the library could turn.
+    const auto lower = [](double, double, double z) { return z < 0.7; };
+    const Vector<Surface> bowl = surfaces(test::icosphere(3).where(lower).turned());
+    EXPECT_THAT(notes(), Contains("all normals looked inward: they are turned (--normals keep leaves them)"));
+    planned.desc.normals = HRBFNPR_NORMALS_GIVEN;
+    static_cast<void>(surfaces(test::icosphere(3).where(lower).turned()));
+    EXPECT_THAT(notes(), Not(Contains(HasSubstr("inward"))));
+}
+
+TEST_F(MeshSurface, LeavesOutWhatIsLost) {
+    planned.desc.tolerance = 0.1;
+    test::Triangles mesh = test::icosphere(3);
+    const std::int32_t a = mesh.add(60, 0, 0), b = mesh.add(60, 0.05, 0), c = mesh.add(60, 0, 0.05);
+    mesh.face(a, b, c);
+    EXPECT_EQ(info_of(surfaces(mesh)[0].mesh).faces, 1280);
+    EXPECT_THAT(notes(), ElementsAre("1 part (1 face) far from all others left out; --parts all keeps them"));
+    EXPECT_THAT(stages()[0], HasSubstr("1 part, closed"));
+}
+
+TEST_F(MeshSurface, TakesAsManySamplesAsItIsTold) {
+    planned.desc.samples = 200;
+    const Vector<Surface> made = surfaces(test::icosphere(3));
+    ASSERT_EQ(made.size(), 1U);
+    EXPECT_FALSE(made[0].fit);
+    EXPECT_EQ(stages()[1], "2: 200 samples");
+    ASSERT_EQ(stages().size(), 5U);
+    EXPECT_THAT(stages()[2], HasSubstr("200 centres"));
+    EXPECT_EQ(stages()[3][0], '6'); // it is compared with the mesh
+    planned.desc.samples = 1'000'000'000;
+    EXPECT_EQ(refusal(test::icosphere(0)), "--samples 1000000000 is more than a mesh can have: 10000000");
+}
+
+TEST_F(MeshSurface, FitsSamplesWhereOnlyThatHasTheOption) {
+    planned.desc.subdivide = 0;
+    planned.desc.tolerance = 0.1;
+    EXPECT_TRUE(surfaces(test::icosphere(1))[0].fit);
+    planned.desc.flags = HRBFNPR_PICTURE_FLIP;
+    planned.desc.tolerance = 0.0;
+    planned.desc.samples = 60;
+    EXPECT_FALSE(surfaces(test::icosphere(1))[0].fit);
+    planned.desc.flags = 0;
+    planned.desc.samples = 0;
+    planned.change("fit.outliers", "drop");
+    EXPECT_FALSE(surfaces(test::icosphere(1))[0].fit);
+    EXPECT_EQ(stages()[1], "2: 1000 samples");
+}
+
+TEST_F(MeshSurface, TellsOfATooSmallTolerance) {
+    planned.desc.maximum_centres = 20;
+    planned.desc.subdivide = 0;
+    static_cast<void>(surfaces(test::torus(24, 12, 0.4)));
+    const std::string text(note(HRBFNPR_NOTE_NOT_REACHED).text);
+    EXPECT_EQ(text.find("the surface is not within 0.20% of the diagonal everywhere: "), 0U);
+    EXPECT_THAT(text, HasSubstr("; --max-centres 40 allows more samples"));
+}
+
+TEST_F(MeshSurface, RefusesAMeshWithoutArea) {
+    test::Triangles flat;
+    for (int i = 0; i < 3; ++i) static_cast<void>(flat.add(i, 0, 0));
+    flat.face(0, 1, 2);
+    EXPECT_THAT(refusal(flat), HasSubstr("area"));
+}
+
+TEST_F(MeshSurface, TakesOneFace) {
+    const Vector<Surface> made = surfaces(wall({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, 1));
+    ASSERT_EQ(made.size(), 1U);
+    EXPECT_EQ(info_of(made[0].mesh).faces, 2);
+    EXPECT_THAT(notes(), Contains("all points lie in a plane: the surface is flat, and ends where they do"));
+}
+
+} // namespace
+} // namespace picture_tests::mesh_surface_test

@@ -1,0 +1,420 @@
+// SPDX-License-Identifier: MIT
+#include "picture/points.h"
+
+#include "picture/ends.h"
+#include "picture/nearness.h"
+#include "support/handles.h"
+#include "support/samples.h"
+
+#include "api/handles.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace picture_test::points_test {
+namespace {
+
+using namespace hrbfnpr;
+using namespace hrbfnpr::picture;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+test::Context make_context() {
+    hrbfnpr_context* context = nullptr;
+    test::Check check;
+    check(hrbfnpr_context_create(nullptr, &context, check.error()));
+    return test::Context(context);
+}
+
+// A call with options that are set before it is first used.
+class FitPoints : public testing::Test {
+protected:
+    test::Context context = make_context();
+    Pool pool{context->runtime.memory};
+    Report report{pool, HRBFNPR_WORDING_OPTIONS, nullptr, nullptr, *context, nullptr};
+    hrbfnpr_picture_desc desc = defaults<hrbfnpr_picture_desc>(hrbfnpr_picture_desc_init);
+    std::vector<hrbfnpr_change> changes;
+
+    void change(const char* field, const char* value) {
+        auto added = defaults<hrbfnpr_change>(hrbfnpr_change_init);
+        added.field = field;
+        added.value = value;
+        changes.push_back(added);
+    }
+
+    // Calls f(call), and returns what it does.
+    template <class F>
+    auto with_call(F&& f) {
+        desc.changes = changes.data();
+        desc.change_count = static_cast<std::int64_t>(changes.size());
+        const Options options(desc, nullptr, pool);
+        return f(Call{*context, options, report, pool});
+    }
+
+    // The surface, if there is one, and its up.
+    struct Fitted {
+        Surface surface;
+        glm::dvec3 up{0.0};
+    };
+    Fitted fit(Shape shape) {
+        report.notes.clear();
+        report.stages.clear();
+        return with_call([&](const Call& call) {
+            Fitted fitted;
+            leave_out_unusable(call, shape);
+            fitted.surface = fit_points(call, std::move(shape), fitted.up);
+            return fitted;
+        });
+    }
+    std::string refusal(Shape shape) {
+        try {
+            static_cast<void>(fit(std::move(shape)));
+        } catch (const Error& error) {
+            EXPECT_EQ(error.status(), Status::invalid_argument);
+            return error.what();
+        }
+        return "";
+    }
+
+    [[nodiscard]] std::vector<std::string> said(std::uint32_t severity) const {
+        std::vector<std::string> texts;
+        for (const Note& note : report.notes)
+            if (note.severity == severity) texts.emplace_back(note.text);
+        return texts;
+    }
+    [[nodiscard]] std::vector<std::string> notes() const { return said(HRBFNPR_SEVERITY_NOTE); }
+    [[nodiscard]] std::vector<std::string> warnings() const { return said(HRBFNPR_SEVERITY_WARNING); }
+    [[nodiscard]] std::string said_of(std::uint32_t stage) const {
+        for (const FinishedStage& each : report.stages)
+            if (each.stage == stage) return std::string(each.says);
+        return "no such stage";
+    }
+
+    Shape shape_of(const test::Samples& samples, double sign = 1.0) {
+        Shape shape(pool);
+        for (std::size_t i = 0; i < samples.points.size(); i += 3) {
+            shape.points.emplace_back(samples.points[i], samples.points[i + 1], samples.points[i + 2]);
+            shape.normals.push_back(sign *
+                                    glm::dvec3(samples.normals[i], samples.normals[i + 1], samples.normals[i + 2]));
+        }
+        return shape;
+    }
+    Shape ball(std::int64_t count = 250) { return shape_of(test::sphere(count)); }
+    Shape without_normals(Shape shape) {
+        shape.normals.clear();
+        return shape;
+    }
+    // f at the origin: negative inside.
+    static double value_at_origin(const Model& model) {
+        const std::array<double, 3> at{};
+        double value = 0.0;
+        const hrbfnpr_array points{at.data(), 1, 0, HRBFNPR_SCALAR_FLOAT64, 3};
+        const hrbfnpr_array_out to{&value, 1, 0, HRBFNPR_SCALAR_FLOAT64, 1};
+        picture::call([&](hrbfnpr_error* error) {
+            return hrbfnpr_model_evaluate(model.get(), &points, &to, nullptr, nullptr, nullptr, error);
+        });
+        return value;
+    }
+};
+
+TEST_F(FitPoints, CleanPointsWithNormals) {
+    const Fitted fitted = fit(ball());
+    EXPECT_THAT(notes(), IsEmpty());
+    EXPECT_THAT(warnings(), IsEmpty());
+    EXPECT_EQ(said_of(HRBFNPR_STAGE_SAMPLE), "250 samples");
+    EXPECT_EQ(said_of(HRBFNPR_STAGE_ORIENT), "normals look outward");
+    EXPECT_EQ(said_of(HRBFNPR_STAGE_FIT), "250 centres, triharmonic, iterative; through all samples");
+    EXPECT_EQ(said_of(HRBFNPR_STAGE_END), "the surface is whole");
+    EXPECT_LT(value_at_origin(fitted.surface.model), 0.0);
+    EXPECT_EQ(fitted.up, glm::dvec3(0.0, 1.0, 0.0));
+    ASSERT_NE(fitted.surface.shape, nullptr);
+    EXPECT_EQ(fitted.surface.shape->points.size(), 250U);
+    EXPECT_FALSE(fitted.surface.mesh);
+}
+
+TEST_F(FitPoints, InwardNormalsAreTurned) {
+    const Shape inward = shape_of(test::sphere(250), -1.0);
+    EXPECT_LT(value_at_origin(fit(inward).surface.model), 0.0);
+    EXPECT_THAT(notes(), ElementsAre("all normals looked inward: they are turned (--normals keep leaves them)"));
+    EXPECT_EQ(said_of(HRBFNPR_STAGE_ORIENT), "normals looked inward: all are turned");
+    desc.normals = HRBFNPR_NORMALS_GIVEN;
+    EXPECT_GT(value_at_origin(fit(inward).surface.model), 0.0);
+    EXPECT_THAT(notes(), IsEmpty());
+    EXPECT_EQ(said_of(HRBFNPR_STAGE_ORIENT), "normals as they are");
+    desc.flags = HRBFNPR_PICTURE_FLIP;
+    EXPECT_LT(value_at_origin(fit(inward).surface.model), 0.0);
+    EXPECT_EQ(said_of(HRBFNPR_STAGE_ORIENT), "no such stage") << "it is the user's own word";
+}
+
+TEST_F(FitPoints, MixedNormalsAreRepaired) {
+    Shape mixed = ball(120);
+    for (std::size_t i = 0; i < mixed.normals.size(); i += 7) mixed.normals[i] = -mixed.normals[i];
+    EXPECT_LT(value_at_origin(fit(mixed).surface.model), 0.0);
+    EXPECT_THAT(notes(),
+                ElementsAre("the normals were turned here and there: 18 are turned, 0 are made anew (--normals "
+                            "keep leaves them)"));
+    EXPECT_EQ(said_of(HRBFNPR_STAGE_ORIENT), "18 normals turned, 0 made anew; the surface is closed, confidence 1.00");
+}
+
+TEST_F(FitPoints, NormalsAreMade) {
+    const Fitted fitted = fit(without_normals(ball(120)));
+    EXPECT_LT(value_at_origin(fitted.surface.model), 0.0);
+    EXPECT_THAT(notes(), ElementsAre("the points have no normals: 120 are made"));
+    EXPECT_EQ(said_of(HRBFNPR_STAGE_ORIENT), "normals are made; the surface is closed, confidence 1.00");
+    Shape zeros = ball(120);
+    zeros.normals.assign(120, glm::dvec3(0.0, nan, 0.0));
+    EXPECT_FALSE(has_normals(zeros));
+    fit(zeros);
+    EXPECT_THAT(notes(), ElementsAre("the points have no normals: 120 are made"));
+}
+
+TEST_F(FitPoints, AnOpenSurfaceLooksToTheScanner) {
+    Shape cap(pool);
+    for (const glm::dvec3& p : ball(240).points)
+        if (p.z > 0.4) cap.points.push_back(p);
+    fit(cap);
+    EXPECT_THAT(said_of(HRBFNPR_STAGE_END), HasSubstr(" is beyond the points (up to "));
+    EXPECT_THAT(said_of(HRBFNPR_STAGE_END), HasSubstr(" of the diagonal) and left out; --close keeps it"));
+    desc.viewpoint[0] = desc.viewpoint[1] = 0.0;
+    desc.viewpoint[2] = -30.0;
+    const Fitted seen_from_below = fit(cap);
+    EXPECT_GT(value_at_origin(seen_from_below.surface.model), 0.0);
+    EXPECT_THAT(notes(), testing::Contains(HasSubstr("are made, which look to where the scanner stood")));
+    EXPECT_THAT(warnings(), IsEmpty());
+    desc.flags = HRBFNPR_PICTURE_CLOSE;
+    fit(cap);
+    EXPECT_EQ(said_of(HRBFNPR_STAGE_END), "no such stage");
+}
+
+TEST_F(FitPoints, AViewpointThatTellsNothingIsSaid) {
+    desc.viewpoint[0] = desc.viewpoint[1] = desc.viewpoint[2] = 5.0;
+    fit(ball());
+    EXPECT_THAT(warnings(), ElementsAre("--viewpoint is for points whose normals are made, and these have some: "
+                                        "--normals none makes new ones"));
+}
+
+TEST_F(FitPoints, ATerrainThatLooksDownIsTurned) {
+    Shape terrain(pool);
+    for (int i = 0; i < 24; ++i)
+        for (int j = 0; j < 20; ++j) {
+            terrain.points.emplace_back(0.5 * i, 0.5 * j, 0.5 * std::sin(0.5 * i) * std::cos(0.4 * j));
+            terrain.normals.emplace_back(0.5 * std::cos(0.5 * i) * std::cos(0.4 * j),
+                                         -0.4 * std::sin(0.5 * i) * std::sin(0.4 * j), -1.0);
+        }
+    const Fitted fitted = fit(terrain);
+    EXPECT_EQ(fitted.up, glm::dvec3(0.0, 0.0, 1.0));
+    EXPECT_THAT(notes(), testing::Contains("the surface is a terrain that looked down along z: its normals are turned "
+                                           "(--normals keep leaves them)"));
+    EXPECT_EQ(said_of(HRBFNPR_STAGE_ORIENT), "a terrain looked down: its normals are turned");
+    ASSERT_FALSE(report.notes.empty());
+    EXPECT_EQ(report.notes.front().code, static_cast<std::uint32_t>(HRBFNPR_NOTE_TERRAIN_TURNED));
+    EXPECT_EQ(report.notes.front().figures[0], 2.0);
+}
+
+// ---- Samples
+
+TEST_F(FitPoints, SamplesAreChosen) {
+    desc.flags = HRBFNPR_PICTURE_CLOSE; // where it ends is not asked
+    fit(ball(5000));                    // more than are used, if nobody sets a number
+    EXPECT_THAT(notes(), ElementsAre("5000 points, of which 4096 are used; --samples N sets another number"));
+    desc.samples = 100; // they are chosen from 4000 random ones
+    EXPECT_LT(value_at_origin(fit(ball(5000)).surface.model), 0.0);
+    EXPECT_THAT(notes(), IsEmpty());
+    EXPECT_EQ(said_of(HRBFNPR_STAGE_SAMPLE), "100 samples");
+    desc.samples = 0;
+    desc.maximum_centres = 60; // the fit chooses from all
+    fit(ball(5000));
+    EXPECT_EQ(said_of(HRBFNPR_STAGE_SAMPLE), "5000 samples");
+    EXPECT_THAT(said_of(HRBFNPR_STAGE_FIT), testing::StartsWith("60 centres, "));
+}
+
+TEST_F(FitPoints, WhatCannotBeUsedIsLeftOut) {
+    Shape shape = ball();
+    shape.points[3].x = nan;
+    shape.normals[5] = glm::dvec3(0.0);
+    shape.normals[6].y = std::numeric_limits<double>::infinity();
+    shape.points[8].z = -9999.0;
+    fit(shape);
+    EXPECT_THAT(notes(), ElementsAre("1 point at -9999, which stands for no data, left out",
+                                     "3 points without a usable position or normal are left out"));
+    EXPECT_EQ(said_of(HRBFNPR_STAGE_SAMPLE), "246 samples");
+    shape.points.assign(250, glm::dvec3(nan));
+    EXPECT_EQ(refusal(shape), "no point is finite and has a normal that is not zero");
+    EXPECT_NE(refusal(Shape(pool)), "");
+    EXPECT_NE(refusal(without_normals(shape)), "");
+}
+
+TEST_F(FitPoints, FacesThatAreNotFiniteAreLeftOut) {
+    Shape mesh = without_normals(ball(20));
+    mesh.triangles = {{{0, 1, 2}, {1, 2, 3}, {4, 5, 6}}};
+    mesh.points[0].x = nan;
+    with_call([&](const Call& call) { leave_out_unusable(call, mesh); });
+    EXPECT_EQ(mesh.triangles.size(), 2U);
+    EXPECT_THAT(warnings(), ElementsAre("1 face with a corner that is not finite left out"));
+    mesh.points[2] = mesh.points[5] = glm::dvec3(nan);
+    EXPECT_THROW(with_call([&](const Call& call) { leave_out_unusable(call, mesh); }), Error);
+    EXPECT_EQ(mesh.triangles.size(), 2U);
+}
+
+TEST_F(FitPoints, PlacesWithSeveralNormals) {
+    Shape shape = ball();
+    shape.points.push_back(shape.points[7]);
+    shape.normals.push_back(-shape.normals[7]);
+    shape.points.push_back(shape.points[9]);
+    shape.normals.push_back(glm::normalize(shape.normals[9] + glm::dvec3(0.0, 0.3, 0.2)));
+    fit(shape);
+    EXPECT_THAT(notes(), ElementsAre("1 place with several normals, as on a sharp edge: their mean is used"));
+    EXPECT_THAT(warnings(), ElementsAre("1 place with opposite normals left out"));
+    EXPECT_EQ(said_of(HRBFNPR_STAGE_SAMPLE), "252 samples");
+    shape = ball(20);
+    for (std::size_t i = 0; i < 20; ++i) {
+        shape.points.push_back(shape.points[i]);
+        shape.normals.push_back(-shape.normals[i]);
+    }
+    EXPECT_EQ(refusal(shape), "all points are in pairs with opposite normals");
+}
+
+TEST_F(FitPoints, PointsFarFromAllOthersAreLeftOut) {
+    Shape shape = ball(500);
+    shape.points.emplace_back(0.0, -20.0, 0.0);
+    shape.normals.emplace_back(0.0, -1.0, 0.0);
+    EXPECT_EQ(fit(shape).surface.shape->points.size(), 500U);
+    EXPECT_THAT(notes(), ElementsAre("1 point far from all others left out (--outliers keep keeps them)"));
+    change("fit.outliers", "keep");
+    EXPECT_EQ(fit(shape).surface.shape->points.size(), 501U);
+    EXPECT_THAT(notes(), testing::Not(testing::Contains(HasSubstr("far from all others"))));
+}
+
+// ---- The fit
+
+TEST_F(FitPoints, NoiseIsSmoothed) {
+    Shape noisy = ball(400);
+    for (std::size_t i = 0; i < noisy.points.size(); ++i)
+        noisy.points[i] *= 1.0 + 0.03 * std::sin(17.0 * static_cast<double>(i * i % 97));
+    const char* const smooth =
+        "the samples have noise, and the surface is smooth (--regularization 0 goes through all of them)";
+    fit(noisy);
+    EXPECT_THAT(notes(), testing::Contains(smooth));
+    EXPECT_THAT(said_of(HRBFNPR_STAGE_FIT), HasSubstr("; samples within "));
+    change("fit.regularization", "0");
+    fit(noisy);
+    EXPECT_THAT(notes(), testing::Not(testing::Contains(smooth)));
+    EXPECT_THAT(said_of(HRBFNPR_STAGE_FIT), HasSubstr("; through all samples"));
+}
+
+TEST_F(FitPoints, OptionsOfTheFit) {
+    change("fit.kernel", "gaussian");
+    change("fit.solver", "direct");
+    change("fit.trim", "auto");
+    desc.samples = 40;
+    fit(ball());
+    EXPECT_THAT(said_of(HRBFNPR_STAGE_FIT), testing::StartsWith("40 centres, gaussian, direct; "));
+}
+
+TEST_F(FitPoints, LittleEvidenceIsSaid) {
+    const auto told_of = [&](std::initializer_list<glm::dvec3> list, int times = 1) {
+        Points points(&pool);
+        for (int i = 0; i < times; ++i)
+            for (const glm::dvec3& p : list) points.push_back(p * (1.0 + i));
+        report.notes.clear();
+        with_call([&](const Call& call) { tell_thin_evidence(call, points); });
+        return warnings();
+    };
+    EXPECT_THAT(told_of({{1, 2, 3}}), ElementsAre("there is one point only: what is drawn is its plane"));
+    EXPECT_THAT(told_of({{1, 2, 3}, {2, 2, 3}}),
+                ElementsAre("there are 2 points only: the surface between them is a guess"));
+    EXPECT_THAT(told_of({{1, 2, 3}}, 10), ElementsAre("all points are on a line: the surface beside it is a guess"));
+    EXPECT_THAT(told_of({{1, 2, 3}, {3, -1, 1}}, 10),
+                ElementsAre("all points lie in a plane: the surface is flat, and ends where they do"));
+    EXPECT_THAT(told_of({{1, 2, 3}, {3, -1, 1}, {1, 0, 0}}, 5), IsEmpty());
+    EXPECT_THAT(told_of({{nan, 2, 3}, {3, -1, 1}, {1, 0, 0}}, 5), IsEmpty());
+}
+
+// ---- The image of a depth camera
+
+Shape depth_image(int columns, int rows, Pool& pool) {
+    Shape shape(pool);
+    shape.columns = columns;
+    shape.rows = rows;
+    shape.is_photo = true;
+    shape.up = glm::dvec3(0.0, 1.0, 0.0);
+    shape.viewpoint = glm::dvec3(0.0);
+    for (int row = 0; row < rows; ++row)
+        for (int column = 0; column < columns; ++column) {
+            const double x = (column - columns / 2) / 70.0;
+            const double y = (row - rows / 2) / 70.0;
+            const double noise = 3e-4 * std::sin(37.0 * (row * columns + column) * (row + 2.0));
+            const double z = column < 3 ? nan : 1.0 / (1.0 / (3.0 + 0.4 * x) + noise);
+            shape.points.emplace_back(x * z, y * z, z);
+        }
+    return shape;
+}
+
+TEST_F(FitPoints, AnImageIsSmoothed) {
+    desc.samples = 120;
+    const Fitted fitted = fit(depth_image(60, 40, pool));
+    EXPECT_THAT(said_of(HRBFNPR_STAGE_SMOOTH), testing::StartsWith("2280 pixels of 60 x 40, over "));
+    EXPECT_EQ(said_of(HRBFNPR_STAGE_SAMPLE), "120 samples");
+    EXPECT_EQ(said_of(HRBFNPR_STAGE_ORIENT), "no such stage");
+    EXPECT_THAT(notes(),
+                testing::Contains(HasSubstr(": it is smoothed (--depth-smoothing F: more or less, 0 keeps it)")));
+    EXPECT_EQ(fitted.up, glm::dvec3(0.0, 1.0, 0.0));
+    EXPECT_GT(value_at_origin(fitted.surface.model), 0.0) << "the camera is outside";
+    desc.depth_smoothing = 0.0;
+    desc.viewpoint[0] = desc.viewpoint[1] = desc.viewpoint[2] = 1.0;
+    fit(depth_image(60, 40, pool));
+    EXPECT_THAT(notes(), testing::Contains(HasSubstr(": the points keep it")));
+    EXPECT_THAT(warnings(),
+                testing::Contains("--viewpoint is not used: the points are a picture, whose camera is known"));
+}
+
+// ---- Nearness
+
+TEST_F(FitPoints, DistancesInWords) {
+    auto found = defaults<hrbfnpr_comparison>(hrbfnpr_comparison_init);
+    found.surface_p99 = 0.002;
+    found.surface_max = 0.02;
+    found.mesh_p99 = 0.001;
+    found.mesh_max = 0.0456;
+    EXPECT_EQ(distances_in_words(found, 2.0, pool),
+              "surface to mesh: 99 % within 0.10% of the diagonal, all within 1.00%; mesh to surface: 0.05%, 2.28%");
+    found.mesh_max = std::numeric_limits<double>::infinity();
+    found.mesh_p99 = nan;
+    EXPECT_EQ(distances_in_words(found, 2.0, pool), "surface to mesh: 99 % within 0.10% of the diagonal, all within "
+                                                    "1.00%; mesh to surface: not found, and somewhere none is near");
+    found.surface_p99 = nan;
+    EXPECT_EQ(distances_in_words(found, 2.0, pool), "no surface was found to measure from; mesh to surface: not found");
+    EXPECT_EQ(percent_of(nan, 1, pool), "nan%");
+}
+
+TEST_F(FitPoints, WhatTheFitMadeOfSamples) {
+    auto info = defaults<hrbfnpr_model_info>(hrbfnpr_model_info_init);
+    info.samples = 1000;
+    info.merged_samples = 1;
+    info.near_duplicates = 2;
+    info.outliers_found = info.outliers_dropped = 3;
+    info.flipped_found = 9;
+    info.flipped_repaired = 4;
+    with_call([&](const Call& call) {
+        tell_repaired_samples(call, info);
+        tell_doubted_samples(call, info);
+        info.outliers_found = 7; // four are left: too few to be said
+        tell_doubted_samples(call, info);
+    });
+    EXPECT_THAT(notes(),
+                ElementsAre("1 sample merged with another at the same place", "2 samples merged with another very near",
+                            "3 samples dropped as strays", "4 samples with a flipped normal repaired"));
+    EXPECT_THAT(warnings(), ElementsAre("5 samples look as if their normal were flipped: --flipped-normals reorient "
+                                        "turns them"));
+}
+
+} // namespace
+} // namespace picture_test::points_test

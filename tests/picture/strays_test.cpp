@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: MIT
+#include "picture/strays.h"
+
+#include "support/samples.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+namespace picture_test::strays_test {
+namespace {
+
+using namespace hrbfnpr;
+using namespace hrbfnpr::picture;
+
+class Strays : public testing::Test {
+protected:
+    base::Memory memory;
+    Pool pool{memory};
+
+    // A sphere of these samples, scaled and moved.
+    void add_sphere(Points& to, std::int64_t count, double scale = 1.0, const glm::dvec3& at = glm::dvec3(0.0)) const {
+        for (std::int64_t i = 0; i < count; ++i) {
+            const auto p = test::spiral_point(i, count);
+            to.push_back(at + scale * glm::dvec3(p[0], p[1], p[2]));
+        }
+    }
+    static std::vector<std::int64_t> numbers(const PointMask& mask) {
+        std::vector<std::int64_t> found;
+        for (std::size_t i = 0; i < mask.size(); ++i)
+            if (mask[i] != 0) found.push_back(static_cast<std::int64_t>(i));
+        return found;
+    }
+    std::vector<std::int64_t> far_of(const Points& points) { return numbers(far_from_most(points, pool)); }
+    std::vector<std::int64_t> strays_of(const Points& points) { return numbers(find_strays(points, pool)); }
+};
+
+using Numbers = std::vector<std::int64_t>;
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+TEST_F(Strays, AreFewAndFar) {
+    Points points(&pool);
+    add_sphere(points, 2000);
+    EXPECT_EQ(far_of(points), Numbers{});
+    Points near(points, &pool);
+    near.emplace_back(3.0, 0.0, 0.0);
+    EXPECT_EQ(far_of(near), Numbers{}) << "not so far";
+    Points many(points, &pool);
+    add_sphere(many, 40, 1.0, {30.0, 0.0, 0.0});
+    EXPECT_EQ(far_of(many), Numbers{}) << "not so few";
+    points.emplace_back(9.0, 0.0, 0.0);
+    points.emplace_back(0.0, -20.0, 0.0);
+    EXPECT_EQ(far_of(points), (Numbers{2000, 2001}));
+    points.emplace_back(nan, 0.0, 0.0);
+    points.emplace_back(1e308, -1e308, 1e308); // its distance is infinite
+    EXPECT_EQ(far_of(points), (Numbers{2000, 2001, 2003}));
+}
+
+TEST_F(Strays, AreNoneOfLittle) {
+    Points points(&pool);
+    EXPECT_EQ(far_of(points), Numbers{});
+    EXPECT_EQ(strays_of(points), Numbers{});
+    points.emplace_back(nan, nan, nan);
+    EXPECT_EQ(far_of(points), Numbers{});
+    points.assign(500, glm::dvec3(1.0, 2.0, 3.0)); // all at one place
+    EXPECT_EQ(far_of(points), Numbers{});
+    EXPECT_EQ(strays_of(points), Numbers{});
+    points.assign(500, glm::dvec3(0.0)); // some a rounding apart, so that no cell can be made larger
+    points[3].x = 5e-324;
+    EXPECT_EQ(strays_of(points), Numbers{});
+    for (std::size_t i = 0; i < points.size(); ++i) points[i].x = i % 2 == 0 ? 1.7e308 : -1.7e308;
+    EXPECT_EQ(strays_of(points), Numbers{});
+}
+
+// The same points as the rules in Python found.
+TEST_F(Strays, AreDustAroundASphere) {
+    Points dusty(&pool);
+    add_sphere(dusty, 1500);
+    for (std::int64_t i = 0; i < 30; ++i) {
+        const auto p = test::spiral_point(i, 30);
+        dusty.push_back((2.0 + 0.04 * static_cast<double>(i)) * glm::dvec3(p[0], p[1], p[2]));
+    }
+    Numbers expected;
+    for (std::int64_t i = 1500; i < 1530; ++i)
+        if (i != 1501) expected.push_back(i);
+    EXPECT_EQ(strays_of(dusty), expected);
+
+    Points two(&pool); // two sizes of spacing: the coarser one sets the cells' size
+    add_sphere(two, 400);
+    add_sphere(two, 200, 0.05, {3.0, 0.0, 0.0});
+    for (std::int64_t i = 0; i < 12; ++i) {
+        const auto p = test::spiral_point(i, 12);
+        two.emplace_back(8.0 * p[0], 3.0 * p[1], 2.0 * p[2]);
+    }
+    EXPECT_EQ(strays_of(two), (Numbers{600, 601, 603, 604, 605, 606, 607, 608, 609, 610}));
+}
+
+TEST_F(Strays, AreNoneOfUnevenPoints) {
+    Points flat(&pool);
+    add_sphere(flat, 3000);
+    for (glm::dvec3& p : flat) p.z = 0.0;
+    EXPECT_EQ(strays_of(flat), Numbers{});
+    Points half(&pool);
+    add_sphere(half, 1500);
+    for (std::int64_t i = 0; i < 300; ++i) { // a sixth of all are far from others
+        const auto p = test::spiral_point(i, 300);
+        half.push_back((20.0 + static_cast<double>(i)) * glm::dvec3(p[0], p[1], p[2]));
+    }
+    EXPECT_EQ(strays_of(half), Numbers{});
+}
+
+// ---- Values that stand for no data
+
+Shape grid(Pool& pool) {
+    Shape shape(pool);
+    for (int i = 0; i < 100; ++i) shape.points.emplace_back(i % 10, i / 10, 2.0 + std::sin(static_cast<double>(i)));
+    shape.normals.assign(100, glm::dvec3(0.0, 0.0, 1.0));
+    return shape;
+}
+
+TEST_F(Strays, ValuesThatStandForNone) {
+    Shape shape = grid(pool);
+    shape.columns = shape.rows = 10;
+    shape.points[3].z = shape.points[7].z = -9999.0;
+    shape.points[8].x = nan;
+    const NoData found = leave_out_no_data(shape, pool);
+    EXPECT_EQ(found.points, 2);
+    EXPECT_EQ(found.value, -9999.0);
+    ASSERT_EQ(shape.points.size(), 98U);
+    EXPECT_EQ(shape.normals.size(), 98U);
+    EXPECT_EQ(shape.points[3].x, 4.0);
+    EXPECT_EQ(shape.columns, 0) << "it is no image any more";
+}
+
+TEST_F(Strays, ADepthIsNoSuchValue) {
+    Shape deep = grid(pool);
+    deep.points[3].z = -9999.0;
+    for (std::size_t i = 8; i < 40; ++i) deep.points[i].z = -9990.0;
+    EXPECT_EQ(leave_out_no_data(deep, pool).points, 0);
+    Shape alone(pool);
+    alone.points.assign(3, glm::dvec3(-9999.0));
+    EXPECT_EQ(leave_out_no_data(alone, pool).points, 0);
+    EXPECT_EQ(alone.points.size(), 3U);
+}
+
+TEST_F(Strays, FacesGoWithTheirPoints) {
+    Shape mesh = grid(pool);
+    mesh.points[3].z = mesh.points[7].z = -9999.0;
+    mesh.triangles = {{{2, 3, 4}}};
+    EXPECT_EQ(leave_out_no_data(mesh, pool).points, 0) << "no face would be left";
+    EXPECT_EQ(mesh.points.size(), 100U);
+    mesh.triangles = {{{0, 1, 2}, {2, 3, 4}, {5, 6, 8}}};
+    mesh.sharp_edges = {{{3, 4}, {6, 8}}};
+    EXPECT_EQ(leave_out_no_data(mesh, pool).points, 2);
+    ASSERT_EQ(mesh.triangles.size(), 2U);
+    EXPECT_EQ(mesh.triangles[0], (Triangle{0, 1, 2}));
+    EXPECT_EQ(mesh.triangles[1], (Triangle{4, 5, 6}));
+    ASSERT_EQ(mesh.sharp_edges.size(), 1U);
+    EXPECT_EQ(mesh.sharp_edges[0], (Edge{5, 6}));
+    EXPECT_EQ(mesh.points.size(), 98U);
+}
+
+} // namespace
+} // namespace picture_test::strays_test

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: MIT
+#include "picture/wanted_lines.h"
+
+#include "planned_call.h"
+
+#include <gtest/gtest.h>
+
+namespace picture_tests::wanted_lines_test {
+namespace {
+
+using namespace hrbfnpr;
+using namespace hrbfnpr::picture;
+
+class WantedLinesTest : public testing::Test {
+protected:
+    // The message of the error; "" if the text is understood.
+    std::string refusal(const char* text) {
+        try {
+            static_cast<void>(parse_lines(text, pool));
+        } catch (const Error& error) {
+            EXPECT_EQ(error.status(), Status::invalid_argument);
+            return error.what();
+        }
+        return "";
+    }
+
+    base::Memory memory;
+    Pool pool{memory};
+};
+
+TEST_F(WantedLinesTest, ReadsKindsAndWhatIsSaidOfThem) {
+    const auto lines =
+        parse_lines("contour,suggestive,ridge,section=x:7,isophotes=0.3:-.6,isophote,apparent-ridge", pool);
+    ASSERT_EQ(lines.size(), 7U);
+    EXPECT_EQ(lines[0].kind, std::uint32_t{HRBFNPR_LINE_KIND_CONTOUR});
+    EXPECT_EQ(lines[1].kind, std::uint32_t{HRBFNPR_LINE_KIND_SUGGESTIVE_CONTOUR});
+    EXPECT_EQ(lines[2].kind, std::uint32_t{HRBFNPR_LINE_KIND_RIDGE});
+    EXPECT_EQ(lines[3].axis, 0);
+    EXPECT_EQ(lines[3].planes, 7);
+    EXPECT_EQ(lines[4].levels, (Vector<double>{{0.3, -0.6}, &pool}));
+    EXPECT_EQ(lines[5].levels, (Vector<double>{{0.25, 0.5, 0.75}, &pool}));
+    EXPECT_EQ(lines[6].kind, std::uint32_t{HRBFNPR_LINE_KIND_APPARENT_RIDGE});
+    EXPECT_TRUE(parse_lines("none", pool).empty());
+    EXPECT_TRUE(parse_lines("", pool).empty());
+    EXPECT_EQ(parse_lines("sections=", pool)[0].planes, 10);
+}
+
+TEST_F(WantedLinesTest, SaysWhatWouldBeRight) {
+    EXPECT_EQ(refusal("contour,hatch"), "'hatch' is no kind of lines; there are contour, suggestive, ridges, valleys, "
+                                        "apparent, parabolic, isophotes, section, border, crease and none");
+    for (const char* const wrong : {"own", "contour,", ",contour", "Contour", "none,contour", "=", "con\xff"})
+        EXPECT_NE(refusal(wrong).find("is no kind of lines"), std::string::npos) << wrong;
+    EXPECT_EQ(refusal("section=w:3"), "'section=w:3' is not understood; write section=z:20 or isophotes=0.3:0.6");
+    for (const char* const wrong : {"section=z", "section=z:0", "section=z:-4", "section=z:2.5", "section=z:1e3",
+                                    "section=z:99999999999999999999", "section=z:4:4", "isophotes=a",
+                                    "isophotes=0.3:", "isophotes=:", "contour=3", "border=x:4"})
+        EXPECT_NE(refusal(wrong).find("is not understood"), std::string::npos) << wrong;
+    EXPECT_EQ(refusal(std::string(5000, 'x').c_str()).substr(0, 3), "'xx");
+}
+
+TEST_F(WantedLinesTest, AStyleHasLinesThatAreFoundOnce) {
+    PlannedCall find(HRBFNPR_PRESET_ARCHAEOLOGICAL);
+    const Call call = find.call();
+    const Style style(HRBFNPR_PRESET_ARCHAEOLOGICAL, pool);
+    const auto lines = wanted_lines(call, style, true);
+    ASSERT_EQ(lines.size(), 1U);
+    EXPECT_EQ(lines[0].kind, std::uint32_t{HRBFNPR_LINE_KIND_RIDGE});
+    const Style blueprint(HRBFNPR_PRESET_BLUEPRINT, pool);
+    EXPECT_TRUE(wanted_lines(call, blueprint, false).empty());
+    const auto creases = wanted_lines(call, blueprint, true);
+    ASSERT_EQ(creases.size(), 1U);
+    EXPECT_EQ(creases[0].kind, std::uint32_t{HRBFNPR_LINE_KIND_CREASE});
+    find.desc.lines = "valleys";
+    const Call asked = find.call();
+    EXPECT_EQ(wanted_lines(asked, style, true)[0].kind, std::uint32_t{HRBFNPR_LINE_KIND_VALLEY});
+    find.desc.lines = "none";
+    const Call nothing = find.call();
+    EXPECT_TRUE(wanted_lines(nothing, style, true).empty());
+}
+
+TEST_F(WantedLinesTest, LinesAreSizedByThePen) {
+    PlannedCall plain(HRBFNPR_PRESET_CONTOUR_AND_STIPPLE);
+    const Call call = plain.call();
+    Style style(HRBFNPR_PRESET_CONTOUR_AND_STIPPLE, pool);
+    size_lines(call, style, 2.0, true);
+    ASSERT_EQ(style.lines.size(), 3U); // contour, crease, and the border of a surface that ends
+    EXPECT_FLOAT_EQ(style.lines[0].width, 4.4F);
+    EXPECT_FLOAT_EQ(style.lines[0].taper, 24.0F);
+    EXPECT_EQ(style.lines[2].kind, std::uint32_t{HRBFNPR_LINE_KIND_BORDER});
+    EXPECT_FLOAT_EQ(style.lines[2].width, 4.4F);
+    EXPECT_EQ(style.lines[2].taper, 0.0F);
+    plain.desc.line_width = 3.0;
+    const Call wider = plain.call();
+    Style wide(HRBFNPR_PRESET_CONTOUR_AND_STIPPLE, pool);
+    size_lines(wider, wide, 2.0, false);
+    ASSERT_EQ(wide.lines.size(), 2U);
+    EXPECT_FLOAT_EQ(wide.lines[0].width, 3.0F);
+    EXPECT_FLOAT_EQ(wide.lines[1].width, 1.9090908765792847F);
+}
+
+TEST_F(WantedLinesTest, LinesThatAreAskedForReplaceThoseOfTheStyle) {
+    PlannedCall asked(HRBFNPR_PRESET_XRAY);
+    asked.desc.lines = "crease,isophotes=0.2,section";
+    const Call call = asked.call();
+    Style style(HRBFNPR_PRESET_XRAY, pool);
+    const hrbfnpr_line_style contour = style.lines[0];
+    size_lines(call, style, 1.0, true);
+    ASSERT_EQ(style.lines.size(), 4U);
+    EXPECT_EQ(style.lines[0].kind, std::uint32_t{HRBFNPR_LINE_KIND_CREASE});
+    EXPECT_EQ(style.lines[0].width, contour.width);
+    EXPECT_EQ(style.lines[0].hidden, contour.hidden);
+    EXPECT_EQ(style.lines[1].kind, std::uint32_t{HRBFNPR_LINE_KIND_OWN});
+    EXPECT_STREQ(style.lines[1].name, "crease");
+    EXPECT_FLOAT_EQ(style.lines[2].width, 0.6F * contour.width);
+    EXPECT_EQ(style.lines[2].taper, contour.taper);
+    EXPECT_EQ(static_cast<const double*>(style.lines[2].levels.data)[0], 0.2);
+    EXPECT_EQ(style.lines[3].taper, 0.0F);
+    EXPECT_TRUE(needs_curvature(style));
+    style.lines.pop_back();
+    style.lines.pop_back();
+    EXPECT_FALSE(needs_curvature(style));
+}
+
+TEST_F(WantedLinesTest, ContoursOfMarksReplaceLines) {
+    PlannedCall by_marks(HRBFNPR_PRESET_XRAY);
+    by_marks.change("style.silhouette_width", "2");
+    const Call call = by_marks.call();
+    Style style(HRBFNPR_PRESET_XRAY, pool);
+    size_lines(call, style, 1.0, true);
+    EXPECT_TRUE(style.lines.empty());
+    by_marks.desc.lines = "contour";
+    const Call both = by_marks.call();
+    Style lines(HRBFNPR_PRESET_XRAY, pool);
+    size_lines(both, lines, 1.0, true);
+    EXPECT_EQ(lines.lines.size(), 1U);
+}
+
+} // namespace
+} // namespace picture_tests::wanted_lines_test
