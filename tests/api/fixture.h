@@ -31,8 +31,10 @@ using hrbfnpr::test::Mesh;
 using hrbfnpr::test::Model;
 using hrbfnpr::test::one_layer;
 using hrbfnpr::test::Operation;
+using hrbfnpr::test::Picture;
 using hrbfnpr::test::PointSet;
 using hrbfnpr::test::Renderer;
+using hrbfnpr::test::Settings;
 using hrbfnpr::test::Watcher;
 
 // An error record, and what a call said in it.

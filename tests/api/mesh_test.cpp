@@ -272,6 +272,11 @@ std::vector<std::string> warnings_of(const Triangles& parts, std::uint32_t edges
     EXPECT_OK(hrbfnpr_model_fit_mesh(mesh.get(), &fit, nullptr, &info, nullptr, &raw, error));
     EXPECT_EQ(info.sheets > 1, edges == HRBFNPR_EDGES_SHARP);
     Model(raw).reset();
+    // The same as data.
+    const bool is_told = !messages.empty() && messages[0].find("mesh fit: parts ") == 0;
+    EXPECT_EQ(info.touching_parts[0], is_told ? 0 : -1);
+    EXPECT_EQ(info.touching_parts[1], is_told ? 1 : -1);
+    EXPECT_EQ(info.parts_may_cross != 0, is_told && messages[0].find("cross or are nearer") != std::string::npos);
     return messages;
 }
 

@@ -7,6 +7,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -76,7 +77,7 @@ TEST_F(MeshSurface, DividesACoarseBall) {
     ASSERT_EQ(notes().size(), 1U);
     EXPECT_EQ(notes()[0],
               "the faces are coarse, 0.83% of the diagonal off something round: divided 1 time, vertices moved "
-              "by at most 0.13%, what lies between them by 1.29% (--subdivide 0 leaves them)");
+              "by at most 0.01%, what lies between them by 1.29% (--subdivide 0 leaves them)");
     const Note divided = note(HRBFNPR_NOTE_DIVIDED);
     ASSERT_EQ(divided.figure_count, 4U);
     EXPECT_EQ(divided.figures[0], 1.0);
@@ -91,6 +92,7 @@ TEST_F(MeshSurface, DividesACoarseBall) {
 }
 
 TEST_F(MeshSurface, LeavesWhatIsNotToBeDivided) {
+    planned.desc.flags = HRBFNPR_PICTURE_CLOSE;
     planned.desc.tolerance = 0.1;
     planned.desc.subdivide = 0;
     EXPECT_EQ(surfaces(test::icosphere(1))[0].shape->triangles.size(), 80U);
@@ -104,6 +106,7 @@ TEST_F(MeshSurface, LeavesWhatIsNotToBeDivided) {
 }
 
 TEST_F(MeshSurface, DividesAsOftenAsItIsTold) {
+    planned.desc.flags = HRBFNPR_PICTURE_CLOSE;
     planned.desc.tolerance = 0.1;
     planned.desc.subdivide = 1;
     EXPECT_EQ(surfaces(test::box(1, 1, 1, 1))[0].shape->triangles.size(), 48U);
@@ -115,6 +118,7 @@ TEST_F(MeshSurface, DividesAsOftenAsItIsTold) {
 }
 
 TEST_F(MeshSurface, GoesByTheSharpEdgesOfAFile) {
+    planned.desc.flags = HRBFNPR_PICTURE_CLOSE;
     planned.desc.tolerance = 0.02;
     Shape ball = shape_of(test::icosphere(1), planned.pool);
     ball.has_sharp_edges = true;
@@ -126,8 +130,9 @@ TEST_F(MeshSurface, GoesByTheSharpEdgesOfAFile) {
 
 TEST_F(MeshSurface, PartsThatCrossAreSurfaces) {
     planned.desc.tolerance = 0.1;
-    const test::Triangles pipes = pipe().with(pipe_across());
-    const Vector<Surface> two = surfaces(pipes);
+    const test::Triangles walls =
+        wall({0, 0, 0}, {1, 0, 0.6}, {0, 1, 0}, 6).with(wall({0, 0.1, 0.6}, {1, 0, -0.6}, {0, 1, 0}, 6));
+    const Vector<Surface> two = surfaces(walls);
     ASSERT_EQ(two.size(), 2U);
     for (const Surface& one : two) EXPECT_EQ(one.shape->triangles.size(), info_of(one.mesh).faces);
     EXPECT_THAT(notes(),
@@ -140,8 +145,8 @@ TEST_F(MeshSurface, PartsThatCrossAreSurfaces) {
         return count;
     };
     EXPECT_EQ(fits(), 2);
-    planned.desc.flags = HRBFNPR_PICTURE_TOGETHER;
-    const Vector<Surface> one = surfaces(pipes);
+    planned.desc.flags = HRBFNPR_PICTURE_TOGETHER | HRBFNPR_PICTURE_CLOSE;
+    const Vector<Surface> one = surfaces(walls);
     ASSERT_EQ(one.size(), 1U);
     EXPECT_EQ(fits(), 1);
     EXPECT_EQ(note(HRBFNPR_NOTE_GROUPS).code, 0U);
@@ -157,31 +162,38 @@ TEST_F(MeshSurface, PartsThatCrossAreSurfaces) {
                                 "cross (--tolerance)"));
 }
 
-TEST_F(MeshSurface, OfSeveralSourcesAndPlatesIsOneSurface) {
-    planned.desc.tolerance = 0.1;
-    const test::Triangles pipes = pipe().with(pipe_across());
-    planned.desc.profile = HRBFNPR_PROFILE_YES;
-    EXPECT_EQ(surfaces(pipes).size(), 1U);
-    planned.desc.profile = HRBFNPR_PROFILE_AUTO;
-    planned.desc.scale_bar = "none";
-    EXPECT_EQ(surfaces(pipes).size(), 1U);
-}
-
 TEST_F(MeshSurface, TurnsAnInsideOutMesh) {
+    planned.desc.flags = HRBFNPR_PICTURE_CLOSE;
     planned.desc.tolerance = 0.1;
     planned.desc.subdivide = 0;
     EXPECT_EQ(info_of(surfaces(test::icosphere(1).turned())[0].mesh).turned_components, 1);
     EXPECT_THAT(notes(), ElementsAre("the mesh was inside out: its faces are turned"));
-    // A bowl that looks inward has no closed part that the library could turn.
-    const auto lower = [](double, double, double z) { return z < 0.7; };
-    const Vector<Surface> bowl = surfaces(test::icosphere(3).where(lower).turned());
-    EXPECT_THAT(notes(), Contains("all normals looked inward: they are turned (--normals keep leaves them)"));
+}
+
+TEST_F(MeshSurface, TurnsATerrainThatLooksDown) {
+    planned.desc.tolerance = 0.1;
+    planned.desc.flags = HRBFNPR_PICTURE_CLOSE;
+    test::Triangles terrain = wall({0, 0, 0}, {1, 0, 0}, {0, 1, 0});
+    for (std::size_t i = 0; i < terrain.vertices.size(); i += 3)
+        terrain.vertices[i + 2] = 0.05 * std::sin(6.0 * terrain.vertices[i]) * std::cos(5.0 * terrain.vertices[i + 1]);
+    const auto height_of_first_face = [&](const Surface& of) {
+        const Triangle face = triangles_of(of.mesh, planned.pool).front();
+        return doubled_area_of(vertices_of(of.mesh, planned.pool), face).z;
+    };
+    const Vector<Surface> turned = surfaces(terrain.turned());
+    EXPECT_THAT(notes(),
+                Contains("the surface is a terrain that looked down along z: its normals are turned (--normals "
+                         "keep leaves them)"));
+    EXPECT_EQ(note(HRBFNPR_NOTE_TERRAIN_TURNED).figures[0], 2.0);
+    EXPECT_GT(height_of_first_face(turned[0]), 0.0);
     planned.desc.normals = HRBFNPR_NORMALS_GIVEN;
-    static_cast<void>(surfaces(test::icosphere(3).where(lower).turned()));
-    EXPECT_THAT(notes(), Not(Contains(HasSubstr("inward"))));
+    const Vector<Surface> kept = surfaces(terrain.turned());
+    EXPECT_THAT(notes(), Not(Contains(HasSubstr("looked down"))));
+    EXPECT_LT(height_of_first_face(kept[0]), 0.0);
 }
 
 TEST_F(MeshSurface, LeavesOutWhatIsLost) {
+    planned.desc.flags = HRBFNPR_PICTURE_CLOSE;
     planned.desc.tolerance = 0.1;
     test::Triangles mesh = test::icosphere(3);
     const std::int32_t a = mesh.add(60, 0, 0), b = mesh.add(60, 0.05, 0), c = mesh.add(60, 0, 0.05);
@@ -205,21 +217,26 @@ TEST_F(MeshSurface, TakesAsManySamplesAsItIsTold) {
 }
 
 TEST_F(MeshSurface, FitsSamplesWhereOnlyThatHasTheOption) {
+    const auto chooses = [&] { return surfaces(test::icosphere(1))[0].fit.has_value(); };
     planned.desc.subdivide = 0;
     planned.desc.tolerance = 0.1;
-    EXPECT_TRUE(surfaces(test::icosphere(1))[0].fit);
-    planned.desc.flags = HRBFNPR_PICTURE_FLIP;
+    planned.desc.flags = HRBFNPR_PICTURE_CLOSE;
+    EXPECT_TRUE(chooses());
+    planned.desc.flags |= HRBFNPR_PICTURE_FLIP;
     planned.desc.tolerance = 0.0;
     planned.desc.samples = 60;
-    EXPECT_FALSE(surfaces(test::icosphere(1))[0].fit);
-    planned.desc.flags = 0;
+    EXPECT_FALSE(chooses());
+    planned.desc.flags = HRBFNPR_PICTURE_CLOSE;
+    EXPECT_FALSE(chooses());
     planned.desc.samples = 0;
+    planned.desc.maximum_centres = 100;
     planned.change("fit.outliers", "drop");
-    EXPECT_FALSE(surfaces(test::icosphere(1))[0].fit);
+    EXPECT_FALSE(chooses());
     EXPECT_EQ(stages()[1], "2: 1000 samples");
 }
 
 TEST_F(MeshSurface, TellsOfATooSmallTolerance) {
+    planned.desc.flags = HRBFNPR_PICTURE_CLOSE;
     planned.desc.maximum_centres = 20;
     planned.desc.subdivide = 0;
     static_cast<void>(surfaces(test::torus(24, 12, 0.4)));

@@ -20,6 +20,8 @@ struct Release {
     void operator()(const hrbfnpr_mesh* handle) const { hrbfnpr_mesh_release(handle); }
     void operator()(hrbfnpr_renderer* handle) const { hrbfnpr_renderer_release(handle); }
     void operator()(const hrbfnpr_drawing* handle) const { hrbfnpr_drawing_release(handle); }
+    void operator()(hrbfnpr_picture* handle) const { hrbfnpr_picture_release(handle); }
+    void operator()(const hrbfnpr_settings* handle) const { hrbfnpr_settings_release(handle); }
 };
 
 using Context = std::unique_ptr<hrbfnpr_context, Release>;
@@ -30,6 +32,8 @@ using LineSet = std::unique_ptr<hrbfnpr_line_set, Release>;
 using Mesh = std::unique_ptr<hrbfnpr_mesh, Release>;
 using Renderer = std::unique_ptr<hrbfnpr_renderer, Release>;
 using Drawing = std::unique_ptr<hrbfnpr_drawing, Release>;
+using Picture = std::unique_ptr<hrbfnpr_picture, Release>;
+using Settings = std::unique_ptr<hrbfnpr_settings, Release>;
 
 // A call's error record that throws in words.
 class Check {

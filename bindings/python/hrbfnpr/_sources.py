@@ -99,13 +99,13 @@ def _solid(path: Path, options: Options, context: Context, report: Reporter) -> 
 
 def scene_of(
     source: Any, style: Any, options: Options, camera: Optional[Camera], context: Optional[Context], report: Reporter,
-    **more: Any,
+    is_script: bool = False, **more: Any,
 ) -> Scene:  # fmt: skip
     """What is drawn of a source; `more` as in `Scene.create`."""
     context = Context() if context is None else context
     if isinstance(source, (str, os.PathLike)):
         path = Path(source)
-        content, name, file = read(path, options, context, report), path.name, os.fspath(source)
+        content, name, file = read(path, options, context, report, is_script), path.name, os.fspath(source)
     else:
         content, name, file = source, name_of(source), None
         if not isinstance(source, (Model, PointSet)):

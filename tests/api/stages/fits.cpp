@@ -75,6 +75,7 @@ std::vector<Stage> Stages::all() {
     add_frames(stages);
     add_readers(stages);
     add_pages(stages);
+    add_pictures(stages);
     return stages;
 }
 

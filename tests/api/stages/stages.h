@@ -31,6 +31,7 @@ private:
     void add_frames(std::vector<Stage>& stages);
     void add_readers(std::vector<Stage>& stages);
     void add_pages(std::vector<Stage>& stages);
+    void add_pictures(std::vector<Stage>& stages);
 
     void add_fit(std::vector<Stage>& stages, const char* name, const hrbfnpr_fit_desc& desc);
     static void add_mesh_fit(std::vector<Stage>& stages, const char* name, const Mesh& mesh, std::uint32_t edges);
@@ -39,6 +40,11 @@ private:
     void add_frame(std::vector<Stage>& stages, const std::string& name, const hrbfnpr_style& style, bool lines,
                    std::uint32_t sides = HRBFNPR_SIDES_FRONT);
     void add_page(std::vector<Stage>& stages, const char* name, std::uint32_t format, std::uint32_t flags);
+    // A picture of one source: it is made, drawn, and read as an image.  `picture` refers to arrays that live as long
+    // as the stages.
+    void add_picture(std::vector<Stage>& stages, const char* name, const hrbfnpr_picture_source& source,
+                     std::uint32_t preset);
+    [[nodiscard]] hrbfnpr_picture_desc picture_desc() const;
 
     [[nodiscard]] hrbfnpr_camera camera() const;
     [[nodiscard]] const hrbfnpr_drawing* drawing();
@@ -58,6 +64,9 @@ private:
     Mesh mesh_, solid_;
     Renderer renderer_;
     Drawing drawing_;
+    std::array<hrbfnpr_change, 3> changes_{};
+    Picture picture_;
+    Drawing picture_drawing_;
 };
 
 } // namespace api_test

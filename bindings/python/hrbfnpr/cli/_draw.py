@@ -1,16 +1,24 @@
 # SPDX-License-Identifier: MIT
-"""The command draw: what is drawn goes to files."""
+"""The commands draw and csg: what is drawn goes to files."""
 from __future__ import annotations
 
 from pathlib import Path
 from typing import Any, List
 
+from .. import _pictures
 from .._context import Context
 from .._model import Model
-from .._scene import Scene, draw_scene, set_scene
-from . import _lines, _settings_use
-from ._inputs import Loaded
+from .._options import OPTIONS
+from .._page import format_of
+from .._request import Options
+from .._scene import Scene, Settings
+from .._sources import scene_of
+from .._values import words_of
+from ._outputs import UsageError, check_all
 from ._progress import Reporter
+
+DEFAULT_STYLE = "contour-and-stipple"
+_OF_ONE = ("save_model", "save_points", "save_settings", "settings")  # what is made of one surface
 
 
 def outputs_of(arguments: Any) -> List[Path]:
@@ -19,31 +27,56 @@ def outputs_of(arguments: Any) -> List[Path]:
             *(Path(path) for path in arguments.also)]  # fmt: skip
 
 
-def draw(arguments: Any, loaded: Loaded, context: Context, report: Reporter) -> None:
+def draw(arguments: Any, options: Options, context: Context, report: Reporter) -> None:
     """Draw a model or a point set and write the picture."""
     outputs = outputs_of(arguments)
-    scene = set_scene(arguments, loaded, context, report)
-    drawing = draw_scene(scene, report)
+    check_all(arguments, outputs)
+    settings = None if not arguments.settings else read_settings(arguments.settings, context)
+    unused = [f"--{row.name.replace('_', '-')}" for row in OPTIONS if row.group == "vectors" and row.name in options]
+    if unused and not any(map(format_of, outputs)):
+        raise UsageError(f"{', '.join(unused)} is of vectors, and no file is: name one that ends in .svg, .pdf, .hpgl or "
+                         ".gcode")  # fmt: skip
+    flags = ["TOGETHER"] if any(getattr(arguments, name) for name in _OF_ONE) else []
+    flags += ["KEEP_MARKS"] if arguments.save_points else []
+    scene = scene_of(
+        arguments.input, style_of(arguments), options, None, context, report, flags=flags, settings=settings,
+        is_script=arguments.command == "csg",
+    )  # fmt: skip
+    drawing, camera = scene.draw(report=report), scene.camera
     with report.stage("write", "writing") as stage:
         for path in outputs:
-            scene.write(path, drawing, scene.camera, report)
+            if format_of(path) is not None:
+                scene.write(path, drawing, camera, report)
+            else:
+                _pictures.save(_pictures.to_pil(scene.image(drawing, camera)), path, None)
         stage.says = ", ".join(map(str, outputs)) + _save(arguments, scene)
         if arguments.save_settings:
-            lost = _settings_use.save(Path(arguments.save_settings), arguments, scene)
+            scene.write_settings(arguments.save_settings, report)
             stage.says += f", {arguments.save_settings}"
-            if lost:
-                report.note(f"settings do not hold {', '.join(lost)}: give them again with --settings")
-    for doubt in _lines.doubts(drawing.info):
-        report.warn(doubt)
-    width, height = scene.camera.size
-    report.summary(f"{outputs[0]}: {width} x {height} pixels, {scene.mark_count} marks")
+    width, height = camera.size
+    report.summary(f"{outputs[0]}: {width} x {height} pixels, {scene.info.marks} marks")
+
+
+def style_of(arguments: Any) -> Any:
+    """The name asked for; None for that of the settings."""
+    if arguments.style is None and not getattr(arguments, "settings", None):
+        return DEFAULT_STYLE
+    return arguments.style
+
+
+def read_settings(path: str, context: Context) -> Settings:
+    """Those of a file, which errors name."""
+    try:
+        return Settings(path, context)
+    except ValueError as error:
+        raise ValueError(f"{path}: {words_of(error)}") from None
 
 
 def _save(arguments: Any, scene: Scene) -> str:
     """The other files that are wanted, in words."""
     model, points = arguments.save_model, arguments.save_points
-    if isinstance(scene.source, Model) and model:
-        scene.source.save(model)
+    if isinstance(scene.model, Model) and model:
+        scene.model.save(model)
     if points:
-        scene.marks.save(points)
+        scene.parts[0].marks.save(points)  # type: ignore[union-attr]
     return "".join(f", {path}" for path in (model, points) if path)

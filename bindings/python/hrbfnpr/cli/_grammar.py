@@ -11,7 +11,7 @@ from .. import __version__
 from .. import _values as values
 from .._names import PRESETS
 from .._options import OPTIONS, Option
-from .._request import Options
+from .._request import BY_NAME, Options
 from ..shapes._read import READ
 
 DEFAULT_STYLE = "contour-and-stipple"
@@ -47,7 +47,8 @@ class Parser(argparse.ArgumentParser):
 def options_of(arguments: Any) -> Options:
     """The options of a drawing that were given."""
     found = {row.name: getattr(arguments, f"option_{row.name}", None) for row in OPTIONS}
-    return {name: value for name, value in found.items() if value not in (None, False, [])}
+    return {name: value.replace("-", "_") if BY_NAME[name].choices else value for name, value in found.items()
+            if value is not None and value is not False and value != []}  # fmt: skip
 
 
 def _add_option(group: Any, row: Option) -> None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
+import importlib
 import json
 import os
 import sys
@@ -14,21 +15,15 @@ import numpy as np
 
 from .._context import Context, build_info
 from .._errors import Error, OutOfMemoryError
-from .._layer import Layer
 from .._model import Model
 from .._point_set import PointSet
-from ._blank import BlankError
+from .._scene import BlankError
+from .._sources import load_saved
+from .._values import words_of
 from ._clock import process_start
-from ._inputs import Loaded, load, load_saved
-from ._options import build
-from ._outputs import check as check_output
-from ._outputs import check_all, check_drawing, check_picture, check_saved
+from ._grammar import build, options_of
+from ._outputs import UsageError
 from ._progress import Reporter
-from ._values import words_of
-
-
-class UsageError(Exception):
-    """Options that do not go together; exit code 2."""
 
 
 def main(argv: Optional[List[str]] = None) -> int:
@@ -72,104 +67,25 @@ def _fail(message: str, code: int) -> int:
 
 
 def _run(arguments: Any, report: Reporter) -> int:
-    context = Context(arguments.threads or 0, log=report.logged, log_level="warning")
-    commands = {"draw": _draw, "csg": _draw, "turntable": _turntable, "sheet": _sheet, "sheet-views": _sheet_views,
-                "fit": _fit, "points": _points, "info": _info, "check": _check}  # fmt: skip
+    context = Context(arguments.threads or 0)
+    if arguments.command in ("info", "check"):
+        return {"info": _info, "check": _check}[arguments.command](arguments, context)
     with np.errstate(all="ignore"):  # what comes of odd numbers is said in words
-        return commands[arguments.command](arguments, context, report) or 0
+        _command(arguments.command)(arguments, options_of(arguments), context, report)
+    return 0
 
 
-def _load(arguments: Any, context: Context, report: Reporter) -> Loaded:
-    path = Path(arguments.input)
-    try:
-        return load(path, arguments, context, report)
-    except (Error, ValueError) as error:
-        if isinstance(error, (OutOfMemoryError,)):
-            raise
-        raise ValueError(f"{path}: {words_of(error)}") from error
+def _command(name: str) -> Any:
+    """What runs it: read when it is asked for, as starting takes long enough."""
+    module, function = {
+        "draw": ("_draw", "draw"), "csg": ("_draw", "draw"), "turntable": ("_turntable", "turn"),
+        "sheet": ("_sheet", "draw_sheet"), "sheet-views": ("_surfaces", "views"), "fit": ("_surfaces", "fit"),
+        "points": ("_surfaces", "points"),
+    }[name]  # fmt: skip
+    return getattr(importlib.import_module(f".{module}", __package__), function)
 
 
-def _draw(arguments: Any, context: Context, report: Reporter) -> None:
-    from ._draw import draw, outputs_of
-    from ._settings_use import apply
-    from ._vectors import given, is_vector
-
-    outputs = outputs_of(arguments)
-    check_all(arguments, outputs)
-    if arguments.settings:
-        apply(arguments)
-    if not any(is_vector(path) for path in outputs) and (unused := given(arguments)):
-        raise UsageError(f"{', '.join(unused)} is of vectors, and no file is: name one that ends in .svg, .pdf, .hpgl or "
-                         ".gcode")  # fmt: skip
-    draw(arguments, _load(arguments, context, report), context, report)
-
-
-def _turntable(arguments: Any, context: Context, report: Reporter) -> None:
-    from .._movies import check_movie
-    from ._turntable import output_of, turn
-
-    output = output_of(arguments)
-    check_movie(output, arguments.fps)
-    check_output(output)
-    turn(arguments, output, _load(arguments, context, report), context, report)
-
-
-def _sheet(arguments: Any, context: Context, report: Reporter) -> None:
-    from ._sheet import draw_sheet, output_of
-
-    output = output_of(arguments)
-    check_picture(output)
-    loaded = _load(arguments, context, report)
-    if not isinstance(loaded.content, Model):
-        raise UsageError(f"{arguments.input} holds a point set; a sheet is drawn of samples or of a model")
-    arguments.up, arguments.input_shape = loaded.up, loaded.shape
-    arguments.has_end = isinstance(loaded.content, Model) and loaded.content.trim_info.is_trimmed
-    draw_sheet(arguments, output, loaded.content, context, report)
-
-
-def _sheet_views(arguments: Any, context: Context, report: Reporter) -> None:
-    from ._sheet_views import draw_views, output_of
-
-    output = output_of(arguments)
-    check_drawing(output)
-    loaded = _load(arguments, context, report)
-    if not isinstance(loaded.content, Model):
-        raise UsageError(f"{arguments.input} holds a point set; views are drawn of samples or of a model")
-    draw_views(arguments, output, loaded, loaded.content, context, report)
-
-
-def _fit(arguments: Any, context: Context, report: Reporter) -> None:
-    check_saved(arguments.output, "model")
-    model = _load(arguments, context, report).content
-    if not isinstance(model, Model):
-        raise UsageError(f"{arguments.input} holds a point set; a model is fitted to samples")
-    with report.stage("write", "writing") as stage:
-        model.save(arguments.output)
-        stage.says = arguments.output
-    report.summary(f"{arguments.output}: {model.info.centres} centres, {model.info.kernel}")
-
-
-def _points(arguments: Any, context: Context, report: Reporter) -> None:
-    from .._scene import generate, make_layers
-
-    check_saved(arguments.output, "point set", ".ply")
-    model = _load(arguments, context, report).content
-    if not isinstance(model, Model):
-        raise UsageError(f"{arguments.input} holds a point set already")
-    layers = [Layer(kind) for kind in arguments.layers or ("stipples",)]
-    marks = generate(arguments, model, make_layers(arguments, layers), context, report)
-    with report.stage("write", "writing") as stage:
-        if arguments.output.lower().endswith(".ply"):
-            from ._ply import write_ply
-
-            write_ply(arguments.output, marks)
-        else:
-            marks.save(arguments.output)
-        stage.says = arguments.output
-    report.summary(f"{arguments.output}: {len(marks)} marks")
-
-
-def _check(arguments: Any, context: Context, report: Reporter) -> int:
+def _check(arguments: Any, context: Context) -> int:
     from ._check import check
 
     return check(Path(arguments.input), arguments.json, context)
@@ -198,7 +114,7 @@ def _describe(path: Path, context: Context) -> Dict[str, Any]:
     }
 
 
-def _info(arguments: Any, context: Context, report: Reporter) -> None:
+def _info(arguments: Any, context: Context) -> int:
     if arguments.input is None:
         facts = {**build_info(), **dataclasses.asdict(context.info)}
     else:
@@ -210,6 +126,7 @@ def _info(arguments: Any, context: Context, report: Reporter) -> None:
         print(json.dumps(facts, indent=2))
     else:
         _print_facts(facts, "")
+    return 0
 
 
 def _print_facts(facts: Dict[str, Any], indent: str) -> None:

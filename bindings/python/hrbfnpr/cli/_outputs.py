@@ -9,6 +9,11 @@ from typing import Any, Optional, Sequence, Union
 from .. import _page, _pictures
 from ..shapes._read import ENDINGS
 
+
+class UsageError(Exception):
+    """Options that do not go together; exit code 2."""
+
+
 _SAVED = {"model": ".hrbf", "point set": ".hrbm"}
 
 

@@ -2,30 +2,32 @@
 """A contact sheet: one model in many styles."""
 from __future__ import annotations
 
-import argparse
 import math
 from pathlib import Path
-from typing import Any, Dict, List, NamedTuple, Tuple
+from typing import Any, List, NamedTuple, Tuple
 
-from .. import _pictures, _scene
-from .._camera import Camera
+from .. import _pictures
 from .._context import Context
-from .._model import Model
 from .._names import PRESETS
-from .._renderer import Item, Renderer
-from . import _automatic, _blank, _lines
-from ._progress import Reporter
-from ._values import VIEWS
+from .._request import Options
+from .._scene import BlankError, Scene
+from .._sources import scene_of
+from ._grammar import VIEWS
+from ._outputs import UsageError, check_picture
+from ._progress import Part, Reporter
 
 SIZE = 640  # longer side of each drawing
 _PAPER, _INK, _FRAME = (255, 255, 255), (0, 0, 0), (190, 190, 190)
+_NOT_TOLD = ("lines_broken", "lines_doubted", "lines_tangled")  # of so small drawings
+_VIEW = ("azimuth", "direction", "eye")
 
 
 class Cell(NamedTuple):
-    """One drawing of the sheet: its label, and the arguments that `draw` would have."""
+    """One drawing of the sheet: its label, and the style and options that `draw` would have."""
 
     label: str
-    arguments: argparse.Namespace
+    style: str
+    options: Options
 
 
 class Layout(NamedTuple):
@@ -48,75 +50,54 @@ class Layout(NamedTuple):
         return self.gap + across * (self.width + self.gap), self.gap + down * (self.height + self.text + 2 * self.gap)
 
 
-def output_of(arguments: Any) -> Path:
-    """Where the sheet goes."""
-    return Path(arguments.output_option or arguments.output or Path(arguments.input).stem + "-sheet.png")
-
-
-def cells(arguments: Any) -> List[Cell]:
+def cells(arguments: Any, options: Options) -> List[Cell]:
     """All drawings, style by style."""
     result = []
-    for style in arguments.styles or PRESETS:
-        given = {**vars(arguments), "style": style, "size": arguments.size or SIZE}
+    given = {"size": SIZE, **options}
+    if not any(name in options for name in _VIEW):
+        given["azimuth"] = 30.0  # not the front of an open surface: all cells are seen from one side
+    for style in arguments.styles or (arguments.style,) if arguments.style else PRESETS:
         if arguments.views is None:
-            result.append(Cell(style, argparse.Namespace(**given)))
+            result.append(Cell(style, style, given))
         for view in arguments.views or ():
-            given["azimuth"], given["elevation"] = VIEWS[view]
-            result.append(Cell(f"{style}, {view}", argparse.Namespace(**given)))
+            azimuth, elevation = VIEWS[view]
+            result.append(Cell(f"{style}, {view}", style, {**given, "azimuth": azimuth, "elevation": elevation}))
     return result
 
 
-class _Artist:
-    """Draws cell by cell; marks and lines are made once for all that want the same."""
+class _First(Part):
+    """Of the first cell, which the surface is made with: what is said of this is said of the file."""
 
-    def __init__(self, model: Model, context: Context, report: Reporter) -> None:
-        self._model, self._context, self._report = model, context, report
-        known = _automatic.probe(model, context)
-        self._places, self._area = _automatic.positions(known), _scene.area_of(known)
-        self._renderer = Renderer(context=context)
-        self._marks: List[Tuple[Any, Any]] = []
-        self._lines: Dict[Any, Any] = {}
+    def take_note(self, note: Any) -> None:
+        if note.code in ("marks_limited", "levels_limited"):
+            super().take_note(note)
+        else:
+            self._whole.take_note(note)
+            self.failure = self._whole.failure
 
-    def camera(self, cell: Cell) -> Camera:
-        return _scene.make_camera(cell.arguments, self._model, self._places)
+    def begin(self, doing: str) -> Any:
+        return self._whole.begin(doing)
 
-    def draw(self, cell: Cell) -> Any:
-        """A PIL.Image, the same as `draw` makes."""
-        camera = self.camera(cell)
-        about = self._report.without_bars(cell.label)
-        style, layers = _scene.plan(cell.arguments, self._model, self._area, camera, about)
-        marks, line_set = self._marks_of(cell, layers), self._lines_of(cell, style, camera)
-        sides = _scene.sides_of(cell.arguments, self._model)
-        drawing = self._renderer.draw(Item(marks, style, line_set=line_set, sides=sides), camera)
-        try:
-            _blank.check(drawing, self._model, camera, style, cell.arguments.flip)
-        except _blank.BlankError as error:  # the others may be worth having
-            about.warn(str(error))
-        if not _scene.is_plate(cell.arguments):
-            return drawing.to_pil()
-        return _scene.plate(
-            cell.arguments, drawing, self._model, marks, line_set, camera, style, self._context
-        ).convert("RGBA")
+    def end(self, stage: Any, name: str, seconds: float) -> None:
+        if name in ("place marks", "trace lines"):
+            self._whole.drop(stage)
+        else:
+            self._whole.end(stage, name, seconds)
 
-    def _marks_of(self, cell: Cell, layers: Any) -> Any:
-        for wanted, marks in self._marks:
-            if wanted == layers:
-                return marks
-        marks = _scene.generate(cell.arguments, self._model, layers, self._context, self._report)
-        self._marks.append((layers, marks))
-        return marks
+    def drop(self, stage: Any) -> None:
+        self._whole.drop(stage)
 
-    def _lines_of(self, cell: Cell, style: Any, camera: Camera) -> Any:
-        more = _scene.section_lines(cell.arguments, self._model, camera)
-        if more:  # of this camera alone
-            return _lines.make(cell.arguments, self._model, style, self._context, self._report, more)
-        if not style.lines or style.visibility == "published":
-            return None
-        # Lines with curvatures serve styles that do not want them, too, but their mesh may be finer.
-        key = _lines.needs_curvature(style), tuple(_lines.wanted_lines(cell.arguments, style))
-        if key not in self._lines:
-            self._lines[key] = _lines.make(cell.arguments, self._model, style, self._context, self._report)
-        return self._lines[key]
+
+def _drawn(scene: Scene, report: Any) -> Any:
+    """A PIL.Image, the same as `draw` makes; one that is blank is warned of, as the others may be worth having."""
+    try:
+        drawing = scene.draw(report=report)
+    except BlankError as error:
+        report.failure.severity = "warning"
+        report.take_note(report.failure)
+        drawing = scene.draw(scene.camera)
+        del error
+    return _pictures.to_pil(scene.image(drawing, scene.camera))
 
 
 def _label(text: str, height: int, width: int) -> Any:
@@ -155,16 +136,23 @@ def _compose(layout: Layout, pictures: List[Any], labels: List[Any]) -> Any:
     return sheet
 
 
-def draw_sheet(arguments: Any, output: Path, model: Model, context: Context, report: Reporter) -> None:
+def draw_sheet(arguments: Any, options: Options, context: Context, report: Reporter) -> None:
     """Draw all cells and write the sheet."""
-    wanted = cells(arguments)
-    artist = _Artist(model, context, report.without_bars())
+    output = Path(arguments.output_option or arguments.output or Path(arguments.input).stem + "-sheet.png")
+    check_picture(output)
+    wanted = cells(arguments, options)
+    first = _First(report, wanted[0].label)
+    made = scene_of(arguments.input, wanted[0].style, wanted[0].options, None, context, first, flags=("TOGETHER",))
+    if made.model is None:
+        raise UsageError(f"{arguments.input} holds a point set; a sheet is drawn of samples or of a model")
     pictures = []
     with report.stage("drawings", "drawing") as stage:
         for cell in wanted:
             if stage.bar is not None:
                 stage.bar.set_description(cell.label)
-            pictures.append(artist.draw(cell))
+            about = Part(report, cell.label, _NOT_TOLD)
+            scene = made if cell is wanted[0] else made.restyled(cell.options, cell.style, about, flags=("TOGETHER",))
+            pictures.append(_drawn(scene, about))
             if stage.bar is not None:
                 stage.bar.update(1 / len(wanted))
         stage.says = f"{len(wanted)}: marks, lines and frames of each"

@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: MIT
+// Pictures: from sources to drawings in one call, and what comes out of them.
+#include "stages/stages.h"
+
+#include <array>
+#include <cstring>
+
+namespace api_test {
+namespace {
+
+constexpr std::int64_t most_refusals = 400; // of stages that ask for memory thousands of times
+
+// Room that is there before the call, so that a test's own memory is not asked for within it.
+struct Sink {
+    std::vector<char> room = std::vector<char>(std::size_t{4} << 20);
+    std::size_t used = 0;
+
+    static std::int32_t write(void* user, const void* data, std::uint64_t size) {
+        auto& self = *static_cast<Sink*>(user);
+        if (self.used + size > self.room.size()) return 1;
+        std::memcpy(self.room.data() + self.used, data, size);
+        self.used += size;
+        return 0;
+    }
+    void append_to(Bytes& bytes) {
+        room.resize(used);
+        append(bytes, room);
+    }
+};
+
+// Draws a picture and appends its plate.
+hrbfnpr_status draw(Attempt& attempt, hrbfnpr_picture* picture, Bytes& bytes, hrbfnpr_error* error) {
+    hrbfnpr_drawing* drawing = nullptr;
+    auto status = attempt([&] { return hrbfnpr_picture_draw(picture, nullptr, attempt.operation, &drawing, error); });
+    EXPECT_EQ(drawing != nullptr, status == HRBFNPR_STATUS_OK);
+    const Drawing owned(drawing);
+    if (status != HRBFNPR_STATUS_OK) return status;
+    std::int32_t width = 0, height = 0;
+    status = attempt([&] { return hrbfnpr_picture_plate_size(picture, nullptr, &width, &height, error); });
+    if (status != HRBFNPR_STATUS_OK) return status;
+    std::vector<std::uint8_t> pixels(static_cast<std::size_t>(4 * width * height));
+    auto image = made(hrbfnpr_image_init);
+    image.format = HRBFNPR_FORMAT_RGBA8;
+    image.width = width;
+    image.height = height;
+    image.pixels = pixels.data();
+    status = attempt([&] { return hrbfnpr_picture_rasterize(picture, drawing, nullptr, &image, error); });
+    if (status == HRBFNPR_STATUS_OK) append(bytes, pixels);
+    return status;
+}
+
+} // namespace
+
+hrbfnpr_picture_desc Stages::picture_desc() const {
+    auto desc = made(hrbfnpr_picture_desc_init);
+    desc.flags = HRBFNPR_PICTURE_ALLOW_BLANK;
+    desc.width = desc.height = sizes_.pixels;
+    desc.changes = changes_.data();
+    desc.change_count = static_cast<std::int64_t>(changes_.size());
+    return desc;
+}
+
+void Stages::add_picture(std::vector<Stage>& stages, const char* name, const hrbfnpr_picture_source& source,
+                         std::uint32_t preset) {
+    stages.push_back({name,
+                      [this, source, preset](Attempt& attempt, Bytes& bytes, hrbfnpr_error* error) {
+                          auto desc = picture_desc();
+                          desc.sources = &source;
+                          desc.source_count = 1;
+                          desc.preset = preset;
+                          hrbfnpr_picture* picture = nullptr;
+                          const auto status = attempt([&] {
+                              return hrbfnpr_picture_create(context_.get(), &desc, attempt.operation, &picture, error);
+                          });
+                          EXPECT_EQ(picture != nullptr, status == HRBFNPR_STATUS_OK);
+                          const Picture owned(picture);
+                          return status == HRBFNPR_STATUS_OK ? draw(attempt, picture, bytes, error) : status;
+                      },
+                      {},
+                      most_refusals});
+}
+
+void Stages::add_pictures(std::vector<Stage>& stages) {
+    constexpr std::array<std::pair<const char*, const char*>, 3> given{
+        {{"marks.layers.budget", "40"}, {"style.halo_width", "1.5"}, {"style.ink", "#203040"}}};
+    for (std::size_t i = 0; i < given.size(); ++i) {
+        changes_[i] = made(hrbfnpr_change_init);
+        changes_[i].field = given[i].first;
+        changes_[i].value = given[i].second;
+    }
+    auto points = made(hrbfnpr_picture_source_init);
+    points.points = in(samples_.points);
+    points.normals = in(samples_.normals);
+    add_picture(stages, "picture.points", points, HRBFNPR_PRESET_CONTOUR_AND_STIPPLE);
+    add_picture(stages, "picture.plate", points, HRBFNPR_PRESET_ARCHAEOLOGICAL);
+    auto bare = made(hrbfnpr_picture_source_init);
+    bare.points = in(dense_.points);
+    add_picture(stages, "picture.no_normals", bare, HRBFNPR_PRESET_STIPPLE);
+    auto mesh = made(hrbfnpr_picture_source_init);
+    mesh.points = in(triangles_.vertices);
+    mesh.triangles = {triangles_.triangles.data(), static_cast<std::int64_t>(triangles_.faces()), 0,
+                      HRBFNPR_SCALAR_INT32, 3};
+    add_picture(stages, "picture.mesh", mesh, HRBFNPR_PRESET_ENGRAVING);
+    auto model = made(hrbfnpr_picture_source_init);
+    model.model = model_.get();
+    add_picture(stages, "picture.model", model, HRBFNPR_PRESET_HATCH);
+    auto marks = made(hrbfnpr_picture_source_init);
+    marks.point_set = set_.get();
+    add_picture(stages, "picture.marks", marks, HRBFNPR_PRESET_STIPPLE);
+
+    Error error;
+    auto desc = picture_desc();
+    desc.sources = &points;
+    desc.source_count = 1;
+    hrbfnpr_picture* picture = nullptr;
+    hrbfnpr_drawing* drawing = nullptr;
+    EXPECT_OK(hrbfnpr_picture_create(context_.get(), &desc, nullptr, &picture, error));
+    picture_.reset(picture);
+    EXPECT_OK(hrbfnpr_picture_draw(picture, nullptr, nullptr, &drawing, error));
+    picture_drawing_.reset(drawing);
+    stages.push_back({"picture.restyled",
+                      [this](Attempt& attempt, Bytes& bytes, hrbfnpr_error* error) {
+                          auto restyle = picture_desc();
+                          restyle.style_name = "etching";
+                          hrbfnpr_picture* other = nullptr;
+                          const auto status = attempt([&] {
+                              return hrbfnpr_picture_restyle(picture_.get(), &restyle, attempt.operation, &other,
+                                                             error);
+                          });
+                          EXPECT_EQ(other != nullptr, status == HRBFNPR_STATUS_OK);
+                          const Picture owned(other);
+                          return status == HRBFNPR_STATUS_OK ? draw(attempt, other, bytes, error) : status;
+                      },
+                      {},
+                      most_refusals});
+    stages.push_back({"picture.page",
+                      [this](Attempt& attempt, Bytes& bytes, hrbfnpr_error* error) {
+                          auto page = made(hrbfnpr_picture_page_desc_init);
+                          page.paper = "a6";
+                          const std::array<double, 2> widths{0.2, 0.5};
+                          page.pen_widths = {widths.data(), 2, 0, HRBFNPR_SCALAR_FLOAT64, 1};
+                          Sink sink;
+                          const auto status = attempt([&] {
+                              return hrbfnpr_picture_write(picture_.get(), picture_drawing_.get(), nullptr, &page,
+                                                           Sink::write, &sink, nullptr, attempt.operation, error);
+                          });
+                          if (status == HRBFNPR_STATUS_OK) sink.append_to(bytes);
+                          return status;
+                      },
+                      {},
+                      most_refusals});
+    stages.push_back({"picture.views",
+                      [this](Attempt& attempt, Bytes& bytes, hrbfnpr_error* error) {
+                          auto views = made(hrbfnpr_views_desc_init);
+                          views.sections = "z";
+                          views.model = "stage";
+                          Sink sink;
+                          const auto status = attempt([&] {
+                              return hrbfnpr_picture_write_views(picture_.get(), &views, Sink::write, &sink, nullptr,
+                                                                 attempt.operation, error);
+                          });
+                          if (status == HRBFNPR_STATUS_OK) sink.append_to(bytes);
+                          return status;
+                      },
+                      {},
+                      most_refusals});
+    stages.push_back({"picture.settings",
+                      [this](Attempt& attempt, Bytes& bytes, hrbfnpr_error* error) {
+                          Sink sink;
+                          const auto status = attempt([&] {
+                              return hrbfnpr_picture_write_settings(picture_.get(), Sink::write, &sink, error);
+                          });
+                          if (status == HRBFNPR_STATUS_OK) sink.append_to(bytes);
+                          return status;
+                      },
+                      {}});
+}
+
+} // namespace api_test

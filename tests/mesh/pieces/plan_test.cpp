@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: MIT
+#include "mesh/pieces/plan.h"
+
+#include "mesh/meshes.h"
+#include "support/runtime.h"
+#include "support/watched_operation.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+namespace plan_test {
+
+namespace mesh = hrbfnpr::mesh;
+namespace test = hrbfnpr::test;
+using hrbfnpr::test::Triangles;
+
+namespace {
+
+struct Planned {
+    explicit Planned(const Triangles& from)
+        : runtime(test::with_threads(2)), shape(mesh_test::made(runtime, from, mesh::Parts::all)),
+          tree(runtime, shape.vertex, shape.triangle, {}),
+          known(mesh::look_for_creases(runtime, shape, mesh::default_crease_angle, {})) {}
+
+    [[nodiscard]] mesh::CreasePlan creases(mesh::Edges edges, double angle = mesh::default_crease_angle) const {
+        mesh::FitMeshSettings settings;
+        settings.edges = edges;
+        settings.crease_angle = angle;
+        return mesh::plan_creases(runtime, shape, tree, known, settings, {});
+    }
+
+    // Distances are in diagonals.
+    [[nodiscard]] mesh::EndPlan end(bool reached, double mesh_p99, double surface_most, bool has_creases) const {
+        const double diagonal = shape.bounds.diagonal();
+        mesh::FitMeshReport report;
+        report.reached = reached;
+        report.mesh.p99 = report.surface.p99 = mesh_p99 * diagonal;
+        report.surface.most = surface_most * diagonal;
+        return mesh::plan_end(shape, report, has_creases);
+    }
+
+    hrbfnpr::base::Runtime runtime;
+    mesh::Mesh shape;
+    mesh::FaceTree tree;
+    mesh::CreaseEvidence known;
+};
+
+TEST(Plan, ABallHasNoCreasesAndABoxHas) {
+    const Planned ball(test::icosphere(3));
+    EXPECT_FALSE(ball.creases(mesh::Edges::automatic).creases);
+    EXPECT_EQ(ball.creases(mesh::Edges::automatic).doubtful, 0.0);
+    const Planned box(test::box(1, 1, 1, 2));
+    const mesh::CreasePlan plan = box.creases(mesh::Edges::automatic);
+    ASSERT_TRUE(plan.creases);
+    EXPECT_EQ(plan.creases->patches, 6);
+    EXPECT_FALSE(box.creases(mesh::Edges::smooth).creases);
+    EXPECT_FALSE(box.creases(mesh::Edges::sharp, 95.0).creases);    // it bends by 90 degrees
+    EXPECT_TRUE(box.creases(mesh::Edges::automatic, 40.0).creases); // not the evidence that is known
+}
+
+TEST(Plan, EdgesThatDoNotStandOutAreDoubtful) {
+    const Planned coarse(test::icosphere(1));
+    const mesh::CreasePlan plan = coarse.creases(mesh::Edges::automatic, 16.0);
+    EXPECT_FALSE(plan.creases);
+    EXPECT_GT(plan.doubtful, 1.0);
+    EXPECT_EQ(coarse.creases(mesh::Edges::sharp, 16.0).doubtful, 0.0);
+}
+
+TEST(Plan, SolidsThatCrossAreFittedApart) {
+    const Triangles ball = test::icosphere(3);
+    const mesh::CreasePlan crossing =
+        Planned(ball.with(ball.moved(1.0, 1.0, 0.0, 0.0))).creases(mesh::Edges::automatic);
+    ASSERT_TRUE(crossing.creases);
+    EXPECT_EQ(crossing.creases->patches, 2);
+    EXPECT_EQ(crossing.creases->length, 0.0);
+    EXPECT_FALSE(Planned(ball.with(ball.moved(1.0, 3.0, 0.0, 0.0))).creases(mesh::Edges::automatic).creases);
+    const auto lower = [](double, double, double z) { return z < 0.5; };
+    const Triangles bowl = ball.where(lower); // open parts that cross are one function all the same
+    EXPECT_FALSE(Planned(bowl.with(bowl.moved(1.0, 1.0, 0.0, 0.0))).creases(mesh::Edges::automatic).creases);
+}
+
+TEST(Plan, AClosedSurfaceEndsWhereTheFitInventsSome) {
+    const Planned ball(test::icosphere(3));
+    EXPECT_EQ(ball.end(true, 0.001, 0.01, false).end, mesh::End::nowhere);
+    EXPECT_EQ(ball.end(false, 0.001, 0.01, false).end, mesh::End::at_samples);
+    EXPECT_EQ(ball.end(false, 0.001, 0.008, true).end, mesh::End::nowhere);
+    EXPECT_EQ(ball.end(true, 0.001, 0.02, true).end, mesh::End::at_places);
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_EQ(ball.end(false, nan, nan, true).end, mesh::End::nowhere);
+    EXPECT_EQ(ball.end(false, nan, nan, false).off, 0.009);
+}
+
+TEST(Plan, CoarseFacesAreFartherOff) {
+    const Planned ball(test::icosphere(3));
+    EXPECT_EQ(ball.end(false, 0.001, 0.0, false).off, 0.009);
+    EXPECT_DOUBLE_EQ(ball.end(false, 0.008, 0.0, false).off, 0.012);
+    EXPECT_EQ(ball.end(false, 1.0, 0.0, false).off, 0.015);
+}
+
+TEST(Plan, AnOpenSurfaceEndsAtItsBorder) {
+    const auto lower = [](double, double, double z) { return z < 0.5; };
+    const Planned bowl(test::icosphere(3).where(lower));
+    const mesh::EndPlan plan = bowl.end(true, 0.001, 0.0, false);
+    EXPECT_EQ(plan.end, mesh::End::at_places);
+    EXPECT_EQ(plan.off, 0.009);
+    EXPECT_LT(bowl.end(true, 1e-5, 0.0, false).off, 0.009001);
+    const mesh::MeshSamples places = mesh::end_places(bowl.runtime, bowl.shape, bowl.tree, plan, 1, {});
+    ASSERT_GT(places.position.size(), 10000);
+    double highest = -1.0;
+    for (std::int64_t i = 0; i < places.position.size(); ++i) highest = std::max(highest, places.position[i].z);
+    EXPECT_GT(highest, 0.4);
+    // What is met exactly and narrow ends nearer: 0.2 of a width of 0.02, in diagonals of 1.
+    Triangles strip;
+    for (const double x : {0.0, 1.0})
+        for (const double y : {0.0, 0.02}) static_cast<void>(strip.add(x, y, 0.0));
+    strip.face(0, 2, 3);
+    strip.face(0, 3, 1);
+    const double narrow = Planned(strip).end(true, 1e-6, 0.0, false).off;
+    EXPECT_NEAR(narrow, 0.2 * 0.02, 2e-4);
+    EXPECT_EQ(Planned(strip).end(true, 1e-3, 0.0, false).off, 0.009);
+}
+
+} // namespace
+} // namespace plan_test
