@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// 192 samples of a torus become a pen-and-ink drawing, torus.ppm.
+// 192 samples of a torus become a pen-and-ink drawing: pixels, as writers of PNG take them, and torus.svg.
 using System;
 using System.IO;
+using System.Linq;
 using System.Text;
 using HrbfNpr;
 
@@ -23,26 +24,13 @@ public static class Quickstart
             }
         }
 
-        // Samples become a smooth surface, on which the marks of a style are placed and drawn for a camera.
-        using (Model model = Model.Fit(points, normals))
-        using (PointSet marks = model.Generate(GenerateOptions.ForPreset(Preset.ContourAndStipple)))
-        using (var renderer = new Renderer())
+        var options = new PictureOptions { Preset = Preset.Engraving, Width = 800, Height = 600 };
+        using (Picture picture = Picture.Draw(PictureSource.FromPoints(points, normals), options))
         {
-            ModelInfo info = model.Info;
-            Camera camera = Camera.FitBounds(
-                info.BoundsMin, info.BoundsMax, (0, 1, -1), (0, 0, 1), 800, 600, 0.5, 0.02);
-            var item = new Item(marks, Style.Preset(Preset.ContourAndStipple));
-            using (Drawing drawing = renderer.Draw(item, camera))
-            using (FileStream file = File.Create("torus.ppm"))
-            {
-                byte[] pixels = drawing.Rasterize();
-                byte[] header = Encoding.ASCII.GetBytes("P6 800 600 255\n");
-                file.Write(header, 0, header.Length);
-                for (int i = 0; i < pixels.Length; i += 4)
-                {
-                    file.Write(pixels, i, 3);
-                }
-            }
+            byte[] rgba = picture.Rasterize();
+            byte[] header = Encoding.ASCII.GetBytes("P6 800 600 255\n"); // a file without alpha, that needs no library
+            File.WriteAllBytes("torus.ppm", header.Concat(rgba.Where((value, i) => i % 4 < 3)).ToArray());
+            picture.WriteSvg("torus.svg");
         }
     }
 }

@@ -1952,33 +1952,36 @@ typedef struct hrbfnpr_style {
 
 HRBFNPR_API hrbfnpr_status hrbfnpr_style_init(hrbfnpr_style* style, uint32_t struct_size);
 
-/* Named styles. */
+/* Named styles, each with a picture in docs/presets.md.  bindings/generate writes this list from bindings/presets.py. */
 enum {
     HRBFNPR_PRESET_STIPPLE = 0,             /* stipples by light, no contours */
-    HRBFNPR_PRESET_HATCH = 1,               /* lines of one width, the more of them the darker; contours.  Of PRINCIPAL
-                                               layers the second direction */
-    HRBFNPR_PRESET_CROSS_HATCH = 2,         /* up to three sets of such lines, at 0, 35 and -30 degrees, a darker tone each;
-                                               contours.  Of PRINCIPAL layers both directions */
-    HRBFNPR_PRESET_COMBING = 3,             /* lines along Stark's combing direction, a second set in the darks; contours */
+    HRBFNPR_PRESET_HATCH = 1,               /* lines of one width, more of them where it is darker, and contours;
+                                               strokes of PRINCIPAL layers along the second direction */
+    HRBFNPR_PRESET_CROSS_HATCH = 2,         /* up to three sets of such lines, at 0, 35 and -30 degrees, a darker tone
+                                               each, and contours; strokes of PRINCIPAL layers along both directions */
+    HRBFNPR_PRESET_COMBING = 3,             /* lines along Stark's combing direction, a second set in the darks, and
+                                               contours */
     HRBFNPR_PRESET_SILHOUETTE = 4,          /* contours only, hidden ones attenuated */
     HRBFNPR_PRESET_CONTOUR_AND_STIPPLE = 5, /* contours and stipples */
     HRBFNPR_PRESET_XRAY = 6,                /* contours only, hidden ones shown */
     HRBFNPR_PRESET_FULL = 7,                /* stipples, cross hatching in the darks, contours and halo: Figure 1 (e) */
-    HRBFNPR_PRESET_ENGRAVING = 8,           /* one set of lines that swell with the tone, contours; lights are empty */
-    HRBFNPR_PRESET_ETCHING = 9,             /* up to three sets of thin lines, at 0, 50 and -40 degrees, a darker tone each */
-    HRBFNPR_PRESET_WOODCUT = 10,            /* few wide lines, which close up to black; heavy contours */
-    HRBFNPR_PRESET_SCIENTIFIC_STIPPLE = 11, /* fine stipples lit from the upper left, empty lights; outlines swell in the
-                                               shade */
-    HRBFNPR_PRESET_SKETCH = 12,             /* pencil on warm paper: two sets of lines that stray and run past their ends,
-                                               contours drawn twice */
-    HRBFNPR_PRESET_BLUEPRINT = 13,          /* pale lines on blue without tone: contours, borders, creases and lines called
-                                               "crease", hidden ones dashed */
-    HRBFNPR_PRESET_ARCHAEOLOGICAL = 14      /* lit from the upper left: short lines along curvature that taper to the light,
-                                               heavy outlines, and the RIDGE lines of a line set */
+    HRBFNPR_PRESET_ENGRAVING = 8,           /* one set of lines that swell with the tone, and contours; lights are
+                                               empty */
+    HRBFNPR_PRESET_ETCHING = 9,             /* up to three sets of thin lines, at 0, 50 and -40 degrees, a darker tone
+                                               each, and contours */
+    HRBFNPR_PRESET_WOODCUT = 10,            /* few wide lines, which close up to black, and heavy contours */
+    HRBFNPR_PRESET_SCIENTIFIC_STIPPLE = 11, /* fine stipples lit from the upper left, empty lights; outlines swell in
+                                               the shade */
+    HRBFNPR_PRESET_SKETCH = 12,             /* pencil on warm paper: two sets of lines that stray and run past their
+                                               ends, contours drawn twice */
+    HRBFNPR_PRESET_BLUEPRINT = 13,          /* pale lines on blue without tone: contours, borders, creases and lines
+                                               called "crease", hidden ones dashed */
+    HRBFNPR_PRESET_ARCHAEOLOGICAL = 14      /* lit from the upper left: short lines along curvature that taper to the
+                                               light, heavy outlines, and the RIDGE lines of a line set */
 };
 
-/* A full set of fields that a caller goes on changing.  style->layers points to
- * constants of the library: copy an element to change it. */
+/* A full set of fields that a caller goes on changing.  style->layers and style->lines
+ * point to constants of the library: copy an element to change it. */
 HRBFNPR_API hrbfnpr_status hrbfnpr_style_init_preset(hrbfnpr_style* style, uint32_t struct_size,
                                                      uint32_t preset, hrbfnpr_error* error);
 /* The layers that a preset draws, with defaults: a list of constants for
@@ -2894,6 +2897,7 @@ enum {
  *   style.KIND.F       of hrbfnpr_layer_style, of a kind of layers: style.hatch.ink
  *   style.layers.F     of all layers of the style; share is multiplied
  *   style.lines.F      of hrbfnpr_line_style, of all lines
+ *   style.LINE.F       the same, of a kind of lines: style.ridge.width
  *   fit.F              of hrbfnpr_fit_desc
  *   mesh_fit.F         of hrbfnpr_mesh_fit_desc
  *   marks.F            of hrbfnpr_generate_desc
@@ -3019,7 +3023,16 @@ enum {
     HRBFNPR_NOTE_NOT_IN_SETTINGS = 64,        /* what settings do not hold */
     HRBFNPR_NOTE_UNIT_IS_METRE = 65,          /* of the format */
     HRBFNPR_NOTE_NO_SYMMETRY = 66,            /* for centre lines */
-    HRBFNPR_NOTE_SECTION_OPEN = 67            /* outlines of a cut that are not closed [outlines] */
+    HRBFNPR_NOTE_SECTION_OPEN = 67,           /* outlines of a cut that are not closed [outlines] */
+    HRBFNPR_NOTE_NORMALS_NOT_UNIT = 68,       /* made of length 1 [normals] */
+    HRBFNPR_NOTE_AT_ONE_PLACE = 69,           /* all points */
+    HRBFNPR_NOTE_FAR_FROM_ORIGIN = 70,        /* for the source's size */
+    HRBFNPR_NOTE_VERTICES_JOINED = 71,        /* at the place of another [vertices] */
+    HRBFNPR_NOTE_VERTICES_UNUSED = 72,        /* of no face, left out [vertices] */
+    HRBFNPR_NOTE_NONMANIFOLD_EDGES = 73,      /* of more than two faces [edges] */
+    HRBFNPR_NOTE_MESH_OPEN = 74,              /* [borders, their edges] */
+    HRBFNPR_NOTE_SEVERAL_PARTS = 75,          /* of a mesh [parts] */
+    HRBFNPR_NOTE_NOT_USABLE = 76              /* why a source cannot be drawn */
 };
 
 typedef struct hrbfnpr_note {
@@ -3029,6 +3042,8 @@ typedef struct hrbfnpr_note {
     uint32_t figure_count;
     double figures[8];   /* as above, in that order */
     const char* text;    /* one sentence without a full stop, UTF-8, in the words of `wording` */
+    const char* advice;  /* what to do about it, in the same words; NULL where the text says it, or there is nothing to
+                            say */
 } hrbfnpr_note;
 
 HRBFNPR_API hrbfnpr_status hrbfnpr_note_init(hrbfnpr_note* note, uint32_t struct_size);
@@ -3128,6 +3143,95 @@ typedef struct hrbfnpr_picture_desc {
 } hrbfnpr_picture_desc;
 
 HRBFNPR_API hrbfnpr_status hrbfnpr_picture_desc_init(hrbfnpr_picture_desc* desc, uint32_t struct_size);
+
+/* ---- What a source holds ------------------------------------------------------ */
+
+/* What it is. */
+enum {
+    HRBFNPR_SOURCE_KIND_POINTS = 1,
+    HRBFNPR_SOURCE_KIND_MESH = 2,
+    HRBFNPR_SOURCE_KIND_MODEL = 3,
+    HRBFNPR_SOURCE_KIND_POINT_SET = 4
+};
+
+/* Which way normals look. */
+enum {
+    HRBFNPR_NORMALS_LOOK_UNKNOWN = 0, /* there are none, or the source cannot be drawn */
+    HRBFNPR_NORMALS_LOOK_OUTWARD = 1,
+    HRBFNPR_NORMALS_LOOK_INWARD = 2,
+    HRBFNPR_NORMALS_LOOK_MIXED = 3,   /* some outward, others inward */
+    HRBFNPR_NORMALS_LOOK_OPEN = 4,    /* they agree, and the surface encloses nothing */
+    HRBFNPR_NORMALS_LOOK_FOREIGN = 5  /* they belong to other points; told of points along curves */
+};
+
+/* What is not known of this kind of source is 0, and so is what would have been found out after the finding that it
+ * cannot be drawn. */
+typedef struct hrbfnpr_source_info {
+    uint32_t struct_size;
+    uint32_t kind;            /* HRBFNPR_SOURCE_KIND_... */
+    uint32_t severity;        /* HRBFNPR_SEVERITY_... of the worst finding: INFO = there is none, NOTE = a picture repairs
+                                 it, WARNING, FAILURE = it cannot be drawn */
+    uint32_t normals_look;    /* HRBFNPR_NORMALS_LOOK_...: of points or faces */
+    int64_t points;           /* as given; vertices of a mesh, centres of a model, marks of a point set */
+    int64_t triangles;        /* as given */
+    int64_t no_data;          /* points at a value that stands for none; what follows is without them */
+    int64_t strays;           /* points far from all others; what follows is without them */
+    int64_t points_not_finite;
+    int64_t duplicates;       /* points, or vertices of faces, at the place of another */
+    double bounds_min[3];     /* of finite points */
+    double bounds_max[3];
+    double diagonal;          /* of these bounds */
+    double up[3];             /* that a picture chooses by itself, of points and meshes; the reason is at the end */
+
+    /* Normals of points; looks_down, normals_closed and normals_flipped_share of faces, too. */
+    uint32_t has_normals;         /* 1: there are some that are not zero */
+    uint32_t along_curves;        /* 1: the points lie along curves, as those of wires and cross sections */
+    uint32_t looks_down;          /* a terrain looks down along an axis: 1 = y, 2 = z; 0 = it does not, or is none */
+    uint32_t reserved;
+    int64_t normals_zero;
+    int64_t normals_not_finite;
+    double normals_unit_share;    /* of length 1, of those that can be used; 0 .. 1 */
+    double normals_closed;        /* sum of the winding numbers on both sides of the samples, in the middle: 1 closed and
+                                     outward, -1 inward, 0 a flat sheet; not of points along curves */
+    double normals_flipped_share; /* judged by neighbours; not of points along curves */
+
+    /* The picture of a depth camera that has no normals. */
+    int64_t image_seen;    /* pixels that have a point */
+    int64_t image_dropped; /* of these, on no surface */
+    double image_depth;    /* median of those that were seen */
+    double image_noise;    /* standard deviation at that depth */
+
+    /* A mesh, as given but for vertices at the same place, which are joined. */
+    uint32_t closed;               /* 1: each edge has two faces, which run along it in opposite directions */
+    uint32_t inside_out;           /* 1: it is closed, and its faces look inward */
+    int64_t components;            /* parts that share no vertex */
+    int64_t components_inside_out; /* parts without border whose faces look inward; inside another one it is a cavity */
+    int64_t boundary_edges;        /* of one face */
+    int64_t boundary_loops;        /* borders */
+    int64_t nonmanifold_edges;     /* of more than two faces */
+    int64_t nonmanifold_left;      /* what hrbfnpr_mesh_create leaves of them */
+    int64_t contrary_edges;        /* of two faces, one of which is turned over */
+    int64_t faces_not_finite;      /* with a corner that is not finite */
+    int64_t degenerate_faces;      /* without area */
+    int64_t repeated_faces;        /* with the corners of another */
+    int64_t unused_vertices;       /* of no face */
+    double area;
+    double volume;                 /* enclosed; 0 where the mesh is not closed */
+
+    char up_reason[128];           /* "it is so in PLY files"; "" = up is not known */
+} hrbfnpr_source_info;
+
+HRBFNPR_API hrbfnpr_status hrbfnpr_source_info_init(hrbfnpr_source_info* info, uint32_t struct_size);
+
+/* Looks at a source without drawing it: facts into info, findings as notes of on_event.  NOTE: what a picture repairs;
+ * WARNING: what is wrong, with advice; FAILURE: a code NOT_USABLE that says why it cannot be drawn, and the call is
+ * OK all the same.  One matter may be both repaired and wrong.  wording: HRBFNPR_WORDING_...; on_event and operation
+ * may be NULL.
+ * Errors: INVALID_ARGUMENT (fields of the source), OUT_OF_MEMORY, CANCELLED, CALLBACK. */
+HRBFNPR_API hrbfnpr_status hrbfnpr_source_inspect(hrbfnpr_context* context, const hrbfnpr_picture_source* source,
+                                                  uint32_t wording, hrbfnpr_picture_event_fn on_event,
+                                                  void* event_user, hrbfnpr_operation* operation,
+                                                  hrbfnpr_source_info* info, hrbfnpr_error* error);
 
 /* ---- Making and drawing ------------------------------------------------------ */
 
@@ -3327,8 +3431,8 @@ typedef struct hrbfnpr_views_desc {
     double unit_mm;       /* mm of a unit of the model, up to 1e9; 0 = 1, or 1000 with UNIT_IS_METRE */
     double crease_angle;  /* degrees, > 0: edges of a mesh are sharp if its faces meet at more than this; 30.  Larger:
                              fewer edges */
-    double line_width;    /* mm, > 0: of outlines; thin lines are half as wide; 0.5 */
-    double hatch_spacing; /* mm, > 0: between the lines in cut faces; 3 */
+    double line_width;    /* mm, 0.01 .. 1000: of outlines; thin lines are half as wide; 0.5 */
+    double hatch_spacing; /* mm, 0.01 .. 1000: between the lines in cut faces; 3 */
     double spacing;       /* mm, > 0: free between views; 15 */
     const hrbfnpr_page_desc* page; /* format, flags, tolerance, speeds and the like; its items, annotations, pens and
                                       size are set by this call, and its title and description where they are NULL; NULL

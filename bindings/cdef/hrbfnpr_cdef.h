@@ -531,8 +531,12 @@ enum { HRBFNPR_NOTE_FACES_NOT_FINITE = 1, HRBFNPR_NOTE_NO_DATA = 2, HRBFNPR_NOTE
     HRBFNPR_NOTE_LINES_THIN = 56, HRBFNPR_NOTE_LINES_END = 57, HRBFNPR_NOTE_LINES_BROKEN = 58,
     HRBFNPR_NOTE_LINES_DOUBTED = 59, HRBFNPR_NOTE_LINES_TANGLED = 60, HRBFNPR_NOTE_BLANK = 61, HRBFNPR_NOTE_PENS = 62,
     HRBFNPR_NOTE_PLOTTED = 63, HRBFNPR_NOTE_NOT_IN_SETTINGS = 64, HRBFNPR_NOTE_UNIT_IS_METRE = 65,
-    HRBFNPR_NOTE_NO_SYMMETRY = 66, HRBFNPR_NOTE_SECTION_OPEN = 67 }; typedef struct hrbfnpr_note { uint32_t struct_size;
-    uint32_t code; uint32_t severity; uint32_t figure_count; double figures[8]; const char* text; } hrbfnpr_note;
+    HRBFNPR_NOTE_NO_SYMMETRY = 66, HRBFNPR_NOTE_SECTION_OPEN = 67, HRBFNPR_NOTE_NORMALS_NOT_UNIT = 68,
+    HRBFNPR_NOTE_AT_ONE_PLACE = 69, HRBFNPR_NOTE_FAR_FROM_ORIGIN = 70, HRBFNPR_NOTE_VERTICES_JOINED = 71,
+    HRBFNPR_NOTE_VERTICES_UNUSED = 72, HRBFNPR_NOTE_NONMANIFOLD_EDGES = 73, HRBFNPR_NOTE_MESH_OPEN = 74,
+    HRBFNPR_NOTE_SEVERAL_PARTS = 75, HRBFNPR_NOTE_NOT_USABLE = 76 };
+typedef struct hrbfnpr_note { uint32_t struct_size; uint32_t code; uint32_t severity; uint32_t figure_count;
+    double figures[8]; const char* text; const char* advice; } hrbfnpr_note;
 hrbfnpr_status hrbfnpr_note_init(hrbfnpr_note* note, uint32_t struct_size);
 typedef struct hrbfnpr_picture_event { uint32_t struct_size; uint32_t stage; double fraction; double seconds;
     const char* name; const char* doing; const char* says; const hrbfnpr_note* note; } hrbfnpr_picture_event;
@@ -550,6 +554,24 @@ typedef struct hrbfnpr_picture_desc { uint32_t struct_size; uint32_t flags; cons
     hrbfnpr_array seed_points; double hatch_angle; const char* lines; const char* scale_bar;
     hrbfnpr_picture_event_fn on_event; void* event_user; } hrbfnpr_picture_desc;
 hrbfnpr_status hrbfnpr_picture_desc_init(hrbfnpr_picture_desc* desc, uint32_t struct_size);
+enum { HRBFNPR_SOURCE_KIND_POINTS = 1, HRBFNPR_SOURCE_KIND_MESH = 2, HRBFNPR_SOURCE_KIND_MODEL = 3,
+    HRBFNPR_SOURCE_KIND_POINT_SET = 4 };
+enum { HRBFNPR_NORMALS_LOOK_UNKNOWN = 0, HRBFNPR_NORMALS_LOOK_OUTWARD = 1, HRBFNPR_NORMALS_LOOK_INWARD = 2,
+    HRBFNPR_NORMALS_LOOK_MIXED = 3, HRBFNPR_NORMALS_LOOK_OPEN = 4, HRBFNPR_NORMALS_LOOK_FOREIGN = 5 };
+typedef struct hrbfnpr_source_info { uint32_t struct_size; uint32_t kind; uint32_t severity; uint32_t normals_look;
+    int64_t points; int64_t triangles; int64_t no_data; int64_t strays; int64_t points_not_finite; int64_t duplicates;
+    double bounds_min[3]; double bounds_max[3]; double diagonal; double up[3]; uint32_t has_normals;
+    uint32_t along_curves; uint32_t looks_down; uint32_t reserved; int64_t normals_zero; int64_t normals_not_finite;
+    double normals_unit_share; double normals_closed; double normals_flipped_share; int64_t image_seen;
+    int64_t image_dropped; double image_depth; double image_noise; uint32_t closed; uint32_t inside_out;
+    int64_t components; int64_t components_inside_out; int64_t boundary_edges; int64_t boundary_loops;
+    int64_t nonmanifold_edges; int64_t nonmanifold_left; int64_t contrary_edges; int64_t faces_not_finite;
+    int64_t degenerate_faces; int64_t repeated_faces; int64_t unused_vertices; double area; double volume;
+    char up_reason[128]; } hrbfnpr_source_info;
+hrbfnpr_status hrbfnpr_source_info_init(hrbfnpr_source_info* info, uint32_t struct_size);
+hrbfnpr_status hrbfnpr_source_inspect(hrbfnpr_context* context, const hrbfnpr_picture_source* source, uint32_t wording,
+    hrbfnpr_picture_event_fn on_event, void* event_user, hrbfnpr_operation* operation, hrbfnpr_source_info* info,
+    hrbfnpr_error* error);
 hrbfnpr_status hrbfnpr_picture_create(hrbfnpr_context* context, const hrbfnpr_picture_desc* desc,
     hrbfnpr_operation* operation, hrbfnpr_picture** out_picture, hrbfnpr_error* error);
 hrbfnpr_status hrbfnpr_picture_restyle(const hrbfnpr_picture* picture, const hrbfnpr_picture_desc* desc,

@@ -19,6 +19,8 @@ HANDLES = {
     "hrbfnpr_mesh": "MeshHandle",
     "hrbfnpr_renderer": "RendererHandle",
     "hrbfnpr_drawing": "DrawingHandle",
+    "hrbfnpr_picture": "PictureHandle",
+    "hrbfnpr_settings": "SettingsHandle",
 }
 # Structs that are written by hand.
 BY_HAND = {
@@ -39,8 +41,12 @@ BY_HAND = {
     "hrbfnpr_drawing_layer_info": "DrawingLayerInfo",
     "hrbfnpr_mark_identity": "MarkIdentity",
     "hrbfnpr_page_info": "PageInfo",
+    "hrbfnpr_picture_info": "PictureInfo",
+    "hrbfnpr_views_info": "ViewsInfo",
 }
-DRAWN = (9, 10, 11)  # sections whose structs have a file of their own: cameras, styles, renderers, drawings
+# Sections whose structs have a file of their own.
+DRAWN = (9, 10, 11)  # cameras, styles, renderers, drawings
+PICTURES = (14, 15)  # pictures, views
 SCALARS = {
     "int8_t": "sbyte",
     "uint8_t": "byte",
@@ -56,7 +62,7 @@ SCALARS = {
     "size_t": "UIntPtr",
     "void": "void",
 }
-KEYWORDS = {"base", "class", "fixed", "in", "out", "params", "ref"}  # as far as a header may use them as names
+KEYWORDS = {"base", "class", "event", "fixed", "in", "out", "params", "ref"}  # as far as a header may use them as names
 NOTE = "// SPDX-License-Identifier: MIT\n// Made by make_native.py from include/hrbfnpr.h; do not edit.\n"
 PRELUDE = "using System;\nusing System.Runtime.InteropServices;\n"
 
@@ -89,6 +95,10 @@ def parameter_type(function, kind):
     return value_type(kind) + "*" * stars
 
 
+def escaped(name):
+    return "@" + name if name in KEYWORDS else name
+
+
 def methods(functions):
     for function in functions:
         name = function["name"]
@@ -96,7 +106,7 @@ def methods(functions):
         for parameter in function["parameters"]:
             user = parameter["name"] == "user"
             kind = "IntPtr" if user else parameter_type(name, parameter["type"])
-            parameters.append(f"{kind} {parameter['name']}")
+            parameters.append(f"{kind} {escaped(parameter['name'])}")
         yield parameter_type(name, function["returns"]), name, parameters
 
 
@@ -124,7 +134,7 @@ def method_file(functions, condition, attribute, modifiers, usings):
 def fields(struct):
     for field in struct["fields"]:
         name, kind, count = field["name"], field["type"], math.prod(field["array"])
-        name = "@" + name if name in KEYWORDS else name
+        name = escaped(name)
         pointer = kind["pointers"] or kind["kind"] in ("callback", "function")
         native = "IntPtr" if pointer else value_type(kind)
         if not field["array"]:
@@ -173,6 +183,7 @@ def outputs(api):
             ["[LibraryImport(Name), UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]"], "partial",
             PRELUDE.replace("InteropServices;", "CompilerServices;\nusing System.Runtime.InteropServices;") + "\n"),
         "NativeMethods.Constants.cs": constants(api["abi_version"]),
-        "NativeStructs.cs": struct_file([each for each in api["structs"] if each["section"] not in DRAWN]),
+        "NativeStructs.cs": struct_file([each for each in api["structs"] if each["section"] not in DRAWN + PICTURES]),
         "NativeStructs.Drawn.cs": struct_file([each for each in api["structs"] if each["section"] in DRAWN]),
+        "NativeStructs.Pictures.cs": struct_file([each for each in api["structs"] if each["section"] in PICTURES]),
     }.items()}

@@ -1,60 +1,38 @@
 // SPDX-License-Identifier: MIT
 #include "app.h"
 
+#include "fields.h"
+
 #include <algorithm>
 #include <fstream>
 
 namespace viewer {
 
-namespace {
-
-constexpr double first_angle = 0.5235987755982988; // 30 degrees
-const Vec first_azimuth_elevation{30, 20, 0};      // degrees, as of the command line
-
-Renderer new_renderer(const Context& context) {
-    return make<hrbfnpr_renderer>(hrbfnpr_renderer_release, [&](auto** out, auto* error) {
-        return hrbfnpr_renderer_create(context.get(), out, error);
-    });
-}
-
-// From the eye into the scene: azimuth 0 looks from the front, which is +z, or -y where z is up.
-Vec first_direction(const Vec& up) {
-    const double degree = 0.017453292519943295;
-    Vec front = std::abs(up[2]) < 0.9 ? Vec{0, 0, 1} : Vec{0, -1, 0};
-    front = unit(front - dot(front, up) * up);
-    const double around = degree * first_azimuth_elevation[0], above = degree * first_azimuth_elevation[1];
-    const Vec eye =
-        std::cos(above) * (std::cos(around) * front + std::sin(around) * cross(up, front)) + std::sin(above) * up;
-    return -1.0 * eye;
-}
-
-View first_view(const Surface& surface, Size size) {
-    return view_of_all(surface.places, first_direction(surface.up), surface.up, first_angle,
-                       static_cast<double>(size.width) / std::max(size.height, 1));
-}
-
-} // namespace
-
 App::App()
-    : context_(
+    : fit(defaults<hrbfnpr_fit_desc>(hrbfnpr_fit_desc_init)),
+      mesh_fit(defaults<hrbfnpr_mesh_fit_desc>(hrbfnpr_mesh_fit_desc_init)),
+      context_(
           make<hrbfnpr_context>(hrbfnpr_context_release,
                                 [](auto** out, auto* error) { return hrbfnpr_context_create(nullptr, out, error); })),
-      worker_(context_), renderer_(new_renderer(context_)),
-      tone_(std::make_unique<PaintedMap>(settings.paint, Map::tone)) {}
+      worker_(context_, progress_) {
+    fit.normal_mode = HRBFNPR_NORMALS_AUTO;
+}
 
-void App::start_loading(std::function<Surface(const Settings&, Work&)> open) {
+// ---- Models
+
+void App::start_loading(std::function<Source(Work&)> open) {
     worker_.cancel();
     load_ = std::move(open);
-    wants_fine_ = false;
+    wants_restyle_ = false;
     message.clear();
 }
 
 void App::load(const std::string& path) {
-    start_loading([path](const Settings& with, Work& work) { return surface_of_file(path, with, work); });
+    start_loading([path](Work& work) { return source_of_file(path, work); });
 }
 
 void App::load_formula(const std::string& name) {
-    start_loading([name](const Settings& with, Work& work) { return surface_of_formula(name, with, work); });
+    start_loading([name](Work& work) { return source_of_formula(name, work); });
 }
 
 void App::load_bunny() {
@@ -66,58 +44,88 @@ void App::load_bunny() {
     message = "the bunny is not here: scripts/fetch_bunny of the library's sources brings it to .cache";
 }
 
-void App::use_preset(std::uint32_t preset) {
-    const auto distribution = settings.marks.distribution;
-    set_preset(settings, preset);
-    if (distribution == HRBFNPR_DISTRIBUTION_PUBLISHED) draw_as_published(settings.style, preset);
-    wants_marks_ = true;
+// ---- Choices
+
+void App::restyle() {
+    wants_restyle_ = true;
+    if (choices.has_lengths() && choices.drawn.width == 0) choices.drawn = canvas_;
 }
 
-void App::set_distribution(std::uint32_t distribution) {
-    settings.marks.distribution = distribution;
-    use_preset(settings.preset);
+void App::change(const std::string& field, const std::string& value) {
+    choices.change(field, value);
+    const bool is_of_fit = field.rfind("fit.", 0) == 0 || field.rfind("mesh_fit.", 0) == 0;
+    if (!is_of_fit) restyle();
+}
+
+void App::use_style(const std::string& name) {
+    choices.style = name;
+    choices.lines.reset();
+    choices.forget("style.");
+    restyle();
+}
+
+void App::set_distribution(const char* name) {
+    choices.change("marks.distribution", name);
+    use_style(scene_ ? preset_name(scene_->info.preset) : choices.style);
+}
+
+void App::forget_marks() {
+    const bool is_published = sheet.marks.distribution == HRBFNPR_DISTRIBUTION_PUBLISHED;
+    choices.forget("marks.");
+    choices.settings = without(context_, choices.settings, "marks");
+    choices.change("marks.distribution", is_published ? "published" : "blue_noise");
+    restyle();
 }
 
 void App::show_patches(bool shown) {
     patches_shown_ = shown;
     is_stale_ = true;
-    if (shown) wants_marks_ = true;
+    if (shown) restyle();
 }
 
-void App::set_step(double step) {
-    settings.marks.initial_step = step;
-    wants_marks_ = true;
-}
+void App::set_step(double step) { change("marks.initial_step", decimals(step)); }
 
 void App::load_settings(const std::string& path) {
     try {
-        Settings read = read_settings(path);
-        if (!read.view) read.view = settings.view;
-        settings = std::move(read);
-        tone_ = std::make_unique<PaintedMap>(settings.paint, Map::tone);
+        const Settings read = read_settings(context_, path);
+        choices = Choices();
+        choices.settings = read;
+        choices.dabs = read.dabs;
+        choices.size = read.size;
         strokes_.clear();
-        settings_are_new_ = surface_ == nullptr || load_ != nullptr || is_loading_;
-        wants_marks_ = wants_marks_ || surface_ != nullptr;
+        settings_are_new_ = scene_ == nullptr || load_ != nullptr || worker_.is_busy();
+        if (read.has_camera) view_.reset();
+        if (scene_) restyle();
         said = "settings of " + path;
     } catch (const Failure& failure) {
         fail(failure);
     }
 }
 
-Settings App::complete() const {
-    Settings result = settings;
-    if (result.size.width == 0) result.size = canvas_;
-    if (ink_) result.layers = ink_->made;
-    return result;
+// ---- Files
+
+void App::write(std::function<void(const Export&, Work&)> job, Size size, const std::string& done) {
+    if (!scene_) throw Failure("there is nothing to save yet");
+    const Export what{*scene_, choices, view_, size};
+    writes_.emplace_back([job = std::move(job), what](Work& work) { job(what, work); }, done);
 }
 
 void App::save(const std::string& path) {
     try {
-        if (!ink_) throw Failure("there is nothing to save yet");
-        const Settings with = complete();
-        const Renderer fresh = new_renderer(context_); // what it writes does not depend on frames before
-        write_export({context_, fresh, *surface_, *ink_, with, *tone_, with.size}, path);
-        said = "wrote " + path;
+        check_ending(path);
+        write([path](const Export& what, Work& work) { write_export(what, path, work); },
+              choices.size.width > 0 ? choices.size : canvas_, "wrote " + path);
+    } catch (const Failure& failure) {
+        fail(failure);
+    }
+}
+
+void App::record(const std::string& pattern, int frames, Size size) {
+    try {
+        if (frames < 1 || frames > 10000) throw Failure("a turntable has 1 to 10000 frames");
+        numbered(pattern, 0); // or a Failure now
+        write([=](const Export& what, Work& work) { write_turntable(what, pattern, frames, work); }, size,
+              "wrote " + std::to_string(frames) + " frames");
     } catch (const Failure& failure) {
         fail(failure);
     }
@@ -125,9 +133,41 @@ void App::save(const std::string& path) {
 
 void App::cancel() {
     worker_.cancel();
-    wants_marks_ = wants_fine_ = false;
-    if (turntable_) said = "recording ended after " + std::to_string(turntable_->done) + " frames";
-    turntable_.reset();
+    wants_restyle_ = false;
+    restyle_at_.reset();
+    writes_.clear();
+}
+
+// ---- Work
+
+void App::take(Scene&& scene) {
+    scene_ = std::make_shared<const Scene>(std::move(scene));
+    is_stale_ = sheet_is_old_ = true;
+}
+
+void App::start_job() {
+    const Size size = canvas_;
+    const auto made = std::make_shared<Scene>();
+    if (load_) {
+        if (!settings_are_new_) choices.settings = without(context_, choices.settings, "camera");
+        settings_are_new_ = wants_restyle_ = false;
+        view_.reset();
+        worker_.start([made, size, open = std::move(load_),
+                       with = choices](Work& work) { *made = scene_of(open(work), with, size, work); },
+                      [this, made](Work&) { take(std::move(*made)); });
+        load_ = nullptr;
+        if (patches_shown_) wants_restyle_ = true;
+    } else if (!writes_.empty()) {
+        const auto [job, done] = writes_.front();
+        writes_.pop_front();
+        is_writing_ = true;
+        worker_.start(job, [this, what = done](Work&) { said = what; });
+    } else if (wants_restyle_ && scene_) {
+        wants_restyle_ = false;
+        worker_.start([made, size, from = scene_, with = choices, view = view_, patches = patches_shown_](
+                          Work& work) { *made = restyled(*from, with, size, view ? &*view : nullptr, patches, work); },
+                      [this, made](Work&) { take(std::move(*made)); });
+    }
 }
 
 void App::update() {
@@ -136,77 +176,40 @@ void App::update() {
     } catch (const std::exception& failure) {
         fail(failure);
     }
-    if (!worker_.is_busy()) is_loading_ = false;
-    if (load_ && !worker_.is_busy()) {
-        is_loading_ = true;
-        if (!settings_are_new_) {
-            settings.view.reset();
-            settings.layers.clear();
-            settings.marks.initial_step = 0;
-            settings.paint.clear();
-            strokes_.clear();
-            tone_ = std::make_unique<PaintedMap>(settings.paint, Map::tone);
-        }
-        settings_are_new_ = false;
-        auto surface = std::make_shared<Surface>();
-        worker_.start([surface, open = std::move(load_), with = settings](Work& work) { *surface = open(with, work); },
-                      [this, surface](Work&) {
-                          surface_ = surface;
-                          ink_.reset();
-                          if (!settings.view) settings.view = first_view(*surface_, canvas_);
-                          wants_marks_ = true;
-                      });
-        load_ = nullptr;
+    if (restyle_at_ && Clock::now() >= *restyle_at_) {
+        restyle_at_.reset();
+        wants_restyle_ = true;
     }
-    if (wants_marks_ && surface_ && !is_loading_) {
-        if (worker_.is_busy())
-            worker_.cancel(); // what it makes is not wanted any more
-        else
-            start_marks(has_hatching(settings));
-    } else if (wants_fine_ && !worker_.is_busy()) {
-        start_marks(false);
-    }
-    if (!surface_ && !worker_.is_busy()) wants_marks_ = false;
-    if (turntable_ && ink_) record_frame();
+    if (worker_.is_busy()) return;
+    is_writing_ = false;
+    if (!scene_ && !load_) wants_restyle_ = false; // there is nothing to draw
+    start_job();
 }
 
-void App::start_marks(bool coarse) {
-    wants_marks_ = wants_fine_ = false;
-    if (!settings.view) settings.view = first_view(*surface_, canvas_);
-    const Size size = settings.size.width > 0 ? settings.size : canvas_;
-    auto ink = std::make_shared<Ink>();
-    worker_.start([ink, surface = surface_, with = settings, size, coarse, patches = patches_shown_](
-                      Work& work) { *ink = ink_of(*surface, with, size, patches, coarse, work); },
-                  [this, ink, coarse](Work&) {
-                      ink_ = ink;
-                      is_stale_ = true;
-                      wants_fine_ = coarse;
-                  });
-}
-
-std::vector<hrbfnpr_layer_desc>& App::own_layers() {
-    if (settings.layers.empty() && ink_) settings.layers = ink_->layers;
-    return settings.layers;
+void App::refresh_sheet() {
+    if (!sheet_is_old_ || wants_restyle_) return;
+    sheet = scene_->sheet;
+    sheet_is_old_ = false;
 }
 
 void App::set_canvas(Size size) {
     if (size.width == canvas_.width && size.height == canvas_.height) return;
-    // What was in the picture stays in it when that gets narrow.
-    const auto room = [](Size of) { return std::min(1.0, static_cast<double>(of.width) / std::max(of.height, 1)); };
-    if (surface_ && settings.view && !settings.view->view && room(size) != room(canvas_)) {
-        zoom(*settings.view, room(size) / room(canvas_));
-        moved();
-    }
     canvas_ = size;
     is_stale_ = true;
+    if (scene_) restyle_soon();
+}
+
+View App::current_view() const {
+    const double* const up = scene_->info.up;
+    return view_ ? *view_ : view_by(scene_->camera, scene_->centre(), {up[0], up[1], up[2]});
 }
 
 bool App::draw() {
-    if (!is_stale_ || !ink_) return false;
+    if (!scene_ || !is_stale_) return false;
     is_stale_ = false;
     try {
-        frame_.wants_depth = patches_shown_; // they are hidden by what is before them
-        draw_frame(frame_, renderer_, *surface_, *ink_, settings, *tone_, canvas_);
+        frame_.wants_depth = patches_shown_;
+        draw_frame(frame_, *scene_, camera_of(current_view(), canvas_));
         return true;
     } catch (const Failure& failure) {
         fail(failure);
@@ -215,53 +218,24 @@ bool App::draw() {
 }
 
 double App::bytes() const {
-    auto info = defaults<hrbfnpr_context_info>(hrbfnpr_context_info_init);
-    checked([&](auto* error) { return hrbfnpr_context_get_info(context_.get(), &info, error); });
+    auto info = defaults<hrbfnpr_memory_info>(hrbfnpr_memory_info_init);
+    checked([&](auto* error) { return hrbfnpr_context_get_memory_info(context_.get(), &info, error); });
     return static_cast<double>(info.bytes_now);
-}
-
-// ---- Turntable
-
-void App::record(const std::string& pattern, int frames, Size size) {
-    try {
-        if (!ink_ || !settings.view) throw Failure("there is nothing to record yet");
-        if (frames < 1 || frames > 10000) throw Failure("a turntable has 1 to 10000 frames");
-        numbered(pattern, 0); // or a Failure now
-        turntable_ = std::make_unique<Turntable>();
-        *turntable_ = {pattern, frames, 0, size, *settings.view, new_renderer(context_)};
-    } catch (const Failure& failure) {
-        fail(failure);
-    }
-}
-
-void App::record_frame() {
-    Turntable& turn = *turntable_;
-    try {
-        Settings with = complete();
-        with.view = turn.first;
-        orbit(*with.view, 6.283185307179586 * turn.done / turn.frames, 0);
-        write_export({context_, turn.renderer, *surface_, *ink_, with, *tone_, turn.size},
-                     numbered(turn.pattern, turn.done));
-        if (++turn.done < turn.frames) return;
-        said = "wrote " + std::to_string(turn.frames) + " frames";
-    } catch (const Failure& failure) {
-        fail(failure);
-    }
-    turntable_.reset();
 }
 
 // ---- The mouse
 
 View* App::movable() {
-    if (!surface_ || !settings.view) return nullptr;
-    if (settings.view->view) settings.view->target = surface_->centre(); // matrices have none
-    return &*settings.view;
+    if (!scene_) return nullptr;
+    if (!view_) view_ = current_view();
+    take_over(*view_);
+    return &*view_;
 }
 
 void App::moved() {
-    const Surface& surface = *surface_;
-    enclose(*settings.view, surface.centre(), 0.5 * surface.diagonal());
+    enclose(*view_, scene_->centre(), 0.5 * scene_->diagonal());
     is_stale_ = true;
+    if (!choices.dabs.empty()) restyle_soon(); // a light that turns with the camera is part of what is painted
 }
 
 void App::orbit_by(double dx, double dy) {
@@ -281,99 +255,113 @@ void App::pan_by(double dx, double dy) {
 void App::zoom_by(double steps) {
     View* const view = movable();
     if (view == nullptr) return;
-    const double factor = std::pow(1.1, steps), far = length(view->eye - view->target) / surface_->diagonal();
+    const double factor = std::pow(1.1, steps), far = length(view->eye - view->target) / scene_->diagonal();
     const bool is_flat = view->vertical_angle == 0;
-    const double size = (is_flat ? view->view_height / surface_->diagonal() : far) / factor;
+    const double size = (is_flat ? view->view_height / scene_->diagonal() : far) / factor;
     if ((size < 0.005 && factor > 1) || (size > 200 && factor < 1)) return; // farther there is nothing to see
     zoom(*view, factor);
     moved();
+    restyle_soon(); // other sizes need other numbers of marks
 }
 
 void App::reset_view() {
-    if (!surface_) return;
-    settings.view = first_view(*surface_, canvas_);
-    is_stale_ = true;
+    if (!scene_) return;
+    view_.reset();
+    restyle();
 }
 
 Vec App::light_in_camera() const {
-    const double* const l = settings.style.fields.light;
+    const double* const l = sheet.style.light;
     const Vec light = unit({l[0], l[1], l[2]});
-    if (settings.style.fields.light_space == HRBFNPR_LIGHT_CAMERA || !settings.view) return light;
-    return to_camera(camera_of(*settings.view, canvas_), light);
+    if (sheet.style.light_space == HRBFNPR_LIGHT_CAMERA || !scene_) return light;
+    return to_camera(camera_of(current_view(), canvas_), light);
 }
 
 void App::aim_light(const Vec& in_camera) {
     Vec light = unit(in_camera);
-    if (settings.style.fields.light_space == HRBFNPR_LIGHT_WORLD && settings.view)
-        light = to_world(camera_of(*settings.view, canvas_), light);
-    std::copy(light.begin(), light.end(), settings.style.fields.light);
-    is_stale_ = true;
+    if (sheet.style.light_space == HRBFNPR_LIGHT_WORLD && scene_)
+        light = to_world(camera_of(current_view(), canvas_), light);
+    std::copy(light.begin(), light.end(), sheet.style.light);
+    change("style.light", text_of(field_of("hrbfnpr_style", "light"), &sheet.style));
 }
 
 bool App::hit(double x, double y, Vec& place, Vec& normal) const {
-    if (!surface_ || !surface_->model || !ink_ || !frame_.drawing) return false;
+    if (!scene_ || !frame_.drawing) return false;
     const auto [origin, direction] = ray_of(frame_.camera, x, y);
     const std::vector<Vec> from{origin}, along{direction};
     const hrbfnpr_array origins = view_of(from), directions = view_of(along);
-    auto desc = defaults<hrbfnpr_cast_desc>(hrbfnpr_cast_desc_init);
-    desc.lipschitz = surface_->lipschitz;
-    desc.smallest_step = 1e-3;
-    auto hits = defaults<hrbfnpr_ray_hits>(hrbfnpr_ray_hits_init);
-    hits.position = {&place, 1, 0, HRBFNPR_SCALAR_FLOAT64, 3};
-    hits.normal = {&normal, 1, 0, HRBFNPR_SCALAR_FLOAT64, 3};
-    Error error;
-    const auto status =
-        hrbfnpr_model_cast_rays(surface_->model.get(), &origins, &directions, &desc, &hits, nullptr, error);
-    return status == HRBFNPR_STATUS_OK && hits.hit_rays == 1;
+    double nearest = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < scene_->parts.size(); ++i) {
+        if (scene_->parts[i].model == nullptr) continue;
+        Vec at{}, facing{};
+        auto desc = defaults<hrbfnpr_cast_desc>(hrbfnpr_cast_desc_init);
+        desc.lipschitz = scene_->lipschitz[i];
+        desc.smallest_step = 1e-3;
+        auto hits = defaults<hrbfnpr_ray_hits>(hrbfnpr_ray_hits_init);
+        hits.position = {&at, 1, 0, HRBFNPR_SCALAR_FLOAT64, 3};
+        hits.normal = {&facing, 1, 0, HRBFNPR_SCALAR_FLOAT64, 3};
+        Error error;
+        const auto status =
+            hrbfnpr_model_cast_rays(scene_->parts[i].model, &origins, &directions, &desc, &hits, nullptr, error);
+        const double distance = dot(at - origin, direction);
+        if (status != HRBFNPR_STATUS_OK || hits.hit_rays != 1 || distance >= nearest) continue;
+        nearest = distance;
+        place = at;
+        normal = facing;
+    }
+    return std::isfinite(nearest);
 }
 
+// ---- The brush
+
 void App::begin_stroke() {
-    strokes_.push_back(settings.paint.size());
+    strokes_.push_back(choices.dabs.size());
     has_last_dab_ = false;
 }
 
 void App::paint_at(double x, double y) {
-    Dab dab;
-    if (brush.kind == Brush::off || !hit(x, y, dab.position, dab.normal)) return;
-    dab.radius = brush.radius * units_per_pixel(frame_.camera, dab.position);
-    dab.strength = brush.strength;
+    Vec place, normal;
+    if (brush.kind == Brush::off || !hit(x, y, place, normal)) return;
+    auto dab = defaults<hrbfnpr_dab>(hrbfnpr_dab_init);
+    dab.radius = static_cast<double>(brush.radius) * units_per_pixel(frame_.camera, place);
+    dab.strength = static_cast<double>(brush.strength);
     // Dabs a third of the brush apart make an even stroke.
-    if (has_last_dab_ && length(dab.position - last_dab_) < 0.35 * dab.radius) return;
-    const Vec way = dab.position - last_dab_;
+    if (has_last_dab_ && length(place - last_dab_) < 0.35 * dab.radius) return;
+    const Vec way = place - last_dab_;
     const bool has_way = has_last_dab_;
-    last_dab_ = dab.position;
+    last_dab_ = place;
     has_last_dab_ = true;
+    std::copy(place.begin(), place.end(), dab.position);
+    std::copy(normal.begin(), normal.end(), dab.normal);
     if (brush.kind == Brush::comb) {
         if (!has_way) return; // one place has no direction
-        dab.map = Map::direction;
-        dab.direction = unit(way - dot(way, dab.normal) * dab.normal);
+        const Vec direction = unit(way - dot(way, normal) * normal);
+        dab.map = HRBFNPR_DAB_DIRECTION;
+        std::copy(direction.begin(), direction.end(), dab.direction);
     } else {
-        dab.map = brush.kind == Brush::darken || brush.kind == Brush::lighten ? Map::tone : Map::density;
+        const bool is_tone = brush.kind == Brush::darken || brush.kind == Brush::lighten;
+        dab.map = is_tone ? HRBFNPR_DAB_TONE : HRBFNPR_DAB_DENSITY;
         dab.value = brush.kind == Brush::lighten || brush.kind == Brush::more ? 1 : 0;
     }
-    settings.paint.push_back(dab);
-    if (dab.map == Map::tone) tone_ = std::make_unique<PaintedMap>(settings.paint, Map::tone);
-    is_stale_ = true;
+    choices.dabs.push_back(dab);
+    if (dab.map == HRBFNPR_DAB_TONE) restyle(); // others need other marks: when the stroke is done
 }
 
 void App::end_stroke() {
-    const std::size_t first = strokes_.empty() ? 0 : strokes_.back();
-    if (first < settings.paint.size() && settings.paint.back().map != Map::tone) wants_marks_ = true;
+    if (!strokes_.empty() && strokes_.back() < choices.dabs.size()) restyle();
 }
 
 void App::undo_stroke() {
     if (strokes_.empty()) return;
-    settings.paint.resize(std::min(settings.paint.size(), strokes_.back()));
+    choices.dabs.resize(std::min(choices.dabs.size(), strokes_.back()));
     strokes_.pop_back();
-    tone_ = std::make_unique<PaintedMap>(settings.paint, Map::tone);
-    wants_marks_ = is_stale_ = true;
+    restyle();
 }
 
 void App::clear_paint() {
-    settings.paint.clear();
+    choices.dabs.clear();
     strokes_.clear();
-    tone_ = std::make_unique<PaintedMap>(settings.paint, Map::tone);
-    wants_marks_ = is_stale_ = true;
+    restyle();
 }
 
 } // namespace viewer

@@ -3,7 +3,9 @@
 #pragma once
 
 #include "export.h"
+#include "frame.h"
 
+#include <chrono>
 #include <deque>
 
 namespace viewer {
@@ -16,15 +18,6 @@ struct BrushSettings {
     float strength = 0.35F;
 };
 
-// A recording that is under way.
-struct Turntable {
-    std::string pattern;
-    int frames = 0, done = 0;
-    Size size;
-    View first;
-    Renderer renderer;
-};
-
 class App {
 public:
     App();
@@ -33,22 +26,28 @@ public:
     void load(const std::string& path);
     void load_formula(const std::string& name);
     void load_bunny();
-    void use_preset(std::uint32_t preset);
+    void use_style(const std::string& name);
     void load_settings(const std::string& path);
     void save(const std::string& path); // by its ending, export.h
     void record(const std::string& pattern, int frames, Size size);
     void cancel();
-    void place_marks() { wants_marks_ = true; } // anew
-    void redraw() { is_stale_ = true; }
     void reset_view();
-    void set_distribution(std::uint32_t distribution);
+    void set_distribution(const char* name);
     void show_patches(bool shown);
     void set_step(double step); // rho_0; 0 = the library's
+    // A field of the sheet, of a fit or of lines has another value: hrbfnpr_change.
+    void change(const std::string& field, const std::string& value);
+    // Marks as the style and the picture need them.
+    void forget_marks();
+    // Something of `choices` has changed.
+    void restyle();
 
     // ---- The mouse on the picture, in its pixels.
     void orbit_by(double dx, double dy);
     void pan_by(double dx, double dy);
     void zoom_by(double steps);
+    View* movable(); // nullptr: there is nothing to look at yet
+    void moved();
     void begin_stroke();
     void paint_at(double x, double y);
     void end_stroke();
@@ -64,54 +63,58 @@ public:
     void set_canvas(Size size);
     // True if the pixels are new.
     bool draw();
+    // Shows the panels what the picture has; not while one of them is being used.
+    void refresh_sheet();
 
     // ---- What there is.
-    Settings settings;
+    Choices choices;
+    Sheet sheet; // what panels show and change
+    hrbfnpr_fit_desc fit;
+    hrbfnpr_mesh_fit_desc mesh_fit;
     BrushSettings brush;
     std::string message; // of the last thing that failed; empty: none
     std::string said;    // of the last thing that was done
 
     bool is_busy() const {
-        return worker_.is_busy() || wants_marks_ || wants_fine_ || load_ != nullptr || turntable_ != nullptr;
+        return worker_.is_busy() || wants_restyle_ || restyle_at_ || load_ != nullptr || !writes_.empty();
     }
+    bool is_writing() const { return is_writing_ || !writes_.empty(); }
     bool was_cancelled() const { return worker_.was_cancelled(); }
     const Worker& worker() const { return worker_; }
-    const Turntable* turntable() const { return turntable_.get(); }
-    const Surface* surface() const { return surface_.get(); }
-    const Ink* ink() const { return ink_.get(); }
+    const Progress& progress() const { return progress_; }
+    const Scene* scene() const { return scene_.get(); }
     const Frame& frame() const { return frame_; }
     Size canvas() const { return canvas_; }
     bool patches_shown() const { return patches_shown_; }
-    std::vector<hrbfnpr_layer_desc>& own_layers(); // of the settings; those used become them
-    // The settings with all that was chosen for this picture.
-    Settings complete() const;
     double bytes() const;
 
     double window_milliseconds = 0; // of the last whole frame of the window, the library's part included
 
 private:
-    void start_loading(std::function<Surface(const Settings&, Work&)> open);
-    void start_marks(bool coarse);
+    using Clock = std::chrono::steady_clock;
+    void start_loading(std::function<Source(Work&)> open);
+    void start_job();
+    void write(std::function<void(const Export&, Work&)> job, Size size, const std::string& done);
+    void take(Scene&& scene);
+    void restyle_soon() { restyle_at_ = Clock::now() + std::chrono::milliseconds(250); }
     void fail(const std::exception& failure) { message = failure.what(); }
-    void record_frame();
-    View* movable(); // nullptr: there is nothing to look at yet
-    void moved();
+    View current_view() const; // there is a scene
 
     Context context_;
+    Progress progress_; // before the pictures that tell it
     Worker worker_;
-    Renderer renderer_;
-    std::shared_ptr<const Surface> surface_;
-    std::shared_ptr<const Ink> ink_;
-    std::function<Surface(const Settings&, Work&)> load_; // to be started
-    bool is_loading_ = false, wants_marks_ = false, wants_fine_ = false, is_stale_ = false, patches_shown_ = false;
-    bool settings_are_new_ = false; // read, and not used for a model yet: their camera and marks count
+    std::shared_ptr<const Scene> scene_;
+    std::function<Source(Work&)> load_;                                     // to be started
+    std::deque<std::pair<std::function<void(Work&)>, std::string>> writes_; // jobs, and what is said when they are done
+    bool wants_restyle_ = false, is_writing_ = false, is_stale_ = false, patches_shown_ = false, sheet_is_old_ = false;
+    std::optional<Clock::time_point> restyle_at_; // after what goes on for a while, such as turning a wheel
+    bool settings_are_new_ = false;               // read, and not used for a model yet: their camera counts
+    std::optional<View> view_;                    // as the mouse has left it; else as the library plans
     Frame frame_;
     Size canvas_{640, 480};
-    std::unique_ptr<PaintedMap> tone_;
     std::vector<std::size_t> strokes_; // numbers of dabs before each
     Vec last_dab_{};
     bool has_last_dab_ = false;
-    std::unique_ptr<Turntable> turntable_;
 };
 
 } // namespace viewer

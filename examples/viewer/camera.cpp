@@ -17,7 +17,25 @@ Axes axes_of(const View& view) {
     return {right, cross(back, right), back};
 }
 
-// What matrices say, in the view's own words, so that a mouse can go on from there.
+Vec turned(const Vec& v, const Vec& axis, double angle) { // Rodrigues' formula
+    const double c = std::cos(angle), s = std::sin(angle);
+    return c * v + s * cross(axis, v) + ((1 - c) * dot(axis, v)) * axis;
+}
+
+} // namespace
+
+View view_by(const hrbfnpr_camera& camera, const Vec& target, const Vec& up) {
+    View view;
+    view.up = up;
+    view.target = target;
+    view.view.emplace();
+    view.projection.emplace();
+    std::copy(camera.view, camera.view + 16, view.view->begin());
+    std::copy(camera.projection, camera.projection + 16, view.projection->begin());
+    view.given_size = {static_cast<int>(camera.viewport[2]), static_cast<int>(camera.viewport[3])};
+    return view;
+}
+
 void take_over(View& view) {
     if (!view.view) return;
     const auto& m = *view.view;
@@ -30,7 +48,7 @@ void take_over(View& view) {
     view.eye = -1.0 * (m[12] * right + m[13] * up + m[14] * back);
     const double away = std::max(dot(view.eye - view.target, back), 1e-3 * distance);
     view.target = view.eye - away * back;
-    view.up = up;
+    if (std::abs(dot(view.up, right)) > 1e-6) view.up = up; // the picture is rolled, and stays so
     const auto& p = *view.projection;
     const bool flat = p[15] != 0;
     view.vertical_angle = flat ? 0 : 2 * std::atan(1 / std::abs(p[5]));
@@ -38,13 +56,6 @@ void take_over(View& view) {
     view.view.reset();
     view.projection.reset();
 }
-
-Vec turned(const Vec& v, const Vec& axis, double angle) { // Rodrigues' formula
-    const double c = std::cos(angle), s = std::sin(angle);
-    return c * v + s * cross(axis, v) + ((1 - c) * dot(axis, v)) * axis;
-}
-
-} // namespace
 
 hrbfnpr_camera camera_of(const View& view, Size size) {
     auto camera = defaults<hrbfnpr_camera>(hrbfnpr_camera_init);
@@ -75,35 +86,6 @@ hrbfnpr_camera camera_of(const View& view, Size size) {
                                                                      view.near_plane, view.far_plane, error);
     });
     return camera;
-}
-
-View view_of_all(const std::vector<Vec>& points, const Vec& direction, const Vec& up, double angle, double aspect) {
-    constexpr double margin = 0.06;
-    View view;
-    view.up = up;
-    view.vertical_angle = angle;
-    Vec low = points.front(), high = points.front();
-    for (const Vec& p : points)
-        for (std::size_t k = 0; k < 3; ++k) low[k] = std::min(low[k], p[k]), high[k] = std::max(high[k], p[k]);
-    view.target = 0.5 * (low + high);
-    view.eye = view.target - unit(direction);
-    const Axes axes = axes_of(view);
-    const double half = angle > 0 ? std::tan(angle / 2) : 1;
-    const double room_up = half * (1 - 2 * margin), room_across = room_up * aspect;
-    double distance = 1e-9, height = 1e-9;
-    for (const Vec& p : points) {
-        const Vec away = p - view.target;
-        const double wanted =
-            std::max(std::abs(dot(away, axes.right)) / room_across, std::abs(dot(away, axes.up)) / room_up);
-        distance = std::max(distance, dot(away, axes.back) + wanted);
-        height = std::max(height, 2 * wanted);
-    }
-    const double radius = 0.5 * length(high - low);
-    if (angle == 0) distance = 4 * std::max(radius, 1e-9);
-    view.eye = view.target + distance * axes.back;
-    view.view_height = height;
-    enclose(view, view.target, radius);
-    return view;
 }
 
 void enclose(View& view, const Vec& centre, double radius) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where the eye is, and how a mouse moves it.
+// Where the eye is once a mouse has moved it.  The library plans the first view.
 #pragma once
 
 #include "handles.h"
@@ -18,17 +18,19 @@ struct View {
     double view_height = 1;      // ... of this height
     double near_plane = 0.1, far_plane = 10;
 
-    // Given in place of these, by settings that hold matrices, until the eye is moved.  `given_size`: of their picture.
+    // Matrices of the library stand in place of these until the eye is moved.  `given_size` is that of their picture.
     std::optional<std::array<double, 16>> view, projection;
     Size given_size;
 };
 
+// A view by a camera of the library, which turns about `target` and the direction `up` when it is moved.
+View view_by(const hrbfnpr_camera& camera, const Vec& target, const Vec& up);
+
 // For a picture of this size.
 hrbfnpr_camera camera_of(const View& view, Size size);
 
-// All of the points in the picture but for a margin, seen along `direction` with `up` upward; angle 0 = orthographic.
-View view_of_all(const std::vector<Vec>& points, const Vec& direction, const Vec& up, double angle, double aspect);
-
+// Writes what matrices say into the view's own words, so that it can be moved.
+void take_over(View& view);
 void orbit(View& view, double across, double upward); // radians
 void pan(View& view, double across, double upward);   // shares of the picture's height
 void zoom(View& view, double factor);                 // above 1 nearer

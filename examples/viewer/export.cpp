@@ -1,44 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "export.h"
 
-#include <cstdio>
+#include "files.h"
+
 #include <png.h>
 
 namespace viewer {
 
 namespace {
-
-// A file that has its name only once it is whole.
-class Target {
-public:
-    explicit Target(const std::string& path)
-        : path_(path), part_(path + ".part"), file_(std::fopen(part_.c_str(), "wb")) {
-        if (file_ == nullptr) throw Failure(path + ": cannot be written; is there such a folder?");
-    }
-    Target(const Target&) = delete;
-    Target& operator=(const Target&) = delete;
-    ~Target() {
-        if (file_ == nullptr) return;
-        std::fclose(file_);
-        std::remove(part_.c_str());
-    }
-    std::FILE* file() const { return file_; }
-    void finish() {
-        const bool whole = std::fclose(file_) == 0;
-        file_ = nullptr;
-        if (whole && std::rename(part_.c_str(), path_.c_str()) == 0) return;
-        std::remove(part_.c_str());
-        throw Failure(path_ + ": cannot be written; is there room for it?");
-    }
-
-private:
-    std::string path_, part_;
-    std::FILE* file_;
-};
-
-std::int32_t write_bytes(void* file, const void* data, std::uint64_t size) {
-    return std::fwrite(data, 1, size, static_cast<std::FILE*>(file)) == size ? 0 : 1;
-}
 
 bool ends_with(const std::string& path, const std::string& ending) {
     return path.size() >= ending.size() && path.compare(path.size() - ending.size(), ending.size(), ending) == 0;
@@ -51,48 +20,68 @@ int page_format(const std::string& path) {
     return -1;
 }
 
-void write_page(const Export& what, const Frame& frame, const std::string& path) {
-    auto item = defaults<hrbfnpr_page_item>(hrbfnpr_page_item_init);
-    item.drawing = frame.drawing.get();
+// camera: null is the planned one.
+Drawing drawn(const Picture& picture, const hrbfnpr_camera* camera) {
+    return make<hrbfnpr_drawing>(hrbfnpr_drawing_release, [&](auto** out, auto* error) {
+        return hrbfnpr_picture_draw(picture.get(), camera, nullptr, out, error);
+    });
+}
+
+void write_pixels(const Picture& picture, const hrbfnpr_camera* camera, const std::string& path) {
+    const Drawing drawing = drawn(picture, camera);
+    Size size;
+    checked([&](auto* error) {
+        return hrbfnpr_picture_plate_size(picture.get(), camera, &size.width, &size.height, error);
+    });
+    std::vector<std::uint8_t> pixels(std::size_t{4} * static_cast<std::size_t>(size.width) *
+                                     static_cast<std::size_t>(size.height));
+    auto image = defaults<hrbfnpr_image>(hrbfnpr_image_init);
+    image.format = HRBFNPR_FORMAT_RGBA8;
+    image.width = size.width;
+    image.height = size.height;
+    image.pixels = pixels.data();
+    checked(
+        [&](auto* error) { return hrbfnpr_picture_rasterize(picture.get(), drawing.get(), camera, &image, error); });
+    write_png(path, pixels, size);
+}
+
+void write_page(const Picture& picture, const std::string& path) {
+    const Drawing drawing = drawn(picture, nullptr);
     auto page = defaults<hrbfnpr_page_desc>(hrbfnpr_page_desc_init);
     page.format = static_cast<std::uint32_t>(page_format(path));
-    page.items = &item;
-    page.item_count = 1;
-    page.width = frame.size.width * item.scale;
-    page.height = frame.size.height * item.scale;
-    const std::string title = what.surface.name;
-    page.title = title.c_str();
-    const std::string metadata = settings_text(what.settings);
-    page.metadata = metadata.c_str();
+    auto desc = defaults<hrbfnpr_picture_page_desc>(hrbfnpr_picture_page_desc_init);
+    desc.page = &page;
     Target target(path);
     checked([&](auto* error) {
-        return hrbfnpr_page_write(what.context.get(), &page, write_bytes, target.file(), nullptr, nullptr, error);
+        return hrbfnpr_picture_write(picture.get(), drawing.get(), nullptr, &desc, write_to_file, target.file(),
+                                     nullptr, nullptr, error);
     });
     target.finish();
 }
 
-void write_picture(const Export& what, const std::string& path) {
-    Frame frame;
-    draw_frame(frame, what.renderer, what.surface, what.ink, what.settings, what.tone, what.size);
-    if (page_format(path) >= 0)
-        write_page(what, frame, path);
-    else
-        write_png(path, frame.pixels, frame.size);
-}
-
-void write_model(const Export& what, const std::string& path) {
-    if (what.surface.model == nullptr) throw Failure(path + ": there is no model, but saved marks alone");
+void write_model(const hrbfnpr_model* model, const std::string& path) {
+    if (model == nullptr) throw Failure(path + ": there is no model, but saved marks alone");
     Target target(path);
-    checked(
-        [&](auto* error) { return hrbfnpr_model_save(what.surface.model.get(), write_bytes, target.file(), error); });
+    checked([&](auto* error) { return hrbfnpr_model_save(model, write_to_file, target.file(), error); });
     target.finish();
 }
 
-void write_marks(const Export& what, const std::string& path) {
+void write_marks(const Picture& picture, const std::string& path) {
+    auto part = defaults<hrbfnpr_picture_part>(hrbfnpr_picture_part_init);
+    checked([&](auto* error) { return hrbfnpr_picture_get_part(picture.get(), 0, &part, error); });
     Target target(path);
-    checked(
-        [&](auto* error) { return hrbfnpr_point_set_save(what.ink.marks.get(), write_bytes, target.file(), error); });
+    checked([&](auto* error) { return hrbfnpr_point_set_save(part.point_set, write_to_file, target.file(), error); });
     target.finish();
+}
+
+void write_text(const std::string& text, const std::string& path) {
+    Target target(path);
+    if (write_to_file(target.file(), text.data(), text.size()) != 0) throw Failure(path + ": cannot be written");
+    target.finish();
+}
+
+Picture picture_of(const Export& what, Work& work) {
+    return restyled_picture(what.scene.picture, what.choices, what.size, what.view ? &*what.view : nullptr, work);
 }
 
 } // namespace
@@ -109,13 +98,33 @@ void write_png(const std::string& path, const std::vector<std::uint8_t>& rgba, S
     target.finish();
 }
 
-void write_export(const Export& what, const std::string& path) {
-    if (ends_with(path, ".png") || page_format(path) >= 0) return write_picture(what, path);
-    if (ends_with(path, ".hrbf")) return write_model(what, path);
-    if (ends_with(path, ".hrbm")) return write_marks(what, path);
-    if (ends_with(path, ".json")) return write_settings(what.settings, path);
+void check_ending(const std::string& path) {
+    for (const char* const ending : {".png", ".hrbf", ".hrbm", ".json"})
+        if (ends_with(path, ending)) return;
+    if (page_format(path) >= 0) return;
     throw Failure(path + ": the name must end in .png, .svg, .pdf, .hpgl or .gcode for a picture, .hrbf for the model, "
                          ".hrbm for the marks, or .json for settings");
+}
+
+void write_export(const Export& what, const std::string& path, Work& work) {
+    check_ending(path);
+    if (ends_with(path, ".hrbf")) return write_model(what.scene.parts.front().model, path);
+    const Picture picture = picture_of(what, work);
+    if (ends_with(path, ".hrbm")) return write_marks(picture, path);
+    if (ends_with(path, ".json")) return write_text(settings_of(picture), path);
+    if (page_format(path) >= 0) return write_page(picture, path);
+    write_pixels(picture, nullptr, path);
+}
+
+void write_turntable(const Export& what, const std::string& pattern, int frames, Work& work) {
+    const Picture picture = picture_of(what, work);
+    for (int frame = 0; frame < frames; ++frame) {
+        work.step("frame " + std::to_string(frame), static_cast<double>(frame) / frames);
+        auto camera = defaults<hrbfnpr_camera>(hrbfnpr_camera_init);
+        checked(
+            [&](auto* error) { return hrbfnpr_picture_orbit(picture.get(), 360.0 * frame / frames, &camera, error); });
+        write_pixels(picture, &camera, numbered(pattern, frame));
+    }
 }
 
 std::string numbered(const std::string& pattern, int number) {

@@ -13,6 +13,8 @@ namespace viewer {
 
 namespace {
 
+using Json = nlohmann::ordered_json;
+
 struct Choice {
     const char* field;
     std::uint32_t first;
@@ -104,85 +106,32 @@ T load(const void* values, const Field& field, std::size_t i) {
     return result;
 }
 
-template <class T>
-void store(void* values, const Field& field, std::size_t i, T value) {
-    std::memcpy(static_cast<char*>(values) + field.offset + i * sizeof(T), &value, sizeof value);
+template <class Number>
+std::string shortest(Number number) {
+    char text[64];
+    const auto end = std::to_chars(text, text + sizeof text, number);
+    return std::string(text, end.ptr);
 }
 
-Json element_to_json(const Field& field, const void* values, std::size_t i) {
+std::string element_text(const Field& field, const void* values, std::size_t i) {
     if (field.type == "float") return shortest(load<float>(values, field, i));
-    if (field.type == "double") return load<double>(values, field, i);
-    if (field.type == "int32_t") return load<std::int32_t>(values, field, i);
-    if (field.type == "int64_t") return load<std::int64_t>(values, field, i);
-    if (field.type == "uint64_t") return load<std::uint64_t>(values, field, i);
-    if (field.type == "const char*") {
-        const char* const text = load<const char*>(values, field, i);
-        return text == nullptr ? Json(nullptr) : Json(text);
-    }
+    if (field.type == "double") return shortest(load<double>(values, field, i));
+    if (field.type == "int32_t") return shortest(load<std::int32_t>(values, field, i));
+    if (field.type == "int64_t") return shortest(load<std::int64_t>(values, field, i));
+    if (field.type == "uint64_t") return shortest(load<std::uint64_t>(values, field, i));
     const auto number = load<std::uint32_t>(values, field, i);
     const std::size_t place = number - field.first_choice;
-    return place < field.choices.size() ? Json(field.choices[place]) : Json(number);
+    return place < field.choices.size() ? field.choices[place] : shortest(number);
 }
 
-Json field_to_json(const Field& field, const void* values) {
-    if (field.count == 1) return element_to_json(field, values, 0);
-    Json list = Json::array();
-    for (std::size_t i = 0; i < field.count; ++i) list.push_back(element_to_json(field, values, i));
-    return list;
-}
-
-std::string listed(const std::vector<std::string>& words) {
-    std::string result;
-    for (const std::string& word : words) result += (result.empty() ? "" : ", ") + word;
+Json section(const char* c_name) {
+    Json result = Json::object();
+    for (const Field& field : fields_of(c_name)) {
+        Json kind = field.choices.empty() ? Json(field.type) : Json(field.choices);
+        result[field.name] = field.count == 1 ? kind : Json{kind, field.count};
+    }
     return result;
 }
-
-[[noreturn]] void refuse(const std::string& where, const std::string& wanted, const Json& json) {
-    throw Failure(where + ": " + wanted + " is needed, not " + json.dump().substr(0, 60));
-}
-
-std::uint32_t choice_of(const Field& field, const Json& json, const std::string& where) {
-    std::string word = json.is_string() ? json.get<std::string>() : "";
-    std::replace(word.begin(), word.end(), '-', '_');
-    const auto found = std::find(field.choices.begin(), field.choices.end(), word);
-    if (found == field.choices.end()) refuse(where, "one of " + listed(field.choices), json);
-    return field.first_choice + static_cast<std::uint32_t>(found - field.choices.begin());
-}
-
-template <class T>
-T whole(const Json& json, const std::string& where) {
-    if (json.is_boolean()) return static_cast<T>(json.get<bool>());
-    if (!json.is_number_integer()) refuse(where, "a whole number", json);
-    const bool negative = !json.is_number_unsigned() && json.get<std::int64_t>() < 0;
-    const auto value =
-        static_cast<T>(negative ? static_cast<T>(json.get<std::int64_t>()) : static_cast<T>(json.get<std::uint64_t>()));
-    if (Json(value) != json) refuse(where, "a number that fits " + std::to_string(8 * sizeof(T)) + " bits", json);
-    return value;
-}
-
-void element_from_json(const Field& field, const Json& json, void* values, std::size_t i, const std::string& where) {
-    if (!field.choices.empty()) return store(values, field, i, choice_of(field, json, where));
-    if (field.type == "int32_t") return store(values, field, i, whole<std::int32_t>(json, where));
-    if (field.type == "uint32_t") return store(values, field, i, whole<std::uint32_t>(json, where));
-    if (field.type == "int64_t") return store(values, field, i, whole<std::int64_t>(json, where));
-    if (field.type == "uint64_t") return store(values, field, i, whole<std::uint64_t>(json, where));
-    if (field.type == "const char*") {
-        if (!json.is_string() && !json.is_null()) refuse(where, "a text or null", json);
-        return store(values, field, i, json.is_null() ? nullptr : kept(json.get<std::string>()));
-    }
-    if (!json.is_number()) refuse(where, "a number", json);
-    if (field.type == "float") return store(values, field, i, static_cast<float>(json.get<double>()));
-    store(values, field, i, json.get<double>());
-}
-
-void field_from_json(const Field& field, const Json& json, void* values, const std::string& where) {
-    if (field.count == 1) return element_from_json(field, json, values, 0, where);
-    if (!json.is_array() || json.size() != field.count)
-        refuse(where, "a list of " + std::to_string(field.count) + " numbers", json);
-    for (std::size_t i = 0; i < field.count; ++i) element_from_json(field, json[i], values, i, where);
-}
-
-std::mutex keeping;
 
 } // namespace
 
@@ -194,64 +143,35 @@ const std::vector<Field>& fields_of(const std::string& c_name) {
     return found != known.end() ? found->second : known.emplace(c_name, read_layout(c_name)).first->second;
 }
 
-Json fields_to_json(const std::string& c_name, const void* values, const void* base) {
-    Json result = Json::object();
-    for (const Field& field : fields_of(c_name)) {
-        Json value = field_to_json(field, values);
-        if (base == nullptr || value != field_to_json(field, base)) result[field.name] = std::move(value);
+const Field& field_of(const std::string& c_name, const std::string& name) {
+    for (const Field& field : fields_of(c_name))
+        if (field.name == name) return field;
+    throw Failure(c_name + " has no field " + name);
+}
+
+std::string text_of(const Field& field, const void* values) {
+    if (field.type == "const char*") {
+        const char* const text = load<const char*>(values, field, 0);
+        return text == nullptr ? "" : text;
     }
+    std::string result;
+    for (std::size_t i = 0; i < field.count; ++i) result += (i > 0 ? "," : "") + element_text(field, values, i);
     return result;
 }
 
-void fields_from_json(const std::string& c_name, const Json& json, void* values, const std::string& where,
-                      const std::vector<std::string>& others) {
-    if (!json.is_object()) refuse(where, "an object with fields", json);
-    const std::vector<Field>& fields = fields_of(c_name);
-    for (const auto& each : json.items()) {
-        const std::string& key = each.key();
-        if (std::find(others.begin(), others.end(), key) != others.end()) continue;
-        const auto field = std::find_if(fields.begin(), fields.end(), [&](const Field& f) { return f.name == key; });
-        if (field == fields.end()) {
-            std::vector<std::string> names;
-            for (const Field& each : fields) names.push_back(each.name);
-            names.insert(names.end(), others.begin(), others.end());
-            throw Failure(where + "." + key + ": there is no such field; there are " + listed(names));
-        }
-        field_from_json(*field, each.value(), values, where + "." + key);
-    }
-}
+std::string decimals(double number) { return shortest(number); }
 
-const char* kept(const std::string& text) {
-    static std::set<std::string> texts;
-    const std::lock_guard<std::mutex> lock(keeping);
-    return texts.insert(text).first->c_str();
-}
-
-hrbfnpr_array kept(const std::vector<double>& numbers) {
-    static std::set<std::vector<double>> lists;
-    if (numbers.empty()) return {};
-    const std::lock_guard<std::mutex> lock(keeping);
-    const std::vector<double>& list = *lists.insert(numbers).first;
-    return {list.data(), static_cast<std::int64_t>(list.size()), 0, HRBFNPR_SCALAR_FLOAT64, 1};
-}
-
-double shortest(float value) {
-    char text[64];
-    const auto end = std::to_chars(text, text + sizeof text, value);
-    double result = value;
-    std::from_chars(text, end.ptr, result);
-    return result;
-}
-
-std::vector<double> numbers_of(const Json& json, const std::string& where, std::size_t count) {
-    const std::string wanted = count == 0 ? "a list of numbers" : "a list of " + std::to_string(count) + " numbers";
-    if (!json.is_array() || (count != 0 && json.size() != count)) refuse(where, wanted, json);
-    std::vector<double> result;
-    for (const Json& each : json) {
-        if (!each.is_number()) refuse(where, wanted, json);
-        result.push_back(each.get<double>());
-    }
-    return result;
+std::string schema_text() {
+    const Json schema = {{"style", section("hrbfnpr_style")},
+                         {"style.layers", section("hrbfnpr_layer_style")},
+                         {"style.lines", section("hrbfnpr_line_style")},
+                         {"marks", section("hrbfnpr_generate_desc")},
+                         {"marks.layers", section("hrbfnpr_layer_desc")},
+                         {"fit", section("hrbfnpr_fit_desc")},
+                         {"mesh_fit", section("hrbfnpr_mesh_fit_desc")},
+                         {"line_set", section("hrbfnpr_line_set_desc")},
+                         {"line_set.lines", section("hrbfnpr_line_desc")}};
+    return schema.dump(2);
 }
 
 } // namespace viewer

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Editors for the fields of descriptors.
+#include "fields.h"
 #include "ui.h"
 
 #include <algorithm>
@@ -32,12 +33,6 @@ bool edit_number(ImGuiDataType type, void* value, int count, const char* label, 
     const float speed =
         whole ? static_cast<float>(std::max(0.2, 0.01 * size)) : static_cast<float>(std::max(0.002, 0.01 * size));
     return ImGui::DragScalarN(label, type, value, count, speed, nullptr, nullptr, format);
-}
-
-const Field* find(const char* c_name, const char* name) {
-    for (const Field& field : fields_of(c_name))
-        if (field.name == name) return &field;
-    return nullptr;
 }
 
 bool is_switch(const Field& field) { return field.name == "shown" || field.name == "contours"; }
@@ -75,16 +70,40 @@ bool edit_colour(const char* label, float* rgba) {
     return ImGui::ColorEdit4(label, rgba, ImGuiColorEditFlags_NoInputs | ImGuiColorEditFlags_AlphaPreviewHalf);
 }
 
-bool edit_field(const char* c_name, const char* name, void* values, const char* label) {
-    const Field* const field = find(c_name, name);
-    return field != nullptr && edit(*field, values, label != nullptr ? label : in_words(name).c_str());
+void tell_change(const Edited& edited, const char* field) {
+    edited.app.change(edited.path + "." + field, text_of(field_of(edited.c_name, field), edited.values));
 }
 
-bool edit_fields(const char* c_name, void* values) {
-    bool changed = false;
-    for (const Field& field : fields_of(c_name))
-        if (field.name != "kind") changed |= edit(field, values, in_words(field.name).c_str());
-    return changed;
+void edit_field(const Edited& edited, const char* field, const char* label) {
+    const std::string words = label != nullptr ? label : in_words(field);
+    if (edit(field_of(edited.c_name, field), edited.values, words.c_str())) tell_change(edited, field);
+}
+
+void edit_fields(const Edited& edited) {
+    for (const Field& field : fields_of(edited.c_name))
+        if (field.name != "kind" && edit(field, edited.values, in_words(field.name).c_str()))
+            tell_change(edited, field.name.c_str());
+}
+
+void slide(const Edited& edited, const char* field_name, const char* label, double low, double high, Counts counts,
+           const char* format) {
+    const Field& field = field_of(edited.c_name, field_name);
+    void* const value = at(edited.values, field);
+    bool moved = false;
+    if (field.type == "float") {
+        moved = ImGui::SliderFloat(label, static_cast<float*>(value), static_cast<float>(low), static_cast<float>(high),
+                                   format != nullptr ? format : "%.3f");
+    } else if (field.type == "double") {
+        moved = ImGui::SliderScalar(label, ImGuiDataType_Double, value, &low, &high, format);
+    } else if (field.type == "int64_t") {
+        const auto first = static_cast<std::int64_t>(low), last = static_cast<std::int64_t>(high);
+        moved =
+            ImGui::SliderScalar(label, ImGuiDataType_S64, value, &first, &last, format, ImGuiSliderFlags_Logarithmic);
+    } else {
+        const auto first = static_cast<std::int32_t>(low), last = static_cast<std::int32_t>(high);
+        moved = ImGui::SliderScalar(label, ImGuiDataType_S32, value, &first, &last, format);
+    }
+    if (counts == Counts::always ? moved : ImGui::IsItemDeactivatedAfterEdit()) tell_change(edited, field_name);
 }
 
 } // namespace viewer

@@ -1,12 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Surfaces to begin with: solids put together from primitives, a function of our own, samples of formulas.
-#include "readers/shape.h"
 #include "scene.h"
 
 namespace viewer {
-
-Surface surface_of_samples(const Shape& shape, const Settings& settings, Work& work);
-Surface surface_of_model(const Model& model, Work& work);
 
 namespace {
 
@@ -147,26 +143,26 @@ const std::vector<std::string>& formulas() {
     return names;
 }
 
-Surface surface_of_formula(const std::string& name, const Settings& settings, Work& work) {
-    Surface surface;
+Source source_of_formula(const std::string& name, Work& work) {
+    Source source;
+    source.name = name;
+    source.has_right_normals = true;
+    source.up = name == "torus" || name == "linked tori" || name == "trefoil knot" ? Vec{0, 0, 1} : Vec{0, 1, 0};
     if (name == "torus")
-        surface = surface_of_model(solid({torus(-1, 0.4)}, work), work);
+        source.model = solid({torus(-1, 0.4)}, work);
     else if (name == "linked tori")
-        surface = surface_of_model(solid(linked_tori(), work), work);
+        source.model = solid(linked_tori(), work);
     else if (name == "drilled cube")
-        surface = surface_of_model(solid(drilled_cube(), work), work);
+        source.model = solid(drilled_cube(), work);
     else if (name == "tangle cube")
-        surface = surface_of_model(tangle_cube(work), work);
+        source.model = tangle_cube(work);
     else if (name == "trefoil knot")
-        surface = surface_of_samples(trefoil(), settings, work);
+        source.shape = trefoil();
     else if (name == "heart")
-        surface = surface_of_samples(heart(), settings, work);
+        source.shape = heart();
     else
         throw Failure("there is no model called \"" + name + "\"");
-    surface.name = name;
-    surface.up = name == "torus" || name == "linked tori" || name == "trefoil knot" ? Vec{0, 0, 1} : Vec{0, 1, 0};
-    surface.timings = work.timings;
-    return surface;
+    return source;
 }
 
 } // namespace viewer

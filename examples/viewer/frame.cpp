@@ -34,33 +34,14 @@ void rasterize(Frame& frame) {
 
 } // namespace
 
-void draw_frame(Frame& frame, const Renderer& renderer, const Surface& surface, const Ink& ink,
-                const Settings& settings, const PaintedMap& tone, Size size) {
-    frame.size = size;
-    frame.camera = camera_of(*settings.view, size);
-    const Style style = style_for(settings, size, surface);
-    hrbfnpr_style fields = pointed(style);
-    PaintedTone painted;
-    if (!tone.is_empty()) {
-        const Vec light{fields.light[0], fields.light[1], fields.light[2]};
-        const bool turns = fields.light_space == HRBFNPR_LIGHT_CAMERA;
-        painted = {&tone, unit(turns ? to_world(frame.camera, light) : light), fields.tone_exponent,
-                   static_cast<double>(fields.fill_light), fields.tone == HRBFNPR_TONE_LIGHT};
-        fields.tone = HRBFNPR_TONE_CALLBACK;
-        fields.tone_function = painted_tone;
-        fields.tone_user = &painted;
-    }
-    auto item = defaults<hrbfnpr_item>(hrbfnpr_item_init);
-    item.point_set = ink.marks.get();
-    item.style = &fields;
-    item.line_set = ink.lines.get();
+void draw_frame(Frame& frame, const Scene& scene, const hrbfnpr_camera& camera) {
+    frame.size = {static_cast<int>(camera.viewport[2]), static_cast<int>(camera.viewport[3])};
+    frame.camera = camera;
     frame.drawing.reset(); // its memory serves the next one
     const Stopwatch drawing;
-    frame.drawing =
-        make<hrbfnpr_drawing>([](hrbfnpr_drawing* drawn) { hrbfnpr_drawing_release(drawn); },
-                              [&](auto** out, auto* error) {
-                                  return hrbfnpr_renderer_draw(renderer.get(), &item, 1, 0, &frame.camera, out, error);
-                              });
+    frame.drawing = make<hrbfnpr_drawing>(hrbfnpr_drawing_release, [&](auto** out, auto* error) {
+        return hrbfnpr_picture_draw(scene.picture.get(), &camera, nullptr, out, error);
+    });
     frame.draw_milliseconds = drawing.milliseconds();
     const Stopwatch pixels;
     rasterize(frame);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One picture: from marks, a style and a camera to pixels.
+// A picture from the camera of the window, as pixels.
 #pragma once
 
 #include "scene.h"
@@ -14,12 +14,10 @@ struct Frame {
     std::vector<std::uint8_t> pixels; // RGBA, rows from the top
     bool wants_depth = false;
     std::vector<float> depth;       // 0 near .. 1 far, if it is wanted
-    double draw_milliseconds = 0;   // of the library: the drawing ...
-    double raster_milliseconds = 0; // ... and its pixels
+    double draw_milliseconds = 0;   // that the library took for the drawing
+    double raster_milliseconds = 0; // that it took for the pixels
 };
 
-// `tone`: painted tones, may be empty.
-void draw_frame(Frame& frame, const Renderer& renderer, const Surface& surface, const Ink& ink,
-                const Settings& settings, const PaintedMap& tone, Size size);
+void draw_frame(Frame& frame, const Scene& scene, const hrbfnpr_camera& camera);
 
 } // namespace viewer

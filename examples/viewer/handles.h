@@ -75,15 +75,10 @@ using Context = std::shared_ptr<hrbfnpr_context>;
 using Operation = std::shared_ptr<hrbfnpr_operation>;
 using Model = std::shared_ptr<hrbfnpr_model>;
 using PointSet = std::shared_ptr<hrbfnpr_point_set>;
-using LineSet = std::shared_ptr<hrbfnpr_line_set>;
+using Picture = std::shared_ptr<hrbfnpr_picture>;
 using Drawing = std::shared_ptr<hrbfnpr_drawing>;
-using Renderer = std::shared_ptr<hrbfnpr_renderer>;
 
 inline hrbfnpr_array view_of(const std::vector<Vec>& points) {
-    return {points.data(), static_cast<std::int64_t>(points.size()), 0, HRBFNPR_SCALAR_FLOAT64, 3};
-}
-
-inline hrbfnpr_array_out room_in(std::vector<Vec>& points) {
     return {points.data(), static_cast<std::int64_t>(points.size()), 0, HRBFNPR_SCALAR_FLOAT64, 3};
 }
 

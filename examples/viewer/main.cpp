@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // hrbfnpr-view: a model in a window, drawn in pen and ink.  README.md beside this file says how it is used.
+#include "fields.h"
 #include "script.h"
 
 #include <cstdio>

@@ -43,8 +43,8 @@ bool is_seen(const Frame& frame, const Vec& window, double slack) {
 } // namespace
 
 void draw_patches(const App& app, const Ui& ui) {
-    if (!app.patches_shown() || app.ink() == nullptr || !app.frame().drawing) return;
-    const Patches& patches = app.ink()->patches;
+    if (!app.patches_shown() || app.scene() == nullptr || !app.frame().drawing) return;
+    const Patches& patches = app.scene()->patches;
     if (patches.estimate <= 0) return;
     ImDrawList* const list = ImGui::GetBackgroundDrawList();
     const Frame& frame = app.frame();
@@ -55,7 +55,7 @@ void draw_patches(const App& app, const Ui& ui) {
         const Vec window = window_of(frame.camera, middle);
         const Vec to_eye = frame.camera.projection[15] != 0 ? to_world(frame.camera, {0, 0, 1}) : eye - middle;
         if (window[2] <= 0 || dot(normal, to_eye) <= 0) continue;
-        if (!is_seen(frame, window, 0.01 * app.surface()->diagonal())) continue;
+        if (!is_seen(frame, window, 0.01 * app.scene()->diagonal())) continue;
         ImVec2 quad[4];
         for (std::size_t k = 0; k < 4; ++k) {
             const Vec at = window_of(frame.camera, middle + static_cast<double>(ui.step_ratio) * (corners[k] - middle));
@@ -67,7 +67,7 @@ void draw_patches(const App& app, const Ui& ui) {
 }
 
 void light_handle(App& app, Ui& ui) {
-    if (app.ink() == nullptr) return;
+    if (app.scene() == nullptr) return;
     ImDrawList* const list = ImGui::GetBackgroundDrawList();
     const ImVec2 centre = handle_centre(ui), mouse = ImGui::GetIO().MousePos;
     if (ui.aims) {
@@ -98,7 +98,7 @@ void mouse_on_canvas(App& app, Ui& ui) {
     if (!is_down) ui.holds = false;
     if (over && !ui.holds && is_down) { // a drag begins here, and goes on wherever the mouse is
         ui.holds = true;
-        ui.aims = ImGui::IsMouseDown(0) && app.ink() != nullptr &&
+        ui.aims = ImGui::IsMouseDown(0) && app.scene() != nullptr &&
                   is_inside(io.MousePos, handle_centre(ui), handle_radius + 8);
         ui.paints = brushes && ImGui::IsMouseDown(0) && !ui.aims;
         if (ui.paints) app.begin_stroke();

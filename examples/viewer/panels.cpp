@@ -16,16 +16,15 @@ void model_panel(App& app, Ui& ui) {
     ImGui::InputTextWithHint("##file", "a file, or drop one here", ui.file, sizeof ui.file);
     ImGui::SameLine();
     if (ImGui::Button("Open") && ui.file[0] != '\0') app.load(ui.file);
-    const Surface* const surface = app.surface();
-    if (surface == nullptr) return;
-    ImGui::TextWrapped("%s", surface->name.c_str());
-    for (const std::string& note : surface->notes) ImGui::TextWrapped("- %s", note.c_str());
+    if (app.scene() == nullptr) return;
+    ImGui::TextWrapped("%s", app.scene()->name.c_str());
+    for (const std::string& note : app.scene()->notes) ImGui::TextWrapped("- %s", note.c_str());
     if (ImGui::TreeNode("fit")) {
         ImGui::TextWrapped("For the next file that is opened:");
-        edit_fields("hrbfnpr_fit_desc", &app.settings.fit);
+        edit_fields({app, "hrbfnpr_fit_desc", "fit", &app.fit});
         ImGui::Separator();
         ImGui::TextUnformatted("Of meshes:");
-        edit_fields("hrbfnpr_mesh_fit_desc", &app.settings.mesh_fit);
+        edit_fields({app, "hrbfnpr_mesh_fit_desc", "mesh_fit", &app.mesh_fit});
         ImGui::TreePop();
     }
 }
@@ -33,7 +32,7 @@ void model_panel(App& app, Ui& ui) {
 void brush_panel(App& app) {
     static const char* const names[] = {"off",          "darken", "lighten", "fewer stipples", "restore stipples",
                                         "comb hatching"};
-    const bool can_paint = app.surface() != nullptr && app.surface()->model != nullptr;
+    const bool can_paint = app.scene() != nullptr && app.scene()->has_model();
     if (!can_paint) {
         ImGui::TextWrapped("Saved marks have no surface to paint on: open a model.");
         return;
@@ -42,7 +41,7 @@ void brush_panel(App& app) {
     if (ImGui::Combo("brush", &kind, names, IM_ARRAYSIZE(names))) app.brush.kind = static_cast<Brush>(kind);
     ImGui::SliderFloat("radius", &app.brush.radius, 4, 150, "%.0f pixels");
     ImGui::SliderFloat("strength", &app.brush.strength, 0.02F, 1);
-    ImGui::Text("%d dabs", static_cast<int>(app.settings.paint.size()));
+    ImGui::Text("%d dabs", static_cast<int>(app.choices.dabs.size()));
     ImGui::SameLine();
     if (ImGui::Button("Undo")) app.undo_stroke();
     ImGui::SameLine();
@@ -52,8 +51,8 @@ void brush_panel(App& app) {
 
 void camera_panel(App& app) {
     if (ImGui::Button("See all")) app.reset_view();
-    if (!app.settings.view || app.settings.view->view) return;
-    View& view = *app.settings.view;
+    if (app.scene() == nullptr) return;
+    View& view = *app.movable();
     auto degrees = static_cast<float>(view.vertical_angle * 57.29577951308232);
     if (ImGui::SliderFloat("angle of view", &degrees, 0, 90, degrees > 0 ? "%.0f degrees" : "orthographic")) {
         const double distance = length(view.eye - view.target), old = view.vertical_angle;
@@ -86,9 +85,9 @@ void export_panel(App& app, Ui& ui) {
     ImGui::TextWrapped(".png .svg .pdf .hpgl .gcode: the picture; .hrbf: the model; .hrbm: the marks");
     if (ImGui::DragInt2("size", ui.export_size, 2, 0, 8192)) {
         const bool given = ui.export_size[0] > 0 && ui.export_size[1] > 0;
-        app.settings.size = given ? Size{ui.export_size[0], ui.export_size[1]} : Size{};
+        app.choices.size = given ? Size{ui.export_size[0], ui.export_size[1]} : Size{};
     }
-    if (app.settings.size.width == 0) ImGui::TextUnformatted("0 x 0: as in the window");
+    if (app.choices.size.width == 0) ImGui::TextUnformatted("0 x 0: as in the window");
     ImGui::Separator();
     ImGui::InputText("##settings", ui.settings_file, sizeof ui.settings_file);
     if (ImGui::Button("Load settings")) app.load_settings(ui.settings_file);
@@ -97,19 +96,15 @@ void export_panel(App& app, Ui& ui) {
     ImGui::Separator();
     ImGui::InputText("##frames", ui.frames, sizeof ui.frames);
     ImGui::SliderInt("frames", &ui.frame_count, 2, 360);
-    if (app.turntable() == nullptr) {
-        if (ImGui::Button("Record a turntable"))
-            app.record(ui.frames, ui.frame_count, app.settings.size.width > 0 ? app.settings.size : app.canvas());
-    } else {
-        ImGui::Text("frame %d of %d", app.turntable()->done, app.turntable()->frames);
-    }
+    if (ImGui::Button("Record a turntable"))
+        app.record(ui.frames, ui.frame_count, app.choices.size.width > 0 ? app.choices.size : app.canvas());
 }
 
 namespace {
 
 void timings_table(const std::vector<Timing>& timings) {
     for (const Timing& timing : timings) {
-        ImGui::Text("%s", timing.stage);
+        ImGui::Text("%s", timing.stage.c_str());
         ImGui::SameLine(0.55F * ImGui::GetWindowWidth());
         ImGui::Text("%.1f ms", timing.milliseconds);
     }
@@ -141,16 +136,15 @@ void frame_table(const App& app) {
 } // namespace
 
 void statistics_panel(const App& app) {
-    if (app.ink() == nullptr) return;
-    for (const auto& layer : app.ink()->infos) {
+    if (app.scene() == nullptr) return;
+    for (const auto& layer : app.scene()->layers()) {
         char text[160];
         std::snprintf(text, sizeof text, layer.strokes > 0 ? "%%.0f in %lld strokes" : "%%.0f",
                       static_cast<long long>(layer.strokes));
         row(layer.name, text, static_cast<double>(layer.marks));
     }
     ImGui::Separator();
-    if (app.surface() != nullptr) timings_table(app.surface()->timings);
-    timings_table(app.ink()->timings);
+    timings_table(app.scene()->timings);
     ImGui::Separator();
     frame_table(app);
     row("memory", "%.1f MB", app.bytes() / 1e6);

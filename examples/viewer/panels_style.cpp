@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What the drawing looks like: style, lines, marks, light.
+#include "fields.h"
 #include "ui.h"
 
 #include <algorithm>
@@ -12,138 +13,164 @@ namespace {
 const char* const style_name = "hrbfnpr_style";
 const char* const layer_name = "hrbfnpr_layer_style";
 const char* const line_name = "hrbfnpr_line_style";
+const char* const mark_layer_name = "hrbfnpr_layer_desc";
 
-std::string label_of(const hrbfnpr_layer_style& layer) {
-    static const char* const kinds[] = {"all others", "stipples", "principal", "combing", "field", "own", "hatching"};
-    return layer.name != nullptr ? layer.name : layer.kind < 7 ? kinds[layer.kind] : "?";
+// The word for a kind, as paths of changes have it.
+std::string kind_word(const char* c_name, std::uint32_t kind) {
+    const Field& field = field_of(c_name, "kind");
+    const std::size_t place = kind - field.first_choice;
+    return place < field.choices.size() ? field.choices[place] : "?";
+}
+
+std::string layer_label(std::uint32_t kind) {
+    return kind == HRBFNPR_LAYER_KIND_ANY     ? "all others"
+           : kind == HRBFNPR_LAYER_KIND_HATCH ? "hatching"
+                                              : kind_word(layer_name, kind);
 }
 
 // Whether there are marks that it is for.
 bool is_drawn(const App& app, const hrbfnpr_layer_style& style) {
-    if (app.ink() == nullptr) return false;
-    const auto& infos = app.ink()->infos;
-    return std::any_of(infos.begin(), infos.end(), [&](const auto& info) {
-        const bool kind = style.kind == HRBFNPR_LAYER_KIND_ANY || style.kind == info.kind;
-        return kind && (style.name == nullptr || style.name == std::string(info.name));
-    });
+    const auto& layers = app.sheet.mark_layers;
+    return layers.empty() || std::any_of(layers.begin(), layers.end(), [&](const auto& layer) {
+               return style.kind == HRBFNPR_LAYER_KIND_ANY || style.kind == layer.kind;
+           });
 }
 
-bool edit_layer(hrbfnpr_layer_style& layer) {
-    bool changed = edit_field(layer_name, "shown", &layer);
-    changed |= ImGui::SliderFloat("share", &layer.share, 0, 1);
+void edit_range(const Edited& edited, const char* label, const char* begin, const char* end, float low) {
+    auto* const from =
+        reinterpret_cast<float*>(static_cast<char*>(edited.values) + field_of(edited.c_name, begin).offset);
+    auto* const to = reinterpret_cast<float*>(static_cast<char*>(edited.values) + field_of(edited.c_name, end).offset);
+    if (!ImGui::DragFloatRange2(label, from, to, 0.005F, low, 1)) return;
+    tell_change(edited, begin);
+    tell_change(edited, end);
+}
+
+void edit_layer(App& app, hrbfnpr_layer_style& layer) {
+    const Edited edited{app, layer_name, "style." + kind_word(layer_name, layer.kind), &layer};
+    edit_field(edited, "shown");
+    slide(edited, "share", "share", 0, 1);
     if (layer.shape == HRBFNPR_SHAPE_HATCH) {
-        changed |= ImGui::SliderFloat("spacing", &layer.hatch_spacing, 1, 20);
-        changed |= ImGui::SliderFloat("pen", &layer.hatch_pen, 0.1F, 4);
-        changed |= ImGui::DragFloatRange2("darkness", &layer.hatch_tone_begin, &layer.hatch_tone_end, 0.005F, 0, 1);
-        changed |= ImGui::DragFloatRange2("coverage", &layer.hatch_coverage_begin, &layer.hatch_coverage_end, 0.005F,
-                                          0.01F, 1);
-        changed |= ImGui::SliderFloat("wobble", &layer.hatch_wobble, 0, 8);
+        slide(edited, "hatch_spacing", "spacing", 1, 20);
+        slide(edited, "hatch_pen", "pen", 0.1, 4);
+        edit_range(edited, "darkness", "hatch_tone_begin", "hatch_tone_end", 0);
+        edit_range(edited, "coverage", "hatch_coverage_begin", "hatch_coverage_end", 0.01F);
+        slide(edited, "hatch_wobble", "wobble", 0, 8);
     } else {
-        changed |= ImGui::SliderFloat("radius", &layer.radius, 0.2F, 6);
+        slide(edited, "radius", "radius", 0.2, 6, Counts::when_let_go); // other sizes need other numbers of marks
     }
-    changed |= edit_field(layer_name, "ink", &layer);
+    edit_field(edited, "ink");
     if (ImGui::TreeNode("all fields")) {
-        changed |= edit_fields(layer_name, &layer);
+        edit_fields(edited);
         ImGui::TreePop();
     }
-    return changed;
 }
 
-void set_ink(Style& style, const float* ink) {
-    for (auto& layer : style.layers) std::copy(ink, ink + 4, layer.ink);
-    for (auto& line : style.lines) std::copy(ink, ink + 4, line.ink);
-    std::copy(ink, ink + 4, style.fields.silhouette_ink);
+void choose_style(App& app) {
+    const std::string now = app.scene() != nullptr ? preset_name(app.scene()->info.preset) : app.choices.style;
+    if (!ImGui::BeginCombo("style", now.c_str(), ImGuiComboFlags_HeightLargest)) return;
+    for (std::uint32_t preset = 0; !preset_name(preset).empty(); ++preset)
+        if (ImGui::Selectable(preset_name(preset).c_str(), preset_name(preset) == now))
+            app.use_style(preset_name(preset));
+    ImGui::EndCombo();
+}
+
+// A slider of a choice whose 0 means that the library chooses.
+bool slide_choice(const char* label, double& choice, double high, const char* unset) {
+    const double low = 0;
+    ImGui::SliderScalar(label, ImGuiDataType_Double, &choice, &low, &high, choice > 0 ? "%.2f pixels" : unset);
+    return ImGui::IsItemDeactivatedAfterEdit();
 }
 
 } // namespace
 
 void style_panel(App& app) {
-    Settings& settings = app.settings;
-    Style& style = settings.style;
-    if (ImGui::BeginCombo("style", preset_name(settings.preset).c_str(), ImGuiComboFlags_HeightLargest)) {
-        for (std::uint32_t preset = 0; !preset_name(preset).empty(); ++preset)
-            if (ImGui::Selectable(preset_name(preset).c_str(), preset == settings.preset)) app.use_preset(preset);
-        ImGui::EndCombo();
-    }
-    bool changed = false;
-    auto pen = static_cast<float>(settings.pen);
-    if (ImGui::SliderFloat("pen", &pen, 0, 5, pen > 0 ? "%.2f pixels" : "by the size")) {
-        settings.pen = std::max(pen, 0.0F);
-        changed = true;
-    }
-    changed |= edit_field(style_name, "paper", &style.fields);
-    float ink[4];
-    std::copy(style.fields.silhouette_ink, style.fields.silhouette_ink + 4, ink);
-    if (edit_colour("ink of all", ink)) {
-        set_ink(style, ink);
-        changed = true;
-    }
-    changed |= edit_field(style_name, "hidden_lines", &style.fields);
-    changed |= ImGui::SliderFloat("halo", &style.fields.halo_width, 0, 12);
-    for (std::size_t i = 0; i < style.layers.size(); ++i) {
-        if (!is_drawn(app, style.layers[i])) continue;
+    hrbfnpr_style& style = app.sheet.style;
+    choose_style(app);
+    if (app.scene() == nullptr) return;
+    const Edited edited{app, style_name, "style", &style};
+    if (slide_choice("pen", app.choices.pen, 5, "by the size")) app.restyle();
+    edit_field(edited, "paper");
+    if (edit_colour("ink of all", style.silhouette_ink))
+        app.change("style.ink", text_of(field_of(style_name, "silhouette_ink"), &style));
+    edit_field(edited, "hidden_lines");
+    slide(edited, "halo_width", "halo", 0, 12);
+    for (std::size_t i = 0; i < app.sheet.layers.size(); ++i) {
+        hrbfnpr_layer_style& layer = app.sheet.layers[i];
+        if (layer.name != nullptr || !is_drawn(app, layer)) continue;
         ImGui::PushID(static_cast<int>(i));
-        if (ImGui::TreeNode(label_of(style.layers[i]).c_str())) {
-            changed |= edit_layer(style.layers[i]);
+        if (ImGui::TreeNode(layer_label(layer.kind).c_str())) {
+            edit_layer(app, layer);
             ImGui::TreePop();
         }
         ImGui::PopID();
     }
     if (ImGui::TreeNode("all fields of the style")) {
-        const auto visibility = style.fields.visibility;
-        changed |= edit_fields(style_name, &style.fields);
-        if (visibility != style.fields.visibility) app.place_marks(); // lines are drawn with one of them only
+        edit_fields(edited);
         ImGui::TreePop();
     }
-    if (changed) app.redraw();
 }
 
-void lines_panel(App& app) {
-    auto& lines = app.settings.style.lines;
-    for (const Field& field : fields_of(line_name)) {
-        if (field.name != "kind") continue;
-        for (std::size_t i = 0; i < field.choices.size(); ++i) {
-            const auto kind = field.first_choice + static_cast<std::uint32_t>(i);
-            const auto here = std::find_if(lines.begin(), lines.end(), [&](const auto& l) { return l.kind == kind; });
-            bool on = here != lines.end();
-            if (kind == HRBFNPR_LINE_KIND_OWN && !on) continue; // there are none to draw
-            if (i % 2 == 1) ImGui::SameLine(0.5F * ImGui::GetContentRegionAvail().x + 8);
-            const std::string label = field.choices[i].substr(0, field.choices[i].find('_'));
-            if (!ImGui::Checkbox(label.c_str(), &on)) continue;
-            if (on) {
-                lines.push_back(defaults<hrbfnpr_line_style>(hrbfnpr_line_style_init));
-                lines.back().kind = kind;
-                if (kind != HRBFNPR_LINE_KIND_CONTOUR) lines.back().width = 1.3F; // finer
-                if (kind == HRBFNPR_LINE_KIND_ISOPHOTE)
-                    lines.back().levels = kept(std::vector<double>{0.25, 0.5, 0.75});
-            } else {
-                lines.erase(here);
-            }
-            app.place_marks();
-            return; // the list has changed
-        }
+namespace {
+
+// Kinds of lines with commas between, as hrbfnpr_picture_desc.lines has them.
+std::string listed_kinds(const std::vector<hrbfnpr_line_style>& lines) {
+    std::string kinds;
+    for (const hrbfnpr_line_style& line : lines) {
+        const std::string kind = kind_word(line_name, line.kind);
+        const bool is_first =
+            std::none_of(lines.data(), &line, [&](const auto& other) { return other.kind == line.kind; });
+        if (line.kind != HRBFNPR_LINE_KIND_OWN && is_first) kinds += (kinds.empty() ? "" : ",") + kind;
     }
-    bool changed = false;
-    for (std::size_t i = 0; i < lines.size(); ++i) {
+    return kinds.empty() ? "none" : kinds;
+}
+
+void choose_kinds(App& app) {
+    auto& lines = app.sheet.lines;
+    const Field& kinds = field_of(line_name, "kind");
+    int shown = 0;
+    for (std::size_t i = 0; i < kinds.choices.size(); ++i) {
+        const auto kind = kinds.first_choice + static_cast<std::uint32_t>(i);
+        if (kind == HRBFNPR_LINE_KIND_OWN) continue;
+        const auto is_same = [&](const auto& line) { return line.kind == kind; };
+        bool on = std::any_of(lines.begin(), lines.end(), is_same);
+        if (shown++ % 2 == 1) ImGui::SameLine(0.5F * ImGui::GetContentRegionAvail().x + 8);
+        const std::string label = kinds.choices[i].substr(0, kinds.choices[i].find('_'));
+        if (!ImGui::Checkbox(label.c_str(), &on)) continue;
+        lines.erase(std::remove_if(lines.begin(), lines.end(), is_same), lines.end());
+        if (on) {
+            lines.push_back(defaults<hrbfnpr_line_style>(hrbfnpr_line_style_init));
+            lines.back().kind = kind;
+        }
+        app.choices.lines = listed_kinds(lines);
+        app.restyle();
+    }
+}
+
+} // namespace
+
+void lines_panel(App& app) {
+    if (app.scene() == nullptr) return;
+    choose_kinds(app);
+    if (slide_choice("width of contours", app.choices.line_width, 10, "of the style")) app.restyle();
+    for (std::size_t i = 0; i < app.sheet.lines.size(); ++i) {
+        hrbfnpr_line_style& line = app.sheet.lines[i];
+        if (line.kind == HRBFNPR_LINE_KIND_OWN) continue;
+        const std::string kind = kind_word(line_name, line.kind);
+        const Edited edited{app, line_name, "style." + kind, &line};
         ImGui::PushID(static_cast<int>(i));
-        const Field* kind = nullptr;
-        for (const Field& field : fields_of(line_name))
-            if (field.name == "kind") kind = &field;
-        const std::size_t place = lines[i].kind - kind->first_choice;
-        if (ImGui::TreeNode("line", "%s", place < kind->choices.size() ? kind->choices[place].c_str() : "?")) {
-            changed |= ImGui::SliderFloat("width", &lines[i].width, 0.2F, 10);
-            changed |= edit_field(line_name, "hidden", &lines[i]);
-            changed |= ImGui::SliderFloat("outline", &lines[i].outline_factor, 0.2F, 4);
-            changed |= ImGui::SliderFloat("wobble", &lines[i].wobble, 0, 4);
+        if (ImGui::TreeNode("line", "%s", kind.c_str())) {
+            slide(edited, "width", "width", 0.2, 10);
+            edit_field(edited, "hidden");
+            slide(edited, "outline_factor", "outline", 0.2, 4);
+            slide(edited, "wobble", "wobble", 0, 4);
             if (ImGui::TreeNode("all fields")) {
-                changed |= edit_fields(line_name, &lines[i]);
+                edit_fields(edited);
                 ImGui::TreePop();
             }
             ImGui::TreePop();
         }
         ImGui::PopID();
     }
-    if (changed) app.redraw();
 }
 
 namespace {
@@ -152,94 +179,76 @@ namespace {
 void choose_step(App& app, Ui& ui) {
     bool shown = app.patches_shown();
     if (ImGui::Checkbox("squares of side 2 rho_0", &shown)) app.show_patches(shown);
-    const Patches* const patches = app.ink() != nullptr ? &app.ink()->patches : nullptr;
+    const Patches* const patches = app.scene() != nullptr ? &app.scene()->patches : nullptr;
     if (!shown || patches == nullptr || patches->estimate <= 0) return;
-    const bool is_given = app.settings.marks.initial_step > 0;
+    const bool is_given = app.sheet.marks.initial_step > 0;
     ImGui::SliderFloat("rho_0", &ui.step_ratio, 0.1F, 4, "%.2f estimates", ImGuiSliderFlags_Logarithmic);
-    if (ImGui::IsItemDeactivatedAfterEdit()) app.set_step(ui.step_ratio * patches->estimate);
-    ImGui::Text("= %.4g (estimate %.4g)", ui.step_ratio * patches->estimate, patches->estimate);
+    if (ImGui::IsItemDeactivatedAfterEdit()) app.set_step(static_cast<double>(ui.step_ratio) * patches->estimate);
+    ImGui::Text("= %.4g (estimate %.4g)", static_cast<double>(ui.step_ratio) * patches->estimate, patches->estimate);
     if (is_given && ImGui::Button("Take the estimate")) app.set_step(0);
 }
 
-bool edit_levels(hrbfnpr_layer_desc& layer) {
-    ImGui::SliderInt("steps", &layer.levels, 0, 7);
-    return ImGui::IsItemDeactivatedAfterEdit();
-}
-
-bool edit_made_layer(hrbfnpr_layer_desc& layer, bool published) {
-    bool changed = false;
-    if (published) return edit_levels(layer);
+// All layers of a kind.
+void edit_mark_layers(App& app, hrbfnpr_layer_desc& layer, bool published) {
+    const Edited edited{app, mark_layer_name, "marks." + kind_word(mark_layer_name, layer.kind), &layer};
+    if (published) return slide(edited, "levels", "steps", 0, 7, Counts::when_let_go);
     if (layer.kind == HRBFNPR_LAYER_KIND_STIPPLES) {
-        auto count = static_cast<int>(layer.budget);
-        ImGui::SliderInt("marks", &count, 100, 400000, "%d", ImGuiSliderFlags_Logarithmic);
-        layer.budget = count;
-        changed |= ImGui::IsItemDeactivatedAfterEdit();
-        changed |= edit_field("hrbfnpr_layer_desc", "density", &layer);
+        slide(edited, "budget", "marks", 100, 400000, Counts::when_let_go);
+        edit_field(edited, "density");
     }
     if (layer.kind == HRBFNPR_LAYER_KIND_HATCH) {
-        changed |= edit_field("hrbfnpr_layer_desc", "guide", &layer);
-        auto angle = static_cast<float>(layer.angle);
-        ImGui::SliderFloat("angle", &angle, -90, 90, "%.0f degrees");
-        layer.angle = angle;
-        changed |= ImGui::IsItemDeactivatedAfterEdit();
+        edit_field(edited, "guide");
+        const double low = -90, high = 90;
+        ImGui::SliderScalar("turned by", ImGuiDataType_Double, &app.choices.hatch_angle, &low, &high, "%.0f degrees");
+        if (ImGui::IsItemDeactivatedAfterEdit()) app.restyle();
     }
     if (ImGui::TreeNode("all fields")) {
-        edit_fields("hrbfnpr_layer_desc", &layer);
-        changed |= ImGui::Button("Place the marks");
+        edit_fields(edited);
         ImGui::TreePop();
     }
-    return changed;
 }
 
 } // namespace
 
 void marks_panel(App& app, Ui& ui) {
-    auto& marks = app.settings.marks;
-    auto distribution = marks.distribution;
-    if (edit_field("hrbfnpr_generate_desc", "distribution", &marks)) {
-        std::swap(distribution, marks.distribution);
-        app.set_distribution(distribution);
-    }
+    auto& marks = app.sheet.marks;
+    auto& layers = app.sheet.mark_layers;
+    if (app.scene() == nullptr || layers.empty()) return;
+    const Edited edited{app, "hrbfnpr_generate_desc", "marks", &marks};
     const bool published = marks.distribution == HRBFNPR_DISTRIBUTION_PUBLISHED;
+    const auto& distributions = field_of("hrbfnpr_generate_desc", "distribution").choices;
+    if (ImGui::BeginCombo("distribution", distributions[marks.distribution].c_str())) {
+        for (const std::string& name : distributions)
+            if (ImGui::Selectable(name.c_str())) app.set_distribution(name.c_str());
+        ImGui::EndCombo();
+    }
     if (published) {
-        bool changed = edit_field("hrbfnpr_generate_desc", "seed_source", &marks, "seeds");
-        auto cells = static_cast<int>(marks.box_resolution);
-        ImGui::SliderInt("cells of a box", &cells, 1, 32);
-        marks.box_resolution = static_cast<std::uint32_t>(std::clamp(cells, 1, 256));
-        changed |= ImGui::IsItemDeactivatedAfterEdit();
-        if (changed) app.place_marks();
+        edit_field(edited, "seed_source", "seeds");
+        edit_field(edited, "box_resolution", "cells of a box");
         choose_step(app, ui);
     }
-    auto& layers = app.own_layers();
     for (std::size_t i = 0; i < layers.size(); ++i) {
+        const auto is_same = [&](const auto& other) { return other.kind == layers[i].kind; };
+        if (std::any_of(layers.begin(), layers.begin() + static_cast<std::ptrdiff_t>(i), is_same)) continue;
         ImGui::PushID(static_cast<int>(i));
-        static const char* const kinds[] = {"any", "stipples", "principal", "combing", "field", "own", "hatching"};
-        const char* const name = layers[i].name != nullptr ? layers[i].name : kinds[std::min(layers[i].kind, 6U)];
-        if (ImGui::TreeNodeEx("layer", ImGuiTreeNodeFlags_DefaultOpen, "%s", name)) {
-            if (edit_made_layer(layers[i], published)) app.place_marks();
+        if (ImGui::TreeNodeEx("layer", ImGuiTreeNodeFlags_DefaultOpen, "%s", layer_label(layers[i].kind).c_str())) {
+            edit_mark_layers(app, layers[i], published);
             ImGui::TreePop();
         }
         ImGui::PopID();
     }
-    if (ImGui::Button("As the style and the picture need")) {
-        layers.clear();
-        app.place_marks();
-    }
+    if (ImGui::Button("As the style and the picture need")) app.forget_marks();
 }
 
 void light_panel(App& app) {
-    auto& fields = app.settings.style.fields;
-    bool changed = edit_field(style_name, "tone", &fields);
-    auto exponent = static_cast<float>(fields.tone_exponent);
-    if (ImGui::SliderFloat("tone exponent", &exponent, 0.1F, 4)) {
-        fields.tone_exponent = exponent;
-        changed = true;
-    }
-    changed |= ImGui::SliderFloat("fill light", &fields.fill_light, 0, 1);
-    changed |= edit_field(style_name, "light", &fields, "towards the light");
-    changed |= edit_field(style_name, "light_space", &fields);
+    if (app.scene() == nullptr) return;
+    const Edited edited{app, style_name, "style", &app.sheet.style};
+    edit_field(edited, "tone");
+    slide(edited, "tone_exponent", "tone exponent", 0.1, 4);
+    slide(edited, "fill_light", "fill light", 0, 1);
+    edit_field(edited, "light", "towards the light");
+    edit_field(edited, "light_space");
     ImGui::TextWrapped("The ball on the picture turns the light.");
-    if (changed) app.redraw();
 }
 
 } // namespace viewer

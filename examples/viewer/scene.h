@@ -1,65 +1,76 @@
 // SPDX-License-Identifier: MIT
-// From a file or a formula to a surface, and from that to marks and lines: what the worker does.
+// From a file or a formula to a picture, and from that to pictures of other choices: what the worker does.
 #pragma once
 
-#include "settings.h"
+#include "choices.h"
+#include "readers/shape.h"
 #include "work.h"
 
 namespace viewer {
 
-struct Surface {
+// What is drawn: a shape, a model or saved marks.
+struct Source {
     std::string name;
-    Model model;             // none: saved marks
-    PointSet marks;          // saved ones
-    std::vector<Vec> places; // spread over it
-    Vec low{}, high{};       // the bounds of these
-    double area = 0;
-    double lipschitz = 0; // for rays
-    bool is_trimmed = false;
-    Vec up{0, 1, 0};
-    std::vector<Timing> timings;
-    std::vector<std::string> notes;
-
-    Vec centre() const { return 0.5 * (low + high); }
-    double diagonal() const { return length(high - low); }
-};
-
-// Figure 5: squares of side 2 rho_0 on the surface.
-struct Patches {
-    std::vector<std::array<Vec, 4>> corners; // counter-clockwise from outside
-    double step = 0;                         // rho_0 that they are drawn for
-    double estimate = 0;                     // what the library would choose
-};
-
-// What is drawn of a surface.
-struct Ink {
-    PointSet marks;
-    LineSet lines;                          // may be none
-    std::vector<hrbfnpr_layer_desc> layers; // as they are to be ...
-    std::vector<hrbfnpr_layer_desc> made;   // ... and as they are: coarser, of the first of two
-    Patches patches;
-    std::vector<Timing> timings;
-    std::vector<hrbfnpr_layer_info> infos;
+    Shape shape;
+    Model model;                    // may be null
+    PointSet marks;                 // may be null
+    Vec up{};                       // 0: the library finds out
+    bool has_right_normals = false; // they are a formula's
 };
 
 // Names of models made by formulas; the last ones are fitted to samples of a formula.
 const std::vector<std::string>& formulas();
-Surface surface_of_formula(const std::string& name, const Settings& settings, Work& work);
+Source source_of_formula(const std::string& name, Work& work);
 // A mesh, points, a saved model or saved marks.
-Surface surface_of_file(const std::string& path, const Settings& settings, Work& work);
+Source source_of_file(const std::string& path, Work& work);
 
-// Marks for a picture of this size and camera.  `wants_patches`: Figure 5's too.  `coarse`: a few lines of hatching, so
-// that there is something to see while the others are traced.
-Ink ink_of(const Surface& surface, const Settings& settings, Size size, bool wants_patches, bool coarse, Work& work);
-// Whether a coarse one is made so much sooner that it is worth it.
-bool has_hatching(const Settings& settings);
-Patches patches_of(const Surface& surface, const Settings& settings, Work& work);
+// The squares of side 2 rho_0 on the surface, as in Figure 5.
+struct Patches {
+    std::vector<std::array<Vec, 4>> corners; // counter-clockwise from outside, for the estimate
+    double estimate = 0;                     // of rho_0 by the library; 0: there are none
+};
 
-// The radius of the pen, pixels.
-double pen_of(const Settings& settings, Size size);
-// The style with lines and dots for a picture of this size.
-Style style_for(const Settings& settings, Size size, const Surface& surface);
-// As a set by the published recursion is drawn: dots of one size.
-void draw_as_published(Style& style, std::uint32_t preset);
+// The style and the marks of a picture, copied so that panels can change them.
+struct Sheet {
+    hrbfnpr_style style{};
+    std::vector<hrbfnpr_layer_style> layers;
+    std::vector<hrbfnpr_line_style> lines;
+    hrbfnpr_generate_desc marks{};
+    std::vector<hrbfnpr_layer_desc> mark_layers; // empty: the marks were given
+};
+
+struct Timing {
+    std::string stage;
+    double milliseconds;
+};
+
+// A picture and what is known of it.
+struct Scene {
+    std::string name;
+    Picture picture;
+    hrbfnpr_picture_info info{};
+    std::vector<hrbfnpr_picture_part> parts;
+    std::vector<double> lipschitz; // of each part's model, for rays
+    Sheet sheet;                   // its names and levels live as long as the picture
+    hrbfnpr_camera camera{};       // as planned
+    Size size;
+    Patches patches;
+    std::vector<Timing> timings;
+    std::vector<std::string> notes; // of its making, those of the surface first
+    std::size_t surface_notes = 0;  // how many of them are of the surface
+
+    Vec centre() const;
+    double diagonal() const;
+    bool has_model() const { return !parts.empty() && parts.front().model != nullptr; }
+    std::vector<hrbfnpr_layer_info> layers() const; // of its marks
+};
+
+Scene scene_of(const Source& source, const Choices& choices, Size size, Work& work);
+// The same surfaces by other choices.  view: null is what the library plans.
+Scene restyled(const Scene& scene, const Choices& choices, Size size, const View* view, bool wants_patches, Work& work);
+// The picture alone.
+Picture restyled_picture(const Picture& picture, const Choices& choices, Size size, const View* view, Work& work);
+
+std::string settings_of(const Picture& picture);
 
 } // namespace viewer

@@ -61,6 +61,8 @@ bool Script::step(App& app, Ui& ui, Window& window) {
     }
     if (commands_.empty()) return false;
     const std::string& next = commands_.front();
+    const bool looks_on = next.rfind("wait", 0) == 0 || next == "cancel";
+    if (app.is_writing() && !looks_on) return true; // what is written is what there is now
     const bool may_fail = next == "wait" || next.rfind("expect", 0) == 0 || next.rfind("shot", 0) == 0;
     if (!app.message.empty() && !may_fail) throw Failure("before `" + commands_.front() + "`: " + app.message);
     // A command that has to wait comes again in the next frame.
@@ -96,13 +98,13 @@ bool Script::run(const std::vector<std::string>& words, App& app, Ui& ui, Window
         idle_frames_ = 0;
         return true;
     }
-    if (name == "wait-busy") return app.worker().is_busy() || app.turntable() != nullptr;
+    if (name == "wait-busy") return app.worker().is_busy();
     if (name == "load")
         app.load(text);
     else if (name == "model")
         app.load_formula(text);
     else if (name == "style")
-        app.use_preset(preset_of(text, "style"));
+        app.use_style(text);
     else if (name == "settings")
         app.load_settings(text);
     else if (name == "save")
@@ -123,15 +125,15 @@ bool Script::run(const std::vector<std::string>& words, App& app, Ui& ui, Window
     else if (name == "brush")
         app.brush.kind = brush_of(text);
     else if (name == "published")
-        app.set_distribution(HRBFNPR_DISTRIBUTION_PUBLISHED);
+        app.set_distribution("published");
     else if (name == "patches")
         app.show_patches(text != "off");
     else if (name == "step")
-        app.set_step(0.01 * number(words, 1) * app.ink()->patches.estimate);
+        app.set_step(0.01 * number(words, 1) * app.scene()->patches.estimate);
     else if (name == "record")
         app.record(words.at(1), number(words, 2), {number(words, 3), number(words, 4)});
     else if (name == "size")
-        app.settings.size = {number(words, 1), number(words, 2)};
+        app.choices.size = {number(words, 1), number(words, 2)};
     else if (name == "window")
         window.resize({number(words, 1), number(words, 2)});
     else if (name == "cancel")
@@ -172,16 +174,17 @@ void Script::measure_turn(App& app) {
 }
 
 void Script::report(const App& app) const {
-    if (app.ink() == nullptr) throw Failure("there is nothing to report on");
-    for (const auto& layer : app.ink()->infos)
+    if (app.scene() == nullptr) throw Failure("there is nothing to report on");
+    const Scene& scene = *app.scene();
+    for (const auto& layer : scene.layers())
         std::printf("layer: %s %lld marks %lld strokes\n", layer.name, static_cast<long long>(layer.marks),
                     static_cast<long long>(layer.strokes));
-    for (const auto* timings : {&app.surface()->timings, &app.ink()->timings})
-        for (const Timing& timing : *timings) std::printf("stage: %s %.1f ms\n", timing.stage, timing.milliseconds);
-    const Vec low = app.surface()->low, high = app.surface()->high;
+    for (const Timing& timing : scene.timings)
+        std::printf("stage: %s %.1f ms\n", timing.stage.c_str(), timing.milliseconds);
+    const double *low = scene.info.bounds_min, *high = scene.info.bounds_max;
     std::printf("bounds: %.3f %.3f %.3f to %.3f %.3f %.3f\n", low[0], low[1], low[2], high[0], high[1], high[2]);
-    std::printf("dabs: %d\n", static_cast<int>(app.settings.paint.size()));
-    std::printf("rho_0: %.9g estimate %.9g\n", app.settings.marks.initial_step, app.ink()->patches.estimate);
+    std::printf("dabs: %d\n", static_cast<int>(app.choices.dabs.size()));
+    std::printf("rho_0: %.9g estimate %.9g\n", scene.sheet.marks.initial_step, scene.patches.estimate);
 }
 
 } // namespace viewer

@@ -41,22 +41,14 @@ constexpr ImGuiWindowFlags fixed = ImGuiWindowFlags_NoMove | ImGuiWindowFlags_No
 
 // What runs, with a button that ends it.
 void progress_window(App& app, const Ui& ui) {
-    const bool records = app.turntable() != nullptr;
-    if (!app.worker().is_busy() && !records) return;
+    if (!app.worker().is_busy()) return;
     const float width = std::min(320.0F, ui.canvas_max.x - ui.canvas_min.x - 20);
     ImGui::SetNextWindowPos(ImVec2(ui.canvas_min.x + 10, ui.canvas_max.y - 10), ImGuiCond_Always, ImVec2(0, 1));
     ImGui::SetNextWindowSize(ImVec2(width, 0));
     ImGui::Begin("##progress", nullptr, fixed);
+    const auto share = static_cast<float>(app.worker().work().share());
     char text[96];
-    float share = 0;
-    if (records) {
-        share = static_cast<float>(app.turntable()->done) / static_cast<float>(app.turntable()->frames);
-        std::snprintf(text, sizeof text, "frame %d", app.turntable()->done);
-    } else {
-        share = static_cast<float>(app.worker().work().progress());
-        std::snprintf(text, sizeof text, "%s %.0f %%", app.worker().work().stage_now(),
-                      100.0 * static_cast<double>(share));
-    }
+    std::snprintf(text, sizeof text, "%s %.0f %%", app.progress().doing().c_str(), 100.0 * static_cast<double>(share));
     ImGui::ProgressBar(share, ImVec2(width - 90, 0), text);
     ImGui::SameLine();
     if (ImGui::Button("Cancel", ImVec2(-1, 0))) app.cancel();
@@ -81,7 +73,7 @@ void message_window(App& app, const Ui& ui) {
 
 void picture(const App& app, const Ui& ui) {
     ImDrawList* const list = ImGui::GetBackgroundDrawList();
-    if (app.ink() != nullptr && ui.texture != nullptr) {
+    if (app.scene() != nullptr && ui.texture != nullptr) {
         list->AddImage(ui.texture, ui.canvas_min, ui.canvas_max);
         return;
     }
@@ -94,10 +86,11 @@ void picture(const App& app, const Ui& ui) {
         IM_COL32(90, 90, 90, 255), hint);
 }
 
-// The squares are those of the settings, unless the step is being chosen.
-void follow_step(const App& app, Ui& ui) {
-    if (ImGui::IsAnyItemActive() || app.ink() == nullptr) return;
-    const double step = app.settings.marks.initial_step, estimate = app.ink()->patches.estimate;
+// Panels show what the picture has, unless one of them is being used.
+void follow_picture(const App& app, Ui& ui) {
+    if (ImGui::IsAnyItemActive() || app.scene() == nullptr) return;
+    app.refresh_sheet();
+    const double step = app.sheet.marks.initial_step, estimate = app.scene()->patches.estimate;
     ui.step_ratio = step > 0 && estimate > 0 ? static_cast<float>(step / estimate) : 1;
 }
 
@@ -123,7 +116,7 @@ void draw_ui(App& app, Ui& ui) {
     ui.canvas_min = ImVec2(side, 0);
     ui.canvas_max = window;
     picture(app, ui);
-    follow_step(app, ui);
+    follow_picture(app, ui);
     draw_patches(app, ui);
     ImGui::SetNextWindowPos(ImVec2(0, 0));
     ImGui::SetNextWindowSize(ImVec2(side, window.y));

@@ -37,10 +37,23 @@ void camera_panel(App& app);
 void export_panel(App& app, Ui& ui);
 void statistics_panel(const App& app);
 
-// An editor for a field of a descriptor; true if it was changed.
-bool edit_field(const char* c_name, const char* field, void* values, const char* label = nullptr);
-// The same for all fields that settings hold.
-bool edit_fields(const char* c_name, void* values);
+// A struct whose fields are edited: each that is changed becomes a change of the picture.
+struct Edited {
+    App& app;
+    const char* c_name; // "hrbfnpr_layer_style"
+    std::string path;   // "style.hatch"
+    void* values;
+};
+
+void edit_field(const Edited& edited, const char* field, const char* label = nullptr);
+// The same for all fields that can be changed.
+void edit_fields(const Edited& edited);
+// A slider, which counts when it is moved, or only when it is let go.
+enum class Counts { always, when_let_go };
+void slide(const Edited& edited, const char* field, const char* label, double low, double high,
+           Counts counts = Counts::always, const char* format = nullptr);
+// Tells the picture what a field holds now.
+void tell_change(const Edited& edited, const char* field);
 
 bool edit_colour(const char* label, float* rgba);
 

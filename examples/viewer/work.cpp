@@ -5,7 +5,7 @@ namespace viewer {
 
 void Worker::start(std::function<void(Work&)> job, std::function<void(Work&)> then) {
     stop();
-    work_ = std::make_unique<Work>(context_);
+    work_ = std::make_unique<Work>(context_, progress_);
     then_ = std::move(then);
     is_done_ = false;
     failure_ = nullptr;

@@ -1,65 +1,75 @@
 // SPDX-License-Identifier: MIT
-// One long job on a thread of its own: what it is at, how far, how long each stage took; and an end to it.
+// One long job on a thread of its own: what it is at, how far it is, and an end to it.
 #pragma once
 
 #include "handles.h"
 
 #include <atomic>
-#include <chrono>
 #include <functional>
+#include <mutex>
 #include <thread>
 
 namespace viewer {
 
-struct Timing {
-    const char* stage;
-    double milliseconds;
+// What is under way, for any thread.  It outlives the pictures that tell it, which do so whenever they are drawn.
+class Progress {
+public:
+    void set(const char* doing) {
+        const std::lock_guard<std::mutex> lock(mutex_);
+        doing_ = doing;
+    }
+    std::string doing() const {
+        const std::lock_guard<std::mutex> lock(mutex_);
+        return doing_;
+    }
+    static void on_event(void* progress, const hrbfnpr_picture_event* event) {
+        if (event->note == nullptr && event->stage != HRBFNPR_STAGE_FRAME && event->fraction == 0)
+            static_cast<Progress*>(progress)->set(event->doing);
+    }
+
+private:
+    mutable std::mutex mutex_;
+    std::string doing_;
 };
 
 // What a job is given.
 class Work {
 public:
-    explicit Work(const Context& context) : context(context) {
+    Work(const Context& context, Progress& progress) : context(context), progress_(progress) {
         operation = make<hrbfnpr_operation>(hrbfnpr_operation_release, [&](auto** out, auto* error) {
             return hrbfnpr_operation_create(context.get(), out, error);
         });
+        progress.set("starting");
     }
 
-    // call(operation, &error), timed, under a name that is shown.
-    template <class Call>
-    void stage(const char* name, Call&& call) {
-        stage_ = name;
-        const auto start = std::chrono::steady_clock::now();
-        checked([&](hrbfnpr_error* error) { return call(operation.get(), error); });
-        const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - start;
-        timings.push_back({name, took.count()});
+    void listen(hrbfnpr_picture_desc& desc) const {
+        desc.on_event = Progress::on_event;
+        desc.event_user = &progress_;
     }
-    // The same for what the library has no part in; a cancelled job ends before it.
-    template <class Call>
-    void own_stage(const char* name, Call&& call) {
-        stage(name, [&](hrbfnpr_operation*, hrbfnpr_error*) {
-            if (hrbfnpr_operation_is_cancelled(operation.get())) throw Failure("cancelled", HRBFNPR_STATUS_CANCELLED);
-            call();
-            return HRBFNPR_STATUS_OK;
-        });
+    // Of a job of several steps, before each of them; a cancelled job ends here.
+    void step(const std::string& doing, double share) {
+        if (hrbfnpr_operation_is_cancelled(operation.get())) throw Failure("cancelled", HRBFNPR_STATUS_CANCELLED);
+        progress_.set(doing.c_str());
+        share_ = share;
     }
-
-    const char* stage_now() const { return stage_; } // any thread
-    double progress() const { return hrbfnpr_operation_progress(operation.get()); }
+    // 0 to 1, for any thread.
+    double share() const {
+        const double share = share_;
+        return share >= 0 ? share : hrbfnpr_operation_progress(operation.get());
+    }
 
     Context context;
     Operation operation;
-    std::vector<Timing> timings;
-    std::vector<std::string> notes;
 
 private:
-    std::atomic<const char*> stage_{"starting"};
+    Progress& progress_;
+    std::atomic<double> share_{-1}; // of steps; negative: that of the operation counts
 };
 
 // Runs jobs one at a time.  All but the job itself is for the thread that has it.
 class Worker {
 public:
-    explicit Worker(const Context& context) : context_(context) {}
+    Worker(const Context& context, Progress& progress) : context_(context), progress_(progress) {}
     ~Worker() { stop(); }
     Worker(const Worker&) = delete;
     Worker& operator=(const Worker&) = delete;
@@ -77,6 +87,7 @@ private:
     void stop(); // cancels and waits
 
     Context context_;
+    Progress& progress_;
     std::unique_ptr<Work> work_;
     std::function<void(Work&)> then_;
     std::thread thread_;

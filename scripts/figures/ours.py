@@ -11,7 +11,7 @@ OURS = (
     Figure(
         "styles",
         "Styles",
-        "Some of the fifteen named styles, each a full set of parameters to go on from.",
+        "Some of the named styles, each a full set of parameters to go on from.",
         "",
         (
             Panel("sheet", "all named styles", "knot", KNOT, "sheet"),

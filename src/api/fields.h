@@ -136,7 +136,7 @@ Each(Rule) -> Each<Rule>;
 
 // Between a struct's number, or array of numbers, and what a room keeps of it.
 template <class To, class From>
-void assign_field(To& to, const From& from) noexcept {
+constexpr void assign_field(To& to, const From& from) noexcept {
     if constexpr (std::is_array_v<To> || std::is_array_v<From>) {
         constexpr auto count = static_cast<int>(std::is_array_v<To> ? std::extent_v<To> : std::extent_v<From>);
         for (int i = 0; i < count; ++i) to[i] = from[i];
@@ -154,7 +154,9 @@ struct KeptField {
     Kept Settings::*kept;
     Rule rule;
 
-    void set_default(const Settings& from, Struct& to) const noexcept { assign_field(to.*member, from.*kept); }
+    constexpr void set_default(const Settings& from, Struct& to) const noexcept {
+        assign_field(to.*member, from.*kept);
+    }
     void check(const Checks& checks, const Struct& given) const { rule(checks, name, given.*member); }
     void copy(const Struct& from, Settings& to) const noexcept { assign_field(to.*kept, from.*member); }
 };
@@ -169,7 +171,7 @@ struct CheckedField {
     Rule rule;
 
     template <class Settings>
-    void set_default(const Settings& /*from*/, Struct& /*to*/) const noexcept {}
+    constexpr void set_default(const Settings& /*from*/, Struct& /*to*/) const noexcept {}
     void check(const Checks& checks, const Struct& given) const { rule(checks, name, given.*member); }
     template <class Settings>
     void copy(const Struct& /*from*/, Settings& /*to*/) const noexcept {}
@@ -209,7 +211,7 @@ public:
 
     // The struct's fields as the settings are.
     template <class Settings, class Struct>
-    void set_defaults(const Settings& from, Struct& to) const noexcept {
+    constexpr void set_defaults(const Settings& from, Struct& to) const noexcept {
         std::apply([&](const auto&... row) { (row.set_default(from, to), ...); }, fields_);
     }
 

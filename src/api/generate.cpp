@@ -5,6 +5,7 @@
 #include "api/barrier.h"
 #include "api/descriptor.h"
 #include "api/fields.h"
+#include "api/layer_fields.h"
 #include "api/layers.h"
 #include "api/lists.h"
 #include "api/model.h"
@@ -18,18 +19,8 @@ using namespace hrbfnpr;
 
 static_assert(static_cast<int>(marks::Distribution::blue_noise) == HRBFNPR_DISTRIBUTION_BLUE_NOISE);
 static_assert(static_cast<int>(marks::Distribution::published) == HRBFNPR_DISTRIBUTION_PUBLISHED);
-static_assert(static_cast<int>(marks::Symmetry::line) == HRBFNPR_SYMMETRY_LINE);
-static_assert(static_cast<int>(marks::Symmetry::cross) == HRBFNPR_SYMMETRY_CROSS);
-static_assert(static_cast<int>(stipples::Density::uniform) == HRBFNPR_DENSITY_UNIFORM);
-static_assert(static_cast<int>(stipples::Density::curvature) == HRBFNPR_DENSITY_CURVATURE);
-static_assert(static_cast<int>(stipples::Density::callback) == HRBFNPR_DENSITY_CALLBACK);
 static_assert(static_cast<int>(generate::ToneRanges::full) == HRBFNPR_TONE_RANGES_FULL);
 static_assert(static_cast<int>(generate::ToneRanges::in_turn) == HRBFNPR_TONE_RANGES_IN_TURN);
-static_assert(static_cast<int>(hatching::Guide::curvature) == HRBFNPR_HATCH_GUIDE_CURVATURE);
-static_assert(static_cast<int>(hatching::Guide::combing) == HRBFNPR_HATCH_GUIDE_COMBING);
-static_assert(static_cast<int>(hatching::Guide::sections) == HRBFNPR_HATCH_GUIDE_SECTIONS);
-static_assert(static_cast<int>(hatching::Guide::light) == HRBFNPR_HATCH_GUIDE_LIGHT);
-static_assert(static_cast<int>(hatching::Guide::silhouette) == HRBFNPR_HATCH_GUIDE_SILHOUETTE);
 static_assert(static_cast<int>(marks::SeedSource::automatic) == HRBFNPR_SEED_AUTO);
 static_assert(static_cast<int>(marks::SeedSource::samples) == HRBFNPR_SEED_SAMPLES);
 static_assert(static_cast<int>(marks::SeedSource::box) == HRBFNPR_SEED_BOX);
@@ -39,67 +30,7 @@ namespace hrbfnpr::api {
 
 namespace {
 
-using Layer = hrbfnpr_layer_desc;
 using Generate = hrbfnpr_generate_desc;
-
-// Of each room's settings those fields that it keeps.
-constexpr auto layer_fields() noexcept {
-    using To = generate::LayerSettings;
-    return FieldTable{field("kind", &Layer::kind, &To::kind, rule::Any{}),
-                      field("name", &Layer::name, rule::Any{}),
-                      field("budget", &Layer::budget, &To::budget, rule::not_negative),
-                      field("tone_begin", &Layer::tone_begin, rule::Any{}),
-                      field("tone_end", &Layer::tone_end, rule::Any{}),
-                      field("second_tone_begin", &Layer::second_tone_begin, rule::Any{}),
-                      field("second_tone_end", &Layer::second_tone_end, rule::Any{}),
-                      field("flags", &Layer::flags, rule::Flags{HRBFNPR_LAYER_WITH_CURVATURE}),
-                      field("tone_smoothing", &Layer::tone_smoothing, &To::tone_smoothing, rule::Between{-1.0, 0.1})};
-}
-constexpr auto density_fields() noexcept {
-    using To = stipples::DensitySettings;
-    return FieldTable{
-        field("density", &Layer::density, &To::kind, rule::OneOf{HRBFNPR_DENSITY_CALLBACK, "HRBFNPR_DENSITY_..."}),
-        field("density_strength", &Layer::density_strength, &To::strength, rule::Between{0.0, 1.0}),
-        field("density_function", &Layer::density_function, &To::function, rule::Any{}),
-        field("density_user", &Layer::density_user, &To::user, rule::Any{})};
-}
-constexpr auto stroke_fields() noexcept {
-    using To = strokes::Settings;
-    return FieldTable{field("separation", &Layer::separation, &To::separation, rule::not_negative),
-                      field("step", &Layer::step, &To::step, rule::not_negative),
-                      field("length", &Layer::length, &To::longest, rule::not_negative),
-                      field("symmetry", &Layer::symmetry, &To::symmetry,
-                            rule::OneOf{HRBFNPR_SYMMETRY_CROSS, "HRBFNPR_SYMMETRY_..."})};
-}
-constexpr auto direction_fields() noexcept {
-    using To = marks::DirectionFunction;
-    return FieldTable{field("direction_function", &Layer::direction_function, &To::function, rule::Any{}),
-                      field("direction_user", &Layer::direction_user, &To::user, rule::Any{})};
-}
-constexpr auto hatch_fields() noexcept {
-    using To = hatching::FieldSettings;
-    return FieldTable{field("angle", &Layer::angle, rule::Between{-360.0, 360.0}),
-                      field("smoothing", &Layer::smoothing, &To::smoothing, rule::Between{1e-6, 1.0}),
-                      field("axis", &Layer::axis, rule::Any{}),
-                      field("axis_weight", &Layer::axis_weight, &To::axis_weight, rule::Between{0.0, 1e3}),
-                      field("guide", &Layer::guide, &To::guide,
-                            rule::OneOf{HRBFNPR_HATCH_GUIDE_SILHOUETTE, "HRBFNPR_HATCH_GUIDE_..."}),
-                      reserved("reserved", &Layer::reserved),
-                      field("guide_direction", &Layer::guide_direction, rule::Any{}),
-                      field("guide_weight", &Layer::guide_weight, &To::guide_weight, rule::Between{0.0, 1.0})};
-}
-constexpr auto published_fields() noexcept {
-    using To = published::Settings;
-    return FieldTable{
-        field("start", &Layer::start, &To::from_stipples,
-              rule::OneOf{HRBFNPR_STROKE_START_STIPPLES, "HRBFNPR_STROKE_START_..."}),
-        field("start_level", &Layer::start_level, &To::start_level, rule::Between{0.0, marks::most_levels}),
-        field("levels", &Layer::levels, &To::levels, rule::Between{-1.0, marks::most_levels})};
-}
-static_assert(sizeof(void*) != 8 || layer_fields().bytes + density_fields().bytes + stroke_fields().bytes +
-                                            direction_fields().bytes + published_fields().bytes + hatch_fields().bytes +
-                                            sizeof(Layer::struct_size) ==
-                                        sizeof(Layer));
 
 constexpr auto generate_fields() noexcept {
     using To = generate::Settings;
@@ -132,18 +63,7 @@ static_assert(sizeof(void*) != 8 ||
 
 template <>
 hrbfnpr_layer_desc defaults() noexcept {
-    const generate::LayerSettings settings;
-    hrbfnpr_layer_desc desc{};
-    layer_fields().set_defaults(settings, desc);
-    density_fields().set_defaults(settings.density, desc);
-    stroke_fields().set_defaults(settings.strokes, desc);
-    published_fields().set_defaults(settings.published, desc);
-    hatch_fields().set_defaults(settings.hatching.field, desc);
-    for (int c = 0; c < 3; ++c) {
-        desc.axis[c] = settings.hatching.field.axis[c];
-        desc.guide_direction[c] = settings.hatching.field.guide_direction[c];
-    }
-    return desc;
+    return default_layer_desc();
 }
 
 template <>

@@ -447,7 +447,8 @@ inline constexpr FieldLayout fields_of_hrbfnpr_dab[] = {
 #define RECORD hrbfnpr_note
 inline constexpr FieldLayout fields_of_hrbfnpr_note[] = {
     FIELD(struct_size, "uint32_t"), FIELD(code, "uint32_t"), FIELD(severity, "uint32_t"),
-    FIELD(figure_count, "uint32_t"), FIELD(figures, "double[8]"), FIELD(text, "const char*")};
+    FIELD(figure_count, "uint32_t"), FIELD(figures, "double[8]"), FIELD(text, "const char*"),
+    FIELD(advice, "const char*")};
 #undef RECORD
 #define RECORD hrbfnpr_picture_event
 inline constexpr FieldLayout fields_of_hrbfnpr_picture_event[] = {
@@ -473,6 +474,23 @@ inline constexpr FieldLayout fields_of_hrbfnpr_picture_desc[] = {
     FIELD(mark_kinds, "const char*"), FIELD(seed_points, "hrbfnpr_array"), FIELD(hatch_angle, "double"),
     FIELD(lines, "const char*"), FIELD(scale_bar, "const char*"), FIELD(on_event, "hrbfnpr_picture_event_fn"),
     FIELD(event_user, "void*")};
+#undef RECORD
+#define RECORD hrbfnpr_source_info
+inline constexpr FieldLayout fields_of_hrbfnpr_source_info[] = {
+    FIELD(struct_size, "uint32_t"), FIELD(kind, "uint32_t"), FIELD(severity, "uint32_t"),
+    FIELD(normals_look, "uint32_t"), FIELD(points, "int64_t"), FIELD(triangles, "int64_t"), FIELD(no_data, "int64_t"),
+    FIELD(strays, "int64_t"), FIELD(points_not_finite, "int64_t"), FIELD(duplicates, "int64_t"),
+    FIELD(bounds_min, "double[3]"), FIELD(bounds_max, "double[3]"), FIELD(diagonal, "double"), FIELD(up, "double[3]"),
+    FIELD(has_normals, "uint32_t"), FIELD(along_curves, "uint32_t"), FIELD(looks_down, "uint32_t"),
+    FIELD(reserved, "uint32_t"), FIELD(normals_zero, "int64_t"), FIELD(normals_not_finite, "int64_t"),
+    FIELD(normals_unit_share, "double"), FIELD(normals_closed, "double"), FIELD(normals_flipped_share, "double"),
+    FIELD(image_seen, "int64_t"), FIELD(image_dropped, "int64_t"), FIELD(image_depth, "double"),
+    FIELD(image_noise, "double"), FIELD(closed, "uint32_t"), FIELD(inside_out, "uint32_t"),
+    FIELD(components, "int64_t"), FIELD(components_inside_out, "int64_t"), FIELD(boundary_edges, "int64_t"),
+    FIELD(boundary_loops, "int64_t"), FIELD(nonmanifold_edges, "int64_t"), FIELD(nonmanifold_left, "int64_t"),
+    FIELD(contrary_edges, "int64_t"), FIELD(faces_not_finite, "int64_t"), FIELD(degenerate_faces, "int64_t"),
+    FIELD(repeated_faces, "int64_t"), FIELD(unused_vertices, "int64_t"), FIELD(area, "double"), FIELD(volume, "double"),
+    FIELD(up_reason, "char[128]")};
 #undef RECORD
 #define RECORD hrbfnpr_picture_info
 inline constexpr FieldLayout fields_of_hrbfnpr_picture_info[] = {
@@ -523,7 +541,8 @@ inline constexpr FieldLayout fields_of_hrbfnpr_views_info[] = {
     X(hrbfnpr_mark_identity) X(hrbfnpr_mesh_desc) X(hrbfnpr_mesh_info) X(hrbfnpr_sample_desc) X(hrbfnpr_compare_desc) \
     X(hrbfnpr_comparison) X(hrbfnpr_mesh_fit_desc) X(hrbfnpr_mesh_fit_info) X(hrbfnpr_page_item) X(hrbfnpr_pen) \
     X(hrbfnpr_annotation) X(hrbfnpr_page_desc) X(hrbfnpr_page_info) X(hrbfnpr_picture_source) X(hrbfnpr_change) \
-    X(hrbfnpr_dab) X(hrbfnpr_note) X(hrbfnpr_picture_event) X(hrbfnpr_picture_desc) X(hrbfnpr_picture_info) \
-    X(hrbfnpr_picture_part) X(hrbfnpr_picture_page_desc) X(hrbfnpr_views_desc) X(hrbfnpr_views_info)
+    X(hrbfnpr_dab) X(hrbfnpr_note) X(hrbfnpr_picture_event) X(hrbfnpr_picture_desc) X(hrbfnpr_source_info) \
+    X(hrbfnpr_picture_info) X(hrbfnpr_picture_part) X(hrbfnpr_picture_page_desc) X(hrbfnpr_views_desc) \
+    X(hrbfnpr_views_info)
 
 } // namespace hrbfnpr::api

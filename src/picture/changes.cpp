@@ -43,6 +43,11 @@ struct ChangeTarget {
     return find_choice(*kinds, name) != nullptr;
 }
 
+// Of lines of a style.  Where layers have a kind of the same name, a path means these.
+[[nodiscard]] bool is_line_kind(std::string_view name) noexcept {
+    return find_choice(*find_field(Record::line_style, "kind"), name) != nullptr;
+}
+
 [[nodiscard]] Special special_of(std::string_view section, std::string_view field) noexcept {
     if (section != "style") return Special::none;
     if (field == "ink") return Special::ink;
@@ -62,9 +67,10 @@ struct ChangeTarget {
             const std::string_view kind = rest.substr(0, second);
             target.record = target.is_of_style ? Record::layer_style : Record::layer_desc;
             rest = rest.substr(second + 1);
-            if (target.is_of_style && kind == lines_part)
+            const bool is_of_layers = kind == layers_part || is_layer_kind(kind, target.is_of_style);
+            if (target.is_of_style && !is_of_layers && (kind == lines_part || is_line_kind(kind)))
                 target.record = Record::line_style;
-            else if (kind != layers_part && !is_layer_kind(kind, target.is_of_style))
+            else if (!is_of_layers)
                 target.wrong_kind = kind;
         } else
             target.special = special_of(section, rest);
@@ -106,6 +112,9 @@ struct ChangeTarget {
     for (const NamedConstant& kind : choices_of(*kinds)) (known += kind.name) += ", ";
     known += layers_part;
     if (target.is_of_style) (known += ", ") += lines_part;
+    if (target.is_of_style)
+        for (const NamedConstant& kind : choices_of(*find_field(Record::line_style, "kind")))
+            if (!is_layer_kind(kind.name, true)) (known += ", ") += kind.name;
     fail(Status::invalid_argument, "%s.field is \"%s\"; there is no kind of layers %.*s: there are %s", name,
          String(path, &pool).c_str(), static_cast<int>(target.wrong_kind.size()), target.wrong_kind.data(),
          known.c_str());

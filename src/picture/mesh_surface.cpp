@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The story of a mesh: look_at_mesh() welds it, turns its faces outward, leaves out what is lost, samples it, and
-// divides it where it is coarse; groups_of_mesh() parts what is no surface together; surface_of_group() fits a model,
-// and end_of_mesh() lets it end where the mesh does.
+// The story of a mesh: look_at_mesh() welds it, turns its faces outward, leaves out lost parts, samples it, and divides
+// coarse faces; groups_of_mesh() separates parts that make no surface together; surface_of_group() fits a model, and
+// end_of_mesh() lets it end where the mesh does.
 #include "picture/mesh_surface.h"
 
 #include "api/mesh.h"
@@ -251,7 +251,6 @@ bool has_edges(const Call& call, const Shape& shape, hrbfnpr_operation* operatio
     const hrbfnpr_mesh& made = *mesh.get();
     mesh::FitMeshSettings rough;
     rough.tolerance = mesh_tuning.rough_tolerance * box_diagonal_of(shape.points);
-    rough.maximum_centres = mesh_tuning.rough_centres;
     const base::Progress progress =
         operation != nullptr ? base::Progress(&operation->operation).standing() : base::Progress();
     return mesh::plan_creases(made.runtime(), made.mesh, made.tree, made.creases, rough, progress).creases.has_value();
@@ -457,7 +456,7 @@ struct MeshGroup {
     std::shared_ptr<const Shape> shape;
 };
 
-// Unless one surface is wanted, or what is made of one.
+// Whether there may be several surfaces: the caller wants neither one nor a plate, which shows one.
 bool may_be_apart(const Options& options) {
     const bool wants_one = options.has(HRBFNPR_PICTURE_TOGETHER) || options.has(HRBFNPR_PICTURE_CLOSE) ||
                            options.has(HRBFNPR_PICTURE_SURFACE_ONLY) || options.is_find() ||
@@ -518,8 +517,8 @@ Vector<MeshGroup> groups_of_mesh(const Call& call, Mesh&& mesh, Shape&& shape) {
 
 // ---- The fit
 
-// across: the diagonal of all that is drawn, 0 of one group.  What is small beside it is seen as near: its tolerance is
-// between that of the whole and its own.
+// across: the diagonal of all groups together, 0 of a single one.  A small group beside large ones is seen from as far
+// as these, so its tolerance lies between that of the whole and its own.
 hrbfnpr_mesh_fit_desc fit_of_mesh(const Options& options, const Shape& shape, double edge_angle, double across) {
     auto desc = defaults<hrbfnpr_mesh_fit_desc>(hrbfnpr_mesh_fit_desc_init);
     desc.random_seed = options.desc.random_seed;
@@ -543,7 +542,7 @@ hrbfnpr_mesh_fit_desc fit_of_mesh(const Options& options, const Shape& shape, do
     return desc;
 }
 
-// Of the options of a fit to samples those that a fit to a mesh has as well.
+// A fit to a mesh takes these options of a fit to samples.
 hrbfnpr_fit_desc solver_of_mesh(const Options& options, bool ends) {
     const hrbfnpr_fit_desc wanted = wanted_fit(options);
     auto desc = defaults<hrbfnpr_fit_desc>(hrbfnpr_fit_desc_init);
@@ -630,7 +629,8 @@ Model fit_group(const Call& call, const MeshGroup& group, double edge_angle, dou
 
 // ---- The end
 
-// In diagonals: how far from the mesh the surface is none of it.  Few samples round what is sharp, as the fit has it.
+// In diagonals: a surface that is farther than this from the mesh is none of it.  Few samples round sharp edges off, so
+// a coarser fit may be farther.
 double off_of_model(const Model& model, const std::optional<hrbfnpr_mesh_fit_info>& fit) {
     const hrbfnpr_model_info info = model_info_of(model);
     const double diagonal = diagonal_of(info);

@@ -176,36 +176,38 @@ String normals_in_words(const NormalsLook& look, Pool& pool) {
     return {words, &pool};
 }
 
-void tell_wrong_normals(const Call& call, const NormalsLook& look, std::size_t count, bool of_mesh) {
+void tell_wrong_normals(const Call& call, const NormalsLook& look, std::size_t count, bool of_mesh, bool advice_apart) {
     if (look.inward()) return;
-    Report& report = call.report;
+    const auto warn = [&](std::uint32_t code, std::initializer_list<double> figures, String&& what,
+                          std::string_view advice) {
+        if (advice_apart)
+            call.report.warn(code, figures, what, advice);
+        else
+            call.report.warn(code, figures, (what += ": ") += advice);
+    };
     if (of_mesh && look.mixed()) {
         const double share = std::max(look.flipped, look.outside_in);
-        report.warn(
-            HRBFNPR_NOTE_NORMALS_MIXED, {share},
-            formatted(call.pool,
-                      "some faces look outward and others inward (about %.0f%%), so the surface is wrong there: "
-                      "turn them in MeshLab (Re-orient all faces coherently) or Blender (Recalculate outside)",
-                      100.0 * share));
+        warn(HRBFNPR_NOTE_NORMALS_MIXED, {share},
+             formatted(call.pool,
+                       "some faces look outward and others inward (about %.0f%%), so the surface is wrong there",
+                       100.0 * share),
+             "turn them in MeshLab (Re-orient all faces coherently) or Blender (Recalculate outside)");
     } else if (look.against >= normals_tuning.mixed_share || look.flipped >= normals_tuning.unsure_share) {
         const double wrong = std::nearbyint(look.flipped * static_cast<double>(count));
-        report.warn(
+        warn(
             HRBFNPR_NOTE_NORMALS_AGAINST, {wrong, static_cast<double>(count)},
             formatted(call.pool,
-                      "about %.0f of %zu normals look against those around them, so the surface is wrong there: "
-                      "{flipped_normals=reorient} repairs a few; orient them anew, in MeshLab or CloudCompare, "
-                      "if they are many",
-                      wrong, count));
+                      "about %.0f of %zu normals look against those around them, so the surface is wrong there", wrong,
+                      count),
+            "{flipped_normals=reorient} repairs a few; orient them anew, in MeshLab or CloudCompare, if they are many");
     } else if (look.mixed()) {
-        report.warn(HRBFNPR_NOTE_NORMALS_MIXED, {look.outside_in},
-                    formatted(call.pool,
-                              "some parts have outward normals and others inward ones (about %.0f%%): parts that look "
-                              "inward are drawn empty",
-                              100.0 * look.outside_in));
+        warn(HRBFNPR_NOTE_NORMALS_MIXED, {look.outside_in},
+             formatted(call.pool, "some parts have outward normals and others inward ones (about %.0f%%)",
+                       100.0 * look.outside_in),
+             "parts that look inward are drawn empty");
     } else if (look.closed < normals_tuning.doubtful_sum) {
-        report.warn(HRBFNPR_NOTE_NORMALS_INWARD, {},
-                    "most of the surface looks inward, and it is open: {flip!} turns all normals, if the picture is "
-                    "empty");
+        warn(HRBFNPR_NOTE_NORMALS_INWARD, {}, {"most of the surface looks inward, and it is open", &call.pool},
+             "{flip!} turns all normals, if the picture is empty");
     }
 }
 
@@ -270,7 +272,15 @@ SharedPlaces agreed(Points& points, Points& normals, Pool& pool) {
 
 namespace {
 
-constexpr const char* name_of_found(std::uint32_t found) noexcept {
+void set_vector(double (&to)[3], const glm::dvec3& from) noexcept {
+    to[0] = from.x;
+    to[1] = from.y;
+    to[2] = from.z;
+}
+
+} // namespace
+
+const char* found_in_words(std::uint32_t found) noexcept {
     switch (found) {
     case HRBFNPR_NORMALS_NONE: return "none of these points'";
     case HRBFNPR_NORMALS_UNORIENTED: return "of any sign";
@@ -279,14 +289,6 @@ constexpr const char* name_of_found(std::uint32_t found) noexcept {
     default: return "right";
     }
 }
-
-void set_vector(double (&to)[3], const glm::dvec3& from) noexcept {
-    to[0] = from.x;
-    to[1] = from.y;
-    to[2] = from.z;
-}
-
-} // namespace
 
 MadeNormals make_normals(const Call& call, Stage& stage, const Points& points, const Points& normals,
                          std::uint32_t mode, const SeenFrom& seen) {
@@ -348,7 +350,7 @@ String repaired_normals(const Call& call, Stage& stage, const Points& points, Po
             formatted(call.pool,
                       "the normals were %s: %lld are turned, %lld are made anew ({normals=keep} leaves "
                       "them)",
-                      name_of_found(info.found), static_cast<long long>(info.turned),
+                      found_in_words(info.found), static_cast<long long>(info.turned),
                       static_cast<long long>(info.made)));
     normals = std::move(made.normals);
     return made_in_words(info, points.size(), call.pool);

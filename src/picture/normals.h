@@ -26,8 +26,10 @@ struct NormalsLook {
 
 // What a look has found, in words.
 [[nodiscard]] String normals_in_words(const NormalsLook& look, Pool& pool);
-// Warns if normals that were not turned look wrong. of_mesh: they are those of faces.
-void tell_wrong_normals(const Call& call, const NormalsLook& look, std::size_t count, bool of_mesh);
+// Warns if normals that were not turned look wrong. of_mesh: they are those of faces. advice_apart: what to do is the
+// note's advice, else it ends the note's text.
+void tell_wrong_normals(const Call& call, const NormalsLook& look, std::size_t count, bool of_mesh,
+                        bool advice_apart = false);
 
 // Whether finite points lie along curves, where neighbours tell nothing of normals. It is not asked for very many.
 [[nodiscard]] bool lie_along_curves(const Points& points, Pool& pool);
@@ -55,6 +57,8 @@ struct MadeNormals {
 // Makes or repairs them. mode: HRBFNPR_NORMALS_... of what is known of the given ones. normals: empty with NONE.
 [[nodiscard]] MadeNormals make_normals(const Call& call, Stage& stage, const Points& points, const Points& normals,
                                        std::uint32_t mode, const SeenFrom& seen);
+// What given normals are, by HRBFNPR_NORMALS_... of an orient_info: "the normals are ...".
+[[nodiscard]] const char* found_in_words(std::uint32_t found) noexcept;
 // What make_normals() has done with this many points, in words.
 [[nodiscard]] String made_in_words(const hrbfnpr_orient_info& info, std::size_t count, Pool& pool);
 // Warns if it is not sure of them, or of their side.

@@ -3,6 +3,7 @@
 #include "api/descriptor.h"
 #include "api/fields.h"
 #include "api/lists.h"
+#include "api/presets.h"
 #include "api/views.h"
 #include "base/utf8.h"
 #include "picture/call.h"
@@ -31,6 +32,14 @@ struct OrNan {
 template <class Rule>
 OrNan(Rule) -> OrNan<Rule>;
 
+// 0 stands for what is chosen.
+struct OrZero {
+    double low, high;
+    void operator()(const Checks& checks, const char* field, double value) const {
+        if (value != 0.0) checks.between(field, value, low, high);
+    }
+};
+
 constexpr rule::Between any_number{-largest_number, largest_number};
 
 constexpr auto picture_fields() noexcept {
@@ -39,7 +48,7 @@ constexpr auto picture_fields() noexcept {
                       field("sources", &D::sources, rule::Any{}),
                       field("source_count", &D::source_count, rule::Any{}),
                       field("source_stride", &D::source_stride, rule::Any{}),
-                      field("preset", &D::preset, rule::OneOf{HRBFNPR_PRESET_ARCHAEOLOGICAL, "HRBFNPR_PRESET_..."}),
+                      field("preset", &D::preset, rule::OnePreset{}),
                       field("wording", &D::wording, rule::OneOf{HRBFNPR_WORDING_ARGUMENTS, "HRBFNPR_WORDING_..."}),
                       field("style_name", &D::style_name, rule::Any{}),
                       field("style", &D::style, rule::Any{}),
@@ -54,8 +63,8 @@ constexpr auto picture_fields() noexcept {
                       field("height", &D::height, rule::Between{0.0, largest_side}),
                       field("size", &D::size, rule::Between{0.0, largest_side}),
                       field("sides", &D::sides, rule::OneOf{HRBFNPR_PICTURE_SIDES_BOTH, "HRBFNPR_PICTURE_SIDES_..."}),
-                      field("pen", &D::pen, rule::Between{0.0, 1e6}),
-                      field("line_width", &D::line_width, rule::Between{0.0, 1e6}),
+                      field("pen", &D::pen, OrZero{1e-6, 1e6}),
+                      field("line_width", &D::line_width, OrZero{1e-6, 1e6}),
                       field("camera", &D::camera, rule::Any{}),
                       field("up", &D::up, rule::Each{any_number}),
                       field("azimuth", &D::azimuth, OrNan{any_number}),
@@ -63,7 +72,7 @@ constexpr auto picture_fields() noexcept {
                       field("direction", &D::direction, rule::Each{any_number}),
                       field("eye", &D::eye, rule::Each{OrNan{any_number}}),
                       field("target", &D::target, rule::Each{OrNan{any_number}}),
-                      field("fov", &D::fov, OrNan{rule::Between{0.0, 179.0}}),
+                      field("fov", &D::fov, OrNan{OrZero{0.01, 179.0}}),
                       field("margin", &D::margin, OrNan{rule::Between{0.0, 0.45}}),
                       field("turn", &D::turn, any_number),
                       field("turn_frames", &D::turn_frames, rule::Between{1.0, 1e6}),
@@ -150,6 +159,14 @@ void check_desc(const hrbfnpr_picture_desc& desc) {
              static_cast<int>(desc.width), static_cast<int>(desc.height));
 }
 
+// A vector of zeros stands for what is chosen.
+void check_direction(const double (&given)[3], const char* field) {
+    const double length = glm::length(glm::dvec3(given[0], given[1], given[2]));
+    if ((given[0] == 0.0 && given[1] == 0.0 && given[2] == 0.0) || (length > 1e-100 && length < 1e100)) return;
+    fail(Status::invalid_argument, "picture_desc.%s is (%g, %g, %g); it must have a direction", field, given[0],
+         given[1], given[2]);
+}
+
 void check_text(const char* text, const char* field) {
     if (text == nullptr) return;
     const std::size_t size = strnlen(text, longest_text + 1);
@@ -227,6 +244,8 @@ Options::Options(const hrbfnpr_picture_desc& given, std::shared_ptr<const Settin
       dabs(dabs_of(given, settings.get(), pool)), seed_points(points_of(given.seed_points, "seed_points", pool)),
       texts_(&pool) {
     check_desc(desc);
+    check_direction(desc.up, "up");
+    check_direction(desc.direction, "direction");
     check_text(desc.style_name, "style_name");
     check_text(desc.mark_kinds, "mark_kinds");
     check_text(desc.lines, "lines");

@@ -2,6 +2,7 @@
 #include "picture/plan.h"
 
 #include "base/assert.h"
+#include "picture/field_table.h"
 #include "picture/paint.h"
 #include "picture/tuning_plan.h"
 #include "picture/wanted_lines.h"
@@ -76,7 +77,7 @@ Vector<std::uint32_t> mark_kinds_of(const Call& call, std::string_view names) {
         const std::optional<std::uint32_t> kind = layer_kind_of(name);
         if (!kind || *kind == HRBFNPR_LAYER_KIND_ANY || *kind == HRBFNPR_LAYER_KIND_FIELD ||
             *kind == HRBFNPR_LAYER_KIND_OWN)
-            call.report.refuse(formatted(call.pool, "layers must be of stipples, principal, combing, hatch, not '%.*s'",
+            call.report.refuse(formatted(call.pool, "{layers} must be of stipples, principal, combing, hatch, not '%.*s'",
                                          static_cast<int>(std::min<std::size_t>(name.size(), 60)), name.data()));
         kinds.push_back(*kind);
     }
@@ -168,7 +169,14 @@ void change_kinds(const Call& call, Style& style) {
     }
 }
 
-// "style.lines.F".  Lines that stray are also uneven in width.
+// Whether a group of paths, "lines" or "ridge", means lines of a kind.
+bool is_for_lines(std::string_view group, std::uint32_t kind) noexcept {
+    if (group == "lines") return true;
+    const NamedConstant* const named = find_choice(*find_field(Record::line_style, "kind"), group);
+    return named != nullptr && static_cast<std::uint32_t>(named->value) == kind && !layer_kind_of(group);
+}
+
+// "style.lines.F" and "style.ridge.F".  Lines that stray are also uneven in width.
 void change_lines(const Call& call, Style& style) {
     const Changes& changes = call.options.changes;
     const std::optional<double> wobble = changes.number("style.lines.wobble");
@@ -176,7 +184,8 @@ void change_lines(const Call& call, Style& style) {
         if (wobble) line.wobble_width = static_cast<float>(std::min(1.0, line_style_tuning.width_of_wobble * *wobble));
         for (const Change& change : changes.list()) {
             const ChangedField path = parts_of_path(change.path);
-            if (path.section == "style" && path.group == "lines") apply_one_change(change, line, style, call.pool);
+            if (path.section == "style" && is_for_lines(path.group, line.kind))
+                apply_one_change(change, line, style, call.pool);
         }
     }
 }

@@ -114,47 +114,30 @@ void give_normals(const Call& call, Shape& shape) {
 
 bool is_depth_image(const Shape& shape) noexcept { return shape.columns > 0 && shape.rows > 0; }
 
-// Takes the sensor's noise off the image, and leaves the points that were seen, with normals that look to the camera.
-// Returns how large gaps between them are known to be.
-double smooth_depth_image(const Call& call, Shape& shape) {
+// Smooths the image, and returns how large gaps between its points are known to be.
+double use_depth_image(const Call& call, Shape& shape) {
     Pool& pool = call.pool;
-    const double factor = call.options.desc.depth_smoothing; // NaN: not given
-    auto desc = defaults<hrbfnpr_depth_image_desc>(hrbfnpr_depth_image_desc_init);
-    desc.columns = static_cast<std::int32_t>(shape.columns);
-    desc.rows = static_cast<std::int32_t>(shape.rows);
-    desc.points = view_of(shape.points);
-    if (factor == 0.0)
-        desc.keep_points = 1;
-    else if (!std::isnan(factor))
-        desc.smoothing = factor;
-    shape.normals.assign(shape.points.size(), glm::dvec3(0.0));
-    auto info = defaults<hrbfnpr_depth_image_info>(hrbfnpr_depth_image_info_init);
+    const std::int64_t columns = shape.columns;
+    const std::int64_t rows = shape.rows;
+    hrbfnpr_depth_image_info info;
     {
         Stage stage(call.report, HRBFNPR_STAGE_SMOOTH);
-        const hrbfnpr_array_out to_points = room_in(shape.points);
-        const hrbfnpr_array_out to_normals = room_in(shape.normals);
-        picture::call([&](hrbfnpr_error* error) {
-            return hrbfnpr_smooth_depth_image(&call.context, &desc, stage.operation(), &to_points, &to_normals, &info,
-                                              error);
-        });
+        info = smooth_depth_image(call, stage, shape);
         stage.says(formatted(pool, "%lld pixels of %lld x %lld, over %.1f pixels where the depth is %.3g",
-                             static_cast<long long>(info.seen), static_cast<long long>(shape.columns),
-                             static_cast<long long>(shape.rows), info.radius, info.depth));
+                             static_cast<long long>(info.seen), static_cast<long long>(columns),
+                             static_cast<long long>(rows), info.radius, info.depth));
     }
-    PointMask kept(shape.points.size(), 0, &pool);
-    std::transform(shape.points.begin(), shape.points.end(), kept.begin(),
-                   [](const glm::dvec3& p) { return static_cast<std::uint8_t>(is_finite_place(p) ? 1 : 0); });
-    keep_points(shape, kept, pool);
     if (info.left_out != 0)
         call.report.note(HRBFNPR_NOTE_PIXELS_LEFT_OUT, {static_cast<double>(info.left_out)},
                          count_of(info.left_out, "pixel", pool) +=
                          " on no surface left out, as between an edge and what is behind it");
-    const double noise = info.noise * info.depth * info.depth; // in the depth; the library measures it in the inverse
+    const double noise = depth_noise_of(info);
     call.report.note(HRBFNPR_NOTE_DEPTH_NOISE, {noise, info.depth},
                      formatted(pool, "the depth camera has noise of %.2g where the depth is %.3g: %s", noise,
                                info.depth,
-                               factor == 0.0 ? "the points keep it"
-                                             : "it is smoothed ({depth_smoothing=F}: more or less, 0 keeps it)"));
+                               call.options.desc.depth_smoothing == 0.0
+                                   ? "the points keep it"
+                                   : "it is smoothed ({depth_smoothing=F}: more or less, 0 keeps it)"));
     return points_tuning.hole_pixels * info.depth / info.focal_length;
 }
 
@@ -362,6 +345,32 @@ bool has_normals(const Shape& shape) noexcept {
                        [&](const glm::dvec3& n) { return tells(n.x) || tells(n.y) || tells(n.z); });
 }
 
+hrbfnpr_depth_image_info smooth_depth_image(const Call& call, Stage& stage, Shape& shape) {
+    HRBFNPR_ASSERT(is_depth_image(shape));
+    const double factor = call.options.desc.depth_smoothing; // NaN: not given
+    auto desc = defaults<hrbfnpr_depth_image_desc>(hrbfnpr_depth_image_desc_init);
+    desc.columns = static_cast<std::int32_t>(shape.columns);
+    desc.rows = static_cast<std::int32_t>(shape.rows);
+    desc.points = view_of(shape.points);
+    if (factor == 0.0)
+        desc.keep_points = 1;
+    else if (!std::isnan(factor))
+        desc.smoothing = factor;
+    shape.normals.assign(shape.points.size(), glm::dvec3(0.0));
+    auto info = defaults<hrbfnpr_depth_image_info>(hrbfnpr_depth_image_info_init);
+    const hrbfnpr_array_out to_points = room_in(shape.points);
+    const hrbfnpr_array_out to_normals = room_in(shape.normals);
+    picture::call([&](hrbfnpr_error* error) {
+        return hrbfnpr_smooth_depth_image(&call.context, &desc, stage.operation(), &to_points, &to_normals, &info,
+                                          error);
+    });
+    PointMask kept(shape.points.size(), 0, &call.pool);
+    std::transform(shape.points.begin(), shape.points.end(), kept.begin(),
+                   [](const glm::dvec3& p) { return static_cast<std::uint8_t>(is_finite_place(p) ? 1 : 0); });
+    keep_points(shape, kept, call.pool);
+    return info;
+}
+
 void tell_unused_viewpoint(const Call& call, const Shape& shape) {
     const std::uint32_t mode = call.options.desc.normals;
     const bool keeps = mode == HRBFNPR_NORMALS_AUTO || mode == HRBFNPR_NORMALS_GIVEN;
@@ -384,7 +393,7 @@ Surface fit_points(const Call& call, Shape&& shape, glm::dvec3& up) {
         if (call.options.viewpoint())
             call.report.warn(HRBFNPR_NOTE_VIEWPOINT_NOT_USED, {},
                              "{viewpoint} is not used: the points are a picture, whose camera is known");
-        hole = smooth_depth_image(call, shape);
+        hole = use_depth_image(call, shape);
     } else if (made) {
         give_normals(call, shape);
     }

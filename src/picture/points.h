@@ -13,6 +13,14 @@ void leave_out_unusable(const Call& call, Shape& shape);
 // Whether points have normals, others than zeros.
 [[nodiscard]] bool has_normals(const Shape& shape) noexcept;
 
+// Takes the sensor's noise off the image of a depth camera, by the options' factor, and leaves the points that were
+// seen, with normals that look to the camera.
+[[nodiscard]] hrbfnpr_depth_image_info smooth_depth_image(const Call& call, Stage& stage, Shape& shape);
+// The deviation of its depths; the library measures that of the inverse.
+[[nodiscard]] constexpr double depth_noise_of(const hrbfnpr_depth_image_info& info) noexcept {
+    return info.noise * info.depth * info.depth;
+}
+
 // Warns if a viewpoint is given that nothing is turned to.
 void tell_unused_viewpoint(const Call& call, const Shape& shape);
 

@@ -32,6 +32,7 @@ constexpr std::array option_names{
     OptionName{"flip", "HRBFNPR_PICTURE_FLIP"},
     OptionName{"flipped_normals", "fit.flipped_normals"},
     OptionName{"kernel", "fit.kernel"},
+    OptionName{"layers", "mark_kinds"},
     OptionName{"light", "style.light"},
     OptionName{"mark_radius", "pen"},
     OptionName{"max_centres", "maximum_centres"},
@@ -39,7 +40,7 @@ constexpr std::array option_names{
     OptionName{"page", "paper"},
     OptionName{"page_margin", "paper_margin"},
     OptionName{"regularization", "fit.regularization"},
-    OptionName{"seed_points", "seed_points"},
+    OptionName{"section", "sections"},
     OptionName{"style", "preset"},
     OptionName{"together", "HRBFNPR_PICTURE_TOGETHER"},
     OptionName{"tone", "style.tone"},
@@ -169,8 +170,8 @@ String formatted(Pool& pool, const char* format, ...) {
 // ---- Notes
 
 void Report::tell(std::uint32_t severity, std::uint32_t code, std::initializer_list<double> figures,
-                  std::string_view text) {
-    Note note{code, severity, 0, {}, in_words(text, wording_, *pool_)};
+                  std::string_view text, std::string_view advice) {
+    Note note{code, severity, 0, {}, in_words(text, wording_, *pool_), in_words(advice, wording_, *pool_)};
     for (const double figure : figures) {
         if (note.figure_count == note.figures.size()) break;
         note.figures[note.figure_count++] = figure;
@@ -193,9 +194,11 @@ void Report::info(std::uint32_t code, std::initializer_list<double> figures, std
 void Report::note(std::uint32_t code, std::initializer_list<double> figures, std::string_view text) {
     tell(HRBFNPR_SEVERITY_NOTE, code, figures, text);
 }
-void Report::warn(std::uint32_t code, std::initializer_list<double> figures, std::string_view text) {
-    tell(HRBFNPR_SEVERITY_WARNING, code, figures, text);
+void Report::warn(std::uint32_t code, std::initializer_list<double> figures, std::string_view text,
+                  std::string_view advice) {
+    tell(HRBFNPR_SEVERITY_WARNING, code, figures, text, advice);
 }
+void Report::failure(std::uint32_t code, std::string_view text) { tell(HRBFNPR_SEVERITY_FAILURE, code, {}, text); }
 
 void Report::fail(std::uint32_t code, std::initializer_list<double> figures, std::string_view text) {
     tell(HRBFNPR_SEVERITY_FAILURE, code, figures, text);
@@ -214,6 +217,7 @@ hrbfnpr_note described(const Note& note) noexcept {
     to.figure_count = note.figure_count;
     std::copy(note.figures.begin(), note.figures.end(), to.figures);
     to.text = note.text.c_str();
+    to.advice = note.advice.empty() ? nullptr : note.advice.c_str();
     return to;
 }
 

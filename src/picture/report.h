@@ -33,6 +33,7 @@ struct Note {
     std::uint32_t figure_count;
     std::array<double, 8> figures;
     String text;
+    String advice; // empty: there is none, or the text has it
 };
 
 struct FinishedStage {
@@ -51,10 +52,14 @@ public:
         : notes(&pool), stages(&pool), pool_(&pool), wording_(wording), on_event_(on_event), user_(user),
           context_(&context), operation_(operation) {}
 
-    // `text` as in_words() takes it.  A warning that was told before is not told again.
+    // `text` and `advice`, which is what to do about it, as in_words() takes them.  A warning that was told before is
+    // not told again.
     void info(std::uint32_t code, std::initializer_list<double> figures, std::string_view text);
     void note(std::uint32_t code, std::initializer_list<double> figures, std::string_view text);
-    void warn(std::uint32_t code, std::initializer_list<double> figures, std::string_view text);
+    void warn(std::uint32_t code, std::initializer_list<double> figures, std::string_view text,
+              std::string_view advice = {});
+    // Tells a failure that is no error of the call.
+    void failure(std::uint32_t code, std::string_view text);
     // Keeps the text in full length as a note, and throws Error{invalid_argument} with as much of it as has room.
     [[noreturn]] void fail(std::uint32_t code, std::initializer_list<double> figures, std::string_view text);
     // Throws Error{invalid_argument} in the caller's words.
@@ -72,7 +77,8 @@ public:
 
 private:
     friend class Stage;
-    void tell(std::uint32_t severity, std::uint32_t code, std::initializer_list<double> figures, std::string_view text);
+    void tell(std::uint32_t severity, std::uint32_t code, std::initializer_list<double> figures, std::string_view text,
+              std::string_view advice = {});
 
     Pool* pool_;
     std::uint32_t wording_;

@@ -51,9 +51,13 @@ Vector<std::array<std::int64_t, size>> read_indices(const hrbfnpr_array& array, 
     return tuples;
 }
 
-std::optional<glm::dvec3> direction_of(const double (&given)[3]) noexcept {
+std::optional<glm::dvec3> given_up(const double (&given)[3], const char* owner) {
     const glm::dvec3 direction(given[0], given[1], given[2]);
     if (direction == glm::dvec3(0.0)) return std::nullopt;
+    const double length = glm::length(direction);
+    if (!(length > 1e-100 && length < 1e100))
+        fail(Status::invalid_argument, "%s.up is (%g, %g, %g); it must have a direction, or be 0, 0, 0", owner,
+             given[0], given[1], given[2]);
     return direction;
 }
 
@@ -92,8 +96,7 @@ Shape read_shape(const hrbfnpr_picture_source& given, const char* owner, Pool& p
     shape.has_sharp_edges = (given.flags & HRBFNPR_SOURCE_HAS_SHARP_EDGES) != 0 && shape.is_mesh();
     if (shape.has_sharp_edges)
         shape.sharp_edges = read_indices<2>(given.sharp_edges, shape.points.size(), owner, "sharp_edges", "edge", pool);
-    check_finite(given.up, owner, "up");
-    shape.up = direction_of(given.up);
+    shape.up = given_up(given.up, owner);
     read_text(given.up_by, shape.up_by, owner, "up_by");
     if ((given.flags & HRBFNPR_SOURCE_HAS_VIEWPOINT) != 0) {
         check_finite(given.viewpoint, owner, "viewpoint");
@@ -124,10 +127,16 @@ void read_source(const hrbfnpr_picture_source& given, const char* owner, Pool& p
 
 } // namespace
 
+Source read_source(const hrbfnpr_picture_source* given, Pool& pool) {
+    Source source(pool);
+    read_source(api::read_struct(given, "picture_source"), "picture_source", pool, source);
+    return source;
+}
+
 Vector<Source> read_sources(const hrbfnpr_picture_desc& desc, Pool& pool) {
     const api::List<hrbfnpr_picture_source> list(desc.sources, desc.source_count, desc.source_stride, most_sources,
                                                  "picture_desc.sources");
-    if (list.count() == 0) fail(Status::invalid_argument, "picture_desc.sources is empty; give at least one");
+    if (list.count() == 0) fail(Status::invalid_argument, "picture_desc.source_count is 0; give at least one source");
     Vector<Source> sources(&pool);
     sources.reserve(static_cast<std::size_t>(list.count()));
     for (std::int64_t i = 0; i < list.count(); ++i)

@@ -21,6 +21,8 @@ struct Source {
     PointSet marks;
 };
 
+// Reads and checks one.  Throws Error{invalid_argument} that names its field.
+[[nodiscard]] Source read_source(const hrbfnpr_picture_source* given, Pool& pool);
 // Reads and checks a list.  Throws Error{invalid_argument} that names the element.
 [[nodiscard]] Vector<Source> read_sources(const hrbfnpr_picture_desc& desc, Pool& pool);
 

@@ -7,62 +7,65 @@
 
 namespace hrbfnpr::picture {
 
-// The story as a whole: what is looked at, divided, fitted and said.  Set on figures, machine parts and balls of 80 to
-// 300 000 faces.
+// How a mesh is looked at, divided and fitted.  Set on figures, machine parts and balls of 80 to 300 000 faces.
 struct MeshTuning {
-    // Samples that tell which way a mesh looks and what is up.  Larger: surer, and more time.
+    // Samples that tell which way a mesh looks and which direction is up.  Larger: surer, in more time.
     std::int64_t looked_at = 2000;
-    // Samples where the fit does not choose them and the options set no number.  Larger: finer surfaces, more time.
+    // Samples where the fit does not choose them and the options set no number.  Larger: finer surfaces, in more time.
     std::int64_t samples = 1000;
     // The most samples of a mesh, as hrbfnpr_mesh_sample has it.
     std::int64_t most_samples = 10'000'000;
-    // Degrees: faces that meet at a sharper angle do not share normals, unless the options say so.
+    // Degrees: faces that meet at a sharper angle do not share normals, unless the options say so.  Larger: samples
+    // beside edges lean towards these.
     double crease_angle = 60.0;
-    // Degrees by which flat faces bend to each other.  Larger: fewer edges of coarse polyhedra are sharp.
+    // Degrees by which faces bend that are meant to be flat; their edges are sharp then.  Larger: fewer of them are.
     double flat_bend = 5.0;
 
     // Diagonals: the tolerance of a fit, as hrbfnpr_model_fit_mesh has it.  Larger: coarser surfaces in less time.
     double tolerance = 0.002;
-    // Faces of a mesh that may be coarse, at most.  Larger: finer meshes are asked, which takes time.
+    // Faces of a mesh that may be divided, at most.  Larger: finer meshes are looked at, in more time.
     std::size_t most_coarse = 50'000;
-    // Diagonals: faces whose edges are shorter on average bend by noise.  Smaller: meshes with noise are divided.
+    // Diagonals: a mesh whose edges are shorter on average bends by noise, and is not divided.  Larger: fewer are.
     double coarse_edge = 0.025;
-    // Rounds of subdivision, at most.  Each makes four times as many faces.
+    // Rounds of subdivision, at most.  Larger by 1: four times as many faces.
     std::int32_t most_rounds = 3;
-    // Times how far the faces bulge: if vertices move farther, nothing round goes through them.  Figures and rings have
-    // 1.2 at most.
+    // A factor of how far the faces bulge: if vertices move farther than that, nothing round goes through them. Figures
+    // and rings have 1.2 at most.  Larger: more meshes with long faces are divided.
     double most_moved = 1.5;
-    // The same for places in the midst of faces: 1.8 for a ball of 156 faces, 2.7 at most for figures.
+    // The same for places between the vertices: 1.8 for a ball of 156 faces, 2.7 at most for figures.
     double most_raised = 3.0;
-    // The percentile of all places that this is asked of.  Larger: a single fold counts.
+    // The percentile of these places that is compared.  Larger: a single fold counts.
     double raised_percentile = 99.0;
-    // The fit that would tell whether edges stand out: its tolerance in diagonals, and its centres.
+    // Diagonals: the tolerance with which a coarse mesh is asked whether it has edges.  Larger: more of its faces may
+    // be round.
     double rough_tolerance = 0.1;
-    std::int64_t rough_centres = 100;
 
-    // Diagonals: edges that stay smooth and are longer than this get a note.  Larger: fewer notes.
+    // Diagonals: longer edges that stay smooth get a note.  Larger: fewer notes.
     double told_smooth_length = 0.01;
-    // The share of a mesh within the tolerance, below which it is not for a few edges that the rest is farther.
+    // The share of a mesh within the tolerance.  If it is less, coarse faces are the reason, and not a few edges.
+    // Larger: more meshes are called coarse.
     double mostly_reached = 0.9;
-    // The share of the most centres from which on a fit that falls short had too few.
+    // The share of the most centres from which on a fit that falls short had too few.  Larger: more centres are
+    // proposed less often.
     double nearly_all_centres = 0.9;
     // Centres that a fit may have, and those for each sheet of one with sharp edges, as hrbfnpr_model_fit_mesh has it.
     std::int64_t most_centres = 8000;
     std::int64_t centres_a_sheet = 32;
 
-    // Places on a mesh that show where it ends, chosen from three times as many: they are some 0.005 diagonals from
-    // each other without gaps.  Larger: the end is more exact, in more time.
+    // Places on a mesh that show where it ends, and random ones that they are chosen from: three times as many leave no
+    // gaps.  They are some 0.005 diagonals from each other.  Larger: the end is more exact, in more time.
     std::int64_t end_places = 60'000;
     std::int64_t end_candidates = 180'000;
-    // Diagonals: what is farther than this from a mesh is none of it; the least and the most.  Larger: more of what a
-    // fit invents stays.
+    // Diagonals: surface that is farther than this from a mesh is none of it; the least and the most.  Larger: more of
+    // the surface that a fit invents stays.
     double least_off = 0.009;
     double most_off = 0.015;
-    // Times the distance of 99 % of the mesh from the surface, or the spacing of the samples: rounded edges are so far.
+    // A factor between these two limits: of the distance of 99 % of the mesh from the surface, or of the spacing of the
+    // samples, since they round edges off by that.  Larger: as above.
     double off_factor = 1.5;
-    // The share of a closed surface left out that is warned of.
+    // The share of a closed surface that is left out and warned of.  Larger: fewer warnings.
     double doubted_share = 0.002;
-    // Samples times this are proposed then.
+    // The factor of the samples that is proposed then.
     std::int64_t more_samples = 4;
 };
 inline constexpr MeshTuning mesh_tuning;
@@ -71,47 +74,51 @@ inline constexpr MeshTuning mesh_tuning;
 struct ApartTuning {
     // Diagonals: parts that are nearer than this disturb each other.  Larger: more groups.
     double near = 0.02;
-    // Diagonals: borders that are nearer than this are one edge that the file has twice, if that is so along this share
-    // of the border of either part, where the normals of their faces have this cosine at least.  Larger: fewer groups.
+    // Diagonals: borders that are nearer than this may be one edge that the file has twice.  Larger: fewer groups.
     double seam = 0.002;
+    // The share of the border of either part along which that has to be so.  Larger: more groups.
     double seam_share = 0.2;
+    // The cosine between the normals of the faces there, at least.  Larger: more groups.
     double seam_cosine = 0.7;
     // Places on all parts, about.  Larger: no contact is missed, in more time.
     double places = 40'000.0;
-    // Larger meshes are one group; those that hang together by their vertices, and others.
+    // Faces: larger meshes are one group; the first holds for those that hang together by their vertices.  Larger: more
+    // meshes are grouped, in more time.
     std::int64_t most_faces_of_one = 100'000;
     std::int64_t most_faces = 300'000;
-    // Meshes of more parts are one group.
+    // A mesh of more parts is one group.  Larger: time and memory with the square of it.
     std::int64_t most_parts = 500;
-    // Groups, at most: what finds no place in the first ones shares the last.
+    // Groups, at most: parts that find no place in the first ones share the last.  Larger: more fits.
     std::int64_t most_groups = 8;
-    // What has no more faces, and a smaller share of the area, is too little for a surface of its own.
+    // Faces, at most, and the share of all area, at most, of parts that are too little for a surface of their own.
+    // Larger: more faces are left out where three meet in an edge.
     std::int64_t flap_faces = 2;
     double flap_area = 2e-4;
 
-    // Parts with this share of the area at most, together, are lost if they lie farther from all others than this many
-    // times the size of those, less one.  Larger: more parts stay.
+    // The share of the area of all lost parts together, at most.  Larger: more parts are lost.
     double lost_area = 0.001;
+    // The size of all other parts times this, less one, is the distance from which on parts are lost.  Larger: fewer
+    // are.
     double lost_distance = 4.0;
 };
 inline constexpr ApartTuning apart_tuning;
 
 // Meshes that are divided towards something round.
 struct SubdivideTuning {
-    // Faces after the last round, at most: these take some gigabytes.
+    // Faces after the last round, at most.  Larger: some gigabytes of memory more.
     std::int64_t most_faces = 4'000'000;
     // Rounds, at most.
     std::int32_t most_rounds = 6;
-    // How often vertices are corrected so that the surface goes through them.  What is left after four is some
-    // hundredth of what plain subdivision moves them by.
+    // How often vertices are corrected so that the surface goes through them.  After four it passes them by a hundredth
+    // of the way that plain subdivision moves them.  Larger: nearer, in more time.
     std::int32_t corrections = 4;
     // Degrees: a vertex stays where a border or crease turns by more.  Larger: rounder corners.
     double corner_angle = 60.0;
-    // The share of the area of a flat face: a face beside it that has no more is a bevel.
+    // The share of the area of a flat face that a bevel beside it has at most.  Larger: more faces are bevels.
     double narrow = 0.25;
-    // Degrees by which edges of bevels bend at least.
+    // Degrees by which the edges of bevels bend at least.  Larger: fewer faces are bevels.
     double bevel_angle = 15.0;
-    // Degrees: triangles that bend by less to each other are one flat face.
+    // Degrees: triangles that bend by less to each other are one flat face.  Larger: larger flat faces.
     double flat_angle = 2.0;
     // The percentile of the edges that says how coarse a mesh is.  Larger: a few long faces make it coarse.
     double coarse_percentile = 90.0;
@@ -120,11 +127,12 @@ inline constexpr SubdivideTuning subdivide_tuning;
 
 // Edges that are sharp by the normals of a file.
 struct SharpEdgesTuning {
-    // Degrees: faces that bend by less are one, as the triangles of a polygon.
+    // Degrees: faces that bend by less are one, as the triangles of a polygon.  Larger: fewer edges are asked.
     double bend_angle = 2.0;
-    // Fewer edges that bend say nothing.
+    // Fewer edges than this say nothing.
     std::int64_t fewest = 8;
-    // The share of them from which on all are sharp, and below the rest of 1 none is.  Larger: fewer files tell either.
+    // The share of the edges from which on all are sharp; up to the rest of 1 none is.  Larger: more files say that
+    // some are.
     double nearly_all = 0.98;
 };
 inline constexpr SharpEdgesTuning sharp_edges_tuning;

@@ -133,4 +133,16 @@ struct EndsTuning {
 };
 inline constexpr EndsTuning ends_tuning;
 
+// What is found wrong with a source that is inspected.
+struct InspectTuning {
+    // Samples of a mesh, by which its normals and its up are looked at. Larger: surer, and more time.
+    std::size_t mesh_samples = 1000;
+    // In diagonals of the bounds: a source whose middle is farther from the origin loses its details in single
+    // precision, which has seven digits.
+    double far_from_origin = 1e5;
+    // Normals whose length is off 1 by less are unit: files have few digits. Larger: fewer are reported.
+    double unit_length = 1e-3;
+};
+inline constexpr InspectTuning inspect_tuning;
+
 } // namespace hrbfnpr::picture

@@ -27,6 +27,7 @@ constexpr double longest_on_paper = 1e9; // mm; and of other numbers
 constexpr auto views_fields() noexcept {
     using D = ViewsDesc;
     constexpr rule::PositiveUpTo positive{longest_on_paper};
+    constexpr rule::Between on_paper{0.01, 1000.0}; // mm
     return FieldTable{
         field("flags", &D::flags, rule::Flags{views_flags}),
         field("projection", &D::projection, rule::OneOf{HRBFNPR_VIEWS_ANGLE_THIRD, "HRBFNPR_VIEWS_ANGLE_..."}),
@@ -40,8 +41,8 @@ constexpr auto views_fields() noexcept {
         field("model", &D::model, rule::Any{}),
         field("unit_mm", &D::unit_mm, rule::Between{0.0, longest_on_paper}),
         field("crease_angle", &D::crease_angle, positive),
-        field("line_width", &D::line_width, positive),
-        field("hatch_spacing", &D::hatch_spacing, positive),
+        field("line_width", &D::line_width, on_paper),
+        field("hatch_spacing", &D::hatch_spacing, on_paper),
         field("spacing", &D::spacing, positive),
         field("page", &D::page, rule::Any{})};
 }
@@ -145,6 +146,9 @@ void require_cut(const CutPlane& plane, const AskedCut& cut, const Points& place
 SheetPlan plan_sheet(const Call& call, const ViewsOptions& options, const glm::dvec3& up, const Points& places,
                      double unit_mm) {
     Pool& pool = call.pool;
+    geometry::Bounds bounds;
+    for (const glm::dvec3& place : places) bounds.extend(place);
+    if (!(bounds.diagonal() > 0.0)) call.report.refuse("the model has no extent; a view of it would be empty");
     const Standing axes = standing(up);
     const glm::dvec3 middle = middle_of(places, axes);
     Vector<CutPlane> planes = planes_of(options.cuts, options.views, axes, middle, pool);
@@ -153,8 +157,6 @@ SheetPlan plan_sheet(const Call& call, const ViewsOptions& options, const glm::d
                                       options.projection, axes.up, options.labels, pool);
     SheetLayout layout =
         choose_layout(cells, options.paper, options.scale, {unit_mm, options.spacing, axes.up}, call.report);
-    geometry::Bounds bounds;
-    for (const glm::dvec3& place : places) bounds.extend(place);
     return {axes, middle, bounds.diagonal(), std::move(planes), std::move(cells), std::move(layout)};
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "fixture.h"
+#include "support/preset_names.h"
 
 #include <cmath>
 #include <limits>
@@ -190,26 +191,8 @@ TEST(Style, PresetsHaveNamesAndLayers) {
         const hrbfnpr_layer_desc* const layers = hrbfnpr_preset_layers(presets, &count);
         ASSERT_NE(layers, nullptr);
         ASSERT_GT(count, 0);
-        // But for the kind, and hatching's name and angle, they are the defaults.
-        for (std::int64_t i = 0; i < count; ++i) {
-            auto wanted = made(hrbfnpr_layer_desc_init);
-            wanted.kind = layers[i].kind;
-            if (wanted.kind == HRBFNPR_LAYER_KIND_HATCH) {
-                wanted.name = layers[i].name;
-                wanted.angle = layers[i].angle;
-            }
-            if (presets == HRBFNPR_PRESET_ARCHAEOLOGICAL && i == 1) { // along curvature
-                wanted.smoothing = 0.03;
-                wanted.axis_weight = 0.02;
-            }
-            if (presets == HRBFNPR_PRESET_SCIENTIFIC_STIPPLE) { // lights are empty
-                wanted.tone_begin = 0.08F;
-                wanted.tone_end = 1.0F;
-            }
-            if (presets == HRBFNPR_PRESET_COMBING && i > 0) wanted.guide = HRBFNPR_HATCH_GUIDE_COMBING;
-            EXPECT_EQ(std::memcmp(&layers[i], &wanted, sizeof wanted), 0) << i;
-        }
-        // Of what a program generates for it, the style shows something.
+        for (std::int64_t i = 0; i < count; ++i) EXPECT_EQ(layers[i].struct_size, sizeof *layers);
+        // The style shows something of the layers that a program generates for it.
         bool draws = false;
         for (std::int64_t i = 0; i < count; ++i) {
             const hrbfnpr_layer_style layer = style_for(style, layers[i].kind);
@@ -218,21 +201,58 @@ TEST(Style, PresetsHaveNamesAndLayers) {
         }
         EXPECT_TRUE(draws);
     }
-    EXPECT_EQ(presets, static_cast<std::uint32_t>(HRBFNPR_PRESET_ARCHAEOLOGICAL + 1));
+    EXPECT_EQ(presets, std::size(hrbfnpr::testing::preset_names));
     EXPECT_EQ(names.size(), presets);
-    EXPECT_EQ(names.count("contour-and-stipple"), 1U);
+    for (const auto& known : hrbfnpr::testing::preset_names)
+        EXPECT_STREQ(hrbfnpr_preset_name(known.preset), known.name);
     EXPECT_EQ(hrbfnpr_preset_name(0xFFFFFFFFU), nullptr);
     std::int64_t count = 77;
     EXPECT_EQ(hrbfnpr_preset_layers(presets, &count), nullptr);
     EXPECT_EQ(count, 0);
     Error error;
     hrbfnpr_style style;
-    EXPECT_FAILS(hrbfnpr_style_init_preset(&style, sizeof style, 15, error), HRBFNPR_STATUS_INVALID_ARGUMENT,
-                 "preset is 15; it must be one of HRBFNPR_PRESET_... (0 to 14)");
+    const std::string all = "it must be one of HRBFNPR_PRESET_... (0 to " + std::to_string(presets - 1) + ")";
+    EXPECT_FAILS(hrbfnpr_style_init_preset(&style, sizeof style, presets, error), HRBFNPR_STATUS_INVALID_ARGUMENT,
+                 "preset is " + std::to_string(presets) + "; " + all);
     EXPECT_FAILS(hrbfnpr_style_init_preset(nullptr, sizeof style, 0, error), HRBFNPR_STATUS_INVALID_ARGUMENT,
                  "style is NULL");
     EXPECT_FAILS(hrbfnpr_style_init_preset(&style, 4, 0, error), HRBFNPR_STATUS_UNSUPPORTED_STRUCT,
                  "style.struct_size is 4");
+}
+
+// The layers of marks that a style wants are the defaults but for what makes the style.
+TEST(Style, PresetsWantMarks) {
+    const auto layer_of = [](std::uint32_t preset, std::int64_t i) {
+        std::int64_t count = 0;
+        const hrbfnpr_layer_desc* const layers = hrbfnpr_preset_layers(preset, &count);
+        return i < count ? layers[i] : hrbfnpr_layer_desc{};
+    };
+    const auto expect = [&](std::uint32_t preset, std::int64_t i, auto change) {
+        auto wanted = made(hrbfnpr_layer_desc_init);
+        const hrbfnpr_layer_desc layer = layer_of(preset, i);
+        wanted.name = layer.name;
+        change(wanted);
+        EXPECT_EQ(std::memcmp(&layer, &wanted, sizeof wanted), 0) << hrbfnpr_preset_name(preset) << ", " << i;
+    };
+    expect(HRBFNPR_PRESET_STIPPLE, 0, [](auto& wanted) { wanted.kind = HRBFNPR_LAYER_KIND_STIPPLES; });
+    expect(HRBFNPR_PRESET_CROSS_HATCH, 2, [](auto& wanted) {
+        wanted.kind = HRBFNPR_LAYER_KIND_HATCH;
+        wanted.angle = 35.0;
+    });
+    EXPECT_STREQ(layer_of(HRBFNPR_PRESET_CROSS_HATCH, 2).name, "hatch-2");
+    expect(HRBFNPR_PRESET_COMBING, 1, [](auto& wanted) {
+        wanted.kind = HRBFNPR_LAYER_KIND_HATCH;
+        wanted.guide = HRBFNPR_HATCH_GUIDE_COMBING;
+    });
+    expect(HRBFNPR_PRESET_SCIENTIFIC_STIPPLE, 0, [](auto& wanted) { // lights are empty
+        wanted.tone_begin = 0.08F;
+        wanted.tone_end = 1.0F;
+    });
+    expect(HRBFNPR_PRESET_ARCHAEOLOGICAL, 1, [](auto& wanted) { // along curvature
+        wanted.kind = HRBFNPR_LAYER_KIND_HATCH;
+        wanted.smoothing = 0.03;
+        wanted.axis_weight = 0.02;
+    });
 }
 
 TEST(Style, PresetsAreGeneratedAndDrawn) {

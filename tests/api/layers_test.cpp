@@ -466,7 +466,7 @@ TEST(Layers, OfPresets) {
         }
     }
     std::int64_t count = 7;
-    EXPECT_EQ(hrbfnpr_preset_layers(HRBFNPR_PRESET_ARCHAEOLOGICAL + 1, &count), nullptr);
+    EXPECT_EQ(hrbfnpr_preset_layers(0xFFFFFFFFU, &count), nullptr);
     EXPECT_EQ(count, 0);
     EXPECT_NE(hrbfnpr_preset_layers(HRBFNPR_PRESET_FULL, nullptr), nullptr);
     // As they are they can be generated from.

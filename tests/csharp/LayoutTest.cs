@@ -11,7 +11,7 @@ using Xunit;
 namespace HrbfNpr.Tests
 {
     /// <summary>Structs and constants against the facts that tests/abi/snapshot.py measures.</summary>
-    public class LayoutTest
+    public unsafe class LayoutTest
     {
         private const BindingFlags Fields = BindingFlags.Instance | BindingFlags.Public | BindingFlags.NonPublic;
         private readonly Dictionary<string, long> facts = new Dictionary<string, long>();
@@ -81,7 +81,7 @@ namespace HrbfNpr.Tests
                     || name.StartsWith("HRBFNPR_LINE_SET_WITH_") || name.StartsWith("HRBFNPR_RASTER_")
                     || name == "HRBFNPR_PAGE_IN_PLOT_ORDER" || name == "HRBFNPR_PAGE_WITHOUT_PAPER"
                     || name == "HRBFNPR_PAGE_SINGLE_PASS"
-                    || name == "HRBFNPR_INDEX_RESTART";
+                    || name == "HRBFNPR_INDEX_RESTART" || FlagsOfPictures.Any(flag => name == flag.Item1);
                 if (!elsewhere && !seen.Contains(name))
                 {
                     faults.Add(name + " is missing");
@@ -96,6 +96,41 @@ namespace HrbfNpr.Tests
             Assert.Equal(1L, facts["constant HRBFNPR_RASTER_OVER"]);
             Assert.Equal(2L, facts["constant HRBFNPR_RASTER_LINEAR_LIGHT"]);
             Assert.Equal(unchecked((int)Vertices.Restart), (int)facts["constant HRBFNPR_INDEX_RESTART"]);
+        }
+
+        [Fact]
+        public void EveryFlagOfAPictureIsAProperty()
+        {
+            foreach (Tuple<string, uint> flag in FlagsOfPictures)
+            {
+                Assert.Equal(facts["constant " + flag.Item1], (long)flag.Item2);
+            }
+        }
+
+        [Fact]
+        public void NewOptionsHoldTheDefaultsOfTheLibrary()
+        {
+            using (var pins = new Pins())
+            {
+                hrbfnpr_picture_desc picture, wantedPicture;
+                NativeMethods.hrbfnpr_picture_desc_init(&wantedPicture, (uint)sizeof(hrbfnpr_picture_desc));
+                NativeMethods.hrbfnpr_picture_desc_init(&picture, (uint)sizeof(hrbfnpr_picture_desc));
+                new PictureOptions().Write(ref picture, pins);
+                Same(&wantedPicture, &picture, sizeof(hrbfnpr_picture_desc));
+                hrbfnpr_views_desc views, wantedViews;
+                NativeMethods.hrbfnpr_views_desc_init(&wantedViews, (uint)sizeof(hrbfnpr_views_desc));
+                new ViewsOptions().Write(&views, pins);
+                Same(&wantedViews, &views, sizeof(hrbfnpr_views_desc));
+                hrbfnpr_picture_page_desc page, wantedPage;
+                NativeMethods.hrbfnpr_picture_page_desc_init(&wantedPage, (uint)sizeof(hrbfnpr_picture_page_desc));
+                new PicturePageOptions().Write(&page, null, pins);
+                page.page = IntPtr.Zero; // its own defaults
+                Same(&wantedPage, &page, sizeof(hrbfnpr_picture_page_desc));
+                hrbfnpr_dab dab, wantedDab;
+                NativeMethods.hrbfnpr_dab_init(&wantedDab, (uint)sizeof(hrbfnpr_dab));
+                new Dab().Write(&dab);
+                Same(&wantedDab, &dab, sizeof(hrbfnpr_dab));
+            }
         }
 
         [Fact]
@@ -125,7 +160,87 @@ namespace HrbfNpr.Tests
                 "attributes", "attribute_count", "attribute_stride"));
             faults.AddRange(Unseen(typeof(hrbfnpr_context_desc), typeof(ContextOptions),
                 "abi_version", "flags", "log_user", "run_tasks_user"));
+            faults.AddRange(Unseen(typeof(hrbfnpr_picture_source), typeof(PictureSource), "flags"));
+            faults.AddRange(Unseen(typeof(hrbfnpr_picture_desc), typeof(PictureOptions),
+                "flags", "sources", "source_count", "source_stride", "change_count", "change_stride", "dab_count",
+                "dab_stride", "event_user"));
+            faults.AddRange(Unseen(typeof(hrbfnpr_change), typeof(Change)));
+            faults.AddRange(Unseen(typeof(hrbfnpr_dab), typeof(Dab)));
+            faults.AddRange(Unseen(typeof(hrbfnpr_note), typeof(Note), "figure_count"));
+            faults.AddRange(Unseen(typeof(hrbfnpr_picture_event), typeof(PictureEvent)));
+            faults.AddRange(Unseen(typeof(hrbfnpr_picture_part), typeof(PicturePart)));
+            faults.AddRange(Unseen(typeof(hrbfnpr_picture_page_desc), typeof(PicturePageOptions)));
+            faults.AddRange(Unseen(typeof(hrbfnpr_views_desc), typeof(ViewsOptions), "flags"));
             Assert.Empty(faults);
+        }
+
+        /// <summary>Flags, and what the properties for them write.</summary>
+        private static Tuple<string, uint>[] FlagsOfPictures
+        {
+            get
+            {
+                return new[]
+                {
+                    Flag("PICTURE_ALLOW_BLANK", new PictureOptions { AllowBlank = true }),
+                    Flag("PICTURE_FLIP", new PictureOptions { Flip = true }),
+                    Flag("PICTURE_CLOSE", new PictureOptions { Close = true }),
+                    Flag("PICTURE_TOGETHER", new PictureOptions { Together = true }),
+                    Flag("PICTURE_TRANSPARENT", new PictureOptions { Transparent = true }),
+                    Flag("PICTURE_KEEP_MARKS", new PictureOptions { KeepMarks = true }),
+                    Flag("PICTURE_SURFACE_ONLY", new PictureOptions { SurfaceOnly = true }),
+                    Flag("PICTURE_IS_SOLID", new PictureOptions { IsSolid = true }),
+                    Flag("SOURCE_HAS_SHARP_EDGES", source => source.SharpEdges = new int[0]),
+                    Flag("SOURCE_HAS_VIEWPOINT", source => source.Viewpoint = (0, 0, 0)),
+                    Flag("SOURCE_IS_PHOTO", source => source.IsPhoto = true),
+                    Flag("VIEWS_CENTRE_LINES", new ViewsOptions { CentreLines = true }),
+                    Flag("VIEWS_LABELS", new ViewsOptions { Labels = true }),
+                    Flag("VIEWS_UNIT_IS_METRE", new ViewsOptions { UnitIsMetre = true }),
+                };
+            }
+        }
+
+        private static Tuple<string, uint> Flag(string name, PictureOptions options)
+        {
+            using (var pins = new Pins())
+            {
+                var desc = default(hrbfnpr_picture_desc);
+                options.Write(ref desc, pins);
+                return Tuple.Create("HRBFNPR_" + name, desc.flags);
+            }
+        }
+
+        private static Tuple<string, uint> Flag(string name, ViewsOptions options)
+        {
+            using (var pins = new Pins())
+            {
+                hrbfnpr_views_desc desc;
+                options.Write(&desc, pins);
+                return Tuple.Create("HRBFNPR_" + name, desc.flags);
+            }
+        }
+
+        private static Tuple<string, uint> Flag(string name, Action<PictureSource> set)
+        {
+            using (var pins = new Pins())
+            {
+                PictureSource source = PictureSource.FromPoints(Shapes.Sphere6);
+                set(source);
+                hrbfnpr_picture_source native;
+                source.Write(&native, pins, new HeldHandles());
+                return Tuple.Create("HRBFNPR_" + name, native.flags);
+            }
+        }
+
+        /// <summary>The same bits, but for the sign of what is no number.</summary>
+        private static void Same(void* expected, void* actual, int size)
+        {
+            Assert.Equal(0, size % 8);
+            for (int i = 0; i < size / 8; ++i)
+            {
+                double wanted = ((double*)expected)[i], written = ((double*)actual)[i];
+                bool same = ((long*)expected)[i] == ((long*)actual)[i] || (double.IsNaN(wanted) && double.IsNaN(written));
+                Assert.True(same, "bytes " + 8 * i + " to " + (8 * i + 7) + " are not the default");
+            }
         }
 
         /// <summary>Fields of a descriptor that a program cannot set through the class that stands for it.</summary>

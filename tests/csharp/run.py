@@ -71,7 +71,7 @@ def environment(work, compiler, scene, quickstart):
     if quickstart:
         (work / "c").mkdir(exist_ok=True)
         must([quickstart], cwd=work / "c")
-        values["HRBFNPR_QUICKSTART"] = str(work / "c" / "torus.ppm")
+        values["HRBFNPR_QUICKSTART"] = str(work / "c" / "torus.svg")
     return values
 
 
@@ -200,9 +200,11 @@ def test_nuget(work, library):
     dotnet("build", project, *properties)
     (program,) = (work / "artifacts" / "bin" / "Consumer").rglob("Consumer.dll")
     values = {name: value for name, value in dotnet.values.items() if name != "HRBFNPR_LIBRARY"}
-    (work / "torus.ppm").unlink(missing_ok=True)
+    for name in ("torus.ppm", "torus.svg"):
+        (work / name).unlink(missing_ok=True)
     must([dotnet.command, program], cwd=work, env=values)
     require((work / "torus.ppm").stat().st_size == 3 * 800 * 600 + 15, "the program drew nothing")
+    require("</svg>" in (work / "torus.svg").read_text(encoding="utf-8"), "the program wrote no SVG")
     values["HRBFNPR_LIBRARY"] = str(work / "nowhere.so")  # named, and then no other is tried
     wrong = subprocess.run([dotnet.command, program], cwd=work, env=values, capture_output=True, text=True)
     require(wrong.returncode != 0 and "DllNotFoundException" in wrong.stderr, "HRBFNPR_LIBRARY was not listened to")

@@ -153,16 +153,15 @@ def wrong_presets(root):
     page = (root / "docs/presets.md").read_text(encoding="utf-8")
     sections = dict(re.findall(r"^## (\S+)\n(.*?)(?=^## |\Z)", page, re.DOTALL | re.MULTILINE))
     pictures = {path.stem: path.stat().st_size for path in (root / "docs/images/presets").glob("*.png")}
-    hint = "run docs/preset_pictures.py"
     for name in names:
         if name not in sections:
-            yield f"docs/presets.md has no section {name}: {hint}"
+            yield f"docs/presets.md has no section {name}: run bindings/generate"
             continue
         for needed in (f'src="images/presets/{name}.png"', f"--style {name} "):
             if needed not in sections[name]:
-                yield f"docs/presets.md: the section {name} lacks {needed}: {hint}"
+                yield f"docs/presets.md: the section {name} lacks {needed}: run bindings/generate"
         if not pictures.get(name):
-            yield f"docs/images/presets/{name}.png is not there, or empty: {hint}"
+            yield f"docs/images/presets/{name}.png is not there, or empty: run docs/preset_pictures.py"
     for name in sorted(pictures.keys() - set(names)):
         yield f"docs/images/presets/{name}.png is of no preset"
     if sum(pictures.values()) > 1_500_000:

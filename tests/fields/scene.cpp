@@ -69,6 +69,7 @@ Scene::Scene() {
     describe_style();
     describe_output();
     connect();
+    describe_pictures();
 }
 
 // An operation that was cancelled stays so.  Where a program is run by a tool that makes it slower, the environment
@@ -342,6 +343,43 @@ void Scene::connect() {
     page_desc_.pen_count = 1;
     page_desc_.annotations = &annotation_;
     page_desc_.annotation_count = 1;
+}
+
+void Scene::describe_pictures() {
+    scenes::Check check;
+    source_ = made(hrbfnpr_picture_source_init);
+    source_.points = in(points_, 6);
+    source_.normals = in(normals_, 6);
+    source_.name = "sphere";
+    change_ = made(hrbfnpr_change_init);
+    change_.field = "marks.layers.budget";
+    change_.value = "50";
+    dab_ = made(hrbfnpr_dab_init);
+    dab_.normal[2] = dab_.direction[0] = 1.0;
+    dab_.radius = 0.5;
+    picture_desc_ = made(hrbfnpr_picture_desc_init);
+    picture_desc_.flags = HRBFNPR_PICTURE_ALLOW_BLANK;
+    picture_desc_.sources = &source_;
+    picture_desc_.source_count = 1;
+    picture_desc_.changes = &change_;
+    picture_desc_.change_count = 1;
+    picture_desc_.dabs = &dab_;
+    picture_desc_.dab_count = 1;
+    picture_desc_.width = picture_desc_.height = 32;
+    hrbfnpr_picture* picture = nullptr;
+    check(hrbfnpr_picture_create(context_.get(), &picture_desc_, nullptr, &picture, check.error()));
+    picture_.reset(picture);
+    hrbfnpr_drawing* drawing = nullptr;
+    check(hrbfnpr_picture_draw(picture, nullptr, nullptr, &drawing, check.error()));
+    picture_drawing_.reset(drawing);
+    picture_page_desc_ = made(hrbfnpr_picture_page_desc_init);
+    picture_page_desc_.paper = "a6";
+    numbers_[0] = 0.3;
+    picture_page_desc_.pen_widths = {numbers_.data(), 1, 0, HRBFNPR_SCALAR_FLOAT64, 1};
+    views_desc_ = made(hrbfnpr_views_desc_init);
+    views_desc_.sections = "z";
+    views_desc_.title = "sphere";
+    views_desc_.paper = "a4";
 }
 
 Outcome Scene::outcome(hrbfnpr_status status, bool clean) const {

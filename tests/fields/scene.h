@@ -71,6 +71,9 @@ private:
     Outcome compare_mesh();
     Outcome fit_mesh();
     Outcome write_page();
+    Outcome make_picture();
+    Outcome write_picture();
+    Outcome write_views();
 
     Outcome picture_of(hrbfnpr_context* context, const hrbfnpr_model* model);
     Outcome picture_of(const hrbfnpr_point_set* set);
@@ -81,6 +84,7 @@ private:
     void describe_marks();
     void describe_style();
     void describe_output();
+    void describe_pictures();
     void fill_canaries();
     bool canaries_are_whole(std::span<const std::uint8_t> bytes) const;
     static std::int32_t progress(void* user, double value);
@@ -106,6 +110,8 @@ private:
     hrbfnpr::test::Mesh mesh_;
     hrbfnpr::test::Renderer renderer_;
     hrbfnpr::test::Drawing drawing_;
+    hrbfnpr::test::Picture picture_;
+    hrbfnpr::test::Drawing picture_drawing_;
 
     hrbfnpr_context_desc context_desc_{};
     hrbfnpr_fit_desc fit_desc_{};
@@ -147,6 +153,12 @@ private:
     hrbfnpr_pen pen_{};
     hrbfnpr_annotation annotation_{};
     hrbfnpr_page_desc page_desc_{};
+    hrbfnpr_picture_source source_{};
+    hrbfnpr_change change_{};
+    hrbfnpr_dab dab_{};
+    hrbfnpr_picture_desc picture_desc_{};
+    hrbfnpr_picture_page_desc picture_page_desc_{};
+    hrbfnpr_views_desc views_desc_{};
 };
 
 } // namespace fields_test

@@ -216,6 +216,37 @@ Outcome Scene::write_page() {
     return result;
 }
 
+Outcome Scene::make_picture() {
+    fill_canaries();
+    hrbfnpr_picture* picture = sentinel<hrbfnpr_picture>();
+    hrbfnpr_status status = hrbfnpr_picture_create(context_.get(), &picture_desc_, operation_.get(), &picture, &error_);
+    if (status != HRBFNPR_STATUS_OK) return outcome(status, picture == nullptr);
+    const hrbfnpr::test::Picture owner(picture);
+    if ((picture_desc_.flags & HRBFNPR_PICTURE_SURFACE_ONLY) != 0) return outcome(status);
+    hrbfnpr_drawing* drawing = sentinel<hrbfnpr_drawing>();
+    status = hrbfnpr_picture_draw(picture, nullptr, operation_.get(), &drawing, &error_);
+    if (status != HRBFNPR_STATUS_OK) return outcome(status, drawing == nullptr);
+    const hrbfnpr::test::Drawing own_drawing(drawing);
+    return outcome(hrbfnpr_picture_rasterize(picture, drawing, nullptr, &image_, &error_), canaries_are_whole(pixels_));
+}
+
+Outcome Scene::write_picture() {
+    std::uint64_t bytes = 0;
+    auto info = made(hrbfnpr_page_info_init);
+    const hrbfnpr_status status =
+        hrbfnpr_picture_write(picture_.get(), picture_drawing_.get(), nullptr, &picture_page_desc_, swallow, &bytes,
+                              &info, operation_.get(), &error_);
+    return outcome(status, info.bytes == 0);
+}
+
+Outcome Scene::write_views() {
+    std::uint64_t bytes = 0;
+    auto info = made(hrbfnpr_views_info_init);
+    const hrbfnpr_status status =
+        hrbfnpr_picture_write_views(picture_.get(), &views_desc_, swallow, &bytes, &info, operation_.get(), &error_);
+    return outcome(status, info.views == 0);
+}
+
 std::vector<Slot> Scene::slots() {
     using namespace hrbfnpr::api;
     return {
@@ -264,6 +295,12 @@ std::vector<Slot> Scene::slots() {
         FIELDS_TEST_SLOT(hrbfnpr_pen, pen_, write_page),
         FIELDS_TEST_SLOT(hrbfnpr_annotation, annotation_, write_page),
         FIELDS_TEST_SLOT(hrbfnpr_page_desc, page_desc_, write_page),
+        FIELDS_TEST_SLOT(hrbfnpr_picture_source, source_, make_picture),
+        FIELDS_TEST_SLOT(hrbfnpr_change, change_, make_picture),
+        FIELDS_TEST_SLOT(hrbfnpr_dab, dab_, make_picture),
+        FIELDS_TEST_SLOT(hrbfnpr_picture_desc, picture_desc_, make_picture),
+        FIELDS_TEST_SLOT(hrbfnpr_picture_page_desc, picture_page_desc_, write_picture),
+        FIELDS_TEST_SLOT(hrbfnpr_views_desc, views_desc_, write_views),
 #undef FIELDS_TEST_SLOT
     };
 }

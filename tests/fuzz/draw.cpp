@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Draws a point set, whatever it holds: as an image, as vertices, as indices of marks.
 #include "fuzz.h"
+#include "support/preset_names.h"
 
 #include <cmath>
 
@@ -113,8 +114,8 @@ void draw(Context& context, const hrbfnpr_point_set* set, std::uint32_t choice) 
     create.expect(hrbfnpr_renderer_create(context.handle, &renderer, create.error()));
     hrbfnpr_style style;
     Call preset("style_init_preset");
-    preset.expect(
-        hrbfnpr_style_init_preset(&style, sizeof style, choice % (HRBFNPR_PRESET_ARCHAEOLOGICAL + 1), preset.error()));
+    constexpr auto presets = static_cast<std::uint32_t>(std::size(hrbfnpr::testing::preset_names));
+    preset.expect(hrbfnpr_style_init_preset(&style, sizeof style, choice % presets, preset.error()));
     if (choice / 16 % 2 != 0) style.visibility = HRBFNPR_VISIBILITY_PUBLISHED;
     hrbfnpr_layer_style strokes;
     hrbfnpr_layer_style_init(&strokes, sizeof strokes);

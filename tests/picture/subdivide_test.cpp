@@ -23,7 +23,7 @@ protected:
     base::Memory memory;
     Pool pool{memory};
 
-    // Of 80 faces, radius 1.
+    // It has 80 faces, and a radius of 1.
     Shape ball() { return shape_of(test::icosphere(1), pool); }
 
     Shape cube() {

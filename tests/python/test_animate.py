@@ -10,7 +10,8 @@ from test_cli import rows
 from test_shapes import write
 
 import hrbfnpr
-from hrbfnpr import _movies, _orbit
+from hrbfnpr import _movies
+from hrbfnpr._scene import angles_of
 from hrbfnpr.cli import main
 
 Image = pytest.importorskip("PIL.Image")
@@ -33,11 +34,6 @@ def images(path):
     return result
 
 
-def test_the_rotation_turns_about_its_axis():
-    turned = _orbit.about((0, 0, 2), (1, 0, 0), 90)
-    assert turned @ [2, 0, 5, 1] == pytest.approx([1, 1, 5, 1]) and turned @ [1, 0, 3, 1] == pytest.approx([1, 0, 3, 1])
-
-
 def test_a_turn_is_what_azimuths_are(turn):
     assert len(turn) == 5 and turn[0].size == turn[3].size
     centre = np.mean(turn[0].model.bounds, axis=0)
@@ -58,11 +54,11 @@ def test_all_of_it_is_in_every_frame(turn):
 
 
 def test_whole_turns_and_parts_of_one():
-    assert _orbit._angles(4, 360) == [0, 90, 180, 270]
-    assert _orbit._angles(4, -720) == [0, -180, -360, -540]
-    assert _orbit._angles(4, 90) == [0, 30, 60, 90]
-    assert _orbit._angles(1, 90) == _orbit._angles(1, 360) == [0]
-    assert _orbit._angles(3, 0) == [0, 0, 0]
+    assert angles_of(4, 360) == [0, 90, 180, 270]
+    assert angles_of(4, -720) == [0, -180, -360, -540]
+    assert angles_of(4, 90) == [0, 30, 60, 90]
+    assert angles_of(1, 90) == angles_of(1, 360) == [0]
+    assert angles_of(3, 0) == [0, 0, 0]
 
 
 def test_lines_keep_their_numbers_from_frame_to_frame():

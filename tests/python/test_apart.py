@@ -7,7 +7,7 @@ from test_shapes import write
 
 import hrbfnpr
 from hrbfnpr import Mesh, batch
-from hrbfnpr.cli import _apart, main
+from hrbfnpr.cli import main
 
 Image = pytest.importorskip("PIL.Image")
 
@@ -39,10 +39,6 @@ def crossing(ends=False):
     return merged(pipe(), moved(pipe(ends), (-1, 1.5, 0.3), turned=True))
 
 
-def groups(mesh):
-    return _apart.groups(Mesh(*mesh, parts="all"))
-
-
 def wall(corner, along, up, count=12):
     steps = np.linspace(0, 1, count + 1)
     points = np.array([np.array(corner) + u * np.array(along) + v * np.array(up) for v in steps for u in steps], dtype=float)
@@ -51,53 +47,12 @@ def wall(corner, along, up, count=12):
                     for c in range(count)]  # fmt: skip
 
 
-def test_parts_that_cross_are_apart():
-    found = groups(crossing())
-    assert found.parts == 2 and len(found.groups) == 2
-    faces = np.sort(np.concatenate(found.groups))
-    assert np.array_equal(faces, np.arange(len(faces)))
-    one = set(found.groups[0].tolist())
-    half = len(faces) // 2
-    assert one in (set(range(half)), set(range(half, 2 * half)))
-
-
-def test_what_is_far_shares_a_group():
-    found = groups(merged(pipe(), moved(pipe(), (-1, 1.5, 0.3), turned=True), moved(pipe(), (6, 0, 0))))
-    assert found.parts == 3 and sorted(map(len, found.groups)) == [528, 1056]
-    assert groups(merged(pipe(), moved(pipe(), (6, 0, 0)))) is None
-
-
-def test_solids_stay_together():
-    closed = merged(pipe(True), moved(pipe(True), (-1, 1.5, 0.3), turned=True))
-    assert groups(closed) is None
-    found = groups(merged(pipe(True), moved(pipe(True), (-1, 1.5, 0.3), turned=True), moved(pipe(), (0.2, 1, 0.2))))
-    assert len(found.groups) == 2  # the solids, and the open one
-
-
-def test_a_cut_is_no_reason():
-    upper = moved(pipe(), (0, 3.002, 0))
-    assert groups(merged(pipe(), upper)) is None
-    lid = moved(wall((-1, 0, -1), (0, 0, 2), (2, 0, 0)), (0, 2.95, 0))
-    assert len(groups(merged(pipe(), lid)).groups) == 2  # it lies on the pipe, and its border is elsewhere
-
-
-def test_walls_that_meet_in_one_edge():
-    three = merged(*(wall((0, 0, 0), along, (0, 1, 0)) for along in ((1, 0, 0), (-1, 0, 0), (0, 0, 1))))
-    found = groups(three)
-    assert found.parts == 3 and len(found.groups) == 3
-
-
 def with_flap():
     points, faces = merged(wall((0, 0, 0), (1, 0, 0), (0, 1, 0)))
     return np.vstack([points, [[0.49, 0.5, 0.004]]]), np.vstack([faces, [[84, 85, len(points)]]])
 
 
 def test_faces_left_over_on_an_edge_are_no_part(tmp_path, capsys):
-    mesh = Mesh(*with_flap())
-    assert mesh.info.nonmanifold_edges == 1
-    assert np.asarray(mesh.given_faces)[_apart.flaps(mesh)].tolist() == [288]
-    three = merged(*(wall((0, 0, 0), along, (0, 1, 0), 1) for along in ((1, 0, 0), (-1, 0, 0), (0, 0, 1))))
-    assert _apart.flaps(Mesh(*three)) is None  # each is a part
     vertices, faces = with_flap()
     path = str(write(tmp_path, "a.obj", obj(vertices, faces.tolist())))
     assert main(["draw", path, str(tmp_path / "a.png"), "--size", "60", "-q"]) == 0
@@ -111,11 +66,11 @@ def picture():
 
 
 def test_marks_lie_on_all_parts_and_nowhere_else(picture):
-    parts = picture._scene.rest
-    assert len(parts) == 1
+    parts = picture._scene.parts
+    assert len(parts) == 2
     assert any("2 parts of the mesh, not all of them closed" in note for note in picture.notes)
     count = []
-    for marks in (picture.marks, parts[0].marks):
+    for marks in (part.marks for part in parts):
         places = np.concatenate([np.asarray(layer.positions, dtype=float) for layer in marks.layers]) + marks.origin
         apart = [places - (0, 0, 0), (places - (-1, 1.5, 0.3))[:, [1, 2, 0]]]
         off = min(np.abs(np.hypot(p[:, 0], p[:, 2]) - 1).max() for p in apart)
@@ -145,17 +100,16 @@ def test_one_part_hides_the_other():
     front = moved(wall((-1, -1, 0), (2, 0, 0), (0, 2, 0)), (0, 0, 0.1))
     back = wall((-1, -1, 0), (2, 0, 0), (0, 2, 0))
     picture = hrbfnpr.draw(merged(front, back), "stipple", size=800, azimuth=0, elevation=0, up="y")
-    assert len(picture._scene.rest) == 1
+    assert len(picture._scene.parts) == 2
     info = picture.drawing.info
     assert 0.4 < info.dropped_hidden / (info.shown + info.dropped_hidden) < 0.6
 
 
 def test_the_same_from_elsewhere_and_in_other_styles(picture):
     other = picture.seen(azimuth=200)
-    assert len(other._scene.rest) == 1 and other.drawing.info.items == 2
+    assert len(other._scene.parts) == 2 and other.drawing.info.items == 2
     hatched = picture.restyled("hatch")
-    assert len(hatched._scene.rest) == 1
-    count = [len(marks) for marks in (hatched.marks, hatched._scene.rest[0].marks)]
+    count = [len(part.marks) for part in hatched._scene.parts]
     assert abs(count[0] / count[1] - 1) < 0.05  # lines are as far from each other on both
 
 

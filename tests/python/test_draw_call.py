@@ -10,8 +10,8 @@ from test_cli import rows
 from test_shapes import CUBE, write
 
 import hrbfnpr
-from hrbfnpr import _call_options, datasets
-from hrbfnpr.cli import main
+from hrbfnpr import _request, datasets
+from hrbfnpr.cli import _grammar, main
 
 Image = pytest.importorskip("PIL.Image")
 
@@ -91,9 +91,14 @@ def test_a_plate_is_larger_than_its_drawing(tmp_path):
     ],
 )
 def test_options_are_those_of_the_command_line(option, words):
-    made = vars(_call_options.namespace("stipple", None, "x", option))
-    wanted = vars(_call_options._shared().parser.parse_args([*words, "--style", "stipple"]))
-    assert made == {**wanted, "input": "x", "own_camera": None, "own_style": None}
+    wanted = _grammar.options_of(_grammar.build().parse_args(["draw", "x", *words]))
+    assert _request.options_of(option) == wanted
+
+
+def test_notes_have_codes_and_figures():
+    notes = hrbfnpr.draw((POINTS, -NORMALS), size=100, marks=500).notes
+    assert [(note.code, note.severity) for note in notes] == [("normals_turned", "note")]
+    assert hrbfnpr.Note("").code == "" and not hrbfnpr.Note("").figures
 
 
 @pytest.mark.parametrize(
@@ -302,21 +307,6 @@ def test_a_blank_picture_is_an_error_unless_it_is_allowed():
     with pytest.raises(ValueError, match="would be blank: .*leave out eye and direction, or let target be in the model"):
         hrbfnpr.draw((POINTS, NORMALS), **away)
     assert ink(hrbfnpr.draw((POINTS, NORMALS), **away, allow_blank=True)) == 0
-
-
-def test_messages_name_options_as_a_call_has_them():
-    for text, wanted in (
-        ("more samples, --samples 400 for example", "more samples, samples=400 for example"),
-        ("--samples N sets another", "samples=N sets another"),
-        ("leave out --flip", "leave out flip=True"),
-        ("--outliers drop leaves them out", "outliers='drop' leaves them out"),
-        ("another --azimuth shows its front", "another azimuth shows its front"),
-        ("--marks stipples=4000 makes all", "marks={'stipples': 4000} makes all"),
-        ("up is z; --up y sets", "up is z; up='y' sets"),
-        ("--tone none draws all marks", "tone='none' draws all marks"),
-        ("--unheard of", "--unheard of"),
-    ):
-        assert _call_options.in_python(text) == wanted
 
 
 def test_progress_by_a_function_or_a_bar():

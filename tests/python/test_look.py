@@ -3,11 +3,16 @@
 import copy
 import math
 import pickle
+import sys
 
 import numpy as np
 import pytest
+from conftest import ROOT
 
 import hrbfnpr
+
+sys.path.append(str(ROOT / "bindings"))
+import presets  # noqa: E402
 
 BOX = ((-1, -2, -3), (1, 2, 3))
 
@@ -76,10 +81,7 @@ def test_bad_cameras(make, words):
 
 
 def test_presets():
-    assert hrbfnpr.PRESETS == (
-        "stipple", "hatch", "cross-hatch", "combing", "silhouette", "contour-and-stipple", "xray", "full",
-        "engraving", "etching", "woodcut", "scientific-stipple", "sketch", "blueprint", "archaeological",
-    )  # fmt: skip
+    assert hrbfnpr.PRESETS == tuple(preset.name for preset in presets.PRESETS)
     for name in hrbfnpr.PRESETS:
         style = hrbfnpr.Style(name)
         assert style.preset == name and style.layers and hrbfnpr.preset_layers(name)

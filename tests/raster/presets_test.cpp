@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Every named style on a sphere and a torus.
 #include "raster/picture.h"
+#include "support/named_style.h"
 
 #include <gtest/gtest.h>
 
@@ -16,7 +17,7 @@ TEST_P(Presets, DrawATorus) {
     marks::PointSet set = torus(runtime.memory, 120);
     add_torus_strokes(set, marks::Kind::principal, 1500, 27, 0.3);
     add_torus_strokes(set, marks::Kind::combing, 1500, 27, 0.3);
-    const frame::Preset preset = frame::preset(GetParam());
+    const NamedStyle preset(GetParam());
     const frame::Camera camera = frame::fit_bounds(set.bounds, {0.2, 0.75, -0.6}, {0.0, 0.0, 1.0}, 0.6, 900, 700, 0.05,
                                                    drawing::DepthConvention::negative_one_to_one);
     const std::array items{item_of(set, preset.style)};
@@ -28,7 +29,7 @@ TEST_P(Presets, DrawATorus) {
 
 TEST_P(Presets, DrawASphere) {
     const marks::PointSet set = sphere(runtime.memory, 30000);
-    frame::Preset preset = frame::preset(GetParam());
+    NamedStyle preset(GetParam());
     preset.style.paper = glm::vec4(1.0F);
     preset.style.silhouette_ink = {0.0F, 0.0F, 0.0F, 1.0F};
     const std::array items{item_of(set, preset.style)};
@@ -57,7 +58,7 @@ TEST_P(Presets, DrawASphere) {
         EXPECT_LT(rim, 0.85); // no contour: the tone law alone leaves 1 - 0.72/pi = 0.77 of the rim dark
 }
 
-INSTANTIATE_TEST_SUITE_P(All, Presets, ::testing::Range(0U, frame::preset_count),
+INSTANTIATE_TEST_SUITE_P(All, Presets, ::testing::Range(0U, preset_count),
                          [](const auto& one) { return "number_" + std::to_string(one.param); });
 
 } // namespace

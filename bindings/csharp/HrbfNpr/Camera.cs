@@ -51,7 +51,7 @@ namespace HrbfNpr
             }
         }
 
-        private Camera(hrbfnpr_camera native)
+        internal Camera(hrbfnpr_camera native)
         {
             this.native = native;
         }

@@ -124,7 +124,7 @@ namespace HrbfNpr
             }
         }
 
-        private static int PixelBytes(PixelFormat format)
+        internal static int PixelBytes(PixelFormat format)
         {
             switch (format)
             {
@@ -139,7 +139,7 @@ namespace HrbfNpr
         }
 
         /// <summary>Where the top-left pixel lies among so many bytes.</summary>
-        private static long Start(long length, int width, int height, PixelFormat format, RasterOptions options)
+        internal static long Start(long length, int width, int height, PixelFormat format, RasterOptions options)
         {
             int pixel = PixelBytes(format);
             long stride = options == null || options.RowStride == 0 ? (long)pixel * width : options.RowStride;

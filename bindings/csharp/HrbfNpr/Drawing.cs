@@ -34,18 +34,26 @@ namespace HrbfNpr
     {
         private readonly DrawingHandle handle;
 
-        internal Drawing(DrawingHandle handle, int width, int height)
+        internal Drawing(DrawingHandle handle, Camera camera)
         {
             this.handle = handle;
-            Width = width;
-            Height = height;
+            Camera = camera;
         }
 
+        /// <summary>The camera that it was drawn for.</summary>
+        public Camera Camera { get; }
+
         /// <summary>Width of an image that holds the camera's viewport.</summary>
-        public int Width { get; }
+        public int Width
+        {
+            get { return Camera.Width; }
+        }
 
         /// <summary>Height of an image that holds the camera's viewport.</summary>
-        public int Height { get; }
+        public int Height
+        {
+            get { return Camera.Height; }
+        }
 
         /// <summary>Counts, times and bytes.</summary>
         public DrawingInfo Info

@@ -144,42 +144,6 @@ namespace HrbfNpr
         Camera = 1,
     }
 
-    /// <summary>Named styles.</summary>
-    [NativeConstants("HRBFNPR_PRESET_")]
-    public enum Preset
-    {
-        /// <summary>Stipples by light, no contours.</summary>
-        Stipple = 0,
-        /// <summary>Lines of one width, the more of them the darker; contours.</summary>
-        Hatch = 1,
-        /// <summary>Up to three sets of such lines, at 0, 35 and -30 degrees, a darker tone each; contours.</summary>
-        CrossHatch = 2,
-        /// <summary>Combing strokes, the second direction in the darks; contours.</summary>
-        Combing = 3,
-        /// <summary>Contours only, hidden ones attenuated.</summary>
-        Silhouette = 4,
-        /// <summary>Contours and stipples.</summary>
-        ContourAndStipple = 5,
-        /// <summary>Contours only, hidden ones shown.</summary>
-        Xray = 6,
-        /// <summary>Stipples, cross hatching in the darks, contours and halo: Figure 1 (e).</summary>
-        Full = 7,
-        /// <summary>One set of lines that swell with the tone, contours; lights are empty.</summary>
-        Engraving = 8,
-        /// <summary>Up to three sets of thin lines, at 0, 50 and -40 degrees, a darker tone each.</summary>
-        Etching = 9,
-        /// <summary>Few wide lines, which close up to black; heavy contours.</summary>
-        Woodcut = 10,
-        /// <summary>Fine stipples lit from the upper left, empty lights; outlines swell in the shade.</summary>
-        ScientificStipple = 11,
-        /// <summary>Pencil on warm paper: lines that stray and run past their ends, contours drawn twice.</summary>
-        Sketch = 12,
-        /// <summary>Pale lines on blue: contours, borders, creases, and lines called "crease"; hidden ones dashed.</summary>
-        Blueprint = 13,
-        /// <summary>Short lines along curvature, lit from the upper left; heavy outlines, and ridges of a line set.</summary>
-        Archaeological = 14,
-    }
-
     /// <summary>Class of what is nearest at a pixel, and of a vertex.</summary>
     [NativeConstants("HRBFNPR_CLASS_")]
     public enum MarkClass : byte

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 using System;
 using System.Collections.Generic;
+using System.Runtime.InteropServices;
 
 namespace HrbfNpr
 {
@@ -69,6 +70,38 @@ namespace HrbfNpr
             }
             return options;
         }
+
+        /// <param name="desc">Of a picture.</param>
+        /// <param name="owner">The picture.</param>
+        internal static unsafe GenerateOptions Read(hrbfnpr_generate_desc* desc, SafeHandle owner)
+        {
+            var options = new GenerateOptions
+            {
+                Distribution = (Distribution)desc->distribution,
+                SharedBudget = desc->shared_budget,
+                ToneRanges = (ToneRanges)desc->tone_ranges,
+                SeedSource = (SeedSource)desc->seed_source,
+                BoxJitter = desc->box_jitter,
+                BoxResolution = (int)desc->box_resolution,
+                InitialStep = desc->initial_step,
+                ProjectionTolerance = desc->projection_tolerance,
+                RandomSeed = desc->random_seed,
+            };
+            if (desc->seed_points.count > 0)
+            {
+                var seeds = new double[3 * desc->seed_points.count];
+                Marshal.Copy(desc->seed_points.data, seeds, 0, seeds.Length);
+                options.SeedPoints = seeds;
+            }
+            byte* layer = (byte*)desc->layers;
+            for (long i = 0; i < desc->layer_count; ++i)
+            {
+                options.Layers.Add(Layer.Read((hrbfnpr_layer_desc*)layer, owner));
+                long stride = desc->layer_stride;
+                layer += stride != 0 ? stride : ((hrbfnpr_layer_desc*)desc->layers)->struct_size;
+            }
+            return options;
+        }
     }
 
     /// <summary>The descriptor of one call, and all that it points to.</summary>
@@ -76,6 +109,7 @@ namespace HrbfNpr
     {
         internal hrbfnpr_generate_desc Desc;
         private readonly Pins pins = new Pins();
+        private readonly HeldHandles held = new HeldHandles();
         private readonly List<PlaceState> states = new List<PlaceState>();
         private readonly List<UserHandle> users = new List<UserHandle>();
 
@@ -95,6 +129,7 @@ namespace HrbfNpr
         public void Dispose()
         {
             pins.Dispose();
+            held.Dispose();
             foreach (UserHandle user in users)
             {
                 user.Dispose();
@@ -147,10 +182,20 @@ namespace HrbfNpr
                     first[i].density_function = PlaceState.Density;
                     first[i].density_user = Add(new PlaceState(layer.DensityFunction));
                 }
+                else if (layer.NativeDensity != null)
+                {
+                    first[i].density_function = layer.NativeDensity.Function;
+                    first[i].density_user = layer.NativeDensity.Hold(held);
+                }
                 if (layer.DirectionFunction != null)
                 {
                     first[i].direction_function = PlaceState.Direction;
                     first[i].direction_user = Add(new PlaceState(layer.DirectionFunction));
+                }
+                else if (layer.NativeDirection != null)
+                {
+                    first[i].direction_function = layer.NativeDirection.Function;
+                    first[i].direction_user = layer.NativeDirection.Hold(held);
                 }
             }
             Desc.layers = (IntPtr)first;

@@ -173,6 +173,7 @@ namespace HrbfNpr
         /// makes no islands of light; diagonals, 0.1 at most, 0 = not; -1 = 0.006 for Hatch, 0 for others.
         /// </summary>
         public double ToneSmoothing { get; set; } = -1;
+
         /// <summary>Of Hatch: what lines follow where there is no <see cref="DirectionFunction"/>.</summary>
         public HatchGuide Guide { get; set; }
 
@@ -182,7 +183,15 @@ namespace HrbfNpr
         /// <summary>Of Hatch: of a guide other than Curvature; what is left of 1 is curvature's; 1.</summary>
         public double GuideWeight { get; set; } = 1;
 
-        internal static unsafe Layer Read(hrbfnpr_layer_desc* desc)
+        /// <summary>In place of <see cref="DensityFunction"/>: what is painted on a picture.</summary>
+        internal NativeFunction NativeDensity { get; private set; }
+
+        /// <summary>In place of <see cref="DirectionFunction"/>: what is painted on a picture.</summary>
+        internal NativeFunction NativeDirection { get; private set; }
+
+        /// <param name="desc">Of the library's.</param>
+        /// <param name="owner">The picture that it belongs to; null of a preset.</param>
+        internal static unsafe Layer Read(hrbfnpr_layer_desc* desc, SafeHandle owner = null)
         {
             return new Layer((LayerKind)desc->kind)
             {
@@ -210,6 +219,8 @@ namespace HrbfNpr
                 Guide = (HatchGuide)desc->guide,
                 GuideDirection = *(Vector3d*)desc->guide_direction,
                 GuideWeight = desc->guide_weight,
+                NativeDensity = NativeFunction.Of(desc->density_function, desc->density_user, owner),
+                NativeDirection = NativeFunction.Of(desc->direction_function, desc->direction_user, owner),
             };
         }
 

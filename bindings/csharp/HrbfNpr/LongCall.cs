@@ -19,7 +19,9 @@ namespace HrbfNpr
         /// <param name="owner">A handle of the context's, kept from being released while the call begins.</param>
         /// <param name="progress">May be null.</param>
         /// <param name="token">May be one that is never cancelled.</param>
-        internal LongCall(NativeHandle owner, IProgress<double> progress, CancellationToken token)
+        /// <param name="always">Whether there is an operation even if neither is wanted.</param>
+        internal LongCall(
+            NativeHandle owner, IProgress<double> progress, CancellationToken token, bool always = false)
         {
             this.token = token;
             operation = OperationHandle.None;
@@ -27,7 +29,7 @@ namespace HrbfNpr
             {
                 throw new CancelledException("the call was cancelled before it began", token);
             }
-            if (progress == null && !token.CanBeCanceled)
+            if (progress == null && !token.CanBeCanceled && !always)
             {
                 return;
             }

@@ -32,13 +32,13 @@ namespace HrbfNpr
             (fit ?? new FitOptions()).Write(ref how);
             MeshFitInfo reached;
             Errors.Check(NativeMethods.hrbfnpr_mesh_fit_info_init(&reached, (uint)sizeof(MeshFitInfo)));
-            using (var call = new LongCall(mesh.Made.Handle, progress, cancellationToken))
+            using (var call = new LongCall(mesh.Handle, progress, cancellationToken))
             {
                 hrbfnpr_error error = Errors.New();
                 var made = new ModelHandle();
                 int status = NativeMethods.hrbfnpr_model_fit_mesh(
                     mesh.Handle, &desc, &how, &reached, call.Operation, out IntPtr created, &error);
-                made.Take(created, mesh.Made.Anchor);
+                made.Take(created, mesh.Handle.Anchor);
                 info = reached;
                 return Finish(made, null, call, status, &error);
             }

@@ -24,7 +24,7 @@ namespace HrbfNpr
         private readonly ModelHandle handle;
         private readonly FunctionState function;
 
-        private Model(ModelHandle handle, FunctionState function = null)
+        internal Model(ModelHandle handle, FunctionState function = null)
         {
             this.handle = handle;
             this.function = function;

@@ -115,33 +115,7 @@ namespace HrbfNpr
         {
             long size = Memory.Rounded(sizeof(hrbfnpr_item))
                 + Memory.Rounded((long)item.Poses.Count * sizeof(hrbfnpr_layer_pose));
-            if (item.Style == null)
-            {
-                return size;
-            }
-            IList<LayerStyle> layers = item.Style.Layers;
-            size += sizeof(hrbfnpr_style) + (long)layers.Count * sizeof(hrbfnpr_layer_style) + 16;
-            for (int i = 0; i < layers.Count; ++i)
-            {
-                if (layers[i] == null)
-                {
-                    throw new ArgumentNullException(nameof(Style.Layers));
-                }
-                size += layers[i].NameUtf8 == null ? 0 : Memory.Rounded(layers[i].NameUtf8.Length);
-            }
-            return size + Size(item.Style.Lines);
-        }
-
-        private static long Size(IList<LineStyle> lines)
-        {
-            long size = Memory.Rounded((long)lines.Count * sizeof(hrbfnpr_line_style));
-            for (int i = 0; i < lines.Count; ++i)
-            {
-                LineStyle line = lines[i] ?? throw new ArgumentNullException(nameof(Style.Lines));
-                size += line.NameUtf8 == null ? 0 : Memory.Rounded(line.NameUtf8.Length);
-                size += line.Levels == null ? 0 : line.Levels.LongLength * sizeof(double);
-            }
-            return size;
+            return item.Style == null ? size : size + StyleMemory.Size(item.Style);
         }
 
         /// <summary>A function that a drawing calls may not draw with the same renderer.</summary>
@@ -249,22 +223,7 @@ namespace HrbfNpr
 
         private hrbfnpr_style* Describe(Style style)
         {
-            var native = (hrbfnpr_style*)memory.Take(sizeof(hrbfnpr_style));
-            style.Write(native);
-            int count = style.Layers.Count;
-            if (count > 0)
-            {
-                var layers = (hrbfnpr_layer_style*)memory.Take((long)count * sizeof(hrbfnpr_layer_style));
-                native->layers = (IntPtr)layers;
-                native->layer_count = count;
-                for (int i = 0; i < count; ++i)
-                {
-                    LayerStyle layer = style.Layers[i];
-                    layer.Write(layers + i);
-                    layers[i].name = Copy(layer.NameUtf8);
-                }
-            }
-            Describe(style.Lines, native);
+            hrbfnpr_style* native = StyleMemory.Write(style, memory);
             if (style.ToneFunction != null)
             {
                 var tone = new ToneState(style.ToneFunction);
@@ -273,46 +232,12 @@ namespace HrbfNpr
                 native->tone_function = ToneState.Function;
                 native->tone_user = users[users.Count - 1].Pointer;
             }
+            else if (style.NativeTone != null)
+            {
+                native->tone_function = style.NativeTone.Function;
+                native->tone_user = style.NativeTone.Hold(held);
+            }
             return native;
-        }
-
-        private void Describe(IList<LineStyle> lines, hrbfnpr_style* native)
-        {
-            int count = lines.Count;
-            if (count == 0)
-            {
-                return;
-            }
-            var first = (hrbfnpr_line_style*)memory.Take((long)count * sizeof(hrbfnpr_line_style));
-            native->lines = (IntPtr)first;
-            native->line_count = count;
-            for (int i = 0; i < count; ++i)
-            {
-                LineStyle line = lines[i];
-                line.Write(first + i);
-                first[i].name = Copy(line.NameUtf8);
-                double[] levels = line.Levels;
-                if (levels != null)
-                {
-                    byte* copy = memory.Take(levels.LongLength * sizeof(double));
-                    Marshal.Copy(levels, 0, (IntPtr)copy, levels.Length);
-                    first[i].levels.data = (IntPtr)copy;
-                    first[i].levels.count = levels.Length;
-                    first[i].levels.scalar = (uint)ScalarType.Float64;
-                    first[i].levels.components = 1;
-                }
-            }
-        }
-
-        private IntPtr Copy(byte[] name)
-        {
-            if (name == null)
-            {
-                return IntPtr.Zero;
-            }
-            byte* copy = memory.Take(name.Length);
-            Marshal.Copy(name, 0, (IntPtr)copy, name.Length);
-            return (IntPtr)copy;
         }
 
         private Drawing Call(
@@ -339,7 +264,7 @@ namespace HrbfNpr
                 {
                     call.Check(status, &error);
                 }
-                return new Drawing(made, camera.Width, camera.Height);
+                return new Drawing(made, camera);
             }
             catch
             {

@@ -32,7 +32,9 @@ namespace HrbfNpr
             Read(&style);
         }
 
-        private Style(hrbfnpr_style* style)
+        /// <param name="style">Of the library's.</param>
+        /// <param name="owner">The picture that it belongs to; null of a preset.</param>
+        internal Style(hrbfnpr_style* style, SafeHandle owner = null)
         {
             var layers = new List<LayerStyle>();
             byte* layer = (byte*)style->layers;
@@ -53,6 +55,14 @@ namespace HrbfNpr
             }
             Lines = lines;
             Read(style);
+            if (style->tone_function == ToneState.Function)
+            {
+                ToneFunction = CallbackState.From<ToneState>(style->tone_user).Called;
+            }
+            else
+            {
+                NativeTone = NativeFunction.Of(style->tone_function, style->tone_user, owner);
+            }
         }
 
         private Style(Style other)
@@ -71,6 +81,7 @@ namespace HrbfNpr
             other.Write(&style);
             Read(&style);
             ToneFunction = other.ToneFunction;
+            NativeTone = other.NativeTone;
         }
 
         /// <summary>
@@ -142,6 +153,9 @@ namespace HrbfNpr
         /// <see cref="CallbackException"/>.
         /// </summary>
         public ToneFunction ToneFunction { get; set; }
+
+        /// <summary>In place of <see cref="ToneFunction"/>: what is painted on a picture.</summary>
+        internal NativeFunction NativeTone { get; private set; }
 
         /// <summary>What the light moves with.</summary>
         public LightSpace LightSpace { get; set; }
@@ -289,7 +303,6 @@ namespace HrbfNpr
     {
         internal static readonly IntPtr Function;
         private static readonly NativeCallbacks.Tone FunctionCallback = OnTone;
-        private readonly ToneFunction function;
 
         static ToneState()
         {
@@ -298,8 +311,11 @@ namespace HrbfNpr
 
         internal ToneState(ToneFunction function)
         {
-            this.function = function;
+            Called = function;
         }
+
+        /// <summary>The program's function.</summary>
+        internal ToneFunction Called { get; }
 
         [MonoPInvokeCallback(typeof(NativeCallbacks.Tone))]
         private static int OnTone(IntPtr user, long count, float* positions, float* normals, float* tau)
@@ -312,7 +328,7 @@ namespace HrbfNpr
                 var result = new float[count];
                 Marshal.Copy((IntPtr)positions, places, 0, places.Length);
                 Marshal.Copy((IntPtr)normals, directions, 0, directions.Length);
-                state.function(places, directions, result);
+                state.Called(places, directions, result);
                 Marshal.Copy(result, 0, (IntPtr)tau, result.Length);
                 return 0;
             }

@@ -35,20 +35,20 @@ namespace HrbfNpr
             ArrayView vertices, ArrayView triangles, MeshOptions options = null, Context context = null,
             IProgress<double> progress = null, CancellationToken cancellationToken = default(CancellationToken))
         {
-            Made = Context.Resolve(context);
+            context = Context.Resolve(context);
             hrbfnpr_mesh_desc desc;
             Errors.Check(NativeMethods.hrbfnpr_mesh_desc_init(&desc, (uint)sizeof(hrbfnpr_mesh_desc)));
             (options ?? new MeshOptions()).Write(ref desc);
             handle = new MeshHandle();
             using (var pins = new Pins())
-            using (var call = new LongCall(Made.Handle, progress, cancellationToken))
+            using (var call = new LongCall(context.Handle, progress, cancellationToken))
             {
                 desc.vertices = vertices.ToNative(pins, 3, nameof(vertices));
                 desc.triangles = triangles.ToNative(pins, 3, nameof(triangles));
                 hrbfnpr_error error = Errors.New();
                 int status = NativeMethods.hrbfnpr_mesh_create(
-                    Made.Handle, &desc, call.Operation, out IntPtr created, &error);
-                handle.Take(created, Made.Anchor);
+                    context.Handle, &desc, call.Operation, out IntPtr created, &error);
+                handle.Take(created, context.Anchor);
                 try
                 {
                     call.Check(status, &error, null);
@@ -59,6 +59,11 @@ namespace HrbfNpr
                     throw;
                 }
             }
+        }
+
+        internal TriangleMesh(MeshHandle handle)
+        {
+            this.handle = handle;
         }
 
         /// <summary>What making it found, and did.</summary>
@@ -78,8 +83,6 @@ namespace HrbfNpr
         {
             get { return handle; }
         }
-
-        internal Context Made { get; }
 
         /// <summary>The mesh's own arrays; nothing is copied.</summary>
         /// <param name="attribute">What of it.</param>

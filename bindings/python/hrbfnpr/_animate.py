@@ -5,18 +5,16 @@ from __future__ import annotations
 import base64
 import os
 import tempfile
-from functools import partial
 from pathlib import Path
 from typing import Any, Iterator, List, Optional, Union
 
 from . import _movies
 from ._arrays import Array
-from ._call_report import CallReport, Progress
 from ._camera import Camera
 from ._context import Context
-from ._draw_call import Picture, said_in_python, scene_of
-from ._orbit import cameras_of, first_camera
-from ._scene import Scene, draw_scene
+from ._picture import Picture, asked
+from ._report import CallReport, Progress
+from ._scene import Scene
 from ._style import Style
 
 SIZE = 480  # longer side
@@ -130,7 +128,7 @@ def animate(
     _movies.check_movie("any.gif" if path is None else path, fps)
     report = CallReport(progress)
     scene = turntable_of(source, style, frames, turn, camera, context, {"size": SIZE, **options}, report)
-    made = Animation(scene, cameras_of(scene, frames, turn), fps, loops, report.notes)
+    made = Animation(scene, scene.orbit(frames, turn), fps, loops, report.notes)
     if path is not None:
         made.save(path, progress=report.told)
     return made
@@ -141,9 +139,7 @@ def turntable_of(
     report: CallReport,
 ) -> Scene:  # fmt: skip
     """What is drawn, by a camera with room for the whole turn; its warnings are raised."""
-    with said_in_python():
-        look = partial(first_camera, frames=frames, turn=turn)
-        scene = scene_of(source, style, camera, context, options, report, look)
-        draw_scene(scene, report)  # says if it would be blank
+    scene = asked(source, style, options, camera, context, report, turn=(turn, frames))
+    scene.draw(report=report)  # says if it would be blank
     report.finish()
     return scene

@@ -6,11 +6,12 @@ from typing import Any, Optional, Union
 
 import numpy as np
 
-from ._call_report import Progress
 from ._context import Context
-from ._draw_call import Picture, draw
+from ._draw_call import draw
 from ._drawing import Drawing
 from ._names import PRESETS
+from ._picture import Picture
+from ._report import Progress
 from ._style import Style
 
 SIZE = 480  # longer side
@@ -75,14 +76,13 @@ class Viewer:
             import ipywidgets as widgets
         except ImportError as error:
             raise ImportError("a viewer needs ipywidgets (Debian: python3-ipywidgets)") from error
-        view = picture._view
-        own = getattr(view, "own_style", None) is not None
+        own = isinstance(picture._scene.style_given, Style)
         names = ["own", *PRESETS] if own else list(PRESETS)
         self.picture = self._styled = picture
-        azimuth, elevation = (30 if view.azimuth is None else view.azimuth, 20 if view.elevation is None else view.elevation)
+        azimuth, elevation = picture.angles
         self.azimuth = widgets.FloatSlider(azimuth % 360, min=0, max=360, step=5, description="azimuth")
         self.elevation = widgets.FloatSlider(elevation, min=-85, max=85, step=5, description="elevation")
-        self.style = widgets.Dropdown(options=names, value="own" if own else view.style, description="style")
+        self.style = widgets.Dropdown(options=names, value="own" if own else picture._scene.preset, description="style")
         self._own = picture.style
         self.image = widgets.Image(value=picture.to_png(), format="png")
         self.message = widgets.Label()

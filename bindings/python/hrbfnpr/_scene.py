@@ -80,8 +80,11 @@ class _Listener:
 
     def _check(self, result: Tuple[int, Any], report: Reporter, *states: Any) -> None:
         status, error = result
+        raised, self.state.exception = self.state.exception, None
+        if raised is not None:  # by who is told of progress
+            raise raised
         try:
-            check(status, error, self.state, *states)
+            check(status, error, *states)
         except Error as failed:
             failure = report.failure
             if failure is not None and failure.code == "blank":
@@ -116,6 +119,7 @@ class Scene(Owner):
         self._lock = threading.RLock()
         self.options, self.style_given = options, style
         self.sources: Sequence[Source] = ()
+        self._kin: List[Any] = []  # what a picture that this shares its surfaces with has of them
         self._parts: Optional[Tuple[Part, ...]] = None
 
     # ---- Making
@@ -173,7 +177,7 @@ class Scene(Owner):
         made = self._made(
             lambda *rest: lib.hrbfnpr_picture_restyle(handle, desc, *rest),
             desc, keep, [self], options, style, camera, self._context, report, _Listener(), [])  # fmt: skip
-        made.sources = self.sources
+        made.sources, made._kin = self.sources, [one for part in self.parts for one in part if one is not None]
         return made
 
     @classmethod
@@ -227,14 +231,14 @@ class Scene(Owner):
 
     def _part(self, number: int) -> Part:
         struct = self._get("picture_part", number)
-        given = {part._handle: part for source in self.sources for part in _parts_of(source) if not part.closed}
-        handles = []
+        there = [part for source in self.sources for part in _parts_of(source)] + self._kin
+        handles: List[Any] = []
         for kind, field in (("model", struct.model), ("point_set", struct.point_set), ("line_set", struct.line_set)):
             if field == ffi.NULL:
                 handles.append(None)
                 continue
             raw = ffi.cast(f"hrbfnpr_{kind} *", field)
-            known = next((part for handle, part in given.items() if ffi.cast("void *", handle) == ffi.cast("void *", raw)), None)
+            known = next((part for part in there if not part.closed and part._handle == raw), None)
             if known is None:
                 getattr(lib, f"hrbfnpr_{kind}_retain")(raw)
                 handle = own(raw, getattr(lib, f"hrbfnpr_{kind}_release"))
@@ -246,7 +250,7 @@ class Scene(Owner):
     @property
     def model(self) -> Optional[Model]:
         """The surface, the largest of several; None of saved marks."""
-        return self.parts[0].model
+        return self.parts[0].model if self.parts else None
 
     @property
     def style(self) -> Style:
@@ -275,13 +279,11 @@ class Scene(Owner):
         return _camera_of(struct)
 
     def orbit(self, frames: int, turn: float) -> List[Camera]:
-        """Of an orbit from the planned camera on: a whole turn comes back to its first frame after its last."""
-        whole = math.isclose(abs(turn) % 360, 0, abs_tol=1e-9) and turn != 0
-        steps = frames if whole else max(frames - 1, 1)
+        """Of an orbit from the planned camera on."""
         cameras = []
-        for i in range(frames):
+        for angle in angles_of(frames, turn):
             struct, error = new_struct("hrbfnpr_camera"), new_error()
-            check(lib.hrbfnpr_picture_orbit(self._handle, turn * i / steps, struct, error), error)
+            check(lib.hrbfnpr_picture_orbit(self._handle, angle, struct, error), error)
             cameras.append(_camera_of(struct))
         return cameras
 
@@ -374,6 +376,13 @@ class Settings(Owner):
                 lambda user, error: lib.hrbfnpr_settings_load(context._handle, _streams._on_read, user, out, error),
                 file.read)  # fmt: skip
         super().__init__(own(out[0], lib.hrbfnpr_settings_release, context))
+
+
+def angles_of(frames: int, turn: float) -> List[float]:
+    """Of the frames of an orbit, from 0: a whole turn comes back to its first frame after its last, a part ends at its
+    end."""
+    whole = math.isclose(abs(turn) % 360, 0, abs_tol=1e-9) and turn != 0
+    return [turn * i / (frames if whole else max(frames - 1, 1)) for i in range(frames)]
 
 
 def _parts_of(source: Any) -> List[Any]:

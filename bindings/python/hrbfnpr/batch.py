@@ -13,7 +13,6 @@ A local cluster starts its processes anew, never by fork: a script that uses one
 """
 from __future__ import annotations
 
-import argparse
 import os
 import threading
 from collections import OrderedDict
@@ -21,22 +20,18 @@ from contextlib import closing, contextmanager
 from typing import Any, Callable, Dict, Generator, Iterable, Iterator, List, NamedTuple, Optional, Tuple, Union
 from uuid import uuid4
 
-import numpy as np
-
 from . import _movies
 from ._animate import SIZE, turntable_of
 from ._arrays import Array
-from ._call_report import CallReport, Progress
 from ._camera import Camera
 from ._context import Context
-from ._draw_call import said_in_python, scene_of
 from ._model import Model
-from ._orbit import cameras_of
+from ._picture import asked
 from ._point_set import PointSet
-from ._scene import Part, Scene, draw_scene, make_style, section_lines
+from ._report import CallReport, Progress
+from ._request import Options
+from ._scene import Scene
 from ._style import Style
-from .cli import _lines
-from .shapes import Shape
 
 RETRIES = 3  # of what fails because its worker died
 _KEPT = 2  # scenes of a worker
@@ -45,11 +40,12 @@ Numbered = Tuple[int, Array]
 
 
 class Sent(NamedTuple):
-    """What a worker draws: the saved model and marks, and how."""
+    """What a worker draws: the saved models and marks, and how."""
 
     name: str
-    surfaces: Tuple[Tuple[Optional[bytes], bytes, Optional[Shape]], ...]  # models, marks, and what these come from
-    arguments: argparse.Namespace
+    surfaces: Tuple[Tuple[Optional[bytes], bytes], ...]
+    options: Options
+    style: Union[str, Style]
     camera: Camera
     threads: int
 
@@ -140,8 +136,7 @@ def frames_of(
         tell(scene)
     with _client(scheduler, workers) as (client, threads):
         sent = _sent(scene, threads)
-        cameras = cameras_of(scene, frames, turn)
-        yield from _results(client, _frame, sent, cameras, report)
+        yield from _results(client, _frame, sent, scene.orbit(frames, turn), report)
 
 
 def draw(
@@ -217,11 +212,13 @@ def _client(scheduler: Any, workers: Optional[int]) -> Iterator[Tuple[Any, int]]
 
 
 def _sent(scene: Scene, threads: int) -> Sent:
-    arguments = argparse.Namespace(**vars(scene.arguments))
-    model = scene.source.to_bytes() if isinstance(scene.source, Model) else None
-    first = model, scene.marks.to_bytes(), arguments.input_shape
-    rest = ((part.model.to_bytes(), part.marks.to_bytes(), part.shape) for part in scene.rest)
-    return Sent(uuid4().hex, (first, *rest), arguments, scene.camera, threads)
+    surfaces = tuple(
+        (None if part.model is None else part.model.to_bytes(), part.marks.to_bytes())
+        for part in scene.parts
+        if part.marks is not None
+    )
+    options = {**scene.options, "up": tuple(scene.info.up)}
+    return Sent(uuid4().hex, surfaces, options, scene.style_given, scene.camera, threads)
 
 
 class _Work:
@@ -302,19 +299,12 @@ def _scene(sent: Sent) -> Scene:
 
 
 def _made(sent: Sent) -> Scene:
-    context, report = Context(sent.threads), CallReport()
-    style = make_style(sent.arguments, sent.camera.size)
-    parts = []
-    for saved, saved_marks, shape in sent.surfaces:
+    context = Context(sent.threads)
+    sources: List[Any] = []
+    for saved, saved_marks in sent.surfaces:
         marks = PointSet.load(saved_marks, context=context)
-        if saved is None:
-            return Scene(sent.arguments, marks, marks, None, style, sent.camera, None, context)
-        model = Model.load(saved, context=context)
-        arguments = argparse.Namespace(**{**vars(sent.arguments), "input_shape": shape})
-        more = section_lines(arguments, model, sent.camera)
-        parts.append(Part(model, shape, marks, _lines.make(arguments, model, style, context, report, more)))
-    first, rest = parts[0], tuple(parts[1:])
-    return Scene(sent.arguments, first.model, first.marks, first.line_set, style, sent.camera, None, context, rest)
+        sources.append(marks if saved is None else (Model.load(saved, context=context), marks))
+    return Scene.create(sources, sent.options, sent.style, context, CallReport(), camera=sent.camera)
 
 
 def _frame(sent: Sent, camera: Camera) -> Array:
@@ -326,12 +316,9 @@ def _whole(sent: Any, source: Any) -> Tuple[Array, List[str]]:
     """On a worker: the image, and what is to be warned of."""
     style, options, threads = sent
     report = CallReport()
-    with said_in_python():
-        scene = scene_of(source, style, None, _context(threads), options, report)
-        drawing = draw_scene(scene, report)
-        for doubt in _lines.doubts(drawing.info):
-            report.warn(doubt)
-    return np.asarray(scene.picture(drawing, scene.camera).convert("RGBA")), report.taken()
+    scene = asked(source, style, options, None, _context(threads), report)
+    image = scene.image(scene.draw(report=report), scene.camera)
+    return image, [str(text) for text in report.taken()]
 
 
 _contexts: Dict[int, Context] = {}  # of this worker

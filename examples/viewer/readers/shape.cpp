@@ -3,8 +3,6 @@
 
 #include <algorithm>
 #include <charconv>
-#include <fstream>
-#include <sstream>
 
 namespace viewer {
 
@@ -32,28 +30,12 @@ Shape read_as(const std::string& ending, const std::string& data) {
                   "\" are not read here, but .ply, .obj, .stl, .xyz and saved models");
 }
 
-// What the library would refuse later, with a number that means nothing to the user then.
-void check(const Shape& shape) {
-    if (shape.points.empty()) throw Failure("it holds no points");
-    for (std::size_t i = 0; i < shape.points.size(); ++i)
-        for (const double x : shape.points[i])
-            if (!std::isfinite(x)) throw Failure("point " + std::to_string(i) + " is not finite");
-}
-
 } // namespace
 
-std::string read_file(const std::string& path) {
-    std::ifstream file(path, std::ios::binary);
-    std::stringstream data;
-    if (!file || !(data << file.rdbuf())) throw Failure(path + ": cannot be read, or is empty");
-    return data.str();
-}
-
-Shape read_shape(const std::string& path) {
-    const std::string data = read_file(path);
+Shape read_shape(const std::string& path, const std::string& data) {
     try {
         Shape shape = read_as(ending_of(path), data);
-        check(shape);
+        if (shape.points.empty()) throw Failure("it holds no points");
         return shape;
     } catch (const Failure& failure) {
         throw Failure(path + ": " + failure.what() + remedy);

@@ -18,9 +18,7 @@ struct Shape {
 
 // Reads PLY, OBJ, STL (both kinds of each) and text of columns, as the file's beginning or its name says.  A Failure
 // names the file, the line where there are lines, and what to do.
-Shape read_shape(const std::string& path);
-
-std::string read_file(const std::string& path);
+Shape read_shape(const std::string& path, const std::string& data);
 
 Shape read_ply(const std::string& data);
 Shape read_obj(const std::string& data);

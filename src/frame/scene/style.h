@@ -128,13 +128,4 @@ struct Style {
     [[nodiscard]] const LayerStyle& of(const marks::Layer& layer) const noexcept;
 };
 
-// The named styles.
-struct Preset {
-    const char* name;
-    Style style; // its layers are constants
-};
-inline constexpr std::uint32_t preset_count = 15;
-[[nodiscard]] Preset preset(std::uint32_t number) noexcept; // number < preset_count
-[[nodiscard]] const char* preset_name(std::uint32_t number) noexcept;
-
 } // namespace hrbfnpr::frame

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is decided of a fit to a mesh: whether its surface has creases, and where it ends.
+// The decisions of a fit to a mesh: whether its surface has creases, and where it ends.
 #pragma once
 
 #include "mesh/end_samples.h"
@@ -29,7 +29,7 @@ enum class End {
 
 struct EndPlan {
     End end = End::nowhere;
-    double off = 0.0; // what is farther than this from the mesh is none of it, in diagonals
+    double off = 0.0; // diagonals: surface that is farther than this from the mesh is none of it
 };
 
 // Chooses the end of a surface from the mesh and from how near the fit came to it.  has_creases: fit_pieces() made it.

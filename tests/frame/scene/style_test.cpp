@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The named styles.
-#include "frame/scene/style.h"
+#include "support/named_style.h"
 
 #include <gtest/gtest.h>
 
@@ -8,95 +8,107 @@ namespace hrbfnpr::frame::style_test {
 namespace {
 
 using marks::Kind;
+using testing::NamedStyle;
+using testing::preset_count;
 
 constexpr Kind kinds[] = {Kind::stipples, Kind::principal, Kind::combing, Kind::field, Kind::own};
 
-// What a preset says of the layers of a kind.
-const LayerStyle& of(const Preset& preset, Kind kind) {
-    static base::Memory memory;
-    return preset.style.of(marks::Layer(memory, kind));
+// How a style draws the layers of a kind that have no name.
+LayerStyle of(const NamedStyle& named, Kind kind) {
+    base::Memory memory;
+    return named.style.of(marks::Layer(memory, kind));
+}
+
+// Kinds of marks for which a flag is set: bit 0 stipples, bit 1 principal strokes, bit 2 combing strokes.
+unsigned kinds_with(bool LayerStyle::*flag, std::uint32_t preset) {
+    const NamedStyle named(preset);
+    unsigned bits = 0;
+    for (unsigned bit = 0; bit < 3; ++bit) bits |= of(named, kinds[bit]).*flag ? 1U << bit : 0U;
+    return bits;
 }
 
 TEST(Presets, HaveTheirNames) {
-    const char* const names[] = {
-        "stipple", "hatch",     "cross-hatch",   "combing", "silhouette", "contour-and-stipple",
-        "xray",    "full",      "engraving",     "etching", "woodcut",    "scientific-stipple",
-        "sketch",  "blueprint", "archaeological"};
     for (std::uint32_t i = 0; i < preset_count; ++i) {
-        EXPECT_STREQ(preset_name(i), names[i]);
-        EXPECT_STREQ(preset(i).name, names[i]);
+        EXPECT_EQ(testing::preset_names[i].preset, i);
+        EXPECT_STREQ(hrbfnpr_preset_name(i), testing::preset_names[i].name);
     }
-    EXPECT_EQ(preset_name(preset_count), nullptr);
-    EXPECT_EQ(preset_name(0xFFFFFFFFU), nullptr);
+    EXPECT_EQ(hrbfnpr_preset_name(preset_count), nullptr);
+    EXPECT_EQ(hrbfnpr_preset_name(0xFFFFFFFFU), nullptr);
 }
 
 TEST(Presets, AreValidStyles) {
     for (std::uint32_t i = 0; i < preset_count; ++i) {
-        const Preset p = preset(i);
-        const Style& s = p.style;
+        const NamedStyle named(i);
+        const Style& s = named.style;
         EXPECT_GT(s.silhouette_threshold, 0.0);
         EXPECT_LT(s.silhouette_threshold, 1.0);
         EXPECT_GE(s.attenuation_front, 0.0);
         EXPECT_GE(s.attenuation_back, 0.0);
         EXPECT_GT(s.tone_exponent, 0.0);
         EXPECT_GT(s.silhouette_radius, 0.0F);
-        const bool has_paper_of_its_own = i == 12 || i == 13; // sketch and blueprint
-        EXPECT_EQ(s.paper == glm::vec4(1.0F), !has_paper_of_its_own) << "styles of one frame need the same paper";
         EXPECT_EQ(s.paper.a, 1.0F);
         for (const Kind kind : kinds) {
-            EXPECT_GT(of(p, kind).radius, 0.0F);
-            EXPECT_GE(of(p, kind).share, 0.0F);
-            EXPECT_LE(of(p, kind).share, 1.0F);
-            EXPECT_EQ(of(p, kind).name, nullptr) << p.name;
+            EXPECT_GT(of(named, kind).radius, 0.0F);
+            EXPECT_GE(of(named, kind).share, 0.0F);
+            EXPECT_LE(of(named, kind).share, 1.0F);
+            EXPECT_EQ(of(named, kind).name, nullptr) << named.name;
         }
     }
 }
 
 TEST(Presets, AreWhatTheirNamesSay) {
-    const auto shown = [](std::uint32_t i) {
-        unsigned bits = 0;
-        for (std::size_t g = 0; g < 3; ++g) bits |= of(preset(i), kinds[g]).shown ? 1U << g : 0U;
-        return bits;
-    };
-    const auto contours = [](std::uint32_t i) {
-        unsigned bits = 0;
-        for (std::size_t g = 0; g < 3; ++g) bits |= of(preset(i), kinds[g]).contours ? 1U << g : 0U;
-        return bits;
-    };
-    EXPECT_EQ(shown(0), 1U);
-    EXPECT_EQ(contours(0), 0U);
-    EXPECT_EQ(shown(1), 2U);
-    EXPECT_EQ(of(preset(1), Kind::principal).directions, 2U);
-    EXPECT_EQ(shown(2), 2U);
-    EXPECT_EQ(of(preset(2), Kind::principal).directions, 3U);
-    EXPECT_EQ(shown(3), 4U);
-    EXPECT_EQ(shown(4), 0U);
-    EXPECT_EQ(shown(5), 1U);
-    EXPECT_EQ(shown(6), 0U);
-    EXPECT_EQ(preset(6).style.hidden_lines, HiddenLines::show);
-    EXPECT_EQ(shown(7), 3U);
-    EXPECT_EQ(shown(11), 1U);
-    EXPECT_EQ(shown(13), 0U);
+    const auto shown = [](std::uint32_t preset) { return kinds_with(&LayerStyle::shown, preset); };
+    const auto contours = [](std::uint32_t preset) { return kinds_with(&LayerStyle::contours, preset); };
+    EXPECT_EQ(shown(HRBFNPR_PRESET_STIPPLE), 1U);
+    EXPECT_EQ(contours(HRBFNPR_PRESET_STIPPLE), 0U);
+    EXPECT_EQ(shown(HRBFNPR_PRESET_HATCH), 2U);
+    EXPECT_EQ(of(NamedStyle(HRBFNPR_PRESET_HATCH), Kind::principal).directions, 2U);
+    EXPECT_EQ(shown(HRBFNPR_PRESET_CROSS_HATCH), 2U);
+    EXPECT_EQ(of(NamedStyle(HRBFNPR_PRESET_CROSS_HATCH), Kind::principal).directions, 3U);
+    EXPECT_EQ(shown(HRBFNPR_PRESET_COMBING), 4U);
+    EXPECT_EQ(shown(HRBFNPR_PRESET_SILHOUETTE), 0U);
+    EXPECT_NE(contours(HRBFNPR_PRESET_SILHOUETTE), 0U);
+    EXPECT_EQ(shown(HRBFNPR_PRESET_CONTOUR_AND_STIPPLE), 1U);
+    EXPECT_NE(contours(HRBFNPR_PRESET_CONTOUR_AND_STIPPLE), 0U);
+    EXPECT_EQ(shown(HRBFNPR_PRESET_XRAY), 0U);
+    EXPECT_EQ(NamedStyle(HRBFNPR_PRESET_XRAY).style.hidden_lines, HiddenLines::show);
+    EXPECT_EQ(shown(HRBFNPR_PRESET_FULL), 3U);
+    EXPECT_EQ(shown(HRBFNPR_PRESET_SCIENTIFIC_STIPPLE), 1U);
+    EXPECT_EQ(shown(HRBFNPR_PRESET_BLUEPRINT), 0U);
     // Hatching alone, which widens with the tone; stipples tell where the surface is.
-    for (const std::uint32_t i : {8U, 9U, 10U, 12U, 14U}) {
-        EXPECT_EQ(shown(i), 0U);
-        EXPECT_EQ(preset(i).style.hidden_lines, HiddenLines::hide);
+    for (const std::uint32_t preset : {HRBFNPR_PRESET_ENGRAVING, HRBFNPR_PRESET_ETCHING, HRBFNPR_PRESET_WOODCUT,
+                                       HRBFNPR_PRESET_SKETCH, HRBFNPR_PRESET_ARCHAEOLOGICAL}) {
+        EXPECT_EQ(shown(preset), 0U);
+        EXPECT_NE(contours(preset), 0U);
+        EXPECT_EQ(NamedStyle(preset).style.hidden_lines, HiddenLines::hide);
     }
-    constexpr std::size_t sets_of[preset_count] = {0, 1, 4, 3, 0, 0, 0, 3, 1, 3, 1, 0, 3, 0, 1};
+    EXPECT_EQ(NamedStyle(HRBFNPR_PRESET_STIPPLE).style.paper, glm::vec4(1.0F));
+    EXPECT_NE(NamedStyle(HRBFNPR_PRESET_SKETCH).style.paper, glm::vec4(1.0F));
+    EXPECT_NE(NamedStyle(HRBFNPR_PRESET_BLUEPRINT).style.paper, glm::vec4(1.0F));
+}
+
+// Every layer of hatching that a style asks for is drawn as lines, by the element that has its name.
+TEST(Presets, DrawTheirHatching) {
+    std::size_t sets = 0;
     for (std::uint32_t i = 0; i < preset_count; ++i) {
-        const Preset p = preset(i);
-        std::size_t sets = 0;
-        for (const LayerStyle& layer : p.style.layers) {
-            if (layer.kind != Kind::hatch) continue;
+        const NamedStyle named(i);
+        std::int64_t count = 0;
+        const hrbfnpr_layer_desc* const layers = hrbfnpr_preset_layers(i, &count);
+        for (const hrbfnpr_layer_desc& layer : std::span(layers, static_cast<std::size_t>(count))) {
+            if (layer.kind != HRBFNPR_LAYER_KIND_HATCH) continue;
             ++sets;
-            EXPECT_EQ(layer.shape, Shape::hatch);
-            EXPECT_TRUE(layer.shown);
-            EXPECT_LT(layer.hatch_tone_begin, layer.hatch_tone_end);
-            EXPECT_LT(layer.hatch_coverage_begin, layer.hatch_coverage_end);
+            base::Memory memory;
+            marks::Layer made(memory, Kind::hatch);
+            if (layer.name != nullptr) std::strncpy(made.name.data(), layer.name, made.name.size() - 1);
+            const LayerStyle& style = named.style.of(made);
+            EXPECT_TRUE(style.shown) << named.name;
+            EXPECT_EQ(style.shape, Shape::hatch) << named.name;
+            EXPECT_EQ(style.name == nullptr, layer.name == nullptr) << named.name;
+            EXPECT_LT(style.hatch_tone_begin, style.hatch_tone_end);
+            EXPECT_LT(style.hatch_coverage_begin, style.hatch_coverage_end);
         }
-        EXPECT_EQ(sets, sets_of[i]) << p.name;
     }
-    for (std::uint32_t i = 1; i < preset_count; ++i) EXPECT_NE(contours(i), 0U);
+    EXPECT_GE(sets, 16U);
 }
 
 } // namespace

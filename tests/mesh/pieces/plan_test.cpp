@@ -55,7 +55,7 @@ TEST(Plan, ABallHasNoCreasesAndABoxHas) {
     ASSERT_TRUE(plan.creases);
     EXPECT_EQ(plan.creases->patches, 6);
     EXPECT_FALSE(box.creases(mesh::Edges::smooth).creases);
-    EXPECT_FALSE(box.creases(mesh::Edges::sharp, 95.0).creases);    // it bends by 90 degrees
+    EXPECT_FALSE(ball.creases(mesh::Edges::sharp, 95.0).creases);   // nothing bends by more
     EXPECT_TRUE(box.creases(mesh::Edges::automatic, 40.0).creases); // not the evidence that is known
 }
 
@@ -110,7 +110,7 @@ TEST(Plan, AnOpenSurfaceEndsAtItsBorder) {
     double highest = -1.0;
     for (std::int64_t i = 0; i < places.position.size(); ++i) highest = std::max(highest, places.position[i].z);
     EXPECT_GT(highest, 0.4);
-    // What is met exactly and narrow ends nearer: 0.2 of a width of 0.02, in diagonals of 1.
+    // A narrow strip that is met exactly ends nearer: at 0.2 of its width of 0.02, in diagonals of 1.
     Triangles strip;
     for (const double x : {0.0, 1.0})
         for (const double y : {0.0, 0.02}) static_cast<void>(strip.add(x, y, 0.0));

@@ -53,9 +53,11 @@ namespace HrbfNpr
     {
         private GCHandle handle;
 
-        internal UserHandle(CallbackState state)
+        /// <param name="state">null for none.</param>
+        /// <param name="type">Weak: the state lives as long as whoever makes calls with it.</param>
+        internal UserHandle(CallbackState state, GCHandleType type = GCHandleType.Normal)
         {
-            handle = state == null ? default(GCHandle) : GCHandle.Alloc(state);
+            handle = state == null ? default(GCHandle) : GCHandle.Alloc(state, type);
         }
 
         internal IntPtr Pointer
@@ -69,6 +71,35 @@ namespace HrbfNpr
             {
                 handle.Free();
             }
+        }
+    }
+
+    /// <summary>A function of the library's own that a picture's style or layers call, such as of what is painted.</summary>
+    internal sealed class NativeFunction
+    {
+        private readonly IntPtr user;
+        private readonly SafeHandle owner;
+
+        internal NativeFunction(IntPtr function, IntPtr user, SafeHandle owner)
+        {
+            Function = function;
+            this.user = user;
+            this.owner = owner;
+        }
+
+        internal IntPtr Function { get; }
+
+        /// <summary>The function's first argument; its owner is kept alive for the call.</summary>
+        internal IntPtr Hold(HeldHandles held)
+        {
+            held.Hold(owner);
+            return user;
+        }
+
+        /// <summary>null for no function.</summary>
+        internal static NativeFunction Of(IntPtr function, IntPtr user, SafeHandle owner)
+        {
+            return function == IntPtr.Zero || owner == null ? null : new NativeFunction(function, user, owner);
         }
     }
 
@@ -109,5 +140,8 @@ namespace HrbfNpr
 
         [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
         internal delegate int Tone(IntPtr user, long count, float* positions, float* normals, float* tau);
+
+        [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+        internal delegate void PictureEvent(IntPtr user, hrbfnpr_picture_event* happened);
     }
 }

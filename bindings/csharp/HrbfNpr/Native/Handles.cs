@@ -116,13 +116,11 @@ namespace HrbfNpr
         /// <summary>Another reference of the same model.</summary>
         internal ModelHandle Share()
         {
-            var copy = new ModelHandle();
             bool held = false;
             try
             {
                 DangerousAddRef(ref held);
-                NativeMethods.hrbfnpr_model_retain(handle);
-                copy.Take(handle, Anchor);
+                return Of(handle, Anchor);
             }
             finally
             {
@@ -131,6 +129,14 @@ namespace HrbfNpr
                     DangerousRelease();
                 }
             }
+        }
+
+        /// <summary>A reference of what is alive.</summary>
+        internal static ModelHandle Of(IntPtr value, ContextAnchor owner)
+        {
+            var copy = new ModelHandle();
+            NativeMethods.hrbfnpr_model_retain(value);
+            copy.Take(value, owner);
             return copy;
         }
     }
@@ -145,13 +151,11 @@ namespace HrbfNpr
         /// <summary>Another reference of the same point set.</summary>
         internal PointSetHandle Share()
         {
-            var copy = new PointSetHandle();
             bool held = false;
             try
             {
                 DangerousAddRef(ref held);
-                NativeMethods.hrbfnpr_point_set_retain(handle);
-                copy.Take(handle, Anchor);
+                return Of(handle, Anchor);
             }
             finally
             {
@@ -160,6 +164,14 @@ namespace HrbfNpr
                     DangerousRelease();
                 }
             }
+        }
+
+        /// <summary>A reference of what is alive.</summary>
+        internal static PointSetHandle Of(IntPtr value, ContextAnchor owner)
+        {
+            var copy = new PointSetHandle();
+            NativeMethods.hrbfnpr_point_set_retain(value);
+            copy.Take(value, owner);
             return copy;
         }
     }
@@ -169,6 +181,54 @@ namespace HrbfNpr
         protected override void Free(IntPtr value)
         {
             NativeMethods.hrbfnpr_line_set_release(value);
+        }
+
+        /// <summary>A reference of what is alive.</summary>
+        internal static LineSetHandle Of(IntPtr value, ContextAnchor owner)
+        {
+            var copy = new LineSetHandle();
+            NativeMethods.hrbfnpr_line_set_retain(value);
+            copy.Take(value, owner);
+            return copy;
+        }
+    }
+
+    internal sealed class SettingsHandle : NativeHandle
+    {
+        protected override void Free(IntPtr value)
+        {
+            NativeMethods.hrbfnpr_settings_release(value);
+        }
+    }
+
+    /// <summary>A picture, and what its native part may use of the program: contexts of others, and states.</summary>
+    internal sealed class PictureHandle : NativeHandle
+    {
+        private readonly List<ContextAnchor> anchors = new List<ContextAnchor>();
+        private readonly List<UserHandle> users = new List<UserHandle>();
+
+        /// <summary>Takes over what a call made for the picture, which is there.</summary>
+        internal void Keep(IEnumerable<ContextAnchor> others, IEnumerable<UserHandle> states)
+        {
+            foreach (ContextAnchor anchor in others)
+            {
+                anchor.AddReference();
+                anchors.Add(anchor);
+            }
+            users.AddRange(states);
+        }
+
+        protected override void Free(IntPtr value)
+        {
+            NativeMethods.hrbfnpr_picture_release(value);
+            foreach (UserHandle user in users)
+            {
+                user.Dispose();
+            }
+            foreach (ContextAnchor anchor in anchors)
+            {
+                anchor.Release();
+            }
         }
     }
 
@@ -182,13 +242,11 @@ namespace HrbfNpr
         /// <summary>Another reference of the same mesh.</summary>
         internal MeshHandle Share()
         {
-            var copy = new MeshHandle();
             bool held = false;
             try
             {
                 DangerousAddRef(ref held);
-                NativeMethods.hrbfnpr_mesh_retain(handle);
-                copy.Take(handle, Anchor);
+                return Of(handle, Anchor);
             }
             finally
             {
@@ -197,6 +255,14 @@ namespace HrbfNpr
                     DangerousRelease();
                 }
             }
+        }
+
+        /// <summary>A reference of what is alive.</summary>
+        internal static MeshHandle Of(IntPtr value, ContextAnchor owner)
+        {
+            var copy = new MeshHandle();
+            NativeMethods.hrbfnpr_mesh_retain(value);
+            copy.Take(value, owner);
             return copy;
         }
     }

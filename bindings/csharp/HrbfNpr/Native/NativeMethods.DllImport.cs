@@ -371,6 +371,97 @@ namespace HrbfNpr
         [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
         internal static extern int hrbfnpr_page_write(ContextHandle context, hrbfnpr_page_desc* desc, IntPtr write,
             IntPtr user, PageInfo* info, OperationHandle operation, hrbfnpr_error* error);
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int hrbfnpr_picture_source_init(hrbfnpr_picture_source* source, uint struct_size);
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int hrbfnpr_change_init(hrbfnpr_change* change, uint struct_size);
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int hrbfnpr_dab_init(hrbfnpr_dab* dab, uint struct_size);
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int hrbfnpr_note_init(hrbfnpr_note* note, uint struct_size);
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int hrbfnpr_picture_event_init(hrbfnpr_picture_event* @event, uint struct_size);
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int hrbfnpr_picture_desc_init(hrbfnpr_picture_desc* desc, uint struct_size);
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int hrbfnpr_source_info_init(hrbfnpr_source_info* info, uint struct_size);
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int hrbfnpr_source_inspect(ContextHandle context, hrbfnpr_picture_source* source,
+            uint wording, IntPtr on_event, void* event_user, OperationHandle operation, hrbfnpr_source_info* info,
+            hrbfnpr_error* error);
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int hrbfnpr_picture_create(ContextHandle context, hrbfnpr_picture_desc* desc,
+            OperationHandle operation, out IntPtr out_picture, hrbfnpr_error* error);
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int hrbfnpr_picture_restyle(PictureHandle picture, hrbfnpr_picture_desc* desc,
+            OperationHandle operation, out IntPtr out_picture, hrbfnpr_error* error);
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern void hrbfnpr_picture_retain(IntPtr picture);
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern void hrbfnpr_picture_release(IntPtr picture);
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int hrbfnpr_picture_draw(PictureHandle picture, hrbfnpr_camera* camera,
+            OperationHandle operation, out IntPtr out_drawing, hrbfnpr_error* error);
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int hrbfnpr_picture_info_init(PictureInfo* info, uint struct_size);
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int hrbfnpr_picture_get_info(PictureHandle picture, PictureInfo* info,
+            hrbfnpr_error* error);
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int hrbfnpr_picture_part_init(hrbfnpr_picture_part* part, uint struct_size);
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int hrbfnpr_picture_get_part(PictureHandle picture, long number,
+            hrbfnpr_picture_part* part, hrbfnpr_error* error);
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int hrbfnpr_picture_get_style(PictureHandle picture, hrbfnpr_style** style,
+            hrbfnpr_error* error);
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int hrbfnpr_picture_get_marks(PictureHandle picture, hrbfnpr_generate_desc** desc,
+            hrbfnpr_error* error);
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int hrbfnpr_picture_get_note(PictureHandle picture, long number, hrbfnpr_note* note,
+            hrbfnpr_error* error);
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int hrbfnpr_picture_get_stage(PictureHandle picture, long number,
+            hrbfnpr_picture_event* stage, hrbfnpr_error* error);
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int hrbfnpr_picture_get_camera(PictureHandle picture, hrbfnpr_camera* camera,
+            hrbfnpr_error* error);
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int hrbfnpr_picture_look(PictureHandle picture, double* direction, double azimuth,
+            double elevation, hrbfnpr_camera* camera, hrbfnpr_error* error);
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int hrbfnpr_picture_orbit(PictureHandle picture, double degrees,
+            hrbfnpr_camera* camera, hrbfnpr_error* error);
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int hrbfnpr_picture_plate_size(PictureHandle picture, hrbfnpr_camera* camera,
+            int* width, int* height, hrbfnpr_error* error);
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int hrbfnpr_picture_rasterize(PictureHandle picture, DrawingHandle drawing,
+            hrbfnpr_camera* camera, hrbfnpr_image* image, hrbfnpr_error* error);
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int hrbfnpr_picture_page_desc_init(hrbfnpr_picture_page_desc* desc, uint struct_size);
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int hrbfnpr_picture_write(PictureHandle picture, DrawingHandle drawing,
+            hrbfnpr_camera* camera, hrbfnpr_picture_page_desc* desc, IntPtr write, IntPtr user, PageInfo* info,
+            OperationHandle operation, hrbfnpr_error* error);
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int hrbfnpr_settings_load(ContextHandle context, IntPtr read, IntPtr user,
+            out IntPtr out_settings, hrbfnpr_error* error);
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern void hrbfnpr_settings_retain(IntPtr settings);
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern void hrbfnpr_settings_release(IntPtr settings);
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int hrbfnpr_picture_write_settings(PictureHandle picture, IntPtr write, IntPtr user,
+            hrbfnpr_error* error);
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int hrbfnpr_views_desc_init(hrbfnpr_views_desc* desc, uint struct_size);
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int hrbfnpr_views_info_init(ViewsInfo* info, uint struct_size);
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int hrbfnpr_picture_write_views(PictureHandle picture, hrbfnpr_views_desc* desc,
+            IntPtr write, IntPtr user, ViewsInfo* info, OperationHandle operation, hrbfnpr_error* error);
     }
 }
 #endif

@@ -734,18 +734,24 @@ export declare const CREASES: {
 /** A constant of CREASES as options spell it. */
 export type CreasesName = "all" | "convex" | "concave";
 
-/** Named styles. */
+/**
+ * Named styles, each with a picture in docs/presets.md.  bindings/generate writes this list from
+ * bindings/presets.py.
+ */
 export declare const PRESET: {
   /** stipples by light, no contours */
   readonly STIPPLE: 0;
-  /** lines of one width, the more of them the darker; contours. Of PRINCIPAL layers the second direction */
+  /**
+   * lines of one width, more of them where it is darker, and contours; strokes of PRINCIPAL layers along the
+   * second direction
+   */
   readonly HATCH: 1;
   /**
-   * up to three sets of such lines, at 0, 35 and -30 degrees, a darker tone each; contours. Of PRINCIPAL layers
-   * both directions
+   * up to three sets of such lines, at 0, 35 and -30 degrees, a darker tone each, and contours; strokes of
+   * PRINCIPAL layers along both directions
    */
   readonly CROSS_HATCH: 2;
-  /** lines along Stark's combing direction, a second set in the darks; contours */
+  /** lines along Stark's combing direction, a second set in the darks, and contours */
   readonly COMBING: 3;
   /** contours only, hidden ones attenuated */
   readonly SILHOUETTE: 4;
@@ -755,11 +761,11 @@ export declare const PRESET: {
   readonly XRAY: 6;
   /** stipples, cross hatching in the darks, contours and halo: Figure 1 (e) */
   readonly FULL: 7;
-  /** one set of lines that swell with the tone, contours; lights are empty */
+  /** one set of lines that swell with the tone, and contours; lights are empty */
   readonly ENGRAVING: 8;
-  /** up to three sets of thin lines, at 0, 50 and -40 degrees, a darker tone each */
+  /** up to three sets of thin lines, at 0, 50 and -40 degrees, a darker tone each, and contours */
   readonly ETCHING: 9;
-  /** few wide lines, which close up to black; heavy contours */
+  /** few wide lines, which close up to black, and heavy contours */
   readonly WOODCUT: 10;
   /** fine stipples lit from the upper left, empty lights; outlines swell in the shade */
   readonly SCIENTIFIC_STIPPLE: 11;
@@ -1020,5 +1026,365 @@ export type LineTypeName = "as-drawn" | "continuous" | "dashed" | "dashed-spaced
   "long-dashed-double-dotted" | "long-dashed-triple-dotted" | "dotted" | "long-dashed-short-dashed" |
   "long-dashed-double-short-dashed" | "dashed-dotted" | "double-dashed-dotted" | "dashed-double-dotted" |
   "double-dashed-double-dotted" | "dashed-triple-dotted" | "double-dashed-triple-dotted";
+
+export declare const SOURCE: {
+  /** `sharp_edges` is known, even if it is empty */
+  readonly HAS_SHARP_EDGES: 1;
+  /** `viewpoint` is known */
+  readonly HAS_VIEWPOINT: 2;
+  /** the points are one picture of a depth camera that stood at `viewpoint` */
+  readonly IS_PHOTO: 4;
+};
+/** A constant of SOURCE as options spell it. */
+export type SourceName = "has-sharp-edges" | "has-viewpoint" | "is-photo";
+
+export declare const PICTURE: {
+  /** drawing what can hardly be seen is no error */
+  readonly ALLOW_BLANK: 1;
+  /** all normals are turned, whatever they look like */
+  readonly FLIP: 2;
+  /** the surface goes on beyond open data, as the fit has it */
+  readonly CLOSE: 4;
+  /** an open mesh is one surface, also where its parts cross */
+  readonly TOGETHER: 8;
+  /** the paper lets all through */
+  readonly TRANSPARENT: 16;
+  /** layers have all their marks, also where the style draws lines alone: for marks that are saved */
+  readonly KEEP_MARKS: 32;
+  /** no camera is chosen, no marks are placed, no lines are looked for: for the model alone */
+  readonly SURFACE_ONLY: 64;
+  /** nothing is said of a source that is a part of a solid, and no up is looked for */
+  readonly IS_SOLID: 128;
+};
+/** A constant of PICTURE as options spell it. */
+export type PictureName = "allow-blank" | "flip" | "close" | "together" | "transparent" | "keep-marks" |
+  "surface-only" | "is-solid";
+
+/** The edges of a mesh. */
+export declare const PICTURE_EDGES: {
+  /** as AUTO; where faces are coarse as the normals of the file tell, if they do */
+  readonly AS_GIVEN: 0;
+  /** HRBFNPR_EDGES_AUTO */
+  readonly AUTO: 1;
+  /** HRBFNPR_EDGES_SMOOTH */
+  readonly SMOOTH: 2;
+  /** HRBFNPR_EDGES_SHARP, with `edge_angle` */
+  readonly SHARP: 3;
+};
+/** A constant of PICTURE_EDGES as options spell it. */
+export type PictureEdgesName = "as-given" | "auto" | "smooth" | "sharp";
+
+export declare const PROFILE: {
+  /** YES of the style archaeological, else NO */
+  readonly AUTO: 0;
+  /** an upright section through the middle stands beside the drawing */
+  readonly YES: 1;
+  readonly NO: 2;
+};
+/** A constant of PROFILE as options spell it. */
+export type ProfileName = "auto" | "yes" | "no";
+
+export declare const PICTURE_SIDES: {
+  /** both of a surface that ends, else the front */
+  readonly AUTO: 0;
+  /** HRBFNPR_SIDES_FRONT */
+  readonly FRONT: 1;
+  /** HRBFNPR_SIDES_BOTH */
+  readonly BOTH: 2;
+};
+/** A constant of PICTURE_SIDES as options spell it. */
+export type PictureSidesName = "auto" | "front" | "both";
+
+/** How notes and errors name the options that they speak of. */
+export declare const WORDING: {
+  /** samples 400 */
+  readonly FIELDS: 0;
+  /** --samples 400, of a command line */
+  readonly OPTIONS: 1;
+  /** samples=400, of a call in Python */
+  readonly ARGUMENTS: 2;
+};
+/** A constant of WORDING as options spell it. */
+export type WordingName = "fields" | "options" | "arguments";
+
+/** A stroke of a brush on the surface: within its radius what is painted goes towards a value. */
+export declare const DAB: {
+  readonly TONE: 0;
+  readonly DENSITY: 1;
+  readonly DIRECTION: 2;
+};
+/** A constant of DAB as options spell it. */
+export type DabName = "tone" | "density" | "direction";
+
+/** The parts of the work. */
+export declare const STAGE: {
+  /** looking at a mesh: welding, turning faces */
+  readonly MESH: 1;
+  /** choosing samples */
+  readonly SAMPLE: 2;
+  /** looking for normals */
+  readonly ORIENT: 3;
+  /** the image of a depth camera */
+  readonly SMOOTH: 4;
+  readonly FIT: 5;
+  /** the surface with the mesh */
+  readonly COMPARE: 6;
+  /** looking for the end of the surface */
+  readonly END: 7;
+  /** placing marks */
+  readonly MARKS: 8;
+  /** looking for lines */
+  readonly LINES: 9;
+  /** drawing */
+  readonly FRAME: 10;
+  /** drawing the views of a sheet */
+  readonly VIEWS: 11;
+};
+/** A constant of STAGE as options spell it. */
+export type StageName = "mesh" | "sample" | "orient" | "smooth" | "fit" | "compare" | "end" | "marks" | "lines" |
+  "frame" | "views";
+
+export declare const SEVERITY: {
+  /** a measurement */
+  readonly INFO: 0;
+  /** what was chosen, repaired or left out */
+  readonly NOTE: 1;
+  /** the result may be wrong there */
+  readonly WARNING: 2;
+  /** there is no result: the error of the call, in full length */
+  readonly FAILURE: 3;
+};
+/** A constant of SEVERITY as options spell it. */
+export type SeverityName = "info" | "note" | "warning" | "failure";
+
+/** Notes.  In brackets the figures of each. */
+export declare const NOTE: {
+  /** left out [faces] */
+  readonly FACES_NOT_FINITE: 1;
+  /** points at a value that stands for none, left out [points, value] */
+  readonly NO_DATA: 2;
+  /** points far from all others, left out [points] */
+  readonly STRAYS: 3;
+  /** so many that only some get normals [points, used] */
+  readonly SOME_ORIENTED: 4;
+  /** there were none [points] */
+  readonly NORMALS_MADE: 5;
+  /** [confidence] */
+  readonly NORMALS_NOT_SURE: 6;
+  /** which side of an open surface is its front */
+  readonly FRONT_NOT_TOLD: 7;
+  /** [points, used] */
+  readonly SAMPLES_CHOSEN: 8;
+  /** without a position or normal, left out [points] */
+  readonly POINTS_NOT_USABLE: 9;
+  /** several at one place: their mean [places] */
+  readonly NORMALS_JOINED: 10;
+  /** opposite ones at one place, left out [places] */
+  readonly NORMALS_OPPOSITE: 11;
+  /** it looked down [axis] */
+  readonly TERRAIN_TURNED: 12;
+  /** all looked inward */
+  readonly NORMALS_TURNED: 13;
+  /** [turned, made, what they were: HRBFNPR_NORMALS_...] */
+  readonly NORMALS_REPAIRED: 14;
+  /** those around them [normals, of] */
+  readonly NORMALS_AGAINST: 15;
+  /** some parts outward, others inward [share] */
+  readonly NORMALS_MIXED: 16;
+  /** most of an open surface */
+  readonly NORMALS_INWARD: 17;
+  readonly VIEWPOINT_NOT_USED: 18;
+  /** of a depth camera, on no surface [pixels] */
+  readonly PIXELS_LEFT_OUT: 19;
+  /** [noise, depth] */
+  readonly DEPTH_NOISE: 20;
+  /** the samples have noise, and the surface does not go through all */
+  readonly SMOOTHED: 21;
+  /** at the same place [samples] */
+  readonly SAMPLES_MERGED: 22;
+  /** merged with another very near [samples] */
+  readonly SAMPLES_NEAR: 23;
+  /** as strays [samples] */
+  readonly SAMPLES_DROPPED: 24;
+  /** with a flipped normal, repaired [samples] */
+  readonly SAMPLES_FLIPPED: 25;
+  /** samples that look so, and stay [samples] */
+  readonly LIKE_STRAYS: 26;
+  /** samples that look so, and stay [samples] */
+  readonly LIKE_FLIPPED: 27;
+  /** the surface is a guess [points] */
+  readonly FEW_POINTS: 28;
+  /** all points */
+  readonly ON_A_LINE: 29;
+  /** all points */
+  readonly IN_A_PLANE: 30;
+  /** the points: the surface between them is drawn, too */
+  readonly ALONG_CURVES: 31;
+  /** where the surface ends */
+  readonly END_NOT_FOUND: 32;
+  /** another direction than y [x, y, z] */
+  readonly UP: 33;
+  /** against those beside them [faces] */
+  readonly FACES_TURNED: 34;
+  /** a mesh, or parts of it, turned [parts] */
+  readonly INSIDE_OUT: 35;
+  /** without area, or twice there [faces] */
+  readonly FACES_LEFT_OUT: 36;
+  /** others, left out [parts, faces] */
+  readonly PARTS_INSIDE: 37;
+  /** a surface of one side, or one that crosses itself [edges] */
+  readonly CONTRARY_EDGES: 38;
+  /** from all others, left out [parts, faces] */
+  readonly PARTS_FAR: 39;
+  /** faces on an edge of two others, left out [faces] */
+  readonly FLAPS: 40;
+  /** by the normals of the file */
+  readonly ALL_FLAT: 41;
+  /** some edges are sharp by the normals of the file */
+  readonly EDGES_BY_NORMALS: 42;
+  /** faces [times, vertices moved, places between them raised, off a round surface; shares of the diagonal] */
+  readonly DIVIDED: 43;
+  /** faces are coarse, but nothing round goes through them */
+  readonly COARSE_FLAT: 44;
+  /** parts that cross are surfaces of their own [parts, groups] */
+  readonly GROUPS: 45;
+  /** the tolerance [tolerance, share of the mesh, share of the surface, farthest; of the diagonal] */
+  readonly NOT_REACHED: 46;
+  /** [their length in diagonals] */
+  readonly EDGES_STAY_SMOOTH: 47;
+  /** the surface, at a share of the mesh [share, farthest] */
+  readonly OFF_MESH: 48;
+  /** parts of surface that the mesh does not have, left out [parts] */
+  readonly MADE_BY_FIT: 49;
+  /** parts of a mesh that the tolerance is too large for */
+  readonly PARTS_TOO_THIN: 50;
+  /** fewer than fill the darkest tone [wanted, made] */
+  readonly MARKS_LIMITED: 51;
+  /** of the published recursion [wanted, taken] */
+  readonly LEVELS_LIMITED: 52;
+  /** the depth camera's [azimuth] */
+  readonly SEEN_FROM_CAMERA: 53;
+  /** of an open surface [azimuth] */
+  readonly SEEN_FROM_FRONT: 54;
+  /** lines want a model, and the source is a point set */
+  readonly NO_LINES_OF_MARKS: 55;
+  /** the surface is thinner than the cells that lines are looked for in [triangles turned, of, samples missed] */
+  readonly LINES_THIN: 56;
+  /** where the surface ends beyond its samples [borders, support, share] */
+  readonly LINES_END: 57;
+  /** curves that end inside the surface [curves] */
+  readonly LINES_BROKEN: 58;
+  /** lines whose visibility contradicts itself [lines] */
+  readonly LINES_DOUBTED: 59;
+  /** places with too many crossings of lines [places] */
+  readonly LINES_TANGLED: 60;
+  /** hardly anything can be seen [shown, marks, share of ink] */
+  readonly BLANK: 61;
+  /** that were chosen by the widths at hand */
+  readonly PENS: 62;
+  /** [metres drawn, metres travelled, seconds] */
+  readonly PLOTTED: 63;
+  /** what settings do not hold */
+  readonly NOT_IN_SETTINGS: 64;
+  /** of the format */
+  readonly UNIT_IS_METRE: 65;
+  /** for centre lines */
+  readonly NO_SYMMETRY: 66;
+  /** outlines of a cut that are not closed [outlines] */
+  readonly SECTION_OPEN: 67;
+  /** made of length 1 [normals] */
+  readonly NORMALS_NOT_UNIT: 68;
+  /** all points */
+  readonly AT_ONE_PLACE: 69;
+  /** for the source's size */
+  readonly FAR_FROM_ORIGIN: 70;
+  /** at the place of another [vertices] */
+  readonly VERTICES_JOINED: 71;
+  /** of no face, left out [vertices] */
+  readonly VERTICES_UNUSED: 72;
+  /** of more than two faces [edges] */
+  readonly NONMANIFOLD_EDGES: 73;
+  /** [borders, their edges] */
+  readonly MESH_OPEN: 74;
+  /** of a mesh [parts] */
+  readonly SEVERAL_PARTS: 75;
+  /** why a source cannot be drawn */
+  readonly NOT_USABLE: 76;
+};
+/** A constant of NOTE as options spell it. */
+export type NoteName = "faces-not-finite" | "no-data" | "strays" | "some-oriented" | "normals-made" |
+  "normals-not-sure" | "front-not-told" | "samples-chosen" | "points-not-usable" | "normals-joined" |
+  "normals-opposite" | "terrain-turned" | "normals-turned" | "normals-repaired" | "normals-against" | "normals-mixed"
+  | "normals-inward" | "viewpoint-not-used" | "pixels-left-out" | "depth-noise" | "smoothed" | "samples-merged" |
+  "samples-near" | "samples-dropped" | "samples-flipped" | "like-strays" | "like-flipped" | "few-points" | "on-a-line"
+  | "in-a-plane" | "along-curves" | "end-not-found" | "up" | "faces-turned" | "inside-out" | "faces-left-out" |
+  "parts-inside" | "contrary-edges" | "parts-far" | "flaps" | "all-flat" | "edges-by-normals" | "divided" |
+  "coarse-flat" | "groups" | "not-reached" | "edges-stay-smooth" | "off-mesh" | "made-by-fit" | "parts-too-thin" |
+  "marks-limited" | "levels-limited" | "seen-from-camera" | "seen-from-front" | "no-lines-of-marks" | "lines-thin" |
+  "lines-end" | "lines-broken" | "lines-doubted" | "lines-tangled" | "blank" | "pens" | "plotted" | "not-in-settings"
+  | "unit-is-metre" | "no-symmetry" | "section-open" | "normals-not-unit" | "at-one-place" | "far-from-origin" |
+  "vertices-joined" | "vertices-unused" | "nonmanifold-edges" | "mesh-open" | "several-parts" | "not-usable";
+
+/** What it is. */
+export declare const SOURCE_KIND: {
+  readonly POINTS: 1;
+  readonly MESH: 2;
+  readonly MODEL: 3;
+  readonly POINT_SET: 4;
+};
+/** A constant of SOURCE_KIND as options spell it. */
+export type SourceKindName = "points" | "mesh" | "model" | "point-set";
+
+/** Which way normals look. */
+export declare const NORMALS_LOOK: {
+  /** there are none, or the source cannot be drawn */
+  readonly UNKNOWN: 0;
+  readonly OUTWARD: 1;
+  readonly INWARD: 2;
+  /** some outward, others inward */
+  readonly MIXED: 3;
+  /** they agree, and the surface encloses nothing */
+  readonly OPEN: 4;
+  /** they belong to other points; told of points along curves */
+  readonly FOREIGN: 5;
+};
+/** A constant of NORMALS_LOOK as options spell it. */
+export type NormalsLookName = "unknown" | "outward" | "inward" | "mixed" | "open" | "foreign";
+
+export declare const VIEWS: {
+  /**
+   * planes of symmetry through the middle have a centre line in each view that sees them as a line; a note
+   * NO_SYMMETRY says that there are none
+   */
+  readonly CENTRE_LINES: 1;
+  /** the name of each view stands above it; that of a section always does */
+  readonly LABELS: 2;
+  /** the format of the source is in metres, as glTF: a unit_mm of 0 is 1000, with a note UNIT_IS_METRE */
+  readonly UNIT_IS_METRE: 4;
+};
+/** A constant of VIEWS as options spell it. */
+export type ViewsName = "centre-lines" | "labels" | "unit-is-metre";
+
+/** Where views stand [ISO 5456-2]. */
+export declare const VIEWS_ANGLE: {
+  /** first angle: the left view at the right, the top view below */
+  readonly FIRST: 0;
+  /** third angle: the left view at the left, the top view above */
+  readonly THIRD: 1;
+};
+/** A constant of VIEWS_ANGLE as options spell it. */
+export type ViewsAngleName = "first" | "third";
+
+/** Hidden edges.  Sections never have any [ISO 128-3]. */
+export declare const VIEWS_HIDDEN: {
+  /** dashed thin lines */
+  readonly DASHED: 0;
+  /** they are not drawn */
+  readonly NONE: 1;
+  /** continuous thin lines */
+  readonly SHOWN: 2;
+};
+/** A constant of VIEWS_HIDDEN as options spell it. */
+export type ViewsHiddenName = "dashed" | "none" | "shown";
 
 export declare const GROUPS: Readonly<Record<string, Readonly<Record<string, number>>>>;

@@ -786,8 +786,8 @@ export interface Functions {
    * hrbfnpr_status hrbfnpr_style_init_preset(hrbfnpr_style* style, uint32_t struct_size, uint32_t preset,
    * hrbfnpr_error* error)
    *
-   * A full set of fields that a caller goes on changing.  style->layers points to
-   * constants of the library: copy an element to change it.
+   * A full set of fields that a caller goes on changing.  style->layers and style->lines
+   * point to constants of the library: copy an element to change it.
    */
   hrbfnpr_style_init_preset(style: Pointer, struct_size: number, preset: number, error: Pointer): number;
   /**
@@ -1181,6 +1181,265 @@ export interface Functions {
    * order), IO (write failed), OUT_OF_MEMORY, CANCELLED, CALLBACK.
    */
   hrbfnpr_page_write(context: Pointer, desc: Pointer, write: Pointer, user: Pointer, info: Pointer, operation: Pointer, error: Pointer): number;
+  /**
+   * hrbfnpr_status hrbfnpr_picture_source_init(hrbfnpr_picture_source* source, uint32_t struct_size)
+   *
+   *
+   */
+  hrbfnpr_picture_source_init(source: Pointer, struct_size: number): number;
+  /**
+   * hrbfnpr_status hrbfnpr_change_init(hrbfnpr_change* change, uint32_t struct_size)
+   *
+   *
+   */
+  hrbfnpr_change_init(change: Pointer, struct_size: number): number;
+  /**
+   * hrbfnpr_status hrbfnpr_dab_init(hrbfnpr_dab* dab, uint32_t struct_size)
+   *
+   *
+   */
+  hrbfnpr_dab_init(dab: Pointer, struct_size: number): number;
+  /**
+   * hrbfnpr_status hrbfnpr_note_init(hrbfnpr_note* note, uint32_t struct_size)
+   *
+   *
+   */
+  hrbfnpr_note_init(note: Pointer, struct_size: number): number;
+  /**
+   * hrbfnpr_status hrbfnpr_picture_event_init(hrbfnpr_picture_event* event, uint32_t struct_size)
+   *
+   *
+   */
+  hrbfnpr_picture_event_init(event: Pointer, struct_size: number): number;
+  /**
+   * hrbfnpr_status hrbfnpr_picture_desc_init(hrbfnpr_picture_desc* desc, uint32_t struct_size)
+   *
+   *
+   */
+  hrbfnpr_picture_desc_init(desc: Pointer, struct_size: number): number;
+  /**
+   * hrbfnpr_status hrbfnpr_source_info_init(hrbfnpr_source_info* info, uint32_t struct_size)
+   *
+   *
+   */
+  hrbfnpr_source_info_init(info: Pointer, struct_size: number): number;
+  /**
+   * hrbfnpr_status hrbfnpr_source_inspect(hrbfnpr_context* context, const hrbfnpr_picture_source* source, uint32_t
+   * wording, hrbfnpr_picture_event_fn on_event, void* event_user, hrbfnpr_operation* operation,
+   * hrbfnpr_source_info* info, hrbfnpr_error* error)
+   *
+   * Looks at a source without drawing it: facts into info, findings as notes of on_event.  NOTE: what a picture
+   * repairs;
+   * WARNING: what is wrong, with advice; FAILURE: a code NOT_USABLE that says why it cannot be drawn, and the call
+   * is
+   * OK all the same.  One matter may be both repaired and wrong.  wording: HRBFNPR_WORDING_...; on_event and
+   * operation
+   * may be NULL.
+   * Errors: INVALID_ARGUMENT (fields of the source), OUT_OF_MEMORY, CANCELLED, CALLBACK.
+   */
+  hrbfnpr_source_inspect(context: Pointer, source: Pointer, wording: number, on_event: Pointer, event_user: Pointer, operation: Pointer, info: Pointer, error: Pointer): number;
+  /**
+   * hrbfnpr_status hrbfnpr_picture_create(hrbfnpr_context* context, const hrbfnpr_picture_desc* desc,
+   * hrbfnpr_operation* operation, hrbfnpr_picture** out_picture, hrbfnpr_error* error)
+   *
+   * Fits, places marks and looks for lines; draws nothing yet.  operation may be NULL.
+   * Needs the stack of hrbfnpr_model_fit.
+   * Errors: INVALID_ARGUMENT (also for a source that cannot be drawn), SINGULAR_SYSTEM,
+   * NOT_CONVERGED, OUT_OF_MEMORY, CANCELLED, CALLBACK.
+   */
+  hrbfnpr_picture_create(context: Pointer, desc: Pointer, operation: Pointer, out_picture: Pointer, error: Pointer): number;
+  /**
+   * hrbfnpr_status hrbfnpr_picture_restyle(const hrbfnpr_picture* picture, const hrbfnpr_picture_desc* desc,
+   * hrbfnpr_operation* operation, hrbfnpr_picture** out_picture, hrbfnpr_error* error)
+   *
+   * The same surfaces in another style, size or view: desc has no sources.  Marks and lines
+   * that fit are used again; else they are placed and looked for anew.
+   */
+  hrbfnpr_picture_restyle(picture: Pointer, desc: Pointer, operation: Pointer, out_picture: Pointer, error: Pointer): number;
+  /**
+   * void hrbfnpr_picture_retain(hrbfnpr_picture* picture)
+   *
+   * any thread; NULL is ignored
+   */
+  hrbfnpr_picture_retain(picture: Pointer): void;
+  /**
+   * void hrbfnpr_picture_release(hrbfnpr_picture* picture)
+   *
+   * any thread; NULL is ignored
+   */
+  hrbfnpr_picture_release(picture: Pointer): void;
+  /**
+   * hrbfnpr_status hrbfnpr_picture_draw(hrbfnpr_picture* picture, const hrbfnpr_camera* camera, hrbfnpr_operation*
+   * operation, hrbfnpr_drawing** out_drawing, hrbfnpr_error* error)
+   *
+   * Draws it.  camera NULL: as it was planned, and INVALID_ARGUMENT with a note BLANK if hardly
+   * anything could be seen (ALLOW_BLANK lets it be).  Lines keep their numbers from one
+   * drawing to the next.  operation may be NULL.
+   */
+  hrbfnpr_picture_draw(picture: Pointer, camera: Pointer, operation: Pointer, out_drawing: Pointer, error: Pointer): number;
+  /**
+   * hrbfnpr_status hrbfnpr_picture_info_init(hrbfnpr_picture_info* info, uint32_t struct_size)
+   *
+   *
+   */
+  hrbfnpr_picture_info_init(info: Pointer, struct_size: number): number;
+  /**
+   * hrbfnpr_status hrbfnpr_picture_get_info(const hrbfnpr_picture* picture, hrbfnpr_picture_info* info,
+   * hrbfnpr_error* error)
+   *
+   *
+   */
+  hrbfnpr_picture_get_info(picture: Pointer, info: Pointer, error: Pointer): number;
+  /**
+   * hrbfnpr_status hrbfnpr_picture_part_init(hrbfnpr_picture_part* part, uint32_t struct_size)
+   *
+   *
+   */
+  hrbfnpr_picture_part_init(part: Pointer, struct_size: number): number;
+  /**
+   * hrbfnpr_status hrbfnpr_picture_get_part(const hrbfnpr_picture* picture, int64_t number, hrbfnpr_picture_part*
+   * part, hrbfnpr_error* error)
+   *
+   * number: 0 .. hrbfnpr_picture_info.parts - 1; the largest is 0.
+   */
+  hrbfnpr_picture_get_part(picture: Pointer, number: number, part: Pointer, error: Pointer): number;
+  /**
+   * hrbfnpr_status hrbfnpr_picture_get_style(const hrbfnpr_picture* picture, const hrbfnpr_style** style,
+   * hrbfnpr_error* error)
+   *
+   * What was chosen for hrbfnpr_renderer_draw, valid while the picture lives.
+   */
+  hrbfnpr_picture_get_style(picture: Pointer, style: Pointer, error: Pointer): number;
+  /**
+   * hrbfnpr_status hrbfnpr_picture_get_marks(const hrbfnpr_picture* picture, const hrbfnpr_generate_desc** desc,
+   * hrbfnpr_error* error)
+   *
+   * ... and for hrbfnpr_point_set_generate; *desc is NULL where marks were given.
+   */
+  hrbfnpr_picture_get_marks(picture: Pointer, desc: Pointer, error: Pointer): number;
+  /**
+   * hrbfnpr_status hrbfnpr_picture_get_note(const hrbfnpr_picture* picture, int64_t number, hrbfnpr_note* note,
+   * hrbfnpr_error* error)
+   *
+   * number: 0 .. hrbfnpr_picture_info.notes - 1.  The text is valid while the picture lives.
+   */
+  hrbfnpr_picture_get_note(picture: Pointer, number: number, note: Pointer, error: Pointer): number;
+  /**
+   * hrbfnpr_status hrbfnpr_picture_get_stage(const hrbfnpr_picture* picture, int64_t number,
+   * hrbfnpr_picture_event* stage, hrbfnpr_error* error)
+   *
+   * number: 0 .. hrbfnpr_picture_info.stages - 1: those that are over, as their last event.
+   */
+  hrbfnpr_picture_get_stage(picture: Pointer, number: number, stage: Pointer, error: Pointer): number;
+  /**
+   * hrbfnpr_status hrbfnpr_picture_get_camera(const hrbfnpr_picture* picture, hrbfnpr_camera* camera,
+   * hrbfnpr_error* error)
+   *
+   * The camera that was planned.
+   */
+  hrbfnpr_picture_get_camera(picture: Pointer, camera: Pointer, error: Pointer): number;
+  /**
+   * hrbfnpr_status hrbfnpr_picture_look(const hrbfnpr_picture* picture, const double* direction, double azimuth,
+   * double elevation, hrbfnpr_camera* camera, hrbfnpr_error* error)
+   *
+   * One from another side, with the size, the lens and the margin of the picture: along `direction`, or from
+   * azimuth and
+   * elevation in degrees, where direction is NULL; NaN = as planned.
+   */
+  hrbfnpr_picture_look(picture: Pointer, direction: Pointer, azimuth: number, elevation: number, camera: Pointer, error: Pointer): number;
+  /**
+   * hrbfnpr_status hrbfnpr_picture_orbit(const hrbfnpr_picture* picture, double degrees, hrbfnpr_camera* camera,
+   * hrbfnpr_error* error)
+   *
+   * The planned one, turned about the up axis through the middle of the model (or the target of an eye).
+   */
+  hrbfnpr_picture_orbit(picture: Pointer, degrees: number, camera: Pointer, error: Pointer): number;
+  /**
+   * hrbfnpr_status hrbfnpr_picture_plate_size(const hrbfnpr_picture* picture, const hrbfnpr_camera* camera,
+   * int32_t* width, int32_t* height, hrbfnpr_error* error)
+   *
+   * A plate is a drawing with the section and the scale bar that the picture has beside it; without these it is
+   * the
+   * drawing alone.  In this part `camera` is the one that the drawing was made by; NULL = the planned one.
+   * *width and *height get the pixels of the plate.
+   */
+  hrbfnpr_picture_plate_size(picture: Pointer, camera: Pointer, width: Pointer, height: Pointer, error: Pointer): number;
+  /**
+   * hrbfnpr_status hrbfnpr_picture_rasterize(const hrbfnpr_picture* picture, const hrbfnpr_drawing* drawing, const
+   * hrbfnpr_camera* camera, const hrbfnpr_image* image, hrbfnpr_error* error)
+   *
+   * The plate as an image of at least plate_size pixels, from its top-left corner; as hrbfnpr_drawing_rasterize.
+   */
+  hrbfnpr_picture_rasterize(picture: Pointer, drawing: Pointer, camera: Pointer, image: Pointer, error: Pointer): number;
+  /**
+   * hrbfnpr_status hrbfnpr_picture_page_desc_init(hrbfnpr_picture_page_desc* desc, uint32_t struct_size)
+   *
+   *
+   */
+  hrbfnpr_picture_page_desc_init(desc: Pointer, struct_size: number): number;
+  /**
+   * hrbfnpr_status hrbfnpr_picture_write(hrbfnpr_picture* picture, const hrbfnpr_drawing* drawing, const
+   * hrbfnpr_camera* camera, const hrbfnpr_picture_page_desc* desc, hrbfnpr_write_fn write, void* user,
+   * hrbfnpr_page_info* info, hrbfnpr_operation* operation, hrbfnpr_error* error)
+   *
+   * The plate as vectors; as hrbfnpr_page_write.  desc, info and operation may be NULL.  Adds notes PENS and
+   * PLOTTED.
+   */
+  hrbfnpr_picture_write(picture: Pointer, drawing: Pointer, camera: Pointer, desc: Pointer, write: Pointer, user: Pointer, info: Pointer, operation: Pointer, error: Pointer): number;
+  /**
+   * hrbfnpr_status hrbfnpr_settings_load(hrbfnpr_context* context, hrbfnpr_read_fn read, void* user,
+   * hrbfnpr_settings** out_settings, hrbfnpr_error* error)
+   *
+   * Reads what _write_settings or the viewer wrote (docs/settings.md).
+   * Errors: IO, INVALID_ARGUMENT that names the key and what would be right, OUT_OF_MEMORY.
+   */
+  hrbfnpr_settings_load(context: Pointer, read: Pointer, user: Pointer, out_settings: Pointer, error: Pointer): number;
+  /**
+   * void hrbfnpr_settings_retain(const hrbfnpr_settings* settings)
+   *
+   * any thread; NULL is ignored
+   */
+  hrbfnpr_settings_retain(settings: Pointer): void;
+  /**
+   * void hrbfnpr_settings_release(const hrbfnpr_settings* settings)
+   *
+   * any thread; NULL is ignored
+   */
+  hrbfnpr_settings_release(settings: Pointer): void;
+  /**
+   * hrbfnpr_status hrbfnpr_picture_write_settings(hrbfnpr_picture* picture, hrbfnpr_write_fn write, void* user,
+   * hrbfnpr_error* error)
+   *
+   * Writes what a picture was made with.  What settings do not hold becomes a note NOT_IN_SETTINGS.
+   */
+  hrbfnpr_picture_write_settings(picture: Pointer, write: Pointer, user: Pointer, error: Pointer): number;
+  /**
+   * hrbfnpr_status hrbfnpr_views_desc_init(hrbfnpr_views_desc* desc, uint32_t struct_size)
+   *
+   *
+   */
+  hrbfnpr_views_desc_init(desc: Pointer, struct_size: number): number;
+  /**
+   * hrbfnpr_status hrbfnpr_views_info_init(hrbfnpr_views_info* info, uint32_t struct_size)
+   *
+   *
+   */
+  hrbfnpr_views_info_init(info: Pointer, struct_size: number): number;
+  /**
+   * hrbfnpr_status hrbfnpr_picture_write_views(hrbfnpr_picture* picture, const hrbfnpr_views_desc* desc,
+   * hrbfnpr_write_fn write, void* user, hrbfnpr_views_info* info, hrbfnpr_operation* operation, hrbfnpr_error*
+   * error)
+   *
+   * Draws the first part of a picture, which has a model, as a sheet of views; a picture made with SURFACE_ONLY is
+   * enough.  desc, info and operation may be NULL.  The picture gets stages LINES and VIEWS, and notes
+   * UNIT_IS_METRE,
+   * NO_SYMMETRY and SECTION_OPEN.
+   * Errors: INVALID_ARGUMENT (a picture of a point set; a text that is not understood; a plane that misses the
+   * model;
+   * views that have no room on the paper at the scale: the message says which scale or paper has), and those of
+   * hrbfnpr_line_set_create, hrbfnpr_renderer_draw and hrbfnpr_page_write.
+   */
+  hrbfnpr_picture_write_views(picture: Pointer, desc: Pointer, write: Pointer, user: Pointer, info: Pointer, operation: Pointer, error: Pointer): number;
 }
 
 export declare const FUNCTIONS: Readonly<Record<keyof Functions, string>>;

@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: MIT
 // Made by bindings/generate from bindings/api.json; do not edit.
 
-import type { CapName, ClassName, CreasesName, CsgName, DensityName, DepthName, DistributionName, DotShapeName,
-  EdgesName, FacesName, HatchGuideName, HiddenLinesName, HiddenPartsName, InstructionSetName, KernelName,
-  LayerKindName, LightName, LineKindName, LineTypeName, LogName, NormalsName, OutwardName, PageFormatName, PartsName,
-  PrimitiveName, RegularizationName, RepairName, ScalarName, SeedName, ShapeName, SidesName, SilhouetteLawName,
-  SolverName, SolverReasonName, StrokeStartName, SymmetryName, ThreadBackendName, ToneCurveName, ToneName,
-  ToneRangesName, ToneRuleName, TrimName, VertexAttributeName, VisibilityName, WidthsName } from "./constants.js";
+import type { CapName, ClassName, CreasesName, CsgName, DabName, DensityName, DepthName, DistributionName,
+  DotShapeName, EdgesName, FacesName, HatchGuideName, HiddenLinesName, HiddenPartsName, InstructionSetName,
+  KernelName, LayerKindName, LightName, LineKindName, LineTypeName, LogName, NormalsLookName, NormalsName, NoteName,
+  OutwardName, PageFormatName, PartsName, PictureEdgesName, PictureSidesName, PresetName, PrimitiveName, ProfileName,
+  RegularizationName, RepairName, ScalarName, SeedName, SeverityName, ShapeName, SidesName, SilhouetteLawName,
+  SolverName, SolverReasonName, SourceKindName, StageName, StrokeStartName, SymmetryName, ThreadBackendName,
+  ToneCurveName, ToneName, ToneRangesName, ToneRuleName, TrimName, VertexAttributeName, ViewsAngleName,
+  ViewsHiddenName, VisibilityName, WidthsName, WordingName } from "./constants.js";
 import type { Pointer } from "./functions.js";
 import type { AllocateFn, ArrayInput, ArrayOutput, DeallocateFn, DensityFn, DirectionFn, Drawing, ImplicitFn, LineSet,
-  LogFn, Model, Numbers, PointSet, RunTasksFn, ToneFn } from "../index.js";
+  LogFn, Mesh, Model, Numbers, PictureEventFn, PointSet, RunTasksFn, Settings, ToneFn } from "../index.js";
 
 export interface ContextDesc {
   /** _init sets HRBFNPR_ABI_VERSION; another one is VERSION_MISMATCH */
@@ -1529,6 +1531,15 @@ export interface MeshFitInfo {
   readonly cells: number;
   /** in which no maximum and minimum of its sheets does all that the mesh does */
   readonly poorCells: number;
+  /**
+   * of the mesh, from 0: two that are nearer to each other than the tolerance, so that the surface may join them;
+   * -1, -1: none were found
+   */
+  readonly touchingParts: Numbers;
+  /** where they are */
+  readonly touchingPlace: Numbers;
+  /** 1: they may go through each other there; 0: they are near to each other */
+  readonly partsMayCross: number;
 }
 
 /** A drawing on a page. */
@@ -1655,5 +1666,479 @@ export interface PageInfo {
   readonly seconds: number;
   /** lines wider than their pen, drawn in several passes */
   readonly filledPaths: number;
+}
+
+/**
+ * One of four kinds: points (with or without normals), a mesh (points and triangles), a
+ * model, or a point set.  A model and a point set together are a model with its marks,
+ * which are then used as they are.
+ */
+export interface PictureSource {
+  /** HRBFNPR_SOURCE_...; 0 */
+  flags?: number;
+  /** n x 3, FLOAT32 or FLOAT64: points, or the vertices of the triangles. Points that are not finite are left out */
+  points?: ArrayInput;
+  /** n x 3, FLOAT32 or FLOAT64, of any length; not given or all zero = none. Not read of a mesh */
+  normals?: ArrayInput;
+  /** m x 3, INT32, INT64 or UINT32: a mesh; not given = points */
+  triangles?: ArrayInput;
+  /**
+   * k x 2, INT32, INT64 or UINT32: of a mesh, the pairs of vertices whose faces have normals of their own in its
+   * file; with HAS_SHARP_EDGES
+   */
+  sharpEdges?: ArrayInput;
+  /** kept; NULL */
+  model?: Model;
+  /** kept; NULL */
+  pointSet?: PointSet;
+  /** which way is up by the convention of the file's format; 0, 0, 0 = not known */
+  up?: Numbers;
+  /** why, for the note: "PLY files"; NULL = "files of this kind" */
+  upBy?: string;
+  /** where the scanner stood, with HAS_VIEWPOINT */
+  viewpoint?: Numbers;
+  /** of a depth camera's image, whose points stand row by row; 0 = it is none */
+  columns?: number;
+  rows?: number;
+  /** UTF-8: of the file, for titles and metadata; NULL */
+  name?: string;
+}
+
+/**
+ * One field that is changed on top of all that was chosen.  `field` is the path of a field:
+ *   style.F            of hrbfnpr_style; style.ink is that of all layers, lines and contours
+ *   style.KIND.F       of hrbfnpr_layer_style, of a kind of layers: style.hatch.ink
+ *   style.layers.F     of all layers of the style; share is multiplied
+ *   style.lines.F      of hrbfnpr_line_style, of all lines
+ *   style.LINE.F       the same, of a kind of lines: style.ridge.width
+ *   fit.F              of hrbfnpr_fit_desc
+ *   mesh_fit.F         of hrbfnpr_mesh_fit_desc
+ *   marks.F            of hrbfnpr_generate_desc
+ *   marks.KIND.F       of hrbfnpr_layer_desc, of a kind of layers; marks.layers.F of all
+ *   line_set.F         of hrbfnpr_line_set_desc
+ * Lengths in pixels are those of this picture: they are not scaled by the pen.
+ */
+export interface Change {
+  field?: string;
+  /**
+   * a number, several with commas between, #rrggbb or #rrggbbaa of a colour, or the name of a constant without its
+   * prefix: "blue-noise"
+   */
+  value?: string;
+}
+
+export interface Dab {
+  /** HRBFNPR_DAB_...; TONE: 1 = light, 0 = dark */
+  map?: DabName | number;
+  position?: Numbers;
+  /** unit: what faces away from it is not painted */
+  normal?: Numbers;
+  /** > 0 */
+  radius?: number;
+  /** 0 .. 1 in the middle; it falls to 0 at the radius; 1 */
+  strength?: number;
+  /** of TONE and DENSITY, 0 .. 1 */
+  value?: number;
+  /** of DIRECTION: that of hatching */
+  direction?: Numbers;
+}
+
+export interface Note {
+  /** HRBFNPR_NOTE_... */
+  code?: NoteName | number;
+  /** HRBFNPR_SEVERITY_... */
+  severity?: SeverityName | number;
+  figureCount?: number;
+  /** as above, in that order */
+  figures?: Numbers;
+  /** one sentence without a full stop, UTF-8, in the words of `wording` */
+  text?: string;
+  /** what to do about it, in the same words; NULL where the text says it, or there is nothing to say */
+  advice?: string;
+}
+
+/** What happens while a picture is made. */
+export interface PictureEvent {
+  /** HRBFNPR_STAGE_... that runs; 0 = between two */
+  stage?: StageName | number;
+  /** of the stage, 0 when it begins, 1 when it is over */
+  fraction?: number;
+  /** of the stage, when it is over */
+  seconds?: number;
+  /** of the stage: "place marks" */
+  name?: string;
+  /** the same for a progress bar: "placing marks" */
+  doing?: string;
+  /** what the stage came to, when it is over; else NULL */
+  says?: string;
+  /** a new one; NULL = this is about the stage */
+  note?: Note;
+}
+
+/**
+ * Every field has a default that makes a good picture; a source and, if wanted, a style are enough.
+ * NaN (or 0 or NULL, where a line says so) stands for what is chosen.
+ */
+export interface PictureDesc {
+  /** HRBFNPR_PICTURE_...; 0 */
+  flags?: number;
+  /** a list, 1 and more: each is a surface of its own */
+  sources?: readonly PictureSource[];
+  /**
+   * HRBFNPR_PRESET_...; CONTOUR_AND_STIPPLE
+   *
+   * Style.
+   */
+  preset?: PresetName | number;
+  /** HRBFNPR_WORDING_...; FIELDS */
+  wording?: WordingName | number;
+  /** the name of a preset, in place of its number; NULL */
+  styleName?: string;
+  /**
+   * used as it is, with lengths in pixels of this picture; NULL. `preset` then says which layers of marks there
+   * are
+   */
+  style?: Style;
+  /** what this descriptor leaves at its defaults; kept; NULL */
+  settings?: Settings;
+  /** a list; NULL and 0 */
+  changes?: readonly Change[];
+  /** what is painted, a list; NULL and 0 */
+  dabs?: readonly Dab[];
+  /**
+   * 1 .. 32768, with `height`; 0 = from `size`
+   *
+   * Size, in pixels.
+   */
+  width?: number;
+  height?: number;
+  /** of the longer side, 1 .. 32768; the shorter one is as the object needs it; 0 = 1600 */
+  size?: number;
+  /** HRBFNPR_PICTURE_SIDES_...; AUTO */
+  sides?: PictureSidesName | number;
+  /** radius of the pen, which styles vary a little; 0 = an 800th of the longer side, at least 0.75 */
+  pen?: number;
+  /** of contours; others are finer; 0 = that of the style */
+  lineWidth?: number;
+  /**
+   * used as it is, with its viewport as size; NULL
+   *
+   * Camera.
+   */
+  camera?: Camera;
+  /** 0, 0, 0 = by the format and the shape, y where neither tells */
+  up?: Numbers;
+  /** degrees, of the camera about the up axis; NaN = 30, and another where that sees the back of an open surface */
+  azimuth?: number;
+  /** degrees, of the camera above the horizon; NaN = 20 */
+  elevation?: number;
+  /** from the eye into the scene, in place of these two; 0, 0, 0 = not given */
+  direction?: Numbers;
+  /** place of the eye, which looks at `target`; NaN = not given */
+  eye?: Numbers;
+  /** NaN = the middle of the model */
+  target?: Numbers;
+  /** degrees, vertical angle of view, 0 = orthographic; NaN = 30, 0 of the style archaeological */
+  fov?: number;
+  /** share that is free on each side, 0 .. 0.45; NaN = 0.05 */
+  margin?: number;
+  /** degrees, of an orbit that starts here: the picture has room for all of it; 0 = a still */
+  turn?: number;
+  /** of that orbit, 1 and more; 36 */
+  turnFrames?: number;
+  /**
+   * HRBFNPR_NORMALS_...: what is known of those of points; AUTO
+   *
+   * From the source to a surface.
+   */
+  normals?: NormalsName | number;
+  /** of a mesh, or chosen from points; 0 = as many as a mesh needs, of points all up to 4096 */
+  samples?: number;
+  /** units of the source: samples are chosen until all is this near; 0 = 0.002 diagonals of a mesh, none of points */
+  tolerance?: number;
+  /** the most samples that are chosen; 0 = 8000 of a mesh, no limit of points */
+  maximumCentres?: number;
+  /** HRBFNPR_PARTS_...: of a mesh; OUTER */
+  parts?: PartsName | number;
+  /** HRBFNPR_PICTURE_EDGES_...: of a mesh; AS_GIVEN */
+  edges?: PictureEdgesName | number;
+  /** degrees, 5 .. 175: of EDGES_SHARP; 30 */
+  edgeAngle?: number;
+  /** degrees, 0 .. 180: faces that meet at a sharper angle do not share their normals; NaN = 60 */
+  creaseAngle?: number;
+  /**
+   * how often faces are divided into four towards something round, 0 .. 6; -1 = where they are coarse and no edges
+   * stand out
+   */
+  subdivide?: number;
+  /** HRBFNPR_PROFILE_...; AUTO */
+  profile?: ProfileName | number;
+  /** where the scanner stood: open surfaces without normals look to it; NaN = as the source tells */
+  viewpoint?: Numbers;
+  /**
+   * factor of the width over which the image of a depth camera is smoothed; 0 leaves its points where they are;
+   * NaN = 1
+   */
+  depthSmoothing?: number;
+  /** of all that is random; 1 */
+  randomSeed?: number;
+  /**
+   * kinds of layers with commas between, "stipples,hatch"; NULL = those of the style
+   *
+   * Marks, lines, and what stands beside the drawing.
+   */
+  markKinds?: string;
+  /** n x 3: where marks of PUBLISHED start; not given */
+  seedPoints?: ArrayInput;
+  /** degrees by which all lines of hatching are turned; 0 */
+  hatchAngle?: number;
+  /**
+   * kinds with commas between: contour, suggestive, ridges, valleys, apparent, parabolic, isophotes=0.3:0.6,
+   * section=z:20, border, crease; "none": contours by marks; NULL = those of the style
+   */
+  lines?: string;
+  /**
+   * the unit of a scale bar below the drawing; "none": no bar; NULL = "units" of the style archaeological, else
+   * "none"
+   */
+  scaleBar?: string;
+  /** NULL */
+  onEvent?: PictureEventFn;
+}
+
+/**
+ * What is not known of this kind of source is 0, and so is what would have been found out after the finding that
+ * it
+ * cannot be drawn.
+ */
+export interface SourceInfo {
+  /** HRBFNPR_SOURCE_KIND_... */
+  readonly kind: SourceKindName | number;
+  /**
+   * HRBFNPR_SEVERITY_... of the worst finding: INFO = there is none, NOTE = a picture repairs it, WARNING, FAILURE
+   * = it cannot be drawn
+   */
+  readonly severity: SeverityName | number;
+  /** HRBFNPR_NORMALS_LOOK_...: of points or faces */
+  readonly normalsLook: NormalsLookName | number;
+  /** as given; vertices of a mesh, centres of a model, marks of a point set */
+  readonly points: number;
+  /** as given */
+  readonly triangles: number;
+  /** points at a value that stands for none; what follows is without them */
+  readonly noData: number;
+  /** points far from all others; what follows is without them */
+  readonly strays: number;
+  readonly pointsNotFinite: number;
+  /** points, or vertices of faces, at the place of another */
+  readonly duplicates: number;
+  /** of finite points */
+  readonly boundsMin: Numbers;
+  readonly boundsMax: Numbers;
+  /** of these bounds */
+  readonly diagonal: number;
+  /** that a picture chooses by itself, of points and meshes; the reason is at the end */
+  readonly up: Numbers;
+  /**
+   * 1: there are some that are not zero
+   *
+   * Normals of points; looks_down, normals_closed and normals_flipped_share of faces, too.
+   */
+  readonly hasNormals: number;
+  /** 1: the points lie along curves, as those of wires and cross sections */
+  readonly alongCurves: number;
+  /** a terrain looks down along an axis: 1 = y, 2 = z; 0 = it does not, or is none */
+  readonly looksDown: number;
+  readonly normalsZero: number;
+  readonly normalsNotFinite: number;
+  /** of length 1, of those that can be used; 0 .. 1 */
+  readonly normalsUnitShare: number;
+  /**
+   * sum of the winding numbers on both sides of the samples, in the middle: 1 closed and outward, -1 inward, 0 a
+   * flat sheet; not of points along curves
+   */
+  readonly normalsClosed: number;
+  /** judged by neighbours; not of points along curves */
+  readonly normalsFlippedShare: number;
+  /**
+   * pixels that have a point
+   *
+   * The picture of a depth camera that has no normals.
+   */
+  readonly imageSeen: number;
+  /** of these, on no surface */
+  readonly imageDropped: number;
+  /** median of those that were seen */
+  readonly imageDepth: number;
+  /** standard deviation at that depth */
+  readonly imageNoise: number;
+  /**
+   * 1: each edge has two faces, which run along it in opposite directions
+   *
+   * A mesh, as given but for vertices at the same place, which are joined.
+   */
+  readonly closed: number;
+  /** 1: it is closed, and its faces look inward */
+  readonly insideOut: number;
+  /** parts that share no vertex */
+  readonly components: number;
+  /** parts without border whose faces look inward; inside another one it is a cavity */
+  readonly componentsInsideOut: number;
+  /** of one face */
+  readonly boundaryEdges: number;
+  /** borders */
+  readonly boundaryLoops: number;
+  /** of more than two faces */
+  readonly nonmanifoldEdges: number;
+  /** after hrbfnpr_mesh_create has mended what it can */
+  readonly nonmanifoldLeft: number;
+  /** of two faces, one of which is turned over */
+  readonly contraryEdges: number;
+  /** with a corner that is not finite */
+  readonly facesNotFinite: number;
+  /** without area */
+  readonly degenerateFaces: number;
+  /** with the corners of another */
+  readonly repeatedFaces: number;
+  /** of no face */
+  readonly unusedVertices: number;
+  readonly area: number;
+  /** enclosed; 0 where the mesh is not closed */
+  readonly volume: number;
+  /** "it is so in PLY files"; "" = up is not known */
+  readonly upReason: string;
+}
+
+export interface PictureInfo {
+  /** HRBFNPR_PRESET_... */
+  readonly preset: PresetName | number;
+  /** surfaces, or 1 of a point set */
+  readonly parts: number;
+  /** of all parts */
+  readonly marks: number;
+  readonly notes: number;
+  readonly stages: number;
+  /** pixels, of the drawing */
+  readonly width: number;
+  readonly height: number;
+  /** of all parts */
+  readonly boundsMin: Numbers;
+  readonly boundsMax: Numbers;
+  /** as used */
+  readonly up: Numbers;
+  /** radius, pixels, as used */
+  readonly pen: number;
+  /** that it took to make */
+  readonly seconds: number;
+}
+
+/** One surface: handles without references of their own, valid while the picture lives. */
+export interface PicturePart {
+  /** HRBFNPR_SIDES_... as used */
+  sides?: SidesName | number;
+  /** NULL of a point set */
+  model?: Model;
+  /** NULL with SURFACE_ONLY */
+  pointSet?: PointSet;
+  /** NULL without lines */
+  lineSet?: LineSet;
+  /** of a mesh, as it was fitted to; else NULL */
+  mesh?: Mesh;
+}
+
+/** On which paper a drawing is written, and with which pens. */
+export interface PicturePageDesc {
+  /**
+   * format, flags, tolerance, speeds, pens and the like; its items, annotations and size are set by this call, and
+   * its title, description and metadata where they are NULL; NULL = its defaults
+   */
+  page?: PageDesc;
+  /**
+   * "a0" .. "a6", "letter", "legal", "tabloid", or "210x297" in mm: the drawing fills it, turned as it fits
+   * better; NULL = a pixel is 25.4 / 96 mm
+   */
+  paper?: string;
+  /** mm, free on each side of the paper; 10 */
+  paperMargin?: number;
+  /**
+   * FLOAT64, 1, mm, ascending: of the pens at hand; each group gets that which is nearest to its lines' median
+   * width; not given
+   */
+  penWidths?: ArrayInput;
+}
+
+/** Texts are UTF-8 and are read during the call only. */
+export interface ViewsDesc {
+  /** HRBFNPR_VIEWS_...; 0 */
+  flags?: number;
+  /** HRBFNPR_VIEWS_ANGLE_...; FIRST */
+  projection?: ViewsAngleName | number;
+  /** HRBFNPR_VIEWS_HIDDEN_...; DASHED */
+  hidden?: ViewsHiddenName | number;
+  /**
+   * names with commas between: front, back, left, right, top, bottom, iso; each is drawn once. NULL =
+   * "front,left,top,iso", with ANGLE_THIRD "front,right,top,iso"
+   */
+  views?: string;
+  /**
+   * planes with semicolons between: "z:20" cuts at z = 20, "z" through the middle, "1:1:0:5" at x + y = 5. An axis
+   * without a sign is seen from the front, from above or from the side that is drawn; "+z:20" from above, "-z:20"
+   * from below. They are called A-A, B-B, ...; NULL = none
+   */
+  sections?: string;
+  /**
+   * "a0" .. "a6", "letter", "legal" or "tabloid", lying, or "297x210", width and height in mm; "auto" = the
+   * smallest of a4 to a0 that has room at the scale, a3 where the scale is "auto", too; NULL = "auto"
+   */
+  paper?: string;
+  /**
+   * "1:2" = half as large as it is; "auto" = the largest of 1, 2 and 5 times a power of ten [ISO 5455] that has
+   * room on the paper; NULL = "auto"
+   */
+  scale?: string;
+  /**
+   * thin lines where the surface bends without an edge: kinds with commas between, ridges, valleys, suggestive;
+   * "none"; NULL = "none"
+   */
+  smooth?: string;
+  /** in the title block; NULL or "" = `model` without the ending of its name */
+  title?: string;
+  /** the file's name, in the title block; NULL or "" = the name of the picture's source */
+  model?: string;
+  /** mm of a unit of the model, up to 1e9; 0 = 1, or 1000 with UNIT_IS_METRE */
+  unitMm?: number;
+  /** degrees, > 0: edges of a mesh are sharp if its faces meet at more than this; 30. Larger: fewer edges */
+  creaseAngle?: number;
+  /** mm, 0.01 .. 1000: of outlines; thin lines are half as wide; 0.5 */
+  lineWidth?: number;
+  /** mm, 0.01 .. 1000: between the lines in cut faces; 3 */
+  hatchSpacing?: number;
+  /** mm, > 0: free between views; 15 */
+  spacing?: number;
+  /**
+   * format, flags, tolerance, speeds and the like; its items, annotations, pens and size are set by this call, and
+   * its title and description where they are NULL; NULL = its defaults with a tolerance of 0.02
+   */
+  page?: PageDesc;
+}
+
+/** What was drawn. */
+export interface ViewsInfo {
+  /** sections are among them */
+  readonly views: number;
+  /** that were written */
+  readonly bytes: number;
+  /** mm, of the page */
+  readonly width: number;
+  /** mm, of the page */
+  readonly height: number;
+  /** 0.5 of 1:2 */
+  readonly scale: number;
+  /** mm of a unit of the model, as used */
+  readonly unitMm: number;
+  /** "1:2" */
+  readonly scaleText: string;
+  /** "a3", "297 x 210" */
+  readonly paper: string;
 }
 

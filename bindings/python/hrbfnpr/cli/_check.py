@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import dataclasses
 import json
+from dataclasses import replace
 from pathlib import Path
 from typing import Any, Dict, List, Tuple
 
@@ -15,16 +16,38 @@ from .._errors import Error
 from .._mesh import Mesh
 from .._model import Model
 from .._orient import orient
+from .._sources import load_saved
+from .._values import words_of
 from ..shapes import Shape, ShapeError
 from ..shapes._shape import Floats
-from . import _depth_image, _far, _inputs, _orient, _up
-from ._nearness import of
-from ._values import words_of
+from . import _looks
 
 FINE, WARNINGS, UNUSABLE = 0, 1, 2  # exit status
 _METRES = ("GLB", "glTF", "LAS", "LAZ", "E57")
 _FAR = 1e5  # distance of the origin over the size from which floats lose the shape
+_FEW = 10  # samples with which a surface is a guess
 _SAMPLES = 1000  # of a mesh, to see which way it looks
+
+
+def of(count: int, what: str) -> str:
+    """A number of things."""
+    return f"{count} {what}" + ("" if count == 1 else "s")
+
+
+def _has_normals(shape: Shape) -> bool:
+    """Whether points have normals, others than zeros."""
+    return shape.normals is not None and bool(np.any(np.nan_to_num(shape.normals)))
+
+
+def _finite_faces(shape: Shape) -> Shape:
+    """Without the faces that cannot be used."""
+    if not shape.is_mesh:
+        return shape
+    assert shape.triangles is not None
+    finite = np.isfinite(shape.points[shape.triangles]).all(axis=(1, 2))
+    if not finite.any():
+        raise ShapeError("no face has three corners that are finite")
+    return shape if finite.all() else replace(shape, triangles=shape.triangles[finite])
 
 
 class Findings:
@@ -74,7 +97,7 @@ def check(path: Path, as_json: bool, context: Context) -> int:
 
 
 def _look(path: Path, findings: Findings, context: Context) -> None:
-    saved = _inputs.load_saved(path, context)
+    saved = load_saved(path, context)
     if saved is not None:
         kind = "model" if isinstance(saved, Model) else "point set"
         count = saved.info.centres if isinstance(saved, Model) else len(saved)
@@ -90,7 +113,7 @@ def _look(path: Path, findings: Findings, context: Context) -> None:
         normals=shape.normals is not None,
     )
     findings.facts["notes"] = list(shape.notes)
-    of_camera = shape.image_shape is not None and not _inputs.has_normals(shape)
+    of_camera = shape.image_shape is not None and not _has_normals(shape)
     shape = shape if of_camera else _without_far(shape, findings)
     points = _places(shape, findings)
     try:
@@ -101,18 +124,18 @@ def _look(path: Path, findings: Findings, context: Context) -> None:
     except ShapeError as error:
         findings.errors.append(str(error))
         return
-    up, why = _up.choose(shape, samples, normals)
-    findings.facts.update(up=_up.name(up), up_reason=why)
+    up, why = _looks.choose(shape, samples, normals)
+    findings.facts.update(up=_looks.name(up), up_reason=why)
 
 
 def _without_far(shape: Shape, findings: Findings) -> Shape:
     """Without what stands for no data, and a few points far away, as draw leaves them out."""
-    shape, empty, value = _far.without_data(shape)
+    shape, empty, value = _looks.without_data(shape)
     if empty:
         findings.repairs.append(f"{of(empty, 'point')} at {value:g}, which stands for no data, left out")
     if shape.is_mesh:
         return shape
-    shape, far = _far.without_strays(shape)
+    shape, far = _looks.without_strays(shape)
     if far:
         findings.repairs.append(f"{of(far, 'point')} far from all others left out")
     return shape
@@ -147,9 +170,9 @@ def _places(shape: Shape, findings: Findings) -> Floats:
 def _picture(shape: Shape, findings: Findings, context: Context) -> Tuple[Floats, Floats]:
     """What draw makes of one: points without noise, with normals."""
     assert shape.image_shape is not None
-    (rows, columns), (seen, info) = shape.image_shape, _depth_image.smoothed(shape, context)
+    (rows, columns), (seen, info) = shape.image_shape, _looks.smoothed(shape, context)
     assert seen.normals is not None
-    noise = _depth_image.noise_of(info)
+    noise = _looks.noise_of(info)
     findings.facts.update(
         image_rows=rows, image_columns=columns, image_seen=info.seen, image_depth=info.depth, image_noise=noise
     )
@@ -164,12 +187,12 @@ def _picture(shape: Shape, findings: Findings, context: Context) -> Tuple[Floats
 
 def _cloud(shape: Shape, points: Floats, findings: Findings) -> Tuple[Floats, Floats]:
     finite = np.isfinite(shape.points).all(axis=1)
-    findings.facts["along_curves"] = _orient.along_curves(shape.points[finite])
+    findings.facts["along_curves"] = _looks.along_curves(shape.points[finite])
     repeated = len(points) - len(np.unique(points, axis=0))
     findings.facts["duplicates"] = repeated
     if repeated:
         findings.repairs.append(f"{of(repeated, 'point')} at the place of another merged, where their normals agree")
-    if not _inputs.has_normals(shape):
+    if not _has_normals(shape):
         why = "there are none" if shape.normals is None else "all are zero"
         findings.repairs.append(f"normals made, as {why}")
         findings.warn("the points have no normals", "nothing: they are made; those of the scanner are surer")
@@ -188,10 +211,10 @@ def _cloud(shape: Shape, points: Floats, findings: Findings) -> Tuple[Floats, Fl
         raise ShapeError("no point is finite and has a normal that is not zero")
     if unit < 1:
         findings.repairs.append(f"{of(round((1 - unit) * int(usable.sum())), 'normal')} made of length 1")
-    if usable.sum() < _inputs.FEW:
+    if usable.sum() < _FEW:
         findings.warn(f"there are {of(int(usable.sum()), 'point')} only: the surface between them is a guess")
     points, normals = shape.points[usable], shape.normals[usable] / length[usable, None]
-    points, normals, joined, opposite = _orient.agreed(points, normals)
+    points, normals, joined, opposite = _looks.agreed(points, normals)
     if joined:
         findings.repairs.append(f"{of(joined, 'place')} with several normals: their mean is used")
     if opposite:
@@ -211,14 +234,14 @@ def _orientation_of_curves(points: Floats, normals: Floats, findings: Findings) 
     words = {"given": "outward", "none": "none"}.get(info.found, "inward" if info.found == "inward" else "mixed")
     findings.facts["normals_look"] = words
     if words != "outward":
-        findings.repairs.append(f"normals repaired: they are {_orient.FOUND[info.found]}")
-        findings.warn(f"the normals are {_orient.FOUND[info.found]}", "nothing: --normals keep leaves them")
+        findings.repairs.append(f"normals repaired: they are {_looks.FOUND[info.found]}")
+        findings.warn(f"the normals are {_looks.FOUND[info.found]}", "nothing: --normals keep leaves them")
 
 
 def _orientation(points: Floats, normals: Floats, mesh: bool, findings: Findings) -> None:
-    found = _orient.look(points, normals, mesh)
+    found = _looks.look(points, normals, mesh)
     words = "inward" if found.inward else "mixed" if found.mixed else "outward"
-    if words == "outward" and found.closed <= -_orient.INWARD:
+    if words == "outward" and found.closed <= -_looks.INWARD:
         words = "open"
     findings.facts.update(
         normals_look=words, normals_closed=round(found.closed, 3), normals_flipped_share=round(found.flipped, 4)
@@ -226,13 +249,13 @@ def _orientation(points: Floats, normals: Floats, mesh: bool, findings: Findings
     if found.inward:
         findings.repairs.append("all normals turned, as they look inward")
         findings.warn("all normals look inward", "nothing: they are turned; --normals keep leaves them")
-    axis = _up.hangs(points, normals)
+    axis = _looks.hangs(points, normals)
     if axis is not None:
         findings.repairs.append("all normals turned, as a terrain looks up")
         findings.warn(
             f"the surface is a terrain that looks down along {axis}", "nothing: it is turned; --normals keep leaves it"
         )
-    for doubt in _orient.doubts(found, len(points), mesh):
+    for doubt in _looks.doubts(found, len(points), mesh):
         what, _, advice = doubt.rpartition(": ")
         findings.warn(what, advice)
 
@@ -283,7 +306,7 @@ def _mesh(shape: Shape, findings: Findings) -> Tuple[Floats, Floats]:
             "nothing: those that cross, or are close to others, are drawn as surfaces of their own, and parts inside others "
             "are left out; --parts all keeps them",
         )
-    good = _inputs.finite_faces(shape)[0]
+    good = _finite_faces(shape)
     points, normals = shapes.samples(good, _SAMPLES)
     _orientation(points, normals, True, findings)
     return points, normals
@@ -291,7 +314,7 @@ def _mesh(shape: Shape, findings: Findings) -> Tuple[Floats, Floats]:
 
 def _never_parted(shape: Shape, most: int) -> Tuple[int, int]:
     """Edges of more than two triangles that a fit has, too, and faces that it leaves out as they are there twice."""
-    good = _inputs.finite_faces(shape)[0]
+    good = _finite_faces(shape)
     try:
         with Context() as silent:
             info = Mesh(good.points, good.triangles, parts="all", context=silent).info

@@ -1104,7 +1104,7 @@ const _: () = {
 };
 
 const _: () = {
-    assert!(size_of::<hrbfnpr_mesh_fit_info>() == 176);
+    assert!(size_of::<hrbfnpr_mesh_fit_info>() == 216);
     assert!(align_of::<hrbfnpr_mesh_fit_info>() == either(8, 8, 4));
 };
 #[cfg(not(hrbfnpr_no_offset_of))]
@@ -1135,6 +1135,10 @@ const _: () = {
     assert!(offset_of!(hrbfnpr_mesh_fit_info, smooth_length) == 152);
     assert!(offset_of!(hrbfnpr_mesh_fit_info, cells) == 160);
     assert!(offset_of!(hrbfnpr_mesh_fit_info, poor_cells) == 168);
+    assert!(offset_of!(hrbfnpr_mesh_fit_info, touching_parts) == 176);
+    assert!(offset_of!(hrbfnpr_mesh_fit_info, touching_place) == 184);
+    assert!(offset_of!(hrbfnpr_mesh_fit_info, parts_may_cross) == 208);
+    assert!(offset_of!(hrbfnpr_mesh_fit_info, reserved2) == 212);
 };
 
 const _: () = {
@@ -1247,4 +1251,301 @@ const _: () = {
     assert!(offset_of!(hrbfnpr_page_info, travelled) == 96);
     assert!(offset_of!(hrbfnpr_page_info, seconds) == 104);
     assert!(offset_of!(hrbfnpr_page_info, filled_paths) == 112);
+};
+
+const _: () = {
+    assert!(size_of::<hrbfnpr_picture_source>() == either(232, 224, 200));
+    assert!(align_of::<hrbfnpr_picture_source>() == either(8, 8, 4));
+};
+#[cfg(not(hrbfnpr_no_offset_of))]
+const _: () = {
+    use core::mem::offset_of;
+    assert!(offset_of!(hrbfnpr_picture_source, struct_size) == 0);
+    assert!(offset_of!(hrbfnpr_picture_source, flags) == 4);
+    assert!(offset_of!(hrbfnpr_picture_source, points) == 8);
+    assert!(offset_of!(hrbfnpr_picture_source, normals) == either(40, 40, 36));
+    assert!(offset_of!(hrbfnpr_picture_source, triangles) == either(72, 72, 64));
+    assert!(offset_of!(hrbfnpr_picture_source, sharp_edges) == either(104, 104, 92));
+    assert!(offset_of!(hrbfnpr_picture_source, model) == either(136, 136, 120));
+    assert!(offset_of!(hrbfnpr_picture_source, point_set) == either(144, 140, 124));
+    assert!(offset_of!(hrbfnpr_picture_source, up) == either(152, 144, 128));
+    assert!(offset_of!(hrbfnpr_picture_source, up_by) == either(176, 168, 152));
+    assert!(offset_of!(hrbfnpr_picture_source, viewpoint) == either(184, 176, 156));
+    assert!(offset_of!(hrbfnpr_picture_source, columns) == either(208, 200, 180));
+    assert!(offset_of!(hrbfnpr_picture_source, rows) == either(216, 208, 188));
+    assert!(offset_of!(hrbfnpr_picture_source, name) == either(224, 216, 196));
+};
+
+const _: () = {
+    assert!(size_of::<hrbfnpr_change>() == either(24, 16, 16));
+    assert!(align_of::<hrbfnpr_change>() == either(8, 4, 4));
+};
+#[cfg(not(hrbfnpr_no_offset_of))]
+const _: () = {
+    use core::mem::offset_of;
+    assert!(offset_of!(hrbfnpr_change, struct_size) == 0);
+    assert!(offset_of!(hrbfnpr_change, reserved) == 4);
+    assert!(offset_of!(hrbfnpr_change, field) == 8);
+    assert!(offset_of!(hrbfnpr_change, value) == either(16, 12, 12));
+};
+
+const _: () = {
+    assert!(size_of::<hrbfnpr_dab>() == 104);
+    assert!(align_of::<hrbfnpr_dab>() == either(8, 8, 4));
+};
+#[cfg(not(hrbfnpr_no_offset_of))]
+const _: () = {
+    use core::mem::offset_of;
+    assert!(offset_of!(hrbfnpr_dab, struct_size) == 0);
+    assert!(offset_of!(hrbfnpr_dab, map) == 4);
+    assert!(offset_of!(hrbfnpr_dab, position) == 8);
+    assert!(offset_of!(hrbfnpr_dab, normal) == 32);
+    assert!(offset_of!(hrbfnpr_dab, radius) == 56);
+    assert!(offset_of!(hrbfnpr_dab, strength) == 64);
+    assert!(offset_of!(hrbfnpr_dab, value) == 72);
+    assert!(offset_of!(hrbfnpr_dab, direction) == 80);
+};
+
+const _: () = {
+    assert!(size_of::<hrbfnpr_note>() == either(96, 88, 88));
+    assert!(align_of::<hrbfnpr_note>() == either(8, 8, 4));
+};
+#[cfg(not(hrbfnpr_no_offset_of))]
+const _: () = {
+    use core::mem::offset_of;
+    assert!(offset_of!(hrbfnpr_note, struct_size) == 0);
+    assert!(offset_of!(hrbfnpr_note, code) == 4);
+    assert!(offset_of!(hrbfnpr_note, severity) == 8);
+    assert!(offset_of!(hrbfnpr_note, figure_count) == 12);
+    assert!(offset_of!(hrbfnpr_note, figures) == 16);
+    assert!(offset_of!(hrbfnpr_note, text) == 80);
+    assert!(offset_of!(hrbfnpr_note, advice) == either(88, 84, 84));
+};
+
+const _: () = {
+    assert!(size_of::<hrbfnpr_picture_event>() == either(56, 40, 40));
+    assert!(align_of::<hrbfnpr_picture_event>() == either(8, 8, 4));
+};
+#[cfg(not(hrbfnpr_no_offset_of))]
+const _: () = {
+    use core::mem::offset_of;
+    assert!(offset_of!(hrbfnpr_picture_event, struct_size) == 0);
+    assert!(offset_of!(hrbfnpr_picture_event, stage) == 4);
+    assert!(offset_of!(hrbfnpr_picture_event, fraction) == 8);
+    assert!(offset_of!(hrbfnpr_picture_event, seconds) == 16);
+    assert!(offset_of!(hrbfnpr_picture_event, name) == 24);
+    assert!(offset_of!(hrbfnpr_picture_event, doing) == either(32, 28, 28));
+    assert!(offset_of!(hrbfnpr_picture_event, says) == either(40, 32, 32));
+    assert!(offset_of!(hrbfnpr_picture_event, note) == either(48, 36, 36));
+};
+
+const _: () = {
+    assert!(size_of::<hrbfnpr_picture_desc>() == either(472, 440, 420));
+    assert!(align_of::<hrbfnpr_picture_desc>() == either(8, 8, 4));
+};
+#[cfg(not(hrbfnpr_no_offset_of))]
+const _: () = {
+    use core::mem::offset_of;
+    assert!(offset_of!(hrbfnpr_picture_desc, struct_size) == 0);
+    assert!(offset_of!(hrbfnpr_picture_desc, flags) == 4);
+    assert!(offset_of!(hrbfnpr_picture_desc, sources) == 8);
+    assert!(offset_of!(hrbfnpr_picture_desc, source_count) == either(16, 16, 12));
+    assert!(offset_of!(hrbfnpr_picture_desc, source_stride) == either(24, 24, 20));
+    assert!(offset_of!(hrbfnpr_picture_desc, preset) == either(32, 32, 28));
+    assert!(offset_of!(hrbfnpr_picture_desc, wording) == either(36, 36, 32));
+    assert!(offset_of!(hrbfnpr_picture_desc, style_name) == either(40, 40, 36));
+    assert!(offset_of!(hrbfnpr_picture_desc, style) == either(48, 44, 40));
+    assert!(offset_of!(hrbfnpr_picture_desc, settings) == either(56, 48, 44));
+    assert!(offset_of!(hrbfnpr_picture_desc, changes) == either(64, 52, 48));
+    assert!(offset_of!(hrbfnpr_picture_desc, change_count) == either(72, 56, 52));
+    assert!(offset_of!(hrbfnpr_picture_desc, change_stride) == either(80, 64, 60));
+    assert!(offset_of!(hrbfnpr_picture_desc, dabs) == either(88, 72, 68));
+    assert!(offset_of!(hrbfnpr_picture_desc, dab_count) == either(96, 80, 72));
+    assert!(offset_of!(hrbfnpr_picture_desc, dab_stride) == either(104, 88, 80));
+    assert!(offset_of!(hrbfnpr_picture_desc, width) == either(112, 96, 88));
+    assert!(offset_of!(hrbfnpr_picture_desc, height) == either(116, 100, 92));
+    assert!(offset_of!(hrbfnpr_picture_desc, size) == either(120, 104, 96));
+    assert!(offset_of!(hrbfnpr_picture_desc, sides) == either(124, 108, 100));
+    assert!(offset_of!(hrbfnpr_picture_desc, pen) == either(128, 112, 104));
+    assert!(offset_of!(hrbfnpr_picture_desc, line_width) == either(136, 120, 112));
+    assert!(offset_of!(hrbfnpr_picture_desc, camera) == either(144, 128, 120));
+    assert!(offset_of!(hrbfnpr_picture_desc, up) == either(152, 136, 124));
+    assert!(offset_of!(hrbfnpr_picture_desc, azimuth) == either(176, 160, 148));
+    assert!(offset_of!(hrbfnpr_picture_desc, elevation) == either(184, 168, 156));
+    assert!(offset_of!(hrbfnpr_picture_desc, direction) == either(192, 176, 164));
+    assert!(offset_of!(hrbfnpr_picture_desc, eye) == either(216, 200, 188));
+    assert!(offset_of!(hrbfnpr_picture_desc, target) == either(240, 224, 212));
+    assert!(offset_of!(hrbfnpr_picture_desc, fov) == either(264, 248, 236));
+    assert!(offset_of!(hrbfnpr_picture_desc, margin) == either(272, 256, 244));
+    assert!(offset_of!(hrbfnpr_picture_desc, turn) == either(280, 264, 252));
+    assert!(offset_of!(hrbfnpr_picture_desc, turn_frames) == either(288, 272, 260));
+    assert!(offset_of!(hrbfnpr_picture_desc, normals) == either(292, 276, 264));
+    assert!(offset_of!(hrbfnpr_picture_desc, samples) == either(296, 280, 268));
+    assert!(offset_of!(hrbfnpr_picture_desc, tolerance) == either(304, 288, 276));
+    assert!(offset_of!(hrbfnpr_picture_desc, maximum_centres) == either(312, 296, 284));
+    assert!(offset_of!(hrbfnpr_picture_desc, parts) == either(320, 304, 292));
+    assert!(offset_of!(hrbfnpr_picture_desc, edges) == either(324, 308, 296));
+    assert!(offset_of!(hrbfnpr_picture_desc, edge_angle) == either(328, 312, 300));
+    assert!(offset_of!(hrbfnpr_picture_desc, crease_angle) == either(336, 320, 308));
+    assert!(offset_of!(hrbfnpr_picture_desc, subdivide) == either(344, 328, 316));
+    assert!(offset_of!(hrbfnpr_picture_desc, profile) == either(348, 332, 320));
+    assert!(offset_of!(hrbfnpr_picture_desc, viewpoint) == either(352, 336, 324));
+    assert!(offset_of!(hrbfnpr_picture_desc, depth_smoothing) == either(376, 360, 348));
+    assert!(offset_of!(hrbfnpr_picture_desc, random_seed) == either(384, 368, 356));
+    assert!(offset_of!(hrbfnpr_picture_desc, mark_kinds) == either(392, 376, 364));
+    assert!(offset_of!(hrbfnpr_picture_desc, seed_points) == either(400, 384, 368));
+    assert!(offset_of!(hrbfnpr_picture_desc, hatch_angle) == either(432, 416, 396));
+    assert!(offset_of!(hrbfnpr_picture_desc, lines) == either(440, 424, 404));
+    assert!(offset_of!(hrbfnpr_picture_desc, scale_bar) == either(448, 428, 408));
+    assert!(offset_of!(hrbfnpr_picture_desc, on_event) == either(456, 432, 412));
+    assert!(offset_of!(hrbfnpr_picture_desc, event_user) == either(464, 436, 416));
+};
+
+const _: () = {
+    assert!(size_of::<hrbfnpr_source_info>() == 472);
+    assert!(align_of::<hrbfnpr_source_info>() == either(8, 8, 4));
+};
+#[cfg(not(hrbfnpr_no_offset_of))]
+const _: () = {
+    use core::mem::offset_of;
+    assert!(offset_of!(hrbfnpr_source_info, struct_size) == 0);
+    assert!(offset_of!(hrbfnpr_source_info, kind) == 4);
+    assert!(offset_of!(hrbfnpr_source_info, severity) == 8);
+    assert!(offset_of!(hrbfnpr_source_info, normals_look) == 12);
+    assert!(offset_of!(hrbfnpr_source_info, points) == 16);
+    assert!(offset_of!(hrbfnpr_source_info, triangles) == 24);
+    assert!(offset_of!(hrbfnpr_source_info, no_data) == 32);
+    assert!(offset_of!(hrbfnpr_source_info, strays) == 40);
+    assert!(offset_of!(hrbfnpr_source_info, points_not_finite) == 48);
+    assert!(offset_of!(hrbfnpr_source_info, duplicates) == 56);
+    assert!(offset_of!(hrbfnpr_source_info, bounds_min) == 64);
+    assert!(offset_of!(hrbfnpr_source_info, bounds_max) == 88);
+    assert!(offset_of!(hrbfnpr_source_info, diagonal) == 112);
+    assert!(offset_of!(hrbfnpr_source_info, up) == 120);
+    assert!(offset_of!(hrbfnpr_source_info, has_normals) == 144);
+    assert!(offset_of!(hrbfnpr_source_info, along_curves) == 148);
+    assert!(offset_of!(hrbfnpr_source_info, looks_down) == 152);
+    assert!(offset_of!(hrbfnpr_source_info, reserved) == 156);
+    assert!(offset_of!(hrbfnpr_source_info, normals_zero) == 160);
+    assert!(offset_of!(hrbfnpr_source_info, normals_not_finite) == 168);
+    assert!(offset_of!(hrbfnpr_source_info, normals_unit_share) == 176);
+    assert!(offset_of!(hrbfnpr_source_info, normals_closed) == 184);
+    assert!(offset_of!(hrbfnpr_source_info, normals_flipped_share) == 192);
+    assert!(offset_of!(hrbfnpr_source_info, image_seen) == 200);
+    assert!(offset_of!(hrbfnpr_source_info, image_dropped) == 208);
+    assert!(offset_of!(hrbfnpr_source_info, image_depth) == 216);
+    assert!(offset_of!(hrbfnpr_source_info, image_noise) == 224);
+    assert!(offset_of!(hrbfnpr_source_info, closed) == 232);
+    assert!(offset_of!(hrbfnpr_source_info, inside_out) == 236);
+    assert!(offset_of!(hrbfnpr_source_info, components) == 240);
+    assert!(offset_of!(hrbfnpr_source_info, components_inside_out) == 248);
+    assert!(offset_of!(hrbfnpr_source_info, boundary_edges) == 256);
+    assert!(offset_of!(hrbfnpr_source_info, boundary_loops) == 264);
+    assert!(offset_of!(hrbfnpr_source_info, nonmanifold_edges) == 272);
+    assert!(offset_of!(hrbfnpr_source_info, nonmanifold_left) == 280);
+    assert!(offset_of!(hrbfnpr_source_info, contrary_edges) == 288);
+    assert!(offset_of!(hrbfnpr_source_info, faces_not_finite) == 296);
+    assert!(offset_of!(hrbfnpr_source_info, degenerate_faces) == 304);
+    assert!(offset_of!(hrbfnpr_source_info, repeated_faces) == 312);
+    assert!(offset_of!(hrbfnpr_source_info, unused_vertices) == 320);
+    assert!(offset_of!(hrbfnpr_source_info, area) == 328);
+    assert!(offset_of!(hrbfnpr_source_info, volume) == 336);
+    assert!(offset_of!(hrbfnpr_source_info, up_reason) == 344);
+};
+
+const _: () = {
+    assert!(size_of::<hrbfnpr_picture_info>() == 136);
+    assert!(align_of::<hrbfnpr_picture_info>() == either(8, 8, 4));
+};
+#[cfg(not(hrbfnpr_no_offset_of))]
+const _: () = {
+    use core::mem::offset_of;
+    assert!(offset_of!(hrbfnpr_picture_info, struct_size) == 0);
+    assert!(offset_of!(hrbfnpr_picture_info, preset) == 4);
+    assert!(offset_of!(hrbfnpr_picture_info, parts) == 8);
+    assert!(offset_of!(hrbfnpr_picture_info, marks) == 16);
+    assert!(offset_of!(hrbfnpr_picture_info, notes) == 24);
+    assert!(offset_of!(hrbfnpr_picture_info, stages) == 32);
+    assert!(offset_of!(hrbfnpr_picture_info, width) == 40);
+    assert!(offset_of!(hrbfnpr_picture_info, height) == 44);
+    assert!(offset_of!(hrbfnpr_picture_info, bounds_min) == 48);
+    assert!(offset_of!(hrbfnpr_picture_info, bounds_max) == 72);
+    assert!(offset_of!(hrbfnpr_picture_info, up) == 96);
+    assert!(offset_of!(hrbfnpr_picture_info, pen) == 120);
+    assert!(offset_of!(hrbfnpr_picture_info, seconds) == 128);
+};
+
+const _: () = {
+    assert!(size_of::<hrbfnpr_picture_part>() == either(40, 24, 24));
+    assert!(align_of::<hrbfnpr_picture_part>() == either(8, 4, 4));
+};
+#[cfg(not(hrbfnpr_no_offset_of))]
+const _: () = {
+    use core::mem::offset_of;
+    assert!(offset_of!(hrbfnpr_picture_part, struct_size) == 0);
+    assert!(offset_of!(hrbfnpr_picture_part, sides) == 4);
+    assert!(offset_of!(hrbfnpr_picture_part, model) == 8);
+    assert!(offset_of!(hrbfnpr_picture_part, point_set) == either(16, 12, 12));
+    assert!(offset_of!(hrbfnpr_picture_part, line_set) == either(24, 16, 16));
+    assert!(offset_of!(hrbfnpr_picture_part, mesh) == either(32, 20, 20));
+};
+
+const _: () = {
+    assert!(size_of::<hrbfnpr_picture_page_desc>() == either(64, 56, 52));
+    assert!(align_of::<hrbfnpr_picture_page_desc>() == either(8, 8, 4));
+};
+#[cfg(not(hrbfnpr_no_offset_of))]
+const _: () = {
+    use core::mem::offset_of;
+    assert!(offset_of!(hrbfnpr_picture_page_desc, struct_size) == 0);
+    assert!(offset_of!(hrbfnpr_picture_page_desc, reserved) == 4);
+    assert!(offset_of!(hrbfnpr_picture_page_desc, page) == 8);
+    assert!(offset_of!(hrbfnpr_picture_page_desc, paper) == either(16, 12, 12));
+    assert!(offset_of!(hrbfnpr_picture_page_desc, paper_margin) == either(24, 16, 16));
+    assert!(offset_of!(hrbfnpr_picture_page_desc, pen_widths) == either(32, 24, 24));
+};
+
+const _: () = {
+    assert!(size_of::<hrbfnpr_views_desc>() == either(120, 96, 88));
+    assert!(align_of::<hrbfnpr_views_desc>() == either(8, 8, 4));
+};
+#[cfg(not(hrbfnpr_no_offset_of))]
+const _: () = {
+    use core::mem::offset_of;
+    assert!(offset_of!(hrbfnpr_views_desc, struct_size) == 0);
+    assert!(offset_of!(hrbfnpr_views_desc, flags) == 4);
+    assert!(offset_of!(hrbfnpr_views_desc, projection) == 8);
+    assert!(offset_of!(hrbfnpr_views_desc, hidden) == 12);
+    assert!(offset_of!(hrbfnpr_views_desc, views) == 16);
+    assert!(offset_of!(hrbfnpr_views_desc, sections) == either(24, 20, 20));
+    assert!(offset_of!(hrbfnpr_views_desc, paper) == either(32, 24, 24));
+    assert!(offset_of!(hrbfnpr_views_desc, scale) == either(40, 28, 28));
+    assert!(offset_of!(hrbfnpr_views_desc, smooth) == either(48, 32, 32));
+    assert!(offset_of!(hrbfnpr_views_desc, title) == either(56, 36, 36));
+    assert!(offset_of!(hrbfnpr_views_desc, model) == either(64, 40, 40));
+    assert!(offset_of!(hrbfnpr_views_desc, unit_mm) == either(72, 48, 44));
+    assert!(offset_of!(hrbfnpr_views_desc, crease_angle) == either(80, 56, 52));
+    assert!(offset_of!(hrbfnpr_views_desc, line_width) == either(88, 64, 60));
+    assert!(offset_of!(hrbfnpr_views_desc, hatch_spacing) == either(96, 72, 68));
+    assert!(offset_of!(hrbfnpr_views_desc, spacing) == either(104, 80, 76));
+    assert!(offset_of!(hrbfnpr_views_desc, page) == either(112, 88, 84));
+};
+
+const _: () = {
+    assert!(size_of::<hrbfnpr_views_info>() == 184);
+    assert!(align_of::<hrbfnpr_views_info>() == either(8, 8, 4));
+};
+#[cfg(not(hrbfnpr_no_offset_of))]
+const _: () = {
+    use core::mem::offset_of;
+    assert!(offset_of!(hrbfnpr_views_info, struct_size) == 0);
+    assert!(offset_of!(hrbfnpr_views_info, reserved) == 4);
+    assert!(offset_of!(hrbfnpr_views_info, views) == 8);
+    assert!(offset_of!(hrbfnpr_views_info, bytes) == 16);
+    assert!(offset_of!(hrbfnpr_views_info, width) == 24);
+    assert!(offset_of!(hrbfnpr_views_info, height) == 32);
+    assert!(offset_of!(hrbfnpr_views_info, scale) == 40);
+    assert!(offset_of!(hrbfnpr_views_info, unit_mm) == 48);
+    assert!(offset_of!(hrbfnpr_views_info, scale_text) == 56);
+    assert!(offset_of!(hrbfnpr_views_info, paper) == 120);
 };

@@ -178,6 +178,48 @@
 //! and so on up to 32, so that all is painted far to near there, as the raster does;
 //! not in plot order, where each pen is taken up once.  Pens go by names without that.
 //! The bytes are the same for every thread count and locale.
+//!
+//! # PICTURE: from any source to a drawing in one call
+//!
+//! A picture chooses what a user leaves open: repairs, samples, the fit, where the
+//! surface ends, which way is up, the camera, the size of the pen, how many marks
+//! there are, and which lines are drawn.  It is made of the calls of the sections
+//! above, and each part of it can be taken out and used by them.
+//!
+//! Every choice that a user may want to know is a note: a code, its figures and a
+//! sentence.  A picture keeps its notes and the seconds of its stages.
+//!
+//! ---- What is drawn ----------------------------------------------------------
+//!
+//! ---- How it is drawn ---------------------------------------------------------
+//!
+//! ---- What a source holds ------------------------------------------------------
+//!
+//! ---- Making and drawing ------------------------------------------------------
+//!
+//! ---- Cameras ------------------------------------------------------------------
+//!
+//! ---- As an image and as vectors ------------------------------------------------
+//!
+//! ---- Settings: a descriptor as JSON ---------------------------------------------
+//!
+//! # VIEWS: technical drawings on a sheet, to scale
+//!
+//! A sheet has orthographic views of a model, and sections, with the line conventions
+//! of ISO 128: outlines are thick, hidden edges thin and dashed, cut faces hatched.
+//! Views stand around the front view [ISO 5456-2], sections follow at the right, or
+//! below if they are seen from above.  Where lines coincide one is drawn: outlines of
+//! cuts before visible edges, then hidden ones, then smooth ones [ISO 128-2].  The
+//! sheet has a frame [ISO 5457], a title block [ISO 7200] without a date, a scale bar,
+//! and arrows and letters where it is cut [ISO 128-3].
+//!
+//! The model stands along the up axis of its picture; its front is +z, or -y where z
+//! is up.  Contours and outlines of cuts are curves of the surface.  Sharp edges are
+//! those of the model, or of the mesh that it was fitted to.
+//!
+//! Layers of the page have the name of their kind of lines and of their view: "outlines
+//! front", "hidden top", "hatching A-A".  Of plotters, pen 1 is the wide one, pen 2 the
+//! fine one.
 #![no_std]
 #![allow(non_camel_case_types)]
 #![allow(rustdoc::broken_intra_doc_links)] // [NPAR 4.1] is none
@@ -2785,15 +2827,17 @@ extern "C" {
     pub fn hrbfnpr_style_init(style: *mut hrbfnpr_style, struct_size: u32) -> hrbfnpr_status;
 }
 
-// Named styles.
+// Named styles, each with a picture in docs/presets.md.  bindings/generate writes this list
+// from bindings/presets.py.
 /// stipples by light, no contours
 pub const HRBFNPR_PRESET_STIPPLE: u32 = 0;
-/// lines of one width, the more of them the darker; contours. Of PRINCIPAL layers the second direction
+/// lines of one width, more of them where it is darker, and contours; strokes of PRINCIPAL
+/// layers along the second direction
 pub const HRBFNPR_PRESET_HATCH: u32 = 1;
-/// up to three sets of such lines, at 0, 35 and -30 degrees, a darker tone each; contours. Of
-/// PRINCIPAL layers both directions
+/// up to three sets of such lines, at 0, 35 and -30 degrees, a darker tone each, and
+/// contours; strokes of PRINCIPAL layers along both directions
 pub const HRBFNPR_PRESET_CROSS_HATCH: u32 = 2;
-/// lines along Stark's combing direction, a second set in the darks; contours
+/// lines along Stark's combing direction, a second set in the darks, and contours
 pub const HRBFNPR_PRESET_COMBING: u32 = 3;
 /// contours only, hidden ones attenuated
 pub const HRBFNPR_PRESET_SILHOUETTE: u32 = 4;
@@ -2803,11 +2847,11 @@ pub const HRBFNPR_PRESET_CONTOUR_AND_STIPPLE: u32 = 5;
 pub const HRBFNPR_PRESET_XRAY: u32 = 6;
 /// stipples, cross hatching in the darks, contours and halo: Figure 1 (e)
 pub const HRBFNPR_PRESET_FULL: u32 = 7;
-/// one set of lines that swell with the tone, contours; lights are empty
+/// one set of lines that swell with the tone, and contours; lights are empty
 pub const HRBFNPR_PRESET_ENGRAVING: u32 = 8;
-/// up to three sets of thin lines, at 0, 50 and -40 degrees, a darker tone each
+/// up to three sets of thin lines, at 0, 50 and -40 degrees, a darker tone each, and contours
 pub const HRBFNPR_PRESET_ETCHING: u32 = 9;
-/// few wide lines, which close up to black; heavy contours
+/// few wide lines, which close up to black, and heavy contours
 pub const HRBFNPR_PRESET_WOODCUT: u32 = 10;
 /// fine stipples lit from the upper left, empty lights; outlines swell in the shade
 pub const HRBFNPR_PRESET_SCIENTIFIC_STIPPLE: u32 = 11;
@@ -2821,8 +2865,8 @@ pub const HRBFNPR_PRESET_BLUEPRINT: u32 = 13;
 pub const HRBFNPR_PRESET_ARCHAEOLOGICAL: u32 = 14;
 
 extern "C" {
-    /// A full set of fields that a caller goes on changing.  style->layers points to
-    /// constants of the library: copy an element to change it.
+    /// A full set of fields that a caller goes on changing.  style->layers and style->lines
+    /// point to constants of the library: copy an element to change it.
     pub fn hrbfnpr_style_init_preset(
         style: *mut hrbfnpr_style,
         struct_size: u32,
@@ -3706,6 +3750,14 @@ pub struct hrbfnpr_mesh_fit_info {
     pub cells: i64,
     /// in which no maximum and minimum of its sheets does all that the mesh does
     pub poor_cells: i64,
+    /// of the mesh, from 0: two that are nearer to each other than the tolerance, so that the
+    /// surface may join them; -1, -1: none were found
+    pub touching_parts: [i32; 2],
+    /// where they are
+    pub touching_place: [f64; 3],
+    /// 1: they may go through each other there; 0: they are near to each other
+    pub parts_may_cross: u32,
+    pub reserved2: u32,
 }
 
 extern "C" {
@@ -3991,6 +4043,1046 @@ extern "C" {
         write: hrbfnpr_write_fn,
         user: *mut c_void,
         info: *mut hrbfnpr_page_info,
+        operation: *mut hrbfnpr_operation,
+        error: *mut hrbfnpr_error,
+    ) -> hrbfnpr_status;
+}
+
+// 14  PICTURE: from any source to a drawing in one call
+
+#[repr(C)]
+pub struct hrbfnpr_picture {
+    _data: [u8; 0],
+    _marker: PhantomData<(*mut u8, PhantomPinned)>,
+}
+
+#[repr(C)]
+pub struct hrbfnpr_settings {
+    _data: [u8; 0],
+    _marker: PhantomData<(*mut u8, PhantomPinned)>,
+}
+
+/// `sharp_edges` is known, even if it is empty
+pub const HRBFNPR_SOURCE_HAS_SHARP_EDGES: u32 = 1;
+/// `viewpoint` is known
+pub const HRBFNPR_SOURCE_HAS_VIEWPOINT: u32 = 2;
+/// the points are one picture of a depth camera that stood at `viewpoint`
+pub const HRBFNPR_SOURCE_IS_PHOTO: u32 = 4;
+
+/// One of four kinds: points (with or without normals), a mesh (points and triangles), a
+/// model, or a point set.  A model and a point set together are a model with its marks,
+/// which are then used as they are.
+#[repr(C)]
+#[derive(Debug, Clone, Copy)]
+pub struct hrbfnpr_picture_source {
+    pub struct_size: u32,
+    /// HRBFNPR_SOURCE_...; 0
+    pub flags: u32,
+    /// n x 3, FLOAT32 or FLOAT64: points, or the vertices of the triangles. Points that are not
+    /// finite are left out
+    pub points: hrbfnpr_array,
+    /// n x 3, FLOAT32 or FLOAT64, of any length; not given or all zero = none. Not read of a mesh
+    pub normals: hrbfnpr_array,
+    /// m x 3, INT32, INT64 or UINT32: a mesh; not given = points
+    pub triangles: hrbfnpr_array,
+    /// k x 2, INT32, INT64 or UINT32: of a mesh, the pairs of vertices whose faces have normals
+    /// of their own in its file; with HAS_SHARP_EDGES
+    pub sharp_edges: hrbfnpr_array,
+    /// kept; NULL
+    pub model: *const hrbfnpr_model,
+    /// kept; NULL
+    pub point_set: *const hrbfnpr_point_set,
+    /// which way is up by the convention of the file's format; 0, 0, 0 = not known
+    pub up: [f64; 3],
+    /// why, for the note: "PLY files"; NULL = "files of this kind"
+    pub up_by: *const c_char,
+    /// where the scanner stood, with HAS_VIEWPOINT
+    pub viewpoint: [f64; 3],
+    /// of a depth camera's image, whose points stand row by row; 0 = it is none
+    pub columns: i64,
+    pub rows: i64,
+    /// UTF-8: of the file, for titles and metadata; NULL
+    pub name: *const c_char,
+}
+
+extern "C" {
+    pub fn hrbfnpr_picture_source_init(
+        source: *mut hrbfnpr_picture_source,
+        struct_size: u32,
+    ) -> hrbfnpr_status;
+}
+
+/// drawing what can hardly be seen is no error
+pub const HRBFNPR_PICTURE_ALLOW_BLANK: u32 = 1;
+/// all normals are turned, whatever they look like
+pub const HRBFNPR_PICTURE_FLIP: u32 = 2;
+/// the surface goes on beyond open data, as the fit has it
+pub const HRBFNPR_PICTURE_CLOSE: u32 = 4;
+/// an open mesh is one surface, also where its parts cross
+pub const HRBFNPR_PICTURE_TOGETHER: u32 = 8;
+/// the paper lets all through
+pub const HRBFNPR_PICTURE_TRANSPARENT: u32 = 16;
+/// layers have all their marks, also where the style draws lines alone: for marks that are saved
+pub const HRBFNPR_PICTURE_KEEP_MARKS: u32 = 32;
+/// no camera is chosen, no marks are placed, no lines are looked for: for the model alone
+pub const HRBFNPR_PICTURE_SURFACE_ONLY: u32 = 64;
+/// nothing is said of a source that is a part of a solid, and no up is looked for
+pub const HRBFNPR_PICTURE_IS_SOLID: u32 = 128;
+
+// The edges of a mesh.
+/// as AUTO; where faces are coarse as the normals of the file tell, if they do
+pub const HRBFNPR_PICTURE_EDGES_AS_GIVEN: u32 = 0;
+/// HRBFNPR_EDGES_AUTO
+pub const HRBFNPR_PICTURE_EDGES_AUTO: u32 = 1;
+/// HRBFNPR_EDGES_SMOOTH
+pub const HRBFNPR_PICTURE_EDGES_SMOOTH: u32 = 2;
+/// HRBFNPR_EDGES_SHARP, with `edge_angle`
+pub const HRBFNPR_PICTURE_EDGES_SHARP: u32 = 3;
+
+/// YES of the style archaeological, else NO
+pub const HRBFNPR_PROFILE_AUTO: u32 = 0;
+/// an upright section through the middle stands beside the drawing
+pub const HRBFNPR_PROFILE_YES: u32 = 1;
+pub const HRBFNPR_PROFILE_NO: u32 = 2;
+
+/// both of a surface that ends, else the front
+pub const HRBFNPR_PICTURE_SIDES_AUTO: u32 = 0;
+/// HRBFNPR_SIDES_FRONT
+pub const HRBFNPR_PICTURE_SIDES_FRONT: u32 = 1;
+/// HRBFNPR_SIDES_BOTH
+pub const HRBFNPR_PICTURE_SIDES_BOTH: u32 = 2;
+
+// How notes and errors name the options that they speak of.
+/// samples 400
+pub const HRBFNPR_WORDING_FIELDS: u32 = 0;
+/// --samples 400, of a command line
+pub const HRBFNPR_WORDING_OPTIONS: u32 = 1;
+/// samples=400, of a call in Python
+pub const HRBFNPR_WORDING_ARGUMENTS: u32 = 2;
+
+/// One field that is changed on top of all that was chosen.  `field` is the path of a field:
+///   style.F            of hrbfnpr_style; style.ink is that of all layers, lines and contours
+///   style.KIND.F       of hrbfnpr_layer_style, of a kind of layers: style.hatch.ink
+///   style.layers.F     of all layers of the style; share is multiplied
+///   style.lines.F      of hrbfnpr_line_style, of all lines
+///   style.LINE.F       the same, of a kind of lines: style.ridge.width
+///   fit.F              of hrbfnpr_fit_desc
+///   mesh_fit.F         of hrbfnpr_mesh_fit_desc
+///   marks.F            of hrbfnpr_generate_desc
+///   marks.KIND.F       of hrbfnpr_layer_desc, of a kind of layers; marks.layers.F of all
+///   line_set.F         of hrbfnpr_line_set_desc
+/// Lengths in pixels are those of this picture: they are not scaled by the pen.
+#[repr(C)]
+#[derive(Debug, Clone, Copy)]
+pub struct hrbfnpr_change {
+    pub struct_size: u32,
+    pub reserved: u32,
+    pub field: *const c_char,
+    /// a number, several with commas between, #rrggbb or #rrggbbaa of a colour, or the name of a
+    /// constant without its prefix: "blue-noise"
+    pub value: *const c_char,
+}
+
+extern "C" {
+    pub fn hrbfnpr_change_init(change: *mut hrbfnpr_change, struct_size: u32) -> hrbfnpr_status;
+}
+
+// A stroke of a brush on the surface: within its radius what is painted goes towards a value.
+pub const HRBFNPR_DAB_TONE: u32 = 0;
+pub const HRBFNPR_DAB_DENSITY: u32 = 1;
+pub const HRBFNPR_DAB_DIRECTION: u32 = 2;
+
+#[repr(C)]
+#[derive(Debug, Clone, Copy)]
+pub struct hrbfnpr_dab {
+    pub struct_size: u32,
+    /// HRBFNPR_DAB_...; TONE: 1 = light, 0 = dark
+    pub map: u32,
+    pub position: [f64; 3],
+    /// unit: what faces away from it is not painted
+    pub normal: [f64; 3],
+    /// > 0
+    pub radius: f64,
+    /// 0 .. 1 in the middle; it falls to 0 at the radius; 1
+    pub strength: f64,
+    /// of TONE and DENSITY, 0 .. 1
+    pub value: f64,
+    /// of DIRECTION: that of hatching
+    pub direction: [f64; 3],
+}
+
+extern "C" {
+    pub fn hrbfnpr_dab_init(dab: *mut hrbfnpr_dab, struct_size: u32) -> hrbfnpr_status;
+}
+
+// The parts of the work.
+/// looking at a mesh: welding, turning faces
+pub const HRBFNPR_STAGE_MESH: u32 = 1;
+/// choosing samples
+pub const HRBFNPR_STAGE_SAMPLE: u32 = 2;
+/// looking for normals
+pub const HRBFNPR_STAGE_ORIENT: u32 = 3;
+/// the image of a depth camera
+pub const HRBFNPR_STAGE_SMOOTH: u32 = 4;
+pub const HRBFNPR_STAGE_FIT: u32 = 5;
+/// the surface with the mesh
+pub const HRBFNPR_STAGE_COMPARE: u32 = 6;
+/// looking for the end of the surface
+pub const HRBFNPR_STAGE_END: u32 = 7;
+/// placing marks
+pub const HRBFNPR_STAGE_MARKS: u32 = 8;
+/// looking for lines
+pub const HRBFNPR_STAGE_LINES: u32 = 9;
+/// drawing
+pub const HRBFNPR_STAGE_FRAME: u32 = 10;
+/// drawing the views of a sheet
+pub const HRBFNPR_STAGE_VIEWS: u32 = 11;
+
+/// a measurement
+pub const HRBFNPR_SEVERITY_INFO: u32 = 0;
+/// what was chosen, repaired or left out
+pub const HRBFNPR_SEVERITY_NOTE: u32 = 1;
+/// the result may be wrong there
+pub const HRBFNPR_SEVERITY_WARNING: u32 = 2;
+/// there is no result: the error of the call, in full length
+pub const HRBFNPR_SEVERITY_FAILURE: u32 = 3;
+
+// Notes.  In brackets the figures of each.
+/// left out [faces]
+pub const HRBFNPR_NOTE_FACES_NOT_FINITE: u32 = 1;
+/// points at a value that stands for none, left out [points, value]
+pub const HRBFNPR_NOTE_NO_DATA: u32 = 2;
+/// points far from all others, left out [points]
+pub const HRBFNPR_NOTE_STRAYS: u32 = 3;
+/// so many that only some get normals [points, used]
+pub const HRBFNPR_NOTE_SOME_ORIENTED: u32 = 4;
+/// there were none [points]
+pub const HRBFNPR_NOTE_NORMALS_MADE: u32 = 5;
+/// [confidence]
+pub const HRBFNPR_NOTE_NORMALS_NOT_SURE: u32 = 6;
+/// which side of an open surface is its front
+pub const HRBFNPR_NOTE_FRONT_NOT_TOLD: u32 = 7;
+/// [points, used]
+pub const HRBFNPR_NOTE_SAMPLES_CHOSEN: u32 = 8;
+/// without a position or normal, left out [points]
+pub const HRBFNPR_NOTE_POINTS_NOT_USABLE: u32 = 9;
+/// several at one place: their mean [places]
+pub const HRBFNPR_NOTE_NORMALS_JOINED: u32 = 10;
+/// opposite ones at one place, left out [places]
+pub const HRBFNPR_NOTE_NORMALS_OPPOSITE: u32 = 11;
+/// it looked down [axis]
+pub const HRBFNPR_NOTE_TERRAIN_TURNED: u32 = 12;
+/// all looked inward
+pub const HRBFNPR_NOTE_NORMALS_TURNED: u32 = 13;
+/// [turned, made, what they were: HRBFNPR_NORMALS_...]
+pub const HRBFNPR_NOTE_NORMALS_REPAIRED: u32 = 14;
+/// those around them [normals, of]
+pub const HRBFNPR_NOTE_NORMALS_AGAINST: u32 = 15;
+/// some parts outward, others inward [share]
+pub const HRBFNPR_NOTE_NORMALS_MIXED: u32 = 16;
+/// most of an open surface
+pub const HRBFNPR_NOTE_NORMALS_INWARD: u32 = 17;
+pub const HRBFNPR_NOTE_VIEWPOINT_NOT_USED: u32 = 18;
+/// of a depth camera, on no surface [pixels]
+pub const HRBFNPR_NOTE_PIXELS_LEFT_OUT: u32 = 19;
+/// [noise, depth]
+pub const HRBFNPR_NOTE_DEPTH_NOISE: u32 = 20;
+/// the samples have noise, and the surface does not go through all
+pub const HRBFNPR_NOTE_SMOOTHED: u32 = 21;
+/// at the same place [samples]
+pub const HRBFNPR_NOTE_SAMPLES_MERGED: u32 = 22;
+/// merged with another very near [samples]
+pub const HRBFNPR_NOTE_SAMPLES_NEAR: u32 = 23;
+/// as strays [samples]
+pub const HRBFNPR_NOTE_SAMPLES_DROPPED: u32 = 24;
+/// with a flipped normal, repaired [samples]
+pub const HRBFNPR_NOTE_SAMPLES_FLIPPED: u32 = 25;
+/// samples that look so, and stay [samples]
+pub const HRBFNPR_NOTE_LIKE_STRAYS: u32 = 26;
+/// samples that look so, and stay [samples]
+pub const HRBFNPR_NOTE_LIKE_FLIPPED: u32 = 27;
+/// the surface is a guess [points]
+pub const HRBFNPR_NOTE_FEW_POINTS: u32 = 28;
+/// all points
+pub const HRBFNPR_NOTE_ON_A_LINE: u32 = 29;
+/// all points
+pub const HRBFNPR_NOTE_IN_A_PLANE: u32 = 30;
+/// the points: the surface between them is drawn, too
+pub const HRBFNPR_NOTE_ALONG_CURVES: u32 = 31;
+/// where the surface ends
+pub const HRBFNPR_NOTE_END_NOT_FOUND: u32 = 32;
+/// another direction than y [x, y, z]
+pub const HRBFNPR_NOTE_UP: u32 = 33;
+/// against those beside them [faces]
+pub const HRBFNPR_NOTE_FACES_TURNED: u32 = 34;
+/// a mesh, or parts of it, turned [parts]
+pub const HRBFNPR_NOTE_INSIDE_OUT: u32 = 35;
+/// without area, or twice there [faces]
+pub const HRBFNPR_NOTE_FACES_LEFT_OUT: u32 = 36;
+/// others, left out [parts, faces]
+pub const HRBFNPR_NOTE_PARTS_INSIDE: u32 = 37;
+/// a surface of one side, or one that crosses itself [edges]
+pub const HRBFNPR_NOTE_CONTRARY_EDGES: u32 = 38;
+/// from all others, left out [parts, faces]
+pub const HRBFNPR_NOTE_PARTS_FAR: u32 = 39;
+/// faces on an edge of two others, left out [faces]
+pub const HRBFNPR_NOTE_FLAPS: u32 = 40;
+/// by the normals of the file
+pub const HRBFNPR_NOTE_ALL_FLAT: u32 = 41;
+/// some edges are sharp by the normals of the file
+pub const HRBFNPR_NOTE_EDGES_BY_NORMALS: u32 = 42;
+/// faces [times, vertices moved, places between them raised, off a round surface; shares of
+/// the diagonal]
+pub const HRBFNPR_NOTE_DIVIDED: u32 = 43;
+/// faces are coarse, but nothing round goes through them
+pub const HRBFNPR_NOTE_COARSE_FLAT: u32 = 44;
+/// parts that cross are surfaces of their own [parts, groups]
+pub const HRBFNPR_NOTE_GROUPS: u32 = 45;
+/// the tolerance [tolerance, share of the mesh, share of the surface, farthest; of the diagonal]
+pub const HRBFNPR_NOTE_NOT_REACHED: u32 = 46;
+/// [their length in diagonals]
+pub const HRBFNPR_NOTE_EDGES_STAY_SMOOTH: u32 = 47;
+/// the surface, at a share of the mesh [share, farthest]
+pub const HRBFNPR_NOTE_OFF_MESH: u32 = 48;
+/// parts of surface that the mesh does not have, left out [parts]
+pub const HRBFNPR_NOTE_MADE_BY_FIT: u32 = 49;
+/// parts of a mesh that the tolerance is too large for
+pub const HRBFNPR_NOTE_PARTS_TOO_THIN: u32 = 50;
+/// fewer than fill the darkest tone [wanted, made]
+pub const HRBFNPR_NOTE_MARKS_LIMITED: u32 = 51;
+/// of the published recursion [wanted, taken]
+pub const HRBFNPR_NOTE_LEVELS_LIMITED: u32 = 52;
+/// the depth camera's [azimuth]
+pub const HRBFNPR_NOTE_SEEN_FROM_CAMERA: u32 = 53;
+/// of an open surface [azimuth]
+pub const HRBFNPR_NOTE_SEEN_FROM_FRONT: u32 = 54;
+/// lines want a model, and the source is a point set
+pub const HRBFNPR_NOTE_NO_LINES_OF_MARKS: u32 = 55;
+/// the surface is thinner than the cells that lines are looked for in [triangles turned, of,
+/// samples missed]
+pub const HRBFNPR_NOTE_LINES_THIN: u32 = 56;
+/// where the surface ends beyond its samples [borders, support, share]
+pub const HRBFNPR_NOTE_LINES_END: u32 = 57;
+/// curves that end inside the surface [curves]
+pub const HRBFNPR_NOTE_LINES_BROKEN: u32 = 58;
+/// lines whose visibility contradicts itself [lines]
+pub const HRBFNPR_NOTE_LINES_DOUBTED: u32 = 59;
+/// places with too many crossings of lines [places]
+pub const HRBFNPR_NOTE_LINES_TANGLED: u32 = 60;
+/// hardly anything can be seen [shown, marks, share of ink]
+pub const HRBFNPR_NOTE_BLANK: u32 = 61;
+/// that were chosen by the widths at hand
+pub const HRBFNPR_NOTE_PENS: u32 = 62;
+/// [metres drawn, metres travelled, seconds]
+pub const HRBFNPR_NOTE_PLOTTED: u32 = 63;
+/// what settings do not hold
+pub const HRBFNPR_NOTE_NOT_IN_SETTINGS: u32 = 64;
+/// of the format
+pub const HRBFNPR_NOTE_UNIT_IS_METRE: u32 = 65;
+/// for centre lines
+pub const HRBFNPR_NOTE_NO_SYMMETRY: u32 = 66;
+/// outlines of a cut that are not closed [outlines]
+pub const HRBFNPR_NOTE_SECTION_OPEN: u32 = 67;
+/// made of length 1 [normals]
+pub const HRBFNPR_NOTE_NORMALS_NOT_UNIT: u32 = 68;
+/// all points
+pub const HRBFNPR_NOTE_AT_ONE_PLACE: u32 = 69;
+/// for the source's size
+pub const HRBFNPR_NOTE_FAR_FROM_ORIGIN: u32 = 70;
+/// at the place of another [vertices]
+pub const HRBFNPR_NOTE_VERTICES_JOINED: u32 = 71;
+/// of no face, left out [vertices]
+pub const HRBFNPR_NOTE_VERTICES_UNUSED: u32 = 72;
+/// of more than two faces [edges]
+pub const HRBFNPR_NOTE_NONMANIFOLD_EDGES: u32 = 73;
+/// [borders, their edges]
+pub const HRBFNPR_NOTE_MESH_OPEN: u32 = 74;
+/// of a mesh [parts]
+pub const HRBFNPR_NOTE_SEVERAL_PARTS: u32 = 75;
+/// why a source cannot be drawn
+pub const HRBFNPR_NOTE_NOT_USABLE: u32 = 76;
+
+#[repr(C)]
+#[derive(Debug, Clone, Copy)]
+pub struct hrbfnpr_note {
+    pub struct_size: u32,
+    /// HRBFNPR_NOTE_...
+    pub code: u32,
+    /// HRBFNPR_SEVERITY_...
+    pub severity: u32,
+    pub figure_count: u32,
+    /// as above, in that order
+    pub figures: [f64; 8],
+    /// one sentence without a full stop, UTF-8, in the words of `wording`
+    pub text: *const c_char,
+    /// what to do about it, in the same words; NULL where the text says it, or there is nothing to say
+    pub advice: *const c_char,
+}
+
+extern "C" {
+    pub fn hrbfnpr_note_init(note: *mut hrbfnpr_note, struct_size: u32) -> hrbfnpr_status;
+}
+
+/// What happens while a picture is made.
+#[repr(C)]
+#[derive(Debug, Clone, Copy)]
+pub struct hrbfnpr_picture_event {
+    pub struct_size: u32,
+    /// HRBFNPR_STAGE_... that runs; 0 = between two
+    pub stage: u32,
+    /// of the stage, 0 when it begins, 1 when it is over
+    pub fraction: f64,
+    /// of the stage, when it is over
+    pub seconds: f64,
+    /// of the stage: "place marks"
+    pub name: *const c_char,
+    /// the same for a progress bar: "placing marks"
+    pub doing: *const c_char,
+    /// what the stage came to, when it is over; else NULL
+    pub says: *const c_char,
+    /// a new one; NULL = this is about the stage
+    pub note: *const hrbfnpr_note,
+}
+
+extern "C" {
+    pub fn hrbfnpr_picture_event_init(
+        event: *mut hrbfnpr_picture_event,
+        struct_size: u32,
+    ) -> hrbfnpr_status;
+}
+
+/// Runs on the thread that entered; what it is given lives during the call only.
+pub type hrbfnpr_picture_event_fn =
+    Option<unsafe extern "C" fn(user: *mut c_void, event: *const hrbfnpr_picture_event)>;
+
+/// Every field has a default that makes a good picture; a source and, if wanted, a style are enough.
+/// NaN (or 0 or NULL, where a line says so) stands for what is chosen.
+#[repr(C)]
+#[derive(Debug, Clone, Copy)]
+pub struct hrbfnpr_picture_desc {
+    pub struct_size: u32,
+    /// HRBFNPR_PICTURE_...; 0
+    pub flags: u32,
+    /// a list, 1 and more: each is a surface of its own
+    pub sources: *const hrbfnpr_picture_source,
+    pub source_count: i64,
+    pub source_stride: i64,
+    /// HRBFNPR_PRESET_...; CONTOUR_AND_STIPPLE
+    ///
+    /// Style.
+    pub preset: u32,
+    /// HRBFNPR_WORDING_...; FIELDS
+    pub wording: u32,
+    /// the name of a preset, in place of its number; NULL
+    pub style_name: *const c_char,
+    /// used as it is, with lengths in pixels of this picture; NULL. `preset` then says which
+    /// layers of marks there are
+    pub style: *const hrbfnpr_style,
+    /// what this descriptor leaves at its defaults; kept; NULL
+    pub settings: *const hrbfnpr_settings,
+    /// a list; NULL and 0
+    pub changes: *const hrbfnpr_change,
+    pub change_count: i64,
+    pub change_stride: i64,
+    /// what is painted, a list; NULL and 0
+    pub dabs: *const hrbfnpr_dab,
+    pub dab_count: i64,
+    pub dab_stride: i64,
+    /// 1 .. 32768, with `height`; 0 = from `size`
+    ///
+    /// Size, in pixels.
+    pub width: i32,
+    pub height: i32,
+    /// of the longer side, 1 .. 32768; the shorter one is as the object needs it; 0 = 1600
+    pub size: i32,
+    /// HRBFNPR_PICTURE_SIDES_...; AUTO
+    pub sides: u32,
+    /// radius of the pen, which styles vary a little; 0 = an 800th of the longer side, at least 0.75
+    pub pen: f64,
+    /// of contours; others are finer; 0 = that of the style
+    pub line_width: f64,
+    /// used as it is, with its viewport as size; NULL
+    ///
+    /// Camera.
+    pub camera: *const hrbfnpr_camera,
+    /// 0, 0, 0 = by the format and the shape, y where neither tells
+    pub up: [f64; 3],
+    /// degrees, of the camera about the up axis; NaN = 30, and another where that sees the back
+    /// of an open surface
+    pub azimuth: f64,
+    /// degrees, of the camera above the horizon; NaN = 20
+    pub elevation: f64,
+    /// from the eye into the scene, in place of these two; 0, 0, 0 = not given
+    pub direction: [f64; 3],
+    /// place of the eye, which looks at `target`; NaN = not given
+    pub eye: [f64; 3],
+    /// NaN = the middle of the model
+    pub target: [f64; 3],
+    /// degrees, vertical angle of view, 0 = orthographic; NaN = 30, 0 of the style archaeological
+    pub fov: f64,
+    /// share that is free on each side, 0 .. 0.45; NaN = 0.05
+    pub margin: f64,
+    /// degrees, of an orbit that starts here: the picture has room for all of it; 0 = a still
+    pub turn: f64,
+    /// of that orbit, 1 and more; 36
+    pub turn_frames: i32,
+    /// HRBFNPR_NORMALS_...: what is known of those of points; AUTO
+    ///
+    /// From the source to a surface.
+    pub normals: u32,
+    /// of a mesh, or chosen from points; 0 = as many as a mesh needs, of points all up to 4096
+    pub samples: i64,
+    /// units of the source: samples are chosen until all is this near; 0 = 0.002 diagonals of a
+    /// mesh, none of points
+    pub tolerance: f64,
+    /// the most samples that are chosen; 0 = 8000 of a mesh, no limit of points
+    pub maximum_centres: i64,
+    /// HRBFNPR_PARTS_...: of a mesh; OUTER
+    pub parts: u32,
+    /// HRBFNPR_PICTURE_EDGES_...: of a mesh; AS_GIVEN
+    pub edges: u32,
+    /// degrees, 5 .. 175: of EDGES_SHARP; 30
+    pub edge_angle: f64,
+    /// degrees, 0 .. 180: faces that meet at a sharper angle do not share their normals; NaN = 60
+    pub crease_angle: f64,
+    /// how often faces are divided into four towards something round, 0 .. 6; -1 = where they are
+    /// coarse and no edges stand out
+    pub subdivide: i32,
+    /// HRBFNPR_PROFILE_...; AUTO
+    pub profile: u32,
+    /// where the scanner stood: open surfaces without normals look to it; NaN = as the source tells
+    pub viewpoint: [f64; 3],
+    /// factor of the width over which the image of a depth camera is smoothed; 0 leaves its
+    /// points where they are; NaN = 1
+    pub depth_smoothing: f64,
+    /// of all that is random; 1
+    pub random_seed: u64,
+    /// kinds of layers with commas between, "stipples,hatch"; NULL = those of the style
+    ///
+    /// Marks, lines, and what stands beside the drawing.
+    pub mark_kinds: *const c_char,
+    /// n x 3: where marks of PUBLISHED start; not given
+    pub seed_points: hrbfnpr_array,
+    /// degrees by which all lines of hatching are turned; 0
+    pub hatch_angle: f64,
+    /// kinds with commas between: contour, suggestive, ridges, valleys, apparent, parabolic,
+    /// isophotes=0.3:0.6, section=z:20, border, crease; "none": contours by marks; NULL = those
+    /// of the style
+    pub lines: *const c_char,
+    /// the unit of a scale bar below the drawing; "none": no bar; NULL = "units" of the style
+    /// archaeological, else "none"
+    pub scale_bar: *const c_char,
+    /// NULL
+    pub on_event: hrbfnpr_picture_event_fn,
+    pub event_user: *mut c_void,
+}
+
+extern "C" {
+    pub fn hrbfnpr_picture_desc_init(
+        desc: *mut hrbfnpr_picture_desc,
+        struct_size: u32,
+    ) -> hrbfnpr_status;
+}
+
+// What it is.
+pub const HRBFNPR_SOURCE_KIND_POINTS: u32 = 1;
+pub const HRBFNPR_SOURCE_KIND_MESH: u32 = 2;
+pub const HRBFNPR_SOURCE_KIND_MODEL: u32 = 3;
+pub const HRBFNPR_SOURCE_KIND_POINT_SET: u32 = 4;
+
+// Which way normals look.
+/// there are none, or the source cannot be drawn
+pub const HRBFNPR_NORMALS_LOOK_UNKNOWN: u32 = 0;
+pub const HRBFNPR_NORMALS_LOOK_OUTWARD: u32 = 1;
+pub const HRBFNPR_NORMALS_LOOK_INWARD: u32 = 2;
+/// some outward, others inward
+pub const HRBFNPR_NORMALS_LOOK_MIXED: u32 = 3;
+/// they agree, and the surface encloses nothing
+pub const HRBFNPR_NORMALS_LOOK_OPEN: u32 = 4;
+/// they belong to other points; told of points along curves
+pub const HRBFNPR_NORMALS_LOOK_FOREIGN: u32 = 5;
+
+/// What is not known of this kind of source is 0, and so is what would have been found out
+/// after the finding that it
+/// cannot be drawn.
+#[repr(C)]
+#[derive(Debug, Clone, Copy)]
+pub struct hrbfnpr_source_info {
+    pub struct_size: u32,
+    /// HRBFNPR_SOURCE_KIND_...
+    pub kind: u32,
+    /// HRBFNPR_SEVERITY_... of the worst finding: INFO = there is none, NOTE = a picture repairs
+    /// it, WARNING, FAILURE = it cannot be drawn
+    pub severity: u32,
+    /// HRBFNPR_NORMALS_LOOK_...: of points or faces
+    pub normals_look: u32,
+    /// as given; vertices of a mesh, centres of a model, marks of a point set
+    pub points: i64,
+    /// as given
+    pub triangles: i64,
+    /// points at a value that stands for none; what follows is without them
+    pub no_data: i64,
+    /// points far from all others; what follows is without them
+    pub strays: i64,
+    pub points_not_finite: i64,
+    /// points, or vertices of faces, at the place of another
+    pub duplicates: i64,
+    /// of finite points
+    pub bounds_min: [f64; 3],
+    pub bounds_max: [f64; 3],
+    /// of these bounds
+    pub diagonal: f64,
+    /// that a picture chooses by itself, of points and meshes; the reason is at the end
+    pub up: [f64; 3],
+    /// 1: there are some that are not zero
+    ///
+    /// Normals of points; looks_down, normals_closed and normals_flipped_share of faces, too.
+    pub has_normals: u32,
+    /// 1: the points lie along curves, as those of wires and cross sections
+    pub along_curves: u32,
+    /// a terrain looks down along an axis: 1 = y, 2 = z; 0 = it does not, or is none
+    pub looks_down: u32,
+    pub reserved: u32,
+    pub normals_zero: i64,
+    pub normals_not_finite: i64,
+    /// of length 1, of those that can be used; 0 .. 1
+    pub normals_unit_share: f64,
+    /// sum of the winding numbers on both sides of the samples, in the middle: 1 closed and
+    /// outward, -1 inward, 0 a flat sheet; not of points along curves
+    pub normals_closed: f64,
+    /// judged by neighbours; not of points along curves
+    pub normals_flipped_share: f64,
+    /// pixels that have a point
+    ///
+    /// The picture of a depth camera that has no normals.
+    pub image_seen: i64,
+    /// of these, on no surface
+    pub image_dropped: i64,
+    /// median of those that were seen
+    pub image_depth: f64,
+    /// standard deviation at that depth
+    pub image_noise: f64,
+    /// 1: each edge has two faces, which run along it in opposite directions
+    ///
+    /// A mesh, as given but for vertices at the same place, which are joined.
+    pub closed: u32,
+    /// 1: it is closed, and its faces look inward
+    pub inside_out: u32,
+    /// parts that share no vertex
+    pub components: i64,
+    /// parts without border whose faces look inward; inside another one it is a cavity
+    pub components_inside_out: i64,
+    /// of one face
+    pub boundary_edges: i64,
+    /// borders
+    pub boundary_loops: i64,
+    /// of more than two faces
+    pub nonmanifold_edges: i64,
+    /// after hrbfnpr_mesh_create has mended what it can
+    pub nonmanifold_left: i64,
+    /// of two faces, one of which is turned over
+    pub contrary_edges: i64,
+    /// with a corner that is not finite
+    pub faces_not_finite: i64,
+    /// without area
+    pub degenerate_faces: i64,
+    /// with the corners of another
+    pub repeated_faces: i64,
+    /// of no face
+    pub unused_vertices: i64,
+    pub area: f64,
+    /// enclosed; 0 where the mesh is not closed
+    pub volume: f64,
+    /// "it is so in PLY files"; "" = up is not known
+    pub up_reason: [c_char; 128],
+}
+
+extern "C" {
+    pub fn hrbfnpr_source_info_init(
+        info: *mut hrbfnpr_source_info,
+        struct_size: u32,
+    ) -> hrbfnpr_status;
+    /// Looks at a source without drawing it: facts into info, findings as notes of on_event.
+    /// NOTE: what a picture repairs;
+    /// WARNING: what is wrong, with advice; FAILURE: a code NOT_USABLE that says why it cannot be
+    /// drawn, and the call is
+    /// OK all the same.  One matter may be both repaired and wrong.  wording:
+    /// HRBFNPR_WORDING_...; on_event and operation
+    /// may be NULL.
+    /// Errors: INVALID_ARGUMENT (fields of the source), OUT_OF_MEMORY, CANCELLED, CALLBACK.
+    pub fn hrbfnpr_source_inspect(
+        context: *mut hrbfnpr_context,
+        source: *const hrbfnpr_picture_source,
+        wording: u32,
+        on_event: hrbfnpr_picture_event_fn,
+        event_user: *mut c_void,
+        operation: *mut hrbfnpr_operation,
+        info: *mut hrbfnpr_source_info,
+        error: *mut hrbfnpr_error,
+    ) -> hrbfnpr_status;
+    /// Fits, places marks and looks for lines; draws nothing yet.  operation may be NULL.
+    /// Needs the stack of hrbfnpr_model_fit.
+    /// Errors: INVALID_ARGUMENT (also for a source that cannot be drawn), SINGULAR_SYSTEM,
+    /// NOT_CONVERGED, OUT_OF_MEMORY, CANCELLED, CALLBACK.
+    pub fn hrbfnpr_picture_create(
+        context: *mut hrbfnpr_context,
+        desc: *const hrbfnpr_picture_desc,
+        operation: *mut hrbfnpr_operation,
+        out_picture: *mut *mut hrbfnpr_picture,
+        error: *mut hrbfnpr_error,
+    ) -> hrbfnpr_status;
+    /// The same surfaces in another style, size or view: desc has no sources.  Marks and lines
+    /// that fit are used again; else they are placed and looked for anew.
+    pub fn hrbfnpr_picture_restyle(
+        picture: *const hrbfnpr_picture,
+        desc: *const hrbfnpr_picture_desc,
+        operation: *mut hrbfnpr_operation,
+        out_picture: *mut *mut hrbfnpr_picture,
+        error: *mut hrbfnpr_error,
+    ) -> hrbfnpr_status;
+    /// any thread; NULL is ignored
+    pub fn hrbfnpr_picture_retain(picture: *mut hrbfnpr_picture);
+    /// any thread; NULL is ignored
+    pub fn hrbfnpr_picture_release(picture: *mut hrbfnpr_picture);
+    /// Draws it.  camera NULL: as it was planned, and INVALID_ARGUMENT with a note BLANK if hardly
+    /// anything could be seen (ALLOW_BLANK lets it be).  Lines keep their numbers from one
+    /// drawing to the next.  operation may be NULL.
+    pub fn hrbfnpr_picture_draw(
+        picture: *mut hrbfnpr_picture,
+        camera: *const hrbfnpr_camera,
+        operation: *mut hrbfnpr_operation,
+        out_drawing: *mut *mut hrbfnpr_drawing,
+        error: *mut hrbfnpr_error,
+    ) -> hrbfnpr_status;
+}
+
+#[repr(C)]
+#[derive(Debug, Clone, Copy)]
+pub struct hrbfnpr_picture_info {
+    pub struct_size: u32,
+    /// HRBFNPR_PRESET_...
+    pub preset: u32,
+    /// surfaces, or 1 of a point set
+    pub parts: i64,
+    /// of all parts
+    pub marks: i64,
+    pub notes: i64,
+    pub stages: i64,
+    /// pixels, of the drawing
+    pub width: i32,
+    pub height: i32,
+    /// of all parts
+    pub bounds_min: [f64; 3],
+    pub bounds_max: [f64; 3],
+    /// as used
+    pub up: [f64; 3],
+    /// radius, pixels, as used
+    pub pen: f64,
+    /// that it took to make
+    pub seconds: f64,
+}
+
+extern "C" {
+    pub fn hrbfnpr_picture_info_init(
+        info: *mut hrbfnpr_picture_info,
+        struct_size: u32,
+    ) -> hrbfnpr_status;
+    pub fn hrbfnpr_picture_get_info(
+        picture: *const hrbfnpr_picture,
+        info: *mut hrbfnpr_picture_info,
+        error: *mut hrbfnpr_error,
+    ) -> hrbfnpr_status;
+}
+
+/// One surface: handles without references of their own, valid while the picture lives.
+#[repr(C)]
+#[derive(Debug, Clone, Copy)]
+pub struct hrbfnpr_picture_part {
+    pub struct_size: u32,
+    /// HRBFNPR_SIDES_... as used
+    pub sides: u32,
+    /// NULL of a point set
+    pub model: *const hrbfnpr_model,
+    /// NULL with SURFACE_ONLY
+    pub point_set: *const hrbfnpr_point_set,
+    /// NULL without lines
+    pub line_set: *const hrbfnpr_line_set,
+    /// of a mesh, as it was fitted to; else NULL
+    pub mesh: *const hrbfnpr_mesh,
+}
+
+extern "C" {
+    pub fn hrbfnpr_picture_part_init(
+        part: *mut hrbfnpr_picture_part,
+        struct_size: u32,
+    ) -> hrbfnpr_status;
+    /// number: 0 .. hrbfnpr_picture_info.parts - 1; the largest is 0.
+    pub fn hrbfnpr_picture_get_part(
+        picture: *const hrbfnpr_picture,
+        number: i64,
+        part: *mut hrbfnpr_picture_part,
+        error: *mut hrbfnpr_error,
+    ) -> hrbfnpr_status;
+    /// What was chosen for hrbfnpr_renderer_draw, valid while the picture lives.
+    pub fn hrbfnpr_picture_get_style(
+        picture: *const hrbfnpr_picture,
+        style: *mut *const hrbfnpr_style,
+        error: *mut hrbfnpr_error,
+    ) -> hrbfnpr_status;
+    /// ... and for hrbfnpr_point_set_generate; *desc is NULL where marks were given.
+    pub fn hrbfnpr_picture_get_marks(
+        picture: *const hrbfnpr_picture,
+        desc: *mut *const hrbfnpr_generate_desc,
+        error: *mut hrbfnpr_error,
+    ) -> hrbfnpr_status;
+    /// number: 0 .. hrbfnpr_picture_info.notes - 1.  The text is valid while the picture lives.
+    pub fn hrbfnpr_picture_get_note(
+        picture: *const hrbfnpr_picture,
+        number: i64,
+        note: *mut hrbfnpr_note,
+        error: *mut hrbfnpr_error,
+    ) -> hrbfnpr_status;
+    /// number: 0 .. hrbfnpr_picture_info.stages - 1: those that are over, as their last event.
+    pub fn hrbfnpr_picture_get_stage(
+        picture: *const hrbfnpr_picture,
+        number: i64,
+        stage: *mut hrbfnpr_picture_event,
+        error: *mut hrbfnpr_error,
+    ) -> hrbfnpr_status;
+    /// The camera that was planned.
+    pub fn hrbfnpr_picture_get_camera(
+        picture: *const hrbfnpr_picture,
+        camera: *mut hrbfnpr_camera,
+        error: *mut hrbfnpr_error,
+    ) -> hrbfnpr_status;
+    /// One from another side, with the size, the lens and the margin of the picture: along
+    /// `direction`, or from azimuth and
+    /// elevation in degrees, where direction is NULL; NaN = as planned.
+    pub fn hrbfnpr_picture_look(
+        picture: *const hrbfnpr_picture,
+        direction: *const f64,
+        azimuth: f64,
+        elevation: f64,
+        camera: *mut hrbfnpr_camera,
+        error: *mut hrbfnpr_error,
+    ) -> hrbfnpr_status;
+    /// The planned one, turned about the up axis through the middle of the model (or the target
+    /// of an eye).
+    pub fn hrbfnpr_picture_orbit(
+        picture: *const hrbfnpr_picture,
+        degrees: f64,
+        camera: *mut hrbfnpr_camera,
+        error: *mut hrbfnpr_error,
+    ) -> hrbfnpr_status;
+    /// A plate is a drawing with the section and the scale bar that the picture has beside it;
+    /// without these it is the
+    /// drawing alone.  In this part `camera` is the one that the drawing was made by; NULL = the
+    /// planned one.
+    /// *width and *height get the pixels of the plate.
+    pub fn hrbfnpr_picture_plate_size(
+        picture: *const hrbfnpr_picture,
+        camera: *const hrbfnpr_camera,
+        width: *mut i32,
+        height: *mut i32,
+        error: *mut hrbfnpr_error,
+    ) -> hrbfnpr_status;
+    /// The plate as an image of at least plate_size pixels, from its top-left corner; as
+    /// hrbfnpr_drawing_rasterize.
+    pub fn hrbfnpr_picture_rasterize(
+        picture: *const hrbfnpr_picture,
+        drawing: *const hrbfnpr_drawing,
+        camera: *const hrbfnpr_camera,
+        image: *const hrbfnpr_image,
+        error: *mut hrbfnpr_error,
+    ) -> hrbfnpr_status;
+}
+
+/// On which paper a drawing is written, and with which pens.
+#[repr(C)]
+#[derive(Debug, Clone, Copy)]
+pub struct hrbfnpr_picture_page_desc {
+    pub struct_size: u32,
+    pub reserved: u32,
+    /// format, flags, tolerance, speeds, pens and the like; its items, annotations and size are
+    /// set by this call, and its title, description and metadata where they are NULL; NULL = its
+    /// defaults
+    pub page: *const hrbfnpr_page_desc,
+    /// "a0" .. "a6", "letter", "legal", "tabloid", or "210x297" in mm: the drawing fills it,
+    /// turned as it fits better; NULL = a pixel is 25.4 / 96 mm
+    pub paper: *const c_char,
+    /// mm, free on each side of the paper; 10
+    pub paper_margin: f64,
+    /// FLOAT64, 1, mm, ascending: of the pens at hand; each group gets that which is nearest to
+    /// its lines' median width; not given
+    pub pen_widths: hrbfnpr_array,
+}
+
+extern "C" {
+    pub fn hrbfnpr_picture_page_desc_init(
+        desc: *mut hrbfnpr_picture_page_desc,
+        struct_size: u32,
+    ) -> hrbfnpr_status;
+    /// The plate as vectors; as hrbfnpr_page_write.  desc, info and operation may be NULL.  Adds
+    /// notes PENS and PLOTTED.
+    pub fn hrbfnpr_picture_write(
+        picture: *mut hrbfnpr_picture,
+        drawing: *const hrbfnpr_drawing,
+        camera: *const hrbfnpr_camera,
+        desc: *const hrbfnpr_picture_page_desc,
+        write: hrbfnpr_write_fn,
+        user: *mut c_void,
+        info: *mut hrbfnpr_page_info,
+        operation: *mut hrbfnpr_operation,
+        error: *mut hrbfnpr_error,
+    ) -> hrbfnpr_status;
+    /// Reads what _write_settings or the viewer wrote (docs/settings.md).
+    /// Errors: IO, INVALID_ARGUMENT that names the key and what would be right, OUT_OF_MEMORY.
+    pub fn hrbfnpr_settings_load(
+        context: *mut hrbfnpr_context,
+        read: hrbfnpr_read_fn,
+        user: *mut c_void,
+        out_settings: *mut *mut hrbfnpr_settings,
+        error: *mut hrbfnpr_error,
+    ) -> hrbfnpr_status;
+    /// any thread; NULL is ignored
+    pub fn hrbfnpr_settings_retain(settings: *const hrbfnpr_settings);
+    /// any thread; NULL is ignored
+    pub fn hrbfnpr_settings_release(settings: *const hrbfnpr_settings);
+    /// Writes what a picture was made with.  What settings do not hold becomes a note NOT_IN_SETTINGS.
+    pub fn hrbfnpr_picture_write_settings(
+        picture: *mut hrbfnpr_picture,
+        write: hrbfnpr_write_fn,
+        user: *mut c_void,
+        error: *mut hrbfnpr_error,
+    ) -> hrbfnpr_status;
+}
+
+// 15  VIEWS: technical drawings on a sheet, to scale
+
+/// planes of symmetry through the middle have a centre line in each view that sees them as a
+/// line; a note NO_SYMMETRY says that there are none
+pub const HRBFNPR_VIEWS_CENTRE_LINES: u32 = 1;
+/// the name of each view stands above it; that of a section always does
+pub const HRBFNPR_VIEWS_LABELS: u32 = 2;
+/// the format of the source is in metres, as glTF: a unit_mm of 0 is 1000, with a note UNIT_IS_METRE
+pub const HRBFNPR_VIEWS_UNIT_IS_METRE: u32 = 4;
+
+// Where views stand [ISO 5456-2].
+/// first angle: the left view at the right, the top view below
+pub const HRBFNPR_VIEWS_ANGLE_FIRST: u32 = 0;
+/// third angle: the left view at the left, the top view above
+pub const HRBFNPR_VIEWS_ANGLE_THIRD: u32 = 1;
+
+// Hidden edges.  Sections never have any [ISO 128-3].
+/// dashed thin lines
+pub const HRBFNPR_VIEWS_HIDDEN_DASHED: u32 = 0;
+/// they are not drawn
+pub const HRBFNPR_VIEWS_HIDDEN_NONE: u32 = 1;
+/// continuous thin lines
+pub const HRBFNPR_VIEWS_HIDDEN_SHOWN: u32 = 2;
+
+/// Texts are UTF-8 and are read during the call only.
+#[repr(C)]
+#[derive(Debug, Clone, Copy)]
+pub struct hrbfnpr_views_desc {
+    pub struct_size: u32,
+    /// HRBFNPR_VIEWS_...; 0
+    pub flags: u32,
+    /// HRBFNPR_VIEWS_ANGLE_...; FIRST
+    pub projection: u32,
+    /// HRBFNPR_VIEWS_HIDDEN_...; DASHED
+    pub hidden: u32,
+    /// names with commas between: front, back, left, right, top, bottom, iso; each is drawn once.
+    /// NULL = "front,left,top,iso", with ANGLE_THIRD "front,right,top,iso"
+    pub views: *const c_char,
+    /// planes with semicolons between: "z:20" cuts at z = 20, "z" through the middle, "1:1:0:5"
+    /// at x + y = 5. An axis without a sign is seen from the front, from above or from the side
+    /// that is drawn; "+z:20" from above, "-z:20" from below. They are called A-A, B-B, ...; NULL
+    /// = none
+    pub sections: *const c_char,
+    /// "a0" .. "a6", "letter", "legal" or "tabloid", lying, or "297x210", width and height in mm;
+    /// "auto" = the smallest of a4 to a0 that has room at the scale, a3 where the scale is
+    /// "auto", too; NULL = "auto"
+    pub paper: *const c_char,
+    /// "1:2" = half as large as it is; "auto" = the largest of 1, 2 and 5 times a power of ten
+    /// [ISO 5455] that has room on the paper; NULL = "auto"
+    pub scale: *const c_char,
+    /// thin lines where the surface bends without an edge: kinds with commas between, ridges,
+    /// valleys, suggestive; "none"; NULL = "none"
+    pub smooth: *const c_char,
+    /// in the title block; NULL or "" = `model` without the ending of its name
+    pub title: *const c_char,
+    /// the file's name, in the title block; NULL or "" = the name of the picture's source
+    pub model: *const c_char,
+    /// mm of a unit of the model, up to 1e9; 0 = 1, or 1000 with UNIT_IS_METRE
+    pub unit_mm: f64,
+    /// degrees, > 0: edges of a mesh are sharp if its faces meet at more than this; 30. Larger:
+    /// fewer edges
+    pub crease_angle: f64,
+    /// mm, 0.01 .. 1000: of outlines; thin lines are half as wide; 0.5
+    pub line_width: f64,
+    /// mm, 0.01 .. 1000: between the lines in cut faces; 3
+    pub hatch_spacing: f64,
+    /// mm, > 0: free between views; 15
+    pub spacing: f64,
+    /// format, flags, tolerance, speeds and the like; its items, annotations, pens and size are
+    /// set by this call, and its title and description where they are NULL; NULL = its defaults
+    /// with a tolerance of 0.02
+    pub page: *const hrbfnpr_page_desc,
+}
+
+extern "C" {
+    pub fn hrbfnpr_views_desc_init(
+        desc: *mut hrbfnpr_views_desc,
+        struct_size: u32,
+    ) -> hrbfnpr_status;
+}
+
+/// What was drawn.
+#[repr(C)]
+#[derive(Debug, Clone, Copy)]
+pub struct hrbfnpr_views_info {
+    pub struct_size: u32,
+    pub reserved: u32,
+    /// sections are among them
+    pub views: i64,
+    /// that were written
+    pub bytes: i64,
+    /// mm, of the page
+    pub width: f64,
+    /// mm, of the page
+    pub height: f64,
+    /// 0.5 of 1:2
+    pub scale: f64,
+    /// mm of a unit of the model, as used
+    pub unit_mm: f64,
+    /// "1:2"
+    pub scale_text: [c_char; 64],
+    /// "a3", "297 x 210"
+    pub paper: [c_char; 64],
+}
+
+extern "C" {
+    pub fn hrbfnpr_views_info_init(
+        info: *mut hrbfnpr_views_info,
+        struct_size: u32,
+    ) -> hrbfnpr_status;
+    /// Draws the first part of a picture, which has a model, as a sheet of views; a picture made
+    /// with SURFACE_ONLY is
+    /// enough.  desc, info and operation may be NULL.  The picture gets stages LINES and VIEWS,
+    /// and notes UNIT_IS_METRE,
+    /// NO_SYMMETRY and SECTION_OPEN.
+    /// Errors: INVALID_ARGUMENT (a picture of a point set; a text that is not understood; a plane
+    /// that misses the model;
+    /// views that have no room on the paper at the scale: the message says which scale or paper
+    /// has), and those of
+    /// hrbfnpr_line_set_create, hrbfnpr_renderer_draw and hrbfnpr_page_write.
+    pub fn hrbfnpr_picture_write_views(
+        picture: *mut hrbfnpr_picture,
+        desc: *const hrbfnpr_views_desc,
+        write: hrbfnpr_write_fn,
+        user: *mut c_void,
+        info: *mut hrbfnpr_views_info,
         operation: *mut hrbfnpr_operation,
         error: *mut hrbfnpr_error,
     ) -> hrbfnpr_status;

@@ -1,0 +1,278 @@
+// SPDX-License-Identifier: MIT
+using System;
+using System.IO;
+using System.Threading;
+
+namespace HrbfNpr
+{
+    /// <remarks>
+    /// A plate is a drawing with the section and the scale bar that the picture has beside it; without these it is the
+    /// drawing alone.
+    /// </remarks>
+    public sealed unsafe partial class Picture
+    {
+        /// <summary>Pixels of the plate.</summary>
+        /// <param name="camera">That of the drawing; null = <see cref="Camera"/>.</param>
+        /// <exception cref="InvalidArgumentException">The picture has only its surface.</exception>
+        public (int Width, int Height) PlateSize(Camera camera = null)
+        {
+            int width, height;
+            hrbfnpr_camera view = camera == null ? default(hrbfnpr_camera) : camera.Native;
+            hrbfnpr_error error = Errors.New();
+            lock (gate)
+            {
+                Errors.Check(
+                    NativeMethods.hrbfnpr_picture_plate_size(
+                        handle, camera == null ? null : &view, &width, &height, &error),
+                    &error);
+            }
+            return (width, height);
+        }
+
+        /// <summary>The plate of <see cref="Drawing"/> as an image.</summary>
+        /// <param name="format">Of the pixels; floats are given as their bytes.</param>
+        /// <returns>As many pixels as <see cref="PlateSize"/> says.</returns>
+        public byte[] Rasterize(PixelFormat format = PixelFormat.Rgba8)
+        {
+            return Rasterize(Drawing, format);
+        }
+
+        /// <summary>The plate of a drawing as an image.</summary>
+        /// <param name="drawing">Of this picture.</param>
+        /// <param name="format">Of the pixels; floats are given as their bytes.</param>
+        /// <returns>As many pixels as <see cref="PlateSize"/> says.</returns>
+        public byte[] Rasterize(Drawing drawing, PixelFormat format = PixelFormat.Rgba8)
+        {
+            if (drawing == null)
+            {
+                throw new ArgumentNullException(nameof(drawing));
+            }
+            (int width, int height) = PlateSize(drawing.Camera);
+            var pixels = new byte[(long)Drawing.PixelBytes(format) * width * height];
+            fixed (byte* first = pixels)
+            {
+                Rasterize((IntPtr)first, width, height, format, 0, drawing);
+            }
+            return pixels;
+        }
+
+        /// <summary>The plate in an image, from its top-left corner; other pixels are not touched.</summary>
+        /// <param name="pixels">The image, packed.</param>
+        /// <param name="width">Pixels, at least those of the plate.</param>
+        /// <param name="height">Pixels, at least those of the plate.</param>
+        /// <param name="format">Of the pixels.</param>
+        /// <param name="drawing">Of this picture; null = <see cref="Drawing"/>.</param>
+        /// <exception cref="InvalidArgumentException">The array or the image is too small.</exception>
+        public void Rasterize(
+            byte[] pixels, int width, int height, PixelFormat format = PixelFormat.Rgba8, Drawing drawing = null)
+        {
+            if (pixels == null)
+            {
+                throw new ArgumentNullException(nameof(pixels));
+            }
+            Drawing.Start(pixels.LongLength, width, height, format, null);
+            fixed (byte* first = pixels)
+            {
+                Rasterize((IntPtr)first, width, height, format, 0, drawing);
+            }
+        }
+
+#if NET7_0_OR_GREATER
+        /// <summary>As the other <c>Rasterize</c>, into a span.</summary>
+        /// <param name="pixels">The image, packed.</param>
+        /// <param name="width">Pixels, at least those of the plate.</param>
+        /// <param name="height">Pixels, at least those of the plate.</param>
+        /// <param name="format">Of the pixels.</param>
+        /// <param name="drawing">Of this picture; null = <see cref="Drawing"/>.</param>
+        public void Rasterize(
+            Span<byte> pixels, int width, int height, PixelFormat format = PixelFormat.Rgba8, Drawing drawing = null)
+        {
+            Drawing.Start(pixels.Length, width, height, format, null);
+            fixed (byte* first = pixels)
+            {
+                Rasterize((IntPtr)first, width, height, format, 0, drawing);
+            }
+        }
+#endif
+
+        /// <summary>As the other <c>Rasterize</c>, into native memory, such as a texture's or a NativeArray's.</summary>
+        /// <param name="pixels">The top-left pixel, whatever the sign of the row stride.</param>
+        /// <param name="width">Pixels, at least those of the plate.</param>
+        /// <param name="height">Pixels, at least those of the plate.</param>
+        /// <param name="format">Of the pixels.</param>
+        /// <param name="rowStride">Bytes from a row to the one below; 0 = packed; may be negative.</param>
+        /// <param name="drawing">Of this picture; null = <see cref="Drawing"/>.</param>
+        /// <exception cref="InvalidArgumentException">The image is too small.</exception>
+        public void Rasterize(
+            IntPtr pixels, int width, int height, PixelFormat format = PixelFormat.Rgba8, long rowStride = 0,
+            Drawing drawing = null)
+        {
+            hrbfnpr_image image;
+            Errors.Check(NativeMethods.hrbfnpr_image_init(&image, (uint)sizeof(hrbfnpr_image)));
+            image.format = (uint)format;
+            image.width = width;
+            image.height = height;
+            image.pixels = pixels;
+            image.row_stride = rowStride;
+            drawing = drawing ?? Drawing;
+            hrbfnpr_camera camera = drawing.Camera.Native;
+            hrbfnpr_error error = Errors.New();
+            lock (gate)
+            {
+                Errors.Check(
+                    NativeMethods.hrbfnpr_picture_rasterize(handle, drawing.Handle, &camera, &image, &error), &error);
+            }
+        }
+
+        /// <summary>Writes the plate as vectors.</summary>
+        /// <param name="stream">Written to on this thread, and not closed.</param>
+        /// <param name="options">An SVG with all defaults if null.</param>
+        /// <param name="drawing">Of this picture; null = <see cref="Drawing"/>.</param>
+        /// <param name="progress">May be null.</param>
+        /// <param name="cancellationToken">Cancels the call.</param>
+        /// <exception cref="InvalidArgumentException">A number is out of its range, a paper is not known, or the drawing
+        /// has discs of paper, as Published frames have, and is to be plotted.</exception>
+        /// <exception cref="StreamException">The stream failed.</exception>
+        public PageInfo Write(
+            Stream stream, PicturePageOptions options = null, Drawing drawing = null,
+            IProgress<double> progress = null, CancellationToken cancellationToken = default(CancellationToken))
+        {
+            return Write(stream, null, options, drawing, progress, cancellationToken);
+        }
+
+        /// <summary>Writes the plate of <see cref="Drawing"/> as SVG.</summary>
+        /// <param name="stream">Written to on this thread, and not closed.</param>
+        /// <param name="options">All defaults if null; their format is not used.</param>
+        public PageInfo WriteSvg(Stream stream, PicturePageOptions options = null)
+        {
+            return Write(stream, PageFormat.Svg, options, null, null, default(CancellationToken));
+        }
+
+        /// <summary>Writes the plate of <see cref="Drawing"/> to a file of SVG.</summary>
+        /// <param name="path">Of the file, which is made or replaced.</param>
+        /// <param name="options">All defaults if null; their format is not used.</param>
+        public PageInfo WriteSvg(string path, PicturePageOptions options = null)
+        {
+            return Write(path, PageFormat.Svg, options);
+        }
+
+        /// <summary>Writes the plate of <see cref="Drawing"/> as PDF.</summary>
+        /// <param name="stream">Written to on this thread, and not closed.</param>
+        /// <param name="options">All defaults if null; their format is not used.</param>
+        public PageInfo WritePdf(Stream stream, PicturePageOptions options = null)
+        {
+            return Write(stream, PageFormat.Pdf, options, null, null, default(CancellationToken));
+        }
+
+        /// <summary>Writes the plate of <see cref="Drawing"/> to a file of PDF.</summary>
+        /// <param name="path">Of the file, which is made or replaced.</param>
+        /// <param name="options">All defaults if null; their format is not used.</param>
+        public PageInfo WritePdf(string path, PicturePageOptions options = null)
+        {
+            return Write(path, PageFormat.Pdf, options);
+        }
+
+        /// <summary>
+        /// Draws the first part, which has a model, as a technical drawing: orthographic views and sections on a sheet, to
+        /// scale.  A picture with <see cref="PictureOptions.SurfaceOnly"/> is enough.
+        /// </summary>
+        /// <param name="stream">Written to on this thread, and not closed.</param>
+        /// <param name="options">All defaults if null.</param>
+        /// <param name="progress">May be null.</param>
+        /// <param name="cancellationToken">Cancels the call.</param>
+        /// <exception cref="InvalidArgumentException">The picture is of a point set, a text is not understood, a plane
+        /// misses the model, or views have no room on the paper at the scale: the message says which scale or paper
+        /// has.</exception>
+        /// <exception cref="StreamException">The stream failed.</exception>
+        public ViewsInfo WriteViews(
+            Stream stream, ViewsOptions options = null, IProgress<double> progress = null,
+            CancellationToken cancellationToken = default(CancellationToken))
+        {
+            var target = new StreamState(stream);
+            using (var pins = new Pins())
+            using (var user = new UserHandle(target))
+            {
+                return Work(progress, cancellationToken, call =>
+                {
+                    hrbfnpr_views_desc desc;
+                    (options ?? new ViewsOptions()).Write(&desc, pins);
+                    ViewsInfo info;
+                    Errors.Check(NativeMethods.hrbfnpr_views_info_init(&info, (uint)sizeof(ViewsInfo)));
+                    hrbfnpr_error error = Errors.New();
+                    int status = NativeMethods.hrbfnpr_picture_write_views(
+                        handle, &desc, StreamState.Write, user.Pointer, &info, call.Operation, &error);
+                    target.CheckStream();
+                    state.Check(call, status, &error);
+                    return info;
+                });
+            }
+        }
+
+        /// <summary>Writes what the picture was made with, for <see cref="PictureOptions.Settings"/>.</summary>
+        /// <remarks>What settings do not hold becomes a note <see cref="NoteCode.NotInSettings"/>.</remarks>
+        /// <param name="stream">Written to on this thread, and not closed.</param>
+        /// <exception cref="InvalidArgumentException">The picture has only its surface.</exception>
+        /// <exception cref="StreamException">The stream failed.</exception>
+        public void SaveSettings(Stream stream)
+        {
+            var target = new StreamState(stream);
+            using (var user = new UserHandle(target))
+            {
+                Work(null, default(CancellationToken), call =>
+                {
+                    hrbfnpr_error error = Errors.New();
+                    int status = NativeMethods.hrbfnpr_picture_write_settings(
+                        handle, StreamState.Write, user.Pointer, &error);
+                    target.CheckStream();
+                    state.Check(call, status, &error);
+                    return status;
+                });
+            }
+        }
+
+        /// <summary>Writes what the picture was made with to a file of JSON.</summary>
+        /// <param name="path">Of the file, which is made or replaced.</param>
+        public void SaveSettings(string path)
+        {
+            using (FileStream file = File.Create(path))
+            {
+                SaveSettings(file);
+            }
+        }
+
+        private PageInfo Write(string path, PageFormat format, PicturePageOptions options)
+        {
+            using (FileStream file = File.Create(path))
+            {
+                return Write(file, format, options, null, null, default(CancellationToken));
+            }
+        }
+
+        private PageInfo Write(
+            Stream stream, PageFormat? format, PicturePageOptions options, Drawing drawing,
+            IProgress<double> progress, CancellationToken token)
+        {
+            var target = new StreamState(stream);
+            drawing = drawing ?? Drawing;
+            using (var pins = new Pins())
+            using (var user = new UserHandle(target))
+            {
+                return Work(progress, token, call =>
+                {
+                    hrbfnpr_picture_page_desc desc;
+                    (options ?? new PicturePageOptions()).Write(&desc, format, pins);
+                    PageInfo info;
+                    Errors.Check(NativeMethods.hrbfnpr_page_info_init(&info, (uint)sizeof(PageInfo)));
+                    hrbfnpr_camera camera = drawing.Camera.Native;
+                    hrbfnpr_error error = Errors.New();
+                    int status = NativeMethods.hrbfnpr_picture_write(
+                        handle, drawing.Handle, &camera, &desc, StreamState.Write, user.Pointer, &info,
+                        call.Operation, &error);
+                    target.CheckStream();
+                    state.Check(call, status, &error);
+                    return info;
+                });
+            }
+        }
+    }
+}

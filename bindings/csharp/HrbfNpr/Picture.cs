@@ -1,0 +1,549 @@
+// SPDX-License-Identifier: MIT
+using System;
+using System.Collections.Generic;
+using System.Collections.ObjectModel;
+using System.Threading;
+
+namespace HrbfNpr
+{
+    /// <summary>
+    /// A drawing of any source in one call: it chooses what a user leaves open, from repairs of the data to camera, pen,
+    /// marks and lines, and says so in its notes.
+    /// </summary>
+    /// <remarks>
+    /// <para>It is made of the calls of the other classes, and each part of it can be taken out and used by them.</para>
+    /// <para>Calls of several threads to one picture wait for each other.  Progress is in [0, 1] and never falls within a
+    /// call; it is reported on the calling thread.  Calls may throw <see cref="CancelledException"/>,
+    /// <see cref="CallbackException"/>, <see cref="NativeOutOfMemoryException"/> and
+    /// <see cref="ObjectDisposedException"/> beside what is named.</para>
+    /// </remarks>
+    /// <example>
+    /// <code>
+    /// var options = new PictureOptions { Preset = Preset.Engraving, Width = 800, Height = 600 };
+    /// using (Picture picture = Picture.Draw(PictureSource.FromPoints(points, normals), options))
+    /// {
+    ///     byte[] rgba = picture.Rasterize();
+    ///     picture.WriteSvg("drawing.svg");
+    /// }
+    /// </code>
+    /// </example>
+    public sealed unsafe partial class Picture : IDisposable
+    {
+        private const double DrawingBegins = 0.9; // of the progress of Draw
+        private readonly object gate = new object();
+        private readonly PictureHandle handle;
+        private readonly PictureState state;
+        private readonly PictureOrigins origins;
+        private Drawing drawing;
+        private bool working;
+
+        private Picture(PictureHandle handle, PictureState state, PictureOrigins origins)
+        {
+            this.handle = handle;
+            this.state = state;
+            this.origins = origins;
+        }
+
+        /// <summary>Counts, sizes and seconds.</summary>
+        public PictureInfo Info
+        {
+            get
+            {
+                PictureInfo info;
+                Errors.Check(NativeMethods.hrbfnpr_picture_info_init(&info, (uint)sizeof(PictureInfo)));
+                hrbfnpr_error error = Errors.New();
+                lock (gate)
+                {
+                    Errors.Check(NativeMethods.hrbfnpr_picture_get_info(handle, &info, &error), &error);
+                }
+                return info;
+            }
+        }
+
+        /// <summary>What was chosen, repaired, measured and doubted, in the order in which it was said; a new list.</summary>
+        public IReadOnlyList<Note> Notes
+        {
+            get
+            {
+                lock (gate)
+                {
+                    var notes = new Note[Info.Notes];
+                    for (int i = 0; i < notes.Length; ++i)
+                    {
+                        hrbfnpr_note note;
+                        Errors.Check(NativeMethods.hrbfnpr_note_init(&note, (uint)sizeof(hrbfnpr_note)));
+                        hrbfnpr_error error = Errors.New();
+                        Errors.Check(NativeMethods.hrbfnpr_picture_get_note(handle, i, &note, &error), &error);
+                        notes[i] = new Note(&note);
+                    }
+                    return new ReadOnlyCollection<Note>(notes);
+                }
+            }
+        }
+
+        /// <summary>The stages that are over, each as its last event; a new list.</summary>
+        public IReadOnlyList<PictureEvent> Stages
+        {
+            get
+            {
+                lock (gate)
+                {
+                    var stages = new PictureEvent[Info.Stages];
+                    for (int i = 0; i < stages.Length; ++i)
+                    {
+                        hrbfnpr_picture_event stage;
+                        Errors.Check(
+                            NativeMethods.hrbfnpr_picture_event_init(&stage, (uint)sizeof(hrbfnpr_picture_event)));
+                        hrbfnpr_error error = Errors.New();
+                        Errors.Check(NativeMethods.hrbfnpr_picture_get_stage(handle, i, &stage, &error), &error);
+                        stages[i] = new PictureEvent(&stage);
+                    }
+                    return new ReadOnlyCollection<PictureEvent>(stages);
+                }
+            }
+        }
+
+        /// <summary>The surfaces, the largest first, with their marks and lines; new objects each time.</summary>
+        public IReadOnlyList<PicturePart> Parts
+        {
+            get
+            {
+                lock (gate)
+                {
+                    var parts = new PicturePart[Info.Parts];
+                    for (int i = 0; i < parts.Length; ++i)
+                    {
+                        hrbfnpr_picture_part part;
+                        Errors.Check(
+                            NativeMethods.hrbfnpr_picture_part_init(&part, (uint)sizeof(hrbfnpr_picture_part)));
+                        hrbfnpr_error error = Errors.New();
+                        Errors.Check(NativeMethods.hrbfnpr_picture_get_part(handle, i, &part, &error), &error);
+                        parts[i] = origins.Part(&part, handle.Anchor);
+                    }
+                    return new ReadOnlyCollection<PicturePart>(parts);
+                }
+            }
+        }
+
+        /// <summary>The style that was chosen, as <see cref="Renderer"/> takes it; a copy.</summary>
+        /// <remarks>That of a painted picture can be drawn with as long as the picture is not disposed of.</remarks>
+        /// <exception cref="InvalidArgumentException">The picture has only its surface.</exception>
+        public Style Style
+        {
+            get
+            {
+                lock (gate)
+                {
+                    hrbfnpr_style* style;
+                    hrbfnpr_error error = Errors.New();
+                    Errors.Check(NativeMethods.hrbfnpr_picture_get_style(handle, &style, &error), &error);
+                    return new Style(style, handle);
+                }
+            }
+        }
+
+        /// <summary>
+        /// How marks were placed, as <see cref="Model.Generate"/> takes it; a copy; null where marks were given.
+        /// </summary>
+        /// <remarks>Those of a painted picture can be used as long as the picture is not disposed of.</remarks>
+        /// <exception cref="InvalidArgumentException">The picture has only its surface.</exception>
+        public GenerateOptions Marks
+        {
+            get
+            {
+                lock (gate)
+                {
+                    hrbfnpr_generate_desc* marks;
+                    hrbfnpr_error error = Errors.New();
+                    Errors.Check(NativeMethods.hrbfnpr_picture_get_marks(handle, &marks, &error), &error);
+                    return marks == null ? null : GenerateOptions.Read(marks, handle);
+                }
+            }
+        }
+
+        /// <summary>The camera that was chosen.</summary>
+        /// <exception cref="InvalidArgumentException">The picture has only its surface.</exception>
+        public Camera Camera
+        {
+            get
+            {
+                hrbfnpr_camera camera = NewCamera();
+                hrbfnpr_error error = Errors.New();
+                Errors.Check(NativeMethods.hrbfnpr_picture_get_camera(handle, &camera, &error), &error);
+                return new Camera(camera);
+            }
+        }
+
+        /// <summary>
+        /// The drawing for <see cref="Camera"/>, made when it is first asked for.  It belongs to the picture, which
+        /// disposes of it.
+        /// </summary>
+        /// <exception cref="InvalidArgumentException">Hardly anything could be seen, and the message says why; or the
+        /// picture has only its surface.</exception>
+        public Drawing Drawing
+        {
+            get { return DrawOnce(null, default(CancellationToken)); }
+        }
+
+        /// <summary>Makes a picture of one source, and draws it.</summary>
+        /// <param name="source">What is drawn; a model or a point set stands for itself.</param>
+        /// <param name="options">All defaults if null.</param>
+        /// <param name="context">The default context if null.</param>
+        /// <param name="progress">May be null.</param>
+        /// <param name="cancellationToken">Cancels the call.</param>
+        /// <exception cref="InvalidArgumentException">An option is out of its range, the source cannot be drawn, or hardly
+        /// anything could be seen; the message says why.</exception>
+        /// <exception cref="SingularSystemException">The fit has no (numerically) unique solution.</exception>
+        /// <exception cref="NotConvergedException">The message gives the residual reached.</exception>
+        public static Picture Draw(
+            PictureSource source, PictureOptions options = null, Context context = null,
+            IProgress<double> progress = null, CancellationToken cancellationToken = default(CancellationToken))
+        {
+            return Draw(new[] { source }, options, context, progress, cancellationToken);
+        }
+
+        /// <summary>Makes a picture of several sources, each of which is a surface of its own, and draws it.</summary>
+        /// <param name="sources">What is drawn, one or more.</param>
+        /// <param name="options">All defaults if null.</param>
+        /// <param name="context">The default context if null.</param>
+        /// <param name="progress">May be null.</param>
+        /// <param name="cancellationToken">Cancels the call.</param>
+        public static Picture Draw(
+            IReadOnlyList<PictureSource> sources, PictureOptions options = null, Context context = null,
+            IProgress<double> progress = null, CancellationToken cancellationToken = default(CancellationToken))
+        {
+            Picture picture = Create(
+                sources, options, context, Share.Of(progress, 0, DrawingBegins), cancellationToken);
+            try
+            {
+                picture.DrawOnce(Share.Of(progress, DrawingBegins, 1), cancellationToken);
+                return picture;
+            }
+            catch
+            {
+                picture.Dispose();
+                throw;
+            }
+        }
+
+        /// <summary>Makes a picture of one source: fits, places marks and looks for lines; draws nothing yet.</summary>
+        /// <param name="source">What is drawn; a model or a point set stands for itself.</param>
+        /// <param name="options">All defaults if null.</param>
+        /// <param name="context">The default context if null.</param>
+        /// <param name="progress">May be null.</param>
+        /// <param name="cancellationToken">Cancels the call.</param>
+        /// <exception cref="InvalidArgumentException">An option is out of its range, or the source cannot be drawn; the
+        /// message says why.</exception>
+        /// <exception cref="SingularSystemException">The fit has no (numerically) unique solution.</exception>
+        /// <exception cref="NotConvergedException">The message gives the residual reached.</exception>
+        public static Picture Create(
+            PictureSource source, PictureOptions options = null, Context context = null,
+            IProgress<double> progress = null, CancellationToken cancellationToken = default(CancellationToken))
+        {
+            return Create(new[] { source }, options, context, progress, cancellationToken);
+        }
+
+        /// <summary>Makes a picture of several sources, each of which is a surface of its own; draws nothing yet.</summary>
+        /// <param name="sources">What is drawn, one or more.</param>
+        /// <param name="options">All defaults if null.</param>
+        /// <param name="context">The default context if null.</param>
+        /// <param name="progress">May be null.</param>
+        /// <param name="cancellationToken">Cancels the call.</param>
+        public static Picture Create(
+            IReadOnlyList<PictureSource> sources, PictureOptions options = null, Context context = null,
+            IProgress<double> progress = null, CancellationToken cancellationToken = default(CancellationToken))
+        {
+            context = Context.Resolve(context);
+            var origins = new PictureOrigins(sources);
+            using (var described = new PictureCall(sources, options, origins))
+            using (var call = new LongCall(
+                context.Handle, progress, cancellationToken, described.State.IsWatched))
+            {
+                described.State.Begin(call.Operation);
+                hrbfnpr_error error = Errors.New();
+                hrbfnpr_picture_desc desc = described.Desc;
+                int status = NativeMethods.hrbfnpr_picture_create(
+                    context.Handle, &desc, call.Operation, out IntPtr created, &error);
+                return Finish(created, context.Anchor, described, origins, call, status, &error);
+            }
+        }
+
+        /// <summary>
+        /// The same surfaces in another style, size or view; draws nothing yet.  Marks and lines that fit are used again.
+        /// </summary>
+        /// <param name="options">All defaults if null: what this picture was made with does not count.</param>
+        /// <param name="progress">May be null.</param>
+        /// <param name="cancellationToken">Cancels the call.</param>
+        /// <returns>Another picture, which goes on living without this one.</returns>
+        /// <exception cref="InvalidArgumentException">An option is out of its range, or this picture has only its
+        /// surface.</exception>
+        public Picture Restyle(
+            PictureOptions options = null, IProgress<double> progress = null,
+            CancellationToken cancellationToken = default(CancellationToken))
+        {
+            using (var described = new PictureCall(null, options, origins))
+            using (var call = new LongCall(handle, progress, cancellationToken, described.State.IsWatched))
+            {
+                described.State.Begin(call.Operation);
+                hrbfnpr_error error = Errors.New();
+                hrbfnpr_picture_desc desc = described.Desc;
+                int status = NativeMethods.hrbfnpr_picture_restyle(
+                    handle, &desc, call.Operation, out IntPtr created, &error);
+                return Finish(created, handle.Anchor, described, origins, call, status, &error);
+            }
+        }
+
+        /// <summary>Draws it.  Lines keep their numbers from one drawing to the next.</summary>
+        /// <param name="camera">null = <see cref="Camera"/>; then it is an error if hardly anything could be seen.</param>
+        /// <param name="progress">May be null.</param>
+        /// <param name="cancellationToken">Cancels the call.</param>
+        /// <returns>A drawing; disposed of before the next but one, its memory is used again.</returns>
+        /// <exception cref="InvalidArgumentException">Hardly anything could be seen, and the message says why; a camera
+        /// without a viewport; or the picture has only its surface.</exception>
+        public Drawing Draw(
+            Camera camera = null, IProgress<double> progress = null,
+            CancellationToken cancellationToken = default(CancellationToken))
+        {
+            return Work(progress, cancellationToken, call =>
+            {
+                Camera seen = camera ?? Camera;
+                hrbfnpr_camera view = seen.Native;
+                hrbfnpr_error error = Errors.New();
+                int status = NativeMethods.hrbfnpr_picture_draw(
+                    handle, camera == null ? null : &view, call.Operation, out IntPtr created, &error);
+                var made = new DrawingHandle();
+                made.Take(created, handle.Anchor);
+                try
+                {
+                    state.Check(call, status, &error);
+                    return new Drawing(made, seen);
+                }
+                catch
+                {
+                    made.Dispose();
+                    throw;
+                }
+            });
+        }
+
+        /// <summary>A camera from another side, with the size, the lens and the margin of the picture.</summary>
+        /// <param name="direction">From the eye into the scene.</param>
+        /// <exception cref="InvalidArgumentException">The direction is not finite, or the picture has only its
+        /// surface.</exception>
+        public Camera Look(Vector3d direction)
+        {
+            return Look(&direction, double.NaN, double.NaN);
+        }
+
+        /// <summary>A camera from another side, with the size, the lens and the margin of the picture.</summary>
+        /// <param name="azimuth">Degrees about the up axis; null = as it was chosen.</param>
+        /// <param name="elevation">Degrees above the horizon; null = as it was chosen.</param>
+        /// <exception cref="InvalidArgumentException">The picture has only its surface.</exception>
+        public Camera Look(double? azimuth = null, double? elevation = null)
+        {
+            return Look(null, azimuth ?? double.NaN, elevation ?? double.NaN);
+        }
+
+        /// <summary>
+        /// <see cref="Camera"/>, turned about the up axis through the middle of the model, or the target of an eye.
+        /// </summary>
+        /// <param name="degrees">Any number.</param>
+        /// <exception cref="InvalidArgumentException">The picture has only its surface.</exception>
+        public Camera Orbit(double degrees)
+        {
+            hrbfnpr_camera camera = NewCamera();
+            hrbfnpr_error error = Errors.New();
+            Errors.Check(NativeMethods.hrbfnpr_picture_orbit(handle, degrees, &camera, &error), &error);
+            return new Camera(camera);
+        }
+
+        /// <summary>Lets go of the picture and of its <see cref="Drawing"/>; other drawings and its parts live on.</summary>
+        public void Dispose()
+        {
+            lock (gate)
+            {
+                CheckIdle();
+                if (drawing != null)
+                {
+                    drawing.Dispose();
+                }
+                handle.Dispose();
+            }
+        }
+
+        private static hrbfnpr_camera NewCamera()
+        {
+            hrbfnpr_camera camera;
+            Errors.Check(NativeMethods.hrbfnpr_camera_init(&camera, (uint)sizeof(hrbfnpr_camera)));
+            return camera;
+        }
+
+        private static Picture Finish(
+            IntPtr created, ContextAnchor anchor, PictureCall described, PictureOrigins origins, LongCall call,
+            int status, hrbfnpr_error* error)
+        {
+            var made = new PictureHandle();
+            if (created != IntPtr.Zero)
+            {
+                made.Take(created, anchor);
+                described.GiveTo(made, origins);
+            }
+            try
+            {
+                described.State.Check(call, status, error);
+                return new Picture(made, described.State, origins);
+            }
+            catch
+            {
+                made.Dispose();
+                throw;
+            }
+        }
+
+        private Camera Look(Vector3d* direction, double azimuth, double elevation)
+        {
+            hrbfnpr_camera camera = NewCamera();
+            hrbfnpr_error error = Errors.New();
+            Errors.Check(
+                NativeMethods.hrbfnpr_picture_look(
+                    handle, (double*)direction, azimuth, elevation, &camera, &error),
+                &error);
+            return new Camera(camera);
+        }
+
+        private Drawing DrawOnce(IProgress<double> progress, CancellationToken token)
+        {
+            lock (gate)
+            {
+                return drawing ?? (drawing = Draw(null, progress, token));
+            }
+        }
+
+        /// <summary>A function that the picture calls may read it, but not make it work.</summary>
+        private void CheckIdle()
+        {
+            if (working)
+            {
+                throw new InvalidOperationException("the picture is at work: a function that it calls cannot use it");
+            }
+        }
+
+        /// <summary>Makes one call at a time that changes the picture.</summary>
+        private T Work<T>(IProgress<double> progress, CancellationToken token, Func<LongCall, T> function)
+        {
+            lock (gate)
+            {
+                CheckIdle();
+                using (var call = new LongCall(handle, progress, token, state.IsWatched))
+                {
+                    working = true;
+                    state.Begin(call.Operation);
+                    try
+                    {
+                        return function(call);
+                    }
+                    finally
+                    {
+                        working = false;
+                    }
+                }
+            }
+        }
+
+        /// <summary>Progress of one of several calls.</summary>
+        private sealed class Share : IProgress<double>
+        {
+            private readonly IProgress<double> whole;
+            private readonly double begin;
+            private readonly double end;
+
+            private Share(IProgress<double> whole, double begin, double end)
+            {
+                this.whole = whole;
+                this.begin = begin;
+                this.end = end;
+            }
+
+            public void Report(double value)
+            {
+                whole.Report(begin + (end - begin) * value);
+            }
+
+            /// <summary>null for null.</summary>
+            internal static Share Of(IProgress<double> whole, double begin, double end)
+            {
+                return whole == null ? null : new Share(whole, begin, end);
+            }
+        }
+    }
+
+    /// <summary>The models and marks that a picture, and pictures of the same surfaces, were made of.</summary>
+    internal sealed unsafe class PictureOrigins
+    {
+        private readonly Dictionary<IntPtr, ContextAnchor> anchors = new Dictionary<IntPtr, ContextAnchor>();
+        private readonly Dictionary<IntPtr, FunctionState> functions = new Dictionary<IntPtr, FunctionState>();
+
+        internal PictureOrigins(IReadOnlyList<PictureSource> sources)
+        {
+            if (sources == null)
+            {
+                throw new ArgumentNullException(nameof(sources));
+            }
+            for (int i = 0; i < sources.Count; ++i)
+            {
+                PictureSource source = sources[i] ?? throw new ArgumentNullException(nameof(sources));
+                if (source.Model != null)
+                {
+                    Functions = FunctionState.Both(Functions, source.Model.Function);
+                    functions[source.Model.Handle.DangerousGetHandle()] = source.Model.Function;
+                    Add(source.Model.Handle);
+                }
+                if (source.PointSet != null)
+                {
+                    Add(source.PointSet.Handle);
+                }
+            }
+        }
+
+        /// <summary>The functions of all models; null if none is one.</summary>
+        internal FunctionState Functions { get; }
+
+        /// <summary>Of contexts that need not be the picture's.</summary>
+        internal IEnumerable<ContextAnchor> Anchors
+        {
+            get { return anchors.Values; }
+        }
+
+        /// <summary>One part, with references of its own to what it has.</summary>
+        internal PicturePart Part(hrbfnpr_picture_part* part, ContextAnchor anchor)
+        {
+            Model model = null;
+            FunctionState function = null;
+            if (part->model != IntPtr.Zero)
+            {
+                functions.TryGetValue(part->model, out function);
+                model = new Model(ModelHandle.Of(part->model, AnchorOf(part->model, anchor)), function);
+            }
+            PointSet marks = part->point_set == IntPtr.Zero ? null
+                : new PointSet(PointSetHandle.Of(part->point_set, AnchorOf(part->point_set, anchor)));
+            LineSet lines = part->line_set == IntPtr.Zero ? null
+                : new LineSet(LineSetHandle.Of(part->line_set, anchor), function);
+            TriangleMesh mesh = part->mesh == IntPtr.Zero ? null : new TriangleMesh(MeshHandle.Of(part->mesh, anchor));
+            return new PicturePart(model, marks, lines, mesh, (Sides)part->sides);
+        }
+
+        private void Add(NativeHandle handle)
+        {
+            if (handle.IsClosed || handle.Anchor == null)
+            {
+                throw new ObjectDisposedException("a source of the picture");
+            }
+            anchors[handle.DangerousGetHandle()] = handle.Anchor;
+        }
+
+        private ContextAnchor AnchorOf(IntPtr given, ContextAnchor otherwise)
+        {
+            return anchors.TryGetValue(given, out ContextAnchor found) ? found : otherwise;
+        }
+    }
+}

@@ -1,0 +1,273 @@
+# SPDX-License-Identifier: MIT
+"""The named styles: one row each.  bindings/generate makes everything else that lists them from these rows.
+
+    name    as users write it; also HRBFNPR_PRESET_..., in the order of this table.  New rows go to the end, because a
+            style's number never changes
+    draws   the constant's comment: which lines and marks are drawn
+    use     a sentence for docs/presets.md: what the style is good for
+    marks   the layers that are generated for it (hrbfnpr_layer_desc)
+    layers  how layers of marks are drawn (hrbfnpr_layer_style); a layer takes the first that is for it
+    lines   how lines are drawn (hrbfnpr_line_style)
+    style   the other fields (hrbfnpr_style)
+
+Elements are dictionaries of the C struct's fields; a field that is left out keeps the struct's default.  Constants are
+written by their names: "dashed" is HRBFNPR_HIDDEN_PARTS_DASHED.  Lengths are in pixels of a picture of 800 pixels, and
+tones and coverages are shares.
+"""
+from typing import NamedTuple, Sequence
+
+
+class Preset(NamedTuple):
+    name: str
+    draws: str
+    use: str
+    marks: Sequence[dict]
+    layers: Sequence[dict]
+    lines: Sequence[dict]
+    style: dict
+
+
+# ---- Colours, sRGB with alpha, and light
+
+GRAPHITE = (0.20, 0.20, 0.22, 1.0)
+CHALK = (0.91, 0.95, 1.0, 1.0)
+WARM_PAPER = (0.98, 0.96, 0.915, 1.0)
+BLUE_PAPER = (0.09, 0.25, 0.47, 1.0)
+UPPER_LEFT = (-0.5, 0.5, 0.7071067811865476)  # at 45 degrees, as scientific drawings have it
+
+
+# ---- Layers of marks that are generated
+
+# Styles of lines alone have stipples as well: they tell where the surface is, and draw contours without a line set.
+STIPPLES = {"kind": "stipples"}
+
+
+def hatching(angle=0.0, name=None, **fields):
+    return {"kind": "hatch", "angle": angle, "name": name, **fields}
+
+
+# ---- How layers are drawn
+
+# Without contours, and where strokes alone draw the form, marks are a little larger, to reach the rim.
+FULL_RADIUS = 1.1
+
+
+def shown(kind, **fields):
+    return {"kind": kind, **fields}
+
+
+def hidden(kind, **fields):
+    return {"kind": kind, "shown": False, **fields}
+
+
+def swelling(begin, end, coverage, name=None, **fields):
+    """Lines that swell with the tone: from the tone `begin` to the tone `end`, where they cover `coverage`."""
+    return {"kind": "hatch", "name": name, "shape": "hatch", "contours": False, "hatch_tone_begin": begin,
+            "hatch_tone_end": end, "hatch_coverage_end": coverage, "hatch_spacing": 2.8, "hatch_pen": 0.45,
+            "hatch_white": 0.68, "hatch_taper": 12.0, "hatch_shortest": 7.0, **fields}
+
+
+def even(begin, end, coverage, name=None, **fields):
+    """Lines of nearly one width: where it is darker there are more of them."""
+    return swelling(begin, end, coverage, name, **{"hatch_taper": 8.0, "hatch_shortest": 8.0, **fields})
+
+
+def crossed(begin, end, coverage, name=None):
+    """One of several sets of lines that cross at 30 to 65 degrees.  Each begins where the set before it is full."""
+    return even(begin, end, coverage, name, hatch_pen=0.6, hatch_spacing=2.6, hatch_coverage_begin=0.09)
+
+
+def pencilled(begin, end, coverage, seed, name=None):
+    """Lines that stray, and run on past the tone that they end at."""
+    return swelling(begin, end, coverage, name, hatch_coverage_begin=0.08, hatch_pen=0.7, hatch_spacing=2.8,
+                    hatch_white=0.6, hatch_taper=4.0, hatch_shortest=9.0, hatch_wobble=1.2, hatch_overshoot=16.0,
+                    hatch_seed=seed, ink=GRAPHITE)
+
+
+# ---- How lines are drawn: those of items with a line set, in place of the contours that marks draw
+
+def contour(width, **fields):
+    return {"kind": "contour", "width": width, **fields}
+
+
+def with_creases(line, width):
+    """A contour, and the creases of a surface that has some: they are finer, and no outlines."""
+    return [line, {**line, "kind": "crease", "width": width, "outline_factor": 1.0}]
+
+
+def pencil(width, wobble, seed, **fields):
+    return contour(width, cap="pointed", taper=30.0, lit_factor=0.6, wobble=wobble, wobble_width=0.35, wobble_length=60.0,
+                   wobble_seed=seed, ink=GRAPHITE, **fields)
+
+
+def blueprint(kind, width, outline, name=None):
+    return {"kind": kind, "name": name, "width": width, "outline_factor": outline, "hidden": "dashed", "hidden_width": 0.8,
+            "taper": 0.0, "ink": CHALK}
+
+
+PLAIN_LINES = with_creases(contour(2.2), 1.4)
+
+# Hidden contours stay visible through a layer or two of surface, but pale.
+PALE = {"attenuation_front": 0.2, "attenuation_back": 0.1}
+
+PRESETS = [
+    Preset(
+        "stipple",
+        draws="stipples by light, no contours",
+        use="Soft forms and fine tones without any line: the classic of scientific drawing.",
+        marks=[STIPPLES],
+        layers=[shown("stipples", radius=FULL_RADIUS, contours=False), hidden("principal", contours=False),
+                hidden("combing", contours=False), hidden("field", contours=False), shown("any", contours=False)],
+        lines=[],
+        style={"silhouette_threshold": 0.05, "silhouette_radius": 1.2},
+    ),
+    Preset(
+        "hatch",
+        draws="lines of one width, more of them where it is darker, and contours; strokes of PRINCIPAL layers along the "
+              "second direction",
+        use="Lines around the form, more of them where it is darker: tone and shape with one set.",
+        marks=[STIPPLES, hatching()],
+        layers=[hidden("stipples"), shown("principal", radius=FULL_RADIUS, directions=["second"]), hidden("combing"),
+                shown("field", radius=FULL_RADIUS, directions=["first"]),
+                even(0.12, 0.95, 0.42, hatch_pen=0.8, hatch_spacing=1.9)],
+        lines=PLAIN_LINES,
+        style={"silhouette_radius": 1.2},
+    ),
+    Preset(
+        "cross-hatch",
+        draws="up to three sets of such lines, at 0, 35 and -30 degrees, a darker tone each, and contours; strokes of "
+              "PRINCIPAL layers along both directions",
+        use="Up to three sets of lines at 30 to 65 degrees to each other, darker where they cross.",
+        marks=[STIPPLES, hatching(0.0, "hatch-1"), hatching(35.0, "hatch-2"), hatching(-30.0, "hatch-3")],
+        layers=[hidden("stipples"), shown("principal", radius=FULL_RADIUS), hidden("combing"),
+                shown("field", radius=FULL_RADIUS), crossed(0.12, 0.45, 0.24, "hatch-1"),
+                crossed(0.38, 0.66, 0.24, "hatch-2"), crossed(0.60, 0.90, 0.30, "hatch-3"), crossed(0.12, 0.90, 0.30)],
+        lines=PLAIN_LINES,
+        style={"silhouette_radius": 1.2},
+    ),
+    Preset(
+        "combing",
+        draws="lines along Stark's combing direction, a second set in the darks, and contours",
+        use="Lines that do not follow curvature: for surfaces that bend much and irregularly.",
+        marks=[STIPPLES, hatching(0.0, "hatch-1", guide="combing"), hatching(40.0, "hatch-2", guide="combing")],
+        layers=[hidden("stipples"), hidden("principal"), shown("combing", radius=0.55, shape="strokes", share=0.7),
+                hidden("field"), crossed(0.10, 0.60, 0.32, "hatch-1"), crossed(0.50, 0.92, 0.34, "hatch-2"),
+                crossed(0.10, 0.92, 0.34)],
+        lines=PLAIN_LINES,
+        style={"silhouette_radius": 1.2},
+    ),
+    Preset(
+        "silhouette",
+        draws="contours only, hidden ones attenuated",
+        use="Contours alone, hidden ones pale: icons, instructions, a base to paint over.",
+        marks=[STIPPLES],
+        layers=[hidden("any")],
+        # Where there are lines alone, those that bound the drawing are heavier.
+        lines=with_creases(contour(2.2, hidden="attenuated", outline_factor=1.5), 1.4),
+        style={"silhouette_radius": 1.2, **PALE},
+    ),
+    Preset(
+        "contour-and-stipple",
+        draws="contours and stipples",
+        use="Contours and stipples: a good first choice for any model.",
+        marks=[STIPPLES],
+        layers=[shown("stipples"), hidden("principal"), hidden("combing"), hidden("field")],
+        lines=PLAIN_LINES,
+        style={"silhouette_radius": 1.2},
+    ),
+    Preset(
+        "xray",
+        draws="contours only, hidden ones shown",
+        use="Contours alone, hidden ones dashed: technical drawings, assemblies.",
+        marks=[STIPPLES],
+        layers=[hidden("any")],
+        lines=with_creases(contour(2.0, hidden="dashed", outline_factor=1.5), 1.4),
+        style={"silhouette_radius": 1.2, "hidden_lines": "show"},
+    ),
+    Preset(
+        "full",
+        draws="stipples, cross hatching in the darks, contours and halo: Figure 1 (e)",
+        use="Contours with a white halo, stipples, and lines in the darks: as the article's most finished drawing.",
+        marks=[STIPPLES, hatching(0.0, "hatch-1"), hatching(40.0, "hatch-2")],
+        # Stipples are in the lights and between lines, lines in the darks.  Strokes stay in the darker parts.
+        layers=[shown("stipples", radius=0.7, share=0.45), shown("principal", share=0.6), hidden("combing"),
+                shown("field", share=0.6), crossed(0.40, 0.75, 0.34, "hatch-1"), crossed(0.62, 0.95, 0.34, "hatch-2"),
+                crossed(0.40, 0.95, 0.34)],
+        lines=PLAIN_LINES,
+        style={"silhouette_radius": 1.2, "halo_width": 4.0},
+    ),
+    Preset(
+        "engraving",
+        draws="one set of lines that swell with the tone, and contours; lights are empty",
+        use="Parallel lines that swell with the tone, as in a banknote or an old book.",
+        marks=[STIPPLES, hatching()],
+        layers=[swelling(0.15, 0.95, 0.74), hidden("any")],
+        lines=PLAIN_LINES,
+        style={"silhouette_radius": 1.2, "hidden_lines": "hide"},
+    ),
+    Preset(
+        "etching",
+        draws="up to three sets of thin lines, at 0, 50 and -40 degrees, a darker tone each, and contours",
+        use="Thin lines in up to three layers that cross each other, a darker tone each.",
+        # Illustrators leave highlights empty, and cross their lines at 30 to 60 degrees.
+        marks=[STIPPLES, hatching(0.0, "hatch-1"), hatching(50.0, "hatch-2"), hatching(-40.0, "hatch-3")],
+        layers=[swelling(0.15, 0.55, 0.36, "hatch-1"), swelling(0.40, 0.75, 0.36, "hatch-2"),
+                swelling(0.66, 0.92, 0.36, "hatch-3"), hidden("any")],
+        lines=PLAIN_LINES,
+        style={"silhouette_radius": 1.2, "hidden_lines": "hide"},
+    ),
+    Preset(
+        "woodcut",
+        draws="few wide lines, which close up to black, and heavy contours",
+        use="Few wide lines that close up to black, and heavy contours: posters, small prints.",
+        marks=[STIPPLES, hatching()],
+        layers=[swelling(0.22, 0.75, 1.0, hatch_spacing=5.0, hatch_pen=0.9, hatch_white=0.0, hatch_taper=20.0,
+                         hatch_shortest=12.0), hidden("any")],
+        lines=with_creases(contour(3.6, outline_factor=1.5), 2.4),
+        style={"silhouette_radius": 1.2, "hidden_lines": "hide"},
+    ),
+    Preset(
+        "scientific-stipple",
+        draws="fine stipples lit from the upper left, empty lights; outlines swell in the shade",
+        use="Stipples in even tones with fine contours, as in plates of biology and palaeontology.",
+        marks=[{**STIPPLES, "tone_begin": 0.08, "tone_end": 1.0}],  # lights are left empty
+        layers=[shown("stipples", radius=0.6, share=0.85), hidden("any")],
+        lines=with_creases(contour(1.3, outline_factor=1.6, lit_factor=0.55, taper=16.0), 0.9),
+        style={"silhouette_radius": 0.8, "light": UPPER_LEFT, "tone_exponent": 0.8},
+    ),
+    Preset(
+        "sketch",
+        draws="pencil on warm paper: two sets of lines that stray and run past their ends, contours drawn twice",
+        use="Lines that overshoot and wobble, contours drawn twice: first ideas, things not yet decided.",
+        marks=[STIPPLES, hatching(0.0, "hatch-1"), hatching(40.0, "hatch-2")],
+        layers=[pencilled(0.20, 0.70, 0.26, 1, "hatch-1"), pencilled(0.50, 0.92, 0.28, 2, "hatch-2"),
+                pencilled(0.20, 0.92, 0.28, 3), hidden("any", ink=GRAPHITE)],
+        lines=[pencil(1.7, 0.9, 1), pencil(1.1, 3.2, 2), {**pencil(1.2, 0.9, 3), "kind": "crease"}],
+        style={"silhouette_radius": 1.2, "silhouette_ink": GRAPHITE, "hidden_lines": "hide", "paper": WARM_PAPER,
+               "halo_width": 0.0},
+    ),
+    Preset(
+        "blueprint",
+        draws="pale lines on blue without tone: contours, borders, creases and lines called \"crease\", hidden ones dashed",
+        use="Light lines on dark paper, hidden ones dashed: plans.",
+        marks=[STIPPLES],
+        layers=[hidden("any", ink=CHALK)],
+        lines=[blueprint("contour", 1.5, 1.6), blueprint("border", 1.5, 1.6), blueprint("own", 1.1, 1.0, "crease"),
+               blueprint("crease", 1.1, 1.0)],
+        style={"silhouette_radius": 1.2, "silhouette_ink": CHALK, "paper": BLUE_PAPER, **PALE},
+    ),
+    Preset(
+        "archaeological",
+        draws="lit from the upper left: short lines along curvature that taper to the light, heavy outlines, and the RIDGE "
+              "lines of a line set",
+        use="The conventions of finds: light from the upper left, scars along the curvature.",
+        marks=[STIPPLES, hatching(smoothing=0.03, axis_weight=0.02)],
+        # Lines are short, and thin away from the shade.
+        layers=[swelling(0.28, 0.92, 0.45, hatch_coverage_begin=0.08, hatch_taper=26.0, hatch_shortest=6.0,
+                         hatch_spacing=3.2), hidden("any")],
+        # The outline is heavy; ridges between scars are fine lines.
+        lines=[contour(1.8, outline_factor=1.8), {"kind": "ridge", "width": 1.2, "taper": 20.0, "shortest": 12.0},
+               {"kind": "crease", "width": 1.2}],
+        style={"silhouette_radius": 1.2, "light": UPPER_LEFT, "hidden_lines": "hide"},
+    ),
+]

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+// The named styles, as constants in the terms of the public header.
+#pragma once
+
+#include "api/checks.h"
+
+#include <hrbfnpr.h>
+
+#include <span>
+
+namespace hrbfnpr::api {
+
+// A row of the table that bindings/generate makes from bindings/presets.py.
+struct Preset {
+    const char* name;
+    hrbfnpr_style style; // its lists are constants, too
+    std::span<const hrbfnpr_layer_desc> marks;
+};
+
+// All of them, by their numbers.
+[[nodiscard]] std::span<const Preset> presets() noexcept;
+
+namespace rule {
+
+struct OnePreset { // HRBFNPR_PRESET_...
+    void operator()(const Checks& checks, const char* field, std::int64_t value) const {
+        checks.one_of(field, value, static_cast<std::uint32_t>(presets().size()), "HRBFNPR_PRESET_...");
+    }
+};
+
+} // namespace rule
+} // namespace hrbfnpr::api

@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: MIT
+#include "picture/mesh_facts.h"
+
+#include "base/status.h"
+#include "mesh/edges.h"
+#include "picture/faces.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace hrbfnpr::picture {
+namespace {
+
+bool has_finite_corners(const Points& points, const Triangle& face) noexcept {
+    return std::all_of(face.begin(), face.end(), [&](std::int64_t corner) {
+        const glm::dvec3& p = points[static_cast<std::size_t>(corner)];
+        return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
+    });
+}
+
+// A mesh whose vertices are at different places.
+struct JoinedMesh {
+    Points places; // ascending
+    Vector<Triangle> faces;
+};
+
+// Joins the vertices of faces with finite corners, and counts what is left out.
+JoinedMesh join_vertices(const Shape& shape, MeshFacts& facts, Pool& pool) {
+    const std::size_t count = shape.points.size();
+    constexpr std::int64_t unused = -1;
+    constexpr std::int64_t used = 0;
+    Vector<std::int64_t> place_of(count, unused, &pool);
+    Vector<std::uint8_t> is_corner(count, 0, &pool);
+    JoinedMesh joined{Points(&pool), Vector<Triangle>(&pool)};
+    for (const Triangle& face : shape.triangles) {
+        const bool finite = has_finite_corners(shape.points, face);
+        for (const std::int64_t corner : face) {
+            is_corner[static_cast<std::size_t>(corner)] = 1;
+            if (finite) place_of[static_cast<std::size_t>(corner)] = used;
+        }
+        if (finite) joined.faces.push_back(face);
+    }
+    facts.faces_not_finite = static_cast<std::int64_t>(shape.triangles.size() - joined.faces.size());
+    facts.unused_vertices = std::count(is_corner.begin(), is_corner.end(), std::uint8_t{0});
+
+    Vector<std::size_t> order(&pool);
+    for (std::size_t i = 0; i < count; ++i)
+        if (place_of[i] == used) order.push_back(i);
+    std::sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) {
+        const glm::dvec3& a = shape.points[i];
+        const glm::dvec3& b = shape.points[j];
+        if (a.x != b.x) return a.x < b.x;
+        return a.y != b.y ? a.y < b.y : a.z < b.z;
+    });
+    for (const std::size_t i : order) {
+        if (joined.places.empty() || joined.places.back() != shape.points[i]) joined.places.push_back(shape.points[i]);
+        place_of[i] = static_cast<std::int64_t>(joined.places.size()) - 1;
+    }
+    facts.joined_vertices = static_cast<std::int64_t>(order.size() - joined.places.size());
+    for (Triangle& face : joined.faces)
+        for (std::int64_t& corner : face) corner = place_of[static_cast<std::size_t>(corner)];
+    return joined;
+}
+
+// Keeps the faces that have an area.
+void leave_out_degenerate(JoinedMesh& mesh, MeshFacts& facts, Pool& pool) {
+    Vector<double> doubled(&pool);
+    std::size_t to = 0;
+    for (const Triangle& face : mesh.faces) {
+        doubled.push_back(glm::length(doubled_area_of(mesh.places, face)));
+        facts.degenerate_faces += doubled.back() <= 0.0 ? 1 : 0;
+        if (doubled.back() > 0.0) mesh.faces[to++] = face; // it is not if it is NaN
+    }
+    mesh.faces.resize(to);
+    facts.area = sum_in_pairs(doubled) / 2.0;
+}
+
+std::int64_t count_repeated(Vector<Triangle> faces) {
+    for (Triangle& face : faces) std::sort(face.begin(), face.end());
+    std::sort(faces.begin(), faces.end());
+    return faces.end() - std::unique(faces.begin(), faces.end());
+}
+
+// Whether a side of a face goes from its lower vertex to the higher one.
+bool goes_up(const FaceEdges& edges, const Vector<Triangle>& faces, std::int64_t side) noexcept {
+    const auto k = static_cast<std::size_t>(side / edges.faces);
+    const Triangle& face = faces[edges.face(side)];
+    return face[k] < face[(k + 1) % 3];
+}
+
+// Counts the edges that are not those of a closed surface, and returns those at its border.
+Vector<Edge> look_at_edges(const JoinedMesh& mesh, MeshFacts& facts, Pool& pool) {
+    const FaceEdges edges = find_edges(mesh.faces, mesh.places.size(), pool);
+    Vector<Edge> border(&pool);
+    for (std::size_t e = 0; e < edges.size(); ++e) {
+        const auto sides = edges.sides_of(e);
+        if (sides.size() == 1) {
+            border.push_back(edges.ends[e]);
+        } else if (sides.size() > 2) {
+            ++facts.nonmanifold_edges;
+        } else if (goes_up(edges, mesh.faces, sides[0]) == goes_up(edges, mesh.faces, sides[1])) {
+            ++facts.contrary_edges;
+        }
+    }
+    facts.boundary_edges = static_cast<std::int64_t>(border.size());
+    return border;
+}
+
+std::int32_t as_vertex(std::int64_t i) noexcept { return static_cast<std::int32_t>(i); }
+
+std::int64_t count_loops(const Vector<Edge>& border, std::size_t vertices, Pool& pool) {
+    mesh::Sets joined(pool.memory(), static_cast<std::int64_t>(vertices));
+    for (const Edge& edge : border) joined.join(as_vertex(edge[0]), as_vertex(edge[1]));
+    // Each loop has one vertex that its set is named after.
+    Vector<std::int64_t> names(&pool);
+    for (const Edge& edge : border) names.push_back(joined.of(as_vertex(edge[0])));
+    std::sort(names.begin(), names.end());
+    return std::unique(names.begin(), names.end()) - names.begin();
+}
+
+// The volumes of the tetrahedra between a middle and the faces of each part, times six.
+void look_at_parts(const JoinedMesh& mesh, const Vector<Edge>& border, MeshFacts& facts, Pool& pool) {
+    mesh::Sets joined(pool.memory(), static_cast<std::int64_t>(mesh.places.size()));
+    for (const Triangle& face : mesh.faces) {
+        joined.join(as_vertex(face[0]), as_vertex(face[1]));
+        joined.join(as_vertex(face[1]), as_vertex(face[2]));
+    }
+    constexpr std::int64_t none = -1;
+    Vector<std::int64_t> part_of(mesh.places.size(), none, &pool); // of the vertex that a set is named after
+    const auto part_at = [&](std::int64_t vertex) -> std::int64_t& {
+        return part_of[static_cast<std::size_t>(joined.of(as_vertex(vertex)))];
+    };
+    for (const Triangle& face : mesh.faces) part_at(face[0]) = 0;
+    for (std::int64_t& part : part_of)
+        if (part != none) part = facts.components++;
+
+    const glm::dvec3 middle = std::accumulate(mesh.places.begin(), mesh.places.end(), glm::dvec3(0.0)) /
+                              static_cast<double>(std::max<std::size_t>(mesh.places.size(), 1));
+    Vector<double> volumes(static_cast<std::size_t>(facts.components), 0.0, &pool);
+    for (const Triangle& face : mesh.faces) {
+        const auto corner = [&](std::size_t k) { return mesh.places[static_cast<std::size_t>(face[k])] - middle; };
+        const glm::dvec3 product = corner(0) * glm::cross(corner(1), corner(2));
+        volumes[static_cast<std::size_t>(part_at(face[0]))] += product.x + product.z + product.y;
+    }
+    for (double& volume : volumes) volume /= 6.0;
+    const double volume = sum_in_pairs(volumes);
+    facts.inside_out = facts.closed && volume < 0.0;
+    facts.volume = facts.closed ? volume : 0.0;
+    for (const Edge& edge : border) volumes[static_cast<std::size_t>(part_at(edge[0]))] = 0.0; // an open part has none
+    facts.components_inside_out = std::count_if(volumes.begin(), volumes.end(), [](double v) { return v < 0.0; });
+}
+
+} // namespace
+
+MeshFacts mesh_facts_of(const Shape& shape, Pool& pool) {
+    HRBFNPR_ASSERT(shape.is_mesh());
+    if (shape.points.size() > static_cast<std::size_t>(mesh::most_vertices))
+        fail(Status::invalid_argument, "the mesh has %zu vertices; at most %lld are possible", shape.points.size(),
+             static_cast<long long>(mesh::most_vertices));
+    MeshFacts facts;
+    JoinedMesh mesh = join_vertices(shape, facts, pool);
+    leave_out_degenerate(mesh, facts, pool);
+    facts.repeated_faces = count_repeated(mesh.faces);
+    const Vector<Edge> border = look_at_edges(mesh, facts, pool);
+    facts.boundary_loops = count_loops(border, mesh.places.size(), pool);
+    facts.closed = !mesh.faces.empty() && border.empty() && facts.nonmanifold_edges == 0 && facts.contrary_edges == 0;
+    look_at_parts(mesh, border, facts, pool);
+    return facts;
+}
+
+} // namespace hrbfnpr::picture

@@ -1,0 +1,725 @@
+// SPDX-License-Identifier: MIT
+using System;
+using System.Collections.Generic;
+using System.IO;
+using System.Linq;
+using System.Runtime.CompilerServices;
+using System.Runtime.InteropServices;
+using System.Threading;
+using Xunit;
+
+namespace HrbfNpr.Tests
+{
+    public class PictureTest : IDisposable
+    {
+        private readonly double[] points;
+        private readonly double[] normals;
+        private readonly Picture picture;
+
+        public PictureTest()
+        {
+            Shapes.Torus(out points, out normals);
+            picture = Picture.Draw(PictureSource.FromPoints(points, normals), Small());
+        }
+
+        public void Dispose()
+        {
+            picture.Dispose();
+        }
+
+        [Fact]
+        public void OneCallDrawsAnImage()
+        {
+            byte[] rgba = picture.Rasterize();
+            Assert.Equal(120 * 90 * 4, rgba.Length);
+            Assert.InRange(Dark(rgba), 300, 120 * 90 / 2);
+            PictureInfo info = picture.Info;
+            Assert.Equal(120, info.Width);
+            Assert.Equal(90, info.Height);
+            Assert.Equal(Preset.Engraving, info.Preset);
+            Assert.Equal(1L, info.Parts);
+            Assert.Equal(0.75, info.Pen);
+            Assert.True(info.Marks > 1000 && info.Seconds > 0);
+            Assert.Equal(new Vector3d(0, 1, 0), info.Up);
+            Assert.Equal(-1.4, info.BoundsMin.X, 1e-9);
+            Assert.Equal(0.4, info.BoundsMax.Z, 1e-9);
+        }
+
+        /// <summary>What the parts give when they are drawn one by one, byte for byte.</summary>
+        [Fact]
+        public void TheCallsStepByStepDrawTheSamePicture()
+        {
+            foreach (Preset preset in new[] { Preset.Engraving, Preset.ContourAndStipple, Preset.Xray })
+            {
+                PictureOptions options = Small();
+                options.Preset = preset;
+                using (Picture whole = Picture.Draw(PictureSource.FromPoints(points, normals), options))
+                using (Model model = Model.Fit((ArrayView)points, (ArrayView)normals))
+                using (PointSet marks = model.Generate(whole.Marks))
+                using (var renderer = new Renderer())
+                {
+                    PicturePart part = whole.Parts.Single();
+                    var samples = new double[3 * 50];
+                    Array.Copy(points, samples, samples.Length);
+                    Assert.Equal(part.Model.Evaluate(samples).Value, model.Evaluate(samples).Value);
+                    Assert.Equal(part.PointSet.Count, marks.Count);
+                    Assert.Equal(part.PointSet.Layers[0].Positions(), marks.Layers[0].Positions());
+                    var item = new Item(marks, whole.Style) { LineSet = part.LineSet, Sides = part.Sides };
+                    Assert.Equal(whole.Rasterize(), Shapes.Draw(renderer, item, whole.Camera));
+                    Assert.Null(part.Mesh);
+                }
+            }
+        }
+
+        [Fact]
+        public void NumbersOfAnyKindAndMemoryOfAnySort()
+        {
+            byte[] expected = picture.Rasterize();
+            Assert.Equal(expected, Draw(PictureSource.FromPoints((ArrayView)points, (ArrayView)normals)));
+            var strided = new double[points.Length / 3 * 4];
+            for (int i = 0; i < points.Length; ++i)
+            {
+                strided[i / 3 * 4 + i % 3] = points[i];
+            }
+            GCHandle pin = GCHandle.Alloc(strided, GCHandleType.Pinned);
+            try
+            {
+                IntPtr last = pin.AddrOfPinnedObject() + 32 * (points.Length / 3 - 1);
+                ArrayView backwards = ArrayView.At(last, points.Length / 3, ScalarType.Float64, 3, -32);
+                ArrayView forwards = ArrayView.At(
+                    pin.AddrOfPinnedObject(), points.Length / 3, ScalarType.Float64, 3, 32);
+                Assert.Equal(expected, Draw(PictureSource.FromPoints(forwards, normals)));
+                var turned = new double[normals.Length];
+                for (int i = 0; i < normals.Length; ++i)
+                {
+                    turned[i] = normals[normals.Length - 3 - i / 3 * 3 + i % 3];
+                }
+                using (Picture other = Picture.Draw(PictureSource.FromPoints(backwards, turned), Small()))
+                {
+                    Assert.Equal(picture.Info.BoundsMax, other.Info.BoundsMax);
+                }
+            }
+            finally
+            {
+                pin.Free();
+            }
+            float[] single = Shapes.ToFloats(points), singleNormals = Shapes.ToFloats(normals);
+            using (Picture other = Picture.Draw(PictureSource.FromPoints(single, singleNormals), Small()))
+            {
+                Assert.InRange(Different(expected, other.Rasterize()), 0, expected.Length / 20);
+            }
+        }
+
+        [Fact]
+        public void ModelsAndMarksAreSources()
+        {
+            using (Model model = Model.Fit((ArrayView)points, (ArrayView)normals))
+            using (PointSet marks = Shapes.Stipple(model, 3000))
+            {
+                using (Picture drawn = Picture.Draw(model, Small()))
+                {
+                    Assert.InRange(Dark(drawn.Rasterize()), 300, 120 * 90 / 2);
+                    Assert.Equal(model.Info.Centres, drawn.Parts[0].Model.Info.Centres);
+                }
+                PictureOptions stippled = Small(Preset.ContourAndStipple);
+                using (Picture drawn = Picture.Draw(PictureSource.FromModel(model, marks), stippled))
+                {
+                    Assert.Equal(marks.Count, drawn.Info.Marks);
+                    Assert.Null(drawn.Marks);
+                    Assert.True(drawn.Parts[0].LineSet.Info.Triangles > 100);
+                }
+                using (Picture drawn = Picture.Draw(marks, stippled))
+                {
+                    Assert.Equal(marks.Count, drawn.Info.Marks);
+                    Assert.Null(drawn.Parts[0].Model);
+                    Assert.Null(drawn.Parts[0].LineSet);
+                }
+                Picture far;
+                using (Model ball = Csg.Sphere(0.5, (0, 0, 2)))
+                {
+                    far = Picture.Create(new PictureSource[] { model, ball }, stippled);
+                }
+                using (far) // it keeps its models
+                {
+                    Assert.Equal(2L, far.Info.Parts);
+                    Assert.Equal(2.5, far.Info.BoundsMax.Z, 0.01);
+                    Assert.Equal(far.Info.Marks, far.Parts.Sum(part => part.PointSet.Count));
+                    Assert.True(Dark(far.Rasterize()) > 300);
+                }
+            }
+        }
+
+        [Fact]
+        public void MeshesAreSources()
+        {
+            Shapes.Cube(out double[] vertices, out int[] triangles);
+            PictureOptions options = Small(Preset.Silhouette);
+            PictureSource source = PictureSource.FromMesh(vertices, triangles);
+            source.Name = "cube.obj";
+            using (Picture cube = Picture.Create(source, options))
+            {
+                PicturePart part = cube.Parts.Single();
+                Assert.Equal(12L, part.Mesh.Info.Faces);
+                Assert.True(part.Mesh.Info.Closed);
+                Assert.True(part.LineSet.Info.Creases > 0);
+                Assert.Equal(1.0, part.Mesh.Info.Volume, 1e-9);
+                MeshComparison near = part.Model.Compare(part.Mesh);
+                Assert.InRange(near.SurfaceMax, 0, 0.01);
+                Assert.InRange(Dark(cube.Rasterize()), 50, 120 * 90 / 2);
+                Assert.Contains("cube.obj", PictureOutputTest.Text(cube, null));
+            }
+            options.Edges = PictureEdges.Smooth;
+            using (Picture smooth = Picture.Create(PictureSource.FromMesh(vertices, triangles), options))
+            {
+                Assert.Equal(0L, smooth.Parts[0].LineSet.Info.Creases);
+            }
+            Assert.Throws<ArgumentNullException>(() => PictureSource.FromMesh(vertices, default(ArrayView)));
+            triangles[0] = 8;
+            InvalidArgumentException wrong = Assert.Throws<InvalidArgumentException>(
+                () => Picture.Create(PictureSource.FromMesh(vertices, triangles)));
+            Assert.Contains("vertex 8", wrong.Message);
+        }
+
+        [Fact]
+        public void NotesSayWhatWasChosen()
+        {
+            var happened = new List<PictureEvent>();
+            PictureOptions options = Small();
+            options.OnEvent = happened.Add;
+            using (Picture made = Picture.Draw(PictureSource.FromPoints(points), options))
+            {
+                Note note = made.Notes.Single(one => one.Code == NoteCode.NormalsMade);
+                Assert.Equal(Severity.Note, note.Severity);
+                Assert.Equal((double)(points.Length / 3), note.Figures.Single());
+                Assert.Contains("normals", note.Text);
+                Assert.Equal(note.Text, note.ToString());
+                Assert.Equal(made.Notes.Select(one => one.Text).ToArray(),
+                    happened.Where(one => one.Note != null).Select(one => one.Note.Text).ToArray());
+                Stage[] stages = made.Stages.Select(one => one.Stage).ToArray();
+                Assert.Equal(Stage.Orient, stages[0]);
+                Assert.Equal(Stage.Frame, stages.Last());
+                Assert.True(stages.Contains(Stage.Fit) && stages.Contains(Stage.Marks) && stages.Contains(Stage.Lines));
+                Assert.Equal(stages, happened.Where(one => one.Fraction == 1).Select(one => one.Stage).ToArray());
+                Assert.True(made.Stages.All(one => one.Fraction == 1 && one.Says != null && one.Seconds >= 0));
+                PictureEvent begins = happened.First(one => one.Stage == Stage.Marks);
+                Assert.Equal("place marks", begins.Name);
+                Assert.Equal("placing marks", begins.Doing);
+                Assert.Equal(0.0, begins.Fraction);
+                Assert.Null(begins.Says);
+                int before = happened.Count;
+                made.Draw(made.Orbit(30)).Dispose(); // later calls are told of, too
+                Assert.True(happened.Skip(before).All(one => one.Stage == Stage.Frame) && happened.Count > before);
+            }
+        }
+
+        [Fact]
+        public void WordsAreThoseOfTheCaller()
+        {
+            var texts = new Dictionary<Wording, string>();
+            foreach (Wording wording in new[] { Wording.Fields, Wording.Options, Wording.Arguments })
+            {
+                PictureOptions options = Small(Preset.Stipple);
+                options.Wording = wording;
+                options.Camera = Camera.FitBounds((5, 5, 5), (6, 6, 6), (0, 0, -1), (0, 1, 0), 64, 64);
+                texts[wording] = Assert.Throws<InvalidArgumentException>(
+                    () => Picture.Draw(PictureSource.FromPoints(points, normals), options)).Message;
+            }
+            Assert.Contains("--", texts[Wording.Options]);
+            Assert.True(texts[Wording.Fields].IndexOf("--", StringComparison.Ordinal) < 0);
+            Assert.NotEqual(texts[Wording.Fields], texts[Wording.Arguments]);
+        }
+
+        [Fact]
+        public void WhatCanHardlyBeSeenIsAnError()
+        {
+            PictureOptions options = Small();
+            options.Camera = Camera.FitBounds((5, 5, 5), (6, 6, 6), (0, 0, -1), (0, 1, 0), 64, 64);
+            using (Picture blank = Picture.Create(PictureSource.FromPoints(points, normals), options))
+            {
+                string message = Assert.Throws<InvalidArgumentException>(() => blank.Draw()).Message;
+                Note failure = blank.Notes.Last();
+                Assert.Equal(NoteCode.Blank, failure.Code);
+                Assert.Equal(Severity.Failure, failure.Severity);
+                Assert.Equal(failure.Text, message); // in full length
+                blank.Draw(blank.Camera).Dispose(); // a camera of the caller's may see nothing
+            }
+            options.AllowBlank = true;
+            using (Picture blank = Picture.Draw(PictureSource.FromPoints(points, normals), options))
+            {
+                Assert.Equal(0, Dark(blank.Rasterize()));
+            }
+        }
+
+        [Fact]
+        public void ChangesAndOwnStyles()
+        {
+            byte[] plain = picture.Rasterize();
+            PictureOptions options = Small();
+            options.Set("style.ink", "#ff0000").Set("style.halo_width", 2);
+            using (Picture red = Picture.Draw(PictureSource.FromPoints(points, normals), options))
+            {
+                Assert.Equal(new Color(1, 0, 0), red.Style.Layers[0].Ink);
+                Assert.Equal(2f, red.Style.HaloWidth);
+                Assert.NotEqual(plain, red.Rasterize());
+            }
+            options.Changes.Clear();
+            options.Changes.Add(new Change("style.no_such_field", "1"));
+            Assert.Contains("no_such_field", Assert.Throws<InvalidArgumentException>(
+                () => Picture.Create(PictureSource.FromPoints(points, normals), options)).Message);
+            options.Changes.Clear();
+            options.Preset = Preset.ContourAndStipple;
+            options.StyleName = "engraving"; // wins
+            using (Picture named = Picture.Draw(PictureSource.FromPoints(points, normals), options))
+            {
+                Assert.Equal(plain, named.Rasterize());
+            }
+            options = Small();
+            options.Style = picture.Style;
+            using (Picture same = Picture.Draw(PictureSource.FromPoints(points, normals), options))
+            {
+                Assert.Equal(plain, same.Rasterize());
+            }
+        }
+
+        [Fact]
+        public void ToneFunctionsAndPaint()
+        {
+            PictureOptions options = Small(Preset.Stipple);
+            options.Style = Style.Preset(Preset.Stipple);
+            options.Style.Tone = Tone.Callback;
+            options.Style.ToneFunction = (positions, directions, tau) =>
+            {
+                for (int i = 0; i < tau.Length; ++i)
+                {
+                    tau[i] = positions[3 * i] > 0 ? 1 : 0; // light at the right of the model
+                }
+            };
+            PictureSource source = PictureSource.FromPoints(points, normals);
+            using (Picture half = Picture.Draw(source, options))
+            using (var renderer = new Renderer())
+            {
+                PicturePart part = half.Parts[0];
+                byte[] expected = half.Rasterize();
+                Style style = half.Style;
+                Assert.Same(options.Style.ToneFunction, style.ToneFunction);
+                Assert.Equal(expected, Shapes.Draw(
+                    renderer, new Item(part.PointSet, style) { LineSet = part.LineSet, Sides = part.Sides }, half.Camera));
+                var own = new InvalidOperationException("my own");
+                options.Style.ToneFunction = (positions, directions, tau) => { throw own; };
+                using (Picture bad = Picture.Create(source, options))
+                {
+                    Assert.Same(own, Assert.Throws<CallbackException>(() => bad.Draw()).InnerException);
+                }
+            }
+            options.Style = null;
+            byte[] plain = Draw(source, options);
+            options.Dabs.Add(new Dab { Position = (0, 1, 0.4), Normal = (0, 0, 1), Radius = 3, Value = 0 });
+            using (Picture painted = Picture.Draw(source, options))
+            using (var renderer = new Renderer())
+            {
+                byte[] expected = painted.Rasterize();
+                Assert.True(Dark(expected) > Dark(plain));
+                Style style = painted.Style.Clone();
+                PicturePart part = painted.Parts[0];
+                var item = new Item(part.PointSet, style) { LineSet = part.LineSet, Sides = part.Sides };
+                Assert.Equal(expected, Shapes.Draw(renderer, item, painted.Camera));
+                PictureOptions other = Small(Preset.Stipple);
+                other.Style = style;
+                Assert.Contains("Dabs", Assert.Throws<InvalidArgumentException>(
+                    () => Picture.Create(source, other)).Message);
+            }
+            options.Dabs[0].Map = DabMap.Density;
+            using (Picture painted = Picture.Create(source, options))
+            using (PointSet again = painted.Parts[0].Model.Generate(painted.Marks))
+            {
+                Assert.Equal(painted.Parts[0].PointSet.Layers[0].Positions(), again.Layers[0].Positions());
+            }
+        }
+
+        [Fact]
+        public void ARestyledPictureHasTheSameSurfaces()
+        {
+            Picture first = Picture.Create(PictureSource.FromPoints(points, normals), Small());
+            PictureOptions options = Small(Preset.ContourAndStipple);
+            options.Azimuth = 70;
+            Picture second = first.Restyle(options);
+            Picture third = second.Restyle(Small());
+            first.Dispose(); // what it made lives on
+            using (third)
+            {
+                using (second)
+                {
+                    Assert.Equal(Preset.ContourAndStipple, second.Info.Preset);
+                    Assert.False(second.Stages.Any(one => one.Stage == Stage.Fit));
+                    Assert.Equal(Draw(PictureSource.FromPoints(points, normals), options), second.Rasterize());
+                }
+                Assert.Equal(0, third.Stages.Count(one => one.Stage == Stage.Marks)); // those of the first
+                Assert.Equal(picture.Rasterize(), third.Rasterize());
+            }
+            Assert.Throws<ObjectDisposedException>(() => first.Restyle());
+        }
+
+        [Fact]
+        public void CamerasFromAllSides()
+        {
+            Camera camera = picture.Camera;
+            Assert.Equal(camera.View, picture.Orbit(0).View);
+            Assert.Equal(camera.View, picture.Look(30, 20).View);
+            Assert.Equal(camera.View, picture.Look().View);
+            Assert.Equal(picture.Look(azimuth: 75).View, picture.Look(75, 20).View);
+            double[] front = picture.Look((0, 0, -1)).View;
+            Assert.Equal(new double[] { 1, 0, 0, 0, 1, 0, 0, 0, 1 },
+                new[] { front[0], front[1], front[2], front[4], front[5], front[6], front[8], front[9], front[10] });
+            Camera turned = picture.Orbit(180);
+            using (Drawing drawing = picture.Draw(turned))
+            {
+                Assert.Same(turned, drawing.Camera);
+                Assert.Equal(drawing.Rasterize(), picture.Rasterize(drawing));
+                Assert.NotEqual(picture.Rasterize(), picture.Rasterize(drawing));
+            }
+            Assert.Throws<InvalidArgumentException>(() => picture.Orbit(double.NaN));
+            Assert.Throws<InvalidArgumentException>(() => picture.Look((0, double.PositiveInfinity, 0)));
+            PictureOptions options = Small();
+            options.Camera = turned;
+            options.Width = options.Height = 0;
+            using (Picture own = Picture.Create(PictureSource.FromPoints(points, normals), options))
+            {
+                Assert.Equal(turned.View, own.Camera.View);
+                Assert.Equal(turned.Projection, own.Camera.Projection);
+            }
+            options.Camera = null;
+            options.Eye = (0, 0, 5);
+            options.Target = (0.1, 0, 0);
+            options.Fov = 40;
+            using (Picture eye = Picture.Create(PictureSource.FromPoints(points, normals), options))
+            {
+                Assert.Equal(-5, eye.Camera.View[14], 0.01);
+            }
+        }
+
+        [Fact]
+        public void ASurfaceAloneHasNoCamera()
+        {
+            PictureOptions options = Small();
+            options.SurfaceOnly = true;
+            using (Picture surface = Picture.Create(PictureSource.FromPoints(points, normals), options))
+            {
+                Assert.Equal(0L, surface.Info.Marks);
+                PicturePart part = surface.Parts.Single();
+                Assert.Equal((long)points.Length / 3, part.Model.Info.Samples);
+                Assert.Null(part.PointSet);
+                Assert.Throws<InvalidArgumentException>(() => surface.Camera);
+                Assert.Throws<InvalidArgumentException>(() => surface.Style);
+                Assert.Throws<InvalidArgumentException>(() => surface.Marks);
+                Assert.Throws<InvalidArgumentException>(() => surface.Rasterize());
+                Assert.Throws<InvalidArgumentException>(() => surface.Restyle());
+            }
+            Assert.Throws<InvalidArgumentException>(
+                () => Picture.Draw(PictureSource.FromPoints(points, normals), options));
+        }
+
+        [Fact]
+        public void BadArgumentsAreNamed()
+        {
+            Named("height", options => options.Height = 0);
+            Named("margin", options => options.Margin = 0.5);
+            Named("style_name", options => options.StyleName = "etch");
+            Named("subdivide", options => options.Subdivide = 7);
+            Named("preset", options => options.Preset = (Preset)99);
+            Named("lines", options => options.Lines = "contours-and-more");
+            Named("dabs[0].radius", options => options.Dabs.Add(new Dab { Radius = -1 }));
+            Assert.Throws<ArgumentNullException>(() => Picture.Create((PictureSource)null));
+            Assert.Throws<ArgumentNullException>(() => Picture.Create((IReadOnlyList<PictureSource>)null));
+            Assert.Throws<InvalidArgumentException>(() => Picture.Create(new PictureSource[0]));
+            Assert.Throws<InvalidArgumentException>(() => Picture.Create(PictureSource.FromPoints(new double[0])));
+            Assert.Throws<InvalidArgumentException>(() => Picture.Create(PictureSource.FromPoints(new double[7])));
+            Assert.Throws<ArgumentNullException>(() => PictureSource.FromModel(null));
+            Assert.Throws<ArgumentNullException>(() => PictureSource.FromPointSet(null));
+            Assert.Throws<ArgumentNullException>(() => new Change(null, "1"));
+            Assert.Throws<ArgumentNullException>(() => new PictureOptions().Set("style.ink", null));
+            Assert.Throws<InvalidArgumentException>(() => picture.Rasterize(new byte[8], 120, 90));
+            Assert.Throws<InvalidArgumentException>(() => picture.Rasterize(new byte[40 * 40 * 4], 40, 40));
+            Assert.Throws<ArgumentNullException>(() => picture.Rasterize((byte[])null, 1, 1));
+            Model gone = Csg.Sphere(1);
+            gone.Dispose();
+            Assert.Throws<ObjectDisposedException>(() => Picture.Create(gone));
+            Picture disposed = Picture.Create(PictureSource.FromPoints(points, normals), Small());
+            disposed.Dispose();
+            disposed.Dispose();
+            Assert.Throws<ObjectDisposedException>(() => disposed.Info);
+            Assert.Throws<ObjectDisposedException>(() => disposed.Draw());
+            Assert.Throws<ObjectDisposedException>(() => disposed.Parts);
+        }
+
+        [Fact]
+        public void CallsCanBeCancelled()
+        {
+            PictureSource source = PictureSource.FromPoints(points, normals);
+            using (var cancelled = new CancellationTokenSource())
+            {
+                cancelled.Cancel();
+                CancellationToken token = cancelled.Token;
+                Cancelled(() => Picture.Draw(source, cancellationToken: token));
+                Cancelled(() => Picture.Create(source, cancellationToken: token));
+                Cancelled(() => picture.Draw(cancellationToken: token));
+                Cancelled(() => picture.Restyle(cancellationToken: token));
+                Cancelled(() => picture.Write(new MemoryStream(), cancellationToken: token));
+                Cancelled(() => picture.WriteViews(new MemoryStream(), cancellationToken: token));
+            }
+            foreach (Stage stage in new[] { Stage.Fit, Stage.Marks, Stage.Lines, Stage.Frame })
+            {
+                using (var later = new CancellationTokenSource())
+                {
+                    PictureOptions options = Small();
+                    var happened = new List<PictureEvent>();
+                    options.OnEvent = one =>
+                    {
+                        happened.Add(one);
+                        if (one.Stage == stage)
+                        {
+                            later.Cancel();
+                        }
+                    };
+                    CancelledException thrown = Assert.Throws<CancelledException>(
+                        () => Picture.Draw(source, options, null, null, later.Token));
+                    Assert.Equal(later.Token, thrown.CancellationToken);
+                    Assert.Equal(stage, happened.Last().Stage);
+                }
+            }
+            byte[] expected = picture.Rasterize();
+            picture.Draw().Dispose(); // it goes on
+            Assert.Equal(expected, picture.Rasterize());
+        }
+
+        [Fact]
+        public void ProgressNeverFalls()
+        {
+            var reports = new Reports();
+            Picture.Draw(PictureSource.FromPoints(points), Small(), null, reports).Dispose();
+            Assert.Equal(reports.Seen.OrderBy(at => at).ToArray(), reports.Seen.ToArray());
+            Assert.True(reports.Seen.Distinct().Count() > 5);
+            Assert.InRange(reports.Seen[0], 0.0, 0.5);
+            Assert.Equal(1.0, reports.Seen.Last());
+        }
+
+        [Fact]
+        public void WhatTheProgramsFunctionsThrowComesOut()
+        {
+            var own = new InvalidOperationException("my own");
+            PictureSource source = PictureSource.FromPoints(points, normals);
+            PictureOptions options = Small();
+            int called = 0;
+            options.OnEvent = one =>
+            {
+                ++called;
+                throw own;
+            };
+            CallbackException thrown = Assert.Throws<CallbackException>(() => Picture.Create(source, options));
+            Assert.Same(own, thrown.InnerException);
+            Assert.Contains("event", thrown.Message);
+            Assert.Equal(1, called);
+            Assert.Same(own, Assert.Throws<CallbackException>(() => Picture.Draw(
+                source, Small(), null, new Reports(at => { throw own; }))).InnerException);
+            ImplicitFunction failing = (at, value, gradient, hessian) => { throw own; };
+            using (Model model = Model.FromFunction(failing, (-1, -1, -1), (1, 1, 1)))
+            {
+                Assert.Same(own, Assert.Throws<CallbackException>(() => Picture.Create(model)).InnerException);
+            }
+            Picture other = null;
+            bool throws = false;
+            options.OnEvent = one =>
+            {
+                if (other == null)
+                {
+                    return;
+                }
+                Assert.True(other.Info.Marks > 0); // reading is allowed
+                if (throws)
+                {
+                    other.Draw();
+                }
+            };
+            using (other = Picture.Create(source, options))
+            {
+                byte[] expected = other.Rasterize();
+                throws = true;
+                Assert.IsType<InvalidOperationException>(
+                    Assert.Throws<CallbackException>(() => other.Draw()).InnerException);
+                throws = false;
+                Assert.Equal(expected, other.Rasterize());
+            }
+        }
+
+        [Fact]
+        public void SettingsDrawTheSamePicture()
+        {
+            PictureOptions options = Small(Preset.Etching);
+            options.Azimuth = 50;
+            options.Set("style.ink", "#204060");
+            var stream = new MemoryStream();
+            using (Picture made = Picture.Draw(PictureSource.FromPoints(points, normals), options))
+            {
+                byte[] expected = made.Rasterize();
+                made.SaveSettings(stream);
+                stream.Position = 0;
+                PictureOptions again;
+                using (Settings settings = Settings.Load(stream))
+                {
+                    again = new PictureOptions { Settings = settings };
+                    Assert.Equal(expected, Draw(PictureSource.FromPoints(points, normals), again));
+                    again.Preset = Preset.Engraving; // what is given wins
+                    using (Picture other = Picture.Create(PictureSource.FromPoints(points, normals), again))
+                    {
+                        Assert.Equal(Preset.Engraving, other.Info.Preset);
+                        Assert.Equal(made.Camera.View, other.Camera.View);
+                    }
+                }
+                Assert.Throws<ObjectDisposedException>(
+                    () => Picture.Create(PictureSource.FromPoints(points, normals), again));
+                string path = Path.GetTempFileName();
+                try
+                {
+                    made.SaveSettings(path);
+                    Assert.Equal(stream.ToArray(), File.ReadAllBytes(path));
+                    Settings.Load(path).Dispose();
+                }
+                finally
+                {
+                    File.Delete(path);
+                }
+                Assert.IsType<NotSupportedException>(Assert.Throws<StreamException>(
+                    () => made.SaveSettings(new PictureOutputTest.Full())).InnerException);
+            }
+            var wrong = new MemoryStream(System.Text.Encoding.UTF8.GetBytes("{\"hrbfnpr-settings\": 1, \"stile\": {}}"));
+            Assert.Contains("stile", Assert.Throws<InvalidArgumentException>(() => Settings.Load(wrong)).Message);
+            Assert.Throws<ArgumentNullException>(() => Settings.Load((Stream)null));
+        }
+
+        [Fact]
+        public void APictureOutlivesWhatItIsMadeOf()
+        {
+            var context = new Context(new ContextOptions { ThreadCount = 2, Log = (level, message) => { } });
+            var others = new Context(new ContextOptions
+            {
+                ThreadCount = 2,
+                RunTasks = (task, count) =>
+                {
+                    for (long i = 0; i < count; ++i)
+                    {
+                        task(i);
+                    }
+                },
+            });
+            ImplicitFunction ball = (at, value, gradient, hessian) =>
+            {
+                for (int i = 0; i < value.Length; ++i)
+                {
+                    value[i] = Shapes.Length(at, i) - 1;
+                }
+            };
+            Model model = Model.FromFunction(ball, (-1, -1, -1), (1, 1, 1), null, others);
+            Picture drawn = Picture.Create(model, Small(Preset.Silhouette), context);
+            PicturePart part = drawn.Parts[0];
+            model.Dispose();
+            others.Dispose();
+            context.Dispose();
+            Collect();
+            Assert.InRange(Dark(drawn.Rasterize()), 50, 2000);
+            using (Picture other = drawn.Restyle(Small(Preset.Stipple)))
+            {
+                drawn.Dispose();
+                Collect();
+                Assert.True(Dark(other.Rasterize()) > 50);
+            }
+            Assert.Equal(0.0, part.Model.Evaluate(new double[] { 0, 1, 0 }).Value[0], 1e-12);
+            Assert.True(part.LineSet.Info.Triangles > 0);
+        }
+
+        [Fact]
+        public void APictureThatNobodyDisposesOfIsFinalised()
+        {
+            using (var context = new Context(new ContextOptions { ThreadCount = 1 }))
+            {
+                Lose(context); // what the library keeps for the next ones
+                Collect();
+                long idle = context.Info.BytesNow;
+                var thread = new Thread(() =>
+                {
+                    for (int i = 0; i < 10; ++i)
+                    {
+                        Lose(context);
+                    }
+                });
+                thread.Start();
+                thread.Join();
+                long lost = context.Info.BytesNow;
+                Assert.True(lost > idle);
+                Collect();
+                // A conservative collector may see some of them on a stack.
+                Assert.True(context.Info.BytesNow - idle <= (lost - idle) / 4, "pictures were not finalised");
+            }
+        }
+
+        /// <summary>A picture whose own function refers to it.</summary>
+        [MethodImpl(MethodImplOptions.NoInlining)]
+        private void Lose(Context context)
+        {
+            Picture made = null;
+            PictureOptions options = Small(Preset.Stipple);
+            options.OnEvent = one => GC.KeepAlive(made);
+            made = Picture.Draw(PictureSource.FromPoints(Shapes.Sphere6, Shapes.Sphere6), options, context);
+        }
+
+        private static void Collect()
+        {
+            for (int i = 0; i < 4; ++i)
+            {
+                GC.Collect();
+                GC.WaitForPendingFinalizers();
+            }
+        }
+
+        private static void Cancelled(Action call)
+        {
+            Assert.Equal(Status.Cancelled, Assert.Throws<CancelledException>(call).Status);
+        }
+
+        private static PictureOptions Small(Preset preset = Preset.Engraving)
+        {
+            return new PictureOptions { Preset = preset, Width = 120, Height = 90 };
+        }
+
+        private static byte[] Draw(PictureSource source, PictureOptions options = null)
+        {
+            using (Picture drawn = Picture.Draw(source, options ?? Small()))
+            {
+                return drawn.Rasterize();
+            }
+        }
+
+        /// <summary>Pixels that are darker than the paper.</summary>
+        private static int Dark(byte[] rgba)
+        {
+            int dark = 0;
+            for (int i = 0; i < rgba.Length; i += 4)
+            {
+                dark += rgba[i] < 200 ? 1 : 0;
+            }
+            return dark;
+        }
+
+        private static int Different(byte[] a, byte[] b)
+        {
+            return a.Where((value, index) => value != b[index]).Count();
+        }
+
+        private void Named(string name, Action<PictureOptions> change)
+        {
+            PictureOptions options = Small();
+            change(options);
+            InvalidArgumentException wrong = Assert.Throws<InvalidArgumentException>(
+                () => Picture.Create(PictureSource.FromPoints(points, normals), options));
+            Assert.Contains(name, wrong.Message);
+        }
+    }
+}
