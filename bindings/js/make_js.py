@@ -20,7 +20,7 @@ SCALARS = {"char": "i8", "int8_t": "i8", "uint8_t": "u8", "int32_t": "i32", "uin
 # Of functions and callbacks: how a value travels.  p: an address, j: a 64-bit integer.
 PASSED = {"i8": "i", "u8": "i", "i32": "i", "u32": "i", "i64": "j", "u64": "j", "f32": "f", "f64": "d"}
 RESULTS = ("_info", "_comparison", "_identity")  # structs that are only read
-ONE_COMPONENT = {"levels", "line_first", "stroke_first", "stroke_direction", "rank", "level", "width", "host_depth"}
+ONE_COMPONENT = {"levels", "line_first", "stroke_first", "stroke_direction", "rank", "level", "width", "host_depth", "pen_widths"}
 
 
 def camel(name, first_upper=False):
@@ -125,7 +125,8 @@ def field_layout(names, struct, at):
         return ["pointer", offset, kind["base"]]
     if kind["kind"] == "struct":
         written = kind["base"] == "hrbfnpr_array_out"
-        components = 1 if name in ONE_COMPONENT else 2 if struct["name"] == "hrbfnpr_annotation" else 3
+        pairs = struct["name"] == "hrbfnpr_annotation" or name == "sharp_edges"
+        components = 1 if name in ONE_COMPONENT else 2 if pairs else 3
         return ["arrayOut", offset] if written else ["array", offset, components]
     if kind["pointers"]:
         return ["text" if kind["base"] == "char" else "address", offset]

@@ -218,8 +218,8 @@ bool App::draw() {
 }
 
 double App::bytes() const {
-    auto info = defaults<hrbfnpr_memory_info>(hrbfnpr_memory_info_init);
-    checked([&](auto* error) { return hrbfnpr_context_get_memory_info(context_.get(), &info, error); });
+    auto info = defaults<hrbfnpr_context_info>(hrbfnpr_context_info_init);
+    checked([&](auto* error) { return hrbfnpr_context_get_info(context_.get(), &info, error); });
     return static_cast<double>(info.bytes_now);
 }
 

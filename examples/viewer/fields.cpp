@@ -124,9 +124,19 @@ std::string element_text(const Field& field, const void* values, std::size_t i) 
     return place < field.choices.size() ? field.choices[place] : shortest(number);
 }
 
-Json section(const char* c_name) {
+// Words that no file of settings has: marks of the caller's own, and lines that each frame finds anew.
+bool is_in_files(const std::string& c_name, const std::string& word) {
+    if (c_name == "hrbfnpr_layer_desc") return word != "own";
+    return c_name != "hrbfnpr_line_desc" || (word != "apparent_ridge" && word != "isophote");
+}
+
+Json section(const std::string& c_name) {
     Json result = Json::object();
-    for (const Field& field : fields_of(c_name)) {
+    for (Field field : fields_of(c_name)) {
+        auto& words = field.choices;
+        words.erase(
+            std::remove_if(words.begin(), words.end(), [&](const auto& word) { return !is_in_files(c_name, word); }),
+            words.end());
         Json kind = field.choices.empty() ? Json(field.type) : Json(field.choices);
         result[field.name] = field.count == 1 ? kind : Json{kind, field.count};
     }

@@ -87,7 +87,7 @@ void picture(const App& app, const Ui& ui) {
 }
 
 // Panels show what the picture has, unless one of them is being used.
-void follow_picture(const App& app, Ui& ui) {
+void follow_picture(App& app, Ui& ui) {
     if (ImGui::IsAnyItemActive() || app.scene() == nullptr) return;
     app.refresh_sheet();
     const double step = app.sheet.marks.initial_step, estimate = app.scene()->patches.estimate;

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: MIT
 """hrbfnpr-view: the scene of examples/README.md by its settings, and what a user does, by scripts."""
 
+import ctypes
+import io
 import json
 import os
 import re
@@ -33,7 +35,7 @@ def draw(work, library, examples):
     if Image is None:
         raise run.Missing("Python has no Pillow here, to look at its pictures with (Debian: python3-pil)")
     view = Viewer(program, work)
-    check_schema(program, library, work)
+    check_schema(program, library)
     check_session(view)
     check_command_line(view, library)
     check_errors(view)
@@ -74,12 +76,47 @@ def ink_of(picture):
     return sum(255 - value for value in picture[2][::4]) / 255 / (picture[0] * picture[1])
 
 
-def check_schema(program, library, work):
-    """The viewer, the Python package and the library's own description agree on what settings hold."""
-    printed = run.run([program, "--print-schema"])
-    code = "import json, sys; from hrbfnpr.cli._settings import schema; json.dump(schema(), sys.stdout)"
-    check("the viewer's settings are not those of the Python package",
-          json.loads(printed) == json.loads(python(library, "-c", code)))
+def check_schema(program, library):
+    """What the viewer knows of settings is what the library reads."""
+    schema = json.loads(run.run([program, "--print-schema"]))
+    read = SettingsReader(library)
+    for section, fields in schema.items():
+        for field, kind in fields.items():
+            said = read.error(section, {field: []})
+            check(f"{section}.{field} is not known to the library: {said}", "no such field" not in said)
+            if isinstance(kind, list) and all(isinstance(word, str) for word in kind):
+                check(f"{section}.{field}: {said}", f"one of {', '.join(kind)}" in said)
+
+
+class SettingsReader:
+    """hrbfnpr_settings_load of the library itself."""
+
+    def __init__(self, library):
+        self.library = ctypes.CDLL(str(library))
+        self.library.hrbfnpr_layout.restype = ctypes.c_char_p
+        layout = json.loads(self.library.hrbfnpr_layout(b"hrbfnpr_error"))
+        offsets = {field["name"]: field["offset"] for field in layout["fields"]}
+        self.message, self.failure = offsets["message"], ctypes.create_string_buffer(layout["size"])
+        self.library.hrbfnpr_error_init(self.failure, layout["size"])
+        self.context = ctypes.c_void_p()
+        self.library.hrbfnpr_context_create(None, ctypes.byref(self.context), self.failure)
+
+    def error(self, section, fields):
+        """What it says of a section with these fields; empty if it reads them."""
+        part, _, of_list = section.partition(".")
+        text = io.BytesIO(json.dumps({"hrbfnpr-settings": 1, part: {of_list: [fields]} if of_list else fields}).encode())
+
+        def give(_, to, size):
+            data = text.read(size)
+            ctypes.memmove(to, data, len(data))
+            return len(data)
+
+        read = ctypes.CFUNCTYPE(ctypes.c_int64, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_uint64)(give)
+        made = ctypes.c_void_p()
+        if self.library.hrbfnpr_settings_load(self.context, read, None, ctypes.byref(made), self.failure) == 0:
+            self.library.hrbfnpr_settings_release(made)
+            return ""
+        return self.failure.raw[self.message :].split(b"\0")[0].decode()
 
 
 def python(library, *arguments, **options):
@@ -184,7 +221,7 @@ def check_session(view):
     first = view.pixels("first.png")
     panel, picture = first[2][4 * 100 :: 4 * first[0]], ink_of(first)  # a column of pixels through the panels
     check(f"the window is blank or black ({picture:.3f})", len(set(panel)) > 5 and 0.03 < picture < 0.6)
-    eyes = [json.loads(view.text(f"{name}.json"))["camera"]["eye"] for name in ("first", "turned")]
+    eyes = [eye_of(json.loads(view.text(f"{name}.json"))["camera"]["view"]) for name in ("first", "turned")]
     check("a drag did not turn the model", sum((a - b) ** 2 for a, b in zip(*eyes)) > 0.1)
     check_paint(view, printed)
     check_exports(view)
@@ -192,6 +229,11 @@ def check_session(view):
     bounds = [float(number) for number in re.findall(r"bounds: (.*)", printed)[-1].replace("to", "").split()]
     check(f"a cube that was dropped is not what is drawn, but {bounds}",
           all(abs(a - b) < 0.03 for a, b in zip(bounds, (0, 0, 0, 1, 1, 1))))
+
+
+def eye_of(matrix):
+    """Where the eye of a view matrix is, whose numbers are column by column."""
+    return [-sum(matrix[4 * axis + row] * matrix[12 + row] for row in range(3)) for axis in range(3)]
 
 
 def check_paint(view, printed):

@@ -25,9 +25,9 @@ std::int32_t tone(void* user, std::int64_t count, const float* positions, const 
 struct Style {
     explicit Style(Input& input) {
         Call call("style_init_preset");
-        call.expect(hrbfnpr_style_init_preset(&style, sizeof style,
-                                              static_cast<std::uint32_t>(input.below(std::size(hrbfnpr::testing::preset_names))),
-                                              call.error()));
+        call.expect(hrbfnpr_style_init_preset(
+            &style, sizeof style, static_cast<std::uint32_t>(input.below(std::size(hrbfnpr::testing::preset_names))),
+            call.error()));
         const auto* const own = reinterpret_cast<const unsigned char*>(style.layers);
         for (std::int64_t i = 0; i < style.layer_count; ++i)
             layers.push_back(*reinterpret_cast<const hrbfnpr_layer_style*>(

@@ -233,3 +233,42 @@ test("normals of a cloud are found", () => {
   const { indices } = context.farthestPoints(points, 10);
   assert.equal(new Set(indices).size, 10);
 });
+
+test("one call draws points, and tells what it chose", () => {
+  const stages = [];
+  const normals = points.map((part) => -part);
+  const picture = context.draw({ points, normals, name: "ball" }, {
+    style: "engraving", width: 160, height: 120, set: { "style.paper": "#ffeedd" },
+    onEvent: ({ name, fraction, note }) => { if (!note && fraction === 1) stages.push(name); },
+  });
+  assert.deepEqual([picture.drawing.width, picture.drawing.height], [160, 120]);
+  assert.ok(stages.includes("fit") && stages.includes("place marks"), stages.join());
+  const [note] = picture.notes;
+  assert.equal(note.code, "normals-turned");
+  assert.equal(note.severity, "note");
+  assert.match(note.text, /all normals looked inward/);
+  const { data } = picture.rasterize();
+  assert.deepEqual([...data.subarray(0, 4)], [255, 238, 221, 255]);
+  assert.deepEqual(data, picture.drawing.rasterize().data);
+  assert.match(picture.toSVG(), /<title>ball<\/title>/);
+  assert.ok(picture.info().marks > 1000);
+  assert.ok(picture.model().info().centres === 200);
+});
+
+test("a picture is seen from another side and drawn in another style", () => {
+  const picture = context.draw({ points, normals: points }, { style: "stipple", size: 100, set: { "marks.stipples.budget": 500 } });
+  assert.ok(picture.info().marks <= 500);
+  const before = picture.drawing.rasterize().data;
+  assert.notDeepEqual(picture.draw(picture.look({ azimuth: 200 })).rasterize().data, before);
+  assert.notDeepEqual(picture.draw(picture.orbit(90)).rasterize().data, before);
+  const other = picture.restyle({ style: "silhouette", size: 100 });
+  assert.equal(other.info().preset, "silhouette");
+  const settings = context.loadSettings(picture.settings());
+  assert.deepEqual(context.draw({ points, normals: points }, { settings }).drawing.rasterize().data, before);
+});
+
+test("a picture of nothing is refused in words", () => {
+  fails(() => context.draw([], {}), "INVALID_ARGUMENT", /sources|source_count/);
+  fails(() => context.draw({ points }, { set: { "style.halo": 2 } }), "INVALID_ARGUMENT", /halo_width/);
+  assert.throws(() => context.draw({ points }, { colour: 1 }), /no option "colour"/);
+});

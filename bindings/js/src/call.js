@@ -2,6 +2,7 @@
 // The memory of one call: arguments are put into the module's memory, results taken from it, and all is freed behind it.
 import { HrbfnprError } from "./errors.js";
 import { SCALAR, STATUS } from "./generated/constants.js";
+import { OFFSETS } from "./generated/layout.js";
 import { read, sizeOf, write } from "./structs.js";
 
 const TYPES = [[Float32Array, SCALAR.FLOAT32], [Float64Array, SCALAR.FLOAT64], [Uint8Array, SCALAR.UINT8],
@@ -99,6 +100,11 @@ export class Call {
 
   sizeOf(name) {
     return sizeOf(name);
+  }
+
+  /** Where a field is in a struct. */
+  offsetOf(name, field) {
+    return OFFSETS[name][field];
   }
 
   /** A struct with defaults and options; without `sized` all zero. */

@@ -2,6 +2,8 @@
 // Functions of JavaScript's that the library calls: one function of the module for each type of callback, whose user
 // pointer is the number of the function that is meant.
 import { CALLBACKS } from "./generated/functions.js";
+import { OFFSETS } from "./generated/layout.js";
+import { read } from "./structs.js";
 
 const LEVELS = ["debug", "info", "warning"];
 
@@ -16,6 +18,7 @@ function floats(library, address, count) {
 const ADAPTERS = {
   hrbfnpr_progress_fn: (_, call, progress) => (call(progress) === false ? 1 : 0),
   hrbfnpr_log_fn: (library, call, level, message) => void call(library.text(message >>> 0), LEVELS[level] ?? level),
+  hrbfnpr_picture_event_fn: (library, call, event) => void call(eventOf(library, event >>> 0)),
   hrbfnpr_write_fn: (library, call, data, size) =>
     void call(library.views.bytes.slice(data >>> 0, (data >>> 0) + Number(size))),
   hrbfnpr_read_fn: (library, call, data, size) => {
@@ -45,6 +48,13 @@ const ADAPTERS = {
                      floats(library, tau >>> 0, n));
   },
 };
+
+// A stage of a picture, or, where it is about one, a note.
+function eventOf(library, address) {
+  const event = read(library, address, "hrbfnpr_picture_event");
+  const note = library.views.data.getUint32(address + OFFSETS.hrbfnpr_picture_event.note, true);
+  return note === 0 ? event : { ...event, note: read(library, note, "hrbfnpr_note") };
+}
 
 export class Callbacks {
   #library;

@@ -6,8 +6,10 @@ import { LineSet } from "./line_set.js";
 import { Mesh } from "./mesh.js";
 import { Model } from "./model.js";
 import { operated } from "./operation.js";
+import { Picture } from "./picture.js";
 import { PointSet } from "./point_set.js";
 import { Renderer } from "./renderer.js";
+import { Settings } from "./settings.js";
 
 /** Threads, memory and log; everything else is made from one. */
 export class Context extends Handle {
@@ -34,6 +36,23 @@ export class Context extends Handle {
       const desc = call.structOf(options, struct, struct.replace(/hrbfnpr_|_desc/g, ""));
       return new type(this, operated(call, this.pointer, control,
         (operation) => call.made(name, this.pointer, desc, ...(control === null ? [] : [operation]))));
+    });
+  }
+
+  draw(source, options = {}, control) {
+    const sources = Array.isArray(source) ? source : [source];
+    return Picture.made(this, "hrbfnpr_picture_create", this.pointer, { ...options, sources }, control);
+  }
+
+  loadSettings(text) {
+    return Call.with(this.library, (call) => {
+      let left = typeof text === "string" ? new TextEncoder().encode(text) : text;
+      const [read, user] = call.callback("hrbfnpr_read_fn", (size) => {
+        const chunk = left.subarray(0, size);
+        left = left.subarray(chunk.length);
+        return chunk;
+      }, "read");
+      return new Settings(this, call.made("hrbfnpr_settings_load", this.pointer, read, user));
     });
   }
 

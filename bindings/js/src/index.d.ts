@@ -11,7 +11,8 @@ export type {
   Annotation, CastDesc, CompareDesc, Comparison, ContextDesc, ContextInfo, CsgDesc, CsgInfo, CsgNode, CustomDesc,
   DepthImageDesc, DepthImageInfo, DrawingInfo, DrawingLayerInfo, FitDesc, GenerateDesc, Item, LayerArrays, LayerDesc,
   LayerInfo, LayerPose, LayerStyle, LineDesc, LineSetDesc, LineSetInfo, LineStyle, MarkIdentity, MeshDesc, MeshFitDesc,
-  MeshFitInfo, MeshInfo, ModelInfo, OrientDesc, OrientInfo, PageDesc, PageInfo, PageItem, Pen, PlacementInfo,
+  MeshFitInfo, MeshInfo, ModelInfo, OrientDesc, OrientInfo, PageDesc, PageInfo, PageItem, Pen, PictureDesc,
+  PictureInfo, PicturePageDesc, PictureSource, PlacementInfo, ViewsDesc, ViewsInfo,
   PointSetDesc, PointSetInfo, ProjectDesc, SampleDesc, Style, TrimDesc, TrimInfo,
 } from "./generated/options.js";
 
@@ -26,6 +27,8 @@ export type ArrayOutput = TypedArray | { data: TypedArray; components: number };
 
 /** Progress in [0, 1]; false cancels. */
 export type ProgressFn = (progress: number) => boolean | void;
+/** A stage of a picture that runs or ends, or a note. */
+export type PictureEventFn = (event: O.PictureEvent & { note?: O.Note }) => void;
 export type LogFn = (message: string, level: "debug" | "info" | "warning") => void;
 export type AllocateFn = never;
 export type DeallocateFn = never;
@@ -115,6 +118,11 @@ export class Handle {
 /** Threads, memory and log; everything else is made from one. */
 export class Context extends Handle {
   info(): O.ContextInfo;
+  /** Draws anything: points (n x 3, with or without normals), a mesh (points and triangles), a model or a point set, or
+   *  several of these.  All that is left open is chosen, and told in the picture's notes. */
+  draw(source: PictureInput | readonly PictureInput[], options?: PictureOptions, control?: Control): Picture;
+  /** Reads a file of settings, for the option `settings`. */
+  loadSettings(text: string | Uint8Array): Settings;
   /** Fits a surface to points (n x 3) and outward normals (n x 3); without normals set normalMode. */
   fit(options: O.FitDesc, control?: Control): Model;
   /** Fits a surface to a mesh; `fit` are options of the fits. */
@@ -201,12 +209,12 @@ export class Mesh extends Handle {
   sample(count: number, options?: O.SampleDesc, control?: Control): { points: Float64Array; normals: Float64Array };
 }
 
-export interface Picture {
+export interface PictureSize {
   width: number;
   height: number;
 }
 
-export interface FitView extends Picture {
+export interface FitView extends PictureSize {
   /** From the eye into the scene; (0, 0, -1). */
   direction?: Numbers;
   /** (0, 1, 0). */
@@ -233,6 +241,57 @@ export class Camera implements O.Camera {
   fitBounds(min: Numbers, max: Numbers, view: FitView): this;
   /** n x 3 points; `origin` is added to each. */
   fitPoints(points: ArrayInput, view: FitView & { origin?: Numbers }): this;
+}
+
+export type PictureInput = O.PictureSource;
+export interface PictureOptions extends Omit<O.PictureDesc, "sources" | "style"> {
+  /** The name of a style, such as "engraving", or one that is used as it is. */
+  style?: C.PresetName | O.Style;
+  /** Fields that are changed by their names: { "style.tone_exponent": 1.5, "fit.kernel": "gaussian" }. */
+  set?: Record<string, string | number>;
+  /** A picture in which hardly anything can be seen is no error. */
+  allowBlank?: boolean;
+}
+export interface PictureNote {
+  code: C.NoteName | number;
+  severity: C.SeverityName | number;
+  figures: number[];
+  text: string;
+}
+
+/** What was planned for a source, ready to be drawn. */
+export class Picture extends Handle {
+  readonly context: Context;
+  /** By the camera that was planned. */
+  readonly drawing: Drawing;
+  readonly notes: PictureNote[];
+  info(): O.PictureInfo;
+  /** The same surfaces in another style, size or view. */
+  restyle(options?: PictureOptions, control?: Control): Picture;
+  camera(): Camera;
+  /** From another side; angles in degrees. */
+  look(from?: { azimuth?: number; elevation?: number; direction?: Numbers }): Camera;
+  /** The planned camera after some degrees around the up axis. */
+  orbit(degrees: number): Camera;
+  draw(camera?: O.Camera, control?: Control): Drawing;
+  /** With a section and a scale bar where the picture has them. */
+  rasterize(options?: { drawing?: Drawing; camera?: O.Camera; format?: C.FormatName | number }): {
+    width: number; height: number; data: Uint8ClampedArray };
+  /** SVG, PDF, HPGL or G-code. */
+  write(options?: O.PicturePageDesc & { drawing?: Drawing; camera?: O.Camera }, control?: Control): {
+    bytes: Uint8Array; info: O.PageInfo };
+  toSVG(options?: O.PicturePageDesc & { drawing?: Drawing; camera?: O.Camera }): string;
+  /** Views and sections on a sheet, to scale. */
+  writeViews(options?: O.ViewsDesc, control?: Control): { bytes: Uint8Array; info: O.ViewsInfo };
+  /** The text of a file of settings that draws the same. */
+  settings(): string;
+  /** The model of a part; undefined of a point set. */
+  model(number?: number): Model | undefined;
+}
+
+/** A file of settings that was read. */
+export class Settings extends Handle {
+  readonly context: Context;
 }
 
 /** From items and a camera to a drawing.  One call at a time. */

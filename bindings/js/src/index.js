@@ -62,5 +62,7 @@ export { Library } from "./library.js";
 export { LineSet } from "./line_set.js";
 export { Mesh } from "./mesh.js";
 export { Model } from "./model.js";
+export { Picture } from "./picture.js";
 export { PointSet } from "./point_set.js";
 export { Renderer } from "./renderer.js";
+export { Settings } from "./settings.js";

@@ -715,7 +715,7 @@ export const STRUCTS = {
     points: ["array", 8, 3],
     normals: ["array", 40, 3],
     triangles: ["array", 72, 3],
-    sharpEdges: ["array", 104, 3],
+    sharpEdges: ["array", 104, 2],
     model: ["handle", 136, "hrbfnpr_model"],
     pointSet: ["handle", 140, "hrbfnpr_point_set"],
     up: ["f64", 144, 3],
@@ -870,7 +870,7 @@ export const STRUCTS = {
     page: ["pointer", 8, "hrbfnpr_page_desc"],
     paper: ["text", 12],
     paperMargin: ["f64", 16],
-    penWidths: ["array", 24, 3],
+    penWidths: ["array", 24, 1],
   } },
   hrbfnpr_views_desc: { size: 96, sized: true, fields: {
     flags: ["u32", 4],

@@ -1990,7 +1990,7 @@ export interface SourceInfo {
   readonly boundaryLoops: number;
   /** of more than two faces */
   readonly nonmanifoldEdges: number;
-  /** after hrbfnpr_mesh_create has mended what it can */
+  /** what hrbfnpr_mesh_create leaves of them */
   readonly nonmanifoldLeft: number;
   /** of two faces, one of which is turned over */
   readonly contraryEdges: number;

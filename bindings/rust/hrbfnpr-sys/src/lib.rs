@@ -4678,7 +4678,7 @@ pub struct hrbfnpr_source_info {
     pub boundary_loops: i64,
     /// of more than two faces
     pub nonmanifold_edges: i64,
-    /// after hrbfnpr_mesh_create has mended what it can
+    /// what hrbfnpr_mesh_create leaves of them
     pub nonmanifold_left: i64,
     /// of two faces, one of which is turned over
     pub contrary_edges: i64,

@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: MIT
+import { Call, joined } from "./call.js";
+import { Drawing } from "./drawing.js";
+import { Made, Model } from "./model.js";
+import { operated } from "./operation.js";
+import { constant } from "./structs.js";
+
+const ALLOW_BLANK = 1;
+const NAN = Number.NaN;
+
+/** The options of a picture as the fields of its descriptor: a style by its name, changes as { "style.paper": "#fff" }. */
+function descriptor({ style, set, allowBlank, ...rest }) {
+  const given = { ...rest };
+  if (typeof style === "string") given.styleName = style;
+  else if (style !== undefined) given.style = style;
+  if (allowBlank) given.flags = (given.flags ?? 0) | ALLOW_BLANK;
+  if (set !== undefined)
+    given.changes = [...(given.changes ?? []),
+                     ...Object.entries(set).map(([field, value]) => ({ field, value: String(value) }))];
+  return given;
+}
+
+/** What was planned for a source, ready to be drawn; `drawing` is the drawing by its own camera. */
+export class Picture extends Made {
+  constructor(context, pointer) {
+    super(context, "hrbfnpr_picture", pointer);
+  }
+
+  /** Use Context.draw. */
+  static made(context, name, first, options, control) {
+    return Call.with(context.library, (call) => {
+      const desc = call.structOf(descriptor(options), "hrbfnpr_picture_desc", "picture");
+      const picture = new Picture(context, operated(call, context.pointer, control,
+        (operation) => call.made(name, first, desc, operation)));
+      picture.drawing = picture.draw(undefined, control);
+      return picture;
+    });
+  }
+
+  /** The same surfaces in another style, size or view. */
+  restyle(options = {}, control) {
+    return Picture.made(this.context, "hrbfnpr_picture_restyle", this.pointer, options, control);
+  }
+
+  info() {
+    return this.readInfo("hrbfnpr_picture_get_info", "hrbfnpr_picture_info");
+  }
+
+  /** What was chosen, repaired or left out: { code, severity, figures, text }. */
+  get notes() {
+    return Array.from({ length: this.info().notes }, (_, number) => {
+      const { code, severity, figures, figureCount, text } =
+        this.readInfo("hrbfnpr_picture_get_note", "hrbfnpr_note", number);
+      return { code, severity, figures: figures.slice(0, figureCount), text };
+    });
+  }
+
+  /** The camera that was planned, as Renderer.draw takes it. */
+  camera() {
+    return this.#camera("hrbfnpr_picture_get_camera");
+  }
+
+  /** A camera from another side: { azimuth, elevation } in degrees, or { direction }. */
+  look({ azimuth = NAN, elevation = NAN, direction } = {}) {
+    return Call.with(this.library, (call) => {
+      const along = direction === undefined ? 0 : call.doubles(direction, 3, "direction");
+      return this.#cameraOf(call, "hrbfnpr_picture_look", along, azimuth, elevation);
+    });
+  }
+
+  /** The planned camera after it went some degrees around the up axis. */
+  orbit(degrees) {
+    return this.#camera("hrbfnpr_picture_orbit", degrees);
+  }
+
+  #camera(name, ...values) {
+    return Call.with(this.library, (call) => this.#cameraOf(call, name, ...values));
+  }
+
+  #cameraOf(call, name, ...values) {
+    const camera = call.struct("hrbfnpr_camera", {});
+    call.check(name, this.pointer, ...values, camera);
+    return this.library.createCamera(call.read(camera, "hrbfnpr_camera"));
+  }
+
+  /** A drawing by a camera, or by the planned one. */
+  draw(camera, control) {
+    return Call.with(this.library, (call) => operated(call, this.context.pointer, control, (operation) => {
+      const seen = call.structOf(camera && { ...camera }, "hrbfnpr_camera", "camera");
+      const pointer = call.made("hrbfnpr_picture_draw", this.pointer, seen, operation);
+      return new Drawing(this.context, pointer, (camera ?? this.camera()).viewport);
+    }));
+  }
+
+  /** { width, height, data } of a drawing with what stands beside it, as an ImageData takes it. */
+  rasterize({ drawing = this.drawing, camera, format = "rgba8" } = {}) {
+    const number = constant("FORMAT", format, "format");
+    return Call.with(this.library, (call) => {
+      const seen = call.structOf(camera && { ...camera }, "hrbfnpr_camera", "camera");
+      const sides = [call.allocate(4), call.allocate(4)];
+      call.check("hrbfnpr_picture_plate_size", this.pointer, seen, ...sides);
+      const [width, height] = sides.map((at) => this.library.views.data.getInt32(at, true));
+      const data = new Uint8ClampedArray(4 * width * height);
+      const pixels = call.allocate(data.length);
+      const image = call.structOf({ format: number, width, height, pixels }, "hrbfnpr_image");
+      call.check("hrbfnpr_picture_rasterize", this.pointer, drawing.pointer, seen, image);
+      data.set(this.library.views.bytes.subarray(pixels, pixels + data.length));
+      return { width, height, data };
+    });
+  }
+
+  /** SVG, PDF, HPGL or G-code of a drawing with what stands beside it: { bytes, info }. */
+  write({ drawing = this.drawing, camera, ...page } = {}, control) {
+    return Call.with(this.library, (call) => {
+      const seen = call.structOf(camera && { ...camera }, "hrbfnpr_camera", "camera");
+      const desc = call.structOf(page, "hrbfnpr_picture_page_desc", "page");
+      const chunks = [];
+      const [write, user] = call.callback("hrbfnpr_write_fn", (chunk) => void chunks.push(chunk), "write");
+      const info = call.struct("hrbfnpr_page_info", {});
+      operated(call, this.context.pointer, control, (operation) => call.check(
+        "hrbfnpr_picture_write", this.pointer, drawing.pointer, seen, desc, write, user, info, operation));
+      return { bytes: joined(chunks), info: call.read(info, "hrbfnpr_page_info") };
+    });
+  }
+
+  toSVG(options = {}) {
+    return new TextDecoder().decode(this.write(options).bytes);
+  }
+
+  /** A technical drawing on a sheet: { bytes, info }. */
+  writeViews(options = {}, control) {
+    return Call.with(this.library, (call) => {
+      const desc = call.structOf(options, "hrbfnpr_views_desc", "views");
+      const chunks = [];
+      const [write, user] = call.callback("hrbfnpr_write_fn", (chunk) => void chunks.push(chunk), "write");
+      const info = call.struct("hrbfnpr_views_info", {});
+      operated(call, this.context.pointer, control, (operation) => call.check(
+        "hrbfnpr_picture_write_views", this.pointer, desc, write, user, info, operation));
+      return { bytes: joined(chunks), info: call.read(info, "hrbfnpr_views_info") };
+    });
+  }
+
+  /** What the picture was made with, as the text of a file of settings. */
+  settings() {
+    return new TextDecoder().decode(this.saved("hrbfnpr_picture_write_settings"));
+  }
+
+  /** The model of a part, 0 by default; undefined of a point set. */
+  model(number = 0) {
+    return Call.with(this.library, (call) => {
+      const part = call.struct("hrbfnpr_picture_part", {});
+      call.check("hrbfnpr_picture_get_part", this.pointer, number, part);
+      const pointer = call.getPointer(part + call.offsetOf("hrbfnpr_picture_part", "model"));
+      if (pointer === 0) return undefined;
+      this.library.raw.hrbfnpr_model_retain(pointer);
+      return new Model(this.context, pointer);
+    });
+  }
+}
