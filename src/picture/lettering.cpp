@@ -15,8 +15,8 @@ namespace {
 // baseline, i the height of small letters, k that of capitals, and a where small letters reach down to.
 struct Glyph {
     char32_t character;
-    int width; // columns
-    std::string_view strokes;
+    int width;        // columns
+    char strokes[40]; // in place: a table of pointers would have to be relocated
 };
 
 constexpr double rows_of_capital = 8.0;
@@ -157,8 +157,9 @@ Vector<Segment> strokes_of_text(std::string_view text, const glm::dvec2& begin, 
             return origin + square * glm::dvec2(column + static_cast<double>(glyph.strokes[i] - '0'),
                                                 static_cast<double>(baseline_row - glyph.strokes[i + 1]));
         };
-        for (std::size_t i = 0; i + 3 < glyph.strokes.size(); i += 2) {
-            if (glyph.strokes[i + 2] == ' ') { // the next stroke begins behind it
+        const std::size_t size = std::string_view(glyph.strokes).size();
+        for (std::size_t i = 0; i + 3 < size; i += 2) {
+            if (glyph.strokes[i + 2] == ' ') { // the next stroke begins after it
                 ++i;
                 continue;
             }

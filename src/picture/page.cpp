@@ -195,7 +195,7 @@ String page_metadata(std::string_view input, std::string_view style, std::span<c
 namespace {
 
 struct Paper {
-    const char* name;
+    char name[8];         // in place: a table of pointers would have to be relocated
     double width, height; // mm, upright
 };
 constexpr std::array papers{Paper{"a0", 841.0, 1189.0},    Paper{"a1", 594.0, 841.0},     Paper{"a2", 420.0, 594.0},

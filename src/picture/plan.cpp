@@ -77,7 +77,8 @@ Vector<std::uint32_t> mark_kinds_of(const Call& call, std::string_view names) {
         const std::optional<std::uint32_t> kind = layer_kind_of(name);
         if (!kind || *kind == HRBFNPR_LAYER_KIND_ANY || *kind == HRBFNPR_LAYER_KIND_FIELD ||
             *kind == HRBFNPR_LAYER_KIND_OWN)
-            call.report.refuse(formatted(call.pool, "{layers} must be of stipples, principal, combing, hatch, not '%.*s'",
+            call.report.refuse(formatted(call.pool,
+                                         "{layers} must be of stipples, principal, combing, hatch, not '%.*s'",
                                          static_cast<int>(std::min<std::size_t>(name.size(), 60)), name.data()));
         kinds.push_back(*kind);
     }

@@ -19,8 +19,9 @@ namespace {
 // ---- Words
 
 struct OptionName {
-    std::string_view option; // with underscores
-    std::string_view field;  // where a C program sets it
+    // In place: a table of pointers would have to be relocated.
+    char option[20]; // with underscores
+    char field[32];  // where a C program sets it
 };
 
 // Options whose field has another name.
@@ -49,8 +50,8 @@ constexpr std::array option_names{
 
 std::string_view field_of(std::string_view option) noexcept {
     const auto* found = std::find_if(option_names.begin(), option_names.end(),
-                                     [&](const OptionName& name) { return name.option == option; });
-    return found != option_names.end() ? found->field : option;
+                                     [&](const OptionName& name) { return std::string_view(name.option) == option; });
+    return found != option_names.end() ? std::string_view(found->field) : option;
 }
 
 bool is_number(std::string_view text) noexcept {

@@ -52,8 +52,8 @@ std::uint32_t type_of(const SheetContent& content, SheetKind kind) noexcept {
 // ---- Texts
 
 struct LetterWidth {
-    std::string_view letters;
-    int width; // in 1/1000 of the size
+    char letters[12]; // in place: a table of pointers would have to be relocated
+    int width;        // in 1/1000 of the size
 };
 
 // Of Helvetica.
@@ -233,7 +233,7 @@ double width_of_sheet_text(std::string_view text, double capitals) noexcept {
     for (const char byte : text) {
         if (!begins_letter(byte)) continue;
         const auto* known = std::find_if(letter_widths.begin(), letter_widths.end(), [&](const LetterWidth& one) {
-            return one.letters.find(byte) != std::string_view::npos;
+            return std::string_view(one.letters).find(byte) != std::string_view::npos;
         });
         width += known != letter_widths.end() ? known->width : usual_letter;
     }

@@ -12,7 +12,7 @@ namespace hrbfnpr::picture {
 namespace {
 
 struct LineName {
-    std::string_view name;
+    char name[20]; // in place: a table of pointers would have to be relocated
     std::uint32_t kind;
 };
 

@@ -103,7 +103,7 @@ TEST_F(ViewsTest, UnitsAndTitlesAreAsAsked) {
 
 TEST_F(ViewsTest, WhatCannotBeDrawnIsRefusedInTheCallersWords) {
     desc.sections = "x:3";
-    EXPECT_THAT(refusal(), HasSubstr("--section: the plane at 3 misses the model, which is between -1"));
+    EXPECT_THAT(refusal(), HasSubstr("--section: the plane at 3 misses the model, which is between -0.999"));
     desc.sections = "y:-3"; // seen from the front, against its axis; the words are of the axis
     EXPECT_THAT(refusal(), HasSubstr("--section: the plane at -3 misses the model, which is between -"));
     desc.sections = nullptr;
@@ -115,7 +115,7 @@ TEST_F(ViewsTest, WhatCannotBeDrawnIsRefusedInTheCallersWords) {
     EXPECT_THAT(refusal(), HasSubstr("--scale 100:1: the views need"));
     desc.scale = nullptr;
     desc.line_width = 0.0;
-    EXPECT_THAT(refusal(), HasSubstr("views_desc.line_width is 0; it must be a finite number above 0"));
+    EXPECT_THAT(refusal(), HasSubstr("views_desc.line_width is 0; it must be from 0.01 to 1000"));
     desc.line_width = 0.5;
     desc.hidden = 3;
     EXPECT_THAT(refusal(), HasSubstr("views_desc.hidden is 3"));
