@@ -41,6 +41,7 @@ BY_HAND = {
     "hrbfnpr_drawing_layer_info": "DrawingLayerInfo",
     "hrbfnpr_mark_identity": "MarkIdentity",
     "hrbfnpr_page_info": "PageInfo",
+    "hrbfnpr_source_info": "SourceInfo",
     "hrbfnpr_picture_info": "PictureInfo",
     "hrbfnpr_views_info": "ViewsInfo",
 }
@@ -104,7 +105,7 @@ def methods(functions):
         name = function["name"]
         parameters = []
         for parameter in function["parameters"]:
-            user = parameter["name"] == "user"
+            user = parameter["name"].endswith("user")
             kind = "IntPtr" if user else parameter_type(name, parameter["type"])
             parameters.append(f"{kind} {escaped(parameter['name'])}")
         yield parameter_type(name, function["returns"]), name, parameters

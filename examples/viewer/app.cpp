@@ -61,6 +61,7 @@ void App::use_style(const std::string& name) {
     choices.style = name;
     choices.lines.reset();
     choices.forget("style.");
+    wants_preview_ = true;
     restyle();
 }
 
@@ -133,7 +134,7 @@ void App::record(const std::string& pattern, int frames, Size size) {
 
 void App::cancel() {
     worker_.cancel();
-    wants_restyle_ = false;
+    wants_restyle_ = wants_preview_ = false;
     restyle_at_.reset();
     writes_.clear();
 }
@@ -145,26 +146,35 @@ void App::take(Scene&& scene) {
     is_stale_ = sheet_is_old_ = true;
 }
 
+Choices App::next_choices() {
+    Choices next = choices;
+    const bool says_marks = choices.style.empty() && choices.settings.handle;
+    next.is_preview = wants_preview_ && !says_marks;
+    wants_restyle_ = next.is_preview;
+    wants_preview_ = false;
+    return next;
+}
+
 void App::start_job() {
     const Size size = canvas_;
     const auto made = std::make_shared<Scene>();
     if (load_) {
         if (!settings_are_new_) choices.settings = without(context_, choices.settings, "camera");
-        settings_are_new_ = wants_restyle_ = false;
+        settings_are_new_ = false;
+        wants_preview_ = true;
         view_.reset();
         worker_.start([made, size, open = std::move(load_),
-                       with = choices](Work& work) { *made = scene_of(open(work), with, size, work); },
+                       with = next_choices()](Work& work) { *made = scene_of(open(work), with, size, work); },
                       [this, made](Work&) { take(std::move(*made)); });
         load_ = nullptr;
-        if (patches_shown_) wants_restyle_ = true;
+        if (patches_shown_) wants_restyle_ = true; // which makes them
     } else if (!writes_.empty()) {
         const auto [job, done] = writes_.front();
         writes_.pop_front();
         is_writing_ = true;
         worker_.start(job, [this, what = done](Work&) { said = what; });
     } else if (wants_restyle_ && scene_) {
-        wants_restyle_ = false;
-        worker_.start([made, size, from = scene_, with = choices, view = view_, patches = patches_shown_](
+        worker_.start([made, size, from = scene_, with = next_choices(), view = view_, patches = patches_shown_](
                           Work& work) { *made = restyled(*from, with, size, view ? &*view : nullptr, patches, work); },
                       [this, made](Work&) { take(std::move(*made)); });
     }

@@ -94,6 +94,8 @@ private:
     using Clock = std::chrono::steady_clock;
     void start_loading(std::function<Source(Work&)> open);
     void start_job();
+    // The choices for the next picture of the window: a preview first, if there are marks to wait for.
+    Choices next_choices();
     void write(std::function<void(const Export&, Work&)> job, Size size, const std::string& done);
     void take(Scene&& scene);
     void restyle_soon() { restyle_at_ = Clock::now() + std::chrono::milliseconds(250); }
@@ -106,7 +108,8 @@ private:
     std::shared_ptr<const Scene> scene_;
     std::function<Source(Work&)> load_;                                     // to be started
     std::deque<std::pair<std::function<void(Work&)>, std::string>> writes_; // jobs, and what is said when they are done
-    bool wants_restyle_ = false, is_writing_ = false, is_stale_ = false, patches_shown_ = false, sheet_is_old_ = false;
+    bool wants_restyle_ = false, wants_preview_ = false, is_writing_ = false, is_stale_ = false, patches_shown_ = false,
+         sheet_is_old_ = false;
     std::optional<Clock::time_point> restyle_at_; // after what goes on for a while, such as turning a wheel
     bool settings_are_new_ = false;               // read, and not used for a model yet: their camera counts
     std::optional<View> view_;                    // as the mouse has left it; else as the library plans

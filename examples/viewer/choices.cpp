@@ -95,6 +95,7 @@ Descriptor::Descriptor(const Choices& choices, Size size, const hrbfnpr_camera* 
     desc.pen = choices_.pen;
     desc.line_width = choices_.line_width;
     desc.hatch_angle = choices_.hatch_angle;
+    if (choices_.is_preview) desc.mark_kinds = "stipples";
     if (choices_.lines) desc.lines = choices_.lines->c_str();
     desc.changes = changes_.data();
     desc.change_count = static_cast<std::int64_t>(changes_.size());

@@ -32,7 +32,8 @@ struct Choices {
     std::vector<std::pair<std::string, std::string>> changes; // hrbfnpr_change: fields and their values
     Size drawn; // the picture that the lengths among these were chosen for; 0: there are none
     std::vector<hrbfnpr_dab> dabs;
-    Size size; // of pictures that are written; 0: as in the window
+    Size size;               // of pictures that are written; 0: as in the window
+    bool is_preview = false; // stipples alone, which are there sooner than hatching
 
     void change(const std::string& field, const std::string& value);
     // Forgets the changes whose fields begin so.

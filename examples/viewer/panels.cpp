@@ -18,7 +18,8 @@ void model_panel(App& app, Ui& ui) {
     if (ImGui::Button("Open") && ui.file[0] != '\0') app.load(ui.file);
     if (app.scene() == nullptr) return;
     ImGui::TextWrapped("%s", app.scene()->name.c_str());
-    for (const std::string& note : app.scene()->notes) ImGui::TextWrapped("- %s", note.c_str());
+    for (const auto* notes : {&app.scene()->surface_notes, &app.scene()->notes})
+        for (const std::string& note : *notes) ImGui::TextWrapped("- %s", note.c_str());
     if (ImGui::TreeNode("fit")) {
         ImGui::TextWrapped("For the next file that is opened:");
         edit_fields({app, "hrbfnpr_fit_desc", "fit", &app.fit});

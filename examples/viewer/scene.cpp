@@ -69,6 +69,9 @@ Sheet sheet_of(const Picture& picture) {
     return sheet;
 }
 
+// Whether a note is about a picture, and not about its surfaces.
+bool is_of_picture(std::uint32_t code) { return code >= HRBFNPR_NOTE_MARKS_LIMITED && code <= HRBFNPR_NOTE_BLANK; }
+
 // Adds what a picture tells of itself.
 void look_at(Scene& scene) {
     hrbfnpr_picture* const picture = scene.picture.get();
@@ -90,7 +93,8 @@ void look_at(Scene& scene) {
     for (std::int64_t i = 0; i < scene.info.notes; ++i) {
         auto note = defaults<hrbfnpr_note>(hrbfnpr_note_init);
         checked([&](auto* error) { return hrbfnpr_picture_get_note(picture, i, &note, error); });
-        if (note.severity != HRBFNPR_SEVERITY_INFO) scene.notes.emplace_back(note.text);
+        if (note.severity == HRBFNPR_SEVERITY_INFO) continue;
+        (is_of_picture(note.code) ? scene.notes : scene.surface_notes).emplace_back(note.text);
     }
 }
 
@@ -155,7 +159,6 @@ Scene scene_of(const Source& source, const Choices& choices, Size size, Work& wo
         throw Failure(source.name + ": " + failure.what(), failure.status);
     }
     look_at(scene);
-    scene.surface_notes = scene.notes.size();
     for (const hrbfnpr_picture_part& part : scene.parts) {
         scene.lipschitz.push_back(0);
         if (part.model == nullptr) continue;
@@ -186,7 +189,6 @@ Scene restyled(const Scene& scene, const Choices& choices, Size size, const View
     result.name = scene.name;
     result.picture = restyled_picture(scene.picture, choices, size, view, work);
     result.lipschitz = scene.lipschitz;
-    result.notes.assign(scene.notes.begin(), scene.notes.begin() + static_cast<std::ptrdiff_t>(scene.surface_notes));
     result.surface_notes = scene.surface_notes;
     look_at(result);
     if (wants_patches) result.patches = patches_of(result, work);

@@ -56,8 +56,7 @@ struct Scene {
     Size size;
     Patches patches;
     std::vector<Timing> timings;
-    std::vector<std::string> notes; // of its making, those of the surface first
-    std::size_t surface_notes = 0;  // how many of them are of the surface
+    std::vector<std::string> surface_notes, notes; // what was told of the surfaces, and of the picture
 
     Vec centre() const;
     double diagonal() const;

@@ -140,8 +140,7 @@ void look_at_parts(const JoinedMesh& mesh, const Vector<Edge>& border, MeshFacts
     Vector<double> volumes(static_cast<std::size_t>(facts.components), 0.0, &pool);
     for (const Triangle& face : mesh.faces) {
         const auto corner = [&](std::size_t k) { return mesh.places[static_cast<std::size_t>(face[k])] - middle; };
-        const glm::dvec3 product = corner(0) * glm::cross(corner(1), corner(2));
-        volumes[static_cast<std::size_t>(part_at(face[0]))] += product.x + product.z + product.y;
+        volumes[static_cast<std::size_t>(part_at(face[0]))] += glm::dot(corner(0), glm::cross(corner(1), corner(2)));
     }
     for (double& volume : volumes) volume /= 6.0;
     const double volume = sum_in_pairs(volumes);

@@ -12,13 +12,15 @@ namespace HrbfNpr.Tests
 {
     public class PictureTest : IDisposable
     {
-        private readonly double[] points;
+        private const int Width = 64;
+        private const int Height = 48;
+        private readonly double[] points = Shapes.Sphere(60);
         private readonly double[] normals;
         private readonly Picture picture;
 
         public PictureTest()
         {
-            Shapes.Torus(out points, out normals);
+            normals = points;
             picture = Picture.Draw(PictureSource.FromPoints(points, normals), Small());
         }
 
@@ -31,37 +33,31 @@ namespace HrbfNpr.Tests
         public void OneCallDrawsAnImage()
         {
             byte[] rgba = picture.Rasterize();
-            Assert.Equal(120 * 90 * 4, rgba.Length);
-            Assert.InRange(Dark(rgba), 300, 120 * 90 / 2);
+            Assert.Equal(Width * Height * 4, rgba.Length);
+            Assert.InRange(Dark(rgba), 100, Width * Height / 2);
             PictureInfo info = picture.Info;
-            Assert.Equal(120, info.Width);
-            Assert.Equal(90, info.Height);
-            Assert.Equal(Preset.Engraving, info.Preset);
+            Assert.Equal(Width, info.Width);
+            Assert.Equal(Height, info.Height);
+            Assert.Equal(Preset.ContourAndStipple, info.Preset);
             Assert.Equal(1L, info.Parts);
             Assert.Equal(0.75, info.Pen);
-            Assert.True(info.Marks > 1000 && info.Seconds > 0);
+            Assert.True(info.Marks > 100 && info.Seconds > 0);
             Assert.Equal(new Vector3d(0, 1, 0), info.Up);
-            Assert.Equal(-1.4, info.BoundsMin.X, 1e-9);
-            Assert.Equal(0.4, info.BoundsMax.Z, 1e-9);
+            Assert.Equal(-1, info.BoundsMin.X, 0.05);
+            Assert.Equal(1, info.BoundsMax.Z, 0.05);
         }
 
-        /// <summary>What the parts give when they are drawn one by one, byte for byte.</summary>
+        /// <summary>What the parts give when they are used one by one, byte for byte.</summary>
         [Fact]
         public void TheCallsStepByStepDrawTheSamePicture()
         {
-            foreach (Preset preset in new[] { Preset.Engraving, Preset.ContourAndStipple, Preset.Xray })
+            foreach (Preset preset in new[] { Preset.Stipple, Preset.ContourAndStipple, Preset.Xray })
             {
-                PictureOptions options = Small();
-                options.Preset = preset;
-                using (Picture whole = Picture.Draw(PictureSource.FromPoints(points, normals), options))
-                using (Model model = Model.Fit((ArrayView)points, (ArrayView)normals))
-                using (PointSet marks = model.Generate(whole.Marks))
+                using (Picture whole = Picture.Draw(PictureSource.FromPoints(points, normals), Small(preset)))
                 using (var renderer = new Renderer())
                 {
                     PicturePart part = whole.Parts.Single();
-                    var samples = new double[3 * 50];
-                    Array.Copy(points, samples, samples.Length);
-                    Assert.Equal(part.Model.Evaluate(samples).Value, model.Evaluate(samples).Value);
+                    PointSet marks = part.Model.Generate(whole.Marks);
                     Assert.Equal(part.PointSet.Count, marks.Count);
                     Assert.Equal(part.PointSet.Layers[0].Positions(), marks.Layers[0].Positions());
                     var item = new Item(marks, whole.Style) { LineSet = part.LineSet, Sides = part.Sides };
@@ -104,21 +100,19 @@ namespace HrbfNpr.Tests
                 pin.Free();
             }
             float[] single = Shapes.ToFloats(points), singleNormals = Shapes.ToFloats(normals);
-            using (Picture other = Picture.Draw(PictureSource.FromPoints(single, singleNormals), Small()))
-            {
-                Assert.InRange(Different(expected, other.Rasterize()), 0, expected.Length / 20);
-            }
+            byte[] drawn = Draw(PictureSource.FromPoints(single, singleNormals));
+            Assert.InRange(Dark(drawn), Dark(expected) * 9 / 10, Dark(expected) * 11 / 10);
         }
 
         [Fact]
         public void ModelsAndMarksAreSources()
         {
             using (Model model = Model.Fit((ArrayView)points, (ArrayView)normals))
-            using (PointSet marks = Shapes.Stipple(model, 3000))
+            using (PointSet marks = Shapes.Stipple(model, 1000))
             {
                 using (Picture drawn = Picture.Draw(model, Small()))
                 {
-                    Assert.InRange(Dark(drawn.Rasterize()), 300, 120 * 90 / 2);
+                    Assert.InRange(Dark(drawn.Rasterize()), 100, Width * Height / 2);
                     Assert.Equal(model.Info.Centres, drawn.Parts[0].Model.Info.Centres);
                 }
                 PictureOptions stippled = Small(Preset.ContourAndStipple);
@@ -135,16 +129,16 @@ namespace HrbfNpr.Tests
                     Assert.Null(drawn.Parts[0].LineSet);
                 }
                 Picture far;
-                using (Model ball = Csg.Sphere(0.5, (0, 0, 2)))
+                using (Model ball = Csg.Sphere(0.5, (0, 0, 3)))
                 {
                     far = Picture.Create(new PictureSource[] { model, ball }, stippled);
                 }
                 using (far) // it keeps its models
                 {
                     Assert.Equal(2L, far.Info.Parts);
-                    Assert.Equal(2.5, far.Info.BoundsMax.Z, 0.01);
+                    Assert.Equal(3.5, far.Info.BoundsMax.Z, 0.01);
                     Assert.Equal(far.Info.Marks, far.Parts.Sum(part => part.PointSet.Count));
-                    Assert.True(Dark(far.Rasterize()) > 300);
+                    Assert.True(Dark(far.Rasterize()) > 100);
                 }
             }
         }
@@ -165,7 +159,7 @@ namespace HrbfNpr.Tests
                 Assert.Equal(1.0, part.Mesh.Info.Volume, 1e-9);
                 MeshComparison near = part.Model.Compare(part.Mesh);
                 Assert.InRange(near.SurfaceMax, 0, 0.01);
-                Assert.InRange(Dark(cube.Rasterize()), 50, 120 * 90 / 2);
+                Assert.InRange(Dark(cube.Rasterize()), 50, Width * Height / 2);
                 Assert.Contains("cube.obj", PictureOutputTest.Text(cube, null));
             }
             options.Edges = PictureEdges.Smooth;
@@ -178,6 +172,44 @@ namespace HrbfNpr.Tests
             InvalidArgumentException wrong = Assert.Throws<InvalidArgumentException>(
                 () => Picture.Create(PictureSource.FromMesh(vertices, triangles)));
             Assert.Contains("vertex 8", wrong.Message);
+        }
+
+        [Fact]
+        public void ASourceCanBeLookedAt()
+        {
+            SourceInfo info = PictureSource.FromPoints(points, normals).Inspect(out IReadOnlyList<Note> notes);
+            Assert.Equal(SourceKind.Points, info.Kind);
+            Assert.Equal(60L, info.Points);
+            Assert.Equal(NormalsLook.Outward, info.NormalsLook);
+            Assert.True(info.HasNormals && !info.AlongCurves);
+            Assert.Equal(1.0, info.NormalsUnitShare);
+            Assert.Equal(0, notes.Count(one => one.Severity == Severity.Failure));
+            Shapes.Cube(out double[] vertices, out int[] triangles);
+            PictureSource mesh = PictureSource.FromMesh(vertices, triangles);
+            mesh.Up = (0, 0, 1);
+            mesh.UpBy = "STL files";
+            info = mesh.Inspect();
+            Assert.Equal(SourceKind.Mesh, info.Kind);
+            Assert.Equal(12L, info.Triangles);
+            Assert.True(info.Closed && !info.InsideOut);
+            Assert.Equal(1.0, info.Volume, 1e-12);
+            Assert.Equal(6.0, info.Area, 1e-12);
+            Assert.Equal(new Vector3d(0, 0, 1), info.Up);
+            Assert.Contains("STL files", info.UpReason);
+            Array.Resize(ref triangles, 33); // a face is missing
+            info = PictureSource.FromMesh(vertices, triangles).Inspect(out notes);
+            Assert.Equal(3L, info.BoundaryEdges);
+            Note open = notes.Single(one => one.Code == NoteCode.MeshOpen);
+            Assert.Equal(new double[] { 1, 3 }, open.Figures.ToArray());
+            info = PictureSource.FromPoints(new[] { double.NaN, 0, 0 }).Inspect(out notes);
+            Assert.Equal(1L, info.PointsNotFinite);
+            Assert.Equal(Severity.Failure, info.Severity);
+            Assert.Equal(NoteCode.NotUsable, notes.Last().Code);
+            using (var source = new CancellationTokenSource())
+            {
+                source.Cancel();
+                Cancelled(() => mesh.Inspect(out notes, cancellationToken: source.Token));
+            }
         }
 
         [Fact]
@@ -215,18 +247,14 @@ namespace HrbfNpr.Tests
         [Fact]
         public void WordsAreThoseOfTheCaller()
         {
-            var texts = new Dictionary<Wording, string>();
-            foreach (Wording wording in new[] { Wording.Fields, Wording.Options, Wording.Arguments })
-            {
-                PictureOptions options = Small(Preset.Stipple);
-                options.Wording = wording;
-                options.Camera = Camera.FitBounds((5, 5, 5), (6, 6, 6), (0, 0, -1), (0, 1, 0), 64, 64);
-                texts[wording] = Assert.Throws<InvalidArgumentException>(
-                    () => Picture.Draw(PictureSource.FromPoints(points, normals), options)).Message;
-            }
-            Assert.Contains("--", texts[Wording.Options]);
-            Assert.True(texts[Wording.Fields].IndexOf("--", StringComparison.Ordinal) < 0);
-            Assert.NotEqual(texts[Wording.Fields], texts[Wording.Arguments]);
+            PictureOptions options = Small(Preset.Stipple);
+            options.Camera = Camera.FitBounds((5, 5, 5), (6, 6, 6), (0, 0, -1), (0, 1, 0), 64, 64);
+            PictureSource source = PictureSource.FromPoints(points, normals);
+            string text = Assert.Throws<InvalidArgumentException>(() => Picture.Draw(source, options)).Message;
+            Assert.Contains("leave out eye", text);
+            options.Wording = Wording.Options;
+            text = Assert.Throws<InvalidArgumentException>(() => Picture.Draw(source, options)).Message;
+            Assert.Contains("leave out --eye", text);
         }
 
         [Fact]
@@ -267,8 +295,8 @@ namespace HrbfNpr.Tests
             Assert.Contains("no_such_field", Assert.Throws<InvalidArgumentException>(
                 () => Picture.Create(PictureSource.FromPoints(points, normals), options)).Message);
             options.Changes.Clear();
-            options.Preset = Preset.ContourAndStipple;
-            options.StyleName = "engraving"; // wins
+            options.Preset = Preset.Etching;
+            options.StyleName = "contour-and-stipple"; // wins
             using (Picture named = Picture.Draw(PictureSource.FromPoints(points, normals), options))
             {
                 Assert.Equal(plain, named.Rasterize());
@@ -313,7 +341,7 @@ namespace HrbfNpr.Tests
             }
             options.Style = null;
             byte[] plain = Draw(source, options);
-            options.Dabs.Add(new Dab { Position = (0, 1, 0.4), Normal = (0, 0, 1), Radius = 3, Value = 0 });
+            options.Dabs.Add(new Dab { Position = (0, 0, 1), Normal = (0, 0, 1), Radius = 1, Value = 0 });
             using (Picture painted = Picture.Draw(source, options))
             using (var renderer = new Renderer())
             {
@@ -340,7 +368,7 @@ namespace HrbfNpr.Tests
         public void ARestyledPictureHasTheSameSurfaces()
         {
             Picture first = Picture.Create(PictureSource.FromPoints(points, normals), Small());
-            PictureOptions options = Small(Preset.ContourAndStipple);
+            PictureOptions options = Small(Preset.Silhouette);
             options.Azimuth = 70;
             Picture second = first.Restyle(options);
             Picture third = second.Restyle(Small());
@@ -349,7 +377,7 @@ namespace HrbfNpr.Tests
             {
                 using (second)
                 {
-                    Assert.Equal(Preset.ContourAndStipple, second.Info.Preset);
+                    Assert.Equal(Preset.Silhouette, second.Info.Preset);
                     Assert.False(second.Stages.Any(one => one.Stage == Stage.Fit));
                     Assert.Equal(Draw(PictureSource.FromPoints(points, normals), options), second.Rasterize());
                 }
@@ -437,8 +465,7 @@ namespace HrbfNpr.Tests
             Assert.Throws<ArgumentNullException>(() => PictureSource.FromPointSet(null));
             Assert.Throws<ArgumentNullException>(() => new Change(null, "1"));
             Assert.Throws<ArgumentNullException>(() => new PictureOptions().Set("style.ink", null));
-            Assert.Throws<InvalidArgumentException>(() => picture.Rasterize(new byte[8], 120, 90));
-            Assert.Throws<InvalidArgumentException>(() => picture.Rasterize(new byte[40 * 40 * 4], 40, 40));
+            Assert.Throws<InvalidArgumentException>(() => picture.Rasterize(new byte[8], Width, Height));
             Assert.Throws<ArgumentNullException>(() => picture.Rasterize((byte[])null, 1, 1));
             Model gone = Csg.Sphere(1);
             gone.Dispose();
@@ -498,7 +525,6 @@ namespace HrbfNpr.Tests
             Picture.Draw(PictureSource.FromPoints(points), Small(), null, reports).Dispose();
             Assert.Equal(reports.Seen.OrderBy(at => at).ToArray(), reports.Seen.ToArray());
             Assert.True(reports.Seen.Distinct().Count() > 5);
-            Assert.InRange(reports.Seen[0], 0.0, 0.5);
             Assert.Equal(1.0, reports.Seen.Last());
         }
 
@@ -553,7 +579,7 @@ namespace HrbfNpr.Tests
         [Fact]
         public void SettingsDrawTheSamePicture()
         {
-            PictureOptions options = Small(Preset.Etching);
+            PictureOptions options = Small(Preset.Stipple);
             options.Azimuth = 50;
             options.Set("style.ink", "#204060");
             var stream = new MemoryStream();
@@ -567,10 +593,10 @@ namespace HrbfNpr.Tests
                 {
                     again = new PictureOptions { Settings = settings };
                     Assert.Equal(expected, Draw(PictureSource.FromPoints(points, normals), again));
-                    again.Preset = Preset.Engraving; // what is given wins
+                    again.Preset = Preset.Silhouette; // what is given wins
                     using (Picture other = Picture.Create(PictureSource.FromPoints(points, normals), again))
                     {
-                        Assert.Equal(Preset.Engraving, other.Info.Preset);
+                        Assert.Equal(Preset.Silhouette, other.Info.Preset);
                         Assert.Equal(made.Camera.View, other.Camera.View);
                     }
                 }
@@ -684,9 +710,9 @@ namespace HrbfNpr.Tests
             Assert.Equal(Status.Cancelled, Assert.Throws<CancelledException>(call).Status);
         }
 
-        private static PictureOptions Small(Preset preset = Preset.Engraving)
+        private static PictureOptions Small(Preset preset = Preset.ContourAndStipple)
         {
-            return new PictureOptions { Preset = preset, Width = 120, Height = 90 };
+            return new PictureOptions { Preset = preset, Width = Width, Height = Height };
         }
 
         private static byte[] Draw(PictureSource source, PictureOptions options = null)
@@ -706,11 +732,6 @@ namespace HrbfNpr.Tests
                 dark += rgba[i] < 200 ? 1 : 0;
             }
             return dark;
-        }
-
-        private static int Different(byte[] a, byte[] b)
-        {
-            return a.Where((value, index) => value != b[index]).Count();
         }
 
         private void Named(string name, Action<PictureOptions> change)

@@ -28,24 +28,6 @@ namespace HrbfNpr.Tests
             return result;
         }
 
-        /// <summary>192 samples of a torus around z, with radii 1 and 0.4.</summary>
-        internal static void Torus(out double[] points, out double[] normals)
-        {
-            points = new double[3 * 192];
-            normals = new double[3 * 192];
-            for (int i = 0; i < 192; ++i)
-            {
-                double a = 2 * Math.PI * (i / 8) / 24, b = 2 * Math.PI * (i % 8) / 8;
-                double[] normal = { Math.Cos(a) * Math.Cos(b), Math.Sin(a) * Math.Cos(b), Math.Sin(b) };
-                double[] centre = { Math.Cos(a), Math.Sin(a), 0 };
-                for (int k = 0; k < 3; ++k)
-                {
-                    normals[3 * i + k] = normal[k];
-                    points[3 * i + k] = centre[k] + 0.4 * normal[k];
-                }
-            }
-        }
-
         /// <summary>The cube of side 1 with its corner at the origin: 8 vertices, 12 faces.</summary>
         internal static void Cube(out double[] vertices, out int[] triangles)
         {

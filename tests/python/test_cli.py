@@ -242,25 +242,6 @@ def test_large_point_sets_are_thinned(tmp_path, capsys):
     assert "30 centres" in capsys.readouterr().out
 
 
-@pytest.mark.parametrize(
-    "options, cap, words",
-    [
-        (["--style", "stipple"], ("MOST_MARKS", 300), r"stipples: \d+ marks would fill the darkest tone, 300 are made.*"
-         r"gets \d+% of its ink: --marks stipples=\d+ makes all"),
-        (["--layers", "stipples,combing", "--marks", "stipples=100"], ("MOST_MARKS", 300), r"combing: \d+ marks would fill"),
-        (["--distribution", "published"], ("MOST_LEVELS", 1), r"stipples: \d refinement steps would fill the picture, "
-         r"1 are taken.*--levels stipples=\d takes all"),
-    ],
-)
-def test_what_is_cut_is_said(files, tmp_path, monkeypatch, capsys, options, cap, words):
-    quick = ["draw", str(files["ply"]), str(tmp_path / "out.png"), "--size", "120", "--samples", "60", *options]
-    assert main(quick) == 0
-    assert "would fill" not in capsys.readouterr().err
-    monkeypatch.setattr(f"hrbfnpr.cli._automatic.{cap[0]}", cap[1])
-    assert main(quick) == 0
-    assert re.search(words, capsys.readouterr().err)
-
-
 def test_the_fit_chooses_from_all_points(tmp_path, capsys):
     points = np.random.default_rng(1).normal(size=(5000, 3))
     points /= np.linalg.norm(points, axis=1)[:, None]

@@ -9,7 +9,8 @@ import hrbfnpr
 pytest.importorskip("numpy")
 Image = pytest.importorskip("PIL.Image")
 
-from hrbfnpr.cli import _script, main  # noqa: E402
+from hrbfnpr import _script  # noqa: E402
+from hrbfnpr.cli import main  # noqa: E402
 
 QUICK = ["--size", "120", "--marks", "1500", "--quiet"]
 PART = """# A plate with holes, and a boss.

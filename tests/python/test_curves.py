@@ -8,7 +8,7 @@ from curves import rings, wires
 from test_cli import rows
 
 import hrbfnpr
-from hrbfnpr.cli import _orient, main
+from hrbfnpr.cli import _looks, main
 
 Image = pytest.importorskip("PIL.Image")
 
@@ -64,5 +64,5 @@ def test_normals_of_wires_with_noise_are_right():
 
 @pytest.mark.parametrize("points, expected", [(rings(), True), (wires()[0], True), (rings(60, 18), False)])
 def test_along_curves(points, expected):
-    assert _orient.along_curves(points) == expected
-    assert not _orient.along_curves(points[:10])
+    assert _looks.along_curves(points) == expected
+    assert not _looks.along_curves(points[:10])

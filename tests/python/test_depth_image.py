@@ -9,7 +9,6 @@ from test_shapes import write
 import hrbfnpr
 from hrbfnpr import shapes
 from hrbfnpr.cli import main
-from hrbfnpr.cli._automatic import positions
 
 STEP, NOISE = 0.0029, 0.0014  # of 1 / z of a Kinect, 1 / m
 
@@ -148,7 +147,7 @@ def test_what_is_behind_is_no_hole(tmp_path):
     assert main(["fit", str(write(tmp_path, "a.pcd", pcd(points))), str(saved)]) == 0
     model = hrbfnpr.Model.load(saved)
     marks = model.generate([hrbfnpr.Layer("stipples", budget=6000)])
-    places = positions(marks)
+    places = np.concatenate([np.asarray(layer.positions, dtype=float) for layer in marks.layers]) + marks.origin
     from_ball = np.linalg.norm(places - [0.3, 0.0, 1.5], axis=1) - 0.3
     from_wall = np.abs(places @ [0.1, -0.05, -1.0] + 2.2) / np.linalg.norm([0.1, -0.05, -1.0])
     between = (from_ball > 0.06) & (from_wall > 0.06)

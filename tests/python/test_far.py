@@ -7,58 +7,41 @@ from test_input import lost, no_data, obj, table, tube
 from test_shapes import write
 
 import hrbfnpr
-from hrbfnpr.cli import _far, main
+from hrbfnpr.cli import _looks, main
 from hrbfnpr.shapes import Shape
 
 
 def test_strays_are_few_and_far():
     points = fibonacci_sphere(2000)
-    assert not _far.strays(points).any()
+    assert not _looks.strays(points).any()
     two = np.vstack([points, [[9.0, 0, 0], [0, -20, 0]]])
-    assert list(np.flatnonzero(_far.strays(two))) == [2000, 2001]
-    assert not _far.strays(np.vstack([points, [[3.0, 0, 0]]])).any()  # not so far
-    assert not _far.strays(np.vstack([points, points[:40] + [30, 0, 0]])).any()  # not so few
-    assert not _far.strays(points[:150] + 0).any()
-    assert list(np.flatnonzero(_far.strays(np.vstack([two, [[np.nan, 0, 0]]])))) == [2000, 2001]
+    assert list(np.flatnonzero(_looks.strays(two))) == [2000, 2001]
+    assert not _looks.strays(np.vstack([points, [[3.0, 0, 0]]])).any()  # not so far
+    assert not _looks.strays(np.vstack([points, points[:40] + [30, 0, 0]])).any()  # not so few
+    assert not _looks.strays(points[:150] + 0).any()
+    assert list(np.flatnonzero(_looks.strays(np.vstack([two, [[np.nan, 0, 0]]])))) == [2000, 2001]
     rod = np.column_stack([np.linspace(0, 100, 3000), np.zeros(3000), np.zeros(3000)])
-    assert not _far.strays(rod).any()
+    assert not _looks.strays(rod).any()
 
 
 def test_values_that_stand_for_none():
     points = np.random.default_rng(1).uniform(0, 50, (100, 3))
     points[[3, 7], 2] = -9999
-    shape, count, value = _far.without_data(Shape(points))
+    shape, count, value = _looks.without_data(Shape(points))
     assert (count, value, len(shape.points)) == (2, -9999, 98)
     deep = points.copy()
     deep[[3, 7], 2] = np.linspace(-9999, -9000, 2)  # one of them, and others near to it
     deep[8:40, 2] = -9990
-    assert _far.without_data(Shape(deep))[1] == 0
+    assert _looks.without_data(Shape(deep))[1] == 0
     alone = Shape(np.full((3, 3), -9999.0))
-    assert _far.without_data(alone)[0] is alone
+    assert _looks.without_data(alone)[0] is alone
     points[8, 2] = 1
     none = Shape(points, None, np.array([[2, 3, 4]]))  # no face would be left
-    assert _far.without_data(none) == (none, 0, 0.0)
+    assert _looks.without_data(none) == (none, 0, 0.0)
     mesh = Shape(points, points.copy(), np.array([[0, 1, 2], [2, 3, 4], [5, 6, 8]]))
-    left = _far.without_data(mesh)[0]
+    left = _looks.without_data(mesh)[0]
     assert len(left.points) == len(left.normals) == 98
     np.testing.assert_array_equal(left.points[left.triangles], points[[[0, 1, 2], [5, 6, 8]]])
-
-
-def test_parts_that_are_lost():
-    vertices, faces = tube()
-    quads = np.array([f for f in faces if len(f) == 4])
-    triangles = np.vstack([quads[:, :3], quads[:, [0, 2, 3]], [f for f in faces if len(f) == 3]])
-
-    def found(scale, away):
-        part = vertices * scale + [away, 0, 0]
-        mesh = hrbfnpr.Mesh(np.vstack([vertices, part]), np.vstack([triangles, triangles + len(vertices)]))
-        lost_faces = _far.lost_parts(mesh)
-        return 0 if lost_faces is None else int(lost_faces.sum())
-
-    assert found(0.01, 40) == len(triangles)
-    assert found(0.01, 4) == 0  # beside it
-    assert found(0.2, 40) == 0  # a part of its own
-    assert _far.lost_parts(hrbfnpr.Mesh(vertices, triangles)) is None
 
 
 @pytest.mark.parametrize("option", [[], ["--parts", "all"]])

@@ -20,7 +20,7 @@ from test_shapes import CUBE, QUADS, ply_header, stl, write
 
 import hrbfnpr
 from hrbfnpr import shapes
-from hrbfnpr.cli import _strays, main
+from hrbfnpr.cli import main
 
 Image = pytest.importorskip("PIL.Image")
 
@@ -468,12 +468,3 @@ def test_dust_makes_no_sheets(tmp_path):
         places = np.asarray(marks.layers[0].positions) + marks.origin
         far[options] = float((np.abs(np.linalg.norm(places, axis=1) - 1) > 0.05).mean())
     assert far[()] == 0 and far[("--outliers", "keep")] > 0.1
-
-
-def test_strays_are_few_or_none():
-    assert not _strays.find(np.random.default_rng(6).uniform(size=(3000, 3))).any()
-    assert not _strays.find(fibonacci_sphere(3000) * [1, 1, 0]).any()
-    assert not _strays.find(np.zeros((300, 3))).any()
-    assert _strays.find(dusty()).sum() > 20 and not _strays.find(dusty())[:1500].any()
-    half = np.vstack([fibonacci_sphere(1500), np.random.default_rng(7).uniform(-9, 9, (300, 3))])
-    assert not _strays.find(half).any(), "too many to be strays"

@@ -8,7 +8,6 @@ import pytest
 from conftest import fibonacci_sphere, torus
 from hrbfnpr import shapes
 from hrbfnpr.cli import main
-from hrbfnpr.cli._lines import creases, doubts, without_facets
 
 
 @pytest.fixture(scope="module")
@@ -72,7 +71,6 @@ def test_tangles_are_counted(model, marks):
         view = hrbfnpr.Camera.fit(model, (-1, 0.2, 0.1), (0, 0, 1), size=(200, 160))
         drawing = hrbfnpr.Renderer().draw(hrbfnpr.Item(marks, style, line_set=lines), view)
         assert (drawing.info.line_tangles > 0) == tangled
-        assert bool(doubts(drawing.info)) == tangled
 
 
 def test_lines_of_every_kind(model, marks):
@@ -350,26 +348,6 @@ def test_which_item_hides_a_line():
     }
     points = drawing.vertices("points", ("hidden_by", "hidden_layers"))[0]
     assert (points["hidden_by"] == none).all() and (points["hidden_layers"] == 0).all()
-
-
-def test_facets_of_a_round_shape_are_no_edges():
-    square = np.array([[0, 0], [1, 0], [1, 1], [0, 1]], dtype=float)
-    cube = np.array([[*p, z] for z in (0.0, 1.0) for p in square])
-    quads = [[0, 3, 2, 1], [4, 5, 6, 7], [0, 1, 5, 4], [1, 2, 6, 5], [2, 3, 7, 6], [3, 0, 4, 7]]
-    halves = np.array([half for a, b, c, d in quads for half in ((a, b, c), (a, c, d))])
-    edges = creases(shapes.Shape(cube, triangles=halves))
-    assert len(without_facets(edges, np.sqrt(3.0))) == len(edges) == 12
-    # A torus of few facets, and a fin on it.
-    u, v = (2 * np.pi * grid.ravel() / 12 for grid in np.meshgrid(np.arange(12), np.arange(12)))
-    points = np.stack([(2 + np.cos(v)) * np.cos(u), (2 + np.cos(v)) * np.sin(u), np.sin(v)], axis=1)
-    at = np.arange(144).reshape(12, 12)
-    right, up = np.roll(at, -1, axis=1), np.roll(at, -1, axis=0)
-    both = np.roll(right, -1, axis=0)
-    faces = np.vstack([np.stack([c.ravel() for c in half], axis=1) for half in ((at, right, both), (at, both, up))])
-    facets = creases(shapes.Shape(0.02 * points, triangles=faces), 20.0)
-    fin = np.array([[0.0, 0.0, z] for z in np.linspace(0.0, 0.2, 4)])
-    left = without_facets([*facets, fin], 3.0)
-    assert len(facets) > 100 and len(left) <= 3 and left[-1] is fin
 
 
 def test_pictures_of_lines_alone_place_few_marks(tmp_path, capsys):

@@ -181,25 +181,6 @@ def test_a_plate_of_vectors(points, tmp_path):
     assert len(groups["section hatching"]) > 5 and re.fullmatch(r"[125]?0?\.?\d* cm", groups["scale"][1].text)
 
 
-def test_hatching_of_cut_faces():
-    from hrbfnpr.cli._cut_faces import closed, hatched
-
-    square = np.array(((0, 0), (10, 0), (10, 10), (0, 10), (0, 0)), dtype=float)
-    hole = 4 + 0.2 * square
-    parts = [square[:3], square[4:1:-1], hole]
-    outlines = closed(parts)
-    assert sorted(len(outline) for outline in outlines) == [5, 5]
-    assert closed([square[:4]]) == []
-    lines = hatched(outlines, 0.5)
-    length = sum(np.linalg.norm(b - a) for a, b in lines)
-    assert length * 0.5 == pytest.approx(96, rel=0.02)  # the area
-    for a, b in lines:
-        assert (b - a)[0] == pytest.approx(-(b - a)[1])  # rising to the right, y down
-        for t in np.linspace(0.01, 0.99, 9):
-            x, y = a + t * (b - a)
-            assert 0 <= x <= 10 and 0 <= y <= 10 and not (4.01 < x < 5.99 and 4.01 < y < 5.99)
-
-
 def test_plotters(points, tmp_path, capsys):
     for name, begin in (("a.hpgl", "IN;\nSP1;"), ("a.plt", "IN;\nSP1;"), ("a.gcode", "(ball.xyz)"), ("a.nc", "(ball.xyz)")):
         path = tmp_path / name

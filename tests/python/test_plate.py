@@ -8,7 +8,6 @@ import hrbfnpr
 from hrbfnpr.cli import main
 
 Image = pytest.importorskip("PIL.Image")
-from hrbfnpr.cli import _plate  # noqa: E402
 
 QUICK = ["--size", "240", "--marks", "2000", "--quiet"]
 
@@ -22,10 +21,6 @@ def ball(tmp_path_factory):
     path = tmp_path_factory.mktemp("plate") / "ball.xyz"
     np.savetxt(path, np.hstack([10 * n, n]))
     return path
-
-
-def test_lengths_of_bars():
-    assert [_plate.bar_length(x) for x in (1, 1.99, 2, 4.9, 5, 9.99, 0.03, 1234)] == [1, 1, 2, 2, 5, 5, 0.02, 1000]
 
 
 def test_a_plate_of_finds(ball, tmp_path):
@@ -84,14 +79,3 @@ def test_outlines_of_sections_have_no_gaps(tmp_path):
         counts = np.bincount(angles, minlength=360)
         around = np.convolve(np.concatenate([counts, counts[:2]]), np.ones(3), "valid")
         assert around.min() > 0.5 * np.median(around), around
-
-
-def test_sections_are_filled_inside_only():
-    y, x = np.mgrid[:101, :101]
-    pixels = np.full((101, 101, 4), 255, np.uint8)
-    away = np.hypot(x - 50, y - 50)
-    pixels[np.abs(away - 40) < 2, :3] = 0
-    filled = np.asarray(_plate._filled(Image.fromarray(pixels, "RGBA"), hrbfnpr.Style(), 1.0)).astype(int)
-    assert (filled[away > 43] == 255).all()
-    inside = 1 - filled[away < 36][:, 0].mean() / 255
-    assert inside == pytest.approx(0.7 / 9, rel=0.1)

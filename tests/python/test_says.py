@@ -15,7 +15,7 @@ from test_shapes import CUBE, QUADS, stl, write
 
 import hrbfnpr
 from hrbfnpr import shapes
-from hrbfnpr.cli import _nearness, _orient, _up, main
+from hrbfnpr.cli import _looks, main
 
 Image = pytest.importorskip("PIL.Image")
 
@@ -86,12 +86,12 @@ def plates(distance):
 def test_which_way_normals_look(make):
     points, normals = make()
     random = np.random.default_rng(5)
-    right = _orient.look(points, normals, False)
+    right = _looks.look(points, normals, False)
     assert right.closed > 0.6 and not right.inward and not right.mixed
-    assert _orient.look(points, -normals, False).inward
+    assert _looks.look(points, -normals, False).inward
     for share in (0.05, 0.3):
         wrong = random.random(len(points)) < share
-        found = _orient.look(points, np.where(wrong[:, None], -normals, normals), False)
+        found = _looks.look(points, np.where(wrong[:, None], -normals, normals), False)
         assert found.mixed and not found.inward
         assert found.flipped == pytest.approx(wrong.mean(), abs=0.1)
 
@@ -99,20 +99,20 @@ def test_which_way_normals_look(make):
 def test_walls_that_are_too_thin_to_tell_are_left_alone():
     points, normals = plates(0.05)  # half as far apart as the samples
     for sign in (1, -1):
-        found = _orient.look(points, sign * normals, False)
+        found = _looks.look(points, sign * normals, False)
         assert not found.inward and not found.mixed
 
 
 def test_every_fourth_normal_turned_over_is_mixed():
     points, normals = ball()
-    found = _orient.look(points, np.where(np.arange(200)[:, None] % 4 == 0, -normals, normals), False)
+    found = _looks.look(points, np.where(np.arange(200)[:, None] % 4 == 0, -normals, normals), False)
     assert found.mixed and found.flipped == pytest.approx(0.25, abs=0.05)
 
 
 def test_half_of_a_closed_surface_turned_over_is_mixed():
     points, normals = torus(30, 14)
     normals = np.where(points[:, :1] > 0, normals, -normals)
-    assert _orient.look(points, normals, False).mixed
+    assert _looks.look(points, normals, False).mixed
 
 
 def test_sheets_are_left_as_they_are():
@@ -121,20 +121,20 @@ def test_sheets_are_left_as_they_are():
     normals = np.column_stack([-0.6 * np.cos(3 * grid[:, 0]), 0 * grid[:, 0], np.ones(len(grid))])
     normals /= np.linalg.norm(normals, axis=1)[:, None]
     for sign in (1, -1):
-        found = _orient.look(points, sign * normals, False)
+        found = _looks.look(points, sign * normals, False)
         assert not found.inward and not found.mixed and abs(found.closed) < 0.25
     # Of a scan from one side, a part of a ball, the sign can be told, but not for sure.
     half = fibonacci_sphere(600)
     half = half[half[:, 2] > 0]
-    found = _orient.look(half, -half, False)
-    assert not found.inward or found.closed < _orient.INWARD
+    found = _looks.look(half, -half, False)
+    assert not found.inward or found.closed < _looks.INWARD
 
 
 def test_uneven_points():
     points = fibonacci_sphere(3000)
     keep = np.random.default_rng(1).random(3000) < np.where(points[:, 2] > 0, 1.0, 0.05)
     points = points[keep]
-    assert _orient.look(points, -points, False).inward and _orient.look(points, points, False).closed > 0.7
+    assert _looks.look(points, -points, False).inward and _looks.look(points, points, False).closed > 0.7
 
 
 # --- up ----------------------------------------------------------------------------------------
@@ -142,7 +142,7 @@ def test_uneven_points():
 
 def up_of(shape, count=800):
     points, normals = shapes.samples(shape, count)
-    return _up.name(_up.choose(shape, points, normals)[0])
+    return _looks.name(_looks.choose(shape, points, normals)[0])
 
 
 def turned(shape):
@@ -241,14 +241,14 @@ def test_up_of_maps():
 
 def test_which_terrains_hang():
     ground = terrain(0.6)
-    assert _up.hangs(ground.points, ground.normals) is None
-    assert _up.hangs(ground.points, -ground.normals) == "z"
+    assert _looks.hangs(ground.points, ground.normals) is None
+    assert _looks.hangs(ground.points, -ground.normals) == "z"
     lying = [0, 2, 1]
-    assert _up.hangs(ground.points[:, lying], -ground.normals[:, lying]) == "y"
+    assert _looks.hangs(ground.points[:, lying], -ground.normals[:, lying]) == "y"
     steep = terrain(4.0)
-    assert _up.hangs(steep.points, -steep.normals) is None
+    assert _looks.hangs(steep.points, -steep.normals) is None
     for points, normals in (ball(), torus(24, 12), knot()):
-        assert _up.hangs(points, -normals) is None
+        assert _looks.hangs(points, -normals) is None
 
 
 def test_up_by_the_format(tmp_path, capsys):
@@ -323,7 +323,7 @@ def test_a_sheet_warns_of_blank_drawings(tmp_path, capsys):
 
 def test_outputs_are_looked_at_before_the_work(tmp_path, monkeypatch, capsys):
     path = write(tmp_path, "a.xyz", table(*ball()))
-    monkeypatch.setattr("hrbfnpr.cli._main.load", lambda *arguments: pytest.fail("it was read"))
+    monkeypatch.setattr("hrbfnpr._sources.read", lambda *arguments: pytest.fail("it was read"))
     nowhere = str(tmp_path / "no" / "out")
     for command in (
         ["draw", str(path), nowhere + ".png"],
@@ -407,17 +407,3 @@ def test_how_near_the_surface_is(tmp_path, capsys):
     assert found[0] > 1 > found[1] > 0
     assert draw(write(tmp_path, "a.xyz", table(*ball())), tmp_path / "a.png") == 0
     assert re.search(r"(?m)^fit .* 200 centres, .*; through all samples$", capsys.readouterr().out)
-
-
-def test_distances_that_are_none_are_words():
-    found = hrbfnpr.Comparison.__new__(hrbfnpr.Comparison)
-    numbers = {"surface_p99": 0.1, "surface_max": 0.2, "mesh_p99": 0.3, "mesh_max": np.inf}
-    for name, value in numbers.items():
-        object.__setattr__(found, name, value)
-    words = _nearness.in_words(found, 10.0)
-    assert words.endswith("mesh to surface: 3.00%, and somewhere none is near")
-    object.__setattr__(found, "mesh_max", 0.4)
-    assert _nearness.in_words(found, 10.0).endswith("mesh to surface: 3.00%, 4.00%")
-    object.__setattr__(found, "surface_p99", np.nan)
-    object.__setattr__(found, "mesh_p99", np.inf)
-    assert _nearness.in_words(found, 10.0) == "no surface was found to measure from; mesh to surface: not found"

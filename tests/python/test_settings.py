@@ -8,7 +8,6 @@ import numpy as np
 import pytest
 
 import hrbfnpr
-from hrbfnpr.cli import _settings
 from hrbfnpr.cli._main import main
 
 Image = pytest.importorskip("PIL.Image")
@@ -127,11 +126,3 @@ def test_what_is_not_held_is_said(folder, capsys):
     assert main(["draw", str(SAMPLES), "a.png", "--samples", "100", "--size", "80", "--marks", "2000", "--save-settings",
                  "s.json"]) == 0  # fmt: skip
     assert "settings do not hold --samples" in " ".join(capsys.readouterr().err.split())
-
-
-def test_the_schema_has_every_field(folder):
-    schema = _settings.schema()
-    assert schema["style"]["hidden_lines"] == ["attenuate", "hide", "show"]
-    assert schema["style"]["paper"] == ["float", 4]
-    assert "layers" not in schema["style"], "lists have sections of their own"
-    assert set(hrbfnpr.LayerStyle.fields()) <= set(schema["style.layers"])

@@ -10,8 +10,8 @@ from test_cli import rows
 from test_shapes import write
 
 import hrbfnpr
-from hrbfnpr import _scene
-from hrbfnpr.cli import _sheet, main
+from hrbfnpr._scene import Scene
+from hrbfnpr.cli import main
 
 Image = pytest.importorskip("PIL.Image")
 
@@ -94,16 +94,15 @@ def test_the_same_bits_at_any_number_of_threads(ring_file, tmp_path):
 
 
 def test_marks_are_made_once_for_styles_with_the_same_layers(ring_file, tmp_path, monkeypatch):
-    made = []
-    generate = _scene.generate
+    used, draw = [], Scene.draw
 
-    def count(arguments, model, layers, *others):
-        made.append([layer.kind for layer in layers])
-        return generate(arguments, model, layers, *others)
+    def note(self, *arguments, **options):
+        used.append(self.parts[0].marks._handle)
+        return draw(self, *arguments, **options)
 
-    monkeypatch.setattr(_scene, "generate", count)
+    monkeypatch.setattr(Scene, "draw", note)
     sheet([ring_file, *QUICK, "--styles", "silhouette,stipple,xray,contour-and-stipple"], tmp_path / "out.png")
-    assert made == [["stipples"]]
+    assert len(used) == 4 and all(marks == used[0] for marks in used)
 
 
 def test_the_default_output_and_summary(ring_file, tmp_path, monkeypatch, capsys):
@@ -112,14 +111,6 @@ def test_the_default_output_and_summary(ring_file, tmp_path, monkeypatch, capsys
     out, err = capsys.readouterr()
     assert out.splitlines()[-1].startswith("ring-sheet.png: 2 drawings, ") and err == ""
     assert Image.open("ring-sheet.png").size[0] > 144
-
-
-def test_a_note_says_which_drawing_it_is_about(ring_file, tmp_path, monkeypatch, capsys):
-    monkeypatch.setattr("hrbfnpr.cli._automatic.MOST_MARKS", 300)
-    options = ["--size", "120", "--samples", "60", "--styles", "stipple,silhouette,full"]
-    assert main(["sheet", ring_file, "-o", str(tmp_path / "out.png"), *options]) == 0
-    notes = [line for line in capsys.readouterr().err.splitlines() if "would fill" in line]
-    assert [note.split(": ")[2] for note in notes] == ["stipple", "full"], notes  # a silhouette needs few
 
 
 @pytest.mark.parametrize(
@@ -154,7 +145,7 @@ def test_failures_are_one_line_and_leave_nothing(ring_file, marks, tmp_path, mon
 
 
 def test_what_cannot_be_written_is_said_before_the_work(ring_file, tmp_path, monkeypatch, capsys):
-    monkeypatch.setattr(_sheet, "draw_sheet", lambda *arguments: pytest.fail("it was drawn"))
+    monkeypatch.setattr("hrbfnpr._sources.read", lambda *arguments: pytest.fail("it was drawn"))
     assert main(["sheet", ring_file, str(tmp_path / "no" / "out.png"), *QUICK]) == 1
     capsys.readouterr()
 

@@ -6,7 +6,8 @@ import numpy as np
 import pytest
 from conftest import fibonacci_sphere, torus
 
-from hrbfnpr.cli import _view_axes, _view_layout, _view_order, main
+from hrbfnpr.cli import main
+from hrbfnpr.cli._grammar import SHEET_VIEWS
 
 NUMBER = r"-?(?:\d+\.?\d*|\.\d+)"
 
@@ -133,7 +134,7 @@ def test_the_page_has_its_size(egg, tmp_path):
 
 def test_views_are_aligned(egg, tmp_path):
     paths = drawn(egg, tmp_path, "--views", "front,left,top,bottom,right,back", "--scale", "1:1", "--page", "a3")
-    middle = {name: sum(box_of(paths, f"outlines {name}")) / 2 for name in _view_axes.NAMES if name != "iso"}
+    middle = {name: sum(box_of(paths, f"outlines {name}")) / 2 for name in SHEET_VIEWS if name != "iso"}
     for name in ("left", "right", "back"):
         assert middle[name][1] == pytest.approx(middle["front"][1], abs=0.05)
     for name in ("top", "bottom"):
@@ -284,18 +285,6 @@ def test_centre_lines_are_of_symmetric_models(egg, tmp_path):
     assert "centre lines front" not in drawn(egg, tmp_path, "--views", "front")
 
 
-def test_metres_of_gltf_are_told(capsys):
-    from types import SimpleNamespace
-
-    from hrbfnpr.cli._progress import Reporter
-    from hrbfnpr.cli._sheet_views import _unit
-
-    for format, given, unit in (("GLB", None, 1000), ("glTF", None, 1000), ("GLB", 2.0, 2), ("OFF", None, 1)):
-        loaded = SimpleNamespace(shape=SimpleNamespace(format=format))
-        assert _unit(SimpleNamespace(unit_mm=given), loaded, Reporter(False)) == unit
-        assert ("--unit-mm" in capsys.readouterr().err) == (unit == 1000)
-
-
 def test_the_same_bytes_again(ring, tmp_path):
     for name in ("a.svg", "b.svg"):
         drawn(ring, tmp_path, "--section", "z", "--labels", name=name)
@@ -335,71 +324,6 @@ def test_what_cannot_be_drawn_is_said(egg, tmp_path, capsys, options, status, wo
 def test_pictures_are_refused(egg, tmp_path, capsys):
     assert main(["sheet-views", str(egg), str(tmp_path / "egg.png")]) == 1
     assert ".svg" in capsys.readouterr().err
-
-
-def test_scales_are_those_of_the_standard():
-    texts = [one.text for one in _view_layout.iso_scales()]
-    at = texts.index("1:1")
-    assert texts[at - 4 : at + 5] == ["20:1", "10:1", "5:1", "2:1", "1:1", "1:2", "1:5", "1:10", "1:20"]
-
-
-def test_of_coincident_lines_the_visible_one_is_drawn():
-    line = np.column_stack((np.linspace(0, 30, 31), np.zeros(31)))
-    seen, hidden = np.zeros(30, dtype=bool), np.ones(30, dtype=bool)
-    across = _view_order.Curve(np.array(((15.0, -10.0), (15.0, 10.0))), hidden[:1])
-    drawn_ = _view_order.in_order([_view_order.Curve(line + (0, 0.1), hidden), _view_order.Curve(line, seen), across])
-    assert len(drawn_["outlines"]) == 1 and len(drawn_["hidden"]) == 1
-    assert np.ptp(drawn_["outlines"][0][:, 0]) == pytest.approx(30)
-    assert np.ptp(drawn_["hidden"][0][:, 1]) == pytest.approx(20)
-
-
-def test_a_line_that_goes_on_as_another_has_no_gap():
-    first, second = (np.array(((x, 0.0), (x + 10, 0.0))) for x in (0.0, 10.0))
-    flags = np.zeros(1, dtype=bool)
-    pieces = _view_order.in_order([_view_order.Curve(first, flags), _view_order.Curve(second, flags)])["outlines"]
-    assert sorted((min(p[:, 0]), max(p[:, 0])) for p in pieces) == [(0, 10), (10, 20)]
-
-
-def ring_of(begin, count, hidden):
-    """A circle of radius 4 mm from an angle on; the first so many of its 180 pieces are hidden, or seen alone."""
-    angle = np.radians(begin + np.linspace(0.0, 360.0, 181))
-    points = 4.0 * np.stack((np.cos(angle), np.sin(angle)), axis=1)
-    points[-1] = points[0]
-    return _view_order.Curve(points, np.arange(180) < count if hidden else np.arange(180) >= count)
-
-
-def gap_of(pieces):
-    """The widest angle of a circle that nothing is drawn of."""
-    angle = np.sort(np.concatenate([np.degrees(np.arctan2(*piece.T[::-1])) for piece in pieces]))
-    return float(np.diff(np.concatenate((angle, angle[:1] + 360.0))).max())
-
-
-def test_a_circle_has_no_gap_where_it_begins():
-    pieces = _view_order.in_order([ring_of(20.0, 2, True)])["outlines"]
-    assert gap_of(pieces) < 2.1
-
-
-def test_two_halves_of_a_circle_have_no_gap():
-    # The upper rim of a hole, of which a half is seen, and the lower one, of which more than the other half is.
-    pieces = _view_order.in_order([ring_of(0.0, 120, False), ring_of(-120.0, 160, False)])["outlines"]
-    assert gap_of(pieces) < 2.1
-
-
-def test_short_gaps_are_bridged():
-    flags = np.zeros(1, dtype=bool)
-    at = ((0, 10), (11, 20), (24, 30))
-    curves = [_view_order.Curve(np.array(((a, 0.0), (b, 0.0))), flags) for a, b in at]
-    pieces = _view_order.in_order(curves)["outlines"]
-    assert sorted((min(p[:, 0]), max(p[:, 0])) for p in pieces) == [(0, 20), (24, 30)]
-
-
-def test_short_parts_that_are_seen_before_a_longer_line_are_drawn_once():
-    along = np.arange(0.0, 40.5, 0.5)
-    behind = np.stack((along, 0.0 * along), axis=1)
-    hidden = ~((along[:-1] >= 10.0) & (along[:-1] < 14.5))
-    front = np.array(((5.0, 0.0), (35.0, 0.0)))
-    pieces = _view_order.in_order([_view_order.Curve(behind, hidden), _view_order.Curve(front, np.zeros(1, dtype=bool))])
-    assert [(min(p[:, 0]), max(p[:, 0])) for p in pieces["outlines"]] == [(5, 35)]
 
 
 def test_flat_faces_of_solids_that_are_seen_edge_on_have_their_edges(tmp_path):

@@ -178,6 +178,30 @@ namespace HrbfNpr
         /// <summary>In which no maximum and minimum of its sheets does all that the mesh does.</summary>
         public readonly long PoorCells;
 
+        private readonly int touchingParts0;
+        private readonly int touchingParts1;
+
+        /// <summary>Where two parts of the mesh are nearer to each other than the tolerance.</summary>
+        public readonly Vector3d TouchingPlace;
+
+        private readonly uint partsMayCross;
+        private readonly uint reserved2;
+
+        /// <summary>
+        /// Two parts of the mesh, from 0, that are nearer to each other than the tolerance, so that the surface may join
+        /// them; null if none were found.
+        /// </summary>
+        public (int First, int Second)? TouchingParts
+        {
+            get { return touchingParts0 < 0 ? default((int, int)?) : (touchingParts0, touchingParts1); }
+        }
+
+        /// <summary>Whether these may go through each other there; else they are near to each other.</summary>
+        public bool PartsMayCross
+        {
+            get { return partsMayCross != 0; }
+        }
+
         /// <summary>Whether tolerance, share and far are kept, both ways.</summary>
         public bool Reached
         {

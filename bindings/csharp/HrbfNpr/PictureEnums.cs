@@ -51,6 +51,38 @@ namespace HrbfNpr
         Arguments = 2,
     }
 
+    /// <summary>What a source is.</summary>
+    [NativeConstants("HRBFNPR_SOURCE_KIND_")]
+    public enum SourceKind
+    {
+        /// <summary>Points, with normals or without.</summary>
+        Points = 1,
+        /// <summary>A mesh of triangles.</summary>
+        Mesh = 2,
+        /// <summary>A model.</summary>
+        Model = 3,
+        /// <summary>A point set alone.</summary>
+        PointSet = 4,
+    }
+
+    /// <summary>Which way the normals of a source look.</summary>
+    [NativeConstants("HRBFNPR_NORMALS_LOOK_")]
+    public enum NormalsLook
+    {
+        /// <summary>There are none, or the source cannot be drawn.</summary>
+        Unknown = 0,
+        /// <summary>Outward.</summary>
+        Outward = 1,
+        /// <summary>Inward.</summary>
+        Inward = 2,
+        /// <summary>Some outward, others inward.</summary>
+        Mixed = 3,
+        /// <summary>They agree, and the surface encloses nothing.</summary>
+        Open = 4,
+        /// <summary>They belong to other points; told of points along curves.</summary>
+        Foreign = 5,
+    }
+
     /// <summary>What a stroke of a brush paints.</summary>
     [NativeConstants("HRBFNPR_DAB_")]
     public enum DabMap
@@ -252,6 +284,24 @@ namespace HrbfNpr
         NoSymmetry = 66,
         /// <summary>Outlines of a cut are not closed [outlines].</summary>
         SectionOpen = 67,
+        /// <summary>Normals were not of length 1, and were made so [normals].</summary>
+        NormalsNotUnit = 68,
+        /// <summary>All points are at one place.</summary>
+        AtOnePlace = 69,
+        /// <summary>The source is far from the origin for its size.</summary>
+        FarFromOrigin = 70,
+        /// <summary>Vertices at the place of another were joined with it [vertices].</summary>
+        VerticesJoined = 71,
+        /// <summary>Vertices of no face were left out [vertices].</summary>
+        VerticesUnused = 72,
+        /// <summary>Edges have more than two faces [edges].</summary>
+        NonmanifoldEdges = 73,
+        /// <summary>The mesh has borders [borders, their edges].</summary>
+        MeshOpen = 74,
+        /// <summary>The mesh has several parts [parts].</summary>
+        SeveralParts = 75,
+        /// <summary>Why a source cannot be drawn.</summary>
+        NotUsable = 76,
     }
 
     /// <summary>Where views stand on a sheet [ISO 5456-2].</summary>

@@ -20,6 +20,7 @@ namespace HrbfNpr
             }
             Figures = new ReadOnlyCollection<double>(figures);
             Text = Errors.Utf8((byte*)note->text);
+            Advice = note->advice == IntPtr.Zero ? null : Errors.Utf8((byte*)note->advice);
         }
 
         /// <summary>What it is about.</summary>
@@ -33,6 +34,9 @@ namespace HrbfNpr
 
         /// <summary>One sentence without a full stop.</summary>
         public string Text { get; }
+
+        /// <summary>What to do about it; null where the text says it, or there is nothing to say.</summary>
+        public string Advice { get; }
 
         /// <summary>The text.</summary>
         public override string ToString()

@@ -299,11 +299,12 @@ namespace HrbfNpr
 
         /// <summary>Changes one field on top of all that was chosen.</summary>
         /// <param name="field">
-        /// The path of a field: style.F of the style (style.ink is that of all layers, lines and contours); style.KIND.F
-        /// of a kind of layers, such as style.hatch.ink; style.layers.F of all layers; style.lines.F of all lines; fit.F;
-        /// mesh_fit.F; marks.F; marks.KIND.F of a kind of layers of marks, marks.layers.F of all; line_set.F.  F is a
-        /// field of the library's struct: a property's name in small letters with underscores, such as halo_width.
-        /// Lengths in pixels are those of this picture: they are not scaled by the pen.
+        /// The path of a field: style.F of the style (style.ink is that of all layers, lines and contours);
+        /// style.KIND.F of a kind of layers, such as style.hatch.ink; style.layers.F of all layers; style.LINE.F of a
+        /// kind of lines, such as style.ridge.width; style.lines.F of all lines; fit.F; mesh_fit.F; marks.F;
+        /// marks.KIND.F of a kind of layers of marks; marks.layers.F of all of them; line_set.F.  F is a field of the
+        /// library's struct: a property's name in small letters with underscores, such as halo_width. Lengths in pixels
+        /// are those of this picture: they are not scaled by the pen.
         /// </param>
         /// <param name="value">As <see cref="Change.Value"/>.</param>
         /// <returns>These options.</returns>

@@ -109,10 +109,10 @@ namespace HrbfNpr
         /// </summary>
         public double CreaseAngle { get; set; } = 30;
 
-        /// <summary>Of outlines, mm, above 0; thin lines are half as wide; 0.5.</summary>
+        /// <summary>Of outlines, mm, 0.01 to 1000; thin lines are half as wide; 0.5.</summary>
         public double LineWidth { get; set; } = 0.5;
 
-        /// <summary>Between the lines in cut faces, mm, above 0; 3.</summary>
+        /// <summary>Between the lines in cut faces, mm, 0.01 to 1000; 3.</summary>
         public double HatchSpacing { get; set; } = 3;
 
         /// <summary>Free between views, mm, above 0; 15.</summary>

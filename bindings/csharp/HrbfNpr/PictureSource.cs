@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 using System;
+using System.Collections.Generic;
+using System.Threading;
 
 namespace HrbfNpr
 {
@@ -178,6 +180,54 @@ namespace HrbfNpr
             return FromMesh((ArrayView)vertices, (ArrayView)triangles);
         }
 #endif
+
+        /// <summary>Looks at the source without drawing it.</summary>
+        /// <exception cref="InvalidArgumentException">A field of the source makes no sense.</exception>
+        public SourceInfo Inspect()
+        {
+            return Inspect(out _);
+        }
+
+        /// <summary>Looks at the source without drawing it.</summary>
+        /// <param name="notes">What was found.  Of severity Note: what a picture repairs; Warning: what is wrong, with
+        /// advice; Failure: a note <see cref="NoteCode.NotUsable"/> that says why it cannot be drawn.</param>
+        /// <param name="wording">How notes name options.</param>
+        /// <param name="context">The default context if null.</param>
+        /// <param name="progress">May be null.</param>
+        /// <param name="cancellationToken">Cancels the call.</param>
+        /// <exception cref="InvalidArgumentException">A field of the source makes no sense.</exception>
+        public unsafe SourceInfo Inspect(
+            out IReadOnlyList<Note> notes, Wording wording = Wording.Fields, Context context = null,
+            IProgress<double> progress = null, CancellationToken cancellationToken = default(CancellationToken))
+        {
+            context = Context.Resolve(context);
+            var found = new List<Note>();
+            notes = found;
+            Action<PictureEvent> onEvent = happened =>
+            {
+                if (happened.Note != null)
+                {
+                    found.Add(happened.Note);
+                }
+            };
+            var state = new PictureState(onEvent, null, Model == null ? null : Model.Function);
+            using (var pins = new Pins())
+            using (var held = new HeldHandles())
+            using (var user = new UserHandle(state))
+            using (var call = new LongCall(context.Handle, progress, cancellationToken))
+            {
+                hrbfnpr_picture_source source;
+                Write(&source, pins, held);
+                SourceInfo info;
+                Errors.Check(NativeMethods.hrbfnpr_source_info_init(&info, (uint)sizeof(SourceInfo)));
+                hrbfnpr_error error = Errors.New();
+                int status = NativeMethods.hrbfnpr_source_inspect(
+                    context.Handle, &source, (uint)wording, PictureState.Function, user.Pointer, call.Operation,
+                    &info, &error);
+                state.Check(call, status, &error);
+                return info;
+            }
+        }
 
         internal unsafe void Write(hrbfnpr_picture_source* source, Pins pins, HeldHandles held)
         {

@@ -108,6 +108,23 @@ void Stages::add_pictures(std::vector<Stage>& stages) {
     marks.point_set = set_.get();
     add_picture(stages, "picture.marks", marks, HRBFNPR_PRESET_STIPPLE);
 
+    stages.push_back({"picture.inspected",
+                      [this, points, bare, mesh](Attempt& attempt, Bytes& bytes, hrbfnpr_error* error) {
+                          auto status = hrbfnpr_status{HRBFNPR_STATUS_OK};
+                          for (const hrbfnpr_picture_source& source : {points, bare, mesh}) {
+                              auto info = made(hrbfnpr_source_info_init);
+                              status = attempt([&] {
+                                  return hrbfnpr_source_inspect(context_.get(), &source, HRBFNPR_WORDING_FIELDS,
+                                                                nullptr, nullptr, attempt.operation, &info, error);
+                              });
+                              if (status != HRBFNPR_STATUS_OK) break;
+                              append_value(bytes, info);
+                          }
+                          return status;
+                      },
+                      {},
+                      most_refusals});
+
     Error error;
     auto desc = picture_desc();
     desc.sources = &points;

@@ -384,10 +384,10 @@ namespace HrbfNpr
         [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
         internal static extern int hrbfnpr_picture_desc_init(hrbfnpr_picture_desc* desc, uint struct_size);
         [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern int hrbfnpr_source_info_init(hrbfnpr_source_info* info, uint struct_size);
+        internal static extern int hrbfnpr_source_info_init(SourceInfo* info, uint struct_size);
         [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
         internal static extern int hrbfnpr_source_inspect(ContextHandle context, hrbfnpr_picture_source* source,
-            uint wording, IntPtr on_event, void* event_user, OperationHandle operation, hrbfnpr_source_info* info,
+            uint wording, IntPtr on_event, IntPtr event_user, OperationHandle operation, SourceInfo* info,
             hrbfnpr_error* error);
         [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
         internal static extern int hrbfnpr_picture_create(ContextHandle context, hrbfnpr_picture_desc* desc,

@@ -386,10 +386,10 @@ namespace HrbfNpr
         [LibraryImport(Name), UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
         internal static partial int hrbfnpr_picture_desc_init(hrbfnpr_picture_desc* desc, uint struct_size);
         [LibraryImport(Name), UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
-        internal static partial int hrbfnpr_source_info_init(hrbfnpr_source_info* info, uint struct_size);
+        internal static partial int hrbfnpr_source_info_init(SourceInfo* info, uint struct_size);
         [LibraryImport(Name), UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
         internal static partial int hrbfnpr_source_inspect(ContextHandle context, hrbfnpr_picture_source* source,
-            uint wording, IntPtr on_event, void* event_user, OperationHandle operation, hrbfnpr_source_info* info,
+            uint wording, IntPtr on_event, IntPtr event_user, OperationHandle operation, SourceInfo* info,
             hrbfnpr_error* error);
         [LibraryImport(Name), UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
         internal static partial int hrbfnpr_picture_create(ContextHandle context, hrbfnpr_picture_desc* desc,

@@ -130,54 +130,6 @@ namespace HrbfNpr
         internal IntPtr event_user;
     }
 
-    [StructLayout(LayoutKind.Sequential), NativeStruct("hrbfnpr_source_info")]
-    internal unsafe struct hrbfnpr_source_info
-    {
-        internal uint struct_size;
-        internal uint kind;
-        internal uint severity;
-        internal uint normals_look;
-        internal long points;
-        internal long triangles;
-        internal long no_data;
-        internal long strays;
-        internal long points_not_finite;
-        internal long duplicates;
-        internal fixed double bounds_min[3];
-        internal fixed double bounds_max[3];
-        internal double diagonal;
-        internal fixed double up[3];
-        internal uint has_normals;
-        internal uint along_curves;
-        internal uint looks_down;
-        internal uint reserved;
-        internal long normals_zero;
-        internal long normals_not_finite;
-        internal double normals_unit_share;
-        internal double normals_closed;
-        internal double normals_flipped_share;
-        internal long image_seen;
-        internal long image_dropped;
-        internal double image_depth;
-        internal double image_noise;
-        internal uint closed;
-        internal uint inside_out;
-        internal long components;
-        internal long components_inside_out;
-        internal long boundary_edges;
-        internal long boundary_loops;
-        internal long nonmanifold_edges;
-        internal long nonmanifold_left;
-        internal long contrary_edges;
-        internal long faces_not_finite;
-        internal long degenerate_faces;
-        internal long repeated_faces;
-        internal long unused_vertices;
-        internal double area;
-        internal double volume;
-        internal fixed byte up_reason[128];
-    }
-
     [StructLayout(LayoutKind.Sequential), NativeStruct("hrbfnpr_picture_part")]
     internal unsafe struct hrbfnpr_picture_part
     {
