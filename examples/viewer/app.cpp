@@ -141,8 +141,10 @@ void App::cancel() {
 
 // ---- Work
 
-void App::take(Scene&& scene) {
+void App::take(Scene&& scene, const Choices& made_by) {
     scene_ = std::make_shared<const Scene>(std::move(scene));
+    drawn_by_ = made_by;
+    drawn_by_.is_preview = false;
     is_stale_ = sheet_is_old_ = true;
 }
 
@@ -159,13 +161,17 @@ void App::start_job() {
     const Size size = canvas_;
     const auto made = std::make_shared<Scene>();
     if (load_) {
-        if (!settings_are_new_) choices.settings = without(context_, choices.settings, "camera");
+        if (!settings_are_new_) { // what is of the model before
+            choices.settings = without(context_, choices.settings, "camera");
+            choices.forget("marks.initial_step");
+        }
         settings_are_new_ = false;
         wants_preview_ = true;
         view_.reset();
-        worker_.start([made, size, open = std::move(load_),
-                       with = next_choices()](Work& work) { *made = scene_of(open(work), with, size, work); },
-                      [this, made](Work&) { take(std::move(*made)); });
+        const Choices with = next_choices();
+        worker_.start(
+            [made, size, with, open = std::move(load_)](Work& work) { *made = scene_of(open(work), with, size, work); },
+            [this, made, with](Work&) { take(std::move(*made), with); });
         load_ = nullptr;
         if (patches_shown_) wants_restyle_ = true; // which makes them
     } else if (!writes_.empty()) {
@@ -174,9 +180,11 @@ void App::start_job() {
         is_writing_ = true;
         worker_.start(job, [this, what = done](Work&) { said = what; });
     } else if (wants_restyle_ && scene_) {
-        worker_.start([made, size, from = scene_, with = next_choices(), view = view_, patches = patches_shown_](
+        is_restyling_ = true;
+        const Choices with = next_choices();
+        worker_.start([made, size, with, from = scene_, view = view_, patches = patches_shown_](
                           Work& work) { *made = restyled(*from, with, size, view ? &*view : nullptr, patches, work); },
-                      [this, made](Work&) { take(std::move(*made)); });
+                      [this, made, with](Work&) { take(std::move(*made), with); });
     }
 }
 
@@ -185,13 +193,17 @@ void App::update() {
         worker_.poll();
     } catch (const std::exception& failure) {
         fail(failure);
+        if (is_restyling_) { // what cannot be drawn is taken back
+            choices = drawn_by_;
+            sheet_is_old_ = true;
+        }
     }
     if (restyle_at_ && Clock::now() >= *restyle_at_) {
         restyle_at_.reset();
         wants_restyle_ = true;
     }
     if (worker_.is_busy()) return;
-    is_writing_ = false;
+    is_writing_ = is_restyling_ = false;
     if (!scene_ && !load_) wants_restyle_ = false; // there is nothing to draw
     start_job();
 }

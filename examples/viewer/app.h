@@ -97,7 +97,7 @@ private:
     // The choices for the next picture of the window: a preview first, if there are marks to wait for.
     Choices next_choices();
     void write(std::function<void(const Export&, Work&)> job, Size size, const std::string& done);
-    void take(Scene&& scene);
+    void take(Scene&& scene, const Choices& made_by);
     void restyle_soon() { restyle_at_ = Clock::now() + std::chrono::milliseconds(250); }
     void fail(const std::exception& failure) { message = failure.what(); }
     View current_view() const; // there is a scene
@@ -106,10 +106,11 @@ private:
     Progress progress_; // before the pictures that tell it
     Worker worker_;
     std::shared_ptr<const Scene> scene_;
-    std::function<Source(Work&)> load_;                                     // to be started
+    Choices drawn_by_;                  // of the scene: those that the library could follow
+    std::function<Source(Work&)> load_; // to be started
     std::deque<std::pair<std::function<void(Work&)>, std::string>> writes_; // jobs, and what is said when they are done
-    bool wants_restyle_ = false, wants_preview_ = false, is_writing_ = false, is_stale_ = false, patches_shown_ = false,
-         sheet_is_old_ = false;
+    bool wants_restyle_ = false, wants_preview_ = false, is_writing_ = false, is_restyling_ = false, is_stale_ = false,
+         patches_shown_ = false, sheet_is_old_ = false;
     std::optional<Clock::time_point> restyle_at_; // after what goes on for a while, such as turning a wheel
     bool settings_are_new_ = false;               // read, and not used for a model yet: their camera counts
     std::optional<View> view_;                    // as the mouse has left it; else as the library plans

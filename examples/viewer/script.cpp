@@ -125,7 +125,7 @@ bool Script::run(const std::vector<std::string>& words, App& app, Ui& ui, Window
     else if (name == "brush")
         app.brush.kind = brush_of(text);
     else if (name == "published")
-        app.set_distribution("published");
+        app.set_distribution(text == "off" ? "blue_noise" : "published");
     else if (name == "patches")
         app.show_patches(text != "off");
     else if (name == "step")

@@ -99,7 +99,6 @@ void inspect_places(const Call& call, const Shape& shape, hrbfnpr_source_info& i
 // Says which way normals look, and warns if it is not outward.
 void inspect_orientation(const Call& call, const InspectedSamples& samples, bool of_mesh, hrbfnpr_source_info& info) {
     Report& report = call.report;
-    const Stage stage(report, HRBFNPR_STAGE_ORIENT);
     const NormalsLook look = look_at_normals(samples.points, samples.normals, of_mesh, call.pool);
     info.normals_closed = look.closed;
     info.normals_flipped_share = look.flipped;

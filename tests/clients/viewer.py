@@ -155,7 +155,7 @@ wait
 save turned.json
 save turned.png
 brush darken
-drag 260 250 330 250
+drag 160 460 380 450
 wait
 save painted.json
 save painted.png
@@ -186,6 +186,7 @@ step 150
 wait
 report
 save published.json
+published off
 drop cube.ply
 wait
 report
@@ -299,7 +300,7 @@ ERRORS = (
     ("type.json", '{"hrbfnpr-settings": 1, "style": {"paper": 3}}', "style.paper: a list of 4 numbers"),
     ("none.json", "{}", "these are no settings"),
     ("up.json", '{"hrbfnpr-settings": 1, "camera": {"eye": [0, 0, 1], "target": [0, 0, 0], "up": [0, 0, 1], "near_plane": 1, '
-     '"vertical_angle": 1, "far_plane": 2}}', "camera: up"),
+     '"vertical_angle": 1, "far_plane": 2}}', "up (0, 0, 1) is parallel to the direction of view"),
     ("half.json", "{", "this is no JSON"),
 )
 

@@ -108,22 +108,21 @@ void Stages::add_pictures(std::vector<Stage>& stages) {
     marks.point_set = set_.get();
     add_picture(stages, "picture.marks", marks, HRBFNPR_PRESET_STIPPLE);
 
-    stages.push_back({"picture.inspected",
-                      [this, points, bare, mesh](Attempt& attempt, Bytes& bytes, hrbfnpr_error* error) {
-                          auto status = hrbfnpr_status{HRBFNPR_STATUS_OK};
-                          for (const hrbfnpr_picture_source& source : {points, bare, mesh}) {
+    const std::array<std::pair<const char*, hrbfnpr_picture_source>, 3> inspected{
+        {{"picture.inspected_points", points}, {"picture.inspected_bare", bare}, {"picture.inspected_mesh", mesh}}};
+    for (const auto& each : inspected)
+        stages.push_back({each.first,
+                          [this, source = each.second](Attempt& attempt, Bytes& bytes, hrbfnpr_error* error) {
                               auto info = made(hrbfnpr_source_info_init);
-                              status = attempt([&] {
+                              const auto status = attempt([&] {
                                   return hrbfnpr_source_inspect(context_.get(), &source, HRBFNPR_WORDING_FIELDS,
                                                                 nullptr, nullptr, attempt.operation, &info, error);
                               });
-                              if (status != HRBFNPR_STATUS_OK) break;
-                              append_value(bytes, info);
-                          }
-                          return status;
-                      },
-                      {},
-                      most_refusals});
+                              if (status == HRBFNPR_STATUS_OK) append_value(bytes, info);
+                              return status;
+                          },
+                          {},
+                          most_refusals});
 
     Error error;
     auto desc = picture_desc();

@@ -56,7 +56,7 @@ def cells(arguments: Any, options: Options) -> List[Cell]:
     given = {"size": SIZE, **options}
     if not any(name in options for name in _VIEW):
         given["azimuth"] = 30.0  # not the front of an open surface: all cells are seen from one side
-    for style in arguments.styles or (arguments.style,) if arguments.style else PRESETS:
+    for style in arguments.styles or PRESETS:
         if arguments.views is None:
             result.append(Cell(style, style, given))
         for view in arguments.views or ():
