@@ -1,12 +1,9 @@
 /* SPDX-License-Identifier: MIT */
-/* 192 samples of a torus become a pen-and-ink drawing: pixels, as writers of PNG take them, and torus.svg. */
 #include <hrbfnpr.h>
 #include <math.h>
 #include <stdio.h>
-
 static unsigned char rgba[800 * 600 * 4];
 static int32_t put(void* file, const void* data, uint64_t size) { return fwrite(data, 1, size, file) != size; }
-
 int main(void) {
     double points[192][3], normals[192][3];
     for (int i = 0; i < 192; ++i) {
@@ -14,10 +11,9 @@ int main(void) {
         const double normal[3] = {cos(a) * cos(b), sin(a) * cos(b), sin(b)}, centre[3] = {cos(a), sin(a), 0};
         for (int k = 0; k < 3; ++k) normals[i][k] = normal[k], points[i][k] = centre[k] + 0.4 * normal[k];
     }
-    hrbfnpr_error error = {.struct_size = sizeof error};
-    hrbfnpr_picture_source source = {.struct_size = sizeof source};
-    source.points = (hrbfnpr_array){points, 192, 0, HRBFNPR_SCALAR_FLOAT64, 3};
-    source.normals = (hrbfnpr_array){normals, 192, 0, HRBFNPR_SCALAR_FLOAT64, 3};
+    hrbfnpr_array p = {points, 192, 0, HRBFNPR_SCALAR_FLOAT64, 3}, n = {normals, 192, 0, HRBFNPR_SCALAR_FLOAT64, 3};
+    hrbfnpr_error err = {.struct_size = sizeof err};
+    hrbfnpr_picture_source source = {.struct_size = sizeof source, .points = p, .normals = n};
     hrbfnpr_picture_desc desc;
     hrbfnpr_picture_desc_init(&desc, sizeof desc); /* a good default for every field */
     desc.sources = &source, desc.source_count = 1, desc.width = 800, desc.height = 600, desc.style_name = "engraving";
@@ -26,11 +22,10 @@ int main(void) {
     hrbfnpr_picture* picture;
     hrbfnpr_drawing* drawing;
     FILE* file = fopen("torus.svg", "wb");
-    if (hrbfnpr_context_create(NULL, &context, &error) ||
-        hrbfnpr_picture_create(context, &desc, NULL, &picture, &error) ||
-        hrbfnpr_picture_draw(picture, NULL, NULL, &drawing, &error) ||
-        hrbfnpr_picture_rasterize(picture, drawing, NULL, &image, &error) ||
-        hrbfnpr_picture_write(picture, drawing, NULL, NULL, put, file, NULL, NULL, &error))
-        return fprintf(stderr, "%s\n", error.message);
+    if (hrbfnpr_context_create(NULL, &context, &err) || hrbfnpr_picture_create(context, &desc, NULL, &picture, &err) ||
+        hrbfnpr_picture_draw(picture, NULL, NULL, &drawing, &err) ||
+        hrbfnpr_picture_rasterize(picture, drawing, NULL, &image, &err) ||
+        hrbfnpr_picture_write(picture, drawing, NULL, NULL, put, file, NULL, NULL, &err))
+        return fprintf(stderr, "%s\n", err.message);
     return fclose(file);
 }

@@ -3,7 +3,7 @@
  *
  *     sdl2 [--strokes] [--screenshot FILE] [SAMPLES.xyzn]
  *
- * SAMPLES has a line `x y z nx ny nz` for each sample.  They are fitted on a worker thread; Escape cancels that.
+ * SAMPLES has a line `x y z nx ny nz` for each sample.  A worker thread makes a picture of them; Escape cancels that.
  * Then: drag to turn, wheel to zoom, space for a turntable, Tab for the next style, Escape to end.
  * S, or --strokes from the start: the strokes alone, as triangles with the texture of a brush, in place of the image.
  * --screenshot writes the first picture to FILE, *.bmp or raw RGBA rows, and ends. */
@@ -25,12 +25,11 @@ typedef struct Drawing {
     double* samples;
     int64_t count;
     uint32_t preset;
+    int width, height; /* of the window, when the worker was started */
     hrbfnpr_context* context;
     hrbfnpr_operation* operation;
-    hrbfnpr_model* model;
-    hrbfnpr_model_info info;
-    hrbfnpr_point_set* marks;
-    hrbfnpr_style style;
+    hrbfnpr_picture* picture;
+    hrbfnpr_picture_info info;
     hrbfnpr_status status;
     hrbfnpr_error error;
     SDL_atomic_t is_done;
@@ -47,7 +46,6 @@ typedef struct App {
     SDL_Renderer* screen;
     SDL_Texture* texture;
     int width, height;
-    hrbfnpr_renderer* pen;
     Drawing drawing;
     SDL_Thread* worker; /* NULL: there is a drawing to show */
     View view;
@@ -85,42 +83,46 @@ static void read_samples(const char* path, Drawing* drawing) {
     fclose(file);
 }
 
-/* The long calls, on the worker thread: the fit, once, and marks for the style. */
-
-static hrbfnpr_status fit(Drawing* d) {
-    hrbfnpr_status status;
-    hrbfnpr_fit_desc desc;
+/* The long call, on the worker thread: a picture of the samples, and then the same surface in other styles and sizes.
+ * The library chooses the pen, the marks and the lines. */
+static hrbfnpr_status make_picture(Drawing* d) {
     const int64_t stride = VALUES * (int64_t)sizeof(double);
-    hrbfnpr_fit_desc_init(&desc, sizeof desc);
-    desc.points = (hrbfnpr_array){d->samples, d->count, stride, HRBFNPR_SCALAR_FLOAT64, 3};
-    desc.normals = (hrbfnpr_array){d->samples + 3, d->count, stride, HRBFNPR_SCALAR_FLOAT64, 3};
-    status = hrbfnpr_model_fit(d->context, &desc, d->operation, &d->model, &d->error);
-    if (status != HRBFNPR_STATUS_OK) return status;
-    hrbfnpr_model_info_init(&d->info, sizeof d->info);
-    return hrbfnpr_model_get_info(d->model, &d->info, &d->error);
-}
-
-static hrbfnpr_status place_marks(Drawing* d) {
-    hrbfnpr_generate_desc desc;
+    const double direction[3] = {0, 1, -1}, up[3] = {0, 0, 1};
+    hrbfnpr_picture* const before = d->picture;
+    hrbfnpr_picture_source source;
+    hrbfnpr_picture_desc desc;
     hrbfnpr_status status;
-    hrbfnpr_point_set_release(d->marks);
-    d->marks = NULL;
-    hrbfnpr_generate_desc_init(&desc, sizeof desc);
-    desc.layers = hrbfnpr_preset_layers(d->preset, &desc.layer_count);
-    status = hrbfnpr_style_init_preset(&d->style, sizeof d->style, d->preset, &d->error);
+    hrbfnpr_picture_desc_init(&desc, sizeof desc);
+    desc.preset = d->preset;
+    desc.width = d->width;
+    desc.height = d->height;
+    memcpy(desc.direction, direction, sizeof direction);
+    memcpy(desc.up, up, sizeof up);
+    if (before != NULL) {
+        status = hrbfnpr_picture_restyle(before, &desc, d->operation, &d->picture, &d->error);
+    } else {
+        hrbfnpr_picture_source_init(&source, sizeof source);
+        source.points = (hrbfnpr_array){d->samples, d->count, stride, HRBFNPR_SCALAR_FLOAT64, 3};
+        source.normals = (hrbfnpr_array){d->samples + 3, d->count, stride, HRBFNPR_SCALAR_FLOAT64, 3};
+        desc.sources = &source;
+        desc.source_count = 1;
+        status = hrbfnpr_picture_create(d->context, &desc, d->operation, &d->picture, &d->error);
+    }
     if (status != HRBFNPR_STATUS_OK) return status;
-    return hrbfnpr_point_set_generate(d->context, d->model, &desc, d->operation, &d->marks, &d->error);
+    hrbfnpr_picture_release(before);
+    hrbfnpr_picture_info_init(&d->info, sizeof d->info);
+    return hrbfnpr_picture_get_info(d->picture, &d->info, &d->error);
 }
 
 static int SDLCALL work(void* user) {
     Drawing* const d = user;
-    d->status = d->model == NULL ? fit(d) : HRBFNPR_STATUS_OK;
-    if (d->status == HRBFNPR_STATUS_OK) d->status = place_marks(d);
+    d->status = make_picture(d);
     SDL_AtomicSet(&d->is_done, 1);
     return 0;
 }
 
 static void start_work(App* app) {
+    SDL_GetRendererOutputSize(app->screen, &app->drawing.width, &app->drawing.height);
     SDL_AtomicSet(&app->drawing.is_done, 0);
     app->worker = SDL_CreateThread(work, "drawing", &app->drawing);
     check_sdl(app->worker != NULL);
@@ -186,17 +188,15 @@ static void fit_texture(App* app) {
 
 static hrbfnpr_camera camera_from(App* app, double turn, double height) {
     Drawing* const d = &app->drawing;
-    const double direction[3] = {sin(turn), cos(turn), -height}, up[3] = {0, 0, 1};
+    const double direction[3] = {sin(turn), cos(turn), -height};
     hrbfnpr_camera camera;
     hrbfnpr_camera_init(&camera, sizeof camera);
-    check(hrbfnpr_camera_fit_bounds(&camera, d->info.bounds_min, d->info.bounds_max, direction, up, 0.5, app->width,
-                                    app->height, 0.02, &d->error),
-          &d->error);
+    check(hrbfnpr_picture_look(d->picture, direction, NAN, NAN, &camera, &d->error), &d->error);
     return camera;
 }
 
 static double distance_of_centre(const App* app, const hrbfnpr_camera* camera) {
-    const hrbfnpr_model_info* const info = &app->drawing.info;
+    const hrbfnpr_picture_info* const info = &app->drawing.info;
     double z = camera->view[14];
     for (int axis = 0; axis < 3; ++axis)
         z += camera->view[2 + 4 * axis] * 0.5 * (info->bounds_min[axis] + info->bounds_max[axis]);
@@ -324,8 +324,9 @@ static Uint8 byte_of(float channel) { return (Uint8)(255 * channel + 0.5f); }
 
 static void draw_strokes(App* app, const hrbfnpr_drawing* drawing) {
     hrbfnpr_error* const error = &app->drawing.error;
-    const float* const paper = app->drawing.style.paper;
+    const hrbfnpr_style* style;
     int64_t vertex_count, index_count;
+    check(hrbfnpr_picture_get_style(app->drawing.picture, &style, error), error);
     check(hrbfnpr_drawing_vertex_bound(drawing, HRBFNPR_PRIMITIVE_TRIANGLE_STRIPS, &vertex_count, &index_count, error),
           error);
     StrokeVertex* const strokes = malloc((size_t)(vertex_count + 1) * sizeof *strokes);
@@ -334,7 +335,7 @@ static void draw_strokes(App* app, const hrbfnpr_drawing* drawing) {
     int* const triangles = malloc(3 * (size_t)(index_count + 1) * sizeof *triangles);
     if (strokes == NULL || vertices == NULL || strips == NULL || triangles == NULL) fail("strokes", "no memory");
     write_strips(app, drawing, strokes, vertex_count, strips, index_count);
-    SDL_SetRenderDrawColor(app->screen, byte_of(paper[0]), byte_of(paper[1]), byte_of(paper[2]), 255);
+    SDL_SetRenderDrawColor(app->screen, byte_of(style->paper[0]), byte_of(style->paper[1]), byte_of(style->paper[2]), 255);
     SDL_RenderClear(app->screen);
     paint_strips(app, strokes, vertices, vertex_count, strips, triangles, index_count);
     free(triangles);
@@ -346,12 +347,8 @@ static void draw_strokes(App* app, const hrbfnpr_drawing* drawing) {
 static void draw(App* app) {
     Drawing* const d = &app->drawing;
     const hrbfnpr_camera camera = camera_of(app);
-    hrbfnpr_item item;
     hrbfnpr_drawing* drawing;
-    hrbfnpr_item_init(&item, sizeof item);
-    item.point_set = d->marks;
-    item.style = &d->style;
-    check(hrbfnpr_renderer_draw(app->pen, &item, 1, 0, &camera, &drawing, &d->error), &d->error);
+    check(hrbfnpr_picture_draw(d->picture, &camera, NULL, &drawing, &d->error), &d->error);
     if (app->shows_strokes)
         draw_strokes(app, drawing);
     else
@@ -387,6 +384,8 @@ static void run(App* app, const char* screenshot) {
         if (!moves && !app->is_stale) continue;
         if (app->view.turntable) app->view.turn += 0.01;
         fit_texture(app);
+        if (app->worker == NULL && (app->width != app->drawing.width || app->height != app->drawing.height))
+            start_work(app); /* another size wants other marks */
         if (app->worker != NULL)
             show_progress(app);
         else
@@ -411,7 +410,6 @@ static void set_up(App* app) {
     hrbfnpr_error_init(&d->error, sizeof d->error);
     check(hrbfnpr_context_create(NULL, &d->context, &d->error), &d->error);
     check(hrbfnpr_operation_create(d->context, &d->operation, &d->error), &d->error);
-    check(hrbfnpr_renderer_create(d->context, &app->pen, &d->error), &d->error);
 
     check_sdl(SDL_Init(SDL_INIT_VIDEO) == 0);
     app->window =
@@ -429,9 +427,7 @@ static void tear_down(App* app) {
     SDL_DestroyRenderer(app->screen);
     SDL_DestroyWindow(app->window);
     SDL_Quit();
-    hrbfnpr_renderer_release(app->pen);
-    hrbfnpr_point_set_release(d->marks);
-    hrbfnpr_model_release(d->model);
+    hrbfnpr_picture_release(d->picture);
     hrbfnpr_operation_release(d->operation);
     hrbfnpr_context_release(d->context);
     free(d->samples);

@@ -112,14 +112,19 @@ void style_panel(App& app) {
 
 namespace {
 
+// Own lines are not for choosing, and creases only where there are any.
+bool is_choice(std::uint32_t kind, bool has_edges) {
+    return kind != HRBFNPR_LINE_KIND_OWN && (kind != HRBFNPR_LINE_KIND_CREASE || has_edges);
+}
+
 // Kinds of lines with commas between, as hrbfnpr_picture_desc.lines has them.
-std::string listed_kinds(const std::vector<hrbfnpr_line_style>& lines) {
+std::string listed_kinds(const std::vector<hrbfnpr_line_style>& lines, bool has_edges) {
     std::string kinds;
     for (const hrbfnpr_line_style& line : lines) {
         const std::string kind = kind_word(line_name, line.kind);
         const bool is_first =
             std::none_of(lines.data(), &line, [&](const auto& other) { return other.kind == line.kind; });
-        if (line.kind != HRBFNPR_LINE_KIND_OWN && is_first) kinds += (kinds.empty() ? "" : ",") + kind;
+        if (is_choice(line.kind, has_edges) && is_first) kinds += (kinds.empty() ? "" : ",") + kind;
     }
     return kinds.empty() ? "none" : kinds;
 }
@@ -127,10 +132,11 @@ std::string listed_kinds(const std::vector<hrbfnpr_line_style>& lines) {
 void choose_kinds(App& app) {
     auto& lines = app.sheet.lines;
     const Field& kinds = field_of(line_name, "kind");
+    const bool has_edges = app.scene()->has_edges();
     int shown = 0;
     for (std::size_t i = 0; i < kinds.choices.size(); ++i) {
         const auto kind = kinds.first_choice + static_cast<std::uint32_t>(i);
-        if (kind == HRBFNPR_LINE_KIND_OWN) continue;
+        if (!is_choice(kind, has_edges)) continue;
         const auto is_same = [&](const auto& line) { return line.kind == kind; };
         bool on = std::any_of(lines.begin(), lines.end(), is_same);
         if (shown++ % 2 == 1) ImGui::SameLine(0.5F * ImGui::GetContentRegionAvail().x + 8);
@@ -141,7 +147,7 @@ void choose_kinds(App& app) {
             lines.push_back(defaults<hrbfnpr_line_style>(hrbfnpr_line_style_init));
             lines.back().kind = kind;
         }
-        app.choices.lines = listed_kinds(lines);
+        app.choices.lines = listed_kinds(lines, has_edges);
         app.restyle();
     }
 }
@@ -154,7 +160,7 @@ void lines_panel(App& app) {
     if (slide_choice("width of contours", app.choices.line_width, 10, "of the style")) app.restyle();
     for (std::size_t i = 0; i < app.sheet.lines.size(); ++i) {
         hrbfnpr_line_style& line = app.sheet.lines[i];
-        if (line.kind == HRBFNPR_LINE_KIND_OWN) continue;
+        if (!is_choice(line.kind, app.scene()->has_edges())) continue;
         const std::string kind = kind_word(line_name, line.kind);
         const Edited edited{app, line_name, "style." + kind, &line};
         ImGui::PushID(static_cast<int>(i));

@@ -211,6 +211,17 @@ double Scene::diagonal() const {
     return length({high[0] - low[0], high[1] - low[1], high[2] - low[2]});
 }
 
+bool Scene::has_edges() const {
+    for (const hrbfnpr_picture_part& part : parts) {
+        if (part.mesh != nullptr) return true;
+        if (part.line_set == nullptr) continue;
+        auto line_set = defaults<hrbfnpr_line_set_info>(hrbfnpr_line_set_info_init);
+        checked([&](auto* error) { return hrbfnpr_line_set_get_info(part.line_set, &line_set, error); });
+        if (line_set.creases > 0) return true;
+    }
+    return false;
+}
+
 std::vector<hrbfnpr_layer_info> Scene::layers() const {
     std::vector<hrbfnpr_layer_info> infos;
     for (const hrbfnpr_picture_part& part : parts) {

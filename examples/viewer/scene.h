@@ -61,6 +61,7 @@ struct Scene {
     Vec centre() const;
     double diagonal() const;
     bool has_model() const { return !parts.empty() && parts.front().model != nullptr; }
+    bool has_edges() const;                         // for lines of the kind CREASE
     std::vector<hrbfnpr_layer_info> layers() const; // of its marks
 };
 

@@ -364,7 +364,7 @@ void tell_contrary_and_parts(const Call& call, const MeshFacts& facts) {
             "others are left out; {parts=all} keeps them");
 }
 
-// Whether a failure is one of the source, and no one of the call.
+// Whether the source is to blame for a failure, and not the call.
 bool is_of_source(const Error& error) noexcept {
     return error.status() == Status::invalid_argument || error.status() == Status::singular_system ||
            error.status() == Status::not_converged;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Making pictures, and drawings of them.
+// Creates pictures, and draws them.
 #pragma once
 
 #include "picture/handles.h"
@@ -8,20 +8,20 @@
 
 namespace hrbfnpr::picture {
 
-// Makes a picture of the sources of a descriptor.  The caller of each of these gets one reference.
+// Creates a picture of the sources of a descriptor. The caller of each function here gets one reference to the result.
 [[nodiscard]] hrbfnpr_picture* create_picture(hrbfnpr_context& context, const hrbfnpr_picture_desc& desc,
                                               hrbfnpr_operation* operation);
-// Makes one of the same surfaces.
+// Creates another picture of the same surfaces.
 [[nodiscard]] hrbfnpr_picture* restyle_picture(const hrbfnpr_picture& of, const hrbfnpr_picture_desc& desc,
                                                hrbfnpr_operation* operation);
-// camera: null is the planned one, by which something has to be seen.
+// Draws a picture. If `camera` is null, the planned camera is used, and it must see something.
 [[nodiscard]] hrbfnpr_drawing* draw_picture(hrbfnpr_picture& picture, const hrbfnpr_camera* camera,
                                             hrbfnpr_operation* operation);
 
 // Throws Error{invalid_argument} for a picture of surfaces alone.
 void require_planned(const hrbfnpr_picture& picture);
 
-// The marks of all layers; 0 of none.
+// Returns the number of marks in all layers, or 0 without marks.
 [[nodiscard]] std::int64_t mark_count_of(const PointSet& marks);
 
 } // namespace hrbfnpr::picture

@@ -10,8 +10,8 @@
 
 namespace hrbfnpr::picture {
 
-// Containers of std::pmr that are made with a Pool take their memory from the context: it is counted, and they fail
-// with Error{out_of_memory}.  The Memory outlives the Pool, and the Pool outlives its containers.
+// A Pool makes std::pmr containers take their memory from the context, which counts it. They fail with
+// Error{out_of_memory}. The Memory must outlive the Pool, and the Pool must outlive its containers.
 class Pool : public std::pmr::memory_resource {
 public:
     explicit Pool(base::Memory& memory) noexcept : memory_(&memory) {}

@@ -19,13 +19,13 @@ bool has_finite_corners(const Points& points, const Triangle& face) noexcept {
     });
 }
 
-// A mesh whose vertices are at different places.
+// A mesh in which all vertices are at different places.
 struct JoinedMesh {
-    Points places; // ascending
+    Points places; // The vertices, in ascending order.
     Vector<Triangle> faces;
 };
 
-// Joins the vertices of faces with finite corners, and counts what is left out.
+// Joins the vertices of faces with finite corners, and counts the faces and vertices that are left out.
 JoinedMesh join_vertices(const Shape& shape, MeshFacts& facts, Pool& pool) {
     const std::size_t count = shape.points.size();
     constexpr std::int64_t unused = -1;
@@ -63,14 +63,14 @@ JoinedMesh join_vertices(const Shape& shape, MeshFacts& facts, Pool& pool) {
     return joined;
 }
 
-// Keeps the faces that have an area.
+// Removes the faces that have no area.
 void leave_out_degenerate(JoinedMesh& mesh, MeshFacts& facts, Pool& pool) {
     Vector<double> doubled(&pool);
     std::size_t to = 0;
     for (const Triangle& face : mesh.faces) {
         doubled.push_back(glm::length(doubled_area_of(mesh.places, face)));
         facts.degenerate_faces += doubled.back() <= 0.0 ? 1 : 0;
-        if (doubled.back() > 0.0) mesh.faces[to++] = face; // it is not if it is NaN
+        if (doubled.back() > 0.0) mesh.faces[to++] = face; // The comparison is false for NaN.
     }
     mesh.faces.resize(to);
     facts.area = sum_in_pairs(doubled) / 2.0;
@@ -82,14 +82,14 @@ std::int64_t count_repeated(Vector<Triangle> faces) {
     return faces.end() - std::unique(faces.begin(), faces.end());
 }
 
-// Whether a side of a face goes from its lower vertex to the higher one.
+// Tells whether a side of a face goes from its lower vertex to the higher one.
 bool goes_up(const FaceEdges& edges, const Vector<Triangle>& faces, std::int64_t side) noexcept {
     const auto k = static_cast<std::size_t>(side / edges.faces);
     const Triangle& face = faces[edges.face(side)];
     return face[k] < face[(k + 1) % 3];
 }
 
-// Counts the edges that are not those of a closed surface, and returns those at its border.
+// Counts the edges that a closed surface cannot have, and returns the border edges.
 Vector<Edge> look_at_edges(const JoinedMesh& mesh, MeshFacts& facts, Pool& pool) {
     const FaceEdges edges = find_edges(mesh.faces, mesh.places.size(), pool);
     Vector<Edge> border(&pool);
@@ -112,14 +112,14 @@ std::int32_t as_vertex(std::int64_t i) noexcept { return static_cast<std::int32_
 std::int64_t count_loops(const Vector<Edge>& border, std::size_t vertices, Pool& pool) {
     mesh::Sets joined(pool.memory(), static_cast<std::int64_t>(vertices));
     for (const Edge& edge : border) joined.join(as_vertex(edge[0]), as_vertex(edge[1]));
-    // Each loop has one vertex that its set is named after.
+    // Each loop is named after one of its vertices.
     Vector<std::int64_t> names(&pool);
     for (const Edge& edge : border) names.push_back(joined.of(as_vertex(edge[0])));
     std::sort(names.begin(), names.end());
     return std::unique(names.begin(), names.end()) - names.begin();
 }
 
-// The volumes of the tetrahedra between a middle and the faces of each part, times six.
+// Sums, for each part, the volumes of the tetrahedra between its faces and a middle point, times six.
 void look_at_parts(const JoinedMesh& mesh, const Vector<Edge>& border, MeshFacts& facts, Pool& pool) {
     mesh::Sets joined(pool.memory(), static_cast<std::int64_t>(mesh.places.size()));
     for (const Triangle& face : mesh.faces) {
@@ -127,7 +127,7 @@ void look_at_parts(const JoinedMesh& mesh, const Vector<Edge>& border, MeshFacts
         joined.join(as_vertex(face[1]), as_vertex(face[2]));
     }
     constexpr std::int64_t none = -1;
-    Vector<std::int64_t> part_of(mesh.places.size(), none, &pool); // of the vertex that a set is named after
+    Vector<std::int64_t> part_of(mesh.places.size(), none, &pool); // the part, by the vertex that names its set
     const auto part_at = [&](std::int64_t vertex) -> std::int64_t& {
         return part_of[static_cast<std::size_t>(joined.of(as_vertex(vertex)))];
     };
@@ -146,7 +146,8 @@ void look_at_parts(const JoinedMesh& mesh, const Vector<Edge>& border, MeshFacts
     const double volume = sum_in_pairs(volumes);
     facts.inside_out = facts.closed && volume < 0.0;
     facts.volume = facts.closed ? volume : 0.0;
-    for (const Edge& edge : border) volumes[static_cast<std::size_t>(part_at(edge[0]))] = 0.0; // an open part has none
+    // An open part has no volume.
+    for (const Edge& edge : border) volumes[static_cast<std::size_t>(part_at(edge[0]))] = 0.0;
     facts.components_inside_out = std::count_if(volumes.begin(), volumes.end(), [](double v) { return v < 0.0; });
 }
 

@@ -1,28 +1,29 @@
 // SPDX-License-Identifier: MIT
-// What a mesh is like as it was given, and what is wrong with it: parts, borders, edges, orientation.
+// Describes a mesh as it was given and its defects: parts, borders, edges, orientation.
 #pragma once
 
 #include "picture/shape.h"
 
 namespace hrbfnpr::picture {
 
-// Counted after vertices at the same place are joined; nothing else is repaired, unlike in hrbfnpr_mesh_info.
+// Facts that are counted after vertices at the same place are joined. Unlike hrbfnpr_mesh_info, they include no other
+// repairs.
 struct MeshFacts {
     std::int64_t components = 0;            // parts that share no vertex
-    std::int64_t components_inside_out = 0; // parts without border whose faces look inward
-    std::int64_t boundary_edges = 0;        // of one face
-    std::int64_t boundary_loops = 0;        // lines that those make
-    std::int64_t nonmanifold_edges = 0;     // of more than two faces
-    std::int64_t contrary_edges = 0;        // of two faces that run along it in the same direction
-    std::int64_t faces_not_finite = 0;      // with a corner that is not finite; no other number counts these
-    std::int64_t degenerate_faces = 0;      // without area
-    std::int64_t repeated_faces = 0;        // with the corners of another
-    std::int64_t unused_vertices = 0;       // of no face
-    std::int64_t joined_vertices = 0;       // at the place of another
+    std::int64_t components_inside_out = 0; // parts without border whose faces point inward
+    std::int64_t boundary_edges = 0;        // edges with one face
+    std::int64_t boundary_loops = 0;        // closed lines of border edges
+    std::int64_t nonmanifold_edges = 0;     // edges with more than two faces
+    std::int64_t contrary_edges = 0;        // edges whose two faces run along them in the same direction
+    std::int64_t faces_not_finite = 0;      // faces with a corner that is not finite; no other number includes them
+    std::int64_t degenerate_faces = 0;      // faces without area
+    std::int64_t repeated_faces = 0;        // faces with the same corners as another face
+    std::int64_t unused_vertices = 0;       // vertices that no face uses
+    std::int64_t joined_vertices = 0;       // vertices at the place of another vertex
     bool closed = false;                    // each edge has two faces, in opposite directions
-    bool inside_out = false;                // it is closed, and its faces look inward
+    bool inside_out = false;                // The mesh is closed, and its faces point inward.
     double area = 0.0;
-    double volume = 0.0; // of a closed mesh
+    double volume = 0.0; // 0 if the mesh is not closed
 };
 
 [[nodiscard]] MeshFacts mesh_facts_of(const Shape& shape, Pool& pool);

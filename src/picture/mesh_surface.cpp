@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The story of a mesh: look_at_mesh() welds it, turns its faces outward, leaves out lost parts, samples it, and divides
-// coarse faces; groups_of_mesh() separates parts that make no surface together; surface_of_group() fits a model, and
-// end_of_mesh() lets it end where the mesh does.
+// Turns a mesh into surfaces. look_at_mesh() welds it, turns its faces outward, removes lost parts, samples it, and
+// divides coarse faces. groups_of_mesh() separates parts that make no surface together. surface_of_group() fits a
+// model, and end_of_mesh() ends it where the mesh ends.
 #include "picture/mesh_surface.h"
 
 #include "api/mesh.h"
@@ -24,17 +24,17 @@
 namespace hrbfnpr::picture {
 namespace {
 
-// ---- What the options ask for
+// ---- Options
 
-// The options of a fit to samples, of which a fit to a mesh takes some.
+// Returns the options of a fit to samples. A fit to a mesh uses some of them.
 hrbfnpr_fit_desc wanted_fit(const Options& options) {
     auto desc = defaults<hrbfnpr_fit_desc>(hrbfnpr_fit_desc_init);
     options.changes.apply("fit", desc);
     return desc;
 }
 
-// Whether the fit takes as many samples as it needs: unless the caller asks for these, or for what only a fit to
-// samples does.
+// Tells whether the fit takes as many samples as it needs. It does not if the caller asks for a number of samples or
+// for an option that only a fit to samples has.
 bool chooses_samples(const Options& options) {
     const Changes& changes = options.changes;
     const bool refines = changes.is_callers("fit.refinement_steps") && changes.number("fit.refinement_steps") != 0.0;
@@ -68,7 +68,7 @@ Mesh create_mesh(const Call& call, const hrbfnpr_mesh_desc& desc, hrbfnpr_operat
     });
 }
 
-// A mesh with the repairs that the options leave open.
+// Makes a mesh, with the repairs that the options allow.
 Mesh welded_mesh(const Call& call, const Points& points, const Vector<Triangle>& triangles,
                  hrbfnpr_operation* operation) {
     const Options& options = call.options;
@@ -78,7 +78,7 @@ Mesh welded_mesh(const Call& call, const Points& points, const Vector<Triangle>&
     return create_mesh(call, desc, operation);
 }
 
-// A mesh of what was repaired before.
+// Makes a mesh from points and faces that were already repaired.
 Mesh same_mesh(const Call& call, const Points& points, const Vector<Triangle>& triangles, double crease_angle,
                hrbfnpr_operation* operation) {
     hrbfnpr_mesh_desc desc = mesh_desc_of(points, triangles, crease_angle);
@@ -97,15 +97,15 @@ void sample_mesh(const Mesh& mesh, const hrbfnpr_sample_desc& desc, Points& poin
     });
 }
 
-// ---- What a mesh is found to be
+// ---- The mesh that was looked at
 
-// A mesh that was looked at, the shape that it is of, and even samples of it.
+// A mesh after inspection, with its shape and evenly spread samples.
 struct LookedAtMesh {
     Mesh mesh;
     Shape shape;
     Points points;
     Points normals;
-    double edge_angle = 0.0; // degrees: what bends more is an edge; 0: what stands out is
+    double edge_angle = 0.0; // Edges that bend by more are sharp, in degrees. 0: edges that stand out are sharp.
 };
 
 String borders_in_words(const hrbfnpr_mesh_info& info, Pool& pool) {
@@ -117,7 +117,7 @@ String borders_in_words(const hrbfnpr_mesh_info& info, Pool& pool) {
     return words;
 }
 
-// Notes what was repaired, and warns of what cannot be.
+// Notes the repairs, and warns of defects that cannot be repaired.
 void tell_mesh_repairs(const Call& call, const hrbfnpr_mesh_info& info) {
     Pool& pool = call.pool;
     Report& report = call.report;
@@ -147,7 +147,7 @@ void tell_mesh_repairs(const Call& call, const hrbfnpr_mesh_info& info) {
                     "that crosses itself");
 }
 
-// Leaves out faces of a mesh, by the numbers that it has for them, and welds the rest anew.
+// Removes the faces with these numbers from a mesh, and welds the rest again.
 void leave_out_faces(const Call& call, const FaceNumbers& which, Mesh& mesh, Shape& shape,
                      hrbfnpr_operation* operation) {
     const Vector<std::int32_t> given = numbers_of(mesh, HRBFNPR_MESH_ATTRIBUTE_GIVEN_FACE, call.pool);
@@ -160,7 +160,7 @@ void leave_out_faces(const Call& call, const FaceNumbers& which, Mesh& mesh, Sha
     mesh = welded_mesh(call, shape.points, shape.triangles, operation);
 }
 
-// How many parts far away, with how many faces, and how many faces left over were left out.
+// Counts the parts far away with their faces, and the leftover faces, that were removed.
 struct LeftOut {
     std::int64_t far_parts = 0, far_faces = 0, flaps = 0;
 };
@@ -196,7 +196,7 @@ void tell_left_out(const Call& call, const LeftOut& left_out) {
                          " that only an edge of two others holds left out; {parts=all} keeps them");
 }
 
-// Why the faces of an open mesh are to be turned.
+// The reasons to turn the faces of an open mesh.
 enum class Wrong { nothing, looks_down_z, looks_down_y, looks_inward };
 
 Wrong looks_wrong(const Points& points, const Points& normals, Pool& pool) {
@@ -222,20 +222,21 @@ void tell_wrong(const Call& call, Wrong wrong) {
 
 // ---- Coarse meshes
 
-// What was chosen for faces that are coarse.
+// The decision about coarse faces.
 struct Divided {
     enum class Choice {
-        nothing,     // the mesh stays as it is
-        all_flat,    // by the normals of its file
-        coarse_flat, // nothing round goes through its faces
+        nothing,     // The mesh stays as it is.
+        all_flat,    // All edges are sharp, because the normals of the file say so.
+        coarse_flat, // No round surface goes through the vertices.
         divided
     };
     Choice choice = Choice::nothing;
-    bool by_file = false;     // some edges are sharp, as its normals say
-    std::int32_t rounds = 0;  // of division, and in shares of the diagonal:
-    double moved = 0.0;       // the vertices, at most
-    double raised = 0.0;      // places between them, at most
-    double coarseness = -1.0; // before; below 0: it was not asked, as the options say that faces are divided
+    bool by_file = false;     // Some edges are sharp, because the normals of the file say so.
+    std::int32_t rounds = 0;  // rounds of subdivision
+    double moved = 0.0;       // the farthest that a vertex moved, in diagonals
+    double raised = 0.0;      // the farthest that a place between vertices moved, in diagonals
+    // The coarseness before the division. It is below 0 if it was not measured because the options ask for division.
+    double coarseness = -1.0;
 };
 
 double tolerance_as_share(const Options& options, const Points& points) noexcept {
@@ -243,8 +244,8 @@ double tolerance_as_share(const Options& options, const Points& points) noexcept
     return options.desc.tolerance > 0.0 && across > 0.0 ? options.desc.tolerance / across : mesh_tuning.tolerance;
 }
 
-// Whether a fit keeps some edges sharp, as those of machine parts and of polyhedra.  Where none stand out on the whole,
-// those of a part by itself may.  A caller sees the same from the sheets of a rough fit.
+// Tells whether a fit keeps some edges sharp, as it does on machine parts and polyhedra. If none stand out on the whole
+// mesh, those of a single part still may. A caller sees the same in the sheets of a rough fit.
 bool has_edges(const Call& call, const Shape& shape, hrbfnpr_operation* operation) {
     const Mesh mesh = same_mesh(call, shape.points, shape.triangles, mesh_tuning.crease_angle, operation);
     if (info_of(mesh).creases != 0) return true;
@@ -256,7 +257,7 @@ bool has_edges(const Call& call, const Shape& shape, hrbfnpr_operation* operatio
     return mesh::plan_creases(made.runtime(), made.mesh, made.tree, made.creases, rough, progress).creases.has_value();
 }
 
-// How often faces are to be divided: those that something round would bulge out of by more than the tolerance.
+// Returns how often faces are to be divided: those out of which a round surface would bulge by more than the tolerance.
 std::int32_t rounds_of(const Call& call, const Shape& welded, SaidOfEdges said, hrbfnpr_operation* operation) {
     const Options& options = call.options;
     if (subdivides_as_told(options)) return options.desc.subdivide;
@@ -276,8 +277,8 @@ double farthest_moved(const Points& from, const Points& to) noexcept {
     return most;
 }
 
-// Divides a welded mesh, unless nothing round goes through its vertices: faces of a convex hull, which are long and of
-// any size, would fold.
+// Divides a welded mesh, unless no round surface goes through its vertices. The long and unequal faces of a convex
+// hull, for example, would fold.
 Divided divide(const Call& call, const Shape& welded, std::int32_t rounds, Shape& finer,
                const base::Progress& progress) {
     Pool& pool = call.pool;
@@ -350,7 +351,8 @@ void tell_divided(const Call& call, const Divided& found) {
                               percent_of(found.coarseness, 2, pool).c_str(), divided.c_str()));
 }
 
-// Makes a mesh round where it is coarse and meant to be so, and sharp where it is, as far as that can be told.
+// Makes a mesh round where it is coarse but stands for a round shape, and keeps its sharp edges, as far as the two can
+// be told apart.
 Divided make_round(const Call& call, LookedAtMesh& looked, Stage& stage) {
     Pool& pool = call.pool;
     const Options& options = call.options;
@@ -409,7 +411,7 @@ std::int64_t samples_of_look(const Call& call) {
     return wanted;
 }
 
-// Turns the faces that are seen to look the wrong way, and makes the mesh round where it is coarse.
+// Turns faces that point the wrong way, and makes the mesh round where it is coarse.
 void sample_and_divide(const Call& call, LookedAtMesh& looked) {
     const Options& options = call.options;
     const std::int64_t count = samples_of_look(call);
@@ -456,7 +458,8 @@ struct MeshGroup {
     std::shared_ptr<const Shape> shape;
 };
 
-// Whether there may be several surfaces: the caller wants neither one nor a plate, which shows one.
+// Tells whether there may be several surfaces. There is only one if the caller asks for one, or for a plate, which
+// shows one.
 bool may_be_apart(const Options& options) {
     const bool wants_one = options.has(HRBFNPR_PICTURE_TOGETHER) || options.has(HRBFNPR_PICTURE_CLOSE) ||
                            options.has(HRBFNPR_PICTURE_SURFACE_ONLY) || options.is_find() ||
@@ -465,12 +468,12 @@ bool may_be_apart(const Options& options) {
     return !wants_one && chooses_samples(options);
 }
 
-// Some faces of a mesh, as a mesh of its own; `whole` is the shape of all.
+// Makes a mesh of some faces of another mesh. `whole` is the shape of all faces.
 MeshGroup group_of_faces(const Call& call, const Mesh& mesh, const Shape& whole, const FaceNumbers& faces) {
     Pool& pool = call.pool;
     const Points vertices = vertices_of(mesh, pool);
     const Vector<Triangle> triangles = triangles_of(mesh, pool);
-    Vector<std::int64_t> number(vertices.size(), -1, &pool); // of vertices that are used
+    Vector<std::int64_t> number(vertices.size(), -1, &pool); // the new number of each used vertex, else -1
     for (const std::int64_t face : faces)
         for (const std::int64_t corner : triangles[static_cast<std::size_t>(face)])
             number[static_cast<std::size_t>(corner)] = 0;
@@ -495,7 +498,7 @@ MeshGroup group_of_faces(const Call& call, const Mesh& mesh, const Shape& whole,
     return {std::move(made), std::move(shape)};
 }
 
-// The mesh, or groups of its parts that are no surface together, the largest first.
+// Returns the mesh itself, or groups of parts that make no surface together, the largest first.
 Vector<MeshGroup> groups_of_mesh(const Call& call, Mesh&& mesh, Shape&& shape) {
     Vector<MeshGroup> groups(&call.pool);
     std::optional<FaceGroups> found;
@@ -517,8 +520,9 @@ Vector<MeshGroup> groups_of_mesh(const Call& call, Mesh&& mesh, Shape&& shape) {
 
 // ---- The fit
 
-// across: the diagonal of all groups together, 0 of a single one.  A small group beside large ones is seen from as far
-// as these, so its tolerance lies between that of the whole and its own.
+// Sets up the fit of a group. `across` is the diagonal of all groups together, or 0 for a single group. A small group
+// beside large ones is seen from the same distance as they are, so its tolerance lies between that of the whole and its
+// own.
 hrbfnpr_mesh_fit_desc fit_of_mesh(const Options& options, const Shape& shape, double edge_angle, double across) {
     auto desc = defaults<hrbfnpr_mesh_fit_desc>(hrbfnpr_mesh_fit_desc_init);
     desc.random_seed = options.desc.random_seed;
@@ -542,7 +546,7 @@ hrbfnpr_mesh_fit_desc fit_of_mesh(const Options& options, const Shape& shape, do
     return desc;
 }
 
-// A fit to a mesh takes these options of a fit to samples.
+// Returns the options of a fit to samples that a fit to a mesh takes, too.
 hrbfnpr_fit_desc solver_of_mesh(const Options& options, bool ends) {
     const hrbfnpr_fit_desc wanted = wanted_fit(options);
     auto desc = defaults<hrbfnpr_fit_desc>(hrbfnpr_fit_desc_init);
@@ -555,7 +559,7 @@ hrbfnpr_fit_desc solver_of_mesh(const Options& options, bool ends) {
     return desc;
 }
 
-// What a fit that fell short of its tolerance can do better.
+// Returns advice for a fit that did not reach its tolerance.
 String remedy_of_shortfall(const Call& call, const hrbfnpr_mesh_fit_info& done) {
     const Options& options = call.options;
     std::int64_t most = options.desc.maximum_centres > 0 ? options.desc.maximum_centres : mesh_tuning.most_centres;
@@ -602,7 +606,7 @@ void tell_mesh_fit(const Call& call, const hrbfnpr_mesh_fit_info& done, double d
                          formatted(call.pool, "edges %.2g diagonals long stay smooth", done.smooth_length / diagonal));
 }
 
-// Within a tolerance both ways; a warning tells what falls short.
+// Fits the group within a tolerance in both directions. A warning tells where the fit exceeds it.
 Model fit_group(const Call& call, const MeshGroup& group, double edge_angle, double across,
                 hrbfnpr_mesh_fit_info& done) {
     Pool& pool = call.pool;
@@ -629,8 +633,8 @@ Model fit_group(const Call& call, const MeshGroup& group, double edge_angle, dou
 
 // ---- The end
 
-// In diagonals: a surface that is farther than this from the mesh is none of it.  Few samples round sharp edges off, so
-// a coarser fit may be farther.
+// Returns the distance, in diagonals, beyond which surface does not belong to the mesh. A fit to few samples rounds
+// sharp edges off, so a coarser fit may be farther from the mesh.
 double off_of_model(const Model& model, const std::optional<hrbfnpr_mesh_fit_info>& fit) {
     const hrbfnpr_model_info info = model_info_of(model);
     const double diagonal = diagonal_of(info);
@@ -639,7 +643,7 @@ double off_of_model(const Model& model, const std::optional<hrbfnpr_mesh_fit_inf
     return std::clamp(mesh_tuning.off_factor * p99 / diagonal, mesh_tuning.least_off, mesh_tuning.most_off);
 }
 
-// Warns of parts of a closed surface that the fit made, and that are left out.
+// Warns of parts of a closed surface that the fit invented and that are removed.
 void tell_made_by_fit(const Call& call, const Model& ended, bool of_sheets) {
     const hrbfnpr_trim_info info = trim_info_of(ended);
     if (!(info.share > mesh_tuning.doubted_share)) return;
@@ -653,8 +657,8 @@ void tell_made_by_fit(const Call& call, const Model& ended, bool of_sheets) {
                                count_of(info.parts, "part", call.pool).c_str(), remedy.c_str()));
 }
 
-// The model with what lies beyond the mesh left out, unless it shall be closed.  What the surface has that a closed
-// mesh does not was made by the fit.
+// Returns the model without the surface beyond the mesh, unless it is to be closed. The fit invented any surface that a
+// closed mesh does not have.
 Model end_of_mesh(const Call& call, const Model& model, const Mesh& mesh,
                   const std::optional<hrbfnpr_mesh_fit_info>& fit) {
     if (call.options.has(HRBFNPR_PICTURE_CLOSE)) return model;
@@ -663,7 +667,7 @@ Model end_of_mesh(const Call& call, const Model& model, const Mesh& mesh,
     const bool of_sheets = fit && fit->sheets > 1;
     const double off = off_of_model(model, fit);
     if (of_sheets && is_closed && fit->surface_max <= off * diagonal_of(model)) return model;
-    if (fit && info.boundary_edges > 0) { // the fit has ended it along the border
+    if (fit && info.boundary_edges > 0) { // The fit has already ended the surface along the border.
         Stage stage(call.report, HRBFNPR_STAGE_END);
         stage.says(trim_in_words(call, model, "mesh"));
         return model;
@@ -679,7 +683,8 @@ Model end_of_mesh(const Call& call, const Model& model, const Mesh& mesh,
     return ended;
 }
 
-// looked: the samples of the whole mesh, where the fit does not choose them.
+// Makes the surface of a group. `looked` has the samples of the whole mesh, which serve where the fit does not choose
+// its own.
 Surface surface_of_group(const Call& call, MeshGroup&& group, const LookedAtMesh& looked, double across) {
     Surface surface;
     if (chooses_samples(call.options)) {

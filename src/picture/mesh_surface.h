@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: MIT
-// From a mesh to surfaces: what can be repaired is, coarse faces that stand for something round are divided, parts that
-// are no surface together are grouped, a model is fitted to each group, and it ends where the mesh does.
+// Makes surfaces from a mesh. It repairs the mesh, divides coarse faces that stand for a round shape, groups parts that
+// make no surface together, fits a model to each group, and ends it where the mesh ends.
 #pragma once
 
 #include "picture/call.h"
 
 namespace hrbfnpr::picture {
 
-// Fits a surface to each group of parts, the one with the largest faces in all first; mostly there is one group.
-// shape: a mesh that leave_out_unusable() has seen.  up: the options' direction, or the one that is found.
+// Fits a surface to each group of parts. The group with the largest total area comes first; mostly there is one group.
+// `shape` is a mesh that leave_out_unusable() has cleaned. `up` is the direction of the options, or the one that is
+// found.
 [[nodiscard]] Vector<Surface> fit_mesh(const Call& call, Shape&& shape, glm::dvec3& up);
 
 } // namespace hrbfnpr::picture

@@ -13,7 +13,7 @@ namespace {
 template <class Found>
 String distances_of(const Found& found, double diagonal, Pool& pool) {
     const auto share = [&](double distance) { return percent_of(distance / diagonal, 2, pool); };
-    // From some places of the mesh no surface may be found at all.
+    // For some places of the mesh no surface may be found at all.
     const String near = std::isfinite(found.mesh_p99) ? share(found.mesh_p99) : String("not found", &pool);
     String words(&pool);
     if (std::isnan(found.surface_p99)) {
@@ -31,7 +31,7 @@ String distances_of(const Found& found, double diagonal, Pool& pool) {
 } // namespace
 
 String percent_of(double share, int digits, Pool& pool) {
-    if (std::isnan(share)) return {"nan%", &pool}; // printf may give it a sign
+    if (std::isnan(share)) return {"nan%", &pool}; // printf may write NaN with a sign.
     return formatted(pool, "%.*f%%", digits, 100.0 * share);
 }
 

@@ -16,7 +16,7 @@ namespace hrbfnpr::picture {
 namespace {
 
 constexpr std::uint64_t look_seed = 1;
-// Random numbers of one use are independent of those of another.
+// Each use of random numbers has its own stream, so the uses are independent.
 constexpr std::uint32_t sources_stream = 1;
 constexpr std::uint32_t queries_stream = 2;
 
@@ -43,15 +43,15 @@ glm::dvec3 mean_point(const Points& points) noexcept {
     return std::accumulate(points.begin(), points.end(), glm::dvec3(0.0)) / static_cast<double>(points.size());
 }
 
-// Samples that stand for all, about the origin, with a size of 1.
+// A subset of the samples, centred at the origin and scaled to size 1.
 struct LookedAt {
     Points points;
     Points normals;
-    Vector<double> spacing; // to the last neighbour
+    Vector<double> spacing; // the distance to the last neighbour
     Vector<double> area;
 };
 
-// The winding number of the samples at a place. A flat piece fills half of the view at most.
+// Returns the winding number of the samples at a place. A flat piece fills at most half of the view.
 double winding_number(const glm::dvec3& place, const LookedAt& samples) noexcept {
     double sum = 0.0;
     for (std::size_t j = 0; j < samples.points.size(); ++j) {
@@ -64,7 +64,7 @@ double winding_number(const glm::dvec3& place, const LookedAt& samples) noexcept
     return sum;
 }
 
-// Sums of the winding numbers on both sides, at some samples.
+// Returns, for some samples, the sums of the winding numbers on both sides.
 Vector<double> winding_sums(const LookedAt& samples, Pool& pool) {
     constexpr double least_step = 1e-6;
     Vector<double> sums(&pool);
@@ -89,8 +89,8 @@ double share_outside_in(const Vector<double>& sums) noexcept {
     return telling / static_cast<double>(sums.size()) > normals_tuning.telling_share ? negative / telling : 0.0;
 }
 
-// Sets against and flipped: how many normals most of their neighbours on the same sheet are against, and what pairs of
-// neighbours that differ tell.
+// Sets look.against, the share of normals that oppose most neighbours on the same sheet, and look.flipped, which
+// follows from the share of opposed pairs of neighbours.
 void compare_neighbours(const LookedAt& samples, const geometry::Neighbours& near, NormalsLook& look) noexcept {
     const std::size_t count = samples.points.size();
     std::int64_t against = 0;
@@ -109,7 +109,7 @@ void compare_neighbours(const LookedAt& samples, const geometry::Neighbours& nea
                 ++beside;
                 opposed_beside += opposed ? 1 : 0;
             }
-            if (height < normals_tuning.level_height * length) { // surely on the same sheet
+            if (height < normals_tuning.level_height * length) { // The neighbour is surely on the same sheet.
                 ++level_pairs;
                 opposed_pairs += opposed ? 1 : 0;
             }
@@ -122,7 +122,8 @@ void compare_neighbours(const LookedAt& samples, const geometry::Neighbours& nea
     const double all_pairs = static_cast<double>(count) * static_cast<double>(near.each());
     if (static_cast<double>(level_pairs) / all_pairs < normals_tuning.least_level_share) return;
     const double pairs = static_cast<double>(opposed_pairs) / static_cast<double>(level_pairs);
-    look.flipped = (1.0 - std::sqrt(std::max(1.0 - 2.0 * pairs, 0.0))) / 2.0; // pairs: 2 p (1 - p) of a share p
+    // A share p of flipped normals opposes a share 2 p (1 - p) of the pairs.
+    look.flipped = (1.0 - std::sqrt(std::max(1.0 - 2.0 * pairs, 0.0))) / 2.0;
 }
 
 } // namespace

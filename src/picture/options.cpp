@@ -19,9 +19,9 @@ using PictureDesc = hrbfnpr_picture_desc;
 using Dab = hrbfnpr_dab;
 constexpr double not_given = std::numeric_limits<double>::quiet_NaN();
 constexpr std::int32_t largest_side = 32768;
-constexpr double largest_number = 1e300; // of lengths and places
+constexpr double largest_number = 1e300; // Lengths and coordinates may not be larger.
 
-// NaN stands for what is chosen.
+// Accepts NaN, which asks for an automatic choice, and the values of a rule.
 template <class Rule>
 struct OrNan {
     Rule rule;
@@ -32,7 +32,7 @@ struct OrNan {
 template <class Rule>
 OrNan(Rule) -> OrNan<Rule>;
 
-// 0 stands for what is chosen.
+// Accepts 0, which asks for an automatic choice, and a range of values.
 struct OrZero {
     double low, high;
     void operator()(const Checks& checks, const char* field, double value) const {
@@ -159,7 +159,7 @@ void check_desc(const hrbfnpr_picture_desc& desc) {
              static_cast<int>(desc.width), static_cast<int>(desc.height));
 }
 
-// A vector of zeros stands for what is chosen.
+// Checks a direction. A vector of zeros asks for an automatic choice.
 void check_direction(const double (&given)[3], const char* field) {
     const double length = glm::length(glm::dvec3(given[0], given[1], given[2]));
     if ((given[0] == 0.0 && given[1] == 0.0 && given[2] == 0.0) || (length > 1e-100 && length < 1e100)) return;
@@ -176,7 +176,7 @@ void check_text(const char* text, const char* field) {
 }
 
 std::uint32_t preset_of(const char* name) {
-    String known_names; // of a message only
+    String known_names; // for a message only
     for (std::uint32_t preset = 0;; ++preset) {
         const char* const known = hrbfnpr_preset_name(preset);
         if (known == nullptr) break;
@@ -188,7 +188,7 @@ std::uint32_t preset_of(const char* name) {
          known_names.c_str());
 }
 
-// A texts of the caller's as one of our own.
+// Replaces a text of the caller's by a copy that we own.
 void keep_text(const char*& text, Vector<String>& texts) {
     if (text == nullptr) return;
     texts.emplace_back(text);
@@ -201,7 +201,8 @@ bool says_view(const hrbfnpr_picture_desc& desc) noexcept {
            !std::isnan(desc.eye[0]) || !std::isnan(desc.target[0]) || !std::isnan(desc.fov) || !std::isnan(desc.margin);
 }
 
-// The size that is asked for; that of settings where only the longer side is, or nothing.
+// Sets the size that is asked for. If only the longer side is given, the shape comes from the size of the settings, if
+// they have one.
 void set_size(hrbfnpr_picture_desc& desc, const std::array<std::int32_t, 2>& known) noexcept {
     if (desc.width > 0) return;
     const double scale =
@@ -282,7 +283,7 @@ void Options::use_settings() {
 }
 
 bool Options::gives_fit(std::string_view field) const noexcept {
-    String path; // short: no memory is asked for
+    String path; // The text is short enough to need no memory.
     path = "fit.";
     path += field;
     return changes.has(path) || (field == "regularization" && changes.has("fit.regularization_mode"));

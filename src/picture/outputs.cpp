@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The C boundary of what comes out of a picture: images, pages, sheets of views, settings.
+// Implements the C functions for the results of a picture: images, pages, sheets of views, settings.
 #include "api/barrier.h"
 #include "api/camera.h"
 #include "api/descriptor.h"
@@ -29,10 +29,10 @@ hrbfnpr_picture_page_desc defaults() noexcept {
 namespace hrbfnpr::picture {
 namespace {
 
-// Whether something stands beside the drawing.  Sets of marks without a model have no place for it.
+// Tells whether a scale bar or section stands beside the drawing. Sets of marks without a model have neither.
 bool has_plate(const hrbfnpr_picture& picture) { return !picture.surfaces().list.empty() && is_plate(picture.options); }
 
-// What stands beside a drawing.  It refers to the camera, the unit and the section.
+// Returns the plate around a drawing. It refers to the camera, the unit and the section.
 Plate plate_of(const hrbfnpr_picture& picture, const hrbfnpr_camera& camera, std::string_view unit,
                const LineSet& section) {
     return {picture.surfaces().list.front().model, picture.parts.front().marks, section, camera, *picture.style, unit};
@@ -105,10 +105,9 @@ void write_sheet(hrbfnpr_picture& picture, const hrbfnpr_views_desc* desc, hrbfn
     ViewsOptions options = read_views(full, picture.report);
     if (options.model.empty()) options.model = surfaces.name;
     const api::OperationUse use(operation);
-    picture.report.serve(operation);
+    const Serving serving(picture.report, operation);
     auto written = defaults<hrbfnpr_views_info>(hrbfnpr_views_info_init);
     write_views(picture.call(), surfaces.list.front(), surfaces.up, options, write, user, written);
-    picture.report.serve(nullptr);
     use.finish();
     if (info != nullptr) api::write_struct(info, written);
 }

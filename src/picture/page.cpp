@@ -17,7 +17,7 @@
 namespace hrbfnpr::api {
 namespace {
 
-constexpr double largest_paper = 1e6; // mm; a page may not be larger
+constexpr double largest_paper = 1e6; // The largest side of a page, in mm.
 
 constexpr auto picture_page_fields() noexcept {
     using D = hrbfnpr_picture_page_desc;
@@ -135,7 +135,7 @@ void add_numbers(JsonDocument& json, const double* numbers, int count, int strid
     json.end();
 }
 
-// The rows of a matrix whose columns follow each other.
+// Adds a column-major matrix as a list of rows.
 void add_matrix(JsonDocument& json, const double (&matrix)[16]) {
     json.begin(JsonKind::list);
     for (int row = 0; row < 4; ++row) add_numbers(json, matrix + row, 4, 4);
@@ -153,7 +153,7 @@ static_assert(kernel_names.size() == HRBFNPR_KERNEL_CSG + 1);
 void add_models(JsonDocument& json, std::span<const Model> models) {
     std::int64_t centres = 0;
     std::int64_t samples = 0;
-    std::uint32_t kernel = 0; // of the first
+    std::uint32_t kernel = 0; // the kernel of the first model
     for (std::size_t i = 0; i < models.size(); ++i) {
         auto info = picture::defaults<hrbfnpr_model_info>(hrbfnpr_model_info_init);
         call([&](hrbfnpr_error* error) { return hrbfnpr_model_get_info(models[i].get(), &info, error); });
@@ -195,8 +195,8 @@ String page_metadata(std::string_view input, std::string_view style, std::span<c
 namespace {
 
 struct Paper {
-    char name[8];         // in place: a table of pointers would have to be relocated
-    double width, height; // mm, upright
+    char name[8];         // The text is in place, because a table of pointers would have to be relocated.
+    double width, height; // mm, in portrait format
 };
 constexpr std::array papers{Paper{"a0", 841.0, 1189.0},    Paper{"a1", 594.0, 841.0},     Paper{"a2", 420.0, 594.0},
                             Paper{"a3", 297.0, 420.0},     Paper{"a4", 210.0, 297.0},     Paper{"a5", 148.0, 210.0},
@@ -213,7 +213,7 @@ std::string_view without_blanks(std::string_view text) noexcept {
     return text;
 }
 
-// NaN of what is no number.
+// Returns the number that a text holds, or NaN if it holds none.
 double number_of_text(std::string_view text) noexcept {
     text = without_blanks(text);
     if (!text.empty() && text.front() == '+') text.remove_prefix(1);
@@ -222,10 +222,10 @@ double number_of_text(std::string_view text) noexcept {
     return error == std::errc() && end == text.data() + text.size() ? value : std::numeric_limits<double>::quiet_NaN();
 }
 
-// Where what is placed on a page stands.
+// The place of the content on a page.
 struct Placed {
     glm::dvec2 corner; // mm
-    double scale;      // mm of a pixel
+    double scale;      // mm per pixel
     glm::dvec2 page;   // mm
 };
 
@@ -269,9 +269,9 @@ glm::dvec2 paper_size(std::string_view name, const Report& report) {
 
 namespace {
 
-// How wide what a group holds is drawn, in mm.
+// The widths in mm that a group of layers is drawn with.
 struct GroupWidths {
-    String group; // what its groups' names begin with
+    String group; // the prefix of the names of its groups
     bool is_lines;
     Vector<float> widths;
 
@@ -316,7 +316,7 @@ void add_widths(Vector<GroupWidths>& groups, const hrbfnpr_drawing& drawing, dou
     }
 }
 
-// The mean of the two middle ones of an even count.
+// Returns the median. For an even count it is the mean of the two middle widths.
 float median_width(Vector<float>& widths) {
     HRBFNPR_ASSERT(!widths.empty());
     std::sort(widths.begin(), widths.end());
@@ -324,16 +324,16 @@ float median_width(Vector<float>& widths) {
     return widths.size() % 2 == 1 ? widths[half] : (widths[half - 1] + widths[half]) / 2.0F;
 }
 
-// A pen for a group, and how wide what it draws is.
+// The pen for a group, and the width that the group is drawn with.
 struct ChosenPen {
     String groups;
-    std::size_t pen; // its number among the widths at hand
+    std::size_t pen; // its index among the available widths
     const char* what;
     double drawn; // mm
 };
 
-// For each group the pen that is nearest to the median width of its lines, or diameter of its dots.  They are sorted by
-// name, so that "stipples contour" follows "stipples": of pens that fit the last one is taken.
+// Chooses for each group the pen that is nearest to the median width of its lines or diameter of its dots. The groups
+// are sorted by name, so that "stipples contour" follows "stipples": the last pen that matches a group is used.
 Vector<ChosenPen> nearest_pens(const PageContent& content, double scale, const base::Array<double>& at_hand,
                                Pool& pool) {
     Vector<GroupWidths> groups(&pool);
@@ -342,7 +342,7 @@ Vector<ChosenPen> nearest_pens(const PageContent& content, double scale, const b
     for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
     std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
         if (groups[a].group != groups[b].group) return groups[a].group < groups[b].group;
-        return !groups[a].is_lines && groups[b].is_lines; // "dots" before "lines"
+        return !groups[a].is_lines && groups[b].is_lines; // "dots" come before "lines".
     });
     Vector<ChosenPen> chosen(&pool);
     for (const std::size_t i : order) {
@@ -422,12 +422,13 @@ Vector<hrbfnpr_page_item> items_of_page(const PageContent& content, const Placed
     return items;
 }
 
-// points: those of all notes, on the page; they outlive the list.
+// Makes the annotations of a page. `points` receives the points of all notes in page coordinates and must outlive the
+// list.
 Vector<hrbfnpr_annotation> annotations_of_page(const PageContent& content, const Placed& placed,
                                                Vector<glm::dvec2>& points, Pool& pool) {
     std::size_t point_count = 0;
     for (const PageNote& note : content.notes) point_count += note.points.size();
-    points.reserve(point_count); // so that none moves
+    points.reserve(point_count); // No element may move later.
     Vector<hrbfnpr_annotation> annotations(&pool);
     annotations.reserve(content.notes.size());
     for (const PageNote& note : content.notes) {
@@ -445,7 +446,7 @@ Vector<hrbfnpr_annotation> annotations_of_page(const PageContent& content, const
     return annotations;
 }
 
-// The chosen pens first, then the caller's, which win.
+// Lists the chosen pens first, then the caller's, which take precedence.
 Vector<hrbfnpr_pen> pens_of_page(const Vector<ChosenPen>& chosen, const base::Array<double>& at_hand,
                                  const hrbfnpr_page_desc& page, Pool& pool) {
     Vector<hrbfnpr_pen> pens(&pool);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A drawing on paper: where it stands, which pens draw it, and what the file says of it.
+// Puts a drawing on paper: its place, the pens that draw it, and the metadata of the file.
 #pragma once
 
 #include "geometry/vec.h"
@@ -15,22 +15,22 @@
 
 namespace hrbfnpr::picture {
 
-// ---- What stands on a page, in pixels; y grows downward
+// ---- Content of a page, in pixels; y grows downward
 
 struct PageDrawing {
     Drawing drawing;
-    glm::dvec2 corner{0.0};     // the top-left one
-    const char* name = nullptr; // of the group around it; nullable
+    glm::dvec2 corner{0.0};     // the top-left corner
+    const char* name = nullptr; // the name of the group around it, or null
 };
 
 // A line or a text beside the drawings.
 struct PageNote {
     explicit PageNote(Pool& pool) : points(&pool), text(&pool) {}
 
-    Vector<glm::dvec2> points; // the line, or where the text's baseline begins
-    String text;               // empty: it is a line
+    Vector<glm::dvec2> points; // the points of the line, or the start of the text's baseline
+    String text;               // An empty text makes this note a line.
     const char* group = "annotations";
-    double width = 1.0; // of the line, or the height of the text's capitals
+    double width = 1.0; // the width of the line, or the height of the text's capitals
     std::array<float, 4> ink{0.0F, 0.0F, 0.0F, 1.0F};
 };
 
@@ -42,10 +42,10 @@ struct PageContent {
     glm::dvec2 size{0.0};
 };
 
-// Width and height of an image that just holds a camera's viewport.
+// Returns the width and height of the smallest image that holds a camera's viewport.
 [[nodiscard]] glm::ivec2 size_of_image(const hrbfnpr_camera& camera);
 
-// A drawing alone; camera: the one that it was drawn with.
+// Returns a page with a drawing alone. `camera` is the one that it was drawn with.
 [[nodiscard]] PageContent page_of(const Drawing& drawing, const hrbfnpr_camera& camera, Pool& pool);
 
 // ---- Strokes and dots of a drawing
@@ -56,27 +56,27 @@ struct DrawnPoint {
     std::uint32_t layer;
 };
 
-// The points of all strokes, far to near, one stroke after the other.
+// The points of all strokes, one stroke after the other, from far to near.
 struct DrawnStrokes {
     Vector<DrawnPoint> points;
-    Vector<std::size_t> first; // of each stroke in `points`, and the end
+    Vector<std::size_t> first; // the index in `points` where each stroke begins, and the total count
 };
 [[nodiscard]] DrawnStrokes drawn_strokes(const hrbfnpr_drawing& drawing, Pool& pool);
 [[nodiscard]] Vector<DrawnPoint> drawn_dots(const hrbfnpr_drawing& drawing, Pool& pool);
 
 // ---- Writing
 
-// What a drawing is of, as JSON.  input: the name of the source; style: that of its preset.  models: of all surfaces;
-// empty of a point set.
+// Describes the contents of a drawing as JSON. `input` is the name of the source, and `style` the name of the preset.
+// `models` has the models of all surfaces, or none for a point set.
 [[nodiscard]] String page_metadata(std::string_view input, std::string_view style, std::span<const Model> models,
                                    std::int64_t marks, const hrbfnpr_camera& camera, Pool& pool);
 
-// Paper, in mm, upright: of "a0" to "a6", "letter", "legal", "tabloid", or of WIDTHxHEIGHT.  Throws
-// Error{invalid_argument} that says what would be right.
+// Returns the size of an upright paper in mm. `name` is "a0" to "a6", "letter", "legal", "tabloid", or WIDTHxHEIGHT.
+// Throws Error{invalid_argument} that lists the valid names.
 [[nodiscard]] glm::dvec2 paper_size(std::string_view name, const Report& report);
 
-// As hrbfnpr_page_write: places the content on the paper of a descriptor, which is read in full.  info and operation
-// may be NULL.  Notes which pens are chosen, and what a plotter does.
+// Places the content on the paper of a descriptor, as hrbfnpr_page_write does. The descriptor is read completely.
+// `info` and `operation` may be NULL. Notes which pens are chosen, and what a plotter will do.
 void write_picture_page(hrbfnpr_context& context, Report& report, const PageContent& content,
                         const hrbfnpr_picture_page_desc& desc, const char* title, const char* metadata,
                         hrbfnpr_write_fn write, void* user, hrbfnpr_page_info* info, hrbfnpr_operation* operation);

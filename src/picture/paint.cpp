@@ -11,7 +11,7 @@
 namespace hrbfnpr::picture {
 namespace {
 
-// Sums in one order, so that equal settings give equal bits everywhere.
+// Sums in a fixed order, so that equal settings give equal bits everywhere.
 double paint_dot(const glm::dvec3& a, const glm::dvec3& b) noexcept { return a.x * b.x + a.y * b.y + a.z * b.z; }
 
 glm::dvec3 paint_vec(const double (&numbers)[3]) noexcept { return {numbers[0], numbers[1], numbers[2]}; }
@@ -22,16 +22,16 @@ glm::dvec3 paint_vec_at(const Number* numbers, std::int64_t i) noexcept {
             static_cast<double>(numbers[3 * i + 2])};
 }
 
-// 1 in the middle of a dab, times its strength; 0 at its edge and on what faces away from it.
+// Returns the weight of a dab: its strength in the middle, falling to 0 at its edge; 0 where the surface faces away.
 double dab_weight(const hrbfnpr_dab& dab, const glm::dvec3& place, const glm::dvec3& normal) noexcept {
     const glm::dvec3 away = place - paint_vec(dab.position);
     const double share = paint_dot(away, away) / (dab.radius * dab.radius);
-    // The comparisons are false for NaN, which is painted by nothing.
+    // The comparisons are false for NaN, so NaN is never painted.
     if (!(share < 1.0) || !(paint_dot(normal, paint_vec(dab.normal)) > 0.0)) return 0.0;
     return dab.strength * (1.0 - share) * (1.0 - share);
 }
 
-// Cells beyond this share one number, which costs time only.
+// All cells beyond this share one number, which only costs time.
 constexpr double farthest_paint_cell = 1e9;
 
 std::int64_t paint_cell_along(double place, double side) noexcept {
@@ -40,13 +40,13 @@ std::int64_t paint_cell_along(double place, double side) noexcept {
     return static_cast<std::int64_t>(std::min(cell, farthest_paint_cell));
 }
 
-// Cells that share a number only cost time: a dab has no weight beyond its radius.
+// Returns a hash of a cell. A collision only costs time, because a dab has no weight beyond its radius.
 std::uint64_t paint_cell_number(std::int64_t x, std::int64_t y, std::int64_t z) noexcept {
     return static_cast<std::uint64_t>(x) * 73856093U ^ static_cast<std::uint64_t>(y) * 19349663U ^
            static_cast<std::uint64_t>(z) * 83492791U;
 }
 
-// Exponents that numbers in a style often have are computed without std::pow.
+// Avoids std::pow for the exponents that are frequent in styles.
 double raised_tone(double base, double exponent) noexcept {
     if (exponent == 1.0) return base;
     if (exponent == 2.0) return base * base;
@@ -59,11 +59,11 @@ bool same_dab(const hrbfnpr_dab& a, const hrbfnpr_dab& b) noexcept {
            paint_vec(a.direction) == paint_vec(b.direction);
 }
 
-// The light as a unit vector in the world.
+// Returns the direction of the light as a unit vector in the world.
 glm::dvec3 painted_light(const hrbfnpr_style& style, const hrbfnpr_camera& camera) {
     glm::dvec3 light = paint_vec(style.light);
     if (style.light_space == HRBFNPR_LIGHT_CAMERA) {
-        const double* const view = camera.view; // column by column
+        const double* const view = camera.view; // column-major
         light = {paint_dot({view[0], view[1], view[2]}, light), paint_dot({view[4], view[5], view[6]}, light),
                  paint_dot({view[8], view[9], view[10]}, light)};
     }
@@ -73,13 +73,14 @@ glm::dvec3 painted_light(const hrbfnpr_style& style, const hrbfnpr_camera& camer
     return (1.0 / length) * light;
 }
 
-// What a style or marks hold, with a pool of its own: their copies may outlive the pool that they were made in.
+// The painted data that a style or marks hold. It has its own pool, because copies of the style may outlive the
+// original pool.
 struct HeldPaint {
     HeldPaint(std::span<const hrbfnpr_dab> dabs, std::uint32_t map, base::Memory& memory)
         : pool(memory), tone{PaintedMap(dabs, map, pool)} {}
 
     Pool pool;
-    PaintedTone tone; // of other maps only its map is used
+    PaintedTone tone; // For other maps only the `map` in it is used.
 };
 
 std::shared_ptr<HeldPaint> held_paint(std::span<const hrbfnpr_dab> dabs, std::uint32_t map, const Pool& pool) {
@@ -100,7 +101,7 @@ PaintedMap::PaintedMap(std::span<const hrbfnpr_dab> dabs, std::uint32_t map, Poo
     if (largest > 0.0) cell_side_ = 2.0 * largest;
     for (std::size_t i = 0; i < dabs_.size(); ++i) {
         const hrbfnpr_dab& dab = dabs_[i];
-        // A cell is as wide as the largest dab, so each dab lies in two cells at most along each axis.
+        // A cell is as wide as the largest dab, so each dab lies in at most two cells along each axis.
         std::array<std::int64_t, 3> low{}, high{};
         for (std::size_t axis = 0; axis < 3; ++axis) {
             low[axis] = paint_cell_along(dab.position[axis] - dab.radius, cell_side_);
@@ -115,7 +116,7 @@ PaintedMap::PaintedMap(std::span<const hrbfnpr_dab> dabs, std::uint32_t map, Poo
         return a.cell != b.cell ? a.cell < b.cell : a.dab < b.dab;
     };
     std::sort(cells_.begin(), cells_.end(), order);
-    // A dab may be in two cells that share a number: it counts once.
+    // A dab may lie in two cells that share a number, but it must count once.
     const auto same = [](const CellDab& a, const CellDab& b) { return a.cell == b.cell && a.dab == b.dab; };
     cells_.erase(std::unique(cells_.begin(), cells_.end(), same), cells_.end());
 }
@@ -143,7 +144,7 @@ glm::dvec3 PaintedMap::direction(const glm::dvec3& place, const glm::dvec3& norm
     for (const CellDab& one : near(place)) {
         const hrbfnpr_dab& dab = dabs_[one.dab];
         const glm::dvec3 way = paint_vec(dab.direction);
-        const double sign = paint_dot(total, way) < 0.0 ? -1.0 : 1.0; // lines have no sign
+        const double sign = paint_dot(total, way) < 0.0 ? -1.0 : 1.0; // Line directions have no sign.
         const double weight = dab_weight(dab, place, normal);
         total = (1.0 - weight) * total + (weight * sign) * way;
     }

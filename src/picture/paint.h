@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
-// What is painted on the surface, as the functions of tone, density and direction that the library calls.
-//
-// Each dab is a ball around its position.  One after the other dabs pull what lies in them, and does not face away,
-// towards their value: v += strength (1 - d^2 / radius^2)^2 (value - v).
+// Provides painted values as the functions of tone, density and direction that the library calls.
+// Each dab is a ball around its position. The dabs act one after the other. A dab pulls the value v of each place
+// inside it that does not face away towards its own value: v += strength (1 - d^2 / radius^2)^2 (value - v).
 #pragma once
 
 #include "geometry/vec.h"
@@ -16,22 +15,22 @@
 
 namespace hrbfnpr::picture {
 
-// The dabs of one map, in the order in which they were painted, found by the place.
+// The dabs of one map in the order in which they were painted. A grid finds the dabs at a place.
 class PaintedMap {
 public:
-    // Takes those of `dabs` that are of this map (HRBFNPR_DAB_...).
+    // Takes those of `dabs` that belong to this map (HRBFNPR_DAB_*).
     PaintedMap(std::span<const hrbfnpr_dab> dabs, std::uint32_t map, Pool& pool);
     PaintedMap(PaintedMap&&) noexcept = default;
-    PaintedMap(const PaintedMap&) = delete; // a copy would leave the pool
+    PaintedMap(const PaintedMap&) = delete; // A copy would leave the pool.
     PaintedMap& operator=(const PaintedMap&) = delete;
     ~PaintedMap() = default;
 
     [[nodiscard]] bool empty() const noexcept { return dabs_.empty(); }
-    // What the dabs make of a value at a place with a normal.
+    // Returns a value after all dabs at a place with a normal have changed it.
     [[nodiscard]] double pulled(double value, const glm::dvec3& place, const glm::dvec3& normal) const noexcept;
-    // The painted direction there; 0 where nothing is painted.
+    // Returns the painted direction at a place, or 0 where no direction is painted.
     [[nodiscard]] glm::dvec3 direction(const glm::dvec3& place, const glm::dvec3& normal) const noexcept;
-    // Whether both have the same dabs.
+    // Tells whether both have the same dabs.
     [[nodiscard]] bool operator==(const PaintedMap& other) const noexcept;
 
 private:
@@ -42,20 +41,20 @@ private:
     [[nodiscard]] std::span<const CellDab> near(const glm::dvec3& place) const noexcept;
 
     Vector<hrbfnpr_dab> dabs_;
-    Vector<CellDab> cells_; // ascending by cell, then by dab
+    Vector<CellDab> cells_; // sorted by cell, then by dab
     double cell_side_ = 1.0;
 };
 
-// A painted map and the light that tones begin with; what the functions below get as their `user`.
+// A painted map, and the light from which tones start. The functions below receive it as their `user`.
 struct PaintedTone {
     PaintedMap map;
-    glm::dvec3 light{0.0, 0.0, 1.0}; // unit, in the world
+    glm::dvec3 light{0.0, 0.0, 1.0}; // unit vector in the world
     double exponent = 1.0;
     double fill = 0.0;
-    bool is_lit = true; // otherwise tones begin with 0
+    bool is_lit = true; // If false, tones start at 0.
 };
 
-// hrbfnpr_tone_fn with a PaintedTone; hrbfnpr_density_fn and hrbfnpr_direction_fn with a PaintedMap.
+// Implement hrbfnpr_tone_fn with a PaintedTone, and hrbfnpr_density_fn and hrbfnpr_direction_fn with a PaintedMap.
 std::int32_t painted_tone(void* user, std::int64_t count, const float* positions, const float* normals,
                           float* tau) noexcept;
 std::int32_t painted_density(void* user, std::int64_t count, const double* positions, const double* normals,
@@ -63,8 +62,8 @@ std::int32_t painted_density(void* user, std::int64_t count, const double* posit
 std::int32_t painted_direction(void* user, std::int64_t count, const double* positions, const double* normals,
                                double* directions) noexcept;
 
-// Puts painted maps into a style and into layers of marks, which then hold them.  camera: where a light that moves with
-// the camera shines from.  Throws Error{invalid_argument} where a light has no direction.
+// Puts painted maps into a style and into layers of marks, which then hold them. `camera` gives the direction of a
+// light that moves with the camera. Throws Error{invalid_argument} if a light has no direction.
 void put_paint(std::span<const hrbfnpr_dab> dabs, const hrbfnpr_camera& camera, Style& style, Marks& marks, Pool& pool);
 
 } // namespace hrbfnpr::picture

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// From sources to surfaces, from surfaces to marks and lines, and from these to drawings.
+// Makes surfaces from sources, marks and lines from surfaces, and drawings from marks and lines.
 #include "picture/picture.h"
 
 #include "api/drawing.h"
@@ -46,7 +46,7 @@ glm::dvec3 given_up(const Options& options) noexcept {
     return {options.desc.up[0], options.desc.up[1], options.desc.up[2]};
 }
 
-// The up of what is no file: as the options say, or as its marks show.
+// Returns the up direction of a source without a file: from the options, or else from its marks.
 glm::dvec3 up_of_marks(const Call& call, const PointSet& marks) {
     if (call.options.has_up()) return given_up(call.options);
     return choose_up(call, nullptr, positions_of(marks, call.pool), normals_of(marks, call.pool));
@@ -103,7 +103,8 @@ void probe_surfaces(const Call& call, Surfaces& to) {
 
 bool is_trimmed(const Model& model) { return trim_info_of(model).is_trimmed != 0; }
 
-// All that the lines of a surface depend on but for the surface: pictures with the same key share their line sets.
+// Returns a key of all inputs to the lines of a surface except the surface itself. Pictures with equal keys share their
+// line sets.
 String key_of_lines(const Call& call, const Style& style, const Vector<WantedLine>& wanted) {
     String key(&call.pool);
     key += needs_curvature(style) ? "curved" : "plain";
@@ -119,7 +120,7 @@ String key_of_lines(const Call& call, const Style& style, const Vector<WantedLin
     return key;
 }
 
-// What was made for a picture of the same surfaces, and fits this one.
+// Returns the parts that another picture of the same surfaces has made, if they fit this picture.
 std::optional<Vector<Part>> made_before(const hrbfnpr_picture& picture, const Marks* marks, const String* lines_key) {
     const hrbfnpr_picture& root = picture.root();
     const std::scoped_lock lock(root.making);
@@ -131,7 +132,8 @@ std::optional<Vector<Part>> made_before(const hrbfnpr_picture& picture, const Ma
     return std::nullopt;
 }
 
-constexpr std::size_t most_made = 24; // marks and lines that are kept for pictures of the same surfaces
+// The number of sets of marks and lines that are kept for pictures of the same surfaces.
+constexpr std::size_t most_made = 24;
 
 void remember(const hrbfnpr_picture& picture, Made&& made) {
     const hrbfnpr_picture& root = picture.root();
@@ -165,7 +167,7 @@ void trace_lines(hrbfnpr_picture& picture, const Call& call, std::size_t i) {
     picture.parts[i].lines = make_lines(call, surface, style, wanted, section);
 }
 
-// The lines of all parts; those of a section are of this camera alone.
+// Traces the lines of all parts. The lines of a section are valid for this camera only.
 void trace_all_lines(hrbfnpr_picture& picture, const Call& call) {
     const bool is_mesh =
         std::any_of(picture.surfaces().list.begin(), picture.surfaces().list.end(),
@@ -256,21 +258,21 @@ void plan(hrbfnpr_picture& picture) {
     finish(picture);
 }
 
-// A picture that work(picture) completes; released if it fails.
+// Makes a picture that work(picture) completes. The picture is released if the work fails.
 template <class Work>
 hrbfnpr_picture* made_by(hrbfnpr_context& context, const hrbfnpr_picture_desc& desc, const hrbfnpr_picture* root,
                          hrbfnpr_operation* operation, Work&& work) {
     const api::OperationUse use(operation);
     const base::Stopwatch watch;
     auto* const picture = api::make_handle<hrbfnpr_picture>(context, desc, root);
-    picture->report.serve(operation);
     try {
+        const Serving serving(picture->report, operation);
         work(*picture);
     } catch (...) {
         api::release_handle(picture);
         throw;
     }
-    picture->report.serve(nullptr);
+    picture->report.end_planning();
     picture->seconds = watch.seconds();
     return use.finish_with(picture);
 }
@@ -340,7 +342,7 @@ void require_planned(const hrbfnpr_picture& picture) {
 hrbfnpr_drawing* draw_picture(hrbfnpr_picture& picture, const hrbfnpr_camera* camera, hrbfnpr_operation* operation) {
     require_planned(picture);
     const api::OperationUse use(operation);
-    picture.report.serve(operation);
+    const Serving serving(picture.report, operation);
     Drawing drawing;
     {
         Stage stage(picture.report, HRBFNPR_STAGE_FRAME);
@@ -352,7 +354,6 @@ hrbfnpr_drawing* draw_picture(hrbfnpr_picture& picture, const hrbfnpr_camera* ca
         if (camera == nullptr) check_visible(picture, drawing);
         if (camera == nullptr) tell_doubts(picture.report, info);
     }
-    picture.report.serve(nullptr);
     return use.finish_with(drawing.take());
 }
 

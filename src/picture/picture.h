@@ -1,18 +1,16 @@
 // SPDX-License-Identifier: MIT
-// A picture as a handle: what was planned for a source, ready to be drawn.
-//
-// How a picture comes about, in order:
-//
-//   options.cpp         the descriptor is checked, and completed by settings
-//   sources.cpp         arrays become shapes
+// Defines the handle of a picture: the plan for a source, ready to be drawn.
+// A picture is made in this order:
+//   options.cpp         checks the descriptor and completes it by settings
+//   sources.cpp         turns arrays into shapes
 //   points.cpp          points: repairs, normals, samples, fit, end of the surface
 //   mesh_surface.cpp    meshes: repairs, edges, division of coarse faces, groups of parts, fit, end of the surface
-//   up.cpp, look.cpp    which way is up, and the camera
-//   plan.cpp            the style sized for the picture, and the marks that fill its darkest tone
-//   lines.cpp           lines of the surface
-//   blank.cpp           whether anything can be seen
-//   plate.cpp, page.cpp what stands beside the drawing, and paper
-//   report.cpp          tells all of it
+//   up.cpp, look.cpp    find the up direction and the camera
+//   plan.cpp            sizes the style for the picture, and plans the marks that fill its darkest tone
+//   lines.cpp           traces lines of the surface
+//   blank.cpp           checks whether anything can be seen
+//   plate.cpp, page.cpp add the scale bar and section, and put the drawing on paper
+//   report.cpp          reports all of it
 #pragma once
 
 #include "picture/call.h"
@@ -34,31 +32,31 @@ struct hrbfnpr_settings : hrbfnpr::api::Child {
 
 namespace hrbfnpr::picture {
 
-// The surfaces that were made of all sources, which pictures of other styles share.
+// The surfaces of all sources. Pictures with other styles share them.
 struct Surfaces {
     explicit Surfaces(Pool& pool) : list(&pool), probes(&pool), places(&pool), name(&pool) {}
 
-    Vector<Surface> list; // the largest of a source first; empty of a point set
-    Vector<Probe> probes; // as many, but with SURFACE_ONLY
-    PointSet marks;       // that were given alone; else null
-    Points places;        // spread over all of it
+    Vector<Surface> list; // The largest surface of a source comes first. The list is empty for a point set.
+    Vector<Probe> probes; // one for each surface; empty with SURFACE_ONLY
+    PointSet marks;       // marks that were given without a model, else null
+    Points places;        // places all over the surfaces
     glm::dvec3 up{0.0, 1.0, 0.0};
-    String name; // of the first source
+    String name; // the name of the first source
 };
 
-// A surface as it is drawn.
+// The marks and lines of one surface.
 struct Part {
     PointSet marks;
     LineSet lines;
     std::uint32_t sides = HRBFNPR_SIDES_FRONT;
 };
 
-// Marks and lines that pictures of the same surfaces use again.
+// Marks and lines that pictures of the same surfaces reuse.
 struct Made {
     explicit Made(Pool& pool) : lines_key(&pool), parts(&pool) {}
 
     std::optional<Marks> marks; // as they were planned
-    String lines_key;           // what the lines were looked for by
+    String lines_key;           // the key by which the lines are found
     bool has_lines = false;
     Vector<Part> parts;
 };
@@ -66,7 +64,7 @@ struct Made {
 } // namespace hrbfnpr::picture
 
 struct hrbfnpr_picture : hrbfnpr::api::Child {
-    // root: the picture whose surfaces this one shares; null: it has its own.
+    // `root` is the picture whose surfaces this one shares, or null if it has its own.
     hrbfnpr_picture(hrbfnpr_context& context, const hrbfnpr_picture_desc& desc, const hrbfnpr_picture* root)
         : Child(context), root_(root), settings_(desc.settings), pool(context.runtime.memory),
           options(desc, settings_ != nullptr ? settings_->settings : nullptr, pool),
@@ -80,29 +78,29 @@ struct hrbfnpr_picture : hrbfnpr::api::Child {
     [[nodiscard]] std::int64_t mark_count() const;
 
 private:
-    // Kept to the end: members below use their memory.
+    // These are destroyed last, because members below use their memory.
     const hrbfnpr_picture* root_;
     hrbfnpr::api::Hold<const hrbfnpr_picture> root_hold_{root_};
     const hrbfnpr_settings* settings_;
     hrbfnpr::api::Hold<const hrbfnpr_settings> settings_hold_{settings_};
 
 public:
-    mutable hrbfnpr::picture::Pool pool; // calls of several threads allocate from it at the same time
+    mutable hrbfnpr::picture::Pool pool; // Several threads may allocate from it at the same time.
     hrbfnpr::picture::Options options;
     hrbfnpr::picture::Report report;
-    hrbfnpr::picture::Surfaces own_surfaces; // empty where they are the root's
+    hrbfnpr::picture::Surfaces own_surfaces; // empty if the root owns the surfaces
     hrbfnpr::picture::View view;
     hrbfnpr_camera camera{};
-    std::optional<hrbfnpr::picture::Style> style; // nothing with SURFACE_ONLY
-    hrbfnpr_style style_view{};                   // of it, for callers
-    std::optional<hrbfnpr::picture::Marks> marks; // planned; nothing where they were given
+    std::optional<hrbfnpr::picture::Style> style; // empty with SURFACE_ONLY
+    hrbfnpr_style style_view{};                   // a view of `style` for callers
+    std::optional<hrbfnpr::picture::Marks> marks; // the planned marks; empty if marks were given
     hrbfnpr_generate_desc marks_view{};
     hrbfnpr::picture::Vector<hrbfnpr::picture::Part> parts;
     hrbfnpr::picture::Renderer renderer;
     double pen = 0.0;
     double seconds = 0.0;
 
-    // What pictures of the same surfaces have made, kept by the root.
+    // The marks and lines that pictures of the same surfaces have made. The root keeps them.
     mutable std::mutex making;
     mutable hrbfnpr::picture::Vector<hrbfnpr::picture::Made> made;
 };

@@ -17,7 +17,7 @@ namespace {
 
 // ---- Changes by their paths
 
-// By number: HRBFNPR_LAYER_KIND_...
+// The names of the layer kinds, indexed by HRBFNPR_LAYER_KIND_*.
 constexpr std::array<const char*, 7> layer_kind_names{"any",   "stipples", "principal", "combing",
                                                       "field", "own",      "hatch"};
 
@@ -31,7 +31,7 @@ std::optional<std::uint32_t> layer_kind_of(std::string_view name) noexcept {
     return std::nullopt;
 }
 
-// The parts of "style.hatch.ink": the section "style", the group "hatch" and the field "ink".
+// The parts of a path: "style.hatch.ink" has the section "style", the group "hatch" and the field "ink".
 struct ChangedField {
     std::string_view section, group, field;
 };
@@ -44,7 +44,7 @@ ChangedField parts_of_path(std::string_view path) noexcept {
     return {path.substr(0, first), group, path.substr(last + 1)};
 }
 
-// Applies one change of a list.  `name` of the record, if that is what changes, becomes a text that `keeper` keeps.
+// Applies one change of a list. If it changes the `name` of the record, `keeper` keeps the text.
 template <class Struct, class Keeper>
 void apply_one_change(const Change& change, Struct& record, Keeper& keeper, Pool& pool) {
     const hrbfnpr_change given{sizeof given, 0, change.path.c_str(), change.value.c_str()};
@@ -54,7 +54,7 @@ void apply_one_change(const Change& change, Struct& record, Keeper& keeper, Pool
     if (record.name != before && record.name != nullptr) record.name = keeper.keep(record.name);
 }
 
-// Whether the caller changed a field, and not a file of settings.
+// Tells whether the caller, rather than a file of settings, changed a field.
 bool is_changed_by_caller(const Changes& changes, std::string_view path) noexcept {
     const Vector<Change>& all = changes.list();
     HRBFNPR_ASSERT(changes.from_settings() <= all.size());
@@ -66,7 +66,8 @@ bool is_published(const Options& options) noexcept {
     return options.changes.number("marks.distribution") == double{HRBFNPR_DISTRIBUTION_PUBLISHED};
 }
 
-// Kinds of layers with commas between.  Throws where a picture cannot make one: a field is a function.
+// Reads kinds of layers that are separated by commas. Throws for a kind that a picture cannot make, such as a field,
+// which needs a function.
 Vector<std::uint32_t> mark_kinds_of(const Call& call, std::string_view names) {
     Vector<std::uint32_t> kinds(&call.pool);
     while (!names.empty()) {
@@ -98,7 +99,7 @@ Style chosen_style(const Call& call) {
     return {options.desc.preset, call.pool};
 }
 
-// Makes marks of the recursion dots of one size.
+// Draws the marks of the published recursion as dots of one size.
 void draw_as_published(Style& style, std::uint32_t preset) noexcept {
     for (hrbfnpr_layer_style& layer : style.layers) {
         if (layer.kind == HRBFNPR_LAYER_KIND_COMBING && layer.shown != 0) {
@@ -120,7 +121,7 @@ void scale_by_pen(Style& style, double pen) noexcept {
     style.base.halo_width = scaled_number(style.base.halo_width, pen);
 }
 
-// "style.layers.F" of all layers.  A share is one of what the style shows.
+// Applies "style.layers.F" to all layers. A share counts relative to the marks that the style shows.
 void change_all_layers(const Call& call, Style& style) {
     const std::optional<double> share = call.options.changes.number("style.layers.share");
     for (hrbfnpr_layer_style& layer : style.layers) {
@@ -133,7 +134,7 @@ void change_all_layers(const Call& call, Style& style) {
     }
 }
 
-// Lets only layers of these kinds draw contours by their marks.
+// Lets only layers of these kinds draw contours with their marks.
 void choose_contours(const Call& call, Style& style, std::string_view names) {
     const Vector<std::uint32_t> kinds = mark_kinds_of(call, names);
     for (const std::uint32_t kind : {HRBFNPR_LAYER_KIND_STIPPLES, HRBFNPR_LAYER_KIND_PRINCIPAL,
@@ -142,7 +143,7 @@ void choose_contours(const Call& call, Style& style, std::string_view names) {
     style.layer(HRBFNPR_LAYER_KIND_ANY).contours = 0;
 }
 
-// "style.F".  One ink of all comes before that of contours, which is also that of lines.
+// Applies "style.F". An ink for everything is applied before the ink of contours, which is also that of lines.
 void change_style(const Call& call, Style& style) {
     const Changes& changes = call.options.changes;
     changes.apply("style", style.base);
@@ -160,7 +161,7 @@ void change_style(const Call& call, Style& style) {
     if (call.options.has(HRBFNPR_PICTURE_TRANSPARENT)) style.base.paper[3] = 0.0F;
 }
 
-// "style.KIND.F", one after the other: a kind that is named first gets an element of its own.
+// Applies the changes "style.KIND.F" in order. A kind that is named for the first time gets an element of its own.
 void change_kinds(const Call& call, Style& style) {
     for (const Change& change : call.options.changes.list()) {
         const ChangedField path = parts_of_path(change.path);
@@ -170,14 +171,14 @@ void change_kinds(const Call& call, Style& style) {
     }
 }
 
-// Whether a group of paths, "lines" or "ridge", means lines of a kind.
+// Tells whether a group of paths, such as "lines" or "ridge", applies to a kind of lines.
 bool is_for_lines(std::string_view group, std::uint32_t kind) noexcept {
     if (group == "lines") return true;
     const NamedConstant* const named = find_choice(*find_field(Record::line_style, "kind"), group);
     return named != nullptr && static_cast<std::uint32_t>(named->value) == kind && !layer_kind_of(group);
 }
 
-// "style.lines.F" and "style.ridge.F".  Lines that stray are also uneven in width.
+// Applies "style.lines.F" and "style.ridge.F". Lines that wobble also vary in width.
 void change_lines(const Call& call, Style& style) {
     const Changes& changes = call.options.changes;
     const std::optional<double> wobble = changes.number("style.lines.wobble");
@@ -195,7 +196,7 @@ void change_lines(const Call& call, Style& style) {
 
 struct LayerPlan {
     hrbfnpr_layer_desc desc;
-    bool has_budget; // somebody said how many marks there are, or it was decided; otherwise the budget means nothing
+    bool has_budget; // The number of marks was given or decided. Otherwise the budget has no meaning.
 };
 
 LayerPlan layer_of_kind(std::uint32_t kind) noexcept {
@@ -210,7 +211,7 @@ const char* name_of_layer(const hrbfnpr_layer_desc& layer) noexcept {
     return layer.name != nullptr ? layer.name : layer_kind_name(layer.kind);
 }
 
-// What the published recursion has in the place of lines of hatching; nothing: as the preset has it.
+// Returns the strokes that the published recursion uses in place of hatching lines. If it is empty, the preset decides.
 std::optional<std::uint32_t> published_strokes_of(std::uint32_t preset) noexcept {
     switch (preset) {
     case HRBFNPR_PRESET_HATCH:
@@ -233,7 +234,7 @@ Vector<LayerPlan> layers_of_preset(const Call& call) {
         const hrbfnpr_layer_desc* const first = hrbfnpr_preset_layers(options.desc.preset, &count);
         for (std::int64_t i = 0; i < count; ++i) layers.push_back({first[i], false});
     }
-    // Strokes follow each other from light to dark as the preset has them, unless the caller says how they do.
+    // Strokes follow each other from light to dark as the preset orders them, unless the caller sets another order.
     if (is_changed_by_caller(options.changes, "marks.tone_ranges"))
         for (LayerPlan& layer : layers)
             layer.desc.tone_begin = layer.desc.tone_end = layer.desc.second_tone_begin = layer.desc.second_tone_end = 0;
@@ -248,7 +249,7 @@ Vector<LayerPlan> layers_of_style(const Call& call) {
     return layers.empty() ? layers_of_preset(call) : std::move(layers);
 }
 
-// Every layer of a file says how many marks it has, if only by leaving it at the default.
+// Returns the layers of a file of settings. Each of them gives its number of marks, if only by its default.
 Vector<LayerPlan> layers_of_settings(const Call& call, Marks& marks) {
     Vector<LayerPlan> layers(&call.pool);
     for (const hrbfnpr_layer_desc& desc : call.options.settings->marks.layers) {
@@ -258,7 +259,7 @@ Vector<LayerPlan> layers_of_settings(const Call& call, Marks& marks) {
     return layers;
 }
 
-// Whether a field of "marks.layers" means something to layers of a kind.
+// Tells whether a field of "marks.layers" applies to layers of a kind.
 bool means_something_to(std::uint32_t kind, std::string_view field) noexcept {
     const bool is_stipples = kind == HRBFNPR_LAYER_KIND_STIPPLES;
     const bool is_hatch = kind == HRBFNPR_LAYER_KIND_HATCH;
@@ -271,7 +272,7 @@ bool means_something_to(std::uint32_t kind, std::string_view field) noexcept {
     return true;
 }
 
-// "marks.layers.F", then "marks.KIND.F", then what turns all lines of hatching.
+// Applies "marks.layers.F", then "marks.KIND.F", then the rotation of all hatching lines.
 void change_layers(const Call& call, Vector<LayerPlan>& layers, Marks& marks) {
     for (LayerPlan& layer : layers) {
         const std::uint32_t kind = layer.desc.kind;
@@ -288,7 +289,7 @@ void change_layers(const Call& call, Vector<LayerPlan>& layers, Marks& marks) {
     }
 }
 
-// Whether a layer has as many marks as somebody said, or as a separation gives.
+// Tells whether the number of marks of a layer is given or follows from its separation.
 bool says_itself(const LayerPlan& layer) noexcept {
     return layer.has_budget || (is_stroke_kind(layer.desc.kind) && layer.desc.separation > 0.0);
 }
@@ -298,7 +299,7 @@ void set_budget(LayerPlan& layer, std::int64_t budget) noexcept {
     layer.has_budget = true;
 }
 
-// Where a style draws lines alone, few marks are enough: what they hide, lines know by themselves.
+// Plans few marks where a style draws lines alone, because lines find their hidden parts without marks.
 void thin_unseen(Vector<LayerPlan>& layers, const Style& style) noexcept {
     const bool shows_marks = std::any_of(style.layers.begin(), style.layers.end(),
                                          [](const hrbfnpr_layer_style& layer) { return layer.shown != 0; });
@@ -308,14 +309,14 @@ void thin_unseen(Vector<LayerPlan>& layers, const Style& style) noexcept {
 }
 
 struct Canvas {
-    double area;            // of the surface, in square units of the model
-    double pixels_per_unit; // of the picture
-    double seeds;           // of the published recursion
+    double area;            // area of the surface, in square units of the model
+    double pixels_per_unit; // pixels of the picture per unit
+    double seeds;           // seeds of the published recursion
 };
 
-// Whole marks out of a number that may be anything.
+// Converts any number to a whole number of marks.
 std::int64_t whole_marks(double wanted) noexcept {
-    if (!(wanted >= 1.0)) return 1; // NaN, too
+    if (!(wanted >= 1.0)) return 1; // The comparison is false for NaN.
     return static_cast<std::int64_t>(std::nearbyint(std::min(wanted, static_cast<double>(plan_tuning.most_marks))));
 }
 
@@ -331,12 +332,13 @@ void note_limited(const Call& call, const hrbfnpr_layer_desc& layer, double want
                   name_of_layer(layer), wanted, most, 100.0 * (made / wanted), kind, wanted));
 }
 
-// Gives an evenly spread layer what fills the darkest tone, unless it says itself.  radius: of its marks, pixels.
+// Gives an evenly spread layer as many marks as fill the darkest tone, unless its number is given. `radius` is that of
+// its marks, in pixels.
 void fill_evenly(const Call& call, LayerPlan& layer, double radius, const Canvas& canvas) {
     const auto [area, pixels, seeds] = canvas;
     hrbfnpr_layer_desc& desc = layer.desc;
     if (desc.kind == HRBFNPR_LAYER_KIND_HATCH) {
-        // The same lines whatever the picture: they are nested, and the finest are not always drawn.
+        // The lines do not depend on the picture's size: they are nested, and the finest are not always drawn.
         const bool is_said = (layer.has_budget && desc.budget != 0) || desc.separation != 0.0;
         if (!is_said) desc.separation = std::sqrt(area) / plan_tuning.hatch_lines;
         return;
@@ -345,7 +347,7 @@ void fill_evenly(const Call& call, LayerPlan& layer, double radius, const Canvas
     if (desc.kind == HRBFNPR_LAYER_KIND_STIPPLES) {
         wanted = plan_tuning.stipple_coverage * area * (pixels * pixels) / (std::numbers::pi * (radius * radius));
     } else {
-        // Both directions have area / separation of length each.
+        // Each of the two directions has a length of area / separation.
         const double step = plan_tuning.stroke_spacing * radius / pixels;
         wanted = 2.0 * area * pixels * plan_tuning.stroke_coverage / (2.0 * radius) / step;
         if (desc.step == 0.0) desc.step = step;
@@ -355,7 +357,7 @@ void fill_evenly(const Call& call, LayerPlan& layer, double radius, const Canvas
     set_budget(layer, whole_marks(wanted));
 }
 
-// Gives a layer of the recursion as many refinement steps as do not overfill the picture.
+// Gives a layer of the recursion as many refinement steps as possible without overfilling the picture.
 void fill_as_published(const Call& call, LayerPlan& layer, double radius, const Canvas& canvas) {
     hrbfnpr_layer_desc& desc = layer.desc;
     if (desc.levels >= 0) return;
@@ -386,17 +388,17 @@ void fill_layers(const Call& call, Vector<LayerPlan>& layers, const Style& style
     }
 }
 
-// Shares the tones out evenly among what the style draws: some layers are only there for contours.
+// Divides the tones evenly among the layers that the style draws. Some layers exist only for contours.
 void take_turns(Pool& pool, Vector<LayerPlan>& layers, const Style& style) {
     struct Turn {
         std::size_t layer;
-        bool is_second; // direction of strokes
+        bool is_second; // the second direction of strokes
     };
     Vector<Turn> turns(&pool);
     for (std::size_t i = 0; i < layers.size(); ++i) {
         const hrbfnpr_layer_desc& desc = layers[i].desc;
         const hrbfnpr_layer_style how = style.style_of(desc.kind, desc.name);
-        // The style of hatching says at which tones there are lines.
+        // The style of hatching sets the tones at which lines appear.
         if (desc.kind == HRBFNPR_LAYER_KIND_HATCH || how.shown == 0) continue;
         const bool is_stipples = desc.kind == HRBFNPR_LAYER_KIND_STIPPLES;
         if (is_stipples || (how.directions & 1U) != 0) turns.push_back({i, false});
@@ -412,13 +414,13 @@ void take_turns(Pool& pool, Vector<LayerPlan>& layers, const Style& style) {
     }
 }
 
-// What is left open: no limit for the recursion and for strokes with a separation.
+// Sets a budget that was not given. The recursion, and strokes with a separation, get no limit.
 void set_open_budget(LayerPlan& layer, std::uint32_t distribution) noexcept {
     if (layer.has_budget) return;
     if (distribution == HRBFNPR_DISTRIBUTION_PUBLISHED || says_itself(layer)) layer.desc.budget = 0;
 }
 
-// The fields of "marks.F", with seeds and the random number that the descriptor has.
+// Applies "marks.F", and the seeds and the random number of the descriptor.
 void set_base(const Call& call, Marks& marks) {
     const Options& options = call.options;
     options.changes.apply("marks", marks.base);
@@ -490,7 +492,7 @@ Marks share_of(const Marks& marks, double share) {
     HRBFNPR_ASSERT(!(share < 0.0) && !(share > 1.0));
     Marks part(marks);
     for (hrbfnpr_layer_desc& layer : part.layers) {
-        if (layer.budget <= 0) continue; // no limit, of a part as of all
+        if (layer.budget <= 0) continue; // There is no limit, for a part as for the whole.
         const double wanted = std::nearbyint(share * static_cast<double>(layer.budget));
         layer.budget = wanted >= 1.0 ? static_cast<std::int64_t>(wanted) : 1;
     }

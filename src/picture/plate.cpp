@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The section is drawn by a camera of its own, at the scale and the height of the drawing, as an outline; what lies
-// inside it is hatched.  An image finds the inside by filling what lies outside, a page by joining outlines.
+// Draws plates. A separate camera draws the section as an outline, at the scale and the height of the drawing; the area
+// inside the outline is hatched. An image finds this area by flood fill from outside, a page by joining outlines.
 #include "picture/plate.h"
 
 #include "api/descriptor.h"
@@ -20,7 +20,7 @@
 
 namespace hrbfnpr::picture {
 
-// ---- What is wanted
+// ---- Options
 
 bool has_section(const Options& options) noexcept {
     return options.desc.profile == HRBFNPR_PROFILE_AUTO ? options.is_find()
@@ -43,7 +43,7 @@ bool is_plate(const Options& options) {
 
 namespace {
 
-constexpr const char* section_name = "middle"; // among the lines of a line set
+constexpr const char* section_name = "middle"; // The name of the section in a line set.
 
 struct ViewAxes {
     glm::dvec3 right, up, back; // back: towards the eye
@@ -84,7 +84,7 @@ double bar_length(double longest) noexcept {
 namespace {
 
 struct PlateScale {
-    double pixels; // of a unit of the model
+    double pixels; // pixels per unit of the model
     double pen;    // pixels
     glm::ivec2 size;
 };
@@ -103,7 +103,7 @@ double strip_of_plate(const Plate& plate, const PlateScale& scale) noexcept {
 }
 
 struct ScaleBar {
-    double length = 0.0; // units of the model; 0: the scale is beyond all numbers, and there is no bar
+    double length = 0.0; // in units of the model; 0 if the scale is out of range and there is no bar
     double pixels = 0.0;
     String figure; // "20"
     String label;  // "20 cm"
@@ -128,7 +128,7 @@ ScaleBar bar_of_plate(const Plate& plate, const PlateScale& scale, Pool& pool) {
 
 constexpr double widest_image = 32768.0; // pixels
 
-// The camera that sees the section from its right side, at the scale and the height of the drawing.
+// Returns the camera that sees the section from its right side, at the scale and the height of the drawing.
 hrbfnpr_camera camera_of_section(const Plate& plate, const PlateScale& scale, Pool& pool) {
     const auto [right, up, back] = axes_of_camera(plate.camera);
     const glm::dvec3 middle = middle_of_model(plate.model);
@@ -162,7 +162,7 @@ hrbfnpr_camera camera_of_section(const Plate& plate, const PlateScale& scale, Po
     if (!(width <= widest_image))
         fail(Status::invalid_argument, "the section beside the drawing is %g pixels wide; at most %g are drawn", width,
              widest_image);
-    // Where the picture has the middle of the model, the section has it too.
+    // The middle of the model must have the same height in the section and in the picture.
     const auto row = [&](int number) {
         const double* const view = plate.camera.view;
         const double* const projection = plate.camera.projection;
@@ -180,7 +180,7 @@ hrbfnpr_camera camera_of_section(const Plate& plate, const PlateScale& scale, Po
     const glm::dvec3 eye = target + reach * right;
     auto camera = picture::defaults<hrbfnpr_camera>(hrbfnpr_camera_init);
     call([&](hrbfnpr_error* error) { return hrbfnpr_camera_look_at(&camera, &eye[0], &target[0], &up[0], error); });
-    constexpr double near = 0.01; // of the reach
+    constexpr double near = 0.01; // as a share of the camera's reach
     call([&](hrbfnpr_error* error) {
         return hrbfnpr_camera_orthographic(&camera, height / scale.pixels, width, height, near * reach, 2.0 * reach,
                                            error);
@@ -188,7 +188,8 @@ hrbfnpr_camera camera_of_section(const Plate& plate, const PlateScale& scale, Po
     return camera;
 }
 
-// Contours, which are not drawn here, would leave gaps by their halo, and ends by a taper: there are neither.
+// Draws the section without halos and tapers. Contours are not drawn here, but their halos would leave gaps, and tapers
+// would thin the ends.
 Drawing draw_section(hrbfnpr_context& context, const Plate& plate, const hrbfnpr_camera& camera, double pen) {
     auto outline = picture::defaults<hrbfnpr_line_style>(hrbfnpr_line_style_init);
     outline.kind = HRBFNPR_LINE_KIND_SECTION;
@@ -234,7 +235,7 @@ Rgba bytes_of_color(const float (&color)[4]) noexcept {
     return bytes;
 }
 
-// A part of a plate: straight RGBA, and how much of each pixel ink covers.
+// A part of a plate: straight RGBA, and the ink coverage of each pixel.
 struct PlatePixels {
     PlatePixels(glm::ivec2 pixels, const Rgba& paper, Pool& pool)
         : size(pixels), rgba(static_cast<std::size_t>(pixels.x) * static_cast<std::size_t>(pixels.y), paper, &pool),
@@ -285,23 +286,23 @@ void rasterize_into(const Drawing& drawing, glm::ivec2 size, std::uint32_t forma
     call([&](hrbfnpr_error* error) { return hrbfnpr_drawing_rasterize(drawing.get(), &image, nullptr, error); });
 }
 
-// Which pixels no way leads to from outside that avoids the lines; a way has steps to the four neighbours.
+// Marks the pixels that no path from outside reaches without crossing a line. A path steps to the four neighbours.
 Vector<std::uint8_t> inside_of_lines(const PlatePixels& part, const Rgba& paper, Pool& pool) {
     enum : std::uint8_t { open = 0, line = 1, outside = 2 };
-    const std::int64_t width = part.size.x + 2; // with a rim around it
+    const std::int64_t width = part.size.x + 2; // includes a rim
     const std::int64_t height = part.size.y + 2;
     Vector<std::uint8_t> cells(static_cast<std::size_t>(width * height), open, &pool);
     const auto cell = [&](std::int64_t place) -> std::uint8_t& { return cells[static_cast<std::size_t>(place)]; };
     for (int y = 0; y < part.size.y; ++y)
         for (int x = 0; x < part.size.x; ++x) {
             const Rgba& pixel = part.rgba[part.place(x, y)];
-            double difference = 0.0; // of the pixel, on opaque paper
+            double difference = 0.0; // the contrast of the pixel on opaque paper
             for (std::size_t i = 0; i < 3; ++i)
                 difference = std::max(difference, std::abs(static_cast<double>(pixel[i] - paper[i])));
             difference *= static_cast<double>(pixel[3]) / 255.0;
             if (difference > plate_tuning.line_contrast) cell((y + 1) * width + x + 1) = line;
         }
-    Vector<std::int64_t> front(&pool); // cells outside whose neighbours have not been looked at
+    Vector<std::int64_t> front(&pool); // outside cells whose neighbours have not been visited
     const auto reach = [&](std::int64_t place) {
         if (cell(place) != open) return;
         cell(place) = outside;
@@ -323,13 +324,13 @@ Vector<std::uint8_t> inside_of_lines(const PlatePixels& part, const Rgba& paper,
     return inside;
 }
 
-// Lays ink over a pixel, a share of which it covers.  ink: 0 to 255.
+// Lays ink over a share of a pixel. `ink` is from 0 to 255.
 void lay_ink(PlatePixels& part, std::size_t place, double cover, const glm::dvec3& ink) noexcept {
     Rgba& pixel = part.rgba[place];
     const double before = static_cast<double>(pixel[3]) / 255.0;
     const double after = cover + before * (1.0 - cover);
     if (!(after > 0.0)) return;
-    const double share = pixel[3] == 255 ? cover : cover / after; // of the ink in the new colour
+    const double share = pixel[3] == 255 ? cover : cover / after; // the weight of the ink in the new colour
     for (std::size_t i = 0; i < 3; ++i) {
         const double color = pixel[i];
         pixel[i] = rounded_byte(color + share * (ink[static_cast<int>(i)] - color));
@@ -344,7 +345,7 @@ glm::dvec3 ink_of_plate(const Style& style) noexcept {
     return 255.0 * glm::dvec3(ink[0], ink[1], ink[2]);
 }
 
-// Thin lines at 45 degrees inside closed outlines.
+// Draws thin lines at 45 degrees inside closed outlines.
 void hatch_section(PlatePixels& part, const Style& style, double pen, Pool& pool) {
     const Vector<std::uint8_t> inside = inside_of_lines(part, bytes_of_color(style.base.paper), pool);
     const double period = plate_tuning.hatch_period * pen;
@@ -371,7 +372,7 @@ PlatePixels section_pixels(hrbfnpr_context& context, const Plate& plate, const P
 
 // ---- The strip with the scale bar
 
-// All pixels from one to another, both of them in it, in one colour.
+// Fills a box of pixels with one colour. Both corner pixels belong to it.
 void fill_box(PlatePixels& part, glm::i64vec2 from, glm::i64vec2 to, const Rgba& ink) noexcept {
     const glm::i64vec2 begin = glm::max(from, glm::i64vec2(0));
     const glm::i64vec2 end = glm::min(to, glm::i64vec2(part.size) - std::int64_t{1});
@@ -398,7 +399,7 @@ double distance_from_segment(const glm::dvec2& place, const Segment& segment) no
     return glm::length(place - segment[0] - at * along);
 }
 
-// Round strokes with soft rims, half a pixel to either side.
+// Draws a text with round strokes. Their rims are soft over half a pixel to either side.
 void draw_text(PlatePixels& part, std::string_view text, const glm::dvec2& begin, double capitals,
                const glm::dvec3& ink, Pool& pool) {
     const Vector<Segment> strokes = strokes_of_text(text, begin, capitals, pool);
@@ -427,7 +428,7 @@ void draw_text(PlatePixels& part, std::string_view text, const glm::dvec2& begin
 
 std::int64_t rounded_pixel(double value) noexcept { return static_cast<std::int64_t>(std::nearbyint(value)); }
 
-// Five fields, black and white in turn, below the middle of the drawing, and how long they are together.
+// Draws five fields, black and white in turn, below the middle of the drawing, and their total length as a label.
 void draw_bar(PlatePixels& strip, const Plate& plate, const PlateScale& scale, Pool& pool) {
     const ScaleBar bar = bar_of_plate(plate, scale, pool);
     if (!(bar.length > 0.0)) return;
@@ -437,7 +438,7 @@ void draw_bar(PlatePixels& strip, const Plate& plate, const PlateScale& scale, P
     const std::int64_t line = std::max<std::int64_t>(1, rounded_pixel(plate_tuning.bar_line * scale.pen));
     const double left = static_cast<double>(scale.size.x / 2) - bar.pixels / 2.0;
     const std::int64_t top = strip.size.y / 3;
-    const std::int64_t above = scale.size.y; // places are rounded as those of the whole image
+    const std::int64_t above = scale.size.y; // Places are rounded as in the whole image.
     const std::int64_t bottom = rounded_pixel(static_cast<double>(above + top) + thick) - above;
     for (int i = 0; i < 5; ++i) {
         const double x = left + static_cast<double>(i) * bar.length * scale.pixels / 5.0;
@@ -514,7 +515,7 @@ Vector<Outline> outlines_of_drawing(const Drawing& drawing, Pool& pool) {
     return outlines;
 }
 
-// corner: where the drawing of the section begins.
+// Adds the hatching. `corner` is where the drawing of the section begins.
 void add_hatching(PageContent& page, const Drawing& section, const glm::dvec2& corner, double pen, const Style& style,
                   Pool& pool) {
     const Vector<Outline> outlines = closed_outlines(outlines_of_drawing(section, pool), pool);
@@ -525,7 +526,7 @@ void add_hatching(PageContent& page, const Drawing& section, const glm::dvec2& c
     }
 }
 
-// middle: of the bar's upper edge.
+// Adds the scale bar. `middle` is the middle of its upper edge.
 void add_bar(PageContent& page, const ScaleBar& bar, const glm::dvec2& middle, double pen, const Style& style,
              Pool& pool) {
     const double whole = bar.pixels;

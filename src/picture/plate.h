@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A plate of finds: a drawing with an upright section through the middle at its right, and a scale bar below.
+// Draws a plate of finds: a drawing with an upright section through the middle at its right, and a scale bar below.
 #pragma once
 
 #include "picture/call.h"
@@ -9,37 +9,37 @@
 namespace hrbfnpr::picture {
 
 [[nodiscard]] bool has_section(const Options& options) noexcept;
-// The unit of the scale bar; empty: there is none.
+// Returns the unit of the scale bar, or an empty text if the plate has no bar.
 [[nodiscard]] String unit_of_bar(const Options& options, Pool& pool);
-// Whether there is more on the paper than the drawing.
+// Tells whether the paper shows more than the drawing.
 [[nodiscard]] bool is_plate(const Options& options);
 
-// The section that a plate needs in the line set of its surface: in the plane through the middle that the camera sees
-// as an upright line.  Empty where there is no section.
+// Returns the section that a plate needs in the line set of its surface. Its plane goes through the middle, and the
+// camera sees it as an upright line. The list is empty for a plate without a section.
 [[nodiscard]] Vector<LinesOnce> section_lines(const Call& call, const Model& model, const hrbfnpr_camera& camera);
 
-// What a plate is made of, beside its drawing.
+// The inputs of a plate, besides its drawing.
 struct Plate {
-    const Model& model; // of the section and the scale: the largest part
+    const Model& model; // the model of the section and the scale: the largest part
     const PointSet& marks;
-    const LineSet& lines;         // with section_lines(); null: there is no section
-    const hrbfnpr_camera& camera; // of the drawing
-    const Style& style;           // of the drawing: plates have its paper, and the ink of its contours
-    std::string_view unit;        // of the scale bar; empty: there is none
+    const LineSet& lines;         // lines that include section_lines(); null without a section
+    const hrbfnpr_camera& camera; // the camera of the drawing
+    const Style& style;           // the style of the drawing; the plate uses its paper and the ink of its contours
+    std::string_view unit;        // the unit of the scale bar; empty without a bar
 };
 
-// Pixels.
+// Returns the size of a plate in pixels.
 [[nodiscard]] glm::ivec2 plate_size(const Plate& plate, Pool& pool);
 
-// Draws a plate into an image, from its top-left pixel on.  What has no room is cut off, and other pixels are not
-// touched.  The caller's image may have any format.
+// Draws a plate into an image of any format, from its top-left pixel on. Parts that do not fit are cut off, and all
+// other pixels stay as they are.
 void rasterize_plate(hrbfnpr_context& context, const Plate& plate, const Drawing& drawing, const hrbfnpr_image& image,
                      Pool& pool);
 
-// The same for a page.
+// Draws a plate for a page.
 [[nodiscard]] PageContent plate_page(hrbfnpr_context& context, const Plate& plate, const Drawing& drawing, Pool& pool);
 
-// 1, 2 or 5 times a power of ten, at most as long as this.  0: there is none.
+// Returns 1, 2 or 5 times a power of ten that is at most `longest`, or 0 if no such number exists.
 [[nodiscard]] double bar_length(double longest) noexcept;
 
 } // namespace hrbfnpr::picture

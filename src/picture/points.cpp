@@ -20,7 +20,7 @@
 namespace hrbfnpr::picture {
 namespace {
 
-constexpr std::uint32_t candidates_stream = 3; // its random numbers are independent of those of other uses
+constexpr std::uint32_t candidates_stream = 3; // A separate stream keeps these random numbers independent of others.
 
 bool is_finite_place(const glm::dvec3& p) noexcept {
     return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
@@ -39,7 +39,7 @@ void tell_left_out_strays(const Call& call, std::int64_t count) {
                      " far from all others left out ({outliers=keep} keeps them)");
 }
 
-// The elements with these numbers, in their order.
+// Keeps the elements with these numbers, in the given order.
 void choose_elements(Points& points, const Vector<std::int64_t>& chosen, Pool& pool) {
     Points some(&pool);
     some.reserve(chosen.size());
@@ -47,7 +47,7 @@ void choose_elements(Points& points, const Vector<std::int64_t>& chosen, Pool& p
     points = std::move(some);
 }
 
-// Numbers of points of which each next one is the farthest from those before it.
+// Returns the numbers of points of which each is the farthest from those before it.
 Vector<std::int64_t> farthest_points(const Call& call, Stage& stage, const Points& points, std::size_t count) {
     HRBFNPR_ASSERT(count >= 1 && count <= points.size());
     Vector<std::int64_t> chosen(count, 0, &call.pool);
@@ -85,7 +85,7 @@ void leave_out_strays(const Call& call, Points& points) {
     tell_left_out_strays(call, count);
 }
 
-// Gives points that have no normals those that the library finds; only some points, if they are very many.
+// Gives points the normals that the library finds. If there are very many points, only some of them are kept.
 void give_normals(const Call& call, Shape& shape) {
     const std::size_t all = shape.points.size();
     Points points = std::move(shape.points);
@@ -114,7 +114,7 @@ void give_normals(const Call& call, Shape& shape) {
 
 bool is_depth_image(const Shape& shape) noexcept { return shape.columns > 0 && shape.rows > 0; }
 
-// Smooths the image, and returns how large gaps between its points are known to be.
+// Smooths the image, and returns the width of the largest gap between its points that is known to be a hole.
 double use_depth_image(const Call& call, Shape& shape) {
     Pool& pool = call.pool;
     const std::int64_t columns = shape.columns;
@@ -148,7 +148,7 @@ struct Samples {
     Points normals;
 };
 
-// The points that are finite and have a normal, with unit normals.
+// Returns the finite points that have a normal, with unit normals.
 Samples usable_samples(const Call& call, const Shape& shape) {
     HRBFNPR_ASSERT(shape.normals.size() == shape.points.size());
     Samples samples{Points(&call.pool), Points(&call.pool)};
@@ -170,8 +170,8 @@ void choose_samples(Samples& samples, const Vector<std::int64_t>& chosen, Pool& 
     choose_elements(samples.normals, chosen, pool);
 }
 
-// The places of points in the camera's image, with the logarithm of their depth. Points even in these coordinates are
-// as dense on a surface as its pixels are.
+// Returns the places of points in the camera's image, with the logarithm of their depth. Points that are even in these
+// coordinates are as dense on a surface as its pixels.
 Points places_in_image(const Points& points, Pool& pool) {
     Points places(&pool);
     places.reserve(points.size());
@@ -179,7 +179,7 @@ Points places_in_image(const Points& points, Pool& pool) {
     return places;
 }
 
-// Whether the fit itself chooses centres, from all samples.
+// Tells whether the fit itself chooses centres from all samples.
 bool fit_chooses(const Options& options) noexcept {
     return options.desc.tolerance != 0.0 || options.desc.maximum_centres != 0 ||
            options.changes.number("fit.tolerance").value_or(0.0) != 0.0 ||
@@ -189,7 +189,7 @@ bool fit_chooses(const Options& options) noexcept {
 Samples samples_of(const Call& call, const Shape& shape) {
     const std::size_t all = shape.points.size();
     HRBFNPR_ASSERT(call.options.desc.samples >= 0);
-    auto wanted = static_cast<std::size_t>(call.options.desc.samples); // 0: all of them
+    auto wanted = static_cast<std::size_t>(call.options.desc.samples); // 0 asks for all samples.
     if (wanted == 0 && !fit_chooses(call.options) && all > points_tuning.most_samples) {
         wanted = points_tuning.most_samples;
         call.report.note(HRBFNPR_NOTE_SAMPLES_CHOSEN, {static_cast<double>(all), static_cast<double>(wanted)},
@@ -224,7 +224,7 @@ void turn(Points& normals) noexcept {
     for (glm::dvec3& normal : normals) normal = -normal;
 }
 
-// Turns given normals outward; with the flag FLIP it is the user's own word that they are to be turned.
+// Turns given normals outward. The flag FLIP says that the user wants them turned.
 void turn_outward(const Call& call, const Shape& shape, Samples& samples) {
     Pool& pool = call.pool;
     Report& report = call.report;
@@ -257,7 +257,7 @@ void turn_outward(const Call& call, const Shape& shape, Samples& samples) {
 
 // ---- The fit
 
-// Whether the caller himself has changed a field, and not only settings.
+// Tells whether the caller, rather than settings, changed a field.
 bool changes_fit_field(const Changes& changes, std::string_view path) noexcept {
     const auto& list = changes.list();
     const auto first = list.begin() + static_cast<std::ptrdiff_t>(changes.from_settings());
@@ -267,11 +267,11 @@ bool changes_fit_field(const Changes& changes, std::string_view path) noexcept {
 hrbfnpr_fit_desc fit_desc_of(const Call& call, bool of_points, bool normals_made) {
     const Options& options = call.options;
     auto desc = defaults<hrbfnpr_fit_desc>(hrbfnpr_fit_desc_init);
-    // Scans have noise; clean samples show none. Points without normals are a scan, which has dust, too.
+    // Scans have noise, and clean samples are exact. Points without normals are taken as a scan, which also has dust.
     if (of_points && !options.gives_fit("regularization")) desc.regularization_mode = HRBFNPR_REGULARIZATION_AUTO;
     if (normals_made) desc.outliers = HRBFNPR_REPAIR_DROP;
     options.changes.apply("fit", desc);
-    // These options win over settings, and changes of single fields over all.
+    // These options override settings, but changes of single fields override these options.
     if (options.desc.tolerance != 0.0 && !changes_fit_field(options.changes, "fit.tolerance"))
         desc.tolerance = options.desc.tolerance;
     if (options.desc.maximum_centres != 0 && !changes_fit_field(options.changes, "fit.maximum_centres"))
@@ -299,7 +299,7 @@ constexpr const char* name_of_solver(std::uint32_t solver) noexcept {
     }
 }
 
-// The samples' extents along their principal axes, ascending, up to a common factor.
+// Returns the extents of the samples along their principal axes, ascending, up to a common factor.
 std::array<double, 3> principal_extents(const Points& points) noexcept {
     const glm::dvec3 mean =
         std::accumulate(points.begin(), points.end(), glm::dvec3(0.0)) / static_cast<double>(points.size());
@@ -347,7 +347,7 @@ bool has_normals(const Shape& shape) noexcept {
 
 hrbfnpr_depth_image_info smooth_depth_image(const Call& call, Stage& stage, Shape& shape) {
     HRBFNPR_ASSERT(is_depth_image(shape));
-    const double factor = call.options.desc.depth_smoothing; // NaN: not given
+    const double factor = call.options.desc.depth_smoothing; // NaN if it was not given
     auto desc = defaults<hrbfnpr_depth_image_desc>(hrbfnpr_depth_image_desc_init);
     desc.columns = static_cast<std::int32_t>(shape.columns);
     desc.rows = static_cast<std::int32_t>(shape.rows);

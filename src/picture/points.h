@@ -1,38 +1,38 @@
 // SPDX-License-Identifier: MIT
-// From points to a surface: what cannot be used is left out, normals are made or repaired, samples are chosen, a model
-// is fitted to them, and it ends where the points do.
+// Makes a surface from points. It removes unusable points, makes or repairs normals, chooses samples, fits a model to
+// them, and ends it where the points end.
 #pragma once
 
 #include "picture/call.h"
 
 namespace hrbfnpr::picture {
 
-// Leaves out faces with a corner that is not finite, and points at a value that stands for no data.
+// Removes faces with a corner that is not finite, and points at a value that stands for missing data.
 void leave_out_unusable(const Call& call, Shape& shape);
 
-// Whether points have normals, others than zeros.
+// Tells whether points have normals that are not all zero.
 [[nodiscard]] bool has_normals(const Shape& shape) noexcept;
 
-// Takes the sensor's noise off the image of a depth camera, by the options' factor, and leaves the points that were
-// seen, with normals that look to the camera.
+// Reduces the sensor's noise in the image of a depth camera by the factor in the options. The shape keeps the points
+// that were seen, with normals towards the camera.
 [[nodiscard]] hrbfnpr_depth_image_info smooth_depth_image(const Call& call, Stage& stage, Shape& shape);
-// The deviation of its depths; the library measures that of the inverse.
+// Returns the standard deviation of the depths. The library measures that of the inverse depth.
 [[nodiscard]] constexpr double depth_noise_of(const hrbfnpr_depth_image_info& info) noexcept {
     return info.noise * info.depth * info.depth;
 }
 
-// Warns if a viewpoint is given that nothing is turned to.
+// Warns if a viewpoint is given but nothing is turned towards it.
 void tell_unused_viewpoint(const Call& call, const Shape& shape);
 
-// Fits a surface to points. up: the options' direction, or the one that is found.
+// Fits a surface to points. `up` is the direction of the options, or the one that is found.
 [[nodiscard]] Surface fit_points(const Call& call, Shape&& shape, glm::dvec3& up);
 
-// A model of these samples, with notes on what the fit made of them. of_points: they may have noise, and are no samples
-// of a mesh. normals_made: the points had none, so that there may be dust among them.
+// Fits a model to samples, and notes what the fit changed in them. `of_points` tells that the samples are points that
+// may have noise, not samples of a mesh. `normals_made` tells that the points had no normals, so they may include dust.
 [[nodiscard]] Model fit_samples(const Call& call, const Points& points, const Points& normals, bool of_points,
                                 bool normals_made);
 
-// Warns of samples that hardly make a surface.
+// Warns of samples that hardly define a surface.
 void tell_thin_evidence(const Call& call, const Points& points);
 
 } // namespace hrbfnpr::picture

@@ -19,12 +19,12 @@ namespace {
 // ---- Words
 
 struct OptionName {
-    // In place: a table of pointers would have to be relocated.
-    char option[20]; // with underscores
-    char field[32];  // where a C program sets it
+    // The texts are in place, because a table of pointers would have to be relocated.
+    char option[20]; // the name of the option, with underscores
+    char field[32];  // the field that a C program sets
 };
 
-// Options whose field has another name.
+// Options whose field has a different name.
 constexpr std::array option_names{
     OptionName{"allow_blank", "HRBFNPR_PICTURE_ALLOW_BLANK"},
     OptionName{"close", "HRBFNPR_PICTURE_CLOSE"},
@@ -55,11 +55,11 @@ std::string_view field_of(std::string_view option) noexcept {
 }
 
 bool is_number(std::string_view text) noexcept {
-    if (text == "N") return true; // stands for one
+    if (text == "N") return true; // It stands for a number.
     return parse_number(text).has_value();
 }
 
-// A marker's parts: {name}, {name=value}, {name=part=value}, {name!}.
+// The parts of a marker: {name}, {name=value}, {name=part=value}, {name!}.
 struct Marker {
     std::string_view name;
     std::string_view value;
@@ -116,7 +116,7 @@ void append_as_argument(String& to, const Marker& marker) {
 
 void append_as_field(String& to, const Marker& marker) {
     const std::size_t equals = marker.value.find('=');
-    if (marker.has_value && equals != std::string_view::npos) { // of a layer of marks
+    if (marker.has_value && equals != std::string_view::npos) { // The part is a layer of marks.
         const std::string_view field = marker.name == "marks" ? "budget" : marker.name;
         ((to += "marks.") += marker.value.substr(0, equals)) += '.';
         ((to += field) += ' ') += marker.value.substr(equals + 1);
@@ -159,7 +159,7 @@ String count_of(std::int64_t count, std::string_view what, Pool& pool) {
 }
 
 String formatted(Pool& pool, const char* format, ...) {
-    constexpr std::size_t longest = 2048; // bytes of a note, far more than any has
+    constexpr std::size_t longest = 2048; // bytes, far more than any note has
     std::array<char, longest> text;
     std::va_list arguments;
     va_start(arguments, format);
@@ -178,7 +178,8 @@ void Report::tell(std::uint32_t severity, std::uint32_t code, std::initializer_l
         note.figures[note.figure_count++] = figure;
     }
     const auto is_same = [&](const Note& told) { return told.severity == severity && told.text == note.text; };
-    if (severity == HRBFNPR_SEVERITY_WARNING && std::any_of(notes.begin(), notes.end(), is_same)) return;
+    const bool is_told_once = severity == HRBFNPR_SEVERITY_WARNING || planned_stages_.has_value();
+    if (is_told_once && std::any_of(notes.begin(), notes.end(), is_same)) return;
     notes.push_back(std::move(note));
     if (on_event_ == nullptr) return;
     const hrbfnpr_note public_note = described(notes.back());
@@ -229,7 +230,7 @@ namespace {
 struct StageWords {
     const char* name;
     const char* doing;
-    double share; // of the progress that is left when it begins
+    double share; // the share of the remaining progress
 };
 
 constexpr std::array<StageWords, HRBFNPR_STAGE_VIEWS + 1> stage_words{
@@ -276,29 +277,42 @@ Stage::Stage(Report& report, std::uint32_t stage)
     tell(0.0);
 }
 
+const FinishedStage& Report::keep(FinishedStage&& finished) {
+    if (planned_stages_) {
+        const auto is_same = [&](const FinishedStage& kept) { return kept.stage == finished.stage; };
+        const auto begin = stages.begin() + static_cast<std::ptrdiff_t>(*planned_stages_);
+        const auto same = std::find_if(begin, stages.end(), is_same);
+        if (same != stages.end()) return *same = std::move(finished);
+    }
+    stages.push_back(std::move(finished));
+    return stages.back();
+}
+
 Stage::~Stage() {
     const double seconds = watch_.seconds();
     report_.running_ = 0;
     report_.done_ += words_of(stage_).share * (1.0 - report_.done_);
     if (std::uncaught_exceptions() != exceptions_) return;
+    const FinishedStage* kept = nullptr;
     try {
-        report_.stages.push_back({stage_, seconds, std::move(says_)});
-    } catch (...) { // without memory for its line the stage is over all the same
+        kept = &report_.keep({stage_, seconds, std::move(says_)});
+    } catch (...) { // If there is no memory for its line, the stage still ends.
         return;
     }
     if (report_.on_event_ == nullptr) return;
-    const hrbfnpr_picture_event event = described(report_.stages.back());
+    const hrbfnpr_picture_event event = described(*kept);
     report_.on_event_(report_.user_, &event);
 }
 
 void Stage::tell(double fraction) noexcept {
-    if (fraction < told_) return; // a second call of the stage begins anew
+    if (fraction < told_) return; // A second call within the stage starts again at 0.
+    if (operation_.operation.is_cancelled()) return;
     told_ = fraction;
     if (report_.operation_ != nullptr)
         report_.operation_->operation.report(report_.done_ + words_of(stage_).share * (1.0 - report_.done_) * fraction);
     if (report_.on_event_ == nullptr) return;
     hrbfnpr_picture_event event = event_of(stage_);
-    event.fraction = std::min(fraction, std::nextafter(1.0, 0.0)); // 1 is the end
+    event.fraction = std::min(fraction, std::nextafter(1.0, 0.0)); // Only the end of the stage reports 1.
     report_.on_event_(report_.user_, &event);
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a picture tells its caller: notes, stages with their seconds, progress.
+// Reports to the caller of a picture: notes, stages with their seconds, progress.
 #pragma once
 
 #include "api/operation.h"
@@ -10,21 +10,22 @@
 
 #include <array>
 #include <initializer_list>
+#include <optional>
 #include <string_view>
 
 namespace hrbfnpr::picture {
 
-// Puts a text into the words of a caller.  Options stand in it as {samples}, {samples=400}, {marks=hatch=2000}, or
-// {flip!} of one without a value:
+// Puts a text into the words of a caller. Options in the text are written {samples}, {samples=400} or
+// {marks=hatch=2000}, and {flip!} if they take no value:
 //   FIELDS      samples 400, flag FLIP
 //   OPTIONS     --samples 400, --flip
 //   ARGUMENTS   samples=400, flip=True
 [[nodiscard]] String in_words(std::string_view text, std::uint32_t wording, Pool& pool);
 
-// "1 sample", "2 samples".
+// Returns a count with its noun: "1 sample", "2 samples".
 [[nodiscard]] String count_of(std::int64_t count, std::string_view what, Pool& pool);
 
-// printf into a String.
+// Works like printf, but returns a String.
 [[nodiscard]] [[gnu::format(printf, 2, 3)]] String formatted(Pool& pool, const char* format, ...);
 
 struct Note {
@@ -33,7 +34,7 @@ struct Note {
     std::uint32_t figure_count;
     std::array<double, 8> figures;
     String text;
-    String advice; // empty: there is none, or the text has it
+    String advice; // empty if the text already says what to do
 };
 
 struct FinishedStage {
@@ -44,7 +45,7 @@ struct FinishedStage {
 
 class Stage;
 
-// Keeps what is told, and passes it on as it comes.
+// Stores all notes and stages, and passes them to the caller as they come.
 class Report {
 public:
     Report(Pool& pool, std::uint32_t wording, hrbfnpr_picture_event_fn on_event, void* user, hrbfnpr_context& context,
@@ -52,61 +53,76 @@ public:
         : notes(&pool), stages(&pool), pool_(&pool), wording_(wording), on_event_(on_event), user_(user),
           context_(&context), operation_(operation) {}
 
-    // `text` and `advice`, which is what to do about it, as in_words() takes them.  A warning that was told before is
-    // not told again.
+    // Report a note. `text`, and `advice` on how to resolve it, have the form that in_words() takes. A repeated warning
+    // is reported once.
     void info(std::uint32_t code, std::initializer_list<double> figures, std::string_view text);
     void note(std::uint32_t code, std::initializer_list<double> figures, std::string_view text);
     void warn(std::uint32_t code, std::initializer_list<double> figures, std::string_view text,
               std::string_view advice = {});
-    // Tells a failure that is no error of the call.
+    // Reports a failure that is not an error of the call.
     void failure(std::uint32_t code, std::string_view text);
-    // Keeps the text in full length as a note, and throws Error{invalid_argument} with as much of it as has room.
+    // Stores the full text as a note, and throws Error{invalid_argument} with as much of it as fits.
     [[noreturn]] void fail(std::uint32_t code, std::initializer_list<double> figures, std::string_view text);
     // Throws Error{invalid_argument} in the caller's words.
     [[noreturn]] void refuse(std::string_view text) const;
 
     [[nodiscard]] Pool& pool() const noexcept { return *pool_; }
-    // The operation of the call that goes on with this report; nullable.
-    void serve(hrbfnpr_operation* operation) noexcept {
-        operation_ = operation;
-        done_ = 0.0;
-    }
+    // Marks the end of planning. Later calls may be many, so a note or a stage that they repeat is not kept twice.
+    void end_planning() noexcept { planned_stages_ = stages.size(); }
 
     Vector<Note> notes;
     Vector<FinishedStage> stages;
 
 private:
     friend class Stage;
+    friend class Serving;
     void tell(std::uint32_t severity, std::uint32_t code, std::initializer_list<double> figures, std::string_view text,
               std::string_view advice = {});
+    const FinishedStage& keep(FinishedStage&& finished);
 
     Pool* pool_;
     std::uint32_t wording_;
     hrbfnpr_picture_event_fn on_event_;
     void* user_;
     hrbfnpr_context* context_;
-    hrbfnpr_operation* operation_; // of the whole; nullable
-    double done_ = 0.0;            // of its progress
-    std::uint32_t running_ = 0;    // stage
+    hrbfnpr_operation* operation_; // the operation of the whole call, or null
+    double done_ = 0.0;            // the finished share of its progress
+    std::uint32_t running_ = 0;    // the stage that is running
+    std::optional<std::size_t> planned_stages_;
+};
+
+// Lets a report serve the operation of a call, which may be NULL, for as long as this lives.
+class Serving {
+public:
+    Serving(Report& report, hrbfnpr_operation* operation) noexcept : report_(report) {
+        report.operation_ = operation;
+        report.done_ = 0.0;
+    }
+    ~Serving() { report_.operation_ = nullptr; }
+    Serving(const Serving&) = delete;
+    Serving& operator=(const Serving&) = delete;
+
+private:
+    Report& report_;
 };
 
 [[nodiscard]] hrbfnpr_note described(const Note& note) noexcept;
 [[nodiscard]] hrbfnpr_picture_event described(const FinishedStage& finished) noexcept;
 
-// A part of the work while it lives: it measures its seconds, and passes progress and cancels on.  Stages do not
-// overlap.
+// A stage of the work, which lasts as long as this object. It measures its seconds, and passes on progress and
+// cancellation. Stages do not overlap.
 class Stage {
 public:
     Stage(Report& report, std::uint32_t stage);
-    ~Stage(); // reports its end, unless an exception ends it
+    ~Stage(); // Reports the end of the stage, unless an exception ends it.
     Stage(const Stage&) = delete;
     Stage& operator=(const Stage&) = delete;
 
-    // For one call of the library after the other; the stage's progress is that of the call.
+    // Returns the operation for a call of the library. The progress of the stage is that of its current call.
     [[nodiscard]] hrbfnpr_operation* operation() noexcept { return &operation_; }
-    // For a stage of many calls.  Throws Error{cancelled} after a cancel.
+    // Reports the progress of a stage that makes many calls. Throws Error{cancelled} after a cancellation.
     void update(double fraction);
-    // What it came to; as in_words() takes it.
+    // Sets the result of the stage in words, in the form that in_words() takes.
     void says(std::string_view text);
 
 private:
@@ -115,8 +131,8 @@ private:
 
     Report& report_;
     std::uint32_t stage_;
-    int exceptions_;    // in flight when it began
-    double told_ = 0.0; // the largest fraction
+    int exceptions_;    // the number of exceptions in flight when the stage began
+    double told_ = 0.0; // the largest fraction reported
     base::Stopwatch watch_;
     String says_;
     hrbfnpr_operation operation_;

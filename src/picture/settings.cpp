@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Each key of the document is checked by its section's table of fields, and a mistake is named by its path.
+// Reads settings. The table of fields of its section checks each key of the document, and a message names a mistake by
+// its path.
 #include "picture/settings.h"
 
 #include "base/assert.h"
@@ -16,9 +17,9 @@
 namespace hrbfnpr::picture {
 namespace {
 
-constexpr std::size_t shown_of_wrong = 60; // bytes of a wrong value in a message
+constexpr std::size_t shown_of_wrong = 60; // A message shows at most this many bytes of a wrong value.
 
-// What is wrong, by its key.
+// Throws a message that names the wrong value by its key.
 [[noreturn]] void refuse_value(std::string_view where, std::string_view wanted, const JsonValue& value, Pool& pool) {
     fail(Status::invalid_argument, "%.*s: %.*s is needed, not %s", static_cast<int>(where.size()), where.data(),
          static_cast<int>(wanted.size()), wanted.data(), value.in_short(shown_of_wrong, pool).c_str());
@@ -95,10 +96,10 @@ template <std::size_t count>
     return result;
 }
 
-// What a section of the file has: the fields of a struct, and keys that are no plain field.
+// A section of the file: the fields of a struct, and keys that are not plain fields.
 struct SettingsSection {
     Record record;
-    std::array<std::string_view, 2> more; // "" = none
+    std::array<std::string_view, 2> more; // "" = no key
 };
 constexpr SettingsSection style_section{Record::style, {"layers", "lines"}};
 constexpr SettingsSection layer_style_section{Record::layer_style, {}};
@@ -110,7 +111,7 @@ constexpr SettingsSection mesh_fit_section{Record::mesh_fit_desc, {}};
 constexpr SettingsSection line_set_section{Record::line_set_desc, {"lines"}};
 constexpr SettingsSection line_section{Record::line_desc, {"levels"}};
 
-// Seeds that are points of the caller's are not in a file.
+// Tells whether a file can hold a choice. It cannot hold the caller's own points as seeds.
 [[nodiscard]] bool is_choice_of_settings(const NamedField& field, std::string_view choice) noexcept {
     return choice != "points" || std::string_view(field.name) != "seed_source";
 }
@@ -159,7 +160,7 @@ void check_section(const JsonValue& value, std::string_view where, const Setting
     return found;
 }
 
-// The value of a field that is no text.
+// Reads the value of a field that is not a text.
 [[nodiscard]] FieldValue read_value(const NamedField& field, const JsonValue& value, std::string_view where,
                                     Pool& pool) {
     if (field.meaning == Meaning::choice) return read_choice(field, value, where, pool);
@@ -179,7 +180,7 @@ void check_section(const JsonValue& value, std::string_view where, const Setting
     return found;
 }
 
-// The text of a field, or nullptr; kept by an owner of texts.
+// Returns the text of a field, or nullptr. An owner of texts keeps it.
 template <class Keeper>
 [[nodiscard]] const char* text_in(const JsonValue& value, std::string_view where, Keeper&& keep, Pool& pool) {
     if (value.kind() == JsonKind::null) return nullptr;
@@ -188,7 +189,7 @@ template <class Keeper>
     return keep(value.text());
 }
 
-// Sets the fields of a struct that an object of the file names.
+// Sets those fields of a struct that an object of the file names.
 template <class Keeper>
 void read_record(const JsonValue& value, std::string_view where, const SettingsSection& section, void* record,
                  Keeper&& keep, Pool& pool) {
@@ -217,7 +218,7 @@ void read_fields(const JsonValue& value, std::string_view where, const SettingsS
     }
 }
 
-// The levels of lines, which are no plain field.
+// Reads the levels of lines, which are not a plain field.
 template <class Keeper>
 [[nodiscard]] hrbfnpr_array levels_in(const JsonValue& lines, std::string_view where, Keeper&& keep, Pool& pool) {
     const std::optional<JsonValue> value = lines.find("levels");
@@ -320,7 +321,8 @@ void read_style(const JsonValue& value, Style& style, Pool& pool) {
     }
 }
 
-// Tones without an end are not given, and negative numbers stand for what is chosen.
+// Completes a layer that was read. A tone range without an end counts as not given, and negative numbers ask for an
+// automatic choice.
 void complete_layer(hrbfnpr_layer_desc& layer) noexcept {
     if (!(layer.tone_end > 0.0F)) layer.tone_begin = layer.tone_end = 0.0F;
     if (!(layer.second_tone_end > 0.0F)) layer.second_tone_begin = layer.second_tone_end = 0.0F;
@@ -354,7 +356,7 @@ void read_lines_once(const JsonValue& value, Settings& settings, Pool& pool) {
     }
 }
 
-// The fit, whose regularization is one field here: a number, or "auto".
+// Reads the fit. Its regularization is a single field here: a number, or "auto".
 void read_fit(const JsonValue& value, FieldTexts& fields, Pool& pool) {
     FieldTexts found(&pool);
     read_fields(value, "fit", fit_section, found, pool);
@@ -397,7 +399,7 @@ constexpr std::string_view dab_keys[] = {"map", "position", "normal", "radius", 
     return dab;
 }
 
-// An empty object where a section is left out.
+// Reads all sections. A missing section counts as an empty object.
 void read_sections(const JsonValue& root, Settings& settings, Pool& pool) {
     const std::optional<JsonValue> marks = root.find("marks");
     const std::optional<JsonValue> line_set = root.find("line_set");
@@ -453,7 +455,7 @@ std::optional<hrbfnpr_camera> Settings::camera(std::int32_t width, std::int32_t 
     const std::array<double, 2> wanted{wide, high};
     const std::array<double, 2> known{static_cast<double>((*size)[0]), static_cast<double>((*size)[1])};
     if (wanted == known) return made;
-    // The picture as it was, as large as fits in.
+    // The saved picture is scaled to the largest size that fits.
     const double scale = std::min(wanted[0] / known[0], wanted[1] / known[1]);
     for (std::size_t axis = 0; axis < 2; ++axis)
         for (std::size_t column = 0; column < 4; ++column)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A file of settings: a descriptor as JSON (docs/settings.md).
+// Reads and writes files of settings, which hold a descriptor as JSON (docs/settings.md).
 #pragma once
 
 #include "picture/memory.h"
@@ -19,17 +19,17 @@ namespace hrbfnpr::picture {
 
 class Options;
 
-// The camera of a file: from an eye towards a target, or as two matrices.
+// The camera of a file: an eye and a target, or two matrices.
 struct SavedCamera {
     bool has_matrices = false;
     std::array<double, 3> eye{};
     std::array<double, 3> target{};
     std::array<double, 3> up{};
-    double vertical_angle = 0.0; // radians; 0: orthographic
-    double view_height = 0.0;    // of orthographic ones
+    double vertical_angle = 0.0; // radians; 0 for an orthographic camera
+    double view_height = 0.0;    // used by orthographic cameras
     double near_plane = 0.0;
     double far_plane = 0.0;
-    std::array<double, 16> view{}; // column by column
+    std::array<double, 16> view{}; // column-major
     std::array<double, 16> projection{};
 };
 
@@ -41,39 +41,39 @@ struct Settings {
 
     std::uint32_t preset = HRBFNPR_PRESET_CONTOUR_AND_STIPPLE;
     std::optional<std::array<std::int32_t, 2>> size;
-    double pen = 0.0; // 0: chosen
+    double pen = 0.0; // 0 asks for an automatic choice.
     Style style;
-    bool has_layers = false; // of marks, below
-    Marks marks;             // its layers only; the fields of its base are among those below
-    // The rest, field by field, as paths and texts of changes: "fit.kernel", "mesh_fit.edges", "line_set.support",
-    // "marks.distribution".  "fit.regularization" is "auto" where the file says so by the mode.
+    bool has_layers = false; // whether `marks` has layers
+    Marks marks;             // Only its layers are used. The fields of its base are in `fields`.
+    // The remaining fields as paths and texts of changes: "fit.kernel", "mesh_fit.edges", "line_set.support",
+    // "marks.distribution". "fit.regularization" is "auto" where the file chooses this mode.
     Vector<std::pair<String, String>> fields;
-    bool has_lines = false; // to be found once, below
+    bool has_lines = false; // whether `lines` was given: the lines that are found once
     Vector<hrbfnpr_line_desc> lines;
     Vector<hrbfnpr_dab> dabs;
     std::optional<SavedCamera> saved_camera;
-    KeptTexts texts; // that `lines` point to
+    KeptTexts texts; // holds the texts that `lines` points to
 
-    // The camera for a picture of this size; nothing: there is none in the file.  Throws Error{invalid_argument} for
-    // one that cannot be.
+    // Returns the camera for a picture of this size, or nothing if the file has none. Throws Error{invalid_argument} if
+    // the camera is impossible.
     [[nodiscard]] std::optional<hrbfnpr_camera> camera(std::int32_t width, std::int32_t height) const;
 };
 
-// Throws Error{invalid_argument} that names the key and what would be right.
+// Reads a file of settings. Throws Error{invalid_argument} that names the key and the values it may have.
 [[nodiscard]] std::shared_ptr<const Settings> read_settings(std::string_view json, Pool& pool);
 
-// What a picture was made with, beside its options.
+// The inputs of a picture besides its options.
 struct PictureParts {
     std::uint32_t preset;
-    const hrbfnpr_camera& camera;             // the planned one, with the size of the picture as viewport
+    const hrbfnpr_camera& camera;             // the planned camera, whose viewport is the picture
     const Style& style;                       // as planned, in pixels of this picture
-    const Marks* marks;                       // as planned; nullptr: none were made
-    std::span<const hrbfnpr_line_desc> lines; // found once; those of the caller's are left out
+    const Marks* marks;                       // as planned; nullptr if no marks were made
+    std::span<const hrbfnpr_line_desc> lines; // lines that are found once, without the caller's own
 };
 
 struct WrittenSettings {
     String json;
-    // The options that were given and that settings cannot hold, as a report's text takes them: "{samples}, {flip!}".
+    // The given options that settings cannot hold, as markers for in_words(): "{samples}, {flip!}".
     String not_held;
 };
 

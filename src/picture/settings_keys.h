@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What reading and writing settings have in common.
+// Declares names and limits that reading and writing settings share.
 #pragma once
 
 #include "picture/memory.h"
@@ -12,14 +12,15 @@ namespace hrbfnpr::picture {
 
 inline constexpr std::string_view settings_magic = "hrbfnpr-settings";
 inline constexpr std::uint64_t settings_version = 1;
-inline constexpr std::int32_t largest_settings_side = 32768; // pixels, of a picture
+inline constexpr std::int32_t largest_settings_side = 32768; // The largest side of a picture in settings, in pixels.
 
-inline constexpr std::string_view dab_map_names[] = {"tone", "density", "direction"}; // by number: HRBFNPR_DAB_...
+inline constexpr std::string_view dab_map_names[] = {"tone", "density", "direction"}; // Indexed by HRBFNPR_DAB_*.
 
-// Names or paths of fields, and their values as changes have them.
+// Names or paths of fields, with their values as texts of changes.
 using FieldTexts = Vector<std::pair<String, String>>;
 
-// Flags say what a struct's arrays are, and are chosen.
+// Tells whether settings hold a field. They omit flags, which describe the arrays of a struct and are set
+// automatically.
 [[nodiscard]] constexpr bool is_in_settings(std::string_view field) noexcept { return field != "flags"; }
 
 } // namespace hrbfnpr::picture

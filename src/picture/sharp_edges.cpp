@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Finds the edges of a mesh that the normals of its file mark as sharp.
 #include "picture/sharp_edges.h"
 
 #include "base/assert.h"
@@ -13,13 +14,13 @@
 namespace hrbfnpr::picture {
 namespace {
 
-// Places of points, numbered from 0: points at the same place have the same number, and one that is NaN has its own.
+// Numbers the places of points from 0. Points at the same place share a number, and a point that is NaN has its own.
 Vector<std::int64_t> places_of_points(const Points& points, Pool& pool) {
     Vector<std::int64_t> order(points.size(), 0, &pool);
     std::iota(order.begin(), order.end(), 0);
     const auto key = [&](std::int64_t i, int axis) {
         const double x = points[static_cast<std::size_t>(i)][axis];
-        return std::isnan(x) ? std::numeric_limits<double>::infinity() : x; // a total order
+        return std::isnan(x) ? std::numeric_limits<double>::infinity() : x; // NaN must not break the total order.
     };
     std::sort(order.begin(), order.end(), [&](std::int64_t a, std::int64_t b) {
         for (int axis = 0; axis < 3; ++axis)

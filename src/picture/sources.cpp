@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Reads sources from the caller's arrays and handles.
 #include "picture/sources.h"
 
 #include "api/checks.h"
@@ -15,7 +16,7 @@ namespace {
 constexpr std::int64_t most_sources = 10'000;
 constexpr std::size_t longest_name = 4096;
 
-// "picture_desc.sources[2].points", for messages.
+// The name of a field for messages, such as "picture_desc.sources[2].points".
 struct FieldName {
     FieldName(const char* owner, const char* field) noexcept {
         std::snprintf(text, sizeof text, "%.90s.%s", owner, field);
@@ -31,7 +32,7 @@ Points read_points(const hrbfnpr_array& array, const char* owner, const char* fi
     return points;
 }
 
-// Tuples of numbers of points.
+// Reads tuples of point indices.
 template <std::size_t size>
 Vector<std::array<std::int64_t, size>> read_indices(const hrbfnpr_array& array, std::size_t points, const char* owner,
                                                     const char* field, const char* what, Pool& pool) {
@@ -74,7 +75,7 @@ void check_finite(const double (&numbers)[3], const char* owner, const char* fie
     for (const double number : numbers) api::Checks(owner).finite(field, number);
 }
 
-// Rows and columns of an image have a point each.
+// Checks that each pixel of an image has a point.
 void check_image(const Shape& shape, const char* owner) {
     if (shape.columns == 0 && shape.rows == 0) return;
     const auto count = static_cast<std::int64_t>(shape.points.size());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The sources of a picture, read from the caller's arrays and handles.
+// Reads the sources of a picture from the caller's arrays and handles.
 #pragma once
 
 #include "picture/handles.h"
@@ -11,19 +11,19 @@
 
 namespace hrbfnpr::picture {
 
-// One of: a shape, a model (perhaps with its marks), or a point set.
+// A source: a shape, or a model (possibly with its marks), or a point set.
 struct Source {
     explicit Source(Pool& pool) : name(&pool) {}
 
-    String name; // for titles; may be empty
+    String name; // used in titles; may be empty
     std::optional<Shape> shape;
     Model model;
     PointSet marks;
 };
 
-// Reads and checks one.  Throws Error{invalid_argument} that names its field.
+// Reads and checks a source. Throws Error{invalid_argument} that names the wrong field.
 [[nodiscard]] Source read_source(const hrbfnpr_picture_source* given, Pool& pool);
-// Reads and checks a list.  Throws Error{invalid_argument} that names the element.
+// Reads and checks a list of sources. Throws Error{invalid_argument} that names the wrong element.
 [[nodiscard]] Vector<Source> read_sources(const hrbfnpr_picture_desc& desc, Pool& pool);
 
 } // namespace hrbfnpr::picture

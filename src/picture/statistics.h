@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Random subsets, and the middle of numbers.
+// Provides random subsets and medians.
 #pragma once
 
 #include "base/assert.h"
@@ -13,8 +13,8 @@
 
 namespace hrbfnpr::picture {
 
-// Chooses `wanted` of the numbers 0 .. count - 1, in ascending order; all of them where there are no more [Knuth, "The
-// Art of Computer Programming", 3.4.2, algorithm S].
+// Chooses `wanted` of the numbers 0 .. count - 1, in ascending order, or all if there are no more [Knuth, "The Art of
+// Computer Programming", 3.4.2, algorithm S].
 [[nodiscard]] inline Vector<std::int64_t> random_subset(std::size_t count, std::size_t wanted, std::uint64_t seed,
                                                         std::uint32_t stream, Pool& pool) {
     Vector<std::int64_t> chosen(&pool);
@@ -30,8 +30,8 @@ namespace hrbfnpr::picture {
     return chosen;
 }
 
-// The median: the mean of the two middle ones of an even count. NaN of nothing, and if one of them is NaN.
-// It moves the numbers.
+// Returns the median. For an even count it is the mean of the two middle numbers. It is NaN for an empty list, or if a
+// number is NaN. The call reorders the numbers.
 [[nodiscard]] inline double median_of(Vector<double>& numbers) {
     if (numbers.empty() || std::any_of(numbers.begin(), numbers.end(), [](double x) { return std::isnan(x); }))
         return std::numeric_limits<double>::quiet_NaN();

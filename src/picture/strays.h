@@ -1,34 +1,35 @@
 // SPDX-License-Identifier: MIT
-// Points that lie so far away that all else would be a dot in the picture: values that stand for no data, and strays.
+// Finds points so far away that the rest would be a dot in the picture: values that stand for missing data, and strays.
 #pragma once
 
 #include "picture/shape.h"
 
 namespace hrbfnpr::picture {
 
-// One number for each point: 1 if it is one of those, else 0.
+// One number for each point: 1 if the point is selected, else 0.
 using PointMask = Vector<std::uint8_t>;
 
-// What leave_out_no_data() has left out.
+// The result of leave_out_no_data().
 struct NoData {
     std::int64_t points = 0;
     double value = 0.0;
 };
 
-// Leaves out the points that have a coordinate which stands for no data and is far below all others, with their faces.
+// Removes points with a coordinate that stands for missing data and is far below all others, together with their faces.
 NoData leave_out_no_data(Shape& shape, Pool& pool);
 
-// Leaves out the points that far_from_most() finds, and returns how many these are.
+// Removes the points that far_from_most() finds, and returns their number.
 std::int64_t leave_out_far(Shape& shape, Pool& pool);
 
-// Which of many points are a few that lie apart from all others. Points that are not finite are none of these.
+// Selects a few of many points if they lie far from all others. It never selects points that are not finite.
 [[nodiscard]] PointMask far_from_most(const Points& points, Pool& pool);
 
-// Which of the finite points are strays: a scanner's dust, which makes sheets in the air, and gets no normals.
+// Selects the finite points that are strays. They are a scanner's dust, would make sheets in the air, and get no
+// normals.
 [[nodiscard]] PointMask find_strays(const Points& points, Pool& pool);
 
-// Keeps the points that the mask has, with their normals, faces and sharp edges. It changes nothing and returns false
-// if a mesh would lose all its faces.
+// Keeps the points that the mask selects, with their normals, faces and sharp edges. If a mesh would lose all its
+// faces, it changes nothing and returns false.
 bool keep_points(Shape& shape, const PointMask& kept, Pool& pool);
 
 } // namespace hrbfnpr::picture

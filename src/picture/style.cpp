@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Implements styles and marks as values.
 #include "picture/style.h"
 
 #include "api/lists.h"
@@ -13,7 +14,7 @@
 namespace hrbfnpr::picture {
 namespace {
 
-// The most elements of a list that the library takes.
+// The library takes lists of at most this many elements.
 constexpr std::int64_t most_style_elements = 65536;
 
 bool same_style_name(const char* a, const char* b) noexcept {
@@ -25,7 +26,7 @@ bool style_is_for(const hrbfnpr_layer_style& style, std::uint32_t kind, const ch
            (style.name == nullptr || same_style_name(style.name, name));
 }
 
-// Without its lists, which the caller of this copies.
+// Returns a style with empty lists. The caller copies the lists.
 hrbfnpr_style style_without_lists(hrbfnpr_style style) noexcept {
     style.layers = nullptr;
     style.lines = nullptr;
@@ -56,7 +57,7 @@ bool same_seed_points(const hrbfnpr_array& a, const hrbfnpr_array& b) noexcept {
 
 const PaintedMap& painted_map_of(void* user) noexcept { return *static_cast<const PaintedMap*>(user); }
 
-// Another function is another one even if it does the same, unless both are painted.
+// Tells whether two densities are the same. Different functions count as different, unless both are painted.
 bool same_density(const hrbfnpr_layer_desc& a, const hrbfnpr_layer_desc& b) noexcept {
     if (a.density != b.density || a.density_function != b.density_function) return false;
     if (a.density_user == b.density_user) return true;
@@ -89,7 +90,7 @@ bool same_base(const hrbfnpr_generate_desc& a, const hrbfnpr_generate_desc& b) n
            a.projection_tolerance == b.projection_tolerance && a.random_seed == b.random_seed;
 }
 
-// operator= relies on it.
+// operator= relies on this.
 static_assert(std::is_nothrow_move_constructible_v<Style> && std::is_nothrow_move_constructible_v<Marks>);
 
 } // namespace
@@ -130,7 +131,7 @@ Style::Style(const Style& other, Pool& pool)
 }
 
 Style& Style::operator=(Style other) noexcept {
-    // The lists' memory belongs to the other's pool, and texts must not move.
+    // The memory of the lists belongs to the other's pool, and texts must not move.
     std::destroy_at(this);
     return *std::construct_at(this, std::move(other));
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A style as a value that owns its lists, and how marks are to be made.
+// Defines a style as a value that owns its lists, and the marks in the same way.
 #pragma once
 
 #include "picture/memory.h"
@@ -12,8 +12,8 @@
 
 namespace hrbfnpr::picture {
 
-// The texts and numbers that the elements of a list point to.  Their addresses never change, and a copy of the owner
-// has texts of its own: values that are copied share nothing that is ever written.
+// Owns the texts and numbers to which the elements of a list point. Their addresses never change. A copy of the owner
+// has its own texts, so values that are copied share no mutable data.
 class KeptTexts {
 public:
     explicit KeptTexts(Pool& pool) noexcept : texts_(&pool), numbers_(&pool), held_(&pool) {}
@@ -22,10 +22,9 @@ public:
     KeptTexts& operator=(const KeptTexts&) = delete;
 
     [[nodiscard]] const char* text(std::string_view text) { return texts_.emplace_back(text).c_str(); }
-    // Packed doubles, `components` of them for each of `count` elements.
+    // Stores packed doubles: `components` for each of `count` elements.
     [[nodiscard]] hrbfnpr_array numbers(const double* first, std::size_t count, std::uint32_t components = 1);
-    // Keeps what a callback is given for as long as this and the owner's copies live, which may be longer than the
-    // pool.
+    // Keeps the data of a callback alive as long as this object and copies of the owner, which may outlive the pool.
     void hold(std::shared_ptr<const void> owner) { held_.push_back(std::move(owner)); }
     void hold_all_of(const KeptTexts& other) { held_.insert(held_.end(), other.held_.begin(), other.held_.end()); }
 
@@ -35,38 +34,38 @@ private:
     Vector<std::shared_ptr<const void>> held_;
 };
 
-// hrbfnpr_style with its own layers, lines, names and levels: what class Style is in Python.
+// hrbfnpr_style with its own layers, lines, names and levels. It corresponds to the class Style in Python.
 class Style {
 public:
     explicit Style(Pool& pool);                    // the library's default style
-    Style(std::uint32_t preset, Pool& pool);       // a named one
-    Style(const hrbfnpr_style& given, Pool& pool); // a copy of the caller's; throws where it has a bad list
+    Style(std::uint32_t preset, Pool& pool);       // a named style
+    Style(const hrbfnpr_style& given, Pool& pool); // a copy of the caller's style; throws if a list is invalid
     Style(const Style& other, Pool& pool);         // a copy in another pool
     Style(const Style& other) : Style(other, *other.pool_) {}
     Style(Style&& other) noexcept = default;
     Style& operator=(Style other) noexcept;
     ~Style() = default;
 
-    hrbfnpr_style base;                 // its lists are not used
-    Vector<hrbfnpr_layer_style> layers; // names refer to kept texts
-    Vector<hrbfnpr_line_style> lines;   // names and levels refer to kept texts and numbers
+    hrbfnpr_style base;                 // Its lists are not used.
+    Vector<hrbfnpr_layer_style> layers; // Their names refer to kept texts.
+    Vector<hrbfnpr_line_style> lines;   // Their names and levels refer to kept texts and numbers.
 
-    // The element for a kind of layers (HRBFNPR_LAYER_KIND_...).  If what they take now is for others too, a copy of it
-    // for them alone is put in front of it.  Valid until `layers` grows.
+    // Returns the element for a kind of layers (HRBFNPR_LAYER_KIND_*). If that element also serves other kinds, a copy
+    // for this kind alone is inserted before it. The reference is valid until `layers` grows.
     [[nodiscard]] hrbfnpr_layer_style& layer(std::uint32_t kind);
-    // What a layer of marks takes: the first element that is for it, or defaults.  name: nullable.
+    // Returns the style of a layer of marks: the first element that matches, or defaults. `name` may be null.
     [[nodiscard]] hrbfnpr_layer_style style_of(std::uint32_t kind, const char* name) const noexcept;
-    // Gives all layers, lines and the contours one ink.
+    // Gives all layers, lines and contours one ink.
     void set_ink(const float (&ink)[4]);
 
-    // Texts and numbers for elements of this style.
+    // Keep texts and numbers for elements of this style.
     [[nodiscard]] const char* keep(std::string_view text) { return kept_.text(text); }
     [[nodiscard]] hrbfnpr_array keep_levels(const double* levels, std::size_t count) {
         return kept_.numbers(levels, count);
     }
     void hold(std::shared_ptr<const void> owner) { kept_.hold(std::move(owner)); }
 
-    // With its lists, valid while this is not changed.
+    // Returns the style with its lists. It is valid until this object changes.
     [[nodiscard]] hrbfnpr_style view() const noexcept;
 
 private:
@@ -86,15 +85,15 @@ public:
     Marks& operator=(Marks other) noexcept;
     ~Marks() = default;
 
-    hrbfnpr_generate_desc base; // its list is not used; seed_points are kept
+    hrbfnpr_generate_desc base; // Its list is not used; seed_points are kept.
     Vector<hrbfnpr_layer_desc> layers;
 
     [[nodiscard]] const char* keep(std::string_view text) { return kept_.text(text); }
     void hold(std::shared_ptr<const void> owner) { kept_.hold(std::move(owner)); }
-    // Takes a copy: n x 3.
+    // Copies an n x 3 array.
     void set_seed_points(const hrbfnpr_array& points);
     [[nodiscard]] hrbfnpr_generate_desc view() const noexcept;
-    // Whether both make the same marks of a surface.
+    // Tells whether both make the same marks on a surface.
     [[nodiscard]] bool same_as(const Marks& other) const noexcept;
 
 private:

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Implements Loop's subdivision with sharp edges, and the measure of how coarse a mesh is.
 #include "picture/subdivide.h"
 
 #include "base/assert.h"
@@ -15,17 +16,17 @@ namespace hrbfnpr::picture {
 namespace {
 
 constexpr double degree = std::numbers::pi / 180.0;
-constexpr double all_smooth = 180.0; // degrees: no edge bends by more
+constexpr double all_smooth = 180.0; // No edge bends by more, in degrees.
 
-// One bit for each edge, vertex or face.
+// One flag for each edge, vertex or face.
 using Flags = Vector<std::uint8_t>;
 
 const glm::dvec3& at(const Points& points, std::int64_t i) noexcept { return points[static_cast<std::size_t>(i)]; }
 glm::dvec3& at(Points& points, std::int64_t i) noexcept { return points[static_cast<std::size_t>(i)]; }
 
-// ---- Edges that stay sharp, and how coarse others are
+// ---- Sharp edges, and the coarseness of the others
 
-// A plain edge, by its number, with the two faces beside it.
+// The number of a plain edge, with the two faces beside it.
 struct PlainEdge {
     std::size_t edge;
     std::size_t one, other; // faces
@@ -41,14 +42,14 @@ Vector<PlainEdge> plain_edges(const FaceEdges& edges, Pool& pool) {
     return plain;
 }
 
-// What bends, and how much, along the plain edges of a mesh.
+// The plain edges of a mesh, with the angles by which they bend.
 struct Bends {
     explicit Bends(Pool& pool) : plain(&pool), angle(&pool), length(&pool), area(&pool) {}
 
     Vector<PlainEdge> plain;
-    Vector<double> angle;  // of each plain edge, radians
-    Vector<double> length; // of each plain edge
-    Vector<double> area;   // of each face
+    Vector<double> angle;  // angle of each plain edge, in radians
+    Vector<double> length; // length of each plain edge
+    Vector<double> area;   // area of each face
 };
 
 Bends bends_of(const Shape& shape, const FaceEdges& edges, Pool& pool) {
@@ -68,7 +69,7 @@ Bends bends_of(const Shape& shape, const FaceEdges& edges, Pool& pool) {
     return bends;
 }
 
-// Joins the faces beside those plain edges that `joins` is true for; the least number of each set names it.
+// Joins the faces beside those plain edges for which `joins` is true. The least number of each set names the set.
 template <class Joins>
 Vector<std::size_t> joined_faces(const Bends& bends, Pool& pool, Joins&& joins) {
     mesh::Sets sets(pool.memory(), static_cast<std::int64_t>(bends.area.size()));
@@ -82,14 +83,15 @@ Vector<std::size_t> joined_faces(const Bends& bends, Pool& pool, Joins&& joins) 
     return name;
 }
 
-// Whether each plain edge belongs to a part of which most smooth edges lie between a flat face and a narrow one.
+// Tells for each plain edge whether it belongs to a bevelled part: most smooth edges of the part lie between a flat
+// face and a narrow one.
 Flags edges_of_bevelled_parts(const Bends& bends, const Flags& smooth, Pool& pool) {
     const Vector<std::size_t> face =
         joined_faces(bends, pool, [&](std::size_t i) { return bends.angle[i] < subdivide_tuning.flat_angle * degree; });
-    Vector<double> area(bends.area.size(), 0.0, &pool); // of the flat face that a triangle belongs to
+    Vector<double> area(bends.area.size(), 0.0, &pool); // area of the flat face to which each triangle belongs
     for (std::size_t f = 0; f < face.size(); ++f) area[face[f]] += bends.area[f];
     const Vector<std::size_t> part = joined_faces(bends, pool, [](std::size_t) { return true; });
-    Vector<double> of_bevels(bends.area.size(), 0.0, &pool); // lengths, by part
+    Vector<double> of_bevels(bends.area.size(), 0.0, &pool); // edge lengths by part
     Vector<double> of_all(bends.area.size(), 0.0, &pool);
     Flags is_bend(bends.plain.size(), 0, &pool);
     for (std::size_t i = 0; i < bends.plain.size(); ++i) {
@@ -108,9 +110,9 @@ Flags edges_of_bevelled_parts(const Bends& bends, const Flags& smooth, Pool& poo
     return is_bend;
 }
 
-// Which edges stay sharp.
+// Returns which edges stay sharp.
 Flags sharp_edges_of(const Shape& shape, const FaceEdges& edges, const Bends& bends, double crease_angle, Pool& pool) {
-    Flags sharp(edges.size(), 1, &pool); // those that are not plain are
+    Flags sharp(edges.size(), 1, &pool); // Edges that are not plain stay sharp.
     for (std::size_t i = 0; i < bends.plain.size(); ++i)
         sharp[bends.plain[i].edge] = bends.angle[i] > crease_angle * degree ? 1 : 0;
     if (!shape.has_sharp_edges) return sharp;
@@ -127,13 +129,14 @@ Flags sharp_edges_of(const Shape& shape, const FaceEdges& edges, const Bends& be
     return sharp;
 }
 
-// By how much each plain edge bulges, as a share of the diagonal; 0 for sharp ones.
+// Returns how much each plain edge bulges, as a share of the diagonal; 0 for sharp edges.
 Vector<double> bulges_of(const Shape& shape, const Bends& bends, const Flags& sharp, Pool& pool) {
     constexpr double least_length = 1e-300;
     Vector<double> bulge(bends.plain.size(), 0.0, &pool);
     const double diagonal = box_diagonal_of(shape.points);
     if (!(diagonal > 0.0)) return bulge;
-    const double equilateral = 4.0 / std::sqrt(3.0); // the edge of a triangle, times its length, over its area
+    // For an equilateral triangle this is its edge, times the edge's length, over its area.
+    const double equilateral = 4.0 / std::sqrt(3.0);
     for (std::size_t i = 0; i < bends.plain.size(); ++i) {
         const PlainEdge& plain = bends.plain[i];
         if (sharp[plain.edge] != 0) continue;
@@ -147,13 +150,13 @@ Vector<double> bulges_of(const Shape& shape, const Bends& bends, const Flags& sh
 
 // ---- Rounds
 
-// What one round needs of the mesh before it.
+// The data that one round needs about the mesh before it.
 struct Round {
     FaceEdges edges;
-    Flags sharp;                // edges
-    Flags on_line;              // vertices inside sharp lines
-    Flags stays;                // vertices
-    Vector<Triangle> triangles; // after it
+    Flags sharp;                // one flag for each edge
+    Flags on_line;              // one flag for each vertex: inside a sharp line
+    Flags stays;                // one flag for each vertex
+    Vector<Triangle> triangles; // the faces after the round
 };
 
 Vector<std::int64_t> lines_at_vertices(const FaceEdges& edges, const Flags& sharp, std::size_t vertices, Pool& pool) {
@@ -164,10 +167,11 @@ Vector<std::int64_t> lines_at_vertices(const FaceEdges& edges, const Flags& shar
     return lines;
 }
 
-// Vertices that stay where they are: ends and crossings of sharp lines, and corners of these.
+// Returns the vertices that do not move: ends, crossings and corners of sharp lines.
 Flags staying_vertices(const Points& points, const FaceEdges& edges, const Flags& sharp,
                        const Vector<std::int64_t>& lines, Pool& pool) {
-    Points way(points.size(), glm::dvec3(0.0), &pool); // the sum of the unit vectors along the lines away from a vertex
+    // For each vertex, the sum of the unit vectors away from it along the lines.
+    Points way(points.size(), glm::dvec3(0.0), &pool);
     for (const bool to_end : {false, true})
         for (std::size_t e = 0; e < edges.size(); ++e) {
             if (sharp[e] == 0) continue;
@@ -175,7 +179,7 @@ Flags staying_vertices(const Points& points, const FaceEdges& edges, const Flags
             const glm::dvec3 unit = unit_or_zero(at(points, ends[1]) - at(points, ends[0]));
             at(way, ends[to_end ? 1 : 0]) += to_end ? -unit : unit;
         }
-    // Two units a and b away from a vertex: |a + b|^2 = 2 + 2 a . b, and a . b = -1 where the line is straight.
+    // For unit vectors a and b away from a vertex |a + b|^2 = 2 + 2 a . b, and a . b = -1 where the line is straight.
     const double corner = 2.0 - 2.0 * std::cos(subdivide_tuning.corner_angle * degree);
     Flags stays(points.size(), 0, &pool);
     for (std::size_t v = 0; v < points.size(); ++v) {
@@ -186,7 +190,7 @@ Flags staying_vertices(const Points& points, const FaceEdges& edges, const Flags
     return stays;
 }
 
-// Each face in four: three at the corners, one in the middle.
+// Divides each face into four: three at the corners, and one in the middle.
 Vector<Triangle> quartered(const Vector<Triangle>& triangles, const FaceEdges& edges, std::size_t vertices,
                            Pool& pool) {
     const std::size_t faces = triangles.size();
@@ -204,7 +208,7 @@ Vector<Triangle> quartered(const Vector<Triangle>& triangles, const FaceEdges& e
     return finer;
 }
 
-// Both halves of the edges that were sharp in a round, in ascending order.
+// Returns both halves of all edges that were sharp in a round, in ascending order.
 Vector<Edge> halves_of(const FaceEdges& edges, const Flags& sharp, std::size_t vertices, Pool& pool) {
     Vector<Edge> halves(&pool);
     for (std::size_t e = 0; e < edges.size(); ++e)
@@ -219,7 +223,7 @@ struct Rounds {
     explicit Rounds(Pool& pool) : rounds(&pool), sharp_edges(&pool) {}
 
     Vector<Round> rounds;
-    Vector<Edge> sharp_edges; // after the last; only of a shape that knows its own
+    Vector<Edge> sharp_edges; // the sharp edges after the last round, if the shape knows its own
 };
 
 Rounds plan_rounds(const Shape& shape, std::int32_t count, double crease_angle, Pool& pool,
@@ -243,7 +247,7 @@ Rounds plan_rounds(const Shape& shape, std::int32_t count, double crease_angle, 
             {std::move(edges), std::move(sharp), std::move(on_line), Flags(stays, &pool), std::move(finer)});
         stays.resize(after, 0);
         vertices = after;
-        if (i + 1 == count) { // nobody asks for the edges after the last round, but which are sharp
+        if (i + 1 == count) { // After the last round only the sharp edges are needed.
             if (shape.has_sharp_edges) plan.sharp_edges = halves;
             break;
         }
@@ -256,7 +260,8 @@ Rounds plan_rounds(const Shape& shape, std::int32_t count, double crease_angle, 
     return plan;
 }
 
-// The sums of the points at the other ends of edges; `wanted`: 1 for each edge that counts, or null for all.
+// Returns, for each point, the sum of the points at the other ends of its edges. `wanted` is 1 for each edge that
+// counts, or null if all do.
 Points sums_around(const Points& points, const FaceEdges& edges, const Flags* wanted, Pool& pool) {
     Points sums(points.size(), glm::dvec3(0.0), &pool);
     for (const std::size_t from : {std::size_t{0}, std::size_t{1}})
@@ -266,7 +271,7 @@ Points sums_around(const Points& points, const FaceEdges& edges, const Flags* wa
     return sums;
 }
 
-// Where a vertex goes by Loop's rule, from the sum of its neighbours.
+// Returns the new place of a vertex by Loop's rule, from the sum of its neighbours.
 glm::dvec3 smooth_place(const glm::dvec3& place, const glm::dvec3& around, std::int64_t valence) noexcept {
     const auto most = static_cast<double>(std::max<std::int64_t>(valence, 3));
     const double near = 3.0 / 8.0 + std::cos(2.0 * std::numbers::pi / most) / 4.0;
@@ -274,11 +279,12 @@ glm::dvec3 smooth_place(const glm::dvec3& place, const glm::dvec3& around, std::
     return (1.0 - share) * place + share * around / static_cast<double>(std::max<std::int64_t>(valence, 1));
 }
 
-// The vertices after a round: those before, moved, and the middles of the edges.  corners: its faces before.
+// Returns the vertices after a round: the moved vertices, then the middles of the edges. `corners` has the faces before
+// the round.
 Points refined_once(const Points& points, const Round& round, const Vector<Triangle>& corners, Pool& pool) {
     const FaceEdges& edges = round.edges;
     const std::size_t faces = corners.size();
-    Points beside(edges.size(), glm::dvec3(0.0), &pool); // sums of the corners across each edge
+    Points beside(edges.size(), glm::dvec3(0.0), &pool); // sums of the opposite corners of each edge
     for (std::size_t k = 0; k < 3; ++k)
         for (std::size_t f = 0; f < faces; ++f)
             at(beside, edges.of_side[k * faces + f]) += at(points, corners[f][(k + 2) % 3]);
@@ -340,7 +346,7 @@ Shape subdivide(const Shape& shape, std::int32_t rounds, double crease_angle, Po
         return finer;
     }
     Rounds plan = plan_rounds(shape, rounds, crease_angle, pool, progress);
-    Points control(shape.points, &pool); // of which plain subdivision comes near to the given vertices
+    Points control(shape.points, &pool); // Plain subdivision of these points comes near to the given vertices.
     for (std::int32_t i = 0; i < subdivide_tuning.corrections; ++i) {
         const Points made = refined(control, shape, plan.rounds, pool, progress);
         for (std::size_t v = 0; v < control.size(); ++v) control[v] = control[v] + shape.points[v] - made[v];
@@ -354,7 +360,7 @@ Shape subdivide(const Shape& shape, std::int32_t rounds, double crease_angle, Po
 Vector<std::int64_t> parents_of(std::size_t faces, std::size_t finer, Pool& pool) {
     Vector<std::int64_t> parents(&pool);
     parents.reserve(finer);
-    // A round puts the four parts of all faces one after another.
+    // A round stores the four parts of all faces block by block.
     for (std::size_t i = 0; i < finer; ++i) parents.push_back(static_cast<std::int64_t>(i % faces));
     return parents;
 }
@@ -366,14 +372,14 @@ DividedParts subdivide_coarse_parts(const Shape& shape, std::int32_t rounds, dou
     const Vector<std::size_t> part = joined_faces(bends, pool, [](std::size_t) { return true; });
     const Flags sharp = sharp_edges_of(shape, edges, bends, all_smooth, pool);
     const Vector<double> bulge = bulges_of(shape, bends, sharp, pool);
-    Flags is_coarse(shape.triangles.size(), 0, &pool); // parts
+    Flags is_coarse(shape.triangles.size(), 0, &pool); // one flag for each part
     for (std::size_t i = 0; i < bulge.size(); ++i)
         if (bulge[i] > tolerance) is_coarse[part[bends.plain[i].one]] = 1;
     Shape coarse(pool);
     coarse.points = shape.points;
     coarse.has_sharp_edges = shape.has_sharp_edges;
     coarse.sharp_edges = shape.sharp_edges;
-    Vector<Triangle> triangles(&pool); // that stay, then those of the finer parts
+    Vector<Triangle> triangles(&pool); // the faces that stay, then those of the finer parts
     Vector<std::int64_t> parents(&pool);
     Vector<std::int64_t> divided(&pool);
     for (std::size_t f = 0; f < shape.triangles.size(); ++f) {

@@ -7,132 +7,135 @@
 
 namespace hrbfnpr::picture {
 
-// How a mesh is looked at, divided and fitted.  Set on figures, machine parts and balls of 80 to 300 000 faces.
+// Inspection, division and fit of a mesh. Set on figures, machine parts and balls of 80 to 300 000 faces.
 struct MeshTuning {
-    // Samples that tell which way a mesh looks and which direction is up.  Larger: surer, in more time.
+    // The number of samples that decide which way a mesh faces and which direction is up. Larger: surer, in more time.
     std::int64_t looked_at = 2000;
-    // Samples where the fit does not choose them and the options set no number.  Larger: finer surfaces, in more time.
+    // The number of samples if neither the fit nor the options choose it. Larger: finer surfaces, in more time.
     std::int64_t samples = 1000;
-    // The most samples of a mesh, as hrbfnpr_mesh_sample has it.
+    // A mesh has at most this many samples, as in hrbfnpr_mesh_sample.
     std::int64_t most_samples = 10'000'000;
-    // Degrees: faces that meet at a sharper angle do not share normals, unless the options say so.  Larger: samples
-    // beside edges lean towards these.
+    // Faces that meet at a larger angle, in degrees, do not share normals, unless the options set the angle. Larger:
+    // normals of samples beside edges lean towards the other face.
     double crease_angle = 60.0;
-    // Degrees by which faces bend that are meant to be flat; their edges are sharp then.  Larger: fewer of them are.
+    // Faces that bend by this many degrees are meant to be flat, and their edges are sharp. Larger: fewer edges are
+    // sharp.
     double flat_bend = 5.0;
 
-    // Diagonals: the tolerance of a fit, as hrbfnpr_model_fit_mesh has it.  Larger: coarser surfaces in less time.
+    // The tolerance of a fit in diagonals, as in hrbfnpr_model_fit_mesh. Larger: coarser surfaces in less time.
     double tolerance = 0.002;
-    // Faces of a mesh that may be divided, at most.  Larger: finer meshes are looked at, in more time.
+    // Meshes with at most this many faces may be divided. Larger: finer meshes are examined, in more time.
     std::size_t most_coarse = 50'000;
-    // Diagonals: a mesh whose edges are shorter on average bends by noise, and is not divided.  Larger: fewer are.
+    // A mesh whose mean edge is shorter than this, in diagonals, bends by noise and is not divided. Larger: fewer
+    // meshes are divided.
     double coarse_edge = 0.025;
-    // Rounds of subdivision, at most.  Larger by 1: four times as many faces.
+    // The limit of subdivision rounds. Each more: four times as many faces.
     std::int32_t most_rounds = 3;
-    // A factor of how far the faces bulge: if vertices move farther than that, nothing round goes through them. Figures
-    // and rings have 1.2 at most.  Larger: more meshes with long faces are divided.
+    // No round surface goes through the vertices if they move by more than this factor times the bulge of the faces.
+    // The factor of figures and rings is 1.2 at most. Larger: more meshes with long faces are divided.
     double most_moved = 1.5;
-    // The same for places between the vertices: 1.8 for a ball of 156 faces, 2.7 at most for figures.
+    // The same factor for places between the vertices: it is 1.8 for a ball of 156 faces, and 2.7 at most for figures.
     double most_raised = 3.0;
-    // The percentile of these places that is compared.  Larger: a single fold counts.
+    // The places are compared at this percentile. Larger: a single fold counts.
     double raised_percentile = 99.0;
-    // Diagonals: the tolerance with which a coarse mesh is asked whether it has edges.  Larger: more of its faces may
-    // be round.
+    // A rough fit with this tolerance, in diagonals, shows whether a coarse mesh has edges. Larger: more of its faces
+    // may be round.
     double rough_tolerance = 0.1;
 
-    // Diagonals: longer edges that stay smooth get a note.  Larger: fewer notes.
+    // Edges that stay smooth get a note if their length exceeds this, in diagonals. Larger: fewer notes.
     double told_smooth_length = 0.01;
-    // The share of a mesh within the tolerance.  If it is less, coarse faces are the reason, and not a few edges.
-    // Larger: more meshes are called coarse.
+    // If less than this share of a mesh is within the tolerance, the reason is coarse faces, not a few edges. Larger:
+    // more meshes are called coarse.
     double mostly_reached = 0.9;
-    // The share of the most centres from which on a fit that falls short had too few.  Larger: more centres are
-    // proposed less often.
+    // A fit that misses its tolerance had too few centres if it used more than this share of the limit. Larger: more
+    // centres are proposed less often.
     double nearly_all_centres = 0.9;
-    // Centres that a fit may have, and those for each sheet of one with sharp edges, as hrbfnpr_model_fit_mesh has it.
+    // The limits of the centres of a fit, and of those for each sheet of a fit with sharp edges, as in
+    // hrbfnpr_model_fit_mesh.
     std::int64_t most_centres = 8000;
     std::int64_t centres_a_sheet = 32;
 
-    // Places on a mesh that show where it ends, and random ones that they are chosen from: three times as many leave no
-    // gaps.  They are some 0.005 diagonals from each other.  Larger: the end is more exact, in more time.
+    // The number of places that show where a mesh ends, and of the random candidates for them. Three times as many
+    // candidates leave no gaps. The places are about 0.005 diagonals apart. Larger: the end is more exact, in more
+    // time.
     std::int64_t end_places = 60'000;
     std::int64_t end_candidates = 180'000;
-    // Diagonals: surface that is farther than this from a mesh is none of it; the least and the most.  Larger: more of
+    // Surface farther from a mesh than a limit between these two, in diagonals, does not belong to it. Larger: more of
     // the surface that a fit invents stays.
     double least_off = 0.009;
     double most_off = 0.015;
-    // A factor between these two limits: of the distance of 99 % of the mesh from the surface, or of the spacing of the
-    // samples, since they round edges off by that.  Larger: as above.
+    // Between these bounds, the limit is this factor times the 99th percentile of the mesh's distances from the
+    // surface, or times the spacing of the samples, by which they round edges off. Larger: as above.
     double off_factor = 1.5;
-    // The share of a closed surface that is left out and warned of.  Larger: fewer warnings.
+    // A warning comes if more than this share of a closed surface is removed. Larger: fewer warnings.
     double doubted_share = 0.002;
-    // The factor of the samples that is proposed then.
+    // The warning proposes this many times the samples.
     std::int64_t more_samples = 4;
 };
 inline constexpr MeshTuning mesh_tuning;
 
-// Parts of an open mesh that are surfaces of their own, parts that are lost, and faces that are left over.
+// Parts of an open mesh that are surfaces of their own, lost parts, and leftover faces.
 struct ApartTuning {
-    // Diagonals: parts that are nearer than this disturb each other.  Larger: more groups.
+    // Parts nearer than this, in diagonals, disturb each other. Larger: more groups.
     double near = 0.02;
-    // Diagonals: borders that are nearer than this may be one edge that the file has twice.  Larger: fewer groups.
+    // Borders nearer than this, in diagonals, may be a single edge that the file has twice. Larger: fewer groups.
     double seam = 0.002;
-    // The share of the border of either part along which that has to be so.  Larger: more groups.
+    // They are one edge if this share of the border of either part is that near. Larger: more groups.
     double seam_share = 0.2;
-    // The cosine between the normals of the faces there, at least.  Larger: more groups.
+    // The cosine between the normals of the faces there is at least this. Larger: more groups.
     double seam_cosine = 0.7;
-    // Places on all parts, about.  Larger: no contact is missed, in more time.
+    // About this many places are spread over all parts. Larger: no contact is missed, in more time.
     double places = 40'000.0;
-    // Faces: larger meshes are one group; the first holds for those that hang together by their vertices.  Larger: more
-    // meshes are grouped, in more time.
+    // Meshes with more faces are one group; the first limit is for parts connected by vertices. Larger: more meshes are
+    // grouped, in more time.
     std::int64_t most_faces_of_one = 100'000;
     std::int64_t most_faces = 300'000;
-    // A mesh of more parts is one group.  Larger: time and memory with the square of it.
+    // A mesh with more parts is one group. Time and memory grow with the square of it.
     std::int64_t most_parts = 500;
-    // Groups, at most: parts that find no place in the first ones share the last.  Larger: more fits.
+    // The limit of the groups. Parts beyond the first ones share the last. Larger: more fits.
     std::int64_t most_groups = 8;
-    // Faces, at most, and the share of all area, at most, of parts that are too little for a surface of their own.
-    // Larger: more faces are left out where three meet in an edge.
+    // Parts with at most this many faces, and this share of the total area, are too small for a surface of their own.
+    // Larger: more faces are removed where three meet in an edge.
     std::int64_t flap_faces = 2;
     double flap_area = 2e-4;
 
-    // The share of the area of all lost parts together, at most.  Larger: more parts are lost.
+    // All lost parts together have at most this share of the area. Larger: more parts are lost.
     double lost_area = 0.001;
-    // The size of all other parts times this, less one, is the distance from which on parts are lost.  Larger: fewer
-    // are.
+    // Parts are lost beyond a distance of (this - 1) times the size of all other parts. Larger: fewer parts are lost.
     double lost_distance = 4.0;
 };
 inline constexpr ApartTuning apart_tuning;
 
-// Meshes that are divided towards something round.
+// Division of meshes that stand for a round shape.
 struct SubdivideTuning {
-    // Faces after the last round, at most.  Larger: some gigabytes of memory more.
+    // The limit of faces after the last round. Larger: some gigabytes of memory more.
     std::int64_t most_faces = 4'000'000;
-    // Rounds, at most.
     std::int32_t most_rounds = 6;
-    // How often vertices are corrected so that the surface goes through them.  After four it passes them by a hundredth
-    // of the way that plain subdivision moves them.  Larger: nearer, in more time.
+    // The number of corrections that make the surface go through the vertices. After four it misses them by a hundredth
+    // of the distance that plain subdivision moves them. Larger: nearer, in more time.
     std::int32_t corrections = 4;
-    // Degrees: a vertex stays where a border or crease turns by more.  Larger: rounder corners.
+    // A vertex stays where a border or crease turns by more than this, in degrees. Larger: rounder corners.
     double corner_angle = 60.0;
-    // The share of the area of a flat face that a bevel beside it has at most.  Larger: more faces are bevels.
+    // A bevel has at most this share of the area of the flat face beside it. Larger: more faces are bevels.
     double narrow = 0.25;
-    // Degrees by which the edges of bevels bend at least.  Larger: fewer faces are bevels.
+    // The edges of a bevel bend by at least this, in degrees. Larger: fewer faces are bevels.
     double bevel_angle = 15.0;
-    // Degrees: triangles that bend by less to each other are one flat face.  Larger: larger flat faces.
+    // Triangles that bend by less than this to each other, in degrees, are one flat face. Larger: larger flat faces.
     double flat_angle = 2.0;
-    // The percentile of the edges that says how coarse a mesh is.  Larger: a few long faces make it coarse.
+    // This percentile of the edges defines how coarse a mesh is. Larger: a few long faces make it coarse.
     double coarse_percentile = 90.0;
 };
 inline constexpr SubdivideTuning subdivide_tuning;
 
-// Edges that are sharp by the normals of a file.
+// Edges that the normals of a file mark as sharp.
 struct SharpEdgesTuning {
-    // Degrees: faces that bend by less are one, as the triangles of a polygon.  Larger: fewer edges are asked.
+    // Faces that bend by less than this, in degrees, are one face, like the triangles of a polygon. Larger: fewer edges
+    // count.
     double bend_angle = 2.0;
-    // Fewer edges than this say nothing.
+    // The normals say nothing if there are fewer edges.
     std::int64_t fewest = 8;
-    // The share of the edges from which on all are sharp; up to the rest of 1 none is.  Larger: more files say that
-    // some are.
+    // All edges are sharp if more than this share is, and none is if less than the rest of 1 is. Larger: more files
+    // have some sharp edges.
     double nearly_all = 0.98;
 };
 inline constexpr SharpEdgesTuning sharp_edges_tuning;

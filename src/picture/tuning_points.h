@@ -8,139 +8,145 @@
 
 namespace hrbfnpr::picture {
 
-// How many points are used.
+// The numbers of points that are used.
 struct PointsTuning {
-    // Samples that are taken from more points, if the options set no number. Larger: finer surfaces; a direct solver
-    // needs time with the third power of it. Minutes and gigabytes above this.
+    // If the options set no number, this many samples are taken from larger point sets. A direct solver needs time with
+    // the third power of the number: minutes and gigabytes above this. Larger: finer surfaces.
     std::size_t most_samples = 4096;
-    // Points that get normals; others are left out. Larger: more of a large scan is used; 20 000 take ten seconds.
+    // At most this many points get normals; the others are removed. 20 000 take ten seconds. Larger: more of a large
+    // scan is used.
     std::size_t most_oriented = 20'000;
-    // Random candidates for each sample that is chosen. Larger: more even samples, and more time.
+    // Each sample is chosen from this many random candidates. Larger: more even samples, and more time.
     std::size_t candidates_a_sample = 40;
-    // Fewer samples than this make a warning that the surface is a guess.
+    // With fewer samples, a warning says that the surface is a guess.
     std::size_t few_samples = 10;
-    // A share of the longest extent: samples whose other extents are below it lie on a line or in a plane. Larger: more
-    // samples are called flat.
+    // Samples lie on a line or in a plane if their other extents are below this share of the longest. Larger: more
+    // sample sets are called flat.
     double thin = 1e-4;
-    // Pixels from the border of a hole in the image of a depth camera to its middle. Larger: larger gaps, which the
-    // camera did not see behind something, are closed.
+    // The distance in pixels from the border of a hole in a depth image to its middle. Larger: larger gaps, which are
+    // hidden from the camera by nearer objects, are closed.
     double hole_pixels = 8.0;
 };
 inline constexpr PointsTuning points_tuning;
 
-// Which way normals look. Set on balls, tori, knots, plates and scans with some normals turned.
+// The direction of normals. Set on balls, tori, knots, plates and scans with some normals turned.
 struct NormalsTuning {
-    // Samples that stand for all. Larger: surer, and more time.
+    // At most this many samples represent all. Larger: surer, and more time.
     std::size_t most_sources = 2500;
-    // Samples at which the winding number is computed. Larger: surer, and more time.
+    // The winding number is computed at this many samples. Larger: surer, and more time.
     std::size_t most_queries = 300;
-    // Neighbours that a normal is compared with. Larger: smoother decisions, but thin parts look wrong.
+    // A normal is compared with this many neighbours. Larger: smoother decisions, but thin parts look wrong.
     std::int64_t neighbours = 8;
-    // Fewer samples than this tell nothing.
+    // Fewer samples than this are not examined.
     std::size_t fewest_looked_at = 6;
-    // A cosine: normals at one place that differ less are the same, as the fit has it. Larger: more places are joined.
+    // Normals at one place are the same if their cosine is above this, as in the fit. Larger: fewer normals count as
+    // the same.
     double agreement = 0.99985;
-    // The length of a mean of unit normals: if it is less, they contradict each other, and no sample is left there.
+    // Unit normals contradict each other if their mean is shorter than this, and no sample remains there.
     double opposite = 0.2;
-    // A share of a sample's area that is added to squared distances. Larger: what lies right beside a sample counts
-    // less.
+    // This share of a sample's area is added to squared distances. Larger: places right beside a sample count less.
     double soft_area = 0.1;
-    // Winding numbers on both sides are asked this many spacings off the surface.
+    // The winding numbers on both sides are computed this many spacings off the surface.
     double off_surface = 0.5;
-    // The least |sum| of the two winding numbers that tells which side is outside.
+    // The sum of the two winding numbers tells which side is outside if its magnitude is at least this.
     double telling_sum = 0.4;
-    // The least share of places with such a sum.
+    // At least this share of the places must have such a sum.
     double telling_share = 0.3;
-    // The sum is 1 on a closed surface, -1 on one that is inside out, 0 on a flat sheet. Below this all normals are
+    // The sum is 1 on a closed surface, -1 on an inside-out one, and 0 on a flat sheet. Below this all normals are
     // inward. Nearer to 0: open surfaces are turned, too.
     double inward_sum = -0.5;
-    // Below this most of an open surface is warned of.
+    // A sum below this gives a warning that most of an open surface is inside out.
     double doubtful_sum = -0.25;
-    // The share of normals against their neighbours that is repaired or warned of. Larger: more wrong ones are let be.
+    // Normals are repaired or warned of if more than this share opposes its neighbours. Larger: more wrong normals
+    // stay.
     double mixed_share = 0.02;
-    // The share of wrong normals up to which all others may be trusted.
+    // All other normals may be trusted if at most this share is wrong.
     double unsure_share = 0.1;
-    // If the share of places that look inside out lies between these, some parts look inward and others outward.
+    // If the share of places that look inside out lies between these, some parts point inward and others outward.
     double least_outside_in = 0.05;
     double most_outside_in = 0.95;
-    // A cosine: neighbouring normals below it are opposed.
+    // Neighbouring normals are opposed if their cosine is below this.
     double opposed_cosine = -0.25;
-    // A neighbour lies beside a sample if its height above the sample's plane is less than this share of its distance.
+    // A neighbour lies beside a sample if its height above the sample's plane is below this share of its distance.
     double beside_height = 0.5;
-    // The same for a neighbour that is surely on the same sheet.
+    // The same limit for a neighbour that is surely on the same sheet.
     double level_height = 0.25;
-    // The least share of neighbours that are surely on the same sheet, for pairs of them to tell anything.
+    // Pairs of neighbours are used only if at least this share is surely on the same sheet.
     double least_level_share = 0.2;
-    // A normal is against those beside it if more than this share of them, of three at least, is opposed.
+    // A normal is wrong if more than this share of its side neighbours is opposed. There must be at least three of
+    // them.
     double against_share = 0.75;
     std::int64_t fewest_beside = 3;
-    // Normals of fewer points are not repaired.
+    // Smaller sets of points are not repaired.
     std::size_t fewest_repaired = 10;
-    // Confidence of normals that the library made, below which it is warned of.
+    // Normals made by the library give a warning if their confidence is below this.
     double unsure_confidence = 0.5;
 
-    // More points are not asked whether they lie along curves. Larger: more time.
+    // Larger sets of points are not tested for lying along curves. Larger: more time.
     std::size_t most_along_curves = 24'000;
 };
 inline constexpr NormalsTuning normals_tuning;
 
 // Points that lie far from all others.
 struct StraysTuning {
-    // Coordinates that stand for no data in formats of terrain and of scanners.
+    // Coordinates that stand for missing data in terrain and scanner formats.
     std::array<double, 7> no_data{
         -9999.0, -99999.0, -999999.0, -32767.0, -32768.0, -3.4028234663852886e38, -1.7976931348623157e308};
-    // A few points are left out if they are this many times as far from the middle as all others. Larger: fewer are.
+    // A few points are removed if they are this many times as far from the middle as all others. Larger: fewer are
+    // removed.
     double far = 4.0;
-    // They may be this share of all at most.
+    // The few are at most this share of all points.
     double few = 0.005;
 
-    // Fewer points than this are not searched for dust.
+    // Smaller sets of points are not searched for dust.
     std::size_t fewest = 200;
-    // Cells are made so large that half of all points share theirs with this many. Larger: coarser cells, fewer strays.
+    // The cell size is chosen so that half of all points share their cell with this many. Larger: coarser cells, fewer
+    // strays.
     double crowd = 24.0;
-    // A point is a stray if its cell and those around it hold no more points; half of all points see a hundred and
-    // more.
+    // A point is a stray if its cell and the cells around it hold at most this many points. Half of all points see a
+    // hundred or more.
     std::int64_t alone = 3;
-    // If more than this share of points would be strays, none is: points lie as unevenly as that.
+    // If more than this share would be strays, none is removed, because the points are simply uneven.
     double most = 0.1;
-    // The factor between one size of cells and the next.
+    // Each cell size is this many times the one before.
     double coarser = 1.3;
 };
 inline constexpr StraysTuning strays_tuning;
 
-// How near a surface is to what it was fitted to.
+// The distance between a surface and its samples or mesh.
 struct NearnessTuning {
-    // A share of the diagonal, as hrbfnpr_model_compare_mesh has it: a mesh is missed where it is farther off.
+    // A mesh is missed where it is farther off than this share of the diagonal, as in hrbfnpr_model_compare_mesh.
     double far = 0.01;
-    // The share of the mesh that may be missed without a warning.
+    // This share of the mesh may be missed without a warning.
     double missed_share = 0.01;
-    // Samples times this are proposed instead.
+    // The warning proposes this many times the samples.
     std::int64_t more_samples = 4;
-    // The share of samples that look wrong and is warned of; at least the number below, since a few at thin parts look
-    // so and are right.
+    // A warning comes if more than this share of samples, and at least the number below, looks wrong. A few samples on
+    // thin parts look wrong but are right.
     double doubted_share = 0.005;
     double least_doubted = 3.0;
-    // In diagonals: a surface that is this near to all samples goes through them.
+    // A surface at most this far from all samples, in diagonals, goes through them.
     double through = 1e-6;
 };
 inline constexpr NearnessTuning nearness_tuning;
 
-// Where the surface of points ends.
+// The end of a surface that is fitted to points.
 struct EndsTuning {
-    // If the share of the surface that is left out is above this, the rest is strips along curves, and nothing between
-    // these is drawn.
+    // If more than this share of the surface is removed, the rest is strips along curves, and no surface between them
+    // is drawn.
     double mostly_left_out = 0.5;
 };
 inline constexpr EndsTuning ends_tuning;
 
-// What is found wrong with a source that is inspected.
+// Defects that an inspection finds in a source.
 struct InspectTuning {
-    // Samples of a mesh, by which its normals and its up are looked at. Larger: surer, and more time.
+    // This many samples of a mesh show its normals and its up direction. Larger: surer, and more time.
     std::size_t mesh_samples = 1000;
-    // In diagonals of the bounds: a source whose middle is farther from the origin loses its details in single
-    // precision, which has seven digits.
+    // A source loses details in single precision, which has seven digits, if its middle is farther from the origin than
+    // this, in diagonals.
     double far_from_origin = 1e5;
-    // Normals whose length is off 1 by less are unit: files have few digits. Larger: fewer are reported.
+    // Normals are unit if their length differs from 1 by less than this, because files have few digits. Larger: fewer
+    // are reported.
     double unit_length = 1e-3;
 };
 inline constexpr InspectTuning inspect_tuning;

@@ -9,8 +9,7 @@
     docs.py versions ROOT                   CHANGELOG.md, CITATION.cff and Cargo.toml name the project's version
     docs.py quickstart ROOT FILE [PROGRAM...]
         README.md contains examples/FILE to the letter, but for a licence line at its top, and PROGRAM
-        (or, for a .py, the file itself)
-        leaves a drawing in the current folder
+        (or, for a .py, the file itself) leaves a drawing in the current folder; docs/tutorial.md contains steps.c
     docs.py tutorial ROOT                   the code of docs/tutorial.md runs, and draws the pictures that are committed
     docs.py cookbook ROOT                   the same of docs/cookbook.md
     docs.py guide ROOT FOLDER               Sphinx makes the guide without a warning, such as of links that lead nowhere
@@ -234,9 +233,10 @@ def drawn_badly(name, path):
 
 def quickstart(root, name, program):
     example = (root / "examples" / name).read_text(encoding="utf-8")
-    blocks = code_blocks((root / "README.md").read_text(encoding="utf-8"), LANGUAGES[Path(name).suffix])
+    document = "docs/tutorial.md" if name.startswith("steps") else "README.md"
+    blocks = code_blocks((root / document).read_text(encoding="utf-8"), LANGUAGES[Path(name).suffix])
     if re.sub(r"\A.*SPDX-License-Identifier: MIT.*\n", "", example) not in blocks:
-        yield f"README.md does not contain examples/{name} to the letter"
+        yield f"{document} does not contain examples/{name} to the letter"
     if not program:
         skip_without("cffi", "numpy", "PIL")
     command = program or [sys.executable, str(root / "examples" / name)]

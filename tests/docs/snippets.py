@@ -30,6 +30,7 @@ RUN_BY = {
     ("README.md", "cpp"): "tests/docs/docs.py",
     ("README.md", "python"): "tests/docs/docs.py",
     ("README.md", "csharp"): "tests/csharp/run.py",
+    ("docs/tutorial.md", "c"): "tests/docs/docs.py",
     ("docs/tutorial.md", "python"): "docs/tutorial_pictures.py",
     ("docs/cookbook.md", "python"): "docs/cookbook_pictures.py",
     ("docs/python.md", "python"): "tests/python/test_packaging.py",

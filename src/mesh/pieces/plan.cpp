@@ -13,32 +13,34 @@ namespace hrbfnpr::mesh {
 namespace {
 
 struct PlanTuning {
-    // Share of `far`: faces that are farther from something round as their normals are stay flat.  Larger: fewer do.
+    // A share of `far`: faces that are farther than this from a round surface stay flat. Larger: fewer faces stay flat.
     double too_coarse = 0.8;
-    // Share of the crease angle from which on a polyhedron of coarse faces has edges.  Larger: fewer of its edges are.
+    // A polyhedron of coarse faces has edges from this share of the crease angle on. Larger: fewer of its edges are
+    // sharp.
     double flat_faces = 0.5;
-    // Diagonals: the least and the most of EndPlan::off.  Larger: more of the surface beyond a mesh stays.
+    // The lower and upper bounds of EndPlan::off, in diagonals. Larger: more of the surface beyond a mesh stays.
     double least_off = 0.009;
     double most_off = 0.015;
-    // Diagonals: the least of EndPlan::off where the fit is exact.  Larger: narrow strips end later.
+    // The lower bound of EndPlan::off where the fit is exact, in diagonals. Larger: narrow strips end later.
     double least_off_exact = 0.001;
-    // Diagonals: a fit is exact that is this near to the mesh, as those of planes and the like are.
+    // A fit is exact if it is at most this far from the mesh, in diagonals, as fits of planes are.
     double exact = 2e-4;
-    // Share of the width of a strip: there is room for a row of places on either side, and for something between.
+    // The lower bound as a share of a strip's width. It leaves room for a row of places on either side and a gap
+    // between.
     double of_width = 0.2;
-    // Mean distances of the places.  Larger: the surface ends farther beyond the last ones.
+    // The lower bound in mean distances of the places. Larger: the surface ends farther beyond the last places.
     double of_places = 1.5;
-    // Distances of 99 % of the mesh from the surface, as coarse faces have them everywhere.
+    // A factor of the 99th percentile of the mesh's distances from the surface, which is large all over coarse faces.
     double of_coarse_faces = 1.5;
-    // How many places show where a mesh ends.  Larger: the end is more exact, and is found later.
+    // This many places show where a mesh ends. Larger: the end is more exact, and takes longer to find.
     std::int64_t places = 40000;
 };
 constexpr PlanTuning plan_tuning;
 
-// Where a mesh is round, each of its parts is one sheet: no edge bends by this much, and no face is too coarse.
+// With this limit a round mesh has one sheet for each of its parts: no edge is sharp, and no face is too coarse.
 constexpr Sharpness no_creases{180.0, std::numeric_limits<double>::infinity()};
 
-// Whether solids go through each other: one function would have to be two where they do.
+// Tells whether solids intersect each other. One function cannot represent them where they do.
 bool crosses(const base::Runtime& runtime, const Mesh& mesh, const FaceTree& tree, const base::Progress& progress) {
     return mesh.report.boundary_edges == 0 && find_crossing(runtime, mesh, tree, progress).one >= 0;
 }
@@ -48,7 +50,7 @@ Sharpness sharpness_of(const CreaseEvidence& found, const FitMeshSettings& setti
     return {found.polyhedron ? plan_tuning.flat_faces * settings.crease_angle : settings.crease_angle, coarse};
 }
 
-// Solids that go through each other are surfaces of their own: each has edges, or none.
+// Finds the creases of intersecting solids. Each solid is a surface of its own, with or without edges.
 Creases creases_of_solids(const base::Runtime& runtime, const Mesh& mesh, const FitMeshSettings& settings,
                           double coarse, const base::Progress& progress) {
     base::Array<Sharpness> sharpness(runtime.memory);
@@ -57,8 +59,9 @@ Creases creases_of_solids(const base::Runtime& runtime, const Mesh& mesh, const 
     return find_creases(runtime, mesh, sharpness, progress);
 }
 
-// Diagonals: the least of how_far_off().  A support of wide spacings cannot end a narrow strip, so for a mesh that is
-// met exactly they are a share of its mean width, 2 area / border, but no less than its places are apart.
+// Returns the lower bound of how_far_off(), in diagonals. A support with wide spacings cannot end a narrow strip. So
+// for a mesh that is met exactly the bound is a share of its mean width, 2 area / border, but no less than the distance
+// between its places.
 double least_off(const Mesh& mesh, const FitMeshReport& report) noexcept {
     const double diagonal = mesh.bounds.diagonal();
     const double border = border_length(mesh);
@@ -70,8 +73,8 @@ double least_off(const Mesh& mesh, const FitMeshReport& report) noexcept {
                       plan_tuning.least_off);
 }
 
-// Diagonals: how far from a mesh a surface lies that is none of it.  Faces too coarse for what they stand for are far
-// off a surface that is round, everywhere.
+// Returns the distance, in diagonals, beyond which surface does not belong to the mesh. Where a mesh has coarse faces
+// for a round shape, they are far off the round surface everywhere.
 double how_far_off(const Mesh& mesh, const FitMeshReport& report) noexcept {
     const double p99 = report.mesh.p99 / mesh.bounds.diagonal();
     const double least = least_off(mesh, report);
@@ -107,10 +110,10 @@ CreasePlan plan_creases(const base::Runtime& runtime, const Mesh& mesh, const Fa
 EndPlan plan_end(const Mesh& mesh, const FitMeshReport& report, bool has_creases) noexcept {
     const double off = how_far_off(mesh, report);
     if (mesh.report.boundary_edges > 0) return {End::at_places, off};
-    // A fit with creases takes its inside from the mesh, so it invents nothing unless the mesh crosses itself, where
-    // nobody knows the inside.
+    // A fit with creases takes its inside from the mesh, so it invents no surface unless the mesh crosses itself, where
+    // the inside is not defined.
     if (has_creases) return {report.surface.most > off * mesh.bounds.diagonal() ? End::at_places : End::nowhere, off};
-    // A smooth fit that reached its tolerance has looked by itself, and found nothing far from the mesh.
+    // A smooth fit that reached its tolerance has already checked that its surface is nowhere far from the mesh.
     return {report.reached ? End::nowhere : End::at_samples, off};
 }
 

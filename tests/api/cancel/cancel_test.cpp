@@ -78,7 +78,7 @@ TEST(Cancel, ByTheCallbackAtEveryStage) {
         renew(stage);
         EXPECT_EQ(info_of(context).bytes_now, before) << stage.name;
     }
-    EXPECT_EQ(with_operation, 63);
+    EXPECT_EQ(with_operation, 64);
 }
 
 // At moments spread over the call's time.

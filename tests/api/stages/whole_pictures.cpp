@@ -29,9 +29,10 @@ struct Sink {
 };
 
 // Draws a picture and appends its plate.
-hrbfnpr_status draw(Attempt& attempt, hrbfnpr_picture* picture, Bytes& bytes, hrbfnpr_error* error) {
+hrbfnpr_status draw(Attempt& attempt, hrbfnpr_picture* picture, hrbfnpr_operation* operation, Bytes& bytes,
+                    hrbfnpr_error* error) {
     hrbfnpr_drawing* drawing = nullptr;
-    auto status = attempt([&] { return hrbfnpr_picture_draw(picture, nullptr, attempt.operation, &drawing, error); });
+    auto status = attempt([&] { return hrbfnpr_picture_draw(picture, nullptr, operation, &drawing, error); });
     EXPECT_EQ(drawing != nullptr, status == HRBFNPR_STATUS_OK);
     const Drawing owned(drawing);
     if (status != HRBFNPR_STATUS_OK) return status;
@@ -74,7 +75,7 @@ void Stages::add_picture(std::vector<Stage>& stages, const char* name, const hrb
                           });
                           EXPECT_EQ(picture != nullptr, status == HRBFNPR_STATUS_OK);
                           const Picture owned(picture);
-                          return status == HRBFNPR_STATUS_OK ? draw(attempt, picture, bytes, error) : status;
+                          return status == HRBFNPR_STATUS_OK ? draw(attempt, picture, nullptr, bytes, error) : status;
                       },
                       {},
                       most_refusals});
@@ -145,7 +146,13 @@ void Stages::add_pictures(std::vector<Stage>& stages) {
                           });
                           EXPECT_EQ(other != nullptr, status == HRBFNPR_STATUS_OK);
                           const Picture owned(other);
-                          return status == HRBFNPR_STATUS_OK ? draw(attempt, other, bytes, error) : status;
+                          return status == HRBFNPR_STATUS_OK ? draw(attempt, other, nullptr, bytes, error) : status;
+                      },
+                      {},
+                      most_refusals});
+    stages.push_back({"picture.drawn",
+                      [this](Attempt& attempt, Bytes& bytes, hrbfnpr_error* error) {
+                          return draw(attempt, picture_.get(), attempt.operation, bytes, error);
                       },
                       {},
                       most_refusals});
