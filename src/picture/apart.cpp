@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// find_groups() labels the faces by what hangs together across edges of two faces, joins the closed parts, and those
-// whose borders go on in each other, finds which parts are near each other, and gives neighbours different groups.
+// find_groups() labels the faces by connected parts, where only edges of exactly two faces connect. It joins all closed
+// parts, and all open parts that share a seam. It finds the pairs of parts that are near each other, and gives near
+// parts different groups.
 #include "picture/apart.h"
 
 #include "base/assert.h"
@@ -25,7 +26,7 @@ const glm::dvec3& corner_of(const Points& points, const Triangle& face, std::siz
 
 // ---- Labels
 
-// What each thing hangs together with, numbered from 0 in the order of the first ones.
+// The connected component of each element. Components are numbered from 0 in the order of their first elements.
 struct Labels {
     Vector<std::int64_t> of;
     std::int64_t count;
@@ -45,7 +46,8 @@ Labels labels_of(const Vector<Pair>& joined, std::int64_t count, Pool& pool) {
 
 std::size_t label_at(const Labels& labels, std::size_t i) noexcept { return static_cast<std::size_t>(labels.of[i]); }
 
-// Pairs of faces on both sides of an edge.  Where more meet in one, surfaces cross.
+// Returns the pairs of faces that share an edge. Edges of three or more faces are skipped, because surfaces cross
+// there.
 Vector<Pair> joined_across_edges(const FaceEdges& edges, Pool& pool) {
     Vector<Pair> joined(&pool);
     for (std::size_t e = 0; e < edges.size(); ++e)
@@ -57,7 +59,7 @@ Vector<Pair> joined_across_edges(const FaceEdges& edges, Pool& pool) {
     return joined;
 }
 
-// The faces of each part, and their area.
+// The number of faces and the area of each part.
 struct Sizes {
     Vector<std::int64_t> faces;
     Vector<double> area;
@@ -73,7 +75,7 @@ Sizes sizes_of(const Labels& labels, const Vector<double>& areas, Pool& pool) {
     return sizes;
 }
 
-// Which parts are too little for a surface of their own.
+// Marks the parts that are too small for a surface of their own.
 Vector<std::uint8_t> little_parts(const Sizes& sizes, Pool& pool) {
     const double most = apart_tuning.flap_area * sum_in_pairs(sizes.area);
     Vector<std::uint8_t> little(&pool);
@@ -84,7 +86,7 @@ Vector<std::uint8_t> little_parts(const Sizes& sizes, Pool& pool) {
 
 // ---- Places that meet
 
-// Places, each with the part that it lies on.
+// Places on a mesh, each with the part that it lies on.
 struct PlacesOnParts {
     explicit PlacesOnParts(Pool& pool) : place(&pool), part(&pool) {}
 
@@ -103,8 +105,8 @@ std::int64_t cell_number(double x) noexcept {
     return std::abs(lower) < limit ? static_cast<std::int64_t>(lower) : std::numeric_limits<std::int64_t>::min();
 }
 
-// Calls visit(span of InCell) for the cells that places of several parts share, in eight grids of cubes: whatever is
-// nearer than half a side shares a cube of one of them.
+// Calls visit(span of InCell) for each grid cell that holds places of several parts. Eight shifted grids of cubes are
+// used. Any two places that are closer than half a side share a cube of at least one grid.
 template <class Visit>
 void for_meetings(const PlacesOnParts& places, double side, Pool& pool, Visit&& visit) {
     Vector<InCell> cells(places.place.size(), InCell{}, &pool);
@@ -128,7 +130,7 @@ void for_meetings(const PlacesOnParts& places, double side, Pool& pool, Visit&& 
     }
 }
 
-// Which of some parts go together in pairs.
+// A symmetric relation that tells which two parts are a pair.
 class PairsOfParts {
 public:
     PairsOfParts(std::int64_t count, Pool& pool)
@@ -146,7 +148,7 @@ private:
     Vector<std::uint8_t> is_pair_;
 };
 
-// The parts in a cell, each once.
+// Lists the parts in a cell, each once.
 void list_parts(std::span<const InCell> cell, const PlacesOnParts& places, Vector<std::int64_t>& parts) {
     parts.clear();
     for (const InCell& one : cell) parts.push_back(places.part[one.place]);
@@ -154,7 +156,7 @@ void list_parts(std::span<const InCell> cell, const PlacesOnParts& places, Vecto
     parts.erase(std::unique(parts.begin(), parts.end()), parts.end());
 }
 
-// Places on all faces, as many as their areas want and one at least.
+// Spreads random places over all faces, in proportion to their areas and at least one on each face.
 PlacesOnParts spread_places(const Points& points, const Vector<Triangle>& faces, const Vector<double>& areas,
                             const Labels& labels, Pool& pool) {
     constexpr std::uint64_t seed = 1;
@@ -177,7 +179,8 @@ PlacesOnParts spread_places(const Points& points, const Vector<Triangle>& faces,
     return places;
 }
 
-// Pairs of parts that come nearer to each other than `reach`, or not much farther.
+// Returns the pairs of parts that come nearer to each other than `reach`. The grid may add pairs that are up to 3.5
+// times as far apart.
 PairsOfParts near_parts(const PlacesOnParts& places, std::int64_t count, double reach, Pool& pool) {
     PairsOfParts near(count, pool);
     Vector<std::int64_t> parts(&pool);
@@ -196,14 +199,14 @@ struct BorderPlaces {
     explicit BorderPlaces(Pool& pool) : on(pool), normal(&pool), weight(&pool) {}
 
     PlacesOnParts on;
-    Points normal;         // of the face there
-    Vector<double> weight; // the length of border that a place stands for
-    double step = 0.0;     // between two of them, about
+    Points normal;         // The normal of the face at each place.
+    Vector<double> weight; // The length of border that each place stands for.
+    double step = 0.0;     // The approximate distance between neighbouring places.
 };
 
 struct BorderEdge {
     std::size_t edge;
-    std::size_t face; // the first of those that have it
+    std::size_t face; // The first face that has this edge.
 };
 
 Vector<BorderEdge> border_edges(const FaceEdges& edges, Pool& pool) {
@@ -236,7 +239,7 @@ BorderPlaces places_on_borders(const Points& points, const Vector<Triangle>& fac
     return places;
 }
 
-// A place on the border of a part, beside the border of another part.
+// A place on the border of `part` that lies beside the border of `other`.
 struct Beside {
     std::int64_t part, other;
     std::size_t place;
@@ -246,7 +249,7 @@ struct Beside {
 void add_beside(std::span<const InCell> cell, const BorderPlaces& places, Vector<Beside>& found) {
     for (const InCell& one : cell) {
         const std::int64_t part = places.on.part[one.place];
-        std::int64_t last = part; // the other part that was found last: places of one part are often side by side
+        std::int64_t last = part; // The last part found is skipped, because places of one part often follow each other.
         for (const InCell& two : cell) {
             const std::int64_t other = places.on.part[two.place];
             if (other == part || other == last) continue;
@@ -258,9 +261,9 @@ void add_beside(std::span<const InCell> cell, const BorderPlaces& places, Vector
     }
 }
 
-// Pairs of parts that go on in each other along their borders: a cut, and not two surfaces.
+// Returns the pairs of parts that continue each other along their borders. Such parts are one surface that was cut.
 Vector<Pair> seams_between(const BorderPlaces& places, std::int64_t count, double reach, Pool& pool) {
-    Vector<double> border(static_cast<std::size_t>(count), 0.0, &pool); // lengths, by part
+    Vector<double> border(static_cast<std::size_t>(count), 0.0, &pool); // The border length of each part.
     for (std::size_t i = 0; i < places.weight.size(); ++i)
         border[static_cast<std::size_t>(places.on.part[i])] += places.weight[i];
     Vector<Beside> beside(&pool);
@@ -283,7 +286,7 @@ Vector<Pair> seams_between(const BorderPlaces& places, std::int64_t count, doubl
 
 // ---- Groups
 
-// Joins the closed parts: where those cross they are solids.
+// Joins all closed parts, because closed parts that cross are solids.
 void join_solids(const Vector<BorderEdge>& border, const Labels& labels, Vector<Pair>& joined, Pool& pool) {
     Vector<std::uint8_t> is_open(static_cast<std::size_t>(labels.count), 0, &pool);
     for (const BorderEdge& one : border) is_open[label_at(labels, one.face)] = 1;
@@ -297,7 +300,7 @@ void join_solids(const Vector<BorderEdge>& border, const Labels& labels, Vector<
     }
 }
 
-// The group of each part: the largest first, each in the first group where nothing is near to it.
+// Assigns a group to each part. From the largest part down, each part joins the first group that has no part near it.
 Vector<std::int64_t> groups_of_parts(const Vector<double>& area, const PairsOfParts& near,
                                      const Vector<std::uint8_t>& little, Pool& pool) {
     Vector<std::size_t> order(area.size(), 0, &pool);
@@ -401,7 +404,7 @@ LostParts find_lost_parts(const Mesh& mesh, Pool& pool) {
     const Vector<std::int32_t> part = numbers_of(mesh, HRBFNPR_MESH_ATTRIBUTE_COMPONENT, pool);
     const auto part_of = [&](std::size_t face) { return static_cast<std::size_t>(part[face]); };
     const std::size_t parts = static_cast<std::size_t>(*std::max_element(part.begin(), part.end())) + 1;
-    Vector<double> area(parts, 0.0, &pool); // 0 of a part that was left out
+    Vector<double> area(parts, 0.0, &pool); // A part that was left out has the area 0.
     for (std::size_t f = 0; f < faces.size(); ++f) area[part_of(f)] += glm::length(doubled_area_of(points, faces[f]));
     const double little = apart_tuning.lost_area * sum_in_pairs(area);
     double little_area = 0.0;

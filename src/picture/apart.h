@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Parts of a mesh that are not fitted with the others: parts that cross, parts that are lost, and faces left over.
+// Finds parts of a mesh that are not fitted together with the others: crossing parts, lost parts, and flaps.
 //
-// One function is 0 on all parts of a mesh.  Beyond its border each part goes on, and where another part is near nobody
-// can say whose surface that is.  So the parts of an open mesh that cross or lie close to each other become groups,
-// each a surface of its own.  Closed parts have an inside, and the library joins them as solids.
+// One implicit function is fitted to a mesh, and its surface continues beyond the border of each part. Where another
+// part is near, the two continuations cannot be told apart. So the parts of an open mesh that cross or lie close to
+// each other are split into groups, and each group gets a surface of its own. Closed parts need no groups, because the
+// library joins them as solids.
 #pragma once
 
 #include "picture/faces.h"
@@ -15,14 +16,15 @@ namespace hrbfnpr::picture {
 using FaceNumbers = Vector<std::int64_t>; // ascending
 
 struct FaceGroups {
-    Vector<FaceNumbers> groups; // the one of the largest area first
-    std::int64_t parts = 0;     // in all of them
+    Vector<FaceNumbers> groups; // The group with the largest area comes first.
+    std::int64_t parts = 0;     // The groups have this many parts together.
 };
 
-// Groups the faces of an open mesh so that no part of a group is near another; nothing if one group will do.
+// Groups the faces of an open mesh so that no two parts of a group are near each other. Returns nullopt if one group is
+// enough.
 [[nodiscard]] std::optional<FaceGroups> find_groups(const Mesh& mesh, Pool& pool);
 
-// Finds a few faces on an edge of two others, which modelling left over there.
+// Finds flaps: small parts that hang on an edge of a larger part. Modelling programs sometimes leave them.
 [[nodiscard]] FaceNumbers find_flaps(const Mesh& mesh, Pool& pool);
 
 struct LostParts {
@@ -30,7 +32,7 @@ struct LostParts {
     std::int64_t parts = 0;
 };
 
-// Finds the parts of next to no area without which the mesh is much smaller.
+// Finds lost parts: parts of almost no area that are far from the rest. The mesh is much smaller without them.
 [[nodiscard]] LostParts find_lost_parts(const Mesh& mesh, Pool& pool);
 
 } // namespace hrbfnpr::picture

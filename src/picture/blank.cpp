@@ -31,7 +31,7 @@ bool shows_marks(const hrbfnpr_style& style) {
     return any;
 }
 
-// Whether no layer that is shown has an ink that differs from the paper.
+// Tells whether the ink of every shown layer looks like the paper.
 bool has_invisible_ink(const hrbfnpr_style& style) {
     bool all = true;
     each_layer_of(style, [&](const hrbfnpr_layer_style& layer) {
@@ -41,9 +41,9 @@ bool has_invisible_ink(const hrbfnpr_style& style) {
     return all;
 }
 
-// The share of the picture that is not as the paper.
+// Returns the share of the picture that differs from the paper.
 double share_of_ink(const Drawing& drawing, const hrbfnpr_camera& camera, const hrbfnpr_style& style, Pool& pool) {
-    constexpr double most_pixels = 32768.0; // of a side
+    constexpr double most_pixels = 32768.0; // The limit of each side.
     const double width = std::min(std::ceil(camera.viewport[0] + camera.viewport[2]), most_pixels);
     const double height = std::min(std::ceil(camera.viewport[1] + camera.viewport[3]), most_pixels);
     if (!(width >= 1.0 && height >= 1.0)) return 0.0; // the viewport ends left of the image, or above it
@@ -67,7 +67,7 @@ double share_of_ink(const Drawing& drawing, const hrbfnpr_camera& camera, const 
     return static_cast<double>(std::count_if(pixels.begin(), pixels.end(), has_ink)) / static_cast<double>(count);
 }
 
-// Whether a corner of the box, or the middle of an edge, of a face or of the box, is in the picture.
+// Tells whether the picture shows a corner of the box, or the middle of an edge, of a face or of the box.
 bool is_in_view(const geometry::Bounds& bounds, const hrbfnpr_camera& camera) noexcept {
     constexpr std::array steps{0.0, 0.5, 1.0};
     for (const double x : steps) {

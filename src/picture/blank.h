@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Whether a picture is mostly blank, and why.
+// Tells whether a picture is mostly blank, and why.
 #pragma once
 
 #include "picture/handles.h"
@@ -12,14 +12,15 @@
 namespace hrbfnpr::picture {
 
 struct Blank {
-    std::int64_t shown; // marks
-    std::int64_t marks; // of all items
-    double ink;         // share of the picture that is not as the paper
-    String text;        // why, and what to do about it, as in_words() takes it
+    std::int64_t shown; // The number of marks that are shown.
+    std::int64_t marks; // The number of marks of all items.
+    double ink;         // The share of the picture that differs from the paper.
+    String text;        // The reason and the remedy, in the notation that in_words() takes.
 };
 
-// Tells why hardly anything can be seen of a drawing; nothing where enough can be.  bounds: the box of all that is
-// drawn. camera and style: those of the drawing.  is_flipped: whether the caller had all normals turned.
+// Tells why hardly anything of a drawing can be seen. Returns nullopt if enough can be seen. `bounds` is the box of
+// everything that is drawn. `camera` and `style` are those of the drawing. `is_flipped` tells whether the caller had
+// all normals turned.
 [[nodiscard]] std::optional<Blank> why_blank(const Drawing& drawing, const geometry::Bounds& bounds,
                                              const hrbfnpr_camera& camera, const hrbfnpr_style& style, bool is_flipped,
                                              Pool& pool);

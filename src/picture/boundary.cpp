@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The C boundary of pictures: checks, conversions, and the calls of the files beside this one.
+// The C interface of pictures. It checks and converts arguments, and calls the other files of this folder.
 #include "api/barrier.h"
 #include "api/camera.h"
 #include "api/checks.h"
@@ -36,7 +36,7 @@ hrbfnpr_picture_event defaults() noexcept {
 
 namespace {
 
-// An element of one of a picture's lists.
+// Returns an element of one of a picture's lists. Fails if the number is out of range.
 template <class List>
 const auto& element(const List& list, std::int64_t number, const char* what) {
     if (number < 0 || number >= static_cast<std::int64_t>(list.size()))
@@ -116,7 +116,7 @@ void give_camera(const hrbfnpr_camera& made, hrbfnpr_camera* to) {
     write_struct(to, made);
 }
 
-constexpr std::uint64_t most_bytes = std::uint64_t{16} << 20U; // of a file of settings
+constexpr std::uint64_t most_bytes = std::uint64_t{16} << 20U; // A settings file may not be larger than this.
 
 picture::String read_text(hrbfnpr_read_fn read, void* user, picture::Pool& pool) {
     CallbackReader reader(read, user);

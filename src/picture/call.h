@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What every step of making a picture is given: the context, the options, the report, memory.
+// Declares the arguments of every step of making a picture: the context, the options, the report, and memory.
 #pragma once
 
 #include "picture/changes.h"
@@ -17,25 +17,26 @@
 
 namespace hrbfnpr::picture {
 
-// hrbfnpr_picture_desc in full, with copies of its texts and lists; what it leaves at its defaults is that of its
-// settings.  A picture keeps it.
+// A complete hrbfnpr_picture_desc with copies of its texts and lists. Fields that the caller leaves at their defaults
+// come from the settings. A picture keeps its options.
 class Options {
 public:
-    // Reads and checks.  Throws Error{invalid_argument} that names the field.  Sources are read elsewhere.
+    // Reads and checks a descriptor. Throws Error{invalid_argument} that names the wrong field. Sources are read
+    // elsewhere.
     Options(const hrbfnpr_picture_desc& given, std::shared_ptr<const Settings> of_file, Pool& pool);
     Options(const Options&) = delete;
     Options& operator=(const Options&) = delete;
 
-    // Its texts are copies that this keeps.  Its sources, style, settings, changes, dabs, camera and seed points are
-    // not to be read from it but from the members below.
+    // Its texts point to copies that this object keeps. Do not read its sources, style, settings, changes, dabs, camera
+    // or seed points: use the members below instead.
     hrbfnpr_picture_desc desc;
     std::shared_ptr<const Settings> settings; // nullable
-    bool takes_style_of_settings = false;     // and their layers of marks: no style is named
-    Changes changes;                          // the fields of the settings first, then the caller's
-    Vector<hrbfnpr_dab> dabs;                 // the caller's, else those of the settings
-    std::optional<Style> style;               // the caller's own, used as it is: its lengths are pixels of this picture
-    std::optional<hrbfnpr_camera> camera;     // the caller's own, used as it is
-    Points seed_points;                       // empty: not given
+    bool takes_style_of_settings = false;     // If no style is named, style and layers come from the settings.
+    Changes changes;                          // The fields of the settings come first, then the caller's changes.
+    Vector<hrbfnpr_dab> dabs;                 // The caller's dabs, or else those of the settings.
+    std::optional<Style> style;               // The caller's style is used unchanged. Its lengths are pixels.
+    std::optional<hrbfnpr_camera> camera;     // The caller's camera is used unchanged.
+    Points seed_points;                       // Empty if the caller gives no seed points.
 
     [[nodiscard]] bool has(std::uint32_t flag) const noexcept { return (desc.flags & flag) != 0; }
     [[nodiscard]] bool is_find() const noexcept { return desc.preset == HRBFNPR_PRESET_ARCHAEOLOGICAL; }
@@ -49,7 +50,7 @@ public:
         if (std::isnan(desc.viewpoint[0])) return std::nullopt;
         return glm::dvec3(desc.viewpoint[0], desc.viewpoint[1], desc.viewpoint[2]);
     }
-    // Whether a field of a fit ("kernel") was given, by a change or by settings.
+    // Tells whether a change or the settings give a field of the fit, such as "kernel".
     [[nodiscard]] bool gives_fit(std::string_view field) const noexcept;
 
 private:
@@ -65,13 +66,13 @@ struct Call {
     Pool& pool;
 };
 
-// A surface that was made of a source, and what it comes from.
+// A surface that was made of a source, with its origin.
 struct Surface {
     Model model;
-    Mesh mesh;                                // of a mesh: as it was fitted to; else null
-    std::optional<hrbfnpr_mesh_fit_info> fit; // of a mesh, where the fit chose its samples
-    std::shared_ptr<const Shape> shape;       // null of a model that was given
-    PointSet marks;                           // that were given with a model; else null
+    Mesh mesh;                                // The mesh that the model was fitted to, or else null.
+    std::optional<hrbfnpr_mesh_fit_info> fit; // Set if the source is a mesh and the fit chose its samples.
+    std::shared_ptr<const Shape> shape;       // Null if the caller gave a model.
+    PointSet marks;                           // The marks that the caller gave with a model, or else null.
 };
 
 } // namespace hrbfnpr::picture

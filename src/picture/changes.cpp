@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A path is taken apart into the struct and the field that it means (find_target); the value must be one that the field
-// can hold.  Both are kept as text, and read again where they are applied.
+// find_target() splits a path into the struct and the field that it names. The value must be one that the field can
+// hold. Path and value are kept as text, and are parsed again when they are applied.
 #include "picture/changes.h"
 
 #include "api/lists.h"
@@ -16,23 +16,23 @@
 namespace hrbfnpr::picture {
 namespace {
 
-constexpr std::string_view layers_part = "layers"; // style.layers.F: of all layers
+constexpr std::string_view layers_part = "layers"; // style.layers.F changes F of all layers.
 constexpr std::string_view lines_part = "lines";
 
 enum class Special : std::uint8_t { none, ink, contours_of };
 
-// What a path means.
+// The struct and the field that a path names.
 struct ChangeTarget {
     Record record = Record::style;
     std::string_view field_name;       // the last part of the path
-    const NamedField* field = nullptr; // nullptr: there is no such field, or it is a special one
+    const NamedField* field = nullptr; // Null if the record has no such field, or if the path is special.
     Special special = Special::none;
     bool has_section = true;
-    std::string_view wrong_kind = {}; // of layers, that there is none of
-    bool is_of_style = false;         // as opposed to marks
+    std::string_view wrong_kind = {}; // A layer kind in the path that does not exist, or "".
+    bool is_of_style = false;         // False for the layers of marks.
 };
 
-// Fields that say which records are changed, and so cannot be changed.
+// Tells whether a field selects the records that are changed. Such a field cannot be changed itself.
 [[nodiscard]] bool is_selector(Record record, std::string_view name) noexcept {
     return name == "kind" &&
            (record == Record::layer_style || record == Record::line_style || record == Record::layer_desc);
@@ -43,7 +43,7 @@ struct ChangeTarget {
     return find_choice(*kinds, name) != nullptr;
 }
 
-// Of lines of a style.  Where layers have a kind of the same name, a path means these.
+// Tells whether a name is a kind of lines. If layers have a kind of the same name, a path means the layers.
 [[nodiscard]] bool is_line_kind(std::string_view name) noexcept {
     return find_choice(*find_field(Record::line_style, "kind"), name) != nullptr;
 }
@@ -54,7 +54,7 @@ struct ChangeTarget {
     return field == "contours_of" ? Special::contours_of : Special::none;
 }
 
-// path: in plain letters.
+// Finds the target of a path that has only small letters and '_'.
 [[nodiscard]] ChangeTarget find_target(std::string_view path) noexcept {
     ChangeTarget target;
     const std::size_t dot = path.find('.');
@@ -92,7 +92,7 @@ struct ChangeTarget {
     return target.record == Record::fit_desc && target.field_name == "regularization";
 }
 
-// Whether a text is a list of kinds of layers with commas between; "" is one of none.
+// Tells whether a text lists layer kinds separated by commas. The empty text is the empty list.
 [[nodiscard]] bool is_list_of_kinds(std::string_view text) noexcept {
     while (!text.empty()) {
         const std::size_t comma = text.find(',');
@@ -103,7 +103,7 @@ struct ChangeTarget {
     return true;
 }
 
-// A colour of the style is read as its silhouette's is.
+// Returns the field by whose rules style.ink is parsed.
 [[nodiscard]] const NamedField& ink_field() noexcept { return *find_field(Record::style, "silhouette_ink"); }
 
 [[noreturn]] void refuse_kind(const ChangeTarget& target, const char* name, std::string_view path, Pool& pool) {
@@ -159,7 +159,7 @@ void check_change(const ChangeTarget& target, const char* name, std::string_view
          path.data(), String(value, &pool).c_str(), wanted.c_str());
 }
 
-// A text of the caller's, checked.
+// Checks a text of the caller and returns it.
 [[nodiscard]] std::string_view change_text(const char* text, const char* name, const char* member, std::size_t most) {
     if (text == nullptr) fail(Status::invalid_argument, "%s.%s is NULL", name, member);
     const std::string_view found(text, strnlen(text, most + 1));
@@ -168,7 +168,7 @@ void check_change(const ChangeTarget& target, const char* name, std::string_view
     return found;
 }
 
-// Choices are kept by their plain names, so that who reads them has one spelling.
+// Returns a value as it is kept. Choices are kept by their plain names, so that readers see one spelling.
 [[nodiscard]] String plain_value(const ChangeTarget& target, std::string_view value, Pool& pool) {
     if (target.special == Special::contours_of || is_regularization(target)) return plain_name(value, pool);
     if (target.field == nullptr || target.field->meaning != Meaning::choice) return String(value, &pool);
@@ -192,7 +192,8 @@ void read_changes(const hrbfnpr_change* first, std::int64_t count, std::int64_t 
     }
 }
 
-// Sets a field of a fit that means another one, too; false of others.
+// Handles the fields of a fit that are not simply stored: regularization and its mode set each other, and normal_mode
+// is skipped. Returns false for all other fields.
 [[nodiscard]] bool set_fit_field(const NamedField& field, std::string_view value, void* record) noexcept {
     const NamedField& mode = *find_field(Record::fit_desc, "regularization_mode");
     const NamedField& amount = *find_field(Record::fit_desc, "regularization");
@@ -217,7 +218,7 @@ void apply_text(std::string_view section, Record kind, const NamedField& field, 
         return;
     }
     std::optional<FieldValue> found = parse_value(field, value);
-    if (!found) return; // checked when it was read
+    if (!found) return; // The value was checked when it was read.
     if (kind == Record::layer_style && section.substr(section.find('.') + 1) == layers_part &&
         same_name(field.name, "share"))
         found->numbers[0] *= load_value(field, record).numbers[0];

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Fields that are changed by their names: hrbfnpr_change, and the fields of settings.
+// Changes fields of descriptors by their names, as hrbfnpr_change and settings do.
 #pragma once
 
 #include "picture/memory.h"
@@ -15,20 +15,20 @@
 
 namespace hrbfnpr::picture {
 
-// A field's new value as text, by its path: "fit.kernel" and "gaussian".  Paths have small letters and '_'.
+// The path of a field and its new value as text, such as "fit.kernel" and "gaussian". Paths have small letters and '_'.
 struct Change {
     String path;
     String value;
 };
 
-// Paths that no field of a struct stands for, and that the step which knows them reads by value():
-//   style.ink            a colour, of all layers, lines and contours
-//   style.contours_of    kinds of layers with commas between: the marks of these draw contours, those of others do not
+// A list of changes. Two paths name no field of a struct. The steps that use them read them by value():
+//   style.ink            the colour of all layers, lines and contours
+//   style.contours_of    layer kinds separated by commas: only marks of these kinds draw contours
 class Changes {
 public:
-    // Reads and checks the caller's list.  Throws Error{invalid_argument} that names the path and what would be right.
+    // Reads and checks the caller's list. Throws Error{invalid_argument} that names the path and the allowed values.
     Changes(const hrbfnpr_change* first, std::int64_t count, std::int64_t stride, Pool& pool);
-    // The same after the fields of settings, which were checked when these were read; later ones win.
+    // Puts the fields of settings before the caller's list, and checks the caller's list alone. Later changes win.
     Changes(const Vector<std::pair<String, String>>& of_settings, const hrbfnpr_change* first, std::int64_t count,
             std::int64_t stride, Pool& pool);
     Changes(Changes&&) noexcept = default;
@@ -36,27 +36,28 @@ public:
     Changes& operator=(const Changes&) = delete;
     ~Changes() = default;
 
-    // The last value that a path was given.
+    // Returns the last value that the list gives a path.
     [[nodiscard]] std::optional<std::string_view> value(std::string_view path) const noexcept;
     [[nodiscard]] bool has(std::string_view path) const noexcept { return value(path).has_value(); }
-    // The same as a number; a name of a constant as its number.  Nothing of what is several numbers, and of "auto" of
-    // fit.regularization.
+    // Returns the last value as a number. The name of a constant gives its number. Returns nullopt for a field of
+    // several numbers, and for "auto" of fit.regularization.
     [[nodiscard]] std::optional<double> number(std::string_view path) const noexcept;
-    // The same as straight RGBA.
+    // Returns the last value as straight RGBA.
     [[nodiscard]] std::optional<std::array<float, 4>> colour(std::string_view path) const noexcept;
 
-    // Sets the fields of a record that "section.FIELD" was given for, in the order of the list: apply("fit", desc).
-    // T: a struct of Record that starts with struct_size.  Texts of the record refer to this.
-    //   "fit"            "auto" of regularization is its mode AUTO.  normal_mode stays: Options turn it into `normals`
+    // Sets each field of a record for which the list has "section.FIELD", in the order of the list: apply("fit", desc).
+    // T is a struct of Record that starts with struct_size. Texts of the record point into this object. Two sections
+    // have rules of their own:
+    //   "fit"            "auto" of regularization sets its mode AUTO. normal_mode is skipped: Options read it
     //   "style.layers"   `share` is multiplied
     template <class T>
     void apply(std::string_view section, T& record) const;
 
-    // All of them, in order.
+    // Returns all changes in their order.
     [[nodiscard]] const Vector<Change>& list() const noexcept { return list_; }
-    // Whether the caller gave the path a value, and not settings alone.
+    // Tells whether the caller's own list gives the path a value.
     [[nodiscard]] bool is_callers(std::string_view path) const noexcept;
-    // How many of them, at the front, come from settings.
+    // Returns how many changes come from settings. They are the first ones of the list.
     [[nodiscard]] std::size_t from_settings() const noexcept { return from_settings_; }
 
 private:

@@ -22,7 +22,7 @@ double length_of_outline(const Outline& outline, std::size_t from) noexcept {
     return length;
 }
 
-// An outline that grows at its end.
+// An outline that parts are appended to.
 struct GrowingOutline {
     Outline points;
     double length;
@@ -32,7 +32,8 @@ struct GrowingOutline {
         return glm::length(a - b) <= least && points.size() > 1;
     }
     [[nodiscard]] bool is_closed() const noexcept { return meets(points.back(), points.front()); }
-    // `part` begins, or if it is turned ends, where this ends.
+    // Appends a part. The part begins where this outline ends. If `turned`, the part ends there and is appended
+    // backwards.
     void append(const Outline& part, bool turned) {
         const std::size_t before = points.size();
         if (turned)
@@ -45,10 +46,10 @@ struct GrowingOutline {
 
 struct NearestEnd {
     std::size_t part = 0;
-    bool turned = false; // it is the part's last point
+    bool turned = false; // True if the end is the part's last point.
 };
 
-// The end of a part that is nearest to a place.
+// Finds the end of a part that is nearest to a place.
 NearestEnd nearest_end(const Vector<Outline>& parts, const glm::dvec2& place) noexcept {
     NearestEnd nearest;
     double least = std::numeric_limits<double>::infinity();
@@ -65,13 +66,13 @@ NearestEnd nearest_end(const Vector<Outline>& parts, const glm::dvec2& place) no
 
 // ---- Hatching
 
-// A side of an outline in coordinates along and across the lines: a line is where `across` is constant.
+// A side of an outline in coordinates along and across the hatch lines. `across` is constant on each line.
 struct HatchSide {
     double across_from, across_to, along_from, along_to;
 };
 
 constexpr double root_half = 0.70710678118654746; // 1 / sqrt(2)
-constexpr double farthest_place = 1e100;          // beyond it the lengths of sides overflow
+constexpr double farthest_place = 1e100;          // Beyond this, lengths of sides overflow.
 
 glm::dvec2 turned_by_45(const glm::dvec2& p) noexcept {
     return {p.x * root_half + p.y * root_half, p.x * root_half - p.y * root_half};

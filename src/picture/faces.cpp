@@ -8,9 +8,9 @@
 namespace hrbfnpr::picture {
 namespace {
 
-// A side among those that begin at the same lower vertex.
+// A side in the list of its lower vertex.
 struct SideThere {
-    std::int64_t high; // the other vertex
+    std::int64_t high; // The higher vertex of the side.
     std::int64_t side;
 };
 
@@ -26,7 +26,7 @@ hrbfnpr_array mesh_view(const Mesh& mesh, std::uint32_t attribute) {
     return view;
 }
 
-// Views of a mesh are dense.
+// Returns a view of a mesh as a span. Views of a mesh are dense.
 template <class T>
 std::span<const T> dense_view(const hrbfnpr_array& view, std::uint32_t scalar, std::uint32_t components) {
     HRBFNPR_ASSERT(view.scalar == scalar && view.components == components);

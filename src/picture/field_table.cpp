@@ -15,7 +15,7 @@
 namespace hrbfnpr::picture {
 namespace {
 
-constexpr std::size_t most_digits = 64; // of a number as text
+constexpr std::size_t most_digits = 64; // Longer texts are no numbers.
 
 [[nodiscard]] char small_letter(char letter) noexcept {
     if (letter >= 'A' && letter <= 'Z') return static_cast<char>(letter - 'A' + 'a');
@@ -41,7 +41,7 @@ constexpr std::size_t most_digits = 64; // of a number as text
     return static_cast<std::size_t>(std::count(text.begin(), text.end(), ',')) + 1;
 }
 
-// Numbers with commas between; false if there are more or fewer, or one is none.
+// Parses exactly `count` numbers separated by commas. Returns false for any other text.
 [[nodiscard]] bool parse_numbers(std::string_view text, double* numbers, std::size_t count) noexcept {
     if (parts_of(text) != count) return false;
     for (std::size_t i = 0; i < count; ++i) {
@@ -75,7 +75,7 @@ constexpr std::size_t most_digits = 64; // of a number as text
     return true;
 }
 
-// "x", "-y", or three numbers that are not all 0.
+// Parses a direction: "x", "-y", or three numbers that are not all 0.
 [[nodiscard]] bool parse_direction(std::string_view text, std::array<double, 4>& numbers) noexcept {
     std::string_view axis = text;
     const double sign = !text.empty() && text.front() == '-' ? -1.0 : 1.0;
@@ -88,7 +88,7 @@ constexpr std::size_t most_digits = 64; // of a number as text
     return parse_numbers(text, numbers.data(), 3) && (numbers[0] != 0.0 || numbers[1] != 0.0 || numbers[2] != 0.0);
 }
 
-// The largest magnitude of a whole number that a type has.
+// Returns the largest magnitude that a whole number of a type can have.
 [[nodiscard]] std::uint64_t largest_of(Scalar scalar, bool is_negative) noexcept {
     switch (scalar) {
     case Scalar::int32: return (std::uint64_t{1} << 31U) - (is_negative ? 0U : 1U);
@@ -111,7 +111,7 @@ constexpr std::size_t most_digits = 64; // of a number as text
 }
 
 [[nodiscard]] FieldValue constant_value(std::int32_t constant) noexcept {
-    return whole_value(false, static_cast<std::uint64_t>(constant)); // none is negative
+    return whole_value(false, static_cast<std::uint64_t>(constant)); // No constant is negative.
 }
 
 [[nodiscard]] std::optional<FieldValue> parse_whole(const NamedField& field, std::string_view text) noexcept {
@@ -190,12 +190,12 @@ template <class T>
     return whole_value(is_negative, is_negative ? 0U - bits : bits);
 }
 
-// Digits of a number d.ddd...e±xx as std::to_chars and printf write it.
+// The parts of a number that std::to_chars or printf wrote in scientific notation.
 struct Decimal {
     bool is_negative = false;
     std::array<char, 24> digits{};
     std::size_t count = 0;
-    int exponent = 0; // of the first digit
+    int exponent = 0; // The power of ten of the first digit.
 };
 
 // Writes the shortest "d.ddde±xx" that reads as the number, and returns its end.
@@ -203,7 +203,7 @@ template <class T>
 [[nodiscard]] char* write_shortest(char* begin, char* end, T number) noexcept {
 #if defined(__cpp_lib_to_chars)
     return std::to_chars(begin, end, number, std::chars_format::scientific).ptr;
-#else // The library of Emscripten writes no floating-point numbers so yet, and it has one locale only.
+#else // Emscripten's std::to_chars takes no floating-point numbers yet. Its single locale makes printf safe.
     int size = 0;
     for (int digits = 0; digits <= std::numeric_limits<T>::max_digits10; ++digits) {
         size = std::snprintf(begin, static_cast<std::size_t>(end - begin), "%.*e", digits, static_cast<double>(number));
@@ -228,7 +228,7 @@ template <class T>
     return decimal;
 }
 
-// How much two names have in common: letters that they begin with, and more if one holds the other.
+// Scores the similarity of two names: the length of their common beginning, plus 100 if `name` contains `like`.
 [[nodiscard]] std::size_t likeness(std::string_view name, std::string_view like) noexcept {
     std::size_t same = 0;
     while (same < name.size() && same < like.size() && name[same] == small_letter(like[same])) ++same;
@@ -412,7 +412,7 @@ void store_text(const NamedField& field, const char* text, void* record) noexcep
 std::optional<double> parse_number(std::string_view text) noexcept {
     const bool has_plus = !text.empty() && text.front() == '+';
     if (has_plus) text.remove_prefix(1);
-    // No other letters: "inf" and "0x1p3" are none here.
+    // Only the characters of decimal numbers are allowed: "inf" and "0x1p3" are refused.
     if (text.empty() || text.size() >= most_digits || text.front() == '+' || (has_plus && text.front() == '-') ||
         text.find_first_not_of("0123456789+-.eE") != std::string_view::npos)
         return std::nullopt;
@@ -420,7 +420,7 @@ std::optional<double> parse_number(std::string_view text) noexcept {
 #if defined(__cpp_lib_to_chars)
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
     const bool is_read = error == std::errc() && end == text.data() + text.size();
-#else // The library of Emscripten reads no floating-point numbers so yet, and it has one locale only.
+#else // Emscripten's std::from_chars takes no floating-point numbers yet. Its single locale makes strtod safe.
     std::array<char, most_digits> copy{};
     std::copy(text.begin(), text.end(), copy.begin());
     char* end = nullptr;
@@ -435,8 +435,8 @@ void append_decimals(String& text, double number) {
     const Decimal decimal = decimal_of(number);
     const std::string_view digits(decimal.digits.data(), decimal.count);
     if (decimal.is_negative) text += '-';
-    constexpr int least_fixed = -4;  // exponents from here on ...
-    constexpr int end_of_fixed = 16; // ... to below here are written out
+    constexpr int least_fixed = -4;  // Smaller exponents are written with "e".
+    constexpr int end_of_fixed = 16; // This exponent and larger ones are written with "e".
     if (decimal.exponent < least_fixed || decimal.exponent >= end_of_fixed) {
         text += digits[0];
         if (digits.size() > 1) (text += '.') += digits.substr(1);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The library's own handles as values, and its calls as functions that throw.
+// Wraps the library's own handles as values, and its calls as functions that throw.
 //
-// This room is the first user of hrbfnpr.h: whatever it does, a caller can do as well.
+// The picture code is the first user of hrbfnpr.h: a caller can do everything that it does.
 #pragma once
 
 #include "base/status.h"
@@ -12,7 +12,7 @@
 
 namespace hrbfnpr::picture {
 
-// Makes a call: f(&error) returns its status.  A failure is thrown as the Error that the call had reported.
+// Makes a call: f(&error) returns its status. Throws a failure as the Error that the call reported.
 template <class F>
 void call(F&& f) {
     hrbfnpr_error error;
@@ -21,7 +21,7 @@ void call(F&& f) {
     if (status != HRBFNPR_STATUS_OK) throw Error(static_cast<Status>(status), error.message);
 }
 
-// A descriptor with its defaults: defaults<hrbfnpr_fit_desc>(hrbfnpr_fit_desc_init).
+// Returns a descriptor with its defaults: defaults<hrbfnpr_fit_desc>(hrbfnpr_fit_desc_init).
 template <class T, class Init>
 [[nodiscard]] T defaults(Init init) noexcept {
     T made;
@@ -29,7 +29,7 @@ template <class T, class Init>
     return made;
 }
 
-// One reference to a handle, or none.
+// Owns one reference to a handle, or is null.
 template <class T, auto retain, auto release>
 class Handle {
 public:
@@ -44,7 +44,7 @@ public:
     }
     ~Handle() { release(handle_); }
 
-    // One more reference to a handle of somebody else's.
+    // Adds a reference to a handle that belongs to somebody else.
     [[nodiscard]] static Handle shared(const T* handle) noexcept {
         auto* const own = const_cast<T*>(handle);
         retain(own);
@@ -54,7 +54,7 @@ public:
     [[nodiscard]] T* get() const noexcept { return handle_; }
     [[nodiscard]] explicit operator bool() const noexcept { return handle_ != nullptr; }
     [[nodiscard]] bool operator==(const Handle& other) const noexcept { return handle_ == other.handle_; }
-    // Gives the reference away.
+    // Gives up the reference and returns it.
     [[nodiscard]] T* take() noexcept { return std::exchange(handle_, nullptr); }
 
 private:

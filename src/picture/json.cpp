@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// nlohmann's parser reads the grammar: numbers in any locale, escapes, UTF-8, and where a mistake is.  Its events fill
-// the list of values, so that no more than the token that is read lies outside the context's memory.
+// nlohmann's parser handles the grammar: numbers in any locale, escapes, UTF-8, and the places of errors. Its events
+// fill the list of values, so that only the current token is outside the memory of the context.
 #include "picture/json.h"
 
 #include "base/assert.h"
@@ -20,7 +20,7 @@
 namespace hrbfnpr::picture {
 namespace {
 
-// What nlohmann's parser tells; returning true goes on.
+// Receives the events of nlohmann's parser. A function returns true to continue.
 class JsonEvents {
 public:
     using Reader = nlohmann::json;
@@ -35,7 +35,7 @@ public:
         document_.add_bool(value);
         return true;
     }
-    bool number_integer(Reader::number_integer_t value) { // negative ones only
+    bool number_integer(Reader::number_integer_t value) { // The parser calls this for negative numbers only.
         document_.add_whole(value < 0,
                             value < 0 ? 0U - static_cast<std::uint64_t>(value) : static_cast<std::uint64_t>(value));
         return true;
@@ -63,7 +63,7 @@ public:
     }
     [[noreturn]] bool parse_error(std::size_t /*position*/, const std::string& /*token*/,
                                   const Reader::exception& error) {
-        const char* const at = std::strstr(error.what(), "line "); // after the name of the exception
+        const char* const at = std::strstr(error.what(), "line "); // The message follows the name of the exception.
         fail(Status::invalid_argument, "this is no JSON: %s", at != nullptr ? at : error.what());
     }
 
@@ -97,7 +97,7 @@ void append_escape(String& to, std::uint32_t unit) {
     for (const std::uint32_t shift : {12U, 8U, 4U, 0U}) to += hex[unit >> shift & 0xFU];
 }
 
-// The character of UTF-8 at the front of a text; it removes it.
+// Removes the first UTF-8 character from a text and returns it.
 [[nodiscard]] std::uint32_t take_utf8(std::string_view& text) noexcept {
     const auto lead = static_cast<std::uint8_t>(text.front());
     const std::size_t more = lead < 0xC0 ? 0 : lead < 0xE0 ? 1 : lead < 0xF0 ? 2 : 3;
@@ -108,7 +108,7 @@ void append_escape(String& to, std::uint32_t unit) {
     return code;
 }
 
-// A text in quotes; letters beyond ASCII are escaped.
+// Appends a text in quotes. Characters beyond ASCII are escaped.
 void append_quoted(String& to, std::string_view text) {
     constexpr std::string_view plain = "\"\\\n\r\t\b\f";
     constexpr std::string_view escaped = "\"\\nrtbf";
@@ -133,7 +133,7 @@ void append_quoted(String& to, std::string_view text) {
 } // namespace
 
 JsonDocument::JsonDocument(std::string_view json, Pool& pool) : JsonDocument(pool) {
-    HRBFNPR_ASSERT(json.size() <= settings_tuning.most_bytes); // texts are counted in 32 bits
+    HRBFNPR_ASSERT(json.size() <= settings_tuning.most_bytes); // Positions in the texts have 32 bits.
     JsonEvents events(*this);
     nlohmann::json::sax_parse(json.begin(), json.end(), &events);
 }
@@ -227,7 +227,7 @@ void JsonDocument::write_line(String& to, std::size_t number) const {
 }
 
 void JsonDocument::write(String& to, std::size_t number, std::size_t indent) const {
-    constexpr std::size_t deepest = 4; // spaces, from which on there is one line for each value
+    constexpr std::size_t deepest = 4; // A value that is indented by more spaces gets one line.
     const JsonItem& item = items_[number];
     bool has_deep_parts = false;
     for (std::size_t part = number + 1; part < item.end; part = items_[part].end)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// JSON as one list of values in the order of the document, in the context's memory.
+// Keeps a JSON document as one list of values in document order, in memory of the context.
 #pragma once
 
 #include "picture/memory.h"
@@ -13,16 +13,16 @@ namespace hrbfnpr::picture {
 
 enum class JsonKind : std::uint8_t { null, boolean, whole, real, text, list, object };
 
-// A value and, after it in the document, its parts.
+// A value of a document. Its parts follow it in the list.
 struct JsonItem {
     JsonKind kind = JsonKind::null;
-    bool is_negative = false;     // of a whole number
-    std::uint32_t end = 0;        // number of the item after this and its parts
-    std::uint32_t key_begin = 0;  // of a part of an object: its key, in the document's texts
-    std::uint32_t key_size = 0;   //
-    std::uint64_t magnitude = 0;  // of a whole number; 1 of true
-    double number = 0.0;          // of a real and of a whole number
-    std::uint32_t text_begin = 0; // of a text, in the document's texts
+    bool is_negative = false;    // Set only for whole numbers.
+    std::uint32_t end = 0;       // The index of the first item after this one and its parts.
+    std::uint32_t key_begin = 0; // The key of an object's part, in the document's texts.
+    std::uint32_t key_size = 0;
+    std::uint64_t magnitude = 0;  // The magnitude of a whole number, or 1 for true.
+    double number = 0.0;          // The value of a real or whole number.
+    std::uint32_t text_begin = 0; // The content of a text, in the document's texts.
     std::uint32_t text_size = 0;
 };
 
@@ -31,24 +31,24 @@ class JsonValue;
 class JsonDocument {
 public:
     explicit JsonDocument(Pool& pool) : items_(&pool), texts_(&pool), open_(&pool) {}
-    // Reads a document.  Throws Error{invalid_argument} that says where it is no JSON.
+    // Parses a document. Throws Error{invalid_argument} that names the place of a syntax error.
     JsonDocument(std::string_view json, Pool& pool);
 
     [[nodiscard]] JsonValue root() const noexcept;
 
-    // Writing: each value gets the key that was set before, in objects.
+    // These append values. In an object, call key() before each value.
     JsonDocument& key(std::string_view key);
     void add_null();
     void add_bool(bool value);
-    void add_number(double value); // finite
+    void add_number(double value); // `value` must be finite.
     void add_whole(bool is_negative, std::uint64_t magnitude);
     void add_text(std::string_view value);
-    void begin(JsonKind kind); // list or object
+    void begin(JsonKind kind); // `kind` is list or object.
     void end();
 
-    // As Python's json.dumps: in one line, with letters of ASCII only.
+    // Writes an item as Python's json.dumps does: in one line, in ASCII.
     void write_line(String& to, std::size_t item) const;
-    // The same, but values that hold lists or objects have a line for each of their parts.
+    // Writes an item like write_line(), but a value that holds lists or objects has one line for each part.
     void write(String& to, std::size_t item, std::size_t indent) const;
 
 private:
@@ -61,12 +61,12 @@ private:
 
     Vector<JsonItem> items_;
     String texts_;
-    Vector<std::uint32_t> open_; // items whose parts are being added
+    Vector<std::uint32_t> open_; // The items whose parts are being added.
     std::uint32_t next_key_begin_ = 0;
     std::uint32_t next_key_size_ = 0;
 };
 
-// One value of a document that is not changed any more.
+// A value of a document that is no longer changed.
 class JsonValue {
 public:
     JsonValue(const JsonDocument& document, std::size_t item) noexcept : document_(&document), item_(item) {}
@@ -78,10 +78,10 @@ public:
     [[nodiscard]] std::uint64_t magnitude() const noexcept { return item().magnitude; }
     [[nodiscard]] std::string_view text() const noexcept { return document_->text_of_item(item()); }
     [[nodiscard]] std::string_view key() const noexcept { return document_->key_of(item()); }
-    [[nodiscard]] std::size_t size() const noexcept; // how many parts a list or object has
-    // The last part of an object that has this key.
+    [[nodiscard]] std::size_t size() const noexcept; // Returns the number of parts of a list or object.
+    // Finds the last part of an object that has this key.
     [[nodiscard]] std::optional<JsonValue> find(std::string_view key) const noexcept;
-    // In one line, cut to this many bytes.
+    // Returns the value in one line, cut to `most` bytes.
     [[nodiscard]] String in_short(std::size_t most, Pool& pool) const;
 
     class Iterator {
@@ -99,7 +99,7 @@ public:
         const JsonDocument* document_;
         std::size_t item_;
     };
-    // The parts of a list or of an object.
+    // These iterate over the parts of a list or an object.
     [[nodiscard]] Iterator begin() const noexcept { return {*document_, item_ + 1}; }
     [[nodiscard]] Iterator end() const noexcept { return {*document_, item().end}; }
 

@@ -10,13 +10,13 @@
 namespace hrbfnpr::picture {
 namespace {
 
-// Letters stand on a grid whose squares are an eighth of a capital's height.  A letter's strokes have blanks between
-// them, and each point of a stroke is two characters: its column as a digit, its row as a letter.  Row c is the
-// baseline, i the height of small letters, k that of capitals, and a where small letters reach down to.
+// A letter on a grid whose squares are an eighth of a capital's height. Blanks separate the strokes. Each point of a
+// stroke is two characters: its column as a digit and its row as a letter. Row c is the baseline, i the height of small
+// letters, k the height of capitals, and a the bottom of small letters that reach below the baseline.
 struct Glyph {
     char32_t character;
     int width;        // columns
-    char strokes[40]; // in place: a table of pointers would have to be relocated
+    char strokes[40]; // An array, because a table of pointers would need relocation.
 };
 
 constexpr double rows_of_capital = 8.0;
@@ -114,7 +114,7 @@ const Glyph& glyph_of(char32_t character) noexcept {
     return found != glyphs.end() && found->character == known ? *found : unknown_glyph;
 }
 
-// Takes the first character off a text.  A byte that is no UTF-8 is a character that no letter is for.
+// Removes the first character from a text and returns it. Returns 0, which has no glyph, for bytes that are not UTF-8.
 char32_t take_character(std::string_view& text) noexcept {
     const auto byte = [&](std::size_t i) { return static_cast<std::uint8_t>(text[i]); };
     const std::uint8_t lead = byte(0);
@@ -131,7 +131,7 @@ char32_t take_character(std::string_view& text) noexcept {
 
 double width_of_glyph(const Glyph& glyph) noexcept { return static_cast<double>(glyph.width) + gap_of_glyphs; }
 
-// The side of a square of the grid: strokes reach half their width beyond it.
+// Returns the side of a grid square. The grid leaves room for strokes, which reach half their width beyond it.
 double square_of_grid(double capitals) noexcept {
     return (1.0 - lettering_tuning.stroke_width) * capitals / rows_of_capital;
 }
@@ -159,7 +159,7 @@ Vector<Segment> strokes_of_text(std::string_view text, const glm::dvec2& begin, 
         };
         const std::size_t size = std::string_view(glyph.strokes).size();
         for (std::size_t i = 0; i + 3 < size; i += 2) {
-            if (glyph.strokes[i + 2] == ' ') { // the next stroke begins after it
+            if (glyph.strokes[i + 2] == ' ') { // The next stroke begins after the blank.
                 ++i;
                 continue;
             }

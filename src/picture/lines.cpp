@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A line set is made in four steps: the lines that have to be found once are listed; the edges of a mesh are joined to
-// polylines, for models without creases of their own; where the surface ends is decided; the library looks for lines.
+// A line set is made in four steps. The lines that are found once are listed. The edges of a mesh are joined to
+// polylines, for models without creases of their own. The end of the surface is decided. The library finds the lines.
 #include "picture/lines.h"
 
 #include "base/assert.h"
@@ -36,13 +36,13 @@ hrbfnpr_line_desc LinesOnce::view() const noexcept {
 
 namespace {
 
-// Points in the same place have one number; numbers ascend by x, then y, then z.
+// Points in the same place share a number. The numbers ascend by x, then y, then z.
 struct NumberedPlaces {
     Points places;
-    Vector<std::int64_t> number; // of each point
+    Vector<std::int64_t> number; // The number of each point.
 };
 
-// NaN comes last.
+// Compares coordinates. NaN comes last.
 bool is_less_place(double a, double b) noexcept { return std::isnan(a) ? false : std::isnan(b) || a < b; }
 bool is_less_place(const glm::dvec3& a, const glm::dvec3& b) noexcept {
     for (int axis = 0; axis < 3; ++axis) {
@@ -71,16 +71,17 @@ NumberedPlaces number_places(const Points& points, Pool& pool) {
 // A side of a face.
 struct FaceSide {
     std::int64_t low, high; // numbers of places
-    std::size_t turn;       // 3 times the face's number, and which of its sides it is
+    std::size_t turn;       // 3 * face + the number of the side within its face
 
     [[nodiscard]] bool is_same_edge(const FaceSide& other) const noexcept {
         return low == other.low && high == other.high;
     }
 };
 
-constexpr double least_normal = 1e-300; // of a face without area the normal stays 0
+constexpr double least_normal = 1e-300; // The normal of a face without area stays 0.
 
-// The edges between just two faces that meet at more than an angle, in the order in which the faces come to them.
+// Returns the edges of exactly two faces that meet at more than `angle` degrees, in the order in which the faces list
+// them.
 Vector<FaceSide> sharp_sides(const NumberedPlaces& numbered, const Vector<Triangle>& triangles, double angle,
                              Pool& pool) {
     Points normals(&pool);
@@ -116,14 +117,14 @@ Vector<FaceSide> sharp_sides(const NumberedPlaces& numbered, const Vector<Triang
     return sharp;
 }
 
-// Which edges meet in each vertex.  Vertices have new numbers, in the order in which edges come to them.
+// Lists the edges that meet in each vertex. Vertices are numbered anew, in the order in which the edges list them.
 struct EdgeGraph {
     struct Way {
-        std::size_t to;   // vertex
-        std::size_t edge; // number
+        std::size_t to;   // The vertex at the other end.
+        std::size_t edge; // The number of the edge.
     };
-    Vector<std::int64_t> place; // of each vertex
-    Vector<std::size_t> first;  // of each vertex in `ways`, and the end
+    Vector<std::int64_t> place; // The place of each vertex.
+    Vector<std::size_t> first;  // Where each vertex begins in `ways`, and the end of `ways`.
     Vector<Way> ways;
 
     [[nodiscard]] std::size_t degree(std::size_t vertex) const noexcept { return first[vertex + 1] - first[vertex]; }
@@ -161,7 +162,8 @@ EdgeGraph graph_of_edges(const Vector<FaceSide>& edges, std::size_t place_count,
     return graph;
 }
 
-// Edges that follow each other as lines, each edge once: vertices where not just two meet begin lines first.
+// Joins consecutive edges to lines, and uses each edge once. Lines that begin where other than two edges meet come
+// first.
 Vector<Polyline> join_edges(const EdgeGraph& graph, std::size_t edge_count, const Points& places, Pool& pool) {
     Vector<bool> is_left(edge_count, true, &pool);
     Vector<Polyline> lines(&pool);
@@ -266,8 +268,8 @@ LinesOnce lines_of_settings(const hrbfnpr_line_desc& of_file, Pool& pool) {
     return lines;
 }
 
-// The edges of a mesh as lines called "crease": all that the caller asks for; without the facets of rounded shapes
-// where the style draws them by itself.
+// Returns the creases of a mesh as lines named "crease". If the caller asks for no lines, facets of rounded shapes are
+// removed.
 LinesOnce edges_of_mesh(const Call& call, const Shape& shape) {
     Vector<Polyline> found = mesh_creases(shape, lines_tuning.crease_angle, call.pool);
     if (call.options.desc.lines == nullptr) found = without_facets(std::move(found), diagonal_of_points(shape.points));
@@ -281,7 +283,8 @@ LinesOnce edges_of_mesh(const Call& call, const Shape& shape) {
     return lines;
 }
 
-// A border is wanted where the samples end; a trimmed model has one of its own.
+// Returns the support limit of the line set, beyond which the surface ends for lack of samples. It is 0, which is no
+// limit, unless a border is wanted. A trimmed model has a border of its own and needs no limit.
 double support_of_lines(const hrbfnpr_model& model, const Vector<WantedLine>& wanted) {
     auto trim = defaults<hrbfnpr_trim_info>(hrbfnpr_trim_info_init);
     call([&](hrbfnpr_error* error) { return hrbfnpr_model_get_trim_info(&model, &trim, error); });
@@ -370,7 +373,7 @@ LineSet make_lines(const Call& call, const Surface& surface, const Style& style,
         Stage stage(call.report, HRBFNPR_STAGE_LINES);
         made = create_line_set(call, model, desc, stage);
         info = info_of(made);
-        if (info.creases > 0 && has_edges) { // the model's own take the place of the mesh's
+        if (info.creases > 0 && has_edges) { // The model's own creases replace those of the mesh.
             --desc.line_count;
             made = create_line_set(call, model, desc, stage);
             info = info_of(made);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The line set of a surface: what its lines are drawn from.
+// Makes the line set of a surface, from which its lines are drawn.
 #pragma once
 
 #include "picture/call.h"
@@ -15,7 +15,7 @@ namespace hrbfnpr::picture {
 
 using Polyline = Points;
 
-// Lines that are found when a line set is made: hrbfnpr_line_desc with texts and lists of its own.
+// Lines that are found once, when a line set is made. This is a hrbfnpr_line_desc that owns its texts and lists.
 struct LinesOnce {
     LinesOnce(std::uint32_t line_kind, Pool& pool)
         : kind(line_kind), name(&pool), levels(&pool), points(&pool), line_first(&pool) {}
@@ -29,33 +29,34 @@ struct LinesOnce {
     double lower = 0.0;
     double upper = 0.0;
     double shortest = 0.01;
-    glm::dvec3 plane{0.0, 0.0, 1.0};  // of SECTION
-    Vector<double> levels;            // of SECTION
-    Points points;                    // of OWN: the polylines, one after the other
-    Vector<std::uint32_t> line_first; // of OWN: where each begins in `points`, and the end
+    glm::dvec3 plane{0.0, 0.0, 1.0};  // The normal of the planes of SECTION.
+    Vector<double> levels;            // The offsets of the planes of SECTION.
+    Points points;                    // The polylines of OWN, one after the other.
+    Vector<std::uint32_t> line_first; // Where each polyline begins in `points`, and the end of `points`.
 
-    // Valid while this lives and is not changed.
+    // Returns a view that is valid while this object lives and is not changed.
     [[nodiscard]] hrbfnpr_line_desc view() const noexcept;
 };
 
-// The lines that are found once, without those of a plate and the edges of a mesh: those of the settings where the
-// caller asks for no others, else the ones that are wanted.
+// Returns the lines that are found once, without those of a plate and the edges of a mesh. They come from the settings
+// if these have lines and the caller names none. Otherwise they come from `wanted`.
 [[nodiscard]] Vector<LinesOnce> lines_found_once(const Call& call, const hrbfnpr_model& model,
                                                  const Vector<WantedLine>& wanted);
 
-// Makes the line set that the lines of a style want, with some more lines, such as the section of a plate.  A null
-// handle: nothing is drawn of it.
+// Makes the line set for the lines of a style and for `more` lines, such as the section of a plate. Returns a null
+// handle if nothing is drawn from it.
 [[nodiscard]] LineSet make_lines(const Call& call, const Surface& surface, const Style& style,
                                  const Vector<WantedLine>& wanted, const Vector<LinesOnce>& more);
 
-// The edges of a mesh where faces meet at more than an angle (degrees), joined to polylines: through vertices that two
-// such edges meet in, those that begin at corners first.  Throws Error{invalid_argument} for what has no faces.
+// Returns the edges of a mesh at which two faces meet at more than `angle` degrees, joined to polylines. A polyline
+// continues through a vertex where exactly two such edges meet. Polylines that begin at other vertices come first.
+// Throws Error{invalid_argument} for a shape without faces.
 [[nodiscard]] Vector<Polyline> mesh_creases(const Shape& shape, double angle, Pool& pool);
 
-// Creases without the facets of a rounded shape: if most creases are short, the long ones alone.
+// Removes the facets of a rounded shape: if the mean crease is short, only long creases are kept.
 [[nodiscard]] Vector<Polyline> without_facets(Vector<Polyline> creases, double diagonal);
 
-// Warns of lines in a drawing that are not as sure as the rest.
+// Warns of lines in a drawing that may be wrong or incomplete.
 void tell_doubts(Report& report, const hrbfnpr_drawing_info& info);
 
 } // namespace hrbfnpr::picture

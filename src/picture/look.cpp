@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Sums of products begin at 0 and go in the order of the indices, and nothing is fused: so cameras of two machines
-// differ by their sines and cosines at most.
+// Sums of products start at 0, follow the order of the indices, and are not fused. So cameras of two machines differ at
+// most by their sines and cosines.
 #include "picture/look.h"
 
 #include "base/assert.h"
@@ -26,7 +26,7 @@ double length_in_order(const glm::dvec3& v) noexcept { return std::sqrt(dot_in_o
 
 glm::dvec3 unit_in_order(const glm::dvec3& v) noexcept { return v / length_in_order(v); }
 
-// Column-major, as the matrices of cameras are.
+// A matrix in column-major order, as in a camera.
 using CameraMatrix = std::array<double, 16>;
 
 CameraMatrix matrix_of(const double (&numbers)[16]) noexcept {
@@ -75,17 +75,17 @@ glm::dvec3 upper_left_times(const CameraMatrix& a, const glm::dvec3& v) noexcept
     return product;
 }
 
-// The remainder of a division by 360, 0 to 360.
+// Returns the remainder of a division by 360, from 0 to 360.
 double within_a_turn(double degrees) noexcept {
     const double rest = std::fmod(degrees, 360.0);
     if (rest == 0.0) return 0.0;
     return rest < 0.0 ? rest + 360.0 : rest;
 }
 
-// A whole number of degrees, 0 to 359.
+// Rounds to whole degrees, from 0 to 359.
 double whole_degrees(double degrees) noexcept { return within_a_turn(std::nearbyint(degrees)); }
 
-// Unit vectors up, to the front, and to its right.
+// Unit vectors that point up, to the front, and to the right.
 struct LookAxes {
     glm::dvec3 up;
     glm::dvec3 front;
@@ -102,7 +102,7 @@ LookAxes axes_of_view(const glm::dvec3& up) noexcept {
 
 // ---- Marks as points
 
-// Appends an attribute of three 32-bit numbers of all marks, and adds `origin`.
+// Appends an attribute of all marks, which has three 32-bit numbers, and adds `origin` to it.
 void append_attribute(Points& to, const PointSet& marks, std::uint32_t attribute, const glm::dvec3& origin) {
     auto info = defaults<hrbfnpr_point_set_info>(hrbfnpr_point_set_info_init);
     call([&](hrbfnpr_error* error) { return hrbfnpr_point_set_get_info(marks.get(), &info, error); });
@@ -122,7 +122,7 @@ void append_attribute(Points& to, const PointSet& marks, std::uint32_t attribute
     }
 }
 
-// The mean of normals, which is computed with 32 bits as they are kept.
+// Returns the mean of the normals. It is computed in 32 bits, in which the normals are kept.
 glm::dvec3 mean_of_normals(const PointSet& marks, Pool& pool) {
     const Points normals = normals_of(marks, pool);
     if (normals.empty()) return glm::dvec3(0.0);
@@ -133,7 +133,7 @@ glm::dvec3 mean_of_normals(const PointSet& marks, Pool& pool) {
 
 // ---- The frame
 
-// Where places are in a picture, from -1 to 1 across it.
+// The extent of places in a picture, in coordinates from -1 to 1 across the picture.
 struct SeenExtent {
     glm::dvec2 low{std::numeric_limits<double>::infinity()};
     glm::dvec2 high{-std::numeric_limits<double>::infinity()};
@@ -151,8 +151,8 @@ std::int32_t side_of_picture(double pixels, std::int32_t longer) noexcept {
     return std::max({static_cast<std::int32_t>(std::nearbyint(pixels)), longer / look_tuning.slimmest, 1});
 }
 
-// The camera with its picture cut to where places are.  The eye stays where it is.  each_place(visit) calls
-// visit(place) for each of them.
+// Returns the camera with its picture cropped to the places. The eye stays where it is. each_place(visit) calls
+// visit(place) for each place.
 template <class EachPlace>
 hrbfnpr_camera framed_camera(const hrbfnpr_camera& camera, const View& view, EachPlace&& each_place) {
     const CameraMatrix projection = matrix_of(camera.projection);
@@ -189,7 +189,7 @@ hrbfnpr_camera framed_camera(const hrbfnpr_camera& camera, const View& view, Eac
     return result;
 }
 
-// From the eye towards the target, or the middle of the box.
+// Returns a camera that looks from the eye to the target, or else to the middle of the box.
 hrbfnpr_camera camera_at_eye(const View& view, const geometry::Bounds& bounds, double angle) {
     const glm::dvec3 eye = *view.eye;
     const glm::dvec3 target = view.target.value_or((bounds.min + bounds.max) / 2.0);
@@ -220,7 +220,7 @@ hrbfnpr_camera camera_that_sees(const View& view, const geometry::Bounds& bounds
     const glm::dvec3 direction = view.direction ? *view.direction
                                                 : direction_of_view(view.up, view.azimuth.value_or(look_tuning.azimuth),
                                                                     view.elevation.value_or(look_tuning.elevation));
-    // The size is of no consequence: the picture is cut.
+    // The size does not matter, because the picture is cropped later.
     constexpr double side = 800.0;
     auto camera = defaults<hrbfnpr_camera>(hrbfnpr_camera_init);
     call([&](hrbfnpr_error* error) {
@@ -232,11 +232,11 @@ hrbfnpr_camera camera_that_sees(const View& view, const geometry::Bounds& bounds
 
 // ---- Orbits
 
-// The rotation about an axis through a centre.
+// Returns the rotation about an axis through a centre.
 CameraMatrix rotation_about(const glm::dvec3& axis, const glm::dvec3& centre, double degrees) noexcept {
     const glm::dvec3 unit = unit_in_order(axis);
     const double angle = degrees * radians_of_degree;
-    CameraMatrix cross{}; // cross v = the cross product of the axis and v
+    CameraMatrix cross{}; // `cross` times v is the cross product of the axis and v.
     matrix_entry(cross, 0, 1) = -unit.z;
     matrix_entry(cross, 0, 2) = unit.y;
     matrix_entry(cross, 1, 0) = unit.z;

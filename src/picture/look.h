@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Where a picture is seen from, and how large it is.
+// Chooses the camera and the size of a picture.
 //
-// The camera looks along a direction, as far away as the box of the source needs; then the picture is cut to where
-// points on the surface are.  A camera at an eye of the caller's is not cut.
+// The camera looks along a direction, from a distance at which it sees the box of the source. Then the picture is
+// cropped to where points of the surface are. The picture of a camera at the caller's eye is not cropped.
 #pragma once
 
 #include "picture/call.h"
@@ -13,80 +13,83 @@ namespace hrbfnpr::picture {
 
 // ---- Marks as points
 
-// A few marks spread evenly over a model, to learn its area and where it is.
+// A few marks spread evenly over a model, which tell its area and its place.
 struct Probe {
     explicit Probe(Pool& pool) : places(&pool) {}
 
     PointSet marks;
-    Points places; // of the marks
+    Points places; // The positions of the marks.
     double area = 0.0;
     glm::dvec3 mean_normal{0.0};
 };
 
 [[nodiscard]] Probe probe(const Call& call, const Model& model);
 
-// The area of a surface, from even marks on it.
+// Estimates the area of a surface from marks that are spread evenly on it.
 [[nodiscard]] double area_of(const PointSet& marks);
-// Absolute positions of all marks, layer by layer.
+// These return the absolute positions or the normals of all marks, layer by layer.
 [[nodiscard]] Points positions_of(const PointSet& marks, Pool& pool);
 [[nodiscard]] Points normals_of(const PointSet& marks, Pool& pool);
 
-// The box of a model's samples, of a set's marks, or of several models.
+// These return the box of a model's samples, of a set's marks, or of several models.
 [[nodiscard]] geometry::Bounds bounds_of(const Model& model);
 [[nodiscard]] geometry::Bounds bounds_of(const PointSet& marks);
 [[nodiscard]] geometry::Bounds bounds_of(std::span<const Model> models);
 
 // ---- Cameras
 
-// The options of a camera.  Nothing stands for a choice that is made later.
+// The options of a camera. An option without a value is chosen later.
 struct View {
-    std::optional<hrbfnpr_camera> camera; // it is used as it is, and nothing below matters
+    std::optional<hrbfnpr_camera> camera; // If given, it is used unchanged, and the rest is ignored.
     std::optional<double> azimuth;        // degrees, from the front to the right
     std::optional<double> elevation;      // degrees above the horizon
-    std::optional<glm::dvec3> direction;  // from the eye into the scene; azimuth and elevation do not matter then
-    std::optional<glm::dvec3> eye;        // direction does not matter then
-    std::optional<glm::dvec3> target;     // the eye looks at it
+    std::optional<glm::dvec3> direction;  // From the eye into the scene. It replaces azimuth and elevation.
+    std::optional<glm::dvec3> eye;        // If given, the direction is ignored.
+    std::optional<glm::dvec3> target;     // The eye looks at it.
     std::optional<double> fov;            // degrees, vertical; 0: orthographic
     double margin = 0.0;                  // share of the picture that is free on each side
     glm::dvec3 up{0.0, 1.0, 0.0};
-    std::int32_t width = 0; // pixels, with height; 0: as `size` and the object need it
+    std::int32_t width = 0; // In pixels. If 0, `size` and the object set width and height.
     std::int32_t height = 0;
-    std::int32_t size = 0; // pixels, of the longer side
+    std::int32_t size = 0; // The longer side, in pixels.
 };
 
-// What the options and their settings say of a camera.
+// Reads the options of the camera from the options and their settings.
 [[nodiscard]] View view_of(const Options& options, const glm::dvec3& up);
 
-// The camera for a view, which sees all of the places.  bounds: the box of the source.  is_find: finds are drawn
-// without perspective, as they are measured.
+// Returns a camera for a view that sees all of the places. `bounds` is the box of the source. Archaeological finds
+// (`is_find`) are drawn without perspective, so that they can be measured.
 [[nodiscard]] hrbfnpr_camera camera_for(const View& view, const geometry::Bounds& bounds, const Points& places,
                                         bool is_find);
 
-// From the eye into the scene.  Azimuth 0 looks from the front: +z, or -y where z is up.  Angles in degrees.
+// Returns the direction from the eye into the scene. Azimuth 0 looks from the front: +z, or -y if z is up. The angles
+// are in degrees.
 [[nodiscard]] glm::dvec3 direction_of_view(const glm::dvec3& up, double azimuth, double elevation) noexcept;
-// The azimuth from which an eye sees what looks in this direction; degrees, 0 to 360.
+// Returns the azimuth from which an eye sees a surface that faces this direction, in degrees from 0 to 360.
 [[nodiscard]] double azimuth_of(const glm::dvec3& up, const glm::dvec3& direction) noexcept;
-// The azimuth from which an open surface of this mean normal shows its front, if the usual camera sees its back.
+// Returns the azimuth from which an open surface of this mean normal shows its front. Returns nullopt unless the usual
+// camera sees its back.
 [[nodiscard]] std::optional<double> front_azimuth(const glm::dvec3& up, const glm::dvec3& normal) noexcept;
 
-// Lets the view see an open surface from the side that it looks to, where nothing is said of the camera, and notes it.
-// shape: nullable.  probes: those of all surfaces, one and more.
+// If the options leave the camera open, turns the view to the front of an open surface and notes it. `shape` is
+// nullable. `probes` has the probes of all surfaces, at least one.
 void look_at_front(const Call& call, View& view, const Shape* shape, std::span<const Probe> probes);
 
-// A place in the clip space of a camera.
+// Returns a place in the clip space of a camera.
 [[nodiscard]] glm::dvec4 clip_place(const hrbfnpr_camera& camera, const glm::dvec3& place) noexcept;
 
-// Pixels that a length across the view has, at a place.
+// Returns how many pixels a unit of length across the view covers at a place.
 [[nodiscard]] double pixels_per_unit(const hrbfnpr_camera& camera, const glm::dvec3& place) noexcept;
 
 // ---- Orbits
 
-// What an orbit goes around: the middle of the box, or the target of an eye.
+// Returns the centre of an orbit: the middle of the box, or the target of an eye.
 [[nodiscard]] glm::dvec3 orbit_centre(const View& view, const geometry::Bounds& bounds) noexcept;
-// The camera of an orbit's first frame: its picture has room for all others.  turn: degrees of the whole orbit.
+// Returns the camera of an orbit's first frame. Its picture has room for all frames. `turn` is the angle of the whole
+// orbit in degrees.
 [[nodiscard]] hrbfnpr_camera first_camera(const View& view, const geometry::Bounds& bounds, const Points& places,
                                           double turn, std::int32_t frames, bool is_find);
-// The camera after it went some degrees around an axis through a centre.
+// Returns the camera turned by some degrees about an axis through a centre.
 [[nodiscard]] hrbfnpr_camera turned(const hrbfnpr_camera& camera, const glm::dvec3& axis, const glm::dvec3& centre,
                                     double degrees) noexcept;
 

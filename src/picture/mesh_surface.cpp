@@ -231,10 +231,10 @@ struct Divided {
         divided
     };
     Choice choice = Choice::nothing;
-    bool by_file = false;     // Some edges are sharp, because the normals of the file say so.
-    std::int32_t rounds = 0;  // rounds of subdivision
-    double moved = 0.0;       // the farthest that a vertex moved, in diagonals
-    double raised = 0.0;      // the farthest that a place between vertices moved, in diagonals
+    bool by_file = false;    // Some edges are sharp, because the normals of the file say so.
+    std::int32_t rounds = 0; // rounds of subdivision
+    double moved = 0.0;      // the farthest that a vertex moved, in diagonals
+    double raised = 0.0;     // the farthest that a place between vertices moved, in diagonals
     // The coarseness before the division. It is below 0 if it was not measured because the options ask for division.
     double coarseness = -1.0;
 };

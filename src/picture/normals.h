@@ -55,7 +55,7 @@ struct MadeNormals {
     Points normals;
     hrbfnpr_orient_info info;
 };
-// Makes or repairs normals. `mode` is a constant HRBFNPR_NORMALS_* that says what is known of the given normals. With
+// Makes or repairs normals. `mode` is a constant HRBFNPR_NORMALS_* for the state of the given normals. With
 // NONE `normals` is empty.
 [[nodiscard]] MadeNormals make_normals(const Call& call, Stage& stage, const Points& points, const Points& normals,
                                        std::uint32_t mode, const SeenFrom& seen);

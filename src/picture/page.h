@@ -76,7 +76,7 @@ struct DrawnStrokes {
 [[nodiscard]] glm::dvec2 paper_size(std::string_view name, const Report& report);
 
 // Places the content on the paper of a descriptor, as hrbfnpr_page_write does. The descriptor is read completely.
-// `info` and `operation` may be NULL. Notes which pens are chosen, and what a plotter will do.
+// `info` and `operation` may be NULL. Notes the chosen pens and the work of a plotter.
 void write_picture_page(hrbfnpr_context& context, Report& report, const PageContent& content,
                         const hrbfnpr_picture_page_desc& desc, const char* title, const char* metadata,
                         hrbfnpr_write_fn write, void* user, hrbfnpr_page_info* info, hrbfnpr_operation* operation);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Provides painted values as the functions of tone, density and direction that the library calls.
+//
 // Each dab is a ball around its position. The dabs act one after the other. A dab pulls the value v of each place
 // inside it that does not face away towards its own value: v += strength (1 - d^2 / radius^2)^2 (value - v).
 #pragma once

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Defines the handle of a picture: the plan for a source, ready to be drawn.
+//
 // A picture is made in this order:
+//
 //   options.cpp         checks the descriptor and completes it by settings
 //   sources.cpp         turns arrays into shapes
 //   points.cpp          points: repairs, normals, samples, fit, end of the surface

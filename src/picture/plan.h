@@ -18,7 +18,7 @@ namespace hrbfnpr::picture {
 [[nodiscard]] Style plan_style(const Call& call, double width, double height, bool has_end);
 
 // Plans the layers of marks that the style wants. Where the caller gives no number, the marks fill the darkest tone.
-// Notes what is limited, and puts painted maps into the style and the layers.
+// Notes the limits that apply, and puts painted maps into the style and the layers.
 //   area             area of the surface, in square units of the model
 //   pixels_per_unit  pixels of a length of 1 across the view at the middle of the model
 //   centres          number of centres of the model, 0 or more; marks of PUBLISHED start from them

@@ -114,7 +114,7 @@ void give_normals(const Call& call, Shape& shape) {
 
 bool is_depth_image(const Shape& shape) noexcept { return shape.columns > 0 && shape.rows > 0; }
 
-// Smooths the image, and returns the width of the largest gap between its points that is known to be a hole.
+// Smooths the image, and returns the radius up to which gaps between its points are closed.
 double use_depth_image(const Call& call, Shape& shape) {
     Pool& pool = call.pool;
     const std::int64_t columns = shape.columns;

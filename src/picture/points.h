@@ -27,8 +27,9 @@ void tell_unused_viewpoint(const Call& call, const Shape& shape);
 // Fits a surface to points. `up` is the direction of the options, or the one that is found.
 [[nodiscard]] Surface fit_points(const Call& call, Shape&& shape, glm::dvec3& up);
 
-// Fits a model to samples, and notes what the fit changed in them. `of_points` tells that the samples are points that
-// may have noise, not samples of a mesh. `normals_made` tells that the points had no normals, so they may include dust.
+// Fits a model to samples, and notes the changes that the fit made to them. `of_points` tells that the samples are
+// points that may have noise, not samples of a mesh. `normals_made` tells that the points had no normals, so they may
+// include dust.
 [[nodiscard]] Model fit_samples(const Call& call, const Points& points, const Points& normals, bool of_points,
                                 bool normals_made);
 

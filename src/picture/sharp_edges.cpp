@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-// Finds the edges of a mesh that the normals of its file mark as sharp.
 #include "picture/sharp_edges.h"
 
 #include "base/assert.h"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Finds which edges of a mesh are sharp according to the normals of its file.
+//
 // Modelling programs shade them this way: faces share normals along edges that bend by up to some angle ("auto smooth",
 // "smoothing groups"), and have their own normals along other edges.
 #pragma once
@@ -19,7 +20,7 @@ enum class SaidOfEdges {
 // of `edges` refer to `of`.
 [[nodiscard]] Vector<Edge> edges_among(const Points& points, const Vector<Edge>& edges, const Points& of, Pool& pool);
 
-// Finds what the normals say. `sharp` has numbers of the points.
+// Interprets the sharp edges of a file. `sharp` has numbers of the points.
 [[nodiscard]] SaidOfEdges said_of_edges(const Points& points, const Vector<Triangle>& triangles,
                                         const Vector<Edge>& sharp, Pool& pool);
 

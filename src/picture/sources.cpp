@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-// Reads sources from the caller's arrays and handles.
 #include "picture/sources.h"
 
 #include "api/checks.h"

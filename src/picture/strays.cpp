@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-// Removes points that stand for missing data or lie far away, and dust.
 #include "picture/strays.h"
 
 #include "base/assert.h"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Finds points so far away that the rest would be a dot in the picture: values that stand for missing data, and strays.
+// Finds points that lie too far away, since they would shrink all others to a dot in the picture. They are values that
+// stand for missing data, and strays.
 #pragma once
 
 #include "picture/shape.h"

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-// Implements styles and marks as values.
 #include "picture/style.h"
 
 #include "api/lists.h"

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-// Implements Loop's subdivision with sharp edges, and the measure of how coarse a mesh is.
 #include "picture/subdivide.h"
 
 #include "base/assert.h"

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Refines coarse meshes by Loop's subdivision, with a surface that goes through the given vertices.
+//
 // C. Loop, "Smooth Subdivision Surfaces Based on Triangles", 1987; H. Hoppe et al., "Piecewise Smooth Surface
 // Reconstruction", SIGGRAPH 1994, for borders, creases and corners; F. Cheng et al., "Loop Subdivision Surface Based
 // Progressive Interpolation", JCST 24(1), 2009, for going through the vertices.
+//
 // In this file a shape is a mesh whose vertices are joined: two separate vertices at one place come apart. If the shape
 // knows its sharp edges, they stay sharp.
 #pragma once

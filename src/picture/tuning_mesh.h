@@ -134,7 +134,7 @@ struct SharpEdgesTuning {
     double bend_angle = 2.0;
     // The normals say nothing if there are fewer edges.
     std::int64_t fewest = 8;
-    // All edges are sharp if more than this share is, and none is if less than the rest of 1 is. Larger: more files
+    // All edges are sharp if at least this share is, and none is if at most 1 minus this share is. Larger: more files
     // have some sharp edges.
     double nearly_all = 0.98;
 };

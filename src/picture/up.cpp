@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Signs of up are asked one after the other, the surest first: the file's format, coordinates of a map, a terrain, a
-// flat base, a left and a right side that are alike, a hole below, the ground at z = 0, and what would stand or fall.
-// The answer is y where none speaks for z.
+// Finds the up direction. It tests signs one after the other, the surest first: the file's format, coordinates of a
+// map, a terrain, a flat base, left and right sides that are alike, a hole below, the ground at z = 0, and how the
+// object would stand or fall. The result is y if none of them speaks for z.
 #include "picture/up.h"
 
 #include "base/assert.h"
@@ -21,7 +21,7 @@ constexpr UpAxis y_axis = 1;
 constexpr UpAxis z_axis = 2;
 constexpr const char* nothing_speaks = "nothing speaks for another direction";
 
-struct OtherAxes { // the two axes other than one, in ascending order
+struct OtherAxes { // The two axes other than a given one, in ascending order.
     UpAxis first;
     UpAxis second;
 };
@@ -50,7 +50,7 @@ double mean_along_axis(const Points& points, UpAxis axis) noexcept {
     return sum / static_cast<double>(points.size());
 }
 
-// The share of the elements that `is` holds for.
+// Returns the share of the elements for which `is` is true.
 template <class T, class Is>
 double share_of_samples(const Vector<T>& elements, Is&& is) {
     return static_cast<double>(std::count_if(elements.begin(), elements.end(), is)) /
@@ -61,7 +61,7 @@ double sign_of_part(double x) noexcept { return static_cast<double>(x > 0.0) - s
 
 // ---- Maps, terrains and flat ends
 
-// Eastings and northings are far from 0, heights are not.
+// Tells whether the coordinates are on a map. Eastings and northings are far from 0, but heights are not.
 bool is_on_a_map(const geometry::Bounds& box) noexcept {
     const glm::dvec3 extent = box.size();
     const double height = std::max(std::abs(box.min.z), std::abs(box.max.z));
@@ -85,7 +85,7 @@ bool is_terrain(const glm::dvec3& extent, const Points& normals, UpAxis axis) {
            mean * side > up_tuning.terrain_upward;
 }
 
-// Whether all samples look to the same side along z: then there is no end to stand on.
+// Tells whether all samples face the same side along z. Such a view from one side has no end to stand on.
 bool is_seen_from_one_side(const Points& normals) {
     const double told =
         share_of_samples(normals, [](const glm::dvec3& n) { return std::abs(n.z) > up_tuning.side_told; });
@@ -135,7 +135,7 @@ bool stands_at_origin(const geometry::Bounds& box, UpAxis axis) noexcept {
 
 // ---- Left and right
 
-// Linear between the two nearest ranks.  Sorts the values.
+// Sorts the values, and returns a percentile by linear interpolation between the two nearest ranks.
 double percentile_of_distances(Vector<double>& values, double percent) {
     HRBFNPR_ASSERT(!values.empty() && percent >= 0.0 && percent <= 100.0);
     std::sort(values.begin(), values.end());
@@ -154,7 +154,7 @@ geometry::VecArray every_nth_sample(const Points& points, std::size_t first, std
     return chosen;
 }
 
-// The distance that most of the first places have to the nearest point of a tree at most.
+// Returns the distance that a high percentile of the places has to the nearest point of a tree.
 double distance_of_most(const geometry::VecArray& places, const geometry::PointTree& points, Pool& pool) {
     HRBFNPR_ASSERT(!places.empty() && points.size() > 0);
     const auto any = [](std::int64_t) { return true; };
@@ -165,13 +165,14 @@ double distance_of_most(const geometry::VecArray& places, const geometry::PointT
         points.nearest(places[i], 1, any, any, &found);
         const glm::dvec3 between = points.points()[found] - places[i];
         const double squared = glm::dot(between, between);
-        // A place that overflows is far from all, and is no number: those cannot be sorted.
+        // An overflow gives NaN, which cannot be sorted, so such a place counts as infinitely far.
         distances.push_back(squared >= 0.0 ? std::sqrt(squared) : std::numeric_limits<double>::infinity());
     }
     return percentile_of_distances(distances, up_tuning.mirrored_percentile);
 }
 
-// The distance of samples, mirrored along an axis in their mean or in the middle of their box, from others.
+// Mirrors samples along an axis in their mean or in the middle of their box, and returns their distance from the
+// others.
 double mirrored_distance(const Points& points, const geometry::Bounds& box, UpAxis axis,
                          const geometry::PointTree& tree, Pool& pool) {
     const auto step = std::max<std::size_t>(1, points.size() / static_cast<std::size_t>(up_tuning.mirrored_most));
@@ -188,8 +189,8 @@ double mirrored_distance(const Points& points, const geometry::Bounds& box, UpAx
     return least;
 }
 
-// The axis, of y and z, along which both sides are alike, where along the other they are not; 0 if there is none.  Most
-// things have a left and a right, but few the same above and below [Fu et al. 2008].
+// Returns the axis, y or z, along which both sides are alike while along the other axis they are not; 0 if neither is.
+// Most objects have a left and a right that are alike, but few look the same above and below [Fu et al. 2008].
 UpAxis sideways_axis(const Points& points, const geometry::Bounds& box, Pool& pool) {
     if (points.size() < 8) return 0;
     base::Memory& memory = pool.memory();
@@ -212,7 +213,7 @@ UpAxis sideways_axis(const Points& points, const geometry::Bounds& box, Pool& po
 
 // ---- A hole to stand on
 
-struct BorderSide { // of a triangle: its ends as numbers of points, and its place in the list of all sides
+struct BorderSide { // A side of a triangle: its ends as numbers of points, and its place in the list of all sides.
     std::int64_t low;
     std::int64_t high;
     std::int64_t number;
@@ -226,7 +227,8 @@ struct BorderSide { // of a triangle: its ends as numbers of points, and its pla
     }
 };
 
-// The sides that belong to one triangle only, from the triangle's first end to its second, sorted by their points.
+// Returns the sides that belong to one triangle only, sorted by their points. Each goes from the triangle's first end
+// to its second.
 Vector<Edge> border_of(const Vector<Triangle>& triangles, Pool& pool) {
     Vector<BorderSide> sides(&pool);
     sides.reserve(3 * triangles.size());
@@ -249,7 +251,7 @@ Vector<Edge> border_of(const Vector<Triangle>& triangles, Pool& pool) {
     return border;
 }
 
-// Whether it is a mesh with a hole to stand on, as busts have and what was scanned on a table.
+// Tells whether a mesh has a hole to stand on, like busts and objects that were scanned on a table.
 bool opens_below(const Shape* shape, UpAxis axis, Pool& pool) {
     if (shape == nullptr || !shape->is_mesh()) return false;
     const Points& points = shape->points;
@@ -289,16 +291,16 @@ bool opens_below(const Shape* shape, UpAxis axis, Pool& pool) {
                up_tuning.hole_over_others * std::max(hole[axes_across(axis).first], hole[axes_across(axis).second]);
 }
 
-// ---- What would stand, and what would fall
+// ---- Standing and falling
 
 using FlatPoints = Vector<glm::dvec2>;
 
-// Positive if the way from a over b to c turns to the left.
+// Returns a positive number if the path from a over b to c turns left.
 double turn_at(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c) noexcept {
     return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }
 
-// Corners of the convex hull, anticlockwise [Andrew 1979].  A single point has none.
+// Returns the corners of the convex hull, anticlockwise [Andrew 1979]. A single point has none.
 FlatPoints convex_hull(FlatPoints points) {
     std::sort(points.begin(), points.end(),
               [](const glm::dvec2& a, const glm::dvec2& b) { return a.x != b.x ? a.x < b.x : a.y < b.y; });
@@ -311,7 +313,7 @@ FlatPoints convex_hull(FlatPoints points) {
                 hull.pop_back();
             hull.push_back(*first);
         }
-        if (hull.size() > begin) hull.pop_back(); // the other half begins there
+        if (hull.size() > begin) hull.pop_back(); // The other half of the hull begins at this point.
     };
     add_half(points.begin(), points.end());
     add_half(points.rbegin(), points.rend());
@@ -328,7 +330,7 @@ double area_of_polygon(const FlatPoints& polygon) noexcept {
     return twice / 2.0;
 }
 
-// The height, counted to one side (1 or -1) along an axis, below which a point belongs to the end there.
+// Returns the height along an axis, measured to one side (1 or -1), below which a point belongs to the end there.
 double height_of_end(const geometry::Bounds& box, UpAxis axis, double side) noexcept {
     const double lowest = side > 0.0 ? box.min[axis] : -box.max[axis];
     return lowest + up_tuning.foot_height * (box.max[axis] - box.min[axis]);
@@ -339,7 +341,8 @@ std::int64_t count_at_end(const Points& points, const geometry::Bounds& box, UpA
     return std::count_if(points.begin(), points.end(), [&](const glm::dvec3& p) { return side * p[axis] < limit; });
 }
 
-// Whether it stands on the lowest part to one side along an axis: that is wide, and the middle of all lies above it.
+// Tells whether the object can stand on its lowest part to one side along an axis. That part must be wide, and the
+// middle of the object must lie above it.
 bool rests_on_end(const Points& points, const geometry::Bounds& box, UpAxis axis, double side, Pool& pool) {
     const OtherAxes flat = axes_across(axis);
     const double limit = height_of_end(box, axis, side);
@@ -364,7 +367,7 @@ bool rests_on_end(const Points& points, const geometry::Bounds& box, UpAxis axis
     return true;
 }
 
-// Why z is up by the shape alone; null if it is not.
+// Returns why z is up according to the shape alone, or null if it is not.
 const char* reason_for_z(const Shape* shape, const Points& points, const Points& normals, Pool& pool) {
     if (points.empty() || !are_finite_samples(points)) return nullptr;
     const geometry::Bounds box = box_of_samples(points);
@@ -414,7 +417,7 @@ glm::dvec3 choose_up(const Call& call, const Shape* shape, const Points& points,
     const glm::dvec3 y(0.0, 1.0, 0.0);
     if (options.has(HRBFNPR_PICTURE_IS_SOLID)) return y;
     const FoundUp found = find_up(shape, points, normals, call.pool);
-    // A surface that is not drawn has an up for later pictures, but its user did not ask for one.
+    // A surface that is not drawn stores its up direction for later pictures, but the user needs no note about it.
     if (found.direction == y || options.has(HRBFNPR_PICTURE_SURFACE_ONLY)) return found.direction;
     const glm::dvec3& up = found.direction;
     String text("up is ", &call.pool);

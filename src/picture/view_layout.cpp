@@ -20,7 +20,7 @@ constexpr std::array<std::string_view, 7> view_names{"front", "back", "left", "r
 
 // ---- Texts
 
-// A text for a message, in quotes.
+// Returns a text in quotes for a message.
 String quoted(std::string_view text, Pool& pool) {
     String result("'", &pool);
     result += text;
@@ -50,7 +50,7 @@ String lower_case(std::string_view text, Pool& pool) {
     return result;
 }
 
-// AXIS, AXIS:PLACE or A:B:C:D, where A x + B y + C z = D.
+// Reads a cut: AXIS, AXIS:PLACE or A:B:C:D for the plane A x + B y + C z = D.
 AskedCut parse_cut(std::string_view text, const Report& report) {
     const Vector<std::string_view> parts = split_text(text, ':', report.pool());
     const std::string_view first = parts.front();
@@ -81,7 +81,7 @@ AskedCut parse_cut(std::string_view text, const Report& report) {
 
 constexpr std::array<std::string_view, 5> tried_papers{"a4", "a3", "a2", "a1", "a0"};
 
-// One of the papers that have names; it lies.
+// Returns a named paper in landscape format.
 SheetPage named_page(std::string_view name, const Report& report) {
     const glm::dvec2 upright = paper_size(name, report);
     return {String(name, &report.pool()), upright.y, upright.x};
@@ -101,7 +101,7 @@ Vector<std::string_view> split_text(std::string_view text, char separator, Pool&
     }
 }
 
-// ---- What is asked for
+// ---- Requests
 
 Vector<ViewName> parse_views(std::string_view text, const Report& report) {
     Pool& pool = report.pool();
@@ -179,20 +179,21 @@ glm::dvec3 middle_of(const Points& points, const Standing& axes) noexcept {
 
 namespace {
 
-// The side that an isometric view and sections are seen from.
+// Returns the side from which an isometric view and sections are seen.
 glm::dvec3 drawn_side(std::span<const ViewName> names, const Standing& axes) noexcept {
     const auto has = [&](ViewName name) { return std::find(names.begin(), names.end(), name) != names.end(); };
     return has(ViewName::left) && !has(ViewName::right) ? -axes.right : axes.right;
 }
 
-// A view from there, upright; from above or below the front is at the bottom or at the top.
+// Returns an upright view from an eye direction. In views from above or below, the front is at the bottom or at the
+// top.
 SheetView view_from(ViewName kind, String name, const glm::dvec3& eye, const Standing& axes) {
     const double along = glm::dot(eye, axes.up);
     const bool is_level = std::abs(along) > 1.0 - on_sheet.along;
     glm::dvec3 up = is_level ? -std::copysign(1.0, along) * axes.front : axes.up - along * eye;
     up = up / glm::length(up);
     SheetView view{kind, std::move(name), glm::cross(up, eye), up, eye};
-    // Axes of the model are drawn at the scale in an isometric view, not shorter by this as they are seen [ISO 5456-3].
+    // An isometric view draws the model's axes at the scale, though they look shorter by this factor [ISO 5456-3].
     if (kind == ViewName::iso) view.factor = std::sqrt(1.5);
     return view;
 }
@@ -213,7 +214,7 @@ glm::dvec3 eye_of(ViewName name, std::span<const ViewName> names, const Standing
 
 Vector<CutPlane> planes_of(std::span<const AskedCut> cuts, std::span<const ViewName> names, const Standing& axes,
                            const glm::dvec3& middle, Pool& pool) {
-    constexpr std::string_view letters = "ABCDEFGHJKLMNPQRSTUVWXYZ"; // without those that look like figures
+    constexpr std::string_view letters = "ABCDEFGHJKLMNPQRSTUVWXYZ"; // The letters that look like digits are missing.
     const glm::dvec3 towards = axes.front + axes.up + drawn_side(names, axes);
     Vector<CutPlane> planes(&pool);
     for (std::size_t i = 0; i < cuts.size(); ++i) {
@@ -278,11 +279,11 @@ struct TablePlace {
     int row;
 };
 
-// Columns and rows of the views around the front one, in the order of ViewName [ISO 5456-2].
+// The columns and rows of the views around the front view, indexed by ViewName [ISO 5456-2].
 constexpr std::array<TablePlace, 7> first_angle{{{1, 1}, {3, 1}, {2, 1}, {0, 1}, {1, 2}, {1, 0}, {2, 2}}};
 constexpr std::array<TablePlace, 7> third_angle{{{1, 1}, {3, 1}, {0, 1}, {2, 1}, {1, 0}, {1, 2}, {2, 0}}};
 
-// Of the front, the top and others the first that sees the plane as a line; none: the number of cells.
+// Returns the first of the front, the top and other views that sees the plane as a line, or else the number of cells.
 std::size_t cell_that_shows(const Vector<ViewCell>& cells, const CutPlane& plane) noexcept {
     constexpr std::array order{ViewName::front, ViewName::top,    ViewName::left,
                                ViewName::right, ViewName::bottom, ViewName::back};
@@ -292,13 +293,13 @@ std::size_t cell_that_shows(const Vector<ViewCell>& cells, const CutPlane& plane
     return cells.size();
 }
 
-// Whether the view shares its centre lines with those beside it; else it is in the middle of its place.
+// Tells whether the view shares its centre lines with its neighbours. Otherwise it is in the middle of its place.
 bool is_aligned(const ViewCell& cell, const glm::dvec3& up) noexcept {
     return cell.view.kind != ViewName::iso &&
            (!cell.view.is_section() || cell.row != 1 || std::abs(glm::dot(cell.view.eye, up)) < on_sheet.along);
 }
 
-// A column or a row of the table: where it begins, and how far it reaches before and after its centre line.
+// A column or a row of the table: where it begins, and how far it extends before and after its centre line.
 struct TableSpan {
     int number;
     double begin;
@@ -340,7 +341,7 @@ TableSpans spans_of(Vector<TableSpan> each, double gap, Pool& pool) {
     return found;
 }
 
-// Centres of the views from the table's upper left corner, and its size.
+// The size of the table, and the centres of its views from its upper left corner.
 struct ViewTable {
     Vector<glm::dvec2> centres;
     double width;
@@ -369,13 +370,14 @@ ViewTable table_of(const Vector<ViewCell>& cells, double scale, const LayoutRule
     return table;
 }
 
-// Room for the table inside the frame.
+// Returns the room for the table inside the frame.
 glm::dvec2 room_of(const SheetPage& page) noexcept {
     const SheetBox frame = frame_of(page);
     return {frame.right - frame.left - 2.0 * on_sheet.pad, frame.bottom - frame.top - 2.0 * on_sheet.pad};
 }
 
-// The centres of the views on this page, clear of the title block and the scale bar; nothing if there is no room.
+// Returns the centres of the views on this page, clear of the title block and the scale bar, or nothing if there is no
+// room.
 std::optional<Vector<glm::dvec2>> place_on(const SheetPage& page, const Vector<ViewCell>& cells, double scale,
                                            const LayoutRules& rules, Pool& pool) {
     const ViewTable table = table_of(cells, scale, rules, pool);
@@ -468,7 +470,7 @@ Vector<ViewCell> cells_of(Vector<SheetView> views, const Vector<CutPlane>& plane
 }
 
 Vector<SheetScale> standard_scales(Pool& pool) {
-    constexpr int most = 9; // the power of ten of the largest and of the smallest
+    constexpr int most = 9; // the power of ten of the largest and of the smallest scale
     Vector<SheetScale> scales(&pool);
     const auto add = [&](double step, int power, bool is_large) {
         const double number = step * std::pow(10.0, power);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Which way each view of a technical drawing looks, where it stands on the sheet, on which paper, and at which scale.
-// Lengths on the sheet are mm, from its upper left corner, y grows downward.
+// Chooses the direction of each view of a technical drawing, its place on the sheet, the paper, and the scale. Lengths
+// on the sheet are in mm from its upper left corner; y grows downward.
 #pragma once
 
 #include "geometry/vec.h"
@@ -17,20 +17,20 @@ namespace hrbfnpr::picture {
 
 // ---- Texts
 
-// The parts of a text between separators.
+// Splits a text at separators.
 [[nodiscard]] Vector<std::string_view> split_text(std::string_view text, char separator, Pool& pool);
 
-// ---- What is asked for
+// ---- Requests
 
-enum class Projection : std::uint32_t { first, third }; // angle [ISO 5456-2]
+enum class Projection : std::uint32_t { first, third }; // the projection angle [ISO 5456-2]
 
 enum class ViewName : std::uint32_t { front, back, left, right, top, bottom, iso, section };
 
-// A plane that cuts, as it is asked for: where `normal` . x is `place`.
+// A requested cutting plane, where `normal` . x is `place`.
 struct AskedCut {
-    glm::dvec3 normal{0.0};      // not 0, of any length
-    std::optional<double> place; // nothing: through the middle of the model
-    bool is_signed = false;      // whether the normal says from which side it is seen
+    glm::dvec3 normal{0.0};      // any length but 0
+    std::optional<double> place; // If empty, the plane goes through the middle of the model.
+    bool is_signed = false;      // The normal points to the side from which the section is seen.
 };
 
 struct SheetPage {
@@ -44,28 +44,29 @@ struct SheetScale {
     double value; // 0.5
 };
 
-// Each reads a text, and throws Error{invalid_argument} that says what would be right.
-[[nodiscard]] Vector<ViewName> parse_views(std::string_view text, const Report& report);         // "front,top"
-[[nodiscard]] Vector<AskedCut> parse_sections(std::string_view text, const Report& report);      // "z:20;-x;1:1:0:5"
-[[nodiscard]] std::optional<SheetPage> parse_paper(std::string_view text, const Report& report); // nothing: "auto"
+// Each of these reads a text, and throws Error{invalid_argument} that says which texts are valid.
+[[nodiscard]] Vector<ViewName> parse_views(std::string_view text, const Report& report);    // "front,top"
+[[nodiscard]] Vector<AskedCut> parse_sections(std::string_view text, const Report& report); // "z:20;-x;1:1:0:5"
+// "auto" returns nothing.
+[[nodiscard]] std::optional<SheetPage> parse_paper(std::string_view text, const Report& report);
 [[nodiscard]] std::optional<SheetScale> parse_scale(std::string_view text, const Report& report);
 
 // ---- Directions
 
-// The model as it stands.  Unit vectors.
+// The directions of the model, as unit vectors.
 struct Standing {
     glm::dvec3 right;
     glm::dvec3 up;
     glm::dvec3 front;
 };
 
-// up: of any length but 0.
+// Returns the directions for an up vector of any length but 0.
 [[nodiscard]] Standing standing(const glm::dvec3& up) noexcept;
 
-// Where `normal` . x is `place`.
+// The plane where `normal` . x is `place`.
 struct CutPlane {
     String name;       // "A"
-    glm::dvec3 normal; // unit, towards the eye of the section
+    glm::dvec3 normal; // unit vector, towards the eye of the section
     double place;
 };
 
@@ -74,29 +75,29 @@ struct SheetView {
     String name;      // "front", "A-A"
     glm::dvec3 right; // unit vectors
     glm::dvec3 up;
-    glm::dvec3 eye;        // towards the eye
-    double factor = 1.0;   // how much larger than the scale it is drawn
-    std::size_t plane = 0; // number of the plane, of a section
+    glm::dvec3 eye;        // unit vector towards the eye
+    double factor = 1.0;   // The view is drawn larger than the scale by this factor.
+    std::size_t plane = 0; // the index of the plane, for a section
 
     [[nodiscard]] bool is_section() const noexcept { return kind == ViewName::section; }
-    // Where a point is seen, from the middle: to the right and downward, in units of the model.
+    // Returns where a point is seen relative to the middle: to the right and downward, in units of the model.
     [[nodiscard]] glm::dvec2 flat(const glm::dvec3& point, const glm::dvec3& middle) const noexcept {
         const glm::dvec3 away = point - middle;
         return factor * glm::dvec2(glm::dot(away, right), -glm::dot(away, up));
     }
-    // Whether a plane is seen as a line.
+    // Tells whether the view sees a plane as a line.
     [[nodiscard]] bool is_edge_on(const glm::dvec3& normal) const noexcept;
 };
 
-// The middle of the box around the points that stands as the model does.  There are points.
+// Returns the middle of the box around the points, aligned with the model's directions. There must be points.
 [[nodiscard]] glm::dvec3 middle_of(const Points& points, const Standing& axes) noexcept;
 
-// The planes, named A, B, ..., each seen from the front, from above or from the side that is drawn, unless it has a
-// sign.
+// Returns the planes, named A, B and so on. Each is seen from the front, from above or from the side that is drawn,
+// unless its normal has a sign.
 [[nodiscard]] Vector<CutPlane> planes_of(std::span<const AskedCut> cuts, std::span<const ViewName> names,
                                          const Standing& axes, const glm::dvec3& middle, Pool& pool);
 
-// The views of these names, and then a section for each plane.
+// Returns the views with these names, followed by a section for each plane.
 [[nodiscard]] Vector<SheetView> views_of(std::span<const ViewName> names, const Vector<CutPlane>& planes,
                                          const Standing& axes, Pool& pool);
 
@@ -114,9 +115,9 @@ struct SheetBox {
     }
 };
 
-// The frame inside a page [ISO 5457].
+// Returns the frame inside a page [ISO 5457].
 [[nodiscard]] SheetBox frame_of(const SheetPage& page) noexcept;
-// The title block in its lower right corner [ISO 7200].
+// Returns the title block in the lower right corner of a page [ISO 7200].
 [[nodiscard]] SheetBox block_of(const SheetPage& page) noexcept;
 
 // A view with its place in the table of all views.
@@ -124,19 +125,20 @@ struct ViewCell {
     SheetView view;
     int column;
     int row;
-    glm::dvec2 low; // the box around it from its centre, in units of the model
+    glm::dvec2 low; // the box around the view, relative to its centre, in units of the model
     glm::dvec2 high;
     bool has_label;
-    Vector<glm::dvec3> cut_normals; // of the planes that are drawn in it
-    Vector<std::size_t> cuts;       // their numbers
+    Vector<glm::dvec3> cut_normals; // normals of the planes that are drawn in the view
+    Vector<std::size_t> cuts;       // indices of these planes
 
-    // The box around the drawing alone, and with what stands around it; from its centre.  scale: mm of a unit.
+    // Return the box around the drawing alone, and the box that includes its surroundings, relative to the centre.
+    // `scale` is in mm per unit.
     [[nodiscard]] SheetBox seen(double scale) const noexcept;
     [[nodiscard]] SheetBox box(double scale) const noexcept;
 };
 
-// The cells of the views, in their order.  Sections follow the other views to the right, or below if they are seen from
-// above.  Each plane is drawn in the first view that sees it as a line.
+// Returns the cells of the views, in their order. Sections follow the other views to the right, or below if they are
+// seen from above. Each plane is drawn in the first view that sees it as a line.
 [[nodiscard]] Vector<ViewCell> cells_of(Vector<SheetView> views, const Vector<CutPlane>& planes, const Points& points,
                                         const glm::dvec3& middle, Projection projection, const glm::dvec3& up,
                                         bool labels, Pool& pool);
@@ -144,24 +146,24 @@ struct ViewCell {
 struct SheetLayout {
     SheetPage page;
     SheetScale scale;
-    double unit_scale;          // mm on the sheet of a unit of the model
-    Vector<glm::dvec2> centres; // of each view
+    double unit_scale;          // mm on the sheet per unit of the model
+    Vector<glm::dvec2> centres; // the centre of each view
 };
 
-// What a layout has to keep to.
+// The constraints of a layout.
 struct LayoutRules {
-    double unit_mm; // of a unit of the model
-    double spacing; // between views
-    glm::dvec3 up;  // unit
+    double unit_mm; // mm per unit of the model
+    double spacing; // mm between views
+    glm::dvec3 up;  // unit vector
 };
 
-// The layout on the page and at the scale that are given, or that fit.  Throws Error{invalid_argument} that says what
-// would fit.
+// Returns the layout on the given page and at the given scale, or else on those that fit. Throws
+// Error{invalid_argument} that says which ones would fit.
 [[nodiscard]] SheetLayout choose_layout(const Vector<ViewCell>& cells, const std::optional<SheetPage>& page,
                                         const std::optional<SheetScale>& scale, const LayoutRules& rules,
                                         const Report& report);
 
-// The scales of ISO 5455: 1, 2 and 5 times powers of ten, the largest first.
+// Returns the scales of ISO 5455: 1, 2 and 5 times powers of ten, the largest first.
 [[nodiscard]] Vector<SheetScale> standard_scales(Pool& pool);
 
 } // namespace hrbfnpr::picture

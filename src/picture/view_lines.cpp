@@ -16,13 +16,13 @@ namespace {
 
 constexpr const ViewLinesTuning& tuned_lines = view_lines_tuning;
 
-// A line of the view.
+// A line of a view.
 struct TracedLine {
     explicit TracedLine(Pool& pool) : places(&pool), points(&pool), hidden(&pool) {}
 
-    Points places;    // in the model
-    PaperLine points; // as many: in the view, mm
-    Flags hidden;     // of the piece from point i to point i + 1
+    Points places;    // places in the model
+    PaperLine points; // the same places in the view, in mm
+    Flags hidden;     // whether the piece from point i to point i + 1 is hidden
 };
 using TracedLines = Vector<TracedLine>;
 
@@ -36,16 +36,16 @@ void turn_round(TracedLine& line) {
     std::reverse(line.hidden.begin(), line.hidden.end());
 }
 
-// `part` begins where the line ends.
+// Appends a part that begins where the line ends.
 void append(TracedLine& line, const TracedLine& part) {
     line.places.insert(line.places.end(), part.places.begin() + 1, part.places.end());
     line.points.insert(line.points.end(), part.points.begin() + 1, part.points.end());
     line.hidden.insert(line.hidden.end(), part.hidden.begin(), part.hidden.end());
 }
 
-// ---- Parts of lines, joined
+// ---- Joining parts of lines
 
-// Ends of lines by where they are on the paper.
+// Finds ends of lines by their place on the paper.
 class LineEnds {
 public:
     LineEnds(TracedLines& lines, Pool& pool) : lines_(&lines), taken_(lines.size(), 0, &pool), cells_(&pool) {
@@ -56,14 +56,15 @@ public:
         }
     }
 
-    // A line, once.
+    // Takes a line, unless it was taken before.
     [[nodiscard]] std::optional<TracedLine> take(std::size_t number) {
         if (taken_[number] != 0) return std::nullopt;
         taken_[number] = 1;
         return std::move((*lines_)[number]);
     }
 
-    // The line with the end that is nearest to a place, turned so that it begins there; nothing if none is near.
+    // Takes the line with the end nearest to a place, turned so that it begins there. Returns nothing if no end is
+    // near.
     [[nodiscard]] std::optional<TracedLine> take_next_at(const glm::dvec2& place) {
         const PaperCell middle = cell_of(place, tuned_lines.meet);
         std::optional<std::pair<double, LineEnd>> best;
@@ -86,7 +87,7 @@ public:
 private:
     struct LineEnd {
         std::size_t line;
-        bool is_last; // its last point, else its first
+        bool is_last; // whether it is the line's last point, else its first
     };
 
     [[nodiscard]] const glm::dvec2& place_of(const LineEnd& end) const noexcept {
@@ -102,7 +103,7 @@ private:
     std::pmr::unordered_map<PaperCell, Vector<LineEnd>, PaperCellHash> cells_;
 };
 
-// Parts whose ends meet, as one; closed where its own ends meet.  Long parts come first.
+// Joins parts whose ends meet, the long parts first. A line is closed if its own ends meet.
 TracedLines joined(TracedLines parts, Pool& pool) {
     Vector<std::size_t> order(&pool);
     for (std::size_t i = 0; i < parts.size(); ++i) order.push_back(i);
@@ -118,7 +119,7 @@ TracedLines joined(TracedLines parts, Pool& pool) {
     for (const std::size_t number : order) {
         std::optional<TracedLine> line = ends.take(number);
         if (!line) continue;
-        for (const bool is_turned : {false, true}) { // onward, then from the other end
+        for (const bool is_turned : {false, true}) { // It extends the line at its end, and then at its beginning.
             if (is_turned) turn_round(*line);
             while (!is_round(*line)) {
                 const std::optional<TracedLine> part = ends.take_next_at(line->points.back());
@@ -137,7 +138,7 @@ TracedLines joined(TracedLines parts, Pool& pool) {
 
 // ---- Lines of a drawing
 
-// Sees all of the model, with the middle of the view in the middle of the picture.
+// Returns a camera that sees the whole model, with the middle of the view in the middle of the picture.
 hrbfnpr_camera camera_of_view(const SheetView& view, const Solid& solid, double scale) {
     auto camera = defaults<hrbfnpr_camera>(hrbfnpr_camera_init);
     const double reach = tuned_lines.picture * solid.diagonal;
@@ -192,7 +193,7 @@ Drawing draw_view_lines(const SheetView& view, const char* section, const Solid&
     });
 }
 
-// A point of a stroke of a drawing.
+// A point of a stroke.
 struct StrokePoint {
     float window[3];
     float position[3];
@@ -202,8 +203,8 @@ struct StrokePoint {
 
 struct DrawnViewStrokes {
     Vector<StrokePoint> points;
-    Vector<std::uint32_t> strips; // numbers of points, each strip with a restart at its end
-    Vector<std::uint32_t> kinds;  // of the layers, HRBFNPR_LINE_KIND_...
+    Vector<std::uint32_t> strips; // indices of points; each strip ends with a restart
+    Vector<std::uint32_t> kinds;  // the kind of each layer, HRBFNPR_LINE_KIND_*
 };
 
 DrawnViewStrokes strokes_of_drawing(const Drawing& drawing, Pool& pool) {
@@ -249,13 +250,13 @@ DrawnViewStrokes strokes_of_drawing(const Drawing& drawing, Pool& pool) {
 
 using LinesByKind = std::pmr::map<std::uint32_t, TracedLines>;
 
-// All lines of a drawing, joined where parts follow each other.
+// Returns all lines of a drawing, joined where parts follow each other.
 LinesByKind traced_lines(const Drawing& drawing, double picture_size, Pool& pool) {
     const DrawnViewStrokes strokes = strokes_of_drawing(drawing, pool);
     const double half = picture_size / 2.0;
     LinesByKind parts(&pool);
     TracedLine line(pool);
-    const StrokePoint* first = nullptr; // of the line
+    const StrokePoint* first = nullptr; // the first point of the line
     for (const std::uint32_t index : strokes.strips) {
         if (index == static_cast<std::uint32_t>(HRBFNPR_INDEX_RESTART)) {
             if (line.points.size() > 1) {
@@ -275,16 +276,16 @@ LinesByKind traced_lines(const Drawing& drawing, double picture_size, Pool& pool
     return parts;
 }
 
-// ---- Sight: whether places are seen from the eye of a view, or from a plane that cuts the model
+// ---- Sight: whether places are visible from the eye of a view, or from a cutting plane
 
-// Rays to the eye, along which f is looked up: many at a time that costs less than following each one.  Walls thinner
-// than 1 / (steps * finer) diagonals may be missed, and of open surfaces sheets that are nearer to each other than
-// 1 / (2 * steps).
+// Rays to the eye. Looking up f at many places along the rays at once is faster than following each ray. Walls thinner
+// than 1 / (steps * finer) diagonals may be missed. For open surfaces, sheets nearer to each other than
+// 1 / (2 * steps) may be missed, too.
 struct Sight {
     const Solid& solid;
     const SheetView& view;
-    const CutPlane* plane;             // nullable
-    const Vector<PaperLine>& outlines; // closed ones of the cut, in units of the model
+    const CutPlane* plane;             // may be null
+    const Vector<PaperLine>& outlines; // closed outlines of the cut, in units of the model
     hrbfnpr_operation* operation;
     Pool& pool;
 };
@@ -305,14 +306,14 @@ void evaluate(const Sight& sight, const Points& points, Vector<double>& values, 
     });
 }
 
-// Places on rays: `count` numbers for each ray, its distances from its start.
+// Places on rays: `count` distances from the start of each ray.
 struct RaySamples {
     std::size_t count;
     Vector<double> at;
-    Vector<double> values; // of f
+    Vector<double> values; // values of f
 };
 
-// starts: of each ray.
+// Computes f at the samples. `starts` has the start of each ray.
 void look_up(const Sight& sight, const Points& starts, RaySamples& samples) {
     HRBFNPR_ASSERT(samples.at.size() == starts.size() * samples.count);
     Points points(&sight.pool);
@@ -331,7 +332,7 @@ RaySamples even_samples(const Vector<double>& lengths, std::size_t steps, Pool& 
     return samples;
 }
 
-// Whether f is below 0 somewhere on each ray; finer where it is least.
+// Finds whether f is below 0 somewhere on each ray. It looks at finer steps where f is least.
 void look_up_solid(const Sight& sight, const Points& starts, const Vector<double>& lengths, std::uint8_t* hidden) {
     const auto steps = static_cast<std::size_t>(sight_tuning.steps);
     RaySamples samples = even_samples(lengths, steps, sight.pool);
@@ -365,7 +366,8 @@ void look_up_solid(const Sight& sight, const Points& starts, const Vector<double
     }
 }
 
-// Whether an open surface is met: behind it f is below 0, too, and beyond its end there is none.
+// Finds whether each ray meets an open surface. The sign of f alone does not tell: f is negative all over one side of
+// the sheet, and beyond the sheet's end f changes its sign where there is no surface.
 void follow_open(const Sight& sight, const Points& starts, const Vector<double>& lengths, std::uint8_t* hidden) {
     const auto steps = 2 * static_cast<std::size_t>(sight_tuning.steps);
     RaySamples samples = even_samples(lengths, steps, sight.pool);
@@ -403,7 +405,7 @@ void follow_open(const Sight& sight, const Points& starts, const Vector<double>&
         if (hit[i] > 0 && t[i] <= step_of(rays[i])) hidden[rays[i]] = 1;
 }
 
-// Whether a place is seen within an odd number of the outlines.
+// Tells whether a place is seen inside an odd number of the outlines.
 bool is_in_cut(const Sight& sight, const glm::dvec3& place) noexcept {
     const glm::dvec2 p = sight.view.flat(place, sight.solid.middle);
     bool is_odd = false;
@@ -438,13 +440,13 @@ void hides_some(const Sight& sight, const Points& places, double off, std::uint8
     follow_open(sight, starts, lengths, hidden);
     if (sight.plane == nullptr) return;
     const double behind = sight_tuning.behind * sight.solid.diagonal;
-    for (std::size_t i = 0; i < places.size(); ++i) // what is cut is solid
+    for (std::size_t i = 0; i < places.size(); ++i) // The cut area is solid.
         if (sight.plane->place - glm::dot(places[i], sight.plane->normal) > behind && is_in_cut(sight, places[i]))
             hidden[i] = 1;
 }
 
-// Whether surface lies before each place.  Rays begin `off` diagonals beside the surface, where it does not hide
-// itself.
+// Finds whether surface lies in front of each place. Rays begin `off` diagonals beside the surface, so that it does not
+// hide itself.
 Flags hides(const Sight& sight, const Points& places, double off) {
     Flags hidden(places.size(), 0, &sight.pool);
     const auto at_once = static_cast<std::size_t>(sight_tuning.at_once);
@@ -457,9 +459,9 @@ Flags hides(const Sight& sight, const Points& places, double off) {
     return hidden;
 }
 
-// ---- Which parts are hidden
+// ---- Hidden parts
 
-// The line at fractional numbers of its points, which ascend from 0 to the last.
+// Returns the line at fractional indices of its points, which ascend from 0 to the last.
 TracedLine line_at(const TracedLine& line, const Vector<double>& at, Pool& pool) {
     TracedLine made(pool);
     const double last = static_cast<double>(line.hidden.size()) - 0.5;
@@ -472,7 +474,7 @@ TracedLine line_at(const TracedLine& line, const Vector<double>& at, Pool& pool)
     return made;
 }
 
-// The numbers of the line's points, and others, in ascending order.
+// Returns the indices of the line's points and other, fractional indices, in ascending order.
 Vector<double> with_numbers(const TracedLine& line, std::span<const double> others, Pool& pool) {
     Vector<double> numbers(&pool);
     for (std::size_t i = 0; i < line.points.size(); ++i) numbers.push_back(static_cast<double>(i));
@@ -482,7 +484,7 @@ Vector<double> with_numbers(const TracedLine& line, std::span<const double> othe
     return numbers;
 }
 
-// The line with points where it begins or ends to be hidden.  is_hidden: at its beginning.
+// Returns the line with points inserted where it becomes hidden or visible. `is_hidden` is the state at its beginning.
 TracedLine cut_at(const TracedLine& line, std::span<const double> cuts, bool is_hidden, Pool& pool) {
     HRBFNPR_ASSERT(std::is_sorted(cuts.begin(), cuts.end()));
     const Vector<double> at = with_numbers(line, cuts, pool);
@@ -494,10 +496,10 @@ TracedLine cut_at(const TracedLine& line, std::span<const double> cuts, bool is_
     return made;
 }
 
-// A place of a line that rays ask of, and the number of its line.
+// The places on lines from which rays are cast, each with the index of its line.
 struct AskedPlaces {
     Vector<std::size_t> line;
-    Vector<double> number; // fractional, of the line's points
+    Vector<double> number; // fractional indices of the line's points
     Points places;
 };
 
@@ -516,14 +518,14 @@ AskedPlaces places_to_ask(const TracedLines& lines, Pool& pool) {
     return asked;
 }
 
-// The lines with the parts that rays say are hidden.  All are asked at a time, which costs much less.
+// Returns the lines with the hidden parts that rays find. All rays are cast together, which is much faster.
 TracedLines asked_lines(const TracedLines& lines, const Sight& sight, double off) {
     Pool& pool = sight.pool;
     TracedLines made(&pool);
     if (lines.empty()) return made;
     const AskedPlaces asked = places_to_ask(lines, pool);
     const Flags hidden = hides(sight, asked.places, off);
-    Vector<std::size_t> changes(&pool); // numbers of places before which, and after which, it differs
+    Vector<std::size_t> changes(&pool); // indices of the places between which visibility changes
     for (std::size_t i = 0; i + 1 < hidden.size(); ++i)
         if (hidden[i] != hidden[i + 1] && asked.line[i] == asked.line[i + 1]) changes.push_back(i);
     Vector<double> low(changes.size(), 0.0, &pool);
@@ -548,14 +550,14 @@ TracedLines asked_lines(const TracedLines& lines, const Sight& sight, double off
             const double from = asked.number[changes[change]];
             cuts.push_back(from + (low[change] + high[change]) / 2.0 * (asked.number[changes[change] + 1] - from));
         }
-        std::sort(cuts.begin(), cuts.end()); // they are but for rounding
+        std::sort(cuts.begin(), cuts.end()); // Rounding may have changed their order.
         made.push_back(cut_at(lines[i], cuts, is_hidden, pool));
         while (place < asked.line.size() && asked.line[place] == i) ++place;
     }
     return made;
 }
 
-// Adds the parts of a line that lie behind a plane.
+// Adds the parts of a line that lie beyond a plane.
 void add_parts_behind(const TracedLine& line, const CutPlane& plane, TracedLines& to, Pool& pool) {
     Vector<double> away(&pool);
     for (const glm::dvec3& place : line.places) away.push_back(glm::dot(place, plane.normal) - plane.place);
@@ -603,7 +605,7 @@ TracedLines creases_in(const SheetView& view, const Solid& solid, double scale, 
     return lines;
 }
 
-// Moves the lines of a kind to the end of others.
+// Appends the lines of one kind to others.
 void take_kind(LinesByKind& found, std::uint32_t kind, TracedLines& to) {
     const auto lines = found.find(kind);
     if (lines == found.end()) return;
@@ -639,7 +641,7 @@ Vector<Points> without_loose_edges(Vector<Points> creases, double diagonal, Pool
     const auto less = [](const glm::dvec3& a, const glm::dvec3& b) {
         return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z);
     };
-    std::pmr::map<glm::dvec3, int, decltype(less)> uses(less, &pool); // of each end
+    std::pmr::map<glm::dvec3, int, decltype(less)> uses(less, &pool); // the number of edges at each end
     for (const Points& line : creases) {
         HRBFNPR_ASSERT(line.size() > 1);
         ++uses[line.front()];

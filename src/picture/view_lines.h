@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Lines of one view, and which parts of them are hidden.
+// Traces the lines of one view, and finds their hidden parts.
 //
-// Contours come from a drawing of the model, which counts the surfaces before each part.  Creases are the mesh's own
-// edges: rays tell whether they are hidden.  Rays also tell it of all lines behind a cutting plane, where what stands
-// before the plane counts for nothing.
+// Contours come from a drawing of the model, which counts the surfaces in front of each part. Creases are the mesh's
+// own edges, and rays find whether they are hidden. Rays also find this for all lines beyond a cutting plane, because
+// the part of the model in front of the plane hides nothing.
 #pragma once
 
 #include "picture/call.h"
@@ -12,33 +12,33 @@
 
 namespace hrbfnpr::picture {
 
-// What is drawn: a model, its lines and edges, and where its middle is.
+// The object that is drawn: a model, its lines and edges, and its middle.
 struct Solid {
     explicit Solid(Pool& pool) : creases(&pool), smooth(&pool), middle(0.0) {}
 
     Model model;
     LineSet lines;
-    PointSet marks; // a frame has to have some; none is drawn
+    PointSet marks; // marks that a frame must have but does not draw
     Renderer renderer;
     Vector<Points> creases;       // edges of a mesh
-    Vector<std::uint32_t> smooth; // HRBFNPR_LINE_KIND_... of lines that are not sharp
+    Vector<std::uint32_t> smooth; // HRBFNPR_LINE_KIND_* of lines that are not sharp
     glm::dvec3 middle;
     double diagonal = 0.0;  // > 0
-    bool is_open = false;   // a sheet that ends: either of its sides may be seen
-    double lipschitz = 0.0; // of rays, where it is open
+    bool is_open = false;   // It is a sheet that ends, so either of its sides may be visible.
+    double lipschitz = 0.0; // the Lipschitz constant for rays, if the surface is open
 };
 
-// Edges of a mesh without short ones that end somewhere in a face, which are the facets of a rounded shape.
+// Returns the edges of a mesh without short ones that end inside a face, which are the facets of a rounded shape.
 [[nodiscard]] Vector<Points> without_loose_edges(Vector<Points> creases, double diagonal, Pool& pool);
 
 struct ViewLines {
     explicit ViewLines(Pool& pool) : curves(&pool), outlines(&pool) {}
 
     Vector<ViewCurve> curves;   // mm from the view's centre
-    Vector<PaperLine> outlines; // of what a section cuts
+    Vector<PaperLine> outlines; // the outlines of the section
 };
 
-// scale: mm of a unit of the model.  operation: watched for a cancel.
+// Returns the lines of a view. `scale` is in mm per unit of the model. `operation` is watched for cancellation.
 [[nodiscard]] ViewLines lines_of_view(const SheetView& view, const Vector<CutPlane>& planes, const Solid& solid,
                                       double scale, hrbfnpr_operation* operation, Pool& pool);
 

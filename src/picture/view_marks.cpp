@@ -14,15 +14,15 @@ constexpr const ViewMarksTuning& drawn_as = view_marks_tuning;
 struct KindOfLine {
     std::string_view name;
     double width;            // in line widths, or in mm
-    bool width_is_mm;        // twice as wide
-    std::uint32_t pen;       // number
-    std::uint32_t line_type; // HRBFNPR_LINE_TYPE_... [ISO 128-2]
+    bool width_is_mm;        // The width is in mm, not in line widths.
+    std::uint32_t pen;       // the number of the pen
+    std::uint32_t line_type; // HRBFNPR_LINE_TYPE_* [ISO 128-2]
 };
 
 constexpr std::uint32_t continuous = HRBFNPR_LINE_TYPE_CONTINUOUS;
 constexpr std::uint32_t long_dashed_dotted = HRBFNPR_LINE_TYPE_LONG_DASHED_DOTTED;
 
-// In the order of SheetKind.
+// Indexed by SheetKind.
 constexpr std::array<KindOfLine, 14> kinds_of_lines{{{"hatching", 0.5, false, 2, continuous},
                                                      {"centre lines", 0.5, false, 2, long_dashed_dotted},
                                                      {"smooth", 0.5, false, 2, continuous},
@@ -52,11 +52,11 @@ std::uint32_t type_of(const SheetContent& content, SheetKind kind) noexcept {
 // ---- Texts
 
 struct LetterWidth {
-    char letters[12]; // in place: a table of pointers would have to be relocated
-    int width;        // in 1/1000 of the size
+    char letters[12]; // The text is in place, because a table of pointers would have to be relocated.
+    int width;        // in 1/1000 of the font size
 };
 
-// Of Helvetica.
+// The widths of the letters of Helvetica.
 constexpr std::array letter_widths{LetterWidth{" ,./:;ft!I", 278}, LetterWidth{"ijl'|", 222},
                                    LetterWidth{"()r-", 333},       LetterWidth{"cksvxyz", 500},
                                    LetterWidth{"FTZ", 611},        LetterWidth{"ABEKPSVXY", 667},
@@ -82,7 +82,7 @@ struct FittedText {
     double capitals;
 };
 
-// The text smaller, and then shorter, where there is no room for it.
+// Makes a text smaller, and then shorter, until it fits.
 FittedText fitted_text(std::string_view given, double room, double capitals, Pool& pool) {
     constexpr std::size_t least_letters = 4;
     FittedText fitted{String(given, &pool), 0.0};
@@ -108,11 +108,11 @@ std::array<glm::dvec2, 5> rectangle(const SheetBox& box) noexcept {
 
 std::string_view name_of(Projection projection) noexcept { return projection == Projection::first ? "first" : "third"; }
 
-// A truncated cone from its side, and from its smaller end, where that view belongs [ISO 5456-2].
+// Draws a truncated cone seen from its side and from its smaller end, at the place of that view [ISO 5456-2].
 void add_projection_symbol(SheetContent& content, const glm::dvec2& middle, Projection projection) {
     constexpr double large = 5.0; // radii
     constexpr double small = 2.5;
-    constexpr double half = 5.0; // of the cone's length
+    constexpr double half = 5.0; // half the length of the cone
     constexpr double beyond = 1.5;
     constexpr std::size_t points = 73;
     const double side = projection == Projection::first ? 1.0 : -1.0;
@@ -138,7 +138,7 @@ void add_projection_symbol(SheetContent& content, const glm::dvec2& middle, Proj
     add_axis({end, middle.y - large - beyond}, {end, middle.y + large + beyond});
 }
 
-// Where a line enters and leaves a box; both are its point if it misses the box.
+// Returns where a line enters and leaves a box. If it misses the box, both are the given point.
 std::array<glm::dvec2, 2> across_box(const glm::dvec2& point, const glm::dvec2& way, const SheetBox& box) noexcept {
     constexpr double along_side = 1e-9;
     double low = -std::numeric_limits<double>::infinity();
@@ -156,14 +156,14 @@ std::array<glm::dvec2, 2> across_box(const glm::dvec2& point, const glm::dvec2& 
     return {point + low * way, point + high * way};
 }
 
-// A plane that is seen as a line.
+// A plane that the view sees as a line.
 struct PlaneTrace {
     glm::dvec2 point;
     glm::dvec2 way;    // the line's direction
-    glm::dvec2 normal; // to the side that the plane's normal goes to
+    glm::dvec2 normal; // towards the side to which the plane's normal points
 };
 
-// away: of the plane from the middle of the model.
+// Returns the trace of a plane. `away` is its distance from the middle of the model.
 PlaneTrace trace_of(const PlacedView& placed, const glm::dvec3& normal, double away) noexcept {
     const glm::dvec2 flat(glm::dot(normal, placed.view.right), -glm::dot(normal, placed.view.up));
     return {placed.centre + placed.scale * placed.view.factor * away * flat, {-flat.y, flat.x}, flat};
@@ -198,7 +198,8 @@ void SheetContent::add_text(const glm::dvec2& at, std::string_view text, double 
 
 SheetAnnotations annotations_of(const SheetContent& content, Pool& pool) {
     SheetAnnotations made(pool);
-    made.groups.reserve(content.layers.size() + kinds_of_lines.size()); // the lists refer to them
+    // The lists refer to the names, so these must not move.
+    made.groups.reserve(content.layers.size() + kinds_of_lines.size());
     for (std::size_t kind = 0; kind < kinds_of_lines.size(); ++kind)
         for (const SheetLayer& layer : content.layers) {
             if (static_cast<std::size_t>(layer.kind) != kind) continue;
@@ -215,7 +216,7 @@ SheetAnnotations annotations_of(const SheetContent& content, Pool& pool) {
                 one.text = is_text ? layer.texts[i].c_str() : nullptr;
             }
         }
-    for (std::size_t i = 0; i + 1 < kinds_of_lines.size(); ++i) { // texts have none
+    for (std::size_t i = 0; i + 1 < kinds_of_lines.size(); ++i) { // Texts are not lines.
         String& group = made.groups.emplace_back(kinds_of_lines[i].name);
         group += '*';
         auto& pen = made.pens.emplace_back(defaults<hrbfnpr_pen>(hrbfnpr_pen_init));
@@ -284,7 +285,7 @@ double length_of_bar(double longest) noexcept {
 
 void add_scale_bar(SheetContent& content, const SheetPage& page, double scale, Pool& pool) {
     constexpr double height = 1.5;
-    constexpr double first_line = 0.15; // of those that fill a field
+    constexpr double first_line = 0.15; // the height of the first line that fills a field
     constexpr double last_line = 1.35;
     const double longest = drawn_as.longest_bar * view_layout_tuning.bar_width / scale;
     if (!(longest > 0.0 && std::isfinite(longest))) return;
@@ -294,7 +295,7 @@ void add_scale_bar(SheetContent& content, const SheetPage& page, double scale, P
     const double x = frame.left + 6.0;
     const double y = frame.bottom - 10.0;
     content.add(SheetKind::scale_bar, rectangle({x, y, x + 5.0 * field, y + height}));
-    for (const double number : {0.0, 2.0, 4.0}) // filled by lines, which plotters draw, too
+    for (const double number : {0.0, 2.0, 4.0}) // The fields are filled by lines, which plotters can draw.
         for (const double level : evenly(y + first_line, y + last_line, 6, pool))
             content.add(SheetKind::scale_fields, {{x + number * field, level}, {x + (number + 1.0) * field, level}});
     content.add_text({x, y + 5.5}, "0", drawn_as.bar_capitals, true);

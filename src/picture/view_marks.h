@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What stands on a sheet: lines of each kind in a layer of its own, and beside the views the frame, the title block,
-// symbols, names, cutting planes, centre lines and a scale bar.
+// Draws the marks of a sheet. Each kind of line has its own layer. Beside the views there are the frame, the title
+// block, symbols, names, cutting planes, centre lines and a scale bar.
 #pragma once
 
 #include "picture/handles.h"
@@ -15,7 +15,7 @@
 
 namespace hrbfnpr::picture {
 
-// Kinds of lines, in the order of the page.
+// The kinds of lines, in the order in which a page draws them.
 enum class SheetKind : std::uint32_t {
     hatching,
     centre_lines,
@@ -33,61 +33,61 @@ enum class SheetKind : std::uint32_t {
     texts
 };
 
-// Lines and texts of one kind and one view: a layer of the page.
+// The lines and texts of one kind in one view, which are a layer of the page.
 struct SheetLayer {
     SheetKind kind;
-    String view;             // its name; empty: of none
-    Vector<PaperLine> lines; // of texts: where their baselines begin
-    Vector<String> texts;    // as many as lines; none of lines
-    Vector<double> capitals; // mm, of each text
+    String view;             // the name of the view, or empty
+    Vector<PaperLine> lines; // for texts: the starts of their baselines
+    Vector<String> texts;    // one for each line in a layer of texts, else empty
+    Vector<double> capitals; // the height of each text in mm
 };
 
-// All that stands on a sheet.
+// All marks on a sheet.
 struct SheetContent {
     SheetContent(double width, bool hidden_as_shown, Pool& pool)
         : line_width(width), hidden_is_continuous(hidden_as_shown), layers(&pool) {}
 
-    double line_width;         // mm, of outlines
-    bool hidden_is_continuous; // else dashed
-    Vector<SheetLayer> layers; // in the order in which they began
+    double line_width;         // the width of outlines in mm
+    bool hidden_is_continuous; // If false, hidden lines are dashed.
+    Vector<SheetLayer> layers; // in the order of their first lines
 
     void add(SheetKind kind, std::span<const glm::dvec2> line, std::string_view view = {});
     void add(SheetKind kind, std::initializer_list<glm::dvec2> line, std::string_view view = {}) {
         add(kind, std::span(line.begin(), line.size()), view);
     }
-    // From a place on the baseline, or around it.
+    // Adds a text that starts at a place on the baseline, or is centred around it.
     void add_text(const glm::dvec2& at, std::string_view text, double capitals, bool is_centred = false);
 
 private:
     [[nodiscard]] SheetLayer& layer_of(SheetKind kind, std::string_view view);
 };
 
-// The content as what a page takes, and the pens for plotters: the wide pen is 1, the fine one 2.
+// The content as input for a page, with the pens for plotters: pen 1 is wide, pen 2 is fine.
 struct SheetAnnotations {
     explicit SheetAnnotations(Pool& pool) : groups(&pool), list(&pool), pens(&pool) {}
 
-    Vector<String> groups; // names that the lists refer to
+    Vector<String> groups; // the names to which the lists refer
     Vector<hrbfnpr_annotation> list;
     Vector<hrbfnpr_pen> pens;
 };
-// Refers to the content while it lives.
+// Converts the content. The result refers to the content, which must outlive it.
 [[nodiscard]] SheetAnnotations annotations_of(const SheetContent& content, Pool& pool);
 
 // ---- Beside the views
 
 struct SheetFacts {
     std::string_view title;
-    std::string_view model; // the file
+    std::string_view model; // the name of the file
     std::string_view scale;
     std::string_view page;
 };
 
-// Around all of the sheet [ISO 5457].
+// Draws the frame around the sheet [ISO 5457].
 void add_frame(SheetContent& content, const SheetPage& page);
-// In the lower right corner [ISO 7200], with the symbol of the projection [ISO 5456-2].
+// Draws the title block in the lower right corner [ISO 7200], with the symbol of the projection [ISO 5456-2].
 void add_title_block(SheetContent& content, const SheetPage& page, const SheetFacts& facts, Projection projection,
                      Pool& pool);
-// Five fields in the lower left corner.  scale: mm on the paper of one mm of the model.
+// Draws a scale bar of five fields in the lower left corner. `scale` is in mm on the paper per mm of the model.
 void add_scale_bar(SheetContent& content, const SheetPage& page, double scale, Pool& pool);
 
 // ---- In a view
@@ -95,23 +95,23 @@ void add_scale_bar(SheetContent& content, const SheetPage& page, double scale, P
 // A view on the sheet.
 struct PlacedView {
     const SheetView& view;
-    double scale;      // mm of a unit of the model
+    double scale;      // mm per unit of the model
     glm::dvec2 centre; // on the sheet
-    SheetBox seen;     // around its drawing
-    SheetBox box;      // and around what stands beside that
+    SheetBox seen;     // the box around its drawing
+    SheetBox box;      // the box around the drawing and its annotations
 };
 
-// The name above the view.
+// Adds the name above the view.
 void add_view_name(SheetContent& content, const PlacedView& placed);
-// Where a section is: a line whose thick ends have arrows in the direction of sight, and letters [ISO 128-3].
+// Marks where a section is, by a line whose thick ends have letters and arrows in the direction of sight [ISO 128-3].
 void add_cutting_plane(SheetContent& content, const PlacedView& placed, const CutPlane& plane,
                        const glm::dvec3& middle);
-// A plane of symmetry through the middle, where it is seen as a line.
+// Draws a plane of symmetry through the middle, if the view sees it as a line.
 void add_centre_line(SheetContent& content, const PlacedView& placed, const glm::dvec3& normal);
 
-// The width of a text in Helvetica, whose capitals have this height.
+// Returns the width of a text in Helvetica whose capitals have this height.
 [[nodiscard]] double width_of_sheet_text(std::string_view text, double capitals) noexcept;
-// 1, 2 or 5 times a power of ten, at most as long as this, which is above 0 and finite.
+// Returns 1, 2 or 5 times a power of ten that is at most `longest`, which must be above 0 and finite.
 [[nodiscard]] double length_of_bar(double longest) noexcept;
 
 } // namespace hrbfnpr::picture

@@ -13,7 +13,7 @@ namespace {
 
 constexpr const ViewOrderTuning& tuned = view_order_tuning;
 
-// Flags from `begin` to before `end` that are alike.
+// A range of equal flags, from `begin` to before `end`.
 struct Run {
     std::size_t begin;
     std::size_t end;
@@ -29,19 +29,19 @@ Vector<Run> runs_of(const Flags& flags, Pool& pool) {
     return runs;
 }
 
-// ---- Places that are taken
+// ---- Occupied places
 
-// A place of a line that is drawn.
+// A place of a line that was drawn.
 struct TakenPlace {
     glm::dvec2 place;
-    glm::dvec2 direction; // unit
-    double along;         // the line
-    std::size_t curve;    // its number
-    double around;        // length of a closed curve, else 0
+    glm::dvec2 direction; // unit vector
+    double along;         // length along the curve
+    std::size_t curve;    // the index of the curve
+    double around;        // the length of a closed curve, else 0
     double reach;
 };
 
-// How far two places of a curve are apart along it.
+// Returns the distance between two places, measured along the curve.
 double apart_along(double a, double b, double around) noexcept {
     const double direct = std::abs(a - b);
     return around > 0.0 ? std::min(direct, around - direct) : direct;
@@ -54,7 +54,7 @@ public:
         HRBFNPR_ASSERT(cell > 0.0);
     }
 
-    // Whether a line is there, other than what the curve itself has just drawn.
+    // Tells whether a line is at this place, other than the part that the curve itself has just drawn.
     [[nodiscard]] bool has(const TakenPlace& wanted) const {
         const PaperCell middle = cell_of(wanted.place, cell_);
         for (std::int64_t column = middle.column - 1; column <= middle.column + 1; ++column)
@@ -81,13 +81,13 @@ private:
     }
 
     double cell_;
-    double alike_; // sine of the angle between directions that count as one
+    double alike_; // the sine of the angle below which directions count as one
     std::pmr::unordered_map<PaperCell, Vector<TakenPlace>, PaperCellHash> places_;
 };
 
-// ---- What is left of a part
+// ---- The free rest of a part
 
-// A part of a curve, between two lengths along it.
+// A part of a curve, from one length along it to another.
 struct CurvePart {
     std::size_t curve;
     int rank;
@@ -96,7 +96,8 @@ struct CurvePart {
     bool hidden;
 };
 
-// Draws lines as far as those that they join: they are near to them before they meet, or go on as one of them.
+// Extends lines up to the lines that they join. Such lines run close to the others before they meet, or continue one of
+// them.
 void run_on(Flags& free, const Vector<double>& at, double reach, Pool& pool) {
     const Vector<Run> runs = runs_of(free, pool);
     const auto length = [&](std::size_t i) { return at[runs[i].end - 1] - at[runs[i].begin]; };
@@ -109,7 +110,7 @@ void run_on(Flags& free, const Vector<double>& at, double reach, Pool& pool) {
             std::fill(free.begin() + static_cast<std::ptrdiff_t>(runs[i].begin),
                       free.begin() + static_cast<std::ptrdiff_t>(runs[i].end), std::uint8_t{1});
     }
-    // Another line that begins where this one is left out is near to it before that.
+    // Another line that begins where this one is left out comes near to it before that place.
     const auto more = static_cast<std::size_t>(std::ceil(reach / tuned.step));
     for (const Run& run : runs_of(free, pool)) {
         if (!run.value) continue;
@@ -120,7 +121,7 @@ void run_on(Flags& free, const Vector<double>& at, double reach, Pool& pool) {
     }
 }
 
-// Takes what nothing is drawn on of a part, and returns it as lengths along the curve.
+// Occupies the free places of a part, and returns them as ranges of length along the curve.
 Vector<std::pair<double, double>> take_free(const ViewCurve& curve, const Vector<double>& along, const CurvePart& part,
                                             TakenPlaces& taken, Pool& pool) {
     const Vector<double> at = evenly(part.begin, part.end, count_on(part.end - part.begin, tuned.step), pool);
@@ -158,7 +159,7 @@ PaperLine between_lengths(const ViewCurve& curve, const Vector<double>& along, d
 
 // ---- Short gaps
 
-// The direction in which a line, or the line turned round, ends.
+// Returns the direction in which a line ends, or in which it ends when turned round.
 glm::dvec2 direction_at_end(const PaperLine& line, bool turned) noexcept {
     const std::size_t count = line.size();
     const auto point = [&](std::size_t i) { return turned ? line[i] : line[count - 1 - i]; };
@@ -166,7 +167,7 @@ glm::dvec2 direction_at_end(const PaperLine& line, bool turned) noexcept {
     double length = 0.0;
     for (std::size_t i = 1; i < count; ++i) {
         const double next = length + glm::length(point(i) - point(i - 1));
-        if (next > tuned.end) { // the place lies in this piece
+        if (next > tuned.end) { // The place is on this piece.
             const glm::dvec2 slope = (point(i) - point(i - 1)) / (next - length);
             begin = length == tuned.end ? point(i - 1) : slope * (tuned.end - length) + point(i - 1);
             break;
@@ -179,10 +180,10 @@ glm::dvec2 direction_at_end(const PaperLine& line, bool turned) noexcept {
 
 struct NextPiece {
     std::size_t number;
-    bool turned; // its last point is where it goes on from
+    bool turned; // The last point of the piece is its joint.
 };
 
-// The piece that goes on where the line ends; false if there is none.
+// Finds the piece that continues the line at its end. Returns false if no piece does.
 bool find_next(const PaperLine& line, const Vector<PaperLine>& rest, NextPiece& next) noexcept {
     if (line.front() == line.back()) return false;
     const glm::dvec2 way = direction_at_end(line, false);
@@ -198,13 +199,13 @@ bool find_next(const PaperLine& line, const Vector<PaperLine>& rest, NextPiece& 
     return false;
 }
 
-// Makes one piece of those that go on as one after a short gap.
+// Joins pieces that continue each other after a short gap.
 Vector<PaperLine> bridged(Vector<PaperLine> rest, Pool& pool) {
     Vector<PaperLine> found(&pool);
     while (!rest.empty()) {
         PaperLine line = std::move(rest.front());
         rest.erase(rest.begin());
-        for (int turn = 0; turn < 2; ++turn) { // from its beginning, then onward
+        for (int turn = 0; turn < 2; ++turn) { // It extends the beginning first, then the end.
             std::reverse(line.begin(), line.end());
             for (NextPiece next{}; find_next(line, rest, next);) {
                 PaperLine& part = rest[next.number];
@@ -225,7 +226,7 @@ Flags steady(const ViewCurve& curve, Pool& pool) {
     Flags hidden(curve.hidden.begin(), curve.hidden.end(), &pool);
     const Vector<double> along = lengths_along(curve.points, pool);
     const Vector<Run> runs = runs_of(hidden, pool);
-    // The first and the last run of a closed curve lie between others, too.
+    // In a closed curve the first and the last run also lie between others.
     const bool goes_round = curve.points.front() == curve.points.back() && hidden.front() != hidden.back();
     for (std::size_t i = 0; i < runs.size(); ++i) {
         if (!goes_round && (i == 0 || i + 1 == runs.size())) continue;
@@ -254,7 +255,8 @@ ShownLines draw_in_order(const Vector<ViewCurve>& curves, bool with_hidden, Pool
     }
     ShownLines shown(pool);
     if (parts.empty()) return shown;
-    // Long parts come first: a line runs on over short ones beside it, which would then be drawn twice.
+    // Long parts come first. Otherwise a line would be extended over short lines beside it, and these would be drawn
+    // twice.
     std::stable_sort(parts.begin(), parts.end(), [](const CurvePart& a, const CurvePart& b) {
         return std::pair(a.rank, a.begin - a.end) < std::pair(b.rank, b.begin - b.end);
     });

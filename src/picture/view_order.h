@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Lines of a view that coincide: one of them is drawn, visible ones before hidden ones before smooth ones [ISO 128-2].
-// Views along planes of symmetry and along flat faces have a line behind nearly every line.
+// Draws coinciding lines of a view once. Visible lines have priority over hidden ones, and these over smooth ones [ISO
+// 128-2]. In views along planes of symmetry and along flat faces, nearly every line coincides with one farther away.
 #pragma once
 
 #include "picture/memory.h"
@@ -9,19 +9,20 @@
 
 namespace hrbfnpr::picture {
 
-// A line on the paper.  Two points and more.
+// A line on the paper, with at least two points.
 struct ViewCurve {
     explicit ViewCurve(Pool& pool) : points(&pool), hidden(&pool) {}
 
-    PaperLine points; // closed if the last one is the first
+    PaperLine points; // The curve is closed if the last point is the first.
     Flags hidden;     // whether surface hides the piece from point i to point i + 1
     int rank = 1;     // curves of lower rank are drawn first
-    // mm: others of the same kind that are nearer and as good as parallel are left out.
+    // Other lines of the same kind are left out if they are nearly parallel and nearer than this, in mm.
     double reach = view_order_tuning.reach;
-    bool is_smooth = false; // it is no sharp edge: it is drawn thin where it is visible, and else not
+    // The line is not a sharp edge. Its visible parts are drawn thin, and its hidden parts are not drawn.
+    bool is_smooth = false;
 };
 
-// What is drawn.
+// The lines that are drawn.
 struct ShownLines {
     explicit ShownLines(Pool& pool) : outlines(&pool), hidden(&pool), smooth(&pool) {}
 
@@ -30,10 +31,11 @@ struct ShownLines {
     Vector<PaperLine> smooth;
 };
 
-// Takes each place of the paper once: by kind, by rank, long parts first.  with_hidden: else nothing hidden is drawn.
+// Uses each place of the paper once: by kind, then by rank, with long parts first. Hidden lines are drawn only if
+// `with_hidden` is true.
 [[nodiscard]] ShownLines draw_in_order(const Vector<ViewCurve>& curves, bool with_hidden, Pool& pool);
 
-// The curve's `hidden` without parts that are too short to be seen.
+// Returns the flags of the curve's hidden pieces without parts too short to be seen.
 [[nodiscard]] Flags steady(const ViewCurve& curve, Pool& pool);
 
 } // namespace hrbfnpr::picture

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Polylines on the paper and in space: lengths along them, and places between their points.
+// Provides polylines on the paper and in space: lengths along them, and places between their points.
 #pragma once
 
 #include "base/assert.h"
@@ -16,7 +16,7 @@ namespace hrbfnpr::picture {
 using PaperLine = Vector<glm::dvec2>; // mm, y grows downward
 using Flags = Vector<std::uint8_t>;   // 0 or 1
 
-// The length from the first point to each of them.
+// Returns the length from the first point to each point.
 template <class Line>
 [[nodiscard]] Vector<double> lengths_along(const Line& points, Pool& pool) {
     Vector<double> along(points.size(), 0.0, &pool);
@@ -31,13 +31,14 @@ template <class Line>
     return length;
 }
 
-// The number of the last point that is not beyond `at`; 0 before the first one.  Numbers ascend.
+// Returns the index of the last number that is at most `at`, or 0 if `at` is before the first. The numbers ascend.
 [[nodiscard]] inline std::size_t last_not_beyond(std::span<const double> numbers, double at) noexcept {
     const auto after = std::upper_bound(numbers.begin(), numbers.end(), at);
     return after == numbers.begin() ? 0 : static_cast<std::size_t>(after - numbers.begin()) - 1;
 }
 
-// Linear interpolation: the value at `at` where values[i] is at numbers[i], which ascend; the ends' beyond them.
+// Returns the value at `at` by linear interpolation, where values[i] is at numbers[i], which ascend. Beyond the ends it
+// is the end's value.
 template <class Value>
 [[nodiscard]] Value interpolated(std::span<const double> numbers, std::span<const Value> values, double at) noexcept {
     HRBFNPR_ASSERT(!numbers.empty() && numbers.size() == values.size());
@@ -48,7 +49,7 @@ template <class Value>
     return slope * (at - numbers[i]) + values[i];
 }
 
-// The same where values[i] is at i.
+// Returns the value at `at` where values[i] is at i.
 template <class Value>
 [[nodiscard]] Value at_number(std::span<const Value> values, double at) noexcept {
     HRBFNPR_ASSERT(!values.empty());
@@ -61,7 +62,7 @@ template <class Value>
     return (values[i + 1] - values[i]) * (at - whole) + values[i];
 }
 
-// Numbers from one to another, evenly spaced; 2 and more of them.
+// Returns `count` evenly spaced numbers from one to another, at least 2.
 [[nodiscard]] inline Vector<double> evenly(double from, double to, std::size_t count, Pool& pool) {
     HRBFNPR_ASSERT(count >= 2);
     Vector<double> numbers(&pool);
@@ -72,7 +73,7 @@ template <class Value>
     return numbers;
 }
 
-// The number of numbers that are at most `step` apart on a length, its ends included; 2 and more.
+// Returns how many numbers, at most `step` apart, divide a length. The ends are included, so there are at least 2.
 [[nodiscard]] inline std::size_t count_on(double length, double step) noexcept {
     constexpr double most = 1e15;
     const double parts = std::ceil(length / step);
@@ -87,7 +88,7 @@ struct PaperCell {
 };
 
 [[nodiscard]] inline PaperCell cell_of(const glm::dvec2& place, double side) noexcept {
-    constexpr double far = 1e15; // also what is no number
+    constexpr double far = 1e15; // NaN becomes -far.
     const auto whole = [&](double x) {
         const double cell = std::floor(x / side);
         return static_cast<std::int64_t>(cell > -far ? std::min(cell, far) : -far);

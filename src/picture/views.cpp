@@ -22,7 +22,7 @@ namespace {
 
 using ViewsDesc = hrbfnpr_views_desc;
 constexpr std::uint32_t views_flags = HRBFNPR_VIEWS_CENTRE_LINES | HRBFNPR_VIEWS_LABELS | HRBFNPR_VIEWS_UNIT_IS_METRE;
-constexpr double longest_on_paper = 1e9; // mm; and of other numbers
+constexpr double longest_on_paper = 1e9; // The largest length in mm, and the largest other number.
 
 constexpr auto views_fields() noexcept {
     using D = ViewsDesc;
@@ -82,7 +82,7 @@ hrbfnpr_status hrbfnpr_views_info_init(hrbfnpr_views_info* info, uint32_t struct
 namespace hrbfnpr::picture {
 namespace {
 
-// A text of the descriptor; `otherwise` where it is NULL.
+// Returns a text of the descriptor, or `otherwise` if it is NULL.
 std::string_view views_text(const char* text, const char* field, std::string_view otherwise) {
     constexpr std::size_t longest = 65536;
     if (text == nullptr) return otherwise;
@@ -118,7 +118,7 @@ Vector<std::uint32_t> parse_smooth(std::string_view text, const Report& report) 
 constexpr std::string_view views_of_first_angle = "front,left,top,iso";
 constexpr std::string_view views_of_third_angle = "front,right,top,iso";
 
-// ---- What is known of a sheet before its lines are drawn
+// ---- The plan of a sheet before its lines are drawn
 
 struct SheetPlan {
     Standing axes;
@@ -137,7 +137,8 @@ void require_cut(const CutPlane& plane, const AskedCut& cut, const Points& place
         high = std::max(high, glm::dot(place, plane.normal));
     }
     if (low < plane.place && plane.place < high) return;
-    const double factor = std::copysign(glm::length(cut.normal), glm::dot(plane.normal, cut.normal)); // as it was asked
+    // has the sign of the requested normal
+    const double factor = std::copysign(glm::length(cut.normal), glm::dot(plane.normal, cut.normal));
     report.refuse(
         formatted(report.pool(), "{section}: the plane at %g misses the model, which is between %g and %g there",
                   factor * plane.place, std::min(factor * low, factor * high), std::max(factor * low, factor * high)));
@@ -185,7 +186,7 @@ PointSet stipples_on(const Call& call_, const Model& model, std::int64_t budget,
     });
 }
 
-// Places all over the model.
+// Returns places all over the model.
 Points places_of_model(const Call& call, const Surface& surface) {
     Points places = probe(call, surface.model).places;
     if (surface.shape != nullptr && trim_info_of(surface.model).is_trimmed == 0) {
@@ -195,7 +196,7 @@ Points places_of_model(const Call& call, const Surface& surface) {
     return places;
 }
 
-// The lines that are found once: smooth ones, and the outlines of cuts.
+// Returns the lines that are found once: smooth lines, and the outlines of cuts.
 Vector<LinesOnce> lines_once(const ViewsOptions& options, const SheetPlan& plan, Pool& pool) {
     Vector<LinesOnce> once(&pool);
     for (const std::uint32_t kind : options.smooth)
@@ -228,12 +229,12 @@ void trace_lines_of(Solid& solid, const Call& call_, const ViewsOptions& options
     });
     auto info = defaults<hrbfnpr_line_set_info>(hrbfnpr_line_set_info_init);
     call([&](hrbfnpr_error* error) { return hrbfnpr_line_set_get_info(solid.lines.get(), &info, error); });
-    if (info.creases > 0) solid.creases.clear(); // the model's own are among the lines
+    if (info.creases > 0) solid.creases.clear(); // The model's own creases are already among the lines.
     stage.says(formatted(pool, "on %lld triangles; %zu sharp edges of the mesh", static_cast<long long>(info.triangles),
                          solid.creases.size()));
 }
 
-// The model with all lines that the views want.
+// Prepares the model with all lines that the views need.
 Solid solid_of(const Call& call_, const Surface& surface, const ViewsOptions& options, const SheetPlan& plan) {
     Pool& pool = call_.pool;
     Solid solid(pool);
@@ -266,7 +267,7 @@ double percentile_of(Vector<double>& numbers, double percent) {
     return at_number<double>(numbers, percent / 100.0 * static_cast<double>(numbers.size() - 1));
 }
 
-// Every how manieth point is taken, so that about `wanted` are.
+// Takes every n-th point, so that about `wanted` remain.
 Points thinned(Points points, std::int64_t wanted, Pool& pool) {
     const std::size_t step = std::max<std::size_t>(1, points.size() / static_cast<std::size_t>(wanted));
     Points some(&pool);
@@ -274,12 +275,12 @@ Points thinned(Points points, std::int64_t wanted, Pool& pool) {
     return some;
 }
 
-// The normals of the planes through the middle that the surface is symmetric to.
+// Returns the normals of the planes through the middle in which the surface is symmetric.
 Vector<glm::dvec3> symmetric_planes(const Call& call_, const Model& model, const SheetPlan& plan) {
     Pool& pool = call_.pool;
     Vector<glm::dvec3> found(&pool);
     Points points = centres_of(model, pool);
-    // A model that was not fitted, as a solid put together from others, has no centres.
+    // A model without a fit, such as a solid combined from others, has no centres.
     if (points.empty()) points = positions_of(stipples_on(call_, model, views_tuning.mirrored, nullptr), pool);
     points = thinned(std::move(points), views_tuning.mirrored, pool);
     if (points.empty()) return found;
@@ -336,7 +337,7 @@ void add_hatching(SheetContent& content, const Vector<PaperLine>& outlines, cons
 void mark_view(SheetContent& content, const PlacedView& placed, const ViewCell& cell, const SheetPlan& plan,
                const Vector<glm::dvec3>& symmetric) {
     for (const std::size_t number : cell.cuts) add_cutting_plane(content, placed, plan.planes[number], plan.middle);
-    const auto is_cut = [&](const glm::dvec3& normal) { // there is no centre line on a cutting plane
+    const auto is_cut = [&](const glm::dvec3& normal) { // A cutting plane gets no centre line.
         return std::any_of(cell.cuts.begin(), cell.cuts.end(), [&](std::size_t number) {
             const CutPlane& plane = plan.planes[number];
             return std::abs(plane.place - glm::dot(plane.normal, plan.middle)) <
@@ -362,7 +363,7 @@ SheetContent draw_sheet(const Call& call, const Surface& surface, const ViewsOpt
     SheetContent content(options.line_width, options.hidden == HiddenLines::shown, pool);
     Stage stage(call.report, HRBFNPR_STAGE_VIEWS);
     hrbfnpr_operation part(
-        call.context); // calls of a view are cancelled with the stage, and tell no progress of theirs
+        call.context); // The stage cancels the calls of a view, which report no progress of their own.
     part.operation.be_part_of(&stage.operation()->operation);
     String names(&pool);
     const double scale = plan.layout.unit_scale;
@@ -372,7 +373,7 @@ SheetContent draw_sheet(const Call& call, const Surface& surface, const ViewsOpt
         const PlacedView placed{cell.view, scale, centre, cell.seen(scale).moved(centre),
                                 cell.box(scale).moved(centre)};
         const ViewLines lines = lines_of_view(cell.view, plan.planes, solid, scale, &part, pool);
-        // Sections show visible edges alone [ISO 128-3].
+        // Sections show visible edges only [ISO 128-3].
         const bool with_hidden = options.hidden != HiddenLines::none && !cell.view.is_section();
         const ShownLines shown = draw_in_order(lines.curves, with_hidden, pool);
         add_lines(content, SheetKind::outlines, shown.outlines, placed);
@@ -388,7 +389,7 @@ SheetContent draw_sheet(const Call& call, const Surface& surface, const ViewsOpt
     return content;
 }
 
-// A file's name without its ending.
+// Returns the name of a file without its extension.
 std::string_view stem_of(std::string_view name) noexcept {
     const std::size_t dot = name.rfind('.');
     return dot == std::string_view::npos || dot == 0 || dot + 1 == name.size() ? name : name.substr(0, dot);

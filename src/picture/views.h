@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-// A technical drawing: orthographic views and sections of a model on a sheet, to scale.  How one comes about, in order:
+// Makes technical drawings: orthographic views and sections of a model on a sheet, to scale. The steps are, in order:
 //
-//   views.cpp        the descriptor is checked, its texts are read
-//   view_layout.cpp  which way each view looks; page, scale, and the place of each view
-//   view_lines.cpp   lines of each view, and which parts of them are hidden
-//   view_order.cpp   lines that coincide: one of them is drawn
-//   cut_faces.cpp    hatching of what is cut
-//   view_marks.cpp   frame, title block, names, cutting planes, centre lines, scale bar
-//   views.cpp        all of it is written as a page
+//   views.cpp        checks the descriptor and reads its texts
+//   view_layout.cpp  finds the direction of each view, and chooses page, scale and the place of each view
+//   view_lines.cpp   traces the lines of each view, and finds their hidden parts
+//   view_order.cpp   draws coinciding lines once
+//   cut_faces.cpp    hatches the cut faces
+//   view_marks.cpp   adds frame, title block, names, cutting planes, centre lines and scale bar
+//   views.cpp        writes the whole sheet as a page
 #pragma once
 
 #include "picture/call.h"
@@ -21,34 +21,34 @@ namespace hrbfnpr::picture {
 
 enum class HiddenLines : std::uint32_t { dashed, none, shown };
 
-// hrbfnpr_views_desc, read.
+// The content of an hrbfnpr_views_desc.
 struct ViewsOptions {
     explicit ViewsOptions(Pool& pool) : views(&pool), cuts(&pool), smooth(&pool), title(&pool), model(&pool) {}
 
-    Vector<ViewName> views; // one and more, each once
+    Vector<ViewName> views; // at least one, each once
     Vector<AskedCut> cuts;
     Projection projection = Projection::first;
     HiddenLines hidden = HiddenLines::dashed;
     bool centre_lines = false;
     bool labels = false;
-    bool unit_is_metre = false;      // of the source, where unit_mm says nothing
-    std::optional<SheetPage> paper;  // nothing: the one that fits
-    std::optional<SheetScale> scale; // nothing: the largest that fits
-    std::optional<double> unit_mm;   // mm of a unit of the model
-    Vector<std::uint32_t> smooth;    // HRBFNPR_LINE_KIND_... of lines that are not sharp
+    bool unit_is_metre = false;      // the unit of the source, if unit_mm is not given
+    std::optional<SheetPage> paper;  // If empty, the paper that fits is used.
+    std::optional<SheetScale> scale; // If empty, the largest scale that fits is used.
+    std::optional<double> unit_mm;   // mm per unit of the model
+    Vector<std::uint32_t> smooth;    // HRBFNPR_LINE_KIND_* of lines that are not sharp
     double crease_angle = 0.0;       // degrees
     double line_width = 0.0;         // mm
     double hatch_spacing = 0.0;      // mm
     double spacing = 0.0;            // mm
-    String title;                    // empty: the model's name without its ending
-    String model;                    // its file's name
+    String title;                    // If empty, the title is the model's name without its extension.
+    String model;                    // the file name of the model
     hrbfnpr_page_desc page{};        // format, tolerance, speeds
 };
 
-// Reads and checks.  Throws Error{invalid_argument} that names the field and says what would be right.
+// Reads and checks a descriptor. Throws Error{invalid_argument} that names the field and the values it may have.
 [[nodiscard]] ViewsOptions read_views(const hrbfnpr_views_desc& desc, const Report& report);
 
-// Draws the surface's views and writes the sheet, as the stages LINES and VIEWS.  up: of any length but 0.
+// Draws the surface's views and writes the sheet, in the stages LINES and VIEWS. `up` has any length but 0.
 void write_views(const Call& call, const Surface& surface, const glm::dvec3& up, const ViewsOptions& options,
                  hrbfnpr_write_fn write, void* user, hrbfnpr_views_info& info);
 

@@ -12,11 +12,11 @@ namespace hrbfnpr::picture {
 namespace {
 
 struct LineName {
-    char name[20]; // in place: a table of pointers would have to be relocated
+    char name[20]; // The text is in place, because a table of pointers would have to be relocated.
     std::uint32_t kind;
 };
 
-// Each kind by the name of its constant, and by the one that users know.
+// The name of each kind's constant, and the name that users know.
 constexpr std::array line_names{LineName{"contour", HRBFNPR_LINE_KIND_CONTOUR},
                                 LineName{"contours", HRBFNPR_LINE_KIND_CONTOUR},
                                 LineName{"suggestive", HRBFNPR_LINE_KIND_SUGGESTIVE_CONTOUR},
@@ -39,7 +39,7 @@ constexpr std::array line_names{LineName{"contour", HRBFNPR_LINE_KIND_CONTOUR},
 
 constexpr std::array usual_levels{0.25, 0.5, 0.75};
 
-// More planes than this are a mistake: they would hide each other.
+// More planes than this are a mistake, because they would hide each other.
 constexpr std::int64_t most_planes = 100'000;
 
 int shown_length(std::string_view text) noexcept { return static_cast<int>(std::min<std::size_t>(text.size(), 60)); }
@@ -72,7 +72,7 @@ bool read_line_number(std::string_view text, Number& number) noexcept {
     return error == std::errc{} && end == text.data() + text.size() && !text.empty();
 }
 
-// Cuts off what stands before the first `separator`, and returns it.
+// Removes the part before the first `separator` from the text, and returns it.
 std::string_view cut_line_part(std::string_view& text, char separator) noexcept {
     const std::size_t place = text.find(separator);
     const std::string_view part = text.substr(0, place);
@@ -80,7 +80,7 @@ std::string_view cut_line_part(std::string_view& text, char separator) noexcept 
     return part;
 }
 
-// "z:20"
+// Reads planes such as "z:20".
 bool read_planes(std::string_view text, WantedLine& line) noexcept {
     const std::string_view axis = cut_line_part(text, ':');
     if (axis != "x" && axis != "y" && axis != "z") return false;
@@ -88,7 +88,7 @@ bool read_planes(std::string_view text, WantedLine& line) noexcept {
     return read_line_number(text, line.planes) && line.planes >= 1 && line.planes <= most_planes;
 }
 
-// "0.3:0.6"
+// Reads levels such as "0.3:0.6".
 bool read_levels(std::string_view text, Vector<double>& levels) {
     levels.clear();
     while (true) {
@@ -134,7 +134,7 @@ hrbfnpr_line_style contour_style_of(const Style& style) noexcept {
     return found != style.lines.end() ? *found : usual_contour();
 }
 
-// Adds the elements for one kind of lines, in the widths of the contour.
+// Adds the style elements for one kind of lines. Their widths are relative to that of the contour.
 void add_styles_of(const WantedLine& wanted, const hrbfnpr_line_style& contour, Style& style) {
     if (wanted.kind == HRBFNPR_LINE_KIND_CONTOUR) {
         style.lines.push_back(contour);
@@ -151,13 +151,13 @@ void add_styles_of(const WantedLine& wanted, const hrbfnpr_line_style& contour, 
     if (!wanted.levels.empty()) line.levels = style.keep_levels(wanted.levels.data(), wanted.levels.size());
     style.lines.push_back(line);
     if (!is_crease) return;
-    // Creases are the model's own, or those of the mesh that a smooth one was fitted to.
+    // Creases are the model's own, or those of the mesh to which a smooth model was fitted.
     line.kind = HRBFNPR_LINE_KIND_OWN;
     line.name = "crease";
     style.lines.push_back(line);
 }
 
-// Changes that mean something to contours of marks only: where they are given, marks draw the contours.
+// Tells whether marks draw the contours. They do if a change is given that only affects contours of marks.
 bool wants_contours_of_marks(const Changes& changes) noexcept {
     return changes.has("style.silhouette_threshold") || changes.has("style.silhouette_law") ||
            changes.has("style.silhouette_width") || changes.has("style.silhouette_radius") ||

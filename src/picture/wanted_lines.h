@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which lines a drawing wants, from what the caller says and from its style.
+// Decides which lines a drawing needs, from the caller's request and the style.
 #pragma once
 
 #include "picture/call.h"
@@ -11,31 +11,31 @@
 
 namespace hrbfnpr::picture {
 
-// One kind of lines, and what is said of it.
+// One kind of lines, with its parameters.
 struct WantedLine {
     WantedLine(std::uint32_t line_kind, Pool& pool) : kind(line_kind), levels(&pool) {}
     WantedLine(WantedLine&&) noexcept = default;
     WantedLine(const WantedLine&) = delete; // a copy of `levels` would leave the pool
 
-    std::uint32_t kind;       // HRBFNPR_LINE_KIND_...
-    int axis = 2;             // of SECTION: planes stand across this axis, 0 to 2
-    std::int64_t planes = 10; // of SECTION: how many there are, 1 and more, evenly between the bounds
-    Vector<double> levels;    // of ISOPHOTE: n . l; empty of others
+    std::uint32_t kind;       // HRBFNPR_LINE_KIND_*
+    int axis = 2;             // for SECTION: the axis perpendicular to the planes, 0 to 2
+    std::int64_t planes = 10; // for SECTION: the number of planes, at least 1, evenly spaced between the bounds
+    Vector<double> levels;    // for ISOPHOTE: values of n . l; empty for other kinds
 };
 
-// Reads "contour,suggestive,ridges,section=z:20,isophotes=0.3:0.6"; "none" and "" are no lines.  Throws
-// Error{invalid_argument} that says what would be right.
+// Reads a text such as "contour,suggestive,ridges,section=z:20,isophotes=0.3:0.6". "none" and "" mean no lines. Throws
+// Error{invalid_argument} that says which texts are valid.
 [[nodiscard]] Vector<WantedLine> parse_lines(std::string_view text, Pool& pool);
 
-// The lines that the caller asks for, or those that the style draws beside contours and that have to be found once.
-// is_mesh: whether the surface comes from a mesh, which may have creases.
+// Returns the lines that the caller asks for, or else the lines that the style draws besides contours and that have to
+// be found once. `is_mesh` tells that the surface comes from a mesh, which may have creases.
 [[nodiscard]] Vector<WantedLine> wanted_lines(const Call& call, const Style& style, bool is_mesh);
 
-// Whether the line set of a style must hold curvatures.
+// Tells whether the line set of a style must hold curvatures.
 [[nodiscard]] bool needs_curvature(const Style& style) noexcept;
 
-// Sets the lines of a style: its own, or those that the caller asks for.  Scales them by the radius of the pen.
-// has_end: whether a surface ends, so that its border is drawn.
+// Sets the lines of a style to its own or those that the caller asks for, and scales them by the radius of the pen.
+// `has_end` tells that a surface ends, so that its border is drawn.
 void size_lines(const Call& call, Style& style, double pen, bool has_end);
 
 } // namespace hrbfnpr::picture

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What differs from the defaults is written, in the order in which the first versions wrote it: files stay the same.
+// Writes settings. It writes only values that differ from the defaults, and always in the order of the first versions,
+// so that files stay the same.
 #include "base/assert.h"
 #include "picture/call.h"
 #include "picture/field_table.h"
@@ -15,7 +16,7 @@
 namespace hrbfnpr::picture {
 namespace {
 
-// Names with spaces between, in the order in which they are written.  The style's are not in the header's order.
+// Names in the order in which they are written, separated by spaces. For styles this is not the order in the header.
 constexpr std::string_view style_order =
     "hidden_lines visibility silhouette_threshold silhouette_law silhouette_width attenuation_front attenuation_back "
     "splat_radius halo_width splat_overlap tone_rule tone_curve tone_fade light_space tone_exponent fill_light "
@@ -25,7 +26,7 @@ constexpr std::string_view layer_order =
     "name density_strength separation step length symmetry start start_level angle smoothing axis_weight guide "
     "guide_weight axis guide_direction density levels tone_smoothing";
 constexpr std::string_view line_order = "kind name lower upper shortest plane";
-// Of changes; those that are not named follow.
+// The fields that are written first; other changes follow.
 constexpr std::string_view marks_order =
     "distribution initial_step seed_source box_resolution box_jitter tone_ranges shared_budget projection_tolerance "
     "random_seed";
@@ -53,7 +54,7 @@ void for_names(std::string_view names, F&& f) {
     return x == y || (x != nullptr && y != nullptr && std::strcmp(x, y) == 0);
 }
 
-// short_floats: numbers get the shortest decimals that a float reads as the same.
+// Writes a number. With `short_floats` it gets the shortest decimals that a float reads as the same value.
 void write_number(JsonDocument& to, double number, bool short_floats) {
     if (!std::isfinite(number))
         fail(Status::invalid_argument, "settings cannot hold %g, which is no finite number", number);
@@ -83,7 +84,7 @@ void write_field(JsonDocument& to, const NamedField& field, const void* record, 
     to.key(field.name).add_text(text != nullptr ? text : "");
 }
 
-// Adds a field if it is not as in `base`.
+// Adds a field if it differs from `base`.
 void write_changed(JsonDocument& to, const NamedField& field, const void* record, const void* base, bool short_floats) {
     if (!same_value(field, record, base)) write_field(to, field, record, short_floats);
 }
@@ -100,7 +101,7 @@ void write_list(JsonDocument& to, std::string_view key, std::span<const double> 
     return {static_cast<const double*>(levels.data), static_cast<std::size_t>(levels.count)};
 }
 
-// A style of layers or of lines: its kind, and what is not as by default.
+// Writes a style of layers or of lines: its kind, and the fields that differ from the defaults.
 template <class Struct>
 void write_kind_style(JsonDocument& to, Record record, const Struct& style, const Struct& base) {
     to.begin(JsonKind::object);
@@ -115,7 +116,7 @@ void write_kind_style(JsonDocument& to, Record record, const Struct& style, cons
     to.end();
 }
 
-// The tone below what is painted, which is a function.
+// Returns the plain tone below a painted one, which is a function.
 [[nodiscard]] std::uint32_t plain_tone(const Options& options, std::uint32_t tone) noexcept {
     if (tone != HRBFNPR_TONE_CALLBACK) return tone;
     if (const std::optional<double> given = options.changes.number("style.tone"))
@@ -145,7 +146,7 @@ void write_style(JsonDocument& to, const Options& options, const PictureParts& p
 void write_layer(JsonDocument& to, const hrbfnpr_layer_desc& layer) {
     auto base = defaults<hrbfnpr_layer_desc>(hrbfnpr_layer_desc_init);
     hrbfnpr_layer_desc plain = layer;
-    if (plain.density == HRBFNPR_DENSITY_CALLBACK) plain.density = base.density; // painted
+    if (plain.density == HRBFNPR_DENSITY_CALLBACK) plain.density = base.density; // The density is painted.
     to.begin(JsonKind::object);
     const auto field = [](std::string_view name) -> const NamedField& { return *find_field(Record::layer_desc, name); };
     write_field(to, field("kind"), &plain, false);
@@ -161,13 +162,13 @@ void write_layer(JsonDocument& to, const hrbfnpr_layer_desc& layer) {
     to.end();
 }
 
-// The fields of a section that were given, each once, in the order in which they are written.
+// The given fields of a section, each once, in the order in which they are written.
 class GivenFields {
 public:
     GivenFields(std::string_view section, Record record, Pool& pool)
         : section_(section), record_(record), pool_(&pool), fields_(&pool) {}
 
-    // A field that is there keeps its place.
+    // Sets a field. An existing field keeps its place.
     void put(std::string_view name, std::string_view text) {
         const auto found = find(name);
         if (found != fields_.end())
@@ -185,7 +186,7 @@ public:
         return found != fields_.end() ? std::string_view(found->second) : std::string_view();
     }
 
-    // Those of settings as they were there, then the caller's: the named ones first.
+    // Takes the fields of settings in their order, then the caller's: first those named in `order`.
     void take(const Changes& changes, std::string_view order) {
         const Vector<Change>& list = changes.list();
         const std::span<const Change> all(list.data(), list.size());
@@ -211,14 +212,15 @@ private:
     [[nodiscard]] Fields::iterator find(std::string_view name) noexcept {
         return std::find_if(fields_.begin(), fields_.end(), [&](const auto& field) { return field.first == name; });
     }
-    // only: the one name that is meant; "" = any.
+    // Takes a change. If `only` is not "", a change of another name is ignored.
     void take(const Change& change, std::string_view only) {
         const std::string_view path = change.path;
         if (path.size() <= section_.size() || path.substr(0, section_.size()) != section_ ||
             path[section_.size()] != '.')
             return;
         const std::string_view name = path.substr(section_.size() + 1);
-        const NamedField* const field = find_field(record_, name); // none of what has more parts: "marks.hatch.angle"
+        // null for a name with more parts, such as "marks.hatch.angle"
+        const NamedField* const field = find_field(record_, name);
         if (field == nullptr || !is_in_settings(name) || (!only.empty() && name != only)) return;
         put(name, change.value);
     }
@@ -253,7 +255,8 @@ void write_marks(JsonDocument& to, const Options& options, const Marks& marks, P
     to.end();
 }
 
-// How near samples are chosen, of both fits.  A change of such a field wins: pass whether there is one.
+// Adds the fields that choose samples, for both kinds of fit. A change of such a field takes precedence. The flags tell
+// whether there is one.
 void put_choice(const Options& options, bool has_tolerance, bool has_limit, GivenFields& fields, Pool& pool) {
     if (options.desc.tolerance > 0.0 && !has_tolerance)
         fields.put("tolerance", decimals_of(options.desc.tolerance, pool));
@@ -266,7 +269,7 @@ void write_fit(JsonDocument& to, const Options& options, Pool& pool) {
     fields.take(options.changes, fit_order);
     put_choice(options, options.changes.is_callers("fit.tolerance"), options.changes.is_callers("fit.maximum_centres"),
                fields, pool);
-    // The options have taken these two over.
+    // The options replace these two.
     fields.remove("normal_mode");
     fields.remove("trim");
     const bool is_auto = fields.text("regularization") == "auto" || fields.text("regularization_mode") == "auto";
@@ -346,7 +349,7 @@ void write_paint(JsonDocument& to, const Vector<hrbfnpr_dab>& dabs) {
     to.end();
 }
 
-// What changes the surface though settings have no place for it.
+// Returns the options that change the surface but that settings cannot hold.
 [[nodiscard]] String options_not_held(const Options& options, Pool& pool) {
     String text(&pool);
     const auto add = [&](bool is_given, const char* marker) {

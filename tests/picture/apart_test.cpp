@@ -41,7 +41,7 @@ TEST_F(Apart, PartsThatCrossAreGroups) {
     for (const FaceNumbers& group : found->groups) {
         EXPECT_EQ(group.size(), static_cast<std::size_t>(faces));
         EXPECT_TRUE(std::is_sorted(group.begin(), group.end()));
-        EXPECT_EQ(group.front() < faces, group.back() < faces); // one part
+        EXPECT_EQ(group.front() < faces, group.back() < faces); // The group is a single pipe.
     }
     EXPECT_NE(found->groups[0].front(), found->groups[1].front());
 }
@@ -53,25 +53,25 @@ TEST_F(Apart, PartsThatAreFarShareAGroup) {
     ASSERT_TRUE(found);
     EXPECT_EQ(found->parts, 3);
     ASSERT_EQ(found->groups.size(), 2U);
-    EXPECT_EQ(found->groups[0].size(), 1056U); // the larger one first
+    EXPECT_EQ(found->groups[0].size(), 1056U); // The larger group comes first.
     EXPECT_EQ(found->groups[1].size(), 528U);
 }
 
 TEST_F(Apart, SolidsStayTogether) {
     const test::Triangles solids = test::box(1, 1, 1, 4).with(test::box(1, 1, 1, 4).moved(1.0, 0.5, 0.5, 0.5));
-    EXPECT_FALSE(groups(solids)); // nothing is open
+    EXPECT_FALSE(groups(solids)); // Closed parts need no groups.
     const test::Triangles sheet = wall({-1, 0.4, -1}, {3, 0, 0}, {0, 0, 3});
     const std::optional<FaceGroups> found = groups(solids.with(sheet));
     ASSERT_TRUE(found);
     EXPECT_EQ(found->parts, 2);
     ASSERT_EQ(found->groups.size(), 2U);
-    EXPECT_EQ(found->groups[0].size(), 2U * 6U * 32U); // larger by its area, 12 to 9
+    EXPECT_EQ(found->groups[0].size(), 2U * 6U * 32U); // This group is larger by its area, 12 to 9.
     EXPECT_EQ(found->groups[1].front(), 2 * 6 * 32);
 }
 
 TEST_F(Apart, ACutIsNoReason) {
-    EXPECT_FALSE(groups(pipe().with(pipe().moved(1.0, 0.0, 3.002, 0.0)))); // they go on in each other
-    // A lid lies on the border of the pipe, but its own is elsewhere.
+    EXPECT_FALSE(groups(pipe().with(pipe().moved(1.0, 0.0, 3.002, 0.0)))); // The pipes continue each other.
+    // A lid lies on the border of the pipe, but the border of the lid is elsewhere.
     const std::optional<FaceGroups> found = groups(pipe().with(wall({-1, 2.95, -1}, {0, 0, 2}, {2, 0, 0})));
     ASSERT_TRUE(found);
     EXPECT_EQ(found->groups.size(), 2U);
@@ -89,7 +89,8 @@ TEST_F(Apart, WallsThatMeetInOneEdgeAreGroups) {
 TEST_F(Apart, GroupsAreLimited) {
     test::Triangles many = wall({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, 4);
     for (int i = 1; i < 10; ++i) many = many.with(wall({0, 0, 0.001 * i}, {1, 0, 0}, {0, 1, 0}, 4));
-    // Nearer to each other than a seam is wide, but all along their borders: a cut in one plane.
+    // The walls are nearer to each other than a seam is wide, and all along their borders, so they count as one cut
+    // plane.
     EXPECT_FALSE(groups(many));
     for (int i = 1; i < 10; ++i) many = many.with(wall({0.1 * i, -0.5, -0.5}, {0, 2, 0}, {0, 0, 1}, 4));
     const std::optional<FaceGroups> found = groups(many);
@@ -107,8 +108,8 @@ TEST_F(Apart, AFaceOnAnEdgeOfTwoOthersIsLeftOver) {
     const std::int32_t top = mesh.add(0.49, 0.5, 0.004);
     mesh.face(84, 85, top);
     EXPECT_THAT(flaps(mesh), ElementsAre(288));
-    EXPECT_FALSE(groups(mesh)); // it is too little for a surface of its own
-    // Each of three walls is a part, however few its faces are.
+    EXPECT_FALSE(groups(mesh)); // The face is too small for a surface of its own.
+    // Each of three walls is a part, however few faces it has.
     const test::Triangles walls = wall({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, 1)
                                       .with(wall({0, 0, 0}, {-1, 0, 0}, {0, 1, 0}, 1))
                                       .with(wall({0, 0, 0}, {0, 0, 1}, {0, 1, 0}, 1));
@@ -124,11 +125,11 @@ TEST_F(Apart, APartFarAwayIsLost) {
     EXPECT_EQ(found.parts, 1);
     EXPECT_THAT(found.faces, ElementsAre(528));
     EXPECT_EQ(lost(pipe()).parts, 0);
-    test::Triangles near = pipe(); // not three times as far as all else is large
+    test::Triangles near = pipe(); // The face is not far enough away.
     const std::int32_t d = near.add(10, 0, 0), e = near.add(10, 0.1, 0), f = near.add(10, 0, 0.1);
     near.face(d, e, f);
     EXPECT_EQ(lost(near).parts, 0);
-    EXPECT_EQ(lost(pipe().with(pipe().moved(1.0, 60.0, 0.0, 0.0))).parts, 0); // not little
+    EXPECT_EQ(lost(pipe().with(pipe().moved(1.0, 60.0, 0.0, 0.0))).parts, 0); // The second pipe is not small.
 }
 
 } // namespace

@@ -13,7 +13,7 @@
 namespace hrbfnpr::picture::blank_test {
 namespace {
 
-// A sphere that is drawn with stipples, seen from `eye`.
+// Draws a sphere with stipples, seen from `eye`.
 struct BlankTest : testing::Test {
     BlankTest() {
         hrbfnpr_context* made = nullptr;
@@ -43,7 +43,7 @@ struct BlankTest : testing::Test {
             return hrbfnpr_point_set_generate(context.get(), model.get(), &desc, nullptr, out, error);
         });
     }
-    // The message in the words of a command line; empty where enough can be seen.
+    // Returns the message in the words of a command line, or "" if enough can be seen.
     [[nodiscard]] std::string message(double outward = 1.0, bool is_flipped = false) {
         const PointSet set = marks(outward);
         style.layers = &layer;
@@ -102,7 +102,7 @@ TEST_F(BlankTest, TheInkIsThePaper) {
 }
 
 TEST_F(BlankTest, AllIsLight) {
-    style.light[0] = style.light[1] = 0.0F; // from the eye
+    style.light[0] = style.light[1] = 0.0F; // The light comes from the eye.
     style.light[2] = 1.0F;
     style.light_space = HRBFNPR_LIGHT_CAMERA;
     style.tone_rule = HRBFNPR_TONE_RULE_PUBLISHED;

@@ -32,7 +32,7 @@ struct ChangesTest : testing::Test {
         }
         return "";
     }
-    // A field after a change of it, of a struct with its defaults.
+    // Returns a default layer style with one field changed.
     [[nodiscard]] hrbfnpr_layer_style layer_style(const char* field, const char* value) {
         auto style = defaults<hrbfnpr_layer_style>(hrbfnpr_layer_style_init);
         const std::string path = std::string("style.hatch.") + field;

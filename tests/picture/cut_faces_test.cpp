@@ -20,7 +20,7 @@ class CutFacesTest : public testing::Test {
 protected:
     void add(std::initializer_list<glm::dvec2> points) { parts.emplace_back().assign(points.begin(), points.end()); }
     void add_square(double low, double high) { add({{low, low}, {high, low}, {high, high}, {low, high}, {low, low}}); }
-    // The sum of all lengths.
+    // Returns the length of all hatch lines together.
     double length(double period) {
         double sum = 0.0;
         for (const Segment& line : hatched(parts, period, pool)) sum += glm::length(line[1] - line[0]);
@@ -35,7 +35,7 @@ protected:
 TEST_F(CutFacesTest, PartsBecomeOutlinesWhateverTheirOrderAndDirection) {
     add({{0, 10}, {10, 10}});
     add({{0, 0}, {0, 10}});
-    add({{20, 0}, {30, 0}, {25, 5}, {20, 0}}); // closed by itself
+    add({{20, 0}, {30, 0}, {25, 5}, {20, 0}}); // This outline is closed by itself.
     add({{10, 0}, {0, 0}});
     add({{10, 10}, {10, 0}});
     const auto found = closed_outlines(parts, pool);
@@ -49,7 +49,7 @@ TEST_F(CutFacesTest, WhatDoesNotCloseIsLeftOut) {
     add({});
     add({{1, 1}});
     add({{0, 0}, {5, 0}});
-    add({{0, 0}, {10, 0}, {10, 10}, {0, 10}, {0, 0.5}}); // the gap is more than a thousandth of its length
+    add({{0, 0}, {10, 0}, {10, 10}, {0, 10}, {0, 0.5}}); // The gap is more than a thousandth of its length.
     const double nan = std::numeric_limits<double>::quiet_NaN();
     add({{nan, nan}, {0, 0}, {nan, 0}, {1, 1}, {nan, nan}});
     EXPECT_TRUE(closed_outlines(parts, pool).empty());
@@ -66,7 +66,7 @@ TEST_F(CutFacesTest, LinesRiseToTheRightInsideAndHolesStayEmpty) {
     EXPECT_NEAR(length(period) * period, 100.0 * 100.0 - 60.0 * 60.0, 1.0);
     for (const Segment& line : hatched(parts, period, pool)) {
         const glm::dvec2 along = line[1] - line[0];
-        EXPECT_NEAR(along.x, -along.y, 1e-9); // y grows downward
+        EXPECT_NEAR(along.x, -along.y, 1e-9); // y grows downward.
         const double number = (line[0].x + line[0].y) / std::numbers::sqrt2 / period - 0.5;
         EXPECT_NEAR(number, std::nearbyint(number), 1e-9);
         const glm::dvec2 middle = 0.5 * (line[0] + line[1]);
@@ -83,7 +83,7 @@ TEST_F(CutFacesTest, WhatIsNotFiniteGetsNoLinesAndTooManyAreRefused) {
     EXPECT_FALSE(hatched(parts, 1.0, pool).empty());
     EXPECT_THROW(static_cast<void>(hatched(parts, 1e-9, pool)), Error);
     parts.clear();
-    add_square(1e20, 1e20 + 1e5); // where the next number is farther than a period
+    add_square(1e20, 1e20 + 1e5); // Neighbouring doubles are farther apart than a period.
     EXPECT_LT(hatched(parts, 1.0, pool).size(), 1000000U);
 }
 

@@ -173,7 +173,7 @@ TEST_F(InspectTest, Points_that_cannot_be_used_are_counted) {
     samples.points[7] = -std::numeric_limits<double>::infinity();
     for (std::size_t i = 30; i < 36; ++i) samples.normals[i] = 0.0;
     samples.normals[60] = nan;
-    for (std::size_t i = 0; i < 3; ++i) { // point 101 is where point 100 is, and looks to the other side
+    for (std::size_t i = 0; i < 3; ++i) { // Point 101 repeats point 100 with the opposite normal.
         samples.points[303 + i] = samples.points[300 + i];
         samples.normals[303 + i] = -samples.normals[300 + i];
     }
@@ -315,7 +315,7 @@ TEST_F(InspectTest, What_is_wrong_with_a_mesh_is_told) {
     const test::Triangles ball = test::icosphere(2);
     info = inspect(ball.turned());
     EXPECT_EQ(info.inside_out, 1U);
-    EXPECT_EQ(info.normals_look, HRBFNPR_NORMALS_LOOK_OUTWARD); // of the faces once they are turned
+    EXPECT_EQ(info.normals_look, HRBFNPR_NORMALS_LOOK_OUTWARD); // This holds once the faces are turned.
     EXPECT_THAT(repairs(), ElementsAre("all faces turned, as the mesh is inside out"));
     EXPECT_THAT(warnings(), ElementsAre("the mesh is inside out"));
 
@@ -351,7 +351,7 @@ TEST_F(InspectTest, The_image_of_a_depth_camera_has_noise) {
     source.flags = HRBFNPR_SOURCE_IS_PHOTO;
     source.up[1] = -1.0;
     const auto info = inspect(source);
-    EXPECT_EQ(info.points_not_finite, 6 * 4); // the corner that was not seen
+    EXPECT_EQ(info.points_not_finite, 6 * 4); // The camera did not see this corner.
     EXPECT_EQ(info.image_seen, 48 * 36 - 6 * 4);
     EXPECT_NEAR(info.image_noise / (info.image_depth * info.image_depth), 1e-3, 2.5e-4);
     EXPECT_STREQ(info.up_reason, "it is so in pictures of a depth camera");

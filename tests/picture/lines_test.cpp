@@ -20,7 +20,7 @@ constexpr double tau = 2.0 * std::numbers::pi;
 
 class CreasesTest : public testing::Test {
 protected:
-    // A side of four corners as two triangles with points of their own, as in STL files.
+    // Adds a side of four corners as two triangles with points of their own, as in STL files.
     void add_side(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c, const glm::dvec3& d) {
         for (const glm::dvec3& corner : {a, b, c, a, c, d}) {
             shape.points.push_back(corner);
@@ -38,7 +38,7 @@ protected:
         add_side({0, 0, 0}, {0, 0, 1}, {0, 2, 1}, {0, 2, 0});
         add_side({3, 0, 0}, {3, 2, 0}, {3, 2, 1}, {3, 0, 1});
     }
-    // A prism of a regular polygon.
+    // Adds a prism over a regular polygon.
     void add_prism(int corners) {
         const auto at = [&](int i, double z) {
             const double angle = tau * (i % corners) / corners;
@@ -66,28 +66,28 @@ TEST_F(CreasesTest, ABoxHasTwelveEdgesOfTwoPoints) {
         length += glm::length(line[1] - line[0]);
     }
     EXPECT_EQ(length, 4.0 * (3.0 + 2.0 + 1.0));
-    EXPECT_EQ(creases[0], (Polyline{{{0, 0, 0}, {0, 2, 0}}, &pool})); // as the faces come to them
+    EXPECT_EQ(creases[0], (Polyline{{{0, 0, 0}, {0, 2, 0}}, &pool})); // Creases follow the order of the faces.
     EXPECT_TRUE(mesh_creases(shape, 95.0, pool).empty());
 }
 
 TEST_F(CreasesTest, EdgesThatGoRoundAreOneClosedLine) {
-    add_prism(24); // 15 degrees from side to side
+    add_prism(24); // Sides meet at 15 degrees.
     const auto rims = mesh_creases(shape, 30.0, pool);
     ASSERT_EQ(rims.size(), 2U);
     for (const Polyline& rim : rims) {
         EXPECT_EQ(rim.size(), 25U);
         EXPECT_EQ(rim.front(), rim.back());
     }
-    EXPECT_EQ(mesh_creases(shape, 10.0, pool).size(), 3U * 24U); // and between corners
+    EXPECT_EQ(mesh_creases(shape, 10.0, pool).size(), 3U * 24U); // The edges between the sides are creases, too.
 }
 
 TEST_F(CreasesTest, FacetsOfARoundedShapeAreLeftOut) {
-    add_prism(200); // at 1 degree all of its edges are creases: rims end at each corner
+    add_prism(200); // At 1 degree all edges are creases, and rims end at each corner.
     const double diagonal = 3.0;
     auto lines = mesh_creases(shape, 1.0, pool);
     EXPECT_EQ(lines.size(), 600U);
     lines = without_facets(std::move(lines), diagonal);
-    EXPECT_EQ(lines.size(), 600U); // on average they are long enough
+    EXPECT_EQ(lines.size(), 600U); // The mean crease is long enough.
     lines = without_facets(std::move(lines), 10.0 * diagonal);
     EXPECT_TRUE(lines.empty());
     EXPECT_TRUE(without_facets(std::move(lines), diagonal).empty());
@@ -99,7 +99,7 @@ TEST_F(CreasesTest, BadFacesDoNoHarm) {
     add_box();
     add_side({nan, 0, 0}, {0, nan, 0}, {0, 0, nan}, {nan, nan, nan});
     shape.triangles.push_back({0, 0, 0});
-    shape.triangles.push_back({0, 0, 1}); // an edge with four sides is no crease, and two corners have two edges then
+    shape.triangles.push_back({0, 0, 1}); // An edge of four sides is no crease, so lines join at its two ends.
     EXPECT_EQ(mesh_creases(shape, 30.0, pool).size(), 9U);
 }
 

@@ -29,7 +29,7 @@ struct LookTest : testing::Test {
         made.margin = 0.05;
         return made;
     }
-    // The box of all places in the picture, in pixels.
+    // Returns the box of all places in the picture, in pixels.
     [[nodiscard]] geometry::Bounds in_picture(const hrbfnpr_camera& camera) const {
         geometry::Bounds box;
         for (const glm::dvec3& place : places) box.extend(pixel_of(camera, place));
@@ -40,7 +40,7 @@ struct LookTest : testing::Test {
         return {(clip.x / clip.w + 1.0) / 2.0 * camera.viewport[2], (1.0 - clip.y / clip.w) / 2.0 * camera.viewport[3],
                 0.0};
     }
-    // Where the eye is: the view takes it to the origin.
+    // Returns the place of the eye, which the view takes to the origin.
     [[nodiscard]] static glm::dvec3 eye_of(const hrbfnpr_camera& camera) {
         glm::dvec3 eye(0.0);
         for (int axis = 0; axis < 3; ++axis)
@@ -63,7 +63,7 @@ TEST_F(LookTest, PlacesFillThePicture) {
         const double height = camera.viewport[3];
         EXPECT_EQ(std::max(width, height), 640.0);
         const geometry::Bounds seen = in_picture(camera);
-        EXPECT_NEAR(seen.size().x, 0.9 * width, 1.0); // sides are whole pixels
+        EXPECT_NEAR(seen.size().x, 0.9 * width, 1.0); // Sides are rounded to whole pixels.
         EXPECT_NEAR(seen.size().y, 0.9 * height, 1.0);
         EXPECT_NEAR(seen.centre().x, width / 2.0, 1e-9);
         EXPECT_NEAR(seen.centre().y, height / 2.0, 1e-9);
@@ -89,8 +89,8 @@ TEST_F(LookTest, ASlimPictureIsAQuarterWide) {
     EXPECT_EQ(camera.viewport[3], 400.0);
 }
 
-// The numbers are those that NumPy came to, before this was C++: the translation of the view, what is not 0 of the
-// first two rows of the projection, and the size.
+// NumPy computed the numbers, before this was C++: the translation of the view, the entries other than 0 in the first
+// two rows of the projection, and the size.
 TEST_F(LookTest, CamerasStayTheSame) {
     struct Case {
         View view;
@@ -225,9 +225,9 @@ TEST_F(LookTest, AzimuthAndDirectionAreInverse) {
 }
 
 TEST_F(LookTest, OpenSurfacesThatLookAwayHaveAFront) {
-    EXPECT_EQ(front_azimuth(y_up, {0, 0, 0.5}), std::nullopt);  // the usual camera sees it
-    EXPECT_EQ(front_azimuth(y_up, {0, -0.5, 0}), std::nullopt); // it looks down: no azimuth shows it better
-    EXPECT_EQ(front_azimuth(y_up, {0, 0, -0.2}), std::nullopt); // it looks to all sides
+    EXPECT_EQ(front_azimuth(y_up, {0, 0, 0.5}), std::nullopt);  // The usual camera sees the front.
+    EXPECT_EQ(front_azimuth(y_up, {0, -0.5, 0}), std::nullopt); // It faces down: no azimuth shows it better.
+    EXPECT_EQ(front_azimuth(y_up, {0, 0, -0.2}), std::nullopt); // It faces all sides.
     EXPECT_EQ(front_azimuth(y_up, {0, 0, -0.5}), 210.0);
     EXPECT_EQ(front_azimuth(z_up, {0, 0.5, 0}), 210.0);
     EXPECT_EQ(front_azimuth(y_up, {-0.5, 0, 0}), 300.0);
@@ -338,7 +338,7 @@ TEST_F(ProbeTest, LooksAtTheFront) {
     const Options options(desc, nullptr, pool);
     Report report(pool, HRBFNPR_WORDING_OPTIONS, nullptr, nullptr, *context, nullptr);
     const Call call{*context, options, report, pool};
-    std::array<Probe, 2> probes{Probe(pool), Probe(pool)}; // a large one looks to -z, a small one to x
+    std::array<Probe, 2> probes{Probe(pool), Probe(pool)}; // A large one faces -z, a small one x.
     probes[0].area = 9.0;
     probes[0].mean_normal = {0, 0, -0.6};
     probes[1].area = 1.0;
@@ -347,7 +347,7 @@ TEST_F(ProbeTest, LooksAtTheFront) {
 
     View free = view(y_up);
     look_at_front(call, free, nullptr, probes);
-    EXPECT_EQ(free.azimuth, 204.0); // 180 - atan(1 / 9), and 30 more
+    EXPECT_EQ(free.azimuth, 204.0); // 180 - atan(1 / 9), plus 30
     ASSERT_EQ(report.notes.size(), 1U);
     EXPECT_EQ(report.notes[0].code, HRBFNPR_NOTE_SEEN_FROM_FRONT);
     EXPECT_STREQ(report.notes[0].text.c_str(), "the surface looks away from the usual side: seen from azimuth 204 "

@@ -24,7 +24,7 @@ protected:
 };
 
 TEST_F(MeshFactsTest, A_closed_mesh_has_its_area_and_volume) {
-    // The vertices on the edges of a box stand there once for each side: 8 corners three times, 12 * 3 others twice.
+    // Vertices on the edges of a box are repeated for each side: 8 corners three times, 12 * 3 others twice.
     const MeshFacts box = facts_of(test::box(1.0, 2.0, 3.0, 4).moved(1.0, 50.0, -20.0, 7.0));
     EXPECT_TRUE(box.closed);
     EXPECT_FALSE(box.inside_out);
@@ -62,7 +62,7 @@ TEST_F(MeshFactsTest, Borders_are_counted_by_loops) {
     EXPECT_EQ(open.boundary_edges, 48);
     EXPECT_EQ(open.boundary_loops, 2);
     EXPECT_EQ(open.volume, 0.0);
-    // A part with a border encloses nothing, so that it is not inside out.
+    // A part with a border encloses nothing, so it cannot be inside out.
     EXPECT_EQ(facts_of(pipe().turned()).components_inside_out, 0);
 }
 
@@ -80,9 +80,9 @@ TEST_F(MeshFactsTest, Edges_tell_what_is_wrong) {
 
 TEST_F(MeshFactsTest, Faces_and_vertices_that_are_of_no_use_are_counted) {
     test::Triangles mesh = test::tetrahedron();
-    mesh.face(0, 0, 1);                         // without area
-    mesh.face(3, 1, 0);                         // the first one again
-    static_cast<void>(mesh.add(9.0, 9.0, 9.0)); // of no face
+    mesh.face(0, 0, 1);                         // This face has no area.
+    mesh.face(3, 1, 0);                         // This repeats the first face.
+    static_cast<void>(mesh.add(9.0, 9.0, 9.0)); // No face uses this vertex.
     const std::int32_t lost = mesh.add(0.0, std::numeric_limits<double>::quiet_NaN(), 0.0);
     mesh.face(0, 1, lost);
     const MeshFacts facts = facts_of(mesh);
@@ -91,7 +91,7 @@ TEST_F(MeshFactsTest, Faces_and_vertices_that_are_of_no_use_are_counted) {
     EXPECT_EQ(facts.unused_vertices, 1);
     EXPECT_EQ(facts.faces_not_finite, 1);
     EXPECT_EQ(facts.joined_vertices, 0);
-    EXPECT_EQ(facts.nonmanifold_edges, 3); // those of the face that is there twice
+    EXPECT_EQ(facts.nonmanifold_edges, 3); // The edges of the repeated face are non-manifold.
     EXPECT_EQ(facts.components, 1);
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Meshes of known shape as the picture's steps take them.
+// Makes meshes of known shapes for tests of the picture's steps.
 #pragma once
 
 #include "picture/faces.h"
@@ -21,7 +21,7 @@ namespace picture_tests {
     return shape;
 }
 
-// From `corner` along u and v, each cut in `cells`.
+// Makes a wall from `corner` along u and v, which are each divided into `cells` cells.
 [[nodiscard]] inline hrbfnpr::test::Triangles wall(const std::array<double, 3>& corner, const std::array<double, 3>& u,
                                                    const std::array<double, 3>& v, int cells = 12) {
     hrbfnpr::test::Triangles mesh;
@@ -40,7 +40,7 @@ namespace picture_tests {
     return mesh;
 }
 
-// An open pipe of radius 1 about y, from 0 to 3.
+// Makes an open pipe of radius 1 around the y axis, from y = 0 to 3.
 [[nodiscard]] inline hrbfnpr::test::Triangles pipe() {
     constexpr int around = 24;
     constexpr int along = 12;
@@ -59,7 +59,7 @@ namespace picture_tests {
     return mesh;
 }
 
-// The same about z, across the other one.
+// Makes the same pipe around the z axis, so that it crosses pipe().
 [[nodiscard]] inline hrbfnpr::test::Triangles pipe_across() {
     hrbfnpr::test::Triangles mesh = pipe();
     for (std::size_t i = 0; i < mesh.vertices.size(); i += 3) {
@@ -71,7 +71,7 @@ namespace picture_tests {
     return mesh;
 }
 
-// A mesh of the library, with all its parts.
+// Makes a mesh of the library that has all parts.
 [[nodiscard]] inline hrbfnpr::picture::Mesh mesh_of(hrbfnpr_context& context, const hrbfnpr::test::Triangles& from) {
     namespace picture = hrbfnpr::picture;
     auto desc = picture::defaults<hrbfnpr_mesh_desc>(hrbfnpr_mesh_desc_init);

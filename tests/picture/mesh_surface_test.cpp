@@ -30,7 +30,7 @@ protected:
     Vector<Surface> surfaces(const test::Triangles& from) { return surfaces(shape_of(from, planned.pool)); }
     Vector<Surface> surfaces(Shape&& shape) { return fit_mesh(planned.call(), std::move(shape), up); }
 
-    // What the last surfaces() told.
+    // Returns the notes of the last surfaces().
     [[nodiscard]] std::vector<std::string> notes() const {
         std::vector<std::string> all;
         for (const Note& note : planned.report->notes) all.emplace_back(note.text);
@@ -42,7 +42,7 @@ protected:
             all.push_back(std::to_string(stage.stage) + ": " + std::string(stage.says));
         return all;
     }
-    // With the code 0 if there is none.
+    // Returns the note with a code, or a note with code 0.
     [[nodiscard]] Note note(std::uint32_t code) const {
         for (const Note& one : planned.report->notes)
             if (one.code == code) return one;
@@ -101,7 +101,7 @@ TEST_F(MeshSurface, LeavesWhatIsNotToBeDivided) {
     planned.desc.edges = HRBFNPR_PICTURE_EDGES_SHARP;
     EXPECT_EQ(surfaces(test::icosphere(1))[0].shape->triangles.size(), 80U);
     planned.desc.edges = HRBFNPR_PICTURE_EDGES_AS_GIVEN;
-    EXPECT_EQ(surfaces(test::box(1, 1, 1, 1))[0].fit->sheets, 6); // its edges stand out
+    EXPECT_EQ(surfaces(test::box(1, 1, 1, 1))[0].fit->sheets, 6); // The edges of a box are sharp.
     EXPECT_THAT(notes(), IsEmpty());
 }
 
@@ -150,7 +150,7 @@ TEST_F(MeshSurface, PartsThatCrossAreSurfaces) {
     ASSERT_EQ(one.size(), 1U);
     EXPECT_EQ(fits(), 1);
     EXPECT_EQ(note(HRBFNPR_NOTE_GROUPS).code, 0U);
-    // What the library alone knows of a mesh is warned of.
+    // The library's own findings on a mesh become warnings.
     const Note thin = note(HRBFNPR_NOTE_PARTS_TOO_THIN);
     EXPECT_EQ(thin.severity, HRBFNPR_SEVERITY_WARNING);
     EXPECT_EQ(thin.figure_count, 5U);
@@ -211,7 +211,7 @@ TEST_F(MeshSurface, TakesAsManySamplesAsItIsTold) {
     EXPECT_EQ(stages()[1], "2: 200 samples");
     ASSERT_EQ(stages().size(), 5U);
     EXPECT_THAT(stages()[2], HasSubstr("200 centres"));
-    EXPECT_EQ(stages()[3][0], '6'); // it is compared with the mesh
+    EXPECT_EQ(stages()[3][0], '6'); // Stage 6 compares the surface with the mesh.
     planned.desc.samples = 1'000'000'000;
     EXPECT_EQ(refusal(test::icosphere(0)), "--samples 1000000000 is more than a mesh can have: 10000000");
 }

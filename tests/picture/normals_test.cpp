@@ -21,7 +21,7 @@ protected:
     base::Memory memory;
     Pool pool{memory};
 
-    // Points of the unit sphere, which are its normals, too.
+    // Returns points of the unit sphere, which are also its normals.
     Points sphere(std::int64_t count) {
         Points points(&pool);
         for (std::int64_t i = 0; i < count; ++i) {
@@ -41,7 +41,7 @@ protected:
     }
 };
 
-// The figures are those of the rules in Python.
+// The same rules in Python computed the expected numbers.
 TEST_F(Normals, LookOutwardOfABall) {
     const Points ball = sphere(250);
     const NormalsLook outward = look(ball, ball);
@@ -63,13 +63,13 @@ TEST_F(Normals, AreMixedWhereSomeAreTurned) {
     const NormalsLook some = look(ball, turned_where(ball, [](std::size_t i) { return i % 4 == 0; }));
     EXPECT_NEAR(some.closed, 0.5053796432748427, 1e-12);
     EXPECT_NEAR(some.against, 0.008, 1e-12);
-    EXPECT_NEAR(some.flipped, 0.2550510257216822, 1e-12); // a quarter is turned
+    EXPECT_NEAR(some.flipped, 0.2550510257216822, 1e-12); // A quarter of the normals is turned.
     EXPECT_TRUE(some.mixed());
     EXPECT_EQ(normals_in_words(some, pool), "normals differ");
     const NormalsLook patch = look(ball, turned_where(ball, [&](std::size_t i) { return ball[i].x > 0.3; }));
     EXPECT_NEAR(patch.closed, 0.3763303343231941, 1e-12);
     EXPECT_NEAR(patch.flipped, 0.043929829960344835, 1e-12);
-    EXPECT_FALSE(patch.mixed()); // a known gap: hrbfnpr_orient would see it
+    EXPECT_FALSE(patch.mixed()); // This is a known gap: hrbfnpr_orient would see the patch.
 }
 
 TEST_F(Normals, OfManySamplesAFewStandForAll) {
@@ -89,8 +89,8 @@ TEST_F(Normals, TellNothingOfLittle) {
     expect_nothing(Points(&pool));
     expect_nothing(sphere(1));
     expect_nothing(sphere(5));
-    expect_nothing(Points(20, glm::dvec3(0.0, 0.0, 1.0), &pool)); // all at one place
-    Points pairs = sphere(20); // each at one place with nine others: there is no distance to go by
+    expect_nothing(Points(20, glm::dvec3(0.0, 0.0, 1.0), &pool)); // All points are at one place.
+    Points pairs = sphere(20); // Ten points share each place, so no spacing is known.
     for (std::size_t i = 0; i < 20; ++i) pairs[i] = pairs[i % 2];
     EXPECT_FALSE(look(pairs, pairs).inward());
 }
@@ -121,10 +121,10 @@ TEST_F(Normals, AtOnePlaceAgree) {
     EXPECT_EQ(places.left_out, 1);
     EXPECT_EQ(points, Points({{1, 0, 0}, {0, 0, 0}, {3, 0, 0}}, &pool));
     ASSERT_EQ(normals.size(), 3U);
-    EXPECT_NEAR(normals[1].x, std::sqrt(0.2), 1e-15); // the mean of one and two
+    EXPECT_NEAR(normals[1].x, std::sqrt(0.2), 1e-15); // This is the mean of one normal along x and two along y.
     EXPECT_NEAR(normals[1].y, std::sqrt(0.8), 1e-15);
 
-    Points same({{1, 0, 0}, {1, 0, 0}, {0, 0, 0}}, &pool); // equal normals stay, both of them
+    Points same({{1, 0, 0}, {1, 0, 0}, {0, 0, 0}}, &pool); // Equal normals both stay.
     Points equal({{s, s, 0}, {s, s, 0}, {0, 0, 1}}, &pool);
     EXPECT_EQ(agreed(same, equal, pool).joined, 0);
     EXPECT_EQ(same.size(), 3U);
@@ -134,7 +134,7 @@ TEST_F(Normals, AtOnePlaceAgree) {
 
 // ---- Points along curves
 
-// Circles around the tube of a torus of radii 3 and 1.
+// Returns circles around the tube of a torus of radii 3 and 1.
 Points rings(int count, int each, Pool& pool) {
     Points points(&pool);
     for (int i = 0; i < count; ++i)
@@ -168,7 +168,7 @@ TEST_F(Normals, RandomSubsetsAreEvenAndTheSameEachTime) {
     EXPECT_GE(chosen.front(), 0);
     EXPECT_LT(chosen.back(), 100'000);
     const auto low = std::lower_bound(chosen.begin(), chosen.end(), 50'000) - chosen.begin();
-    EXPECT_NEAR(static_cast<double>(low), 500.0, 80.0); // five deviations
+    EXPECT_NEAR(static_cast<double>(low), 500.0, 80.0); // The tolerance is five standard deviations.
     EXPECT_EQ(chosen, random_subset(100'000, 1000, 5, 1, pool));
     EXPECT_NE(chosen, random_subset(100'000, 1000, 6, 1, pool));
     EXPECT_NE(chosen, random_subset(100'000, 1000, 5, 2, pool));

@@ -23,7 +23,7 @@ protected:
         desc.paper_margin = 10.0;
         desc.page = &page;
     }
-    // A line and a text on a page of this many pixels.
+    // Returns a line and a text on a page of this many pixels.
     [[nodiscard]] PageContent content(glm::dvec2 size) {
         PageContent made(pool);
         made.size = size;

@@ -34,7 +34,7 @@ hrbfnpr_dab dab_at(std::uint32_t map, glm::dvec3 position, glm::dvec3 normal, do
     return dab;
 }
 
-// Two dabs that overlap.
+// Returns two dabs that overlap.
 std::array<hrbfnpr_dab, 2> two_dabs(std::uint32_t map) {
     return {dab_at(map, {0.1, 0.2, 0.3}, {0.0, 0.0, 1.0}, 0.5, 0.8, 0.1, {1.0, 0.0, 0.0}),
             dab_at(map, {0.3, 0.2, 0.3}, {0.0, 0.6, 0.8}, 0.4, 1.0, 0.9, {0.0, 1.0, 0.25})};
@@ -44,7 +44,7 @@ const std::array<glm::dvec3, 4> places{glm::dvec3(0.1, 0.2, 0.3), glm::dvec3(0.2
 const std::array<glm::dvec3, 4> normals{glm::dvec3(0.0, 0.0, 1.0), glm::dvec3(0.6, 0.0, 0.8),
                                         glm::dvec3(0.0, -0.6, 0.8), glm::dvec3(0.0, 0.0, -1.0)};
 
-// The formula of the header, dab by dab, without a search.
+// Computes the weight by the formula of the header, dab by dab, without a search.
 double weight_by_formula(const hrbfnpr_dab& dab, const glm::dvec3& place, const glm::dvec3& normal) {
     double distance = 0.0, facing = 0.0;
     for (int axis = 0; axis < 3; ++axis) {
@@ -61,7 +61,7 @@ protected:
     Pool pool{memory};
 };
 
-// Values of the package that had this before.
+// A reference program in Python computed the expected values.
 TEST_F(PaintTest, GivesTheValuesThatItAlwaysGave) {
     const PaintedMap map(two_dabs(HRBFNPR_DAB_DENSITY), HRBFNPR_DAB_DENSITY, pool);
     const std::array density{0.62875, 0.870271875, 0.841636775390625, 1.0};
@@ -111,7 +111,7 @@ TEST_F(PaintTest, ThereIsNothingBeyondTheEdgeAndOnTheBack) {
     const glm::dvec3 middle = places[0];
     EXPECT_NEAR(map.pulled(1.0, middle, {0.0, 0.0, 1.0}), 1.0 - 0.8 * 0.9, 1e-15);
     EXPECT_EQ(map.pulled(1.0, middle, {0.0, 0.0, -1.0}), 1.0);
-    EXPECT_EQ(map.pulled(1.0, middle, {1.0, 0.0, 0.0}), 1.0); // across
+    EXPECT_EQ(map.pulled(1.0, middle, {1.0, 0.0, 0.0}), 1.0); // This normal is perpendicular to the dab's.
     EXPECT_EQ(map.pulled(1.0, middle + glm::dvec3(0.5 + 1e-9, 0.0, 0.0), {0.0, 0.0, 1.0}), 1.0);
     EXPECT_LT(map.pulled(1.0, middle + glm::dvec3(0.4, 0.0, 0.0), {0.0, 0.0, 1.0}), 1.0);
     EXPECT_EQ(map.pulled(1.0, glm::dvec3(not_a_number), {0.0, 0.0, 1.0}), 1.0);
@@ -146,7 +146,7 @@ TEST_F(PaintTest, TonesBeginWithTheLightOfTheStyle) {
             facing[3 * i + static_cast<std::size_t>(axis)] = static_cast<float>(normals[i][axis]);
         }
     std::array<float, 4> tau{};
-    const Style copy(style); // holds what is painted, too
+    const Style copy(style); // The copy holds the paint, too.
     style = Style(pool);
     EXPECT_EQ(copy.base.tone_function(copy.base.tone_user, 4, at.data(), facing.data(), tau.data()), 0);
     const std::array expected{0.5426253080368042F, 0.848617672920227F, 0.6977830529212952F, 0.12555603682994843F};
@@ -184,7 +184,7 @@ TEST_F(PaintTest, ALightWithoutDirectionIsRefused) {
     std::fill(style.base.light, style.base.light + 3, 0.0);
     Marks marks(pool);
     EXPECT_THROW(put_paint(two_dabs(HRBFNPR_DAB_TONE), camera, style, marks, pool), Error);
-    style.base.tone = HRBFNPR_TONE_NONE; // no light is asked for
+    style.base.tone = HRBFNPR_TONE_NONE; // Without a tone no light is needed.
     put_paint(two_dabs(HRBFNPR_DAB_TONE), camera, style, marks, pool);
     EXPECT_EQ(style.base.tone_function, painted_tone);
 }

@@ -16,7 +16,7 @@ namespace {
 using namespace hrbfnpr;
 using namespace hrbfnpr::picture;
 
-// A picture of 800 x 600 pixels of a surface with an area of 3, 200 pixels to the unit.
+// Plans a picture of 800 x 600 pixels of a surface with an area of 3, at 200 pixels per unit.
 struct Planned {
     Style style;
     Marks marks;
@@ -36,7 +36,7 @@ TEST(Plan, ThePenIsAnEightHundredthOfThePicture) {
     PlannedCall plain;
     EXPECT_EQ(pen_of(plain.call(), 1600.0, 900.0), 2.0);
     EXPECT_EQ(pen_of(plain.call(), 900.0, 1600.0), 2.0);
-    EXPECT_EQ(pen_of(plain.call(), 100.0, 100.0), 0.75); // nothing is finer
+    EXPECT_EQ(pen_of(plain.call(), 100.0, 100.0), 0.75); // No pen is finer.
     plain.desc.pen = 3.5;
     EXPECT_EQ(pen_of(plain.call(), 1600.0, 900.0), 3.5);
     const auto own = defaults<hrbfnpr_style>(hrbfnpr_style_init);
@@ -44,7 +44,7 @@ TEST(Plan, ThePenIsAnEightHundredthOfThePicture) {
     EXPECT_EQ(pen_of(plain.call(), 1600.0, 900.0), 1.0);
 }
 
-// Numbers of the package that planned before.
+// A reference program in Python computed the expected numbers.
 TEST(Plan, CrossHatchingIsAsItAlwaysWas) {
     PlannedCall given(HRBFNPR_PRESET_CROSS_HATCH);
     given.desc.hatch_angle = 10.0;
@@ -60,7 +60,7 @@ TEST(Plan, CrossHatchingIsAsItAlwaysWas) {
     const std::array angles{10.0, 45.0, -20.0};
     for (std::size_t i = 0; i < 3; ++i) {
         const hrbfnpr_layer_desc& layer = made.marks.layers[i + 1];
-        EXPECT_EQ(layer.budget, 0); // as many as the separation gives
+        EXPECT_EQ(layer.budget, 0); // The separation sets the number.
         EXPECT_DOUBLE_EQ(layer.separation, 0.005773502691896257);
         EXPECT_EQ(layer.angle, angles[i]);
     }
@@ -88,7 +88,7 @@ TEST(Plan, StrokesFillOrKeepTheirSeparation) {
     EXPECT_EQ(made.marks.layers[0].budget, 25254);
     EXPECT_EQ(made.marks.layers[1].budget, 52800);
     EXPECT_DOUBLE_EQ(made.marks.layers[1].step, 0.00625);
-    EXPECT_EQ(made.marks.layers[0].tone_end, 1.0F); // strokes are not shown, and have no turn
+    EXPECT_EQ(made.marks.layers[0].tone_end, 1.0F); // Strokes are not shown, so they get no share of the tones.
     EXPECT_EQ(made.marks.layers[1].tone_end, 0.0F);
     EXPECT_EQ(made.marks.base.tone_ranges, std::uint32_t{HRBFNPR_TONE_RANGES_IN_TURN});
     PlannedCall apart(HRBFNPR_PRESET_STIPPLE);
@@ -99,7 +99,7 @@ TEST(Plan, StrokesFillOrKeepTheirSeparation) {
     EXPECT_EQ(marks.layers[0].separation, 0.01);
     EXPECT_EQ(marks.layers[0].length, 0.5);
     EXPECT_EQ(marks.layers[1].separation, 0.01);
-    EXPECT_EQ(marks.layers[1].length, 0.0); // it means nothing to hatching
+    EXPECT_EQ(marks.layers[1].length, 0.0); // Hatching ignores the length.
     EXPECT_EQ(marks.layers[2].separation, 0.0);
 }
 
@@ -113,7 +113,7 @@ TEST(Plan, TonesAreSharedOutInTurn) {
     EXPECT_FLOAT_EQ(marks.layers[1].tone_end, 2.0F / 3.0F);
     EXPECT_FLOAT_EQ(marks.layers[1].second_tone_begin, 2.0F / 3.0F);
     EXPECT_EQ(marks.layers[1].second_tone_end, 1.0F);
-    // Its own parts of the tones stay until the caller says something.
+    // The style keeps its own tone ranges until the caller gives some.
     PlannedCall scientific(HRBFNPR_PRESET_SCIENTIFIC_STIPPLE);
     EXPECT_FLOAT_EQ(planned(scientific.call()).marks.layers[0].tone_begin, 0.08F);
     scientific.change("marks.tone_ranges", "full");
@@ -172,7 +172,7 @@ TEST(Plan, ChangesComeInOrder) {
     given.change("style.stipples.ink", "#0000ff").change("style.lines.wobble", "0.5").change("style.lines.width", "7");
     const Style style = plan_style(given.call(), 1600.0, 1200.0, false);
     const hrbfnpr_layer_style own = style.style_of(HRBFNPR_LAYER_KIND_OWN, nullptr);
-    EXPECT_EQ(own.radius, 5.0F); // a copy of what all had by then, in pixels of this picture
+    EXPECT_EQ(own.radius, 5.0F); // It copies the element of all kinds, in pixels of this picture.
     EXPECT_EQ(own.share, 0.25F);
     EXPECT_EQ(own.ink[0], 1.0F);
     EXPECT_EQ(for_stipples(style).ink[2], 1.0F);
@@ -184,6 +184,18 @@ TEST(Plan, ChangesComeInOrder) {
         EXPECT_EQ(line.width, 7.0F);
         EXPECT_EQ(line.wobble_width, 0.25F);
     }
+}
+
+TEST(Plan, LinesOfAKindAreChangedAlone) {
+    PlannedCall given;
+    given.desc.lines = "contour,ridges";
+    given.change("style.ridge.width", "3").change("style.contour.hidden", "dashed");
+    const Style style = plan_style(given.call(), 1600.0, 1200.0, false);
+    ASSERT_EQ(style.lines.size(), 2U);
+    EXPECT_NE(style.lines[0].width, 3.0F);
+    EXPECT_EQ(style.lines[0].hidden, std::uint32_t{HRBFNPR_HIDDEN_PARTS_DASHED});
+    EXPECT_EQ(style.lines[1].width, 3.0F);
+    EXPECT_NE(style.lines[1].hidden, std::uint32_t{HRBFNPR_HIDDEN_PARTS_DASHED});
 }
 
 TEST(Plan, HiddenLinesHideTheLinesPartsToo) {
@@ -230,7 +242,7 @@ TEST(Plan, OtherKindsThanCanBeMadeAreRefused) {
         EXPECT_THROW(static_cast<void>(planned(call)), Error) << wrong;
     }
     given.desc.mark_kinds = ",";
-    EXPECT_EQ(planned(given.call()).marks.layers.size(), 1U); // those of the style
+    EXPECT_EQ(planned(given.call()).marks.layers.size(), 1U); // The layers are those of the style.
 }
 
 TEST(Plan, SeedsAndTheRandomNumberComeFromTheDescriptor) {
@@ -260,10 +272,10 @@ TEST(Plan, SettingsHaveAStyleAPenAndLayers) {
     const Call call = given.call();
     EXPECT_EQ(pen_of(call, 800.0, 600.0), 2.0);
     const Planned made = planned(call);
-    ASSERT_EQ(made.style.layers.size(), 1U); // no element for other kinds
+    ASSERT_EQ(made.style.layers.size(), 1U); // Other kinds get no element.
     EXPECT_EQ(made.style.layers[0].radius, 3.0F);
     ASSERT_EQ(made.marks.layers.size(), 2U);
-    EXPECT_EQ(made.marks.layers[0].budget, 40000); // the default counts as said
+    EXPECT_EQ(made.marks.layers[0].budget, 40000); // The default counts as given.
     EXPECT_EQ(made.marks.layers[0].tone_end, 0.0F);
     EXPECT_STREQ(made.marks.layers[1].name, "fur");
     EXPECT_EQ(made.marks.layers[1].budget, 0);
@@ -273,7 +285,7 @@ TEST(Plan, SettingsHaveAStyleAPenAndLayers) {
     EXPECT_EQ(made.marks.base.random_seed, 5U);
     given.change("marks.hatch.budget", "123");
     EXPECT_EQ(planned(given.call()).marks.layers[1].budget, 123);
-    given.desc.mark_kinds = "stipples"; // in place of theirs
+    given.desc.mark_kinds = "stipples"; // They replace the settings' layers.
     const Marks stipples = planned(given.call()).marks;
     ASSERT_EQ(stipples.layers.size(), 1U);
     EXPECT_NE(stipples.layers[0].budget, 40000);
@@ -288,7 +300,7 @@ TEST(Plan, ANamedStyleIsNotThatOfSettings) {
     const Planned made = planned(given.call());
     EXPECT_LT(made.style.base.halo_width, 10.0F);
     EXPECT_NE(made.marks.layers[0].budget, 40000);
-    EXPECT_FLOAT_EQ(made.marks.layers[0].tone_begin, 0.08F); // only a caller's tone_ranges take its part away
+    EXPECT_FLOAT_EQ(made.marks.layers[0].tone_begin, 0.08F); // Only the caller's tone_ranges replace the style's range.
     EXPECT_EQ(made.marks.base.tone_ranges, std::uint32_t{HRBFNPR_TONE_RANGES_IN_TURN});
 }
 
@@ -313,9 +325,9 @@ TEST(Plan, APartGetsItsShareOfABudget) {
         marks.layers.back().budget = budget;
     }
     const Marks part = share_of(marks, 0.5);
-    EXPECT_EQ(part.layers[0].budget, 500); // 500.5, to the even one
+    EXPECT_EQ(part.layers[0].budget, 500); // 500.5 is rounded to the even number.
     EXPECT_EQ(part.layers[1].budget, 2);
-    EXPECT_EQ(part.layers[2].budget, 0); // no limit, of a part as of all
+    EXPECT_EQ(part.layers[2].budget, 0); // A share of no limit is no limit.
     EXPECT_EQ(share_of(marks, 1e-9).layers[0].budget, 1);
 }
 
@@ -333,7 +345,7 @@ TEST(Plan, MarksArePlacedInAStage) {
     given.change("marks.layers.budget", "300");
     const Call call = given.call();
     std::vector<glm::dvec3> points;
-    for (int i = 0; i < 60; ++i) { // a sphere
+    for (int i = 0; i < 60; ++i) { // The points are on a sphere.
         const double z = -1.0 + (2.0 * i + 1.0) / 60.0;
         const double angle = 2.399963 * i;
         points.emplace_back(std::sqrt(1.0 - z * z) * std::cos(angle), std::sqrt(1.0 - z * z) * std::sin(angle), z);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A call of the picture's steps with options that a test sets, without a picture.
+// Makes the Call that the picture's steps take, from options that a test sets, without a picture.
 #pragma once
 
 #include "picture/call.h"
@@ -12,7 +12,7 @@
 
 namespace picture_tests {
 
-// Set `desc`, `settings` and changes, then take call().
+// Set `desc`, `settings` and the changes, then use call().
 class PlannedCall {
 public:
     PlannedCall() : desc(hrbfnpr::picture::defaults<hrbfnpr_picture_desc>(hrbfnpr_picture_desc_init)), pool(memory_) {
@@ -49,7 +49,7 @@ public:
     hrbfnpr::picture::Pool pool;
     hrbfnpr::picture::Context context;
     std::shared_ptr<const hrbfnpr::picture::Settings> settings;
-    std::optional<hrbfnpr::picture::Report> report; // of the last call()
+    std::optional<hrbfnpr::picture::Report> report; // The report of the last call().
 
 private:
     std::vector<std::pair<std::string, std::string>> changes_;

@@ -24,7 +24,7 @@ using Pixels = std::vector<std::uint8_t>;
 constexpr std::int32_t width = 240;
 constexpr std::int32_t height = 200;
 
-// A sphere, seen without perspective.
+// Draws a plate of a sphere, seen without perspective.
 class PlateTest : public testing::Test {
 protected:
     PlateTest() : planned(HRBFNPR_PRESET_ARCHAEOLOGICAL) {
@@ -134,8 +134,8 @@ TEST(BarLength, IsOneTwoOrFiveTimesAPowerOfTen) {
 
 TEST_F(PlateTest, TheSectionIsAHatchedDiscAtTheScaleOfTheDrawing) {
     const glm::ivec2 size = plate_size(plate(""), pool);
-    const double scale = height / 2.5;                           // pixels of the sphere's radius
-    EXPECT_NEAR(size.x, width + 2.0 * scale + 0.1 * width, 8.0); // by the marks near its plane
+    const double scale = height / 2.5;                           // The sphere's radius in pixels.
+    EXPECT_NEAR(size.x, width + 2.0 * scale + 0.1 * width, 8.0); // The marks near the plane set the width.
     EXPECT_EQ(size.y, height);
     const Pixels pixels = rasterized("");
     const auto darkness = [&](int x, int y) { return 255 - pixels[static_cast<std::size_t>(4 * (y * size.x + x))]; };
@@ -148,7 +148,8 @@ TEST_F(PlateTest, TheSectionIsAHatchedDiscAtTheScaleOfTheDrawing) {
             if (radius < scale - 8.0) ink += darkness(x, y) / 255.0;
             if (radius > scale + 8.0) outside += darkness(x, y) / 255.0;
         }
-    // As in print, 0.7 of each 9 pixels; soft rims take what is narrower than a pixel to a little more.
+    // As in print, ink covers 0.7 of each 9 pixels. Antialiasing makes lines that are narrower than a pixel slightly
+    // darker.
     const double area = std::numbers::pi * (scale - 8.0) * (scale - 8.0);
     EXPECT_NEAR(ink / area, 0.7 / 9.0, 0.2 * 0.7 / 9.0);
     EXPECT_EQ(outside, 0.0);
@@ -156,7 +157,7 @@ TEST_F(PlateTest, TheSectionIsAHatchedDiscAtTheScaleOfTheDrawing) {
 
 TEST_F(PlateTest, TheDrawingStandsAtTheLeftAsItIs) {
     const glm::ivec2 size = plate_size(plate("cm"), pool);
-    EXPECT_EQ(size.y, height + 44); // the least strip
+    EXPECT_EQ(size.y, height + 44); // The strip has its least height.
     const Pixels pixels = rasterized("cm");
     Pixels alone;
     const hrbfnpr_image image = image_of(alone, HRBFNPR_FORMAT_RGBA8, {width, height});
@@ -164,7 +165,7 @@ TEST_F(PlateTest, TheDrawingStandsAtTheLeftAsItIs) {
     for (int y = 0; y < height; ++y)
         EXPECT_TRUE(std::equal(alone.begin() + 4 * width * y, alone.begin() + 4 * width * (y + 1),
                                pixels.begin() + 4 * size.x * y));
-    // The bar: 0.5 of 2.5 units are 40 of the 200 pixels, in five fields.
+    // The bar of 0.5 units in 2.5 is 40 of the 200 pixels long and has five fields.
     const auto is_dark = [&](int x, int y) { return pixels[static_cast<std::size_t>(4 * (y * size.x + x))] < 128; };
     const int y = height + 44 / 3 + 2;
     int dark = 0;
@@ -181,10 +182,10 @@ TEST_F(PlateTest, AllFormatsHaveTheSamePicture) {
     const Pixels coverage = rasterized("cm", HRBFNPR_FORMAT_COVERAGE8);
     const Pixels floats = rasterized("cm", HRBFNPR_FORMAT_RGBA32F);
     ASSERT_EQ(rgba.size(), 4 * coverage.size());
-    EXPECT_EQ(rgba, premultiplied); // on opaque paper
+    EXPECT_EQ(rgba, premultiplied); // They are equal on opaque paper.
     for (std::size_t i = 0; i < coverage.size(); ++i) {
         EXPECT_EQ(rgba[4 * i], bgra[4 * i + 2]);
-        EXPECT_NEAR(255 - rgba[4 * i], coverage[i], 2); // black on white
+        EXPECT_NEAR(255 - rgba[4 * i], coverage[i], 2); // The ink is black on white.
         float red = 0.0F;
         std::memcpy(&red, floats.data() + 16 * i, sizeof red);
         EXPECT_NEAR(255.0F * red, rgba[4 * i], 1.0F);
@@ -202,7 +203,7 @@ TEST_F(PlateTest, ASmallerOrLargerImageIsNoHarm) {
                                whole.begin() + 4 * size.x * y));
     rasterize_plate(*planned.context.get(), plate("cm"), drawing, image_of(pixels, HRBFNPR_FORMAT_RGBA8, size + 1),
                     pool);
-    EXPECT_EQ(pixels.back(), 77); // not touched
+    EXPECT_EQ(pixels.back(), 77); // The rest of the image is not touched.
     EXPECT_TRUE(std::equal(whole.begin(), whole.begin() + 4 * size.x, pixels.begin()));
     auto bad = image_of(pixels, HRBFNPR_FORMAT_RGBA8, size);
     bad.format = 9;
@@ -218,7 +219,7 @@ TEST_F(PlateTest, TransparentPaperStaysSoAndTheSectionIsHatched) {
     std::int64_t off = 0;
     for (std::size_t i = 0; i < clear.size(); i += 4)
         if (std::abs(clear[i + 3] - (255 - opaque[i])) > 2) ++off;
-    EXPECT_LT(off, static_cast<std::int64_t>(clear.size()) / 4 / 200); // lines in the drawing lie on one another
+    EXPECT_LT(off, static_cast<std::int64_t>(clear.size()) / 4 / 200); // Lines of the drawing overlap in a few pixels.
 }
 
 TEST_F(PlateTest, APageHasTheSame) {
@@ -256,7 +257,7 @@ TEST(Lettering, LettersStandOnTheLineAndOthersAreBoxes) {
                 EXPECT_GE(point.x - radius, 100.0) << c;
                 EXPECT_LE(point.x + radius, 100.0 + width_of_text(text, 80.0)) << c;
                 EXPECT_GE(point.y - radius, 120.0 - 1e-9) << c;
-                EXPECT_LE(point.y + radius, 220.0) << c; // small letters reach down
+                EXPECT_LE(point.y + radius, 220.0) << c; // Some small letters reach below the baseline.
             }
     }
     const auto micro = strokes_of_text("\xc2\xb5", {0, 0}, 10.0, pool);

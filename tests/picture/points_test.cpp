@@ -34,7 +34,7 @@ test::Context make_context() {
     return test::Context(context);
 }
 
-// A call with options that are set before it is first used.
+// Makes a call with options that are set before its first use.
 class FitPoints : public testing::Test {
 protected:
     test::Context context = make_context();
@@ -50,7 +50,7 @@ protected:
         changes.push_back(added);
     }
 
-    // Calls f(call), and returns what it does.
+    // Calls f(call) and returns its result.
     template <class F>
     auto with_call(F&& f) {
         desc.changes = changes.data();
@@ -59,7 +59,7 @@ protected:
         return f(Call{*context, options, report, pool});
     }
 
-    // The surface, if there is one, and its up.
+    // The surface, which may be empty, and its up direction.
     struct Fitted {
         Surface surface;
         glm::dvec3 up{0.0};
@@ -112,7 +112,7 @@ protected:
         shape.normals.clear();
         return shape;
     }
-    // f at the origin: negative inside.
+    // Returns the value of the implicit function at the origin, which is negative inside.
     static double value_at_origin(const Model& model) {
         const std::array<double, 3> at{};
         double value = 0.0;
@@ -222,15 +222,15 @@ TEST_F(FitPoints, ATerrainThatLooksDownIsTurned) {
 // ---- Samples
 
 TEST_F(FitPoints, SamplesAreChosen) {
-    desc.flags = HRBFNPR_PICTURE_CLOSE; // where it ends is not asked
-    fit(ball(5000));                    // more than are used, if nobody sets a number
+    desc.flags = HRBFNPR_PICTURE_CLOSE; // The end of the surface is not looked for.
+    fit(ball(5000));                    // The default uses fewer points.
     EXPECT_THAT(notes(), ElementsAre("5000 points, of which 4096 are used; --samples N sets another number"));
-    desc.samples = 100; // they are chosen from 4000 random ones
+    desc.samples = 100; // They are chosen from 4000 random points.
     EXPECT_LT(value_at_origin(fit(ball(5000)).surface.model), 0.0);
     EXPECT_THAT(notes(), IsEmpty());
     EXPECT_EQ(said_of(HRBFNPR_STAGE_SAMPLE), "100 samples");
     desc.samples = 0;
-    desc.maximum_centres = 60; // the fit chooses from all
+    desc.maximum_centres = 60; // The fit chooses from all points.
     fit(ball(5000));
     EXPECT_EQ(said_of(HRBFNPR_STAGE_SAMPLE), "5000 samples");
     EXPECT_THAT(said_of(HRBFNPR_STAGE_FIT), testing::StartsWith("60 centres, "));
@@ -406,7 +406,7 @@ TEST_F(FitPoints, WhatTheFitMadeOfSamples) {
     with_call([&](const Call& call) {
         tell_repaired_samples(call, info);
         tell_doubted_samples(call, info);
-        info.outliers_found = 7; // four are left: too few to be said
+        info.outliers_found = 7; // The four that remain are too few for a warning.
         tell_doubted_samples(call, info);
     });
     EXPECT_THAT(notes(),

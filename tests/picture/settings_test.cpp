@@ -16,7 +16,7 @@
 namespace hrbfnpr::picture::settings_test {
 namespace {
 
-// As the package for Python wrote it, with one value of each sort.
+// The Python package wrote this file, with one value of each sort.
 constexpr const char* written_by_python = R"({
   "hrbfnpr-settings": 1,
   "preset": "hatch",
@@ -82,7 +82,7 @@ struct SettingsTest : testing::Test {
     using Json = std::string;
 
     [[nodiscard]] std::shared_ptr<const Settings> read(const Json& json) { return read_settings(json, pool); }
-    // Settings with more keys: R"("pen": 2)".
+    // Returns settings with additional keys, such as R"("pen": 2)".
     [[nodiscard]] std::shared_ptr<const Settings> with(const Json& keys) {
         return read("{\"hrbfnpr-settings\": 1, " + keys + "}");
     }
@@ -95,7 +95,7 @@ struct SettingsTest : testing::Test {
         }
         return "";
     }
-    // What is written of a picture that has all from its settings, but for a descriptor's.
+    // Writes the settings of a picture whose options come from settings, except for those of `desc`.
     [[nodiscard]] WrittenSettings written(const std::shared_ptr<const Settings>& settings,
                                           const hrbfnpr_picture_desc& desc) {
         const Options options(desc, settings, pool);
@@ -179,7 +179,7 @@ TEST_F(SettingsTest, WhatIsLeftOutIsTheDefault) {
     EXPECT_EQ(settings->style.layers.size(), Style(settings->preset, pool).layers.size());
     EXPECT_EQ(with(R"("style": {"lines": []})")->style.lines.size(), 0U);
     EXPECT_TRUE(with(R"("line_set": {"lines": []})")->has_lines);
-    // One key twice: the last one counts.
+    // If a key is repeated, the last one counts.
     EXPECT_EQ(with(R"("pen": 3, "pen": 2)")->pen, 2.0);
     EXPECT_EQ(with(R"("marks": {"layers": [{"kind": "hatch", "tone_begin": 0.5, "tone_end": 0}]})")
                   ->marks.layers[0]
@@ -286,11 +286,11 @@ TEST_F(SettingsTest, ACameraIsThatOfTheFile) {
 }
 
 TEST_F(SettingsTest, MatricesAreScaledToAnotherSize) {
-    const auto settings = read(written_by_python); // 120 x 90
+    const auto settings = read(written_by_python); // Its size is 120 x 90.
     const hrbfnpr_camera own = *settings->camera(120, 90);
     EXPECT_EQ(own.projection[0], 3.6739754257004287);
     EXPECT_EQ(own.viewport[2], 120.0);
-    const hrbfnpr_camera wide = *settings->camera(480, 180); // twice as high
+    const hrbfnpr_camera wide = *settings->camera(480, 180); // This picture is twice as high.
     EXPECT_EQ(wide.projection[5], own.projection[5]);
     EXPECT_DOUBLE_EQ(wide.projection[0], own.projection[0] / 2.0);
     EXPECT_DOUBLE_EQ(wide.projection[8], own.projection[8] / 2.0);
@@ -298,7 +298,7 @@ TEST_F(SettingsTest, MatricesAreScaledToAnotherSize) {
 }
 
 TEST_F(SettingsTest, OptionsAreWritten) {
-    // What the package for Python wrote for --kernel wendland-c2 --kernel-radius 3 --regularization auto --normals keep
+    // The Python package wrote these for --kernel wendland-c2 --kernel-radius 3 --regularization auto --normals keep
     // --close --tolerance 0.001 --max-centres 900 --random-seed 7 --edges 40 --support 3.
     const hrbfnpr_change changes[] = {{sizeof(hrbfnpr_change), 0, "line_set.support", "3"},
                                       {sizeof(hrbfnpr_change), 0, "fit.regularization", "auto"},
@@ -373,7 +373,7 @@ TEST_F(SettingsTest, EveryPresetIsWrittenAndRead) {
     }
 }
 
-// Each field that can be in a file, with a value other than the default, survives.
+// Each field that a file can hold keeps a value other than its default.
 TEST_F(SettingsTest, EveryFieldOfAStyleIsWrittenAndRead) {
     auto settings = std::make_shared<Settings>(pool);
     for (const NamedField& named : fields_of(Record::style)) {

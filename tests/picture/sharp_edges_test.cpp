@@ -50,7 +50,7 @@ TEST_F(SharpEdges, OfABallAreAllOrNone) {
     const Vector<Edge> all = all_edges(ball);
     EXPECT_EQ(said_of_edges(ball.points, ball.triangles, all, pool), SaidOfEdges::all_are_sharp);
     EXPECT_EQ(said_of_edges(ball.points, ball.triangles, edges({}), pool), SaidOfEdges::nothing);
-    Vector<Edge> some(all.begin(), all.begin() + 2, &pool); // 2 of 120: most are smooth
+    Vector<Edge> some(all.begin(), all.begin() + 2, &pool); // Only 2 of 120 edges are sharp.
     EXPECT_EQ(said_of_edges(ball.points, ball.triangles, some, pool), SaidOfEdges::nothing);
     some.assign(all.begin(), all.begin() + 3);
     EXPECT_EQ(said_of_edges(ball.points, ball.triangles, some, pool), SaidOfEdges::some_are_sharp);
@@ -59,8 +59,8 @@ TEST_F(SharpEdges, OfABallAreAllOrNone) {
 }
 
 TEST_F(SharpEdges, OfFlatPolygonsDoNotCount) {
-    // The edges of a box alone bend: the diagonals of its sides, and those between the cells, are none.
-    const Shape box = shape_of(test::box(1, 1, 1, 2), pool); // each side has vertices of its own
+    // Only the edges of the box bend. Diagonals of its sides and edges between its cells do not.
+    const Shape box = shape_of(test::box(1, 1, 1, 2), pool); // Each side has vertices of its own.
     const Vector<Edge> all = all_edges(box);
     EXPECT_EQ(said_of_edges(box.points, box.triangles, all, pool), SaidOfEdges::all_are_sharp);
     Vector<Edge> bent(&pool);
@@ -71,14 +71,14 @@ TEST_F(SharpEdges, OfFlatPolygonsDoNotCount) {
         for (int axis = 0; axis < 3; ++axis) on_sides += middle[axis] == 0.0 || middle[axis] == 1.0 ? 1 : 0;
         if (on_sides == 2) bent.push_back(edge);
     }
-    EXPECT_EQ(bent.size(), 48U); // two on each of twelve edges, once for each side
+    EXPECT_EQ(bent.size(), 48U); // Each of twelve edges has two, repeated for two sides.
     EXPECT_EQ(said_of_edges(box.points, box.triangles, bent, pool), SaidOfEdges::all_are_sharp);
 }
 
 TEST_F(SharpEdges, OfAFewFacesSayNothing) {
-    const Shape four = shape_of(test::tetrahedron(), pool); // six edges
+    const Shape four = shape_of(test::tetrahedron(), pool); // It has six edges.
     EXPECT_EQ(said_of_edges(four.points, four.triangles, all_edges(four), pool), SaidOfEdges::nothing);
-    Shape flat(pool); // without area: there is no normal
+    Shape flat(pool); // Its face has no area and so no normal.
     flat.points = points({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}});
     flat.triangles.assign(20, Triangle{0, 1, 2});
     EXPECT_EQ(said_of_edges(flat.points, flat.triangles, edges({{0, 1}}), pool), SaidOfEdges::nothing);

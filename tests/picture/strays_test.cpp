@@ -18,7 +18,7 @@ protected:
     base::Memory memory;
     Pool pool{memory};
 
-    // A sphere of these samples, scaled and moved.
+    // Adds samples of a sphere, scaled and moved.
     void add_sphere(Points& to, std::int64_t count, double scale = 1.0, const glm::dvec3& at = glm::dvec3(0.0)) const {
         for (std::int64_t i = 0; i < count; ++i) {
             const auto p = test::spiral_point(i, count);
@@ -52,7 +52,7 @@ TEST_F(Strays, AreFewAndFar) {
     points.emplace_back(0.0, -20.0, 0.0);
     EXPECT_EQ(far_of(points), (Numbers{2000, 2001}));
     points.emplace_back(nan, 0.0, 0.0);
-    points.emplace_back(1e308, -1e308, 1e308); // its distance is infinite
+    points.emplace_back(1e308, -1e308, 1e308); // Its distance overflows to infinity.
     EXPECT_EQ(far_of(points), (Numbers{2000, 2001, 2003}));
 }
 
@@ -62,17 +62,17 @@ TEST_F(Strays, AreNoneOfLittle) {
     EXPECT_EQ(strays_of(points), Numbers{});
     points.emplace_back(nan, nan, nan);
     EXPECT_EQ(far_of(points), Numbers{});
-    points.assign(500, glm::dvec3(1.0, 2.0, 3.0)); // all at one place
+    points.assign(500, glm::dvec3(1.0, 2.0, 3.0)); // All points are at one place.
     EXPECT_EQ(far_of(points), Numbers{});
     EXPECT_EQ(strays_of(points), Numbers{});
-    points.assign(500, glm::dvec3(0.0)); // some a rounding apart, so that no cell can be made larger
+    points.assign(500, glm::dvec3(0.0)); // One point differs by the least double, so no cell can grow.
     points[3].x = 5e-324;
     EXPECT_EQ(strays_of(points), Numbers{});
     for (std::size_t i = 0; i < points.size(); ++i) points[i].x = i % 2 == 0 ? 1.7e308 : -1.7e308;
     EXPECT_EQ(strays_of(points), Numbers{});
 }
 
-// The same points as the rules in Python found.
+// The same rules in Python found these points.
 TEST_F(Strays, AreDustAroundASphere) {
     Points dusty(&pool);
     add_sphere(dusty, 1500);
@@ -85,7 +85,7 @@ TEST_F(Strays, AreDustAroundASphere) {
         if (i != 1501) expected.push_back(i);
     EXPECT_EQ(strays_of(dusty), expected);
 
-    Points two(&pool); // two sizes of spacing: the coarser one sets the cells' size
+    Points two(&pool); // The coarser of two spacings sets the cell size.
     add_sphere(two, 400);
     add_sphere(two, 200, 0.05, {3.0, 0.0, 0.0});
     for (std::int64_t i = 0; i < 12; ++i) {
@@ -102,7 +102,7 @@ TEST_F(Strays, AreNoneOfUnevenPoints) {
     EXPECT_EQ(strays_of(flat), Numbers{});
     Points half(&pool);
     add_sphere(half, 1500);
-    for (std::int64_t i = 0; i < 300; ++i) { // a sixth of all are far from others
+    for (std::int64_t i = 0; i < 300; ++i) { // A sixth of the points is far from the others.
         const auto p = test::spiral_point(i, 300);
         half.push_back((20.0 + static_cast<double>(i)) * glm::dvec3(p[0], p[1], p[2]));
     }

@@ -57,7 +57,7 @@ TEST_F(StyleTest, AKindOfLayersGetsAnElementOfItsOwn) {
     style.layer(HRBFNPR_LAYER_KIND_HATCH).share = 0.5F;
     ASSERT_EQ(style.layers.size(), 3U);
     EXPECT_EQ(style.layers[1].kind, std::uint32_t{HRBFNPR_LAYER_KIND_HATCH});
-    EXPECT_EQ(style.layers[1].radius, 3.0F); // what it had from the element of all
+    EXPECT_EQ(style.layers[1].radius, 3.0F); // It copies the radius of the element of all kinds.
     EXPECT_EQ(style.layers[2].share, 1.0F);
     EXPECT_EQ(&style.layer(HRBFNPR_LAYER_KIND_HATCH), &style.layers[1]);
     EXPECT_EQ(&style.layer(HRBFNPR_LAYER_KIND_ANY), &style.layers[2]);
@@ -74,7 +74,7 @@ TEST_F(StyleTest, ALayerOfMarksTakesTheFirstThatIsForIt) {
     style.layers.push_back(layer_for(HRBFNPR_LAYER_KIND_STIPPLES));
     style.layers[1].radius = 3.0F;
     EXPECT_EQ(style.style_of(HRBFNPR_LAYER_KIND_HATCH, "fur").radius, 2.0F);
-    EXPECT_EQ(style.style_of(HRBFNPR_LAYER_KIND_HATCH, nullptr).radius, 1.0F); // the defaults
+    EXPECT_EQ(style.style_of(HRBFNPR_LAYER_KIND_HATCH, nullptr).radius, 1.0F); // These are the defaults.
     EXPECT_EQ(style.style_of(HRBFNPR_LAYER_KIND_HATCH, "hair").radius, 1.0F);
     EXPECT_EQ(style.style_of(HRBFNPR_LAYER_KIND_STIPPLES, "dots").radius, 3.0F);
     EXPECT_EQ(style.style_of(HRBFNPR_LAYER_KIND_PRINCIPAL, nullptr).kind, std::uint32_t{HRBFNPR_LAYER_KIND_PRINCIPAL});
@@ -88,7 +88,7 @@ TEST_F(StyleTest, OneInkIsThatOfAll) {
     ASSERT_FALSE(style.lines.empty());
     for (const hrbfnpr_line_style& line : style.lines) EXPECT_EQ(line.ink[2], 0.75F);
     for (const hrbfnpr_layer_style& layer : style.layers) EXPECT_EQ(layer.ink[0], 0.25F);
-    EXPECT_EQ(style.style_of(HRBFNPR_LAYER_KIND_OWN, nullptr).ink[0], 0.25F); // for any there is an element
+    EXPECT_EQ(style.style_of(HRBFNPR_LAYER_KIND_OWN, nullptr).ink[0], 0.25F); // The element of any kind applies.
 }
 
 TEST_F(StyleTest, CopiesShareNothing) {
@@ -131,7 +131,7 @@ TEST_F(StyleTest, ACallersListIsChecked) {
     given.line_count = 1;
     const Style style(given, pool);
     ASSERT_EQ(style.lines[0].levels.count, 2);
-    EXPECT_EQ(static_cast<const double*>(style.lines[0].levels.data)[1], 0.2); // packed
+    EXPECT_EQ(static_cast<const double*>(style.lines[0].levels.data)[1], 0.2); // The style packs the levels.
     line.levels.components = 3;
     EXPECT_THROW(Style(given, pool), Error);
 }

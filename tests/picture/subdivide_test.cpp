@@ -23,7 +23,7 @@ protected:
     base::Memory memory;
     Pool pool{memory};
 
-    // It has 80 faces, and a radius of 1.
+    // Returns a ball of radius 1 with 80 faces.
     Shape ball() { return shape_of(test::icosphere(1), pool); }
 
     Shape cube() {
@@ -40,7 +40,7 @@ protected:
         return shape;
     }
 
-    // A prism of eight sides, radius 1 and height 2, whose rims are sharp.
+    // Returns a prism of eight sides, radius 1 and height 2, with sharp rims.
     Shape cylinder(bool knows_rims) {
         Shape shape(pool);
         for (const double z : {0.0, 2.0})
@@ -58,7 +58,7 @@ protected:
         return shape;
     }
 
-    // A square pillar with chamfers, 2 wide and 4 high.
+    // Returns a square pillar with chamfers, 2 wide and 4 high.
     Shape pillar() {
         Shape shape(pool);
         for (const double z : {0.0, 4.0}) {
@@ -96,13 +96,13 @@ TEST_F(Subdivide, MakesACoarseBallRoundThroughItsVertices) {
     const Shape given = ball();
     const Shape fine = subdivide(given, 3, 60.0, pool);
     ASSERT_EQ(fine.triangles.size(), 64 * given.triangles.size());
-    ASSERT_EQ(fine.points.size(), given.triangles.size() * 32 + 2); // Euler
+    ASSERT_EQ(fine.points.size(), given.triangles.size() * 32 + 2); // This is Euler's formula.
     for (std::size_t i = 0; i < fine.points.size(); ++i) {
         const double radius = glm::length(fine.points[i]);
         if (i < given.points.size()) {
-            EXPECT_NEAR(radius, 1.0, 2e-3); // plain subdivision: 0.93
+            EXPECT_NEAR(radius, 1.0, 2e-3); // Plain subdivision gives 0.93.
         }
-        EXPECT_GT(radius, 0.985); // the middles of the faces: 0.94
+        EXPECT_GT(radius, 0.985); // Middles of the given faces have 0.94.
         EXPECT_LT(radius, 1.005);
     }
     const double ball_volume = 4.0 / 3.0 * 3.141592653589793;
@@ -113,7 +113,8 @@ TEST_F(Subdivide, MakesACoarseBallRoundThroughItsVertices) {
 
 TEST_F(Subdivide, TellsHowCoarseAMeshIs) {
     const Shape given = ball();
-    EXPECT_NEAR(coarseness(given, 90.0, pool), 0.00832568926515175, 1e-15); // 0.55 long, 16.5 to 18 degrees, 3.4 across
+    // Edges are 0.55 long and bend by 16.5 to 18 degrees. The diagonal is 3.4.
+    EXPECT_NEAR(coarseness(given, 90.0, pool), 0.00832568926515175, 1e-15);
     EXPECT_NEAR(mean_edge(given, pool), 0.168090774457395, 1e-14);
     const Shape fine = subdivide(given, 3, 60.0, pool);
     EXPECT_LT(coarseness(fine, 90.0, pool), coarseness(given, 90.0, pool) / 40.0);
@@ -149,18 +150,18 @@ TEST_F(Subdivide, KeepsSharpEdgesUnlessAllIsToBeRound) {
         const glm::dvec3 off = glm::min(glm::abs(p), glm::abs(p - 1.0));
         EXPECT_LT(std::min({off.x, off.y, off.z}), 1e-12);
     }
-    EXPECT_GT(volume_of(subdivide(cube(), 2, 180.0, pool)), 1.05); // round through the corners
+    EXPECT_GT(volume_of(subdivide(cube(), 2, 180.0, pool)), 1.05); // The shape is rounded through the corners.
 }
 
 TEST_F(Subdivide, IsRoundBetweenTheEdgesThatTheFileSaysAreSharp) {
     const Shape fine = subdivide(cylinder(true), 3, 180.0, pool);
     ASSERT_TRUE(fine.has_sharp_edges);
-    EXPECT_EQ(fine.sharp_edges.size(), 2U * 8U * 8U); // both rims, each edge in eight
+    EXPECT_EQ(fine.sharp_edges.size(), 2U * 8U * 8U); // Each edge of both rims is divided in eight.
     for (const glm::dvec3& p : fine.points) {
         EXPECT_GT(p.z, -1e-9);
         EXPECT_LT(p.z, 2.0 + 1e-9);
         if (p.z > 0.05 && p.z < 1.95) {
-            EXPECT_GT(std::hypot(p.x, p.y), 0.97); // the prism's sides: 0.924
+            EXPECT_GT(std::hypot(p.x, p.y), 0.97); // The sides of the prism have 0.924.
             EXPECT_LT(std::hypot(p.x, p.y), 1.02);
         }
     }
@@ -178,7 +179,7 @@ TEST_F(Subdivide, KeepsBevelsFlatIfTheFileSaysWhatIsSharp) {
     Shape given = pillar();
     const double volume = volume_of(given);
     EXPECT_GT(std::abs(volume_of(subdivide(given, 2, 180.0, pool)) / volume - 1.0), 0.01);
-    given.has_sharp_edges = true; // none is
+    given.has_sharp_edges = true; // No edge is sharp.
     const Shape fine = subdivide(given, 2, 180.0, pool);
     EXPECT_NEAR(volume_of(fine), volume, 1e-9);
     for (const glm::dvec3& p : fine.points) {
@@ -192,7 +193,7 @@ TEST_F(Subdivide, KeepsBevelsFlatIfTheFileSaysWhatIsSharp) {
 TEST_F(Subdivide, LeavesPartsThatAreFine) {
     Shape two = cylinder(true);
     const std::size_t faces = two.triangles.size();
-    const Shape other = shape_of(test::icosphere(3), pool); // bulges by 0.0005 of its diagonal
+    const Shape other = shape_of(test::icosphere(3), pool); // It bulges by 0.0005 of its diagonal.
     for (const glm::dvec3& p : other.points) two.points.push_back(p + 5.0);
     for (Triangle face : other.triangles) {
         for (std::int64_t& corner : face) corner += 16;
@@ -206,7 +207,7 @@ TEST_F(Subdivide, LeavesPartsThatAreFine) {
     EXPECT_EQ(count.size(), two.triangles.size());
     const Vector<double> rise = raised(two, made.shape, made.parents, pool);
     const double most = *std::max_element(rise.begin(), rise.end());
-    EXPECT_GT(most, 0.005); // an eighth of the cylinder bulges by 0.076, and all is 12 across
+    EXPECT_GT(most, 0.005); // An eighth of the cylinder bulges by 0.076 of 12.
     EXPECT_LT(most, 0.02);
     const DividedParts same = subdivide_coarse_parts(two, 2, 180.0, 1.0, pool);
     EXPECT_EQ(same.shape.triangles, two.triangles);
@@ -266,9 +267,9 @@ TEST_F(Subdivide, KnowsTheEdgesOfFaces) {
     const FaceEdges edges = find_edges(faces, 5, pool);
     EXPECT_THAT(edges.ends,
                 ElementsAre(Edge{0, 1}, Edge{0, 2}, Edge{1, 2}, Edge{1, 3}, Edge{1, 4}, Edge{2, 3}, Edge{2, 4}));
-    EXPECT_THAT(edges.sides_of(2), ElementsAre(0, 1, 2)); // all of them sides 0, of faces 0, 1 and 2
+    EXPECT_THAT(edges.sides_of(2), ElementsAre(0, 1, 2)); // These are the sides 0 of faces 0, 1 and 2.
     EXPECT_FALSE(edges.is_plain(2));
-    EXPECT_EQ(edges.of_side[3], 0); // side 1 of face 0: from 1 to 0
+    EXPECT_EQ(edges.of_side[3], 0); // Side 1 of face 0 goes from 1 to 0.
     EXPECT_EQ(edges.face(3), 0U);
     EXPECT_EQ(find_edges(Vector<Triangle>(&pool), 0, pool).size(), 0U);
 }
@@ -285,7 +286,7 @@ TEST_F(Subdivide, TakesPercentilesAndSums) {
     EXPECT_TRUE(std::isnan(percentile(numbers, 50.0)));
     EXPECT_EQ(sum_in_pairs({}), 0.0);
     const Vector<double> thousand(1000, 0.1, &pool);
-    EXPECT_NEAR(sum_in_pairs(thousand), 100.0, 1e-13); // one after the other: off by 1.4e-12
+    EXPECT_NEAR(sum_in_pairs(thousand), 100.0, 1e-13); // A plain sum is off by 1.4e-12.
     EXPECT_TRUE(std::isnan(box_diagonal_of(Points({{0, 0, 0}, {1, std::nan(""), 0}}, &pool))));
     EXPECT_EQ(box_diagonal_of(Points({{1, 2, 3}, {4, 6, 3}}, &pool)), 5.0);
     EXPECT_EQ(box_diagonal_of(Points(&pool)), 0.0);

@@ -20,10 +20,10 @@ struct UpTest : testing::Test {
         points.push_back(point);
         normals.push_back(normal);
     }
-    // A number in [0, 1) of a sequence that fills it evenly.
+    // Returns number i of a sequence that fills [0, 1) evenly.
     [[nodiscard]] static double even(int i, double step) { return std::fmod(i * step, 1.0); }
 
-    // Adds a round body of samples on an ellipsoid.
+    // Adds samples on an ellipsoid.
     void add_ellipsoid(int count, const glm::dvec3& centre, const glm::dvec3& radii) {
         for (int i = 0; i < count; ++i) {
             const auto p = test::spiral_point(i, count);
@@ -31,7 +31,7 @@ struct UpTest : testing::Test {
             add(centre + radii * unit, glm::normalize(unit / radii));
         }
     }
-    // Adds waves over a square, whose normals look to `side` along z.
+    // Adds a wavy square whose normals point to `side` along z.
     void add_waves(double side) {
         for (int i = 0; i < 400; ++i) {
             const double x = even(i, 0.7548776662);
@@ -41,7 +41,7 @@ struct UpTest : testing::Test {
                                                  0.25 * std::sin(6.0 * x) * std::sin(5.0 * y), 1.0)));
         }
     }
-    // Lets what was z be y, and y be z.
+    // Exchanges y and z of all points and normals.
     void swap_y_and_z() {
         for (Points* list : {&points, &normals})
             for (glm::dvec3& v : *list) std::swap(v.y, v.z);
@@ -115,7 +115,7 @@ TEST_F(UpTest, TerrainsThatLookDownHang) {
 }
 
 TEST_F(UpTest, AFlatBaseTells) {
-    for (int i = 0; i < 600; ++i) { // a cone, a fourth of whose samples are on its base
+    for (int i = 0; i < 600; ++i) { // A cone has a quarter of its samples on its base.
         const double angle = 2.399963229728653 * i;
         const double radius = std::sqrt(even(i, 0.618033988749895));
         const glm::dvec3 out(std::cos(angle), std::sin(angle), 0.0);
@@ -130,7 +130,7 @@ TEST_F(UpTest, AFlatBaseTells) {
 }
 
 TEST_F(UpTest, LeftAndRightTell) {
-    add_ellipsoid(500, glm::dvec3(0.0), {1.0, 0.5, 0.6}); // a body, a head and two legs: y mirrors them
+    add_ellipsoid(500, glm::dvec3(0.0), {1.0, 0.5, 0.6}); // A body, a head and two legs are symmetric in y.
     add_ellipsoid(200, {1.2, 0.0, 0.7}, {0.3, 0.25, 0.4});
     for (const double side : {-0.3, 0.3}) add_ellipsoid(150, {0.6, side, -0.8}, {0.15, 0.15, 0.6});
     expect_up('z', "left and right, along y, are alike, above and below along z are not");
@@ -147,7 +147,7 @@ TEST_F(UpTest, TheGroundTells) {
 }
 
 TEST_F(UpTest, FeetTell) {
-    for (int i = 0; i < 1200; ++i) { // a top that leans to one side, on three legs
+    for (int i = 0; i < 1200; ++i) { // A top on three legs leans to one side.
         const double u = even(i, 0.7548776662);
         const double v = even(i, 0.5698402910);
         const glm::dvec3 any = glm::normalize(glm::dvec3(u - 0.5, v - 0.5, even(i, 0.4301597090) - 0.5));
@@ -161,7 +161,7 @@ TEST_F(UpTest, FeetTell) {
     EXPECT_EQ(found().direction.z, 1.0);
 }
 
-// A dome without a floor.  Its hole is below along y.
+// The dome has no floor. Its hole is below along y.
 TEST_F(UpTest, AHoleToStandOnKeepsY) {
     constexpr int around = 24;
     constexpr int rows = 6;
@@ -172,7 +172,7 @@ TEST_F(UpTest, AHoleToStandOnKeepsY) {
             const double height = 1.5 * row / rows;
             const glm::dvec3 out(std::cos(angle) * std::cos(height), std::sin(height),
                                  std::sin(angle) * std::cos(height));
-            // A bump at one side of z, so that it is not alike there.
+            // A bump at one side of z makes the dome asymmetric along z.
             add(out * glm::dvec3(1.0, 1.5, out.z > 0.3 ? 1.2 : 1.0) + glm::dvec3(0.1, 3.0, 2.0), out);
         }
     }

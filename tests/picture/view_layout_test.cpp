@@ -31,7 +31,7 @@ protected:
         }
         return "nothing was refused";
     }
-    // Four points of a thing that stands along z, cut by three planes.
+    // Sets up a sheet of four points that stand along z, cut by three planes.
     void set_up_sheet() {
         points = {{{0, 0, 0}, {40, 24, 16}, {10, 30, 2}, {-3, 5, 7}}, &pool};
         middle = middle_of(points, axes);
@@ -115,15 +115,15 @@ TEST_F(ViewLayoutTest, ViewsLookTheRightWay) {
         EXPECT_LT(glm::length(view.eye - glm::cross(right, up)), 1e-12) << view.name;
     };
     const double half = std::sqrt(0.5);
-    sees(0, {1, 0, 0}, {0, 0, 1});        // the front is -y where z is up
-    sees(1, {0, -1, 0}, {0, 0, 1});       // from the left
-    sees(2, {1, 0, 0}, {0, 1, 0});        // from above, the front is at the bottom
-    sees(4, {1, 0, 0}, {0, 1, 0});        // z:20, from above
-    sees(5, {1, 0, 0}, {0, 0, 1});        // y, turned to be seen from the front
-    sees(6, {-half, half, 0}, {0, 0, 1}); // as its normal says
+    sees(0, {1, 0, 0}, {0, 0, 1});        // The front is -y if z is up.
+    sees(1, {0, -1, 0}, {0, 0, 1});       // This is the view from the left.
+    sees(2, {1, 0, 0}, {0, 1, 0});        // From above, the front is at the bottom.
+    sees(4, {1, 0, 0}, {0, 1, 0});        // The cut z:20 is seen from above.
+    sees(5, {1, 0, 0}, {0, 0, 1});        // The cut y is turned to be seen from the front.
+    sees(6, {-half, half, 0}, {0, 0, 1}); // Its normal gives the direction.
     EXPECT_EQ(cells[5].view.name, "B-B");
     EXPECT_EQ(planes[1].place, -15.0);
-    // Axes have the same length in an isometric view, that of the scale.
+    // In an isometric view all axes have the length that the scale gives.
     for (int axis = 0; axis < 3; ++axis) {
         glm::dvec3 end = middle;
         end[axis] += 7.0;
@@ -134,7 +134,7 @@ TEST_F(ViewLayoutTest, ViewsLookTheRightWay) {
     EXPECT_FALSE(cells[0].view.is_edge_on({0, 1, 0}));
 }
 
-TEST_F(ViewLayoutTest, PlacesAreAsBefore) { // numbers of the program before this one
+TEST_F(ViewLayoutTest, PlacesAreAsBefore) { // A reference program in Python computed the numbers.
     set_up_sheet();
     EXPECT_EQ(middle, glm::dvec3(18.5, 15, 8));
     EXPECT_EQ(cells[0].cuts.size(), 1U);
@@ -153,7 +153,7 @@ TEST_F(ViewLayoutTest, TheSmallestPaperWithRoomIsTakenAtAScale) {
     EXPECT_EQ(chosen("auto", "1:1").page.name, "a3");
     EXPECT_EQ(chosen("auto", "1:1").centres[3].y, 137.75);
     EXPECT_EQ(chosen("auto", "1:2").page.name, "a4");
-    for (const char* const scale : {"1:1", "1:2", "1:5"}) { // clear of the title block
+    for (const char* const scale : {"1:1", "1:2", "1:5"}) { // No view meets the title block.
         const SheetLayout layout = chosen("auto", scale);
         for (std::size_t i = 0; i < cells.size(); ++i)
             EXPECT_FALSE(cells[i].box(layout.unit_scale).moved(layout.centres[i]).meets(block_of(layout.page)));
@@ -180,7 +180,7 @@ TEST_F(ViewLayoutTest, FirstAndThirdAngleAreMirrored) {
         return chosen("a3", "1:1");
     };
     const SheetLayout first = place(Projection::first);
-    EXPECT_GT(first.centres[1].x, first.centres[0].x); // the left view at the right, the top view below
+    EXPECT_GT(first.centres[1].x, first.centres[0].x); // The left view is at the right, the top view below.
     EXPECT_GT(first.centres[2].y, first.centres[0].y);
     EXPECT_EQ(first.centres[1].y, first.centres[0].y);
     const SheetLayout third = place(Projection::third);
@@ -190,7 +190,7 @@ TEST_F(ViewLayoutTest, FirstAndThirdAngleAreMirrored) {
 
 TEST_F(ViewLayoutTest, TextsFitTheirRoom) {
     EXPECT_EQ(width_of_sheet_text("Isometric view", 3.5), 30.962290502793294);
-    EXPECT_EQ(width_of_sheet_text("\xC3\xA4", 1.0), width_of_sheet_text("a", 1.0)); // letters, not bytes
+    EXPECT_EQ(width_of_sheet_text("\xC3\xA4", 1.0), width_of_sheet_text("a", 1.0)); // Letters are counted, not bytes.
     SheetContent content(0.5, false, pool);
     const SheetPage page{String("a4", &pool), 297.0, 210.0};
     add_title_block(content, page,

@@ -15,7 +15,7 @@ using namespace hrbfnpr::picture;
 
 class ViewOrderTest : public testing::Test {
 protected:
-    // Adds a line; nothing of it is hidden unless `hidden` says so of all of it.
+    // Adds a line that is either wholly hidden or wholly visible.
     ViewCurve& add(std::initializer_list<glm::dvec2> points, bool hidden = false) {
         ViewCurve curve(pool);
         curve.points = points;
@@ -23,7 +23,7 @@ protected:
         curves.push_back(std::move(curve));
         return curves.back();
     }
-    // Adds a circle of radius 4 mm from an angle on, in 180 pieces, of which the first `count` are hidden.
+    // Adds a circle of radius 4 mm that begins at an angle. The first `count` of its 180 pieces are hidden.
     ViewCurve& add_circle(double begin, std::size_t count) {
         ViewCurve curve(pool);
         for (std::size_t i = 0; i <= 180; ++i) {
@@ -37,7 +37,7 @@ protected:
     }
     [[nodiscard]] ShownLines shown(bool with_hidden = true) { return draw_in_order(curves, with_hidden, pool); }
 
-    // The least and the largest x of each line, in ascending order.
+    // Returns the least and the largest x of each line, in ascending order.
     [[nodiscard]] static std::vector<std::pair<double, double>> spans(const Vector<PaperLine>& lines) {
         std::vector<std::pair<double, double>> found;
         for (const PaperLine& line : lines) {
@@ -48,7 +48,7 @@ protected:
         std::sort(found.begin(), found.end());
         return found;
     }
-    // The widest angle of a circle that nothing is drawn of, in degrees.
+    // Returns the widest angle of a circle, in degrees, in which nothing is drawn.
     [[nodiscard]] static double gap_of(const Vector<PaperLine>& lines) {
         std::vector<double> angles;
         for (const PaperLine& line : lines)
@@ -68,7 +68,7 @@ protected:
 
 TEST_F(ViewOrderTest, NothingMakesNothing) {
     EXPECT_TRUE(shown().outlines.empty());
-    add({{0, 0}, {0.5, 0}}); // too short to be drawn
+    add({{0, 0}, {0.5, 0}}); // This line is too short to be drawn.
     add({{7, 7}, {7, 7}});
     EXPECT_TRUE(shown().outlines.empty());
 }
@@ -76,7 +76,7 @@ TEST_F(ViewOrderTest, NothingMakesNothing) {
 TEST_F(ViewOrderTest, OfCoincidentLinesTheVisibleOneIsDrawn) {
     add({{0, 0.1}, {30, 0.1}}, true);
     add({{0, 0}, {30, 0}});
-    add({{15, -10}, {15, 10}}, true); // across
+    add({{15, -10}, {15, 10}}, true); // This line crosses the others.
     const ShownLines lines = shown();
     EXPECT_EQ(spans(lines.outlines), (Spans{{0, 30}}));
     EXPECT_EQ(spans(lines.hidden), (Spans{{15, 15}}));
@@ -120,7 +120,7 @@ TEST_F(ViewOrderTest, ACircleHasNoGapWhereItBegins) {
 }
 
 TEST_F(ViewOrderTest, TwoHalvesOfACircleHaveNoGap) {
-    // The upper rim of a hole, of which a half is seen, and the lower one, of which more than the other half is.
+    // The upper rim of a hole is visible from 0 to 240 degrees, the lower rim from -120 to 200 degrees.
     for (const std::size_t i : {0U, 1U}) {
         ViewCurve& rim = add_circle(i == 0 ? 0.0 : -120.0, i == 0 ? 120 : 160);
         for (std::uint8_t& hidden : rim.hidden) hidden = static_cast<std::uint8_t>(1 - hidden);
@@ -146,12 +146,13 @@ TEST_F(ViewOrderTest, FlickerIsAsWhatIsBeforeAndAfterIt) {
     ViewCurve& longer = add({{0, 0}, {10, 0}, {12.5, 0}, {20, 0}});
     longer.hidden[1] = 1;
     EXPECT_EQ(steady(longer, pool), longer.hidden);
-    ViewCurve& cusp = add({{0, 0}, {10, 0}, {10.7, 0}, {10.1, 0}, {0, 1}}); // it turns back: another line goes on
+    // The curve turns back, and another line continues.
+    ViewCurve& cusp = add({{0, 0}, {10, 0}, {10.7, 0}, {10.1, 0}, {0, 1}});
     cusp.hidden[1] = cusp.hidden[2] = 1;
     EXPECT_EQ(steady(cusp, pool), cusp.hidden);
 }
 
-TEST_F(ViewOrderTest, TheSameLinesAsBefore) { // points that the program before this one drew
+TEST_F(ViewOrderTest, TheSameLinesAsBefore) { // A reference program in Python drew these points.
     add({{0, 0}, {12, 0}, {12, 7}}).hidden[1] = 1;
     add({{3, 0.2}, {9, 0.2}, {9, 6}}).rank = 2;
     const ShownLines lines = shown();

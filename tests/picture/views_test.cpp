@@ -19,7 +19,7 @@ using namespace hrbfnpr::picture;
 using testing::HasSubstr;
 using testing::Not;
 
-// A sphere of radius 1.
+// Draws sheets of a sphere of radius 1.
 class ViewsTest : public testing::Test {
 protected:
     ViewsTest() {
@@ -71,7 +71,7 @@ TEST_F(ViewsTest, ASheetHasItsViewsInLayers) {
          {"outlines front", "outlines top", "outlines A-A", "hatching A-A", "cutting planes front", "centre lines top",
           "frame", "title block", "projection", "scale bar", "texts"})
         EXPECT_THAT(sheet, HasSubstr("inkscape:label=\"" + std::string(layer) + "\""));
-    EXPECT_THAT(sheet, Not(HasSubstr("hidden"))); // of a ball nothing is
+    EXPECT_THAT(sheet, Not(HasSubstr("hidden"))); // No line of a ball is hidden.
     for (const char* const text :
          {">ball<", ">ball.ply<", ">1:1<", ">A4, mm<", ">Front view<", ">A-A<", "width=\"297mm\""})
         EXPECT_THAT(sheet, HasSubstr(text));
@@ -95,7 +95,7 @@ TEST_F(ViewsTest, UnitsAndTitlesAreAsAsked) {
     const std::string sheet = written();
     EXPECT_THAT(sheet, HasSubstr(">Ball &amp; more<"));
     EXPECT_EQ(info.unit_mm, 1000.0);
-    EXPECT_STREQ(info.scale_text, "1:10"); // 200 mm of 247
+    EXPECT_STREQ(info.scale_text, "1:10"); // The sphere takes 200 of 247 mm.
     ASSERT_EQ(planned.report->notes.size(), 1U);
     EXPECT_EQ(planned.report->notes[0].code, std::uint32_t{HRBFNPR_NOTE_UNIT_IS_METRE});
     EXPECT_EQ(planned.report->notes[0].text, "glTF is in metres: a unit is 1000 mm; --unit-mm sets another");
@@ -104,7 +104,7 @@ TEST_F(ViewsTest, UnitsAndTitlesAreAsAsked) {
 TEST_F(ViewsTest, WhatCannotBeDrawnIsRefusedInTheCallersWords) {
     desc.sections = "x:3";
     EXPECT_THAT(refusal(), HasSubstr("--section: the plane at 3 misses the model, which is between -0.999"));
-    desc.sections = "y:-3"; // seen from the front, against its axis; the words are of the axis
+    desc.sections = "y:-3"; // The cut is seen against its axis, but the message uses the axis.
     EXPECT_THAT(refusal(), HasSubstr("--section: the plane at -3 misses the model, which is between -"));
     desc.sections = nullptr;
     desc.smooth = "ridges,hills";
@@ -165,7 +165,7 @@ TEST_F(ViewsTest, LinesAreWhereTheSurfaceIs) {
     for (const glm::dvec2& p : front.curves[0].points) EXPECT_NEAR(glm::length(p), scale, 0.1);
     for (const std::uint8_t hidden : front.curves[0].hidden) EXPECT_EQ(hidden, 0);
 
-    // The contour of the larger part behind the plane, and around the cut; both are seen.
+    // The larger part of the sphere is beyond the plane. Its contour and the outline of the cut are both visible.
     const ViewLines cut = lines_of_view(views[1], planes, solid, scale, nullptr, pool);
     ASSERT_EQ(cut.outlines.size(), 1U);
     for (const glm::dvec2& p : cut.outlines[0]) EXPECT_NEAR(glm::length(p), std::sqrt(0.75) * scale, 0.1);
@@ -174,10 +174,11 @@ TEST_F(ViewsTest, LinesAreWhereTheSurfaceIs) {
     for (const glm::dvec2& p : cut.curves[0].points) EXPECT_NEAR(glm::length(p), scale, 0.1);
     for (const std::uint8_t hidden : cut.curves[0].hidden) EXPECT_EQ(hidden, 0);
 
-    // Edges of a mesh are hidden where the sphere is before them: a line across it, behind and before the middle.
+    // The sphere hides edges of a mesh that are farther from the eye: two lines cross it, one beyond its middle and one
+    // before.
     for (const double side : {1.0, -1.0}) {
         Points edge(&pool);
-        for (int i = -20; i <= 20; ++i) edge.emplace_back(0.1 * i, 0.5 * side, 0.0); // the eye is at y = -infinity
+        for (int i = -20; i <= 20; ++i) edge.emplace_back(0.1 * i, 0.5 * side, 0.0); // The eye is at y = -infinity.
         solid.creases.clear();
         solid.creases.push_back(std::move(edge));
         const ViewLines seen = lines_of_view(views[0], planes, solid, scale, nullptr, pool);
@@ -196,9 +197,9 @@ TEST_F(ViewsTest, LinesAreWhereTheSurfaceIs) {
 TEST_F(ViewsTest, ShortEdgesWithFreeEndsAreFacets) {
     const auto line = [&](std::initializer_list<glm::dvec3> points) { return Points(points, &pool); };
     Vector<Points> edges(&pool);
-    edges.push_back(line({{0, 0, 0}, {0.01, 0, 0}})); // free
-    edges.push_back(line({{5, 0, 0}, {6, 0, 0}}));    // free, and long
-    edges.push_back(line({{0, 1, 0}, {0.01, 1, 0}})); // both ends meet another
+    edges.push_back(line({{0, 0, 0}, {0.01, 0, 0}})); // Both ends are free.
+    edges.push_back(line({{5, 0, 0}, {6, 0, 0}}));    // Both ends are free, but it is long.
+    edges.push_back(line({{0, 1, 0}, {0.01, 1, 0}})); // Both ends meet another edge.
     edges.push_back(line({{0.01, 1, 0}, {0, 2, 0}, {0, 1, 0}}));
     EXPECT_EQ(without_loose_edges(std::move(edges), 10.0, pool).size(), 3U);
     EXPECT_TRUE(without_loose_edges(Vector<Points>(&pool), 10.0, pool).empty());

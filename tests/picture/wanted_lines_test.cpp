@@ -13,7 +13,7 @@ using namespace hrbfnpr::picture;
 
 class WantedLinesTest : public testing::Test {
 protected:
-    // The message of the error; "" if the text is understood.
+    // Returns the message of the error, or "" if the text is understood.
     std::string refusal(const char* text) {
         try {
             static_cast<void>(parse_lines(text, pool));
@@ -83,7 +83,7 @@ TEST_F(WantedLinesTest, LinesAreSizedByThePen) {
     const Call call = plain.call();
     Style style(HRBFNPR_PRESET_CONTOUR_AND_STIPPLE, pool);
     size_lines(call, style, 2.0, true);
-    ASSERT_EQ(style.lines.size(), 3U); // contour, crease, and the border of a surface that ends
+    ASSERT_EQ(style.lines.size(), 3U); // They are the contour, the crease and the border.
     EXPECT_FLOAT_EQ(style.lines[0].width, 4.4F);
     EXPECT_FLOAT_EQ(style.lines[0].taper, 24.0F);
     EXPECT_EQ(style.lines[2].kind, std::uint32_t{HRBFNPR_LINE_KIND_BORDER});
