@@ -10,6 +10,7 @@
     docs.py quickstart ROOT FILE [PROGRAM...]
         README.md contains examples/FILE to the letter, but for a licence line at its top, and PROGRAM
         (or, for a .py, the file itself) leaves a drawing in the current folder; docs/tutorial.md contains steps.c
+    docs.py agree ROOT PROGRAM...           the programs write the same torus.svg, and Python does of the same samples
     docs.py tutorial ROOT                   the code of docs/tutorial.md runs, and draws the pictures that are committed
     docs.py cookbook ROOT                   the same of docs/cookbook.md
     docs.py guide ROOT FOLDER               Sphinx makes the guide without a warning, such as of links that lead nowhere
@@ -17,6 +18,7 @@
 
 import importlib.util
 import json
+import math
 import re
 import shutil
 import subprocess
@@ -252,6 +254,36 @@ def quickstart(root, name, program):
             yield from drawn_badly(name, path)
 
 
+def torus_of_the_quick_starts():
+    """Their samples to the bit, which NumPy's own sine and cosine would not give."""
+    points, normals = [], []
+    for i in range(192):
+        a, b = 6.283185307179586 * (i // 8) / 24, 6.283185307179586 * (i % 8) / 8
+        normal = [math.cos(a) * math.cos(b), math.sin(a) * math.cos(b), math.sin(b)]
+        normals.append(normal)
+        points.append([math.cos(a) + 0.4 * normal[0], math.sin(a) + 0.4 * normal[1], 0.4 * normal[2]])
+    return points, normals
+
+
+def agree(root, programs):
+    skip_without("cffi", "numpy", "PIL")
+    import numpy as np
+
+    import hrbfnpr
+
+    with tempfile.TemporaryDirectory() as folder:
+        page = Path(folder) / "torus.svg"
+        points, normals = map(np.array, torus_of_the_quick_starts())
+        hrbfnpr.draw((points, normals), "engraving", size=(800, 600)).save(page)
+        wanted = page.read_text(encoding="utf-8")
+        # Python calls arrays so; the programs leave them without a name.
+        wanted = wanted.replace("<title>arrays</title>\n", "").replace("&quot;arrays&quot;", "&quot;&quot;")
+        for program in programs:
+            subprocess.run([program], cwd=folder, check=True)
+            if page.read_text(encoding="utf-8") != wanted:
+                yield f"{program} and Python write different pages of the same samples"
+
+
 def skip_without(*modules):
     missing = [name for name in modules if importlib.util.find_spec(name) is None]
     if missing:
@@ -331,7 +363,9 @@ CHECKS = {
 
 def main():
     what, root = sys.argv[1], Path(sys.argv[2]).resolve()
-    if what == "quickstart":
+    if what == "agree":
+        findings = list(agree(root, sys.argv[3:]))
+    elif what == "quickstart":
         findings = list(quickstart(root, sys.argv[3], sys.argv[4:]))
     else:
         findings = list(CHECKS[what](root, *sys.argv[3:]))
