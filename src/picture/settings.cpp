@@ -477,7 +477,7 @@ std::shared_ptr<const Settings> read_settings(std::string_view json, Pool& pool)
     constexpr std::string_view keys[] = {settings_magic, "preset", "size",     "pen",      "camera", "style",
                                          "marks",        "fit",    "mesh_fit", "line_set", "paint"};
     check_keys(root, "", keys, pool);
-    auto settings = std::allocate_shared<Settings>(std::pmr::polymorphic_allocator<Settings>(&pool), pool);
+    auto settings = std::allocate_shared<Settings>(PoolAllocator<Settings>(&pool), pool);
     settings->preset = read_preset(root.find("preset"), pool);
     settings->style = Style(settings->preset, pool);
     if (const std::optional<JsonValue> size = root.find("size")) settings->size = read_size(*size, pool);

@@ -29,8 +29,8 @@ public:
     void hold_all_of(const KeptTexts& other) { held_.insert(held_.end(), other.held_.begin(), other.held_.end()); }
 
 private:
-    std::pmr::list<String> texts_;
-    std::pmr::list<Vector<double>> numbers_;
+    List<String> texts_;
+    List<Vector<double>> numbers_;
     Vector<std::shared_ptr<const void>> held_;
 };
 

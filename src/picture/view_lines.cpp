@@ -100,7 +100,7 @@ private:
 
     TracedLines* lines_;
     Flags taken_;
-    std::pmr::unordered_map<PaperCell, Vector<LineEnd>, PaperCellHash> cells_;
+    HashMap<PaperCell, Vector<LineEnd>, PaperCellHash> cells_;
 };
 
 // Joins parts whose ends meet, the long parts first. A line is closed if its own ends meet.
@@ -248,7 +248,7 @@ DrawnViewStrokes strokes_of_drawing(const Drawing& drawing, Pool& pool) {
     return strokes;
 }
 
-using LinesByKind = std::pmr::map<std::uint32_t, TracedLines>;
+using LinesByKind = Map<std::uint32_t, TracedLines>;
 
 // Returns all lines of a drawing, joined where parts follow each other.
 LinesByKind traced_lines(const Drawing& drawing, double picture_size, Pool& pool) {
@@ -641,7 +641,7 @@ Vector<Points> without_loose_edges(Vector<Points> creases, double diagonal, Pool
     const auto less = [](const glm::dvec3& a, const glm::dvec3& b) {
         return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z);
     };
-    std::pmr::map<glm::dvec3, int, decltype(less)> uses(less, &pool); // the number of edges at each end
+    Map<glm::dvec3, int, decltype(less)> uses(less, &pool); // the number of edges at each end
     for (const Points& line : creases) {
         HRBFNPR_ASSERT(line.size() > 1);
         ++uses[line.front()];

@@ -82,7 +82,7 @@ private:
 
     double cell_;
     double alike_; // the sine of the angle below which directions count as one
-    std::pmr::unordered_map<PaperCell, Vector<TakenPlace>, PaperCellHash> places_;
+    HashMap<PaperCell, Vector<TakenPlace>, PaperCellHash> places_;
 };
 
 // ---- The free rest of a part
