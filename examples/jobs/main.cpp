@@ -6,6 +6,7 @@
 // PICTURE gets the drawing, a PAM file (a short header and raw RGBA rows).
 #include "pool.h"
 
+#include <algorithm>
 #include <array>
 #include <filesystem>
 #include <fstream>
@@ -73,33 +74,22 @@ std::vector<unsigned char> draw(Pool& pool, const std::string& path) {
         return hrbfnpr_array{samples.empty() ? nullptr : samples[0].data() + first,
                              static_cast<std::int64_t>(samples.size()), sizeof samples[0], HRBFNPR_SCALAR_FLOAT64, 3};
     };
-    auto fit = defaults<hrbfnpr_fit_desc>(hrbfnpr_fit_desc_init);
-    fit.points = column(0);
-    fit.normals = column(3);
-    const auto model = make<hrbfnpr_model>(
-        hrbfnpr_model_release, [&](auto out) { return hrbfnpr_model_fit(context.get(), &fit, nullptr, out, &error); });
-
-    hrbfnpr_style style;
-    auto generate = defaults<hrbfnpr_generate_desc>(hrbfnpr_generate_desc_init);
-    check(hrbfnpr_style_init_preset(&style, sizeof style, HRBFNPR_PRESET_CONTOUR_AND_STIPPLE, &error));
-    generate.layers = hrbfnpr_preset_layers(HRBFNPR_PRESET_CONTOUR_AND_STIPPLE, &generate.layer_count);
-    const auto marks = make<hrbfnpr_point_set>(hrbfnpr_point_set_release, [&](auto out) {
-        return hrbfnpr_point_set_generate(context.get(), model.get(), &generate, nullptr, out, &error);
-    });
-
+    auto source = defaults<hrbfnpr_picture_source>(hrbfnpr_picture_source_init);
+    source.points = column(0);
+    source.normals = column(3);
+    auto desc = defaults<hrbfnpr_picture_desc>(hrbfnpr_picture_desc_init);
+    desc.sources = &source;
+    desc.source_count = 1;
+    desc.width = width;
+    desc.height = height;
     const double direction[] = {0, 1, -1}, up[] = {0, 0, 1};
-    auto info = defaults<hrbfnpr_model_info>(hrbfnpr_model_info_init);
-    check(hrbfnpr_model_get_info(model.get(), &info, &error));
-    auto camera = defaults<hrbfnpr_camera>(hrbfnpr_camera_init);
-    check(hrbfnpr_camera_fit_bounds(&camera, info.bounds_min, info.bounds_max, direction, up, 0.5, width, height, 0.02,
-                                    &error));
-    auto item = defaults<hrbfnpr_item>(hrbfnpr_item_init);
-    item.point_set = marks.get();
-    item.style = &style;
-    const auto renderer = make<hrbfnpr_renderer>(
-        hrbfnpr_renderer_release, [&](auto out) { return hrbfnpr_renderer_create(context.get(), out, &error); });
+    std::copy(direction, direction + 3, desc.direction);
+    std::copy(up, up + 3, desc.up);
+    const auto picture = make<hrbfnpr_picture>(hrbfnpr_picture_release, [&](auto out) {
+        return hrbfnpr_picture_create(context.get(), &desc, nullptr, out, &error);
+    });
     const auto drawing = make<hrbfnpr_drawing>(hrbfnpr_drawing_release, [&](auto out) {
-        return hrbfnpr_renderer_draw(renderer.get(), &item, 1, 0, &camera, out, &error);
+        return hrbfnpr_picture_draw(picture.get(), nullptr, nullptr, out, &error);
     });
 
     std::vector<unsigned char> pixels(std::size_t{4} * width * height);
@@ -108,7 +98,7 @@ std::vector<unsigned char> draw(Pool& pool, const std::string& path) {
     image.width = width;
     image.height = height;
     image.pixels = pixels.data();
-    check(hrbfnpr_drawing_rasterize(drawing.get(), &image, nullptr, &error));
+    check(hrbfnpr_picture_rasterize(picture.get(), drawing.get(), nullptr, &image, &error));
     return pixels;
 }
 

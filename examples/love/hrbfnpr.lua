@@ -45,62 +45,55 @@ function hrbfnpr.samples(text)
   return ffi.new("double[?]", #numbers, numbers), count
 end
 
--- Fits a surface to samples as hrbfnpr.samples returns them.
-function hrbfnpr.fit(context, samples, count)
-  local desc = hrbfnpr.new "hrbfnpr_fit_desc"
-  local stride = 6 * ffi.sizeof "double"
-  desc.points = { samples, count, stride, C.HRBFNPR_SCALAR_FLOAT64, 3 }
-  desc.normals = { samples + 3, count, stride, C.HRBFNPR_SCALAR_FLOAT64, 3 }
-  local out = ffi.new "hrbfnpr_model*[1]"
-  check(C.hrbfnpr_model_fit(context, desc, nil, out, failure))
-  return ffi.gc(out[0], C.hrbfnpr_model_release)
-end
-
-function hrbfnpr.model_info(model)
-  local info = hrbfnpr.new "hrbfnpr_model_info"
-  check(C.hrbfnpr_model_get_info(model, info, failure))
-  return info
-end
-
--- A named style, HRBFNPR_PRESET_...
-function hrbfnpr.style(preset)
-  local style = ffi.new "hrbfnpr_style"
-  check(C.hrbfnpr_style_init_preset(style, ffi.sizeof(style), preset, failure))
-  return style
-end
-
 -- The style's name, or nil if no style has this number.
 function hrbfnpr.style_name(preset)
   local name = C.hrbfnpr_preset_name(preset)
   if name ~= nil then return ffi.string(name) end
 end
 
--- Places the marks that a named style draws on the surface.
-function hrbfnpr.generate(context, model, preset)
-  local desc, count = hrbfnpr.new "hrbfnpr_generate_desc", ffi.new "int64_t[1]"
-  desc.layers = C.hrbfnpr_preset_layers(preset, count)
-  desc.layer_count = count[0]
-  local out = ffi.new "hrbfnpr_point_set*[1]"
-  check(C.hrbfnpr_point_set_generate(context, model, desc, nil, out, failure))
-  return ffi.gc(out[0], C.hrbfnpr_point_set_release)
+-- How samples are drawn: a named style, a size in pixels, and the first view's direction and up, double[3].
+function hrbfnpr.desc(preset, width, height, direction, up)
+  local desc = hrbfnpr.new "hrbfnpr_picture_desc"
+  desc.preset, desc.width, desc.height = preset, width, height
+  for i = 0, 2 do
+    desc.direction[i], desc.up[i] = direction[i], up[i]
+  end
+  return desc
 end
 
--- Sets the camera so that the box fills the picture; vectors are double[3].
-function hrbfnpr.fit_bounds(camera, minimum, maximum, direction, up, vertical_angle, width, height, margin)
-  check(C.hrbfnpr_camera_fit_bounds(
-    camera, minimum, maximum, direction, up, vertical_angle, width, height, margin, failure))
+-- Makes a picture of samples as hrbfnpr.samples returns them; the library chooses the pen, the marks and the lines.
+function hrbfnpr.picture(context, desc, samples, count)
+  local source, stride = hrbfnpr.new "hrbfnpr_picture_source", 6 * ffi.sizeof "double"
+  source.points = { samples, count, stride, C.HRBFNPR_SCALAR_FLOAT64, 3 }
+  source.normals = { samples + 3, count, stride, C.HRBFNPR_SCALAR_FLOAT64, 3 }
+  desc.sources, desc.source_count = source, 1
+  local out = ffi.new "hrbfnpr_picture*[1]"
+  check(C.hrbfnpr_picture_create(context, desc, nil, out, failure))
+  return ffi.gc(out[0], C.hrbfnpr_picture_release)
 end
 
-function hrbfnpr.renderer(context)
-  local out = ffi.new "hrbfnpr_renderer*[1]"
-  check(C.hrbfnpr_renderer_create(context, out, failure))
-  return ffi.gc(out[0], C.hrbfnpr_renderer_release)
+-- The same surface in another style or size.
+function hrbfnpr.restyle(picture, desc)
+  local out = ffi.new "hrbfnpr_picture*[1]"
+  check(C.hrbfnpr_picture_restyle(picture, desc, nil, out, failure))
+  return ffi.gc(out[0], C.hrbfnpr_picture_release)
 end
 
--- Draws an hrbfnpr_item into an hrbfnpr_image.
-function hrbfnpr.draw(renderer, item, camera, image)
+function hrbfnpr.picture_info(picture)
+  local info = hrbfnpr.new "hrbfnpr_picture_info"
+  check(C.hrbfnpr_picture_get_info(picture, info, failure))
+  return info
+end
+
+-- Sets the camera so that the model fills the picture, seen along a direction, double[3].
+function hrbfnpr.look(picture, direction, camera)
+  check(C.hrbfnpr_picture_look(picture, direction, 0 / 0, 0 / 0, camera, failure))
+end
+
+-- Draws a picture into an hrbfnpr_image.
+function hrbfnpr.draw(picture, camera, image)
   local out = ffi.new "hrbfnpr_drawing*[1]"
-  check(C.hrbfnpr_renderer_draw(renderer, item, 1, 0, camera, out, failure))
+  check(C.hrbfnpr_picture_draw(picture, camera, nil, out, failure))
   local status = C.hrbfnpr_drawing_rasterize(out[0], image, nil, failure)
   C.hrbfnpr_drawing_release(out[0]) -- at once: the next drawing is made in its memory
   check(status)

@@ -32,15 +32,13 @@ local UP = ffi.new("double[3]", 0, 0, 1)
 local FIRST_DIRECTION = ffi.new("double[3]", 0, 1, -1)
 
 local context = hrbfnpr.context()
-local renderer = hrbfnpr.renderer(context)
 
 -- What a frame needs is made once, not in each.
-local item = hrbfnpr.new "hrbfnpr_item"
 local camera = hrbfnpr.new "hrbfnpr_camera"
 local image = hrbfnpr.new "hrbfnpr_image"
 local direction = ffi.new "double[3]"
 
--- `item` and `image` hold plain pointers: these tables keep what they point to.
+-- `image` holds a plain pointer: the canvas keeps what it points to.
 local scene
 local canvas = {}
 local view, rotating, changed
@@ -50,19 +48,23 @@ local function reset_view()
   changed = true
 end
 
--- Shows a scene in the style of this number; where that fails, everything stays as it was.
-local function show(new_scene, preset)
-  local style = hrbfnpr.style(preset)
-  local marks = new_scene.marks[preset] or hrbfnpr.generate(context, new_scene.model, preset)
-  new_scene.marks[preset], new_scene.style, new_scene.preset = marks, style, preset
-  item.style, item.point_set = style, marks
-  scene = new_scene
+-- How the library shall draw in the style of this number.
+local function desc_of(preset)
+  return hrbfnpr.desc(preset, image.width, image.height, FIRST_DIRECTION, UP)
+end
+
+local function show(picture)
+  scene = { picture = picture, info = hrbfnpr.picture_info(picture) }
   changed = true
 end
 
+-- Shows the surface in another style or size; where that fails, everything stays as it was.
+local function restyle(preset)
+  show(hrbfnpr.restyle(scene.picture, desc_of(preset)))
+end
+
 local function show_samples(text, preset)
-  local model = hrbfnpr.fit(context, hrbfnpr.samples(text))
-  show({ model = model, info = hrbfnpr.model_info(model), marks = {} }, preset)
+  show(hrbfnpr.picture(context, desc_of(preset), hrbfnpr.samples(text)))
   reset_view()
 end
 
@@ -77,13 +79,13 @@ local function make_canvas()
   canvas.image = love.graphics.newImage(canvas.data, { dpiscale = love.graphics.getDPIScale() })
   image.width, image.height = width, height
   image.pixels = canvas.data:getFFIPointer()
-  changed = true
+  if scene then restyle(scene.info.preset) end -- another size wants other marks
 end
 
 -- Lets the model fill the picture, seen along `direction`; returns how far the camera is from its middle.
 local function fit_camera(direction)
   local low, high, view_matrix = scene.info.bounds_min, scene.info.bounds_max, camera.view
-  hrbfnpr.fit_bounds(camera, low, high, direction, UP, 0.5, image.width, image.height, 0.02)
+  hrbfnpr.look(scene.picture, direction, camera)
   local z = view_matrix[14]
   for i = 0, 2 do
     z = z + view_matrix[4 * i + 2] * (low[i] + high[i]) / 2
@@ -97,7 +99,7 @@ local function place_camera()
   direction[0], direction[1] = forward * math.sin(view.turn), forward * math.cos(view.turn)
   direction[2] = math.sin(view.tilt) - math.cos(view.tilt)
   local first_distance = fit_camera(FIRST_DIRECTION)
-  -- A box seen from a corner takes more room than seen from a side: the model is to keep its size.
+  -- Seen from some sides the model takes more room than from others: it is to keep its size.
   local scale = view.zoom * fit_camera(direction) / first_distance
   camera.projection[0] = camera.projection[0] * scale
   camera.projection[5] = camera.projection[5] * scale
@@ -106,9 +108,9 @@ end
 local function draw_scene()
   local start = love.timer.getTime()
   place_camera()
-  hrbfnpr.draw(renderer, item, camera, image)
+  hrbfnpr.draw(scene.picture, camera, image)
   canvas.image:replacePixels(canvas.data)
-  local name = hrbfnpr.style_name(scene.preset)
+  local name = hrbfnpr.style_name(scene.info.preset)
   love.window.setTitle(("hrbfnpr: %s, %.1f ms"):format(name, 1000 * (love.timer.getTime() - start)))
 end
 
@@ -166,7 +168,8 @@ end
 
 function love.keypressed(key)
   if key == "tab" then
-    show(scene, hrbfnpr.style_name(scene.preset + 1) and scene.preset + 1 or 0)
+    local next = scene.info.preset + 1
+    restyle(hrbfnpr.style_name(next) and next or 0)
   elseif key == "space" then
     rotating = not rotating
   elseif key == "home" then
@@ -182,7 +185,7 @@ end
 
 function love.filedropped(file)
   assert(file:open "r")
-  local shown, message = pcall(show_samples, file:read(), scene.preset)
+  local shown, message = pcall(show_samples, file:read(), scene.info.preset)
   file:close()
   if not shown then love.window.showMessageBox("hrbfnpr", tostring(message), "error") end
 end

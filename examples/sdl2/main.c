@@ -335,7 +335,8 @@ static void draw_strokes(App* app, const hrbfnpr_drawing* drawing) {
     int* const triangles = malloc(3 * (size_t)(index_count + 1) * sizeof *triangles);
     if (strokes == NULL || vertices == NULL || strips == NULL || triangles == NULL) fail("strokes", "no memory");
     write_strips(app, drawing, strokes, vertex_count, strips, index_count);
-    SDL_SetRenderDrawColor(app->screen, byte_of(style->paper[0]), byte_of(style->paper[1]), byte_of(style->paper[2]), 255);
+    SDL_SetRenderDrawColor(app->screen, byte_of(style->paper[0]), byte_of(style->paper[1]), byte_of(style->paper[2]),
+                           255);
     SDL_RenderClear(app->screen);
     paint_strips(app, strokes, vertices, vertex_count, strips, triangles, index_count);
     free(triangles);

@@ -65,6 +65,20 @@ void edit_layer(App& app, hrbfnpr_layer_style& layer) {
     }
 }
 
+// Sets of hatching, such as "hatch-2", have names, and are changed together.
+void edit_sets(App& app) {
+    auto& layers = app.sheet.layers;
+    const auto set = std::find_if(layers.begin(), layers.end(), [](const auto& layer) {
+        return layer.name != nullptr && layer.shape == HRBFNPR_SHAPE_HATCH && layer.shown != 0;
+    });
+    if (set == layers.end() || !ImGui::TreeNode("sets of hatching")) return;
+    const Edited edited{app, layer_name, "style.layers", &*set};
+    slide(edited, "hatch_spacing", "spacing", 1, 20);
+    slide(edited, "hatch_pen", "pen", 0.1, 4);
+    slide(edited, "hatch_wobble", "wobble", 0, 8);
+    ImGui::TreePop();
+}
+
 void choose_style(App& app) {
     const std::string now = app.scene() != nullptr ? preset_name(app.scene()->info.preset) : app.choices.style;
     if (!ImGui::BeginCombo("style", now.c_str(), ImGuiComboFlags_HeightLargest)) return;
@@ -104,6 +118,7 @@ void style_panel(App& app) {
         }
         ImGui::PopID();
     }
+    edit_sets(app);
     if (ImGui::TreeNode("all fields of the style")) {
         edit_fields(edited);
         ImGui::TreePop();

@@ -59,7 +59,11 @@ bool Script::step(App& app, Ui& ui, Window& window) {
         measure_turn(app);
         return true;
     }
-    if (commands_.empty()) return false;
+    if (commands_.empty()) {
+        if (app.is_writing()) return true;
+        if (!app.message.empty()) throw Failure("at the end: " + app.message);
+        return false;
+    }
     const std::string& next = commands_.front();
     const bool looks_on = next.rfind("wait", 0) == 0 || next == "cancel";
     if (app.is_writing() && !looks_on) return true; // what is written is what there is now

@@ -6,6 +6,7 @@ import re
 import run
 
 NAME = "Job system (C++17)"
+BY_PICTURE = True  # the library chooses pen, marks and lines
 WORKERS = 4
 
 

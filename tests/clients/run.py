@@ -93,7 +93,8 @@ def main():
     title = client.NAME
     try:
         title = f"{client.NAME} {client.version()}".strip()
-        run([reference, SAMPLES, work / "reference.rgba"])
+        scene = ["picture"] if getattr(client, "BY_PICTURE", False) else []
+        run([reference, SAMPLES, work / "reference.rgba", *scene])
         picture = client.draw(work, library.resolve(), examples)
     except Missing as missing:
         print(f"client {title}: skipped, {missing}")

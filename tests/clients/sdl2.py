@@ -6,6 +6,7 @@ import ctypes.util
 import run
 
 NAME = "SDL2"
+BY_PICTURE = True  # the library chooses pen, marks and lines
 
 
 def version():
