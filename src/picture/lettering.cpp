@@ -25,7 +25,7 @@ constexpr char baseline_row = 'c';
 constexpr char32_t greek_mu = 0x3BC;
 constexpr char32_t micro_sign = 0xB5;
 
-constexpr std::array glyphs{
+constexpr std::array<Glyph, 75> glyphs{
     Glyph{U' ', 1, ""},
     Glyph{U'"', 2, "0k0i 2k2i"},
     Glyph{U'\'', 0, "0k0i"},

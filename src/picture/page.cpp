@@ -147,7 +147,7 @@ void add_count(JsonDocument& json, std::int64_t count) {
     json.add_whole(false, static_cast<std::uint64_t>(count));
 }
 
-constexpr std::array kernel_names{"triharmonic", "gaussian", "wendland_c2", "custom", "csg"};
+constexpr std::array<const char*, 5> kernel_names{"triharmonic", "gaussian", "wendland_c2", "custom", "csg"};
 static_assert(kernel_names.size() == HRBFNPR_KERNEL_CSG + 1);
 
 void add_models(JsonDocument& json, std::span<const Model> models) {
@@ -198,10 +198,11 @@ struct Paper {
     char name[8];         // The text is in place, because a table of pointers would have to be relocated.
     double width, height; // mm, in portrait format
 };
-constexpr std::array papers{Paper{"a0", 841.0, 1189.0},    Paper{"a1", 594.0, 841.0},     Paper{"a2", 420.0, 594.0},
-                            Paper{"a3", 297.0, 420.0},     Paper{"a4", 210.0, 297.0},     Paper{"a5", 148.0, 210.0},
-                            Paper{"a6", 105.0, 148.0},     Paper{"letter", 215.9, 279.4}, Paper{"legal", 215.9, 355.6},
-                            Paper{"tabloid", 279.4, 431.8}};
+constexpr std::array<Paper, 10> papers{Paper{"a0", 841.0, 1189.0},   Paper{"a1", 594.0, 841.0},
+                                       Paper{"a2", 420.0, 594.0},    Paper{"a3", 297.0, 420.0},
+                                       Paper{"a4", 210.0, 297.0},    Paper{"a5", 148.0, 210.0},
+                                       Paper{"a6", 105.0, 148.0},    Paper{"letter", 215.9, 279.4},
+                                       Paper{"legal", 215.9, 355.6}, Paper{"tabloid", 279.4, 431.8}};
 
 constexpr double pixel_mm = 25.4 / 96.0; // as in CSS
 constexpr double largest_side_mm = 1e6;
@@ -278,8 +279,9 @@ struct GroupWidths {
     [[nodiscard]] const char* what() const noexcept { return is_lines ? "lines" : "dots"; }
 };
 
-constexpr std::array line_kind_groups{"",          "contour",  "suggestive", "ridge",  "valley", "apparent ridge",
-                                      "parabolic", "isophote", "section",    "border", "own",    "crease"};
+constexpr std::array<const char*, 12> line_kind_groups{"",        "contour",        "suggestive", "ridge",
+                                                       "valley",  "apparent ridge", "parabolic",  "isophote",
+                                                       "section", "border",         "own",        "crease"};
 static_assert(line_kind_groups.size() == HRBFNPR_LINE_KIND_CREASE + 1);
 
 String group_of_layer(const hrbfnpr_drawing_layer_info& layer, Pool& pool) {

@@ -25,7 +25,7 @@ struct OptionName {
 };
 
 // Options whose field has a different name.
-constexpr std::array option_names{
+constexpr std::array<OptionName, 20> option_names{
     OptionName{"allow_blank", "HRBFNPR_PICTURE_ALLOW_BLANK"},
     OptionName{"close", "HRBFNPR_PICTURE_CLOSE"},
     OptionName{"crease", "crease_angle"},

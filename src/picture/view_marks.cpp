@@ -57,11 +57,11 @@ struct LetterWidth {
 };
 
 // The widths of the letters of Helvetica.
-constexpr std::array letter_widths{LetterWidth{" ,./:;ft!I", 278}, LetterWidth{"ijl'|", 222},
-                                   LetterWidth{"()r-", 333},       LetterWidth{"cksvxyz", 500},
-                                   LetterWidth{"FTZ", 611},        LetterWidth{"ABEKPSVXY", 667},
-                                   LetterWidth{"CDHNRUw", 722},    LetterWidth{"GOQ", 778},
-                                   LetterWidth{"mM", 833},         LetterWidth{"W", 944}};
+constexpr std::array<LetterWidth, 10> letter_widths{LetterWidth{" ,./:;ft!I", 278}, LetterWidth{"ijl'|", 222},
+                                                    LetterWidth{"()r-", 333},       LetterWidth{"cksvxyz", 500},
+                                                    LetterWidth{"FTZ", 611},        LetterWidth{"ABEKPSVXY", 667},
+                                                    LetterWidth{"CDHNRUw", 722},    LetterWidth{"GOQ", 778},
+                                                    LetterWidth{"mM", 833},         LetterWidth{"W", 944}};
 constexpr int usual_letter = 556;
 
 bool begins_letter(char byte) noexcept { return (static_cast<unsigned char>(byte) & 0xC0U) != 0x80U; }

@@ -17,27 +17,27 @@ struct LineName {
 };
 
 // The name of each kind's constant, and the name that users know.
-constexpr std::array line_names{LineName{"contour", HRBFNPR_LINE_KIND_CONTOUR},
-                                LineName{"contours", HRBFNPR_LINE_KIND_CONTOUR},
-                                LineName{"suggestive", HRBFNPR_LINE_KIND_SUGGESTIVE_CONTOUR},
-                                LineName{"suggestive_contour", HRBFNPR_LINE_KIND_SUGGESTIVE_CONTOUR},
-                                LineName{"ridges", HRBFNPR_LINE_KIND_RIDGE},
-                                LineName{"ridge", HRBFNPR_LINE_KIND_RIDGE},
-                                LineName{"valleys", HRBFNPR_LINE_KIND_VALLEY},
-                                LineName{"valley", HRBFNPR_LINE_KIND_VALLEY},
-                                LineName{"apparent", HRBFNPR_LINE_KIND_APPARENT_RIDGE},
-                                LineName{"apparent_ridge", HRBFNPR_LINE_KIND_APPARENT_RIDGE},
-                                LineName{"parabolic", HRBFNPR_LINE_KIND_PARABOLIC},
-                                LineName{"isophotes", HRBFNPR_LINE_KIND_ISOPHOTE},
-                                LineName{"isophote", HRBFNPR_LINE_KIND_ISOPHOTE},
-                                LineName{"section", HRBFNPR_LINE_KIND_SECTION},
-                                LineName{"sections", HRBFNPR_LINE_KIND_SECTION},
-                                LineName{"border", HRBFNPR_LINE_KIND_BORDER},
-                                LineName{"borders", HRBFNPR_LINE_KIND_BORDER},
-                                LineName{"crease", HRBFNPR_LINE_KIND_CREASE},
-                                LineName{"creases", HRBFNPR_LINE_KIND_CREASE}};
+constexpr std::array<LineName, 19> line_names{LineName{"contour", HRBFNPR_LINE_KIND_CONTOUR},
+                                              LineName{"contours", HRBFNPR_LINE_KIND_CONTOUR},
+                                              LineName{"suggestive", HRBFNPR_LINE_KIND_SUGGESTIVE_CONTOUR},
+                                              LineName{"suggestive_contour", HRBFNPR_LINE_KIND_SUGGESTIVE_CONTOUR},
+                                              LineName{"ridges", HRBFNPR_LINE_KIND_RIDGE},
+                                              LineName{"ridge", HRBFNPR_LINE_KIND_RIDGE},
+                                              LineName{"valleys", HRBFNPR_LINE_KIND_VALLEY},
+                                              LineName{"valley", HRBFNPR_LINE_KIND_VALLEY},
+                                              LineName{"apparent", HRBFNPR_LINE_KIND_APPARENT_RIDGE},
+                                              LineName{"apparent_ridge", HRBFNPR_LINE_KIND_APPARENT_RIDGE},
+                                              LineName{"parabolic", HRBFNPR_LINE_KIND_PARABOLIC},
+                                              LineName{"isophotes", HRBFNPR_LINE_KIND_ISOPHOTE},
+                                              LineName{"isophote", HRBFNPR_LINE_KIND_ISOPHOTE},
+                                              LineName{"section", HRBFNPR_LINE_KIND_SECTION},
+                                              LineName{"sections", HRBFNPR_LINE_KIND_SECTION},
+                                              LineName{"border", HRBFNPR_LINE_KIND_BORDER},
+                                              LineName{"borders", HRBFNPR_LINE_KIND_BORDER},
+                                              LineName{"crease", HRBFNPR_LINE_KIND_CREASE},
+                                              LineName{"creases", HRBFNPR_LINE_KIND_CREASE}};
 
-constexpr std::array usual_levels{0.25, 0.5, 0.75};
+constexpr std::array<double, 3> usual_levels{0.25, 0.5, 0.75};
 
 // More planes than this are a mistake, because they would hide each other.
 constexpr std::int64_t most_planes = 100'000;
