@@ -6,11 +6,8 @@ import { pathToFileURL } from "node:url";
 import { readObj } from "./page/readers/obj.js";
 
 const [folder, meshPath, modelPath] = process.argv.slice(2);
-const { load } = await import(pathToFileURL(resolve(folder, "src/index.js")));
+const { PICTURE, load } = await import(pathToFileURL(resolve(folder, "src/index.js")));
 const context = (await load()).createContext();
 const { vertices, triangles } = readObj(await readFile(meshPath));
-const mesh = context.createMesh({ vertices, triangles });
-const { boundsMin, boundsMax } = mesh.info();
-const diagonal = Math.hypot(...boundsMin.map((low, axis) => boundsMax[axis] - low));
-const model = context.fitMesh(mesh, { tolerance: 0.003 * diagonal });
-await writeFile(modelPath, model.save());
+const picture = context.draw({ points: vertices, triangles }, { flags: PICTURE.SURFACE_ONLY });
+await writeFile(modelPath, picture.model().save());

@@ -267,6 +267,25 @@ test("a picture is seen from another side and drawn in another style", () => {
   assert.deepEqual(context.draw({ points, normals: points }, { settings }).drawing.rasterize().data, before);
 });
 
+test("what a picture planned is drawn by a renderer", () => {
+  let events = 0;
+  const picture = context.draw({ points, normals: points }, { style: "contour-and-stipple", size: 100, onEvent: () => void ++events });
+  const style = picture.style();
+  const items = picture.parts().map(({ pointSet, lineSet, sides }) => ({ pointSet, lineSet, sides, style }));
+  assert.equal(items.length, 1);
+  const planned = picture.drawing.rasterize().data;
+  assert.deepEqual(context.createRenderer().draw(items, picture.camera()).rasterize().data, planned);
+  style.light = [1, 0, 0];
+  assert.notDeepEqual(context.createRenderer().draw(items, picture.camera()).rasterize().data, planned);
+  assert.ok(events > 0);
+  const before = events;
+  picture.draw(picture.orbit(90));
+  assert.equal(events, before, "only the making of a picture is told");
+  const surface = context.draw({ points, normals: points }, { flags: hrbfnpr.PICTURE.SURFACE_ONLY });
+  assert.equal(surface.model().info().centres, 200);
+  assert.equal(surface.parts()[0].pointSet, undefined);
+});
+
 test("a picture of nothing is refused in words", () => {
   fails(() => context.draw([], {}), "INVALID_ARGUMENT", /sources|source_count/);
   fails(() => context.draw({ points }, { set: { "style.halo": 2 } }), "INVALID_ARGUMENT", /halo_width/);

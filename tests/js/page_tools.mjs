@@ -35,9 +35,9 @@ export async function opened(browser, address, options = {}) {
 
 export const told = (page, key) => page.evaluate((name) => document.documentElement.dataset[name], key);
 
-/** Waits until the lines of this model and preset are there, which come after its marks. */
+/** Waits until the picture of this model and preset is drawn. */
 export async function whole(page, name) {
-  await page.waitForFunction((wanted) => document.documentElement.dataset.lines === wanted, name);
+  await page.waitForFunction((wanted) => document.documentElement.dataset.made === wanted, name);
   await settled(page);
 }
 

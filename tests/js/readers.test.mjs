@@ -109,3 +109,15 @@ test("an STL whose size is wrong is refused", () => {
   fails("a.stl", binaryStl().slice(0, -10), /says 4 facets, which are 284 bytes, and has 274/);
   fails("a.stl", "solid\nvertex 0 0 0\nvertex 1 0 0\n", /2 vertices: each facet takes 3/);
 });
+
+test("edges between faces with normals of their own are sharp", () => {
+  const places = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nvn 0 0 -1\nvn 0 -1 0\n";
+  const bent = read("a.obj", `${places}f 1//1 3//1 2//1\nf 1//2 2//2 4//2\n`);
+  assert.deepEqual(Array.from(bent.sharpEdges).sort(), [0, 1]);
+  assert.equal(read("a.obj", `${places}f 1//1 3//1 2//1\nf 1//1 2//1 4//1\n`).sharpEdges.length, 0);
+  assert.equal(read("a.obj", `${places}f 1 3 2\nf 1//2 2//2 4//2\n`).sharpEdges, undefined);
+  const rows = ["0 0 0 0 0 -1", "1 0 0 0 0 -1", "0 1 0 0 0 -1", "0 0 0 0 -1 0", "1 0 0 0 -1 0", "0 0 1 0 -1 0"];
+  const ply = ["ply", "format ascii 1.0", "element vertex 6", ...["x", "y", "z", "nx", "ny", "nz"].map((name) => `property float ${name}`),
+               "element face 2", "property list uchar int vertex_indices", "end_header", ...rows, "3 0 2 1", "3 3 4 5", ""].join("\n");
+  assert.deepEqual(Array.from(read("a.ply", ply).sharpEdges).sort(), [0, 1]);
+});

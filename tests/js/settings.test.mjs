@@ -2,7 +2,7 @@
 // A link and back, and the camera that it stands for.
 import assert from "node:assert/strict";
 import test from "node:test";
-import { directionOf, lightOf, scaled, styleOf } from "../../examples/web/page/look.js";
+import { lightOf, optionsOf, scaled, styleOf, turned } from "../../examples/web/page/look.js";
 import { defaults, fromLink, toLink } from "../../examples/web/page/settings.js";
 
 test("a link gives back the settings that it was made from", () => {
@@ -14,14 +14,32 @@ test("a link gives back the settings that it was made from", () => {
 test("a link with nonsense gives the defaults, and numbers within their range", () => {
   assert.deepEqual(fromLink("#zoom=many&ink=red&hidden=maybe&other=1&marks="), defaults());
   assert.equal(fromLink("#zoom=1e9").zoom, 12);
-  assert.equal(fromLink("#marks=-5").marks, 2000);
+  assert.equal(fromLink("#marks=-5").marks, 0);
 });
 
 test("directions and lights are of unit length", () => {
   for (const [turn, tilt] of [[0, 0], [90, 45], [-180, 90]])
-    assert.ok(Math.abs(Math.hypot(...directionOf({ turn, tilt })) - 1) < 1e-12);
-  assert.deepEqual(directionOf({ turn: 0, tilt: 0 }).map((x) => x + 0), [0, 0, -1]);
+    assert.ok(Math.abs(Math.hypot(...turned([1, -2, 3], [0, 0, 2], { turn, tilt })) - 1) < 1e-12);
   assert.ok(lightOf({ lx: 0.98, ly: 0 })[2] > 0);
+});
+
+test("a camera turns around up, and goes up and down", () => {
+  const near = (found, wanted) => assert.ok(found.every((part, axis) => Math.abs(part - wanted[axis]) < 1e-12), found.join());
+  near(turned([0, 0, -1], [0, 1, 0], { turn: 0, tilt: 0 }), [0, 0, -1]);
+  near(turned([0, 0, -1], [0, 1, 0], { turn: 90, tilt: 0 }), [-1, 0, 0]);
+  near(turned([0, 0, -1], [0, 1, 0], { turn: 0, tilt: 30 }), [0, -0.5, -Math.sqrt(0.75)]);
+  near(turned([0, 2, 0], [0, 0, 1], { turn: 180, tilt: 0 }), [0, -1, 0]);
+  assert.ok(turned([0, -1, 0], [0, 1, 0], { turn: 0, tilt: 90 })[1] < -0.999, "not over the top");
+});
+
+test("only what the user has set goes to the library", () => {
+  const size = { width: 30, height: 20 };
+  assert.equal(optionsOf(defaults(), size).set, undefined);
+  assert.deepEqual(optionsOf({ ...defaults(), marks: 4000 }, size).set, { "marks.layers.budget": 4000 });
+  const planned = { light: [1, 1, 1], toneExponent: 1.3, fillLight: 0.1, silhouetteWidth: 2, silhouetteRadius: 2 };
+  const { layers, lines, ...style } = styleOf(planned, defaults());
+  assert.deepEqual({ layers, lines, style }, { layers: undefined, lines: undefined, style: planned });
+  assert.notDeepEqual(styleOf(planned, { ...defaults(), lx: 0.2 }).light, planned.light);
 });
 
 test("a style takes pen, contours and colours, and is scaled as a whole", () => {

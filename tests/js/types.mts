@@ -10,11 +10,14 @@ async function main() {
   const camera = hrbf.createCamera().fitBounds([0, 0, 0], [1, 1, 1], { width: 10, height: 20 });
   const drawing = context.createRenderer().draw({ pointSet: marks, style }, camera);
   const svg: string = drawing.toSVG();
+  const picture = context.draw({ points: [[0, 0, 0]] }, { style: "hatch", allowBlank: true });
+  const parts: (typeof marks | undefined)[] = picture.parts().map(({ pointSet }) => pointSet);
+  const planned: Style = picture.style();
   const status: number = hrbf.raw.hrbfnpr_status_name(-1);
   // @ts-expect-error: no such kernel
   context.fit({ kernel: "cubic" });
   // @ts-expect-error: no such option
   context.fit({ pionts: new Float64Array(3) });
-  try { marks.free(); } catch (error) { if (error instanceof HrbfnprError) console.log(error.statusName, svg, status); }
+  try { marks.free(); } catch (error) { if (error instanceof HrbfnprError) console.log(error.statusName, svg, status, parts, planned); }
 }
 main();

@@ -18,7 +18,8 @@ function floats(library, address, count) {
 const ADAPTERS = {
   hrbfnpr_progress_fn: (_, call, progress) => (call(progress) === false ? 1 : 0),
   hrbfnpr_log_fn: (library, call, level, message) => void call(library.text(message >>> 0), LEVELS[level] ?? level),
-  hrbfnpr_picture_event_fn: (library, call, event) => void call(eventOf(library, event >>> 0)),
+  // A picture keeps its address, and tells it of later drawings, too: by then the function has been forgotten.
+  hrbfnpr_picture_event_fn: (library, call, event) => void call?.(eventOf(library, event >>> 0)),
   hrbfnpr_write_fn: (library, call, data, size) =>
     void call(library.views.bytes.slice(data >>> 0, (data >>> 0) + Number(size))),
   hrbfnpr_read_fn: (library, call, data, size) => {

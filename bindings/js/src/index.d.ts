@@ -259,10 +259,22 @@ export interface PictureNote {
   text: string;
 }
 
+/** One surface of a picture. */
+export interface PicturePart {
+  sides: C.SidesName | number;
+  /** Undefined of a point set. */
+  model?: Model;
+  pointSet?: PointSet;
+  /** Undefined without lines. */
+  lineSet?: LineSet;
+  /** Of a mesh, as it was fitted to. */
+  mesh?: Mesh;
+}
+
 /** What was planned for a source, ready to be drawn. */
 export class Picture extends Handle {
   readonly context: Context;
-  /** By the camera that was planned. */
+  /** By the camera that was planned; with allowBlank it is drawn when it is first asked for. */
   readonly drawing: Drawing;
   readonly notes: PictureNote[];
   info(): O.PictureInfo;
@@ -287,6 +299,10 @@ export class Picture extends Handle {
   settings(): string;
   /** The model of a part; undefined of a point set. */
   model(number?: number): Model | undefined;
+  /** The surfaces, the largest first, for Renderer.draw. */
+  parts(): PicturePart[];
+  /** The style as it was planned, with lengths in pixels; what dabs paint is not in it. */
+  style(): O.Style;
 }
 
 /** A file of settings that was read. */

@@ -1,27 +1,48 @@
 // SPDX-License-Identifier: MIT
 import { Call, joined } from "./call.js";
 import { Drawing } from "./drawing.js";
+import { PICTURE } from "./generated/constants.js";
+import { OFFSETS } from "./generated/layout.js";
+import { LineSet } from "./line_set.js";
+import { Mesh } from "./mesh.js";
 import { Made, Model } from "./model.js";
 import { operated } from "./operation.js";
+import { PointSet } from "./point_set.js";
 import { constant } from "./structs.js";
 
-const ALLOW_BLANK = 1;
 const NAN = Number.NaN;
+const PART = { model: ["hrbfnpr_model", Model], point_set: ["hrbfnpr_point_set", PointSet],
+               line_set: ["hrbfnpr_line_set", LineSet], mesh: ["hrbfnpr_mesh", Mesh] };
 
 /** The options of a picture as the fields of its descriptor: a style by its name, changes as { "style.paper": "#fff" }. */
 function descriptor({ style, set, allowBlank, ...rest }) {
   const given = { ...rest };
   if (typeof style === "string") given.styleName = style;
   else if (style !== undefined) given.style = style;
-  if (allowBlank) given.flags = (given.flags ?? 0) | ALLOW_BLANK;
+  if (allowBlank) given.flags = (given.flags ?? 0) | PICTURE.ALLOW_BLANK;
   if (set !== undefined)
     given.changes = [...(given.changes ?? []),
                      ...Object.entries(set).map(([field, value]) => ({ field, value: String(value) }))];
   return given;
 }
 
-/** What was planned for a source, ready to be drawn; `drawing` is the drawing by its own camera. */
+/** A style as plain data, with the levels of its lines, which `read` leaves out as it does all arrays. */
+function styleAt(call, address) {
+  const style = call.read(address, "hrbfnpr_style");
+  const { lines, line_stride: stride } = OFFSETS.hrbfnpr_style;
+  const first = call.getPointer(address + lines);
+  const step = Number(call.library.views.data.getBigInt64(address + stride, true)) || call.sizeOf("hrbfnpr_line_style");
+  style.lines?.forEach((line, number) => {
+    const levels = first + number * step + OFFSETS.hrbfnpr_line_style.levels;
+    if (call.getPointer(levels) !== 0) line.levels = call.copyOfView(levels);
+  });
+  return style;
+}
+
+/** What was planned for a source, ready to be drawn. */
 export class Picture extends Made {
+  #drawing;
+
   constructor(context, pointer) {
     super(context, "hrbfnpr_picture", pointer);
   }
@@ -32,9 +53,18 @@ export class Picture extends Made {
       const desc = call.structOf(descriptor(options), "hrbfnpr_picture_desc", "picture");
       const picture = new Picture(context, operated(call, context.pointer, control,
         (operation) => call.made(name, first, desc, operation)));
-      picture.drawing = picture.draw(undefined, control);
+      // The first drawing finds out whether anything can be seen.  Where that is no error, it can wait.
+      const { flags = 0 } = call.read(desc, "hrbfnpr_picture_desc");
+      if ((flags & (PICTURE.ALLOW_BLANK | PICTURE.SURFACE_ONLY)) === 0)
+        picture.#drawing = picture.draw(undefined, control);
       return picture;
     });
+  }
+
+  /** The drawing by the camera that was planned. */
+  get drawing() {
+    this.#drawing ??= this.draw();
+    return this.#drawing;
   }
 
   /** The same surfaces in another style, size or view. */
@@ -145,15 +175,38 @@ export class Picture extends Made {
     return new TextDecoder().decode(this.saved("hrbfnpr_picture_write_settings"));
   }
 
+  /** The surfaces, the largest first: { sides, model, pointSet, lineSet, mesh }; what a part lacks is undefined. */
+  parts() {
+    return Array.from({ length: this.info().parts }, (_, number) => this.#part(number, Object.keys(PART)));
+  }
+
+  /** The style as it was planned, as plain data for Renderer.draw.  What dabs paint is not in it. */
+  style() {
+    return Call.with(this.library, (call) => {
+      const out = call.allocate(4);
+      call.check("hrbfnpr_picture_get_style", this.pointer, out);
+      return styleAt(call, call.getPointer(out));
+    });
+  }
+
   /** The model of a part, 0 by default; undefined of a point set. */
   model(number = 0) {
+    return this.#part(number, ["model"]).model;
+  }
+
+  #part(number, wanted) {
     return Call.with(this.library, (call) => {
-      const part = call.struct("hrbfnpr_picture_part", {});
-      call.check("hrbfnpr_picture_get_part", this.pointer, number, part);
-      const pointer = call.getPointer(part + call.offsetOf("hrbfnpr_picture_part", "model"));
-      if (pointer === 0) return undefined;
-      this.library.raw.hrbfnpr_model_retain(pointer);
-      return new Model(this.context, pointer);
+      const at = call.struct("hrbfnpr_picture_part", {});
+      call.check("hrbfnpr_picture_get_part", this.pointer, number, at);
+      const part = { sides: call.read(at, "hrbfnpr_picture_part").sides };
+      for (const field of wanted) {
+        const [kind, type] = PART[field];
+        const pointer = call.getPointer(at + call.offsetOf("hrbfnpr_picture_part", field));
+        if (pointer === 0) continue;
+        this.library.raw[`${kind}_retain`](pointer);
+        part[field.replace("_s", "S")] = new type(this.context, pointer);
+      }
+      return part;
     });
   }
 }

@@ -1,28 +1,30 @@
 // SPDX-License-Identifier: MIT
-// The page: what the user does becomes settings, settings become requests to the workers, answers become the picture.
+// The page: what the user does becomes settings, settings become requests to the worker, answers become the picture.
 import { Controls } from "./controls.js";
 import { save, copyText } from "./exports.js";
 import { lightBy, orbitBy, showLight } from "./orbit.js";
 import { SCENES } from "./scenes.js";
 import { SETTINGS, defaults, fromLink, toLink } from "./settings.js";
-import { compileModule, Drawer, Maker } from "./workers.js";
+import { compileModule, Painter } from "./workers.js";
 
-const DRAFT = 4000; // marks of the first picture
 const MOVING = 160; // ms without a change after which a picture is drawn in full
 const SLOW = 45; // ms of a frame above which moving pictures are drawn smaller
-const MAKING = ["model", "preset", "marks", "angle"]; // settings that want other marks
+const RESTING = 250; // ms without a change after which another picture is made
+const MAKING = ["model", "preset", "marks", "angle"]; // settings that want another picture
+
+const files = new Map(); // models that come with the page, by the names of their scenes
 
 const find = (id) => document.getElementById(id);
 const canvas = find("picture");
 let settings = fromLink(location.hash);
-let source; // of the model that is wanted: { key, scene } or { key, saved } or { key, name, bytes }
-let shown; // of the marks that are drawn: { key, preset, made, source }
-let models = new Map(); // saved ones of files, by key
-let maker;
-let drawer;
+let source; // what is to be drawn: { key, scene } or { key, saved } or { key, name, bytes }
+let chosen; // the name of the scene that was chosen last
+let shown; // the request for the picture that is drawn
+let painter;
 let controls;
 let threads = 1;
 let movingUntil;
+let restingUntil;
 let slowness = 1;
 let isReady = false;
 
@@ -38,46 +40,46 @@ function complain(text) {
 
 // Requests.
 
-const keyOf = (marks = settings.marks) => [source.key, settings.preset, marks, settings.angle].join("|");
-
-function sizeOf(scale) {
-  const ratio = (window.devicePixelRatio || 1) * scale;
-  return { ratio, width: Math.max(Math.round(canvas.clientWidth * ratio), 16),
-           height: Math.max(Math.round(canvas.clientHeight * ratio), 16) };
+/** The request for a picture of the source with the settings, as large as the canvas. */
+function pictureRequest() {
+  const ratio = window.devicePixelRatio || 1;
+  const [width, height] = [canvas.clientWidth, canvas.clientHeight].map((side) => Math.max(Math.round(side * ratio), 16));
+  const { preset, marks, angle } = settings;
+  return { key: [source.key, preset, marks, angle, width, height].join("|"), source, settings: { ...settings },
+           size: { width, height } };
 }
 
 function requestFrame(isMoving = false) {
   showLight(find("light"), settings);
   if (!shown) return;
-  const scale = isMoving ? slowness : 1;
-  drawer.frame({ key: shown.key, settings: { ...settings, preset: shown.preset }, ...sizeOf(scale) });
+  painter.frame({ settings: { ...settings }, scale: isMoving ? slowness : 1 });
   clearTimeout(movingUntil);
   if (isMoving) movingUntil = setTimeout(() => { requestFrame(); keepLink(); }, MOVING);
 }
 
-function make(marks) {
-  const key = keyOf(marks);
-  if (maker.busy === key) return;
+function make(request) {
+  if (painter.making === request.key) return;
   find("work").hidden = false;
   find("progress").removeAttribute("value");
-  maker.make({ key, source: models.get(source.key) ?? source, settings: { ...settings, marks } });
+  painter.make(request);
 }
 
-/** Marks for the settings: those that are there, or new ones. */
+/** A picture by the settings: the one that is there, or another. */
 function update() {
-  if (!isReady) return;
-  if (shown?.key === keyOf()) {
-    if (maker.busy !== undefined) maker.cancel();
-    requestFrame();
-    return;
-  }
-  const isFirst = !shown && !controls.hatches();
-  make(isFirst ? Math.min(DRAFT, settings.marks) : settings.marks);
+  if (!isReady || !source) return;
+  const request = pictureRequest();
+  if (painter.making === undefined && painter.hasPicture && shown?.key === request.key) requestFrame();
+  else make(request);
+}
+
+function updateSoon() {
+  clearTimeout(restingUntil);
+  restingUntil = setTimeout(update, RESTING);
 }
 
 async function chooseScene(name) {
-  source = { key: name, scene: name };
-  if (SCENES[name].file && !models.has(name)) {
+  chosen = name;
+  if (SCENES[name].file && !files.has(name)) {
     const response = await fetch(new URL(SCENES[name].file, import.meta.url)).catch(() => undefined);
     if (!response?.ok) {
       if (name !== "bunny" || shown) complain(`${SCENES[name].file} is not beside the page: run examples/web/build`);
@@ -85,8 +87,10 @@ async function chooseScene(name) {
       controls.show();
       return chooseScene("blob");
     }
-    models.set(name, { key: name, saved: new Uint8Array(await response.arrayBuffer()) });
+    files.set(name, new Uint8Array(await response.arrayBuffer()));
   }
+  if (chosen !== name) return undefined; // something else was chosen meanwhile
+  source = SCENES[name].file ? { key: name, saved: files.get(name) } : { key: name, scene: name };
   return update();
 }
 
@@ -94,6 +98,7 @@ async function openFile(file) {
   if (!file) return;
   find("message").hidden = true;
   const bytes = new Uint8Array(await file.arrayBuffer());
+  chosen = undefined;
   source = { key: `file ${file.name} ${file.lastModified} ${bytes.length}`, name: file.name, bytes };
   controls.addFile(file.name);
   settings.model = "file";
@@ -102,19 +107,23 @@ async function openFile(file) {
   update();
 }
 
-/** Back to what is drawn, after a failure or a cancel. */
-function goBack() {
+/** Back to what is drawn, after a request has failed or was cancelled. */
+function goBack(failed) {
   find("work").hidden = true;
+  if (failed.key === shown?.key) shown = undefined; // it is not asked for again and again
   if (!shown) {
-    if (settings.model !== "blob") Object.assign(settings, { model: "blob" });
+    if (failed.source.key === "blob") return;
+    settings.model = "blob";
     controls.show();
     chooseScene("blob");
     return;
   }
   source = shown.source;
-  Object.assign(settings, shown.made);
+  for (const key of MAKING) settings[key] = shown.settings[key];
   controls.show();
-  requestFrame();
+  keepLink();
+  if (painter.hasPicture) requestFrame();
+  else make(shown);
 }
 
 function keepLink() {
@@ -123,47 +132,37 @@ function keepLink() {
 
 // Answers.
 
-const FROM_MAKER = {
-  ready() {},
-  progress({ stage, progress }) {
-    find("progress").value = progress;
-    say(`${stage}: ${Math.round(100 * progress)} %`);
-  },
-  model({ key, scene, saved, facts }) {
-    if (saved) models.set(key, { key, saved });
-    if (facts) find("facts").textContent = facts;
-    drawer.send({ type: "model", key, scene, saved });
-  },
-  marks({ key, bytes, marks }) {
-    drawer.send({ type: "marks", key, bytes }, [bytes.buffer]);
-    find("work").hidden = maker.busy === undefined;
-    const made = Object.fromEntries(MAKING.map((name) => [name, settings[name]]));
-    shown = { key, preset: settings.preset, made, source, marks };
-    requestFrame();
-    if (key !== keyOf()) make(settings.marks);
-    else drawer.send({ type: "lines", key: source.key, preset: settings.preset });
-  },
-  failed({ message, cancelled }) {
-    if (!cancelled) complain(message);
-    say(cancelled ? "Cancelled" : "That did not work");
-    goBack();
-  },
-};
-
 function paint({ width, height, data }) {
   if (canvas.width !== width) canvas.width = width;
   if (canvas.height !== height) canvas.height = height;
   canvas.getContext("2d").putImageData(new ImageData(data, width, height), 0, 0);
 }
 
-const FROM_DRAWER = {
+function list(id, texts) {
+  find(id).replaceChildren(...texts.map((text) => Object.assign(document.createElement("li"), { textContent: text })));
+}
+
+const ANSWERS = {
   ready({ presets, version }) {
+    if (isReady) return; // another worker after a cancel
     controls.setPresets(presets);
     document.documentElement.dataset.version = version;
     isReady = true;
     controls.show();
     chooseScene(Object.hasOwn(SCENES, settings.model) ? settings.model : "bunny");
     if (settings.model === "file") complain("This link was made with a file: drop that file on the picture.");
+  },
+  progress({ stage, progress }) {
+    find("progress").value = progress;
+    say(`${stage}: ${Math.round(100 * progress)} %`);
+  },
+  picture({ request, facts, notes }) {
+    find("work").hidden = painter.making === undefined;
+    shown = request;
+    find("facts").textContent = facts.join("\n");
+    list("notes", notes);
+    requestFrame();
+    if (painter.making === undefined && pictureRequest().key !== shown.key) updateSoon();
   },
   frame(frame) {
     if (frame.missing) return;
@@ -176,17 +175,19 @@ const FROM_DRAWER = {
     dataset.firstPicture ??= String(Math.round(performance.now()));
     dataset.frames = String(Number(dataset.frames ?? 0) + 1);
     dataset.frameMs = frame.milliseconds.toFixed(1);
+    if (frame.key === shown?.key) dataset.made = `${shown.source.key} ${shown.settings.preset}`;
     slowness = Math.min(Math.max(slowness * Math.sqrt(SLOW / Math.max(frame.milliseconds, 5)), 0.45), 1);
-    if (maker.busy === undefined)
+    if (painter.making === undefined)
       say(`${frame.dots + frame.strokes} dots and strokes, ${frame.milliseconds.toFixed(0)} ms` +
           (threads > 1 ? `, ${threads} threads` : ""));
   },
-  lines({ key, preset }) {
-    document.documentElement.dataset.lines = `${key} ${preset}`;
-    requestFrame();
+  svg: ({ text }) => text && save.svg(text),
+  failed({ request, message, what, cancelled }) {
+    if (!cancelled) complain(what === "begin" || !what ? `The library does not start: ${message}` : message);
+    if (what !== "make") return;
+    say(cancelled ? "Cancelled" : "That did not work");
+    goBack(request);
   },
-  svg: ({ text }) => save.svg(text),
-  failed: ({ message, what }) => complain(what === "begin" || !what ? `The library does not start: ${message}` : message),
 };
 
 // What the user does.
@@ -201,8 +202,7 @@ function changed(key) {
     controls.show();
     update();
   } else if (MAKING.includes(key)) {
-    clearTimeout(changed.waiting);
-    changed.waiting = setTimeout(update, 250);
+    updateSoon();
   } else {
     requestFrame(true);
   }
@@ -225,10 +225,9 @@ function listenForFiles() {
 }
 
 function listenForExports() {
-  const full = () => ({ key: shown.key, settings: { ...settings, preset: shown.preset } });
-  find("png").addEventListener("click", () => shown && drawer.frame({ use: "png", ...full(), ...sizeOf(2) }));
-  find("svg").addEventListener("click", () => shown &&
-    drawer.send({ type: "svg", link: location.href, ...full(), ...sizeOf(1 / (window.devicePixelRatio || 1)) }));
+  const ask = (request) => shown && painter.export({ settings: { ...settings }, ...request });
+  find("png").addEventListener("click", () => ask({ type: "frame", use: "png", scale: 2 }));
+  find("svg").addEventListener("click", () => ask({ type: "svg", link: location.href, scale: 1 / (window.devicePixelRatio || 1) }));
   find("link").addEventListener("click", async () => {
     keepLink();
     say(await copyText(location.href) ? "The link is in the clipboard" : `The link: ${location.href}`);
@@ -249,17 +248,16 @@ async function begin() {
   };
   controls = new Controls(find("controls"), () => settings, changed);
   find("controls").addEventListener("submit", (event) => event.preventDefault());
-  find("cancel").addEventListener("click", () => maker.cancel());
+  find("cancel").addEventListener("click", () => painter.cancel());
   orbitBy(canvas, () => settings, moved);
   lightBy(find("light"), () => settings, moved);
   listenForFiles();
   listenForExports();
-  new ResizeObserver(() => requestFrame(true)).observe(canvas);
+  new ResizeObserver(updateSoon).observe(canvas);
   addEventListener("hashchange", () => { settings = fromLink(location.hash); controls.show(); changed("model"); });
   const module = await compileModule();
   threads = module.threads;
-  maker = new Maker(module, (data) => FROM_MAKER[data.type](data));
-  drawer = new Drawer(module, (data) => FROM_DRAWER[data.type](data));
+  painter = new Painter(module, (data) => ANSWERS[data.type](data));
 }
 
 begin().catch((error) => { say(""); complain(error.message); });

@@ -60,11 +60,6 @@ export class Controls {
     if (!this.#presets.has(this.settings().preset)) this.settings().preset = SETTINGS.preset.value;
   }
 
-  /** Whether the chosen preset draws lines of hatching, which take longer to place. */
-  hatches() {
-    return this.#presets.get(this.settings().preset)?.hatches === true;
-  }
-
   /** Names a file among the models. */
   addFile(name) {
     this.model.querySelector("[value='file']")?.remove();
@@ -78,7 +73,8 @@ export class Controls {
     this.model.value = settings.model;
     for (const [key, { row, input, output, setting }] of this.#rows) {
       input.value = settings[key] === "" ? preset?.[key] ?? "#000000" : settings[key];
-      output.value = typeof settings[key] === "number" ? `${Number(settings[key].toFixed(2))}${setting.unit ?? ""}` : "";
+      output.value = typeof settings[key] !== "number" ? "" : settings[key] === 0 && setting.zero !== undefined
+        ? setting.zero : `${Number(settings[key].toFixed(2))}${setting.unit ?? ""}`;
       row.hidden = HATCHES_ONLY.includes(key) && preset !== undefined && !preset.hatches;
     }
   }

@@ -1,13 +1,25 @@
 // SPDX-License-Identifier: MIT
-// From the page's settings to the library's styles, layers and cameras.
+// From the page's settings to the options of a picture, and to changes of the style and the camera that it planned.
+import { SETTINGS } from "./settings.js";
+
+const DEGREE = Math.PI / 180;
+const STEEPEST = 89; // degrees above or below the horizon
 
 const straight = (colour, alpha) =>
   [1, 3, 5].map((at) => parseInt(colour.slice(at, at + 2), 16) / 255).concat(alpha);
+
+/** What a picture is made with; all that is not named here is chosen by the library. */
+export function optionsOf({ preset, marks, angle }, { width, height }) {
+  return { style: preset, width, height, hatchAngle: angle, allowBlank: true,
+           ...(marks > 0 ? { set: { "marks.layers.budget": marks } } : {}) };
+}
 
 /** The light, towards it, in the camera's space: x right, y up, z to the eye. */
 export function lightOf({ lx, ly }) {
   return [lx, ly, Math.sqrt(Math.max(1 - lx * lx - ly * ly, 0.02))];
 }
+
+const isMoved = ({ lx, ly }) => lx !== SETTINGS.lx.value || ly !== SETTINGS.ly.value;
 
 function penOf(layer, settings) {
   const { pen, spacing, ink } = settings;
@@ -20,18 +32,19 @@ function lineOf(line, { contour, hidden, ink }) {
            ...(hidden === "preset" ? {} : { hidden }), ...(ink ? { ink: straight(ink, line.ink[3]) } : {}) };
 }
 
-/** The preset's style as the settings change it. */
-export function styleOf(preset, settings) {
-  const { contour, hidden, ink, paper } = settings;
-  const style = { ...preset, light: lightOf(settings), lightSpace: "camera", toneExponent: preset.toneExponent * settings.tone,
-                  fillLight: settings.fill };
-  style.layers = preset.layers?.map((layer) => penOf({ ...layer, contours: contour > 0 ? layer.contours : 0 }, settings));
-  style.lines = contour > 0 ? preset.lines?.map((line) => lineOf(line, settings)) : undefined;
-  style.silhouetteWidth = Math.max(preset.silhouetteWidth * contour, 0.1);
-  style.silhouetteRadius = Math.max(preset.silhouetteRadius * contour, 0.1);
+/** The planned style as the settings change it; the default settings leave it as it is. */
+export function styleOf(planned, settings) {
+  const { contour, hidden, ink, paper, tone, fill } = settings;
+  const style = { ...planned, toneExponent: planned.toneExponent * tone,
+                  fillLight: Math.min((planned.fillLight ?? 0) + fill, 1) };
+  if (isMoved(settings)) Object.assign(style, { light: lightOf(settings), lightSpace: "camera" });
+  style.layers = planned.layers?.map((layer) => penOf({ ...layer, contours: contour > 0 ? layer.contours : 0 }, settings));
+  style.lines = contour > 0 ? planned.lines?.map((line) => lineOf(line, settings)) : undefined;
+  style.silhouetteWidth = Math.max(planned.silhouetteWidth * contour, 0.1);
+  style.silhouetteRadius = Math.max(planned.silhouetteRadius * contour, 0.1);
   if (hidden !== "preset")
     style.hiddenLines = { none: "hide", attenuated: "attenuate", dashed: "attenuate", shown: "show" }[hidden];
-  if (ink) style.silhouetteInk = straight(ink, preset.silhouetteInk[3]);
+  if (ink) style.silhouetteInk = straight(ink, planned.silhouetteInk[3]);
   if (paper) style.paper = straight(paper, 1);
   return style;
 }
@@ -44,33 +57,41 @@ function multiplied(fields, names, ratio) {
   return Object.fromEntries(names.filter((name) => name in fields).map((name) => [name, fields[name] * ratio]));
 }
 
-/** The style for a picture that is shown at 1 / ratio of its size. */
+/** The style for a picture of `ratio` times the size. */
 export function scaled(style, ratio) {
+  if (ratio === 1) return style;
   return { ...style, ...multiplied(style, STYLE_LENGTHS, ratio),
            layers: style.layers?.map((layer) => ({ ...layer, ...multiplied(layer, LAYER_LENGTHS, ratio) })),
            lines: style.lines?.map((line) => ({ ...line, ...multiplied(line, LINE_LENGTHS, ratio) })) };
 }
 
-/** The layers to generate. */
-export function layersOf(layers, { marks, angle }) {
-  return layers.map((layer) => ({ ...layer, budget: marks,
-                                  ...(layer.kind === "hatch" ? { angle: layer.angle + angle } : {}) }));
+const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+const cross = (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
+const unit = (a) => a.map((part) => part / Math.hypot(...a));
+
+/** A direction from the eye into the scene after the eye has gone `turn` degrees around `up`, and up by `tilt`. */
+export function turned(direction, up, { turn, tilt }) {
+  const axis = unit(up);
+  const ahead = unit(direction);
+  const height = -dot(ahead, axis); // sine of the elevation
+  let level = ahead.map((part, k) => part + height * axis[k]);
+  if (Math.hypot(...level) < 1e-6) level = cross(axis, Math.abs(axis[0]) < 0.9 ? [1, 0, 0] : [0, 1, 0]);
+  level = unit(level);
+  const side = cross(axis, level);
+  const [sine, cosine] = [Math.sin(turn * DEGREE), Math.cos(turn * DEGREE)];
+  const elevation = Math.asin(Math.min(Math.max(height, -1), 1)) / DEGREE + tilt;
+  const rise = Math.min(Math.max(elevation, -STEEPEST), STEEPEST) * DEGREE;
+  return level.map((part, k) => (part * cosine + side[k] * sine) * Math.cos(rise) - axis[k] * Math.sin(rise));
 }
 
-/** The direction from the eye into the scene, for y up. */
-export function directionOf({ turn, tilt }) {
-  const a = turn * Math.PI / 180;
-  const b = Math.min(Math.max(tilt, -89), 89) * Math.PI / 180;
-  return [-Math.sin(a) * Math.cos(b), -Math.sin(b), -Math.cos(a) * Math.cos(b)];
-}
-
-/** A perspective camera around a sphere. */
-export function cameraOf(library, { centre, radius }, settings, width, height) {
-  const angle = 0.5;
-  const direction = directionOf(settings);
-  const distance = 1.08 * radius / Math.sin(angle / 2) / settings.zoom * Math.max(1, height / width);
-  const eye = centre.map((c, axis) => c - direction[axis] * distance);
-  return library.createCamera()
-    .perspective(angle, width, height, Math.max(distance - 3 * radius, distance / 100), distance + 3 * radius)
-    .lookAt(eye, centre, [0, 1, 0]);
+/** The picture's camera as the settings move it, for an image of `scale` times the picture's size. */
+export function cameraOf(picture, settings, scale) {
+  let camera = picture.camera();
+  if (settings.turn !== 0 || settings.tilt !== 0) {
+    const direction = [2, 6, 10].map((at) => -camera.view[at]);
+    camera = picture.look({ direction: turned(direction, picture.info().up, settings) });
+  }
+  camera.projection = camera.projection.map((part, at) => part * (at % 4 < 2 ? settings.zoom : 1));
+  camera.viewport = camera.viewport.map((part) => Math.round(part * scale));
+  return camera;
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Turning by mouse, finger or keys, and the handle of the light.
 
+import { SETTINGS } from "./settings.js";
+
 const DEGREES_PER_WIDTH = 220;
 const STEP = 5;
 
@@ -9,7 +11,7 @@ const wrapped = (angle) => ((angle + 180) % 360 + 360) % 360 - 180;
 
 export function turnBy(settings, turn, tilt) {
   settings.turn = wrapped(settings.turn + turn);
-  settings.tilt = clamped(settings.tilt + tilt, -90, 90);
+  settings.tilt = clamped(settings.tilt + tilt, SETTINGS.tilt.min, SETTINGS.tilt.max);
 }
 
 export function zoomBy(settings, factor) {
@@ -21,7 +23,7 @@ function onKey(settings, event) {
     ArrowLeft: () => turnBy(settings, -STEP, 0), ArrowRight: () => turnBy(settings, STEP, 0),
     ArrowUp: () => turnBy(settings, 0, STEP), ArrowDown: () => turnBy(settings, 0, -STEP),
     "+": () => zoomBy(settings, 1.15), "=": () => zoomBy(settings, 1.15), "-": () => zoomBy(settings, 1 / 1.15),
-    0: () => Object.assign(settings, { turn: 25, tilt: 12, zoom: 1 }),
+    0: () => Object.assign(settings, { turn: 0, tilt: 0, zoom: 1 }),
   };
   if (event.ctrlKey || event.metaKey || event.altKey || !keys[event.key]) return false;
   keys[event.key]();

@@ -1,25 +1,26 @@
 // SPDX-License-Identifier: MIT
-// What a drawing is made from, and how it becomes a link and back.
+// What the user can change of a drawing, and how it becomes a link and back.
 
-/** What can be set: its default, and for numbers their range. */
+/** What can be set: its default, and for numbers their range.  The defaults draw as the library does by itself. */
 export const SETTINGS = {
   model: { value: "bunny" },
   preset: { value: "contour-and-stipple" },
-  marks: { value: 20000, min: 2000, max: 80000, step: 2000, label: "Marks" },
+  marks: { value: 0, min: 0, max: 80000, step: 2000, label: "Marks", zero: "auto" }, // of each layer
   angle: { value: 0, min: -90, max: 90, step: 5, label: "Hatch angle", unit: "°" },
   pen: { value: 1, min: 0.4, max: 3, step: 0.1, label: "Pen", unit: "×" },
   spacing: { value: 1, min: 0.6, max: 3, step: 0.1, label: "Hatch gap", unit: "×" },
   contour: { value: 1, min: 0, max: 3, step: 0.1, label: "Contours", unit: "×" },
   tone: { value: 1, min: 0.3, max: 3, step: 0.1, label: "Darkness" },
-  fill: { value: 0.25, min: 0, max: 1, step: 0.05, label: "Fill light" },
+  fill: { value: 0, min: 0, max: 1, step: 0.05, label: "Fill light" },
   hidden: { value: "preset", choices: { preset: "as the preset", none: "not drawn", attenuated: "paler",
                                         dashed: "dashed", shown: "drawn" }, label: "Hidden lines" },
   ink: { value: "", label: "Ink" },
   paper: { value: "", label: "Paper" },
   lx: { value: -0.4, min: -1, max: 1, step: 0.001 },
   ly: { value: 0.6, min: -1, max: 1, step: 0.001 },
-  turn: { value: 25, min: -180, max: 180, step: 0.1 },
-  tilt: { value: 12, min: -90, max: 90, step: 0.1 },
+  // Degrees from the side that the library chose.
+  turn: { value: 0, min: -180, max: 180, step: 0.1 },
+  tilt: { value: 0, min: -120, max: 90, step: 0.1 },
   zoom: { value: 1, min: 0.25, max: 12, step: 0.001 },
 };
 

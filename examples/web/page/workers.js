@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// The two workers, as the page talks to them.
+// The worker, as the page talks to it.
 
 const MOST_THREADS = 8;
 
-/** The module, compiled once for both workers, and how many threads it has: one, or with ?threads as many as there can be. */
+/** The module, compiled once, and how many threads it has: one, or with ?threads as many as there can be. */
 export async function compileModule() {
   const asked = new URLSearchParams(location.search).has("threads") && globalThis.crossOriginIsolated;
   const wanted = asked ? Math.min(navigator.hardwareConcurrency ?? 1, MOST_THREADS) : 1;
@@ -15,20 +15,18 @@ export async function compileModule() {
   throw new Error("hrbfnpr/wasm/hrbfnpr.wasm is missing: examples/web/build puts it beside the page");
 }
 
-function started(name, module, answer) {
-  const worker = new Worker(new URL(name, import.meta.url), { type: "module" });
-  worker.onmessage = ({ data }) => answer(data);
-  worker.onerror = (event) => answer({ type: "failed", message: event.message || `${name} does not start` });
-  worker.postMessage({ type: "begin", ...module });
-  return worker;
-}
-
-/** Fits and places marks, one request at a time; a new one ends the one before. */
-export class Maker {
+/**
+ * Makes pictures and draws frames of them, one request at a time.  Of pictures and of frames that are asked for meanwhile
+ * only the last one is made.  Exports wait in line.
+ */
+export class Painter {
   #module;
   #answer;
   #worker;
-  #busy;
+  #now; // the request that the worker has
+  #picture; // requests that wait
+  #frame;
+  #exports = [];
 
   constructor(module, answer) {
     this.#module = module;
@@ -36,76 +34,72 @@ export class Maker {
     this.#start();
   }
 
-  /** The key of what is being made, or undefined. */
-  get busy() {
-    return this.#busy;
+  /** The key of the last picture that is being made or waits for it, or undefined. */
+  get making() {
+    return (this.#picture ?? (this.#now?.type === "make" ? this.#now : undefined))?.key;
   }
 
   #start() {
-    this.#worker = started("maker.js", this.#module, (data) => this.#take(data));
+    this.#now = undefined;
+    /** Whether the worker has a picture to draw. */
+    this.hasPicture = false;
+    this.#worker = new Worker(new URL("painter.js", import.meta.url), { type: "module" });
+    this.#worker.onmessage = ({ data }) => this.#take(data);
+    this.#worker.onerror = (event) => this.#take({ type: "failed", message: event.message || "painter.js does not start" });
+    this.#worker.postMessage({ type: "begin", ...this.#module });
   }
 
   #take(data) {
-    if (data.type === "marks" || data.type === "failed") this.#busy = undefined;
-    this.#answer(data);
-  }
-
-  make(request) {
-    if (this.#busy !== undefined) this.#end();
-    this.#busy = request.key;
-    this.#worker.postMessage({ type: "make", ...request });
-  }
-
-  // Without shared memory nothing else reaches a worker in the middle of a call; its memory goes with it.
-  #end() {
-    this.#worker.terminate();
-    this.#busy = undefined;
-    this.#start();
-  }
-
-  cancel() {
-    if (this.#busy === undefined) return;
-    const key = this.#busy;
-    this.#end();
-    this.#answer({ type: "failed", key, cancelled: true });
-  }
-}
-
-/** Draws frames: one at a time, and of those asked for meanwhile the last one. */
-export class Drawer {
-  #answer;
-  #worker;
-  #waiting;
-  #isBusy = false;
-
-  constructor(module, answer) {
-    this.#answer = answer;
-    const threads = Math.min(module.threads, 4);
-    this.#worker = started("drawer.js", { ...module, threads }, (data) => this.#take(data));
-  }
-
-  #take(data) {
-    if (data.type === "frame" || (data.type === "failed" && data.what === "frame")) this.#next();
-    this.#answer(data);
+    const request = this.#now;
+    if (data.type === "picture") this.hasPicture = true;
+    if (!["ready", "progress"].includes(data.type)) this.#now = undefined;
+    this.#answer({ ...data, request });
+    this.#next();
   }
 
   #next() {
-    this.#isBusy = this.#waiting !== undefined;
-    if (this.#isBusy) this.#worker.postMessage(this.#waiting);
-    this.#waiting = undefined;
+    if (this.#now !== undefined) return;
+    if (this.#picture !== undefined) {
+      this.#now = this.#picture;
+      this.#picture = undefined;
+    } else if (this.#exports.length > 0) {
+      this.#now = this.#exports.shift();
+    } else {
+      this.#now = this.#frame;
+      this.#frame = undefined;
+    }
+    if (this.#now !== undefined) this.#worker.postMessage(this.#now);
+  }
+
+  /** Makes a picture.  One of another source that is being made is given up. */
+  make(request) {
+    if (this.#now?.type === "make" && this.#now.source.key !== request.source.key) this.#end();
+    this.#picture = this.#now?.type === "make" && this.#now.key === request.key ? undefined : { type: "make", ...request };
+    this.#next();
   }
 
   frame(request) {
-    const message = { type: "frame", ...request };
-    if (request.use || !this.#isBusy) {
-      this.#isBusy = true;
-      this.#worker.postMessage(message);
-    } else {
-      this.#waiting = message;
-    }
+    this.#frame = { type: "frame", ...request };
+    this.#next();
   }
 
-  send(message, transfer = []) {
-    this.#worker.postMessage(message, transfer);
+  export(request) {
+    this.#exports.push(request);
+    this.#next();
+  }
+
+  // Without shared memory nothing else reaches a worker in the middle of a call; its memory, and its picture, go with it.
+  #end() {
+    this.#worker.terminate();
+    this.#start();
+  }
+
+  /** Gives up the picture that is being made. */
+  cancel() {
+    if (this.making === undefined) return;
+    const request = this.#picture ?? this.#now;
+    this.#picture = undefined;
+    if (this.#now?.type === "make") this.#end();
+    this.#answer({ type: "failed", what: "make", request, cancelled: true });
   }
 }

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+import { edgesByNormals } from "./sharp_edges.js";
 import { ShapeError, addPolygon, number, shapeOf, textOf } from "./shape.js";
 
 function three(words, what, line) {
@@ -14,16 +15,26 @@ function corner(word, count, line) {
   return index;
 }
 
+/** The normal that "7/1/2" or "7//-1" of a face names, from 0; -1 of none.  It is a hint: nothing fails. */
+function normalOf(word, count) {
+  const given = Number(word.split("/")[2] || Number.NaN);
+  const index = given < 0 ? count + given : given - 1;
+  return Number.isInteger(index) && index >= 0 && index < count ? index : -1;
+}
+
 export function readObj(bytes) {
   const points = [];
   const normals = [];
   const triangles = [];
+  const shading = []; // the normal of each corner
   textOf(bytes).split("\n").forEach((text, at) => {
     const words = text.split("#")[0].trim().split(/\s+/);
     if (words[0] === "v") points.push(...three(words, "vertex", at + 1));
     if (words[0] === "vn") normals.push(...three(words, "normal", at + 1));
-    if (words[0] === "f")
-      addPolygon(triangles, words.slice(1).map((word) => corner(word, points.length / 3, at + 1)), at + 1);
+    if (words[0] !== "f") return;
+    addPolygon(triangles, words.slice(1).map((word) => corner(word, points.length / 3, at + 1)), at + 1);
+    addPolygon(shading, words.slice(1).map((word) => normalOf(word, normals.length / 3)), at + 1);
   });
-  return shapeOf(points, triangles, normals);
+  return shapeOf(points, triangles, normals, () => (shading.includes(-1)
+    ? undefined : edgesByNormals(points, triangles, normals, shading)));
 }

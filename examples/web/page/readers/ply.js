@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+import { edgesByNormals } from "./sharp_edges.js";
 import { ShapeError, addPolygon, number, shapeOf, textOf } from "./shape.js";
 
 const SIZES = { char: 1, int8: 1, uchar: 1, uint8: 1, short: 2, int16: 2, ushort: 2, uint16: 2, int: 4, int32: 4,
@@ -102,5 +103,6 @@ export function readPly(bytes) {
       }
     }
   }
-  return shapeOf(points, triangles, normals);
+  return shapeOf(points, triangles, normals, () => (normals.length === points.length
+    ? edgesByNormals(points, triangles, normals, triangles) : undefined));
 }

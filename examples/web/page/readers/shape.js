@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a file holds: { kind: "mesh", vertices, triangles } or { kind: "cloud", points, normals }, flat arrays.
+// What a file holds: { kind: "mesh", vertices, triangles, sharpEdges } or { kind: "cloud", points, normals }, flat arrays.
 
 /** A file that cannot be read: says where, and what would be right. */
 export class ShapeError extends Error {
@@ -24,12 +24,15 @@ export function addPolygon(triangles, corners, line) {
   for (let at = 2; at < corners.length; ++at) triangles.push(corners[0], corners[at - 1], corners[at]);
 }
 
-/** A mesh if there are faces, else a cloud; normals only if each point has one. */
-export function shapeOf(points, triangles, normals = []) {
+/** A mesh if there are faces, else a cloud; normals only if each point has one.  sharpEdges(vertices, triangles) is asked of
+ *  a mesh. */
+export function shapeOf(points, triangles, normals = [], sharpEdges = () => undefined) {
   if (points.length === 0) throw new ShapeError("the file has no points: it needs some with x, y and z");
   const place = points.findIndex((value) => !Number.isFinite(value));
   if (place >= 0) throw new ShapeError(`point ${Math.floor(place / 3)} is not finite: leave it out`);
-  if (triangles.length > 0) return { kind: "mesh", vertices: Float64Array.from(points), triangles: Int32Array.from(triangles) };
+  if (triangles.length > 0)
+    return { kind: "mesh", vertices: Float64Array.from(points), triangles: Int32Array.from(triangles),
+             sharpEdges: sharpEdges(points, triangles) };
   return { kind: "cloud", points: Float64Array.from(points),
            normals: normals.length === points.length ? Float64Array.from(normals) : undefined };
 }

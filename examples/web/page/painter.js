@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: MIT
+// The worker that makes pictures, and draws frames of the last one.  The page ends it to cancel.
+import { SOURCE, load } from "./hrbfnpr/src/index.js";
+import { cameraOf, optionsOf, scaled, styleOf } from "./look.js";
+import { readShape } from "./readers/read.js";
+import { buildScene } from "./scenes.js";
+
+const LATER = ["marks", "lines"]; // the stages that a change of style runs again
+
+let library;
+let context;
+let held; // { key, source, facts, notes, picture, parts, style, renderer }: what is drawn
+
+/** What Context.draw takes. */
+function inputOf({ scene, saved, name, bytes }) {
+  if (saved) return { model: context.loadModel(saved) };
+  if (scene) return { model: buildScene(context, scene) };
+  const shape = readShape(name, bytes);
+  const up = /\.stl$/i.test(name) ? { up: [0, 0, 1], upBy: "STL files" } : {};
+  if (shape.kind === "cloud") return { name, points: shape.points, normals: shape.normals };
+  const { vertices, triangles, sharpEdges } = shape;
+  return { name, ...up, points: vertices, triangles, ...(sharpEdges ? { sharpEdges, flags: SOURCE.HAS_SHARP_EDGES } : {}) };
+}
+
+/** Tells the page how far the work is, and keeps what the stages before the marks said: a change of style has none. */
+class Watch {
+  facts = [];
+  notes = [];
+  #stage = "Working";
+  #isLater = false;
+  #last = 0;
+
+  onEvent = ({ stage, fraction, name, doing, says, note }) => {
+    if (LATER.includes(stage)) this.#isLater = true;
+    if (note) {
+      if (!this.#isLater && note.severity !== "info") this.notes.push(note.text);
+      return;
+    }
+    if (doing) this.#stage = doing[0].toUpperCase() + doing.slice(1);
+    if (fraction === 1 && says && !LATER.includes(stage)) this.facts.push(`${name}: ${says}`);
+  };
+
+  onProgress = (progress) => {
+    const now = performance.now();
+    if (now - this.#last < 50 && progress < 1) return;
+    this.#last = now;
+    postMessage({ type: "progress", stage: this.#stage, progress });
+  };
+}
+
+function letGo({ picture, parts, renderer }) {
+  for (const { model, pointSet, lineSet, mesh } of parts)
+    for (const handle of [model, pointSet, lineSet, mesh]) handle?.free();
+  renderer.free();
+  picture.free();
+}
+
+function make({ key, source, settings, size }) {
+  const watch = new Watch();
+  const up = source.name === undefined ? { up: [0, 1, 0] } : {}; // y is up in the surfaces that come with the page
+  const options = { ...optionsOf(settings, size), ...up, onEvent: watch.onEvent };
+  const isRestyled = held?.source === source.key;
+  const picture = isRestyled ? held.picture.restyle(options, watch) : context.draw(inputOf(source), options, watch);
+  const { facts, notes } = isRestyled ? held : watch;
+  const told = picture.notes.filter(({ severity }) => severity !== "info").map(({ text }) => text);
+  if (held) letGo(held);
+  // A renderer numbers the lines that it has seen, and strokes of sketches go by these numbers: each picture has its own.
+  held = { key, source: source.key, facts, notes, picture, parts: picture.parts(), style: picture.style(),
+           renderer: context.createRenderer() };
+  postMessage({ type: "picture", key, facts, notes: [...new Set([...notes, ...told])] });
+}
+
+/** Calls use(drawing, camera) with a drawing that is freed afterwards. */
+function drawn({ settings, scale }, use) {
+  const style = scaled(styleOf(held.style, settings), scale);
+  const camera = cameraOf(held.picture, settings, scale);
+  const items = held.parts.map(({ pointSet, lineSet, sides }) => ({ pointSet, lineSet, sides, style }));
+  const drawing = held.renderer.draw(items, camera);
+  try {
+    return use(drawing, camera);
+  } finally {
+    drawing.free();
+  }
+}
+
+function frame(request) {
+  if (!held) return postMessage({ type: "frame", missing: true });
+  const begin = performance.now();
+  const { image, dots, strokes } = drawn(request, (drawing, camera) =>
+    ({ image: held.picture.rasterize({ drawing, camera }), ...drawing.info() }));
+  return postMessage({ type: "frame", key: held.key, use: request.use, ...image, dots, strokes,
+                       milliseconds: performance.now() - begin }, [image.data.buffer]);
+}
+
+function svg(request) {
+  if (!held) return postMessage({ type: "svg" });
+  const page = { title: "hrbfnpr", metadata: request.link };
+  return postMessage({ type: "svg", text: drawn(request, (drawing, camera) => held.picture.toSVG({ drawing, camera, page })) });
+}
+
+const hex = (colour) => `#${colour.slice(0, 3).map((part) => Math.round(255 * part).toString(16).padStart(2, "0")).join("")}`;
+
+/** What the page's controls go by. */
+function described(name) {
+  const { layers, lines, paper } = library.style(name);
+  const shown = layers.filter((layer) => layer.shown);
+  return { name, hatches: library.presetLayers(name).some(({ kind }) => kind === "hatch"), paper: hex(paper),
+           ink: hex((shown[0] ?? lines?.[0] ?? { ink: [0, 0, 0] }).ink) };
+}
+
+async function begin({ wasm, threads }) {
+  library = await load({ wasm, threads });
+  context = library.createContext();
+  postMessage({ type: "ready", presets: library.presetNames.map(described), version: library.version });
+}
+
+const ACTIONS = { make, frame, svg };
+let begun; // what is asked for while the module still starts waits for that
+
+onmessage = async ({ data }) => {
+  try {
+    if (data.type === "begin") begun = begin(data);
+    await begun;
+    ACTIONS[data.type]?.(data);
+  } catch (error) {
+    postMessage({ type: "failed", what: data.type, message: error.message });
+  }
+};
