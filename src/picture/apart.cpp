@@ -124,7 +124,7 @@ void for_meetings(const PlacesOnParts& places, double side, Pool& pool, Visit&& 
             bool several = false;
             for (; end != cells.end() && end->cell == begin->cell; ++end)
                 several = several || places.part[end->place] != places.part[begin->place];
-            if (several) visit(std::span<const InCell>(begin, end));
+            if (several) visit(std::span<const InCell>(&*begin, static_cast<std::size_t>(end - begin)));
             begin = end;
         }
     }

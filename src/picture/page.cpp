@@ -5,10 +5,10 @@
 #include "api/lists.h"
 #include "api/views.h"
 #include "base/assert.h"
+#include "picture/field_table.h"
 #include "picture/json.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -216,11 +216,7 @@ std::string_view without_blanks(std::string_view text) noexcept {
 
 // Returns the number that a text holds, or NaN if it holds none.
 double number_of_text(std::string_view text) noexcept {
-    text = without_blanks(text);
-    if (!text.empty() && text.front() == '+') text.remove_prefix(1);
-    double value = 0.0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    return error == std::errc() && end == text.data() + text.size() ? value : std::numeric_limits<double>::quiet_NaN();
+    return parse_number(without_blanks(text)).value_or(std::numeric_limits<double>::quiet_NaN());
 }
 
 // The place of the content on a page.

@@ -128,7 +128,7 @@ std::span<const PaintedMap::CellDab> PaintedMap::near(const glm::dvec3& place) c
     const auto first = std::lower_bound(cells_.begin(), cells_.end(), cell,
                                         [](const CellDab& one, std::uint64_t number) { return one.cell < number; });
     const auto last = std::find_if(first, cells_.end(), [&](const CellDab& one) { return one.cell != cell; });
-    return {first, last};
+    return {cells_.data() + (first - cells_.begin()), static_cast<std::size_t>(last - first)};
 }
 
 double PaintedMap::pulled(double value, const glm::dvec3& place, const glm::dvec3& normal) const noexcept {

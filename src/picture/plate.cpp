@@ -11,7 +11,6 @@
 #include "picture/tuning_lines.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -115,11 +114,7 @@ ScaleBar bar_of_plate(const Plate& plate, const PlateScale& scale, Pool& pool) {
     if (!(length > 0.0)) return bar;
     bar.length = length;
     bar.pixels = length * scale.pixels;
-    std::array<char, 40> text;
-    constexpr int digits = 6;
-    const auto end =
-        std::to_chars(text.data(), text.data() + text.size(), length, std::chars_format::general, digits).ptr;
-    bar.figure.assign(text.data(), end);
+    bar.figure = formatted(pool, "%g", length);
     ((bar.label = bar.figure) += ' ') += plate.unit;
     return bar;
 }
@@ -179,7 +174,9 @@ hrbfnpr_camera camera_of_section(const Plate& plate, const PlateScale& scale, Po
     const double reach = plate_tuning.camera_reach * farthest;
     const glm::dvec3 eye = target + reach * right;
     auto camera = picture::defaults<hrbfnpr_camera>(hrbfnpr_camera_init);
-    call([&](hrbfnpr_error* error) { return hrbfnpr_camera_look_at(&camera, &eye[0], &target[0], &up[0], error); });
+    call([&, &up = up](hrbfnpr_error* error) {
+        return hrbfnpr_camera_look_at(&camera, &eye[0], &target[0], &up[0], error);
+    });
     constexpr double near = 0.01; // as a share of the camera's reach
     call([&](hrbfnpr_error* error) {
         return hrbfnpr_camera_orthographic(&camera, height / scale.pixels, width, height, near * reach, 2.0 * reach,

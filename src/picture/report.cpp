@@ -122,7 +122,9 @@ void append_as_field(String& to, const Marker& marker) {
         ((to += field) += ' ') += marker.value.substr(equals + 1);
         return;
     }
-    to += field_of(marker.name);
+    // The option takes a word or an angle; a descriptor has a field for each.
+    const bool is_angle = marker.name == "edges" && marker.has_value && is_number(marker.value);
+    to += is_angle ? "edge_angle" : field_of(marker.name);
     if (marker.has_value) (to += ' ') += marker.value;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "picture/wanted_lines.h"
 
+#include "picture/field_table.h"
 #include "picture/tuning_plan.h"
 
 #include <algorithm>
@@ -65,8 +66,14 @@ std::string_view trimmed_number(std::string_view text) noexcept {
     return text;
 }
 
-template <class Number>
-bool read_line_number(std::string_view text, Number& number) noexcept {
+bool read_line_number(std::string_view text, double& number) noexcept {
+    const std::optional<double> parsed = parse_number(trimmed_number(text));
+    if (parsed) number = *parsed;
+    return parsed.has_value();
+}
+
+template <class Whole>
+bool read_line_number(std::string_view text, Whole& number) noexcept {
     text = trimmed_number(text);
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
     return error == std::errc{} && end == text.data() + text.size() && !text.empty();

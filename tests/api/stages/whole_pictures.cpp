@@ -125,15 +125,15 @@ void Stages::add_pictures(std::vector<Stage>& stages) {
                           {},
                           most_refusals});
 
-    Error error;
+    Error failure;
     auto desc = picture_desc();
     desc.sources = &points;
     desc.source_count = 1;
     hrbfnpr_picture* picture = nullptr;
     hrbfnpr_drawing* drawing = nullptr;
-    EXPECT_OK(hrbfnpr_picture_create(context_.get(), &desc, nullptr, &picture, error));
+    EXPECT_OK(hrbfnpr_picture_create(context_.get(), &desc, nullptr, &picture, failure));
     picture_.reset(picture);
-    EXPECT_OK(hrbfnpr_picture_draw(picture, nullptr, nullptr, &drawing, error));
+    EXPECT_OK(hrbfnpr_picture_draw(picture, nullptr, nullptr, &drawing, failure));
     picture_drawing_.reset(drawing);
     stages.push_back({"picture.restyled",
                       [this](Attempt& attempt, Bytes& bytes, hrbfnpr_error* error) {
