@@ -3138,8 +3138,8 @@ typedef struct hrbfnpr_picture_desc {
     const char* scale_bar;     /* the unit of a scale bar below the drawing; "none": no bar; NULL = "units" of the style
                                   archaeological, else "none" */
 
-    hrbfnpr_picture_event_fn on_event; /* NULL */
-    void* event_user;
+    hrbfnpr_picture_event_fn on_event; /* NULL; called for as long as the picture lives */
+    void* event_user;                  /* outlives the picture */
 } hrbfnpr_picture_desc;
 
 HRBFNPR_API hrbfnpr_status hrbfnpr_picture_desc_init(hrbfnpr_picture_desc* desc, uint32_t struct_size);

@@ -63,6 +63,11 @@ void rasterize(const hrbfnpr_picture& picture, const hrbfnpr_drawing* drawing, c
         call([&](hrbfnpr_error* error) { return hrbfnpr_drawing_rasterize(drawing, &full, nullptr, error); });
         return;
     }
+    const glm::ivec2 least = size_of_plate(picture, given);
+    if (full.width < least.x || full.height < least.y)
+        fail(Status::invalid_argument,
+             "image has %d x %d pixels; the picture takes %d x %d: see hrbfnpr_picture_plate_size", full.width,
+             full.height, least.x, least.y);
     const String unit = unit_of_bar(picture.options, picture.pool);
     rasterize_plate(picture.context(), plate_of(picture, camera, unit, section_of(picture)), Drawing::shared(drawing),
                     full, picture.pool);

@@ -238,7 +238,8 @@ namespace HrbfNpr.Tests
             for (int i = 0; i < size / 8; ++i)
             {
                 double wanted = ((double*)expected)[i], written = ((double*)actual)[i];
-                bool same = ((long*)expected)[i] == ((long*)actual)[i] || (double.IsNaN(wanted) && double.IsNaN(written));
+                bool same = ((long*)expected)[i] == ((long*)actual)[i]
+                    || (double.IsNaN(wanted) && double.IsNaN(written));
                 Assert.True(same, "bytes " + 8 * i + " to " + (8 * i + 7) + " are not the default");
             }
         }

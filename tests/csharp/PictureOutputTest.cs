@@ -143,7 +143,12 @@ namespace HrbfNpr.Tests
             var stream = new MemoryStream();
             ViewsInfo info = picture.WriteViews(stream, new ViewsOptions
             {
-                Views = "front,top", Sections = "z", Scale = "50:1", Title = "A cube", CentreLines = true, Labels = true,
+                Views = "front,top",
+                Sections = "z",
+                Scale = "50:1",
+                Title = "A cube",
+                CentreLines = true,
+                Labels = true,
             });
             string svg = Encoding.UTF8.GetString(stream.ToArray());
             Assert.Equal(3L, info.Views);

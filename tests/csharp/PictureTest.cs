@@ -5,6 +5,7 @@ using System.IO;
 using System.Linq;
 using System.Runtime.CompilerServices;
 using System.Runtime.InteropServices;
+using System.Text;
 using System.Threading;
 using Xunit;
 
@@ -330,8 +331,8 @@ namespace HrbfNpr.Tests
                 byte[] expected = half.Rasterize();
                 Style style = half.Style;
                 Assert.Same(options.Style.ToneFunction, style.ToneFunction);
-                Assert.Equal(expected, Shapes.Draw(
-                    renderer, new Item(part.PointSet, style) { LineSet = part.LineSet, Sides = part.Sides }, half.Camera));
+                var item = new Item(part.PointSet, style) { LineSet = part.LineSet, Sides = part.Sides };
+                Assert.Equal(expected, Shapes.Draw(renderer, item, half.Camera));
                 var own = new InvalidOperationException("my own");
                 options.Style.ToneFunction = (positions, directions, tau) => { throw own; };
                 using (Picture bad = Picture.Create(source, options))
@@ -616,7 +617,7 @@ namespace HrbfNpr.Tests
                 Assert.IsType<NotSupportedException>(Assert.Throws<StreamException>(
                     () => made.SaveSettings(new PictureOutputTest.Full())).InnerException);
             }
-            var wrong = new MemoryStream(System.Text.Encoding.UTF8.GetBytes("{\"hrbfnpr-settings\": 1, \"stile\": {}}"));
+            var wrong = new MemoryStream(Encoding.UTF8.GetBytes("{\"hrbfnpr-settings\": 1, \"stile\": {}}"));
             Assert.Contains("stile", Assert.Throws<InvalidArgumentException>(() => Settings.Load(wrong)).Message);
             Assert.Throws<ArgumentNullException>(() => Settings.Load((Stream)null));
         }

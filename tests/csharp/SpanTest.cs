@@ -125,6 +125,31 @@ namespace HrbfNpr.Tests
         }
 
         [Fact]
+        public void PicturesOfSpans()
+        {
+            double[] points = Shapes.Sphere(60), padded = points.Concat(new double[3]).ToArray();
+            var options = new PictureOptions { Preset = Preset.ContourAndStipple, Width = 64, Height = 48 };
+            ReadOnlySpan<double> span = padded.AsSpan(0, points.Length);
+            using Picture expected = Picture.Draw(PictureSource.FromPoints((ArrayView)points, points), options);
+            using Picture picture = Picture.Draw(PictureSource.FromPoints(span, span), options);
+            byte[] pixels = picture.Rasterize();
+            Assert.Equal(expected.Rasterize(), pixels);
+            var memory = new byte[pixels.Length + 20];
+            picture.Rasterize(memory.AsSpan(10, pixels.Length), 64, 48);
+            Assert.Equal(pixels, memory.Skip(10).Take(pixels.Length).ToArray());
+            Assert.True(memory.Take(10).Concat(memory.Skip(10 + pixels.Length)).All(value => value == 0));
+            Assert.Throws<InvalidArgumentException>(() => picture.Rasterize(memory.AsSpan(0, 100), 64, 48));
+            PictureSource odd = PictureSource.FromPoints(new double[4].AsSpan());
+            Assert.Throws<InvalidArgumentException>(() => Picture.Create(odd));
+            float[] single = Shapes.ToFloats(points);
+            Assert.Equal(60, PictureSource.FromPoints(single.AsSpan(), single).Inspect().Points);
+            Assert.False(PictureSource.FromPoints(span).Inspect().HasNormals);
+            Shapes.Cube(out double[] vertices, out int[] triangles);
+            Assert.Equal(1.0, PictureSource.FromMesh(vertices.AsSpan(), triangles).Inspect().Volume, 12);
+            Assert.Equal(1.0, PictureSource.FromMesh(Shapes.ToFloats(vertices), triangles).Inspect().Volume, 6);
+        }
+
+        [Fact]
         public void AFunctionInPlace()
         {
             ImplicitSpanFunction ball = (points, value, gradient, hessian) =>

@@ -71,7 +71,7 @@ namespace HrbfNpr
             return options;
         }
 
-        /// <param name="desc">Of a picture.</param>
+        /// <param name="desc">A struct of a picture's.</param>
         /// <param name="owner">The picture.</param>
         internal static unsafe GenerateOptions Read(hrbfnpr_generate_desc* desc, SafeHandle owner)
         {

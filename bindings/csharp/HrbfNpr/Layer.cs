@@ -183,13 +183,17 @@ namespace HrbfNpr
         /// <summary>Of Hatch: of a guide other than Curvature; what is left of 1 is curvature's; 1.</summary>
         public double GuideWeight { get; set; } = 1;
 
-        /// <summary>In place of <see cref="DensityFunction"/>: what is painted on a picture.</summary>
+        /// <summary>
+        /// The library's own function in place of <see cref="DensityFunction"/>, where a picture is painted; else null.
+        /// </summary>
         internal NativeFunction NativeDensity { get; private set; }
 
-        /// <summary>In place of <see cref="DirectionFunction"/>: what is painted on a picture.</summary>
+        /// <summary>
+        /// The library's own function in place of <see cref="DirectionFunction"/>, where a picture is painted; else null.
+        /// </summary>
         internal NativeFunction NativeDirection { get; private set; }
 
-        /// <param name="desc">Of the library's.</param>
+        /// <param name="desc">A struct of the library's.</param>
         /// <param name="owner">The picture that it belongs to; null of a preset.</param>
         internal static unsafe Layer Read(hrbfnpr_layer_desc* desc, SafeHandle owner = null)
         {

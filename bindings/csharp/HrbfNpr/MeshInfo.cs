@@ -188,8 +188,8 @@ namespace HrbfNpr
         private readonly uint reserved2;
 
         /// <summary>
-        /// Two parts of the mesh, from 0, that are nearer to each other than the tolerance, so that the surface may join
-        /// them; null if none were found.
+        /// Two parts of the mesh, from 0, that are nearer to each other than the tolerance, so that the surface may
+        /// join them; null if none were found.
         /// </summary>
         public (int First, int Second)? TouchingParts
         {

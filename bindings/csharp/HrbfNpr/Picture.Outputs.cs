@@ -5,10 +5,6 @@ using System.Threading;
 
 namespace HrbfNpr
 {
-    /// <remarks>
-    /// A plate is a drawing with the section and the scale bar that the picture has beside it; without these it is the
-    /// drawing alone.
-    /// </remarks>
     public sealed unsafe partial class Picture
     {
         /// <summary>Pixels of the plate.</summary>
@@ -30,7 +26,7 @@ namespace HrbfNpr
         }
 
         /// <summary>The plate of <see cref="Drawing"/> as an image.</summary>
-        /// <param name="format">Of the pixels; floats are given as their bytes.</param>
+        /// <param name="format">The format of the pixels; floats are given as their bytes.</param>
         /// <returns>As many pixels as <see cref="PlateSize"/> says.</returns>
         public byte[] Rasterize(PixelFormat format = PixelFormat.Rgba8)
         {
@@ -38,8 +34,8 @@ namespace HrbfNpr
         }
 
         /// <summary>The plate of a drawing as an image.</summary>
-        /// <param name="drawing">Of this picture.</param>
-        /// <param name="format">Of the pixels; floats are given as their bytes.</param>
+        /// <param name="drawing">A drawing of this picture.</param>
+        /// <param name="format">The format of the pixels; floats are given as their bytes.</param>
         /// <returns>As many pixels as <see cref="PlateSize"/> says.</returns>
         public byte[] Rasterize(Drawing drawing, PixelFormat format = PixelFormat.Rgba8)
         {
@@ -60,8 +56,8 @@ namespace HrbfNpr
         /// <param name="pixels">The image, packed.</param>
         /// <param name="width">Pixels, at least those of the plate.</param>
         /// <param name="height">Pixels, at least those of the plate.</param>
-        /// <param name="format">Of the pixels.</param>
-        /// <param name="drawing">Of this picture; null = <see cref="Drawing"/>.</param>
+        /// <param name="format">The format of the pixels.</param>
+        /// <param name="drawing">A drawing of this picture; null = <see cref="Drawing"/>.</param>
         /// <exception cref="InvalidArgumentException">The array or the image is too small.</exception>
         public void Rasterize(
             byte[] pixels, int width, int height, PixelFormat format = PixelFormat.Rgba8, Drawing drawing = null)
@@ -82,8 +78,8 @@ namespace HrbfNpr
         /// <param name="pixels">The image, packed.</param>
         /// <param name="width">Pixels, at least those of the plate.</param>
         /// <param name="height">Pixels, at least those of the plate.</param>
-        /// <param name="format">Of the pixels.</param>
-        /// <param name="drawing">Of this picture; null = <see cref="Drawing"/>.</param>
+        /// <param name="format">The format of the pixels.</param>
+        /// <param name="drawing">A drawing of this picture; null = <see cref="Drawing"/>.</param>
         public void Rasterize(
             Span<byte> pixels, int width, int height, PixelFormat format = PixelFormat.Rgba8, Drawing drawing = null)
         {
@@ -95,13 +91,15 @@ namespace HrbfNpr
         }
 #endif
 
-        /// <summary>As the other <c>Rasterize</c>, into native memory, such as a texture's or a NativeArray's.</summary>
+        /// <summary>
+        /// As the other <c>Rasterize</c>, into native memory, such as a texture's or a NativeArray's.
+        /// </summary>
         /// <param name="pixels">The top-left pixel, whatever the sign of the row stride.</param>
         /// <param name="width">Pixels, at least those of the plate.</param>
         /// <param name="height">Pixels, at least those of the plate.</param>
-        /// <param name="format">Of the pixels.</param>
+        /// <param name="format">The format of the pixels.</param>
         /// <param name="rowStride">Bytes from a row to the one below; 0 = packed; may be negative.</param>
-        /// <param name="drawing">Of this picture; null = <see cref="Drawing"/>.</param>
+        /// <param name="drawing">A drawing of this picture; null = <see cref="Drawing"/>.</param>
         /// <exception cref="InvalidArgumentException">The image is too small.</exception>
         public void Rasterize(
             IntPtr pixels, int width, int height, PixelFormat format = PixelFormat.Rgba8, long rowStride = 0,
@@ -127,11 +125,11 @@ namespace HrbfNpr
         /// <summary>Writes the plate as vectors.</summary>
         /// <param name="stream">Written to on this thread, and not closed.</param>
         /// <param name="options">An SVG with all defaults if null.</param>
-        /// <param name="drawing">Of this picture; null = <see cref="Drawing"/>.</param>
+        /// <param name="drawing">A drawing of this picture; null = <see cref="Drawing"/>.</param>
         /// <param name="progress">May be null.</param>
         /// <param name="cancellationToken">Cancels the call.</param>
-        /// <exception cref="InvalidArgumentException">A number is out of its range, a paper is not known, or the drawing
-        /// has discs of paper, as Published frames have, and is to be plotted.</exception>
+        /// <exception cref="InvalidArgumentException">A number is out of its range, a paper is not known, or the
+        /// drawing has discs of paper, as Published frames have, and is to be plotted.</exception>
         /// <exception cref="StreamException">The stream failed.</exception>
         public PageInfo Write(
             Stream stream, PicturePageOptions options = null, Drawing drawing = null,
@@ -149,7 +147,7 @@ namespace HrbfNpr
         }
 
         /// <summary>Writes the plate of <see cref="Drawing"/> to a file of SVG.</summary>
-        /// <param name="path">Of the file, which is made or replaced.</param>
+        /// <param name="path">The file, which is made or replaced.</param>
         /// <param name="options">All defaults if null; their format is not used.</param>
         public PageInfo WriteSvg(string path, PicturePageOptions options = null)
         {
@@ -165,7 +163,7 @@ namespace HrbfNpr
         }
 
         /// <summary>Writes the plate of <see cref="Drawing"/> to a file of PDF.</summary>
-        /// <param name="path">Of the file, which is made or replaced.</param>
+        /// <param name="path">The file, which is made or replaced.</param>
         /// <param name="options">All defaults if null; their format is not used.</param>
         public PageInfo WritePdf(string path, PicturePageOptions options = null)
         {
@@ -173,8 +171,8 @@ namespace HrbfNpr
         }
 
         /// <summary>
-        /// Draws the first part, which has a model, as a technical drawing: orthographic views and sections on a sheet, to
-        /// scale.  A picture with <see cref="PictureOptions.SurfaceOnly"/> is enough.
+        /// Draws the first part, which has a model, as a technical drawing: orthographic views and sections on a
+        /// sheet, to scale.  A picture with <see cref="PictureOptions.SurfaceOnly"/> is enough.
         /// </summary>
         /// <param name="stream">Written to on this thread, and not closed.</param>
         /// <param name="options">All defaults if null.</param>
@@ -231,7 +229,7 @@ namespace HrbfNpr
         }
 
         /// <summary>Writes what the picture was made with to a file of JSON.</summary>
-        /// <param name="path">Of the file, which is made or replaced.</param>
+        /// <param name="path">The file, which is made or replaced.</param>
         public void SaveSettings(string path)
         {
             using (FileStream file = File.Create(path))

@@ -7,15 +7,18 @@ using System.Threading;
 namespace HrbfNpr
 {
     /// <summary>
-    /// A drawing of any source in one call: it chooses what a user leaves open, from repairs of the data to camera, pen,
-    /// marks and lines, and says so in its notes.
+    /// A drawing of any source in one call: it chooses what a user leaves open, from repairs of the data to camera,
+    /// pen, marks and lines, and says so in its notes.
     /// </summary>
     /// <remarks>
-    /// <para>It is made of the calls of the other classes, and each part of it can be taken out and used by them.</para>
-    /// <para>Calls of several threads to one picture wait for each other.  Progress is in [0, 1] and never falls within a
-    /// call; it is reported on the calling thread.  Calls may throw <see cref="CancelledException"/>,
-    /// <see cref="CallbackException"/>, <see cref="NativeOutOfMemoryException"/> and
-    /// <see cref="ObjectDisposedException"/> beside what is named.</para>
+    /// <para>It is made of the calls of the other classes, and each part of it can be taken out and used by
+    /// them.</para>
+    /// <para>A plate is a drawing with the section and the scale bar that the picture has beside it; without these it
+    /// is the drawing alone.</para>
+    /// <para>Calls of several threads to one picture wait for each other.  Progress is in [0, 1] and never falls
+    /// within a call; it is reported on the calling thread.  Calls may throw <see cref="CancelledException"/>, <see
+    /// cref="CallbackException"/>, <see cref="NativeOutOfMemoryException"/> and <see cref="ObjectDisposedException"/>
+    /// besides those that are named.</para>
     /// </remarks>
     /// <example>
     /// <code>
@@ -60,7 +63,9 @@ namespace HrbfNpr
             }
         }
 
-        /// <summary>What was chosen, repaired, measured and doubted, in the order in which it was said; a new list.</summary>
+        /// <summary>
+        /// What was chosen, repaired, measured and doubted, in the order in which it was said; a new list.
+        /// </summary>
         public IReadOnlyList<Note> Notes
         {
             get
@@ -76,6 +81,7 @@ namespace HrbfNpr
                         Errors.Check(NativeMethods.hrbfnpr_picture_get_note(handle, i, &note, &error), &error);
                         notes[i] = new Note(&note);
                     }
+                    GC.KeepAlive(this);
                     return new ReadOnlyCollection<Note>(notes);
                 }
             }
@@ -98,6 +104,7 @@ namespace HrbfNpr
                         Errors.Check(NativeMethods.hrbfnpr_picture_get_stage(handle, i, &stage, &error), &error);
                         stages[i] = new PictureEvent(&stage);
                     }
+                    GC.KeepAlive(this);
                     return new ReadOnlyCollection<PictureEvent>(stages);
                 }
             }
@@ -120,6 +127,7 @@ namespace HrbfNpr
                         Errors.Check(NativeMethods.hrbfnpr_picture_get_part(handle, i, &part, &error), &error);
                         parts[i] = origins.Part(&part, handle.Anchor);
                     }
+                    GC.KeepAlive(this); // the library's structs belong to it
                     return new ReadOnlyCollection<PicturePart>(parts);
                 }
             }
@@ -137,7 +145,9 @@ namespace HrbfNpr
                     hrbfnpr_style* style;
                     hrbfnpr_error error = Errors.New();
                     Errors.Check(NativeMethods.hrbfnpr_picture_get_style(handle, &style, &error), &error);
-                    return new Style(style, handle);
+                    var copy = new Style(style, handle);
+                    GC.KeepAlive(this);
+                    return copy;
                 }
             }
         }
@@ -156,7 +166,9 @@ namespace HrbfNpr
                     hrbfnpr_generate_desc* marks;
                     hrbfnpr_error error = Errors.New();
                     Errors.Check(NativeMethods.hrbfnpr_picture_get_marks(handle, &marks, &error), &error);
-                    return marks == null ? null : GenerateOptions.Read(marks, handle);
+                    GenerateOptions copy = marks == null ? null : GenerateOptions.Read(marks, handle);
+                    GC.KeepAlive(this);
+                    return copy;
                 }
             }
         }
@@ -191,8 +203,8 @@ namespace HrbfNpr
         /// <param name="context">The default context if null.</param>
         /// <param name="progress">May be null.</param>
         /// <param name="cancellationToken">Cancels the call.</param>
-        /// <exception cref="InvalidArgumentException">An option is out of its range, the source cannot be drawn, or hardly
-        /// anything could be seen; the message says why.</exception>
+        /// <exception cref="InvalidArgumentException">An option is out of its range, the source cannot be drawn, or
+        /// hardly anything could be seen; the message says why.</exception>
         /// <exception cref="SingularSystemException">The fit has no (numerically) unique solution.</exception>
         /// <exception cref="NotConvergedException">The message gives the residual reached.</exception>
         public static Picture Draw(
@@ -243,7 +255,9 @@ namespace HrbfNpr
             return Create(new[] { source }, options, context, progress, cancellationToken);
         }
 
-        /// <summary>Makes a picture of several sources, each of which is a surface of its own; draws nothing yet.</summary>
+        /// <summary>
+        /// Makes a picture of several sources, each of which is a surface of its own; draws nothing yet.
+        /// </summary>
         /// <param name="sources">What is drawn, one or more.</param>
         /// <param name="options">All defaults if null.</param>
         /// <param name="context">The default context if null.</param>
@@ -269,7 +283,8 @@ namespace HrbfNpr
         }
 
         /// <summary>
-        /// The same surfaces in another style, size or view; draws nothing yet.  Marks and lines that fit are used again.
+        /// The same surfaces in another style, size or view; draws nothing yet.  Marks and lines that fit are used
+        /// again.
         /// </summary>
         /// <param name="options">All defaults if null: what this picture was made with does not count.</param>
         /// <param name="progress">May be null.</param>
@@ -281,9 +296,11 @@ namespace HrbfNpr
             PictureOptions options = null, IProgress<double> progress = null,
             CancellationToken cancellationToken = default(CancellationToken))
         {
+            using (var root = new HeldHandles())
             using (var described = new PictureCall(null, options, origins))
             using (var call = new LongCall(handle, progress, cancellationToken, described.State.IsWatched))
             {
+                root.Hold(handle); // with all that it keeps
                 described.State.Begin(call.Operation);
                 hrbfnpr_error error = Errors.New();
                 hrbfnpr_picture_desc desc = described.Desc;
@@ -294,12 +311,13 @@ namespace HrbfNpr
         }
 
         /// <summary>Draws it.  Lines keep their numbers from one drawing to the next.</summary>
-        /// <param name="camera">null = <see cref="Camera"/>; then it is an error if hardly anything could be seen.</param>
+        /// <param name="camera">null = <see cref="Camera"/>; then it is an error if hardly anything could be
+        /// seen.</param>
         /// <param name="progress">May be null.</param>
         /// <param name="cancellationToken">Cancels the call.</param>
         /// <returns>A drawing; disposed of before the next but one, its memory is used again.</returns>
-        /// <exception cref="InvalidArgumentException">Hardly anything could be seen, and the message says why; a camera
-        /// without a viewport; or the picture has only its surface.</exception>
+        /// <exception cref="InvalidArgumentException">Hardly anything could be seen, and the message says why; a
+        /// camera without a viewport; or the picture has only its surface.</exception>
         public Drawing Draw(
             Camera camera = null, IProgress<double> progress = null,
             CancellationToken cancellationToken = default(CancellationToken))
@@ -357,7 +375,9 @@ namespace HrbfNpr
             return new Camera(camera);
         }
 
-        /// <summary>Lets go of the picture and of its <see cref="Drawing"/>; other drawings and its parts live on.</summary>
+        /// <summary>
+        /// Lets go of the picture and of its <see cref="Drawing"/>; other drawings and its parts live on.
+        /// </summary>
         public void Dispose()
         {
             lock (gate)
@@ -464,7 +484,7 @@ namespace HrbfNpr
                 this.end = end;
             }
 
-            public void Report(double value)
+            void IProgress<double>.Report(double value)
             {
                 whole.Report(begin + (end - begin) * value);
             }
@@ -508,7 +528,7 @@ namespace HrbfNpr
         /// <summary>The functions of all models; null if none is one.</summary>
         internal FunctionState Functions { get; }
 
-        /// <summary>Of contexts that need not be the picture's.</summary>
+        /// <summary>The contexts of all sources, which need not be the picture's.</summary>
         internal IEnumerable<ContextAnchor> Anchors
         {
             get { return anchors.Values; }

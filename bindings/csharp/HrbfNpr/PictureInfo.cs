@@ -22,10 +22,10 @@ namespace HrbfNpr
         /// <summary>How many stages are over.</summary>
         public readonly long Stages;
 
-        /// <summary>Of the drawing, pixels.</summary>
+        /// <summary>Width of the drawing, pixels.</summary>
         public readonly int Width;
 
-        /// <summary>Of the drawing, pixels.</summary>
+        /// <summary>Height of the drawing, pixels.</summary>
         public readonly int Height;
 
         /// <summary>Corner of the box of all parts.</summary>
@@ -40,7 +40,7 @@ namespace HrbfNpr
         /// <summary>Radius of the pen, as used; pixels.</summary>
         public readonly double Pen;
 
-        /// <summary>That it took to make, without drawing it.</summary>
+        /// <summary>Seconds to make the picture, without drawing it.</summary>
         public readonly double Seconds;
 
         /// <summary>The style.</summary>
@@ -92,10 +92,10 @@ namespace HrbfNpr
         /// <summary>Bytes of the file.</summary>
         public readonly long Bytes;
 
-        /// <summary>Of the page, mm.</summary>
+        /// <summary>Width of the page, mm.</summary>
         public readonly double Width;
 
-        /// <summary>Of the page, mm.</summary>
+        /// <summary>Height of the page, mm.</summary>
         public readonly double Height;
 
         /// <summary>0.5 of 1:2.</summary>

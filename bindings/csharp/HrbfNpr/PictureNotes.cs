@@ -45,7 +45,9 @@ namespace HrbfNpr
         }
     }
 
-    /// <summary>What happens while a picture is made or drawn: a stage goes on or is over, or there is a note.</summary>
+    /// <summary>
+    /// What happens while a picture is made or drawn: a stage goes on or is over, or there is a note.
+    /// </summary>
     public sealed unsafe class PictureEvent
     {
         internal PictureEvent(hrbfnpr_picture_event* happened)
@@ -62,10 +64,10 @@ namespace HrbfNpr
         /// <summary>The stage that runs; 0 between two.</summary>
         public Stage Stage { get; }
 
-        /// <summary>Of the stage: 0 when it begins, 1 when it is over.</summary>
+        /// <summary>The share of the stage that is done: 0 when it begins, 1 when it is over.</summary>
         public double Fraction { get; }
 
-        /// <summary>That the stage took, when it is over; else 0.</summary>
+        /// <summary>Seconds that the stage took, when it is over; else 0.</summary>
         public double Seconds { get; }
 
         /// <summary>The stage's name, such as "place marks"; empty of a note.</summary>
@@ -98,8 +100,8 @@ namespace HrbfNpr
         }
 
         /// <param name="onEvent">May be null.</param>
-        /// <param name="tone">Of a style of the program's; may be null.</param>
-        /// <param name="functions">Of models that are functions; may be null.</param>
+        /// <param name="tone">The tone function of a style of the program's; may be null.</param>
+        /// <param name="functions">The functions of models; may be null.</param>
         internal PictureState(Action<PictureEvent> onEvent, ToneState tone, CallbackState functions)
         {
             this.onEvent = onEvent;

@@ -6,7 +6,9 @@ using System.Runtime.InteropServices;
 
 namespace HrbfNpr
 {
-    /// <summary>One field that is changed on top of all that was chosen; see <see cref="PictureOptions.Set(string, string)"/>.</summary>
+    /// <summary>
+    /// One field that is changed on top of all that was chosen; see <see cref="PictureOptions.Set(string, string)"/>.
+    /// </summary>
     public sealed class Change
     {
         /// <summary>A field and its value.</summary>
@@ -35,7 +37,9 @@ namespace HrbfNpr
         }
     }
 
-    /// <summary>A stroke of a brush on the surface: within its radius what is painted goes towards a value.</summary>
+    /// <summary>
+    /// A stroke of a brush on the surface: within its radius tone, density or direction go towards a value.
+    /// </summary>
     public sealed class Dab
     {
         /// <summary>What is painted; Tone by default.</summary>
@@ -53,10 +57,10 @@ namespace HrbfNpr
         /// <summary>In the middle, 0 to 1; it falls to 0 at the radius; 1.</summary>
         public double Strength { get; set; } = 1;
 
-        /// <summary>Of Tone and Density, 0 to 1; 0.</summary>
+        /// <summary>What Tone and Density go towards, 0 to 1; 0.</summary>
         public double Value { get; set; }
 
-        /// <summary>Of the map Direction: that of hatching.</summary>
+        /// <summary>What the map Direction turns hatching towards.</summary>
         public Vector3d Direction { get; set; }
 
         internal unsafe void Write(hrbfnpr_dab* dab)
@@ -73,8 +77,8 @@ namespace HrbfNpr
     }
 
     /// <summary>
-    /// How a picture is made and drawn.  A new one makes a good picture of any source; null, 0 or NaN stands for what the
-    /// library chooses, where a line says so.  Plain data: it may be changed and used again.
+    /// How a picture is made and drawn.  A new one makes a good picture of any source; null, 0 or NaN stands for what
+    /// the library chooses, where a line says so.  Plain data: it may be changed and used again.
     /// </summary>
     /// <example>
     /// <code>
@@ -89,7 +93,9 @@ namespace HrbfNpr
         /// <summary>The style; ContourAndStipple.</summary>
         public Preset Preset { get; set; } = Preset.ContourAndStipple;
 
-        /// <summary>The name of a preset, such as "engraving", in place of <see cref="Preset"/>; null = that one.</summary>
+        /// <summary>
+        /// The name of a preset, such as "engraving", in place of <see cref="Preset"/>; null = that one.
+        /// </summary>
         public string StyleName { get; set; }
 
         /// <summary>
@@ -131,7 +137,7 @@ namespace HrbfNpr
         /// </summary>
         public double Pen { get; set; }
 
-        /// <summary>Of contours, pixels; others are finer; 0 = that of the style.</summary>
+        /// <summary>Width of contours, pixels; other lines are finer; 0 = that of the style.</summary>
         public double LineWidth { get; set; }
 
         // ---- Camera
@@ -143,7 +149,8 @@ namespace HrbfNpr
         public Vector3d? Up { get; set; }
 
         /// <summary>
-        /// Degrees, of the camera about the up axis; null = 30, and another where that sees the back of an open surface.
+        /// Degrees, of the camera about the up axis; null = 30, and another where that sees the back of an open
+        /// surface.
         /// </summary>
         public double? Azimuth { get; set; }
 
@@ -153,7 +160,7 @@ namespace HrbfNpr
         /// <summary>From the eye into the scene, in place of azimuth and elevation; null = by these.</summary>
         public Vector3d? Direction { get; set; }
 
-        /// <summary>Place of the eye, which looks at <see cref="Target"/>; null = so far that all is seen.</summary>
+        /// <summary>Place of the eye, which looks at <see cref="Target"/>; null = where it sees all.</summary>
         public Vector3d? Eye { get; set; }
 
         /// <summary>What an eye looks at; null = the middle of the model.</summary>
@@ -167,7 +174,9 @@ namespace HrbfNpr
         /// <summary>Share that is free on each side, 0 to 0.45; null = 0.05.</summary>
         public double? Margin { get; set; }
 
-        /// <summary>Degrees of an orbit that starts here: the picture has room for all of it; 0 = a still (default).</summary>
+        /// <summary>
+        /// Degrees of an orbit that starts here: the picture has room for all of it; 0 = a still (default).
+        /// </summary>
         public double Turn { get; set; }
 
         /// <summary>Drawings of that orbit, 1 and more; 36.</summary>
@@ -198,7 +207,7 @@ namespace HrbfNpr
         /// <summary>Which edges of a mesh stay sharp; AsGiven.</summary>
         public PictureEdges Edges { get; set; }
 
-        /// <summary>Of <see cref="PictureEdges.Sharp"/>, degrees, 5 to 175; 30.</summary>
+        /// <summary>The angle of <see cref="PictureEdges.Sharp"/>, degrees, 5 to 175; 30.</summary>
         public double EdgeAngle { get; set; } = 30;
 
         /// <summary>
@@ -207,8 +216,8 @@ namespace HrbfNpr
         public double? CreaseAngle { get; set; }
 
         /// <summary>
-        /// How often faces are divided into four towards something round, 0 to 6; -1 = where they are coarse and no edges
-        /// stand out (default).
+        /// How often faces are divided into four towards something round, 0 to 6; -1 = where they are coarse and no
+        /// edges stand out (default).
         /// </summary>
         public int Subdivide { get; set; } = -1;
 
@@ -226,7 +235,7 @@ namespace HrbfNpr
         /// </summary>
         public double? DepthSmoothing { get; set; }
 
-        /// <summary>Of all that is random, any number; 1.</summary>
+        /// <summary>Seed of all that is random, any number; 1.</summary>
         public ulong RandomSeed { get; set; } = 1;
 
         // ---- Marks, lines, and what stands beside the drawing
@@ -291,9 +300,9 @@ namespace HrbfNpr
         public bool IsSolid { get; set; }
 
         /// <summary>
-        /// Called with what happens while the picture is made, and later when it is drawn or written, on the thread that
-        /// made the call.  What it throws cancels the call and comes out in a <see cref="CallbackException"/>.  null =
-        /// none.
+        /// Called with what happens while the picture is made, and later when it is drawn or written, on the thread
+        /// that made the call.  What it throws cancels the call and comes out in a <see cref="CallbackException"/>.
+        /// null = none.
         /// </summary>
         public Action<PictureEvent> OnEvent { get; set; }
 

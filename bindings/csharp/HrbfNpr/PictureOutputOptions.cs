@@ -7,23 +7,23 @@ namespace HrbfNpr
     public sealed class PicturePageOptions
     {
         /// <summary>
-        /// Format, tolerance, speeds, pens and the like.  Its annotations and its size are not used; its title, description
-        /// and metadata are chosen where they are null.
+        /// Format, tolerance, speeds, pens and the like.  Its annotations and its size are not used; its title,
+        /// description and metadata are chosen where they are null.
         /// </summary>
         public PageOptions Page { get; set; } = new PageOptions();
 
         /// <summary>
-        /// "a0" to "a6", "letter", "legal", "tabloid", or "210x297" in mm: the drawing fills it, turned as it fits better;
-        /// null = a pixel is 25.4 / 96 mm (default).
+        /// "a0" to "a6", "letter", "legal", "tabloid", or "210x297" in mm: the drawing fills it, turned as it fits
+        /// better; null = a pixel is 25.4 / 96 mm (default).
         /// </summary>
         public string Paper { get; set; }
 
-        /// <summary>Free on each side of the paper, mm; 10.</summary>
+        /// <summary>Free margin on each side of the paper, mm; 10.</summary>
         public double PaperMargin { get; set; } = 10;
 
         /// <summary>
-        /// Of the pens at hand, mm, ascending: each group gets that which is nearest to its lines' median width; null = as
-        /// drawn (default).
+        /// Widths of the pens at hand, mm, ascending: each group gets the one nearest to its lines' median width; null
+        /// = as drawn (default).
         /// </summary>
         public double[] PenWidths { get; set; }
 
@@ -42,8 +42,8 @@ namespace HrbfNpr
     public sealed class ViewsOptions
     {
         /// <summary>
-        /// Whether planes of symmetry through the middle have a centre line in each view that sees them as a line; no by
-        /// default.
+        /// Whether planes of symmetry through the middle have a centre line in each view that sees them as a line; no
+        /// by default.
         /// </summary>
         public bool CentreLines { get; set; }
 
@@ -70,15 +70,15 @@ namespace HrbfNpr
         public string Views { get; set; }
 
         /// <summary>
-        /// Planes with semicolons between: "z:20" cuts at z = 20, "z" through the middle, "1:1:0:5" at x + y = 5.  An axis
-        /// without a sign is seen from the front, from above or from the side that is drawn; "+z:20" from above, "-z:20"
-        /// from below.  null = none.
+        /// Planes with semicolons between: "z:20" cuts at z = 20, "z" through the middle, "1:1:0:5" at x + y = 5.  An
+        /// axis without a sign is seen from the front, from above or from the side that is drawn; "+z:20" from above,
+        /// "-z:20" from below.  null = none.
         /// </summary>
         public string Sections { get; set; }
 
         /// <summary>
-        /// "a0" to "a6", "letter", "legal" or "tabloid", lying, or "297x210", width and height in mm; null = "auto", the
-        /// smallest of a4 to a0 that has room at the scale, a3 where that is "auto", too.
+        /// "a0" to "a6", "letter", "legal" or "tabloid", lying, or "297x210", width and height in mm; null = "auto",
+        /// the smallest of a4 to a0 that has room at the scale, a3 where that is "auto", too.
         /// </summary>
         public string Paper { get; set; }
 
@@ -93,10 +93,10 @@ namespace HrbfNpr
         /// </summary>
         public string Smooth { get; set; }
 
-        /// <summary>In the title block; null = <see cref="Model"/> without the ending of its name.</summary>
+        /// <summary>Title in the title block; null = <see cref="Model"/> without the ending of its name.</summary>
         public string Title { get; set; }
 
-        /// <summary>The file's name, in the title block; null = <see cref="PictureSource.Name"/>.</summary>
+        /// <summary>Name of the file in the title block; null = <see cref="PictureSource.Name"/>.</summary>
         public string Model { get; set; }
 
         /// <summary>
@@ -109,18 +109,18 @@ namespace HrbfNpr
         /// </summary>
         public double CreaseAngle { get; set; } = 30;
 
-        /// <summary>Of outlines, mm, 0.01 to 1000; thin lines are half as wide; 0.5.</summary>
+        /// <summary>Width of outlines, mm, 0.01 to 1000; thin lines are half as wide; 0.5.</summary>
         public double LineWidth { get; set; } = 0.5;
 
-        /// <summary>Between the lines in cut faces, mm, 0.01 to 1000; 3.</summary>
+        /// <summary>Distance of the lines in cut faces, mm, 0.01 to 1000; 3.</summary>
         public double HatchSpacing { get; set; } = 3;
 
-        /// <summary>Free between views, mm, above 0; 15.</summary>
+        /// <summary>Free space between views, mm, above 0; 15.</summary>
         public double Spacing { get; set; } = 15;
 
         /// <summary>
-        /// Format, tolerance, speeds and the like; null = their defaults with a tolerance of 0.02.  Its annotations, pens
-        /// and size are not used.
+        /// Format, tolerance, speeds and the like; null = their defaults with a tolerance of 0.02.  Its annotations,
+        /// pens and size are not used.
         /// </summary>
         public PageOptions Page { get; set; }
 

@@ -6,7 +6,8 @@ using System.Threading;
 namespace HrbfNpr
 {
     /// <summary>What a picture is drawn of: points, a mesh, a model, or a point set.</summary>
-    /// <remarks>Arrays are read while a picture is made, and not kept.  A model and a point set are kept by it.</remarks>
+    /// <remarks>Arrays are read while a picture is made, and not kept.  A model and a point set are kept by
+    /// it.</remarks>
     /// <example>
     /// <code>
     /// Picture.Draw(PictureSource.FromPoints(points, normals)); // double[] or float[] of x, y, z
@@ -36,8 +37,8 @@ namespace HrbfNpr
         public PointSet PointSet { get; private set; }
 
         /// <summary>
-        /// Of a mesh: pairs of numbers of vertices, int, uint or long, whose faces have normals of their own in its file.
-        /// An array without numbers says that there are none; not given = not known (default).
+        /// Sharp edges of a mesh: pairs of numbers of vertices, int, uint or long, whose faces have normals of their
+        /// own in its file.  An array without numbers says that there are none; not given = not known (default).
         /// </summary>
         public ArrayView SharpEdges { get; set; }
 
@@ -55,13 +56,15 @@ namespace HrbfNpr
         /// </summary>
         public bool IsPhoto { get; set; }
 
-        /// <summary>Of a depth camera's image, whose points stand row by row; 0 = it is none (default).</summary>
+        /// <summary>
+        /// Columns of a depth camera's image, whose points stand row by row; 0 = it is none (default).
+        /// </summary>
         public long Columns { get; set; }
 
-        /// <summary>As <see cref="Columns"/>.</summary>
+        /// <summary>Rows of that image.</summary>
         public long Rows { get; set; }
 
-        /// <summary>Of the file, for titles and metadata; null = none.</summary>
+        /// <summary>Name of the file, for titles and metadata; null = none.</summary>
         public string Name { get; set; }
 
         /// <summary>Points, with normals or without.</summary>
@@ -189,7 +192,7 @@ namespace HrbfNpr
         }
 
         /// <summary>Looks at the source without drawing it.</summary>
-        /// <param name="notes">What was found.  Of severity Note: what a picture repairs; Warning: what is wrong, with
+        /// <param name="notes">The findings.  Severity Note: a picture repairs it; Warning: it is wrong, with
         /// advice; Failure: a note <see cref="NoteCode.NotUsable"/> that says why it cannot be drawn.</param>
         /// <param name="wording">How notes name options.</param>
         /// <param name="context">The default context if null.</param>

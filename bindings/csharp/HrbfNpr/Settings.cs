@@ -4,8 +4,10 @@ using System.IO;
 
 namespace HrbfNpr
 {
-    /// <summary>What a picture is made with, as a file of JSON that <see cref="Picture.SaveSettings(Stream)"/>, the command
-    /// line or the viewer wrote; see docs/settings.md of the project.</summary>
+    /// <summary>
+    /// What a picture is made with, as a file of JSON that <see cref="Picture.SaveSettings(Stream)"/>, the command
+    /// line or the viewer wrote; see docs/settings.md of the project.
+    /// </summary>
     /// <remarks>Immutable: any number of threads may use it at a time.</remarks>
     public sealed class Settings : IDisposable
     {
@@ -24,7 +26,8 @@ namespace HrbfNpr
         /// <summary>Reads settings.</summary>
         /// <param name="stream">Read from on this thread to its end, and not closed.</param>
         /// <param name="context">The default context if null.</param>
-        /// <exception cref="InvalidArgumentException">The message names the key, and says what would be right.</exception>
+        /// <exception cref="InvalidArgumentException">The message names the key, and says what would be
+        /// right.</exception>
         /// <exception cref="StreamException">The stream failed.</exception>
         public static unsafe Settings Load(Stream stream, Context context = null)
         {
@@ -43,9 +46,10 @@ namespace HrbfNpr
         }
 
         /// <summary>Reads a file of settings.</summary>
-        /// <param name="path">Of the file.</param>
+        /// <param name="path">The file.</param>
         /// <param name="context">The default context if null.</param>
-        /// <exception cref="InvalidArgumentException">The message names the key, and says what would be right.</exception>
+        /// <exception cref="InvalidArgumentException">The message names the key, and says what would be
+        /// right.</exception>
         public static Settings Load(string path, Context context = null)
         {
             using (FileStream file = File.OpenRead(path))

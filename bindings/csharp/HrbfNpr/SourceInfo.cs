@@ -18,7 +18,7 @@ namespace HrbfNpr
         /// <summary>As given: points, vertices of a mesh, centres of a model, marks of a point set.</summary>
         public readonly long Points;
 
-        /// <summary>As given.</summary>
+        /// <summary>Triangles, as given.</summary>
         public readonly long Triangles;
 
         /// <summary>Points at a value that stands for none; what follows is without them.</summary>
@@ -39,7 +39,7 @@ namespace HrbfNpr
         /// <summary>The opposite corner.</summary>
         public readonly Vector3d BoundsMax;
 
-        /// <summary>Of these bounds.</summary>
+        /// <summary>Diagonal of these bounds.</summary>
         public readonly double Diagonal;
 
         /// <summary>Which way is up as a picture chooses by itself, of points and meshes.</summary>
@@ -70,10 +70,10 @@ namespace HrbfNpr
         /// </summary>
         public readonly double NormalsFlippedShare;
 
-        /// <summary>Of a depth camera: pixels that have a point.</summary>
+        /// <summary>Pixels of a depth camera that have a point.</summary>
         public readonly long ImageSeen;
 
-        /// <summary>Of these, pixels on no surface.</summary>
+        /// <summary>Those of these pixels that are on no surface.</summary>
         public readonly long ImageDropped;
 
         /// <summary>Median of the depths that were seen.</summary>
@@ -85,7 +85,7 @@ namespace HrbfNpr
         private readonly uint closed;
         private readonly uint insideOut;
 
-        /// <summary>Of a mesh: parts that share no vertex.</summary>
+        /// <summary>Parts of a mesh that share no vertex.</summary>
         public readonly long Components;
 
         /// <summary>Parts without border whose faces look inward; inside another one such a part is a cavity.</summary>
@@ -118,10 +118,10 @@ namespace HrbfNpr
         /// <summary>Vertices of no face.</summary>
         public readonly long UnusedVertices;
 
-        /// <summary>Of all faces.</summary>
+        /// <summary>Area of all faces.</summary>
         public readonly double Area;
 
-        /// <summary>Enclosed; 0 where the mesh is not closed.</summary>
+        /// <summary>Enclosed volume; 0 where the mesh is not closed.</summary>
         public readonly double Volume;
 
         private fixed byte upReason[128];
@@ -133,7 +133,8 @@ namespace HrbfNpr
         }
 
         /// <summary>
-        /// Of the worst finding: Info = there is none, Note = a picture repairs it, Warning, Failure = it cannot be drawn.
+        /// How bad the worst finding is: Info = there is none, Note = a picture repairs it, Warning, Failure = it cannot be
+        /// drawn.
         /// </summary>
         public Severity Severity
         {

@@ -32,7 +32,7 @@ namespace HrbfNpr
             Read(&style);
         }
 
-        /// <param name="style">Of the library's.</param>
+        /// <param name="style">A struct of the library's.</param>
         /// <param name="owner">The picture that it belongs to; null of a preset.</param>
         internal Style(hrbfnpr_style* style, SafeHandle owner = null)
         {
@@ -154,7 +154,9 @@ namespace HrbfNpr
         /// </summary>
         public ToneFunction ToneFunction { get; set; }
 
-        /// <summary>In place of <see cref="ToneFunction"/>: what is painted on a picture.</summary>
+        /// <summary>
+        /// The library's own function in place of <see cref="ToneFunction"/>, where a picture is painted; else null.
+        /// </summary>
         internal NativeFunction NativeTone { get; private set; }
 
         /// <summary>What the light moves with.</summary>

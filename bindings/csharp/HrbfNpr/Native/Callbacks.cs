@@ -74,7 +74,9 @@ namespace HrbfNpr
         }
     }
 
-    /// <summary>A function of the library's own that a picture's style or layers call, such as of what is painted.</summary>
+    /// <summary>
+    /// A function of the library's own that a picture's style or layers call, such as for painted tone.
+    /// </summary>
     internal sealed class NativeFunction
     {
         private readonly IntPtr user;

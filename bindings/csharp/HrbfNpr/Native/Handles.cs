@@ -131,7 +131,7 @@ namespace HrbfNpr
             }
         }
 
-        /// <summary>A reference of what is alive.</summary>
+        /// <summary>Adds a reference to a handle that is alive.</summary>
         internal static ModelHandle Of(IntPtr value, ContextAnchor owner)
         {
             var copy = new ModelHandle();
@@ -166,7 +166,7 @@ namespace HrbfNpr
             }
         }
 
-        /// <summary>A reference of what is alive.</summary>
+        /// <summary>Adds a reference to a handle that is alive.</summary>
         internal static PointSetHandle Of(IntPtr value, ContextAnchor owner)
         {
             var copy = new PointSetHandle();
@@ -183,7 +183,7 @@ namespace HrbfNpr
             NativeMethods.hrbfnpr_line_set_release(value);
         }
 
-        /// <summary>A reference of what is alive.</summary>
+        /// <summary>Adds a reference to a handle that is alive.</summary>
         internal static LineSetHandle Of(IntPtr value, ContextAnchor owner)
         {
             var copy = new LineSetHandle();
@@ -257,7 +257,7 @@ namespace HrbfNpr
             }
         }
 
-        /// <summary>A reference of what is alive.</summary>
+        /// <summary>Adds a reference to a handle that is alive.</summary>
         internal static MeshHandle Of(IntPtr value, ContextAnchor owner)
         {
             var copy = new MeshHandle();

@@ -1902,7 +1902,7 @@ export interface PictureDesc {
    * "none"
    */
   scaleBar?: string;
-  /** NULL */
+  /** NULL; called for as long as the picture lives */
   onEvent?: PictureEventFn;
 }
 

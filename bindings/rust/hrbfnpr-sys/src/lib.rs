@@ -4572,8 +4572,9 @@ pub struct hrbfnpr_picture_desc {
     /// the unit of a scale bar below the drawing; "none": no bar; NULL = "units" of the style
     /// archaeological, else "none"
     pub scale_bar: *const c_char,
-    /// NULL
+    /// NULL; called for as long as the picture lives
     pub on_event: hrbfnpr_picture_event_fn,
+    /// outlives the picture
     pub event_user: *mut c_void,
 }
 
