@@ -125,16 +125,18 @@ void Stages::add_pictures(std::vector<Stage>& stages) {
                           {},
                           most_refusals});
 
-    Error failure;
-    auto desc = picture_desc();
-    desc.sources = &points;
-    desc.source_count = 1;
-    hrbfnpr_picture* picture = nullptr;
-    hrbfnpr_drawing* drawing = nullptr;
-    EXPECT_OK(hrbfnpr_picture_create(context_.get(), &desc, nullptr, &picture, failure));
-    picture_.reset(picture);
-    EXPECT_OK(hrbfnpr_picture_draw(picture, nullptr, nullptr, &drawing, failure));
-    picture_drawing_.reset(drawing);
+    {
+        Error error;
+        auto desc = picture_desc();
+        desc.sources = &points;
+        desc.source_count = 1;
+        hrbfnpr_picture* picture = nullptr;
+        hrbfnpr_drawing* drawing = nullptr;
+        EXPECT_OK(hrbfnpr_picture_create(context_.get(), &desc, nullptr, &picture, error));
+        picture_.reset(picture);
+        EXPECT_OK(hrbfnpr_picture_draw(picture, nullptr, nullptr, &drawing, error));
+        picture_drawing_.reset(drawing);
+    }
     stages.push_back({"picture.restyled",
                       [this](Attempt& attempt, Bytes& bytes, hrbfnpr_error* error) {
                           auto restyle = picture_desc();
