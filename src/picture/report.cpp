@@ -273,6 +273,7 @@ hrbfnpr_picture_event described(const FinishedStage& finished) noexcept {
 Stage::Stage(Report& report, std::uint32_t stage)
     : report_(report), stage_(stage), exceptions_(std::uncaught_exceptions()), says_(report.pool_),
       operation_(*report.context_) {
+    report.stages.reserve(report.stages.size() + 1); // so that the end of the stage needs no memory
     operation_.operation.set_callback(on_progress, this);
     if (report.operation_ != nullptr) operation_.operation.be_part_of(&report.operation_->operation);
     report.running_ = stage;
@@ -295,14 +296,9 @@ Stage::~Stage() {
     report_.running_ = 0;
     report_.done_ += words_of(stage_).share * (1.0 - report_.done_);
     if (std::uncaught_exceptions() != exceptions_) return;
-    const FinishedStage* kept = nullptr;
-    try {
-        kept = &report_.keep({stage_, seconds, std::move(says_)});
-    } catch (...) { // If there is no memory for its line, the stage still ends.
-        return;
-    }
+    const FinishedStage& kept = report_.keep({stage_, seconds, std::move(says_)});
     if (report_.on_event_ == nullptr) return;
-    const hrbfnpr_picture_event event = described(*kept);
+    const hrbfnpr_picture_event event = described(kept);
     report_.on_event_(report_.user_, &event);
 }
 

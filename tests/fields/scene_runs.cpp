@@ -217,7 +217,6 @@ Outcome Scene::write_page() {
 }
 
 Outcome Scene::make_picture() {
-    fill_canaries();
     hrbfnpr_picture* picture = sentinel<hrbfnpr_picture>();
     hrbfnpr_status status = hrbfnpr_picture_create(context_.get(), &picture_desc_, operation_.get(), &picture, &error_);
     if (status != HRBFNPR_STATUS_OK) return outcome(status, picture == nullptr);
@@ -227,7 +226,13 @@ Outcome Scene::make_picture() {
     status = hrbfnpr_picture_draw(picture, nullptr, operation_.get(), &drawing, &error_);
     if (status != HRBFNPR_STATUS_OK) return outcome(status, drawing == nullptr);
     const hrbfnpr::test::Drawing own_drawing(drawing);
-    return outcome(hrbfnpr_picture_rasterize(picture, drawing, nullptr, &image_, &error_), canaries_are_whole(pixels_));
+    auto image = image_;
+    status = hrbfnpr_picture_plate_size(picture, nullptr, &image.width, &image.height, &error_);
+    if (status != HRBFNPR_STATUS_OK) return outcome(status);
+    std::vector<std::uint8_t> pixels(4 * static_cast<std::size_t>(image.width) *
+                                     static_cast<std::size_t>(image.height));
+    image.pixels = pixels.data();
+    return outcome(hrbfnpr_picture_rasterize(picture, drawing, nullptr, &image, &error_));
 }
 
 Outcome Scene::write_picture() {
