@@ -18,16 +18,6 @@ TYPES = {
     "number_or_auto": "NumberOr", "count_or_auto": "NumberOr", "assignment": "Optional[Mapping[str, Any]]",
     "file": "Optional[Any]", "page": "Size", "pens": "Names", "pen_widths": "Optional[Floats]",
 }  # fmt: skip
-IN_WORDS = {
-    "flag": "bool", "number": "float", "count": "int", "text": "str", "vector": "(x, y, z)", "direction": "(x, y, z) or str",
-    "up": "(x, y, z) or str", "paint": "(r, g, b, a) or str", "size": "(width, height) or int", "layers": "str or sequence of str",
-    "lines": "str or sequence of str", "per_layer": "int, or mapping of str to int", "interval": "(low, high)",
-    "edges": "str or float", "number_or_auto": "float or str", "count_or_auto": "int or str",
-    "assignment": "mapping of str", "file": "path", "page": "(width, height) or str", "pens": "str",
-    "pen_widths": "sequence of float",
-}  # fmt: skip
-
-
 def lines_of(text, indent, first=None):
     return "\n".join(textwrap.wrap(text, WIDTH, initial_indent=indent if first is None else first, subsequent_indent=indent,
                                    break_long_words=False, break_on_hyphens=False))  # fmt: skip
@@ -76,21 +66,15 @@ def packed(start, words):
 
 def call(api):
     template = (HERE / "draw_call.py.in").read_text(encoding="utf-8")
-    arguments, doc, names = [], [], []
-    for group, option, choices, words in rows(api):
+    arguments, names = [], []
+    for _, option, _, _ in rows(api):
         kind = option.kind.split()[0]
         arguments.append(f"{option.name}: {TYPES[kind]} = {False if kind == 'flag' else None}")
         names.append(option.name)
-        what = "{" + ", ".join(f'"{name}"' for name in choices) + "}" if choices else IN_WORDS[kind]
-        doc.append(lines_of(f"{option.name} : {what}", "    ") + "\n" + lines_of(sentence(words), "        "))
     text = ", ".join(argument.replace(" ", "\0") for argument in arguments)
     given = lines_of(", ".join(f"{name}={name}" for name in names), "        ")
     return NOTE + (template.replace("@SIGNATURE@", lines_of(text, "    ").replace("\0", " "))
-                   .replace("@PARAMETERS@", "\n".join(doc)).replace("@GIVEN@", given))  # fmt: skip
-
-
-def sentence(words):
-    return words[0].upper() + words[1:] + "."
+                   .replace("@GIVEN@", given))  # fmt: skip
 
 
 def outputs(api):

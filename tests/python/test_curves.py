@@ -5,10 +5,12 @@ import json
 import numpy as np
 import pytest
 from curves import rings, wires
+from looks import info_of
 from test_cli import rows
 
 import hrbfnpr
-from hrbfnpr.cli import _looks, main
+from hrbfnpr.cli import main
+from hrbfnpr.shapes import Shape
 
 Image = pytest.importorskip("PIL.Image")
 
@@ -64,5 +66,5 @@ def test_normals_of_wires_with_noise_are_right():
 
 @pytest.mark.parametrize("points, expected", [(rings(), True), (wires()[0], True), (rings(60, 18), False)])
 def test_along_curves(points, expected):
-    assert _looks.along_curves(points) == expected
-    assert not _looks.along_curves(points[:10])
+    assert info_of(Shape(points)).along_curves == expected
+    assert not info_of(Shape(points[:10])).along_curves

@@ -122,7 +122,7 @@ def test_a_wall_is_a_wall(tmp_path, capsys):
     kept, turned = off_the_wall(tmp_path / "b.hrbf", z)
     assert kept > 1.05 * distance and turned < 3  # the fit takes noise off, too
     assert main(["fit", str(file), str(tmp_path / "c.hrbf"), "--depth-smoothing", "-1"]) == 1
-    assert "depth_image_desc.smoothing is -1" in capsys.readouterr().err
+    assert "--depth-smoothing is -1" in capsys.readouterr().err
 
     # Points whose rows are not known.
     file = write(tmp_path, "b.pcd", pcd(points.reshape(1, -1, 3)[:, ::7]))

@@ -3,45 +3,44 @@
 import numpy as np
 import pytest
 from conftest import fibonacci_sphere
+from looks import info_of
 from test_input import lost, no_data, obj, table, tube
 from test_shapes import write
 
-import hrbfnpr
-from hrbfnpr.cli import _looks, main
+from hrbfnpr.cli import main
 from hrbfnpr.shapes import Shape
+
+
+def strays(points):
+    return info_of(Shape(points)).strays
 
 
 def test_strays_are_few_and_far():
     points = fibonacci_sphere(2000)
-    assert not _looks.strays(points).any()
+    assert strays(points) == 0
     two = np.vstack([points, [[9.0, 0, 0], [0, -20, 0]]])
-    assert list(np.flatnonzero(_looks.strays(two))) == [2000, 2001]
-    assert not _looks.strays(np.vstack([points, [[3.0, 0, 0]]])).any()  # not so far
-    assert not _looks.strays(np.vstack([points, points[:40] + [30, 0, 0]])).any()  # not so few
-    assert not _looks.strays(points[:150] + 0).any()
-    assert list(np.flatnonzero(_looks.strays(np.vstack([two, [[np.nan, 0, 0]]])))) == [2000, 2001]
+    assert strays(two) == 2
+    assert strays(np.vstack([points, [[3.0, 0, 0]]])) == 0  # not so far
+    assert strays(np.vstack([points, points[:40] + [30, 0, 0]])) == 0  # not so few
+    assert strays(points[:150] + 0) == 0
+    assert strays(np.vstack([two, [[np.nan, 0, 0]]])) == 2
     rod = np.column_stack([np.linspace(0, 100, 3000), np.zeros(3000), np.zeros(3000)])
-    assert not _looks.strays(rod).any()
+    assert strays(rod) == 0
 
 
 def test_values_that_stand_for_none():
     points = np.random.default_rng(1).uniform(0, 50, (100, 3))
     points[[3, 7], 2] = -9999
-    shape, count, value = _looks.without_data(Shape(points))
-    assert (count, value, len(shape.points)) == (2, -9999, 98)
+    info = info_of(Shape(points))
+    assert (info.no_data, info.bounds_min[2] >= 0) == (2, True)
     deep = points.copy()
     deep[[3, 7], 2] = np.linspace(-9999, -9000, 2)  # one of them, and others near to it
     deep[8:40, 2] = -9990
-    assert _looks.without_data(Shape(deep))[1] == 0
-    alone = Shape(np.full((3, 3), -9999.0))
-    assert _looks.without_data(alone)[0] is alone
+    assert info_of(Shape(deep)).no_data == 0
+    assert info_of(Shape(np.full((3, 3), -9999.0))).no_data == 0  # there would be nothing left
     points[8, 2] = 1
-    none = Shape(points, None, np.array([[2, 3, 4]]))  # no face would be left
-    assert _looks.without_data(none) == (none, 0, 0.0)
-    mesh = Shape(points, points.copy(), np.array([[0, 1, 2], [2, 3, 4], [5, 6, 8]]))
-    left = _looks.without_data(mesh)[0]
-    assert len(left.points) == len(left.normals) == 98
-    np.testing.assert_array_equal(left.points[left.triangles], points[[[0, 1, 2], [5, 6, 8]]])
+    assert info_of(Shape(points, None, np.array([[2, 3, 4]]))).no_data == 0  # no face would be left
+    assert info_of(Shape(points, points.copy(), np.array([[0, 1, 2], [2, 3, 4], [5, 6, 8]]))).no_data == 2
 
 
 @pytest.mark.parametrize("option", [[], ["--parts", "all"]])

@@ -2,11 +2,11 @@
 """Line sets and styles of lines."""
 import pickle
 
-import hrbfnpr
 import numpy as np
 import pytest
 from conftest import fibonacci_sphere, torus
-from hrbfnpr import shapes
+
+import hrbfnpr
 from hrbfnpr.cli import main
 
 

@@ -4,7 +4,6 @@ import numpy as np
 import pytest
 from conftest import torus
 
-import hrbfnpr
 from hrbfnpr.cli import main
 
 Image = pytest.importorskip("PIL.Image")

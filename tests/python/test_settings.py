@@ -7,7 +7,6 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-import hrbfnpr
 from hrbfnpr.cli._main import main
 
 Image = pytest.importorskip("PIL.Image")

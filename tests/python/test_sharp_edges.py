@@ -9,13 +9,11 @@ import pytest
 from coarse import flat_ball
 from corner_normals import SIDES, obj, prism
 from test_shapes import write
-from test_subdivide import ball, bevelled_cube
+from test_subdivide import ball
 
 from hrbfnpr import shapes
 from hrbfnpr.cli import main
-from hrbfnpr.shapes import Shape
-from hrbfnpr.shapes._sharp_edges import Kind, kind, moved, sharp_edges
-from hrbfnpr.shapes._subdivide import raised, subdivide, subdivide_round
+from hrbfnpr.shapes._sharp_edges import sharp_edges
 
 def split(points, faces, normals, own):
     """Vertices with normals, several at a place."""
@@ -77,90 +75,12 @@ def test_files_tell_which_edges_are_sharp(tmp_path, name, data):
     shape = shapes.read(write(tmp_path, name, data))
     assert len(shape.triangles) == len(prism()[1])
     assert rims(shape) == rims_of_prism()
-    assert kind(shape.points, shape.triangles, shape.sharp_edges) is Kind.SOME
 
 
 @pytest.mark.parametrize("corner", ["{}", "{}/1", "{}//{}7", "{}//x"])
 def test_corners_without_normals_that_are_some_tell_nothing(tmp_path, corner):
     shape = shapes.read(write(tmp_path, "a.obj", obj(*prism(), corner=corner)))
     assert shape.sharp_edges is None and len(shape.triangles) == len(prism()[1])
-
-
-def test_kinds():
-    points, faces = ball()
-    assert kind(points, faces, sharp_edges(points, faces, points[faces])) is Kind.NOTHING  # all are smooth
-    corner = points[faces]
-    flat = np.cross(corner[:, 1] - corner[:, 0], corner[:, 2] - corner[:, 0])
-    assert kind(points, faces, sharp_edges(points, faces, np.repeat(flat[:, None], 3, axis=1))) is Kind.ALL
-    assert sharp_edges(points, faces, np.zeros((len(faces), 3, 3))) is None
-    assert sharp_edges(points, np.tile(faces, (700, 1)), np.zeros((700 * len(faces), 3, 3))) is None  # too fine
-
-
-def test_edges_are_found_by_place():
-    points = np.array([[0.0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 0]])
-    edges = moved(np.array([[3, 1], [1, 2]]), points, points[[2, 1, 0]])
-    np.testing.assert_array_equal(np.sort(edges, axis=1), [[1, 2], [0, 1]])
-    assert len(moved(np.array([[3, 1], [1, 2]]), points, points[[1, 2]])) == 1
-
-
-def cylinder(sharp=True):
-    points, faces, normals, own = prism()
-    return Shape(points, None, faces, sharp_edges=sharp_edges(points, faces, normals[own]) if sharp else None)
-
-
-def test_what_is_smooth_becomes_round_between_sharp_edges():
-    fine = subdivide(cylinder(), 3, 180.0)
-    radius = np.hypot(fine.points[:, 0], fine.points[:, 1])
-    inside = (fine.points[:, 2] > 0.05) & (fine.points[:, 2] < 1.95)
-    assert radius[inside].min() > 0.97 and radius[inside].max() < 1.02  # those of the prism's sides: 0.924
-    for z in (0.0, 2.0):  # the caps stay flat, and end in the rims
-        assert (np.abs(fine.points[:, 2] - z) < 1e-9).sum() > 8 * SIDES
-    assert fine.points[:, 2].min() > -1e-9 and fine.points[:, 2].max() < 2 + 1e-9
-    assert subdivide(cylinder(sharp=False), 3, 180.0).points[:, 2].max() > 2.01
-
-
-def test_parts_that_are_fine_or_bevelled_stay():
-    one, (points, faces) = cylinder(), bevelled_cube()
-    shape = Shape(
-        np.vstack([one.points, points + 5]), None, np.vstack([one.triangles, faces + len(one.points)]),
-        sharp_edges=one.sharp_edges,
-    )  # fmt: skip
-    fine, of = subdivide_round(shape, 2, 180.0, 0.002)
-    assert len(fine.triangles) == len(of) == 16 * len(one.triangles) + len(faces)
-    np.testing.assert_array_equal(np.bincount(of), np.repeat([16, 1], [len(one.triangles), len(faces)]))
-    middle = [s.points[s.triangles].mean(axis=1) for s in (fine, shape)]
-    assert np.linalg.norm(middle[0] - middle[1][of], axis=1).max() < 1.2  # a side is 2 long
-    assert 0.005 < raised(shape, fine, of).max() < 0.02  # a sixteenth of the cylinder bulges by 0.076, across is 12.1
-    assert subdivide_round(shape, 2, 180.0, 1.0)[0] is shape
-    # A box of which the chamfers are smooth: all of it stays flat.
-    points, faces = chamfered_box()
-    given = np.zeros((0, 2), dtype=np.int64)
-    fine = subdivide(Shape(points, None, faces, sharp_edges=given), 2, 180.0)
-    assert np.abs(fine.points).max() < 1 + 1e-9 and fine.sharp_edges is not None
-    planes = np.sort(np.abs(fine.points), axis=1)
-    on_face = np.abs(planes[:, 2] - 1) < 1e-9
-    on_chamfer = np.abs(planes[:, 2] + planes[:, 1] - 1.9) < 1e-9
-    on_corner = np.abs(planes.sum(axis=1) - 2.8) < 1e-9
-    assert (on_face | on_chamfer | on_corner).all()
-    assert np.abs(subdivide(Shape(points, None, faces), 2, 180.0).points).max() > 1 + 1e-3
-
-
-def chamfered_box():
-    """From -1 to 1, 0.1 off its edges."""
-    hull = {(s * a, t * b, u * c) for a, b, c in ((1, 0.9, 0.9), (0.9, 1, 0.9), (0.9, 0.9, 1))
-            for s in (-1, 1) for t in (-1, 1) for u in (-1, 1)}  # fmt: skip
-    points = np.array(sorted(hull))
-    normals = [np.array(n, dtype=float) for n in np.ndindex(3, 3, 3)]
-    faces = []
-    for normal in (n - 1 for n in normals if (n != 1).any()):
-        height = points @ normal
-        on = np.flatnonzero(height > height.max() - 1e-9)
-        middle = points[on].mean(axis=0)
-        u = points[on[0]] - middle
-        v = np.cross(normal / np.linalg.norm(normal), u)
-        turn = on[np.argsort(np.arctan2((points[on] - middle) @ v, (points[on] - middle) @ u))]
-        faces += [(turn[0], turn[i], turn[i + 1]) for i in range(1, len(turn) - 1)]
-    return points, np.array(faces)
 
 
 def drawn(tmp_path, capsys, text, *options):
@@ -205,3 +125,9 @@ def test_a_ball_is_flat_if_its_file_says_so(tmp_path, capsys):
     assert "divided" in drawn(tmp_path, capsys, flat, "--edges", "auto")
     points, faces = ball()
     assert "divided" in drawn(tmp_path, capsys, obj(points, faces, points, faces))
+
+
+def test_what_tells_nothing_of_edges():
+    points, faces = ball()
+    assert sharp_edges(points, faces, np.zeros((len(faces), 3, 3))) is None
+    assert sharp_edges(points, np.tile(faces, (700, 1)), np.zeros((700 * len(faces), 3, 3))) is None  # too fine

@@ -7,10 +7,8 @@ from test_input import obj
 from test_shapes import write
 
 import hrbfnpr
-from hrbfnpr import shapes
 from hrbfnpr.cli import main
-from hrbfnpr.shapes import Shape, ShapeError, subdivide
-from hrbfnpr.shapes._subdivide import coarseness
+from hrbfnpr.shapes import Shape
 
 
 def icosahedron():
@@ -40,77 +38,10 @@ def ball():
     return np.vstack([points, new / np.linalg.norm(new, axis=1, keepdims=True)]), np.array(quarters)
 
 
-def sheet(side=4):
-    x, y = np.meshgrid(np.arange(side + 1.0), np.arange(side + 1.0))
-    points = np.column_stack([x.ravel(), y.ravel(), 0 * x.ravel()])
-    cells = [(row * (side + 1) + column) for row in range(side) for column in range(side)]
-    faces = [f for i in cells for f in ((i, i + 1, i + side + 2), (i, i + side + 2, i + side + 1))]
-    return Shape(points, None, np.array(faces))
-
-
 def cube():
     points = np.array([[x, y, z] for x in (0.0, 1.0) for y in (0.0, 1.0) for z in (0.0, 1.0)])
     quads = [(0, 1, 3, 2), (4, 6, 7, 5), (0, 4, 5, 1), (2, 3, 7, 6), (0, 2, 6, 4), (1, 5, 7, 3)]
     return Shape(points, None, np.array([f for a, b, c, d in quads for f in ((a, b, c), (a, c, d))]))
-
-
-def volume(shape):
-    a, b, c = (shape.points[shape.triangles[:, k]] for k in range(3))
-    return float(np.einsum("ij,ij->", a, np.cross(b, c))) / 6
-
-
-def test_a_coarse_ball_becomes_round_through_its_vertices():
-    given = Shape(*ball()[:1], None, ball()[1])
-    fine = subdivide(given, 3)
-    assert len(fine.triangles) == 64 * len(given.triangles)
-    radius = np.linalg.norm(fine.points, axis=1)
-    np.testing.assert_allclose(radius[: len(given.points)], 1, atol=2e-3)  # plain subdivision: 0.93
-    assert radius.min() > 0.985 and radius.max() < 1.005  # the middles of the faces: 0.94
-    assert 0.96 * 4.18879 < volume(fine) < 4.18879
-    assert 0.008 < coarseness(given) < 0.0085  # 0.55 long, 16.5 to 18 degrees apart, 3.4 across
-    assert coarseness(fine) < coarseness(given) / 40
-
-
-def test_borders_stay_and_corners_do():
-    fine = subdivide(sheet(), 2)
-    x, y, z = fine.points.T
-    assert (z == 0).all() and x.min() == y.min() == 0 and x.max() == y.max() == 4
-    corners = {(0.0, 0.0), (0.0, 4.0), (4.0, 0.0), (4.0, 4.0)}
-    assert corners <= set(zip(x.tolist(), y.tolist()))
-    faces = fine.points[fine.triangles]
-    areas = np.cross(faces[:, 1] - faces[:, 0], faces[:, 2] - faces[:, 0])[:, 2] / 2
-    assert (areas > 0).all() and areas.sum() == pytest.approx(16)
-
-
-def test_what_is_sharp_stays_sharp_unless_all_is_to_be_round():
-    fine = subdivide(cube(), 2)
-    on_side = np.minimum(np.abs(fine.points), np.abs(fine.points - 1)).min(axis=1)
-    assert on_side.max() < 1e-12 and volume(fine) == pytest.approx(1)
-    assert volume(subdivide(cube(), 2, crease_angle=180)) > 1.05  # round through the corners
-
-
-def test_edges_of_three_faces_and_vertices_of_none():
-    points = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, -1, 0], [0, 0, 1], [9, 9, 9.0]])
-    fine = subdivide(Shape(points, None, np.array([[0, 1, 2], [1, 0, 3], [0, 1, 4]])), 2)
-    assert len(fine.triangles) == 48 and np.isfinite(fine.points).all()
-    np.testing.assert_array_equal(fine.points[[0, 1, 5]], points[[0, 1, 5]])
-
-
-def test_no_rounds_change_nothing():
-    given = sheet()
-    same = subdivide(given, 0)
-    np.testing.assert_array_equal(same.points, given.points)
-    np.testing.assert_array_equal(same.triangles, given.triangles)
-
-
-def test_what_cannot_be_divided():
-    with pytest.raises(ShapeError, match="no faces"):
-        subdivide(Shape(np.zeros((3, 3))))
-    with pytest.raises(ValueError, match="rounds is 7"):
-        subdivide(cube(), 7)
-    many = Shape(np.eye(3), None, np.tile([0, 1, 2], (70_000, 1)))
-    with pytest.raises(ShapeError, match="4480000 after 3 rounds"):
-        subdivide(many, 3)
 
 
 @pytest.mark.parametrize(
@@ -147,7 +78,6 @@ def bevelled_cube():
 # Edges as long as its faces are no coarse ones: what is round there is narrow.
 def test_a_bevelled_cube_is_left(tmp_path, capsys):
     points, faces = bevelled_cube()
-    assert coarseness(Shape(points, None, faces)) < 0.001
     path = write(tmp_path, "cube.obj", obj(points, faces))
     assert main(["draw", str(path), str(tmp_path / "a.png"), "--size", "100", "--marks", "600"]) == 0
     out, said = capsys.readouterr()
@@ -164,16 +94,29 @@ def test_a_convex_hull_is_flat(hull, tmp_path, capsys):
     assert "warning: the surface is not within" not in said
 
 
+def round_ball(rounds):
+    """Each face of a ball divided into four, its new corners on the sphere."""
+    points, faces = ball()
+    for _ in range(rounds):
+        ends = np.sort(np.concatenate([faces[:, [0, 1]], faces[:, [1, 2]], faces[:, [2, 0]]]), axis=1)
+        edges, number = np.unique(ends, axis=0, return_inverse=True)
+        ab, bc, ca = len(points) + number.reshape(3, -1)
+        a, b, c = faces.T
+        middle = points[edges].sum(axis=1)
+        points = np.vstack([points, middle / np.linalg.norm(middle, axis=1)[:, None]])
+        faces = np.vstack([np.column_stack(part) for part in ((a, ab, ca), (b, bc, ab), (c, ca, bc), (ab, bc, ca))])
+    return points, faces
+
+
 def test_edges_that_stand_out_fine_faces_and_noise_are_left(tmp_path, capsys):
     box = cube()
     path = write(tmp_path, "box.obj", obj(box.points, box.triangles))
     assert main(["draw", str(path), str(tmp_path / "a.png"), "--size", "100", "--marks", "600"]) == 0
-    fine = subdivide(Shape(*ball()[:1], None, ball()[1]), 2)
-    path = write(tmp_path, "fine.obj", obj(fine.points, fine.triangles))
+    path = write(tmp_path, "fine.obj", obj(*round_ball(2)))
     assert main(["draw", str(path), str(tmp_path / "b.png"), "--size", "100", "--marks", "600"]) == 0
-    points = subdivide(Shape(*ball()[:1], None, ball()[1]), 3)
-    noise = 1 + 0.02 * np.random.default_rng(1).normal(size=(len(points.points), 1))
-    path = write(tmp_path, "noise.obj", obj(points.points * noise, points.triangles))
+    points, faces = round_ball(3)
+    noise = 1 + 0.02 * np.random.default_rng(1).normal(size=(len(points), 1))
+    path = write(tmp_path, "noise.obj", obj(points * noise, faces))
     assert main(["draw", str(path), str(tmp_path / "c.png"), "--size", "100", "--marks", "600"]) == 0
     assert "divided" not in capsys.readouterr().err
 
@@ -183,10 +126,6 @@ def test_what_the_look_for_edges_finds_is_not_told(tmp_path, capsys):
     path = write(tmp_path, "two.obj", obj(np.vstack([points, points + [2.003, 0, 0]]), np.vstack([faces, faces + 42])))
     assert main(["draw", str(path), str(tmp_path / "a.png"), "--size", "100", "--marks", "600"]) == 0
     assert capsys.readouterr().err.count("nearer to each other than the tolerance") == 1
-
-
-def test_the_module_has_it():
-    assert shapes.subdivide is subdivide
 
 
 def test_a_call_divides_them_too():

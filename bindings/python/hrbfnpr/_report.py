@@ -30,9 +30,12 @@ class Note(str):
     severity : {"info", "note", "warning", "failure"}
     figures : tuple of float
         Its numbers.
+    advice : str
+        What to do about it; empty where the sentence says it, or there is nothing to do.
     """
 
     code = ""
+    advice = ""
     severity = "note"
     figures: Tuple[float, ...] = ()
 
@@ -42,12 +45,14 @@ class Note(str):
         note = cls(ffi.string(struct.text).decode("utf-8", "replace"))
         note.code, note.severity = _NOTES.get(struct.code, str(struct.code)), SEVERITIES[struct.severity]
         note.figures = tuple(struct.figures[0 : struct.figure_count])
+        if struct.advice != ffi.NULL:
+            note.advice = ffi.string(struct.advice).decode("utf-8", "replace")
         return note
 
     def about(self, what: str) -> Note:
         """The same, and what it is about."""
         note = Note(f"{what}: {self}")
-        note.code, note.severity, note.figures = self.code, self.severity, self.figures
+        note.code, note.severity, note.figures, note.advice = self.code, self.severity, self.figures, self.advice
         return note
 
 

@@ -126,7 +126,8 @@ def constant(name: str) -> int:
 
 def describe(options: Options, flags: Sequence[str] = ()) -> Tuple[Any, List[Any]]:
     """A hrbfnpr_picture_desc with these options, and what must be kept alive with it."""
-    desc, keep = new_struct("hrbfnpr_picture_desc"), []
+    desc = new_struct("hrbfnpr_picture_desc")
+    keep: List[Any] = []
     for flag in flags:
         desc.flags |= constant(f"PICTURE_{flag}")
     changes: List[Tuple[str, str]] = []
@@ -263,9 +264,9 @@ def _fill_shape(struct: Any, shape: Any, keep: List[Any]) -> None:
 
 def describe_page(options: Options, format: str) -> Tuple[Any, List[Any]]:
     """A hrbfnpr_picture_page_desc with these options."""
-    whole, page, keep = new_struct("hrbfnpr_picture_page_desc"), new_struct("hrbfnpr_page_desc"), []
+    whole, page = new_struct("hrbfnpr_picture_page_desc"), new_struct("hrbfnpr_page_desc")
     whole.page, page.format = page, constant(f"PAGE_FORMAT_{format}")
-    keep.append(page)
+    keep: List[Any] = [page]
     if format in _PLOTTERS and options.get("single_pass"):
         page.dots = constant("DOT_SHAPE_LINES")
     for row in OPTIONS:
@@ -286,3 +287,24 @@ def describe_page(options: Options, format: str) -> Tuple[Any, List[Any]]:
             setattr(page, field, text_in(keep, value) if isinstance(value, str) else value)
     return whole, keep
 
+
+# ---- Documentation
+
+_IN_WORDS = {
+    "flag": "bool", "number": "float", "count": "int", "text": "str", "vector": "(x, y, z)", "direction": "(x, y, z) or str",
+    "up": "(x, y, z) or str", "paint": "(r, g, b, a) or str", "size": "(width, height) or int", "layers": "str or sequence of str",
+    "lines": "str or sequence of str", "per_layer": "int, or mapping of str to int", "interval": "(low, high)",
+    "edges": "str or float", "number_or_auto": "float or str", "count_or_auto": "int or str",
+    "assignment": "mapping of str", "file": "path", "page": "(width, height) or str", "pens": "str",
+    "pen_widths": "sequence of float",
+}  # fmt: skip
+
+
+def in_documentation(indent: str) -> str:
+    """The options as parameters of a docstring."""
+    lines = []
+    for row in OPTIONS:
+        kind = row.kind.split()[0]
+        what = "{" + ", ".join(f'"{name}"' for name in row.choices) + "}" if row.choices else _IN_WORDS[kind]
+        lines += [f"{row.name} : {what}", f"    {row.words[0].upper()}{row.words[1:]}."]
+    return f"\n{indent}".join(lines)

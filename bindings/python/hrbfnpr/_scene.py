@@ -98,7 +98,7 @@ class _Listener:
 
 
 @callback("void(void *, const hrbfnpr_picture_event *)", failure=None)
-def _on_event(user: Any, event: Any) -> None:
+def on_event(user: Any, event: Any) -> None:
     ffi.from_handle(user).function(event)
 
 
@@ -161,7 +161,8 @@ class Scene(Owner):
                 lambda *rest: lib.hrbfnpr_picture_create(handle, desc, *rest),
                 desc, keep, [structs, settings], options, style, camera, context, report, listener, functions)  # fmt: skip
         except (Error, ValueError) as error:
-            of_contents = path is not None and listener.last_stage < lib.HRBFNPR_STAGE_MARKS and not listener.of_options
+            # From the end of the surface on it is what was asked for that fails.
+            of_contents = path is not None and listener.last_stage < lib.HRBFNPR_STAGE_END and not listener.of_options
             if not of_contents or isinstance(error, (OutOfMemoryError, BlankError)):
                 raise
             raise ValueError(f"{path}: {words_of(error)}") from error
@@ -185,7 +186,7 @@ class Scene(Owner):
         cls, call: Any, desc: Any, keep: List[Any], hold: List[Any], options: Options, style: Any,
         camera: Optional[Camera], context: Context, report: Reporter, listener: _Listener, functions: List[Any],
     ) -> Scene:  # fmt: skip
-        desc.wording, desc.on_event, desc.event_user = report.wording, _on_event, listener.user
+        desc.wording, desc.on_event, desc.event_user = report.wording, on_event, listener.user
         if camera is not None:
             desc.camera = camera._struct
         states: List[Any] = [function for function in functions if function is not None]
@@ -263,7 +264,7 @@ class Scene(Owner):
     @property
     def preset(self) -> str:
         """The name of its style."""
-        return PRESETS[self.info.preset]
+        return str(PRESETS[self.info.preset])
 
     @property
     def camera(self) -> Camera:

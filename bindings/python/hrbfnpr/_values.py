@@ -206,7 +206,7 @@ def assignment(text: str) -> Tuple[str, str]:
     fields = tuple(one for one in (LayerStyle.fields() if layer else Style.fields()) if one != "kind")
     if field not in fields:
         raise wrong(f"there is no field {name!r}; there are {', '.join(fields)}")
-    owner = LayerStyle() if layer else Style()
+    owner: Union[Style, LayerStyle] = LayerStyle() if layer else Style()
     try:
         _set(owner, field, value)
     except ValueError as error:

@@ -4,50 +4,25 @@ from __future__ import annotations
 
 import dataclasses
 import json
-from dataclasses import replace
 from pathlib import Path
-from typing import Any, Dict, List, Tuple
+from typing import Any, Dict, List
 
 import numpy as np
 
 from .. import shapes
 from .._context import Context
 from .._errors import Error
-from .._mesh import Mesh
+from .._inspect import inspect
+from .._library import ffi, lib
 from .._model import Model
-from .._orient import orient
 from .._sources import load_saved
 from .._values import words_of
-from ..shapes import Shape, ShapeError
-from ..shapes._shape import Floats
-from . import _looks
+from ..shapes import Shape
+from ..shapes._facts import facts_of
 
 FINE, WARNINGS, UNUSABLE = 0, 1, 2  # exit status
 _METRES = ("GLB", "glTF", "LAS", "LAZ", "E57")
-_FAR = 1e5  # distance of the origin over the size from which floats lose the shape
-_FEW = 10  # samples with which a surface is a guess
-_SAMPLES = 1000  # of a mesh, to see which way it looks
-
-
-def of(count: int, what: str) -> str:
-    """A number of things."""
-    return f"{count} {what}" + ("" if count == 1 else "s")
-
-
-def _has_normals(shape: Shape) -> bool:
-    """Whether points have normals, others than zeros."""
-    return shape.normals is not None and bool(np.any(np.nan_to_num(shape.normals)))
-
-
-def _finite_faces(shape: Shape) -> Shape:
-    """Without the faces that cannot be used."""
-    if not shape.is_mesh:
-        return shape
-    assert shape.triangles is not None
-    finite = np.isfinite(shape.points[shape.triangles]).all(axis=(1, 2))
-    if not finite.any():
-        raise ShapeError("no face has three corners that are finite")
-    return shape if finite.all() else replace(shape, triangles=shape.triangles[finite])
+_LOOKS = ("", "outward", "inward", "mixed", "open", "none")  # HRBFNPR_NORMALS_LOOK_...
 
 
 class Findings:
@@ -59,11 +34,6 @@ class Findings:
         self.warnings: List[str] = []
         self.errors: List[str] = []
         self.advice: List[str] = []
-
-    def warn(self, what: str, advice: str = "") -> None:
-        self.warnings.append(what)
-        if advice and advice not in self.advice:
-            self.advice.append(advice)
 
     @property
     def status(self) -> int:
@@ -97,230 +67,68 @@ def check(path: Path, as_json: bool, context: Context) -> int:
 
 
 def _look(path: Path, findings: Findings, context: Context) -> None:
+    facts = findings.facts
     saved = load_saved(path, context)
     if saved is not None:
         kind = "model" if isinstance(saved, Model) else "point set"
         count = saved.info.centres if isinstance(saved, Model) else len(saved)
-        findings.facts.update(format=f"saved {kind}", kind=kind, points=count)
+        facts.update(format=f"saved {kind}", kind=kind, points=count)
         return
     shape = shapes.read(path)
-    findings.facts.update(
+    facts.update(
         format=shape.format,
         kind="mesh" if shape.is_mesh else "points",
         points=len(shape.points),
         triangles=0 if shape.triangles is None else len(shape.triangles),
         columns=list(shape.columns),
         normals=shape.normals is not None,
+        notes=list(shape.notes),
     )
-    findings.facts["notes"] = list(shape.notes)
-    of_camera = shape.image_shape is not None and not _has_normals(shape)
-    shape = shape if of_camera else _without_far(shape, findings)
-    points = _places(shape, findings)
-    try:
-        if of_camera:
-            samples, normals = _picture(shape, findings, context)
-        else:
-            samples, normals = _mesh(shape, findings) if shape.is_mesh else _cloud(shape, points, findings)
-    except ShapeError as error:
-        findings.errors.append(str(error))
-        return
-    up, why = _looks.choose(shape, samples, normals)
-    findings.facts.update(up=_looks.name(up), up_reason=why)
+    info, notes = inspect(shape, lib.HRBFNPR_WORDING_OPTIONS, context)
+    for note in notes:
+        lists = {"note": findings.repairs, "warning": findings.warnings, "failure": findings.errors}
+        lists[note.severity].append(str(note))
+        if note.advice and note.advice not in findings.advice:
+            findings.advice.append(note.advice)
+    facts.update(_facts(shape, info))
 
 
-def _without_far(shape: Shape, findings: Findings) -> Shape:
-    """Without what stands for no data, and a few points far away, as draw leaves them out."""
-    shape, empty, value = _looks.without_data(shape)
-    if empty:
-        findings.repairs.append(f"{of(empty, 'point')} at {value:g}, which stands for no data, left out")
-    if shape.is_mesh:
-        return shape
-    shape, far = _looks.without_strays(shape)
-    if far:
-        findings.repairs.append(f"{of(far, 'point')} far from all others left out")
-    return shape
-
-
-def _places(shape: Shape, findings: Findings) -> Floats:
-    """The usable positions; facts about them."""
-    finite = np.isfinite(shape.points).all(axis=1)
-    points = shape.points[finite]
-    findings.facts["points_not_finite"] = int((~finite).sum())
-    if len(points) == 0:
-        raise ShapeError("no point is finite")
-    low, high = points.min(axis=0), points.max(axis=0)
-    diagonal = float(np.linalg.norm(high - low))
+def _facts(shape: Shape, info: Any) -> Dict[str, Any]:
+    """What is known of it; what was not found out is left out."""
+    facts: Dict[str, Any] = {"points_not_finite": info.points_not_finite}
+    if info.points_not_finite >= info.points - info.no_data - info.strays:
+        return facts
     unit = "metres" if shape.format in _METRES else "unknown"
-    findings.facts.update(bounds_min=low.tolist(), bounds_max=high.tolist(), diagonal=diagonal, unit=unit)
-    if not finite.all() and not shape.is_mesh and not shape.is_picture:
-        findings.repairs.append(f"{of(int((~finite).sum()), 'point')} without a finite position left out")
-        findings.warn(f"{of(int((~finite).sum()), 'position')} not finite")
-    if diagonal == 0:
-        findings.warn(
-            "all points are at one place: there is no surface to draw", "look for the scale in the program it is from"
-        )
-    elif float(np.abs((low + high) / 2).max()) > _FAR * diagonal:
-        findings.warn(
-            "it is very far from the origin for its size: single precision loses its details",
-            "move it near to the origin, in double precision",
-        )
-    return points
-
-
-def _picture(shape: Shape, findings: Findings, context: Context) -> Tuple[Floats, Floats]:
-    """What draw makes of one: points without noise, with normals."""
-    assert shape.image_shape is not None
-    (rows, columns), (seen, info) = shape.image_shape, _looks.smoothed(shape, context)
-    assert seen.normals is not None
-    noise = _looks.noise_of(info)
-    findings.facts.update(
-        image_rows=rows, image_columns=columns, image_seen=info.seen, image_depth=info.depth, image_noise=noise
+    facts.update(
+        bounds_min=list(info.bounds_min), bounds_max=list(info.bounds_max), diagonal=info.diagonal, unit=unit
     )
-    findings.repairs.append(
-        f"the picture of a depth camera smoothed over {info.radius:.1f} pixels where the depth is {info.depth:.3g}, where "
-        f"its noise is {noise:.2g}; normals made"
-    )
-    if info.left_out:
-        findings.repairs.append(f"{of(info.left_out, 'pixel')} on no surface left out")
-    return seen.points, seen.normals
-
-
-def _cloud(shape: Shape, points: Floats, findings: Findings) -> Tuple[Floats, Floats]:
-    finite = np.isfinite(shape.points).all(axis=1)
-    findings.facts["along_curves"] = _looks.along_curves(shape.points[finite])
-    repeated = len(points) - len(np.unique(points, axis=0))
-    findings.facts["duplicates"] = repeated
-    if repeated:
-        findings.repairs.append(f"{of(repeated, 'point')} at the place of another merged, where their normals agree")
-    if not _has_normals(shape):
-        why = "there are none" if shape.normals is None else "all are zero"
-        findings.repairs.append(f"normals made, as {why}")
-        findings.warn("the points have no normals", "nothing: they are made; those of the scanner are surer")
-        return points, np.zeros_like(points)
-    assert shape.normals is not None
-    length = np.linalg.norm(shape.normals, axis=1)
-    bad = int((~np.isfinite(length)).sum())
-    zero = int((length == 0).sum())
-    usable = finite & np.isfinite(length) & (length > 0)
-    unit = float((np.abs(length[usable] - 1) < 1e-3).mean()) if usable.any() else 0.0
-    findings.facts.update(normals_zero=zero, normals_not_finite=bad, normals_unit_share=unit)
-    if zero or bad:
-        findings.repairs.append(f"{of(zero + bad, 'point')} without a usable normal left out")
-        findings.warn(f"{of(zero, 'normal')} zero, {bad} not finite")
-    if not usable.any():
-        raise ShapeError("no point is finite and has a normal that is not zero")
-    if unit < 1:
-        findings.repairs.append(f"{of(round((1 - unit) * int(usable.sum())), 'normal')} made of length 1")
-    if usable.sum() < _FEW:
-        findings.warn(f"there are {of(int(usable.sum()), 'point')} only: the surface between them is a guess")
-    points, normals = shape.points[usable], shape.normals[usable] / length[usable, None]
-    points, normals, joined, opposite = _looks.agreed(points, normals)
-    if joined:
-        findings.repairs.append(f"{of(joined, 'place')} with several normals: their mean is used")
-    if opposite:
-        findings.warn(f"{of(opposite, 'place')} with opposite normals, left out")
-    if len(points) == 0:
-        raise ShapeError("all points are in pairs with opposite normals")
-    if findings.facts["along_curves"]:
-        _orientation_of_curves(points, normals, findings)
+    if info.image_seen:
+        rows, columns = shape.image_shape or (0, 0)
+        facts.update(image_rows=rows, image_columns=columns)
+        facts.update({name: getattr(info, name) for name in ("image_seen", "image_depth", "image_noise")})
+    elif shape.is_mesh:
+        facts.update(mesh=dataclasses.asdict(facts_of(info)), duplicates=info.duplicates)
     else:
-        _orientation(points, normals, False, findings)
-    return points, normals
+        facts.update(along_curves=bool(info.along_curves), duplicates=info.duplicates)
+        if info.has_normals:
+            names = ("normals_zero", "normals_not_finite", "normals_unit_share")
+            facts.update({name: getattr(info, name) for name in names})
+    if info.normals_look:
+        facts["normals_look"] = _LOOKS[info.normals_look]
+        if not info.along_curves:
+            facts.update(
+                normals_closed=round(info.normals_closed, 3), normals_flipped_share=round(info.normals_flipped_share, 4)
+            )
+    reason = ffi.string(info.up_reason).decode()
+    return {**facts, "up": _axis(list(info.up)), "up_reason": reason} if reason else facts
 
 
-def _orientation_of_curves(points: Floats, normals: Floats, findings: Findings) -> None:
-    """By the library: of points along curves neighbours and winding numbers tell nothing."""
-    info = orient(points, normals, "given").info
-    words = {"given": "outward", "none": "none"}.get(info.found, "inward" if info.found == "inward" else "mixed")
-    findings.facts["normals_look"] = words
-    if words != "outward":
-        findings.repairs.append(f"normals repaired: they are {_looks.FOUND[info.found]}")
-        findings.warn(f"the normals are {_looks.FOUND[info.found]}", "nothing: --normals keep leaves them")
-
-
-def _orientation(points: Floats, normals: Floats, mesh: bool, findings: Findings) -> None:
-    found = _looks.look(points, normals, mesh)
-    words = "inward" if found.inward else "mixed" if found.mixed else "outward"
-    if words == "outward" and found.closed <= -_looks.INWARD:
-        words = "open"
-    findings.facts.update(
-        normals_look=words, normals_closed=round(found.closed, 3), normals_flipped_share=round(found.flipped, 4)
-    )
-    if found.inward:
-        findings.repairs.append("all normals turned, as they look inward")
-        findings.warn("all normals look inward", "nothing: they are turned; --normals keep leaves them")
-    axis = _looks.hangs(points, normals)
-    if axis is not None:
-        findings.repairs.append("all normals turned, as a terrain looks up")
-        findings.warn(
-            f"the surface is a terrain that looks down along {axis}", "nothing: it is turned; --normals keep leaves it"
-        )
-    for doubt in _looks.doubts(found, len(points), mesh):
-        what, _, advice = doubt.rpartition(": ")
-        findings.warn(what, advice)
-
-
-def _mesh(shape: Shape, findings: Findings) -> Tuple[Floats, Floats]:
-    facts = shapes.mesh_facts(shape)
-    findings.facts["mesh"] = dataclasses.asdict(facts)
-    findings.facts["duplicates"] = facts.joined_vertices
-    for count, what in (
-        (facts.joined_vertices, "vertices at the place of another joined"),
-        (facts.degenerate_triangles, "triangles without area left out"),
-        (facts.unused_vertices, "vertices of no face left out"),
-    ):
-        if count:
-            findings.repairs.append(f"{count} {what}")
-    if facts.faces_not_finite:
-        findings.repairs.append(f"{of(facts.faces_not_finite, 'face')} with a corner that is not finite left out")
-        findings.warn(f"{of(facts.faces_not_finite, 'face')} with a corner that is not finite")
-    if facts.inside_out:
-        findings.repairs.append("all faces turned, as the mesh is inside out")
-        findings.warn("the mesh is inside out", "nothing: its faces are turned")
-    elif facts.parts_inside_out:
-        findings.warn(
-            f"{facts.parts_inside_out} of {facts.components} parts are inside out, or cavities",
-            "unless they are cavities, turn their faces in MeshLab (Re-orient all faces coherently) or Blender "
-            "(Recalculate outside)",
-        )
-    if facts.boundary_edges:
-        findings.warn(
-            f"it is open: {of(facts.holes, 'border')} of {of(facts.boundary_edges, 'edge')}",
-            "nothing: what is drawn ends at wide borders, with a line, and closes small holes; --close closes all",
-        )
-    if facts.non_manifold_edges:
-        left, twice = _never_parted(shape, facts.non_manifold_edges)
-        if left < facts.non_manifold_edges:
-            how = "mended, as faces that are there twice are left out" if twice else "parted, as solids touch there"
-            findings.repairs.append(f"{of(facts.non_manifold_edges - left, 'edge')} of more than two triangles {how}")
-        if left:
-            findings.warn(f"{of(left, 'edge')} of more than two triangles", "nothing, if the picture is right")
-    if facts.inconsistent_edges:
-        findings.warn(
-            f"{of(facts.inconsistent_edges, 'edge')} between triangles that look to opposite sides",
-            "turn faces in MeshLab (Re-orient all faces coherently) or Blender (Recalculate outside)",
-        )
-    if facts.components > 1:
-        findings.warn(
-            f"it has {facts.components} parts",
-            "nothing: those that cross, or are close to others, are drawn as surfaces of their own, and parts inside others "
-            "are left out; --parts all keeps them",
-        )
-    good = _finite_faces(shape)
-    points, normals = shapes.samples(good, _SAMPLES)
-    _orientation(points, normals, True, findings)
-    return points, normals
-
-
-def _never_parted(shape: Shape, most: int) -> Tuple[int, int]:
-    """Edges of more than two triangles that a fit has, too, and faces that it leaves out as they are there twice."""
-    good = _finite_faces(shape)
-    try:
-        with Context() as silent:
-            info = Mesh(good.points, good.triangles, parts="all", context=silent).info
-        return info.nonmanifold_edges, info.repeated_faces
-    except Error:
-        return most, 0
+def _axis(up: List[float]) -> str:
+    """x, -x, ... or the numbers."""
+    for i, axis in enumerate("xyz"):
+        if abs(up[i]) == sum(abs(part) for part in up):
+            return axis if up[i] > 0 else f"-{axis}"
+    return ",".join(f"{part:g}" for part in up)
 
 
 def _finite(value: Any) -> Any:

@@ -39,8 +39,10 @@ def main(argv: Optional[List[str]] = None) -> int:
     report = Reporter(quiet=True)
     try:
         arguments = build().parse_args(argv)
+        work, context = _command(arguments.command), Context(arguments.threads or 0)
         report = Reporter(arguments.quiet, start=start)
-        return _run(arguments, report)
+        with np.errstate(all="ignore"):  # what comes of odd numbers is said in words
+            return work(arguments, options_of(arguments), context, report) or 0
     except SystemExit as end:  # argparse, for --help and wrong options
         return end.code if isinstance(end.code, int) else 0
     except UsageError as error:
@@ -66,26 +68,17 @@ def _fail(message: str, code: int) -> int:
     return code
 
 
-def _run(arguments: Any, report: Reporter) -> int:
-    context = Context(arguments.threads or 0)
-    if arguments.command in ("info", "check"):
-        return {"info": _info, "check": _check}[arguments.command](arguments, context)
-    with np.errstate(all="ignore"):  # what comes of odd numbers is said in words
-        _command(arguments.command)(arguments, options_of(arguments), context, report)
-    return 0
-
-
 def _command(name: str) -> Any:
     """What runs it: read when it is asked for, as starting takes long enough."""
     module, function = {
         "draw": ("_draw", "draw"), "csg": ("_draw", "draw"), "turntable": ("_turntable", "turn"),
         "sheet": ("_sheet", "draw_sheet"), "sheet-views": ("_surfaces", "views"), "fit": ("_surfaces", "fit"),
-        "points": ("_surfaces", "points"),
+        "points": ("_surfaces", "points"), "info": ("_main", "_info"), "check": ("_main", "_check"),
     }[name]  # fmt: skip
     return getattr(importlib.import_module(f".{module}", __package__), function)
 
 
-def _check(arguments: Any, context: Context) -> int:
+def _check(arguments: Any, options: Any, context: Context, report: Reporter) -> int:
     from ._check import check
 
     return check(Path(arguments.input), arguments.json, context)
@@ -114,7 +107,7 @@ def _describe(path: Path, context: Context) -> Dict[str, Any]:
     }
 
 
-def _info(arguments: Any, context: Context) -> int:
+def _info(arguments: Any, options: Any, context: Context, report: Reporter) -> None:
     if arguments.input is None:
         facts = {**build_info(), **dataclasses.asdict(context.info)}
     else:
@@ -126,7 +119,6 @@ def _info(arguments: Any, context: Context) -> int:
         print(json.dumps(facts, indent=2))
     else:
         _print_facts(facts, "")
-    return 0
 
 
 def _print_facts(facts: Dict[str, Any], indent: str) -> None:

@@ -53,7 +53,7 @@ class Layout(NamedTuple):
 def cells(arguments: Any, options: Options) -> List[Cell]:
     """All drawings, style by style."""
     result = []
-    given = {"size": SIZE, **options}
+    given: Options = {"size": SIZE, **options}
     if not any(name in options for name in _VIEW):
         given["azimuth"] = 30.0  # not the front of an open surface: all cells are seen from one side
     for style in arguments.styles or PRESETS:

@@ -12,10 +12,11 @@ from .._errors import new_struct
 from .._layer import Layer
 from .._library import ffi
 from .._model import Model
+from .._options import OPTIONS
 from .._page import format_of, text_in
 from .._point_set import PointSet
 from .._report import Reporter as AnyReporter
-from .._request import OPTIONS, Options
+from .._request import Options
 from .._scene import Scene
 from .._sources import scene_of
 from .._streams import write_atomically

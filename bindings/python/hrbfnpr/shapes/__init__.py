@@ -10,6 +10,5 @@ from ._facts import MeshFacts, mesh_facts
 from ._read import read
 from ._sample import farthest_points, samples
 from ._shape import Shape, ShapeError
-from ._subdivide import subdivide
 
-__all__ = ["MeshFacts", "Shape", "ShapeError", "farthest_points", "mesh_facts", "read", "samples", "subdivide"]
+__all__ = ["MeshFacts", "Shape", "ShapeError", "farthest_points", "mesh_facts", "read", "samples"]

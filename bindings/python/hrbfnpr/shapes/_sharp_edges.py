@@ -6,7 +6,6 @@ Programs that make models shade them so: faces share normals along edges that be
 """
 from __future__ import annotations
 
-from enum import Enum
 from typing import Any, Optional
 
 import numpy as np
@@ -14,10 +13,7 @@ import numpy as np
 from ._shape import Floats, Integers
 
 MOST_FACES = 50_000  # edges of finer meshes are told from their faces
-_BENDS = np.radians(2.0)  # faces that bend by less are one, as the triangles of a polygon
 _OWN = np.cos(np.radians(1.0))  # of normals that are not shared
-_FEWEST = 8  # edges that say something
-_NEARLY_ALL = 0.98  # share of the edges
 
 
 def sharp_edges(points: Floats, triangles: Integers, normals: Floats) -> Optional[Integers]:
@@ -48,36 +44,6 @@ def of_vertices(points: Floats, triangles: Integers, normals: Floats) -> Optiona
     return sharp_edges(points, triangles, normals[triangles])
 
 
-def moved(edges: Integers, of: Floats, points: Floats) -> Integers:
-    """Edges by numbers of other points, which hold those at the same places; others are left out."""
-    place = np.unique(np.concatenate([points, of]), axis=0, return_inverse=True)[1].reshape(-1)
-    number = np.full(int(place.max()) + 1, -1)
-    number[place[: len(points)]] = np.arange(len(points))
-    named = number[place[len(points) :]][edges]
-    result: Integers = named[(named >= 0).all(axis=1)]
-    return result
-
-
-class Kind(Enum):
-    """What the normals of a file say of the edges of a mesh."""
-
-    NOTHING = "nothing"  # or that all are smooth, as also normals are that were made up
-    SOME = "some are sharp"
-    ALL = "all are sharp"
-
-
-def kind(points: Floats, triangles: Integers, edges: Integers) -> Kind:
-    """Of those that bend at all."""
-    sides = _Sides(points, triangles)
-    place = points[triangles]
-    face = _unit(np.cross(place[:, 1] - place[:, 0], place[:, 2] - place[:, 0]))
-    bends = (face[sides.one % len(face)] * face[sides.other % len(face)]).sum(axis=1) < np.cos(_BENDS)
-    if bends.sum() < _FEWEST:
-        return Kind.NOTHING
-    share = float(np.isin(sides.name[sides.one][bends], sides.names_of(edges)).mean())
-    return Kind.ALL if share >= _NEARLY_ALL else Kind.SOME if share > 1 - _NEARLY_ALL else Kind.NOTHING
-
-
 class _Sides:
     """The sides of triangles, all 0-1 first; `one` and `other` are those of edges of two faces."""
 
@@ -96,10 +62,6 @@ class _Sides:
 
     def _name(self, begin: Integers, end: Integers) -> Integers:
         return np.minimum(begin, end) * (int(self._vertex.max()) + 1) + np.maximum(begin, end)
-
-    def names_of(self, edges: Integers) -> Integers:
-        """Of edges by numbers of vertices."""
-        return self._name(self._vertex[edges[:, 0]], self._vertex[edges[:, 1]])
 
 
 def _unit(vectors: Floats) -> Floats:
