@@ -273,20 +273,24 @@ hrbfnpr_picture_event described(const FinishedStage& finished) noexcept {
 Stage::Stage(Report& report, std::uint32_t stage)
     : report_(report), stage_(stage), exceptions_(std::uncaught_exceptions()), says_(report.pool_),
       operation_(*report.context_) {
-    report.stages.reserve(report.stages.size() + 1); // so that the end of the stage needs no memory
+    // The end of the stage needs no memory then.
+    if (report.kept_before(stage) == nullptr) report.stages.reserve(report.stages.size() + 1);
     operation_.operation.set_callback(on_progress, this);
     if (report.operation_ != nullptr) operation_.operation.be_part_of(&report.operation_->operation);
     report.running_ = stage;
     tell(0.0);
 }
 
+FinishedStage* Report::kept_before(std::uint32_t stage) noexcept {
+    if (!planned_stages_) return nullptr;
+    const auto begin = stages.begin() + static_cast<std::ptrdiff_t>(*planned_stages_);
+    const auto is_same = [&](const FinishedStage& kept) { return kept.stage == stage; };
+    const auto same = std::find_if(begin, stages.end(), is_same);
+    return same != stages.end() ? &*same : nullptr;
+}
+
 const FinishedStage& Report::keep(FinishedStage&& finished) {
-    if (planned_stages_) {
-        const auto is_same = [&](const FinishedStage& kept) { return kept.stage == finished.stage; };
-        const auto begin = stages.begin() + static_cast<std::ptrdiff_t>(*planned_stages_);
-        const auto same = std::find_if(begin, stages.end(), is_same);
-        if (same != stages.end()) return *same = std::move(finished);
-    }
+    if (FinishedStage* const before = kept_before(finished.stage)) return *before = std::move(finished);
     stages.push_back(std::move(finished));
     return stages.back();
 }

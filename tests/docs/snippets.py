@@ -125,12 +125,12 @@ def wrong_command(root, folder, words):
     """Why a command cannot be right, or None."""
     program = words[0]
     if words[:3] == ["python3", "-m", "hrbfnpr"]:
-        from hrbfnpr.cli import _options
+        from hrbfnpr.cli import _grammar
 
         said = io.StringIO()
         try:
             with contextlib.redirect_stderr(said), contextlib.redirect_stdout(io.StringIO()):
-                _options.build().parse_args(words[3:])
+                _grammar.build().parse_args(words[3:])
         except SystemExit as end:
             return said.getvalue().strip().splitlines()[-1] if end.code else None
         return None
@@ -190,7 +190,7 @@ def wrong_python(root):
     import numpy as np
 
     import hrbfnpr
-    from hrbfnpr.cli import _script
+    from hrbfnpr import _script
 
     count = 0
     with tempfile.TemporaryDirectory() as folder:

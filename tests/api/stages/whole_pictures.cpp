@@ -8,7 +8,7 @@
 namespace api_test {
 namespace {
 
-constexpr std::int64_t most_refusals = 400; // of stages that ask for memory thousands of times
+constexpr std::int64_t most_refusals = 8; // of stages that ask for memory thousands of times
 
 // Room that is there before the call, so that a test's own memory is not asked for within it.
 struct Sink {
