@@ -11,6 +11,10 @@ import { PointSet } from "./point_set.js";
 import { Renderer } from "./renderer.js";
 import { Settings } from "./settings.js";
 
+/** A source whose triangles, as a list of numbers or of lists of three, are whole numbers as the library takes them. */
+const withIndices = (source) =>
+  Array.isArray(source.triangles) ? { ...source, triangles: Int32Array.from(source.triangles.flat()) } : source;
+
 /** Threads, memory and log; everything else is made from one. */
 export class Context extends Handle {
   /** Use Library.createContext. */
@@ -40,7 +44,7 @@ export class Context extends Handle {
   }
 
   draw(source, options = {}, control) {
-    const sources = Array.isArray(source) ? source : [source];
+    const sources = (Array.isArray(source) ? source : [source]).map(withIndices);
     return Picture.made(this, "hrbfnpr_picture_create", this.pointer, { ...options, sources }, control);
   }
 
