@@ -5,9 +5,12 @@
 #include "api/lists.h"
 #include "api/presets.h"
 #include "api/views.h"
+#include "base/assert.h"
 #include "base/utf8.h"
 #include "picture/call.h"
 
+#include <algorithm>
+#include <array>
 #include <cstring>
 #include <limits>
 #include <numbers>
@@ -283,10 +286,12 @@ void Options::use_settings() {
 }
 
 bool Options::gives_fit(std::string_view field) const noexcept {
-    String path; // The text is short enough to need no memory.
-    path = "fit.";
-    path += field;
-    return changes.has(path) || (field == "regularization" && changes.has("fit.regularization_mode"));
+    std::array<char, 48> path{"fit."};
+    constexpr std::size_t room_taken = 4;
+    HRBFNPR_ASSERT(room_taken + field.size() <= path.size());
+    std::copy(field.begin(), field.end(), path.begin() + room_taken);
+    return changes.has({path.data(), room_taken + field.size()}) ||
+           (field == "regularization" && changes.has("fit.regularization_mode"));
 }
 
 } // namespace hrbfnpr::picture

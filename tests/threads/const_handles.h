@@ -5,7 +5,9 @@
 #include "host/session.h"
 #include "support/meshes.h"
 
+#include <algorithm>
 #include <cstdint>
+#include <cstring>
 
 namespace host_test {
 
@@ -50,6 +52,71 @@ inline hrbfnpr::test::Mesh mesh_of(const Context& context) {
     hrbfnpr_mesh* mesh = nullptr;
     check(hrbfnpr_mesh_create(context.get(), &desc, nullptr, &mesh, check.error()));
     return hrbfnpr::test::Mesh(mesh);
+}
+
+inline hrbfnpr_picture_desc picture_desc_of(const hrbfnpr_change& change) {
+    auto desc = made(hrbfnpr_picture_desc_init);
+    desc.flags = HRBFNPR_PICTURE_ALLOW_BLANK;
+    desc.width = desc.height = picture_size;
+    desc.changes = &change;
+    desc.change_count = 1;
+    return desc;
+}
+
+inline hrbfnpr_change few_marks() {
+    auto change = made(hrbfnpr_change_init);
+    change.field = "marks.layers.budget";
+    change.value = "200";
+    return change;
+}
+
+inline hrbfnpr::test::Picture picture_of(const Context& context, const Model& model) {
+    scenes::Check check;
+    const hrbfnpr_change change = few_marks();
+    auto source = made(hrbfnpr_picture_source_init);
+    source.model = model.get();
+    hrbfnpr_picture_desc desc = picture_desc_of(change);
+    desc.sources = &source;
+    desc.source_count = 1;
+    hrbfnpr_picture* picture = nullptr;
+    check(hrbfnpr_picture_create(context.get(), &desc, nullptr, &picture, check.error()));
+    return hrbfnpr::test::Picture(picture);
+}
+
+// Another picture of the same surface.
+inline hrbfnpr_status restyle(const hrbfnpr_picture* picture, hrbfnpr::test::Picture& to, hrbfnpr_error* error) {
+    const hrbfnpr_change change = few_marks();
+    const hrbfnpr_picture_desc desc = picture_desc_of(change);
+    hrbfnpr_picture* made = nullptr;
+    const hrbfnpr_status status = hrbfnpr_picture_restyle(picture, &desc, nullptr, &made, error);
+    to.reset(made);
+    return status;
+}
+
+inline Drawing drawing_of(hrbfnpr_picture* picture) {
+    scenes::Check check;
+    hrbfnpr_drawing* drawing = nullptr;
+    check(hrbfnpr_picture_draw(picture, nullptr, nullptr, &drawing, check.error()));
+    return Drawing(drawing);
+}
+
+inline hrbfnpr::test::Settings settings_of(const Context& context) {
+    static constexpr char text[] = R"({"hrbfnpr-settings": 1, "preset": "stipple"})";
+    struct Reader {
+        const char* next = text;
+        static std::int64_t read(void* user, void* to, std::uint64_t size) {
+            auto& self = *static_cast<Reader*>(user);
+            const std::size_t count = std::min<std::size_t>(size, std::strlen(self.next));
+            std::memcpy(to, self.next, count);
+            self.next += count;
+            return static_cast<std::int64_t>(count);
+        }
+    };
+    scenes::Check check;
+    Reader reader;
+    hrbfnpr_settings* settings = nullptr;
+    check(hrbfnpr_settings_load(context.get(), Reader::read, &reader, &settings, check.error()));
+    return hrbfnpr::test::Settings(settings);
 }
 
 } // namespace host_test

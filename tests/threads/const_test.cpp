@@ -65,6 +65,9 @@ struct Shared {
     LineSet lines = line_set_of(context, model);
     hrbfnpr::test::Mesh mesh = mesh_of(context);
     Drawing drawing = drawing_of(context, marks);
+    hrbfnpr::test::Picture picture = picture_of(context, model);
+    Drawing picture_drawing = drawing_of(picture.get());
+    hrbfnpr::test::Settings settings = settings_of(context);
     hrbfnpr_operation* operation = nullptr;
     std::vector<double> point;
     hrbfnpr_array points{};
@@ -388,6 +391,97 @@ void add_drawings(std::map<std::string, Call>& calls) {
     });
 }
 
+void add_pictures(std::map<std::string, Call>& calls) {
+    CALL(hrbfnpr_picture_restyle) {
+        hrbfnpr::test::Picture other;
+        status = restyle(s.picture.get(), other, error);
+        auto info = made(hrbfnpr_picture_info_init);
+        hrbfnpr_picture_get_info(other.get(), &info, error);
+        result.add(info.marks);
+    });
+    CALL(hrbfnpr_picture_get_info) {
+        auto info = made(hrbfnpr_picture_info_init);
+        status = hrbfnpr_picture_get_info(s.picture.get(), &info, error);
+        result.add(info);
+    });
+    CALL(hrbfnpr_picture_get_part) {
+        auto part = made(hrbfnpr_picture_part_init);
+        status = hrbfnpr_picture_get_part(s.picture.get(), 0, &part, error);
+        result.add(part);
+    });
+    CALL(hrbfnpr_picture_get_style) {
+        const hrbfnpr_style* style = nullptr;
+        status = hrbfnpr_picture_get_style(s.picture.get(), &style, error);
+        result.add(style->layer_count);
+    });
+    CALL(hrbfnpr_picture_get_marks) {
+        const hrbfnpr_generate_desc* desc = nullptr;
+        status = hrbfnpr_picture_get_marks(s.picture.get(), &desc, error);
+        result.add(desc->layer_count);
+    });
+    CALL(hrbfnpr_picture_get_note) {
+        auto info = made(hrbfnpr_picture_info_init);
+        status = hrbfnpr_picture_get_info(s.picture.get(), &info, error);
+        for (std::int64_t i = 0; i < info.notes; ++i) {
+            auto note = made(hrbfnpr_note_init);
+            status = hrbfnpr_picture_get_note(s.picture.get(), i, &note, error);
+            result.add(note.code);
+        }
+    });
+    CALL(hrbfnpr_picture_get_stage) {
+        auto stage = made(hrbfnpr_picture_event_init);
+        status = hrbfnpr_picture_get_stage(s.picture.get(), 0, &stage, error);
+        result.add(stage.stage);
+    });
+    CALL(hrbfnpr_picture_get_camera) {
+        auto camera = made(hrbfnpr_camera_init);
+        status = hrbfnpr_picture_get_camera(s.picture.get(), &camera, error);
+        result.add(camera);
+    });
+    CALL(hrbfnpr_picture_look) {
+        auto camera = made(hrbfnpr_camera_init);
+        status = hrbfnpr_picture_look(s.picture.get(), nullptr, 70.0, 10.0, &camera, error);
+        result.add(camera);
+    });
+    CALL(hrbfnpr_picture_orbit) {
+        auto camera = made(hrbfnpr_camera_init);
+        status = hrbfnpr_picture_orbit(s.picture.get(), 40.0, &camera, error);
+        result.add(camera);
+    });
+    CALL(hrbfnpr_picture_plate_size) {
+        std::int32_t width = 0, height = 0;
+        status = hrbfnpr_picture_plate_size(s.picture.get(), nullptr, &width, &height, error);
+        result.add(width * height);
+    });
+    CALL(hrbfnpr_picture_rasterize) {
+        Bytes pixels(std::size_t{4} * picture_size * picture_size);
+        auto image = made(hrbfnpr_image_init);
+        image.width = image.height = picture_size;
+        image.pixels = pixels.data();
+        status = hrbfnpr_picture_rasterize(s.picture.get(), s.picture_drawing.get(), nullptr, &image, error);
+        result.add(pixels);
+    });
+    CALL(hrbfnpr_picture_write) { // the drawing is shared, and each thread has a picture of its own
+        hrbfnpr::test::Picture own;
+        status = restyle(s.picture.get(), own, error);
+        if (status != HRBFNPR_STATUS_OK) return;
+        Bytes page;
+        status = hrbfnpr_picture_write(own.get(), s.picture_drawing.get(), nullptr, nullptr, append, &page, nullptr,
+                                       nullptr, error);
+        result.add(page);
+    });
+    CALL(hrbfnpr_settings_retain) {
+        UNUSED();
+        hrbfnpr_settings_retain(s.settings.get());
+        hrbfnpr_settings_release(s.settings.get());
+    });
+    CALL(hrbfnpr_settings_release) {
+        UNUSED();
+        hrbfnpr_settings_retain(s.settings.get());
+        hrbfnpr_settings_release(s.settings.get());
+    });
+}
+
 std::map<std::string, Call> all_calls() {
     std::map<std::string, Call> calls;
     CALL(hrbfnpr_context_get_info) {
@@ -407,6 +501,7 @@ std::map<std::string, Call> all_calls() {
     add_meshes(calls);
     add_point_sets(calls);
     add_drawings(calls);
+    add_pictures(calls);
     return calls;
 }
 
