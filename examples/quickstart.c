@@ -24,8 +24,8 @@ int main(void) {
     FILE* file = fopen("torus.svg", "wb");
     if (hrbfnpr_context_create(NULL, &context, &err) || hrbfnpr_picture_create(context, &desc, NULL, &picture, &err) ||
         hrbfnpr_picture_draw(picture, NULL, NULL, &drawing, &err) ||
-        hrbfnpr_picture_rasterize(picture, drawing, NULL, &image, &err) ||
+        hrbfnpr_picture_rasterize(picture, drawing, NULL, &image, &err) || !file ||
         hrbfnpr_picture_write(picture, drawing, NULL, NULL, put, file, NULL, NULL, &err))
-        return fprintf(stderr, "%s\n", err.message);
+        return fprintf(stderr, "%s\n", err.message) != 0;
     return fclose(file);
 }
