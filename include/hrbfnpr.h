@@ -3294,7 +3294,7 @@ HRBFNPR_API hrbfnpr_status hrbfnpr_picture_get_part(const hrbfnpr_picture* pictu
 /* What was chosen for hrbfnpr_renderer_draw, valid while the picture lives. */
 HRBFNPR_API hrbfnpr_status hrbfnpr_picture_get_style(const hrbfnpr_picture* picture, const hrbfnpr_style** style,
                                                      hrbfnpr_error* error);
-/* ... and for hrbfnpr_point_set_generate; *desc is NULL where marks were given. */
+/* The descriptor that hrbfnpr_point_set_generate was given; *desc is NULL where the caller gave the marks. */
 HRBFNPR_API hrbfnpr_status hrbfnpr_picture_get_marks(const hrbfnpr_picture* picture,
                                                      const hrbfnpr_generate_desc** desc, hrbfnpr_error* error);
 /* number: 0 .. hrbfnpr_picture_info.notes - 1.  The text is valid while the picture lives. */

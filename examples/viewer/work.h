@@ -46,7 +46,7 @@ public:
         desc.on_event = Progress::on_event;
         desc.event_user = &progress_;
     }
-    // Of a job of several steps, before each of them; a cancelled job ends here.
+    // A job of several steps calls this before each step. A cancelled job ends here.
     void step(const std::string& doing, double share) {
         if (hrbfnpr_operation_is_cancelled(operation.get())) throw Failure("cancelled", HRBFNPR_STATUS_CANCELLED);
         progress_.set(doing.c_str());

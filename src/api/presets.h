@@ -22,7 +22,8 @@ struct Preset {
 
 namespace rule {
 
-struct OnePreset { // HRBFNPR_PRESET_...
+// One row of the table of styles. The rows stand in the order of HRBFNPR_PRESET_...
+struct OnePreset {
     void operator()(const Checks& checks, const char* field, std::int64_t value) const {
         checks.one_of(field, value, static_cast<std::uint32_t>(presets().size()), "HRBFNPR_PRESET_...");
     }

@@ -16,7 +16,7 @@ constexpr std::initializer_list<hrbfnpr_status> failures = {
     HRBFNPR_STATUS_NOT_CONVERGED,    HRBFNPR_STATUS_UNSUPPORTED_STRUCT, HRBFNPR_STATUS_CANCELLED};
 constexpr std::int32_t side = 40; // pixels
 
-// Of these an input takes a few, with values that fit or do not.
+// The fields that an input may change. It changes a few of them, to values that fit or do not.
 constexpr const char* paths[] = {
     "style.tone",         "style.halo_width",       "style.ink",         "style.hatch.radius",
     "style.layers.share", "style.lines.hidden",     "fit.kernel",        "fit.regularization",
@@ -26,7 +26,7 @@ constexpr const char* values[] = {"1",         "0",       "-1",       "1e300",  
                                   "published", "in-turn", "gaussian", "stipples,hatch", "1,2,3", "",        "sharp",
                                   "dashed",    "0.5"};
 
-// What a picture is made of, kept as long as it is being made.
+// Holds the sources of a picture while the picture is made.
 struct Source {
     explicit Source(Input& input) : samples(some_samples(input, 40)) {
         points.emplace(samples.points, 3, input);

@@ -1314,7 +1314,7 @@ export interface Functions {
    * hrbfnpr_status hrbfnpr_picture_get_marks(const hrbfnpr_picture* picture, const hrbfnpr_generate_desc** desc,
    * hrbfnpr_error* error)
    *
-   * ... and for hrbfnpr_point_set_generate; *desc is NULL where marks were given.
+   * The descriptor that hrbfnpr_point_set_generate was given; *desc is NULL where the caller gave the marks.
    */
   hrbfnpr_picture_get_marks(picture: Pointer, desc: Pointer, error: Pointer): number;
   /**

@@ -4830,7 +4830,8 @@ extern "C" {
         style: *mut *const hrbfnpr_style,
         error: *mut hrbfnpr_error,
     ) -> hrbfnpr_status;
-    /// ... and for hrbfnpr_point_set_generate; *desc is NULL where marks were given.
+    /// The descriptor that hrbfnpr_point_set_generate was given; *desc is NULL where the caller
+    /// gave the marks.
     pub fn hrbfnpr_picture_get_marks(
         picture: *const hrbfnpr_picture,
         desc: *mut *const hrbfnpr_generate_desc,
