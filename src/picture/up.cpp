@@ -6,6 +6,7 @@
 
 #include "base/assert.h"
 #include "geometry/point_tree.h"
+#include "picture/faces.h"
 #include "picture/tuning_look.h"
 
 #include <algorithm>
@@ -135,19 +136,6 @@ bool stands_at_origin(const geometry::Bounds& box, UpAxis axis) noexcept {
 
 // ---- Left and right
 
-// Sorts the values, and returns a percentile by linear interpolation between the two nearest ranks.
-double percentile_of_distances(Vector<double>& values, double percent) {
-    HRBFNPR_ASSERT(!values.empty() && percent >= 0.0 && percent <= 100.0);
-    std::sort(values.begin(), values.end());
-    const double at = static_cast<double>(values.size() - 1) * (percent / 100.0);
-    const auto before = static_cast<std::size_t>(at);
-    if (before + 1 >= values.size()) return values.back();
-    const double share = at - std::floor(at);
-    const double low = values[before];
-    const double high = values[before + 1];
-    return share >= 0.5 ? high - (high - low) * (1.0 - share) : low + (high - low) * share;
-}
-
 geometry::VecArray every_nth_sample(const Points& points, std::size_t first, std::size_t step, base::Memory& memory) {
     geometry::VecArray chosen(memory);
     for (std::size_t i = first; i < points.size(); i += step) chosen.push_back(points[i]);
@@ -168,7 +156,7 @@ double distance_of_most(const geometry::VecArray& places, const geometry::PointT
         // An overflow gives NaN, which cannot be sorted, so such a place counts as infinitely far.
         distances.push_back(squared >= 0.0 ? std::sqrt(squared) : std::numeric_limits<double>::infinity());
     }
-    return percentile_of_distances(distances, up_tuning.mirrored_percentile);
+    return percentile(distances, up_tuning.mirrored_percentile);
 }
 
 // Mirrors samples along an axis in their mean or in the middle of their box, and returns their distance from the

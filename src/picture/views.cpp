@@ -7,6 +7,7 @@
 #include "base/utf8.h"
 #include "picture/cut_faces.h"
 #include "picture/ends.h"
+#include "picture/faces.h"
 #include "picture/lines.h"
 #include "picture/look.h"
 #include "picture/tuning_views.h"
@@ -261,12 +262,6 @@ Solid solid_of(const Call& call_, const Surface& surface, const ViewsOptions& op
 
 // ---- Symmetry
 
-double percentile_of(Vector<double>& numbers, double percent) {
-    HRBFNPR_ASSERT(!numbers.empty());
-    std::sort(numbers.begin(), numbers.end());
-    return at_number<double>(numbers, percent / 100.0 * static_cast<double>(numbers.size() - 1));
-}
-
 // Takes every n-th point, so that about `wanted` remain.
 Points thinned(Points points, std::int64_t wanted, Pool& pool) {
     const std::size_t step = std::max<std::size_t>(1, points.size() / static_cast<std::size_t>(wanted));
@@ -297,7 +292,7 @@ Vector<glm::dvec3> symmetric_planes(const Call& call_, const Model& model, const
         });
         for (std::size_t i = 0; i < away.size(); ++i)
             away[i] = std::abs(away[i]) / std::max(glm::length(gradients[i]), 1e-300);
-        if (percentile_of(away, views_tuning.symmetric_percent) < views_tuning.symmetric * plan.diagonal)
+        if (percentile(away, views_tuning.symmetric_percent) < views_tuning.symmetric * plan.diagonal)
             found.push_back(normal);
     }
     return found;
