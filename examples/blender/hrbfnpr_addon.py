@@ -4,6 +4,8 @@
 It needs the Python package hrbfnpr where Blender's Python finds it; see README.md.
 """
 
+import warnings
+
 import bpy
 import numpy as np
 from bpy.props import BoolProperty, EnumProperty, IntProperty, PointerProperty
@@ -21,7 +23,9 @@ bl_info = {
 IMAGE = "Pen and Ink"
 NODES = "Pen and Ink Points"
 NORMAL = "surface_normal"  # attribute of points; "normal" is Blender's own
-STYLES = ("stipple", "hatch", "cross-hatch", "combing", "silhouette", "contour-and-stipple", "xray", "full")
+STYLES = (
+    "stipple", "hatch", "cross-hatch", "combing", "silhouette", "contour-and-stipple", "xray", "full", "engraving",
+    "etching", "woodcut", "scientific-stipple", "sketch", "blueprint", "archaeological")
 WITH_SURFACE = {"MESH", "CURVE", "SURFACE", "META", "FONT"}
 
 
@@ -32,11 +36,11 @@ class Settings(bpy.types.PropertyGroup):
         name="Style", items=[(name, name.replace("-", " ").title(), "") for name in STYLES],
         default="contour-and-stipple")
     samples: IntProperty(
-        name="Samples", default=1000, min=1, soft_max=4000,
-        description="Points of the surface that the drawing is made from. A mesh is sampled evenly; of vertices with "
-                    f"an attribute {NORMAL}, no more than these are chosen")
+        name="Samples", default=0, min=0, soft_max=8000,
+        description="Points of the surface that the drawing is made from; 0: as many as its shape needs")
     budget: IntProperty(
-        name="Marks", default=0, min=0, soft_max=500_000, description="The most marks of each layer; 0: 40000")
+        name="Marks", default=0, min=0, soft_max=500_000,
+        description="The most marks of each layer; 0: as many as make the darkest tone")
     width: IntProperty(name="Width", default=640, min=1, max=32768, subtype="PIXEL")
     height: IntProperty(name="Height", default=480, min=1, max=32768, subtype="PIXEL")
     scene_camera: BoolProperty(
@@ -52,8 +56,8 @@ def array(collection, attribute, components, dtype=np.float32):
     return values.reshape(-1, components)
 
 
-def samples(hrbfnpr, context, count):
-    """Points and normals of the active object in world space, after its modifiers."""
+def source_of(hrbfnpr, context):
+    """The active object in world space, after its modifiers: a mesh, or points that have normals in an attribute."""
     shown = context.object.evaluated_get(context.evaluated_depsgraph_get())
     mesh = shown.to_mesh()
     try:
@@ -63,29 +67,39 @@ def samples(hrbfnpr, context, count):
         normals = array(given.data, "vector", 3).astype(float) if with_normals else None
         mesh.calc_loop_triangles()
         triangles = array(mesh.loop_triangles, "vertices", 3, np.int32).astype(np.int64)
+        is_sharp = array(mesh.edges, "use_edge_sharp", 1, bool)[:, 0]
+        sharp = array(mesh.edges, "vertices", 2, np.int32)[is_sharp].astype(np.int64)
     finally:
         shown.to_mesh_clear()
     world = np.array(shown.matrix_world)
     points = points @ world[:3, :3].T + world[:3, 3]
-    if normals is None:
-        if np.linalg.det(world[:3, :3]) < 0:  # a mirrored object: its faces would look inwards
-            triangles = triangles[:, ::-1]
-        return hrbfnpr.shapes.samples(hrbfnpr.shapes.Shape(points, triangles=triangles), count)
-    normals = normals @ np.linalg.inv(world[:3, :3])
-    if len(points) <= count:
-        return points, normals  # as they are: the library says what is wrong with them
-    return hrbfnpr.shapes.samples(hrbfnpr.shapes.Shape(points, normals), count)
+    if normals is not None:
+        return hrbfnpr.shapes.Shape(points, normals @ np.linalg.inv(world[:3, :3]))
+    if np.linalg.det(world[:3, :3]) < 0:  # a mirrored object: its faces would look inwards
+        triangles = triangles[:, ::-1]
+    return hrbfnpr.shapes.Shape(points, triangles=triangles, sharp_edges=sharp if len(sharp) else None)
 
 
-def camera_for(hrbfnpr, context, model):
+def camera_of(hrbfnpr, context):
+    """What the scene's camera sees; None if the object shall fill the picture, or there is no camera."""
     settings = context.scene.hrbfnpr
     size = settings.width, settings.height
     chosen = context.scene.camera
     if not settings.scene_camera or chosen is None:
-        return hrbfnpr.Camera.fit(
-            model, direction=(0, 1, -1), up=(0, 0, 1), size=size, vertical_angle=0.5, margin=0.02)
+        return None
     projection = chosen.calc_matrix_camera(context.evaluated_depsgraph_get(), x=size[0], y=size[1])
     return hrbfnpr.Camera(chosen.matrix_world.normalized().inverted(), projection, (0, 0, *size))
+
+
+def picture_of(hrbfnpr, context, in_one_surface):
+    """The picture of the active object that the library makes."""
+    settings, window = context.scene.hrbfnpr, context.window_manager
+    camera = camera_of(hrbfnpr, context)
+    view = {"camera": camera} if camera else {"direction": (0, 1, -1), "size": (settings.width, settings.height)}
+    return hrbfnpr.draw(
+        source_of(hrbfnpr, context), settings.style, **view, up=(0, 0, 1), samples=settings.samples or None,
+        marks=settings.budget or None, together=in_one_surface,
+        progress=lambda doing, share: window.progress_update(100 * share))
 
 
 def image_of(pixels):
@@ -167,7 +181,7 @@ def points_object(name, marks, attributes):
 
 
 def places_of(line, camera):
-    """Where in the world a stroke is drawn: its "position" is that of marks, which smooth hatching passes by."""
+    """Where in the world a stroke is drawn. Its "position" is that of marks, which smooth hatching passes by."""
     x, y, depth = line["window"].astype(float).T
     width, height = camera.size
     clip = np.stack([2 * x / width - 1, 1 - 2 * y / height, 2 * depth - 1, np.ones_like(x)], axis=1)
@@ -193,9 +207,10 @@ def strokes_object(name, drawing, camera):
 
 
 class OfActiveObject:
-    """An operator that fits the active object; what fails is reported in the library's words."""
+    """An operator that draws the active object; what fails, and what was chosen, is reported in the library's words."""
 
     bl_options = {"REGISTER", "UNDO"}
+    in_one_surface = False
 
     @classmethod
     def poll(cls, context):
@@ -209,25 +224,20 @@ class OfActiveObject:
             return {"CANCELLED"}
         context.window_manager.progress_begin(0, 100)
         try:
-            self.make(hrbfnpr, context)
-        except (hrbfnpr.Error, hrbfnpr.shapes.ShapeError) as error:
+            with warnings.catch_warnings(record=True) as told:
+                warnings.simplefilter("always", hrbfnpr.DrawingWarning)
+                picture = picture_of(hrbfnpr, context, self.in_one_surface)
+            for warning in told:
+                self.report({"WARNING"}, str(warning.message))
+            for note in picture.notes:
+                self.report({"INFO"}, note)
+            self.make(picture, context)
+        except (hrbfnpr.Error, ValueError) as error:
             self.report({"ERROR"}, str(error))
             return {"CANCELLED"}
         finally:
             context.window_manager.progress_end()
         return {"FINISHED"}
-
-    @staticmethod
-    def marked(hrbfnpr, context):
-        """Marks, style and camera."""
-        settings, window = context.scene.hrbfnpr, context.window_manager
-        points, normals = samples(hrbfnpr, context, settings.samples)
-        model = hrbfnpr.Model.fit(points, normals, progress=lambda share: window.progress_update(50 * share))
-        style = hrbfnpr.Style(settings.style)
-        marks = model.generate(
-            preset=settings.style, budget=settings.budget or None,
-            progress=lambda share: window.progress_update(50 + 50 * share))
-        return marks, style, camera_for(hrbfnpr, context, model)
 
 
 class HRBFNPR_OT_draw(OfActiveObject, bpy.types.Operator):
@@ -235,22 +245,21 @@ class HRBFNPR_OT_draw(OfActiveObject, bpy.types.Operator):
     bl_label = "Draw"
     bl_description = f'Draw the active object on the image "{IMAGE}"'
 
-    def make(self, hrbfnpr, context):
-        marks, style, camera = self.marked(hrbfnpr, context)
-        image = image_of(hrbfnpr.Renderer().draw((marks, style), camera).image())
-        self.report({"INFO"}, f'{len(marks)} marks on the image "{image.name}"')
+    def make(self, picture, context):
+        self.report({"INFO"}, f'{picture!r} is on the image "{image_of(picture.image).name}"')
 
 
 class HRBFNPR_OT_marks(OfActiveObject, bpy.types.Operator):
     bl_idname = "hrbfnpr.marks"
     bl_label = "Marks as Point Cloud"
     bl_description = "Make a point cloud of the active object's marks, with attributes for geometry nodes"
+    in_one_surface = True  # parts that cross would have marks of their own
 
-    def make(self, hrbfnpr, context):
-        marks, style, camera = self.marked(hrbfnpr, context)
+    def make(self, picture, context):
+        marks = picture.marks
         low, high = marks.bounds
-        pixel = units_per_pixel(camera, (np.array(low) + high) / 2)
-        result = points_object(f"{context.object.name} marks", marks, attributes_of(marks, style, pixel))
+        pixel = units_per_pixel(picture.camera, (np.array(low) + high) / 2)
+        result = points_object(f"{context.object.name} marks", marks, attributes_of(marks, picture.style, pixel))
         context.collection.objects.link(result)
         self.report({"INFO"}, f"{len(marks)} marks in {result.name}")
 
@@ -258,12 +267,10 @@ class HRBFNPR_OT_marks(OfActiveObject, bpy.types.Operator):
 class HRBFNPR_OT_strokes(OfActiveObject, bpy.types.Operator):
     bl_idname = "hrbfnpr.strokes"
     bl_label = "Strokes as Curves"
-    bl_description = "Make curves of the strokes that the camera sees, with a radius for each point"
+    bl_description = "Make curves of the strokes and lines that the camera sees, with a radius for each point"
 
-    def make(self, hrbfnpr, context):
-        marks, style, camera = self.marked(hrbfnpr, context)
-        drawing = hrbfnpr.Renderer().draw((marks, style), camera)
-        result = strokes_object(f"{context.object.name} strokes", drawing, camera)
+    def make(self, picture, context):
+        result = strokes_object(f"{context.object.name} strokes", picture.drawing, picture.camera)
         context.collection.objects.link(result)
         self.report({"INFO"}, f"{len(result.data.splines)} strokes in {result.name}")
 

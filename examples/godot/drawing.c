@@ -1,17 +1,26 @@
 /* SPDX-License-Identifier: MIT */
-/* hrbfnpr as a class of scripts for Godot 3: samples in, each frame as pixels and as points of a mesh out.
+/* hrbfnpr as a class of scripts for Godot 3: samples or a mesh in, each frame as pixels and as parts of a mesh out.
  *
- *   fit(points: PoolVector3Array, normals: PoolVector3Array) -> bool
- *   mark(style: String, budget: int) -> bool          names as hrbfnpr_preset_name; budget 0 is the default
- *   look(direction: Vector3, up: Vector3, zoom: float, width: int, height: int) -> bool     draws a frame
- *   eye() -> Vector3, angle() -> float                where the frame is seen from, vertical angle in degrees
+ *   draw(points: PoolVector3Array, normals: PoolVector3Array, VIEW...) -> bool
+ *   draw_mesh(vertices: PoolVector3Array, indices: PoolIntArray, VIEW...) -> bool
+ *       make a picture and draw its first frame.  Without normals (an empty array) the library finds them; vertices and
+ *       indices are those of Mesh.surface_get_arrays.
+ *   restyle(VIEW...) -> bool                          the same surface in another style or size, and its first frame
+ *   look(direction: Vector3, zoom: float) -> bool     draws a frame of the picture from another side
+ *   notes() -> Array of String                        what the library chose, repaired or left out for the picture
+ *   eye() -> Vector3                                  where the frame is seen from
+ *   frustum() -> Vector3                              what is seen at distance 1: offset to the right, upwards, height
  *   pixels() -> PoolByteArray                         the frame, RGBA8
- *   points() -> Array                                 the same frame for ArrayMesh.add_surface_from_arrays, far to
- *                                                     near: position, colour, and in UV.x the radius in pixels
- *   strokes() -> Array                                its strokes as triangles, far to near: position, colour, in UV.x
- *                                                     how far along the stroke, in pixels, and indices
+ *   points() -> Array                                 the dots of the frame for ArrayMesh.add_surface_from_arrays, far
+ *                                                     to near: position, colour, and in UV.x the radius in pixels
+ *   strokes() -> Array                                its strokes and lines as triangles, far to near: position,
+ *                                                     colour, in UV.x how far along the stroke, in pixels, and indices
  *
- * What fails prints the library's message as an error of the engine, and returns false or null. */
+ * VIEW is style: String (a name as hrbfnpr_preset_name has it), direction: Vector3 (into the scene), up: Vector3,
+ * width: int, height: int.  For a vector of zeros the library chooses one; it also chooses the pen, the marks, the
+ * lines and all else that hrbfnpr_picture_create does.
+ *
+ * A call that fails prints the library's message as an error of the engine, and returns false or null. */
 #include "gdnative_few.h"
 #include <hrbfnpr.h>
 #include <math.h>
@@ -22,12 +31,9 @@ static const gd_core* core;
 
 typedef struct drawing {
     hrbfnpr_context* context;
-    hrbfnpr_model* model;
-    hrbfnpr_point_set* marks;
-    hrbfnpr_renderer* renderer;
+    hrbfnpr_picture* picture;
     hrbfnpr_drawing* frame;
-    hrbfnpr_style style;
-    hrbfnpr_camera camera;
+    hrbfnpr_camera camera; /* that the frame was drawn by */
     hrbfnpr_error error;
 } drawing;
 
@@ -95,100 +101,146 @@ static bool succeeded(const drawing* self, hrbfnpr_status status, const char* me
     return false;
 }
 
-/* The engine's array of vectors as one of the library's, until vectors_end. */
-typedef struct vectors {
+/* A pool of the engine's as an array of the library's, three components to an element, until pool_end. */
+typedef struct pool_reader {
+    const gd_pool_kind* kind;
     gd_pool pool;
     void* access;
     hrbfnpr_array array;
-} vectors;
+} pool_reader;
 
-static vectors vectors_begin(const gd_variant* value) {
-    vectors v;
-    v.pool = GD_CALL(core, GD_VARIANT_AS_VECTORS3, gd_pool(*)(const gd_variant*))(value);
-    v.access = GD_CALL(core, GD_VECTORS3.read, void* (*)(const gd_pool*))(&v.pool);
-    v.array.data = GD_CALL(core, GD_VECTORS3.read_data, const void* (*)(const void*))(v.access);
-    v.array.count = GD_CALL(core, GD_VECTORS3.size, int (*)(const gd_pool*))(&v.pool);
-    v.array.stride = 0;
-    v.array.scalar = HRBFNPR_SCALAR_FLOAT32;
-    v.array.components = 3;
-    return v;
+static pool_reader pool_begin(const gd_pool_kind* kind, const gd_variant* value) {
+    const bool is_vectors = kind == &GD_VECTORS3;
+    pool_reader reader = {.kind = kind};
+    reader.pool = GD_CALL(core, kind->from_variant, gd_pool(*)(const gd_variant*))(value);
+    reader.access = GD_CALL(core, kind->read, void* (*)(const gd_pool*))(&reader.pool);
+    reader.array.data = GD_CALL(core, kind->read_data, const void* (*)(const void*))(reader.access);
+    reader.array.count = GD_CALL(core, kind->size, int (*)(const gd_pool*))(&reader.pool) / (is_vectors ? 1 : 3);
+    reader.array.scalar = is_vectors ? HRBFNPR_SCALAR_FLOAT32 : HRBFNPR_SCALAR_INT32;
+    reader.array.components = 3;
+    return reader;
 }
 
-static void vectors_end(vectors* v) {
-    GD_CALL(core, GD_VECTORS3.read_end, void (*)(void*))(v->access);
-    GD_CALL(core, GD_VECTORS3.destroy, void (*)(gd_pool*))(&v->pool);
+static void pool_end(pool_reader* reader) {
+    GD_CALL(core, reader->kind->read_end, void (*)(void*))(reader->access);
+    GD_CALL(core, reader->kind->destroy, void (*)(gd_pool*))(&reader->pool);
 }
 
-static gd_variant fit(drawing* self, gd_variant** arguments) {
-    hrbfnpr_fit_desc desc;
-    vectors points = vectors_begin(arguments[0]), normals = vectors_begin(arguments[1]);
-    hrbfnpr_fit_desc_init(&desc, sizeof desc);
-    desc.points = points.array;
-    desc.normals = normals.array;
-    hrbfnpr_model_release(self->model);
-    const hrbfnpr_status status = hrbfnpr_model_fit(self->context, &desc, NULL, &self->model, &self->error);
-    vectors_end(&points);
-    vectors_end(&normals);
-    return boolean(succeeded(self, status, "fit"));
-}
-
-static uint32_t preset_of(const gd_variant* value) {
-    gd_string string = GD_CALL(core, GD_VARIANT_AS_STRING, gd_string(*)(const gd_variant*))(value);
-    gd_char_string utf8 = GD_CALL(core, GD_STRING_UTF8, gd_char_string(*)(const gd_string*))(&string);
-    const char* name = GD_CALL(core, GD_CHAR_STRING_DATA, const char* (*)(const gd_char_string*))(&utf8);
-    uint32_t preset = 0;
-    while (hrbfnpr_preset_name(preset) != NULL && strcmp(name, hrbfnpr_preset_name(preset)) != 0) ++preset;
-    GD_CALL(core, GD_CHAR_STRING_DESTROY, void (*)(gd_char_string*))(&utf8);
-    GD_CALL(core, GD_STRING_DESTROY, void (*)(gd_string*))(&string);
-    return preset;
-}
-
-static gd_variant mark(drawing* self, gd_variant** arguments) {
-    enum { MOST_LAYERS = 16 }; /* of a named style */
-    hrbfnpr_generate_desc desc;
-    hrbfnpr_generate_desc_init(&desc, sizeof desc);
-    const uint32_t preset = preset_of(arguments[0]);
-    hrbfnpr_layer_desc layers[MOST_LAYERS];
-    const hrbfnpr_layer_desc* of_preset = hrbfnpr_preset_layers(preset, &desc.layer_count);
-    hrbfnpr_status status = hrbfnpr_style_init_preset(&self->style, sizeof self->style, preset, &self->error);
-    if (desc.layer_count > MOST_LAYERS) desc.layer_count = MOST_LAYERS;
-    for (int64_t i = 0; i < desc.layer_count; ++i) {
-        layers[i] = of_preset[i];
-        if (as_int(arguments[1]) > 0) layers[i].budget = as_int(arguments[1]);
-    }
-    desc.layers = layers;
-    hrbfnpr_point_set_release(self->marks);
-    self->marks = NULL;
-    if (status == HRBFNPR_STATUS_OK) {
-        status = hrbfnpr_point_set_generate(self->context, self->model, &desc, NULL, &self->marks, &self->error);
-    }
-    return boolean(succeeded(self, status, "mark"));
-}
-
-static hrbfnpr_status draw(drawing* self, gd_variant** arguments) {
-    const double vertical_angle = 0.5, margin = 0.02;
-    double direction[3], up[3];
-    hrbfnpr_model_info info;
-    hrbfnpr_item item;
-    as_vector(arguments[0], direction);
-    as_vector(arguments[1], up);
-    hrbfnpr_model_info_init(&info, sizeof info);
-    hrbfnpr_status status = hrbfnpr_model_get_info(self->model, &info, &self->error);
+/* Draws the picture by a camera, or as it was planned where that is NULL.  After a failure the last frame stays. */
+static hrbfnpr_status draw_frame(drawing* self, const hrbfnpr_camera* camera) {
+    hrbfnpr_drawing* frame;
+    const hrbfnpr_status status = hrbfnpr_picture_draw(self->picture, camera, NULL, &frame, &self->error);
     if (status != HRBFNPR_STATUS_OK) return status;
-    status = hrbfnpr_camera_fit_bounds(&self->camera, info.bounds_min, info.bounds_max, direction, up, vertical_angle,
-                                       as_int(arguments[3]), as_int(arguments[4]), margin, &self->error);
-    if (status != HRBFNPR_STATUS_OK) return status;
-    self->camera.projection[0] *= as_real(arguments[2]);
-    self->camera.projection[5] *= as_real(arguments[2]);
-    hrbfnpr_item_init(&item, sizeof item);
-    item.point_set = self->marks;
-    item.style = &self->style;
     hrbfnpr_drawing_release(self->frame);
-    return hrbfnpr_renderer_draw(self->renderer, &item, 1, 0, &self->camera, &self->frame, &self->error);
+    self->frame = frame;
+    if (camera == NULL) return hrbfnpr_picture_get_camera(self->picture, &self->camera, &self->error);
+    self->camera = *camera;
+    return status;
+}
+
+/* Makes a picture of the source, or restyles the last one where that is NULL.  VIEW is described at the top. */
+static hrbfnpr_status make_picture(drawing* self, const hrbfnpr_picture_source* source, gd_variant** view) {
+    hrbfnpr_picture_desc desc;
+    hrbfnpr_picture* picture;
+    hrbfnpr_status status;
+    gd_string string = GD_CALL(core, GD_VARIANT_AS_STRING, gd_string(*)(const gd_variant*))(view[0]);
+    gd_char_string style = GD_CALL(core, GD_STRING_UTF8, gd_char_string(*)(const gd_string*))(&string);
+    hrbfnpr_picture_desc_init(&desc, sizeof desc);
+    desc.style_name = GD_CALL(core, GD_CHAR_STRING_DATA, const char* (*)(const gd_char_string*))(&style);
+    as_vector(view[1], desc.direction);
+    as_vector(view[2], desc.up);
+    desc.width = as_int(view[3]);
+    desc.height = as_int(view[4]);
+    desc.sources = source;
+    desc.source_count = source != NULL;
+    status = source == NULL ? hrbfnpr_picture_restyle(self->picture, &desc, NULL, &picture, &self->error)
+                            : hrbfnpr_picture_create(self->context, &desc, NULL, &picture, &self->error);
+    GD_CALL(core, GD_CHAR_STRING_DESTROY, void (*)(gd_char_string*))(&style);
+    GD_CALL(core, GD_STRING_DESTROY, void (*)(gd_string*))(&string);
+    if (status != HRBFNPR_STATUS_OK) return status;
+    hrbfnpr_picture_release(self->picture);
+    self->picture = picture;
+    return draw_frame(self, NULL);
+}
+
+static gd_variant draw(drawing* self, gd_variant** arguments) {
+    hrbfnpr_picture_source source;
+    pool_reader points = pool_begin(&GD_VECTORS3, arguments[0]), normals = pool_begin(&GD_VECTORS3, arguments[1]);
+    hrbfnpr_picture_source_init(&source, sizeof source);
+    source.points = points.array;
+    if (normals.array.count > 0) source.normals = normals.array;
+    const hrbfnpr_status status = make_picture(self, &source, arguments + 2);
+    pool_end(&points);
+    pool_end(&normals);
+    return boolean(succeeded(self, status, "draw"));
+}
+
+/* The engine's faces are clockwise where they are seen from outside, the library's counterclockwise. */
+static int32_t* turned_faces(const hrbfnpr_array* faces) {
+    const int32_t* from = faces->data;
+    int32_t* turned = malloc((size_t)(3 * faces->count + 1) * sizeof *turned);
+    if (turned == NULL) abort();
+    for (int64_t i = 0; i < 3 * faces->count; ++i) turned[i] = from[i - i % 3 + 2 - i % 3];
+    return turned;
+}
+
+static gd_variant draw_mesh(drawing* self, gd_variant** arguments) {
+    hrbfnpr_picture_source source;
+    pool_reader vertices = pool_begin(&GD_VECTORS3, arguments[0]), faces = pool_begin(&GD_INTS, arguments[1]);
+    int32_t* turned = turned_faces(&faces.array);
+    hrbfnpr_picture_source_init(&source, sizeof source);
+    source.points = vertices.array;
+    source.triangles = faces.array;
+    source.triangles.data = turned;
+    const hrbfnpr_status status = make_picture(self, &source, arguments + 2);
+    free(turned);
+    pool_end(&vertices);
+    pool_end(&faces);
+    return boolean(succeeded(self, status, "draw_mesh"));
+}
+
+static gd_variant restyle(drawing* self, gd_variant** arguments) {
+    return boolean(succeeded(self, make_picture(self, NULL, arguments), "restyle"));
 }
 
 static gd_variant look(drawing* self, gd_variant** arguments) {
-    return boolean(succeeded(self, draw(self, arguments), "look"));
+    double direction[3];
+    hrbfnpr_camera camera;
+    as_vector(arguments[0], direction);
+    hrbfnpr_camera_init(&camera, sizeof camera);
+    hrbfnpr_status status = hrbfnpr_picture_look(self->picture, direction, NAN, NAN, &camera, &self->error);
+    camera.projection[0] *= as_real(arguments[1]);
+    camera.projection[5] *= as_real(arguments[1]);
+    if (status == HRBFNPR_STATUS_OK) status = draw_frame(self, &camera);
+    return boolean(succeeded(self, status, "look"));
+}
+
+static void append_text(gd_array* array, const char* text) {
+    gd_variant value;
+    gd_string string = GD_CALL(core, GD_STRING_FROM_UTF8, gd_string(*)(const char*))(text);
+    GD_CALL(core, GD_VARIANT_NEW_STRING, void (*)(gd_variant*, const gd_string*))(&value, &string);
+    GD_CALL(core, GD_ARRAY_PUSH_BACK, void (*)(gd_array*, const gd_variant*))(array, &value);
+    GD_CALL(core, GD_VARIANT_DESTROY, void (*)(gd_variant*))(&value);
+    GD_CALL(core, GD_STRING_DESTROY, void (*)(gd_string*))(&string);
+}
+
+static gd_variant notes(drawing* self, gd_variant** arguments) {
+    gd_array texts;
+    gd_variant result;
+    hrbfnpr_note note;
+    hrbfnpr_picture_info info;
+    (void)arguments;
+    hrbfnpr_note_init(&note, sizeof note);
+    hrbfnpr_picture_info_init(&info, sizeof info);
+    if (!succeeded(self, hrbfnpr_picture_get_info(self->picture, &info, &self->error), "notes")) return nil();
+    GD_CALL(core, GD_ARRAY_NEW, void (*)(gd_array*))(&texts);
+    for (int64_t i = 0; i < info.notes; ++i) {
+        if (!succeeded(self, hrbfnpr_picture_get_note(self->picture, i, &note, &self->error), "notes")) break;
+        append_text(&texts, note.text);
+    }
+    GD_CALL(core, GD_VARIANT_NEW_ARRAY, void (*)(gd_variant*, const gd_array*))(&result, &texts);
+    GD_CALL(core, GD_ARRAY_DESTROY, void (*)(gd_array*))(&texts);
+    return result;
 }
 
 static gd_variant eye(drawing* self, gd_variant** arguments) {
@@ -201,12 +253,11 @@ static gd_variant eye(drawing* self, gd_variant** arguments) {
     return from_vector(place);
 }
 
-static gd_variant angle(drawing* self, gd_variant** arguments) {
-    const double degrees = 360.0 / 3.14159265358979323846 * atan(1.0 / self->camera.projection[5]);
-    gd_variant result;
+static gd_variant frustum(drawing* self, gd_variant** arguments) {
+    const double* projection = self->camera.projection;
+    const double value[3] = {projection[8] / projection[0], projection[9] / projection[5], 2 / projection[5]};
     (void)arguments;
-    GD_CALL(core, GD_VARIANT_NEW_REAL, void (*)(gd_variant*, double))(&result, degrees);
-    return result;
+    return from_vector(value);
 }
 
 static gd_variant pixels(drawing* self, gd_variant** arguments) {
@@ -336,9 +387,10 @@ typedef struct method {
     gd_variant (*call)(drawing* self, gd_variant** arguments);
 } method;
 
-static const method METHODS[] = {{"fit", 2, fit},       {"mark", 2, mark},      {"look", 5, look},
-                                 {"eye", 0, eye},       {"angle", 0, angle},    {"pixels", 0, pixels},
-                                 {"points", 0, points}, {"strokes", 0, strokes}};
+static const method METHODS[] = {{"draw", 7, draw},       {"draw_mesh", 7, draw_mesh}, {"restyle", 5, restyle},
+                                 {"look", 2, look},       {"notes", 0, notes},         {"eye", 0, eye},
+                                 {"frustum", 0, frustum}, {"pixels", 0, pixels},       {"points", 0, points},
+                                 {"strokes", 0, strokes}};
 
 static gd_variant call(gd_object* instance, void* data, void* self, int count, gd_variant** arguments) {
     const method* m = data;
@@ -349,7 +401,7 @@ static gd_variant call(gd_object* instance, void* data, void* self, int count, g
     return nil();
 }
 
-/* Calls with what could not be made here fail with the library's message. */
+/* If there is no context, later calls fail with the library's message. */
 static void* create(gd_object* instance, void* data) {
     drawing* self = calloc(1, sizeof *self);
     (void)instance;
@@ -357,9 +409,7 @@ static void* create(gd_object* instance, void* data) {
     if (self == NULL) abort();
     hrbfnpr_error_init(&self->error, sizeof self->error);
     hrbfnpr_camera_init(&self->camera, sizeof self->camera);
-    if (succeeded(self, hrbfnpr_context_create(NULL, &self->context, &self->error), "new")) {
-        succeeded(self, hrbfnpr_renderer_create(self->context, &self->renderer, &self->error), "new");
-    }
+    succeeded(self, hrbfnpr_context_create(NULL, &self->context, &self->error), "new");
     return self;
 }
 
@@ -368,9 +418,7 @@ static void destroy(gd_object* instance, void* data, void* user) {
     (void)instance;
     (void)data;
     hrbfnpr_drawing_release(self->frame);
-    hrbfnpr_renderer_release(self->renderer);
-    hrbfnpr_point_set_release(self->marks);
-    hrbfnpr_model_release(self->model);
+    hrbfnpr_picture_release(self->picture);
     hrbfnpr_context_release(self->context);
     free(self);
 }

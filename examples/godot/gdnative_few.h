@@ -23,7 +23,7 @@ typedef struct gd_variant {
 typedef struct gd_array {
     uint64_t data;
 } gd_array;
-typedef struct gd_pool { /* a PoolByteArray, PoolVector2Array, PoolVector3Array or PoolColorArray */
+typedef struct gd_pool { /* a PoolByteArray, PoolIntArray, PoolVector2Array, PoolVector3Array or PoolColorArray */
     uint64_t data;
 } gd_pool;
 typedef struct gd_string {
@@ -100,36 +100,38 @@ enum { /* NativeScript */
 enum { /* core: arrays */
        GD_ARRAY_NEW = 323,
        GD_ARRAY_SET = 332,
+       GD_ARRAY_PUSH_BACK = 351,
        GD_ARRAY_RESIZE = 354,
        GD_ARRAY_DESTROY = 361
 };
 
 /* core: pools come in kinds with the same functions, each at places of its own */
 typedef struct gd_pool_kind {
-    int create, resize, size, read, write, destroy, read_data, read_end, write_data, write_end, to_variant;
+    int create, resize, size, read, write, destroy, read_data, read_end, write_data, write_end, to_variant,
+        from_variant;
 } gd_pool_kind;
 
-static const gd_pool_kind GD_BYTES = {155, 164, 169, 165, 166, 170, 268, 270, 296, 298, 530};
-static const gd_pool_kind GD_INTS = {171, 180, 185, 181, 182, 186, 272, 274, 300, 302, 531};
-static const gd_pool_kind GD_VECTORS2 = {219, 228, 233, 229, 230, 234, 284, 286, 312, 314, 534};
-static const gd_pool_kind GD_VECTORS3 = {235, 244, 249, 245, 246, 250, 288, 290, 316, 318, 535};
-static const gd_pool_kind GD_COLORS = {251, 260, 265, 261, 262, 266, 292, 294, 320, 322, 536};
+static const gd_pool_kind GD_BYTES = {155, 164, 169, 165, 166, 170, 268, 270, 296, 298, 530, 557};
+static const gd_pool_kind GD_INTS = {171, 180, 185, 181, 182, 186, 272, 274, 300, 302, 531, 558};
+static const gd_pool_kind GD_VECTORS2 = {219, 228, 233, 229, 230, 234, 284, 286, 312, 314, 534, 561};
+static const gd_pool_kind GD_VECTORS3 = {235, 244, 249, 245, 246, 250, 288, 290, 316, 318, 535, 562};
+static const gd_pool_kind GD_COLORS = {251, 260, 265, 261, 262, 266, 292, 294, 320, 322, 536, 563};
 
 enum { /* core: variants, strings, errors */
        GD_VARIANT_NEW_NIL = 509,
        GD_VARIANT_NEW_BOOL = 510,
-       GD_VARIANT_NEW_REAL = 513,
+       GD_VARIANT_NEW_STRING = 514,
        GD_VARIANT_NEW_VECTOR3 = 517,
        GD_VARIANT_NEW_ARRAY = 529,
        GD_VARIANT_AS_INT = 539,
        GD_VARIANT_AS_REAL = 540,
        GD_VARIANT_AS_STRING = 541,
        GD_VARIANT_AS_VECTOR3 = 544,
-       GD_VARIANT_AS_VECTORS3 = 562,
        GD_VARIANT_DESTROY = 570,
        GD_CHAR_STRING_DATA = 572,
        GD_CHAR_STRING_DESTROY = 573,
        GD_STRING_UTF8 = 678,
+       GD_STRING_FROM_UTF8 = 681,
        GD_STRING_DESTROY = 721,
        GD_PRINT_ERROR = 741
 };

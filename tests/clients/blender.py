@@ -57,9 +57,8 @@ settings.style, settings.budget = "full", 3000
 bpy.ops.hrbfnpr.marks()
 thing = bpy.data.objects["samples marks"]
 samples = np.loadtxt(sys.argv[sys.argv.index("--") + 1])
-model = hrbfnpr.Model.fit(samples[:, :3], samples[:, 3:])
-style = hrbfnpr.Style("full")
-marks = model.generate(preset="full", budget=3000)
+view = {"direction": (0, 1, -1), "up": (0, 0, 1), "size": (WIDTH, HEIGHT), "marks": 3000}
+marks = hrbfnpr.draw((samples[:, :3], samples[:, 3:]), "full", **view).marks
 joined = lambda attribute: np.concatenate([getattr(layer, attribute) for layer in marks.layers])
 check("as many marks", len(thing.data.vertices) == len(marks) and len(marks.layers) > 1)
 check("their origin", np.allclose(thing.location, marks.origin))
@@ -87,10 +86,9 @@ settings.style = "cross-hatch"
 bpy.context.view_layer.objects.active = bpy.data.objects["samples"]
 bpy.ops.hrbfnpr.strokes()
 curve = bpy.data.objects["samples strokes"].data
-camera = hrbfnpr_addon.camera_for(hrbfnpr, bpy.context, model)
-drawing = hrbfnpr.Renderer().draw(
-    (model.generate(preset="cross-hatch", budget=3000), hrbfnpr.Style("cross-hatch")), camera)
-lines = drawing.polylines()
+picture = hrbfnpr.draw((samples[:, :3], samples[:, 3:]), "cross-hatch", **view)
+camera = picture.camera
+lines = [line for line in picture.drawing.polylines() if line["hidden_layers"][0] == 0]
 check("as many strokes", len(curve.splines) == len(lines) > 10)
 for spline, line in zip(curve.splines, lines):
     points = np.array([point.co[:3] for point in spline.points])
@@ -107,40 +105,53 @@ scene.render.resolution_x, scene.render.resolution_y = WIDTH, HEIGHT
 place = bpy.context.object.matrix_world.to_translation()
 for kind in ("PERSP", "ORTHO"):
     scene.camera.data.type = kind
-    camera = hrbfnpr_addon.camera_for(hrbfnpr, bpy.context, model)
+    camera = hrbfnpr_addon.camera_of(hrbfnpr, bpy.context)
     clip = camera.projection @ camera.view @ (0.3, -0.2, 0.1, 1)
     ours = (clip[:2] / clip[3] + 1) / 2
     theirs = world_to_camera_view(scene, scene.camera, type(place)((0.3, -0.2, 0.1)))[:2]
     check(f"the place in the {kind} camera, {ours}", np.allclose(ours, theirs, atol=1e-5))
 bpy.ops.hrbfnpr.draw()
 image = bpy.data.images[hrbfnpr_addon.IMAGE]
-check("a drawing with it", np.min(image.pixels) == 0 and tuple(image.size) == (WIDTH, HEIGHT))
+drawn = np.rint(np.reshape(image.pixels, (HEIGHT, WIDTH, 4))[::-1] * 255)
+source = hrbfnpr_addon.source_of(hrbfnpr, bpy.context)
+seen = hrbfnpr.draw((source.points, source.normals), camera=camera, up=(0, 0, 1)).image
+check("a drawing with it", np.min(seen) == 0 and np.array_equal(drawn, seen))
 
-# Objects with faces are sampled, wherever they stand; another size of the image.
+# Objects with faces are meshes, wherever they stand; another size of the image.
 bpy.ops.mesh.primitive_monkey_add(location=(3, 2, 1), rotation=(0.3, 0.2, 0.1), scale=(-1, 1, 2))
 settings.scene_camera, settings.samples, settings.width, settings.height = False, 300, 200, 100
-points, normals = hrbfnpr_addon.samples(hrbfnpr, bpy.context, 300)
-check("as many samples", len(points) == len(normals) == 300)
-check("in the world", np.linalg.norm(points.mean(axis=0) - (3, 2, 1)) < 0.6)
+monkey = bpy.context.object
+source = hrbfnpr_addon.source_of(hrbfnpr, bpy.context)
+check("its mesh", source.is_mesh and source.normals is None and len(source.points) == len(monkey.data.vertices))
+check("in the world", np.allclose(source.points[7], monkey.matrix_world @ monkey.data.vertices[7].co, atol=1e-5))
+check("no edges are marked sharp", source.sharp_edges is None)
 bpy.ops.hrbfnpr.draw()
 check("another size", tuple(image.size) == (200, 100) and np.mean(image.pixels) < 0.999)
+monkey.data.edges[5].use_edge_sharp = True
+source = hrbfnpr_addon.source_of(hrbfnpr, bpy.context)
+check("an edge that is marked sharp", source.sharp_edges.tolist() == [list(monkey.data.edges[5].vertices)])
+sheets = [(-1, -1, 0), (1, -1, 0), (1, 1, 0), (-1, 1, 0), (0, -1, -1), (0, 1, -1), (0, 1, 1), (0, -1, 1)]
+settings.samples = 0
+crossing = activate(sheets, [(0, 1, 2, 3), (4, 5, 6, 7)])
+bpy.ops.hrbfnpr.marks()
+heights = [vertex.co.z for vertex in bpy.data.objects[f"{crossing.name} marks"].data.vertices]
+check("marks on sheets that cross, in one cloud", max(heights) - min(heights) > 1.9)
 thing = activate([(1, 2, 3), (4, 5, 6)], [], [(hrbfnpr_addon.NORMAL, [1, 1, 0, 0, 0, 1])])
 thing.location, thing.rotation_euler, thing.scale = (10, 20, 30), (0, 0, np.pi / 2), (1, 2, 1)
-points, normals = hrbfnpr_addon.samples(hrbfnpr, bpy.context, 100)
-check("points turned and stretched", np.allclose(points, [(6, 21, 33), (0, 24, 36)], atol=1e-5))
-check("normals turned and shrunk", np.allclose(normals, [(-0.5, 1, 0), (0, 0, 1)], atol=1e-5))
+source = hrbfnpr_addon.source_of(hrbfnpr, bpy.context)
+check("points turned and stretched", np.allclose(source.points, [(6, 21, 33), (0, 24, 36)], atol=1e-5))
+check("normals turned and shrunk", np.allclose(source.normals, [(-0.5, 1, 0), (0, 0, 1)], atol=1e-5))
 bpy.ops.mesh.primitive_plane_add()
 bpy.context.object.scale = (-1, 1, 1)
-points, normals = hrbfnpr_addon.samples(hrbfnpr, bpy.context, 20)
-check("an open mesh that is mirrored looks where it looked", np.all(normals[:, 2] > 0.99))
+source = hrbfnpr_addon.source_of(hrbfnpr, bpy.context)
+a, b, c = (source.points[source.triangles[:, i]] for i in range(3))
+check("an open mesh that is mirrored looks where it looked", np.all(np.cross(b - a, c - a)[:, 2] > 0))
 
 # What is wrong is said, in the library's words.
-activate([(0, 0, 0), (1, 0, 0)], [])
-check("no normals", "no normals" in failure(bpy.ops.hrbfnpr.draw))
 activate([(0, 0, 0), (1, 0, 0)], [], [(hrbfnpr_addon.NORMAL, np.zeros(6))])
 for operator in (bpy.ops.hrbfnpr.draw, bpy.ops.hrbfnpr.marks):
     message = failure(operator)
-    check("a normal of zero: " + message.strip(), "normals" in message and "Traceback" not in message)
+    check("too few points: " + message.strip(), "points" in message and "Traceback" not in message)
 
 # On and off, and installed as a user does it.
 hrbfnpr_addon.unregister()

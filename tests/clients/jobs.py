@@ -6,7 +6,6 @@ import re
 import run
 
 NAME = "Job system (C++17)"
-BY_PICTURE = True  # the library chooses pen, marks and lines
 WORKERS = 4
 
 

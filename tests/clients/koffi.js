@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The scene of examples/README.md through Node and koffi: koffi.js CDEF LIBRARY SAMPLES PICTURE.
+// The scene that reference.c makes step by step, through Node and koffi: koffi.js CDEF LIBRARY SAMPLES PICTURE.
 // Of the interface it knows the declarations in CDEF and nothing else.
 "use strict";
 const assert = require("assert");

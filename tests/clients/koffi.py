@@ -8,6 +8,7 @@ import subprocess
 import run
 
 NAME = "Node koffi"
+BY_STEPS = True  # to try more of the raw declarations than hrbfnpr_picture_create needs
 CDEF = run.ROOT / "bindings" / "cdef" / "hrbfnpr_cdef.h"
 QUIET = {"stdout": subprocess.PIPE, "stderr": subprocess.DEVNULL, "text": True}
 

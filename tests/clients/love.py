@@ -6,7 +6,6 @@ import os
 import run
 
 NAME = "LÖVE"
-BY_PICTURE = True  # the library chooses pen, marks and lines
 
 
 def version():

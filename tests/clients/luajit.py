@@ -4,6 +4,7 @@
 import run
 
 NAME = "LuaJIT FFI"
+BY_STEPS = True  # to try more of the raw declarations than hrbfnpr_picture_create needs
 CDEF = run.ROOT / "bindings" / "cdef" / "hrbfnpr_cdef.h"
 
 

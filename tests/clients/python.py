@@ -14,12 +14,8 @@ import sys
 import numpy as np, hrbfnpr
 
 samples = np.loadtxt(sys.argv[1])
-model = hrbfnpr.Model.fit(samples[:, :3], samples[:, 3:])
-style = hrbfnpr.Style("contour-and-stipple")
-marks = model.generate(preset=style.preset)
-camera = hrbfnpr.Camera.fit(model, direction=(0, 1, -1), up=(0, 0, 1), size=(640, 480), vertical_angle=0.5,
-                            margin=0.02)
-hrbfnpr.Renderer().draw((marks, style), camera).image().tofile(sys.argv[2])
+picture = hrbfnpr.draw((samples[:, :3], samples[:, 3:]), direction=(0, 1, -1), up=(0, 0, 1), size=(640, 480))
+picture.image.tofile(sys.argv[2])
 """
 
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The scenes of examples/README.md, through the C interface and nothing else: reference SAMPLES PICTURE [picture].
- * With the word "picture" it is the one that hrbfnpr_picture_create plans. */
+/* The scene of examples/README.md, through the C interface and nothing else: reference SAMPLES PICTURE [steps].
+ * With the word "steps" it is a similar one, made by the calls beneath hrbfnpr_picture_create with their defaults. */
 #include <hrbfnpr.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -44,7 +44,7 @@ static hrbfnpr_model* fitted(hrbfnpr_context* context, int64_t count) {
     return model;
 }
 
-static void draw(hrbfnpr_context* context, hrbfnpr_model* model) {
+static void draw_by_steps(hrbfnpr_context* context, hrbfnpr_model* model) {
     const double direction[3] = {0, 1, -1}, up[3] = {0, 0, 1};
     hrbfnpr_style style;
     hrbfnpr_generate_desc generate;
@@ -113,17 +113,17 @@ static void draw_picture(hrbfnpr_context* context, int64_t count) {
 int main(int argc, char** argv) {
     hrbfnpr_context* context;
     FILE* file;
-    const int by_picture = argc == 4 && strcmp(argv[3], "picture") == 0;
-    if (argc != 3 && !by_picture) return 2;
+    const int by_steps = argc == 4 && strcmp(argv[3], "steps") == 0;
+    if (argc != 3 && !by_steps) return 2;
     check(hrbfnpr_error_init(&error, sizeof error));
     check(hrbfnpr_context_create(NULL, &context, &error));
     const int64_t count = read_samples(argv[1]);
-    if (by_picture) {
-        draw_picture(context, count);
-    } else {
+    if (by_steps) {
         hrbfnpr_model* const model = fitted(context, count);
-        draw(context, model);
+        draw_by_steps(context, model);
         hrbfnpr_model_release(model);
+    } else {
+        draw_picture(context, count);
     }
     hrbfnpr_context_release(context);
     file = fopen(argv[2], "wb");

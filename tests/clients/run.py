@@ -4,8 +4,8 @@
     run.py CLIENT WORK LIBRARY REFERENCE EXAMPLES
 
 CLIENT is a module of this folder, LIBRARY the shared library, REFERENCE the program of reference.c, EXAMPLES the folder
-that the examples were built in.  The last line says `client NAME VERSION: RESULT`.  Returns 77 where the client is not
-installed.
+that the examples were built in.  A client with BY_STEPS draws the scene that is made step by step.  The last line says
+`client NAME VERSION: RESULT`.  Returns 77 where the client is not installed.
 """
 
 import importlib.util
@@ -93,7 +93,7 @@ def main():
     title = client.NAME
     try:
         title = f"{client.NAME} {client.version()}".strip()
-        scene = ["picture"] if getattr(client, "BY_PICTURE", False) else []
+        scene = ["steps"] if getattr(client, "BY_STEPS", False) else []
         run([reference, SAMPLES, work / "reference.rgba", *scene])
         picture = client.draw(work, library.resolve(), examples)
     except Missing as missing:

@@ -8,6 +8,7 @@ import shutil
 import run
 
 NAME = "Rust"
+BY_STEPS = True  # to try more of the raw declarations than hrbfnpr_picture_create needs
 CRATE = run.ROOT / "bindings" / "rust" / "hrbfnpr-sys"
 OLDEST = 63  # the rust-version of Cargo.toml
 EXAMPLE_SAYS = "1 of 2 points lie inside\n"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The scene of examples/README.md through the crate hrbfnpr-sys: rust SAMPLES PICTURE.
+// The scene that reference.c makes step by step, through the crate hrbfnpr-sys: rust SAMPLES PICTURE.
 use hrbfnpr_sys::*;
 use std::ffi::{c_void, CStr};
 use std::mem::{size_of, MaybeUninit};

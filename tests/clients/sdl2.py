@@ -6,7 +6,6 @@ import ctypes.util
 import run
 
 NAME = "SDL2"
-BY_PICTURE = True  # the library chooses pen, marks and lines
 
 
 def version():

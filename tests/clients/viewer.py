@@ -20,8 +20,7 @@ except ImportError:
 
 NAME = "viewer"
 
-# What reference.c draws, whose contours are marks.
-SCENE = {"hrbfnpr-settings": 1, "preset": "contour-and-stipple", "pen": 1, "size": [run.WIDTH, run.HEIGHT]}
+SCENE = {"hrbfnpr-settings": 1, "preset": "contour-and-stipple", "size": [run.WIDTH, run.HEIGHT]}
 
 
 def version():
@@ -319,16 +318,15 @@ def check_errors(view):
 
 
 def draw_scene(view, library):
-    """The scene, by settings that a program of four lines makes."""
+    """The scene, by settings whose camera is that of a picture in Python."""
     code = (
         "import json, sys, hrbfnpr, numpy as np\n"
-        "camera = hrbfnpr.Camera.fit(hrbfnpr.Model.fit(*np.hsplit(np.loadtxt(sys.argv[1]), 2)), (0, 1, -1), (0, 0, 1),\n"
-        f"    vertical_angle=0.5, size=({run.WIDTH}, {run.HEIGHT}), margin=0.02)\n"
+        "camera = hrbfnpr.draw(tuple(np.hsplit(np.loadtxt(sys.argv[1]), 2)), direction=(0, 1, -1), up=(0, 0, 1),\n"
+        f"    size=({run.WIDTH}, {run.HEIGHT})).camera\n"
         "print(json.dumps([np.asarray(m).T.ravel().tolist() for m in (camera.view, camera.projection)]))\n"
     )
     matrices = json.loads(python(library, "-c", code, run.SAMPLES))
-    settings = {**SCENE, "camera": dict(zip(("view", "projection"), matrices)),
-                "marks": {"layers": [{"kind": "stipples"}]}, "style": {"lines": []}}  # fmt: skip
+    settings = {**SCENE, "camera": dict(zip(("view", "projection"), matrices))}
     (view.work / "scene.json").write_text(json.dumps(settings), encoding="ascii")
     view.run("wait", "save scene.png", arguments=[run.SAMPLES, "--settings", "scene.json"])
     picture = view.work / "picture.rgba"

@@ -1,10 +1,10 @@
 # Samples become a drawing, seen from all sides.
 #
-#   drag: turn    wheel: zoom    space: turn by itself    M: the marks as points of a mesh    Escape: quit
+#   drag: turn    wheel: zoom    space: turn by itself    M: the drawing as a mesh    Escape: quit
 #
 #   --samples=FILE     lines "x y z nx ny nz" in place of the torus
-#   --marks            start with the mesh
-#   --strokes          draw strokes, in the style etching, and start with their mesh
+#   --style=NAME       in place of contour-and-stipple, such as etching
+#   --mesh             start with the mesh
 #   --picture=FILE     save the library's picture and quit (also without a screen: godot3-server)
 #   --screenshot=FILE  save the window and quit
 #
@@ -12,6 +12,8 @@
 extends Node
 
 const Drawing = preload("res://drawing.gdns")
+const DotsShader = preload("res://marks.shader")
+const StrokesShader = preload("res://strokes.shader")
 const UP = Vector3(0, 0, 1)
 
 var drawing = Drawing.new()
@@ -21,22 +23,22 @@ var azimuth = 0.0
 var elevation = PI / 4
 var zoom = 1.0
 var turning = false
-var strokes = false # the mesh is of triangles of strokes
+var style = "contour-and-stipple"
+var drawn_size = Vector2() # of the picture, which the window's size may differ from
 var drawn_for = [] # what the frame on the screen shows
 
 
 func _ready():
 	var options = read_options()
-	strokes = options.has("strokes")
+	style = options.get("style", style)
 	if not start(options.get("samples", "res://torus.xyzn")):
 		get_tree().quit(1)
 		return
+	for note in drawing.notes():
+		print("note: ", note)
 	$Drawing.texture = texture
-	if strokes:
-		$Marks.material_override = ShaderMaterial.new()
-		$Marks.material_override.shader = preload("res://strokes.shader")
-	if (options.has("marks") or strokes) and not options.has("picture"):
-		show_marks(true)
+	if options.has("mesh") and not options.has("picture"):
+		show_mesh(true)
 	update_frame()
 	if options.has("picture"):
 		save(picture, options.picture)
@@ -48,10 +50,7 @@ func _ready():
 		image.convert(Image.FORMAT_RGBA8)
 		save(image, options.screenshot)
 		if $Marks.visible:
-			var count = $Marks.mesh.surface_get_array_len(0)
-			print("mesh of %d points in %s" % [count, $Marks.get_aabb()])
-			if strokes:
-				print("%d triangles" % ($Marks.mesh.surface_get_array_index_len(0) / 3))
+			print_mesh($Marks.mesh)
 		get_tree().quit()
 
 
@@ -75,7 +74,13 @@ func start(path):
 		if n.size() == 6:
 			points.append(Vector3(n[0], n[1], n[2]))
 			normals.append(Vector3(n[3], n[4], n[5]))
-	return drawing.fit(points, normals) and drawing.mark("etching" if strokes else "contour-and-stipple", 0)
+	drawn_size = get_viewport().size
+	return drawing.draw(points, normals, style, direction(), UP, int(drawn_size.x), int(drawn_size.y))
+
+
+# From the eye into the scene.
+func direction():
+	return Vector3(sin(azimuth), cos(azimuth), -tan(elevation))
 
 
 func _process(delta):
@@ -97,12 +102,12 @@ func _input(event):
 			KEY_SPACE:
 				turning = not turning
 			KEY_M:
-				show_marks(not $Marks.visible)
+				show_mesh(not $Marks.visible)
 			KEY_ESCAPE:
 				get_tree().quit()
 
 
-func show_marks(shown):
+func show_mesh(shown):
 	$Marks.visible = shown
 	$Drawing.visible = not shown
 	drawn_for = []
@@ -114,11 +119,14 @@ func update_frame():
 	if wanted == drawn_for:
 		return
 	drawn_for = wanted
-	var direction = Vector3(sin(azimuth), cos(azimuth), -tan(elevation))
-	if not drawing.look(direction, UP, zoom, int(size.x), int(size.y)):
+	if size != drawn_size:
+		if not drawing.restyle(style, direction(), UP, int(size.x), int(size.y)):
+			return
+		drawn_size = size
+	if not drawing.look(direction(), zoom):
 		return
 	if $Marks.visible:
-		update_mesh(direction)
+		update_mesh()
 	else:
 		update_texture(size)
 
@@ -131,20 +139,42 @@ func update_texture(size):
 		texture.create_from_image(picture, 0) # no filter, no mipmaps: pixel for pixel
 
 
-# The marks under Godot's own camera: other things of the scene can stand between them.
-func update_mesh(direction):
+# The drawing under Godot's own camera: other things of the scene can stand between its marks.
+func update_mesh():
 	var mesh = ArrayMesh.new()
-	var arrays = drawing.strokes() if strokes else drawing.points()
-	# 0: positions and colours as they are.
-	mesh.add_surface_from_arrays(Mesh.PRIMITIVE_TRIANGLES if strokes else Mesh.PRIMITIVE_POINTS, arrays, [], 0)
+	add_surface(mesh, Mesh.PRIMITIVE_POINTS, drawing.points(), DotsShader, 0)
+	add_surface(mesh, Mesh.PRIMITIVE_TRIANGLES, drawing.strokes(), StrokesShader, 1)
 	$Marks.mesh = mesh
 	var box = mesh.get_aabb()
 	var eye = drawing.eye()
 	var distance = eye.distance_to(box.position + box.size / 2)
-	$Camera.look_at_from_position(eye, eye + direction, UP)
-	$Camera.fov = drawing.angle()
-	$Camera.near = 0.01 * distance
-	$Camera.far = 10 * distance
+	$Camera.look_at_from_position(eye, eye + direction(), UP)
+	# The picture is framed to what is seen, so that its middle need not be that of the view.
+	var near = 0.01 * distance
+	var seen = near * drawing.frustum()
+	$Camera.set_frustum(seen.z, Vector2(seen.x, seen.y), near, 10 * distance)
+
+
+# Surfaces of higher priority are drawn over the others.
+func add_surface(mesh, primitive, arrays, shader, priority):
+	if arrays[Mesh.ARRAY_VERTEX].size() == 0:
+		return
+	var material = ShaderMaterial.new()
+	material.shader = shader
+	material.render_priority = priority
+	mesh.add_surface_from_arrays(primitive, arrays, [], 0) # 0: positions and colours as they are
+	mesh.surface_set_material(mesh.get_surface_count() - 1, material)
+
+
+# For tests: how many points and triangles the mesh has, and the box around them.
+func print_mesh(mesh):
+	var count = { Mesh.PRIMITIVE_POINTS: 0, Mesh.PRIMITIVE_TRIANGLES: 0 }
+	for i in mesh.get_surface_count():
+		var primitive = mesh.surface_get_primitive_type(i)
+		var is_points = primitive == Mesh.PRIMITIVE_POINTS
+		count[primitive] = mesh.surface_get_array_len(i) if is_points else mesh.surface_get_array_index_len(i) / 3
+	print("mesh of %d points and %d triangles in %s" %
+			[count[Mesh.PRIMITIVE_POINTS], count[Mesh.PRIMITIVE_TRIANGLES], mesh.get_aabb()])
 
 
 func save(image, path):

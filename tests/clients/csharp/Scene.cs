@@ -19,18 +19,10 @@ public static class Scene
             Array.Copy(sample, 3, normals, 3 * i, 3);
         }
 
-        using (Model model = Model.Fit(points, normals))
-        using (PointSet marks = model.Generate(GenerateOptions.ForPreset(Preset.ContourAndStipple)))
-        using (var renderer = new Renderer())
+        var options = new PictureOptions { Direction = (0, 1, -1), Up = (0, 0, 1), Width = 640, Height = 480 };
+        using (Picture picture = Picture.Draw(PictureSource.FromPoints(points, normals), options))
         {
-            ModelInfo info = model.Info;
-            Camera camera = Camera.FitBounds(
-                info.BoundsMin, info.BoundsMax, (0, 1, -1), (0, 0, 1), 640, 480, 0.5, 0.02);
-            var item = new Item(marks, Style.Preset(Preset.ContourAndStipple));
-            using (Drawing drawing = renderer.Draw(item, camera))
-            {
-                File.WriteAllBytes(arguments[1], drawing.Rasterize());
-            }
+            File.WriteAllBytes(arguments[1], picture.Rasterize());
         }
     }
 }
