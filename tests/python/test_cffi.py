@@ -94,6 +94,23 @@ def test_dataclasses_hold_every_field_of_their_structs():
         assert {field.name for field in dataclasses.fields(kind)} == theirs, struct
 
 
+def test_the_stub_names_the_fields_of_records():
+    import ast
+    import dataclasses
+    from pathlib import Path
+
+    from hrbfnpr import _records
+
+    tree = ast.parse(Path(_records.__file__).with_suffix(".pyi").read_text(encoding="utf-8"))
+    classes = [node for node in tree.body if isinstance(node, ast.ClassDef)]
+    assert len(classes) > 20
+    for node in classes:
+        named = [part.target.id for part in node.body if isinstance(part, ast.AnnAssign)]
+        kind = getattr(_records, node.name)
+        fields = [field.name for field in dataclasses.fields(kind)] if dataclasses.is_dataclass(kind) else list(kind.fields())
+        assert named == fields, node.name
+
+
 def test_style_has_every_field_of_its_struct():
     import hrbfnpr
 

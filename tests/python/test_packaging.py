@@ -37,6 +37,7 @@ def test_a_wheel_with_the_library_inside(tmp_path):
         names = archive.namelist()
         archive.extractall(place)
     assert "hrbfnpr/py.typed" in names and "hrbfnpr/cli/__init__.py" in names
+    assert {"hrbfnpr/_records.json", "hrbfnpr/_records.pyi", "hrbfnpr/_options.json", "hrbfnpr/_draw_call.pyi"} <= set(names)
     assert any(name.startswith("hrbfnpr/libhrbfnpr.") for name in names)
     environment.update(PYTHONPATH=str(place), HRBFNPR_LIBRARY="")
     code = "import hrbfnpr; print(hrbfnpr.library_path); hrbfnpr.Model.fit([[0, 0, 0]], [[0, 0, 1]])"

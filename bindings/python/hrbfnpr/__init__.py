@@ -18,11 +18,9 @@ interpreter lock, report progress and can be cancelled (`Operation`, Ctrl-C).
 from typing import TYPE_CHECKING, Any, List
 
 from ._camera import Camera
-from ._context import Context, ContextInfo, build_info, default_context, set_default_context
-from ._csg import CsgInfo
-from ._depth_image import DepthImageInfo, SmoothedDepthImage, smooth_depth_image
-from ._drawing import Drawing, MarkResults, Raster, Vertices
-from ._drawing_info import DrawingInfo, DrawingLayerInfo, MarkIdentity
+from ._context import Context, build_info, default_context, set_default_context
+from ._depth_image import SmoothedDepthImage, smooth_depth_image
+from ._drawing import Drawing, DrawingLayerInfo, MarkResults, Raster, Vertices
 from ._errors import (
     BufferTooSmallError,
     CallbackError,
@@ -42,23 +40,42 @@ from ._layer import Layer, OwnLayer, preset_layers
 from ._library import ffi as _ffi
 from ._library import lib as _lib
 from ._library import library_path
-from ._line_set import Lines, LineSet, LineSetInfo
+from ._line_set import Lines, LineSet
 from ._line_style import LineStyle
 from ._marks import MarkLayer
-from ._mesh import Comparison, Mesh, MeshFitInfo, MeshInfo, MeshSamples, farthest_points
+from ._mesh import Mesh, MeshSamples, farthest_points
 from ._model import Model
-from ._model_results import Curvature, Evaluation, ModelInfo, Projection, RayHits
+from ._model_results import Curvature, Evaluation, Projection, RayHits
 from ._names import CLASSES, PRESETS
 from ._names import PROJECTION as PROJECTION_STATUS
 from ._names import RAY as RAY_STATUS
 from ._operation import Operation
-from ._orient import Oriented, OrientInfo, orient
-from ._page import Annotation, PageInfo, PageItem, Pen, write_page
+from ._orient import Oriented, orient
+from ._page import write_page
 from ._point_set import PointSet, StepPatches
-from ._point_set_info import LayerInfo, PlacementInfo, PointSetInfo
+from ._records import (
+    Annotation,
+    Comparison,
+    ContextInfo,
+    CsgInfo,
+    DepthImageInfo,
+    DrawingInfo,
+    LayerInfo,
+    LineSetInfo,
+    MarkIdentity,
+    MeshFitInfo,
+    MeshInfo,
+    ModelInfo,
+    OrientInfo,
+    PageInfo,
+    PageItem,
+    Pen,
+    PlacementInfo,
+    PointSetInfo,
+    TrimInfo,
+)
 from ._renderer import Item, Renderer
 from ._style import LayerStyle, Style
-from ._trim import TrimInfo
 
 from . import csg  # noqa: E402 isort: skip
 

@@ -7,6 +7,7 @@ import sys
 from dataclasses import dataclass
 from typing import Any, Iterable, List, Sequence, Tuple
 
+from ._errors import check, new_error
 from ._handles import own
 from ._library import ffi
 from ._numpy import np
@@ -235,6 +236,21 @@ def wrap(view: Any, owner: Any) -> Array:
         return memory.cast(code, shape=shape)
     rows = b"".join(memory[i * stride : i * stride + components * size] for i in range(count))
     return memoryview(rows).cast(code, shape=shape)
+
+
+def view(kind: str, attribute: str, doc: str) -> Any:
+    """A property: a read-only array on memory of the library's, by HRBFNPR_(kind)_ATTRIBUTE_(attribute).
+
+    Its class has `_handle`, and `_view`: the function that views, and what it takes before the attribute.
+    """
+    constant = ffi.integer_const(f"HRBFNPR_{kind}_ATTRIBUTE_{attribute}")
+
+    def get(self: Any) -> Array:
+        (function, *place), result, error = self._view, ffi.new("hrbfnpr_array *"), new_error()
+        check(function(*place, constant, result, error), error)
+        return wrap(result, self._handle)
+
+    return property(get, doc=doc)
 
 
 def matrix_in(argument: str, value: Any) -> List[float]:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import json
 import threading
-from dataclasses import dataclass
 from typing import Any, Callable, Optional
 
 from ._callbacks import CallbackState, plain_callback
@@ -12,31 +11,9 @@ from ._errors import check, new_error, new_struct
 from ._handles import Owner, own
 from ._library import ffi, lib, library_path
 from ._names import INSTRUCTION_SETS, LOG_LEVELS, THREAD_BACKENDS, name_of, number_of
+from ._records import ContextInfo, get
 
 RunTasks = Callable[[Callable[[int], None], int], Any]
-
-
-@dataclass(frozen=True)
-class ContextInfo:
-    """What a context really uses.
-
-    Attributes
-    ----------
-    thread_count : int
-        Threads that a large call will use.
-    thread_backend : str
-        Who runs the tasks of a large call: ``"pool"``, ``"openmp"``, ``"run_tasks"`` or ``"serial"``.
-    instruction_set : str
-        The one in use, such as ``"avx2"``.
-    bytes_now, bytes_peak : int
-        Memory allocated through the context at present, and the most there ever was.
-    """
-
-    thread_count: int
-    thread_backend: str
-    instruction_set: str
-    bytes_now: int
-    bytes_peak: int
 
 
 @plain_callback("void(void *, int32_t, const char *)")
@@ -127,15 +104,7 @@ class Context(Owner):
     @property
     def info(self) -> ContextInfo:
         """Threads, backend and instruction set really used, memory now and at peak."""
-        info, error = new_struct("hrbfnpr_context_info"), new_error()
-        check(lib.hrbfnpr_context_get_info(self._handle, info, error), error)
-        return ContextInfo(
-            thread_count=info.thread_count,
-            thread_backend=name_of(THREAD_BACKENDS, info.thread_backend),
-            instruction_set=name_of(INSTRUCTION_SETS, info.instruction_set),
-            bytes_now=info.bytes_now,
-            bytes_peak=info.bytes_peak,
-        )
+        return get(ContextInfo, lib.hrbfnpr_context_get_info, self._handle)
 
     def __repr__(self) -> str:
         return "<hrbfnpr.Context closed>" if self.closed else f"<hrbfnpr.Context {self.info}>"

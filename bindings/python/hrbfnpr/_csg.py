@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 import numbers
-from dataclasses import dataclass
 from typing import Any, Dict, List, Optional, Sequence, Tuple, Type, TypeVar, Union
 
 from ._arrays import vector
@@ -13,37 +12,12 @@ from ._errors import new_error, new_struct
 from ._handles import Owner, own
 from ._library import ffi, lib
 from ._names import CSG_KINDS
-from ._structs import read_struct
+from ._records import CsgInfo, get
 
 Self = TypeVar("Self", bound="Combining")
 Triple = Sequence[float]
 Matrix = List[List[float]]
 Box = Optional[Tuple[Triple, Triple]]
-
-
-@dataclass(frozen=True)
-class CsgInfo:
-    """What a solid is made of; all 0 for a model that is not put together from others.
-
-    Attributes
-    ----------
-    nodes : int
-        Of its tree, with those of trees that became part of it.
-    depth : int
-        Nodes from the root to the deepest leaf.
-    models : int
-        Leaves that are models, each once.
-    sheets : int
-        Smooth functions that it is made of.
-    lipschitz : float
-        A bound on the length of grad f that holds everywhere; 0: none is known.
-    """
-
-    nodes: int
-    depth: int
-    models: int
-    sheets: int
-    lipschitz: float
 
 
 class SharedFunctions:
@@ -248,6 +222,4 @@ class Combining(Owner):
     @property
     def csg_info(self) -> CsgInfo:
         """What the solid is made of."""
-        info, error = new_struct("hrbfnpr_csg_info"), new_error()
-        check(lib.hrbfnpr_model_get_csg_info(self._handle, info, error), error)
-        return read_struct(CsgInfo, info)
+        return get(CsgInfo, lib.hrbfnpr_model_get_csg_info, self._handle)

@@ -2,44 +2,14 @@
 """Images of depth cameras: points without the sensor's noise, and their normals."""
 from __future__ import annotations
 
-from dataclasses import dataclass
-from typing import Any, NamedTuple, Optional
+from typing import NamedTuple, Optional
 
 from ._arrays import Array, block_in, output
-from ._callbacks import check
 from ._context import Context, resolve
-from ._errors import new_error, new_struct
+from ._errors import new_struct
 from ._library import lib
-from ._operation import Operation, Progress, running
-from ._structs import read_struct
-
-
-@dataclass(frozen=True)
-class DepthImageInfo:
-    """What `smooth_depth_image` found and did.
-
-    Attributes
-    ----------
-    seen, left_out : int
-        Pixels that have a point; of these, points with hardly any others on their plane.
-    noise : float
-        Standard deviation of 1 / z, as given or measured.
-    focal_length : float
-        In pixels.
-    depth : float
-        Median distance \\|z\\| of the points.
-    radius : float
-        Smoothed over at that distance, in pixels.
-    seconds : float
-    """
-
-    seen: int
-    left_out: int
-    noise: float
-    focal_length: float
-    depth: float
-    radius: float
-    seconds: float
+from ._operation import Operation, Progress, run
+from ._records import DepthImageInfo, read
 
 
 class SmoothedDepthImage(NamedTuple):
@@ -102,9 +72,8 @@ def smooth_depth_image(
     desc.keep_points, desc.noise, desc.smoothing = bool(keep_points), noise, smoothing
     moved, to_points = output("points", None, block.shape, 3, block.code)
     normals, to_normals = output("normals", None, block.shape, 3, block.code)
-    info, error = new_struct("hrbfnpr_depth_image_info"), new_error()
-    with running(operation, progress, context._handle) as (handle, state):
-        status = lib.hrbfnpr_smooth_depth_image(context._handle, desc, handle, to_points, to_normals, info, error)
-        check(status, error, state)
+    info = new_struct("hrbfnpr_depth_image_info")
+    results = to_points, to_normals, info
+    run(lib.hrbfnpr_smooth_depth_image, (context._handle, desc), operation, progress, context._handle, results=results)
     del keep
-    return SmoothedDepthImage(moved, normals, read_struct(DepthImageInfo, info))
+    return SmoothedDepthImage(moved, normals, read(DepthImageInfo, info))

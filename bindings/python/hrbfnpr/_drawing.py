@@ -5,20 +5,18 @@ from __future__ import annotations
 import io
 import os
 from functools import partial
-from typing import Any, BinaryIO, List, NamedTuple, Optional, Sequence, Tuple, Union
+from typing import Any, BinaryIO, Callable, ClassVar, List, NamedTuple, Optional, Sequence, Tuple, Union
 
 from . import _images, _page, _pictures
 from ._arrays import Array, block_in, new_array, output, output_field
 from ._callbacks import check
-from ._drawing_info import DrawingInfo, DrawingLayerInfo, MarkIdentity, read_drawing_layer
 from ._errors import new_error, new_struct
 from ._handles import Owner
 from ._library import ffi, lib
 from ._marks import MarkLayer
-from ._names import CLASSES, PAGE_FORMATS, PRIMITIVES, number_of
+from ._names import CLASSES, LINE_KINDS, PAGE_FORMATS, PRIMITIVES, name_of, number_of
 from ._numpy import np
-from ._page import PageInfo
-from ._structs import read_struct
+from ._records import DrawingInfo, DrawingLayerFields, MarkIdentity, PageInfo, get, read
 from ._vertices import layout_of, vertex_array
 
 _MOST_IN_NOTEBOOK = 20_000  # dots and strokes
@@ -48,6 +46,23 @@ class MarkResults(NamedTuple):
     opacity: Array
 
 
+class DrawingLayerInfo(DrawingLayerFields):
+    __doc__ = DrawingLayerFields.__doc__
+
+    _lines: ClassVar[Callable[[], List[Array]]]
+
+    @property
+    def polylines(self) -> List[Array]:
+        """Its strokes, far to near: float32 (n, 2) each, pixel x and y; with more of them by `Drawing.polylines`."""
+        return [np.array(line["window"][:, :2]) for line in self._lines()]
+
+
+def _read_layer(struct: Any) -> DrawingLayerInfo:
+    """From a filled hrbfnpr_drawing_layer_info."""
+    of_lines = {"kind": name_of(LINE_KINDS, struct.kind)} if struct.layer < 0 else {}
+    return read(DrawingLayerInfo, struct, **of_lines)
+
+
 class Drawing(Owner):
     """Dots and strokes in window coordinates, as `Renderer.draw` made them; shows itself in a notebook.
 
@@ -67,9 +82,7 @@ class Drawing(Owner):
     @property
     def info(self) -> DrawingInfo:
         """What it holds, and what making it did."""
-        info, error = new_struct("hrbfnpr_drawing_info"), new_error()
-        check(lib.hrbfnpr_drawing_get_info(self._handle, info, error), error)
-        return read_struct(DrawingInfo, info)
+        return get(DrawingInfo, lib.hrbfnpr_drawing_get_info, self._handle)
 
     @property
     def layers(self) -> Tuple[DrawingLayerInfo, ...]:
@@ -78,7 +91,7 @@ class Drawing(Owner):
         info, error = new_struct("hrbfnpr_drawing_layer_info"), new_error()
         for number in range(self.info.layers):
             check(lib.hrbfnpr_drawing_get_layer_info(handle, number, info, error), error)
-            layer = read_drawing_layer(info)
+            layer = _read_layer(info)
             object.__setattr__(layer, "_lines", partial(self.polylines, number))
             result.append(layer)
         return tuple(result)
@@ -320,9 +333,7 @@ class Drawing(Owner):
         InvalidArgumentError
             For an id that is no mark's.
         """
-        identity, error = new_struct("hrbfnpr_mark_identity"), new_error()
-        check(lib.hrbfnpr_drawing_identify(self._handle, int(id), identity, error), error)
-        return read_struct(MarkIdentity, identity)
+        return get(MarkIdentity, lib.hrbfnpr_drawing_identify, self._handle, int(id))
 
     def to_pil(self) -> Any:
         """A PIL.Image.  Needs Pillow."""

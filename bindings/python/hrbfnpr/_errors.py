@@ -138,3 +138,11 @@ def new_struct(name: str) -> Any:
     struct = ffi.new(f"{name} *")
     check(getattr(lib, f"{name}_init")(struct, ffi.sizeof(name)))
     return struct
+
+
+def new_list(kind: str, count: int) -> Any:
+    """A list of structs, each set up by its `_init` function."""
+    structs = ffi.new(f"{kind}[]", max(count, 1))
+    for i in range(count):
+        check(getattr(lib, f"{kind}_init")(ffi.addressof(structs, i), ffi.sizeof(kind)))
+    return structs

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from typing import Any, Callable, Dict, Generic, Tuple, TypeVar, Union
 
-from ._names import name_of, number_of
+from ._arrays import vector
+from ._names import NAMES, name_of, number_of
 
 Get = TypeVar("Get")
 Set = TypeVar("Set")
@@ -45,20 +46,24 @@ class Field(Generic[Get, Set]):
         setattr(instance._struct, self._name, self._write(self._name, value))
 
 
-def number(doc: str) -> Field[float, float]:
-    return Field(lambda name, value: float(value), float, doc)
-
-
-def integer(doc: str) -> Field[int, int]:
-    return Field(lambda name, value: int(value), int, doc)
-
-
-def color_field(doc: str) -> Field[Tuple[float, ...], Color]:
-    return Field(color, tuple, doc)
-
-
 def choice(numbers: Dict[str, int], doc: str) -> Field[str, str]:
     return Field(lambda name, value: number_of(name, numbers, value), lambda n: name_of(numbers, n), doc)
+
+
+def field_of(kind: str, doc: str) -> Field[Any, Any]:
+    """An attribute of a kind that `_records.json` has."""
+    if kind in NAMES:
+        return choice(NAMES[kind], doc)
+    return Field(*_KINDS[kind], doc)
+
+
+_KINDS: Dict[str, Tuple[Callable[[str, Any], Any], Callable[[Any], Any]]] = {
+    "number": (lambda name, value: float(value), float),
+    "count": (lambda name, value: int(value), int),
+    "flag": (lambda name, value: int(bool(value)), bool),
+    "color": (color, tuple),
+    "vector": (vector, tuple),
+}
 
 
 class Attributes:
@@ -72,8 +77,6 @@ class Attributes:
     @classmethod
     def fields(cls) -> Tuple[str, ...]:
         """Names of all fields."""
-        return tuple(name for name, value in vars(cls).items() if isinstance(value, Field))
+        own = {name: None for kind in reversed(cls.__mro__) for name, value in vars(kind).items() if isinstance(value, Field)}
+        return tuple(own)
 
-
-def flag(doc: str) -> Field[bool, bool]:
-    return Field(lambda name, value: int(bool(value)), bool, doc)

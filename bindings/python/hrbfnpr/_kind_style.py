@@ -2,12 +2,12 @@
 """What styles of one kind of layers or lines have in common."""
 from __future__ import annotations
 
-from typing import Any, Dict, Mapping, Optional, Type, TypeVar
+from typing import Any, Dict, List, Mapping, Optional, Type, TypeVar
 
 from ._errors import new_struct
 from ._fields import Attributes, Field
-from ._layer import c_name
 from ._library import ffi
+from ._records import text_in
 
 Made = TypeVar("Made", bound="KindStyle")
 
@@ -52,8 +52,10 @@ class KindStyle(Attributes):
 
     def _fill(self, target: Any) -> Any:
         """Write the C struct; returns what must be kept alive."""
+        keep: List[Any] = []
         target[0] = self._struct[0]
-        return c_name(target, self._name)
+        target.name = text_in(keep, self._name)
+        return keep
 
     def __eq__(self, other: object) -> bool:
         return type(other) is type(self) and self._values() == other._values()  # type: ignore[attr-defined]

@@ -2,59 +2,26 @@
 """Line sets: what the contours and feature lines of a surface are drawn from."""
 from __future__ import annotations
 
-from dataclasses import dataclass
-from typing import Any, Iterable, List, Optional, Sequence, Union
+from typing import Any, Iterable, List, Optional, Union
 
 from ._arrays import Array, block_in, vector
-from ._callbacks import check
 from ._context import Context, resolve
-from ._errors import new_error, new_struct
-from ._handles import Owner, own
-from ._layer import c_name, new_list
-from ._library import ffi, lib
+from ._errors import new_list, new_struct
+from ._handles import Owner
+from ._library import lib
 from ._model import Model
-from ._names import LINE_KINDS, number_of
-from ._operation import Operation, Progress, running
-from ._structs import read_struct
+from ._operation import Operation, Progress, make
+from ._records import LineSetInfo, LinesFields, fill, get
 
 
-@dataclass
-class Lines:
-    """Lines that are found once, when a `LineSet` is made.
-
-    Attributes
-    ----------
-    kind : {"ridge", "valley", "parabolic", "section", "own"}
-    name : str
-        For `LineStyle.name`.
-    lower, upper : float
-        A line goes on while its strength is at least `lower`, and is kept if it is `upper` somewhere;
-        0 and 0 = those of the kind.
-    shortest : float
-        In diagonals of the model; shorter ones are dropped.
-    plane : (float, float, float)
-        Of sections: the normal of the planes.
-    levels : sequence of float
-        Of sections: where the planes are along the unit normal.
-    polylines : sequence of array of float, shape (n, 3)
-        Of own lines: on the surface or near it; closed if the last point is the first.
-    """
-
-    kind: str = "ridge"
-    name: str = ""
-    lower: float = 0.0
-    upper: float = 0.0
-    shortest: float = 0.01
-    plane: Sequence[float] = (0.0, 0.0, 1.0)
-    levels: Sequence[float] = ()
-    polylines: Sequence[Array] = ()
+class Lines(LinesFields):
+    __doc__ = LinesFields.__doc__
 
     def _fill(self, target: Any) -> List[Any]:
         """Write a hrbfnpr_line_desc; returns what must be kept alive."""
-        target.kind = number_of("kind", LINE_KINDS, self.kind)
-        target.lower, target.upper, target.shortest = self.lower, self.upper, self.shortest
+        keep: List[Any] = []
+        fill(target, self, keep)
         target.plane = vector("plane", self.plane)
-        keep = [c_name(target, self.name)]
         if len(self.levels):
             keep.append(block_in("levels", self.levels, 1, "d").fill(target.levels))
         if len(self.polylines):
@@ -65,41 +32,6 @@ class Lines:
             keep.append(block_in("polylines", [point for line in rows for point in line]).fill(target.position))
             keep.append(block_in("line_first", first, 1, "I").fill(target.line_first))
         return keep
-
-
-@dataclass(frozen=True)
-class LineSetInfo:
-    """What making a line set did.
-
-    Attributes
-    ----------
-    triangles : int
-        Of the mesh that curves are looked for on.
-    turned : int
-        Triangles that look away from the surface: it is finer than the cells there, and curves may be missed.
-    missed_seeds : int
-        Seeds that no triangle is near: a part of the surface is too thin for the cells.
-    lines, borders : int
-        Lines that were found once; curves where the surface ends.
-    cell_size, seconds : float
-    bytes : int
-    left_out : float
-        The share of the area that was looked at that lies beyond its samples, 0 to 1; 0 without `support`. Of a trimmed
-        model little beyond its end is looked at: see `Model.trim_info`.
-    creases : int
-        Curves where smooth sheets of the surface meet, from corner to corner, or closed.
-    """
-
-    triangles: int
-    turned: int
-    missed_seeds: int
-    lines: int
-    borders: int
-    cell_size: float
-    seconds: float
-    bytes: int
-    left_out: float
-    creases: int
 
 
 class LineSet(Owner):
@@ -151,7 +83,7 @@ class LineSet(Owner):
         context = resolve(context)
         chosen = [lines] if isinstance(lines, (str, Lines)) else list(lines)
         made = [Lines(line) if isinstance(line, str) else line for line in chosen]
-        desc, error = new_struct("hrbfnpr_line_set_desc"), new_error()
+        desc = new_struct("hrbfnpr_line_set_desc")
         structs = new_list("hrbfnpr_line_desc", len(made))
         keep: List[Any] = [structs, *(line._fill(structs[i]) for i, line in enumerate(made))]
         desc.lines, desc.line_count = structs, len(made)
@@ -163,12 +95,10 @@ class LineSet(Owner):
         ):  # fmt: skip
             if points is not None:
                 keep.append(block_in(name, points).fill(getattr(desc, name)))
-        out = ffi.new("hrbfnpr_line_set **")
-        with running(operation, progress, context._handle) as (handle, state):
-            status = lib.hrbfnpr_line_set_create(context._handle, model._handle, desc, handle, out, error)
-            check(status, error, state, shared=model._function)
+        given = context._handle, model._handle, desc
+        super().__init__(make("line_set", lib.hrbfnpr_line_set_create, given, operation, progress, context._handle, context,
+                              shared=model._function))  # fmt: skip
         del keep
-        super().__init__(own(out[0], lib.hrbfnpr_line_set_release, context))
         self._function = model._function
         self._curved = with_curvature or any(line.kind in ("ridge", "valley", "parabolic") for line in made)
 
@@ -183,9 +113,7 @@ class LineSet(Owner):
     @property
     def info(self) -> LineSetInfo:
         """What making it did."""
-        info, error = new_struct("hrbfnpr_line_set_info"), new_error()
-        check(lib.hrbfnpr_line_set_get_info(self._handle, info, error), error)
-        return read_struct(LineSetInfo, info)
+        return get(LineSetInfo, lib.hrbfnpr_line_set_get_info, self._handle)
 
     @property
     def has_curvature(self) -> bool:

@@ -4,13 +4,10 @@ from __future__ import annotations
 
 from typing import Any, List, Optional, Tuple
 
-from ._arrays import Array, wrap
-from ._callbacks import check
-from ._errors import new_error, new_struct
-from ._library import ffi, lib
+from ._arrays import Array, view
+from ._library import lib
 from ._numpy import np
-from ._point_set_info import LayerInfo, PlacementInfo, read_layer_info
-from ._structs import read_struct
+from ._records import LayerInfo, PlacementInfo, get
 
 
 class MarkLayer:
@@ -34,20 +31,14 @@ class MarkLayer:
     def info(self) -> LayerInfo:
         """What making it did."""
         if self._info is None:
-            info, error = new_struct("hrbfnpr_layer_info"), new_error()
-            check(lib.hrbfnpr_point_set_get_layer_info(self._handle, self._number, info, error), error)
-            self._info = read_layer_info(info)
+            self._info = get(LayerInfo, lib.hrbfnpr_point_set_get_layer_info, self._handle, self._number)
         return self._info
 
     @property
     def placement(self) -> Tuple[PlacementInfo, ...]:
         """What became of candidates for marks, level by level."""
-        info, error = new_struct("hrbfnpr_placement_info"), new_error()
-        result = []
-        for level in range(self.info.levels + 1):
-            check(lib.hrbfnpr_point_set_get_placement(self._handle, self._number, level, info, error), error)
-            result.append(read_struct(PlacementInfo, info))
-        return tuple(result)
+        asked = lib.hrbfnpr_point_set_get_placement, self._handle, self._number
+        return tuple(get(PlacementInfo, *asked, level) for level in range(self.info.levels + 1))
 
     @property
     def kind(self) -> str:
@@ -62,70 +53,28 @@ class MarkLayer:
     def __len__(self) -> int:
         return self.info.marks
 
-    def _view(self, attribute: str) -> Array:
-        view, error = ffi.new("hrbfnpr_array *"), new_error()
-        constant = ffi.integer_const(f"HRBFNPR_MARK_ATTRIBUTE_{attribute}")
-        check(lib.hrbfnpr_point_set_view(self._handle, self._number, constant, view, error), error)
-        return wrap(view, self._handle)
-
     @property
-    def positions(self) -> Array:
-        """float32 (n, 3), relative to the set's `origin`."""
-        return self._view("POSITION")
+    def _view(self) -> Tuple[Any, ...]:
+        return lib.hrbfnpr_point_set_view, self._handle, self._number
 
-    @property
-    def normals(self) -> Array:
-        """float32 (n, 3), unit, outward."""
-        return self._view("NORMAL")
-
-    @property
-    def directions(self) -> Array:
-        """float32 (n, 3), unit, tangent: along the stroke; for a mark of none the u of its basis [NPAR 5.2]."""
-        return self._view("DIRECTION")
-
-    @property
-    def curvatures(self) -> Array:
-        """float32 (n, 3): k1, k2, confidence; empty where not known (see `Layer.with_curvature`)."""
-        return self._view("CURVATURE")
-
-    @property
-    def ranks(self) -> Array:
-        """float32 (n,): the u of [NPAR 6.2] in [0, 1); a mark is shown where u >= tau."""
-        return self._view("RANK")
-
-    @property
-    def levels(self) -> Array:
-        """uint8 (n,): the refinement step, or the pass of strokes, that placed the mark."""
-        return self._view("LEVEL")
-
-    @property
-    def stroke_places(self) -> Array:
-        """uint32 (n, 2): 2 number + direction (0 or 1) of the stroke, and the mark's place along it.
-
-        For a mark of no stroke twice its number (or that of its seed), and 0.
-        """
-        return self._view("STROKE")
-
-    @property
-    def widths(self) -> Array:
-        """float32 (n,): of the ink, relative, in (0, 1]; of tapered strokes only, else empty: all 1."""
-        return self._view("WIDTH")
-
-    @property
-    def tone_normals(self) -> Array:
-        """float32 (n, 3), unit: the normals that tone goes by (see `Layer.tone_smoothing`); empty: `normals`."""
-        return self._view("TONE_NORMAL")
-
-    @property
-    def stroke_first(self) -> Array:
-        """uint32 (s + 1,): stroke s has the marks from stroke_first[s] up to stroke_first[s + 1] - 1, in the
-        order of `stroke_order` if that is not empty.  Empty: a layer without strokes."""
-        return self._view("STROKE_FIRST")
-
-    @property
-    def stroke_order(self) -> Array:
-        """uint32 (n,): numbers of marks, stroke by stroke; empty where they stand so already."""
-        return self._view("STROKE_ORDER")
+    positions = view("MARK", "POSITION", "float32 (n, 3), relative to the set's `origin`.")
+    normals = view("MARK", "NORMAL", "float32 (n, 3), unit, outward.")
+    directions = view("MARK", "DIRECTION", "float32 (n, 3), unit, tangent: along the stroke; for a mark of none the u of its "
+                      "basis [NPAR 5.2].")  # fmt: skip
+    curvatures = view("MARK", "CURVATURE", "float32 (n, 3): k1, k2, confidence; empty where not known (see "
+                      "`Layer.with_curvature`).")  # fmt: skip
+    ranks = view("MARK", "RANK", "float32 (n,): the u of [NPAR 6.2] in [0, 1); a mark is shown where u >= tau.")
+    levels = view("MARK", "LEVEL", "uint8 (n,): the refinement step, or the pass of strokes, that placed the mark.")
+    stroke_places = view("MARK", "STROKE", "uint32 (n, 2): 2 number + direction (0 or 1) of the stroke, and the mark's place "
+                         "along it.\n\nFor a mark of no stroke twice its number (or that of its seed), and 0.")  # fmt: skip
+    widths = view("MARK", "WIDTH", "float32 (n,): of the ink, relative, in (0, 1]; of tapered strokes only, else empty: all 1.")
+    tone_normals = view("MARK", "TONE_NORMAL", "float32 (n, 3), unit: the normals that tone goes by (see "
+                        "`Layer.tone_smoothing`); empty: `normals`.")  # fmt: skip
+    stroke_first = view("MARK", "STROKE_FIRST", "uint32 (s + 1,): stroke s has the marks from stroke_first[s] up to "
+                        "stroke_first[s + 1] - 1, in the order of `stroke_order` if that is not empty.  Empty: a layer "
+                        "without strokes.")  # fmt: skip
+    stroke_order = view("MARK", "STROKE_ORDER", "uint32 (n,): numbers of marks, stroke by stroke; empty where they stand so "
+                        "already.")  # fmt: skip
 
     def strokes(self) -> List[Array]:
         """The numbers of the marks of each stroke, from end to end; without NumPy, ranges or memoryviews."""

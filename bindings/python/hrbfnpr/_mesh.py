@@ -2,181 +2,16 @@
 """Triangle meshes: made usable, sampled, and what a surface is compared with."""
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import Any, NamedTuple, Optional, Tuple
 
-from ._arrays import INDICES, Array, block_in, new_array, output, reshaped, wrap
-from ._callbacks import check
+from ._arrays import INDICES, Array, block_in, new_array, output, reshaped, view
 from ._context import Context, resolve
-from ._errors import new_error, new_struct
-from ._handles import Owner, own
-from ._library import ffi, lib
-from ._model_results import Vector
+from ._errors import new_struct
+from ._handles import Owner
+from ._library import lib
 from ._names import FACES, PARTS, number_of
-from ._operation import Operation, Progress, running
-from ._structs import read_struct
-
-
-@dataclass(frozen=True)
-class MeshInfo:
-    """What making a mesh found, and did.
-
-    Attributes
-    ----------
-    closed : bool
-        No edge has one face, or more than two, and all faces agree.
-    given_vertices, given_faces, vertices, faces : int
-        As given, and as kept.
-    welded_vertices : int
-        In the place of another, and joined with it.
-    degenerate_faces, repeated_faces : int
-        Without area, or with the corners of another: left out.
-    turned_faces : int
-        Against those beside them, turned.
-    components, turned_components, nested_components, left_out_components, left_out_faces : int
-        Of the given faces; closed but inside out, turned; inside another; left out.
-    boundary_edges, boundary_loops, nonmanifold_edges, contrary_edges : int
-    euler_characteristic, genus : int
-        genus is -1 where the mesh is not closed.
-    area : float
-    volume : float, optional
-        None where the mesh is not closed.
-    bounds_min, bounds_max : (float, float, float)
-    seconds : float
-    bytes : int
-    crease_length : float
-        Of the edges that bend by more than 30 degrees, in diagonals of the bounds.
-    creases : bool
-        These stand out, as those of machine parts: `Model.fit_mesh` with edges "auto" keeps them sharp.
-    """
-
-    closed: bool
-    given_vertices: int
-    given_faces: int
-    vertices: int
-    faces: int
-    welded_vertices: int
-    degenerate_faces: int
-    repeated_faces: int
-    turned_faces: int
-    components: int
-    turned_components: int
-    nested_components: int
-    left_out_components: int
-    left_out_faces: int
-    boundary_edges: int
-    boundary_loops: int
-    nonmanifold_edges: int
-    contrary_edges: int
-    euler_characteristic: int
-    genus: int
-    area: float
-    volume: Optional[float]
-    bounds_min: Vector
-    bounds_max: Vector
-    seconds: float
-    bytes: int
-    crease_length: float
-    creases: bool
-
-
-@dataclass(frozen=True)
-class MeshFitInfo:
-    """What a fit to a mesh came to: the last of the measurements that it went by.
-
-    Attributes
-    ----------
-    reached : bool
-        tolerance, share and far are kept, both ways.
-    tolerance, far : float
-        As used.
-    candidates, centres, rounds : int
-    off_surface_centres : int
-        The last ones of the model's centres: where f is held to the distance from the mesh.
-    supported : bool
-        The mesh has a border, and the surface beyond it was not counted.
-    surface_share, surface_p99, surface_max : float
-        Of the surface: the share within the tolerance of the mesh, and distances from it.
-    mesh_share, mesh_p99, mesh_max : float
-        Of the mesh: the same from the surface.
-    seconds_sample, seconds_fit, seconds_measure, seconds_total : float
-    sheets : int
-        Smooth pieces that the surface is made of; 1: it has no edges.
-    crease_length, smooth_length : float
-        Of the mesh's edges: those that are sharp, and those that are not, as the mesh could not be cut there.
-    cells, poor_cells : int
-        Of space, in each of which a few sheets rule; and those in which no maximum and minimum of its sheets does all
-        that the mesh does.
-    """
-
-    reached: bool
-    tolerance: float
-    far: float
-    candidates: int
-    centres: int
-    off_surface_centres: int
-    rounds: int
-    supported: bool
-    surface_share: float
-    surface_p99: float
-    surface_max: float
-    mesh_share: float
-    mesh_p99: float
-    mesh_max: float
-    seconds_sample: float
-    seconds_fit: float
-    seconds_measure: float
-    seconds_total: float
-    sheets: int
-    crease_length: float
-    smooth_length: float
-    cells: int
-    poor_cells: int
-
-
-@dataclass(frozen=True)
-class Comparison:
-    """How near a surface is to a mesh, both ways; distances are in units of the mesh, NaN of no points.
-
-    Attributes
-    ----------
-    surface_points : int
-        Places on the surface, even over its area, within the mesh's box, grown by 0.05 diagonals.
-    surface_mean, surface_p99, surface_max, surface_share : float
-        Of their distances from the mesh; share: within the tolerance.
-    invented_share, left_out_share : float
-        Of the surface: farther than `far` from the mesh; beyond the mesh's border, or left out by `support`.
-    mesh_points : int
-        Places on the mesh, even over its area.
-    mesh_mean, mesh_p99, mesh_max, mesh_share, missed_share : float
-        Of their distances from the surface.
-    normal_mean, normal_p99 : float
-        Degrees between the mesh's normals and the surface's.
-    components, genus : int
-        Of the surface; genus is -1 if it has a border in the box.
-    tolerance, diagonal, seconds : float
-    """
-
-    surface_points: int
-    surface_mean: float
-    surface_p99: float
-    surface_max: float
-    surface_share: float
-    invented_share: float
-    left_out_share: float
-    mesh_points: int
-    mesh_mean: float
-    mesh_p99: float
-    mesh_max: float
-    mesh_share: float
-    missed_share: float
-    normal_mean: float
-    normal_p99: float
-    components: int
-    genus: int
-    tolerance: float
-    diagonal: float
-    seconds: float
+from ._operation import Operation, Progress, make, run
+from ._records import MeshInfo, get
 
 
 class MeshSamples(NamedTuple):
@@ -237,50 +72,30 @@ class Mesh(Owner):
             block_in("vertices", vertices).fill(desc.vertices),
             block_in("triangles", triangles, 3, INDICES).fill(desc.triangles),
         ]
-        out, error = ffi.new("hrbfnpr_mesh **"), new_error()
-        with running(operation, progress, context._handle) as (handle, state):
-            check(lib.hrbfnpr_mesh_create(context._handle, desc, handle, out, error), error, state)
+        given = context._handle, desc
+        super().__init__(make("mesh", lib.hrbfnpr_mesh_create, given, operation, progress, context._handle, context))
         del keep
-        super().__init__(own(out[0], lib.hrbfnpr_mesh_release, context))
         self._made_in = context
 
     @property
     def info(self) -> MeshInfo:
         """What making it found, and did."""
-        info, error = new_struct("hrbfnpr_mesh_info"), new_error()
-        check(lib.hrbfnpr_mesh_get_info(self._handle, info, error), error)
-        return read_struct(MeshInfo, info, {"closed": bool, "creases": bool})
-
-    def _view(self, attribute: str) -> Array:
-        view, error = ffi.new("hrbfnpr_array *"), new_error()
-        number = ffi.integer_const(f"HRBFNPR_MESH_ATTRIBUTE_{attribute}")
-        check(lib.hrbfnpr_mesh_view(self._handle, number, view, error), error)
-        return wrap(view, self._handle)
+        return get(MeshInfo, lib.hrbfnpr_mesh_get_info, self._handle)
 
     @property
-    def vertices(self) -> Array:
-        """Those that are kept, float64 (n, 3): a read-only view, nothing is copied."""
-        return self._view("VERTEX")
+    def _view(self) -> Tuple[Any, ...]:
+        return lib.hrbfnpr_mesh_view, self._handle
 
-    @property
-    def triangles(self) -> Array:
-        """Numbers of vertices, int32 (m, 3): a read-only view."""
-        return self._view("TRIANGLE")
-
-    @property
-    def components(self) -> Array:
-        """Of each face, from 0, int32 (m,): a read-only view."""
-        return self._view("COMPONENT")
-
-    @property
-    def given_faces(self) -> Array:
-        """The number that each face was given by, int32 (m,): a read-only view."""
-        return self._view("GIVEN_FACE")
+    vertices = view("MESH", "VERTEX", "Those that are kept, float64 (n, 3): a read-only view, nothing is copied.")
+    triangles = view("MESH", "TRIANGLE", "Numbers of vertices, int32 (m, 3): a read-only view.")
+    components = view("MESH", "COMPONENT", "Of each face, from 0, int32 (m,): a read-only view.")
+    given_faces = view("MESH", "GIVEN_FACE", "The number that each face was given by, int32 (m,): a read-only view.")
+    _corner_normals = view("MESH", "CORNER_NORMAL", "Shape (3 m, 3).")
 
     @property
     def corner_normals(self) -> Array:
         """Unit normals of the corners of each face, float64 (m, 3, 3); with NumPy, a read-only view."""
-        flat = self._view("CORNER_NORMAL")
+        flat = self._corner_normals
         return reshaped(flat, (flat.shape[0], 3, 3))
 
     def sample(
@@ -302,13 +117,12 @@ class Mesh(Owner):
             of them, in random order.
         random_seed : int
         """
-        desc, error = new_struct("hrbfnpr_sample_desc"), new_error()
+        desc = new_struct("hrbfnpr_sample_desc")
         desc.candidates, desc.random_seed = candidates, random_seed
         points, points_out = output("points", None, (max(count, 0),), 3, "d")
         normals, normals_out = output("normals", None, (max(count, 0),), 3, "d")
-        with running(operation, progress, self._made_in._handle) as (handle, state):
-            status = lib.hrbfnpr_mesh_sample(self._handle, desc, points_out, normals_out, handle, error)
-            check(status, error, state)
+        given = self._handle, desc, points_out, normals_out
+        run(lib.hrbfnpr_mesh_sample, given, operation, progress, self._made_in._handle)
         return MeshSamples(points, normals)
 
     def __repr__(self) -> str:
@@ -347,13 +161,6 @@ def farthest_points(
     block = block_in("points", points)
     indices, indices_out = output("indices", new_array((max(count, 0),), "q"), (max(count, 0),), 1, "q")
     distances, distances_out = output("distance", None, (max(count, 0),), 1, "d")
-    error = new_error()
-    with running(operation, progress, context._handle) as (handle, state):
-        status = lib.hrbfnpr_farthest_points(context._handle, block.view(), indices_out, distances_out, handle, error)
-        check(status, error, state)
+    given = context._handle, block.view(), indices_out, distances_out
+    run(lib.hrbfnpr_farthest_points, given, operation, progress, context._handle)
     return indices, distances
-
-
-def read_fit_info(info: Any) -> MeshFitInfo:
-    """From a hrbfnpr_mesh_fit_info."""
-    return read_struct(MeshFitInfo, info, {"reached": bool, "supported": bool})

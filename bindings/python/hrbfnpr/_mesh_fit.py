@@ -4,14 +4,12 @@ from __future__ import annotations
 
 from typing import Any, Optional, Type, TypeVar
 
-from ._callbacks import check
-from ._errors import new_error, new_struct
-from ._handles import own
-from ._library import ffi, lib
-from ._mesh import Comparison, Mesh, MeshFitInfo, read_fit_info
+from ._errors import new_struct
+from ._library import lib
+from ._mesh import Mesh
 from ._names import EDGES, KERNELS, SOLVERS, TRIMS, number_of
-from ._operation import Operation, Progress, running
-from ._structs import read_struct
+from ._operation import Operation, Progress, make
+from ._records import Comparison, MeshFitInfo, read
 
 M = TypeVar("M", bound="MeshFits")
 
@@ -21,7 +19,7 @@ class MeshFits:
 
     _handle: Any
     _context: Any
-    _check: Any
+    _run: Any
 
     mesh_fit: Optional[MeshFitInfo] = None
     """What `fit_mesh` came to; None for other models, and for a loaded one."""
@@ -96,13 +94,11 @@ class MeshFits:
         options.trim = number_of("trim", TRIMS, trim)
         context = mesh._made_in
         info = new_struct("hrbfnpr_mesh_fit_info")
-        out, error = ffi.new("hrbfnpr_model **"), new_error()
-        with running(operation, progress, context._handle) as (handle, state):
-            check(lib.hrbfnpr_model_fit_mesh(mesh._handle, desc, options, info, handle, out, error), error, state)
-        model: Any = cls(own(out[0], lib.hrbfnpr_model_release, context), context)  # type: ignore[call-arg]
-        model.mesh_fit = read_fit_info(info)
-        made: M = model
-        return made
+        given = mesh._handle, desc, options, info
+        made = make("model", lib.hrbfnpr_model_fit_mesh, given, operation, progress, context._handle, context)
+        model: Any = cls(made, context)  # type: ignore[call-arg]
+        model.mesh_fit = read(MeshFitInfo, info)
+        return model  # type: ignore[no-any-return]
 
     def compare(
         self,
@@ -136,8 +132,5 @@ class MeshFits:
         desc, result = new_struct("hrbfnpr_compare_desc"), new_struct("hrbfnpr_comparison")
         desc.tolerance, desc.far, desc.support = tolerance, far, support
         desc.points, desc.cell_size, desc.random_seed = points, cell_size, random_seed
-        error = new_error()
-        with running(operation, progress, self._context) as (handle, state):
-            status = lib.hrbfnpr_model_compare_mesh(self._handle, mesh._handle, desc, result, handle, error)
-            self._check(status, error, state)
-        return read_struct(Comparison, result)
+        self._run(lib.hrbfnpr_model_compare_mesh, (mesh._handle, desc, result), operation, progress)
+        return read(Comparison, result)

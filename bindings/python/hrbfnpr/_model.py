@@ -5,8 +5,8 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any, Callable, Optional, Tuple, Union
 
 from . import _streams
-from ._arrays import Array, block_in, float_code, output, output_field, scalar, vector, wrap
-from ._callbacks import CallbackState, check
+from ._arrays import Array, block_in, float_code, output, output_field, scalar, vector, view
+from ._callbacks import check
 from ._context import Context, resolve
 from ._csg import Combining
 from ._errors import new_error, new_struct
@@ -15,12 +15,11 @@ from ._function import FunctionState, on_evaluate, on_release
 from ._handles import own
 from ._library import ffi, lib
 from ._mesh_fit import MeshFits
-from ._model_results import Curvature, Evaluation, ModelInfo, Projection, RayHits, Vector
-from ._names import KERNELS, NORMALS, SOLVER_REASONS, SOLVERS, name_of
+from ._model_results import Curvature, Evaluation, Projection, RayHits
 from ._numpy import np
-from ._operation import Operation, Progress, running
+from ._operation import Operation, Progress, make, run
 from ._rays import HitArrays, pairs
-from ._structs import read_struct
+from ._records import ModelInfo, Vector, get
 from ._trim import Trimming
 
 if TYPE_CHECKING:
@@ -137,11 +136,10 @@ class Model(MeshFits, Trimming, Combining):
             maximum_centres=maximum_centres, refinement_steps=refinement_steps, solver_tolerance=solver_tolerance,
             iteration_limit=iteration_limit, preconditioner_neighbours=preconditioner_neighbours,
         )  # fmt: skip
-        out, error = ffi.new("hrbfnpr_model **"), new_error()
-        with running(operation, progress, context._handle) as (handle, state):
-            check(lib.hrbfnpr_model_fit(context._handle, desc, handle, out, error), error, state)
+        given = context._handle, desc
+        made = make("model", lib.hrbfnpr_model_fit, given, operation, progress, context._handle, context)
         del keep
-        return cls(own(out[0], lib.hrbfnpr_model_release, context), context)
+        return cls(made, context)
 
     @classmethod
     def from_function(
@@ -233,10 +231,7 @@ class Model(MeshFits, Trimming, Combining):
             array, view = output(name, target, block.shape, size, code) if size else (None, ffi.NULL)
             arrays.append(array)
             views.append(view)
-        error = new_error()
-        with running(operation, progress, self._context) as (handle, state):
-            status = lib.hrbfnpr_model_evaluate(self._handle, block.view(), *views, handle, error)
-            self._check(status, error, state)
+        self._run(lib.hrbfnpr_model_evaluate, (block.view(), *views), operation, progress)
         return Evaluation(scalar(arrays[0], block.shape), arrays[1], arrays[2])
 
     def project(
@@ -275,13 +270,11 @@ class Model(MeshFits, Trimming, Combining):
         desc.evaluation_limit, desc.tolerance = evaluation_limit, tolerance
         desc.armijo_slope, desc.armijo_factor = armijo_slope, armijo_factor
         code = float_code(dtype)
-        result, error = new_struct("hrbfnpr_projection"), new_error()
+        result = new_struct("hrbfnpr_projection")
         position = output_field(result, "position", block.shape, 3, code)
         normal = output_field(result, "normal", block.shape, 3, code)
         status = output_field(result, "status", block.shape, 1, "B")
-        with running(operation, progress, self._context) as (handle, state):
-            failed = lib.hrbfnpr_model_project(self._handle, block.view(), desc, result, handle, error)
-            self._check(failed, error, state)
+        self._run(lib.hrbfnpr_model_project, (block.view(), desc, result), operation, progress)
         return Projection(position, normal, scalar(status, block.shape), result.converged)
 
     def curvature(
@@ -308,12 +301,10 @@ class Model(MeshFits, Trimming, Combining):
         """
         block = block_in("points", points)
         code = float_code(dtype)
-        result, error = new_struct("hrbfnpr_curvature"), new_error()
+        result = new_struct("hrbfnpr_curvature")
         sizes = zip(Curvature._fields, (1, 1, 3, 3, 1))
         k1, k2, d1, d2, confidence = (output_field(result, name, block.shape, size, code) for name, size in sizes)
-        with running(operation, progress, self._context) as (handle, state):
-            status = lib.hrbfnpr_model_curvature(self._handle, block.view(), result, handle, error)
-            self._check(status, error, state)
+        self._run(lib.hrbfnpr_model_curvature, (block.view(), result), operation, progress)
         one = block.shape
         return Curvature(scalar(k1, one), scalar(k2, one), d1, d2, scalar(confidence, one))
 
@@ -372,12 +363,7 @@ class Model(MeshFits, Trimming, Combining):
         desc.t_min, desc.t_max, desc.lipschitz = t_min, t_max, lipschitz
         desc.smallest_step, desc.tolerance = smallest_step, tolerance
         made = HitArrays(start.count, max(room, 0), float_code(dtype))
-        error = new_error()
-        with running(operation, progress, self._context) as (handle, state):
-            status = lib.hrbfnpr_model_cast_rays(
-                self._handle, start.view(), along.view(), desc, made.struct, handle, error
-            )
-            self._check(status, error, state)
+        self._run(lib.hrbfnpr_model_cast_rays, (start.view(), along.view(), desc, made.struct), operation, progress)
         each = start.shape if maximum_hits is None else (*start.shape, room)
         return RayHits(**made.shaped(start.shape, each), hit_rays=made.struct.hit_rays)
 
@@ -387,9 +373,8 @@ class Model(MeshFits, Trimming, Combining):
         An estimate, and no proof; of solids of primitives a bound that holds.  Pass it to `cast_rays` if you cast few
         rays at a time: otherwise each call evaluates those points.
         """
-        bound, error = ffi.new("double *"), new_error()
-        with running(operation, progress, self._context) as (handle, state):
-            self._check(lib.hrbfnpr_model_lipschitz(self._handle, bound, handle, error), error, state)
+        bound = ffi.new("double *")
+        self._run(lib.hrbfnpr_model_lipschitz, (bound,), operation, progress)
         return float(bound[0])
 
     def contains(
@@ -401,10 +386,7 @@ class Model(MeshFits, Trimming, Combining):
         """
         block = block_in("points", points)
         inside, inside_out = output("inside", None, block.shape, 1, "B")
-        error = new_error()
-        with running(operation, progress, self._context) as (handle, state):
-            status = lib.hrbfnpr_model_contains(self._handle, block.view(), inside_out, ffi.NULL, handle, error)
-            self._check(status, error, state)
+        self._run(lib.hrbfnpr_model_contains, (block.view(), inside_out, ffi.NULL), operation, progress)
         return scalar(inside if np is None else inside.view(bool), block.shape)
 
     def generate(self, layers: Optional[LayersToMake] = None, **options: Any) -> PointSet:
@@ -416,12 +398,7 @@ class Model(MeshFits, Trimming, Combining):
     @property
     def info(self) -> ModelInfo:
         """What the fit did."""
-        info, error = new_struct("hrbfnpr_model_info"), new_error()
-        check(lib.hrbfnpr_model_get_info(self._handle, info, error), error)
-        names = {"kernel": KERNELS, "solver": SOLVERS, "solver_reason": SOLVER_REASONS,
-                 "normals_found": NORMALS}  # fmt: skip
-        convert = {key: (lambda number, table=table: name_of(table, number)) for key, table in names.items()}
-        return read_struct(ModelInfo, info, {**convert, "fallback": bool, "normals_inward": bool})
+        return get(ModelInfo, lib.hrbfnpr_model_get_info, self._handle)
 
     @property
     def bounds(self) -> Tuple[Vector, Vector]:
@@ -429,30 +406,16 @@ class Model(MeshFits, Trimming, Combining):
         info = self.info
         return info.bounds_min, info.bounds_max
 
-    def _view(self, attribute: str) -> Array:
-        view, error = ffi.new("hrbfnpr_array *"), new_error()
-        number = ffi.integer_const(f"HRBFNPR_MODEL_ATTRIBUTE_{attribute}")
-        check(lib.hrbfnpr_model_view(self._handle, number, view, error), error)
-        return wrap(view, self._handle)
-
     @property
-    def points(self) -> Array:
-        """The centres, or, with sharp edges, places all over the surface, float64 (n, 3): a read-only view, nothing is
-        copied.  Empty for a function."""
-        return self._view("POSITION")
+    def _view(self) -> Tuple[Any, ...]:
+        return lib.hrbfnpr_model_view, self._handle
 
-    @property
-    def normals(self) -> Array:
-        """The unit normals of the centres, as `points`."""
-        return self._view("NORMAL")
-
-    @property
-    def residual_history(self) -> Array:
-        """Relative residual after each iteration of the iterative solver, float64 (iterations,).
-
-        Empty after a direct solve, for a loaded model and for a function.
-        """
-        return self._view("RESIDUAL_HISTORY")
+    points = view("MODEL", "POSITION", "The centres, or, with sharp edges, places all over the surface, float64 (n, 3): a "
+                  "read-only view, nothing is copied.  Empty for a function.")  # fmt: skip
+    normals = view("MODEL", "NORMAL", "The unit normals of the centres, as `points`.")
+    residual_history = view("MODEL", "RESIDUAL_HISTORY", "Relative residual after each iteration of the iterative solver, "
+                            "float64 (iterations,).\n\nEmpty after a direct solve, for a loaded model and for a "
+                            "function.")  # fmt: skip
 
     def save(self, target: _streams.Target) -> None:
         """Write to a path (atomically) or a binary file object.  A function cannot be saved.
@@ -493,5 +456,6 @@ class Model(MeshFits, Trimming, Combining):
             return f"<hrbfnpr.Model csg, {self.csg_info.nodes} nodes>"
         return f"<hrbfnpr.Model {info.kernel}, {info.centres} centres>"
 
-    def _check(self, status: int, error: Any, state: CallbackState) -> None:
-        check(status, error, state, shared=self._function)
+    def _run(self, function: Any, arguments: Tuple[Any, ...], operation: Any, progress: Any) -> None:
+        """A long call with this model."""
+        run(function, (self._handle, *arguments), operation, progress, self._context, shared=self._function)

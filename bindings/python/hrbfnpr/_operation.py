@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import threading
 from contextlib import contextmanager
-from typing import Any, Callable, Iterator, Optional, Tuple, cast
+from typing import Any, Callable, Iterator, Optional, Sequence, Tuple, cast
 
 from ._callbacks import CallbackState, callback
+from ._callbacks import check as check_call
 from ._context import Context, resolve
 from ._errors import check as check_status
 from ._errors import new_error
@@ -121,3 +122,26 @@ def running(
         yield operation._handle, operation._state
     finally:
         operation._busy.release()
+
+
+def run(
+    function: Callable[..., int], arguments: Sequence[Any], operation: Optional[Operation], progress: Optional[Progress],
+    context: Any, *, results: Sequence[Any] = (), states: Sequence[Optional[CallbackState]] = (), shared: Any = None,
+) -> None:  # fmt: skip
+    """Make a long call, which takes its arguments, an operation, what it writes results to, and an error.
+
+    `states` and `shared` are those of `_callbacks.check`.
+    """
+    error = new_error()
+    with running(operation, progress, context) as (handle, state):
+        check_call(function(*arguments, handle, *results, error), error, state, *states, shared=shared)
+
+
+def make(
+    kind: str, function: Callable[..., int], arguments: Sequence[Any], operation: Optional[Operation],
+    progress: Optional[Progress], context: Any, keep: Any, **more: Any,
+) -> Any:  # fmt: skip
+    """The handle that a long call makes, "model" or of another kind; `keep` stays alive as long.  Else as `run`."""
+    out = ffi.new(f"hrbfnpr_{kind} **")
+    run(function, arguments, operation, progress, context, results=(out,), **more)
+    return own(out[0], getattr(lib, f"hrbfnpr_{kind}_release"), keep)

@@ -1,11 +1,12 @@
 # SPDX-License-Identifier: MIT
-# Made by make_options.py from ../picture_options.py and include/hrbfnpr.h; do not edit.
-"""The options of a drawing: name, target, kind, metavar, group, choices, other name, and what it is."""
-from typing import NamedTuple, Tuple
+"""The options of a drawing: the rows of `_options.json`, which bindings/generate makes of ../../picture_options.py."""
+import json
+from pathlib import Path
+from typing import NamedTuple, Optional, Tuple
 
 
 class Option(NamedTuple):
-    """A row; ../picture_options.py says what its columns are."""
+    """A row; ../../picture_options.py says what its columns are.  `type` is that of its argument of `draw`."""
 
     name: str
     target: str
@@ -15,209 +16,13 @@ class Option(NamedTuple):
     choices: Tuple[str, ...]
     alias: str
     words: str
+    type: str
+
+    @property
+    def default(self) -> Optional[bool]:
+        """Of the argument of `draw`."""
+        return False if self.kind == "flag" else None
 
 
-OPTIONS = tuple(Option(*row) for row in (
-    ("allow_blank", "flags.ALLOW_BLANK", "flag", "", "", (), "", "make the picture even if hardly anything is seen"),
-    ("size", "", "size", "WxH", "", (), "", "pixels, or the longer side alone; 1600"),
-    ("mark_radius", "pen", "number", "PIXELS", "style", (), "",
-     "radius of the pen, which styles vary a little; an 800th of the longer side, at least 0.75"),
-    ("ink", "style.ink", "paint", "COLOUR", "style", (), "", "of all marks: #rrggbb[aa] or R,G,B[,A] in 0 to 1"),
-    ("paper", "style.paper", "paint", "COLOUR", "style", (), "", "as that of ink"),
-    ("transparent", "flags.TRANSPARENT", "flag", "", "style", (), "", "paper that lets all through"),
-    ("sides", "sides", "choice", "NAME", "style", ("auto", "front", "both"), "",
-     "of a surface on which marks are drawn: auto = both of one that ends"),
-    ("hidden_lines", "style.hidden_lines", "choice", "NAME", "style", ("attenuate", "hide", "show"), "",
-     "what becomes of them"),
-    ("visibility", "style.visibility", "choice", "NAME", "style", ("depth_layers", "published"), "",
-     "how hidden marks are found"),
-    ("delta", "style.silhouette_threshold", "number", "X", "style", (), "silhouette_threshold",
-     "limit of silhouettes, 0 to 1"),
-    ("silhouette_law", "style.silhouette_law", "choice", "NAME", "style", ("width", "angle"), "",
-     "which marks are silhouettes"),
-    ("silhouette_width", "style.silhouette_width", "number", "PIXELS", "style", (), "",
-     "on either side of the contour"),
-    ("lines", "lines", "lines", "KINDS", "style", (), "",
-     "lines drawn as curves: contour, suggestive, ridges, valleys, apparent, parabolic, isophotes, section, "
-     "border, crease, with commas between; section=z:20, isophotes=0.3:0.6; none: contours by marks; those of the "
-     "style"),
-    ("hidden", "style.lines.hidden", "choice", "NAME", "style", ("none", "attenuated", "dashed", "shown"), "",
-     "hidden parts of lines"),
-    ("support", "line_set.support", "number", "S", "style", (), "",
-     "where lines end beyond the samples of open data: 1.5 close to even ones, 3 farther; 0 nowhere; 3 with a "
-     "border among the lines, else 0"),
-    ("line_width", "line_width", "number", "PIXELS", "style", (), "", "of contours; others are finer"),
-    ("outline", "style.lines.outline_factor", "number", "X", "style", (), "outline_factor",
-     "times the width of lines where nothing lies beside them; 1.5 of silhouette and xray, else 1"),
-    ("far_lines", "style.lines.far_factor", "number", "X", "style", (), "far_factor",
-     "times the width of lines at the farthest place; 1"),
-    ("lit_lines", "style.lines.lit_factor", "number", "X", "style", (), "lit_factor",
-     "times the width of lines towards the light; 1"),
-    ("sharp_lines", "style.lines.curvature_factor", "number", "X", "style", (), "curvature_factor",
-     "times the width of lines where the surface bends sharply; 1"),
-    ("wobble", "style.lines.wobble", "number", "WIDTHS", "style", (), "",
-     "how far lines stray, as of an unsteady hand; their width varies by half as much; 0"),
-    ("attenuation_front", "style.attenuation_front", "number", "LAMBDA", "style", (), "",
-     "of what lies behind front marks"),
-    ("attenuation_back", "style.attenuation_back", "number", "LAMBDA", "style", (), "",
-     "of what lies behind back marks"),
-    ("splat_radius", "style.splat_radius", "number", "PIXELS", "style", (), "",
-     "of the splats that stand for the surface; automatic"),
-    ("splat_overlap", "style.splat_overlap", "number", "N", "style", (), "",
-     "opacity of a layer of surface; 0 as published"),
-    ("halo", "style.halo_width", "number", "PIXELS", "style", (), "halo_width",
-     "how far beyond its contour a surface hides; as the pen"),
-    ("tone", "style.tone", "choice", "NAME", "style", ("none", "light"), "", "what marks are dense by"),
-    ("tone_rule", "style.tone_rule", "choice", "NAME", "style", ("share", "published"), "",
-     "how tone, depth, zoom and share combine"),
-    ("tone_curve", "style.tone_curve", "choice", "NAME", "style", ("coverage", "linear"), "",
-     "what is as dark as asked for"),
-    ("tone_fade", "style.tone_fade", "number", "X", "style", (), "",
-     "share of marks that grow instead of popping, 0 to 1"),
-    ("tone_exponent", "style.tone_exponent", "number", "LAMBDA", "style", (), "", "of the tone law; more is darker"),
-    ("fill_light", "style.fill_light", "number", "X", "style", (), "", "from the side opposite to the light, 0 to 1"),
-    ("light", "style.light", "direction", "X,Y,Z", "style", (), "", "towards the light"),
-    ("light_space", "style.light_space", "choice", "NAME", "style", ("world", "camera"), "", "frame of the light"),
-    ("depth_range", "", "interval", "MIN,MAX", "style", (), "", "distances between which marks vanish"),
-    ("zoom_reference", "style.zoom_reference", "number", "X", "style", (), "",
-     "pixels per unit at which all marks show"),
-    ("zoom_exponent", "style.zoom_exponent", "number", "X", "style", (), "", "how fast they vanish below it"),
-    ("silhouette_ink", "style.silhouette_ink", "paint", "COLOUR", "style", (), "", "as that of ink"),
-    ("silhouette_radius", "style.silhouette_radius", "number", "PIXELS", "style", (), "", "of silhouette marks"),
-    ("contours_of", "style.contours_of", "layers", "NAMES", "style", (), "", "layers whose marks draw contours"),
-    ("shape", "style.layers.shape", "choice", "NAME", "style", ("dots", "strokes", "hatch"), "",
-     "how marks of strokes are drawn"),
-    ("scale_bar", "scale_bar", "text", "UNIT", "style", (), "",
-     "a scale bar below the picture, its length in this unit; none: no bar; units of archaeological"),
-    ("profile", "profile", "choice", "NAME", "style", ("yes", "no"), "",
-     "whether an upright section through the middle is drawn beside the picture; yes of archaeological"),
-    ("share", "style.layers.share", "number", "X", "style", (), "", "share of the style's marks that is used, 0 to 1"),
-    ("set", "", "assignment", "[LAYER.]FIELD=VALUE", "style", (), "assignments",
-     "any other field of a style, such as principal.directions=first or stipples.ink=#800000; may be repeated"),
-    ("up", "up", "up", "AXIS", "camera", (), "",
-     "x, y, z, -y, ... or X,Y,Z; auto (default): by the kind of file and the shape, y where neither tells"),
-    ("azimuth", "azimuth", "number", "DEGREES", "camera", (), "",
-     "degrees, of the camera about the up axis; 30, and another where that sees the back of an open surface"),
-    ("elevation", "elevation", "number", "DEGREES", "camera", (), "", "degrees, of the camera above the horizon; 20"),
-    ("direction", "direction", "direction", "X,Y,Z", "camera", (), "",
-     "from the eye into the scene, instead of these"),
-    ("eye", "eye", "vector", "X,Y,Z", "camera", (), "", "place of the eye, looking at the target"),
-    ("target", "target", "vector", "X,Y,Z", "camera", (), "", "the middle of the model"),
-    ("fov", "fov", "number", "DEGREES", "camera", (), "", "vertical angle of view, 0 = orthographic; 30"),
-    ("margin", "margin", "number", "SHARE", "camera", (), "", "free on each side, 0 to 0.45; 0.05"),
-    ("layers", "mark_kinds", "layers", "NAMES", "marks", (), "", "stipples,principal,combing; those the style draws"),
-    ("distribution", "marks.distribution", "choice", "NAME", "marks", ("blue_noise", "published"), "",
-     "of marks over the surface"),
-    ("marks", "marks.*.budget", "per_layer", "N", "marks", (), "budget",
-     "the most marks of each layer, or LAYER=N,...; enough to make the darkest tone nearly black"),
-    ("levels", "marks.*.levels", "per_layer", "N", "marks", (), "", "refinement steps of published, or LAYER=N,..."),
-    ("step", "marks.initial_step", "number", "LENGTH", "marks", (), "initial_step", "initial step rho_0 of published"),
-    ("seeds", "marks.seed_source", "choice", "NAME", "marks", ("auto", "samples", "box", "points"), "seed_source",
-     "where marks start"),
-    ("seed_points", "seed_points", "file", "FILE", "marks", (), "", "points to be the seeds"),
-    ("box_resolution", "marks.box_resolution", "count 1 256", "N", "marks", (), "", "cells of the box of seeds; 8"),
-    ("box_jitter", "marks.box_jitter", "number", "X", "marks", (), "", "in cell sides, 0 to 0.5; 0.25"),
-    ("stroke_start", "marks.layers.start", "choice", "NAME", "marks", ("seeds", "stipples"), "start",
-     "what strokes of published start from"),
-    ("start_level", "marks.layers.start_level", "count 0 12", "N", "marks", (), "", "last level of those stipples; 0"),
-    ("separation", "marks.layers.separation", "number", "LENGTH", "marks", (), "", "of neighbouring strokes"),
-    ("stroke_step", "marks.layers.step", "number", "LENGTH", "marks", (), "", "of the marks along a stroke"),
-    ("stroke_length", "marks.layers.length", "number", "LENGTH", "marks", (), "length",
-     "of the longest stroke; 0 = no limit"),
-    ("symmetry", "marks.layers.symmetry", "choice", "NAME", "marks", ("line", "cross"), "",
-     "where the directions change places"),
-    ("guide", "marks.layers.guide", "choice", "NAME", "marks", ("curvature", "combing", "sections", "light",
-     "silhouette"), "",
-     "what lines of hatching follow"),
-    ("guide_direction", "marks.layers.guide_direction", "direction", "X,Y,Z", "marks", (), "",
-     "to the light, or to the eye, that such a guide means; z"),
-    ("guide_weight", "marks.layers.guide_weight", "number", "X", "marks", (), "",
-     "of that guide; the rest of 1 is curvature's; 1"),
-    ("hatch_angle", "hatch_angle", "number", "DEGREES", "marks", (), "",
-     "by which all lines of hatching are turned; 90 is across what they follow; 0"),
-    ("density", "marks.layers.density", "choice", "NAME", "marks", ("uniform", "curvature"), "",
-     "where stipples are denser"),
-    ("density_strength", "marks.layers.density_strength", "number", "X", "marks", (), "", "of curvature, 0 to 1; 0.5"),
-    ("tone_ranges", "marks.tone_ranges", "choice", "NAME", "marks", ("full", "in_turn"), "",
-     "whether one layer of marks follows the other from light to dark"),
-    ("shared_marks", "marks.shared_budget", "count 0", "N", "marks", (), "shared_budget",
-     "the most marks of all layers together, in place of those of each"),
-    ("tone_smoothing", "marks.layers.tone_smoothing", "number", "X", "marks", (), "",
-     "share of the diagonal over which normals are averaged for tone, 0 to 0.1; 0.006 of hatching, else 0"),
-    ("projection_tolerance", "marks.projection_tolerance", "number", "X", "marks", (), "",
-     "share of the diagonal; 1e-7"),
-    ("curvature_of", "", "layers", "NAMES", "marks", (), "", "keep curvatures of these layers too"),
-    ("kernel", "fit.kernel", "choice", "NAME", "fit", ("triharmonic", "gaussian", "wendland_c2"), "",
-     "radial function"),
-    ("kernel_radius", "fit.kernel_radius", "number", "LENGTH", "fit", (), "", "of gaussian and wendland-c2"),
-    ("degree", "fit.polynomial_degree", "count -1 3", "N", "fit", (), "polynomial_degree",
-     "of the polynomial, -1 (none) to 3; 1"),
-    ("regularization", "fit.regularization", "number_or_auto", "X", "fit", (), "",
-     "0 interpolates, more is smoother, auto takes it from the noise, and is 0 if none is seen; auto, but 0 for "
-     "samples of meshes"),
-    ("solver", "fit.solver", "choice", "NAME", "fit", ("auto", "direct", "iterative"), "", "solver"),
-    ("tolerance", "tolerance", "number", "LENGTH", "fit", (), "",
-     "choose samples as centres until all are this near to the surface"),
-    ("max_centres", "maximum_centres", "count 0", "N", "fit", (), "maximum_centres",
-     "choose no more samples than this as centres"),
-    ("outliers", "fit.outliers", "choice", "NAME", "fit", ("keep", "drop"), "",
-     "what becomes of stray samples; without normals they are dropped"),
-    ("flipped_normals", "fit.flipped_normals", "choice", "NAME", "fit", ("keep", "drop", "reorient"), "",
-     "what becomes of them"),
-    ("refinement_steps", "fit.refinement_steps", "count 0 20", "N", "fit", (), "", "after a direct solve; 2"),
-    ("samples", "samples", "count 1", "N", "samples", (), "",
-     "how many samples: of a mesh (by default as many as its shape needs), or chosen from a point set (all up to "
-     "4096 by default)"),
-    ("crease", "crease_angle", "number", "DEGREES", "samples", (), "",
-     "faces of a mesh that meet at a sharper angle do not share their normals; 60"),
-    ("edges", "", "edges", "EDGES", "samples", (), "",
-     "of a mesh: auto keeps those sharp that stand out, as of machine parts, smooth rounds them, a number of "
-     "degrees keeps all that bend more; by default as auto, and where faces are coarse as the normals of the file "
-     "tell, if they do"),
-    ("subdivide", "subdivide", "count_or_auto 0 6", "N", "samples", (), "",
-     "divide the faces of a mesh into four, so often, to something round; by default where they are coarse and no "
-     "edges stand out"),
-    ("parts", "parts", "choice", "NAME", "samples", ("outer", "all", "largest"), "",
-     "which parts of a mesh: all but those inside others (default), all, or that of the largest area"),
-    ("together", "flags.TOGETHER", "flag", "", "samples", (), "",
-     "fit an open mesh as one surface, also where parts cross"),
-    ("normals", "normals", "choice", "NAME", "samples", ("auto", "keep", "none", "unoriented", "mixed", "inward"), "",
-     "what is known of those of points: auto (default) finds it out and repairs them, keep leaves them, none makes "
-     "new ones, unoriented and mixed turn some, inward turns all"),
-    ("viewpoint", "viewpoint", "vector", "X,Y,Z", "samples", (), "",
-     "where the scanner stood, in the coordinates of the file: open surfaces of points whose normals are made look "
-     "to it; by default what the file tells"),
-    ("depth_smoothing", "depth_smoothing", "number", "F", "samples", (), "",
-     "factor of the width over which the picture of a depth camera is smoothed; 1, and 0 leaves its points where "
-     "they are"),
-    ("flip", "flags.FLIP", "flag", "", "samples", (), "", "all normals are turned, whatever they look like"),
-    ("close", "flags.CLOSE", "flag", "", "samples", (), "",
-     "let the surface go on beyond open data, as the fit has it"),
-    ("random_seed", "random_seed", "count 0 18446744073709551615", "N", "samples", (), "", "of all that is random; 1"),
-    ("page", "page.paper", "page", "PAPER", "vectors", (), "",
-     "paper that the drawing fills but for 10 mm, turned as it fits better: a4, a3, letter, ... or WIDTHxHEIGHT in "
-     "mm; by default a pixel is 1/96 inch"),
-    ("page_margin", "page.paper_margin", "number", "MM", "vectors", (), "", "free on each side of the page; 10"),
-    ("dots", "page.dots", "choice", "NAME", "vectors", ("circles", "lines", "spirals"), "",
-     "of stipples: circles, lines of no length that a pen touches the paper with, or spirals that fill them; "
-     "circles, which plotters fill unless in a single pass"),
-    ("stroke_widths", "page.widths", "choice", "NAME", "vectors", ("outlines", "classes"), "",
-     "of strokes that swell: outlines, or classes of even widths; outlines"),
-    ("pens", "page.pens", "pens", "GROUP=COLOUR:MM", "vectors", (), "",
-     "pens of groups, with commas between, such as contour=#000000:0.5,hatch*=#803000:0.3; a third part is a line "
-     "type of ISO 128, such as dashed"),
-    ("pen_widths", "page.pen_widths", "pen_widths", "MM,MM", "vectors", (), "",
-     "widths of the pens at hand: each group gets the one that is nearest to its lines' median width, or to its "
-     "dots' median diameter"),
-    ("single_pass", "page.SINGLE_PASS", "flag", "", "vectors", (), "",
-     "draw a line that is wider than its pen once, along its centre, and touch the paper for a dot; else plotters, "
-     "and pens in plot order, fill both by several passes"),
-    ("plot_order", "page.IN_PLOT_ORDER", "flag", "", "vectors", (), "",
-     "sort lines so that a pen travels little; plotters' files always are"),
-    ("vector_tolerance", "page.tolerance", "number", "MM", "vectors", (), "",
-     "between what is drawn and what is written; 0.05"),
-    ("draw_speed", "page.draw_speed", "number", "MM/S", "vectors", (), "",
-     "of a plotter's pen, for the time it takes; 30"),
-    ("pen_up", "page.pen_up", "text", "GCODE", "vectors", (), "", "raises the pen in .gcode; G0 Z5"),
-    ("pen_down", "page.pen_down", "text", "GCODE", "vectors", (), "", "lowers it; G1 Z0"),
-))  # fmt: skip
+_ROWS = json.loads(Path(__file__).with_name("_options.json").read_text(encoding="utf-8"))
+OPTIONS = tuple(Option(*row)._replace(choices=tuple(row[5])) for row in _ROWS)

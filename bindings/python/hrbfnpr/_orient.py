@@ -2,66 +2,16 @@
 """Normals for points that have none, or wrong ones."""
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import Any, NamedTuple, Optional
 
 from ._arrays import Array, block_in, output, vector
-from ._callbacks import check
 from ._context import Context, resolve
-from ._errors import new_error, new_struct
+from ._errors import new_struct
 from ._fit_desc import fill_normals
 from ._library import lib
-from ._names import NORMALS, OUTWARD, name_of, number_of
-from ._operation import Operation, Progress, running
-from ._structs import read_struct
-
-
-@dataclass(frozen=True)
-class OrientInfo:
-    """What `orient` found and did.  Lengths are in the unit of the points.
-
-    Attributes
-    ----------
-    found : str
-        What the given normals turned out to be: "given" (right, and outward), "none" (not given, or they have nothing
-        to do with the points, as colours have not), "unoriented", "mixed" or "inward".
-    turned, made : int
-        Given normals that were turned round; normals that are new.
-    merged : int
-        Points that coincide with another.
-    direction_change : float or None
-        Mean angle between the lines of given and resulting normals, in degrees; None if none were given.
-    noise : float
-        Standard deviation of the points off their surface; 0 if none is seen.
-    spacing : float
-        Median distance of a point to its nearest neighbour.
-    energy : float
-        Of the result over its degrees of freedom: below 0.006 for surfaces that the points resolve; 0.026 is that of
-        points without any order.
-    confidence : float
-        0 to 1: how far starts with energies as low agree, and how low that is.
-    closed : bool
-        Whether the points are all around a solid, or several.
-    outward_by : str
-        What decided which side is outward: "inside", "up", "viewpoint" or "as_given".
-    components : int
-        Pieces that lie apart by more than their spacing.
-    seconds : float
-    """
-
-    found: str
-    turned: int
-    made: int
-    merged: int
-    direction_change: Optional[float]
-    noise: float
-    spacing: float
-    energy: float
-    confidence: float
-    closed: bool
-    outward_by: str
-    components: int
-    seconds: float
+from ._names import NORMALS, number_of
+from ._operation import Operation, Progress, run
+from ._records import OrientInfo, read
 
 
 class Oriented(NamedTuple):
@@ -129,9 +79,7 @@ def orient(
         desc.viewpoint, desc.has_viewpoint = vector("viewpoint", viewpoint), 1
     code = block_in("normals", normals).code if normals is not None else dtype
     result, target = output("normals", None, block.shape, 3, code)
-    info, error = new_struct("hrbfnpr_orient_info"), new_error()
-    with running(operation, progress, context._handle) as (handle, state):
-        check(lib.hrbfnpr_orient(context._handle, desc, handle, target, info, error), error, state)
+    info = new_struct("hrbfnpr_orient_info")
+    run(lib.hrbfnpr_orient, (context._handle, desc), operation, progress, context._handle, results=(target, info))
     del keep
-    convert = {"found": lambda n: name_of(NORMALS, n), "closed": bool, "outward_by": lambda n: name_of(OUTWARD, n)}
-    return Oriented(result, read_struct(OrientInfo, info, convert))
+    return Oriented(result, read(OrientInfo, info))

@@ -8,16 +8,15 @@ from . import _streams
 from ._arrays import Array, block_in, output
 from ._callbacks import CallbackState, check
 from ._context import Context, resolve
-from ._errors import new_error, new_struct
+from ._errors import new_error, new_list, new_struct
 from ._handles import Owner, own
-from ._layer import LayersToMake, OwnLayer, layers_to_make, new_list
+from ._layer import LayersToMake, OwnLayer, layers_to_make
 from ._library import ffi, lib
 from ._marks import MarkLayer
 from ._model import Model
 from ._names import DISTRIBUTIONS, SEED_SOURCES, TONE_RANGES, number_of
-from ._operation import Operation, Progress, running
-from ._point_set_info import PlacementInfo, PointSetInfo, Vector, read_info
-from ._structs import read_struct
+from ._operation import Operation, Progress, make, run
+from ._records import PlacementInfo, PointSetInfo, Vector, get
 
 
 class StepPatches(NamedTuple):
@@ -173,12 +172,11 @@ class PointSet(Owner):
             random_seed=random_seed,
             **fields,
         )
-        out, error = ffi.new("hrbfnpr_point_set **"), new_error()
-        with running(operation, progress, context._handle) as (handle, state):
-            status = lib.hrbfnpr_point_set_generate(context._handle, model._handle, desc, handle, out, error)
-            check(status, error, state, *states, shared=model._function)
+        given = context._handle, model._handle, desc
+        made = make("point_set", lib.hrbfnpr_point_set_generate, given, operation, progress, context._handle, context,
+                    states=states, shared=model._function)  # fmt: skip
         del keep
-        return cls(own(out[0], lib.hrbfnpr_point_set_release, context), context)
+        return cls(made, context)
 
     @classmethod
     def create(
@@ -247,12 +245,9 @@ class PointSet(Owner):
         context = resolve(context)
         desc, _, keep = _generate_desc(**generate)
         corners, view = output("corners", None, (count,), 12, "d")
-        step, error = ffi.new("double *"), new_error()
-        with running(operation, progress, context._handle) as (handle, state):
-            status = lib.hrbfnpr_point_set_step_patches(
-                context._handle, model._handle, desc, view, step, handle, error
-            )
-            check(status, error, state, shared=model._function)
+        step = ffi.new("double *")
+        given = context._handle, model._handle, desc, view, step
+        run(lib.hrbfnpr_point_set_step_patches, given, operation, progress, context._handle, shared=model._function)
         del keep
         if hasattr(corners, "reshape"):
             corners = corners.reshape(count, 4, 3)
@@ -262,17 +257,13 @@ class PointSet(Owner):
     def info(self) -> PointSetInfo:
         """Counts and seconds; those of a layer are in its own `info`."""
         if self._info is None:
-            info, error = new_struct("hrbfnpr_point_set_info"), new_error()
-            check(lib.hrbfnpr_point_set_get_info(self._handle, info, error), error)
-            self._info = read_info(info)
+            self._info = get(PointSetInfo, lib.hrbfnpr_point_set_get_info, self._handle)
         return self._info
 
     @property
     def seed_placement(self) -> PlacementInfo:
         """What became of candidates for seeds."""
-        info, error = new_struct("hrbfnpr_placement_info"), new_error()
-        check(lib.hrbfnpr_point_set_get_seed_placement(self._handle, info, error), error)
-        return read_struct(PlacementInfo, info)
+        return get(PlacementInfo, lib.hrbfnpr_point_set_get_seed_placement, self._handle)
 
     @property
     def layers(self) -> Tuple[MarkLayer, ...]:

@@ -11,9 +11,8 @@ from ._callbacks import CallbackState, check
 from ._camera import Camera
 from ._context import Context, resolve
 from ._drawing import Drawing
-from ._errors import new_error
+from ._errors import new_error, new_list
 from ._handles import Owner, own
-from ._layer import new_list
 from ._library import ffi, lib
 from ._line_set import LineSet
 from ._model import Model

@@ -11,14 +11,13 @@ import numpy as np
 
 from . import _values
 from ._arrays import block_in
-from ._errors import new_struct
-from ._layer import new_list
+from ._errors import new_list, new_struct
 from ._library import ffi, lib
 from ._model import Model
 from ._names import NORMALS
 from ._options import OPTIONS, Option
-from ._page import fill_pens, text_in
 from ._point_set import PointSet
+from ._records import Pen, fill_list, text_in
 
 Options = Dict[str, Any]
 """Values as `_values.py` reads them, by the names of the table; those that were not given are missing."""
@@ -278,7 +277,7 @@ def describe_page(options: Options, format: str) -> Tuple[Any, List[Any]]:
         elif row.choices:
             setattr(page, field, constant(f"{_CHOICES[field]}_{value}"))
         elif field == "pens":
-            fill_pens(page, value, keep)
+            fill_list(page, "pen", Pen, value, keep)
         elif field == "pen_widths":
             keep.append(block_in(field, np.array(value, dtype=float), 1, "d").fill(whole.pen_widths))
         elif field in ("paper", "paper_margin"):

@@ -13,20 +13,19 @@ from ._callbacks import CallbackState, callback, check
 from ._camera import Camera
 from ._context import Context
 from ._drawing import Drawing
-from ._errors import Error, OutOfMemoryError, new_error, new_struct
+from ._errors import Error, OutOfMemoryError, new_error, new_list, new_struct
 from ._handles import Owner, own
 from ._images import image_for
-from ._layer import new_list
 from ._library import ffi, lib
 from ._line_set import LineSet
 from ._model import Model
 from ._names import PRESETS
 from ._operation import running
-from ._page import PageInfo, format_of
+from ._page import format_of
 from ._point_set import PointSet
+from ._records import PageInfo, read
 from ._report import Reporter
 from ._request import Options, describe, describe_page, fill_source, in_names
-from ._structs import read_struct
 from ._style import Style
 from ._values import words_of
 
@@ -335,7 +334,7 @@ class Scene(Owner):
         arguments = drawing._handle, camera._struct, desc
         self._written(target, lib.hrbfnpr_picture_write, arguments, info, report)
         del keep
-        return read_struct(PageInfo, info)
+        return read(PageInfo, info)
 
     def write_views(self, target: Any, desc: Any, report: Reporter) -> Any:
         """As a sheet of views; returns a hrbfnpr_views_info."""

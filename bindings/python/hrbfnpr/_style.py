@@ -4,29 +4,16 @@ from __future__ import annotations
 
 from typing import Any, Callable, Dict, Iterable, List, Mapping, Optional, Sequence, Tuple, Union
 
-from ._arrays import Array, store, vector
+from ._arrays import Array, store
 from ._callbacks import CallbackState, callback
-from ._errors import check, new_error, new_struct
-from ._fields import Attributes, Color, Field, choice, color_field, flag, integer, number
+from ._errors import check, new_error, new_list, new_struct
+from ._fields import Color, Field
 from ._kind_style import KindStyle
-from ._layer import new_list
 from ._library import ffi, lib
 from ._line_style import LineStyle
-from ._names import (
-    HIDDEN_LINES,
-    LAYER_KINDS,
-    LIGHT_SPACES,
-    PRESETS,
-    SHAPES,
-    SILHOUETTE_LAWS,
-    TONE_CURVES,
-    TONE_RULES,
-    TONES,
-    VISIBILITIES,
-    name_of,
-    number_of,
-)
+from ._names import LAYER_KINDS, PRESETS, TONES, name_of, number_of
 from ._numpy import np
+from ._records import LayerStyleFields, StyleFields
 
 ToneFunction = Callable[[Array, Array], Any]
 
@@ -39,7 +26,7 @@ def _directions(name: str, value: Union[int, str, Iterable[str]]) -> int:
     return sum({number_of(name, names, part) for part in ([value] if isinstance(value, str) else value)})
 
 
-class LayerStyle(KindStyle):
+class LayerStyle(LayerStyleFields, KindStyle):
     """How layers of marks are drawn; an element of `Style.layers`.
 
     Parameters
@@ -52,38 +39,11 @@ class LayerStyle(KindStyle):
         Other fields to change.
     """
 
-    kind = choice(LAYER_KINDS, "The layers that this is for: a kind of them, or \"any\" ...")
-    shown = flag("Whether front marks are drawn.")
-    contours = flag("Whether marks near a contour draw it.")
     directions = Field[Tuple[str, ...], Union[int, str, Iterable[str]]](
         _directions,
         lambda bits: tuple(name for bit, name in enumerate(("first", "second")) if bits >> bit & 1),
         'Of strokes: those of ("first", "second") that are drawn.',
     )
-    shape = choice(
-        SHAPES,
-        '"dots", "strokes": marks that follow each other along a stroke are one line, or "hatch": strokes are lines '
-        "whose width makes the tone, drawn where it is dark enough.",
-    )
-    share = number("Share of the layer's marks that is used at all, 0 to 1.")
-    radius = number("Of a mark, half the width of a stroke, pixels.")
-    radius_zoom = number("0: radius is in pixels at any zoom; 1: grows with the zoom; or between.")
-    ink = color_field("Straight RGBA in [0, 1], or '#rrggbb'.")
-    hatch_tone_begin = number("Of shape \"hatch\": darkness (1 - tau) from which on there are lines, 0 to 1.")
-    hatch_tone_end = number("Darkness from which on they get no wider, above hatch_tone_begin, to 1.")
-    hatch_coverage_begin = number("Share of the paper that is covered at hatch_tone_begin, above 0, to 1.")
-    hatch_coverage_end = number("Share of the paper that is covered at hatch_tone_end, above 0, to 1.")
-    hatch_spacing = number("Least from line to line, pixels.")
-    hatch_pen = number("Least width of a line, pixels.")
-    hatch_white = number("Left between lines at least, pixels.")
-    hatch_taper = number("Over which a line narrows where it ends by its tone, pixels.")
-    hatch_shortest = number("Shorter pieces are not drawn, those up to twice as long are thinner; pixels.")
-    hatch_wobble = number("How far a line may stray to either side, as of an unsteady hand, in hatch_pens.")
-    hatch_overshoot = number(
-        "Lines run on past the tone that they end at by up to this, each by another length; pixels."
-    )
-    hatch_seed = integer("Of these two: any number.")
-
     _c_type = "hrbfnpr_layer_style"
 
     def __init__(self, kind: str = "any", name: Optional[str] = None, **fields: Any) -> None:
@@ -93,7 +53,7 @@ class LayerStyle(KindStyle):
         return self.kind in ("any", kind) and self.name in (None, name)
 
 
-class Style(Attributes):
+class Style(StyleFields):
     """How a point set is drawn.  Every field is an attribute and may be changed at any time.
 
     Parameters
@@ -117,55 +77,6 @@ class Style(Attributes):
     >>> style.layer("stipples").shown = True
     >>> style.layers.insert(0, hrbfnpr.LayerStyle(name="fur", shape="strokes", ink="#402010"))
     """
-
-    hidden_lines = choice(
-        HIDDEN_LINES, '"attenuate" (seen faintly through what is in front), "hide" or "show" [NPAR 6.1].'
-    )
-    visibility = choice(
-        VISIBILITIES,
-        '"depth_layers": marks are seen through the layers of surface in front of them, whatever the number of marks; '
-        '"published": paper and ink from far to near [NPAR 6.1].  One for all styles of a drawing.',
-    )
-    silhouette_threshold = number(
-        'delta in (0, 1): marks with abs(n . v) below it are silhouettes [NPAR 6]; of silhouette_law "width" only a '
-        "limit that the line keeps."
-    )
-    silhouette_law = choice(
-        SILHOUETTE_LAWS, '"width": a line of constant width; "angle": by silhouette_threshold alone, as published.'
-    )
-    silhouette_width = number('Of silhouette_law "width": pixels on either side of the contour.')
-    attenuation_front = number("lambda of alpha_f = nu^2 lambda.")
-    attenuation_back = number("lambda of alpha_b = 0.2 (ln(nu - 0.05) + 5) lambda.")
-    splat_radius = number("Of the piece of surface that a mark stands for, pixels; 0 = from the marks' spacing.")
-    halo_width = number(
-        'Pixels; of visibility "depth_layers" how far beyond its contour a surface hides what lies behind, else how '
-        "much wider the paper of back marks is."
-    )
-    splat_overlap = number("n > 0: a depth layer is as opaque as n overlapping splats; 0: as published.")
-    tone_rule = choice(TONE_RULES, '"share" or "published": how tone, depth, zoom and share are combined.')
-    tone_curve = choice(
-        TONE_CURVES,
-        'Of tone_rule "share".  "coverage": marks cover 1 - tau of the paper at any zoom and number of marks; '
-        '"linear": the share of marks is 1 - tau [NPAR 6.2].',
-    )
-    tone_fade = number(
-        "0 to 1: marks grow from nothing to their full area over this share of the marks shown; 0 = they pop."
-    )
-    light_space = choice(LIGHT_SPACES, '"world" or "camera".')
-    tone_exponent = number("lambda of the tone law tau = max(0, n . l)^lambda, > 0 [NPAR 6.2].")
-    fill_light = number(
-        "0 to 1: light from the side opposite to `light`, so that what is turned away keeps its form; tau = fill_light "
-        "(n . l)^2 where n . l < 0.  Not as published."
-    )
-    depth_min = number("Distance from the camera where depth attenuation starts.")
-    depth_max = number("... and where nothing is shown any more; 0 and 0 = off.")
-    zoom_reference = number("Pixels per world unit at which all marks are shown; 0 = off.")
-    zoom_exponent = number("How fast marks vanish below it; 2 keeps the ink per area.")
-    paper = color_field("Straight RGBA in [0, 1], or '#rrggbb'; alpha 0 = transparent.")
-    silhouette_ink = color_field("Of silhouette marks.")
-    silhouette_radius = number("Of silhouette marks, pixels.")
-    silhouette_radius_zoom = number("As radius_zoom of a `LayerStyle`.")
-    light = Field[Tuple[float, ...], Sequence[float]](vector, tuple, "Towards the light; normalised on use.")
 
     def __init__(self, preset: Optional[str] = None, **fields: Any) -> None:
         self._preset = preset
@@ -336,16 +247,13 @@ class Style(Attributes):
     def _prepared(self) -> Tuple[Any, Optional[CallbackState], Any]:
         """A copy for one drawing, the state of its tone function, and what must be kept alive."""
         struct = ffi.new("hrbfnpr_style *", self._struct[0])
-        layers = new_list("hrbfnpr_layer_style", len(self._layers))
-        keep = [struct, layers]
-        for i, style in enumerate(self._layers):
-            keep.append(style._fill(ffi.addressof(layers, i)))
-        struct.layers, struct.layer_count = layers, len(self._layers)
-        lines = new_list("hrbfnpr_line_style", len(self._lines))
-        keep.append(lines)
-        for i, line in enumerate(self._lines):
-            keep.append(line._fill(ffi.addressof(lines, i)))
-        struct.lines, struct.line_count = lines, len(self._lines)
+        keep = [struct]
+        lists: Tuple[Tuple[str, Sequence[KindStyle]], ...] = (("layer", self._layers), ("line", self._lines))
+        for name, styles in lists:
+            structs = new_list(f"hrbfnpr_{name}_style", len(styles))
+            keep += [structs, *(style._fill(ffi.addressof(structs, i)) for i, style in enumerate(styles))]
+            setattr(struct, f"{name}s", structs)
+            setattr(struct, f"{name}_count", len(styles))
         if self._tone is None:
             return struct, None, keep
         state = CallbackState(self._tone)

@@ -2,50 +2,17 @@
 """Where the surface of a model ends."""
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import Any, Optional, TypeVar
 
 from ._arrays import Array, block_in
-from ._callbacks import check
-from ._errors import new_error, new_struct
+from ._errors import new_struct
 from ._function import FunctionState
-from ._handles import Owner, own
-from ._library import ffi, lib
-from ._operation import Operation, Progress, running
-from ._structs import read_struct
+from ._handles import Owner
+from ._library import lib
+from ._operation import Operation, Progress, make
+from ._records import TrimInfo, get
 
 Self = TypeVar("Self", bound="Trimming")
-
-
-@dataclass(frozen=True)
-class TrimInfo:
-    """What trimming left out.
-
-    Attributes
-    ----------
-    is_trimmed : bool
-        Whether the surface ends somewhere; if not, all else is 0 but `samples` and `spacing`.
-    samples : int
-        Samples that tell where; 0: the model was never trimmed.
-    parts : int
-        Connected parts of the surface that are left out.
-    parts_to_end : int
-        Of these, those that reach the end of the search box: the samples are open there.
-    share : float
-        Of the surface's area in the box that is left out, 0 to 1, within some percent.
-    farthest : float
-        Of the places left out from the samples, in units of the model.
-    spacing : float
-        Of the samples: the median of how far their sixth neighbours are.
-    """
-
-    is_trimmed: bool
-    samples: int
-    parts: int
-    parts_to_end: int
-    share: float
-    farthest: float
-    spacing: float
 
 
 class Trimming(Owner):
@@ -103,19 +70,15 @@ class Trimming(Owner):
         if normals is not None:
             keep.append(block_in("normals", normals).fill(desc.normals))
         desc.limit, desc.hole, desc.closest = limit, hole, closest
-        out, error = ffi.new("hrbfnpr_model **"), new_error()
-        with running(operation, progress, self._context) as (handle, state):
-            status = lib.hrbfnpr_model_trim(self._handle, desc, handle, out, error)
-            check(status, error, state, shared=self._function)
+        made = make("model", lib.hrbfnpr_model_trim, (self._handle, desc), operation, progress, self._context, self._handle,
+                    shared=self._function)  # fmt: skip
         del keep
         trimmed = type(self).__new__(type(self))
-        Owner.__init__(trimmed, own(out[0], lib.hrbfnpr_model_release, self._handle))
+        Owner.__init__(trimmed, made)
         trimmed._context, trimmed._function = self._context, self._function
         return trimmed
 
     @property
     def trim_info(self) -> TrimInfo:
         """What `trim` left out."""
-        info, error = new_struct("hrbfnpr_trim_info"), new_error()
-        check(lib.hrbfnpr_model_get_trim_info(self._handle, info, error), error)
-        return read_struct(TrimInfo, info, {"is_trimmed": bool})
+        return get(TrimInfo, lib.hrbfnpr_model_get_trim_info, self._handle)

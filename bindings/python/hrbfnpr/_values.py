@@ -10,7 +10,7 @@ from typing import Any, Callable, Dict, List, Optional, Tuple, Union
 
 from ._fields import color
 from ._names import LAYER_KINDS, LINE_KINDS, LINE_TYPES, MADE_KINDS, PRESETS, number_of
-from ._page import Pen
+from ._records import Pen
 from ._style import LayerStyle, Style
 
 Vector = Tuple[float, float, float]

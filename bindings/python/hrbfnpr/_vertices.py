@@ -5,8 +5,7 @@ from __future__ import annotations
 from typing import Any, List, Sequence, Tuple
 
 from ._arrays import Array
-from ._errors import new_struct
-from ._layer import new_list
+from ._errors import new_list, new_struct
 from ._library import ffi
 from ._numpy import np
 

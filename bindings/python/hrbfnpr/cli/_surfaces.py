@@ -13,8 +13,9 @@ from .._layer import Layer
 from .._library import ffi
 from .._model import Model
 from .._options import OPTIONS
-from .._page import format_of, text_in
+from .._page import format_of
 from .._point_set import PointSet
+from .._records import text_in
 from .._report import Reporter as AnyReporter
 from .._request import Options
 from .._scene import Scene

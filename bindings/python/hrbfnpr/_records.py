@@ -1,0 +1,134 @@
+# SPDX-License-Identifier: MIT
+"""Classes with the fields of the library's structs, made of `_records.json`, which bindings/generate makes of the header.
+
+`_records.pyi` tells type checkers and editors what they are.
+"""
+from __future__ import annotations
+
+from dataclasses import make_dataclass
+from math import isnan
+from typing import Any, Callable, Dict, List, Optional, Sequence, Tuple, Type, TypeVar, Union
+
+from ._arrays import Array, block_in
+from ._callbacks import check
+from ._errors import new_error, new_list, new_struct
+from ._fields import Attributes, field_of
+from ._library import ffi
+from ._names import NAMES, TABLE, name_of, number_of
+
+T = TypeVar("T")
+Vector = Tuple[float, float, float]
+Interval = Tuple[float, float]
+Density = Union[str, Callable[[Array, Array], Array]]
+Direction = Callable[[Array, Array], Array]
+
+# By the kind of a field: its type, and what makes a value of Python of it.  Other kinds are prefixes of constants.
+_KINDS: Dict[Any, Tuple[str, Callable[[Any], Any]]] = {
+    "count": ("int", int),
+    "number": ("float", float),
+    "number?": ("Optional[float]", lambda value: None if isnan(value) else value),
+    "flag": ("bool", bool),
+    "text": ("str", lambda characters: ffi.string(characters).decode()),
+    3: ("Vector", tuple),
+    4: ("Tuple[float, float, float, float]", tuple),
+}
+
+
+def _named(prefix: str) -> Tuple[str, Callable[[Any], Any]]:
+    names = NAMES[prefix]
+    if prefix == "LAYER_KIND":  # a kind that we do not know is to be treated like "own"
+        return "str", lambda number: name_of(names, number) if number in names.values() else "own"
+    return "str", lambda number: name_of(names, number)
+
+
+def _record(name: str, struct: str, doc: str, fields: List[Any]) -> type:
+    kinds = {field: _KINDS.get(kind) or _named(kind) for field, _, kind in fields}
+    reads = [(field, source, kinds[field][1]) for field, source, _ in fields]
+    namespace = {"__doc__": doc, "__module__": __name__, "_struct": f"hrbfnpr_{struct}", "_reads": reads}
+    types = [(field, kind) for field, (kind, _) in kinds.items()]
+    return make_dataclass(name, types, namespace=namespace, frozen=True)
+
+
+def read(kind: Type[T], struct: Any, /, **known: Any) -> T:
+    """Fill a record from its struct; `known` fields have these values instead."""
+    values = {field: convert(getattr(struct, source)) for field, source, convert in kind._reads}
+    return kind(**{**values, **known})
+
+
+def get(kind: Type[T], function: Callable[..., int], *arguments: Any) -> T:
+    """The record that a function of the library fills."""
+    struct, error = new_struct(kind._struct), new_error()
+    check(function(*arguments, struct, error), error)
+    return read(kind, struct)
+
+
+# ---- What a caller describes
+
+
+def _described(name: str, struct: str, doc: str, fields: List[Any], required: List[str], defaults: Dict[str, Any]) -> type:
+    """A dataclass; what has no default of its own has that of the library."""
+    initial, types = new_struct(f"hrbfnpr_{struct}"), []
+    for field, source, kind, of_python in fields:
+        if field in required:
+            types.append((field, of_python))
+            continue
+        if field in defaults:
+            value = defaults[field]
+        else:
+            value = getattr(initial, source)
+            value = name_of(NAMES[kind], value) if kind in NAMES else tuple(value) if kind in ("ink", "vector") else value
+        types.append((field, of_python, tuple(value) if isinstance(value, list) else value))
+    fills = [(field, source, kind, of_python.startswith("Optional")) for field, source, kind, of_python in fields if source]
+    namespace = {"__doc__": doc, "__module__": __name__, "_struct": f"hrbfnpr_{struct}", "_fills": fills}
+    return make_dataclass(name, types, namespace=namespace)
+
+
+def text_in(keep: List[Any], text: Optional[str]) -> Any:
+    """A text for the library, NULL of None; `keep` gets what must be kept alive."""
+    if text is None:
+        return ffi.NULL
+    keep.append(ffi.new("char[]", text.encode()))
+    return keep[-1]
+
+
+def _rgba(ink: Sequence[float]) -> List[float]:
+    if len(ink) not in (3, 4):
+        raise ValueError(f"ink must be (red, green, blue) or (red, green, blue, alpha), not {ink!r}")
+    return [*ink] if len(ink) == 4 else [*ink, 1.0]
+
+
+def fill(target: Any, described: Any, keep: List[Any], about: str = "") -> None:
+    """Put what a caller describes into its struct; what is optional and None stays as the library has it.
+
+    `about` stands before names in messages.
+    """
+    for field, source, kind, optional in described._fills:
+        value = getattr(described, field)
+        if value is None and optional:
+            continue
+        if kind.startswith("array"):
+            _, components, codes = kind.split()
+            keep.append(block_in(about + field, value, int(components), codes).fill(getattr(target, source)))
+        elif kind in NAMES:
+            setattr(target, source, number_of(field, NAMES[kind], value))
+        else:
+            setattr(target, source, _rgba(value) if kind == "ink" else text_in(keep, value) if kind == "text"
+                    else value._handle if kind == "handle" else value)  # fmt: skip
+
+
+def fill_list(desc: Any, name: str, kind: Any, given: Sequence[Any], keep: List[Any]) -> None:
+    """The list of a descriptor, (name)s and (name)_count, of what a caller describes."""
+    structs = new_list(kind._struct, len(given))
+    for struct, one in zip(structs, given):
+        fill(struct, one, keep)
+    setattr(desc, f"{name}s", structs)
+    setattr(desc, f"{name}_count", len(given))
+    keep.append(structs)
+
+
+for _name, _entry in TABLE["records"].items():
+    globals()[_name] = _record(_name, **_entry)
+for _name, _entry in TABLE["described"].items():
+    globals()[_name] = _described(_name, **_entry)
+for _name, _rows in TABLE["styles"].items():
+    globals()[_name] = type(_name, (Attributes,), {"__module__": __name__, **{row[0]: field_of(*row[1:]) for row in _rows}})

@@ -1,0 +1,1258 @@
+# SPDX-License-Identifier: MIT
+# Made by make_records.py from include/hrbfnpr.h; do not edit.
+"""Classes that _records.py makes of _records.json."""
+from dataclasses import dataclass
+from typing import Any, Callable, List, Optional, Sequence, Tuple, Type, TypeVar, Union
+
+from ._arrays import Array
+from ._drawing import Drawing
+from ._fields import Attributes, Color, Field
+
+T = TypeVar("T")
+Vector = Tuple[float, float, float]
+Interval = Tuple[float, float]
+Density = Union[str, Callable[[Array, Array], Array]]
+Direction = Callable[[Array, Array], Array]
+
+def read(kind: Type[T], struct: Any, /, **known: Any) -> T: ...
+def get(kind: Type[T], function: Callable[..., int], *arguments: Any) -> T: ...
+def text_in(keep: List[Any], text: Optional[str]) -> Any: ...
+def fill(target: Any, described: Any, keep: List[Any], about: str = ...) -> None: ...
+def fill_list(desc: Any, name: str, kind: type, given: Sequence[Any], keep: List[Any]) -> None: ...
+
+@dataclass(frozen=True)
+class ContextInfo:
+    """What a context really uses.
+
+    Attributes
+    ----------
+    thread_count : int
+        Threads that a large call will use.
+    thread_backend : str
+        Who runs the tasks of a large call: "pool", "openmp", "run_tasks" or "serial".
+    instruction_set : str
+        The one in use, such as "avx2".
+    bytes_now : int
+        Allocated through this context at present.
+    bytes_peak : int
+        The most there ever were.
+    """
+
+    thread_count: int
+    thread_backend: str
+    instruction_set: str
+    bytes_now: int
+    bytes_peak: int
+
+@dataclass(frozen=True)
+class ModelInfo:
+    """What a fit did.  Lengths are in the unit of the points.
+
+    Attributes
+    ----------
+    kernel : str
+        As used.
+    polynomial_degree : int
+        As used.
+    choice_rounds : int
+        Fits made to choose the centres; 0 if all samples are centres.
+    samples : int
+        As given.
+    centres : int
+        After merging, cleaning and choosing.
+    merged_samples : int
+        Samples that were merged into another.
+    near_duplicates : int
+        Samples much nearer to another than the spacing, merged into it.
+    rescaled_normals : int
+        Normals whose length was off 1 by more than 1e-4.
+    outliers_found : int
+        Samples far from all others, or from the plane of those around them.
+    outliers_dropped : int
+        Of these, left out.
+    flipped_found : int
+        Normals against those of their neighbours.
+    flipped_repaired : int
+        Of these, dropped or turned round.
+    bounds_min : tuple of float
+        Of the samples; of samples along curves, 20 000 at most, that of the surface, too, if it closes within a
+        third of a diagonal around them.
+    bounds_max : tuple of float
+        The box's other corner.
+    spacing : float
+        Mean distance of a sample to its nearest neighbour.
+    kernel_radius : float
+        As used.
+    regularization : float
+        As used; of "auto", that of the values.
+    noise_estimate : float or None
+        Standard deviation of the samples off their surface; 0 if none is seen, None if nobody asked.
+    value_residual_max : float
+        Max abs(f(x_i)), in units of the points.
+    value_residual_rms : float
+        Root mean square of the same.
+    gradient_residual_max : float
+        Max abs(grad f(x_i) - n_i).
+    gradient_residual_rms : float
+        Root mean square of the same.
+    input_distance_max : float
+        Of all samples but dropped ones from the surface, abs(f) / abs(grad f).
+    input_distance_rms : float
+        Root mean square of the same.
+    input_share_within : float or None
+        Share of all samples that lie within the tolerance; a dropped one counts as outside; None with tolerance 0.
+    solver : {"auto", "direct", "iterative"}
+        The one used.
+    solver_reason : {"requested", "small", "large", "not_converged", "not_definite"}
+    iterations : int
+        Refinement steps of "direct", steps of "iterative".
+    fallback : bool
+        Whether the matrix was not definite and a pivoted LU was used.
+    solver_residual : float
+        Relative residual of the linear system, 2-norm.
+    condition_estimate : float
+        "direct": of the matrix, 1-norm; "iterative": of the preconditioned one, 2-norm.
+    seconds_clean : float
+    seconds_choose : float
+        Of all rounds but the last fit.
+    seconds_assemble, seconds_precondition, seconds_solve, seconds_total : float
+    bytes : int
+        Kept by the model.
+    peak_bytes : int
+        Most that the context's allocator had given out at a time, up to the fit's end.
+    normals_found : {"given", "none", "unoriented", "mixed", "inward", "auto"}
+        Of a fit with a normal_mode: `OrientInfo.found`; "given" otherwise.
+    normals_inward : bool
+        Whether normals as given all point into a closed surface.
+    normals_turned : int
+        `OrientInfo.turned`.
+    normals_confidence : float or None
+        `OrientInfo.confidence`; None without a normal_mode.
+    seconds_orient : float
+    """
+
+    kernel: str
+    polynomial_degree: int
+    choice_rounds: int
+    samples: int
+    centres: int
+    merged_samples: int
+    near_duplicates: int
+    rescaled_normals: int
+    outliers_found: int
+    outliers_dropped: int
+    flipped_found: int
+    flipped_repaired: int
+    bounds_min: Vector
+    bounds_max: Vector
+    spacing: float
+    kernel_radius: float
+    regularization: float
+    noise_estimate: Optional[float]
+    value_residual_max: float
+    value_residual_rms: float
+    gradient_residual_max: float
+    gradient_residual_rms: float
+    input_distance_max: float
+    input_distance_rms: float
+    input_share_within: Optional[float]
+    solver: str
+    solver_reason: str
+    iterations: int
+    fallback: bool
+    solver_residual: float
+    condition_estimate: float
+    seconds_clean: float
+    seconds_choose: float
+    seconds_assemble: float
+    seconds_precondition: float
+    seconds_solve: float
+    seconds_total: float
+    bytes: int
+    peak_bytes: int
+    normals_found: str
+    normals_inward: bool
+    normals_turned: int
+    normals_confidence: Optional[float]
+    seconds_orient: float
+
+@dataclass(frozen=True)
+class TrimInfo:
+    """What trimming left out.
+
+    Attributes
+    ----------
+    is_trimmed : bool
+        Whether the surface ends somewhere; if not, all else is 0 but `samples` and `spacing`.
+    samples : int
+        That tell where; 0: nobody asked, or a fit to a closed mesh, or it could not be told.
+    parts : int
+        Of the surface, connected, that are left out.
+    parts_to_end : int
+        Of these, those that reach the end of the search box: the samples are open there.
+    share : float
+        Of the surface's area in the box that is left out, 0 to 1, within some percent.
+    farthest : float
+        Of the places left out from the samples, in units of the model.
+    spacing : float
+        Of the samples: the median of how far their sixth neighbours are.
+    """
+
+    is_trimmed: bool
+    samples: int
+    parts: int
+    parts_to_end: int
+    share: float
+    farthest: float
+    spacing: float
+
+@dataclass(frozen=True)
+class OrientInfo:
+    """What `orient` found and did.  Lengths are in the unit of the points.
+
+    Attributes
+    ----------
+    found : {"given", "none", "unoriented", "mixed", "inward", "auto"}
+        What the given normals turned out to be; "none" also if they have nothing to do with the points, as colours
+        have not.
+    turned : int
+        Normals that were given and have been turned round.
+    made : int
+        Normals that were not given, or zero, or not to go by.
+    merged : int
+        Points that coincide with another.
+    direction_change : float or None
+        Mean angle between the lines of given and resulting normals, in degrees; None if there are none.
+    noise : float
+        Standard deviation of the points off their surface, in their unit; 0 if none is seen.
+    spacing : float
+        Median distance of a point to its nearest neighbour.
+    energy : float
+        Of the result, over its degrees of freedom, in spacings: below 0.006 for surfaces that the points resolve;
+        0.026 is that of points without any order.
+    confidence : float
+        0 to 1: how far starts with energies as low agree, and how low that is, less for noise. A heuristic: above
+        0.9 results were right (docs/fitting.md), below look.
+    closed : bool
+        Whether the points are all around a solid, or several.
+    outward_by : str
+        What decided which side is outward.
+    components : int
+        Pieces that lie apart by more than their spacing.
+    seconds : float
+    """
+
+    found: str
+    turned: int
+    made: int
+    merged: int
+    direction_change: Optional[float]
+    noise: float
+    spacing: float
+    energy: float
+    confidence: float
+    closed: bool
+    outward_by: str
+    components: int
+    seconds: float
+
+@dataclass(frozen=True)
+class DepthImageInfo:
+    """What `smooth_depth_image` found and did.
+
+    Attributes
+    ----------
+    seen : int
+        Pixels that have a point.
+    left_out : int
+        Of these, without enough others on their plane.
+    noise : float
+        Standard deviation of 1 / z, as given or measured.
+    focal_length : float
+        In pixels: the mean of both directions'.
+    depth : float
+        Median distance abs(z) of the points.
+    radius : float
+        Smoothed over at this depth, in pixels.
+    seconds : float
+    """
+
+    seen: int
+    left_out: int
+    noise: float
+    focal_length: float
+    depth: float
+    radius: float
+    seconds: float
+
+@dataclass(frozen=True)
+class CsgInfo:
+    """What a solid is made of; all 0 for a model that is not put together from others.
+
+    Attributes
+    ----------
+    nodes : int
+        With those of trees that became part of it; 0: the model is no tree, and so is all else.
+    depth : int
+        Nodes from the root to the deepest leaf, both counted.
+    models : int
+        Leaves that are models, each once.
+    sheets : int
+        Smooth functions that it is made of: sides of primitives and of boxes that models end at; a blend has one
+        for each pair of those that it joins.
+    lipschitz : float
+        A bound on abs(grad f) that holds everywhere; 0: models have none that is known.
+    """
+
+    nodes: int
+    depth: int
+    models: int
+    sheets: int
+    lipschitz: float
+
+@dataclass(frozen=True)
+class PointSetInfo:
+    """A point set.
+
+    Attributes
+    ----------
+    distribution : str
+        As used.
+    seed_source : {"auto", "samples", "box", "points"}
+        The one used.
+    layers : int
+        How many.
+    marks : int
+        In all layers.
+    origin : tuple of float
+        Add it to positions.
+    bounds_min : tuple of float
+        Of all marks, absolute.
+    bounds_max : tuple of float
+        The box's other corner.
+    spacing : float
+        sqrt(area per mark) of the largest layer, estimated: what a frame uses as the size of a mark's piece of
+        surface.
+    seconds_seeds, seconds_total : float
+    bytes : int
+        Kept by the set.
+    """
+
+    distribution: str
+    seed_source: str
+    layers: int
+    marks: int
+    origin: Vector
+    bounds_min: Vector
+    bounds_max: Vector
+    spacing: float
+    seconds_seeds: float
+    seconds_total: float
+    bytes: int
+
+@dataclass(frozen=True)
+class LayerInfo:
+    """One layer of marks.
+
+    Attributes
+    ----------
+    kind : {"any", "stipples", "principal", "combing", "field", "own", "hatch"}
+    name : str
+        As it was given, or its kind.
+    marks : int
+    strokes : int
+        That the marks form; 0 for stipples.
+    full_count : int
+        What `marks` would be if nothing had been dropped ("published"), or had been left out for the budget
+        ("blue_noise" strokes).
+    levels : int
+        Refinement steps taken; "blue_noise" strokes: the last pass.
+    step : float
+        Initial step rho_0 used; "blue_noise" strokes: the separation.
+    seconds : float
+    """
+
+    kind: str
+    name: str
+    marks: int
+    strokes: int
+    full_count: int
+    levels: int
+    step: float
+    seconds: float
+
+@dataclass(frozen=True)
+class PlacementInfo:
+    """What became of candidates for marks: attempted = placed + all dropped.
+
+    Attributes
+    ----------
+    attempted, placed : int
+    dropped_not_converged : int
+        Projection ended short of the tolerance.
+    dropped_strayed : int
+        Landed farther away than a cell diagonal or the step, or beyond the end of a trimmed model; or cut off the
+        rest of its stroke by one that was dropped.
+    dropped_degenerate : int
+        Zero gradient or not finite.
+    dropped_budget : int
+        Over the layer's budget.
+    """
+
+    attempted: int
+    placed: int
+    dropped_not_converged: int
+    dropped_strayed: int
+    dropped_degenerate: int
+    dropped_budget: int
+
+@dataclass(frozen=True)
+class LineSetInfo:
+    """What making a line set did.
+
+    Attributes
+    ----------
+    triangles : int
+        Of the mesh that curves are looked for on.
+    turned : int
+        Of these, triangles that look away from the surface: it is finer than the cells there, and curves may be
+        missed.
+    missed_seeds : int
+        Seeds that no triangle is near: a part of the surface is too thin for the cells.
+    lines : int
+        Lines that were found once.
+    borders : int
+        Curves where the surface ends.
+    cell_size : float
+        As used.
+    seconds : float
+        That it took to make.
+    bytes : int
+        Kept.
+    left_out : float
+        The share of the area that was looked at that lies beyond its samples, 0 to 1; 0 without `support`. Of a
+        trimmed model little beyond its end is looked at: see `Model.trim_info`.
+    creases : int
+        Curves where sheets of the surface meet, at any angle: from corner to corner, or closed.
+    """
+
+    triangles: int
+    turned: int
+    missed_seeds: int
+    lines: int
+    borders: int
+    cell_size: float
+    seconds: float
+    bytes: int
+    left_out: float
+    creases: int
+
+@dataclass(frozen=True)
+class DrawingInfo:
+    """What a drawing holds, and what making it did.
+
+    Attributes
+    ----------
+    items : int
+        Items drawn.
+    layers : int
+        Layers of the drawing, of one ink and one class each.
+    dots : int
+        Of ink.
+    strokes : int
+    stroke_points : int
+        Of all strokes.
+    marks : int
+        In all items, of the layers that the styles use: outside + front + back + silhouette + culled.
+    outside : int
+        Outside the frustum.
+    front : int
+        Of those inside: by class.
+    back : int
+        Of those inside, too.
+    silhouette : int
+        Of those inside, too.
+    culled : int
+        "depth_layers": marks that are of no class, since no tone or contour could show them: they were not looked
+        at one by one.
+    shown : int
+        Drawn as ink.
+    dropped_tone : int
+        Front marks not shown because of light or share, and contour marks that a line of even density does not
+        need.
+    dropped_depth : int
+        Front and silhouette marks not shown because of depth attenuation.
+    dropped_zoom : int
+        Front marks not shown because of tone scaling.
+    dropped_hidden : int
+        Marks not drawn because nothing of them is seen through what is in front.
+    splats : int
+        "published": discs of paper; "depth_layers": marks that depth layers were found from.
+    nanoseconds_classify : int
+        Transform, classify, tone.
+    nanoseconds_visibility, nanoseconds_sort : int
+    bytes : int
+        Kept by the drawing.
+    scratch_bytes : int
+        Kept by its renderer, drawings left out.
+    line_curves : int
+        Curves that lines were drawn from.
+    line_cusps : int
+        Of these.
+    line_crossings : int
+        Of their images, where the farther one changes its visibility.
+    line_broken : int
+        Curves that end inside the surface, and places where one was missed.
+    line_settled : int
+        Curves whose visibility did not add up: each part is as a ray of its own says.
+    line_contradictions : int
+        Of these, curves with a part whose ray was not certain.
+    nanoseconds_lines : int
+    line_refined : int
+        Curves whose visibility did not add up at first: they, and those that cross them, were made finer.
+    line_tangles : int
+        Cells of the image, four pixels wide or more, with so many crossings that none was taken: lines run to and
+        fro over one another there, as on a flat face seen edge-on.
+    """
+
+    items: int
+    layers: int
+    dots: int
+    strokes: int
+    stroke_points: int
+    marks: int
+    outside: int
+    front: int
+    back: int
+    silhouette: int
+    culled: int
+    shown: int
+    dropped_tone: int
+    dropped_depth: int
+    dropped_zoom: int
+    dropped_hidden: int
+    splats: int
+    nanoseconds_classify: int
+    nanoseconds_visibility: int
+    nanoseconds_sort: int
+    bytes: int
+    scratch_bytes: int
+    line_curves: int
+    line_cusps: int
+    line_crossings: int
+    line_broken: int
+    line_settled: int
+    line_contradictions: int
+    nanoseconds_lines: int
+    line_refined: int
+    line_tangles: int
+
+@dataclass(frozen=True)
+class DrawingLayerFields:
+    """A layer of a drawing: ink of one layer of marks, of the front or of contours.
+
+    Attributes
+    ----------
+    mark_class : str
+        "front" or "silhouette".
+    item : int
+        Number of the item.
+    layer : int
+        Number of the layer of its point set; -1: of lines.
+    kind : str
+        Of that layer, or the kind of lines.
+    shape : {"dots", "strokes", "hatch"}
+    name : str
+        Of that layer, or the name in the style of the lines.
+    ink : tuple of float
+        Straight RGBA.
+    dots, strokes : int
+    """
+
+    mark_class: str
+    item: int
+    layer: int
+    kind: str
+    shape: str
+    name: str
+    ink: Tuple[float, float, float, float]
+    dots: int
+    strokes: int
+
+@dataclass(frozen=True)
+class MarkIdentity:
+    """The mark that an id stands for.
+
+    Attributes
+    ----------
+    id : int
+    item : int
+        Number of the item.
+    layer : int
+        Number of the layer of its point set.
+    mark : int
+        Its number in that layer.
+    stroke : int
+        Number of its stroke, -1 for none.
+    place : int
+        Its place along that.
+    """
+
+    id: int
+    item: int
+    layer: int
+    mark: int
+    stroke: int
+    place: int
+
+@dataclass(frozen=True)
+class PageInfo:
+    """What was written.
+
+    Attributes
+    ----------
+    bytes, groups : int
+    paths : int
+        Lines and outlines.
+    segments : int
+        Curves or straight lines of all paths.
+    dots : int
+    joined : int
+        In plot order: pairs of ends that became one line.
+    dropped_paths : int
+        Too short for the pen.
+    dropped_dots : int
+        Too near to others for the pen.
+    width : float
+        Millimetres, of the page.
+    height : float
+        Millimetres, of the page.
+    drawn : float
+        Millimetres that a pen draws; in plot order, else 0, as are the next two.
+    travelled : float
+        Millimetres between.
+    seconds : float
+        That a plotter takes at the given speeds.
+    filled_paths : int
+        Lines wider than their pen, drawn in several passes.
+    """
+
+    bytes: int
+    groups: int
+    paths: int
+    segments: int
+    dots: int
+    joined: int
+    dropped_paths: int
+    dropped_dots: int
+    width: float
+    height: float
+    drawn: float
+    travelled: float
+    seconds: float
+    filled_paths: int
+
+@dataclass(frozen=True)
+class MeshInfo:
+    """What making a mesh found, and did.
+
+    Attributes
+    ----------
+    closed : bool
+        Whether no edge is at the boundary or not manifold, and all faces agree.
+    given_vertices, given_faces : int
+    vertices : int
+        Kept; more than were given where solids that touch in an edge are parted there, at most three for each face.
+    faces : int
+    welded_vertices : int
+        In the place of another, and joined with it; on borders also within 1e-6 of the diagonal from another.
+    degenerate_faces : int
+        Without area but for the rounding of single precision, left out; the face across the largest side is cut in
+        two at the corner that lies within it, so that no slit stays.
+    repeated_faces : int
+        With the corners of another, left out; both where two solids share a wall.
+    turned_faces : int
+        Against those beside them, turned.
+    components : int
+        Of the given faces.
+    turned_components : int
+        Closed and inside out, turned.
+    nested_components : int
+        Inside a closed one.
+    left_out_components : int
+    left_out_faces : int
+        Of these.
+    boundary_edges, boundary_loops, nonmanifold_edges : int
+    contrary_edges : int
+        Whose two faces do not agree: the mesh cannot be oriented, or was not to be.
+    euler_characteristic : int
+        Vertices - edges + faces.
+    genus : int
+        Sum of the handles of all components; -1 where the mesh is not closed.
+    area : float
+    volume : float or None
+        Enclosed; None where the mesh is not closed.
+    bounds_min, bounds_max : tuple of float
+    seconds : float
+        That making it took.
+    bytes : int
+        Kept by the mesh.
+    crease_length : float
+        Of the edges that bend by more than 30 degrees, in diagonals of the bounds.
+    creases : bool
+        Whether these stand out, as those of machine parts; `Model.fit_mesh` with edges "auto" and the default
+        crease angle keeps them sharp.
+    """
+
+    closed: bool
+    given_vertices: int
+    given_faces: int
+    vertices: int
+    faces: int
+    welded_vertices: int
+    degenerate_faces: int
+    repeated_faces: int
+    turned_faces: int
+    components: int
+    turned_components: int
+    nested_components: int
+    left_out_components: int
+    left_out_faces: int
+    boundary_edges: int
+    boundary_loops: int
+    nonmanifold_edges: int
+    contrary_edges: int
+    euler_characteristic: int
+    genus: int
+    area: float
+    volume: Optional[float]
+    bounds_min: Vector
+    bounds_max: Vector
+    seconds: float
+    bytes: int
+    crease_length: float
+    creases: bool
+
+@dataclass(frozen=True)
+class MeshFitInfo:
+    """What a fit to a mesh came to: the last of the measurements that it went by.
+
+    Attributes
+    ----------
+    reached : bool
+        Whether tolerance, share and far are kept, both ways.
+    tolerance : float
+        As used.
+    far : float
+        As used.
+    candidates : int
+    centres : int
+        As many as the model has.
+    off_surface_centres : int
+        Of these, the last ones: where f is held to the distance from the mesh.
+    rounds : int
+        Fits.
+    supported : bool
+        Whether the mesh has a border, and the surface beyond it was not counted.
+    surface_share : float
+        Of the surface, within the tolerance of the mesh.
+    surface_p99 : float
+        99 % of the surface are not farther from the mesh.
+    surface_max : float
+        The greatest distance of the surface from the mesh.
+    mesh_share : float
+        Of the mesh, within the tolerance of the surface.
+    mesh_p99 : float
+        Of the mesh: the same from the surface.
+    mesh_max : float
+        Of the mesh: the same from the surface.
+    seconds_sample : float
+    seconds_fit : float
+        Of all rounds.
+    seconds_measure, seconds_total : float
+    sheets : int
+        Smooth pieces that the surface is made of; 1: it has no edges.
+    crease_length : float
+        Of the mesh's edges that are sharp.
+    smooth_length : float
+        Of those that are not, as the mesh could not be cut there.
+    cells : int
+        Of space, in each of which a few sheets rule.
+    poor_cells : int
+        In which no maximum and minimum of its sheets does all that the mesh does.
+    """
+
+    reached: bool
+    tolerance: float
+    far: float
+    candidates: int
+    centres: int
+    off_surface_centres: int
+    rounds: int
+    supported: bool
+    surface_share: float
+    surface_p99: float
+    surface_max: float
+    mesh_share: float
+    mesh_p99: float
+    mesh_max: float
+    seconds_sample: float
+    seconds_fit: float
+    seconds_measure: float
+    seconds_total: float
+    sheets: int
+    crease_length: float
+    smooth_length: float
+    cells: int
+    poor_cells: int
+
+@dataclass(frozen=True)
+class Comparison:
+    """How near a surface is to a mesh, both ways; distances are in units of the mesh, NaN of no points.
+
+    Attributes
+    ----------
+    surface_points : int
+        Places on the surface, even over its area.
+    surface_mean : float
+        Of their distances from the mesh.
+    surface_p99 : float
+        99 % are not farther.
+    surface_max : float
+        The greatest of them.
+    surface_share : float
+        Within the tolerance.
+    invented_share : float
+        Of the surface, beyond `far`.
+    left_out_share : float
+        Of the surface: beyond the mesh's border, or by `support`; in none of the above.
+    mesh_points : int
+        Places on the mesh, even over its area.
+    mesh_mean : float
+        Of their distances from the surface.
+    mesh_p99 : float
+        99 % are not farther.
+    mesh_max : float
+        The greatest of them.
+    mesh_share : float
+        Within the tolerance.
+    missed_share : float
+        Of the mesh, beyond `far`.
+    normal_mean : float
+        Degrees between the mesh's normals and the surface's beside them.
+    normal_p99 : float
+        99 % are not above.
+    components : int
+        Of the surface.
+    genus : int
+        Of the surface, sum over its components; -1 if it has a border in the box.
+    tolerance : float
+        As used.
+    diagonal, seconds : float
+    """
+
+    surface_points: int
+    surface_mean: float
+    surface_p99: float
+    surface_max: float
+    surface_share: float
+    invented_share: float
+    left_out_share: float
+    mesh_points: int
+    mesh_mean: float
+    mesh_p99: float
+    mesh_max: float
+    mesh_share: float
+    missed_share: float
+    normal_mean: float
+    normal_p99: float
+    components: int
+    genus: int
+    tolerance: float
+    diagonal: float
+    seconds: float
+
+@dataclass(frozen=True)
+class MeshFacts:
+    """What a mesh is like, counted after vertices at the same place are joined.
+
+    Attributes
+    ----------
+    components : int
+        Parts that no edge joins.
+    closed : bool
+        Whether each edge has two faces, which run along it in opposite directions.
+    boundary_edges : int
+        Edges of one triangle.
+    holes : int
+        The lines that these make.
+    non_manifold_edges : int
+        Edges of more than two triangles.
+    inconsistent_edges : int
+        Edges whose two triangles run the same way: one of them is turned over.
+    inside_out : bool
+        Whether it is closed, and its faces look inward.
+    parts_inside_out : int
+        Closed parts whose faces look inward; one in another is a cavity.
+    degenerate_triangles : int
+        Triangles without area.
+    duplicate_triangles : int
+        Triangles with the corners of another.
+    unused_vertices : int
+        Vertices of no triangle.
+    joined_vertices : int
+        Vertices at the place of another.
+    faces_not_finite : int
+        Triangles with a corner that is not finite.
+    area : float
+    volume : float
+        Enclosed; 0 where the mesh is not closed.
+    """
+
+    components: int
+    closed: bool
+    boundary_edges: int
+    holes: int
+    non_manifold_edges: int
+    inconsistent_edges: int
+    inside_out: bool
+    parts_inside_out: int
+    degenerate_triangles: int
+    duplicate_triangles: int
+    unused_vertices: int
+    joined_vertices: int
+    faces_not_finite: int
+    area: float
+    volume: float
+
+@dataclass
+class PageItem:
+    """A drawing on a page.
+
+    Attributes
+    ----------
+    drawing : Drawing
+        What lies beyond its viewport is cut off.
+    x : float
+        Millimetres from the page's left edge to the viewport's.
+    y : float
+        Millimetres from the page's top edge to the viewport's.
+    scale : float
+        Millimetres of a pixel, > 0; 25.4 / 96.
+    name : str, optional
+        Of the group around it.
+    """
+
+    drawing: Drawing
+    x: float = ...
+    y: float = ...
+    scale: float = ...
+    name: Optional[str] = ...
+
+@dataclass
+class Pen:
+    """What some groups of a page are drawn with.
+
+    Attributes
+    ----------
+    groups : str
+        A group's name, or the beginning of names and a '*'. Of pens that fit a group the last one is taken.
+    width : float
+        Millimetres, >= 0; 0 = as drawn. Plotters: of the pen; 0 = 0.3.
+    ink : tuple of float, optional
+        Red, green, blue and alpha, from 0 to 1; None = as drawn.
+    number : int
+        Of a plotter's pen, from 1 to 255.
+    line_type : {"as_drawn", "continuous", "dashed", "dashed_spaced", "long_dashed_dotted", "long_dashed_double_dotted",
+            "long_dashed_triple_dotted", "dotted", "long_dashed_short_dashed", "long_dashed_double_short_dashed",
+            "dashed_dotted", "double_dashed_dotted", "dashed_double_dotted", "double_dashed_double_dotted",
+            "dashed_triple_dotted", "double_dashed_triple_dotted"}
+        As drawn, or a type of ISO 128-2.
+    """
+
+    groups: str = ...
+    width: float = ...
+    ink: Optional[Tuple[float, ...]] = ...
+    number: int = ...
+    line_type: str = ...
+
+@dataclass
+class Annotation:
+    """A line or a text beside the drawings of a page.
+
+    Attributes
+    ----------
+    points : array of float, shape (n, 2)
+        Millimetres: the line, or in its first row where the text's baseline begins.
+    text : str, optional
+        None: the points are a line.
+    group : str
+        Annotations of one group that follow each other are one layer, in the ink and line type of the first.
+    width : float
+        Millimetres, > 0: of the line, or the height of the text's capitals; 0.35.
+    ink : tuple of float
+        Red, green, blue and alpha, from 0 to 1; black.
+    line_type : {"as_drawn", "continuous", "dashed", "dashed_spaced", "long_dashed_dotted", "long_dashed_double_dotted",
+            "long_dashed_triple_dotted", "dotted", "long_dashed_short_dashed", "long_dashed_double_short_dashed",
+            "dashed_dotted", "double_dashed_dotted", "dashed_double_dotted", "double_dashed_double_dotted",
+            "dashed_triple_dotted", "double_dashed_triple_dotted"}
+        As of `Pen`.
+    """
+
+    points: Array
+    text: Optional[str] = ...
+    group: str = ...
+    width: float = ...
+    ink: Tuple[float, ...] = ...
+    line_type: str = ...
+
+@dataclass
+class LinesFields:
+    """Lines that are found once, when a `LineSet` is made.
+
+    Attributes
+    ----------
+    kind : str
+        "ridge", "valley", "parabolic", "section" or "own".
+    name : str
+        For `LineStyle.name`.
+    lower : float
+        Lines go on while their strength is at least `lower` ...
+    upper : float
+        ... and are kept if it is `upper` somewhere; 0 and 0 = those of the kind: 6 and 15 of ridges and valleys, 0
+        and 0 else.
+    shortest : float
+        Shorter ones are dropped, in diagonals; 0.01.
+    plane : sequence of float
+        Of sections: the normal of the planes.
+    levels : sequence of float
+        Of sections: where the planes are along the unit normal.
+    polylines : sequence of array of float, shape (n, 3)
+        Of own lines: on the surface or near it; closed if the last point is the first.
+    """
+
+    kind: str = ...
+    name: str = ...
+    lower: float = ...
+    upper: float = ...
+    shortest: float = ...
+    plane: Sequence[float] = ...
+    levels: Sequence[float] = ...
+    polylines: Sequence[Array] = ...
+
+@dataclass
+class OwnLayerFields:
+    """A layer of ready-made marks, for `PointSet.create`; the arrays are copied.
+
+    Attributes
+    ----------
+    positions : array of float, shape (n, 3)
+        Absolute, not relative to an origin.
+    normals : array of float, shape (n, 3)
+        Unit, outward.
+    name : str, optional
+        As styles and `PointSet.layer` call it; the kind if None.
+    kind : str
+        "own", "stipples", "principal", "combing", "field" or "hatch".
+    stroke_first : array of int, shape (s + 1,), optional
+        Rising from 0 to n: stroke s has the marks stroke_first[s] up to stroke_first[s + 1] - 1, from end to end.
+        None: no strokes.
+    stroke_directions : array of int, shape (s,), optional
+        0 the first direction, 1 the second; 0 if None.
+    directions : array of float, shape (n, 3), optional
+        Unit, tangent; along the stroke if None.
+    curvatures : array of float, shape (n, 3), optional
+        k1, k2, confidence.
+    ranks : array of float, shape (n,), optional
+        In [0, 1); random, the same for all marks of a stroke, if None.
+    levels : array of int, shape (n,), optional
+        The refinement step of each; 0 if None.
+    widths : array of float, shape (n,), optional
+        In (0, 1]; 1 if None.
+    """
+
+    positions: Array
+    normals: Array
+    name: Optional[str] = ...
+    kind: str = ...
+    stroke_first: Optional[Array] = ...
+    stroke_directions: Optional[Array] = ...
+    directions: Optional[Array] = ...
+    curvatures: Optional[Array] = ...
+    ranks: Optional[Array] = ...
+    levels: Optional[Array] = ...
+    widths: Optional[Array] = ...
+
+@dataclass
+class LayerFields:
+    """How one layer of marks is made; see `PointSet.generate`.
+
+    Attributes
+    ----------
+    kind : str
+        "stipples": scattered marks; "principal", "combing": strokes along the principal directions, or along
+        Stark's two directions [NPAR 5.3]; "field": strokes along `direction` and across it; "hatch": evenly spaced,
+        nested lines along one smooth field of directions.
+    name : str, optional
+        As styles and `PointSet.layer` call it; the kind if None.
+    budget : int, optional
+        The most marks, of both directions together; 0 = no limit, for the distribution "published" and strokes with
+        a separation. None = no limit for these, and 40000 for others.
+    tone : (begin, end), optional
+        The darkness at which the first mark is shown, and that at which all are: of stipples and strokes of the
+        first direction; None: as `tone_ranges` says.
+    second_tone : (begin, end), optional
+        The darkness at which the first mark is shown, and that at which all are: of strokes of the second
+        direction; None: as `tone_ranges` says.
+    with_curvature : bool
+        Whether its marks shall know their curvature; those of "principal" always do.
+    density : str or callable
+        "uniform", "curvature" or a function: where "blue_noise" stipples are denser. A function gets positions and
+        unit normals, shape (n, 3) each, and returns n numbers from 0 (none) to 1 (densest).
+    density_strength : float
+        Of "curvature", 0 to 1; 0.5.
+    separation : float
+        Mean distance of neighbouring "blue_noise" strokes of one direction, in the unit of the model; 0 = such that
+        all have as many marks as the budget. Of "hatch": that of all its lines.
+    step : float
+        Distance of the marks of such a stroke; 0 = a fifth of the separation, of "hatch" 0.4 of it.
+    length : float
+        Of a stroke at most; 0 = no limit. Strokes end where they come nearer to another than about two thirds of
+        the separation, leave the surface's samples, or meet a singular point of the field; a closed one ends at its
+        start.
+    direction : callable, optional
+        For "field", and for "hatch" in place of curvature. It gets positions and unit normals, shape (n, 3) each,
+        and returns directions of the same shape: their sign and length count nothing, 0 0 0 is none.
+    symmetry : {"line", "cross"}
+        Whether such strokes go straight on where the two directions change places, or turn.
+    start : {"seeds", "stipples"}
+        What strokes of the distribution "published" start from.
+    start_level : int
+        With "stipples", the last stippling level used.
+    levels : int, optional
+        Refinement steps of the distribution "published", 0 to 12; None = 4 for stipples and 3 for strokes, which
+        have 3^levels marks.
+    angle : float
+        Degrees by which lines of "hatch" are turned in the tangent plane, counter-clockwise from outside.
+    smoothing : float
+        Over so long a way directions of "hatch" are smoothed; in diagonals of the model, 1 at most.
+    axis : (x, y, z)
+        Where curvature says little lines of "hatch" run around this.
+    axis_weight : float
+        How much that counts against curvature.
+    tone_smoothing : float, optional
+        Over so much of the surface the normals that tone goes by are averaged, so that the grain of a rough one
+        makes no islands of light; in diagonals, 0.1 at most, 0 = not; None = 0.006 for "hatch", 0 for others.
+    guide : {"curvature", "combing", "sections", "light", "silhouette"}
+        What lines of "hatch" follow where no `direction` is given: the direction in which the surface bends most,
+        Stark's first one, sections by planes across `axis`, away from a light, or as the silhouette.
+    guide_direction : (x, y, z)
+        Towards the light of "light", or the eye of "silhouette", in the model's own space.
+    guide_weight : float
+        0 to 1: of a guide other than "curvature"; what is left of 1 is curvature's.
+
+    Examples
+    --------
+    >>> lines = hrbfnpr.Layer("field", name="fur", direction=lambda p, n: np.cross(n, (0, 0, 1)), separation=0.02)
+    >>> marks = model.generate(["stipples", lines])
+    """
+
+    kind: str = ...
+    name: Optional[str] = ...
+    budget: Optional[int] = ...
+    tone: Optional[Interval] = ...
+    second_tone: Optional[Interval] = ...
+    with_curvature: bool = ...
+    density: Density = ...
+    density_strength: float = ...
+    separation: float = ...
+    step: float = ...
+    length: float = ...
+    direction: Optional[Direction] = ...
+    symmetry: str = ...
+    start: str = ...
+    start_level: int = ...
+    levels: Optional[int] = ...
+    angle: float = ...
+    smoothing: float = ...
+    axis: Vector = ...
+    axis_weight: float = ...
+    tone_smoothing: Optional[float] = ...
+    guide: str = ...
+    guide_direction: Vector = ...
+    guide_weight: float = ...
+
+class StyleFields(Attributes):
+    paper: Field[Tuple[float, ...], Color]
+    tone_rule: Field[str, str]
+    tone_curve: Field[str, str]
+    light: Field[Tuple[float, ...], Sequence[float]]
+    tone_exponent: Field[float, float]
+    light_space: Field[str, str]
+    tone_fade: Field[float, float]
+    silhouette_law: Field[str, str]
+    silhouette_width: Field[float, float]
+    silhouette_threshold: Field[float, float]
+    silhouette_radius: Field[float, float]
+    silhouette_radius_zoom: Field[float, float]
+    silhouette_ink: Field[Tuple[float, ...], Color]
+    visibility: Field[str, str]
+    hidden_lines: Field[str, str]
+    attenuation_front: Field[float, float]
+    attenuation_back: Field[float, float]
+    splat_radius: Field[float, float]
+    splat_overlap: Field[float, float]
+    halo_width: Field[float, float]
+    depth_min: Field[float, float]
+    depth_max: Field[float, float]
+    zoom_reference: Field[float, float]
+    zoom_exponent: Field[float, float]
+    fill_light: Field[float, float]
+
+class LayerStyleFields(Attributes):
+    kind: Field[str, str]
+    shown: Field[bool, bool]
+    contours: Field[bool, bool]
+    shape: Field[str, str]
+    share: Field[float, float]
+    radius: Field[float, float]
+    radius_zoom: Field[float, float]
+    ink: Field[Tuple[float, ...], Color]
+    hatch_tone_begin: Field[float, float]
+    hatch_tone_end: Field[float, float]
+    hatch_coverage_begin: Field[float, float]
+    hatch_coverage_end: Field[float, float]
+    hatch_spacing: Field[float, float]
+    hatch_pen: Field[float, float]
+    hatch_white: Field[float, float]
+    hatch_taper: Field[float, float]
+    hatch_shortest: Field[float, float]
+    hatch_wobble: Field[float, float]
+    hatch_overshoot: Field[float, float]
+    hatch_seed: Field[int, int]
+
+class LineStyleFields(Attributes):
+    kind: Field[str, str]
+    hidden: Field[str, str]
+    cap: Field[str, str]
+    width: Field[float, float]
+    taper: Field[float, float]
+    hidden_width: Field[float, float]
+    hidden_opacity: Field[float, float]
+    dash: Field[float, float]
+    gap: Field[float, float]
+    shortest: Field[float, float]
+    fade: Field[float, float]
+    lower: Field[float, float]
+    upper: Field[float, float]
+    ink: Field[Tuple[float, ...], Color]
+    outline_factor: Field[float, float]
+    far_factor: Field[float, float]
+    lit_factor: Field[float, float]
+    curvature_factor: Field[float, float]
+    curvature_radius: Field[float, float]
+    wobble: Field[float, float]
+    wobble_width: Field[float, float]
+    wobble_length: Field[float, float]
+    wobble_seed: Field[int, int]
+    creases: Field[str, str]
