@@ -58,11 +58,9 @@ GROUPS = {
         choice("hidden_lines", "style.hidden_lines", "what becomes of them"),
         choice("visibility", "style.visibility", "how hidden marks are found"),
         number("delta", "style.silhouette_threshold", "X", "limit of silhouettes, 0 to 1", "silhouette_threshold"),
-        choice("silhouette_law", "style.silhouette_law", "which marks are silhouettes"),
-        number("silhouette_width", "style.silhouette_width", "PIXELS", "on either side of the contour"),
         Option("lines", "lines", "lines", "KINDS", "lines drawn as curves: contour, suggestive, ridges, valleys, apparent, "
-               "parabolic, isophotes, section, border, crease, with commas between; section=z:20, isophotes=0.3:0.6; none: "
-               "contours by marks; those of the style"),  # fmt: skip
+               "parabolic, isophotes, section, border, crease, with commas between; section=z:20, isophotes=0.3:0.6; none; "
+               "those of the style"),  # fmt: skip
         choice("hidden", "style.lines.hidden", "hidden parts of lines"),
         number("support", "line_set.support", "S", "where lines end beyond the samples of open data: 1.5 close to even "
                "ones, 3 farther; 0 nowhere; 3 with a border among the lines, else 0"),  # fmt: skip
@@ -93,7 +91,6 @@ GROUPS = {
         number("zoom_exponent", "style.zoom_exponent", "X", "how fast they vanish below it"),
         Option("silhouette_ink", "style.silhouette_ink", "paint", "COLOUR", "as that of ink"),
         number("silhouette_radius", "style.silhouette_radius", "PIXELS", "of silhouette marks"),
-        Option("contours_of", "style.contours_of", "layers", "NAMES", "layers whose marks draw contours"),
         choice("shape", "style.layers.shape", "how marks of strokes are drawn"),
         Option("scale_bar", "scale_bar", "text", "UNIT", "a scale bar below the picture, its length in this unit; none: no "
                "bar; units of archaeological"),  # fmt: skip
@@ -101,7 +98,7 @@ GROUPS = {
                "archaeological", "yes no"),  # fmt: skip
         number("share", "style.layers.share", "X", "share of the style's marks that is used, 0 to 1"),
         Option("set", "", "assignment", "[LAYER.]FIELD=VALUE", "any other field of a style, such as "
-               "principal.directions=first or stipples.ink=#800000; may be repeated", "assignments"),  # fmt: skip
+               "hatch.hatch_pen=1.5 or stipples.ink=#800000; may be repeated", "assignments"),  # fmt: skip
     ],
     "camera": [
         Option("up", "up", "up", "AXIS", "x, y, z, -y, ... or X,Y,Z; auto (default): by the kind of file and the shape, y "
@@ -115,7 +112,7 @@ GROUPS = {
         number("margin", "margin", "SHARE", "free on each side, 0 to 0.45; 0.05"),
     ],
     "marks": [
-        Option("layers", "mark_kinds", "layers", "NAMES", "stipples,principal,combing; those the style draws"),
+        Option("layers", "mark_kinds", "layers", "NAMES", "stipples,hatch; those the style draws"),
         choice("distribution", "marks.distribution", "of marks over the surface"),
         Option("marks", "marks.*.budget", "per_layer", "N", "the most marks of each layer, or LAYER=N,...; enough to make the "
                "darkest tone nearly black", "budget"),  # fmt: skip
@@ -127,10 +124,8 @@ GROUPS = {
         number("box_jitter", "marks.box_jitter", "X", "in cell sides, 0 to 0.5; 0.25"),
         choice("stroke_start", "marks.layers.start", "what strokes of published start from", alias="start"),
         count("start_level", "marks.layers.start_level", 0, 12, "last level of those stipples; 0"),
-        number("separation", "marks.layers.separation", "LENGTH", "of neighbouring strokes"),
-        number("stroke_step", "marks.layers.step", "LENGTH", "of the marks along a stroke"),
-        number("stroke_length", "marks.layers.length", "LENGTH", "of the longest stroke; 0 = no limit", "length"),
-        choice("symmetry", "marks.layers.symmetry", "where the directions change places"),
+        number("separation", "marks.layers.separation", "LENGTH", "of neighbouring lines of hatching"),
+        number("stroke_step", "marks.layers.step", "LENGTH", "of the marks along a line"),
         choice("guide", "marks.layers.guide", "what lines of hatching follow"),
         Option("guide_direction", "marks.layers.guide_direction", "direction", "X,Y,Z", "to the light, or to the eye, that "
                "such a guide means; z"),  # fmt: skip

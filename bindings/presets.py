@@ -38,7 +38,7 @@ UPPER_LEFT = (-0.5, 0.5, 0.7071067811865476)  # at 45 degrees, as scientific dra
 
 # ---- Layers of marks that are generated
 
-# Styles of lines alone have stipples as well: they tell where the surface is, and draw contours without a line set.
+# Styles of lines alone have stipples as well: they tell where the surface is, and so what it hides.
 STIPPLES = {"kind": "stipples"}
 
 
@@ -48,7 +48,7 @@ def hatching(angle=0.0, name=None, **fields):
 
 # ---- How layers are drawn
 
-# Without contours, and where strokes alone draw the form, marks are a little larger, to reach the rim.
+# Without contours marks are a little larger, to reach the rim.
 FULL_RADIUS = 1.1
 
 
@@ -84,7 +84,7 @@ def pencilled(begin, end, coverage, seed, name=None):
                     hatch_seed=seed, ink=GRAPHITE)
 
 
-# ---- How lines are drawn: those of items with a line set, in place of the contours that marks draw
+# ---- How lines are drawn, of items with a line set
 
 def contour(width, **fields):
     return {"kind": "contour", "width": width, **fields}
@@ -116,32 +116,26 @@ PRESETS = [
         draws="stipples by light, no contours",
         use="Soft forms and fine tones without any line: the classic of scientific drawing.",
         marks=[STIPPLES],
-        layers=[shown("stipples", radius=FULL_RADIUS, contours=False), hidden("principal", contours=False),
-                hidden("combing", contours=False), hidden("field", contours=False), shown("any", contours=False)],
+        layers=[shown("stipples", radius=FULL_RADIUS, contours=False), shown("any", contours=False)],
         lines=[],
         style={"silhouette_threshold": 0.05, "silhouette_radius": 1.2},
     ),
     Preset(
         "hatch",
-        draws="lines of one width, more of them where it is darker, and contours; strokes of PRINCIPAL layers along the "
-              "second direction",
+        draws="lines of one width, more of them where it is darker, and contours",
         use="Lines around the form, more of them where it is darker: tone and shape with one set.",
         marks=[STIPPLES, hatching()],
-        layers=[hidden("stipples"), shown("principal", radius=FULL_RADIUS, directions=["second"]), hidden("combing"),
-                shown("field", radius=FULL_RADIUS, directions=["first"]),
-                even(0.12, 0.95, 0.42, hatch_pen=0.8, hatch_spacing=1.9)],
+        layers=[hidden("stipples"), even(0.12, 0.95, 0.42, hatch_pen=0.8, hatch_spacing=1.9)],
         lines=PLAIN_LINES,
         style={"silhouette_radius": 1.2},
     ),
     Preset(
         "cross-hatch",
-        draws="up to three sets of such lines, at 0, 35 and -30 degrees, a darker tone each, and contours; strokes of "
-              "PRINCIPAL layers along both directions",
+        draws="up to three sets of such lines, at 0, 35 and -30 degrees, a darker tone each, and contours",
         use="Up to three sets of lines at 30 to 65 degrees to each other, darker where they cross.",
         marks=[STIPPLES, hatching(0.0, "hatch-1"), hatching(35.0, "hatch-2"), hatching(-30.0, "hatch-3")],
-        layers=[hidden("stipples"), shown("principal", radius=FULL_RADIUS), hidden("combing"),
-                shown("field", radius=FULL_RADIUS), crossed(0.12, 0.45, 0.24, "hatch-1"),
-                crossed(0.38, 0.66, 0.24, "hatch-2"), crossed(0.60, 0.90, 0.30, "hatch-3"), crossed(0.12, 0.90, 0.30)],
+        layers=[hidden("stipples"), crossed(0.12, 0.45, 0.24, "hatch-1"), crossed(0.38, 0.66, 0.24, "hatch-2"),
+                crossed(0.60, 0.90, 0.30, "hatch-3"), crossed(0.12, 0.90, 0.30)],
         lines=PLAIN_LINES,
         style={"silhouette_radius": 1.2},
     ),
@@ -150,8 +144,7 @@ PRESETS = [
         draws="lines along Stark's combing direction, a second set in the darks, and contours",
         use="Lines that do not follow curvature: for surfaces that bend much and irregularly.",
         marks=[STIPPLES, hatching(0.0, "hatch-1", guide="combing"), hatching(40.0, "hatch-2", guide="combing")],
-        layers=[hidden("stipples"), hidden("principal"), shown("combing", radius=0.55, shape="strokes", share=0.7),
-                hidden("field"), crossed(0.10, 0.60, 0.32, "hatch-1"), crossed(0.50, 0.92, 0.34, "hatch-2"),
+        layers=[hidden("stipples"), crossed(0.10, 0.60, 0.32, "hatch-1"), crossed(0.50, 0.92, 0.34, "hatch-2"),
                 crossed(0.10, 0.92, 0.34)],
         lines=PLAIN_LINES,
         style={"silhouette_radius": 1.2},
@@ -171,7 +164,7 @@ PRESETS = [
         draws="contours and stipples",
         use="Contours and stipples: a good first choice for any model.",
         marks=[STIPPLES],
-        layers=[shown("stipples"), hidden("principal"), hidden("combing"), hidden("field")],
+        layers=[shown("stipples"), hidden("hatch")],
         lines=PLAIN_LINES,
         style={"silhouette_radius": 1.2},
     ),
@@ -189,9 +182,8 @@ PRESETS = [
         draws="stipples, cross hatching in the darks, contours and halo: Figure 1 (e)",
         use="Contours with a white halo, stipples, and lines in the darks: as the article's most finished drawing.",
         marks=[STIPPLES, hatching(0.0, "hatch-1"), hatching(40.0, "hatch-2")],
-        # Stipples are in the lights and between lines, lines in the darks.  Strokes stay in the darker parts.
-        layers=[shown("stipples", radius=0.7, share=0.45), shown("principal", share=0.6), hidden("combing"),
-                shown("field", share=0.6), crossed(0.40, 0.75, 0.34, "hatch-1"), crossed(0.62, 0.95, 0.34, "hatch-2"),
+        # Stipples are in the lights and between lines, lines in the darks.
+        layers=[shown("stipples", radius=0.7, share=0.45), crossed(0.40, 0.75, 0.34, "hatch-1"), crossed(0.62, 0.95, 0.34, "hatch-2"),
                 crossed(0.40, 0.95, 0.34)],
         lines=PLAIN_LINES,
         style={"silhouette_radius": 1.2, "halo_width": 4.0},

@@ -1159,22 +1159,20 @@ typedef struct hrbfnpr_point_set hrbfnpr_point_set;
 enum {
     HRBFNPR_LAYER_KIND_ANY = 0,       /* in styles only: layers of every kind */
     HRBFNPR_LAYER_KIND_STIPPLES = 1,  /* scattered marks */
-    HRBFNPR_LAYER_KIND_PRINCIPAL = 2, /* strokes along the principal directions, d1 (the first) and d2 (the second) */
-    HRBFNPR_LAYER_KIND_COMBING = 3,   /* strokes along Stark's two directions, r (the first), u (the second) [NPAR 5.3] */
-    HRBFNPR_LAYER_KIND_FIELD = 4,     /* strokes along the caller's field of directions, and across it */
-    HRBFNPR_LAYER_KIND_OWN = 5,       /* the caller's marks or strokes */
-    HRBFNPR_LAYER_KIND_HATCH = 6      /* evenly spaced lines along one smooth field of directions, nested: the level of
-                                         marks is 0 on the coarsest lines, and those of each further level lie midway
-                                         between all before; around a fork a line changes it [Knoeppel et al. 2015] */
+    HRBFNPR_LAYER_KIND_HATCH = 2,     /* lines along a field of directions, which `guide` or the caller's
+                                         direction_function gives.  BLUE_NOISE lays evenly spaced lines along the
+                                         smoothest such field, nested: marks of level 0 are on the coarsest lines, and
+                                         lines of each further level lie midway between all before; around a fork a
+                                         line changes its level [Knoeppel et al. 2015].  PUBLISHED grows strokes from
+                                         seeds, along the directions and across them [NPAR 5] */
+    HRBFNPR_LAYER_KIND_OWN = 3        /* the caller's marks or strokes */
 };
 
 enum {
     /* Stipples evenly spread over the area in a progressive order, each prefix
      * of which is evenly spread (docs/quality.md: distances, spectrum, tone); a
      * budget may be missed by some marks in a thousand where the surface bends
-     * within their spacing.  Strokes that keep their distance from each other
-     * along their whole length, in an order of whole strokes each prefix of
-     * which is evenly spaced too: coarse ones first, then those between them.
+     * within their spacing.  Lines of HATCH are evenly spaced and nested.
      * The default. */
     HRBFNPR_DISTRIBUTION_BLUE_NOISE = 0,
     /* The published recursion: x5 (stipples) and x3 (strokes) a level, ranks
@@ -1182,24 +1180,13 @@ enum {
     HRBFNPR_DISTRIBUTION_PUBLISHED = 1
 };
 
-/* What the strokes of BLUE_NOISE follow: directions as measured where they are
- * sure, and the smoothest field between them where they are not (umbilics, flat
- * parts, borders of the combing field's regions). */
+/* What the lines of HATCH follow where no direction_function is given.  Each guide is a direction without a sign at every
+ * place, and a confidence: where that is low, the smoothest field between decides.  PUBLISHED takes CURVATURE, COMBING
+ * or a direction_function; another guide is INVALID_ARGUMENT. */
 enum {
-    /* Each direction has a field of its own.  The strokes of both are kept apart everywhere, and
-     * where two principal directions change places a stroke turns with its own. */
-    HRBFNPR_SYMMETRY_LINE = 0,
-    /* One field of crosses, which does not tell one direction from the other:
-     * strokes go straight on where these change places, and a stroke belongs to
-     * the direction that it follows for most of its length. */
-    HRBFNPR_SYMMETRY_CROSS = 1
-};
-
-/* What the lines of HATCH follow, besides a direction_function of the caller's.  Each is a line at every place, and how
- * sure it is: where it is not, the smoothest field between decides. */
-enum {
-    HRBFNPR_HATCH_GUIDE_CURVATURE = 0, /* the direction in which the surface bends most, where it bends unevenly */
-    HRBFNPR_HATCH_GUIDE_COMBING = 1,   /* the first direction of COMBING [NPAR 5.3] */
+    HRBFNPR_HATCH_GUIDE_CURVATURE = 0, /* the direction in which the surface bends most, where it bends unevenly.
+                                          PUBLISHED: strokes along both principal directions, d1 and d2 */
+    HRBFNPR_HATCH_GUIDE_COMBING = 1,   /* Stark's combing direction r.  PUBLISHED: strokes along r and u [NPAR 5.3] */
     HRBFNPR_HATCH_GUIDE_SECTIONS = 2,  /* the surface's sections by planes across `axis` */
     HRBFNPR_HATCH_GUIDE_LIGHT = 3,     /* the tangent part of guide_direction, which points to the light */
     HRBFNPR_HATCH_GUIDE_SILHOUETTE = 4 /* what is conjugate to guide_direction, which points to the eye: near where
@@ -1238,7 +1225,7 @@ typedef int32_t (*hrbfnpr_density_fn)(void* user, int64_t count, const double* p
 /* A field of directions on the surface: fills directions (count x 3) from
  * absolute positions and unit normals (count x 3 each).  A direction is taken
  * into the tangent plane, its sign and length count nothing; where there is
- * none it may be 0, 0, 0, and the strokes follow the smoothest field between
+ * none it may be 0, 0, 0, and lines follow the smoothest field between
  * those that there are.  NaN or infinity is CALLBACK.  Called with some
  * thousand places at a time, on the thread that called _generate.  Non-zero
  * fails it with CALLBACK. */
@@ -1253,7 +1240,7 @@ enum {
 };
 
 enum {
-    HRBFNPR_LAYER_WITH_CURVATURE = 1 /* fill the attribute CURVATURE; PRINCIPAL always does */
+    HRBFNPR_LAYER_WITH_CURVATURE = 1 /* fill the attribute CURVATURE; PUBLISHED strokes along CURVATURE always do */
 };
 
 /* How one layer is made.
@@ -1264,16 +1251,15 @@ enum {
  * hrbfnpr_generate_desc.tone_ranges says. */
 typedef struct hrbfnpr_layer_desc {
     uint32_t struct_size;
-    uint32_t kind;       /* HRBFNPR_LAYER_KIND_STIPPLES, PRINCIPAL, COMBING, FIELD or HATCH; STIPPLES */
-    const char* name;    /* UTF-8, 1 .. 63 bytes, copied; NULL = "stipples", "principal", "combing", "field",
-                            "hatch" */
-    int64_t budget;      /* the most marks, of both directions together; at most 100000000 for BLUE_NOISE; 40000.
-                            0 = no limit, for PUBLISHED and for strokes with a separation.  PUBLISHED thins the
-                            level that exceeds it at random and stops there; BLUE_NOISE leaves out the last
-                            strokes of the order.  Not used with a shared_budget */
-    float tone_begin;    /* of stipples, and of strokes of the first direction; 0 and 0 */
+    uint32_t kind;       /* HRBFNPR_LAYER_KIND_STIPPLES or HATCH; STIPPLES */
+    const char* name;    /* UTF-8, 1 .. 63 bytes, copied; NULL = "stipples" or "hatch" */
+    int64_t budget;      /* the most marks; at most 100000000 for BLUE_NOISE; 40000.
+                            0 = no limit, for PUBLISHED and for lines with a separation.  PUBLISHED thins the
+                            level that exceeds it at random and stops there; lines of BLUE_NOISE come near
+                            to it.  Not used with a shared_budget */
+    float tone_begin;    /* of stipples, of lines, and of PUBLISHED strokes of the first direction; 0 and 0 */
     float tone_end;
-    float second_tone_begin; /* of strokes of the second direction; 0 and 0 */
+    float second_tone_begin; /* of PUBLISHED strokes of the second direction; 0 and 0 */
     float second_tone_end;
     uint32_t flags;      /* HRBFNPR_LAYER_WITH_...; 0 */
 
@@ -1285,43 +1271,35 @@ typedef struct hrbfnpr_layer_desc {
                                             marks than the budget are made */
     void* density_user;
 
-    /* Strokes of BLUE_NOISE, lengths in object units; separation and step 0, or 1e-12 .. 1e9 diagonals. */
-    double separation;       /* mean distance of neighbouring strokes of one direction; 0 = such that all strokes
-                                together have as many marks as the budget */
-    double step;             /* distance of the marks of a stroke; 0 = a fifth of the separation */
-    double length;           /* of a stroke at most; 0 = no limit.  Strokes end where they come nearer to
-                                another than about two thirds of the separation, leave the surface's
-                                samples, or meet a singular point of the field; a closed one ends
-                                at its start */
-    hrbfnpr_direction_fn direction_function; /* for FIELD */
+    /* HATCH.  Lengths are in object units; separation and step are 0, or 1e-12 .. 1e9 diagonals. */
+    hrbfnpr_direction_fn direction_function; /* NULL = by `guide` */
     void* direction_user;
-    uint32_t symmetry;       /* HRBFNPR_SYMMETRY_...; CROSS */
+    uint32_t guide;          /* HRBFNPR_HATCH_GUIDE_...; CURVATURE */
 
-    /* PUBLISHED. */
-    uint32_t start;      /* HRBFNPR_STROKE_START_...; SEEDS.  Not for STIPPLES */
-    int32_t start_level; /* with STROKE_START_STIPPLES: the last stippling level used; 0 */
-    int32_t levels;      /* refinement steps, 0 .. 12; -1 = 4 for stipples, 3 for strokes, which then have
-                            3^levels marks; -1 */
+    /* HATCH of PUBLISHED. */
+    uint32_t start;          /* HRBFNPR_STROKE_START_...; SEEDS */
+    int32_t start_level;     /* with STROKE_START_STIPPLES: the last stippling level used; 0 */
+    int32_t levels;          /* of stipples, too: refinement steps, 0 .. 12; -1 = 4 for stipples, 3 for strokes, which
+                                then have 3^levels marks; -1 */
 
-    /* HATCH, with BLUE_NOISE.  separation is that of all lines together, or 0 for as many as make about the budget's
-     * marks; a step of 0 is 0.4 of it.  Lines follow direction_function where that is given, else what
-     * guide says. */
+    /* HATCH of BLUE_NOISE. */
+    double separation;       /* mean distance of neighbouring lines; 0 = as many lines as make about the budget's
+                                marks */
+    double step;             /* distance of the marks of a line; 0 = 0.4 of the separation */
     double angle;            /* by which lines are turned in the tangent plane, counter-clockwise as seen from outside;
                                 degrees; 0 */
     double smoothing;        /* of directions: the distance over which they are evened out; diagonals, > 0, 1 at most;
                                 0.04 */
     double axis[3];          /* where curvature says little lines run around this; not 0; (0, 1, 0) */
     double axis_weight;      /* against curvature; >= 0; 0.06 */
-
-    /* Of all kinds. */
-    double tone_smoothing;   /* over which the attribute TONE_NORMAL is averaged: the tone of a rough surface goes by
-                                that; diagonals, 0 .. 0.1; 0 = tone goes by NORMAL; -1 = 0.006 for HATCH, 0 for
-                                others; -1 */
-    uint32_t guide;          /* HRBFNPR_HATCH_GUIDE_...; CURVATURE */
-    uint32_t reserved;       /* 0 */
     double guide_direction[3]; /* of LIGHT and SILHOUETTE, in object space; not 0; (0, 0, 1) */
     double guide_weight;     /* of a guide other than CURVATURE: what is left of 1 is curvature's, 0 .. 1; 1.  Lines are
                                 blended as exp(2 i angle) */
+
+    /* Of all kinds. */
+    double tone_smoothing;   /* over which the attribute TONE_NORMAL is averaged: the tone of a rough surface goes by
+                                that; diagonals, 0 .. 0.1; 0 = tone goes by NORMAL; -1 = 0.006 for HATCH of BLUE_NOISE,
+                                0 for others; -1 */
 } hrbfnpr_layer_desc;
 
 HRBFNPR_API hrbfnpr_status hrbfnpr_layer_desc_init(hrbfnpr_layer_desc* desc, uint32_t struct_size);
@@ -1376,12 +1354,10 @@ enum {
                                              the u of its basis [NPAR 5.2] */
     HRBFNPR_MARK_ATTRIBUTE_CURVATURE = 3, /* FLOAT32 x 3: k1, k2, confidence (hrbfnpr_model_curvature) */
     HRBFNPR_MARK_ATTRIBUTE_RANK = 4,      /* FLOAT32: the u of [NPAR 6.2], in [0,1): a mark is
-                                             shown where u >= tau.  All marks of a stroke of BLUE_NOISE
-                                             have the same, and a share of the ranks is that share of
-                                             each direction's marks */
+                                             shown where u >= tau.  All marks of a line of BLUE_NOISE
+                                             have the same */
     HRBFNPR_MARK_ATTRIBUTE_LEVEL = 5,     /* UINT8: the refinement step that placed it, 0 = a seed.
-                                             BLUE_NOISE strokes: the pass; each one halves the distance
-                                             that strokes keep */
+                                             HATCH of BLUE_NOISE: see HRBFNPR_LAYER_KIND_HATCH */
     HRBFNPR_MARK_ATTRIBUTE_STROKE = 6,    /* UINT32 x 2: 2 * number + direction (0 or 1) of the stroke, and the
                                              mark's place along it.  PUBLISHED: the number is the seed's, places are
                                              0 .. 3^levels - 1, the seed in the middle.  Else 0 .. n - 1 from end
@@ -1471,11 +1447,10 @@ typedef struct hrbfnpr_layer_info {
     char name[64];         /* UTF-8, always terminated */
     int64_t marks;
     int64_t strokes;       /* 0: its marks form none */
-    int64_t full_count;    /* what `marks` would be if nothing had been dropped (PUBLISHED), or had
-                              been left out for the budget (BLUE_NOISE strokes) */
-    int32_t levels;        /* refinement steps taken; BLUE_NOISE strokes: the last pass */
+    int64_t full_count;    /* what `marks` would be if nothing had been dropped */
+    int32_t levels;        /* refinement steps taken; HATCH of BLUE_NOISE: the highest level */
     uint32_t reserved;
-    double step;           /* initial step rho_0 used; BLUE_NOISE strokes: the separation */
+    double step;           /* initial step rho_0 used; HATCH of BLUE_NOISE: the separation */
     double seconds;
 } hrbfnpr_layer_info;
 
@@ -1733,13 +1708,6 @@ enum {
 };
 
 enum {
-    /* A line of constant width: marks whose image lies within silhouette_width pixels of
-     * the contour's, by the surface's curvature along the line of sight. */
-    HRBFNPR_SILHOUETTE_LAW_WIDTH = 0,
-    HRBFNPR_SILHOUETTE_LAW_ANGLE = 1 /* |n . v| <= silhouette_threshold, as published [NPAR 6] */
-};
-
-enum {
     HRBFNPR_TONE_NONE = 0,    /* tau = 0: all front marks are shown */
     HRBFNPR_TONE_LIGHT = 1,   /* tau = max(0, n . l)^tone_exponent [NPAR 6.2], and fill_light */
     HRBFNPR_TONE_CALLBACK = 2 /* tau from tone_function */
@@ -1781,7 +1749,8 @@ typedef struct hrbfnpr_layer_style {
     uint32_t kind;      /* the layers that this is for: HRBFNPR_LAYER_KIND_...; ANY */
     const char* name;   /* ... and are called so; NULL = any name.  Read during _draw only */
     uint32_t shown;     /* 1 or 0: whether front marks are drawn; 1 */
-    uint32_t contours;  /* 1 or 0: whether marks near a contour draw it; 1.  Not of OWN strokes, which may be few */
+    uint32_t contours;  /* 1 or 0, with VISIBILITY_PUBLISHED: whether marks near a contour draw it; 1.  Not of OWN
+                           strokes, which may be few */
     uint32_t directions; /* of strokes: bit 0 the first direction, bit 1 the second; 3 */
     uint32_t shape;     /* HRBFNPR_SHAPE_...; DOTS */
     float share;        /* 0 .. 1: share of the layer's marks that is used at all; 1 */
@@ -1903,12 +1872,10 @@ typedef struct hrbfnpr_style {
     float tone_fade;             /* 0 .. 1, DEPTH_LAYERS: a mark grows from nothing to its full area over this
                                     share of the marks shown, instead of popping; 0 = it pops; 0.25 */
 
-    /* Contours. */
-    uint32_t silhouette_law;     /* HRBFNPR_SILHOUETTE_LAW_...; WIDTH.  For DEPTH_LAYERS; PUBLISHED is ANGLE */
-    float silhouette_width;      /* of WIDTH: pixels on either side of the contour; 1 */
+    /* Contours that marks draw, with VISIBILITY_PUBLISHED only.  With DEPTH_LAYERS contours are lines of an item's
+     * line set. */
     double silhouette_threshold; /* delta in (0,1): front n.v < -delta, back n.v > delta, else
-                                    silhouette, v from the camera to the mark [NPAR 6]; 0.2.  With
-                                    SILHOUETTE_LAW_WIDTH only where the curvature is not known */
+                                    silhouette, v from the camera to the mark [NPAR 6]; 0.2 */
     float silhouette_radius;     /* of a mark, pixels; 1 */
     float silhouette_radius_zoom; /* as radius_zoom; 0 */
     float silhouette_ink[4];     /* black */
@@ -1937,8 +1904,7 @@ typedef struct hrbfnpr_style {
                               of back marks scales alike [NPAR 6.2] */
     double zoom_exponent;  /* >= 0; 2 keeps the ink per area */
 
-    /* Lines, with DEPTH_LAYERS, of items that have a line set; with one of kind CONTOUR their marks draw no
-     * contours. */
+    /* Lines, with DEPTH_LAYERS, of items that have a line set. */
     const hrbfnpr_line_style* lines; /* a list; NULL and 0 */
     int64_t line_count;
     int64_t line_stride;
@@ -1955,10 +1921,9 @@ HRBFNPR_API hrbfnpr_status hrbfnpr_style_init(hrbfnpr_style* style, uint32_t str
 /* Named styles, each with a picture in docs/presets.md.  bindings/generate writes this list from bindings/presets.py. */
 enum {
     HRBFNPR_PRESET_STIPPLE = 0,             /* stipples by light, no contours */
-    HRBFNPR_PRESET_HATCH = 1,               /* lines of one width, more of them where it is darker, and contours;
-                                               strokes of PRINCIPAL layers along the second direction */
+    HRBFNPR_PRESET_HATCH = 1,               /* lines of one width, more of them where it is darker, and contours */
     HRBFNPR_PRESET_CROSS_HATCH = 2,         /* up to three sets of such lines, at 0, 35 and -30 degrees, a darker tone
-                                               each, and contours; strokes of PRINCIPAL layers along both directions */
+                                               each, and contours */
     HRBFNPR_PRESET_COMBING = 3,             /* lines along Stark's combing direction, a second set in the darks, and
                                                contours */
     HRBFNPR_PRESET_SILHOUETTE = 4,          /* contours only, hidden ones attenuated */
@@ -1986,8 +1951,6 @@ HRBFNPR_API hrbfnpr_status hrbfnpr_style_init_preset(hrbfnpr_style* style, uint3
                                                      uint32_t preset, hrbfnpr_error* error);
 /* The layers that a preset draws, with defaults: a list of constants for
  * hrbfnpr_generate_desc.layers (with layer_stride 0).  *count gets their number.
- * For BLUE_NOISE: HATCH is not PUBLISHED; HATCH, CROSS_HATCH and FULL draw layers
- * of STIPPLES and PRINCIPAL then, COMBING those of STIPPLES and COMBING.
  * NULL and 0 for a number that is no preset's. */
 HRBFNPR_API const hrbfnpr_layer_desc* hrbfnpr_preset_layers(uint32_t preset, int64_t* count);
 /* "stipple", "hatch", "cross-hatch", ...; NULL for a number that is no preset's:
@@ -2115,12 +2078,11 @@ typedef struct hrbfnpr_drawing_info {
     int64_t outside;     /* outside the frustum */
     int64_t front;       /* of those inside: by class */
     int64_t back;
-    int64_t silhouette;
-    int64_t culled;        /* DEPTH_LAYERS: marks that are of no class, since no tone or contour could show
-                              them: they were not looked at one by one */
+    int64_t silhouette;  /* PUBLISHED */
+    int64_t culled;        /* DEPTH_LAYERS: marks that are of no class, since no tone could show them: they
+                              were not looked at one by one */
     int64_t shown;         /* drawn as ink */
-    int64_t dropped_tone;  /* front marks not shown because of light or share, and contour marks that a
-                              line of even density does not need */
+    int64_t dropped_tone;  /* front marks not shown because of light or share */
     int64_t dropped_depth; /* front and silhouette marks not shown because of depth attenuation */
     int64_t dropped_zoom;  /* front marks not shown because of tone scaling */
     int64_t dropped_hidden; /* marks not drawn because nothing of them is seen through what is in front */
@@ -2147,7 +2109,7 @@ HRBFNPR_API hrbfnpr_status hrbfnpr_drawing_info_init(hrbfnpr_drawing_info* info,
 HRBFNPR_API hrbfnpr_status hrbfnpr_drawing_get_info(const hrbfnpr_drawing* drawing, hrbfnpr_drawing_info* info,
                                                     hrbfnpr_error* error);
 
-/* A layer of a drawing: ink of one layer of marks, of the front or of contours. */
+/* A layer of a drawing: ink of one layer of marks, of the front or (PUBLISHED) of contours; or lines. */
 typedef struct hrbfnpr_drawing_layer_info {
     uint32_t struct_size;
     uint32_t mark_class; /* HRBFNPR_CLASS_FRONT or SILHOUETTE */

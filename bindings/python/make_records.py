@@ -206,7 +206,7 @@ DESCRIBED = {
         Row("normals", "normal", "array 3 fd", "Array", _REQUIRED),
         Row("name", kind="text", type="Optional[str]", default=None, words="as styles and `PointSet.layer` call it; the kind if "
             "None"),
-        Row("kind", "", default="own", words='"own", "stipples", "principal", "combing", "field" or "hatch"'),
+        Row("kind", "", default="own", words='"own", "stipples" or "hatch"'),
         Row("stroke_first", None, "array 1 I", _ARRAY, None, "rising from 0 to n: stroke s has the marks stroke_first[s] up to "
             "stroke_first[s + 1] - 1, from end to end. None: no strokes"),
         Row("stroke_directions", "stroke_direction", "array 1 B", _ARRAY, None, "0 the first direction, 1 the second; 0 if None"),
@@ -216,29 +216,27 @@ DESCRIBED = {
         Row("levels", "level", "array 1 B", _ARRAY, None, "the refinement step of each; 0 if None"),
         Row("widths", "width", "array 1 fd", _ARRAY, None, "in (0, 1]; 1 if None"))),
     "LayerFields": Described("layer_desc", "How one layer of marks is made; see `PointSet.generate`.", (
-        Row("kind", "", type="str", default="stipples", words='"stipples": scattered marks; "principal", "combing": strokes '
-            'along the principal directions, or along Stark\'s two directions [NPAR 5.3]; "field": strokes along `direction` '
-            'and across it; "hatch": evenly spaced, nested lines along one smooth field of directions'),
+        Row("kind", "", type="str", default="stipples", words='"stipples": scattered marks; "hatch": evenly spaced, '
+            'nested lines along one smooth field of directions, or, with the distribution "published", strokes along these '
+            'directions and across them [NPAR 5]'),
         Row("name", kind="text", type="Optional[str]", default=None, words="as styles and `PointSet.layer` call it; the kind if "
             "None"),
-        Row("budget", "", "count", "Optional[int]", None, "the most marks, of both directions together; 0 = no limit, for the "
-            'distribution "published" and strokes with a separation. None = no limit for these, and 40000 for others'),
+        Row("budget", "", "count", "Optional[int]", None, "the most marks; 0 = no limit, for the "
+            'distribution "published" and lines with a separation. None = no limit for these, and 40000 for others'),
         Row("tone", "", type="Optional[Interval]", default=None,
-            words=_TONE.format("stipples and strokes of the first direction")),
-        Row("second_tone", "", type="Optional[Interval]", default=None, words=_TONE.format("strokes of the second direction")),
-        Row("with_curvature", "", type="bool", default=False, words="whether its marks shall know their curvature; those of "
-            '"principal" always do'),
+            words=_TONE.format('stipples, lines, and "published" strokes of the first direction')),
+        Row("second_tone", "", type="Optional[Interval]", default=None, words=_TONE.format('"published" strokes of the second direction')),
+        Row("with_curvature", "", type="bool", default=False, words="whether its marks shall know their curvature; "
+            '"published" strokes along curvature always do'),
         Row("density", "", type="Density", default="uniform", words='"uniform", "curvature" or a function: where "blue_noise" '
             "stipples are denser. A function gets positions and unit normals, shape (n, 3) each, and returns n numbers from 0 "
             "(none) to 1 (densest)"),
-        Row("density_strength"), Row("separation", words='mean distance of neighbouring "blue_noise" strokes of one direction, '
-            'in the unit of the model; 0 = such that all have as many marks as the budget. Of "hatch": that of all its lines'),
-        Row("step", words='distance of the marks of such a stroke; 0 = a fifth of the separation, of "hatch" 0.4 of it'),
-        Row("length"),
-        Row("direction", "", type="Optional[Direction]", default=None, words='for "field", and for "hatch" in place of '
-            "curvature. It gets positions and unit normals, shape (n, 3) each, and returns directions of the same shape: "
+        Row("density_strength"), Row("separation", words='mean distance of neighbouring lines of "hatch", in the unit of '
+            "the model; 0 = as many lines as make about the budget's marks"),
+        Row("step", words="distance of the marks of a line; 0 = 0.4 of the separation"),
+        Row("direction", "", type="Optional[Direction]", default=None, words='what lines of "hatch" follow in place of '
+            "`guide`. It gets positions and unit normals, shape (n, 3) each, and returns directions of the same shape: "
             "their sign and length count nothing, 0 0 0 is none"),
-        Row("symmetry", words="whether such strokes go straight on where the two directions change places, or turn"),
         Row("start", words='what strokes of the distribution "published" start from'),
         Row("start_level", words='with "stipples", the last stippling level used'),
         Row("levels", type="Optional[int]", default=None, words='refinement steps of the distribution "published", 0 to 12; None '
@@ -249,12 +247,12 @@ DESCRIBED = {
         Row("axis_weight", words="how much that counts against curvature"),
         Row("tone_smoothing", type="Optional[float]", default=None, words="over so much of the surface the normals that tone "
             "goes by are averaged, so that the grain of a rough one makes no islands of light; in diagonals, 0.1 at most, 0 = "
-            'not; None = 0.006 for "hatch", 0 for others'),
+            'not; None = 0.006 for "blue_noise" "hatch", 0 for others'),
         Row("guide", words='what lines of "hatch" follow where no `direction` is given: the direction in which the surface bends '
             "most, Stark's first one, sections by planes across `axis`, away from a light, or as the silhouette"),
         Row("guide_direction", words='towards the light of "light", or the eye of "silhouette", in the model\'s own space'),
         Row("guide_weight", words="0 to 1: of a guide other than \"curvature\"; what is left of 1 is curvature's")),
-        ('>>> lines = hrbfnpr.Layer("field", name="fur", direction=lambda p, n: np.cross(n, (0, 0, 1)), separation=0.02)',
+        ('>>> lines = hrbfnpr.Layer("hatch", name="fur", direction=lambda p, n: np.cross(n, (0, 0, 1)), separation=0.02)',
          '>>> marks = model.generate(["stipples", lines])')),
 }  # fmt: skip
 

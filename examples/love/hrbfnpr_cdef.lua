@@ -179,10 +179,8 @@ hrbfnpr_status hrbfnpr_model_save_memory(const hrbfnpr_model* model, void* desti
     hrbfnpr_model** out_model, hrbfnpr_error* error); hrbfnpr_status hrbfnpr_model_load_memory(hrbfnpr_context* context,
     const void* data, int64_t size, hrbfnpr_model** out_model, hrbfnpr_error* error);
 typedef struct hrbfnpr_point_set hrbfnpr_point_set; enum { HRBFNPR_LAYER_KIND_ANY = 0, HRBFNPR_LAYER_KIND_STIPPLES = 1,
-    HRBFNPR_LAYER_KIND_PRINCIPAL = 2, HRBFNPR_LAYER_KIND_COMBING = 3, HRBFNPR_LAYER_KIND_FIELD = 4,
-    HRBFNPR_LAYER_KIND_OWN = 5, HRBFNPR_LAYER_KIND_HATCH = 6 };
+    HRBFNPR_LAYER_KIND_HATCH = 2, HRBFNPR_LAYER_KIND_OWN = 3 };
 enum { HRBFNPR_DISTRIBUTION_BLUE_NOISE = 0, HRBFNPR_DISTRIBUTION_PUBLISHED = 1 };
-enum { HRBFNPR_SYMMETRY_LINE = 0, HRBFNPR_SYMMETRY_CROSS = 1 };
 enum { HRBFNPR_HATCH_GUIDE_CURVATURE = 0, HRBFNPR_HATCH_GUIDE_COMBING = 1, HRBFNPR_HATCH_GUIDE_SECTIONS = 2,
     HRBFNPR_HATCH_GUIDE_LIGHT = 3, HRBFNPR_HATCH_GUIDE_SILHOUETTE = 4 };
 enum { HRBFNPR_SEED_AUTO = 0, HRBFNPR_SEED_SAMPLES = 1, HRBFNPR_SEED_BOX = 2, HRBFNPR_SEED_POINTS = 3 };
@@ -194,10 +192,9 @@ typedef int32_t (*hrbfnpr_density_fn)(void* user, int64_t count, const double* p
 enum { HRBFNPR_LAYER_WITH_CURVATURE = 1 }; typedef struct hrbfnpr_layer_desc { uint32_t struct_size; uint32_t kind;
     const char* name; int64_t budget; float tone_begin; float tone_end; float second_tone_begin; float second_tone_end;
     uint32_t flags; uint32_t density; double density_strength; hrbfnpr_density_fn density_function; void* density_user;
-    double separation; double step; double length; hrbfnpr_direction_fn direction_function; void* direction_user;
-    uint32_t symmetry; uint32_t start; int32_t start_level; int32_t levels; double angle; double smoothing;
-    double axis[3]; double axis_weight; double tone_smoothing; uint32_t guide; uint32_t reserved;
-    double guide_direction[3]; double guide_weight; } hrbfnpr_layer_desc;
+    hrbfnpr_direction_fn direction_function; void* direction_user; uint32_t guide; uint32_t start; int32_t start_level;
+    int32_t levels; double separation; double step; double angle; double smoothing; double axis[3]; double axis_weight;
+    double guide_direction[3]; double guide_weight; double tone_smoothing; } hrbfnpr_layer_desc;
 hrbfnpr_status hrbfnpr_layer_desc_init(hrbfnpr_layer_desc* desc, uint32_t struct_size);
 typedef struct hrbfnpr_generate_desc { uint32_t struct_size; uint32_t distribution; const hrbfnpr_layer_desc* layers;
     int64_t layer_count; int64_t layer_stride; int64_t shared_budget; uint32_t tone_ranges; uint32_t seed_source;
@@ -290,7 +287,6 @@ hrbfnpr_status hrbfnpr_camera_fit_bounds(hrbfnpr_camera* camera, const double* b
 enum { HRBFNPR_HIDDEN_LINES_ATTENUATE = 0, HRBFNPR_HIDDEN_LINES_HIDE = 1, HRBFNPR_HIDDEN_LINES_SHOW = 2 };
 enum { HRBFNPR_VISIBILITY_DEPTH_LAYERS = 0, HRBFNPR_VISIBILITY_PUBLISHED = 1 };
 enum { HRBFNPR_TONE_CURVE_COVERAGE = 0, HRBFNPR_TONE_CURVE_LINEAR = 1 };
-enum { HRBFNPR_SILHOUETTE_LAW_WIDTH = 0, HRBFNPR_SILHOUETTE_LAW_ANGLE = 1 };
 enum { HRBFNPR_TONE_NONE = 0, HRBFNPR_TONE_LIGHT = 1, HRBFNPR_TONE_CALLBACK = 2 };
 enum { HRBFNPR_TONE_RULE_SHARE = 0, HRBFNPR_TONE_RULE_PUBLISHED = 1 };
 enum { HRBFNPR_LIGHT_WORLD = 0, HRBFNPR_LIGHT_CAMERA = 1 };
@@ -311,16 +307,15 @@ typedef struct hrbfnpr_line_style { uint32_t struct_size; uint32_t kind; const c
     float shortest; float fade; double lower; double upper; hrbfnpr_array levels; float ink[4]; float outline_factor;
     float far_factor; float lit_factor; float curvature_factor; float curvature_radius; float wobble;
     float wobble_width; float wobble_length; uint32_t wobble_seed; uint32_t creases; } hrbfnpr_line_style;
-hrbfnpr_status hrbfnpr_line_style_init(hrbfnpr_line_style* style, uint32_t struct_size); typedef struct hrbfnpr_style {
-    uint32_t struct_size; uint32_t tone; float paper[4]; const hrbfnpr_layer_style* layers; int64_t layer_count;
-    int64_t layer_stride; uint32_t tone_rule; uint32_t tone_curve; double light[3]; double tone_exponent;
-    hrbfnpr_tone_fn tone_function; void* tone_user; uint32_t light_space; float tone_fade; uint32_t silhouette_law;
-    float silhouette_width; double silhouette_threshold; float silhouette_radius; float silhouette_radius_zoom;
-    float silhouette_ink[4]; uint32_t visibility; uint32_t hidden_lines; double attenuation_front;
-    double attenuation_back; float splat_radius; float splat_overlap; float halo_width; uint32_t reserved;
-    double depth_min; double depth_max; double zoom_reference; double zoom_exponent; const hrbfnpr_line_style* lines;
-    int64_t line_count; int64_t line_stride; float fill_light; uint32_t reserved2; } hrbfnpr_style;
-hrbfnpr_status hrbfnpr_style_init(hrbfnpr_style* style, uint32_t struct_size);
+hrbfnpr_status hrbfnpr_line_style_init(hrbfnpr_line_style* style, uint32_t struct_size);
+typedef struct hrbfnpr_style { uint32_t struct_size; uint32_t tone; float paper[4]; const hrbfnpr_layer_style* layers;
+    int64_t layer_count; int64_t layer_stride; uint32_t tone_rule; uint32_t tone_curve; double light[3];
+    double tone_exponent; hrbfnpr_tone_fn tone_function; void* tone_user; uint32_t light_space; float tone_fade;
+    double silhouette_threshold; float silhouette_radius; float silhouette_radius_zoom; float silhouette_ink[4];
+    uint32_t visibility; uint32_t hidden_lines; double attenuation_front; double attenuation_back; float splat_radius;
+    float splat_overlap; float halo_width; uint32_t reserved; double depth_min; double depth_max; double zoom_reference;
+    double zoom_exponent; const hrbfnpr_line_style* lines; int64_t line_count; int64_t line_stride; float fill_light;
+    uint32_t reserved2; } hrbfnpr_style; hrbfnpr_status hrbfnpr_style_init(hrbfnpr_style* style, uint32_t struct_size);
 enum { HRBFNPR_PRESET_STIPPLE = 0, HRBFNPR_PRESET_HATCH = 1, HRBFNPR_PRESET_CROSS_HATCH = 2, HRBFNPR_PRESET_COMBING = 3,
     HRBFNPR_PRESET_SILHOUETTE = 4, HRBFNPR_PRESET_CONTOUR_AND_STIPPLE = 5, HRBFNPR_PRESET_XRAY = 6,
     HRBFNPR_PRESET_FULL = 7, HRBFNPR_PRESET_ENGRAVING = 8, HRBFNPR_PRESET_ETCHING = 9, HRBFNPR_PRESET_WOODCUT = 10,

@@ -33,8 +33,8 @@ hrbfnpr_point_set_desc defaults() noexcept {
 namespace {
 
 marks::LayerArrays checked(const hrbfnpr_layer_arrays& arrays, const char* owner) {
-    if (arrays.kind < HRBFNPR_LAYER_KIND_STIPPLES || arrays.kind > HRBFNPR_LAYER_KIND_HATCH)
-        fail(Status::invalid_argument, "%s.kind is %u; it must be one of HRBFNPR_LAYER_KIND_... but ANY (1 to 6)",
+    if (arrays.kind < HRBFNPR_LAYER_KIND_STIPPLES || arrays.kind > HRBFNPR_LAYER_KIND_OWN)
+        fail(Status::invalid_argument, "%s.kind is %u; it must be one of HRBFNPR_LAYER_KIND_... but ANY (1 to 3)",
              owner, arrays.kind);
     const auto view = [&](const hrbfnpr_array& array, const char* field, ArrayType type) {
         char name[128];

@@ -94,19 +94,16 @@ glm::dvec3 checked_direction(const double (&given)[3], const char* field, const 
 }
 
 void check(const hrbfnpr_layer_desc& desc, const char* owner) {
-    if (desc.kind < HRBFNPR_LAYER_KIND_STIPPLES || desc.kind > HRBFNPR_LAYER_KIND_HATCH ||
-        desc.kind == HRBFNPR_LAYER_KIND_OWN)
-        fail(Status::invalid_argument,
-             "%s.kind is %u; it must be HRBFNPR_LAYER_KIND_STIPPLES, PRINCIPAL, COMBING, FIELD (1 to 4) or HATCH (6)",
-             owner, desc.kind);
+    if (desc.kind != HRBFNPR_LAYER_KIND_STIPPLES && desc.kind != HRBFNPR_LAYER_KIND_HATCH)
+        fail(Status::invalid_argument, "%s.kind is %u; it must be HRBFNPR_LAYER_KIND_STIPPLES (1) or HATCH (2)", owner,
+             desc.kind);
     layer_fields().check(owner, desc);
     density_fields().check(owner, desc);
-    stroke_fields().check(owner, desc);
     published_fields().check(owner, desc);
     hatch_fields().check(owner, desc);
+    guide_fields().check(owner, desc);
     const Checks checks(owner);
     if (desc.density == HRBFNPR_DENSITY_CALLBACK) checks.given("density_function", desc.density_function != nullptr);
-    if (desc.kind == HRBFNPR_LAYER_KIND_FIELD) checks.given("direction_function", desc.direction_function != nullptr);
 }
 
 generate::LayerSettings checked(const hrbfnpr_layer_desc& desc, const char* owner) {
@@ -114,10 +111,10 @@ generate::LayerSettings checked(const hrbfnpr_layer_desc& desc, const char* owne
     generate::LayerSettings settings;
     layer_fields().copy(desc, settings);
     density_fields().copy(desc, settings.density);
-    stroke_fields().copy(desc, settings.strokes);
-    direction_fields().copy(desc, settings.strokes.direction);
+    direction_fields().copy(desc, settings.hatching.direction);
     published_fields().copy(desc, settings.published);
-    hatch_fields().copy(desc, settings.hatching.field);
+    hatch_fields().copy(desc, settings.hatching);
+    guide_fields().copy(desc, settings.hatching.field);
     settings.hatching.angle = desc.angle * std::numbers::pi / 180.0;
     settings.hatching.field.axis = checked_direction(desc.axis, "axis", owner);
     settings.hatching.field.guide_direction = checked_direction(desc.guide_direction, "guide_direction", owner);

@@ -9,8 +9,6 @@
 
 namespace hrbfnpr::api {
 
-static_assert(static_cast<int>(marks::Symmetry::line) == HRBFNPR_SYMMETRY_LINE);
-static_assert(static_cast<int>(marks::Symmetry::cross) == HRBFNPR_SYMMETRY_CROSS);
 static_assert(static_cast<int>(stipples::Density::uniform) == HRBFNPR_DENSITY_UNIFORM);
 static_assert(static_cast<int>(stipples::Density::curvature) == HRBFNPR_DENSITY_CURVATURE);
 static_assert(static_cast<int>(stipples::Density::callback) == HRBFNPR_DENSITY_CALLBACK);
@@ -43,15 +41,6 @@ static_assert(static_cast<int>(hatching::Guide::silhouette) == HRBFNPR_HATCH_GUI
         field("density_function", &Given::density_function, &To::function, rule::Any{}),
         field("density_user", &Given::density_user, &To::user, rule::Any{})};
 }
-[[nodiscard]] constexpr auto stroke_fields() noexcept {
-    using Given = hrbfnpr_layer_desc;
-    using To = strokes::Settings;
-    return FieldTable{field("separation", &Given::separation, &To::separation, rule::not_negative),
-                      field("step", &Given::step, &To::step, rule::not_negative),
-                      field("length", &Given::length, &To::longest, rule::not_negative),
-                      field("symmetry", &Given::symmetry, &To::symmetry,
-                            rule::OneOf{HRBFNPR_SYMMETRY_CROSS, "HRBFNPR_SYMMETRY_..."})};
-}
 [[nodiscard]] constexpr auto direction_fields() noexcept {
     using Given = hrbfnpr_layer_desc;
     using To = marks::DirectionFunction;
@@ -60,14 +49,19 @@ static_assert(static_cast<int>(hatching::Guide::silhouette) == HRBFNPR_HATCH_GUI
 }
 [[nodiscard]] constexpr auto hatch_fields() noexcept {
     using Given = hrbfnpr_layer_desc;
+    using To = hatching::Settings;
+    return FieldTable{field("separation", &Given::separation, &To::separation, rule::not_negative),
+                      field("step", &Given::step, &To::step, rule::not_negative),
+                      field("angle", &Given::angle, rule::Between{-360.0, 360.0})};
+}
+[[nodiscard]] constexpr auto guide_fields() noexcept {
+    using Given = hrbfnpr_layer_desc;
     using To = hatching::FieldSettings;
-    return FieldTable{field("angle", &Given::angle, rule::Between{-360.0, 360.0}),
-                      field("smoothing", &Given::smoothing, &To::smoothing, rule::Between{1e-6, 1.0}),
+    return FieldTable{field("smoothing", &Given::smoothing, &To::smoothing, rule::Between{1e-6, 1.0}),
                       field("axis", &Given::axis, rule::Any{}),
                       field("axis_weight", &Given::axis_weight, &To::axis_weight, rule::Between{0.0, 1e3}),
                       field("guide", &Given::guide, &To::guide,
                             rule::OneOf{HRBFNPR_HATCH_GUIDE_SILHOUETTE, "HRBFNPR_HATCH_GUIDE_..."}),
-                      reserved("reserved", &Given::reserved),
                       field("guide_direction", &Given::guide_direction, rule::Any{}),
                       field("guide_weight", &Given::guide_weight, &To::guide_weight, rule::Between{0.0, 1.0})};
 }
@@ -80,8 +74,8 @@ static_assert(static_cast<int>(hatching::Guide::silhouette) == HRBFNPR_HATCH_GUI
         field("start_level", &Given::start_level, &To::start_level, rule::Between{0.0, marks::most_levels}),
         field("levels", &Given::levels, &To::levels, rule::Between{-1.0, marks::most_levels})};
 }
-static_assert(sizeof(void*) != 8 || layer_fields().bytes + density_fields().bytes + stroke_fields().bytes +
-                                            direction_fields().bytes + published_fields().bytes + hatch_fields().bytes +
+static_assert(sizeof(void*) != 8 || layer_fields().bytes + density_fields().bytes + direction_fields().bytes +
+                                            published_fields().bytes + hatch_fields().bytes + guide_fields().bytes +
                                             sizeof(hrbfnpr_layer_desc::struct_size) ==
                                         sizeof(hrbfnpr_layer_desc));
 
@@ -92,10 +86,10 @@ static_assert(sizeof(void*) != 8 || layer_fields().bytes + density_fields().byte
     desc.struct_size = sizeof desc;
     layer_fields().set_defaults(settings, desc);
     density_fields().set_defaults(settings.density, desc);
-    stroke_fields().set_defaults(settings.strokes, desc);
-    direction_fields().set_defaults(settings.strokes.direction, desc);
+    direction_fields().set_defaults(settings.hatching.direction, desc);
     published_fields().set_defaults(settings.published, desc);
-    hatch_fields().set_defaults(settings.hatching.field, desc);
+    hatch_fields().set_defaults(settings.hatching, desc);
+    guide_fields().set_defaults(settings.hatching.field, desc);
     for (int c = 0; c < 3; ++c) {
         desc.axis[c] = settings.hatching.field.axis[c];
         desc.guide_direction[c] = settings.hatching.field.guide_direction[c];

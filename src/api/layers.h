@@ -10,9 +10,6 @@
 
 static_assert(static_cast<int>(hrbfnpr::marks::Kind::any) == HRBFNPR_LAYER_KIND_ANY);
 static_assert(static_cast<int>(hrbfnpr::marks::Kind::stipples) == HRBFNPR_LAYER_KIND_STIPPLES);
-static_assert(static_cast<int>(hrbfnpr::marks::Kind::principal) == HRBFNPR_LAYER_KIND_PRINCIPAL);
-static_assert(static_cast<int>(hrbfnpr::marks::Kind::combing) == HRBFNPR_LAYER_KIND_COMBING);
-static_assert(static_cast<int>(hrbfnpr::marks::Kind::field) == HRBFNPR_LAYER_KIND_FIELD);
 static_assert(static_cast<int>(hrbfnpr::marks::Kind::own) == HRBFNPR_LAYER_KIND_OWN);
 static_assert(static_cast<int>(hrbfnpr::marks::Kind::hatch) == HRBFNPR_LAYER_KIND_HATCH);
 

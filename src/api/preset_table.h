@@ -31,13 +31,6 @@ inline constexpr hrbfnpr_layer_style stipple_layers[] = {
     changed(default_layer_style(), [](auto& to) {
         to.kind = HRBFNPR_LAYER_KIND_STIPPLES; to.radius = 1.1F; to.contours = 0;
     }),
-    changed(default_layer_style(), [](auto& to) {
-        to.kind = HRBFNPR_LAYER_KIND_PRINCIPAL; to.shown = 0; to.contours = 0;
-    }),
-    changed(default_layer_style(), [](auto& to) {
-        to.kind = HRBFNPR_LAYER_KIND_COMBING; to.shown = 0; to.contours = 0;
-    }),
-    changed(default_layer_style(), [](auto& to) { to.kind = HRBFNPR_LAYER_KIND_FIELD; to.shown = 0; to.contours = 0; }),
     changed(default_layer_style(), [](auto& to) { to.kind = HRBFNPR_LAYER_KIND_ANY; to.contours = 0; })};
 
 // ---- hatch
@@ -47,13 +40,6 @@ inline constexpr hrbfnpr_layer_desc hatch_marks[] = {
     changed(default_layer_desc(), [](auto& to) { to.kind = HRBFNPR_LAYER_KIND_HATCH; to.angle = 0.0; })};
 inline constexpr hrbfnpr_layer_style hatch_layers[] = {
     changed(default_layer_style(), [](auto& to) { to.kind = HRBFNPR_LAYER_KIND_STIPPLES; to.shown = 0; }),
-    changed(default_layer_style(), [](auto& to) {
-        to.kind = HRBFNPR_LAYER_KIND_PRINCIPAL; to.radius = 1.1F; to.directions = 2;
-    }),
-    changed(default_layer_style(), [](auto& to) { to.kind = HRBFNPR_LAYER_KIND_COMBING; to.shown = 0; }),
-    changed(default_layer_style(), [](auto& to) {
-        to.kind = HRBFNPR_LAYER_KIND_FIELD; to.radius = 1.1F; to.directions = 1;
-    }),
     changed(default_layer_style(), [](auto& to) {
         to.kind = HRBFNPR_LAYER_KIND_HATCH; to.shape = HRBFNPR_SHAPE_HATCH; to.contours = 0;
         to.hatch_tone_begin = 0.12F; to.hatch_tone_end = 0.95F; to.hatch_coverage_end = 0.42F; to.hatch_spacing = 1.9F;
@@ -80,9 +66,6 @@ inline constexpr hrbfnpr_layer_desc cross_hatch_marks[] = {
     })};
 inline constexpr hrbfnpr_layer_style cross_hatch_layers[] = {
     changed(default_layer_style(), [](auto& to) { to.kind = HRBFNPR_LAYER_KIND_STIPPLES; to.shown = 0; }),
-    changed(default_layer_style(), [](auto& to) { to.kind = HRBFNPR_LAYER_KIND_PRINCIPAL; to.radius = 1.1F; }),
-    changed(default_layer_style(), [](auto& to) { to.kind = HRBFNPR_LAYER_KIND_COMBING; to.shown = 0; }),
-    changed(default_layer_style(), [](auto& to) { to.kind = HRBFNPR_LAYER_KIND_FIELD; to.radius = 1.1F; }),
     changed(default_layer_style(), [](auto& to) {
         to.kind = HRBFNPR_LAYER_KIND_HATCH; to.name = "hatch-1"; to.shape = HRBFNPR_SHAPE_HATCH; to.contours = 0;
         to.hatch_tone_begin = 0.12F; to.hatch_tone_end = 0.45F; to.hatch_coverage_end = 0.24F; to.hatch_spacing = 2.6F;
@@ -126,11 +109,6 @@ inline constexpr hrbfnpr_layer_desc combing_marks[] = {
     })};
 inline constexpr hrbfnpr_layer_style combing_layers[] = {
     changed(default_layer_style(), [](auto& to) { to.kind = HRBFNPR_LAYER_KIND_STIPPLES; to.shown = 0; }),
-    changed(default_layer_style(), [](auto& to) { to.kind = HRBFNPR_LAYER_KIND_PRINCIPAL; to.shown = 0; }),
-    changed(default_layer_style(), [](auto& to) {
-        to.kind = HRBFNPR_LAYER_KIND_COMBING; to.radius = 0.55F; to.shape = HRBFNPR_SHAPE_STROKES; to.share = 0.7F;
-    }),
-    changed(default_layer_style(), [](auto& to) { to.kind = HRBFNPR_LAYER_KIND_FIELD; to.shown = 0; }),
     changed(default_layer_style(), [](auto& to) {
         to.kind = HRBFNPR_LAYER_KIND_HATCH; to.name = "hatch-1"; to.shape = HRBFNPR_SHAPE_HATCH; to.contours = 0;
         to.hatch_tone_begin = 0.1F; to.hatch_tone_end = 0.6F; to.hatch_coverage_end = 0.32F; to.hatch_spacing = 2.6F;
@@ -176,9 +154,7 @@ inline constexpr hrbfnpr_layer_desc contour_and_stipple_marks[] = {
     changed(default_layer_desc(), [](auto& to) { to.kind = HRBFNPR_LAYER_KIND_STIPPLES; })};
 inline constexpr hrbfnpr_layer_style contour_and_stipple_layers[] = {
     changed(default_layer_style(), [](auto& to) { to.kind = HRBFNPR_LAYER_KIND_STIPPLES; }),
-    changed(default_layer_style(), [](auto& to) { to.kind = HRBFNPR_LAYER_KIND_PRINCIPAL; to.shown = 0; }),
-    changed(default_layer_style(), [](auto& to) { to.kind = HRBFNPR_LAYER_KIND_COMBING; to.shown = 0; }),
-    changed(default_layer_style(), [](auto& to) { to.kind = HRBFNPR_LAYER_KIND_FIELD; to.shown = 0; })};
+    changed(default_layer_style(), [](auto& to) { to.kind = HRBFNPR_LAYER_KIND_HATCH; to.shown = 0; })};
 inline constexpr hrbfnpr_line_style contour_and_stipple_lines[] = {
     changed(default_line_style(), [](auto& to) { to.kind = HRBFNPR_LINE_KIND_CONTOUR; to.width = 2.2F; }),
     changed(default_line_style(), [](auto& to) {
@@ -215,9 +191,6 @@ inline constexpr hrbfnpr_layer_style full_layers[] = {
     changed(default_layer_style(), [](auto& to) {
         to.kind = HRBFNPR_LAYER_KIND_STIPPLES; to.radius = 0.7F; to.share = 0.45F;
     }),
-    changed(default_layer_style(), [](auto& to) { to.kind = HRBFNPR_LAYER_KIND_PRINCIPAL; to.share = 0.6F; }),
-    changed(default_layer_style(), [](auto& to) { to.kind = HRBFNPR_LAYER_KIND_COMBING; to.shown = 0; }),
-    changed(default_layer_style(), [](auto& to) { to.kind = HRBFNPR_LAYER_KIND_FIELD; to.share = 0.6F; }),
     changed(default_layer_style(), [](auto& to) {
         to.kind = HRBFNPR_LAYER_KIND_HATCH; to.name = "hatch-1"; to.shape = HRBFNPR_SHAPE_HATCH; to.contours = 0;
         to.hatch_tone_begin = 0.4F; to.hatch_tone_end = 0.75F; to.hatch_coverage_end = 0.34F; to.hatch_spacing = 2.6F;

@@ -169,12 +169,11 @@ inline constexpr FieldLayout fields_of_hrbfnpr_layer_desc[] = {
     FIELD(tone_begin, "float"), FIELD(tone_end, "float"), FIELD(second_tone_begin, "float"),
     FIELD(second_tone_end, "float"), FIELD(flags, "uint32_t"), FIELD(density, "uint32_t"),
     FIELD(density_strength, "double"), FIELD(density_function, "hrbfnpr_density_fn"), FIELD(density_user, "void*"),
-    FIELD(separation, "double"), FIELD(step, "double"), FIELD(length, "double"),
-    FIELD(direction_function, "hrbfnpr_direction_fn"), FIELD(direction_user, "void*"), FIELD(symmetry, "uint32_t"),
-    FIELD(start, "uint32_t"), FIELD(start_level, "int32_t"), FIELD(levels, "int32_t"), FIELD(angle, "double"),
-    FIELD(smoothing, "double"), FIELD(axis, "double[3]"), FIELD(axis_weight, "double"), FIELD(tone_smoothing, "double"),
-    FIELD(guide, "uint32_t"), FIELD(reserved, "uint32_t"), FIELD(guide_direction, "double[3]"),
-    FIELD(guide_weight, "double")};
+    FIELD(direction_function, "hrbfnpr_direction_fn"), FIELD(direction_user, "void*"), FIELD(guide, "uint32_t"),
+    FIELD(start, "uint32_t"), FIELD(start_level, "int32_t"), FIELD(levels, "int32_t"), FIELD(separation, "double"),
+    FIELD(step, "double"), FIELD(angle, "double"), FIELD(smoothing, "double"), FIELD(axis, "double[3]"),
+    FIELD(axis_weight, "double"), FIELD(guide_direction, "double[3]"), FIELD(guide_weight, "double"),
+    FIELD(tone_smoothing, "double")};
 #undef RECORD
 #define RECORD hrbfnpr_generate_desc
 inline constexpr FieldLayout fields_of_hrbfnpr_generate_desc[] = {
@@ -268,12 +267,11 @@ inline constexpr FieldLayout fields_of_hrbfnpr_style[] = {
     FIELD(layers, "const hrbfnpr_layer_style*"), FIELD(layer_count, "int64_t"), FIELD(layer_stride, "int64_t"),
     FIELD(tone_rule, "uint32_t"), FIELD(tone_curve, "uint32_t"), FIELD(light, "double[3]"),
     FIELD(tone_exponent, "double"), FIELD(tone_function, "hrbfnpr_tone_fn"), FIELD(tone_user, "void*"),
-    FIELD(light_space, "uint32_t"), FIELD(tone_fade, "float"), FIELD(silhouette_law, "uint32_t"),
-    FIELD(silhouette_width, "float"), FIELD(silhouette_threshold, "double"), FIELD(silhouette_radius, "float"),
-    FIELD(silhouette_radius_zoom, "float"), FIELD(silhouette_ink, "float[4]"), FIELD(visibility, "uint32_t"),
-    FIELD(hidden_lines, "uint32_t"), FIELD(attenuation_front, "double"), FIELD(attenuation_back, "double"),
-    FIELD(splat_radius, "float"), FIELD(splat_overlap, "float"), FIELD(halo_width, "float"),
-    FIELD(reserved, "uint32_t"), FIELD(depth_min, "double"), FIELD(depth_max, "double"),
+    FIELD(light_space, "uint32_t"), FIELD(tone_fade, "float"), FIELD(silhouette_threshold, "double"),
+    FIELD(silhouette_radius, "float"), FIELD(silhouette_radius_zoom, "float"), FIELD(silhouette_ink, "float[4]"),
+    FIELD(visibility, "uint32_t"), FIELD(hidden_lines, "uint32_t"), FIELD(attenuation_front, "double"),
+    FIELD(attenuation_back, "double"), FIELD(splat_radius, "float"), FIELD(splat_overlap, "float"),
+    FIELD(halo_width, "float"), FIELD(reserved, "uint32_t"), FIELD(depth_min, "double"), FIELD(depth_max, "double"),
     FIELD(zoom_reference, "double"), FIELD(zoom_exponent, "double"), FIELD(lines, "const hrbfnpr_line_style*"),
     FIELD(line_count, "int64_t"), FIELD(line_stride, "int64_t"), FIELD(fill_light, "float"),
     FIELD(reserved2, "uint32_t")};

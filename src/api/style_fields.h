@@ -16,8 +16,6 @@ static_assert(static_cast<int>(frame::Visibility::depth_layers) == HRBFNPR_VISIB
 static_assert(static_cast<int>(frame::Visibility::published) == HRBFNPR_VISIBILITY_PUBLISHED);
 static_assert(static_cast<int>(frame::ToneCurve::coverage) == HRBFNPR_TONE_CURVE_COVERAGE);
 static_assert(static_cast<int>(frame::ToneCurve::linear) == HRBFNPR_TONE_CURVE_LINEAR);
-static_assert(static_cast<int>(frame::SilhouetteLaw::width) == HRBFNPR_SILHOUETTE_LAW_WIDTH);
-static_assert(static_cast<int>(frame::SilhouetteLaw::angle) == HRBFNPR_SILHOUETTE_LAW_ANGLE);
 static_assert(static_cast<int>(frame::Tone::none) == HRBFNPR_TONE_NONE);
 static_assert(static_cast<int>(frame::Tone::light) == HRBFNPR_TONE_LIGHT);
 static_assert(static_cast<int>(frame::Tone::callback) == HRBFNPR_TONE_CALLBACK);
@@ -95,9 +93,6 @@ static_assert(layer_style_fields().covers<hrbfnpr_layer_style>());
         field("light_space", &Given::light_space, &To::light_space,
               rule::OneOf{HRBFNPR_LIGHT_CAMERA, "HRBFNPR_LIGHT_..."}),
         field("tone_fade", &Given::tone_fade, &To::tone_fade, share),
-        field("silhouette_law", &Given::silhouette_law, &To::silhouette_law,
-              rule::OneOf{HRBFNPR_SILHOUETTE_LAW_ANGLE, "HRBFNPR_SILHOUETTE_LAW_..."}),
-        field("silhouette_width", &Given::silhouette_width, &To::silhouette_width, pixels),
         field("silhouette_threshold", &Given::silhouette_threshold, &To::silhouette_threshold, rule::Inside{0.0, 1.0}),
         field("silhouette_radius", &Given::silhouette_radius, &To::silhouette_radius, radius),
         field("silhouette_radius_zoom", &Given::silhouette_radius_zoom, &To::silhouette_radius_zoom, share),

@@ -17,17 +17,14 @@ struct Dot {
     float x, y;            // pixels
     float radius;          // pixels
     float opacity;         // times that of the layer's ink; of paper its alpha; 0: not drawn
-    float depth;           // eye units along the view; of a contour its own, not the mark's
+    float depth;           // eye units along the view
     float window;          // depth in the camera's convention
     float pixels_per_unit; // of eye space
     std::uint32_t id;      // 1 + running number of the mark
     std::uint32_t layer;   // of the drawing
     MarkClass mark_class;
     std::uint8_t flags; // dot_...
-    // From a contour's dot away from its surface, to where it is asked what hides it, 1 / probe_steps pixels.
-    std::int8_t probe_x, probe_y;
 };
-inline constexpr float probe_steps = 16.0F;
 inline constexpr std::uint8_t dot_faces_back = 1;
 inline constexpr std::uint8_t dot_is_exact = 2; // what hides it is asked of its model, not of the depth layers
 inline constexpr std::uint8_t dot_is_paper = 4;

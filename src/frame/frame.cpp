@@ -3,8 +3,8 @@
 
 #include "frame/depth_layers/layer_frame.h"
 #include "frame/lines/line_frame.h"
-#include "frame/published/published_frame.h"
 #include "frame/scene/scene.h"
+#include "published/published_frame.h"
 
 namespace hrbfnpr::frame {
 namespace {
@@ -37,7 +37,7 @@ struct Frame::Impl {
 
     base::Runtime runtime; // its threads are watched while a frame is drawn
     Scene scene;
-    PublishedFrame published;
+    published::PublishedFrame published;
     LayerFrame depth_layers;
     LineFrame lines;
 };

@@ -11,7 +11,6 @@
 #include "published/growth.h"
 #include "stipples/blue_noise.h"
 #include "stipples/density_thinning.h"
-#include "strokes/hatch.h"
 
 #include <algorithm>
 #include <optional>
@@ -53,7 +52,6 @@ private:
     [[nodiscard]] marks::Marks stipples_to_start_from() const;
     void blue_noise();
     void blue_noise_stipples(const stipples::SurfaceCells& cells, Growing& layer);
-    void blue_noise_strokes(const stipples::SurfaceCells& cells, Growing& layer);
     void hatch(Growing& layer);
     void soften(const Growing& layer, const base::Progress& progress);
     void require_some() const;
@@ -95,7 +93,6 @@ void Generation::published_stipples(Growing& layer) {
     const base::Stopwatch watch;
     const published::Start start{seeds_.position, seeds_.normal, seeds_.report.attempted};
     published::GrowthSettings growth;
-    growth.kind = layer.settings.kind;
     growth.layer = layer.place;
     growth.levels = layer.settings.published.levels;
     growth.step = seeds_.step;
@@ -121,16 +118,22 @@ marks::Marks Generation::stipples_to_start_from() const {
     return stipples;
 }
 
+published::Directions published_directions(const hatching::Settings& settings) noexcept {
+    if (settings.direction.function != nullptr) return published::Directions::function;
+    return settings.field.guide == hatching::Guide::combing ? published::Directions::combing
+                                                            : published::Directions::principal;
+}
+
 void Generation::published_strokes(Growing& layer, const marks::Marks* stipples) {
     const base::Stopwatch watch;
     const LayerSettings& settings = layer.settings;
     published::GrowthSettings growth;
-    growth.kind = settings.kind;
     growth.layer = layer.place;
     growth.levels = settings.published.levels;
     growth.step = seeds_.step;
     growth.budget = settings.budget;
-    growth.direction = settings.strokes.direction;
+    growth.directions = published_directions(settings.hatching);
+    growth.function = settings.hatching.direction;
     marks::LayerReport& report = report_of(layer);
     if (settings.published.from_stipples) {
         geometry::VecArray position(site_.memory());
@@ -163,12 +166,6 @@ void Generation::published() {
 
 // ---- BLUE_NOISE ----------------------------------------------------------------------------
 
-// Marks that are spread over the surface at once: stipples, or the samples of a field of directions.
-std::int64_t spread_marks(const LayerSettings& layer) noexcept {
-    const std::int64_t budget = layer.budget > 0 ? layer.budget : default_budget;
-    return layer.has_strokes() ? strokes::field_samples_for(budget) : budget;
-}
-
 void Generation::blue_noise_stipples(const stipples::SurfaceCells& cells, Growing& layer) {
     const base::Stopwatch watch;
     marks::LayerReport& report = report_of(layer);
@@ -192,24 +189,10 @@ void Generation::blue_noise_stipples(const stipples::SurfaceCells& cells, Growin
     report.seconds = watch.seconds();
 }
 
-void Generation::blue_noise_strokes(const stipples::SurfaceCells& cells, Growing& layer) {
-    const base::Stopwatch watch;
-    marks::LayerReport& report = report_of(layer);
-    strokes::HatchSettings settings{layer.settings.strokes};
-    settings.kind = layer.settings.kind;
-    settings.layer = layer.place;
-    settings.budget = layer.settings.budget;
-    area_ = std::max(area_, strokes::hatch(layer.site, cells, settings, layer.marks, report, progress_of(layer)));
-    report.seconds = watch.seconds();
-}
-
 hatching::Settings hatching_of(const Growing& layer) {
     hatching::Settings settings = layer.settings.hatching;
     settings.layer = layer.place;
     settings.budget = layer.settings.budget;
-    settings.separation = layer.settings.strokes.separation;
-    settings.step = layer.settings.strokes.step;
-    settings.direction = layer.settings.strokes.direction;
     settings.field.diagonal = layer.site.implicit.diagonal();
     return settings;
 }
@@ -233,14 +216,12 @@ void Generation::hatch(Growing& layer) {
 void Generation::blue_noise() {
     std::int64_t most = 1;
     for (const LayerSettings& layer : settings_.layers)
-        if (layer.kind != marks::Kind::hatch) most = std::max(most, spread_marks(layer));
+        if (!layer.has_strokes()) most = std::max(most, layer.budget);
     const stipples::SurfaceCells cells =
         stipples::cover_surface(site_, seeds_, samples_.spacing, most, progress_.part(0.1, 0.2));
     for (Growing& layer : growing_) {
-        if (layer.settings.kind == marks::Kind::hatch)
+        if (layer.settings.has_strokes())
             hatch(layer);
-        else if (layer.settings.has_strokes())
-            blue_noise_strokes(cells, layer);
         else
             blue_noise_stipples(cells, layer);
     }
@@ -251,12 +232,10 @@ void Generation::blue_noise() {
 void Generation::require_some() const {
     marks::LevelReport all;
     bool lengths_given = false;
-    const Growing* few = nullptr; // strokes of a budget
     for (const Growing& layer : growing_) {
         if (layer.marks.count() > 0) return;
-        lengths_given = lengths_given || layer.settings.strokes.separation > 0.0 || layer.settings.strokes.step > 0.0;
-        if (layer.settings.has_strokes() && layer.settings.budget > 0 && !(layer.settings.strokes.separation > 0.0))
-            few = &layer;
+        const hatching::Settings& hatching = layer.settings.hatching;
+        lengths_given = lengths_given || hatching.separation > 0.0 || hatching.step > 0.0;
         for (const marks::LevelReport& level : set_.layers[layer.place].report.level) {
             all.attempted += level.attempted;
             all.dropped_not_converged += level.dropped_not_converged;
@@ -264,24 +243,16 @@ void Generation::require_some() const {
             all.dropped_degenerate += level.dropped_degenerate;
         }
     }
-    // A budget of a few marks may be too small for the shortest stroke.
     if (all.attempted == 0 && !lengths_given) return;
-    if (all.attempted == 0 && few != nullptr)
-        fail(
-            Status::not_converged,
-            "no mark could be placed in layers[%lld]: at most %lld marks, a step of %g apart, make strokes that are %g "
-            "apart, and none is shorter than 2.5 times that; set a larger budget or step, or the separation",
-            static_cast<long long>(few->place), static_cast<long long>(few->settings.budget),
-            site_.unit * few->settings.strokes.step, site_.unit * set_.layers[few->place].report.step);
     fail(Status::not_converged,
-         "no mark could be placed: of %lld, %lld did not converge, %lld strayed and %lld were degenerate; no stroke is "
-         "shorter than 2.5 times the separation, or has a step below the projection_tolerance",
+         "no mark could be placed: of %lld, %lld did not converge, %lld strayed and %lld were degenerate; with lines, "
+         "set a smaller separation, and a step above the projection_tolerance",
          static_cast<long long>(all.attempted), static_cast<long long>(all.dropped_not_converged),
          static_cast<long long>(all.dropped_strayed), static_cast<long long>(all.dropped_degenerate));
 }
 
 void Generation::soften(const Growing& layer, const base::Progress& progress) {
-    const double length = layer.settings.smoothed_tone() * site_.implicit.diagonal();
+    const double length = layer.settings.tone_smoothing * site_.implicit.diagonal();
     const marks::Marks& marks = layer.marks;
     if (!(length > 0.0) || marks.count() == 0) return;
     const double area = area_ > 0.0 ? area_ : set_.spacing * set_.spacing * static_cast<double>(largest_);
@@ -299,7 +270,7 @@ void Generation::finish() {
         soften(layer, progress_.part(0.95, 1.0));
         marks::AssembleSettings settings;
         settings.strokes = layer.settings.has_strokes();
-        settings.with_curvature = layer.settings.kind == marks::Kind::principal || layer.settings.with_curvature;
+        settings.with_curvature = !layer.marks.curvature.empty() || layer.settings.with_curvature;
         settings.part = layer.settings.part;
         marks::assemble(layer.site, layer.marks, settings, set_.origin, set_.layers[layer.place],
                         progress_.part(0.95, 1.0));
@@ -339,7 +310,9 @@ double expected_evaluations(const SampleHint& samples, const Settings& settings)
                                                        : marks::grown_count(seeds, 5, layer.published.levels);
         const std::int64_t budget = layer.budget > 0 ? layer.budget : default_budget;
         // With Hessians on the way, or without.
-        const double cost = layer.kind == marks::Kind::principal ? 8.0 : 3.0;
+        const bool by_curvature = layer.has_strokes() && published &&
+                                  published_directions(layer.hatching) == published::Directions::principal;
+        const double cost = by_curvature ? 8.0 : 3.0;
         evaluations += cost * static_cast<double>(published ? grown : candidates_each * budget);
     }
     return evaluations;

@@ -62,8 +62,8 @@ void check_request(const implicit::Implicit& implicit, const Settings& settings)
     std::int64_t number = 0;
     for (const LayerSettings& layer : settings.layers) {
         if (layer.has_strokes()) {
-            check_length(number, "separation", layer.strokes.separation, diagonal);
-            check_length(number, "step", layer.strokes.step, diagonal);
+            check_length(number, "separation", layer.hatching.separation, diagonal);
+            check_length(number, "step", layer.hatching.step, diagonal);
         }
         ++number;
     }
@@ -73,9 +73,6 @@ InUnit::InUnit(const base::Runtime& runtime, const implicit::Implicit& implicit,
                const Settings& settings)
     : runtime_(runtime), implicit_(implicit), unit_(geometry::unit_for(implicit.diagonal())),
       sample_position_(runtime.memory), seed_position_(runtime.memory), samples_(samples), settings_(settings) {
-    // A longer limit is none.
-    for (LayerSettings& layer : settings_.layers)
-        layer.strokes.longest = std::min(layer.strokes.longest, longest_length * implicit.diagonal());
     if (unit_ == 1.0) return;
     scaled_.emplace(implicit, unit_);
     for (const double coordinate : samples.position) sample_position_.push_back(coordinate / unit_);
@@ -88,8 +85,7 @@ InUnit::InUnit(const base::Runtime& runtime, const implicit::Implicit& implicit,
                                   3 * std::int64_t{sizeof(double)}, base::Scalar::float64, 3};
     settings_.seeds.initial_step /= unit_;
     for (LayerSettings& layer : settings_.layers)
-        for (double* length : {&layer.strokes.separation, &layer.strokes.step, &layer.strokes.longest})
-            *length /= unit_;
+        for (double* length : {&layer.hatching.separation, &layer.hatching.step}) *length /= unit_;
 }
 
 void to_callers_unit(marks::PointSet& set, double unit) {

@@ -8,7 +8,6 @@
 #include "marks/tone_part.h"
 #include "published/growth.h"
 #include "stipples/density.h"
-#include "strokes/settings.h"
 
 #include <array>
 #include <span>
@@ -23,20 +22,15 @@ struct LayerSettings {
     marks::Kind kind = marks::Kind::stipples;
     marks::LayerName name{}; // empty: that of its kind
     std::int64_t budget = default_budget;
-    bool with_curvature = false;        // fill Layer::curvature
-    double tone_smoothing = -1.0;       // of normals for tone, diagonals; -1: that of its kind
-    std::array<marks::TonePart, 2> part{// of the two directions; 0 and 0: as Settings::tone_ranges says
-                                        marks::TonePart{0.0, 0.0}, marks::TonePart{0.0, 0.0}};
+    bool with_curvature = false;  // fill Layer::curvature
+    double tone_smoothing = -1.0; // of normals for tone, diagonals; -1: completed() chooses
+    // Of the two directions; 0 and 0: as Settings::tone_ranges says.
+    std::array<marks::TonePart, 2> part{marks::TonePart{0.0, 0.0}, marks::TonePart{0.0, 0.0}};
     stipples::DensitySettings density;
-    strokes::Settings strokes;
-    hatching::Settings hatching; // separation, step and direction as of `strokes`
+    hatching::Settings hatching;
     published::Settings published;
 
     [[nodiscard]] bool has_strokes() const noexcept { return kind != marks::Kind::stipples; }
-    // A line shows each turn of its surface by its width; stipples average over many of them anyway.
-    [[nodiscard]] double smoothed_tone() const noexcept {
-        return tone_smoothing >= 0.0 ? tone_smoothing : kind == marks::Kind::hatch ? 0.006 : 0.0;
-    }
 };
 
 struct SeedSettings {

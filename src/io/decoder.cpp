@@ -20,11 +20,11 @@ struct TagText {
 
 } // namespace
 
-Decoder::Decoder(Reader& reader, std::uint32_t kind, std::uint32_t newest, const char* what)
+Decoder::Decoder(Reader& reader, std::uint32_t kind, std::uint32_t oldest, std::uint32_t newest, const char* what)
     : reader_(reader), what_(what) {
     std::array<std::uint8_t, header_size> header{};
     read_exactly(header);
-    check_header(header, kind, newest);
+    check_header(header, kind, oldest, newest);
 }
 
 void Decoder::damaged(const char* format, ...) const {
@@ -36,7 +36,7 @@ void Decoder::damaged(const char* format, ...) const {
     fail(Status::corrupt_data, "this %s file is damaged: %s", what_, detail);
 }
 
-void Decoder::check_header(std::span<const std::uint8_t, header_size> header, std::uint32_t kind,
+void Decoder::check_header(std::span<const std::uint8_t, header_size> header, std::uint32_t kind, std::uint32_t oldest,
                            std::uint32_t newest) {
     if (!std::equal(magic.begin(), magic.end(), header.begin()))
         fail(Status::corrupt_data, "this is not a %s file of hrbfnpr: its first bytes are others", what_);
@@ -53,6 +53,11 @@ void Decoder::check_header(std::span<const std::uint8_t, header_size> header, st
              "this %s file has format version %u; this library reads versions up to %u: use a newer one", what_,
              version_, newest);
     if (version_ == 0) damaged("its format version is 0");
+    if (version_ < oldest)
+        fail(Status::version_mismatch,
+             "this %s file has format version %u, of before the first release; this library reads versions from %u on: "
+             "make it again",
+             what_, version_, oldest);
     if (fetch<std::uint32_t>(&header[16]) != byte_order_mark) damaged("its byte order mark is wrong");
     remaining_ = fetch<std::uint64_t>(&header[24]);
 }

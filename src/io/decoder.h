@@ -16,8 +16,9 @@ namespace hrbfnpr::io {
 
 class Decoder {
 public:
-    // Reads and checks the header.  newest: version that can be read.  `what` names the kind in messages: "model".
-    Decoder(Reader& reader, std::uint32_t kind, std::uint32_t newest, const char* what);
+    // Reads and checks the header. Versions from `oldest` to `newest` can be read. `what` names the kind in messages:
+    // "model".
+    Decoder(Reader& reader, std::uint32_t kind, std::uint32_t oldest, std::uint32_t newest, const char* what);
 
     // Of the file.
     [[nodiscard]] std::uint32_t version() const noexcept { return version_; }
@@ -77,7 +78,8 @@ private:
 
     std::int64_t begin_section(std::uint32_t tag, ElementType type, std::uint64_t element_size);
     void expect_count(std::uint32_t tag, std::int64_t count, std::int64_t expected) const;
-    void check_header(std::span<const std::uint8_t, header_size> header, std::uint32_t kind, std::uint32_t newest);
+    void check_header(std::span<const std::uint8_t, header_size> header, std::uint32_t kind, std::uint32_t oldest,
+                      std::uint32_t newest);
     void read_exactly(std::span<std::uint8_t> bytes);
     void take(std::span<std::uint8_t> bytes);
 

@@ -21,8 +21,8 @@ namespace hrbfnpr::io {
 inline constexpr std::array<std::uint8_t, 8> magic{0x89, 'H', 'R', 'B', 0x0D, 0x0A, 0x1A, 0x0A};
 // The newest of each kind.
 inline constexpr std::uint32_t model_version = 2;
-inline constexpr std::uint32_t fit_version = 1; // of a model that is one fit: older readers know it
-inline constexpr std::uint32_t point_set_version = 2;
+inline constexpr std::uint32_t fit_version = 1;       // of a model that is one fit: older readers know it
+inline constexpr std::uint32_t point_set_version = 3; // older ones, of before the first release, are not read
 inline constexpr std::uint32_t byte_order_mark = 0x01020304U;
 inline constexpr std::size_t header_size = 40;
 inline constexpr std::size_t section_header_size = 16;

@@ -280,7 +280,7 @@ void save_model(const FitToSave& fit, const TrimFile* trim, Writer& writer) {
 }
 
 ModelFile load_model(base::Memory& memory, Reader& reader) {
-    Decoder decoder(reader, kind_model, model_version, "model");
+    Decoder decoder(reader, kind_model, fit_version, model_version, "model");
     ModelFile file(memory);
     const ModelKind kind = decode_kind(decoder);
     const bool is_tree = kind[0] == csg_kind && decoder.version() > fit_version;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "base/utf8.h"
 #include "io/check.h"
+#include "io/decoder.h"
 #include "io/encoder.h"
 #include "io/files.h"
-#include "io/point_set_sections.h"
 #include "marks/marks.h"
 
 #include <algorithm>
@@ -26,6 +26,17 @@ constexpr std::uint32_t tag_placement = tag("PLAC");
 constexpr std::uint32_t tag_stroke_first = tag("SFST");
 constexpr std::uint32_t tag_stroke_order = tag("SORD");
 constexpr std::uint32_t tag_tone_normal = tag("TNRM");
+constexpr std::uint32_t tag_rank = tag("RANK");
+constexpr std::uint32_t tag_position = tag("POSI");
+constexpr std::uint32_t tag_normal = tag("NORM");
+constexpr std::uint32_t tag_direction = tag("DIRE");
+constexpr std::uint32_t tag_curvature = tag("CURV");
+constexpr std::uint32_t tag_level = tag("LEVL");
+constexpr std::uint32_t tag_stroke = tag("STRK");
+constexpr std::uint32_t tag_width = tag("WIDT");
+
+// Numbers of a LevelReport.
+constexpr std::size_t level_numbers = 6;
 
 constexpr std::int64_t most_level = 255; // of a mark
 
@@ -45,6 +56,8 @@ void set_numbers(marks::PointSet& set, const SetNumbers& n) noexcept {
     set.seconds_seeds = n[10];
     set.seconds_total = n[11];
 }
+
+marks::LevelReport level_of(const std::int64_t* n) noexcept { return {n[0], n[1], n[2], n[3], n[4], n[5]}; }
 
 LevelNumbers numbers_of(const marks::LevelReport& level) noexcept {
     return {level.attempted,          level.placed,        level.dropped_not_converged, level.dropped_strayed,
@@ -95,7 +108,6 @@ std::uint32_t decode_kind(Decoder& decoder, marks::PointSet& set) {
     if (kind[0] > static_cast<std::uint32_t>(marks::Distribution::published))
         decoder.damaged("its distribution is unknown");
     if (kind[1] > static_cast<std::uint32_t>(marks::SeedSource::points)) decoder.damaged("its seed source is unknown");
-    if (decoder.version() == 1 && kind[2] != 3) decoder.damaged("it has %u groups instead of 3", kind[2]);
     if (kind[2] > marks::most_layers) decoder.damaged("it has %u layers", kind[2]);
     set.distribution = static_cast<marks::Distribution>(kind[0]);
     set.seed_source = static_cast<marks::SeedSource>(kind[1]);
@@ -133,6 +145,26 @@ void decode_report(Decoder& decoder, marks::LayerReport& report) {
     report.seconds = numbers[1];
     for (std::int64_t i = 0; i < placement.size(); i += std::int64_t{level_numbers})
         report.level.push_back(level_of(placement.data() + i));
+}
+
+void decode_marks(Decoder& decoder, marks::Layer& layer) {
+    decoder.section(tag_rank, layer.rank);
+    const std::int64_t count = layer.rank.size();
+    if (count > marks::most_marks) decoder.damaged("a layer has more marks than there can be");
+    decoder.section(tag_position, layer.position, 3 * count);
+    decoder.section(tag_normal, layer.normal, 3 * count);
+    decoder.section(tag_direction, layer.direction, 3 * count);
+    decoder.section(tag_curvature, layer.curvature);
+    if (!layer.curvature.empty() && layer.curvature.size() != 3 * count)
+        decoder.damaged("a layer's curvatures are not as many as its marks");
+    decoder.section(tag_level, layer.level, count);
+    decoder.section(tag_stroke, layer.stroke, 2 * count);
+}
+
+void decode_width(Decoder& decoder, marks::Layer& layer) {
+    decoder.section(tag_width, layer.width);
+    if (!layer.width.empty() && layer.width.size() != layer.count())
+        decoder.damaged("a layer's widths are not as many as its marks");
 }
 
 void decode_layer(Decoder& decoder, marks::PointSet& set) {
@@ -254,32 +286,12 @@ void check_set(const Decoder& decoder, marks::PointSet& set) {
 
 } // namespace
 
-void decode_marks(Decoder& decoder, marks::Layer& layer) {
-    decoder.section(tag_rank, layer.rank);
-    const std::int64_t count = layer.rank.size();
-    if (count > marks::most_marks) decoder.damaged("a layer has more marks than there can be");
-    decoder.section(tag_position, layer.position, 3 * count);
-    decoder.section(tag_normal, layer.normal, 3 * count);
-    decoder.section(tag_direction, layer.direction, 3 * count);
-    decoder.section(tag_curvature, layer.curvature);
-    if (!layer.curvature.empty() && layer.curvature.size() != 3 * count)
-        decoder.damaged("a layer's curvatures are not as many as its marks");
-    decoder.section(tag_level, layer.level, count);
-    decoder.section(tag_stroke, layer.stroke, 2 * count);
-}
-
-void decode_width(Decoder& decoder, marks::Layer& layer) {
-    decoder.section(tag_width, layer.width);
-    if (!layer.width.empty() && layer.width.size() != layer.count())
-        decoder.damaged("a layer's widths are not as many as its marks");
-}
-
 void save_point_set(const marks::PointSet& set, Writer& writer) {
     write_file(writer, kind_point_set, point_set_version, [&](Encoder& encoder) { encode(encoder, set); });
 }
 
 marks::PointSet load_point_set(base::Memory& memory, Reader& reader) {
-    Decoder decoder(reader, kind_point_set, point_set_version, "point set");
+    Decoder decoder(reader, kind_point_set, point_set_version, point_set_version, "point set");
     marks::PointSet set(memory);
     const std::uint32_t layers = decode_kind(decoder, set);
     SetNumbers numbers{};
@@ -290,10 +302,7 @@ marks::PointSet load_point_set(base::Memory& memory, Reader& reader) {
     for (const std::int64_t count : seeds)
         if (count < 0) decoder.damaged("a count of its seeds is negative");
     set.seeds = level_of(seeds.data());
-    if (decoder.version() == 1)
-        decode_groups(decoder, set);
-    else
-        decode_layers(decoder, layers, set);
+    decode_layers(decoder, layers, set);
     decoder.finish();
     check_set(decoder, set);
     return set;

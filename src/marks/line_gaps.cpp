@@ -27,8 +27,10 @@ constexpr std::int64_t most_lines = 64;
 constexpr std::int64_t most_visits = 4000; // of marks around a mark
 constexpr std::int64_t chunk = 16;         // lines
 
+// Published strokes lie as they grew: their report's step is not the distance between them.
 [[nodiscard]] bool has_nested_lines(const Layer& layer) noexcept {
-    return (layer.kind == Kind::hatch || layer.kind == Kind::own) && layer.strokes() > 1 && layer.report.step > 0.0;
+    const bool nested = layer.kind == Kind::own || (layer.kind == Kind::hatch && layer.progressive);
+    return nested && layer.strokes() > 1 && layer.report.step > 0.0;
 }
 
 class Gaps {

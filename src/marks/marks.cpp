@@ -25,10 +25,9 @@ void require_room(std::int64_t layer, std::int64_t full_count, std::int32_t leve
         static_cast<long long>(layer));
 }
 
-// Those of one layer of stipples, principal and combing strokes have the set's own seed.
+// The first layer of stipples and the first of hatching have the set's own seed.
 std::uint64_t layer_seed(std::uint64_t random_seed, Kind kind, std::int64_t number) noexcept {
-    const bool own = kind == Kind::field || kind == Kind::own;
-    if (number == 0 && !own) return random_seed;
+    if (number == 0 && kind != Kind::own) return random_seed;
     const auto n = static_cast<std::uint64_t>(number);
     const base::Philox bits =
         base::philox(random_seed, {static_cast<std::uint32_t>(n), static_cast<std::uint32_t>(n >> 32U),

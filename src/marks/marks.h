@@ -90,10 +90,8 @@ Thinning::Thinning(const Site& site, std::int64_t count, std::int64_t kept, std:
 // among those of its kind.
 [[nodiscard]] std::uint64_t layer_seed(std::uint64_t random_seed, Kind kind, std::int64_t number) noexcept;
 
-// Beside the seed, this tells layers of three kinds apart.
-inline constexpr std::uint32_t stream_count = 3;
-[[nodiscard]] constexpr std::uint32_t stream_of(Kind kind) noexcept {
-    return kind == Kind::principal ? 1U : kind == Kind::combing ? 2U : 0U;
-}
+// Tells the random numbers of stipples from those of strokes that have the same seed.
+inline constexpr std::uint32_t stream_count = 2;
+[[nodiscard]] constexpr std::uint32_t stream_of(Kind kind) noexcept { return kind == Kind::hatch ? 1U : 0U; }
 
 } // namespace hrbfnpr::marks

@@ -9,8 +9,7 @@
 namespace hrbfnpr::marks {
 
 LayerName default_name(Kind kind) noexcept {
-    constexpr std::array<const char*, kind_count> names = {"",      "stipples", "principal", "combing",
-                                                           "field", "own",      "hatch"};
+    constexpr std::array<const char*, kind_count> names = {"", "stipples", "hatch", "own"};
     LayerName name{};
     const char* const text = names[static_cast<std::size_t>(kind)];
     std::memcpy(name.data(), text, std::strlen(text));

@@ -12,11 +12,10 @@
 
 namespace hrbfnpr::marks {
 
-// Same numbers as HRBFNPR_LAYER_KIND_..., HRBFNPR_DISTRIBUTION_..., HRBFNPR_SYMMETRY_..., HRBFNPR_SEED_...
-enum class Kind : std::uint32_t { any = 0, stipples = 1, principal = 2, combing = 3, field = 4, own = 5, hatch = 6 };
-inline constexpr std::uint32_t kind_count = 7;
+// Same numbers as HRBFNPR_LAYER_KIND_..., HRBFNPR_DISTRIBUTION_..., HRBFNPR_SEED_...
+enum class Kind : std::uint32_t { any = 0, stipples = 1, hatch = 2, own = 3 };
+inline constexpr std::uint32_t kind_count = 4;
 enum class Distribution : std::uint32_t { blue_noise = 0, published = 1 };
-enum class Symmetry : std::uint32_t { line = 0, cross = 1 };
 enum class SeedSource : std::uint32_t { automatic = 0, samples = 1, box = 2, points = 3 };
 
 // Of the recursion.

@@ -19,7 +19,7 @@ namespace {
 constexpr std::string_view layers_part = "layers"; // style.layers.F changes F of all layers.
 constexpr std::string_view lines_part = "lines";
 
-enum class Special : std::uint8_t { none, ink, contours_of };
+enum class Special : std::uint8_t { none, ink };
 
 // The struct and the field that a path names.
 struct ChangeTarget {
@@ -50,8 +50,7 @@ struct ChangeTarget {
 
 [[nodiscard]] Special special_of(std::string_view section, std::string_view field) noexcept {
     if (section != "style") return Special::none;
-    if (field == "ink") return Special::ink;
-    return field == "contours_of" ? Special::contours_of : Special::none;
+    return field == "ink" ? Special::ink : Special::none;
 }
 
 // Finds the target of a path that has only small letters and '_'.
@@ -92,17 +91,6 @@ struct ChangeTarget {
     return target.record == Record::fit_desc && target.field_name == "regularization";
 }
 
-// Tells whether a text lists layer kinds separated by commas. The empty text is the empty list.
-[[nodiscard]] bool is_list_of_kinds(std::string_view text) noexcept {
-    while (!text.empty()) {
-        const std::size_t comma = text.find(',');
-        const std::string_view part = text.substr(0, comma);
-        if (!part.empty() && !is_layer_kind(part, false)) return false;
-        text = comma == std::string_view::npos ? std::string_view() : text.substr(comma + 1);
-    }
-    return true;
-}
-
 // Returns the field by whose rules style.ink is parsed.
 [[nodiscard]] const NamedField& ink_field() noexcept { return *find_field(Record::style, "silhouette_ink"); }
 
@@ -124,8 +112,7 @@ struct ChangeTarget {
     Vector<std::string_view> names(&pool);
     for (const NamedField& field : fields_of(target.record))
         if (!is_selector(target.record, field.name)) names.emplace_back(field.name);
-    if (target.record == Record::style)
-        for (const std::string_view more : {"ink", "contours_of"}) names.push_back(more);
+    if (target.record == Record::style) names.emplace_back("ink");
     std::array<char, Error::message_capacity> begin{};
     const int size = std::snprintf(begin.data(), begin.size(), "%s.field is \"%.*s\"; %s has no field %.*s: there are ",
                                    name, static_cast<int>(path.size()), path.data(), name_of(target.record),
@@ -143,18 +130,11 @@ void check_change(const ChangeTarget& target, const char* name, std::string_view
              static_cast<int>(path.size()), path.data());
     if (!target.wrong_kind.empty()) refuse_kind(target, name, path, pool);
     if (target.field == nullptr && target.special == Special::none) refuse_field(target, name, path, pool);
-    String wanted(&pool);
-    if (target.special == Special::contours_of) {
-        if (is_list_of_kinds(value)) return;
-        wanted = wanted_for(*find_field(Record::layer_desc, "kind"), pool);
-        wanted.insert(0, "a list with commas between, of ").erase(wanted.find("one of "), std::strlen("one of "));
-    } else {
-        const NamedField& field = target.special == Special::ink ? ink_field() : *target.field;
-        if (field.meaning == Meaning::text || parse_value(field, value)) return;
-        if (is_regularization(target) && same_name(value, "auto")) return;
-        wanted = wanted_for(field, pool);
-        if (is_regularization(target)) wanted += " or auto";
-    }
+    const NamedField& field = target.special == Special::ink ? ink_field() : *target.field;
+    if (field.meaning == Meaning::text || parse_value(field, value)) return;
+    if (is_regularization(target) && same_name(value, "auto")) return;
+    String wanted = wanted_for(field, pool);
+    if (is_regularization(target)) wanted += " or auto";
     fail(Status::invalid_argument, "%s.value of %.*s is \"%.60s\"; it must be %s", name, static_cast<int>(path.size()),
          path.data(), String(value, &pool).c_str(), wanted.c_str());
 }
@@ -170,7 +150,7 @@ void check_change(const ChangeTarget& target, const char* name, std::string_view
 
 // Returns a value as it is kept. Choices are kept by their plain names, so that readers see one spelling.
 [[nodiscard]] String plain_value(const ChangeTarget& target, std::string_view value, Pool& pool) {
-    if (target.special == Special::contours_of || is_regularization(target)) return plain_name(value, pool);
+    if (is_regularization(target)) return plain_name(value, pool);
     if (target.field == nullptr || target.field->meaning != Meaning::choice) return String(value, &pool);
     return text_of(*target.field, *parse_value(*target.field, value), pool);
 }

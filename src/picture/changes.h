@@ -23,7 +23,6 @@ struct Change {
 
 // A list of changes. Two paths name no field of a struct. The steps that use them read them by value():
 //   style.ink            the colour of all layers, lines and contours
-//   style.contours_of    layer kinds separated by commas: only marks of these kinds draw contours
 class Changes {
 public:
     // Reads and checks the caller's list. Throws Error{invalid_argument} that names the path and the allowed values.

@@ -14,21 +14,20 @@ namespace hrbfnpr::picture {
 
 inline constexpr NamedConstant named_constants[] = {
     {"none", 0}, {"light", 1}, {"share", 0}, {"published", 1}, {"coverage", 0}, {"linear", 1}, {"world", 0},
-    {"camera", 1}, {"width", 0}, {"angle", 1}, {"depth_layers", 0}, {"published", 1}, {"attenuate", 0}, {"hide", 1},
-    {"show", 2}, {"any", 0}, {"stipples", 1}, {"principal", 2}, {"combing", 3}, {"field", 4}, {"own", 5}, {"hatch", 6},
-    {"first", 1}, {"second", 2}, {"dots", 0}, {"strokes", 1}, {"hatch", 2}, {"contour", 1}, {"suggestive_contour", 2},
-    {"ridge", 3}, {"valley", 4}, {"apparent_ridge", 5}, {"parabolic", 6}, {"isophote", 7}, {"section", 8},
-    {"border", 9}, {"own", 10}, {"crease", 11}, {"none", 0}, {"attenuated", 1}, {"dashed", 2}, {"shown", 3},
-    {"round", 0}, {"flat", 1}, {"pointed", 2}, {"all", 0}, {"convex", 1}, {"concave", 2}, {"triharmonic", 0},
-    {"gaussian", 1}, {"wendland_c2", 2}, {"given", 0}, {"auto", 1}, {"keep", 0}, {"drop", 1}, {"keep", 0}, {"drop", 1},
-    {"reorient", 2}, {"auto", 0}, {"direct", 1}, {"iterative", 2}, {"given", 0}, {"none", 1}, {"unoriented", 2},
-    {"mixed", 3}, {"inward", 4}, {"auto", 5}, {"never", 0}, {"auto", 1}, {"auto", 0}, {"smooth", 1}, {"sharp", 2},
-    {"blue_noise", 0}, {"published", 1}, {"full", 0}, {"in_turn", 1}, {"auto", 0}, {"samples", 1}, {"box", 2},
-    {"points", 3}, {"stipples", 1}, {"principal", 2}, {"combing", 3}, {"field", 4}, {"hatch", 6}, {"curvature", 1},
-    {"uniform", 0}, {"curvature", 1}, {"line", 0}, {"cross", 1}, {"seeds", 0}, {"stipples", 1}, {"curvature", 0},
-    {"combing", 1}, {"sections", 2}, {"light", 3}, {"silhouette", 4}, {"ridge", 3}, {"valley", 4}, {"parabolic", 6},
-    {"section", 8}, {"svg", 0}, {"pdf", 1}, {"hpgl", 2}, {"gcode", 3}, {"in_plot_order", 1}, {"single_pass", 4},
-    {"without_paper", 2}, {"outlines", 0}, {"classes", 1}, {"circles", 0}, {"lines", 1}, {"spirals", 2}};
+    {"camera", 1}, {"depth_layers", 0}, {"published", 1}, {"attenuate", 0}, {"hide", 1}, {"show", 2}, {"any", 0},
+    {"stipples", 1}, {"hatch", 2}, {"own", 3}, {"first", 1}, {"second", 2}, {"dots", 0}, {"strokes", 1}, {"hatch", 2},
+    {"contour", 1}, {"suggestive_contour", 2}, {"ridge", 3}, {"valley", 4}, {"apparent_ridge", 5}, {"parabolic", 6},
+    {"isophote", 7}, {"section", 8}, {"border", 9}, {"own", 10}, {"crease", 11}, {"none", 0}, {"attenuated", 1},
+    {"dashed", 2}, {"shown", 3}, {"round", 0}, {"flat", 1}, {"pointed", 2}, {"all", 0}, {"convex", 1}, {"concave", 2},
+    {"triharmonic", 0}, {"gaussian", 1}, {"wendland_c2", 2}, {"given", 0}, {"auto", 1}, {"keep", 0}, {"drop", 1},
+    {"keep", 0}, {"drop", 1}, {"reorient", 2}, {"auto", 0}, {"direct", 1}, {"iterative", 2}, {"given", 0}, {"none", 1},
+    {"unoriented", 2}, {"mixed", 3}, {"inward", 4}, {"auto", 5}, {"never", 0}, {"auto", 1}, {"auto", 0}, {"smooth", 1},
+    {"sharp", 2}, {"blue_noise", 0}, {"published", 1}, {"full", 0}, {"in_turn", 1}, {"auto", 0}, {"samples", 1},
+    {"box", 2}, {"points", 3}, {"stipples", 1}, {"hatch", 2}, {"curvature", 1}, {"uniform", 0}, {"curvature", 1},
+    {"curvature", 0}, {"combing", 1}, {"sections", 2}, {"light", 3}, {"silhouette", 4}, {"seeds", 0}, {"stipples", 1},
+    {"ridge", 3}, {"valley", 4}, {"parabolic", 6}, {"section", 8}, {"svg", 0}, {"pdf", 1}, {"hpgl", 2}, {"gcode", 3},
+    {"in_plot_order", 1}, {"single_pass", 4}, {"without_paper", 2}, {"outlines", 0}, {"classes", 1}, {"circles", 0},
+    {"lines", 1}, {"spirals", 2}};
 
 #define RECORD hrbfnpr_style
 inline constexpr NamedField names_of_hrbfnpr_style[] = {
@@ -36,10 +35,9 @@ inline constexpr NamedField names_of_hrbfnpr_style[] = {
     FIELD(tone_rule, uint32, choice, 1, 2, 2), FIELD(tone_curve, uint32, choice, 1, 4, 2),
     FIELD(light, float64, direction, 3, 0, 0), FIELD(tone_exponent, float64, number, 1, 0, 0),
     FIELD(light_space, uint32, choice, 1, 6, 2), FIELD(tone_fade, float32, number, 1, 0, 0),
-    FIELD(silhouette_law, uint32, choice, 1, 8, 2), FIELD(silhouette_width, float32, number, 1, 0, 0),
     FIELD(silhouette_threshold, float64, number, 1, 0, 0), FIELD(silhouette_radius, float32, number, 1, 0, 0),
     FIELD(silhouette_radius_zoom, float32, number, 1, 0, 0), FIELD(silhouette_ink, float32, colour, 4, 0, 0),
-    FIELD(visibility, uint32, choice, 1, 10, 2), FIELD(hidden_lines, uint32, choice, 1, 12, 3),
+    FIELD(visibility, uint32, choice, 1, 8, 2), FIELD(hidden_lines, uint32, choice, 1, 10, 3),
     FIELD(attenuation_front, float64, number, 1, 0, 0), FIELD(attenuation_back, float64, number, 1, 0, 0),
     FIELD(splat_radius, float32, number, 1, 0, 0), FIELD(splat_overlap, float32, number, 1, 0, 0),
     FIELD(halo_width, float32, number, 1, 0, 0), FIELD(depth_min, float64, number, 1, 0, 0),
@@ -48,9 +46,9 @@ inline constexpr NamedField names_of_hrbfnpr_style[] = {
 #undef RECORD
 #define RECORD hrbfnpr_layer_style
 inline constexpr NamedField names_of_hrbfnpr_layer_style[] = {
-    FIELD(kind, uint32, choice, 1, 15, 7), FIELD(name, text, text, 1, 0, 0), FIELD(shown, uint32, yes_no, 1, 0, 0),
-    FIELD(contours, uint32, yes_no, 1, 0, 0), FIELD(directions, uint32, bits, 1, 22, 2),
-    FIELD(shape, uint32, choice, 1, 24, 3), FIELD(share, float32, number, 1, 0, 0),
+    FIELD(kind, uint32, choice, 1, 13, 4), FIELD(name, text, text, 1, 0, 0), FIELD(shown, uint32, yes_no, 1, 0, 0),
+    FIELD(contours, uint32, yes_no, 1, 0, 0), FIELD(directions, uint32, bits, 1, 17, 2),
+    FIELD(shape, uint32, choice, 1, 19, 3), FIELD(share, float32, number, 1, 0, 0),
     FIELD(radius, float32, number, 1, 0, 0), FIELD(radius_zoom, float32, number, 1, 0, 0),
     FIELD(ink, float32, colour, 4, 0, 0), FIELD(hatch_tone_begin, float32, number, 1, 0, 0),
     FIELD(hatch_tone_end, float32, number, 1, 0, 0), FIELD(hatch_coverage_begin, float32, number, 1, 0, 0),
@@ -62,8 +60,8 @@ inline constexpr NamedField names_of_hrbfnpr_layer_style[] = {
 #undef RECORD
 #define RECORD hrbfnpr_line_style
 inline constexpr NamedField names_of_hrbfnpr_line_style[] = {
-    FIELD(kind, uint32, choice, 1, 27, 11), FIELD(name, text, text, 1, 0, 0), FIELD(hidden, uint32, choice, 1, 38, 4),
-    FIELD(cap, uint32, choice, 1, 42, 3), FIELD(width, float32, number, 1, 0, 0),
+    FIELD(kind, uint32, choice, 1, 22, 11), FIELD(name, text, text, 1, 0, 0), FIELD(hidden, uint32, choice, 1, 33, 4),
+    FIELD(cap, uint32, choice, 1, 37, 3), FIELD(width, float32, number, 1, 0, 0),
     FIELD(taper, float32, number, 1, 0, 0), FIELD(hidden_width, float32, number, 1, 0, 0),
     FIELD(hidden_opacity, float32, number, 1, 0, 0), FIELD(dash, float32, number, 1, 0, 0),
     FIELD(gap, float32, number, 1, 0, 0), FIELD(shortest, float32, number, 1, 0, 0),
@@ -73,64 +71,63 @@ inline constexpr NamedField names_of_hrbfnpr_line_style[] = {
     FIELD(lit_factor, float32, number, 1, 0, 0), FIELD(curvature_factor, float32, number, 1, 0, 0),
     FIELD(curvature_radius, float32, number, 1, 0, 0), FIELD(wobble, float32, number, 1, 0, 0),
     FIELD(wobble_width, float32, number, 1, 0, 0), FIELD(wobble_length, float32, number, 1, 0, 0),
-    FIELD(wobble_seed, uint32, number, 1, 0, 0), FIELD(creases, uint32, choice, 1, 45, 3)};
+    FIELD(wobble_seed, uint32, number, 1, 0, 0), FIELD(creases, uint32, choice, 1, 40, 3)};
 #undef RECORD
 #define RECORD hrbfnpr_fit_desc
 inline constexpr NamedField names_of_hrbfnpr_fit_desc[] = {
-    FIELD(kernel, uint32, choice, 1, 48, 3), FIELD(kernel_radius, float64, number, 1, 0, 0),
-    FIELD(polynomial_degree, int32, number, 1, 0, 0), FIELD(regularization_mode, uint32, choice, 1, 51, 2),
-    FIELD(regularization, float64, number, 1, 0, 0), FIELD(outliers, uint32, choice, 1, 53, 2),
-    FIELD(flipped_normals, uint32, choice, 1, 55, 3), FIELD(tolerance, float64, number, 1, 0, 0),
-    FIELD(maximum_centres, int64, number, 1, 0, 0), FIELD(solver, uint32, choice, 1, 58, 3),
+    FIELD(kernel, uint32, choice, 1, 43, 3), FIELD(kernel_radius, float64, number, 1, 0, 0),
+    FIELD(polynomial_degree, int32, number, 1, 0, 0), FIELD(regularization_mode, uint32, choice, 1, 46, 2),
+    FIELD(regularization, float64, number, 1, 0, 0), FIELD(outliers, uint32, choice, 1, 48, 2),
+    FIELD(flipped_normals, uint32, choice, 1, 50, 3), FIELD(tolerance, float64, number, 1, 0, 0),
+    FIELD(maximum_centres, int64, number, 1, 0, 0), FIELD(solver, uint32, choice, 1, 53, 3),
     FIELD(refinement_steps, int32, number, 1, 0, 0), FIELD(solver_tolerance, float64, number, 1, 0, 0),
     FIELD(iteration_limit, int32, number, 1, 0, 0), FIELD(preconditioner_neighbours, uint32, number, 1, 0, 0),
-    FIELD(normal_mode, uint32, choice, 1, 61, 6), FIELD(trim, uint32, choice, 1, 67, 2)};
+    FIELD(normal_mode, uint32, choice, 1, 56, 6), FIELD(trim, uint32, choice, 1, 62, 2)};
 #undef RECORD
 #define RECORD hrbfnpr_mesh_fit_desc
 inline constexpr NamedField names_of_hrbfnpr_mesh_fit_desc[] = {
     FIELD(tolerance, float64, number, 1, 0, 0), FIELD(share, float64, number, 1, 0, 0),
     FIELD(far, float64, number, 1, 0, 0), FIELD(maximum_centres, int64, number, 1, 0, 0),
     FIELD(candidates, int64, number, 1, 0, 0), FIELD(random_seed, uint64, number, 1, 0, 0),
-    FIELD(crease_angle, float64, number, 1, 0, 0), FIELD(edges, uint32, choice, 1, 69, 3)};
+    FIELD(crease_angle, float64, number, 1, 0, 0), FIELD(edges, uint32, choice, 1, 64, 3)};
 #undef RECORD
 #define RECORD hrbfnpr_generate_desc
 inline constexpr NamedField names_of_hrbfnpr_generate_desc[] = {
-    FIELD(distribution, uint32, choice, 1, 72, 2), FIELD(shared_budget, int64, number, 1, 0, 0),
-    FIELD(tone_ranges, uint32, choice, 1, 74, 2), FIELD(seed_source, uint32, choice, 1, 76, 4),
+    FIELD(distribution, uint32, choice, 1, 67, 2), FIELD(shared_budget, int64, number, 1, 0, 0),
+    FIELD(tone_ranges, uint32, choice, 1, 69, 2), FIELD(seed_source, uint32, choice, 1, 71, 4),
     FIELD(box_jitter, float64, number, 1, 0, 0), FIELD(box_resolution, uint32, number, 1, 0, 0),
     FIELD(initial_step, float64, number, 1, 0, 0), FIELD(projection_tolerance, float64, number, 1, 0, 0),
     FIELD(random_seed, uint64, number, 1, 0, 0)};
 #undef RECORD
 #define RECORD hrbfnpr_layer_desc
 inline constexpr NamedField names_of_hrbfnpr_layer_desc[] = {
-    FIELD(kind, uint32, choice, 1, 80, 5), FIELD(name, text, text, 1, 0, 0), FIELD(budget, int64, number, 1, 0, 0),
+    FIELD(kind, uint32, choice, 1, 75, 2), FIELD(name, text, text, 1, 0, 0), FIELD(budget, int64, number, 1, 0, 0),
     FIELD(tone_begin, float32, number, 1, 0, 0), FIELD(tone_end, float32, number, 1, 0, 0),
     FIELD(second_tone_begin, float32, number, 1, 0, 0), FIELD(second_tone_end, float32, number, 1, 0, 0),
-    FIELD(flags, uint32, bits, 1, 85, 1), FIELD(density, uint32, choice, 1, 86, 2),
-    FIELD(density_strength, float64, number, 1, 0, 0), FIELD(separation, float64, number, 1, 0, 0),
-    FIELD(step, float64, number, 1, 0, 0), FIELD(length, float64, number, 1, 0, 0),
-    FIELD(symmetry, uint32, choice, 1, 88, 2), FIELD(start, uint32, choice, 1, 90, 2),
-    FIELD(start_level, int32, number, 1, 0, 0), FIELD(levels, int32, number, 1, 0, 0),
-    FIELD(angle, float64, number, 1, 0, 0), FIELD(smoothing, float64, number, 1, 0, 0),
-    FIELD(axis, float64, direction, 3, 0, 0), FIELD(axis_weight, float64, number, 1, 0, 0),
-    FIELD(tone_smoothing, float64, number, 1, 0, 0), FIELD(guide, uint32, choice, 1, 92, 5),
-    FIELD(guide_direction, float64, direction, 3, 0, 0), FIELD(guide_weight, float64, number, 1, 0, 0)};
+    FIELD(flags, uint32, bits, 1, 77, 1), FIELD(density, uint32, choice, 1, 78, 2),
+    FIELD(density_strength, float64, number, 1, 0, 0), FIELD(guide, uint32, choice, 1, 80, 5),
+    FIELD(start, uint32, choice, 1, 85, 2), FIELD(start_level, int32, number, 1, 0, 0),
+    FIELD(levels, int32, number, 1, 0, 0), FIELD(separation, float64, number, 1, 0, 0),
+    FIELD(step, float64, number, 1, 0, 0), FIELD(angle, float64, number, 1, 0, 0),
+    FIELD(smoothing, float64, number, 1, 0, 0), FIELD(axis, float64, direction, 3, 0, 0),
+    FIELD(axis_weight, float64, number, 1, 0, 0), FIELD(guide_direction, float64, direction, 3, 0, 0),
+    FIELD(guide_weight, float64, number, 1, 0, 0), FIELD(tone_smoothing, float64, number, 1, 0, 0)};
 #undef RECORD
 #define RECORD hrbfnpr_line_set_desc
 inline constexpr NamedField names_of_hrbfnpr_line_set_desc[] = {
-    FIELD(flags, uint32, bits, 1, 85, 1), FIELD(cell_size, float64, number, 1, 0, 0),
+    FIELD(flags, uint32, bits, 1, 77, 1), FIELD(cell_size, float64, number, 1, 0, 0),
     FIELD(support, float64, number, 1, 0, 0)};
 #undef RECORD
 #define RECORD hrbfnpr_line_desc
 inline constexpr NamedField names_of_hrbfnpr_line_desc[] = {
-    FIELD(kind, uint32, choice, 1, 97, 4), FIELD(name, text, text, 1, 0, 0), FIELD(lower, float64, number, 1, 0, 0),
+    FIELD(kind, uint32, choice, 1, 87, 4), FIELD(name, text, text, 1, 0, 0), FIELD(lower, float64, number, 1, 0, 0),
     FIELD(upper, float64, number, 1, 0, 0), FIELD(shortest, float64, number, 1, 0, 0),
     FIELD(plane, float64, direction, 3, 0, 0)};
 #undef RECORD
 #define RECORD hrbfnpr_page_desc
 inline constexpr NamedField names_of_hrbfnpr_page_desc[] = {
-    FIELD(format, uint32, choice, 1, 101, 4), FIELD(flags, uint32, bits, 1, 105, 3),
-    FIELD(widths, uint32, choice, 1, 108, 2), FIELD(dots, uint32, choice, 1, 110, 3),
+    FIELD(format, uint32, choice, 1, 91, 4), FIELD(flags, uint32, bits, 1, 95, 3),
+    FIELD(widths, uint32, choice, 1, 98, 2), FIELD(dots, uint32, choice, 1, 100, 3),
     FIELD(width, float64, number, 1, 0, 0), FIELD(height, float64, number, 1, 0, 0),
     FIELD(tolerance, float64, number, 1, 0, 0), FIELD(width_step, float64, number, 1, 0, 0),
     FIELD(join, float64, number, 1, 0, 0), FIELD(shortest, float64, number, 1, 0, 0),

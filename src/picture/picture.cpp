@@ -216,7 +216,7 @@ void plan_point_set(hrbfnpr_picture& picture, const Call& call) {
     const std::string_view lines = picture.options.desc.lines != nullptr ? picture.options.desc.lines : "none";
     if (lines != "none" && !lines.empty())
         call.report.note(HRBFNPR_NOTE_NO_LINES_OF_MARKS, {},
-                         "lines are drawn of a model, not of saved points: contours come from marks");
+                         "lines are drawn of a model, not of saved points: there are no contours");
     picture.style.emplace(plan_style(call, picture.camera.viewport[2], picture.camera.viewport[3], false));
     Part& part = picture.parts.emplace_back();
     part.marks = surfaces.marks;

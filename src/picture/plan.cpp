@@ -18,8 +18,7 @@ namespace {
 // ---- Changes by their paths
 
 // The names of the layer kinds, indexed by HRBFNPR_LAYER_KIND_*.
-constexpr std::array<const char*, 7> layer_kind_names{"any",   "stipples", "principal", "combing",
-                                                      "field", "own",      "hatch"};
+constexpr std::array<const char*, 4> layer_kind_names{"any", "stipples", "hatch", "own"};
 
 const char* layer_kind_name(std::uint32_t kind) noexcept {
     return kind < layer_kind_names.size() ? layer_kind_names[kind] : "layer";
@@ -66,8 +65,7 @@ bool is_published(const Options& options) noexcept {
     return options.changes.number("marks.distribution") == double{HRBFNPR_DISTRIBUTION_PUBLISHED};
 }
 
-// Reads kinds of layers that are separated by commas. Throws for a kind that a picture cannot make, such as a field,
-// which needs a function.
+// Reads kinds of layers that are separated by commas. Throws for a kind that a picture cannot make.
 Vector<std::uint32_t> mark_kinds_of(const Call& call, std::string_view names) {
     Vector<std::uint32_t> kinds(&call.pool);
     while (!names.empty()) {
@@ -76,10 +74,8 @@ Vector<std::uint32_t> mark_kinds_of(const Call& call, std::string_view names) {
         names.remove_prefix(comma == std::string_view::npos ? names.size() : comma + 1);
         if (name.empty()) continue;
         const std::optional<std::uint32_t> kind = layer_kind_of(name);
-        if (!kind || *kind == HRBFNPR_LAYER_KIND_ANY || *kind == HRBFNPR_LAYER_KIND_FIELD ||
-            *kind == HRBFNPR_LAYER_KIND_OWN)
-            call.report.refuse(formatted(call.pool,
-                                         "{layers} must be of stipples, principal, combing, hatch, not '%.*s'",
+        if (!kind || *kind == HRBFNPR_LAYER_KIND_ANY || *kind == HRBFNPR_LAYER_KIND_OWN)
+            call.report.refuse(formatted(call.pool, "{layers} must be of stipples, hatch, not '%.*s'",
                                          static_cast<int>(std::min<std::size_t>(name.size(), 60)), name.data()));
         kinds.push_back(*kind);
     }
@@ -102,10 +98,11 @@ Style chosen_style(const Call& call) {
 // Draws the marks of the published recursion as dots of one size.
 void draw_as_published(Style& style, std::uint32_t preset) noexcept {
     for (hrbfnpr_layer_style& layer : style.layers) {
-        if (layer.kind == HRBFNPR_LAYER_KIND_COMBING && layer.shown != 0) {
+        if (layer.kind == HRBFNPR_LAYER_KIND_HATCH && layer.shown != 0) {
             layer.shape = HRBFNPR_SHAPE_DOTS;
             layer.radius = plan_tuning.published_dot;
-            layer.share = 1.0F;
+            layer.share = preset == HRBFNPR_PRESET_FULL ? plan_tuning.published_share_of_full : 1.0F;
+            layer.directions = preset == HRBFNPR_PRESET_HATCH ? 2U : 3U; // one set of lines, along d2
         }
         if (layer.kind == HRBFNPR_LAYER_KIND_STIPPLES && preset == HRBFNPR_PRESET_FULL)
             layer.radius = layer.share = 1.0F;
@@ -132,15 +129,6 @@ void change_all_layers(const Call& call, Style& style) {
                 apply_one_change(change, layer, style, call.pool);
         }
     }
-}
-
-// Lets only layers of these kinds draw contours with their marks.
-void choose_contours(const Call& call, Style& style, std::string_view names) {
-    const Vector<std::uint32_t> kinds = mark_kinds_of(call, names);
-    for (const std::uint32_t kind : {HRBFNPR_LAYER_KIND_STIPPLES, HRBFNPR_LAYER_KIND_PRINCIPAL,
-                                     HRBFNPR_LAYER_KIND_COMBING, HRBFNPR_LAYER_KIND_FIELD, HRBFNPR_LAYER_KIND_HATCH})
-        style.layer(kind).contours = std::find(kinds.begin(), kinds.end(), kind) != kinds.end() ? 1 : 0;
-    style.layer(HRBFNPR_LAYER_KIND_ANY).contours = 0;
 }
 
 // Applies "style.F". An ink for everything is applied before the ink of contours, which is also that of lines.
@@ -211,24 +199,20 @@ const char* name_of_layer(const hrbfnpr_layer_desc& layer) noexcept {
     return layer.name != nullptr ? layer.name : layer_kind_name(layer.kind);
 }
 
-// Returns the strokes that the published recursion uses in place of hatching lines. If it is empty, the preset decides.
-std::optional<std::uint32_t> published_strokes_of(std::uint32_t preset) noexcept {
-    switch (preset) {
-    case HRBFNPR_PRESET_HATCH:
-    case HRBFNPR_PRESET_CROSS_HATCH:
-    case HRBFNPR_PRESET_FULL: return HRBFNPR_LAYER_KIND_PRINCIPAL;
-    case HRBFNPR_PRESET_COMBING: return HRBFNPR_LAYER_KIND_COMBING;
-    default: return std::nullopt;
-    }
+// Tells whether the published recursion has strokes for a style. They make one layer, in both directions, in place of
+// the style's layers of lines.
+bool has_published_strokes(std::uint32_t preset) noexcept {
+    return preset == HRBFNPR_PRESET_HATCH || preset == HRBFNPR_PRESET_CROSS_HATCH || preset == HRBFNPR_PRESET_FULL ||
+           preset == HRBFNPR_PRESET_COMBING;
 }
 
 Vector<LayerPlan> layers_of_preset(const Call& call) {
     const Options& options = call.options;
     Vector<LayerPlan> layers(&call.pool);
-    const std::optional<std::uint32_t> strokes = published_strokes_of(options.desc.preset);
-    if (strokes && is_published(options)) {
+    if (has_published_strokes(options.desc.preset) && is_published(options)) {
         layers.push_back(layer_of_kind(HRBFNPR_LAYER_KIND_STIPPLES));
-        layers.push_back(layer_of_kind(*strokes));
+        layers.push_back(layer_of_kind(HRBFNPR_LAYER_KIND_HATCH));
+        if (options.desc.preset == HRBFNPR_PRESET_COMBING) layers.back().desc.guide = HRBFNPR_HATCH_GUIDE_COMBING;
     } else {
         std::int64_t count = 0;
         const hrbfnpr_layer_desc* const first = hrbfnpr_preset_layers(options.desc.preset, &count);
@@ -266,9 +250,7 @@ bool means_something_to(std::uint32_t kind, std::string_view field) noexcept {
     if (field == "density" || field == "density_strength") return is_stipples;
     if (field == "guide" || field == "guide_direction" || field == "guide_weight") return is_hatch;
     if (field == "angle" || field == "smoothing" || field == "axis" || field == "axis_weight") return is_hatch;
-    if (field == "separation" || field == "step") return !is_stipples;
-    if (field == "length" || field == "symmetry" || field == "start" || field == "start_level")
-        return !is_stipples && !is_hatch;
+    if (field == "separation" || field == "step" || field == "start" || field == "start_level") return is_hatch;
     return true;
 }
 
@@ -343,16 +325,9 @@ void fill_evenly(const Call& call, LayerPlan& layer, double radius, const Canvas
         if (!is_said) desc.separation = std::sqrt(area) / plan_tuning.hatch_lines;
         return;
     }
-    double wanted = 0.0;
-    if (desc.kind == HRBFNPR_LAYER_KIND_STIPPLES) {
-        wanted = plan_tuning.stipple_coverage * area * (pixels * pixels) / (std::numbers::pi * (radius * radius));
-    } else {
-        // Each of the two directions has a length of area / separation.
-        const double step = plan_tuning.stroke_spacing * radius / pixels;
-        wanted = 2.0 * area * pixels * plan_tuning.stroke_coverage / (2.0 * radius) / step;
-        if (desc.step == 0.0) desc.step = step;
-    }
     if (says_itself(layer)) return;
+    const double wanted =
+        plan_tuning.stipple_coverage * area * (pixels * pixels) / (std::numbers::pi * (radius * radius));
     if (wanted > static_cast<double>(plan_tuning.most_marks)) note_limited(call, desc, wanted);
     set_budget(layer, whole_marks(wanted));
 }
@@ -388,8 +363,9 @@ void fill_layers(const Call& call, Vector<LayerPlan>& layers, const Style& style
     }
 }
 
-// Divides the tones evenly among the layers that the style draws. Some layers exist only for contours.
-void take_turns(Pool& pool, Vector<LayerPlan>& layers, const Style& style) {
+// Divides the tones evenly among the layers that the style draws, and among the directions of published strokes. Some
+// layers only tell where the surface is.
+void take_turns(Pool& pool, Vector<LayerPlan>& layers, const Style& style, bool published) {
     struct Turn {
         std::size_t layer;
         bool is_second; // the second direction of strokes
@@ -399,7 +375,7 @@ void take_turns(Pool& pool, Vector<LayerPlan>& layers, const Style& style) {
         const hrbfnpr_layer_desc& desc = layers[i].desc;
         const hrbfnpr_layer_style how = style.style_of(desc.kind, desc.name);
         // The style of hatching sets the tones at which lines appear.
-        if (desc.kind == HRBFNPR_LAYER_KIND_HATCH || how.shown == 0) continue;
+        if ((desc.kind == HRBFNPR_LAYER_KIND_HATCH && !published) || how.shown == 0) continue;
         const bool is_stipples = desc.kind == HRBFNPR_LAYER_KIND_STIPPLES;
         if (is_stipples || (how.directions & 1U) != 0) turns.push_back({i, false});
         if (!is_stipples && (how.directions & 2U) != 0) turns.push_back({i, true});
@@ -452,7 +428,6 @@ Style plan_style(const Call& call, double width, double height, bool has_end) {
     const double pen = pen_of(call, width, height);
     scale_by_pen(style, pen);
     change_all_layers(call, style);
-    if (const auto names = options.changes.value("style.contours_of")) choose_contours(call, style, *names);
     size_lines(call, style, pen, has_end);
     change_style(call, style);
     change_kinds(call, style);
@@ -477,7 +452,7 @@ Marks plan_marks(const Call& call, Style& style, double area, double pixels_per_
                     {area, pixels_per_unit, static_cast<double>(std::max<std::int64_t>(centres, 1))});
         if (is_changed_by_caller(options.changes, "marks.tone_ranges") &&
             marks.base.tone_ranges == HRBFNPR_TONE_RANGES_IN_TURN)
-            take_turns(call.pool, layers, style);
+            take_turns(call.pool, layers, style, is_published(options));
     }
     marks.layers.reserve(layers.size());
     for (LayerPlan& layer : layers) {

@@ -75,10 +75,9 @@ bool same_layer(const hrbfnpr_layer_desc& a, const hrbfnpr_layer_desc& b) noexce
            a.tone_begin == b.tone_begin && a.tone_end == b.tone_end && a.second_tone_begin == b.second_tone_begin &&
            a.second_tone_end == b.second_tone_end && a.flags == b.flags && same_density(a, b) &&
            a.density_strength == b.density_strength && a.separation == b.separation && a.step == b.step &&
-           a.length == b.length && same_direction(a, b) && a.symmetry == b.symmetry && a.start == b.start &&
-           a.start_level == b.start_level && a.levels == b.levels && a.angle == b.angle && a.smoothing == b.smoothing &&
-           same_layer_numbers(a.axis, b.axis) && a.axis_weight == b.axis_weight &&
-           a.tone_smoothing == b.tone_smoothing && a.guide == b.guide &&
+           same_direction(a, b) && a.start == b.start && a.start_level == b.start_level && a.levels == b.levels &&
+           a.angle == b.angle && a.smoothing == b.smoothing && same_layer_numbers(a.axis, b.axis) &&
+           a.axis_weight == b.axis_weight && a.tone_smoothing == b.tone_smoothing && a.guide == b.guide &&
            same_layer_numbers(a.guide_direction, b.guide_direction) && a.guide_weight == b.guide_weight;
 }
 
@@ -155,7 +154,7 @@ void Style::take_lists(const hrbfnpr_style& given) {
 }
 
 hrbfnpr_layer_style& Style::layer(std::uint32_t kind) {
-    HRBFNPR_ASSERT(kind <= HRBFNPR_LAYER_KIND_HATCH);
+    HRBFNPR_ASSERT(kind <= HRBFNPR_LAYER_KIND_OWN);
     for (auto place = layers.begin(); place != layers.end(); ++place) {
         if (place->name != nullptr) continue;
         if (place->kind == kind) return *place;

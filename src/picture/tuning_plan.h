@@ -14,12 +14,6 @@ struct PlanTuning {
     double least_pen = 0.75;
     // Stipples cover this share of the paper at the darkest tone. Larger: darker, and more marks.
     double stipple_coverage = 0.8;
-    // Strokes of one direction cover this share of the paper. Larger: less paper between lines where both directions
-    // cross.
-    double stroke_coverage = 0.55;
-    // The distance between the marks of a stroke, in radii of a mark. Larger: fewer marks, until strokes fall apart
-    // into dots.
-    double stroke_spacing = 1.25;
     // The number of hatching lines of all levels along the square root of the area. Larger: hatching stays even in
     // larger pictures, and needs more marks.
     double hatch_lines = 300.0;
@@ -29,8 +23,11 @@ struct PlanTuning {
     // The limit of refinement steps of the published recursion unless the caller sets another. Each step multiplies the
     // marks by 3 or 5. Larger: darker tones, more memory.
     int most_levels = 6;
-    // The radius of combing marks that the recursion draws as dots, in pens. Larger: darker tones.
+    // The radius of the marks of published strokes, which are dots, in pens. Larger: darker tones.
     float published_dot = 1.1F;
+    // The share of published strokes that the style "full" uses beside its stipples. Larger: strokes reach farther into
+    // the lights.
+    float published_share_of_full = 0.6F;
     // The number of marks in a layer that is not shown, in a style that draws lines. Larger: the end of the surface is
     // known better, in more time.
     std::int64_t unseen_marks = 4000;

@@ -164,13 +164,6 @@ void add_styles_of(const WantedLine& wanted, const hrbfnpr_line_style& contour, 
     style.lines.push_back(line);
 }
 
-// Tells whether marks draw the contours. They do if a change is given that only affects contours of marks.
-bool wants_contours_of_marks(const Changes& changes) noexcept {
-    return changes.has("style.silhouette_threshold") || changes.has("style.silhouette_law") ||
-           changes.has("style.silhouette_width") || changes.has("style.silhouette_radius") ||
-           changes.has("style.contours_of");
-}
-
 std::uint32_t hidden_parts_of(std::uint32_t hidden_lines) noexcept {
     switch (hidden_lines) {
     case HRBFNPR_HIDDEN_LINES_HIDE: return HRBFNPR_HIDDEN_PARTS_NONE;
@@ -229,8 +222,6 @@ void size_lines(const Call& call, Style& style, double pen, bool has_end) {
         style.lines.clear();
         for (const WantedLine& wanted : parse_lines(options.desc.lines, call.pool))
             add_styles_of(wanted, contour, style);
-    } else if (wants_contours_of_marks(options.changes)) {
-        style.lines.clear();
     }
     const bool has_border = std::any_of(style.lines.begin(), style.lines.end(), [](const hrbfnpr_line_style& line) {
         return line.kind == HRBFNPR_LINE_KIND_BORDER;

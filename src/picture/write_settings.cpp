@@ -18,12 +18,12 @@ namespace {
 
 // Names in the order in which they are written, separated by spaces. For styles this is not the order in the header.
 constexpr std::string_view style_order =
-    "hidden_lines visibility silhouette_threshold silhouette_law silhouette_width attenuation_front attenuation_back "
+    "hidden_lines visibility silhouette_threshold attenuation_front attenuation_back "
     "splat_radius halo_width splat_overlap tone_rule tone_curve tone_fade light_space tone_exponent fill_light "
     "depth_min depth_max zoom_reference zoom_exponent paper silhouette_ink silhouette_radius silhouette_radius_zoom "
     "light tone";
 constexpr std::string_view layer_order =
-    "name density_strength separation step length symmetry start start_level angle smoothing axis_weight guide "
+    "name density_strength separation step start start_level angle smoothing axis_weight guide "
     "guide_weight axis guide_direction density levels tone_smoothing";
 constexpr std::string_view line_order = "kind name lower upper shortest plane";
 // The fields that are written first; other changes follow.

@@ -66,9 +66,10 @@ public:
     bool refine(std::int32_t level, double rho, const base::Progress& progress);
 
 private:
-    [[nodiscard]] bool by_curvature() const noexcept { return settings_.kind == marks::Kind::principal; }
-    // Directions come from `curvature_`: of FIELD they are all that it tells, with confidence 1 or 0.
-    [[nodiscard]] bool measured() const noexcept { return settings_.kind != marks::Kind::combing; }
+    [[nodiscard]] bool by_curvature() const noexcept { return settings_.directions == Directions::principal; }
+    // Whether directions come from `curvature_`, which holds nothing else if a function gives them: with confidence 1,
+    // or 0 where the function gives none.
+    [[nodiscard]] bool measured() const noexcept { return settings_.directions != Directions::combing; }
     void measure(const geometry::VecArray& position, const geometry::VecArray& normal, const base::Progress& progress);
     // A stroke and a place along it make a mark.
     [[nodiscard]] static std::uint64_t key(std::uint32_t stroke, std::int32_t place) noexcept {
@@ -130,8 +131,8 @@ void Strokes::append(const glm::dvec3& position, const glm::dvec3& normal, std::
 void Strokes::measure(const geometry::VecArray& position, const geometry::VecArray& normal,
                       const base::Progress& progress) {
     if (by_curvature()) surface::principal_curvatures(site_.runtime, site_.implicit, position, curvature_, progress);
-    if (settings_.kind != marks::Kind::field) return;
-    marks::directions_at(site_, settings_.direction, position, normal, given_, progress);
+    if (settings_.directions != Directions::function) return;
+    marks::directions_at(site_, settings_.function, position, normal, given_, progress);
     curvature_.resize(position.size());
     for (std::int64_t i = 0; i < position.size(); ++i) {
         surface::Curvature& c = curvature_[i];
@@ -148,7 +149,7 @@ bool Strokes::place_seeds(const base::Progress& progress) {
     measure(start_.position, start_.normal, progress);
     const auto key_of = [](std::int64_t i) { return key(static_cast<std::uint32_t>(i), 0); };
     const marks::Thinning thinning(site_, count, settings_.budget > 0 ? settings_.budget : count,
-                                   marks::stream_of(settings_.kind), key_of, progress);
+                                   marks::stream_of(marks::Kind::hatch), key_of, progress);
     reserve(settings_.budget > 0 ? std::min(settings_.budget, count) : count, progress);
     for (std::int64_t i = 0; i < count; ++i) {
         if (i % marks::chunk_size == 0) progress.check();
@@ -175,7 +176,7 @@ bool Strokes::refine(std::int32_t level, double rho, const base::Progress& progr
         const std::int64_t parent = i / stroke_children;
         return key(marks_.stroke[parent], marks_.place[parent] + (i % stroke_children == 0 ? -finest : finest));
     };
-    const marks::Thinning thinning(site_, stroke_children * parents, room, marks::stream_of(settings_.kind), key_of,
+    const marks::Thinning thinning(site_, stroke_children * parents, room, marks::stream_of(marks::Kind::hatch), key_of,
                                    progress);
     reserve(parents + std::min(room, stroke_children * parents), progress);
     constexpr std::int64_t parents_of_chunk = marks::chunk_size / stroke_children;

@@ -22,13 +22,16 @@ struct Start {
     std::int64_t full_count; // of starts, had none been dropped
 };
 
+// What the strokes of both sets follow.
+enum class Directions : std::uint8_t { principal, combing, function };
+
 struct GrowthSettings {
-    marks::Kind kind = marks::Kind::stipples;
     std::int64_t layer = 0; // for messages; -1: stipples that only strokes start from
     std::int32_t levels = 0;
-    double step = 0.0;                  // rho_0
-    std::int64_t budget = 0;            // 0 = none
-    marks::DirectionFunction direction; // of FIELD
+    double step = 0.0;                             // rho_0
+    std::int64_t budget = 0;                       // 0 = none
+    Directions directions = Directions::principal; // of strokes
+    marks::DirectionFunction function;             // with Directions::function
 };
 
 // Room for so many marks in each of these columns.  They would all grow at the same mark, and be touched there for the
@@ -42,8 +45,8 @@ void make_room(std::int64_t marks, const base::Progress& progress, Column&... co
 void grow_stipples(const marks::Site& site, const Start& start, const GrowthSettings& settings, marks::Marks& marks,
                    marks::LayerReport& report, const base::Progress& progress);
 
-// The x3 recursion of both directions of PRINCIPAL, COMBING or FIELD strokes.  A COMBING stroke that enters another
-// region of the field takes up the new direction, as published, and breaks there.
+// The x3 recursion of strokes along both directions. A combing stroke that enters another region of the field takes up
+// the new direction, as published, and breaks there.
 void grow_strokes(const marks::Site& site, const Start& start, const GrowthSettings& settings, marks::Marks& marks,
                   marks::LayerReport& report, const base::Progress& progress);
 

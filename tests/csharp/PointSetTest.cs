@@ -79,16 +79,15 @@ namespace HrbfNpr.Tests
                     Assert.Throws<InvalidArgumentException>(() => layer.Placement(3));
                     Assert.Equal(3 * marks.Count, (long)layer.ToArray<float>(MarkAttribute.Curvature).Length);
                 }
-                Layer principal = Layer.Principal(), combing = Layer.Combing(name: "comb \u00e9");
-                principal.Separation = combing.Separation = 0.3;
-                principal.Symmetry = Symmetry.Line;
-                var strokes = new GenerateOptions { Layers = { principal, combing }, ToneRanges = ToneRanges.InTurn };
+                Layer lines = Layer.Hatch(0.3), combing = Layer.Hatch(0.3, name: "comb \u00e9");
+                combing.Guide = HatchGuide.Combing;
+                var strokes = new GenerateOptions { Layers = { lines, combing }, ToneRanges = ToneRanges.InTurn };
                 using (PointSet marks = model.Generate(strokes))
                 {
                     Assert.Equal(2, marks.Layers.Count);
-                    Assert.Equal("principal", marks.Layers[0].Name);
+                    Assert.Equal("hatch", marks.Layers[0].Name);
                     MarkLayer layer = marks["comb \u00e9"];
-                    Assert.Equal(LayerKind.Combing, layer.Kind);
+                    Assert.Equal(LayerKind.Hatch, layer.Kind);
                     Assert.Equal(0.3, layer.Info.Step, 1e-9);
                     Assert.True(layer.Strokes > 0);
                     uint[] first = layer.ToArray<uint>(MarkAttribute.StrokeFirst);
@@ -115,7 +114,7 @@ namespace HrbfNpr.Tests
                     Assert.True(marks.Layers[0].ToArray<float>(MarkAttribute.Rank).All(rank => rank <= 0.5f));
                     Assert.True(marks.Layers[1].ToArray<float>(MarkAttribute.Rank).Any(rank => rank > 0.5f));
                 }
-                var shared = new GenerateOptions { Layers = { Layer.Stipples(), Layer.Principal() }, SharedBudget = 400 };
+                var shared = new GenerateOptions { Layers = { Layer.Stipples(), Layer.Hatch() }, SharedBudget = 400 };
                 using (PointSet marks = model.Generate(shared))
                 {
                     Assert.InRange(marks.Count, 200, 410);

@@ -102,16 +102,6 @@ namespace HrbfNpr
         Linear = 1,
     }
 
-    /// <summary>Which marks belong to the contour.</summary>
-    [NativeConstants("HRBFNPR_SILHOUETTE_LAW_")]
-    public enum SilhouetteLaw
-    {
-        /// <summary>A line of constant width, <see cref="Style.SilhouetteWidth"/>.</summary>
-        Width = 0,
-        /// <summary>By <see cref="Style.SilhouetteThreshold"/> alone, as published [NPAR 6].</summary>
-        Angle = 1,
-    }
-
     /// <summary>Where the tone of front marks comes from.</summary>
     [NativeConstants("HRBFNPR_TONE_")]
     public enum Tone

@@ -273,19 +273,14 @@ namespace HrbfNpr
         Any = 0,
         /// <summary>Scattered marks.</summary>
         Stipples = 1,
-        /// <summary>Strokes along the principal directions, d1 (the first) and d2 (the second).</summary>
-        Principal = 2,
-        /// <summary>Strokes along Stark's two directions, r (the first) and u (the second) [NPAR 5.3].</summary>
-        Combing = 3,
-        /// <summary>Strokes along a field of the program's, and across it.</summary>
-        Field = 4,
-        /// <summary>Marks or strokes of the program's own.</summary>
-        Own = 5,
         /// <summary>
-        /// Evenly spaced lines along one smooth field of directions, nested: level 0 are the coarsest, and those of each
-        /// further level lie midway between all before [Knoeppel et al. 2015].
+        /// Lines along a field of directions: evenly spaced and nested with <see cref="Distribution.BlueNoise"/>, level 0
+        /// the coarsest, those of each further level midway between all before [Knoeppel et al. 2015]; strokes along the
+        /// directions and across them with <see cref="Distribution.Published"/> [NPAR 5].
         /// </summary>
-        Hatch = 6,
+        Hatch = 2,
+        /// <summary>Marks or strokes of the program's own.</summary>
+        Own = 3,
     }
 
     /// <summary>
@@ -355,23 +350,13 @@ namespace HrbfNpr
         Published = 1,
     }
 
-    /// <summary>What the strokes of <see cref="Distribution.BlueNoise"/> follow.</summary>
-    [NativeConstants("HRBFNPR_SYMMETRY_")]
-    public enum Symmetry
-    {
-        /// <summary>A field for each direction: a stroke turns with its own direction.</summary>
-        Line = 0,
-        /// <summary>One field of crosses: strokes go straight on where directions change places (default).</summary>
-        Cross = 1,
-    }
-
     /// <summary>What the lines of <see cref="LayerKind.Hatch"/> follow.</summary>
     [NativeConstants("HRBFNPR_HATCH_GUIDE_")]
     public enum HatchGuide
     {
-        /// <summary>The direction in which the surface bends most (default).</summary>
+        /// <summary>The direction in which the surface bends most (default); published strokes: both principal directions.</summary>
         Curvature = 0,
-        /// <summary>The first direction of Combing [NPAR 5.3].</summary>
+        /// <summary>Stark's combing direction; published strokes: both of his directions [NPAR 5.3].</summary>
         Combing = 1,
         /// <summary>Sections by planes across <see cref="Layer.Axis"/>.</summary>
         Sections = 2,

@@ -8,7 +8,7 @@ namespace HrbfNpr
     /// <summary>How marks are placed on a surface; a new one holds all defaults.</summary>
     /// <example>
     /// <code>
-    /// model.Generate(new GenerateOptions { Layers = { Layer.Stipples(), Layer.Principal(budget: 60000) } });
+    /// model.Generate(new GenerateOptions { Layers = { Layer.Stipples(), Layer.Hatch(budget: 60000) } });
     /// model.Generate(GenerateOptions.ForPreset(Preset.Full));
     /// </code>
     /// </example>

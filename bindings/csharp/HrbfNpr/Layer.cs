@@ -30,7 +30,7 @@ namespace HrbfNpr
         public const long DefaultBudget = 40000;
 
         /// <summary>A layer with all defaults of its kind.</summary>
-        /// <param name="kind">Stipples, Principal, Combing, Field or Hatch.</param>
+        /// <param name="kind">Stipples or Hatch.</param>
         public Layer(LayerKind kind = LayerKind.Stipples)
         {
             Kind = kind;
@@ -44,43 +44,22 @@ namespace HrbfNpr
             return new Layer(LayerKind.Stipples) { Budget = budget, Name = name };
         }
 
-        /// <summary>A layer of strokes along the principal directions.</summary>
-        /// <param name="budget">The most marks, of both directions together.</param>
-        /// <param name="name">"principal" if null.</param>
-        public static Layer Principal(long budget = DefaultBudget, string name = null)
-        {
-            return new Layer(LayerKind.Principal) { Budget = budget, Name = name };
-        }
-
-        /// <summary>A layer of strokes along Stark's two directions [NPAR 5.3].</summary>
-        /// <param name="budget">The most marks, of both directions together.</param>
-        /// <param name="name">"combing" if null.</param>
-        public static Layer Combing(long budget = DefaultBudget, string name = null)
-        {
-            return new Layer(LayerKind.Combing) { Budget = budget, Name = name };
-        }
-
-        /// <summary>A layer of strokes along a field of the program's, and across it.</summary>
-        /// <param name="function">The field.</param>
-        /// <param name="budget">The most marks, of both directions together.</param>
-        /// <param name="name">"field" if null.</param>
-        public static Layer Field(DirectionFunction function, long budget = DefaultBudget, string name = null)
-        {
-            return new Layer(LayerKind.Field) { DirectionFunction = function, Budget = budget, Name = name };
-        }
-
-        /// <summary>A layer of evenly spaced, nested lines along one smooth field of directions.</summary>
+        /// <summary>
+        /// A layer of evenly spaced, nested lines along one smooth field of directions; with
+        /// <see cref="Distribution.Published"/> of strokes in both directions.
+        /// </summary>
         /// <param name="separation">Of all lines together, in the unit of the model; 0 = by the budget.</param>
         /// <param name="angle">By which lines are turned in the tangent plane; degrees.</param>
         /// <param name="name">"hatch" if null.</param>
-        public static Layer Hatch(double separation = 0, double angle = 0, string name = null)
+        /// <param name="budget">The most marks; null: 40000, or no limit with a separation.</param>
+        public static Layer Hatch(double separation = 0, double angle = 0, string name = null, long? budget = null)
         {
             return new Layer(LayerKind.Hatch)
             {
                 Separation = separation,
                 Angle = angle,
                 Name = name,
-                Budget = separation > 0 ? 0 : DefaultBudget,
+                Budget = budget ?? (separation > 0 ? 0 : DefaultBudget),
             };
         }
 
@@ -91,13 +70,13 @@ namespace HrbfNpr
         public string Name { get; set; }
 
         /// <summary>
-        /// The most marks, of both directions of strokes together; 40000.  0 = no limit, with
-        /// <see cref="Distribution.Published"/> and for strokes with a separation.
+        /// The most marks; 40000.  0 = no limit, with <see cref="Distribution.Published"/> and for lines with a
+        /// separation.
         /// </summary>
         public long Budget { get; set; } = DefaultBudget;
 
         /// <summary>
-        /// The darkness 1 - tau at which the first mark is shown (of strokes: of the first direction), 0 to 1.  Both 0
+        /// The darkness 1 - tau at which the first mark is shown (of published strokes: of the first direction), 0 to 1.  Both 0
         /// (default): as <see cref="GenerateOptions.ToneRanges"/> says.
         /// </summary>
         public float ToneBegin { get; set; }
@@ -105,13 +84,13 @@ namespace HrbfNpr
         /// <summary>... and that at which all are shown.</summary>
         public float ToneEnd { get; set; }
 
-        /// <summary>As <see cref="ToneBegin"/>, for strokes of the second direction.</summary>
+        /// <summary>As <see cref="ToneBegin"/>, for published strokes of the second direction.</summary>
         public float SecondToneBegin { get; set; }
 
-        /// <summary>As <see cref="ToneEnd"/>, for strokes of the second direction.</summary>
+        /// <summary>As <see cref="ToneEnd"/>, for published strokes of the second direction.</summary>
         public float SecondToneEnd { get; set; }
 
-        /// <summary>Whether marks get curvatures; those of Principal always do.</summary>
+        /// <summary>Whether marks get curvatures; published strokes along curvature always do.</summary>
         public bool WithCurvature { get; set; }
 
         /// <summary>How dense blue-noise stipples are over the surface.</summary>
@@ -124,24 +103,16 @@ namespace HrbfNpr
         public DensityFunction DensityFunction { get; set; }
 
         /// <summary>
-        /// Mean distance of neighbouring blue-noise strokes of one direction, in the unit of the model; 0 = such that
-        /// they have as many marks as the budget.
+        /// Of Hatch: mean distance of neighbouring lines, in the unit of the model; 0 = as many lines as make about the
+        /// budget's marks.
         /// </summary>
         public double Separation { get; set; }
 
-        /// <summary>Distance of the marks of such a stroke; 0 = a fifth of the separation, of Hatch 0.4 of it.</summary>
+        /// <summary>Distance of the marks of a line; 0 = 0.4 of the separation.</summary>
         public double Step { get; set; }
 
-        /// <summary>The longest such stroke; 0 = no limit.</summary>
-        public double Length { get; set; }
-
-        /// <summary>
-        /// For <see cref="LayerKind.Field"/>, and for <see cref="LayerKind.Hatch"/> in place of curvature.
-        /// </summary>
+        /// <summary>Of Hatch: what lines follow, in place of <see cref="Guide"/>.</summary>
         public DirectionFunction DirectionFunction { get; set; }
-
-        /// <summary>Whether such strokes go straight on where directions change places, or turn.</summary>
-        public Symmetry Symmetry { get; set; } = Symmetry.Cross;
 
         /// <summary>What strokes of <see cref="Distribution.Published"/> start from.</summary>
         public StrokeStart Start { get; set; }
@@ -170,7 +141,7 @@ namespace HrbfNpr
 
         /// <summary>
         /// Over so much of the surface the normals that tone goes by are averaged, so that the grain of a rough one
-        /// makes no islands of light; diagonals, 0.1 at most, 0 = not; -1 = 0.006 for Hatch, 0 for others.
+        /// makes no islands of light; diagonals, 0.1 at most, 0 = not; -1 = 0.006 for blue-noise Hatch, 0 for others.
         /// </summary>
         public double ToneSmoothing { get; set; } = -1;
 
@@ -210,8 +181,6 @@ namespace HrbfNpr
                 DensityStrength = desc->density_strength,
                 Separation = desc->separation,
                 Step = desc->step,
-                Length = desc->length,
-                Symmetry = (Symmetry)desc->symmetry,
                 Start = (StrokeStart)desc->start,
                 StartLevel = desc->start_level,
                 Levels = desc->levels,
@@ -244,8 +213,6 @@ namespace HrbfNpr
             desc->density_strength = DensityStrength;
             desc->separation = Separation;
             desc->step = Step;
-            desc->length = Length;
-            desc->symmetry = (uint)Symmetry;
             desc->start = (uint)Start;
             desc->start_level = StartLevel;
             desc->levels = Levels;

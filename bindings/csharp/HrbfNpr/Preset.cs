@@ -8,14 +8,10 @@ namespace HrbfNpr
     {
         /// <summary>Stipples by light, no contours.</summary>
         Stipple = 0,
-        /// <summary>
-        /// Lines of one width, more of them where it is darker, and contours; strokes of PRINCIPAL layers along the
-        /// second direction.
-        /// </summary>
+        /// <summary>Lines of one width, more of them where it is darker, and contours.</summary>
         Hatch = 1,
         /// <summary>
-        /// Up to three sets of such lines, at 0, 35 and -30 degrees, a darker tone each, and contours; strokes of
-        /// PRINCIPAL layers along both directions.
+        /// Up to three sets of such lines, at 0, 35 and -30 degrees, a darker tone each, and contours.
         /// </summary>
         CrossHatch = 2,
         /// <summary>Lines along Stark's combing direction, a second set in the darks, and contours.</summary>

@@ -103,14 +103,8 @@ namespace HrbfNpr
         /// <summary>How it is found what lies in front; one for all styles of a drawing.</summary>
         public Visibility Visibility { get; set; }
 
-        /// <summary>delta in (0, 1): marks with |n . v| below it are contours [NPAR 6].</summary>
+        /// <summary>delta in (0, 1): with Visibility.Published marks with |n . v| below it are contours [NPAR 6].</summary>
         public double SilhouetteThreshold { get; set; }
-
-        /// <summary>Which marks belong to the contour.</summary>
-        public SilhouetteLaw SilhouetteLaw { get; set; }
-
-        /// <summary>Of the law Width: pixels on either side of the contour.</summary>
-        public float SilhouetteWidth { get; set; }
 
         /// <summary>lambda of alpha_f = nu^2 lambda.</summary>
         public double AttenuationFront { get; set; }
@@ -244,8 +238,6 @@ namespace HrbfNpr
             style->hidden_lines = (uint)HiddenLines;
             style->visibility = (uint)Visibility;
             style->silhouette_threshold = SilhouetteThreshold;
-            style->silhouette_law = (uint)SilhouetteLaw;
-            style->silhouette_width = SilhouetteWidth;
             style->attenuation_front = AttenuationFront;
             style->attenuation_back = AttenuationBack;
             style->splat_radius = SplatRadius;
@@ -274,8 +266,6 @@ namespace HrbfNpr
             HiddenLines = (HiddenLines)style->hidden_lines;
             Visibility = (Visibility)style->visibility;
             SilhouetteThreshold = style->silhouette_threshold;
-            SilhouetteLaw = (SilhouetteLaw)style->silhouette_law;
-            SilhouetteWidth = style->silhouette_width;
             AttenuationFront = style->attenuation_front;
             AttenuationBack = style->attenuation_back;
             SplatRadius = style->splat_radius;

@@ -29,7 +29,7 @@ def draw(
 
     Options are those of ``python3 -m hrbfnpr draw`` that are not about files, as Python's values:
     ``size=(800, 600)``, ``samples=2000``, ``lines=["contour", "ridges"]``, ``ink="#203040"``,
-    ``marks={"stipples": 20000}``, ``flip=True``, ``set={"principal.ink": "#800000"}``; None stands for the default.
+    ``marks={"stipples": 20000}``, ``flip=True``, ``set={"hatch.ink": "#800000"}``; None stands for the default.
 
     Parameters
     ----------

@@ -17,7 +17,6 @@ from ._names import (
     MADE_KINDS,
     MARK_KINDS,
     PRESETS,
-    STROKE_KINDS,
     name_of,
     number_of,
 )
@@ -44,7 +43,7 @@ class Layer(LayerFields):
     def _budget(self, default: int, distribution: int) -> int:
         if self.budget is not None:
             return self.budget
-        unlimited = distribution == DISTRIBUTIONS["published"] or (self.kind in STROKE_KINDS and self.separation > 0)
+        unlimited = distribution == DISTRIBUTIONS["published"] or (self.kind == "hatch" and self.separation > 0)
         return 0 if unlimited else default
 
     def _fill(self, desc: Any, distribution: int) -> Tuple[List[Optional[CallbackState]], List[Any]]:
@@ -82,28 +81,26 @@ _FIELDS = tuple(field.name for field in fields(Layer) if field.name not in ("kin
 # Fields that mean something to layers of some kinds only.
 _OF_KINDS: Dict[str, Tuple[str, ...]] = {
     **{name: ("stipples",) for name in ("density", "density_strength")},
-    **{name: STROKE_KINDS for name in ("second_tone", "separation", "step", "length", "symmetry")},
-    **{name: STROKE_KINDS for name in ("start", "start_level")},
-    "direction": ("field", "hatch"),
+    **{name: ("hatch",) for name in ("second_tone", "separation", "step", "start", "start_level", "direction")},
     **{name: ("hatch",) for name in ("angle", "smoothing", "axis", "axis_weight")},
     **{name: ("hatch",) for name in ("guide", "guide_direction", "guide_weight")},
 }
 
 
-# What the published recursion has in the place of lines of hatching.
-_PUBLISHED = {"hatch": "principal", "cross-hatch": "principal", "combing": "combing", "full": "principal"}
+# What the strokes follow that the published recursion has in the place of a preset's lines.
+_PUBLISHED = {"hatch": "curvature", "cross-hatch": "curvature", "combing": "combing", "full": "curvature"}
 
 
 def preset_layers(preset: str, distribution: str = "blue_noise") -> List[Layer]:
     """The layers that a preset draws, to be changed and given to `PointSet.generate`.
 
-    Of the distribution "published" hatch, cross-hatch and full draw strokes of the kind "principal",
-    combing those of the kind "combing".
+    Of the distribution "published" hatch, cross-hatch and full draw strokes along the principal directions,
+    combing those along the combing directions.
     """
     if preset not in PRESETS:
         raise ValueError(f"preset must be one of {', '.join(map(repr, PRESETS))}, not {preset!r}")
     if distribution == "published" and preset in _PUBLISHED:
-        return [Layer("stipples"), Layer(_PUBLISHED[preset])]
+        return [Layer("stipples"), Layer("hatch", guide=_PUBLISHED[preset])]
     count = ffi.new("int64_t *")
     descs = lib.hrbfnpr_preset_layers(PRESETS.index(preset), count)
     return [_from_struct(descs[i]) for i in range(count[0])]

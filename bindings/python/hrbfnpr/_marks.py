@@ -42,7 +42,7 @@ class MarkLayer:
 
     @property
     def kind(self) -> str:
-        """"stipples", "principal", "combing", "field" or "own"."""
+        """"stipples", "hatch" or "own"."""
         return self.info.kind
 
     @property

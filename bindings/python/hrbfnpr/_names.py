@@ -35,7 +35,6 @@ RAY = NAMES["RAY"]
 LAYER_KINDS = NAMES["LAYER_KIND"]
 DISTRIBUTIONS = NAMES["DISTRIBUTION"]
 SEED_SOURCES = NAMES["SEED"]
-SYMMETRIES = NAMES["SYMMETRY"]
 DENSITIES = NAMES["DENSITY"]
 GUIDES = NAMES["HATCH_GUIDE"]
 TONE_RANGES = NAMES["TONE_RANGES"]
@@ -46,7 +45,6 @@ VISIBILITIES = NAMES["VISIBILITY"]
 TONES = NAMES["TONE"]
 TONE_RULES = NAMES["TONE_RULE"]
 TONE_CURVES = NAMES["TONE_CURVE"]
-SILHOUETTE_LAWS = NAMES["SILHOUETTE_LAW"]
 LIGHT_SPACES = NAMES["LIGHT"]
 SHAPES = NAMES["SHAPE"]
 FORMATS = NAMES["FORMAT"]
@@ -93,4 +91,3 @@ PRESETS = preset_names()
 # Kinds that layers of marks have, and those of strokes that the library makes.
 MARK_KINDS = tuple(name for name in LAYER_KINDS if name != "any")
 MADE_KINDS = tuple(name for name in MARK_KINDS if name != "own")
-STROKE_KINDS = tuple(name for name in MADE_KINDS if name != "stipples")

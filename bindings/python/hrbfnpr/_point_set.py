@@ -120,7 +120,7 @@ class PointSet(Owner):
         ----------
         model : Model
         layers : str, Layer, or an iterable of these
-            "stipples" (default), "principal", "combing", or a `Layer` that says more.
+            "stipples" (default), "hatch", or a `Layer` that says more.
         preset : str, optional
             The layers that one of `hrbfnpr.PRESETS` draws, instead.
         **fields

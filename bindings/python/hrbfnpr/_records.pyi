@@ -356,19 +356,18 @@ class LayerInfo:
 
     Attributes
     ----------
-    kind : {"any", "stipples", "principal", "combing", "field", "own", "hatch"}
+    kind : {"any", "stipples", "hatch", "own"}
     name : str
         As it was given, or its kind.
     marks : int
     strokes : int
         That the marks form; 0 for stipples.
     full_count : int
-        What `marks` would be if nothing had been dropped ("published"), or had been left out for the budget
-        ("blue_noise" strokes).
+        What `marks` would be if nothing had been dropped.
     levels : int
-        Refinement steps taken; "blue_noise" strokes: the last pass.
+        Refinement steps taken; "hatch" of "blue_noise": the highest level.
     step : float
-        Initial step rho_0 used; "blue_noise" strokes: the separation.
+        Initial step rho_0 used; "hatch" of "blue_noise": the separation.
     seconds : float
     """
 
@@ -473,13 +472,12 @@ class DrawingInfo:
     silhouette : int
         Of those inside, too.
     culled : int
-        "depth_layers": marks that are of no class, since no tone or contour could show them: they were not looked
-        at one by one.
+        "depth_layers": marks that are of no class, since no tone could show them: they were not looked at one by
+        one.
     shown : int
         Drawn as ink.
     dropped_tone : int
-        Front marks not shown because of light or share, and contour marks that a line of even density does not
-        need.
+        Front marks not shown because of light or share.
     dropped_depth : int
         Front and silhouette marks not shown because of depth attenuation.
     dropped_zoom : int
@@ -1053,7 +1051,7 @@ class OwnLayerFields:
     name : str, optional
         As styles and `PointSet.layer` call it; the kind if None.
     kind : str
-        "own", "stipples", "principal", "combing", "field" or "hatch".
+        "own", "stipples" or "hatch".
     stroke_first : array of int, shape (s + 1,), optional
         Rising from 0 to n: stroke s has the marks stroke_first[s] up to stroke_first[s + 1] - 1, from end to end.
         None: no strokes.
@@ -1090,41 +1088,34 @@ class LayerFields:
     Attributes
     ----------
     kind : str
-        "stipples": scattered marks; "principal", "combing": strokes along the principal directions, or along
-        Stark's two directions [NPAR 5.3]; "field": strokes along `direction` and across it; "hatch": evenly spaced,
-        nested lines along one smooth field of directions.
+        "stipples": scattered marks; "hatch": evenly spaced, nested lines along one smooth field of directions, or,
+        with the distribution "published", strokes along these directions and across them [NPAR 5].
     name : str, optional
         As styles and `PointSet.layer` call it; the kind if None.
     budget : int, optional
-        The most marks, of both directions together; 0 = no limit, for the distribution "published" and strokes with
-        a separation. None = no limit for these, and 40000 for others.
+        The most marks; 0 = no limit, for the distribution "published" and lines with a separation. None = no limit
+        for these, and 40000 for others.
     tone : (begin, end), optional
-        The darkness at which the first mark is shown, and that at which all are: of stipples and strokes of the
-        first direction; None: as `tone_ranges` says.
+        The darkness at which the first mark is shown, and that at which all are: of stipples, lines, and
+        "published" strokes of the first direction; None: as `tone_ranges` says.
     second_tone : (begin, end), optional
-        The darkness at which the first mark is shown, and that at which all are: of strokes of the second
-        direction; None: as `tone_ranges` says.
+        The darkness at which the first mark is shown, and that at which all are: of "published" strokes of the
+        second direction; None: as `tone_ranges` says.
     with_curvature : bool
-        Whether its marks shall know their curvature; those of "principal" always do.
+        Whether its marks shall know their curvature; "published" strokes along curvature always do.
     density : str or callable
         "uniform", "curvature" or a function: where "blue_noise" stipples are denser. A function gets positions and
         unit normals, shape (n, 3) each, and returns n numbers from 0 (none) to 1 (densest).
     density_strength : float
         Of "curvature", 0 to 1; 0.5.
     separation : float
-        Mean distance of neighbouring "blue_noise" strokes of one direction, in the unit of the model; 0 = such that
-        all have as many marks as the budget. Of "hatch": that of all its lines.
+        Mean distance of neighbouring lines of "hatch", in the unit of the model; 0 = as many lines as make about
+        the budget's marks.
     step : float
-        Distance of the marks of such a stroke; 0 = a fifth of the separation, of "hatch" 0.4 of it.
-    length : float
-        Of a stroke at most; 0 = no limit. Strokes end where they come nearer to another than about two thirds of
-        the separation, leave the surface's samples, or meet a singular point of the field; a closed one ends at its
-        start.
+        Distance of the marks of a line; 0 = 0.4 of the separation.
     direction : callable, optional
-        For "field", and for "hatch" in place of curvature. It gets positions and unit normals, shape (n, 3) each,
-        and returns directions of the same shape: their sign and length count nothing, 0 0 0 is none.
-    symmetry : {"line", "cross"}
-        Whether such strokes go straight on where the two directions change places, or turn.
+        What lines of "hatch" follow in place of `guide`. It gets positions and unit normals, shape (n, 3) each, and
+        returns directions of the same shape: their sign and length count nothing, 0 0 0 is none.
     start : {"seeds", "stipples"}
         What strokes of the distribution "published" start from.
     start_level : int
@@ -1142,7 +1133,8 @@ class LayerFields:
         How much that counts against curvature.
     tone_smoothing : float, optional
         Over so much of the surface the normals that tone goes by are averaged, so that the grain of a rough one
-        makes no islands of light; in diagonals, 0.1 at most, 0 = not; None = 0.006 for "hatch", 0 for others.
+        makes no islands of light; in diagonals, 0.1 at most, 0 = not; None = 0.006 for "blue_noise" "hatch", 0 for
+        others.
     guide : {"curvature", "combing", "sections", "light", "silhouette"}
         What lines of "hatch" follow where no `direction` is given: the direction in which the surface bends most,
         Stark's first one, sections by planes across `axis`, away from a light, or as the silhouette.
@@ -1153,7 +1145,7 @@ class LayerFields:
 
     Examples
     --------
-    >>> lines = hrbfnpr.Layer("field", name="fur", direction=lambda p, n: np.cross(n, (0, 0, 1)), separation=0.02)
+    >>> lines = hrbfnpr.Layer("hatch", name="fur", direction=lambda p, n: np.cross(n, (0, 0, 1)), separation=0.02)
     >>> marks = model.generate(["stipples", lines])
     """
 
@@ -1167,9 +1159,7 @@ class LayerFields:
     density_strength: float = ...
     separation: float = ...
     step: float = ...
-    length: float = ...
     direction: Optional[Direction] = ...
-    symmetry: str = ...
     start: str = ...
     start_level: int = ...
     levels: Optional[int] = ...
@@ -1190,8 +1180,6 @@ class StyleFields(Attributes):
     tone_exponent: Field[float, float]
     light_space: Field[str, str]
     tone_fade: Field[float, float]
-    silhouette_law: Field[str, str]
-    silhouette_width: Field[float, float]
     silhouette_threshold: Field[float, float]
     silhouette_radius: Field[float, float]
     silhouette_radius_zoom: Field[float, float]
@@ -1212,7 +1200,7 @@ class StyleFields(Attributes):
 class LayerStyleFields(Attributes):
     kind: Field[str, str]
     shown: Field[bool, bool]
-    contours: Field[bool, bool]
+    contours: Field[int, int]
     shape: Field[str, str]
     share: Field[float, float]
     radius: Field[float, float]

@@ -107,7 +107,7 @@ def _words(value: Any, between: str) -> str:
 
 def _assignments(value: Any) -> Any:
     if not isinstance(value, Mapping):
-        raise TypeError("set must be a mapping of fields to values, such as {'principal.ink': '#800000'}")
+        raise TypeError("set must be a mapping of fields to values, such as {'hatch.ink': '#800000'}")
     try:
         return [_values.assignment(f"{name}={_words(part, ',')}") for name, part in value.items()]
     except argparse.ArgumentTypeError as error:

@@ -31,7 +31,7 @@ class LayerStyle(LayerStyleFields, KindStyle):
 
     Parameters
     ----------
-    kind : {"any", "stipples", "principal", "combing", "field", "own"}
+    kind : {"any", "stipples", "hatch", "own"}
         The layers that this is for ...
     name : str, optional
         ... and are called so; None: whatever they are called.
@@ -62,7 +62,7 @@ class Style(StyleFields):
         One of `hrbfnpr.PRESETS`; the library's default style if omitted.
     **fields
         Fields to change; `ink` is that of all layers and contours, and a kind of layers (`stipples`,
-        `principal`, ...) takes a mapping of fields of its `LayerStyle`.
+        `hatch`, ...) takes a mapping of fields of its `LayerStyle`.
 
     Attributes
     ----------
@@ -73,7 +73,7 @@ class Style(StyleFields):
 
     Examples
     --------
-    >>> style = hrbfnpr.Style("hatch", tone_exponent=1.5, ink="#402010", principal={"radius": 1.5})
+    >>> style = hrbfnpr.Style("hatch", tone_exponent=1.5, ink="#402010", stipples={"radius": 1.5})
     >>> style.layer("stipples").shown = True
     >>> style.layers.insert(0, hrbfnpr.LayerStyle(name="fur", shape="strokes", ink="#402010"))
     """

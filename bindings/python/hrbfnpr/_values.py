@@ -14,7 +14,7 @@ from ._records import Pen
 from ._style import LayerStyle, Style
 
 Vector = Tuple[float, float, float]
-MADE = tuple(kind for kind in MADE_KINDS if kind != "field")  # a field is a function
+MADE = MADE_KINDS
 PAPERS = ("a0", "a1", "a2", "a3", "a4", "a5", "a6", "letter", "legal", "tabloid")
 LINES = (
     "contour", "suggestive", "ridges", "valleys", "apparent", "parabolic", "isophotes", "section", "border", "crease",

@@ -11,9 +11,6 @@ namespace hrbfnpr::frame {
 namespace {
 
 constexpr float nothing = std::numeric_limits<float>::infinity();
-// A contour lies behind a layer that is nearer by so many pixels: where it is asked, its own layer is not, but the
-// discs of that may be.
-constexpr float contour_gap = 4.0F;
 // Ink lies behind another layer of its item that faces like its own by so many radii of the splats.
 constexpr float own_gap = 5.0F;
 // Discs reach beyond the border of a surface that ends, and would hide a strip of another one that begins there: in so
@@ -67,15 +64,13 @@ struct Items {
 // By the nearest layers and the halo, or by the next ones, at a place in pixels of the planes.
 Dimmed dim(const LayerPlanes& p, const Dot& ink, const Items& items, const glm::vec2& place, bool next) noexcept {
     Dimmed result;
-    if (const std::int32_t at = pixel_at(p, place); !next && p.halo[at] + halo_gap / ink.pixels_per_unit < ink.depth)
+    const std::int32_t at = pixel_at(p, place);
+    if (!next && p.halo[at] + halo_gap / ink.pixels_per_unit < ink.depth)
         result.transmittance = p.halo_transmittance[at];
     if ((ink.flags & dot_is_exact) != 0) return result;
-    const glm::vec2 probed = place + glm::vec2(ink.probe_x, ink.probe_y) / static_cast<float>(probe_steps);
-    const std::int32_t at = pixel_at(p, probed);
-    const bool contour = ink.mark_class == MarkClass::silhouette;
-    const float other = (contour ? contour_gap : side_gap) / ink.pixels_per_unit;
-    const float own = contour ? other : own_gap * p.largest_splat / ink.pixels_per_unit;
-    const float border = contour ? other : border_gap * p.largest_splat / ink.pixels_per_unit;
+    const float other = side_gap / ink.pixels_per_unit;
+    const float own = own_gap * p.largest_splat / ink.pixels_per_unit;
+    const float border = border_gap * p.largest_splat / ink.pixels_per_unit;
     const bool faces_back = (ink.flags & dot_faces_back) != 0;
     const auto hides = [&](std::int64_t layer, bool alike) {
         const float depth = p.depth[layer][at];
@@ -84,7 +79,7 @@ Dimmed dim(const LayerPlanes& p, const Dot& ink, const Items& items, const glm::
         if (alike && !is_other) return depth + own < ink.depth;
         if (!(depth + other < ink.depth)) return false;
         const bool may_end = is_other && alike && (items.ends >> item_of(p.transmittance[layer][at]) & 1U) != 0;
-        return !may_end || depth + border < ink.depth || goes_on(p, layer, probed);
+        return !may_end || depth + border < ink.depth || goes_on(p, layer, place);
     };
     const std::int64_t first = next ? std::int64_t{LayerPlanes::next_front} : std::int64_t{LayerPlanes::front};
     const float front = p.depth[first][at];

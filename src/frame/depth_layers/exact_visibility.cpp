@@ -11,9 +11,8 @@ namespace {
 
 constexpr std::int64_t rays_at_a_time = 16384;
 constexpr std::int32_t most_layers = 8;
-// A ray starts so many pixels outside of its own layer; a contour's, where its own layer is out of the way.
+// Rays start this many pixels off the mark's own layer, on its outer side.
 constexpr double off_layer = 0.5;
-constexpr double off_contour = 3.0;
 
 } // namespace
 
@@ -25,8 +24,8 @@ void ExactVisibility::add_ray(const Scene& scene, const Run& run, const Dot& ink
     const glm::dmat3 back = glm::inverse(to_eye);
     const double pixel =
         1.0 / (static_cast<double>(ink.pixels_per_unit) * std::cbrt(std::abs(glm::determinant(to_eye))));
-    const double off = ink.mark_class == MarkClass::silhouette ? off_contour : off_layer;
-    const glm::dvec3 from = glm::dvec3(run.place_of(mark, item.unit)) + off * pixel * glm::dvec3(run.normal_of(mark));
+    const glm::dvec3 from =
+        glm::dvec3(run.place_of(mark, item.unit)) + off_layer * pixel * glm::dvec3(run.normal_of(mark));
     const glm::dvec3 centre(scene.lens.centre);
     const bool parallel = scene.lens.centre.w == 0.0F;
     // The direction's length does not matter where lines of sight are parallel: rays end with the model's bounds.

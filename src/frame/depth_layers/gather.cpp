@@ -23,7 +23,7 @@ constexpr std::int64_t marks_of_work = 8192;
 }
 
 // Hatching sees its marks itself: neither dots nor splats come from them.
-[[nodiscard]] bool is_unused(const Run& run) noexcept { return run.as_hatch && !run.splats && !run.draws_silhouettes; }
+[[nodiscard]] bool is_unused(const Run& run) noexcept { return run.as_hatch && !run.splats; }
 
 [[nodiscard]] bool same_layers(const ItemView& one, const ItemView& other) noexcept {
     const Style& a = one.style;

@@ -16,18 +16,18 @@ constexpr std::size_t darkest_step = needed_steps * 6 / 10;
 
 using marks::MarkBlock;
 
-// Marks farther round the contour than this are none of its, whatever the curvature.
+// Marks within this many pixels of the contour are near it. Larger: more splats beside contours.
+constexpr float rim_width = 1.05F;
+// Marks of a larger |n . v| are not near a contour, whatever the curvature.
 constexpr float widest_band = 0.9F;
+// ... nor are marks of a larger |n . v| than this where the curvature is not known.
+constexpr float unknown_band = 0.2F;
 // Dot of the front vanishes towards the contour over this much of n . v, where nothing else makes it vanish.
 constexpr float front_fade = 0.08F;
-// Contours are asked for what hides them so many pixels outside of their own layer.
-constexpr float probe = 3.0F;
 // A halo goes out from marks within this many pixels of the contour.
 constexpr float halo_band = 1.0F;
 // A contour that runs into the depth more steeply has no halo.
 constexpr float steepest_contour = 8.0F;
-// Marks of a contour for each of its pixels.
-constexpr float contour_marks = 3.0F;
 
 } // namespace
 
@@ -48,22 +48,16 @@ Selection Gatherer::common_selection() const noexcept {
     selection.more = 1.0F / (1.0F - 0.5F * selection.fade); // marks that fade in are small
     // Coverage counts on foreshortening; else the ink of the front vanishes where it turns away.
     selection.turn = selection.fade > 0.0F && !selection.coverage && !selection.by_published ? front_fade : 0.0F;
-    selection.draws_contours = run_.draws_silhouettes;
-    for (int k = 0; k < 3; ++k) selection.eye[k] = sight_.eye[k];
-    selection.width = style_.silhouette_width;
     return selection;
 }
 
 // The largest disc that a mark can bring decides whether it can reach the viewport.
 float Gatherer::reach(float pixels_per_unit) const noexcept {
-    float radius = 0.0F;
-    if (run_.draws_front) radius = run_.pen.front_ink(pixels_per_unit);
-    if (run_.draws_silhouettes) radius = std::max(radius, run_.pen.silhouette_ink(pixels_per_unit));
-    return radius + soft_rim;
+    return (run_.draws_front ? run_.pen.front_ink(pixels_per_unit) : 0.0F) + soft_rim;
 }
 
 Gatherer::Local Gatherer::local_of(const marks::Cluster& cluster) const noexcept {
-    Local local{&cluster, {}, selection_, splat_spacing};
+    Local local{&cluster, {}, selection_};
     const float reach_there = reach(pixels_per_unit_at(cluster, sight_, scene_.lens));
     local.view = view_cluster(cluster, sight_, scene_.lens, all_.frustum_, reach_there);
     const ClusterView& view = local.view;
@@ -81,28 +75,17 @@ Gatherer::Local Gatherer::local_of(const marks::Cluster& cluster) const noexcept
         // Marks that cover less than 0.6 are shown as if they covered that: their dark tones still differ.
         selection.per_ink =
             1.0F / std::max(all_.ink_per_pixel(item_ink_, view.pixels_per_unit), item_ink_.needed[darkest_step]);
-    set_contour(local);
+    set_rim(local);
     selection.most_shown = most_shown(local);
     return local;
 }
 
-// The share of its marks that a line of `contour_marks` for each pixel takes: around a circle the band is
-// sqrt(2 width / curvature) wide on either side.  Groups that come first go first.
-void Gatherer::set_contour(Local& local) const noexcept {
+void Gatherer::set_rim(Local& local) const noexcept {
     const marks::Cluster& cluster = *local.cluster;
-    Selection& selection = local.selection;
-    const float pixels_per_unit = local.view.pixels_per_unit;
-    selection.pixel_curvature = 1.0F / (sight_.scale * pixels_per_unit);
-    selection.by_width = style_.silhouette_law == SilhouetteLaw::width && cluster.bend >= 0.0F;
-    selection.band = static_cast<float>(style_.silhouette_threshold);
-    if (!selection.by_width) return;
-    selection.band =
-        std::min(contour_band(1.05F * selection.width, cluster.bend * selection.pixel_curvature), widest_band);
-    const float area = run_.pen.spacing * run_.pen.spacing;
-    selection.line_slope = contour_marks * pixels_per_unit * pixels_per_unit * area /
-                           (2.0F * std::sqrt(2.0F * std::max(selection.width, 1e-3F)));
-    selection.line_earlier = run_.earlier_contours * area;
-    for (std::size_t k = 0; k < cluster.shape.size(); ++k) selection.shape[k] = cluster.shape[k];
+    local.pixel_curvature = 1.0F / (sight_.scale * local.view.pixels_per_unit);
+    local.rim_band = cluster.bend >= 0.0F
+                         ? std::min(contour_band(rim_width, cluster.bend * local.pixel_curvature), widest_band)
+                         : unknown_band;
 }
 
 void Gatherer::operator()(const marks::Cluster& cluster) noexcept {
@@ -116,17 +99,8 @@ void Gatherer::operator()(const marks::Cluster& cluster) noexcept {
     const bool whole = count_whole(local);
     local.splat_spacing = whole ? splat_spacing : contour_splat_spacing;
     const std::int64_t splats = splats_of(local);
-    const Selection& selection = local.selection;
-    const bool tone = selection.front_ink && local.view.nu_min < 0.0F;
-    float most = tone ? selection.most_shown : 0.0F;
-    // Wherever it bends the most, a contour takes the most marks.
-    if (selection.draws_contours && !whole)
-        most = std::max(
-            most, selection.by_width
-                      ? 1e-4F + 1.01F * selection.line_slope * std::sqrt(cluster.bend * selection.pixel_curvature) -
-                            selection.line_earlier
-                      : 1.0F);
-    const std::int64_t inks = shown_of(cluster, most);
+    const bool tone = local.selection.front_ink && local.view.nu_min < 0.0F;
+    const std::int64_t inks = tone ? shown_of(cluster, local.selection.most_shown) : 0;
     if (!whole)
         info_.culled += marks - inks;
     else if (tone)
@@ -147,8 +121,8 @@ void Gatherer::expect(std::int64_t cluster) const noexcept {
 // Whether all marks of the cluster are of one class, which is then counted.
 bool Gatherer::count_whole(const Local& local) noexcept {
     if (!local.view.inside) return false;
-    const bool front = local.view.nu_max < -local.selection.band;
-    const bool back = local.view.nu_min > local.selection.band;
+    const bool front = local.view.nu_max < -local.rim_band;
+    const bool back = local.view.nu_min > local.rim_band;
     if (front) info_.front += local.cluster->count;
     if (back) info_.back += local.cluster->count;
     return front || back;
@@ -248,7 +222,7 @@ void Gatherer::set_halo(Splat& c, const Local& local, const Seen& seen, std::int
     c.halo = 0.0F;
     if (!(style_.halo_width > 0.0F) || !(std::abs(nu) <= widest_band) || local.cluster->bend < 0.0F) return;
     const Rim rim = rim_of(local, i);
-    const float away = contour_distance(nu, std::abs(rim.curvature) * local.selection.pixel_curvature);
+    const float away = contour_distance(nu, std::abs(rim.curvature) * local.pixel_curvature);
     if (!(away <= halo_band)) return;
     const glm::vec3 along = item_.to_eye * contour_direction(*local.cluster, rim.normal, rim.sight);
     const float across = std::sqrt(along.x * along.x + along.y * along.y);
@@ -261,7 +235,7 @@ void Gatherer::set_halo(Splat& c, const Local& local, const Seen& seen, std::int
     c.halo_y = c.y - away * seen.side_y[i] / side;
     // Where a surface bends little, its marks tell little of how far away the contour is: its own line stays before
     // the halo, and so does what is hardly behind.
-    const float pixel_radius = 1.0F / (std::abs(rim.curvature) * local.selection.pixel_curvature);
+    const float pixel_radius = 1.0F / (std::abs(rim.curvature) * local.pixel_curvature);
     const float slack = std::sqrt(2.0F * halo_band * pixel_radius) + std::abs(slope) * c.halo;
     c.halo_depth = c.depth + to_rim(rim, nu) + slack / c.pixels_per_unit;
     c.halo_slope_x = slope * along.x / (across * c.pixels_per_unit);
@@ -297,13 +271,12 @@ void Gatherer::ink(const Local& local, const Seen& seen, std::int64_t count, boo
     std::array<float, Seen::most> tau;
     std::array<float, Seen::most> tau_depth;
     Selected selected;
-    all_.loops_.select(local.selection, sight_.seer, {marks_.block.data() + local.cluster->block, count}, seen,
+    all_.loops_.select(local.selection, {marks_.block.data() + local.cluster->block, count}, seen,
                        taus(local, seen, count, tau.data()), depth_tones(seen, count, tau_depth.data()), selected);
     if (!counted) {
         info_.outside += selected.outside;
         info_.front += selected.fronts;
         info_.back += selected.backs;
-        info_.silhouette += selected.contours;
     }
     info_.dropped_tone += selected.dropped_tone;
     info_.dropped_zoom += selected.dropped_zoom;
@@ -312,18 +285,14 @@ void Gatherer::ink(const Local& local, const Seen& seen, std::int64_t count, boo
         for (unsigned bits = selected.drawn[word]; bits != 0; bits &= bits - 1) {
             const std::int64_t i = first + std::countr_zero(bits);
             const std::int64_t place = local.cluster->block * MarkBlock::size + i;
-            // Areas: a mark on its way from the front into the contour's band is as large as the larger of both.
-            const float own =
+            const float radius =
                 run_.pen.front_ink(seen.pixels_per_unit[i]) * (marks_.width.empty() ? 1.0F : marks_.width[place]);
-            const float front = own * own * selected.front[i];
-            const float pen = run_.pen.silhouette_ink(seen.pixels_per_unit[i]);
-            const float line = pen * pen * selected.line[i];
-            put(local, seen, i, std::sqrt(std::max(line, front)), line > 0.0F);
+            put(local, seen, i, std::sqrt(radius * radius * selected.front[i]));
         }
     }
 }
 
-void Gatherer::put(const Local& local, const Seen& seen, std::int64_t i, float radius, bool contour) noexcept {
+void Gatherer::put(const Local& local, const Seen& seen, std::int64_t i, float radius) noexcept {
     const MarkBlock& m = marks_.block[local.cluster->block + i / MarkBlock::size];
     Dot& ink = *ink_++;
     ink.x = seen.x[i];
@@ -334,17 +303,11 @@ void Gatherer::put(const Local& local, const Seen& seen, std::int64_t i, float r
     ink.window = seen.window[i];
     ink.pixels_per_unit = seen.pixels_per_unit[i];
     ink.id = run_.first_id + m.mark[i % MarkBlock::size];
-    ink.layer = layer_ + (contour ? 1U : 0U);
-    ink.mark_class = contour ? MarkClass::silhouette : MarkClass::front;
+    ink.layer = layer_;
+    ink.mark_class = MarkClass::front;
     // By the side that the splats are of.
     ink.flags = static_cast<std::uint8_t>(((seen.nu[i] > 0.0F) != run_.turned ? dot_faces_back : 0) |
                                           (item_.model != nullptr ? dot_is_exact : 0));
-    const float side = std::sqrt(seen.side_x[i] * seen.side_x[i] + seen.side_y[i] * seen.side_y[i]);
-    const float step = contour && side > 0.0F ? probe * probe_steps / side : 0.0F;
-    // A line is where its contour is, not where its marks are around it.
-    if (contour && local.selection.by_width) ink.depth += to_rim(rim_of(local, i), seen.nu[i]);
-    ink.probe_x = static_cast<std::int8_t>(seen.side_x[i] * step);
-    ink.probe_y = static_cast<std::int8_t>(-seen.side_y[i] * step);
 }
 
 } // namespace hrbfnpr::frame

@@ -26,7 +26,9 @@ private:
         const marks::Cluster* cluster = nullptr;
         ClusterView view;
         Selection selection;
-        float splat_spacing = 1.0F; // pixels
+        float pixel_curvature = 0.0F; // per pixel, of a curvature of 1
+        float rim_band = 0.0F;        // marks of the cluster with |nu| below this may be near a contour
+        float splat_spacing = 1.0F;   // pixels
     };
 
     // A mark near a contour, in object space.
@@ -37,7 +39,7 @@ private:
 
     [[nodiscard]] Selection common_selection() const noexcept;
     [[nodiscard]] Local local_of(const marks::Cluster& cluster) const noexcept;
-    void set_contour(Local& local) const noexcept;
+    void set_rim(Local& local) const noexcept;
     [[nodiscard]] float reach(float pixels_per_unit) const noexcept;
     [[nodiscard]] bool count_whole(const Local& local) noexcept;
     [[nodiscard]] std::int64_t shown_of(const marks::Cluster& cluster, float shown) const noexcept;
@@ -51,7 +53,7 @@ private:
     [[nodiscard]] const float* taus(const Local& local, const Seen& seen, std::int64_t count,
                                     float* scratch) const noexcept;
     [[nodiscard]] const float* depth_tones(const Seen& seen, std::int64_t count, float* scratch) const noexcept;
-    void put(const Local& local, const Seen& seen, std::int64_t i, float radius, bool contour) noexcept;
+    void put(const Local& local, const Seen& seen, std::int64_t i, float radius) noexcept;
 
     Gather& all_;
     const Scene& scene_;

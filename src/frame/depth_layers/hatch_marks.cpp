@@ -28,11 +28,9 @@ constexpr std::int64_t fewest_of_closed = 4;
 // Places farther outside of the picture have no use, pixels.
 constexpr float farthest = 1e6F;
 
-// Published strokes branch where they like.
+// The report's step of a layer is its lines' separation, but for published strokes, which lie as they grew.
 [[nodiscard]] bool has_separation(const marks::Layer& layer) noexcept {
-    const bool grown =
-        layer.kind == marks::Kind::principal || layer.kind == marks::Kind::combing || layer.kind == marks::Kind::field;
-    return layer.report.step > 0.0 && (layer.progressive || !grown);
+    return layer.report.step > 0.0 && (layer.progressive || layer.kind != marks::Kind::hatch);
 }
 
 // The root of the largest eigenvalue of a symmetric matrix.

@@ -86,8 +86,8 @@ void HatchPoints::put(const Scene& scene, const Batch& batch, drawing::Drawing& 
                                                  (scene.item_of(run).model != nullptr ? dot_is_exact : 0));
     Dot* to = drawing.dots.data() + batch.first_dot;
     for (const HatchPoint& p : batch.part.points)
-        *to++ = {p.x,  p.y,   0.5F * p.width,   1.0F,  p.depth, p.window, p.pixels_per_unit,
-                 p.id, layer, MarkClass::front, flags, 0,       0};
+        *to++ = {p.x,  p.y,   0.5F * p.width,   1.0F, p.depth, p.window, p.pixels_per_unit,
+                 p.id, layer, MarkClass::front, flags};
 }
 
 void HatchPoints::run(const Scene& scene, const Gather& gather, drawing::Drawing& drawing) {

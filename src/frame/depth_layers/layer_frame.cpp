@@ -20,13 +20,10 @@ void find_color(const Scene& scene, drawing::Drawing& drawing) {
     drawing.one_color = true;
     bool first = true;
     for (std::int64_t r = 0; r < scene.runs.size(); ++r) {
-        for (const bool contour : {false, true}) {
-            const Run& run = scene.runs[r];
-            if (!(contour ? run.draws_silhouettes : run.draws_front)) continue;
-            const glm::vec4& ink = drawing.layers[2 * r + (contour ? 1 : 0)].ink;
-            if (std::exchange(first, false)) drawing.ink_color = ink;
-            drawing.one_color = drawing.one_color && ink == drawing.ink_color;
-        }
+        if (!scene.runs[r].draws_front) continue;
+        const glm::vec4& ink = drawing.layers[2 * r].ink;
+        if (std::exchange(first, false)) drawing.ink_color = ink;
+        drawing.one_color = drawing.one_color && ink == drawing.ink_color;
     }
     for (std::int64_t l = 2 * scene.runs.size(); l < drawing.layers.size(); ++l) { // of lines
         const glm::vec4& ink = drawing.layers[l].ink;

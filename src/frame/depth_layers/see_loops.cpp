@@ -134,58 +134,6 @@ HWY_INLINE M inside(const Selection& j, const Seen& seen, std::int64_t at) {
                    hn::Gt(hn::LoadU(d, seen.pixels_per_unit + at), hn::Zero(d)));
 }
 
-// Normal curvature along the line of sight, per pixel.
-HWY_INLINE W radial_curvature(const Selection& j, const Seer& seer, const marks::MarkBlock& m, std::int64_t at) {
-    const F d;
-    const W nx = hn::LoadU(d, m.nx + at);
-    const W ny = hn::LoadU(d, m.ny + at);
-    const W nz = hn::LoadU(d, m.nz + at);
-    const auto along = [&](const float* from, float eye) HWY_ATTR {
-        return seer.parallel ? hn::Set(d, eye) : hn::Sub(hn::LoadU(d, from + at), hn::Set(d, eye));
-    };
-    const W vx = along(m.x, j.eye[0]);
-    const W vy = along(m.y, j.eye[1]);
-    const W vz = along(m.z, j.eye[2]);
-    const W across = hn::Add(hn::Add(hn::Mul(vx, nx), hn::Mul(vy, ny)), hn::Mul(vz, nz));
-    const W wx = hn::Sub(vx, hn::Mul(across, nx)); // the line of sight along the surface
-    const W wy = hn::Sub(vy, hn::Mul(across, ny));
-    const W wz = hn::Sub(vz, hn::Mul(across, nz));
-    const float low[3] = {j.shape[0], j.shape[1], j.shape[2]};
-    const float middle[3] = {j.shape[1], j.shape[3], j.shape[4]};
-    const float high[3] = {j.shape[2], j.shape[4], j.shape[5]};
-    const W turn = hn::Add(hn::Add(hn::Mul(wx, dot3(low, wx, wy, wz)), hn::Mul(wy, dot3(middle, wx, wy, wz))),
-                           hn::Mul(wz, dot3(high, wx, wy, wz)));
-    return hn::Mul(hn::Div(hn::Abs(turn), squared(wx, wy, wz)), hn::Set(d, j.pixel_curvature));
-}
-
-struct Line {
-    M in;
-    W share, shown;
-};
-
-// Where a mark lies in the contour's band, and which marks its line takes.
-HWY_INLINE Line line_of(const Selection& j, const Seer& seer, const marks::MarkBlock& m, std::int64_t in_block, W nu,
-                        M valid) {
-    const F d;
-    const W one = hn::Set(d, 1.0F);
-    const W size = hn::Abs(nu);
-    const M near = hn::And(valid, hn::Le(size, hn::Set(d, j.band)));
-    if (hn::AllFalse(d, near)) return {near, hn::Zero(d), hn::Zero(d)};
-    if (!j.by_width) {
-        const W rest = hn::Sub(one, hn::Mul(size, hn::Set(d, 1.0F / j.band)));
-        return {near, j.fade > 0.0F ? hn::Min(one, hn::Mul(hn::Set(d, 4.0F), rest)) : one, one};
-    }
-    const W curvature = radial_curvature(j, seer, m, in_block);
-    // As contour_distance().
-    const W square = hn::Mul(nu, nu);
-    const W root = hn::Sqrt(hn::Max(hn::Zero(d), hn::Sub(one, square)));
-    const W pixels = hn::Div(square, hn::Mul(hn::Add(one, root), curvature));
-    const W rest = hn::Sub(one, hn::Mul(pixels, hn::Set(d, 1.0F / j.width)));
-    const W shown = hn::Sub(hn::Mul(hn::Set(d, j.line_slope), hn::Sqrt(curvature)), hn::Set(d, j.line_earlier));
-    return {hn::And(near, hn::Gt(rest, hn::Zero(d))), j.fade > 0.0F ? hn::Min(one, hn::Add(rest, rest)) : one,
-            hn::Min(one, hn::Max(hn::Zero(d), shown))};
-}
-
 // The share of the marks that makes up a tone.
 HWY_INLINE W shown_for(const Selection& j, W tau, W nu) {
     const F d;
@@ -207,7 +155,7 @@ HWY_INLINE W shown_for(const Selection& j, W tau, W nu) {
 HWY_INLINE std::int32_t count(M mask) { return static_cast<std::int32_t>(hn::CountTrue(F(), mask)); }
 
 // Dot of the front, and why there is none.
-HWY_INLINE W front_of(const Selection& j, W nu, W place, W tau, W tau_depth, M front, M counted, Selected& selected) {
+HWY_INLINE W front_of(const Selection& j, W nu, W place, W tau, W tau_depth, M front, Selected& selected) {
     const F d;
     const W zero = hn::Zero(d);
     const W scale = hn::Set(d, j.scale);
@@ -228,37 +176,21 @@ HWY_INLINE W front_of(const Selection& j, W nu, W place, W tau, W tau_depth, M f
         if (j.turn > 0.0F)
             area = hn::Mul(area, hn::Min(hn::Set(d, 1.0F), hn::Mul(hn::Abs(nu), hn::Set(d, 1.0F / j.turn))));
     }
-    const M tone = hn::And(counted, hn::Eq(by_tone, zero));
-    const M zoom = hn::AndNot(tone, hn::And(counted, hn::Eq(by_zoom, zero)));
+    const M tone = hn::And(front, hn::Eq(by_tone, zero));
+    const M zoom = hn::AndNot(tone, hn::And(front, hn::Eq(by_zoom, zero)));
     selected.dropped_tone += count(tone);
     selected.dropped_zoom += count(zoom);
-    selected.dropped_depth += count(hn::AndNot(hn::Or(tone, zoom), hn::And(counted, hn::Eq(area, zero))));
+    selected.dropped_depth += count(hn::AndNot(hn::Or(tone, zoom), hn::And(front, hn::Eq(area, zero))));
     return hn::IfThenElseZero(front, area);
 }
 
-// undrawn: marks that are not ink of the front either.
-HWY_INLINE W contour_of(const Selection& j, const Line& line, W place, W tau_depth, M undrawn, Selected& selected) {
-    const F d;
-    const W one = hn::Set(d, 1.0F);
-    const auto full = [&](W shown)
-                          HWY_ATTR { return hn::IfThenElse(hn::Ge(shown, one), one, grown(place, shown, j.fade)); };
-    W area = full(hn::Mul(line.shown, tau_depth));
-    if (j.by_published) area = hn::IfThenElseZero(hn::Lt(hn::Sub(one, place), tau_depth), full(line.shown));
-    area = hn::IfThenElseZero(line.in, hn::Mul(area, line.share));
-    const M dropped = hn::And(hn::And(line.in, undrawn), hn::Eq(area, hn::Zero(d)));
-    const M thinned = hn::And(dropped, hn::Eq(full(line.shown), hn::Zero(d)));
-    selected.dropped_tone += count(thinned);
-    selected.dropped_depth += count(hn::AndNot(thinned, dropped));
-    return area;
-}
-
-void select(const Selection& j, const Seer& seer, const MarkRange& range, const Seen& seen, const float* taus,
-            const float* tau_depths, Selected& selected) {
+void select(const Selection& j, const MarkRange& range, const Seen& seen, const float* taus, const float* tau_depths,
+            Selected& selected) {
     const F d;
     const W zero = hn::Zero(d);
     const W one = hn::Set(d, 1.0F);
     const auto lanes = static_cast<std::int64_t>(hn::Lanes(d));
-    selected.outside = selected.fronts = selected.backs = selected.contours = 0;
+    selected.outside = selected.fronts = selected.backs = 0;
     selected.dropped_tone = selected.dropped_zoom = selected.dropped_depth = 0;
     for (std::int64_t at = 0; at < range.count; at += lanes) {
         const marks::MarkBlock& m = range.blocks[at / marks::MarkBlock::size];
@@ -269,25 +201,18 @@ void select(const Selection& j, const Seer& seer, const MarkRange& range, const 
         const W nu = hn::LoadU(d, seen.nu + at);
         const W place = hn::Sub(one, hn::LoadU(d, m.rank + in_block));
         const W tau_depth = tau_depths == nullptr ? one : hn::LoadU(d, tau_depths + at);
-        const Line line = line_of(j, seer, m, in_block, nu, valid);
         const M faces = hn::And(valid, hn::Lt(nu, zero));
-        const M own = hn::AndNot(line.in, faces);
-        const std::int32_t contours = count(line.in);
-        const std::int32_t fronts = count(own);
-        selected.contours += contours;
+        const std::int32_t fronts = count(faces);
         selected.fronts += fronts;
-        selected.backs += count(valid) - contours - fronts;
+        selected.backs += count(valid) - fronts;
         W front = zero;
         if (j.front_ink) {
-            // Lanes behind the last mark have no tone: what they held would be where a table is read.
+            // Lanes after the last mark have no tone: what they held would be where a table is read.
             const W tau = hn::IfThenElseZero(all, hn::LoadU(d, taus + at));
-            front = front_of(j, nu, place, tau, tau_depth, j.fade > 0.0F ? faces : own, own, selected);
+            front = front_of(j, nu, place, tau, tau_depth, faces, selected);
         }
-        const W contour =
-            j.draws_contours ? contour_of(j, line, place, tau_depth, hn::Eq(front, zero), selected) : zero;
         hn::StoreU(front, d, selected.front + at);
-        hn::StoreU(contour, d, selected.line + at);
-        const M drawn = hn::Or(hn::Gt(front, zero), hn::Gt(contour, zero));
+        const M drawn = hn::Gt(front, zero);
         std::uint8_t bits[8] = {};
         hn::StoreMaskBits(d, drawn, bits);
         selected.drawn[at / lanes] = static_cast<std::uint16_t>(bits[0] | bits[1] << 8);

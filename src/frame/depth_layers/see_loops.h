@@ -69,25 +69,14 @@ struct Selection {
     float most_shown; // no tone shows a larger share
     float fade;       // 0: a mark is shown or not
     float turn;       // > 0: ink vanishes where |nu| falls below it
-
-    // Of contours.
-    bool draws_contours;
-    bool by_width;                  // else by |nu| <= band alone
-    float band;                     // no contour mark has a larger |nu|
-    float eye[3];                   // centre of projection, or direction of sight, in the set's space
-    float shape[6];                 // of the cluster
-    float pixel_curvature;          // of a curvature of 1
-    float width;                    // pixels
-    float line_slope, line_earlier; // the line takes the share line_slope sqrt(curvature) - line_earlier of the marks
 };
 inline constexpr int needed_steps = 64;
 
 struct Selected {
-    float front[Seen::most];         // of a mark's area as ink of the front
-    float line[Seen::most];          // as ink of a contour
-    std::uint16_t drawn[Seen::most]; // a bit for each mark: either is not 0; so many in one as `lanes`
+    float front[Seen::most];         // of a mark's area, the share that is drawn
+    std::uint16_t drawn[Seen::most]; // a bit for each mark whose share is not 0; an element holds `lanes` marks
     std::int32_t lanes;
-    std::int32_t outside, fronts, backs, contours;
+    std::int32_t outside, fronts, backs;
     std::int32_t dropped_tone, dropped_zoom, dropped_depth;
 };
 
@@ -95,8 +84,8 @@ struct SeeLoops {
     void (*see)(const Seer& seer, const MarkRange& marks, Seen& seen);
     void (*see_rows)(const Seer& seer, const MarkRows& marks, const SeenRows& seen);
     // tau and tau_depth: of each mark; tau_depth may be NULL, all 1.
-    void (*select)(const Selection& selection, const Seer& seer, const MarkRange& marks, const Seen& seen,
-                   const float* tau, const float* tau_depth, Selected& selected);
+    void (*select)(const Selection& selection, const MarkRange& marks, const Seen& seen, const float* tau,
+                   const float* tau_depth, Selected& selected);
 };
 
 [[nodiscard]] SeeLoops see_loops(base::InstructionSet set) noexcept;

@@ -91,8 +91,8 @@ ItemView view_of(const Item& item, const Camera& camera) {
     return view;
 }
 
-// Whether it is spread over the surface: strokes of the caller's may be few and anywhere.  They tell neither where the
-// surface is nor where its contours are, and make no tone.
+// Whether the layer is spread over the surface. Strokes of the caller's may be few and anywhere: they tell neither
+// where the surface is nor where its contours are, and make no tone.
 bool is_surface(const marks::Layer& layer) noexcept { return !(layer.kind == marks::Kind::own && layer.has_strokes()); }
 
 bool is_used(const LayerStyle& style) noexcept { return style.shown || style.contours; }
@@ -104,13 +104,6 @@ bool is_drawn(const marks::Layer& layer, const Style& style) noexcept {
 bool has_surface(const marks::PointSet& set, const Style& style) noexcept {
     return std::any_of(set.layers.begin(), set.layers.end(),
                        [&](const marks::Layer& layer) { return is_drawn(layer, style) && is_surface(layer); });
-}
-
-// Then its marks draw none.
-bool draws_contour_lines(const Item& item) noexcept {
-    return item.lines != nullptr && item.style.visibility == Visibility::depth_layers &&
-           std::any_of(item.style.lines.begin(), item.style.lines.end(),
-                       [](const LineStyle& style) { return style.kind == LineKind::contour; });
 }
 
 // Which layer's marks are the splats of an item; -1: none's.  Stipples are spread the most evenly, so theirs are
@@ -221,7 +214,7 @@ private:
         // A stipple belongs to no direction.
         run.directions = run.scattered ? 3U : style.directions;
         run.draws_front = style.shown && style.share > 0.0F && run.directions != 0;
-        run.draws_silhouettes = style.contours && is_surface(marks) && !draws_contour_lines(item_);
+        run.draws_silhouettes = style_.visibility == Visibility::published && style.contours && is_surface(marks);
         run.makes_tone = is_surface(marks) || !any_surface_;
         const bool splats = number == splats_;
         // With a given overlap, one evenly spread layer is as opaque as all; as published, every mark counts.
@@ -240,8 +233,6 @@ private:
 
     void add(Run run) {
         if (run.as_strokes) run.first_joined = std::exchange(scene_.joined, scene_.joined + run.count);
-        run.earlier_contours = earlier_;
-        if (run.draws_silhouettes) earlier_ += 1.0F / (run.pen.spacing * run.pen.spacing);
         scene_.runs.push_back(run);
         add_layer(run, drawing::MarkClass::front, color(run.style->ink));
         add_layer(run, drawing::MarkClass::silhouette, style_.silhouette_ink);
@@ -266,7 +257,6 @@ private:
     std::int64_t splats_;
     bool any_surface_;
     double eye_per_object_;
-    float earlier_ = 0.0F;
 };
 
 void check_common(std::span<const Item> items, std::int64_t index) {

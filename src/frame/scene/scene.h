@@ -20,7 +20,6 @@ using drawing::dot_is_paper;
 using drawing::faintest_ink;
 using drawing::MarkClass;
 using drawing::Piece;
-using drawing::probe_steps;
 using drawing::smallest_radius;
 using drawing::soft_rim;
 using drawing::Splat;
@@ -137,19 +136,18 @@ struct Run {
     std::uint32_t first_id = 0;
     std::uint32_t directions = 3; // of front ink
     bool draws_front = false;
-    bool draws_silhouettes = false;
-    bool paints_paper = false;     // HIDDEN_LINES_ATTENUATE
-    bool occludes = false;         // HIDDEN_LINES_HIDE
-    float earlier_contours = 0.0F; // contour marks per area of the item's runs before this one, eye space
-    float separation = 0.0F;       // of strokes, eye units; 0: none is known
-    std::int64_t first_joined = 0; // of those that are drawn as strokes: place of the first mark among all such
-    bool as_strokes = false;       // marks that follow each other become lines
-    bool as_hatch = false;         // strokes become lines whose width makes the tone
-    bool scattered = true;         // its marks form no strokes
-    bool makes_tone = true;        // its ink counts for the tone of its item
-    bool spread_evenly = false;    // in a blue-noise order
-    bool splats = false;           // its marks tell where the layers of its item are
-    bool turned = false;           // the other side: normals are opposite to those of the marks; lays no layers itself
+    bool draws_silhouettes = false; // of VISIBILITY_PUBLISHED
+    bool paints_paper = false;      // HIDDEN_LINES_ATTENUATE
+    bool occludes = false;          // HIDDEN_LINES_HIDE
+    float separation = 0.0F;        // of strokes, eye units; 0: none is known
+    std::int64_t first_joined = 0;  // of those that are drawn as strokes: place of the first mark among all such
+    bool as_strokes = false;        // marks that follow each other become lines
+    bool as_hatch = false;          // strokes become lines whose width makes the tone
+    bool scattered = true;          // its marks form no strokes
+    bool makes_tone = true;         // its ink counts for the tone of its item
+    bool spread_evenly = false;     // in a blue-noise order
+    bool splats = false;            // its marks tell where the layers of its item are
+    bool turned = false;            // the other side: normals are opposite to those of the marks; lays no layers itself
     Pen pen;
 
     [[nodiscard]] std::int64_t places() const noexcept { return clusters->block.size() * marks::MarkBlock::size; }

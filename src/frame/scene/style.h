@@ -17,7 +17,6 @@ namespace hrbfnpr::frame {
 enum class HiddenLines : std::uint32_t { attenuate = 0, hide = 1, show = 2 };
 enum class Visibility : std::uint32_t { depth_layers = 0, published = 1 };
 enum class ToneCurve : std::uint32_t { coverage = 0, linear = 1 };
-enum class SilhouetteLaw : std::uint32_t { width = 0, angle = 1 };
 enum class Tone : std::uint32_t { none = 0, light = 1, callback = 2 };
 enum class ToneRule : std::uint32_t { share = 0, published = 1 };
 enum class LightSpace : std::uint32_t { world = 0, camera = 1 };
@@ -101,9 +100,7 @@ struct Style {
     ToneRule tone_rule = ToneRule::share;
     LightSpace light_space = LightSpace::camera;
     ToneCurve tone_curve = ToneCurve::coverage;
-    SilhouetteLaw silhouette_law = SilhouetteLaw::width;
     float tone_fade = 0.25F;
-    float silhouette_width = 1.0F;
     glm::dvec3 light{-0.4, 0.6, 0.7};
     double tone_exponent = 1.0;
     float fill_light = 0.25F;

@@ -96,8 +96,6 @@ namespace HrbfNpr
         internal IntPtr tone_user;
         internal uint light_space;
         internal float tone_fade;
-        internal uint silhouette_law;
-        internal float silhouette_width;
         internal double silhouette_threshold;
         internal float silhouette_radius;
         internal float silhouette_radius_zoom;

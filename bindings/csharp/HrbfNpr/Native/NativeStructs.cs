@@ -245,24 +245,21 @@ namespace HrbfNpr
         internal double density_strength;
         internal IntPtr density_function;
         internal IntPtr density_user;
-        internal double separation;
-        internal double step;
-        internal double length;
         internal IntPtr direction_function;
         internal IntPtr direction_user;
-        internal uint symmetry;
+        internal uint guide;
         internal uint start;
         internal int start_level;
         internal int levels;
+        internal double separation;
+        internal double step;
         internal double angle;
         internal double smoothing;
         internal fixed double axis[3];
         internal double axis_weight;
-        internal double tone_smoothing;
-        internal uint guide;
-        internal uint reserved;
         internal fixed double guide_direction[3];
         internal double guide_weight;
+        internal double tone_smoothing;
     }
 
     [StructLayout(LayoutKind.Sequential), NativeStruct("hrbfnpr_generate_desc")]

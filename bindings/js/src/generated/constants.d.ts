@@ -349,32 +349,25 @@ export declare const LAYER_KIND: {
   readonly ANY: 0;
   /** scattered marks */
   readonly STIPPLES: 1;
-  /** strokes along the principal directions, d1 (the first) and d2 (the second) */
-  readonly PRINCIPAL: 2;
-  /** strokes along Stark's two directions, r (the first), u (the second) [NPAR 5.3] */
-  readonly COMBING: 3;
-  /** strokes along the caller's field of directions, and across it */
-  readonly FIELD: 4;
-  /** the caller's marks or strokes */
-  readonly OWN: 5;
   /**
-   * evenly spaced lines along one smooth field of directions, nested: the level of marks is 0 on the coarsest
-   * lines, and those of each further level lie midway between all before; around a fork a line changes it
-   * [Knoeppel et al. 2015]
+   * lines along a field of directions, which `guide` or the caller's direction_function gives. BLUE_NOISE lays
+   * evenly spaced lines along the smoothest such field, nested: marks of level 0 are on the coarsest lines, and
+   * lines of each further level lie midway between all before; around a fork a line changes its level [Knoeppel et
+   * al. 2015]. PUBLISHED grows strokes from seeds, along the directions and across them [NPAR 5]
    */
-  readonly HATCH: 6;
+  readonly HATCH: 2;
+  /** the caller's marks or strokes */
+  readonly OWN: 3;
 };
 /** A constant of LAYER_KIND as options spell it. */
-export type LayerKindName = "any" | "stipples" | "principal" | "combing" | "field" | "own" | "hatch";
+export type LayerKindName = "any" | "stipples" | "hatch" | "own";
 
 export declare const DISTRIBUTION: {
   /**
    * Stipples evenly spread over the area in a progressive order, each prefix
    * of which is evenly spread (docs/quality.md: distances, spectrum, tone); a
    * budget may be missed by some marks in a thousand where the surface bends
-   * within their spacing.  Strokes that keep their distance from each other
-   * along their whole length, in an order of whole strokes each prefix of
-   * which is evenly spaced too: coarse ones first, then those between them.
+   * within their spacing.  Lines of HATCH are evenly spaced and nested.
    * The default.
    */
   readonly BLUE_NOISE: 0;
@@ -388,35 +381,19 @@ export declare const DISTRIBUTION: {
 export type DistributionName = "blue-noise" | "published";
 
 /**
- * What the strokes of BLUE_NOISE follow: directions as measured where they are
- * sure, and the smoothest field between them where they are not (umbilics, flat
- * parts, borders of the combing field's regions).
- */
-export declare const SYMMETRY: {
-  /**
-   * Each direction has a field of its own.  The strokes of both are kept apart everywhere, and
-   * where two principal directions change places a stroke turns with its own.
-   */
-  readonly LINE: 0;
-  /**
-   * One field of crosses, which does not tell one direction from the other:
-   * strokes go straight on where these change places, and a stroke belongs to
-   * the direction that it follows for most of its length.
-   */
-  readonly CROSS: 1;
-};
-/** A constant of SYMMETRY as options spell it. */
-export type SymmetryName = "line" | "cross";
-
-/**
- * What the lines of HATCH follow, besides a direction_function of the caller's.  Each is a line at every place,
- * and how
- * sure it is: where it is not, the smoothest field between decides.
+ * What the lines of HATCH follow where no direction_function is given.  Each guide is a direction without a sign
+ * at every
+ * place, and a confidence: where that is low, the smoothest field between decides.  PUBLISHED takes CURVATURE,
+ * COMBING
+ * or a direction_function; another guide is INVALID_ARGUMENT.
  */
 export declare const HATCH_GUIDE: {
-  /** the direction in which the surface bends most, where it bends unevenly */
+  /**
+   * the direction in which the surface bends most, where it bends unevenly. PUBLISHED: strokes along both
+   * principal directions, d1 and d2
+   */
   readonly CURVATURE: 0;
-  /** the first direction of COMBING [NPAR 5.3] */
+  /** Stark's combing direction r. PUBLISHED: strokes along r and u [NPAR 5.3] */
   readonly COMBING: 1;
   /** the surface's sections by planes across `axis` */
   readonly SECTIONS: 2;
@@ -478,7 +455,7 @@ export declare const TONE_RANGES: {
 export type ToneRangesName = "full" | "in-turn";
 
 export declare const LAYER_WITH: {
-  /** fill the attribute CURVATURE; PRINCIPAL always does */
+  /** fill the attribute CURVATURE; PUBLISHED strokes along CURVATURE always do */
   readonly CURVATURE: 1;
 };
 /** A constant of LAYER_WITH as options spell it. */
@@ -495,14 +472,11 @@ export declare const MARK_ATTRIBUTE: {
   /** FLOAT32 x 3: k1, k2, confidence (hrbfnpr_model_curvature) */
   readonly CURVATURE: 3;
   /**
-   * FLOAT32: the u of [NPAR 6.2], in [0,1): a mark is shown where u >= tau. All marks of a stroke of BLUE_NOISE
-   * have the same, and a share of the ranks is that share of each direction's marks
+   * FLOAT32: the u of [NPAR 6.2], in [0,1): a mark is shown where u >= tau. All marks of a line of BLUE_NOISE have
+   * the same
    */
   readonly RANK: 4;
-  /**
-   * UINT8: the refinement step that placed it, 0 = a seed. BLUE_NOISE strokes: the pass; each one halves the
-   * distance that strokes keep
-   */
+  /** UINT8: the refinement step that placed it, 0 = a seed. HATCH of BLUE_NOISE: see HRBFNPR_LAYER_KIND_HATCH */
   readonly LEVEL: 5;
   /**
    * UINT32 x 2: 2 * number + direction (0 or 1) of the stroke, and the mark's place along it. PUBLISHED: the
@@ -632,18 +606,6 @@ export declare const TONE_CURVE: {
 /** A constant of TONE_CURVE as options spell it. */
 export type ToneCurveName = "coverage" | "linear";
 
-export declare const SILHOUETTE_LAW: {
-  /**
-   * A line of constant width: marks whose image lies within silhouette_width pixels of
-   * the contour's, by the surface's curvature along the line of sight.
-   */
-  readonly WIDTH: 0;
-  /** |n . v| <= silhouette_threshold, as published [NPAR 6] */
-  readonly ANGLE: 1;
-};
-/** A constant of SILHOUETTE_LAW as options spell it. */
-export type SilhouetteLawName = "width" | "angle";
-
 export declare const TONE: {
   /** tau = 0: all front marks are shown */
   readonly NONE: 0;
@@ -741,15 +703,9 @@ export type CreasesName = "all" | "convex" | "concave";
 export declare const PRESET: {
   /** stipples by light, no contours */
   readonly STIPPLE: 0;
-  /**
-   * lines of one width, more of them where it is darker, and contours; strokes of PRINCIPAL layers along the
-   * second direction
-   */
+  /** lines of one width, more of them where it is darker, and contours */
   readonly HATCH: 1;
-  /**
-   * up to three sets of such lines, at 0, 35 and -30 degrees, a darker tone each, and contours; strokes of
-   * PRINCIPAL layers along both directions
-   */
+  /** up to three sets of such lines, at 0, 35 and -30 degrees, a darker tone each, and contours */
   readonly CROSS_HATCH: 2;
   /** lines along Stark's combing direction, a second set in the darks, and contours */
   readonly COMBING: 3;

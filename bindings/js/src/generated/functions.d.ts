@@ -795,8 +795,6 @@ export interface Functions {
    *
    * The layers that a preset draws, with defaults: a list of constants for
    * hrbfnpr_generate_desc.layers (with layer_stride 0).  *count gets their number.
-   * For BLUE_NOISE: HATCH is not PUBLISHED; HATCH, CROSS_HATCH and FULL draw layers
-   * of STIPPLES and PRINCIPAL then, COMBING those of STIPPLES and COMBING.
    * NULL and 0 for a number that is no preset's.
    */
   hrbfnpr_preset_layers(preset: number, count: Pointer): Pointer;

@@ -5,10 +5,10 @@ import type { CapName, ClassName, CreasesName, CsgName, DabName, DensityName, De
   DotShapeName, EdgesName, FacesName, HatchGuideName, HiddenLinesName, HiddenPartsName, InstructionSetName,
   KernelName, LayerKindName, LightName, LineKindName, LineTypeName, LogName, NormalsLookName, NormalsName, NoteName,
   OutwardName, PageFormatName, PartsName, PictureEdgesName, PictureSidesName, PresetName, PrimitiveName, ProfileName,
-  RegularizationName, RepairName, ScalarName, SeedName, SeverityName, ShapeName, SidesName, SilhouetteLawName,
-  SolverName, SolverReasonName, SourceKindName, StageName, StrokeStartName, SymmetryName, ThreadBackendName,
-  ToneCurveName, ToneName, ToneRangesName, ToneRuleName, TrimName, VertexAttributeName, ViewsAngleName,
-  ViewsHiddenName, VisibilityName, WidthsName, WordingName } from "./constants.js";
+  RegularizationName, RepairName, ScalarName, SeedName, SeverityName, ShapeName, SidesName, SolverName,
+  SolverReasonName, SourceKindName, StageName, StrokeStartName, ThreadBackendName, ToneCurveName, ToneName,
+  ToneRangesName, ToneRuleName, TrimName, VertexAttributeName, ViewsAngleName, ViewsHiddenName, VisibilityName,
+  WidthsName, WordingName } from "./constants.js";
 import type { Pointer } from "./functions.js";
 import type { AllocateFn, ArrayInput, ArrayOutput, DeallocateFn, DensityFn, DirectionFn, Drawing, ImplicitFn, LineSet,
   LogFn, Mesh, Model, Numbers, PictureEventFn, PointSet, RunTasksFn, Settings, ToneFn } from "../index.js";
@@ -555,20 +555,20 @@ export interface CsgInfo {
  * hrbfnpr_generate_desc.tone_ranges says.
  */
 export interface LayerDesc {
-  /** HRBFNPR_LAYER_KIND_STIPPLES, PRINCIPAL, COMBING, FIELD or HATCH; STIPPLES */
+  /** HRBFNPR_LAYER_KIND_STIPPLES or HATCH; STIPPLES */
   kind?: LayerKindName | number;
-  /** UTF-8, 1 .. 63 bytes, copied; NULL = "stipples", "principal", "combing", "field", "hatch" */
+  /** UTF-8, 1 .. 63 bytes, copied; NULL = "stipples" or "hatch" */
   name?: string;
   /**
-   * the most marks, of both directions together; at most 100000000 for BLUE_NOISE; 40000. 0 = no limit, for
-   * PUBLISHED and for strokes with a separation. PUBLISHED thins the level that exceeds it at random and stops
-   * there; BLUE_NOISE leaves out the last strokes of the order. Not used with a shared_budget
+   * the most marks; at most 100000000 for BLUE_NOISE; 40000. 0 = no limit, for PUBLISHED and for lines with a
+   * separation. PUBLISHED thins the level that exceeds it at random and stops there; lines of BLUE_NOISE come near
+   * to it. Not used with a shared_budget
    */
   budget?: number;
-  /** of stipples, and of strokes of the first direction; 0 and 0 */
+  /** of stipples, of lines, and of PUBLISHED strokes of the first direction; 0 and 0 */
   toneBegin?: number;
   toneEnd?: number;
-  /** of strokes of the second direction; 0 and 0 */
+  /** of PUBLISHED strokes of the second direction; 0 and 0 */
   secondToneBegin?: number;
   secondToneEnd?: number;
   /** HRBFNPR_LAYER_WITH_...; 0 */
@@ -585,40 +585,35 @@ export interface LayerDesc {
   /** for CALLBACK. Where its mean is below 1/16 of 1, fewer marks than the budget are made */
   densityFunction?: DensityFn;
   /**
-   * mean distance of neighbouring strokes of one direction; 0 = such that all strokes together have as many marks
-   * as the budget
+   * NULL = by `guide`
    *
-   * Strokes of BLUE_NOISE, lengths in object units; separation and step 0, or 1e-12 .. 1e9 diagonals.
+   * HATCH.  Lengths are in object units; separation and step are 0, or 1e-12 .. 1e9 diagonals.
    */
-  separation?: number;
-  /** distance of the marks of a stroke; 0 = a fifth of the separation */
-  step?: number;
-  /**
-   * of a stroke at most; 0 = no limit. Strokes end where they come nearer to another than about two thirds of the
-   * separation, leave the surface's samples, or meet a singular point of the field; a closed one ends at its start
-   */
-  length?: number;
-  /** for FIELD */
   directionFunction?: DirectionFn;
-  /** HRBFNPR_SYMMETRY_...; CROSS */
-  symmetry?: SymmetryName | number;
+  /** HRBFNPR_HATCH_GUIDE_...; CURVATURE */
+  guide?: HatchGuideName | number;
   /**
-   * HRBFNPR_STROKE_START_...; SEEDS. Not for STIPPLES
+   * HRBFNPR_STROKE_START_...; SEEDS
    *
-   * PUBLISHED.
+   * HATCH of PUBLISHED.
    */
   start?: StrokeStartName | number;
   /** with STROKE_START_STIPPLES: the last stippling level used; 0 */
   startLevel?: number;
-  /** refinement steps, 0 .. 12; -1 = 4 for stipples, 3 for strokes, which then have 3^levels marks; -1 */
+  /**
+   * of stipples, too: refinement steps, 0 .. 12; -1 = 4 for stipples, 3 for strokes, which then have 3^levels
+   * marks; -1
+   */
   levels?: number;
   /**
-   * by which lines are turned in the tangent plane, counter-clockwise as seen from outside; degrees; 0
+   * mean distance of neighbouring lines; 0 = as many lines as make about the budget's marks
    *
-   * HATCH, with BLUE_NOISE.  separation is that of all lines together, or 0 for as many as make about the budget's
-   * marks; a step of 0 is 0.4 of it.  Lines follow direction_function where that is given, else what
-   * guide says.
+   * HATCH of BLUE_NOISE.
    */
+  separation?: number;
+  /** distance of the marks of a line; 0 = 0.4 of the separation */
+  step?: number;
+  /** by which lines are turned in the tangent plane, counter-clockwise as seen from outside; degrees; 0 */
   angle?: number;
   /** of directions: the distance over which they are evened out; diagonals, > 0, 1 at most; 0.04 */
   smoothing?: number;
@@ -626,15 +621,6 @@ export interface LayerDesc {
   axis?: Numbers;
   /** against curvature; >= 0; 0.06 */
   axisWeight?: number;
-  /**
-   * over which the attribute TONE_NORMAL is averaged: the tone of a rough surface goes by that; diagonals, 0 ..
-   * 0.1; 0 = tone goes by NORMAL; -1 = 0.006 for HATCH, 0 for others; -1
-   *
-   * Of all kinds.
-   */
-  toneSmoothing?: number;
-  /** HRBFNPR_HATCH_GUIDE_...; CURVATURE */
-  guide?: HatchGuideName | number;
   /** of LIGHT and SILHOUETTE, in object space; not 0; (0, 0, 1) */
   guideDirection?: Numbers;
   /**
@@ -642,6 +628,13 @@ export interface LayerDesc {
    * angle)
    */
   guideWeight?: number;
+  /**
+   * over which the attribute TONE_NORMAL is averaged: the tone of a rough surface goes by that; diagonals, 0 ..
+   * 0.1; 0 = tone goes by NORMAL; -1 = 0.006 for HATCH of BLUE_NOISE, 0 for others; -1
+   *
+   * Of all kinds.
+   */
+  toneSmoothing?: number;
 }
 
 export interface GenerateDesc {
@@ -746,14 +739,11 @@ export interface LayerInfo {
   readonly marks: number;
   /** 0: its marks form none */
   readonly strokes: number;
-  /**
-   * what `marks` would be if nothing had been dropped (PUBLISHED), or had been left out for the budget (BLUE_NOISE
-   * strokes)
-   */
+  /** what `marks` would be if nothing had been dropped */
   readonly fullCount: number;
-  /** refinement steps taken; BLUE_NOISE strokes: the last pass */
+  /** refinement steps taken; HATCH of BLUE_NOISE: the highest level */
   readonly levels: number;
-  /** initial step rho_0 used; BLUE_NOISE strokes: the separation */
+  /** initial step rho_0 used; HATCH of BLUE_NOISE: the separation */
   readonly step: number;
   readonly seconds: number;
 }
@@ -882,7 +872,10 @@ export interface LayerStyle {
   name?: string;
   /** 1 or 0: whether front marks are drawn; 1 */
   shown?: number;
-  /** 1 or 0: whether marks near a contour draw it; 1. Not of OWN strokes, which may be few */
+  /**
+   * 1 or 0, with VISIBILITY_PUBLISHED: whether marks near a contour draw it; 1. Not of OWN strokes, which may be
+   * few
+   */
   contours?: number;
   /** of strokes: bit 0 the first direction, bit 1 the second; 3 */
   directions?: number;
@@ -1050,16 +1043,11 @@ export interface Style {
    */
   toneFade?: number;
   /**
-   * HRBFNPR_SILHOUETTE_LAW_...; WIDTH. For DEPTH_LAYERS; PUBLISHED is ANGLE
-   *
-   * Contours.
-   */
-  silhouetteLaw?: SilhouetteLawName | number;
-  /** of WIDTH: pixels on either side of the contour; 1 */
-  silhouetteWidth?: number;
-  /**
    * delta in (0,1): front n.v < -delta, back n.v > delta, else silhouette, v from the camera to the mark [NPAR 6];
-   * 0.2. With SILHOUETTE_LAW_WIDTH only where the curvature is not known
+   * 0.2
+   *
+   * Contours that marks draw, with VISIBILITY_PUBLISHED only.  With DEPTH_LAYERS contours are lines of an item's
+   * line set.
    */
   silhouetteThreshold?: number;
   /** of a mark, pixels; 1 */
@@ -1111,8 +1099,7 @@ export interface Style {
   /**
    * a list; NULL and 0
    *
-   * Lines, with DEPTH_LAYERS, of items that have a line set; with one of kind CONTOUR their marks draw no
-   * contours.
+   * Lines, with DEPTH_LAYERS, of items that have a line set.
    */
   lines?: readonly LineStyle[];
   /**
@@ -1177,15 +1164,13 @@ export interface DrawingInfo {
   /** of those inside: by class */
   readonly front: number;
   readonly back: number;
+  /** PUBLISHED */
   readonly silhouette: number;
-  /**
-   * DEPTH_LAYERS: marks that are of no class, since no tone or contour could show them: they were not looked at
-   * one by one
-   */
+  /** DEPTH_LAYERS: marks that are of no class, since no tone could show them: they were not looked at one by one */
   readonly culled: number;
   /** drawn as ink */
   readonly shown: number;
-  /** front marks not shown because of light or share, and contour marks that a line of even density does not need */
+  /** front marks not shown because of light or share */
   readonly droppedTone: number;
   /** front and silhouette marks not shown because of depth attenuation */
   readonly droppedDepth: number;
@@ -1225,7 +1210,7 @@ export interface DrawingInfo {
   readonly lineTangles: number;
 }
 
-/** A layer of a drawing: ink of one layer of marks, of the front or of contours. */
+/** A layer of a drawing: ink of one layer of marks, of the front or (PUBLISHED) of contours; or lines. */
 export interface DrawingLayerInfo {
   /** HRBFNPR_CLASS_FRONT or SILHOUETTE */
   readonly markClass: ClassName | number;

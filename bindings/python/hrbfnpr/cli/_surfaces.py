@@ -24,9 +24,8 @@ from .._streams import write_atomically
 from ._outputs import UsageError, check_drawing, check_saved
 from ._progress import Reporter
 
-_HATCH = ("separation", "step", "guide", "guide_direction", "guide_weight")
+_HATCH = ("separation", "step", "guide", "guide_direction", "guide_weight", "start", "start_level")
 _STIPPLES = ("density", "density_strength")
-_STROKES = ("separation", "step", "length", "symmetry", "start", "start_level")
 _NUMBERS = ("line_width", "hatch_spacing", "spacing", "crease_angle", "unit_mm")
 
 
@@ -90,7 +89,7 @@ def _generate(model: Model, options: Options, bar: Any, context: Context) -> Poi
 
 
 def _layer(kind: str, options: Options, given: Dict[str, Any]) -> Layer:
-    fields = ({"stipples": _STIPPLES, "hatch": _HATCH}).get(kind, _STROKES)
+    fields = {"stipples": _STIPPLES, "hatch": _HATCH}[kind]
     layer = Layer(kind, **{name: given[name] for name in (*fields, "tone_smoothing") if name in given})
     for field, numbers in (("budget", options.get("marks", {})), ("levels", options.get("levels", {}))):
         if kind in numbers:

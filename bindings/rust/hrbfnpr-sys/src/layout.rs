@@ -451,7 +451,7 @@ const _: () = {
 };
 
 const _: () = {
-    assert!(size_of::<hrbfnpr_layer_desc>() == either(224, 208, 204));
+    assert!(size_of::<hrbfnpr_layer_desc>() == either(208, 192, 188));
     assert!(align_of::<hrbfnpr_layer_desc>() == either(8, 8, 4));
 };
 #[cfg(not(hrbfnpr_no_offset_of))]
@@ -470,24 +470,21 @@ const _: () = {
     assert!(offset_of!(hrbfnpr_layer_desc, density_strength) == either(48, 48, 44));
     assert!(offset_of!(hrbfnpr_layer_desc, density_function) == either(56, 56, 52));
     assert!(offset_of!(hrbfnpr_layer_desc, density_user) == either(64, 60, 56));
-    assert!(offset_of!(hrbfnpr_layer_desc, separation) == either(72, 64, 60));
-    assert!(offset_of!(hrbfnpr_layer_desc, step) == either(80, 72, 68));
-    assert!(offset_of!(hrbfnpr_layer_desc, length) == either(88, 80, 76));
-    assert!(offset_of!(hrbfnpr_layer_desc, direction_function) == either(96, 88, 84));
-    assert!(offset_of!(hrbfnpr_layer_desc, direction_user) == either(104, 92, 88));
-    assert!(offset_of!(hrbfnpr_layer_desc, symmetry) == either(112, 96, 92));
-    assert!(offset_of!(hrbfnpr_layer_desc, start) == either(116, 100, 96));
-    assert!(offset_of!(hrbfnpr_layer_desc, start_level) == either(120, 104, 100));
-    assert!(offset_of!(hrbfnpr_layer_desc, levels) == either(124, 108, 104));
-    assert!(offset_of!(hrbfnpr_layer_desc, angle) == either(128, 112, 108));
-    assert!(offset_of!(hrbfnpr_layer_desc, smoothing) == either(136, 120, 116));
-    assert!(offset_of!(hrbfnpr_layer_desc, axis) == either(144, 128, 124));
-    assert!(offset_of!(hrbfnpr_layer_desc, axis_weight) == either(168, 152, 148));
-    assert!(offset_of!(hrbfnpr_layer_desc, tone_smoothing) == either(176, 160, 156));
-    assert!(offset_of!(hrbfnpr_layer_desc, guide) == either(184, 168, 164));
-    assert!(offset_of!(hrbfnpr_layer_desc, reserved) == either(188, 172, 168));
-    assert!(offset_of!(hrbfnpr_layer_desc, guide_direction) == either(192, 176, 172));
-    assert!(offset_of!(hrbfnpr_layer_desc, guide_weight) == either(216, 200, 196));
+    assert!(offset_of!(hrbfnpr_layer_desc, direction_function) == either(72, 64, 60));
+    assert!(offset_of!(hrbfnpr_layer_desc, direction_user) == either(80, 68, 64));
+    assert!(offset_of!(hrbfnpr_layer_desc, guide) == either(88, 72, 68));
+    assert!(offset_of!(hrbfnpr_layer_desc, start) == either(92, 76, 72));
+    assert!(offset_of!(hrbfnpr_layer_desc, start_level) == either(96, 80, 76));
+    assert!(offset_of!(hrbfnpr_layer_desc, levels) == either(100, 84, 80));
+    assert!(offset_of!(hrbfnpr_layer_desc, separation) == either(104, 88, 84));
+    assert!(offset_of!(hrbfnpr_layer_desc, step) == either(112, 96, 92));
+    assert!(offset_of!(hrbfnpr_layer_desc, angle) == either(120, 104, 100));
+    assert!(offset_of!(hrbfnpr_layer_desc, smoothing) == either(128, 112, 108));
+    assert!(offset_of!(hrbfnpr_layer_desc, axis) == either(136, 120, 116));
+    assert!(offset_of!(hrbfnpr_layer_desc, axis_weight) == either(160, 144, 140));
+    assert!(offset_of!(hrbfnpr_layer_desc, guide_direction) == either(168, 152, 148));
+    assert!(offset_of!(hrbfnpr_layer_desc, guide_weight) == either(192, 176, 172));
+    assert!(offset_of!(hrbfnpr_layer_desc, tone_smoothing) == either(200, 184, 180));
 };
 
 const _: () = {
@@ -754,7 +751,7 @@ const _: () = {
 };
 
 const _: () = {
-    assert!(size_of::<hrbfnpr_style>() == either(256, 248, 240));
+    assert!(size_of::<hrbfnpr_style>() == either(248, 240, 232));
     assert!(align_of::<hrbfnpr_style>() == either(8, 8, 4));
 };
 #[cfg(not(hrbfnpr_no_offset_of))]
@@ -774,29 +771,27 @@ const _: () = {
     assert!(offset_of!(hrbfnpr_style, tone_user) == either(96, 92, 88));
     assert!(offset_of!(hrbfnpr_style, light_space) == either(104, 96, 92));
     assert!(offset_of!(hrbfnpr_style, tone_fade) == either(108, 100, 96));
-    assert!(offset_of!(hrbfnpr_style, silhouette_law) == either(112, 104, 100));
-    assert!(offset_of!(hrbfnpr_style, silhouette_width) == either(116, 108, 104));
-    assert!(offset_of!(hrbfnpr_style, silhouette_threshold) == either(120, 112, 108));
-    assert!(offset_of!(hrbfnpr_style, silhouette_radius) == either(128, 120, 116));
-    assert!(offset_of!(hrbfnpr_style, silhouette_radius_zoom) == either(132, 124, 120));
-    assert!(offset_of!(hrbfnpr_style, silhouette_ink) == either(136, 128, 124));
-    assert!(offset_of!(hrbfnpr_style, visibility) == either(152, 144, 140));
-    assert!(offset_of!(hrbfnpr_style, hidden_lines) == either(156, 148, 144));
-    assert!(offset_of!(hrbfnpr_style, attenuation_front) == either(160, 152, 148));
-    assert!(offset_of!(hrbfnpr_style, attenuation_back) == either(168, 160, 156));
-    assert!(offset_of!(hrbfnpr_style, splat_radius) == either(176, 168, 164));
-    assert!(offset_of!(hrbfnpr_style, splat_overlap) == either(180, 172, 168));
-    assert!(offset_of!(hrbfnpr_style, halo_width) == either(184, 176, 172));
-    assert!(offset_of!(hrbfnpr_style, reserved) == either(188, 180, 176));
-    assert!(offset_of!(hrbfnpr_style, depth_min) == either(192, 184, 180));
-    assert!(offset_of!(hrbfnpr_style, depth_max) == either(200, 192, 188));
-    assert!(offset_of!(hrbfnpr_style, zoom_reference) == either(208, 200, 196));
-    assert!(offset_of!(hrbfnpr_style, zoom_exponent) == either(216, 208, 204));
-    assert!(offset_of!(hrbfnpr_style, lines) == either(224, 216, 212));
-    assert!(offset_of!(hrbfnpr_style, line_count) == either(232, 224, 216));
-    assert!(offset_of!(hrbfnpr_style, line_stride) == either(240, 232, 224));
-    assert!(offset_of!(hrbfnpr_style, fill_light) == either(248, 240, 232));
-    assert!(offset_of!(hrbfnpr_style, reserved2) == either(252, 244, 236));
+    assert!(offset_of!(hrbfnpr_style, silhouette_threshold) == either(112, 104, 100));
+    assert!(offset_of!(hrbfnpr_style, silhouette_radius) == either(120, 112, 108));
+    assert!(offset_of!(hrbfnpr_style, silhouette_radius_zoom) == either(124, 116, 112));
+    assert!(offset_of!(hrbfnpr_style, silhouette_ink) == either(128, 120, 116));
+    assert!(offset_of!(hrbfnpr_style, visibility) == either(144, 136, 132));
+    assert!(offset_of!(hrbfnpr_style, hidden_lines) == either(148, 140, 136));
+    assert!(offset_of!(hrbfnpr_style, attenuation_front) == either(152, 144, 140));
+    assert!(offset_of!(hrbfnpr_style, attenuation_back) == either(160, 152, 148));
+    assert!(offset_of!(hrbfnpr_style, splat_radius) == either(168, 160, 156));
+    assert!(offset_of!(hrbfnpr_style, splat_overlap) == either(172, 164, 160));
+    assert!(offset_of!(hrbfnpr_style, halo_width) == either(176, 168, 164));
+    assert!(offset_of!(hrbfnpr_style, reserved) == either(180, 172, 168));
+    assert!(offset_of!(hrbfnpr_style, depth_min) == either(184, 176, 172));
+    assert!(offset_of!(hrbfnpr_style, depth_max) == either(192, 184, 180));
+    assert!(offset_of!(hrbfnpr_style, zoom_reference) == either(200, 192, 188));
+    assert!(offset_of!(hrbfnpr_style, zoom_exponent) == either(208, 200, 196));
+    assert!(offset_of!(hrbfnpr_style, lines) == either(216, 208, 204));
+    assert!(offset_of!(hrbfnpr_style, line_count) == either(224, 216, 208));
+    assert!(offset_of!(hrbfnpr_style, line_stride) == either(232, 224, 216));
+    assert!(offset_of!(hrbfnpr_style, fill_light) == either(240, 232, 224));
+    assert!(offset_of!(hrbfnpr_style, reserved2) == either(244, 236, 228));
 };
 
 const _: () = {

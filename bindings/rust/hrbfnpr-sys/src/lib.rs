@@ -1665,48 +1665,34 @@ pub struct hrbfnpr_point_set {
 pub const HRBFNPR_LAYER_KIND_ANY: u32 = 0;
 /// scattered marks
 pub const HRBFNPR_LAYER_KIND_STIPPLES: u32 = 1;
-/// strokes along the principal directions, d1 (the first) and d2 (the second)
-pub const HRBFNPR_LAYER_KIND_PRINCIPAL: u32 = 2;
-/// strokes along Stark's two directions, r (the first), u (the second) [NPAR 5.3]
-pub const HRBFNPR_LAYER_KIND_COMBING: u32 = 3;
-/// strokes along the caller's field of directions, and across it
-pub const HRBFNPR_LAYER_KIND_FIELD: u32 = 4;
+/// lines along a field of directions, which `guide` or the caller's direction_function gives.
+/// BLUE_NOISE lays evenly spaced lines along the smoothest such field, nested: marks of level
+/// 0 are on the coarsest lines, and lines of each further level lie midway between all
+/// before; around a fork a line changes its level [Knoeppel et al. 2015]. PUBLISHED grows
+/// strokes from seeds, along the directions and across them [NPAR 5]
+pub const HRBFNPR_LAYER_KIND_HATCH: u32 = 2;
 /// the caller's marks or strokes
-pub const HRBFNPR_LAYER_KIND_OWN: u32 = 5;
-/// evenly spaced lines along one smooth field of directions, nested: the level of marks is 0
-/// on the coarsest lines, and those of each further level lie midway between all before;
-/// around a fork a line changes it [Knoeppel et al. 2015]
-pub const HRBFNPR_LAYER_KIND_HATCH: u32 = 6;
+pub const HRBFNPR_LAYER_KIND_OWN: u32 = 3;
 
 /// Stipples evenly spread over the area in a progressive order, each prefix
 /// of which is evenly spread (docs/quality.md: distances, spectrum, tone); a
 /// budget may be missed by some marks in a thousand where the surface bends
-/// within their spacing.  Strokes that keep their distance from each other
-/// along their whole length, in an order of whole strokes each prefix of
-/// which is evenly spaced too: coarse ones first, then those between them.
+/// within their spacing.  Lines of HATCH are evenly spaced and nested.
 /// The default.
 pub const HRBFNPR_DISTRIBUTION_BLUE_NOISE: u32 = 0;
 /// The published recursion: x5 (stipples) and x3 (strokes) a level, ranks
 /// drawn independently at random [NPAR 5, 6.2].
 pub const HRBFNPR_DISTRIBUTION_PUBLISHED: u32 = 1;
 
-// What the strokes of BLUE_NOISE follow: directions as measured where they are
-// sure, and the smoothest field between them where they are not (umbilics, flat
-// parts, borders of the combing field's regions).
-/// Each direction has a field of its own.  The strokes of both are kept apart everywhere, and
-/// where two principal directions change places a stroke turns with its own.
-pub const HRBFNPR_SYMMETRY_LINE: u32 = 0;
-/// One field of crosses, which does not tell one direction from the other:
-/// strokes go straight on where these change places, and a stroke belongs to
-/// the direction that it follows for most of its length.
-pub const HRBFNPR_SYMMETRY_CROSS: u32 = 1;
-
-// What the lines of HATCH follow, besides a direction_function of the caller's.  Each is a
-// line at every place, and how
-// sure it is: where it is not, the smoothest field between decides.
-/// the direction in which the surface bends most, where it bends unevenly
+// What the lines of HATCH follow where no direction_function is given.  Each guide is a
+// direction without a sign at every
+// place, and a confidence: where that is low, the smoothest field between decides.
+// PUBLISHED takes CURVATURE, COMBING
+// or a direction_function; another guide is INVALID_ARGUMENT.
+/// the direction in which the surface bends most, where it bends unevenly. PUBLISHED: strokes
+/// along both principal directions, d1 and d2
 pub const HRBFNPR_HATCH_GUIDE_CURVATURE: u32 = 0;
-/// the first direction of COMBING [NPAR 5.3]
+/// Stark's combing direction r. PUBLISHED: strokes along r and u [NPAR 5.3]
 pub const HRBFNPR_HATCH_GUIDE_COMBING: u32 = 1;
 /// the surface's sections by planes across `axis`
 pub const HRBFNPR_HATCH_GUIDE_SECTIONS: u32 = 2;
@@ -1758,7 +1744,7 @@ pub type hrbfnpr_density_fn = Option<
 /// A field of directions on the surface: fills directions (count x 3) from
 /// absolute positions and unit normals (count x 3 each).  A direction is taken
 /// into the tangent plane, its sign and length count nothing; where there is
-/// none it may be 0, 0, 0, and the strokes follow the smoothest field between
+/// none it may be 0, 0, 0, and lines follow the smoothest field between
 /// those that there are.  NaN or infinity is CALLBACK.  Called with some
 /// thousand places at a time, on the thread that called _generate.  Non-zero
 /// fails it with CALLBACK.
@@ -1779,7 +1765,7 @@ pub const HRBFNPR_TONE_RANGES_FULL: u32 = 0;
 /// light to dark
 pub const HRBFNPR_TONE_RANGES_IN_TURN: u32 = 1;
 
-/// fill the attribute CURVATURE; PRINCIPAL always does
+/// fill the attribute CURVATURE; PUBLISHED strokes along CURVATURE always do
 pub const HRBFNPR_LAYER_WITH_CURVATURE: u32 = 1;
 
 /// How one layer is made.
@@ -1792,19 +1778,18 @@ pub const HRBFNPR_LAYER_WITH_CURVATURE: u32 = 1;
 #[derive(Debug, Clone, Copy)]
 pub struct hrbfnpr_layer_desc {
     pub struct_size: u32,
-    /// HRBFNPR_LAYER_KIND_STIPPLES, PRINCIPAL, COMBING, FIELD or HATCH; STIPPLES
+    /// HRBFNPR_LAYER_KIND_STIPPLES or HATCH; STIPPLES
     pub kind: u32,
-    /// UTF-8, 1 .. 63 bytes, copied; NULL = "stipples", "principal", "combing", "field", "hatch"
+    /// UTF-8, 1 .. 63 bytes, copied; NULL = "stipples" or "hatch"
     pub name: *const c_char,
-    /// the most marks, of both directions together; at most 100000000 for BLUE_NOISE; 40000. 0 =
-    /// no limit, for PUBLISHED and for strokes with a separation. PUBLISHED thins the level that
-    /// exceeds it at random and stops there; BLUE_NOISE leaves out the last strokes of the order.
-    /// Not used with a shared_budget
+    /// the most marks; at most 100000000 for BLUE_NOISE; 40000. 0 = no limit, for PUBLISHED and
+    /// for lines with a separation. PUBLISHED thins the level that exceeds it at random and stops
+    /// there; lines of BLUE_NOISE come near to it. Not used with a shared_budget
     pub budget: i64,
-    /// of stipples, and of strokes of the first direction; 0 and 0
+    /// of stipples, of lines, and of PUBLISHED strokes of the first direction; 0 and 0
     pub tone_begin: f32,
     pub tone_end: f32,
-    /// of strokes of the second direction; 0 and 0
+    /// of PUBLISHED strokes of the second direction; 0 and 0
     pub second_tone_begin: f32,
     pub second_tone_end: f32,
     /// HRBFNPR_LAYER_WITH_...; 0
@@ -1819,36 +1804,29 @@ pub struct hrbfnpr_layer_desc {
     /// for CALLBACK. Where its mean is below 1/16 of 1, fewer marks than the budget are made
     pub density_function: hrbfnpr_density_fn,
     pub density_user: *mut c_void,
-    /// mean distance of neighbouring strokes of one direction; 0 = such that all strokes together
-    /// have as many marks as the budget
+    /// NULL = by `guide`
     ///
-    /// Strokes of BLUE_NOISE, lengths in object units; separation and step 0, or 1e-12 .. 1e9 diagonals.
-    pub separation: f64,
-    /// distance of the marks of a stroke; 0 = a fifth of the separation
-    pub step: f64,
-    /// of a stroke at most; 0 = no limit. Strokes end where they come nearer to another than
-    /// about two thirds of the separation, leave the surface's samples, or meet a singular point
-    /// of the field; a closed one ends at its start
-    pub length: f64,
-    /// for FIELD
+    /// HATCH.  Lengths are in object units; separation and step are 0, or 1e-12 .. 1e9 diagonals.
     pub direction_function: hrbfnpr_direction_fn,
     pub direction_user: *mut c_void,
-    /// HRBFNPR_SYMMETRY_...; CROSS
-    pub symmetry: u32,
-    /// HRBFNPR_STROKE_START_...; SEEDS. Not for STIPPLES
+    /// HRBFNPR_HATCH_GUIDE_...; CURVATURE
+    pub guide: u32,
+    /// HRBFNPR_STROKE_START_...; SEEDS
     ///
-    /// PUBLISHED.
+    /// HATCH of PUBLISHED.
     pub start: u32,
     /// with STROKE_START_STIPPLES: the last stippling level used; 0
     pub start_level: i32,
-    /// refinement steps, 0 .. 12; -1 = 4 for stipples, 3 for strokes, which then have 3^levels marks; -1
+    /// of stipples, too: refinement steps, 0 .. 12; -1 = 4 for stipples, 3 for strokes, which
+    /// then have 3^levels marks; -1
     pub levels: i32,
-    /// by which lines are turned in the tangent plane, counter-clockwise as seen from outside; degrees; 0
+    /// mean distance of neighbouring lines; 0 = as many lines as make about the budget's marks
     ///
-    /// HATCH, with BLUE_NOISE.  separation is that of all lines together, or 0 for as many as
-    /// make about the budget's
-    /// marks; a step of 0 is 0.4 of it.  Lines follow direction_function where that is given, else what
-    /// guide says.
+    /// HATCH of BLUE_NOISE.
+    pub separation: f64,
+    /// distance of the marks of a line; 0 = 0.4 of the separation
+    pub step: f64,
+    /// by which lines are turned in the tangent plane, counter-clockwise as seen from outside; degrees; 0
     pub angle: f64,
     /// of directions: the distance over which they are evened out; diagonals, > 0, 1 at most; 0.04
     pub smoothing: f64,
@@ -1856,20 +1834,17 @@ pub struct hrbfnpr_layer_desc {
     pub axis: [f64; 3],
     /// against curvature; >= 0; 0.06
     pub axis_weight: f64,
-    /// over which the attribute TONE_NORMAL is averaged: the tone of a rough surface goes by
-    /// that; diagonals, 0 .. 0.1; 0 = tone goes by NORMAL; -1 = 0.006 for HATCH, 0 for others; -1
-    ///
-    /// Of all kinds.
-    pub tone_smoothing: f64,
-    /// HRBFNPR_HATCH_GUIDE_...; CURVATURE
-    pub guide: u32,
-    /// 0
-    pub reserved: u32,
     /// of LIGHT and SILHOUETTE, in object space; not 0; (0, 0, 1)
     pub guide_direction: [f64; 3],
     /// of a guide other than CURVATURE: what is left of 1 is curvature's, 0 .. 1; 1. Lines are
     /// blended as exp(2 i angle)
     pub guide_weight: f64,
+    /// over which the attribute TONE_NORMAL is averaged: the tone of a rough surface goes by
+    /// that; diagonals, 0 .. 0.1; 0 = tone goes by NORMAL; -1 = 0.006 for HATCH of BLUE_NOISE, 0
+    /// for others; -1
+    ///
+    /// Of all kinds.
+    pub tone_smoothing: f64,
 }
 
 extern "C" {
@@ -1951,11 +1926,10 @@ pub const HRBFNPR_MARK_ATTRIBUTE_DIRECTION: u32 = 2;
 /// FLOAT32 x 3: k1, k2, confidence (hrbfnpr_model_curvature)
 pub const HRBFNPR_MARK_ATTRIBUTE_CURVATURE: u32 = 3;
 /// FLOAT32: the u of [NPAR 6.2], in [0,1): a mark is shown where u >= tau. All marks of a
-/// stroke of BLUE_NOISE have the same, and a share of the ranks is that share of each
-/// direction's marks
+/// line of BLUE_NOISE have the same
 pub const HRBFNPR_MARK_ATTRIBUTE_RANK: u32 = 4;
-/// UINT8: the refinement step that placed it, 0 = a seed. BLUE_NOISE strokes: the pass; each
-/// one halves the distance that strokes keep
+/// UINT8: the refinement step that placed it, 0 = a seed. HATCH of BLUE_NOISE: see
+/// HRBFNPR_LAYER_KIND_HATCH
 pub const HRBFNPR_MARK_ATTRIBUTE_LEVEL: u32 = 5;
 /// UINT32 x 2: 2 * number + direction (0 or 1) of the stroke, and the mark's place along it.
 /// PUBLISHED: the number is the seed's, places are 0 .. 3^levels - 1, the seed in the middle.
@@ -2102,13 +2076,12 @@ pub struct hrbfnpr_layer_info {
     pub marks: i64,
     /// 0: its marks form none
     pub strokes: i64,
-    /// what `marks` would be if nothing had been dropped (PUBLISHED), or had been left out for
-    /// the budget (BLUE_NOISE strokes)
+    /// what `marks` would be if nothing had been dropped
     pub full_count: i64,
-    /// refinement steps taken; BLUE_NOISE strokes: the last pass
+    /// refinement steps taken; HATCH of BLUE_NOISE: the highest level
     pub levels: i32,
     pub reserved: u32,
-    /// initial step rho_0 used; BLUE_NOISE strokes: the separation
+    /// initial step rho_0 used; HATCH of BLUE_NOISE: the separation
     pub step: f64,
     pub seconds: f64,
 }
@@ -2503,12 +2476,6 @@ pub const HRBFNPR_TONE_CURVE_COVERAGE: u32 = 0;
 /// the share of marks is 1 - tau [NPAR 6.2]
 pub const HRBFNPR_TONE_CURVE_LINEAR: u32 = 1;
 
-/// A line of constant width: marks whose image lies within silhouette_width pixels of
-/// the contour's, by the surface's curvature along the line of sight.
-pub const HRBFNPR_SILHOUETTE_LAW_WIDTH: u32 = 0;
-/// |n . v| <= silhouette_threshold, as published [NPAR 6]
-pub const HRBFNPR_SILHOUETTE_LAW_ANGLE: u32 = 1;
-
 /// tau = 0: all front marks are shown
 pub const HRBFNPR_TONE_NONE: u32 = 0;
 /// tau = max(0, n . l)^tone_exponent [NPAR 6.2], and fill_light
@@ -2564,7 +2531,8 @@ pub struct hrbfnpr_layer_style {
     pub name: *const c_char,
     /// 1 or 0: whether front marks are drawn; 1
     pub shown: u32,
-    /// 1 or 0: whether marks near a contour draw it; 1. Not of OWN strokes, which may be few
+    /// 1 or 0, with VISIBILITY_PUBLISHED: whether marks near a contour draw it; 1. Not of OWN
+    /// strokes, which may be few
     pub contours: u32,
     /// of strokes: bit 0 the first direction, bit 1 the second; 3
     pub directions: u32,
@@ -2759,14 +2727,12 @@ pub struct hrbfnpr_style {
     /// 0 .. 1, DEPTH_LAYERS: a mark grows from nothing to its full area over this share of the
     /// marks shown, instead of popping; 0 = it pops; 0.25
     pub tone_fade: f32,
-    /// HRBFNPR_SILHOUETTE_LAW_...; WIDTH. For DEPTH_LAYERS; PUBLISHED is ANGLE
-    ///
-    /// Contours.
-    pub silhouette_law: u32,
-    /// of WIDTH: pixels on either side of the contour; 1
-    pub silhouette_width: f32,
     /// delta in (0,1): front n.v < -delta, back n.v > delta, else silhouette, v from the camera
-    /// to the mark [NPAR 6]; 0.2. With SILHOUETTE_LAW_WIDTH only where the curvature is not known
+    /// to the mark [NPAR 6]; 0.2
+    ///
+    /// Contours that marks draw, with VISIBILITY_PUBLISHED only.  With DEPTH_LAYERS contours are
+    /// lines of an item's
+    /// line set.
     pub silhouette_threshold: f64,
     /// of a mark, pixels; 1
     pub silhouette_radius: f32,
@@ -2808,9 +2774,7 @@ pub struct hrbfnpr_style {
     pub zoom_exponent: f64,
     /// a list; NULL and 0
     ///
-    /// Lines, with DEPTH_LAYERS, of items that have a line set; with one of kind CONTOUR their
-    /// marks draw no
-    /// contours.
+    /// Lines, with DEPTH_LAYERS, of items that have a line set.
     pub lines: *const hrbfnpr_line_style,
     pub line_count: i64,
     pub line_stride: i64,
@@ -2831,11 +2795,9 @@ extern "C" {
 // from bindings/presets.py.
 /// stipples by light, no contours
 pub const HRBFNPR_PRESET_STIPPLE: u32 = 0;
-/// lines of one width, more of them where it is darker, and contours; strokes of PRINCIPAL
-/// layers along the second direction
+/// lines of one width, more of them where it is darker, and contours
 pub const HRBFNPR_PRESET_HATCH: u32 = 1;
-/// up to three sets of such lines, at 0, 35 and -30 degrees, a darker tone each, and
-/// contours; strokes of PRINCIPAL layers along both directions
+/// up to three sets of such lines, at 0, 35 and -30 degrees, a darker tone each, and contours
 pub const HRBFNPR_PRESET_CROSS_HATCH: u32 = 2;
 /// lines along Stark's combing direction, a second set in the darks, and contours
 pub const HRBFNPR_PRESET_COMBING: u32 = 3;
@@ -2875,8 +2837,6 @@ extern "C" {
     ) -> hrbfnpr_status;
     /// The layers that a preset draws, with defaults: a list of constants for
     /// hrbfnpr_generate_desc.layers (with layer_stride 0).  *count gets their number.
-    /// For BLUE_NOISE: HATCH is not PUBLISHED; HATCH, CROSS_HATCH and FULL draw layers
-    /// of STIPPLES and PRINCIPAL then, COMBING those of STIPPLES and COMBING.
     /// NULL and 0 for a number that is no preset's.
     pub fn hrbfnpr_preset_layers(preset: u32, count: *mut i64) -> *const hrbfnpr_layer_desc;
     /// "stipple", "hatch", "cross-hatch", ...; NULL for a number that is no preset's:
@@ -3039,14 +2999,14 @@ pub struct hrbfnpr_drawing_info {
     /// of those inside: by class
     pub front: i64,
     pub back: i64,
+    /// PUBLISHED
     pub silhouette: i64,
-    /// DEPTH_LAYERS: marks that are of no class, since no tone or contour could show them: they
-    /// were not looked at one by one
+    /// DEPTH_LAYERS: marks that are of no class, since no tone could show them: they were not
+    /// looked at one by one
     pub culled: i64,
     /// drawn as ink
     pub shown: i64,
-    /// front marks not shown because of light or share, and contour marks that a line of even
-    /// density does not need
+    /// front marks not shown because of light or share
     pub dropped_tone: i64,
     /// front and silhouette marks not shown because of depth attenuation
     pub dropped_depth: i64,
@@ -3096,7 +3056,7 @@ extern "C" {
     ) -> hrbfnpr_status;
 }
 
-/// A layer of a drawing: ink of one layer of marks, of the front or of contours.
+/// A layer of a drawing: ink of one layer of marks, of the front or (PUBLISHED) of contours; or lines.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct hrbfnpr_drawing_layer_info {

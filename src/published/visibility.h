@@ -6,7 +6,9 @@
 #include "drawing/tiles.h"
 #include "frame/scene/scene.h"
 
-namespace hrbfnpr::frame {
+namespace hrbfnpr::published {
+
+using namespace frame; // the scene that this room classifies and paints
 
 // Takes the discs of front and back marks of the items that hide what is behind them.  They lie
 // behind their own layer as discs of paper do, so that it does not hide its own ink.
@@ -40,4 +42,4 @@ private:
     base::Array<Occluder> occluders_; // one for each mark; radius < 0 = none
 };
 
-} // namespace hrbfnpr::frame
+} // namespace hrbfnpr::published

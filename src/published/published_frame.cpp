@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "frame/published/published_frame.h"
+#include "published/published_frame.h"
 
 #include "base/clock.h"
 #include "base/scratch.h"
 
 #include <algorithm>
 
-namespace hrbfnpr::frame {
+namespace hrbfnpr::published {
 namespace {
 
 constexpr std::int64_t dot_grain = 4096;
@@ -140,4 +140,4 @@ std::int64_t PublishedFrame::bytes() const noexcept {
            keys_.bytes();
 }
 
-} // namespace hrbfnpr::frame
+} // namespace hrbfnpr::published

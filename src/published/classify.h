@@ -4,11 +4,13 @@
 
 #include "base/runtime.h"
 #include "drawing/drawing.h"
-#include "frame/published/visibility.h"
 #include "frame/scene/scene.h"
 #include "frame/scene/tone_calls.h"
+#include "published/visibility.h"
 
-namespace hrbfnpr::frame {
+namespace hrbfnpr::published {
+
+using namespace frame; // the scene that this room classifies and paints
 
 // Fills every array of scene.marks but `role`; tau only where the style's tone is not a callback.
 void classify(const base::Parallel& parallel, Scene& scene);
@@ -19,4 +21,4 @@ void ask_tones(Scene& scene, ToneCalls& calls);
 // Fills `role` from tone, depth, zoom and, if not null, visibility.  counts: one for each chunk.
 void decide(const base::Parallel& parallel, Scene& scene, const VisibilityMap* visibility, base::Array<Counts>& counts);
 
-} // namespace hrbfnpr::frame
+} // namespace hrbfnpr::published

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "frame/published/visibility.h"
+#include "published/visibility.h"
 
 #include <array>
 #include <cmath>
 #include <limits>
 
-namespace hrbfnpr::frame {
+namespace hrbfnpr::published {
 namespace {
 
 constexpr double most_texels = 16777216.0; // 64 MiB of depth; larger viewports get a coarser map
@@ -89,4 +89,4 @@ bool VisibilityMap::hides(float x, float y, float depth) const noexcept {
     return depth > depth_[static_cast<std::int64_t>(v) * width_ + static_cast<std::int64_t>(u)];
 }
 
-} // namespace hrbfnpr::frame
+} // namespace hrbfnpr::published

@@ -4,11 +4,13 @@
 
 #include "base/runtime.h"
 #include "drawing/far_to_near.h"
-#include "frame/published/classify.h"
-#include "frame/published/visibility.h"
 #include "frame/scene/scene.h"
+#include "published/classify.h"
+#include "published/visibility.h"
 
-namespace hrbfnpr::frame {
+namespace hrbfnpr::published {
+
+using namespace frame; // the scene that this room classifies and paints
 
 class PublishedFrame {
 public:
@@ -40,4 +42,4 @@ private:
     base::Array<std::uint64_t> keys_;
 };
 
-} // namespace hrbfnpr::frame
+} // namespace hrbfnpr::published

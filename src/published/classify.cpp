@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "frame/published/classify.h"
+#include "published/classify.h"
 
 #include <cmath>
 
-namespace hrbfnpr::frame {
+namespace hrbfnpr::published {
 namespace {
 
 // The largest disc that the mark can paint decides whether it can reach the viewport.
@@ -196,4 +196,4 @@ void decide(const base::Parallel& parallel, Scene& scene, const VisibilityMap* v
     });
 }
 
-} // namespace hrbfnpr::frame
+} // namespace hrbfnpr::published
