@@ -93,6 +93,18 @@ struct Style : hrbfnpr_style {
     std::vector<hrbfnpr_layer_style> layer;
 };
 
+// The style "full" whose lines are dots of one pen, in the darks: each mark costs as much as one of the stipples.
+[[nodiscard]] inline Style full_of_dots() {
+    Style style(HRBFNPR_PRESET_FULL);
+    for (hrbfnpr_layer_style& layer : style.layer)
+        if (layer.kind == HRBFNPR_LAYER_KIND_HATCH) {
+            layer.shape = HRBFNPR_SHAPE_DOTS;
+            layer.radius = 1.0F;
+            layer.share = 0.6F;
+        }
+    return style;
+}
+
 inline scenes::PointSet generate(hrbfnpr_context* context, const hrbfnpr_model* model, Generation desc) {
     scenes::Check check;
     hrbfnpr_point_set* set = nullptr;

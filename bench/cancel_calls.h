@@ -250,21 +250,17 @@ private:
     }
 
     void add_sets(std::vector<LongCall>& calls) {
-        constexpr std::array<std::pair<std::uint32_t, const char*>, 5> kinds{
-            {{HRBFNPR_LAYER_KIND_STIPPLES, "stipples"},
-             {HRBFNPR_LAYER_KIND_PRINCIPAL, "principal"},
-             {HRBFNPR_LAYER_KIND_COMBING, "combing"},
-             {HRBFNPR_LAYER_KIND_FIELD, "field"},
-             {HRBFNPR_LAYER_KIND_HATCH, "hatch"}}};
-        for (const auto& [kind, name] : kinds) {
-            Generation desc = one_layer(kind, sizes_.marks);
-            if (kind == HRBFNPR_LAYER_KIND_FIELD) desc.layer[0].direction_function = along_y;
-            add_set(calls, std::string("generate.") + name, desc);
-        }
+        add_set(calls, "generate.stipples", one_layer(HRBFNPR_LAYER_KIND_STIPPLES, sizes_.marks));
+        Generation lines = one_layer(HRBFNPR_LAYER_KIND_HATCH, sizes_.marks);
+        add_set(calls, "generate.hatch", lines);
+        lines.layer[0].guide = HRBFNPR_HATCH_GUIDE_COMBING;
+        add_set(calls, "generate.hatch_combing", lines);
+        lines.layer[0].direction_function = along_y;
+        add_set(calls, "generate.hatch_function", lines);
         Generation curved = one_layer(HRBFNPR_LAYER_KIND_STIPPLES, sizes_.marks);
         curved.layer[0].density = HRBFNPR_DENSITY_CURVATURE;
         add_set(calls, "generate.density", curved);
-        for (const std::uint32_t kind : {HRBFNPR_LAYER_KIND_STIPPLES, HRBFNPR_LAYER_KIND_PRINCIPAL}) {
+        for (const std::uint32_t kind : {HRBFNPR_LAYER_KIND_STIPPLES, HRBFNPR_LAYER_KIND_HATCH}) {
             Generation published = one_layer(kind, sizes_.marks);
             published.distribution = HRBFNPR_DISTRIBUTION_PUBLISHED;
             add_set(calls, kind == HRBFNPR_LAYER_KIND_STIPPLES ? "generate.published" : "generate.published_strokes",

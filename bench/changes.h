@@ -18,7 +18,6 @@ struct Changes {
     double frames = 0.0;
     double shown = 0.0;    // marks in one of two frames, summed over pairs
     double pops = 0.0;     // of these: by more than half of their full ink
-    double contour = 0.0;  // pops of marks that are a contour's before or after; in none of the others
     double removals = 0.0; // of these: from 1 % of it or more to less
 
     [[nodiscard]] double pop_rate() const { return pops / shown; }
@@ -64,7 +63,6 @@ public:
             const std::size_t own = disc.id - 1;
             State& state = now_[original.empty() ? own : original[own]];
             state.ink += ink_of(double{disc.radius}, double{disc.color[3]});
-            state.contour = state.contour || disc.mark_class == HRBFNPR_CLASS_SILHOUETTE;
         }
         changes_.frames += 1.0;
         if (before_.empty()) return;
@@ -73,7 +71,7 @@ public:
     [[nodiscard]] const Changes& changes() const { return changes_; }
 
 private:
-    // |n . v| from which on a mark is none of the contour's, whatever draws that.
+    // Marks count from this |n . v| on: nearer to the contour, a mark comes and goes with the view alone.
     static constexpr double away = 0.25;
 
     struct Mark {
@@ -84,18 +82,12 @@ private:
     struct State {
         double ink = 0.0;
         bool counts = false;
-        bool contour = false;
     };
 
     void compare(double full, const State& before, const State& now) {
         const double least = 0.01 * full;
         if (!before.counts || !now.counts || std::max(before.ink, now.ink) < least) return;
         changes_.shown += 1.0;
-        // A contour moves over the surface: what is its mark is so by the view, not by light or zoom.
-        if (before.contour || now.contour) {
-            if (std::abs(before.ink - now.ink) > 0.5 * full) changes_.contour += 1.0;
-            return;
-        }
         if (std::abs(before.ink - now.ink) > 0.5 * full) changes_.pops += 1.0;
         if (before.ink >= least && now.ink < least) changes_.removals += 1.0;
     }

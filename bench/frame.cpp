@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Frames: time, growth and ratios to plain code, to software OpenGL and to memory; pops, tone, width of contours.
+// Frames: time, growth and ratios to plain code, to software OpenGL and to memory; pops, tone.
 // --head=FILE: a PLY of points with normals (else a generated surface); --only=PART,...: of speed, llvmpipe, growth,
-// pops, tone, silhouette.
+// pops, tone.
+#include "analytic.h"
 #include "changes.h"
-#include "contour.h"
 #include "llvmpipe.h"
 #include "plain_frame.h"
 #include "ramp_drawing.h"
@@ -32,7 +32,7 @@ constexpr double step = 0.7; // degrees from one frame to the next
 
 // ---- What is drawn -------------------------------------------------------------------------
 
-// Surfaces of more and fewer samples, and marks on them: half stipples and half strokes.
+// Surfaces of more and fewer samples, and marks on them: half stipples and half lines.
 class Stock {
 public:
     explicit Stock(Samples samples) : samples_(std::move(samples)) {}
@@ -44,7 +44,7 @@ public:
         scenes::PointSet& set = marks_[{count, samples}];
         if (set == nullptr) {
             bench::Generation desc = bench::one_layer(HRBFNPR_LAYER_KIND_STIPPLES, count / 2);
-            desc.add(HRBFNPR_LAYER_KIND_PRINCIPAL, count - count / 2);
+            desc.add(HRBFNPR_LAYER_KIND_HATCH, count - count / 2);
             set = bench::generate(context(), model(samples), desc);
         }
         return set.get();
@@ -71,7 +71,7 @@ private:
     std::map<std::pair<std::int64_t, std::int64_t>, scenes::PointSet> marks_;
 };
 
-Style full() { return Style(HRBFNPR_PRESET_FULL); }
+Style full() { return bench::full_of_dots(); }
 
 Style without_attenuation() {
     Style style = full();
@@ -83,7 +83,6 @@ Style without_attenuation() {
 Style as_published() {
     Style style = full();
     style.visibility = HRBFNPR_VISIBILITY_PUBLISHED;
-    style.silhouette_law = HRBFNPR_SILHOUETTE_LAW_ANGLE;
     style.tone_curve = HRBFNPR_TONE_CURVE_LINEAR;
     return style;
 }
@@ -308,12 +307,11 @@ void run_pops(Stock& stock, Results& results) {
     sudden.tone_fade = 0.0F;
     std::printf("\nchanges from frame to frame, %lld marks, light of the world, hidden lines shown\n",
                 static_cast<long long>(count));
-    std::printf("%-28s %6s %9s %9s %10s %10s %10s %10s\n", "way", "frames", "shown", "pops", "rate", "removals", "rate",
-                "contours'");
+    std::printf("%-28s %6s %9s %9s %10s %10s %10s\n", "way", "frames", "shown", "pops", "rate", "removals", "rate");
     const auto row = [&](const char* name, const Style& of, const bench::Way& way, bool reroll) {
         const bench::Changes c = bench::follow(stock.context(), set, of, orbit, way, reroll);
-        std::printf("%-28s %6.0f %9.0f %9.0f %10.6f %10.0f %10.6f %10.0f\n", name, c.frames, c.shown / (c.frames - 1.0),
-                    c.pops, c.pop_rate(), c.removals, c.removal_rate(), c.contour);
+        std::printf("%-28s %6.0f %9.0f %9.0f %10.6f %10.0f %10.6f\n", name, c.frames, c.shown / (c.frames - 1.0),
+                    c.pops, c.pop_rate(), c.removals, c.removal_rate());
         std::fflush(stdout);
         return c;
     };
@@ -344,7 +342,6 @@ void run_tone(Stock& stock, Results& results) {
     std::printf("\ncoverage asked for from 0.05 to 0.55, marks of 1.5 px, blurred by 4 px\n");
     const scenes::Model model = bench::custom(stock.context(), bench::plane, {2.2, 1.2, 0.4});
     Style style = bench::ramp_style(asked_tone);
-    style.layer[0].contours = 0;
     // However many marks there are.
     bench::ToneError worst{1e9, 0.0};
     for (const double all : {1.0, 2.0, 4.0}) {
@@ -361,59 +358,6 @@ void run_tone(Stock& stock, Results& results) {
     results.add("tone_bias", worst.bias);
 }
 
-// ---- Contours ------------------------------------------------------------------------------
-
-// From `elevation` degrees above the torus's plane, its tube about 100 pixels wide.
-hrbfnpr_camera above_torus(double elevation, double azimuth) {
-    constexpr double away = 8.0;
-    constexpr double pixels_per_unit = 50.0 / bench::tube;
-    const double e = glm::radians(elevation);
-    const double a = glm::radians(azimuth);
-    const bench::Vec3 eye{away * std::cos(e) * std::cos(a), away * std::cos(e) * std::sin(a), away * std::sin(e)};
-    const bench::Vec3 target{0.0, 0.0, 0.0};
-    const bench::Vec3 up{0.0, 0.0, 1.0};
-    scenes::Check check;
-    hrbfnpr_camera camera;
-    check(hrbfnpr_camera_init(&camera, sizeof camera));
-    check(hrbfnpr_camera_look_at(&camera, eye.data(), target.data(), up.data(), check.error()));
-    const double angle = 2.0 * std::atan(small.height / 2.0 / pixels_per_unit / away);
-    check(hrbfnpr_camera_perspective(&camera, angle, small.width, small.height, 1.0, 20.0, check.error()));
-    return camera;
-}
-
-void run_silhouettes(Stock& stock, Results& results) {
-    constexpr double width = 1.0;
-    const scenes::Model model =
-        bench::custom(stock.context(), bench::torus, {1.0 + bench::tube, 1.0 + bench::tube, bench::tube});
-    const scenes::PointSet set =
-        bench::generate(stock.context(), model.get(), bench::one_layer(HRBFNPR_LAYER_KIND_STIPPLES, 200'000));
-    std::printf("\ncontours of a torus, 200 000 marks, tube 100 px wide: marks within 1 px of their own contour\n");
-    std::printf("%9s %7s %-8s %10s %10s %10s %10s\n", "elevation", "azimuth", "law", "precision", "of 1.1 px", "recall",
-                "of marks");
-    bench::Found worst[2];
-    for (const auto& [elevation, azimuth] : {std::pair{20.0, 10.0}, {35.0, 130.0}, {50.0, 250.0}, {65.0, 40.0}}) {
-        const hrbfnpr_camera camera = above_torus(elevation, azimuth);
-        const std::vector<double> distances = bench::contour_distances(set.get(), camera);
-        for (const std::uint32_t law : {HRBFNPR_SILHOUETTE_LAW_WIDTH, HRBFNPR_SILHOUETTE_LAW_ANGLE}) {
-            Style style(HRBFNPR_PRESET_SILHOUETTE);
-            style.hidden_lines = HRBFNPR_HIDDEN_LINES_SHOW;
-            style.silhouette_law = law;
-            style.silhouette_width = static_cast<float>(width);
-            Painter painter(stock.context(), set.get(), style);
-            const bench::Found found = bench::found(painter.discs(camera), distances, camera, width);
-            worst[law].take_worse(found);
-            std::printf("%9.0f %7.0f %-8s %10.4f %10.4f %10.4f %10.4f\n", elevation, azimuth,
-                        law == HRBFNPR_SILHOUETTE_LAW_WIDTH ? "width" : "angle", found.precision, found.nearly,
-                        found.recall, found.marks);
-        }
-    }
-    results.add("silhouette_precision", worst[HRBFNPR_SILHOUETTE_LAW_WIDTH].precision);
-    results.add("silhouette_precision_1_1", worst[HRBFNPR_SILHOUETTE_LAW_WIDTH].nearly);
-    results.add("silhouette_recall", worst[HRBFNPR_SILHOUETTE_LAW_WIDTH].recall);
-    results.add("silhouette_precision_angle", worst[HRBFNPR_SILHOUETTE_LAW_ANGLE].precision);
-    results.add("silhouette_recall_angle", worst[HRBFNPR_SILHOUETTE_LAW_ANGLE].recall);
-}
-
 void run(const std::string& head, const std::string& only) {
     Stock stock(head.empty() ? bench::bumpy(4096, 0.15) : bench::read_ply(head));
     Results results;
@@ -427,7 +371,6 @@ void run(const std::string& head, const std::string& only) {
     if (wanted("growth")) run_growth(stock, results);
     if (wanted("pops")) run_pops(stock, results);
     if (wanted("tone")) run_tone(stock, results);
-    if (wanted("silhouette")) run_silhouettes(stock, results);
     std::printf("\n");
     for (const auto& [name, value] : results.pairs) bench::report(name.c_str(), value);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A frame of hatching beside one of stipples and strokes of about as many marks, on an orbit.
+// A frame of hatching beside one of stipples and lines of about as many marks, all as dots, on an orbit.
 #pragma once
 
 #include "line_calls.h"
@@ -48,19 +48,16 @@ private:
     static constexpr double step = 0.5;    // degrees from one frame to the next
     static constexpr double lines = 300.0; // of each layer in the root of the area
 
-    // All marks as dots of the same pen, strokes in the darks.
+    // All marks as dots of the same pen, those of lines in the darks.
     static Style dotted() {
-        Style style(HRBFNPR_PRESET_FULL);
-        for (hrbfnpr_layer_style& layer : style.layer) {
-            if (layer.kind != HRBFNPR_LAYER_KIND_STIPPLES && layer.kind != HRBFNPR_LAYER_KIND_PRINCIPAL) continue;
-            layer.radius = 1.0F;
-            layer.share = layer.kind == HRBFNPR_LAYER_KIND_STIPPLES ? 1.0F : 0.6F;
-        }
+        Style style = full_of_dots();
+        for (hrbfnpr_layer_style& layer : style.layer)
+            if (layer.kind == HRBFNPR_LAYER_KIND_STIPPLES) layer.radius = layer.share = 1.0F;
         return style;
     }
     static scenes::PointSet stippled(hrbfnpr_context* context, const hrbfnpr_model* model) {
         Generation desc = one_layer(HRBFNPR_LAYER_KIND_STIPPLES, most_marks / 2);
-        desc.add(HRBFNPR_LAYER_KIND_PRINCIPAL, most_marks / 2);
+        desc.add(HRBFNPR_LAYER_KIND_HATCH, most_marks / 2);
         return generate(context, model, desc);
     }
     // Stipples tell where the surface is.

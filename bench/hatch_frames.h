@@ -109,19 +109,6 @@ inline void add_gaps(const std::vector<DrawnStroke>& strokes, const MarkTable& m
     return ends;
 }
 
-// Both directions of curvature, drawn as strokes of marks.
-[[nodiscard]] inline StrokeEnds ends_of_principal(hrbfnpr_context* context, const hrbfnpr_model* model) {
-    constexpr std::int64_t marks = 150'000;
-    Generation desc = one_layer(HRBFNPR_LAYER_KIND_STIPPLES, 40'000);
-    desc.add(HRBFNPR_LAYER_KIND_PRINCIPAL, marks);
-    const scenes::PointSet set = generate(context, model, desc);
-    Style style = hatch_style(HRBFNPR_PRESET_CROSS_HATCH, frame_size);
-    style.line_count = 0;
-    for (hrbfnpr_layer_style& layer : style.layer) layer.shape = HRBFNPR_SHAPE_STROKES;
-    StrokePainter painter(context, set.get(), style);
-    return ends_of(painter, model);
-}
-
 // Of lines that are thinned out by their distance, or of all of them, by hairlines: those end only where the surface is
 // light, turns away or is hidden, which no choice of lines along these directions can avoid.
 [[nodiscard]] inline StrokeEnds ends_of_hatching(hrbfnpr_context* context, const hrbfnpr_model* model,

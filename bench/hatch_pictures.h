@@ -35,7 +35,7 @@ namespace bench {
 // A pen of the command line in a picture of so many pixels: below 600 it gets no finer.
 [[nodiscard]] inline float pen_of(double size) { return static_cast<float>(std::max(0.75, size / 800.0)); }
 
-// For a picture of so many pixels, without contours: a named style, and hidden lines left out.
+// A named style for a picture of so many pixels, whose hidden lines are left out.
 [[nodiscard]] inline Style hatch_style(std::uint32_t preset, double size) {
     Style style(preset);
     const float pen = pen_of(size);
@@ -43,7 +43,6 @@ namespace bench {
         for (float* const pixels : {&layer.radius, &layer.hatch_spacing, &layer.hatch_pen, &layer.hatch_white,
                                     &layer.hatch_taper, &layer.hatch_shortest})
             *pixels *= pen;
-        layer.contours = 0;
     }
     style.halo_width = 0.0F;
     return style;

@@ -98,10 +98,7 @@ struct Polyline {
 // Lines alone, of one kind or several.
 class LinesStyle {
 public:
-    explicit LinesStyle(std::vector<hrbfnpr_line_style> lines) : lines_(std::move(lines)) {
-        layer_.shown = 0;
-        layer_.contours = 0;
-    }
+    explicit LinesStyle(std::vector<hrbfnpr_line_style> lines) : lines_(std::move(lines)) { layer_.shown = 0; }
     [[nodiscard]] hrbfnpr_style get() const {
         auto style = scenes::made(hrbfnpr_style_init);
         style.layers = &layer_;

@@ -71,7 +71,6 @@ inline constexpr double raster_radius = 1.2; // pixels
     style.layer.resize(1);
     style.layer[0] = scenes::made(hrbfnpr_layer_style_init);
     style.layer[0].shape = shape;
-    style.layer[0].contours = 0;
     style.layer[0].radius = static_cast<float>(raster_radius);
     return style;
 }

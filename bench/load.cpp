@@ -31,7 +31,7 @@ struct Stock {
     explicit Stock(std::int64_t marks)
         : context(bench::make_context()), model(bench::fit(context.get(), samples.points, samples.normals)) {
         bench::Generation desc = bench::one_layer(HRBFNPR_LAYER_KIND_STIPPLES, marks / 2);
-        desc.add(HRBFNPR_LAYER_KIND_PRINCIPAL, marks - marks / 2);
+        desc.add(HRBFNPR_LAYER_KIND_HATCH, marks - marks / 2);
         set = bench::generate(context.get(), model.get(), desc);
     }
     bench::Samples samples = bench::bumpy(4096, 0.15);

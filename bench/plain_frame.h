@@ -66,14 +66,11 @@ private:
         const glm::dvec3 normal = glm::dmat3(lens.view) * mark.normal;
         const double nu = glm::dot(normal, glm::normalize(eye));
         const double scale = pixels_per_unit / -eye.z; // pixels per unit
-        const double delta = style_.silhouette_threshold;
         const double cover = std::max(1.0, 1.5 * spacing_ * scale);
         const hrbfnpr_layer_style& pen = pens_[mark.pen];
-        if (nu > delta) {
-            const double alpha = 0.2 * (std::log(nu - 0.05) + 5.0) * style_.attenuation_back;
+        if (nu >= 0.0) {
+            const double alpha = nu > 0.05 ? 0.2 * (std::log(nu - 0.05) + 5.0) * style_.attenuation_back : 0.0;
             paper(eye, at, cover + double{style_.halo_width}, alpha, scale);
-        } else if (nu >= -delta) {
-            if (pen.contours != 0) discs_.push_back({-eye.z, at.x, at.y, double{style_.silhouette_radius}, 1.0, 0.0F});
         } else {
             paper(eye, at, cover, nu * nu * style_.attenuation_front, scale);
             const double lit = glm::dot(normal, light_);

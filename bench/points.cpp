@@ -45,6 +45,7 @@ scenes::Model fit(hrbfnpr_context* context, const Samples& samples) {
 struct Job {
     std::uint32_t kind;
     std::int32_t levels;
+    std::uint32_t guide = HRBFNPR_HATCH_GUIDE_CURVATURE; // of strokes
 };
 
 // Their number; -1 if cancelled.
@@ -56,6 +57,7 @@ std::int64_t generate(hrbfnpr_context* context, const hrbfnpr_model* model, cons
     desc.seed_source = HRBFNPR_SEED_POINTS;
     desc.seed_points = bench::view(seeds.points);
     desc.layer[0].levels = job.levels;
+    desc.layer[0].guide = job.guide;
     hrbfnpr_point_set* raw = nullptr;
     const hrbfnpr_status status =
         hrbfnpr_point_set_generate(context, model, desc.get(), operation, &raw, check.error());
@@ -78,15 +80,16 @@ struct Row {
 
 void run_table(hrbfnpr_context* context, const std::string& models) {
     constexpr std::uint32_t stipple = HRBFNPR_LAYER_KIND_STIPPLES;
-    constexpr std::uint32_t combing = HRBFNPR_LAYER_KIND_COMBING;
-    constexpr std::uint32_t curvature = HRBFNPR_LAYER_KIND_PRINCIPAL;
+    constexpr std::uint32_t hatch = HRBFNPR_LAYER_KIND_HATCH;
+    constexpr std::uint32_t combing = HRBFNPR_HATCH_GUIDE_COMBING;
+    constexpr std::uint32_t curvature = HRBFNPR_HATCH_GUIDE_CURVATURE;
     const std::vector<Row> rows{
-        {"sphere", "sphere_6.ply", 6, {stipple, 4}, {combing, 4}, 8.3},
-        {"tori", "tori_256.ply", 256, {stipple, 3}, {combing, 4}, 217.9},
-        {"canyon", "canyon_512.ply", 512, {stipple, 3}, {combing, 4}, 570.0},
-        {"knot", "knot_1024.ply", 1024, {stipple, 3}, {curvature, 3}, 1100.0},
-        {"gargoyle", "gargoyle_2500.ply", 2500, {stipple, 3}, {combing, -1}, 2036.0},
-        {"david", "head_4096.ply", 4096, {stipple, 3}, {curvature, 3}, 7397.0},
+        {"sphere", "sphere_6.ply", 6, {stipple, 4}, {hatch, 4, combing}, 8.3},
+        {"tori", "tori_256.ply", 256, {stipple, 3}, {hatch, 4, combing}, 217.9},
+        {"canyon", "canyon_512.ply", 512, {stipple, 3}, {hatch, 4, combing}, 570.0},
+        {"knot", "knot_1024.ply", 1024, {stipple, 3}, {hatch, 3, curvature}, 1100.0},
+        {"gargoyle", "gargoyle_2500.ply", 2500, {stipple, 3}, {hatch, -1, combing}, 2036.0},
+        {"david", "head_4096.ply", 4096, {stipple, 3}, {hatch, 3, curvature}, 7397.0},
     };
     std::printf("%-10s %8s %9s %9s %12s %9s %9s\n", "model", "samples", "stipples", "marks", "published s", "ours s",
                 "ratio");

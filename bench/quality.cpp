@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How even the marks are: PUBLISHED, white noise and BLUE_NOISE at every prefix; tones, directions, spacing of strokes.
+// How even the marks are: PUBLISHED, white noise and BLUE_NOISE at every prefix; tones, directions, spacing of lines.
 // --bunny=FILE: an OBJ mesh; --head=FILE: a PLY of points with normals, for the time of the order (else a generated
 // one).
 #include "analytic.h"
@@ -197,7 +197,7 @@ bench::ToneError run_tone(hrbfnpr_context* context) {
     return error;
 }
 
-// ---- Strokes -------------------------------------------------------------------------------
+// ---- Lines of hatching -------------------------------------------------------------------------------
 
 struct Directions {
     double mean, most; // degrees; of 95 %
@@ -230,13 +230,13 @@ struct StrokeTotals {
 
 StrokeTotals run_strokes(hrbfnpr_context* context, const std::vector<Surface>& surfaces) {
     StrokeTotals totals;
-    std::printf("\nstrokes of 100 000 marks: sideways distance to the next parallel one\n");
+    std::printf("\nlines of 100 000 marks: sideways distance to the next parallel one\n");
     std::printf("%-12s %10s %10s %10s\n", "surface", "mean", "variation", "alone");
     const scenes::Samples samples = scenes::torus(4096);
     const scenes::Model fitted = fit(context, samples.points, samples.normals);
     const auto row = [&](const char* name, const hrbfnpr_model* model) {
-        const scenes::PointSet set = generate(context, model, one_layer(HRBFNPR_LAYER_KIND_PRINCIPAL, 100000));
-        const bench::Spacing s = bench::run_spacing(set.get(), {bench::layer_info(set.get(), 0).step, 0.15, 0});
+        const scenes::PointSet set = generate(context, model, one_layer(HRBFNPR_LAYER_KIND_HATCH, 100000));
+        const bench::Spacing s = bench::run_spacing(set.get(), {bench::layer_info(set.get(), 0).step, 0.25, 12});
         std::printf("%-12s %10.3f %10.3f %9.2f%%\n", name, s.mean, s.variation, 100.0 * s.alone);
         totals.variation = std::max(totals.variation, s.variation);
         return run_directions(set.get());

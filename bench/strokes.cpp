@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Lines of hatching: how evenly they lie, where they end and turn, beside strokes of the same length.
+// Lines of hatching: how evenly they lie, where they end and turn.
 // --models=DIR: points to fit as well; --named=TEXT: only models that have it in their names; --only=PART,...: of
 // surface, tone, screen, ends, sizes, pops, frame; --head=FILE: a PLY of points with normals to time frames of, else a
 // generated surface.
@@ -115,7 +115,6 @@ void measure_lines(const Strokes& strokes, double separation, const std::vector<
     found.kinks = 1000.0 * kinks * separation / length;
 }
 
-// Of lines along one field.
 void measure_field(const Strokes& strokes, double separation, Found& found) {
     std::vector<bench::Mark> marks;
     std::vector<Vec3> direction;
@@ -131,8 +130,8 @@ void measure_field(const Strokes& strokes, double separation, Found& found) {
     measure_lines(strokes, separation, points, found);
 }
 
-Found measure(hrbfnpr_context* context, const hrbfnpr_model* model, std::uint32_t kind, double separation) {
-    auto desc = one_layer(kind, 0);
+Found measure(hrbfnpr_context* context, const hrbfnpr_model* model, double separation) {
+    auto desc = one_layer(HRBFNPR_LAYER_KIND_HATCH, 0);
     desc.layer[0].separation = separation;
     Found found;
     const auto begin = std::chrono::steady_clock::now();
@@ -143,16 +142,13 @@ Found measure(hrbfnpr_context* context, const hrbfnpr_model* model, std::uint32_
     found.mean = spacing.mean;
     found.variation = spacing.variation;
     found.alone = spacing.alone;
-    if (kind == HRBFNPR_LAYER_KIND_HATCH)
-        measure_field(strokes, separation, found);
-    else
-        measure_lines(strokes, separation, {}, found);
+    measure_field(strokes, separation, found);
     return found;
 }
 
-void print(const std::string& name, const char* kind, const Found& f) {
-    std::printf("%-24s %-8s %8.3f %10.3f %8.2f%% %12.2f %12.2f %9.0f %6.0f %8.2f\n", name.c_str(), kind, f.mean,
-                f.variation, 100.0 * f.alone, f.ends, f.kinks, f.singularities, f.fewest, f.seconds);
+void print(const std::string& name, const Found& f) {
+    std::printf("%-24s %8.3f %10.3f %8.2f%% %12.2f %12.2f %9.0f %6.0f %8.2f\n", name.c_str(), f.mean, f.variation,
+                100.0 * f.alone, f.ends, f.kinks, f.singularities, f.fewest, f.seconds);
     std::fflush(stdout);
 }
 
@@ -183,31 +179,25 @@ struct Settings {
 // ---- On the surface ------------------------------------------------------------------------
 
 void run_surface(hrbfnpr_context* context, const Settings& settings, Results& results) {
-    std::printf("%-24s %-8s %8s %10s %9s %12s %12s %9s %6s %8s\n", "model", "lines", "spacing", "variation", "alone",
-                "ends / 1000", "kinks / 1000", "singular", "least", "s");
-    std::vector<double> variation, ends, before, ends_before, kinks, singular;
+    std::printf("%-24s %8s %10s %9s %12s %12s %9s %6s %8s\n", "model", "spacing", "variation", "alone", "ends / 1000",
+                "kinks / 1000", "singular", "least", "s");
+    std::vector<double> variation, ends, kinks, singular;
     for (const bench::Source& source : chosen_sources(settings)) {
         const scenes::Model model = bench::fit_centres(context, source.samples(), source.centres);
         const hrbfnpr_model_info info = bench::info_of(model.get());
         double squared = 0.0;
         for (int c = 0; c < 3; ++c) squared += std::pow(info.bounds_max[c] - info.bounds_min[c], 2.0);
         const double separation = 0.006 * std::sqrt(squared);
-        const Found hatch = measure(context, model.get(), HRBFNPR_LAYER_KIND_HATCH, separation);
-        print(source.name, "hatch", hatch);
-        const Found strokes = measure(context, model.get(), HRBFNPR_LAYER_KIND_PRINCIPAL, separation);
-        print(source.name, "strokes", strokes);
+        const Found hatch = measure(context, model.get(), separation);
+        print(source.name, hatch);
         variation.push_back(hatch.variation);
-        before.push_back(strokes.variation);
         ends.push_back(hatch.ends);
-        ends_before.push_back(strokes.ends);
         kinks.push_back(hatch.kinks);
         singular.push_back(hatch.singularities);
     }
     results.add("spacing_variation", bench::quantile(variation, 0.5));
     results.add("spacing_variation_max", *std::max_element(variation.begin(), variation.end()));
-    results.add("principal_variation", bench::quantile(before, 0.5));
     results.add("ends_per_1000", bench::quantile(ends, 0.5));
-    results.add("principal_ends_per_1000", bench::quantile(ends_before, 0.5));
     results.add("singularities", bench::quantile(singular, 0.5));
     results.add("kinks_per_1000", bench::quantile(kinks, 0.5));
 }
@@ -256,7 +246,7 @@ void print_ends(const std::string& name, const std::string& kind, const bench::S
 void run_ends(hrbfnpr_context* context, const Settings& settings, Results& results) {
     std::printf("\nstrokes of pictures from three sides\n%-24s %-22s %12s %12s %12s\n", "model", "strokes", "length px",
                 "ends / 1000", "short / 1000");
-    std::vector<double> ends, shorts, forced, ends_before, shorts_before;
+    std::vector<double> ends, shorts, forced;
     for (const bench::Source& source : chosen_sources(settings)) {
         const scenes::Model model = fitted(context, source);
         for (const std::uint32_t preset : {HRBFNPR_PRESET_ENGRAVING, HRBFNPR_PRESET_ETCHING}) {
@@ -269,16 +259,10 @@ void run_ends(hrbfnpr_context* context, const Settings& settings, Results& resul
             print_ends(source.name, kind + ", every line", all);
             forced.push_back(all.ends_per_1000());
         }
-        const bench::StrokeEnds found = bench::ends_of_principal(context, model.get());
-        print_ends(source.name, "principal", found);
-        ends_before.push_back(found.ends_per_1000());
-        shorts_before.push_back(found.shorts_per_1000());
     }
     results.add("ends_per_1000_px", bench::quantile(ends, 0.5));
     results.add("every_line_ends_per_1000_px", bench::quantile(forced, 0.5));
-    results.add("principal_ends_per_1000_px", bench::quantile(ends_before, 0.5));
     results.add("short_intervals", bench::quantile(shorts, 0.5));
-    results.add("principal_short_intervals", bench::quantile(shorts_before, 0.5));
 }
 
 // Pictures of 3200 pixels take a while: surfaces of all kinds, but no more than 1000 samples of one.

@@ -53,7 +53,11 @@ int main(void) {
     hrbfnpr_point_set* marks;
     check(hrbfnpr_point_set_generate(context, model, &generate, NULL, &marks, &error));
 
-    /* The marks are drawn for a camera. */
+    /* Its contours are found on a line set. */
+    hrbfnpr_line_set* lines;
+    check(hrbfnpr_line_set_create(context, model, NULL, NULL, &lines, &error));
+
+    /* Both are drawn for a camera. */
     hrbfnpr_model_info info;
     check(hrbfnpr_model_info_init(&info, sizeof info));
     check(hrbfnpr_model_get_info(model, &info, &error));
@@ -65,6 +69,7 @@ int main(void) {
     check(hrbfnpr_item_init(&item, sizeof item));
     item.point_set = marks;
     item.style = &style;
+    item.line_set = lines;
     hrbfnpr_renderer* renderer;
     check(hrbfnpr_renderer_create(context, &renderer, &error));
     hrbfnpr_drawing* drawing;
@@ -85,6 +90,7 @@ int main(void) {
 
     hrbfnpr_drawing_release(drawing);
     hrbfnpr_renderer_release(renderer);
+    hrbfnpr_line_set_release(lines);
     hrbfnpr_point_set_release(marks);
     hrbfnpr_model_release(model);
     hrbfnpr_context_release(context);

@@ -5,8 +5,7 @@ from typing import NamedTuple, Optional, Tuple
 
 # The article's own method in all its parts.
 PUBLISHED = (
-    "--distribution published --visibility published --tone-rule published --tone-curve linear "
-    "--silhouette-law angle --tone-fade 0"
+    "--distribution published --visibility published --tone-rule published --tone-curve linear --tone-fade 0"
 )
 
 
@@ -50,5 +49,5 @@ BUNNY = "--azimuth 20 --elevation 15"
 BOX = "--seeds box --box-resolution 8"
 # By the article's first direction the surface bends most, around a limb; in the library the first is that of the
 # larger curvature by sign, which is the other one where the surface is convex.
-FIRST, SECOND = "--set principal.directions=second", "--set principal.directions=first"
+FIRST, SECOND = "--set hatch.directions=second", "--set hatch.directions=first"
 ALONG_FIRST, ALONG_SECOND = "--style hatch", "--style hatch --hatch-angle 90"

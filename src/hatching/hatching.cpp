@@ -53,6 +53,13 @@ void require_room(const marks::Site& site, const Settings& settings, double area
              "layers[%lld]: a separation of %g and a step of %g make about %g marks, and %lld are the most: raise them",
              static_cast<long long>(settings.layer), site.unit * separation, site.unit * step, marks,
              static_cast<long long>(marks::most_even_marks));
+    // Marks far apart make few marks of many lines, which are found all the same.
+    const double squares = area / (separation * separation);
+    if (squares > static_cast<double>(marks::most_even_marks))
+        fail(Status::invalid_argument,
+             "layers[%lld]: with a step of %g, lines are %g apart, and so too many: set a larger separation or a "
+             "smaller step",
+             static_cast<long long>(settings.layer), site.unit * step, site.unit * separation);
 }
 
 base::Array<Complex> guide(const marks::Site& site, const SampleGraph& graph, const Settings& settings,

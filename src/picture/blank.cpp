@@ -33,7 +33,7 @@ bool shows_marks(const hrbfnpr_style& style) {
 
 // Tells whether the ink of every shown layer looks like the paper.
 bool has_invisible_ink(const hrbfnpr_style& style) {
-    bool all = true;
+    bool all = shows_marks(style);
     each_layer_of(style, [&](const hrbfnpr_layer_style& layer) {
         const bool is_paper = std::equal(layer.ink, layer.ink + 3, style.paper);
         all = all && (layer.shown == 0 || is_paper || layer.ink[3] == 0.0F);
@@ -90,8 +90,8 @@ void add_reason(String& reasons, std::string_view reason) {
 String reasons_of_blank(const hrbfnpr_drawing_info& info, const geometry::Bounds& bounds, const hrbfnpr_camera& camera,
                         const hrbfnpr_style& style, bool is_flipped, Pool& pool) {
     const auto facing = static_cast<double>(info.front + info.silhouette);
-    const auto takes_most = [&](std::int64_t dropped) {
-        return static_cast<double>(dropped) > facing / blank_tuning.cause_divisor;
+    const auto takes_most = [](std::int64_t dropped, double of) {
+        return static_cast<double>(dropped) > of / blank_tuning.cause_divisor;
     };
     String reasons(&pool);
     if (info.outside == info.marks || !is_in_view(bounds, camera)) {
@@ -116,11 +116,14 @@ String reasons_of_blank(const hrbfnpr_drawing_info& info, const geometry::Bounds
                                       static_cast<long long>(info.front + info.silhouette)));
         reasons += is_flipped ? "leave out {flip!}" : "{flip!} turns them";
     }
-    if (takes_most(info.dropped_tone) && reasons.empty())
+    const double toned = facing - static_cast<double>(info.dropped_tone); // marks that the tone asks for
+    const bool by_depth = takes_most(info.dropped_depth, toned);
+    const bool by_zoom = takes_most(info.dropped_zoom, toned);
+    if (takes_most(info.dropped_tone, facing) && reasons.empty() && !by_depth && !by_zoom)
         add_reason(reasons, "all is so light that no mark is drawn: {tone=none} draws all marks, {light} turns the "
                             "light");
-    if (takes_most(info.dropped_depth)) add_reason(reasons, "marks vanish with the distance: leave out {depth_range}");
-    if (takes_most(info.dropped_zoom)) add_reason(reasons, "marks vanish with the zoom: leave out {zoom_reference}");
+    if (by_depth) add_reason(reasons, "marks vanish with the distance: leave out {depth_range}");
+    if (by_zoom) add_reason(reasons, "marks vanish with the zoom: leave out {zoom_reference}");
     if (has_invisible_ink(style)) add_reason(reasons, "the ink cannot be seen on the paper");
     if (reasons.empty())
         add_reason(reasons, "the model is too small in the picture, or the style draws no marks: try "

@@ -73,7 +73,7 @@ static hrbfnpr_point_set* generate(hrbfnpr_context* context, const hrbfnpr_model
     CHECK(hrbfnpr_layer_desc_init(&layer[0], sizeof layer[0]));
     CHECK(hrbfnpr_layer_desc_init(&layer[1], sizeof layer[1]));
     layer[0].budget = layer[1].budget = 2000;
-    layer[1].kind = HRBFNPR_LAYER_KIND_PRINCIPAL;
+    layer[1].kind = HRBFNPR_LAYER_KIND_HATCH;
     CHECK(hrbfnpr_generate_desc_init(&desc, sizeof desc));
     desc.layers = layer;
     desc.layer_count = 2;

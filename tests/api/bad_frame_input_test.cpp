@@ -44,9 +44,9 @@ TEST(BadInput, Generate) {
         {[](Desc& d) { d.layer_stride = -8; }, "generate_desc.layer_stride is -8"},
         {[](Desc& d) { d.layer[1].struct_size = 3; }, "generate_desc.layers[1].struct_size is 3"},
         {[](Desc& d) { d.layer[0].kind = HRBFNPR_LAYER_KIND_ANY; }, "generate_desc.layers[0].kind is 0"},
-        {[](Desc& d) { d.layer[2].kind = HRBFNPR_LAYER_KIND_OWN; }, "generate_desc.layers[2].kind is 5"},
-        {[](Desc& d) { d.layer[1].kind = HRBFNPR_LAYER_KIND_FIELD; },
-         "generate_desc.layers[1].direction_function is NULL"},
+        {[](Desc& d) { d.layer[2].kind = HRBFNPR_LAYER_KIND_OWN; }, "generate_desc.layers[2].kind is 3"},
+        {[](Desc& d) { d.layer[1].kind = 4; },
+         "generate_desc.layers[1].kind is 4; it must be HRBFNPR_LAYER_KIND_STIPPLES (1) or HATCH (2)"},
         {[](Desc& d) { d.layer[0].name = ""; }, "generate_desc.layers[0].name has no bytes"},
         {[](Desc& d) { d.layer[0].name = "0123456789012345678901234567890123456789012345678901234567890123"; },
          "generate_desc.layers[0].name has 64 or more bytes"},
@@ -63,10 +63,15 @@ TEST(BadInput, Generate) {
         {[](Desc& d) { d.layer[0].density = HRBFNPR_DENSITY_CALLBACK; },
          "generate_desc.layers[0].density_function is NULL"},
         {[](Desc& d) { d.layer[1].separation = -1; }, "generate_desc.layers[1].separation is -1"},
-        {[](Desc& d) { d.layer[1].separation = 1e-9, d.layer[1].budget = 0; }, "raise them or set the layer's budget"},
+        {[](Desc& d) { d.layer[1].separation = 1e-9, d.layer[1].budget = 0; },
+         "and 100000000 are the most: raise them"},
         {[](Desc& d) { d.layer[1].step = nan; }, "generate_desc.layers[1].step is nan"},
-        {[](Desc& d) { d.layer[1].length = -0.5; }, "generate_desc.layers[1].length is -0.5"},
-        {[](Desc& d) { d.layer[1].symmetry = 2; }, "generate_desc.layers[1].symmetry is 2"},
+        {[](Desc& d) { d.layer[1].guide = 5; }, "generate_desc.layers[1].guide is 5"},
+        {[](Desc& d) {
+             d.distribution = HRBFNPR_DISTRIBUTION_PUBLISHED;
+             d.layer[2].guide = HRBFNPR_HATCH_GUIDE_LIGHT;
+         },
+         "generate_desc.layers[2].guide is 3; strokes of the PUBLISHED distribution follow CURVATURE (0), COMBING (1)"},
         {[](Desc& d) { d.layer[1].start = 2; }, "generate_desc.layers[1].start is 2"},
         {[](Desc& d) { d.layer[1].start = 1; },
          "generate_desc.layers[1].start is STIPPLES; only the PUBLISHED distribution"},
@@ -169,9 +174,7 @@ TEST_F(BadFrame, Style) {
         {[](Style& s) { s.splat_overlap = -1; }, "items[0].style.splat_overlap is -1"},
         {[](Style& s) { s.visibility = 2; }, "items[0].style.visibility is 2"},
         {[](Style& s) { s.tone_curve = 2; }, "items[0].style.tone_curve is 2"},
-        {[](Style& s) { s.silhouette_law = 2; }, "items[0].style.silhouette_law is 2"},
         {[](Style& s) { s.tone_fade = 1.5F; }, "items[0].style.tone_fade is 1.5"},
-        {[](Style& s) { s.silhouette_width = -1; }, "items[0].style.silhouette_width is -1"},
         {[](Style& s) { s.tone = 3; }, "items[0].style.tone is 3"},
         {[](Style& s) { s.tone = HRBFNPR_TONE_CALLBACK; }, "items[0].style.tone_function is NULL"},
         {[](Style& s) { s.tone_rule = 2; }, "items[0].style.tone_rule is 2"},
@@ -207,7 +210,7 @@ TEST_F(BadFrame, Style) {
 TEST_F(BadFrame, LayerStyle) {
     using Layer = hrbfnpr_layer_style;
     const std::vector<Row<Layer>> rows = {
-        {[](Layer& l) { l.kind = 7; }, "items[0].style.layers[1].kind is 7"},
+        {[](Layer& l) { l.kind = 4; }, "items[0].style.layers[1].kind is 4"},
         {[](Layer& l) { l.shown = 2; }, "items[0].style.layers[1].shown is 2"},
         {[](Layer& l) { l.contours = 2; }, "items[0].style.layers[1].contours is 2"},
         {[](Layer& l) { l.directions = 4; }, "items[0].style.layers[1].directions is 0x4"},
@@ -237,15 +240,15 @@ TEST_F(BadFrame, LayerStyle) {
 TEST_F(BadFrame, Poses) {
     using Pose = hrbfnpr_layer_pose;
     static std::vector<float> place, normal;
-    place = attribute<float>(set, principal, HRBFNPR_MARK_ATTRIBUTE_POSITION);
-    normal = attribute<float>(set, principal, HRBFNPR_MARK_ATTRIBUTE_NORMAL);
+    place = attribute<float>(set, by_curvature, HRBFNPR_MARK_ATTRIBUTE_POSITION);
+    normal = attribute<float>(set, by_curvature, HRBFNPR_MARK_ATTRIBUTE_NORMAL);
     static std::vector<float> bad_place, long_normal;
     bad_place = place;
     bad_place[4] = nanf;
     long_normal = normal;
     for (float& component : long_normal) component *= 3.0F;
     auto good = made(hrbfnpr_layer_pose_init);
-    good.layer = principal;
+    good.layer = by_curvature;
     good.position = in(place);
     good.normal = in(normal);
     Pose pose = good;

@@ -261,6 +261,9 @@ TEST(Style, PresetsAreGeneratedAndDrawn) {
     Sphere sphere;
     const Model model = custom_sphere(context, sphere);
     const Renderer renderer = make_renderer(context);
+    hrbfnpr_line_set* raw_lines = nullptr;
+    ASSERT_OK(hrbfnpr_line_set_create(context.get(), model.get(), nullptr, nullptr, &raw_lines, error));
+    const LineSet lines(raw_lines);
     for (std::uint32_t preset = 0; hrbfnpr_preset_name(preset) != nullptr; ++preset) {
         auto desc = made(hrbfnpr_generate_desc_init);
         desc.layers = hrbfnpr_preset_layers(preset, &desc.layer_count); // as they are
@@ -270,8 +273,10 @@ TEST(Style, PresetsAreGeneratedAndDrawn) {
         const PointSet set(raw);
         hrbfnpr_style style;
         ASSERT_OK(hrbfnpr_style_init_preset(&style, sizeof style, preset, error));
-        const Drawing drawing = draw_item(renderer, item_of(set, &style), front_camera());
-        EXPECT_GT(info_of(drawing).dots, 20) << hrbfnpr_preset_name(preset);
+        hrbfnpr_item item = item_of(set, &style);
+        item.line_set = lines.get();
+        const hrbfnpr_drawing_info info = info_of(draw_item(renderer, item, front_camera()));
+        EXPECT_GT(info.dots + info.stroke_points, 20) << hrbfnpr_preset_name(preset);
     }
 }
 

@@ -233,7 +233,7 @@ TEST_F(DrawingTest, MovedMarksAreThoseOfAMovedItem) {
 
 // Only one layer moves; it is where a set made there has it.
 TEST_F(DrawingTest, OneLayerMovesAlone) {
-    layers[1].shown = layers[1].contours = 0;
+    layers[1].shown = 0;
     const std::array<double, 3> shift{0.2, 0.1, 0.0};
     Poses poses(set, shift);
     hrbfnpr_item item = item_of(set, &style);

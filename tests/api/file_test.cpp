@@ -87,7 +87,7 @@ TEST(File, ALoadedPointSetDrawsTheSamePicture) {
 TEST(File, ASetWithoutMarksLoads) {
     Error error;
     const Context context = make_context();
-    const Generation desc = one_layer(HRBFNPR_LAYER_KIND_COMBING, 24); // fewer than a stroke has
+    const Generation desc = one_layer(HRBFNPR_LAYER_KIND_HATCH, 1); // fewer than a line has
     const PointSet set = generate(context, fit(context, scenes::sphere_6()), desc);
     const hrbfnpr_point_set_info info = info_of(set);
     ASSERT_EQ(info.marks, 0);

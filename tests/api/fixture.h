@@ -118,9 +118,9 @@ inline Model fit(const Context& context, const scenes::Samples& samples) {
 }
 
 // The layers of small_desc().
-enum : std::int64_t { stipples = 0, principal = 1, combing = 2 };
+enum : std::int64_t { stipples = 0, by_curvature = 1, by_combing = 2 };
 
-// Stipples, principal strokes and combing strokes, few marks.
+// Stipples, hatching by curvature and hatching by combing, few marks.
 inline Generation small_desc(std::uint32_t distribution = HRBFNPR_DISTRIBUTION_BLUE_NOISE) {
     Generation desc = hrbfnpr::test::three_layers(distribution == HRBFNPR_DISTRIBUTION_BLUE_NOISE ? 300 : 0);
     desc.distribution = distribution;

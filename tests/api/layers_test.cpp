@@ -11,7 +11,7 @@
 namespace api_test::layers_test {
 namespace {
 
-// Two stipples, an empty layer, and two combing strokes, of three and of two marks.
+// Two stipples, an empty layer, and two hatching strokes, of three and of two marks.
 struct Arrays {
     std::vector<double> position{10, 0, 0, 0, 10, 0};
     std::vector<float> normal{2, 0, 0, 0, 1, 0}; // normalised on the way
@@ -29,7 +29,7 @@ struct Arrays {
         layer[0].kind = HRBFNPR_LAYER_KIND_STIPPLES;
         layer[0].position = in(position);
         layer[0].normal = in(normal);
-        layer[2].kind = HRBFNPR_LAYER_KIND_COMBING;
+        layer[2].kind = HRBFNPR_LAYER_KIND_HATCH;
         layer[2].name = "hand \xE2\x9C\x8E";
         layer[2].position = in(places);
         layer[2].normal = in(up);
@@ -71,7 +71,7 @@ TEST(Layers, AreMadeFromArrays) {
     EXPECT_EQ(layer_info(set, 1).marks, 0);
     EXPECT_EQ(layer_info(set, 1).kind, static_cast<std::uint32_t>(HRBFNPR_LAYER_KIND_OWN));
     EXPECT_STREQ(layer_info(set, 1).name, "own");
-    EXPECT_EQ(layer_info(set, 2).kind, static_cast<std::uint32_t>(HRBFNPR_LAYER_KIND_COMBING));
+    EXPECT_EQ(layer_info(set, 2).kind, static_cast<std::uint32_t>(HRBFNPR_LAYER_KIND_HATCH));
     EXPECT_EQ(layer_info(set, 2).levels, 200);
     EXPECT_STREQ(layer_info(set, 2).name, "hand \xE2\x9C\x8E");
     const auto position = attribute<float>(set, 0, HRBFNPR_MARK_ATTRIBUTE_POSITION);
@@ -132,7 +132,7 @@ TEST(Layers, OfArraysAreChecked) {
     EXPECT_FAILS(refused([](Arrays& a) { a.layer[2].stroke_first = {}; }), invalid, "layers[2].stroke_direction has 2");
     EXPECT_FAILS(refused([](Arrays& a) { a.layer[1].kind = HRBFNPR_LAYER_KIND_ANY; }), invalid,
                  "point_set_desc.layers[1].kind is 0");
-    EXPECT_FAILS(refused([](Arrays& a) { a.layer[1].kind = 7; }), invalid, "point_set_desc.layers[1].kind is 7");
+    EXPECT_FAILS(refused([](Arrays& a) { a.layer[1].kind = 4; }), invalid, "point_set_desc.layers[1].kind is 4");
     EXPECT_FAILS(refused([](Arrays& a) { a.layer[0].name = ""; }), invalid,
                  "point_set_desc.layers[0].name has no bytes");
     EXPECT_FAILS(refused([](Arrays& a) { a.layer[1].struct_size = 7; }), HRBFNPR_STATUS_UNSUPPORTED_STRUCT,
@@ -285,14 +285,14 @@ TEST(Layers, OfOneKindHaveSettingsOfTheirOwn) {
     north.name = "north";
     north.density = HRBFNPR_DENSITY_CALLBACK;
     north.density_function = only_north;
-    desc.add(HRBFNPR_LAYER_KIND_PRINCIPAL, 300);
+    desc.add(HRBFNPR_LAYER_KIND_HATCH, 300);
     const PointSet set = generate(context, model, desc);
     ASSERT_EQ(info_of(set).layers, 3);
     EXPECT_EQ(layer_info(set, 0).marks, 400);
     EXPECT_EQ(layer_info(set, 1).marks, 300);
     EXPECT_STREQ(layer_info(set, 0).name, "dark");
     EXPECT_STREQ(layer_info(set, 1).name, "north");
-    EXPECT_STREQ(layer_info(set, 2).name, "principal");
+    EXPECT_STREQ(layer_info(set, 2).name, "hatch");
     for (const float rank : attribute<float>(set, 0, HRBFNPR_MARK_ATTRIBUTE_RANK)) EXPECT_LE(rank, 0.5F);
     const double origin = info_of(set).origin[2];
     const auto share_north = [&](std::int64_t layer) {
@@ -328,35 +328,45 @@ struct Field {
 };
 
 Generation along(Field& field) {
-    Generation desc = one_layer(HRBFNPR_LAYER_KIND_FIELD, 3000);
+    Generation desc = one_layer(HRBFNPR_LAYER_KIND_HATCH, 3000);
     desc.layer[0].direction_function = Field::call;
     desc.layer[0].direction_user = &field;
     return desc;
 }
 
+// Lines of BLUE_NOISE follow the field; strokes of PUBLISHED follow it and cross it.
 TEST(Layers, FollowTheCallersField) {
     const Context context = make_context();
     Sphere sphere;
-    Field field;
-    const PointSet set = generate(context, custom_sphere(context, sphere), along(field));
-    EXPECT_GT(field.calls, 1);
-    const hrbfnpr_layer_info info = layer_info(set, 0);
-    EXPECT_EQ(info.kind, static_cast<std::uint32_t>(HRBFNPR_LAYER_KIND_FIELD));
-    EXPECT_STREQ(info.name, "field");
-    EXPECT_GT(info.strokes, 20);
-    const auto position = attribute<float>(set, 0, HRBFNPR_MARK_ATTRIBUTE_POSITION);
-    const auto direction = attribute<float>(set, 0, HRBFNPR_MARK_ATTRIBUTE_DIRECTION);
-    const auto stroke = attribute<std::uint32_t>(set, 0, HRBFNPR_MARK_ATTRIBUTE_STROKE);
-    const hrbfnpr_point_set_info all = info_of(set);
-    std::size_t off = 0;
-    for (std::size_t i = 0; i < direction.size() / 3; ++i) {
-        const double x = all.origin[0] + double{position[3 * i]};
-        const double y = all.origin[1] + double{position[3 * i + 1]};
-        const double around = (-y * double{direction[3 * i]} + x * double{direction[3 * i + 1]}) / std::hypot(x, y);
-        const double wanted = stroke[2 * i] % 2 == 0 ? 1.0 : 0.0;
-        off += std::abs(std::abs(around) - wanted) > 0.01 ? 1U : 0U;
+    const Model model = custom_sphere(context, sphere);
+    for (const std::uint32_t distribution : {HRBFNPR_DISTRIBUTION_BLUE_NOISE, HRBFNPR_DISTRIBUTION_PUBLISHED}) {
+        SCOPED_TRACE(distribution);
+        Field field;
+        Generation desc = along(field);
+        desc.distribution = distribution;
+        const PointSet set = generate(context, model, desc);
+        EXPECT_GT(field.calls, 0);
+        const hrbfnpr_layer_info info = layer_info(set, 0);
+        EXPECT_EQ(info.kind, static_cast<std::uint32_t>(HRBFNPR_LAYER_KIND_HATCH));
+        EXPECT_STREQ(info.name, "hatch");
+        EXPECT_GT(info.strokes, 20);
+        const auto position = attribute<float>(set, 0, HRBFNPR_MARK_ATTRIBUTE_POSITION);
+        const auto direction = attribute<float>(set, 0, HRBFNPR_MARK_ATTRIBUTE_DIRECTION);
+        const auto stroke = attribute<std::uint32_t>(set, 0, HRBFNPR_MARK_ATTRIBUTE_STROKE);
+        const hrbfnpr_point_set_info all = info_of(set);
+        std::size_t off = 0;
+        std::size_t across = 0;
+        for (std::size_t i = 0; i < direction.size() / 3; ++i) {
+            const double x = all.origin[0] + double{position[3 * i]};
+            const double y = all.origin[1] + double{position[3 * i + 1]};
+            const double around = (-y * double{direction[3 * i]} + x * double{direction[3 * i + 1]}) / std::hypot(x, y);
+            const bool crosses = stroke[2 * i] % 2 != 0;
+            across += crosses ? 1U : 0U;
+            off += std::abs(std::abs(around) - (crosses ? 0.0 : 1.0)) > 0.01 ? 1U : 0U;
+        }
+        EXPECT_LT(off, direction.size() / 3 / 50) << "but at the poles";
+        EXPECT_EQ(across > 0, distribution == HRBFNPR_DISTRIBUTION_PUBLISHED);
     }
-    EXPECT_LT(off, direction.size() / 3 / 50) << "but at the poles";
 }
 
 // Lines, and none near the poles.
@@ -367,7 +377,6 @@ TEST(Layers, FollowAFieldWithHoles) {
     field.hole = 0.2;
     Generation desc = along(field);
     desc.layer[0].budget = 2000;
-    desc.layer[0].symmetry = HRBFNPR_SYMMETRY_LINE;
     const PointSet set = generate(context, custom_sphere(context, sphere), desc);
     const auto position = attribute<float>(set, 0, HRBFNPR_MARK_ATTRIBUTE_POSITION);
     const auto direction = attribute<float>(set, 0, HRBFNPR_MARK_ATTRIBUTE_DIRECTION);

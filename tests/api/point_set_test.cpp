@@ -21,7 +21,7 @@ TEST(PointSet, DefaultsAreStipples) {
     EXPECT_EQ(layer.budget, 40000);
     EXPECT_EQ(layer.levels, -1);
     EXPECT_EQ(layer.density_strength, 0.5);
-    EXPECT_EQ(layer.symmetry, static_cast<std::uint32_t>(HRBFNPR_SYMMETRY_CROSS));
+    EXPECT_EQ(layer.guide, static_cast<std::uint32_t>(HRBFNPR_HATCH_GUIDE_CURVATURE));
     EXPECT_EQ(desc.box_resolution, 8U);
     EXPECT_EQ(desc.box_jitter, 0.25);
     EXPECT_EQ(desc.random_seed, 1U);
@@ -41,7 +41,7 @@ TEST(PointSet, ThePublishedCountsComeOut) {
     Error error;
     Generation desc;
     desc.add(HRBFNPR_LAYER_KIND_STIPPLES, 40000);
-    desc.add(HRBFNPR_LAYER_KIND_PRINCIPAL, 40000);
+    desc.add(HRBFNPR_LAYER_KIND_HATCH, 40000);
     desc.distribution = HRBFNPR_DISTRIBUTION_PUBLISHED;
     desc.seed_source = HRBFNPR_SEED_SAMPLES;
     const PointSet set = generate(context, model, desc);
@@ -81,7 +81,9 @@ TEST(PointSet, ViewsOfAllAttributesFitTogether) {
     const Context context = make_context();
     Sphere sphere;
     const Model model = custom_sphere(context, sphere);
-    const PointSet set = generate(context, model, small_desc());
+    Generation desc = small_desc();
+    desc.layer[by_curvature].flags = HRBFNPR_LAYER_WITH_CURVATURE;
+    const PointSet set = generate(context, model, desc);
     const hrbfnpr_point_set_info info = info_of(set);
     for (std::int64_t layer = 0; layer < 3; ++layer) {
         const auto count = static_cast<std::size_t>(layer_info(set, layer).marks);
@@ -93,7 +95,7 @@ TEST(PointSet, ViewsOfAllAttributesFitTogether) {
         ASSERT_EQ(normal.size(), 3 * count);
         ASSERT_EQ(direction.size(), 3 * count);
         EXPECT_EQ(attribute<float>(set, layer, HRBFNPR_MARK_ATTRIBUTE_CURVATURE).size(),
-                  layer == principal ? 3 * count : 0);
+                  layer == by_curvature ? 3 * count : 0);
         EXPECT_EQ(attribute<float>(set, layer, HRBFNPR_MARK_ATTRIBUTE_RANK).size(), count);
         EXPECT_EQ(attribute<std::uint8_t>(set, layer, HRBFNPR_MARK_ATTRIBUTE_LEVEL).size(), count);
         EXPECT_EQ(attribute<std::uint32_t>(set, layer, HRBFNPR_MARK_ATTRIBUTE_STROKE).size(), 2 * count);

@@ -39,6 +39,7 @@ TEST_F(RendererTest, CountsWhatItDrew) {
         EXPECT_OK(draw_it(&style, &info));
         EXPECT_EQ(info.marks, info.outside + info.front + info.back + info.silhouette + info.culled);
         EXPECT_EQ(info.culled > 0, visibility == HRBFNPR_VISIBILITY_DEPTH_LAYERS);
+        EXPECT_EQ(info.silhouette > 0, visibility == HRBFNPR_VISIBILITY_PUBLISHED);
         EXPECT_GT(info.front, 0);
         EXPECT_GT(info.back, 0);
         EXPECT_GT(info.shown, 0);
@@ -236,6 +237,9 @@ TEST_F(RendererTest, AsksTheToneFunctionOnThisThread) {
             return self.result;
         }
     } tone;
+    Generation desc = small_desc();
+    for (hrbfnpr_layer_desc& layer : desc.layer) layer.tone_smoothing = 0.0; // tone goes by NORMAL
+    set = generate(context, model, desc);
     auto style = made(hrbfnpr_style_init);
     style.tone = HRBFNPR_TONE_CALLBACK;
     style.tone_function = Tone::call;
@@ -248,22 +252,17 @@ TEST_F(RendererTest, AsksTheToneFunctionOnThisThread) {
     tone.tau = 1.0F;
     EXPECT_OK(draw_it(&style, &info));
     EXPECT_EQ(info.dropped_tone, info.front);
-    // By depth layers, contours are asked for as well: they fade into the front.
     style.visibility = HRBFNPR_VISIBILITY_DEPTH_LAYERS;
     style.tone_curve = HRBFNPR_TONE_CURVE_LINEAR;
-    auto layer = made(hrbfnpr_layer_style_init);
-    layer.contours = 0;
-    style.layers = &layer;
-    style.layer_count = 1;
     style.hidden_lines = HRBFNPR_HIDDEN_LINES_SHOW;
     tone.marks = 0;
     tone.tau = 0.0F;
     EXPECT_OK(draw_it(&style, &info));
-    EXPECT_GE(tone.marks, info.front);
-    EXPECT_LE(tone.marks, info.front + info.silhouette);
+    EXPECT_EQ(tone.marks, info.front);
+    EXPECT_EQ(info.silhouette, 0);
     EXPECT_EQ(info.dropped_tone, 0);
     EXPECT_EQ(info.dropped_hidden, 0);
-    EXPECT_GE(info.shown, info.front);
+    EXPECT_EQ(info.shown, info.front);
     tone.tau = 1.0F;
     EXPECT_OK(draw_it(&style, &info));
     EXPECT_EQ(info.dropped_tone, info.front);
@@ -280,7 +279,7 @@ TEST_F(RendererTest, StylesLayersByKindAndName) {
     Generation desc;
     desc.add(HRBFNPR_LAYER_KIND_STIPPLES, 300).name = "dark";
     desc.add(HRBFNPR_LAYER_KIND_STIPPLES, 300).name = "light";
-    desc.add(HRBFNPR_LAYER_KIND_PRINCIPAL, 300);
+    desc.add(HRBFNPR_LAYER_KIND_HATCH, 300);
     set = generate(context, model, desc);
     hrbfnpr_layer_style layers[3];
     for (hrbfnpr_layer_style& layer : layers) layer = made(hrbfnpr_layer_style_init);
@@ -288,7 +287,7 @@ TEST_F(RendererTest, StylesLayersByKindAndName) {
     layers[0].ink[0] = 1.0F;
     layers[1].kind = HRBFNPR_LAYER_KIND_STIPPLES;
     layers[1].ink[1] = 1.0F;
-    layers[2].shown = layers[2].contours = 0;
+    layers[2].shown = 0;
     auto style = made(hrbfnpr_style_init);
     style.layers = layers;
     style.layer_count = 3;

@@ -79,10 +79,9 @@ TEST(Scale, LengthsOfTheDescriptorAreInTheSamplesUnit) {
         Generation desc = small_desc();
         desc.seed_source = HRBFNPR_SEED_POINTS;
         desc.seed_points = in(seeds);
-        for (const auto layer : {std::size_t{principal}, std::size_t{combing}}) {
+        for (const auto layer : {std::size_t{by_curvature}, std::size_t{by_combing}}) {
             desc.layer[layer].separation = 0.3 * scale;
             desc.layer[layer].step = 0.05 * scale;
-            desc.layer[layer].length = 2.0 * scale;
         }
         desc.layer[stipples].density = HRBFNPR_DENSITY_CALLBACK;
         desc.layer[stipples].density_function = upper_half;
@@ -222,10 +221,13 @@ TEST(Scale, WhatFloatsDoNotHoldIsRefusedAtOnce) {
 TEST(Scale, LargeSpheresGetAllTheirMarks) {
     const Context context = make_context();
     for (const double radius : {1e20, 1e30, 1e-20, 1e-22, 1e-30}) {
-        const PointSet set = generate(context, sphere_of(context, radius), small_desc());
+        Generation desc = small_desc();
+        desc.layer[by_curvature].flags = HRBFNPR_LAYER_WITH_CURVATURE;
+        const PointSet set = generate(context, sphere_of(context, radius), desc);
         EXPECT_GE(layer_info(set, stipples).marks, 294) << radius; // of 300
-        for (const float x : attribute<float>(set, principal, HRBFNPR_MARK_ATTRIBUTE_CURVATURE))
-            ASSERT_TRUE(std::isfinite(x));
+        const auto curvature = attribute<float>(set, by_curvature, HRBFNPR_MARK_ATTRIBUTE_CURVATURE);
+        EXPECT_FALSE(curvature.empty());
+        for (const float x : curvature) ASSERT_TRUE(std::isfinite(x));
         for (const float x : attribute<float>(set, stipples, HRBFNPR_MARK_ATTRIBUTE_POSITION))
             ASSERT_LE(std::abs(x), 1.01 * radius);
     }

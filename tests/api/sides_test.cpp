@@ -19,7 +19,7 @@ protected:
         return model;
     }
 
-    // Its marks: stipples and two kinds of strokes.
+    // Its marks: stipples and two layers of hatching.
     PointSet bowl() { return generate(context, bowl_model(), small_desc()); }
 
     Drawing draw(const PointSet& set, std::uint32_t sides) {
@@ -110,7 +110,8 @@ TEST_F(Sides, BothOfASolidHideItsInside) {
     std::fill_n(desc.bounds_max, 3, 1.0);
     hrbfnpr_model* raw = nullptr;
     ASSERT_OK(hrbfnpr_model_create_custom(context.get(), &desc, &raw, error));
-    const PointSet set = generate(context, Model(raw), small_desc());
+    // Enough marks for a whole surface: among few, a layer has gaps beside the box's edges.
+    const PointSet set = generate(context, Model(raw), hrbfnpr::test::three_layers(900));
     ASSERT_EQ(style.hidden_lines, HRBFNPR_HIDDEN_LINES_ATTENUATE);
     style.tone = HRBFNPR_TONE_NONE;
     const auto ink = [&](std::uint32_t sides) {
@@ -151,12 +152,6 @@ TEST_F(Sides, TheOtherOneIsThatOfOppositeNormals) {
     hrbfnpr_item items[2] = {item_of(set, &style), item_of(set, &style)};
     items[1].poses = poses.data();
     items[1].pose_count = info.layers;
-    hrbfnpr_style plain = style; // whose contours the front draws
-    auto no_contours = made(hrbfnpr_layer_style_init);
-    no_contours.contours = 0;
-    plain.layers = &no_contours;
-    plain.layer_count = 1;
-    items[1].style = &plain;
     const hrbfnpr_camera camera = front_camera(side);
     hrbfnpr_drawing* raw = nullptr;
     ASSERT_OK(hrbfnpr_renderer_draw(renderer.get(), items, 2, 0, &camera, &raw, error));

@@ -111,6 +111,7 @@ namespace HrbfNpr.Tests
         [Fact]
         public void ResultsForTheMarksOfASet()
         {
+            style.Visibility = Visibility.Published; // its marks draw contours
             using (Drawing drawing = renderer.Draw(new[] { new Item(marks, style), new Item(rings, style) }, camera))
             {
                 MarkLayer layer = rings.Layers[0];

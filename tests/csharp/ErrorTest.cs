@@ -158,7 +158,8 @@ namespace HrbfNpr.Tests
                     () => model.Generate(options)).InnerException);
                 layer.DensityFunction = (positions, normals, density) => density[0] = double.NaN;
                 Assert.Null(Assert.Throws<CallbackException>(() => model.Generate(options)).InnerException);
-                Layer field = Layer.Field((positions, normals, directions) => { throw own; }, 50);
+                Layer field = Layer.Hatch(budget: 50);
+                field.DirectionFunction = (positions, normals, directions) => { throw own; };
                 CallbackException wrong = Assert.Throws<CallbackException>(
                     () => model.Generate(new GenerateOptions { Layers = { field } }));
                 Assert.Same(own, wrong.InnerException);

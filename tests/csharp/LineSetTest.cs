@@ -161,7 +161,7 @@ namespace HrbfNpr.Tests
                 style.Lines[1].Name = "crease";
                 style.Lines[1].Width = 4;
                 style.Lines[1].Ink = new Color(0, 0, 1);
-                style.Layers.Add(new LayerStyle { Shown = false, Contours = false });
+                style.Layers.Add(new LayerStyle { Shown = false });
                 var item = new Item(marks, style) { LineSet = found };
                 using (Drawing drawing = renderer.Draw(item, camera))
                 {

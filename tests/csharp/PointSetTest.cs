@@ -22,7 +22,7 @@ namespace HrbfNpr.Tests
                 Assert.Equal(1L, info.Layers);
                 MarkLayer layer = Assert.Single(marks.Layers);
                 Assert.Same(layer, marks["stipples"]);
-                Assert.Throws<KeyNotFoundException>(() => marks["principal"]);
+                Assert.Throws<KeyNotFoundException>(() => marks["hatch"]);
                 Assert.Equal(LayerKind.Stipples, layer.Kind);
                 Assert.Equal(marks.Count, layer.Count);
                 Assert.Equal(0L, layer.Strokes);
@@ -144,25 +144,25 @@ namespace HrbfNpr.Tests
         {
             using (Model model = Shapes.FitSphere())
             {
-                Layer rings = Layer.Field((positions, normals, directions) =>
+                Layer rings = Layer.Hatch(budget: 1500);
+                rings.DirectionFunction = (positions, normals, directions) =>
                 {
                     for (int i = 0; i < directions.Length; i += 3)
                     {
                         directions[i] = -positions[i + 1];
                         directions[i + 1] = positions[i];
                     }
-                }, 1500);
+                };
                 using (PointSet marks = model.Generate(new GenerateOptions { Layers = { rings } }))
                 {
-                    MarkLayer layer = marks["field"];
+                    MarkLayer layer = marks["hatch"];
                     Assert.True(layer.Strokes > 5);
                     float[] directions = layer.ToArray<float>(MarkAttribute.Direction);
                     float[] positions = layer.Positions();
-                    uint[] strokes = layer.ToArray<uint>(MarkAttribute.Stroke);
                     int level = 0, along = 0;
                     for (int i = 0; i < layer.Count; ++i)
                     {
-                        if (strokes[2 * i] % 2 == 0 && Math.Abs(positions[3 * i + 2]) < 0.7)
+                        if (Math.Abs(positions[3 * i + 2]) < 0.7)
                         {
                             ++along;
                             level += Math.Abs(directions[3 * i + 2]) < 0.2 ? 1 : 0;

@@ -102,7 +102,7 @@ namespace HrbfNpr.Tests
                 Assert.InRange(depth[32 * 64 + 32], 0f, 0.9999f);
                 Assert.Equal(0u, id[0]);
                 Assert.True(id.All(number => number <= marks.Count) && id.Any(number => number > 0));
-                Assert.True(kind.Contains((byte)MarkClass.Front) && kind.Contains((byte)MarkClass.Silhouette));
+                Assert.True(kind.Contains((byte)MarkClass.Front) && !kind.Contains((byte)MarkClass.Silhouette));
                 var wall = new float[4096]; // nearer than everything
                 var hidden = new byte[rgba.Length];
                 drawing.Rasterize(hidden, 64, 64, options: new RasterOptions { HostDepth = wall });
@@ -110,6 +110,13 @@ namespace HrbfNpr.Tests
                 Assert.Throws<InvalidArgumentException>(() => drawing.Rasterize(
                     hidden, 64, 64, PixelFormat.Rgba8, new RasterOptions { Depth = new float[7] }));
                 Assert.Throws<InvalidArgumentException>(() => drawing.Rasterize(hidden, 64, 64, (PixelFormat)88));
+            }
+            style.Visibility = Visibility.Published;
+            using (Drawing drawing = renderer.Draw(new Item(marks, style), camera))
+            {
+                var kind = new byte[4096];
+                drawing.Rasterize(new byte[4 * 4096], 64, 64, PixelFormat.Rgba8, new RasterOptions { MarkClass = kind });
+                Assert.True(kind.Contains((byte)MarkClass.Front) && kind.Contains((byte)MarkClass.Silhouette));
             }
         }
 

@@ -43,7 +43,6 @@ bool names(const std::string& message, const FieldLayout& field, const Change& c
                                                                           {"layer", "position.count"},
                                                                           {"kind", "levels"},
                                                                           {"kind", "line_first"},
-                                                                          {"kind", "direction_function"},
                                                                           {"maximum_hits", "ray_hits.t.components"},
                                                                           {"attribute_count", "attributes"},
                                                                           {"pose_count", "poses"},

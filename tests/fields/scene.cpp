@@ -169,7 +169,7 @@ void Scene::describe_marks() {
         layer.density_function = even_density;
     }
     layer_desc_[0].name = "lines";
-    layer_desc_[0].kind = HRBFNPR_LAYER_KIND_FIELD;
+    layer_desc_[0].kind = HRBFNPR_LAYER_KIND_HATCH;
     layer_desc_[0].direction_function = along_z;
     layer_desc_[1].kind = HRBFNPR_LAYER_KIND_STIPPLES;
     generate_desc_ = made(hrbfnpr_generate_desc_init);
@@ -178,7 +178,7 @@ void Scene::describe_marks() {
     generate_desc_.seed_points = in(points_, 6);
 
     layer_arrays_ = made(hrbfnpr_layer_arrays_init);
-    layer_arrays_.kind = HRBFNPR_LAYER_KIND_FIELD;
+    layer_arrays_.kind = HRBFNPR_LAYER_KIND_HATCH;
     layer_arrays_.name = "own";
     layer_arrays_.position = in(points_, 6);
     layer_arrays_.normal = in(normals_, 6);

@@ -196,7 +196,7 @@ TEST_F(Classify, IdsCountOverItemsAndLayersWhateverIsUsed) {
     marks::PointSet first(runtime.memory);
     add_stipple(first, {0, 0, 0}, {0, 0, 1});
     add_stipple(first, {0, 0, 0.1}, {0, 0, 1});
-    add_stroke(first, marks::Kind::combing, {{0, 0, 0.2}}, {0, 0, 1});
+    add_stroke(first, marks::Kind::own, {{0, 0, 0.2}}, {0, 0, 1});
     marks::PointSet second(runtime.memory);
     add_stipple(second, {0, 0, 0.3}, {0, 0, 1});
     Style no_stipples = plain_style();

@@ -92,21 +92,17 @@ std::vector<Style> styles() {
     binary.light_space = frame::LightSpace::world;
     Style linear = lit;
     linear.tone_curve = frame::ToneCurve::linear;
-    linear.silhouette_law = frame::SilhouetteLaw::angle;
     linear.tone_exponent = 2.0;
     linear.kind[0].share = 0.6F;
     Style dark;
     dark.tone = frame::Tone::none;
-    dark.silhouette_width = 3.0F;
     dark.depth_min = 2.0;
     dark.depth_max = 9.0;
     Style rule = linear;
     rule.tone_rule = frame::ToneRule::published;
-    Style lines = lit;
-    lines.kind[0].shown = false;
-    Style no_lines = lit;
-    no_lines.contour_kinds = 0;
-    std::vector<Style> all{lit, binary, linear, dark, rule, lines, no_lines};
+    Style blank = lit;
+    blank.kind[0].shown = false;
+    std::vector<Style> all{lit, binary, linear, dark, rule, blank};
     for (Style& style : all) style.hidden_lines = frame::HiddenLines::show;
     return all;
 }
@@ -157,7 +153,6 @@ TEST_F(Culling, ChangesNoInk) {
     EXPECT_GT(culled, 100000);
 }
 
-// By the published rule contours take all their marks.
 TEST_F(Culling, ChangesNoInkByThePublishedRuleOfTone) {
     Style style = styles()[0];
     style.tone_rule = frame::ToneRule::published;
@@ -183,15 +178,15 @@ TEST_F(Culling, DiscsThatGrowWithTheZoomReachIntoThePicture) {
     EXPECT_EQ(frame.info().shown, expected);
 }
 
-// A contour's mark that its thinned line drops may be drawn as one of the front, and counts as both.
-TEST_F(Culling, EveryMarkCountsOnceWhileContoursFade) {
+TEST_F(Culling, EveryMarkCountsOnceWhileTonesFade) {
     for (const View& view : views()) {
         const std::array items{layered_item(set, styles()[0], view.transform)};
         frame.draw(items, view.camera);
         const Counts& info = frame.info();
         EXPECT_EQ(info.shown + info.dropped_tone + info.dropped_depth + info.dropped_zoom + info.dropped_hidden,
-                  info.front + info.silhouette)
+                  info.front)
             << view.name;
+        EXPECT_EQ(info.silhouette, 0) << view.name;
     }
 }
 
@@ -238,12 +233,11 @@ Plain plain_of(const Mark& mark, const Sight& s, const Style& style, double radi
     return p;
 }
 
-// LINEAR tone, contours by ANGLE: every law is known without the clusters.
+// LINEAR tone: every law is known without the clusters.
 TEST_F(Culling, LeavesWhatTheLawsSayOfEachMark) {
     Style style;
     style.hidden_lines = frame::HiddenLines::show;
     style.tone_curve = frame::ToneCurve::linear;
-    style.silhouette_law = frame::SilhouetteLaw::angle;
     style.tone_fade = 0.0F;
     style.kind[0].share = 0.7F;
     style.kind[0].radius = 2.0F;
@@ -257,18 +251,17 @@ TEST_F(Culling, LeavesWhatTheLawsSayOfEachMark) {
             const Plain p = plain_of(mark_of(set, i), sight, style, 2.5);
             const double shown = 0.7 * (1.0 - p.tau);
             const double place = 1.0 - static_cast<double>(set.layers[0].rank[i]);
-            if (p.near_edge || std::abs(std::abs(p.nu) - 0.2) < 1e-4 || std::abs(place - shown) < 1e-4) continue;
+            if (p.near_edge || std::abs(p.nu) < 1e-4 || std::abs(place - shown) < 1e-4) continue;
             ++selected;
-            const bool contour = std::abs(p.nu) < 0.2;
-            const bool wanted = p.inside && (contour || (p.nu < 0.0 && place < shown));
+            const bool wanted = p.inside && p.nu < 0.0 && place < shown;
             const auto found = inks.find(static_cast<std::uint32_t>(i) + 1);
             ASSERT_EQ(found != inks.end(), wanted) << view.name << " mark " << i << " nu " << p.nu << " at " << p.x
                                                    << ", " << p.y << " place " << place << " of " << shown;
             if (!wanted) continue;
             ASSERT_NEAR(static_cast<double>(found->second.x), p.x, 2e-2) << view.name;
             ASSERT_NEAR(static_cast<double>(found->second.y), p.y, 2e-2) << view.name;
-            ASSERT_EQ(found->second.mark_class, contour ? MarkClass::silhouette : MarkClass::front);
-            ASSERT_EQ(found->second.radius, contour ? 1.0F : 2.0F);
+            ASSERT_EQ(found->second.mark_class, MarkClass::front);
+            ASSERT_EQ(found->second.radius, 2.0F);
         }
     }
     EXPECT_GT(selected, 1000000);
@@ -280,7 +273,6 @@ TEST_F(Culling, LeavesTheShareThatCoverageAsksFor) {
     Style style;
     style.hidden_lines = frame::HiddenLines::show;
     style.tone_fade = 0.0F;
-    style.contour_kinds = 0;
     style.kind[0].radius = 1.5F;
     for (const View& view : views()) {
         if (std::string(view.name).find("orthographic") == std::string::npos) continue; // one scale for all clusters
@@ -305,7 +297,7 @@ TEST_F(Culling, LeavesTheShareThatCoverageAsksFor) {
     }
 }
 
-TEST_F(Culling, FrontAndContourMarksAreShownDroppedOrNotDrawn) {
+TEST_F(Culling, FrontMarksAreShownDroppedOrNotDrawn) {
     for (const View& view : views()) {
         for (Style style : styles()) {
             style.tone_fade = 0.0F;
@@ -316,10 +308,7 @@ TEST_F(Culling, FrontAndContourMarksAreShownDroppedOrNotDrawn) {
             expect_counts(info, view.name);
             const std::int64_t dropped =
                 info.dropped_tone + info.dropped_depth + info.dropped_zoom + info.dropped_hidden;
-            std::int64_t drawn = info.front + info.silhouette;
-            if (!style.kind[0].shown) drawn -= info.front;
-            if (style.contour_kinds == 0) drawn -= info.silhouette;
-            EXPECT_EQ(info.shown + dropped, drawn) << view.name;
+            EXPECT_EQ(info.shown + dropped, style.kind[0].shown ? info.front : 0) << view.name;
         }
     }
 }
@@ -329,7 +318,7 @@ TEST_F(Culling, SameBitsForAnyThreadCountAndInstructionSet) {
         const base::Runtime other(nullptr, nullptr, nullptr, base::Parallel(threads, nullptr, nullptr), instructions,
                                   nullptr, nullptr);
         marks::PointSet points = torus(other.memory, 130);
-        add_torus_strokes(points, marks::Kind::principal, 300, 27, 0.3);
+        add_torus_strokes(points, marks::Kind::hatch, 300, 27, 0.3);
         const marks::PointSet ring = clustered(other, std::move(points));
         Style own = style;
         own.hidden_lines = frame::HiddenLines::attenuate;

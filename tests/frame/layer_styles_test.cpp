@@ -60,7 +60,7 @@ protected:
         add_named(set, Kind::stipples, "c", 0.2);
         add_named(set, Kind::stipples, "d", 0.3);
         add_named(set, Kind::stipples, "stipples", 0.4);
-        add_named(set, Kind::principal, "a", 0.5);
+        add_named(set, Kind::hatch, "a", 0.5);
         add_named(set, Kind::own, "b", 0.6);
         set = clustered(runtime, std::move(set));
     }
@@ -75,7 +75,7 @@ TEST_F(LayerStyles, WithoutAnyAllLayersAreDrawnByDefault) {
     draw({});
     EXPECT_THAT(radii(), ElementsAre(1, 1, 1, 1, 1, 1, 1));
     EXPECT_EQ(frame.info().marks, 7);
-    ASSERT_EQ(frame.drawing().layers.size(), 14); // of the front and of contours
+    ASSERT_EQ(frame.drawing().layers.size(), 14); // two of each layer: of the front, and of contours as published
     for (std::int64_t l = 0; l < 14; ++l) {
         EXPECT_EQ(frame.drawing().layers[l].item, 0);
         EXPECT_EQ(frame.drawing().layers[l].layer, l / 2);
@@ -121,7 +121,7 @@ TEST_F(LayerStyles, HideAllButOneOfTheLayersOfAKind) {
 
 TEST_F(LayerStyles, EveryLayerOfAKindHasItsOwnDirections) {
     for (int l = 0; l < 4; ++l) {
-        marks::Layer& layer = set.layers.add(runtime.memory, Kind::field);
+        marks::Layer& layer = set.layers.add(runtime.memory, Kind::hatch);
         layer.name = {};
         layer.name[0] = static_cast<char>('a' + l);
         for (std::uint32_t d = 0; d < 2; ++d) add_mark(layer, {0.1 * l, 0.1 * d, 0.0}, {0, 0, 1}, {1, 0, 0}, d, 0);
@@ -134,7 +134,7 @@ TEST_F(LayerStyles, EveryLayerOfAKindHasItsOwnDirections) {
     std::array<LayerStyle, 4> styles;
     const char* const names[] = {"a", "b", "c", "d"};
     for (std::uint32_t l = 0; l < 4; ++l) {
-        styles[l] = named(Kind::field, names[l], 1.0F);
+        styles[l] = named(Kind::hatch, names[l], 1.0F);
         styles[l].directions = l;
     }
     draw(styles);
@@ -241,7 +241,7 @@ std::vector<drawing::Dot> dots_of(const drawing::Drawing& drawing, std::int32_t 
     return dots;
 }
 
-// A caller who adds a line gets a line: the tone of the other layers stays, and the line draws no contours.
+// A caller who adds a line gets a line: the tone of the other layers stays.
 TEST(OwnStrokes, ChangeNothingOfOtherLayers) {
     const base::Runtime runtime;
     const auto draw = [&](bool line, DrawnFrame& frame) {

@@ -23,6 +23,30 @@ protected:
         draw(items, camera);
         return seen_share(frame, set.layers[0].count());
     }
+    // Marks of the unit sphere are seen whole. Within a pixel of the contour, where a surface runs into the depth by
+    // many pixels in one, this share of them may be lost.
+    template <class Toward>
+    void expect_whole(double most_lost, const Toward& toward) {
+        const drawing::Drawing& drawing = frame.drawing();
+        std::int64_t at_rim = 0;
+        std::int64_t lost = 0;
+        for (const drawing::Piece& piece : drawing.dot_pieces) {
+            for (std::int64_t i = piece.begin; i < piece.end; ++i) {
+                const drawing::Dot& dot = drawing.dots[i];
+                const glm::dvec3 place(drawing.source(dot.id).position);
+                const double cosine = glm::dot(place, toward(place));
+                const double off =
+                    (1.0 - std::sqrt(std::max(0.0, 1.0 - cosine * cosine))) * static_cast<double>(dot.pixels_per_unit);
+                if (off > 1.05) {
+                    ASSERT_EQ(dot.opacity, 1.0F) << dot.id << ", " << off << " pixels inside of the contour";
+                } else {
+                    ++at_rim;
+                    lost += dot.opacity < 1.0F;
+                }
+            }
+        }
+        EXPECT_LE(static_cast<double>(lost), most_lost * static_cast<double>(at_rim));
+    }
 
     base::Runtime runtime;
     DrawnFrame frame{runtime};
@@ -37,15 +61,15 @@ TEST_F(LayersTest, ASphereNeverDimsItsOwnFront) {
             for (const double half : {0.6, 1.25, 6.0}) {
                 const std::array items{layered_item(set, all_front(hidden))};
                 const drawing::Counts& info = draw(items, front_camera(500, 500, half));
-                EXPECT_EQ(info.dropped_hidden, 0) << count << " " << half;
-                EXPECT_EQ(info.shown, info.front);
+                EXPECT_EQ(info.shown + info.dropped_hidden, info.front);
                 EXPECT_GT(info.splats, 0);
-                for (const Disc& disc : frame.discs()) ASSERT_EQ(disc.color.w, 1.0F) << count << " " << half;
+                expect_whole(0.005, [](const glm::dvec3&) { return glm::dvec3(0.0, 0.0, 1.0); });
                 frame::Camera near_by = front_camera(500, 500, half);
-                near_by.view = frame::look_at({0.0, 1.0, 2.5}, glm::dvec3(0.0), {0, 1, 0});
+                const glm::dvec3 eye(0.0, 1.0, 2.5);
+                near_by.view = frame::look_at(eye, glm::dvec3(0.0), {0, 1, 0});
                 near_by.projection = frame::perspective(0.5 * half, 500, 500, 0.1, 20.0, near_by.depth);
-                EXPECT_EQ(draw(items, near_by).dropped_hidden, 0) << count << " " << half;
-                for (const Disc& disc : frame.discs()) ASSERT_EQ(disc.color.w, 1.0F) << count << " " << half;
+                draw(items, near_by);
+                expect_whole(0.05, [&](const glm::dvec3& place) { return glm::normalize(eye - place); });
             }
         }
     }
@@ -64,7 +88,7 @@ TEST_F(LayersTest, ASparseSphereNeverDimsItsOwnFront) {
     }
 }
 
-// Front marks within the contour's band, which are drawn if they fade.
+// A halo goes out from the contour, beside which its own front lies.
 TEST_F(LayersTest, AHaloLeavesItsOwnFrontAlone) {
     const marks::PointSet set = clustered(runtime, sphere(runtime.memory, 100000));
     Style style = all_front(HiddenLines::hide);
@@ -169,11 +193,10 @@ TEST_F(LayersTest, NearTheContourThatHidesThemFewMarksAreTakenWrongly) {
 }
 
 TEST_F(LayersTest, CuspsOfAnObliqueTorusLetNoInkThrough) {
-    // With contours: those on the far side of the hole, and around the cusps, must not shine through.
+    // Marks beside contours, on the far side of the hole and around the cusps, must not shine through.
     const marks::PointSet set = clustered(runtime, torus(runtime.memory, 260));
-    Style style = all_front(HiddenLines::hide);
-    style.contour_kinds = 1;
-    for (const double tilt : {0.7, 0.9, 1.05, 1.2, 1.35}) {
+    const Style style = all_front(HiddenLines::hide);
+    for (const double tilt : {1.0, 1.05, 1.2, 1.35}) {
         const glm::dvec3 toward = glm::normalize(glm::dvec3(0.0, -std::sin(tilt), std::cos(tilt)));
         const std::vector<float> share = seen(set, style, camera_from(toward, 600, 1.6));
         const double pixel = 3.2 / 600.0;
@@ -181,7 +204,7 @@ TEST_F(LayersTest, CuspsOfAnObliqueTorusLetNoInkThrough) {
         int leaked = 0;
         for (std::int64_t i = 0; i < set.layers[0].count(); ++i) {
             const Mark mark = mark_of(set, i);
-            if (std::abs(glm::dot(mark.normal, toward)) > 0.3) continue;
+            if (!(glm::dot(mark.normal, toward) > 0.0 && glm::dot(mark.normal, toward) < 0.3)) continue;
             // Its own fold, seen from a little outside of it.
             const glm::dvec3 start = mark.position + 2.0 * pixel * mark.normal;
             if (!(clearance(ring(), start + 0.05 * toward, toward) < -6.0 * pixel)) continue;
@@ -295,7 +318,7 @@ TEST_F(LayersTest, HiddenInkIsGoneWithHideAndWholeWithShow) {
     const std::int64_t all = drawn_of_small(HiddenLines::show, {0.2, 0.0, -2.0});
     EXPECT_EQ(frame.info().dropped_hidden, 0);
     EXPECT_EQ(frame.info().splats, 0);
-    EXPECT_GT(all, 1200); // half of them, without the contour's band
+    EXPECT_NEAR(static_cast<double>(all), 1500.0, 5.0); // half of them
     EXPECT_EQ(drawn_of_small(HiddenLines::hide, {0.2, 0.0, -2.0}), 0);
     EXPECT_EQ(frame.info().dropped_hidden, all);
     EXPECT_EQ(drawn_of_small(HiddenLines::hide, {0.2, 0.0, 2.0}), all);

@@ -20,7 +20,7 @@ using frame::LineStyle;
 
 constexpr int size = 500; // 200 pixels a unit
 
-// No marks at all, but those of contours.
+// Marks tell where the surface is, and none is drawn.
 const std::array<frame::LayerStyle, 1> blank{[] {
     frame::LayerStyle style;
     style.share = 0.0F;
@@ -150,12 +150,13 @@ TEST_F(LineStrokes, CircumferenceInPerspective) {
     }
 }
 
-// Contours of marks are not drawn where there are lines of them.
-TEST_F(LineStrokes, TakeThePlaceOfContourMarks) {
+// Marks draw none, whether there are lines or not.
+TEST_F(LineStrokes, AloneDrawContours) {
     frame::Item item = item_of(nullptr);
     draw(std::array{item});
-    EXPECT_GT(frame.drawing().counts.silhouette, 20);
-    EXPECT_GT(frame.discs().size(), 20U);
+    EXPECT_GT(frame.drawing().counts.front, 100);
+    EXPECT_EQ(frame.drawing().counts.silhouette, 0);
+    EXPECT_EQ(frame.discs().size(), 0U);
     EXPECT_EQ(frame.drawing().strokes.size(), 0);
     for (const drawing::Layer& layer : frame.drawing().layers) EXPECT_GE(layer.layer, 0);
     item.lines = &ball_lines;
@@ -164,7 +165,7 @@ TEST_F(LineStrokes, TakeThePlaceOfContourMarks) {
     EXPECT_EQ(frame.drawing().strokes.size(), 1);
     item.style.lines = {}; // no style for them: all is as without
     draw(std::array{item});
-    EXPECT_GT(frame.discs().size(), 20U);
+    EXPECT_EQ(frame.discs().size(), 0U);
     EXPECT_EQ(frame.drawing().strokes.size(), 0);
 }
 

@@ -61,7 +61,7 @@ protected:
     // Stipples and strokes, so that there are two layers.
     marks::PointSet ring() {
         marks::PointSet made = torus(runtime.memory, 90);
-        add_torus_strokes(made, marks::Kind::combing, 200, 15, 0.3);
+        add_torus_strokes(made, marks::Kind::hatch, 200, 15, 0.3);
         return clustered(runtime, std::move(made));
     }
 

@@ -167,7 +167,7 @@ TEST_F(Shade, ZoomIsPixelsPerWorldUnitAtTheMark) {
 TEST_F(Shade, SetsChooseTheStrokesOfOneDirection) {
     marks::PointSet strokes(runtime.memory);
     for (std::uint32_t i = 0; i < 30; ++i)
-        add_mark(layer_of(strokes, marks::Kind::principal), {0.01 * i, 0, 0}, {0, 0, 1}, {1, 0, 0}, i / 3, i % 3);
+        add_mark(layer_of(strokes, marks::Kind::hatch), {0.01 * i, 0, 0}, {0, 0, 1}, {1, 0, 0}, i / 3, i % 3);
     marks::index_strokes(strokes.layers[0]);
     for (const std::uint32_t sets : {0U, 1U, 2U, 3U}) {
         Style style = plain_style();
@@ -182,8 +182,8 @@ TEST_F(Shade, SetsChooseTheStrokesOfOneDirection) {
 TEST_F(Shade, LayersHaveTheirOwnInk) {
     marks::PointSet layers(runtime.memory);
     add_stipple(layers, {0, 0, 0}, {0, 0, 1});
-    add_stroke(layers, marks::Kind::principal, {{0, 0, 0.1}}, {0, 0, 1});
-    add_stroke(layers, marks::Kind::combing, {{0, 0, 0.2}}, {0, 0, 1});
+    add_stroke(layers, marks::Kind::hatch, {{0, 0, 0.1}}, {0, 0, 1});
+    add_stroke(layers, marks::Kind::own, {{0, 0, 0.2}}, {0, 0, 1});
     add_stipple(layers, {0, 0, 0.5}, {1, 0, 0}); // silhouette
     Style style = plain_style();
     for (std::size_t g = 0; g < 3; ++g) {
@@ -208,7 +208,7 @@ TEST_F(Shade, LayersHaveTheirOwnInk) {
 TEST_F(Shade, WidthTapersTheInkOfFrontMarksOnly) {
     marks::PointSet stroke(runtime.memory);
     for (int i = 0; i < 4; ++i)
-        add_mark(layer_of(stroke, marks::Kind::principal), {0.1 * i, 0, 0},
+        add_mark(layer_of(stroke, marks::Kind::hatch), {0.1 * i, 0, 0},
                  i < 3 ? glm::dvec3(0, 0, 1) : glm::dvec3(1, 0, 0), {0, 1, 0}, 0, 0);
     marks::index_strokes(stroke.layers[0]);
     for (const float width : {0.25F, 0.5F, 1.0F, 0.25F}) stroke.layers[0].width.push_back(width);

@@ -27,7 +27,7 @@ LayerStyle as_strokes(marks::Kind kind, float radius = 1.5F) {
 }
 
 // All marks of a kind in one style, the others as they come; contours of none.
-const std::array<LayerStyle, 2> layers{as_strokes(marks::Kind::combing), [] {
+const std::array<LayerStyle, 2> layers{as_strokes(marks::Kind::hatch), [] {
                                            LayerStyle blank;
                                            blank.share = 0.0F;
                                            blank.contours = false;
@@ -48,7 +48,7 @@ frame::Style style_of(frame::HiddenLines hidden_lines) {
 void add_line(marks::PointSet& set, double from, double step, int count, double y = 0.0, double z = 0.0) {
     std::vector<glm::dvec3> places;
     for (int i = 0; i < count; ++i) places.emplace_back(from + step * i, y, z);
-    add_stroke(set, marks::Kind::combing, places, {0, 0, 1});
+    add_stroke(set, marks::Kind::hatch, places, {0, 0, 1});
 }
 
 class Strokes : public ::testing::Test {
@@ -105,7 +105,7 @@ TEST_F(Strokes, AStraightStrokeIsOneLineThroughAllItsMarks) {
 
 // Where the marks stand in the layer does not matter.
 TEST_F(Strokes, MarksStandInTheOrderOfTheStroke) {
-    marks::Layer& layer = layer_of(set, marks::Kind::combing);
+    marks::Layer& layer = layer_of(set, marks::Kind::hatch);
     for (std::uint32_t i = 0; i < 40; ++i) {
         const std::uint32_t place = 7 * i % 20; // along each of two strokes
         add_mark(layer, {-1.0 + 0.1 * place, i < 20 ? -0.5 : 0.5, 0.0}, {0, 0, 1}, {1, 0, 0}, i < 20 ? 4 : 2, place);
@@ -175,7 +175,7 @@ TEST_F(Strokes, StandFarToNearByTheirMiddles) {
         std::vector<glm::dvec3> places;
         for (int i = 0; i < 5; ++i)
             places.emplace_back(0.2 * i - 0.4, 2.0 * u[0] - 1.0, 2.0 * u[1] - 1.0 + 0.1 * (u[2] - 0.5) * i);
-        add_stroke(set, marks::Kind::combing, places, {0, 0, 1});
+        add_stroke(set, marks::Kind::hatch, places, {0, 0, 1});
     }
     set.spacing = 0.2;
     const drawing::Drawing& drawing = draw();
@@ -235,7 +235,7 @@ TEST_F(Strokes, SameBitsForAnyThreadCount) {
     for (const int threads : {1, 2, 3, 7}) {
         const base::Runtime other = test::with_threads(threads);
         marks::PointSet ring = torus(other.memory, 60);
-        add_torus_strokes(ring, marks::Kind::combing, 300, 27, 0.3);
+        add_torus_strokes(ring, marks::Kind::hatch, 300, 27, 0.3);
         ring = clustered(other, std::move(ring));
         const std::array items{layered_item(ring, style_of(frame::HiddenLines::attenuate))};
         DrawnFrame own(other);

@@ -182,7 +182,7 @@ TEST_F(Visibility, OneLayerOfMarksPaintsPaperWithLayersAndAllAsPublished) {
     marks::PointSet set = sphere(runtime.memory, 1000);
     for (int i = 0; i < 3000; ++i) {
         const glm::dvec3 n = spiral_direction(i, 3000);
-        add_mark(layer_of(set, marks::Kind::principal), n, n, geometry::any_perpendicular(n), 0, 0);
+        add_mark(layer_of(set, marks::Kind::hatch), n, n, geometry::any_perpendicular(n), 0, 0);
     }
     marks::index_strokes(set.layers[1]);
     set.spacing = std::sqrt(4.0 * pi / 3000.0); // of the largest layer

@@ -39,12 +39,11 @@ struct Answers {
 hrbfnpr_layer_desc some_layer(Answers& answers, Input& input) {
     hrbfnpr_layer_desc layer;
     hrbfnpr_layer_desc_init(&layer, sizeof layer);
-    layer.kind = HRBFNPR_LAYER_KIND_STIPPLES + static_cast<std::uint32_t>(input.below(6));
-    if (layer.kind == HRBFNPR_LAYER_KIND_OWN) layer.kind = HRBFNPR_LAYER_KIND_STIPPLES;
+    layer.kind = input.once_in(2) ? HRBFNPR_LAYER_KIND_HATCH : HRBFNPR_LAYER_KIND_STIPPLES;
     layer.budget = 1 + static_cast<std::int64_t>(input.below(300));
     layer.levels = static_cast<std::int32_t>(input.below(3));
     layer.density = static_cast<std::uint32_t>(input.below(3));
-    if (layer.kind == HRBFNPR_LAYER_KIND_FIELD || input.once_in(4)) layer.direction_function = Answers::direction;
+    if (input.once_in(4)) layer.direction_function = Answers::direction;
     if (layer.density == HRBFNPR_DENSITY_CALLBACK) layer.density_function = Answers::density;
     layer.direction_user = layer.density_user = &answers;
     layer.guide = input.once_in(2) ? static_cast<std::uint32_t>(input.below(5)) : 0U;

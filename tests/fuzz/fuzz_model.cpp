@@ -173,7 +173,7 @@ void generate(Context& context, const hrbfnpr_model* model, std::uint32_t choice
     desc.distribution = choice % 128 != 0 ? HRBFNPR_DISTRIBUTION_PUBLISHED : HRBFNPR_DISTRIBUTION_BLUE_NOISE;
     hrbfnpr_layer_desc layer;
     hrbfnpr_layer_desc_init(&layer, sizeof layer);
-    layer.kind = HRBFNPR_LAYER_KIND_STIPPLES + choice / 128 % 3;
+    layer.kind = HRBFNPR_LAYER_KIND_STIPPLES + choice / 128 % 2;
     layer.levels = 1;
     layer.budget = 12;
     desc.layers = &layer;

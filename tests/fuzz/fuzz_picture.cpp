@@ -21,7 +21,7 @@ constexpr const char* paths[] = {
     "style.tone",         "style.halo_width",       "style.ink",         "style.hatch.radius",
     "style.layers.share", "style.lines.hidden",     "fit.kernel",        "fit.regularization",
     "mesh_fit.edges",     "marks.hatch.separation", "marks.tone_ranges", "line_set.cell_size",
-    "style.contours_of",  "marks.distribution",     "fit.normal_mode",   "nothing.at_all"};
+    "style.visibility",   "marks.distribution",     "fit.normal_mode",   "nothing.at_all"};
 constexpr const char* values[] = {"1",         "0",       "-1",       "1e300",          "nan",   "#ff8000", "auto",
                                   "published", "in-turn", "gaussian", "stipples,hatch", "1,2,3", "",        "sharp",
                                   "dashed",    "0.5"};

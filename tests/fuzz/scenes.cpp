@@ -37,19 +37,18 @@ const hrbfnpr_model* make_model(std::size_t which) {
     return trimmed;
 }
 
-hrbfnpr_layer_desc layer_of(std::uint32_t kind, std::int64_t budget) {
+hrbfnpr_layer_desc layer_of(std::uint32_t kind, std::uint32_t guide = HRBFNPR_HATCH_GUIDE_CURVATURE) {
     hrbfnpr_layer_desc layer;
     hrbfnpr_layer_desc_init(&layer, sizeof layer);
     layer.kind = kind;
-    layer.budget = budget;
+    layer.guide = guide;
+    layer.budget = 150;
     layer.levels = 1;
     return layer;
 }
 
 const hrbfnpr_point_set* generate(std::size_t model, std::uint32_t distribution,
-                                  std::initializer_list<std::uint32_t> kinds) {
-    std::vector<hrbfnpr_layer_desc> layers;
-    for (const std::uint32_t kind : kinds) layers.push_back(layer_of(kind, 150));
+                                  const std::vector<hrbfnpr_layer_desc>& layers) {
     hrbfnpr_generate_desc desc;
     hrbfnpr_generate_desc_init(&desc, sizeof desc);
     desc.distribution = distribution;
@@ -87,11 +86,15 @@ const hrbfnpr_point_set* own_marks(bool strokes) {
 const hrbfnpr_point_set* make_set(std::size_t which) {
     switch (which) {
     case 0:
-        return generate(1, HRBFNPR_DISTRIBUTION_BLUE_NOISE, {HRBFNPR_LAYER_KIND_STIPPLES, HRBFNPR_LAYER_KIND_HATCH});
+        return generate(1, HRBFNPR_DISTRIBUTION_BLUE_NOISE,
+                        {layer_of(HRBFNPR_LAYER_KIND_STIPPLES), layer_of(HRBFNPR_LAYER_KIND_HATCH)});
     case 1:
-        return generate(3, HRBFNPR_DISTRIBUTION_BLUE_NOISE, {HRBFNPR_LAYER_KIND_PRINCIPAL, HRBFNPR_LAYER_KIND_COMBING});
+        return generate(3, HRBFNPR_DISTRIBUTION_BLUE_NOISE,
+                        {layer_of(HRBFNPR_LAYER_KIND_HATCH, HRBFNPR_HATCH_GUIDE_SECTIONS),
+                         layer_of(HRBFNPR_LAYER_KIND_HATCH, HRBFNPR_HATCH_GUIDE_COMBING)});
     case 2:
-        return generate(0, HRBFNPR_DISTRIBUTION_PUBLISHED, {HRBFNPR_LAYER_KIND_STIPPLES, HRBFNPR_LAYER_KIND_PRINCIPAL});
+        return generate(0, HRBFNPR_DISTRIBUTION_PUBLISHED,
+                        {layer_of(HRBFNPR_LAYER_KIND_STIPPLES), layer_of(HRBFNPR_LAYER_KIND_HATCH)});
     default: return own_marks(which == 3);
     }
 }

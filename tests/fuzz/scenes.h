@@ -31,7 +31,7 @@ constexpr std::size_t model_count = 5;
 const hrbfnpr_model* scene_model(std::size_t which);
 
 constexpr std::size_t set_count = 5;
-// A few hundred marks: stipples and hatching; strokes and combing; as published; a few of the caller's; one.
+// A few hundred marks: stipples and hatching; two layers of hatching; as published; a few of the caller's; one.
 const hrbfnpr_point_set* scene_set(std::size_t which);
 
 constexpr std::size_t line_set_count = 3;

@@ -11,28 +11,36 @@ using namespace marks;
 using namespace test;
 
 TEST(Layers, AppearOneAfterTheOther) {
-    generate::Settings settings = blue({Kind::stipples, Kind::principal}, 3000);
-    of(settings, Kind::stipples).part[0] = {0.0, 0.3};
-    of(settings, Kind::principal).part = {TonePart{0.3, 0.6}, TonePart{0.6, 1.0}};
-    const PointSet set = make(Torus(), settings);
-    const Layer& stipples = of(set, Kind::stipples);
-    for (const float rank : stipples.rank) EXPECT_GE(rank, 0.7F - 1e-6F);
-    const Layer& strokes = of(set, Kind::principal);
-    std::array<int, 2> seen{};
-    for (std::int64_t i = 0; i < strokes.count(); ++i) {
-        const std::uint32_t which = strokes.stroke[2 * i] & 1U;
-        ++seen[which];
-        EXPECT_GE(strokes.rank[i], which == 0 ? 0.4F - 1e-6F : 0.0F);
-        EXPECT_LE(strokes.rank[i], which == 0 ? 0.7F + 1e-6F : 0.4F + 1e-6F);
+    for (const Distribution distribution : {Distribution::blue_noise, Distribution::published}) {
+        generate::Settings settings = blue({Kind::stipples, Kind::hatch}, 3000);
+        settings.distribution = distribution;
+        of(settings, Kind::stipples).part[0] = {0.0, 0.3};
+        of(settings, Kind::hatch).part = {TonePart{0.3, 0.6}, TonePart{0.6, 1.0}};
+        const PointSet set = make(Torus(), settings);
+        const Layer& stipples = of(set, Kind::stipples);
+        for (const float rank : stipples.rank) EXPECT_GE(rank, 0.7F - 1e-6F);
+        const Layer& strokes = of(set, Kind::hatch);
+        std::array<int, 2> seen{};
+        for (std::int64_t i = 0; i < strokes.count(); ++i) {
+            const std::uint32_t which = strokes.stroke[2 * i] & 1U;
+            ++seen[which];
+            EXPECT_GE(strokes.rank[i], which == 0 ? 0.4F - 1e-6F : 0.0F);
+            EXPECT_LE(strokes.rank[i], which == 0 ? 0.7F + 1e-6F : 0.4F + 1e-6F);
+        }
+        EXPECT_GT(seen[0], 500);
+        if (distribution == Distribution::published)
+            EXPECT_GT(seen[1], 500);
+        else
+            EXPECT_EQ(seen[1], 0) << "lines of hatching have one direction";
     }
-    EXPECT_GT(seen[0], 500);
-    EXPECT_GT(seen[1], 500);
 }
 
 // 5 directions, each with as many tones.
 TEST(Layers, ShareTheTonesAndTheBudget) {
     Settings settings;
-    for (const Kind kind : {Kind::stipples, Kind::combing, Kind::principal}) of(settings, kind);
+    settings.distribution = Distribution::published;
+    settings.layers.resize(3);
+    settings.layers[1].kind = settings.layers[2].kind = Kind::hatch;
     settings.tone_ranges = ToneRanges::in_turn;
     settings.shared_budget = 5000;
     settings = completed(settings);
@@ -43,16 +51,32 @@ TEST(Layers, ShareTheTonesAndTheBudget) {
     EXPECT_DOUBLE_EQ(settings.layers[1].part[0].begin, 0.2);
     EXPECT_DOUBLE_EQ(settings.layers[1].part[1].begin, 0.4);
     EXPECT_DOUBLE_EQ(settings.layers[2].part[1].end, 1.0);
-    EXPECT_STREQ(settings.layers[2].name.data(), "principal");
+    EXPECT_STREQ(settings.layers[2].name.data(), "hatch");
     // Those that say their part themselves keep it, and their place in the turn.
     Settings own;
-    for (const Kind kind : {Kind::stipples, Kind::principal}) of(own, kind);
+    own.distribution = Distribution::published;
+    for (const Kind kind : {Kind::stipples, Kind::hatch}) of(own, kind);
     own.tone_ranges = ToneRanges::in_turn;
-    of(own, Kind::principal).part[0] = {0.0, 0.5};
+    of(own, Kind::hatch).part[0] = {0.0, 0.5};
     own = completed(own);
     EXPECT_EQ(own.layers[1].part[0].end, 0.5);
     EXPECT_DOUBLE_EQ(own.layers[1].part[1].begin, 2.0 / 3.0);
     EXPECT_EQ(own.layers[1].budget, 40000);
+}
+
+// Lines of hatching run in one direction, which has all of the layer's tones.
+TEST(Layers, OfHatchingHaveOnePartOfTheTones) {
+    Settings settings;
+    settings.layers.resize(4);
+    for (std::size_t i = 1; i < 4; ++i) settings.layers[i].kind = Kind::hatch;
+    settings.tone_ranges = ToneRanges::in_turn;
+    settings.shared_budget = 4000;
+    settings = completed(settings);
+    for (std::size_t i = 0; i < 4; ++i) {
+        EXPECT_EQ(settings.layers[i].budget, 1000) << i;
+        EXPECT_DOUBLE_EQ(settings.layers[i].part[0].begin, 0.25 * static_cast<double>(i));
+        EXPECT_DOUBLE_EQ(settings.layers[i].part[0].end, 0.25 * static_cast<double>(i + 1));
+    }
 }
 
 TEST(Layers, WithoutAnyThereIsOneOfStipples) {
@@ -67,12 +91,12 @@ TEST(Layers, BudgetsThatLimitNothingAreRefused) {
     expect_error(Status::invalid_argument, {"layers[0].budget is 0", "stipples of BLUE_NOISE need one"},
                  [] { (void)completed(blue({Kind::stipples}, 0)); });
     expect_error(Status::invalid_argument, {"layers[1].budget is 0", "separation"}, [] {
-        Settings settings = blue({Kind::stipples, Kind::principal}, 100);
-        of(settings, Kind::principal).budget = 0;
+        Settings settings = blue({Kind::stipples, Kind::hatch}, 100);
+        of(settings, Kind::hatch).budget = 0;
         (void)completed(settings);
     });
     expect_error(Status::invalid_argument, {"layers[0]", "100000001", "100000000 at most"},
-                 [] { (void)completed(blue({Kind::combing}, 100000001)); });
+                 [] { (void)completed(blue({Kind::hatch}, 100000001)); });
     Settings fine = blue({Kind::stipples}, 0);
     fine.shared_budget = 10;
     EXPECT_EQ(completed(fine).layers[0].budget, 10);
@@ -80,18 +104,47 @@ TEST(Layers, BudgetsThatLimitNothingAreRefused) {
 }
 
 TEST(Layers, StartsAreChecked) {
-    Settings settings = recursion({Kind::stipples, Kind::combing}, 2);
-    of(settings, Kind::combing).published.from_stipples = true;
-    of(settings, Kind::combing).published.start_level = 3;
+    Settings settings = recursion({Kind::stipples, Kind::hatch}, 2);
+    of(settings, Kind::hatch).published.from_stipples = true;
+    of(settings, Kind::hatch).published.start_level = 3;
     expect_error(Status::invalid_argument, {"layers[1].start_level is 3", "2 levels"},
                  [&] { (void)completed(settings); });
-    of(settings, Kind::combing).published.start_level = 2;
+    of(settings, Kind::hatch).published.start_level = 2;
     (void)completed(settings);
     of(settings, Kind::stipples).published.from_stipples = true;
     expect_error(Status::invalid_argument, {"layers[0].start is STIPPLES"}, [&] { (void)completed(settings); });
-    settings = blue({Kind::combing}, 100);
-    of(settings, Kind::combing).published.from_stipples = true;
+    settings = blue({Kind::hatch}, 100);
+    of(settings, Kind::hatch).published.from_stipples = true;
     expect_error(Status::invalid_argument, {"layers[0].start", "PUBLISHED"}, [&] { (void)completed(settings); });
+}
+
+// Published strokes follow curvature, the combing direction or the caller's field, and nothing else.
+TEST(Layers, GuidesOfPublishedStrokesAreChecked) {
+    for (const hatching::Guide guide :
+         {hatching::Guide::sections, hatching::Guide::light, hatching::Guide::silhouette}) {
+        Settings settings = recursion({Kind::stipples, Kind::hatch}, 2);
+        of(settings, Kind::hatch).hatching.field.guide = guide;
+        const std::string number = "layers[1].guide is " + std::to_string(static_cast<int>(guide));
+        expect_error(Status::invalid_argument, {number.c_str(), "PUBLISHED", "CURVATURE (0), COMBING (1)"},
+                     [&] { (void)completed(settings); });
+        of(settings, Kind::hatch).hatching.direction.function = [](void*, std::int64_t, const double*, const double*,
+                                                                   double*) { return std::int32_t{0}; };
+        (void)completed(settings);
+        settings = blue({Kind::hatch}, 100);
+        of(settings, Kind::hatch).hatching.field.guide = guide;
+        (void)completed(settings);
+    }
+}
+
+// Over how long a way normals for the tone are averaged depends on what shows it.
+TEST(Layers, TonesOfLinesAreSmoothedUnlessTheySayOtherwise) {
+    Settings settings = blue({Kind::stipples, Kind::hatch}, 100);
+    EXPECT_EQ(completed(settings).layers[0].tone_smoothing, 0.0);
+    EXPECT_EQ(completed(settings).layers[1].tone_smoothing, 0.006);
+    for (LayerSettings& layer : settings.layers) layer.tone_smoothing = 0.01;
+    for (const LayerSettings& layer : completed(settings).layers) EXPECT_EQ(layer.tone_smoothing, 0.01);
+    for (const LayerSettings& layer : completed(recursion({Kind::stipples, Kind::hatch}, 1)).layers)
+        EXPECT_EQ(layer.tone_smoothing, 0.0);
 }
 
 // Each is spread by its own density, and neither knows of the other.
@@ -128,20 +181,24 @@ TEST(Layers, TwoOfTheSameKindHaveMarksOfTheirOwn) {
     }
 }
 
-TEST(Layers, StrokesOfTheSameKindMayDifferInAllTheySay) {
+// Each has the lines that it has alone.
+TEST(Layers, OfHatchingMayDifferInAllTheySay) {
     const Torus torus;
-    Settings settings = blue({Kind::principal}, 6000);
+    Settings settings = blue({principal}, 6000);
     settings.layers.push_back(settings.layers[0]);
-    settings.layers[1].strokes.separation = 0.2;
-    settings.layers[1].strokes.symmetry = Symmetry::line;
-    settings.layers[1].strokes.longest = 0.4;
+    LayerSettings& other = settings.layers[1];
+    other.hatching.separation = 0.2;
+    other.hatching.step = 0.03;
+    other.hatching.angle = 0.5;
+    other.hatching.field.guide = hatching::Guide::sections;
+    other.hatching.field.smoothing = 0.1;
     const PointSet set = make(torus, settings);
     expect_sound(set, torus);
     EXPECT_NEAR(set.layers[1].report.step, 0.2, 1e-12);
     EXPECT_GT(set.layers[0].report.step, 0.0);
-    const Layer& pieces = set.layers[1];
-    for (std::int64_t s = 0; s < pieces.strokes(); ++s)
-        EXPECT_LE(pieces.stroke_first[s + 1] - pieces.stroke_first[s], 12U);
+    const PointSet one = make(torus, blue({principal}, 6000));
+    EXPECT_TRUE(same_bits(one.layers[0].normal, set.layers[0].normal)) << "positions have another origin";
+    EXPECT_TRUE(same_bits(one.layers[0].rank, set.layers[0].rank));
 }
 
 } // namespace

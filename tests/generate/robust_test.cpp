@@ -11,19 +11,17 @@ namespace {
 using namespace marks;
 using namespace test;
 
-const std::initializer_list<Kind> all_groups = {Kind::stipples, Kind::principal, Kind::combing};
-
 generate::Settings small_published() {
-    generate::Settings settings = recursion(all_groups, 2);
+    generate::Settings settings = recursion({Kind::stipples, principal, combing}, 2);
     settings.seeds.box_resolution = 6;
     of(settings, Kind::stipples).with_curvature = true;
-    of(settings, Kind::principal).budget = 1000;
-    of(settings, Kind::combing).published.from_stipples = true;
-    of(settings, Kind::combing).published.start_level = 1;
+    of(settings, principal).budget = 1000;
+    of(settings, combing).published.from_stipples = true;
+    of(settings, combing).published.start_level = 1;
     return settings;
 }
 
-generate::Settings small_blue() { return blue(all_groups, 3000, 2); }
+generate::Settings small_blue() { return blue({Kind::stipples, principal, combing}, 3000, 2); }
 
 // Runs the tasks from the last to the first.
 void reverse_tasks(void* /*user*/, base::TaskFn task, void* context, std::int64_t count) {
@@ -97,8 +95,8 @@ TEST(Memory, EveryAllocationMayFail) {
     const Torus torus;
     generate::Settings tiny_published = small_published();
     tiny_published.seeds.box_resolution = 3;
-    of(tiny_published, Kind::principal).budget = 60;
-    for (const generate::Settings& settings : {tiny_published, blue({Kind::principal}, 60, 1)}) {
+    of(tiny_published, principal).budget = 60;
+    for (const generate::Settings& settings : {tiny_published, blue({principal}, 60, 1)}) {
         Allocator allocator;
         {
             const base::Runtime runtime = with_allocator(allocator, 1);

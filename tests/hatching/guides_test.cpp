@@ -15,7 +15,7 @@ using namespace test;
 
 generate::Settings guided(Guide guide, double separation = 0.05) {
     generate::Settings settings = blue({Kind::hatch}, 0);
-    of(settings, Kind::hatch).strokes.separation = separation;
+    of(settings, Kind::hatch).hatching.separation = separation;
     of(settings, Kind::hatch).hatching.field.guide = guide;
     return settings;
 }

@@ -15,7 +15,7 @@ using namespace test;
 
 generate::Settings hatched(double separation, double angle = 0.0) {
     generate::Settings settings = blue({Kind::hatch}, 0);
-    of(settings, Kind::hatch).strokes.separation = separation;
+    of(settings, Kind::hatch).hatching.separation = separation;
     of(settings, Kind::hatch).hatching.angle = angle;
     return settings;
 }
@@ -129,8 +129,8 @@ TEST(Hatching, FollowsTheLargerCurvatureTurnedByTheAngle) {
 
 TEST(Hatching, FollowsAFunction) {
     generate::Settings settings = hatched(0.04);
-    of(settings, Kind::hatch).strokes.direction.function = [](void*, std::int64_t count, const double* positions,
-                                                              const double*, double* directions) -> std::int32_t {
+    of(settings, Kind::hatch).hatching.direction.function = [](void*, std::int64_t count, const double* positions,
+                                                               const double*, double* directions) -> std::int32_t {
         for (std::int64_t i = 0; i < count; ++i) {
             directions[3 * i] = -positions[3 * i + 1];
             directions[3 * i + 1] = positions[3 * i];
@@ -215,9 +215,6 @@ TEST(Hatching, IsTheSameForAnyNumberOfThreads) {
 TEST(Hatching, IsRefusedWhereItCannotBe) {
     generate::Settings tiny = hatched(1e-6);
     expect_error(Status::invalid_argument, {"layers[0]", "separation"}, [&] { (void)make(Sphere(), tiny); });
-    generate::Settings published = recursion({Kind::hatch}, 2);
-    expect_error(Status::invalid_argument, {"layers[0]", "HATCH", "BLUE_NOISE"},
-                 [&] { (void)generate::completed(published); });
 }
 
 } // namespace

@@ -144,9 +144,10 @@ Bytes generate_blue_noise(const Scene& scene) {
     for (hrbfnpr_layer_desc& layer : desc.layer) layer.flags = HRBFNPR_LAYER_WITH_CURVATURE;
     desc.layer[0].density = HRBFNPR_DENSITY_CALLBACK;
     desc.layer[0].density_function = half_density;
-    desc.add(HRBFNPR_LAYER_KIND_FIELD, 40000).direction_function = along_x;
+    desc.add(HRBFNPR_LAYER_KIND_HATCH, 40000).direction_function = along_x;
     Bytes bytes = bytes_of(generate(scene.context, scene.model, desc));
-    for (hrbfnpr_layer_desc& layer : desc.layer) layer.symmetry = HRBFNPR_SYMMETRY_LINE;
+    desc.layer[1].guide = HRBFNPR_HATCH_GUIDE_SECTIONS;
+    desc.layer[2].guide = HRBFNPR_HATCH_GUIDE_SILHOUETTE;
     desc.seed_source = HRBFNPR_SEED_BOX;
     desc.layer[0].density = HRBFNPR_DENSITY_CURVATURE;
     const Bytes more = bytes_of(generate(scene.context, scene.model, desc));
@@ -159,6 +160,9 @@ Bytes generate_published(const Scene& scene) {
     desc.distribution = HRBFNPR_DISTRIBUTION_PUBLISHED;
     for (hrbfnpr_layer_desc& layer : desc.layer) layer.levels = 2;
     desc.layer[2].start = HRBFNPR_STROKE_START_STIPPLES;
+    hrbfnpr_layer_desc& along = desc.add(HRBFNPR_LAYER_KIND_HATCH, 40000);
+    along.levels = 2;
+    along.direction_function = along_x;
     return bytes_of(generate(scene.context, scene.model, desc));
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Files of every past format version load for ever.  These were written by version 0.1.0: the fit of
-// the six axis points of the unit sphere, and one step of the published refinement on it.
+// Files of every past format version load for ever, from those of the first release on.  These were written by version
+// 0.1.0: the fit of the six axis points of the unit sphere, and one step of the published refinement on it.
 #include "samples.h"
 
 #include <gtest/gtest.h>
@@ -94,17 +94,19 @@ TEST(Golden, SheetsOfVersion2) {
     EXPECT_EQ(sheet, (std::array<std::int32_t, 3>{0, 3, 3}));
 }
 
-TEST(Golden, PointSetOfVersion1) {
+// Stipples, hatching by curvature and hatching by combing: the article's strokes in both directions of each.
+TEST(Golden, PointSetOfVersion3) {
     base::Memory memory;
-    const Bytes bytes = golden("sphere_6.points.v1");
+    const Bytes bytes = golden("sphere_6.points.v3");
     MemoryReader reader = reader_of(bytes);
     const marks::PointSet set = load_point_set(memory, reader);
     EXPECT_EQ(set.distribution, marks::Distribution::published);
     EXPECT_EQ(set.seed_source, marks::SeedSource::samples);
     ASSERT_EQ(set.layers.size(), 3);
     EXPECT_EQ(set.layers[0].kind, marks::Kind::stipples);
-    EXPECT_EQ(set.layers[1].kind, marks::Kind::principal);
-    EXPECT_EQ(set.layers[2].kind, marks::Kind::combing);
+    EXPECT_EQ(set.layers[1].kind, marks::Kind::hatch);
+    EXPECT_EQ(set.layers[2].kind, marks::Kind::hatch);
+    EXPECT_STREQ(set.layers[1].name.data(), "curvature");
     EXPECT_STREQ(set.layers[2].name.data(), "combing");
     EXPECT_EQ(set.layers[0].count(), 30);
     EXPECT_EQ(set.layers[1].count(), 36);
@@ -112,26 +114,30 @@ TEST(Golden, PointSetOfVersion1) {
     EXPECT_EQ(set.layers[0].rank[0], 0.538630426F);
     EXPECT_EQ(set.layers[0].position[87], 0.609430969F);
     EXPECT_EQ(set.layers[1].curvature.size(), 108);
+    EXPECT_TRUE(set.layers[2].curvature.empty());
     EXPECT_EQ(set.layers[0].strokes(), 0);
     EXPECT_EQ(set.layers[1].strokes(), 12) << "two of each of six seeds";
     EXPECT_EQ(set.layers[2].strokes(), 12);
-    EXPECT_FALSE(set.layers[0].progressive);
-    // What version 2 says of the same set.
-    EXPECT_EQ(bytes_of(set), golden("sphere_6.points.v2"));
-}
-
-TEST(Golden, PointSetOfVersion2) {
-    base::Memory memory;
-    const Bytes bytes = golden("sphere_6.points.v2");
-    MemoryReader reader = reader_of(bytes);
-    const marks::PointSet set = load_point_set(memory, reader);
-    ASSERT_EQ(set.layers.size(), 3);
-    EXPECT_EQ(set.layers[1].strokes(), 12);
     EXPECT_EQ(set.layers[1].stroke_first[5], 15U);
     EXPECT_EQ(set.layers[1].mark_of(1), 0) << "the seed in the middle of its stroke";
     EXPECT_EQ(set.layers[1].stroke_of(0), 0);
-    EXPECT_EQ(set.layers[0].rank[0], 0.538630426F);
-    EXPECT_EQ(bytes_of(set), bytes); // until there is a version 3
+    EXPECT_FALSE(set.layers[0].progressive);
+    EXPECT_EQ(bytes_of(set), bytes); // until there is a version 4
+}
+
+// Versions before the first release are not read.
+TEST(Golden, PointSetsOfOlderVersionsAreRefused) {
+    base::Memory memory;
+    for (const std::uint32_t version : {1U, 2U}) {
+        Bytes bytes = golden("sphere_6.points.v3");
+        store(&bytes[12], version);
+        sign(bytes);
+        const Outcome outcome = load(memory, bytes, false);
+        EXPECT_EQ(outcome.status, Status::version_mismatch);
+        EXPECT_EQ(outcome.message, "this point set file has format version " + std::to_string(version) +
+                                       ", of before the first release; this library reads versions from 3 on: make it "
+                                       "again");
+    }
 }
 
 } // namespace

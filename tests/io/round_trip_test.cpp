@@ -195,8 +195,8 @@ TEST(PointSetFile, GivesBackEveryField) {
     EXPECT_EQ(loaded.seeds.dropped_budget, 1);
     EXPECT_EQ(loaded.seconds_total, 0.75);
     ASSERT_EQ(loaded.layers.size(), 3);
-    EXPECT_EQ(loaded.layers[1].kind, marks::Kind::principal);
-    EXPECT_STREQ(loaded.layers[1].name.data(), "principal");
+    EXPECT_EQ(loaded.layers[1].kind, marks::Kind::hatch);
+    EXPECT_STREQ(loaded.layers[1].name.data(), "hatch");
     EXPECT_TRUE(loaded.layers[0].progressive);
     EXPECT_FALSE(loaded.layers[1].progressive);
     EXPECT_FALSE(loaded.layers[0].has_strokes());

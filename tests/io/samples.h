@@ -88,7 +88,7 @@ inline marks::PointSet point_set(base::Memory& memory, std::int64_t count) {
     set.seeds = {100, 90, 4, 3, 2, 1};
     set.seconds_total = 0.75;
     // Stipples, strokes whose marks do not stand stroke by stroke, and a layer that stays empty.
-    for (const marks::Kind kind : {marks::Kind::stipples, marks::Kind::principal, marks::Kind::own}) {
+    for (const marks::Kind kind : {marks::Kind::stipples, marks::Kind::hatch, marks::Kind::own}) {
         marks::Layer& layer = set.layers.add(memory, kind);
         layer.progressive = kind == marks::Kind::stipples;
         layer.report.full_count = 7;
@@ -96,7 +96,7 @@ inline marks::PointSet point_set(base::Memory& memory, std::int64_t count) {
         layer.report.step = 0.5;
         layer.report.of(12) = {1, 2, 3, 4, 5, 6};
         if (kind == marks::Kind::own) continue;
-        const bool strokes = kind == marks::Kind::principal;
+        const bool strokes = kind == marks::Kind::hatch;
         for (std::int64_t i = 0; i < count; ++i) {
             layer.rank.push_back(static_cast<float>(number(i) + 0.5));
             layer.level.push_back(static_cast<std::uint8_t>(i % 13));

@@ -36,19 +36,18 @@ test("only what the user has set goes to the library", () => {
   const size = { width: 30, height: 20 };
   assert.equal(optionsOf(defaults(), size).set, undefined);
   assert.deepEqual(optionsOf({ ...defaults(), marks: 4000 }, size).set, { "marks.layers.budget": 4000 });
-  const planned = { light: [1, 1, 1], toneExponent: 1.3, fillLight: 0.1, silhouetteWidth: 2, silhouetteRadius: 2 };
+  const planned = { light: [1, 1, 1], toneExponent: 1.3, fillLight: 0.1, haloWidth: 2 };
   const { layers, lines, ...style } = styleOf(planned, defaults());
   assert.deepEqual({ layers, lines, style }, { layers: undefined, lines: undefined, style: planned });
   assert.notDeepEqual(styleOf(planned, { ...defaults(), lx: 0.2 }).light, planned.light);
 });
 
 test("a style takes pen, contours and colours, and is scaled as a whole", () => {
-  const preset = { toneExponent: 1, silhouetteWidth: 1, silhouetteRadius: 1, haloWidth: 2, silhouetteInk: [0, 0, 0, 1],
-                   layers: [{ radius: 1, hatchPen: 0.6, hatchSpacing: 4, contours: 1, ink: [0, 0, 0, 1] }],
+  const preset = { toneExponent: 1, haloWidth: 2,
+                   layers: [{ radius: 1, hatchPen: 0.6, hatchSpacing: 4, ink: [0, 0, 0, 1] }],
                    lines: [{ width: 2, hiddenWidth: 1, ink: [0, 0, 0, 1], hidden: "none" }] };
   const style = styleOf(preset, { ...defaults(), pen: 2, contour: 0, ink: "#ff0000", paper: "#0000ff" });
   assert.equal(style.layers[0].radius, 2);
-  assert.equal(style.layers[0].contours, 0);
   assert.deepEqual(style.layers[0].ink, [1, 0, 0, 1]);
   assert.equal(style.lines, undefined);
   assert.deepEqual(style.paper, [0, 0, 1, 1]);

@@ -124,8 +124,8 @@ TEST_F(Clusters, HoldEveryMarkOnceAndBoundThem) {
 
 TEST_F(Clusters, OfStrokesHaveOneSetEach) {
     marks::PointSet set = torus(runtime.memory, 40);
-    add_torus_strokes(set, marks::Kind::principal, 400, 27, 0.3);
-    add_torus_strokes(set, marks::Kind::combing, 100, 9, 0.3);
+    add_torus_strokes(set, marks::Kind::hatch, 400, 27, 0.3);
+    add_torus_strokes(set, marks::Kind::own, 100, 9, 0.3);
     for (std::int64_t i = 0; i < set.layers[1].count(); ++i)
         set.layers[1].width.push_back(0.1F + 0.9F * static_cast<float>(i % 7) / 7.0F);
     for (const float x : set.layers[2].direction) set.layers[2].tone_normal.push_back(x); // far from the normals
@@ -283,7 +283,7 @@ TEST_F(Clusters, AreTheSameForAnyThreadCount) {
     const auto made = [](int threads) {
         const base::Runtime other = test::with_threads(threads);
         marks::PointSet set = torus(other.memory, 60);
-        add_torus_strokes(set, marks::Kind::principal, 300, 9, 0.3);
+        add_torus_strokes(set, marks::Kind::hatch, 300, 9, 0.3);
         marks::cluster_marks(other, set);
         std::vector<std::uint32_t> marks;
         for (const marks::Layer& layer : set.layers) {

@@ -21,7 +21,7 @@ struct Arrays {
     std::vector<std::uint8_t> stroke_direction = {0, 1};
     std::vector<double> width = {0.5, 1.0, 1.0, 0.25};
 
-    [[nodiscard]] LayerArrays views(Kind kind = Kind::principal) const {
+    [[nodiscard]] LayerArrays views(Kind kind = Kind::hatch) const {
         LayerArrays arrays;
         arrays.kind = kind;
         arrays.position = view(position);
@@ -53,11 +53,11 @@ PointSet import(const LayerArrays& arrays, std::uint64_t seed = 1, const PointSe
 
 TEST(FromArrays, CopiesAndNormalises) {
     const PointSet set = import(Arrays().views());
-    const Layer& marks = of(set, Kind::principal);
+    const Layer& marks = of(set, Kind::hatch);
     ASSERT_EQ(marks.count(), 4);
     EXPECT_EQ(set.origin, glm::dvec3(0.5, 1.0, 1.5));
     EXPECT_EQ(set.bounds.max, glm::dvec3(1.0, 2.0, 3.0));
-    EXPECT_EQ(position(set, Kind::principal, 1), glm::dvec3(0, 2, 0));
+    EXPECT_EQ(position(set, Kind::hatch, 1), glm::dvec3(0, 2, 0));
     EXPECT_EQ(vec(marks.normal, 1), glm::dvec3(0, 1, 0)) << "normalised";
     EXPECT_EQ(vec(marks.direction, 1), glm::dvec3(0, 0, 1)) << "made tangent and unit";
     EXPECT_EQ(vec(marks.curvature, 3), glm::dvec3(-1, -2, 1));
@@ -95,14 +95,14 @@ TEST(FromArrays, FillsInWhatIsLeftEmpty) {
 
 TEST(FromArrays, ReadsOtherScalarsAndStrides) {
     const Arrays keep;
-    LayerArrays arrays = keep.views(Kind::combing);
+    LayerArrays arrays = keep.views(Kind::hatch);
     std::vector<float> floats(16, -1.0F);
     for (std::size_t i = 0; i < 4; ++i)
         for (std::size_t k = 0; k < 3; ++k) floats[4 * i + k] = static_cast<float>(keep.position[3 * i + k]);
     arrays.position = {reinterpret_cast<const std::byte*>(floats.data() + 12), 4, -16, base::Scalar::float32, 3};
     const PointSet set = import(arrays);
-    EXPECT_EQ(position(set, Kind::combing, 0), glm::dvec3(1, 1, 1)) << "a negative stride reads backwards";
-    EXPECT_EQ(position(set, Kind::combing, 3), glm::dvec3(1, 0, 0));
+    EXPECT_EQ(position(set, Kind::hatch, 0), glm::dvec3(1, 1, 1)) << "a negative stride reads backwards";
+    EXPECT_EQ(position(set, Kind::hatch, 3), glm::dvec3(1, 0, 0));
 }
 
 TEST(FromArrays, RefusesWhatIsWrongAndNamesIt) {
@@ -182,7 +182,7 @@ TEST(FromArrays, StrokesHaveDirectionsAndRanksOfTheirOwn) {
 }
 
 TEST(FromArrays, AddLayersToThoseOfASet) {
-    const PointSet base = make(Torus(), blue({Kind::stipples, Kind::principal}, 2000));
+    const PointSet base = make(Torus(), blue({Kind::stipples, Kind::hatch}, 2000));
     const Arrays arrays;
     LayerArrays own = arrays.views(Kind::own);
     own.name = {'h', 'a', 'n', 'd'};

@@ -94,7 +94,7 @@ constexpr auto stay = [](glm::vec3&, glm::vec3&) {};
 
 TEST_F(MoveClusters, ThatDoNotMoveStayTheSame) {
     marks::PointSet made = torus(runtime.memory, 150);
-    add_torus_strokes(made, marks::Kind::combing, 100, 27, 0.3);
+    add_torus_strokes(made, marks::Kind::hatch, 100, 27, 0.3);
     const marks::PointSet set = clustered(runtime, std::move(made));
     for (const marks::Layer& layer : set.layers) {
         const Moved places(layer, stay);

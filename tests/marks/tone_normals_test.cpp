@@ -101,7 +101,7 @@ TEST(ToneNormals, AreTheSameBitsForAnyThreadCount) {
 
 TEST(ToneNormals, AreThoseOfLayersThatAskForThem) {
     generate::Settings settings = blue({Kind::stipples, Kind::hatch}, 2000);
-    of(settings, Kind::hatch).strokes.separation = 0.1;
+    of(settings, Kind::hatch).hatching.separation = 0.1;
     EXPECT_TRUE(of(make(Torus(), settings), Kind::stipples).tone_normal.empty());
     const PointSet set = make(Torus(), settings);
     const Layer& hatch = of(set, Kind::hatch);

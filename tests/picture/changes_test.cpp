@@ -151,15 +151,16 @@ TEST_F(ChangesTest, AShareOfAllLayersIsMultiplied) {
 }
 
 TEST_F(ChangesTest, PathsOfOtherStepsAreTaken) {
-    const Changes given = changes({{"style.contours-of", "stipples,Hatch,"},
+    const Changes given = changes({{"style.ink", "#ff8000"},
                                    {"style.lines.wobble", "2"},
                                    {"style.layers.shape", "dots"},
                                    {"style.any.radius", "3"},
                                    {"marks.layers.tone_smoothing", "0.01"},
                                    {"marks.layers.flags", "curvature"},
-                                   {"marks.seed_source", "points"},
+                                   {"marks.seed-source", "Points"},
                                    {"line_set.support", "1.5"}});
-    EXPECT_EQ(given.value("style.contours_of"), "stipples,hatch,");
+    EXPECT_EQ(given.value("style.ink"), "#ff8000");
+    EXPECT_EQ(given.value("marks.seed_source"), "points");
     EXPECT_EQ(given.number("marks.layers.flags"), double{HRBFNPR_LAYER_WITH_CURVATURE});
     auto style = defaults<hrbfnpr_style>(hrbfnpr_style_init);
     const hrbfnpr_style before = style;
@@ -177,8 +178,7 @@ TEST_F(ChangesTest, WhatIsWrongIsNamed) {
         {{"style", "1"}, "must begin with one of style."},
         {{"", "1"}, "must begin with"},
         {{"style.hach.ink", "1"},
-         "there is no kind of layers hach: there are any, stipples, principal, combing, field, own, "
-         "hatch, layers, lines"},
+         "there is no kind of layers hach: there are any, stipples, hatch, own, layers, lines"},
         {{"marks.own.budget", "1"}, "there is no kind of layers own: there are stipples,"},
         {{"style.hatch.kind", "any"}, "has no field kind"},
         {{"style.hatch.ink.x", "1"}, "has no field ink.x"},
@@ -199,7 +199,7 @@ TEST_F(ChangesTest, WhatIsWrongIsNamed) {
         {{"style.hatch.shown", "2"}, "must be true or false"},
         {{"style.hatch.directions", "third"}, "must be with commas between, of first, second"},
         {{"style.hatch.directions", "4"}, "of first, second"},
-        {{"style.contours_of", "lines"}, "must be a list with commas between, of stipples, principal"},
+        {{"style.contours_of", "hatch"}, "hrbfnpr_style has no field contours_of"},
         {{"fit.maximum_centres", "1.5"}, "must be a whole number"},
         {{"fit.maximum_centres", "9223372036854775808"}, "must be a whole number"},
         {{"fit.preconditioner_neighbours", "-1"}, "must be a whole number of at least 0"},

@@ -79,34 +79,34 @@ TEST(Plan, StipplesFillTheDarkestTone) {
     EXPECT_EQ(planned(given.call()).marks.layers[0].budget, 77);
 }
 
-TEST(Plan, StrokesFillOrKeepTheirSeparation) {
+TEST(Plan, LinesKeepTheirSeparation) {
     PlannedCall given(HRBFNPR_PRESET_STIPPLE);
-    given.desc.mark_kinds = "stipples,principal";
+    given.desc.mark_kinds = "stipples,hatch";
     given.change("marks.tone_ranges", "in-turn");
     const Planned made = planned(given.call());
     ASSERT_EQ(made.marks.layers.size(), 2U);
     EXPECT_EQ(made.marks.layers[0].budget, 25254);
-    EXPECT_EQ(made.marks.layers[1].budget, 52800);
-    EXPECT_DOUBLE_EQ(made.marks.layers[1].step, 0.00625);
-    EXPECT_EQ(made.marks.layers[0].tone_end, 1.0F); // Strokes are not shown, so they get no share of the tones.
+    EXPECT_EQ(made.marks.layers[1].budget, 0); // The separation sets the number.
+    EXPECT_DOUBLE_EQ(made.marks.layers[1].separation, std::sqrt(3.0) / 300.0);
+    EXPECT_EQ(made.marks.layers[0].tone_end, 1.0F); // Hatching has tones of its own, so it gets no share of them.
     EXPECT_EQ(made.marks.layers[1].tone_end, 0.0F);
     EXPECT_EQ(made.marks.base.tone_ranges, std::uint32_t{HRBFNPR_TONE_RANGES_IN_TURN});
     PlannedCall apart(HRBFNPR_PRESET_STIPPLE);
-    apart.desc.mark_kinds = "principal,hatch,stipples";
-    apart.change("marks.layers.separation", "0.01").change("marks.layers.length", "0.5");
+    apart.desc.mark_kinds = "hatch,stipples";
+    apart.change("marks.layers.separation", "0.01").change("marks.layers.step", "0.002");
     const Marks marks = planned(apart.call()).marks;
     EXPECT_EQ(marks.layers[0].budget, 0);
     EXPECT_EQ(marks.layers[0].separation, 0.01);
-    EXPECT_EQ(marks.layers[0].length, 0.5);
-    EXPECT_EQ(marks.layers[1].separation, 0.01);
-    EXPECT_EQ(marks.layers[1].length, 0.0); // Hatching ignores the length.
-    EXPECT_EQ(marks.layers[2].separation, 0.0);
+    EXPECT_EQ(marks.layers[0].step, 0.002);
+    EXPECT_EQ(marks.layers[1].separation, 0.0);
+    EXPECT_EQ(marks.layers[1].step, 0.0); // Stipples have no lines.
 }
 
 TEST(Plan, TonesAreSharedOutInTurn) {
     PlannedCall given(HRBFNPR_PRESET_CROSS_HATCH);
-    given.desc.mark_kinds = "stipples,principal";
+    given.desc.mark_kinds = "stipples,hatch";
     given.change("marks.tone_ranges", "in-turn").change("style.stipples.shown", "true");
+    given.change("marks.distribution", "published"); // Both directions of its strokes get a share.
     const Marks marks = planned(given.call()).marks;
     EXPECT_FLOAT_EQ(marks.layers[0].tone_end, 1.0F / 3.0F);
     EXPECT_FLOAT_EQ(marks.layers[1].tone_begin, 1.0F / 3.0F);
@@ -150,7 +150,7 @@ TEST(Plan, TheRecursionTakesSteps) {
     given.change("marks.distribution", "published");
     const Planned made = planned(given.call());
     ASSERT_EQ(made.marks.layers.size(), 2U);
-    EXPECT_EQ(made.marks.layers[1].kind, std::uint32_t{HRBFNPR_LAYER_KIND_PRINCIPAL});
+    EXPECT_EQ(made.marks.layers[1].kind, std::uint32_t{HRBFNPR_LAYER_KIND_HATCH});
     EXPECT_EQ(made.marks.layers[0].levels, 3);
     EXPECT_EQ(made.marks.layers[1].levels, 3);
     EXPECT_EQ(made.marks.layers[0].budget, 0);
@@ -163,6 +163,30 @@ TEST(Plan, TheRecursionTakesSteps) {
         given.report->notes[0].text.find("refinement steps would fill the picture, 6 are taken, so that dark tones "
                                          "are pale: --levels stipples="),
         String::npos);
+}
+
+// Its strokes are one layer, in place of the style's layers of lines.
+TEST(Plan, TheRecursionHasStrokesOfOneLayer) {
+    struct Row {
+        std::uint32_t preset, guide, directions;
+    };
+    const std::array rows{Row{HRBFNPR_PRESET_HATCH, HRBFNPR_HATCH_GUIDE_CURVATURE, 2U},
+                          Row{HRBFNPR_PRESET_CROSS_HATCH, HRBFNPR_HATCH_GUIDE_CURVATURE, 3U},
+                          Row{HRBFNPR_PRESET_COMBING, HRBFNPR_HATCH_GUIDE_COMBING, 3U}};
+    for (const Row& row : rows) {
+        SCOPED_TRACE(row.preset);
+        PlannedCall given(row.preset);
+        given.change("marks.distribution", "published");
+        const Planned made = planned(given.call());
+        ASSERT_EQ(made.marks.layers.size(), 2U);
+        const hrbfnpr_layer_desc& strokes = made.marks.layers[1];
+        EXPECT_EQ(strokes.kind, std::uint32_t{HRBFNPR_LAYER_KIND_HATCH});
+        EXPECT_EQ(strokes.guide, row.guide);
+        EXPECT_EQ(strokes.separation, 0.0);
+        const hrbfnpr_layer_style style = made.style.style_of(strokes.kind, strokes.name);
+        EXPECT_EQ(style.shape, std::uint32_t{HRBFNPR_SHAPE_DOTS});
+        EXPECT_EQ(style.directions, row.directions);
+    }
 }
 
 TEST(Plan, ChangesComeInOrder) {
@@ -209,15 +233,11 @@ TEST(Plan, HiddenLinesHideTheLinesPartsToo) {
               std::uint32_t{HRBFNPR_HIDDEN_PARTS_DASHED});
 }
 
-TEST(Plan, ContoursAreOfTheKindsThatAreNamed) {
+TEST(Plan, ATransparentPictureHasNoPaper) {
     PlannedCall given;
-    given.change("style.contours_of", "hatch").desc.flags = HRBFNPR_PICTURE_TRANSPARENT;
-    const Style style = plan_style(given.call(), 800.0, 600.0, false);
-    EXPECT_TRUE(style.lines.empty());
-    EXPECT_EQ(style.style_of(HRBFNPR_LAYER_KIND_HATCH, nullptr).contours, 1U);
-    EXPECT_EQ(for_stipples(style).contours, 0U);
-    EXPECT_EQ(style.style_of(HRBFNPR_LAYER_KIND_OWN, nullptr).contours, 0U);
-    EXPECT_EQ(style.base.paper[3], 0.0F);
+    EXPECT_EQ(plan_style(given.call(), 800.0, 600.0, false).base.paper[3], 1.0F);
+    given.desc.flags = HRBFNPR_PICTURE_TRANSPARENT;
+    EXPECT_EQ(plan_style(given.call(), 800.0, 600.0, false).base.paper[3], 0.0F);
 }
 
 TEST(Plan, AStyleOfTheCallersIsUsedAsItIs) {
@@ -236,7 +256,7 @@ TEST(Plan, AStyleOfTheCallersIsUsedAsItIs) {
 
 TEST(Plan, OtherKindsThanCanBeMadeAreRefused) {
     PlannedCall given;
-    for (const char* const wrong : {"dots", "field", "own", "any", "stipples,hatching"}) {
+    for (const char* const wrong : {"dots", "principal", "own", "any", "stipples,hatching"}) {
         given.desc.mark_kinds = wrong;
         const Call call = given.call();
         EXPECT_THROW(static_cast<void>(planned(call)), Error) << wrong;

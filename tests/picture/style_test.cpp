@@ -77,7 +77,7 @@ TEST_F(StyleTest, ALayerOfMarksTakesTheFirstThatIsForIt) {
     EXPECT_EQ(style.style_of(HRBFNPR_LAYER_KIND_HATCH, nullptr).radius, 1.0F); // These are the defaults.
     EXPECT_EQ(style.style_of(HRBFNPR_LAYER_KIND_HATCH, "hair").radius, 1.0F);
     EXPECT_EQ(style.style_of(HRBFNPR_LAYER_KIND_STIPPLES, "dots").radius, 3.0F);
-    EXPECT_EQ(style.style_of(HRBFNPR_LAYER_KIND_PRINCIPAL, nullptr).kind, std::uint32_t{HRBFNPR_LAYER_KIND_PRINCIPAL});
+    EXPECT_EQ(style.style_of(HRBFNPR_LAYER_KIND_OWN, nullptr).kind, std::uint32_t{HRBFNPR_LAYER_KIND_OWN});
 }
 
 TEST_F(StyleTest, OneInkIsThatOfAll) {

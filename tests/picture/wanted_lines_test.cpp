@@ -121,19 +121,5 @@ TEST_F(WantedLinesTest, LinesThatAreAskedForReplaceThoseOfTheStyle) {
     EXPECT_FALSE(needs_curvature(style));
 }
 
-TEST_F(WantedLinesTest, ContoursOfMarksReplaceLines) {
-    PlannedCall by_marks(HRBFNPR_PRESET_XRAY);
-    by_marks.change("style.silhouette_width", "2");
-    const Call call = by_marks.call();
-    Style style(HRBFNPR_PRESET_XRAY, pool);
-    size_lines(call, style, 1.0, true);
-    EXPECT_TRUE(style.lines.empty());
-    by_marks.desc.lines = "contour";
-    const Call both = by_marks.call();
-    Style lines(HRBFNPR_PRESET_XRAY, pool);
-    size_lines(both, lines, 1.0, true);
-    EXPECT_EQ(lines.lines.size(), 1U);
-}
-
 } // namespace
 } // namespace picture_tests::wanted_lines_test

@@ -50,34 +50,34 @@ TEST(PublishedCounts, Table1) {
     use_points(settings, seeds4096);
     EXPECT_EQ(of(make(sphere, settings), Kind::stipples).count(), 512000);
 
-    settings = recursion({Kind::combing}, 4);
+    settings = recursion({combing}, 4);
     use_points(settings, seeds512);
     const PointSet hatched = make(sphere, settings);
-    EXPECT_EQ(of(hatched, Kind::combing).count(), 82944);
-    EXPECT_EQ(of(hatched, Kind::combing).strokes(), 1024);
-    EXPECT_EQ(of(hatched, Kind::combing).report.full_count, 82944);
-    settings = recursion({Kind::principal}, 3);
+    EXPECT_EQ(of(hatched, combing).count(), 82944);
+    EXPECT_EQ(of(hatched, combing).strokes(), 1024);
+    EXPECT_EQ(of(hatched, combing).report.full_count, 82944);
+    settings = recursion({principal}, 3);
     use_points(settings, seeds4096);
-    EXPECT_EQ(of(make(sphere, settings), Kind::principal).count(), 221184);
+    EXPECT_EQ(of(make(sphere, settings), principal).count(), 221184);
 }
 
 // Hatching from stipples: 6 * 5^2 stipples, two strokes of 3^3 marks each.
 TEST(PublishedCounts, StrokesMayStartFromStipples) {
     const Sphere sphere;
-    generate::Settings settings = recursion({Kind::combing}, 3);
+    generate::Settings settings = recursion({combing}, 3);
     const std::vector<double> seeds = six_seeds();
     use_points(settings, seeds);
-    of(settings, Kind::combing).published.from_stipples = true;
-    of(settings, Kind::combing).published.start_level = 2;
+    of(settings, combing).published.from_stipples = true;
+    of(settings, combing).published.start_level = 2;
     const PointSet only_strokes = make(sphere, settings);
-    EXPECT_EQ(of(only_strokes, Kind::combing).count(), 150 * 2 * 27);
-    EXPECT_EQ(of(only_strokes, Kind::combing).report.full_count, 150 * 2 * 27);
+    EXPECT_EQ(of(only_strokes, combing).count(), 150 * 2 * 27);
+    EXPECT_EQ(of(only_strokes, combing).report.full_count, 150 * 2 * 27);
     EXPECT_EQ(of(only_strokes, Kind::stipples).count(), 0) << "they were not asked for";
     of(settings, Kind::stipples).budget = 0;
     of(settings, Kind::stipples).published.levels = 4;
     const PointSet both = make(sphere, settings);
     EXPECT_EQ(of(both, Kind::stipples).count(), 3750);
-    EXPECT_TRUE(same_bits(of(both, Kind::combing).direction, of(only_strokes, Kind::combing).direction));
+    EXPECT_TRUE(same_bits(of(both, combing).direction, of(only_strokes, combing).direction));
 }
 
 // On a plane nothing moves in the projection: every child stands at (i r + j u) rho from its parent.
@@ -129,8 +129,8 @@ TEST(PublishedRanks, AreUniformAndIndependentOfOtherLayers) {
     for (const float u : marks.rank) ++histogram[static_cast<std::size_t>(10.0F * u)];
     const double expected = static_cast<double>(marks.count()) / 10.0;
     for (const int count : histogram) EXPECT_NEAR(count, expected, 5.0 * std::sqrt(expected));
-    of(settings, Kind::combing).budget = 0;
-    of(settings, Kind::combing).published.levels = 2;
+    of(settings, combing).budget = 0;
+    of(settings, combing).published.levels = 2;
     EXPECT_TRUE(same_bits(of(make(sphere, settings), Kind::stipples).rank, marks.rank));
     settings.random_seed = 2;
     EXPECT_FALSE(same_bits(of(make(sphere, settings), Kind::stipples).rank, marks.rank));
@@ -139,11 +139,11 @@ TEST(PublishedRanks, AreUniformAndIndependentOfOtherLayers) {
 TEST(PublishedBudget, ThinsTheLevelThatExceedsItAndStops) {
     const Sphere sphere;
     const std::vector<double> seeds = spiral_seeds(40);
-    for (const Kind kind : {Kind::stipples, Kind::principal, Kind::combing}) {
+    for (const Which& kind : {Which(Kind::stipples), principal, combing}) {
         generate::Settings settings = recursion({kind}, 4);
         use_points(settings, seeds);
         LayerSettings& limited = of(settings, kind);
-        const bool stipple = kind == Kind::stipples;
+        const bool stipple = kind.kind == Kind::stipples;
         limited.budget = stipple ? 700 : 500; // 40, 200, [1000]; 80, 240, [720]
         const PointSet set = make(sphere, settings);
         const LayerReport& report = of(set, kind).report;
@@ -179,7 +179,7 @@ TEST(PublishedBudget, CountsBeyondReasonAreRefusedBeforeTheyAreMade) {
                  [&] { (void)make(Sphere(), settings); });
     of(settings, Kind::stipples).budget = 1000;
     EXPECT_EQ(of(make(Sphere(), settings), Kind::stipples).count(), 1000);
-    settings = recursion({Kind::combing}, 12);
+    settings = recursion({combing}, 12);
     const std::vector<double> many = spiral_seeds(3000);
     use_points(settings, many);
     expect_error(Status::invalid_argument, {"layers[0].levels = 12", "budget"},
@@ -219,7 +219,7 @@ TEST(PublishedDrops, StrayedMarksAreDropped) {
     const AnyField step(cube(1.0), [](const glm::dvec3& p) -> Field {
         return {p.z - (std::abs(p.x) < 1.0 ? 0.0 : 5.0), {0.0, 0.0, 1.0}, {}};
     });
-    generate::Settings settings = recursion({Kind::stipples, Kind::combing}, 1);
+    generate::Settings settings = recursion({Kind::stipples, combing}, 1);
     const std::vector<double> seeds = {0.9, 0, 0};
     use_points(settings, seeds);
     settings.seeds.initial_step = 0.3;
@@ -227,20 +227,20 @@ TEST(PublishedDrops, StrayedMarksAreDropped) {
     EXPECT_EQ(of(set, Kind::stipples).report.level[1].dropped_strayed + of(set, Kind::stipples).report.level[1].placed,
               4);
     EXPECT_GT(of(set, Kind::stipples).report.level[1].dropped_strayed, 0);
-    EXPECT_EQ(of(set, Kind::combing).report.level[1].dropped_strayed, 1);
-    EXPECT_EQ(of(set, Kind::combing).count(), 2 + 3);
+    EXPECT_EQ(of(set, combing).report.level[1].dropped_strayed, 1);
+    EXPECT_EQ(of(set, combing).count(), 2 + 3);
 }
 
 TEST(PublishedCurvature, IsFilledWhereWanted) {
     const Torus torus;
-    generate::Settings settings = recursion({Kind::stipples, Kind::principal, Kind::combing}, 1);
+    generate::Settings settings = recursion({Kind::stipples, principal, combing}, 1);
     PointSet set = make(torus, settings);
     EXPECT_TRUE(of(set, Kind::stipples).curvature.empty());
-    EXPECT_TRUE(of(set, Kind::combing).curvature.empty());
-    EXPECT_EQ(of(set, Kind::principal).curvature.size(), 3 * of(set, Kind::principal).count());
-    of(settings, Kind::stipples).with_curvature = of(settings, Kind::combing).with_curvature = true;
+    EXPECT_TRUE(of(set, combing).curvature.empty());
+    EXPECT_EQ(of(set, principal).curvature.size(), 3 * of(set, principal).count());
+    of(settings, Kind::stipples).with_curvature = of(settings, combing).with_curvature = true;
     set = make(torus, settings);
-    for (const Kind kind : {Kind::stipples, Kind::principal, Kind::combing}) {
+    for (const Which& kind : {Which(Kind::stipples), principal, combing}) {
         const Layer& marks = of(set, kind);
         ASSERT_EQ(marks.curvature.size(), 3 * marks.count());
         for (std::int64_t i = 0; i < marks.count(); ++i) {

@@ -44,7 +44,9 @@ def ring():
 
 @pytest.fixture(scope="session")
 def marks(ring):
-    return hrbfnpr.PointSet.generate(ring, ("stipples", "principal", "combing"), budget=3000)
+    lines = hrbfnpr.Layer("hatch", budget=3000, with_curvature=True)
+    combing = hrbfnpr.Layer("hatch", name="combing", budget=3000, guide="combing")
+    return hrbfnpr.PointSet.generate(ring, [hrbfnpr.Layer("stipples", budget=3000), lines, combing])
 
 
 @pytest.fixture(scope="session")

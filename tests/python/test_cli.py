@@ -116,12 +116,11 @@ def test_the_default_output_and_summary(files, tmp_path, monkeypatch, capsys):
         ["--kernel", "gaussian", "--kernel-radius", "0.5", "--degree", "0"],
         ["--kernel", "wendland-c2", "--regularization", "0.01", "--solver", "direct", "--refinement-steps", "1"],
         ["--distribution", "published", "--seeds", "box", "--box-resolution", "6", "--box-jitter", "0.1"],
-        ["--distribution", "published", "--levels", "stipples=2,principal=1", "--layers", "stipples,principal"],
+        ["--distribution", "published", "--levels", "stipples=2,hatch=1", "--layers", "stipples,hatch"],
         ["--distribution", "published", "--stroke-start", "stipples", "--start-level", "1", "--style", "combing"],
         ["--separation", "0.1", "--stroke-step", "0.03", "--style", "hatch", "--projection-tolerance", "1e-6"],
-        ["--symmetry", "line", "--stroke-length", "0.5", "--style", "combing"],
         ["--seed-points", "{xyz}", "--distribution", "published", "--levels", "1"],
-        ["--marks", "stipples=800", "--random-seed", "9", "--curvature-of", "stipples,combing"],
+        ["--marks", "stipples=800", "--random-seed", "9", "--curvature-of", "stipples,hatch"],
         ["--direction", "-1,-1,-0.5", "--up", "-z", "--fov", "0", "--margin", "0.2"],
         ["--azimuth", "-45", "--elevation", "60", "--up", "z", "--fov", "60"],
         ["--eye", "3,2,3", "--target", "0,0,0", "--fov", "40"],
@@ -130,26 +129,25 @@ def test_the_default_output_and_summary(files, tmp_path, monkeypatch, capsys):
         ["--light", "1,0,0", "--light-space", "world", "--fill-light", "0.4", "--tone-smoothing", "0.02"],
         ["--tone", "none", "--share", "0.5", "--mark-radius", "0.6", "--ink", "#203040", "--paper", "1,0.9,0.8"],
         ["--hidden-lines", "hide", "--delta", "0.3", "--halo", "4", "--splat-radius", "3", "--splat-overlap", "0"],
-        ["--visibility", "published", "--tone-curve", "linear", "--silhouette-law", "angle", "--tone-fade", "0"],
-        ["--visibility", "depth-layers", "--tone-curve", "coverage", "--silhouette-law", "width",
-         "--silhouette-width", "2"],
+        ["--visibility", "published", "--tone-curve", "linear", "--tone-fade", "0"],
+        ["--visibility", "depth-layers", "--tone-curve", "coverage"],
         ["--attenuation-front", "0.5", "--attenuation-back", "0.2", "--style", "silhouette"],
         ["--depth-range", "2,9", "--zoom-reference", "50", "--zoom-exponent", "1"],
-        ["--silhouette-ink", "#ff0000", "--silhouette-radius", "2", "--contours-of", "stipples"],
+        ["--silhouette-ink", "#ff0000", "--silhouette-radius", "2", "--visibility", "published"],
         ["--set", "stipples.radius=2", "--set", "stipples.shown=true", "--set", "tone=none"],
-        ["--set", "stipples.shown=true", "--set", "principal.directions=first", "--style", "cross-hatch"],
-        ["--set", "light=y", "--set", "stipples.ink=#ff0000", "--set", "combing.contours=0"],
+        ["--set", "stipples.shown=true", "--set", "hatch.directions=first", "--style", "cross-hatch"],
+        ["--set", "light=y", "--set", "stipples.ink=#ff0000", "--set", "hatch.contours=0"],
         ["--shape", "strokes", "--style", "hatch"],
         ["--guide", "light", "--guide-direction", "1,2,3", "--guide-weight", "0.5", "--style", "engraving"],
         ["--lines", "contour,suggestive,ridges,valleys,apparent,parabolic,border", "--style", "silhouette"],
         ["--lines", "contour,section=z:5,isophotes=0.2:0.6", "--hidden", "dashed", "--line-width", "1.5"],
-        ["--lines", "none", "--style", "xray"],
+        ["--lines", "none", "--style", "hatch"],
         ["--outline", "2", "--far-lines", "0.5", "--lit-lines", "0.5", "--sharp-lines", "0.5", "--wobble", "0.5"],
-        ["--tone-ranges", "in-turn", "--style", "full", "--set", "principal.shape=strokes"],
+        ["--tone-ranges", "in-turn", "--style", "full", "--set", "hatch.shape=strokes"],
         ["--distribution", "published", "--style", "full"],
         ["--scale-bar", "mm", "--profile", "yes", "--lines", "ridges", "--style", "hatch"],
         ["--style", "archaeological", "--profile", "no", "--scale-bar", "none", "--fov", "30"],
-        ["--tone-ranges", "in-turn", "--shared-marks", "3000", "--layers", "stipples,principal,combing"],
+        ["--tone-ranges", "in-turn", "--shared-marks", "3000", "--layers", "stipples,hatch"],
         ["--crease", "30", "--threads", "1", "--max-centres", "100"],
     ],
 )  # fmt: skip
@@ -210,11 +208,11 @@ def test_fit_points_draw_and_info(files, tmp_path, capsys):
     model, marks, ply = (str(tmp_path / name) for name in ("m.hrbf", "m.hrbp", "m.ply"))
     assert main(["fit", str(files["xyz"]), model]) == 0
     assert "72 centres" in capsys.readouterr().out
-    assert main(["points", model, marks, "--layers", "stipples,combing", "--marks", "900", "--levels", "2"]) == 0
+    assert main(["points", model, marks, "--layers", "stipples,hatch", "--marks", "900", "--levels", "2"]) == 0
     assert "marks" in capsys.readouterr().out
     assert main(["points", model, ply, "--marks", "900", "-q"]) == 0
     saved = hrbfnpr.PointSet.load(marks)
-    assert [layer.name for layer in saved.layers] == ["stipples", "combing"]
+    assert [layer.name for layer in saved.layers] == ["stipples", "hatch"]
     exported = hrbfnpr.shapes.read(ply)
     assert len(exported.points) == len(saved.layer("stipples")) and exported.normals is not None
     first, second = str(tmp_path / "1.png"), str(tmp_path / "2.png")
@@ -304,7 +302,8 @@ def test_unusable_points_are_left_out_with_a_note(tmp_path, capsys):
         (["draw", "{xyz}", "out.psd"], 1, "no picture format"),
         (["draw", "{xyz}", "out.bmpx"], 1, "no picture format"),
         (["draw", "{xyz}", "--box-jitter", "0.9"], 1, "box_jitter"),
-        (["draw", "{xyz}", "--layers", "combing", "--marks", "2"], 1, "at most 2 marks, a step of 0.0.* set a larger budget"),
+        (["draw", "{xyz}", "--layers", "hatch", "--separation", "50"], 1, "set a smaller separation"),
+        (["draw", "{xyz}", "--style", "xray", "--lines", "none"], 3, "nothing is drawn"),
         (["draw", "{xyz}", "--tone-exponent", "-1"], 1, "tone_exponent"),
         (["draw", "{xyz}", "--direction", "0,1,0"], 1, "up"),
         (["draw", "{xyz}", "--tolerance", "-1"], 1, "tolerance"),

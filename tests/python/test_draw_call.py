@@ -75,7 +75,7 @@ def test_a_plate_is_larger_than_its_drawing(tmp_path):
     "option, words",
     [
         ({"size": (160, 90)}, ["--size", "160x90"]),
-        ({"marks": {"stipples": 200, "principal": 30}}, ["--marks", "stipples=200,principal=30"]),
+        ({"marks": {"stipples": 200, "hatch": 30}}, ["--marks", "stipples=200,hatch=30"]),
         ({"budget": np.int64(70)}, ["--marks", "70"]),
         ({"lines": ["contour", "section=z:4"]}, ["--lines", "contour,section=z:4"]),
         ({"lines": []}, ["--lines", "none"]),
@@ -85,7 +85,7 @@ def test_a_plate_is_larger_than_its_drawing(tmp_path):
         ({"hidden_lines": "hide", "flip": True}, ["--hidden-lines", "hide", "--flip"]),
         ({"kernel": "wendland_c2"}, ["--kernel", "wendland-c2"]),
         ({"max_centres": 40, "tolerance": 1e-3}, ["--max-centres", "40", "--tolerance", "0.001"]),
-        ({"set": {"principal.ink": "#800000", "halo_width": 3}}, ["--set", "principal.ink=#800000", "--set", "halo_width=3"]),
+        ({"set": {"hatch.ink": "#800000", "halo_width": 3}}, ["--set", "hatch.ink=#800000", "--set", "halo_width=3"]),
         ({"page": (210, 297)}, ["--page", "210x297"]),
         ({"depth_range": None}, []),
     ],

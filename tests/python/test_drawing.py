@@ -17,13 +17,15 @@ def renderer():
 
 @pytest.fixture(scope="module")
 def style():
-    return hrbfnpr.Style("full")
+    style = hrbfnpr.Style("full")
+    style.layer("hatch").shape = "dots"
+    return style
 
 
 @pytest.fixture(scope="module")
 def strokes_style():
     style = hrbfnpr.Style("full")
-    style.layer("principal").shape = "strokes"
+    style.layer("hatch").shape = "strokes"
     return style
 
 
@@ -52,7 +54,7 @@ def above(width=200, height=100):
 
 def test_own_strokes_are_lines(renderer):
     marks = hrbfnpr.PointSet.create(flat_strokes())
-    style = hrbfnpr.Style(tone="none", layers=[hrbfnpr.LayerStyle("own", shape="strokes", contours=False, radius=1.5)])
+    style = hrbfnpr.Style(tone="none", layers=[hrbfnpr.LayerStyle("own", shape="strokes", radius=1.5)])
     drawing = renderer.draw((marks, style), above())
     assert (drawing.info.strokes, drawing.info.stroke_points, drawing.info.dots) == (2, 60, 1)
     dark = drawing.image()[..., 0] < 60
@@ -66,7 +68,7 @@ def test_own_strokes_are_lines(renderer):
 
 def test_dots_of_the_same_strokes_are_no_lines(renderer):
     marks = hrbfnpr.PointSet.create(flat_strokes())
-    style = hrbfnpr.Style(tone="none", layers=[hrbfnpr.LayerStyle("own", contours=False, radius=1.0)])
+    style = hrbfnpr.Style(tone="none", layers=[hrbfnpr.LayerStyle("own", radius=1.0)])
     drawing = renderer.draw((marks, style), above())
     assert (drawing.info.strokes, drawing.info.dots) == (0, 61)
     assert not (drawing.image()[49:51, 52:148, 0] < 60).all()
@@ -74,7 +76,7 @@ def test_dots_of_the_same_strokes_are_no_lines(renderer):
 
 def test_line_and_triangle_strips(renderer):
     marks = hrbfnpr.PointSet.create(flat_strokes())
-    style = hrbfnpr.Style(tone="none", layers=[hrbfnpr.LayerStyle("own", shape="strokes", contours=False, radius=1.5)])
+    style = hrbfnpr.Style(tone="none", layers=[hrbfnpr.LayerStyle("own", shape="strokes", radius=1.5)])
     drawing = renderer.draw((marks, style), above())
     vertices, indices = drawing.vertices("line_strips", ("position", "window", "radius", "length", "id", "layer"))
     assert len(vertices) == 60 and len(indices) == 62 and indices.dtype == np.uint32
@@ -135,16 +137,18 @@ def test_mark_results_are_those_of_the_drawing(drawing, lines, marks):
         assert shown == len(seen)
 
 
-def test_mark_indices_are_those_that_are_shown(drawing, lines, marks):
-    for one in (drawing, lines):
+def test_mark_indices_are_those_that_are_shown(renderer, drawing, lines, marks, camera, style):
+    published = renderer.draw((marks, style.copy(visibility="published")), camera)
+    assert published.info.silhouette > 100 and drawing.info.silhouette == 0
+    for one in (drawing, lines, published):
         for layer in marks.layers:
             shown = one.mark_results(0, layer.number).shown
             for name in ("front", "silhouette"):
                 indices = one.mark_indices(0, layer.name, name)
                 assert indices.dtype == np.uint32
                 np.testing.assert_array_equal(np.sort(indices), np.flatnonzero(shown == hrbfnpr.CLASSES[name]))
-    layer = marks.layer("principal")
-    strips = lines.mark_indices(0, "principal", primitive="line_strips")
+    layer = marks.layer("hatch")
+    strips = lines.mark_indices(0, "hatch", primitive="line_strips")
     assert strips[-1] == RESTART
     along = layer.stroke_places
     run = []
@@ -155,7 +159,7 @@ def test_mark_indices_are_those_that_are_shown(drawing, lines, marks):
             run = []
         else:
             run.append(index)
-    pairs = lines.mark_indices(0, "principal", primitive="triangle_strips")
+    pairs = lines.mark_indices(0, "hatch", primitive="triangle_strips")
     inner = strips[strips != RESTART]
     np.testing.assert_array_equal(pairs[pairs != RESTART], np.column_stack([2 * inner, 2 * inner + 1]).ravel())
 
@@ -224,7 +228,7 @@ def test_poses_are_as_good_as_a_set_at_the_new_places(renderer, marks, camera, s
 
     def copy(layer, moved):
         positions, normals, directions = places(layer, moved)
-        made = hrbfnpr.OwnLayer(positions, normals, kind=layer.kind, directions=directions, ranks=layer.ranks)
+        made = hrbfnpr.OwnLayer(positions, normals, layer.name, layer.kind, directions=directions, ranks=layer.ranks)
         if layer.info.strokes:
             made.stroke_first, made.widths = layer.stroke_first, layer.widths
             made.stroke_directions = layer.stroke_places[layer.stroke_first[:-1], 0] % 2

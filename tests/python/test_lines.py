@@ -39,7 +39,7 @@ def test_contours_are_curves(model, marks):
     info = drawing.info
     assert info.line_refined <= info.line_curves
     assert info.line_curves >= 2 and info.line_broken == info.line_settled == info.line_contradictions == 0
-    assert info.silhouette == 0  # marks draw no contours then
+    assert info.silhouette == 0  # marks draw no contours
     lines = drawing.polylines(drawing.layers.index(contour))
     assert len(lines) == contour.strokes
     for line in lines:

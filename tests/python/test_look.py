@@ -88,10 +88,11 @@ def test_presets():
         assert style == hrbfnpr.Style(name)
     assert [layer.kind for layer in hrbfnpr.preset_layers("hatch")] == ["stipples", "hatch"]
     assert [layer.guide for layer in hrbfnpr.preset_layers("combing")[1:]] == ["combing", "combing"]
-    for name, kind in (("hatch", "principal"), ("cross-hatch", "principal"), ("combing", "combing"), ("full", "principal")):
+    for name in ("hatch", "cross-hatch", "combing", "full"):
+        guide = "combing" if name == "combing" else "curvature"
         published = hrbfnpr.preset_layers(name, "published")
-        assert published == [hrbfnpr.Layer("stipples"), hrbfnpr.Layer(kind)]
-        assert hrbfnpr.Style(name).style_of(kind).shown and hrbfnpr.Style(name).style_of(kind).shape != "hatch"
+        assert published == [hrbfnpr.Layer("stipples"), hrbfnpr.Layer("hatch", guide=guide)]
+        assert hrbfnpr.Style(name).style_of("hatch").shown
     assert hrbfnpr.preset_layers("stipple", "published") == hrbfnpr.preset_layers("stipple")
     sets = hrbfnpr.preset_layers("etching")[1:]
     assert [(layer.kind, layer.name, layer.angle) for layer in sets] == [
@@ -122,16 +123,16 @@ def test_every_field_can_be_read_and_written():
     for name, numbers in {
         "visibility": {"depth_layers": 0, "published": 1},
         "tone_curve": {"coverage": 0, "linear": 1},
-        "silhouette_law": {"width": 0, "angle": 1},
+        "tone_rule": {"share": 0, "published": 1},
     }.items():
         assert name in style.fields() and getattr(style, name) == next(iter(numbers))
         for choice, number in numbers.items():
             setattr(style, name, choice)
             assert getattr(style, name) == choice and getattr(style._prepared()[0], name) == number
-    assert (style.tone_fade, style.silhouette_width, style.fill_light) == (0.25, 1, 0.25)
-    style.update(tone_fade=0.5, silhouette_width=2.5, fill_light=0.125)
+    assert (style.tone_fade, style.silhouette_radius, style.fill_light) == (0.25, 1, 0.25)
+    style.update(tone_fade=0.5, silhouette_radius=2.5, fill_light=0.125)
     struct = style._prepared()[0]
-    assert (struct.tone_fade, struct.silhouette_width, struct.fill_light) == (0.5, 2.5, 0.125)
+    assert (struct.tone_fade, struct.silhouette_radius, struct.fill_light) == (0.5, 2.5, 0.125)
     style.hidden_lines = "hide"
     style.light = (1, 2, 3)
     style.paper = "#ff000080"
@@ -140,9 +141,9 @@ def test_every_field_can_be_read_and_written():
 
 
 def test_layers_of_a_style():
-    style = hrbfnpr.Style("hatch", principal={"radius": 2.5, "ink": (0.1, 0.2, 0.3)}, tone_exponent=3)
-    assert style.layer("principal").radius == 2.5 and style.tone_exponent == 3
-    np.testing.assert_allclose(style.layer("principal").ink, (0.1, 0.2, 0.3, 1), atol=1e-6)
+    style = hrbfnpr.Style("hatch", own={"radius": 2.5, "ink": (0.1, 0.2, 0.3)}, tone_exponent=3)
+    assert style.layer("own").radius == 2.5 and style.tone_exponent == 3
+    np.testing.assert_allclose(style.layer("own").ink, (0.1, 0.2, 0.3, 1), atol=1e-6)
     layer = style.layer("stipples")
     layer.shown, layer.share, layer.directions = True, 0.5, "first"
     assert style.layers[0] is layer and "share=0.5" in repr(layer) and layer.directions == ("first",)
@@ -157,14 +158,14 @@ def test_layers_of_a_style():
 
 def test_what_a_layer_takes():
     style = hrbfnpr.Style()
-    assert style.layers == [] and style.style_of("combing") == hrbfnpr.LayerStyle("combing")
+    assert style.layers == [] and style.style_of("hatch") == hrbfnpr.LayerStyle("hatch")
     style.layers = [hrbfnpr.LayerStyle(name="fur", radius=2), hrbfnpr.LayerStyle(shape="strokes", radius=3)]
-    assert style.style_of("own", "fur").radius == 2 and style.style_of("field", "grass").radius == 3
-    combing = style.layer("combing")  # of its own, in front of what it took
-    combing.radius = 4
-    assert [layer.kind for layer in style.layers] == ["any", "combing", "any"] and combing.shape == "strokes"
-    assert style.style_of("combing").radius == 4 and style.style_of("field").radius == 3
-    assert style.layer("combing") is combing and style.layer("any") is style.layers[2]
+    assert style.style_of("own", "fur").radius == 2 and style.style_of("stipples", "grass").radius == 3
+    lines = style.layer("hatch")  # of its own, in front of what it took
+    lines.radius = 4
+    assert [layer.kind for layer in style.layers] == ["any", "hatch", "any"] and lines.shape == "strokes"
+    assert style.style_of("hatch").radius == 4 and style.style_of("stipples").radius == 3
+    assert style.layer("hatch") is lines and style.layer("any") is style.layers[2]
     assert style.layer("fur") is style.layers[0]
     grass = style.layer("grass")
     assert style.layers[0] is grass and (grass.kind, grass.name, grass.radius) == ("any", "grass", 3)
@@ -191,9 +192,9 @@ def test_what_a_layer_takes():
         (lambda s: setattr(s, "hidden_lines", "no"), ValueError),
         (lambda s: setattr(s, "visibility", "hidden"), ValueError),
         (lambda s: setattr(s, "tone_curve", "cubic"), ValueError),
-        (lambda s: setattr(s, "silhouette_law", "none"), ValueError),
+        (lambda s: setattr(s, "tone_rule", "none"), ValueError),
         (lambda s: setattr(s, "tone_fade", "slow"), ValueError),
-        (lambda s: setattr(s, "silhouette_width", None), TypeError),
+        (lambda s: setattr(s, "silhouette_radius", None), TypeError),
         (lambda s: setattr(s, "halo_width", "wide"), ValueError),
         (lambda s: s.update(halo=3), TypeError),
         (lambda s: hrbfnpr.Style("stipple", hallo=3), TypeError),

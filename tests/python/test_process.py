@@ -51,7 +51,7 @@ assert list(rays.hits) == [2, 0] and list(ball.contains([(0, 0.9, 0), (0, 1.1, 0
 assert ball.cast_rays([(0, 3, 0)], [(0, -1, 0)]).position.shape == (1, 3)
 marks = hrbfnpr.PointSet.generate(model, budget=500)
 assert marks.layers[0].positions.shape == (len(marks), 3)
-strokes = model.generate("combing", budget=500).layers[0]
+strokes = model.generate("hatch", budget=500).layers[0]
 assert [sum(map(len, strokes.strokes())), len(strokes.strokes())] == [len(strokes), strokes.info.strokes]
 own = hrbfnpr.PointSet.create(hrbfnpr.OwnLayer([(1, 0, 0), (0, 1, 0)], [(1, 0, 0), (0, 1, 0)], stroke_first=[0, 2]))
 assert list(own.layers[0].stroke_first) == [0, 2] and list(own.layers[0].strokes()[0]) == [0, 1]

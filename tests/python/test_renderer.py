@@ -168,7 +168,7 @@ def test_bad_frames(renderer, marks, camera):
         renderer.draw(hrbfnpr.Item(marks, None, np.zeros((4, 4))), camera)
     with pytest.raises(hrbfnpr.InvalidArgumentError, match="paper"):
         renderer.draw([(marks, STYLE), (marks, STYLE.copy(paper="#000000"))], camera)
-    for name, value in {"tone_exponent": -1, "tone_fade": 1.5, "fill_light": 2, "silhouette_width": -1}.items():
+    for name, value in {"tone_exponent": -1, "tone_fade": 1.5, "fill_light": 2, "silhouette_radius": -1}.items():
         with pytest.raises(hrbfnpr.InvalidArgumentError, match=name):
             renderer.draw((marks, STYLE.copy(**{name: value})), camera)
     with pytest.raises(ValueError, match="closed"):

@@ -36,7 +36,7 @@ def put(folder, **settings):
     ("--style", "archaeological", "--profile", "no", "--scale-bar", "none", "--separation", "0.1"),
     ("--lines", "contour,suggestive,section=z:7,isophotes=0.3:0.6", "--ink", "#204060", "--hidden", "dashed"),
     ("--distribution", "published", "--levels", "3", "--step", "0.2", "--style", "full"),
-    ("--style", "combing", "--layers", "combing", "--fov", "0", "--set", "combing.directions=first"),
+    ("--style", "combing", "--layers", "hatch", "--guide", "combing", "--fov", "0", "--set", "hatch.hatch_pen=1.5"),
     ("--kernel", "wendland-c2", "--kernel-radius", "3", "--tone", "none", "--transparent"),
 ])  # fmt: skip
 def test_what_is_saved_draws_the_same_picture(folder, options):

@@ -32,11 +32,18 @@ protected:
         style.kind[0].radius = 1.6F;
         style.kind[0].ink = {0.2F, 0.5F, 0.1F, 0.8F};
         style.silhouette_ink = style.kind[0].ink;
-        if (GetParam().many) style.silhouette_ink = {0.9F, 0.1F, 0.3F, 0.9F};
-        const std::array items{GetParam().published ? item_of(set, style) : layered_item(set, style)};
+        Style other = style;
+        if (GetParam().many) other.kind[0].ink = other.silhouette_ink = {0.9F, 0.1F, 0.3F, 0.9F};
+        const auto item = [&](const Style& its, const glm::dmat4& transform) {
+            return GetParam().published ? item_of(set, its, transform) : layered_item(set, its, transform);
+        };
+        const std::array items{item(style, glm::dmat4(1.0)), item(other, glm::dmat4(glm::dmat3(0.5)))};
         frame::Camera camera = front_camera(width, height, 1.5);
         camera.view = frame::look_at({0.0, -8.0, 5.0}, glm::dvec3(0.0), {0, 0, 1});
         frame.draw(items, camera);
+        if (!GetParam().published) {
+            EXPECT_EQ(frame.drawing().one_color, !GetParam().many);
+        }
     }
     Picture draw_as(Format format, bool over = false) {
         Picture picture(width, height, format);

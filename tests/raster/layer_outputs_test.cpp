@@ -79,7 +79,7 @@ TEST_P(LayerOutputs, TellTheNearestLayerAndItsMark) {
     }
 }
 
-TEST_P(LayerOutputs, TellAnInnerSideAndAContour) {
+TEST_P(LayerOutputs, TellAnInnerSide) {
     // The near half is taken away: the far half's inner side is seen.
     marks::PointSet bowl(runtime.memory);
     for (int i = 0; i < 40000; ++i) {
@@ -90,7 +90,6 @@ TEST_P(LayerOutputs, TellAnInnerSideAndAContour) {
     bowl.spacing = std::sqrt(4.0 * pi / 40000.0);
     set = clustered(runtime, std::move(bowl));
     Style style = all_front(frame::HiddenLines::hide);
-    style.contour_kinds = 1;
     style.halo_width = 0.0F;
     draw(style);
     const auto at = [](double x, double y) {
@@ -99,11 +98,7 @@ TEST_P(LayerOutputs, TellAnInnerSideAndAContour) {
     };
     EXPECT_EQ(mark_class[at(0.0, 0.0)], static_cast<std::uint8_t>(MarkClass::back));
     EXPECT_NEAR(eye_depth(at(0.0, 0.0)), 11.0, 0.02);
-    std::int64_t contour = 0;
-    for (int k = 0; k < 100; ++k)
-        contour += mark_class[at(0.995 * std::cos(0.0628 * k), 0.995 * std::sin(0.0628 * k))] ==
-                   static_cast<std::uint8_t>(MarkClass::silhouette);
-    EXPECT_GT(contour, 30); // the rest is that of splats that reach over it
+    for (const std::uint8_t one : mark_class) EXPECT_NE(one, static_cast<std::uint8_t>(MarkClass::silhouette));
 }
 
 TEST_P(LayerOutputs, LeaveOutWhatTheHostHides) {

@@ -168,7 +168,6 @@ protected:
         std::vector<frame::Item> items;
         for (std::size_t i = 0; i < sets.size(); ++i) {
             styles[i].paper = paper;
-            styles[i].silhouette_ink = styles[i].kind[0].ink;
             items.push_back(layered_item(sets[i], styles[i]));
         }
         frame::Camera camera = pixel_camera(width, height);
@@ -277,7 +276,7 @@ TEST_F(LayerRaster, TheHostsDepthHidesExactlyWhatIsBehindIt) {
 }
 
 TEST_F(LayerRaster, DiscsDrawnPlainlyGiveThePicture) {
-    // A real frame: layers, halos, tone and contours.
+    // A real frame: layers, halos and tone.
     const marks::PointSet ball = clustered(runtime, sphere(runtime.memory, 6000, 1.0));
     const marks::PointSet ring = clustered(runtime, torus(runtime.memory, 70));
     for (const glm::vec4& paper : papers) {
@@ -288,7 +287,6 @@ TEST_F(LayerRaster, DiscsDrawnPlainlyGiveThePicture) {
             style.attenuation_front = 0.3;
             style.attenuation_back = 0.2;
             style.splat_overlap = 2.0F; // so that hidden ink is seen
-            if (many) style.silhouette_ink = {0.9F, 0.2F, 0.1F, 0.8F};
             Style other = style;
             if (many) other.kind[0].ink = {0.1F, 0.6F, 0.2F, 0.7F};
             const std::array items{layered_item(ball, style), layered_item(ring, other)};
@@ -330,13 +328,15 @@ TEST_F(LayerRaster, SameBitsForAnyThreadCountAndInstructionSet) {
         style.kind[0].radius = 1.7F;
         style.attenuation_front = 0.3;
         style.splat_overlap = 2.0F;
-        if (many) style.silhouette_ink = {0.9F, 0.2F, 0.1F, 0.8F};
-        const std::array items{layered_item(ball, style), layered_item(ring, style)};
+        Style other_style = style;
+        if (many) other_style.kind[0].ink = {0.9F, 0.2F, 0.1F, 0.8F};
+        const std::array items{layered_item(ball, style), layered_item(ring, other_style)};
         DrawnFrame own(other);
         frame::Camera camera = front_camera(333, 222);
         camera.projection = frame::perspective(0.3, 333, 222, 1.0, 30.0, camera.depth);
         camera.view = frame::look_at({3.0, 4.0, 8.0}, glm::dvec3(0.0), {0, 1, 0});
         own.draw(items, camera);
+        EXPECT_EQ(own.drawing().one_color, !many);
         Picture picture(333, 222);
         DrawSettings settings;
         settings.linear_light = linear;
@@ -385,9 +385,11 @@ TEST_F(LayerRaster, AllocatesNothingOnceWarm) {
     const base::Runtime counted = test::with_allocator(counter);
     const marks::PointSet ring = clustered(counted, torus(counted.memory, 80));
     Style style;
-    const std::array items{layered_item(ring, style)};
-    style.silhouette_ink = {1.0F, 0.0F, 0.0F, 1.0F};
-    const std::array colored{layered_item(ring, style)};
+    Style red = style;
+    red.kind[0].ink = {1.0F, 0.0F, 0.0F, 1.0F};
+    const glm::dmat4 smaller(glm::dmat3(0.5));
+    const std::array items{layered_item(ring, style), layered_item(ring, style, smaller)};
+    const std::array colored{layered_item(ring, style), layered_item(ring, red, smaller)};
     DrawnFrame own(counted);
     output::Raster own_raster(counted);
     Picture picture(240, 240);
@@ -403,6 +405,7 @@ TEST_F(LayerRaster, AllocatesNothingOnceWarm) {
                 frame::look_at({8.0 * std::sin(angle), 3.0, 8.0 * std::cos(angle)}, glm::dvec3(0.0), {0, 1, 0});
             camera.projection = frame::perspective(0.4, 240, 240, 1.0, 20.0, camera.depth);
             own.draw(step % 2 == 0 ? items : colored, camera);
+            ASSERT_EQ(own.drawing().one_color, step % 2 == 0);
             own_raster.draw(own.drawing(), picture.image(), settings);
             ASSERT_FALSE(own.discs().empty());
         }

@@ -15,8 +15,7 @@ protected:
 
 TEST_P(Presets, DrawATorus) {
     marks::PointSet set = torus(runtime.memory, 120);
-    add_torus_strokes(set, marks::Kind::principal, 1500, 27, 0.3);
-    add_torus_strokes(set, marks::Kind::combing, 1500, 27, 0.3);
+    add_torus_strokes(set, marks::Kind::hatch, 1500, 27, 0.3);
     const NamedStyle preset(GetParam());
     const frame::Camera camera = frame::fit_bounds(set.bounds, {0.2, 0.75, -0.6}, {0.0, 0.0, 1.0}, 0.6, 900, 700, 0.05,
                                                    drawing::DepthConvention::negative_one_to_one);

@@ -348,10 +348,10 @@ TEST_F(StrokePicture, SameBitsForAnyThreadCountAndInstructionSet) {
         const base::Runtime other(nullptr, nullptr, nullptr, base::Parallel(threads, nullptr, nullptr), instructions,
                                   nullptr, nullptr);
         marks::PointSet ring = torus(other.memory, 60);
-        add_torus_strokes(ring, marks::Kind::combing, 600, 27, 0.3);
+        add_torus_strokes(ring, marks::Kind::hatch, 600, 27, 0.3);
         ring = clustered(other, std::move(ring));
         std::array<LayerStyle, 2> layers;
-        layers[0].kind = marks::Kind::combing;
+        layers[0].kind = marks::Kind::hatch;
         layers[0].shape = frame::Shape::strokes;
         layers[0].radius = 1.4F;
         layers[0].ink[3] = 0.8F;
@@ -382,10 +382,10 @@ TEST_F(StrokePicture, AllocatesNothingOnceWarm) {
     test::Allocator counter;
     const base::Runtime counted = test::with_allocator(counter);
     marks::PointSet ring = torus(counted.memory, 60);
-    add_torus_strokes(ring, marks::Kind::combing, 600, 27, 0.3);
+    add_torus_strokes(ring, marks::Kind::hatch, 600, 27, 0.3);
     ring = clustered(counted, std::move(ring));
     std::array<LayerStyle, 2> layers;
-    layers[0].kind = marks::Kind::combing;
+    layers[0].kind = marks::Kind::hatch;
     layers[0].shape = frame::Shape::strokes;
     layers[1].kind = marks::Kind::stipples;
     frame::Style style;

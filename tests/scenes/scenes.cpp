@@ -87,6 +87,13 @@ PointSet marks_of(hrbfnpr_context* context, const hrbfnpr_model* model, const Re
     return PointSet(set);
 }
 
+LineSet lines_of(hrbfnpr_context* context, const hrbfnpr_model* model) {
+    Check check;
+    hrbfnpr_line_set* set = nullptr;
+    check(hrbfnpr_line_set_create(context, model, nullptr, nullptr, &set, check.error()));
+    return LineSet(set);
+}
+
 } // namespace
 
 std::span<const std::string_view> names() { return scene_names; }
@@ -99,6 +106,7 @@ Scene make(hrbfnpr_context* context, std::string_view name, int width, int heigh
     check(hrbfnpr_style_init_preset(&scene.style, sizeof scene.style, r.preset, check.error()));
     if (name == "heart-combing") scene.style.paper[3] = 0.0F; // one scene with transparent paper
     scene.marks = marks_of(context, scene.model.get(), r);
+    if (scene.style.line_count > 0) scene.lines = lines_of(context, scene.model.get());
     hrbfnpr_point_set_info info;
     hrbfnpr_point_set_info_init(&info, sizeof info);
     check(hrbfnpr_point_set_get_info(scene.marks.get(), &info, check.error()));
@@ -116,6 +124,7 @@ Picture draw(hrbfnpr_context* context, const Scene& scene) {
     hrbfnpr_item item;
     hrbfnpr_item_init(&item, sizeof item);
     item.point_set = scene.marks.get();
+    item.line_set = scene.lines.get();
     item.style = &scene.style;
     hrbfnpr_drawing* drawn = nullptr;
     check(hrbfnpr_renderer_draw(handle, &item, 1, 0, &scene.camera, &drawn, check.error()));

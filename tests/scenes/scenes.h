@@ -21,6 +21,7 @@ struct Picture {
 struct Scene {
     Model model;
     PointSet marks;
+    LineSet lines; // NULL where the style draws none
     hrbfnpr_style style{};
     hrbfnpr_camera camera{};
 };

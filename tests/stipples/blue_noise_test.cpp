@@ -204,16 +204,16 @@ TEST(BlueNoise, MarksKeepApartAroundASharpRim) {
 
 TEST(BlueNoise, OpenSheetsEndALittleOutsideTheBounds) {
     const Plane plane({0.0, 0.0, 1.0}, 0.0, {{-1.0, -1.0, 0.0}, {1.0, 1.0, 0.0}});
-    const PointSet set = make(plane, blue({Kind::stipples, Kind::principal}, 3000));
+    const PointSet set = make(plane, blue({Kind::stipples, Kind::hatch}, 3000));
     const double margin = 0.03 * std::sqrt(8.0);
     EXPECT_NEAR(set.bounds.max.x, 1.0 + margin, 0.05);
     EXPECT_LE(set.bounds.max.x, 1.0 + margin) << "strokes that reach farther are cut";
     EXPECT_GE(set.bounds.min.y, -1.0 - margin);
     expect_sound(set, plane);
-    const LayerReport& strokes = of(set, Kind::principal).report;
+    const LayerReport& strokes = of(set, Kind::hatch).report;
     std::int64_t placed = 0;
     for (const LevelReport& level : strokes.level) placed += level.placed;
-    EXPECT_EQ(of(set, Kind::principal).count(), placed);
+    EXPECT_EQ(of(set, Kind::hatch).count(), placed);
     const Evenness e = evenness(set, 1.0, std::pow(2.0 + 2.0 * margin, 2));
     EXPECT_GT(e.smallest, 0.6);
     EXPECT_GT(e.mean, 0.74);
@@ -224,7 +224,7 @@ TEST(BlueNoise, OpenSheetsEndALittleOutsideTheBounds) {
 TEST(BlueNoise, OneSampleGivesASquareOfItsPlane) {
     const std::vector<double> sample = {3.0, 2.0, 1.0};
     const Plane plane({0.0, 1.0, 0.0}, 2.0, {{3.0, 2.0, 1.0}, {3.0, 2.0, 1.0}});
-    const PointSet set = make(plane, blue({Kind::stipples, Kind::principal}, 2000), {sample, 0.0});
+    const PointSet set = make(plane, blue({Kind::stipples, Kind::hatch}, 2000), {sample, 0.0});
     EXPECT_EQ(of(set, Kind::stipples).count(), 2000);
     expect_sound(set, plane);
     EXPECT_NEAR(set.bounds.min.x, 2.5, 0.1);

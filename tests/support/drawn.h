@@ -24,7 +24,8 @@ struct KindStyle {
     glm::vec4 ink{0.0F, 0.0F, 0.0F, 1.0F};
 };
 
-// Of stipples, principal and combing layers; bit (1 << kind) of contour_kinds: its contours.
+// Styles of layers of stipples, of hatching and of own marks. Bit (1 << k) of contour_kinds is set where layers of the
+// k-th of these kinds have contours.
 struct Style : frame::Style {
     std::array<KindStyle, 3> kind;
     std::uint32_t contour_kinds = 7;
@@ -33,7 +34,7 @@ struct Style : frame::Style {
 // The same as layers, which live as long as the program.
 inline frame::Style kept(const Style& style) {
     static std::deque<std::array<frame::LayerStyle, 3>> all;
-    constexpr std::array kinds{marks::Kind::stipples, marks::Kind::principal, marks::Kind::combing};
+    constexpr std::array kinds{marks::Kind::stipples, marks::Kind::hatch, marks::Kind::own};
     std::array<frame::LayerStyle, 3>& layers = all.emplace_back();
     for (std::size_t k = 0; k < 3; ++k) {
         const KindStyle& one = style.kind[k];

@@ -34,12 +34,12 @@ struct Generation : hrbfnpr_generate_desc {
     return desc;
 }
 
-// Stipples, principal and combing strokes, each of this budget.
+// Stipples, hatching by curvature and hatching by combing, each of this budget.
 [[nodiscard]] inline Generation three_layers(std::int64_t budget) {
     Generation desc;
-    for (const std::uint32_t kind :
-         {HRBFNPR_LAYER_KIND_STIPPLES, HRBFNPR_LAYER_KIND_PRINCIPAL, HRBFNPR_LAYER_KIND_COMBING})
-        desc.add(kind, budget);
+    desc.add(HRBFNPR_LAYER_KIND_STIPPLES, budget);
+    desc.add(HRBFNPR_LAYER_KIND_HATCH, budget);
+    desc.add(HRBFNPR_LAYER_KIND_HATCH, budget).guide = HRBFNPR_HATCH_GUIDE_COMBING;
     return desc;
 }
 

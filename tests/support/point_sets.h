@@ -28,27 +28,47 @@ inline base::InView view(const std::vector<double>& numbers, std::uint32_t compo
             std::int64_t{8} * components, base::Scalar::float64, components};
 }
 
-// The settings of the first layer of a kind, which is made if there is none.
-inline LayerSettings& of(generate::Settings& settings, Kind kind) {
+// Which layer is meant: the first of a kind or, of hatching that differs by its guide, the one with this name.
+struct Which {
+    Kind kind = Kind::stipples;
+    LayerName name{};
+    hatching::Guide guide = hatching::Guide::curvature;
+
+    Which(Kind any) noexcept : kind(any) {} // NOLINT(google-explicit-constructor): the first of a kind
+    Which(const char* called, hatching::Guide follows) noexcept : kind(Kind::hatch), guide(follows) {
+        std::strncpy(name.data(), called, name.size() - 1);
+    }
+    [[nodiscard]] bool is(Kind other, const LayerName& called) const noexcept {
+        return other == kind && (name[0] == '\0' || called == name);
+    }
+};
+inline const Which principal{"principal", hatching::Guide::curvature};
+inline const Which combing{"combing", hatching::Guide::combing};
+
+// The settings of a layer, which is made if there is none.
+inline LayerSettings& of(generate::Settings& settings, const Which& which) {
     for (LayerSettings& layer : settings.layers)
-        if (layer.kind == kind) return layer;
-    settings.layers.emplace_back().kind = kind;
-    return settings.layers.back();
+        if (which.is(layer.kind, layer.name)) return layer;
+    LayerSettings& made = settings.layers.emplace_back();
+    made.kind = which.kind;
+    made.name = which.name;
+    made.hatching.field.guide = which.guide;
+    return made;
 }
 
-// Settings with layers of these kinds and the published recursion, without budgets.
-inline generate::Settings recursion(std::initializer_list<Kind> kinds, std::int32_t levels) {
+// Settings with these layers and the published recursion, without budgets.
+inline generate::Settings recursion(std::initializer_list<Which> layers, std::int32_t levels) {
     generate::Settings settings;
     settings.distribution = Distribution::published;
-    for (const Kind kind : kinds) {
-        of(settings, kind).budget = 0;
-        of(settings, kind).published.levels = levels;
+    for (const Which& which : layers) {
+        of(settings, which).budget = 0;
+        of(settings, which).published.levels = levels;
     }
     return settings;
 }
 
-inline generate::Settings blue(std::initializer_list<Kind> kinds, std::int64_t budget, std::int32_t levels = 3) {
-    generate::Settings settings = recursion(kinds, levels);
+inline generate::Settings blue(std::initializer_list<Which> layers, std::int64_t budget, std::int32_t levels = 3) {
+    generate::Settings settings = recursion(layers, levels);
     settings.distribution = Distribution::blue_noise;
     for (LayerSettings& layer : settings.layers) layer.budget = budget;
     return settings;
@@ -73,11 +93,11 @@ inline PointSet make(const implicit::Implicit& implicit, const generate::Setting
     return generate::generate(runtime(), implicit, samples, settings, {});
 }
 
-// The first layer of a kind; an empty one if there is none.
-inline const Layer& of(const PointSet& set, Kind kind) {
+// An empty layer if there is none.
+inline const Layer& of(const PointSet& set, const Which& which) {
     static const Layer empty(runtime().memory);
     for (const Layer& layer : set.layers)
-        if (layer.kind == kind) return layer;
+        if (which.is(layer.kind, layer.name)) return layer;
     return empty;
 }
 
@@ -88,7 +108,9 @@ inline glm::dvec3 vec(const base::Array<float>& array, std::int64_t i) {
 inline glm::dvec3 position(const PointSet& set, const Layer& layer, std::int64_t i) {
     return set.origin + vec(layer.position, i);
 }
-inline glm::dvec3 position(const PointSet& set, Kind kind, std::int64_t i) { return position(set, of(set, kind), i); }
+inline glm::dvec3 position(const PointSet& set, const Which& which, std::int64_t i) {
+    return position(set, of(set, which), i);
+}
 
 // Each mark stands in one stroke, and the strokes' marks from end to end.
 inline void expect_strokes(const Layer& layer) {

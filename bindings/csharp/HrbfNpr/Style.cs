@@ -92,8 +92,7 @@ namespace HrbfNpr
 
         /// <summary>
         /// The lines that are drawn, with <see cref="HrbfNpr.Visibility.DepthLayers"/>, of items that have a
-        /// <see cref="Item.LineSet"/>; with one of kind Contour their marks draw no contours.  All presets but Stipple
-        /// have one; a new style has none.
+        /// <see cref="Item.LineSet"/>.  All presets but Stipple have one; a new style has none.
         /// </summary>
         public IList<LineStyle> Lines { get; }
 

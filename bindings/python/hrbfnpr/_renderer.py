@@ -43,8 +43,7 @@ class Item:
         Where the marks of some layers, by number or name, have moved: (positions, normals) or (positions,
         normals, directions), of shape (n, 3) each, absolute, in the order of the layer's marks.
     line_set : LineSet, optional
-        What the style's lines are drawn from, in the place of contours that marks draw.  All items of a drawing
-        that have one hide each other's lines.
+        What the style's lines are drawn from.  All items of a drawing that have one hide each other's lines.
     sides : {"front", "both"}
         "both" draws the marks on the inside of a surface that ends, such as a bowl or a leaf, too, where it looks to
         the camera: with opposite normals for tone, the same ids, and in layers of their own behind all others.

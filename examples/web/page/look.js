@@ -38,20 +38,17 @@ export function styleOf(planned, settings) {
   const style = { ...planned, toneExponent: planned.toneExponent * tone,
                   fillLight: Math.min((planned.fillLight ?? 0) + fill, 1) };
   if (isMoved(settings)) Object.assign(style, { light: lightOf(settings), lightSpace: "camera" });
-  style.layers = planned.layers?.map((layer) => penOf({ ...layer, contours: contour > 0 ? layer.contours : 0 }, settings));
+  style.layers = planned.layers?.map((layer) => penOf(layer, settings));
   style.lines = contour > 0 ? planned.lines?.map((line) => lineOf(line, settings)) : undefined;
-  style.silhouetteWidth = Math.max(planned.silhouetteWidth * contour, 0.1);
-  style.silhouetteRadius = Math.max(planned.silhouetteRadius * contour, 0.1);
   if (hidden !== "preset")
     style.hiddenLines = { none: "hide", attenuated: "attenuate", dashed: "attenuate", shown: "show" }[hidden];
-  if (ink) style.silhouetteInk = straight(ink, planned.silhouetteInk[3]);
   if (paper) style.paper = straight(paper, 1);
   return style;
 }
 
 const LAYER_LENGTHS = ["radius", "hatchPen", "hatchSpacing", "hatchWhite", "hatchTaper", "hatchShortest", "hatchOvershoot"];
 const LINE_LENGTHS = ["width", "hiddenWidth", "taper", "shortest"];
-const STYLE_LENGTHS = ["silhouetteWidth", "silhouetteRadius", "haloWidth"];
+const STYLE_LENGTHS = ["haloWidth"];
 
 function multiplied(fields, names, ratio) {
   return Object.fromEntries(names.filter((name) => name in fields).map((name) => [name, fields[name] * ratio]));

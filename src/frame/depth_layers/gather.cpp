@@ -63,13 +63,16 @@ ItemInk Gather::ink_of(const Scene& scene, std::int64_t first) {
     for (std::int64_t r = first; r < scene.runs.size() && scene.runs[r].item == scene.runs[first].item; ++r) {
         const Run& run = scene.runs[r];
         if (!run.draws_front || !run.makes_tone || run.as_hatch) continue; // hatching makes a tone of its own
-        const float directions = run.directions == 3U ? 1.0F : 0.5F;
+        // Lines of blue-noise hatching have one direction, other strokes two with half of the marks each.
+        const bool has_one = run.scattered || (run.marks->progressive && run.marks->kind == marks::Kind::hatch);
+        const float directions = has_one || run.directions == 3U ? 1.0F : 0.5F;
         ItemInk::Term term;
         term.pen = &run.pen;
         term.marks_per_area = directions * run.style->share / (run.pen.spacing * run.pen.spacing);
-        // A direction has half of the marks, in lines a separation apart.
-        if (run.separation > 0.0F) term.step = 2.0F * run.pen.spacing * run.pen.spacing / run.separation;
-        if (!run.scattered) lines += run.directions == 3U ? 2.0F : 1.0F;
+        // Lines of one direction are a separation apart.
+        if (run.separation > 0.0F)
+            term.step = (has_one ? 1.0F : 2.0F) * run.pen.spacing * run.pen.spacing / run.separation;
+        if (!run.scattered) lines += has_one || run.directions != 3U ? 1.0F : 2.0F;
         terms_.push_back(term);
         apart = apart && run.spread_evenly;
     }

@@ -180,17 +180,19 @@ void Stages::add_line_set(std::vector<Stage>& stages, const char* name, bool cur
 }
 
 void Stages::add_marks(std::vector<Stage>& stages) {
-    constexpr std::array<std::pair<std::uint32_t, const char*>, 5> kinds{
-        {{HRBFNPR_LAYER_KIND_STIPPLES, "marks.stipples"},
-         {HRBFNPR_LAYER_KIND_PRINCIPAL, "marks.principal"},
-         {HRBFNPR_LAYER_KIND_COMBING, "marks.combing"},
-         {HRBFNPR_LAYER_KIND_FIELD, "marks.field"},
-         {HRBFNPR_LAYER_KIND_HATCH, "marks.hatch"}}};
-    for (const auto& [kind, name] : kinds) {
-        Generation desc = one_layer(kind, sizes_.marks);
-        if (kind == HRBFNPR_LAYER_KIND_FIELD) desc.layer[0].direction_function = around_y;
+    add_set(stages, "marks.stipples", one_layer(HRBFNPR_LAYER_KIND_STIPPLES, sizes_.marks));
+    constexpr std::array<std::pair<std::uint32_t, const char*>, 3> guides{
+        {{HRBFNPR_HATCH_GUIDE_CURVATURE, "marks.hatch"},
+         {HRBFNPR_HATCH_GUIDE_COMBING, "marks.hatch.combing"},
+         {HRBFNPR_HATCH_GUIDE_SILHOUETTE, "marks.hatch.silhouette"}}};
+    for (const auto& [guide, name] : guides) {
+        Generation desc = one_layer(HRBFNPR_LAYER_KIND_HATCH, sizes_.marks);
+        desc.layer[0].guide = guide;
         add_set(stages, name, desc);
     }
+    Generation along = one_layer(HRBFNPR_LAYER_KIND_HATCH, sizes_.marks);
+    along.layer[0].direction_function = around_y;
+    add_set(stages, "marks.hatch.function", along);
     Generation dense = one_layer(HRBFNPR_LAYER_KIND_STIPPLES, sizes_.marks);
     dense.layer[0].density = HRBFNPR_DENSITY_CALLBACK;
     dense.layer[0].density_function = upper_half;
@@ -200,10 +202,10 @@ void Stages::add_marks(std::vector<Stage>& stages) {
     Generation shared = hrbfnpr::test::three_layers(sizes_.marks);
     shared.shared_budget = sizes_.marks;
     shared.tone_ranges = HRBFNPR_TONE_RANGES_IN_TURN;
-    shared.layer[1].symmetry = HRBFNPR_SYMMETRY_LINE;
     shared.seed_source = HRBFNPR_SEED_BOX;
     add_set(stages, "marks.shared", shared);
     Generation published = small_desc(HRBFNPR_DISTRIBUTION_PUBLISHED);
+    published.add(HRBFNPR_LAYER_KIND_HATCH, sizes_.marks).direction_function = around_y;
     for (hrbfnpr_layer_desc& layer : published.layer) {
         layer.levels = 1;
         layer.budget = sizes_.marks;

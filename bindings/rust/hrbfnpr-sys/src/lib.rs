@@ -1784,7 +1784,8 @@ pub struct hrbfnpr_layer_desc {
     pub name: *const c_char,
     /// the most marks; at most 100000000 for BLUE_NOISE; 40000. 0 = no limit, for PUBLISHED and
     /// for lines with a separation. PUBLISHED thins the level that exceeds it at random and stops
-    /// there; lines of BLUE_NOISE come near to it. Not used with a shared_budget
+    /// there; lines of BLUE_NOISE come near to it, and do not ask for it where they have a
+    /// separation. Not used with a shared_budget
     pub budget: i64,
     /// of stipples, of lines, and of PUBLISHED strokes of the first direction; 0 and 0
     pub tone_begin: f32,
