@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Clusters are passed over whole: the ink must be that of every mark looked at one by one.
-#include "frame/depth_layers/cluster_view.h"
 #include "frame/depth_layers/gather.h"
 #include "frame/line_of_sight.h"
+#include "frame/scene/cluster_view.h"
 #include "support/instruction_sets.h"
 
 #include <glm/gtc/matrix_inverse.hpp>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What a tone covers.
-#include "frame/depth_layers/hatch_law.h"
+#include "frame/hatch_law_reference.h"
 
 #include <gtest/gtest.h>
 
@@ -9,12 +9,12 @@ namespace {
 
 TEST(HatchLaw, TakesALittleLessInMiddleTones) {
     constexpr int steps = 1000;
-    EXPECT_EQ(frame::hollowed(0.0F), 0.0F);
-    EXPECT_NEAR(frame::hollowed(1.0F), 1.0F, 1e-6F);
+    EXPECT_EQ(law::hollowed(0.0F), 0.0F);
+    EXPECT_NEAR(law::hollowed(1.0F), 1.0F, 1e-6F);
     for (int i = 1; i <= steps; ++i) {
         const float x = static_cast<float>(i) / static_cast<float>(steps);
-        EXPECT_NEAR(frame::hollowed(x), std::pow(x, 1.1F), 0.00015F) << x;
-        EXPECT_GT(frame::hollowed(x), frame::hollowed(static_cast<float>(i - 1) / static_cast<float>(steps))) << x;
+        EXPECT_NEAR(law::hollowed(x), std::pow(x, 1.1F), 0.00015F) << x;
+        EXPECT_GT(law::hollowed(x), law::hollowed(static_cast<float>(i - 1) / static_cast<float>(steps))) << x;
     }
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Marks that surely are not drawn are not looked at, and nothing changes by that.
-#include "frame/depth_layers/hatch_loops.h"
+#include "frame/hatch/loops.h"
 #include "frame/hatching.h"
 #include "support/instruction_sets.h"
 #include "support/runtime.h"

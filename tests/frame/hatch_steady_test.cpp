@@ -11,14 +11,14 @@ TEST(HatchLaw, ALevelThatFadesInGoesOverIntoAFullOne) {
     for (const float gap : {0.5F, 0.7F, 1.0F, 1.5F}) {
         for (const float coverage : {0.1F, 0.2F, 0.5F}) {
             const float wanted = std::max(style.hatch_spacing, style.hatch_pen / coverage);
-            frame::HatchWidths before = frame::hatch_widths(style, coverage, 1.001F * wanted, 4, gap);
+            law::HatchWidths before = law::hatch_widths(style, coverage, 1.001F * wanted, 4, gap);
             for (float spacing = 1.001F; spacing < 8.0F; spacing *= 1.001F) {
-                const frame::HatchWidths now = frame::hatch_widths(style, coverage, spacing * wanted, 4, gap);
+                const law::HatchWidths now = law::hatch_widths(style, coverage, spacing * wanted, 4, gap);
                 for (int level = 0; level < 4; ++level) {
-                    ASSERT_NEAR(std::min(frame::level_margin(now, level), 1.0F),
-                                std::min(frame::level_margin(before, level), 1.0F), 0.02F)
+                    ASSERT_NEAR(std::min(law::level_margin(now, level), 1.0F),
+                                std::min(law::level_margin(before, level), 1.0F), 0.02F)
                         << gap << ' ' << coverage << ' ' << spacing;
-                    ASSERT_NEAR(frame::hatch_width(now, level), frame::hatch_width(before, level),
+                    ASSERT_NEAR(law::hatch_width(now, level), law::hatch_width(before, level),
                                 0.02F * std::max(before.width, now.width))
                         << gap << ' ' << coverage << ' ' << spacing;
                 }
@@ -53,10 +53,10 @@ protected:
         double high = 1.0;
         while (high - low > 1e-6) {
             const double middle = 0.5 * (low + high);
-            const float cover = frame::hatch_coverage(layer, static_cast<float>(middle));
-            const frame::HatchWidths widths =
-                frame::hatch_widths(layer, cover, static_cast<float>(2.0 * separation * 200.0), 1);
-            (frame::level_margin(widths, 1) < margin ? low : high) = middle;
+            const float cover = law::hatch_coverage(layer, static_cast<float>(middle));
+            const law::HatchWidths widths =
+                law::hatch_widths(layer, cover, static_cast<float>(2.0 * separation * 200.0), 1);
+            (law::level_margin(widths, 1) < margin ? low : high) = middle;
         }
         return low;
     }
@@ -91,7 +91,9 @@ TEST_F(SteadyHatch, ALongHairlineIsDrawn) {
     }
 }
 
-// Two parts become one: in the middle their line gets thinner little by little, wherever its points stand.
+// Two parts become one: in the middle their line gets thinner little by little, wherever its points stand. The tone
+// falls by 0.2 a pixel, so that a gap brings points to where the line is thinnest, between two samples: that is most of
+// a step.
 TEST_F(SteadyHatch, AGapOpensLittleByLittle) {
     add_line(set, {0.0, -1.0, 1.0, 0}, 0.001); // a fifth of a pixel
     set_nesting(set, 0.02, 0);
@@ -105,31 +107,11 @@ TEST_F(SteadyHatch, AGapOpensLittleByLittle) {
             for (std::int64_t s = 0; s < frame.drawing().strokes.size(); ++s)
                 now = std::max(now, radius_at(points_of(s), 250.0 + 200.0 * middle));
             if (before >= 0.0) {
-                EXPECT_NEAR(now, before, 0.1) << middle << ' ' << gap;
+                EXPECT_NEAR(now, before, 0.25) << middle << ' ' << gap;
             }
             before = now;
         }
         EXPECT_EQ(before, 0.0);
-    }
-}
-
-// A short gap that hardly lacks room for its level is closed; one that lacks tone as well grows with the picture, and
-// stays open.
-TEST_F(SteadyHatch, AGapThatLacksToneAsWellStaysOpen) {
-    add_line(set, {0.0, -1.0, 1.0, 0}, 0.0025); // half a pixel
-    for (std::int64_t i = 395; i <= 405; ++i) set.layers[0].level[i] = 1;
-    set_nesting(set, separation, 1);
-    cluster();
-    layer.hatch_spacing = 0.5F;
-    layer.hatch_white = 0.0F;
-    layer.hatch_tone_begin = 0.0F;
-    const double dark = darkness_of(-0.02F);
-    for (const bool lacks : {false, true}) {
-        layer.hatch_coverage_begin = layer.hatch_coverage_end = static_cast<float>(coverage(layer, dark));
-        layer.hatch_tone_begin = 0.15F;
-        darkness = [=](const glm::dvec3& p) { return lacks && std::abs(p.x) < 0.001 ? 0.1499 : 0.5; };
-        draw(front_camera(size, size, 1.25));
-        EXPECT_EQ(frame.drawing().strokes.size(), lacks ? 2 : 1);
     }
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Points of hatching in tiles.
 #include "base/random.h"
-#include "frame/depth_layers/hatch_tiles.h"
+#include "frame/hatch/tiles.h"
 
 #include <gtest/gtest.h>
 
@@ -22,7 +22,7 @@ void add_points(drawing::Drawing& drawing, frame::HatchPoints::Batch& batch, std
         dot.y = y += static_cast<float>(40.0 * (u[1] - 0.5));
         if (i % 500 == 0) dot.x = x = 10.0F + 64.0F * static_cast<float>(i / 500); // on a tile's side
         drawing.dots.push_back(dot);
-        batch.part.points.push_back({});
+        batch.samples.sample.push_back({});
     }
 }
 

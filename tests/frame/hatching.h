@@ -2,8 +2,8 @@
 // Hand-made lines of hatching, and how much ink is drawn of them.
 #pragma once
 
-#include "frame/depth_layers/hatch_law.h"
 #include "frame/hand_made.h"
+#include "frame/hatch_law_reference.h"
 
 #include <gtest/gtest.h>
 
@@ -158,7 +158,7 @@ protected:
 };
 
 [[nodiscard]] inline double coverage(const LayerStyle& layer, double dark) {
-    return static_cast<double>(frame::hatch_coverage(layer, static_cast<float>(dark)));
+    return static_cast<double>(law::hatch_coverage(layer, static_cast<float>(dark)));
 }
 
 // The half width at a place along a stroke that goes to the right.

@@ -30,6 +30,7 @@ FLOORS = {
     "frame/lines": 9,
     "generate": 9,
     "published": 8,
+    "frame/hatch": 8,
     "frame/scene": 7,
     "hatching": 7,
     "drawing": 6,

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "frame/depth_layers/depth_layers.h"
 
-#include "frame/depth_layers/splat_law.h"
+#include "frame/scene/splat_law.h"
 
 #include <algorithm>
 #include <atomic>
@@ -210,13 +210,6 @@ std::int64_t DepthLayers::dim_tile(LayerPlanes& planes, const Scene& scene, cons
         seen += ink.opacity > 0.0F;
     });
     return seen;
-}
-
-float DepthLayers::largest_splat(const drawing::Drawing& drawing, const Dot& dot) const noexcept {
-    if (!drawing.has_splats) return 0.0F;
-    const drawing::Tiles& tiles = drawing.dot_tiles;
-    const glm::vec2 at = glm::vec2(dot.x, dot.y) - glm::vec2(drawing.first_pixel);
-    return largest_[tile_of(at.y, tiles.rows()) * tiles.columns() + tile_of(at.x, tiles.columns())];
 }
 
 } // namespace hrbfnpr::frame

@@ -8,8 +8,8 @@
 
 #include "base/runtime.h"
 #include "frame/depth_layers/gather.h"
-#include "frame/depth_layers/hatch_tiles.h"
 #include "frame/depth_layers/layer_loops.h"
+#include "frame/hatch/tiles.h"
 
 namespace hrbfnpr::frame {
 
@@ -24,8 +24,9 @@ public:
     // drawn.
     std::int64_t attenuate(const Scene& scene, const HatchTiles& hatching, drawing::Drawing& drawing);
 
-    // The radius of the largest splat where the dot is, pixels: what it hides ends up to that beyond its surface.
-    [[nodiscard]] float largest_splat(const drawing::Drawing& drawing, const Dot& dot) const noexcept;
+    // The radius of the largest splat in a tile, pixels: what a splat hides ends up to that beyond its surface.
+    // One number for each tile of the drawing's dots, of the last drawing that had splats.
+    [[nodiscard]] std::span<const float> largest_splats() const noexcept { return largest_.span(); }
 
     [[nodiscard]] std::int64_t bytes() const noexcept { return planes_.bytes() + seen_.bytes() + largest_.bytes(); }
 

@@ -2,7 +2,7 @@
 #include "frame/depth_layers/exact_visibility.h"
 
 #include "base/operation.h"
-#include "frame/depth_layers/splat_law.h"
+#include "frame/scene/splat_law.h"
 
 #include <glm/matrix.hpp>
 

@@ -2,7 +2,7 @@
 #include "frame/depth_layers/gather.h"
 
 #include "frame/depth_layers/gatherer.h"
-#include "frame/depth_layers/splat_law.h"
+#include "frame/scene/splat_law.h"
 
 #include <algorithm>
 

@@ -5,7 +5,7 @@
 #include "base/runtime.h"
 #include "drawing/drawing.h"
 #include "drawing/tiles.h"
-#include "frame/depth_layers/cluster_view.h"
+#include "frame/scene/cluster_view.h"
 #include "frame/scene/tone_calls.h"
 
 #include <algorithm>
@@ -90,8 +90,7 @@ public:
     [[nodiscard]] Counts info() const noexcept;
 
     // Of the last run.
-    [[nodiscard]] const SeeLoops& loops() const noexcept { return loops_; }
-    [[nodiscard]] const ItemSight& sight(std::int32_t item) const noexcept { return sights_[item]; }
+    [[nodiscard]] std::span<const ItemSight> sights() const noexcept { return sights_.span(); } // of each item
     [[nodiscard]] const Frustum& frustum() const noexcept { return frustum_; }
     [[nodiscard]] const base::Array<float>& taus() const noexcept { return tau_; } // by place, of callbacks
     [[nodiscard]] std::int64_t bytes() const noexcept;

@@ -2,7 +2,7 @@
 #include "frame/depth_layers/gatherer.h"
 
 #include "base/prefetch.h"
-#include "frame/depth_layers/splat_law.h"
+#include "frame/scene/splat_law.h"
 #include "frame/scene/tone.h"
 
 #include <algorithm>

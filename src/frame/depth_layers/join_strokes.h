@@ -4,7 +4,7 @@
 
 #include "base/runtime.h"
 #include "drawing/far_to_near.h"
-#include "frame/depth_layers/hatch_strokes.h"
+#include "frame/hatch/strokes.h"
 #include "frame/scene/scene.h"
 
 namespace hrbfnpr::frame {

@@ -46,7 +46,7 @@ void LayerFrame::run(Scene& scene, const LineStrokes& lines, const base::Progres
     gather_.run(scene, drawing);
     drawing.counts = gather_.info();
     const std::int64_t gathered = drawing.dot_pieces.size();
-    hatch_points_.run(scene, gather_, drawing);
+    hatch_points_.run({scene, gather_.sights(), gather_.frustum(), gather_.taus().span()}, drawing);
     drawing.counts.nanoseconds_classify = watch.nanoseconds();
 
     progress.update(gathered_end);
@@ -65,8 +65,9 @@ void LayerFrame::run(Scene& scene, const LineStrokes& lines, const base::Progres
     edges_.clear();
     if (!hatch_points_.batches().empty() && !lines.strokes.empty())
         edges_.build(lines, drawing.layers.span(), scene.lens.viewport);
+    const std::span<const float> largest = drawing.has_splats ? layers_.largest_splats() : std::span<const float>();
     const std::span<const HatchStrokePart> hatching =
-        hatch_strokes_.run(scene, hatch_points_, {edges_, layers_, drawing}, drawing);
+        hatch_strokes_.run(scene, hatch_points_, {edges_, drawing, largest}, drawing);
     joiner_.run(scene, {lines, hatching}, drawing);
     drawing.counts.nanoseconds_sort += watch.nanoseconds();
 }

@@ -5,8 +5,8 @@
 #include "frame/depth_layers/depth_layers.h"
 #include "frame/depth_layers/exact_visibility.h"
 #include "frame/depth_layers/gather.h"
-#include "frame/depth_layers/hatch_strokes.h"
 #include "frame/depth_layers/join_strokes.h"
+#include "frame/hatch/strokes.h"
 
 namespace hrbfnpr::frame {
 

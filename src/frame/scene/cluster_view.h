@@ -2,8 +2,8 @@
 // What can be said of a whole cluster of marks before any of them is looked at.
 #pragma once
 
-#include "frame/depth_layers/see_loops.h"
 #include "frame/scene/scene.h"
+#include "frame/scene/see_loops.h"
 
 #include <array>
 

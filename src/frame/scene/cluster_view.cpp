@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "frame/depth_layers/cluster_view.h"
+#include "frame/scene/cluster_view.h"
 
 #include <glm/gtc/matrix_access.hpp>
 #include <glm/matrix.hpp>

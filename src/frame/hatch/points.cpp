@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "frame/depth_layers/hatch_points.h"
+#include "frame/hatch/points.h"
 
 #include "base/scratch.h"
-#include "frame/depth_layers/hatch_ends.h"
 
 #include <algorithm>
 
@@ -28,8 +27,7 @@ void HatchPoints::add_batch(std::int32_t run, std::int64_t begin, std::int64_t e
     batch.begin = begin;
     batch.end = end;
     batch.piece = piece;
-    batch.part.spans.clear();
-    batch.part.points.clear();
+    batch.samples.clear();
 }
 
 void HatchPoints::add_batches(const Scene& scene) {
@@ -50,8 +48,9 @@ void HatchPoints::add_batches(const Scene& scene) {
     }
 }
 
-// Clusters have them in another order.
-void HatchPoints::take_taus(const Scene& scene, const Gather& gather) {
+// Sorts tones by mark: clusters have marks in another order.
+void HatchPoints::take_taus(const Seen& seen) {
+    const Scene& scene = seen.scene;
     if (std::none_of(scene.runs.begin(), scene.runs.end(), [&](const Run& run) { return asks(scene, run); })) return;
     base::resize_scratch(taus_, scene.mark_count());
     for (const Run& run : scene.runs) {
@@ -60,21 +59,21 @@ void HatchPoints::take_taus(const Scene& scene, const Gather& gather) {
             const std::int64_t place = cluster.block * marks::MarkBlock::size;
             for (std::int64_t i = 0; i < cluster.count; ++i) {
                 const marks::MarkBlock& block = run.clusters->block[cluster.block + i / marks::MarkBlock::size];
-                taus_[run.first + block.mark[i % marks::MarkBlock::size]] = gather.taus()[run.first_place + place + i];
+                taus_[run.first + block.mark[i % marks::MarkBlock::size]] =
+                    seen.taus[static_cast<std::size_t>(run.first_place + place + i)];
             }
         }
     }
 }
 
-void HatchPoints::find(const Scene& scene, const Gather& gather, Batch& batch) const {
-    const Run& run = scene.runs[batch.run];
-    const HatchMarks seen(gather, loops_, scene, run, asks(scene, run) ? taus_.data() + run.first : nullptr);
+void HatchPoints::find(const Seen& seen, Batch& batch) const {
+    const Run& run = seen.scene.runs[batch.run];
+    const HatchView view{see_, loops_, seen.scene, seen.frustum};
+    const HatchMarks marks(view, run, seen.sights[static_cast<std::size_t>(run.item)],
+                           asks(seen.scene, run) ? taus_.data() + run.first : nullptr);
     std::int64_t piece = batch.piece;
     for (std::int64_t s = batch.begin; s < batch.end; ++s) {
-        if (seen.see(s, piece, batch.stroke)) {
-            find_crease_ends(scene.item_of(run), run, batch.stroke);
-            batch.spans.add(*run.style, s, batch.stroke, batch.part);
-        }
+        if (marks.see(s, piece, batch.stroke)) sample_stroke(*run.style, s, batch.stroke, batch.samples);
         piece += pieces_of(*run.marks, s);
     }
 }
@@ -85,28 +84,28 @@ void HatchPoints::put(const Scene& scene, const Batch& batch, drawing::Drawing& 
     const auto flags = static_cast<std::uint8_t>((run.turned ? dot_faces_back : 0) |
                                                  (scene.item_of(run).model != nullptr ? dot_is_exact : 0));
     Dot* to = drawing.dots.data() + batch.first_dot;
-    for (const HatchPoint& p : batch.part.points)
+    for (const HatchSample& p : batch.samples.sample)
         *to++ = {p.x,  p.y,   0.5F * p.width,   1.0F, p.depth, p.window, p.pixels_per_unit,
                  p.id, layer, MarkClass::front, flags};
 }
 
-void HatchPoints::run(const Scene& scene, const Gather& gather, drawing::Drawing& drawing) {
-    add_batches(scene);
-    take_taus(scene, gather);
-    runtime_.parallel.for_each(count_, [&](std::int64_t i) { find(scene, gather, batches_[i]); });
+void HatchPoints::run(const Seen& seen, drawing::Drawing& drawing) {
+    add_batches(seen.scene);
+    take_taus(seen);
+    runtime_.parallel.for_each(count_, [&](std::int64_t i) { find(seen, batches_[i]); });
     std::int64_t dots = drawing.dots.size();
     for (Batch& batch : std::span(batches_.begin(), static_cast<std::size_t>(count_))) {
         batch.first_dot = dots;
-        dots += batch.part.points.size();
+        dots += batch.samples.sample.size();
         if (dots > batch.first_dot) drawing.dot_pieces.push_back({batch.first_dot, dots});
     }
     drawing.dots.resize_for_overwrite(dots);
-    runtime_.parallel.for_each(count_, [&](std::int64_t i) { put(scene, batches_[i], drawing); });
+    runtime_.parallel.for_each(count_, [&](std::int64_t i) { put(seen.scene, batches_[i], drawing); });
 }
 
 std::int64_t HatchPoints::bytes() const noexcept {
     std::int64_t sum = batches_.bytes() + taus_.bytes();
-    for (const Batch& batch : batches_) sum += batch.part.bytes() + batch.stroke.bytes() + batch.spans.bytes();
+    for (const Batch& batch : batches_) sum += batch.samples.bytes() + batch.stroke.bytes();
     return sum;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "frame/depth_layers/hatch_cuts.h"
+#include "frame/hatch/cuts.h"
 
 #include <algorithm>
 
@@ -21,7 +21,7 @@ bool HatchCuts::is_near(std::int64_t i, float reach) const noexcept {
 }
 
 float HatchCuts::reach_of_splats(std::int64_t i) const noexcept {
-    return std::min(hiding_.layers.largest_splat(hiding_.drawing, dot(i)) + beyond_splat, farthest_hidden);
+    return std::min(hiding_.largest_splat_at(dot(i)) + beyond_splat, farthest_hidden);
 }
 
 // Of a hidden one: its edge is so near that a splat reaches beyond it to here.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "frame/depth_layers/hatch_hand.h"
+#include "frame/hatch/hand.h"
 
 #include "base/random.h"
 

@@ -3,19 +3,30 @@
 // radius; the edges that are drawn there tell it exactly.
 #pragma once
 
-#include "frame/depth_layers/depth_layers.h"
-#include "frame/depth_layers/nearer_edges.h"
+#include "drawing/drawing.h"
+#include "frame/hatch/edges.h"
+#include "frame/hatch/tiles.h"
 
 #include <algorithm>
 #include <span>
 
 namespace hrbfnpr::frame {
 
-// What hides lines of hatching.
+using drawing::Dot;
+
+// What hides lines of hatching: the edges of surfaces in front of them, and depth layers, which are made of splats.
 struct Hiding {
     const NearerEdges& edges;
-    const DepthLayers& layers;
     const drawing::Drawing& drawing;
+    std::span<const float> largest_splat; // of each tile of the drawing's dots, pixels; empty if there are no splats
+
+    [[nodiscard]] float largest_splat_at(const drawing::Dot& dot) const noexcept {
+        if (largest_splat.empty()) return 0.0F;
+        const drawing::Tiles& tiles = drawing.dot_tiles;
+        const glm::vec2 at = glm::vec2(dot.x, dot.y) - glm::vec2(drawing.first_pixel);
+        return largest_splat[static_cast<std::size_t>(tile_of(at.y, tiles.rows()) * tiles.columns() +
+                                                      tile_of(at.x, tiles.columns()))];
+    }
 };
 
 // Of wider halos those of the depth layers stay as they are: edges are looked for so far around each point.  Pixels.

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "frame/depth_layers/nearer_edges.h"
+#include "frame/hatch/edges.h"
 
 #include "base/scratch.h"
-#include "frame/depth_layers/splat_law.h"
+#include "frame/scene/splat_law.h"
 #include "frame/scene/style.h"
 #include "geometry/segment.h"
 

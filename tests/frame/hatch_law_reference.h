@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Laws of hatching: how wide the lines of each level of a nested set are, so that together they cover a share of the
-// paper.  [Winkenbach & Salesin 1994, "Computer-generated pen-and-ink illustration"; Praun et al. 2001, "Real-time
-// hatching": lines of a lighter tone stay in a darker one]
+// A plain reference of the laws of hatching in frame/hatch/loops.cpp: how wide the lines of each level of a nested set
+// are, so that together they cover a share of the paper.  [Winkenbach & Salesin 1994, "Computer-generated pen-and-ink
+// illustration"; Praun et al. 2001, "Real-time hatching": lines of a lighter tone stay in a darker one]
 #pragma once
 
 #include "frame/scene/style.h"
@@ -10,7 +10,9 @@
 #include <array>
 #include <cmath>
 
-namespace hrbfnpr::frame {
+namespace hrbfnpr::testing::law {
+
+using frame::LayerStyle;
 
 // Darkness to coverage, both from 0 to 1.  A little hollow: ink spreads, and dark tones close up.  Within 0.00014 of x
 // to the power of 1.1, as x times a polynomial of its root, which takes far less time.
@@ -78,4 +80,4 @@ inline constexpr float nearly_full = 0.6F;
     return widths.lambda - static_cast<float>(level - 1) - thinnest_fading;
 }
 
-} // namespace hrbfnpr::frame
+} // namespace hrbfnpr::testing::law

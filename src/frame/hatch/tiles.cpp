@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "frame/depth_layers/hatch_tiles.h"
+#include "frame/hatch/tiles.h"
 
 #include "base/scratch.h"
 
@@ -9,7 +9,7 @@ namespace hrbfnpr::frame {
 void HatchTiles::cut(const HatchPoints::Batch& batch, const drawing::Drawing& drawing, base::Array<DotRun>& runs) {
     const drawing::Tiles& tiles = drawing.dot_tiles;
     const glm::vec2 origin(drawing.first_pixel);
-    const std::int64_t end = batch.first_dot + batch.part.points.size();
+    const std::int64_t end = batch.first_dot + batch.samples.sample.size();
     runs.clear();
     for (std::int64_t i = batch.first_dot; i < end; ++i) {
         const Dot& dot = drawing.dots[i];

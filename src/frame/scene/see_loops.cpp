@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "frame/depth_layers/see_loops.cpp"
+#define HWY_TARGET_INCLUDE "frame/scene/see_loops.cpp"
 #include "base/simd.h"
 
-#include "frame/depth_layers/see_loops.h"
+#include "frame/scene/see_loops.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace hrbfnpr::frame::HWY_NAMESPACE {

@@ -3,7 +3,7 @@
 // one entry.
 #pragma once
 
-#include "frame/depth_layers/hatch_points.h"
+#include "frame/hatch/points.h"
 
 #include <algorithm>
 

@@ -3,13 +3,13 @@
 // of them.
 #pragma once
 
-#include "frame/depth_layers/see_loops.h"
+#include "frame/scene/see_loops.h"
 
 #include <cstdint>
 
 namespace hrbfnpr::frame {
 
-// What is known of each mark of a stroke.
+// The numbers of each mark of a stroke.
 enum class HatchRow : std::int64_t {
     x, // of the set's own space, in its unit
     y,
@@ -58,15 +58,15 @@ struct HatchRows {
     [[nodiscard]] HatchRows from(std::int64_t mark) const noexcept { return {first + mark, stride}; }
 };
 
-// A mark on its own, as numbers.
+// A mark on its own, as numbers: these rows, and zeros up to `size`.
 struct PackedMark {
     static constexpr std::int64_t size = 16;
-    static constexpr std::int64_t others = 13; // those from there on are 0, but the next to the last one is 1
-    static constexpr HatchRow rows[others] = {HatchRow::left,           HatchRow::top,        HatchRow::window,
-                                              HatchRow::depth,          HatchRow::side_x,     HatchRow::side_y,
-                                              HatchRow::width,          HatchRow::leg,        HatchRow::tone_margin,
-                                              HatchRow::level_margin,   HatchRow::rim_margin, HatchRow::picture_margin,
-                                              HatchRow::pixels_per_unit};
+    static constexpr std::int64_t rows_of_mark = 13;
+    static constexpr HatchRow rows[rows_of_mark] = {
+        HatchRow::left,           HatchRow::top,          HatchRow::window,     HatchRow::depth,
+        HatchRow::side_x,         HatchRow::side_y,       HatchRow::width,      HatchRow::leg,
+        HatchRow::tone_margin,    HatchRow::level_margin, HatchRow::rim_margin, HatchRow::picture_margin,
+        HatchRow::pixels_per_unit};
     static constexpr std::int64_t at_once = 4;
 };
 
@@ -81,24 +81,23 @@ struct HatchSight {
     float farthest;                 // outside of the picture
 };
 
-// hatch_law.h, for a style and a layer.
+// How wide the lines of each level of a nested set are, so that together they cover a share of the paper that grows
+// with the darkness.  [Winkenbach & Salesin 1994, "Computer-generated pen-and-ink illustration"; Praun et al. 2001,
+// "Real-time hatching": lines of a lighter tone stay in a darker one]
 struct HatchLaw {
     float tone_begin, tone_span;
     float share, coverage_begin, coverage_rise;
-    float hollow[5];
     float spacing, pen, white;
     float levels;
-    float thinnest_fading, fading_ramp, nearly_full;
-    float per_tone_span, per_spacing, per_pen, per_fading_ramp,
-        per_rest;    // 1 / what they are called; rest: 1 - nearly_full
-    float widest_nu; // what faces away more has no width
-    float widest;    // what would be wider has no place
+    float per_tone_span, per_spacing, per_pen; // 1 / what they are called
+    float widest_nu;                           // marks with a larger n . v have no width
+    float widest;                              // a mark with a larger width has no place
 };
 
-// Of marks that may be drawn.
+// A mark may be drawn unless it faces away, where n . sight > away, or is too light, where n . l > lightest.
 struct HatchBounds {
-    float sight[3], away;     // a mark faces away where n . sight is larger
-    float light[3], lightest; // and is too light where n . l is
+    float sight[3], away;
+    float light[3], lightest;
 };
 
 struct HatchLoops {
@@ -107,6 +106,8 @@ struct HatchLoops {
                               std::int64_t count);
     // From x, y, z of one mark after the other to rows, multiplied by the one and then by the other factor.
     void (*load)(const float* triples, std::int64_t count, float factor, float other, float* x, float* y, float* z);
+    // The share of the paper that lines cover at each darkness.
+    void (*coverage)(const HatchLaw& law, const float* darkness, std::int64_t count, float* coverage);
     // Margins, and n . l of normals for tone, of marks that are seen.
     void (*place)(const HatchSight& sight, const HatchRows& rows, std::int64_t count);
     // Widths and their margins, from darkness and what place() gives, where a mark may be drawn and next to that.  The

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "frame/depth_layers/hatch_loops.cpp"
+#define HWY_TARGET_INCLUDE "frame/hatch/loops.cpp"
 #include "base/simd.h"
 
-#include "frame/depth_layers/hatch_loops.h"
+#include "frame/hatch/loops.h"
+#include "frame/hatch/tuning.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace hrbfnpr::frame::HWY_NAMESPACE {
@@ -161,42 +162,56 @@ void place(const HatchSight& sight, const HatchRows& rows, std::int64_t count) {
     });
 }
 
-struct Widths {
-    W lambda, full, width, fading, margin;
-};
+// Darkness to coverage, both from 0 to 1, is a little hollow: ink spreads, and dark tones close up. This is within
+// 0.00014 of x to the power of 1.1, as x times a polynomial of its root, which takes far less time.
+constexpr float hollow[5] = {0.5399F, 1.1747F, -1.5068F, 1.1364F, -0.3442F};
 
-// hatch_coverage().
 HWY_INLINE W coverage(const HatchLaw& law, W darkness) {
     const W at = clamped(hn::Mul(hn::Sub(darkness, set(law.tone_begin)), set(law.per_tone_span)), 0.0F, 1.0F);
-    const auto line = [&](int from)
-                          HWY_ATTR { return hn::Add(set(law.hollow[from]), hn::Mul(set(law.hollow[from + 2]), at)); };
-    const W even = hn::Add(line(0), hn::Mul(set(law.hollow[4]), hn::Mul(at, at)));
+    const auto line = [&](int from) HWY_ATTR { return hn::Add(set(hollow[from]), hn::Mul(set(hollow[from + 2]), at)); };
+    const W even = hn::Add(line(0), hn::Mul(set(hollow[4]), hn::Mul(at, at)));
     const W risen = hn::Mul(at, hn::Add(even, hn::Mul(hn::Sqrt(at), line(1))));
     return hn::Mul(set(law.share), hn::Add(set(law.coverage_begin), hn::Mul(set(law.coverage_rise), risen)));
 }
 
-// hatch_widths().
+void coverage(const HatchLaw& law, const float* darkness, std::int64_t count, float* to) {
+    const F d;
+    for_vectors(count,
+                [&](std::int64_t at) HWY_ATTR { hn::StoreU(coverage(law, hn::LoadU(d, darkness + at)), d, to + at); });
+}
+
+// The lines at one place. Those of levels up to `full` are `width` wide, those of the next one `fading`; pixels.
+struct Widths {
+    W lambda; // levels that there is room for
+    W full, width, fading;
+    W margin; // of the level that fades in: it is drawn where this is positive, and full where it is 1
+};
+
+// spacing: of the lines of level 0 in the picture, pixels; those of levels 0 to k are 2^k times as close. gap: the
+// factor by which lines are really farther apart; levels come and go without it.
 HWY_INLINE Widths widths(const HatchLaw& law, W coverage, W spacing, W gap) {
     const F d;
     const I i;
     const W one = set(1.0F);
-    // In distances that are wanted.
     const W room = hn::Mul(spacing, hn::Min(set(law.per_spacing), hn::Mul(coverage, set(law.per_pen))));
     Widths w;
     w.lambda = hn::IfThenElseZero(hn::Gt(room, one), hn::Min(log2(room), set(law.levels)));
     const auto full = hn::ConvertTo(i, w.lambda);
     w.full = hn::ConvertTo(d, full);
-    const W weight = hn::Sub(w.lambda, w.full);
-    const W half = hn::BitCast(d, hn::ShiftLeft<23>(hn::Sub(hn::Set(i, 127), full))); // to the power of `full`
+    const W weight = hn::Sub(w.lambda, w.full);                                       // of the level that fades in
+    const W half = hn::BitCast(d, hn::ShiftLeft<23>(hn::Sub(hn::Set(i, 127), full))); // 2^-full
     const W period = hn::Mul(hn::Mul(gap, spacing), half);
+    // A period holds 1 + weight wide lines. Where lines are closer together than asked they are thinner than the pen.
     const W lines = hn::Add(one, weight);
     const W ink = hn::Min(hn::Mul(coverage, period),
                           hn::Max(hn::Sub(period, hn::Mul(lines, set(law.white))), hn::Mul(lines, set(law.pen))));
     const W next = hn::Div(hn::Mul(weight, ink), lines);
-    const W margin = hn::Sub(hn::Mul(next, set(law.per_pen)), set(law.thinnest_fading));
-    const W rise = hn::Max(hn::Mul(hn::Sub(weight, set(law.nearly_full)), set(law.per_rest)), hn::Zero(d));
+    const W margin = hn::Sub(hn::Mul(next, set(law.per_pen)), set(hatch_tuning.thinnest_fading));
+    const W rise =
+        hn::Max(hn::Mul(hn::Sub(weight, set(hatch_tuning.nearly_full)), set(1.0F / (1.0F - hatch_tuning.nearly_full))),
+                hn::Zero(d));
     w.margin = hn::Add(margin, hn::Mul(rise, hn::Max(hn::Sub(one, margin), hn::Zero(d))));
-    w.fading = hn::Mul(next, clamped(hn::Mul(w.margin, set(law.per_fading_ramp)), 0.0F, 1.0F));
+    w.fading = hn::Mul(next, clamped(hn::Mul(w.margin, set(1.0F / hatch_tuning.fading_ramp)), 0.0F, 1.0F));
     w.width = hn::Sub(ink, w.fading);
     return w;
 }
@@ -242,7 +257,7 @@ HWY_INLINE void set_width(const HatchSight& sight, const HatchLaw& law, const Ha
     const Widths w = widths(law, coverage(law, darkness), spacing, row(HatchRow::gap));
     const M full = hn::Le(level, w.full);
     const M fades = hn::Eq(level, hn::Add(w.full, one));
-    const W rest = hn::Sub(hn::Sub(w.lambda, hn::Sub(level, one)), set(law.thinnest_fading));
+    const W rest = hn::Sub(hn::Sub(w.lambda, hn::Sub(level, one)), set(hatch_tuning.thinnest_fading));
     const W margin = hn::IfThenElse(full, one, hn::IfThenElse(fades, w.margin, rest));
     const W width = hn::IfThenElse(full, w.width, hn::IfThenElseZero(fades, w.fading));
     // What is no number is not below either.
@@ -323,9 +338,8 @@ void measure(const HatchRows& rows, std::int64_t count, bool closed) {
 void pack(const HatchRows& rows, std::int64_t count, float* marks) {
     for (std::int64_t at = 0; at < count; ++at) {
         float* const to = marks + PackedMark::size * at;
-        for (std::int64_t k = 0; k < PackedMark::others; ++k) to[k] = rows[PackedMark::rows[k]][at];
-        to[PackedMark::others] = to[PackedMark::size - 1] = 0.0F;
-        to[PackedMark::size - 2] = 1.0F;
+        for (std::int64_t k = 0; k < PackedMark::size; ++k)
+            to[k] = k < PackedMark::rows_of_mark ? rows[PackedMark::rows[k]][at] : 0.0F;
     }
 }
 #else
@@ -347,8 +361,8 @@ HWY_INLINE void pack_four(V a, V b, V c, V e, float* to) {
 
 void pack(const HatchRows& rows, std::int64_t count, float* marks) {
     const Q d;
-    const float* row[PackedMark::others];
-    for (std::int64_t k = 0; k < PackedMark::others; ++k) row[k] = rows[PackedMark::rows[k]];
+    const float* row[PackedMark::rows_of_mark];
+    for (std::int64_t k = 0; k < PackedMark::rows_of_mark; ++k) row[k] = rows[PackedMark::rows[k]];
     const auto zero = hn::Zero(d);
     for (std::int64_t at = 0; at < count; at += PackedMark::at_once) {
         float* const to = marks + PackedMark::size * at;
@@ -356,14 +370,14 @@ void pack(const HatchRows& rows, std::int64_t count, float* marks) {
         pack_four(of(0), of(1), of(2), of(3), to);
         pack_four(of(4), of(5), of(6), of(7), to + 4);
         pack_four(of(8), of(9), of(10), of(11), to + 8);
-        pack_four(of(12), zero, hn::Set(d, 1.0F), zero, to + 12);
+        pack_four(of(12), zero, zero, zero, to + 12);
     }
 }
 #endif
 
 } // namespace
 
-HatchLoops pick_hatch_loops() noexcept { return {may_draw, load, place, widen, measure, pack}; }
+HatchLoops pick_hatch_loops() noexcept { return {may_draw, load, coverage, place, widen, measure, pack}; }
 
 } // namespace hrbfnpr::frame::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

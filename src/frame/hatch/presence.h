@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: MIT
+// Which parts of a line are drawn, when gaps that are too short are closed and parts that are too short left out, and
+// neither appears or vanishes at once.
+//
+// The presence of a line at a sample is 1 where it is drawn, 0 where it is not, and between where it fades. What holds
+// together around a sample is measured by its held length: the way along the line to either side, counted less where
+// the presence falls below that of the sample, and not at all beyond a place of no presence. It changes continuously
+// with the presences. So a gap whose held length is below a limit can be closed, one of twice the limit stay open, and
+// one between be half open, and the same for parts.
+#pragma once
+
+#include "base/assert.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <span>
+
+namespace hrbfnpr::frame {
+
+// Samples along a line. The last sample of a ring is its first one.
+struct SampledLine {
+    std::span<const float> length; // of each sample from the first one, pixels, rising
+    bool ring = false;
+
+    [[nodiscard]] std::int64_t size() const noexcept { return static_cast<std::int64_t>(length.size()); }
+    [[nodiscard]] float at(std::int64_t i) const noexcept {
+        HRBFNPR_ASSERT(i >= 0 && i < size());
+        return length[static_cast<std::size_t>(i)];
+    }
+    // The neighbour of sample i that way, 1 or -1, and in `step` the distance to it; -1: the line ends at i.
+    [[nodiscard]] std::int64_t next(std::int64_t i, int way, float& step) const noexcept {
+        std::int64_t k = i + way;
+        if (k >= 0 && k < size()) {
+            step = way > 0 ? at(k) - at(i) : at(i) - at(k);
+            return k;
+        }
+        if (!ring) return -1;
+        k = way > 0 ? 1 : size() - 2;
+        step = way > 0 ? at(1) - at(0) : at(size() - 1) - at(size() - 2);
+        return k;
+    }
+};
+
+// What a walk along the line found.
+struct HeldLength {
+    float length = 0.0F;
+    std::int64_t stopped_at = -1; // the first sample without presence; -1: the walk ended for another reason
+};
+
+// Walks from sample i in one direction until the held length is `most`, or nothing holds any more. `presence(i)` is the
+// presence, `weight(i)` what a length there counts, and `end_share(j, k)` the share of the way from j, which is
+// present, to k, which is not, at which the presence ends. `beyond` is what the way beyond the line's end counts.
+template <class Presence, class Weight, class EndShare>
+[[nodiscard]] HeldLength held_length(const SampledLine& line, std::int64_t i, int way, float most, float beyond,
+                                     const Presence& presence, const Weight& weight,
+                                     const EndShare& end_share) noexcept {
+    const float own = presence(i);
+    if (!(own > 0.0F)) return {0.0F, i};
+    HeldLength held;
+    float least = 1.0F; // of the presences so far, as a share of this one's
+    float before = weight(i);
+    for (std::int64_t steps = 0; steps < line.size(); ++steps) {
+        float step = 0.0F;
+        const std::int64_t k = line.next(i, way, step);
+        if (k < 0) {
+            held.length = std::min(held.length + least * beyond, most);
+            return held;
+        }
+        const float there = presence(k);
+        if (!(there > 0.0F)) {
+            held.length = std::min(held.length + least * before * step * end_share(i, k), most);
+            held.stopped_at = k;
+            return held;
+        }
+        const float now = std::min(least, there / own);
+        const float after = weight(k);
+        held.length += 0.5F * step * (least * before + now * after);
+        if (held.length >= most) {
+            held.length = most;
+            return held;
+        }
+        least = now;
+        before = after;
+        i = k;
+    }
+    return held; // all around a ring
+}
+
+// 0 up to `from`, 1 from `to` on.
+[[nodiscard]] inline float risen(float x, float from, float to) noexcept {
+    return to > from ? std::clamp((x - from) / (to - from), 0.0F, 1.0F) : x > from ? 1.0F : 0.0F;
+}
+
+// The same without corners.
+[[nodiscard]] inline float smoothly_risen(float x, float from, float to) noexcept {
+    const float t = risen(x, from, to);
+    return t * t * (3.0F - 2.0F * t);
+}
+
+} // namespace hrbfnpr::frame

@@ -1,0 +1,307 @@
+// SPDX-License-Identifier: MIT
+#include "frame/hatch/samples.h"
+
+#include "base/assert.h"
+#include "base/scratch.h"
+#include "frame/hatch/tuning.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace hrbfnpr::frame {
+namespace {
+
+// Between marks that are nearer than this, in pixels, a line is straight: no curve leaves it by more than an eighth of
+// that.
+constexpr float shortest_curve = 1.0F;
+// Lengths are multiples of 1 / this, in pixels, so that sums are exact: chains have the same samples whatever lies
+// before them.
+constexpr float length_steps = 1024.0F;
+// Samples are farther apart than this, pixels.
+constexpr float least_step = 1.0F / 64.0F;
+
+[[nodiscard]] glm::vec2 place_of(const HatchMark& mark) noexcept { return {mark.x, mark.y}; }
+
+// A chain of marks. Lengths and areas of each mark are counted from the first one.
+struct Marks {
+    std::span<const HatchMark> mark;
+    const float* length;
+    const float* area;
+    bool ring;
+
+    [[nodiscard]] std::int64_t size() const noexcept { return static_cast<std::int64_t>(mark.size()); }
+    [[nodiscard]] const HatchMark& operator[](std::int64_t i) const noexcept {
+        HRBFNPR_ASSERT(i >= 0 && i < size());
+        return mark[static_cast<std::size_t>(i)];
+    }
+};
+
+// A place between mark `mark` and the next one.
+struct Place {
+    std::int64_t mark;
+    float share; // of the way to the next mark
+};
+
+// The tangent of a Catmull-Rom curve at a mark, of unit length where marks lie evenly.
+[[nodiscard]] glm::vec2 tangent(const Marks& m, std::int64_t i) noexcept {
+    std::int64_t before = i > 0 ? i - 1 : m.ring ? m.size() - 2 : 0;
+    std::int64_t after = i + 1 < m.size() ? i + 1 : m.ring ? 1 : i;
+    if (!m[before].is_valid()) before = i;
+    if (!m[after].is_valid()) after = i;
+    const float way = (before != i ? m[i].way : 0.0F) + (after != i ? m[after].way : 0.0F);
+    return way > 0.0F ? (place_of(m[after]) - place_of(m[before])) / way : glm::vec2(0.0F);
+}
+
+[[nodiscard]] glm::vec2 tangent_at(const Marks& m, const Place& place) noexcept {
+    const std::int64_t next = std::min(place.mark + 1, m.size() - 1);
+    return (1.0F - place.share) * tangent(m, place.mark) + place.share * tangent(m, next);
+}
+
+// Of Hermite's cubic between two marks.
+[[nodiscard]] glm::vec2 point_at(const Marks& m, const Place& place) noexcept {
+    const std::int64_t i = place.mark;
+    const float t = place.share;
+    const glm::vec2 a = place_of(m[i]);
+    if (t == 0.0F || i + 1 == m.size()) return a;
+    const glm::vec2 b = place_of(m[i + 1]);
+    const float way = m.length[i + 1] - m.length[i];
+    const float u = 1.0F - t;
+    if (way < shortest_curve) return u * a + t * b;
+    return u * u * (1.0F + 2.0F * t) * a + t * t * (3.0F - 2.0F * t) * b +
+           t * u * way * (u * tangent(m, i) - t * tangent(m, i + 1));
+}
+
+// The area of the line from the first mark to a place, widths changing evenly from mark to mark.
+[[nodiscard]] float area_to(const Marks& m, const Place& place) noexcept {
+    const std::int64_t i = place.mark;
+    if (place.share == 0.0F) return m.area[i];
+    const float way = m.length[i + 1] - m.length[i];
+    return m.area[i] + place.share * way * (m[i].width + 0.5F * place.share * (m[i + 1].width - m[i].width));
+}
+
+// Moves the place on to where the line has that length, which is no less than that of the place.
+void advance(const Marks& m, Place& place, float length) noexcept {
+    while (place.mark < m.size() - 2 && m.length[place.mark + 1] < length) ++place.mark;
+    const float way = m.length[place.mark + 1] - m.length[place.mark];
+    place.share = way > 0.0F ? std::clamp((length - m.length[place.mark]) / way, 0.0F, 1.0F) : 0.0F;
+}
+
+void see_sample(const Marks& m, const Place& place, HatchSample& sample) noexcept {
+    const std::int64_t i = place.mark;
+    const HatchMark& a = m[i];
+    const HatchMark& b = m[std::min(i + 1, m.size() - 1)];
+    const float t = place.share;
+    const auto mixed = [t](float from, float to) { return from + t * (to - from); };
+    const glm::vec2 at = point_at(m, place);
+    sample.x = at.x;
+    sample.y = at.y;
+    sample.window = mixed(a.window, b.window);
+    sample.depth = mixed(a.depth, b.depth);
+    sample.pixels_per_unit = mixed(a.pixels_per_unit, b.pixels_per_unit);
+    const bool valid = a.is_valid() && b.is_valid();
+    for (std::size_t k = 0; k < hatch_margins; ++k)
+        sample.margin[k] = t == 0.0F   ? a.margin[k]
+                           : t == 1.0F ? b.margin[k]
+                           : valid     ? mixed(a.margin[k], b.margin[k])
+                                       : hatch_nowhere;
+    sample.across_rim = {mixed(a.side_x, b.side_x), -mixed(a.side_y, b.side_y)};
+    sample.overshoot = 0.0F;
+    sample.id = t < 0.5F ? a.id : b.id;
+}
+
+// Where the hand has the line: aside of its course.
+void stray(const Marks& m, const HatchHand& hand, const Place& place, double mark, HatchSample& sample) noexcept {
+    if (!hand.wobbles()) return;
+    const glm::vec2 along = tangent_at(m, place);
+    const float length = glm::length(along);
+    if (!(length > 0.0F)) return;
+    const float aside = hand.aside(mark) / length;
+    sample.x -= aside * along.y;
+    sample.y += aside * along.x;
+}
+
+void measure(std::span<const HatchMark> marks, HatchSamples& to) {
+    const auto count = static_cast<std::int64_t>(marks.size());
+    base::resize_scratch(to.length, count);
+    base::resize_scratch(to.area, count);
+    to.length[0] = to.area[0] = 0.0F;
+    for (std::int64_t i = 1; i < count; ++i) {
+        const HatchMark& a = marks[static_cast<std::size_t>(i - 1)];
+        const HatchMark& b = marks[static_cast<std::size_t>(i)];
+        const float way = std::trunc(b.way * length_steps + 0.5F) / length_steps;
+        to.length[i] = to.length[i - 1] + way;
+        to.area[i] = to.area[i - 1] + 0.5F * way * (a.width + b.width);
+    }
+}
+
+// Margins up to which a line fades (presence.h). Of the picture it does not.
+constexpr std::array<float, hatch_margins> ramps = {hatch_tuning.tone_ramp, hatch_tuning.level_ramp,
+                                                    hatch_tuning.rim_ramp, 0.0F};
+static_assert(margin_tone == 0 && margin_level == 1 && margin_rim == 2);
+
+// A bit for each margin of a mark that is below 0, and from `below_ramp` on for each that is below its ramp. Marks
+// beside each other mostly have the same, and nothing turns between them.
+constexpr unsigned below_ramp = hatch_margins;
+
+[[nodiscard]] std::uint8_t state_of(const HatchMark& mark) noexcept {
+    unsigned state = 0;
+    for (std::size_t k = 0; k < hatch_margins; ++k) {
+        state |= static_cast<unsigned>(mark.margin[k] < 0.0F) << k;
+        state |= static_cast<unsigned>(mark.margin[k] < ramps[k]) << (below_ramp + k);
+    }
+    return static_cast<std::uint8_t>(state);
+}
+
+// Whether a line hardly goes on at a mark, and there less than at the marks on either side.
+[[nodiscard]] bool is_weakest(const Marks& m, std::int64_t i, std::uint8_t state) noexcept {
+    if ((state >> below_ramp & ~state & ((1U << hatch_margins) - 1U)) == 0) return false;
+    for (std::size_t k = 0; k < hatch_margins; ++k) {
+        const float own = m[i].margin[k];
+        if (own > 0.0F && own < ramps[k] && own <= m[i - 1].margin[k] && own <= m[i + 1].margin[k]) return true;
+    }
+    return false;
+}
+
+// Places between two marks in rising order, and a bit for the margin that is 0 there.
+struct Turns {
+    struct Turn {
+        float at;
+        std::uint8_t ends;
+    };
+    std::array<Turn, 2 * hatch_margins> turn;
+    std::size_t count = 0;
+
+    void add(float at, std::uint8_t ends) noexcept {
+        std::size_t place = count++;
+        for (; place > 0 && turn[place - 1].at > at; --place) turn[place] = turn[place - 1];
+        turn[place] = {at, ends};
+    }
+};
+
+// Where the line's presence turns between mark i and the next one: where a margin changes its sign, and where it begins
+// to fade.
+[[nodiscard]] Turns turns_after(const Marks& m, std::int64_t i) noexcept {
+    Turns turns;
+    if (!m[i].is_valid() || !m[i + 1].is_valid()) return turns;
+    for (std::size_t k = 0; k < hatch_margins; ++k) {
+        const float from = m[i].margin[k];
+        const float to = m[i + 1].margin[k];
+        for (const float level : {0.0F, ramps[k]}) {
+            if ((from < level) == (to < level) || from == level || to == level) continue;
+            const float at = std::lerp(m.length[i], m.length[i + 1], (from - level) / (from - to));
+            turns.add(at, level == 0.0F ? static_cast<std::uint8_t>(1U << k) : std::uint8_t{0});
+            if (ramps[k] == 0.0F) break;
+        }
+    }
+    return turns;
+}
+
+// Where the line is sampled, as lengths from the chain's first mark: at even steps, where its presence turns, and where
+// it hardly goes on.
+void place_samples(const Marks& m, HatchSamples& to) {
+    const float whole = m.length[m.size() - 1];
+    const auto steps = std::max<std::int64_t>(static_cast<std::int64_t>(std::ceil(whole / hatch_tuning.step)), 1);
+    to.at.clear();
+    to.ends.clear();
+    std::int64_t next = 0; // the even step that has not been taken
+    const auto step_at = [&](std::int64_t k) {
+        return k < steps ? whole * (static_cast<float>(k) / static_cast<float>(steps)) : whole;
+    };
+    const auto put = [&](float length, std::uint8_t ends) {
+        if (to.at.empty() || length - to.at.back() > least_step) {
+            to.at.push_back(length);
+            to.ends.push_back(ends);
+        } else if (ends != 0) {
+            to.at.back() = length; // where it ends it is sampled exactly
+            to.ends.back() |= ends;
+        }
+    };
+    std::uint8_t state = state_of(m[0]);
+    float next_at = step_at(next);
+    const auto put_next = [&] {
+        put(next_at, 0);
+        next_at = step_at(++next);
+    };
+    for (std::int64_t i = 0; i + 1 < m.size(); ++i) {
+        const std::uint8_t before = std::exchange(state, state_of(m[i + 1]));
+        if (before != state) {
+            const Turns turns = turns_after(m, i);
+            for (std::size_t k = 0; k < turns.count; ++k) {
+                while (next <= steps && next_at < turns.turn[k].at - least_step) put_next();
+                put(turns.turn[k].at, turns.turn[k].ends);
+            }
+        }
+        while (next <= steps && next_at <= m.length[i + 1]) put_next();
+        if (i + 2 < m.size() && is_weakest(m, i + 1, state)) put(m.length[i + 1], 0);
+    }
+    if (to.at.size() > 1 && whole - to.at.back() <= least_step) {
+        to.at.back() = whole;
+    } else if (to.at.back() < whole) {
+        put(whole, 0);
+    }
+    if (to.at.size() < 2) { // a line of no length
+        to.at.push_back(whole);
+        to.ends.push_back(0);
+    }
+}
+
+// first_mark: the number along the stroke of the chain's first one.
+void sample_chain(const Marks& m, const HatchHand& hand, std::int64_t first_mark, HatchSamples& to) {
+    place_samples(m, to);
+    const base::Array<float>& at = to.at;
+    const std::int64_t count = at.size();
+    const std::int64_t first = to.sample.size();
+    to.sample.resize_for_overwrite(first + count);
+    Place place{0, 0.0F};
+    Place before{0, 0.0F};
+    Place after{0, 0.0F};
+    const float whole = at[count - 1];
+    for (std::int64_t i = 0; i < count; ++i) {
+        advance(m, place, at[i]);
+        HatchSample& sample = to.sample[first + i];
+        see_sample(m, place, sample);
+        if (to.ends[i] != 0)
+            for (std::size_t k = 0; k < hatch_margins; ++k)
+                if ((to.ends[i] >> k & 1U) != 0) sample.margin[k] = 0.0F;
+        const double mark = static_cast<double>(place.mark + first_mark) + static_cast<double>(place.share);
+        stray(m, hand, place, mark, sample);
+        if (hand.overshoots()) sample.overshoot = hand.beyond(mark);
+        // From one mark to the next a width may change by much, and samples stand elsewhere in the next frame: a width
+        // is the mean over a step around its place.
+        const float reach = std::min({0.5F * hatch_tuning.step, at[i], whole - at[i]});
+        advance(m, before, at[i] - reach);
+        advance(m, after, at[i] + reach);
+        sample.width =
+            reach > 0.0F ? 0.5F * (area_to(m, after) - area_to(m, before)) / reach
+                         : std::lerp(m[place.mark].width, m[std::min(place.mark + 1, m.size() - 1)].width, place.share);
+    }
+}
+
+} // namespace
+
+void sample_stroke(const LayerStyle& style, std::int64_t number, const HatchStroke& stroke, HatchSamples& to) {
+    const std::span<const HatchMark> marks = stroke.mark.span();
+    std::size_t end = 0;
+    for (std::size_t begin = 0; begin < marks.size(); begin = end) {
+        end = begin + 1;
+        while (end < marks.size() && !(marks[end].begins_chain > 0.0F)) ++end;
+        if (end - begin < 2) continue; // a mark alone is no line
+        const std::span<const HatchMark> own = marks.subspan(begin, end - begin);
+        measure(own, to);
+        HatchChain chain;
+        chain.first = to.sample.size();
+        chain.ring = stroke.ring;
+        chain.has_begin = begin == 0 && stroke.has_begin;
+        chain.has_end = end == marks.size() && stroke.has_end;
+        chain.begins = stroke.begins;
+        chain.ends = stroke.ends;
+        const float steps = static_cast<float>(own.size() - 1);
+        const HatchHand hand(style, number, stroke.closed ? stroke.count : 0, to.length[to.length.size() - 1] / steps);
+        sample_chain({own, to.length.data(), to.area.data(), stroke.ring}, hand, stroke.first_kept, to);
+        chain.count = to.sample.size() - chain.first;
+        to.chain.push_back(chain);
+    }
+}
+
+} // namespace hrbfnpr::frame

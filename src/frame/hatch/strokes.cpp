@@ -1,0 +1,658 @@
+// SPDX-License-Identifier: MIT
+#include "frame/hatch/strokes.h"
+
+#include "base/assert.h"
+#include "base/scratch.h"
+#include "frame/hatch/presence.h"
+#include "frame/hatch/tuning.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace hrbfnpr::frame {
+
+using drawing::Stroke;
+using drawing::StrokePoint;
+
+namespace {
+
+// Near a tip points lie closer, since the width changes like a root there; pixels from it.
+constexpr std::array<float, 3> tip_points = {0.3F, 1.25F, 2.5F};
+// Samples that are nearer to a tip than this are left out for those points, pixels.
+constexpr float tip_reach = 2.5F;
+constexpr std::int64_t most_left_out = 6; // points one after the other
+
+// The directions from a point in which its line may go on: those that pass by all points since nearly enough.
+class Passage {
+public:
+    explicit Passage(const StrokePoint& from) noexcept
+        : x_at_(from.x), y_at_(from.y), radius_at_(from.radius), length_(from.length), opacity_(from.opacity) {}
+
+    // Whether the points taken lie between the first one and this one, and have its opacity.
+    [[nodiscard]] bool reaches(const StrokePoint& to) const noexcept {
+        const float way = to.length - length_;
+        return way > 0.0F && to.opacity == opacity_ && holds(to.x - x_at_, way, x_) && holds(to.y - y_at_, way, y_) &&
+               holds(to.radius - radius_at_, way, radius_);
+    }
+    void take(const StrokePoint& p) noexcept {
+        const float way = p.length - length_;
+        if (!(way > 0.0F)) return;
+        const float scale = 1.0F / way;
+        narrow(p.x - x_at_, hatch_tuning.straight, scale, x_);
+        narrow(p.y - y_at_, hatch_tuning.straight, scale, y_);
+        narrow(p.radius - radius_at_, hatch_tuning.even_radius, scale, radius_);
+    }
+
+private:
+    struct Slopes {
+        float least = -std::numeric_limits<float>::infinity(), most = std::numeric_limits<float>::infinity();
+    };
+    static bool holds(float rise, float way, const Slopes& slopes) noexcept {
+        return rise > slopes.least * way && rise < slopes.most * way;
+    }
+    static void narrow(float rise, float by, float scale, Slopes& slopes) noexcept {
+        slopes.least = std::max(slopes.least, (rise - by) * scale);
+        slopes.most = std::min(slopes.most, (rise + by) * scale);
+    }
+
+    float x_at_, y_at_, radius_at_, length_, opacity_; // of the first point
+    Slopes x_, y_, radius_;
+};
+
+// How wide a line is at this distance from its end, as a share of its width. An ellipse's quarter would be blunter.
+[[nodiscard]] float narrowed(float from_end, float taper) noexcept {
+    return from_end < taper ? std::sqrt(std::max(from_end, 0.0F) / taper) : 1.0F;
+}
+
+// Presences of one chain, a row of numbers each.
+enum Presence : std::size_t {
+    by_tone = margin_tone,
+    by_level = margin_level,
+    by_rim = margin_rim,
+    by_picture = margin_picture,
+    by_hiding,
+    of_all,
+    scratch,
+    beyond_tone,
+    full_width, // of the line, up to where all widths count alike
+    filling,    // what a length counts for the level that it is of
+    calm,       // the distance to the nearest place where a line ends or fades, pixels
+    presences
+};
+
+// The strokes of one chain.
+class ChainStrokes {
+public:
+    ChainStrokes(const LayerStyle& style, float halo, const Hiding& hiding, const HatchChain& chain,
+                 std::span<const HatchSample> samples, std::span<Dot> dots, HatchStrokePart& part)
+        : style_(style), halo_(halo), hiding_(hiding), chain_(chain), samples_(samples), dots_(dots), part_(part) {
+        HRBFNPR_ASSERT(samples.size() == dots.size() && samples.size() >= 2);
+        const std::int64_t count = size();
+        part.length.clear();
+        float length = 0.0F;
+        for (std::int64_t i = 0; i < count; ++i) {
+            if (i > 0) length += glm::length(glm::vec2(dot(i).x - dot(i - 1).x, dot(i).y - dot(i - 1).y));
+            part.length.push_back(length);
+        }
+        line_ = {part.length.span(), chain.ring};
+        if (part.row.size() < static_cast<std::int64_t>(presences) * count)
+            base::resize_scratch(part.row, static_cast<std::int64_t>(presences) * count);
+    }
+
+    void operator()() {
+        find_presences();
+        if (std::none_of(row(by_tone), row(by_tone) + size(), [](float p) { return p > 0.0F; })) return;
+        close_gaps();
+        close_hidden();
+        unite();
+        leave_out_short();
+        put_parts();
+    }
+
+private:
+    [[nodiscard]] std::int64_t size() const noexcept { return static_cast<std::int64_t>(samples_.size()); }
+    [[nodiscard]] const Dot& dot(std::int64_t i) const noexcept { return dots_[static_cast<std::size_t>(i)]; }
+    [[nodiscard]] const HatchSample& sample(std::int64_t i) const noexcept {
+        return samples_[static_cast<std::size_t>(i)];
+    }
+    [[nodiscard]] float* row(Presence which) const noexcept {
+        return part_.row.data() + static_cast<std::int64_t>(which) * size();
+    }
+    [[nodiscard]] bool is_seen(std::int64_t i) const noexcept { return dot(i).opacity > 0.0F; }
+
+    // ---- Presences
+
+    void find_presences() {
+        for (std::int64_t i = 0; i < size(); ++i) {
+            const auto& margin = sample(i).margin;
+            row(by_tone)[i] = risen(margin[margin_tone], 0.0F, hatch_tuning.tone_ramp);
+            row(by_level)[i] = risen(margin[margin_level], 0.0F, hatch_tuning.level_ramp);
+            row(by_rim)[i] = risen(margin[margin_rim], 0.0F, hatch_tuning.rim_ramp);
+            row(by_picture)[i] = margin[margin_picture] > 0.0F ? 1.0F : 0.0F;
+        }
+        if (style_.hatch_overshoot > 0.0F) overshoot();
+        part_.cuts.clear();
+        if (!hiding_.edges.empty()) HatchCuts(hiding_, halo_, dots_, part_.length, part_.cuts).find();
+        for (std::int64_t i = 0; i < size(); ++i) row(by_hiding)[i] = is_seen(i) ? 1.0F : 0.0F;
+    }
+
+    // A quick hand runs on past where its tone ends. What it has left at the last sample is how far it goes beyond
+    // that.
+    void overshoot() {
+        float* const tone = row(by_tone);
+        float* const left = row(beyond_tone);
+        std::fill_n(left, size(), 0.0F);
+        for (const int way : {1, -1}) {
+            for (std::int64_t i = 0; i < size(); ++i) {
+                if (!(tone[i] > 0.0F) || left[i] > 0.0F) continue;
+                float step = 0.0F;
+                std::int64_t k = line_.next(i, way, step);
+                if (k < 0 || tone[k] > 0.0F) continue;
+                float most = sample(k).overshoot; // k is where the tone ends
+                for (std::int64_t steps = 0; steps < size() && k >= 0 && !(tone[k] > 0.0F) && most > 0.0F; ++steps) {
+                    tone[k] = 1.0F;
+                    const std::int64_t last = k;
+                    k = line_.next(k, way, step);
+                    left[last] = most;
+                    most -= step;
+                }
+            }
+        }
+    }
+
+    // The share of the way from sample j, where the reason lets the line be drawn, to its neighbour k, where it does
+    // not, at which the line ends.
+    [[nodiscard]] float end_share(Presence reason, std::int64_t j, std::int64_t k) const noexcept {
+        if (reason == by_hiding) {
+            const std::int64_t before = std::min(j, k);
+            for (const HatchCut& cut : part_.cuts) {
+                if (cut.before != before) continue;
+                const float step = std::abs(line_.at(k) - line_.at(j));
+                return step > 0.0F ? std::clamp(std::abs(cut.at - line_.at(j)) / step, 0.0F, 1.0F) : 0.0F;
+            }
+            return 0.5F;
+        }
+        if (reason == by_tone && style_.hatch_overshoot > 0.0F) {
+            float step = std::abs(line_.at(k) - line_.at(j));
+            return step > 0.0F ? std::clamp(row(beyond_tone)[j] / step, 0.0F, 1.0F) : 0.0F;
+        }
+        HRBFNPR_ASSERT(reason <= by_picture);
+        const float from = sample(j).margin[reason];
+        const float to = sample(k).margin[reason];
+        return from > 0.0F && to < 0.0F ? from / (from - to) : from > 0.0F ? 1.0F : 0.0F;
+    }
+    // The share of all reasons.
+    [[nodiscard]] float end_share(std::int64_t j, std::int64_t k) const noexcept {
+        float share = 1.0F;
+        for (const Presence reason : {by_tone, by_level, by_rim, by_picture, by_hiding})
+            if (row(reason)[j] > 0.0F && !(row(reason)[k] > 0.0F)) share = std::min(share, end_share(reason, j, k));
+        return share;
+    }
+
+    // The length of the gap that sample i lies in, up to `most` on either side.
+    [[nodiscard]] float gap_around(std::int64_t i, float most, Presence reason) const noexcept {
+        const auto absence = [&](std::int64_t k) { return row(reason)[k] > 0.0F ? 0.0F : 1.0F; };
+        // The gap begins where the line ends.
+        const auto share = [&](std::int64_t j, std::int64_t k) { return 1.0F - end_share(reason, k, j); };
+        return held_length(line_, i, 1, most, most, absence, as_long, share).length +
+               held_length(line_, i, -1, most, most, absence, as_long, share).length;
+    }
+    static float as_long(std::int64_t) noexcept { return 1.0F; }
+
+    // Gaps of tone that are no longer than they are wide look like mistakes. They open little by little. Where a line
+    // lacks room it has no width, so that no gap is seen there.
+    void close_gaps() {
+        float* const p = row(by_tone);
+        float* const closed = row(scratch);
+        std::copy_n(p, size(), closed);
+        for (std::int64_t i = 0; i < size(); ++i) {
+            if (p[i] > 0.0F) continue;
+            const float limit = std::max(hatch_tuning.least_gap * sample(i).width, hatch_tuning.least_gap_pixels);
+            closed[i] = 1.0F - risen(gap_around(i, limit, by_tone), 0.5F * limit, limit);
+        }
+        std::copy_n(closed, size(), p);
+    }
+
+    // A short hidden gap is where a contour and its halo run out; a short part between two hidden ones is in the halo
+    // of a contour that it runs along.
+    void close_hidden() {
+        float* const p = row(by_hiding);
+        if (std::all_of(p, p + size(), [](float seen) { return seen == 1.0F; })) return;
+        float* const kept = row(scratch);
+        std::copy_n(p, size(), kept);
+        for (std::int64_t i = 0; i < size(); ++i) {
+            if (p[i] == 1.0F) continue;
+            const float closed = std::max(hatch_tuning.least_gap * sample(i).width, hatch_tuning.halo_alone * halo_);
+            const float open = closed * hatch_tuning.halo_and_more / hatch_tuning.halo_alone;
+            kept[i] = 1.0F - risen(gap_around(i, open, by_hiding), closed, open);
+        }
+        std::copy_n(kept, size(), p);
+        const float shortest = hatch_tuning.between_hidden * style_.hatch_shortest;
+        if (!(shortest > 0.0F)) return;
+        const auto seen = [&](std::int64_t k) { return p[k]; };
+        const auto share = [&](std::int64_t j, std::int64_t k) { return end_share(by_hiding, j, k); };
+        for (std::int64_t i = 0; i < size(); ++i) {
+            if (!(p[i] > 0.0F)) continue;
+            const float length = held_length(line_, i, 1, shortest, shortest, seen, as_long, share).length +
+                                 held_length(line_, i, -1, shortest, shortest, seen, as_long, share).length;
+            kept[i] *= risen(length, 0.5F * shortest, shortest);
+        }
+        std::copy_n(kept, size(), p);
+    }
+
+    void unite() {
+        for (std::int64_t i = 0; i < size(); ++i)
+            row(of_all)[i] =
+                std::min({row(by_tone)[i], row(by_level)[i], row(by_rim)[i], row(by_picture)[i], row(by_hiding)[i]});
+    }
+
+    // The share of the law's width that is left: how far a gap is closed, and how much is seen.
+    [[nodiscard]] float ink(std::int64_t i) const noexcept {
+        const float tone = sample(i).margin[margin_tone] > 0.0F ? 1.0F : row(by_tone)[i];
+        return std::min(tone, row(by_hiding)[i]);
+    }
+
+    // A part's length counts less where it is thinner than here: a hairline that joins it changes little. From half a
+    // pen on all widths count alike. Parts between other lines, for which there is hardly room, count less, too.
+    void leave_out_short() {
+        const float shortest = style_.hatch_shortest;
+        float* const p = row(of_all);
+        if (!(shortest > 0.0F)) {
+            for (std::int64_t i = 0; i < size(); ++i) p[i] = p[i] > 0.0F ? ink(i) : 0.0F;
+            return;
+        }
+        float* const kept = row(scratch);
+        const float full = hatch_tuning.full_width * style_.hatch_pen;
+        float* const width = row(full_width);
+        float* const level = row(filling);
+        for (std::int64_t i = 0; i < size(); ++i) {
+            width[i] = std::min(sample(i).width, full);
+            level[i] =
+                std::lerp(hatch_tuning.length_of_filling, 1.0F, std::clamp(sample(i).margin[margin_level], 0.0F, 1.0F));
+        }
+        const auto presence = [&](std::int64_t k) { return p[k]; };
+        // A presence that fades has half of the way to where it ends.
+        const auto share = [&](std::int64_t j, std::int64_t k) { return 0.5F * end_share(j, k); };
+        const float most = 2.0F * shortest;
+        for (std::int64_t i = 0; i < size(); ++i) {
+            kept[i] = 0.0F;
+            if (!(p[i] > 0.0F)) continue;
+            const float scale = 1.0F / std::max(width[i], 1e-6F);
+            const auto weight = [&](std::int64_t k) { return std::min(width[k] * scale, 1.0F) * level[k]; };
+            float length = held_length(line_, i, 1, most, 0.0F, presence, weight, share).length;
+            if (length < most) length += held_length(line_, i, -1, most, 0.0F, presence, weight, share).length;
+            kept[i] = risen(length, shortest, most);
+        }
+        // Where a line fades it is kept as it is where it is stronger: a part is drawn from end to end, or not at all.
+        for (const int way : {-1, 1}) {
+            std::int64_t i = way > 0 ? 0 : size() - 1;
+            for (std::int64_t steps = 0; steps < (chain_.ring ? 2 : 1) * size(); ++steps) {
+                float step = 0.0F;
+                const std::int64_t k = line_.next(i, way, step);
+                if (k < 0) break;
+                if (p[k] < p[i]) kept[k] = std::min(kept[k], kept[i]);
+                i = k;
+            }
+        }
+        for (std::int64_t i = 0; i < size(); ++i) p[i] = kept[i] > 0.0F ? ink(i) * kept[i] : 0.0F;
+    }
+
+    // ---- Tapers
+
+    // How long the end is before sample k, the first that a line going that way does not reach for a reason.
+    [[nodiscard]] float taper(Presence reason, std::int64_t k, int way) const noexcept {
+        const float blunt = hatch_tuning.blunt * style_.hatch_taper;
+        switch (reason) {
+        case by_tone: return style_.hatch_taper;
+        case by_level: return blunt;
+        case by_rim: return blunt * (1.0F - risen(sine_at_rim(k, way), hatch_tuning.runs_along, hatch_tuning.crosses));
+        case by_hiding: return hatch_tuning.hidden_taper;
+        default: return 0.0F;
+        }
+    }
+
+    // The sine of the angle between the contour at sample k, where a line going that way ends, and the line's last
+    // part.
+    [[nodiscard]] float sine_at_rim(std::int64_t k, int way) const noexcept {
+        std::int64_t i = k;
+        float length = 0.0F;
+        for (std::int64_t steps = 0; steps < size() && length < hatch_tuning.rim_part * style_.hatch_taper; ++steps) {
+            float step = 0.0F;
+            const std::int64_t next = line_.next(i, -way, step);
+            if (next < 0 || !(row(by_rim)[next] > 0.0F)) break;
+            length += step;
+            i = next;
+        }
+        const glm::vec2 chord(dot(i).x - dot(k).x, dot(i).y - dot(k).y);
+        const glm::vec2& across = sample(k).across_rim;
+        const float lengths = glm::length(chord) * glm::length(across);
+        return lengths > 0.0F ? std::abs(glm::dot(chord, across)) / lengths : 0.0F;
+    }
+
+    // The taper where the stroke itself ends.
+    [[nodiscard]] float taper(StrokeEnd end, float width) const noexcept {
+        const float blunt = hatch_tuning.blunt * style_.hatch_taper;
+        return end == StrokeEnd::crease ? std::min(hatch_tuning.round_tip * width, blunt) : blunt;
+    }
+
+    // Most samples lie far from where a line ends or fades, and need no walk to either side.
+    void find_calm() {
+        float* const d = row(calm);
+        std::fill_n(d, size(), std::numeric_limits<float>::infinity());
+        for (const Presence reason : {by_tone, by_level, by_rim, by_hiding}) {
+            if (!ends_by_[reason]) continue;
+            const float least = reason == by_rim ? std::numeric_limits<float>::min() : 1.0F;
+            for (std::int64_t i = 0; i < size(); ++i) {
+                if (row(reason)[i] >= least) continue;
+                d[std::max<std::int64_t>(i - 1, 0)] = d[i] = d[std::min(i + 1, size() - 1)] = 0.0F;
+            }
+        }
+        if (chain_.ring) d[0] = d[size() - 1] = std::min(d[0], d[size() - 1]);
+        for (const int way : {1, -1}) {
+            std::int64_t i = way > 0 ? 0 : size() - 1;
+            for (std::int64_t steps = 0; steps < (chain_.ring ? 2 : 1) * size(); ++steps) {
+                float step = 0.0F;
+                const std::int64_t k = line_.next(i, way, step);
+                if (k < 0) break;
+                d[k] = std::min(d[k], d[i] + step);
+                i = k;
+            }
+        }
+    }
+
+    // How wide the line is at sample i, as a share of its width, by how far it is from the ends.
+    [[nodiscard]] float profile(std::int64_t i) const noexcept {
+        const float reach = std::max(style_.hatch_taper, hatch_tuning.hidden_taper);
+        const float width = sample(i).width;
+        float least = row(calm)[i] < reach ? profile_of_ends(i) : 1.0F;
+        if (chain_.has_begin) least = std::min(least, narrowed(line_.at(i), taper(chain_.begins, width)));
+        if (chain_.has_end)
+            least = std::min(least, narrowed(line_.at(size() - 1) - line_.at(i), taper(chain_.ends, width)));
+        return least;
+    }
+    [[nodiscard]] float profile_of_ends(std::int64_t i) const noexcept {
+        float least = 1.0F;
+        for (const Presence reason : {by_tone, by_level, by_rim, by_hiding}) {
+            if (!ends_by_[reason]) continue;
+            // Near a contour a line that crosses it goes on in full.
+            const bool fades = reason == by_tone || reason == by_level;
+            const auto presence = [&](std::int64_t k) {
+                return fades || reason == by_hiding ? row(reason)[k] : row(reason)[k] > 0.0F ? 1.0F : 0.0F;
+            };
+            const auto share = [&](std::int64_t j, std::int64_t k) {
+                return (fades ? 0.5F : 1.0F) * end_share(reason, j, k);
+            };
+            const float most = reason == by_hiding ? hatch_tuning.hidden_taper
+                               : reason == by_tone ? style_.hatch_taper
+                                                   : hatch_tuning.blunt * style_.hatch_taper;
+            for (const int way : {1, -1}) {
+                const HeldLength held = held_length(line_, i, way, most, most, presence, as_long, share);
+                if (held.length >= most) continue;
+                const float own = held.stopped_at >= 0 ? taper(reason, held.stopped_at, way) : most;
+                least = std::min(least, narrowed(held.length, own));
+            }
+        }
+        return least;
+    }
+
+    // The same where the line ends at sample k, after j. Samples do not see ends that are shorter than a pixel.
+    [[nodiscard]] float profile_at_end(std::int64_t j, std::int64_t k, int way) const noexcept {
+        float longest = -1.0F;
+        for (const Presence reason : {by_tone, by_level, by_rim, by_picture, by_hiding})
+            if (row(reason)[j] > 0.0F && !(row(reason)[k] > 0.0F)) longest = std::max(longest, taper(reason, k, way));
+        if (longest < 0.0F) return 0.0F; // what goes on is too short to be drawn
+        return 1.0F - std::min(longest, 1.0F);
+    }
+
+    // ---- Strokes
+
+    void put_parts() {
+        const float* const p = row(of_all);
+        const auto is_drawn = [](float presence) { return presence > 0.0F; };
+        for (const Presence reason : {by_tone, by_level, by_rim, by_hiding})
+            ends_by_[reason] = !std::all_of(row(reason), row(reason) + size(), is_drawn);
+        find_calm();
+        std::int64_t start = 0; // of a ring that has a gap, a sample in it
+        bool whole = chain_.ring;
+        for (std::int64_t i = 0; chain_.ring && i < size(); ++i) {
+            if (is_drawn(p[i])) continue;
+            start = i;
+            whole = false;
+            break;
+        }
+        const std::int64_t around = size() - 1; // samples of a ring
+        const bool turned = chain_.ring && !whole;
+        order_ = {turned ? start : 0, turned ? around : 0};
+        const std::int64_t count = turned ? around + 1 : size();
+        for (std::int64_t k = 0; k < count; ++k) {
+            if (!is_drawn(p[order_[k]])) continue;
+            const std::int64_t first = k;
+            while (k + 1 < count && is_drawn(p[order_[k + 1]])) ++k;
+            put({first, k, first > 0, k + 1 < count, whole});
+        }
+    }
+
+    // Samples that follow each other, by their places in the order, and whether the line ends beside them.
+    struct Part {
+        std::int64_t first, last;
+        bool ends_before, ends_after;
+        bool closed;
+    };
+
+    void put(const Part& drawn) {
+        take_points(drawn);
+        if (raw().size() < 2) return;
+        Stroke stroke;
+        stroke.first = part_.made.points.size();
+        stroke.layer = dot(0).layer;
+        stroke.closed = drawn.closed;
+        const float whole = raw().back().length;
+        const bool has_tips = whole > 4.0F * tip_reach;
+        const bool begins_in_tip = has_tips && !drawn.closed && raw()[0].radius == 0.0F;
+        const bool ends_in_tip = has_tips && !drawn.closed && raw().back().radius == 0.0F;
+        const float low = begins_in_tip ? tip_reach : 0.0F;
+        const float high = ends_in_tip ? whole - tip_reach : whole;
+        base::Array<StrokePoint>& points = part_.made.points;
+        points.push_back(raw()[0]);
+        if (begins_in_tip)
+            for (const float at : tip_points) points.push_back(tip_point(at, tip_reach, at));
+        for (std::int64_t k = 1; k + 1 < raw().size(); ++k)
+            if (raw()[k].length > low && raw()[k].length < high) points.push_back(raw()[k]);
+        if (ends_in_tip)
+            for (std::size_t k = tip_points.size(); k-- > 0;)
+                points.push_back(tip_point(whole - tip_points[k], whole - tip_reach, tip_points[k]));
+        points.push_back(raw().back());
+        if (begins_in_tip) narrow_tip(stroke.first + 1);
+        if (ends_in_tip) narrow_tip(points.size() - 2);
+        keep_within_edges(stroke.first);
+        leave_out(stroke.first + (begins_in_tip ? 1 : 0), points.size() - (ends_in_tip ? 2 : 1));
+        stroke.count = static_cast<std::int32_t>(points.size() - stroke.first);
+        stroke.depth = points[stroke.first + stroke.count / 2].depth;
+        part_.made.strokes.push_back(stroke);
+    }
+
+    [[nodiscard]] base::Array<StrokePoint>& raw() const noexcept { return part_.raw; }
+
+    // Fills raw() with a point for each sample of the part, and one where it ends on either side.
+    void take_points(const Part& drawn) {
+        base::Array<StrokePoint>& points = part_.raw;
+        points.clear();
+        float opacity = 1.0F;
+        for (std::int64_t k = drawn.first; k <= drawn.last; ++k) {
+            if (!is_seen(order_[k])) continue; // the line goes on over it
+            opacity = dot(order_[k]).opacity;
+            break;
+        }
+        if (drawn.ends_before) points.push_back(end_point(order_[drawn.first], order_[drawn.first - 1], -1, opacity));
+        for (std::int64_t k = drawn.first; k <= drawn.last; ++k) {
+            const std::int64_t i = order_[k];
+            const Dot& own = dot(i);
+            if (is_seen(i)) opacity = own.opacity;
+            const float radius = own.radius * row(of_all)[i] * profile(i);
+            points.push_back({own.x, own.y, radius, opacity, own.depth, own.window, own.pixels_per_unit, 0.0F, own.id});
+        }
+        if (drawn.ends_after) points.push_back(end_point(order_[drawn.last], order_[drawn.last + 1], 1, opacity));
+        for (std::int64_t k = 1; k < points.size(); ++k)
+            points[k].length = points[k - 1].length +
+                               glm::length(glm::vec2(points[k].x - points[k - 1].x, points[k].y - points[k - 1].y));
+    }
+
+    [[nodiscard]] static StrokePoint between(const StrokePoint& a, const StrokePoint& b, float t) noexcept {
+        const auto mixed = [t](float from, float to) { return from + t * (to - from); };
+        return {mixed(a.x, b.x),
+                mixed(a.y, b.y),
+                std::sqrt(mixed(a.radius * a.radius, b.radius * b.radius)), // as near an end
+                mixed(a.opacity, b.opacity),
+                mixed(a.depth, b.depth),
+                mixed(a.window, b.window),
+                mixed(a.pixels_per_unit, b.pixels_per_unit),
+                mixed(a.length, b.length),
+                t < 0.5F ? a.id : b.id};
+    }
+
+    // Where the line ends between sample j, which is drawn, and k, which is not.
+    [[nodiscard]] StrokePoint end_point(std::int64_t j, std::int64_t k, int way, float opacity) const noexcept {
+        const auto point = [&](const Dot& d) {
+            return StrokePoint{d.x, d.y, 0.0F, opacity, d.depth, d.window, d.pixels_per_unit, 0.0F, d.id};
+        };
+        StrokePoint end = between(point(dot(j)), point(dot(k)), end_share(j, k));
+        end.radius = dot(j).radius * row(of_all)[j] * profile_at_end(j, k, way);
+        return end;
+    }
+
+    [[nodiscard]] StrokePoint raw_at(float length) const noexcept {
+        const auto* const next = std::upper_bound(raw().begin() + 1, raw().end() - 1, length,
+                                                  [](float wanted, const StrokePoint& p) { return wanted < p.length; });
+        const StrokePoint& a = *(next - 1);
+        const float way = next->length - a.length;
+        return between(a, *next, way > 0.0F ? std::clamp((length - a.length) / way, 0.0F, 1.0F) : 0.0F);
+    }
+
+    // A point near a tip, at this length, as wide as a root from the tip to the place `full` asks.
+    [[nodiscard]] StrokePoint tip_point(float length, float full, float from_tip) const noexcept {
+        StrokePoint point = raw_at(length);
+        point.radius = raw_at(full).radius * std::sqrt(from_tip / tip_reach);
+        return point;
+    }
+
+    // However wide a line is, what lies farther from its end gets no thinner when it does.
+    void narrow_tip(std::int64_t point) noexcept {
+        float& radius = part_.made.points[point].radius;
+        radius = std::min(radius, 0.5F * hatch_tuning.widest_tip * style_.hatch_pen);
+    }
+
+    // A line goes over no edge that it runs along.
+    void keep_within_edges(std::int64_t first) noexcept {
+        if (hiding_.edges.empty()) return;
+        base::Array<StrokePoint>& points = part_.made.points;
+        for (std::int64_t i = first; i < points.size(); ++i) {
+            const StrokePoint& before = points[std::max(i - 1, first)];
+            const StrokePoint& after = points[std::min(i + 1, points.size() - 1)];
+            points[i].radius = hiding_.edges.room(points[i], glm::vec2(after.x - before.x, after.y - before.y),
+                                                  points[i].radius, std::min(halo_, widest_halo));
+        }
+    }
+
+    // Fewer points make fewer edges to draw: leaves out points that lie between those beside them.
+    void leave_out(std::int64_t first, std::int64_t last) {
+        base::Array<StrokePoint>& points = part_.made.points;
+        std::int64_t kept = first;
+        std::int64_t from = first; // the point that was kept last
+        Passage passage(points[first]);
+        for (std::int64_t i = first + 1; i < points.size(); ++i) {
+            passage.take(points[i]);
+            if (i < last && i - from <= most_left_out && points[i].opacity == points[kept].opacity &&
+                passage.reaches(points[i + 1]))
+                continue;
+            if (++kept != i) points[kept] = points[i];
+            from = i;
+            passage = Passage(points[kept]);
+        }
+        points.resize(kept + 1);
+    }
+
+    // Samples in the order in which they are drawn: those of a ring begin in a gap.
+    struct Order {
+        std::int64_t start = 0;
+        std::int64_t around = 0; // samples of a ring that is turned; else 0
+
+        [[nodiscard]] std::int64_t operator[](std::int64_t k) const noexcept {
+            return around > 0 ? (start + k) % around : k;
+        }
+    };
+
+    const LayerStyle& style_;
+    float halo_;
+    const Hiding& hiding_;
+    const HatchChain& chain_;
+    std::span<const HatchSample> samples_;
+    std::span<Dot> dots_;
+    HatchStrokePart& part_;
+    SampledLine line_;
+    Order order_;
+    std::array<bool, presences> ends_by_{};
+};
+
+// Calls f for each element whose mark differs from that of the one before.
+template <class Range, class F>
+void for_each_mark(const Range& range, const F& f) {
+    std::uint32_t last = 0;
+    for (const auto& element : range)
+        if (std::exchange(last, element.id) != element.id) f(element);
+}
+
+void make_strokes(const LayerStyle& style, float halo, const Hiding& hiding, const HatchSamples& from,
+                  std::span<Dot> dots, HatchStrokePart& part) {
+    part.made.strokes.clear();
+    part.made.points.clear();
+    part.seen = part.shown = part.hidden = 0;
+    for (const Dot& dot : dots) part.seen += dot.opacity > 0.0F ? 1 : 0;
+    for (const HatchChain& chain : from.chain) {
+        const std::span<Dot> own =
+            dots.subspan(static_cast<std::size_t>(chain.first), static_cast<std::size_t>(chain.count));
+        const std::span<const HatchSample> samples =
+            from.sample.span().subspan(static_cast<std::size_t>(chain.first), static_cast<std::size_t>(chain.count));
+        std::uint32_t last = 0;
+        for (std::size_t i = 0; i < own.size(); ++i) {
+            if (std::exchange(last, own[i].id) == own[i].id || own[i].opacity > 0.0F) continue;
+            part.hidden += *std::min_element(samples[i].margin.begin(), samples[i].margin.end()) >= 0.0F ? 1 : 0;
+        }
+        ChainStrokes(style, halo, hiding, chain, samples, own, part)();
+    }
+    for (Dot& dot : dots) dot.opacity = 0.0F;
+    for_each_mark(part.made.points, [&](const StrokePoint&) { ++part.shown; });
+}
+
+} // namespace
+
+std::span<const HatchStrokePart> HatchStrokes::run(const Scene& scene, const HatchPoints& points, const Hiding& hiding,
+                                                   drawing::Drawing& drawing) {
+    const std::span<const HatchPoints::Batch> batches = points.batches();
+    const auto count = static_cast<std::int64_t>(batches.size());
+    while (parts_.size() < count) parts_.add(runtime_.memory);
+    runtime_.parallel.for_each(count, [&](std::int64_t i) {
+        const HatchPoints::Batch& batch = batches[static_cast<std::size_t>(i)];
+        const std::span<Dot> dots(drawing.dots.data() + batch.first_dot,
+                                  static_cast<std::size_t>(batch.samples.sample.size()));
+        const Run& own = scene.runs[batch.run];
+        make_strokes(*own.style, scene.item_of(own).style.halo_width, hiding, batch.samples, dots, parts_[i]);
+    });
+    for (std::int64_t i = 0; i < count; ++i) {
+        const HatchStrokePart& part = parts_[i];
+        const std::int64_t dots = batches[static_cast<std::size_t>(i)].samples.sample.size();
+        drawing.dot_count -= part.seen;
+        drawing.counts.shown += part.shown - part.seen;
+        drawing.counts.dropped_hidden += part.hidden - (dots - part.seen);
+    }
+    return {parts_.begin(), batches.size()};
+}
+
+std::int64_t HatchStrokes::bytes() const noexcept {
+    std::int64_t sum = parts_.bytes();
+    for (const HatchStrokePart& part : parts_) sum += part.bytes();
+    return sum;
+}
+
+} // namespace hrbfnpr::frame
