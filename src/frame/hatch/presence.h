@@ -72,7 +72,7 @@ template <class Presence, class Weight, class EndShare>
             held.stopped_at = k;
             return held;
         }
-        const float now = std::min(least, there / own);
+        const float now = there < own ? std::min(least, there / own) : least;
         const float after = weight(k);
         held.length += 0.5F * step * (least * before + now * after);
         if (held.length >= most) {

@@ -155,7 +155,7 @@ constexpr unsigned below_ramp = hatch_margins;
 
 // Whether a line hardly goes on at a mark, and there less than at the marks on either side.
 [[nodiscard]] bool is_weakest(const Marks& m, std::int64_t i, std::uint8_t state) noexcept {
-    if ((state >> below_ramp & ~state & ((1U << hatch_margins) - 1U)) == 0) return false;
+    if ((unsigned{state} >> below_ramp & ~unsigned{state} & ((1U << hatch_margins) - 1U)) == 0) return false;
     for (std::size_t k = 0; k < hatch_margins; ++k) {
         const float own = m[i].margin[k];
         if (own > 0.0F && own < ramps[k] && own <= m[i - 1].margin[k] && own <= m[i + 1].margin[k]) return true;
@@ -263,7 +263,7 @@ void sample_chain(const Marks& m, const HatchHand& hand, std::int64_t first_mark
         see_sample(m, place, sample);
         if (to.ends[i] != 0)
             for (std::size_t k = 0; k < hatch_margins; ++k)
-                if ((to.ends[i] >> k & 1U) != 0) sample.margin[k] = 0.0F;
+                if ((static_cast<unsigned>(to.ends[i]) >> k & 1U) != 0) sample.margin[k] = 0.0F;
         const double mark = static_cast<double>(place.mark + first_mark) + static_cast<double>(place.share);
         stray(m, hand, place, mark, sample);
         if (hand.overshoots()) sample.overshoot = hand.beyond(mark);

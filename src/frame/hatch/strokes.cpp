@@ -78,7 +78,6 @@ enum Presence : std::size_t {
     beyond_tone,
     full_width, // of the line, up to where all widths count alike
     filling,    // what a length counts for the level that it is of
-    calm,       // the distance to the nearest place where a line ends or fades, pixels
     presences
 };
 
@@ -127,9 +126,9 @@ private:
     void find_presences() {
         for (std::int64_t i = 0; i < size(); ++i) {
             const auto& margin = sample(i).margin;
-            row(by_tone)[i] = risen(margin[margin_tone], 0.0F, hatch_tuning.tone_ramp);
-            row(by_level)[i] = risen(margin[margin_level], 0.0F, hatch_tuning.level_ramp);
-            row(by_rim)[i] = risen(margin[margin_rim], 0.0F, hatch_tuning.rim_ramp);
+            row(by_tone)[i] = std::clamp(margin[margin_tone] * (1.0F / hatch_tuning.tone_ramp), 0.0F, 1.0F);
+            row(by_level)[i] = std::clamp(margin[margin_level] * (1.0F / hatch_tuning.level_ramp), 0.0F, 1.0F);
+            row(by_rim)[i] = std::clamp(margin[margin_rim] * (1.0F / hatch_tuning.rim_ramp), 0.0F, 1.0F);
             row(by_picture)[i] = margin[margin_picture] > 0.0F ? 1.0F : 0.0F;
         }
         if (style_.hatch_overshoot > 0.0F) overshoot();
@@ -276,9 +275,16 @@ private:
         // A presence that fades has half of the way to where it ends.
         const auto share = [&](std::int64_t j, std::int64_t k) { return 0.5F * end_share(j, k); };
         const float most = 2.0F * shortest;
+        const auto is_solid = [&](std::int64_t k) { return p[k] == 1.0F && width[k] == full && level[k] == 1.0F; };
+        std::int64_t solid = 0; // samples before this one hold together by themselves
         for (std::int64_t i = 0; i < size(); ++i) {
-            kept[i] = 0.0F;
-            if (!(p[i] > 0.0F)) continue;
+            if (i >= solid && is_solid(i)) {
+                std::int64_t last = i;
+                while (last + 1 < size() && is_solid(last + 1)) ++last;
+                if (line_.at(last) - line_.at(i) >= most) solid = last + 1;
+            }
+            kept[i] = i < solid ? 1.0F : 0.0F;
+            if (i < solid || !(p[i] > 0.0F)) continue;
             const float scale = 1.0F / std::max(width[i], 1e-6F);
             const auto weight = [&](std::int64_t k) { return std::min(width[k] * scale, 1.0F) * level[k]; };
             float length = held_length(line_, i, 1, most, 0.0F, presence, weight, share).length;
@@ -337,56 +343,57 @@ private:
         return end == StrokeEnd::crease ? std::min(hatch_tuning.round_tip * width, blunt) : blunt;
     }
 
-    // Most samples lie far from where a line ends or fades, and need no walk to either side.
-    void find_calm() {
-        float* const d = row(calm);
-        std::fill_n(d, size(), std::numeric_limits<float>::infinity());
+    // Presences near a contour do not narrow a line: one that crosses it goes on in full.
+    [[nodiscard]] float tapering(Presence reason, std::int64_t i) const noexcept {
+        const float p = row(reason)[i];
+        return reason != by_rim ? p : p > 0.0F ? 1.0F : 0.0F;
+    }
+    // The longest taper of that reason.
+    [[nodiscard]] float longest_taper(Presence reason) const noexcept {
+        return reason == by_hiding ? hatch_tuning.hidden_taper
+               : reason == by_tone ? style_.hatch_taper
+                                   : hatch_tuning.blunt * style_.hatch_taper;
+    }
+
+    // Sets a bit of each sample for each reason by which the line may be narrower there. Most samples lie far from
+    // where a line ends or fades.
+    void find_near() {
+        base::resize_scratch(part_.near, size());
+        std::uint8_t* const near = part_.near.data();
+        std::fill_n(near, size(), std::uint8_t{0});
         for (const Presence reason : {by_tone, by_level, by_rim, by_hiding}) {
             if (!ends_by_[reason]) continue;
-            const float least = reason == by_rim ? std::numeric_limits<float>::min() : 1.0F;
+            const auto bit = static_cast<std::uint8_t>(1U << reason);
+            const float most = longest_taper(reason);
             for (std::int64_t i = 0; i < size(); ++i) {
-                if (row(reason)[i] >= least) continue;
-                d[std::max<std::int64_t>(i - 1, 0)] = d[i] = d[std::min(i + 1, size() - 1)] = 0.0F;
-            }
-        }
-        if (chain_.ring) d[0] = d[size() - 1] = std::min(d[0], d[size() - 1]);
-        for (const int way : {1, -1}) {
-            std::int64_t i = way > 0 ? 0 : size() - 1;
-            for (std::int64_t steps = 0; steps < (chain_.ring ? 2 : 1) * size(); ++steps) {
-                float step = 0.0F;
-                const std::int64_t k = line_.next(i, way, step);
-                if (k < 0) break;
-                d[k] = std::min(d[k], d[i] + step);
-                i = k;
+                if (tapering(reason, i) == 1.0F) continue;
+                near[i] = static_cast<std::uint8_t>(near[i] | bit);
+                for (const int way : {1, -1}) {
+                    float length = 0.0F; // from the last place before sample i at which the line may end
+                    float step = 0.0F;
+                    std::int64_t k = line_.next(i, way, step);
+                    for (std::int64_t steps = 0;
+                         steps < size() && k >= 0 && length < most && tapering(reason, k) == 1.0F; ++steps) {
+                        near[k] = static_cast<std::uint8_t>(near[k] | bit);
+                        k = line_.next(k, way, step);
+                        length += step;
+                    }
+                }
             }
         }
     }
 
     // How wide the line is at sample i, as a share of its width, by how far it is from the ends.
     [[nodiscard]] float profile(std::int64_t i) const noexcept {
-        const float reach = std::max(style_.hatch_taper, hatch_tuning.hidden_taper);
-        const float width = sample(i).width;
-        float least = row(calm)[i] < reach ? profile_of_ends(i) : 1.0F;
-        if (chain_.has_begin) least = std::min(least, narrowed(line_.at(i), taper(chain_.begins, width)));
-        if (chain_.has_end)
-            least = std::min(least, narrowed(line_.at(size() - 1) - line_.at(i), taper(chain_.ends, width)));
-        return least;
-    }
-    [[nodiscard]] float profile_of_ends(std::int64_t i) const noexcept {
         float least = 1.0F;
         for (const Presence reason : {by_tone, by_level, by_rim, by_hiding}) {
-            if (!ends_by_[reason]) continue;
-            // Near a contour a line that crosses it goes on in full.
+            if ((static_cast<unsigned>(part_.near[i]) >> reason & 1U) == 0) continue;
             const bool fades = reason == by_tone || reason == by_level;
-            const auto presence = [&](std::int64_t k) {
-                return fades || reason == by_hiding ? row(reason)[k] : row(reason)[k] > 0.0F ? 1.0F : 0.0F;
-            };
+            const auto presence = [&](std::int64_t k) { return tapering(reason, k); };
             const auto share = [&](std::int64_t j, std::int64_t k) {
                 return (fades ? 0.5F : 1.0F) * end_share(reason, j, k);
             };
-            const float most = reason == by_hiding ? hatch_tuning.hidden_taper
-                               : reason == by_tone ? style_.hatch_taper
-                                                   : hatch_tuning.blunt * style_.hatch_taper;
+            const float most = longest_taper(reason);
             for (const int way : {1, -1}) {
                 const HeldLength held = held_length(line_, i, way, most, most, presence, as_long, share);
                 if (held.length >= most) continue;
@@ -394,6 +401,10 @@ private:
                 least = std::min(least, narrowed(held.length, own));
             }
         }
+        const float width = sample(i).width;
+        if (chain_.has_begin) least = std::min(least, narrowed(line_.at(i), taper(chain_.begins, width)));
+        if (chain_.has_end)
+            least = std::min(least, narrowed(line_.at(size() - 1) - line_.at(i), taper(chain_.ends, width)));
         return least;
     }
 
@@ -413,7 +424,7 @@ private:
         const auto is_drawn = [](float presence) { return presence > 0.0F; };
         for (const Presence reason : {by_tone, by_level, by_rim, by_hiding})
             ends_by_[reason] = !std::all_of(row(reason), row(reason) + size(), is_drawn);
-        find_calm();
+        find_near();
         std::int64_t start = 0; // of a ring that has a gap, a sample in it
         bool whole = chain_.ring;
         for (std::int64_t i = 0; chain_.ring && i < size(); ++i) {

@@ -18,7 +18,7 @@ namespace hrbfnpr::frame {
 // What becomes of one batch of samples. Threads fill parts that lie side by side.
 struct alignas(base::Memory::alignment) HatchStrokePart {
     explicit HatchStrokePart(base::Memory& memory) noexcept
-        : made(memory), length(memory), cuts(memory), row(memory), raw(memory) {}
+        : made(memory), length(memory), cuts(memory), row(memory), near(memory), raw(memory) {}
 
     LineStrokes made;
     std::int64_t seen = 0;              // dots
@@ -27,11 +27,13 @@ struct alignas(base::Memory::alignment) HatchStrokePart {
     // Scratch.
     base::Array<float> length; // of each sample of a chain from its first one, pixels
     base::Array<HatchCut> cuts;
-    base::Array<float> row;                // presences of a chain
+    base::Array<float> row;         // presences of a chain
+    base::Array<std::uint8_t> near; // of each sample, a bit for each reason by which the line ends or fades near it
     base::Array<drawing::StrokePoint> raw; // of a stroke, before its points are chosen
 
     [[nodiscard]] std::int64_t bytes() const noexcept {
-        return made.strokes.bytes() + made.points.bytes() + length.bytes() + cuts.bytes() + row.bytes() + raw.bytes();
+        return made.strokes.bytes() + made.points.bytes() + length.bytes() + cuts.bytes() + row.bytes() + near.bytes() +
+               raw.bytes();
     }
 };
 
