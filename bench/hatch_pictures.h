@@ -35,7 +35,7 @@ namespace bench {
 // A pen of the command line in a picture of so many pixels: below 600 it gets no finer.
 [[nodiscard]] inline float pen_of(double size) { return static_cast<float>(std::max(0.75, size / 800.0)); }
 
-// A named style for a picture of so many pixels, whose hidden lines are left out.
+// A named style whose lengths are scaled to a picture of this size, without halos.
 [[nodiscard]] inline Style hatch_style(std::uint32_t preset, double size) {
     Style style(preset);
     const float pen = pen_of(size);

@@ -24,7 +24,7 @@ struct LayerSettings {
     std::int64_t budget = default_budget;
     bool with_curvature = false;  // fill Layer::curvature
     double tone_smoothing = -1.0; // of normals for tone, diagonals; -1: completed() chooses
-    // Of the two directions; 0 and 0: as Settings::tone_ranges says.
+    // The tone range of each of the two directions. If both are 0, Settings::tone_ranges decides.
     std::array<marks::TonePart, 2> part{marks::TonePart{0.0, 0.0}, marks::TonePart{0.0, 0.0}};
     stipples::DensitySettings density;
     hatching::Settings hatching;

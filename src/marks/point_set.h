@@ -12,13 +12,13 @@
 
 namespace hrbfnpr::marks {
 
-// Same numbers as HRBFNPR_LAYER_KIND_..., HRBFNPR_DISTRIBUTION_..., HRBFNPR_SEED_...
+// These enumerations have the numbers of the constants HRBFNPR_LAYER_KIND, HRBFNPR_DISTRIBUTION and HRBFNPR_SEED.
 enum class Kind : std::uint32_t { any = 0, stipples = 1, hatch = 2, own = 3 };
 inline constexpr std::uint32_t kind_count = 4;
 enum class Distribution : std::uint32_t { blue_noise = 0, published = 1 };
 enum class SeedSource : std::uint32_t { automatic = 0, samples = 1, box = 2, points = 3 };
 
-// Of the recursion.
+// The article's recursion has at most this many levels.
 inline constexpr int most_levels = 12;
 // A list of layers is no array of marks: longer ones are mistakes.
 inline constexpr std::int64_t most_layers = 65536;

@@ -34,8 +34,8 @@ struct GrowthSettings {
     marks::DirectionFunction function;             // with Directions::function
 };
 
-// Room for so many marks in each of these columns.  They would all grow at the same mark, and be touched there for the
-// first time, without a look for a cancel.
+// Makes room for `marks` marks in each column, and looks for a cancel between them. Without it all columns would grow
+// at the same mark, with no such look for a long time.
 template <class... Column>
 void make_room(std::int64_t marks, const base::Progress& progress, Column&... column) {
     (make_room_long(column, marks, progress), ...);

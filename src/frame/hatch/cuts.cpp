@@ -24,7 +24,7 @@ float HatchCuts::reach_of_splats(std::int64_t i) const noexcept {
     return std::min(hiding_.largest_splat_at(dot(i)) + beyond_splat, farthest_hidden);
 }
 
-// Of a hidden one: its edge is so near that a splat reaches beyond it to here.
+// Whether a hidden point may be seen after all: the edge of what hides it is so near that a splat reaches beyond it.
 bool HatchCuts::may_be_seen(std::int64_t i) const noexcept { return is_near(i, reach_of_splats(i)); }
 
 // Whether no edge is passed from the point before a gap to the one behind it, and its points are hidden all the same:

@@ -29,7 +29,7 @@ struct Hiding {
     }
 };
 
-// Of wider halos those of the depth layers stay as they are: edges are looked for so far around each point.  Pixels.
+// Edges are looked for within this distance of each point, in pixels. A wider halo is left as the depth layers made it.
 inline constexpr float widest_halo = 32.0F;
 
 // A line is seen on one side of a place between two of its points, and hidden on the other.
@@ -40,7 +40,7 @@ struct HatchCut {
     [[nodiscard]] bool any() const noexcept { return before >= 0; }
 };
 
-// Of one line, as dots that are seen or not, with their places along it.
+// Finds the cuts of one line, which is given as dots that are seen or hidden, and their places along it.
 class HatchCuts {
 public:
     // cuts: what is found, in their order.

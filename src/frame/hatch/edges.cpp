@@ -17,7 +17,7 @@ using drawing::StrokePoint;
 namespace {
 
 constexpr float cell_side = 16.0F; // pixels
-// An edge lies before a line if it is nearer to the eye by so many pixels.
+// An edge lies before a line if it is nearer to the eye by this many pixels.
 constexpr float least_before = 1.0F;
 // Edges that are no nearer than halo_gap have no halo on a line, those that are so much nearer have all of it, pixels.
 constexpr float full_halo = 3.0F * halo_gap;

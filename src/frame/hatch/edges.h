@@ -15,7 +15,7 @@ class NearerEdges {
 public:
     explicit NearerEdges(base::Memory& memory) noexcept : edges_(memory), first_(memory), numbers_(memory) {}
 
-    // Of strokes that nothing hides.  picture: left, top, width, height, pixels.
+    // Takes the edges of all strokes that nothing hides. `picture` is left, top, width and height, in pixels.
     void build(const LineStrokes& lines, std::span<const drawing::Layer> layers, const glm::vec4& picture);
     void clear() noexcept { edges_.clear(); }
     [[nodiscard]] bool empty() const noexcept { return edges_.empty(); }
@@ -42,7 +42,7 @@ private:
         float depth_a, depth_b;
         bool is_crease;
     };
-    // Of cells, half-open.
+    // A half-open rectangle of cells.
     struct Cells {
         std::int32_t left, top, right, bottom;
     };

@@ -14,7 +14,8 @@ constexpr double fewest_knots = 4.0; // of a closed stroke
 // Powers of two that a swing may be long, in marks.
 constexpr double least_level = -8.0;
 constexpr double most_level = 24.0;
-// Of lines that stray, in pens, and of lengths by which they run past their ends, in the longest of these.
+// How long one swing of the noise is: of `wobble_swing` in pens, of `end_swing` in the longest length by which a line
+// runs past its end.
 constexpr float wobble_swing = 60.0F;
 constexpr float end_swing = 4.0F;
 

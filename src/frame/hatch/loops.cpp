@@ -33,7 +33,7 @@ HWY_INLINE void for_vectors(std::int64_t count, Step&& step) {
     for (std::int64_t at = 0; at < count; at += lanes) step(at);
 }
 
-// Of a positive number.
+// The logarithm of a positive number to the base 2.
 HWY_INLINE W log2(W x) {
     const F d;
     const I i;

@@ -101,7 +101,7 @@ struct HatchBounds {
 };
 
 struct HatchLoops {
-    // Of at most 32 marks by their normals, and those for tone: a bit for each that may be drawn.
+    // Looks at the normals of at most 32 marks, and at those for tone. Returns a bit for each mark that may be drawn.
     std::uint32_t (*may_draw)(const HatchBounds& bounds, const float* normals, const float* tone_normals,
                               std::int64_t count);
     // From x, y, z of one mark after the other to rows, multiplied by the one and then by the other factor.

@@ -337,7 +337,7 @@ void HatchMarks::load(std::int64_t begin, std::int64_t count, std::uint32_t* num
         for (std::int64_t i = 0; i < count; ++i)
             view_.loops.load(all + 3 * std::int64_t{numbers[i]}, 1, factor, other, row.first + i, y + i, z + i);
     };
-    // There are two factors, since the inverse of some units is too large for a float.
+    // The inverse of some units is too large for a float, so it is split into two factors.
     const int exponent = std::ilogb(per_unit_);
     put(HatchRow::x, run_.position, std::ldexp(1.0F, exponent / 2), std::ldexp(1.0F, exponent - exponent / 2));
     put(HatchRow::normal_x, run_.normal, 1.0F, 1.0F);

@@ -36,7 +36,7 @@ public:
     // Adds the samples of all hatching to the drawing's dots, after all others. The drawing has been gathered.
     void run(const Seen& seen, drawing::Drawing& drawing);
 
-    // Of the last run, in the order of the strokes.
+    // The batches of the last run, in the order of the strokes.
     [[nodiscard]] std::span<const Batch> batches() const noexcept {
         return {batches_.begin(), static_cast<std::size_t>(count_)};
     }

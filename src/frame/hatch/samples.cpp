@@ -58,7 +58,7 @@ struct Place {
     return (1.0F - place.share) * tangent(m, place.mark) + place.share * tangent(m, next);
 }
 
-// Of Hermite's cubic between two marks.
+// The point of Hermite's cubic between two marks.
 [[nodiscard]] glm::vec2 point_at(const Marks& m, const Place& place) noexcept {
     const std::int64_t i = place.mark;
     const float t = place.share;

@@ -9,7 +9,7 @@
 
 namespace hrbfnpr::frame {
 
-// The row or column of tiles, of so many, that a place lies in, or is the nearest to.
+// The row or column of tiles that a place lies in or is nearest to. `count` is the number of rows or columns.
 [[nodiscard]] inline std::int64_t tile_of(float at, std::int64_t count) noexcept {
     constexpr float scale = 1.0F / static_cast<float>(drawing::tile_size);
     return static_cast<std::int64_t>(std::clamp(at * scale, 0.0F, static_cast<float>(count - 1)));
@@ -38,7 +38,7 @@ private:
         std::int64_t tile, begin, end;
     };
 
-    // Of a batch.  Threads fill parts that lie side by side.
+    // The runs of one batch. Each thread fills a part of its own.
     struct alignas(base::Memory::alignment) Part {
         explicit Part(base::Memory& memory) noexcept : runs(memory) {}
         base::Array<DotRun> runs;

@@ -55,7 +55,8 @@ struct Seen {
 
 // What decides on the marks of one cluster.
 struct Selection {
-    // Of the screen, as far out as a disc can reach it; all_inside: every mark surely lies there.
+    // The screen and the strip around it from which a disc can still reach it. all_inside: every mark surely lies
+    // there.
     float left, right, top, bottom;
     bool all_inside;
 
