@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Points of hatching in tiles.
 #include "base/random.h"
-#include "frame/hatch/tiles.h"
+#include "frame/hatch/points.h"
 
 #include <gtest/gtest.h>
 

@@ -9,7 +9,7 @@
 #include "base/runtime.h"
 #include "frame/depth_layers/gather.h"
 #include "frame/depth_layers/layer_loops.h"
-#include "frame/hatch/tiles.h"
+#include "frame/hatch/points.h"
 
 namespace hrbfnpr::frame {
 

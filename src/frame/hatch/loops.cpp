@@ -184,7 +184,7 @@ void coverage(const HatchLaw& law, const float* darkness, std::int64_t count, fl
 struct Widths {
     W lambda; // levels that there is room for
     W full, width, fading;
-    W margin; // of the level that fades in: it is drawn where this is positive, and full where it is 1
+    W margin; // the fading level is drawn where this is positive, and full where it is 1
 };
 
 // spacing: of the lines of level 0 in the picture, pixels; those of levels 0 to k are 2^k times as close. gap: the
@@ -232,7 +232,7 @@ HWY_INLINE W largest_near(const float* row) {
     return hn::Max(hn::LoadU(d, row), hn::Max(pair(1), pair(2)));
 }
 
-// What the tone, the rim and the picture leave.
+// Sets the tone's margin, and `least` to the least margin of tone, rim and picture.
 HWY_INLINE void set_least(const HatchLaw& law, const HatchRows& rows) {
     const F d;
     const W tone = hn::Sub(hn::LoadU(d, rows[HatchRow::darkness]), set(law.tone_begin));
@@ -260,7 +260,7 @@ HWY_INLINE void set_width(const HatchSight& sight, const HatchLaw& law, const Ha
     const W rest = hn::Sub(hn::Sub(w.lambda, hn::Sub(level, one)), set(hatch_tuning.thinnest_fading));
     const W margin = hn::IfThenElse(full, one, hn::IfThenElse(fades, w.margin, rest));
     const W width = hn::IfThenElse(full, w.width, hn::IfThenElseZero(fades, w.fading));
-    // What is no number is not below either.
+    // The comparison is false for NaN, so NaN counts as turned away.
     const M turned = hn::Not(hn::Lt(row(HatchRow::nu), set(law.widest_nu)));
     const M valid =
         hn::And(hn::And(hn::Eq(darkness, darkness), hn::Eq(spacing, spacing)), hn::Lt(width, set(law.widest)));
@@ -296,7 +296,7 @@ void widen(const HatchSight& sight, const HatchLaw& law, const HatchRows& rows, 
     put_around(rows[HatchRow::least], count, closed, 2, -1.0F);
     for_vectors(count, [&](std::int64_t at) HWY_ATTR {
         const HatchRows own = rows.from(at);
-        // Behind the last mark stands whatever was there before: it decides nothing.
+        // The numbers after the last mark are left from before, so they must decide nothing.
         const M marks = hn::FirstN(d, static_cast<size_t>(count - at < lanes ? count - at : lanes));
         const M near = hn::AndNot(hn::Lt(largest_near(own[HatchRow::least]), hn::Zero(d)), marks);
         if (!hn::AllFalse(d, near)) {

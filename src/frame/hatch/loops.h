@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// From the marks of a stroke to where and how wide its line is drawn, for each instruction set; the same bits from all
-// of them.
+// Finds where and how wide the line of a stroke is drawn, from its marks, on vectors of the processor. All instruction
+// sets give the same bits.
 #pragma once
 
 #include "frame/scene/see_loops.h"
@@ -11,18 +11,18 @@ namespace hrbfnpr::frame {
 
 // The numbers of each mark of a stroke.
 enum class HatchRow : std::int64_t {
-    x, // of the set's own space, in its unit
+    x, // in the space of the point set, in its unit
     y,
     z,
     normal_x,
     normal_y,
     normal_z,
-    tone_x, // normals for tone, of a set that has them
+    tone_x, // normals for tone, if the set has them
     tone_y,
     tone_z,
     level,
-    gap,  // by which lines are farther apart around it than asked
-    left, // of the picture, pixels
+    gap,  // the factor by which lines around it are farther apart than was asked
+    left, // in the picture, pixels
     top,
     window,
     depth,
@@ -32,13 +32,13 @@ enum class HatchRow : std::int64_t {
     side_y,
     distance,
     darkness,    // first n . l
-    width,       // of the line, pixels
+    width,       // the line's, pixels
     leg,         // from the mark before, pixels; 0 if one of them has no place
-    tone_margin, // the line is drawn where none of the four is negative; by HatchEnd
+    tone_margin, // the line is drawn where none of the four is negative
     level_margin,
     rim_margin,
     picture_margin, // hatch_nowhere: it has no place in the picture's plane
-    least,          // of the margins
+    least,          // the least of the margins
     near,           // the greatest of the least margins of the marks up to two away
     rows
 };
@@ -49,7 +49,7 @@ inline constexpr float hatch_nowhere = -1e30F;
 struct HatchRows {
     static constexpr std::int64_t slack = 16;
 
-    float* first = nullptr; // of the first mark
+    float* first = nullptr; // the first row's number of the first mark
     std::int64_t stride = 0;
 
     [[nodiscard]] float* operator[](HatchRow row) const noexcept {
@@ -58,7 +58,7 @@ struct HatchRows {
     [[nodiscard]] HatchRows from(std::int64_t mark) const noexcept { return {first + mark, stride}; }
 };
 
-// A mark on its own, as numbers: these rows, and zeros up to `size`.
+// A mark alone: its numbers in these rows, and zeros up to `size`.
 struct PackedMark {
     static constexpr std::int64_t size = 16;
     static constexpr std::int64_t rows_of_mark = 13;
@@ -74,11 +74,11 @@ struct PackedMark {
 struct HatchSight {
     const Seer* seer;
     bool has_tone_normals;
-    float separation;               // of the lines of level 0 on the surface; 0: not known
-    float left, top, right, bottom; // of the picture, pixels
-    float beyond;                   // around it
+    float separation;               // between lines of level 0 on the surface; 0: not known
+    float left, top, right, bottom; // the picture's sides, pixels
+    float beyond;                   // the strip around the picture that counts as inside, pixels
     float last_nu;                  // a line ends where it is larger
-    float farthest;                 // outside of the picture
+    float farthest;                 // a mark farther outside has no place, pixels
 };
 
 // How wide the lines of each level of a nested set are, so that together they cover a share of the paper that grows
@@ -89,7 +89,7 @@ struct HatchLaw {
     float share, coverage_begin, coverage_rise;
     float spacing, pen, white;
     float levels;
-    float per_tone_span, per_spacing, per_pen; // 1 / what they are called
+    float per_tone_span, per_spacing, per_pen; // the reciprocals of the members without `per_`
     float widest_nu;                           // marks with a larger n . v have no width
     float widest;                              // a mark with a larger width has no place
 };

@@ -22,21 +22,9 @@ namespace {
 // Bounds of a piece hold for its marks up to rounding.
 constexpr float rounding_of_margins = 1e-3F;
 constexpr float rounding_of_darkness = 1e-4F;
-constexpr float most_length = 1.01F; // of a unit normal
-// A stroke is closed if its ends are no farther apart than `closed_gap`, in steps from mark to mark, and go on into
-// each other with at least the cosine `closed_cosine`. Ends nearer than `same_place` are one mark.
-constexpr float closed_gap = 1.5F;
-constexpr float closed_cosine = 0.8F;
-constexpr float same_place = 0.1F;
-constexpr std::int64_t fewest_of_closed = 4;
+constexpr float most_length = 1.01F; // a unit normal's, up to rounding
 // Places farther outside of the picture have no use, pixels.
 constexpr float farthest = 1e6F;
-// Marks around those that may be drawn are looked at, too: the first that is not drawn, the next one for its tangent,
-// and the next one for the spacing there.
-constexpr std::int64_t around = 3;
-// Between marks that may be drawn at least this many are left out, or none.
-constexpr std::int64_t fewest_left_out = 16;
-
 // The report's step of a layer is its lines' separation, but for published strokes, which lie as they grew.
 [[nodiscard]] bool has_separation(const marks::Layer& layer) noexcept {
     return layer.report.step > 0.0 && (layer.progressive || layer.kind != marks::Kind::hatch);
@@ -189,18 +177,18 @@ void HatchMarks::set_extent(std::int64_t stroke, HatchStroke& seen) const noexce
     seen.first = run_.marks->stroke_first[stroke];
     seen.count = std::int64_t{run_.marks->stroke_first[stroke + 1]} - seen.first;
     seen.closed = false;
-    if (seen.count < fewest_of_closed) return;
+    if (seen.count < hatch_tuning.fewest_of_closed) return;
     const glm::vec3 begin = place(seen.first);
     const glm::vec3 end = place(seen.first + seen.count - 1);
     const glm::vec3 leaves = place(seen.first + 1) - begin;
     const glm::vec3 comes = end - place(seen.first + seen.count - 2);
     const float gap = glm::distance(begin, end);
     const float step = glm::length(leaves);
-    const bool same = gap <= same_place * step;
+    const bool same = gap <= hatch_tuning.same_place * step;
     const auto goes_on = [&](const glm::vec3& v) {
-        return glm::dot(v, begin - end) >= closed_cosine * gap * glm::length(v);
+        return glm::dot(v, begin - end) >= hatch_tuning.closed_cosine * gap * glm::length(v);
     };
-    seen.closed = same || (gap <= closed_gap * step && goes_on(leaves) && goes_on(comes));
+    seen.closed = same || (gap <= hatch_tuning.closed_gap * step && goes_on(leaves) && goes_on(comes));
     if (same) --seen.count;
 }
 
@@ -270,7 +258,7 @@ void HatchMarks::find_ranges(HatchStroke& seen) const {
         from = std::max(from, seen.first);
         to = std::min(to, end);
         if (from >= to) return;
-        if (!seen.range.empty() && from <= seen.range.back().end + fewest_left_out)
+        if (!seen.range.empty() && from <= seen.range.back().end + hatch_tuning.fewest_left_out)
             seen.range.back().end = std::max(seen.range.back().end, to);
         else
             seen.range.push_back({from, to});
@@ -278,16 +266,17 @@ void HatchMarks::find_ranges(HatchStroke& seen) const {
     const auto first_of = [&](std::int64_t k) { return seen.first + k * marks::StrokePiece::most; };
     seen.range.clear();
     if (seen.closed && seen.may_draw.back() != 0)
-        add(seen.first,
-            first_of(seen.may_draw.size() - 1) + std::bit_width(seen.may_draw.back()) + around - seen.count);
+        add(seen.first, first_of(seen.may_draw.size() - 1) + std::bit_width(seen.may_draw.back()) +
+                            hatch_tuning.marks_around - seen.count);
     for (std::int64_t k = 0; k < seen.may_draw.size(); ++k)
         for (std::uint32_t bits = seen.may_draw[k]; bits != 0;) {
             const int from = std::countr_zero(bits);
             const int to = from + std::countr_one(bits >> from);
-            add(first_of(k) + from - around, first_of(k) + to + around);
+            add(first_of(k) + from - hatch_tuning.marks_around, first_of(k) + to + hatch_tuning.marks_around);
             bits = to < 32 ? bits >> to << to : 0U;
         }
-    if (seen.closed && seen.may_draw[0] != 0) add(end + std::countr_zero(seen.may_draw[0]) - around, end);
+    if (seen.closed && seen.may_draw[0] != 0)
+        add(end + std::countr_zero(seen.may_draw[0]) - hatch_tuning.marks_around, end);
 }
 
 HatchRows HatchMarks::load(HatchStroke& seen) const {
@@ -428,8 +417,9 @@ void HatchMarks::set_widths_alone(std::span<const std::uint32_t> numbers, const 
     }
 }
 
-// Marks of a gap that is so short in the picture that the line may go on over it are near, too. Of marks that were left
-// out the straight way counts. Of a closed stroke the marks before the first and after the last near one are one gap.
+// Marks of a gap are near, too, if the gap is so short in the picture that the line may go on over it. Where marks were
+// left out the straight way counts. The marks before the first and after the last near one of a closed stroke are one
+// gap.
 void HatchMarks::keep_short_gaps(const HatchRows& rows, const HatchStroke& seen) const noexcept {
     const std::int64_t count = seen.number.size();
     float* const near = rows[HatchRow::near];

@@ -28,8 +28,8 @@ enum HatchMargin : std::size_t {
 struct HatchMark {
     float x, y; // pixels
     float window, depth;
-    float side_x, side_y; // of the unit normal, eye space
-    float width;          // of the line, pixels
+    float side_x, side_y; // the unit normal's, eye space
+    float width;          // the line's, pixels
     float way;            // from the mark before, pixels
     std::array<float, hatch_margins> margin;
     float pixels_per_unit;
@@ -61,10 +61,10 @@ struct HatchStroke {
     bool has_begin = false, has_end = false; // mark[0] is the stroke's first mark; the last one its last
 
     // Scratch of HatchMarks.
-    base::Array<std::uint32_t> may_draw; // of each piece, a bit for each of its marks
-    base::Array<Range> range;            // of places that are looked at, rising
+    base::Array<std::uint32_t> may_draw; // a bit for each mark of a piece, for each piece
+    base::Array<Range> range;            // the places that are looked at, rising
     base::Array<std::uint32_t> number;   // in the layer, of those marks
-    base::Array<float> row;              // of HatchRows
+    base::Array<float> row;              // memory of HatchRows
     std::int64_t first = 0, count = 0;   // places; of a closed one without a last mark that lies where the first does
     bool closed = false;
 
@@ -73,7 +73,7 @@ struct HatchStroke {
     }
 };
 
-// What marks are seen by, the same for all strokes of a frame.
+// How marks are seen; the same for all strokes of a frame.
 struct HatchView {
     const SeeLoops& see;
     const HatchLoops& loops;
@@ -84,7 +84,7 @@ struct HatchView {
 // Looks at the strokes of one run.
 class HatchMarks {
 public:
-    // taus: of each mark of the run, if a callback gives them; else NULL.
+    // `taus` are the tones of the run's marks, if a callback gives them; else NULL.
     HatchMarks(const HatchView& view, const Run& run, const ItemSight& sight, const float* taus) noexcept;
 
     // Fills `seen` with the marks of a stroke, whose first piece has the number `piece`. Returns whether anything may
@@ -133,15 +133,15 @@ private:
     HatchLaw law_;
     std::int32_t levels_;      // the finest one
     double per_unit_;          // 1 / the item's unit, a power of two
-    float separation_ = 0.0F;  // of the lines of level 0 alone, in the item's unit; 0: not known
-    const float* tone_normal_; // what the bound of the light goes by; the normals, or normals for tone
+    float separation_ = 0.0F;  // between lines of level 0 alone, in the item's unit; 0: not known
+    const float* tone_normal_; // the normals that light is bounded by: the marks' own, or those for tone
     float lightest_;           // n . l above which a mark is too light
     bool has_bounds_;          // whether marks can be passed over by their normals
     float beyond_;             // the strip around the picture in which lines may end unseen, pixels
-    float stretch_ = 0.0F;     // of a length of 1 at the distance 1, pixels, at most
+    float stretch_ = 0.0F;     // the longest image of a length of 1 at the distance 1, pixels
     std::int32_t shown_ = 255; // finer levels cannot be seen from here
     static constexpr std::size_t steps = 16;
-    std::array<float, steps + 1> most_coverage_{}; // of all darknesses up to k / steps
+    std::array<float, steps + 1> most_coverage_{}; // the most of all darknesses up to k / steps
 };
 
 } // namespace hrbfnpr::frame

@@ -19,7 +19,7 @@ namespace hrbfnpr::frame {
 
 // Samples along a line. The last sample of a ring is its first one.
 struct SampledLine {
-    std::span<const float> length; // of each sample from the first one, pixels, rising
+    std::span<const float> length; // the way from the first sample to each, pixels, rising
     bool ring = false;
 
     [[nodiscard]] std::int64_t size() const noexcept { return static_cast<std::int64_t>(length.size()); }
@@ -41,15 +41,16 @@ struct SampledLine {
     }
 };
 
-// What a walk along the line found.
+// The result of a walk along the line.
 struct HeldLength {
     float length = 0.0F;
     std::int64_t stopped_at = -1; // the first sample without presence; -1: the walk ended for another reason
 };
 
 // Walks from sample i in one direction until the held length is `most`, or nothing holds any more. `presence(i)` is the
-// presence, `weight(i)` what a length there counts, and `end_share(j, k)` the share of the way from j, which is
-// present, to k, which is not, at which the presence ends. `beyond` is what the way beyond the line's end counts.
+// presence, `weight(i)` the factor that a length there counts by, and `end_share(j, k)` the share of the way from j,
+// which is present, to k, which is not, at which the presence ends. `beyond` is the length that the way beyond the
+// line's end counts.
 template <class Presence, class Weight, class EndShare>
 [[nodiscard]] HeldLength held_length(const SampledLine& line, std::int64_t i, int way, float most, float beyond,
                                      const Presence& presence, const Weight& weight,
@@ -57,7 +58,7 @@ template <class Presence, class Weight, class EndShare>
     const float own = presence(i);
     if (!(own > 0.0F)) return {0.0F, i};
     HeldLength held;
-    float least = 1.0F; // of the presences so far, as a share of this one's
+    float least = 1.0F; // the least presence so far, as a share of sample i's
     float before = weight(i);
     for (std::int64_t steps = 0; steps < line.size(); ++steps) {
         float step = 0.0F;

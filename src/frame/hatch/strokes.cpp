@@ -19,10 +19,7 @@ using drawing::StrokePoint;
 namespace {
 
 // Near a tip points lie closer, since the width changes like a root there; pixels from it.
-constexpr std::array<float, 3> tip_points = {0.3F, 1.25F, 2.5F};
-// Samples that are nearer to a tip than this are left out for those points, pixels.
-constexpr float tip_reach = 2.5F;
-constexpr std::int64_t most_left_out = 6; // points one after the other
+constexpr std::array<float, 3> tip_points = {0.3F, 1.25F, hatch_tuning.tip_reach};
 
 // The directions from a point in which its line may go on: those that pass by all points since nearly enough.
 class Passage {
@@ -57,7 +54,7 @@ private:
         slopes.most = std::min(slopes.most, (rise + by) * scale);
     }
 
-    float x_at_, y_at_, radius_at_, length_, opacity_; // of the first point
+    float x_at_, y_at_, radius_at_, length_, opacity_; // the first point's
     Slopes x_, y_, radius_;
 };
 
@@ -76,8 +73,8 @@ enum Presence : std::size_t {
     of_all,
     scratch,
     beyond_tone,
-    full_width, // of the line, up to where all widths count alike
-    filling,    // what a length counts for the level that it is of
+    full_width, // the line's width, up to where all widths count alike
+    filling,    // the factor that a length counts by, for its level
     presences
 };
 
@@ -133,12 +130,12 @@ private:
         }
         if (style_.hatch_overshoot > 0.0F) overshoot();
         part_.cuts.clear();
-        if (!hiding_.edges.empty()) HatchCuts(hiding_, halo_, dots_, part_.length, part_.cuts).find();
+        if (!hiding_.edges.empty()) find_cuts(hiding_, halo_, dots_, part_.length, part_.cuts);
         for (std::int64_t i = 0; i < size(); ++i) row(by_hiding)[i] = is_seen(i) ? 1.0F : 0.0F;
     }
 
-    // A quick hand runs on past where its tone ends. What it has left at the last sample is how far it goes beyond
-    // that.
+    // A quick hand runs on past where its tone ends. `left` says how far it goes beyond the last sample that it
+    // reaches.
     void overshoot() {
         float* const tone = row(by_tone);
         float* const left = row(beyond_tone);
@@ -332,7 +329,7 @@ private:
             i = next;
         }
         const glm::vec2 chord(dot(i).x - dot(k).x, dot(i).y - dot(k).y);
-        const glm::vec2& across = sample(k).across_rim;
+        const glm::vec2 across = sample(k).across_rim();
         const float lengths = glm::length(chord) * glm::length(across);
         return lengths > 0.0F ? std::abs(glm::dot(chord, across)) / lengths : 0.0F;
     }
@@ -425,7 +422,7 @@ private:
         for (const Presence reason : {by_tone, by_level, by_rim, by_hiding})
             ends_by_[reason] = !std::all_of(row(reason), row(reason) + size(), is_drawn);
         find_near();
-        std::int64_t start = 0; // of a ring that has a gap, a sample in it
+        std::int64_t start = 0; // a sample in a gap, if a ring has one
         bool whole = chain_.ring;
         for (std::int64_t i = 0; chain_.ring && i < size(); ++i) {
             if (is_drawn(p[i])) continue;
@@ -460,20 +457,20 @@ private:
         stroke.layer = dot(0).layer;
         stroke.closed = drawn.closed;
         const float whole = raw().back().length;
-        const bool has_tips = whole > 4.0F * tip_reach;
+        const bool has_tips = whole > 4.0F * hatch_tuning.tip_reach;
         const bool begins_in_tip = has_tips && !drawn.closed && raw()[0].radius == 0.0F;
         const bool ends_in_tip = has_tips && !drawn.closed && raw().back().radius == 0.0F;
-        const float low = begins_in_tip ? tip_reach : 0.0F;
-        const float high = ends_in_tip ? whole - tip_reach : whole;
+        const float low = begins_in_tip ? hatch_tuning.tip_reach : 0.0F;
+        const float high = ends_in_tip ? whole - hatch_tuning.tip_reach : whole;
         base::Array<StrokePoint>& points = part_.made.points;
         points.push_back(raw()[0]);
         if (begins_in_tip)
-            for (const float at : tip_points) points.push_back(tip_point(at, tip_reach, at));
+            for (const float at : tip_points) points.push_back(tip_point(at, hatch_tuning.tip_reach, at));
         for (std::int64_t k = 1; k + 1 < raw().size(); ++k)
             if (raw()[k].length > low && raw()[k].length < high) points.push_back(raw()[k]);
         if (ends_in_tip)
             for (std::size_t k = tip_points.size(); k-- > 0;)
-                points.push_back(tip_point(whole - tip_points[k], whole - tip_reach, tip_points[k]));
+                points.push_back(tip_point(whole - tip_points[k], whole - hatch_tuning.tip_reach, tip_points[k]));
         points.push_back(raw().back());
         if (begins_in_tip) narrow_tip(stroke.first + 1);
         if (ends_in_tip) narrow_tip(points.size() - 2);
@@ -544,11 +541,11 @@ private:
     // A point near a tip, at this length, as wide as a root from the tip to the place `full` asks.
     [[nodiscard]] StrokePoint tip_point(float length, float full, float from_tip) const noexcept {
         StrokePoint point = raw_at(length);
-        point.radius = raw_at(full).radius * std::sqrt(from_tip / tip_reach);
+        point.radius = raw_at(full).radius * std::sqrt(from_tip / hatch_tuning.tip_reach);
         return point;
     }
 
-    // However wide a line is, what lies farther from its end gets no thinner when it does.
+    // Limits the width at the first point from a tip, however wide the line is.
     void narrow_tip(std::int64_t point) noexcept {
         float& radius = part_.made.points[point].radius;
         radius = std::min(radius, 0.5F * hatch_tuning.widest_tip * style_.hatch_pen);
@@ -562,7 +559,7 @@ private:
             const StrokePoint& before = points[std::max(i - 1, first)];
             const StrokePoint& after = points[std::min(i + 1, points.size() - 1)];
             points[i].radius = hiding_.edges.room(points[i], glm::vec2(after.x - before.x, after.y - before.y),
-                                                  points[i].radius, std::min(halo_, widest_halo));
+                                                  points[i].radius, std::min(halo_, hatch_tuning.widest_halo));
         }
     }
 
@@ -574,7 +571,7 @@ private:
         Passage passage(points[first]);
         for (std::int64_t i = first + 1; i < points.size(); ++i) {
             passage.take(points[i]);
-            if (i < last && i - from <= most_left_out && points[i].opacity == points[kept].opacity &&
+            if (i < last && i - from <= hatch_tuning.most_left_out && points[i].opacity == points[kept].opacity &&
                 passage.reaches(points[i + 1]))
                 continue;
             if (++kept != i) points[kept] = points[i];

@@ -1,21 +1,19 @@
 // SPDX-License-Identifier: MIT
-// From samples along lines of hatching, of which it is known what hides them, to strokes.
+// Makes strokes of samples along lines of hatching that are known to be seen or hidden.
 //
 // 1. Each reason for a line to end has a presence along it (presence.h): its tone, its level, the rim, the picture, and
-//    what hides it. Hidden parts begin and end exactly where the edges of what hides them are (cuts.h).
+//    what hides it. Hidden parts begin and end exactly where the edges of what hides them are (hiding.h).
 // 2. Short gaps of tone and level, and short hidden ones, are closed.
 // 3. The line is present where all of these are; parts with too little ink are left out.
 // 4. The line's width is that of its samples times the presence, and narrows towards each end as the reason for it
 // asks.
 #pragma once
 
-#include "frame/hatch/cuts.h"
-#include "frame/hatch/points.h"
-#include "frame/scene/line_strokes.h"
+#include "frame/hatch/hiding.h"
 
 namespace hrbfnpr::frame {
 
-// What becomes of one batch of samples. Threads fill parts that lie side by side.
+// The strokes of one batch of samples. Threads fill parts that lie side by side.
 struct alignas(base::Memory::alignment) HatchStrokePart {
     explicit HatchStrokePart(base::Memory& memory) noexcept
         : made(memory), length(memory), cuts(memory), row(memory), near(memory), raw(memory) {}
@@ -25,11 +23,11 @@ struct alignas(base::Memory::alignment) HatchStrokePart {
     std::int64_t shown = 0, hidden = 0; // marks
 
     // Scratch.
-    base::Array<float> length; // of each sample of a chain from its first one, pixels
+    base::Array<float> length; // the way from a chain's first sample to each, pixels
     base::Array<HatchCut> cuts;
     base::Array<float> row;         // presences of a chain
-    base::Array<std::uint8_t> near; // of each sample, a bit for each reason by which the line ends or fades near it
-    base::Array<drawing::StrokePoint> raw; // of a stroke, before its points are chosen
+    base::Array<std::uint8_t> near; // for each sample, a bit for each reason by which the line ends or fades near it
+    base::Array<drawing::StrokePoint> raw; // a stroke's points, before some are chosen
 
     [[nodiscard]] std::int64_t bytes() const noexcept {
         return made.strokes.bytes() + made.points.bytes() + length.bytes() + cuts.bytes() + row.bytes() + near.bytes() +

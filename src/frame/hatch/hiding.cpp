@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "frame/hatch/edges.h"
+#include "frame/hatch/hiding.h"
 
+#include "base/assert.h"
 #include "base/scratch.h"
+#include "frame/hatch/tuning.h"
 #include "frame/scene/splat_law.h"
 #include "frame/scene/style.h"
 #include "geometry/segment.h"
@@ -17,28 +19,17 @@ using drawing::StrokePoint;
 namespace {
 
 constexpr float cell_side = 16.0F; // pixels
-// An edge lies before a line if it is nearer to the eye by this many pixels.
-constexpr float least_before = 1.0F;
-// Edges that are no nearer than halo_gap have no halo on a line, those that are so much nearer have all of it, pixels.
-constexpr float full_halo = 3.0F * halo_gap;
-// Without a halo a line ends where it crosses an edge, pixels.
-constexpr float at_edge = 0.05F;
-// Crossings farther along than this tell nothing of what is here, pixels; then a surface may be so steep, depth over
-// pixels.
-constexpr float farthest_crossing = 24.0F;
-constexpr float steepest_surface = 6.0F;
-// A line ends bluntly at an edge that it makes an angle of at least the first cosine with.
-constexpr float goes_across = 0.25F;
-constexpr float goes_along = 0.5F;
-// Longer edges are cut into fewer pieces than would lie in few cells.
+// A long edge is cut into at most as many pieces.
 constexpr float most_pieces = 4096.0F;
 
 [[nodiscard]] glm::vec2 place(const Dot& dot) noexcept { return {dot.x, dot.y}; }
 
 [[nodiscard]] float cross(const glm::vec2& a, const glm::vec2& b) noexcept { return a.x * b.y - a.y * b.x; }
 
+// The halo of an edge that is nearer than a line by `before` pixels.
 [[nodiscard]] float halo_of(float before, float halo) noexcept {
-    return std::max(at_edge, halo * std::clamp((before - halo_gap) / (full_halo - halo_gap), 0.0F, 1.0F));
+    return std::max(hatch_tuning.at_edge,
+                    halo * std::clamp((before - halo_gap) / ((hatch_tuning.full_halo - 1.0F) * halo_gap), 0.0F, 1.0F));
 }
 
 // The first share of the way from p, outside, at which it comes into the disc around the centre.
@@ -51,7 +42,7 @@ constexpr float most_pieces = 4096.0F;
     return half < 0.0F && root >= 0.0F ? (-half - std::sqrt(root)) / square : NearerEdges::nowhere;
 }
 
-// Into what is no farther than that from a straight piece: one of the discs at its ends, or the strip between.
+// The same for the points within `radius` of a segment: two discs at its ends and the strip between.
 [[nodiscard]] float entry_of_strip(const glm::vec2& p, const glm::vec2& way, const glm::vec2& from, const glm::vec2& to,
                                    float radius) noexcept {
     const glm::vec2 along = to - from;
@@ -129,7 +120,7 @@ void NearerEdges::build(const LineStrokes& lines, std::span<const drawing::Layer
 }
 
 void NearerEdges::bin() {
-    // Counted one place farther on, where filling moves them back from.
+    // Counts stand one place farther on, so that filling moves them back to where each cell begins.
     base::resize_scratch(first_, std::int64_t{columns_} * rows_ + 2);
     std::fill(first_.begin(), first_.end(), 0);
     for (const Edge& edge : edges_) for_cells_of(edge, [&](std::int32_t cell) { ++first_[cell + 2]; });
@@ -140,15 +131,15 @@ void NearerEdges::bin() {
                      [&](std::int32_t cell) { numbers_[first_[cell + 1]++] = static_cast<std::int32_t>(i); });
 }
 
-// By how many pixels an edge's place is nearer to the eye than what is at that place, at that depth.
-float NearerEdges::before(const Edge& edge, const glm::vec2& at, float depth, float pixels_per_unit) noexcept {
+// By how many pixels the edge's point nearest to `at` is nearer to the eye than a point of that depth.
+float NearerEdges::nearer_at(const Edge& edge, const glm::vec2& at, float depth, float pixels_per_unit) noexcept {
     const float share = geometry::nearest_share(at, edge.a, edge.b);
     return (depth - edge.depth_a - share * (edge.depth_b - edge.depth_a)) * pixels_per_unit;
 }
 
-// The same of a line that runs on from a as to b: where it would cross the edge, if that ran on.  So it is 0 for
-// an edge of its own surface, however steep that is.
-float NearerEdges::before(const Edge& edge, const Dot& a, const Dot& b) noexcept {
+// By how many pixels the edge is nearer to the eye than a line that runs from a on to b, where both, running on, would
+// cross. So it is 0 for an edge of the line's own surface, however steep that is.
+float NearerEdges::nearer_on(const Edge& edge, const Dot& a, const Dot& b) noexcept {
     const glm::vec2 way = place(b) - place(a);
     const glm::vec2 along = edge.b - edge.a;
     const glm::vec2 to = edge.a - place(a);
@@ -156,12 +147,12 @@ float NearerEdges::before(const Edge& edge, const Dot& a, const Dot& b) noexcept
     const float share = cross(to, along) / turn;
     const float edge_share = cross(to, way) / turn;
     const float length = glm::length(along);
-    if (std::abs(share) * glm::length(way) <= farthest_crossing &&
-        std::abs(edge_share - 0.5F) * length <= farthest_crossing + 0.5F * length)
+    if (std::abs(share) * glm::length(way) <= hatch_tuning.farthest_crossing &&
+        std::abs(edge_share - 0.5F) * length <= hatch_tuning.farthest_crossing + 0.5F * length)
         return (a.depth + share * (b.depth - a.depth) - edge.depth_a - edge_share * (edge.depth_b - edge.depth_a)) *
                a.pixels_per_unit;
-    return before(edge, place(a), a.depth, a.pixels_per_unit) -
-           steepest_surface * geometry::distance_to_segment(place(a), edge.a, edge.b);
+    return nearer_at(edge, place(a), a.depth, a.pixels_per_unit) -
+           hatch_tuning.steepest * geometry::distance_to_segment(place(a), edge.a, edge.b);
 }
 
 bool NearerEdges::is_near(const Dot& dot, float reach, float halo) const noexcept {
@@ -171,9 +162,9 @@ bool NearerEdges::is_near(const Dot& dot, float reach, float halo) const noexcep
     for_near(at - most, at + most, [&](const Edge& edge) {
         const float square = geometry::square_from_segment(at, edge.a, edge.b);
         if (found || square > most * most) return;
-        const float nearer = before(edge, at, dot.depth, dot.pixels_per_unit);
+        const float nearer = nearer_at(edge, at, dot.depth, dot.pixels_per_unit);
         const float limit = std::max(reach, halo_of(nearer, halo));
-        found = nearer > least_before && square <= limit * limit;
+        found = nearer > hatch_tuning.least_before && square <= limit * limit;
     });
     return found;
 }
@@ -183,14 +174,14 @@ float NearerEdges::entry(const Dot& a, const Dot& b, float halo) const noexcept 
     const glm::vec2 way = place(b) - from;
     const float length = glm::length(way);
     if (!(length > 0.0F)) return nowhere;
-    const float reach = length + std::max(halo, at_edge);
+    const float reach = length + std::max(halo, hatch_tuning.at_edge);
     float first = nowhere;
     for_near(from - reach, from + reach, [&](const Edge& edge) {
         const float square = geometry::square_from_segment(from, edge.a, edge.b);
         if (square > reach * reach) return;
-        const float nearer = before(edge, a, b);
+        const float nearer = nearer_on(edge, a, b);
         const float radius = halo_of(nearer, halo);
-        if (nearer > least_before && square > radius * radius)
+        if (nearer > hatch_tuning.least_before && square > radius * radius)
             first = std::min(first, entry_of_strip(from, way, edge.a, edge.b, radius));
     });
     return first <= 1.0F ? first : nowhere;
@@ -201,26 +192,142 @@ float NearerEdges::room(const StrokePoint& point, const glm::vec2& along, float 
     if (!(way > 0.0F)) return radius;
     const glm::vec2 at(point.x, point.y);
     const glm::vec2 u = along / way;
-    const float reach = radius + std::max(halo, at_edge);
+    const float reach = radius + std::max(halo, hatch_tuning.at_edge);
     float least = radius;
     for_near(at - reach, at + reach, [&](const Edge& edge) {
-        // Where the line across the line through the point meets the edge.
+        // The perpendicular of the line at the point meets the edge.
         const float from = glm::dot(edge.a - at, u);
         const float to = glm::dot(edge.b - at, u);
         if (from * to > 0.0F || from == to) return;
         const float share = from / (from - to);
         const float aside = std::abs(cross(u, edge.a + share * (edge.b - edge.a) - at));
         if (aside > reach) return;
-        const float own = least_before + steepest_surface * aside;
+        const float own = hatch_tuning.least_before + hatch_tuning.steepest * aside;
         const float nearer =
             (point.depth - edge.depth_a - share * (edge.depth_b - edge.depth_a)) * point.pixels_per_unit;
         if (!(nearer > own) && !(edge.is_crease && nearer > -own)) return;
         const float cosine = std::abs(to - from) / glm::distance(edge.a, edge.b);
-        const float along_edge = std::clamp((cosine - goes_across) / (goes_along - goes_across), 0.0F, 1.0F);
+        const float along_edge = std::clamp(
+            (cosine - hatch_tuning.goes_across) / (hatch_tuning.goes_along - hatch_tuning.goes_across), 0.0F, 1.0F);
         const float free = nearer > own ? aside - halo_of(nearer - own, halo) : aside;
         least = std::min(least, std::lerp(radius, std::max(free, 0.0F), along_edge));
     });
     return least;
+}
+
+float Hiding::largest_splat_at(const Dot& dot) const noexcept {
+    if (largest_splat.empty()) return 0.0F;
+    const drawing::Tiles& tiles = drawing.dot_tiles;
+    const glm::vec2 at = place(dot) - glm::vec2(drawing.first_pixel);
+    return largest_splat[static_cast<std::size_t>(tile_of(at.y, tiles.rows()) * tiles.columns() +
+                                                  tile_of(at.x, tiles.columns()))];
+}
+
+namespace {
+
+// A line whose samples are seen or hidden, and what hides it.
+struct SeenLine {
+    const Hiding& hiding;
+    float halo;
+    std::span<Dot> dots;
+    const base::Array<float>& length;
+
+    [[nodiscard]] std::int64_t size() const noexcept { return static_cast<std::int64_t>(dots.size()); }
+    [[nodiscard]] Dot& operator[](std::int64_t i) const noexcept {
+        HRBFNPR_ASSERT(i >= 0 && i < size());
+        return dots[static_cast<std::size_t>(i)];
+    }
+    [[nodiscard]] bool seen(std::int64_t i) const noexcept { return (*this)[i].opacity > 0.0F; }
+    [[nodiscard]] bool is_near(std::int64_t i, float reach) const noexcept {
+        return hiding.edges.is_near((*this)[i], reach, halo);
+    }
+    // How far from an edge splats may hide a sample by mistake.
+    [[nodiscard]] float reach_of_splats(std::int64_t i) const noexcept {
+        return std::min(hiding.largest_splat_at((*this)[i]) + hatch_tuning.beyond_splat, hatch_tuning.farthest_hidden);
+    }
+    // Whether splats may hide the sample by mistake.
+    [[nodiscard]] bool may_be_seen(std::int64_t i) const noexcept { return is_near(i, reach_of_splats(i)); }
+};
+
+// Samples from `first` to `end`, half-open, are hidden. Those from `seen` to `first` and from `end` to `next` are seen.
+struct Gap {
+    std::int64_t seen, first, end, next;
+};
+
+// Whether splats that reach too far make the gap, also splats of the line's own surface near a crease: the line passes
+// no edge there.
+[[nodiscard]] bool is_mistake(const SeenLine& line, const Gap& gap) noexcept {
+    const bool is_short = line.length[gap.end - 1] - line.length[gap.first] <= line.reach_of_splats(gap.first);
+    for (std::int64_t i = gap.first; i < gap.end; ++i)
+        if (!is_short && !line.may_be_seen(i)) return false;
+    for (std::int64_t i = std::max<std::int64_t>(gap.first - 1, 0); i < std::min(gap.end, line.size() - 1); ++i)
+        if (line.hiding.edges.entry(line[i], line[i + 1], line.halo) <= 1.0F) return false;
+    return true;
+}
+
+// The cut near sample `last`, the last one that is seen in the direction `way`, 1 or -1. The search begins at a sample
+// that no edge is near to, at `first_seen` at the earliest, and ends at `last_hidden`.
+[[nodiscard]] HatchCut search(const SeenLine& line, std::int64_t last, std::int64_t way, std::int64_t first_seen,
+                              std::int64_t last_hidden) noexcept {
+    std::int64_t i = last;
+    while (i != first_seen && ((last - i) * way < hatch_tuning.samples_back || line.is_near(i, hatch_tuning.off_edge)))
+        i -= way;
+    for (; i != last_hidden; i += way) {
+        if ((i - last) * way > 0 && !line.may_be_seen(i)) break;
+        const float share = line.hiding.edges.entry(line[i], line[i + way], line.halo);
+        if (share <= 1.0F)
+            return {std::min(i, i + way), line.length[i] + share * (line.length[i + way] - line.length[i])};
+    }
+    return {};
+}
+
+// Makes samples seen up to the cut, and hidden after it.
+void apply(const SeenLine& line, const HatchCut& cut, std::int64_t last, std::int64_t way) noexcept {
+    const std::int64_t end = way > 0 ? cut.before : cut.before + 1; // the last one that is seen from now on
+    const float opacity = line[last].opacity;
+    for (std::int64_t i = last; (end - i) * way > 0; i += way) line[i + way].opacity = opacity;
+    for (std::int64_t i = last; (i - end) * way > 0; i -= way) line[i].opacity = 0.0F;
+}
+
+// Finds the cuts at both ends of a gap, or closes it. Returns the first sample that is seen after it.
+std::int64_t cut_gap(const SeenLine& line, const Gap& gap, base::Array<HatchCut>& cuts) {
+    HatchCut ends, begins;
+    if (gap.first > gap.seen) ends = search(line, gap.first - 1, 1, (gap.seen + gap.first - 1) / 2, gap.end - 1);
+    if (gap.end < line.size()) begins = search(line, gap.end, -1, (gap.end + gap.next - 1) / 2, gap.first);
+    const bool touched = ends.any() && begins.any() && !(ends.before < begins.before);
+    if (touched || (!ends.any() && !begins.any())) {
+        if (!touched && (gap.end - gap.first == line.size() || !is_mistake(line, gap))) return gap.end;
+        const float opacity = line[gap.first > 0 ? gap.first - 1 : gap.end].opacity;
+        for (std::int64_t i = gap.first; i < gap.end; ++i) line[i].opacity = opacity;
+        return gap.seen;
+    }
+    if (ends.any()) {
+        apply(line, ends, gap.first - 1, 1);
+        cuts.push_back(ends);
+    }
+    if (!begins.any()) return gap.end;
+    apply(line, begins, gap.end, -1);
+    cuts.push_back(begins);
+    return begins.before + 1;
+}
+
+} // namespace
+
+void find_cuts(const Hiding& hiding, float halo, std::span<Dot> dots, const base::Array<float>& length,
+               base::Array<HatchCut>& cuts) {
+    HRBFNPR_ASSERT(length.size() == static_cast<std::int64_t>(dots.size()));
+    const SeenLine line{hiding, std::min(halo, hatch_tuning.widest_halo), dots, length};
+    cuts.clear();
+    std::int64_t begin = 0;
+    for (std::int64_t i = 0; i < line.size(); ++i) {
+        if (line.seen(i)) continue;
+        Gap gap{begin, i, i, i};
+        while (gap.end < line.size() && !line.seen(gap.end)) ++gap.end;
+        gap.next = gap.end;
+        while (gap.next < line.size() && line.seen(gap.next)) ++gap.next;
+        begin = cut_gap(line, gap, cuts);
+        i = std::max(begin, gap.end) - 1;
+    }
 }
 
 } // namespace hrbfnpr::frame
