@@ -3,7 +3,6 @@
 
 #include "geometry/cell_block.h"
 #include "implicit/trimmed.h"
-#include "stipples/cell_map.h"
 #include "stipples/surface_cells.h"
 
 #include <algorithm>
@@ -130,9 +129,8 @@ void Search::cover(const geometry::VecArray& samples, const base::Progress& prog
     const double side = std::clamp(support_.median_spacing() / cells, region.diagonal() / finest_cells,
                                    region.diagonal() / coarsest_cells);
     cells_ = stipples::find_surface_cells(site_, samples, region, side, progress);
-    base::Array<std::uint64_t> codes(runtime_.memory);
-    for (const stipples::SurfaceCell& cell : cells_.cell) codes.push_back(cell.code);
-    numbers_ = stipples::CellMap(runtime_.memory, codes);
+
+    numbers_ = stipples::CellMap(cells_);
 }
 
 void Search::ask(const base::Progress& progress) {

@@ -10,7 +10,7 @@
 #include "marks/tone_normals.h"
 #include "published/growth.h"
 #include "stipples/blue_noise.h"
-#include "stipples/density_thinning.h"
+#include "stipples/density.h"
 
 #include <algorithm>
 #include <optional>

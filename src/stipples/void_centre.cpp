@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "stipples/void_centre.h"
 
+#include "base/assert.h"
+
+#include <algorithm>
 #include <array>
 #include <cmath>
 
 namespace hrbfnpr::stipples {
 namespace {
 
-constexpr int centre_steps = 6;
+constexpr int most_vertices = 6;
 constexpr std::size_t none = static_cast<std::size_t>(-1);
 
 double squared(const glm::dvec2& v) noexcept { return glm::dot(v, v); }
@@ -18,106 +21,66 @@ double turn(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c) noexc
     return u.x * v.y - u.y * v.x;
 }
 
-class Climb {
-public:
-    Climb(std::span<const glm::dvec2> around, double wanted, double farthest) noexcept
-        : around_(around), wanted_(wanted), farthest_(farthest) {}
-
-    glm::dvec2 run() noexcept {
-        nearest_[0] = nearest();
-        for (int step = 0; step < centre_steps && advance(); ++step) {
-        }
-        return squared(at_) <= farthest_ * farthest_ ? at_ : glm::dvec2(0.0);
+// The unit direction from p along which the distances to the nearest points a and b, or to a alone, grow and stay
+// equal.
+glm::dvec2 uphill(const glm::dvec2& p, const glm::dvec2& a, const glm::dvec2* b) noexcept {
+    if (b == nullptr) {
+        const double length = glm::length(p - a);
+        return length > 0.0 ? (p - a) / length : glm::dvec2(1.0, 0.0);
     }
-
-private:
-    [[nodiscard]] std::size_t nearest() const noexcept {
-        std::size_t best = 0;
-        for (std::size_t i = 1; i < around_.size(); ++i)
-            if (squared(around_[i]) < squared(around_[best])) best = i;
-        return best;
-    }
-
-    // Unit; along it the distances to the nearest points grow, and stay equal.
-    [[nodiscard]] glm::dvec2 uphill() const noexcept {
-        const glm::dvec2 a = around_[nearest_[0]];
-        if (nearest_[1] == none) {
-            const double length = glm::length(at_ - a);
-            return length > 0.0 ? (at_ - a) / length : glm::dvec2(1.0, 0.0);
-        }
-        const glm::dvec2 b = around_[nearest_[1]];
-        const glm::dvec2 across = glm::normalize(glm::dvec2(a.y - b.y, b.x - a.x));
-        return glm::dot(across, at_ - 0.5 * (a + b)) < 0.0 ? -across : across;
-    }
-
-    // How far to where the nearest point is `wanted` away; |at + t d - a| = wanted.
-    [[nodiscard]] double to_wanted(const glm::dvec2& direction) const noexcept {
-        const glm::dvec2 from = at_ - around_[nearest_[0]];
-        const double along = glm::dot(from, direction);
-        const double missing = wanted_ * wanted_ - squared(from);
-        return missing > 0.0 ? std::sqrt(along * along + missing) - along : 0.0;
-    }
-
-    // The next point that comes to be as near: |at + t d - q| = |at + t d - a|.
-    struct Meeting {
-        double distance;
-        std::size_t point;
-    };
-    [[nodiscard]] Meeting next(const glm::dvec2& direction) const noexcept {
-        const glm::dvec2 a = around_[nearest_[0]];
-        const double own = squared(at_ - a);
-        Meeting meeting{2.0 * farthest_, none};
-        for (std::size_t i = 0; i < around_.size(); ++i) {
-            if (i == nearest_[0] || i == nearest_[1]) continue;
-            const double approach = 2.0 * glm::dot(direction, around_[i] - a);
-            if (!(approach > 1e-12 * wanted_)) continue;
-            const double distance = std::max(0.0, (squared(at_ - around_[i]) - own) / approach);
-            if (distance < meeting.distance) meeting = {distance, i};
-        }
-        return meeting;
-    }
-
-    // Returns whether to go on.
-    bool advance() noexcept {
-        const glm::dvec2 direction = uphill();
-        const Meeting meeting = next(direction);
-        const double enough = to_wanted(direction);
-        at_ += std::min(enough, meeting.distance) * direction;
-        if (enough <= meeting.distance || meeting.point == none) return false;
-        if (nearest_[1] == none) {
-            nearest_[1] = meeting.point;
-            return true;
-        }
-        return leave_vertex(meeting.point);
-    }
-
-    // At equal distances from three points: a maximum if they surround it, else on along the edge that it is beyond.
-    bool leave_vertex(std::size_t third) noexcept {
-        const glm::dvec2 a = around_[nearest_[0]];
-        const glm::dvec2 b = around_[nearest_[1]];
-        const glm::dvec2 c = around_[third];
-        const double all = turn(a, b, c);
-        if (turn(b, c, at_) * all < 0.0) {
-            nearest_ = {nearest_[1], third};
-            return true;
-        }
-        if (turn(c, a, at_) * all < 0.0) {
-            nearest_[1] = third;
-            return true;
-        }
-        return false;
-    }
-
-    std::span<const glm::dvec2> around_;
-    double wanted_, farthest_;
-    glm::dvec2 at_{0.0};
-    std::array<std::size_t, 2> nearest_{none, none};
-};
+    const glm::dvec2 across = glm::normalize(glm::dvec2(a.y - b->y, b->x - a.x));
+    return glm::dot(across, p - 0.5 * (a + *b)) < 0.0 ? -across : across;
+}
 
 } // namespace
 
 glm::dvec2 toward_void(std::span<const glm::dvec2> around, double wanted, double farthest) noexcept {
-    return around.empty() ? glm::dvec2(0.0) : Climb(around, wanted, farthest).run();
+    HRBFNPR_ASSERT(wanted > 0.0 && farthest >= 0.0);
+    if (around.empty()) return glm::dvec2(0.0);
+    glm::dvec2 at{0.0};
+    const auto nearest = std::min_element(
+        around.begin(), around.end(), [](const glm::dvec2& a, const glm::dvec2& b) { return squared(a) < squared(b); });
+    std::array<std::size_t, 2> edge{static_cast<std::size_t>(nearest - around.begin()), none};
+    for (int vertex = 0; vertex < most_vertices; ++vertex) {
+        const glm::dvec2 a = around[edge[0]];
+        const glm::dvec2 direction = uphill(at, a, edge[1] == none ? nullptr : &around[edge[1]]);
+        // How far to where the nearest point is `wanted` away: |at + t d - a| = wanted.
+        const double along = glm::dot(at - a, direction);
+        const double own = squared(at - a);
+        const double missing = wanted * wanted - own;
+        const double enough = missing > 0.0 ? std::sqrt(along * along + missing) - along : 0.0;
+        // The next point that comes to be as near: |at + t d - q| = |at + t d - a|.
+        double distance = 2.0 * farthest;
+        std::size_t third = none;
+        for (std::size_t i = 0; i < around.size(); ++i) {
+            if (i == edge[0] || i == edge[1]) continue;
+            const double approach = 2.0 * glm::dot(direction, around[i] - a);
+            if (!(approach > 1e-12 * wanted)) continue;
+            const double there = std::max(0.0, (squared(at - around[i]) - own) / approach);
+            if (there < distance) {
+                distance = there;
+                third = i;
+            }
+        }
+        at += std::min(enough, distance) * direction;
+        if (enough <= distance || third == none) break;
+        if (edge[1] == none) {
+            edge[1] = third;
+            continue;
+        }
+        // At equal distances from three points: a maximum if they surround it, else on along the edge that it is
+        // beyond.
+        const glm::dvec2 b = around[edge[1]];
+        const glm::dvec2 c = around[third];
+        const double all = turn(a, b, c);
+        if (turn(b, c, at) * all < 0.0)
+            edge = {edge[1], third};
+        else if (turn(c, a, at) * all < 0.0)
+            edge[1] = third;
+        else
+            break;
+    }
+    return squared(at) <= farthest * farthest ? at : glm::dvec2(0.0);
 }
 
 } // namespace hrbfnpr::stipples

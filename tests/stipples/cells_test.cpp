@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Maps of cells, and the cells around one.
-#include "stipples/cell_neighbours.h"
+#include "stipples/surface_cells.h"
 
 #include <gtest/gtest.h>
 
