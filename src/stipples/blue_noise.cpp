@@ -119,7 +119,8 @@ void project(const marks::Site& site, const SurfaceCells& cells, const OrderedMa
     const auto fate_of = [&](std::int64_t i, std::int64_t number) {
         if (!settler.placed(i)) return Fate::dropped;
         if (!cells.region.contains(settler.position(i))) return Fate::outside;
-        const float(&n)[3] = chosen[number].normal;
+        float n[3];
+        unpack_normal(chosen[number].normal, n);
         const double turn = glm::dot(normal[i], glm::dvec3(n[0], n[1], n[2]));
         const bool far = glm::distance(settler.position(i), settler.start[i]) >
                          stipple_tuning.wandered * densest_distance(marks.area, static_cast<double>(number + 1));

@@ -6,7 +6,6 @@
 #include "base/prefetch.h"
 #include "geometry/tangent_frame.h"
 #include "stipples/tuning.h"
-#include "stipples/void_centre.h"
 
 #include <algorithm>
 #include <array>
@@ -45,11 +44,6 @@ struct Order {
     base::Array<std::uint8_t> step;  // of its sweep, in which each mark was placed
 };
 
-// A mark in 16 bytes: its normal in the bits that it came from.
-struct Slot {
-    float position[3];
-    float normal;
-};
 constexpr std::int32_t slots_of_cell = 5;
 
 // Marks stand with their cells, so that all that is around a mark is in few cache lines: two for each cell.
@@ -61,10 +55,10 @@ struct alignas(64) StageCell {
     std::int32_t more;       // the first of those that found no slot, in Stage::extra; -1 where all have one
     std::uint32_t neighbour; // a bit for each of the 27 cells around it that exists, itself among them
     glm::vec3 low;           // corner, relative to the grid's origin
-    std::array<Slot, slots_of_cell> slot;
+    std::array<OrderMark, slots_of_cell> slot;
 };
 struct Extra {
-    Slot mark;
+    OrderMark mark;
     std::int32_t next; // of the same cell; -1: the last one
 };
 struct Tile {
@@ -84,16 +78,10 @@ constexpr unsigned tile_bits = 3;       // of each coordinate
 [[nodiscard]] glm::vec3 place_of(const OrderMark& mark) noexcept {
     return {mark.position[0], mark.position[1], mark.position[2]};
 }
-[[nodiscard]] Slot slot_of(const OrderMark& mark) noexcept {
-    return {{mark.position[0], mark.position[1], mark.position[2]}, repacked_normal(mark.normal)};
-}
-
-[[nodiscard]] OrderLoops loops_for(const marks::Site& site) noexcept {
-    OrderLoops loops = order_loops(site.runtime.instruction_set);
-    if (site.implicit.sheets() == nullptr) return loops;
-    loops.feel = loops.feel_on_surface;
-    loops.feel_and_find = loops.feel_and_find_on_surface;
-    return loops;
+[[nodiscard]] glm::dvec3 unpacked(float packed) noexcept {
+    float normal[3];
+    unpack_normal(packed, normal);
+    return vector(normal);
 }
 
 // The 27 cells around a cell that have a point nearer than `distance` to the place `in_cell`, a bit for each.
@@ -123,9 +111,9 @@ struct Stage {
         : site(of),
           grid(candidates.grid), region{candidates.region.min - grid.origin, candidates.region.max - grid.origin},
           home(home_cells), settings(its), progress(watch), side(static_cast<float>(std::ldexp(grid.side, its.level))),
-          loops(loops_for(of)), number(of.memory()), cell(of.memory()), neighbour(of.memory()), lowest(of.memory()),
-          floor(of.memory()), own_group(of.memory()), extra(of.memory()), tile(of.memory()), fresh(of.memory()),
-          fresh_count(of.memory()) {}
+          creased(of.implicit.sheets() != nullptr), loops(order_loops(of.runtime.instruction_set)), number(of.memory()),
+          cell(of.memory()), neighbour(of.memory()), lowest(of.memory()), floor(of.memory()), own_group(of.memory()),
+          extra(of.memory()), tile(of.memory()), fresh(of.memory()), fresh_count(of.memory()) {}
 
     [[nodiscard]] OrderBlock block_of(std::int64_t c) noexcept {
         HRBFNPR_ASSERT(c >= 0 && c < cell.size());
@@ -165,11 +153,11 @@ struct Stage {
     bool link(const OrderMark& mark, std::int32_t c) noexcept {
         HRBFNPR_ASSERT(c >= 0 && c < cell.size());
         if (cell[c].marks == slots_of_cell) return false;
-        cell[c].slot[static_cast<std::size_t>(cell[c].marks++)] = slot_of(mark);
+        cell[c].slot[static_cast<std::size_t>(cell[c].marks++)] = mark;
         return true;
     }
     void link_more(const OrderMark& mark, std::int32_t c) {
-        extra.push_back({slot_of(mark), cell[c].more});
+        extra.push_back({mark, cell[c].more});
         cell[c].more = static_cast<std::int32_t>(extra.size() - 1);
     }
 
@@ -180,6 +168,7 @@ struct Stage {
     StageSettings settings;
     base::Progress progress; // only looked at for a cancel
     float side;              // of a cell
+    std::size_t creased;     // which of the loops are for this surface
     OrderLoops loops;
 
     CellMap number; // of each cell by its code
@@ -310,16 +299,15 @@ void feel_all(Stage& stage) {
             for (std::int64_t c = begin; c < end; ++c) {
                 std::size_t count = 0;
                 const auto feel = [&] {
-                    stage.loops.feel(stage.block_of(c), near.data(), static_cast<std::int64_t>(count),
-                                     stage.inverse_squared_reach());
+                    stage.loops.feel[stage.creased](stage.block_of(c), near.data(), static_cast<std::int64_t>(count),
+                                                    stage.inverse_squared_reach());
                     count = 0;
                 };
                 for (const std::int32_t there : stage.neighbour[c]) {
                     if (there < 0) continue;
-                    stage.for_marks(there, [&](const Slot& slot) {
+                    stage.for_marks(there, [&](const OrderMark& mark) {
                         if (count == near.size()) feel();
-                        std::copy_n(slot.position, 3, near[count].position);
-                        unpack_normal(slot.normal, near[count++].normal);
+                        near[count++] = mark;
                     });
                 }
                 feel();
@@ -328,6 +316,28 @@ void feel_all(Stage& stage) {
 }
 
 // ---- The way into a gap
+
+constexpr int most_vertices = 6;
+constexpr std::size_t none = static_cast<std::size_t>(-1);
+
+double squared(const glm::dvec2& v) noexcept { return glm::dot(v, v); }
+
+double turn(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c) noexcept {
+    const glm::dvec2 u = b - a;
+    const glm::dvec2 v = c - a;
+    return u.x * v.y - u.y * v.x;
+}
+
+// The unit direction from p along which the distances to the nearest points a and b, or to a alone, grow and stay
+// equal.
+glm::dvec2 uphill(const glm::dvec2& p, const glm::dvec2& a, const glm::dvec2* b) noexcept {
+    if (b == nullptr) {
+        const double length = glm::length(p - a);
+        return length > 0.0 ? (p - a) / length : glm::dvec2(1.0, 0.0);
+    }
+    const glm::dvec2 across = glm::normalize(glm::dvec2(a.y - b->y, b->x - a.x));
+    return glm::dot(across, p - 0.5 * (a + *b)) < 0.0 ? -across : across;
+}
 
 // Marks around a candidate that are looked at; a plane has room for about 20 within the distance that counts.
 constexpr std::size_t most_around = 64;
@@ -354,20 +364,20 @@ struct View {
     return glm::dot(o, o) + std::max(detour, 0.0);
 }
 
-void look_at(const Slot& mark, const View& from, bool creased, Surroundings& around) noexcept {
+void look_at(const OrderMark& mark, const View& from, bool creased, Surroundings& around) noexcept {
     const glm::vec3 between = glm::vec3(mark.position[0], mark.position[1], mark.position[2]) - from.start;
     if (glm::dot(between, between) > from.farthest || around.count == most_around) return;
-    float unpacked[3];
-    unpack_normal(mark.normal, unpacked);
+    float normal[3];
+    unpack_normal(mark.normal, normal);
     const float turn =
-        (from.normal.x * unpacked[0] + from.normal.y * unpacked[1] + from.normal.z * unpacked[2]) / unpacked_length;
+        (from.normal.x * normal[0] + from.normal.y * normal[1] + from.normal.z * normal[2]) / unpacked_length;
     if (turn < opposite) return;
     const bool beyond = turn < stipple_tuning.bent_cosine && creased;
     around.bent = around.bent || (turn < stipple_tuning.bent_cosine && !beyond);
     const glm::dvec3 precise(between);
     const glm::dvec2 tangent(glm::dot(precise, from.frame.u), glm::dot(precise, from.frame.r));
     const double length = glm::length(tangent);
-    const glm::dvec3 other = beyond ? glm::normalize(vector(unpacked)) : glm::dvec3(0.0);
+    const glm::dvec3 other = beyond ? glm::normalize(vector(normal)) : glm::dvec3(0.0);
     const double way = beyond ? std::sqrt(squared_way(precise, glm::dvec3(from.normal), other)) : glm::length(precise);
     around.flat[around.count] = length > 0.0 ? way / length * tangent : tangent;
     around.beyond[around.count] = other;
@@ -394,15 +404,14 @@ void look_at(const Slot& mark, const View& from, bool creased, Surroundings& aro
 void move_into_gap(const Stage& stage, const Fresh* all, std::span<const std::int32_t> unlinked, double radius,
                    Fresh& fresh) noexcept {
     const double farthest_move = stage.settings.farthest_move;
-    const bool creased = stage.site.implicit.sheets() != nullptr;
-    const glm::dvec3 normal = glm::normalize(vector(fresh.mark.normal));
+    const glm::dvec3 normal = glm::normalize(unpacked(fresh.mark.normal));
     const double far = radius + 2.0 * farthest_move;
     const View view{place_of(fresh.mark), glm::vec3(normal), static_cast<float>(far * far),
                     geometry::combing_frame(normal)};
     Surroundings around;
-    for (const std::int32_t k : unlinked) look_at(slot_of(all[k].mark), view, creased, around);
+    for (const std::int32_t k : unlinked) look_at(all[k].mark, view, stage.creased != 0, around);
     stage.for_reached(view.start, far, fresh.cell, [&](std::int32_t there) {
-        stage.for_marks(there, [&](const Slot& mark) { look_at(mark, view, creased, around); });
+        stage.for_marks(there, [&](const OrderMark& mark) { look_at(mark, view, stage.creased != 0, around); });
     });
     fresh.cell = -1;
     if (around.bent) return; // a tangent plane is no way along it
@@ -449,7 +458,7 @@ void prefetch_around(const Stage& stage, std::int32_t cell) noexcept {
     fresh.mark.position[2] = block.at(OrderGroup::z, i);
     fresh.energy = block.at(OrderGroup::energy, i);
     fresh.cell = cell;
-    unpack_normal(block.at(OrderGroup::normal, i), fresh.mark.normal);
+    fresh.mark.normal = block.at(OrderGroup::normal, i);
     if (block.at(OrderGroup::clearance, i) < static_cast<float>(radius * radius))
         move_into_gap(stage, all, unlinked, radius, fresh);
     return fresh;
@@ -486,8 +495,8 @@ void prefetch_around(const Stage& stage, std::int32_t cell) noexcept {
             if (!next.linked) unlinked[unlinked_count++] = count;
             fresh[count++] = next;
             stage.for_reached(place_of(next.mark), stage.settings.reach, next.cell, [&](std::int32_t there) {
-                stage.note(there, stage.loops.feel_and_find(stage.block_of(there), next.mark,
-                                                            stage.inverse_squared_reach(), enough));
+                stage.note(there, stage.loops.feel_and_find[stage.creased](stage.block_of(there), next.mark,
+                                                                           stage.inverse_squared_reach(), enough));
             });
         }
     }
@@ -679,6 +688,55 @@ bool run_stage(const marks::Site& site, Candidates& candidates, const Home& home
 }
 
 } // namespace
+
+glm::dvec2 toward_void(std::span<const glm::dvec2> around, double wanted, double farthest) noexcept {
+    HRBFNPR_ASSERT(wanted > 0.0 && farthest >= 0.0);
+    if (around.empty()) return glm::dvec2(0.0);
+    glm::dvec2 at{0.0};
+    const auto nearest = std::min_element(
+        around.begin(), around.end(), [](const glm::dvec2& a, const glm::dvec2& b) { return squared(a) < squared(b); });
+    std::array<std::size_t, 2> edge{static_cast<std::size_t>(nearest - around.begin()), none};
+    for (int vertex = 0; vertex < most_vertices; ++vertex) {
+        const glm::dvec2 a = around[edge[0]];
+        const glm::dvec2 direction = uphill(at, a, edge[1] == none ? nullptr : &around[edge[1]]);
+        // How far to where the nearest point is `wanted` away: |at + t d - a| = wanted.
+        const double along = glm::dot(at - a, direction);
+        const double own = squared(at - a);
+        const double missing = wanted * wanted - own;
+        const double enough = missing > 0.0 ? std::sqrt(along * along + missing) - along : 0.0;
+        // The next point that comes to be as near: |at + t d - q| = |at + t d - a|.
+        double distance = 2.0 * farthest;
+        std::size_t third = none;
+        for (std::size_t i = 0; i < around.size(); ++i) {
+            if (i == edge[0] || i == edge[1]) continue;
+            const double approach = 2.0 * glm::dot(direction, around[i] - a);
+            if (!(approach > 1e-12 * wanted)) continue;
+            const double there = std::max(0.0, (squared(at - around[i]) - own) / approach);
+            if (there < distance) {
+                distance = there;
+                third = i;
+            }
+        }
+        at += std::min(enough, distance) * direction;
+        if (enough <= distance || third == none) break;
+        if (edge[1] == none) {
+            edge[1] = third;
+            continue;
+        }
+        // At equal distances from three points: a maximum if they surround it, else on along the edge that it is
+        // beyond.
+        const glm::dvec2 b = around[edge[1]];
+        const glm::dvec2 c = around[third];
+        const double all = turn(a, b, c);
+        if (turn(b, c, at) * all < 0.0)
+            edge = {edge[1], third};
+        else if (turn(c, a, at) * all < 0.0)
+            edge[1] = third;
+        else
+            break;
+    }
+    return squared(at) <= farthest * farthest ? at : glm::dvec2(0.0);
+}
 
 OrderedMarks progressive_order(const marks::Site& site, Candidates& candidates, std::int64_t wanted,
                                const base::Progress& progress) {

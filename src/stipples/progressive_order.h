@@ -18,6 +18,7 @@
 #include "stipples/candidates.h"
 
 #include <cmath>
+#include <span>
 
 namespace hrbfnpr::stipples {
 
@@ -25,6 +26,11 @@ namespace hrbfnpr::stipples {
 [[nodiscard]] inline double densest_distance(double area, double marks) noexcept {
     return std::sqrt(2.0 / std::sqrt(3.0) * area / marks);
 }
+
+// The way from 0 to the middle of the gap between the points around it, in a plane: uphill on the distance to the
+// nearest of them, first away from the nearest point, then between the two nearest, from one Voronoi vertex to the
+// next. It ends where that distance is `wanted`, or at a maximum of it; it is 0 if it would lead beyond `farthest`.
+[[nodiscard]] glm::dvec2 toward_void(std::span<const glm::dvec2> around, double wanted, double farthest) noexcept;
 
 // Relative to the candidates' grid.origin; near the surface.
 using OrderedMarks = base::Array<OrderMark>;
