@@ -32,8 +32,8 @@ struct JudgedCell {
 
 // A plane is the surface where those of all cells beside it are the same one: none is nearer to another sheet, or
 // around a bend. What they turn is the divergence of the normals, twice the mean curvature.
-[[nodiscard]] JudgedCell judge(const marks::Site& site, const SurfaceCells& cells, std::int64_t number,
-                               CellNeighbours& around) noexcept {
+[[nodiscard]] JudgedCell judge(const marks::Site& site, const SurfaceCells& cells, const CellMap& numbers,
+                               std::int64_t number) noexcept {
     constexpr JudgedCell bent = {CellKind::bent, 0.0F};
     const SurfaceCell& cell = cells.cell[number];
     const double side = cells.grid.side;
@@ -44,10 +44,11 @@ struct JudgedCell {
     const glm::dvec3 along = glm::abs(cell.normal);
     if (std::abs(cell.distance) > side * (0.5 * (along.x + along.y + along.z) + stipple_tuning.passes_by))
         return {CellKind::clear, 0.0F};
-    around.go_to(cell.code);
+    const CellMap::Around around = numbers.around(cell.code);
     // A crease may cut off no more than an edge or a corner of the cell.
-    for (std::size_t step = 0; site.implicit.sheets() != nullptr && step < CellNeighbours::count; ++step)
-        if (around[step] >= 0 && !(glm::dot(cell.normal, cells.cell[around[step]].normal) >= surface::smooth_cosine))
+    for (const std::int32_t next : around)
+        if (site.implicit.sheets() != nullptr && next >= 0 &&
+            !(glm::dot(cell.normal, cells.cell[next].normal) >= surface::smooth_cosine))
             return bent;
     double divergence = 0.0;
     bool known = true;
@@ -55,8 +56,8 @@ struct JudgedCell {
         double turn = 0.0;
         int beside = 0;
         for (const int way : {-1, 1}) {
-            const std::size_t step = CellNeighbours::step_along[axis];
-            const std::int32_t next = around[way < 0 ? CellNeighbours::itself - step : CellNeighbours::itself + step];
+            const std::size_t step = CellMap::step_along[axis];
+            const std::int32_t next = around[way < 0 ? CellMap::itself - step : CellMap::itself + step];
             if (next < 0) continue;
             const SurfaceCell& there = cells.cell[next];
             const double distance = cell.distance + way * side * cell.normal[axis];
@@ -407,24 +408,6 @@ void step_down_again(const marks::Site& site, const JudgedCells& judged, std::in
 
 // ---- 4. Both side by side
 
-// Where the function is no distance, the area is not what the cells say, and the first round gives too few.
-[[nodiscard]] PlaneCandidates draw_both(const marks::Site& site, const JudgedCells& judged, std::uint32_t stream,
-                                        std::int64_t wanted, LayerCandidates& layer, const base::Progress& progress) {
-    double density = static_cast<double>(wanted) / judged.cells.rough_area();
-    for (int round = 0;; ++round) {
-        PlaneCandidates planes = draw_on_planes(site, judged, stream, density,
-                                                stipple_tuning.most_trials * static_cast<double>(wanted), progress);
-        draw_in_layer(site, judged, stipple_tuning.layer_density * density, layer,
-                      progress.part(round == 0 ? 0.0 : 0.7, round == 0 ? 0.7 : 0.8));
-        const double placed = static_cast<double>(planes.all) +
-                              static_cast<double>(layer.projection.size()) / stipple_tuning.layer_density;
-        if (round + 1 == stipple_tuning.candidate_rounds ||
-            placed >= stipple_tuning.enough * static_cast<double>(wanted) || !(placed > 0.0))
-            return planes;
-        density *= static_cast<double>(wanted) / placed;
-    }
-}
-
 // Both cell by cell, each cell with groups of its own; cells without any are left out.
 void merge(const marks::Site& site, const JudgedCells& judged, const PlaneCandidates& planes,
            const LayerCandidates& layer, Candidates& candidates, const base::Progress& progress) {
@@ -450,25 +433,20 @@ void merge(const marks::Site& site, const JudgedCells& judged, const PlaneCandid
     });
     for (const Projection& projection : layer.projection)
         put(projection.position, projection.normal, projection.ticket, next[projection.cell]++, candidates);
-    site.runtime.parallel.for_chunks(candidates.cells(), cells_a_task, [&](std::int64_t begin, std::int64_t end) {
-        for (std::int64_t cell = begin; cell < end; ++cell)
-            clear_rest(candidates.places(), candidates.first[cell] + candidates.number[cell]);
-    });
 }
 
 } // namespace
 
 JudgedCells judge_cells(const marks::Site& site, const SurfaceCells& cells, const base::Progress& progress) {
     JudgedCells judged(cells);
-    site.runtime.parallel.for_chunks(cells.cell.size(), cells_a_task, progress,
-                                     [&](std::int64_t begin, std::int64_t end) {
-                                         CellNeighbours around(judged.number);
-                                         for (std::int64_t i = begin; i < end; ++i) {
-                                             const JudgedCell cell = judge(site, cells, i, around);
-                                             judged.kind[i] = cell.kind;
-                                             judged.curvature[i] = cell.curvature;
-                                         }
-                                     });
+    const std::int64_t count = cells.cell.size();
+    site.runtime.parallel.for_chunks(count, cells_a_task, progress, [&](std::int64_t begin, std::int64_t end) {
+        for (std::int64_t i = begin; i < end; ++i) {
+            const JudgedCell cell = judge(site, cells, judged.number, i);
+            judged.kind[i] = cell.kind;
+            judged.curvature[i] = cell.curvature;
+        }
+    });
     return judged;
 }
 
@@ -477,10 +455,8 @@ PlaneCandidates draw_on_planes(const marks::Site& site, const JudgedCells& judge
     HRBFNPR_ASSERT(density > 0.0);
     constexpr double most_of_cell = 1e6; // so that trials can be numbered
     const auto flat = static_cast<double>(std::count(judged.kind.begin(), judged.kind.end(), CellKind::flat));
-    PlaneCandidates planes{
-        stream | 0xffff0000U, density,
-        std::clamp(most_trials / std::max(flat, 1.0), stipple_tuning.most_trials_in_cell, most_of_cell),
-        base::Array<std::int32_t>(site.memory(), judged.kind.size())};
+    PlaneCandidates planes{stream | 0xffff0000U, density, std::min(most_trials / std::max(flat, 1.0), most_of_cell),
+                           base::Array<std::int32_t>(site.memory(), judged.kind.size())};
     site.runtime.parallel.for_chunks(judged.kind.size(), cells_a_task, [&](std::int64_t begin, std::int64_t end) {
         for (std::int64_t i = begin; i < end; ++i) {
             progress.check(); // a cell may have many
@@ -514,13 +490,11 @@ LayerCandidates layer_candidates(const JudgedCells& judged, std::uint32_t stream
     const double spacing = std::sqrt(cells.rough_area() * most / static_cast<double>(wanted)); // of marks
     layer.each = std::clamp<std::int64_t>(std::lround(0.5 * most * side / spacing), 1, most);
     // A projection is less than a side from its trial point: sqrt(band^2 + 2 stride^2) = 0.93 sides.
-    CellNeighbours around(judged.number);
     base::Array<std::uint8_t> taken(cells.cell.memory(), judged.kind.size());
     for (std::int64_t i = 0; i < judged.kind.size(); ++i) {
         if (judged.kind[i] != CellKind::bent) continue;
-        around.go_to(cells.cell[i].code);
-        for (std::size_t step = 0; step < CellNeighbours::count; ++step)
-            if (around[step] >= 0) taken[around[step]] = 1;
+        for (const std::int32_t next : judged.number.around(cells.cell[i].code))
+            if (next >= 0) taken[next] = 1;
     }
     for (std::int64_t i = 0; i < taken.size(); ++i)
         if (taken[i] != 0) layer.trial_cell.push_back(static_cast<std::int32_t>(i));
@@ -568,7 +542,19 @@ Candidates draw_candidates(const marks::Site& site, const SurfaceCells& cells, s
     const std::uint32_t stream = marks::stream_of(kind);
     const JudgedCells judged = judge_cells(site, cells, progress);
     LayerCandidates layer = layer_candidates(judged, stream, wanted);
-    const PlaneCandidates planes = draw_both(site, judged, stream, wanted, layer, progress);
+    // Where the function is no distance, the area is not what the cells say, and the first round gives too few.
+    const auto many = static_cast<double>(wanted);
+    double density = many / cells.rough_area();
+    PlaneCandidates planes{stream, density, 0.0, base::Array<std::int32_t>(site.memory())};
+    for (int round = 0; round < stipple_tuning.candidate_rounds; ++round) {
+        planes = draw_on_planes(site, judged, stream, density, stipple_tuning.most_trials * many, progress);
+        draw_in_layer(site, judged, stipple_tuning.layer_density * density, layer,
+                      progress.part(round == 0 ? 0.0 : 0.7, round == 0 ? 0.7 : 0.8));
+        const double placed = static_cast<double>(planes.all) +
+                              static_cast<double>(layer.projection.size()) / stipple_tuning.layer_density;
+        if (placed >= stipple_tuning.enough * many || !(placed > 0.0)) break;
+        density *= many / placed;
+    }
     merge(site, judged, planes, layer, candidates, progress);
     candidates.report.placed = candidates.count;
     candidates.report.dropped_strayed = layer.strayed;

@@ -215,16 +215,15 @@ void copy_place(const OrderBlock& from, std::int64_t i, const OrderBlock& to, st
     for (std::int64_t c = 0; c < OrderGroup::columns; ++c) to.at(c, k) = from.at(c, i);
 }
 
-void clear_rest(const OrderBlock& block, std::int64_t from) noexcept {
-    for (; from % OrderGroup::size != 0; ++from)
-        for (std::int64_t c = 0; c < OrderGroup::columns; ++c) block.at(c, from) = 0.0F;
-}
-
 void forget_marks(const OrderBlock& block, std::int64_t count) noexcept {
-    for (std::int64_t i = 0; i < block.places(); ++i) {
+    HRBFNPR_ASSERT(count >= 0 && count <= block.places());
+    for (std::int64_t i = 0; i < count; ++i) {
         block.at(OrderGroup::energy, i) = 0.0F;
         block.at(OrderGroup::clearance, i) = __builtin_inff();
-        if (i >= count) free_place(block, i);
+    }
+    for (std::int64_t i = count; i < block.places(); ++i) {
+        for (std::int64_t c = 0; c < OrderGroup::columns; ++c) block.at(c, i) = 0.0F;
+        free_place(block, i);
     }
 }
 

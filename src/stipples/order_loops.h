@@ -83,9 +83,8 @@ struct OrderLoops {
 // number.
 std::int64_t keep(const OrderBlock& block, float enough) noexcept;
 void copy_place(const OrderBlock& from, std::int64_t i, const OrderBlock& to, std::int64_t k) noexcept;
-// Sets all numbers from that place on to the end of its group to 0, so that no NaN comes of them.
-void clear_rest(const OrderBlock& block, std::int64_t from) noexcept;
-// No mark is felt: the first `count` places have no energy and all the clearance, the others are free.
+// No mark is felt: the first `count` places have no energy and all the clearance. The others are free, and hold numbers
+// from which no NaN comes.
 void forget_marks(const OrderBlock& block, std::int64_t count) noexcept;
 
 [[nodiscard]] OrderLoops order_loops(base::InstructionSet set) noexcept;

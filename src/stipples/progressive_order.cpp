@@ -50,11 +50,10 @@ constexpr std::int32_t slots_of_cell = 5;
 struct alignas(64) StageCell {
     std::int64_t group; // where its candidates begin
     std::int32_t groups;
-    std::int32_t best;       // open candidate of the lowest energy; -1 where none is open
-    std::int32_t marks;      // in its slots
-    std::int32_t more;       // the first of those that found no slot, in Stage::extra; -1 where all have one
-    std::uint32_t neighbour; // a bit for each of the 27 cells around it that exists, itself among them
-    glm::vec3 low;           // corner, relative to the grid's origin
+    std::int32_t best;  // open candidate of the lowest energy; -1 where none is open
+    std::int32_t marks; // in its slots
+    std::int32_t more;  // the first of those that found no slot, in Stage::extra; -1 where all have one
+    glm::vec3 low;      // corner, relative to the grid's origin
     std::array<OrderMark, slots_of_cell> slot;
 };
 struct Extra {
@@ -141,8 +140,10 @@ struct Stage {
     // Calls visit on the cells that have a point nearer than `distance` to a place in cell c.
     template <class Visit>
     void for_reached(const glm::vec3& position, double distance, std::int32_t c, Visit&& visit) const {
-        std::uint32_t left = cell[c].neighbour & reached(position - cell[c].low, side, static_cast<float>(distance));
-        for (; left != 0; left &= left - 1) visit(neighbour[c][static_cast<std::size_t>(std::countr_zero(left))]);
+        std::uint32_t left = reached(position - cell[c].low, side, static_cast<float>(distance));
+        for (; left != 0; left &= left - 1)
+            if (const std::int32_t there = neighbour[c][static_cast<std::size_t>(std::countr_zero(left))]; there >= 0)
+                visit(there);
     }
     template <class Visit>
     void for_marks(std::int32_t c, Visit&& visit) const {
@@ -173,7 +174,7 @@ struct Stage {
 
     CellMap number; // of each cell by its code
     base::Array<StageCell> cell;
-    base::Array<std::array<std::int32_t, 27>> neighbour; // -1 where there is no cell
+    base::Array<CellMap::Around> neighbour;
     base::Array<float> lowest;   // energy of the best candidate of each cell; infinite where none is open
     base::Array<float> floor;    // no candidate of the cell has a lower energy
     float enough = 0.0F;         // squared distance from marks that made a candidate open in the last step
@@ -206,7 +207,7 @@ struct Stage {
     const auto empty_cell = [&](std::int64_t c, std::int64_t group, std::int64_t count) {
         const CellGrid::Cell at = geometry::morton_cell(code[c]);
         const glm::vec3 low(static_cast<float>(at[0]), static_cast<float>(at[1]), static_cast<float>(at[2]));
-        return StageCell{group, static_cast<std::int32_t>(groups_for(count)), -1, 0, -1, 0, stage.side * low, {}};
+        return StageCell{group, static_cast<std::int32_t>(groups_for(count)), -1, 0, -1, stage.side * low, {}};
     };
     const base::Parallel& parallel = stage.site.runtime.parallel;
     if (settings.level == 0 && settings.ticket_limit > 0xffffffffU) {
@@ -242,7 +243,6 @@ struct Stage {
             const OrderBlock block = stage.block_of(c);
             std::int64_t count = 0;
             for_taken(c, [&](std::int64_t place) { copy_place(candidates.places(), place, block, count++); });
-            clear_rest(block, count);
             forget_marks(block, count);
         }
     });
@@ -267,14 +267,8 @@ void find_tiles(const base::Array<std::uint64_t>& code, Stage& stage) {
     stage.floor.resize(code.size());
     stage.site.runtime.parallel.for_chunks(code.size(), cells_a_task, stage.progress,
                                            [&](std::int64_t begin, std::int64_t end) {
-                                               CellNeighbours around(stage.number);
-                                               for (std::int64_t c = begin; c < end; ++c) {
-                                                   around.go_to(code[c]);
-                                                   for (std::size_t step = 0; step < CellNeighbours::count; ++step) {
-                                                       stage.neighbour[c][step] = around[step];
-                                                       if (around[step] >= 0) stage.cell[c].neighbour |= 1U << step;
-                                                   }
-                                               }
+                                               for (std::int64_t c = begin; c < end; ++c)
+                                                   stage.neighbour[c] = stage.number.around(code[c]);
                                            });
 }
 
@@ -439,7 +433,7 @@ constexpr std::size_t steps_of_sweep = 12;
 
 // Asks for all that a mark near the cell will change, so that it comes in one go.
 void prefetch_around(const Stage& stage, std::int32_t cell) noexcept {
-    const std::array<std::int32_t, 27>& neighbour = stage.neighbour[cell];
+    const CellMap::Around& neighbour = stage.neighbour[cell];
     for (const std::int32_t there : neighbour)
         if (there >= 0) base::prefetch(&stage.cell[there], 1);
     for (const std::int32_t there : neighbour)

@@ -3,7 +3,7 @@
 //
 //   find_surface_cells   seeds on the surface → SurfaceCells: a flood from cell to neighbour
 //   CellMap              codes of cells → the number of the cell that has a code
-//   CellNeighbours       a cell → the numbers of the 27 cells around it
+//   CellMap::around      a code → the numbers of the 27 cells around that cell
 #pragma once
 
 #include "base/assert.h"
@@ -53,6 +53,11 @@ struct SurfaceCells {
 // The numbers of cells by their codes: a hash table of blocks of 4 x 4 x 4 cells.
 class CellMap {
 public:
+    // Numbers of the cells around one, the first coordinate running fastest; -1 where there is no such cell.
+    using Around = std::array<std::int32_t, geometry::neighbour_count>;
+    static constexpr std::size_t itself = 13;
+    static constexpr std::size_t step_along[3] = {1, 3, 9};
+
     explicit CellMap(base::Memory& memory) noexcept : place_(memory), number_(memory) {}
     // The number of codes[i] is i. Codes differ, are below 2^63, and those of a block follow each other.
     CellMap(base::Memory& memory, const base::Array<std::uint64_t>& codes);
@@ -63,14 +68,15 @@ public:
         const std::int32_t* const numbers = find_block(code / geometry::cells_of_block);
         return numbers == nullptr ? -1 : numbers[code % geometry::cells_of_block];
     }
+    [[nodiscard]] Around around(std::uint64_t code) const noexcept;
+
+private:
     // The numbers of all cells of a block, in the order of their codes; null where it has no cell.
     [[nodiscard]] const std::int32_t* find_block(std::uint64_t block) const noexcept {
         if (place_.empty()) return nullptr;
         const Place& place = place_[place_of(block)];
         return place.taken == 0 ? nullptr : number_[place.numbers].data();
     }
-
-private:
     struct Place {
         std::uint64_t taken; // block + 1; 0: a free place
         std::int64_t numbers;
@@ -79,36 +85,6 @@ private:
 
     base::Array<Place> place_; // open addressing, a power of two, at most half full
     base::Array<std::array<std::int32_t, geometry::cells_of_block>> number_;
-};
-
-// The cells around one cell after the other; those of one block are found quickly.
-class CellNeighbours {
-public:
-    static constexpr std::size_t count = geometry::neighbour_count;
-    static constexpr std::size_t itself = 13;
-    static constexpr std::size_t step_along[3] = {1, 3, 9};
-
-    explicit CellNeighbours(const CellMap& map) noexcept : map_(map) {}
-
-    void go_to(std::uint64_t code) noexcept {
-        if (code / geometry::cells_of_block != block_) find_blocks(code / geometry::cells_of_block);
-        cell_ = code % geometry::cells_of_block;
-    }
-    // The number of a neighbour; -1 where the map has no such cell.
-    [[nodiscard]] std::int32_t operator[](std::size_t step) const noexcept {
-        HRBFNPR_ASSERT(step < count);
-        const geometry::InBlock& there = geometry::neighbours_in_blocks[cell_][step];
-        const std::int32_t* const numbers = numbers_[there.block];
-        return numbers == nullptr ? -1 : numbers[there.cell];
-    }
-
-private:
-    void find_blocks(std::uint64_t block) noexcept;
-
-    const CellMap& map_;
-    std::uint64_t block_ = ~std::uint64_t{0};
-    std::uint64_t cell_ = 0;
-    std::array<const std::int32_t*, count> numbers_{};
 };
 
 } // namespace hrbfnpr::stipples

@@ -49,10 +49,8 @@ struct StippleTuning {
     // wanted number where the function is no distance.
     int candidate_rounds = 4;
     double enough = 0.85;
-    // Trials for each of the wanted candidates, and the fewest that a cell may have. Larger: more time is spent where
-    // planes and surface do not agree.
+    // Trials for each of the wanted candidates. Larger: more time is spent where planes and surface do not agree.
     double most_trials = 256.0;
-    double most_trials_in_cell = 64.0;
     // Beside a cell of a plane the normals have at least this cosine with its own. Larger: fewer candidates are drawn
     // by planes, which take no evaluation.
     double flat_cosine = 0.97;

@@ -25,7 +25,6 @@ struct Block {
         std::mt19937 random(7);
         std::uniform_real_distribution<float> number(-1.0F, 1.0F);
         const OrderBlock all = view();
-        clear_rest(all, count);
         forget_marks(all, count);
         for (std::int64_t i = 0; i < count; ++i) {
             const glm::vec3 n = glm::normalize(glm::vec3(number(random), number(random), number(random)));
@@ -203,12 +202,10 @@ TEST(OrderLoops, FreePlacesHoldNumbers) {
     Block block(16);
     for (std::int64_t i = 0; i < 16; ++i)
         for (const OrderGroup::Column c : columns) block.view().at(c, i) = std::numeric_limits<float>::quiet_NaN();
-    clear_rest(block.view(), 5);
     forget_marks(block.view(), 5);
     for (std::int64_t i = 5; i < 16; ++i)
         for (const OrderGroup::Column c : columns) EXPECT_FALSE(std::isnan(block.view().at(c, i))) << i;
-    clear_rest(block.view(), 16);
-    EXPECT_TRUE(std::isnan(block.place(0)[0])) << "only behind the last one";
+    EXPECT_TRUE(std::isnan(block.place(0)[0])) << "only after the last one";
 }
 
 TEST(OrderLoops, OfEqualEnergiesTheFirstIsTheLowest) {
