@@ -10,7 +10,7 @@
 #include "api/orient.h"
 #include "api/views.h"
 #include "fit/local_factors.h"
-#include "generate/closed_bounds.h"
+#include "generate/find_trim.h"
 
 #include <algorithm>
 

@@ -1,28 +1,122 @@
 // SPDX-License-Identifier: MIT
 #include "generate/generate.h"
 
+#include "base/assert.h"
 #include "base/clock.h"
-#include "generate/in_unit.h"
-#include "generate/make_seeds.h"
+#include "base/random.h"
+#include "generate/tuning.h"
+#include "geometry/tangent_frame.h"
+#include "geometry/unit.h"
 #include "hatching/hatching.h"
+#include "implicit/scaled.h"
 #include "marks/assemble.h"
 #include "marks/cluster_marks.h"
+#include "marks/size.h"
 #include "marks/tone_normals.h"
 #include "published/growth.h"
-#include "stipples/blue_noise.h"
-#include "stipples/density_thinning.h"
+#include "stipples/density.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <compare>
+#include <cstdio>
+#include <limits>
 #include <optional>
+#include <utility>
 
 namespace hrbfnpr::generate {
 namespace {
+
+// ---- The model's unit
+
+// A model, its samples and the settings' lengths in a unit of the model's size, in which floats hold squares and cubes.
+struct InUnit {
+    // The settings have passed check_request(); all arguments live as long as this.
+    InUnit(const base::Runtime& runtime, const implicit::Implicit& implicit, const SampleHint& given_samples,
+           const Settings& given)
+        : site_runtime(runtime), unscaled(implicit), unit(geometry::unit_for(implicit.diagonal())),
+          sample_position(runtime.memory), seed_position(runtime.memory), samples(given_samples), settings(given) {
+        if (unit == 1.0) return;
+        HRBFNPR_ASSERT(unit > 0.0);
+        scaled.emplace(implicit, unit);
+        for (const double coordinate : given_samples.position) sample_position.push_back(coordinate / unit);
+        samples = {sample_position.span(), given_samples.spacing / unit};
+        const base::InView& seeds = given.seeds.points;
+        for (std::int64_t i = 0; i < seeds.count; ++i)
+            for (std::uint32_t axis = 0; axis < 3; ++axis) seed_position.push_back(seeds.get(i, axis) / unit);
+        if (!seeds.empty())
+            settings.seeds.points = {reinterpret_cast<const std::byte*>(seed_position.data()), seeds.count,
+                                     3 * std::int64_t{sizeof(double)}, base::Scalar::float64, 3};
+        settings.seeds.initial_step /= unit;
+        for (LayerSettings& layer : settings.layers)
+            for (double* length : {&layer.hatching.separation, &layer.hatching.step}) *length /= unit;
+    }
+    InUnit(const InUnit&) = delete;
+    InUnit& operator=(const InUnit&) = delete;
+
+    [[nodiscard]] marks::Site site() const noexcept {
+        return {site_runtime, scaled ? *scaled : unscaled, settings.projection_tolerance, settings.random_seed, unit};
+    }
+
+    const base::Runtime& site_runtime;
+    const implicit::Implicit& unscaled;
+    double unit;
+    std::optional<implicit::Scaled> scaled; // only in another unit than the caller's
+    base::Array<double> sample_position, seed_position;
+    SampleHint samples;
+    Settings settings;
+};
+
+// Lengths of a finished set. Throws Error{invalid_argument} for those that a float cannot hold.
+void to_callers_unit(marks::PointSet& set, double unit) {
+    if (unit == 1.0) return;
+    set.origin *= unit;
+    set.bounds = {unit * set.bounds.min, unit * set.bounds.max};
+    set.spacing *= unit;
+    if (const double side = set.bounds.longest_side(); side > 0.0)
+        marks::require_size("the marks are", side, "samples (or a custom model's function)");
+    constexpr double largest = std::numeric_limits<float>::max();
+    for (marks::Layer& layer : set.layers) {
+        for (float& number : layer.position) number = static_cast<float>(unit * double{number});
+        for (std::int64_t i = 0; i < layer.curvature.size(); ++i) { // k1 and k2, beside the confidence
+            float& k = layer.curvature[i];
+            if (i % 3 != 2) k = static_cast<float>(std::clamp((1.0 / unit) * double{k}, -largest, largest));
+        }
+        layer.report.step *= unit;
+    }
+}
+
+void check_length(const char* field, double length, double diagonal) {
+    const double part = length / diagonal;
+    if (length == 0.0 || (part >= generate_tuning.shortest_length && part <= generate_tuning.longest_length)) return;
+    fail(Status::invalid_argument,
+         "generate_desc.%s is %g, %.2g of the model's diagonal; it must be 0, or from %g to %g of that", field, length,
+         part, generate_tuning.shortest_length, generate_tuning.longest_length);
+}
+
+// ---- Layers
+
+// What all layers grow from.
+struct Ground {
+    const marks::Site& site;
+    const SampleHint& samples;
+    const Settings& settings;
+    const marks::Seeds& seeds;
+    base::Progress progress; // of the whole set
+};
 
 // A layer while it grows.
 struct Growing {
     Growing(const marks::Site& all, const LayerSettings& its, std::int64_t number, std::int64_t number_of_kind) noexcept
         : settings(its), place(number), site(all), marks(all.memory()) {
         site.random_seed = marks::layer_seed(all.random_seed, its.kind, number_of_kind);
+    }
+    // Seeds take the first tenth, the last part is for assembling; the layers share the rest.
+    [[nodiscard]] base::Progress part_of(const Ground& ground) const noexcept {
+        const double each = 0.75 / static_cast<double>(ground.settings.layers.size());
+        const double first = 0.2 + each * static_cast<double>(place);
+        return ground.progress.part(first, first + each);
     }
 
     const LayerSettings& settings;
@@ -31,146 +125,92 @@ struct Growing {
     marks::Marks marks;
 };
 
-class Generation {
-public:
-    Generation(const marks::Site& site, const SampleHint& samples, const Settings& settings,
-               const base::Progress& progress)
-        : site_(site), samples_(samples), settings_(settings), progress_(progress), seeds_(site.memory()),
-          growing_(site.memory()), set_(site.memory()) {}
-
-    marks::PointSet run();
-
-private:
-    void add_layers();
-    [[nodiscard]] marks::LayerReport& report_of(const Growing& layer) noexcept {
-        return set_.layers[layer.place].report;
-    }
-    [[nodiscard]] base::Progress progress_of(const Growing& layer) const noexcept;
-    void published();
-    void published_stipples(Growing& layer);
-    void published_strokes(Growing& layer, const marks::Marks* stipples);
-    [[nodiscard]] marks::Marks stipples_to_start_from() const;
-    void blue_noise();
-    void blue_noise_stipples(const stipples::SurfaceCells& cells, Growing& layer);
-    void hatch(Growing& layer);
-    void soften(const Growing& layer, const base::Progress& progress);
-    void require_some() const;
-    void finish();
-
-    const marks::Site& site_;
-    const SampleHint& samples_;
-    const Settings& settings_;
-    base::Progress progress_;
-    marks::Seeds seeds_;
-    base::List<Growing> growing_;
-    std::optional<hatching::Ground> ground_; // of the last layer of hatching
-    double area_ = 0.0;                      // of the surface, where it is known
-    std::int64_t largest_ = 0;               // marks in one layer
-    marks::PointSet set_;
-};
-
-void Generation::add_layers() {
+[[nodiscard]] base::List<Growing> add_layers(const marks::Site& site, const Settings& settings, marks::PointSet& set) {
+    base::List<Growing> growing(site.memory());
     std::array<std::int64_t, marks::kind_count> of_kind{};
-    for (const LayerSettings& settings : settings_.layers) {
-        const std::int64_t number = of_kind[static_cast<std::size_t>(settings.kind)]++;
-        growing_.add(site_, settings, growing_.size(), number);
-        marks::Layer& layer = set_.layers.add(site_.memory(), settings.kind);
-        layer.name = settings.name;
-        layer.progressive = settings_.distribution == marks::Distribution::blue_noise;
+    for (const LayerSettings& its : settings.layers) {
+        growing.add(site, its, growing.size(), of_kind[static_cast<std::size_t>(its.kind)]++);
+        marks::Layer& layer = set.layers.add(site.memory(), its.kind);
+        layer.name = its.name;
+        layer.progressive = settings.distribution == marks::Distribution::blue_noise;
     }
+    return growing;
 }
 
-// Seeds take the first tenth, the last part is for assembling; the layers share the rest.
-base::Progress Generation::progress_of(const Growing& layer) const noexcept {
-    const double each = 0.75 / static_cast<double>(growing_.size());
-    const double first = 0.2 + each * static_cast<double>(layer.place);
-    return progress_.part(first, first + each);
-}
+// ---- PUBLISHED
 
-// ---- PUBLISHED -----------------------------------------------------------------------------
-
-void Generation::published_stipples(Growing& layer) {
-    const base::Stopwatch watch;
-    const published::Start start{seeds_.position, seeds_.normal, seeds_.report.attempted};
-    published::GrowthSettings growth;
-    growth.layer = layer.place;
-    growth.levels = layer.settings.published.levels;
-    growth.step = seeds_.step;
-    growth.budget = layer.settings.budget;
-    published::grow_stipples(layer.site, start, growth, layer.marks, report_of(layer), progress_of(layer));
-    report_of(layer).seconds = watch.seconds();
-}
-
-// Where no layer of stipples is wanted.
-marks::Marks Generation::stipples_to_start_from() const {
-    std::int32_t levels = -1;
-    for (const Growing& layer : growing_)
-        if (layer.settings.published.from_stipples) levels = std::max(levels, layer.settings.published.start_level);
-    marks::Marks stipples(site_.memory());
-    if (levels < 0) return stipples;
-    const published::Start start{seeds_.position, seeds_.normal, seeds_.report.attempted};
-    published::GrowthSettings growth;
-    growth.layer = -1;
-    growth.levels = levels;
-    growth.step = seeds_.step;
-    marks::LayerReport report(site_.memory());
-    published::grow_stipples(site_, start, growth, stipples, report, progress_.part(0.1, 0.2));
-    return stipples;
-}
-
-published::Directions published_directions(const hatching::Settings& settings) noexcept {
+[[nodiscard]] published::Directions published_directions(const hatching::Settings& settings) noexcept {
     if (settings.direction.function != nullptr) return published::Directions::function;
     return settings.field.guide == hatching::Guide::combing ? published::Directions::combing
                                                             : published::Directions::principal;
 }
 
-void Generation::published_strokes(Growing& layer, const marks::Marks* stipples) {
-    const base::Stopwatch watch;
-    const LayerSettings& settings = layer.settings;
+[[nodiscard]] published::GrowthSettings growth_of(const Ground& ground, const Growing& layer) {
     published::GrowthSettings growth;
     growth.layer = layer.place;
-    growth.levels = settings.published.levels;
-    growth.step = seeds_.step;
-    growth.budget = settings.budget;
-    growth.directions = published_directions(settings.hatching);
-    growth.function = settings.hatching.direction;
-    marks::LayerReport& report = report_of(layer);
-    if (settings.published.from_stipples) {
-        geometry::VecArray position(site_.memory());
-        geometry::VecArray normal(site_.memory());
-        for (std::int64_t i = 0; i < stipples->count(); ++i) {
-            if (stipples->level[i] > settings.published.start_level) continue;
+    growth.levels = layer.settings.published.levels;
+    growth.step = ground.seeds.step;
+    growth.budget = layer.settings.budget;
+    growth.directions = published_directions(layer.settings.hatching);
+    growth.function = layer.settings.hatching.direction;
+    return growth;
+}
+
+// Strokes start from the stipples of the first layer of them, or from some that are made for them alone.
+void grow_published(const Ground& ground, base::List<Growing>& growing, marks::PointSet& set) {
+    const marks::Seeds& seeds = ground.seeds;
+    const published::Start from_seeds{seeds.position, seeds.normal, seeds.report.attempted};
+    const marks::Marks* stipples = nullptr;
+    std::int32_t levels_to_start = -1;
+    for (Growing& layer : growing) {
+        if (layer.settings.published.from_stipples)
+            levels_to_start = std::max(levels_to_start, layer.settings.published.start_level);
+        if (layer.settings.has_strokes()) continue;
+        const base::Stopwatch watch;
+        marks::LayerReport& report = set.layers[layer.place].report;
+        published::grow_stipples(layer.site, from_seeds, growth_of(ground, layer), layer.marks, report,
+                                 layer.part_of(ground));
+        report.seconds = watch.seconds();
+        if (stipples == nullptr) stipples = &layer.marks;
+    }
+    marks::Marks hidden(ground.site.memory());
+    if (stipples == nullptr && levels_to_start >= 0) {
+        published::GrowthSettings growth;
+        growth.layer = -1;
+        growth.levels = levels_to_start;
+        growth.step = seeds.step;
+        marks::LayerReport report(ground.site.memory());
+        published::grow_stipples(ground.site, from_seeds, growth, hidden, report, ground.progress.part(0.1, 0.2));
+    }
+    if (stipples == nullptr) stipples = &hidden;
+    for (Growing& layer : growing) {
+        if (!layer.settings.has_strokes()) continue;
+        const base::Stopwatch watch;
+        marks::LayerReport& report = set.layers[layer.place].report;
+        const published::Settings& its = layer.settings.published;
+        geometry::VecArray position(ground.site.memory());
+        geometry::VecArray normal(ground.site.memory());
+        for (std::int64_t i = 0; its.from_stipples && i < stipples->count(); ++i) {
+            if (stipples->level[i] > its.start_level) continue;
             position.push_back(stipples->position[i]);
             normal.push_back(stipples->normal[i]);
         }
-        const std::int64_t full = marks::grown_count(seeds_.report.attempted, 5, settings.published.start_level);
-        published::grow_strokes(layer.site, {position, normal, full}, growth, layer.marks, report, progress_of(layer));
-    } else {
-        const published::Start start{seeds_.position, seeds_.normal, seeds_.report.attempted};
-        published::grow_strokes(layer.site, start, growth, layer.marks, report, progress_of(layer));
+        const published::Start from_stipples{position, normal,
+                                             marks::grown_count(seeds.report.attempted, 5, its.start_level)};
+        published::grow_strokes(layer.site, its.from_stipples ? from_stipples : from_seeds, growth_of(ground, layer),
+                                layer.marks, report, layer.part_of(ground));
+        report.seconds = watch.seconds();
     }
-    report.seconds = watch.seconds();
 }
 
-void Generation::published() {
-    const marks::Marks* stipples = nullptr; // of the first layer of them
-    for (Growing& layer : growing_) {
-        if (layer.settings.has_strokes()) continue;
-        published_stipples(layer);
-        if (stipples == nullptr) stipples = &layer.marks;
-    }
-    const marks::Marks hidden = stipples == nullptr ? stipples_to_start_from() : marks::Marks(site_.memory());
-    for (Growing& layer : growing_)
-        if (layer.settings.has_strokes()) published_strokes(layer, stipples != nullptr ? stipples : &hidden);
-}
+// ---- BLUE_NOISE
 
-// ---- BLUE_NOISE ----------------------------------------------------------------------------
-
-void Generation::blue_noise_stipples(const stipples::SurfaceCells& cells, Growing& layer) {
+// Returns the area of the surface.
+double spread_stipples(const Ground& ground, const stipples::SurfaceCells& cells, Growing& layer,
+                       marks::LayerReport& report) {
     const base::Stopwatch watch;
-    marks::LayerReport& report = report_of(layer);
     stipples::EvenMarks even = stipples::spread_by_density(layer.site, cells, layer.settings.budget,
-                                                           layer.settings.density, progress_of(layer));
+                                                           layer.settings.density, layer.part_of(ground));
     marks::Marks& marks = layer.marks;
     const std::int64_t count = even.position.size();
     marks.position = std::move(even.position);
@@ -183,60 +223,59 @@ void Generation::blue_noise_stipples(const stipples::SurfaceCells& cells, Growin
         marks.key[i] = static_cast<std::uint64_t>(i);
         marks.stroke[i] = static_cast<std::uint32_t>(i);
     }
-    area_ = std::max(area_, even.area);
     report.of(0) = even.report;
     report.full_count = count;
     report.seconds = watch.seconds();
+    return even.area;
 }
 
-hatching::Settings hatching_of(const Growing& layer) {
+// Layers of hatching that are alike but for their angles share the samples that they are laid on, in `last`. These do
+// not depend on the other layers: they have cells of their own. Returns the area of the surface.
+double hatch(const Ground& ground, Growing& layer, std::optional<hatching::Ground>& last, marks::LayerReport& report) {
+    const base::Stopwatch watch;
+    const marks::Site& site = ground.site;
     hatching::Settings settings = layer.settings.hatching;
     settings.layer = layer.place;
     settings.budget = layer.settings.budget;
-    settings.field.diagonal = layer.site.implicit.diagonal();
-    return settings;
+    settings.field.diagonal = site.implicit.diagonal();
+    const base::Progress progress = layer.part_of(ground);
+    if (!last || !settings.is_on_ground_of(last->settings()))
+        last.emplace(site,
+                     stipples::cover_surface(site, ground.seeds, ground.samples.spacing, hatching::most_samples,
+                                             progress.part(0.0, 0.1)),
+                     settings, progress.part(0.1, 0.6));
+    last->lay_lines(site, settings, layer.marks, report, progress.part(0.6, 1.0));
+    report.seconds = watch.seconds();
+    return last->area();
 }
 
-// Layers of hatching that are alike but for their angles share what they are laid on.
-// What that is does not depend on the other layers: it has cells of its own.
-void Generation::hatch(Growing& layer) {
-    const base::Stopwatch watch;
-    const hatching::Settings settings = hatching_of(layer);
-    const base::Progress progress = progress_of(layer);
-    if (!ground_ || !settings.is_on_ground_of(ground_->settings()))
-        ground_.emplace(
-            site_,
-            stipples::cover_surface(site_, seeds_, samples_.spacing, hatching::most_samples, progress.part(0.0, 0.1)),
-            settings, progress.part(0.1, 0.6));
-    ground_->lay_lines(site_, settings, layer.marks, report_of(layer), progress.part(0.6, 1.0));
-    area_ = std::max(area_, ground_->area());
-    report_of(layer).seconds = watch.seconds();
-}
-
-void Generation::blue_noise() {
+// Returns the area of the surface.
+double grow_even(const Ground& ground, base::List<Growing>& growing, marks::PointSet& set) {
     std::int64_t most = 1;
-    for (const LayerSettings& layer : settings_.layers)
+    for (const LayerSettings& layer : ground.settings.layers)
         if (!layer.has_strokes()) most = std::max(most, layer.budget);
-    const stipples::SurfaceCells cells =
-        stipples::cover_surface(site_, seeds_, samples_.spacing, most, progress_.part(0.1, 0.2));
-    for (Growing& layer : growing_) {
-        if (layer.settings.has_strokes())
-            hatch(layer);
-        else
-            blue_noise_stipples(cells, layer);
+    const stipples::SurfaceCells cells = stipples::cover_surface(ground.site, ground.seeds, ground.samples.spacing,
+                                                                 most, ground.progress.part(0.1, 0.2));
+    double area = 0.0;
+    std::optional<hatching::Ground> last;
+    for (Growing& layer : growing) {
+        marks::LayerReport& report = set.layers[layer.place].report;
+        area = std::max(area, layer.settings.has_strokes() ? hatch(ground, layer, last, report)
+                                                           : spread_stipples(ground, cells, layer, report));
     }
+    return area;
 }
 
-// --------------------------------------------------------------------------------------------
+// ---- The set
 
-void Generation::require_some() const {
+void require_some(base::List<Growing>& growing, marks::PointSet& set) {
     marks::LevelReport all;
     bool lengths_given = false;
-    for (const Growing& layer : growing_) {
+    for (const Growing& layer : growing) {
         if (layer.marks.count() > 0) return;
         const hatching::Settings& hatching = layer.settings.hatching;
         lengths_given = lengths_given || hatching.separation > 0.0 || hatching.step > 0.0;
-        for (const marks::LevelReport& level : set_.layers[layer.place].report.level) {
+        for (const marks::LevelReport& level : set.layers[layer.place].report.level) {
             all.attempted += level.attempted;
             all.dropped_not_converged += level.dropped_not_converged;
             all.dropped_strayed += level.dropped_strayed;
@@ -251,86 +290,140 @@ void Generation::require_some() const {
          static_cast<long long>(all.dropped_strayed), static_cast<long long>(all.dropped_degenerate));
 }
 
-void Generation::soften(const Growing& layer, const base::Progress& progress) {
-    const double length = layer.settings.tone_smoothing * site_.implicit.diagonal();
-    const marks::Marks& marks = layer.marks;
-    if (!(length > 0.0) || marks.count() == 0) return;
-    const double area = area_ > 0.0 ? area_ : set_.spacing * set_.spacing * static_cast<double>(largest_);
-    const double spacing = std::sqrt(area / static_cast<double>(marks.count()));
-    marks::soften_normals(layer.site, marks, length, spacing, set_.layers[layer.place].tone_normal, progress);
-}
-
-void Generation::finish() {
-    require_some();
-    base::Array<const geometry::VecArray*> positions(site_.memory());
-    for (const Growing& layer : growing_) positions.push_back(&layer.marks.position);
-    measure(site_.runtime, positions.span(), area_, set_, progress_.part(0.95, 0.95));
-    for (const Growing& layer : growing_) largest_ = std::max(largest_, layer.marks.count());
-    for (Growing& layer : growing_) {
-        soften(layer, progress_.part(0.95, 1.0));
+// `area`: of the surface; 0 where it is not known.
+void assemble_layers(const marks::Site& site, base::List<Growing>& growing, double area, marks::PointSet& set,
+                     const base::Progress& progress) {
+    base::Array<const geometry::VecArray*> positions(site.memory());
+    for (const Growing& layer : growing) positions.push_back(&layer.marks.position);
+    measure(site.runtime, positions.span(), area, set, progress.part(0.95, 0.95));
+    std::int64_t largest = 0; // marks in one layer
+    for (const Growing& layer : growing) largest = std::max(largest, layer.marks.count());
+    for (Growing& layer : growing) {
+        marks::Layer& to = set.layers[layer.place];
+        const double length = layer.settings.tone_smoothing * site.implicit.diagonal();
+        if (length > 0.0 && layer.marks.count() > 0) {
+            const double known = area > 0.0 ? area : set.spacing * set.spacing * static_cast<double>(largest);
+            const double spacing = std::sqrt(known / static_cast<double>(layer.marks.count()));
+            marks::soften_normals(layer.site, layer.marks, length, spacing, to.tone_normal, progress.part(0.95, 1.0));
+        }
         marks::AssembleSettings settings;
         settings.strokes = layer.settings.has_strokes();
         settings.with_curvature = !layer.marks.curvature.empty() || layer.settings.with_curvature;
         settings.part = layer.settings.part;
-        marks::assemble(layer.site, layer.marks, settings, set_.origin, set_.layers[layer.place],
-                        progress_.part(0.95, 1.0));
-        layer.marks = marks::Marks(site_.memory()); // gives the doubles back
+        marks::assemble(layer.site, layer.marks, settings, set.origin, to, progress.part(0.95, 1.0));
+        layer.marks = marks::Marks(site.memory()); // gives the doubles back
     }
 }
 
-marks::PointSet Generation::run() {
-    const base::Stopwatch watch;
-    add_layers();
-    seeds_ = make_seeds(site_, samples_, settings_, progress_.part(0.0, 0.1));
-    set_.distribution = settings_.distribution;
-    set_.seed_source = seeds_.source;
-    set_.seeds = seeds_.report;
-    set_.seconds_seeds = watch.seconds();
-    if (settings_.distribution == marks::Distribution::published)
-        published();
-    else
-        blue_noise();
-    finish();
-    set_.seconds_total = watch.seconds();
-    progress_.update(1.0);
-    return std::move(set_);
-}
-
 } // namespace
+
+void check_request(const implicit::Implicit& implicit, const Settings& settings) {
+    const double diagonal = implicit.diagonal();
+    marks::require_size("the model's bounds are", diagonal, "samples (or a custom model's function)");
+    if (settings.distribution == marks::Distribution::published)
+        return check_length("initial_step", settings.seeds.initial_step, diagonal);
+    for (std::size_t i = 0; i < settings.layers.size(); ++i) {
+        if (!settings.layers[i].has_strokes()) continue;
+        const hatching::Settings& lines = settings.layers[i].hatching;
+        for (const auto& [field, length] : {std::pair("separation", lines.separation), std::pair("step", lines.step)}) {
+            char name[64];
+            std::snprintf(name, sizeof name, "layers[%zu].%s", i, field);
+            check_length(name, length, diagonal);
+        }
+    }
+}
 
 double expected_evaluations(const SampleHint& samples, const Settings& settings) noexcept {
     const bool published = settings.distribution == marks::Distribution::published;
     const std::int64_t seeds = settings.seeds.source == marks::SeedSource::points
                                    ? settings.seeds.points.count
                                    : static_cast<std::int64_t>(samples.position.size() / 3);
-    constexpr std::int64_t candidates_each = 5; // of BLUE_NOISE, with cells and projection
     double evaluations = 0.0;
     for (const LayerSettings& layer : settings.layers) {
+        if (!published) {
+            const std::int64_t budget = layer.budget > 0 ? layer.budget : default_budget;
+            evaluations += generate_tuning.evaluations_of_even_mark * static_cast<double>(budget);
+            continue;
+        }
         const std::int64_t grown = layer.has_strokes() ? marks::grown_count(2 * seeds, 3, layer.published.levels)
                                                        : marks::grown_count(seeds, 5, layer.published.levels);
-        const std::int64_t budget = layer.budget > 0 ? layer.budget : default_budget;
-        // With Hessians on the way, or without.
-        const bool by_curvature = layer.has_strokes() && published &&
-                                  published_directions(layer.hatching) == published::Directions::principal;
-        const double cost = by_curvature ? 8.0 : 3.0;
-        evaluations += cost * static_cast<double>(published ? grown : candidates_each * budget);
+        const bool by_curvature =
+            layer.has_strokes() && published_directions(layer.hatching) == published::Directions::principal;
+        evaluations +=
+            (by_curvature ? generate_tuning.evaluations_with_curvature : generate_tuning.evaluations_of_mark) *
+            static_cast<double>(grown);
     }
     return evaluations;
 }
 
 marks::PointSet generate(const base::Runtime& runtime, const implicit::Implicit& implicit, const SampleHint& samples,
                          const Settings& given, const base::Progress& progress) {
-    const Settings settings = completed(given);
-    check_request(implicit, settings);
-    const InUnit in_unit(runtime, implicit, samples, settings);
+    const base::Stopwatch watch;
+    const Settings complete = completed(given);
+    check_request(implicit, complete);
+    const InUnit in_unit(runtime, implicit, samples, complete);
     const marks::Site site = in_unit.site();
-    marks::PointSet set = Generation(site, in_unit.samples(), in_unit.settings(), progress).run();
+    const Settings& settings = in_unit.settings;
+    marks::PointSet set(site.memory());
+    base::List<Growing> growing = add_layers(site, settings, set);
+    const marks::Seeds seeds = make_seeds(site, in_unit.samples, settings, progress.part(0.0, 0.1));
+    set.distribution = settings.distribution;
+    set.seed_source = seeds.source;
+    set.seeds = seeds.report;
+    set.seconds_seeds = watch.seconds();
+    const Ground ground{site, in_unit.samples, settings, seeds, progress};
+    double area = 0.0;
+    if (settings.distribution == marks::Distribution::published)
+        grow_published(ground, growing, set);
+    else
+        area = grow_even(ground, growing, set);
+    require_some(growing, set);
+    assemble_layers(site, growing, area, set, progress);
+    set.seconds_total = watch.seconds();
+    progress.update(1.0);
     to_callers_unit(set, site.unit);
     marks::cluster_marks(runtime, set, progress);
     for (const marks::Layer& layer : set.layers)
         runtime.log(base::LogLevel::info, "generate: %lld marks in layer '%s' in %.3f s",
                     static_cast<long long>(layer.count()), layer.name.data(), layer.report.seconds);
     return set;
+}
+
+double step_patches(const base::Runtime& runtime, const implicit::Implicit& implicit, const SampleHint& samples,
+                    const Settings& given, const base::OutView& corners, const base::Progress& progress) {
+    const Settings settings = completed(given);
+    check_request(implicit, settings);
+    const InUnit in_unit(runtime, implicit, samples, settings);
+    const marks::Site site = in_unit.site();
+    const marks::Seeds seeds = make_seeds(site, in_unit.samples, in_unit.settings, progress);
+    // The seeds in a random order: patches are placed at different ones as long as there are some.
+    struct Ticket {
+        std::uint64_t number;
+        std::int64_t seed;
+        [[nodiscard]] auto operator<=>(const Ticket& other) const noexcept = default;
+    };
+    base::Array<Ticket> order(site.memory(), seeds.position.size());
+    HRBFNPR_ASSERT(!order.empty());
+    for (std::int64_t i = 0; i < order.size(); ++i) {
+        const base::Philox bits =
+            base::philox(site.random_seed, {static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(i >> 32),
+                                            static_cast<std::uint32_t>(base::Purpose::patch), 0});
+        order[i] = {static_cast<std::uint64_t>(bits[0]) << 32U | bits[1], i};
+    }
+    std::sort(order.begin(), order.end());
+    progress.update(1.0); // the last chance to cancel, before anything is written
+    for (std::int64_t patch = 0; patch < corners.count; ++patch) {
+        const std::int64_t seed = order[patch % order.size()].seed;
+        const geometry::TangentFrame frame = geometry::stipple_frame(seeds.normal[seed]);
+        // u x r = n: counter-clockwise seen from outside.
+        constexpr std::array<std::array<double, 2>, 4> sides = {{{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}};
+        std::uint32_t component = 0;
+        for (const auto& [along_u, along_r] : sides) {
+            const glm::dvec3 corner = seeds.position[seed] + seeds.step * (along_u * frame.u + along_r * frame.r);
+            for (int axis = 0; axis < 3; ++axis) corners.set(patch, component++, site.unit * corner[axis]);
+        }
+    }
+    return site.unit * seeds.step;
 }
 
 } // namespace hrbfnpr::generate

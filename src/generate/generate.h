@@ -8,19 +8,31 @@
 #include "generate/settings.h"
 #include "implicit/implicit.h"
 #include "marks/point_set.h"
+#include "marks/seeds.h"
+#include "marks/site.h"
 
 namespace hrbfnpr::generate {
 
-// What can be refused before any work: sizes that floats do not hold, and lengths that make no sense beside the
-// model's.  generate() and step_patches() check it themselves.
+// Refuses, before any work, sizes that floats do not hold, and lengths that make no sense beside the model's.
+// generate() and step_patches() call it themselves.
 void check_request(const implicit::Implicit& implicit, const Settings& settings);
 
-// A set that is ready for frames.  Throws Error{invalid_argument, not_converged, out_of_memory, cancelled, callback}.
+// Finds where marks start from: throws not_converged if none reaches the surface. The settings are completed().
+[[nodiscard]] marks::Seeds make_seeds(const marks::Site& site, const SampleHint& samples, const Settings& settings,
+                                      const base::Progress& progress);
+
+// Makes a set that is ready for frames, in the model's unit:
+//
+// 1. make_seeds() projects samples, given points or a jittered grid (seeds.cpp).
+// 2. Each layer grows from them: by the published recursions, or as even stipples (stipples) and lines (hatching).
+// 3. Normals are softened for tone, the layers assembled, scaled to the caller's unit, and clustered.
+//
+// Throws Error{invalid_argument, not_converged, out_of_memory, cancelled, callback}.
 [[nodiscard]] marks::PointSet generate(const base::Runtime& runtime, const implicit::Implicit& implicit,
                                        const SampleHint& samples, const Settings& given,
                                        const base::Progress& progress);
 
-// Of the implicit, roughly, by completed() settings.
+// The evaluations of the implicit that the completed() settings take, roughly.
 [[nodiscard]] double expected_evaluations(const SampleHint& samples, const Settings& settings) noexcept;
 
 // Figure 5: `corners.count` squares of side 2 rho_0 in tangent planes of random seeds,

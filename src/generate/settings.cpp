@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "generate/settings.h"
 
+#include "base/assert.h"
 #include "base/status.h"
+#include "generate/tuning.h"
 #include "marks/marks.h"
 
 #include <algorithm>
@@ -9,19 +11,14 @@
 namespace hrbfnpr::generate {
 namespace {
 
-constexpr std::int32_t stipple_levels = 4;
-constexpr std::int32_t stroke_levels = 3;
-// Over how long a way the normals that the tone of hatching goes by are averaged, in diagonals. A line shows each turn
-// of its surface by its width, whereas stipples average over many turns. Larger: calmer lines, and less of small forms.
-constexpr double hatching_tone_smoothing = 0.006;
-
 // Only strokes of the published recursion run in two directions, each of which has a part of the tones.
 std::size_t directions_of(const Settings& settings, const LayerSettings& layer) noexcept {
     return layer.has_strokes() && settings.distribution == marks::Distribution::published ? 2 : 1;
 }
 
-// Those that do not say their part themselves have all tones, or share them evenly with all others in turn.
+// Layers that do not say their part of the tones have all of them, or share them evenly with all others in turn.
 void fill_parts(Settings& settings) {
+    HRBFNPR_ASSERT(!settings.layers.empty());
     double all = 0.0;
     for (const LayerSettings& layer : settings.layers) all += static_cast<double>(directions_of(settings, layer));
     double before = 0.0;
@@ -55,59 +52,40 @@ void share_budget(Settings& settings) {
     settings.shared_budget = 0;
 }
 
-void check_budgets(const Settings& settings) {
-    if (settings.distribution == marks::Distribution::published) return;
+void check_layers(const Settings& settings) {
+    const bool published = settings.distribution == marks::Distribution::published;
+    const auto stipples = std::find_if(settings.layers.begin(), settings.layers.end(),
+                                       [](const LayerSettings& layer) { return !layer.has_strokes(); });
     for (std::size_t i = 0; i < settings.layers.size(); ++i) {
         const LayerSettings& layer = settings.layers[i];
-        if (layer.budget > marks::most_even_marks)
+        const hatching::Guide guide = layer.hatching.field.guide;
+        if (published && layer.has_strokes() && layer.hatching.direction.function == nullptr &&
+            guide != hatching::Guide::curvature && guide != hatching::Guide::combing)
+            fail(Status::invalid_argument,
+                 "generate_desc.layers[%zu].guide is %u; strokes of the PUBLISHED distribution follow CURVATURE (0), "
+                 "COMBING (1) or a direction_function",
+                 i, static_cast<unsigned>(guide));
+        if (!published && layer.budget > marks::most_even_marks)
             fail(Status::invalid_argument,
                  "generate_desc asks for %lld marks in layers[%zu]; BLUE_NOISE makes %lld at most: lower budget or "
                  "shared_budget",
                  static_cast<long long>(layer.budget), i, static_cast<long long>(marks::most_even_marks));
-        if (layer.budget == 0 && !(layer.has_strokes() && layer.hatching.separation > 0.0))
+        if (!published && layer.budget == 0 && !(layer.has_strokes() && layer.hatching.separation > 0.0))
             fail(Status::invalid_argument, "generate_desc.layers[%zu].budget is 0, no limit; %s", i,
                  layer.has_strokes() ? "set it, or the separation that limits the lines of BLUE_NOISE"
                                      : "stipples of BLUE_NOISE need one: say how many there may be");
-    }
-}
-
-const LayerSettings* first_stipples(const Settings& settings) noexcept {
-    for (const LayerSettings& layer : settings.layers)
-        if (!layer.has_strokes()) return &layer;
-    return nullptr;
-}
-
-void check_guides(const Settings& settings) {
-    if (settings.distribution != marks::Distribution::published) return;
-    for (std::size_t i = 0; i < settings.layers.size(); ++i) {
-        const LayerSettings& layer = settings.layers[i];
-        if (layer.has_strokes() && layer.hatching.direction.function == nullptr &&
-            layer.hatching.field.guide != hatching::Guide::curvature &&
-            layer.hatching.field.guide != hatching::Guide::combing)
-            fail(Status::invalid_argument,
-                 "generate_desc.layers[%zu].guide is %u; strokes of the PUBLISHED distribution follow CURVATURE (0), "
-                 "COMBING (1) or a direction_function",
-                 i, static_cast<unsigned>(layer.hatching.field.guide));
-    }
-}
-
-void check_starts(const Settings& settings) {
-    const LayerSettings* const stipples = first_stipples(settings);
-    for (std::size_t i = 0; i < settings.layers.size(); ++i) {
-        const published::Settings& given = settings.layers[i].published;
-        if (!given.from_stipples) continue;
-        if (settings.distribution != marks::Distribution::published)
+        if (!layer.published.from_stipples) continue;
+        if (!published)
             fail(Status::invalid_argument,
                  "generate_desc.layers[%zu].start is STIPPLES; only the PUBLISHED distribution can start strokes there",
                  i);
-        if (!settings.layers[i].has_strokes())
+        if (!layer.has_strokes())
             fail(Status::invalid_argument,
                  "generate_desc.layers[%zu].start is STIPPLES; the stipples themselves start from SEEDS", i);
-        if (stipples != nullptr && given.start_level > stipples->published.levels)
+        if (stipples != settings.layers.end() && layer.published.start_level > stipples->published.levels)
             fail(Status::invalid_argument,
-                 "generate_desc.layers[%zu].start_level is %d, above the %d levels of the "
-                 "stipples",
-                 i, static_cast<int>(given.start_level), static_cast<int>(stipples->published.levels));
+                 "generate_desc.layers[%zu].start_level is %d, above the %d levels of the stipples", i,
+                 static_cast<int>(layer.published.start_level), static_cast<int>(stipples->published.levels));
     }
 }
 
@@ -117,17 +95,17 @@ Settings completed(Settings settings) {
     if (settings.layers.empty()) settings.layers.emplace_back();
     for (LayerSettings& layer : settings.layers) {
         if (layer.name[0] == '\0') layer.name = marks::default_name(layer.kind);
-        if (layer.published.levels < 0) layer.published.levels = layer.has_strokes() ? stroke_levels : stipple_levels;
+        if (layer.published.levels < 0)
+            layer.published.levels =
+                layer.has_strokes() ? generate_tuning.stroke_levels : generate_tuning.stipple_levels;
         if (layer.tone_smoothing < 0.0)
             layer.tone_smoothing = layer.has_strokes() && settings.distribution == marks::Distribution::blue_noise
-                                       ? hatching_tone_smoothing
+                                       ? generate_tuning.hatching_tone_smoothing
                                        : 0.0;
     }
     fill_parts(settings);
     share_budget(settings);
-    check_guides(settings);
-    check_budgets(settings);
-    check_starts(settings);
+    check_layers(settings);
     return settings;
 }
 

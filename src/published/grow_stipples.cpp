@@ -10,6 +10,7 @@
 namespace hrbfnpr::published {
 namespace {
 
+// As the article prints them.
 constexpr std::int64_t children = 4;
 constexpr double jitter = 0.125;
 
@@ -38,9 +39,6 @@ private:
         const geometry::TangentFrame frame = geometry::stipple_frame(marks_.normal[parent]);
         return (i + jitter * (2.0 * u[0] - 1.0)) * frame.r + (j + jitter * (2.0 * u[1] - 1.0)) * frame.u;
     }
-    void add_child(std::int64_t parent, std::int64_t child, double rho, const marks::Thinning& thinning,
-                   marks::LevelReport& report);
-    void append_placed(std::uint8_t level);
 
     const marks::Site& site_;
     const Start& start_;
@@ -80,6 +78,7 @@ bool Stipples::place_seeds(const base::Progress& progress) {
 
 // The mark `key` of a full tree of n marks has the children n + 4 key + {0, 1, 2, 3}.
 bool Stipples::refine(std::int32_t level, double rho, const base::Progress& progress) {
+    HRBFNPR_ASSERT(level > 0 && rho > 0.0);
     marks::LevelReport& report = report_.of(level);
     const std::int64_t parents = marks_.count();
     const std::int64_t room =
@@ -91,8 +90,8 @@ bool Stipples::refine(std::int32_t level, double rho, const base::Progress& prog
                                    progress);
     reserve(parents + std::min(room, children * parents), progress);
     constexpr std::int64_t parents_of_chunk = marks::chunk_size / children;
-    // No start is farther from its parent than this, and a child that lands farther from its start
-    // than its start is from the parent belongs to another part of the surface.
+    // No start is farther from its parent than this. A child that lands farther from its start than its start is from
+    // the parent belongs to another part of the surface.
     const double stray_limit = std::sqrt(2.0) * (1.0 + jitter) * rho;
     for (std::int64_t begin = 0; begin < parents; begin += parents_of_chunk) {
         const std::int64_t end = std::min(parents, begin + parents_of_chunk);
@@ -100,39 +99,32 @@ bool Stipples::refine(std::int32_t level, double rho, const base::Progress& prog
         parent_.clear();
         key_.clear();
         for (std::int64_t parent = begin; parent < end; ++parent)
-            for (std::int64_t child = 0; child < children; ++child) add_child(parent, child, rho, thinning, report);
+            for (std::int64_t child = 0; child < children; ++child) {
+                const std::uint64_t key = key_of(children * parent + child);
+                if (!thinning.keeps(key)) {
+                    ++report.attempted;
+                    ++report.dropped_budget;
+                    continue;
+                }
+                settler_.start.push_back(marks_.position[parent] + rho * offset(parent, child, key));
+                parent_.push_back(parent);
+                key_.push_back(key);
+            }
         const auto all = static_cast<double>(parents);
         settler_.settle(stray_limit, report,
                         progress.part(static_cast<double>(begin) / all, static_cast<double>(end) / all));
-        append_placed(static_cast<std::uint8_t>(level));
+        for (std::int64_t i = 0; i < settler_.start.size(); ++i) {
+            if (!settler_.placed(i)) continue;
+            marks_.position.push_back(settler_.position(i));
+            marks_.normal.push_back(settler_.normal(i));
+            marks_.key.push_back(key_[i]);
+            marks_.stroke.push_back(marks_.stroke[parent_[i]]);
+            marks_.place.push_back(0);
+            marks_.level.push_back(static_cast<std::uint8_t>(level));
+        }
     }
     full_count_ *= 1 + static_cast<std::uint64_t>(children);
     return thinning.active();
-}
-
-void Stipples::add_child(std::int64_t parent, std::int64_t child, double rho, const marks::Thinning& thinning,
-                         marks::LevelReport& report) {
-    const std::uint64_t key = full_count_ + 4 * marks_.key[parent] + static_cast<std::uint64_t>(child);
-    if (!thinning.keeps(key)) {
-        ++report.attempted;
-        ++report.dropped_budget;
-        return;
-    }
-    settler_.start.push_back(marks_.position[parent] + rho * offset(parent, child, key));
-    parent_.push_back(parent);
-    key_.push_back(key);
-}
-
-void Stipples::append_placed(std::uint8_t level) {
-    for (std::int64_t i = 0; i < settler_.start.size(); ++i) {
-        if (!settler_.placed(i)) continue;
-        marks_.position.push_back(settler_.position(i));
-        marks_.normal.push_back(settler_.normal(i));
-        marks_.key.push_back(key_[i]);
-        marks_.stroke.push_back(marks_.stroke[parent_[i]]);
-        marks_.place.push_back(0);
-        marks_.level.push_back(level);
-    }
 }
 
 } // namespace
@@ -144,17 +136,10 @@ void grow_stipples(const marks::Site& site, const Start& start, const GrowthSett
     marks::require_room(settings.layer, marks::grown_count(start.position.size(), 1 + children, settings.levels),
                         settings.levels, settings.budget);
     Stipples stipples(site, start, settings, marks, report);
-    bool full = stipples.place_seeds(progress);
-    double rho = settings.step;
-    const double work = static_cast<double>(marks::grown_count(1, 1 + children, settings.levels));
-    for (std::int32_t level = 1; level <= settings.levels && !full; ++level) {
-        const auto share = [&](std::int32_t l) {
-            return static_cast<double>(marks::grown_count(1, 1 + children, l)) / work;
-        };
-        full = stipples.refine(level, rho, progress.part(share(level - 1), share(level)));
-        report.levels = level;
-        rho /= 3.0;
-    }
+    const bool full = stipples.place_seeds(progress);
+    refine_levels(
+        settings, 1 + children, full, report, progress,
+        [&](std::int32_t level, double rho, const base::Progress& part) { return stipples.refine(level, rho, part); });
 }
 
 } // namespace hrbfnpr::published

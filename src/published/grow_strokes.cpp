@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "geometry/tangent_frame.h"
 #include "published/growth.h"
+#include "published/tuning.h"
 #include "surface/curvature.h"
 
 #include <glm/common.hpp>
@@ -13,11 +14,6 @@ namespace {
 
 constexpr std::int64_t stroke_children = 2;
 constexpr std::int32_t sets = 2;
-
-// A stroke takes a principal direction in full from `sure` on, and goes on in its own direction
-// below `unsure`.
-constexpr double unsure = 0.02;
-constexpr double sure = 0.10;
 
 std::int64_t stroke_count(const Start& start) noexcept { return sets * start.position.size(); }
 
@@ -41,7 +37,7 @@ double bend_along(const glm::dvec3& d, const surface::Curvature& c) noexcept {
 }
 
 // From a mark along its direction d, a signed distance s on the osculating circle of curvature k
-// [NPAR 5.1, Figure 4]: sin(s k)/k d + (1 - cos(s k))/k n.  Its centre is at n / k: k is negative
+// [NPAR 5.1, Figure 4]: sin(s k)/k d + (1 - cos(s k))/k n. Its centre is at n / k: k is negative
 // where the surface bends away from the normal.  Not beyond a quarter of the circle: farther on it
 // comes back, and what curvature tells of the surface ended long before.
 glm::dvec3 on_osculating_circle(double s, double k, const glm::dvec3& d, const glm::dvec3& n) noexcept {
@@ -79,8 +75,6 @@ private:
                                        const glm::dvec3& before) const noexcept;
     void append(const glm::dvec3& position, const glm::dvec3& normal, std::uint32_t stroke, std::int32_t place,
                 std::uint8_t level, const surface::Curvature& c, const glm::dvec3& before);
-    void add_children(std::int64_t parent, std::int32_t finest, double rho, const marks::Thinning& thinning,
-                      marks::LevelReport& report);
     void append_placed(std::uint8_t level, std::int32_t finest, const base::Progress& progress);
     void reserve(std::int64_t count, const base::Progress& progress);
 
@@ -96,7 +90,7 @@ private:
     base::Array<surface::Curvature> curvature_;
 };
 
-// `before`: the direction of the mark that this one was placed from, zero for a seed.  Fields of
+// `before`: the direction of the mark that this one was placed from, zero for a seed. Fields of
 // directions have no sign; a stroke keeps its own, or it would fold back on itself.
 glm::dvec3 Strokes::direction(std::int32_t set, const glm::dvec3& n, const surface::Curvature& c,
                               const glm::dvec3& before) const noexcept {
@@ -108,7 +102,7 @@ glm::dvec3 Strokes::direction(std::int32_t set, const glm::dvec3& n, const surfa
     if (glm::dot(onward, onward) < 0.5) return field;
     if (glm::dot(field, onward) < 0.0) field = -field;
     if (!measured()) return field;
-    const double weight = glm::smoothstep(unsure, sure, c.confidence);
+    const double weight = glm::smoothstep(published_tuning.unsure, published_tuning.sure, c.confidence);
     return glm::normalize(weight * field + (1.0 - weight) * onward); // no more than 90 degrees apart
 }
 
@@ -166,6 +160,7 @@ bool Strokes::place_seeds(const base::Progress& progress) {
 }
 
 bool Strokes::refine(std::int32_t level, double rho, const base::Progress& progress) {
+    HRBFNPR_ASSERT(level > 0 && level <= settings_.levels && rho > 0.0);
     marks::LevelReport& report = report_.of(level);
     const std::int64_t parents = marks_.count();
     // Places are numbered in steps of the last level that was asked for.
@@ -185,7 +180,21 @@ bool Strokes::refine(std::int32_t level, double rho, const base::Progress& progr
         settler_.start.clear();
         parent_.clear();
         side_.clear();
-        for (std::int64_t parent = begin; parent < end; ++parent) add_children(parent, finest, rho, thinning, report);
+        for (std::int64_t parent = begin; parent < end; ++parent)
+            for (const std::int8_t side : {std::int8_t{-1}, std::int8_t{1}}) {
+                if (!thinning.keeps(key(marks_.stroke[parent], marks_.place[parent] + side * finest))) {
+                    ++report.attempted;
+                    ++report.dropped_budget;
+                    continue;
+                }
+                const glm::dvec3 d = marks_.direction[parent];
+                const glm::dvec3 offset =
+                    by_curvature() ? on_osculating_circle(side * rho, marks_.bend[parent], d, marks_.normal[parent])
+                                   : side * rho * d;
+                settler_.start.push_back(marks_.position[parent] + offset);
+                parent_.push_back(parent);
+                side_.push_back(side);
+            }
         const auto all = static_cast<double>(parents);
         const base::Progress part = progress.part(static_cast<double>(begin) / all, static_cast<double>(end) / all);
         // What lands farther from its start than a step belongs to another part of the surface.
@@ -193,24 +202,6 @@ bool Strokes::refine(std::int32_t level, double rho, const base::Progress& progr
         append_placed(static_cast<std::uint8_t>(level), finest, part.part(0.5, 1.0));
     }
     return thinning.active();
-}
-
-void Strokes::add_children(std::int64_t parent, std::int32_t finest, double rho, const marks::Thinning& thinning,
-                           marks::LevelReport& report) {
-    const glm::dvec3 d = marks_.direction[parent];
-    for (const std::int8_t side : {std::int8_t{-1}, std::int8_t{1}}) {
-        if (!thinning.keeps(key(marks_.stroke[parent], marks_.place[parent] + side * finest))) {
-            ++report.attempted;
-            ++report.dropped_budget;
-            continue;
-        }
-        const glm::dvec3 offset = by_curvature()
-                                      ? on_osculating_circle(side * rho, marks_.bend[parent], d, marks_.normal[parent])
-                                      : side * rho * d;
-        settler_.start.push_back(marks_.position[parent] + offset);
-        parent_.push_back(parent);
-        side_.push_back(side);
-    }
 }
 
 void Strokes::append_placed(std::uint8_t level, std::int32_t finest, const base::Progress& progress) {
@@ -248,17 +239,11 @@ void grow_strokes(const marks::Site& site, const Start& start, const GrowthSetti
     marks::require_room(settings.layer, marks::grown_count(stroke_count(start), 1 + stroke_children, settings.levels),
                         settings.levels, settings.budget);
     Strokes strokes(site, start, settings, marks, report);
-    const double work = static_cast<double>(marks::grown_count(1, 1 + stroke_children, settings.levels));
-    bool full = strokes.place_seeds(progress.part(0.0, 1.0 / work));
-    double rho = settings.step;
-    for (std::int32_t level = 1; level <= settings.levels && !full; ++level) {
-        const auto share = [&](std::int32_t l) {
-            return static_cast<double>(marks::grown_count(1, 1 + stroke_children, l)) / work;
-        };
-        full = strokes.refine(level, rho, progress.part(share(level - 1), share(level)));
-        report.levels = level;
-        rho /= 3.0;
-    }
+    const auto work = static_cast<double>(marks::grown_count(1, 1 + stroke_children, settings.levels));
+    const bool full = strokes.place_seeds(progress.part(0.0, 1.0 / work));
+    refine_levels(
+        settings, 1 + stroke_children, full, report, progress,
+        [&](std::int32_t level, double rho, const base::Progress& part) { return strokes.refine(level, rho, part); });
     // Places were numbered for all levels; number them for those that were taken.
     const auto unused =
         static_cast<std::int32_t>(marks::grown_count(1, 1 + stroke_children, settings.levels - report.levels));

@@ -1,7 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Multi-level refinement: from seeds to stipples and strokes.         [NPAR 5]
+//
+// Level 0 is the seeds, less what the budget has no room for. In each further level every mark gets children a step
+// away in its tangent plane, or along its stroke, which are projected onto the surface; the step is a third of the last
+// one.
 #pragma once
 
+#include "base/assert.h"
 #include "geometry/long_vec_array.h"
 #include "marks/direction_function.h"
 #include "marks/marks.h"
@@ -15,14 +20,14 @@ struct Settings {
     std::int32_t start_level = 0;
 };
 
-// What a layer starts from.  Strokes: both sets from every start.
+// The marks that a layer starts from. Strokes of both sets start from each of them.
 struct Start {
     const geometry::VecArray& position;
     const geometry::VecArray& normal;
-    std::int64_t full_count; // of starts, had none been dropped
+    std::int64_t full_count; // the number of starts, had none been dropped
 };
 
-// What the strokes of both sets follow.
+// The directions that the strokes of both sets follow.
 enum class Directions : std::uint8_t { principal, combing, function };
 
 struct GrowthSettings {
@@ -34,11 +39,30 @@ struct GrowthSettings {
     marks::DirectionFunction function;             // with Directions::function
 };
 
-// Makes room for `marks` marks in each column, and looks for a cancel between them. Without it all columns would grow
-// at the same mark, with no such look for a long time.
+// Makes room for `marks` marks in each column, and looks for a cancel between them, because growing a column takes
+// long.
 template <class... Column>
 void make_room(std::int64_t marks, const base::Progress& progress, Column&... column) {
     (make_room_long(column, marks, progress), ...);
+}
+
+// Refines level by level, by steps of a third of the one before, until the budget cuts a level: refine(level, step,
+// progress) returns whether it did. `growth`: marks of a level for each mark of the one before. `full`: level 0 was
+// cut.
+template <class Refine>
+void refine_levels(const GrowthSettings& settings, std::int64_t growth, bool full, marks::LayerReport& report,
+                   const base::Progress& progress, Refine&& refine) {
+    HRBFNPR_ASSERT(growth > 1 && settings.levels >= 0);
+    const auto done = [&](std::int32_t level) {
+        return static_cast<double>(marks::grown_count(1, growth, level)) /
+               static_cast<double>(marks::grown_count(1, growth, settings.levels));
+    };
+    double step = settings.step;
+    for (std::int32_t level = 1; level <= settings.levels && !full; ++level) {
+        full = refine(level, step, progress.part(done(level - 1), done(level)));
+        report.levels = level;
+        step /= 3.0;
+    }
 }
 
 // The x5 recursion.

@@ -1,45 +1,79 @@
 // SPDX-License-Identifier: MIT
-// A drawing as published: discs of ink and of paper, to be painted from far to near.     [NPAR 6.1]
+// A drawing as published: discs of ink and of paper, to be painted from far to near.     [NPAR 6, 6.1, 6.2]
+//
+// 1. Marks are classified: their place on the screen, front, back or silhouette, and their tone.
+// 2. A depth map of the discs that hide others is drawn (VisibilityMap).
+// 3. Each mark's role is decided: ink, paper, both or none, by tone, depth, zoom and visibility.
+// 4. Discs are sorted from far to near, and become the dots of the drawing.
 #pragma once
 
 #include "base/runtime.h"
+#include "drawing/drawing.h"
 #include "drawing/far_to_near.h"
+#include "drawing/tiles.h"
 #include "frame/scene/scene.h"
-#include "published/classify.h"
-#include "published/visibility.h"
+#include "frame/scene/tone_calls.h"
 
 namespace hrbfnpr::published {
 
 using namespace frame; // the scene that this room classifies and paints
 
-class PublishedFrame {
+// The depth of the nearest surface, as discs of the front and back marks of the items that hide others. They are as far
+// behind their own layer as discs of paper, so that it does not hide its own ink.
+class VisibilityMap {
 public:
-    explicit PublishedFrame(const base::Runtime& runtime) noexcept;
+    explicit VisibilityMap(base::Memory& memory) noexcept
+        : bins_(memory, tile_size), depth_(memory), occluders_(memory) {}
 
-    // Fills the scene's marks, and what the scene does not fill of the drawing.
-    // Throws Error{callback, out_of_memory}.
-    void run(Scene& scene, drawing::Drawing& drawing);
+    void build(const base::Parallel& parallel, const Scene& scene);
 
-    [[nodiscard]] std::int64_t bytes() const noexcept;
+    // x, y in pixels of the image; depth in eye units along the view. False outside the viewport.
+    [[nodiscard]] bool hides(float x, float y, float depth) const noexcept;
+
+    [[nodiscard]] std::int64_t bytes() const noexcept { return bins_.bytes() + depth_.bytes() + occluders_.bytes(); }
 
 private:
-    [[nodiscard]] static bool hides(const Scene& scene) noexcept;
-    void emit_keys(const Scene& scene);
-    void put_dots(const Scene& scene, drawing::Drawing& drawing) const;
-    [[nodiscard]] static std::uint64_t ink_key(const Scene& scene, const Run& run, std::int64_t place) noexcept;
-    [[nodiscard]] static std::uint64_t paper_key(const Scene& scene, const Run& run, std::int64_t place) noexcept;
-    [[nodiscard]] static Dot dot_of(const Scene& scene, std::int64_t number, std::int64_t place,
-                                    bool is_paper) noexcept;
-    [[nodiscard]] static float ink_radius(const Scene& scene, const Run& run, std::int64_t place) noexcept;
-    [[nodiscard]] static float splat_radius(const Scene& scene, const Run& run, std::int64_t place) noexcept;
+    static constexpr std::int32_t tile_size = 32;
+
+    struct Occluder {
+        float x, y, radius,
+            depth; // in texels of the map; eye units; the radius is below 0 where the mark hides nothing
+    };
+    void fill_tile(std::int64_t tile) noexcept;
+
+    float left_ = 0.0F, top_ = 0.0F; // of the viewport
+    float texels_per_pixel_ = 1.0F;
+    std::int32_t width_ = 0, height_ = 0;
+    drawing::Tiles bins_;
+    base::Array<float> depth_;
+    base::Array<Occluder> occluders_; // one for each mark
+};
+
+class PublishedFrame {
+public:
+    explicit PublishedFrame(const base::Runtime& runtime) noexcept
+        : runtime_(runtime), tone_calls_(runtime.memory), visibility_(runtime.memory), order_(runtime.memory),
+          counts_(runtime.memory), first_key_(runtime.memory), keys_(runtime.memory) {}
+
+    // Fills the scene's marks, and all of the drawing that the scene does not. Throws Error{callback, out_of_memory}.
+    void run(Scene& scene, drawing::Drawing& drawing);
+
+    [[nodiscard]] std::int64_t bytes() const noexcept {
+        return tone_calls_.bytes() + visibility_.bytes() + order_.bytes() + counts_.bytes() + first_key_.bytes() +
+               keys_.bytes();
+    }
+
+private:
+    void find_keys(const Scene& scene);
 
     const base::Runtime& runtime_;
+    // Memory that is kept from frame to frame.
     ToneCalls tone_calls_;
     VisibilityMap visibility_;
     drawing::FarToNear order_;
     base::Array<Counts> counts_;          // of each chunk
     base::Array<std::int64_t> first_key_; // of each chunk
-    base::Array<std::uint64_t> keys_;
+    base::Array<std::uint64_t> keys_;     // of each disc
 };
 
 } // namespace hrbfnpr::published

@@ -2,38 +2,23 @@
 #include "stipples/blue_noise.h"
 
 #include "geometry/long_vec_array.h"
-#include "geometry/morton.h"
-#include "stipples/candidates.h"
-#include "stipples/distance_repair.h"
+#include "geometry/point_grid.h"
 #include "stipples/progressive_order.h"
+#include "stipples/tuning.h"
 
 #include <algorithm>
 #include <cmath>
+#include <compare>
 
 namespace hrbfnpr::stipples {
 namespace {
-
-// Cells are never coarser than this part of the diagonal, so that they see the shape ...
-constexpr double coarsest_cells = 96.0;
-// ... nor finer than this, so that no budget asks for more cells than there is memory for.
-constexpr double finest_cells = 4096.0;
-// A cell's side in spacings of marks: wide enough for the energies of the order, and few enough to be found quickly.
-constexpr double cell_spacings = 2.2;
-constexpr double candidates_per_mark = 3.5;
-constexpr std::int64_t fewest_candidates = 6000;
-constexpr std::int64_t settled_at_once = 262144;
-constexpr std::int64_t appended_at_once = 16384; // without a look for a cancel
-
-constexpr int most_rounds = 8;
-// Cells along the longest side of a surface that is to be drawn.
-constexpr std::int64_t fewest_across = 8;
 
 // Later rounds are those of small surfaces in large boxes.
 base::Progress part_of(const base::Progress& progress, int round) noexcept {
     return progress.part(1.0 - std::exp2(-round), 1.0 - std::exp2(-round - 1));
 }
 
-// Of the box around all cells, the longest side.
+// The longest side of the box around all cells, in cells.
 std::int64_t cells_across(const SurfaceCells& cells) noexcept {
     if (cells.cell.empty()) return 0;
     geometry::CellGrid::Cell low = geometry::morton_cell(cells.cell[0].code);
@@ -48,12 +33,13 @@ std::int64_t cells_across(const SurfaceCells& cells) noexcept {
     return 1 + std::max({high[0] - low[0], high[1] - low[1], high[2] - low[2]});
 }
 
-// The samples' box and as much around it as the surface is known beyond its samples.  Another sheet
-// that the function happens to have farther out, and an open sheet's continuation, stay outside.
+// The samples' box and as much around it as the surface is known beyond its samples. Another sheet that
+// the function happens to have farther out, and an open sheet's continuation, stay outside.
 geometry::Bounds region_of(const marks::Site& site, const marks::Seeds& seeds, double sample_spacing) {
     const geometry::Bounds& bounds = site.implicit.bounds();
     const double diagonal = site.implicit.diagonal();
-    const double margin = bounds.diagonal() > 0.0 ? std::clamp(sample_spacing, 0.03 * diagonal, 0.10 * diagonal)
+    const double margin = bounds.diagonal() > 0.0 ? std::clamp(sample_spacing, stipple_tuning.least_margin * diagonal,
+                                                               stipple_tuning.most_margin * diagonal)
                                                   : 0.5 * diagonal; // one sample: a square of its plane
     geometry::Bounds region = bounds.grown(margin);
     const auto inside = [&] {
@@ -67,89 +53,115 @@ geometry::Bounds region_of(const marks::Site& site, const marks::Seeds& seeds, d
     return region;
 }
 
-// Projects the chosen; those that do not arrive leave a gap in the order, and are counted.
-class Projecting {
-public:
-    Projecting(const marks::Site& site, const SurfaceCells& cells, const OrderedMarks& chosen, EvenMarks& marks)
-        : site_(site), cells_(cells), chosen_(chosen), marks_(marks), settler_(site), normal_(site.memory()),
-          fate_(site.memory()), wandered_(site.memory()) {}
-
-    void run(const base::Progress& progress) {
-        const std::int64_t count = chosen_.size();
-        marks_.position.reserve(count);
-        marks_.normal.reserve(count);
-        const auto all = static_cast<double>(count);
-        for (std::int64_t begin = 0; begin < count; begin += settled_at_once) {
-            const std::int64_t end = std::min(count, begin + settled_at_once);
-            settle(begin, end, progress.part(static_cast<double>(begin) / all, static_cast<double>(end) / all));
-            append(progress);
-        }
-        if (!wandered_.empty()) repair_distances(site_, wandered_, marks_, report_);
-        marks::LevelReport& report = marks_.report;
-        report.dropped_budget = report.placed - count;
-        report.placed = report_.placed;
-        report.dropped_not_converged += report_.dropped_not_converged;
-        report.dropped_strayed += report_.dropped_strayed;
-        report.dropped_degenerate += report_.dropped_degenerate;
-    }
-
-private:
-    enum class Fate : std::uint8_t { dropped, outside, near, wandered };
-
-    template <class Visit>
-    void for_batch(std::int64_t count, Visit&& visit) {
-        site_.runtime.parallel.for_chunks(count, 4096, [&](std::int64_t begin, std::int64_t end) {
-            for (std::int64_t i = begin; i < end; ++i) visit(i);
-        });
-    }
-
-    void settle(std::int64_t begin, std::int64_t end, const base::Progress& progress) {
-        const std::int64_t count = end - begin;
-        settler_.start.resize(count);
-        for_batch(count, [&](std::int64_t i) {
-            const float(&p)[3] = chosen_[begin + i].position;
-            settler_.start.set(i, cells_.grid.origin + glm::dvec3(p[0], p[1], p[2]));
-        });
-        settler_.settle(cells_.grid.side, report_, progress); // farther is another sheet
-        normal_.resize(count);
-        fate_.resize(count);
-        for_batch(count, [&](std::int64_t i) {
-            if (settler_.placed(i)) normal_.set(i, settler_.normal(i));
-            fate_[i] = fate_of(i, begin + i);
-        });
-    }
-
-    [[nodiscard]] Fate fate_of(std::int64_t i, std::int64_t number) const noexcept {
-        if (!settler_.placed(i)) return Fate::dropped;
-        if (!cells_.region.contains(settler_.position(i))) return Fate::outside;
-        const float(&n)[3] = chosen_[number].normal;
-        const double way = glm::distance(settler_.position(i), settler_.start[i]);
-        const double turn = glm::dot(normal_[i], glm::dvec3(n[0], n[1], n[2]));
-        const bool far = way > 0.04 * densest_distance(marks_.area, static_cast<double>(number + 1));
-        return far || turn < 0.95 * double{unpacked_length} ? Fate::wandered : Fate::near;
-    }
-
-    void append(const base::Progress& progress) {
-        for (std::int64_t i = 0; i < fate_.size(); ++i) {
-            if (i % appended_at_once == 0) progress.check();
-            if (fate_[i] == Fate::outside) settler_.drop(i, report_.dropped_strayed, report_);
-            if (fate_[i] < Fate::near) continue;
-            if (fate_[i] == Fate::wandered) wandered_.push_back(marks_.position.size());
-            geometry::push_back_long(marks_.position, settler_.position(i), progress);
-            geometry::push_back_long(marks_.normal, normal_[i], progress);
+// Where the surface bends within the spacing of marks, they may come to rest beside each other. Of two that are nearer
+// than all others the later one is dropped, and counted as strayed. The later one also says how far they must be apart,
+// so marks are looked at in parts, in each of which that is much the same distance. `wandered`: the marks that are not
+// where they were chosen, rising.
+void repair_distances(const marks::Site& site, const base::Array<std::int64_t>& wandered, EvenMarks& marks,
+                      marks::LevelReport& report) {
+    HRBFNPR_ASSERT(std::is_sorted(wandered.begin(), wandered.end()));
+    struct Pair {
+        std::int64_t later, earlier;
+        [[nodiscard]] auto operator<=>(const Pair& other) const noexcept = default;
+    };
+    const std::int64_t count = marks.position.size();
+    const auto apart = [&](std::int64_t later) {
+        return stipple_tuning.least_apart * densest_distance(marks.area, static_cast<double>(later + 1));
+    };
+    base::Array<Pair> pairs(site.memory());
+    geometry::VecArray position(site.memory());
+    for (std::int64_t begin = 0, end = 1; begin < count; begin = end, end = std::min(4 * end, count)) {
+        while (position.size() < end) position.push_back(marks.position[position.size()]);
+        const geometry::PointGrid grid(position, apart(begin));
+        for (const std::int64_t i : wandered) {
+            if (i >= end) break;
+            grid.around(marks.position[i], [&](std::int64_t at) {
+                const std::int64_t k = grid.index(at);
+                const std::int64_t later = std::max(i, k);
+                if (i == k || later < begin) return;
+                const glm::dvec3 between = marks.position[i] - marks.position[k];
+                if (glm::dot(between, between) >= apart(later) * apart(later)) return;
+                if (glm::dot(marks.normal[i], marks.normal[k]) >= 0.0) pairs.push_back({later, std::min(i, k)});
+            });
         }
     }
+    std::sort(pairs.begin(), pairs.end());
+    base::Array<std::uint8_t> dropped(site.memory(), count);
+    for (const Pair& pair : pairs)
+        if (dropped[pair.earlier] == 0) dropped[pair.later] = 1;
+    std::int64_t kept = 0;
+    for (std::int64_t i = 0; i < count; ++i) {
+        if (dropped[i] != 0) continue;
+        marks.position.set(kept, marks.position[i]);
+        marks.normal.set(kept++, marks.normal[i]);
+    }
+    report.placed = kept;
+    report.dropped_strayed += count - kept;
+    marks.position.resize(kept);
+    marks.normal.resize(kept);
+}
 
-    const marks::Site& site_;
-    const SurfaceCells& cells_;
-    const OrderedMarks& chosen_;
-    EvenMarks& marks_;
-    marks::Settler settler_;
-    geometry::VecArray normal_; // of the batch
-    base::Array<Fate> fate_;
-    base::Array<std::int64_t> wandered_;
-    marks::LevelReport report_;
-};
+// What became of a chosen mark.
+enum class Fate : std::uint8_t { dropped, outside, near, wandered };
+
+// Projects the chosen marks. Those that do not arrive leave a gap in the order, and are counted.
+void project(const marks::Site& site, const SurfaceCells& cells, const OrderedMarks& chosen, EvenMarks& marks,
+             const base::Progress& progress) {
+    const std::int64_t all = chosen.size();
+    const auto share = [&](std::int64_t i) { return static_cast<double>(i) / static_cast<double>(all); };
+    marks.position.reserve(all);
+    marks.normal.reserve(all);
+    marks::Settler settler(site);
+    marks::LevelReport report;
+    geometry::VecArray normal(site.memory()); // of the batch
+    base::Array<Fate> fate(site.memory());
+    base::Array<std::int64_t> wandered(site.memory());
+    const auto fate_of = [&](std::int64_t i, std::int64_t number) {
+        if (!settler.placed(i)) return Fate::dropped;
+        if (!cells.region.contains(settler.position(i))) return Fate::outside;
+        float n[3];
+        unpack_normal(chosen[number].normal, n);
+        const double turn = glm::dot(normal[i], glm::dvec3(n[0], n[1], n[2]));
+        const bool far = glm::distance(settler.position(i), settler.start[i]) >
+                         stipple_tuning.wandered * densest_distance(marks.area, static_cast<double>(number + 1));
+        return far || turn < stipple_tuning.wandered_cosine * double{unpacked_length} ? Fate::wandered : Fate::near;
+    };
+    for (std::int64_t begin = 0; begin < all; begin += points_a_batch) {
+        const std::int64_t count = std::min(all - begin, points_a_batch);
+        const auto for_batch = [&](auto&& visit) {
+            site.runtime.parallel.for_chunks(count, points_a_task, [&](std::int64_t from, std::int64_t to) {
+                for (std::int64_t i = from; i < to; ++i) visit(i);
+            });
+        };
+        settler.start.resize(count);
+        for_batch([&](std::int64_t i) {
+            const float(&p)[3] = chosen[begin + i].position;
+            settler.start.set(i, cells.grid.origin + glm::dvec3(p[0], p[1], p[2]));
+        });
+        // A mark that goes farther than a cell's side comes to another sheet.
+        settler.settle(cells.grid.side, report, progress.part(share(begin), share(begin + count)));
+        normal.resize(count);
+        fate.resize(count);
+        for_batch([&](std::int64_t i) {
+            if (settler.placed(i)) normal.set(i, settler.normal(i));
+            fate[i] = fate_of(i, begin + i);
+        });
+        for (std::int64_t i = 0; i < count; ++i) {
+            if (i % marks_a_look == 0) progress.check();
+            if (fate[i] == Fate::outside) settler.drop(i, report.dropped_strayed, report);
+            if (fate[i] < Fate::near) continue;
+            if (fate[i] == Fate::wandered) wandered.push_back(marks.position.size());
+            geometry::push_back_long(marks.position, settler.position(i), progress);
+            geometry::push_back_long(marks.normal, normal[i], progress);
+        }
+    }
+    if (!wandered.empty()) repair_distances(site, wandered, marks, report);
+    marks.report.dropped_budget = marks.report.placed - all;
+    marks.report.placed = report.placed;
+    marks.report.dropped_not_converged += report.dropped_not_converged;
+    marks.report.dropped_strayed += report.dropped_strayed;
+    marks.report.dropped_degenerate += report.dropped_degenerate;
+}
 
 } // namespace
 
@@ -158,38 +170,39 @@ SurfaceCells cover_surface(const marks::Site& site, const marks::Seeds& seeds, d
     const geometry::Bounds region = region_of(site, seeds, sample_spacing);
     const double diagonal = region.diagonal();
     SurfaceCells cells(site.memory());
-    // A small surface in a large box tells its area only by cells that are small to it: as long as the
-    // estimate asks for finer cells by more than a tenth, they are found anew.
-    const double finest = diagonal / finest_cells;
-    double side = diagonal / coarsest_cells;
-    for (int round = 0; round < most_rounds; ++round) {
+    // A small surface in a large box tells its area only by cells that are small to it: they are found anew until the
+    // estimate asks for no finer ones.
+    const double finest = diagonal / stipple_tuning.most_in_diagonal;
+    double side = diagonal / stipple_tuning.fewest_in_diagonal;
+    for (int round = 0; round < stipple_tuning.cover_rounds; ++round) {
         cells = find_surface_cells(site, seeds.position, region, side, part_of(progress, round));
         const double spacing = std::sqrt(cells.rough_area() / static_cast<double>(marks));
         // What a few cells hold tells neither its shape nor its area.
-        const bool known = cells_across(cells) >= fewest_across;
-        const double wanted = known ? std::max(cell_spacings * spacing, finest) : std::max(0.25 * side, finest);
-        if (wanted > 0.9 * side) break;
+        const bool known = cells_across(cells) >= stipple_tuning.fewest_across;
+        const double wanted = known ? std::max(stipple_tuning.cell_spacings * spacing, finest)
+                                    : std::max(stipple_tuning.blind_step * side, finest);
+        if (wanted > stipple_tuning.fine_enough * side) break;
         side = wanted;
     }
-    if (cells_across(cells) < fewest_across)
+    if (cells_across(cells) < stipple_tuning.fewest_across)
         fail(Status::invalid_argument,
              "the surface is no more than %.2g across, and the bounds that its marks may lie in are %.2g: give "
              "bounds_min and bounds_max that fit it (at most %g times as wide)",
              site.unit * side * static_cast<double>(cells_across(cells)), site.unit * diagonal,
-             finest_cells / static_cast<double>(fewest_across));
+             stipple_tuning.most_in_diagonal / static_cast<double>(stipple_tuning.fewest_across));
     return cells;
 }
 
 EvenMarks spread_evenly(const marks::Site& site, const SurfaceCells& cells, std::int64_t wanted, marks::Kind kind,
                         const base::Progress& progress) {
-    const auto many = static_cast<std::int64_t>(candidates_per_mark * static_cast<double>(wanted));
+    const auto many = static_cast<std::int64_t>(stipple_tuning.candidates_per_mark * static_cast<double>(wanted));
     Candidates candidates =
-        draw_candidates(site, cells, std::max(many, fewest_candidates), kind, progress.part(0.0, 0.5));
+        draw_candidates(site, cells, std::max(many, stipple_tuning.fewest_candidates), kind, progress.part(0.0, 0.5));
     const OrderedMarks chosen = progressive_order(site, candidates, wanted, progress.part(0.5, 0.9));
     EvenMarks marks(site.memory());
     marks.report = candidates.report;
     marks.area = candidates.area;
-    Projecting(site, cells, chosen, marks).run(progress.part(0.9, 1.0));
+    project(site, cells, chosen, marks, progress.part(0.9, 1.0));
     if (marks.position.empty())
         fail(Status::not_converged,
              "no mark could be placed in %lld cells near the surface: %lld points were tried, %lld did not "

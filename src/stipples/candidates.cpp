@@ -1,90 +1,537 @@
 // SPDX-License-Identifier: MIT
 #include "stipples/candidates.h"
 
-#include "stipples/layer_candidates.h"
-#include "stipples/plane_candidates.h"
+#include "base/bits.h"
+#include "base/random.h"
+#include "geometry/tangent_frame.h"
+#include "stipples/tuning.h"
+#include "surface/creased.h"
+
+#include <glm/vector_relational.hpp>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
 
 namespace hrbfnpr::stipples {
 namespace {
 
-constexpr int candidate_rounds = 4;
-// Less than this part of the wanted calls for another round.
-constexpr double enough = 0.85;
-// Trials for each of the wanted, where planes and the surface do not agree.
-constexpr double most_trials = 256.0;
-// Candidates at random leave gaps: to serve as well as evenly spread ones there must be more of them.
-constexpr double layer_density = 1.4;
-constexpr std::int64_t cells_of_task = 2048;
+constexpr double of_32_bits = 1.0 / 4294967296.0;
 
-base::Array<std::uint64_t> codes_of(const marks::Site& site, const SurfaceCells& cells) {
-    base::Array<std::uint64_t> codes(site.memory(), cells.cell.size());
-    for (std::int64_t i = 0; i < codes.size(); ++i) codes[i] = cells.cell[i].code;
-    return codes;
+[[nodiscard]] float packed(const glm::dvec3& normal) noexcept {
+    return packed_normal({static_cast<float>(normal.x), static_cast<float>(normal.y), static_cast<float>(normal.z)});
 }
 
-// Where the function is no distance, the area is not what the cells say, and the first round gives too few.
-void draw(const SurfaceCells& cells, PlaneCandidates& planes, LayerCandidates& layer, std::int64_t wanted,
-          const base::Progress& progress) {
-    double density = static_cast<double>(wanted) / cells.rough_area();
-    for (int round = 0; round < candidate_rounds; ++round) {
-        planes.draw(density, most_trials * static_cast<double>(wanted), progress);
-        layer.draw(layer_density * density, progress.part(round == 0 ? 0.0 : 0.7, round == 0 ? 0.7 : 0.8));
-        const double placed =
-            static_cast<double>(planes.count()) + static_cast<double>(layer.projections().size()) / layer_density;
-        if (placed >= enough * static_cast<double>(wanted) || !(placed > 0.0)) return;
-        density *= static_cast<double>(wanted) / placed;
+// ---- 1. Where planes are the surface
+
+struct JudgedCell {
+    CellKind kind;
+    float curvature;
+};
+
+// A plane is the surface where those of all cells beside it are the same one: none is nearer to another sheet, or
+// around a bend. What they turn is the divergence of the normals, twice the mean curvature.
+[[nodiscard]] JudgedCell judge(const marks::Site& site, const SurfaceCells& cells, const CellMap& numbers,
+                               std::int64_t number) noexcept {
+    constexpr JudgedCell bent = {CellKind::bent, 0.0F};
+    const SurfaceCell& cell = cells.cell[number];
+    const double side = cells.grid.side;
+    if (std::isnan(cell.distance)) return bent;
+    HRBFNPR_ASSERT(std::abs(glm::length(cell.normal) - 1.0) < 1e-6);
+    if (const implicit::Extent* const extent = site.implicit.extent(); extent != nullptr)
+        if (extent->may_end_near(cells.centre(number), 0.5 * side)) return bent;
+    const glm::dvec3 along = glm::abs(cell.normal);
+    if (std::abs(cell.distance) > side * (0.5 * (along.x + along.y + along.z) + stipple_tuning.passes_by))
+        return {CellKind::clear, 0.0F};
+    const CellMap::Around around = numbers.around(cell.code);
+    // A crease may cut off no more than an edge or a corner of the cell.
+    for (const std::int32_t next : around)
+        if (site.implicit.sheets() != nullptr && next >= 0 &&
+            !(glm::dot(cell.normal, cells.cell[next].normal) >= surface::smooth_cosine))
+            return bent;
+    double divergence = 0.0;
+    bool known = true;
+    for (int axis = 0; axis < 3; ++axis) {
+        double turn = 0.0;
+        int beside = 0;
+        for (const int way : {-1, 1}) {
+            const std::size_t step = CellMap::step_along[axis];
+            const std::int32_t next = around[way < 0 ? CellMap::itself - step : CellMap::itself + step];
+            if (next < 0) continue;
+            const SurfaceCell& there = cells.cell[next];
+            const double distance = cell.distance + way * side * cell.normal[axis];
+            if (!(std::abs(distance - there.distance) <= stipple_tuning.plane_error * side) ||
+                !(glm::dot(cell.normal, there.normal) >= stipple_tuning.flat_cosine))
+                return bent;
+            turn += way * (there.normal[axis] - cell.normal[axis]);
+            ++beside;
+        }
+        known = known && beside > 0;
+        divergence += beside > 0 ? turn / (side * beside) : 0.0;
+    }
+    return {CellKind::flat, known ? static_cast<float>(0.5 * divergence) : 0.0F};
+}
+
+// ---- 2. Candidates on planes
+
+// The second power's root of x^3 = x + 1: the multiples of 1/x and 1/x^2 fill the unit square evenly, however many
+// there are (Roberts 2018, "The unreasonable effectiveness of quasirandom sequences"). Both are in 2^-32.
+constexpr std::uint32_t long_step = 3242174889;
+constexpr std::uint32_t short_step = 2447445414;
+
+// Trials stand above a face of the cell, evenly; those whose place on the plane is in the cell are candidates. Along
+// the face they are counted in 2^-32 sides from its middle, and wrap around.
+struct PlaneTrials {
+    int up; // the axis across the face
+    std::int32_t count;
+    std::uint32_t u, v; // of the first one
+    std::uint32_t step_u, step_v;
+    double before; // what was left of a trial: the ticket of trial k is (k + before) / count
+    double level, slope_u, slope_v;
+
+    // The place of a trial on the plane, in sides from the cell's centre.
+    [[nodiscard]] glm::dvec3 offset(std::int32_t k) const noexcept {
+        const auto along = [&](std::uint32_t from, std::uint32_t step) {
+            return of_32_bits * static_cast<std::int32_t>(from + step * static_cast<std::uint32_t>(k));
+        };
+        glm::dvec3 offset;
+        const double along_u = along(u, step_u);
+        const double along_v = along(v, step_v);
+        offset[up] = level + slope_u * along_u + slope_v * along_v;
+        offset[(up + 1) % 3] = along_u;
+        offset[(up + 2) % 3] = along_v;
+        return offset;
+    }
+};
+
+[[nodiscard]] PlaneTrials trials_in(const marks::Site& site, const SurfaceCell& cell, double side,
+                                    const PlaneCandidates& planes) noexcept {
+    const base::Philox random = base::philox(
+        site.random_seed, {static_cast<std::uint32_t>(cell.code), static_cast<std::uint32_t>(cell.code >> 32U),
+                           static_cast<std::uint32_t>(base::Purpose::candidate), planes.stream});
+    const glm::dvec3 a = glm::abs(cell.normal);
+    const int up = a.x >= a.y ? (a.x >= a.z ? 0 : 2) : (a.y >= a.z ? 1 : 2);
+    const double trials = planes.density * side * side / std::abs(cell.normal[up]);
+    // The points are a lattice; turned and mirrored in some cells, it leaves no trace in the whole.
+    const bool turned = (random[3] & 1U) != 0;
+    const bool mirrored = (random[3] & 2U) != 0;
+    const std::uint32_t along_v = turned ? long_step : short_step;
+    return {up,
+            static_cast<std::int32_t>(std::min(trials, planes.most_trials_in_cell) + of_32_bits * random[0]),
+            random[1],
+            random[2],
+            turned ? short_step : long_step,
+            mirrored ? 0U - along_v : along_v,
+            of_32_bits * random[3],
+            -cell.distance / (side * cell.normal[up]),
+            -cell.normal[(up + 1) % 3] / cell.normal[up],
+            -cell.normal[(up + 2) % 3] / cell.normal[up]};
+}
+
+// Calls visit(place, ticket) for the candidates of a flat cell, the ticket being in [0, 1).
+template <class Visit>
+void for_candidates_on_plane(const marks::Site& site, const SurfaceCells& cells, std::int64_t number,
+                             const PlaneCandidates& planes, Visit&& visit) noexcept {
+    const double side = cells.grid.side;
+    const PlaneTrials trials = trials_in(site, cells.cell[number], side, planes);
+    const glm::dvec3 centre = cells.centre(number);
+    const bool inside = cells.region.contains(centre - 0.5 * side) && cells.region.contains(centre + 0.5 * side);
+    for (std::int32_t k = 0; k < trials.count; ++k) {
+        const glm::dvec3 offset = trials.offset(k);
+        if (!(offset[trials.up] >= -0.5 && offset[trials.up] < 0.5)) continue;
+        const glm::dvec3 place = centre + side * offset;
+        if (inside || cells.region.contains(place)) visit(place, (k + trials.before) / trials.count);
     }
 }
 
-void make_room(Candidates& candidates, std::int64_t groups) {
-    candidates.group.resize_for_overwrite(groups);
-    candidates.ticket.resize_for_overwrite(OrderGroup::size * groups);
-}
-
-void put(const Projection& projection, std::int64_t place, Candidates& candidates) noexcept {
+void put(const glm::vec3& position, float normal, std::uint32_t ticket, std::int64_t place,
+         Candidates& candidates) noexcept {
+    HRBFNPR_ASSERT(place >= 0 && place < candidates.ticket.size());
     const OrderBlock all = candidates.places();
-    all.at(OrderGroup::x, place) = projection.position.x;
-    all.at(OrderGroup::y, place) = projection.position.y;
-    all.at(OrderGroup::z, place) = projection.position.z;
-    all.at(OrderGroup::normal, place) = projection.normal;
-    candidates.ticket[place] = projection.ticket;
+    all.at(OrderGroup::x, place) = position.x;
+    all.at(OrderGroup::y, place) = position.y;
+    all.at(OrderGroup::z, place) = position.z;
+    all.at(OrderGroup::normal, place) = normal;
+    candidates.ticket[place] = ticket;
 }
 
-// Both cell by cell, each with groups of its own; cells without any are left out.
-void merge(const marks::Site& site, const SurfaceCells& cells, const PlaneCandidates& planes,
-           const base::Array<Projection>& projections, Candidates& candidates, const base::Progress& progress) {
-    const std::int64_t count = cells.cell.size();
+// The plane touches the surface at a distance from the cell's centre; away from there by t, a surface of mean curvature
+// k is 1/2 k t^2 below it, but for what the two principal curvatures differ. Candidates stay in their cells, where the
+// order looks for them.
+void put_from_plane(const marks::Site& site, const JudgedCells& judged, std::int64_t number,
+                    const PlaneCandidates& planes, std::int64_t to, Candidates& candidates) noexcept {
+    const SurfaceCells& cells = judged.cells;
+    const SurfaceCell& cell = cells.cell[number];
+    const float normal = packed(cell.normal);
+    const glm::dvec3 centre = cells.centre(number);
+    const double half_curvature = 0.5 * double{judged.curvature[number]};
+    for_candidates_on_plane(site, cells, number, planes, [&](const glm::dvec3& place, double ticket) {
+        const glm::dvec3 offset = place - centre;
+        const double below = half_curvature * (glm::dot(offset, offset) - cell.distance * cell.distance);
+        const glm::dvec3 lowered = offset - below * cell.normal;
+        const bool inside = glm::all(glm::lessThan(glm::abs(lowered), glm::dvec3(0.5 * cells.grid.side)));
+        put(glm::vec3((inside ? centre + lowered : place) - cells.grid.origin), normal,
+            static_cast<std::uint32_t>(ticket * 4294967296.0), to++, candidates);
+    });
+}
+
+// ---- 3. Candidates in the layer
+
+// Points that are worth an evaluation.
+struct LayerTrials {
+    explicit LayerTrials(base::Memory& memory) noexcept : point(memory), ticket(memory) {}
+
+    geometry::VecArray point;
+    base::Array<std::uint32_t> ticket;
+};
+
+// The cell of a place; -1 outside the region or the cells.
+[[nodiscard]] std::int32_t cell_of(const JudgedCells& judged, const glm::dvec3& p) noexcept {
+    const SurfaceCells& cells = judged.cells;
+    return cells.region.contains(p) ? judged.number.find(geometry::morton_code(cells.grid.cell_of(p))) : -1;
+}
+
+// The cells' random numbers of a round: number 0 decides whether the fraction of a trial becomes one, number k gives
+// trial k. What a cell's plane calls far off the band is not evaluated: its error within the cell is 3/8 side^2
+// curvature, so this holds where the surface bends with radii above 1.5 sides, and not at creases.
+void draw_trials(const marks::Site& site, const SurfaceCells& cells, std::span<const std::int32_t> trial_cells,
+                 std::span<const std::int64_t> slot, std::uint32_t stream, LayerTrials& trials) {
+    HRBFNPR_ASSERT(slot.size() == trial_cells.size() + 1);
+    const double side = cells.grid.side;
+    const double unlikely = site.implicit.sheets() == nullptr ? cells.band + stipple_tuning.passes_by * side
+                                                              : std::numeric_limits<double>::infinity();
+    LayerTrials drawn(site.memory()); // a slot for each; NaN: not worth evaluating
+    drawn.point.resize(slot.back());
+    drawn.ticket.resize_for_overwrite(slot.back());
+    const auto count = static_cast<std::int64_t>(trial_cells.size());
+    site.runtime.parallel.for_chunks(count, cells_a_task, [&](std::int64_t begin, std::int64_t end) {
+        for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i) {
+            const SurfaceCell& cell = cells.cell[trial_cells[i]];
+            const glm::dvec3 corner = cells.grid.corner(geometry::morton_cell(cell.code));
+            std::uint32_t number = 1;
+            for (std::int64_t at = slot[i]; at < slot[i + 1]; ++at, ++number) {
+                const auto u = base::uniform4(site.random_seed, cell.code, base::Purpose::candidate, stream | number);
+                const glm::dvec3 offset = side * glm::dvec3(u[0], u[1], u[2]);
+                const double distance = cell.distance + glm::dot(cell.normal, offset - 0.5 * side);
+                const bool worth = !(std::abs(distance) > unlikely); // also where it is not a number
+                drawn.point.set(at, worth ? corner + offset : glm::dvec3(std::numeric_limits<double>::quiet_NaN()));
+                drawn.ticket[at] = static_cast<std::uint32_t>(u[3] * 4294967296.0);
+            }
+        }
+    });
+    trials.point.clear();
+    trials.ticket.clear();
+    for (std::int64_t at = 0; at < drawn.ticket.size(); ++at) {
+        if (std::isnan(drawn.point.x[at])) continue;
+        trials.point.push_back(drawn.point[at]);
+        trials.ticket.push_back(drawn.ticket[at]);
+    }
+}
+
+// How often each trial counts: once within the band, but beside creases not at all, or twice.
+[[nodiscard]] base::Array<std::uint8_t> times_that_count(const marks::Site& site, const SurfaceCells& cells,
+                                                         const geometry::VecArray& trial,
+                                                         const marks::FieldSamples& field,
+                                                         const base::Progress& progress) {
+    base::Array<std::uint8_t> times(site.memory(), trial.size());
+    const bool creased = site.implicit.sheets() != nullptr;
+    base::Array<std::int64_t> near(site.memory());
+    geometry::VecArray places(site.memory()); // projections, and mirror images
+    for (std::int64_t i = 0; i < trial.size(); ++i) {
+        const double distance = field.distance(i);
+        if (!(std::abs(distance) <= cells.band)) continue;
+        times[i] = creased ? 0 : 1;
+        if (!creased) continue;
+        const glm::dvec3 down = distance * glm::normalize(field.gradient[i]);
+        near.push_back(i);
+        places.push_back(trial[i] - down);
+        places.push_back(trial[i] - 2.0 * down);
+    }
+    if (!creased) return times;
+    marks::FieldSamples beside(site.memory());
+    evaluate(site, places, beside, progress);
+    for (std::int64_t k = 0; k < near.size(); ++k) {
+        const glm::dvec3 normal = glm::normalize(field.gradient[near[k]]);
+        const auto is_alike = [&](std::int64_t place) {
+            const glm::dvec3 other = beside.gradient[place];
+            return glm::dot(normal, other) >= surface::smooth_cosine * glm::length(other);
+        };
+        if (is_alike(2 * k)) times[near[k]] = is_alike(2 * k + 1) ? 1 : 2;
+    }
+    return times;
+}
+
+// How many projections of a trial are in bent cells, and how many in none.
+struct Landed {
+    std::uint8_t kept = 0, strayed = 0;
+};
+
+// The projections of a trial: the first one is its own, others are beside that in its tangent plane.
+[[nodiscard]] Landed land(const marks::Site& site, const JudgedCells& judged, const glm::dvec3& trial,
+                          std::uint32_t first_ticket, double distance, const glm::dvec3& gradient, std::uint32_t count,
+                          Projection* to) noexcept {
+    const SurfaceCells& cells = judged.cells;
+    const double side = cells.grid.side;
+    const glm::dvec3 normal = glm::normalize(gradient);
+    const geometry::TangentFrame frame = geometry::combing_frame(normal);
+    const float bits = packed(normal);
+    const glm::dvec3 projection = trial - distance * normal;
+    // Where a cell's plane is wrong about one of its points, one step is not enough.
+    const std::int32_t own = cell_of(judged, trial);
+    const bool bent =
+        site.implicit.sheets() != nullptr || own < 0 ||
+        !(std::abs(cells.cell[own].distance + glm::dot(cells.cell[own].normal, trial - cells.centre(own)) - distance) <=
+          stipple_tuning.plane_error * side);
+    Landed landed;
+    glm::dvec3 at = projection;
+    std::uint32_t ticket = first_ticket;
+    for (std::uint32_t k = 0; k < count; ++k) {
+        const std::int32_t cell = cell_of(judged, at);
+        if (cell < 0 || !site.implicit.holds(at, normal))
+            ++landed.strayed;
+        else if (judged.kind[cell] != CellKind::flat)
+            to[landed.kept++] = {cell, ticket, glm::vec3(at - cells.grid.origin), bits,
+                                 bent || !(glm::dot(normal, cells.cell[cell].normal) >= stipple_tuning.flat_cosine)};
+        if (k + 1 == count) break;
+        const base::Philox random = base::philox(
+            site.random_seed, {first_ticket, base::bit_cast<std::uint32_t>(static_cast<float>(projection.x)),
+                               static_cast<std::uint32_t>(base::Purpose::candidate_order), k});
+        const double u = random[1] * (2.0 * of_32_bits) - 1.0;
+        const double r = random[2] * (2.0 * of_32_bits) - 1.0;
+        at = projection + stipple_tuning.stride * side * (u * frame.u + r * frame.r);
+        ticket = random[0];
+    }
+    return landed;
+}
+
+// Appends the projections of trials.
+void step_down(const marks::Site& site, const JudgedCells& judged, const LayerTrials& trials, LayerCandidates& layer,
+               const base::Progress& progress) {
+    marks::FieldSamples field(site.memory());
+    evaluate(site, trials.point, field, progress);
+    const base::Array<std::uint8_t> times = times_that_count(site, judged.cells, trials.point, field, progress);
+    const std::int64_t most = (site.implicit.sheets() != nullptr ? 2 : 1) * layer.each;
+    base::Array<Projection> projection(site.memory()); // `most` places for each trial
+    base::Array<Landed> landed(site.memory(), trials.point.size());
+    projection.resize_for_overwrite(most * trials.point.size());
+    site.runtime.parallel.for_chunks(trials.point.size(), points_a_task, [&](std::int64_t begin, std::int64_t end) {
+        for (std::int64_t i = begin; i < end; ++i)
+            if (times[i] > 0)
+                landed[i] = land(site, judged, trials.point[i], trials.ticket[i], field.distance(i), field.gradient[i],
+                                 static_cast<std::uint32_t>(times[i] * layer.each), projection.data() + most * i);
+    });
+    for (std::int64_t i = 0; i < trials.point.size(); ++i) {
+        layer.near += times[i] * layer.each;
+        layer.strayed += landed[i].strayed;
+        for (std::int64_t k = 0; k < landed[i].kept; ++k) layer.projection.push_back(projection[most * i + k]);
+    }
+}
+
+// Whether projections that a cell's plane agrees with are off the surface all the same. Planes of a function that is no
+// distance, such as a square of one, tell the wrong distance alike at all points.
+[[nodiscard]] bool many_are_off(const marks::Site& site, const SurfaceCells& cells,
+                                std::span<const Projection> projections, const base::Progress& progress) {
+    geometry::VecArray place(site.memory());
+    for (std::size_t i = 0; i < projections.size(); i += static_cast<std::size_t>(stipple_tuning.every_projection))
+        if (!projections[i].bent) place.push_back(cells.grid.origin + glm::dvec3(projections[i].position));
+    marks::FieldSamples field(site.memory());
+    evaluate(site, place, field, progress);
+    std::int64_t off = 0;
+    for (std::int64_t k = 0; k < place.size(); ++k)
+        if (!(std::abs(field.distance(k)) <= stipple_tuning.plane_error * cells.grid.side)) ++off;
+    return static_cast<double>(off) > stipple_tuning.most_off * static_cast<double>(place.size());
+}
+
+// Takes a projection one step on; returns whether it needs another one. Its cell becomes -1 where it is no candidate.
+[[nodiscard]] bool step_on(const marks::Site& site, const JudgedCells& judged, double distance,
+                           const glm::dvec3& gradient, bool first, Projection& projection,
+                           std::int64_t& strayed) noexcept {
+    const SurfaceCells& cells = judged.cells;
+    const glm::dvec3 place = cells.grid.origin + glm::dvec3(projection.position);
+    const bool near = std::abs(distance) <= cells.band;
+    const glm::dvec3 normal = near ? glm::normalize(gradient) : glm::dvec3(0.0);
+    if (near && site.implicit.sheets() != nullptr) {
+        float unpacked[3];
+        unpack_normal(projection.normal, unpacked);
+        const glm::dvec3 own = glm::normalize(glm::dvec3(unpacked[0], unpacked[1], unpacked[2]));
+        const double agree = glm::dot(own, normal);
+        if (!(agree >= surface::smooth_cosine)) {
+            // It is in the tangent plane of another sheet: it goes back over the crease, by as much as it was beyond.
+            const glm::dvec3 across = normal - agree * own;
+            const double square = glm::dot(across, across);
+            const glm::dvec3 at = place - 2.0 * distance / square * across;
+            projection.cell = first && square > 0.01 ? cell_of(judged, at) : -1;
+            projection.position = glm::vec3(at - cells.grid.origin);
+            if (projection.cell >= 0 && judged.kind[projection.cell] != CellKind::flat) return true;
+            projection.cell = -1;
+            return false;
+        }
+    }
+    const glm::dvec3 at = near ? place - distance * normal : place;
+    const std::int32_t cell = near && site.implicit.holds(at, normal) ? cell_of(judged, at) : -1;
+    if (cell < 0 || judged.kind[cell] == CellKind::flat) {
+        strayed += cell < 0 ? 1 : 0;
+        projection.cell = -1;
+        return false;
+    }
+    projection = {cell, projection.ticket, glm::vec3(at - cells.grid.origin), packed(normal), true};
+    return std::abs(distance) > stipple_tuning.near_enough * cells.grid.side;
+}
+
+// Takes the projections from `first` on further down where one step is not enough.
+void step_down_again(const marks::Site& site, const JudgedCells& judged, std::int64_t first, LayerCandidates& layer,
+                     const base::Progress& progress) {
+    base::Array<Projection>& all = layer.projection;
+    HRBFNPR_ASSERT(first >= 0 && first <= all.size());
+    if (!layer.all_bent)
+        layer.all_bent =
+            many_are_off(site, judged.cells, all.span().subspan(static_cast<std::size_t>(first)), progress);
+    base::Array<std::int64_t> bent(site.memory());
+    for (std::int64_t i = first; i < all.size(); ++i)
+        if (layer.all_bent || all[i].bent) bent.push_back(i);
+    geometry::VecArray place(site.memory());
+    marks::FieldSamples field(site.memory());
+    for (int step = 0; step < stipple_tuning.most_steps && !bent.empty(); ++step) {
+        place.clear();
+        for (const std::int64_t i : bent) place.push_back(judged.cells.grid.origin + glm::dvec3(all[i].position));
+        evaluate(site, place, field, progress);
+        std::int64_t left = 0;
+        for (std::int64_t k = 0; k < bent.size(); ++k)
+            if (step_on(site, judged, field.distance(k), field.gradient[k], step == 0, all[bent[k]], layer.strayed))
+                bent[left++] = bent[k];
+        bent.resize(left);
+    }
+    all.resize(std::remove_if(all.begin() + first, all.end(), [](const Projection& p) { return p.cell < 0; }) -
+               all.begin());
+}
+
+// ---- 4. Both side by side
+
+// Both cell by cell, each cell with groups of its own; cells without any are left out.
+void merge(const marks::Site& site, const JudgedCells& judged, const PlaneCandidates& planes,
+           const LayerCandidates& layer, Candidates& candidates, const base::Progress& progress) {
+    const std::int64_t count = judged.cells.cell.size();
     base::Array<std::int64_t> next(site.memory(), count); // place of each cell's next candidate; at first, their number
-    for (const Projection& projection : projections) ++next[projection.cell];
+    for (const Projection& projection : layer.projection) ++next[projection.cell];
     std::int64_t groups = 0;
     for (std::int64_t cell = 0; cell < count; ++cell) {
-        const std::int64_t number = next[cell] + planes.count_in(cell);
+        const std::int64_t number = next[cell] + planes.count[cell];
         next[cell] = OrderGroup::size * groups;
         if (number == 0) continue;
-        candidates.code.push_back(cells.cell[cell].code);
+        candidates.code.push_back(judged.cells.cell[cell].code);
         candidates.number.push_back(static_cast<std::int32_t>(number));
         candidates.first.push_back(next[cell]);
         candidates.count += number;
         groups += groups_for(number);
     }
-    make_room(candidates, groups);
-    site.runtime.parallel.for_chunks(count, cells_of_task, [&](std::int64_t begin, std::int64_t end) {
-        progress.check();
+    candidates.group.resize_for_overwrite(groups);
+    candidates.ticket.resize_for_overwrite(OrderGroup::size * groups);
+    site.runtime.parallel.for_chunks(count, cells_a_task, progress, [&](std::int64_t begin, std::int64_t end) {
         for (std::int64_t cell = begin; cell < end; ++cell)
-            if (planes.count_in(cell) > 0) planes.put(cell, next[cell], candidates);
+            if (planes.count[cell] > 0) put_from_plane(site, judged, cell, planes, next[cell], candidates);
     });
-    for (std::int64_t i = 0; i < projections.size(); ++i) {
-        put(projections[i], next[projections[i].cell]++, candidates);
-    }
-    site.runtime.parallel.for_chunks(candidates.cells(), cells_of_task, [&](std::int64_t begin, std::int64_t end) {
-        for (std::int64_t cell = begin; cell < end; ++cell)
-            clear_rest(candidates.places(), candidates.first[cell] + candidates.number[cell]);
-    });
+    for (const Projection& projection : layer.projection)
+        put(projection.position, projection.normal, projection.ticket, next[projection.cell]++, candidates);
 }
 
 } // namespace
+
+JudgedCells judge_cells(const marks::Site& site, const SurfaceCells& cells, const base::Progress& progress) {
+    JudgedCells judged(cells);
+    const std::int64_t count = cells.cell.size();
+    site.runtime.parallel.for_chunks(count, cells_a_task, progress, [&](std::int64_t begin, std::int64_t end) {
+        for (std::int64_t i = begin; i < end; ++i) {
+            const JudgedCell cell = judge(site, cells, judged.number, i);
+            judged.kind[i] = cell.kind;
+            judged.curvature[i] = cell.curvature;
+        }
+    });
+    return judged;
+}
+
+PlaneCandidates draw_on_planes(const marks::Site& site, const JudgedCells& judged, std::uint32_t stream, double density,
+                               double most_trials, const base::Progress& progress) {
+    HRBFNPR_ASSERT(density > 0.0);
+    constexpr double most_of_cell = 1e6; // so that trials can be numbered
+    const auto flat = static_cast<double>(std::count(judged.kind.begin(), judged.kind.end(), CellKind::flat));
+    PlaneCandidates planes{stream | 0xffff0000U, density, std::min(most_trials / std::max(flat, 1.0), most_of_cell),
+                           base::Array<std::int32_t>(site.memory(), judged.kind.size())};
+    site.runtime.parallel.for_chunks(judged.kind.size(), cells_a_task, [&](std::int64_t begin, std::int64_t end) {
+        for (std::int64_t i = begin; i < end; ++i) {
+            progress.check(); // a cell may have many
+            if (judged.kind[i] == CellKind::flat)
+                for_candidates_on_plane(site, judged.cells, i, planes,
+                                        [&](const glm::dvec3&, double) { ++planes.count[i]; });
+        }
+    });
+    planes.all = std::accumulate(planes.count.begin(), planes.count.end(), std::int64_t{0});
+    return planes;
+}
+
+// near / trials is the part of the volume that is in the layer of thickness 2 band. Of its area, the part in the region
+// and in cells that are not flat is the same as of the projections.
+double LayerCandidates::area() const noexcept {
+    if (rounds == 0) return volume / (2.0 * reach);
+    if (near == 0) return 0.0;
+    return static_cast<double>(projection.size()) / (static_cast<double>(each) * trials) * volume / (2.0 * band);
+}
+
+LayerCandidates layer_candidates(const JudgedCells& judged, std::uint32_t stream, std::int64_t wanted) {
+    HRBFNPR_ASSERT(wanted > 0);
+    const SurfaceCells& cells = judged.cells;
+    const double side = cells.grid.side;
+    LayerCandidates layer(cells.cell.memory());
+    layer.stream = stream;
+    layer.reach = cells.reach();
+    layer.band = cells.band;
+    // Fewer where cells are small to the distance of marks: they would be one to the order.
+    constexpr std::int64_t most = stipple_tuning.most_projections;
+    const double spacing = std::sqrt(cells.rough_area() * most / static_cast<double>(wanted)); // of marks
+    layer.each = std::clamp<std::int64_t>(std::lround(0.5 * most * side / spacing), 1, most);
+    // A projection is less than a side from its trial point: sqrt(band^2 + 2 stride^2) = 0.93 sides.
+    base::Array<std::uint8_t> taken(cells.cell.memory(), judged.kind.size());
+    for (std::int64_t i = 0; i < judged.kind.size(); ++i) {
+        if (judged.kind[i] != CellKind::bent) continue;
+        for (const std::int32_t next : judged.number.around(cells.cell[i].code))
+            if (next >= 0) taken[next] = 1;
+    }
+    for (std::int64_t i = 0; i < taken.size(); ++i)
+        if (taken[i] != 0) layer.trial_cell.push_back(static_cast<std::int32_t>(i));
+    layer.volume = static_cast<double>(layer.trial_cell.size()) * side * side * side;
+    return layer;
+}
+
+void draw_in_layer(const marks::Site& site, const JudgedCells& judged, double density, LayerCandidates& layer,
+                   const base::Progress& progress) {
+    const std::int64_t cells = layer.trial_cell.size();
+    const double missing = density * layer.area() - static_cast<double>(layer.projection.size());
+    if (cells == 0 || !(missing > 0.0)) return;
+    double of_trial = static_cast<double>(layer.projection.size()) / layer.trials; // projections
+    if (layer.rounds == 0) of_trial = static_cast<double>(layer.each) * 2.0 * layer.band * layer.area() / layer.volume;
+    const double per_cell = missing / std::max(of_trial, stipple_tuning.least_of_trial) / static_cast<double>(cells);
+    const std::uint32_t stream = (layer.stream + marks::stream_count * layer.rounds++) << 16U;
+    base::Array<std::int64_t> slot(site.memory()); // of the first trial of each cell of the batch
+    LayerTrials trials(site.memory());
+    const base::Progress standing = progress.standing();
+    for (std::int64_t begin = 0, end = 0; begin < cells; begin = end) {
+        slot.clear();
+        slot.push_back(0);
+        for (; end < cells && slot.back() < points_a_batch; ++end) {
+            const std::uint64_t code = judged.cells.cell[layer.trial_cell[end]].code;
+            const double extra = base::uniform4(site.random_seed, code, base::Purpose::candidate, stream)[0];
+            slot.push_back(slot.back() + static_cast<std::int64_t>(std::min(per_cell + extra, 65535.0)));
+        }
+        layer.trials += static_cast<double>(slot.back());
+        const auto batch = static_cast<std::size_t>(begin);
+        draw_trials(site, judged.cells, layer.trial_cell.span().subspan(batch, slot.span().size() - 1), slot.span(),
+                    stream, trials);
+        const std::int64_t first = layer.projection.size();
+        step_down(site, judged, trials, layer, standing);
+        step_down_again(site, judged, first, layer, standing);
+        progress.update(static_cast<double>(end) / static_cast<double>(cells));
+    }
+}
 
 Candidates draw_candidates(const marks::Site& site, const SurfaceCells& cells, std::int64_t wanted, marks::Kind kind,
                            const base::Progress& progress) {
@@ -92,52 +539,29 @@ Candidates draw_candidates(const marks::Site& site, const SurfaceCells& cells, s
     candidates.grid = cells.grid;
     candidates.region = cells.region;
     if (cells.cell.empty()) return candidates;
-    const CellMap numbers(site.memory(), codes_of(site, cells));
-    PlaneCandidates planes(site, cells, numbers, marks::stream_of(kind), progress);
-    LayerCandidates layer(site, cells, numbers, planes.kind(), marks::stream_of(kind), wanted);
-    draw(cells, planes, layer, wanted, progress);
-    merge(site, cells, planes, layer.projections(), candidates, progress);
+    const std::uint32_t stream = marks::stream_of(kind);
+    const JudgedCells judged = judge_cells(site, cells, progress);
+    LayerCandidates layer = layer_candidates(judged, stream, wanted);
+    // Where the function is no distance, the area is not what the cells say, and the first round gives too few.
+    const auto many = static_cast<double>(wanted);
+    double density = many / cells.rough_area();
+    PlaneCandidates planes{stream, density, 0.0, base::Array<std::int32_t>(site.memory())};
+    for (int round = 0; round < stipple_tuning.candidate_rounds; ++round) {
+        planes = draw_on_planes(site, judged, stream, density, stipple_tuning.most_trials * many, progress);
+        draw_in_layer(site, judged, stipple_tuning.layer_density * density, layer,
+                      progress.part(round == 0 ? 0.0 : 0.7, round == 0 ? 0.7 : 0.8));
+        const double placed = static_cast<double>(planes.all) +
+                              static_cast<double>(layer.projection.size()) / stipple_tuning.layer_density;
+        if (placed >= stipple_tuning.enough * many || !(placed > 0.0)) break;
+        density *= many / placed;
+    }
+    merge(site, judged, planes, layer, candidates, progress);
     candidates.report.placed = candidates.count;
-    candidates.report.dropped_strayed = layer.strayed();
+    candidates.report.dropped_strayed = layer.strayed;
     candidates.report.attempted = candidates.report.placed + candidates.report.dropped_strayed;
     candidates.area = planes.area() + layer.area();
     progress.update(1.0);
     return candidates;
-}
-
-Candidates thinned(const marks::Site& site, Candidates& candidates, std::uint64_t ticket_limit,
-                   const base::Progress& progress) {
-    Candidates some(site.memory());
-    some.grid = candidates.grid;
-    some.region = candidates.region;
-    some.area = candidates.area;
-    const std::int64_t cells = candidates.cells();
-    some.code.resize_for_overwrite(cells);
-    some.number.resize(cells);
-    some.first.resize_for_overwrite(cells);
-    site.runtime.parallel.for_chunks(cells, cells_of_task, [&](std::int64_t begin, std::int64_t end) {
-        progress.check();
-        for (std::int64_t cell = begin; cell < end; ++cell) {
-            some.code[cell] = candidates.code[cell];
-            candidates.for_taken(cell, ticket_limit, [&](std::int64_t) { ++some.number[cell]; });
-        }
-    });
-    for (std::int64_t cell = 0; cell < cells; ++cell) {
-        some.first[cell] = some.count;
-        some.count += some.number[cell];
-    }
-    make_room(some, groups_for(some.count));
-    site.runtime.parallel.for_chunks(cells, cells_of_task, [&](std::int64_t begin, std::int64_t end) {
-        progress.check();
-        for (std::int64_t cell = begin; cell < end; ++cell) {
-            std::int64_t to = some.first[cell];
-            candidates.for_taken(cell, ticket_limit, [&](std::int64_t place) {
-                some.ticket[to] = candidates.ticket[place];
-                copy_place(candidates.places(), place, some.places(), to++);
-            });
-        }
-    });
-    return some;
 }
 
 } // namespace hrbfnpr::stipples

@@ -1,5 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Points spread by area over the part of a surface that a set of cells covers, from which marks are chosen.
+// Candidates of the progressive order: points near the surface, a few for each mark, cell by cell.
+//
+// 1. judge_cells() tells where the planes of the cells are the surface: there a cell is flat, elsewhere it is bent.
+// 2. draw_on_planes() puts candidates on the planes of flat cells, evenly and without an evaluation.
+// 3. draw_in_layer() puts candidates in bent cells: random points in a layer around the surface, taken down to it.
+// 4. draw_candidates() does these in rounds until there are enough, and puts both side by side in the order of cells.
 #pragma once
 
 #include "marks/marks.h"
@@ -8,7 +13,85 @@
 
 namespace hrbfnpr::stipples {
 
-// Cell by cell along a space-filling curve, in single precision: who is chosen comes to rest on the surface later.
+// What a cell's plane is good for.
+enum class CellKind : std::uint8_t {
+    clear, // it passes by
+    flat,  // it is the surface
+    bent   // the planes of neighbours say otherwise, or there is none
+};
+
+struct JudgedCells {
+    explicit JudgedCells(const SurfaceCells& of)
+        : cells(of), number(of), kind(of.cell.memory(), of.cell.size()), curvature(of.cell.memory(), of.cell.size()) {}
+
+    const SurfaceCells& cells;
+    CellMap number; // of each cell by its code
+    base::Array<CellKind> kind;
+    base::Array<float> curvature; // mean; 0 where it is not known
+};
+
+[[nodiscard]] JudgedCells judge_cells(const marks::Site& site, const SurfaceCells& cells,
+                                      const base::Progress& progress);
+
+// Candidates on planes are kept as numbers of trials only: each is drawn again from its cell's random numbers.
+struct PlaneCandidates {
+    std::uint32_t stream; // of random numbers
+    double density;       // trials for each unit of area
+    double most_trials_in_cell;
+    base::Array<std::int32_t> count; // of each cell's candidates
+    std::int64_t all = 0;
+    // The area of the planes inside flat cells and the region, as the candidates tell.
+    [[nodiscard]] double area() const noexcept { return all > 0 ? static_cast<double>(all) / density : 0.0; }
+};
+
+// Draws that many for each unit of area, but no more trials than `most_trials` in all cells together.
+[[nodiscard]] PlaneCandidates draw_on_planes(const marks::Site& site, const JudgedCells& judged, std::uint32_t stream,
+                                             double density, double most_trials, const base::Progress& progress);
+
+// A point on the surface, to second order, and its cell.
+struct Projection {
+    std::int32_t cell; // number in SurfaceCells::cell
+    std::uint32_t ticket;
+    glm::vec3 position; // relative to the grid's origin
+    float normal;       // packed
+    bool bent;          // perhaps not yet on the surface
+};
+
+// Points are drawn uniformly in the volume of the cells that are not flat and kept within `band` of the surface: a
+// layer of constant thickness holds as many points per area everywhere, to second order in band * curvature. One Newton
+// step takes them down to the surface.
+//
+// Beside a crease the layer is cut off on one side, and on the other one it has a wedge more. Points of the wedge,
+// whose projection belongs to another sheet, do not count, and those whose mirror image is cut off count twice; a
+// candidate put beside a projection and over the crease is thrown back from there.
+struct LayerCandidates {
+    explicit LayerCandidates(base::Memory& memory) noexcept : trial_cell(memory), projection(memory) {}
+
+    // An estimate before the first are drawn, and a better one after that.
+    [[nodiscard]] double area() const noexcept;
+
+    std::uint32_t stream = 0;             // of random numbers
+    std::int64_t each = 1;                // projections of a trial
+    base::Array<std::int32_t> trial_cell; // all cells from which a projection may be in a cell that is bent
+    double volume = 0.0;                  // of these
+    double reach = 0.0, band = 0.0;       // of all cells
+    // These grow with each draw.
+    base::Array<Projection> projection;
+    std::uint32_t rounds = 0;
+    double trials = 0.0;
+    std::int64_t near = 0;    // projections of all trials within the band
+    std::int64_t strayed = 0; // of these, the ones that were not in the region or its cells
+    bool all_bent = false;    // one step was not enough even where cells' planes are right
+};
+
+// `wanted`: the number of candidates of the whole surface.
+[[nodiscard]] LayerCandidates layer_candidates(const JudgedCells& judged, std::uint32_t stream, std::int64_t wanted);
+// Draws more, until there are about that many for each unit of area; each time others.
+void draw_in_layer(const marks::Site& site, const JudgedCells& judged, double density, LayerCandidates& layer,
+                   const base::Progress& progress);
+
+// Candidates cell by cell along a space-filling curve, in single precision: a chosen one comes to rest on the surface
+// later.
 struct Candidates {
     explicit Candidates(base::Memory& memory) noexcept
         : code(memory), number(memory), first(memory), group(memory), ticket(memory) {}
@@ -18,6 +101,7 @@ struct Candidates {
     // Calls visit(place) for the candidates of a cell with smaller tickets.
     template <class Visit>
     void for_taken(std::int64_t cell, std::uint64_t ticket_limit, Visit&& visit) const {
+        HRBFNPR_ASSERT(cell >= 0 && cell < cells());
         for (std::int64_t place = first[cell]; place < first[cell] + number[cell]; ++place)
             if (ticket[place] < ticket_limit) visit(place);
     }
@@ -25,9 +109,9 @@ struct Candidates {
     geometry::CellGrid grid;
     geometry::Bounds region;
     std::int64_t count = 0;
-    base::Array<std::uint64_t> code;   // of the cells that hold some (geometry/morton.h), ascending
+    base::Array<std::uint64_t> code;   // of the cells that hold some (geometry/morton.h), rising
     base::Array<std::int32_t> number;  // of each cell's candidates
-    base::Array<std::int64_t> first;   // place of each cell's first; with all of them, it begins a group
+    base::Array<std::int64_t> first;   // the place of each cell's first candidate, which begins a group
     base::Array<OrderGroup> group;     // x, y, z: relative to grid.origin, within about curvature * (side / 4)^2 of the
                                        // surface; energies and clearances are for the order to set
     base::Array<std::uint32_t> ticket; // random, of each place in the groups
@@ -35,12 +119,8 @@ struct Candidates {
     double area = 0.0;                 // of the surface inside the region, estimated
 };
 
-// About `wanted`.
+// Draws about `wanted` candidates.
 [[nodiscard]] Candidates draw_candidates(const marks::Site& site, const SurfaceCells& cells, std::int64_t wanted,
                                          marks::Kind kind, const base::Progress& progress);
-
-// Those with smaller tickets, in the same cells, of which some may hold none; close together.
-[[nodiscard]] Candidates thinned(const marks::Site& site, Candidates& candidates, std::uint64_t ticket_limit,
-                                 const base::Progress& progress);
 
 } // namespace hrbfnpr::stipples

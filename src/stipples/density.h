@@ -2,6 +2,8 @@
 // Densities on the surface: where stipples are to be denser.
 #pragma once
 
+#include "stipples/blue_noise.h"
+
 #include <cstdint>
 
 namespace hrbfnpr::stipples {
@@ -18,5 +20,10 @@ struct DensitySettings {
     DensityFn function = nullptr;
     void* user = nullptr;
 };
+
+// `wanted` marks of an even order, from which those are left out whose place in the order, divided by the density at
+// the mark, is too high: every prefix of the rest is, at each place, a prefix of the even order.
+[[nodiscard]] EvenMarks spread_by_density(const marks::Site& site, const SurfaceCells& cells, std::int64_t wanted,
+                                          const DensitySettings& density, const base::Progress& progress);
 
 } // namespace hrbfnpr::stipples

@@ -20,10 +20,6 @@ using W = hn::Vec<F>;
 
 HWY_INLINE std::int64_t lanes() { return static_cast<std::int64_t>(hn::Lanes(F())); }
 
-HWY_INLINE hn::Mask<F> lanes_left(std::int64_t left) {
-    return hn::FirstN(F(), static_cast<size_t>(left < lanes() ? left : lanes()));
-}
-
 // Products and sums are rounded one by one: a fused step would give other bits where there is one.
 HWY_INLINE W dot(W ax, W ay, W az, W bx, W by, W bz) {
     return hn::Add(hn::Add(hn::Mul(ax, bx), hn::Mul(ay, by)), hn::Mul(az, bz));
@@ -35,55 +31,62 @@ HWY_INLINE W coordinate(hn::Vec<U> bits) {
     return hn::Sub(hn::ConvertTo(F(), hn::BitCast(I(), ten)), hn::Set(F(), 511.5F));
 }
 
+// A mark beside each lane. Normals are not of unit length.
+struct FeltMark {
+    HWY_INLINE explicit FeltMark(const OrderMark& mark)
+        : x(hn::Set(F(), mark.position[0])), y(hn::Set(F(), mark.position[1])), z(hn::Set(F(), mark.position[2])),
+          normal_x(coordinate<0>(bits_of(mark))), normal_y(coordinate<10>(bits_of(mark))),
+          normal_z(coordinate<20>(bits_of(mark))) {}
+    static HWY_INLINE hn::Vec<U> bits_of(const OrderMark& mark) {
+        return hn::Set(U(), __builtin_bit_cast(std::uint32_t, mark.normal));
+    }
+
+    W x, y, z, normal_x, normal_y, normal_z;
+};
+
 // Some candidates of a group side by side.
-class Lanes {
-public:
-    HWY_INLINE Lanes(OrderGroup& group, std::int64_t at)
-        : group_(group), at_(at), x_(load(OrderGroup::x)), y_(load(OrderGroup::y)), z_(load(OrderGroup::z)),
-          normal_(hn::BitCast(U(), load(OrderGroup::normal))), energy_(load(OrderGroup::energy)),
-          clearance_(load(OrderGroup::clearance)) {}
+struct Lanes {
+    HWY_INLINE Lanes(OrderGroup& of, std::int64_t first)
+        : group(of), at(first), x(load(OrderGroup::x)), y(load(OrderGroup::y)), z(load(OrderGroup::z)),
+          normal(hn::BitCast(U(), load(OrderGroup::normal))), energy(load(OrderGroup::energy)),
+          clearance(load(OrderGroup::clearance)) {}
 
     template <bool on_surface>
-    HWY_INLINE void feel(const OrderMark& mark, W inverse_squared_reach) {
+    HWY_INLINE void feel(const FeltMark& mark, W inverse_squared_reach) {
         const F d;
-        const W x = hn::Sub(x_, hn::Set(d, mark.position[0]));
-        const W y = hn::Sub(y_, hn::Set(d, mark.position[1]));
-        const W z = hn::Sub(z_, hn::Set(d, mark.position[2]));
-        W squared = dot(x, y, z, x, y, z);
-        const W turn = dot(coordinate<0>(normal_), coordinate<10>(normal_), coordinate<20>(normal_),
-                           hn::Set(d, mark.normal[0]), hn::Set(d, mark.normal[1]), hn::Set(d, mark.normal[2]));
-        if (on_surface) squared = hn::Add(squared, detour(mark, x, y, z, turn));
+        const W way_x = hn::Sub(x, mark.x);
+        const W way_y = hn::Sub(y, mark.y);
+        const W way_z = hn::Sub(z, mark.z);
+        W squared = dot(way_x, way_y, way_z, way_x, way_y, way_z);
+        const W own_x = coordinate<0>(normal);
+        const W own_y = coordinate<10>(normal);
+        const W own_z = coordinate<20>(normal);
+        const W turn = dot(own_x, own_y, own_z, mark.normal_x, mark.normal_y, mark.normal_z);
+        if (on_surface) { // through both tangent planes
+            const W here = dot(way_x, way_y, way_z, own_x, own_y, own_z);
+            const W there = dot(way_x, way_y, way_z, mark.normal_x, mark.normal_y, mark.normal_z);
+            const W both = hn::Mul(hn::Set(d, -2.0F), hn::Mul(here, there));
+            const W one = hn::Set(d, unpacked_length * unpacked_length);
+            const W detour = hn::Div(both, hn::Max(hn::Add(one, turn), hn::Mul(one, hn::Set(d, 0.1F))));
+            squared = hn::Add(squared, hn::Max(hn::Zero(d), detour));
+        }
         const auto same_side = hn::Ge(turn, hn::Set(d, opposite * unpacked_length * unpacked_length));
         const W rest = hn::Max(hn::Zero(d), hn::Sub(hn::Set(d, 1.0F), hn::Mul(squared, inverse_squared_reach)));
         const W rest2 = hn::Mul(rest, rest);
-        energy_ = hn::IfThenElse(same_side, hn::Add(energy_, hn::Mul(rest2, rest2)), energy_);
-        clearance_ = hn::IfThenElse(same_side, hn::Min(clearance_, squared), clearance_);
-    }
-    // Normals are not of unit length.
-    HWY_INLINE W detour(const OrderMark& mark, W x, W y, W z, W turn) const {
-        const F d;
-        const W here = dot(x, y, z, coordinate<0>(normal_), coordinate<10>(normal_), coordinate<20>(normal_));
-        const W there =
-            dot(x, y, z, hn::Set(d, mark.normal[0]), hn::Set(d, mark.normal[1]), hn::Set(d, mark.normal[2]));
-        const W both = hn::Mul(hn::Set(d, -2.0F), hn::Mul(here, there));
-        const W one = hn::Set(d, unpacked_length * unpacked_length);
-        return hn::Max(hn::Zero(d), hn::Div(both, hn::Max(hn::Add(one, turn), hn::Mul(one, hn::Set(d, 0.1F)))));
+        energy = hn::IfThenElse(same_side, hn::Add(energy, hn::Mul(rest2, rest2)), energy);
+        clearance = hn::IfThenElse(same_side, hn::Min(clearance, squared), clearance);
     }
     HWY_INLINE void store() const {
-        hn::Store(energy_, F(), group_.number[OrderGroup::energy] + at_);
-        hn::Store(clearance_, F(), group_.number[OrderGroup::clearance] + at_);
+        hn::Store(energy, F(), group.number[OrderGroup::energy] + at);
+        hn::Store(clearance, F(), group.number[OrderGroup::clearance] + at);
     }
-    HWY_INLINE W energy() const { return energy_; }
-    HWY_INLINE W clearance() const { return clearance_; }
+    HWY_INLINE W load(OrderGroup::Column column) const { return hn::Load(F(), group.number[column] + at); }
 
-private:
-    HWY_INLINE W load(OrderGroup::Column column) const { return hn::Load(F(), group_.number[column] + at_); }
-
-    OrderGroup& group_;
-    std::int64_t at_;
-    W x_, y_, z_;
-    hn::Vec<U> normal_;
-    W energy_, clearance_;
+    OrderGroup& group;
+    std::int64_t at;
+    W x, y, z;
+    hn::Vec<U> normal;
+    W energy, clearance;
 };
 
 // Some targets of Highway take the largest finite number for the smallest of infinite ones.
@@ -132,7 +135,7 @@ void feel(const OrderBlock& block, const OrderMark* marks, std::int64_t count, f
     const W inverse = hn::Set(F(), inverse_squared_reach);
     for_lanes(block, [&](OrderGroup& group, std::int64_t at, std::int64_t) HWY_ATTR {
         Lanes lanes(group, at);
-        for (std::int64_t i = 0; i < count; ++i) lanes.template feel<on_surface>(marks[i], inverse);
+        for (std::int64_t i = 0; i < count; ++i) lanes.template feel<on_surface>(FeltMark(marks[i]), inverse);
         lanes.store();
     });
 }
@@ -150,43 +153,34 @@ OrderLowest lowest(const OrderBlock& block, float enough) {
 template <bool on_surface>
 OrderLowest feel_and_find(const OrderBlock& block, const OrderMark& mark, float inverse_squared_reach, float enough) {
     const W inverse = hn::Set(F(), inverse_squared_reach);
+    const FeltMark felt(mark);
     Search search(enough);
     for_lanes(block, [&](OrderGroup& group, std::int64_t at, std::int64_t number) HWY_ATTR {
         Lanes lanes(group, at);
-        lanes.template feel<on_surface>(mark, inverse);
+        lanes.template feel<on_surface>(felt, inverse);
         lanes.store();
-        search.look(lanes.energy(), lanes.clearance(), number);
+        search.look(lanes.energy, lanes.clearance, number);
     });
     return search.found();
 }
 
-// The first `left` of a vector's numbers, infinity behind them.  Without masked loads a vector is read whole, and
-// numbers behind may be another thread's, which is writing them: so the last ones are copied there.
-HWY_INLINE W first_of(const float* numbers, std::int64_t left) {
-    const F d;
-    const W none = hn::Set(d, __builtin_inff());
-    const auto mask = lanes_left(left);
-#if HWY_TARGET == HWY_AVX2 || HWY_TARGET == HWY_AVX3 || HWY_TARGET == HWY_AVX3_DL
-    return hn::IfThenElse(mask, hn::MaskedLoad(mask, d, numbers), none);
-#else
-    if (left >= lanes()) return hn::LoadU(d, numbers);
-    HWY_ALIGN float some[HWY_LANES(float)] = {};
-    std::copy_n(numbers, left, some);
-    return hn::IfThenElse(mask, hn::Load(d, some), none);
-#endif
-}
-
+// Numbers after the last one may be another thread's, which is writing them: the last ones are copied.
 std::int64_t smallest(const float* numbers, std::int64_t count) {
     Search search(0.0F);
-    for (std::int64_t at = 0; at < count; at += lanes())
-        search.look(first_of(numbers + at, count - at), hn::Zero(F()), at);
+    std::int64_t at = 0;
+    for (; at + lanes() <= count; at += lanes()) search.look(hn::LoadU(F(), numbers + at), hn::Zero(F()), at);
+    if (at < count) {
+        HWY_ALIGN float last[HWY_LANES(float)];
+        for (std::int64_t i = 0; i < lanes(); ++i) last[i] = at + i < count ? numbers[at + i] : __builtin_inff();
+        search.look(hn::Load(F(), last), hn::Zero(F()), at);
+    }
     return search.found().at;
 }
 
 } // namespace
 
 OrderLoops pick_loops() noexcept {
-    return {feel<false>, lowest, feel_and_find<false>, smallest, feel<true>, feel_and_find<true>};
+    return {{feel<false>, feel<true>}, lowest, {feel_and_find<false>, feel_and_find<true>}, smallest};
 }
 
 } // namespace hrbfnpr::stipples::HWY_NAMESPACE
@@ -198,9 +192,6 @@ HRBFNPR_CHOOSE(hrbfnpr::stipples, OrderLoops, order_loops, pick_loops)
 namespace hrbfnpr::stipples {
 namespace {
 
-constexpr OrderGroup::Column all_columns[] = {OrderGroup::x,      OrderGroup::y,      OrderGroup::z,
-                                              OrderGroup::normal, OrderGroup::energy, OrderGroup::clearance};
-
 void free_place(const OrderBlock& block, std::int64_t i) noexcept {
     block.at(OrderGroup::energy, i) = __builtin_inff();
     block.at(OrderGroup::clearance, i) = -1.0F;
@@ -209,30 +200,30 @@ void free_place(const OrderBlock& block, std::int64_t i) noexcept {
 } // namespace
 
 std::int64_t keep(const OrderBlock& block, float enough) noexcept {
+    HRBFNPR_ASSERT(enough >= 0.0F);
     std::int64_t kept = 0;
-    for (std::int64_t i = 0; i < block.groups * OrderGroup::size; ++i) {
+    for (std::int64_t i = 0; i < block.places(); ++i) {
         if (!(block.at(OrderGroup::clearance, i) >= enough)) continue;
-        for (const OrderGroup::Column c : all_columns) std::swap(block.at(c, kept), block.at(c, i));
+        for (std::int64_t c = 0; c < OrderGroup::columns; ++c) std::swap(block.at(c, kept), block.at(c, i));
         ++kept;
     }
-    for (std::int64_t i = kept; i < block.groups * OrderGroup::size; ++i) free_place(block, i);
+    for (std::int64_t i = kept; i < block.places(); ++i) free_place(block, i);
     return kept;
 }
 
 void copy_place(const OrderBlock& from, std::int64_t i, const OrderBlock& to, std::int64_t k) noexcept {
-    for (const OrderGroup::Column c : all_columns) to.at(c, k) = from.at(c, i);
-}
-
-void clear_rest(const OrderBlock& block, std::int64_t from) noexcept {
-    for (; from % OrderGroup::size != 0; ++from)
-        for (const OrderGroup::Column c : all_columns) block.at(c, from) = 0.0F;
+    for (std::int64_t c = 0; c < OrderGroup::columns; ++c) to.at(c, k) = from.at(c, i);
 }
 
 void forget_marks(const OrderBlock& block, std::int64_t count) noexcept {
-    for (std::int64_t i = 0; i < block.groups * OrderGroup::size; ++i) {
+    HRBFNPR_ASSERT(count >= 0 && count <= block.places());
+    for (std::int64_t i = 0; i < count; ++i) {
         block.at(OrderGroup::energy, i) = 0.0F;
         block.at(OrderGroup::clearance, i) = __builtin_inff();
-        if (i >= count) free_place(block, i);
+    }
+    for (std::int64_t i = count; i < block.places(); ++i) {
+        for (std::int64_t c = 0; c < OrderGroup::columns; ++c) block.at(c, i) = 0.0F;
+        free_place(block, i);
     }
 }
 

@@ -1,20 +1,22 @@
 // SPDX-License-Identifier: MIT
-// The inner loops of the progressive order, for each instruction set; the same bits from all of them.
+// The inner loops of the progressive order, on every instruction set: candidates feel marks, and the one at the lowest
+// energy is found.
 #pragma once
 
+#include "base/assert.h"
 #include "base/instruction_set.h"
 
 #include <cstdint>
 
 namespace hrbfnpr::stipples {
 
-// The candidates of a cell, sixteen at a time: each number of all of them in a line of the cache.  Whole lines are read
+// The candidates of a cell, sixteen at a time: each number of all of them in a line of the cache. Whole lines are read
 // and written: part of one that was just written would have to wait for it.
 struct alignas(64) OrderGroup {
     static constexpr std::int64_t size = 16;
     // x, y, z; the normal's bits (packed_normal); the energy, a sum of (1 - s / reach^2)^4 over the marks on the same
-    // side at squared distance s; and the squared distance to the nearest of them.  A free place has an infinite
-    // energy and a clearance of -1.
+    // side at squared distance s; and the squared distance to the nearest of them. A free place has an infinite energy
+    // and a clearance of -1.
     enum Column : std::int64_t { x, y, z, normal, energy, clearance, columns };
 
     float number[columns][size];
@@ -24,7 +26,9 @@ struct OrderBlock {
     OrderGroup* group;
     std::int64_t groups;
 
-    [[nodiscard]] float& at(OrderGroup::Column column, std::int64_t i) const noexcept {
+    [[nodiscard]] std::int64_t places() const noexcept { return OrderGroup::size * groups; }
+    [[nodiscard]] float& at(std::int64_t column, std::int64_t i) const noexcept {
+        HRBFNPR_ASSERT(column >= 0 && column < OrderGroup::columns && i >= 0 && i < places());
         return group[i / OrderGroup::size].number[column][i % OrderGroup::size];
     }
 };
@@ -35,7 +39,7 @@ struct OrderBlock {
 
 struct OrderMark {
     float position[3];
-    float normal[3];
+    float normal; // packed
 };
 
 // Normals that turn by more than this cosine belong to opposite sides: over a crease marks still see each other,
@@ -44,50 +48,43 @@ inline constexpr float opposite = -0.3F;
 
 // Ten bits a coordinate: enough to tell sides apart, and for a tangent plane.
 [[nodiscard]] float packed_normal(const float (&normal)[3]) noexcept;
-// Of about this length, not of unit length.
+// An unpacked normal has about this length.
 inline constexpr float unpacked_length = 511.5F;
 inline void unpack_normal(float packed, float (&normal)[3]) noexcept {
     const auto bits = __builtin_bit_cast(std::uint32_t, packed);
     for (unsigned c = 0; c < 3; ++c) normal[c] = static_cast<float>(bits >> (10U * c) & 1023U) - unpacked_length;
 }
-[[nodiscard]] inline float repacked_normal(const float (&unpacked)[3]) noexcept {
-    std::uint32_t bits = 0;
-    for (unsigned c = 0; c < 3; ++c) bits |= static_cast<std::uint32_t>(unpacked[c] + unpacked_length) << (10U * c);
-    return __builtin_bit_cast(float, bits);
-}
 
-// What the energies of a cell come to; infinite where there is no such candidate.
+// What the energies of a cell come to; infinite where no candidate is open.
 struct OrderLowest {
-    std::int64_t at; // the first with the lowest energy, of those with clearance >= enough; -1: none
+    std::int64_t at; // the first with the lowest energy, of those with clearance >= enough; -1 where there is none
     float energy;    // its energy
     float of_all;    // the lowest energy, whatever the clearance
 };
 
 struct OrderLoops {
-    // Candidates take note of marks, one after the other.
-    void (*feel)(const OrderBlock& block, const OrderMark* marks, std::int64_t count, float inverse_squared_reach);
+    using Feel = void (*)(const OrderBlock& block, const OrderMark* marks, std::int64_t count,
+                          float inverse_squared_reach);
+    using FeelAndFind = OrderLowest (*)(const OrderBlock& block, const OrderMark& mark, float inverse_squared_reach,
+                                        float enough);
+
+    // Candidates take note of marks, one after the other. The second function is for a surface that has creases: over a
+    // crease, whose sheets have the normals m and n, the way o between two points is shorter than the one through both
+    // tangent planes, the square of which is o . o - 2 (o . m) (o . n) / (1 + m . n).
+    Feel feel[2];
     OrderLowest (*lowest)(const OrderBlock& block, float enough);
     // Both, of one mark.
-    OrderLowest (*feel_and_find)(const OrderBlock& block, const OrderMark& mark, float inverse_squared_reach,
-                                 float enough);
-    // The first of the smallest; -1: all are infinite.
+    FeelAndFind feel_and_find[2];
+    // The first of the smallest; -1 where all are infinite.
     std::int64_t (*smallest)(const float* numbers, std::int64_t count);
-    // The first and the third by distances on the surface, for one that has creases: over a crease, whose sheets have
-    // the normals m and n, the way o between two points is shorter than the one through both tangent planes, the square
-    // of which is o . o - 2 (o . m) (o . n) / (1 + m . n).
-    void (*feel_on_surface)(const OrderBlock& block, const OrderMark* marks, std::int64_t count,
-                            float inverse_squared_reach);
-    OrderLowest (*feel_and_find_on_surface)(const OrderBlock& block, const OrderMark& mark, float inverse_squared_reach,
-                                            float enough);
 };
 
-// Those with clearance >= enough change places with others, to the front; the places behind them are free.  Returns
-// their number.
+// Those with clearance >= enough change places with others, to the front; the places after them are free. Returns their
+// number.
 std::int64_t keep(const OrderBlock& block, float enough) noexcept;
 void copy_place(const OrderBlock& from, std::int64_t i, const OrderBlock& to, std::int64_t k) noexcept;
-// The places and normals from that one on to the end of its group, so that no NaN comes of them.
-void clear_rest(const OrderBlock& block, std::int64_t from) noexcept;
-// No mark is felt: the first `count` places have no energy and all the clearance, the others are free.
+// No mark is felt: the first `count` places have no energy and all the clearance. The others are free, and hold numbers
+// from which no NaN comes.
 void forget_marks(const OrderBlock& block, std::int64_t count) noexcept;
 
 [[nodiscard]] OrderLoops order_loops(base::InstructionSet set) noexcept;

@@ -1,222 +1,766 @@
 // SPDX-License-Identifier: MIT
 #include "stipples/progressive_order.h"
 
-#include "stipples/order_stage.h"
-
 #include "base/bits.h"
-#include "geometry/cell_grid.h"
+#include "base/long_array.h"
+#include "base/prefetch.h"
+#include "geometry/tangent_frame.h"
+#include "stipples/tuning.h"
 
 #include <algorithm>
 #include <array>
-#include <cmath>
+#include <bit>
+#include <numeric>
+#include <span>
 #include <utility>
 
 namespace hrbfnpr::stipples {
 namespace {
 
-// The distance that marks keep, in that of the densest packing of as many: docs/quality.md.
-constexpr double kept_distance = 0.70;
-// It is that of a number of marks this much larger, which one step of a sweep is to reach.
-constexpr double growth_of_step = 1.015;
-// Where no place is left, a smaller distance will have to do.
-constexpr double concession = 0.98;
-// Down to this one only if all candidates are looked at again.
-constexpr double least_distance = 0.65;
-constexpr double growth_between_cleanings = 2.2;
-// Reach of a mark's energy, in distances of the densest packing at the end of a stage.
-constexpr double reach_of_energy = 1.8;
-// Below it all places count as equally empty.
-constexpr float least_threshold = 0.05F;
-// Sweeps of large orders have many steps: each takes all candidates through the processor's caches.
-constexpr std::size_t steps_of_sweep = 12;
-constexpr double fewest_for_many_steps = 2000.0;
-// The threshold grows about with this power of the number of marks (from 0.06 to 2 in a stage, measured) ...
-constexpr double slope_of_threshold = 2.5;
-constexpr float threshold_of_step = 1.038F; // growth_of_step ^ slope_of_threshold
-// ... and where a sweep added little, the next one takes energies up to this much higher.
-constexpr float rise = 1.06F;
-constexpr float small_rise = 1.02F; // when the stage is nearly full
-// Earlier stages have more candidates for each mark to choose from.
-constexpr double candidates_of_early_marks = 12.0;
+using geometry::CellGrid;
 
-class Ordering {
-public:
-    Ordering(const marks::Site& site, Candidates& candidates, std::int64_t wanted)
-        : site_(site), candidates_(candidates), wanted_(wanted), home_(site.memory()), marks_(site.memory()),
-          sweep_(site.memory()), step_(site.memory()) {}
+// ---- What a stage works on
 
-    OrderedMarks run(const base::Progress& progress);
-
-private:
-    // Of the densest packing of that many marks.
-    [[nodiscard]] double densest(double marks) const noexcept { return densest_distance(candidates_.area, marks); }
-    [[nodiscard]] double side(std::int32_t level) const noexcept { return std::ldexp(candidates_.grid.side, level); }
-    void find_home();
-    [[nodiscard]] StageSettings settings_of(std::int32_t level, std::int64_t marks) const noexcept;
-    bool run_stage(Candidates& candidates, std::int32_t level, std::int64_t last, const base::Progress& progress);
-    [[nodiscard]] std::int64_t marks_at(std::int32_t level) const noexcept;
-    bool fill(OrderStage& stage, std::int64_t last, double closest, double needless, const base::Progress& progress);
-    void note_steps(const OrderStage& stage);
-    [[nodiscard]] OrderedMarks shuffled() const;
-
-    const marks::Site& site_;
-    Candidates& candidates_;
-    std::int64_t wanted_;
-    std::int32_t home_level_ = 0; // of the last stage
-    CellMap home_;
-    OrderedMarks marks_;
-    base::Array<std::int64_t> sweep_; // where each sweep's marks begin
-    base::Array<std::uint8_t> step_;  // of the sweep, in which each mark was placed
+struct StageSettings {
+    std::int32_t level = 0;         // the side of a cell is that of the candidates' cells times 2^level
+    double reach = 0.0;             // how far a mark's energy reaches; at most a side
+    std::uint64_t ticket_limit = 0; // candidates with smaller tickets take part
+    double nearness = 0.8;          // part of the radius from which on a candidate may move into its gap
+    double farthest_move = 0.0;     // less than half a side
 };
 
-void Ordering::find_home() {
-    while (home_level_ < geometry::CellGrid::bits &&
-           side(home_level_) < 0.85 * reach_of_energy * densest(static_cast<double>(wanted_)))
-        ++home_level_;
-    base::Array<std::uint64_t> codes(site_.memory());
-    for (const std::uint64_t code : candidates_.code) {
-        const std::uint64_t here = code >> static_cast<unsigned>(3 * home_level_);
-        if (codes.empty() || codes.back() != here) codes.push_back(here);
-    }
-    home_ = CellMap(site_.memory(), codes);
+// The cells of the last stage, which marks of all stages must stay in: a later stage would not find others.
+struct Home {
+    std::int32_t level;
+    CellMap cells;
+};
+
+// The marks in the order in which they were placed.
+struct Order {
+    explicit Order(base::Memory& memory) noexcept : mark(memory), sweep(memory), step(memory) {}
+
+    OrderedMarks mark;
+    base::Array<std::int64_t> sweep; // where each sweep's marks begin
+    base::Array<std::uint8_t> step;  // of its sweep, in which each mark was placed
+};
+
+constexpr std::int32_t slots_of_cell = 5;
+
+// Marks stand with their cells, so that all that is around a mark is in few cache lines: two for each cell.
+struct alignas(64) StageCell {
+    std::int64_t group; // where its candidates begin
+    std::int32_t groups;
+    std::int32_t best;  // open candidate of the lowest energy; -1 where none is open
+    std::int32_t marks; // in its slots
+    std::int32_t more;  // the first of those that found no slot, in Stage::extra; -1 where all have one
+    glm::vec3 low;      // corner, relative to the grid's origin
+    std::array<OrderMark, slots_of_cell> slot;
+};
+struct Extra {
+    OrderMark mark;
+    std::int32_t next; // of the same cell; -1: the last one
+};
+struct Tile {
+    std::int32_t begin, end; // cells
+};
+struct Fresh {
+    OrderMark mark;
+    float energy;
+    std::int32_t cell; // -1 where the gap is too small
+    std::uint8_t step;
+    bool linked; // in its cell's slots
+};
+constexpr std::int64_t most_fresh = 64; // of a tile in a sweep
+constexpr unsigned tile_bits = 3;       // of each coordinate
+
+[[nodiscard]] glm::dvec3 vector(const float (&v)[3]) noexcept { return {v[0], v[1], v[2]}; }
+[[nodiscard]] glm::vec3 place_of(const OrderMark& mark) noexcept {
+    return {mark.position[0], mark.position[1], mark.position[2]};
+}
+[[nodiscard]] glm::dvec3 unpacked(float packed) noexcept {
+    float normal[3];
+    unpack_normal(packed, normal);
+    return vector(normal);
 }
 
-StageSettings Ordering::settings_of(std::int32_t level, std::int64_t marks) const noexcept {
+// The 27 cells around a cell that have a point nearer than `distance` to the place `in_cell`, a bit for each.
+[[nodiscard]] std::uint32_t reached(const glm::vec3& in_cell, float side, float distance) noexcept {
+    float squared[3][3];
+    for (int axis = 0; axis < 3; ++axis) {
+        const float low = std::max(in_cell[axis], 0.0F);
+        const float high = std::max(side - in_cell[axis], 0.0F);
+        squared[axis][0] = low * low;
+        squared[axis][1] = 0.0F;
+        squared[axis][2] = high * high;
+    }
+    std::uint32_t found = 0;
+    unsigned step = 0;
+    for (const float z : squared[2])
+        for (const float y : squared[1])
+            for (const float x : squared[0]) found |= (x + y + z < distance * distance ? 1U : 0U) << step++;
+    return found;
+}
+
+// The cells of a stage with their candidates and marks. Tiles of 8 x 8 x 8 cells are worked on in eight turns, in each
+// of which no two are neighbours: what a mark changes is less than two cells outside its tile. Within its turn a tile
+// is filled greedily, one mark after the other.
+struct Stage {
+    Stage(const marks::Site& of, const Candidates& candidates, const Home& home_cells, const StageSettings& its,
+          const base::Progress& watch)
+        : site(of),
+          grid(candidates.grid), region{candidates.region.min - grid.origin, candidates.region.max - grid.origin},
+          home(home_cells), settings(its), progress(watch), side(static_cast<float>(std::ldexp(grid.side, its.level))),
+          creased(of.implicit.sheets() != nullptr), loops(order_loops(of.runtime.instruction_set)), number(of.memory()),
+          cell(of.memory()), neighbour(of.memory()), lowest(of.memory()), floor(of.memory()), own_group(of.memory()),
+          extra(of.memory()), tile(of.memory()), fresh(of.memory()), fresh_count(of.memory()) {}
+
+    [[nodiscard]] OrderBlock block_of(std::int64_t c) noexcept {
+        HRBFNPR_ASSERT(c >= 0 && c < cell.size());
+        return {group + cell[c].group, cell[c].groups};
+    }
+    [[nodiscard]] float inverse_squared_reach() const noexcept {
+        return static_cast<float>(1.0 / (settings.reach * settings.reach));
+    }
+    // The code of the candidates' cell at a place relative to the grid's origin.
+    [[nodiscard]] std::uint64_t code_at(const glm::dvec3& position) const noexcept {
+        return geometry::morton_code(grid.cell_of(grid.origin + position));
+    }
+    [[nodiscard]] std::int32_t cell_at(std::uint64_t code) const noexcept {
+        return number.find(code >> static_cast<unsigned>(3 * settings.level));
+    }
+
+    // Takes note of what was found of a cell's candidates whose squared distance from marks is enough.
+    void note(std::int32_t c, const OrderLowest& found) noexcept {
+        cell[c].best = static_cast<std::int32_t>(found.at);
+        lowest[c] = found.energy;
+        floor[c] = found.of_all;
+    }
+    void refresh(std::int32_t c, float clearance) noexcept { note(c, loops.lowest(block_of(c), clearance)); }
+
+    // Calls visit on the cells that have a point nearer than `distance` to a place in cell c.
+    template <class Visit>
+    void for_reached(const glm::vec3& position, double distance, std::int32_t c, Visit&& visit) const {
+        std::uint32_t left = reached(position - cell[c].low, side, static_cast<float>(distance));
+        for (; left != 0; left &= left - 1)
+            if (const std::int32_t there = neighbour[c][static_cast<std::size_t>(std::countr_zero(left))]; there >= 0)
+                visit(there);
+    }
+    template <class Visit>
+    void for_marks(std::int32_t c, Visit&& visit) const {
+        for (std::int32_t k = 0; k < cell[c].marks; ++k) visit(cell[c].slot[static_cast<std::size_t>(k)]);
+        for (std::int32_t at = cell[c].more; at >= 0; at = extra[at].next) visit(extra[at].mark);
+    }
+    // Whether there was a slot.
+    bool link(const OrderMark& mark, std::int32_t c) noexcept {
+        HRBFNPR_ASSERT(c >= 0 && c < cell.size());
+        if (cell[c].marks == slots_of_cell) return false;
+        cell[c].slot[static_cast<std::size_t>(cell[c].marks++)] = mark;
+        return true;
+    }
+    void link_more(const OrderMark& mark, std::int32_t c) {
+        extra.push_back({mark, cell[c].more});
+        cell[c].more = static_cast<std::int32_t>(extra.size() - 1);
+    }
+
+    const marks::Site& site;
+    CellGrid grid;           // of the candidates
+    geometry::Bounds region; // relative to the grid's origin
+    const Home& home;
     StageSettings settings;
-    settings.level = level;
-    const double last = densest(static_cast<double>(marks));
-    settings.reach = std::min(side(level), reach_of_energy * last);
-    const auto all = static_cast<double>(candidates_.count);
-    const double taken = std::min(all, std::max(64.0, candidates_of_early_marks * static_cast<double>(marks)));
-    settings.ticket_limit = static_cast<std::uint64_t>(taken / all * 4294967296.0);
-    settings.nearness = std::max(0.8, 1.0 - static_cast<double>(marks) / taken);
-    // Into the cells next door at most, and no farther than candidates are true to the surface: they are many where
-    // marks are few.
-    settings.farthest_move = std::min(0.5 * (1.0 - kept_distance) * side(level), 0.25 * candidates_.grid.side);
-    return settings;
-}
+    base::Progress progress; // only looked at for a cancel
+    float side;              // of a cell
+    std::size_t creased;     // which of the loops are for this surface
+    OrderLoops loops;
 
-// Returns false where no place is left for `last` marks that differ.
-bool Ordering::run_stage(Candidates& candidates, std::int32_t level, std::int64_t last,
-                         const base::Progress& progress) {
-    for (const double least : {least_distance, 0.0}) {
-        const StageSettings settings = settings_of(level, last);
-        OrderStage stage(site_, candidates, home_, home_level_, settings, marks_, progress);
-        const double end = densest(static_cast<double>(last));
-        // Closer points are the same to float positions.
-        const double closest = std::max(least, 1e-7 * candidates_.region.diagonal() / end);
-        if (fill(stage, last, closest, settings.nearness * least * end, progress)) return true;
+    CellMap number; // of each cell by its code
+    base::Array<StageCell> cell;
+    base::Array<CellMap::Around> neighbour;
+    base::Array<float> lowest;   // energy of the best candidate of each cell; infinite where none is open
+    base::Array<float> floor;    // no candidate of the cell has a lower energy
+    float enough = 0.0F;         // squared distance from marks that made a candidate open in the last step
+    OrderGroup* group = nullptr; // `own_group`, or the candidates' own
+    base::Array<OrderGroup> own_group;
+    base::Array<Extra> extra;
+
+    base::Array<Tile> tile; // turn by turn
+    std::array<std::int64_t, 9> turn{};
+    base::Array<Fresh> fresh;              // most_fresh for each tile of the turn
+    base::Array<std::int32_t> fresh_count; // of each tile of the turn
+};
+
+// ---- Making a stage
+
+// Gives each cell its candidates; returns the cells' codes. Where all take part in the same cells, the stage works in
+// the candidates' own memory.
+[[nodiscard]] base::Array<std::uint64_t> take_candidates(Candidates& candidates, Stage& stage) {
+    const StageSettings& settings = stage.settings;
+    base::Array<std::uint64_t> code(stage.site.memory());
+    base::Array<std::int64_t> part(stage.site.memory()); // of each cell: the candidates' first cell in it
+    for (std::int64_t c = 0; c < candidates.cells(); ++c) {
+        const std::uint64_t here = candidates.code[c] >> static_cast<unsigned>(3 * settings.level);
+        if (!code.empty() && code.back() == here) continue;
+        code.push_back(here);
+        part.push_back(c);
     }
-    return false;
+    part.push_back(candidates.cells());
+    stage.cell.resize_for_overwrite(code.size());
+    const auto empty_cell = [&](std::int64_t c, std::int64_t group, std::int64_t count) {
+        const CellGrid::Cell at = geometry::morton_cell(code[c]);
+        const glm::vec3 low(static_cast<float>(at[0]), static_cast<float>(at[1]), static_cast<float>(at[2]));
+        return StageCell{group, static_cast<std::int32_t>(groups_for(count)), -1, 0, -1, stage.side * low, {}};
+    };
+    const base::Parallel& parallel = stage.site.runtime.parallel;
+    if (settings.level == 0 && settings.ticket_limit > 0xffffffffU) {
+        stage.group = candidates.group.data();
+        parallel.for_chunks(code.size(), cells_a_task, stage.progress, [&](std::int64_t begin, std::int64_t end) {
+            for (std::int64_t c = begin; c < end; ++c) {
+                stage.cell[c] = empty_cell(c, candidates.first[c] / OrderGroup::size, candidates.number[c]);
+                forget_marks(stage.block_of(c), candidates.number[c]);
+            }
+        });
+        return code;
+    }
+    const auto for_taken = [&](std::int64_t c, auto&& visit) {
+        for (std::int64_t from = part[c]; from < part[c + 1]; ++from)
+            candidates.for_taken(from, settings.ticket_limit, visit);
+    };
+    // A few large cells have as many candidates as many small ones.
+    const std::int64_t grain = std::clamp<std::int64_t>(code.size() / 64, 1, cells_a_task);
+    parallel.for_chunks(code.size(), grain, stage.progress, [&](std::int64_t begin, std::int64_t end) {
+        for (std::int64_t c = begin; c < end; ++c) {
+            std::int64_t count = 0;
+            for_taken(c, [&](std::int64_t) { ++count; });
+            stage.cell[c] = empty_cell(c, 0, count);
+        }
+    });
+    std::int64_t groups = 0;
+    for (StageCell& cell : stage.cell) cell.group = std::exchange(groups, groups + cell.groups);
+    stage.own_group.resize_for_overwrite(groups);
+    stage.group = stage.own_group.data();
+    parallel.for_chunks(code.size(), grain, [&](std::int64_t begin, std::int64_t end) {
+        for (std::int64_t c = begin; c < end; ++c) {
+            stage.progress.check();
+            const OrderBlock block = stage.block_of(c);
+            std::int64_t count = 0;
+            for_taken(c, [&](std::int64_t place) { copy_place(candidates.places(), place, block, count++); });
+            forget_marks(block, count);
+        }
+    });
+    return code;
 }
 
-// Places marks until there are `last` of them, or they would have to be nearer than `closest` (of the densest
-// packing).  Candidates nearer than `needless` to a mark will not be needed.
-bool Ordering::fill(OrderStage& stage, std::int64_t last, double closest, double needless,
-                    const base::Progress& progress) {
+// A tile's turn is the parity of its coordinates, the last bits of its code.
+void find_tiles(const base::Array<std::uint64_t>& code, Stage& stage) {
+    HRBFNPR_ASSERT(std::is_sorted(code.begin(), code.end()));
+    const auto tile_of = [&](std::int64_t c) { return code[c] >> (3 * tile_bits); };
+    for (std::size_t turn = 0; turn < 8; ++turn) {
+        for (std::int64_t begin = 0, end = 0; begin < code.size(); begin = end) {
+            while (end < code.size() && tile_of(end) == tile_of(begin)) ++end;
+            if ((tile_of(begin) & 7U) == turn)
+                stage.tile.push_back({static_cast<std::int32_t>(begin), static_cast<std::int32_t>(end)});
+        }
+        stage.turn[turn + 1] = stage.tile.size();
+    }
+    stage.number = CellMap(stage.site.memory(), code);
+    stage.neighbour.resize_for_overwrite(code.size());
+    stage.lowest.resize(code.size());
+    stage.floor.resize(code.size());
+    stage.site.runtime.parallel.for_chunks(code.size(), cells_a_task, stage.progress,
+                                           [&](std::int64_t begin, std::int64_t end) {
+                                               for (std::int64_t c = begin; c < end; ++c)
+                                                   stage.neighbour[c] = stage.number.around(code[c]);
+                                           });
+}
+
+// Puts marks of earlier stages into their cells. A mark outside all of them would be felt by none: `Home` prevents it.
+void link_all(const OrderedMarks& marks, Stage& stage) {
+    base::Array<std::int32_t> cell(stage.site.memory(), marks.size());
+    stage.site.runtime.parallel.for_chunks(marks.size(), points_a_task, stage.progress,
+                                           [&](std::int64_t begin, std::int64_t end) {
+                                               for (std::int64_t i = begin; i < end; ++i)
+                                                   cell[i] = stage.cell_at(stage.code_at(vector(marks[i].position)));
+                                           });
+    for (std::int64_t i = 0; i < marks.size(); ++i) {
+        if (i % marks_a_look == 0) stage.progress.check();
+        if (cell[i] >= 0 && !stage.link(marks[i], cell[i])) stage.link_more(marks[i], cell[i]);
+    }
+}
+
+void feel_all(Stage& stage) {
+    stage.site.runtime.parallel.for_chunks(
+        stage.cell.size(), cells_a_task, stage.progress, [&](std::int64_t begin, std::int64_t end) {
+            std::array<OrderMark, 64> near; // more are felt in parts
+            for (std::int64_t c = begin; c < end; ++c) {
+                std::size_t count = 0;
+                const auto feel = [&] {
+                    stage.loops.feel[stage.creased](stage.block_of(c), near.data(), static_cast<std::int64_t>(count),
+                                                    stage.inverse_squared_reach());
+                    count = 0;
+                };
+                for (const std::int32_t there : stage.neighbour[c]) {
+                    if (there < 0) continue;
+                    stage.for_marks(there, [&](const OrderMark& mark) {
+                        if (count == near.size()) feel();
+                        near[count++] = mark;
+                    });
+                }
+                feel();
+            }
+        });
+}
+
+// ---- The way into a gap
+
+constexpr int most_vertices = 6;
+constexpr std::size_t none = static_cast<std::size_t>(-1);
+
+double squared(const glm::dvec2& v) noexcept { return glm::dot(v, v); }
+
+double turn(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c) noexcept {
+    const glm::dvec2 u = b - a;
+    const glm::dvec2 v = c - a;
+    return u.x * v.y - u.y * v.x;
+}
+
+// The unit direction from p along which the distances to the nearest points a and b, or to a alone, grow and stay
+// equal.
+glm::dvec2 uphill(const glm::dvec2& p, const glm::dvec2& a, const glm::dvec2* b) noexcept {
+    if (b == nullptr) {
+        const double length = glm::length(p - a);
+        return length > 0.0 ? (p - a) / length : glm::dvec2(1.0, 0.0);
+    }
+    const glm::dvec2 across = glm::normalize(glm::dvec2(a.y - b->y, b->x - a.x));
+    return glm::dot(across, p - 0.5 * (a + *b)) < 0.0 ? -across : across;
+}
+
+// Marks around a candidate that are looked at; a plane has room for about 20 within the distance that counts.
+constexpr std::size_t most_around = 64;
+
+// The marks around a candidate, as seen from it.
+struct Surroundings {
+    std::size_t count = 0;
+    bool bent = false;                        // some have another normal, but not over a crease
+    std::array<glm::dvec2, most_around> flat; // in its tangent plane, as far away as in space or along the surface
+    std::array<glm::dvec3, most_around> between;
+    std::array<glm::dvec3, most_around> beyond; // the normals of those over a crease, and 0
+};
+
+struct View {
+    glm::vec3 start, normal; // of the candidate
+    float farthest;          // squared
+    geometry::TangentFrame frame;
+};
+
+// The square of the way from a place with the unit normal n to another one, o away, with the normal m: over the crease
+// between them, through both tangent planes.
+[[nodiscard]] double squared_way(const glm::dvec3& o, const glm::dvec3& n, const glm::dvec3& m) noexcept {
+    const double detour = -2.0 * glm::dot(o, n) * glm::dot(o, m) / std::max(1.0 + glm::dot(n, m), 0.1);
+    return glm::dot(o, o) + std::max(detour, 0.0);
+}
+
+void look_at(const OrderMark& mark, const View& from, bool creased, Surroundings& around) noexcept {
+    const glm::vec3 between = glm::vec3(mark.position[0], mark.position[1], mark.position[2]) - from.start;
+    if (glm::dot(between, between) > from.farthest || around.count == most_around) return;
+    float normal[3];
+    unpack_normal(mark.normal, normal);
+    const float turn =
+        (from.normal.x * normal[0] + from.normal.y * normal[1] + from.normal.z * normal[2]) / unpacked_length;
+    if (turn < opposite) return;
+    const bool beyond = turn < stipple_tuning.bent_cosine && creased;
+    around.bent = around.bent || (turn < stipple_tuning.bent_cosine && !beyond);
+    const glm::dvec3 precise(between);
+    const glm::dvec2 tangent(glm::dot(precise, from.frame.u), glm::dot(precise, from.frame.r));
+    const double length = glm::length(tangent);
+    const glm::dvec3 other = beyond ? glm::normalize(vector(normal)) : glm::dvec3(0.0);
+    const double way = beyond ? std::sqrt(squared_way(precise, glm::dvec3(from.normal), other)) : glm::length(precise);
+    around.flat[around.count] = length > 0.0 ? way / length * tangent : tangent;
+    around.beyond[around.count] = other;
+    around.between[around.count++] = precise;
+}
+
+// Whether a place is nowhere nearer to a mark than the radius, nor over the crease that the mark is beyond.
+[[nodiscard]] bool is_free(const Surroundings& around, const glm::dvec2& way, const glm::dvec3& moved,
+                           double radius) noexcept {
+    for (std::size_t i = 0; i < around.count; ++i) {
+        const glm::dvec3 between = around.between[i];
+        const glm::dvec3 other = around.beyond[i];
+        const bool free = other == glm::dvec3(0.0)
+                              ? glm::distance(between, moved) >= radius
+                              : glm::distance(around.flat[i], way) >= radius &&
+                                    (glm::dot(-between, other) < 0.0) == (glm::dot(moved - between, other) < 0.0);
+        if (!free) return false;
+    }
+    return true;
+}
+
+// Moves a candidate into the middle of its gap, where it keeps the radius; its cell becomes -1 where there is no room.
+// `unlinked`: marks that are in no cell.
+void move_into_gap(const Stage& stage, const Fresh* all, std::span<const std::int32_t> unlinked, double radius,
+                   Fresh& fresh) noexcept {
+    const double farthest_move = stage.settings.farthest_move;
+    const glm::dvec3 normal = glm::normalize(unpacked(fresh.mark.normal));
+    const double far = radius + 2.0 * farthest_move;
+    const View view{place_of(fresh.mark), glm::vec3(normal), static_cast<float>(far * far),
+                    geometry::combing_frame(normal)};
+    Surroundings around;
+    for (const std::int32_t k : unlinked) look_at(all[k].mark, view, stage.creased != 0, around);
+    stage.for_reached(view.start, far, fresh.cell, [&](std::int32_t there) {
+        stage.for_marks(there, [&](const OrderMark& mark) { look_at(mark, view, stage.creased != 0, around); });
+    });
+    fresh.cell = -1;
+    if (around.bent) return; // a tangent plane is no way along it
+    const glm::dvec2 way = toward_void({around.flat.data(), around.count}, stipple_tuning.aim * radius, farthest_move);
+    const glm::dvec3 moved = way.x * view.frame.u + way.y * view.frame.r;
+    const glm::dvec3 end = glm::dvec3(view.start) + moved;
+    if (!is_free(around, way, moved, radius) || !stage.region.contains(end)) return;
+    const glm::vec3 p(end);
+    for (int c = 0; c < 3; ++c) fresh.mark.position[c] = p[c];
+    const std::uint64_t code = stage.code_at(end);
+    if (stage.home.cells.find(code >> static_cast<unsigned>(3 * stage.home.level)) >= 0)
+        fresh.cell = stage.cell_at(code);
+}
+
+// ---- A sweep over the tiles
+
+// The radius that marks keep, and the energy that they are below.
+struct SweepStep {
+    double radius;
+    float threshold;
+};
+
+// Sweeps of large orders have this many steps at most.
+constexpr std::size_t steps_of_sweep = 12;
+
+// Asks for all that a mark near the cell will change, so that it comes in one go.
+void prefetch_around(const Stage& stage, std::int32_t cell) noexcept {
+    const CellMap::Around& neighbour = stage.neighbour[cell];
+    for (const std::int32_t there : neighbour)
+        if (there >= 0) base::prefetch(&stage.cell[there], 1);
+    for (const std::int32_t there : neighbour)
+        if (there >= 0) base::prefetch(stage.group + stage.cell[there].group, stage.cell[there].groups);
+}
+
+// The cell's best candidate itself if it keeps the distance, else a place in its gap that does.
+[[nodiscard]] Fresh place_best(Stage& stage, std::int32_t cell, const Fresh* all,
+                               std::span<const std::int32_t> unlinked, double radius) noexcept {
+    const std::int64_t i = stage.cell[cell].best;
+    const OrderBlock block = stage.block_of(cell);
+    HRBFNPR_ASSERT(i >= 0 && i < block.groups * OrderGroup::size);
+    Fresh fresh{};
+    fresh.mark.position[0] = block.at(OrderGroup::x, i);
+    fresh.mark.position[1] = block.at(OrderGroup::y, i);
+    fresh.mark.position[2] = block.at(OrderGroup::z, i);
+    fresh.energy = block.at(OrderGroup::energy, i);
+    fresh.cell = cell;
+    fresh.mark.normal = block.at(OrderGroup::normal, i);
+    if (block.at(OrderGroup::clearance, i) < static_cast<float>(radius * radius))
+        move_into_gap(stage, all, unlinked, radius, fresh);
+    return fresh;
+}
+
+// Fills a tile, the steps one after the other; returns the number of fresh marks.
+[[nodiscard]] std::int32_t fill_tile(Stage& stage, const Tile& tile, std::span<const SweepStep> steps, Fresh* fresh) {
+    HRBFNPR_ASSERT(tile.begin >= 0 && tile.begin < tile.end && tile.end <= stage.cell.size());
+    std::int32_t count = 0;
+    std::size_t unlinked_count = 0;
+    std::array<std::int32_t, most_fresh> unlinked; // of the fresh, those that found no slot
+    for (std::size_t step = 0; step < steps.size(); ++step) {
+        const auto [radius, threshold] = steps[step];
+        const double nearness = stage.settings.nearness;
+        const auto enough = static_cast<float>(nearness * nearness * radius * radius);
+        // Smaller radii open more candidates. Those of later steps are found when their cells are next felt.
+        for (std::int32_t cell = tile.begin; step == 0 && cell < tile.end; ++cell)
+            if (stage.floor[cell] < steps.back().threshold) stage.refresh(cell, enough);
+        while (count < most_fresh) {
+            const float* const lowest = stage.lowest.data() + tile.begin;
+            const std::int64_t least = stage.loops.smallest(lowest, tile.end - tile.begin);
+            if (least < 0 || !(lowest[least] < threshold)) break;
+            const std::int32_t cell = tile.begin + static_cast<std::int32_t>(least);
+            prefetch_around(stage, cell);
+            Fresh next = place_best(stage, cell, fresh, {unlinked.data(), unlinked_count}, radius);
+            if (next.cell < 0) {
+                float& clearance = stage.block_of(cell).at(OrderGroup::clearance, stage.cell[cell].best);
+                clearance = std::min(clearance, stipple_tuning.again * enough);
+                stage.refresh(cell, enough);
+                continue;
+            }
+            next.step = static_cast<std::uint8_t>(step);
+            next.linked = stage.link(next.mark, next.cell);
+            if (!next.linked) unlinked[unlinked_count++] = count;
+            fresh[count++] = next;
+            stage.for_reached(place_of(next.mark), stage.settings.reach, next.cell, [&](std::int32_t there) {
+                stage.note(there, stage.loops.feel_and_find[stage.creased](stage.block_of(there), next.mark,
+                                                                           stage.inverse_squared_reach(), enough));
+            });
+        }
+    }
+    return count;
+}
+
+// Leaves those of the last sweep that have the lowest energies.
+void keep_lowest(const base::Array<float>& energy, std::int64_t room, Order& order) {
+    HRBFNPR_ASSERT(room >= 0 && room < energy.size() && energy.size() <= order.mark.size());
+    const std::int64_t first = order.mark.size() - energy.size();
+    base::Array<float> sorted(energy.memory(), energy.size());
+    std::copy(energy.begin(), energy.end(), sorted.begin());
+    std::nth_element(sorted.begin(), sorted.begin() + room, sorted.end());
+    const float limit = sorted[room];
+    std::int64_t equal = room - std::count_if(energy.begin(), energy.end(), [&](float e) { return e < limit; });
+    std::int64_t kept = first;
+    for (std::int64_t i = 0; i < energy.size(); ++i)
+        if (energy[i] < limit || (energy[i] == limit && equal-- > 0)) {
+            order.step[kept] = order.step[first + i];
+            order.mark[kept++] = order.mark[first + i];
+        }
+    order.mark.resize(kept);
+    order.step.resize(kept);
+}
+
+// Places marks that keep the radius from all others at energies below the threshold, lowest first in each tile, and at
+// most a few in each tile. They are appended tile by tile; of more than `room` the lowest remain, and then the stage is
+// over.
+void sweep(std::span<const SweepStep> steps, std::int64_t room, Stage& stage, Order& order) {
+    HRBFNPR_ASSERT(!steps.empty() && room > 0 && order.mark.size() == order.step.size());
+    order.sweep.push_back(order.mark.size());
+    base::Array<float> energy(stage.site.memory()); // of the sweep's marks, when they were placed
+    const double nearest = stage.settings.nearness * steps.back().radius;
+    stage.enough = static_cast<float>(nearest * nearest);
+    for (std::size_t turn = 0; turn < 8; ++turn) {
+        const std::int64_t first = stage.turn[turn];
+        const std::int64_t tiles = stage.turn[turn + 1] - first;
+        stage.fresh.resize_for_overwrite(most_fresh * tiles);
+        stage.fresh_count.resize_for_overwrite(tiles);
+        stage.site.runtime.parallel.for_chunks(
+            tiles, std::clamp<std::int64_t>(tiles / 32, 1, 16), [&](std::int64_t begin, std::int64_t end) {
+                for (std::int64_t t = begin; t < end; ++t) {
+                    stage.progress.check();
+                    stage.fresh_count[t] =
+                        fill_tile(stage, stage.tile[first + t], steps, stage.fresh.data() + most_fresh * t);
+                }
+            });
+        for (std::int64_t t = 0; t < tiles; ++t) {
+            if (t % 256 == 0) stage.progress.check();
+            for (std::int32_t k = 0; k < stage.fresh_count[t]; ++k) {
+                const Fresh& fresh = stage.fresh[most_fresh * t + k];
+                base::push_back_long(order.mark, fresh.mark, stage.progress);
+                base::push_back_long(order.step, fresh.step, stage.progress);
+                base::push_back_long(energy, fresh.energy, stage.progress);
+                if (!fresh.linked) stage.link_more(fresh.mark, fresh.cell);
+            }
+        }
+    }
+    if (energy.size() > room) keep_lowest(energy, room, order);
+}
+
+// The lowest energy of a candidate that keeps the distance of the last step; infinite where none does.
+[[nodiscard]] float lowest_energy(Stage& stage) {
+    stage.site.runtime.parallel.for_chunks(stage.cell.size(), points_a_task, stage.progress,
+                                           [&](std::int64_t begin, std::int64_t end) {
+                                               for (std::int64_t c = begin; c < end; ++c)
+                                                   stage.refresh(static_cast<std::int32_t>(c), stage.enough);
+                                           });
+    return *std::min_element(stage.lowest.begin(), stage.lowest.end());
+}
+
+// Forgets the candidates that are nearer than that to a mark: radii will be larger.
+void drop_nearer(double distance, Stage& stage) {
+    const auto enough = static_cast<float>(distance * distance);
+    stage.site.runtime.parallel.for_chunks(
+        stage.cell.size(), points_a_task, stage.progress, [&](std::int64_t begin, std::int64_t end) {
+            for (std::int64_t c = begin; c < end; ++c) {
+                stage.cell[c].groups = static_cast<std::int32_t>(groups_for(keep(stage.block_of(c), enough)));
+                stage.floor[c] = 0.0F; // so that the best one is found again
+            }
+        });
+}
+
+// ---- Stage by stage
+
+// Places marks until there are `last` of them; returns false where they would have to be nearer than `closest`, in
+// distances of the densest packing. Candidates nearer than `needless` to a mark will not be needed.
+bool fill(Stage& stage, double area, std::int64_t last, std::int64_t wanted, double closest, double needless,
+          Order& order, const base::Progress& progress) {
     double at_cleaning = 0.0;
-    double distance = kept_distance;
-    float threshold = least_threshold;
+    double distance = stipple_tuning.kept_distance;
+    float threshold = stipple_tuning.least_threshold;
     bool missed = false; // candidates that only a sweep's later steps open, in cells that none of its marks is near
-    while (marks_.size() < last) {
+    while (order.mark.size() < last) {
         progress.check();
-        const auto before = static_cast<double>(marks_.size());
-        if (before > growth_between_cleanings * at_cleaning) {
-            stage.drop_nearer(needless);
+        const auto before = static_cast<double>(order.mark.size());
+        if (before > stipple_tuning.cleaning_growth * at_cleaning) {
+            drop_nearer(needless, stage);
             at_cleaning = before;
         }
-        const bool nearly_full = before > 0.97 * static_cast<double>(last);
-        const bool many = before >= fewest_for_many_steps && !nearly_full;
+        const bool nearly_full = before > stipple_tuning.nearly_full * static_cast<double>(last);
+        const bool many = before >= stipple_tuning.marks_for_many_steps && !nearly_full;
         std::array<SweepStep, steps_of_sweep> steps;
         std::size_t count = many ? steps.size() : 1;
         double expected = before;
         for (std::size_t k = 0; k < count; ++k) {
-            expected = std::min(static_cast<double>(last), growth_of_step * expected + (many ? 0.0 : 1.0));
-            if (many) threshold *= threshold_of_step;
-            steps[k] = {distance * densest(expected), threshold};
+            expected = std::min(static_cast<double>(last), stipple_tuning.step_growth * expected + (many ? 0.0 : 1.0));
+            if (many) threshold *= stipple_tuning.threshold_growth;
+            steps[k] = {distance * densest_distance(area, expected), threshold};
         }
         if (std::exchange(missed, false)) {
             steps[0] = steps[count - 1];
             count = 1;
         }
-        stage.sweep({steps.data(), count}, last - marks_.size(), marks_);
-        note_steps(stage);
-        const auto after = static_cast<double>(marks_.size());
-        progress.update(after / static_cast<double>(wanted_));
-        if (after - before > 0.25 * (expected - before)) {
-            if (many) threshold *= static_cast<float>(std::pow(expected / after, slope_of_threshold));
+        sweep({steps.data(), count}, last - order.mark.size(), stage, order);
+        const auto after = static_cast<double>(order.mark.size());
+        progress.update(after / static_cast<double>(wanted));
+        if (after - before > stipple_tuning.poor_sweep * (expected - before)) {
+            if (many) threshold *= static_cast<float>(std::pow(expected / after, stipple_tuning.threshold_power));
             continue;
         }
-        const float lowest = stage.lowest();
+        const float lowest = lowest_energy(stage);
         missed = after == before && lowest < threshold;
         if (std::isfinite(lowest))
-            threshold = (nearly_full ? small_rise : rise) * std::max(threshold, lowest);
-        else if (after == before && (distance *= concession) < closest)
+            threshold = (nearly_full ? stipple_tuning.last_rise : stipple_tuning.rise) * std::max(threshold, lowest);
+        else if (after == before && (distance *= stipple_tuning.concession) < closest)
             return false;
     }
     return true;
 }
 
-void Ordering::note_steps(const OrderStage& stage) {
-    sweep_.push_back(step_.size());
-    for (const std::uint8_t step : stage.steps()) step_.push_back(step);
+// Fills up to `last` marks in cells of that level; returns false where no place is left for them.
+bool run_stage(const marks::Site& site, Candidates& candidates, const Home& home, std::int32_t level, std::int64_t last,
+               std::int64_t wanted, Order& order, const base::Progress& progress) {
+    HRBFNPR_ASSERT(level >= home.level);
+    const double end = densest_distance(candidates.area, static_cast<double>(last));
+    const double side = std::ldexp(candidates.grid.side, level);
+    const auto all = static_cast<double>(candidates.count);
+    const double taken = std::min(all, std::max(64.0, stipple_tuning.early_candidates * static_cast<double>(last)));
+    StageSettings settings;
+    settings.level = level;
+    settings.reach = std::min(side, stipple_tuning.energy_reach * end);
+    settings.ticket_limit = static_cast<std::uint64_t>(taken / all * 4294967296.0);
+    settings.nearness = std::max(stipple_tuning.nearness, 1.0 - static_cast<double>(last) / taken);
+    // Into the cells next door at most, and no farther than candidates are true to the surface: they are many where
+    // marks are few.
+    settings.farthest_move = std::min(0.5 * (1.0 - stipple_tuning.kept_distance) * side,
+                                      stipple_tuning.farthest_move * candidates.grid.side);
+    for (const double least : {stipple_tuning.least_distance, 0.0}) {
+        Stage stage(site, candidates, home, settings, progress);
+        find_tiles(take_candidates(candidates, stage), stage);
+        link_all(order.mark, stage);
+        feel_all(stage);
+        // Closer points are the same to float positions.
+        const double closest = std::max(least, 1e-7 * candidates.region.diagonal() / end);
+        const double needless = settings.nearness * least * end;
+        if (fill(stage, candidates.area, last, wanted, closest, needless, order, progress)) return true;
+    }
+    return false;
 }
 
-// Marks of one step stand tile by tile; in random order a part of them is spread like the whole.  Those of a sweep
+// Marks of one step stand tile by tile; in random order a part of them is spread like the whole. Those of a sweep
 // follow each other.
-OrderedMarks Ordering::shuffled() const {
-    struct Place {
-        std::uint64_t lot; // its first eight bits are the step
+[[nodiscard]] OrderedMarks shuffled(const marks::Site& site, const Order& order) {
+    struct Lot {
+        std::uint64_t bits; // the first eight are the step
         std::int64_t mark;
-        [[nodiscard]] bool operator<(const Place& other) const noexcept { return lot < other.lot; }
+        [[nodiscard]] bool operator<(const Lot& other) const noexcept { return bits < other.bits; }
     };
-    base::Array<Place> place(site_.memory());
-    OrderedMarks sorted(site_.memory());
-    place.resize_for_overwrite(marks_.size());
-    sorted.resize_for_overwrite(marks_.size());
-    site_.runtime.parallel.for_each(sweep_.size(), [&](std::int64_t sweep) {
-        const std::int64_t begin = sweep_[sweep];
-        const std::int64_t end = sweep + 1 < sweep_.size() ? sweep_[sweep + 1] : marks_.size();
+    const std::int64_t count = order.mark.size();
+    HRBFNPR_ASSERT(order.step.size() == count);
+    base::Array<Lot> lot(site.memory());
+    OrderedMarks sorted(site.memory());
+    lot.resize_for_overwrite(count);
+    sorted.resize_for_overwrite(count);
+    site.runtime.parallel.for_each(order.sweep.size(), [&](std::int64_t sweep) {
+        const std::int64_t begin = order.sweep[sweep];
+        const std::int64_t end = sweep + 1 < order.sweep.size() ? order.sweep[sweep + 1] : count;
         for (std::int64_t i = begin; i < end; ++i) {
-            std::uint64_t lot = 0;
-            for (const float c : marks_[i].position) lot = geometry::mixed_bits(lot ^ base::bit_cast<std::uint32_t>(c));
-            place[i] = {std::uint64_t{step_[i]} << 56U | lot >> 8U, i};
+            std::uint64_t bits = 0;
+            for (const float c : order.mark[i].position)
+                bits = geometry::mixed_bits(bits ^ base::bit_cast<std::uint32_t>(c));
+            lot[i] = {std::uint64_t{order.step[i]} << 56U | bits >> 8U, i};
         }
-        std::sort(place.data() + begin, place.data() + end);
-        for (std::int64_t i = begin; i < end; ++i) sorted[i] = marks_[place[i].mark];
+        std::sort(lot.data() + begin, lot.data() + end);
+        for (std::int64_t i = begin; i < end; ++i) sorted[i] = order.mark[lot[i].mark];
     });
     return sorted;
 }
 
-// That many marks are within a stage's reach of energies.
-std::int64_t Ordering::marks_at(std::int32_t level) const noexcept {
-    const double marks = std::floor(std::pow(reach_of_energy * densest(1.0) / side(level), 2.0));
-    return std::min(static_cast<std::int64_t>(marks), wanted_);
-}
-
-OrderedMarks Ordering::run(const base::Progress& progress) {
-    if (candidates_.count == 0 || wanted_ <= 0) return std::move(marks_);
-    find_home();
-    std::int32_t level = home_level_;
-    while (level < geometry::CellGrid::bits && side(level) < reach_of_energy * densest(1.0)) ++level;
-    // Early stages would only pass over most candidates.
-    const std::int32_t early = home_level_ + 2;
-    Candidates few =
-        thinned(site_, candidates_, level < early ? 0 : settings_of(early, marks_at(early)).ticket_limit, progress);
-    for (; level > home_level_; --level) {
-        const std::int64_t last = std::max(marks_at(level), marks_.size());
-        if (last > marks_.size() && !run_stage(level < early ? candidates_ : few, level, last, progress)) break;
-    }
-    run_stage(candidates_, home_level_, wanted_, progress);
-    return shuffled();
-}
-
 } // namespace
+
+glm::dvec2 toward_void(std::span<const glm::dvec2> around, double wanted, double farthest) noexcept {
+    HRBFNPR_ASSERT(wanted > 0.0 && farthest >= 0.0);
+    if (around.empty()) return glm::dvec2(0.0);
+    glm::dvec2 at{0.0};
+    const auto nearest = std::min_element(
+        around.begin(), around.end(), [](const glm::dvec2& a, const glm::dvec2& b) { return squared(a) < squared(b); });
+    std::array<std::size_t, 2> edge{static_cast<std::size_t>(nearest - around.begin()), none};
+    for (int vertex = 0; vertex < most_vertices; ++vertex) {
+        const glm::dvec2 a = around[edge[0]];
+        const glm::dvec2 direction = uphill(at, a, edge[1] == none ? nullptr : &around[edge[1]]);
+        // How far to where the nearest point is `wanted` away: |at + t d - a| = wanted.
+        const double along = glm::dot(at - a, direction);
+        const double own = squared(at - a);
+        const double missing = wanted * wanted - own;
+        const double enough = missing > 0.0 ? std::sqrt(along * along + missing) - along : 0.0;
+        // The next point that comes to be as near: |at + t d - q| = |at + t d - a|.
+        double distance = 2.0 * farthest;
+        std::size_t third = none;
+        for (std::size_t i = 0; i < around.size(); ++i) {
+            if (i == edge[0] || i == edge[1]) continue;
+            const double approach = 2.0 * glm::dot(direction, around[i] - a);
+            if (!(approach > 1e-12 * wanted)) continue;
+            const double there = std::max(0.0, (squared(at - around[i]) - own) / approach);
+            if (there < distance) {
+                distance = there;
+                third = i;
+            }
+        }
+        at += std::min(enough, distance) * direction;
+        if (enough <= distance || third == none) break;
+        if (edge[1] == none) {
+            edge[1] = third;
+            continue;
+        }
+        // At equal distances from three points: a maximum if they surround it, else on along the edge that it is
+        // beyond.
+        const glm::dvec2 b = around[edge[1]];
+        const glm::dvec2 c = around[third];
+        const double all = turn(a, b, c);
+        if (turn(b, c, at) * all < 0.0)
+            edge = {edge[1], third};
+        else if (turn(c, a, at) * all < 0.0)
+            edge[1] = third;
+        else
+            break;
+    }
+    return squared(at) <= farthest * farthest ? at : glm::dvec2(0.0);
+}
 
 OrderedMarks progressive_order(const marks::Site& site, Candidates& candidates, std::int64_t wanted,
                                const base::Progress& progress) {
-    Ordering ordering(site, candidates, wanted);
-    return ordering.run(progress);
+    Order order(site.memory());
+    if (candidates.count == 0 || wanted <= 0) return std::move(order.mark);
+    const auto side = [&](std::int32_t level) { return std::ldexp(candidates.grid.side, level); };
+    const auto reach = [&](double marks) {
+        return stipple_tuning.energy_reach * densest_distance(candidates.area, marks);
+    };
+    Home home{0, CellMap(site.memory())};
+    while (home.level < CellGrid::bits &&
+           side(home.level) < stipple_tuning.least_home * reach(static_cast<double>(wanted)))
+        ++home.level;
+    base::Array<std::uint64_t> codes(site.memory());
+    for (const std::uint64_t code : candidates.code) {
+        const std::uint64_t here = code >> static_cast<unsigned>(3 * home.level);
+        if (codes.empty() || codes.back() != here) codes.push_back(here);
+    }
+    home.cells = CellMap(site.memory(), codes);
+    std::int32_t level = home.level;
+    while (level < CellGrid::bits && side(level) < reach(1.0)) ++level;
+    for (bool has_room = true; has_room && level > home.level; --level) {
+        // So many are within a stage's reach of energies.
+        const double within = std::floor(std::pow(reach(1.0) / side(level), 2.0));
+        const std::int64_t last = std::min(static_cast<std::int64_t>(within), wanted);
+        if (last > order.mark.size())
+            has_room = run_stage(site, candidates, home, level, last, wanted, order, progress);
+    }
+    run_stage(site, candidates, home, home.level, wanted, wanted, order, progress);
+    return shuffled(site, order);
 }
 
 } // namespace hrbfnpr::stipples

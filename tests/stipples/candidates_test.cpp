@@ -3,8 +3,7 @@
 #include "support/point_sets.h"
 
 #include "geometry/morton.h"
-#include "stipples/cell_map.h"
-#include "stipples/layer_candidates.h"
+#include "stipples/candidates.h"
 
 #include <algorithm>
 #include <array>
@@ -21,28 +20,22 @@ constexpr double sphere_area = 4.0 * 3.14159265358979323846;
 
 struct Cover {
     Cover(const implicit::Implicit& surface, const glm::dvec3& seed, double side)
-        : site{runtime(), surface, 1e-6, 1}, cells(found(site, seed, side)), numbers(runtime().memory, codes(cells)) {}
+        : site{runtime(), surface, 1e-6, 1}, cells(found(site, seed, side)), judged(judge_cells(site, cells, {})) {}
 
     static SurfaceCells found(const Site& site, const glm::dvec3& seed, double side) {
         geometry::VecArray seeds(runtime().memory);
         seeds.push_back(seed);
         return find_surface_cells(site, seeds, site.implicit.bounds().grown(0.1), side, {});
     }
-    static base::Array<std::uint64_t> codes(const SurfaceCells& cells) {
-        base::Array<std::uint64_t> all(runtime().memory);
-        for (const SurfaceCell& cell : cells.cell) all.push_back(cell.code);
-        return all;
-    }
     [[nodiscard]] std::array<std::int64_t, 3> kinds() const {
-        const PlaneCandidates planes(site, cells, numbers, stream_of(Kind::stipples));
         std::array<std::int64_t, 3> count{};
-        for (const CellKind kind : planes.kind()) ++count[static_cast<std::size_t>(kind)];
+        for (const CellKind kind : judged.kind) ++count[static_cast<std::size_t>(kind)];
         return count;
     }
 
     Site site;
     SurfaceCells cells;
-    CellMap numbers;
+    JudgedCells judged;
 };
 
 glm::dvec3 place_of(Candidates& candidates, std::int64_t place) {
@@ -122,25 +115,19 @@ TEST(PlaneCandidates, APartByTicketsIsSpreadLikeAll) {
     Candidates candidates = draw_candidates(cover.site, cover.cells, 40000, Kind::stipples, {});
     for (const double share : {0.5, 0.1, 0.01}) {
         const auto limit = static_cast<std::uint64_t>(share * 4294967296.0);
-        Candidates some = thinned(cover.site, candidates, limit, {});
         const double expected = share * static_cast<double>(candidates.count);
-        EXPECT_NEAR(static_cast<double>(some.count), expected, 4.0 * std::sqrt(expected));
-        EXPECT_EQ(some.area, candidates.area);
-        ASSERT_EQ(some.cells(), candidates.cells());
         std::int64_t upper = 0;
-        std::int64_t seen = 0;
-        for (std::int64_t cell = 0; cell < some.cells(); ++cell) {
-            EXPECT_EQ(some.code[cell], candidates.code[cell]);
-            std::int64_t at = some.first[cell];
+        std::int64_t taken = 0;
+        for (std::int64_t cell = 0; cell < candidates.cells(); ++cell) {
             candidates.for_taken(cell, limit, [&](std::int64_t place) {
-                EXPECT_EQ(place_of(some, at), place_of(candidates, place));
-                EXPECT_EQ(some.ticket[at++], candidates.ticket[place]);
-                ++seen;
+                EXPECT_GE(place, candidates.first[cell]);
+                EXPECT_LT(place, candidates.first[cell] + candidates.number[cell]);
+                EXPECT_LT(candidates.ticket[place], limit);
+                upper += place_of(candidates, place).z > 0.0 ? 1 : 0;
+                ++taken;
             });
-            EXPECT_EQ(at, some.first[cell] + some.number[cell]);
         }
-        EXPECT_EQ(seen, some.count);
-        for (std::int64_t at = 0; at < some.count; ++at) upper += place_of(some, at).z > 0.0 ? 1 : 0;
+        EXPECT_NEAR(static_cast<double>(taken), expected, 4.0 * std::sqrt(expected));
         EXPECT_NEAR(static_cast<double>(upper), 0.5 * expected, 4.0 * std::sqrt(expected));
     }
 }
@@ -160,16 +147,18 @@ Field rounded_cube(const glm::dvec3& p) {
 TEST(PlaneCandidates, AreDrawnInSoManyTrialsAtMost) {
     const Sphere sphere;
     const Cover cover(sphere, {1.0, 0.0, 0.0}, 0.05);
-    PlaneCandidates planes(cover.site, cover.cells, cover.numbers, stream_of(Kind::stipples));
-    const auto flat = std::count(planes.kind().begin(), planes.kind().end(), CellKind::flat);
+    const auto draw = [&](double most_trials, const base::Progress& progress) {
+        return draw_on_planes(cover.site, cover.judged, stream_of(Kind::stipples), 1e30, most_trials, progress).all;
+    };
+    const std::int64_t flat = cover.kinds()[1];
     ASSERT_GT(flat, 2000);
-    planes.draw(1e30, 100.0 * static_cast<double>(flat));
-    EXPECT_LE(planes.count(), 101 * flat);
-    EXPECT_GT(planes.count(), 20 * flat);
+    const std::int64_t drawn = draw(100.0 * static_cast<double>(flat), {});
+    EXPECT_LE(drawn, 101 * flat);
+    EXPECT_GT(drawn, 20 * flat);
     base::Operation operation;
     operation.begin();
     operation.cancel();
-    expect_error(Status::cancelled, {}, [&] { planes.draw(1e30, 1e30, base::Progress(&operation)); });
+    expect_error(Status::cancelled, {}, [&] { draw(1e30, base::Progress(&operation)); });
 }
 
 // Flat but for its edges: planes and layers meet without a seam.
@@ -181,13 +170,13 @@ TEST(Candidates, OfPlanesAndLayersAreAlikeInDensity) {
     const auto kinds = cover.kinds();
     EXPECT_GT(kinds[1], 2000);
     EXPECT_GT(kinds[2], 500);
-    PlaneCandidates planes(cover.site, cover.cells, cover.numbers, stream_of(Kind::stipples));
-    LayerCandidates layer(cover.site, cover.cells, cover.numbers, planes.kind(), stream_of(Kind::stipples), 60000);
     constexpr double density = 10000.0;
-    planes.draw(density);
-    layer.draw(density, {});
-    EXPECT_GT(layer.projections().size(), 5000);
-    for (const Projection& projection : layer.projections()) EXPECT_NE(planes.kind()[projection.cell], CellKind::flat);
+    constexpr std::uint32_t stream = stream_of(Kind::stipples);
+    const PlaneCandidates planes = draw_on_planes(cover.site, cover.judged, stream, density, 1e300, {});
+    LayerCandidates layer = layer_candidates(cover.judged, stream, 60000);
+    draw_in_layer(cover.site, cover.judged, density, layer, {});
+    EXPECT_GT(layer.projection.size(), 5000);
+    for (const Projection& projection : layer.projection) EXPECT_NE(cover.judged.kind[projection.cell], CellKind::flat);
     EXPECT_NEAR(planes.area() + layer.area(), area, 0.02 * area);
     // Strips along a face, across its rounded ends: as many in each for its area.
     std::array<double, 12> strip{};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Maps of cells, and the cells around one.
-#include "stipples/cell_neighbours.h"
+#include "stipples/surface_cells.h"
 
 #include <gtest/gtest.h>
 
@@ -35,17 +35,16 @@ CellGrid::Cell random_cell(std::mt19937& random) {
             static_cast<std::int64_t>(random() % 9)};
 }
 
-TEST(CellNeighbours, AreThoseThatTheMapHas) {
+TEST(CellMap, FindsTheCellsAroundOne) {
     std::set<std::uint64_t> all;
     std::mt19937 random(6);
     for (int i = 0; i < 300; ++i) all.insert(morton_code(random_cell(random)));
     base::Array<std::uint64_t> codes(memory());
     for (const std::uint64_t code : all) codes.push_back(code);
     const CellMap map(memory(), codes);
-    CellNeighbours around(map);
     for (std::int64_t i = 0; i < codes.size(); ++i) {
-        around.go_to(codes[i]);
-        EXPECT_EQ(around[CellNeighbours::itself], i);
+        const CellMap::Around around = map.around(codes[i]);
+        EXPECT_EQ(around[CellMap::itself], i);
         for (int step = 0; step < neighbour_count; ++step) {
             const CellGrid::Cell there = neighbour(morton_cell(codes[i]), step);
             EXPECT_EQ(around[static_cast<std::size_t>(step)],
@@ -53,7 +52,7 @@ TEST(CellNeighbours, AreThoseThatTheMapHas) {
         }
         CellGrid::Cell next = morton_cell(codes[i]);
         ++next[1];
-        EXPECT_EQ(around[CellNeighbours::itself + CellNeighbours::step_along[1]], map.find(morton_code(next)));
+        EXPECT_EQ(around[CellMap::itself + CellMap::step_along[1]], map.find(morton_code(next)));
     }
 }
 

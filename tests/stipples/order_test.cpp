@@ -3,8 +3,7 @@
 #include "support/point_sets.h"
 
 #include "geometry/point_tree.h"
-#include "stipples/order_loops.h"
-#include "stipples/void_centre.h"
+#include "stipples/progressive_order.h"
 
 #include <algorithm>
 #include <cmath>
@@ -26,7 +25,6 @@ struct Block {
         std::mt19937 random(7);
         std::uniform_real_distribution<float> number(-1.0F, 1.0F);
         const OrderBlock all = view();
-        clear_rest(all, count);
         forget_marks(all, count);
         for (std::int64_t i = 0; i < count; ++i) {
             const glm::vec3 n = glm::normalize(glm::vec3(number(random), number(random), number(random)));
@@ -59,11 +57,13 @@ void feel_plainly(const OrderBlock& block, std::int64_t count, const OrderMark& 
         float squared = 0.0F;
         float turn = 0.0F;
         float normal[3];
+        float normal_of_mark[3];
         unpack_normal(block.at(OrderGroup::normal, i), normal);
+        unpack_normal(mark.normal, normal_of_mark);
         for (int c = 0; c < 3; ++c) {
             const float offset = block.at(columns[c], i) - mark.position[c];
             squared += offset * offset;
-            turn += normal[c] * mark.normal[c];
+            turn += normal[c] * normal_of_mark[c];
         }
         if (turn < opposite * unpacked_length * unpacked_length) continue;
         const float rest = std::max(0.0F, 1.0F - squared * inverse);
@@ -74,9 +74,7 @@ void feel_plainly(const OrderBlock& block, std::int64_t count, const OrderMark& 
 
 OrderMark mark_at(const glm::vec3& p) {
     const float up[3] = {0.0F, 0.6F, 0.8F};
-    OrderMark mark{{p.x, p.y, p.z}, {}};
-    unpack_normal(packed_normal(up), mark.normal);
-    return mark;
+    return {{p.x, p.y, p.z}, packed_normal(up)};
 }
 
 TEST(OrderLoops, GiveTheBitsOfThePlainSumsOnEveryInstructionSet) {
@@ -88,7 +86,7 @@ TEST(OrderLoops, GiveTheBitsOfThePlainSumsOnEveryInstructionSet) {
             Block fast(count);
             const OrderBlock block = plain.view();
             feel_plainly(block, count, mark, 0.4F);
-            loops.feel(fast.view(), &mark, 1, 0.4F);
+            loops.feel[0](fast.view(), &mark, 1, 0.4F);
             expect_equal(plain, fast, count);
             std::int64_t best = -1;
             float of_all = std::numeric_limits<float>::infinity();
@@ -102,7 +100,7 @@ TEST(OrderLoops, GiveTheBitsOfThePlainSumsOnEveryInstructionSet) {
             EXPECT_EQ(loops.lowest(fast.view(), 0.5F).at, best) << count;
             EXPECT_EQ(loops.lowest(fast.view(), 9.0F).at, -1);
             Block both(count);
-            const OrderLowest found = loops.feel_and_find(both.view(), mark, 0.4F, 0.5F);
+            const OrderLowest found = loops.feel_and_find[0](both.view(), mark, 0.4F, 0.5F);
             expect_equal(plain, both, count);
             EXPECT_EQ(found.at, best) << count;
             EXPECT_EQ(found.energy,
@@ -117,7 +115,7 @@ TEST(OrderLoops, SeveralMarksAreFeltOneAfterTheOther) {
         Block plain(37);
         Block fast(37);
         for (const OrderMark& mark : marks) feel_plainly(plain.view(), 37, mark, 0.4F);
-        order_loops(base::choose_instruction_set(set)).feel(fast.view(), marks, 3, 0.4F);
+        order_loops(base::choose_instruction_set(set)).feel[0](fast.view(), marks, 3, 0.4F);
         expect_equal(plain, fast, 37);
     }
 }
@@ -126,8 +124,7 @@ TEST(OrderLoops, SeveralMarksAreFeltOneAfterTheOther) {
 TEST(OrderLoops, WaysLeadAlongTheSurface) {
     const float along_x[3] = {1.0F, 0.0F, 0.0F};
     const float along_y[3] = {0.0F, 1.0F, 0.0F};
-    OrderMark mark{{0.0F, -0.3F, 0.1F}, {}};
-    unpack_normal(packed_normal(along_x), mark.normal);
+    const OrderMark mark{{0.0F, -0.3F, 0.1F}, packed_normal(along_x)};
     for (const auto set : {base::InstructionSet::baseline, base::InstructionSet::avx2, base::InstructionSet::avx512}) {
         Block block(20);
         for (std::int64_t i = 0; i < 20; ++i) {
@@ -139,14 +136,14 @@ TEST(OrderLoops, WaysLeadAlongTheSurface) {
         }
         forget_marks(block.view(), 20);
         const OrderLoops loops = order_loops(base::choose_instruction_set(set));
-        loops.feel_on_surface(block.view(), &mark, 1, 0.4F);
+        loops.feel[1](block.view(), &mark, 1, 0.4F);
         for (std::int64_t i = 0; i < 20; ++i) {
             const float way = 0.3F + 0.02F * static_cast<float>(i);
             EXPECT_NEAR(block.view().at(OrderGroup::clearance, i), way * way, 0.01F * way * way) << i;
             EXPECT_NEAR(block.view().at(OrderGroup::energy, i), std::pow(1.0F - 0.4F * way * way, 4.0F), 0.01F) << i;
         }
         Block other(20);
-        const OrderLowest found = loops.feel_and_find_on_surface(other.view(), mark, 0.4F, 0.0F);
+        const OrderLowest found = loops.feel_and_find[1](other.view(), mark, 0.4F, 0.0F);
         EXPECT_GE(found.at, 0);
     }
 }
@@ -205,12 +202,10 @@ TEST(OrderLoops, FreePlacesHoldNumbers) {
     Block block(16);
     for (std::int64_t i = 0; i < 16; ++i)
         for (const OrderGroup::Column c : columns) block.view().at(c, i) = std::numeric_limits<float>::quiet_NaN();
-    clear_rest(block.view(), 5);
     forget_marks(block.view(), 5);
     for (std::int64_t i = 5; i < 16; ++i)
         for (const OrderGroup::Column c : columns) EXPECT_FALSE(std::isnan(block.view().at(c, i))) << i;
-    clear_rest(block.view(), 16);
-    EXPECT_TRUE(std::isnan(block.place(0)[0])) << "only behind the last one";
+    EXPECT_TRUE(std::isnan(block.place(0)[0])) << "only after the last one";
 }
 
 TEST(OrderLoops, OfEqualEnergiesTheFirstIsTheLowest) {
