@@ -8,7 +8,6 @@
 #include "api/streams.h"
 #include "api/views.h"
 #include "base/utf8.h"
-#include "output/vector/look.h"
 #include "output/vector/write_page.h"
 
 #include <cstdio>

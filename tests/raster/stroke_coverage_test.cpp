@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The part of a pixel that a stroke covers, against a plain reference in doubles.
 #include "base/random.h"
-#include "output/raster/stroke_loops.h"
+#include "output/raster/loops.h"
 #include "raster/stroke_reference.h"
 
 #include <gtest/gtest.h>
@@ -53,11 +53,11 @@ protected:
         std::vector<float> ink(stride * side, 0.0F);
         output::StrokeUnion overlaps(memory);
         const float color[] = {0.0F, 0.0F, 0.0F, 1.0F};
-        output::stroke_loops(base::InstructionSet::automatic)
-            .lay({side, side, stride, transmittance.data(), {}, nullptr},
-                 {points.data(), &stroke, numbers.data(), static_cast<std::int64_t>(numbers.size()), left, top, color,
-                  1.0F},
-                 {cover.data(), ink.data(), &overlaps});
+        output::raster_loops(base::InstructionSet::automatic)
+            .stroke({side, side, stride, transmittance.data(), {}, nullptr},
+                    {points.data(), &stroke, numbers.data(), static_cast<std::int64_t>(numbers.size()), left, top,
+                     color, 1.0F},
+                    {cover.data(), ink.data(), &overlaps});
         for (int y = 0; y < side; ++y)
             for (int x = 0; x < side; ++x) {
                 const auto at = static_cast<std::size_t>(y * stride + x);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Strokes into pixels: loops on every instruction set, coverage, joints, the order among dots.
 #include "drawing/segments.h"
-#include "output/raster/stroke_loops.h"
+#include "output/raster/loops.h"
 #include "raster/reference.h"
 #include "support/instruction_sets.h"
 #include "support/runtime.h"
@@ -83,16 +83,16 @@ TEST(StrokeLoops, GiveTheSameBitsFromEveryInstructionSet) {
                 Laid laid;
                 for (std::size_t i = 0; i < laid.host.size(); ++i)
                     laid.host[i] = 0.2F + 0.6F * static_cast<float>(i * 37 % 101) / 101.0F;
-                const output::StrokeLoops loops = output::stroke_loops(set);
+                const output::RasterLoops loops = output::raster_loops(set);
                 for (std::uint32_t s = 0; s < 10; ++s) {
                     std::vector<std::uint32_t> numbers;
                     for (std::uint32_t i = 0; i < 11; ++i) numbers.push_back(12 * s + i);
                     const float color[] = {0.1F * static_cast<float>(s), 0.5F, 0.9F, 0.7F};
                     const Stroke stroke{12 * s, 12, 0, 0.0F, Cap::round, s % 2 == 0 ? Cap::flat : Cap::pointed, s == 7};
-                    loops.lay(laid.tile(colors, hosted),
-                              {points.data(), &stroke, numbers.data(), static_cast<std::int64_t>(numbers.size()),
-                               100.0F, 40.0F, color, 1.0F},
-                              laid.strokes());
+                    loops.stroke(laid.tile(colors, hosted),
+                                 {points.data(), &stroke, numbers.data(), static_cast<std::int64_t>(numbers.size()),
+                                  100.0F, 40.0F, color, 1.0F},
+                                 laid.strokes());
                     for (int y = 0; y < side; ++y)
                         for (int x = 0; x < side; ++x)
                             ASSERT_EQ(laid.cover[static_cast<std::size_t>(y * stride + x)], 0.0F) << x << " " << y;
@@ -117,8 +117,8 @@ TEST(StrokeLoops, LeaveOutWhatTheHostHides) {
         const float color[] = {0.0F, 0.0F, 0.0F, 1.0F};
         Laid laid;
         std::fill(laid.host.begin(), laid.host.end(), 0.503F * toward);
-        output::stroke_loops(base::InstructionSet::automatic)
-            .lay(laid.tile(false, true), {ends, &stroke, &first, 1, 0.0F, 0.0F, color, toward}, laid.strokes());
+        output::raster_loops(base::InstructionSet::automatic)
+            .stroke(laid.tile(false, true), {ends, &stroke, &first, 1, 0.0F, 0.0F, color, toward}, laid.strokes());
         for (int x = 0; x < side; ++x)
             EXPECT_EQ(laid.transmittance[static_cast<std::size_t>(32 * stride + x)],
                       (x < 32) == (toward > 0.0F) ? 0.0F : 1.0F)

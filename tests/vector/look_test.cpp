@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // That no stage goes on for long without a look at its operation: the calls of a callback are counted, which come with
 // every look.
+#include "output/vector/near_tree.h"
 #include "recorder.h"
 
 #include <gtest/gtest.h>
@@ -64,7 +65,7 @@ TEST(Looks, AreManyWhereLinesAreJoined) {
     const std::int64_t looks = looks_of([&](const base::Progress& progress) {
         base::Memory memory;
         output::PlotLines lines = chained(memory, many);
-        joined = output::JoinLines(memory).join(lines, {}, progress);
+        joined = output::join_lines(lines, 0.0, true, progress);
     });
     EXPECT_EQ(joined, many - 1);
     // Six loops over the lines, one of them over their ends, two over pairs; sorting; the tree of the ends.
@@ -80,7 +81,7 @@ TEST(Looks, AreManyOnTours) {
     std::size_t legs = 0;
     const std::int64_t looks = looks_of([&](const base::Progress& progress) {
         base::Memory memory;
-        legs = output::Tour(memory).find(stops, {0.0, 0.0}, progress).size();
+        legs = static_cast<std::size_t>(output::find_tour(memory, stops, {0.0, 0.0}, progress).size());
     });
     EXPECT_EQ(legs, stops.size());
     // The work of kicks is used up, and looked at each 100 000 steps.
@@ -104,7 +105,7 @@ TEST(Looks, AreManyWhereLinesAreFilled) {
         base::Memory memory;
         output::PlotLines lines = chained(memory, 1000);
         for (output::PagePoint& p : lines.points) p.radius = 1.0;
-        EXPECT_EQ(output::FillLines(memory).fill(lines, 0.05, progress), 1000);
+        EXPECT_EQ(output::fill_lines(lines, 0.05, progress), 1000);
     });
     EXPECT_GE(looks, 1000);
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // HPGL and G-code, read back as a plotter reads them.
-#include "output/vector/gcode.h"
-#include "output/vector/hpgl.h"
+#include "output/vector/writers.h"
+
 #include "recorder.h"
 
 #include <gmock/gmock.h>
@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <sstream>
+#include <type_traits>
 
 namespace hrbfnpr::testing::plotter_test {
 namespace {
@@ -120,8 +121,11 @@ struct Written {
 };
 
 // Pages of 200 by 100 mm.
+using Hpgl = std::integral_constant<output::PageFormat, output::PageFormat::hpgl>;
+using Gcode = std::integral_constant<output::PageFormat, output::PageFormat::gcode>;
+
 template <class Format>
-Written written(const std::vector<GroupInput>& groups, const output::PlotFormat& format = {},
+Written written(const std::vector<GroupInput>& groups, const output::WriterSettings& format = {},
                 const std::vector<output::PageText>& texts = {}) {
     base::Memory memory;
     StringWriter out;
@@ -133,10 +137,10 @@ Written written(const std::vector<GroupInput>& groups, const output::PlotFormat&
     info.program = "0";
     const base::Progress progress;
     {
-        Format file(memory, out, info, format, result.counts);
+        const auto file = output::plotter_writer(Format::value, memory, out, info, format, result.counts);
         output::PlotOrderSettings settings = plotter_settings();
         settings.shapes = format.shapes;
-        output::PlotOrder order(memory, file, settings, result.counts, nullptr, progress);
+        output::PlotOrder order(memory, *file, settings, result.counts, nullptr, progress);
         order.begin_view({"", {0.0, 0.0, 200.0, 100.0}, {}, false});
         for (const GroupInput& group : groups) group.hand_to(order);
         order.end_view();
@@ -149,7 +153,7 @@ Written written(const std::vector<GroupInput>& groups, const output::PlotFormat&
     }
     result.text = out.text;
     EXPECT_EQ(result.counts.bytes, static_cast<std::int64_t>(out.text.size()));
-    if constexpr (std::is_same_v<Format, output::HpglWriter>)
+    if constexpr (Format::value == output::PageFormat::hpgl)
         result.plotted = read_hpgl(out.text);
     else
         result.plotted = read_gcode(out.text);
@@ -200,13 +204,13 @@ void expect_estimate(const Written& result, const output::PenSpeeds& speeds = {}
 
 template <class Format>
 class Plotter : public ::testing::Test {};
-using Formats = ::testing::Types<output::HpglWriter, output::GcodeWriter>;
+using Formats = ::testing::Types<Hpgl, Gcode>;
 TYPED_TEST_SUITE(Plotter, Formats);
 
 TYPED_TEST(Plotter, DrawsAllLinesWithinTheTolerance) {
     const GroupInput input = random_lines(1, 150, 9.0, 40);
     for (const double tolerance : {0.05, 0.3}) {
-        output::PlotFormat format;
+        output::WriterSettings format;
         format.shapes.tolerance = tolerance;
         const Written result = written<TypeParam>({input}, format);
         const double reach = tolerance + 0.02; // and half of a unit each way
@@ -223,7 +227,7 @@ TYPED_TEST(Plotter, DrawsAllLinesWithinTheTolerance) {
 }
 
 TYPED_TEST(Plotter, SaysHowLongItTakes) {
-    output::PlotFormat format;
+    output::WriterSettings format;
     format.speeds = {30.0, 200.0, 0.5};
     const Written result = written<TypeParam>({random_lines(3, 300, 8.0)}, format);
     EXPECT_GT(result.plotted.lifts, 200);
@@ -247,7 +251,7 @@ TYPED_TEST(Plotter, DoesNotLiftWhereALineGoesOn) {
 TYPED_TEST(Plotter, DrawsDotsInThreeWays) {
     GroupInput input;
     input.dots = {{50.0, 50.0, 2.0, 1.0, false}, {50.0, 20.0, 0.1, 1.0, false}}; // the second no wider than the pen
-    output::PlotFormat format;
+    output::WriterSettings format;
     const Written circles = written<TypeParam>({input}, format);
     EXPECT_EQ(circles.counts.dots, 2);
     ASSERT_EQ(circles.plotted.lines.size(), 2U);
@@ -283,7 +287,7 @@ TYPED_TEST(Plotter, DrawsDotsInThreeWays) {
 TYPED_TEST(Plotter, FillsDotsThatAreWiderThanThePen) {
     GroupInput input;
     input.dots = {{50.0, 50.0, 1.0, 1.0, false}, {50.0, 20.0, 0.1, 1.0, false}};
-    output::PlotFormat format;
+    output::WriterSettings format;
     format.shapes.fills = true;
     const Written result = written<TypeParam>({input}, format);
     ASSERT_EQ(result.plotted.lines.size(), 2U);
@@ -315,7 +319,7 @@ TEST(Hpgl, IsWhatPlottersRead) {
     input.dots = {{20.0, 50.0, 0.1, 1.0, false}};
     other.add({{1.0, 99.0, 0.1}, {2.0, 99.0, 0.1}});
     other.group.pen = 2;
-    const Written result = written<output::HpglWriter>({input, other}, {}, {{10.0, 20.0, 5.0, "\xC3\x84; a\n(b)"}});
+    const Written result = written<Hpgl>({input, other}, {}, {{10.0, 20.0, 5.0, "\xC3\x84; a\n(b)"}});
     EXPECT_EQ(result.text,
               "IN;\nSP1;\nPU400,400;\nPD800,400,800,1200;\nPU800,2000;\nPD;\nPU;\nSP2;\nPU80,40;\nPD40,40;\nPU;\n"
               "SP1;\nPU400,3200;\nSI0.35,0.5;LB?; a?(b)\x03\nPU;SP0;\n");
@@ -328,13 +332,13 @@ TEST(Hpgl, GoesBackAfterALabel) {
     output::PageCounts counts;
     output::PageInfo info;
     info.height = 100.0;
-    output::HpglWriter file(memory, out, info, {}, counts);
-    file.begin_group({});
-    file.text({10.0, 90.0, 4.0, "a"});
+    const auto file = output::plotter_writer(output::PageFormat::hpgl, memory, out, info, {}, counts);
+    file->begin_group({});
+    file->text({10.0, 90.0, 4.0, "a"});
     const Line line{{10.0, 90.0, 0.1}, {20.0, 90.0, 0.1}};
-    file.path(path_of(line));
-    file.end_group();
-    file.finish();
+    file->path(path_of(line));
+    file->end_group();
+    file->finish();
     EXPECT_EQ(out.text, "IN;\nSP1;\nPU400,400;\nSI0.28,0.4;LBa\x03\nPU400,400;\nPD800,400;\nPU;\nPU;SP0;\n");
 }
 
@@ -344,10 +348,10 @@ TEST(Gcode, IsWhatPlottersRead) {
     std::snprintf(input.group.name, sizeof input.group.name, "hatch (2) gr%s", "\xC3\xBCn");
     other.add({{1.0, 99.0, 0.1}, {0.5, 99.0, 0.1}});
     other.group.pen = 2;
-    output::PlotFormat format;
+    output::WriterSettings format;
     format.pen_down = "down";
     format.pen_up = "up\n";
-    const Written result = written<output::GcodeWriter>({input, other}, format, {{10.0, 20.0, 5.0, "a\n(b)"}});
+    const Written result = written<Gcode>({input, other}, format, {{10.0, 20.0, 5.0, "a\n(b)"}});
     EXPECT_EQ(result.text,
               "(A ?title??of two lines, gr?n)\n(hrbfnpr 0)\n"
               "(200 x 100 mm, y up from the lower left corner; texts are left out)\n"
@@ -359,7 +363,7 @@ TEST(Gcode, IsWhatPlottersRead) {
 TEST(Gcode, HasItsOwnLinesForThePen) {
     GroupInput input;
     input.add({{10.0, 90.0, 0.1}, {20.0, 90.0, 0.1}});
-    const std::string text = written<output::GcodeWriter>({input}).text;
+    const std::string text = written<Gcode>({input}).text;
     EXPECT_THAT(text, HasSubstr("G90\nG1 F1800\nG0 Z5\n"));
     EXPECT_THAT(text, HasSubstr("G0 X10 Y10\nG1 Z0\nG1 X20 Y10 F1800\nG0 Z5\nM2\n"));
     EXPECT_THAT(text, Not(HasSubstr("nan")));
@@ -370,7 +374,7 @@ TEST(Hpgl, CutsLongInstructions) {
     Line zigzag;
     for (int i = 0; i < 300; ++i) zigzag.push_back({10.0 + 0.5 * i, i % 2 == 0 ? 40.0 : 60.0, 0.1});
     input.add(zigzag);
-    const Written result = written<output::HpglWriter>({input});
+    const Written result = written<Hpgl>({input});
     EXPECT_EQ(result.plotted.lifts, 1);
     std::istringstream stream(result.text);
     for (std::string line; std::getline(stream, line);) EXPECT_LE(line.size(), 1000U);

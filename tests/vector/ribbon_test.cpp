@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Outlines of lines: what they cover is what the line covers, by counting places inside.
-#include "output/vector/ribbon.h"
+#include "output/vector/shapes.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 #include <vector>
@@ -12,8 +13,8 @@ namespace hrbfnpr::testing::ribbon_test {
 namespace {
 
 using drawing::Cap;
+using geometry::Cubic;
 using glm::dvec2;
-using output::Cubic;
 using output::PagePath;
 using output::PagePoint;
 
@@ -36,8 +37,11 @@ struct Shape {
 };
 
 // Flattens.
-class Polygons final : public output::OutlineSink {
+class Polygons final : public output::ShapeSink {
 public:
+    void begin_fill(double /*opacity*/) override {}
+    void begin_line(double /*width*/, Cap /*cap*/, double /*opacity*/) override {}
+    void end_shape() override {}
     void move_to(const dvec2& p) override { shape.loops.push_back({p}); }
     void line_to(const dvec2& p) override { shape.loops.back().push_back(p); }
     void curve_to(const Cubic& c) override {
@@ -85,14 +89,16 @@ double wrong(const std::vector<PagePoint>& line, const Shape& shape, double marg
 Shape outline_of(const std::vector<PagePoint>& line, bool closed = false, Cap begin = Cap::round,
                  Cap end = Cap::round) {
     base::Memory memory;
-    output::Ribbon ribbon(memory);
+    output::ShapeSettings settings;
+    settings.tolerance = 0.02;
+    output::Shapes shapes(memory, settings);
     Polygons polygons;
     PagePath path;
     path.points = line;
     path.closed = closed;
     path.begin = begin;
     path.end = end;
-    ribbon.outline(path, 0.02, polygons);
+    shapes.outline(path, polygons);
     EXPECT_EQ(static_cast<std::size_t>(polygons.closed), polygons.shape.loops.size());
     return polygons.shape;
 }

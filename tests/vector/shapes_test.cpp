@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "output/vector/shapes.h"
+#include "output/vector/pen.h"
 
 #include <gtest/gtest.h>
 
@@ -11,7 +11,7 @@ std::int64_t points_of_spiral(double pen_width) {
     base::Array<glm::dvec2> points(memory);
     PageDot dot{};
     dot.radius = 0.3;
-    spiral(dot, pen_width, 0.05, points);
+    add_spiral(dot, pen_width, 0.05, points);
     return points.size();
 }
 

@@ -37,10 +37,9 @@ std::pair<PagePoint, PagePoint> ends_of(const Stop& stop, const Leg& leg) {
 
 Result tour_of(const std::vector<Stop>& stops, PagePoint from = {0.0, 100.0, 0.0}) {
     base::Memory memory;
-    output::Tour tour(memory);
     const base::Progress progress;
     Result result;
-    for (const Leg& leg : tour.find(stops, {from.x, from.y}, progress)) {
+    for (const Leg& leg : output::find_tour(memory, stops, {from.x, from.y}, progress)) {
         result.legs.push_back(leg);
         const auto [first, last] = ends_of(stops[static_cast<std::size_t>(leg.stop)], leg);
         result.travel += between(from, first);

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // What writers write: numbers, characters, the structure of a file.
-#include "output/vector/pdf.h"
-#include "output/vector/svg.h"
+#include "output/vector/writers.h"
+
+#include "output/vector/text_out.h"
 
 #include <gtest/gtest.h>
 
@@ -55,8 +56,9 @@ TEST(TextOut, EscapesAndBuffers) {
     EXPECT_EQ(out.bytes(), static_cast<std::int64_t>(text.all.size()));
 }
 
-template <class Writer>
-std::string page_by(PageCounts& counts, const output::ShapeSettings& settings = {}) {
+using MakeWriter = decltype(output::svg_writer);
+
+std::string page_by(MakeWriter& make, PageCounts& counts, const output::ShapeSettings& settings = {}) {
     base::Memory memory;
     Text text;
     PageInfo info;
@@ -64,25 +66,25 @@ std::string page_by(PageCounts& counts, const output::ShapeSettings& settings = 
     info.height = 50.0;
     info.title = "A & B \xC3\xA9";
     info.program = "1.2.3";
-    Writer writer(memory, text, info, settings, counts);
-    writer.begin_view({"front <1>", {0, 0, 100, 50}, {1.0F, 1.0F, 1.0F, 1.0F}, true});
+    const std::unique_ptr<output::PageSink> writer = make(memory, text, info, settings, counts);
+    writer->begin_view({"front <1>", {0, 0, 100, 50}, {1.0F, 1.0F, 1.0F, 1.0F}, true});
     output::PageGroup group;
     std::snprintf(group.name, sizeof group.name, "contour hidden 1");
     group.ink = {1.0F, 0.0F, 0.0F, 0.5F};
-    writer.begin_group(group);
+    writer->begin_group(group);
     const std::vector<PagePoint> even{{1, 2, 0.25}, {30, 2, 0.25}, {40, 12, 0.25}};
     const std::vector<PagePoint> swelling{{1, 20, 0.1}, {30, 20, 0.5}, {60, 20, 0.0}};
     PagePath path;
     path.points = even;
-    writer.path(path);
+    writer->path(path);
     path.points = swelling;
     path.opacity = 0.5;
-    writer.path(path);
-    writer.dot({50, 40, 0.7, 1.0, false});
-    writer.text({3, 45, 3.5, "(M\xC3\xBCller) <\xE5\x85\x8E>"});
-    writer.end_group();
-    writer.end_view();
-    writer.finish();
+    writer->path(path);
+    writer->dot({50, 40, 0.7, 1.0, false});
+    writer->text({3, 45, 3.5, "(M\xC3\xBCller) <\xE5\x85\x8E>"});
+    writer->end_group();
+    writer->end_view();
+    writer->finish();
     EXPECT_EQ(counts.bytes, static_cast<std::int64_t>(text.all.size()));
     return text.all;
 }
@@ -91,7 +93,7 @@ bool has(const std::string& text, const std::string& part) { return text.find(pa
 
 TEST(Svg, HasLayersSizesAndWords) {
     PageCounts counts;
-    const std::string svg = page_by<output::SvgWriter>(counts);
+    const std::string svg = page_by(output::svg_writer, counts);
     EXPECT_TRUE(has(svg, R"(width="100mm" height="50mm" viewBox="0 0 100 50")"));
     EXPECT_TRUE(has(svg, "<title>A &amp; B \xC3\xA9</title>"));
     EXPECT_TRUE(has(svg, "hrbfnpr 1.2.3</metadata>"));
@@ -113,7 +115,7 @@ TEST(Svg, HasClassesOfWidthsAndOtherDots) {
     settings.widths = output::Widths::classes;
     settings.width_step = 2.0;
     settings.dots = output::DotShapes::lines;
-    const std::string svg = page_by<output::SvgWriter>(counts, settings);
+    const std::string svg = page_by(output::svg_writer, counts, settings);
     EXPECT_FALSE(has(svg, "<path fill-opacity"));
     for (const char* width : {".2", ".4", ".8"})
         EXPECT_TRUE(has(svg, std::string("stroke-width=\"") + width + '"')) << width;
@@ -123,7 +125,7 @@ TEST(Svg, HasClassesOfWidthsAndOtherDots) {
 
 TEST(Pdf, HasItsObjectsWhereItSays) {
     PageCounts counts;
-    const std::string pdf = page_by<output::PdfWriter>(counts);
+    const std::string pdf = page_by(output::pdf_writer, counts);
     EXPECT_EQ(pdf.substr(0, 9), "%PDF-1.5\n");
     const std::size_t start = std::stoul(pdf.substr(pdf.rfind("startxref\n") + 10));
     ASSERT_EQ(pdf.substr(start, 5), "xref\n");

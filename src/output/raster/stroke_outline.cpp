@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "output/raster/stroke_outline.h"
 
+#include "base/assert.h"
+#include "output/raster/tuning.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -14,18 +17,6 @@ namespace {
 using drawing::Cap;
 using drawing::StrokePoint;
 
-// Points that are nearer to each other stand in one place, pixels.
-constexpr double nowhere = 1e-6;
-// How far an edge may lie off, pixels.
-constexpr double tolerance = 0.0007;
-// The same of an arc's chords, times their length where that is less than a pixel.  A single one has all its error on
-// one side.
-constexpr double arc_tolerance = 0.006;
-constexpr double chord_tolerance = 0.0008;
-constexpr double finer = 0.2; // times these, where arcs may lie upon each other: what they are off adds up
-constexpr int most_halvings = 6;
-constexpr float same_opacity = 1.0F / 1024.0F;
-
 Place operator+(const Place& a, const Place& b) noexcept { return {a.x + b.x, a.y + b.y}; }
 Place operator-(const Place& a, const Place& b) noexcept { return {a.x - b.x, a.y - b.y}; }
 Place operator*(double s, const Place& a) noexcept { return {s * a.x, s * a.y}; }
@@ -33,8 +24,8 @@ double dot(const Place& a, const Place& b) noexcept { return a.x * b.x + a.y * b
 double cross(const Place& a, const Place& b) noexcept { return a.x * b.y - a.y * b.x; }
 Place unit(const Place& a) noexcept { return (1.0 / std::sqrt(dot(a, a))) * a; }
 
-// The corners of an arc of at most a right angle between unit vectors, without its ends, which lie on it.  The others
-// lie outside, so that the area is kept.  Only square roots and quotients, which are the same everywhere.
+// Adds the corners of an arc of at most a right angle between unit vectors, without its ends, which lie on it. The
+// others lie outside, so that the area is kept. Square roots and quotients are the same on all processors.
 void add_arc(const Place& centre, double radius, const Place& from, const Place& to, double scale, Outline& outline,
              bool left = true) noexcept {
     double cosine = dot(from, to);
@@ -44,8 +35,8 @@ void add_arc(const Place& centre, double radius, const Place& from, const Place&
         const double half = std::sqrt(std::max(0.5 + 0.5 * cosine, 0.0));
         rise = radius * (1.0 - half);
         const double chord = 2.0 * radius * std::sqrt(std::max(0.5 - 0.5 * cosine, 0.0));
-        const double most = scale * (halvings == 0 ? chord_tolerance : arc_tolerance);
-        if (halvings == most_halvings || rise * std::min(chord, 1.0) <= most) break;
+        const double most = scale * (halvings == 0 ? raster_tuning.chord_tolerance : raster_tuning.arc_tolerance);
+        if (halvings == raster_tuning.most_halvings || rise * std::min(chord, 1.0) <= most) break;
         cosine = half;
     }
     const double sine = std::sqrt(std::max(1.0 - cosine * cosine, 0.0)) * (cross(from, to) < 0.0 ? -1.0 : 1.0);
@@ -58,7 +49,7 @@ void add_arc(const Place& centre, double radius, const Place& from, const Place&
     }
 }
 
-// What stands out of an end in the direction `out`, from its one corner to the other.
+// Adds what stands out of an end in the direction `out`, from one corner of the end to the other.
 void add_cap(const Place& centre, double radius, const Place& out, Cap cap, double scale, Outline& outline) noexcept {
     const Place from{out.y, -out.x};
     if (cap == Cap::round) {
@@ -70,7 +61,7 @@ void add_cap(const Place& centre, double radius, const Place& out, Cap cap, doub
     }
 }
 
-// Where two lines cross: at + s * along = other + t * direction.
+// Finds where two lines cross: at + s * along = other + t * direction.
 bool crossing(const Place& at, const Place& along, const Place& other, const Place& direction, double& s,
               double& t) noexcept {
     const double sine = cross(along, direction);
@@ -84,19 +75,20 @@ bool crossing(const Place& at, const Place& along, const Place& other, const Pla
 
 bool Outline::may_drop(const Place& next, bool left) const noexcept {
     const std::int32_t passed = gentle[left ? 1 : 0];
-    if (passed % 4 == 0) return false; // not all that follow: what they are off adds up
+    if (passed % 4 == 0) return false; // each fourth stays, since what dropped ones are off adds up
     const Place& last = at[left ? count - 1 : back];
     const Place& before = at[left ? count - 2 : back + 1];
     const Place along = next - before;
     const double off = cross(along, last - before);
-    return off * off <= tolerance * tolerance * dot(along, along);
+    return off * off <= raster_tuning.edge_tolerance * raster_tuning.edge_tolerance * dot(along, along);
 }
 
 Outliner::Outliner(const SegmentList& list, bool overlap) noexcept
-    : list_(list), arcs_(overlap ? finer : 1.0), first_(list.stroke->first),
+    : list_(list), arcs_(overlap ? raster_tuning.finer : 1.0), first_(list.stroke->first),
       last_(list.stroke->first + list.stroke->count - 2) {}
 
 bool Outliner::find_leg(std::int64_t number, Leg& leg) const noexcept {
+    HRBFNPR_ASSERT(number >= first_ && number <= last_);
     const StrokePoint& p = list_.points[number];
     const StrokePoint& q = list_.points[number + 1];
     const Place origin{static_cast<double>(list_.left), static_cast<double>(list_.top)};
@@ -107,7 +99,7 @@ bool Outliner::find_leg(std::int64_t number, Leg& leg) const noexcept {
     const Place along = leg.b - leg.a;
     leg.length = std::sqrt(dot(along, along));
     leg.number = -1;
-    if (!(leg.length > nowhere)) return false;
+    if (!(leg.length > raster_tuning.nowhere)) return false;
     const double scale = 1.0 / leg.length;
     leg.along = scale * along;
     leg.taper = scale * std::abs(leg.radius_b - leg.radius_a);
@@ -115,7 +107,7 @@ bool Outliner::find_leg(std::int64_t number, Leg& leg) const noexcept {
     return true;
 }
 
-// The next one with a length before a segment.
+// Finds the last leg with a length before a segment.
 void Outliner::find_before(std::int64_t number, Leg& leg) const noexcept {
     leg.number = -1;
     for (std::int64_t i = number - 1; i >= first_; --i)
@@ -132,8 +124,8 @@ void Outliner::find_after(std::int64_t number, Leg& leg) const noexcept {
         if (find_leg(i, leg)) return;
 }
 
-// Where the inner edges of two legs meet.  Where the width changes they may pass each other by: then the wider one's
-// end reaches the other's edge.  False if that is beyond the halves that face each other.
+// Finds where the inner edges of two legs meet. Where the width changes they may pass each other by: then the wider
+// one's end reaches the other's edge. Returns false if they meet beyond the halves that face each other.
 bool Outliner::meet(const Leg& a, const Leg& b, double side, Joint& joint) noexcept {
     const Place from = a.a + side * a.radius_a * a.left();
     const Place corner_a = a.b + side * a.radius_b * a.left();
@@ -173,13 +165,13 @@ void Outliner::find_joint(const Leg& a, const Leg& b, Joint& joint) noexcept {
     const double bend = std::abs(sine) * scale; // the tangent of half the turn
     const bool fits = a.radius_b == radius && radius * bend <= 0.5 * std::min(a.length, b.length);
     joint.left_outside = sine >= 0.0;
-    // What stands out of the arc does so over twice this length, of which a pixel has at most its own.
+    // The corner stands out of the arc over twice this length, of which a pixel has at most its own.
     const double reach = radius * bend;
     const double taper = std::max(a.taper, b.taper);
-    bool gentle = fits && reach * (0.5 * bend + taper) < tolerance;
+    bool gentle = fits && reach * (0.5 * bend + taper) < raster_tuning.edge_tolerance;
     if (fits && !gentle) {
         const double part = std::min(reach / std::min({a.length, b.length, 1.0}), 1.0);
-        gentle = reach * (0.5 * bend * part + taper) < tolerance;
+        gentle = reach * (0.5 * bend * part + taper) < raster_tuning.edge_tolerance;
     }
     if (gentle) {
         const Place miter = radius * scale * (a.left() + b.left());
@@ -194,7 +186,7 @@ void Outliner::find_joint(const Leg& a, const Leg& b, Joint& joint) noexcept {
     joint.kind = fits && meet(a, b, -side, joint) ? Kind::round : Kind::open;
 }
 
-// One side of a leg's beginning, in the leg's direction.
+// Adds one side of a leg's beginning, in the leg's direction.
 void Outliner::begin_side(const Leg& leg, const Joint& joint, bool left, Outline& outline) const noexcept {
     const bool outside = left == joint.left_outside;
     const Place across = (left ? 1.0 : -1.0) * leg.left();
@@ -236,7 +228,7 @@ void Outliner::end_side(const Leg& leg, const Joint& joint, bool left, Outline& 
     }
 }
 
-// A stroke all of whose points stand in one place: a dot, if it ends round.
+// A stroke all of whose points stand in one place is a disc if it ends round.
 void Outliner::disc(Outline& outline) const noexcept {
     const drawing::Stroke& stroke = *list_.stroke;
     if (!stroke.closed && stroke.cap_begin != Cap::round && stroke.cap_end != Cap::round) return;
@@ -250,7 +242,7 @@ void Outliner::disc(Outline& outline) const noexcept {
     }
 }
 
-// False: it has no length.
+// Returns false if the segment has no length.
 bool Outliner::start(std::int64_t number) noexcept {
     if (leg_.number >= 0 && next_.number == number) {
         go_on();
@@ -273,17 +265,18 @@ void Outliner::go_on() noexcept {
     find_joint(leg_, next_, end_);
 }
 
-// Whether the list's segment i continues an outline that began with `from`: then it has the same opacity, but for less
-// than can be seen, and about its direction.
+// Whether the list's segment i continues an outline that began with `from`: it has the same opacity, but for less than
+// can be seen, and about the same direction.
 bool Outliner::goes_on(std::int64_t i, const Leg& from) const noexcept {
     if (i == list_.count || std::int64_t{list_.numbers[i]} != next_.number || end_.kind == Kind::open) return false;
     const float opacity = list_.points[from.number].opacity;
-    return std::abs(list_.points[next_.number].opacity - opacity) <= same_opacity &&
-           std::abs(list_.points[next_.number + 1].opacity - opacity) <= same_opacity &&
+    return std::abs(list_.points[next_.number].opacity - opacity) <= raster_tuning.same_opacity &&
+           std::abs(list_.points[next_.number + 1].opacity - opacity) <= raster_tuning.same_opacity &&
            dot(from.along, next_.along) > 0.5;
 }
 
 std::int64_t Outliner::outline(std::int64_t i, bool single, Outline& outline) noexcept {
+    HRBFNPR_ASSERT(i >= 0 && i < list_.count);
     const drawing::Stroke& stroke = *list_.stroke;
     const std::int64_t number = list_.numbers[i];
     outline.clear();
@@ -362,7 +355,7 @@ bool follow(const Stretch& a, const Stretch& b, const drawing::Stroke& stroke) n
 
 using Stretches = std::array<Stretch, 12>;
 
-// The list's stretches; more than there is room for: size() + 1.
+// Returns the number of the list's stretches, which is size() + 1 if there is no room for all.
 std::size_t find_stretches(const SegmentList& list, Stretches& stretches) noexcept {
     std::size_t count = 0;
     for (std::int64_t i = 0; i < list.count; ++i) {

@@ -1,21 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "output/raster/stroke_union.h"
 
+#include "base/assert.h"
+#include "output/raster/tuning.h"
+
 #include <algorithm>
 #include <cmath>
 
 namespace hrbfnpr::output {
 namespace {
-
-// Room that is made at once, so that few drawings need more.
-constexpr std::int64_t usual_edges = 2048;
-constexpr std::int64_t usual_shades = 512;
-constexpr std::int64_t usual_pieces = 256;
-constexpr std::int64_t usual_spans = 1024;
-// A row with more heights than this is cut evenly instead: each of its lines is exact along x.
-constexpr std::int64_t most_breaks = 256;
-constexpr int even_slabs = 256;
-constexpr double flat = 1e-12; // pixels: slabs that are less high
 
 std::int32_t row_of(double y, std::int32_t rows) noexcept {
     return static_cast<std::int32_t>(std::clamp(y, 0.0, static_cast<double>(rows)));
@@ -26,17 +19,18 @@ std::int32_t row_of(double y, std::int32_t rows) noexcept {
 StrokeUnion::StrokeUnion(base::Memory& memory)
     : edges_(memory), shades_(memory), winding_(memory), active_(memory), pieces_(memory), breaks_(memory),
       beginnings_(memory), order_(memory), inside_(memory), spans_(memory), found_(memory) {
-    edges_.reserve(usual_edges);
-    shades_.reserve(usual_shades);
-    winding_.reserve(usual_shades);
-    for (base::Array<std::int32_t>* const of_row : {&active_, &beginnings_, &order_, &inside_, &found_})
-        of_row->reserve(usual_pieces);
-    pieces_.reserve(usual_pieces);
-    breaks_.reserve(most_breaks + 1);
-    spans_.reserve(usual_spans);
+    // Few drawings need more room than this.
+    edges_.reserve(2048);
+    spans_.reserve(1024);
+    for (base::Array<std::int32_t>* const numbers : {&winding_, &active_, &beginnings_, &order_, &inside_, &found_})
+        numbers->reserve(512);
+    shades_.reserve(512);
+    pieces_.reserve(512);
+    breaks_.reserve(raster_tuning.most_breaks + 1);
 }
 
 void StrokeUnion::begin(std::int32_t width, std::int32_t height, bool by_depth) noexcept {
+    HRBFNPR_ASSERT(width > 0 && width <= most_side && height > 0 && height <= most_side);
     width_ = width;
     height_ = height;
     by_depth_ = by_depth;
@@ -49,12 +43,12 @@ void StrokeUnion::begin(std::int32_t width, std::int32_t height, bool by_depth) 
     std::fill_n(first_, height, -1);
 }
 
-// Outlines of one constant opacity are one to the picture.
+// Outlines of the same constant opacity share a shade.
 bool StrokeUnion::same_shade(const Shade& a, const Shade& b) const noexcept {
     return !by_depth_ && a.more_opacity == 0.0F && b.more_opacity == 0.0F && a.opacity == b.opacity;
 }
 
-// What lies beyond the tile's right side is left out, what lies to the left of it stands at its left side.
+// Edges beyond the tile's right side are left out; edges to the left of it stand at its left side.
 void StrokeUnion::add(const Outline& outline, const Shade& shade) {
     if (outline.count == 0) return;
     if (shades_.empty() || !same_shade(shades_.back(), shade)) {
@@ -86,7 +80,7 @@ void StrokeUnion::add(const Outline& outline, const Shade& shade) {
     }
 }
 
-// Leaves in the list the edges that go on below.
+// Finds the parts of edges in a row. The list of active edges keeps those that go on below.
 void StrokeUnion::find_pieces(std::int32_t y) {
     const double top = static_cast<double>(y);
     for (std::int32_t e = first_[y]; e >= 0; e = edges_[e].next) active_.push_back(e);
@@ -120,27 +114,28 @@ void StrokeUnion::add_crossings() {
             const double before = a.at(from) - b.at(from);
             const double after = a.at(to) - b.at(to);
             if (before * after < 0.0) breaks_.push_back(from + (to - from) * (before / (before - after)));
-            if (breaks_.size() > most_breaks) return;
+            if (breaks_.size() > raster_tuning.most_breaks) return;
         }
     }
 }
 
-// In order.
+// Finds the heights between which nothing begins, ends or crosses, in order.
 void StrokeUnion::find_breaks(std::int32_t y) {
     breaks_.clear();
     for (const Piece& p : pieces_) {
         breaks_.push_back(p.upper);
         breaks_.push_back(p.lower);
     }
-    if (breaks_.size() <= most_breaks) add_crossings();
-    if (breaks_.size() > most_breaks) {
+    if (breaks_.size() <= raster_tuning.most_breaks) add_crossings();
+    if (breaks_.size() > raster_tuning.most_breaks) {
         breaks_.clear();
-        for (int k = 0; k <= even_slabs; ++k) breaks_.push_back(static_cast<double>(y) + k / double{even_slabs});
+        for (int k = 0; k <= raster_tuning.most_breaks; ++k)
+            breaks_.push_back(static_cast<double>(y) + k / double{raster_tuning.most_breaks});
     }
     std::sort(breaks_.begin(), breaks_.end());
 }
 
-// Whose the place is, of those around it.
+// The shade that a place belongs to, of those that cover it.
 std::int32_t StrokeUnion::owner(double x, double y) const noexcept {
     std::int32_t best = inside_[0];
     float nearest = 0.0F;
@@ -175,7 +170,8 @@ void StrokeUnion::find_beginnings() {
     order_.clear();
 }
 
-// Nearly that of the slab above, so that putting each into its place moves few others.
+// Orders the pieces of a slab from left to right. The order is nearly that of the slab above, so that putting each
+// piece into its place moves few others.
 void StrokeUnion::find_order(double y) {
     std::int64_t kept = 0;
     for (const std::int32_t number : order_)
@@ -195,7 +191,7 @@ void StrokeUnion::find_order(double y) {
     }
 }
 
-// Between two heights where nothing begins, ends or crosses.
+// Adds the trapezoids between two heights where nothing begins, ends or crosses.
 void StrokeUnion::add_slab(double from, double to) {
     const double middle = 0.5 * (from + to);
     find_order(middle);
@@ -216,7 +212,7 @@ void StrokeUnion::add_slab(double from, double to) {
     for (const std::int32_t shade : inside_) winding_[shade] = 0;
 }
 
-// Passes an edge of an outline.
+// Passes an edge of an outline: its winding number changes.
 void StrokeUnion::turn(std::int32_t shade, std::int32_t by) {
     const bool was_inside = winding_[shade] != 0;
     winding_[shade] += by;
@@ -231,18 +227,19 @@ void StrokeUnion::turn(std::int32_t shade, std::int32_t by) {
 }
 
 std::int32_t StrokeUnion::cut(std::int32_t y) {
+    HRBFNPR_ASSERT(y >= 0 && y < height_);
     spans_.clear();
     found_.clear();
     find_pieces(y);
     find_breaks(y);
     find_beginnings();
     for (std::int64_t i = 0; i + 1 < breaks_.size(); ++i)
-        if (breaks_[i + 1] - breaks_[i] > flat) add_slab(breaks_[i], breaks_[i + 1]);
+        if (breaks_[i + 1] - breaks_[i] > raster_tuning.flat) add_slab(breaks_[i], breaks_[i + 1]);
     std::sort(found_.begin(), found_.end());
     return static_cast<std::int32_t>(found_.size());
 }
 
-// Adds what lies to the right of an edge that goes from x0 to x1 over a height: as steps, whose sums are the pixels.
+// Adds the area to the right of an edge that goes from x0 to x1 over a height, as steps whose sums are the pixels.
 void StrokeUnion::add_edge(double x0, double x1, double height) noexcept {
     double low = std::min(x0, x1);
     double high = std::max(x0, x1);
@@ -264,7 +261,7 @@ void StrokeUnion::add_edge(double x0, double x1, double height) noexcept {
     }
     const auto first = static_cast<std::int32_t>(low);
     const auto last = static_cast<std::int32_t>(high);
-    if (first == last || first + 1 >= width_ + 1) { // of a pixel's part of the height, the mean to its right
+    if (first == last || first + 1 >= width_ + 1) { // within a pixel: the mean to its right
         const double beyond = 0.5 * (low + high) - first;
         steps_[first] += height * (1.0 - beyond);
         steps_[first + 1] += height * beyond;
@@ -280,6 +277,7 @@ void StrokeUnion::add_edge(double x0, double x1, double height) noexcept {
 }
 
 const Shade& StrokeUnion::cover(std::int32_t i, float* pixels, std::int32_t& left, std::int32_t& right) noexcept {
+    HRBFNPR_ASSERT(i >= 0 && i < found_.size());
     const std::int32_t shade = found_[i];
     std::fill_n(steps_, width_ + 2, 0.0);
     double low = static_cast<double>(width_);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The exact area of pixels that outlines of a stroke cover together, where they overlap.
+// The exact area of each pixel that outlines of a stroke cover together where they overlap.
 #pragma once
 
 #include "base/memory.h"
@@ -9,43 +9,43 @@
 
 namespace hrbfnpr::output {
 
-// What a segment gives to the pixels that it covers: both change evenly along it.
+// What a segment gives to the pixels that it covers. Opacity and depth change evenly along it.
 struct Shade {
     float from, step_x, step_y; // the place along it: from + step . pixel, in [0, 1]
     float opacity, more_opacity;
     float window, more_window;
 };
 
-// Row by row: between the heights where edges begin, end or cross, their order does not change, and what lies between
-// them are trapezoids.  Inside is where the winding number is not 0.  Each worker has one.
+// Finds it row by row: between the heights where edges begin, end or cross their order does not change, and trapezoids
+// lie between them. Inside is where the winding number is not 0. Each worker has one.
 class alignas(base::Memory::alignment) StrokeUnion {
 public:
     static constexpr std::int32_t most_side = 64; // of a tile
 
     explicit StrokeUnion(base::Memory& memory);
 
-    // For a tile of so many pixels.  Where `by_depth` is set, what several outlines cover belongs to the nearest one,
-    // else to the first one.
+    // Begins a tile. A place that several outlines cover belongs to the nearest one if `by_depth` is set, else to the
+    // first one.
     void begin(std::int32_t width, std::int32_t height, bool by_depth) noexcept;
     // Throws Error{out_of_memory}.
     void add(const Outline& outline, const Shade& shade);
 
     [[nodiscard]] std::int32_t top() const noexcept { return top_; }
     [[nodiscard]] std::int32_t bottom() const noexcept { return bottom_; }
-    // Finds what is covered of a row; rows from top() to bottom() one after the other.  Returns how many shades it has.
+    // Finds what is covered of a row; rows from top() to bottom() one after the other. Returns how many shades it has.
     std::int32_t cut(std::int32_t y);
-    // Of the row's i-th shade: how much of each pixel from `left` to `right` is covered by what belongs to it.
+    // Writes how much of each pixel from `left` to `right` belongs to the row's i-th shade.
     const Shade& cover(std::int32_t i, float* pixels, std::int32_t& left, std::int32_t& right) noexcept;
 
 private:
-    // From its upper to its lower end.
+    // An edge goes from its upper to its lower end.
     struct Edge {
         double x, top, bottom, slope;
-        std::int32_t winding; // of what lies to the right of it
+        std::int32_t winding; // of the places to the right of it, less that to the left
         std::int32_t shade;
-        std::int32_t next; // of those that begin in the same row; -1: none
+        std::int32_t next; // the next edge that begins in the same row; -1: none
     };
-    // Of an edge, in the row.
+    // The part of an edge in the row.
     struct Piece {
         double upper, lower, x, slope; // x: at height 0 of the tile
         double low, high;              // of x
@@ -53,7 +53,7 @@ private:
         double here; // x in the slab at hand
         [[nodiscard]] double at(double y) const noexcept { return x + y * slope; }
     };
-    // Between two edges, from one height to another.
+    // A trapezoid between two edges, from one height to another.
     struct Span {
         double left_top, left_bottom, right_top, right_bottom, height;
         std::int32_t shade;

@@ -1,44 +1,23 @@
 // SPDX-License-Identifier: MIT
-#include "output/vector/join_lines.h"
-
-#include "output/vector/look.h"
+// Ends are paired in the order of what going on from one to the other costs, and chains of pairs become lines.
+#include "output/vector/near_tree.h"
+#include "output/vector/plot_lines.h"
+#include "output/vector/tuning.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <utility>
 
 namespace hrbfnpr::output {
 namespace {
 
 using glm::dvec2;
 
-constexpr std::int64_t at_a_time = 1024;
-constexpr std::int64_t compared_at_a_time = 65536;
-constexpr int most_near = 8; // ends that one is compared with
-constexpr double same_opacity = 1.0 / 512.0;
-constexpr double least_of_ring = 4.0; // its length, of the line's width
-
-struct Near {
-    std::int32_t end;
-    double square;
+struct End {
+    dvec2 place, outward; // the direction out of the line
 };
 
-// The nearest ones, nearest first.
-struct NearList {
-    Near near[most_near];
-    int count = 0;
-
-    void add(std::int32_t end, double from, double& square) noexcept {
-        int at = count < most_near ? count++ : most_near - 1;
-        for (; at > 0 && near[at - 1].square > from; --at) near[at] = near[at - 1];
-        near[at] = {end, from};
-        if (count == most_near) square = near[most_near - 1].square;
-    }
-};
-
-// From a place one width along the line to its end: nearer points say little of where it goes.
-dvec2 direction_of(std::span<const PagePoint> points, bool at_end, double width) noexcept {
+// The line goes the way from a place one width along it to its end: nearer points say little of it.
+dvec2 outward_of(std::span<const PagePoint> points, bool at_end, double width) noexcept {
     const std::size_t count = points.size();
     const dvec2 end = place_of(at_end ? points[count - 1] : points[0]);
     dvec2 way(0.0);
@@ -50,179 +29,173 @@ dvec2 direction_of(std::span<const PagePoint> points, bool at_end, double width)
     return length > 0.0 ? way / length : dvec2(0.0);
 }
 
-} // namespace
-
-JoinLines::JoinLines(base::Memory& memory) noexcept
-    : ends_(memory), outward_(memory), pairs_(memory), partner_(memory), chain_(memory), length_(memory), done_(memory),
-      tree_(memory), joined_(memory) {}
-
-std::int64_t JoinLines::join(PlotLines& from, const JoinSettings& settings, const base::Progress& progress) {
-    find_ends(from, progress);
-    find_pairs(from, settings, progress);
-    const std::int64_t count = choose_pairs(from, progress);
-    joined_.clear();
-    joined_.points.reserve(from.points.size());
-    done_.clear();
-    done_.resize(from.lines.size());
-    // Chains that have ends, from the first line of them; then rings.
-    const auto lines = static_cast<std::int32_t>(from.lines.size());
-    for (const bool rings : {false, true})
-        for (std::int32_t line = 0; line < lines; ++line) {
-            if (line % at_a_time == 0) look(progress);
-            for (const std::int32_t end : {2 * line, 2 * line + 1})
-                if (done_[line] == 0 && (rings || partner_[end] < 0)) add_chain(from, end);
-        }
-    std::swap(from.points, joined_.points);
-    std::swap(from.lines, joined_.lines);
-    return count;
+// Ends 2 i and 2 i + 1 are where line i begins and ends.
+base::Array<End> ends_of(const PlotLines& lines, const base::Progress& progress) {
+    base::Array<End> ends(lines.points.memory());
+    ends.reserve(2 * lines.lines.size());
+    Looks looks(progress, steps_a_look);
+    for (const PlotLine& line : lines.lines) {
+        looks.count();
+        const std::span<const PagePoint> points = lines.points_of(line);
+        ends.push_back({place_of(points.front()), outward_of(points, false, line.width)});
+        ends.push_back({place_of(points.back()), outward_of(points, true, line.width)});
+    }
+    return ends;
 }
 
-void JoinLines::find_ends(const PlotLines& from, const base::Progress& progress) {
-    const std::int64_t lines = from.lines.size();
-    ends_.resize_for_overwrite(2 * lines);
-    outward_.resize_for_overwrite(2 * lines);
-    for (std::int64_t i = 0; i < lines; ++i) {
-        if (i % at_a_time == 0) look(progress);
-        const std::span<const PagePoint> points = from.points_of(from.lines[i]);
-        ends_[2 * i] = place_of(points.front());
-        ends_[2 * i + 1] = place_of(points.back());
-        outward_[2 * i] = direction_of(points, false, from.lines[i].width);
-        outward_[2 * i + 1] = direction_of(points, true, from.lines[i].width);
+struct EndPair {
+    double cost;
+    std::int32_t a, b; // ends, the lower number first
+};
+
+// What going on from end a of a line at end b of another one costs; -1: they are not joined.
+double cost_of(const PlotLine& line, const PlotLine& other, const End& a, const End& b, double most) noexcept {
+    const double distance = glm::distance(a.place, b.place);
+    if (distance > most) return -1.0;
+    const double turn = std::acos(std::clamp(-glm::dot(a.outward, b.outward), -1.0, 1.0));
+    if (turn > plot_tuning.sharpest_join) return -1.0;
+    if (distance > plot_tuning.seen_link * std::min(line.width, other.width)) {
+        const dvec2 link = (b.place - a.place) / distance;
+        const double least = std::cos(plot_tuning.sharpest_join);
+        if (glm::dot(a.outward, link) < least || glm::dot(b.outward, -link) < least) return -1.0;
     }
-    tree_.build(ends_.span(), progress);
-    for (std::int32_t i = 0; i < lines; ++i) {
-        if (i % at_a_time == 0) look(progress);
-        if (from.lines[i].closed) {
-            tree_.remove(2 * i);
-            tree_.remove(2 * i + 1);
-        }
-    }
+    return distance / most + turn / plot_tuning.sharpest_join;
 }
 
-void JoinLines::find_pairs(PlotLines& from, const JoinSettings& settings, const base::Progress& progress) {
-    pairs_.clear();
-    for (std::int32_t a = 0; a < ends_.size(); ++a) {
-        if (a % at_a_time == 0) look(progress);
-        if (!tree_.holds(a)) continue;
-        PlotLine& line = from.lines[a / 2];
-        const double reach = settings.distance > 0.0 ? settings.distance : line.width;
-        NearList found;
+// The pairs that may be joined, cheapest first. Notes lines that go on as a line of another opacity.
+base::Array<EndPair> find_pairs(PlotLines& lines, double given, bool any_opacity, const base::Progress& progress) {
+    const base::Array<End> ends = ends_of(lines, progress);
+    base::Array<dvec2> places(lines.points.memory());
+    for (const End& end : ends) places.push_back(end.place);
+    NearTree tree(lines.points.memory());
+    tree.build(places.span(), progress);
+    Looks looks(progress, steps_a_look);
+    for (std::int32_t end = 0; end < ends.size(); ++end) {
+        looks.count();
+        if (lines.lines[end / 2].closed) tree.remove(end);
+    }
+    base::Array<EndPair> pairs(lines.points.memory());
+    for (std::int32_t a = 0; a < ends.size(); ++a) {
+        looks.count();
+        if (!tree.holds(a)) continue;
+        PlotLine& line = lines.lines[a / 2];
+        NearList near;
+        const double reach = given > 0.0 ? given : line.width;
         double square = reach * reach;
         if (square > 0.0)
-            tree_.search(ends_[a], square, [&](std::int32_t b, double from_there) {
-                if (b != a) found.add(b, from_there, square);
+            tree.search(places[a], square, [&](std::int32_t b, double from_there) {
+                if (b != a) near.add(b, from_there, square);
             });
-        for (int i = 0; i < found.count; ++i) {
-            const std::int32_t b = found.near[i].end;
-            const PlotLine& other = from.lines[b / 2];
-            const double most = settings.distance > 0.0 ? settings.distance : std::min(line.width, other.width);
+        for (int i = 0; i < near.count; ++i) {
+            const std::int32_t b = near.near[i].number;
+            if (a / 2 == b / 2 && line.count < 3) continue;
+            const PlotLine& other = lines.lines[b / 2];
             // A pair is found from both of its ends, or from the one that has the fewer neighbours.
-            const double cost = cost_of(line, other, a, b, std::sqrt(found.near[i].square), most, settings.sharpest);
+            const double cost =
+                cost_of(line, other, ends[a], ends[b], given > 0.0 ? given : std::min(line.width, other.width));
             if (cost < 0.0) continue;
-            if (settings.any_opacity || std::abs(line.opacity - other.opacity) <= same_opacity)
-                pairs_.push_back({cost, std::min(a, b), std::max(a, b)});
+            if (any_opacity || std::abs(line.opacity - other.opacity) <= static_cast<double>(drawing::faintest_ink))
+                pairs.push_back({cost, std::min(a, b), std::max(a, b)});
             else
                 line.goes_on = true;
         }
     }
-    Looks looks(progress, compared_at_a_time);
-    std::sort(pairs_.begin(), pairs_.end(), [&](const Pair& p, const Pair& q) {
-        looks.count();
+    Looks comparisons(progress, comparisons_a_look);
+    std::sort(pairs.begin(), pairs.end(), [&](const EndPair& p, const EndPair& q) {
+        comparisons.count();
         if (p.cost != q.cost) return p.cost < q.cost;
         return p.a != q.a ? p.a < q.a : p.b < q.b;
     });
+    return pairs;
 }
 
-// Of going on from end a at end b; -1: they are not joined.
-double JoinLines::cost_of(const PlotLine& line, const PlotLine& other, std::int32_t a, std::int32_t b, double distance,
-                          double most, double sharpest) const noexcept {
-    if (distance > most || (a / 2 == b / 2 && line.count < 3)) return -1.0;
-    const double turn = std::acos(std::clamp(-glm::dot(outward_[a], outward_[b]), -1.0, 1.0));
-    if (turn > sharpest) return -1.0;
-    // A link as long as that shows, and must not be a step to the side.
-    if (distance > 0.5 * std::min(line.width, other.width)) {
-        const dvec2 link = (ends_[b] - ends_[a]) / distance;
-        const double least = std::cos(sharpest);
-        if (glm::dot(outward_[a], link) < least || glm::dot(outward_[b], -link) < least) return -1.0;
-    }
-    return distance / most + turn / sharpest;
-}
+struct EndPairing {
+    base::Array<std::int32_t> partner; // of each end; -1: none
+    std::int64_t joins = 0;
+};
 
-std::int32_t JoinLines::chain_of(std::int32_t line) noexcept {
-    while (chain_[line] != line) line = chain_[line] = chain_[chain_[line]];
-    return line;
-}
-
-std::int64_t JoinLines::choose_pairs(const PlotLines& from, const base::Progress& progress) {
-    const auto lines = static_cast<std::int32_t>(from.lines.size());
-    partner_.resize_for_overwrite(2 * from.lines.size());
-    std::fill(partner_.begin(), partner_.end(), -1);
-    chain_.resize_for_overwrite(lines);
-    length_.resize_for_overwrite(lines);
-    for (std::int32_t i = 0; i < lines; ++i) {
-        if (i % at_a_time == 0) look(progress);
-        chain_[i] = i;
-        length_[i] = length_of(from.points_of(from.lines[i]));
-    }
-    std::int64_t count = 0;
-    Looks looks(progress, at_a_time);
-    for (const Pair& pair : pairs_) {
+// Takes each pair whose ends are free, unless it would close a short ring.
+EndPairing choose_pairs(const PlotLines& lines, const base::Array<EndPair>& pairs, const base::Progress& progress) {
+    base::Memory& memory = lines.points.memory();
+    const auto count = static_cast<std::int32_t>(lines.lines.size());
+    EndPairing result{base::Array<std::int32_t>(memory, 2 * std::int64_t{count})};
+    std::fill(result.partner.begin(), result.partner.end(), -1);
+    base::Array<std::int32_t> chain(memory, count); // of each line: another of the same chain, or itself
+    base::Array<double> length(memory, count);      // of the chain, at the line that `chain` leads to
+    Looks looks(progress, steps_a_look);
+    for (std::int32_t i = 0; i < count; ++i) {
         looks.count();
-        if (partner_[pair.a] >= 0 || partner_[pair.b] >= 0) continue;
-        const std::int32_t a = chain_of(pair.a / 2), b = chain_of(pair.b / 2);
-        if (a == b && length_[a] < least_of_ring * from.lines[pair.a / 2].width) continue;
-        if (a != b) {
-            chain_[b] = a;
-            length_[a] += length_[b];
-        }
-        partner_[pair.a] = pair.b;
-        partner_[pair.b] = pair.a;
-        ++count;
+        chain[i] = i;
+        length[i] = length_of(lines.points_of(lines.lines[i]));
     }
-    return count;
+    const auto chain_of = [&](std::int32_t line) {
+        while (chain[line] != line) line = chain[line] = chain[chain[line]];
+        return line;
+    };
+    for (const EndPair& pair : pairs) {
+        looks.count();
+        HRBFNPR_ASSERT(pair.a < pair.b && pair.b < 2 * count);
+        if (result.partner[pair.a] >= 0 || result.partner[pair.b] >= 0) continue;
+        const std::int32_t a = chain_of(pair.a / 2), b = chain_of(pair.b / 2);
+        if (a == b && length[a] < plot_tuning.shortest_ring * lines.lines[pair.a / 2].width) continue;
+        if (a != b) {
+            chain[b] = a;
+            length[a] += length[b];
+        }
+        result.partner[pair.a] = pair.b;
+        result.partner[pair.b] = pair.a;
+        ++result.joins;
+    }
+    return result;
 }
 
-// The chain that enters a line at this end, of the mean opacity.
-void JoinLines::add_chain(const PlotLines& from, std::int32_t end) {
-    const PlotLine& start = from.lines[end / 2];
-    PlotLine chain = start;
-    chain.first = joined_.points.size();
-    chain.begin = end % 2 == 0 ? start.begin : start.end;
+} // namespace
+
+std::int64_t join_lines(PlotLines& lines, double distance, bool any_opacity, const base::Progress& progress) {
+    const EndPairing pairing = choose_pairs(lines, find_pairs(lines, distance, any_opacity, progress), progress);
+    PlotLines joined(lines.points.memory());
+    joined.points.reserve(lines.points.size());
+    PlotLine chain; // the one that is followed
     double length = 0.0, ink = 0.0;
-    for (;;) {
-        const std::int32_t number = end / 2;
-        const PlotLine& line = from.lines[number];
-        const std::span<const PagePoint> points = from.points_of(line);
-        done_[number] = 1;
-        add_points(chain.first, points, end % 2 != 0);
+    Looks looks(progress, steps_a_look);
+    const auto enter = [&](std::int32_t end) {
+        looks.count();
+        const PlotLine& line = lines.lines[end / 2];
+        const bool reversed = end % 2 != 0;
+        const std::int64_t before = joined.points.size();
+        if (chain.count == 0) { // it begins
+            chain = line;
+            chain.first = before;
+            chain.begin = reversed ? line.end : line.begin;
+        }
+        const std::span<const PagePoint> points = lines.points_of(line);
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            const PagePoint& p = points[reversed ? points.size() - 1 - i : i];
+            const bool stands_there = i == 0 && before > chain.first && place_of(joined.points.back()) == place_of(p);
+            if (!stands_there) joined.points.push_back(p);
+        }
         const double part = length_of(points);
         length += part;
         ink += part * line.opacity;
         chain.width = std::min(chain.width, line.width);
         chain.goes_on = chain.goes_on || line.goes_on;
-        chain.end = end % 2 == 0 ? line.end : line.begin;
-        end = partner_[end ^ 1];
-        if (end < 0 || done_[end / 2] != 0) break;
-    }
-    if (length > 0.0) chain.opacity = ink / length;
-    if (end >= 0) { // round to the first line
-        const PagePoint first = joined_.points[chain.first];
-        add_points(chain.first, {&first, 1}, false);
-        chain.closed = true;
-    }
-    chain.count = joined_.points.size() - chain.first;
-    joined_.lines.push_back(chain);
-}
-
-// To the chain that begins there; but for a first point that stands where its last one does.
-void JoinLines::add_points(std::int64_t chain, std::span<const PagePoint> points, bool reversed) {
-    const std::int64_t before = joined_.points.size();
-    for (std::size_t i = 0; i < points.size(); ++i) {
-        const PagePoint& p = points[reversed ? points.size() - 1 - i : i];
-        if (i == 0 && before > chain && joined_.points[before - 1].x == p.x && joined_.points[before - 1].y == p.y)
-            continue;
-        joined_.points.push_back(p);
-    }
+        chain.end = reversed ? line.begin : line.end;
+    };
+    const auto leave = [&](bool ring) {
+        if (length > 0.0) chain.opacity = ink / length; // the mean
+        if (ring) {
+            const PagePoint first = joined.points[chain.first];
+            if (place_of(joined.points.back()) != place_of(first)) joined.points.push_back(first);
+            chain.closed = true;
+        }
+        chain.count = joined.points.size() - chain.first;
+        joined.lines.push_back(chain);
+        chain = PlotLine{};
+        length = ink = 0.0;
+    };
+    geometry::follow_chains(pairing.partner, enter, leave);
+    std::swap(lines, joined);
+    return pairing.joins;
 }
 
 } // namespace hrbfnpr::output

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: MIT
+// 1. find_runs: how often groups begin anew, so that inks of several colours that lie upon each other are painted far
+// to
+//    near, as the raster does.
+// 2. lay_out: for each run, layer and number of hiding layers a group with its name and pen, and its dots or strokes.
 #include "output/vector/lay_out.h"
 
 #include "marks/point_set.h"
-#include "output/vector/line_types.h"
-#include "output/vector/look.h"
-#include "output/vector/paint_runs.h"
+#include "output/vector/tuning.h"
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
 #include <cstdio>
 
@@ -20,192 +21,293 @@ using drawing::Drawing;
 using drawing::Stroke;
 using drawing::StrokePoint;
 
-constexpr float opacity_step = 1.0F / 32.0F;      // within a part of a stroke
-constexpr std::int64_t laid_out_at_a_time = 4096; // dots, or points of strokes
+// ---- Groups of ink: a layer's dots, or its strokes that a number of layers of surface hide
 
-// Numbers of HRBFNPR_LINE_KIND_...
+constexpr std::int32_t most_hidden = 31; // strokes that more surfaces hide count as hidden by this many
+constexpr std::int32_t groups_of_layer = most_hidden + 2;
+
+std::int32_t hidden_layers(const Stroke& stroke) noexcept { return std::clamp(stroke.hidden_layers, 0, most_hidden); }
+std::int32_t group_of_dots(std::int64_t layer) noexcept { return static_cast<std::int32_t>(layer) * groups_of_layer; }
+// Strokes that more surfaces hide come before others.
+std::int32_t group_of_strokes(std::int64_t layer, std::int32_t hidden) noexcept {
+    HRBFNPR_ASSERT(hidden >= 0 && hidden <= most_hidden);
+    return group_of_dots(layer) + 1 + most_hidden - hidden;
+}
+
+// Calls f(dot, number) for the dots that are seen.
+template <class F>
+void for_dots(const Drawing& drawing, const base::Progress& progress, const F& f) {
+    Looks looks(progress, steps_a_look);
+    for (const drawing::Piece& piece : drawing.dot_pieces)
+        for (std::int64_t i = piece.begin; i < piece.end; ++i) {
+            looks.count();
+            if (drawing.dots[i].opacity >= drawing::faintest_ink) f(drawing.dots[i], i);
+        }
+}
+
+// ---- Runs
+
+// All groups are painted in their order, run after run. An ink is in the first run in which it comes after all ink of
+// another colour that it lies upon; in the last run it may come before it.
+struct Runs {
+    explicit Runs(base::Memory& memory) noexcept
+        : of_stroke(memory), of_dot(memory), has_group(memory), has_layer(memory) {}
+
+    std::int32_t count = 1, groups = 0;
+    base::Array<std::uint8_t> of_stroke, of_dot;
+    base::Array<std::uint8_t> has_group; // whether there is ink of each group of each run
+    base::Array<std::uint8_t> has_layer; // whether there is ink of each layer
+
+    [[nodiscard]] bool has(std::int32_t run, std::int32_t group) const noexcept {
+        HRBFNPR_ASSERT(run < count && group < groups);
+        return has_group[std::int64_t{run} * groups + group] != 0;
+    }
+};
+
+// The cells of a viewport, and where the ink in each was painted last.
+struct Cells {
+    double left, top, side;
+    std::int64_t columns, rows;
+    std::int32_t colors;
+    base::Array<std::int32_t> color;         // of each layer
+    base::Array<std::int32_t> painted_where; // of each cell and colour: the group, counted on from run to run, or -1
+
+    // Calls visit(cell) for the cells that a disc may touch. Nothing beyond the viewport is seen.
+    template <class Visit>
+    void for_disc(double x, double y, double radius, const Visit& visit) const {
+        const auto cell = [&](double from, std::int64_t most) {
+            return static_cast<std::int64_t>(std::clamp(std::floor(from / side), -1.0, static_cast<double>(most)));
+        };
+        const std::int64_t right = std::min(cell(x + radius - left, columns), columns - 1);
+        const std::int64_t bottom = std::min(cell(y + radius - top, rows), rows - 1);
+        const std::int64_t first = std::max<std::int64_t>(cell(x - radius - left, columns), 0);
+        for (std::int64_t row = std::max<std::int64_t>(cell(y - radius - top, rows), 0); row <= bottom; ++row)
+            for (std::int64_t column = first; column <= right; ++column) visit(row * columns + column);
+    }
+    // The same for a stroke, in steps of a cell at most.
+    template <class Visit>
+    void for_stroke(const Drawing& drawing, const Stroke& stroke, const Visit& visit) const {
+        const StrokePoint* const points = drawing.points.data() + stroke.first;
+        for (std::int64_t i = 1; i < stroke.count; ++i) {
+            const auto x = static_cast<double>(points[i - 1].x), y = static_cast<double>(points[i - 1].y);
+            const double dx = static_cast<double>(points[i].x) - x, dy = static_cast<double>(points[i].y) - y;
+            const auto radius = static_cast<double>(std::max(points[i - 1].radius, points[i].radius));
+            const double length = std::hypot(dx, dy);
+            if (!(length < 1e6)) continue; // far beyond any viewport
+            const auto steps = static_cast<int>(length / side) + 1;
+            for (int step = 0; step <= steps; ++step)
+                for_disc(x + dx * step / steps, y + dy * step / steps, radius, visit);
+        }
+    }
+};
+
+Cells blank_cells(base::Memory& memory, const Drawing& drawing) {
+    const glm::dvec4& viewport = drawing.window.viewport;
+    Cells cells{
+        viewport.x, viewport.y, 1.0, 1, 1, 0, base::Array<std::int32_t>(memory), base::Array<std::int32_t>(memory)};
+    for (std::int64_t i = 0; i < drawing.layers.size(); ++i) {
+        std::int64_t like = 0;
+        while (glm::vec3(drawing.layers[like].ink) != glm::vec3(drawing.layers[i].ink) && like < i) ++like;
+        cells.color.push_back(like < i ? cells.color[like] : cells.colors++);
+    }
+    cells.side = std::max(lay_out_tuning.least_cell,
+                          std::sqrt(viewport.z * viewport.w * cells.colors / lay_out_tuning.most_cells));
+    cells.columns = std::max(std::int64_t{1}, static_cast<std::int64_t>(std::ceil(viewport.z / cells.side)));
+    cells.rows = std::max(std::int64_t{1}, static_cast<std::int64_t>(std::ceil(viewport.w / cells.side)));
+    cells.painted_where.resize_for_overwrite(cells.columns * cells.rows * cells.colors);
+    std::fill(cells.painted_where.begin(), cells.painted_where.end(), -1);
+    return cells;
+}
+
+// Paints one ink, whose cells for_cells(visit) visits, and returns its run.
+template <class ForCells>
+std::uint8_t paint(Cells& cells, Runs& runs, std::uint32_t layer, std::int32_t group, const ForCells& for_cells) {
+    const std::int32_t color = cells.color[layer];
+    std::int32_t most = -1; // what is painted last below the ink
+    for_cells([&](std::int64_t cell) {
+        for (std::int32_t other = 0; other < cells.colors; ++other)
+            if (other != color) most = std::max(most, cells.painted_where[cell * cells.colors + other]);
+    });
+    std::int32_t run = most < 0 ? 0 : most / runs.groups;
+    if (most >= 0 && most % runs.groups > group) ++run;
+    run = std::min(run, lay_out_tuning.most_runs - 1);
+    runs.count = std::max(runs.count, run + 1);
+    for_cells([&](std::int64_t cell) {
+        std::int32_t& last = cells.painted_where[cell * cells.colors + color];
+        last = std::max(last, run * runs.groups + group);
+    });
+    return static_cast<std::uint8_t>(run);
+}
+
+// Paints all ink far to near.
+void paint_all(base::Memory& memory, const Drawing& drawing, const base::Progress& progress, Runs& runs) {
+    Cells cells = blank_cells(memory, drawing);
+    base::Array<std::uint32_t> order(memory); // of dots, far to near
+    for_dots(drawing, progress,
+             [&](const Dot&, std::int64_t number) { order.push_back(static_cast<std::uint32_t>(number)); });
+    Looks comparisons(progress, comparisons_a_look);
+    std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+        comparisons.count();
+        return drawing.before(a, b);
+    });
+    Looks looks(progress, steps_a_look);
+    std::int64_t painted = 0; // of the dots
+    const auto paint_dots = [&](const auto& comes_before) {
+        for (; painted < order.size() && comes_before(drawing.dots[order[painted]]); ++painted) {
+            looks.count();
+            const Dot& dot = drawing.dots[order[painted]];
+            runs.of_dot[order[painted]] =
+                paint(cells, runs, dot.layer, group_of_dots(dot.layer), [&](const auto& visit) {
+                    cells.for_disc(static_cast<double>(dot.x), static_cast<double>(dot.y),
+                                   static_cast<double>(dot.radius), visit);
+                });
+        }
+    };
+    for (std::int64_t i = 0; i < drawing.strokes.size(); ++i) {
+        const Stroke& stroke = drawing.strokes[i];
+        looks.count(1 + stroke.count);
+        paint_dots([&](const Dot& dot) { return dot.depth > stroke.depth; });
+        runs.of_stroke[i] = paint(cells, runs, stroke.layer, group_of_strokes(stroke.layer, hidden_layers(stroke)),
+                                  [&](const auto& visit) { cells.for_stroke(drawing, stroke, visit); });
+    }
+    paint_dots([](const Dot&) { return true; });
+}
+
+Runs find_runs(base::Memory& memory, const Drawing& drawing, bool far_to_near, const base::Progress& progress) {
+    Runs runs(memory);
+    runs.groups = group_of_dots(drawing.layers.size());
+    runs.of_stroke.resize(drawing.strokes.size());
+    runs.of_dot.resize(drawing.dots.size());
+    if (far_to_near && !drawing.one_color) paint_all(memory, drawing, progress, runs);
+    runs.has_group.resize(std::int64_t{runs.count} * runs.groups);
+    runs.has_layer.resize(drawing.layers.size());
+    const auto note = [&](std::uint32_t layer, std::int64_t run, std::int32_t group) {
+        runs.has_group[run * runs.groups + group] = 1;
+        runs.has_layer[layer] = 1;
+    };
+    for (std::int64_t i = 0; i < drawing.strokes.size(); ++i) {
+        const Stroke& stroke = drawing.strokes[i];
+        note(stroke.layer, runs.of_stroke[i], group_of_strokes(stroke.layer, hidden_layers(stroke)));
+    }
+    for_dots(drawing, progress, [&](const Dot& dot, std::int64_t number) {
+        note(dot.layer, runs.of_dot[number], group_of_dots(dot.layer));
+    });
+    return runs;
+}
+
+// ---- Names and pens
+
+// Names of lines, by the numbers of HRBFNPR_LINE_KIND_...
 constexpr std::array<const char*, 12> line_names{"lines",   "contour",        "suggestive", "ridge",
                                                  "valley",  "apparent ridge", "parabolic",  "isophote",
                                                  "section", "border",         "own",        "crease"};
-
 constexpr std::size_t own_lines = 10;
 
-class LayOut {
-public:
-    LayOut(base::Memory& memory, const Placement& placement, std::span<const Pen> pens, PageSink& sink,
-           const base::Progress& progress)
-        : drawing_(*placement.drawing), placement_(placement), pens_(pens), sink_(sink), progress_(progress),
-          points_(memory), runs_(memory) {}
-
-    void run() {
-        sink_.begin_view({placement_.name, frame_of(placement_), drawing_.paper, placement_.with_paper});
-        if (drawing_.painting == drawing::Painting::published) {
-            add_published();
-        } else {
-            runs_.find(drawing_, placement_.far_to_near, progress_);
-            for (std::int32_t run = 0; run < runs_.runs(); ++run)
-                for (std::int64_t layer = 0; layer < drawing_.layers.size(); ++layer) {
-                    if (runs_.has(run, InkGroups::of_dots(layer))) add_dots(layer, run);
-                    for (std::int32_t hidden = InkGroups::most_hidden; hidden >= 0; --hidden)
-                        if (runs_.has(run, InkGroups::of_strokes(layer, hidden))) add_strokes(layer, hidden, run);
-                }
-        }
-        sink_.end_view();
+void name_layer(const Drawing& drawing, std::int64_t number, char (&name)[PageGroup::most]) {
+    const drawing::Layer& layer = drawing.layers[number];
+    if (layer.layer < 0) {
+        const std::size_t kind = std::min<std::size_t>(layer.line_kind, line_names.size() - 1);
+        const bool is_own = kind == own_lines && layer.line_name[0] != '\0';
+        std::snprintf(name, sizeof name, "%s", is_own ? layer.line_name.data() : line_names[kind]);
+        return;
     }
+    const marks::Layer& source = drawing.items[layer.item].set->layers[layer.layer];
+    const bool contour = layer.mark_class == drawing::MarkClass::silhouette;
+    std::snprintf(name, sizeof name, "%.63s%s", source.name.data(), contour ? " contour" : "");
+}
 
-private:
-    [[nodiscard]] double x_of(float x) const noexcept {
-        return placement_.x + placement_.scale * (static_cast<double>(x) - drawing_.window.viewport.x);
-    }
-    [[nodiscard]] double y_of(float y) const noexcept {
-        return placement_.y + placement_.scale * (static_cast<double>(y) - drawing_.window.viewport.y);
-    }
-
-    template <class F>
-    void for_dots(const F& f) const {
-        for (const drawing::Piece& piece : drawing_.dot_pieces)
-            for (std::int64_t i = piece.begin; i < piece.end; ++i) {
-                if (i % laid_out_at_a_time == 0) look(progress_);
-                if (drawing_.dots[i].opacity >= drawing::faintest_ink) f(drawing_.dots[i], i);
-            }
-    }
-
-    // Another layer that would have the same name comes before: how many.
-    [[nodiscard]] int namesakes(std::int64_t layer, const char* name) const {
-        int count = 0;
-        char other[PageGroup::most];
-        for (std::int64_t i = 0; i < layer; ++i) {
-            if (!runs_.has(i)) continue;
-            name_layer(i, other);
-            count += std::string_view(name) == other ? 1 : 0;
-        }
-        return count;
-    }
-
-    void name_layer(std::int64_t number, char (&name)[PageGroup::most]) const {
-        const drawing::Layer& layer = drawing_.layers[number];
-        if (layer.layer < 0) {
-            const std::size_t kind = std::min<std::size_t>(layer.line_kind, line_names.size() - 1);
-            const bool is_own = kind == own_lines && layer.line_name[0] != '\0';
-            std::snprintf(name, sizeof name, "%s", is_own ? layer.line_name.data() : line_names[kind]);
-            return;
-        }
-        const marks::Layer& source = drawing_.items[layer.item].set->layers[layer.layer];
-        const bool contour = layer.mark_class == drawing::MarkClass::silhouette;
-        std::snprintf(name, sizeof name, "%.63s%s", source.name.data(), contour ? " contour" : "");
-    }
-
-    static void append(char (&name)[PageGroup::most], const char* what, int number) noexcept {
-        const std::size_t used = std::string_view(name).size();
-        std::snprintf(name + used, sizeof name - used, "%s %d", what, number);
-    }
-
-    // A pen goes by the name without the number of the run.
-    void begin(std::int64_t layer, std::int32_t hidden, std::int32_t run) {
-        PageGroup group;
-        name_layer(layer, group.name);
-        if (const int others = namesakes(layer, group.name); others > 0) append(group.name, "", others + 1);
-        if (hidden > 0) append(group.name, " hidden", hidden);
-        group.ink = drawing_.layers[layer].ink;
-        group = with_pen(group, pens_);
-        if (run > 0) append(group.name, ", run", run + 1);
-        sink_.begin_group(group);
-    }
-
-    void add_dots(std::int64_t layer, std::int32_t run) {
-        begin(layer, 0, run);
-        for_dots([&](const Dot& dot, std::int64_t number) {
-            if (dot.layer == layer && runs_.of_dot(number) == run) add_dot(dot);
-        });
-        sink_.end_group();
-    }
-
-    // The radius of a disc with as much ink as the raster's dot, whose rim falls off over a pixel: it covers
-    // pi (r^2 + 1 / 12) pixels, and tone goes by that.  Less than half a pixel is drawn that large, and paler.
-    [[nodiscard]] static double radius_of(const Dot& dot) noexcept {
-        constexpr double smallest = static_cast<double>(drawing::smallest_radius);
-        const double radius = std::max(static_cast<double>(dot.radius), smallest);
-        const double paler = std::min(static_cast<double>(dot.radius) / smallest, 1.0);
-        return paler * std::sqrt(radius * radius + 1.0 / 12.0);
-    }
-
-    void add_dot(const Dot& dot) {
-        sink_.dot({x_of(dot.x), y_of(dot.y), placement_.scale * radius_of(dot), static_cast<double>(dot.opacity),
-                   (dot.flags & drawing::dot_is_paper) != 0});
-    }
-
-    // In the order in which they cover each other.                                              [NPAR 6.1]
-    void add_published() {
-        PageGroup group;
-        std::snprintf(group.name, sizeof group.name, "marks");
-        if (!drawing_.layers.empty()) group.ink = drawing_.layers[0].ink;
-        sink_.begin_group(with_pen(group, pens_));
-        for_dots([&](const Dot& dot, std::int64_t) { add_dot(dot); });
-        sink_.end_group();
-    }
-
-    void add_strokes(std::int64_t layer, std::int32_t hidden, std::int32_t run) {
-        begin(layer, hidden, run);
-        Looks looks(progress_, laid_out_at_a_time);
-        for (std::int64_t i = 0; i < drawing_.strokes.size(); ++i) {
-            const Stroke& stroke = drawing_.strokes[i];
-            const bool is_here = stroke.layer == layer && InkGroups::hidden_of(stroke) == hidden;
-            looks.count(is_here ? 1 + stroke.count : 1);
-            if (is_here && runs_.of_stroke(i) == run) add_stroke(stroke);
-        }
-        sink_.end_group();
-    }
-
-    void add_stroke(const Stroke& stroke) {
-        points_.clear();
-        const StrokePoint* const points = drawing_.points.data() + stroke.first;
-        std::int64_t begin = 0;
-        for (std::int64_t i = 0; i < stroke.count; ++i) {
-            const StrokePoint& p = points[i];
-            points_.push_back({x_of(p.x), y_of(p.y), placement_.scale * static_cast<double>(p.radius)});
-            const bool is_last = i + 1 == stroke.count;
-            if (!is_last && !changes(points, begin, i)) continue;
-            if (i > begin) add_part(stroke, points, begin, i);
-            begin = i;
-            points_.clear();
-            points_.push_back({x_of(p.x), y_of(p.y), placement_.scale * static_cast<double>(p.radius)});
-        }
-    }
-
-    // Whether the part ends at point i, as the next one's opacity is another.
-    [[nodiscard]] static bool changes(const StrokePoint* points, std::int64_t begin, std::int64_t i) noexcept {
-        return i > begin && std::abs(points[i + 1].opacity - points[begin].opacity) > opacity_step;
-    }
-
-    void add_part(const Stroke& stroke, const StrokePoint* points, std::int64_t begin, std::int64_t end) {
-        float opacity = 0.0F;
-        for (std::int64_t i = begin; i < end; ++i) opacity += 0.5F * (points[i].opacity + points[i + 1].opacity);
-        opacity /= static_cast<float>(end - begin);
-        if (opacity < drawing::faintest_ink) return;
-        const bool is_whole = begin == 0 && end + 1 == stroke.count;
-        PagePath path;
-        path.points = points_.span();
-        path.begin = begin == 0 && !stroke.closed ? stroke.cap_begin : drawing::Cap::flat;
-        path.end = end + 1 == stroke.count && !stroke.closed ? stroke.cap_end : drawing::Cap::flat;
-        path.closed = stroke.closed && is_whole;
-        path.opacity = static_cast<double>(opacity);
-        sink_.path(path);
-    }
-
-    const Drawing& drawing_;
-    const Placement& placement_;
-    std::span<const Pen> pens_;
-    PageSink& sink_;
-    const base::Progress& progress_;
-    base::Array<PagePoint> points_;
-    PaintRuns runs_;
-};
+void append(char (&name)[PageGroup::most], const char* what, int number) noexcept {
+    const std::size_t used = std::string_view(name).size();
+    std::snprintf(name + used, sizeof name - used, "%s %d", what, number);
+}
 
 bool fits(std::string_view groups, std::string_view name) noexcept {
     if (groups.empty()) return true;
     if (groups.back() != '*') return groups == name;
     groups.remove_suffix(1);
     return name.substr(0, groups.size()) == groups;
+}
+
+// A group's name tells it from earlier layers of the same name that have ink. Its pen goes by the name without the
+// number of the run.
+PageGroup group_of(const Drawing& drawing, const Runs& runs, std::span<const Pen> pens, std::int64_t layer,
+                   std::int32_t hidden, std::int32_t run) {
+    PageGroup group;
+    name_layer(drawing, layer, group.name);
+    int namesakes = 0;
+    char other[PageGroup::most];
+    for (std::int64_t i = 0; i < layer; ++i) {
+        if (runs.has_layer[i] == 0) continue;
+        name_layer(drawing, i, other);
+        namesakes += std::string_view(group.name) == other ? 1 : 0;
+    }
+    if (namesakes > 0) append(group.name, "", namesakes + 1);
+    if (hidden > 0) append(group.name, " hidden", hidden);
+    group.ink = drawing.layers[layer].ink;
+    group = with_pen(group, pens);
+    if (run > 0) append(group.name, ", run", run + 1);
+    return group;
+}
+
+// ---- Ink
+
+struct Mapping {
+    const Placement& placement;
+
+    [[nodiscard]] PagePoint operator()(float x, float y, double radius) const noexcept {
+        const glm::dvec4& viewport = placement.drawing->window.viewport;
+        return {placement.x + placement.scale * (static_cast<double>(x) - viewport.x),
+                placement.y + placement.scale * (static_cast<double>(y) - viewport.y), placement.scale * radius};
+    }
+};
+
+// The disc has as much ink as the raster's dot, whose rim falls off over a pixel: that covers pi (r^2 + 1 / 12) pixels,
+// and tone goes by it. A radius of less than half a pixel is drawn as half a pixel, and paler.
+PageDot page_dot(const Mapping& map, const Dot& dot) noexcept {
+    constexpr double smallest = static_cast<double>(drawing::smallest_radius);
+    const double radius = std::max(static_cast<double>(dot.radius), smallest);
+    const double paler = std::min(static_cast<double>(dot.radius) / smallest, 1.0);
+    const PagePoint p = map(dot.x, dot.y, paler * std::sqrt(radius * radius + 1.0 / 12.0));
+    return {p.x, p.y, p.radius, static_cast<double>(dot.opacity), (dot.flags & drawing::dot_is_paper) != 0};
+}
+
+// Hands on the parts of a stroke that have an even opacity.
+void add_stroke(const Mapping& map, const Stroke& stroke, base::Array<PagePoint>& page, PageSink& sink) {
+    HRBFNPR_ASSERT(stroke.count > 1);
+    const StrokePoint* const points = map.placement.drawing->points.data() + stroke.first;
+    std::int64_t end = 0;
+    for (std::int64_t begin = 0; begin + 1 < stroke.count; begin = end) {
+        end = begin + 1;
+        while (end + 1 < stroke.count &&
+               !(std::abs(points[end + 1].opacity - points[begin].opacity) > lay_out_tuning.opacity_step))
+            ++end;
+        float opacity = 0.0F;
+        for (std::int64_t i = begin; i < end; ++i) opacity += 0.5F * (points[i].opacity + points[i + 1].opacity);
+        opacity /= static_cast<float>(end - begin);
+        if (opacity < drawing::faintest_ink) continue;
+        page.clear();
+        for (std::int64_t i = begin; i <= end; ++i)
+            page.push_back(map(points[i].x, points[i].y, static_cast<double>(points[i].radius)));
+        const bool at_begin = begin == 0, at_end = end + 1 == stroke.count;
+        PagePath path;
+        path.points = page.span();
+        path.begin = at_begin && !stroke.closed ? stroke.cap_begin : drawing::Cap::flat;
+        path.end = at_end && !stroke.closed ? stroke.cap_end : drawing::Cap::flat;
+        path.closed = stroke.closed && at_begin && at_end;
+        path.opacity = static_cast<double>(opacity);
+        sink.path(path);
+    }
+}
+
+// As published, dots of paper and ink stand in the order in which they cover each other. [NPAR 6.1]
+void add_published(const Mapping& map, std::span<const Pen> pens, PageSink& sink, const base::Progress& progress) {
+    const Drawing& drawing = *map.placement.drawing;
+    PageGroup group;
+    std::snprintf(group.name, sizeof group.name, "marks");
+    if (!drawing.layers.empty()) group.ink = drawing.layers[0].ink;
+    sink.begin_group(with_pen(group, pens));
+    for_dots(drawing, progress, [&](const Dot& dot, std::int64_t) { sink.dot(page_dot(map, dot)); });
+    sink.end_group();
 }
 
 } // namespace
@@ -231,7 +333,39 @@ PageGroup with_pen(PageGroup group, std::span<const Pen> pens) noexcept {
 
 void lay_out(base::Memory& memory, const Placement& placement, std::span<const Pen> pens, PageSink& sink,
              const base::Progress& progress) {
-    LayOut(memory, placement, pens, sink, progress).run();
+    const Drawing& drawing = *placement.drawing;
+    const Mapping map{placement};
+    sink.begin_view({placement.name, frame_of(placement), drawing.paper, placement.with_paper});
+    if (drawing.painting == drawing::Painting::published) {
+        add_published(map, pens, sink, progress);
+        sink.end_view();
+        return;
+    }
+    const Runs runs = find_runs(memory, drawing, placement.far_to_near, progress);
+    base::Array<PagePoint> page(memory);
+    Looks looks(progress, steps_a_look);
+    for (std::int32_t run = 0; run < runs.count; ++run)
+        for (std::int64_t layer = 0; layer < drawing.layers.size(); ++layer) {
+            if (runs.has(run, group_of_dots(layer))) {
+                sink.begin_group(group_of(drawing, runs, pens, layer, 0, run));
+                for_dots(drawing, progress, [&](const Dot& dot, std::int64_t number) {
+                    if (dot.layer == layer && runs.of_dot[number] == run) sink.dot(page_dot(map, dot));
+                });
+                sink.end_group();
+            }
+            for (std::int32_t hidden = most_hidden; hidden >= 0; --hidden) {
+                if (!runs.has(run, group_of_strokes(layer, hidden))) continue;
+                sink.begin_group(group_of(drawing, runs, pens, layer, hidden, run));
+                for (std::int64_t i = 0; i < drawing.strokes.size(); ++i) {
+                    const Stroke& stroke = drawing.strokes[i];
+                    const bool is_here = stroke.layer == layer && hidden_layers(stroke) == hidden;
+                    looks.count(is_here ? 1 + stroke.count : 1);
+                    if (is_here && runs.of_stroke[i] == run) add_stroke(map, stroke, page, sink);
+                }
+                sink.end_group();
+            }
+        }
+    sink.end_view();
 }
 
 } // namespace hrbfnpr::output

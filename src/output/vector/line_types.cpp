@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "output/vector/line_types.h"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 
 namespace hrbfnpr::output {
 namespace {
 
-// Strokes and gaps by turns, in line widths; 0: no more.
+// Dashes and gaps by turns, in line widths; the first 0 ends the pattern.
 using Pattern = std::array<double, 10>;
 constexpr double dot = 0.5, gap = 3.0, space = 18.0, short_dash = 6.0, dash = 12.0, long_dash = 24.0;
 constexpr std::array<Pattern, 16> patterns{{
@@ -29,35 +28,21 @@ constexpr std::array<Pattern, 16> patterns{{
     {dash, gap, dot, gap, dot, gap, dot, gap},
     {dash, gap, dash, gap, dot, gap, dot, gap, dot, gap},
 }};
-// A line with more of them is drawn whole: they are too small to be told apart, and writing them would never end.
-constexpr double most_periods = 1e5;
 static_assert(patterns.size() == static_cast<std::size_t>(LineType::last) + 1);
-
-double length_of(const PagePath& path) noexcept {
-    double sum = 0.0;
-    for (std::size_t i = 1; i < path.points.size(); ++i)
-        sum += std::hypot(path.points[i].x - path.points[i - 1].x, path.points[i].y - path.points[i - 1].y);
-    return sum;
-}
-
-double width_of(const PagePath& path, const PageGroup& group) noexcept {
-    if (group.pen_width > 0.0) return group.pen_width;
-    double most = 0.0;
-    for (const PagePoint& p : path.points) most = std::max(most, p.radius);
-    return 2.0 * most;
-}
+// A line with more periods is drawn whole: they are too small to be told apart, and writing them would never end.
+constexpr double most_periods = 1e5;
 
 } // namespace
 
-void LineTypes::begin_group(const PageGroup& group) {
-    group_ = group;
-    next_.begin_group(group);
-}
-
 void LineTypes::path(const PagePath& path) {
+    HRBFNPR_ASSERT(path.points.size() > 1);
     const Pattern& pattern = patterns[std::min(static_cast<std::size_t>(group_.line_type), patterns.size() - 1)];
-    const double width = width_of(path, group_);
-    const double length = length_of(path);
+    double width = group_.pen_width;
+    if (!(width > 0.0)) {
+        width = 0.0;
+        for (const PagePoint& p : path.points) width = std::max(width, 2.0 * p.radius);
+    }
+    const double length = length_of(path.points);
     double period = 0.0;
     for (const double part : pattern) period += width * part;
     const double first = width * pattern[0];
@@ -65,7 +50,7 @@ void LineTypes::path(const PagePath& path) {
         next_.path(path);
         return;
     }
-    // So that a whole number of periods, and a dash behind an open line's last one, fit.
+    // The pattern is scaled so that a whole number of periods fit, and a dash after the last one of an open line.
     const double open = path.closed ? 0.0 : first;
     const double times = std::max(std::floor((length - open) / period + 0.5), 1.0);
     const double scale = length / (times * period + open);
@@ -83,10 +68,9 @@ void LineTypes::path(const PagePath& path) {
     for (std::size_t i = 1; i < path.points.size(); ++i) {
         PagePoint a = path.points[i - 1];
         const PagePoint& b = path.points[i];
-        double rest = std::hypot(b.x - a.x, b.y - a.y);
+        double rest = glm::distance(place_of(a), place_of(b));
         while (rest > left) {
-            const double t = left / rest;
-            a = {a.x + t * (b.x - a.x), a.y + t * (b.y - a.y), a.radius + t * (b.radius - a.radius)};
+            a = between(a, b, left / rest);
             rest -= left;
             part_.push_back(a);
             emit();
@@ -99,6 +83,21 @@ void LineTypes::path(const PagePath& path) {
         part_.push_back(b);
     }
     if (left < scale * width * pattern[at] * (1.0 - 1e-9)) emit();
+}
+
+// [Liang and Barsky 1984, "A new concept and method for line clipping"]
+bool Clip::within(const PagePoint& a, const PagePoint& b, const Frame& frame, double& from, double& to) noexcept {
+    if (!std::isfinite(a.x + a.y + b.x + b.y)) return false;
+    const double dx = b.x - a.x, dy = b.y - a.y;
+    // For each side: how fast the segment leaves through it, and how far from it the segment begins.
+    const std::array<double, 4> speed{-dx, dx, -dy, dy};
+    const std::array<double, 4> room{a.x - frame.left, frame.right - a.x, a.y - frame.top, frame.bottom - a.y};
+    for (std::size_t side = 0; side < 4; ++side) {
+        if (speed[side] == 0.0 && room[side] < 0.0) return false;
+        if (speed[side] < 0.0) from = std::max(from, room[side] / speed[side]);
+        if (speed[side] > 0.0) to = std::min(to, room[side] / speed[side]);
+    }
+    return from < to;
 }
 
 } // namespace hrbfnpr::output

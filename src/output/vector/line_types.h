@@ -1,33 +1,91 @@
 // SPDX-License-Identifier: MIT
-// Dashes and dots of lines [ISO 128-2].
+// Parts of lines: dashes and dots [ISO 128-2], and what lies within a frame.
 #pragma once
 
-#include "base/memory.h"
 #include "output/vector/page.h"
+
+#include <algorithm>
+#include <utility>
 
 namespace hrbfnpr::output {
 
-// Same numbers as HRBFNPR_LINE_TYPE_..., which are those of the standard.
-enum class LineType : std::uint32_t { as_drawn = 0, continuous = 1, last = 15 };
-
-// Cuts the lines of groups that have a line type into its dashes, and hands all else on.
-class LineTypes final : public PageSink {
+// Cuts the lines of groups that have a line type into its dashes.
+class LineTypes final : public PageFilter {
 public:
-    LineTypes(base::Memory& memory, PageSink& next) noexcept : next_(next), part_(memory) {}
+    LineTypes(base::Memory& memory, PageSink& next) noexcept : PageFilter(next), part_(memory) {}
 
-    void begin_view(const PageView& view) override { next_.begin_view(view); }
-    void begin_group(const PageGroup& group) override;
+    void begin_group(const PageGroup& group) override {
+        group_ = group;
+        next_.begin_group(group);
+    }
     void path(const PagePath& path) override;
-    void dot(const PageDot& dot) override { next_.dot(dot); }
-    void text(const PageText& text) override { next_.text(text); }
-    void end_group() override { next_.end_group(); }
-    void end_view() override { next_.end_view(); }
-    void finish() override { next_.finish(); }
 
 private:
-    PageSink& next_;
     PageGroup group_;
     base::Array<PagePoint> part_;
 };
+
+// Parts of lines within a frame. It holds working memory.
+class Clip {
+public:
+    explicit Clip(base::Memory& memory) noexcept : ring_(memory), part_(memory) {}
+
+    // Calls take(path) for each part of the path's centre within the frame, in its order. An end where it is cut is
+    // flat. A closed path becomes open if anything is cut off.
+    template <class Take>
+    void parts(const PagePath& path, const Frame& frame, Take&& take);
+
+private:
+    // Narrows the part of a segment, from 0 to 1, to what lies within the frame; false if nothing does, or if the
+    // segment is not finite.
+    [[nodiscard]] static bool within(const PagePoint& a, const PagePoint& b, const Frame& frame, double& from,
+                                     double& to) noexcept;
+
+    base::Array<PagePoint> ring_;
+    base::Array<PagePoint> part_;
+};
+
+template <class Take>
+void Clip::parts(const PagePath& path, const Frame& frame, Take&& take) {
+    HRBFNPR_ASSERT(path.points.size() > 1);
+    const auto inside = [&](const PagePoint& p) { return frame.contains(p.x, p.y); };
+    if (std::all_of(path.points.begin(), path.points.end(), inside)) {
+        take(path);
+        return;
+    }
+    std::span<const PagePoint> points = path.points;
+    if (path.closed) { // it begins beyond the frame
+        const std::span<const PagePoint> once = points.first(points.size() - 1);
+        const auto first = std::find_if_not(once.begin(), once.end(), inside) - once.begin();
+        ring_.clear();
+        for (std::size_t i = 0; i <= once.size(); ++i)
+            ring_.push_back(once[(static_cast<std::size_t>(first) + i) % once.size()]);
+        points = ring_.span();
+    }
+    PagePath part = path;
+    part.closed = false;
+    const auto emit = [&](drawing::Cap end) {
+        part.points = part_.span();
+        part.end = end;
+        if (part_.size() > 1) take(std::as_const(part));
+        part_.clear();
+    };
+    part_.clear();
+    for (std::size_t i = 1; i < points.size(); ++i) {
+        const PagePoint& a = points[i - 1];
+        const PagePoint& b = points[i];
+        double from = 0.0, to = 1.0;
+        const bool any = within(a, b, frame, from, to);
+        if (!any || part_.empty() || from > 0.0) emit(drawing::Cap::flat);
+        if (!any) continue;
+        if (part_.empty()) {
+            part.begin = i == 1 && from <= 0.0 && !path.closed ? path.begin : drawing::Cap::flat;
+            part_.push_back(from > 0.0 ? between(a, b, from) : a);
+        }
+        part_.push_back(to < 1.0 ? between(a, b, to) : b);
+        if (to < 1.0) emit(drawing::Cap::flat);
+    }
+    emit(path.closed ? drawing::Cap::flat : path.end);
+}
 
 } // namespace hrbfnpr::output

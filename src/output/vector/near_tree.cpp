@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "output/vector/near_tree.h"
 
-#include "output/vector/look.h"
-
 #include <algorithm>
 #include <limits>
 

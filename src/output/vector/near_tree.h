@@ -3,14 +3,31 @@
 // in few places, or gone.
 #pragma once
 
-#include "base/memory.h"
-#include "base/operation.h"
-#include "geometry/vec.h"
+#include "output/vector/page.h"
+#include "output/vector/tuning.h"
 
 #include <cstdint>
 #include <span>
 
 namespace hrbfnpr::output {
+
+// The few that are nearest, nearest first.
+struct NearList {
+    struct Near {
+        std::int32_t number;
+        double square;
+    };
+    Near near[plot_tuning.most_near];
+    std::int32_t count = 0;
+
+    // Lowers `square` to the distance from which on others need not be added.
+    void add(std::int32_t number, double from, double& square) noexcept {
+        std::int32_t at = count < plot_tuning.most_near ? count++ : plot_tuning.most_near - 1;
+        for (; at > 0 && near[at - 1].square > from; --at) near[at] = near[at - 1];
+        near[at] = {number, from};
+        if (count == plot_tuning.most_near) square = near[count - 1].square;
+    }
+};
 
 class NearTree {
 public:

@@ -1,10 +1,16 @@
 // SPDX-License-Identifier: MIT
-// What is on a page, in millimetres from its top-left corner with y down, and what takes it in: a file's writer, or a
-// filter that hands on to one.
+// The pipeline from drawings to a file. write_page.cpp puts it together: lay_out.cpp turns a drawing into groups of
+// lines and dots on the page; filters take them in and hand them on, LineTypes cuts lines into dashes (line_types.cpp)
+// and PlotOrder clips, joins, fills and sorts them for a pen (plot_order.cpp); a writer ends it, which makes curves of
+// lines (shapes.cpp) for SVG and PDF or straight strokes of a pen (pen.cpp) for plotters.
+//
+// This file has what goes along the pipeline, in millimetres from the page's top-left corner with y down.
 #pragma once
 
-#include "drawing/dot.h"
-#include "geometry/vec.h"
+#include "base/memory.h"
+#include "base/operation.h"
+#include "drawing/drawing.h"
+#include "geometry/polylines.h"
 
 #include <cstdint>
 #include <span>
@@ -12,14 +18,43 @@
 
 namespace hrbfnpr::output {
 
+// ---- Data of formats
+
+// Same numbers as HRBFNPR_PAGE_FORMAT_..., HRBFNPR_WIDTHS_... and HRBFNPR_DOT_SHAPE_...
+enum class PageFormat : std::uint32_t { svg = 0, pdf = 1, hpgl = 2, gcode = 3 };
+enum class Widths : std::uint32_t { outlines = 0, classes = 1 };
+enum class DotShapes : std::uint32_t { circles = 0, lines = 1, spirals = 2 };
+// Same numbers as HRBFNPR_LINE_TYPE_..., which are those of ISO 128-2.
+enum class LineType : std::uint32_t { as_drawn = 0, continuous = 1, last = 15 };
+
+// Helvetica and Arial have capitals of this height, in sizes of the font.
+inline constexpr double capitals_of_size = 0.716;
+// A plotter's pen is this wide where no pen says it, mm.
+inline constexpr double plotter_pen = 0.3;
+
+// ---- What goes along
+
 struct PagePoint {
     double x, y;
     double radius; // half the line's width
 };
+[[nodiscard]] inline glm::dvec2 place_of(const PagePoint& p) noexcept { return {p.x, p.y}; }
+// The point at a share of the way from one point to another.
+[[nodiscard]] inline PagePoint between(const PagePoint& a, const PagePoint& b, double t) noexcept {
+    return {a.x + t * (b.x - a.x), a.y + t * (b.y - a.y), a.radius + t * (b.radius - a.radius)};
+}
+[[nodiscard]] inline double length_of(std::span<const PagePoint> points) noexcept {
+    return geometry::length_along(points, place_of);
+}
+[[nodiscard]] inline double mean_width(std::span<const PagePoint> points) noexcept {
+    double sum = 0.0;
+    for (const PagePoint& p : points) sum += p.radius;
+    return 2.0 * sum / static_cast<double>(points.size());
+}
 
 // A line of one opacity.
 struct PagePath {
-    std::span<const PagePoint> points; // two and more
+    std::span<const PagePoint> points; // two or more
     drawing::Cap begin = drawing::Cap::round, end = drawing::Cap::round;
     bool closed = false;  // the last point stands where the first one does
     double opacity = 1.0; // times the group's ink
@@ -37,9 +72,6 @@ struct PageText {
     const char* text;
 };
 
-// Height of capitals in Helvetica and Arial, of the font's size.
-inline constexpr double capitals_of_size = 0.716;
-
 struct Frame {
     double left = 0.0, top = 0.0, right = 0.0, bottom = 0.0;
     [[nodiscard]] bool contains(double x, double y) const noexcept {
@@ -47,15 +79,13 @@ struct Frame {
     }
 };
 
-// A drawing on the page: what stands beyond its frame is not seen.
+// A drawing on the page. Nothing beyond its frame is seen.
 struct PageView {
     std::string_view name; // may be empty
     Frame frame;
     glm::vec4 paper{0.0F};
-    bool with_paper = true; // its frame is filled with it
+    bool with_paper = true; // the frame is filled with it
 };
-
-enum class LineType : std::uint32_t;
 
 // Lines, dots or texts of one ink and one pen.
 struct PageGroup {
@@ -63,11 +93,11 @@ struct PageGroup {
     char name[most] = "";
     glm::vec4 ink{0.0F, 0.0F, 0.0F, 1.0F};
     double pen_width = 0.0; // of all lines; 0: as they are
-    std::uint32_t pen = 1;  // of a plotter
+    std::uint32_t pen = 1;  // a plotter's
     LineType line_type{};
 };
 
-// Calls are nested: page { view { group { path, dot } } group { path, text } }.
+// Takes in a page. Calls are nested: page { view { group { path, dot } } group { path, text } }.
 class PageSink {
 public:
     PageSink() = default;
@@ -85,7 +115,23 @@ public:
     virtual void finish() = 0;
 };
 
-// Of the whole page.
+// Hands all on to the next sink; filters override what they change.
+class PageFilter : public PageSink {
+public:
+    explicit PageFilter(PageSink& next) noexcept : next_(next) {}
+    void begin_view(const PageView& view) override { next_.begin_view(view); }
+    void begin_group(const PageGroup& group) override { next_.begin_group(group); }
+    void path(const PagePath& path) override { next_.path(path); }
+    void dot(const PageDot& dot) override { next_.dot(dot); }
+    void text(const PageText& text) override { next_.text(text); }
+    void end_group() override { next_.end_group(); }
+    void end_view() override { next_.end_view(); }
+    void finish() override { next_.finish(); }
+
+protected:
+    PageSink& next_;
+};
+
 struct PageInfo {
     double width = 0.0, height = 0.0;
     const char* title = nullptr;
@@ -94,14 +140,50 @@ struct PageInfo {
     const char* program = ""; // the version of what writes it
 };
 
-// Counted by writers and filters.
+// Writers and filters count these.
 struct PageCounts {
     std::int64_t bytes = 0;
     std::int64_t paths = 0, dots = 0, groups = 0;
     std::int64_t joined = 0, dropped_paths = 0, dropped_dots = 0;
     std::int64_t filled_paths = 0;
-    std::int64_t segments = 0; // of Bezier curves or lines
+    std::int64_t segments = 0; // Bezier curves or straight lines
     double drawn = 0.0, travelled = 0.0, seconds = 0.0;
+};
+
+// How lines and dots are shaped.
+struct ShapeSettings {
+    Widths widths = Widths::outlines;
+    DotShapes dots = DotShapes::circles;
+    double tolerance = 0.05;  // mm
+    double width_step = 1.25; // from one class of widths to the next
+    bool fills = false;       // what is wider than its pen is filled by several passes
+
+    // Circles that a pen fills are spirals.
+    [[nodiscard]] DotShapes dots_of(double pen_width) const noexcept {
+        return fills && dots == DotShapes::circles && pen_width > 0.0 ? DotShapes::spirals : dots;
+    }
+};
+
+// ---- Looks for a cancel
+
+// Looks for a cancel, and calls the caller's callback without more progress.
+inline void look(const base::Progress& progress) { progress.update(0.0); }
+
+// Looks each time that a number of steps were counted.
+class Looks {
+public:
+    Looks(const base::Progress& progress, std::int64_t steps) noexcept : progress_(progress), steps_(steps) {
+        HRBFNPR_ASSERT(steps > 0);
+    }
+    void count(std::int64_t steps = 1) {
+        if ((counted_ += steps) < steps_) return;
+        counted_ = 0;
+        look(progress_);
+    }
+
+private:
+    const base::Progress& progress_;
+    std::int64_t steps_, counted_ = 0;
 };
 
 } // namespace hrbfnpr::output

@@ -16,9 +16,9 @@ constexpr double largest = 1e15; // thousandths that a double tells apart
     return {begin, static_cast<std::size_t>(end - begin)};
 }
 
-// With nine decimals.
+// Writes nine decimals.
 [[nodiscard]] char* write_fixed(char* begin, char* end, double number) noexcept {
-#if defined(__EMSCRIPTEN__) // whose library writes no doubles so yet, and has one locale only
+#if defined(__EMSCRIPTEN__) // its library cannot write doubles this way, and has one locale only
     return begin + std::snprintf(begin, static_cast<std::size_t>(end - begin), "%.9f", number);
 #else
     return std::to_chars(begin, end, number, std::chars_format::fixed, 9).ptr;

@@ -16,13 +16,13 @@ public:
     TextOut& operator<<(std::string_view text);
     TextOut& operator<<(char one) { return *this << std::string_view(&one, 1); }
     TextOut& operator<<(std::int64_t number);
-    // A number of so many thousandths, without zeros at its end.
+    // Writes a number of thousandths, without zeros at its end.
     TextOut& thousandths(std::int64_t number);
-    // Rounded to thousandths.
+    // Rounds to thousandths.
     TextOut& operator<<(double number);
-    // With nine decimals: of a matrix.
+    // Writes nine decimals, as a matrix needs.
     TextOut& precise(double number);
-    // With the five characters that XML reserves, and controls, written otherwise.
+    // Writes the five characters that XML reserves as entities, and controls as spaces.
     TextOut& escaped(std::string_view text);
 
     void flush();

@@ -1,36 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "output/vector/write_page.h"
 
-#include "output/vector/gcode.h"
-#include "output/vector/hpgl.h"
-#include "output/vector/look.h"
-#include "output/vector/pdf.h"
 #include "output/vector/plot_order.h"
-#include "output/vector/svg.h"
+#include "output/vector/tuning.h"
+#include "output/vector/writers.h"
 
 #include <algorithm>
-#include <memory>
 #include <optional>
 
 namespace hrbfnpr::output {
 namespace {
-
-constexpr std::int64_t written_at_a_time = 2048; // numbers of annotations
-
-bool is_plotter(PageFormat format) noexcept { return format == PageFormat::hpgl || format == PageFormat::gcode; }
-
-std::unique_ptr<PageSink> writer_of(base::Memory& memory, const PageInfo& info, const PageSettings& settings,
-                                    io::Writer& writer, PageCounts& counts) {
-    if (settings.format == PageFormat::pdf)
-        return std::make_unique<PdfWriter>(memory, writer, info, settings.shapes, counts);
-    const PlotSettings& plot = settings.plot;
-    const PlotFormat format{
-        settings.shapes, {plot.draw_speed, plot.travel_speed, plot.pen_seconds}, plot.pen_down, plot.pen_up};
-    if (settings.format == PageFormat::hpgl) return std::make_unique<HpglWriter>(memory, writer, info, format, counts);
-    if (settings.format == PageFormat::gcode)
-        return std::make_unique<GcodeWriter>(memory, writer, info, format, counts);
-    return std::make_unique<SvgWriter>(memory, writer, info, settings.shapes, counts);
-}
 
 void add_annotation(const Annotation& annotation, PageSink& sink, base::Array<PagePoint>& points) {
     points.clear();
@@ -41,21 +20,20 @@ void add_annotation(const Annotation& annotation, PageSink& sink, base::Array<Pa
         sink.text({points[0].x, points[0].y, annotation.width, annotation.text});
         return;
     }
-    const PagePoint& first = points[0];
-    const PagePoint& last = points[points.size() - 1];
     PagePath path;
     path.points = points.span();
-    path.closed = points.size() > 3 && first.x == last.x && first.y == last.y;
+    path.closed = points.size() > 3 && place_of(points[0]) == place_of(points.back());
     path.begin = path.end = drawing::Cap::flat;
     if (points.size() > 1) sink.path(path);
 }
 
+// Annotations of one group that follow each other make one group on the page.
 void add_annotations(base::Memory& memory, const Page& page, PageSink& sink, const base::Progress& progress) {
-    Looks looks(progress, written_at_a_time);
     base::Array<PagePoint> points(memory);
     const Annotation* open = nullptr;
+    Looks looks(progress, steps_a_look);
     for (const Annotation& annotation : page.annotations) {
-        looks.count(static_cast<std::int64_t>(annotation.points.size()));
+        looks.count(1 + static_cast<std::int64_t>(annotation.points.size()));
         if (open == nullptr || open->group != annotation.group) {
             if (open != nullptr) sink.end_group();
             PageGroup group;
@@ -68,16 +46,6 @@ void add_annotations(base::Memory& memory, const Page& page, PageSink& sink, con
         add_annotation(annotation, sink, points);
     }
     if (open != nullptr) sink.end_group();
-}
-
-} // namespace
-
-namespace {
-
-// The whole page has the paper of its first drawing; white if there is none.
-void add_paper(const glm::vec4& paper, const PageInfo& info, PageSink& sink) {
-    sink.begin_view({{}, {0.0, 0.0, info.width, info.height}, paper, true});
-    sink.end_view();
 }
 
 } // namespace
@@ -98,31 +66,41 @@ PageCounts write_page(const base::Runtime& runtime, const Page& page, const Page
     const glm::dvec2 size = page_size(page, settings);
     info.width = size.x;
     info.height = size.y;
-    const std::unique_ptr<PageSink> file = writer_of(runtime.memory, info, settings, writer, counts);
+    // The pipeline is made from its end: the writer, and before it filters.
     const PlotSettings& plot = settings.plot;
-    PenTrack track(counts, {plot.draw_speed, plot.travel_speed, plot.pen_seconds}, {0.0, size.y});
+    const bool for_plotter = is_plotter(settings.format);
+    const WriterSettings writing{
+        settings.shapes, {plot.draw_speed, plot.travel_speed, plot.pen_seconds}, plot.pen_down, plot.pen_up};
+    base::Memory& memory = runtime.memory;
+    const std::unique_ptr<PageSink> file =
+        for_plotter                          ? plotter_writer(settings.format, memory, writer, info, writing, counts)
+        : settings.format == PageFormat::pdf ? pdf_writer(memory, writer, info, settings.shapes, counts)
+                                             : svg_writer(memory, writer, info, settings.shapes, counts);
+    PenTrack track(counts, writing.speeds, {0.0, size.y});
     std::optional<PlotOrder> sorted;
-    if (settings.in_plot_order || is_plotter(settings.format)) {
+    if (settings.in_plot_order || for_plotter) {
         const PlotOrderSettings order{
-            plot.join,      plot.shortest, plot.dot_distance, is_plotter(settings.format), {0.0, 0.0, size.x, size.y},
-            settings.shapes};
-        // Plotters' writers track the pen themselves, by what they have rounded.
-        sorted.emplace(runtime.memory, *file, order, counts, order.for_plotter ? nullptr : &track, progress);
+            plot.join, plot.shortest, plot.dot_distance, for_plotter, {0.0, 0.0, size.x, size.y}, settings.shapes};
+        // Plotters' writers track the pen themselves, by the units that they round to.
+        sorted.emplace(memory, *file, order, counts, for_plotter ? nullptr : &track, progress);
     }
-    LineTypes dashed(runtime.memory, sorted ? static_cast<PageSink&>(*sorted) : *file);
+    LineTypes dashed(memory, sorted ? static_cast<PageSink&>(*sorted) : *file);
     const auto parts = static_cast<double>(page.placements.size() + 1);
     double done = 0.0;
     const bool filled = !settings.without_paper;
     const glm::vec4 paper = page.placements.empty() ? glm::vec4(1.0F) : page.placements[0].drawing->paper;
-    if (filled) add_paper(paper, info, dashed);
+    if (filled) { // the whole page has the paper of its first drawing, or is white
+        dashed.begin_view({{}, {0.0, 0.0, size.x, size.y}, paper, true});
+        dashed.end_view();
+    }
     for (Placement placement : page.placements) {
         placement.with_paper = filled && placement.drawing->paper != paper;
         placement.far_to_near = !sorted; // each pen is taken up once
-        lay_out(runtime.memory, placement, page.pens, dashed, progress.part(done / parts, (done + 1.0) / parts));
+        lay_out(memory, placement, page.pens, dashed, progress.part(done / parts, (done + 1.0) / parts));
         done += 1.0;
         progress.update(done / parts);
     }
-    add_annotations(runtime.memory, page, dashed, progress);
+    add_annotations(memory, page, dashed, progress);
     dashed.finish();
     return counts;
 }

@@ -5,13 +5,8 @@
 #include "base/runtime.h"
 #include "io/stream.h"
 #include "output/vector/lay_out.h"
-#include "output/vector/line_types.h"
-#include "output/vector/shapes.h"
 
 namespace hrbfnpr::output {
-
-// Same numbers as HRBFNPR_PAGE_FORMAT_...
-enum class PageFormat : std::uint32_t { svg = 0, pdf = 1, hpgl = 2, gcode = 3 };
 
 struct PlotSettings {
     double join = 0.0, shortest = 0.0, dot_distance = 0.0; // mm; 0: by the pen's width
@@ -25,12 +20,12 @@ struct PageSettings {
     PageFormat format = PageFormat::svg;
     bool in_plot_order = false;
     bool without_paper = false;
-    double width = 0.0, height = 0.0; // 0: as far as the drawings reach
+    double width = 0.0, height = 0.0; // 0: to where the drawings reach
     ShapeSettings shapes;
     PlotSettings plot;
 };
 
-// Beside the drawings.
+// A line or a text beside the drawings.
 struct Annotation {
     std::string_view group;
     const char* text = nullptr;     // NULL: a line

@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: MIT
 // Bezier curves through points: near to all of the line, few of them, with its corners and its ends.
-#include "output/vector/curve_fit.h"
+#include "geometry/polylines.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <vector>
 
-namespace hrbfnpr::testing::curve_fit_test {
+namespace hrbfnpr::testing::polylines_test {
 namespace {
 
+using geometry::Cubic;
+using geometry::CurveFit;
 using glm::dvec2;
-using output::Cubic;
-using output::CurveFit;
 
 constexpr double pi = 3.141592653589793;
 
@@ -144,4 +144,4 @@ TEST_F(CurveFitTest, DoesNotNestDeeply) {
 }
 
 } // namespace
-} // namespace hrbfnpr::testing::curve_fit_test
+} // namespace hrbfnpr::testing::polylines_test

@@ -1,34 +1,30 @@
 // SPDX-License-Identifier: MIT
-// What a pen does: straight lines within the tolerance of a line, and the way that it goes for a dot.
+// What a pen does: straight lines within the tolerance of a line, the way that it goes for a dot, and the time it
+// takes.
 #pragma once
 
 #include "output/vector/page.h"
-#include "output/vector/shapes.h"
 
 namespace hrbfnpr::output {
 
-// Of a plotter where no pen says it, mm.
-inline constexpr double plotter_pen = 0.3;
+// Adds the points of a spiral by which a pen of this width fills a disc, from its middle outward.
+void add_spiral(const PageDot& dot, double pen_width, double tolerance, base::Array<glm::dvec2>& points);
 
+// The lines that a pen goes along. It holds working memory; what it returns is valid until the next call.
 class PenLines {
 public:
-    explicit PenLines(base::Memory& memory) noexcept : line_(memory), keeps_(memory), waits_(memory) {}
+    explicit PenLines(base::Memory& memory) noexcept : places_(memory), line_(memory), keeps_(memory) {}
 
-    // The fewest points that Douglas and Peucker's way finds; no straight part is farther than the tolerance from what
-    // it stands for.  Valid until the next call.
+    // The fewest of the path's points from which no part of it is farther than the tolerance.
     std::span<const glm::dvec2> line(const PagePath& path, double tolerance);
-    // A circle within the dot's rim that begins nearest to `from`, a spiral, or a point: what is no wider than the pen
-    // is touched.
+    // A circle within the dot's rim that begins nearest to `from`, a spiral, or a point where the dot is no wider than
+    // the pen.
     std::span<const glm::dvec2> line(const PageDot& dot, double pen, const ShapeSettings& settings,
                                      const glm::dvec2& from);
 
 private:
-    struct Range {
-        std::int64_t first, last;
-    };
-    base::Array<glm::dvec2> line_;
+    base::Array<glm::dvec2> places_, line_;
     base::Array<std::uint8_t> keeps_;
-    base::Array<Range> waits_;
 };
 
 struct PenSpeeds {
@@ -43,10 +39,10 @@ public:
         : counts_(counts), speeds_(speeds), place_(from) {}
 
     [[nodiscard]] const glm::dvec2& place() const noexcept { return place_; }
-    // Raised, if it is not there.
+    // Goes there raised, unless it is there.
     void travel(const glm::dvec2& to) noexcept;
     void raise() noexcept { is_down_ = false; }
-    // Lowered, be it to where it is.
+    // Goes there lowered, also to where it is.
     void draw(const glm::dvec2& to) noexcept;
     void draw(std::span<const glm::dvec2> line) noexcept;
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "output/raster/stroke_loops.cpp"
+#define HWY_TARGET_INCLUDE "output/raster/loops.cpp"
 #include "base/simd.h"
 
-#include "output/raster/stroke_loops.h"
-#include "output/raster/stroke_union.h"
+#include "base/assert.h"
+#include "output/raster/loops.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace hrbfnpr::output::HWY_NAMESPACE {
@@ -12,10 +12,130 @@ namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-using F = hn::CappedTag<float, 8>; // segments are short
+using F = hn::CappedTag<float, 8>; // most discs are a few pixels wide, and segments are short
 using W = hn::Vec<F>;
 
-constexpr std::int32_t most_rows = 64; // a tile's
+// ---- Discs
+
+HWY_INLINE std::int32_t clamped(float at, std::int32_t limit) {
+    const float top = static_cast<float>(limit);
+    return static_cast<std::int32_t>(at < 0.0F ? 0.0F : at > top ? top : at);
+}
+
+// A disc in pixels of the tile.
+struct InkDisc {
+    float x, y, radius, alpha, depth;
+};
+
+// The part of a pixel that the disc covers is taken as the distance of the rim beyond the pixel's centre.
+HWY_INLINE W coverage(W squared, W outer) {
+    const F d;
+    return hn::Min(hn::Max(hn::Sub(outer, hn::Sqrt(squared)), hn::Zero(d)), hn::Set(d, 1.0F));
+}
+
+template <class Blend>
+HWY_INLINE void for_pixels(const DiscTile& t, const InkDisc& disc, Blend&& blend) {
+    const F d;
+    const auto lanes = static_cast<std::int32_t>(hn::Lanes(d));
+    const float radius = disc.radius > drawing::smallest_radius ? disc.radius : drawing::smallest_radius;
+    const float dimmed = disc.radius / radius;
+    const float rim = radius + drawing::soft_rim;
+    const W alpha = hn::Set(d, disc.alpha * dimmed * dimmed);
+    const W outer = hn::Set(d, rim);
+    const std::int32_t left = clamped(disc.x - rim, t.width);
+    const std::int32_t right = clamped(disc.x + rim + 1.0F, t.width);
+    const std::int32_t top = clamped(disc.y - rim, t.height);
+    const std::int32_t bottom = clamped(disc.y + rim + 1.0F, t.height);
+    const W step = hn::Iota(d, 0.0F);
+    for (std::int32_t y = top; y < bottom; ++y) {
+        const float dy = static_cast<float>(y) + 0.5F - disc.y;
+        const W squared_y = hn::Set(d, dy * dy);
+        for (std::int32_t x = left; x < right; x += lanes) {
+            const W dx = hn::Add(hn::Set(d, static_cast<float>(x) + 0.5F - disc.x), step);
+            const W squared = hn::Add(hn::Mul(dx, dx), squared_y);
+            blend(y * t.stride + x, hn::Mul(alpha, coverage(squared, outer)));
+        }
+    }
+}
+
+// Nothing is covered where the host's picture is nearer.
+HWY_INLINE W before_host(const DiscTile& t, const InkDisc& disc, std::int32_t at, W cover) {
+    const F d;
+    if (t.host == nullptr) return cover;
+    return hn::IfThenZeroElse(hn::Lt(hn::LoadU(d, t.host + at), hn::Set(d, disc.depth)), cover);
+}
+
+// Ink takes its share of the paper and of the inks before it. color: NULL where all inks have one colour.
+HWY_INLINE void take(const DiscTile& t, const float* color, std::int32_t at, W ink) {
+    const F d;
+    const W left = hn::Sub(hn::Set(d, 1.0F), ink);
+    hn::StoreU(hn::Mul(hn::LoadU(d, t.transmittance + at), left), d, t.transmittance + at);
+    if (color == nullptr) return;
+    for (int c = 0; c < 3; ++c) {
+        const W own = hn::Mul(hn::Set(d, color[c]), ink);
+        hn::StoreU(hn::Add(hn::Mul(hn::LoadU(d, t.color[c] + at), left), own), d, t.color[c] + at);
+    }
+}
+
+// Paper takes its share of the inks before it.
+HWY_INLINE void bring_back(const DiscTile& t, std::int32_t at, W paper) {
+    const F d;
+    const W left = hn::Sub(hn::Set(d, 1.0F), paper);
+    hn::StoreU(hn::Add(hn::Mul(hn::LoadU(d, t.transmittance + at), left), paper), d, t.transmittance + at);
+    for (int c = 0; c < 3; ++c) hn::StoreU(hn::Mul(hn::LoadU(d, t.color[c] + at), left), d, t.color[c] + at);
+}
+
+void lay_discs(const DiscTile& t, const InkList& list) {
+    HRBFNPR_ASSERT(t.stride >= t.width + 8);
+    for (std::int64_t i = 0; i < list.count; ++i) {
+        const drawing::Dot& ink = list.inks[list.numbers[i]];
+        if (!(ink.opacity > 0.0F)) continue;
+        const float* const color = t.color[0] != nullptr ? list.colors + 4 * std::int64_t{ink.layer} : nullptr;
+        InkDisc disc = {ink.x - list.left, ink.y - list.top, ink.radius,
+                        ink.opacity * (color != nullptr ? color[3] : list.one_alpha), ink.window * list.toward};
+        if ((ink.flags & drawing::dot_is_paper) != 0) {
+            HRBFNPR_ASSERT(color != nullptr);
+            disc.alpha = ink.opacity;
+            for_pixels(t, disc,
+                       [&](std::int32_t at, W cover) HWY_ATTR { bring_back(t, at, before_host(t, disc, at, cover)); });
+        } else {
+            for_pixels(t, disc,
+                       [&](std::int32_t at, W cover) HWY_ATTR { take(t, color, at, before_host(t, disc, at, cover)); });
+        }
+    }
+}
+
+void store(const RowColors& colors, const float* transmittance, std::int64_t count, std::uint32_t* pixels) {
+    const hn::ScalableTag<float> d;
+    const hn::RebindToSigned<decltype(d)> integer;
+    const hn::RebindToUnsigned<decltype(d)> word;
+    const auto one = hn::Set(d, 1.0F);
+    const auto lanes = static_cast<std::int64_t>(hn::Lanes(d));
+    for (std::int64_t at = 0; at < count; at += lanes) {
+        const auto left = hn::LoadU(d, transmittance + at);
+        const auto inked = hn::Sub(one, left);
+        auto scale = hn::Set(d, 255.0F);
+        const auto channel = [&](int c) HWY_ATTR {
+            return hn::Add(hn::Mul(hn::Set(d, colors.paper[c]), left), hn::Mul(hn::Set(d, colors.ink[c]), inked));
+        };
+        const auto alpha = channel(3);
+        if (colors.straight)
+            // Straight pixels of alpha 0 have no colour and are all zero.
+            scale = hn::IfThenElseZero(hn::Gt(alpha, hn::Zero(d)), hn::Div(scale, alpha));
+        auto bits = hn::Zero(word);
+        const auto add = [&](hn::Vec<decltype(d)> value, int c) HWY_ATTR {
+            const auto rounded = hn::Add(hn::Min(hn::Max(value, hn::Zero(d)), hn::Set(d, 255.0F)), hn::Set(d, 0.5F));
+            bits = hn::Or(bits, hn::ShiftLeftSame(hn::BitCast(word, hn::ConvertTo(integer, rounded)), 8 * c));
+        };
+        for (int c = 0; c < 3; ++c) add(hn::Mul(channel(c), scale), c);
+        add(hn::Mul(alpha, hn::Set(d, 255.0F)), 3);
+        hn::StoreU(bits, word, pixels + at);
+    }
+}
+
+// ---- Strokes
+
+constexpr std::int32_t most_rows = StrokeUnion::most_side;
 
 HWY_INLINE double least(double a, double b) { return a < b ? a : b; }
 HWY_INLINE double most(double a, double b) { return a > b ? a : b; }
@@ -23,18 +143,18 @@ HWY_INLINE std::int32_t clamped(double at, std::int32_t limit) {
     return static_cast<std::int32_t>(most(0.0, least(at, static_cast<double>(limit))));
 }
 
-// From its upper to its lower end.
+// An edge goes from its upper to its lower end.
 struct Edge {
     double x, top, bottom, slope;
     float sign;        // 1 where the inside lies to the right of it
-    std::int32_t next; // of those that begin in the same row; -1: none
+    std::int32_t next; // the next edge that begins in the same row; -1: none
 };
 
 // What an edge covers of a row to its right: the mean of clamp(right - x) over the part of the row's height that it
-// passes.  With F the integral of clamp, that is a difference of F over the way that x goes.
+// passes. With F the integral of clamp, this is a difference of F over the way that x goes.
 struct Part {
-    float x, way; // where it enters the row; how far it moves sideways
-    float scale;  // height over way, signed; of a steep part the height alone
+    float x, way; // where it enters the row, and its way sideways there
+    float scale;  // height over way, signed; the height alone if it is steep
     bool steep;
 };
 
@@ -48,9 +168,10 @@ struct Target {
     const DiscTile& tile;
     const StrokePlanes& planes;
     Spans& spans;
-    bool even;    // all segments have one opacity: `ink` is not looked at
-    float alpha;  // that opacity, times the alpha of the stroke's ink
-    bool at_once; // one outline is all: it is taken from the paper with nothing between
+    bool even;          // all segments have one opacity: `ink` is not looked at
+    float alpha;        // that opacity, times the alpha of the stroke's ink
+    bool at_once;       // there is but one outline, which is taken from the paper with no plane between
+    const float* color; // of the ink; NULL where all inks have one colour
 };
 
 // An outline's edges, by the rows in which they begin.
@@ -155,7 +276,7 @@ HWY_INLINE W covered(const Row& row, W right) {
     return hn::Min(hn::Max(sum, zero), one);
 }
 
-// How far along the segment pixels are.
+// The places of pixels along the segment, from 0 to 1.
 HWY_INLINE W place_along(const Shade& shade, std::int32_t y, W x) {
     const F d;
     const W start = hn::Set(d, shade.from + (static_cast<float>(y) + 0.5F) * shade.step_y);
@@ -163,18 +284,7 @@ HWY_INLINE W place_along(const Shade& shade, std::int32_t y, W x) {
     return hn::Min(hn::Max(along, hn::Zero(d)), hn::Set(d, 1.0F));
 }
 
-// What ink takes of the paper.
-HWY_INLINE void take(const Target& t, const float* color, std::int32_t at, W ink) {
-    const F d;
-    const W left = hn::Sub(hn::Set(d, 1.0F), ink);
-    hn::StoreU(hn::Mul(hn::LoadU(d, t.tile.transmittance + at), left), d, t.tile.transmittance + at);
-    if (t.tile.color[0] == nullptr) return;
-    for (int c = 0; c < 3; ++c)
-        hn::StoreU(hn::Add(hn::Mul(hn::LoadU(d, t.tile.color[c] + at), left), hn::Mul(hn::Set(d, color[c]), ink)), d,
-                   t.tile.color[c] + at);
-}
-
-// Adds what a row's pixels are covered by to the planes.
+// Adds to the planes what a row's pixels are covered by.
 HWY_INLINE void add(const Target& t, const Shade& shade, std::int32_t y, std::int32_t x, W cover) {
     const F d;
     const std::int32_t at = y * t.tile.stride + x;
@@ -187,7 +297,7 @@ HWY_INLINE void add(const Target& t, const Shade& shade, std::int32_t y, std::in
     hn::StoreU(hn::Add(hn::LoadU(d, t.planes.ink + at), hn::Mul(cover, opacity)), d, t.planes.ink + at);
 }
 
-// Where the segment does not lie behind the host's picture.
+// Nothing is covered where the host's picture is nearer than the segment.
 HWY_INLINE W shown(const Target& t, const Shade& shade, std::int32_t y, std::int32_t x, W cover) {
     const F d;
     if (t.tile.host == nullptr) return cover;
@@ -202,7 +312,7 @@ HWY_INLINE void reach(const Target& t, std::int32_t y, std::int32_t left, std::i
     t.spans.right[y] = right > t.spans.right[y] ? right : t.spans.right[y];
 }
 
-HWY_INLINE void lay_row(const Target& t, const Shade& shade, const float* color, const Row& row, std::int32_t y) {
+HWY_INLINE void lay_row(const Target& t, const Shade& shade, const Row& row, std::int32_t y) {
     const F d;
     const auto lanes = static_cast<std::int32_t>(hn::Lanes(d));
     for (std::int32_t x = row.left; x < row.right; x += lanes) {
@@ -210,14 +320,14 @@ HWY_INLINE void lay_row(const Target& t, const Shade& shade, const float* color,
         const W cover = hn::IfThenElseZero(hn::Lt(inside, hn::Set(d, static_cast<float>(row.right))),
                                            covered(row, hn::Add(inside, hn::Set(d, 1.0F))));
         if (t.at_once)
-            take(t, color, y * t.tile.stride + x, hn::Mul(cover, hn::Set(d, t.alpha)));
+            take(t.tile, t.color, y * t.tile.stride + x, hn::Mul(cover, hn::Set(d, t.alpha)));
         else
             add(t, shade, y, x, shown(t, shade, y, x, cover));
     }
     if (!t.at_once) reach(t, y, row.left, row.right);
 }
 
-void lay_outline(const Target& t, const Outline& outline, const Shade& shade, const float* color) {
+void lay_outline(const Target& t, const Outline& outline, const Shade& shade) {
     if (outline.count == 0) return;
     Edges edges;
     find_edges(outline, t.tile.height, edges);
@@ -229,7 +339,7 @@ void lay_outline(const Target& t, const Outline& outline, const Shade& shade, co
     row.edge_count = 0;
     for (std::int32_t y = edges.top; y < edges.bottom; ++y) {
         find_parts(edges, y, t.tile.width, row);
-        if (row.left < row.right) lay_row(t, shade, color, row, y);
+        if (row.left < row.right) lay_row(t, shade, row, y);
     }
 }
 
@@ -257,7 +367,7 @@ HWY_INLINE void clear_spans(const DiscTile& t, Spans& spans) {
     }
 }
 
-// False if parts overlap: what is laid so far does not count.
+// Returns false if parts overlap; what was laid until then does not count.
 HWY_INLINE bool lay_segments(Target& t, const SegmentList& list) {
     Outliner outliner(list, false);
     Outline outline;
@@ -270,7 +380,7 @@ HWY_INLINE bool lay_segments(Target& t, const SegmentList& list) {
         if (segments > 1) shade.more_opacity = 0.0F;
         t.at_once = t.even && !single && segments == list.count;
         if (i == 0 && !t.at_once) clear_spans(t.tile, t.spans);
-        lay_outline(t, outline, shade, list.color);
+        lay_outline(t, outline, shade);
         i += segments;
     }
     return true;
@@ -290,7 +400,7 @@ HWY_INLINE void add_outlines(StrokeUnion& all, const SegmentList& list, bool sin
     }
 }
 
-// Of all outlines together.
+// Lays the union of all outlines.
 HWY_INLINE void lay_union(const Target& t, const SegmentList& list) {
     const F d;
     const auto lanes = static_cast<std::int32_t>(hn::Lanes(d));
@@ -326,11 +436,11 @@ HWY_INLINE void clear(const Target& t) {
         }
 }
 
-// What the stroke takes of the paper; clears the planes where it has laid something.
-HWY_INLINE void blend(const Target& t, const float* color) {
+// Takes the stroke's ink of the paper, and clears the planes where it has laid something.
+HWY_INLINE void blend(const Target& t, float ink_alpha) {
     const F d;
     const auto lanes = static_cast<std::int32_t>(hn::Lanes(d));
-    const W alpha = hn::Set(d, color[3]);
+    const W alpha = hn::Set(d, ink_alpha);
     const W one = hn::Set(d, 1.0F);
     for (std::int32_t y = t.spans.top; y < t.spans.bottom; ++y) {
         for (std::int32_t x = t.spans.left[y]; x < t.spans.right[y]; x += lanes) {
@@ -342,7 +452,7 @@ HWY_INLINE void blend(const Target& t, const float* color) {
                 ink = hn::Mul(hn::Div(hn::LoadU(d, t.planes.ink + at), hn::Max(cover, one)), alpha);
                 hn::StoreU(hn::Zero(d), d, t.planes.ink + at);
             }
-            take(t, color, at, ink);
+            take(t.tile, t.color, at, ink);
         }
     }
 }
@@ -356,27 +466,34 @@ HWY_INLINE bool has_one_opacity(const SegmentList& list) {
     return true;
 }
 
-void lay(const DiscTile& tile, const SegmentList& list, const StrokePlanes& planes) {
+void lay_stroke(const DiscTile& tile, const SegmentList& list, const StrokePlanes& planes) {
+    HRBFNPR_ASSERT(tile.width <= most_rows && tile.height <= most_rows && tile.stride >= tile.width + 8);
     if (list.count == 0) return;
     Spans spans;
     spans.top = tile.height;
     spans.bottom = 0;
     const float opacity = list.points[list.numbers[0]].opacity;
-    Target target{tile, planes, spans, has_one_opacity(list), opacity * list.color[3], false};
+    Target target{tile,
+                  planes,
+                  spans,
+                  has_one_opacity(list),
+                  opacity * list.color[3],
+                  false,
+                  tile.color[0] != nullptr ? list.color : nullptr};
     const bool apart = !may_overlap(list);
     if (!apart || !lay_segments(target, list)) {
         if (apart) clear(target);
         clear_spans(tile, spans);
         lay_union(target, list);
     }
-    if (!target.at_once) blend(target, list.color);
+    if (!target.at_once) blend(target, list.color[3]);
 }
 
 } // namespace
 
-StrokeLoops pick_stroke_loops() noexcept { return {lay}; }
+RasterLoops pick_raster_loops() noexcept { return {lay_discs, lay_stroke, store}; }
 
 } // namespace hrbfnpr::output::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
-HRBFNPR_CHOOSE(hrbfnpr::output, StrokeLoops, stroke_loops, pick_stroke_loops)
+HRBFNPR_CHOOSE(hrbfnpr::output, RasterLoops, raster_loops, pick_raster_loops)

@@ -1,56 +1,40 @@
 // SPDX-License-Identifier: MIT
-#include "output/vector/pen_lines.h"
+#include "output/vector/pen.h"
 
-#include "geometry/segment.h"
+#include "output/vector/tuning.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
 namespace hrbfnpr::output {
-namespace {
 
 using glm::dvec2;
 
-double square_from(const PagePoint& p, const PagePoint& a, const PagePoint& b) noexcept {
-    return geometry::square_from_segment(dvec2(p.x, p.y), dvec2(a.x, a.y), dvec2(b.x, b.y));
+void add_spiral(const PageDot& dot, double pen_width, double tolerance, base::Array<dvec2>& points) {
+    constexpr double turn = 2.0 * std::numbers::pi;
+    HRBFNPR_ASSERT(tolerance > 0.0);
+    points.push_back({dot.x, dot.y});
+    const double outer = dot.radius - 0.5 * pen_width;
+    if (!(outer > 0.0)) return;
+    const double chord = std::clamp(std::sqrt(8.0 * tolerance / outer), 0.1, 0.8); // its angle
+    // The growth of the radius for each radian is bounded, as a pen may be as thin as a double can tell.
+    const double pitch = std::max(plot_tuning.spiral_pitch * pen_width, outer / plot_tuning.most_turns) / turn;
+    const auto add = [&](double angle, double radius) {
+        points.push_back({dot.x + radius * std::cos(angle), dot.y + radius * std::sin(angle)});
+    };
+    double angle = 0.0;
+    for (; pitch * angle < outer; angle += chord) add(angle, pitch * angle);
+    for (double rest = 0.0; rest < turn + chord; rest += chord) add(angle + rest, outer); // and once round
 }
 
-// Points of a line that is split by itself: the work is as the square of their number where all are kept.
-constexpr std::int64_t split_at = 1024;
-
-} // namespace
-
-// [Douglas and Peucker 1973, "Algorithms for the reduction of the number of points required to represent a digitized
-// line or its caricature"]
 std::span<const dvec2> PenLines::line(const PagePath& path, double tolerance) {
-    const auto count = static_cast<std::int64_t>(path.points.size());
-    const PagePoint* const points = path.points.data();
-    keeps_.clear();
-    keeps_.resize(count);
-    waits_.clear();
-    for (std::int64_t first = 0; first < count - 1; first += split_at)
-        waits_.push_back({first, std::min(first + split_at, count - 1)});
-    keeps_[0] = 1;
-    for (const Range& range : waits_) keeps_[range.last] = 1;
-    while (!waits_.empty()) {
-        const Range range = waits_.back();
-        waits_.resize(waits_.size() - 1);
-        double most = tolerance * tolerance;
-        std::int64_t farthest = -1;
-        for (std::int64_t i = range.first + 1; i < range.last; ++i)
-            if (const double square = square_from(points[i], points[range.first], points[range.last]); square > most) {
-                most = square;
-                farthest = i;
-            }
-        if (farthest < 0) continue;
-        keeps_[farthest] = 1;
-        waits_.push_back({range.first, farthest});
-        waits_.push_back({farthest, range.last});
-    }
+    places_.clear();
+    for (const PagePoint& p : path.points) places_.push_back(place_of(p));
+    geometry::thin(std::span<const dvec2>(places_.span()), tolerance, keeps_);
     line_.clear();
-    for (std::int64_t i = 0; i < count; ++i)
-        if (keeps_[i] != 0) line_.push_back({points[i].x, points[i].y});
+    for (std::int64_t i = 0; i < places_.size(); ++i)
+        if (keeps_[i] != 0) line_.push_back(places_[i]);
     return line_.span();
 }
 
@@ -61,7 +45,7 @@ std::span<const dvec2> PenLines::line(const PageDot& dot, double pen, const Shap
     const double radius = dot.radius - 0.5 * pen;
     const DotShapes shape = settings.dots_of(pen);
     if (shape == DotShapes::spirals) {
-        spiral(dot, pen, settings.tolerance, line_);
+        add_spiral(dot, pen, settings.tolerance, line_);
     } else if (shape == DotShapes::lines || !(radius > 0.0)) {
         line_.push_back(centre);
     } else {
@@ -96,6 +80,7 @@ void PenTrack::draw(const dvec2& to) noexcept {
 }
 
 void PenTrack::draw(std::span<const dvec2> line) noexcept {
+    HRBFNPR_ASSERT(!line.empty());
     travel(line[0]);
     for (const dvec2& place : line) draw(place);
 }

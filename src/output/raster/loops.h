@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Discs of ink into the planes of a tile, for each instruction set; the same bits from all of them.
+// Discs and strokes of ink into the planes of a tile, and planes to bytes, for each instruction set; the same bits from
+// all of them.
 #pragma once
 
 #include "base/instruction_set.h"
-#include "drawing/dot.h"
+#include "output/raster/stroke_union.h"
 
 #include <cstdint>
 
@@ -28,6 +29,13 @@ struct InkList {
     float toward;        // -1: the host's depth rises towards the eye; 1
 };
 
+// Planes of the tile's stride that are zero, and are zero again afterwards.
+struct StrokePlanes {
+    float* cover;          // the part of a pixel that is covered
+    float* ink;            // the cover times the opacity
+    StrokeUnion* overlaps; // working memory, for strokes that may overlap themselves
+};
+
 // Four channels of a row, each alpha * transmittance + beta * (1 - transmittance), as bytes.
 struct RowColors {
     float paper[4]; // premultiplied, in the order of the bytes
@@ -35,11 +43,15 @@ struct RowColors {
     bool straight; // divide by the last one
 };
 
-struct DiscLoops {
-    void (*draw)(const DiscTile& tile, const InkList& list);
+struct RasterLoops {
+    // Lays discs, in their order; those of paper need the planes of colours, and bring the paper back.
+    void (*discs)(const DiscTile& tile, const InkList& list);
+    // Lays the union of the segments over the tile: where they overlap, the stroke is no darker. A pixel takes the
+    // exact area that is covered of it. Throws Error{out_of_memory}.
+    void (*stroke)(const DiscTile& tile, const SegmentList& list, const StrokePlanes& planes);
     void (*store)(const RowColors& colors, const float* transmittance, std::int64_t count, std::uint32_t* pixels);
 };
 
-[[nodiscard]] DiscLoops disc_loops(base::InstructionSet set) noexcept;
+[[nodiscard]] RasterLoops raster_loops(base::InstructionSet set) noexcept;
 
 } // namespace hrbfnpr::output

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: MIT
+// Polylines: lengths along them, thinning by a tolerance, chains of lines whose ends meet, Bezier curves through them.
+#pragma once
+
+#include "base/assert.h"
+#include "base/memory.h"
+#include "geometry/segment.h"
+#include "geometry/vec.h"
+
+#include <cstdint>
+#include <span>
+
+namespace hrbfnpr::geometry {
+
+// The length of a line through points, where place(point) is a vector.
+template <class Point, class Place>
+[[nodiscard]] auto length_along(std::span<Point> points, const Place& place) noexcept {
+    decltype(glm::distance(place(points[0]), place(points[0]))) sum = 0;
+    for (std::size_t i = 1; i < points.size(); ++i) sum += glm::distance(place(points[i - 1]), place(points[i]));
+    return sum;
+}
+
+// The work of thinning is as the square of the number of points where all are kept, so that longer lines are thinned in
+// parts of this many points.
+inline constexpr std::int64_t thinned_together = 1024;
+
+// Sets keeps[i] to 1 for the points that stay if no part of the line may lie farther than the tolerance from the
+// straight line that stands for it; the others have 0. Both ends stay. [Douglas and Peucker 1973, "Algorithms for the
+// reduction of the number of points required to represent a digitized line or its caricature"]
+template <class V>
+void thin(std::span<const V> points, typename V::value_type tolerance, base::Array<std::uint8_t>& keeps) {
+    const auto count = static_cast<std::int64_t>(points.size());
+    HRBFNPR_ASSERT(tolerance >= 0 && count > 0);
+    const V* const at = points.data();
+    keeps.clear();
+    keeps.resize(count);
+    keeps[0] = 1;
+    // The shorter part is split by recursion and the longer one here, so that the depth is at most the logarithm.
+    const auto split = [&](const auto& self, std::int64_t first, std::int64_t last) -> void {
+        for (;;) {
+            auto most = tolerance * tolerance;
+            std::int64_t farthest = -1;
+            for (std::int64_t i = first + 1; i < last; ++i)
+                if (const auto square = square_from_segment(at[i], at[first], at[last]); square > most) {
+                    most = square;
+                    farthest = i;
+                }
+            if (farthest < 0) return;
+            keeps[farthest] = 1;
+            if (farthest - first < last - farthest) {
+                self(self, first, farthest);
+                first = farthest;
+            } else {
+                self(self, farthest, last);
+                last = farthest;
+            }
+        }
+    };
+    for (std::int64_t first = 0; first < count - 1; first += thinned_together) {
+        const std::int64_t last = first + thinned_together < count - 1 ? first + thinned_together : count - 1;
+        keeps[last] = 1;
+        split(split, first, last);
+    }
+}
+
+// Follows lines from end to end. Line i begins at end 2 i and finishes at end 2 i + 1; partner[end] is the end at which
+// the line goes on there, or -1. For each chain in turn it calls enter(end) for each of its lines, by the end that the
+// chain enters it at, and then leave(closed). Chains with free ends come first, in the order of their first lines, then
+// those that go round.
+template <class Enter, class Leave>
+void follow_chains(const base::Array<std::int32_t>& partner, Enter&& enter, Leave&& leave) {
+    HRBFNPR_ASSERT(partner.size() % 2 == 0);
+    const auto ends = static_cast<std::int32_t>(partner.size());
+    base::Array<std::uint8_t> done(partner.memory(), ends / 2);
+    for (const bool rings : {false, true})
+        for (std::int32_t start = 0; start < ends; ++start) {
+            if (done[start / 2] != 0 || (!rings && partner[start] >= 0)) continue;
+            std::int32_t end = start;
+            while (end >= 0 && done[end / 2] == 0) {
+                HRBFNPR_ASSERT(partner[end] < 0 || partner[partner[end]] == end);
+                done[end / 2] = 1;
+                enter(end);
+                end = partner[end ^ 1];
+            }
+            leave(end >= 0);
+        }
+}
+
+// A cubic Bezier curve that begins where the one before it ends.
+struct Cubic {
+    glm::dvec2 control_1, control_2, end;
+};
+
+[[nodiscard]] inline glm::dvec2 point_of(const glm::dvec2& start, const Cubic& c, double t) noexcept {
+    const double s = 1.0 - t;
+    return s * s * s * start + 3.0 * s * s * t * c.control_1 + 3.0 * s * t * t * c.control_2 + t * t * t * c.end;
+}
+
+// The tuning constants of CurveFit. Set on pages of strokes, lines and spirals, by scripts/bench vector.
+struct CurveFitTuning {
+    // A line keeps a corner where it turns by more than the angle of this cosine, 40 degrees. Larger: more corners.
+    double corner_cosine = 0.766;
+    // Places on a curve are improved where it is off by less than this many squares of the tolerance; else the run is
+    // halved at once. Larger: fewer curves, more time.
+    double near_enough_to_improve = 16.0;
+    // A curve is improved at most this often before its run is halved. Larger: fewer curves, more time.
+    int improvements = 4;
+    // The curve lies within this part of the tolerance at the points that are measured, since it may be farther off
+    // between them. Larger: fewer curves, which may exceed the tolerance.
+    double measured_share = 0.9;
+    // Measured points are at most this many tolerances apart. Larger: less is measured.
+    double spacing = 16.0;
+    // No more points than this are measured between two given ones.
+    double most_between = 64.0;
+    // Runs that are nested more deeply than this are halved in the middle, so that the depth is bounded.
+    int deepest = 24;
+};
+inline constexpr CurveFitTuning curve_fit_tuning;
+
+// Fits Bezier curves to points by least squares, and halves runs where that is not near enough [Schneider 1990, "An
+// algorithm for automatically fitting digitized curves", Graphics Gems]. It holds working memory.
+class CurveFit {
+public:
+    explicit CurveFit(base::Memory& memory) noexcept : points_(memory), places_(memory), cubics_(memory) {}
+
+    // All of the line through the points lies within the tolerance of the curves, and their ends are points of it. The
+    // last point of a closed line stands where the first one does, and its curves go round without a corner unless the
+    // line has one. The result is valid until the next call, and empty if all points are in one place.
+    std::span<const Cubic> fit(std::span<const glm::dvec2> points, double tolerance, bool closed);
+
+private:
+    void densify(std::span<const glm::dvec2> points);
+    void fit_run(std::int64_t first, std::int64_t last, const glm::dvec2& from, const glm::dvec2& to, int depth);
+    [[nodiscard]] Cubic least_squares(std::int64_t first, std::int64_t last, const glm::dvec2& from,
+                                      const glm::dvec2& to) const noexcept;
+    [[nodiscard]] double farthest(std::int64_t first, std::int64_t last, const Cubic& cubic,
+                                  std::int64_t& where) const noexcept;
+    void set_places(std::int64_t first, std::int64_t last) noexcept;
+    void improve_places(std::int64_t first, std::int64_t last, const Cubic& cubic) noexcept;
+    [[nodiscard]] glm::dvec2 direction_from(std::int64_t end, std::int64_t other) const noexcept;
+    [[nodiscard]] glm::dvec2 direction_at(std::int64_t i, std::int64_t first, std::int64_t last) const noexcept;
+    [[nodiscard]] bool is_corner(std::int64_t before, std::int64_t i, std::int64_t after) const noexcept;
+
+    double square_ = 0.0; // the tolerance's
+    base::Array<glm::dvec2> points_;
+    base::Array<double> places_; // of the points on the curve that is fitted, from 0 to 1
+    base::Array<Cubic> cubics_;
+};
+
+} // namespace hrbfnpr::geometry

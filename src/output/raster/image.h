@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: MIT
+// The caller's pixels: which are drawn, and how they become premultiplied floats and the other way round.
+#pragma once
+
+#include "base/assert.h"
+#include "base/view.h"
+#include "geometry/vec.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <utility>
+
+namespace hrbfnpr::output {
+
+// Same numbers as HRBFNPR_FORMAT_...
+enum class Format : std::uint32_t {
+    rgba8 = 1,
+    bgra8 = 2,
+    rgba8_premultiplied = 3,
+    bgra8_premultiplied = 4,
+    rgba32f = 5,
+    rgba32f_premultiplied = 6,
+    coverage8 = 7
+};
+
+[[nodiscard]] constexpr std::int64_t bytes_of_pixel(Format format) noexcept {
+    if (format == Format::coverage8) return 1;
+    return format == Format::rgba32f || format == Format::rgba32f_premultiplied ? 16 : 4;
+}
+[[nodiscard]] constexpr bool has_bytes(Format format) noexcept { return bytes_of_pixel(format) == 4; }
+[[nodiscard]] constexpr bool is_premultiplied(Format format) noexcept {
+    return format == Format::rgba8_premultiplied || format == Format::bgra8_premultiplied ||
+           format == Format::rgba32f_premultiplied;
+}
+[[nodiscard]] constexpr bool is_bgra(Format format) noexcept {
+    return format == Format::bgra8 || format == Format::bgra8_premultiplied;
+}
+
+struct Image {
+    Format format = Format::rgba8;
+    std::int32_t width = 0;
+    std::int32_t height = 0;
+    std::byte* pixels = nullptr; // top-left
+    std::int64_t row_stride = 0; // bytes, never 0
+
+    [[nodiscard]] std::byte* pixel(std::int32_t x, std::int32_t y) const noexcept {
+        HRBFNPR_ASSERT(x >= 0 && x < width && y >= 0 && y < height);
+        return pixels + y * row_stride + bytes_of_pixel(format) * x;
+    }
+};
+
+// Views of width * height elements, or empty.
+struct DrawSettings {
+    bool over = false;
+    bool linear_light = false;
+    base::InView host_depth;
+    base::OutView depth;
+    base::OutView id;
+    base::OutView mark_class;
+};
+
+// ---- Rectangles
+
+// Half-open, pixels.
+struct Rect {
+    std::int32_t left = 0, top = 0, right = 0, bottom = 0;
+    [[nodiscard]] bool empty() const noexcept { return left >= right || top >= bottom; }
+};
+
+// The pixels of the image whose centres lie in the viewport.
+[[nodiscard]] inline Rect drawn_rect(const glm::dvec4& viewport, const Image& image) noexcept {
+    const auto edge = [](double at, std::int32_t limit) {
+        return static_cast<std::int32_t>(std::clamp(std::ceil(at - 0.5), 0.0, static_cast<double>(limit)));
+    };
+    return {edge(viewport.x, image.width), edge(viewport.y, image.height), edge(viewport.x + viewport.z, image.width),
+            edge(viewport.y + viewport.w, image.height)};
+}
+
+// ---- Colours
+
+[[nodiscard]] inline glm::vec4 premultiplied(const glm::vec4& straight) noexcept {
+    return {glm::vec3(straight) * straight.w, straight.w};
+}
+
+// Between encoded sRGB values and linear light, for colours in [0, 1]. [IEC 61966-2-1]
+[[nodiscard]] inline float to_linear(float encoded) noexcept {
+    return encoded <= 0.04045F ? encoded / 12.92F : std::pow((encoded + 0.055F) / 1.055F, 2.4F);
+}
+[[nodiscard]] inline float from_linear(float light) noexcept {
+    return light <= 0.0031308F ? light * 12.92F : 1.055F * std::pow(light, 1.0F / 2.4F) - 0.055F;
+}
+// The same for premultiplied colours, whose alpha stays.
+[[nodiscard]] inline glm::vec4 to_linear(const glm::vec4& c) noexcept {
+    if (!(c.w > 0.0F)) return glm::vec4(0.0F);
+    return {to_linear(c.x / c.w) * c.w, to_linear(c.y / c.w) * c.w, to_linear(c.z / c.w) * c.w, c.w};
+}
+[[nodiscard]] inline glm::vec4 from_linear(const glm::vec4& c) noexcept {
+    if (!(c.w > 0.0F)) return glm::vec4(0.0F);
+    return {from_linear(c.x / c.w) * c.w, from_linear(c.y / c.w) * c.w, from_linear(c.z / c.w) * c.w, c.w};
+}
+
+// ---- Pixels
+
+[[nodiscard]] inline std::byte to_byte(float value) noexcept {
+    return static_cast<std::byte>(static_cast<std::uint8_t>(std::clamp(value, 0.0F, 1.0F) * 255.0F + 0.5F));
+}
+[[nodiscard]] inline float from_byte(std::byte value) noexcept {
+    constexpr float scale = 1.0F / 255.0F;
+    return static_cast<float>(std::to_integer<std::uint8_t>(value)) * scale;
+}
+
+// The colour of a coverage is black, and its alpha the coverage.
+[[nodiscard]] inline glm::vec4 load_pixel(const std::byte* at, Format format) noexcept {
+    if (format == Format::coverage8) return {0.0F, 0.0F, 0.0F, from_byte(*at)};
+    glm::vec4 color;
+    if (has_bytes(format)) {
+        for (int i = 0; i < 4; ++i) color[i] = from_byte(at[i]);
+    } else {
+        std::memcpy(&color[0], at, sizeof(float) * 4);
+    }
+    if (is_bgra(format)) std::swap(color.x, color.z);
+    return is_premultiplied(format) ? color : premultiplied(color);
+}
+
+inline void store_pixel(std::byte* at, const glm::vec4& given, Format format) noexcept {
+    if (format == Format::coverage8) {
+        *at = to_byte(given.w);
+        return;
+    }
+    glm::vec4 color = given; // premultiplied
+    // Straight pixels of alpha 0 have no colour and are all zero.
+    if (!is_premultiplied(format))
+        color = color.w > 0.0F ? glm::vec4(glm::vec3(color) / color.w, color.w) : glm::vec4(0.0F);
+    if (is_bgra(format)) std::swap(color.x, color.z);
+    if (has_bytes(format)) {
+        for (int i = 0; i < 4; ++i) at[i] = to_byte(color[i]);
+        return;
+    }
+    color = glm::clamp(color, 0.0F, 1.0F);
+    std::memcpy(at, &color[0], sizeof(float) * 4);
+}
+
+} // namespace hrbfnpr::output
