@@ -3,8 +3,8 @@
 #pragma once
 
 #include "base/random.h"
-#include "curves/contour_level.h"
-#include "curves/cusps.h"
+#include "curves/level.h"
+#include "curves/curve_changes.h"
 #include "curves/dense_count.h"
 #include "curves/trace.h"
 #include "support/runtime.h"
