@@ -245,7 +245,7 @@ Curves Linker::split() const {
 // longer of two runs has is taken out of the other.
 Curves without_doubles(const base::Runtime& runtime, const SurfaceMesh& mesh, const Curves& runs, double longest) {
     const double distance = on_curve * mesh.side;
-    const NearCurves near(runtime.memory, runs, longest, distance);
+    const NearCurves near(runs, longest, distance);
     base::Array<std::uint8_t> doubled(runtime.memory, runs.point.size());
     const auto is_longer = [&](std::int64_t s, std::int64_t r) {
         return runs.size_of(s) > runs.size_of(r) || (runs.size_of(s) == runs.size_of(r) && s < r);

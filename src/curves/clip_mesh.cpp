@@ -31,7 +31,7 @@ double area_of(const SurfaceMesh& mesh) noexcept {
 base::Array<CurvePoint> find_cut_points(const base::Runtime& runtime, const Level& level, const SurfaceMesh& mesh,
                                         const base::Array<double>& value, const base::Array<CutEdge>& edges,
                                         const base::Progress& progress) {
-    const double tolerance = curve_tuning.cut_tolerance * mesh.side;
+    const double tolerance = curve_tuning.exact * mesh.side;
     base::Array<CurvePoint> points(runtime.memory, edges.size());
     for (std::int64_t i = 0; i < edges.size(); ++i) {
         const auto [kept, lost] = edges[i];
@@ -48,11 +48,8 @@ base::Array<CurvePoint> find_cut_points(const base::Runtime& runtime, const Leve
         which.push_back(i);
     }
     base::Array<CurvePoint> halved(runtime.memory);
-    halve(runtime, level, places, curve_tuning.halvings, halved, progress);
-    base::Array<CurvePoint> nearer(runtime.memory, halved.size());
-    std::copy(halved.begin(), halved.end(), nearer.begin());
-    bring_to_curve(runtime, level, {tolerance, 0.1 * curve_tuning.farthest_cut * mesh.side}, nearer, found, progress);
-    for (std::int64_t i = 0; i < which.size(); ++i) points[which[i]] = found[i] != 0 ? nearer[i] : halved[i];
+    halve(runtime, level, places, curve_tuning.cut_halvings, halved, progress);
+    for (std::int64_t i = 0; i < which.size(); ++i) points[which[i]] = halved[i];
     return points;
 }
 

@@ -35,9 +35,9 @@ struct Bracket {
         if (kept < -1) at_low *= 0.5;
         double wanted = low + (high - low) * at_low / (at_low - at_high);
         // The value may jump, as at a sample: then halving goes on.
-        if (++steps > curve_tuning.secants || !(wanted > low && wanted < high)) wanted = 0.5 * (low + high);
-        done = value == 0.0 || !(high - low > curve_tuning.known_share) ||
-               std::abs(wanted - share) <= curve_tuning.known_share || steps == curve_tuning.most_changes;
+        if (++steps > curve_tuning.trusted_steps || !(wanted > low && wanted < high)) wanted = 0.5 * (low + high);
+        done = value == 0.0 || !(high - low > curve_tuning.exact) || std::abs(wanted - share) <= curve_tuning.exact ||
+               steps == curve_tuning.most_steps;
         if (!done) share = wanted;
     }
 };
@@ -135,32 +135,6 @@ double radial(const CurvePoint& p, const View& view) noexcept {
     return glm::dot(p.level_gradient, view.sight(p.position));
 }
 
-// The same along a cubic between points, by normals between theirs, but for the length of n x grad g:
-// t . (n x v) = v . grad g for t = n x grad g.
-class RadialModel {
-public:
-    RadialModel(const CurvePoint& a, const CurvePoint& b, const View& view) noexcept
-        : view_(view), cubic_(a, b), begin_(glm::normalize(a.gradient)), end_(glm::normalize(b.gradient)) {}
-
-    [[nodiscard]] double at(double u) const noexcept {
-        const glm::dvec3 normal = (1.0 - u) * begin_ + u * end_;
-        return glm::dot(glm::normalize(cubic_.derivative(u)), glm::cross(normal, view_.sight(cubic_.at(u))));
-    }
-    // Where it changes its sign, if it does between the ends.
-    [[nodiscard]] double root() const noexcept {
-        Bracket bracket{0, 0, at(0.0), at(1.0)};
-        if ((bracket.at_low < 0.0) == (bracket.at_high < 0.0)) return 0.5;
-        bracket.begin();
-        for (int step = 0; step < curve_tuning.secants && !bracket.done; ++step) bracket.take(at(bracket.share));
-        return bracket.share;
-    }
-
-private:
-    const View& view_;
-    CubicPiece cubic_;
-    glm::dvec3 begin_, end_;
-};
-
 // Two cusps may lie between two points: pieces that may have one get points at these shares.
 constexpr std::array<double, 3> inner_shares = {0.25, 0.5, 0.75};
 
@@ -175,9 +149,15 @@ bool changes_between(const CurvePoint& a, const CurvePoint& b, const View& view)
     const double end = sine(b);
     if (std::min(begin, end) > curve_tuning.clear_of_cusps || std::max(begin, end) < -curve_tuning.clear_of_cusps)
         return false;
-    const RadialModel model(a, b, view);
-    return (end < 0.0) != (begin < 0.0) || std::any_of(inner_shares.begin(), inner_shares.end(),
-                                                       [&](double u) { return (model.at(u) < 0.0) != (begin < 0.0); });
+    // The same along the cubic by normals between the ends', but for the length of n x grad g:
+    // t . (n x v) = v . grad g for t = n x grad g.
+    const CubicPiece cubic(a, b);
+    const auto turned = [&](double u) {
+        const glm::dvec3 normal = (1.0 - u) * glm::normalize(a.gradient) + u * glm::normalize(b.gradient);
+        const glm::dvec3 along = cubic.derivative(u);
+        return (glm::dot(along, glm::cross(normal, view.sight(cubic.at(u)))) < 0.0) != (begin < 0.0);
+    };
+    return (end < 0.0) != (begin < 0.0) || std::any_of(inner_shares.begin(), inner_shares.end(), turned);
 }
 
 Curves refined_at_cusps(const base::Runtime& runtime, const Level& contour, const View& view, const Curves& curves,
@@ -249,7 +229,7 @@ Curves with_cusps(const base::Runtime& runtime, const Level& contour, const View
         const CurvePoint& b = curves.point[next];
         Bracket bracket{at, next, radial(a, view), radial(b, view)};
         if ((bracket.at_low < 0.0) == (bracket.at_high < 0.0)) return;
-        bracket.share = RadialModel(a, b, view).root();
+        bracket.begin();
         brackets.push_back(bracket);
     });
     const base::Array<CurvePoint> cusps = find_zeros(
@@ -313,9 +293,7 @@ Curves finer_curves(const base::Runtime& runtime, const Level& contour, const Vi
             added.push_back({piece, share, middle});
             const CubicPiece cubic(a, b);
             const double off = glm::distance(seen(middle.position), seen(cubic.at(half)));
-            if (!(off > tolerance) ||
-                cubic.length() <= curve_tuning.smallest_part * glm::length(view.sight(middle.position)))
-                continue;
+            if (!(off > tolerance)) continue;
             next.push_back({piece, low, share});
             next.push_back({piece, share, high});
             next_middles.push_back({a, middle, 0.5});
@@ -365,36 +343,34 @@ Curves clip(const base::Runtime& runtime, const Level& level, const SurfaceEnd& 
         else
             result.end_curve(closed);
     };
-    // Adds the border's place on the piece that begins at a point, unless that is an end of the piece.
-    const auto put_end = [&](std::int64_t piece) {
-        const Bracket* const at = std::lower_bound(brackets.begin(), brackets.end(), piece,
-                                                   [](const Bracket& b, std::int64_t p) { return b.piece < p; });
-        HRBFNPR_ASSERT(at != brackets.end() && at->piece == piece);
-        const double from_held = holds[piece] != 0 ? at->share : 1.0 - at->share;
-        if (from_held > curve_tuning.at_point) result.point.push_back(ends[at - brackets.begin()]);
+    // A point of the curve, or an end on the border, where the surface is.
+    struct Held {
+        CurvePoint point;
+        bool holds;
     };
+    base::Array<Held> points(runtime.memory);
+    std::int64_t next = 0; // the next bracket
     for (std::int64_t c = 0; c < curves.count(); ++c) {
+        points.clear();
+        for (std::int64_t at = curves.first[c]; at < curves.first[c + 1]; ++at) {
+            points.push_back({curves.point[at], holds[at] != 0});
+            if (next == brackets.size() || brackets[next].piece != at) continue;
+            const double from_held = holds[at] != 0 ? brackets[next].share : 1.0 - brackets[next].share;
+            if (from_held > curve_tuning.at_point) points.push_back({ends[next], true});
+            ++next;
+        }
         // A closed curve that is cut is walked from a point where there is no surface.
-        const std::int64_t first = curves.first[c];
-        const std::int64_t count = curves.size_of(c);
+        const Held* const lost = std::find_if(points.begin(), points.end(), [](const Held& p) { return !p.holds; });
         const bool closed = curves.closed[c] != 0;
-        std::int64_t begin = 0;
-        while (closed && begin < count && holds[first + begin] != 0) ++begin;
-        if (begin == count) {
-            for (std::int64_t i = 0; i < count; ++i) result.point.push_back(curves.point[first + i]);
-            finish(true);
-            continue;
+        if (closed && lost != points.end())
+            std::rotate(points.begin(), points.begin() + (lost - points.begin()), points.end());
+        for (const Held& p : points) {
+            if (p.holds)
+                result.point.push_back(p.point);
+            else
+                finish(false);
         }
-        std::int64_t at = first + begin;
-        if (holds[at] != 0) result.point.push_back(curves.point[at]);
-        for (std::int64_t k = 0; k < curves.pieces_of(c); ++k) {
-            const std::int64_t after = curves.next(c, at);
-            if (holds[at] != holds[after]) put_end(at);
-            if (holds[at] != 0 && holds[after] == 0) finish(false);
-            if (holds[after] != 0) result.point.push_back(curves.point[after]);
-            at = after;
-        }
-        finish(false);
+        finish(closed && lost == points.end());
     }
     return result;
 }

@@ -11,14 +11,10 @@
 namespace hrbfnpr::curves {
 namespace {
 
+// A cubic between points that turns by less than a right angle is no farther from its chord than this, in chords.
+constexpr double piece_bulge = 0.25;
 // This is small enough for two threads to share a few hundred points, and several vectors long.
 constexpr std::int64_t points_a_task = 32;
-
-geometry::VecArray positions_of(base::Memory& memory, const base::Array<CurvePoint>& points) {
-    geometry::VecArray places(memory, points.size());
-    for (std::int64_t i = 0; i < points.size(); ++i) places.set(i, points[i].position);
-    return places;
-}
 
 // Evaluates the points order[0], ..., order[count - 1] side by side.
 void evaluate_some(const Level& level, CurvePoint* points, const std::int32_t* order, std::int64_t count) {
@@ -44,7 +40,7 @@ void evaluate_some(const Level& level, CurvePoint* points, const std::int32_t* o
     }
 }
 
-// Of Newton's steps s, t with t = c s^2 the next one is t^3 / s^2.
+// Whether the next step is negligible: after steps s and t = c s^2 it is t^3 / s^2.
 bool is_last(double step, double step_before, double tolerance) noexcept {
     return step <= tolerance ||
            (step <= curve_tuning.may_be_last * tolerance &&
@@ -69,7 +65,7 @@ void evaluate(const base::Runtime& runtime, const Level& level, base::Array<Curv
               const base::Progress& progress) {
     base::Array<std::int32_t> order(runtime.memory);
     if (points.size() > points_a_task)
-        order = implicit::order_by_cell(runtime, level.surface(), positions_of(runtime.memory, points), progress);
+        order = implicit::order_by_cell(runtime, level.surface(), positions_of(points), progress);
     if (order.empty()) {
         order.resize(points.size());
         std::iota(order.begin(), order.end(), 0);
@@ -109,13 +105,13 @@ std::int64_t bring_to_curve(const base::Runtime& runtime, const Level& level, co
     HRBFNPR_ASSERT(settings.tolerance >= 0.0 && settings.farthest > 0.0);
     found.clear();
     found.resize(points.size());
-    const geometry::VecArray begin = positions_of(runtime.memory, points);
+    const geometry::VecArray begin = positions_of(points);
     base::Array<double> last_step(runtime.memory, points.size());
     base::Array<std::int64_t> walking(runtime.memory, points.size());
     std::iota(walking.begin(), walking.end(), std::int64_t{0});
     base::Array<CurvePoint> trial(runtime.memory);
     std::int64_t evaluations = 0;
-    for (int step = 0; step < settings.steps && !walking.empty(); ++step) {
+    for (int step = 0; step < curve_tuning.newton_steps && !walking.empty(); ++step) {
         trial.resize(walking.size());
         for (std::int64_t i = 0; i < walking.size(); ++i) trial[i].position = points[walking[i]].position;
         evaluate(runtime, level, trial, progress);
@@ -163,12 +159,17 @@ std::int64_t halve(const base::Runtime& runtime, const Level& level, const base:
     return std::int64_t{2} * halvings * places.size();
 }
 
-NearCurves::NearCurves(base::Memory& memory, const Curves& curves, double longest, double farthest)
-    : curves_(curves), curve_(memory, curves.point.size()),
-      grid_(positions_of(memory, curves.point), longest + farthest) {
-    HRBFNPR_ASSERT(longest > 0.0 && farthest >= 0.0);
+geometry::VecArray positions_of(const base::Array<CurvePoint>& points) {
+    geometry::VecArray places(points.memory(), points.size());
+    for (std::int64_t i = 0; i < points.size(); ++i) places.set(i, points[i].position);
+    return places;
+}
+
+base::Array<std::int32_t> curve_of_points(const Curves& curves) {
+    base::Array<std::int32_t> numbers(curves.point.memory(), curves.point.size());
     for (std::int64_t c = 0; c < curves.count(); ++c)
-        std::fill(curve_.data() + curves.first[c], curve_.data() + curves.first[c + 1], static_cast<std::int32_t>(c));
+        std::fill(numbers.data() + curves.first[c], numbers.data() + curves.first[c + 1], static_cast<std::int32_t>(c));
+    return numbers;
 }
 
 // Looks at each point around the place and at the pieces on both sides of it.
@@ -192,7 +193,7 @@ NearCurves::Foot NearCurves::nearest(const glm::dvec3& place, const glm::dvec3& 
             const CurvePoint& q = curves_.point[first + (k + size) % size];
             const glm::dvec3 chord = q.position - p.position;
             const double share = glm::dot(place - p.position, chord) / glm::dot(chord, chord);
-            const double reach = best.distance + curve_tuning.piece_bulge * glm::length(chord);
+            const double reach = best.distance + piece_bulge * glm::length(chord);
             if (!(share > 0.0 && share < 1.0) || glm::distance(p.position + share * chord, place) > reach) continue;
             look_at(way > 0 ? CubicPiece(p, q).at(share) : CubicPiece(q, p).at(1.0 - share), curve);
         }

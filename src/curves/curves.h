@@ -44,7 +44,6 @@ void bring_closer(const base::Runtime& runtime, const Level& level, const base::
 struct NewtonSettings {
     double tolerance = 0.0; // a shorter step is the last one, and a longer one if the next one would be negligible
     double farthest = 0.0;  // a point that is led farther from where it began is given up
-    int steps = 12;
 };
 
 // Brings points onto curves, all at once. found[i] is 1 where that succeeded. Returns the number of evaluations.
@@ -52,8 +51,8 @@ std::int64_t bring_to_curve(const base::Runtime& runtime, const Level& level, co
                             base::Array<CurvePoint>& points, base::Array<std::uint8_t>& found,
                             const base::Progress& progress);
 
-// Two places of the surface near each other: g < 0 at one and >= 0 at the other, so that g has a zero between them
-// whatever Newton's steps do.
+// Two places of the surface near each other: g < 0 at one and >= 0 at the other, so that g has a zero
+// between them.
 struct Straddle {
     glm::dvec3 negative, positive;
 };
@@ -148,11 +147,18 @@ private:
 
 // ---- Nearness
 
+[[nodiscard]] geometry::VecArray positions_of(const base::Array<CurvePoint>& points);
+// The curve of each point.
+[[nodiscard]] base::Array<std::int32_t> curve_of_points(const Curves& curves);
+
 class NearCurves {
 public:
     // Answers for curves whose pieces are no longer than `longest`, up to the distance `farthest`. The curves must
     // outlive it.
-    NearCurves(base::Memory& memory, const Curves& curves, double longest, double farthest);
+    NearCurves(const Curves& curves, double longest, double farthest)
+        : curves_(curves), curve_(curve_of_points(curves)), grid_(positions_of(curves.point), longest + farthest) {
+        HRBFNPR_ASSERT(longest > 0.0 && farthest >= 0.0);
+    }
 
     // A place of a cubic.
     struct Foot {
@@ -162,7 +168,7 @@ public:
     };
     // The nearest place of the curves other than `but` that run in the direction `along`.
     [[nodiscard]] Foot nearest(const glm::dvec3& place, const glm::dvec3& along, std::int64_t but = -1) const;
-    // The nearest of these curves within a distance of the place; -1: there is none.
+    // The nearest of these curves if it is within the distance; -1: it is farther.
     [[nodiscard]] std::int64_t passing(const glm::dvec3& place, const glm::dvec3& along, double distance,
                                        std::int64_t but = -1) const {
         const Foot foot = nearest(place, along, but);

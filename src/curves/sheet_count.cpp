@@ -218,7 +218,7 @@ void find_spans(const SurfaceMesh& mesh, const geometry::BoxTree& tree, const ba
     tree.visit(meets,
                [&](std::int64_t t) { look_at_triangle(corners_of(mesh, t), bulge[t], line, ranges, crossings); });
     merge_ranges(curve_tuning.span_gap * mesh.side, ranges);
-    merge_crossings(curve_tuning.same_crossing * mesh.side, crossings);
+    merge_crossings(curve_tuning.exact * mesh.side, crossings);
     for (const Range& range : ranges) {
         if (!(range.low < range.high)) continue;
         const std::int64_t first = found.place.size();
@@ -290,23 +290,6 @@ struct Field {
     geometry::VecArray gradient;
 };
 
-// The least value of the cubic with the ends' values and slopes, which are positive at the ends; `at` is in (0, 1),
-// else the least value is at an end.
-struct Least {
-    double at, value;
-};
-
-Least least_of_cubic(double f0, double d0, double f1, double d1) noexcept {
-    const double third = 2.0 * (f0 - f1) + d0 + d1;
-    const double second = 3.0 * (f1 - f0) - 2.0 * d0 - d1;
-    const double root = second * second - 3.0 * third * d0; // of the derivative d0 + 2 second t + 3 third t^2
-    if (!(root >= 0.0)) return {0.0, f0};
-    // The root at which the derivative rises, written so that nothing cancels.
-    const double t = second > 0.0 ? -d0 / (second + std::sqrt(root)) : (std::sqrt(root) - second) / (3.0 * third);
-    if (!(t > 0.0 && t < 1.0)) return {0.0, f0};
-    return {t, f0 + t * (d0 + t * (second + t * third))};
-}
-
 // What the values and slopes at a piece's ends tell: no root (NaN), one (-1), or where to split it.
 double split_of(const Place& a, const Place& b) noexcept {
     constexpr double none = std::numeric_limits<double>::quiet_NaN();
@@ -323,9 +306,17 @@ double split_of(const Place& a, const Place& b) noexcept {
     const double d1 = sign * length * b.slope;
     // The cubic is above the least of its control values.
     if (sign * a.value + d0 / 3.0 > 0.0 && sign * b.value - d1 / 3.0 > 0.0) return none;
-    const Least least = least_of_cubic(sign * a.value, d0, sign * b.value, d1);
-    if (least.value > 0.5 * std::min(sign * a.value, sign * b.value)) return none;
-    return std::clamp(least.at, 0.05, 0.95);
+    // Else the piece is split where the cubic is least, unless it is clearly above 0 there.
+    const double f0 = sign * a.value;
+    const double f1 = sign * b.value;
+    const double third = 2.0 * (f0 - f1) + d0 + d1;
+    const double second = 3.0 * (f1 - f0) - 2.0 * d0 - d1;
+    const double root = second * second - 3.0 * third * d0; // of the derivative d0 + 2 second t + 3 third t^2
+    if (!(root >= 0.0)) return none;
+    // The derivative rises at this root, which is written so that nothing cancels.
+    const double t = second > 0.0 ? -d0 / (second + std::sqrt(root)) : (std::sqrt(root) - second) / (3.0 * third);
+    if (!(t > 0.0 && t < 1.0) || f0 + t * (d0 + t * (second + t * third)) > 0.5 * std::min(f0, f1)) return none;
+    return std::clamp(t, 0.05, 0.95);
 }
 
 // Counts the roots in each span, and lists those that are certain. Pieces of spans are split, all of them at once,
@@ -363,7 +354,7 @@ void count_roots(const base::Runtime& runtime, const implicit::Implicit& implici
             return;
         }
         const double middle = a.at + share * (b.at - a.at);
-        if (depth < curve_tuning.deepest_split && middle > a.at && middle < b.at) {
+        if (depth < curve_tuning.most_steps && middle > a.at && middle < b.at) {
             pieces.push_back({a, b, span, depth, middle});
             point.push_back(lines[spans.span[span].line].at(middle));
             return;
@@ -441,7 +432,7 @@ void drop_roots(const base::Runtime& runtime, const implicit::Implicit& implicit
         doubtful.push_back(d);
     }
     geometry::VecArray place(runtime.memory);
-    for (int step = 0; step < curve_tuning.deepest_split && !left.empty(); ++step) {
+    for (int step = 0; step < curve_tuning.most_steps && !left.empty(); ++step) {
         place.clear();
         for (const std::int64_t i : left) place.push_back(line(doubtful[i]).at(doubtful[i].at));
         const Field field(runtime, implicit, place, progress);

@@ -35,7 +35,7 @@ std::shared_ptr<const geometry::PointGrid> SheetEnd::grid_of(const geometry::Vec
 SheetEnd::SheetEnd(const implicit::Implicit& whole, const implicit::Sheets& sheets, std::int32_t sheet,
                    std::shared_ptr<const geometry::PointGrid> creases, const SurfaceMesh& own, const SurfaceEnd* base)
     : whole_(whole), sheets_(sheets), sheet_(sheet), vertices_(own.position), side_(own.side),
-      creases_(std::move(creases)), own_(own.position, curve_tuning.own_vertex * side_), base_(base) {
+      creases_(std::move(creases)), own_(own.position, curve_tuning.vertex_reach * side_), base_(base) {
     HRBFNPR_ASSERT(sheet >= 0 && sheet < sheets.count() && creases_ != nullptr);
 }
 
@@ -43,7 +43,7 @@ bool SheetEnd::near_border(const glm::dvec3& place) const {
     return (base_ != nullptr && base_->near_border(place)) || has_near(*creases_, place);
 }
 
-// Of two equal sheets either may be active: a place on the whole surface belongs to this sheet if one of its vertices
+// Either of two equal sheets may be active: a place on the whole surface belongs to this sheet if one of its vertices
 // is near.
 double SheetEnd::beyond(const glm::dvec3& place, const glm::dvec3& gradient) const {
     const double on_surface = curve_tuning.on_sheet * side_;
@@ -55,7 +55,7 @@ double SheetEnd::beyond(const glm::dvec3& place, const glm::dvec3& gradient) con
         if (!(off <= on_surface)) return off;
         bool is_own = false;
         own_.around(place, [&](std::int64_t at) {
-            is_own = is_own || glm::distance(vertices_[own_.index(at)], place) <= curve_tuning.own_vertex * side_;
+            is_own = is_own || glm::distance(vertices_[own_.index(at)], place) <= curve_tuning.vertex_reach * side_;
         });
         if (!is_own) return side_;
     }

@@ -248,7 +248,7 @@ surface::Projection seeds_on_surface(const base::Runtime& runtime, const implici
 }
 
 // The flood goes in waves: the cells of a wave get their corners, new corners their values, and over each face that the
-// surface passes through it goes on. Blocks of cells that are surely beyond the end of the surface are left out.
+// surface passes through it goes on. Cells that are surely beyond the end of the surface are left out.
 CrossedCells find_crossed_cells(const base::Runtime& runtime, const implicit::Implicit& implicit,
                                 const geometry::VecArray& seeds, const Lattice& lattice, const MeshSettings& settings,
                                 const base::Progress& progress) {
@@ -263,31 +263,20 @@ CrossedCells find_crossed_cells(const base::Runtime& runtime, const implicit::Im
                                                 {0xCC, {0, 1, 0}},
                                                 {0x0F, {0, 0, -1}},
                                                 {0xF0, {0, 0, 1}}}};
-    constexpr std::int64_t block_side = 8; // cells
     const auto sum = [](const Cell& a, const Cell& b) { return Cell{a[0] + b[0], a[1] + b[1], a[2] + b[2]}; };
     const std::int64_t limit = std::min(settings.triangle_limit, most_surface_triangles);
 
     CrossedCells cells(runtime.memory, lattice);
-    geometry::CellSet asked(runtime.memory), beyond(runtime.memory); // blocks of cells
-    const auto is_beyond = [&](const Cell& cell) {
-        if (settings.extent == nullptr) return false;
-        const Cell block{cell[0] / block_side, cell[1] / block_side, cell[2] / block_side};
-        const std::uint64_t packed = geometry::CellGrid::pack(block);
-        if (asked.insert(packed)) {
-            const double half = 0.5 * static_cast<double>(block_side);
-            const glm::dvec3 first(static_cast<double>(block[0]), static_cast<double>(block[1]),
-                                   static_cast<double>(block[2]));
-            const glm::dvec3 middle = lattice.region.min + lattice.side * (2.0 * half * first + half);
-            if (settings.extent->is_nowhere_near(middle, (half + curve_tuning.beyond_end) * lattice.longest()))
-                beyond.insert(packed);
-        }
-        return beyond.contains(packed);
-    };
     geometry::CellSet known(runtime.memory);
     base::Array<std::uint64_t> front(runtime.memory), next(runtime.memory); // packed cells of this wave and the next
     const auto go_to = [&](const Cell& cell) {
-        if (!lattice.inside(cell) || is_beyond(cell)) return;
-        if (const std::uint64_t packed = geometry::CellGrid::pack(cell); known.insert(packed)) next.push_back(packed);
+        if (!lattice.inside(cell)) return;
+        const std::uint64_t packed = geometry::CellGrid::pack(cell);
+        if (!known.insert(packed)) return;
+        const glm::dvec3 middle = 0.5 * (lattice.corner(cell) + lattice.corner(sum(cell, {1, 1, 1})));
+        if (settings.extent == nullptr ||
+            !settings.extent->is_nowhere_near(middle, curve_tuning.beyond_end * lattice.longest()))
+            next.push_back(packed);
     };
     for (std::int64_t i = 0; i < seeds.size(); ++i)
         if (lattice.region.contains(seeds[i])) go_to(lattice.cell_of(seeds[i]));
@@ -470,7 +459,7 @@ double root_of_cubic(const RootSearch& search, double value, double slope) noexc
     return search.at + t;
 }
 
-// Searches that go on side by side, and what is evaluated for them.
+// Searches that go on side by side, and the values at their places.
 struct RootLanes {
     static constexpr auto size = static_cast<std::size_t>(implicit::batch_size);
     RootLanes() noexcept {} // NOLINT(modernize-use-equals-default): the columns stay as they are
@@ -504,7 +493,7 @@ std::int64_t find_some_vertices(const implicit::Implicit& implicit, const Crosse
         const double slope = glm::length(gradient);
         const bool usable = std::isfinite(value) && std::isfinite(slope);
         const bool there = usable && surface::is_slope(slope) && std::abs(value) <= tolerance * slope;
-        if (there || !usable || ++search.evaluations == curve_tuning.root_evaluations) {
+        if (there || !usable || ++search.evaluations == curve_tuning.most_steps) {
             if (!there) ++unresolved;
             mesh.position.set(search.index, search.from + search.at * search.along);
             mesh.gradient.set(search.index, surface::is_slope(slope) ? gradient : glm::dvec3(0.0));
@@ -606,7 +595,7 @@ std::int64_t count_all(const base::Runtime& runtime, std::int64_t total, const b
 
 std::int64_t count_missed(const base::Runtime& runtime, const surface::Projection& seeds, const SurfaceMesh& mesh,
                           const base::Progress& progress) {
-    const double reach = curve_tuning.seed_reach * mesh.side;
+    const double reach = curve_tuning.vertex_reach * mesh.side;
     const geometry::PointGrid grid(mesh.position, reach, progress);
     return count_all(runtime, seeds.position.size(), progress, [&](std::int64_t i) {
         bool found = false;

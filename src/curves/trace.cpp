@@ -10,7 +10,6 @@
 //   clip               (curve_changes.h) the parts of curves where the surface is
 #include "curves/trace.h"
 
-#include "base/list.h"
 #include "curves/chain_runs.h"
 #include "curves/curve_changes.h"
 #include "curves/tuning.h"
@@ -52,38 +51,19 @@ struct Passed {
     std::int64_t before;
 };
 
-// A point of a run that paths may come to.
-struct Target {
-    std::int64_t run, point;
-};
-
-base::Array<Target> open_points(const Curves& runs) {
-    base::Array<Target> targets(runs.point.memory());
-    for (std::int64_t r = 0; r < runs.count(); ++r)
-        for (std::int64_t i = runs.first[r]; i < runs.first[r + 1] && runs.closed[r] == 0; ++i)
-            targets.push_back({r, i});
-    return targets;
-}
-
-geometry::VecArray places_of(const Curves& runs, const base::Array<Target>& targets) {
-    geometry::VecArray places(targets.memory(), targets.size());
-    for (std::int64_t i = 0; i < targets.size(); ++i) places.set(i, runs.point[targets[i].point].position);
-    return places;
-}
-
 // The paths between runs, and what they need to know.
 struct Paths {
     Paths(const SurfaceMesh& meshed, const Curves& known, const TraceSettings& by)
         : mesh(meshed), runs(known), settings(by), path(runs.point.memory()), passed(runs.point.memory()),
-          target(open_points(runs)), grid(places_of(runs, target), 0.75 * settings.longest * mesh.side) {}
+          run_of(curve_of_points(runs)), grid(positions_of(runs.point), 0.75 * settings.longest * mesh.side) {}
 
     const SurfaceMesh& mesh;
     const Curves& runs;
     const TraceSettings& settings;
     base::Array<Path> path;
     base::Array<Passed> passed;
-    base::Array<Target> target;
-    geometry::PointGrid grid; // of the targets
+    base::Array<std::int32_t> run_of; // of each point of the runs
+    geometry::PointGrid grid;         // of these points
 };
 
 // The most that a path may turn in a step of a length in sides.
@@ -108,65 +88,39 @@ void shorten(const Paths& paths, Path& path, double share) noexcept {
         predict(path);
 }
 
-// Whether the step ends beyond the region: then it is cut there, and the path ends where little is left of it.
-bool leaves(const Paths& paths, Path& path) noexcept {
-    const geometry::Bounds& region = paths.mesh.region;
-    if (region.contains(path.trial.position)) return false;
-    double share = 1.0;
-    const glm::dvec3 way = path.trial.position - path.last.position;
-    for (int c = 0; c < 3; ++c) {
-        const double wall = way[c] > 0.0 ? region.max[c] : region.min[c];
-        if (way[c] != 0.0) share = std::min(share, std::max(0.0, (wall - path.last.position[c]) / way[c]));
-    }
-    if (share * path.step <= curve_tuning.at_wall * paths.mesh.side)
-        path.end = PathEnd::border;
-    else {
-        path.step *= (1.0 - curve_tuning.at_wall) * share;
-        predict(path);
-    }
-    return true;
-}
-
 // Finds the first point of a run on the way, and sets `met` to it. The cubic through both ends of the step says how far
-// beside the curve a point lies: `within` steps at most.
-bool meets_run(const Paths& paths, Path& path, const glm::dvec3& tangent, double within) {
+// beside the curve a point lies.
+bool meets_run(const Paths& paths, Path& path, const glm::dvec3& tangent) {
+    const double within = curve_tuning.beside;
     const glm::dvec3 a = path.last.position;
-    const glm::dvec3 b = path.trial.position;
-    const glm::dvec3 chord = b - a;
+    const glm::dvec3 chord = path.trial.position - a;
     const double length = glm::length(chord);
+    const CubicPiece cubic = path.sense > 0.0 ? CubicPiece(path.last, path.trial) : CubicPiece(path.trial, path.last);
     double first = 2.0;
-    paths.grid.around(0.5 * (a + b), [&](std::int64_t at) {
-        const Target& target = paths.target[paths.grid.index(at)];
-        if (target.run == path.start && path.steps < curve_tuning.fewest_steps_of_loop) return;
-        const CurvePoint& p = paths.runs.point[target.point];
+    paths.grid.around(a + 0.5 * chord, [&](std::int64_t at) {
+        const std::int64_t point = paths.grid.index(at);
+        const std::int64_t run = paths.run_of[point];
+        if (paths.runs.closed[run] != 0) return;
+        if (run == path.start && path.steps < curve_tuning.fewest_steps_of_loop) return;
+        const CurvePoint& p = paths.runs.point[point];
         const double u = glm::dot(p.position - a, chord) / (length * length);
-        if (!(u > 1e-9 && u <= 1.0 + curve_tuning.beside && u < first)) return;
-        const double v = 1.0 - u;
-        const glm::dvec3 on_curve = v * v * (1.0 + 2.0 * u) * a + u * u * (3.0 - 2.0 * u) * b +
-                                    u * v * length * (v * path.tangent - u * tangent);
-        const glm::dvec3 off = p.position - on_curve;
+        if (!(u > 1e-9 && u <= 1.0 + within && u < first)) return;
+        const glm::dvec3 off = p.position - cubic.at(path.sense > 0.0 ? u : 1.0 - u);
         const double along = glm::dot(off, chord) / length;
         if (glm::dot(off, off) - along * along > within * within * length * length) return;
         if (glm::dot(unit_along(p, path.sense), tangent) < curve_tuning.same_way) return;
-        path.met = target.run;
-        path.met_point = target.point;
+        path.met = run;
+        path.met_point = point;
         first = u;
     });
     return path.met >= 0;
 }
 
-// Goes on from a point of the curve. A point of a run that may be met asks for shorter steps first.
+// Goes on from a point of the curve.
 void accept(Paths& paths, Path& path, const glm::dvec3& tangent) {
     const double side = paths.mesh.side;
     HRBFNPR_ASSERT(std::abs(glm::length(tangent) - 1.0) < 1e-9);
-    bool meets = meets_run(paths, path, tangent, curve_tuning.beside);
-    if (!meets && meets_run(paths, path, tangent, curve_tuning.maybe_beside)) {
-        if (path.step > curve_tuning.sure * side) {
-            path.met = -1;
-            return shorten(paths, path, 0.5);
-        }
-        meets = true;
-    }
+    const bool meets = meets_run(paths, path, tangent);
     const double length = glm::distance(path.trial.position, path.last.position);
     const glm::dvec3 turned = tangent - path.tangent;
     path.bend = turned / length;
@@ -204,7 +158,12 @@ void take(Paths& paths, Path& path) {
     const glm::dvec3 tangent = unit_along(path.trial, path.sense);
     const double turn = glm::distance(tangent, path.tangent);
     if (!(turn <= limit)) return shorten(paths, path, std::clamp(curve_tuning.step_safety * limit / turn, 0.25, 0.7));
-    if (!leaves(paths, path)) accept(paths, path, tangent);
+    if (paths.mesh.region.contains(path.trial.position)) return accept(paths, path, tangent);
+    // Shorter steps lead up to the region's wall.
+    if (path.step <= curve_tuning.at_wall * paths.mesh.side)
+        path.end = PathEnd::border;
+    else
+        shorten(paths, path, 0.5);
 }
 
 // Follows one path from each of these runs, all in step: from its last point, or backwards from its first.
@@ -369,11 +328,8 @@ bool is_low(double a, double b, double c) noexcept {
 // Vertices where |g| is low, is nowhere less among the neighbours, and g has the sign of all these; ascending.
 base::Array<std::int32_t> find_low(const base::Runtime& runtime, const SurfaceMesh& mesh,
                                    const base::Array<double>& level) {
-    constexpr std::int64_t triangles_a_task = 8192;
-    base::List<base::Array<std::int32_t>> found(runtime.memory);
-    for (std::int64_t t = 0; t < mesh.triangles(); t += triangles_a_task)
-        found.add(base::Array<std::int32_t>(runtime.memory));
-    runtime.parallel.for_chunks(mesh.triangles(), triangles_a_task, [&](std::int64_t begin, std::int64_t end) {
+    base::Array<std::int32_t> found(runtime.memory, mesh.triangles()); // 1 + such a vertex of each triangle
+    runtime.parallel.for_chunks(mesh.triangles(), 8192, [&](std::int64_t begin, std::int64_t end) {
         for (std::int64_t t = begin; t < end; ++t) {
             const std::int32_t* const v = mesh.corner.data() + 3 * t;
             if (!is_low(level[v[0]], level[v[1]], level[v[2]])) continue;
@@ -383,28 +339,27 @@ base::Array<std::int32_t> find_low(const base::Runtime& runtime, const SurfaceMe
             const bool is_least = all_neighbours(mesh, t, least, [&](std::int32_t other) {
                 return (level[other] < 0.0) == (here < 0.0) && std::abs(level[other]) >= std::abs(here);
             });
-            if (is_least) found[begin / triangles_a_task].push_back(least);
+            if (is_least) found[t] = 1 + least;
         }
     });
     base::Array<std::int32_t> all(runtime.memory);
-    for (const base::Array<std::int32_t>& some : found)
-        for (const std::int32_t v : some) all.push_back(v);
+    for (const std::int32_t v : found)
+        if (v > 0) all.push_back(v - 1);
     std::sort(all.begin(), all.end());
     all.resize(std::unique(all.begin(), all.end()) - all.begin());
     return all;
 }
 
-// Three points of the surface: the place where an extremum of g is searched for, and one beside it in each tangent
-// direction. They are brought onto the surface by a step along grad f where they are off it.
-void evaluate_probes(const base::Runtime& runtime, const Level& level, double side, base::Array<CurvePoint>& points,
-                     std::int64_t& evaluations, const base::Progress& progress) {
+// Evaluates f and g at the points, and again after a step along grad f where that is longer than `near`.
+void evaluate_on_surface(const base::Runtime& runtime, const Level& level, double near, base::Array<CurvePoint>& points,
+                         std::int64_t& evaluations, const base::Progress& progress) {
     evaluate(runtime, level, points, progress);
     base::Array<CurvePoint> off(runtime.memory);
     base::Array<std::int64_t> which(runtime.memory);
     for (std::int64_t i = 0; i < points.size(); ++i) {
         CurvePoint p = points[i];
         step_to_surface(p);
-        if (glm::distance(p.position, points[i].position) <= curve_tuning.near_surface * side) continue;
+        if (glm::distance(p.position, points[i].position) <= near) continue;
         off.push_back(p);
         which.push_back(i);
     }
@@ -419,6 +374,7 @@ void evaluate_probes(const base::Runtime& runtime, const Level& level, double si
 base::Array<Straddle> find_small_loops(const base::Runtime& runtime, const Level& level, const SurfaceMesh& mesh,
                                        const base::Array<double>& at_vertices, std::int64_t& evaluations,
                                        const base::Progress& progress) {
+    // The three points of a search are its place and one beside it in each tangent direction.
     HRBFNPR_ASSERT(at_vertices.size() == mesh.vertices());
     const double side = mesh.side;
     const double probe = curve_tuning.probe * side;
@@ -473,7 +429,7 @@ base::Array<Straddle> find_small_loops(const base::Runtime& runtime, const Level
             points[3 * i + 1].position = place + probe * u;
             points[3 * i + 2].position = place + probe * v;
         }
-        evaluate_probes(runtime, level, side, points, evaluations, progress);
+        evaluate_on_surface(runtime, level, curve_tuning.near_surface * side, points, evaluations, progress);
         std::int64_t left = 0;
         for (std::int64_t i = 0; i < active.size(); ++i) {
             Search search = active[i];
@@ -509,7 +465,7 @@ base::Array<Bead> beads_of(const base::Runtime& runtime, const SurfaceMesh& mesh
     return beads;
 }
 
-// The curves that were found so far, and what new ones are started by.
+// The curves that are known already, and the arguments of trace().
 struct Tracing {
     const base::Runtime& runtime;
     const Level& level;
@@ -520,7 +476,7 @@ struct Tracing {
     Curves curves;
 
     [[nodiscard]] NearCurves near_curves() const {
-        return {runtime.memory, curves, settings.longest * mesh.side, curve_tuning.covered * mesh.side};
+        return {curves, settings.longest * mesh.side, curve_tuning.covered * mesh.side};
     }
     void add(const Curves& runs) { follow(runtime, level, mesh, runs, settings, curves, report, progress); }
 };

@@ -42,7 +42,7 @@ struct Bead {
                            const TraceSettings& settings, TraceReport& report, const base::Progress& progress,
                            const Curves* near = nullptr);
 
-// Where points of contours of another view come to in this one, by a step of Newton's with what is known of f there:
+// Where points of contours of another view come to in this one, by a step of Newton's with f as it is known there:
 // grad g changes as little as the view. Points that move by more than `farthest` are left out.
 [[nodiscard]] Curves moved_contours(base::Memory& memory, const View& view, const Curves& contours, double farthest);
 

@@ -11,48 +11,50 @@ namespace hrbfnpr::curves {
 struct CurveTuning {
     // ---- The mesh
 
-    // Seeds are brought as near to the surface as this, in sides, in at most so many evaluations each. Larger
+    // Seeds are brought as near to the surface as this, in sides, in at most this many evaluations each. Larger
     // tolerance: seeds may begin in a cell beside the surface.
     double seed_tolerance = 1e-3;
     int seed_evaluations = 12;
-    // A seed without a vertex that faces its way within this many sides is missed. Larger: less is told of thin parts.
-    double seed_reach = 1.5;
+    // A vertex stands for the surface of its sheet within this many sides: a seed that has none is missed. Larger: less
+    // is told of thin parts.
+    double vertex_reach = 1.5;
     // The mesh goes on for this many sides beyond the surface's end, where that is known. Larger: more cells that are
     // cut away again.
     double beyond_end = 2.0;
     // Corners of cells nearer to the surface than this, in sides, move away to this distance. All tetrahedra keep their
     // orientation. Larger: fewer slivers, and cells of less even shape.
     double corner_clearance = 0.05;
-    // An edge's root is given up after this many evaluations; from trusted_steps on every other step halves. Larger
+    // Searches along edges, pieces and segments end after this many steps; from trusted_steps on they halve. Larger
     // trusted_steps: faster where f is smooth, slower where it has kinks.
-    int root_evaluations = 60;
+    int most_steps = 60;
     int trusted_steps = 6;
-    // Where a mesh is cut, places are known to this, in sides. Larger: the border is less exact.
-    double cut_tolerance = 1e-9;
+    // Places on edges, in sides, and on pieces of curves, in lengths of the piece, are exact to this. Larger: the
+    // border and cusps are less exact.
+    double exact = 1e-9;
     // A cut may be this far from the place that the values at the edge's ends tell, in sides. Larger: cuts may jump to
     // another part of the border.
     double farthest_cut = 0.35;
-    // Zeros of g between two places are halved this often before Newton's steps begin. Larger: more evaluations, fewer
-    // steps that go astray.
+    // The way between two places is halved this often where Newton's steps failed: to begin them anew, or to cut a mesh
+    // there. Larger: more evaluations.
     int halvings = 8;
+    int cut_halvings = 30;
 
     // ---- The surface's end
 
     // The surface may end within this many sides of the border's places. Larger: more evaluations of the support.
     double border_reach = 3.0;
-    // A place of a sheet is on the whole surface if it is this near to it, in sides, and belongs to the sheet if one of
-    // its vertices is within own_vertex sides. Larger: curves may go on beyond a crease.
+    // A place of a sheet is on the whole surface if it is this near to it, in sides. Larger: curves may go on beyond a
+    // crease.
     double on_sheet = 1e-7;
-    double own_vertex = 1.5;
 
     // ---- Newton's steps
 
+    // A point that is not on its curve after this many steps is given up. Larger: more evaluations.
+    int newton_steps = 12;
     // A step of up to this many tolerances may be the last one, where the next one would be below this share of the
     // tolerance. Larger: fewer evaluations, points less exact.
     double may_be_last = 5.0;
     double negligible_step = 1e-3;
-    // A cubic between points that turns by less than a right angle is no farther from its chord than this, in chords.
-    double piece_bulge = 0.25;
 
     // ---- Starts
 
@@ -85,12 +87,8 @@ struct CurveTuning {
     // Where a correction is below this share of the step, the next one is negligible: below 1e-6 sides, since rays to
     // points that are farther off the surface cross it beside them.
     double converged = 1e-3;
-    // A point is met within this share of the step beside the cubic of a step. A point farther beside it that runs
-    // along with it asks for shorter steps, down to `sure` sides: curves bend within a long step where samples lie, and
-    // its cubic does not know.
+    // A point is met within this share of the step beside the cubic of a step. Larger: paths may end on a close curve.
     double beside = 0.05;
-    double maybe_beside = 0.3;
-    double sure = 0.02;
     // The least cosine between the directions of a path and of a point that it meets. Larger: curves may be followed
     // twice at kinks.
     double same_way = 0.7;
@@ -112,7 +110,8 @@ struct CurveTuning {
     double longest_search = 0.5;
     double farthest_extremum = 1.5;
     int extremum_steps = 5;
-    // A place this near to the surface counts as on it, and a shorter step as none, in sides.
+    // A place this near to the surface counts as on it, and a search ends with a shorter step, in sides. Larger: fewer
+    // evaluations, small loops may be missed.
     double near_surface = 1e-3;
     // A quadratic whose extremum is near has no zero if it is not below this share of |g| at the vertex. Larger: more
     // evaluations.
@@ -120,11 +119,6 @@ struct CurveTuning {
 
     // ---- Changes along curves
 
-    // A change of sign is known to this share of its piece, after this many evaluations at most. Secants that have not
-    // led there after this many steps give way to halving. Larger: slower where the value jumps.
-    double known_share = 1e-9;
-    int most_changes = 60;
-    int secants = 8;
     // A point of a cubic is on the curve after a step shorter than this, in lengths of the piece. Larger: fewer
     // evaluations, points less exact.
     double near_curve = 2e-4;
@@ -140,8 +134,6 @@ struct CurveTuning {
     // A piece is halved this often at most, and gets this many points in the mean: an eye on the surface wants more.
     int deepest_piece = 12;
     std::int64_t most_added = 16;
-    // Parts of a piece shorter than this, of the distance from the eye, are not halved.
-    double smallest_part = 1e-9;
 
     // ---- Sheets between two points
 
@@ -151,9 +143,7 @@ struct CurveTuning {
     double place_spacing = 0.5;
     // Spans with a smaller gap are one, in sides.
     double span_gap = 0.05;
-    // Crossings with triangles this near to each other are the same one, and between those farther apart than the
-    // second f is evaluated, in sides.
-    double same_crossing = 1e-9;
+    // Between crossings with triangles that are farther apart than this, in sides, f is evaluated.
     double crossings_apart = 1e-3;
     // A place this near to the surface, in diagonals, is on it as far as f can be trusted: prepared values are off by
     // some 1e-9.
@@ -164,8 +154,6 @@ struct CurveTuning {
     double along_surface = 0.02;
     // At an end on the surface a segment that leaves it by at least this sine tells on which side it is.
     double leaves_surface = 1e-4;
-    // A piece of a span is split this often at most.
-    int deepest_split = 40;
     // A root is on the border of the surface if s is this near to its limit.
     double on_border = 1e-6;
 };

@@ -62,7 +62,7 @@ TEST(NearCurves, PassWhereTheirNearestPlaceIsNear) {
     constexpr double distance = 0.05;
     const base::Runtime runtime = test::with_threads(1);
     const Curves curves = circles(runtime.memory);
-    const NearCurves near(runtime.memory, curves, 0.25, distance);
+    const NearCurves near(curves, 0.25, distance);
     int found = 0;
     for (int i = 0; i < 300; ++i) {
         const double angle = 0.1 * i;
