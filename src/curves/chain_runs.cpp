@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "curves/chain_runs.h"
 
-#include "curves/near_curves.h"
+#include "curves/tuning.h"
 
 #include <algorithm>
 #include <cmath>
@@ -112,7 +112,7 @@ bool Linker::linked(const CurvePoint& a, const CurvePoint& b) const noexcept {
     const glm::dvec3 way = b.position - a.position;
     const double length = glm::length(way);
     if (!(length <= settings_.longest * mesh_.side)) return false;
-    const double limit = length < kink_length * mesh_.side ? sharpest_kink : settings_.turn;
+    const double limit = length < curve_tuning.kink_length * mesh_.side ? curve_tuning.sharpest_kink : settings_.turn;
     const glm::dvec3 begin = unit_direction(a);
     const glm::dvec3 end = unit_direction(b);
     return glm::distance(begin, end) <= limit && glm::distance(begin, way / length) <= off_chord * limit &&
@@ -166,7 +166,7 @@ base::Array<Linker::Gap> Linker::find_gaps() {
                 continue;
             }
             const double width = glm::distance(sequences_.point[a].position, sequences_.point[b].position) / mesh_.side;
-            if (width <= widest * settings_.longest && width >= kink_length)
+            if (width <= widest * settings_.longest && width >= curve_tuning.kink_length)
                 gaps.push_back({a, b});
             else
                 sequences_.link[a] = Link::parted;
@@ -245,7 +245,7 @@ Curves Linker::split() const {
 // longer of two runs has is taken out of the other.
 Curves without_doubles(const base::Runtime& runtime, const SurfaceMesh& mesh, const Curves& runs, double longest) {
     const double distance = on_curve * mesh.side;
-    const NearCurves near(runtime.memory, runs, longest, distance);
+    const NearCurves near(runs, longest, distance);
     base::Array<std::uint8_t> doubled(runtime.memory, runs.point.size());
     const auto is_longer = [&](std::int64_t s, std::int64_t r) {
         return runs.size_of(s) > runs.size_of(r) || (runs.size_of(s) == runs.size_of(r) && s < r);

@@ -4,7 +4,6 @@
 // cubic says enough of the curve between them.
 #pragma once
 
-#include "curves/beads.h"
 #include "curves/trace.h"
 
 namespace hrbfnpr::curves {

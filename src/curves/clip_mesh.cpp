@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "curves/clip_mesh.h"
 
-#include "curves/level_roots.h"
 #include "curves/mesh_topology.h"
-#include "curves/triangle_tree.h"
+#include "curves/tuning.h"
 
 #include <algorithm>
 #include <array>
@@ -12,133 +11,11 @@
 namespace hrbfnpr::curves {
 namespace {
 
-// In sides.
-constexpr double cut_tolerance = 1e-9;
-constexpr double farthest_cut = 0.35; // from where the edge says that the curve passes
-constexpr int halvings = 10;
-
-struct Edge {
+struct CutEdge {
     std::int32_t kept, lost; // vertices
 
-    [[nodiscard]] bool operator<(const Edge& other) const noexcept {
-        return kept != other.kept ? kept < other.kept : lost < other.lost;
-    }
-    [[nodiscard]] bool operator==(const Edge& other) const noexcept { return kept == other.kept && lost == other.lost; }
+    [[nodiscard]] auto operator<=>(const CutEdge&) const noexcept = default;
 };
-
-class MeshClipper {
-public:
-    MeshClipper(const base::Runtime& runtime, const Level& level, const SurfaceMesh& mesh,
-                const base::Progress& progress)
-        : runtime_(runtime), level_(level), mesh_(mesh), progress_(progress), value_(runtime.memory),
-          number_(runtime.memory, mesh.vertices()), edge_(runtime.memory), out_(runtime.memory) {
-        level.at_vertices(runtime, mesh, value_, progress);
-    }
-
-    ClippedMesh run();
-
-private:
-    [[nodiscard]] bool keeps(std::int32_t vertex) const noexcept { return value_[vertex] <= 0.0; }
-    void copy_vertices();
-    void find_edges();
-    void find_cuts();
-    void add_cuts();
-    void add_triangle(std::int64_t triangle);
-    void put(const std::array<std::int32_t, 3>& corner);
-    [[nodiscard]] std::int32_t cut_of(std::int32_t kept, std::int32_t lost) const noexcept {
-        const Edge* const at = std::lower_bound(edge_.begin(), edge_.end(), Edge{kept, lost});
-        return static_cast<std::int32_t>(out_.first_cut + (at - edge_.begin()));
-    }
-
-    const base::Runtime& runtime_;
-    const Level& level_;
-    const SurfaceMesh& mesh_;
-    const base::Progress& progress_;
-    base::Array<double> value_;        // g at the vertices
-    base::Array<std::int32_t> number_; // of those that are kept
-    base::Array<Edge> edge_;           // that are cut, ascending
-    ClippedMesh out_;
-};
-
-void MeshClipper::copy_vertices() {
-    SurfaceMesh& to = out_.mesh;
-    for (std::int32_t v = 0; v < mesh_.vertices(); ++v) {
-        if (!keeps(v)) continue;
-        number_[v] = static_cast<std::int32_t>(to.vertices());
-        to.position.push_back(mesh_.position[v]);
-        to.gradient.push_back(mesh_.gradient[v]);
-    }
-    out_.first_cut = to.vertices();
-}
-
-void MeshClipper::find_edges() {
-    for (std::int64_t e = 0; e < mesh_.corner.size(); ++e) {
-        const std::int32_t a = mesh_.corner[e];
-        const std::int32_t b = mesh_.corner[e - e % 3 + (e + 1) % 3];
-        if (keeps(a) != keeps(b)) edge_.push_back(keeps(a) ? Edge{a, b} : Edge{b, a});
-    }
-    std::sort(edge_.begin(), edge_.end());
-    edge_.resize(std::unique(edge_.begin(), edge_.end()) - edge_.begin());
-}
-
-// Newton's steps from where g is 0 by its values at the edge's ends; where these fail, from where halving leads.
-void MeshClipper::find_cuts() {
-    base::Array<std::uint8_t> found(runtime_.memory);
-    out_.cut.resize(edge_.size());
-    for (std::int64_t i = 0; i < edge_.size(); ++i) {
-        const auto [kept, lost] = edge_[i];
-        const double share = value_[kept] / (value_[kept] - value_[lost]);
-        out_.cut[i].position = glm::mix(mesh_.position[kept], mesh_.position[lost], share);
-    }
-    bring_to_curve(runtime_, level_, {cut_tolerance * mesh_.side, farthest_cut * mesh_.side}, out_.cut, found,
-                   progress_);
-    base::Array<Straddle> places(runtime_.memory);
-    base::Array<std::int64_t> which(runtime_.memory);
-    for (std::int64_t i = 0; i < edge_.size(); ++i) {
-        if (found[i] != 0) continue;
-        places.push_back({mesh_.position[edge_[i].kept], mesh_.position[edge_[i].lost]});
-        which.push_back(i);
-    }
-    base::Array<CurvePoint> halved(runtime_.memory);
-    halve(runtime_, level_, places, halvings, halved, progress_);
-    base::Array<CurvePoint> nearer(runtime_.memory);
-    for (const CurvePoint& p : halved) nearer.push_back(p);
-    bring_to_curve(runtime_, level_, {cut_tolerance * mesh_.side, 0.1 * farthest_cut * mesh_.side}, nearer, found,
-                   progress_);
-    for (std::int64_t i = 0; i < which.size(); ++i) out_.cut[which[i]] = found[i] != 0 ? nearer[i] : halved[i];
-}
-
-void MeshClipper::add_cuts() {
-    for (const CurvePoint& p : out_.cut) {
-        out_.mesh.position.push_back(p.position);
-        out_.mesh.gradient.push_back(p.gradient);
-    }
-}
-
-void MeshClipper::put(const std::array<std::int32_t, 3>& corner) {
-    for (const std::int32_t vertex : corner) out_.mesh.corner.push_back(vertex);
-}
-
-// Of a triangle of which one corner is kept a triangle is left, of two a quadrilateral.
-void MeshClipper::add_triangle(std::int64_t triangle) {
-    const std::int32_t* const v = mesh_.corner.data() + 3 * triangle;
-    const int kept = static_cast<int>(keeps(v[0])) + static_cast<int>(keeps(v[1])) + static_cast<int>(keeps(v[2]));
-    if (kept == 0) return;
-    if (kept == 3) {
-        if (is_turned(mesh_, triangle)) ++out_.mesh.turned;
-        return put({number_[v[0]], number_[v[1]], number_[v[2]]});
-    }
-    int odd = 0; // the corner that stands alone
-    while (keeps(v[odd]) != (kept == 1)) ++odd;
-    const std::int32_t a = v[odd];
-    const std::int32_t b = v[(odd + 1) % 3];
-    const std::int32_t c = v[(odd + 2) % 3];
-    if (kept == 1) return put({number_[a], cut_of(a, b), cut_of(a, c)});
-    const std::int32_t ab = cut_of(b, a);
-    const std::int32_t ac = cut_of(c, a);
-    put({number_[b], number_[c], ac});
-    put({number_[b], ac, ab});
-}
 
 double area_of(const SurfaceMesh& mesh) noexcept {
     double sum = 0.0;
@@ -149,27 +26,149 @@ double area_of(const SurfaceMesh& mesh) noexcept {
     return sum;
 }
 
-ClippedMesh MeshClipper::run() {
-    out_.mesh.region = mesh_.region;
-    out_.mesh.side = mesh_.side;
-    out_.mesh.unresolved = mesh_.unresolved;
-    out_.mesh.missed_seeds = mesh_.missed_seeds;
-    copy_vertices();
-    find_edges();
-    find_cuts();
-    add_cuts();
-    for (std::int64_t t = 0; t < mesh_.triangles(); ++t) add_triangle(t);
-    out_.mesh.neighbour = find_neighbours(runtime_, out_.mesh.corner, out_.mesh.vertices());
-    const double before = area_of(mesh_);
-    out_.left_out = before > 0.0 ? std::max(0.0, 1.0 - area_of(out_.mesh) / before) : 0.0;
-    return std::move(out_);
+// The place where g is 0 on each of the edges, by Newton's steps from where it is 0 by its values at the ends; where
+// these fail, from where halving leads.
+base::Array<CurvePoint> find_cut_points(const base::Runtime& runtime, const Level& level, const SurfaceMesh& mesh,
+                                        const base::Array<double>& value, const base::Array<CutEdge>& edges,
+                                        const base::Progress& progress) {
+    const double tolerance = curve_tuning.exact * mesh.side;
+    base::Array<CurvePoint> points(runtime.memory, edges.size());
+    for (std::int64_t i = 0; i < edges.size(); ++i) {
+        const auto [kept, lost] = edges[i];
+        const double share = value[kept] / (value[kept] - value[lost]);
+        points[i].position = glm::mix(mesh.position[kept], mesh.position[lost], share);
+    }
+    base::Array<std::uint8_t> found(runtime.memory);
+    bring_to_curve(runtime, level, {tolerance, curve_tuning.farthest_cut * mesh.side}, points, found, progress);
+    base::Array<Straddle> places(runtime.memory);
+    base::Array<std::int64_t> which(runtime.memory);
+    for (std::int64_t i = 0; i < edges.size(); ++i) {
+        if (found[i] != 0) continue;
+        places.push_back({mesh.position[edges[i].kept], mesh.position[edges[i].lost]});
+        which.push_back(i);
+    }
+    base::Array<CurvePoint> halved(runtime.memory);
+    halve(runtime, level, places, curve_tuning.cut_halvings, halved, progress);
+    for (std::int64_t i = 0; i < which.size(); ++i) points[which[i]] = halved[i];
+    return points;
 }
 
 } // namespace
 
+std::int64_t opposite_of(const SurfaceMesh& mesh, std::int64_t edge) noexcept {
+    const std::int64_t triangle = mesh.neighbour[edge];
+    if (triangle < 0) return -1;
+    for (std::int64_t e = 3 * triangle; e < 3 * triangle + 3; ++e)
+        if (start_of(mesh, e) == end_of(mesh, edge) && end_of(mesh, e) == start_of(mesh, edge)) return e;
+    return -1;
+}
+
+void cut_at_middles(const base::Runtime& runtime, const base::Array<std::int32_t>& middle, SurfaceMesh& mesh) {
+    HRBFNPR_ASSERT(middle.size() == mesh.corner.size());
+    base::Array<std::int32_t> corner(runtime.memory);
+    corner.reserve(mesh.corner.size());
+    for (std::int64_t t = 0; t < mesh.triangles(); ++t) {
+        const auto at = [&](int k) { return mesh.corner[3 * t + k % 3]; };
+        const auto cut = [&](int k) { return middle[3 * t + k % 3]; };
+        const auto add = [&](std::int32_t a, std::int32_t b, std::int32_t c) {
+            for (const std::int32_t v : {a, b, c}) corner.push_back(v);
+        };
+        const int cuts = (cut(0) >= 0 ? 1 : 0) + (cut(1) >= 0 ? 1 : 0) + (cut(2) >= 0 ? 1 : 0);
+        int k = 0;
+        if (cuts == 0) {
+            add(at(0), at(1), at(2));
+        } else if (cuts == 1) {
+            while (cut(k) < 0) ++k;
+            add(at(k), cut(k), at(k + 2));
+            add(cut(k), at(k + 1), at(k + 2));
+        } else if (cuts == 2) {
+            // Edges k and k + 1 are cut, and their corner k + 1 is cut off. The shorter diagonal divides the rest.
+            while (cut(k + 2) >= 0) ++k;
+            add(cut(k), at(k + 1), cut(k + 1));
+            const bool first = glm::distance(mesh.position[cut(k)], mesh.position[at(k + 2)]) <
+                               glm::distance(mesh.position[at(k)], mesh.position[cut(k + 1)]);
+            if (first)
+                add(cut(k), cut(k + 1), at(k + 2));
+            else
+                add(at(k), cut(k), cut(k + 1));
+            add(at(k), first ? cut(k) : cut(k + 1), at(k + 2));
+        } else {
+            for (k = 0; k < 3; ++k) add(at(k), cut(k), cut(k + 2));
+            add(cut(0), cut(1), cut(2));
+        }
+    }
+    mesh.corner = std::move(corner);
+    mesh.neighbour = find_neighbours(runtime, mesh.corner, mesh.vertices());
+}
+
 ClippedMesh clip(const base::Runtime& runtime, const Level& level, const SurfaceMesh& mesh,
                  const base::Progress& progress) {
-    return MeshClipper(runtime, level, mesh, progress).run();
+    base::Array<double> value(runtime.memory);
+    level.at_vertices(runtime, mesh, value, progress);
+    HRBFNPR_ASSERT(value.size() == mesh.vertices());
+    const auto keeps = [&](std::int32_t vertex) { return value[vertex] <= 0.0; };
+
+    ClippedMesh clipped(runtime.memory);
+    SurfaceMesh& to = clipped.mesh;
+    to.region = mesh.region;
+    to.side = mesh.side;
+    to.unresolved = mesh.unresolved;
+    to.missed_seeds = mesh.missed_seeds;
+    base::Array<std::int32_t> number(runtime.memory, mesh.vertices()); // of the vertices that are kept
+    for (std::int32_t v = 0; v < mesh.vertices(); ++v) {
+        if (!keeps(v)) continue;
+        number[v] = static_cast<std::int32_t>(to.vertices());
+        to.position.push_back(mesh.position[v]);
+        to.gradient.push_back(mesh.gradient[v]);
+    }
+    clipped.first_cut = to.vertices();
+
+    base::Array<CutEdge> edges(runtime.memory);
+    for (std::int64_t e = 0; e < mesh.corner.size(); ++e) {
+        const std::int32_t a = start_of(mesh, e);
+        const std::int32_t b = end_of(mesh, e);
+        if (keeps(a) != keeps(b)) edges.push_back(keeps(a) ? CutEdge{a, b} : CutEdge{b, a});
+    }
+    std::sort(edges.begin(), edges.end());
+    edges.resize(std::unique(edges.begin(), edges.end()) - edges.begin());
+    clipped.cut = find_cut_points(runtime, level, mesh, value, edges, progress);
+    for (const CurvePoint& p : clipped.cut) {
+        to.position.push_back(p.position);
+        to.gradient.push_back(p.gradient);
+    }
+
+    const auto cut_of = [&](std::int32_t kept, std::int32_t lost) {
+        const CutEdge* const at = std::lower_bound(edges.begin(), edges.end(), CutEdge{kept, lost});
+        return static_cast<std::int32_t>(clipped.first_cut + (at - edges.begin()));
+    };
+    const auto put = [&](std::int32_t a, std::int32_t b, std::int32_t c) {
+        for (const std::int32_t v : {a, b, c}) to.corner.push_back(v);
+    };
+    for (std::int64_t t = 0; t < mesh.triangles(); ++t) {
+        const std::int32_t* const v = mesh.corner.data() + 3 * t;
+        const int kept = static_cast<int>(keeps(v[0])) + static_cast<int>(keeps(v[1])) + static_cast<int>(keeps(v[2]));
+        if (kept == 0) continue;
+        if (kept == 3) {
+            to.turned += is_turned(mesh, t) ? 1 : 0;
+            put(number[v[0]], number[v[1]], number[v[2]]);
+            continue;
+        }
+        int odd = 0; // the corner that stands alone
+        while (keeps(v[odd]) != (kept == 1)) ++odd;
+        const std::int32_t a = v[odd];
+        const std::int32_t b = v[(odd + 1) % 3];
+        const std::int32_t c = v[(odd + 2) % 3];
+        if (kept == 1) {
+            put(number[a], cut_of(a, b), cut_of(a, c));
+            continue;
+        }
+        put(number[b], number[c], cut_of(c, a));
+        put(number[b], cut_of(c, a), cut_of(b, a));
+    }
+    to.neighbour = find_neighbours(runtime, to.corner, to.vertices());
+    const double before = area_of(mesh);
+    clipped.left_out = before > 0.0 ? std::max(0.0, 1.0 - area_of(to) / before) : 0.0;
+    return clipped;
 }
 
 } // namespace hrbfnpr::curves

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "curves/crease_mesh.h"
 
+#include "curves/clip_mesh.h"
 #include "curves/crease_nodes.h"
-#include "curves/edge_halving.h"
 #include "curves/mesh_topology.h"
 #include "curves/settle_alone.h"
 #include "surface/project.h"

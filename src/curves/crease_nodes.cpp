@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "curves/crease_nodes.h"
 
-#include "curves/edge_halving.h"
+#include "curves/clip_mesh.h"
 #include "surface/sheets_meet.h"
 
 #include <algorithm>

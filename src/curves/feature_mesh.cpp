@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "curves/feature_mesh.h"
 
-#include "curves/edge_halving.h"
+#include "curves/clip_mesh.h"
 #include "geometry/long_vec_array.h"
 #include "surface/project.h"
 

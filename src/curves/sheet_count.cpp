@@ -1,69 +1,532 @@
 // SPDX-License-Identifier: MIT
+// Counting in four steps, each for all segments at once:
+//
+//   line_of         the part of a segment in the mesh's region, as a line from the segment's end `to`
+//   find_spans      spans of a line in which the surface may be, and its crossings with triangles there
+//   count_roots     the roots of f in each span, by f and its slope along the line
+//   drop_roots      roots beyond the surface's end are taken away
 #include "curves/sheet_count.h"
 
 #include "base/list.h"
-#include "curves/near_spans.h"
-#include "curves/supported_roots.h"
+#include "curves/surface_end.h"
+#include "curves/tuning.h"
+#include "geometry/tangent_frame.h"
+#include "implicit/evaluate_all.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
 
 namespace hrbfnpr::curves {
 namespace {
 
-constexpr std::int64_t segments_a_task = 16; // segments of a task
+constexpr std::int64_t segments_a_task = 16;
 
-void append(Spans& all, const Spans& some) {
-    for (const Span& span : some.span) all.span.push_back(span);
-    for (const double place : some.place) all.place.push_back(place);
+// ---- Lines
+
+// The places origin + s direction, low <= s <= high, of a segment that lie in the mesh's region. It begins at the
+// segment's end `to`, so that places near that are exact however far away the other end is.
+struct Line {
+    geometry::Bounds region;
+    glm::dvec3 origin{0.0};
+    glm::dvec3 direction{0.0};      // unit
+    glm::dvec3 right{0.0}, up{0.0}; // orthonormal with the direction
+    double low = 0.0, high = -1.0;
+    bool low_is_end = false, high_is_end = false; // whether the line ends where the segment does, not at the region
+
+    // A point relative to the origin, as seen along the line.
+    [[nodiscard]] glm::dvec2 seen(const glm::dvec3& p) const noexcept { return {glm::dot(p, right), glm::dot(p, up)}; }
+    [[nodiscard]] glm::dvec3 at(double s) const noexcept {
+        return glm::clamp(origin + s * direction, region.min, region.max); // rounding may lead out of the region
+    }
+};
+
+Line line_of(const geometry::Bounds& region, const glm::dvec3& from, const glm::dvec3& to, double clear) noexcept {
+    Line line;
+    line.region = region;
+    line.origin = to;
+    const double length = glm::distance(from, to);
+    if (!(length > 0.0) || !std::isfinite(length)) return line;
+    line.direction = (from - to) / length;
+    const geometry::TangentFrame frame = geometry::combing_frame(line.direction);
+    line.right = frame.u;
+    line.up = frame.r;
+    line.low = clear;
+    line.high = length;
+    for (int axis = 0; axis < 3; ++axis) {
+        const double first = region.min[axis] - to[axis];
+        const double last = region.max[axis] - to[axis];
+        if (line.direction[axis] == 0.0) {
+            if (!(first <= 0.0 && last >= 0.0)) line.high = -1.0;
+            continue;
+        }
+        const double a = first / line.direction[axis];
+        const double b = last / line.direction[axis];
+        line.low = std::max(line.low, std::min(a, b));
+        line.high = std::min(line.high, std::max(a, b));
+    }
+    line.low_is_end = line.low == clear;
+    line.high_is_end = line.high == length;
+    return line;
 }
 
-// Between two spans of a line there is no surface; nor a root of f, unless the surface ends before f does.
-void compare(const Spans& spans, const base::Array<RootCount>& count, bool ends,
-             base::Array<SheetCounter::Answer>& answer) {
-    for (std::int64_t i = 0; i < spans.span.size(); ++i) {
-        const Span& span = spans.span[i];
-        SheetCounter::Answer& of = answer[span.line];
-        of.sheets += count[i].roots;
-        const bool beside_end = span.line_begins || span.line_ends;
-        const bool jumps = !ends && i > 0 && spans.span[i - 1].line == span.line &&
-                           count[i - 1].negative_at_end != count[i].negative_at_begin;
-        if (!count[i].certain || jumps || (!beside_end && count[i].roots != span.crossings)) of.certain = false;
+// ---- Spans
+
+// A part of a line in which f is evaluated.
+struct Span {
+    double begin, end;
+    std::int64_t line;
+    std::int64_t places;    // the number of places, in order from begin to end, where f is evaluated at first
+    std::int32_t crossings; // of the line with triangles there
+    bool line_begins, line_ends;
+};
+
+struct Spans {
+    explicit Spans(base::Memory& memory) noexcept : span(memory), place(memory) {}
+
+    base::Array<Span> span;
+    base::Array<double> place; // the places in all spans
+};
+
+// A part of a line near a triangle.
+struct Range {
+    double low, high;
+
+    // Leaves what has at_zero + slope s <= 0.
+    void keep(double at_zero, double slope) noexcept {
+        if (slope == 0.0) {
+            if (at_zero > 0.0) high = low - 1.0;
+        } else if (slope > 0.0) {
+            high = std::min(high, -at_zero / slope);
+        } else {
+            low = std::max(low, -at_zero / slope);
+        }
+    }
+};
+
+struct TriangleCrossing {
+    double at;
+    bool rising; // through the triangle, to where f > 0
+};
+
+// An arc over a chord of length h that leaves it at an angle a is h a / 4 away from it; this is twice that, for arcs
+// that are not circles.
+double bulge_of(const SurfaceMesh& mesh, std::int64_t triangle) noexcept {
+    const std::array<glm::dvec3, 3> p = corners_of(mesh, triangle);
+    const double longest = std::max({glm::distance(p[0], p[1]), glm::distance(p[1], p[2]), glm::distance(p[2], p[0])});
+    const glm::dvec3 area = glm::cross(p[1] - p[0], p[2] - p[0]);
+    double sine = 0.0;
+    for (std::int64_t k = 0; k < 3; ++k) {
+        const glm::dvec3 gradient = mesh.gradient[mesh.corner[3 * triangle + k]];
+        const double scale = glm::length(gradient) * glm::length(area);
+        const bool faces = glm::dot(gradient, area) > 0.0;
+        sine = std::max(sine, faces ? glm::length(glm::cross(gradient, area)) / scale : 1.0);
+    }
+    return curve_tuning.least_bulge * mesh.side + 0.5 * longest * std::min(sine, 1.0);
+}
+
+// Finds the line's range in a prism that holds the triangle and all places no farther from it than its bulge, and where
+// the line crosses the triangle.
+void look_at_triangle(const std::array<glm::dvec3, 3>& corner, double bulge, const Line& line,
+                      base::Array<Range>& ranges, base::Array<TriangleCrossing>& crossings) {
+    const std::array<glm::dvec3, 3> p{corner[0] - line.origin, corner[1] - line.origin, corner[2] - line.origin};
+    Range range{line.low, line.high};
+    const auto keep = [&](const glm::dvec3& out, double most) { // out . (x - origin) <= most + bulge
+        range.keep(-most - bulge, glm::dot(out, line.direction));
+    };
+    for (int axis = 0; axis < 3; ++axis) {
+        glm::dvec3 out(0.0);
+        out[axis] = 1.0;
+        keep(out, std::max({p[0][axis], p[1][axis], p[2][axis]}));
+        keep(-out, -std::min({p[0][axis], p[1][axis], p[2][axis]}));
+    }
+    if (!(range.low <= range.high)) return;
+    const glm::dvec3 area = glm::cross(p[1] - p[0], p[2] - p[0]);
+    if (const double twice = glm::length(area); twice > 0.0) {
+        const glm::dvec3 normal = area / twice;
+        keep(normal, glm::dot(normal, p[0]));
+        keep(-normal, -glm::dot(normal, p[0]));
+        for (std::size_t k = 0; k < 3; ++k) {
+            const glm::dvec3 out = glm::normalize(glm::cross(p[(k + 1) % 3] - p[k], normal));
+            keep(out, glm::dot(out, p[k]));
+        }
+    }
+    if (!(range.low <= range.high)) return;
+    ranges.push_back(range);
+    // Three signs say on which side of the triangle's edges the line passes, as seen along it. All triangles of a
+    // corner see it in the same place, and those of an edge find the same number with opposite signs, to the last bit:
+    // no line passes between them.
+    const std::array<glm::dvec2, 3> q{line.seen(p[0]), line.seen(p[1]), line.seen(p[2])};
+    const auto cross = [](const glm::dvec2& a, const glm::dvec2& b) { return a.x * b.y - a.y * b.x; };
+    const glm::dvec3 side(cross(q[1], q[2]), cross(q[2], q[0]), cross(q[0], q[1]));
+    const double sum = side.x + side.y + side.z;
+    const bool rising = glm::all(glm::greaterThanEqual(side, glm::dvec3(0.0)));
+    const bool falling = glm::all(glm::lessThanEqual(side, glm::dvec3(0.0)));
+    if (rising == falling || sum == 0.0) return;
+    const double at = glm::dot(line.direction, (side.x * p[0] + side.y * p[1] + side.z * p[2]) / sum);
+    if (at >= line.low && at <= line.high) crossings.push_back({at, rising});
+}
+
+// Sorts ranges and joins those that overlap or hardly leave a gap.
+void merge_ranges(double gap, base::Array<Range>& ranges) noexcept {
+    std::sort(ranges.begin(), ranges.end(),
+              [](const Range& a, const Range& b) { return a.low < b.low || (a.low == b.low && a.high < b.high); });
+    std::int64_t kept = 0;
+    for (const Range& range : ranges) {
+        if (kept > 0 && range.low <= ranges[kept - 1].high + gap)
+            ranges[kept - 1].high = std::max(ranges[kept - 1].high, range.high);
+        else
+            ranges[kept++] = range;
+    }
+    ranges.resize(kept);
+}
+
+// Sorts crossings; those through edges and corners were found once for each triangle there, and are kept once.
+void merge_crossings(double same, base::Array<TriangleCrossing>& crossings) noexcept {
+    std::sort(crossings.begin(), crossings.end(), [](const TriangleCrossing& a, const TriangleCrossing& b) {
+        return a.at < b.at || (a.at == b.at && a.rising < b.rising);
+    });
+    std::int64_t kept = 0;
+    for (const TriangleCrossing& crossing : crossings) {
+        bool known = false;
+        for (std::int64_t i = kept; i-- > 0 && crossing.at - crossings[i].at <= same;)
+            known = known || crossings[i].rising == crossing.rising;
+        if (!known) crossings[kept++] = crossing;
+    }
+    crossings.resize(kept);
+}
+
+// Adds the spans of line number `number`. Between two crossings in a span there is a place, so that each sheet has a
+// part of its own.
+void find_spans(const SurfaceMesh& mesh, const geometry::BoxTree& tree, const base::Array<double>& bulge,
+                const Line& line, std::int64_t number, Spans& found) {
+    if (!(line.low < line.high)) return;
+    HRBFNPR_ASSERT(std::abs(glm::length(line.direction) - 1.0) < 1e-9);
+    base::Array<Range> ranges(bulge.memory());
+    base::Array<TriangleCrossing> crossings(bulge.memory());
+    glm::dvec3 inverse(0.0);
+    for (int axis = 0; axis < 3; ++axis)
+        inverse[axis] = line.direction[axis] != 0.0 ? 1.0 / line.direction[axis] : 1e300;
+    const auto meets = [&](const geometry::Bounds& box) {
+        const glm::dvec3 a = (box.min - line.origin) * inverse;
+        const glm::dvec3 b = (box.max - line.origin) * inverse;
+        const glm::dvec3 low = glm::min(a, b);
+        const glm::dvec3 high = glm::max(a, b);
+        return std::max({low.x, low.y, low.z, line.low}) <= std::min({high.x, high.y, high.z, line.high});
+    };
+    tree.visit(meets,
+               [&](std::int64_t t) { look_at_triangle(corners_of(mesh, t), bulge[t], line, ranges, crossings); });
+    merge_ranges(curve_tuning.span_gap * mesh.side, ranges);
+    merge_crossings(curve_tuning.exact * mesh.side, crossings);
+    for (const Range& range : ranges) {
+        if (!(range.low < range.high)) continue;
+        const std::int64_t first = found.place.size();
+        const double parts = std::ceil((range.high - range.low) / (curve_tuning.place_spacing * mesh.side));
+        for (double k = 0.0; k < parts; ++k) found.place.push_back(range.low + (k / parts) * (range.high - range.low));
+        found.place.push_back(range.high);
+        std::int32_t count = 0;
+        double before = 0.0;
+        for (const TriangleCrossing& crossing : crossings) {
+            if (crossing.at < range.low || crossing.at > range.high) continue;
+            if (count++ > 0 && crossing.at - before > curve_tuning.crossings_apart * mesh.side)
+                found.place.push_back(0.5 * (before + crossing.at));
+            before = crossing.at;
+        }
+        std::sort(found.place.data() + first, found.place.end());
+        found.span.push_back({range.low, range.high, number, found.place.size() - first, count,
+                              line.low_is_end && range.low == line.low, line.high_is_end && range.high == line.high});
     }
 }
 
+// ---- Roots
+
+struct RootCount {
+    std::int32_t roots = 0;
+    bool certain = true;                                     // false: f touches 0, or is no number somewhere
+    bool negative_at_begin = false, negative_at_end = false; // f
+};
+
+// A root of a span lies between these places of its line, and no other.
+struct Root {
+    std::int64_t span;
+    double low, high;
+    double at;            // about there
+    bool negative_at_low; // f
+};
+
+// A place on a line: f, its slope along the line, and the length of its gradient.
+struct Place {
+    double at, value, slope, gradient;
+
+    [[nodiscard]] bool finite() const noexcept {
+        return std::isfinite(value) && std::isfinite(slope) && std::isfinite(gradient);
+    }
+    [[nodiscard]] bool negative() const noexcept { return value < 0.0; }
+};
+
+// The part of a span between two places, to be split at `at`.
+struct Piece {
+    Place low, high;
+    std::int64_t span;
+    int depth;
+    double at;
+};
+
+// f and its gradient at places.
+struct Field {
+    Field(const base::Runtime& runtime, const implicit::Implicit& implicit, const geometry::VecArray& point,
+          const base::Progress& progress)
+        : value(runtime.memory, point.size()), gradient(runtime.memory, point.size()) {
+        implicit::evaluate_all(runtime, implicit, point,
+                               {value.data(), {gradient.x.data(), gradient.y.data(), gradient.z.data()}, {}},
+                               progress.standing());
+    }
+    [[nodiscard]] Place place(std::int64_t i, const Line& line, double at) const noexcept {
+        return {at, value[i], glm::dot(gradient[i], line.direction), glm::length(gradient[i])};
+    }
+
+    base::Array<double> value;
+    geometry::VecArray gradient;
+};
+
+// What the values and slopes at a piece's ends tell: no root (NaN), one (-1), or where to split it.
+double split_of(const Place& a, const Place& b) noexcept {
+    constexpr double none = std::numeric_limits<double>::quiet_NaN();
+    const double length = b.at - a.at;
+    if (a.negative() != b.negative()) {
+        // The cubic with these values and slopes is monotone: one root.  [Fritsch & Carlson 1980]
+        const double rise = b.value - a.value;
+        const double first = length * a.slope / rise;
+        const double last = length * b.slope / rise;
+        return first >= 0.0 && first <= 3.0 && last >= 0.0 && last <= 3.0 ? -1.0 : 0.5;
+    }
+    const double sign = a.negative() ? -1.0 : 1.0;
+    const double d0 = sign * length * a.slope;
+    const double d1 = sign * length * b.slope;
+    // The cubic is above the least of its control values.
+    if (sign * a.value + d0 / 3.0 > 0.0 && sign * b.value - d1 / 3.0 > 0.0) return none;
+    // Else the piece is split where the cubic is least, unless it is clearly above 0 there.
+    const double f0 = sign * a.value;
+    const double f1 = sign * b.value;
+    const double third = 2.0 * (f0 - f1) + d0 + d1;
+    const double second = 3.0 * (f1 - f0) - 2.0 * d0 - d1;
+    const double root = second * second - 3.0 * third * d0; // of the derivative d0 + 2 second t + 3 third t^2
+    if (!(root >= 0.0)) return none;
+    // The derivative rises at this root, which is written so that nothing cancels.
+    const double t = second > 0.0 ? -d0 / (second + std::sqrt(root)) : (std::sqrt(root) - second) / (3.0 * third);
+    if (!(t > 0.0 && t < 1.0) || f0 + t * (d0 + t * (second + t * third)) > 0.5 * std::min(f0, f1)) return none;
+    return std::clamp(t, 0.05, 0.95);
+}
+
+// Counts the roots in each span, and lists those that are certain. Pieces of spans are split, all of them at once,
+// until the values and slopes at their ends tell the number of roots.
+void count_roots(const base::Runtime& runtime, const implicit::Implicit& implicit, const base::Array<Line>& lines,
+                 const Spans& spans, base::Array<RootCount>& counts, base::Array<Root>& roots,
+                 const base::Progress& progress) {
+    const double noise = curve_tuning.root_noise * implicit.diagonal();
+    counts.resize(spans.span.size());
+    std::fill(counts.begin(), counts.end(), RootCount{});
+    base::Array<Piece> pieces(runtime.memory); // to be split
+    geometry::VecArray point(runtime.memory);  // where
+    const auto touches = [&](const Place& at) {
+        return std::abs(at.value) <= curve_tuning.touching * implicit.diagonal() * at.gradient &&
+               std::abs(at.slope) <= curve_tuning.along_surface * at.gradient;
+    };
+    // Where the segment ends on the surface, f just before decides: its slope tells.
+    const auto settle_end = [&](RootCount& count, Place& end, double way) {
+        if (!(std::abs(end.value) <= noise * end.gradient)) return;
+        if (!(std::abs(end.slope) > curve_tuning.leaves_surface * end.gradient)) count.certain = false;
+        end.value = std::copysign(std::numeric_limits<double>::min(), way * end.slope);
+    };
+    const auto judge = [&](const Place& a, const Place& b, std::int64_t span, int depth) {
+        RootCount& count = counts[span];
+        if (!a.finite() || !b.finite()) {
+            count.certain = false;
+            return;
+        }
+        const double share = split_of(a, b);
+        if (std::isnan(share)) return;
+        if (share < 0.0) {
+            ++count.roots;
+            const double at = a.at + a.value / (a.value - b.value) * (b.at - a.at);
+            roots.push_back({span, a.at, b.at, at, a.negative()});
+            return;
+        }
+        const double middle = a.at + share * (b.at - a.at);
+        if (depth < curve_tuning.most_steps && middle > a.at && middle < b.at) {
+            pieces.push_back({a, b, span, depth, middle});
+            point.push_back(lines[spans.span[span].line].at(middle));
+            return;
+        }
+        // A piece that has become too short has the roots that its ends tell.
+        count.certain = false;
+        if (a.negative() != b.negative()) ++count.roots;
+    };
+
+    geometry::VecArray first(runtime.memory);
+    std::int64_t at = 0;
+    for (const Span& span : spans.span)
+        for (std::int64_t k = 0; k < span.places; ++k) first.push_back(lines[span.line].at(spans.place[at++]));
+    HRBFNPR_ASSERT(at == spans.place.size());
+    const Field field(runtime, implicit, first, progress);
+    at = 0;
+    for (std::int64_t i = 0; i < spans.span.size(); ++i) {
+        const Span& span = spans.span[i];
+        Place before{};
+        for (std::int64_t k = 0; k < span.places; ++k, ++at) {
+            Place now = field.place(at, lines[span.line], spans.place[at]);
+            const bool begins = k == 0 && span.line_begins;
+            const bool ends = k + 1 == span.places && span.line_ends;
+            if (begins) settle_end(counts[i], now, 1.0);
+            if (ends) settle_end(counts[i], now, -1.0);
+            if (!begins && !ends && touches(now)) counts[i].certain = false;
+            if (k == 0) counts[i].negative_at_begin = now.negative();
+            if (k > 0) judge(before, now, i, 0);
+            before = now;
+        }
+        counts[i].negative_at_end = before.negative();
+    }
+    while (!pieces.empty()) {
+        progress.check();
+        const Field middles(runtime, implicit, point, progress);
+        base::Array<Piece> split(runtime.memory);
+        std::swap(split, pieces);
+        point.clear();
+        for (std::int64_t i = 0; i < split.size(); ++i) {
+            const Piece& piece = split[i];
+            const Place middle = middles.place(i, lines[spans.span[piece.span].line], piece.at);
+            if (middle.finite() && touches(middle)) {
+                RootCount& count = counts[piece.span];
+                count.certain = false;
+                if (piece.low.negative() != middle.negative()) ++count.roots;
+                if (piece.high.negative() != middle.negative()) ++count.roots;
+                continue;
+            }
+            judge(piece.low, middle, piece.span, piece.depth + 1);
+            judge(middle, piece.high, piece.span, piece.depth + 1);
+        }
+    }
+}
+
+// Takes the roots beyond the surface's end from the list and from the counts. Where one lies on the border, as far as
+// numbers tell, its count is not certain. Roots near the border are found by Newton's steps, or by halving where these
+// leave the root's bounds.
+void drop_roots(const base::Runtime& runtime, const implicit::Implicit& implicit, const SurfaceEnd& end,
+                const base::Array<Line>& lines, const Spans& spans, base::Array<Root>& roots,
+                base::Array<RootCount>& counts, const base::Progress& progress) {
+    struct Doubtful {
+        std::int64_t number; // of the root
+        Root root;
+        double at;
+        glm::dvec3 place, gradient; // where it was evaluated last
+        bool done;
+    };
+    const auto line = [&](const Doubtful& d) -> const Line& { return lines[spans.span[d.root.span].line]; };
+    base::Array<Doubtful> doubtful(runtime.memory);
+    base::Array<std::int64_t> left(runtime.memory); // the doubtful ones that are still searched
+    for (std::int64_t i = 0; i < roots.size(); ++i) {
+        const Doubtful d{i, roots[i], 0.5 * (roots[i].low + roots[i].high), glm::dvec3(0.0), glm::dvec3(0.0), false};
+        if (!end.near_border(line(d).at(d.at))) continue;
+        left.push_back(doubtful.size());
+        doubtful.push_back(d);
+    }
+    geometry::VecArray place(runtime.memory);
+    for (int step = 0; step < curve_tuning.most_steps && !left.empty(); ++step) {
+        place.clear();
+        for (const std::int64_t i : left) place.push_back(line(doubtful[i]).at(doubtful[i].at));
+        const Field field(runtime, implicit, place, progress);
+        std::int64_t kept = 0;
+        for (std::int64_t i = 0; i < left.size(); ++i) {
+            Doubtful& d = doubtful[left[i]];
+            Root& root = d.root;
+            d.place = place[i];
+            d.gradient = field.gradient[i];
+            ((field.value[i] < 0.0) == root.negative_at_low ? root.low : root.high) = d.at;
+            double next = d.at - field.value[i] / glm::dot(d.gradient, line(d).direction);
+            if (!(next > root.low && next < root.high)) next = 0.5 * (root.low + root.high);
+            d.done = std::abs(next - d.at) <= curve_tuning.root_noise * implicit.diagonal();
+            if (d.done) continue;
+            d.at = next;
+            left[kept++] = left[i];
+        }
+        left.resize(kept);
+    }
+    std::int64_t kept = 0;
+    std::int64_t next = 0;
+    for (std::int64_t i = 0; i < roots.size(); ++i) {
+        RootCount& count = counts[roots[i].span];
+        double beyond = -1.0;
+        if (next < doubtful.size() && doubtful[next].number == i) {
+            const Doubtful& d = doubtful[next++];
+            beyond = end.beyond(d.place, d.gradient);
+            if (!d.done || std::abs(beyond) < curve_tuning.on_border) count.certain = false;
+        }
+        if (beyond > 0.0)
+            --count.roots;
+        else
+            roots[kept++] = roots[i];
+    }
+    roots.resize(kept);
+}
+
 } // namespace
+
+SheetCounter::SheetCounter(const base::Runtime& runtime, const SurfaceMesh& mesh, const base::Progress& progress)
+    : mesh_(mesh), bulge_(runtime.memory, mesh.triangles()),
+      tree_(
+          runtime, mesh.triangles(),
+          [&](std::int64_t t) {
+              bulge_[t] = bulge_of(mesh, t);
+              geometry::Bounds box;
+              for (const glm::dvec3& corner : corners_of(mesh, t)) box.extend(corner);
+              return box.grown(bulge_[t]);
+          },
+          progress) {}
 
 void SheetCounter::count(const base::Runtime& runtime, const implicit::Implicit& implicit,
                          const geometry::VecArray& from, const geometry::VecArray& to, const base::Array<double>& clear,
                          base::Array<Answer>& answer, const base::Progress& progress) const {
     const std::int64_t segments = from.size();
+    HRBFNPR_ASSERT(to.size() == segments && clear.size() == segments);
     base::Array<Line> lines(runtime.memory, segments);
     base::List<Spans> found(runtime.memory);
     found.reserve((segments + segments_a_task - 1) / segments_a_task);
     for (std::int64_t k = 0; k < segments; k += segments_a_task) found.add(runtime.memory);
-    runtime.parallel.for_chunks(segments, segments_a_task, [&](std::int64_t begin, std::int64_t end) {
-        progress.check();
-        SpanFinder finder(mesh_, tree_, runtime.memory);
+    runtime.parallel.for_chunks(segments, segments_a_task, progress, [&](std::int64_t begin, std::int64_t end) {
         for (std::int64_t i = begin; i < end; ++i) {
-            lines[i] = Line(mesh_.region, from[i], to[i], clear[i]);
-            finder.find(lines[i], i, found[begin / segments_a_task]);
+            lines[i] = line_of(mesh_.region, from[i], to[i], clear[i]);
+            find_spans(mesh_, tree_, bulge_, lines[i], i, found[begin / segments_a_task]);
         }
     });
     Spans spans(runtime.memory);
-    for (const Spans& some : found) append(spans, some);
+    for (const Spans& some : found) {
+        for (const Span& span : some.span) spans.span.push_back(span);
+        for (const double place : some.place) spans.place.push_back(place);
+    }
     base::Array<RootCount> counts(runtime.memory);
     base::Array<Root> roots(runtime.memory);
     const SurfaceEnd* const end = mesh_.end;
-    count_roots(runtime, implicit, lines, spans, counts, &roots, progress);
-    if (end != nullptr) drop_unsupported(runtime, implicit, *end, lines, spans, roots, counts, progress);
+    count_roots(runtime, implicit, lines, spans, counts, roots, progress);
+    if (end != nullptr) drop_roots(runtime, implicit, *end, lines, spans, roots, counts, progress);
+
     answer.resize(segments);
     std::fill(answer.begin(), answer.end(), Answer{});
-    compare(spans, counts, end != nullptr, answer);
+    for (std::int64_t i = 0; i < spans.span.size(); ++i) {
+        const Span& span = spans.span[i];
+        Answer& its = answer[span.line];
+        its.sheets += counts[i].roots;
+        const bool beside_end = span.line_begins || span.line_ends;
+        // Between two spans of a line there is no surface, nor a root of f, unless the surface ends before f does.
+        const bool jumps = end == nullptr && i > 0 && spans.span[i - 1].line == span.line &&
+                           counts[i - 1].negative_at_end != counts[i].negative_at_begin;
+        if (!counts[i].certain || jumps || (!beside_end && counts[i].roots != span.crossings)) its.certain = false;
+    }
     base::Array<std::uint8_t> known(runtime.memory, segments);
     for (const Root& root : roots) {
         const std::int64_t line = spans.span[root.span].line;
-        Answer& of = answer[line];
-        of.nearest = known[line] != 0 ? std::min(of.nearest, root.at) : root.at;
+        Answer& its = answer[line];
+        its.nearest = known[line] != 0 ? std::min(its.nearest, root.at) : root.at;
         known[line] = 1;
     }
     progress.update(1.0);

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: MIT
-// How often the surface lies between two points: the quantitative invisibility of one seen from the other.  [Appel
-// 1967]
+// How often the surface lies between two points: the quantitative invisibility of one seen from the other [Appel 1967].
 #pragma once
 
 #include "base/memory.h"
 #include "base/operation.h"
 #include "base/runtime.h"
 #include "curves/surface_mesh.h"
-#include "curves/triangle_tree.h"
+#include "geometry/box_tree.h"
 #include "geometry/vec_array.h"
 #include "implicit/implicit.h"
 
@@ -15,32 +14,32 @@
 
 namespace hrbfnpr::curves {
 
-// Made once for a mesh, which must outlive it; const afterwards, for any number of threads.
+// It is made once for a mesh, which must outlive it; const afterwards, for any number of threads.
 class SheetCounter {
 public:
-    SheetCounter(const base::Runtime& runtime, const SurfaceMesh& mesh, const base::Progress& progress = {})
-        : mesh_(mesh), tree_(runtime, mesh, progress) {}
+    SheetCounter(const base::Runtime& runtime, const SurfaceMesh& mesh, const base::Progress& progress = {});
 
     struct Answer {
         std::int32_t sheets = 0;
-        double nearest = 0.0; // crossing: about how far before `to`, where there are any
+        double nearest = 0.0; // about the distance from `to` to the nearest crossing, where there are any
         bool certain = true;  // false: the segment grazes the surface, or its two counts do not agree
     };
-    // The crossings of f = 0 with the open segments from[i] to to[i], as far as the mesh goes.  `to` may itself lie on
-    // the surface: crossings nearer to it than clear[i] are not counted.  answer is resized.
+    // Counts the crossings of f = 0 with the open segments from[i] to to[i], as far as the mesh goes.  `to` may itself
+    // lie on the surface: crossings nearer to it than clear[i] are not counted.  answer is resized.
     //
-    // Triangles say where to look, and within these intervals f and its slope along the segment decide; both are
-    // counted.  Beside an end of the segment f alone is asked: there the triangles are not near enough to the surface.
+    // Triangles say where to look, and within these spans f and its slope along the segment decide; both are counted.
+    // Beside an end of the segment f alone is asked: there the triangles are not near enough to the surface.
     void count(const base::Runtime& runtime, const implicit::Implicit& implicit, const geometry::VecArray& from,
                const geometry::VecArray& to, const base::Array<double>& clear, base::Array<Answer>& answer,
                const base::Progress& progress) const;
 
     [[nodiscard]] const SurfaceMesh& mesh() const noexcept { return mesh_; }
-    [[nodiscard]] std::int64_t bytes() const noexcept { return tree_.bytes(); }
+    [[nodiscard]] std::int64_t bytes() const noexcept { return tree_.bytes() + bulge_.bytes(); }
 
 private:
     const SurfaceMesh& mesh_;
-    TriangleTree tree_;
+    base::Array<double> bulge_; // how far the surface may be from each triangle, by the gradients at its corners
+    geometry::BoxTree tree_;    // of the triangles with their bulges
 };
 
 } // namespace hrbfnpr::curves

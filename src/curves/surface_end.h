@@ -3,9 +3,9 @@
 // another sheet takes its place.
 #pragma once
 
-#include "curves/level.h"
 #include "curves/surface_mesh.h"
 #include "geometry/point_grid.h"
+#include "implicit/implicit.h"
 #include "implicit/sheets.h"
 #include "surface/support.h"
 
@@ -13,7 +13,8 @@
 
 namespace hrbfnpr::curves {
 
-// Asked for places on the surface.
+// It is asked for places on the surface. Far from the border of the mesh it is not: curves and rays shall find no holes
+// that the mesh does not have.
 class SurfaceEnd {
 public:
     SurfaceEnd() = default;
@@ -21,56 +22,44 @@ public:
     SurfaceEnd& operator=(const SurfaceEnd&) = delete;
     virtual ~SurfaceEnd() = default;
 
-    // Whether the border is near, so that it must be asked.
+    // Whether the border is near, so that beyond() must be asked.
     [[nodiscard]] virtual bool near_border(const glm::dvec3& place) const = 0;
-    // <= 0: the surface is there.
+    // <= 0: the surface is there. It is right within two sides of the part of the surface that is there.
     [[nodiscard]] virtual double beyond(const glm::dvec3& place, const glm::dvec3& gradient) const = 0;
-    // Right for places within two sides of the surface that is left.
     [[nodiscard]] bool holds(const glm::dvec3& place, const glm::dvec3& gradient) const {
         return !near_border(place) || beyond(place, gradient) <= 0.0;
     }
-
-protected:
-    // Of the border's places, in sides.
-    static constexpr double reach = 3.0;
 };
 
-// Far from the mesh's border nothing is asked: holes that the mesh does not have, no curve and no ray shall find.
 class SupportEnd final : public SurfaceEnd {
 public:
-    // border: places along it, no farther apart than a side.
+    // border: places along the border, no farther apart than a side.
     SupportEnd(const surface::Support& support, double limit, const geometry::VecArray& border, double side);
 
-    [[nodiscard]] const surface::Support& support() const noexcept { return support_; }
-    [[nodiscard]] double limit() const noexcept { return limit_; }
-    // Or the support itself knows where it is not.
+    // It is always near where the support itself knows where it has no cells.
     [[nodiscard]] bool near_border(const glm::dvec3& place) const override;
     // s - limit.
-    [[nodiscard]] double beyond(const glm::dvec3& place, const glm::dvec3& gradient) const override {
-        return support_.may_end_at(place) ? support_.value(place, gradient) - limit_ : -limit_;
-    }
+    [[nodiscard]] double beyond(const glm::dvec3& place, const glm::dvec3& gradient) const override;
 
 private:
     const surface::Support& support_;
     double limit_;
-    geometry::PointGrid grid_;
+    geometry::PointGrid border_;
 };
 
 // Where a sheet of an implicit with creases ends: another one is f there.
 class SheetEnd final : public SurfaceEnd {
 public:
-    // Near any crease it may end: a curve that leaves one sheet may come to another one that is the same function, as
-    // of cylinders on one axis.
+    // The grid of places along the creases of all sheets, no farther apart than a side. Near any crease a sheet may
+    // end: a curve that leaves it may come to another sheet that is the same function, as for cylinders on one axis.
     [[nodiscard]] static std::shared_ptr<const geometry::PointGrid> grid_of(const geometry::VecArray& creases,
                                                                             double side);
-
-    // creases: places along those of all sheets, no farther apart than a side; own: the sheet's triangles, kept;
-    // base: where the whole surface ends, or null.
+    // own: the sheet's triangles, which must outlive it. base: the end of the whole surface, or null.
     SheetEnd(const implicit::Implicit& whole, const implicit::Sheets& sheets, std::int32_t sheet,
              std::shared_ptr<const geometry::PointGrid> creases, const SurfaceMesh& own, const SurfaceEnd* base);
 
     [[nodiscard]] bool near_border(const glm::dvec3& place) const override;
-    // How far from the whole surface, or from the sheet's triangles, unless the sheet is the active one.
+    // The distance from the whole surface, or a side where that is another sheet, unless the sheet is the active one.
     [[nodiscard]] double beyond(const glm::dvec3& place, const glm::dvec3& gradient) const override;
 
 private:
@@ -82,25 +71,6 @@ private:
     std::shared_ptr<const geometry::PointGrid> creases_;
     geometry::PointGrid own_;
     const SurfaceEnd* base_;
-};
-
-// g = s - limit: the border as a curve, the surface to its left.
-class SupportLevel final : public Level {
-public:
-    SupportLevel(const implicit::Implicit& surface, const surface::Support& support, double limit) noexcept
-        : surface_(surface), support_(support), limit_(limit) {}
-
-    [[nodiscard]] const implicit::Implicit& surface() const noexcept override { return surface_; }
-    void evaluate(const implicit::PointBatch& points, const LevelBatch& out) const override;
-    void at_vertices(const base::Runtime& runtime, const SurfaceMesh& mesh, base::Array<double>& level,
-                     const base::Progress& progress) const override;
-
-private:
-    void evaluate_block(const implicit::PointBatch& points, const LevelBatch& out) const;
-
-    const implicit::Implicit& surface_;
-    const surface::Support& support_;
-    double limit_;
 };
 
 } // namespace hrbfnpr::curves

@@ -1,113 +1,237 @@
 // SPDX-License-Identifier: MIT
+// Marching tetrahedra [Doi & Koide 1991] over the cells that a flood from seeds reaches:
+//
+//   seeds_on_surface     seeds are projected onto f = 0
+//   find_crossed_cells   a flood from their cells over all faces that the surface crosses, by the signs of f at corners
+//   clear_corners        corners that are very near the surface move away from it
+//   number_edges         edges of tetrahedra that the surface crosses become vertices
+//   find_vertices        the root of f on each of these edges
+//   add_triangles        one or two triangles in each tetrahedron
+//   count_missed         seeds that have no part of the mesh beside them
+//
+// Vertices stand on edges of the tetrahedra, so that triangles meet nowhere but in their edges and corners.
 #include "curves/surface_mesh.h"
 
 #include "base/long_array.h"
-#include "curves/clear_corners.h"
-#include "curves/crossed_cells.h"
-#include "curves/edge_roots.h"
+#include "base/sort.h"
 #include "curves/mesh_topology.h"
-#include "curves/triangle_tree.h"
+#include "curves/tuning.h"
+#include "geometry/cell_block.h"
+#include "geometry/cell_set.h"
+#include "geometry/long_vec_array.h"
+#include "geometry/point_grid.h"
+#include "implicit/evaluate_all.h"
 #include "surface/project.h"
 
+#include <algorithm>
 #include <atomic>
+#include <bit>
+#include <cmath>
 
 namespace hrbfnpr::curves {
 namespace {
 
-constexpr double seed_tolerance = 1e-3; // in sides
-constexpr double seed_reach = 1.5;      // in sides: how far from a seed its triangle may be
-constexpr std::int64_t most_surface_triangles = std::int64_t{1} << 28;
+using Cell = geometry::CellGrid::Cell;
 
-constexpr std::int64_t meshed_a_look = 4096;
+constexpr std::int64_t most_surface_triangles = std::int64_t{1} << 28; // corners of triangles have 32-bit numbers
+constexpr std::int64_t cells_a_look = 4096;                            // elements without a look for a cancel
 
-// Edges that the surface crosses, each once.
-class CellEdges {
-public:
-    explicit CellEdges(const CrossedCells& cells)
-        : edge(cells.value.memory()), cells_(cells), number_(cells.value.memory()) {}
+// ---- The lattice
 
-    void number_all(const base::Progress& progress) {
-        base::resize_long(number_, ways * cells_.value.size(), progress);
-        for (std::int64_t i = 0; i < cells_.cell.size(); ++i) {
-            if (i % meshed_a_look == 0) progress.check();
-            const CrossedCell& cell = cells_.cell[i];
-            cells_.sections_of(cell, [&](const Tetrahedron& tetrahedron, const Section& section) {
-                for (std::size_t k = 0; k < section.size; ++k) add(cell, tetrahedron, section.edge[k]);
-            });
-        }
+// A region cut into equal cells that fill it, so that f is not evaluated beyond it.
+struct Lattice {
+    geometry::Bounds region;
+    glm::dvec3 side{0.0};
+    Cell cells{}; // the number along each axis
+
+    [[nodiscard]] double longest() const noexcept { return std::max({side.x, side.y, side.z}); }
+    [[nodiscard]] bool inside(const Cell& cell) const noexcept {
+        return cell[0] >= 0 && cell[0] < cells[0] && cell[1] >= 0 && cell[1] < cells[1] && cell[2] >= 0 &&
+               cell[2] < cells[2];
     }
-    // Of an edge between two corners of a tetrahedron.
-    [[nodiscard]] std::int32_t vertex(const CrossedCell& cell, const Tetrahedron& tetrahedron,
-                                      const std::array<std::uint8_t, 2>& between) const noexcept {
-        return number_[place(cell, tetrahedron, between)] - 1;
+    [[nodiscard]] Cell cell_of(const glm::dvec3& p) const noexcept {
+        const glm::dvec3 at = (p - region.min) / side;
+        return {geometry::whole(at.x, cells[0] - 1), geometry::whole(at.y, cells[1] - 1),
+                geometry::whole(at.z, cells[2] - 1)};
     }
-
-    base::Array<CrossedEdges::Edge> edge;
-
-private:
-    static constexpr std::int64_t ways = 7;
-
-    // An edge is known by its lower corner and by its way from there.
-    [[nodiscard]] static std::int64_t place(const CrossedCell& cell, const Tetrahedron& tetrahedron,
-                                            const std::array<std::uint8_t, 2>& between) noexcept {
-        const std::uint8_t from = tetrahedron.corner[between[0]];
-        const int way = from ^ tetrahedron.corner[between[1]];
-        return ways * cell.corner[from] + way - 1;
+    [[nodiscard]] glm::dvec3 corner(const Cell& at) const noexcept {
+        const glm::dvec3 p = region.min + side * glm::dvec3(static_cast<double>(at[0]), static_cast<double>(at[1]),
+                                                            static_cast<double>(at[2]));
+        return glm::min(p, region.max);
     }
-    void add(const CrossedCell& cell, const Tetrahedron& tetrahedron, const std::array<std::uint8_t, 2>& between) {
-        std::int32_t& number = number_[place(cell, tetrahedron, between)];
-        if (number != 0) return;
-        edge.push_back({cell.corner[tetrahedron.corner[between[0]]], cell.corner[tetrahedron.corner[between[1]]]});
-        number = static_cast<std::int32_t>(edge.size());
-    }
-
-    const CrossedCells& cells_;
-    base::Array<std::int32_t> number_; // of the vertex there, and 1; 0: none
 };
 
-void add_triangle(SurfaceMesh& mesh, std::int32_t a, std::int32_t b, std::int32_t c, bool even) {
-    mesh.corner.push_back(a);
-    mesh.corner.push_back(even ? b : c);
-    mesh.corner.push_back(even ? c : b);
-}
-
-// A quadrilateral is cut along its shorter diagonal.
-void add_section(SurfaceMesh& mesh, const std::array<std::int32_t, 4>& v, std::size_t size, bool even) {
-    if (size == 3) return add_triangle(mesh, v[0], v[1], v[2], even);
-    const auto length = [&](std::int32_t a, std::int32_t b) {
-        return glm::distance(mesh.position[a], mesh.position[b]);
-    };
-    const std::size_t first = length(v[0], v[2]) <= length(v[1], v[3]) ? 0 : 1;
-    add_triangle(mesh, v[first], v[first + 1], v[first + 2], even);
-    add_triangle(mesh, v[first], v[first + 2], v[(first + 3) % 4], even);
-}
-
-void add_triangles(const CrossedCells& cells, const CellEdges& edges, SurfaceMesh& mesh,
-                   const base::Progress& progress) {
-    mesh.corner.reserve(3 * cells.triangles);
-    for (std::int64_t i = 0; i < cells.cell.size(); ++i) {
-        if (i % meshed_a_look == 0) progress.check();
-        const CrossedCell& cell = cells.cell[i];
-        cells.sections_of(cell, [&](const Tetrahedron& tetrahedron, const Section& section) {
-            std::array<std::int32_t, 4> vertex{};
-            for (std::size_t k = 0; k < section.size; ++k) vertex[k] = edges.vertex(cell, tetrahedron, section.edge[k]);
-            add_section(mesh, vertex, section.size, tetrahedron.even);
-        });
+Lattice lattice_of(const MeshSettings& settings) {
+    using Grid = geometry::CellGrid;
+    const glm::dvec3 size = settings.region.size();
+    Lattice lattice{settings.region, glm::dvec3(0.0), {}};
+    bool valid = true;
+    for (int axis = 0; axis < 3; ++axis) {
+        const std::int64_t count =
+            std::max<std::int64_t>(1, geometry::whole(std::ceil(size[axis] / settings.side), Grid::most));
+        lattice.cells[static_cast<std::size_t>(axis)] = count;
+        lattice.side[axis] = size[axis] / static_cast<double>(count);
+        valid = valid && lattice.side[axis] > 0.0 && count < Grid::most - 1;
     }
+    if (!valid)
+        fail(Status::invalid_argument,
+             "a region of %g x %g x %g cannot be cut into cells of side %g: give them a larger side (cell_size)",
+             size.x, size.y, size.z, settings.side);
+    return lattice;
 }
 
-// Seeds are brought onto the surface; those that do not come there, or have to go far, are left out.
+// ---- Tetrahedra
+
+// A cube is cut into six tetrahedra around its diagonal (Kuhn 1960), in every cube alike, so that those of adjacent
+// cubes share their faces. Corners of the cube are numbered by bits: x, y, z. A tetrahedron goes from corner 0 to
+// corner 7 by one bit at a time, so that every edge leads from a corner to one with more bits.
+struct Tetrahedron {
+    std::array<std::uint8_t, 4> corner;
+    std::uint8_t corners; // as a set
+    bool even;            // positively oriented
+};
+
+constexpr std::array<Tetrahedron, 6> tetrahedra = [] {
+    constexpr std::array<std::array<unsigned, 3>, 6> orders{
+        {{0, 1, 2}, {1, 2, 0}, {2, 0, 1}, {0, 2, 1}, {1, 0, 2}, {2, 1, 0}}};
+    std::array<Tetrahedron, 6> all{};
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        const unsigned first = 1U << orders[i][0];
+        const unsigned second = first | 1U << orders[i][1];
+        all[i].corner = {0, static_cast<std::uint8_t>(first), static_cast<std::uint8_t>(second), 7};
+        all[i].corners = static_cast<std::uint8_t>(1U | 1U << first | 1U << second | 1U << 7U);
+        all[i].even = i < 3;
+    }
+    return all;
+}();
+
+// Where the surface meets a tetrahedron: a polygon with a corner on each of these edges, counter-clockwise as seen from
+// the positive corners if the tetrahedron is even, else clockwise.
+struct Section {
+    std::uint8_t size = 0;                             // 0, 3 or 4
+    std::array<std::array<std::uint8_t, 2>, 4> edge{}; // between corners of the tetrahedron, the lower one first
+};
+
+// The section for each set of negative corners.
+constexpr std::array<Section, 16> sections = [] {
+    const auto edge = [](unsigned a, unsigned b) {
+        return std::array<std::uint8_t, 2>{static_cast<std::uint8_t>(std::min(a, b)),
+                                           static_cast<std::uint8_t>(std::max(a, b))};
+    };
+    std::array<Section, 16> all{};
+    for (unsigned set = 1; set < 15; ++set) {
+        const unsigned other = ~set & 15U;
+        if (std::popcount(set) != 2) {
+            // A triangle around the corner i that is alone: (i, i ^ 1, i ^ 2, i ^ 3) is an even order of the four.
+            const bool negative = std::popcount(set) == 1;
+            const auto i = static_cast<unsigned>(std::countr_zero(negative ? set : other));
+            const unsigned second = negative ? 1 : 2;
+            all[set] = {3, {edge(i, i ^ 3U), edge(i, i ^ second), edge(i, i ^ (3U - second))}};
+            continue;
+        }
+        // A quadrilateral between the corners 0 and j and the other two; (0, j, k, l) is an even order.
+        const bool negative = (set & 1U) != 0;
+        const auto j = static_cast<unsigned>(std::countr_zero((negative ? set : other) & 14U));
+        const unsigned k = j == 1 ? 2 : (j == 2 ? 3 : 1);
+        const unsigned l = 6 - j - k;
+        all[set] = {4,
+                    {edge(negative ? 0 : j, k), edge(negative ? 0 : j, l), edge(negative ? j : 0, l),
+                     edge(negative ? j : 0, k)}};
+    }
+    return all;
+}();
+
+// ---- Cells
+
+struct CrossedCell {
+    std::uint64_t code; // geometry/morton.h
+    std::array<std::int32_t, 8> corner;
+};
+
+struct CrossedCells {
+    CrossedCells(base::Memory& memory, const Lattice& cut) noexcept
+        : lattice(cut), cell(memory), place(memory), position(memory), value(memory) {}
+
+    Lattice lattice;
+    base::Array<CrossedCell> cell;    // along a space-filling curve
+    base::Array<std::uint64_t> place; // packed, of the corners
+    geometry::VecArray position;      // of the corners
+    base::Array<double> value;        // f there
+    std::int64_t triangles = 0;
+
+    [[nodiscard]] unsigned negative_corners(const CrossedCell& of) const noexcept {
+        unsigned set = 0;
+        for (unsigned k = 0; k < 8; ++k) set |= (value[of.corner[k]] < 0.0 ? 1U : 0U) << k;
+        return set;
+    }
+    // Calls visit(tetrahedron, section) for those tetrahedra that the surface passes through and f is a number in.
+    template <class Visit>
+    void sections_of(const CrossedCell& of, Visit&& visit) const {
+        const unsigned negative = negative_corners(of);
+        unsigned known = 0;
+        for (unsigned k = 0; k < 8; ++k) known |= (std::isfinite(value[of.corner[k]]) ? 1U : 0U) << k;
+        for (const Tetrahedron& tetrahedron : tetrahedra) {
+            unsigned set = 0;
+            for (unsigned i = 0; i < 4; ++i) set |= (negative >> tetrahedron.corner[i] & 1U) << i;
+            if (sections[set].size > 0 && (tetrahedron.corners & ~known) == 0) visit(tetrahedron, sections[set]);
+        }
+    }
+};
+
+// Numbers corners in the order in which they are asked for.
+class CornerMap {
+public:
+    explicit CornerMap(base::Memory& memory) noexcept : table_(memory) {}
+
+    // A new corner gets the number of corners before it.
+    std::int32_t number_of(std::uint64_t packed, const base::Progress& progress) {
+        if (2 * (count_ + 1) > table_.size()) grow(progress);
+        Entry& entry = place(table_, packed + 1);
+        if (entry.name == 0) entry = {packed + 1, static_cast<std::int32_t>(count_++)};
+        return entry.number;
+    }
+
+private:
+    struct Entry {
+        std::uint64_t name; // the packed corner plus 1; 0: a free place
+        std::int32_t number;
+    };
+
+    [[nodiscard]] static Entry& place(base::Array<Entry>& table, std::uint64_t name) noexcept {
+        const auto mask = static_cast<std::uint64_t>(table.size() - 1);
+        for (std::uint64_t at = geometry::mixed_bits(name) & mask;; at = (at + 1) & mask) {
+            Entry& entry = table[static_cast<std::int64_t>(at)];
+            if (entry.name == name || entry.name == 0) return entry;
+        }
+    }
+    void grow(const base::Progress& progress) {
+        base::Array<Entry> larger(table_.memory());
+        base::resize_long(larger, std::max<std::int64_t>(1024, 2 * table_.size()), progress);
+        for (std::int64_t i = 0; i < table_.size(); ++i) {
+            if (i % cells_a_look == 0) progress.check();
+            if (table_[i].name != 0) place(larger, table_[i].name) = table_[i];
+        }
+        table_ = std::move(larger);
+    }
+
+    base::Array<Entry> table_; // open addressing, a power of two, at most half full
+    std::int64_t count_ = 0;
+};
+
+// Seeds brought onto the surface, without those that do not come there or have to go far.
 surface::Projection seeds_on_surface(const base::Runtime& runtime, const implicit::Implicit& implicit,
                                      const geometry::VecArray& seeds, const MeshSettings& settings,
                                      const base::Progress& progress) {
     surface::Projection on(runtime.memory);
-    for (std::int64_t i = 0; i < seeds.size(); ++i)
-        if (settings.region.contains(seeds[i])) on.position.push_back(seeds[i]);
     geometry::VecArray before(runtime.memory);
-    for (std::int64_t i = 0; i < on.position.size(); ++i) before.push_back(on.position[i]);
+    for (std::int64_t i = 0; i < seeds.size(); ++i) {
+        if (!settings.region.contains(seeds[i])) continue;
+        on.position.push_back(seeds[i]);
+        before.push_back(seeds[i]);
+    }
     surface::ProjectionSettings steps;
-    steps.evaluation_limit = 12;
-    steps.tolerance = std::max(settings.tolerance, seed_tolerance * settings.side / implicit.diagonal());
+    steps.evaluation_limit = curve_tuning.seed_evaluations;
+    steps.tolerance = std::max(settings.tolerance, curve_tuning.seed_tolerance * settings.side / implicit.diagonal());
     surface::project(runtime, implicit, steps, on, progress);
     std::int64_t kept = 0;
     for (std::int64_t i = 0; i < before.size(); ++i) {
@@ -123,15 +247,347 @@ surface::Projection seeds_on_surface(const base::Runtime& runtime, const implici
     return on;
 }
 
-// Sums count(i) for i in [0, total).
-template <class Count>
-std::int64_t count_all(const base::Runtime& runtime, std::int64_t total, const base::Progress& progress,
-                       Count&& count) {
-    std::atomic<std::int64_t> sum{0};
-    runtime.parallel.for_chunks(total, 1024, [&](std::int64_t begin, std::int64_t end) {
+// The flood goes in waves: the cells of a wave get their corners, new corners their values, and over each face that the
+// surface passes through it goes on. Cells that are surely beyond the end of the surface are left out.
+CrossedCells find_crossed_cells(const base::Runtime& runtime, const implicit::Implicit& implicit,
+                                const geometry::VecArray& seeds, const Lattice& lattice, const MeshSettings& settings,
+                                const base::Progress& progress) {
+    // The corners of a cell's faces, and the ways over them.
+    struct Face {
+        unsigned corners;
+        Cell way;
+    };
+    static constexpr std::array<Face, 6> faces{{{0x55, {-1, 0, 0}},
+                                                {0xAA, {1, 0, 0}},
+                                                {0x33, {0, -1, 0}},
+                                                {0xCC, {0, 1, 0}},
+                                                {0x0F, {0, 0, -1}},
+                                                {0xF0, {0, 0, 1}}}};
+    const auto sum = [](const Cell& a, const Cell& b) { return Cell{a[0] + b[0], a[1] + b[1], a[2] + b[2]}; };
+    const std::int64_t limit = std::min(settings.triangle_limit, most_surface_triangles);
+
+    CrossedCells cells(runtime.memory, lattice);
+    geometry::CellSet known(runtime.memory);
+    base::Array<std::uint64_t> front(runtime.memory), next(runtime.memory); // packed cells of this wave and the next
+    const auto go_to = [&](const Cell& cell) {
+        if (!lattice.inside(cell)) return;
+        const std::uint64_t packed = geometry::CellGrid::pack(cell);
+        if (!known.insert(packed)) return;
+        const glm::dvec3 middle = 0.5 * (lattice.corner(cell) + lattice.corner(sum(cell, {1, 1, 1})));
+        if (settings.extent == nullptr ||
+            !settings.extent->is_nowhere_near(middle, curve_tuning.beyond_end * lattice.longest()))
+            next.push_back(packed);
+    };
+    for (std::int64_t i = 0; i < seeds.size(); ++i)
+        if (lattice.region.contains(seeds[i])) go_to(lattice.cell_of(seeds[i]));
+
+    CornerMap corners(runtime.memory);
+    base::Array<CrossedCell> wave(runtime.memory);
+    geometry::VecArray fresh(runtime.memory); // corners that no wave before had
+    base::Array<double> value(runtime.memory);
+    for (bool seeded = true; !next.empty(); seeded = false) {
         progress.check();
+        std::swap(front, next);
+        next.clear();
+        wave.resize_for_overwrite(front.size());
+        fresh.clear();
+        for (std::int64_t i = 0; i < front.size(); ++i) {
+            if (i % cells_a_look == 0) progress.check();
+            const Cell cell = geometry::CellGrid::unpack(front[i]);
+            wave[i].code = geometry::morton_code(cell);
+            for (unsigned k = 0; k < 8; ++k) {
+                const Cell corner = sum(cell, {k & 1U, k >> 1U & 1U, k >> 2U});
+                const std::uint64_t packed = geometry::CellGrid::pack(corner);
+                wave[i].corner[k] = corners.number_of(packed, progress);
+                if (wave[i].corner[k] != cells.place.size()) continue;
+                base::push_back_long(cells.place, packed, progress);
+                geometry::push_back_long(fresh, lattice.corner(corner), progress);
+            }
+        }
+        value.resize_for_overwrite(fresh.size());
+        implicit::evaluate_all(runtime, implicit, fresh, {value.data(), {}, {}}, progress.standing());
+        for (std::int64_t i = 0; i < fresh.size(); ++i) {
+            if (i % cells_a_look == 0) progress.check();
+            geometry::push_back_long(cells.position, fresh[i], progress);
+            base::push_back_long(cells.value, value[i], progress);
+        }
+        HRBFNPR_ASSERT(cells.value.size() == cells.place.size());
+        for (std::int64_t i = 0; i < front.size(); ++i) {
+            if (i % cells_a_look == 0) progress.check();
+            const Cell place = geometry::CellGrid::unpack(front[i]);
+            const unsigned negative = cells.negative_corners(wave[i]);
+            std::int64_t triangles = 0;
+            cells.sections_of(wave[i], [&](const Tetrahedron&, const Section& s) { triangles += s.size - 2; });
+            if (triangles > 0) base::push_back_long(cells.cell, wave[i], progress);
+            cells.triangles += triangles;
+            for (const Face& face : faces)
+                if ((negative & face.corners) != 0 && (~negative & face.corners) != 0) go_to(sum(place, face.way));
+            // A seed may be nearer to the surface than the corners of its own cell can tell: then the flood begins in
+            // the cells around.
+            if (seeded && triangles == 0)
+                for (int step = 0; step < geometry::neighbour_count; ++step) go_to(geometry::neighbour(place, step));
+        }
+        if (cells.triangles > limit)
+            fail(Status::invalid_argument,
+                 "the mesh would have more than %lld triangles: give its cells a larger side than %g",
+                 static_cast<long long>(limit), lattice.longest());
+    }
+    base::sort_long(
+        cells.cell.begin(), cells.cell.end(),
+        [](const CrossedCell& a, const CrossedCell& b) { return a.code < b.code; }, progress);
+    return cells;
+}
+
+// A surface that passes a corner very near cuts all edges there in the same point, and the triangles degenerate.
+// Corners that are very near move away from it, along the region's faces where they are on these. Signs stay, and so
+// does the way in which triangles are connected.
+void clear_corners(const base::Runtime& runtime, const implicit::Implicit& implicit, CrossedCells& cells,
+                   const base::Progress& progress) {
+    const double clearance = curve_tuning.corner_clearance;
+    const Lattice& lattice = cells.lattice;
+    const double distance = clearance * std::min({lattice.side.x, lattice.side.y, lattice.side.z});
+    base::Array<std::uint8_t> near(runtime.memory, cells.value.size());
+    for (std::int64_t i = 0; i < cells.cell.size(); ++i) {
+        if (i % cells_a_look == 0) progress.check();
+        const CrossedCell& cell = cells.cell[i];
+        cells.sections_of(cell, [&](const Tetrahedron& tetrahedron, const Section& section) {
+            for (std::size_t k = 0; k < section.size; ++k) {
+                const std::int32_t a = cell.corner[tetrahedron.corner[section.edge[k][0]]];
+                const std::int32_t b = cell.corner[tetrahedron.corner[section.edge[k][1]]];
+                const double at = cells.value[a] / (cells.value[a] - cells.value[b]);
+                if (at < clearance) near[a] = 1;
+                if (at > 1.0 - clearance) near[b] = 1;
+            }
+        });
+    }
+    base::Array<std::int32_t> which(runtime.memory);
+    geometry::VecArray place(runtime.memory), gradient(runtime.memory);
+    for (std::int64_t i = 0; i < near.size(); ++i) {
+        if (i % cells_a_look == 0) progress.check();
+        if (near[i] == 0) continue;
+        which.push_back(static_cast<std::int32_t>(i));
+        push_back_long(place, cells.position[i], progress);
+    }
+    resize_long(gradient, place.size(), progress);
+    implicit::evaluate_all(runtime, implicit, place,
+                           {nullptr, {gradient.x.data(), gradient.y.data(), gradient.z.data()}, {}}, progress);
+    for (std::int64_t i = 0; i < which.size(); ++i) {
+        if (i % cells_a_look == 0) progress.check();
+        const double slope = glm::length(gradient[i]);
+        const double value = cells.value[which[i]];
+        const double missing = distance - std::abs(value) / slope;
+        if (!surface::is_slope(slope) || !(missing > 0.0)) continue;
+        glm::dvec3 way = gradient[i] * ((value < 0.0 ? -missing : missing) / slope);
+        const Cell at = geometry::CellGrid::unpack(cells.place[which[i]]);
+        for (int axis = 0; axis < 3; ++axis) {
+            const auto k = static_cast<std::size_t>(axis);
+            if (at[k] == 0 || at[k] == lattice.cells[k]) way[axis] = 0.0;
+        }
+        place.set(i, place[i] + way);
+    }
+    base::Array<double> value(runtime.memory, which.size());
+    implicit::evaluate_all(runtime, implicit, place, {value.data(), {}, {}}, progress);
+    for (std::int64_t i = 0; i < which.size(); ++i) {
+        double& known = cells.value[which[i]];
+        if (!std::isfinite(value[i]) || (value[i] < 0.0) != (known < 0.0)) continue;
+        cells.position.set(which[i], place[i]);
+        known = value[i];
+    }
+}
+
+// ---- Vertices
+
+// Two corners at which f has different signs.
+struct CrossedEdge {
+    std::int32_t from, to;
+};
+
+// An edge is known by its lower corner and by its way from there, of which there are 7.
+std::int64_t edge_number(const CrossedCell& cell, const Tetrahedron& tetrahedron,
+                         const std::array<std::uint8_t, 2>& between) noexcept {
+    const std::uint8_t from = tetrahedron.corner[between[0]];
+    const int way = from ^ tetrahedron.corner[between[1]];
+    HRBFNPR_ASSERT(way > 0);
+    return std::int64_t{7} * cell.corner[from] + way - 1;
+}
+
+// Lists the edges that the surface crosses, each once. Returns 1 + the place in the list for each edge number.
+base::Array<std::int32_t> number_edges(const CrossedCells& cells, base::Array<CrossedEdge>& edges,
+                                       const base::Progress& progress) {
+    base::Array<std::int32_t> numbers(edges.memory());
+    base::resize_long(numbers, std::int64_t{7} * cells.value.size(), progress);
+    for (std::int64_t i = 0; i < cells.cell.size(); ++i) {
+        if (i % cells_a_look == 0) progress.check();
+        const CrossedCell& cell = cells.cell[i];
+        cells.sections_of(cell, [&](const Tetrahedron& tetrahedron, const Section& section) {
+            for (std::size_t k = 0; k < section.size; ++k) {
+                std::int32_t& number = numbers[edge_number(cell, tetrahedron, section.edge[k])];
+                if (number != 0) continue;
+                edges.push_back({cell.corner[tetrahedron.corner[section.edge[k][0]]],
+                                 cell.corner[tetrahedron.corner[section.edge[k][1]]]});
+                number = static_cast<std::int32_t>(edges.size());
+            }
+        });
+    }
+    return numbers;
+}
+
+// An edge in its own coordinate, from 0 to 1, and the bracket of its root.
+struct RootSearch {
+    glm::dvec3 from{0.0}, along{0.0};
+    double low = 0.0, high = 1.0;
+    double low_value = 0.0, high_value = 0.0;
+    double at = 0.0;
+    std::int64_t index = 0;
+    int evaluations = 0;
+};
+
+// The root of the cubic that has the bracket's values and, at the last place, f and its slope: by Newton from there.
+double root_of_cubic(const RootSearch& search, double value, double slope) noexcept {
+    const double x = search.low - search.at;
+    const double y = search.high - search.at;
+    const double at_x = (search.low_value - value - slope * x) / (x * x);
+    const double at_y = (search.high_value - value - slope * y) / (y * y);
+    const double third = (at_y - at_x) / (y - x);
+    const double second = at_x - third * x;
+    double t = -value / slope;
+    for (int step = 0; step < 3; ++step) {
+        const double p = value + t * (slope + t * (second + t * third));
+        const double dp = slope + t * (2.0 * second + t * 3.0 * third);
+        t -= p / dp;
+    }
+    return search.at + t;
+}
+
+// Searches that go on side by side, and the values at their places.
+struct RootLanes {
+    static constexpr auto size = static_cast<std::size_t>(implicit::batch_size);
+    RootLanes() noexcept {} // NOLINT(modernize-use-equals-default): the columns stay as they are
+
+    std::array<RootSearch, size> search;
+    std::array<double, size> x, y, z, f, gx, gy, gz;
+};
+
+// Puts the roots of the edges order[begin], ..., order[end - 1] (or of begin, ..., end - 1 where there is no order)
+// into mesh. Returns the number of edges whose root was not found; their vertex is where the search ended.
+std::int64_t find_some_vertices(const implicit::Implicit& implicit, const CrossedCells& cells,
+                                const base::Array<CrossedEdge>& edges, const std::int32_t* order, std::int64_t begin,
+                                std::int64_t end, double tolerance, RootLanes& lanes, SurfaceMesh& mesh,
+                                const base::Progress& progress) {
+    HRBFNPR_ASSERT(0 <= begin && begin <= end && end <= edges.size() && end - begin <= implicit::batch_size);
+    auto count = static_cast<std::size_t>(end - begin);
+    for (std::size_t i = 0; i < count; ++i) {
+        const std::int64_t at = begin + static_cast<std::int64_t>(i);
+        const std::int64_t index = order != nullptr ? order[at] : at;
+        const CrossedEdge edge = edges[index];
+        const glm::dvec3 from = cells.position[edge.from];
+        const double low = cells.value[edge.from];
+        const double high = cells.value[edge.to];
+        const double share = low / (low - high);
+        lanes.search[i] = {from, cells.position[edge.to] - from,           0.0,   1.0, low,
+                           high, share > 0.0 && share < 1.0 ? share : 0.5, index, 0};
+    }
+    std::int64_t unresolved = 0;
+    // Whether the search goes on after f was evaluated at its place; else its vertex is set.
+    const auto goes_on = [&](RootSearch& search, double value, const glm::dvec3& gradient) {
+        const double slope = glm::length(gradient);
+        const bool usable = std::isfinite(value) && std::isfinite(slope);
+        const bool there = usable && surface::is_slope(slope) && std::abs(value) <= tolerance * slope;
+        if (there || !usable || ++search.evaluations == curve_tuning.most_steps) {
+            if (!there) ++unresolved;
+            mesh.position.set(search.index, search.from + search.at * search.along);
+            mesh.gradient.set(search.index, surface::is_slope(slope) ? gradient : glm::dvec3(0.0));
+            return false;
+        }
+        const double next = root_of_cubic(search, value, glm::dot(gradient, search.along));
+        const bool low_side = (value < 0.0) == (search.low_value < 0.0);
+        (low_side ? search.low : search.high) = search.at;
+        (low_side ? search.low_value : search.high_value) = value;
+        const bool halve = search.evaluations > curve_tuning.trusted_steps && search.evaluations % 2 == 0;
+        const bool within = next > search.low && next < search.high;
+        search.at = within && !halve ? next : 0.5 * (search.low + search.high);
+        return true;
+    };
+    while (count > 0) {
+        progress.check();
+        for (std::size_t i = 0; i < count; ++i) {
+            const glm::dvec3 p = lanes.search[i].from + lanes.search[i].at * lanes.search[i].along;
+            lanes.x[i] = p.x;
+            lanes.y[i] = p.y;
+            lanes.z[i] = p.z;
+        }
+        implicit.evaluate({lanes.x.data(), lanes.y.data(), lanes.z.data(), static_cast<std::int64_t>(count)},
+                          {lanes.f.data(), {lanes.gx.data(), lanes.gy.data(), lanes.gz.data()}, {}});
+        std::size_t kept = 0;
+        for (std::size_t i = 0; i < count; ++i)
+            if (goes_on(lanes.search[i], lanes.f[i], {lanes.gx[i], lanes.gy[i], lanes.gz[i]}))
+                lanes.search[kept++] = lanes.search[i];
+        count = kept;
+    }
+    return unresolved;
+}
+
+// Sets position, gradient and unresolved of the mesh: one vertex for each edge.
+void find_vertices(const base::Runtime& runtime, const implicit::Implicit& implicit, const CrossedCells& cells,
+                   const base::Array<CrossedEdge>& edges, double tolerance, SurfaceMesh& mesh,
+                   const base::Progress& progress) {
+    const std::int64_t count = edges.size();
+    resize_long(mesh.position, count, progress);
+    resize_long(mesh.gradient, count, progress);
+    for (std::int64_t i = 0; i < count; ++i) {
+        if (i % cells_a_look == 0) progress.check();
+        mesh.position.set(i, 0.5 * (cells.position[edges[i].from] + cells.position[edges[i].to]));
+    }
+    const base::Array<std::int32_t> order = implicit::order_by_cell(runtime, implicit, mesh.position, progress);
+    std::atomic<std::int64_t> unresolved{0}, done{0};
+    implicit.threads(runtime.parallel)
+        .for_chunks(count, implicit::batch_size, [&](std::int64_t begin, std::int64_t end) {
+            base::Boxed<RootLanes> lanes(runtime.memory);
+            unresolved +=
+                find_some_vertices(implicit, cells, edges, order.data(), begin, end, tolerance, *lanes, mesh, progress);
+            progress.update(static_cast<double>(done += end - begin) / static_cast<double>(count));
+        });
+    mesh.unresolved = unresolved;
+}
+
+// ---- Triangles
+
+// A quadrilateral is cut along its shorter diagonal.
+void add_triangles(const CrossedCells& cells, const base::Array<std::int32_t>& numbers, SurfaceMesh& mesh,
+                   const base::Progress& progress) {
+    mesh.corner.reserve(3 * cells.triangles);
+    for (std::int64_t i = 0; i < cells.cell.size(); ++i) {
+        if (i % cells_a_look == 0) progress.check();
+        const CrossedCell& cell = cells.cell[i];
+        cells.sections_of(cell, [&](const Tetrahedron& tetrahedron, const Section& section) {
+            std::array<std::int32_t, 4> v{};
+            for (std::size_t k = 0; k < section.size; ++k)
+                v[k] = numbers[edge_number(cell, tetrahedron, section.edge[k])] - 1;
+            const auto add = [&](std::int32_t a, std::int32_t b, std::int32_t c) {
+                mesh.corner.push_back(a);
+                mesh.corner.push_back(tetrahedron.even ? b : c);
+                mesh.corner.push_back(tetrahedron.even ? c : b);
+            };
+            const auto length = [&](std::int32_t a, std::int32_t b) {
+                return glm::distance(mesh.position[a], mesh.position[b]);
+            };
+            if (section.size == 3) return add(v[0], v[1], v[2]);
+            const std::size_t first = length(v[0], v[2]) <= length(v[1], v[3]) ? 0 : 1;
+            add(v[first], v[first + 1], v[first + 2]);
+            add(v[first], v[first + 2], v[(first + 3) % 4]);
+        });
+    }
+    HRBFNPR_ASSERT(mesh.triangles() == cells.triangles);
+}
+
+// The number of i in [0, total) that holds(i) is true for.
+template <class Holds>
+std::int64_t count_all(const base::Runtime& runtime, std::int64_t total, const base::Progress& progress,
+                       Holds&& holds) {
+    std::atomic<std::int64_t> sum{0};
+    runtime.parallel.for_chunks(total, 1024, progress, [&](std::int64_t begin, std::int64_t end) {
         std::int64_t here = 0;
-        for (std::int64_t i = begin; i < end; ++i) here += count(i) ? 1 : 0;
+        for (std::int64_t i = begin; i < end; ++i) here += holds(i) ? 1 : 0;
         sum += here;
     });
     return sum;
@@ -139,19 +595,17 @@ std::int64_t count_all(const base::Runtime& runtime, std::int64_t total, const b
 
 std::int64_t count_missed(const base::Runtime& runtime, const surface::Projection& seeds, const SurfaceMesh& mesh,
                           const base::Progress& progress) {
-    const TriangleTree tree(runtime, mesh, progress);
+    const double reach = curve_tuning.vertex_reach * mesh.side;
+    const geometry::PointGrid grid(mesh.position, reach, progress);
     return count_all(runtime, seeds.position.size(), progress, [&](std::int64_t i) {
-        return !tree.any_facing(seeds.position[i], seeds.gradient[i], seed_reach * mesh.side);
+        bool found = false;
+        grid.around(seeds.position[i], [&](std::int64_t at) {
+            const std::int64_t v = grid.index(at);
+            found = found || (glm::dot(mesh.gradient[v], seeds.gradient[i]) > 0.0 &&
+                              glm::distance(mesh.position[v], seeds.position[i]) <= reach);
+        });
+        return !found;
     });
-}
-
-Lattice lattice_of(const MeshSettings& settings) {
-    const Lattice lattice(settings.region, settings.side);
-    if (!lattice.valid())
-        fail(Status::invalid_argument,
-             "a region of %g x %g x %g cannot be cut into cells of side %g: give them a larger side (cell_size)",
-             settings.region.size().x, settings.region.size().y, settings.region.size().z, settings.side);
-    return lattice;
 }
 
 } // namespace
@@ -173,18 +627,16 @@ SurfaceMesh triangulate(const base::Runtime& runtime, const implicit::Implicit& 
     const Lattice lattice = lattice_of(settings);
     SurfaceMesh mesh(runtime.memory);
     mesh.region = settings.region;
-    mesh.side = std::max({lattice.side.x, lattice.side.y, lattice.side.z});
+    mesh.side = lattice.longest();
     const surface::Projection on = seeds_on_surface(runtime, implicit, seeds, settings, progress.part(0.0, 0.05));
-    MeshSettings within = settings;
-    within.triangle_limit = std::min(settings.triangle_limit, most_surface_triangles);
-    CrossedCells cells = find_crossed_cells(runtime, implicit, on.position, lattice, within, progress.part(0.05, 0.3));
+    CrossedCells cells =
+        find_crossed_cells(runtime, implicit, on.position, lattice, settings, progress.part(0.05, 0.3));
     clear_corners(runtime, implicit, cells, progress.part(0.3, 0.4));
-    CellEdges edges(cells);
-    edges.number_all(progress);
-    mesh.unresolved = find_edge_roots(runtime, implicit, {cells.position, cells.value, edges.edge},
-                                      settings.tolerance * implicit.diagonal(), mesh.position, mesh.gradient,
-                                      progress.part(0.4, 0.9));
-    add_triangles(cells, edges, mesh, progress);
+    base::Array<CrossedEdge> edges(runtime.memory);
+    const base::Array<std::int32_t> numbers = number_edges(cells, edges, progress);
+    find_vertices(runtime, implicit, cells, edges, settings.tolerance * implicit.diagonal(), mesh,
+                  progress.part(0.4, 0.9));
+    add_triangles(cells, numbers, mesh, progress);
     mesh.neighbour = find_neighbours(runtime, mesh.corner, mesh.vertices(), progress);
     mesh.missed_seeds = count_missed(runtime, on, mesh, progress);
     mesh.turned = count_all(runtime, mesh.triangles(), progress, [&](std::int64_t t) { return is_turned(mesh, t); });

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
 // A triangulation of f = 0: where curves on the surface are looked for, and what rays are counted against.
-// By marching tetrahedra over the cells that a flood from seeds reaches.  [Doi & Koide 1991]  Vertices stand on edges
-// of the tetrahedra, so that triangles meet nowhere but in their edges and corners.
 #pragma once
 
+#include "base/assert.h"
 #include "base/memory.h"
 #include "base/operation.h"
 #include "base/runtime.h"
 #include "geometry/vec_array.h"
 #include "implicit/implicit.h"
 
+#include <array>
 #include <cstdint>
 
 namespace hrbfnpr::curves {
@@ -17,29 +17,29 @@ namespace hrbfnpr::curves {
 class SurfaceEnd;
 
 struct MeshSettings {
-    geometry::Bounds region; // beyond it there is no surface: the mesh ends there, and f is not asked for but at seeds
-    double side = 0.0;       // of a cell at most, > 0: what is thinner or smaller may be missed
+    geometry::Bounds region; // the mesh ends where this ends, and beyond it f is evaluated at seeds only
+    double side = 0.0;       // of a cell at most, > 0: parts that are thinner or smaller may be missed
     std::int64_t triangle_limit = 4'000'000;
-    // Where this says that the surface is nowhere near the mesh need not go on: at least some cells beyond its end.
+    // The mesh need not go on where this says that the surface is nowhere near; it goes on for some cells at least.
     const implicit::Extent* extent = nullptr;
     double tolerance = 1e-9; // of vertices, in diagonals
 };
 
-// Oriented, and closed but where the region ends.
+// It is oriented, and closed but where the region ends.
 struct SurfaceMesh {
     explicit SurfaceMesh(base::Memory& memory) noexcept
         : position(memory), gradient(memory), corner(memory), neighbour(memory) {}
 
-    geometry::VecArray position;      // of the vertices, on the surface to the tolerance; else `unresolved` counts them
-    geometry::VecArray gradient;      // of f there
-    base::Array<std::int32_t> corner; // 3 of each triangle, counter-clockwise as seen from where f > 0
+    geometry::VecArray position;         // of the vertices, which are on the surface but for `unresolved` of them
+    geometry::VecArray gradient;         // of f there
+    base::Array<std::int32_t> corner;    // 3 of each triangle, counter-clockwise as seen from where f > 0
     base::Array<std::int32_t> neighbour; // 3 of each triangle: the one across the edge from corner k to k + 1; -1: none
     geometry::Bounds region;
     const SurfaceEnd* end = nullptr; // where the surface ends within the region, if it does
-    double side = 0.0;               // of the cells: the longest
+    double side = 0.0;               // the longest side of the cells
     std::int64_t unresolved = 0;     // vertices that the search did not bring onto the surface, or whose gradient is 0
-    // Seeds on the surface, or less than a side from it, with no triangle that faces their way within 1.5 sides: a part
-    // of the surface there is too thin or too small for the cells.
+    // Seeds on the surface, or less than a side from it, with no vertex near whose gradient points their way: a part of
+    // the surface there is too thin or too small for the cells.
     std::int64_t missed_seeds = 0;
     // Triangles that look away from the gradient at one of their corners: the surface is finer than the cells there, as
     // where a wall is thinner than a cell's diagonal.
@@ -50,7 +50,13 @@ struct SurfaceMesh {
     [[nodiscard]] std::int64_t bytes() const noexcept;
 };
 
-// Whether it looks away from the gradient at one of its corners.
+[[nodiscard]] inline std::array<glm::dvec3, 3> corners_of(const SurfaceMesh& mesh, std::int64_t triangle) noexcept {
+    HRBFNPR_ASSERT(triangle >= 0 && triangle < mesh.triangles());
+    const std::int32_t* const corner = mesh.corner.data() + 3 * triangle;
+    return {mesh.position[corner[0]], mesh.position[corner[1]], mesh.position[corner[2]]};
+}
+
+// Whether the triangle looks away from the gradient at one of its corners.
 [[nodiscard]] bool is_turned(const SurfaceMesh& mesh, std::int64_t triangle) noexcept;
 
 // Seeds are points on or near the surface; parts of it that no seed belongs to are not reached.
@@ -60,7 +66,7 @@ struct SurfaceMesh {
                                       const geometry::VecArray& seeds, const MeshSettings& settings,
                                       const base::Progress& progress);
 
-// With cells twice as wide, and again, where there would be too many triangles; settings.side: what it came to.
+// The same with cells twice as wide, and again, while there would be too many triangles. It changes settings.side.
 [[nodiscard]] SurfaceMesh triangulate_of_any_size(const base::Runtime& runtime, const implicit::Implicit& implicit,
                                                   const geometry::VecArray& seeds, MeshSettings& settings,
                                                   const base::Progress& progress);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "visibility/invisibility.h"
 
-#include "curves/finer_curves.h"
+#include "curves/curve_changes.h"
 #include "visibility/probes.h"
 #include "visibility/small_swallowtails.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Contours of a torus and their cusps, against those that follow from its angles.
-#include "curves/cusps.h"
+#include "curves/curve_changes.h"
 
 #include "support/contour_shapes.h"
 #include "traced.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Curves made finer: exact points where that is asked for, all else as it was; and meshes that join what the surface
 // does not.
-#include "curves/finer_curves.h"
+#include "curves/curve_changes.h"
 
 #include "traced.h"
 
@@ -43,7 +43,8 @@ protected:
         geometry::VecArray before(runtime().memory);
         for (const CurvePoint& p : middle) before.push_back(p.position);
         std::int64_t evaluations = 0;
-        bring_close(runtime(), found.level, 2, middle, evaluations, {});
+        const base::Array<double> none(runtime().memory, middle.size());
+        bring_closer(runtime(), found.level, none, middle, evaluations, {});
         double most = 0.0;
         for (std::int64_t i = 0; i < middle.size(); ++i)
             most = std::max(most, glm::distance(seen(before[i]), seen(middle[i].position)));

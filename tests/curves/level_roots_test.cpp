@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Zeros of g between two places of a surface, also where f hardly rises between them.
-#include "curves/level_roots.h"
+#include "curves/curves.h"
 
 #include "traced.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Contours smaller than a cell of the mesh: of a bump in a plane, seen just so steeply that its far side is hidden.
-#include "curves/small_loops.h"
+#include "curves/trace.h"
 
 #include "traced.h"
 

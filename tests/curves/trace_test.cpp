@@ -51,7 +51,7 @@ TEST(Trace, GoesOnFromTheViewBefore) {
         Curves anew = trace(runtime(), level, meshed.mesh, {}, cold, {});
         ASSERT_EQ(anew.count(), 2);
         if (frame > 0) {
-            const Curves near = level.moved(runtime().memory, last, meshed.mesh.side);
+            const Curves near = moved_contours(runtime().memory, level.view(), last, meshed.mesh.side);
             EXPECT_EQ(near.point.size(), last.point.size());
             TraceReport warm;
             const Curves found = trace(runtime(), level, meshed.mesh, {}, warm, {}, &near);

@@ -2,8 +2,8 @@
 // Contours of a surface as tests look at them, and what holds for all of them.
 #pragma once
 
-#include "curves/contour_level.h"
-#include "curves/cusps.h"
+#include "curves/curve_changes.h"
+#include "curves/level.h"
 #include "curves/trace.h"
 #include "shapes.h"
 #include "support/runtime.h"

@@ -3,9 +3,9 @@
 #pragma once
 
 #include "base/random.h"
-#include "curves/contour_level.h"
-#include "curves/cusps.h"
+#include "curves/curve_changes.h"
 #include "curves/dense_count.h"
+#include "curves/level.h"
 #include "curves/trace.h"
 #include "support/runtime.h"
 #include "support/views.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "frame/lines/last_contours.h"
 
-#include "curves/cusps.h"
+#include "curves/curve_changes.h"
 #include "curves/trace.h"
 
 #include <algorithm>
@@ -29,7 +29,7 @@ void trace(const base::Runtime& runtime, const curves::SurfaceMesh& mesh, const 
 // From the last ones if all of them go on.
 void trace_on(const base::Runtime& runtime, const curves::SurfaceMesh& mesh, const curves::ContourLevel& level,
               const curves::Curves& last, const base::Progress& progress, Contours& contours) {
-    const curves::Curves moved = level.moved(runtime.memory, last, farthest * mesh.side);
+    const curves::Curves moved = curves::moved_contours(runtime.memory, level.view(), last, farthest * mesh.side);
     const bool little = !moved.point.empty() && static_cast<double>(moved.point.size()) >=
                                                     (1.0 - most_left_out) * static_cast<double>(last.point.size());
     if (little) trace(runtime, mesh, level, &moved, progress, contours);

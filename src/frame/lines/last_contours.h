@@ -3,7 +3,7 @@
 #pragma once
 
 #include "base/list.h"
-#include "curves/contour_level.h"
+#include "curves/level.h"
 #include "curves/line_set.h"
 
 #include <cstdint>

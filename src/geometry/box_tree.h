@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+// A tree of boxes over items in their own order, in which neighbours in number should be near each other in space.
+#pragma once
+
+#include "base/assert.h"
+#include "base/long_array.h"
+#include "base/runtime.h"
+#include "geometry/vec.h"
+
+#include <algorithm>
+#include <array>
+
+namespace hrbfnpr::geometry {
+
+class BoxTree {
+public:
+    // bounds(i) is the box of item i; it is asked for on all threads.
+    template <class BoundsOf>
+    BoxTree(const base::Runtime& runtime, std::int64_t items, BoundsOf&& bounds, const base::Progress& progress);
+
+    // Calls visit(item) for all items in boxes for which meets(box) is true, and for some beside them.
+    template <class Meets, class Visit>
+    void visit(Meets&& meets, Visit&& visit) const;
+
+    [[nodiscard]] std::int64_t bytes() const noexcept { return box_.bytes(); }
+
+private:
+    static constexpr std::int64_t leaf_size = 4;
+
+    std::int64_t items_;
+    std::int64_t leaves_ = 1; // a power of two
+    base::Array<Bounds> box_; // of the nodes in heap order: 1 is the root, 2 i and 2 i + 1 are below i
+};
+
+template <class BoundsOf>
+BoxTree::BoxTree(const base::Runtime& runtime, std::int64_t items, BoundsOf&& bounds, const base::Progress& progress)
+    : items_(items), box_(runtime.memory) {
+    HRBFNPR_ASSERT(items >= 0);
+    while (leaves_ * leaf_size < items) leaves_ *= 2;
+    base::fill_long(box_, 2 * leaves_, Bounds{}, progress);
+    const std::int64_t used = (items + leaf_size - 1) / leaf_size;
+    runtime.parallel.for_chunks(used, 1024, progress, [&](std::int64_t begin, std::int64_t end) {
+        for (std::int64_t i = begin * leaf_size; i < std::min(end * leaf_size, items); ++i) {
+            const Bounds own = bounds(i);
+            box_[leaves_ + i / leaf_size].extend(own.min);
+            box_[leaves_ + i / leaf_size].extend(own.max);
+        }
+    });
+    for (std::int64_t node = leaves_ - 1; node > 0; --node) {
+        if (node % 16384 == 0) progress.check();
+        box_[node] = {glm::min(box_[2 * node].min, box_[2 * node + 1].min),
+                      glm::max(box_[2 * node].max, box_[2 * node + 1].max)};
+    }
+}
+
+template <class Meets, class Visit>
+void BoxTree::visit(Meets&& meets, Visit&& visit) const {
+    std::array<std::int64_t, 64> stack{1}; // every level has one node more
+    std::size_t depth = 1;
+    while (depth > 0) {
+        const std::int64_t node = stack[--depth];
+        if (box_[node].empty() || !meets(box_[node])) continue;
+        if (node < leaves_) {
+            HRBFNPR_ASSERT(depth + 2 <= stack.size());
+            stack[depth++] = 2 * node + 1;
+            stack[depth++] = 2 * node;
+            continue;
+        }
+        const std::int64_t begin = (node - leaves_) * leaf_size;
+        for (std::int64_t i = begin; i < std::min(begin + leaf_size, items_); ++i) visit(i);
+    }
+}
+
+} // namespace hrbfnpr::geometry
