@@ -206,7 +206,7 @@ void Generation::hatch(Growing& layer) {
     if (!ground_ || !settings.is_on_ground_of(ground_->settings()))
         ground_.emplace(
             site_,
-            stipples::cover_surface(site_, seeds_, samples_.spacing, hatching::most_samples, progress.part(0.0, 0.1)),
+            stipples::cover_surface(site_, seeds_, samples_.spacing, hatching::hatching_tuning.most_samples, progress.part(0.0, 0.1)),
             settings, progress.part(0.1, 0.6));
     ground_->lay_lines(site_, settings, layer.marks, report_of(layer), progress.part(0.6, 1.0));
     area_ = std::max(area_, ground_->area());
