@@ -1,19 +1,25 @@
 // SPDX-License-Identifier: MIT
-// Hatching: lines all over a surface along one smooth field, evenly spaced, coarse ones before those between them.
+// Hatching laid out on a surface: lines all over it along one smooth field, evenly spaced, in nested levels of which
+// each has the lines between those of the ones before. In this order:
+//   field.h       even samples -> a graph of neighbours -> a smooth field of lines
+//   waves.h       the field -> waves on the samples, of the longest period and of halves of it -> waves on a mesh
+//   lines.h       the crests of the finest wave -> lines -> joined ends -> even distances
+//   line_marks.h  lines -> marks on the surface, which belong to levels
 #pragma once
 
-#include "curves/surface_mesh.h"
-#include "hatching/line_field.h"
-#include "marks/direction_function.h"
+#include "hatching/field.h"
+#include "hatching/tuning.h"
 #include "marks/marks.h"
 #include "stipples/surface_cells.h"
 
+#include "curves/surface_mesh.h"
+
 namespace hrbfnpr::hatching {
 
-// Lengths in object units.
+// Lengths are in object units.
 struct Settings {
     std::int64_t layer = 0;  // for messages
-    std::int64_t budget = 0; // marks, about, where there is no separation
+    std::int64_t budget = 0; // the number of marks, about, where there is no separation
     double separation = 0.0; // of all lines together; 0: by the budget
     double step = 0.0;       // between the marks of a line; 0: a part of the separation
     double angle = 0.0;      // by which lines are turned in the tangent plane, counter-clockwise from outside; radians
@@ -29,8 +35,6 @@ class Ground {
 public:
     Ground(const marks::Site& site, const stipples::SurfaceCells& cells, const Settings& settings,
            const base::Progress& progress);
-    Ground(const Ground&) = delete; // the graph is referred to
-    Ground& operator=(const Ground&) = delete;
 
     [[nodiscard]] const Settings& settings() const noexcept { return settings_; }
     [[nodiscard]] double area() const noexcept { return area_; } // of the surface
@@ -39,22 +43,15 @@ public:
                    const base::Progress& progress) const;
 
 private:
-    struct Spread;
-    void end_at_creases(const marks::Site& site, const base::Progress& progress);
-    Ground(const marks::Site& site, const stipples::SurfaceCells& cells, const Settings& settings, Spread spread,
-           const base::Progress& progress);
-
     Settings settings_;
     geometry::Bounds region_;
-    double area_;
+    double area_ = 0.0;
     SampleGraph graph_;
     base::Array<double> angle_; // of the field at each sample
     curves::SurfaceMesh mesh_;
-    base::Array<std::int32_t> sheet_; // of its vertices, where it ends at creases; else empty
+    base::Array<std::int32_t> sheet_; // of the mesh's vertices, where it ends at creases; else empty
 };
 
-// So many samples a ground is made of.
-inline constexpr std::int64_t most_samples = 32768;
 [[nodiscard]] std::int64_t samples_for(const Settings& settings, double area) noexcept;
 
 } // namespace hrbfnpr::hatching

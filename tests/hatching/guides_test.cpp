@@ -105,20 +105,8 @@ TEST(Guides, AreBlendedWithCurvature) {
 
 // A face that is flat but for the tolerance of its fit has lines by the axis, which are straight.
 TEST(Guides, CurvatureSaysNothingOfWhatIsNearlyFlat) {
-    const base::Runtime runtime;
-    geometry::VecArray place(runtime.memory), normal(runtime.memory);
-    for (int i = 0; i < 36; ++i) {
-        place.push_back({i % 6, i / 6, 0.0});
-        normal.push_back({0.0, 0.0, 1.0});
-    }
-    const SampleGraph graph(runtime, std::move(place), std::move(normal), base::Array<std::int32_t>(runtime.memory),
-                            1.0, {});
-    FieldSettings settings;
-    settings.diagonal = 10.0;
-    const auto sure = [&](double curvature) {
-        base::Array<Bend> bend(runtime.memory, graph.size());
-        std::fill(bend.begin(), bend.end(), Bend{0.5 * curvature, Complex(0.5 * curvature)});
-        return std::abs(guide_by_curvature(runtime, graph, bend, settings)[7]);
+    const auto sure = [](double curvature) {
+        return std::abs(curvature_line(0.5 * curvature, 0.5 * curvature, 10.0)); // the diagonal is 10
     };
     EXPECT_EQ(sure(0.008), 0.0); // a radius of 12.5 diagonals
     EXPECT_GT(sure(0.05), 0.01);

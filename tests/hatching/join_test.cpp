@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Lines of crests, found one triangle after the other, become whole ones.
-#include "hatching/join_lines.h"
+#include "hatching/lines.h"
 
 #include "base/runtime.h"
 
@@ -12,7 +12,7 @@
 namespace hrbfnpr::testing::join_test {
 namespace {
 
-using hatching::StripeLines;
+using hatching::Lines;
 using Polyline = std::vector<glm::dvec3>;
 
 // Straight in the plane z = 0, a point every tenth.
@@ -27,8 +27,8 @@ Polyline line(double x0, double y0, double x1, double y1) {
 class Join : public ::testing::Test {
 protected:
     // Over gaps of up to 2.
-    StripeLines join(const std::vector<Polyline>& lines) {
-        StripeLines all(runtime.memory);
+    Lines join(const std::vector<Polyline>& lines) {
+        Lines all(runtime.memory);
         for (const Polyline& points : lines) {
             for (const glm::dvec3& p : points) {
                 all.position.push_back(p);
@@ -38,10 +38,10 @@ protected:
             all.first.push_back(all.position.size());
             all.closed.push_back(0);
         }
-        return hatching::joined(runtime.memory, all, 2.0, base::Progress());
+        return hatching::join_ends(all, 2.0, base::Progress());
     }
     // How far a line goes back along x, at most.
-    static double back(const StripeLines& lines) {
+    static double back(const Lines& lines) {
         double most = 0.0;
         for (std::int64_t i = 1; i < lines.position.size(); ++i) {
             const double step = lines.position[i].x - lines.position[i - 1].x;
@@ -65,7 +65,7 @@ TEST_F(Join, LinesWhoseEndsTouch) {
     for (int k = 0; k < 12; ++k) {
         const double x = 0.1 * std::cos(0.5236 * k);
         const double y = 0.1 * std::sin(0.5236 * k);
-        const StripeLines lines = join({line(-3, 0, 0, 0), line(3, y, x, y)});
+        const Lines lines = join({line(-3, 0, 0, 0), line(3, y, x, y)});
         ASSERT_EQ(lines.count(), 1) << x << ' ' << y;
         EXPECT_LT(back(lines), 1e-9) << x << ' ' << y;
     }

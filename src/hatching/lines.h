@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+// Polylines on the surface.
+//   find_crests: waves at the vertices of a mesh -> lines along the crests of the finest one
+//   join_ends: lines whose ends face each other over a small gap -> one line
+//   resampled: lines -> the same with points a step apart
+//   even_out: lines -> the same, moved to the middle between those beside them
+#pragma once
+
+#include "hatching/waves.h"
+
+namespace hrbfnpr::hatching {
+
+struct Lines {
+    explicit Lines(base::Memory& memory)
+        : first(memory), closed(memory), position(memory), normal(memory), level(memory) {
+        first.push_back(0);
+    }
+
+    [[nodiscard]] std::int64_t count() const noexcept { return closed.size(); }
+    [[nodiscard]] std::int64_t points(std::int64_t line) const noexcept { return first[line + 1] - first[line]; }
+    void add_point(const glm::dvec3& at, const glm::dvec3& its_normal, std::uint8_t its_level,
+                   const base::Progress& progress);
+    // The points that were added since the last line become one.
+    void end_line(bool is_closed);
+
+    base::Array<std::int64_t> first;  // point of each line; one more than there are lines
+    base::Array<std::uint8_t> closed; // of each line: 1, its last point is followed by its first one, or 0
+    geometry::VecArray position;
+    geometry::VecArray normal;       // of the surface at each point, about, unit
+    base::Array<std::uint8_t> level; // of each point: the coarsest wave that has a crest there
+};
+
+// Between two crests of the finest wave more lines are put in until there are as many levels as wanted.
+[[nodiscard]] Lines find_crests(const base::Runtime& runtime, const curves::SurfaceMesh& mesh, const Waves& waves,
+                                int levels, const base::Progress& progress);
+
+// Joins ends that are no farther apart than `reach` and run towards each other: a mesh does not always show a line
+// through a fork.
+[[nodiscard]] Lines join_ends(const Lines& lines, double reach, const base::Progress& progress);
+
+// Points are as near to `step` apart as the length of their line allows; lines shorter than `shortest` are left out.
+[[nodiscard]] Lines resampled(const Lines& lines, double step, double shortest, const base::Progress& progress);
+
+// Moves lines across themselves, by amounts that change slowly along each line, so that none is bent. The points of
+// the result are about half a separation apart. The same bits for any number of threads.
+[[nodiscard]] Lines even_out(const base::Runtime& runtime, const Lines& lines, double separation,
+                             const base::Progress& progress);
+
+} // namespace hrbfnpr::hatching
