@@ -31,9 +31,8 @@ class Classifier {
 public:
     Classifier(Scene& scene, const Chunk& chunk) noexcept
         : lens_(scene.lens), run_(scene.runs[chunk.run]), item_(scene.item_of(run_)), style_(item_.style),
-          out_(scene.marks), threshold_(static_cast<float>(style_.silhouette_threshold)),
-          exponent_(static_cast<float>(style_.tone_exponent)),
-          depth_active_(style_.depth_min > 0.0 && style_.depth_max > style_.depth_min) {}
+          out_(scene.marks), threshold_(static_cast<float>(style_.silhouette_threshold)), tone_(style_),
+          depth_tone_(style_, lens_.eye_per_world) {}
 
     void operator()(std::int64_t place) const noexcept {
         const std::int64_t mark = place - run_.first;
@@ -54,38 +53,25 @@ public:
         out_.depth[place] = -eye.z;
         out_.pixels_per_unit[place] = pixels_per_unit;
         out_.nu[place] = nu;
-        out_.tau[place] = style_.tone == Tone::light ? lit(own_normal) : 0.0F;
-        out_.tau_depth[place] = depth_active_ ? tone_at(eye) : 1.0F;
+        out_.tau[place] = style_.tone == Tone::light ? tone_(lit(item_.light, own_normal)) : 0.0F;
+        out_.tau_depth[place] = depth_tone_(lens_.centre.w == 0.0F ? -eye.z : glm::length(lens_.sight(eye)));
         out_.mark_class[place] = class_of(nu, threshold_);
     }
 
 private:
-    [[nodiscard]] float lit(const glm::vec3& own_normal) const noexcept {
-        const glm::vec3 normal = glm::normalize(item_.normal_to_light * own_normal);
-        return light_tone(glm::dot(normal, item_.light), exponent_);
-    }
-    // World units: from the eye, or from its plane where there is no eye.
-    [[nodiscard]] float tone_at(const glm::vec3& eye) const noexcept {
-        const float distance = lens_.centre.w == 0.0F ? -eye.z : glm::length(lens_.sight(eye));
-        return depth_tone(static_cast<double>(distance / lens_.eye_per_world), style_.depth_min, style_.depth_max);
-    }
-
     const Lens& lens_;
     const Run& run_;
     const ItemView& item_;
     const Style& style_;
     Marks& out_;
-    float threshold_, exponent_;
-    bool depth_active_;
+    float threshold_;
+    LightTone tone_;
+    DepthTone depth_tone_; // by the way from the eye, or from its plane where there is no eye
 };
-
-[[nodiscard]] bool in_directions(const Run& run, std::int64_t mark) noexcept {
-    return run.directions == 3U || (run.directions >> (run.marks->stroke[2 * mark] & 1U) & 1U) != 0;
-}
 
 // Whether a front mark would be ink but for tone, depth, zoom and visibility.
 [[nodiscard]] bool may_be_ink(const Run& run, std::int64_t mark) noexcept {
-    return run.draws_front && in_directions(run, mark);
+    return run.draws_front && (run.directions == 3U || run.draws_set(run.marks->stroke[2 * mark] & 1U));
 }
 
 class Decider {

@@ -5,7 +5,6 @@
 #include "base/runtime.h"
 #include "drawing/drawing.h"
 #include "frame/scene/scene.h"
-#include "frame/scene/tone_calls.h"
 #include "published/visibility.h"
 
 namespace hrbfnpr::published {

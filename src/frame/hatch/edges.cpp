@@ -2,8 +2,6 @@
 #include "frame/hatch/edges.h"
 
 #include "base/scratch.h"
-#include "frame/scene/splat_law.h"
-#include "frame/scene/style.h"
 #include "geometry/segment.h"
 
 #include <algorithm>
@@ -20,6 +18,7 @@ constexpr float cell_side = 16.0F; // pixels
 // An edge lies before a line if it is nearer to the eye by this many pixels.
 constexpr float least_before = 1.0F;
 // Edges that are no nearer than halo_gap have no halo on a line, those that are so much nearer have all of it, pixels.
+constexpr float halo_gap = scene_tuning.halo_gap;
 constexpr float full_halo = 3.0F * halo_gap;
 // Without a halo a line ends where it crosses an edge, pixels.
 constexpr float at_edge = 0.05F;

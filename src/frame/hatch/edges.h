@@ -3,7 +3,7 @@
 #pragma once
 
 #include "drawing/drawing.h"
-#include "frame/scene/line_strokes.h"
+#include "frame/scene/scene.h"
 #include "geometry/vec.h"
 
 #include <limits>

@@ -11,7 +11,6 @@
 
 #include "frame/hatch/cuts.h"
 #include "frame/hatch/points.h"
-#include "frame/scene/line_strokes.h"
 
 namespace hrbfnpr::frame {
 
