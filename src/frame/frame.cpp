@@ -3,7 +3,6 @@
 
 #include "frame/depth_layers/layer_frame.h"
 #include "frame/lines/line_frame.h"
-#include "frame/scene/scene.h"
 #include "published/published_frame.h"
 
 namespace hrbfnpr::frame {

@@ -4,22 +4,21 @@
 
 #include "base/runtime.h"
 #include "drawing/drawing.h"
-#include "frame/scene/camera.h"
-#include "frame/scene/item.h"
+#include "frame/scene/scene.h"
 
 #include <memory>
 #include <span>
 
 namespace hrbfnpr::frame {
 
-// The scratch of one thread, used again for each drawing: allocates nothing once warm.
+// The scratch of one thread, used again for each drawing. It allocates nothing once warm, where no lines are drawn.
 class Frame {
 public:
     explicit Frame(const base::Runtime& runtime);
     ~Frame();
 
-    // Fills `drawing`, whatever was in it.  Throws Error{invalid_argument, callback, cancelled, out_of_memory}; it is
-    // no drawing then.
+    // Fills `drawing`, whatever was in it. Throws Error{invalid_argument, callback, cancelled, out_of_memory}; then it
+    // is no drawing.
     void draw(std::span<const Item> items, const Camera& camera, const base::Progress& progress,
               drawing::Drawing& drawing);
 

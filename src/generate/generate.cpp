@@ -241,8 +241,8 @@ double hatch(const Ground& ground, Growing& layer, std::optional<hatching::Groun
     const base::Progress progress = layer.part_of(ground);
     if (!last || !settings.is_on_ground_of(last->settings()))
         last.emplace(site,
-                     stipples::cover_surface(site, ground.seeds, ground.samples.spacing, hatching::hatching_tuning.most_samples,
-                                             progress.part(0.0, 0.1)),
+                     stipples::cover_surface(site, ground.seeds, ground.samples.spacing,
+                                             hatching::hatching_tuning.most_samples, progress.part(0.0, 0.1)),
                      settings, progress.part(0.1, 0.6));
     last->lay_lines(site, settings, layer.marks, report, progress.part(0.6, 1.0));
     report.seconds = watch.seconds();

@@ -53,18 +53,10 @@ void classify(const Run& run, const ItemView& item, const Lens& lens, std::int64
     out.depth[place] = -eye.z;
     out.pixels_per_unit[place] = pixels_per_unit;
     out.nu[place] = nu;
-    out.tau[place] = 0.0F;
-    if (style.tone == Tone::light) {
-        const float facing = glm::dot(glm::normalize(item.normal_to_light * own_normal), item.light);
-        out.tau[place] = light_tone(facing, static_cast<float>(style.tone_exponent));
-    }
-    out.tau_depth[place] = 1.0F;
-    if (style.depth_min > 0.0 && style.depth_max > style.depth_min) {
-        // World units: from the eye, or from its plane where there is no eye.
-        const float distance = lens.centre.w == 0.0F ? -eye.z : glm::length(lens.sight(eye));
-        out.tau_depth[place] =
-            depth_tone(static_cast<double>(distance / lens.eye_per_world), style.depth_min, style.depth_max);
-    }
+    out.tau[place] = style.tone == Tone::light ? LightTone(style)(lit(item.light, own_normal)) : 0.0F;
+    // The distance is from the eye, or from its plane where there is no eye.
+    out.tau_depth[place] =
+        DepthTone(style, lens.eye_per_world)(lens.centre.w == 0.0F ? -eye.z : glm::length(lens.sight(eye)));
     const auto threshold = static_cast<float>(style.silhouette_threshold);
     out.mark_class[place] = nu < -threshold  ? MarkClass::front
                             : nu > threshold ? MarkClass::back
@@ -73,8 +65,7 @@ void classify(const Run& run, const ItemView& item, const Lens& lens, std::int64
 
 // Whether a front mark would be ink but for tone, depth, zoom and visibility.
 [[nodiscard]] bool may_be_ink(const Run& run, std::int64_t mark) noexcept {
-    return run.draws_front &&
-           (run.directions == 3U || (run.directions >> (run.marks->stroke[2 * mark] & 1U) & 1U) != 0);
+    return run.draws_front && (run.directions == 3U || run.draws_set(run.marks->stroke[2 * mark] & 1U));
 }
 
 // Asks the styles' tone callbacks for tau of the front marks that need one, on this thread.

@@ -12,7 +12,6 @@
 #include "drawing/far_to_near.h"
 #include "drawing/tiles.h"
 #include "frame/scene/scene.h"
-#include "frame/scene/tone_calls.h"
 
 namespace hrbfnpr::published {
 

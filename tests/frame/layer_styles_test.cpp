@@ -72,14 +72,19 @@ protected:
 
 TEST_F(LayerStyles, WithoutAnyAllLayersAreDrawnByDefault) {
     add_layers();
-    draw({});
-    EXPECT_THAT(radii(), ElementsAre(1, 1, 1, 1, 1, 1, 1));
-    EXPECT_EQ(frame.info().marks, 7);
-    ASSERT_EQ(frame.drawing().layers.size(), 14); // two of each layer: of the front, and of contours as published
-    for (std::int64_t l = 0; l < 14; ++l) {
-        EXPECT_EQ(frame.drawing().layers[l].item, 0);
-        EXPECT_EQ(frame.drawing().layers[l].layer, l / 2);
-        EXPECT_FALSE(frame.drawing().layers[l].as_strokes);
+    for (const bool published : {false, true}) {
+        draw({}, published);
+        EXPECT_THAT(radii(), ElementsAre(1, 1, 1, 1, 1, 1, 1));
+        EXPECT_EQ(frame.info().marks, 7);
+        const std::int64_t each = published ? 2 : 1; // a layer of the front, and as published one of contours
+        ASSERT_EQ(frame.drawing().layers.size(), 7 * each);
+        for (std::int64_t l = 0; l < 7 * each; ++l) {
+            const drawing::Layer& layer = frame.drawing().layers[l];
+            EXPECT_EQ(layer.item, 0);
+            EXPECT_EQ(layer.layer, l / each);
+            EXPECT_EQ(layer.mark_class, l % each == 0 ? drawing::MarkClass::front : drawing::MarkClass::silhouette);
+            EXPECT_FALSE(layer.as_strokes);
+        }
     }
 }
 

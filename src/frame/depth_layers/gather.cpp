@@ -1,15 +1,29 @@
 // SPDX-License-Identifier: MIT
+// gather, step by step:
+//
+// 1. set_up_items: how each item is seen, how much ink it has, what its layers let through
+// 2. add_tasks: clusters of runs, several in a task
+// 3. ask_tones: tau of the marks whose tone is a callback's
+// 4. gather_cluster, on threads: a cluster that is outside is passed over; its first marks become splats (put_splats),
+//    and those that its tone shows ink (put_ink)
 #include "frame/depth_layers/gather.h"
 
-#include "frame/depth_layers/gatherer.h"
-#include "frame/scene/splat_law.h"
+#include "base/prefetch.h"
+#include "base/scratch.h"
+#include "frame/depth_layers/tuning.h"
 
-#include <algorithm>
+#include <bit>
+#include <numbers>
+#include <utility>
 
 namespace hrbfnpr::frame {
 namespace {
 
-constexpr std::int64_t marks_of_work = 8192;
+using marks::MarkBlock;
+
+constexpr std::int64_t marks_a_gather_task = 8192;
+
+// ---- Items
 
 [[nodiscard]] TransmittanceTable transmittance_table(const ItemView& item) noexcept {
     TransmittanceTable table{};
@@ -18,14 +32,12 @@ constexpr std::int64_t marks_of_work = 8192;
         table.front[i] = layer_transmittance(item.style, -nu, item.both_sides);
         table.back[i] = layer_transmittance(item.style, nu, item.both_sides);
     }
-    table.halo = layer_transmittance(item.style, halo_angle, false);
+    table.halo = layer_transmittance(item.style, layer_tuning.halo_angle, false);
     return table;
 }
 
-// Hatching sees its marks itself: neither dots nor splats come from them.
-[[nodiscard]] bool is_unused(const Run& run) noexcept { return run.as_hatch && !run.splats; }
-
-[[nodiscard]] bool same_layers(const ItemView& one, const ItemView& other) noexcept {
+// Whether two items have the same table.
+[[nodiscard]] bool are_alike(const ItemView& one, const ItemView& other) noexcept {
     const Style& a = one.style;
     const Style& b = other.style;
     return one.both_sides == other.both_sides && a.hidden_lines == b.hidden_lines &&
@@ -33,12 +45,63 @@ constexpr std::int64_t marks_of_work = 8192;
            a.splat_overlap == b.splat_overlap;
 }
 
-} // namespace
+// The ink of an item whose first run is `first`.
+[[nodiscard]] ItemInk ink_of(const Scene& scene, std::int64_t first, base::Array<ItemInk::Term>& terms) {
+    ItemInk ink;
+    ink.first = terms.size();
+    bool even = true;
+    float lines = 0.0F;
+    for (std::int64_t r = first; r < scene.runs.size() && scene.runs[r].item == scene.runs[first].item; ++r) {
+        const Run& run = scene.runs[r];
+        if (!run.draws_front || !run.makes_tone || run.shape == Shape::hatch) continue; // hatching makes its own tone
+        // Lines of blue-noise hatching have one direction, other strokes two with half of the marks each.
+        const bool has_one = run.is_scattered() || (run.is_even() && run.marks->kind == marks::Kind::hatch);
+        const float spacing = run.pen.spacing;
+        ItemInk::Term term{&run.pen,
+                           (has_one || run.directions == 3U ? 1.0F : 0.5F) * run.style->share / (spacing * spacing)};
+        // Lines of one direction are a separation apart.
+        if (run.pen.separation > 0.0F) term.step = (has_one ? 1.0F : 2.0F) * spacing * spacing / run.pen.separation;
+        if (!run.is_scattered()) lines += has_one || run.directions != 3U ? 1.0F : 2.0F;
+        terms.push_back(term);
+        even = even && run.is_even();
+    }
+    ink.end = terms.size();
+    const Overlap overlap = !even ? Overlap::random : lines > 0.0F ? Overlap::lines : Overlap::blue_noise;
+    const float layers = lines + (ink.end - ink.first > 1 ? 1.0F : 0.0F);
+    for (std::size_t i = 0; i < ink.needed.size(); ++i)
+        ink.needed[i] = ink_for(static_cast<float>(i) / needed_steps, overlap, layers);
+    return ink;
+}
 
-float Gather::ink_per_pixel(const ItemInk& item, float pixels_per_unit) const noexcept {
+void set_up_items(const Scene& scene, Gathering& all) {
+    all.frustum = frustum_of(scene.lens);
+    base::resize_scratch(all.sights, scene.items.size());
+    base::resize_scratch(all.inks, scene.items.size());
+    base::resize_scratch(all.transmittance_of, scene.items.size());
+    all.terms.clear();
+    all.transmittances.clear();
+    for (std::int64_t i = 0; i < scene.items.size(); ++i) {
+        all.sights[i] = sight_of(scene.items[i], scene.lens, all.frustum);
+        if (i == 0 || !are_alike(scene.items[i], scene.items[i - 1]))
+            all.transmittances.push_back(transmittance_table(scene.items[i]));
+        all.transmittance_of[i] = static_cast<std::int32_t>(all.transmittances.size() - 1);
+    }
+    for (std::int64_t r = 0; r < scene.runs.size(); ++r)
+        if (r == 0 || scene.runs[r - 1].item != scene.runs[r].item)
+            all.inks[scene.runs[r].item] = ink_of(scene, r, all.terms);
+}
+
+// The ink of a disc as it is drawn, square pixels: its rim falls off over a pixel, and below half a pixel of radius it
+// gets paler instead of smaller.
+[[nodiscard]] float disc_ink(float radius) noexcept {
+    const float drawn = std::max(radius, smallest_radius);
+    const float dimmed = radius / drawn;
+    return std::numbers::pi_v<float> * (drawn * drawn + 1.0F / 12.0F) * dimmed * dimmed;
+}
+
+[[nodiscard]] float ink_per_pixel(std::span<const ItemInk::Term> terms, float pixels_per_unit) noexcept {
     float ink = 0.0F;
-    for (std::int64_t k = item.first; k < item.end; ++k) {
-        const ItemInk::Term& t = terms_[k];
+    for (const ItemInk::Term& t : terms) {
         const float radius = t.pen->front_ink(pixels_per_unit);
         float area = disc_ink(radius);
         // The discs of a stroke overlap, and make a line.
@@ -48,151 +111,398 @@ float Gather::ink_per_pixel(const ItemInk& item, float pixels_per_unit) const no
     return ink / (pixels_per_unit * pixels_per_unit);
 }
 
-Gather::Gather(const base::Runtime& runtime) noexcept
-    : runtime_(runtime), loops_(see_loops(runtime.instruction_set)), sights_(runtime.memory),
-      item_inks_(runtime.memory), terms_(runtime.memory), transmittances_(runtime.memory),
-      transmittance_of_(runtime.memory), work_(runtime.memory), counts_(runtime.memory), tau_(runtime.memory),
-      tone_calls_(runtime.memory) {}
+// ---- Tasks and tones
 
-// first: the first run of the item.
-ItemInk Gather::ink_of(const Scene& scene, std::int64_t first) {
-    ItemInk ink;
-    ink.first = terms_.size();
-    bool apart = true;
-    float lines = 0.0F;
-    for (std::int64_t r = first; r < scene.runs.size() && scene.runs[r].item == scene.runs[first].item; ++r) {
-        const Run& run = scene.runs[r];
-        if (!run.draws_front || !run.makes_tone || run.as_hatch) continue; // hatching makes a tone of its own
-        // Lines of blue-noise hatching have one direction, other strokes two with half of the marks each.
-        const bool has_one = run.scattered || (run.marks->progressive && run.marks->kind == marks::Kind::hatch);
-        const float directions = has_one || run.directions == 3U ? 1.0F : 0.5F;
-        ItemInk::Term term;
-        term.pen = &run.pen;
-        term.marks_per_area = directions * run.style->share / (run.pen.spacing * run.pen.spacing);
-        // Lines of one direction are a separation apart.
-        if (run.separation > 0.0F)
-            term.step = (has_one ? 1.0F : 2.0F) * run.pen.spacing * run.pen.spacing / run.separation;
-        if (!run.scattered) lines += has_one || run.directions != 3U ? 1.0F : 2.0F;
-        terms_.push_back(term);
-        apart = apart && run.spread_evenly;
-    }
-    ink.end = terms_.size();
-    const Overlap overlap = !apart ? Overlap::random : lines > 0.0F ? Overlap::lines : Overlap::blue_noise;
-    const float layers = lines + (ink.end - ink.first > 1 ? 1.0F : 0.0F);
-    for (std::size_t i = 0; i < ink.needed.size(); ++i)
-        ink.needed[i] = ink_for(static_cast<float>(i) / needed_steps, overlap, layers);
-    return ink;
-}
-
-void Gather::set_up(const Scene& scene) {
-    frustum_ = frustum_of(scene.lens);
-    base::resize_scratch(sights_, scene.items.size());
-    base::resize_scratch(item_inks_, scene.items.size());
-    terms_.clear();
-    base::resize_scratch(transmittance_of_, scene.items.size());
-    transmittances_.clear();
-    for (std::int64_t i = 0; i < scene.items.size(); ++i) {
-        sights_[i] = sight_of(scene.items[i], scene.lens, frustum_);
-        if (i == 0 || !same_layers(scene.items[i], scene.items[i - 1]))
-            transmittances_.push_back(transmittance_table(scene.items[i]));
-        transmittance_of_[i] = static_cast<std::int32_t>(transmittances_.size() - 1);
-    }
-    for (std::int64_t r = 0; r < scene.runs.size(); ++r) {
-        const std::int32_t item = scene.runs[r].item;
-        if (r == 0 || scene.runs[r - 1].item != item) item_inks_[item] = ink_of(scene, r);
-    }
-}
-
-void Gather::add_pieces(const Scene& scene) {
-    work_.clear();
-    unused_ = 0;
+// Returns how many marks are in no task: hatching sees its marks itself, and they are needed only where they are
+// splats.
+std::int64_t add_tasks(const Scene& scene, base::Array<GatherTask>& tasks) {
+    tasks.clear();
+    std::int64_t unused = 0;
     for (std::int64_t r = 0; r < scene.runs.size(); ++r) {
         const Run& run = scene.runs[r];
-        if (is_unused(run)) {
-            unused_ += run.count;
+        if (run.shape == Shape::hatch && !run.splats) {
+            unused += run.count;
             continue;
         }
         const base::Array<marks::Cluster>& clusters = run.clusters->cluster;
-        Work work{static_cast<std::int32_t>(r), 0, 0, run.first_place};
-        std::int64_t marks = 0;
+        std::int64_t marks = marks_a_gather_task;
         for (std::int64_t c = 0; c < clusters.size(); ++c) {
-            work.end = static_cast<std::int32_t>(c + 1);
-            const bool last = c + 1 == clusters.size();
-            marks += clusters[c].count;
-            if (!last && marks < marks_of_work) continue;
-            work_.push_back(work);
-            work.begin = work.end;
-            work.first_place = run.first_place + (last ? 0 : clusters[c + 1].block * marks::MarkBlock::size);
-            marks = 0;
+            const auto number = static_cast<std::int32_t>(c);
+            if (std::exchange(marks, marks + clusters[c].count) >= marks_a_gather_task) {
+                tasks.push_back({static_cast<std::int32_t>(r), number, number,
+                                 run.first_place + clusters[c].block * MarkBlock::size});
+                marks = clusters[c].count;
+            }
+            tasks.back().end = number + 1;
         }
     }
+    return unused;
 }
 
-void Gather::run(Scene& scene, drawing::Drawing& drawing) {
-    set_up(scene);
-    add_pieces(scene);
-    ask_tones(scene);
-    const std::int64_t places = scene.place_count();
-    base::resize_scratch(drawing.dots, places);
-    base::resize_scratch(drawing.splats, places);
-    base::resize_scratch(drawing.dot_pieces, work_.size());
-    base::resize_scratch(drawing.splat_pieces, work_.size());
-    base::resize_scratch(counts_, work_.size());
-    runtime_.parallel.for_each(work_.size(), [&](std::int64_t i) {
-        const Work& work = work_[i];
-        const Run& run = scene.runs[work.run];
-        Gatherer gatherer(*this, scene, run, work.run, drawing.dots.data() + work.first_place,
-                          drawing.splats.data() + work.first_place);
-        for (std::int64_t c = work.begin; c < work.end; ++c) {
-            gatherer.expect(c + 4);
-            gatherer(run.clusters->cluster[c]);
-        }
-        drawing.dot_pieces[i] = {work.first_place, gatherer.dots_end() - drawing.dots.data()};
-        drawing.splat_pieces[i] = {work.first_place, gatherer.splats_end() - drawing.splats.data()};
-        counts_[i] = gatherer.info();
-    });
-}
-
-void Gather::ask_tones(Scene& scene) {
-    const auto asks = [&](const Run& run) { return scene.item_of(run).style.tone == Tone::callback; };
-    if (!std::any_of(scene.runs.begin(), scene.runs.end(), asks)) return;
-    base::resize_scratch(tau_, scene.place_count());
-    std::fill(tau_.begin(), tau_.end(), 0.0F); // of marks that are not asked for, which loops read and do not use
-    for (const Run& run : scene.runs) {
-        if (!asks(run) || !run.draws_front) continue;
-        tone_calls_.begin(scene.item_of(run), tau_);
-        for (const marks::Cluster& cluster : run.clusters->cluster) ask_cluster(scene, run, cluster);
-        tone_calls_.end();
-    }
-}
-
-void Gather::ask_cluster(const Scene& scene, const Run& run, const marks::Cluster& cluster) {
-    if (run.directions != 3U && (run.directions >> cluster.set & 1U) == 0) return;
-    const ItemSight& sight = sights_[run.item];
-    const ClusterView view = view_cluster(cluster, sight, scene.lens, frustum_, scene.lens.diagonal);
-    if (view.outside || view.nu_min > 0.0F) return;
-    const marks::MarkBlock* const blocks = run.clusters->block.data() + cluster.block;
+// Asks for the marks of a cluster that may be seen as ink.
+void ask_cluster(const Scene& scene, const SeeLoops& loops, const Run& run, const marks::Cluster& cluster,
+                 Gathering& all) {
+    const ItemSight& sight = all.sights[run.item];
+    const ClusterView view = view_cluster(cluster, sight, scene.lens, all.frustum);
+    if (!run.draws_set(cluster.set) || view.beyond > scene.lens.diagonal || view.nu_min > 0.0F) return;
+    const MarkBlock* const blocks = run.clusters->block.data() + cluster.block;
     Seen seen;
-    loops_.see(sight.seer, {blocks, cluster.count}, seen);
+    loops.see(sight.seer, {blocks, cluster.count}, seen);
     for (std::int64_t i = 0; i < cluster.count; ++i) {
         if (!(seen.pixels_per_unit[i] > 0.0F && seen.nu[i] < 0.0F)) continue;
-        const marks::MarkBlock& m = blocks[i / marks::MarkBlock::size];
-        const std::int64_t at = i % marks::MarkBlock::size;
-        tone_calls_.add({m.x[at], m.y[at], m.z[at]}, run.tone_normal_of(m.mark[at]),
-                        run.first_place + cluster.block * marks::MarkBlock::size + i);
+        const MarkBlock& m = blocks[i / MarkBlock::size];
+        const std::int64_t at = i % MarkBlock::size;
+        all.tone_calls.add({m.x[at], m.y[at], m.z[at]}, run.tone_normal_of(m.mark[at]),
+                           run.first_place + cluster.block * MarkBlock::size + i);
     }
 }
 
-Counts Gather::info() const noexcept {
-    Counts info;
-    info.marks = info.culled = unused_;
-    for (const Counts& work : counts_) info += work;
-    return info;
+void ask_tones(const Scene& scene, const SeeLoops& loops, Gathering& all) {
+    const auto asks = [&](const Run& run) { return scene.item_of(run).style.tone == Tone::callback; };
+    if (!std::any_of(scene.runs.begin(), scene.runs.end(), asks)) return;
+    base::resize_scratch(all.tau, scene.place_count());
+    std::fill(all.tau.begin(), all.tau.end(), 0.0F); // loops read, but do not use those of marks that are not asked for
+    for (const Run& run : scene.runs) {
+        if (!asks(run) || !run.draws_front) continue;
+        all.tone_calls.begin(scene.item_of(run), all.tau);
+        for (const marks::Cluster& cluster : run.clusters->cluster) ask_cluster(scene, loops, run, cluster, all);
+        all.tone_calls.end();
+    }
 }
 
-std::int64_t Gather::bytes() const noexcept {
-    return sights_.bytes() + item_inks_.bytes() + terms_.bytes() + transmittances_.bytes() + transmittance_of_.bytes() +
-           work_.bytes() + counts_.bytes() + tau_.bytes() + tone_calls_.bytes();
+// ---- Clusters
+
+// What the clusters of a run are looked at by.
+struct RunView {
+    const Scene& scene;
+    const Run& run;
+    const ItemView& item;
+    const ItemSight& sight;
+    const ItemInk& ink;
+    const TransmittanceTable& transmittance;
+    const Gathering& all;
+    Selection selection; // what is the same for all clusters
+    std::uint32_t layer; // of the drawing
+};
+
+// Where the next dot and splat go, and what was counted.
+struct Gathered {
+    Dot* dot;
+    Splat* splat;
+    Counts counts;
+};
+
+// A cluster that is not passed over.
+struct Local {
+    const marks::Cluster& cluster;
+    const MarkBlock* blocks;
+    ClusterView view;
+    float pixel_curvature; // per pixel, of a curvature of 1
+    bool whole;            // no mark is near a contour, and all face alike
+
+    [[nodiscard]] std::uint32_t mark(std::int64_t i) const noexcept {
+        return blocks[i / MarkBlock::size].mark[i % MarkBlock::size];
+    }
+};
+
+[[nodiscard]] Selection selection_of(const Run& run, const Style& style, const ItemInk& ink) noexcept {
+    Selection selection{};
+    selection.by_published = style.tone_rule == ToneRule::published;
+    selection.coverage = style.tone_curve == ToneCurve::coverage;
+    selection.needed = ink.needed.data();
+    selection.share = run.style->share;
+    selection.fade = style.tone_fade;
+    selection.more = 1.0F / (1.0F - 0.5F * selection.fade); // marks that fade in are small
+    // Coverage counts on foreshortening; else the ink of the front vanishes where it turns away.
+    const bool vanishes = selection.fade > 0.0F && !selection.coverage && !selection.by_published;
+    selection.turn = vanishes ? layer_tuning.front_fade : 0.0F;
+    return selection;
+}
+
+// A bound on what select() shows of the front.
+[[nodiscard]] float most_shown(const RunView& v, const Selection& selection, const ClusterView& view) noexcept {
+    const Style& style = v.item.style;
+    if (selection.by_published || style.tone == Tone::callback) return 1.0F;
+    // The cone of normals holds no normals for tone.
+    const bool is_bounded = style.tone == Tone::light && !v.run.has_tone_normals();
+    float shown = 1.0F - (is_bounded ? LightTone(style).least(view.lit_min) : 0.0F);
+    if (selection.coverage) {
+        const float nu = std::max(-view.nu_min, -view.nu_max);
+        const auto cell = static_cast<std::size_t>(shown * needed_steps);
+        const float needed = v.ink.needed[std::min<std::size_t>(cell + 1, needed_steps)];
+        shown = std::min(1.0F, needed * nu * selection.per_ink);
+    }
+    return 1.001F * selection.share * selection.more * shown + 1e-5F;
+}
+
+// `reach` is that of the largest disc that a mark can bring.
+[[nodiscard]] Selection selection_of(const RunView& v, const Local& local, float reach) noexcept {
+    const glm::vec4& viewport = v.scene.lens.viewport;
+    const float pixels_per_unit = local.view.pixels_per_unit;
+    Selection selection = v.selection;
+    selection.left = viewport.x - reach;
+    selection.right = viewport.x + viewport.z + reach;
+    selection.top = viewport.y - reach;
+    selection.bottom = viewport.y + viewport.w + reach;
+    selection.all_inside = local.view.inside;
+    selection.front_ink = v.run.draws_front && v.run.shape != Shape::hatch && v.run.draws_set(local.cluster.set);
+    selection.scale = v.run.pen.scale(pixels_per_unit);
+    constexpr auto darkest = static_cast<std::size_t>(layer_tuning.darkest * needed_steps);
+    const std::span terms(v.all.terms.data() + v.ink.first, v.all.terms.data() + v.ink.end);
+    if (selection.coverage)
+        selection.per_ink = 1.0F / std::max(ink_per_pixel(terms, pixels_per_unit), v.ink.needed[darkest]);
+    selection.most_shown = most_shown(v, selection, local.view);
+    return selection;
+}
+
+// How many of a cluster's first marks are among the share `shown` of all.
+[[nodiscard]] std::int64_t count_shown(const Local& local, float shown) noexcept {
+    if (!(shown > 0.0F)) return 0;
+    std::int64_t low = 0;
+    std::int64_t high = local.cluster.count;
+    while (low < high) {
+        const std::int64_t middle = (low + high) / 2;
+        if (1.0F - local.blocks[middle / MarkBlock::size].rank[middle % MarkBlock::size] <= shown)
+            low = middle + 1;
+        else
+            high = middle;
+    }
+    return low;
+}
+
+// ---- Splats
+
+[[nodiscard]] float least_splat_spacing(const Local& local) noexcept {
+    return local.whole ? layer_tuning.splat_spacing : layer_tuning.contour_splat_spacing;
+}
+
+// How many of a cluster's first marks stand for its layer.
+[[nodiscard]] std::int64_t count_splats(const Run& run, const Local& local) noexcept {
+    if (!run.splats) return 0;
+    // The first of nested lines leave the others' places open.
+    if (run.marks->kind == marks::Kind::hatch || (!run.is_even() && !run.is_scattered())) return local.cluster.count;
+    const float pixels = run.pen.spacing * local.view.pixels_per_unit / least_splat_spacing(local);
+    if (!(pixels < 1.0F)) return local.cluster.count; // also for NaN, of a spacing that floats do not hold
+    // The first marks of a cluster are as even as the first of all.
+    return static_cast<std::int64_t>(std::ceil(pixels * pixels * static_cast<float>(local.cluster.count)));
+}
+
+// The turn of the normal for a step w along the surface.
+[[nodiscard]] glm::vec3 turn_for(const marks::Cluster& cluster, const glm::vec3& w) noexcept {
+    const auto& s = cluster.shape;
+    return {s[0] * w.x + s[1] * w.y + s[2] * w.z, s[1] * w.x + s[3] * w.y + s[4] * w.z,
+            s[2] * w.x + s[4] * w.y + s[5] * w.z};
+}
+
+// A halo goes out from the contour, and may be nowhere before its own line, which may run into the depth. The contour's
+// direction is conjugate to the line of sight, since along it the normal stays across that.
+// [Koenderink 1984, "What does the occluding contour tell us about solid shape?"]
+void set_halo(const RunView& v, const Local& local, const Seen& seen, std::int64_t i, Splat& c) noexcept {
+    const float nu = seen.nu[i];
+    const float width = v.item.style.halo_width;
+    c.halo = 0.0F;
+    if (!(width > 0.0F) || !(std::abs(nu) <= layer_tuning.widest_rim) || local.cluster.bend < 0.0F) return;
+    const MarkBlock& m = local.blocks[i / MarkBlock::size];
+    const std::int64_t at = i % MarkBlock::size;
+    const glm::vec3 n(m.nx[at], m.ny[at], m.nz[at]);
+    const glm::vec3 sight = v.sight.seer.parallel ? v.sight.eye : glm::vec3(m.x[at], m.y[at], m.z[at]) - v.sight.eye;
+    const glm::vec3 w = sight - glm::dot(sight, n) * n; // the line of sight along the surface
+    const glm::vec3 turn = turn_for(local.cluster, w);
+    const float curvature = glm::dot(w, turn) / glm::dot(w, w); // radial, object space; positive where convex
+    // The mark is at the angle nu from the contour along a circle of that curvature; infinitely far where it is flat.
+    const float bend = std::abs(curvature) * local.pixel_curvature;
+    const float away = nu * nu / ((1.0F + std::sqrt(std::max(0.0F, 1.0F - nu * nu))) * bend);
+    if (!(away <= layer_tuning.halo_band)) return;
+    const glm::vec3 along = v.item.to_eye * glm::cross(n, turn);
+    const float across = std::sqrt(along.x * along.x + along.y * along.y);
+    const float slope = -along.z / across;
+    const float side = std::sqrt(seen.side_x[i] * seen.side_x[i] + seen.side_y[i] * seen.side_y[i]);
+    if (!(std::abs(slope) <= layer_tuning.steepest_contour) || !(side > 0.0F)) return; // the contour ends here
+    c.halo = width;
+    c.halo_transmittance = v.transmittance.halo;
+    c.halo_x = c.x + away * seen.side_x[i] / side;
+    c.halo_y = c.y - away * seen.side_y[i] / side;
+    // Where a surface bends little, its marks tell little of how far away the contour is: its own line stays before
+    // the halo, and so does what is hardly farther.
+    const float slack = std::sqrt(2.0F * layer_tuning.halo_band * (1.0F / bend)) + std::abs(slope) * c.halo;
+    c.halo_depth = c.depth + -nu * v.sight.scale / curvature + slack / c.pixels_per_unit;
+    c.halo_slope_x = slope * along.x / (across * c.pixels_per_unit);
+    c.halo_slope_y = -slope * along.y / (across * c.pixels_per_unit);
+}
+
+void put_splats(const RunView& v, const Local& local, const Seen& seen, std::int64_t count, Gathered& out) noexcept {
+    const Pen& pen = v.run.pen;
+    const float own = pen.spacing * local.view.pixels_per_unit;
+    const float spacing = v.run.is_scattered() ? std::max(own, least_splat_spacing(local)) : own;
+    const bool even = v.run.is_even() && v.run.is_scattered();
+    const float own_radius = (even ? layer_tuning.even_splat : layer_tuning.random_splat) * spacing + 0.5F;
+    const float radius = std::min(pen.splat_radius > 0.0F ? pen.splat_radius : own_radius, pen.largest_splat);
+    const bool has_items = v.scene.items.size() > 1;
+    for (std::int64_t i = 0; i < count; ++i) {
+        const float nu = seen.nu[i];
+        // The comparisons are false for NaN.
+        if (!(seen.pixels_per_unit[i] > 0.0F) || !(std::abs(nu) <= 1.001F) ||
+            !(seen.window[i] >= 0.0F && seen.window[i] <= 1.0F))
+            continue;
+        Splat& c = *out.splat++;
+        c.x = seen.x[i];
+        c.y = seen.y[i];
+        c.radius = radius;
+        c.depth = seen.depth[i];
+        c.pixels_per_unit = seen.pixels_per_unit[i];
+        const float turn = -seen.along[i] / (std::abs(nu) > 1e-3F ? nu : 1e-3F);
+        const float x = seen.side_x[i] * turn;
+        const float y = -seen.side_y[i] * turn;
+        const float slope = std::sqrt(x * x + y * y);
+        const float shrink = (slope > drawing::steepest ? drawing::steepest / slope : 1.0F) / c.pixels_per_unit;
+        c.slope_x = x * shrink;
+        c.slope_y = y * shrink;
+        c.transmittance = v.transmittance.at(nu);
+        if (has_items) c.transmittance = with_item(c.transmittance, v.run.item);
+        c.window = seen.window[i];
+        set_halo(v, local, seen, i, c);
+        c.id = v.run.first_id + local.mark(i);
+        c.faces_back = nu > 0.0F;
+        ++out.counts.splats;
+    }
+}
+
+// ---- Ink
+
+// tau of marks; `scratch` holds it where it is not there yet.
+[[nodiscard]] const float* taus(const RunView& v, const Local& local, const Seen& seen, std::int64_t count,
+                                float* scratch) noexcept {
+    const Style& style = v.item.style;
+    if (style.tone == Tone::callback)
+        return v.all.tau.data() + v.run.first_place + local.cluster.block * MarkBlock::size;
+    const LightTone tone(style);
+    const Light& light = v.sight.seer.light;
+    const bool soft = v.run.has_tone_normals();
+    for (std::int64_t i = 0; i < count; ++i)
+        scratch[i] = style.tone != Tone::light
+                         ? 0.0F
+                         : tone(soft ? lit(light, v.run.tone_normal_of(local.mark(i))) : seen.lit[i]);
+    return scratch;
+}
+
+void put_ink(const RunView& v, const Local& local, const Selection& selection, const Seen& seen, std::int64_t count,
+             const SeeLoops& loops, Gathered& out) noexcept {
+    std::array<float, Seen::most> tau;
+    std::array<float, Seen::most> tau_depth;
+    const DepthTone depth_tone(v.item.style, v.scene.lens.eye_per_world);
+    for (std::int64_t i = 0; depth_tone.is_on && i < count; ++i)
+        tau_depth[static_cast<std::size_t>(i)] = depth_tone(seen.distance[i]);
+    Selected selected;
+    loops.select(selection, {local.blocks, count}, seen, taus(v, local, seen, count, tau.data()),
+                 depth_tone.is_on ? tau_depth.data() : nullptr, selected);
+    if (!local.whole) {
+        out.counts.outside += selected.outside;
+        out.counts.front += selected.fronts;
+        out.counts.back += selected.backs;
+    }
+    out.counts.dropped_tone += selected.dropped_tone;
+    out.counts.dropped_zoom += selected.dropped_zoom;
+    out.counts.dropped_depth += selected.dropped_depth;
+    const base::Array<float>& width = v.run.clusters->width;
+    for (std::int64_t first = 0, word = 0; first < count; first += selected.lanes, ++word) {
+        for (unsigned bits = selected.drawn[word]; bits != 0; bits &= bits - 1) {
+            const std::int64_t i = first + std::countr_zero(bits);
+            const float radius = v.run.pen.front_ink(seen.pixels_per_unit[i]) *
+                                 (width.empty() ? 1.0F : width[local.cluster.block * MarkBlock::size + i]);
+            // By the side that the splats are on.
+            const bool faces_back = (seen.nu[i] > 0.0F) != v.run.turned;
+            const auto flags = static_cast<std::uint8_t>((faces_back ? dot_faces_back : 0) |
+                                                         (v.item.model != nullptr ? dot_is_exact : 0));
+            *out.dot++ = {seen.x[i],
+                          seen.y[i],
+                          std::sqrt(radius * radius * selected.front[i]),
+                          1.0F,
+                          seen.depth[i],
+                          seen.window[i],
+                          seen.pixels_per_unit[i],
+                          v.run.first_id + local.mark(i),
+                          v.layer,
+                          MarkClass::front,
+                          flags};
+        }
+    }
+}
+
+void gather_cluster(const RunView& v, const marks::Cluster& cluster, const SeeLoops& loops, Gathered& out) noexcept {
+    HRBFNPR_ASSERT(cluster.count > 0 && cluster.count <= Seen::most);
+    const std::int64_t marks = cluster.count;
+    Counts& counts = out.counts;
+    counts.marks += marks;
+    Local local{cluster, v.run.clusters->block.data() + cluster.block,
+                view_cluster(cluster, v.sight, v.scene.lens, v.all.frustum), 0.0F, false};
+    const ClusterView& view = local.view;
+    const float reach = (v.run.draws_front ? v.run.pen.front_ink(view.pixels_per_unit) : 0.0F) + soft_rim;
+    if (view.beyond > reach) {
+        counts.outside += marks;
+        return;
+    }
+    local.pixel_curvature = 1.0F / (v.sight.scale * view.pixels_per_unit);
+    // |nu| up to which a mark may be within rim_width of the contour, where no curvature is larger than the cluster's.
+    const float q = layer_tuning.rim_width * (cluster.bend * local.pixel_curvature);
+    const float rim = q < 1.0F ? std::sqrt(q * (2.0F - q)) : 1.0F;
+    const float band = cluster.bend >= 0.0F ? std::min(rim, layer_tuning.widest_rim) : layer_tuning.unknown_rim;
+    if (view.inside && view.nu_max < -band) counts.front += marks;
+    if (view.inside && view.nu_min > band) counts.back += marks;
+    local.whole = view.inside && (view.nu_max < -band || view.nu_min > band);
+    const Selection selection = selection_of(v, local, reach);
+    const bool tone = selection.front_ink && view.nu_min < 0.0F;
+    const std::int64_t inks = tone ? count_shown(local, selection.most_shown) : 0;
+    if (!local.whole)
+        counts.culled += marks - inks;
+    else if (tone)
+        counts.dropped_tone += marks - inks;
+    const std::int64_t splats = count_splats(v.run, local);
+    if (std::max(splats, inks) == 0) return;
+    Seen seen;
+    loops.see(v.sight.seer, {local.blocks, std::max(splats, inks)}, seen);
+    if (splats > 0) put_splats(v, local, seen, splats, out);
+    if (inks > 0) put_ink(v, local, selection, seen, inks, loops, out);
+}
+
+} // namespace
+
+void gather(const base::Runtime& runtime, const Scene& scene, Gathering& all, drawing::Drawing& drawing) {
+    const SeeLoops loops = see_loops(runtime.instruction_set);
+    set_up_items(scene, all);
+    const std::int64_t unused = add_tasks(scene, all.tasks);
+    ask_tones(scene, loops, all);
+    base::resize_scratch(drawing.dots, scene.place_count());
+    base::resize_scratch(drawing.splats, scene.place_count());
+    base::resize_scratch(drawing.dot_pieces, all.tasks.size());
+    base::resize_scratch(drawing.splat_pieces, all.tasks.size());
+    base::resize_scratch(all.counts, all.tasks.size());
+    runtime.parallel.for_each(all.tasks.size(), [&](std::int64_t i) {
+        const GatherTask& task = all.tasks[i];
+        const Run& run = scene.runs[task.run];
+        const marks::MarkClusters& clusters = *run.clusters;
+        const ItemView& item = scene.item_of(run);
+        const ItemInk& ink = all.inks[run.item];
+        const RunView view{scene,
+                           run,
+                           item,
+                           all.sights[run.item],
+                           ink,
+                           all.transmittances[all.transmittance_of[run.item]],
+                           all,
+                           selection_of(run, item.style, ink),
+                           static_cast<std::uint32_t>(task.run)};
+        Gathered out{drawing.dots.data() + task.first_place, drawing.splats.data() + task.first_place, {}};
+        for (std::int64_t c = task.begin; c < task.end; ++c) {
+            if (c + 4 < clusters.cluster.size()) base::prefetch(&clusters.block[clusters.cluster[c + 4].block], 1);
+            gather_cluster(view, clusters.cluster[c], loops, out);
+        }
+        drawing.dot_pieces[i] = {task.first_place, out.dot - drawing.dots.data()};
+        drawing.splat_pieces[i] = {task.first_place, out.splat - drawing.splats.data()};
+        all.counts[i] = out.counts;
+    });
+    drawing.counts = {};
+    drawing.counts.marks = drawing.counts.culled = unused;
+    for (const Counts& counts : all.counts) drawing.counts += counts;
 }
 
 } // namespace hrbfnpr::frame

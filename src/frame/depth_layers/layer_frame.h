@@ -1,11 +1,18 @@
 // SPDX-License-Identifier: MIT
 // A drawing by depth layers: ink, dimmed by what it is seen through.
+//
+// | step | function | makes |
+// | 1 | gather | dots and splats of marks |
+// | 2 | HatchPoints | dots along hatching |
+// | 3 | bin_dots, HatchTiles | tiles of dots |
+// | 4 | dim_by_layers, dim_by_rays | opacities |
+// | 5 | HatchStrokes | strokes of hatching |
+// | 6 | join_dots, put_strokes | strokes of the drawing, far to near |
 #pragma once
 
+#include "drawing/far_to_near.h"
 #include "frame/depth_layers/depth_layers.h"
-#include "frame/depth_layers/exact_visibility.h"
 #include "frame/depth_layers/gather.h"
-#include "frame/depth_layers/join_strokes.h"
 #include "frame/hatch/strokes.h"
 
 namespace hrbfnpr::frame {
@@ -14,25 +21,35 @@ class LayerFrame {
 public:
     explicit LayerFrame(const base::Runtime& runtime) noexcept;
 
-    // Fills what the scene does not.  Throws Error{callback, cancelled, out_of_memory}.
-    void run(Scene& scene, const LineStrokes& lines, const base::Progress& progress, drawing::Drawing& drawing);
+    // Fills what the scene does not. `lines` are strokes that are ready.
+    // Throws Error{callback, cancelled, out_of_memory}.
+    void run(const Scene& scene, const LineStrokes& lines, const base::Progress& progress, drawing::Drawing& drawing);
 
     [[nodiscard]] std::int64_t bytes() const noexcept;
 
 private:
-    // All but those of hatching.
-    void bin_dots(const Scene& scene, std::span<const Piece> pieces, drawing::Drawing& drawing) const;
+    // A stroke of a list.
+    struct Ready {
+        const LineStrokes* list;
+        std::int64_t number;
+    };
+
     void dim(const Scene& scene, drawing::Drawing& drawing);
+    void join_dots(const Scene& scene, drawing::Drawing& drawing);
+    void put_strokes(const LineStrokes& lines, std::span<const HatchStrokePart> hatching, drawing::Drawing& drawing);
 
     const base::Runtime& runtime_;
-    Gather gather_;
+    Gathering gathering_;
     HatchPoints hatch_points_;
     HatchTiles hatch_tiles_;
     NearerEdges edges_;
     HatchStrokes hatch_strokes_;
     DepthLayers layers_;
-    ExactVisibility exact_;
-    StrokeJoiner joiner_;
+    base::Array<std::int64_t> dot_of_; // of each mark of a run; -1: it is not shown
+    LineStrokes joined_;
+    base::Array<Ready> ready_;
+    base::Array<std::uint64_t> keys_;
+    drawing::FarToNear order_;
 };
 
 } // namespace hrbfnpr::frame

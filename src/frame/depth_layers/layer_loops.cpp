@@ -3,7 +3,9 @@
 #define HWY_TARGET_INCLUDE "frame/depth_layers/layer_loops.cpp"
 #include "base/simd.h"
 
+#include "base/assert.h"
 #include "frame/depth_layers/layer_loops.h"
+#include "frame/depth_layers/tuning.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace hrbfnpr::frame::HWY_NAMESPACE {
@@ -19,7 +21,7 @@ HWY_INLINE std::int32_t clamped(float at, std::int32_t limit) {
     return static_cast<std::int32_t>(at < 0.0F ? 0.0F : at > top ? top : at);
 }
 
-// A cover, or its halo, in pixels of the planes.
+// A splat, or its halo, in pixels of the planes.
 struct LayerDisc {
     float x, y, radius;
     float depth, slope_x, slope_y, pixels_per_unit;
@@ -34,6 +36,7 @@ template <bool round, class Put>
 HWY_INLINE void for_pixels(const LayerPlanes& p, const LayerDisc& disc, Put&& put) {
     const F d;
     const auto lanes = static_cast<std::int32_t>(hn::Lanes(d));
+    HRBFNPR_ASSERT(p.width + lanes <= p.stride);
     const std::int32_t left = clamped(disc.x - disc.radius, p.width);
     const std::int32_t right = clamped(disc.x + disc.radius + 1.0F, p.width);
     const std::int32_t top = clamped(disc.y - disc.radius, p.height);
@@ -57,7 +60,7 @@ HWY_INLINE void for_pixels(const LayerPlanes& p, const LayerDisc& disc, Put&& pu
     }
 }
 
-// The nearer of two stays; of equals the first, and a tile's splats are always in the same order.
+// The nearer of two layers stays. The first of equals stays, and a tile's splats are always in the same order.
 template <class Mask>
 HWY_INLINE void keep_nearer(float* depths, float* transmittances, W depth, W transmittance, Mask inside) {
     const F d;
@@ -86,18 +89,18 @@ HWY_INLINE void lay_next(const LayerPlanes& p, const LayerDisc& disc, const Spla
     const W transmittance = hn::Set(d, c.transmittance);
     const auto own = c.faces_back ? LayerPlanes::back : LayerPlanes::front;
     const auto layer = c.faces_back ? LayerPlanes::next_back : LayerPlanes::next_front;
-    const W gap = hn::Set(d, layer_gap * disc.radius / disc.pixels_per_unit);
-    const W between = hn::Set(d, side_gap / disc.pixels_per_unit);
+    const W gap = hn::Set(d, layer_tuning.layer_gap * disc.radius / disc.pixels_per_unit);
+    const W between = hn::Set(d, layer_tuning.side_gap / disc.pixels_per_unit);
     for_pixels<false>(p, disc, [&](std::int32_t at, W depth, auto inside) HWY_ATTR {
-        auto behind = hn::Gt(depth, hn::Add(hn::LoadU(d, p.depth[own] + at), gap));
+        auto is_next = hn::Gt(depth, hn::Add(hn::LoadU(d, p.depth[own] + at), gap));
         if (!c.faces_back) {
             // Between two layers that face the eye there is one that does not: the gap may be small.
             const W back = hn::LoadU(d, p.depth[LayerPlanes::back] + at);
             const auto parted = hn::And(hn::Gt(depth, hn::Add(back, between)),
                                         hn::Gt(back, hn::LoadU(d, p.depth[LayerPlanes::front] + at)));
-            behind = hn::Or(behind, parted);
+            is_next = hn::Or(is_next, parted);
         }
-        keep_nearer(p.depth[layer] + at, p.transmittance[layer] + at, depth, transmittance, hn::And(inside, behind));
+        keep_nearer(p.depth[layer] + at, p.transmittance[layer] + at, depth, transmittance, hn::And(inside, is_next));
     });
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The layers behind each pixel of a tile, for each instruction set; the same bits from all of them.
+// The layers of surface at each pixel of a tile, for each instruction set; the same bits from all of them.
 #pragma once
 
 #include "base/instruction_set.h"
@@ -11,8 +11,8 @@ namespace hrbfnpr::frame {
 
 using drawing::Splat;
 
-// Rows of `stride` floats, one for each pixel.  Of a line of sight: the nearest layer that faces the eye, the nearest
-// that faces away, and the ones after them; depth and what they let through.
+// Rows of `stride` floats, one for each pixel. Along a line of sight these are the nearest layer that faces the eye,
+// the nearest that faces away, and the ones after them: their depths, and what they let through.
 struct LayerPlanes {
     enum Layer : std::int64_t { front, back, next_front, next_back, layers };
 
@@ -24,7 +24,7 @@ struct LayerPlanes {
     float largest_splat; // radius of the splats laid, pixels
 };
 
-// Splats by their numbers; (left, top) is the planes' first pixel.
+// Splats by their numbers. (left, top) is the planes' first pixel.
 struct SplatList {
     const Splat* splats;
     const std::uint32_t* numbers;
@@ -35,14 +35,9 @@ struct SplatList {
 
 struct LayerLoops {
     void (*lay)(const LayerPlanes& planes, const SplatList& list);      // the nearest layers
-    void (*lay_next)(const LayerPlanes& planes, const SplatList& list); // those behind, once the nearest are laid
+    void (*lay_next)(const LayerPlanes& planes, const SplatList& list); // the next ones, once the nearest are laid
     void (*lay_halos)(const LayerPlanes& planes, const SplatList& list);
 };
-
-// A layer of the same side lies behind another one if it is so many radii of its discs farther away.
-inline constexpr float layer_gap = 4.0F;
-// A layer of the other side, pixels.
-inline constexpr float side_gap = 1.0F;
 
 [[nodiscard]] LayerLoops layer_loops(base::InstructionSet set) noexcept;
 

@@ -4,8 +4,6 @@
 #include "base/assert.h"
 #include "base/scratch.h"
 #include "frame/hatch/tuning.h"
-#include "frame/scene/splat_law.h"
-#include "frame/scene/style.h"
 #include "geometry/segment.h"
 
 #include <algorithm>
@@ -28,8 +26,10 @@ constexpr float most_pieces = 4096.0F;
 
 // The halo of an edge that is nearer than a line by `before` pixels.
 [[nodiscard]] float halo_of(float before, float halo) noexcept {
-    return std::max(hatch_tuning.at_edge,
-                    halo * std::clamp((before - halo_gap) / ((hatch_tuning.full_halo - 1.0F) * halo_gap), 0.0F, 1.0F));
+    return std::max(
+        hatch_tuning.at_edge,
+        halo * std::clamp((before - scene_tuning.halo_gap) / ((hatch_tuning.full_halo - 1.0F) * scene_tuning.halo_gap),
+                          0.0F, 1.0F));
 }
 
 // The first share of the way from p, outside, at which it comes into the disc around the centre.

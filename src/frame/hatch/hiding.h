@@ -9,7 +9,7 @@
 #pragma once
 
 #include "frame/hatch/points.h"
-#include "frame/scene/line_strokes.h"
+#include "frame/scene/scene.h"
 
 #include <limits>
 #include <span>

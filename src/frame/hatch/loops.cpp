@@ -96,15 +96,6 @@ std::uint32_t may_draw(const HatchBounds& bounds, const float* normals, const fl
     return all;
 }
 
-// n . l of normals for tone.
-HWY_INLINE W lit(const Seer& s, W nx, W ny, W nz) {
-    if (s.rigid) return dot3(s.light, nx, ny, nz);
-    const W lx = dot3(s.normal_light[0], nx, ny, nz);
-    const W ly = dot3(s.normal_light[1], nx, ny, nz);
-    const W lz = dot3(s.normal_light[2], nx, ny, nz);
-    return hn::Div(dot3(s.light, lx, ly, lz), hn::Sqrt(squared(lx, ly, lz)));
-}
-
 // A parallelogram with one side along the line and one across it, on the surface, has an area and a base in the
 // picture.  With parallel lines of sight that is separation |n . v| / sqrt(1 - (t . v)^2).
 HWY_INLINE W spacing_at(const HatchSight& sight, const HatchRows& rows) {
@@ -141,9 +132,6 @@ void place(const HatchSight& sight, const HatchRows& rows, std::int64_t count) {
     for_vectors(count, [&](std::int64_t at) HWY_ATTR {
         const HatchRows own = rows.from(at);
         const auto row = [&](HatchRow number) HWY_ATTR { return hn::LoadU(d, own[number]); };
-        if (sight.has_tone_normals)
-            hn::StoreU(lit(*sight.seer, row(HatchRow::tone_x), row(HatchRow::tone_y), row(HatchRow::tone_z)), d,
-                       own[HatchRow::darkness]);
         const W left = row(HatchRow::left);
         const W top = row(HatchRow::top);
         const W nu = row(HatchRow::nu);

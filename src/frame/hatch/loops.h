@@ -73,7 +73,6 @@ struct PackedMark {
 // How marks are seen.
 struct HatchSight {
     const Seer* seer;
-    bool has_tone_normals;
     float separation;               // between lines of level 0 on the surface; 0: not known
     float left, top, right, bottom; // the picture's sides, pixels
     float beyond;                   // the strip around the picture that counts as inside, pixels
@@ -108,7 +107,7 @@ struct HatchLoops {
     void (*load)(const float* triples, std::int64_t count, float factor, float other, float* x, float* y, float* z);
     // The share of the paper that lines cover at each darkness.
     void (*coverage)(const HatchLaw& law, const float* darkness, std::int64_t count, float* coverage);
-    // Margins, and n . l of normals for tone, of marks that are seen.
+    // Margins of marks that are seen.
     void (*place)(const HatchSight& sight, const HatchRows& rows, std::int64_t count);
     // Widths and their margins, from darkness and what place() gives, where a mark may be drawn and next to that.  The
     // rows hold the places before the first and after the last mark, too.

@@ -6,7 +6,6 @@
 #include "base/scratch.h"
 #include "curves/line_set.h"
 #include "frame/hatch/tuning.h"
-#include "frame/scene/tone.h"
 
 #include <glm/gtc/matrix_access.hpp>
 
@@ -79,29 +78,20 @@ constexpr float farthest = 1e6F;
     return law;
 }
 
-// n . l above which a place is less dark. There is no fill light there.
-[[nodiscard]] float lightest_of(float darkness, float exponent) noexcept {
-    constexpr float any = std::numeric_limits<float>::infinity();
-    const float tau = 1.0F - darkness + 2.0F * rounding_of_darkness;
-    if (!(tau < 1.0F)) return any;
-    const float lightest = tau > 0.0F ? std::pow(tau, 1.0F / exponent) : 0.0F;
-    return 1.0F - light_tone(lightest, exponent) < darkness - rounding_of_darkness ? lightest : any;
-}
-
 } // namespace
 
 HatchMarks::HatchMarks(const HatchView& view, const Run& run, const ItemSight& sight, const float* taus) noexcept
     : view_(view), run_(run), item_(view.scene.item_of(run)), sight_(sight), style_(*run.style), taus_(taus),
       levels_(has_separation(*run.marks) ? std::clamp(run.marks->report.levels, 0, marks::most_levels) : 0),
       per_unit_(1.0 / item_.unit), tone_normal_(run.normal), lightest_(std::numeric_limits<float>::infinity()),
-      has_bounds_(sight.rigid && run.marks->stroke_order.empty()),
+      has_bounds_(sight.seer.rigid && run.marks->stroke_order.empty()),
       beyond_(std::min(style_.hatch_taper + 6.0F * style_.hatch_shortest + 4.0F * style_.hatch_spacing,
                        view.scene.lens.diagonal)) {
     law_ = law_of(style_, levels_);
     const bool posed = run.normal != run.marks->normal.data();
     if (taus == nullptr && item_.style.tone == Tone::light && !(posed && run.has_tone_normals())) {
         if (run.has_tone_normals()) tone_normal_ = run.marks->tone_normal.data();
-        lightest_ = lightest_of(style_.hatch_tone_begin, static_cast<float>(item_.style.tone_exponent));
+        lightest_ = LightTone(item_.style).lightest(1.0F - style_.hatch_tone_begin, rounding_of_darkness);
     }
     if (!has_separation(*run.marks)) return;
     separation_ = static_cast<float>(std::ldexp(run.marks->report.step / item_.unit, levels_));
@@ -142,9 +132,9 @@ bool HatchMarks::has_room(std::int32_t level, float nearest, float darkness) con
 // there is no room for.
 bool HatchMarks::may_draw(const marks::StrokePiece& piece) const noexcept {
     if (piece.level > shown_ || faces_away(piece, sight_)) return false;
-    const ClusterView view =
-        view_cluster(piece, sight_, view_.scene.lens, view_.frustum, beyond_ + rounding_of_margins);
-    if (view.outside || view.nu_min > hatch_tuning.last_nu + rounding_of_margins) return false;
+    const ClusterView view = view_cluster(piece, sight_, view_.scene.lens, view_.frustum);
+    if (view.beyond > beyond_ + rounding_of_margins || view.nu_min > hatch_tuning.last_nu + rounding_of_margins)
+        return false;
     const float darkness = most_darkness(piece) + rounding_of_margins;
     if (darkness < style_.hatch_tone_begin) return false;
     return !(separation_ > 0.0F) || has_room(piece.level, view.nearest, darkness);
@@ -153,7 +143,7 @@ bool HatchMarks::may_draw(const marks::StrokePiece& piece) const noexcept {
 // An upper bound of what set_darkness() sets for marks of the piece.
 float HatchMarks::most_darkness(const marks::StrokePiece& piece) const noexcept {
     if (taus_ != nullptr || item_.style.tone != Tone::light) return 1.0F;
-    return 1.0F - light_tone(least_lit(piece, sight_), static_cast<float>(item_.style.tone_exponent));
+    return 1.0F - LightTone(item_.style).least(least_lit(piece, sight_));
 }
 
 // At a place p of the ball around c, e the eye, n . (p - e) >= n . (c - e) - |n| r: where that is positive it faces
@@ -164,7 +154,7 @@ std::uint32_t HatchMarks::marks_that_may(const marks::StrokePiece& piece) const 
     for (std::size_t k = 0; k < 3; ++k) {
         const auto i = static_cast<int>(k);
         bounds.sight[k] = seer.parallel ? sight_.eye[i] : piece.centre[k] - sight_.eye[i];
-        bounds.light[k] = seer.light[k];
+        bounds.light[k] = seer.light.towards[k];
     }
     bounds.away = seer.parallel ? 0.0F : most_length * piece.radius;
     bounds.lightest = lightest_;
@@ -197,7 +187,7 @@ bool HatchMarks::see(std::int64_t stroke, std::int64_t piece, HatchStroke& seen)
     const std::int64_t first = layer.stroke_first[stroke];
     const std::int64_t count = std::int64_t{layer.stroke_first[stroke + 1]} - first;
     if (count < 2) return false;
-    if (run_.directions != 3U && (run_.directions >> layer.direction_of(layer.mark_of(first)) & 1U) == 0) return false;
+    if (!run_.draws_set(layer.direction_of(layer.mark_of(first)))) return false;
     if (!find_pieces(piece, marks::pieces_of(count), seen)) return false;
     set_extent(stroke, seen);
     if (!find_marks(piece, seen)) return false;
@@ -350,14 +340,17 @@ void HatchMarks::see_rows(std::span<const std::uint32_t> numbers, const HatchRow
         rows[row][count] = rows[row][closed ? 0 : count - 1];
     }
     const glm::vec4& v = view_.scene.lens.viewport;
-    const HatchSight how{&sight_.seer, run_.has_tone_normals(), separation_, v.x, v.y, v.x + v.z, v.y + v.w,
-                         beyond_,      hatch_tuning.last_nu,    farthest};
+    const HatchSight how{&sight_.seer, separation_,          v.x,     v.y, v.x + v.z, v.y + v.w,
+                         beyond_,      hatch_tuning.last_nu, farthest};
+    const HatchRow tone = run_.has_tone_normals() ? HatchRow::tone_x : HatchRow::normal_x;
+    const float* const tone_x = rows[tone];
     view_.see.see_rows(sight_.seer,
                        {rows[HatchRow::x], rows[HatchRow::y], rows[HatchRow::z], rows[HatchRow::normal_x],
-                        rows[HatchRow::normal_y], rows[HatchRow::normal_z], count},
+                        rows[HatchRow::normal_y], rows[HatchRow::normal_z], tone_x, tone_x + rows.stride,
+                        tone_x + 2 * rows.stride, count},
                        {rows[HatchRow::left], rows[HatchRow::top], rows[HatchRow::window], rows[HatchRow::depth],
                         rows[HatchRow::pixels_per_unit], rows[HatchRow::nu], rows[HatchRow::darkness],
-                        rows[HatchRow::side_x], rows[HatchRow::side_y], rows[HatchRow::distance]});
+                        rows[HatchRow::side_x], rows[HatchRow::side_y], rows[HatchRow::distance], nullptr});
     view_.loops.place(how, rows, count);
     set_darkness(numbers, rows);
     if (separation_ > 0.0F)
@@ -380,10 +373,8 @@ void HatchMarks::set_darkness(std::span<const std::uint32_t> numbers, const Hatc
         for (std::int64_t i = 0; i < count; ++i) darkness[i] = 1.0F - light_tone(darkness[i], 1.0F, light.fill);
     else
         for (std::int64_t i = 0; i < count; ++i) darkness[i] = 1.0F - light(darkness[i]);
-    if (style.depth_min > 0.0 && style.depth_max > style.depth_min)
-        for (std::int64_t i = 0; i < count; ++i)
-            darkness[i] *= depth_tone(static_cast<double>(rows[HatchRow::distance][i] / view_.scene.lens.eye_per_world),
-                                      style.depth_min, style.depth_max);
+    const DepthTone depth_tone(style, view_.scene.lens.eye_per_world);
+    for (std::int64_t i = 0; depth_tone.is_on && i < count; ++i) darkness[i] *= depth_tone(rows[HatchRow::distance][i]);
     if (taus_ != nullptr) borrow_darkness(count, darkness, rows);
 }
 

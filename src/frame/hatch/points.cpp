@@ -15,7 +15,7 @@ constexpr std::int64_t marks_of_batch = 4096;
 }
 
 [[nodiscard]] bool asks(const Scene& scene, const Run& run) noexcept {
-    return run.as_hatch && scene.item_of(run).style.tone == Tone::callback;
+    return run.shape == Shape::hatch && scene.item_of(run).style.tone == Tone::callback;
 }
 
 } // namespace
@@ -33,7 +33,7 @@ void HatchPoints::add_batch(std::int32_t run, std::int64_t begin, std::int64_t e
 void HatchPoints::add_batches(const Scene& scene) {
     count_ = 0;
     for (std::int64_t r = 0; r < scene.runs.size(); ++r) {
-        if (!scene.runs[r].as_hatch) continue;
+        if (scene.runs[r].shape != Shape::hatch) continue;
         const marks::Layer& layer = *scene.runs[r].marks;
         std::int64_t begin = 0;
         std::int64_t piece = 0;
@@ -79,7 +79,7 @@ void HatchPoints::find(const Seen& seen, Batch& batch) const {
 }
 
 void HatchPoints::put(const Scene& scene, const Batch& batch, drawing::Drawing& drawing) const noexcept {
-    const auto layer = 2U * static_cast<std::uint32_t>(batch.run);
+    const auto layer = static_cast<std::uint32_t>(batch.run);
     const Run& run = scene.runs[batch.run];
     const auto flags = static_cast<std::uint8_t>((run.turned ? dot_faces_back : 0) |
                                                  (scene.item_of(run).model != nullptr ? dot_is_exact : 0));

@@ -76,7 +76,7 @@ const LineStrokes& LineFrame::run(const Scene& scene, std::span<const Item> item
     const LineInput input{
         found.subjects.span(), traced.occluders(), traced.items(), traced.styles(), found, lengths, numbers_};
     progress.update(hidden_end);
-    const WidthLaws laws(runtime_, scene, items, drawing, input, progress.part(hidden_end, 1.0));
+    const WidthLaws laws(runtime_, scene, drawing, input, progress.part(hidden_end, 1.0));
     StrokeParts(runtime_, scene, input, laws, strokes_).run();
     progress.update(1.0);
     drawing.line_counts.nanoseconds = watch.nanoseconds();

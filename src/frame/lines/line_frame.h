@@ -6,7 +6,6 @@
 #include "frame/lines/last_contours.h"
 #include "frame/lines/line_numbers.h"
 #include "frame/lines/traced_lines.h"
-#include "frame/scene/line_strokes.h"
 #include "frame/scene/scene.h"
 #include "visibility/invisibility.h"
 

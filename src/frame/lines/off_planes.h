@@ -2,7 +2,6 @@
 // A camera that sees no face exactly edge-on: of such a face nothing tells on which side of its edges it lies.
 #pragma once
 
-#include "frame/scene/item.h"
 #include "frame/scene/scene.h"
 
 #include <span>

@@ -6,7 +6,6 @@
 #include "frame/lines/joined_ends.h"
 #include "frame/lines/width_laws.h"
 #include "frame/lines/wobble.h"
-#include "frame/scene/line_strokes.h"
 #include "frame/scene/scene.h"
 
 #include <span>

@@ -43,13 +43,6 @@ bool has_outline(const DrawnAs& as) noexcept {
 
 double fade_of(const DrawnAs& as) noexcept { return fade_widths * static_cast<double>(as.style->width); }
 
-// Towards the light of a style, unit, in the world.
-glm::dvec3 light_of(const Scene& scene, const Item& item) noexcept {
-    return glm::normalize(item.style.light_space == LightSpace::camera
-                              ? glm::inverse(glm::dmat3(scene.camera.view)) * item.style.light
-                              : item.style.light);
-}
-
 // The share of curvature_factor for a curvature in 1 / diagonals.
 double bent(const LineStyle& style, double curvature) noexcept {
     return 1.0 - std::min(1.0, 1.0 / (static_cast<double>(style.curvature_radius) * curvature));
@@ -57,10 +50,10 @@ double bent(const LineStyle& style, double curvature) noexcept {
 
 } // namespace
 
-WidthLaws::WidthLaws(const base::Runtime& runtime, const Scene& scene, std::span<const Item> items,
-                     const drawing::Drawing& drawing, const LineInput& input, const base::Progress& progress)
-    : runtime_(runtime), scene_(scene), items_(items), drawing_(drawing), input_(input), progress_(progress),
-      styles_(runtime.memory), factors_(runtime.memory), outline_(runtime.memory) {
+WidthLaws::WidthLaws(const base::Runtime& runtime, const Scene& scene, const drawing::Drawing& drawing,
+                     const LineInput& input, const base::Progress& progress)
+    : runtime_(runtime), scene_(scene), drawing_(drawing), input_(input), progress_(progress), styles_(runtime.memory),
+      factors_(runtime.memory), outline_(runtime.memory) {
     for (const DrawnAs& as : input.styles) styles_.push_back(as);
     const auto by_depth = [](const DrawnAs& as) { return as.style->far_factor != 1.0F; };
     if (std::any_of(styles_.begin(), styles_.end(), by_depth)) depths_ = depth_range();
@@ -101,19 +94,17 @@ WidthLaws::DepthRange WidthLaws::depth_range() const {
 void WidthLaws::add_points(std::int64_t style) {
     DrawnAs& as = styles_[style];
     const visibility::Subject& subject = subject_of(as);
-    const Item& item = items_[static_cast<std::size_t>(drawing_.layers[as.layer].item)];
+    const Light& light = scene_.items[drawing_.layers[as.layer].item].light;
     const glm::dmat4 to_eye = scene_.camera.view * subject.to_world;
-    const glm::dmat3 normal_to_world = glm::transpose(glm::inverse(glm::dmat3(subject.to_world)));
-    const glm::dvec3 light = light_of(scene_, item);
     const double depths = depths_.farthest - depths_.nearest;
     const base::Array<curves::CurvePoint>& points = subject.curves->point;
     base::Array<float>& factors = factors_.add(base::Array<float>(runtime_.memory, points.size()));
     for (std::int64_t i = 0; i < points.size(); ++i) {
         const double depth = -(to_eye * glm::dvec4(points[i].position, 1.0)).z;
-        double lit = glm::dot(glm::normalize(normal_to_world * points[i].gradient), light);
-        if (!std::isfinite(lit)) lit = 0.0; // where f is constant
+        const float n_dot_l = lit(light, glm::vec3(glm::normalize(points[i].gradient)));
+        const double facing = std::isfinite(n_dot_l) ? static_cast<double>(n_dot_l) : 0.0; // where f is constant
         const double far = depths > 0.0 ? (depth - depths_.nearest) / depths : 0.0;
-        factors[i] = static_cast<float>(by(as.style->far_factor, far) * by(as.style->lit_factor, 0.5 + 0.5 * lit));
+        factors[i] = static_cast<float>(by(as.style->far_factor, far) * by(as.style->lit_factor, 0.5 + 0.5 * facing));
     }
     if (as.style->curvature_factor != 1.0F) add_curvature(as, factors.span());
     as.factor = factors.data();

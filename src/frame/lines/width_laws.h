@@ -27,8 +27,8 @@ struct LineInput {
 class WidthLaws {
 public:
     // Throws Error{callback, out_of_memory}.
-    WidthLaws(const base::Runtime& runtime, const Scene& scene, std::span<const Item> items,
-              const drawing::Drawing& drawing, const LineInput& input, const base::Progress& progress);
+    WidthLaws(const base::Runtime& runtime, const Scene& scene, const drawing::Drawing& drawing, const LineInput& input,
+              const base::Progress& progress);
 
     // Those of the input, with the factors of points.
     [[nodiscard]] std::span<const DrawnAs> styles() const noexcept { return styles_.span(); }
@@ -61,7 +61,6 @@ private:
 
     const base::Runtime& runtime_;
     const Scene& scene_;
-    std::span<const Item> items_;
     const drawing::Drawing& drawing_;
     LineInput input_;
     base::Progress progress_;

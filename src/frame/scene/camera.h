@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The camera as the frame sees it, and the helpers that build its matrices (GLM).
+// The camera as the frame sees it, the helpers that build its matrices, and what a frame needs of it, combined once.
 #pragma once
 
 #include "base/view.h"
@@ -25,14 +25,42 @@ struct Camera {
                                      double far_plane, DepthConvention depth);
 [[nodiscard]] glm::dmat4 orthographic(double view_height, double width, double height, double near_plane,
                                       double far_plane, DepthConvention depth);
+// A camera that looks at the centre of a box. vertical_angle = 0 is an orthographic camera.
 [[nodiscard]] Camera fit_bounds(const geometry::Bounds& bounds, const glm::dvec3& direction, const glm::dvec3& up,
                                 double vertical_angle, double width, double height, double margin,
                                 DepthConvention depth);
-
-// The same for points of 3 components, at least one, relative to `origin`: as large as the picture allows, and in its
-// middle.
+// The same for points of 3 components, at least one, relative to `origin`: they are as large as the picture allows, and
+// in its middle.
 [[nodiscard]] Camera fit_points(const base::InView& points, const glm::dvec3& origin, const glm::dvec3& direction,
                                 const glm::dvec3& up, double vertical_angle, double width, double height, double margin,
                                 DepthConvention depth);
+// Throws Error{invalid_argument} for a camera that cannot be drawn with.
+void check(const Camera& camera);
+
+// How a camera maps eye space, in double. The camera is checked, but its projection may still be singular.
+struct Optics {
+    glm::dmat4 window{1.0}; // eye to (x w, y w, depth w, w): pixels and window depth
+    glm::dvec4 centre{0.0}; // where the lines of sight come from (w = 1), or their direction (w = 0), eye space
+};
+[[nodiscard]] Optics make_optics(const Camera& camera);
+
+// The same in float, with what else marks need.
+struct Lens {
+    glm::mat4 window{1.0F};
+    glm::vec4 centre{0.0F};
+    glm::vec4 viewport{0.0F}; // x, y, width, height
+    float pixels = 0.0F;      // per eye unit where w is 1
+    float eye_per_world = 1.0F;
+    float diagonal = 0.0F; // of the viewport, pixels
+
+    // v of [NPAR 6]: from the camera to a point, not normalised.
+    [[nodiscard]] glm::vec3 sight(const glm::vec3& eye) const noexcept {
+        return centre.w == 0.0F ? glm::vec3(centre) : eye - glm::vec3(centre);
+    }
+};
+[[nodiscard]] Lens make_lens(const Camera& camera);
+
+// The side of a cube of the same volume after the transform.
+[[nodiscard]] double mean_scale(const glm::dmat4& transform) noexcept;
 
 } // namespace hrbfnpr::frame

@@ -1,9 +1,17 @@
 // SPDX-License-Identifier: MIT
+// set_up, step by step:
+//
+// 1. unit_camera: the camera in a unit in which floats hold the items' squares and cubes
+// 2. view_of: each item's matrices
+// 3. note_layers: ids of the marks of all layers
+// 4. add_runs: a run for each layer that takes part, and the drawing's layers of ink; once more for the other sides
+// 5. take_pose, pose_runs: places and clusters of marks that have moved
+// 6. turn_runs: normals and clusters of the other sides
 #include "frame/scene/scene.h"
 
-#include "frame/scene/pose.h"
-#include "frame/scene/turn.h"
 #include "geometry/unit.h"
+#include "marks/move_clusters.h"
+#include "marks/turn_clusters.h"
 
 #include <glm/gtc/matrix_inverse.hpp>
 
@@ -14,8 +22,15 @@
 namespace hrbfnpr::frame {
 namespace {
 
-constexpr std::int64_t chunk_size = 4096;
+using ll = long long; // of messages
+
+constexpr std::int64_t marks_a_task = 4096;
+constexpr std::int64_t marks_a_call = 4096;     // of a tone callback
 constexpr std::int64_t most_marks = 0x7FFFFFFF; // an order key holds a mark and one bit in 32
+constexpr double most_off_unit = 1e-2;          // of a pose's normal, as of floats that were turned
+constexpr double farthest = 1e33;               // of a pose's numbers: marks are floats
+
+// ---- Items
 
 // Inverse transpose, scaled to fit into floats: only the direction of its products counts.
 glm::mat3 normal_matrix(const glm::dmat4& m) {
@@ -25,35 +40,39 @@ glm::mat3 normal_matrix(const glm::dmat4& m) {
     return glm::mat3(inverse / largest);
 }
 
-void check_transform(const glm::dmat4& m, std::int64_t index) {
-    for (int i = 0; i < 16; ++i) {
+void check_item(std::span<const Item> items, std::int64_t index) {
+    const Item& item = items[static_cast<std::size_t>(index)];
+    const glm::dmat4& m = item.transform;
+    for (int i = 0; i < 16; ++i)
         if (!std::isfinite(m[i / 4][i % 4]))
-            fail(Status::invalid_argument, "items[%lld].transform[%d] is %g; all 16 elements must be finite",
-                 static_cast<long long>(index), i, m[i / 4][i % 4]);
-    }
+            fail(Status::invalid_argument, "items[%lld].transform[%d] is %g; all 16 elements must be finite", ll{index},
+                 i, m[i / 4][i % 4]);
     if (m[0][3] != 0.0 || m[1][3] != 0.0 || m[2][3] != 0.0 || m[3][3] != 1.0)
         fail(Status::invalid_argument,
-             "items[%lld].transform is not affine; its last row (elements 3, 7, 11, 15) must be 0 0 0 1",
-             static_cast<long long>(index));
+             "items[%lld].transform is not affine; its last row (elements 3, 7, 11, 15) must be 0 0 0 1", ll{index});
     if (!(mean_scale(m) > 0.0))
-        fail(Status::invalid_argument, "items[%lld].transform is singular; it must be invertible",
-             static_cast<long long>(index));
+        fail(Status::invalid_argument, "items[%lld].transform is singular; it must be invertible", ll{index});
+    if (item.style.paper != items[0].style.paper)
+        fail(Status::invalid_argument,
+             "items[%lld].style.paper differs from that of items[0]; all styles of a drawing need the same paper",
+             ll{index});
+    if (item.style.visibility != items[0].style.visibility)
+        fail(Status::invalid_argument,
+             "items[%lld].style.visibility differs from that of items[0]; all styles of a drawing need the same",
+             ll{index});
 }
 
-// How far from the eye the items reach, in its space.
-double reach_of(std::span<const Item> items, const Camera& camera) noexcept {
-    double farthest = 0.0;
+// The same camera, whose eye space is measured in a unit that suits what the items reach from the eye. Projections give
+// the same pixels for any factor.
+Camera unit_camera(Camera camera, std::span<const Item> items) noexcept {
+    double reach = 0.0;
     for (const Item& item : items) {
         if (item.set->bounds.empty()) continue;
         const glm::dmat4 to_eye = camera.view * item.transform;
         const double middle = glm::length(glm::dvec3(to_eye * glm::dvec4(item.set->bounds.centre(), 1.0)));
-        farthest = std::max(farthest, middle + 0.5 * mean_scale(to_eye) * item.set->bounds.diagonal());
+        reach = std::max(reach, middle + 0.5 * mean_scale(to_eye) * item.set->bounds.diagonal());
     }
-    return farthest;
-}
-
-// The same camera, whose eye space is measured in that unit.  Projections give the same pixels for any factor.
-Camera in_unit(Camera camera, double unit) noexcept {
+    const double unit = geometry::unit_for(reach);
     if (unit == 1.0) return camera;
     for (int column = 0; column < 4; ++column)
         for (int row = 0; row < 3; ++row) camera.view[column][row] /= unit;
@@ -74,7 +93,7 @@ ItemView view_of(const Item& item, const Camera& camera) {
     view.unit = item.set->unit;
     if (!item.set->bounds.empty()) {
         view.centre = glm::vec3((item.set->bounds.centre() - item.set->origin) / view.unit);
-        view.radius = static_cast<float>(0.5 * item.set->bounds.diagonal() / view.unit * 1.0001);
+        view.radius = static_cast<float>(0.5 * item.set->bounds.diagonal() / view.unit) * scene_tuning.rounding;
     }
     // Far from the world's origin the large numbers cancel here, in double.
     view.to_world = item.transform;
@@ -85,53 +104,60 @@ ItemView view_of(const Item& item, const Camera& camera) {
     view.eye_offset = glm::vec3(glm::dvec3(to_eye[3]));
     view.normal_to_eye = normal_matrix(to_eye);
     view.normal_to_world = normal_matrix(view.to_world);
-    view.normal_to_light = item.style.light_space == LightSpace::camera ? view.normal_to_eye : view.normal_to_world;
+    const glm::mat3& to_light =
+        item.style.light_space == LightSpace::camera ? view.normal_to_eye : view.normal_to_world;
     const double length = glm::length(item.style.light);
-    if (length > 0.0) view.light = glm::vec3(item.style.light / length);
+    const glm::vec3 towards = length > 0.0 ? glm::vec3(item.style.light / length) : glm::vec3(0.0F);
+    for (int r = 0; r < 3; ++r) {
+        for (int c = 0; c < 3; ++c) view.light.normal[r][c] = to_light[c][r];
+        view.light.towards[r] = towards[r];
+    }
     return view;
 }
+
+// ---- Layers and runs
 
 // Whether the layer is spread over the surface. Strokes of the caller's may be few and anywhere: they tell neither
 // where the surface is nor where its contours are, and make no tone.
 bool is_surface(const marks::Layer& layer) noexcept { return !(layer.kind == marks::Kind::own && layer.has_strokes()); }
 
-bool is_used(const LayerStyle& style) noexcept { return style.shown || style.contours; }
-
-bool is_drawn(const marks::Layer& layer, const Style& style) noexcept {
-    return layer.count() > 0 && is_used(style.of(layer));
+// Whether the layer takes part. One that is not shown may still tell where the surface is that hides other ink, unless
+// its style turns off its contours as well.
+bool takes_part(const marks::Layer& layer, const Style& style) noexcept {
+    const LayerStyle& own = style.of(layer);
+    return layer.count() > 0 && (own.shown || own.contours);
 }
 
 bool has_surface(const marks::PointSet& set, const Style& style) noexcept {
     return std::any_of(set.layers.begin(), set.layers.end(),
-                       [&](const marks::Layer& layer) { return is_drawn(layer, style) && is_surface(layer); });
+                       [&](const marks::Layer& layer) { return takes_part(layer, style) && is_surface(layer); });
 }
 
-// Which layer's marks are the splats of an item; -1: none's.  Stipples are spread the most evenly, so theirs are
-// unless they are few.
+// The layer whose marks are the splats of an item; -1 for none. Stipples are spread the most evenly.
 std::int64_t splat_layer(const marks::PointSet& set, const Style& style) {
     const bool any_surface = has_surface(set, style);
+    const auto larger = [&](std::int64_t than, std::int64_t i) {
+        return than < 0 || set.layers[i].count() > set.layers[than].count() ? i : than;
+    };
     std::int64_t largest = -1;
     std::int64_t stipples = -1;
     for (std::int64_t i = 0; i < set.layers.size(); ++i) {
         const marks::Layer& layer = set.layers[i];
-        if (!is_drawn(layer, style) || is_surface(layer) != any_surface) continue;
-        if (largest < 0 || layer.count() > set.layers[largest].count()) largest = i;
-        if (layer.kind == marks::Kind::stipples && (stipples < 0 || layer.count() > set.layers[stipples].count()))
-            stipples = i;
+        if (!takes_part(layer, style) || is_surface(layer) != any_surface) continue;
+        largest = larger(largest, i);
+        if (layer.kind == marks::Kind::stipples) stipples = larger(stipples, i);
     }
-    const bool enough = stipples >= 0 && 4 * set.layers[stipples].count() >= set.layers[largest].count();
-    return enough ? stipples : largest;
+    if (stipples < 0) return largest;
+    const double enough = scene_tuning.enough_stipples * static_cast<double>(set.layers[largest].count());
+    return static_cast<double>(set.layers[stipples].count()) >= enough ? stipples : largest;
 }
 
-// The size of a mark's piece of surface: known for the largest layer, in others by their number.
-double spacing_of(const marks::PointSet& set, const marks::Layer& layer) {
-    const double ratio = static_cast<double>(set.largest()) / static_cast<double>(layer.count());
-    return set.spacing * std::sqrt(ratio);
-}
-
-Pen pen_of(const Style& style, const LayerStyle& layer, double spacing, double eye_per_object, const Lens& lens) {
+// `spacing` and `step` are in object space.
+Pen pen_of(const Style& style, const LayerStyle& layer, double spacing, double step, double eye_per_object,
+           const Lens& lens) {
     Pen pen;
     pen.spacing = static_cast<float>(spacing * eye_per_object);
+    pen.separation = static_cast<float>(step * eye_per_object);
     if (style.zoom_reference > 0.0)
         pen.zoom_at_one = static_cast<float>(static_cast<double>(lens.eye_per_world) / style.zoom_reference);
     pen.zoom_exponent = static_cast<float>(style.zoom_exponent);
@@ -148,214 +174,291 @@ Pen pen_of(const Style& style, const LayerStyle& layer, double spacing, double e
     return pen;
 }
 
-glm::vec4 color(const float* c) noexcept { return {c[0], c[1], c[2], c[3]}; }
-
-// The runs of one item, which is the last of the scene's, and what the drawing knows of its layers.
-class RunMaker {
-public:
-    RunMaker(Scene& scene, const Item& item, std::int32_t number, drawing::Drawing& drawing) noexcept
-        : scene_(scene), item_(item), style_(item.style), place_(static_cast<std::int32_t>(scene.items.size() - 1)),
-          number_(number), drawing_(drawing), splats_(splat_layer(*item.set, item.style)),
-          any_surface_(has_surface(*item.set, item.style)),
-          eye_per_object_(mean_scale(item.transform) * static_cast<double>(scene.lens.eye_per_world)) {}
-
-    void operator()() {
-        for (std::int64_t i = 0; i < item_.set->layers.size(); ++i) {
-            const marks::Layer& layer = item_.set->layers[i];
-            note(i, layer);
-            if (is_drawn(layer, style_)) add(made(i, layer, style_.of(layer), drawing_.runs.back().first_id));
-        }
-    }
-
-    // The same marks seen from the other side; `first_run` of the drawing's is that of its first layer.
-    void turned(std::int64_t first_run) {
-        for (std::int64_t i = 0; i < item_.set->layers.size(); ++i) {
-            const marks::Layer& layer = item_.set->layers[i];
-            if (!is_drawn(layer, style_)) continue;
-            Run run = made(i, layer, style_.of(layer), drawing_.runs[first_run + i].first_id);
-            run.turned = true;
-            run.draws_silhouettes = run.paints_paper = run.occludes = run.splats = false; // its front side does
-            if (run.draws_front) add(run);
-        }
-    }
-
-private:
-    // Ids count the marks of all layers.
-    void note(std::int64_t number, const marks::Layer& layer) {
+// Ids count the marks of all layers of all items, drawn or not.
+void note_layers(const marks::PointSet& set, std::int32_t number, drawing::Drawing& drawing) {
+    for (std::int64_t i = 0; i < set.layers.size(); ++i) {
         const std::int64_t before =
-            drawing_.runs.empty() ? 0 : drawing_.runs.back().first_id - 1 + drawing_.runs.back().count;
-        if (before + layer.count() > most_marks)
+            drawing.runs.empty() ? 0 : drawing.runs.back().first_id - 1 + drawing.runs.back().count;
+        const std::int64_t after = before + set.layers[i].count();
+        if (after > most_marks)
             fail(Status::invalid_argument, "items[%lld].point_set brings the drawing to %lld marks; the most are %lld",
-                 static_cast<long long>(number_), static_cast<long long>(before + layer.count()),
-                 static_cast<long long>(most_marks));
+                 ll{number}, ll{after}, ll{most_marks});
         drawing::Run run;
-        run.item = number_;
-        run.layer = static_cast<std::int32_t>(number);
-        run.count = layer.count();
+        run.item = number;
+        run.layer = static_cast<std::int32_t>(i);
+        run.count = set.layers[i].count();
         run.first_id = static_cast<std::uint32_t>(before + 1);
-        drawing_.runs.push_back(run);
+        drawing.runs.push_back(run);
     }
-
-    [[nodiscard]] Run made(std::int64_t number, const marks::Layer& marks, const LayerStyle& style,
-                           std::uint32_t first_id) const noexcept {
-        Run run;
-        run.marks = &marks;
-        run.style = &style;
-        run.position = marks.position.data();
-        run.normal = marks.normal.data();
-        run.clusters = &marks.clusters;
-        run.item = place_;
-        run.source = number_;
-        run.layer = static_cast<std::int32_t>(number);
-        run.first = scene_.runs.empty() ? 0 : scene_.runs.back().first + scene_.runs.back().count;
-        run.count = marks.count();
-        run.first_id = first_id;
-        run.scattered = !marks.has_strokes();
-        // A stipple belongs to no direction.
-        run.directions = run.scattered ? 3U : style.directions;
-        run.draws_front = style.shown && style.share > 0.0F && run.directions != 0;
-        run.draws_silhouettes = style_.visibility == Visibility::published && style.contours && is_surface(marks);
-        run.makes_tone = is_surface(marks) || !any_surface_;
-        const bool splats = number == splats_;
-        // With a given overlap, one evenly spread layer is as opaque as all; as published, every mark counts.
-        run.paints_paper = style_.hidden_lines == HiddenLines::attenuate && (splats || !(style_.splat_overlap > 0.0F));
-        run.occludes = style_.hidden_lines == HiddenLines::hide && splats;
-        run.splats = style_.hidden_lines != HiddenLines::show && splats;
-        run.spread_evenly = marks.progressive;
-        if (run.spread_evenly && !run.scattered)
-            run.separation = static_cast<float>(marks.report.step * eye_per_object_);
-        const bool lines = style_.visibility == Visibility::depth_layers && !run.scattered && run.draws_front;
-        run.as_strokes = style.shape == Shape::strokes && lines;
-        run.as_hatch = style.shape == Shape::hatch && lines;
-        run.pen = pen_of(style_, style, spacing_of(*item_.set, marks), eye_per_object_, scene_.lens);
-        return run;
-    }
-
-    void add(Run run) {
-        if (run.as_strokes) run.first_joined = std::exchange(scene_.joined, scene_.joined + run.count);
-        scene_.runs.push_back(run);
-        add_layer(run, drawing::MarkClass::front, color(run.style->ink));
-        add_layer(run, drawing::MarkClass::silhouette, style_.silhouette_ink);
-    }
-
-    void add_layer(const Run& run, drawing::MarkClass mark_class, const glm::vec4& ink) {
-        drawing::Layer layer;
-        layer.item = run.source;
-        layer.layer = run.layer;
-        layer.mark_class = mark_class;
-        layer.as_strokes = (run.as_strokes || run.as_hatch) && mark_class == drawing::MarkClass::front;
-        layer.as_hatch = run.as_hatch && layer.as_strokes;
-        layer.ink = ink;
-        drawing_.layers.push_back(layer);
-    }
-
-    Scene& scene_;
-    const Item& item_;
-    const Style& style_;
-    std::int32_t place_, number_; // of the item: among the scene's, and those of the drawing
-    drawing::Drawing& drawing_;
-    std::int64_t splats_;
-    bool any_surface_;
-    double eye_per_object_;
-};
-
-void check_common(std::span<const Item> items, std::int64_t index) {
-    const Style& style = items[static_cast<std::size_t>(index)].style;
-    if (style.paper != items[0].style.paper)
-        fail(Status::invalid_argument,
-             "items[%lld].style.paper differs from that of items[0]; all styles of a drawing need the same paper",
-             static_cast<long long>(index));
-    if (style.visibility != items[0].style.visibility)
-        fail(Status::invalid_argument,
-             "items[%lld].style.visibility differs from that of items[0]; all styles of a drawing need the same",
-             static_cast<long long>(index));
 }
 
-// Items after all others, with the numbers of their front sides.  Lines are seen from both sides already.
-void add_other_sides(Scene& scene, std::span<const Item> items, drawing::Drawing& drawing) {
-    std::int64_t first_run = 0;
-    for (std::size_t i = 0; i < items.size(); ++i) {
-        if (items[i].both_sides) {
-            scene.items.push_back(ItemView(scene.items[static_cast<std::int64_t>(i)]));
-            RunMaker(scene, items[i], static_cast<std::int32_t>(i), drawing).turned(first_run);
-        }
-        first_run += items[i].set->layers.size();
+// The run of a layer, but for its place among the scene's. `splats` says whether the item's splats are its marks.
+Run run_of(const Item& item, const marks::Layer& layer, bool splats, bool any_surface, const Lens& lens) {
+    const Style& style = item.style;
+    const LayerStyle& own = style.of(layer);
+    const bool published = style.visibility == Visibility::published;
+    Run run;
+    run.marks = &layer;
+    run.style = &own;
+    run.position = layer.position.data();
+    run.normal = layer.normal.data();
+    run.clusters = &layer.clusters;
+    run.count = layer.count();
+    run.directions = run.is_scattered() ? 3U : own.directions; // a stipple belongs to no direction
+    run.draws_front = own.shown && own.share > 0.0F && run.directions != 0;
+    if (!published && !run.is_scattered() && run.draws_front) run.shape = own.shape;
+    run.makes_tone = is_surface(layer) || !any_surface;
+    run.splats = style.hidden_lines != HiddenLines::show && splats;
+    run.draws_silhouettes = published && own.contours && is_surface(layer);
+    // With a given overlap, one evenly spread layer is as opaque as all; as published, every mark counts.
+    run.paints_paper = style.hidden_lines == HiddenLines::attenuate && (splats || !(style.splat_overlap > 0.0F));
+    run.occludes = style.hidden_lines == HiddenLines::hide && splats;
+    // The size of a mark's piece of surface is known for the largest layer; in others it follows from their number.
+    const double ratio = static_cast<double>(item.set->largest()) / static_cast<double>(layer.count());
+    const double step = run.is_even() && !run.is_scattered() ? layer.report.step : 0.0;
+    run.pen = pen_of(style, own, item.set->spacing * std::sqrt(ratio), step,
+                     mean_scale(item.transform) * static_cast<double>(lens.eye_per_world), lens);
+    return run;
+}
+
+void add_layer(const Run& run, MarkClass mark_class, const float* ink, drawing::Drawing& drawing) {
+    drawing::Layer layer;
+    layer.item = run.source;
+    layer.layer = run.layer;
+    layer.mark_class = mark_class;
+    layer.as_strokes = run.shape != Shape::dots && mark_class == MarkClass::front;
+    layer.as_hatch = run.shape == Shape::hatch && mark_class == MarkClass::front;
+    layer.ink = {ink[0], ink[1], ink[2], ink[3]};
+    drawing.layers.push_back(layer);
+}
+
+// Adds the runs of the scene's last item, which is the drawing's item `number`. The other side of a surface has only
+// ink, since its front side tells where it is.
+void add_runs(Scene& scene, const Item& item, std::int32_t number, std::int64_t first_of_drawing, bool other_side,
+              drawing::Drawing& drawing) {
+    const std::int64_t splats = splat_layer(*item.set, item.style);
+    const bool any_surface = has_surface(*item.set, item.style);
+    for (std::int64_t i = 0; i < item.set->layers.size(); ++i) {
+        const marks::Layer& layer = item.set->layers[i];
+        if (!takes_part(layer, item.style)) continue;
+        Run run = run_of(item, layer, i == splats, any_surface, scene.lens);
+        run.turned = other_side;
+        if (other_side) run.draws_silhouettes = run.paints_paper = run.occludes = run.splats = false;
+        if (other_side && !run.draws_front) continue;
+        run.item = static_cast<std::int32_t>(scene.items.size() - 1);
+        run.source = number;
+        run.layer = static_cast<std::int32_t>(i);
+        run.first_id = drawing.runs[first_of_drawing + i].first_id;
+        run.first = scene.mark_count();
+        scene.runs.push_back(run);
+        add_layer(run, MarkClass::front, run.style->ink, drawing);
+        if (item.style.visibility == Visibility::published)
+            add_layer(run, MarkClass::silhouette, &item.style.silhouette_ink.x, drawing);
     }
+}
+
+// ---- Poses and other sides
+
+// Checks a pose of an item, and takes it into the drawing.
+void take_pose(const Item& item, std::int64_t number, std::int64_t pose_number, drawing::Drawing& drawing) {
+    const Pose& pose = item.poses[static_cast<std::size_t>(pose_number)];
+    const auto refuse = [&](const char* why) {
+        fail(Status::invalid_argument, "items[%lld].poses[%lld].layer is %lld, which %s", ll{number}, ll{pose_number},
+             ll{pose.layer}, why);
+    };
+    drawing::Run* const run = std::find_if(drawing.runs.begin(), drawing.runs.end(), [&](const drawing::Run& r) {
+        return r.item == number && r.layer == pose.layer;
+    });
+    if (run == drawing.runs.end()) refuse("is no layer of the item's point set");
+    if (run->posed >= 0) refuse("poses the same layer as one before");
+    const auto vector = [&](const base::InView& view, std::int64_t i, const char* name) {
+        const glm::dvec3 v(view.get(i, 0), view.get(i, 1), view.get(i, 2));
+        // The comparison is false for NaN as well.
+        if (!(std::abs(v.x) <= farthest && std::abs(v.y) <= farthest && std::abs(v.z) <= farthest))
+            fail(Status::invalid_argument,
+                 "items[%lld].poses[%lld].%s[%lld] is %g %g %g; numbers must be finite, of 1e33 at most", ll{number},
+                 ll{pose_number}, name, ll{i}, v.x, v.y, v.z);
+        return v;
+    };
+    const auto unit_vector = [&](const base::InView& view, std::int64_t i, const char* name) {
+        const glm::dvec3 v = vector(view, i, name);
+        const double length = glm::length(v);
+        if (!(std::abs(length - 1.0) <= most_off_unit))
+            fail(Status::invalid_argument, "items[%lld].poses[%lld].%s[%lld] has the length %g; it must be 1",
+                 ll{number}, ll{pose_number}, name, ll{i}, length);
+        return v / length;
+    };
+    const auto add = [](base::Array<float>& array, const glm::dvec3& v) {
+        for (int k = 0; k < 3; ++k) array.push_back(static_cast<float>(v[k]));
+    };
+    run->posed = drawing.posed_position.size() / 3;
+    run->poses_directions = !pose.direction.empty();
+    for (std::int64_t i = 0; i < run->count; ++i) {
+        add(drawing.posed_position, vector(pose.position, i, "position") - item.set->origin);
+        add(drawing.posed_normal, unit_vector(pose.normal, i, "normal"));
+        add(drawing.posed_direction,
+            run->poses_directions ? unit_vector(pose.direction, i, "direction") : glm::dvec3(0.0));
+    }
+}
+
+// Lets the runs of posed layers see where their marks are, and grows their items' balls. From here on the drawing's
+// arrays of poses do not move.
+void pose_runs(Scene& scene, const drawing::Drawing& drawing) {
+    for (const drawing::Run& run : drawing.runs) {
+        ItemView& view = scene.items[run.item];
+        for (std::int64_t i = 0; run.posed >= 0 && i < run.count; ++i) {
+            const glm::vec3 place(glm::dvec3(marks::vector_at(drawing.posed_position, run.posed + i)) / view.unit);
+            view.radius = std::max(view.radius, scene_tuning.rounding * glm::length(place - view.centre));
+        }
+    }
+    scene.posed.reserve(scene.runs.size());
+    std::int64_t number = 0;
+    for (Run& run : scene.runs) {
+        const drawing::Run& source = *drawing.run_of(run.first_id);
+        if (source.posed < 0) continue;
+        run.position = drawing.posed_position.data() + 3 * source.posed;
+        run.normal = drawing.posed_normal.data() + 3 * source.posed;
+        if (source.poses_directions) run.posed_direction = drawing.posed_direction.data() + 3 * source.posed;
+        if (number == scene.posed.size()) scene.posed.add(scene.items.memory());
+        marks::MarkClusters& moved = scene.posed[number++];
+        marks::move_clusters(*run.marks, run.position, run.normal, scene.items[run.item].unit, moved);
+        run.clusters = &moved;
+    }
+}
+
+// Gives the runs of the other sides opposite normals. Poses may have moved their marks.
+void turn_runs(Scene& scene) {
+    std::int64_t marks = 0;
+    for (const Run& run : scene.runs) marks += run.turned ? run.count : 0;
+    if (marks > 0) scene.turned.reserve(scene.runs.size()); // runs point to what is in it
+    scene.turned_normal.resize_for_overwrite(3 * marks);
+    float* to = scene.turned_normal.data();
+    std::int64_t number = 0;
+    for (Run& run : scene.runs) {
+        if (!run.turned) continue;
+        const float* const normal = std::exchange(run.normal, to);
+        to = std::transform(normal, normal + 3 * run.count, to, std::negate<>());
+        if (number == scene.turned.size()) scene.turned.add(scene.items.memory());
+        marks::MarkClusters& turned = scene.turned[number++];
+        marks::turn_clusters(*run.clusters, turned);
+        run.clusters = &turned;
+        scene.items[run.item].radius = scene.items[run.source].radius;
+    }
+    HRBFNPR_ASSERT(to == scene.turned_normal.data() + scene.turned_normal.size());
 }
 
 } // namespace
 
-glm::vec3 Run::posed_tone_normal(std::int64_t mark) const noexcept {
-    if (posed_direction == nullptr) return turned ? -normal_of(mark) : normal_of(mark);
-    const glm::vec3 soft = marks::vector_at(marks->tone_normal, mark);
-    const glm::vec3 n = marks::vector_at(marks->normal, mark);
-    const glm::vec3 d = marks::vector_at(marks->direction, mark);
-    const glm::vec3 along(posed_direction[3 * mark], posed_direction[3 * mark + 1], posed_direction[3 * mark + 2]);
-    const glm::vec3 now = turned ? -normal_of(mark) : normal_of(mark);
-    return glm::dot(soft, n) * now + glm::dot(soft, d) * along +
-           glm::dot(soft, glm::cross(n, d)) * glm::cross(now, along);
-}
-
-void Marks::resize(std::int64_t count) {
-    x.resize(count);
-    y.resize(count);
-    window_depth.resize(count);
-    depth.resize(count);
-    pixels_per_unit.resize(count);
-    nu.resize(count);
-    tau.resize(count);
-    tau_depth.resize(count);
-    mark_class.resize(count);
-    role.resize(count);
-}
-
-std::int64_t Marks::bytes() const noexcept {
-    return x.bytes() + y.bytes() + window_depth.bytes() + depth.bytes() + pixels_per_unit.bytes() + nu.bytes() +
-           tau.bytes() + tau_depth.bytes() + mark_class.bytes() + role.bytes();
-}
-
-std::int64_t Scene::bytes() const noexcept {
-    return items.bytes() + runs.bytes() + chunks.bytes() + marks.bytes() + turned_normal.bytes();
-}
-
 void set_up(Scene& scene, std::span<const Item> items, const Camera& given, drawing::Drawing& drawing) {
     check(given);
-    const Camera camera = in_unit(given, geometry::unit_for(reach_of(items, given)));
+    const Camera camera = unit_camera(given, items);
     scene.lens = make_lens(camera);
     scene.camera = camera;
     scene.items.clear();
     scene.runs.clear();
-    scene.joined = 0;
     drawing.clear();
     drawing.window = {given.viewport, given.depth};
     drawing.from_window = glm::inverse(make_optics(camera).window * camera.view);
     drawing.paper = items.empty() ? Style{}.paper : items[0].style.paper;
-    for (std::size_t i = 0; i < items.size(); ++i) {
-        const auto index = static_cast<std::int64_t>(i);
-        check_transform(items[i].transform, index);
-        check_common(items, index);
-        scene.items.push_back(view_of(items[i], camera));
+    std::int32_t number = 0;
+    for (const Item& item : items) {
+        check_item(items, number);
+        scene.items.push_back(view_of(item, camera));
         const ItemView& view = scene.items.back();
-        drawing.items.push_back({items[i].set, view.unit, view.to_world, view.normal_to_world});
-        RunMaker(scene, items[i], static_cast<std::int32_t>(i), drawing)();
+        drawing.items.push_back({item.set, view.unit, view.to_world, view.normal_to_world});
+        const std::int64_t first = drawing.runs.size();
+        note_layers(*item.set, number, drawing);
+        add_runs(scene, item, number++, first, false, drawing);
     }
-    add_other_sides(scene, items, drawing);
-    pose(scene, items, drawing);
-    turn(scene);
+    // The other sides come last, with the numbers of their front sides.
+    std::int64_t first = 0;
+    number = 0;
+    for (const Item& item : items) {
+        if (item.both_sides) {
+            scene.items.push_back(ItemView(scene.items[number]));
+            add_runs(scene, item, number, first, true, drawing);
+        }
+        first += item.set->layers.size();
+        ++number;
+    }
+    std::int64_t posed = 0;
+    for (std::size_t i = 0; i < items.size(); ++i)
+        for (std::size_t p = 0; p < items[i].poses.size(); ++p, ++posed)
+            take_pose(items[i], static_cast<std::int64_t>(i), static_cast<std::int64_t>(p), drawing);
+    if (posed > 0) pose_runs(scene, drawing);
+    turn_runs(scene);
     std::int64_t places = 0;
     for (Run& run : scene.runs) run.first_place = std::exchange(places, places + run.places());
+}
+
+glm::vec3 Run::tone_normal_of(std::int64_t mark) const noexcept {
+    if (!has_tone_normals() || (is_posed() && posed_direction == nullptr)) return normal_of(mark);
+    const glm::vec3 soft = marks::vector_at(marks->tone_normal, mark);
+    const float side = turned ? -1.0F : 1.0F;
+    if (!is_posed()) return side * soft;
+    const glm::vec3 n = marks::vector_at(marks->normal, mark);
+    const glm::vec3 d = marks::vector_at(marks->direction, mark);
+    const glm::vec3 along = vector_of(posed_direction, mark);
+    const glm::vec3 now = side * normal_of(mark);
+    return side * (glm::dot(soft, n) * now + glm::dot(soft, d) * along +
+                   glm::dot(soft, glm::cross(n, d)) * glm::cross(now, along));
+}
+
+std::int64_t Scene::bytes() noexcept {
+    std::int64_t sum = items.bytes() + runs.bytes() + chunks.bytes() + turned_normal.bytes();
+    marks.for_arrays([&](const auto& array) { sum += array.bytes(); });
+    return sum;
 }
 
 void add_chunks(Scene& scene) {
     scene.chunks.clear();
     for (std::int64_t r = 0; r < scene.runs.size(); ++r) {
         const Run& run = scene.runs[r];
-        for (std::int64_t begin = 0; begin < run.count; begin += chunk_size) {
-            const std::int64_t end = std::min(run.count, begin + chunk_size);
-            scene.chunks.push_back({static_cast<std::int32_t>(r), run.first + begin, run.first + end});
-        }
+        for (std::int64_t begin = 0; begin < run.count; begin += marks_a_task)
+            scene.chunks.push_back({static_cast<std::int32_t>(r), run.first + begin,
+                                    run.first + std::min(run.count, begin + marks_a_task)});
     }
-    scene.marks.resize(scene.mark_count());
+    scene.marks.for_arrays([&](auto& array) { array.resize(scene.mark_count()); });
+}
+
+void ToneCalls::begin(const ItemView& item, base::Array<float>& out) noexcept {
+    HRBFNPR_ASSERT(item.style.tone_function != nullptr);
+    places_.clear(); // what a failed frame left
+    positions_.clear();
+    normals_.clear();
+    item_ = &item;
+    out_ = &out;
+}
+
+void ToneCalls::add(const glm::vec3& own_position, const glm::vec3& own_normal, std::int64_t place) {
+    HRBFNPR_ASSERT(item_ != nullptr && place >= 0 && place < out_->size());
+    const glm::vec3 position(item_->to_world * glm::dvec4(own_position, 1.0));
+    const glm::vec3 normal = glm::normalize(item_->normal_to_world * own_normal);
+    places_.push_back(place);
+    for (int k = 0; k < 3; ++k) {
+        positions_.push_back(position[k]);
+        normals_.push_back(normal[k]);
+    }
+    if (places_.size() == marks_a_call) end();
+}
+
+void ToneCalls::end() {
+    const std::int64_t count = places_.size();
+    if (count == 0) return;
+    tau_.clear();
+    tau_.resize(count);
+    const std::int32_t result =
+        item_->style.tone_function(item_->style.tone_user, count, positions_.data(), normals_.data(), tau_.data());
+    if (result != 0)
+        fail(Status::callback, "tone_function returned %d; it must return 0 unless it failed",
+             static_cast<int>(result));
+    for (std::int64_t i = 0; i < count; ++i) {
+        if (std::isnan(tau_[i]))
+            fail(Status::callback, "tone_function gave NaN as tau[%lld]; it must fill every element with a number",
+                 ll{i});
+        (*out_)[places_[i]] = std::clamp(tau_[i], 0.0F, 1.0F);
+    }
+    begin(*item_, *out_);
 }
 
 } // namespace hrbfnpr::frame

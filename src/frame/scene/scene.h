@@ -1,14 +1,26 @@
 // SPDX-License-Identifier: MIT
-// Inside of a frame: the items seen through the camera, and what is known of each mark.
+// What both producers of a drawing begin with: the items seen through the camera, and the runs of marks that take part.
+//
+// set_up: items, camera -> Scene (lens, items, runs), and what the drawing knows of them
+// ToneCalls: places and normals of marks -> tau by the style's callback
+// add_chunks, Marks: what is known of each mark of a drawing as published
 #pragma once
 
+#include "base/list.h"
 #include "base/memory.h"
+#include "base/view.h"
+#include "curves/line_set.h"
 #include "drawing/drawing.h"
 #include "drawing/mark_class.h"
 #include "frame/scene/attenuation.h"
-#include "frame/scene/item.h"
-#include "frame/scene/lens.h"
-#include "frame/scene/tone.h"
+#include "frame/scene/camera.h"
+#include "frame/scene/light.h"
+#include "frame/scene/style.h"
+#include "frame/scene/tuning.h"
+#include "implicit/implicit.h"
+#include "marks/point_set.h"
+
+#include <span>
 
 namespace hrbfnpr::frame {
 
@@ -24,20 +36,38 @@ using drawing::smallest_radius;
 using drawing::soft_rim;
 using drawing::Splat;
 
-// Splats this many spacings wide leaves no gaps between evenly spread marks.
-inline constexpr float splat_spacings = 1.5F;
-// Nearer to the contour than this discs are not pushed any farther.
-inline constexpr float smallest_cosine = 0.05F;
+// ---- What is drawn
 
-// Sizes and opacities of the discs of one group of marks, as functions of the place on the screen.
-// All lengths in pixels; `pixels_per_unit` is pixels per eye unit at the mark.
+// Where the marks of one layer are in this drawing: views of as many elements as it has marks.
+struct Pose {
+    std::int64_t layer = 0;
+    base::InView position;  // absolute
+    base::InView normal;    // unit
+    base::InView direction; // unit; or empty
+};
+
+struct Item {
+    const marks::PointSet* set = nullptr;
+    const implicit::Implicit* model = nullptr; // if it is given, visibility is exact
+    Style style;
+    glm::dmat4 transform{1.0};
+    std::span<const Pose> poses; // the caller keeps them
+    const curves::LineSet* lines = nullptr;
+    bool both_sides = false; // marks are drawn on the inside of the surface, too
+};
+
+// ---- How it is seen
+
+// Sizes and opacities of the discs of one group of marks, as functions of the place on the screen. All lengths are in
+// pixels; `pixels_per_unit` is pixels per eye unit at the mark.
 struct Pen {
     float spacing = 0.0F;     // of the group's marks, eye units
-    float zoom_at_one = 0.0F; // where a pixel is a unit; 0: no reference, the zoom is 1
+    float separation = 0.0F;  // of its strokes, eye units; 0: it is not known
+    float zoom_at_one = 0.0F; // where a pixel is a unit; 0: there is no reference, and the zoom is 1
     float zoom_exponent = 2.0F;
     float ink_radius = 1.0F, ink_zoom = 0.0F;
     float silhouette_radius = 1.0F, silhouette_zoom = 0.0F;
-    float splat_radius = 0.0F; // 0: from the spacing
+    float splat_radius = 0.0F; // 0: it follows from the spacing
     float halo = 0.0F;
     float overlap = 0.0F; // of splats: hrbfnpr_style.splat_overlap
     float lambda_front = 1.0F, lambda_back = 1.0F;
@@ -55,21 +85,19 @@ struct Pen {
     [[nodiscard]] float silhouette_ink(float pixels_per_unit) const noexcept {
         return grown(silhouette_radius, silhouette_zoom, pixels_per_unit);
     }
-
     [[nodiscard]] float front_splat(float pixels_per_unit) const noexcept {
         // One pixel at least, so that small drawings are covered as well.
-        const float radius =
-            splat_radius > 0.0F ? splat_radius : std::max(1.0F, splat_spacings * spacing * pixels_per_unit);
+        const float radius = splat_radius > 0.0F
+                                 ? splat_radius
+                                 : std::max(1.0F, scene_tuning.splat_spacings * spacing * pixels_per_unit);
         return std::min(radius, largest_splat);
     }
-    // The area scales with the zoom.  An automatic splat follows the zoom already, so there it is
-    // only the halo that is left to scale.
+    // The area scales with the zoom. An automatic splat follows the zoom already, so only the halo is left to scale.
     [[nodiscard]] float back_splat(float pixels_per_unit) const noexcept {
         const float shrink = std::sqrt(scale(pixels_per_unit));
         if (splat_radius > 0.0F) return std::min((splat_radius + halo) * shrink, largest_splat);
         return front_splat(pixels_per_unit) + halo * shrink;
     }
-
     [[nodiscard]] float front_opacity(float nu, float radius, float pixels_per_unit) const noexcept {
         return disc_opacity(front_alpha(nu, lambda_front), overlap,
                             expected_overlap(radius, spacing * pixels_per_unit, nu));
@@ -85,35 +113,21 @@ private:
     }
 };
 
-// How far behind its mark, in eye units, a front mark's disc of paper is painted, so that it lies
-// behind all ink of its own layer: within the disc's radius R a sphere of any size that faces the
-// eye under the angle theta falls back by R (1 + sin(theta)) / cos(theta) at most, be it a plane
-// (R tan(theta)) or so small that its contour is just within reach.
-[[nodiscard]] inline float front_push(float radius, float nu, float pixels_per_unit) noexcept {
-    const float cosine = std::clamp(std::abs(nu), smallest_cosine, 1.0F);
-    return radius / pixels_per_unit * (1.0F + std::sqrt(1.0F - cosine * cosine)) / cosine;
-}
-
-// The ink that a back mark must not cover is that of the contour, where its layer turns to the
-// front.  That is nearer to the eye, and all that is needed is some slack.
-[[nodiscard]] inline float back_push(float radius, float pixels_per_unit) noexcept { return radius / pixels_per_unit; }
-
-// One item's matrices.
+// One item's matrices. They take places relative to the set's origin, in `unit`.
 struct ItemView {
     Style style;
     bool both_sides = false;
     const implicit::Implicit* model = nullptr;
     const curves::LineSet* lines = nullptr;
     glm::dvec3 origin{0.0}; // of the set's positions
-    double unit = 1.0;      // in which positions are taken from here on: that of the set's clusters
-    glm::vec3 centre{0.0F}; // of a ball around them, relative to the origin
+    double unit = 1.0;      // of the set's clusters
+    glm::vec3 centre{0.0F}; // of a ball around the marks
     float radius = 0.0F;
-    glm::mat3 to_eye{1.0F}; // of positions relative to the set's origin
+    glm::mat3 to_eye{1.0F};
     glm::vec3 eye_offset{0.0F};
-    glm::mat3 normal_to_eye{1.0F};   // inverse transposes, so that normals stay outward under mirrors too
-    glm::mat3 normal_to_light{1.0F}; // to the space that the light is in
-    glm::vec3 light{0.0F};           // unit
-    glm::dmat4 to_world{1.0};        // of positions relative to the set's origin
+    glm::mat3 normal_to_eye{1.0F}; // an inverse transpose, so that normals stay outward under mirrors, too
+    Light light{};
+    glm::dmat4 to_world{1.0};
     glm::mat3 normal_to_world{1.0F};
 };
 
@@ -121,62 +135,71 @@ struct ItemView {
 struct Run {
     const marks::Layer* marks = nullptr;
     const LayerStyle* style = nullptr;
-    // Three of each mark, relative to the set's origin: those of the layer, or of the item's pose.
+    Pen pen;
+    // Three numbers of each mark, relative to the set's origin: of the layer, of the item's pose, or of the other side.
     const float* position = nullptr;
     const float* normal = nullptr;
-    const float* posed_direction = nullptr;        // of the pose, if it has them
-    const marks::MarkClusters* clusters = nullptr; // the layer's, the pose's, or the other side's
-    bool is_posed = false;
-    std::int32_t item = 0;   // among the scene's
-    std::int32_t source = 0; // among the drawing's
-    std::int32_t layer = 0;  // of the item's set
-    std::int64_t first = 0;  // place of its first mark in the arrays below
-    std::int64_t count = 0;
-    std::int64_t first_place = 0; // of its clusters' blocks, one after the other
-    std::uint32_t first_id = 0;
+    const float* posed_direction = nullptr; // NULL: the pose has none
+    const marks::MarkClusters* clusters = nullptr;
+    std::int32_t item = 0;        // among the scene's
+    std::int32_t source = 0;      // among the drawing's
+    std::int32_t layer = 0;       // of the item's set
+    std::uint32_t first_id = 0;   // of the drawing
+    std::int64_t first = 0;       // place of its first mark among the marks of all runs
+    std::int64_t count = 0;       // of its marks
+    std::int64_t first_place = 0; // of its clusters' blocks among those of all runs
     std::uint32_t directions = 3; // of front ink
+    Shape shape = Shape::dots;    // of front ink: marks that form no strokes are dots whatever the style says
     bool draws_front = false;
-    bool draws_silhouettes = false; // of VISIBILITY_PUBLISHED
-    bool paints_paper = false;      // HIDDEN_LINES_ATTENUATE
-    bool occludes = false;          // HIDDEN_LINES_HIDE
-    float separation = 0.0F;        // of strokes, eye units; 0: none is known
-    std::int64_t first_joined = 0;  // of those that are drawn as strokes: place of the first mark among all such
-    bool as_strokes = false;        // marks that follow each other become lines
-    bool as_hatch = false;          // strokes become lines whose width makes the tone
-    bool scattered = true;          // its marks form no strokes
-    bool makes_tone = true;         // its ink counts for the tone of its item
-    bool spread_evenly = false;     // in a blue-noise order
-    bool splats = false;            // its marks tell where the layers of its item are
-    bool turned = false;            // the other side: normals are opposite to those of the marks; lays no layers itself
-    Pen pen;
+    bool makes_tone = true; // its ink counts for the tone of its item
+    bool splats = false;    // its marks tell where the layers of its item are
+    bool turned = false;    // it is the other side: normals are opposite to those of the marks
+    // With VISIBILITY_PUBLISHED only.
+    bool draws_silhouettes = false;
+    bool paints_paper = false; // HIDDEN_LINES_ATTENUATE
+    bool occludes = false;     // HIDDEN_LINES_HIDE
 
     [[nodiscard]] std::int64_t places() const noexcept { return clusters->block.size() * marks::MarkBlock::size; }
-    [[nodiscard]] glm::vec3 position_of(std::int64_t mark) const noexcept {
-        return {position[3 * mark], position[3 * mark + 1], position[3 * mark + 2]};
+    [[nodiscard]] bool is_posed() const noexcept { return position != marks->position.data(); }
+    [[nodiscard]] bool is_scattered() const noexcept { return !marks->has_strokes(); }
+    // Whether its marks are in a blue-noise order.
+    [[nodiscard]] bool is_even() const noexcept { return marks->progressive; }
+    [[nodiscard]] bool draws_set(std::uint32_t set) const noexcept {
+        return directions == 3U || (directions >> set & 1U) != 0;
     }
-    [[nodiscard]] glm::vec3 normal_of(std::int64_t mark) const noexcept {
-        return {normal[3 * mark], normal[3 * mark + 1], normal[3 * mark + 2]};
-    }
-    [[nodiscard]] bool has_tone_normals() const noexcept { return !marks->tone_normal.empty(); }
-    // What tone goes by: where the layer is posed, turned with normal and direction, or the normal.
-    [[nodiscard]] glm::vec3 tone_normal_of(std::int64_t mark) const noexcept {
-        if (!has_tone_normals()) return normal_of(mark);
-        const glm::vec3 n = is_posed ? posed_tone_normal(mark) : marks::vector_at(marks->tone_normal, mark);
-        return turned ? -n : n;
-    }
+    [[nodiscard]] glm::vec3 position_of(std::int64_t mark) const noexcept { return vector_of(position, mark); }
+    [[nodiscard]] glm::vec3 normal_of(std::int64_t mark) const noexcept { return vector_of(normal, mark); }
     // In the item's unit.
     [[nodiscard]] glm::vec3 place_of(std::int64_t mark, double unit) const noexcept {
         return glm::vec3(glm::dvec3(position_of(mark)) / unit);
     }
-    [[nodiscard]] glm::vec3 posed_tone_normal(std::int64_t mark) const noexcept; // of the front side
-    // Radius of the ink of a front mark, by its number in the layer.  Contours are not tapered.
+    [[nodiscard]] bool has_tone_normals() const noexcept { return !marks->tone_normal.empty(); }
+    // What tone goes by: where the layer is posed it is turned with normal and direction.
+    [[nodiscard]] glm::vec3 tone_normal_of(std::int64_t mark) const noexcept;
+    // Radius of the ink of a front mark, by its number in the layer.
     [[nodiscard]] float front_ink(std::int64_t mark, float pixels_per_unit) const noexcept {
         const float radius = pen.front_ink(pixels_per_unit);
         return marks->width.empty() ? radius : radius * marks->width[mark];
     }
+
+private:
+    [[nodiscard]] glm::vec3 vector_of(const float* all, std::int64_t mark) const noexcept {
+        HRBFNPR_ASSERT(mark >= 0 && mark < count);
+        return {all[3 * mark], all[3 * mark + 1], all[3 * mark + 2]};
+    }
 };
 
-// A piece of a run: the unit of work.
+// Strokes of lines or of hatching, before they stand among the others of a drawing.
+struct LineStrokes {
+    explicit LineStrokes(base::Memory& memory) noexcept : strokes(memory), points(memory) {}
+
+    base::Array<drawing::Stroke> strokes; // in any order
+    base::Array<drawing::StrokePoint> points;
+};
+
+// ---- What is known of each mark, as published
+
+// Consecutive marks of a run.
 struct Chunk {
     std::int32_t run = 0;
     std::int64_t begin = 0, end = 0; // places in the arrays
@@ -195,15 +218,21 @@ struct Marks {
     base::Array<float> nu;
     base::Array<float> tau;
     base::Array<float> tau_depth;
-    base::Array<MarkClass> mark_class; // none = outside
-    base::Array<std::uint8_t> role;    // what is drawn of it, bits below
+    base::Array<MarkClass> mark_class; // none: the mark lies outside of the picture
+    base::Array<std::uint8_t> role;    // the role_... bits of what is drawn of it
 
-    void resize(std::int64_t count);
-    [[nodiscard]] std::int64_t bytes() const noexcept;
+    template <class F>
+    void for_arrays(const F& f) {
+        for (base::Array<float>* a : {&x, &y, &window_depth, &depth, &pixels_per_unit, &nu, &tau, &tau_depth}) f(*a);
+        f(mark_class);
+        f(role);
+    }
 };
 
 inline constexpr std::uint8_t role_ink = 1;
 inline constexpr std::uint8_t role_paper = 2;
+
+// ---- The scene
 
 struct Scene {
     explicit Scene(base::Memory& memory) noexcept
@@ -211,14 +240,13 @@ struct Scene {
           turned_normal(memory) {}
 
     Lens lens;
-    Camera camera; // in the unit that eye space is measured in
-    base::Array<ItemView> items;
+    Camera camera;               // in the unit that eye space is measured in
+    base::Array<ItemView> items; // those of the other sides come last
     base::Array<Run> runs;
     base::Array<Chunk> chunks;
     Marks marks;
-    std::int64_t joined = 0;                // marks of runs that are drawn as strokes
     base::List<marks::MarkClusters> posed;  // of layers whose marks have moved
-    base::List<marks::MarkClusters> turned; // of runs that are
+    base::List<marks::MarkClusters> turned; // of runs of the other sides
     base::Array<float> turned_normal;       // of these, one after the other
 
     [[nodiscard]] const ItemView& item_of(const Run& run) const noexcept { return items[run.item]; }
@@ -228,14 +256,52 @@ struct Scene {
     [[nodiscard]] std::int64_t place_count() const noexcept {
         return runs.empty() ? 0 : runs.span().back().first_place + runs.span().back().places();
     }
-    [[nodiscard]] std::int64_t bytes() const noexcept;
+    [[nodiscard]] std::int64_t bytes() noexcept;
 };
 
-// Fills lens, items and runs, and of the drawing its window, paper, layers, items, runs and poses.
+// Fills lens, items and runs, and of the drawing its window, paper, layers, items, runs and poses. The drawing has a
+// layer of front ink for each run; as published each is followed by a layer of contours.
 // Throws Error{invalid_argument}.
 void set_up(Scene& scene, std::span<const Item> items, const Camera& given, drawing::Drawing& drawing);
 // Fills chunks, and makes room for the marks.
 void add_chunks(Scene& scene);
+
+// Asks a style's tone callback for tau, on the thread that entered.
+class ToneCalls {
+public:
+    explicit ToneCalls(base::Memory& memory) noexcept
+        : positions_(memory), normals_(memory), tau_(memory), places_(memory) {}
+
+    // The answers to all marks added go to out[place]. Call begin() first, for each item, and end() last.
+    void begin(const ItemView& item, base::Array<float>& out) noexcept;
+    void add(const glm::vec3& own_position, const glm::vec3& own_normal, std::int64_t place);
+    void end();
+
+    [[nodiscard]] std::int64_t bytes() const noexcept {
+        return positions_.bytes() + normals_.bytes() + tau_.bytes() + places_.bytes();
+    }
+
+private:
+    const ItemView* item_ = nullptr;
+    base::Array<float>* out_ = nullptr;
+    base::Array<float> positions_, normals_, tau_;
+    base::Array<std::int64_t> places_;
+};
+
+// ---- The order of painting, as published
+
+// How far after its mark, in eye units, a front mark's disc of paper is painted, so that it lies after all ink of its
+// own layer: within the disc's radius R a sphere of any size that faces the eye under the angle theta falls back by R
+// (1 + sin(theta)) / cos(theta) at most, be it a plane (R tan(theta)) or so small that its contour is just within
+// reach.
+[[nodiscard]] inline float front_push(float radius, float nu, float pixels_per_unit) noexcept {
+    const float cosine = std::clamp(std::abs(nu), scene_tuning.smallest_cosine, 1.0F);
+    return radius / pixels_per_unit * (1.0F + std::sqrt(1.0F - cosine * cosine)) / cosine;
+}
+
+// The ink that a back mark must not cover is the contour's, where its layer turns to the front. It is nearer to the
+// eye, so only some slack is needed.
+[[nodiscard]] inline float back_push(float radius, float pixels_per_unit) noexcept { return radius / pixels_per_unit; }
 
 // Where a disc of paper is painted in the order of painting, eye units along the view.
 [[nodiscard]] inline float paper_depth(const Marks& marks, std::int64_t place, float radius) noexcept {
@@ -245,8 +311,8 @@ void add_chunks(Scene& scene);
                                      : front_push(radius, marks.nu[place], pixels_per_unit));
 }
 
-// Where ink is painted in the order of painting, eye units along the view: pulled toward the eye by
-// about its own size, so that it lies over the paper of its own layer.
+// Where ink is painted in the order of painting, eye units along the view: it is pulled toward the eye by about its own
+// size, so that it lies over the paper of its own layer.
 [[nodiscard]] inline float ink_depth(float depth, float radius, float pixels_per_unit) noexcept {
     return depth - radius / pixels_per_unit;
 }

@@ -3,6 +3,7 @@
 #define HWY_TARGET_INCLUDE "frame/scene/see_loops.cpp"
 #include "base/simd.h"
 
+#include "base/assert.h"
 #include "frame/scene/see_loops.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -24,50 +25,39 @@ HWY_INLINE W dot3(const float* row, W x, W y, W z) {
 HWY_INLINE W affine(const float* row, W x, W y, W z) { return hn::Add(dot3(row, x, y, z), hn::Set(F(), row[3])); }
 HWY_INLINE W squared(W x, W y, W z) { return hn::Add(hn::Add(hn::Mul(x, x), hn::Mul(y, y)), hn::Mul(z, z)); }
 
-struct Sight {
-    W x, y, z;
-};
-
-HWY_INLINE Sight sight(const Seer& s, W x, W y, W z) {
-    const F d;
-    const W cx = hn::Set(d, s.centre[0]);
-    const W cy = hn::Set(d, s.centre[1]);
-    const W cz = hn::Set(d, s.centre[2]);
-    if (s.parallel) return {cx, cy, cz};
-    return {hn::Sub(x, cx), hn::Sub(y, cy), hn::Sub(z, cz)};
+// n . l as lit() of light.h gives it.
+HWY_INLINE W lit(const Light& light, W nx, W ny, W nz) {
+    if (light.rigid) return dot3(light.towards, nx, ny, nz);
+    const W x = dot3(light.normal[0], nx, ny, nz);
+    const W y = dot3(light.normal[1], nx, ny, nz);
+    const W z = dot3(light.normal[2], nx, ny, nz);
+    return hn::Div(dot3(light.towards, x, y, z), hn::Sqrt(squared(x, y, z)));
 }
 
-HWY_INLINE void place(const Seer& s, W px, W py, W pz, std::int64_t at, const SeenRows& seen) {
-    const F d;
-    const W inverse = hn::Div(hn::Set(d, 1.0F), affine(s.clip[3], px, py, pz));
-    hn::StoreU(hn::Mul(affine(s.clip[0], px, py, pz), inverse), d, seen.x + at);
-    hn::StoreU(hn::Mul(affine(s.clip[1], px, py, pz), inverse), d, seen.y + at);
-    hn::StoreU(hn::Mul(affine(s.clip[2], px, py, pz), inverse), d, seen.window + at);
-    hn::StoreU(hn::Mul(hn::Set(d, s.pixels), inverse), d, seen.pixels_per_unit + at);
-}
-
-HWY_INLINE W light(const Seer& s, W nx, W ny, W nz) {
-    if (s.rigid) return dot3(s.light, nx, ny, nz);
-    const W lx = dot3(s.normal_light[0], nx, ny, nz);
-    const W ly = dot3(s.normal_light[1], nx, ny, nz);
-    const W lz = dot3(s.normal_light[2], nx, ny, nz);
-    return hn::Div(dot3(s.light, lx, ly, lz), hn::Sqrt(squared(lx, ly, lz)));
-}
-
-// load(k): x, y, z of the place, then of the normal.
+// load(k) is x, y, z of the place, of the normal, and of the normal for tone.
 template <class Load>
-HWY_INLINE void see_vector(const Seer& s, std::int64_t at, const SeenRows& seen, float* seen_along, const Load& load) {
+HWY_INLINE void see_vector(const Seer& s, std::int64_t at, const SeenRows& seen, const Load& load) {
     const F d;
+    const W one = hn::Set(d, 1.0F);
     const W px = load(0);
     const W py = load(1);
     const W pz = load(2);
-    place(s, px, py, pz, at, seen);
-    const W ex = affine(s.eye[0], px, py, pz);
-    const W ey = affine(s.eye[1], px, py, pz);
-    const W ez = affine(s.eye[2], px, py, pz);
-    const Sight v = sight(s, ex, ey, ez);
-    const W length = hn::Sqrt(squared(v.x, v.y, v.z));
-    const W inverse = hn::Div(hn::Set(d, 1.0F), length);
+    const W per_w = hn::Div(one, affine(s.clip[3], px, py, pz));
+    hn::StoreU(hn::Mul(affine(s.clip[0], px, py, pz), per_w), d, seen.x + at);
+    hn::StoreU(hn::Mul(affine(s.clip[1], px, py, pz), per_w), d, seen.y + at);
+    hn::StoreU(hn::Mul(affine(s.clip[2], px, py, pz), per_w), d, seen.window + at);
+    hn::StoreU(hn::Mul(hn::Set(d, s.pixels), per_w), d, seen.pixels_per_unit + at);
+    const W depth = hn::Neg(affine(s.eye[2], px, py, pz));
+    W vx = hn::Set(d, s.centre[0]);
+    W vy = hn::Set(d, s.centre[1]);
+    W vz = hn::Set(d, s.centre[2]);
+    if (!s.parallel) {
+        vx = hn::Sub(affine(s.eye[0], px, py, pz), vx);
+        vy = hn::Sub(affine(s.eye[1], px, py, pz), vy);
+        vz = hn::Sub(affine(s.eye[2], px, py, pz), vz);
+    }
+    const W length = hn::Sqrt(squared(vx, vy, vz));
+    const W inverse = hn::Div(one, length);
     const W nx = load(3);
     const W ny = load(4);
     const W nz = load(5);
@@ -75,42 +65,43 @@ HWY_INLINE void see_vector(const Seer& s, std::int64_t at, const SeenRows& seen,
     W ty = dot3(s.normal[1], nx, ny, nz);
     W tz = dot3(s.normal[2], nx, ny, nz);
     if (!s.rigid) {
-        const W unit = hn::Div(hn::Set(d, 1.0F), hn::Sqrt(squared(tx, ty, tz)));
+        const W unit = hn::Div(one, hn::Sqrt(squared(tx, ty, tz)));
         tx = hn::Mul(tx, unit);
         ty = hn::Mul(ty, unit);
         tz = hn::Mul(tz, unit);
     }
-    const W facing = hn::Add(hn::Add(hn::Mul(tx, v.x), hn::Mul(ty, v.y)), hn::Mul(tz, v.z));
+    const W facing = hn::Add(hn::Add(hn::Mul(tx, vx), hn::Mul(ty, vy)), hn::Mul(tz, vz));
     hn::StoreU(hn::Mul(facing, inverse), d, seen.nu + at);
     hn::StoreU(tx, d, seen.side_x + at);
     hn::StoreU(ty, d, seen.side_y + at);
-    if (seen_along != nullptr) hn::StoreU(hn::Mul(hn::Neg(v.z), inverse), d, seen_along + at);
-    hn::StoreU(hn::Neg(ez), d, seen.depth + at);
-    hn::StoreU(s.parallel ? hn::Neg(ez) : length, d, seen.distance + at);
-    hn::StoreU(light(s, nx, ny, nz), d, seen.lit + at);
+    if (seen.along != nullptr) hn::StoreU(hn::Mul(hn::Neg(vz), inverse), d, seen.along + at);
+    hn::StoreU(depth, d, seen.depth + at);
+    hn::StoreU(s.parallel ? depth : length, d, seen.distance + at);
+    hn::StoreU(lit(s.light, load(6), load(7), load(8)), d, seen.lit + at);
 }
 
 void see(const Seer& s, const MarkRange& range, Seen& seen) {
+    HRBFNPR_ASSERT(range.count >= 0 && range.count <= Seen::most);
     const F d;
-    const SeenRows to = {seen.x,  seen.y,   seen.window, seen.depth,  seen.pixels_per_unit,
-                         seen.nu, seen.lit, seen.side_x, seen.side_y, seen.distance};
+    const SeenRows to = {seen.x,      seen.y,      seen.window,   seen.depth, seen.pixels_per_unit, seen.nu, seen.lit,
+                         seen.side_x, seen.side_y, seen.distance, seen.along};
     const auto lanes = static_cast<std::int64_t>(hn::Lanes(d));
     for (std::int64_t at = 0; at < range.count; at += lanes) {
         const marks::MarkBlock& m = range.blocks[at / marks::MarkBlock::size];
-        const float* const rows[6] = {m.x, m.y, m.z, m.nx, m.ny, m.nz};
+        const float* const rows[9] = {m.x, m.y, m.z, m.nx, m.ny, m.nz, m.nx, m.ny, m.nz};
         const std::int64_t in_block = at % marks::MarkBlock::size;
-        see_vector(s, at, to, seen.along, [&](int k) HWY_ATTR { return hn::LoadU(d, rows[k] + in_block); });
+        see_vector(s, at, to, [&](int k) HWY_ATTR { return hn::LoadU(d, rows[k] + in_block); });
     }
 }
 
-void see_rows(const Seer& seer, const MarkRows& marks, const SeenRows& to) {
+void see_rows(const Seer& seer, const MarkRows& m, const SeenRows& to) {
     const F d;
     const Seer s = seer; // no store changes what is here
     const SeenRows seen = to;
-    const float* const rows[6] = {marks.x, marks.y, marks.z, marks.nx, marks.ny, marks.nz};
+    const float* const rows[9] = {m.x, m.y, m.z, m.nx, m.ny, m.nz, m.tone_x, m.tone_y, m.tone_z};
     const auto lanes = static_cast<std::int64_t>(hn::Lanes(d));
-    for (std::int64_t at = 0; at < marks.count; at += lanes)
-        see_vector(s, at, seen, nullptr, [&](int k) HWY_ATTR { return hn::LoadU(d, rows[k] + at); });
+    for (std::int64_t at = 0; at < m.count; at += lanes)
+        see_vector(s, at, seen, [&](int k) HWY_ATTR { return hn::LoadU(d, rows[k] + at); });
 }
 
 // The share of its area at which a mark is drawn, `place` its 1 - rank: it grows while the last ones shown come in.
@@ -128,7 +119,7 @@ HWY_INLINE M inside(const Selection& j, const Seen& seen, std::int64_t at) {
         const W value = hn::LoadU(d, from + at);
         return hn::And(hn::Ge(value, hn::Set(d, low)), hn::Le(value, hn::Set(d, high)));
     };
-    // Everything is asked so that a value that is not a number answers "outside".
+    // Each comparison is false for NaN, which so lies outside.
     return hn::And(hn::And(hn::And(between(seen.x, j.left, j.right), between(seen.y, j.top, j.bottom)),
                            hn::And(between(seen.window, 0.0F, 1.0F), between(seen.nu, -1.001F, 1.001F))),
                    hn::Gt(hn::LoadU(d, seen.pixels_per_unit + at), hn::Zero(d)));
@@ -154,7 +145,7 @@ HWY_INLINE W shown_for(const Selection& j, W tau, W nu) {
 
 HWY_INLINE std::int32_t count(M mask) { return static_cast<std::int32_t>(hn::CountTrue(F(), mask)); }
 
-// Dot of the front, and why there is none.
+// How much of each front mark is drawn; counts why some are not.
 HWY_INLINE W front_of(const Selection& j, W nu, W place, W tau, W tau_depth, M front, Selected& selected) {
     const F d;
     const W zero = hn::Zero(d);
@@ -186,6 +177,7 @@ HWY_INLINE W front_of(const Selection& j, W nu, W place, W tau, W tau_depth, M f
 
 void select(const Selection& j, const MarkRange& range, const Seen& seen, const float* taus, const float* tau_depths,
             Selected& selected) {
+    HRBFNPR_ASSERT(range.count >= 0 && range.count <= Seen::most && (taus != nullptr || !j.front_ink));
     const F d;
     const W zero = hn::Zero(d);
     const W one = hn::Set(d, 1.0F);

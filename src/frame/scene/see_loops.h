@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// From marks to places on the screen and to how much of each is drawn, for each instruction set; the same bits from
-// all of them.
+// From marks to places on the screen (see, see_rows) and to how much of each is drawn (select), for each instruction
+// set; the same bits from all of them.
 #pragma once
 
 #include "base/instruction_set.h"
@@ -10,14 +10,20 @@
 
 namespace hrbfnpr::frame {
 
+// How normals of an item's own space are lit: light.h tells what follows.
+struct Light {
+    bool rigid;         // `towards` is a direction of the item's own space, and `normal` is not needed
+    float normal[3][3]; // to the space that the light is in
+    float towards[3];   // unit
+};
+
 // What is done to the marks of one item: rows of matrices, of positions and normals of the set.
 struct Seer {
-    float clip[4][4];         // to x w, y w, window depth w, w
-    float eye[3][4];          // to eye space
-    bool rigid;               // `normal` keeps lengths, and `light` is a direction of the set's own space
-    float normal[3][3];       // to eye space, of any length
-    float normal_light[3][3]; // to the space that the light is in
-    float light[3];
+    float clip[4][4];   // to x w, y w, window depth w, w
+    float eye[3][4];    // to eye space
+    bool rigid;         // `normal` keeps lengths
+    float normal[3][3]; // to eye space
+    Light light;
     float centre[3]; // of projection, eye space; or the direction of all lines of sight
     bool parallel;
     float pixels; // per eye unit where w is 1
@@ -29,15 +35,16 @@ struct MarkRange {
     std::int64_t count; // <= Seen::most
 };
 
-// Marks whose numbers of one sort stand one after the other; a vector may end beyond the last.
+// Marks each of whose numbers stands in an array of its own; a vector may end beyond the last.
 struct MarkRows {
     const float *x, *y, *z, *nx, *ny, *nz;
+    const float *tone_x, *tone_y, *tone_z; // normals for n . l
     std::int64_t count;
 };
 
-// As Seen, of any number of marks.
+// As Seen, for any number of marks. `along` may be NULL.
 struct SeenRows {
-    float *x, *y, *window, *depth, *pixels_per_unit, *nu, *lit, *side_x, *side_y, *distance;
+    float *x, *y, *window, *depth, *pixels_per_unit, *nu, *lit, *side_x, *side_y, *distance, *along;
 };
 
 struct Seen {
@@ -45,7 +52,7 @@ struct Seen {
     float x[most], y[most];           // pixels
     float window[most];               // depth in the camera's convention
     float depth[most];                // eye units along the view
-    float pixels_per_unit[most];      // pixels per eye unit; <= 0 or not a number: behind the camera
+    float pixels_per_unit[most];      // pixels per eye unit; <= 0 or not a number: after the camera's plane
     float nu[most];                   // n . v
     float lit[most];                  // n . l
     float side_x[most], side_y[most]; // of the unit normal, eye space
@@ -60,8 +67,8 @@ struct Selection {
     float left, right, top, bottom;
     bool all_inside;
 
-    // Dot of the front.  By share: a mark is shown where 1 - rank < most(1, needed(1 - tau) |nu| per_ink) share more
-    // scale tau_depth; by the published rule test by test.
+    // Ink of the front. By share a mark is shown where 1 - rank < most(1, needed(1 - tau) |nu| per_ink) share more
+    // scale tau_depth; by the published rule it passes test by test.
     bool front_ink;
     bool by_published;
     bool coverage;       // else needed() is left out, and |nu|
@@ -84,7 +91,7 @@ struct Selected {
 struct SeeLoops {
     void (*see)(const Seer& seer, const MarkRange& marks, Seen& seen);
     void (*see_rows)(const Seer& seer, const MarkRows& marks, const SeenRows& seen);
-    // tau and tau_depth: of each mark; tau_depth may be NULL, all 1.
+    // tau and tau_depth are of each mark; tau_depth may be NULL, which is 1 for all.
     void (*select)(const Selection& selection, const MarkRange& marks, const Seen& seen, const float* tau,
                    const float* tau_depth, Selected& selected);
 };

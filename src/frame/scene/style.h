@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A style as the frame sees it: checked by the boundary, meaning of every field as in
-// hrbfnpr_style.                                                         [NPAR 6]
+// A style as the frame sees it. The boundary has checked it, and every field means what it does in hrbfnpr_style. [NPAR
+// 6]
 #pragma once
 
 #include "curves/line_set.h"
@@ -8,8 +8,8 @@
 #include "geometry/vec.h"
 #include "marks/point_set.h"
 
-#include <array>
 #include <cstdint>
+#include <cstring>
 #include <span>
 
 namespace hrbfnpr::frame {
@@ -28,8 +28,8 @@ enum class Shape : std::uint32_t { dots = 0, strokes = 1, hatch = 2 };
 using curves::LineKind;
 
 struct LayerStyle {
-    marks::Kind kind = marks::Kind::any; // the layers that this is for
-    const char* name = nullptr;          // ... and are called so; NULL: any name
+    marks::Kind kind = marks::Kind::any; // of the layers that this is for
+    const char* name = nullptr;          // of these layers; NULL: any name
     bool shown = true;
     bool contours = true;
     std::uint32_t directions = 3;
@@ -51,15 +51,18 @@ struct LayerStyle {
     float hatch_overshoot = 0.0F;
     std::uint32_t hatch_seed = 0;
 
-    [[nodiscard]] bool is_for(const marks::Layer& layer) const noexcept;
+    [[nodiscard]] bool is_for(const marks::Layer& layer) const noexcept {
+        return (kind == marks::Kind::any || kind == layer.kind) &&
+               (name == nullptr || std::strcmp(name, layer.name.data()) == 0);
+    }
 };
 
 enum class HiddenParts : std::uint32_t { none = 0, attenuated = 1, dashed = 2, shown = 3 };
 
-// How lines of one kind are drawn; meaning of every field as in hrbfnpr_line_style.
+// How lines of one kind are drawn. Every field means what it does in hrbfnpr_line_style.
 struct LineStyle {
     LineKind kind = LineKind::contour;
-    const char* name = nullptr; // of those that are found once; NULL: any name
+    const char* name = nullptr; // of lines that are found once; NULL: any name
     HiddenParts hidden = HiddenParts::none;
     drawing::Cap cap = drawing::Cap::round; // of free ends
     float width = 2.0F;
@@ -114,15 +117,16 @@ struct Style {
     glm::vec4 silhouette_ink{0.0F, 0.0F, 0.0F, 1.0F};
     float silhouette_radius = 1.0F;
     float silhouette_radius_zoom = 0.0F;
-    std::span<const LayerStyle> layers; // whoever made it keeps them
-    std::span<const LineStyle> lines;   // the same
+    std::span<const LayerStyle> layers; // the caller keeps both lists
+    std::span<const LineStyle> lines;
 
-    // None as published.
-    [[nodiscard]] float fill() const noexcept {
-        return visibility == Visibility::published || tone_rule == ToneRule::published ? 0.0F : fill_light;
+    // The first style that is for the layer, or the default one.
+    [[nodiscard]] const LayerStyle& of(const marks::Layer& layer) const noexcept {
+        static constexpr LayerStyle default_layer{};
+        for (const LayerStyle& style : layers)
+            if (style.is_for(layer)) return style;
+        return default_layer;
     }
-    // That of the first element for it, or defaults.
-    [[nodiscard]] const LayerStyle& of(const marks::Layer& layer) const noexcept;
 };
 
 } // namespace hrbfnpr::frame

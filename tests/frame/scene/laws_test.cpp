@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Each law against its formula.
 #include "frame/scene/attenuation.h"
+#include "frame/scene/light.h"
 #include "frame/scene/scene.h"
-#include "frame/scene/tone.h"
+#include "support/instruction_sets.h"
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <initializer_list>
 
 namespace hrbfnpr::frame::laws_test {
@@ -51,12 +53,50 @@ TEST(ExpectedOverlap, IsDiscAreaOverTheAreaOfAMark) {
     EXPECT_EQ(expected_overlap(3.0F, 0.0F, 1.0F), 1.0F); // unknown
 }
 
+TEST(Light, GivesTheSameBitsAloneAndOnVectors) {
+    constexpr std::int64_t count = 61;
+    constexpr std::size_t room = count + 16; // a vector may end beyond the last mark
+    std::array<std::array<float, room>, 3> normal{};
+    for (std::size_t i = 0; i < count; ++i) {
+        const auto at = static_cast<float>(i);
+        const glm::vec3 n = glm::normalize(glm::vec3(std::sin(at), std::cos(1.7F * at), std::sin(2.3F * at)));
+        for (int k = 0; k < 3; ++k) normal[static_cast<std::size_t>(k)][i] = n[k];
+    }
+    std::array<std::array<float, room>, 10> to{};
+    const auto row = [&](std::size_t k) { return to[k].data(); };
+    const float* const n[3] = {normal[0].data(), normal[1].data(), normal[2].data()};
+    for (const bool rigid : {false, true}) {
+        Seer seer{};
+        seer.light = {rigid, {{0.9F, 0.1F, -0.3F}, {0.2F, 1.4F, 0.0F}, {0.3F, -0.2F, 0.7F}}, {0.48F, 0.6F, 0.64F}};
+        for (const base::InstructionSet set : test::instruction_sets()) {
+            see_loops(set).see_rows(
+                seer, {n[0], n[1], n[2], n[0], n[1], n[2], n[0], n[1], n[2], count},
+                {row(0), row(1), row(2), row(3), row(4), row(5), row(6), row(7), row(8), row(9), nullptr});
+            for (std::size_t i = 0; i < count; ++i)
+                EXPECT_EQ(to[6][i], lit(seer.light, {n[0][i], n[1][i], n[2][i]})) << rigid << " " << i;
+        }
+    }
+}
+
 TEST(LightTone, IsThePowerOfTheCosine) {
     EXPECT_EQ(light_tone(-0.5F, 1.0F), 0.0F);
     EXPECT_FLOAT_EQ(light_tone(0.3F, 1.0F), 0.3F);
     EXPECT_FLOAT_EQ(light_tone(0.5F, 2.0F), 0.25F);
     EXPECT_NEAR(light_tone(0.25F, 0.5F), 0.5F, 1e-7);
     EXPECT_EQ(light_tone(1.0000001F, 1.0F), 1.0F);
+}
+
+TEST(LightTone, BoundsHoldForAllThatIsLitBetter) {
+    Style style;
+    for (const double exponent : {0.5, 1.0, 3.0})
+        for (float least = -1.0F; least <= 1.0F; least += 0.05F) {
+            style.tone_exponent = exponent;
+            const LightTone tone(style);
+            for (float at = least; at <= 1.0F; at += 0.01F) EXPECT_GE(tone(at), tone.least(least));
+            const float lightest = tone.lightest(std::abs(least), 1e-4F);
+            for (float at = 0.0F; at <= 1.0F; at += 0.01F)
+                EXPECT_TRUE(at <= lightest || tone(at) > std::abs(least)) << exponent << " " << least << " " << at;
+        }
 }
 
 TEST(LightTone, OfTheFillLightIsTheSquareOfTheCosineWhereTheSurfaceIsTurnedAway) {
@@ -158,8 +198,8 @@ TEST(Pen, ScalesTheAreaOfBackPaper) {
 
 TEST(Pen, CoversBySpacingWithNoGaps) {
     Pen pen = test_pen();
-    EXPECT_FLOAT_EQ(pen.front_splat(100.0F), splat_spacings * 10.0F);
-    EXPECT_FLOAT_EQ(pen.back_splat(100.0F), splat_spacings * 10.0F + 2.0F);
+    EXPECT_FLOAT_EQ(pen.front_splat(100.0F), scene_tuning.splat_spacings * 10.0F);
+    EXPECT_FLOAT_EQ(pen.back_splat(100.0F), scene_tuning.splat_spacings * 10.0F + 2.0F);
     EXPECT_EQ(pen.front_splat(1.0F), 1.0F); // a pixel at least
     EXPECT_EQ(pen.front_splat(1e9F), 1000.0F);
 }

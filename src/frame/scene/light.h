@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: MIT
+// The light on a surface, the tones that follow from it, from distance and from zoom, and which marks they leave. Dots,
+// hatching, lines and published marks all ask these functions.                                              [NPAR 6.2]
+//
+// 1. lit: n . l of a normal; see_loops.cpp has the same on vectors.
+// 2. LightTone: tau of n . l, and the bound by which clusters are passed over.
+// 3. DepthTone, zoom_scale: what distance and zoom leave of it.
+// 4. front_verdict, silhouette_shown: whether a mark is drawn.
+#pragma once
+
+#include "base/assert.h"
+#include "frame/scene/see_loops.h"
+#include "frame/scene/style.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace hrbfnpr::frame {
+
+// n . l of a unit normal. see_loops.cpp gives the same bits.
+[[nodiscard]] inline float lit(const Light& light, const glm::vec3& n) noexcept {
+    const auto dot = [](const float(&row)[3], const glm::vec3& v) {
+        return row[0] * v.x + row[1] * v.y + row[2] * v.z;
+    };
+    if (light.rigid) return dot(light.towards, n);
+    const glm::vec3 turned(dot(light.normal[0], n), dot(light.normal[1], n), dot(light.normal[2], n));
+    return dot(light.towards, turned) / glm::length(turned);
+}
+
+// tau = max(0, n . l)^exponent + fill max(0, -n . l)^2: 1 is light, 0 is dark. The fill light comes from the other
+// side. Its square leaves the terminator dark, and varies where a surface faces it.
+[[nodiscard]] inline float light_tone(float n_dot_l, float exponent, float fill = 0.0F) noexcept {
+    const float lit = std::clamp(n_dot_l, 0.0F, 1.0F);
+    const float away = std::clamp(-n_dot_l, 0.0F, 1.0F);
+    return (exponent == 1.0F ? lit : std::pow(lit, exponent)) + fill * away * away;
+}
+
+// The law of light of a style. There is no fill light as published.
+struct LightTone {
+    explicit LightTone(const Style& style) noexcept
+        : exponent(static_cast<float>(style.tone_exponent)),
+          fill(style.visibility == Visibility::published || style.tone_rule == ToneRule::published ? 0.0F
+                                                                                                   : style.fill_light) {
+    }
+
+    [[nodiscard]] float operator()(float n_dot_l) const noexcept { return light_tone(n_dot_l, exponent, fill); }
+
+    // No place has a lower tone whose n . l is at least `least_lit`. The fill light does not count, since the
+    // terminator may lie between.
+    [[nodiscard]] float least(float least_lit) const noexcept { return light_tone(least_lit, exponent); }
+
+    // The inverse: where n . l is above this, tones are higher than `tau` by `rounding` at least; infinite if no n . l
+    // is.
+    [[nodiscard]] float lightest(float tau, float rounding) const noexcept {
+        HRBFNPR_ASSERT(rounding > 0.0F);
+        constexpr float any = std::numeric_limits<float>::infinity();
+        const float above = tau + 2.0F * rounding;
+        if (!(above < 1.0F)) return any;
+        const float lightest = above > 0.0F ? std::pow(above, 1.0F / exponent) : 0.0F;
+        return least(lightest) > tau + rounding ? lightest : any;
+    }
+
+    float exponent, fill;
+};
+
+// tau_d is 1 up to depth_min, 0 from depth_max on, and falls with the logarithm between.
+[[nodiscard]] inline float depth_tone(double distance, double depth_min, double depth_max) noexcept {
+    if (!(distance > depth_min)) return 1.0F;
+    const double tone = 1.0 - std::log(distance / depth_min) / std::log(depth_max / depth_min);
+    return static_cast<float>(std::clamp(tone, 0.0, 1.0));
+}
+
+// The law of distance of a style.
+struct DepthTone {
+    DepthTone(const Style& style, float eye_units_per_world_unit) noexcept
+        : depth_min(style.depth_min), depth_max(style.depth_max), eye_per_world(eye_units_per_world_unit),
+          is_on(depth_min > 0.0 && depth_max > depth_min) {}
+
+    // `distance` is in eye units.
+    [[nodiscard]] float operator()(float distance) const noexcept {
+        return is_on ? depth_tone(static_cast<double>(distance / eye_per_world), depth_min, depth_max) : 1.0F;
+    }
+
+    double depth_min, depth_max; // world units
+    float eye_per_world;
+    bool is_on;
+};
+
+// The share of the marks that is shown at a zoom below the reference's.
+[[nodiscard]] inline float zoom_scale(float zoom, float exponent) noexcept {
+    return zoom >= 1.0F ? 1.0F : std::pow(std::max(zoom, 0.0F), exponent);
+}
+
+// Whether a mark is shown, or what drops it.
+enum class Verdict : std::uint8_t { shown = 0, tone = 1, zoom = 2, depth = 3 };
+
+struct ToneTerms {
+    float tau = 0.0F;       // light
+    float tau_depth = 1.0F; // distance
+    float scale = 1.0F;     // zoom
+    float share = 1.0F;     // of the group
+};
+
+// u is the mark's rank. The reason for a drop is the first of share and light, zoom, depth that drops it when they act
+// one after the other.
+[[nodiscard]] inline Verdict front_verdict(float u, const ToneTerms& t, ToneRule rule) noexcept {
+    if (rule == ToneRule::published) {
+        if (!(u >= t.tau && u < t.share)) return Verdict::tone;
+        if (!(u < t.scale)) return Verdict::zoom;
+        return u < t.tau_depth ? Verdict::shown : Verdict::depth;
+    }
+    float shown = (1.0F - t.tau) * t.share;
+    if (!(u >= 1.0F - shown)) return Verdict::tone;
+    shown *= t.scale;
+    if (!(u >= 1.0F - shown)) return Verdict::zoom;
+    return u >= 1.0F - shown * t.tau_depth ? Verdict::shown : Verdict::depth;
+}
+
+[[nodiscard]] inline bool silhouette_shown(float u, float tau_depth, ToneRule rule) noexcept {
+    return rule == ToneRule::published ? u < tau_depth : u >= 1.0F - tau_depth;
+}
+
+} // namespace hrbfnpr::frame
