@@ -129,35 +129,6 @@ void LineBuilder::end(bool closed) {
     curves.closed.push_back(closed ? 1 : 0);
 }
 
-SurfaceLines as_lines(base::Memory& memory, const FeatureLines& features) {
-    SurfaceLines lines(memory);
-    LineBuilder builder(lines);
-    for (std::int64_t l = 0; l < features.lines(); ++l) {
-        for (std::int64_t i = features.first[l]; i < features.first[l + 1]; ++i)
-            builder.add(features.position[i], features.normal[i], features.strength[i]);
-        builder.end(features.closed[l] != 0);
-    }
-    return lines;
-}
-
-SurfaceLines border_lines(base::Memory& memory, const SurfaceMesh& mesh) {
-    base::Array<std::int32_t> after(memory, mesh.vertices()); // 1 + the next vertex along the border
-    for (std::int64_t e = 0; e < mesh.corner.size(); ++e)
-        if (mesh.neighbour[e] < 0) after[mesh.corner[e]] = 1 + mesh.corner[e - e % 3 + (e + 1) % 3];
-    SurfaceLines lines(memory);
-    LineBuilder builder(lines);
-    for (std::int64_t start = 0; start < mesh.vertices(); ++start) {
-        if (after[start] == 0) continue;
-        std::int64_t at = start;
-        while (after[at] != 0) {
-            builder.add(mesh.position[at], mesh.gradient[at], 1.0);
-            at = std::exchange(after[at], 0) - 1;
-        }
-        builder.end(at == start);
-    }
-    return lines;
-}
-
 SurfaceLines facing_parts(base::Memory& memory, const SurfaceLines& lines, const View& view, bool outside) {
     SurfaceLines parts(memory);
     FacingParts facing(lines, view, outside, parts);

@@ -4,7 +4,6 @@
 #pragma once
 
 #include "curves/curves.h"
-#include "curves/feature_lines.h"
 #include "curves/view.h"
 
 namespace hrbfnpr::curves {
@@ -36,10 +35,6 @@ private:
     SurfaceLines& lines_;
     bool as_given_;
 };
-
-[[nodiscard]] SurfaceLines as_lines(base::Memory& memory, const FeatureLines& features);
-// Where the mesh of an open surface ends; the surface lies to the left, as seen from outside.
-[[nodiscard]] SurfaceLines border_lines(base::Memory& memory, const SurfaceMesh& mesh);
 
 // The parts that show their outside to the eye, or those that show their inside; they end where the line of sight is
 // tangent to the surface, by the normals that the lines have.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "hatching/hatching.h"
 
-#include "curves/crease_mesh.h"
+#include "creases/crease_mesh.h"
 #include "hatching/even_lines.h"
 #include "hatching/join_lines.h"
 #include "hatching/line_guides.h"

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "base/view.h"
-#include "curves/line_set.h"
+#include "features/line_set.h"
 #include "frame/scene/style.h"
 #include "implicit/implicit.h"
 #include "marks/point_set.h"

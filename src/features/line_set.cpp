@@ -1,0 +1,255 @@
+// SPDX-License-Identifier: MIT
+#include "features/line_set.h"
+
+#include "base/clock.h"
+#include "features/border.h"
+#include "features/join_sections.h"
+#include "features/section_corners.h"
+#include "implicit/evaluate_all.h"
+#include "surface/project.h"
+#include "surface/region.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace hrbfnpr::curves {
+namespace {
+
+constexpr double sides_a_spacing = 2.0;
+constexpr double sides_a_diagonal = 96.0; // where no spacing is known
+constexpr std::int64_t lattice = 24;      // points of the bounds that seeds are looked for from, along each axis
+// More triangles than this share that look away from the surface: walls are too thin for the cells.
+constexpr double turned_share = 2e-4;
+constexpr double torn_share = 2e-2; // the same where finer cells cost much: walls are torn
+// Lines of the caller's that turn by more are two, each straight up to the corner: 25 degrees.
+constexpr double corner_cosine = 0.906;
+constexpr std::int64_t most_triangles_of_finer = 1'200'000;
+
+geometry::VecArray given_seeds(base::Memory& memory, std::span<const double> given) {
+    geometry::VecArray seeds(memory);
+    for (std::size_t i = 0; i + 2 < given.size(); i += 3) seeds.push_back({given[i], given[i + 1], given[i + 2]});
+    return seeds;
+}
+
+// Points of a lattice brought onto the surface: those that stay in the region.
+geometry::VecArray found_seeds(const base::Runtime& runtime, const implicit::Implicit& surface,
+                               const geometry::Bounds& region, const base::Progress& progress) {
+    surface::Projection points(runtime.memory);
+    const glm::dvec3 step = (region.max - region.min) / static_cast<double>(lattice);
+    for (std::int64_t z = 0; z < lattice; ++z)
+        for (std::int64_t y = 0; y < lattice; ++y)
+            for (std::int64_t x = 0; x < lattice; ++x)
+                points.position.push_back(region.min + step * (glm::dvec3(x, y, z) + 0.5));
+    surface::project(runtime, surface, {}, points, progress);
+    geometry::VecArray seeds(runtime.memory);
+    for (std::int64_t i = 0; i < points.position.size(); ++i)
+        if (points.status[i] == surface::ProjectionStatus::converged && region.contains(points.position[i]))
+            seeds.push_back(points.position[i]);
+    return seeds;
+}
+
+constexpr double least_side = 1e-9; // in diagonals: no lattice has cells as small
+
+} // namespace
+
+FeatureKind feature_of(LineKind kind) noexcept {
+    switch (kind) {
+    case LineKind::ridge: return FeatureKind::ridge;
+    case LineKind::valley: return FeatureKind::valley;
+    case LineKind::apparent_ridge: return FeatureKind::apparent_ridge;
+    case LineKind::parabolic: return FeatureKind::parabolic;
+    case LineKind::isophote: return FeatureKind::isophote;
+    case LineKind::section: return FeatureKind::section;
+    default: return FeatureKind::suggestive_contour;
+    }
+}
+
+// Chosen by eye on scans and on smooth models.
+Thresholds default_thresholds(LineKind kind) noexcept {
+    switch (kind) {
+    case LineKind::suggestive_contour: return {10.0, 30.0};
+    case LineKind::ridge:
+    case LineKind::valley: return {6.0, 15.0};
+    case LineKind::apparent_ridge: return {12.0, 25.0};
+    case LineKind::crease: return {15.0, 30.0}; // degrees
+    default: return {0.0, 0.0};
+    }
+}
+
+void LineSet::make_mesh(const base::Runtime& runtime, const LineSetSettings& settings, const base::Progress& progress) {
+    MeshSettings mesh;
+    mesh.region = surface::search_region(surface_);
+    mesh.side = settings.side;
+    const bool automatic = !(settings.side > 0.0);
+    if (automatic)
+        mesh.side = settings.spacing > 0.0
+                        ? std::max(settings.spacing / sides_a_spacing, least_side * surface_.diagonal())
+                        : surface_.diagonal() / sides_a_diagonal;
+    const geometry::VecArray seeds = settings.seeds.empty()
+                                         ? found_seeds(runtime, surface_, mesh.region, progress.part(0.0, 0.2))
+                                         : given_seeds(runtime.memory, settings.seeds);
+    const double limit = settings.support.trim != nullptr ? settings.support.trim->limit() : settings.support.limit;
+    mesh.extent = settings.support.trim;
+    double last = std::numeric_limits<double>::infinity(); // the side before
+    for (double from = 0.2;; from = 0.5 * (1.0 + from)) {
+        mesh_ = automatic
+                    ? triangulate_of_any_size(runtime, surface_, seeds, mesh, progress.part(from, 0.5 * (1.0 + from)))
+                    : triangulate(runtime, surface_, seeds, mesh, progress.part(from, 0.5 * (1.0 + from)));
+        if (support_ != nullptr) clip_mesh(runtime, limit, progress);
+        if (support_ == nullptr) border_ = border_lines(runtime.memory, *mesh_);
+        // Of walls thinner than the cells creases cut very many triangles, and fewer where the cells are smaller.
+        const bool last_one = !automatic || 4 * mesh_->triangles() > most_triangles_of_finer || mesh.side >= last;
+        const bool missed = mesh_->missed_seeds > 0;
+        if (surface_.sheets() != nullptr && (last_one || !missed)) split_mesh(runtime, progress);
+        const bool many = 4 * mesh_->triangles() > most_triangles_of_finer;
+        const double turned = static_cast<double>(mesh_->turned) / static_cast<double>(mesh_->triangles());
+        const bool thin = missed || turned > (many ? torn_share : turned_share);
+        if (last_one || !thin) break;
+        last = mesh.side;
+        mesh.side *= 0.5;
+    }
+    if (mesh_->triangles() == 0 && left_out_ > 0.0)
+        fail(Status::not_converged,
+             "all of the surface lies beyond its samples: give a larger support than %g, or "
+             "support_points nearer to the surface",
+             limit);
+    if (mesh_->triangles() == 0)
+        fail(Status::not_converged, "no surface was found to draw lines of: f has no zero near the seeds; give "
+                                    "seed_points on the surface");
+    sheets_.emplace(runtime, *mesh_, progress);
+}
+
+// Normals that nobody gave are the surface's own.
+void LineSet::measure_support(const base::Runtime& runtime, const SupportSettings& settings,
+                              const base::Progress& progress) {
+    const geometry::VecArray points = given_seeds(runtime.memory, settings.points);
+    geometry::VecArray normals = given_seeds(runtime.memory, settings.normals);
+    if (normals.empty()) {
+        normals.resize(points.size());
+        implicit::evaluate_all(runtime, surface_, points,
+                               {nullptr, {normals.x.data(), normals.y.data(), normals.z.data()}, {}}, progress);
+    }
+    for (std::int64_t i = 0; i < normals.size(); ++i) normals.set(i, glm::normalize(normals[i]));
+    own_support_.emplace(runtime, points, normals, 0.0, progress);
+    support_ = &*own_support_;
+}
+
+void LineSet::split_mesh(const base::Runtime& runtime, const base::Progress& progress) {
+    SharpMesh sharp = split_at_creases(runtime, surface_, std::move(*mesh_), progress.part(0.0, 0.0));
+    creases_ = trace_creases(runtime, surface_, sharp.creases, sharp.mesh.side, progress.part(0.0, 0.0));
+    const Thresholds by = thresholds_of(LineKind::crease, {});
+    if (creases_.count() > 0) near_creases_.emplace(runtime.memory, creases_, by.lower, sharp.mesh.side);
+    parts_ = sheet_parts(runtime, surface_, sharp);
+    mesh_ = std::move(sharp.mesh);
+}
+
+void LineSet::clip_mesh(const base::Runtime& runtime, double limit, const base::Progress& progress) {
+    border_level_.emplace(surface_, *support_, limit);
+    ClippedMesh clipped = clip(runtime, *border_level_, *mesh_, progress);
+    border_ = exact_border(runtime, *border_level_, clipped, progress);
+    border_exact_ = is_all_cut(clipped);
+    geometry::VecArray places(runtime.memory);
+    for (const CurvePoint& p : clipped.cut) places.push_back(p.position);
+    end_.emplace(*support_, limit, places, mesh_->side);
+    mesh_ = std::move(clipped.mesh);
+    mesh_->end = &*end_;
+    left_out_ = clipped.left_out;
+}
+
+// Points on the way from a to b, so that cubics between them are straight.
+void add_between(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& from, const glm::dvec3& to, double side,
+                 LineBuilder& builder) {
+    const double steps = std::min(1e4, std::ceil(glm::distance(a, b) / side));
+    for (double k = 1.0; k < steps; k += 1.0) {
+        const double u = k / steps;
+        builder.add(a + u * (b - a), (1.0 - u) * from + u * to, 1.0);
+    }
+}
+
+bool is_corner(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) noexcept {
+    return glm::dot(b - a, c - b) < corner_cosine * glm::length(b - a) * glm::length(c - b);
+}
+
+SurfaceLines own_lines(const base::Runtime& runtime, const implicit::Implicit& surface, const LineRequest& request,
+                       double side, const base::Progress& progress) {
+    const geometry::VecArray points = given_seeds(runtime.memory, request.points);
+    base::Array<double> value(runtime.memory, points.size());
+    geometry::VecArray gradient(runtime.memory, points.size());
+    implicit::evaluate_all(runtime, surface, points,
+                           {value.data(), {gradient.x.data(), gradient.y.data(), gradient.z.data()}, {}}, progress);
+    SurfaceLines lines(runtime.memory);
+    LineBuilder builder(lines, true);
+    for (std::size_t l = 0; l + 1 < request.first.size(); ++l) {
+        const std::int64_t begin = request.first[l];
+        const std::int64_t end = request.first[l + 1];
+        for (std::int64_t i = begin; i < end; ++i) {
+            if (i > begin) add_between(points[i - 1], points[i], gradient[i - 1], gradient[i], side, builder);
+            builder.add(points[i], gradient[i], 1.0);
+            if (i > begin && i + 1 < end && is_corner(points[i - 1], points[i], points[i + 1])) {
+                builder.end(false);
+                builder.add(points[i], gradient[i], 1.0);
+            }
+        }
+        builder.end(false);
+    }
+    return lines;
+}
+
+SurfaceLines LineSet::find(const base::Runtime& runtime, const LineRequest& request,
+                           const base::Progress& progress) const {
+    if (request.kind == LineKind::own) return own_lines(runtime, surface_, request, mesh_->side, progress);
+    FeatureRequest feature;
+    feature.kind = feature_of(request.kind);
+    feature.plane = glm::normalize(request.plane);
+    feature.levels = request.levels;
+    const Thresholds thresholds = thresholds_of(request.kind, request.thresholds);
+    feature.lower = thresholds.lower;
+    feature.upper = thresholds.upper;
+    feature.shortest = request.shortest;
+    FeatureLines found = find_feature_lines(runtime, features(), feature, progress);
+    const implicit::Sheets* const sheets = surface_.sheets();
+    if (sheets == nullptr || feature.kind != FeatureKind::section) return as_lines(runtime.memory, found);
+    end_at_creases(runtime, *sheets, creases_, feature.plane, feature.levels, mesh_->side, found);
+    return join_at_corners(runtime.memory, as_lines(runtime.memory, found), mesh_->side);
+}
+
+LineSet::LineSet(const base::Runtime& runtime, const implicit::Implicit& surface,
+                 std::unique_ptr<const implicit::ShapeSource> shape, const LineSetSettings& settings,
+                 const base::Progress& progress)
+    : surface_(surface), source_(std::move(shape)), shaped_(runtime.memory), border_(runtime.memory),
+      creases_(runtime.memory), parts_(runtime.memory), found_(runtime.memory) {
+    const base::Stopwatch watch;
+    if (settings.support.trim != nullptr)
+        support_ = &settings.support.trim->support();
+    else if (settings.support.limit > 0.0)
+        measure_support(runtime, settings.support, progress);
+    make_mesh(runtime, settings, progress.part(0.0, 0.4));
+    bool with_shape = settings.with_shape;
+    for (const LineRequest& request : settings.lines)
+        with_shape = with_shape || (request.kind != LineKind::own && needs_shape(feature_of(request.kind)));
+    if (with_shape) shaped_ = measured_mesh(runtime, surface_, *source_, *mesh_, progress.part(0.4, 0.7));
+    for (const LineRequest& request : settings.lines) {
+        FoundLines& found = found_.add(runtime.memory);
+        found.kind = request.kind;
+        found.name = request.name;
+        found.lines = find(runtime, request, progress.part(0.7, 0.7));
+    }
+    seconds_ = watch.seconds();
+    runtime.log(base::LogLevel::info,
+                "lines: %lld triangles of cells of %.3g in %.3f s, %lld look away, %lld seeds missed",
+                static_cast<long long>(mesh_->triangles()), mesh_->side, seconds_,
+                static_cast<long long>(mesh_->turned), static_cast<long long>(mesh_->missed_seeds));
+    progress.update(1.0);
+}
+
+std::int64_t LineSet::bytes() const noexcept {
+    std::int64_t bytes = mesh_->bytes() + sheets_->bytes() + shaped_.bytes() + border_.bytes();
+    if (own_support_) bytes += own_support_->bytes();
+    bytes += creases_.bytes() + (near_creases_ ? near_creases_->bytes() : 0);
+    for (const std::unique_ptr<SheetPart>& part : parts_) bytes += part->mesh.bytes();
+    for (const FoundLines& found : found_) bytes += found.lines.bytes();
+    return bytes;
+}
+
+} // namespace hrbfnpr::curves
