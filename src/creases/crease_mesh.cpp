@@ -1,14 +1,20 @@
 // SPDX-License-Identifier: MIT
+// 1. find_sheets: the sheet that each vertex is on.
+// 2. settle_alone, settle_equal: vertices between sheets that are hardly apart belong to the first of them.
+// 3. find_edges: where on edges between two sheets these meet. find_corners: the same in triangles of three sheets.
+// 4. halve_unclear: edges where another sheet lies between are halved, and steps 2 to 4 are done again.
+// 5. place_rest: nodes without a place get one beside the surface.
+// 6. find_chains: creases as chains of nodes.
+// 7. build: triangles cut at the nodes.
 #include "creases/crease_mesh.h"
 
-#include "creases/crease_nodes.h"
-#include "creases/settle_alone.h"
+#include "creases/tuning.h"
 #include "curves/edge_halving.h"
 #include "curves/mesh_topology.h"
-#include "surface/project.h"
 #include "surface/sheets_meet.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -16,143 +22,216 @@
 namespace hrbfnpr::curves {
 namespace {
 
-constexpr int mesh_rounds = 6;
-constexpr int most_settlings = 20;
-constexpr std::int64_t grain = 32;
-// In sides.
-constexpr double shortest_edge = 0.01; // that is halved
+constexpr std::int64_t nodes_a_task = 32;
+constexpr double meeting_tolerance = 1e-9; // in sides, of a place where sheets meet
 
-class Splitter {
-public:
-    Splitter(const base::Runtime& runtime, const implicit::Implicit& implicit, SurfaceMesh mesh)
-        : runtime_(runtime), implicit_(implicit), sheets_(*implicit.sheets()), mesh_(std::move(mesh)),
-          sheet_(runtime.memory), node_(runtime.memory), edges_(runtime.memory), looked_at_(runtime.memory),
-          known_node_(runtime.memory), known_(runtime.memory), corners_(runtime.memory), taken_(runtime.memory),
-          out_(runtime.memory) {}
-
-    SharpMesh run(const base::Progress& progress);
-
-private:
-    struct Known {
-        std::array<std::int32_t, 2> ends;
-        std::int32_t node;
-    };
-
-    [[nodiscard]] base::Parallel threads() const noexcept { return implicit_.threads(runtime_.parallel); }
-    [[nodiscard]] std::int32_t sheet_of(std::int64_t triangle, int k) const noexcept {
-        return sheet_[mesh_.corner[3 * triangle + k % 3]];
-    }
-    [[nodiscard]] int sheets_of(std::int64_t triangle) const noexcept {
-        const std::int32_t a = sheet_of(triangle, 0);
-        const std::int32_t b = sheet_of(triangle, 1);
-        const std::int32_t c = sheet_of(triangle, 2);
-        return a == b && b == c ? 1 : a != b && b != c && a != c ? 3 : 2;
-    }
-    void find_sheets(std::int64_t from, const base::Progress& progress);
-    void remember_edges();
-    [[nodiscard]] const EdgeNode* known(const EdgeNode& edge) const noexcept;
-    void find_edges(const base::Progress& progress);
-    [[nodiscard]] bool settle_equal();
-    void find_corners(const base::Progress& progress);
-    [[nodiscard]] double length_of(std::int64_t edge) const noexcept;
-    void add_middles(const base::Array<std::int64_t>& edge, base::Array<std::int32_t>& middle,
-                     const base::Progress& progress);
-    [[nodiscard]] bool halve(const base::Progress& progress);
-    void place_rest();
-    [[nodiscard]] std::int32_t vertex_of(std::int64_t edge, bool at_start) const noexcept;
-    void add_vertices();
-    void add_triangle(std::int32_t a, std::int32_t b, std::int32_t c, std::int32_t sheet);
-    void add_quad(const std::array<std::int32_t, 4>& vertex, std::int32_t sheet);
-    void cut_in_two(std::int64_t triangle);
-    void cut_in_three(std::int64_t triangle, std::int64_t corner);
-    void build(const base::Progress& progress);
-    [[nodiscard]] std::int64_t exit_of(std::int64_t entered) const noexcept;
-    void put(std::int64_t edge) { out_.creases.node.push_back(edges_[node_[edge]].at); }
-    void follow(std::int64_t entered);
-    void end_chain(std::int64_t edge, bool closed);
-    void find_chains();
-    [[nodiscard]] const CornerNode* corner_of(std::int64_t triangle) const noexcept;
-
-    const base::Runtime& runtime_;
-    const implicit::Implicit& implicit_;
-    const implicit::Sheets& sheets_;
-    SurfaceMesh mesh_;
-    base::Array<std::int32_t> sheet_; // of each vertex
-    base::Array<std::int32_t> node_;  // of each edge, of both: among edges_; -1: it crosses no crease
-    CreaseNodes nodes_{implicit_, mesh_, sheet_};
-    base::Array<EdgeNode> edges_;
-    base::Array<std::int32_t> looked_at_; // of edges_: those that were not known
-    base::Array<EdgeNode> known_node_;    // of the edges before
-    base::Array<Known> known_;
-    base::Array<CornerNode> corners_; // by triangle
-    base::Array<std::uint8_t> taken_; // edges that chains have passed
-    SharpMesh out_;
-    std::int32_t first_of_edges_ = 0, first_of_corners_ = 0; // vertices
+// An edge whose ends belong to different sheets.
+struct EdgeNode {
+    std::int64_t edge;                 // the first of its two
+    std::array<std::int32_t, 2> ends;  // its start and end
+    std::array<std::int32_t, 2> sheet; // of these
+    CreaseNode at;
+    std::array<glm::dvec3, 2> gradient; // of both sheets there
+    std::array<bool, 2> equal;          // the start may belong to the end's sheet, the end to the start's
+    bool alike;                         // both, nearly
+    bool meet;                          // the sheets do somewhere beside the edge, on the surface or off it
+    bool near;                          // they do beside the surface, at an angle
 };
 
-void Splitter::find_sheets(std::int64_t from, const base::Progress& progress) {
-    sheet_.resize(mesh_.vertices());
-    threads().for_chunks(mesh_.vertices() - from, implicit::batch_size, [&](std::int64_t begin, std::int64_t end) {
-        progress.check();
-        const std::int64_t at = from + begin;
-        sheets_.active(
-            {mesh_.position.x.data() + at, mesh_.position.y.data() + at, mesh_.position.z.data() + at, end - begin},
-            sheet_.data() + at);
-    });
-}
+// A triangle whose corners belong to three sheets.
+struct CornerNode {
+    std::int64_t triangle;
+    CreaseNode at;
+    std::array<glm::dvec3, 3> gradient; // of its corners' sheets there
+};
 
-// Of the edges as they are now, by their ends.
-void Splitter::remember_edges() {
-    std::swap(edges_, known_node_);
-    edges_.clear();
-    known_.clear();
-    for (std::int64_t i = 0; i < known_node_.size(); ++i)
-        known_.push_back({known_node_[i].ends, static_cast<std::int32_t>(i)});
-    std::sort(known_.begin(), known_.end(), [](const Known& a, const Known& b) { return a.ends < b.ends; });
-}
+// A mesh with the sheets of its vertices, and with nodes where it crosses creases.
+struct SheetMesh {
+    SheetMesh(base::Memory& memory, const implicit::Implicit& of, SurfaceMesh given)
+        : implicit(of), sheets(*of.sheets()), mesh(std::move(given)), sheet(memory), node(memory), edges(memory),
+          corners(memory) {}
 
-// What was known of an edge with the same ends, if these have the same sheets; else null.
-const EdgeNode* Splitter::known(const EdgeNode& edge) const noexcept {
-    const Known* const at =
-        std::lower_bound(known_.begin(), known_.end(), edge.ends,
-                         [](const Known& one, const std::array<std::int32_t, 2>& wanted) { return one.ends < wanted; });
-    if (at == known_.end() || at->ends != edge.ends || known_node_[at->node].sheet != edge.sheet) return nullptr;
-    return &known_node_[at->node];
-}
+    const implicit::Implicit& implicit;
+    const implicit::Sheets& sheets;
+    SurfaceMesh mesh;
+    base::Array<std::int32_t> sheet; // of each vertex
+    base::Array<std::int32_t> node;  // of each edge, on both of its sides: among `edges`; -1: it crosses no crease
+    base::Array<EdgeNode> edges;
+    base::Array<CornerNode> corners; // by triangle
 
-void Splitter::find_edges(const base::Progress& progress) {
-    remember_edges();
-    looked_at_.clear();
-    node_.resize(mesh_.corner.size());
-    for (std::int64_t e = 0; e < mesh_.corner.size(); ++e) {
-        node_[e] = -1;
-        const std::array<std::int32_t, 2> ends{start_of(mesh_, e), end_of(mesh_, e)};
-        if (!is_first(mesh_, e) || sheet_[ends[0]] == sheet_[ends[1]]) continue;
-        EdgeNode edge{e, ends, {sheet_[ends[0]], sheet_[ends[1]]}, {}, {}, {}, false, false, false};
-        node_[e] = static_cast<std::int32_t>(edges_.size());
-        if (const EdgeNode* const before = known(edge)) {
-            edge = *before;
-            edge.edge = e;
-        } else {
-            looked_at_.push_back(node_[e]);
-        }
-        edges_.push_back(edge);
+    [[nodiscard]] std::int32_t sheet_at(std::int64_t edge) const noexcept { return sheet[start_of(mesh, edge)]; }
+    [[nodiscard]] int sheets_of(std::int64_t triangle) const noexcept {
+        const std::int32_t a = sheet_at(3 * triangle);
+        const std::int32_t b = sheet_at(3 * triangle + 1);
+        const std::int32_t c = sheet_at(3 * triangle + 2);
+        return a == b && b == c ? 1 : a != b && b != c && a != c ? 3 : 2;
     }
-    for (std::int64_t i = 0; i < edges_.size(); ++i)
-        if (const std::int64_t other = opposite_of(mesh_, edges_[i].edge); other >= 0)
-            node_[other] = static_cast<std::int32_t>(i);
-    threads().for_chunks(looked_at_.size(), grain, [&](std::int64_t begin, std::int64_t end) {
-        progress.check();
-        for (std::int64_t i = begin; i < end; ++i) nodes_.look_at(edges_[looked_at_[i]]);
-    });
+    // The corner in a triangle; null: it has none.
+    [[nodiscard]] const CornerNode* corner_of(std::int64_t triangle) const noexcept {
+        const CornerNode* const at =
+            std::lower_bound(corners.begin(), corners.end(), triangle,
+                             [](const CornerNode& one, std::int64_t wanted) { return one.triangle < wanted; });
+        return at != corners.end() && at->triangle == triangle ? at : nullptr;
+    }
+    [[nodiscard]] double length_of(std::int64_t edge) const noexcept {
+        return glm::distance(mesh.position[start_of(mesh, edge)], mesh.position[end_of(mesh, edge)]);
+    }
+    [[nodiscard]] surface::SheetValue value(const glm::dvec3& place) const {
+        surface::SheetValue f;
+        implicit.evaluate({&place.x, &place.y, &place.z, 1},
+                          {&f.value, {&f.gradient.x, &f.gradient.y, &f.gradient.z}, {}});
+        return f;
+    }
+    // The distance from the whole surface, in sides.
+    [[nodiscard]] double off_surface(const glm::dvec3& place) const {
+        const surface::SheetValue f = value(place);
+        return std::abs(f.value) / (mesh.side * glm::length(f.gradient));
+    }
+    [[nodiscard]] surface::MeetingPlace meeting(std::span<const std::int32_t> vertices, const glm::dvec3& from,
+                                                double reach) const {
+        surface::Meeting all;
+        for (const std::int32_t vertex : vertices) all.add(sheet[vertex]);
+        return surface::find_meeting(sheets, all, from, meeting_tolerance * mesh.side, reach);
+    }
+};
+
+void find_sheets(const base::Runtime& runtime, SheetMesh& at, const base::Progress& progress) {
+    const std::int64_t from = at.sheet.size();
+    const geometry::VecArray& p = at.mesh.position;
+    at.sheet.resize(p.size());
+    at.implicit.threads(runtime.parallel)
+        .for_chunks(p.size() - from, implicit::batch_size, [&](std::int64_t begin, std::int64_t end) {
+            progress.check();
+            const std::int64_t i = from + begin;
+            at.sheets.active({p.x.data() + i, p.y.data() + i, p.z.data() + i, end - begin}, at.sheet.data() + i);
+        });
 }
 
-// Where sheets lie upon each other any is active: the first of them gets all.  Returns whether anything changed.
-bool Splitter::settle_equal() {
+// Between two sheets that are hardly apart the mesh has a vertex in them by chance only. A vertex of whose sheet no
+// vertex beside it is, and whose neighbours' sheets are alike there, is one more of the first of these, and moves onto
+// it.
+void settle_alone(const base::Runtime& runtime, SheetMesh& at, const base::Progress& progress) {
+    constexpr std::int32_t none = std::numeric_limits<std::int32_t>::max();
+    constexpr std::int32_t not_alone = -1;
+    SurfaceMesh& mesh = at.mesh;
+    base::Array<std::int32_t> first(runtime.memory, mesh.vertices()); // the first sheet beside each vertex
+    std::fill(first.begin(), first.end(), none);
+    const auto for_neighbours = [&](const auto& visit) {
+        for (std::int64_t e = 0; e < mesh.corner.size(); ++e) {
+            if (e % 16384 == 0) progress.check();
+            visit(start_of(mesh, e), end_of(mesh, e));
+            visit(end_of(mesh, e), start_of(mesh, e));
+        }
+    };
+    for_neighbours([&](std::int32_t vertex, std::int32_t other) {
+        first[vertex] = at.sheet[vertex] == at.sheet[other] ? not_alone : std::min(first[vertex], at.sheet[other]);
+    });
+    for_neighbours([&](std::int32_t vertex, std::int32_t other) {
+        if (first[vertex] == not_alone) return;
+        const surface::SheetValue a = surface::sheet_at(at.sheets, first[vertex], mesh.position[vertex]);
+        const surface::SheetValue b = surface::sheet_at(at.sheets, at.sheet[other], mesh.position[vertex]);
+        const double slope = glm::length(b.gradient);
+        if (!(std::abs(b.value) <= crease_tuning.alike * mesh.side * slope &&
+              glm::distance(a.gradient / glm::length(a.gradient), b.gradient / slope) <= crease_tuning.alike))
+            first[vertex] = not_alone;
+    });
+    for (std::int32_t vertex = 0; vertex < mesh.vertices(); ++vertex) {
+        if (first[vertex] == not_alone || first[vertex] == none) continue;
+        const surface::SheetValue to = surface::sheet_at(at.sheets, first[vertex], mesh.position[vertex]);
+        mesh.position.set(vertex, mesh.position[vertex] - to.value / glm::dot(to.gradient, to.gradient) * to.gradient);
+        mesh.gradient.set(vertex, to.gradient);
+        at.sheet[vertex] = first[vertex];
+    }
+}
+
+// Whether f is the larger or the lesser of both sheets around the place. Beyond a corner it may be 0 where both are,
+// and one of them: where they differ most it then has opposite signs to either side, and the edge passes a third sheet.
+// far: where f is looked at, to either side, in sides.
+bool folds(const SheetMesh& in, const EdgeNode& node, double far) {
+    const glm::dvec3 across = glm::normalize(node.gradient[0]) - glm::normalize(node.gradient[1]);
+    const double sine = 0.5 * glm::length(across); // of half the angle: f aside is that share of the way
+    if (!(sine > crease_tuning.least_sine)) return true;
+    const glm::dvec3 way = far * in.mesh.side / (2.0 * sine) * across;
+    const auto off = [&](const glm::dvec3& place) {
+        const surface::SheetValue f = in.value(place);
+        return f.value / glm::length(f.gradient);
+    };
+    const double a = off(node.at.position + way);
+    const double b = off(node.at.position - way);
+    return !(a * b < 0.0 && std::min(std::abs(a), std::abs(b)) > 0.5 * sine * far * in.mesh.side);
+}
+
+// Looks for the meeting from where the difference of both sheets is 0 as it is linear along the edge.
+void look_at(const SheetMesh& in, EdgeNode& node) {
+    const std::array<glm::dvec3, 2> place{in.mesh.position[node.ends[0]], in.mesh.position[node.ends[1]]};
+    std::array<double, 2> off{}; // of either end from the other's sheet
+    node.alike = true;
+    for (std::size_t k = 0; k < 2; ++k) {
+        const surface::SheetValue other = surface::sheet_at(in.sheets, node.sheet[1 - k], place[k]);
+        const double slope = glm::length(other.gradient);
+        off[k] = other.value / slope;
+        const double apart =
+            std::max(std::abs(off[k]) / in.mesh.side,
+                     glm::distance(glm::normalize(in.mesh.gradient[node.ends[k]]), other.gradient / slope));
+        node.equal[k] = apart <= crease_tuning.equal;
+        node.alike = node.alike && apart <= crease_tuning.alike;
+    }
+    double share = off[0] / (off[0] + off[1]);
+    if (!(share > 0.0 && share < 1.0)) share = 0.5;
+    const glm::dvec3 from = glm::mix(place[0], place[1], share);
+    const double reach =
+        crease_tuning.farthest_meeting * std::min(in.mesh.side, 2.0 * glm::distance(place[0], place[1]));
+    const surface::MeetingPlace found = in.meeting(node.ends, from, reach);
+    node.at.position = found.found ? found.position : from;
+    node.meet = found.found;
+    node.gradient = {found.gradient[0], found.gradient[1]};
+    const double away = found.found ? in.off_surface(found.position) : crease_tuning.beside_surface;
+    node.at.exact = away <= crease_tuning.on_surface && folds(in, node, crease_tuning.on_surface);
+    const double sine = 0.5 * glm::distance(glm::normalize(node.gradient[0]), glm::normalize(node.gradient[1]));
+    // A fold beside the surface is looked at from so far that it makes no difference where it is.
+    node.near = !node.at.exact && away < crease_tuning.beside_surface && sine > crease_tuning.sharp_sine &&
+                folds(in, node, 2.0 * crease_tuning.beside_surface / sine);
+}
+
+// What is known of edges with the same ends and sheets is kept.
+void find_edges(const base::Runtime& runtime, SheetMesh& in, const base::Progress& progress) {
+    const auto by_ends = [](const EdgeNode& a, const EdgeNode& b) { return a.ends < b.ends; };
+    base::Array<EdgeNode> before(runtime.memory);
+    std::swap(in.edges, before);
+    std::sort(before.begin(), before.end(), by_ends);
+    base::Array<std::int32_t> fresh(runtime.memory);
+    in.node.resize(in.mesh.corner.size());
+    for (std::int64_t e = 0; e < in.mesh.corner.size(); ++e) {
+        in.node[e] = -1;
+        EdgeNode edge{};
+        edge.ends = {start_of(in.mesh, e), end_of(in.mesh, e)};
+        edge.sheet = {in.sheet[edge.ends[0]], in.sheet[edge.ends[1]]};
+        if (!is_first(in.mesh, e) || edge.sheet[0] == edge.sheet[1]) continue;
+        in.node[e] = static_cast<std::int32_t>(in.edges.size());
+        const EdgeNode* const known = std::lower_bound(before.begin(), before.end(), edge, by_ends);
+        if (known != before.end() && known->ends == edge.ends && known->sheet == edge.sheet)
+            edge = *known;
+        else
+            fresh.push_back(in.node[e]);
+        edge.edge = e;
+        in.edges.push_back(edge);
+    }
+    for (std::int64_t i = 0; i < in.edges.size(); ++i)
+        if (const std::int64_t other = opposite_of(in.mesh, in.edges[i].edge); other >= 0)
+            in.node[other] = static_cast<std::int32_t>(i);
+    in.implicit.threads(runtime.parallel)
+        .for_chunks(fresh.size(), nodes_a_task, [&](std::int64_t begin, std::int64_t end) {
+            progress.check();
+            for (std::int64_t i = begin; i < end; ++i) look_at(in, in.edges[fresh[i]]);
+        });
+}
+
+// Where sheets lie upon each other any is active: the first of them gets all. Returns whether anything changed.
+bool settle_equal(SheetMesh& in) {
     bool changed = false;
-    for (const EdgeNode& node : edges_) {
-        std::int32_t& start = sheet_[start_of(mesh_, node.edge)];
-        std::int32_t& end = sheet_[end_of(mesh_, node.edge)];
+    for (const EdgeNode& node : in.edges) {
+        std::int32_t& start = in.sheet[node.ends[0]];
+        std::int32_t& end = in.sheet[node.ends[1]];
         if (end < start && node.equal[0])
             start = end;
         else if (start < end && node.equal[1])
@@ -164,283 +243,219 @@ bool Splitter::settle_equal() {
     return changed;
 }
 
-void Splitter::find_corners(const base::Progress& progress) {
-    corners_.clear();
-    for (std::int64_t t = 0; t < mesh_.triangles(); ++t)
-        if (sheets_of(t) == 3) corners_.push_back({t, {}, {}});
-    threads().for_chunks(corners_.size(), grain, [&](std::int64_t begin, std::int64_t end) {
-        progress.check();
-        for (std::int64_t i = begin; i < end; ++i) {
-            CornerNode& node = corners_[i];
-            glm::dvec3 middle(0.0);
-            for (std::int64_t e = 3 * node.triangle; e < 3 * node.triangle + 3; ++e)
-                middle += edges_[node_[e]].at.position / 3.0;
-            nodes_.look_at(node, middle);
-        }
-    });
+void find_corners(const base::Runtime& runtime, SheetMesh& in, const base::Progress& progress) {
+    in.corners.clear();
+    for (std::int64_t t = 0; t < in.mesh.triangles(); ++t)
+        if (in.sheets_of(t) == 3) in.corners.push_back({t, {}, {}});
+    in.implicit.threads(runtime.parallel)
+        .for_chunks(in.corners.size(), nodes_a_task, [&](std::int64_t begin, std::int64_t end) {
+            progress.check();
+            for (std::int64_t i = begin; i < end; ++i) {
+                CornerNode& node = in.corners[i];
+                glm::dvec3 middle(0.0);
+                for (std::int64_t e = 3 * node.triangle; e < 3 * node.triangle + 3; ++e)
+                    middle += in.edges[in.node[e]].at.position / 3.0;
+                const surface::MeetingPlace found = in.meeting({in.mesh.corner.data() + 3 * node.triangle, 3}, middle,
+                                                               crease_tuning.farthest_meeting * in.mesh.side);
+                node.at.position = found.found ? found.position : middle;
+                node.gradient = found.gradient;
+                node.at.exact = found.found && in.off_surface(found.position) <= crease_tuning.on_surface;
+            }
+        });
 }
 
-double Splitter::length_of(std::int64_t edge) const noexcept {
-    return glm::distance(mesh_.position[start_of(mesh_, edge)], mesh_.position[end_of(mesh_, edge)]);
-}
-
-// Vertices on the surface beside the middles of edges, where there is such a place; middle: of edges, -1: none.
-void Splitter::add_middles(const base::Array<std::int64_t>& edge, base::Array<std::int32_t>& middle,
-                           const base::Progress& progress) {
-    surface::Projection at(runtime_.memory);
-    for (const std::int64_t e : edge)
-        at.position.push_back(0.5 * (mesh_.position[start_of(mesh_, e)] + mesh_.position[end_of(mesh_, e)]));
-    surface::project(runtime_, implicit_, {}, at, progress.part(0.0, 0.0));
-    for (std::int64_t i = 0; i < edge.size(); ++i) {
-        const std::int64_t e = edge[i];
-        const glm::dvec3 between = 0.5 * (mesh_.position[start_of(mesh_, e)] + mesh_.position[end_of(mesh_, e)]);
-        middle[e] = -1;
-        if (at.status[i] != surface::ProjectionStatus::converged ||
-            !(glm::distance(at.position[i], between) < 0.5 * length_of(e)))
-            continue;
-        middle[e] = static_cast<std::int32_t>(mesh_.vertices());
-        if (const std::int64_t other = opposite_of(mesh_, e); other >= 0) middle[other] = middle[e];
-        mesh_.position.push_back(at.position[i]);
-        mesh_.gradient.push_back(at.gradient[i]);
-    }
-}
-
-// Edges whose sheets meet beside them, but not on the surface, and the longest of triangles that have no corner where
-// theirs do.  Returns whether there were any.
-bool Splitter::halve(const base::Progress& progress) {
-    base::Array<std::int32_t> middle(runtime_.memory, mesh_.corner.size());
-    std::fill(middle.begin(), middle.end(), -1);
-    base::Array<std::int64_t> edge(runtime_.memory);
+// Halves edges whose sheets meet beside them, but not on the surface, since another sheet lies between, and the longest
+// of triangles that have no corner where theirs do. Returns whether there were any.
+bool halve_unclear(const base::Runtime& runtime, SheetMesh& in, const base::Progress& progress) {
+    base::Array<std::uint8_t> chosen(runtime.memory, in.mesh.corner.size());
+    base::Array<std::int64_t> edges(runtime.memory);
     const auto add = [&](std::int64_t e) {
-        if (const std::int64_t other = opposite_of(mesh_, e); !is_first(mesh_, e) && other >= 0) e = other;
-        if (middle[e] == 0 || length_of(e) < shortest_edge * mesh_.side) return;
-        middle[e] = 0;
-        edge.push_back(e);
+        e = in.edges[in.node[e]].edge;
+        if (chosen[e] != 0 || in.length_of(e) < crease_tuning.shortest_edge * in.mesh.side) return;
+        chosen[e] = 1;
+        edges.push_back(e);
     };
-    for (const EdgeNode& node : edges_)
-        if (node.passes_another()) add(node.edge);
-    for (const CornerNode& node : corners_) {
+    for (const EdgeNode& node : in.edges)
+        if (!node.at.exact && !node.alike && node.meet) add(node.edge);
+    for (const CornerNode& node : in.corners) {
         if (node.at.exact) continue;
         std::int64_t longest = 3 * node.triangle;
         for (std::int64_t e = longest; e < 3 * node.triangle + 3; ++e)
-            if (length_of(e) > length_of(longest)) longest = e;
+            if (in.length_of(e) > in.length_of(longest)) longest = e;
         add(longest);
     }
-    const std::int64_t before = mesh_.vertices();
-    add_middles(edge, middle, progress);
-    if (mesh_.vertices() == before) return false;
-    cut_at_middles(runtime_, middle, mesh_);
-    find_sheets(before, progress);
+    if (!halve_edges(runtime, in.implicit, edges, 0.5, false, in.mesh, progress)) return false;
+    find_sheets(runtime, in, progress);
     return true;
 }
 
-// What is left lies where it was looked for, with the gradients of its sheets there.  Beside a seam f is a mean of both
-// parts, and a little off either one: what the crease of one part with another sheet is there is good enough.
-void Splitter::place_rest() {
-    for (EdgeNode& node : edges_) {
+// Nodes without a place lie where they were looked for, with the gradients of their sheets there. Beside a seam f is a
+// mean of both parts, and a little off either one: what the crease of one part with another sheet is there is good
+// enough. Two sheets of a corner may be parts of one patch, nearly one beside their seam, and meet nowhere there. A
+// crease comes to such a seam on one of them and goes on along the other: it does both where the third and one of these
+// meet.
+void place_rest(SheetMesh& in) {
+    for (EdgeNode& node : in.edges) {
         if (node.at.exact) continue;
         node.at.exact = node.near;
-        if (node.near) continue;
-        ++out_.unresolved;
-        node.gradient = {surface::sheet_at(sheets_, sheet_[start_of(mesh_, node.edge)], node.at.position).gradient,
-                         surface::sheet_at(sheets_, sheet_[end_of(mesh_, node.edge)], node.at.position).gradient};
+        for (std::size_t k = 0; k < 2 && !node.near; ++k)
+            node.gradient[k] = surface::sheet_at(in.sheets, node.sheet[k], node.at.position).gradient;
     }
-    for (CornerNode& node : corners_) {
+    for (CornerNode& node : in.corners) {
         if (node.at.exact) continue;
-        for (std::int64_t e = 3 * node.triangle; e < 3 * node.triangle + 3 && !node.at.exact; ++e)
-            if (const EdgeNode& beside = edges_[node_[e]]; beside.at.exact && nodes_.place_at_seam(node, beside)) break;
-        out_.unresolved += node.at.exact ? 0 : 1;
-        for (int k = 0; k < 3; ++k)
-            node.gradient[static_cast<std::size_t>(k)] =
-                surface::sheet_at(sheets_, sheet_of(node.triangle, k), node.at.position).gradient;
+        for (std::int64_t e = 3 * node.triangle; e < 3 * node.triangle + 3 && !node.at.exact; ++e) {
+            const EdgeNode& beside = in.edges[in.node[e]];
+            if (!beside.at.exact) continue;
+            const surface::MeetingPlace found =
+                in.meeting(beside.ends, node.at.position, crease_tuning.farthest_meeting * in.mesh.side);
+            node.at.exact = found.found && in.off_surface(found.position) < crease_tuning.beside_surface;
+            if (node.at.exact) node.at.position = found.position;
+        }
+        for (std::size_t k = 0; k < 3; ++k)
+            node.gradient[k] =
+                surface::sheet_at(in.sheets, in.sheet_at(3 * node.triangle + static_cast<std::int64_t>(k)),
+                                  node.at.position)
+                    .gradient;
     }
-}
-
-// On an edge, of the sheet of its start or its end.
-std::int32_t Splitter::vertex_of(std::int64_t edge, bool at_start) const noexcept {
-    const bool first = edges_[node_[edge]].edge == edge;
-    return first_of_edges_ + 2 * node_[edge] + (first == at_start ? 0 : 1);
-}
-
-void Splitter::add_vertices() {
-    SurfaceMesh& to = out_.mesh;
-    to.position = std::move(mesh_.position);
-    to.gradient = std::move(mesh_.gradient);
-    first_of_edges_ = static_cast<std::int32_t>(to.vertices());
-    for (const EdgeNode& node : edges_)
-        for (const glm::dvec3& gradient : node.gradient) {
-            to.position.push_back(node.at.position);
-            to.gradient.push_back(gradient);
-        }
-    first_of_corners_ = static_cast<std::int32_t>(to.vertices());
-    for (const CornerNode& node : corners_)
-        for (const glm::dvec3& gradient : node.gradient) {
-            to.position.push_back(node.at.position);
-            to.gradient.push_back(gradient);
-        }
-}
-
-void Splitter::add_triangle(std::int32_t a, std::int32_t b, std::int32_t c, std::int32_t sheet) {
-    for (const std::int32_t vertex : {a, b, c}) out_.mesh.corner.push_back(vertex);
-    out_.sheet.push_back(sheet);
-}
-
-// Along the diagonal that leaves the larger of least areas, as seen along the gradient: beside a corner one of them may
-// lie outside.
-void Splitter::add_quad(const std::array<std::int32_t, 4>& vertex, std::int32_t sheet) {
-    const SurfaceMesh& mesh = out_.mesh;
-    const auto least = [&](std::size_t first) {
-        double area = std::numeric_limits<double>::infinity();
-        for (const std::size_t k : {first + 1, first + 2}) {
-            const glm::dvec3 a = mesh.position[vertex[first]];
-            const glm::dvec3 cross =
-                glm::cross(mesh.position[vertex[k % 4]] - a, mesh.position[vertex[(k + 1) % 4]] - a);
-            for (const std::size_t i : {first, k % 4, (k + 1) % 4})
-                area = std::min(area, glm::dot(cross, glm::normalize(mesh.gradient[vertex[i]])));
-        }
-        return area;
-    };
-    const std::size_t first = least(0) >= least(1) ? 0 : 1;
-    add_triangle(vertex[first], vertex[first + 1], vertex[first + 2], sheet);
-    add_triangle(vertex[first], vertex[first + 2], vertex[(first + 3) % 4], sheet);
-}
-
-void Splitter::cut_in_two(std::int64_t triangle) {
-    int k = 0; // the corner that stands alone
-    while (sheet_of(triangle, k) == sheet_of(triangle, k + 1) || sheet_of(triangle, k) == sheet_of(triangle, k + 2))
-        ++k;
-    const std::int64_t ab = 3 * triangle + k;
-    const std::int64_t ca = 3 * triangle + (k + 2) % 3;
-    const auto at = [&](int i) { return mesh_.corner[3 * triangle + i % 3]; };
-    add_triangle(at(k), vertex_of(ab, true), vertex_of(ca, false), sheet_of(triangle, k));
-    const std::array<std::int32_t, 4> rest{vertex_of(ab, false), at(k + 1), at(k + 2), vertex_of(ca, true)};
-    add_quad(rest, sheet_of(triangle, k + 1));
-}
-
-void Splitter::cut_in_three(std::int64_t triangle, std::int64_t corner) {
-    for (int k = 0; k < 3; ++k) {
-        const std::int32_t at = mesh_.corner[3 * triangle + k];
-        const std::int32_t middle = first_of_corners_ + 3 * static_cast<std::int32_t>(corner) + k;
-        add_quad({at, vertex_of(3 * triangle + k, true), middle, vertex_of(3 * triangle + (k + 2) % 3, false)},
-                 sheet_[at]);
-    }
-}
-
-void Splitter::build(const base::Progress& progress) {
-    SurfaceMesh& to = out_.mesh;
-    to.region = mesh_.region;
-    to.end = mesh_.end;
-    to.side = mesh_.side;
-    to.unresolved = mesh_.unresolved;
-    to.missed_seeds = mesh_.missed_seeds;
-    add_vertices();
-    std::int64_t corner = 0;
-    for (std::int64_t t = 0; t < mesh_.triangles(); ++t) {
-        if (t % 4096 == 0) progress.check();
-        const int count = sheets_of(t);
-        if (count == 1) {
-            add_triangle(mesh_.corner[3 * t], mesh_.corner[3 * t + 1], mesh_.corner[3 * t + 2], sheet_of(t, 0));
-            to.turned += is_turned(to, to.triangles() - 1) ? 1 : 0; // what is cut has slivers, which say nothing
-        } else if (count == 2)
-            cut_in_two(t);
-        else
-            cut_in_three(t, corner++);
-    }
-    to.neighbour = find_neighbours(runtime_, to.corner, to.vertices());
-}
-
-const CornerNode* Splitter::corner_of(std::int64_t triangle) const noexcept {
-    const CornerNode* const at =
-        std::lower_bound(corners_.begin(), corners_.end(), triangle,
-                         [](const CornerNode& node, std::int64_t wanted) { return node.triangle < wanted; });
-    return at != corners_.end() && at->triangle == triangle ? at : nullptr;
-}
-
-// Of a triangle that a crease passes through, the other edge that it crosses.
-std::int64_t Splitter::exit_of(std::int64_t entered) const noexcept {
-    const std::int64_t next = next_in_triangle(entered);
-    return node_[next] >= 0 ? next : next_in_triangle(next);
-}
-
-// Through the triangle of an edge, and on; the sheet of the edge's start lies to the left.
-void Splitter::follow(std::int64_t entered) {
-    std::int64_t e = entered;
-    bool closed = false;
-    while (true) {
-        put(e);
-        taken_[e] = 1;
-        if (const CornerNode* const corner = corner_of(e / 3)) {
-            out_.creases.node.push_back(corner->at);
-            break;
-        }
-        const std::int64_t out = exit_of(e);
-        taken_[out] = 1;
-        const std::int64_t next = opposite_of(mesh_, out);
-        if (next < 0) {
-            put(out);
-            break;
-        }
-        e = next;
-        closed = e == entered;
-        if (closed || taken_[e] != 0) break;
-    }
-    end_chain(entered, closed);
-}
-
-void Splitter::end_chain(std::int64_t edge, bool closed) {
-    CreaseChains& to = out_.creases;
-    to.first.push_back(to.node.size());
-    to.closed.push_back(closed ? 1 : 0);
-    to.left.push_back(sheet_[start_of(mesh_, edge)]);
-    to.right.push_back(sheet_[end_of(mesh_, edge)]);
 }
 
 // From corners and from the border first; what is left is closed.
-void Splitter::find_chains() {
-    taken_.resize(mesh_.corner.size());
-    out_.creases.first.push_back(0);
-    for (const CornerNode& corner : corners_)
+void find_chains(const SheetMesh& in, CreaseChains& chains) {
+    const SurfaceMesh& mesh = in.mesh;
+    base::Array<std::uint8_t> taken(chains.first.memory(), mesh.corner.size()); // edges that chains have passed
+    const auto put = [&](std::int64_t edge) { chains.point.push_back(in.edges[in.node[edge]].at); };
+    const auto end = [&](std::int32_t left, std::int32_t right, bool closed) {
+        chains.end(closed);
+        chains.left.push_back(left);
+        chains.right.push_back(right);
+    };
+    // Through the triangle of an edge, and on; the sheet of the edge's start lies to the left.
+    const auto follow = [&](std::int64_t entered) {
+        bool closed = false;
+        for (std::int64_t e = entered; e >= 0 && taken[e] == 0;) {
+            put(e);
+            taken[e] = 1;
+            if (const CornerNode* const corner = in.corner_of(e / 3)) {
+                chains.point.push_back(corner->at);
+                break;
+            }
+            std::int64_t exit = next_in_triangle(e);
+            if (in.node[exit] < 0) exit = next_in_triangle(exit);
+            taken[exit] = 1;
+            e = opposite_of(mesh, exit);
+            if (e < 0) put(exit);
+            closed = e == entered;
+        }
+        end(in.sheet_at(entered), in.sheet_at(next_in_triangle(entered)), closed);
+    };
+    for (const CornerNode& corner : in.corners)
         for (std::int64_t e = 3 * corner.triangle; e < 3 * corner.triangle + 3; ++e) {
-            if (taken_[e] != 0) continue;
-            taken_[e] = 1;
-            const std::int64_t next = opposite_of(mesh_, e);
-            out_.creases.node.push_back(corner.at);
-            if (next >= 0) {
+            if (taken[e] != 0) continue;
+            taken[e] = 1;
+            chains.point.push_back(corner.at);
+            if (const std::int64_t next = opposite_of(mesh, e); next >= 0) {
                 follow(next);
                 continue;
             }
-            put(e);
-            CreaseChains& to = out_.creases; // of two nodes, with its sides the other way round
-            to.first.push_back(to.node.size());
-            to.closed.push_back(0);
-            to.left.push_back(sheet_[end_of(mesh_, e)]);
-            to.right.push_back(sheet_[start_of(mesh_, e)]);
+            put(e); // two nodes, with its sides the other way round
+            end(in.sheet_at(next_in_triangle(e)), in.sheet_at(e), false);
         }
     for (const bool border : {true, false})
-        for (const EdgeNode& node : edges_)
-            if (taken_[node.edge] == 0 && (mesh_.neighbour[node.edge] < 0) == border) follow(node.edge);
+        for (const EdgeNode& node : in.edges)
+            if (taken[node.edge] == 0 && (mesh.neighbour[node.edge] < 0) == border) follow(node.edge);
 }
 
-SharpMesh Splitter::run(const base::Progress& progress) {
-    find_sheets(0, progress);
-    for (int round = 0;; ++round) {
-        settle_alone(runtime_, sheets_, alike_sheets, mesh_, sheet_, progress);
-        find_edges(progress.part(0.0, 0.0));
-        for (int i = 0; i < most_settlings && settle_equal(); ++i) find_edges(progress.part(0.0, 0.0));
-        find_corners(progress.part(0.0, 0.0));
-        if (round == mesh_rounds || !halve(progress)) break;
+void build(const base::Runtime& runtime, SheetMesh& in, SharpMesh& out, const base::Progress& progress) {
+    SurfaceMesh& to = out.mesh;
+    to.region = in.mesh.region;
+    to.end = in.mesh.end;
+    to.side = in.mesh.side;
+    to.unresolved = in.mesh.unresolved;
+    to.missed_seeds = in.mesh.missed_seeds;
+    std::swap(to.position, in.mesh.position);
+    std::swap(to.gradient, in.mesh.gradient);
+    const auto add_vertices = [&](const auto& nodes) { // a vertex of each node for each of its sheets
+        const auto first = static_cast<std::int32_t>(to.vertices());
+        for (const auto& node : nodes)
+            for (const glm::dvec3& gradient : node.gradient) {
+                to.position.push_back(node.at.position);
+                to.gradient.push_back(gradient);
+            }
+        return first;
+    };
+    const std::int32_t first_of_edges = add_vertices(in.edges);
+    const std::int32_t first_of_corners = add_vertices(in.corners);
+    // The vertex on an edge that belongs to the sheet of its start or its end.
+    const auto vertex_of = [&](std::int64_t edge, bool at_start) {
+        const bool first = in.edges[in.node[edge]].edge == edge;
+        return first_of_edges + 2 * in.node[edge] + (first == at_start ? 0 : 1);
+    };
+    const auto add = [&](std::int32_t a, std::int32_t b, std::int32_t c, std::int32_t sheet) {
+        for (const std::int32_t vertex : {a, b, c}) to.corner.push_back(vertex);
+        out.sheet.push_back(sheet);
+    };
+    // Along the diagonal that leaves the larger of least areas, as seen along the gradient: beside a corner one of them
+    // may lie outside.
+    const auto add_quad = [&](const std::array<std::int32_t, 4>& vertex, std::int32_t sheet) {
+        const auto least = [&](std::size_t first) {
+            double area = std::numeric_limits<double>::infinity();
+            for (const std::size_t k : {first + 1, first + 2}) {
+                const glm::dvec3 a = to.position[vertex[first]];
+                const glm::dvec3 cross =
+                    glm::cross(to.position[vertex[k % 4]] - a, to.position[vertex[(k + 1) % 4]] - a);
+                for (const std::size_t i : {first, k % 4, (k + 1) % 4})
+                    area = std::min(area, glm::dot(cross, glm::normalize(to.gradient[vertex[i]])));
+            }
+            return area;
+        };
+        const std::size_t first = least(0) >= least(1) ? 0 : 1;
+        add(vertex[first], vertex[first + 1], vertex[first + 2], sheet);
+        add(vertex[first], vertex[first + 2], vertex[(first + 3) % 4], sheet);
+    };
+    std::int32_t corner = first_of_corners;
+    for (std::int64_t t = 0; t < in.mesh.triangles(); ++t) {
+        if (t % 4096 == 0) progress.check();
+        const auto edge = [&](std::int64_t k) { return 3 * t + k % 3; };
+        const auto at = [&](std::int64_t k) { return in.mesh.corner[edge(k)]; };
+        const int count = in.sheets_of(t);
+        if (count == 1) {
+            add(at(0), at(1), at(2), in.sheet[at(0)]);
+            to.turned += is_turned(to, to.triangles() - 1) ? 1 : 0; // cut triangles are slivers, which say nothing
+        } else if (count == 2) {
+            std::int64_t k = 0; // the corner that stands alone
+            while (in.sheet[at(k)] == in.sheet[at(k + 1)] || in.sheet[at(k)] == in.sheet[at(k + 2)]) ++k;
+            add(at(k), vertex_of(edge(k), true), vertex_of(edge(k + 2), false), in.sheet[at(k)]);
+            add_quad({vertex_of(edge(k), false), at(k + 1), at(k + 2), vertex_of(edge(k + 2), true)},
+                     in.sheet[at(k + 1)]);
+        } else {
+            for (std::int64_t k = 0; k < 3; ++k)
+                add_quad({at(k), vertex_of(edge(k), true), corner++, vertex_of(edge(k + 2), false)}, in.sheet[at(k)]);
+        }
     }
-    place_rest();
-    find_chains();
-    build(progress);
-    return std::move(out_);
+    HRBFNPR_ASSERT(corner == static_cast<std::int32_t>(to.vertices()));
+    to.neighbour = find_neighbours(runtime, to.corner, to.vertices());
 }
 
 } // namespace
 
 SharpMesh split_at_creases(const base::Runtime& runtime, const implicit::Implicit& implicit, SurfaceMesh mesh,
                            const base::Progress& progress) {
-    return Splitter(runtime, implicit, std::move(mesh)).run(progress);
+    HRBFNPR_ASSERT(implicit.sheets() != nullptr && mesh.side > 0.0);
+    const base::Progress standing = progress.standing();
+    SheetMesh in(runtime.memory, implicit, std::move(mesh));
+    find_sheets(runtime, in, standing);
+    for (int round = 0;; ++round) {
+        settle_alone(runtime, in, standing);
+        find_edges(runtime, in, standing);
+        for (int i = 0; i < crease_tuning.settlings && settle_equal(in); ++i) find_edges(runtime, in, standing);
+        find_corners(runtime, in, standing);
+        if (round == crease_tuning.rounds || !halve_unclear(runtime, in, standing)) break;
+    }
+    place_rest(in);
+    SharpMesh out(runtime.memory);
+    find_chains(in, out.creases);
+    build(runtime, in, out, progress);
+    return out;
 }
 
 } // namespace hrbfnpr::curves

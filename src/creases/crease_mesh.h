@@ -3,9 +3,8 @@
 // vertices on the creases and at their corners.
 #pragma once
 
+#include "curves/chains.h"
 #include "curves/surface_mesh.h"
-
-#include <array>
 
 namespace hrbfnpr::curves {
 
@@ -13,34 +12,25 @@ namespace hrbfnpr::curves {
 struct CreaseNode {
     glm::dvec3 position{0.0};
     bool exact = false; // both sheets are 0 there; else they could not be told apart, or more than two meet
-    bool corner = false;
 };
 
 // Creases as chains of nodes, from corner to corner, from border to border, or closed.
-struct CreaseChains {
-    explicit CreaseChains(base::Memory& memory) noexcept
-        : first(memory), closed(memory), left(memory), right(memory), node(memory) {}
+struct CreaseChains : Chains<CreaseNode> {
+    explicit CreaseChains(base::Memory& memory) : Chains(memory), left(memory), right(memory) {}
 
-    base::Array<std::int64_t> first;  // of each chain's nodes, and the end
-    base::Array<std::uint8_t> closed; // 1: the last is followed by the first, which stands there once
-    base::Array<std::int32_t> left;   // sheet to the left of each chain, as seen from outside
-    base::Array<std::int32_t> right;
-    base::Array<CreaseNode> node;
-
-    [[nodiscard]] std::int64_t chains() const noexcept { return closed.size(); }
+    base::Array<std::int32_t> left, right; // the sheets on both sides of each chain, as seen from outside
 };
 
 struct SharpMesh {
-    explicit SharpMesh(base::Memory& memory) noexcept : mesh(memory), sheet(memory), creases(memory) {}
+    explicit SharpMesh(base::Memory& memory) : mesh(memory), sheet(memory), creases(memory) {}
 
     SurfaceMesh mesh; // a vertex on a crease stands there once for each sheet, with its gradient; nothing is across
     base::Array<std::int32_t> sheet; // of each triangle
     CreaseChains creases;
-    std::int64_t unresolved = 0; // nodes that are not exact
 };
 
-// The vertices of `mesh` stay the first ones.  Edges whose sheets meet beside them, but off the surface, since
-// another one lies between, are halved, some times.  The same bits for any thread count.
+// The vertices of `mesh` stay the first ones. Some edges are halved whose sheets meet beside them, but off the surface,
+// since another sheet lies between. The same bits for any thread count.
 [[nodiscard]] SharpMesh split_at_creases(const base::Runtime& runtime, const implicit::Implicit& implicit,
                                          SurfaceMesh mesh, const base::Progress& progress);
 

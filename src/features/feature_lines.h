@@ -9,7 +9,7 @@
 
 #include "curves/surface_lines.h"
 #include "curves/surface_mesh.h"
-#include "features/feature_value.h"
+#include "features/shape.h"
 
 #include <span>
 

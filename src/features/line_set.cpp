@@ -3,8 +3,8 @@
 
 #include "base/clock.h"
 #include "features/border.h"
-#include "features/join_sections.h"
-#include "features/section_corners.h"
+#include "features/sections.h"
+#include "features/tuning.h"
 #include "implicit/evaluate_all.h"
 #include "surface/project.h"
 #include "surface/region.h"
@@ -16,16 +16,6 @@
 namespace hrbfnpr::curves {
 namespace {
 
-constexpr double sides_a_spacing = 2.0;
-constexpr double sides_a_diagonal = 96.0; // where no spacing is known
-constexpr std::int64_t lattice = 24;      // points of the bounds that seeds are looked for from, along each axis
-// More triangles than this share that look away from the surface: walls are too thin for the cells.
-constexpr double turned_share = 2e-4;
-constexpr double torn_share = 2e-2; // the same where finer cells cost much: walls are torn
-// Lines of the caller's that turn by more are two, each straight up to the corner: 25 degrees.
-constexpr double corner_cosine = 0.906;
-constexpr std::int64_t most_triangles_of_finer = 1'200'000;
-
 geometry::VecArray given_seeds(base::Memory& memory, std::span<const double> given) {
     geometry::VecArray seeds(memory);
     for (std::size_t i = 0; i + 2 < given.size(); i += 3) seeds.push_back({given[i], given[i + 1], given[i + 2]});
@@ -36,10 +26,10 @@ geometry::VecArray given_seeds(base::Memory& memory, std::span<const double> giv
 geometry::VecArray found_seeds(const base::Runtime& runtime, const implicit::Implicit& surface,
                                const geometry::Bounds& region, const base::Progress& progress) {
     surface::Projection points(runtime.memory);
-    const glm::dvec3 step = (region.max - region.min) / static_cast<double>(lattice);
-    for (std::int64_t z = 0; z < lattice; ++z)
-        for (std::int64_t y = 0; y < lattice; ++y)
-            for (std::int64_t x = 0; x < lattice; ++x)
+    const glm::dvec3 step = (region.max - region.min) / static_cast<double>(feature_tuning.lattice);
+    for (std::int64_t z = 0; z < feature_tuning.lattice; ++z)
+        for (std::int64_t y = 0; y < feature_tuning.lattice; ++y)
+            for (std::int64_t x = 0; x < feature_tuning.lattice; ++x)
                 points.position.push_back(region.min + step * (glm::dvec3(x, y, z) + 0.5));
     surface::project(runtime, surface, {}, points, progress);
     geometry::VecArray seeds(runtime.memory);
@@ -48,8 +38,6 @@ geometry::VecArray found_seeds(const base::Runtime& runtime, const implicit::Imp
             seeds.push_back(points.position[i]);
     return seeds;
 }
-
-constexpr double least_side = 1e-9; // in diagonals: no lattice has cells as small
 
 } // namespace
 
@@ -84,8 +72,8 @@ void LineSet::make_mesh(const base::Runtime& runtime, const LineSetSettings& set
     const bool automatic = !(settings.side > 0.0);
     if (automatic)
         mesh.side = settings.spacing > 0.0
-                        ? std::max(settings.spacing / sides_a_spacing, least_side * surface_.diagonal())
-                        : surface_.diagonal() / sides_a_diagonal;
+                        ? std::max(settings.spacing / feature_tuning.sides_a_spacing, 1e-9 * surface_.diagonal())
+                        : surface_.diagonal() / feature_tuning.sides_a_diagonal;
     const geometry::VecArray seeds = settings.seeds.empty()
                                          ? found_seeds(runtime, surface_, mesh.region, progress.part(0.0, 0.2))
                                          : given_seeds(runtime.memory, settings.seeds);
@@ -99,12 +87,13 @@ void LineSet::make_mesh(const base::Runtime& runtime, const LineSetSettings& set
         if (support_ != nullptr) clip_mesh(runtime, limit, progress);
         if (support_ == nullptr) border_ = border_lines(runtime.memory, *mesh_);
         // Of walls thinner than the cells creases cut very many triangles, and fewer where the cells are smaller.
-        const bool last_one = !automatic || 4 * mesh_->triangles() > most_triangles_of_finer || mesh.side >= last;
+        const bool last_one =
+            !automatic || 4 * mesh_->triangles() > feature_tuning.most_triangles_of_finer || mesh.side >= last;
         const bool missed = mesh_->missed_seeds > 0;
         if (surface_.sheets() != nullptr && (last_one || !missed)) split_mesh(runtime, progress);
-        const bool many = 4 * mesh_->triangles() > most_triangles_of_finer;
+        const bool many = 4 * mesh_->triangles() > feature_tuning.most_triangles_of_finer;
         const double turned = static_cast<double>(mesh_->turned) / static_cast<double>(mesh_->triangles());
-        const bool thin = missed || turned > (many ? torn_share : turned_share);
+        const bool thin = missed || turned > (many ? feature_tuning.torn_share : feature_tuning.turned_share);
         if (last_one || !thin) break;
         last = mesh.side;
         mesh.side *= 0.5;
@@ -168,7 +157,7 @@ void add_between(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& fro
 }
 
 bool is_corner(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) noexcept {
-    return glm::dot(b - a, c - b) < corner_cosine * glm::length(b - a) * glm::length(c - b);
+    return glm::dot(b - a, c - b) < feature_tuning.own_corner * glm::length(b - a) * glm::length(c - b);
 }
 
 SurfaceLines own_lines(const base::Runtime& runtime, const implicit::Implicit& surface, const LineRequest& request,
@@ -210,8 +199,7 @@ SurfaceLines LineSet::find(const base::Runtime& runtime, const LineRequest& requ
     FeatureLines found = find_feature_lines(runtime, features(), feature, progress);
     const implicit::Sheets* const sheets = surface_.sheets();
     if (sheets == nullptr || feature.kind != FeatureKind::section) return as_lines(runtime.memory, found);
-    end_at_creases(runtime, *sheets, creases_, feature.plane, feature.levels, mesh_->side, found);
-    return join_at_corners(runtime.memory, as_lines(runtime.memory, found), mesh_->side);
+    return joined_sections(runtime, *sheets, creases_, feature.plane, feature.levels, mesh_->side, found);
 }
 
 LineSet::LineSet(const base::Runtime& runtime, const implicit::Implicit& surface,

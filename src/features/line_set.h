@@ -4,7 +4,6 @@
 
 #include "base/list.h"
 #include "creases/creases.h"
-#include "creases/near_creases.h"
 #include "creases/sheet_parts.h"
 #include "curves/sheet_count.h"
 #include "curves/surface_end.h"

@@ -2,7 +2,6 @@
 #include "features/shape.h"
 
 #include "feature_shapes.h"
-#include "features/feature_value.h"
 #include "surface/curvature.h"
 #include "surface/project.h"
 
