@@ -9,7 +9,7 @@
 #include "creases/crease_mesh.h"
 
 #include "creases/tuning.h"
-#include "curves/edge_halving.h"
+#include "curves/halve_edges.h"
 #include "curves/mesh_topology.h"
 #include "surface/sheets_meet.h"
 
@@ -35,7 +35,7 @@ struct EdgeNode {
     std::array<bool, 2> equal;          // the start may belong to the end's sheet, the end to the start's
     bool alike;                         // both, nearly
     bool meet;                          // the sheets do somewhere beside the edge, on the surface or off it
-    bool near;                          // they do beside the surface, at an angle
+    bool near;                          // they do beside the surface, but not on it
 };
 
 // A triangle whose corners belong to three sheets.
@@ -87,11 +87,11 @@ struct SheetMesh {
         const surface::SheetValue f = value(place);
         return std::abs(f.value) / (mesh.side * glm::length(f.gradient));
     }
-    [[nodiscard]] surface::MeetingPlace meeting(std::span<const std::int32_t> vertices, const glm::dvec3& from,
-                                                double reach) const {
+    [[nodiscard]] surface::MeetingPlace meeting(std::span<const std::int32_t> vertices, const glm::dvec3& from) const {
         surface::Meeting all;
         for (const std::int32_t vertex : vertices) all.add(sheet[vertex]);
-        return surface::find_meeting(sheets, all, from, meeting_tolerance * mesh.side, reach);
+        return surface::find_meeting(sheets, all, from, meeting_tolerance * mesh.side,
+                                     crease_tuning.farthest_meeting * mesh.side);
     }
 };
 
@@ -146,19 +146,19 @@ void settle_alone(const base::Runtime& runtime, SheetMesh& at, const base::Progr
 
 // Whether f is the larger or the lesser of both sheets around the place. Beyond a corner it may be 0 where both are,
 // and one of them: where they differ most it then has opposite signs to either side, and the edge passes a third sheet.
-// far: where f is looked at, to either side, in sides.
-bool folds(const SheetMesh& in, const EdgeNode& node, double far) {
+bool folds(const SheetMesh& in, const EdgeNode& node) {
+    const double far = crease_tuning.on_surface * in.mesh.side; // to where f is looked at
     const glm::dvec3 across = glm::normalize(node.gradient[0]) - glm::normalize(node.gradient[1]);
     const double sine = 0.5 * glm::length(across); // of half the angle: f aside is that share of the way
     if (!(sine > crease_tuning.least_sine)) return true;
-    const glm::dvec3 way = far * in.mesh.side / (2.0 * sine) * across;
+    const glm::dvec3 way = far / (2.0 * sine) * across;
     const auto off = [&](const glm::dvec3& place) {
         const surface::SheetValue f = in.value(place);
         return f.value / glm::length(f.gradient);
     };
     const double a = off(node.at.position + way);
     const double b = off(node.at.position - way);
-    return !(a * b < 0.0 && std::min(std::abs(a), std::abs(b)) > 0.5 * sine * far * in.mesh.side);
+    return !(a * b < 0.0 && std::min(std::abs(a), std::abs(b)) > 0.5 * sine * far);
 }
 
 // Looks for the meeting from where the difference of both sheets is 0 as it is linear along the edge.
@@ -179,18 +179,13 @@ void look_at(const SheetMesh& in, EdgeNode& node) {
     double share = off[0] / (off[0] + off[1]);
     if (!(share > 0.0 && share < 1.0)) share = 0.5;
     const glm::dvec3 from = glm::mix(place[0], place[1], share);
-    const double reach =
-        crease_tuning.farthest_meeting * std::min(in.mesh.side, 2.0 * glm::distance(place[0], place[1]));
-    const surface::MeetingPlace found = in.meeting(node.ends, from, reach);
+    const surface::MeetingPlace found = in.meeting(node.ends, from);
     node.at.position = found.found ? found.position : from;
     node.meet = found.found;
     node.gradient = {found.gradient[0], found.gradient[1]};
     const double away = found.found ? in.off_surface(found.position) : crease_tuning.beside_surface;
-    node.at.exact = away <= crease_tuning.on_surface && folds(in, node, crease_tuning.on_surface);
-    const double sine = 0.5 * glm::distance(glm::normalize(node.gradient[0]), glm::normalize(node.gradient[1]));
-    // A fold beside the surface is looked at from so far that it makes no difference where it is.
-    node.near = !node.at.exact && away < crease_tuning.beside_surface && sine > crease_tuning.sharp_sine &&
-                folds(in, node, 2.0 * crease_tuning.beside_surface / sine);
+    node.at.exact = away <= crease_tuning.on_surface && folds(in, node);
+    node.near = !node.at.exact && away < crease_tuning.beside_surface;
 }
 
 // What is known of edges with the same ends and sheets is kept.
@@ -255,8 +250,7 @@ void find_corners(const base::Runtime& runtime, SheetMesh& in, const base::Progr
                 glm::dvec3 middle(0.0);
                 for (std::int64_t e = 3 * node.triangle; e < 3 * node.triangle + 3; ++e)
                     middle += in.edges[in.node[e]].at.position / 3.0;
-                const surface::MeetingPlace found = in.meeting({in.mesh.corner.data() + 3 * node.triangle, 3}, middle,
-                                                               crease_tuning.farthest_meeting * in.mesh.side);
+                const surface::MeetingPlace found = in.meeting({in.mesh.corner.data() + 3 * node.triangle, 3}, middle);
                 node.at.position = found.found ? found.position : middle;
                 node.gradient = found.gradient;
                 node.at.exact = found.found && in.off_surface(found.position) <= crease_tuning.on_surface;
@@ -306,8 +300,7 @@ void place_rest(SheetMesh& in) {
         for (std::int64_t e = 3 * node.triangle; e < 3 * node.triangle + 3 && !node.at.exact; ++e) {
             const EdgeNode& beside = in.edges[in.node[e]];
             if (!beside.at.exact) continue;
-            const surface::MeetingPlace found =
-                in.meeting(beside.ends, node.at.position, crease_tuning.farthest_meeting * in.mesh.side);
+            const surface::MeetingPlace found = in.meeting(beside.ends, node.at.position);
             node.at.exact = found.found && in.off_surface(found.position) < crease_tuning.beside_surface;
             if (node.at.exact) node.at.position = found.position;
         }
@@ -319,7 +312,7 @@ void place_rest(SheetMesh& in) {
     }
 }
 
-// From corners and from the border first; what is left is closed.
+// Chains begin at corners and at the border; the others are closed.
 void find_chains(const SheetMesh& in, CreaseChains& chains) {
     const SurfaceMesh& mesh = in.mesh;
     base::Array<std::uint8_t> taken(chains.first.memory(), mesh.corner.size()); // edges that chains have passed
@@ -394,23 +387,9 @@ void build(const base::Runtime& runtime, SheetMesh& in, SharpMesh& out, const ba
         for (const std::int32_t vertex : {a, b, c}) to.corner.push_back(vertex);
         out.sheet.push_back(sheet);
     };
-    // Along the diagonal that leaves the larger of least areas, as seen along the gradient: beside a corner one of them
-    // may lie outside.
     const auto add_quad = [&](const std::array<std::int32_t, 4>& vertex, std::int32_t sheet) {
-        const auto least = [&](std::size_t first) {
-            double area = std::numeric_limits<double>::infinity();
-            for (const std::size_t k : {first + 1, first + 2}) {
-                const glm::dvec3 a = to.position[vertex[first]];
-                const glm::dvec3 cross =
-                    glm::cross(to.position[vertex[k % 4]] - a, to.position[vertex[(k + 1) % 4]] - a);
-                for (const std::size_t i : {first, k % 4, (k + 1) % 4})
-                    area = std::min(area, glm::dot(cross, glm::normalize(to.gradient[vertex[i]])));
-            }
-            return area;
-        };
-        const std::size_t first = least(0) >= least(1) ? 0 : 1;
-        add(vertex[first], vertex[first + 1], vertex[first + 2], sheet);
-        add(vertex[first], vertex[first + 2], vertex[(first + 3) % 4], sheet);
+        add(vertex[0], vertex[1], vertex[2], sheet);
+        add(vertex[0], vertex[2], vertex[3], sheet);
     };
     std::int32_t corner = first_of_corners;
     for (std::int64_t t = 0; t < in.mesh.triangles(); ++t) {

@@ -71,9 +71,6 @@ void add_chain(const CreaseChains& chains, std::int64_t chain, double side, Crea
             CreasePoint p;
             p.position = node[i % count].position;
             const bool last = i + 1 == end && !whole;
-            // The last node of a part stays, and those that it crowds do not.
-            while (last && creases.point.size() > start + 1 && crowds(creases.point.size() - 1, p.position))
-                creases.point.resize(creases.point.size() - 1);
             const std::int64_t size = creases.point.size();
             if (!last && size > start && crowds(size - 1, p.position)) continue;
             if (whole && size > start + 2 && crowds(start, p.position)) continue;
@@ -189,7 +186,8 @@ CreasePath path_of(base::Memory& memory, const implicit::Sheets& sheets, const C
 void add_parts(const CreasePath& path, bool closed, const View& view, CreaseParts& parts) {
     const std::int64_t size = path.point.size();
     HRBFNPR_ASSERT(size >= 2);
-    // Of the piece from point k to the next, by the middle, as at the ends one of the sheets may be turning.
+    // Which sheets of the piece from point k to the next face the eye. The middle tells, since at an end one of them
+    // may be turning.
     struct Facing {
         bool left, right;
         bool operator==(const Facing&) const = default;

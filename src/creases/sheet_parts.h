@@ -21,7 +21,7 @@ struct SheetPart {
     std::unique_ptr<const SheetEnd> end;
 };
 
-// Of all sheets that have triangles, in their order.
+// A part of each sheet that has triangles, in the order of sheets.
 [[nodiscard]] base::List<std::unique_ptr<SheetPart>>
 sheet_parts(const base::Runtime& runtime, const implicit::Implicit& whole, const SharpMesh& mesh);
 

@@ -85,10 +85,6 @@ Chains<RunPoint> begin_runs(const base::Runtime& runtime, const Curves& starts, 
             if (found[i] != 0 &&
                 (chains.point.size() == first || in_order(chains.point.back().at, points[i], side, settings)))
                 chains.point.push_back({points[i]});
-        if (starts.closed[c] != 0)
-            while (chains.point.size() > first + 1 &&
-                   !in_order(chains.point.back().at, chains.point[first].at, side, settings))
-                chains.point.resize(chains.point.size() - 1);
         chains.end(starts.closed[c] != 0);
     }
     return chains;
@@ -189,7 +185,7 @@ Curves runs_from(const base::Runtime& runtime, const Level& level, const Surface
     std::copy(starts.point.begin(), starts.point.end(), points.begin());
     const base::Array<std::uint8_t> brought = bring_points(points, run_tuning.reach * side);
     Chains<RunPoint> chains = begin_runs(runtime, starts, points, brought, side, settings);
-    // Of two points there is no gap from the second one back to the first.
+    // A chain of two points has no gap from the second one back to the first.
     const auto is_gap_between = [&](std::int64_t c, std::int64_t i, std::int64_t j) {
         return j > i || (j >= 0 && chains.size_of(c) > 2);
     };

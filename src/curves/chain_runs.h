@@ -13,7 +13,7 @@ namespace hrbfnpr::curves {
 [[nodiscard]] Curves starts_of(const base::Runtime& runtime, const SurfaceMesh& mesh, const MeshChains& chains,
                                const base::Array<Bead>& beads, const TraceSettings& settings);
 
-// Starts with known directions, as far apart as those of chains, and closer where the curve turns.
+// Starts with known directions, as far apart as starts from chains, and closer where the curve turns.
 [[nodiscard]] Curves thinned(const base::Runtime& runtime, const SurfaceMesh& mesh, const Curves& starts,
                              const TraceSettings& settings);
 

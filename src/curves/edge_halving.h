@@ -26,12 +26,4 @@ namespace hrbfnpr::curves {
 // middle: the vertex on each edge, the same one on both sides of it; < 0: none.  Each triangle becomes one to four.
 void cut_at_middles(const base::Runtime& runtime, const base::Array<std::int32_t>& middle, SurfaceMesh& mesh);
 
-// Halves edges, each told by one of its two sides: brings their middles onto the surface, and cuts the triangles there.
-// An edge stays whole if its middle has no place on the surface within `farthest` of its length, or, where the surface
-// is smooth, one whose gradient turns away from those at its ends, as across a thin wall. Returns whether any was
-// halved.
-bool halve_edges(const base::Runtime& runtime, const implicit::Implicit& implicit,
-                 const base::Array<std::int64_t>& edges, double farthest, bool smooth, SurfaceMesh& mesh,
-                 const base::Progress& progress);
-
 } // namespace hrbfnpr::curves

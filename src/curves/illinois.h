@@ -11,7 +11,7 @@ namespace hrbfnpr::curves {
 
 struct Illinois {
     double low = 0.0, high = 1.0;
-    double at_low, at_high; // the values there; that of an end that stays is halved
+    double at_low, at_high; // the values there; the value of an end that stays is halved
     double trial;           // where the function is asked for next
     int kept = 0;           // how many times in a row the same end stayed: above 0 the higher one
 

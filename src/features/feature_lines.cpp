@@ -4,7 +4,7 @@
 // 3. keep_candidates: the parts of chains that may become lines.
 // 4. refine_crossings, refine_section: each root, brought onto the surface and to g = level.
 // 5. weigh_by_drop: ridges and valleys are weaker where the curvature hardly drops beside them.
-// 6. add_lines: chains are cut where they are too weak; what is strong and long enough is a line.
+// 6. add_lines: chains are cut where they are too weak; strong and long enough parts are lines.
 #include "features/feature_lines.h"
 
 #include "curves/curve_points.h"
@@ -158,7 +158,7 @@ struct FeatureField {
         }
         return count == 2 && counts ? static_cast<std::uint8_t>(bits) : std::uint8_t{0};
     }
-    // Of the linear g along the mean direction, times twice the area.
+    // The slope of the linear g along the mean direction, times twice the area.
     [[nodiscard]] double slope(std::int64_t triangle) const noexcept {
         const std::int32_t a = mesh.corner[3 * triangle];
         const std::int32_t b = mesh.corner[3 * triangle + 1];
@@ -267,7 +267,7 @@ void evaluate(const base::Runtime& runtime, const FeatureSurface& surface, const
 struct FeatureSearch {
     std::int64_t crossing;
     Illinois root;   // between the shares 0 and 1 of the edge
-    double smallest; // |g| so far
+    double smallest; // |g| at its best point
 };
 
 // The root of g on the surface between the two vertices of each edge, by the Illinois method along the edge, whose
@@ -417,7 +417,7 @@ void weigh_by_drop(const base::Runtime& runtime, const FeatureSurface& surface, 
 
 // ---- Lines
 
-// Cuts chains where points are too weak, and adds what is strong and long enough.
+// Cuts chains where points are too weak, and adds strong and long enough parts to the lines.
 void add_lines(const Chains<FeatureCrossing>& chains, const base::Array<FeaturePoint>& points,
                const FeatureRequest& request, double diagonal, double gap, std::int32_t level, FeatureLines& lines) {
     HRBFNPR_ASSERT(points.size() == chains.point.size());

@@ -4,7 +4,7 @@
 //
 // A mesh of the surface tells where they pass; each of their points is then brought onto the true curve, between the
 // two vertices of the edge that it crosses.  A line that turns within a triangle is missed, so the mesh should be as
-// fine as what is to be drawn.
+// fine as the lines that are to be drawn.
 #pragma once
 
 #include "curves/surface_lines.h"

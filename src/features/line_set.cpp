@@ -1,6 +1,12 @@
 // SPDX-License-Identifier: MIT
+// 1. make_mesh: the surface as a mesh, cut where samples end (clip_mesh) and at creases (split_mesh); with smaller
+// cells
+//    again where walls are too thin for them.
+// 2. measured_mesh: curvatures, if lines need them.
+// 3. find: the lines that do not depend on the view.
 #include "features/line_set.h"
 
+#include "base/assert.h"
 #include "base/clock.h"
 #include "features/border.h"
 #include "features/sections.h"
@@ -37,6 +43,36 @@ geometry::VecArray found_seeds(const base::Runtime& runtime, const implicit::Imp
         if (points.status[i] == surface::ProjectionStatus::converged && region.contains(points.position[i]))
             seeds.push_back(points.position[i]);
     return seeds;
+}
+
+// Lines of the caller's, with points between so that cubics are straight, and cut at corners.
+SurfaceLines own_lines(const base::Runtime& runtime, const implicit::Implicit& surface, const LineRequest& request,
+                       double side, const base::Progress& progress) {
+    HRBFNPR_ASSERT(side > 0.0);
+    const geometry::VecArray points = given_seeds(runtime.memory, request.points);
+    geometry::VecArray gradient(runtime.memory, points.size());
+    implicit::evaluate_all(runtime, surface, points,
+                           {nullptr, {gradient.x.data(), gradient.y.data(), gradient.z.data()}, {}}, progress);
+    SurfaceLines lines(runtime.memory);
+    LineBuilder builder(lines, true);
+    for (std::size_t l = 0; l + 1 < request.first.size(); ++l) {
+        const std::int64_t begin = request.first[l];
+        const std::int64_t end = request.first[l + 1];
+        for (std::int64_t i = begin; i < end; ++i) {
+            const glm::dvec3 way = i > begin ? points[i] - points[i - 1] : glm::dvec3(0.0);
+            const double steps = std::min(1e4, std::ceil(glm::length(way) / side));
+            for (double k = 1.0; k < steps; k += 1.0)
+                builder.add(points[i - 1] + k / steps * way, glm::mix(gradient[i - 1], gradient[i], k / steps), 1.0);
+            builder.add(points[i], gradient[i], 1.0);
+            if (i == begin || i + 1 == end) continue;
+            const glm::dvec3 next = points[i + 1] - points[i];
+            if (!(glm::dot(way, next) < feature_tuning.own_corner * glm::length(way) * glm::length(next))) continue;
+            builder.end(false);
+            builder.add(points[i], gradient[i], 1.0);
+        }
+        builder.end(false);
+    }
+    return lines;
 }
 
 } // namespace
@@ -86,7 +122,7 @@ void LineSet::make_mesh(const base::Runtime& runtime, const LineSetSettings& set
                     : triangulate(runtime, surface_, seeds, mesh, progress.part(from, 0.5 * (1.0 + from)));
         if (support_ != nullptr) clip_mesh(runtime, limit, progress);
         if (support_ == nullptr) border_ = border_lines(runtime.memory, *mesh_);
-        // Of walls thinner than the cells creases cut very many triangles, and fewer where the cells are smaller.
+        // If walls are thinner than the cells, creases cut very many triangles, and fewer where cells are smaller.
         const bool last_one =
             !automatic || 4 * mesh_->triangles() > feature_tuning.most_triangles_of_finer || mesh.side >= last;
         const bool missed = mesh_->missed_seeds > 0;
@@ -109,7 +145,7 @@ void LineSet::make_mesh(const base::Runtime& runtime, const LineSetSettings& set
     sheets_.emplace(runtime, *mesh_, progress);
 }
 
-// Normals that nobody gave are the surface's own.
+// Where no normals are given, the surface's own are taken.
 void LineSet::measure_support(const base::Runtime& runtime, const SupportSettings& settings,
                               const base::Progress& progress) {
     const geometry::VecArray points = given_seeds(runtime.memory, settings.points);
@@ -144,45 +180,6 @@ void LineSet::clip_mesh(const base::Runtime& runtime, double limit, const base::
     mesh_ = std::move(clipped.mesh);
     mesh_->end = &*end_;
     left_out_ = clipped.left_out;
-}
-
-// Points on the way from a to b, so that cubics between them are straight.
-void add_between(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& from, const glm::dvec3& to, double side,
-                 LineBuilder& builder) {
-    const double steps = std::min(1e4, std::ceil(glm::distance(a, b) / side));
-    for (double k = 1.0; k < steps; k += 1.0) {
-        const double u = k / steps;
-        builder.add(a + u * (b - a), (1.0 - u) * from + u * to, 1.0);
-    }
-}
-
-bool is_corner(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) noexcept {
-    return glm::dot(b - a, c - b) < feature_tuning.own_corner * glm::length(b - a) * glm::length(c - b);
-}
-
-SurfaceLines own_lines(const base::Runtime& runtime, const implicit::Implicit& surface, const LineRequest& request,
-                       double side, const base::Progress& progress) {
-    const geometry::VecArray points = given_seeds(runtime.memory, request.points);
-    base::Array<double> value(runtime.memory, points.size());
-    geometry::VecArray gradient(runtime.memory, points.size());
-    implicit::evaluate_all(runtime, surface, points,
-                           {value.data(), {gradient.x.data(), gradient.y.data(), gradient.z.data()}, {}}, progress);
-    SurfaceLines lines(runtime.memory);
-    LineBuilder builder(lines, true);
-    for (std::size_t l = 0; l + 1 < request.first.size(); ++l) {
-        const std::int64_t begin = request.first[l];
-        const std::int64_t end = request.first[l + 1];
-        for (std::int64_t i = begin; i < end; ++i) {
-            if (i > begin) add_between(points[i - 1], points[i], gradient[i - 1], gradient[i], side, builder);
-            builder.add(points[i], gradient[i], 1.0);
-            if (i > begin && i + 1 < end && is_corner(points[i - 1], points[i], points[i + 1])) {
-                builder.end(false);
-                builder.add(points[i], gradient[i], 1.0);
-            }
-        }
-        builder.end(false);
-    }
-    return lines;
 }
 
 SurfaceLines LineSet::find(const base::Runtime& runtime, const LineRequest& request,

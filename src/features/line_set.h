@@ -10,7 +10,7 @@
 #include "curves/surface_lines.h"
 #include "curves/surface_mesh.h"
 #include "features/feature_lines.h"
-#include "features/feature_mesh.h"
+#include "features/shape.h"
 #include "surface/trim.h"
 
 #include <array>
@@ -40,12 +40,12 @@ inline constexpr std::uint32_t line_kind_count = 12;
     return kind == LineKind::contour || kind == LineKind::suggestive_contour || kind == LineKind::apparent_ridge ||
            kind == LineKind::isophote;
 }
-// Of those that feature_lines.h finds.
+// The kind that feature_lines.h finds it as.
 [[nodiscard]] FeatureKind feature_of(LineKind kind) noexcept;
 struct Thresholds {
     double lower, upper;
 };
-// Of strengths; what feature_value.h calls them.
+// Limits of strengths, as feature_value() measures these.
 [[nodiscard]] Thresholds default_thresholds(LineKind kind) noexcept;
 // Those given, or if both are 0 the defaults.
 [[nodiscard]] inline Thresholds thresholds_of(LineKind kind, const Thresholds& given) noexcept {
@@ -58,10 +58,10 @@ struct LineRequest {
     std::array<char, 64> name{};
     Thresholds thresholds{0.0, 0.0};     // both 0: default_thresholds()
     double shortest = 0.0;               // diagonals
-    glm::dvec3 plane{0.0, 0.0, 1.0};     // of sections: the planes' normal
-    std::span<const double> levels;      // ... and where they are along it
+    glm::dvec3 plane{0.0, 0.0, 1.0};     // sections: the planes' normal
+    std::span<const double> levels;      // sections: where the planes are along it
     std::span<const double> points;      // own lines: 3n packed positions
-    std::span<const std::int64_t> first; // ... and the first of each line, and the end
+    std::span<const std::int64_t> first; // own lines: the first point of each, and the end
 };
 
 struct FoundLines {
@@ -75,7 +75,7 @@ struct FoundLines {
 struct SupportSettings {
     double limit = 0.0;                  // of s in surface/support.h; 0: the surface goes on to the end of its region
     std::span<const double> points;      // 3n packed samples; not empty where there is a limit
-    std::span<const double> normals;     // of these, unit; empty: those of the surface there
+    std::span<const double> normals;     // unit, of the samples; empty: the surface's normals there
     const surface::Trim* trim = nullptr; // instead of all: where the surface of the model ends; outlives the set
 };
 
@@ -98,7 +98,7 @@ public:
     LineSet(const LineSet&) = delete;
     LineSet& operator=(const LineSet&) = delete;
 
-    // No other set has it while somebody holds it.
+    // No other set has it while a pointer to it is held.
     [[nodiscard]] const std::shared_ptr<const void>& identity() const noexcept { return identity_; }
     [[nodiscard]] const implicit::Implicit& surface() const noexcept { return surface_; }
     [[nodiscard]] const SurfaceMesh& mesh() const noexcept { return *mesh_; }
@@ -115,11 +115,11 @@ public:
     [[nodiscard]] bool has_crease_near(const glm::dvec3& place, double reach) const noexcept {
         return near_creases_ && near_creases_->has(place, reach);
     }
-    // Of a surface with creases: contours are traced on these.
+    // Smooth parts of a surface with creases: contours are traced on these.
     [[nodiscard]] const base::List<std::unique_ptr<SheetPart>>& parts() const noexcept { return parts_; }
     // Whose zero lines the border is; null where it is the end of a region.
     [[nodiscard]] const Level* border_level() const noexcept { return border_exact_ ? &*border_level_ : nullptr; }
-    // Of the surface's area, the share that lies beyond its samples.
+    // The share of the surface's area that lies beyond its samples.
     [[nodiscard]] double left_out() const noexcept { return left_out_; }
     [[nodiscard]] double seconds() const noexcept { return seconds_; }
     [[nodiscard]] std::int64_t bytes() const noexcept;
@@ -142,7 +142,7 @@ private:
     bool border_exact_ = false;
     std::optional<SurfaceMesh> mesh_;
     std::optional<SheetCounter> sheets_;
-    ShapedMesh shaped_;   // empty: nobody asked
+    ShapedMesh shaped_;   // empty unless lines need curvatures
     SurfaceLines border_; // where an open surface ends
     Creases creases_;
     std::optional<NearCreases> near_creases_; // null: there are none

@@ -63,7 +63,7 @@ base::Array<SectionCorner> find_section_corners(base::Memory& memory, const impl
 }
 
 // Points before an end that lie beyond the corner come between it and the last one that does not. The normal at the
-// corner is that of the line's own sheet.
+// corner is the normal of the line's own sheet.
 void end_at_corners(const base::Runtime& runtime, const base::Array<SectionCorner>& corners, double side,
                     FeatureLines& lines) {
     geometry::VecArray places(runtime.memory);

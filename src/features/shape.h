@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Curvatures of f = 0 and their derivatives, measured once and read for every view; and from these the function whose
-// zero lines a kind of feature line is, and how strong a line is there.
+// Curvatures of f = 0 and their derivatives, measured once and read for every view; a mesh with them, which is finer
+// where they change otherwise between two vertices than both tell, as around the samples of a rough fit; and the
+// function whose zero lines a kind of feature line is.
 #pragma once
 
-#include "base/operation.h"
-#include "base/runtime.h"
-#include "geometry/vec_array.h"
+#include "curves/surface_mesh.h"
 #include "implicit/shape_source.h"
 
 #include <array>
@@ -17,7 +16,7 @@ namespace hrbfnpr::curves {
 // has k < 0.  All 0 where there is no gradient.
 struct ShapePoint {
     glm::dvec3 normal{0.0};
-    glm::dvec3 d1{0.0}; // of k1; that of k2 is d2()
+    glm::dvec3 d1{0.0}; // the direction of k1; d2() has k2
     double k1 = 0.0;    // k1 >= k2
     double k2 = 0.0;
     std::array<double, 4> c{}; // C111 C112 C122 C222: derivatives of the second fundamental form
@@ -37,15 +36,30 @@ struct ShapePoint {
     }
 };
 
-// Hessian xx xy xz yy yz zz; third xxx xxy xxz xyy xyz xzz yyy yyz yzz zzz.
-// Where k1 = k2 the directions are any, and C is in the same.
+// hessian: xx xy xz yy yz zz; third: xxx xxy xxz xyy xyz xzz yyy yyz yzz zzz. Where k1 = k2 any directions are given,
+// with C in them.
 [[nodiscard]] ShapePoint shape_point(const glm::dvec3& gradient, const std::array<double, 6>& hessian,
                                      const std::array<double, 10>& third) noexcept;
 
-// Of the points with these gradients of f; result is resized.  The same bits for any thread count.
+// gradient: of f at the points. result: resized. The same bits for any thread count.
 void measure_shape(const base::Runtime& runtime, const implicit::ShapeSource& source,
                    const geometry::VecArray& position, const geometry::VecArray& gradient,
                    base::Array<ShapePoint>& result, const base::Progress& progress);
+
+struct ShapedMesh {
+    explicit ShapedMesh(base::Memory& memory) noexcept : mesh(memory), shape(memory) {}
+
+    SurfaceMesh mesh;              // `side` is the side of the cells it was made from
+    base::Array<ShapePoint> shape; // at its vertices
+    [[nodiscard]] std::int64_t bytes() const noexcept { return mesh.bytes() + shape.bytes(); }
+};
+
+// Edges are halved, up to three times, and their middles brought onto the surface; each triangle is cut into two, three
+// or four at its halved edges, so that triangles still meet nowhere but in edges and corners.  The first vertices are
+// those of `mesh`.  The same bits for any thread count.  Throws Error{out_of_memory, cancelled, callback}.
+[[nodiscard]] ShapedMesh measured_mesh(const base::Runtime& runtime, const implicit::Implicit& implicit,
+                                       const implicit::ShapeSource& source, const SurfaceMesh& mesh,
+                                       const base::Progress& progress);
 
 enum class FeatureKind : std::uint8_t {
     suggestive_contour, // [DeCarlo et al. 2003]
@@ -58,7 +72,7 @@ enum class FeatureKind : std::uint8_t {
     level           // a function of the caller = level
 };
 
-// Whether g changes its sign with that of a principal direction.
+// Whether the sign of g changes with the sign of a principal direction.
 [[nodiscard]] constexpr bool is_directed(FeatureKind kind) noexcept {
     return kind == FeatureKind::ridge || kind == FeatureKind::valley || kind == FeatureKind::apparent_ridge;
 }
@@ -86,8 +100,8 @@ struct FeatureValue {
 //   parabolic            k1 k2 unit^2                           |grad K| unit^3
 //   isophote             n . l                                  |grad (n . l)| unit
 //
-// sin is that of the angle between the normal and the view: without it the first strength grows without bound where
-// the surface faces the eye.  It is that of the side that `towards` looks at also where that is the inside.  Whether a
+// sin: of the angle between the normal and the view. Without it the first strength would grow without bound where the
+// surface faces the eye. The strength is the same whether `towards` looks at the outside or the inside.  Whether a
 // ridge is one, and not a line of least curvature, is for the caller to see.
 [[nodiscard]] FeatureValue feature_value(FeatureKind kind, const ShapePoint& shape, const glm::dvec3& position,
                                          const glm::dvec4& towards, double unit) noexcept;

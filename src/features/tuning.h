@@ -27,8 +27,8 @@ struct FeatureTuning {
     // fit for ridges, and this many diagonals at most. Larger: small ridges are weaker.
     double least_aside = 2.0;
     double most_aside = 0.1;
-    // The derivative's sign along a line is that of the mean over this many crossings to either side. Larger: fewer
-    // interruptions, and short extrema are missed.
+    // The sign of the derivative along a line is taken of its mean over this many crossings to either side. Larger:
+    // fewer interruptions, and short extrema are missed.
     std::int64_t crossings_beside = 2;
     // Points of a line that are nearer to each other are one, in sides. Larger: fewer points.
     double least_gap = 1e-3;
@@ -65,9 +65,6 @@ struct FeatureTuning {
     double border_turn = 0.995;
     double longest_border_piece = 0.5;
     double shortest_border_piece = 1e-3;
-    // A border's tangent counts where the angle to the chords beside it has a larger cosine: where the nearest samples
-    // change, s has a kink. Larger: fewer exact tangents.
-    double along_border = 0.5;
 
     // ---- The set of all lines
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The finer mesh that feature lines of rough fits are looked for on.
-#include "features/feature_mesh.h"
+#include "features/shape.h"
 
 #include "curves/mesh_checks.h"
 #include "feature_shapes.h"
