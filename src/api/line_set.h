@@ -3,7 +3,7 @@
 #pragma once
 
 #include "api/model.h"
-#include "curves/line_set.h"
+#include "features/line_set.h"
 
 struct hrbfnpr_line_set : hrbfnpr::api::Child {
     hrbfnpr_line_set(hrbfnpr_context& context, const hrbfnpr_model& of,

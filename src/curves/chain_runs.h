@@ -8,16 +8,16 @@
 
 namespace hrbfnpr::curves {
 
-// Places of each chain; of the points only positions count.
+// Places of each chain that are part of a step from each other. Only positions count.
 [[nodiscard]] Curves starts_of(const base::Runtime& runtime, const SurfaceMesh& mesh, const MeshChains& chains,
                                const base::Array<Bead>& beads, const TraceSettings& settings);
 
-// Starts at which directions are known, without those that the others stand for.
+// Starts with known directions, as far apart as starts from chains, and closer where the curve turns.
 [[nodiscard]] Curves thinned(const base::Runtime& runtime, const SurfaceMesh& mesh, const Curves& starts,
                              const TraceSettings& settings);
 
-// Each run is a part of a curve, or all of it if it is closed.  No place of a curve is in two of them, but beside their
-// ends.  Starts follow each other as the points of a curve.
+// Each run is a part of a curve, or all of it if it is closed. No place of a curve is in two runs, but beside their
+// ends. Starts follow each other as the points of a curve do.
 [[nodiscard]] Curves runs_from(const base::Runtime& runtime, const Level& level, const SurfaceMesh& mesh,
                                const Curves& starts, const TraceSettings& settings, TraceReport& report,
                                const base::Progress& progress);

@@ -10,7 +10,7 @@
 
 namespace hrbfnpr::curves {
 
-// Of oriented triangles, no two of which have an edge in the same direction: see SurfaceMesh.
+// For oriented triangles, no two of which have an edge in the same direction, as SurfaceMesh::neighbour.
 [[nodiscard]] base::Array<std::int32_t> find_neighbours(const base::Runtime& runtime,
                                                         const base::Array<std::int32_t>& corner, std::int64_t vertices,
                                                         const base::Progress& progress = {});

@@ -1,11 +1,19 @@
 // SPDX-License-Identifier: MIT
 #include "curves/surface_lines.h"
 
+#include "curves/chains.h"
+#include "curves/illinois.h"
+#include "implicit/evaluate_all.h"
+
 #include <algorithm>
-#include <utility>
+#include <cmath>
 
 namespace hrbfnpr::curves {
 namespace {
+
+constexpr int turn_steps = 60;
+constexpr double known_turn = 1e-10;   // of a piece
+constexpr double at_line_point = 1e-6; // of a piece: a part that ends so near to a point ends there
 
 // As CurvePoint::direction() wants it: gradient x level_gradient is the tangent.
 void set_tangent(CurvePoint& p, const glm::dvec3& tangent, bool as_given) noexcept {
@@ -19,72 +27,10 @@ void set_tangent(CurvePoint& p, const glm::dvec3& tangent, bool as_given) noexce
     p.level_gradient = length > 0.0 ? glm::cross(along / length, n) : glm::cross(tangent, n);
 }
 
-// Whether the outside of the surface is seen.
-bool shows_outside(const CurvePoint& p, const View& view) noexcept {
-    return glm::dot(p.gradient, view.sight(p.position)) < 0.0;
+// n . v, negative where the outside of the surface is seen.
+double facing(const glm::dvec3& gradient, const glm::dvec3& place, const View& view) noexcept {
+    return glm::dot(gradient, view.sight(place)) / glm::length(gradient);
 }
-
-class FacingParts {
-    static constexpr double at_point = 1e-6; // of a piece
-
-public:
-    FacingParts(const SurfaceLines& lines, const View& view, bool outside, SurfaceLines& parts)
-        : lines_(lines), view_(view), outside_(outside), builder_(parts) {}
-
-    void add_curve(std::int64_t curve) {
-        const Curves& curves = lines_.curves;
-        const std::int64_t first = curves.first[curve];
-        const std::int64_t count = curves.size_of(curve);
-        std::int64_t begin = 0; // of a closed curve a point that is not wanted, if there is one
-        const bool closed = curves.closed[curve] != 0;
-        while (closed && begin < count && wanted(first + begin)) ++begin;
-        if (begin == count) {
-            for (std::int64_t i = 0; i < count; ++i) put(first + i);
-            return builder_.end(true);
-        }
-        for (std::int64_t i = 0; i < count + (closed ? 1 : 0); ++i) {
-            const std::int64_t at = first + (begin + i) % count;
-            const std::int64_t before = first + (begin + i - 1 + count) % count;
-            const bool has_before = i > 0;
-            if (wanted(at)) {
-                if (has_before && !wanted(before)) put_between(before, at);
-                put(at);
-            } else if (has_before && wanted(before)) {
-                put_between(before, at);
-                builder_.end(false);
-            }
-        }
-        builder_.end(false);
-    }
-
-private:
-    [[nodiscard]] bool wanted(std::int64_t point) const noexcept {
-        return shows_outside(lines_.curves.point[point], view_) == outside_;
-    }
-    void put(std::int64_t at) {
-        const CurvePoint& p = lines_.curves.point[at];
-        builder_.add(p.position, p.gradient, static_cast<double>(lines_.strength[at]), p.direction());
-    }
-    // Where n . v vanishes, by its values at both points.
-    void put_between(std::int64_t a, std::int64_t b) {
-        const CurvePoint& p = lines_.curves.point[a];
-        const CurvePoint& q = lines_.curves.point[b];
-        const double from = glm::dot(p.gradient, view_.sight(p.position));
-        const double to = glm::dot(q.gradient, view_.sight(q.position));
-        const double u = std::clamp(from / (from - to), 0.0, 1.0);
-        // A point that stands there already is the end.
-        if ((u < at_point && wanted(a)) || (u > 1.0 - at_point && wanted(b))) return;
-        const auto strength =
-            static_cast<double>(lines_.strength[a]) * (1.0 - u) + static_cast<double>(lines_.strength[b]) * u;
-        const CubicPiece piece(p, q);
-        builder_.add(piece.at(u), (1.0 - u) * p.gradient + u * q.gradient, strength, piece.derivative(u));
-    }
-
-    const SurfaceLines& lines_;
-    const View& view_;
-    bool outside_;
-    LineBuilder builder_;
-};
 
 } // namespace
 
@@ -95,8 +41,7 @@ LineBuilder::LineBuilder(SurfaceLines& lines, bool as_given) : lines_(lines), as
 void LineBuilder::add(const glm::dvec3& position, const glm::dvec3& normal, double strength,
                       const glm::dvec3& tangent) {
     Curves& curves = lines_.curves;
-    const std::int64_t first = curves.first[curves.first.size() - 1];
-    if (curves.point.size() > first && curves.point[curves.point.size() - 1].position == position) return;
+    if (curves.point.size() > curves.first.back() && curves.point.back().position == position) return;
     CurvePoint p;
     p.position = position;
     p.gradient = normal;
@@ -105,9 +50,16 @@ void LineBuilder::add(const glm::dvec3& position, const glm::dvec3& normal, doub
     lines_.strength.push_back(static_cast<float>(strength));
 }
 
+void LineBuilder::add(const SurfaceLines& from, std::int64_t point) {
+    HRBFNPR_ASSERT(point >= 0 && point < from.strength.size());
+    const CurvePoint& p = from.curves.point[point];
+    add(p.position, p.gradient, static_cast<double>(from.strength[point]), p.direction());
+}
+
 void LineBuilder::end(bool closed) {
     Curves& curves = lines_.curves;
-    const std::int64_t first = curves.first[curves.first.size() - 1];
+    HRBFNPR_ASSERT(lines_.strength.size() == curves.point.size());
+    const std::int64_t first = curves.first.back();
     const std::int64_t count = curves.point.size() - first;
     if (count < (closed ? 3 : 2)) {
         curves.point.resize(first);
@@ -115,54 +67,111 @@ void LineBuilder::end(bool closed) {
         return;
     }
     for (std::int64_t i = 0; i < count; ++i) {
-        if (curves.point[first + i].level_gradient != glm::dvec3(0.0)) continue;
+        CurvePoint& p = curves.point[first + i];
+        if (p.level_gradient != glm::dvec3(0.0)) continue;
         const std::int64_t before = closed ? (i + count - 1) % count : std::max<std::int64_t>(0, i - 1);
         const std::int64_t after = closed ? (i + 1) % count : std::min(count - 1, i + 1);
-        const glm::dvec3 in = curves.point[first + i].position - curves.point[first + before].position;
-        const glm::dvec3 out = curves.point[first + after].position - curves.point[first + i].position;
-        // By the circle through three points: the nearer one counts more.
-        const double a = glm::dot(in, in);
-        const double b = glm::dot(out, out);
-        set_tangent(curves.point[first + i], a > 0.0 && b > 0.0 ? in / a + out / b : in + out, as_given_);
+        set_tangent(p,
+                    tangent_between(p.position - curves.point[first + before].position,
+                                    curves.point[first + after].position - p.position),
+                    as_given_);
     }
     curves.first.push_back(curves.point.size());
     curves.closed.push_back(closed ? 1 : 0);
 }
 
-SurfaceLines as_lines(base::Memory& memory, const FeatureLines& features) {
-    SurfaceLines lines(memory);
-    LineBuilder builder(lines);
-    for (std::int64_t l = 0; l < features.lines(); ++l) {
-        for (std::int64_t i = features.first[l]; i < features.first[l + 1]; ++i)
-            builder.add(features.position[i], features.normal[i], features.strength[i]);
-        builder.end(features.closed[l] != 0);
+SurfaceLines parts_where(const SurfaceLines& lines, const base::Array<double>& value, bool below, bool as_given) {
+    const Curves& curves = lines.curves;
+    HRBFNPR_ASSERT(value.size() == curves.point.size());
+    SurfaceLines parts(value.memory());
+    LineBuilder builder(parts, as_given);
+    const auto wanted = [&](std::int64_t i) { return (value[i] < 0.0) == below; };
+    // Where the value vanishes between a point that is wanted and one that is not.
+    const auto put_between = [&](std::int64_t a, std::int64_t b) {
+        const CurvePoint& p = curves.point[a];
+        const CurvePoint& q = curves.point[b];
+        const double u = std::clamp(value[a] / (value[a] - value[b]), 0.0, 1.0);
+        // A point that stands there already is the end.
+        if ((u < at_line_point && wanted(a)) || (u > 1.0 - at_line_point && wanted(b))) return;
+        const auto strength =
+            static_cast<double>(lines.strength[a]) * (1.0 - u) + static_cast<double>(lines.strength[b]) * u;
+        const CubicPiece piece(p, q);
+        builder.add(piece.at(u), (1.0 - u) * p.gradient + u * q.gradient, strength, piece.derivative(u));
+    };
+    for (std::int64_t c = 0; c < curves.count(); ++c) {
+        const std::int64_t count = curves.size_of(c);
+        const bool closed = curves.closed[c] != 0;
+        const auto at = [&](std::int64_t i) { return curves.first[c] + (i + count) % count; };
+        for_parts(
+            count, closed, [&](std::int64_t i) { return wanted(at(i)); },
+            [&](std::int64_t begin, std::int64_t end, bool whole) {
+                if (!whole && (closed || begin > 0)) put_between(at(begin - 1), at(begin));
+                for (std::int64_t i = begin; i < end; ++i) builder.add(lines, at(i));
+                if (!whole && (closed || end < count)) put_between(at(end - 1), at(end));
+                builder.end(whole);
+            });
     }
-    return lines;
-}
-
-SurfaceLines border_lines(base::Memory& memory, const SurfaceMesh& mesh) {
-    base::Array<std::int32_t> after(memory, mesh.vertices()); // 1 + the next vertex along the border
-    for (std::int64_t e = 0; e < mesh.corner.size(); ++e)
-        if (mesh.neighbour[e] < 0) after[mesh.corner[e]] = 1 + mesh.corner[e - e % 3 + (e + 1) % 3];
-    SurfaceLines lines(memory);
-    LineBuilder builder(lines);
-    for (std::int64_t start = 0; start < mesh.vertices(); ++start) {
-        if (after[start] == 0) continue;
-        std::int64_t at = start;
-        while (after[at] != 0) {
-            builder.add(mesh.position[at], mesh.gradient[at], 1.0);
-            at = std::exchange(after[at], 0) - 1;
-        }
-        builder.end(at == start);
-    }
-    return lines;
+    return parts;
 }
 
 SurfaceLines facing_parts(base::Memory& memory, const SurfaceLines& lines, const View& view, bool outside) {
-    SurfaceLines parts(memory);
-    FacingParts facing(lines, view, outside, parts);
-    for (std::int64_t c = 0; c < lines.curves.count(); ++c) facing.add_curve(c);
-    return parts;
+    base::Array<double> value(memory);
+    for (const CurvePoint& p : lines.curves.point) value.push_back(glm::dot(p.gradient, view.sight(p.position)));
+    return parts_where(lines, value, outside, false);
+}
+
+SurfaceLines with_turns(const base::Runtime& runtime, const SurfaceLines& lines, const implicit::Implicit& surface,
+                        const View& view) {
+    const Curves& curves = lines.curves;
+    struct Turn {
+        std::int64_t a, b; // the points of a piece at whose ends n . v has different signs
+        Illinois root;
+        double share;
+        glm::dvec3 gradient;
+    };
+    base::Array<Turn> turns(runtime.memory);
+    for (std::int64_t c = 0; c < curves.count(); ++c)
+        for (std::int64_t k = 0; k < curves.pieces_of(c); ++k) {
+            const std::int64_t a = curves.first[c] + k;
+            const std::int64_t b = curves.next(c, a);
+            const double from = facing(curves.point[a].gradient, curves.point[a].position, view);
+            const double to = facing(curves.point[b].gradient, curves.point[b].position, view);
+            if ((from < 0.0) != (to < 0.0)) turns.push_back({a, b, Illinois(from, to), 0.5, glm::dvec3(0.0)});
+        }
+    geometry::VecArray place(runtime.memory, turns.size());
+    geometry::VecArray gradient(runtime.memory, turns.size());
+    bool left = !turns.empty();
+    for (int step = 0; step < turn_steps && left; ++step) {
+        for (std::int64_t i = 0; i < turns.size(); ++i) {
+            turns[i].share = turns[i].root.trial;
+            place.set(i, CubicPiece(curves.point[turns[i].a], curves.point[turns[i].b]).at(turns[i].share));
+        }
+        implicit::evaluate_all(runtime, surface, place,
+                               {nullptr, {gradient.x.data(), gradient.y.data(), gradient.z.data()}, {}},
+                               base::Progress());
+        left = false;
+        for (std::int64_t i = 0; i < turns.size(); ++i) {
+            turns[i].gradient = gradient[i];
+            if (!turns[i].root.done(known_turn)) turns[i].root.take(facing(gradient[i], place[i], view));
+            left = left || !turns[i].root.done(known_turn);
+        }
+    }
+    SurfaceLines finer(runtime.memory);
+    LineBuilder builder(finer);
+    std::int64_t next = 0;
+    for (std::int64_t c = 0; c < curves.count(); ++c) {
+        for (std::int64_t i = curves.first[c]; i < curves.first[c + 1]; ++i) {
+            builder.add(lines, i);
+            if (next >= turns.size() || turns[next].a != i) continue;
+            const Turn& turn = turns[next++];
+            const CubicPiece piece(curves.point[i], curves.point[turn.b]);
+            builder.add(piece.at(turn.share), turn.gradient, static_cast<double>(lines.strength[i]),
+                        piece.derivative(turn.share));
+        }
+        builder.end(curves.closed[c] != 0);
+    }
+    HRBFNPR_ASSERT(next == turns.size());
+    return finer;
 }
 
 } // namespace hrbfnpr::curves

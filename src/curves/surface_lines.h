@@ -4,7 +4,6 @@
 #pragma once
 
 #include "curves/curves.h"
-#include "curves/feature_lines.h"
 #include "curves/view.h"
 
 namespace hrbfnpr::curves {
@@ -19,17 +18,27 @@ struct SurfaceLines {
     [[nodiscard]] std::int64_t bytes() const noexcept { return curves.bytes() + strength.bytes(); }
 };
 
-// Points one after the other, with normals; closed or not.
+// The tangent at a point of the circle through it and the points before and after it, by the ways to it and on from it;
+// the nearer point counts more. It is not unit.
+[[nodiscard]] inline glm::dvec3 tangent_between(const glm::dvec3& in, const glm::dvec3& out) noexcept {
+    const double a = glm::dot(in, in);
+    const double b = glm::dot(out, out);
+    return a > 0.0 && b > 0.0 ? in / a + out / b : in + out;
+}
+
+// Adds lines point by point.
 class LineBuilder {
 public:
-    // as_given: of lines that need not lie on the surface tangents are kept, and normals made perpendicular to them;
+    // as_given: tangents are kept and normals made perpendicular to them, since the lines need not lie on the surface;
     // else it is the other way round.
     explicit LineBuilder(SurfaceLines& lines, bool as_given = false);
 
-    // tangent: where it is known, of any length; 0: from the points.
+    // A point in the place of the last one is left out. tangent: where it is known, of any length; 0: from the points.
     void add(const glm::dvec3& position, const glm::dvec3& normal, double strength,
              const glm::dvec3& tangent = glm::dvec3(0.0));
-    // Ends the line.  Of less than two points it is none.
+    // The same of a point of other lines.
+    void add(const SurfaceLines& from, std::int64_t point);
+    // Ends the line, which is dropped if it has less than two points.
     void end(bool closed);
 
 private:
@@ -37,10 +46,10 @@ private:
     bool as_given_;
 };
 
-[[nodiscard]] SurfaceLines as_lines(base::Memory& memory, const FeatureLines& features);
-// Where the mesh of an open surface ends; the surface lies to the left, as seen from outside.
-[[nodiscard]] SurfaceLines border_lines(base::Memory& memory, const SurfaceMesh& mesh);
-
+// The parts of lines whose points have a value below 0, or those whose points have not, by one value for each point;
+// they end where it is 0 by interpolation. as_given: as LineBuilder has it.
+[[nodiscard]] SurfaceLines parts_where(const SurfaceLines& lines, const base::Array<double>& value, bool below,
+                                       bool as_given);
 // The parts that show their outside to the eye, or those that show their inside; they end where the line of sight is
 // tangent to the surface, by the normals that the lines have.
 [[nodiscard]] SurfaceLines facing_parts(base::Memory& memory, const SurfaceLines& lines, const View& view,

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "hatching/hatching.h"
 
-#include "curves/crease_mesh.h"
+#include "creases/crease_mesh.h"
 #include "hatching/line_marks.h"
 #include "stipples/blue_noise.h"
 #include "surface/creased.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Shapes with creases: what of their contours and creases is seen, against plain counts along lines of sight.
-#include "curves/line_set.h"
+#include "features/line_set.h"
 #include "stage.h"
 #include "support/sharp_shapes.h"
 

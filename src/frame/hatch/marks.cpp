@@ -4,7 +4,7 @@
 #include "base/assert.h"
 #include "base/prefetch.h"
 #include "base/scratch.h"
-#include "curves/line_set.h"
+#include "features/line_set.h"
 #include "frame/hatch/tuning.h"
 
 #include <glm/gtc/matrix_access.hpp>

@@ -4,7 +4,7 @@
 
 #include "base/list.h"
 #include "curves/level.h"
-#include "curves/line_set.h"
+#include "features/line_set.h"
 
 #include <cstdint>
 #include <memory>

@@ -2,7 +2,7 @@
 // All lines of a drawing's items, traced for its camera, and the styles that they are drawn in.
 #pragma once
 
-#include "curves/line_set.h"
+#include "features/line_set.h"
 #include "frame/lines/last_contours.h"
 #include "frame/lines/stroke_parts.h"
 #include "visibility/subject.h"

@@ -9,7 +9,7 @@
 #include "base/list.h"
 #include "base/memory.h"
 #include "base/view.h"
-#include "curves/line_set.h"
+#include "features/line_set.h"
 #include "drawing/drawing.h"
 #include "drawing/mark_class.h"
 #include "frame/scene/attenuation.h"

@@ -3,8 +3,8 @@
 // 6]
 #pragma once
 
-#include "curves/line_set.h"
 #include "drawing/dot.h"
+#include "features/line_set.h"
 #include "geometry/vec.h"
 #include "marks/point_set.h"
 

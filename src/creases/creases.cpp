@@ -1,0 +1,330 @@
+// SPDX-License-Identifier: MIT
+// trace_creases, once for a model:
+// 1. add_chain: nodes of the mesh as points, without those that crowd; chains are cut where sheets do not meet.
+// 2. measure: the normals of both sheets at each point.
+// 3. drop_returns: points that stand out of order.
+// 4. find_tangents, halve_pieces: more points where a crease turns.
+// parts_in_view, for every camera: creases are cut where one of their sheets turns away from the eye.
+#include "creases/creases.h"
+
+#include "creases/tuning.h"
+#include "curves/illinois.h"
+#include "geometry/segment.h"
+#include "surface/sheets_meet.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+namespace hrbfnpr::curves {
+namespace {
+
+constexpr std::int64_t points_a_task = 16;
+constexpr int crease_rounds = 8; // of halving pieces
+constexpr int part_steps = 60;
+constexpr double known_part = 1e-10;     // of a piece
+constexpr double at_crease_point = 1e-7; // of a piece: a part that begins so near to a point begins there
+
+CurvePoint as_curve_point(const CreasePoint& p) noexcept {
+    CurvePoint point;
+    point.position = p.position;
+    point.gradient = glm::normalize(p.left - glm::dot(p.left, p.tangent) * p.tangent);
+    point.level_gradient = glm::cross(p.tangent, point.gradient);
+    return point;
+}
+
+void set_normals(const implicit::Sheets& sheets, const Creases& creases, std::int64_t crease, CreasePoint& p) {
+    p.left = glm::normalize(surface::sheet_at(sheets, creases.left[crease], p.position).gradient);
+    p.right = glm::normalize(surface::sheet_at(sheets, creases.right[crease], p.position).gradient);
+}
+
+// The points since the last crease become one, unless it is too short.
+void end_crease(Creases& creases, bool closed, std::int32_t left, std::int32_t right, double side) {
+    const std::int64_t first = creases.first.back();
+    double length = 0.0;
+    for (std::int64_t i = first + 1; i < creases.point.size(); ++i)
+        length += glm::distance(creases.point[i - 1].position, creases.point[i].position);
+    if (creases.point.size() - first < (closed ? 3 : 2) || !(length > crease_tuning.shortest_piece * side))
+        return creases.point.resize(first);
+    creases.end(closed);
+    creases.left.push_back(left);
+    creases.right.push_back(right);
+}
+
+void add_chain(const CreaseChains& chains, std::int64_t chain, double side, Creases& creases) {
+    const std::int64_t count = chains.size_of(chain);
+    const CreaseNode* const node = chains.point.data() + chains.first[chain];
+    const double nearest = crease_tuning.nearest_node * side;
+    const auto exact = [&](std::int64_t i) { return node[i].exact; };
+    for_parts(count, chains.closed[chain] != 0, exact, [&](std::int64_t begin, std::int64_t end, bool whole) {
+        const std::int64_t first = creases.first.back();
+        const auto crowds = [&](std::int64_t i, const glm::dvec3& place) {
+            return glm::distance(creases.point[i].position, place) < nearest;
+        };
+        // A gap that is narrow is bridged.
+        if (creases.point.size() > first && !crowds(creases.point.size() - 1, node[begin % count].position))
+            end_crease(creases, false, chains.left[chain], chains.right[chain], side);
+        const std::int64_t start = creases.first.back();
+        for (std::int64_t i = begin; i < end; ++i) {
+            CreasePoint p;
+            p.position = node[i % count].position;
+            const bool last = i + 1 == end && !whole;
+            const std::int64_t size = creases.point.size();
+            if (!last && size > start && crowds(size - 1, p.position)) continue;
+            if (whole && size > start + 2 && crowds(start, p.position)) continue;
+            if (size > start && creases.point.back().position == p.position) continue;
+            creases.point.push_back(p);
+        }
+        if (whole) end_crease(creases, true, chains.left[chain], chains.right[chain], side);
+    });
+    end_crease(creases, false, chains.left[chain], chains.right[chain], side);
+}
+
+// Whether a crease that comes from a to p and goes on to b turns back there.
+bool turns_back(const CreasePoint& a, const CreasePoint& p, const CreasePoint& b) noexcept {
+    const glm::dvec3 along = glm::cross(p.left, p.right);
+    const double size = glm::length(along);
+    if (!(size > crease_tuning.least_crease_sine)) return false;
+    const double in = glm::dot(along, glm::normalize(p.position - a.position)) / size;
+    const double out = glm::dot(along, glm::normalize(b.position - p.position)) / size;
+    return in * out < 0.0 && std::min(std::abs(in), std::abs(out)) > crease_tuning.returns;
+}
+
+// Beside a corner nodes may not stand in the order in which edges of the mesh cross the crease, as Newton's steps lead
+// them along it.
+Creases drop_returns(const Creases& found, double side) {
+    Creases kept(found.first.memory());
+    for (std::int64_t c = 0; c < found.count(); ++c) {
+        const std::int64_t first = kept.point.size();
+        for (std::int64_t i = found.first[c]; i < found.first[c + 1]; ++i) {
+            const CreasePoint& p = found.point[i];
+            while (kept.point.size() >= first + 2 &&
+                   turns_back(kept.point[kept.point.size() - 2], kept.point.back(), p))
+                kept.point.resize(kept.point.size() - 1);
+            if (kept.point.size() == first || kept.point.back().position != p.position) kept.point.push_back(p);
+        }
+        end_crease(kept, found.closed[c] != 0, found.left[c], found.right[c], side);
+    }
+    return kept;
+}
+
+void find_tangents(Creases& creases) {
+    for (std::int64_t c = 0; c < creases.count(); ++c) {
+        const std::int64_t count = creases.size_of(c);
+        const bool closed = creases.closed[c] != 0;
+        CreasePoint* const point = creases.point.data() + creases.first[c];
+        const auto at = [&](std::int64_t i) {
+            return point[closed ? (i + count) % count : std::clamp<std::int64_t>(i, 0, count - 1)].position;
+        };
+        for (std::int64_t i = 0; i < count; ++i) {
+            CreasePoint& p = point[i];
+            const glm::dvec3 along = tangent_between(at(i) - at(i - 1), at(i + 1) - at(i));
+            const glm::dvec3 cross = glm::cross(p.left, p.right);
+            p.tangent = glm::length(cross) > crease_tuning.least_crease_sine
+                            ? glm::normalize(glm::dot(cross, along) < 0.0 ? -cross : cross)
+                            : glm::normalize(along);
+        }
+    }
+}
+
+// A crease with points more where a sheet turns away from the eye or to it.
+struct CreasePath {
+    explicit CreasePath(base::Memory& memory) noexcept : point(memory) {}
+
+    base::Array<CreasePoint> point;
+    AngleRange angles; // of the whole crease
+};
+
+// Where n . v of a sheet vanishes along a piece, by its values at both ends.
+double turn_of(const implicit::Sheets& sheets, std::int32_t sheet, const CubicPiece& piece, double from, double to,
+               const View& view) {
+    Illinois root(from, to);
+    for (int step = 0; step < part_steps && !root.done(known_part); ++step) {
+        const glm::dvec3 place = piece.at(root.trial);
+        const glm::dvec3 gradient = surface::sheet_at(sheets, sheet, place).gradient;
+        root.take(glm::dot(gradient, view.sight(place)) / glm::length(gradient));
+    }
+    return std::clamp(root.trial, root.low, root.high);
+}
+
+CreasePath path_of(base::Memory& memory, const implicit::Sheets& sheets, const Creases& creases, std::int64_t crease,
+                   const View& view) {
+    CreasePath path(memory);
+    for (std::int64_t i = creases.first[crease]; i < creases.first[crease + 1]; ++i) {
+        const CreasePoint& p = creases.point[i];
+        const auto angle = static_cast<float>(p.angle());
+        path.angles = {std::min(path.angles.least, angle), std::max(path.angles.most, angle)};
+        path.point.push_back(p);
+        const std::int64_t j = creases.next(crease, i);
+        if (j < 0) continue;
+        const CreasePoint& q = creases.point[j];
+        const CubicPiece piece(as_curve_point(p), as_curve_point(q));
+        std::array<double, 2> share{};
+        std::size_t count = 0;
+        for (const bool left : {true, false}) {
+            const double from = glm::dot(left ? p.left : p.right, view.sight(p.position));
+            const double to = glm::dot(left ? q.left : q.right, view.sight(q.position));
+            if ((from < 0.0) == (to < 0.0)) continue;
+            const double at =
+                turn_of(sheets, left ? creases.left[crease] : creases.right[crease], piece, from, to, view);
+            if (at > at_crease_point && at < 1.0 - at_crease_point) share[count++] = at;
+        }
+        if (count == 2 && share[1] < share[0]) std::swap(share[0], share[1]);
+        for (std::size_t k = 0; k < count; ++k) {
+            CreasePoint turn;
+            turn.position = piece.at(share[k]);
+            turn.tangent = glm::normalize(piece.derivative(share[k]));
+            set_normals(sheets, creases, crease, turn);
+            path.point.push_back(turn);
+        }
+    }
+    return path;
+}
+
+void add_parts(const CreasePath& path, bool closed, const View& view, CreaseParts& parts) {
+    const std::int64_t size = path.point.size();
+    HRBFNPR_ASSERT(size >= 2);
+    // Which sheets of the piece from point k to the next face the eye. The middle tells, since at an end one of them
+    // may be turning.
+    struct Facing {
+        bool left, right;
+        bool operator==(const Facing&) const = default;
+    };
+    const auto facing_after = [&](std::int64_t k) {
+        const CreasePoint& a = path.point[k % size];
+        const CreasePoint& b = path.point[(k + 1) % size];
+        const glm::dvec3 sight = view.sight(0.5 * (a.position + b.position));
+        return Facing{glm::dot(a.left + b.left, sight) < 0.0, glm::dot(a.right + b.right, sight) < 0.0};
+    };
+    const auto joined = [&](std::int64_t k) { return facing_after(k) == facing_after(k + 1); };
+    for_joined(closed ? size : size - 1, closed, joined, [&](std::int64_t begin, std::int64_t end, bool whole) {
+        const Facing facing = facing_after(begin);
+        const bool fold = facing.left != facing.right;
+        const bool backwards = fold && facing.right;
+        SurfaceLines& to = fold ? parts.folds : facing.left ? parts.outside : parts.inside;
+        base::Array<AngleRange>& of = facing.left ? parts.of_outside : parts.of_inside;
+        LineBuilder builder(to, true);
+        const std::int64_t last = whole ? end - 1 : end;
+        for (std::int64_t k = begin; k <= last; ++k) {
+            const CreasePoint& p = path.point[(backwards ? last - (k - begin) : k) % size];
+            const glm::dvec3 normal = !fold ? p.left + p.right : facing.left ? p.left : p.right;
+            builder.add(p.position, normal, p.angle(), backwards ? -p.tangent : p.tangent);
+        }
+        builder.end(whole);
+        if (!fold && of.size() < to.curves.count()) of.push_back(path.angles);
+    });
+}
+
+} // namespace
+
+double CreasePoint::angle() const noexcept {
+    const glm::dvec3 cross = glm::cross(left, right);
+    const double size = 180.0 / std::numbers::pi * std::atan2(glm::length(cross), glm::dot(left, right));
+    return glm::dot(cross, tangent) < 0.0 ? -size : size;
+}
+
+Creases trace_creases(const base::Runtime& runtime, const implicit::Implicit& implicit, const CreaseChains& chains,
+                      double side, const base::Progress& progress) {
+    HRBFNPR_ASSERT(side > 0.0 && chains.left.size() == chains.count() && chains.right.size() == chains.count());
+    const implicit::Sheets& sheets = *implicit.sheets();
+    const base::Parallel threads = implicit.threads(runtime.parallel);
+    Creases creases(runtime.memory);
+    for (std::int64_t c = 0; c < chains.count(); ++c) add_chain(chains, c, side, creases);
+    threads.for_each(creases.count(), [&](std::int64_t c) {
+        progress.check();
+        for (std::int64_t i = creases.first[c]; i < creases.first[c + 1]; ++i)
+            set_normals(sheets, creases, c, creases.point[i]);
+    });
+    creases = drop_returns(creases, side);
+    const auto wanted = [&](std::int64_t, std::int64_t i, std::int64_t j, CreasePoint& p) {
+        const CreasePoint& a = creases.point[i];
+        const CreasePoint& b = creases.point[j];
+        const double length = glm::distance(a.position, b.position) / side;
+        const glm::dvec3 chord = (b.position - a.position) / (length * side);
+        const bool turns =
+            std::min(glm::dot(a.tangent, chord), glm::dot(b.tangent, chord)) < crease_tuning.straight_turn;
+        p.position = CubicPiece(as_curve_point(a), as_curve_point(b)).at(0.5);
+        return length > crease_tuning.longest_piece || (turns && length > crease_tuning.shortest_piece);
+    };
+    const auto bring = [&](base::Array<CreasePoint>& added, const base::Array<std::int64_t>& of, const auto&) {
+        base::Array<std::uint8_t> found(runtime.memory, added.size());
+        threads.for_chunks(added.size(), points_a_task, [&](std::int64_t begin, std::int64_t end) {
+            progress.check();
+            for (std::int64_t k = begin; k < end; ++k) {
+                surface::Meeting meeting;
+                meeting.add(creases.left[of[k]]);
+                meeting.add(creases.right[of[k]]);
+                const surface::MeetingPlace at =
+                    surface::find_meeting(sheets, meeting, added[k].position, 1e-9 * side, 0.5 * side);
+                found[k] = at.found ? 1 : 0;
+                if (!at.found) continue;
+                added[k].position = at.position;
+                added[k].left = glm::normalize(at.gradient[0]);
+                added[k].right = glm::normalize(at.gradient[1]);
+            }
+        });
+        return found;
+    };
+    bool changed = true;
+    for (int round = 0; changed; ++round) {
+        find_tangents(creases);
+        changed = round < crease_rounds && halve_pieces(creases, wanted, bring);
+    }
+    return creases;
+}
+
+NearCreases::NearCreases(base::Memory& memory, const Creases& creases, double least, double side)
+    : most_(crease_tuning.farthest_beside * side), from_(memory), to_(memory) {
+    HRBFNPR_ASSERT(side > 0.0);
+    geometry::VecArray middle(memory);
+    const auto sharp = [&](std::int64_t i) { return std::abs(creases.point[i].angle()) >= least; };
+    for (std::int64_t c = 0; c < creases.count(); ++c)
+        for (std::int64_t i = creases.first[c]; i < creases.first[c + 1]; ++i) {
+            const std::int64_t j = creases.next(c, i);
+            if (j < 0 || !sharp(i) || !sharp(j)) continue;
+            from_.push_back(creases.point[i].position);
+            to_.push_back(creases.point[j].position);
+            middle.push_back(0.5 * (creases.point[i].position + creases.point[j].position));
+        }
+    grid_.emplace(middle, 0.5 * crease_tuning.longest_piece * side + most_);
+}
+
+bool NearCreases::has(const glm::dvec3& place, double reach) const noexcept {
+    bool found = false;
+    grid_->around(place, [&](std::int64_t at) {
+        const std::int64_t i = grid_->index(at);
+        found = found || geometry::distance_to_segment(place, from_[i], to_[i]) <= std::min(reach, most_);
+    });
+    return found;
+}
+
+CreaseParts parts_in_view(const base::Runtime& runtime, const implicit::Sheets& sheets, const Creases& creases,
+                          const View& view) {
+    CreaseParts parts(runtime.memory);
+    for (std::int64_t c = 0; c < creases.count(); ++c)
+        add_parts(path_of(runtime.memory, sheets, creases, c, view), creases.closed[c] != 0, view, parts);
+    return parts;
+}
+
+SurfaceLines bent_parts(base::Memory& memory, const SurfaceLines& lines, const base::Array<AngleRange>& of,
+                        CreaseSide side, double lower, double upper) {
+    const Curves& curves = lines.curves;
+    HRBFNPR_ASSERT(of.size() == curves.count());
+    SurfaceLines bent(memory); // lines that are sharp enough somewhere, with angles to that side
+    LineBuilder builder(bent, true);
+    base::Array<double> above(memory);
+    for (std::int64_t c = 0; c < curves.count(); ++c) {
+        if (static_cast<double>(std::max(angle_on(side, of[c].least), angle_on(side, of[c].most))) < upper) continue;
+        for (std::int64_t i = curves.first[c]; i < curves.first[c + 1]; ++i) {
+            const auto angle = static_cast<double>(angle_on(side, lines.strength[i]));
+            builder.add(curves.point[i].position, curves.point[i].gradient, angle, curves.point[i].direction());
+        }
+        builder.end(curves.closed[c] != 0);
+    }
+    for (const float angle : bent.strength) above.push_back(static_cast<double>(angle) - lower);
+    return parts_where(bent, above, false, true);
+}
+
+} // namespace hrbfnpr::curves

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: MIT
+// What the lines of a surface are drawn from, whatever the camera: made once for a model.
+#pragma once
+
+#include "base/list.h"
+#include "creases/creases.h"
+#include "creases/sheet_parts.h"
+#include "curves/sheet_count.h"
+#include "curves/surface_end.h"
+#include "curves/surface_lines.h"
+#include "curves/surface_mesh.h"
+#include "features/feature_lines.h"
+#include "features/shape.h"
+#include "surface/trim.h"
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <span>
+
+namespace hrbfnpr::curves {
+
+// Same numbers as HRBFNPR_LINE_KIND_...
+enum class LineKind : std::uint32_t {
+    contour = 1,
+    suggestive_contour = 2,
+    ridge = 3,
+    valley = 4,
+    apparent_ridge = 5,
+    parabolic = 6,
+    isophote = 7,
+    section = 8,
+    border = 9,
+    own = 10,
+    crease = 11
+};
+inline constexpr std::uint32_t line_kind_count = 12;
+// Lines that are traced anew for every camera or light.
+[[nodiscard]] constexpr bool depends_on_view(LineKind kind) noexcept {
+    return kind == LineKind::contour || kind == LineKind::suggestive_contour || kind == LineKind::apparent_ridge ||
+           kind == LineKind::isophote;
+}
+// The kind that feature_lines.h finds it as.
+[[nodiscard]] FeatureKind feature_of(LineKind kind) noexcept;
+struct Thresholds {
+    double lower, upper;
+};
+// Limits of strengths, as feature_value() measures these.
+[[nodiscard]] Thresholds default_thresholds(LineKind kind) noexcept;
+// Those given, or if both are 0 the defaults.
+[[nodiscard]] inline Thresholds thresholds_of(LineKind kind, const Thresholds& given) noexcept {
+    return given.lower > 0.0 || given.upper > 0.0 ? given : default_thresholds(kind);
+}
+
+// Lines that are found once.
+struct LineRequest {
+    LineKind kind = LineKind::ridge;
+    std::array<char, 64> name{};
+    Thresholds thresholds{0.0, 0.0};     // both 0: default_thresholds()
+    double shortest = 0.0;               // diagonals
+    glm::dvec3 plane{0.0, 0.0, 1.0};     // sections: the planes' normal
+    std::span<const double> levels;      // sections: where the planes are along it
+    std::span<const double> points;      // own lines: 3n packed positions
+    std::span<const std::int64_t> first; // own lines: the first point of each, and the end
+};
+
+struct FoundLines {
+    explicit FoundLines(base::Memory& memory) noexcept : lines(memory) {}
+    LineKind kind = LineKind::ridge;
+    std::array<char, 64> name{};
+    SurfaceLines lines;
+};
+
+// Where the surface ends for want of samples.
+struct SupportSettings {
+    double limit = 0.0;                  // of s in surface/support.h; 0: the surface goes on to the end of its region
+    std::span<const double> points;      // 3n packed samples; not empty where there is a limit
+    std::span<const double> normals;     // unit, of the samples; empty: the surface's normals there
+    const surface::Trim* trim = nullptr; // instead of all: where the surface of the model ends; outlives the set
+};
+
+struct LineSetSettings {
+    double side = 0.0;             // of the mesh's cells; 0: half a spacing, and finer where walls are thinner
+    std::span<const double> seeds; // 3n packed positions near the surface; empty: found from a lattice of the bounds
+    double spacing = 0.0;          // mean, of the seeds; 0: not known
+    SupportSettings support;
+    bool with_shape = false; // for lines that depend on the view and on curvatures
+    std::span<const LineRequest> lines;
+};
+
+class LineSet {
+public:
+    // The implicit, and what `shape` refers to, must outlive it.  Throws as triangulate() does, and
+    // Error{not_converged} where no surface is found.
+    LineSet(const base::Runtime& runtime, const implicit::Implicit& surface,
+            std::unique_ptr<const implicit::ShapeSource> shape, const LineSetSettings& settings,
+            const base::Progress& progress);
+    LineSet(const LineSet&) = delete;
+    LineSet& operator=(const LineSet&) = delete;
+
+    // No other set has it while a pointer to it is held.
+    [[nodiscard]] const std::shared_ptr<const void>& identity() const noexcept { return identity_; }
+    [[nodiscard]] const implicit::Implicit& surface() const noexcept { return surface_; }
+    [[nodiscard]] const SurfaceMesh& mesh() const noexcept { return *mesh_; }
+    [[nodiscard]] const SheetCounter& sheets() const noexcept { return *sheets_; }
+    // As find_feature_lines() wants it; has_shape(): also for what needs curvatures.
+    [[nodiscard]] FeatureSurface features() const noexcept {
+        return {surface_, *source_, has_shape() ? shaped_.mesh : *mesh_, shaped_.shape};
+    }
+    [[nodiscard]] bool has_shape() const noexcept { return !shaped_.shape.empty(); }
+    [[nodiscard]] const base::List<FoundLines>& found() const noexcept { return found_; }
+    [[nodiscard]] const SurfaceLines& border() const noexcept { return border_; }
+    [[nodiscard]] const Creases& creases() const noexcept { return creases_; }
+    // Whether a place is so near to one that is sharp enough to be drawn; reach: half a side of the mesh at most.
+    [[nodiscard]] bool has_crease_near(const glm::dvec3& place, double reach) const noexcept {
+        return near_creases_ && near_creases_->has(place, reach);
+    }
+    // Smooth parts of a surface with creases: contours are traced on these.
+    [[nodiscard]] const base::List<std::unique_ptr<SheetPart>>& parts() const noexcept { return parts_; }
+    // Whose zero lines the border is; null where it is the end of a region.
+    [[nodiscard]] const Level* border_level() const noexcept { return border_exact_ ? &*border_level_ : nullptr; }
+    // The share of the surface's area that lies beyond its samples.
+    [[nodiscard]] double left_out() const noexcept { return left_out_; }
+    [[nodiscard]] double seconds() const noexcept { return seconds_; }
+    [[nodiscard]] std::int64_t bytes() const noexcept;
+
+private:
+    void make_mesh(const base::Runtime& runtime, const LineSetSettings& settings, const base::Progress& progress);
+    void measure_support(const base::Runtime& runtime, const SupportSettings& settings, const base::Progress& progress);
+    void split_mesh(const base::Runtime& runtime, const base::Progress& progress);
+    void clip_mesh(const base::Runtime& runtime, double limit, const base::Progress& progress);
+    [[nodiscard]] SurfaceLines find(const base::Runtime& runtime, const LineRequest& request,
+                                    const base::Progress& progress) const;
+
+    std::shared_ptr<const void> identity_ = std::make_shared<char>();
+    const implicit::Implicit& surface_;
+    std::unique_ptr<const implicit::ShapeSource> source_;
+    std::optional<surface::Support> own_support_;
+    const surface::Support* support_ = nullptr; // that, or the model's; null: the surface ends at its region
+    std::optional<SupportLevel> border_level_;
+    std::optional<SupportEnd> end_; // of the mesh
+    bool border_exact_ = false;
+    std::optional<SurfaceMesh> mesh_;
+    std::optional<SheetCounter> sheets_;
+    ShapedMesh shaped_;   // empty unless lines need curvatures
+    SurfaceLines border_; // where an open surface ends
+    Creases creases_;
+    std::optional<NearCreases> near_creases_; // null: there are none
+    base::List<std::unique_ptr<SheetPart>> parts_;
+    base::List<FoundLines> found_;
+    double left_out_ = 0.0;
+    double seconds_ = 0.0;
+};
+
+} // namespace hrbfnpr::curves
