@@ -6,7 +6,7 @@
 #include "features/border.h"
 
 #include "curves/chains.h"
-#include "curves/edge_halving.h"
+#include "curves/clip_mesh.h"
 #include "features/tuning.h"
 
 #include <utility>
