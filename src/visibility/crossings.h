@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Where the images of curves cross, and which of two is the nearer one there.
+// Where the number of sheets before a line may change: crossings of the images of two curves, with the nearer one, and
+// places where a line of one item passes through the surface of another.
 #pragma once
 
 #include "base/operation.h"
@@ -22,9 +23,27 @@ struct CrossingReport {
     std::int64_t tangles = 0;      // cells of the image in which none was taken, as there are too many
 };
 
-// Of all lines with those that begin or end sheets (Subject::sheets > 0).  Sorted by farther piece and share.
+// Crossings of all lines with those that begin or end sheets (Subject::sheets > 0). Sorted by farther piece and share.
 [[nodiscard]] base::Array<Crossing> find_crossings(const base::Runtime& runtime, std::span<const Subject> subjects,
                                                    const ImageLines& lines, CrossingReport& report,
                                                    const base::Progress& progress);
+
+// Takes out crossings of curves that are near in space, too, and which the curves themselves do not have: beside a cusp
+// the cubics may cross where the curve does not. Returns their number.
+std::int64_t verify_crossings(const base::Runtime& runtime, std::span<const Subject> subjects, const ImageLines& lines,
+                              base::Array<Crossing>& crossings, const base::Progress& progress);
+
+struct Pierced {
+    std::int32_t piece;  // of the line
+    double share;        // along the piece, in [0, 1]
+    std::int32_t item;   // whose surface it is, among the occluders
+    std::int32_t change; // of the number of sheets before the line, along it: one
+};
+
+// Places of all lines on all surfaces but their own. Between two places where f and its slope along the line's cubic
+// are known f is taken for a cubic; where that may have a root it is looked at. Sorted by piece and share.
+[[nodiscard]] base::Array<Pierced> find_pierced(const base::Runtime& runtime, std::span<const Subject> subjects,
+                                                std::span<const Occluder> occluders, const ImageLines& lines,
+                                                const base::Progress& progress);
 
 } // namespace hrbfnpr::visibility

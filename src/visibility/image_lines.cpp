@@ -1,152 +1,102 @@
 // SPDX-License-Identifier: MIT
+// Draws curves in the image: parts of curves before the eye (add_curve), each cubic halved until its chords are near
+// enough (draw_cubic), and lengths along the polylines (Lengths).
 #include "visibility/image_lines.h"
 
 #include "base/list.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace hrbfnpr::visibility {
 namespace {
 
 constexpr std::int64_t pieces_a_task = 256;
-constexpr int deepest = 8;         // halvings of a piece
-constexpr double farthest = 1.0e9; // pixels: what is seen beyond is too near to the plane of the eye
 
-class Sampler {
-public:
-    Sampler(const curves::View& view, const curves::CubicPiece& cubic, std::int32_t piece, double tolerance,
-            base::Array<ImagePoint>& points) noexcept
-        : view_(view), cubic_(cubic), piece_(piece), tolerance_(tolerance), points_(points) {}
-
-    // Its first point, and those between its ends.  At least one of these: an S may cross its chord in the middle.
-    void run() {
-        const glm::dvec2 a = at(0.0);
-        const glm::dvec2 m = at(0.5);
-        const glm::dvec2 b = at(1.0);
-        add(0.0, a);
-        split(0.0, a, 0.5, m, deepest);
-        if (glm::distance(a, b) > 0.5 || !on_chord(a, m, b)) add(0.5, m);
-        split(0.5, m, 1.0, b, deepest);
-    }
-
-private:
-    [[nodiscard]] glm::dvec2 at(double u) const noexcept {
-        return glm::clamp(see(view_, cubic_.at(u)).place, -farthest, farthest);
-    }
-    void add(double u, const glm::dvec2& place) { points_.push_back({place, piece_, u}); }
-    void split(double u, const glm::dvec2& a, double v, const glm::dvec2& b, int left) {
-        const double middle = 0.5 * (u + v);
-        const glm::dvec2 m = at(middle);
-        if (left == 0 || on_chord(a, m, b)) return;
-        split(u, a, middle, m, left - 1);
-        add(middle, m);
-        split(middle, m, v, b, left - 1);
-    }
-    // Whether m lies between the ends, and beside their chord no farther than the tolerance.
-    [[nodiscard]] bool on_chord(const glm::dvec2& a, const glm::dvec2& m, const glm::dvec2& b) const noexcept {
-        const glm::dvec2 chord = b - a;
-        const glm::dvec2 way = m - a;
-        const double length = glm::length(chord);
-        if (!(length > tolerance_)) return glm::length(way) <= tolerance_;
-        const double along = glm::dot(way, chord);
-        return along >= 0.0 && along <= length * length &&
-               std::abs(chord.x * way.y - chord.y * way.x) <= tolerance_ * length;
-    }
-
-    const curves::View& view_;
-    const curves::CubicPiece& cubic_;
-    std::int32_t piece_;
-    double tolerance_;
-    base::Array<ImagePoint>& points_;
-};
-
-class Drawer {
-public:
-    Drawer(std::span<const Subject> subjects, double tolerance, ImageLines& lines) noexcept
-        : subjects_(subjects), tolerance_(tolerance), lines_(lines) {}
-
-    // The parts of a curve that are before the eye.
-    void add_curve(std::int32_t subject, std::int64_t curve) {
-        const Subject& s = subjects_[static_cast<std::size_t>(subject)];
-        const curves::Curves& curves = *s.curves;
-        const std::int64_t pieces = curves.pieces_of(curve);
-        const auto before_eye = [&](std::int64_t point) {
-            const Seen at = see(s.view, curves.point[point].position);
-            return at.w > 0.0 && std::abs(at.place.x) < farthest && std::abs(at.place.y) < farthest;
-        };
-        const auto seen = [&](std::int64_t k) {
-            const std::int64_t at = curves.first[curve] + k;
-            return before_eye(at) && before_eye(curves.next(curve, at));
-        };
-        std::int64_t hidden = -1; // a piece that is not seen
-        for (std::int64_t k = 0; k < pieces && hidden < 0; ++k)
-            if (!seen(k)) hidden = k;
-        if (pieces == 0) return; // a point: its curve could not be followed
-        if (hidden < 0) {
-            add_line(subject, curve, 0, pieces, curves.closed[curve] != 0);
-            return;
-        }
-        const bool closed = curves.closed[curve] != 0;
-        const std::int64_t begin = closed ? hidden : 0;
-        std::int64_t from = begin;
-        for (std::int64_t k = begin; k < begin + pieces; ++k) {
-            if (seen(k % pieces)) continue;
-            if (k > from) add_line(subject, curve, from, k, false);
-            from = k + 1;
-        }
-        if (begin + pieces > from) add_line(subject, curve, from, begin + pieces, false);
-    }
-
-private:
-    void add_line(std::int32_t subject, std::int64_t curve, std::int64_t from, std::int64_t to, bool closed) {
-        const Subject& s = subjects_[static_cast<std::size_t>(subject)];
-        const curves::Curves& curves = *s.curves;
-        Line line{subject, curve, lines_.pieces.size(), to - from, lines_.points.size(), 0, closed};
-        const auto number = static_cast<std::int32_t>(lines_.lines.size());
-        for (std::int64_t k = from; k < to; ++k) {
-            const std::int64_t at = curves.first[curve] + k % curves.pieces_of(curve);
-            const auto piece = static_cast<std::int32_t>(lines_.pieces.size());
-            lines_.pieces.push_back({subject, number, at, curves.next(curve, at)});
-            const curves::CubicPiece cubic(curves.point[at], curves.point[curves.next(curve, at)]);
-            Sampler(s.view, cubic, piece, tolerance_, lines_.points).run();
-        }
-        const Piece& last = lines_.pieces[lines_.pieces.size() - 1];
-        lines_.points.push_back({see(s.view, curves.point[last.b].position).place,
-                                 static_cast<std::int32_t>(lines_.pieces.size() - 1), 1.0});
-        line.points = lines_.points.size() - line.first_point;
-        lines_.lines.push_back(line);
-    }
-
-    std::span<const Subject> subjects_;
-    double tolerance_;
-    ImageLines& lines_;
-};
-
-// Curves that one task draws.
-struct Part {
-    std::int32_t subject;
-    std::int64_t begin, end;
-};
-
-// Of some pieces each, or one longer curve.
-base::Array<Part> parts_of(base::Memory& memory, std::span<const Subject> subjects) {
-    base::Array<Part> parts(memory);
-    for (std::size_t s = 0; s < subjects.size(); ++s) {
-        const curves::Curves& curves = *subjects[s].curves;
-        std::int64_t pieces = pieces_a_task;
-        for (std::int64_t c = 0; c < curves.count(); ++c) {
-            if (pieces >= pieces_a_task) {
-                parts.push_back({static_cast<std::int32_t>(s), c, c});
-                pieces = 0;
-            }
-            pieces += curves.pieces_of(c);
-            parts[parts.size() - 1].end = c + 1;
-        }
-    }
-    return parts;
+// Whether m lies between the ends of a chord, and beside it by no more than the tolerance.
+bool on_chord(const glm::dvec2& a, const glm::dvec2& m, const glm::dvec2& b, double tolerance) noexcept {
+    const glm::dvec2 chord = b - a;
+    const glm::dvec2 way = m - a;
+    const double length = glm::length(chord);
+    if (!(length > tolerance)) return glm::length(way) <= tolerance;
+    const double along = glm::dot(way, chord);
+    return along >= 0.0 && along <= length * length &&
+           std::abs(chord.x * way.y - chord.y * way.x) <= tolerance * length;
 }
 
-// The same numbers as if all had been drawn in turn.
+// Adds the first point of a cubic and those between its ends; at least one of these, as an S may cross its chord in the
+// middle.
+void draw_cubic(const curves::View& view, const curves::CubicPiece& cubic, std::int32_t piece, double tolerance,
+                base::Array<ImagePoint>& points) {
+    const auto at = [&](double u) {
+        return glm::clamp(see(view, cubic.at(u)).place, -visibility_tuning.farthest, visibility_tuning.farthest);
+    };
+    const auto split = [&](const auto& self, double u, const glm::dvec2& a, double v, const glm::dvec2& b,
+                           int left) -> void {
+        const double middle = 0.5 * (u + v);
+        const glm::dvec2 m = at(middle);
+        if (left == 0 || on_chord(a, m, b, tolerance)) return;
+        self(self, u, a, middle, m, left - 1);
+        points.push_back({m, piece, middle});
+        self(self, middle, m, v, b, left - 1);
+    };
+    const glm::dvec2 a = at(0.0);
+    const glm::dvec2 m = at(0.5);
+    const glm::dvec2 b = at(1.0);
+    points.push_back({a, piece, 0.0});
+    split(split, 0.0, a, 0.5, m, visibility_tuning.deepest);
+    if (glm::distance(a, b) > 0.5 || !on_chord(a, m, b, tolerance)) points.push_back({m, piece, 0.5});
+    split(split, 0.5, m, 1.0, b, visibility_tuning.deepest);
+}
+
+// Adds a line of the pieces from one of a curve to another, which may lie beyond the end of a closed curve.
+void add_line(const Subject& s, std::int32_t subject, std::int64_t curve, std::int64_t from, std::int64_t to,
+              bool closed, double tolerance, ImageLines& lines) {
+    HRBFNPR_ASSERT(from < to && from >= 0);
+    const curves::Curves& curves = *s.curves;
+    Line line{subject, curve, lines.pieces.size(), to - from, lines.points.size(), 0, closed};
+    const auto number = static_cast<std::int32_t>(lines.lines.size());
+    for (std::int64_t k = from; k < to; ++k) {
+        const std::int64_t at = curves.first[curve] + k % curves.pieces_of(curve);
+        const auto piece = static_cast<std::int32_t>(lines.pieces.size());
+        lines.pieces.push_back({subject, number, at, curves.next(curve, at)});
+        draw_cubic(s.view, {curves.point[at], curves.point[curves.next(curve, at)]}, piece, tolerance, lines.points);
+    }
+    const Piece& last = lines.pieces.back();
+    lines.points.push_back(
+        {see(s.view, curves.point[last.b].position).place, static_cast<std::int32_t>(lines.pieces.size() - 1), 1.0});
+    line.points = lines.points.size() - line.first_point;
+    lines.lines.push_back(line);
+}
+
+// Adds the parts of a curve that are before the eye. A curve of one point could not be followed, and has none.
+void add_curve(const Subject& s, std::int32_t subject, std::int64_t curve, double tolerance, ImageLines& lines) {
+    const curves::Curves& curves = *s.curves;
+    const std::int64_t pieces = curves.pieces_of(curve);
+    const auto before_eye = [&](std::int64_t point) {
+        const Seen at = see(s.view, curves.point[point].position);
+        return at.w > 0.0 && std::abs(at.place.x) < visibility_tuning.farthest &&
+               std::abs(at.place.y) < visibility_tuning.farthest;
+    };
+    const auto seen = [&](std::int64_t k) {
+        const std::int64_t at = curves.first[curve] + k % pieces;
+        return before_eye(at) && before_eye(curves.next(curve, at));
+    };
+    if (pieces == 0) return;
+    const bool closed = curves.closed[curve] != 0;
+    std::int64_t begin = 0;
+    while (begin < pieces && seen(begin)) ++begin;
+    if (begin == pieces) return add_line(s, subject, curve, 0, pieces, closed, tolerance, lines);
+    if (!closed) begin = 0;
+    std::int64_t from = begin;
+    for (std::int64_t k = begin; k <= begin + pieces; ++k) {
+        if (k < begin + pieces && seen(k)) continue;
+        if (k > from) add_line(s, subject, curve, from, k, false, tolerance, lines);
+        from = k + 1;
+    }
+}
+
+// Appends lines, with the numbers that they had if all were drawn in turn.
 void append(const ImageLines& some, ImageLines& all) {
     const std::int64_t lines = all.lines.size();
     const std::int64_t pieces = all.pieces.size();
@@ -173,13 +123,38 @@ Seen see(const curves::View& view, const glm::dvec3& p) noexcept {
     return {{q.x / q.w, q.y / q.w}, q.w};
 }
 
+bool shows_inside(std::span<const Subject> subjects, const Piece& piece) noexcept {
+    const Subject& subject = subject_of(subjects, piece);
+    if (subject.sheets != 1) return false;
+    const curves::CurvePoint& p = subject.curves->point[piece.a];
+    const curves::CurvePoint& q = subject.curves->point[piece.b];
+    return glm::dot(p.gradient + q.gradient, subject.view.sight(p.position)) > 0.0;
+}
+
 ImageLines draw_lines(const base::Runtime& runtime, std::span<const Subject> subjects, double tolerance) {
-    base::Array<Part> parts = parts_of(runtime.memory, subjects);
+    HRBFNPR_ASSERT(tolerance > 0.0);
+    struct Task {
+        std::int32_t subject;
+        std::int64_t begin, end; // curves
+    };
+    base::Array<Task> tasks(runtime.memory);
+    for (std::size_t s = 0; s < subjects.size(); ++s) {
+        const curves::Curves& curves = *subjects[s].curves;
+        std::int64_t pieces = pieces_a_task;
+        for (std::int64_t c = 0; c < curves.count(); ++c) {
+            if (pieces >= pieces_a_task) {
+                tasks.push_back({static_cast<std::int32_t>(s), c, c});
+                pieces = 0;
+            }
+            pieces += curves.pieces_of(c);
+            tasks.back().end = c + 1;
+        }
+    }
     base::List<ImageLines> drawn(runtime.memory);
-    for (std::int64_t i = 0; i < parts.size(); ++i) drawn.add(runtime.memory);
-    runtime.parallel.for_each(parts.size(), [&](std::int64_t i) {
-        Drawer drawer(subjects, tolerance, drawn[i]);
-        for (std::int64_t c = parts[i].begin; c < parts[i].end; ++c) drawer.add_curve(parts[i].subject, c);
+    for (std::int64_t i = 0; i < tasks.size(); ++i) drawn.add(runtime.memory);
+    runtime.parallel.for_each(tasks.size(), [&](std::int64_t i) {
+        for (std::int64_t c = tasks[i].begin; c < tasks[i].end; ++c)
+            add_curve(subjects[static_cast<std::size_t>(tasks[i].subject)], tasks[i].subject, c, tolerance, drawn[i]);
     });
     ImageLines lines(runtime.memory);
     std::int64_t pieces = 0;
@@ -192,6 +167,44 @@ ImageLines draw_lines(const base::Runtime& runtime, std::span<const Subject> sub
     lines.points.reserve(points);
     for (const ImageLines& some : drawn) append(some, lines);
     return lines;
+}
+
+Lengths::Lengths(base::Memory& memory, const ImageLines& lines)
+    : lines_(lines), length_(memory, lines.points.size()), first_(memory, lines.pieces.size()) {
+    for (const Line& line : lines.lines) {
+        HRBFNPR_ASSERT(line.points > 1 && line.first_point + line.points <= lines.points.size());
+        double all = 0.0;
+        const std::int64_t end = line.first_point + line.points;
+        for (std::int64_t p = line.first_point; p < end; ++p) {
+            if (p > line.first_point) all += glm::distance(lines.points[p - 1].place, lines.points[p].place);
+            length_[p] = all;
+        }
+        for (std::int64_t p = end - 2; p >= line.first_point; --p) first_[lines.points[p].piece] = p;
+    }
+}
+
+double Lengths::at(const Line& line, std::int64_t piece, double share) const noexcept {
+    HRBFNPR_ASSERT(piece >= line.first_piece && piece < line.first_piece + line.pieces);
+    const bool last = piece + 1 == line.first_piece + line.pieces;
+    const std::int64_t end = last ? line.first_point + line.points - 1 : first_[piece + 1];
+    const ImagePoint* const begin = lines_.points.data() + first_[piece];
+    const ImagePoint* const next = std::upper_bound(begin + 1, lines_.points.data() + end, share,
+                                                    [](double s, const ImagePoint& p) { return s < p.share; });
+    const std::int64_t p = next - 1 - lines_.points.data();
+    const double from = lines_.points[p].share;
+    const double to = p + 1 == end ? 1.0 : lines_.points[p + 1].share;
+    const double on_chord = to > from ? std::clamp((share - from) / (to - from), 0.0, 1.0) : 0.0;
+    return length_[p] + on_chord * (length_[p + 1] - length_[p]);
+}
+
+std::int64_t Lengths::piece_at(const Line& line, double at) const noexcept {
+    std::int64_t low = line.first_piece;
+    std::int64_t high = line.first_piece + line.pieces;
+    while (high - low > 1) {
+        const std::int64_t middle = low + (high - low) / 2;
+        (length_[first_[middle]] <= at ? low : high) = middle;
+    }
+    return low;
 }
 
 } // namespace hrbfnpr::visibility

@@ -1,13 +1,42 @@
 // SPDX-License-Identifier: MIT
-// Curves as polylines in the image, as fine as the eye and the search for crossings need.
+// Curves whose visibility is asked for, surfaces that hide them, and the curves as polylines in the image.
 #pragma once
 
+#include "base/assert.h"
 #include "base/runtime.h"
-#include "visibility/subject.h"
+#include "curves/curves.h"
+#include "curves/level.h"
+#include "curves/sheet_count.h"
+#include "curves/view.h"
+#include "visibility/tuning.h"
 
+#include <cstdint>
 #include <span>
 
 namespace hrbfnpr::visibility {
+
+// A surface.
+struct Occluder {
+    const curves::SheetCounter* sheets = nullptr;
+    const implicit::Implicit* surface = nullptr;
+    glm::dmat4 to_world{1.0}; // affine
+    glm::dvec4 eye{0.0};      // curves::View::eye, in the surface's own coordinates
+};
+
+// Curves on one surface.
+struct Subject {
+    const curves::Curves* curves = nullptr;
+    const curves::Level* level = nullptr; // whose zero lines they are; null: polylines as they are
+    curves::View view;
+    double side = 0.0;                      // of its mesh's cells: its unit of length
+    double clear = visibility_tuning.clear; // in sides: surface nearer than this before a curve does not hide it
+    glm::dmat4 to_world{1.0};               // affine
+    std::int32_t item = 0;                  // of its surface among the occluders
+    std::int32_t sheets = 2; // that begin or end at these curves: 2 of a contour or a crease that is one, 1 of a
+                             // border, 0 of other lines
+    bool mirrored = false;   // the image shows its surface mirrored
+    bool joined = false;     // open curves end at others, as at the corners of a crease
+};
 
 // The cubic between two points of a curve.
 struct Piece {
@@ -19,7 +48,7 @@ struct Piece {
 struct ImagePoint {
     glm::dvec2 place; // pixels, y down
     std::int32_t piece;
-    double share; // along it, in [0, 1]
+    double share; // along the piece, in [0, 1]
 };
 
 // A curve, or a part of one that lies before the eye.
@@ -39,29 +68,48 @@ struct ImageLines {
     base::Array<ImagePoint> points;
 };
 
-// Where a cubic is seen.
+// The polylines are off the curves by `tolerance` pixels, or little more.
+[[nodiscard]] ImageLines draw_lines(const base::Runtime& runtime, std::span<const Subject> subjects, double tolerance);
+
+// Where a place is seen.
 struct Seen {
     glm::dvec2 place; // pixels
     double w;         // > 0 before the eye
 };
 [[nodiscard]] Seen see(const curves::View& view, const glm::dvec3& p) noexcept;
 
-// The image is off the curves by `tolerance` pixels, or little more.
-[[nodiscard]] ImageLines draw_lines(const base::Runtime& runtime, std::span<const Subject> subjects, double tolerance);
+[[nodiscard]] inline const Subject& subject_of(std::span<const Subject> subjects, const Piece& piece) noexcept {
+    HRBFNPR_ASSERT(piece.subject >= 0 && static_cast<std::size_t>(piece.subject) < subjects.size());
+    return subjects[static_cast<std::size_t>(piece.subject)];
+}
 
 [[nodiscard]] inline curves::CubicPiece cubic(std::span<const Subject> subjects, const Piece& piece) noexcept {
-    const base::Array<curves::CurvePoint>& point = subjects[static_cast<std::size_t>(piece.subject)].curves->point;
+    const base::Array<curves::CurvePoint>& point = subject_of(subjects, piece).curves->point;
     return {point[piece.a], point[piece.b]};
 }
 
-// Of a border, whether the inside of its surface is seen there.  At a border the surface lies to the left as seen from
-// outside; of contours it always does.
-[[nodiscard]] inline bool shows_inside(std::span<const Subject> subjects, const Piece& piece) noexcept {
-    const Subject& subject = subjects[static_cast<std::size_t>(piece.subject)];
-    if (subject.sheets != 1) return false;
-    const curves::CurvePoint& p = subject.curves->point[piece.a];
-    const curves::CurvePoint& q = subject.curves->point[piece.b];
-    return glm::dot(p.gradient + q.gradient, subject.view.sight(p.position)) > 0.0;
-}
+// Whether the inside of the surface is seen at a border. At a border the surface lies to the left as seen from outside;
+// at a contour it always does.
+[[nodiscard]] bool shows_inside(std::span<const Subject> subjects, const Piece& piece) noexcept;
+
+// Lengths along the images of lines, which must outlive it.
+class Lengths {
+public:
+    Lengths(base::Memory& memory, const ImageLines& lines);
+
+    // From the line's begin, pixels: along the chord that the share lies on, as the image of a cubic is not passed at
+    // one speed, least of all at a cusp.
+    [[nodiscard]] double at(const Line& line, std::int64_t piece, double share) const noexcept;
+    // The same of a point of the image.
+    [[nodiscard]] double at_point(std::int64_t point) const noexcept { return length_[point]; }
+    [[nodiscard]] double whole(const Line& line) const noexcept { return length_[line.first_point + line.points - 1]; }
+    // The line's last piece that begins at a place along it, or before that.
+    [[nodiscard]] std::int64_t piece_at(const Line& line, double at) const noexcept;
+
+private:
+    const ImageLines& lines_;
+    base::Array<double> length_;      // of its line, up to each point of the image
+    base::Array<std::int64_t> first_; // point of each piece
+};
 
 } // namespace hrbfnpr::visibility

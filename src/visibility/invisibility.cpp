@@ -1,66 +1,226 @@
 // SPDX-License-Identifier: MIT
+// Counts sheets along lines. Each round draws the lines and finds their crossings; events are where a line's number
+// changes (collect_events), the parts between them have numbers relative to the line's begin (parts_of), and a few rays
+// (best_ray, send_rays) say how much has to be added to all (set_numbers). A line whose changes and rays contradict
+// each other is made finer for the next round (refine); in the last, each of its parts is as its own ray says (settle).
+// The outline is counted the same way, by rays that come from beyond the surface.
 #include "visibility/invisibility.h"
 
+#include "base/assert.h"
 #include "curves/curve_changes.h"
-#include "visibility/probes.h"
-#include "visibility/small_swallowtails.h"
+
+#include <glm/matrix.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <tuple>
 #include <utility>
 
 namespace hrbfnpr::visibility {
 namespace {
 
-constexpr double finer = 0.1; // tolerance from round to round
-// Groups of cusps are seen as one within so many pixels along a line: what adds up first is taken.  The larger ones in
-// the last round only: two wrong groups may add up as well.
-constexpr std::array<double, 5> swallowtails = {0.25, 0.0, 0.5, 1.0, 2.0};
-constexpr std::size_t first_sizes = 2;
-// One more ray for so many events of a line, so that no long part of it goes unasked.
-constexpr std::int64_t events_a_ray = 8;
-constexpr std::int64_t most_rays = 48;
-// Where the surface bends less along the line of sight, a ray to the contour is less certain.  In 1 / sides.
-constexpr double bent = 0.25;
-// A ray ends so far before its place, in sides and for the same bend, and of the depth of a line with cusps: near a
-// cusp, and all along a line that has just been born, the sheet that hides it is near.
-constexpr double clear_of_bent = 0.25;
-constexpr double clear_of_depth = 0.1;
-constexpr double least_clear = 3e-4; // in sides: places are off the surface by 1e-6
-// Pieces of curves that are made finer: in pixels, and how far from the eye in sides.
-constexpr double reach = 1e4;
-constexpr double longest_piece = 1e3;
-constexpr double from_eye = 2.0;
-// Of the image's tolerance: how far curves that are made finer may be off.
-constexpr double off_curve = 0.2;
-// Of all lines, and at least so many: where more contradict themselves it is not for the curves' tolerance.
-constexpr double most_torn = 0.1;
-constexpr double least_torn = 50.0;
-// Pieces of a curve before and after one with a crossing that are made finer with it.
-constexpr std::int64_t beside_crossing = 2;
+// All steps of counting read these.
+struct Counting {
+    const base::Runtime& runtime;
+    std::span<const Subject> subjects;
+    std::span<const Occluder> occluders;
+    const ImageLines& lines;
+    const Lengths& lengths;
+    const base::Progress& progress;
 
-// A place of a line that a ray is sent to.
-struct Candidate {
-    double at; // along the line, pixels
-    double score;
-    Probe probe;
+    [[nodiscard]] base::Memory& memory() const noexcept { return runtime.memory; }
+    [[nodiscard]] const Line& line(std::int64_t l) const noexcept { return lines.lines[l]; }
 };
 
-// The parts of a line between its events.
-base::Array<Interval> parts_of(base::Memory& memory, std::int64_t number, const Line& line, double whole,
-                               std::span<const Event> events) {
-    base::Array<Interval> parts(memory);
-    const auto l = static_cast<std::int32_t>(number);
-    const auto first = static_cast<std::int32_t>(line.first_piece);
-    const auto last = static_cast<std::int32_t>(line.first_piece + line.pieces - 1);
-    const auto is_cusp = [](const Event& e) { return e.near_piece < 0 && e.change != 0; };
-    const auto add = [&](const Event& from, const Event& to, double beyond) {
-        parts.push_back({l, from.piece, to.piece, from.share, to.share, from.at, to.at + beyond, 0, is_cusp(from),
-                         is_cusp(to), from.sine, to.sine});
+// A ray to a place of a line, from the eye or from beyond the surface.
+struct Ray {
+    std::int32_t line, subject;
+    double at;        // along the line, pixels
+    double score;     // pixels from the nearer end of its part
+    glm::dvec3 place; // in the subject's coordinates
+    // The ray finds these:
+    std::int32_t sheets;
+    std::int32_t nearest; // the occluder nearest to the place; -1: none
+    double distance;      // from that, in the world
+    bool certain;
+};
+
+double length_of(const Interval& part) noexcept { return part.end_at - part.begin_at; }
+
+std::span<const Ray> rays_of(const base::Array<Ray>& rays, std::int32_t line) noexcept {
+    const auto [first, end] = std::equal_range(rays.begin(), rays.end(), Ray{line, 0, 0, 0, {}, 0, 0, 0, false},
+                                               [](const Ray& a, const Ray& b) { return a.line < b.line; });
+    return {first, end};
+}
+
+// Calls f for the parts of each line.
+template <class F>
+void for_lines(std::span<Interval> parts, const F& f) {
+    for (std::size_t first = 0; first < parts.size();) {
+        std::size_t end = first;
+        while (end < parts.size() && parts[end].line == parts[first].line) ++end;
+        f(parts.subspan(first, end - first));
+        first = end;
+    }
+}
+
+// The ray to the vertex of a part that is farthest from its ends; a part without vertices has the middle of its cubic.
+Ray best_ray(const Counting& in, const Interval& part) noexcept {
+    const Line& its = in.line(part.line);
+    const base::Array<curves::CurvePoint>& point = in.subjects[static_cast<std::size_t>(its.subject)].curves->point;
+    const double whole = in.lengths.whole(its);
+    Ray best{part.line, its.subject, 0.0, -1.0, glm::dvec3(0.0), 0, -1, 0.0, true};
+    double beyond = its.closed && part.begin_at >= whole ? whole : 0.0; // the length of the rounds before
+    const std::int64_t begin = in.lengths.piece_at(its, part.begin_at - beyond);
+    const double from = in.lengths.at(its, begin, 0.0) + beyond;
+    std::int64_t p = begin;
+    for (std::int64_t step = 0; step < its.pieces; ++step) {
+        if (++p == its.first_piece + its.pieces) {
+            if (!its.closed) break;
+            p = its.first_piece;
+            beyond += whole;
+        }
+        const double at = in.lengths.at(its, p, 0.0) + beyond;
+        if (at >= part.end_at) break;
+        const double clear = std::min(at - part.begin_at, part.end_at - at);
+        if (!(clear > best.score)) continue;
+        best.score = clear;
+        best.at = at;
+        best.place = point[in.lines.pieces[p].a].position;
+    }
+    if (!(best.score > 0.0)) {
+        const double length = in.lengths.at(its, begin, 1.0) - in.lengths.at(its, begin, 0.0);
+        best.at = 0.5 * (part.begin_at + std::min(part.end_at, from + length));
+        const double share = length > 0.0 ? std::clamp((best.at - from) / length, 0.0, 1.0) : 0.5;
+        best.place = cubic(in.subjects, in.lines.pieces[begin]).at(share);
+        best.score = 1e-3 * length_of(part);
+    }
+    if (its.closed && best.at >= whole) best.at -= whole;
+    return best;
+}
+
+// Adds the best rays to the parts of a line.
+void add_rays(const Counting& in, std::span<const Interval> parts, std::int64_t most, base::Array<Ray>& rays) {
+    base::Array<Ray> all(in.memory());
+    for (const Interval& part : parts) all.push_back(best_ray(in, part));
+    std::sort(all.begin(), all.end(),
+              [](const Ray& a, const Ray& b) { return a.score != b.score ? a.score > b.score : a.at < b.at; });
+    for (std::int64_t i = 0; i < std::min(most, all.size()); ++i) rays.push_back(all[i]);
+}
+
+// Sends rays through all occluders: from the eye to their places, or from beyond all of the surface.
+void send_rays(const Counting& in, bool from_beyond, base::Array<Ray>& rays) {
+    geometry::VecArray from(in.memory(), rays.size());
+    geometry::VecArray to(in.memory(), rays.size());
+    base::Array<double> clear(in.memory(), rays.size());
+    base::Array<curves::SheetCounter::Answer> answers(in.memory());
+    for (std::size_t o = 0; o < in.occluders.size(); ++o) {
+        const Occluder& occluder = in.occluders[o];
+        const glm::dmat4 from_world = glm::inverse(occluder.to_world);
+        const glm::dvec3 eye(occluder.eye);
+        for (std::int64_t i = 0; i < rays.size(); ++i) {
+            const Subject& subject = in.subjects[static_cast<std::size_t>(rays[i].subject)];
+            const bool own = static_cast<std::size_t>(subject.item) == o;
+            const glm::dvec3 place =
+                own ? rays[i].place : glm::dvec3(from_world * (subject.to_world * glm::dvec4(rays[i].place, 1.0)));
+            const glm::dvec3 sight = occluder.eye.w != 0.0 ? place - eye : eye;
+            const double reach =
+                glm::distance(occluder.surface->bounds().centre(), place) + 2.0 * occluder.surface->diagonal();
+            const glm::dvec3 way = (from_beyond ? reach : -reach) * glm::normalize(sight);
+            from.set(i, !from_beyond && occluder.eye.w != 0.0 ? eye : place + way);
+            to.set(i, place);
+            clear[i] = own ? subject.clear * subject.side : 0.0;
+        }
+        occluder.sheets->count(in.runtime, *occluder.surface, from, to, clear, answers, in.progress);
+        HRBFNPR_ASSERT(answers.size() == rays.size());
+        for (std::int64_t i = 0; i < rays.size(); ++i) {
+            Ray& ray = rays[i];
+            ray.sheets += answers[i].sheets;
+            ray.certain = ray.certain && answers[i].certain;
+            if (answers[i].sheets <= 0) continue;
+            const glm::dvec3 way = glm::dmat3(occluder.to_world) * glm::normalize(from[i] - to[i]);
+            const double distance = answers[i].nearest * glm::length(way);
+            if (ray.nearest >= 0 && distance >= ray.distance) continue;
+            ray.nearest = static_cast<std::int32_t>(o);
+            ray.distance = distance;
+        }
+    }
+}
+
+// From numbers relative to a line's begin to those that its rays say: certain ones, or all where none is certain.
+// Returns false where rays contradict each other or a number would be negative.
+bool set_numbers(std::span<Interval> parts, std::span<const Ray> rays, double whole) noexcept {
+    const auto relative = [&](double at) {
+        for (const Interval& part : parts)
+            for (const double here : {at, at + whole})
+                if (here >= part.begin_at && here <= part.end_at) return part.sheets;
+        return parts[0].sheets;
     };
-    const Event begin{first, 0.0, 0, -1, 0.0};
-    const Event end{last, 1.0, 0, -1, whole};
+    HRBFNPR_ASSERT(!parts.empty());
+    const bool all = std::none_of(rays.begin(), rays.end(), [](const Ray& ray) { return ray.certain; });
+    bool agree = true;
+    bool known = false;
+    std::int32_t shift = 0;
+    for (const Ray& ray : rays) {
+        if (!ray.certain && !all) continue;
+        const std::int32_t here = ray.sheets - relative(ray.at);
+        if (!known) shift = here;
+        agree = agree && here == shift;
+        known = true;
+    }
+    for (Interval& part : parts) {
+        part.sheets += shift;
+        agree = agree && part.sheets >= 0;
+    }
+    return known && agree;
+}
+
+// Gives each part of some lines the number that its own ray says; a part too short for a ray is as the one before it.
+// Returns the lines that have a ray that is not certain.
+std::int64_t settle(const Counting& in, bool from_beyond, std::span<const std::int32_t> lines,
+                    std::span<Interval> parts, std::int64_t& sent) {
+    HRBFNPR_ASSERT(std::is_sorted(lines.begin(), lines.end()));
+    base::Array<Ray> rays(in.memory());
+    base::Array<Interval*> asked(in.memory());
+    const auto is_short = [](const Interval& part) { return length_of(part) <= visibility_tuning.unseen; };
+    for (Interval& part : parts) {
+        if (is_short(part) || !std::binary_search(lines.begin(), lines.end(), part.line)) continue;
+        rays.push_back(best_ray(in, part));
+        asked.push_back(&part);
+    }
+    send_rays(in, from_beyond, rays);
+    sent += rays.size();
+    std::int64_t uncertain = 0;
+    std::int32_t last = -1;
+    for (std::int64_t i = 0; i < rays.size(); ++i) {
+        if (rays[i].certain) {
+            asked[i]->sheets = rays[i].sheets;
+        } else if (last != rays[i].line) {
+            ++uncertain;
+            last = rays[i].line;
+        }
+    }
+    for (std::size_t i = 1; i < parts.size(); ++i)
+        if (is_short(parts[i]) && parts[i].line == parts[i - 1].line &&
+            std::binary_search(lines.begin(), lines.end(), parts[i].line))
+            parts[i].sheets = parts[i - 1].sheets;
+    return uncertain;
+}
+
+// The parts of a line between its events, with numbers relative to its begin or, if it is closed, its first event.
+base::Array<Interval> parts_of(const Counting& in, std::int64_t number, std::span<const Event> events) {
+    const Line& line = in.line(number);
+    base::Array<Interval> parts(in.memory());
+    const auto is_cusp = [](const Event& e) { return e.near_piece < 0 && e.change != 0; };
+    std::int32_t sheets = 0;
+    const auto add = [&](const Event& from, const Event& to, double beyond) {
+        if (!parts.empty()) sheets += from.change;
+        parts.push_back({static_cast<std::int32_t>(number), from.piece, to.piece, from.share, to.share, from.at,
+                         to.at + beyond, sheets, is_cusp(from), is_cusp(to), from.sine, to.sine});
+    };
+    const double whole = in.lengths.whole(line);
+    const Event begin{static_cast<std::int32_t>(line.first_piece), 0.0, 0, -1, 0.0};
+    const Event end{static_cast<std::int32_t>(line.first_piece + line.pieces - 1), 1.0, 0, -1, whole};
     if (events.empty()) {
         add(begin, end, 0.0);
         return parts;
@@ -74,326 +234,352 @@ base::Array<Interval> parts_of(base::Memory& memory, std::int64_t number, const 
     return parts;
 }
 
-class Round {
-public:
-    Round(const base::Runtime& runtime, std::span<const Occluder> occluders, double tolerance, Invisibility& out,
-          const base::Progress& progress)
-        : runtime_(runtime), subjects_(std::as_const(out.subjects).span()), occluders_(occluders), out_(out),
-          progress_(progress), lengths_(start(tolerance)),
-          events_(collect_events(runtime.memory, subjects_, out.lines, out.crossings, out.pierced.span(), lengths_)),
-          depth_(runtime.memory), chosen_(runtime.memory), first_chosen_(runtime.memory), bad_(runtime.memory) {
-        out_.report.cusps = events_.cusps;
-        measure_depths();
-    }
-
-    // Returns how many lines contradict themselves.
-    std::int64_t run(int probes);
-    // For the last round: larger groups of cusps, and then each part of lines that contradict themselves still as its
-    // own ray says.
-    void settle();
-    // Makes their curves finer, and those of lines that cross them: off by the tolerance at most, pixels.  After this
-    // the round is over.
-    void refine(double tolerance);
-
-private:
-    [[nodiscard]] Lengths start(double tolerance);
-    [[nodiscard]] const Line& line(std::int64_t l) const noexcept { return out_.lines.lines[l]; }
-    void measure_depths();
-    [[nodiscard]] bool has_cusp(std::int64_t l) const noexcept {
-        const std::span<const Event> of = events_.of(l);
-        return std::any_of(of.begin(), of.end(), [](const Event& e) { return e.near_piece < 0; });
-    }
-    [[nodiscard]] double clear_of(std::int64_t l, const Subject& subject, double bend) const noexcept;
-    [[nodiscard]] Candidate best_of(const Interval& part) const noexcept;
-    void choose_probes(std::int64_t l, std::int64_t most);
-    void send();
-    [[nodiscard]] bool consistent(std::int64_t l, base::Array<Interval>& parts, std::span<const Event> events) const;
-    void find_parts(std::int64_t l, std::span<const double> sizes);
-    void find_parts(std::span<const double> sizes);
-    [[nodiscard]] bool is_bad(std::int64_t l) const noexcept { return std::binary_search(bad_.begin(), bad_.end(), l); }
-    void mark(const base::Array<std::int64_t>& first, base::Array<std::uint8_t>& marked) const;
-    [[nodiscard]] bool is_in_reach(const Piece& piece) const noexcept;
-
-    const base::Runtime& runtime_;
-    std::span<const Subject> subjects_;
-    std::span<const Occluder> occluders_;
-    Invisibility& out_;
-    const base::Progress& progress_;
-    Lengths lengths_;
-    Events events_;
-    base::Array<double> depth_; // of each line, along a line of sight to it
-    base::Array<Candidate> chosen_;
-    base::Array<std::int64_t> first_chosen_; // of each line, and the end
-    base::Array<std::int64_t> bad_;          // lines that contradict themselves
-};
-
-Lengths Round::start(double tolerance) {
-    out_.lines = draw_lines(runtime_, subjects_, tolerance);
-    out_.pierced = find_pierced(runtime_, subjects_, occluders_, out_.lines, progress_);
-    out_.crossings = find_crossings(runtime_, subjects_, out_.lines, out_.report.crossings, progress_);
-    return {runtime_.memory, out_.lines};
-}
-
-void Round::measure_depths() {
-    for (const Line& its : out_.lines.lines) {
-        const Subject& subject = subjects_[static_cast<std::size_t>(its.subject)];
-        const auto place = [&](std::int64_t k) {
-            return subject.curves->point[out_.lines.pieces[its.first_piece + k].a].position;
+// Counts along all lines. Returns those that contradict themselves: the changes around a closed line must add up to 0.
+base::Array<std::int32_t> count(const Counting& in, const Events& events, int rays_a_line, Invisibility& out) {
+    const auto lines = static_cast<std::int32_t>(in.lines.lines.size());
+    const auto seen_events = [&](std::int32_t l) {
+        return without_torn_swallowtails(in.memory(), in.line(l), in.lengths, visibility_tuning.unseen, events.of(l));
+    };
+    base::Array<Ray> rays(in.memory());
+    for (std::int32_t l = 0; l < lines; ++l)
+        add_rays(in, parts_of(in, l, seen_events(l).span()).span(), rays_a_line, rays);
+    send_rays(in, false, rays);
+    out.report.rays += rays.size();
+    out.intervals.clear();
+    base::Array<std::int32_t> bad(in.memory());
+    for (std::int32_t l = 0; l < lines; ++l) {
+        const auto take = [&](std::span<const Event> some, base::Array<Interval>& parts) {
+            parts = parts_of(in, l, some);
+            std::int32_t sum = 0;
+            for (const Event& e : some) sum += e.change;
+            return set_numbers(parts.span(), rays_of(rays, l), in.lengths.whole(in.line(l))) &&
+                   (sum == 0 || !in.line(l).closed);
         };
-        const glm::dvec3 sight = glm::normalize(subject.view.sight(place(0)));
-        double least = 0.0;
-        double most = 0.0;
-        for (std::int64_t k = 1; k < its.pieces; ++k) {
-            const double at = glm::dot(place(k) - place(0), sight);
-            least = std::min(least, at);
-            most = std::max(most, at);
+        base::Array<Interval> parts(in.memory());
+        base::Array<Interval> all(in.memory());
+        if (!take(seen_events(l).span(), parts)) {
+            if (take(events.of(l), all))
+                parts = std::move(all);
+            else
+                bad.push_back(l);
         }
-        depth_.push_back(most - least);
+        for (const Interval& part : parts) out.intervals.push_back(part);
     }
+    return bad;
 }
 
-double Round::clear_of(std::int64_t l, const Subject& subject, double bend) const noexcept {
-    double clear = std::min(subject.clear, clear_of_bent * subject.side * bend);
-    if (has_cusp(l)) clear = std::min(clear, clear_of_depth * depth_[l] / subject.side);
-    return subject.side * std::max(clear, least_clear);
-}
-
-// The vertex of a part that is farthest from its ends and where the surface bends most along the line of sight; a place
-// of a cubic where there is no vertex.
-Candidate Round::best_of(const Interval& part) const noexcept {
-    const Line& its = line(part.line);
-    const Subject& subject = subjects_[static_cast<std::size_t>(its.subject)];
-    Candidate best{0.5 * (part.begin_at + part.end_at),
-                   -1.0,
-                   {its.subject, glm::dvec3(0.0), subject.clear * subject.side, 0, true}};
-    const double whole = lengths_.whole(its);
-    const bool all = its.closed && part.end_at - part.begin_at >= whole;
-    std::int64_t k = part.begin_piece - its.first_piece;
-    double beyond = 0.0; // whole, once the line has begun again
-    for (std::int64_t step = 0; step < its.pieces; ++step) {
-        if (++k == its.pieces) {
-            if (!its.closed) break;
-            k = 0;
-            beyond = whole;
-        }
-        const std::int64_t piece = its.first_piece + k;
-        const double at = lengths_.at(its, piece, 0.0) + beyond;
-        if (at >= part.end_at && !all) break;
-        const curves::CurvePoint& p = subject.curves->point[out_.lines.pieces[piece].a];
-        const glm::dvec3 v = subject.view.sight(p.position);
-        const double bend = std::abs(glm::dot(p.level_gradient, v)) / (glm::length(p.gradient) * glm::dot(v, v));
-        const double clear = all ? 1.0 : std::min(at - part.begin_at, part.end_at - at);
-        const double score = clear * std::min(1.0, subject.side * bend / bent + 0.01);
-        if (!(score > best.score)) continue;
-        best.score = score;
-        best.at = at >= whole && its.closed ? at - whole : at;
-        best.probe.place = p.position;
-        if (subject.level != nullptr) best.probe.clear = clear_of(part.line, subject, bend);
-    }
-    if (best.score >= 0.0) return best;
-    const bool one = part.begin_piece == part.end_piece && part.begin_share <= part.end_share;
-    const double share = 0.5 * (part.begin_share + (one ? part.end_share : 1.0));
-    best.at = lengths_.at(its, part.begin_piece, share);
-    best.probe.place = cubic(subjects_, out_.lines.pieces[part.begin_piece]).at(share);
-    best.score = 1e-3 * (part.end_at - part.begin_at);
-    return best;
-}
-
-void Round::choose_probes(std::int64_t l, std::int64_t most) {
-    base::Array<Event> clear(runtime_.memory);
-    SmallSwallowtails(runtime_.memory, line(l), lengths_, swallowtails[0]).keep(events_.of(l), clear);
-    base::Array<Candidate> all(runtime_.memory);
-    for (const Interval& part : parts_of(runtime_.memory, l, line(l), lengths_.whole(line(l)), clear.span()))
-        all.push_back(best_of(part));
-    std::sort(all.begin(), all.end(), [](const Candidate& a, const Candidate& b) {
-        return a.score != b.score ? a.score > b.score : a.at < b.at;
-    });
-    for (std::int64_t i = 0; i < std::min(most, all.size()); ++i) chosen_.push_back(all[i]);
-}
-
-void Round::send() {
-    base::Array<Probe> rays(runtime_.memory);
-    for (const Candidate& c : chosen_) rays.push_back(c.probe);
-    send_rays(runtime_, subjects_, occluders_, rays, progress_);
-    out_.report.rays += rays.size();
-    for (std::int64_t i = 0; i < chosen_.size(); ++i) chosen_[i].probe = rays[i];
-}
-
-// Counts along the line, and from its rays.  The changes round a closed line must add up to 0, all certain rays must
-// agree, and no count may be negative.
-bool Round::consistent(std::int64_t l, base::Array<Interval>& parts, std::span<const Event> events) const {
-    // The first part of a closed line begins at its first event, that of an open one before it.
-    const bool closed = line(l).closed;
-    std::int32_t sheets = 0;
-    for (std::int64_t i = 0; i < parts.size(); ++i) {
-        if (i > 0) sheets += events[static_cast<std::size_t>(closed ? i : i - 1)].change;
-        parts[i].sheets = sheets;
-    }
-    const bool closes = !closed || events.empty() || sheets + events[0].change == 0;
-    const double whole = lengths_.whole(line(l));
-    const auto counted = [&](double at) {
-        for (const Interval& part : parts)
-            if ((at >= part.begin_at && at <= part.end_at) || at + whole <= part.end_at) return part.sheets;
-        return parts[0].sheets;
-    };
-    // Where none is certain, all that there are.
-    const std::span<const Candidate> rays = std::as_const(chosen_).span().subspan(
-        static_cast<std::size_t>(first_chosen_[l]), static_cast<std::size_t>(first_chosen_[l + 1] - first_chosen_[l]));
-    const bool all = std::none_of(rays.begin(), rays.end(), [](const Candidate& c) { return c.probe.certain; });
-    std::int32_t shift = 0;
-    bool known = false;
-    bool agree = true;
-    for (const Candidate& c : rays) {
-        if (!c.probe.certain && !all) continue;
-        const std::int32_t here = c.probe.sheets - counted(c.at);
-        if (!known) shift = here;
-        agree = agree && here == shift;
-        known = true;
-    }
-    bool possible = known;
-    for (Interval& part : parts) {
-        part.sheets += shift;
-        possible = possible && part.sheets >= 0;
-    }
-    return closes && agree && possible;
-}
-
-void Round::find_parts(std::int64_t l, std::span<const double> sizes) {
-    base::Array<Interval> taken(runtime_.memory);
-    bool right = false;
-    for (const double size : sizes) {
-        base::Array<Event> events(runtime_.memory);
-        SmallSwallowtails(runtime_.memory, line(l), lengths_, size).keep(events_.of(l), events);
-        base::Array<Interval> parts = parts_of(runtime_.memory, l, line(l), lengths_.whole(line(l)), events.span());
-        right = consistent(l, parts, events.span());
-        if (right || taken.empty()) taken = std::move(parts);
-        if (right) break;
-    }
-    if (!right) bad_.push_back(l);
-    for (const Interval& part : taken) out_.intervals.push_back(part);
-}
-
-void Round::find_parts(std::span<const double> sizes) {
-    out_.intervals.clear();
-    bad_.clear();
-    for (std::int64_t l = 0; l < out_.lines.lines.size(); ++l) find_parts(l, sizes);
-}
-
-std::int64_t Round::run(int probes) {
-    const std::int64_t lines = out_.lines.lines.size();
-    for (std::int64_t l = 0; l < lines; ++l) {
-        first_chosen_.push_back(chosen_.size());
-        const auto events = static_cast<std::int64_t>(events_.of(l).size());
-        choose_probes(l, std::min(most_rays, probes + events / events_a_ray));
-    }
-    first_chosen_.push_back(chosen_.size());
-    send();
-    find_parts(std::span<const double>(swallowtails).first(first_sizes));
-    return bad_.size();
-}
-
-// Beside an eye that is on the surface images have no end.
-bool Round::is_in_reach(const Piece& piece) const noexcept {
-    const Subject& subject = subjects_[static_cast<std::size_t>(piece.subject)];
-    const glm::dvec3 a = subject.curves->point[piece.a].position;
-    const glm::dvec3 b = subject.curves->point[piece.b].position;
-    const glm::dvec2 image = see(subject.view, a).place;
-    return subject.view.eye.w == 0.0 ||
-           (std::min(glm::length(subject.view.sight(a)), glm::length(subject.view.sight(b))) >
-                from_eye * subject.side &&
-            glm::length(image) < reach && glm::distance(image, see(subject.view, b).place) < longest_piece);
-}
-
-// Pieces of curves that may be why lines contradict themselves; first: of each subject's points.
-void Round::mark(const base::Array<std::int64_t>& first, base::Array<std::uint8_t>& marked) const {
-    const auto mark_piece = [&](const Line& its, std::int64_t k) {
-        if (subjects_[static_cast<std::size_t>(its.subject)].level == nullptr) return; // it is as fine as can be
-        if (its.closed) k = (k + its.pieces) % its.pieces;
-        if (k < 0 || k >= its.pieces) return;
-        const Piece& piece = out_.lines.pieces[its.first_piece + k];
-        if (is_in_reach(piece)) marked[first[its.subject] + piece.a] = 1;
-    };
-    for (const std::int64_t l : bad_)
-        for (std::int64_t k = 0; k < line(l).pieces; ++k) mark_piece(line(l), k);
-    for (const Crossing& c : out_.crossings) {
-        const std::int32_t far = out_.lines.pieces[c.far_piece].line;
-        const std::int32_t near = out_.lines.pieces[c.near_piece].line;
-        if (!is_bad(far) && !is_bad(near)) continue;
-        for (std::int64_t k = -beside_crossing; k <= beside_crossing; ++k) {
-            mark_piece(line(far), c.far_piece - line(far).first_piece + k);
-            mark_piece(line(near), c.near_piece - line(near).first_piece + k);
-        }
-    }
-}
-
-void Round::refine(double tolerance) {
-    base::Array<std::int64_t> first(runtime_.memory);
+// Makes the curves of lines that contradict themselves finer, and those of lines that cross them near the crossings:
+// off by the tolerance at most, pixels.
+void refine_curves(const Counting& in, std::span<const std::int32_t> bad, double tolerance, Invisibility& out) {
+    base::Array<std::int64_t> first(in.memory()); // point of each subject
     first.push_back(0);
-    for (const Subject& subject : out_.subjects) first.push_back(first.back() + subject.curves->point.size());
-    base::Array<std::uint8_t> all_marked(runtime_.memory, first.back());
-    mark(first, all_marked);
-    for (std::int64_t s = 0; s < out_.subjects.size(); ++s) {
-        Subject& subject = out_.subjects[s];
+    for (const Subject& subject : out.subjects) first.push_back(first.back() + subject.curves->point.size());
+    base::Array<std::uint8_t> all_marked(in.memory(), first.back());
+    const auto mark = [&](const Line& its, std::int64_t k) {
+        if (its.closed) k = (k + its.pieces) % its.pieces;
+        if (k >= 0 && k < its.pieces) all_marked[first[its.subject] + in.lines.pieces[its.first_piece + k].a] = 1;
+    };
+    const auto is_bad = [&](std::int32_t l) { return std::binary_search(bad.begin(), bad.end(), l); };
+    for (const std::int32_t l : bad)
+        for (std::int64_t k = 0; k < in.line(l).pieces; ++k) mark(in.line(l), k);
+    for (const Crossing& c : out.crossings) {
+        const std::int32_t far = in.lines.pieces[c.far_piece].line;
+        const std::int32_t near = in.lines.pieces[c.near_piece].line;
+        if (!is_bad(far) && !is_bad(near)) continue;
+        for (int k = -visibility_tuning.beside_crossing; k <= visibility_tuning.beside_crossing; ++k) {
+            mark(in.line(far), c.far_piece - in.line(far).first_piece + k);
+            mark(in.line(near), c.near_piece - in.line(near).first_piece + k);
+        }
+    }
+    for (std::int64_t s = 0; s < out.subjects.size(); ++s) {
+        Subject& subject = out.subjects[s];
         const auto marked =
             std::as_const(all_marked)
                 .span()
                 .subspan(static_cast<std::size_t>(first[s]), static_cast<std::size_t>(first[s + 1] - first[s]));
-        if (std::none_of(marked.begin(), marked.end(), [](std::uint8_t m) { return m != 0; })) continue;
+        const bool is_any = std::any_of(marked.begin(), marked.end(), [](std::uint8_t m) { return m != 0; });
+        if (subject.level == nullptr || !is_any) continue; // polylines are as fine as can be
         std::int64_t evaluations = 0;
-        auto& made = out_.finer.add(std::make_unique<curves::Curves>(curves::finer_curves(
-            runtime_, *subject.level, subject.view, *subject.curves, marked, tolerance, evaluations, progress_)));
+        auto& made = out.finer.add(std::make_unique<curves::Curves>(curves::finer_curves(
+            in.runtime, *subject.level, subject.view, *subject.curves, marked, tolerance, evaluations, in.progress)));
         subject.curves = made.get();
     }
 }
 
-void Round::settle() {
-    find_parts(swallowtails);
-    base::Array<Probe> rays(runtime_.memory);
-    base::Array<std::int64_t> of(runtime_.memory);
-    for (std::int64_t i = 0; i < out_.intervals.size(); ++i) {
-        if (!is_bad(out_.intervals[i].line)) continue;
-        rays.push_back(best_of(out_.intervals[i]).probe);
-        of.push_back(i);
-    }
-    send_rays(runtime_, subjects_, occluders_, rays, progress_);
-    out_.report.rays += rays.size();
-    out_.report.settled = bad_.size();
-    std::int32_t last = -1;
-    for (std::int64_t i = 0; i < of.size(); ++i) {
-        Interval& part = out_.intervals[of[i]];
-        if (rays[i].certain)
-            part.sheets = rays[i].sheets;
-        else if (part.end_at - part.begin_at > swallowtails[0] && last != part.line) {
-            ++out_.report.contradictions;
-            last = part.line;
+// A group of cusps from the first to the last, pixels along the line; `end` may lie beyond the line's end, if it is
+// closed.
+struct CuspGroup {
+    double begin, end;
+    double before, after; // to the cusps of the line beside it
+    bool odd;
+    std::size_t last; // cusp, of the events
+};
+
+// Groups of two cusps and more; around a closed line from a gap on, so that no group is cut in two.
+base::Array<CuspGroup> find_groups(base::Memory& memory, std::span<const Event> events, bool closed, double whole,
+                                   double size) {
+    base::Array<std::size_t> cusps(memory);
+    for (std::size_t i = 0; i < events.size(); ++i)
+        if (events[i].near_piece < 0) cusps.push_back(i);
+    base::Array<CuspGroup> groups(memory);
+    const std::int64_t count = cusps.size();
+    const auto at = [&](std::int64_t i) { return events[cusps[i % count]].at + (i >= count ? whole : 0.0); };
+    std::int64_t first = 0;
+    while (closed && first < count && at(first + count) - at(first + count - 1) <= size) ++first;
+    if (first == count) first = 0;
+    for (std::int64_t i = first; i < first + count;) {
+        std::int64_t end = i + 1;
+        while (end < first + count && at(end) - at(end - 1) <= size) ++end;
+        if (end - i > 1) {
+            const double before = i > 0 ? at(i) - at(i - 1) : closed ? at(i) + whole - at(count - 1) : whole;
+            const double after = end < count || closed ? at(end) - at(end - 1) : whole;
+            groups.push_back({at(i), at(end - 1), before, after, (end - i) % 2 != 0, cusps[(end - 1) % count]});
         }
+        i = end;
     }
+    return groups;
+}
+
+// ---- The outline
+
+// Where another line crosses: how many sheets more there are beside the line from there on.
+struct BesideChange {
+    std::int32_t line;
+    double at; // pixels along it
+    std::int32_t change;
+};
+
+// Both lines that cross pass from what the other's surface does not reach to what it does, or back.
+base::Array<BesideChange> changes_beside(const Counting& in, const base::Array<Crossing>& crossings,
+                                         std::span<const std::uint8_t> wanted) {
+    base::Array<BesideChange> changes(in.memory());
+    const auto add = [&](std::int32_t piece, double share, std::int32_t change) {
+        const std::int32_t l = in.lines.pieces[piece].line;
+        if (change != 0 && wanted[static_cast<std::size_t>(in.line(l).subject)] != 0)
+            changes.push_back({l, in.lengths.at(in.line(l), piece, share), change});
+    };
+    for (const Crossing& c : crossings) {
+        const auto is_turned = [&](std::int32_t number) {
+            const Piece& piece = in.lines.pieces[number];
+            return subject_of(in.subjects, piece).mirrored != shows_inside(in.subjects, piece);
+        };
+        add(c.far_piece, c.far_share, c.change);
+        const bool left = (c.change > 0) != (is_turned(c.near_piece) != is_turned(c.far_piece));
+        const std::int32_t sheets = subject_of(in.subjects, in.lines.pieces[c.far_piece]).sheets;
+        add(c.near_piece, c.near_share, left ? -sheets : sheets);
+    }
+    std::sort(changes.begin(), changes.end(), [](const BesideChange& a, const BesideChange& b) {
+        return std::tie(a.line, a.at, a.change) < std::tie(b.line, b.at, b.change);
+    });
+    return changes;
+}
+
+// Adds the stretches of a visible part between the changes of its line, with numbers relative to the line's begin. An
+// interval of a closed line may go round its end: the changes before that come again.
+void add_stretches(const Counting& in, const Interval& part, std::span<const BesideChange> changes,
+                   base::Array<Interval>& stretches) {
+    const Line& its = in.line(part.line);
+    const double whole = in.lengths.whole(its);
+    Interval stretch = part;
+    stretch.sheets = 0;
+    const auto add = [&](double end) {
+        stretch.end_at = end;
+        stretches.push_back(stretch);
+        stretch.begin_at = end;
+    };
+    for (const double beyond : {0.0, whole}) {
+        for (const BesideChange& c : changes) {
+            if (c.at + beyond >= part.end_at) break;
+            if (c.at + beyond > stretch.begin_at) add(c.at + beyond);
+            stretch.sheets += c.change;
+        }
+        if (!its.closed) break;
+    }
+    add(part.end_at);
 }
 
 } // namespace
 
+Events collect_events(base::Memory& memory, std::span<const Subject> subjects, const ImageLines& lines,
+                      const base::Array<Crossing>& crossings, std::span<const Pierced> pierced,
+                      const Lengths& lengths) {
+    Events events(memory);
+    std::int64_t c = 0;
+    std::size_t next = 0;
+    for (const Line& line : lines.lines) {
+        events.first.push_back(events.event.size());
+        const Subject& subject = subjects[static_cast<std::size_t>(line.subject)];
+        const curves::Curves& curves = *subject.curves;
+        for (std::int64_t k = 0; k < line.pieces; ++k) {
+            const auto piece = static_cast<std::int32_t>(line.first_piece + k);
+            const std::int64_t a = lines.pieces[piece].a;
+            if (!curves.cusp.empty() && curves.cusp[a] != 0 && (k > 0 || line.closed)) {
+                const curves::CurvePoint& p = curves.point[a];
+                const bool away = glm::dot(p.direction(), subject.view.sight(p.position)) > 0.0;
+                events.event.push_back({piece, 0.0, away ? 1 : -1, -1, lengths.at(line, piece, 0.0), 0.0F});
+                ++events.cusps;
+            }
+            const auto add_pierced = [&](double up_to) {
+                for (; next < pierced.size() && pierced[next].piece == piece && pierced[next].share < up_to; ++next)
+                    events.event.push_back({piece, pierced[next].share, pierced[next].change, no_line,
+                                            lengths.at(line, piece, pierced[next].share), 0.0F});
+            };
+            for (; c < crossings.size() && crossings[c].far_piece == piece; ++c) {
+                add_pierced(crossings[c].far_share);
+                events.event.push_back({piece, crossings[c].far_share, crossings[c].change, crossings[c].near_piece,
+                                        lengths.at(line, piece, crossings[c].far_share),
+                                        static_cast<float>(crossings[c].sine), crossings[c].near_share});
+            }
+            add_pierced(2.0);
+        }
+    }
+    HRBFNPR_ASSERT(c == crossings.size() && next == pierced.size()); // false where they are not sorted
+    events.first.push_back(events.event.size());
+    return events;
+}
+
+base::Array<Event> without_torn_swallowtails(base::Memory& memory, const Line& line, const Lengths& lengths,
+                                             double size, std::span<const Event> events) {
+    HRBFNPR_ASSERT(size > 0.0);
+    HRBFNPR_ASSERT(std::is_sorted(events.begin(), events.end(), [](const Event& a, const Event& b) {
+        return a.piece < b.piece || (a.piece == b.piece && a.share < b.share);
+    }));
+    const double whole = lengths.whole(line);
+    const auto is_cusp_of = [&](const CuspGroup& group, const Event& e) {
+        const double low = group.begin - 1e-9 * size;
+        const double high = group.end + 1e-9 * size;
+        return e.near_piece < 0 && ((e.at >= low && e.at <= high) || (line.closed && e.at + whole <= high));
+    };
+    // From the group's begin along the line, by the shorter way around a closed one.
+    const auto from_begin = [&](const CuspGroup& group, double at) {
+        const double way = at - group.begin;
+        return line.closed ? way - whole * std::round(way / whole) : way;
+    };
+    // Whether the branches before a group cross those after it, or within it: such a loop has cusps of the group, and
+    // none of others.
+    const auto is_crossing_of = [&](const CuspGroup& group, const Event& e) {
+        if (e.near_piece < line.first_piece || e.near_piece >= line.first_piece + line.pieces) return false;
+        const double far = from_begin(group, e.at);
+        const double near = from_begin(group, lengths.at(line, e.near_piece, e.near_share));
+        const double length = group.end - group.begin;
+        const double branch = visibility_tuning.branches * size;
+        const double first = std::min(far, near);
+        const double last = std::max(far, near);
+        return first > -std::min(group.before, branch) && first < length && last > 0.0 &&
+               last < length + std::min(group.after, branch);
+    };
+    base::Array<CuspGroup> groups = find_groups(memory, events, line.closed, whole, size);
+    // All changes of a group together are those of a smooth contour, or of one cusp.
+    const auto adds_up = [&](const CuspGroup& group) {
+        std::int32_t change = group.odd ? -events[group.last].change : 0;
+        for (const Event& e : events)
+            if (is_cusp_of(group, e) || is_crossing_of(group, e)) change += e.change;
+        return change == 0;
+    };
+    groups.resize(std::remove_if(groups.begin(), groups.end(), adds_up) - groups.begin());
+    base::Array<Event> kept(memory);
+    for (const Event& e : events) {
+        const bool is_dropped = std::any_of(groups.begin(), groups.end(), [&](const CuspGroup& group) {
+            return is_crossing_of(group, e) || (is_cusp_of(group, e) && !(group.odd && &events[group.last] == &e));
+        });
+        if (!is_dropped) kept.push_back(e);
+    }
+    return kept;
+}
+
 Invisibility find_invisibility(const base::Runtime& runtime, std::span<const Subject> subjects,
                                std::span<const Occluder> occluders, const InvisibilitySettings& settings,
                                const base::Progress& progress) {
+    HRBFNPR_ASSERT(settings.rounds > 0 && settings.probes > 0 && settings.tolerance > 0.0);
     Invisibility out(runtime.memory);
     for (const Subject& subject : subjects) out.subjects.push_back(subject);
     double tolerance = settings.tolerance;
-    for (int r = 0; r < settings.rounds; ++r, tolerance *= finer) {
-        Round round(runtime, occluders, tolerance, out, progress);
-        const std::int64_t bad = round.run(settings.probes);
+    for (int r = 0; r < settings.rounds; ++r, tolerance *= visibility_tuning.finer) {
+        const std::span<const Subject> now = std::as_const(out.subjects).span();
+        out.lines = draw_lines(runtime, now, tolerance);
+        out.pierced = find_pierced(runtime, now, occluders, out.lines, progress);
+        out.crossings = find_crossings(runtime, now, out.lines, out.report.crossings, progress);
+        const Lengths lengths(runtime.memory, out.lines);
+        const Events events =
+            collect_events(runtime.memory, now, out.lines, out.crossings, out.pierced.span(), lengths);
+        const Counting in{runtime, now, occluders, out.lines, lengths, progress};
+        const base::Array<std::int32_t> bad = count(in, events, settings.probes, out);
         out.report.rounds = r;
-        if (r == 0) out.report.refined = bad;
-        if (bad == 0) break;
-        // What is finer does not disentangle lines over one another, nor mend a torn surface.
-        const double torn = std::max(least_torn, most_torn * static_cast<double>(out.lines.lines.size()));
-        if (r + 1 == settings.rounds || out.report.crossings.tangles > 0 || static_cast<double>(bad) > torn) {
-            round.settle();
+        out.report.cusps = events.cusps;
+        if (r == 0) out.report.refined = bad.size();
+        if (bad.empty()) break;
+        const double torn = std::max(visibility_tuning.least_torn,
+                                     visibility_tuning.most_torn * static_cast<double>(out.lines.lines.size()));
+        // Finer curves do not disentangle lines over one another, nor mend a torn surface.
+        if (r + 1 == settings.rounds || out.report.crossings.tangles > 0 || static_cast<double>(bad.size()) > torn) {
+            out.report.contradictions = settle(in, false, bad.span(), out.intervals.span(), out.report.rays);
+            out.report.settled = bad.size();
             break;
         }
-        round.refine(off_curve * finer * tolerance);
+        refine_curves(in, bad.span(), visibility_tuning.off_curve * visibility_tuning.finer * tolerance, out);
     }
     out.report.lines = out.lines.lines.size();
     for (const Line& l : out.lines.lines) out.report.closed += l.closed ? 1 : 0;
+    return out;
+}
+
+void find_hidden_by(const base::Runtime& runtime, std::span<const Subject> subjects,
+                    std::span<const Occluder> occluders, Invisibility& found, const base::Progress& progress) {
+    const Lengths lengths(runtime.memory, found.lines);
+    const Counting in{runtime, subjects, occluders, found.lines, lengths, progress};
+    base::Array<Ray> rays(runtime.memory);
+    base::Array<Interval*> asked(runtime.memory);
+    for (Interval& part : found.intervals) {
+        part.hidden_by = part.sheets > 0 ? subjects[static_cast<std::size_t>(in.line(part.line).subject)].item : -1;
+        if (part.sheets <= 0 || occluders.size() < 2) continue;
+        rays.push_back(best_ray(in, part));
+        asked.push_back(&part);
+    }
+    if (rays.empty()) return;
+    send_rays(in, false, rays);
+    for (std::int64_t i = 0; i < rays.size(); ++i)
+        if (rays[i].nearest >= 0) asked[i]->hidden_by = rays[i].nearest;
+}
+
+Outline find_outline(const base::Runtime& runtime, std::span<const Subject> subjects,
+                     std::span<const Occluder> occluders, const Invisibility& found, const Lengths& lengths,
+                     std::span<const std::uint8_t> wanted, const base::Progress& progress) {
+    HRBFNPR_ASSERT(wanted.size() == subjects.size());
+    const Counting in{runtime, subjects, occluders, found.lines, lengths, progress};
+    const base::Array<BesideChange> changes = changes_beside(in, found.crossings, wanted);
+    const auto changes_of = [&](std::int32_t line) {
+        const auto less = [](const BesideChange& a, const BesideChange& b) { return a.line < b.line; };
+        const auto [first, end] = std::equal_range(changes.begin(), changes.end(), BesideChange{line, 0.0, 0}, less);
+        return std::span<const BesideChange>(first, end);
+    };
+    base::Array<Interval> stretches(runtime.memory);
+    for (const Interval& part : found.intervals)
+        if (part.sheets <= 0 && wanted[static_cast<std::size_t>(in.line(part.line).subject)] != 0)
+            add_stretches(in, part, changes_of(part.line), stretches);
+    base::Array<Ray> rays(runtime.memory);
+    for_lines(stretches.span(),
+              [&](std::span<Interval> of_line) { add_rays(in, of_line, visibility_tuning.outline_rays, rays); });
+    send_rays(in, true, rays);
+    base::Array<std::int32_t> bad(runtime.memory);
+    for_lines(stretches.span(), [&](std::span<Interval> of_line) {
+        const std::int32_t l = of_line[0].line;
+        std::int32_t sum = 0;
+        for (const BesideChange& c : changes_of(l)) sum += c.change;
+        if (!set_numbers(of_line, rays_of(rays, l), lengths.whole(in.line(l))) || (sum != 0 && in.line(l).closed))
+            bad.push_back(l);
+    });
+    Outline out(runtime.memory);
+    out.rays = rays.size();
+    out.settled = bad.size();
+    settle(in, true, bad.span(), stretches.span(), out.rays);
+    for (const Interval& s : stretches) {
+        if (s.sheets != 0) continue;
+        OutlinePart* const last = out.parts.empty() ? nullptr : &out.parts.back();
+        if (last != nullptr && last->line == s.line && last->end_at == s.begin_at)
+            last->end_at = s.end_at;
+        else
+            out.parts.push_back({s.line, s.begin_at, s.end_at});
+    }
     return out;
 }
 

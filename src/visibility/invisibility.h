@@ -4,11 +4,52 @@
 #pragma once
 
 #include "base/list.h"
-#include "visibility/events.h"
+#include "visibility/crossings.h"
 
+#include <limits>
 #include <memory>
 
 namespace hrbfnpr::visibility {
+
+// Event::near_piece where the line passes through a surface: the number of no piece.
+inline constexpr std::int32_t no_line = std::numeric_limits<std::int32_t>::max();
+
+// A place where the number of sheets before a line changes.
+struct Event {
+    std::int32_t piece;
+    double share;
+    std::int32_t change;
+    std::int32_t near_piece; // of the line that crosses before it; -1: a cusp; no_line: it passes a surface
+    double at;               // along its line, pixels
+    float sine = 0.0F;       // of the angle to the line that crosses; 0 of a cusp
+    double near_share = 0.5; // along the piece of the line that crosses
+};
+
+// The events of all lines, line by line, along each.
+struct Events {
+    explicit Events(base::Memory& memory) noexcept : first(memory), event(memory) {}
+
+    [[nodiscard]] std::span<const Event> of(std::int64_t line) const noexcept {
+        return event.span().subspan(static_cast<std::size_t>(first[line]),
+                                    static_cast<std::size_t>(first[line + 1] - first[line]));
+    }
+
+    base::Array<std::int64_t> first; // of each line, and the end
+    base::Array<Event> event;
+    std::int64_t cusps = 0;
+};
+
+// Crossings and piercings must be sorted as find_crossings() and find_pierced() leave them.
+[[nodiscard]] Events collect_events(base::Memory& memory, std::span<const Subject> subjects, const ImageLines& lines,
+                                    const base::Array<Crossing>& crossings, std::span<const Pierced> pierced,
+                                    const Lengths& lengths);
+
+// The events of a line without those of groups of cusps that are nearer to each other than `size` pixels and whose
+// changes do not add up: a crossing of such a group's branches was missed or doubled. None of its cusps is kept, or one
+// where they are odd in number, and none of these crossings.
+[[nodiscard]] base::Array<Event> without_torn_swallowtails(base::Memory& memory, const Line& line,
+                                                           const Lengths& lengths, double size,
+                                                           std::span<const Event> events);
 
 // A part of a line between two events, or all of it.
 struct Interval {
@@ -19,8 +60,8 @@ struct Interval {
     std::int32_t sheets;     // before it
     bool begins_at_cusp, ends_at_cusp;
     float begin_sine, end_sine; // of the angle to the nearer line that crosses there; 0: none does
-    std::int32_t hidden_by =
-        -1; // occluder of the nearest surface before it, once find_hidden_by() has looked; -1: none
+    // The occluder of the nearest surface before it, once find_hidden_by() has looked; -1: none.
+    std::int32_t hidden_by = -1;
 };
 
 struct InvisibilityReport {
@@ -28,7 +69,7 @@ struct InvisibilityReport {
     std::int64_t lines = 0, closed = 0, cusps = 0, rays = 0;
     std::int64_t rounds = 0;         // in which the image was made finer
     std::int64_t refined = 0;        // lines that contradicted themselves at first
-    std::int64_t settled = 0;        // ... and did at last: each of their parts is as its own ray says
+    std::int64_t settled = 0;        // lines that did at last: each of their parts is as its own ray says
     std::int64_t contradictions = 0; // of these, lines that have a part whose ray is not certain
 };
 
@@ -43,7 +84,7 @@ struct Invisibility {
         : subjects(memory), finer(memory), lines(memory), intervals(memory), crossings(memory), pierced(memory) {}
 
     base::Array<Subject> subjects;                     // as given, but for curves that had to be finer
-    base::List<std::unique_ptr<curves::Curves>> finer; // ... which are these; the last ones count
+    base::List<std::unique_ptr<curves::Curves>> finer; // those curves; the last ones of a subject count
     ImageLines lines;
     base::Array<Interval> intervals; // line by line, along it
     base::Array<Crossing> crossings;
@@ -51,9 +92,36 @@ struct Invisibility {
     InvisibilityReport report;
 };
 
-// The same bits for any thread count.
+// Gives the same bits for any thread count, as do the others below.
 [[nodiscard]] Invisibility find_invisibility(const base::Runtime& runtime, std::span<const Subject> subjects,
                                              std::span<const Occluder> occluders, const InvisibilitySettings& settings,
                                              const base::Progress& progress);
+
+// Sets Interval::hidden_by, by a ray to each part that is hidden; with one occluder without.
+void find_hidden_by(const base::Runtime& runtime, std::span<const Subject> subjects,
+                    std::span<const Occluder> occluders, Invisibility& found, const base::Progress& progress);
+
+// A part of a line from one place along it to another, pixels.
+struct OutlinePart {
+    std::int32_t line;
+    double begin_at, end_at; // the end of one round a closed line may be beyond the line's
+};
+
+struct Outline {
+    explicit Outline(base::Memory& memory) noexcept : parts(memory) {}
+
+    base::Array<OutlinePart> parts; // line by line, along it; of a closed line as its intervals are
+    std::int64_t rays = 0;
+    std::int64_t settled = 0; // lines whose counts contradict themselves: each of their parts is as its own ray says
+};
+
+// The parts of contours and borders that are the outline of the drawing, its silhouette in the strict sense: the image
+// has nothing beside them on the side where their surface ends. The number of sheets beside a line changes where it
+// crosses another line that begins or ends sheets, whichever is nearer, and nowhere else: not at its own cusps.
+// [Benard & Hertzmann 2019, 4] wanted: 1 for subjects whose lines are asked for.
+[[nodiscard]] Outline find_outline(const base::Runtime& runtime, std::span<const Subject> subjects,
+                                   std::span<const Occluder> occluders, const Invisibility& found,
+                                   const Lengths& lengths, std::span<const std::uint8_t> wanted,
+                                   const base::Progress& progress);
 
 } // namespace hrbfnpr::visibility

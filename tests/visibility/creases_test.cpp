@@ -52,7 +52,7 @@ private:
         subject.side = set_.mesh().side;
         subject.sheets = sheets;
         subject.joined = true;
-        if (level == nullptr) subject.clear = clear_of_creases;
+        if (level == nullptr) subject.clear = visibility_tuning.clear_of_creases;
         picture.add(subject);
     }
     void add_contours(const curves::SheetPart& part) {

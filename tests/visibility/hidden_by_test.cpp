@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "visibility/hidden_by.h"
+#include "visibility/invisibility.h"
 
 #include "stage.h"
 

@@ -4,7 +4,6 @@
 
 #include "stage.h"
 #include "support/contour_shapes.h"
-#include "visibility/events.h"
 
 #include <limits>
 

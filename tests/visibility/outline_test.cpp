@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Which parts of contours have nothing beside them, against what is known and against plain counts along lines of sight
 // that pass close by.
-#include "visibility/outline.h"
+#include "visibility/invisibility.h"
 
 #include "stage.h"
 #include "support/contour_shapes.h"

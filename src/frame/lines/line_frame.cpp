@@ -1,18 +1,22 @@
 // SPDX-License-Identifier: MIT
+// A frame of lines: curves are traced for the camera (trace_lines), sheets before them counted (find_invisibility,
+// find_hidden_by), lines numbered as in the last frame (LineNumbers), widths found (WidthLaws) and strokes made
+// (add_strokes).
 #include "frame/lines/line_frame.h"
 
 #include "base/clock.h"
-#include "visibility/hidden_by.h"
+#include "frame/lines/strokes.h"
 
 #include <glm/matrix.hpp>
 
 #include <algorithm>
+#include <utility>
 
 namespace hrbfnpr::frame {
 namespace {
 
 // Shares of the time.
-constexpr double traced_end = 0.4;
+constexpr double traced_end = 0.32;
 constexpr double found_end = 0.8;
 constexpr double hidden_end = 0.9;
 
@@ -22,7 +26,7 @@ void count(const visibility::Invisibility& found, const TracedLines& traced, dra
     counts.curves = found.report.lines;
     counts.cusps = found.report.cusps;
     counts.crossings = found.crossings.size();
-    counts.broken = traced.broken();
+    counts.broken = traced.broken;
     counts.refined = found.report.refined;
     counts.settled = found.report.settled;
     counts.contradictions = found.report.contradictions;
@@ -41,15 +45,6 @@ base::Array<LineFamily> families(base::Memory& memory, std::span<const visibilit
 
 } // namespace
 
-LineFrame::Found LineFrame::find(const Scene& scene, std::span<const Item> items, const base::Progress& progress,
-                                 drawing::Drawing& drawing) {
-    auto traced =
-        std::make_unique<TracedLines>(runtime_, scene, items, contours_, progress.part(0.0, traced_end), drawing);
-    visibility::Invisibility seen = visibility::find_invisibility(runtime_, traced->subjects(), traced->occluders(), {},
-                                                                  progress.part(traced_end, 1.0).standing());
-    return {std::move(traced), std::move(seen)};
-}
-
 const LineStrokes& LineFrame::run(const Scene& scene, std::span<const Item> items, const base::Progress& progress,
                                   drawing::Drawing& drawing) {
     strokes_.strokes.clear();
@@ -58,26 +53,34 @@ const LineStrokes& LineFrame::run(const Scene& scene, std::span<const Item> item
     const base::Stopwatch watch;
     contours_.begin_frame();
     const std::int64_t layers = drawing.layers.size();
-    Found all = find(scene, items, progress.part(0.0, found_end), drawing);
+    const auto trace = [&] {
+        return trace_lines(runtime_, scene, items, contours_, progress.part(0.0, traced_end), drawing);
+    };
+    const auto count_sheets = [&](const TracedLines& lines) {
+        return visibility::find_invisibility(runtime_, lines.subjects.span(), lines.occluders.span(), {},
+                                             progress.part(traced_end, found_end).standing());
+    };
+    TracedLines traced = trace();
+    visibility::Invisibility found = count_sheets(traced);
     // Contours that are whole may still be too coarse, or doubled, where they began with those of the last frame.
-    if (all.seen.report.settled > 0 && contours_.are_from_last()) {
+    if (found.report.settled > 0 && contours_.are_from_last()) {
         contours_.forget();
         drawing.layers.resize(layers);
-        all = find(scene, items, progress.part(0.0, found_end), drawing);
+        traced = trace();
+        found = count_sheets(traced);
     }
-    const TracedLines& traced = *all.traced;
-    visibility::Invisibility& found = all.seen;
-    visibility::find_hidden_by(runtime_, found.subjects.span(), traced.occluders(), found,
-                               progress.part(found_end, hidden_end).standing());
+    const std::span<const visibility::Subject> subjects = std::as_const(found.subjects).span();
+    const std::span<const visibility::Occluder> occluders = std::as_const(traced.occluders).span();
+    visibility::find_hidden_by(runtime_, subjects, occluders, found, progress.part(found_end, hidden_end).standing());
     count(found, traced, drawing.line_counts);
     const visibility::Lengths lengths(runtime_.memory, found.lines);
-    numbers_.run(families(runtime_.memory, found.subjects.span(), traced.occluders()).span(), found.subjects.span(),
-                 found.lines);
+    numbers_.run(families(runtime_.memory, subjects, occluders).span(), subjects, found.lines);
     const LineInput input{
-        found.subjects.span(), traced.occluders(), traced.items(), traced.styles(), found, lengths, numbers_};
+        subjects, occluders, std::as_const(traced.items).span(), std::as_const(traced.styles).span(), found,
+        lengths,  numbers_};
     progress.update(hidden_end);
     const WidthLaws laws(runtime_, scene, drawing, input, progress.part(hidden_end, 1.0));
-    StrokeParts(runtime_, scene, input, laws, strokes_).run();
+    add_strokes(runtime_, scene, input, laws, strokes_);
     progress.update(1.0);
     drawing.line_counts.nanoseconds = watch.nanoseconds();
     return strokes_;

@@ -3,13 +3,10 @@
 #pragma once
 
 #include "base/runtime.h"
-#include "frame/lines/last_contours.h"
 #include "frame/lines/line_numbers.h"
 #include "frame/lines/traced_lines.h"
 #include "frame/scene/scene.h"
-#include "visibility/invisibility.h"
 
-#include <memory>
 #include <span>
 
 namespace hrbfnpr::frame {
@@ -19,7 +16,7 @@ public:
     explicit LineFrame(const base::Runtime& runtime) noexcept
         : runtime_(runtime), strokes_(runtime.memory), contours_(runtime.memory), numbers_(runtime.memory) {}
 
-    // Of the items that have lines and styles for them; adds their layers, and what was found, to the drawing.
+    // Draws the lines of the items that have lines and styles for them; adds their layers and counts to the drawing.
     // All items with lines hide each other's.  Throws Error{callback, cancelled, out_of_memory}.
     const LineStrokes& run(const Scene& scene, std::span<const Item> items, const base::Progress& progress,
                            drawing::Drawing& drawing);
@@ -27,13 +24,6 @@ public:
     void forget() noexcept { contours_.forget(); }
 
 private:
-    struct Found {
-        std::unique_ptr<TracedLines> traced;
-        visibility::Invisibility seen;
-    };
-    [[nodiscard]] Found find(const Scene& scene, std::span<const Item> items, const base::Progress& progress,
-                             drawing::Drawing& drawing);
-
     const base::Runtime& runtime_;
     LineStrokes strokes_;
     LastContours contours_;

@@ -1,66 +1,24 @@
 // SPDX-License-Identifier: MIT
+// Points of each line vote for the line of the last frame that has the nearest point of the same direction
+// (count_votes); lines with most points in common are one, and what is needed to know all again is kept (run).
 #include "frame/lines/line_numbers.h"
 
+#include "base/assert.h"
+#include "frame/lines/tuning.h"
 #include "geometry/point_grid.h"
 
 #include <algorithm>
+#include <tuple>
 #include <utility>
 
 namespace hrbfnpr::frame {
 namespace {
 
-// A line's points that are looked at; of how many points one is kept; and how far a contour may move on its surface
-// between frames, in sides.
-constexpr std::int64_t most_points = 16;
-constexpr std::int64_t kept_each = 4;
-constexpr double farthest_number = 3.0;
-
 const curves::CurvePoint& point_of(std::span<const visibility::Subject> subjects, const visibility::ImageLines& lines,
                                    std::int64_t piece) noexcept {
     const visibility::Piece& its = lines.pieces[piece];
-    return subjects[static_cast<std::size_t>(its.subject)].curves->point[its.a];
+    return visibility::subject_of(subjects, its).curves->point[its.a];
 }
-
-std::int64_t nearest_piece(std::span<const visibility::Subject> subjects, const visibility::ImageLines& lines,
-                           const visibility::Line& line, const glm::dvec3& place) noexcept {
-    std::int64_t nearest = line.first_piece;
-    double least = glm::distance(point_of(subjects, lines, nearest).position, place);
-    for (std::int64_t p = nearest + 1; p < line.first_piece + line.pieces; ++p) {
-        const double distance = glm::distance(point_of(subjects, lines, p).position, place);
-        if (!(distance < least)) continue;
-        least = distance;
-        nearest = p;
-    }
-    return nearest;
-}
-
-// The points of the last frame's lines of one family.
-class Finder {
-public:
-    Finder(const geometry::VecArray& place, const geometry::VecArray& direction, double radius)
-        : place_(place), direction_(direction), radius_(radius), grid_(place, radius) {}
-
-    // -1: none.
-    [[nodiscard]] std::int64_t nearest(const curves::CurvePoint& p) const {
-        const glm::dvec3 along = p.direction();
-        double least = radius_;
-        std::int64_t found = -1;
-        grid_.around(p.position, [&](std::int64_t at) {
-            const std::int64_t i = grid_.index(at);
-            const double distance = glm::distance(place_[i], p.position);
-            if (distance > least || !(glm::dot(direction_[i], along) > 0.0)) return;
-            least = distance;
-            found = i;
-        });
-        return found;
-    }
-
-private:
-    const geometry::VecArray& place_;
-    const geometry::VecArray& direction_;
-    double radius_;
-    geometry::PointGrid grid_;
-};
 
 } // namespace
 
@@ -75,80 +33,85 @@ base::Array<LineNumbers::Vote> LineNumbers::count_votes(std::span<const LineFami
         geometry::VecArray direction(memory);
         base::Array<std::int64_t> owner(memory);
         for (std::int64_t k = 0; k < last_.known.size(); ++k) {
-            if (!(last_.families[last_.known[k].family] == families[subject])) continue;
-            for (std::int64_t i = last_.known[k].first; i < last_.known[k].first + last_.known[k].count; ++i) {
+            const Known& known = last_.known[k];
+            if (!(known.family == families[subject])) continue;
+            for (std::int64_t i = known.first; i < known.first + known.count; ++i) {
                 place.push_back(last_.place[i]);
                 direction.push_back(last_.direction[i]);
                 owner.push_back(k);
             }
         }
         if (place.empty()) continue;
-        const Finder finder(place, direction, farthest_number * subjects[subject].side);
+        const double radius = line_tuning.farthest_number * subjects[subject].side;
+        const geometry::PointGrid grid(place, radius);
         for (std::int64_t l = 0; l < lines.lines.size(); ++l) {
             const visibility::Line& line = lines.lines[l];
             if (static_cast<std::size_t>(line.subject) != subject) continue;
-            const std::int64_t step = std::max<std::int64_t>(1, line.pieces / most_points);
-            for (std::int64_t p = 0; p < line.pieces; p += step)
-                if (const std::int64_t i = finder.nearest(point_of(subjects, lines, line.first_piece + p)); i >= 0)
-                    ++of_line[owner[i]];
-            for (std::int64_t k = 0; k < last_.known.size(); ++k) {
-                if (of_line[k] > 0) votes.push_back({l, k, of_line[k] * step});
-                of_line[k] = 0;
+            const std::int64_t step = std::max<std::int64_t>(1, line.pieces / line_tuning.most_points);
+            for (std::int64_t p = 0; p < line.pieces; p += step) {
+                const curves::CurvePoint& point = point_of(subjects, lines, line.first_piece + p);
+                double least = radius;
+                std::int64_t nearest = -1;
+                grid.around(point.position, [&](std::int64_t at) {
+                    const std::int64_t i = grid.index(at);
+                    const double distance = glm::distance(place[i], point.position);
+                    if (distance > least || !(glm::dot(direction[i], point.direction()) > 0.0)) return;
+                    least = distance;
+                    nearest = i;
+                });
+                if (nearest >= 0) ++of_line[owner[nearest]];
             }
+            for (std::int64_t k = 0; k < last_.known.size(); ++k)
+                if (const std::int64_t points = std::exchange(of_line[k], 0); points > 0)
+                    votes.push_back({l, k, points * step});
         }
     }
     return votes;
 }
 
-// Those with most points in common first.
-void LineNumbers::give(base::Array<Vote>& votes, std::span<const visibility::Subject> subjects,
-                       const visibility::ImageLines& lines) {
+void LineNumbers::run(std::span<const LineFamily> families, std::span<const visibility::Subject> subjects,
+                      const visibility::ImageLines& lines) {
+    HRBFNPR_ASSERT(families.size() == subjects.size());
+    const auto position = [&](std::int64_t piece) { return point_of(subjects, lines, piece).position; };
+    number_.clear();
+    number_.resize(lines.lines.size());
+    origin_.clear();
+    for (const visibility::Line& line : lines.lines) origin_.push_back(line.first_piece);
+    base::Array<Vote> votes = count_votes(families, subjects, lines);
     std::sort(votes.begin(), votes.end(), [](const Vote& a, const Vote& b) {
-        if (a.points != b.points) return a.points > b.points;
-        return a.line != b.line ? a.line < b.line : a.known < b.known;
+        return std::tie(b.points, a.line, a.known) < std::tie(a.points, b.line, b.known);
     });
-    next_.number = last_.number;
     base::Array<std::uint8_t> taken(votes.memory(), last_.known.size());
     for (const Vote& vote : votes) {
         if (number_[vote.line] != 0 || taken[vote.known] != 0) continue;
-        number_[vote.line] = last_.known[vote.known].number;
-        origin_[vote.line] = nearest_piece(subjects, lines, lines.lines[vote.line], last_.known[vote.known].origin);
+        const Known& known = last_.known[vote.known];
+        number_[vote.line] = known.number;
         taken[vote.known] = 1;
+        std::int64_t& origin = origin_[vote.line];
+        const visibility::Line& line = lines.lines[vote.line];
+        double least = glm::distance(position(origin), known.origin);
+        for (std::int64_t p = line.first_piece + 1; p < line.first_piece + line.pieces; ++p)
+            if (const double distance = glm::distance(position(p), known.origin); distance < least) {
+                least = distance;
+                origin = p;
+            }
     }
-    for (std::uint32_t& number : number_)
-        if (number == 0) number = ++next_.number;
-}
-
-void LineNumbers::keep(std::span<const LineFamily> families, std::span<const visibility::Subject> subjects,
-                       const visibility::ImageLines& lines) {
-    next_.families.clear();
-    for (const LineFamily& family : families) next_.families.push_back(family);
+    next_.number = last_.number;
     next_.known.clear();
     next_.place.resize(0);
     next_.direction.resize(0);
     for (std::int64_t l = 0; l < lines.lines.size(); ++l) {
         const visibility::Line& line = lines.lines[l];
-        next_.known.push_back({line.subject, next_.place.size(), (line.pieces + kept_each - 1) / kept_each, number_[l],
-                               point_of(subjects, lines, origin_[l]).position});
-        for (std::int64_t p = line.first_piece; p < line.first_piece + line.pieces; p += kept_each) {
-            next_.place.push_back(point_of(subjects, lines, p).position);
+        if (number_[l] == 0) number_[l] = ++next_.number;
+        const std::int64_t first = next_.place.size();
+        for (std::int64_t p = line.first_piece; p < line.first_piece + line.pieces; p += line_tuning.kept_each) {
+            next_.place.push_back(position(p));
             next_.direction.push_back(point_of(subjects, lines, p).direction());
         }
+        next_.known.push_back({families[static_cast<std::size_t>(line.subject)], first, next_.place.size() - first,
+                               number_[l], position(origin_[l])});
     }
     std::swap(last_, next_);
-}
-
-void LineNumbers::run(std::span<const LineFamily> families, std::span<const visibility::Subject> subjects,
-                      const visibility::ImageLines& lines) {
-    number_.resize(lines.lines.size());
-    origin_.resize(lines.lines.size());
-    for (std::int64_t l = 0; l < lines.lines.size(); ++l) {
-        number_[l] = 0;
-        origin_[l] = lines.lines[l].first_piece;
-    }
-    base::Array<Vote> votes = count_votes(families, subjects, lines);
-    give(votes, subjects, lines);
-    keep(families, subjects, lines);
 }
 
 } // namespace hrbfnpr::frame

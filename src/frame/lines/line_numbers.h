@@ -25,10 +25,11 @@ public:
     explicit LineNumbers(base::Memory& memory) noexcept
         : last_(memory), next_(memory), number_(memory), origin_(memory) {}
 
-    // families: of the subjects.  Lines that go on from the last call keep their numbers; others get new ones.
+    // Numbers the lines; families: of the subjects. Lines that go on from the last call keep their numbers; others get
+    // new ones.
     void run(std::span<const LineFamily> families, std::span<const visibility::Subject> subjects,
              const visibility::ImageLines& lines);
-    // Of a line, >= 1.
+    // The number of a line, >= 1.
     [[nodiscard]] std::uint32_t number(std::int64_t line) const noexcept { return number_[line]; }
     // The piece of a line that begins where its first piece did when it was new, or beside.
     [[nodiscard]] std::int64_t origin(std::int64_t line) const noexcept { return origin_[line]; }
@@ -36,17 +37,15 @@ public:
 private:
     // A line of the last frame.
     struct Known {
-        std::int64_t family;       // in families
+        LineFamily family;
         std::int64_t first, count; // of its points
         std::uint32_t number;
         glm::dvec3 origin;
     };
-    // What is known of a frame.
+    // The lines of a frame, as far as the next one needs them.
     struct Kept {
-        explicit Kept(base::Memory& memory) noexcept
-            : families(memory), known(memory), place(memory), direction(memory) {}
+        explicit Kept(base::Memory& memory) noexcept : known(memory), place(memory), direction(memory) {}
 
-        base::Array<LineFamily> families;
         base::Array<Known> known;
         geometry::VecArray place, direction; // of their points
         std::uint32_t number = 0;            // the last that was given
@@ -61,10 +60,6 @@ private:
     [[nodiscard]] base::Array<Vote> count_votes(std::span<const LineFamily> families,
                                                 std::span<const visibility::Subject> subjects,
                                                 const visibility::ImageLines& lines) const;
-    void give(base::Array<Vote>& votes, std::span<const visibility::Subject> subjects,
-              const visibility::ImageLines& lines);
-    void keep(std::span<const LineFamily> families, std::span<const visibility::Subject> subjects,
-              const visibility::ImageLines& lines);
 
     // The next one takes its place when it is whole: a frame that fails leaves the last one as it was.
     Kept last_, next_;

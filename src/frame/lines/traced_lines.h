@@ -2,74 +2,73 @@
 // All lines of a drawing's items, traced for its camera, and the styles that they are drawn in.
 #pragma once
 
+#include "base/list.h"
+#include "curves/level.h"
 #include "features/line_set.h"
-#include "frame/lines/last_contours.h"
-#include "frame/lines/stroke_parts.h"
-#include "visibility/subject.h"
+#include "frame/lines/width_laws.h"
 
+#include <memory>
 #include <span>
 
 namespace hrbfnpr::frame {
 
-class TracedLines {
-public:
-    // Adds a layer to the drawing for each style of lines.
-    TracedLines(const base::Runtime& runtime, const Scene& scene, std::span<const Item> items, LastContours& last,
-                const base::Progress& progress, drawing::Drawing& drawing);
+// The contours of one item, or of one sheet of it.
+struct Contours {
+    explicit Contours(base::Memory& memory) noexcept : traced(memory), with_cusps(memory) {}
 
-    [[nodiscard]] std::span<const visibility::Subject> subjects() const noexcept { return subjects_.span(); }
-    [[nodiscard]] std::span<const visibility::Occluder> occluders() const noexcept { return occluders_.span(); }
-    // Of the occluders: which of the drawing's items each is.
-    [[nodiscard]] std::span<const std::int32_t> items() const noexcept { return items_.span(); }
-    [[nodiscard]] std::span<const DrawnAs> styles() const noexcept { return styles_.span(); }
-    // Contours that end inside the surface, and places where one was missed.
-    [[nodiscard]] std::int64_t broken() const noexcept { return broken_; }
+    std::shared_ptr<const void> set; // LineSet::identity()
+    std::int64_t item = 0;
+    std::int64_t part = 0;     // of LineSet::parts(); 0 where there are none
+    glm::dvec4 eye{0.0};       // as of a View
+    curves::Curves traced;     // no points added
+    curves::Curves with_cusps; // those to be drawn
+    bool from_last = false;    // begun with those of the frame before
+    std::int64_t broken = 0;   // that end inside the surface, and places where one was missed
+};
+
+// The contours of the last frame: those of the next begin there where the camera moved little.
+class LastContours {
+public:
+    explicit LastContours(base::Memory& memory) noexcept : last_(memory), now_(memory) {}
+
+    // The contours found since the last call become those of the last frame.
+    void begin_frame() noexcept;
+    // Finds those of an item in this view, which stay until the frame after the next. Seen from where the last frame
+    // saw them, they are the same.
+    const Contours& find(const base::Runtime& runtime, const curves::LineSet& lines, std::int64_t item,
+                         std::int64_t part, const curves::ContourLevel& level, const curves::View& view,
+                         const base::Progress& progress);
+    // Whether any of this frame were begun with those of the last.
+    [[nodiscard]] bool are_from_last() const noexcept;
+    // The frame is drawn once more, from nothing.
+    void forget() noexcept {
+        last_.clear();
+        now_.clear();
+    }
 
 private:
-    // An item that has lines.
-    struct Source {
-        const Item* item;
-        curves::View view;
-        std::int32_t number; // among the occluders
-        bool mirrored;
-    };
-
-    // Subjects, from the first to before the end.
-    struct Range {
-        std::int32_t begin, end;
-    };
-
-    void trace_contours(const Source& source);
-    void trace_part(const Source& source, const implicit::Implicit& surface, std::int64_t part);
-    void add_border(const Source& source);
-    void add_creases(const Source& source);
-    void add_style(const Source& source, const LineStyle& style, std::uint32_t layer);
-    void add_found(const Source& source, const LineStyle& style, std::uint32_t layer);
-    void add_bent(const Source& source, const LineStyle& style, std::uint32_t layer);
-    void add_features(const Source& source, const LineStyle& style, std::uint32_t layer);
-    // Lines on the surface, cut where they turn away from the eye; `sheets` as of a Subject.
-    void add_lines(const Source& source, const curves::SurfaceLines& lines, const LineStyle* style, std::uint32_t layer,
-                   std::int32_t sheets);
-    visibility::Subject& add_subject(const Source& source, const curves::Curves& curves);
-
-    const base::Runtime& runtime_;
-    LastContours& last_;
-    base::Progress progress_;
-    base::Array<Source> sources_;
-    // What subjects refer to, each in a place of its own.
-    base::List<std::unique_ptr<curves::ContourLevel>> levels_;
-    base::List<std::unique_ptr<curves::SurfaceLines>> lines_;
-    base::Array<visibility::Subject> subjects_;
-    base::Array<visibility::Occluder> occluders_;
-    base::Array<std::int32_t> items_;
-    base::Array<DrawnAs> styles_;
-    base::List<std::unique_ptr<curves::CreaseParts>> creases_; // of each source
-    base::List<base::Array<float>> strengths_;
-    base::Array<Range> contours_of_;     // of each source: its contours, and creases that are such
-    base::Array<std::int32_t> folds_of_; // ... the latter; -1: there are none
-    base::Array<std::int32_t> borders_of_;
-    glm::dvec4 light_{0.0}; // of the item at hand, in its own space
-    std::int64_t broken_ = 0;
+    base::List<std::unique_ptr<Contours>> last_, now_;
 };
+
+struct TracedLines {
+    explicit TracedLines(base::Memory& memory) noexcept
+        : subjects(memory), occluders(memory), items(memory), styles(memory), levels(memory), lines(memory),
+          creases(memory), strengths(memory) {}
+
+    base::Array<visibility::Subject> subjects;
+    base::Array<visibility::Occluder> occluders;
+    base::Array<std::int32_t> items; // of the drawing, for each occluder
+    base::Array<DrawnAs> styles;
+    std::int64_t broken = 0; // contours that end inside the surface, and places where one was missed
+    // Subjects and styles refer to these.
+    base::List<std::unique_ptr<curves::ContourLevel>> levels;
+    base::List<std::unique_ptr<curves::SurfaceLines>> lines;
+    base::List<std::unique_ptr<curves::CreaseParts>> creases;
+    base::List<base::Array<float>> strengths;
+};
+
+// Adds a layer to the drawing for each style of lines. The contours stay in `last`.
+[[nodiscard]] TracedLines trace_lines(const base::Runtime& runtime, const Scene& scene, std::span<const Item> items,
+                                      LastContours& last, const base::Progress& progress, drawing::Drawing& drawing);
 
 } // namespace hrbfnpr::frame

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Groups of cusps that are too small to be seen, of events made by hand.
-#include "visibility/small_swallowtails.h"
+#include "visibility/invisibility.h"
 
 #include "support/runtime.h"
 
@@ -8,15 +8,15 @@
 
 #include <vector>
 
-namespace hrbfnpr::visibility::small_swallowtails_test {
+namespace hrbfnpr::visibility::torn_swallowtails_test {
 namespace {
 
 constexpr double size = 0.25;
 
 // One line of 100 pieces of a pixel each.
-class SmallSwallowtailsOf : public testing::TestWithParam<bool> {
+class TornSwallowtailsOf : public testing::TestWithParam<bool> {
 protected:
-    SmallSwallowtailsOf() : lines(runtime.memory) {
+    TornSwallowtailsOf() : lines(runtime.memory) {
         for (std::int32_t i = 0; i < 100; ++i) {
             lines.pieces.push_back({0, 0, i, (i + 1) % 100});
             lines.points.push_back({{static_cast<double>(i), 0.0}, i, 0.0});
@@ -33,8 +33,8 @@ protected:
     }
     [[nodiscard]] std::vector<double> kept(const std::vector<Event>& events) {
         const Lengths lengths(runtime.memory, lines);
-        base::Array<Event> left(runtime.memory);
-        SmallSwallowtails(runtime.memory, lines.lines[0], lengths, size).keep(events, left);
+        const base::Array<Event> left =
+            without_torn_swallowtails(runtime.memory, lines.lines[0], lengths, size, events);
         std::vector<double> at;
         for (const Event& e : left) at.push_back(e.at);
         return at;
@@ -52,39 +52,39 @@ private:
 
 using At = std::vector<double>;
 
-TEST_P(SmallSwallowtailsOf, KeepsCuspsThatAreApart) {
+TEST_P(TornSwallowtailsOf, KeepsCuspsThatAreApart) {
     EXPECT_EQ(kept({cusp(20.5, 1), cusp(21.0, 1), cusp(60.0, 1)}), (At{20.5, 21.0, 60.0}));
     EXPECT_EQ(kept({cusp(20.5, 1)}), At{20.5});
     EXPECT_EQ(kept({}), At{});
 }
 
 // A whole one: hidden by itself at the crossing, and at both cusps shown again.
-TEST_P(SmallSwallowtailsOf, KeepsWhatAddsUp) {
+TEST_P(TornSwallowtailsOf, KeepsWhatAddsUp) {
     EXPECT_EQ(kept({cusp(50.1, 1), cusp(50.3, -1)}), (At{50.1, 50.3}));
     EXPECT_EQ(kept({crossed(49.9, 2, 50.6), cusp(50.1, -1), cusp(50.3, -1)}), (At{49.9, 50.1, 50.3}));
 }
 
 // The crossing was missed, or found twice.
-TEST_P(SmallSwallowtailsOf, DropsWhatDoesNot) {
+TEST_P(TornSwallowtailsOf, DropsWhatDoesNot) {
     EXPECT_EQ(kept({cusp(50.1, -1), cusp(50.3, -1)}), At{});
     EXPECT_EQ(kept({crossed(49.8, 2, 50.6), crossed(49.9, 2, 50.6), cusp(50.1, -1), cusp(50.3, -1)}), At{});
     EXPECT_EQ(kept({cusp(10.0, 1), cusp(50.1, -1), cusp(50.3, -1), cusp(80.0, 1)}), (At{10.0, 80.0}));
 }
 
 // Of an odd number one remains.
-TEST_P(SmallSwallowtailsOf, LeavesACuspOfThree) {
+TEST_P(TornSwallowtailsOf, LeavesACuspOfThree) {
     EXPECT_EQ(kept({cusp(50.1, -1), cusp(50.3, -1), cusp(50.5, 1)}), At{50.5});
     EXPECT_EQ(kept({cusp(50.1, 1), cusp(50.3, -1), cusp(50.5, 1)}), (At{50.1, 50.3, 50.5}));
 }
 
 // Other lines that cross there, and the line itself where it comes from elsewhere.
-TEST_P(SmallSwallowtailsOf, KeepsCrossingsOfOthers) {
+TEST_P(TornSwallowtailsOf, KeepsCrossingsOfOthers) {
     EXPECT_EQ(kept({crossed(50.0, 2, 150.0), cusp(50.1, -1), crossed(50.2, -2, 90.0), cusp(50.3, -1)}),
               (At{50.0, 50.2}));
 }
 
 // A larger swallowtail beside a small one: its crossing is its own.
-TEST_P(SmallSwallowtailsOf, KeepsCrossingsOfTheNextOne) {
+TEST_P(TornSwallowtailsOf, KeepsCrossingsOfTheNextOne) {
     const std::vector<Event> next{crossed(50.8, 2, 52.2), cusp(51.1, -1), cusp(51.9, -1)};
     std::vector<Event> whole{crossed(49.9, 2, 50.6), cusp(50.1, -1), cusp(50.3, -1)};
     std::vector<Event> torn{cusp(50.1, -1), cusp(50.3, -1)};
@@ -93,26 +93,26 @@ TEST_P(SmallSwallowtailsOf, KeepsCrossingsOfTheNextOne) {
     EXPECT_EQ(kept(torn), (At{50.8, 51.1, 51.9}));
 }
 
-INSTANTIATE_TEST_SUITE_P(Lines, SmallSwallowtailsOf, testing::Bool(),
+INSTANTIATE_TEST_SUITE_P(Lines, TornSwallowtailsOf, testing::Bool(),
                          [](const auto& of) { return of.param ? "Closed" : "Open"; });
 
 // A group over the end of a closed line, which goes on at its begin.
-class SmallSwallowtailsOfClosed : public SmallSwallowtailsOf {};
-INSTANTIATE_TEST_SUITE_P(Lines, SmallSwallowtailsOfClosed, testing::Values(true));
+class TornSwallowtailsOfClosed : public TornSwallowtailsOf {};
+INSTANTIATE_TEST_SUITE_P(Lines, TornSwallowtailsOfClosed, testing::Values(true));
 
-TEST_P(SmallSwallowtailsOfClosed, OverTheEnd) {
+TEST_P(TornSwallowtailsOfClosed, OverTheEnd) {
     EXPECT_EQ(kept({cusp(0.1, -1), cusp(40.0, 1), cusp(99.95, -1)}), At{40.0});
     EXPECT_EQ(kept({cusp(0.1, 1), cusp(40.0, 1), cusp(99.95, -1)}), (At{0.1, 40.0, 99.95}));
     EXPECT_EQ(kept({cusp(0.1, -1), crossed(0.3, 2, 99.0), cusp(99.95, -1)}), (At{0.1, 0.3, 99.95}));
     EXPECT_EQ(kept({cusp(0.1, -1), crossed(0.3, 4, 99.0), cusp(99.95, -1)}), At{});
 }
 
-class SmallSwallowtailsOfOpen : public SmallSwallowtailsOf {};
-INSTANTIATE_TEST_SUITE_P(Lines, SmallSwallowtailsOfOpen, testing::Values(false));
+class TornSwallowtailsOfOpen : public TornSwallowtailsOf {};
+INSTANTIATE_TEST_SUITE_P(Lines, TornSwallowtailsOfOpen, testing::Values(false));
 
-TEST_P(SmallSwallowtailsOfOpen, NotOverTheEnd) {
+TEST_P(TornSwallowtailsOfOpen, NotOverTheEnd) {
     EXPECT_EQ(kept({cusp(0.1, -1), cusp(40.0, 1), cusp(99.95, -1)}), (At{0.1, 40.0, 99.95}));
 }
 
 } // namespace
-} // namespace hrbfnpr::visibility::small_swallowtails_test
+} // namespace hrbfnpr::visibility::torn_swallowtails_test

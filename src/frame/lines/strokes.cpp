@@ -1,0 +1,624 @@
+// SPDX-License-Identifier: MIT
+// Makes strokes of lines. Intervals of a line that look alike become a part (parts_of), with what hugs a contour that
+// is seen (find_hugging) and ends that go on as other lines (find_joined). A part has places: the points of its
+// polyline (places_of), and knots between where its width or wobble changes along a chord (knots_of). It is drawn
+// whole, as dashes, or where it is strong enough (draw), as strokes of points with their widths (add_stroke), wobbled
+// across (Wobble).
+#include "frame/lines/strokes.h"
+
+#include "base/assert.h"
+#include "base/random.h"
+#include "frame/lines/tuning.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hrbfnpr::frame {
+namespace {
+
+// A part of a line that is hidden by as many layers of surface everywhere.
+struct Part {
+    visibility::Interval interval; // its `sheets` of no account
+    std::int32_t layers;           // of surface before it: two sheets each
+    bool free_begin, free_end;     // ends that are no ends of another part: at cusps, and of open lines
+};
+
+// A place along a part.
+struct Place {
+    double at; // along the line, pixels
+    std::int32_t piece;
+    double share;
+};
+
+// A part in a style, with places and knots along it.
+struct Path {
+    const DrawnAs& as;
+    const Part& part;
+    base::Array<Place> place;
+    base::Array<double> knot; // where the part has points between its places, in order
+};
+
+// Shares of the way from one place to the next; low > high: nothing.
+struct Shares {
+    double low, high;
+};
+
+double length_of(const visibility::Interval& i) noexcept { return i.end_at - i.begin_at; }
+
+// All steps read these.
+struct StrokeInput {
+    const base::Runtime& runtime;
+    const Scene& scene;
+    const LineInput& lines;
+    const WidthLaws& laws;
+
+    [[nodiscard]] const visibility::Line& line(std::int32_t l) const noexcept { return lines.found.lines.lines[l]; }
+    [[nodiscard]] const visibility::Piece& piece(std::int64_t p) const noexcept { return lines.found.lines.pieces[p]; }
+    [[nodiscard]] const visibility::Subject& subject(const visibility::Line& l) const noexcept {
+        return lines.subjects[static_cast<std::size_t>(l.subject)];
+    }
+    [[nodiscard]] double whole(std::int32_t l) const noexcept { return lines.lengths.whole(line(l)); }
+    // A closed line, all of it.
+    [[nodiscard]] bool is_whole(const Part& part) const noexcept {
+        return line(part.interval.line).closed && !part.free_begin && !part.free_end &&
+               length_of(part.interval) >= whole(part.interval.line);
+    }
+};
+
+// ---- An unsteady hand
+
+// Smooth noise along one line: uniform cubic B-splines of random numbers, so that it is twice smooth and bounded by
+// these. Round a closed line it goes a whole number of times.
+class Wobble {
+public:
+    // line: its number among its kind; whole: its length, pixels.
+    Wobble(const LineStyle& style, std::uint32_t line, double whole, bool closed) noexcept
+        : aside_(static_cast<double>(style.wobble) * static_cast<double>(style.width)),
+          width_(static_cast<double>(style.wobble_width)),
+          between_(static_cast<double>(style.wobble_length) * static_cast<double>(style.width) /
+                   line_tuning.knots_a_swing),
+          seed_(style.wobble_seed | std::uint64_t{static_cast<std::uint32_t>(style.kind)} << 32U), line_(line) {
+        if (!closed || !(whole > 0.0)) return;
+        const double knots = std::max(line_tuning.fewest_knots, std::round(whole / between_));
+        between_ = whole / knots;
+        knots_ = static_cast<std::int64_t>(knots);
+    }
+    // Pixels to the left, at a place along the line.
+    [[nodiscard]] double aside(double at) const noexcept { return aside_ * noise(at, 0); }
+    // A factor of the width.
+    [[nodiscard]] double factor(double at) const noexcept { return 1.0 + width_ * noise(at, 1); }
+    // The longest chord of the line that follows it, pixels.
+    [[nodiscard]] double step() const noexcept {
+        return std::max(line_tuning.shortest_step, between_ / line_tuning.steps_a_knot);
+    }
+
+private:
+    // In [-1, 1].
+    [[nodiscard]] double random(std::int64_t knot, std::size_t which) const noexcept {
+        if (knots_ > 0) knot = (knot % knots_ + knots_) % knots_;
+        const std::uint64_t index = line_ << 32U | static_cast<std::uint32_t>(knot);
+        return 2.0 * base::uniform4(seed_, index, base::Purpose::wobble)[which] - 1.0;
+    }
+    [[nodiscard]] double noise(double at, std::size_t which) const noexcept {
+        const double place = std::clamp(at / between_, -line_tuning.farthest_knot, line_tuning.farthest_knot);
+        const double knot = std::floor(place);
+        const double u = place - knot;
+        const double v = 1.0 - u;
+        const auto first = static_cast<std::int64_t>(knot);
+        const double weights[4] = {v * v * v, 4.0 - 3.0 * u * u * (1.0 + v), 4.0 - 3.0 * v * v * (1.0 + u), u * u * u};
+        double sum = 0.0;
+        for (int k = 0; k < 4; ++k) sum += weights[k] * random(first - 1 + k, which);
+        return sum / 6.0;
+    }
+
+    double aside_, width_;
+    double between_;            // knots, pixels
+    std::int64_t knots_ = 0;    // of a closed line; 0: it is open
+    std::uint64_t seed_, line_; // of its random numbers
+};
+
+Wobble wobble_of(const StrokeInput& in, const DrawnAs& as, std::int32_t line) noexcept {
+    return {*as.style, in.lines.numbers.number(line), in.whole(line), in.line(line).closed};
+}
+
+// ---- Parts
+
+// A place of the image, and the end of a line that it is; -1: none.
+struct SeenPlace {
+    glm::dvec2 place; // pixels
+    std::int64_t end;
+};
+
+void sort_by_x(base::Array<SeenPlace>& places) {
+    std::sort(places.begin(), places.end(), [](const SeenPlace& a, const SeenPlace& b) {
+        return a.place.x != b.place.x ? a.place.x < b.place.x : a.end < b.end;
+    });
+}
+
+// Whether one of the places, which are sorted by x, is near; but for one end.
+bool is_near(const base::Array<SeenPlace>& by_x, const glm::dvec2& place, double radius, std::int64_t but) noexcept {
+    const auto before = [](const SeenPlace& a, double x) { return a.place.x < x; };
+    const SeenPlace* p = std::lower_bound(by_x.begin(), by_x.end(), place.x - radius, before);
+    for (; p != by_x.end() && p->place.x <= place.x + radius; ++p)
+        if ((p->end < 0 || p->end != but) && glm::distance(p->place, place) <= radius) return true;
+    return false;
+}
+
+// Calls f for places of the image along an interval until it returns false.
+template <class F>
+void walk(const LineInput& in, const visibility::Interval& interval, double step, const F& f) {
+    const visibility::Line& line = in.found.lines.lines[interval.line];
+    const double whole = in.lengths.whole(line);
+    std::int64_t i = line.first_point;
+    for (double way = interval.begin_at; way < interval.end_at + step; way += step) {
+        double at = std::min(way, interval.end_at);
+        if (at > whole) at -= whole; // round a closed line
+        if (in.lengths.at_point(i) > at) i = line.first_point;
+        while (i + 2 < line.first_point + line.points && in.lengths.at_point(i + 1) < at) ++i;
+        const double begin = in.lengths.at_point(i);
+        const double chord = in.lengths.at_point(i + 1) - begin;
+        const double share = chord > 0.0 ? std::clamp((at - begin) / chord, 0.0, 1.0) : 0.0;
+        if (!f(glm::mix(in.found.lines.points[i].place, in.found.lines.points[i + 1].place, share))) return;
+    }
+}
+
+// 1 for intervals that are hidden and short, of a contour of a surface with creases, and all of them so near to a
+// contour that is seen that they belong to it. width: of the widest lines.
+base::Array<std::uint8_t> find_hugging(base::Memory& memory, const LineInput& in, double width) {
+    const base::Array<visibility::Interval>& intervals = in.found.intervals;
+    base::Array<std::uint8_t> hugs(memory, intervals.size());
+    const auto is_contour = [&](const visibility::Interval& interval) {
+        const visibility::Line& line = in.found.lines.lines[interval.line];
+        const visibility::Subject& subject = in.subjects[static_cast<std::size_t>(line.subject)];
+        return subject.joined && subject.sheets == 2;
+    };
+    const auto may_hug = [&](const visibility::Interval& interval) {
+        return interval.sheets > 0 && length_of(interval) < line_tuning.longest_hugging * width && is_contour(interval);
+    };
+    if (!(width > 0.0) || std::none_of(intervals.begin(), intervals.end(), may_hug)) return hugs;
+    const double step = line_tuning.hugging_steps * width;
+    base::Array<SeenPlace> seen(memory);
+    for (const visibility::Interval& interval : intervals)
+        if (interval.sheets <= 0 && is_contour(interval))
+            walk(in, interval, step, [&](const glm::dvec2& place) {
+                seen.push_back({place, -1});
+                return true;
+            });
+    sort_by_x(seen);
+    for (std::int64_t i = 0; i < intervals.size(); ++i) {
+        bool all = may_hug(intervals[i]);
+        if (all)
+            walk(in, intervals[i], step,
+                 [&](const glm::dvec2& place) { return all = is_near(seen, place, line_tuning.beside * width, -1); });
+        hugs[i] = all ? 1 : 0;
+    }
+    return hugs;
+}
+
+// Two numbers for each line, at its begin and its end: 1 where an open line of a subject that is `joined` goes on as
+// another one, or is hidden there. A contour that comes out of a crease too weak to be drawn, and turns back as the
+// crease hidden by it, begins like one at a cusp.
+base::Array<std::uint8_t> find_joined(base::Memory& memory, const LineInput& in, const base::Array<std::uint8_t>& hugs,
+                                      double width) {
+    const base::Array<visibility::Interval>& intervals = in.found.intervals;
+    base::Array<SeenPlace> seen(memory);
+    for (std::int64_t i = 0; i < intervals.size(); ++i) {
+        const std::int32_t number = intervals[i].line;
+        const visibility::Line& line = in.found.lines.lines[number];
+        if (line.closed || !in.subjects[static_cast<std::size_t>(line.subject)].joined) continue;
+        if (intervals[i].sheets > 0 && hugs[i] == 0) continue;
+        for (const int at_end : {0, 1}) {
+            const std::int64_t beside = at_end == 0 ? i - 1 : i + 1;
+            if (beside >= 0 && beside < intervals.size() && intervals[beside].line == number) continue;
+            const visibility::Piece& piece = in.found.lines.pieces[line.first_piece + at_end * (line.pieces - 1)];
+            float opacity = 0.0F;
+            for (const DrawnAs& as : in.styles)
+                if (as.subject == line.subject)
+                    opacity = std::max(opacity, faded(as, piece, static_cast<float>(at_end)));
+            const std::int64_t point = line.first_point + at_end * (line.points - 1);
+            if (opacity >= line_tuning.least_opacity)
+                seen.push_back({in.found.lines.points[point].place, 2 * std::int64_t{number} + at_end});
+        }
+    }
+    sort_by_x(seen);
+    base::Array<std::uint8_t> goes_on(memory, 2 * in.found.lines.lines.size());
+    std::fill(goes_on.begin(), goes_on.end(), std::uint8_t{1});
+    for (const SeenPlace& p : seen) {
+        const visibility::Line& line = in.found.lines.lines[p.end / 2];
+        if (in.subjects[static_cast<std::size_t>(line.subject)].sheets == 2 &&
+            !is_near(seen, p.place, line_tuning.together * width, p.end))
+            goes_on[p.end] = 0;
+    }
+    return goes_on;
+}
+
+// The intervals of a line that look alike are one part; so are the last and the first of a closed line.
+void parts_of(const StrokeInput& in, std::int64_t first, std::int64_t end, const base::Array<std::uint8_t>& hugs,
+              const base::Array<std::uint8_t>& goes_on, base::Array<Part>& parts) {
+    HRBFNPR_ASSERT(first < end && end <= in.lines.found.intervals.size() && hugs.size() >= end);
+    parts.clear();
+    const std::int32_t number = in.lines.found.intervals[first].line;
+    const visibility::Line& line = in.line(number);
+    const auto are_alike = [](const Part& a, const Part& b) {
+        return a.layers == b.layers && a.interval.hidden_by == b.interval.hidden_by;
+    };
+    const auto extend = [](Part& part, const Part& next, double beyond) {
+        part.interval.end_piece = next.interval.end_piece;
+        part.interval.end_share = next.interval.end_share;
+        part.interval.end_at = next.interval.end_at + beyond;
+        part.interval.end_sine = next.interval.end_sine;
+        part.free_end = next.free_end;
+    };
+    for (std::int64_t i = first; i < end; ++i) {
+        visibility::Interval its = in.lines.found.intervals[i];
+        if (hugs[i] != 0) its.hidden_by = -1;
+        const std::int32_t layers = hugs[i] != 0 ? 0 : std::max(0, (its.sheets + 1) / 2);
+        const Part next{its, layers, its.begins_at_cusp, its.ends_at_cusp};
+        if (!parts.empty() && (are_alike(parts.back(), next) || length_of(its) < line_tuning.unseen))
+            extend(parts.back(), next, 0.0);
+        else
+            parts.push_back(next);
+    }
+    if (!line.closed) {
+        const bool joined = in.subject(line).joined;
+        parts[0].free_begin = !joined || goes_on[2 * std::int64_t{number}] == 0;
+        parts.back().free_end = parts.back().free_end || !joined || goes_on[2 * std::int64_t{number} + 1] == 0;
+    } else if (parts.size() > 1 && are_alike(parts.back(), parts[0])) {
+        extend(parts.back(), parts[0], in.whole(number));
+        std::copy(parts.begin() + 1, parts.end(), parts.begin());
+        parts.resize(parts.size() - 1);
+    }
+}
+
+// The points of the image along a part, and its ends.
+void places_of(const StrokeInput& in, const Part& part, base::Array<Place>& places) {
+    const visibility::Interval& its = part.interval;
+    const visibility::Line& line = in.line(its.line);
+    const double whole = in.whole(its.line);
+    const auto at = [&](std::int64_t i) { return in.lines.lengths.at_point(i); };
+    places.clear();
+    places.push_back({its.begin_at, its.begin_piece, its.begin_share});
+    std::int64_t p = line.first_point;
+    while (p + 1 < line.first_point + line.points && at(p) <= its.begin_at) ++p;
+    double beyond = 0.0;
+    for (std::int64_t step = 0; step < 2 * line.points; ++step, ++p) {
+        if (p + 1 >= line.first_point + line.points) { // the last point of a closed line is its first
+            if (!line.closed) break;
+            p = line.first_point;
+            beyond += whole;
+        }
+        if (!(at(p) + beyond < its.end_at) || beyond > whole) break;
+        places.push_back({at(p) + beyond, in.lines.found.lines.points[p].piece, in.lines.found.lines.points[p].share});
+    }
+    places.push_back({its.end_at, its.end_piece, its.end_share});
+}
+
+// ---- Points
+
+glm::dvec2 seen_at(const StrokeInput& in, const Place& place) {
+    const visibility::Piece& piece = in.piece(place.piece);
+    return visibility::see(visibility::subject_of(in.lines.subjects, piece).view,
+                           visibility::cubic(in.lines.subjects, piece).at(place.share))
+        .place;
+}
+
+// The factor of a style's width there, by the points around it.
+float factor_at(const DrawnAs& as, const visibility::Piece& piece, float share) noexcept {
+    return as.factor == nullptr ? 1.0F : (1.0F - share) * as.factor[piece.a] + share * as.factor[piece.b];
+}
+
+// A point whose radius is still a factor of its style's width.
+drawing::StrokePoint point_at(const StrokeInput& in, const DrawnAs& as, const Place& place) {
+    const visibility::Piece& piece = in.piece(place.piece);
+    const visibility::Subject& subject = visibility::subject_of(in.lines.subjects, piece);
+    const glm::dvec3 p = visibility::cubic(in.lines.subjects, piece).at(place.share);
+    const glm::dvec4 q = subject.view.to_window * glm::dvec4(p, 1.0);
+    const glm::dvec4 eye = in.scene.camera.view * (subject.to_world * glm::dvec4(p, 1.0));
+    drawing::StrokePoint point{};
+    point.x = static_cast<float>(q.x / q.w);
+    point.y = static_cast<float>(q.y / q.w);
+    point.window = static_cast<float>(q.z / q.w);
+    point.depth = static_cast<float>(-eye.z);
+    point.pixels_per_unit = in.scene.lens.pixels / static_cast<float>(q.w);
+    point.opacity = faded(as, piece, static_cast<float>(place.share));
+    point.radius = factor_at(as, piece, static_cast<float>(place.share));
+    return point;
+}
+
+// The same on the chord from a place to the next. In double: a chord may begin far outside the window.
+drawing::StrokePoint point_between(const StrokeInput& in, const Path& path, std::int64_t i, double at) {
+    HRBFNPR_ASSERT(i >= 0 && i + 1 < path.place.size());
+    const double span = path.place[i + 1].at - path.place[i].at;
+    const double share = span > 0.0 ? (at - path.place[i].at) / span : 0.0;
+    const drawing::StrokePoint b = point_at(in, path.as, path.place[i + 1]);
+    const glm::dvec2 seen = glm::mix(seen_at(in, path.place[i]), seen_at(in, path.place[i + 1]), share);
+    const auto u = static_cast<float>(share);
+    drawing::StrokePoint point = point_at(in, path.as, path.place[i]);
+    point.x = static_cast<float>(seen.x);
+    point.y = static_cast<float>(seen.y);
+    point.window += u * (b.window - point.window);
+    point.depth += u * (b.depth - point.depth);
+    point.opacity += u * (b.opacity - point.opacity);
+    point.radius += u * (b.radius - point.radius);
+    return point;
+}
+
+// The shares of the chord from a place to the next that are in the window, or beside it by at most some pixels.
+Shares in_window(const StrokeInput& in, const Place& from, const Place& to, double beside) {
+    const glm::dvec2 a = seen_at(in, from);
+    const glm::dvec2 b = seen_at(in, to);
+    const glm::dvec4 window(in.scene.lens.viewport);
+    Shares shares{0.0, 1.0};
+    for (const int axis : {0, 1}) {
+        const double way = b[axis] - a[axis];
+        const double low = window[axis] - beside;
+        const double high = window[axis] + window[axis + 2] + beside;
+        if (way != 0.0) {
+            shares.low = std::max(shares.low, ((way < 0.0 ? high : low) - a[axis]) / way);
+            shares.high = std::min(shares.high, ((way < 0.0 ? low : high) - a[axis]) / way);
+        } else if (a[axis] < low || a[axis] > high) {
+            shares.high = -1.0;
+        }
+    }
+    return shares;
+}
+
+// Places between those of a part, where what changes along its chords changes evenly between points. What is not seen
+// has none.
+void knots_of(const StrokeInput& in, Path& path) {
+    path.knot.clear();
+    const DrawnAs& as = path.as;
+    const bool wobbles = as.style->wobbles();
+    if (!wobbles && !in.laws.changes_along(as)) return;
+    const std::int32_t line = path.part.interval.line;
+    const double step = wobbles ? std::min(wobble_of(in, as, line).step(), in.laws.step(as)) : in.laws.step(as);
+    for (std::int64_t i = 0; i + 1 < path.place.size(); ++i) {
+        const double begin = path.place[i].at;
+        const double span = path.place[i + 1].at - begin;
+        const Shares seen = in_window(in, path.place[i], path.place[i + 1], line_tuning.steps_beside * step);
+        if (!(seen.low < seen.high)) continue;
+        double low = begin + seen.low * span;
+        double high = begin + seen.high * span;
+        if (!wobbles && !in.laws.changes(as, line, low, high)) continue;
+        if (low < begin + step) low = begin;
+        if (high > begin + span - step) high = begin + span;
+        const double count = std::ceil((high - low) / step);
+        for (double k = low > begin ? 0.0 : 1.0; k < count || (k == count && high < begin + span); k += 1.0)
+            path.knot.push_back(low + k / count * (high - low));
+    }
+}
+
+// ---- Strokes
+
+// Moves the points of a stroke across the line: at a point halfway between the directions of the chords beside it. The
+// noise stands still on a line from frame to frame, wherever that begins. at: of the points along the line.
+void wobble(const StrokeInput& in, const Path& path, bool closed, const base::Array<double>& at,
+            std::span<drawing::StrokePoint> points) {
+    HRBFNPR_ASSERT(points.size() > 1 && static_cast<std::size_t>(at.size()) == points.size());
+    const std::int32_t number = path.part.interval.line;
+    const Wobble hand = wobble_of(in, path.as, number);
+    const visibility::Line& line = in.line(number);
+    const double origin = in.lines.lengths.at(line, in.lines.numbers.origin(number), 0.0);
+    const auto place = [&](std::size_t i) { return glm::dvec2(points[i].x, points[i].y); };
+    const std::size_t last = points.size() - 1;
+    const glm::dvec2 second = place(1);
+    glm::dvec2 before = closed ? place(last - 1) : place(0);
+    for (std::size_t i = 0; i <= last; ++i) {
+        const glm::dvec2 here = place(i);
+        const glm::dvec2 along = (i < last ? place(i + 1) : closed ? second : here) - before;
+        double where = at[static_cast<std::int64_t>(i)] - origin;
+        if (line.closed && where < 0.0) where += in.whole(number);
+        const double length = glm::length(along);
+        const double aside = length > 0.0 ? hand.aside(where) / length : 0.0;
+        points[i].x = static_cast<float>(here.x + aside * along.y);
+        points[i].y = static_cast<float>(here.y - aside * along.x);
+        points[i].radius *= static_cast<float>(hand.factor(where));
+        before = here;
+    }
+}
+
+// Adds a stroke along a part, from one place along its line to another. Free ends taper by half an ellipse; a short
+// part with a free end, as between a cusp and a line beside it, would be a bead, and is thinner.
+void add_stroke(const StrokeInput& in, const Path& path, double from, double to, LineStrokes& out) {
+    const auto& [as, part, place, knots] = path;
+    const LineStyle& style = *as.style;
+    const bool hidden = part.layers > 0;
+    const bool dashed = hidden && style.hidden == HiddenParts::dashed;
+    const double opacity = hidden && style.hidden == HiddenParts::attenuated
+                               ? std::pow(static_cast<double>(style.hidden_opacity), part.layers)
+                               : 1.0;
+    const double length = length_of(part.interval);
+    const auto full_taper = static_cast<double>(style.taper);
+    const double taper = std::min(full_taper, 0.5 * length);
+    auto width = static_cast<double>(hidden && style.hidden != HiddenParts::shown ? style.hidden_width : style.width);
+    if ((part.free_begin || part.free_end) && !dashed && length < 2.0 * full_taper)
+        width *= length / (2.0 * full_taper);
+    const auto tapered = [&](bool is_free, double from_end) {
+        if (!is_free || dashed || !(from_end < taper)) return 1.0;
+        const double left = 1.0 - std::max(0.0, from_end) / taper;
+        return std::sqrt(std::max(0.0, 1.0 - left * left));
+    };
+    drawing::Stroke stroke;
+    stroke.first = out.points.size();
+    stroke.layer = as.layer;
+    stroke.line = in.lines.numbers.number(part.interval.line);
+    stroke.hidden_layers = part.layers;
+    stroke.hidden_by =
+        part.interval.hidden_by < 0 ? -1 : in.lines.items[static_cast<std::size_t>(part.interval.hidden_by)];
+    stroke.closed = in.is_whole(part) && to - from >= length;
+    stroke.cap_begin = part.free_begin && !hidden ? style.cap : drawing::Cap::round;
+    stroke.cap_end = part.free_end && !hidden ? style.cap : drawing::Cap::round;
+
+    base::Array<double> at(in.runtime.memory); // where along the line the stroke's points are
+    const auto put = [&](drawing::StrokePoint point, double here) {
+        const double narrow = std::min(tapered(part.free_begin, here - part.interval.begin_at),
+                                       tapered(part.free_end, part.interval.end_at - here));
+        const double factor = static_cast<double>(point.radius) * in.laws.along(as, part.interval.line, here);
+        point.radius = static_cast<float>(0.5 * width * narrow * factor);
+        point.opacity *= static_cast<float>(opacity);
+        out.points.push_back(point);
+        at.push_back(here);
+    };
+    const auto put_between = [&](std::int64_t i, double here) { put(point_between(in, path, i, here), here); };
+    const auto before = [](const Place& p, double here) { return p.at < here; };
+    const double* knot = std::upper_bound(knots.begin(), knots.end(), from);
+    for (std::int64_t i = std::lower_bound(place.begin(), place.end(), from, before) - place.begin(); i < place.size();
+         ++i) {
+        const double here = place[i].at;
+        if (i > 0 && place[i - 1].at < from && here > from) put_between(i - 1, from);
+        for (; knot != knots.end() && *knot < std::min(here, to); ++knot) put_between(i - 1, *knot);
+        if (here <= to) put(point_at(in, as, place[i]), here);
+        if (i > 0 && place[i - 1].at < to && here > to) put_between(i - 1, to);
+        if (here > to) break;
+    }
+    stroke.count = static_cast<std::int32_t>(out.points.size() - stroke.first);
+    if (stroke.count < 2) {
+        out.points.resize(stroke.first);
+        return;
+    }
+    if (style.wobbles())
+        wobble(in, path, stroke.closed, at, out.points.span().subspan(static_cast<std::size_t>(stroke.first)));
+    for (std::int64_t i = stroke.first + 1; i < out.points.size(); ++i) {
+        drawing::StrokePoint& point = out.points[i];
+        const drawing::StrokePoint& last = out.points[i - 1];
+        point.length = last.length + std::hypot(point.x - last.x, point.y - last.y);
+    }
+    stroke.depth = out.points[stroke.first + stroke.count / 2].depth;
+    out.strokes.push_back(stroke);
+}
+
+// Adds strokes from one place along a part to another, but for what is too weak.
+void add_strong(const StrokeInput& in, const Path& path, double from, double to, LineStrokes& out) {
+    if (!path.as.cut) return add_stroke(in, path, from, to, out);
+    const base::Array<Place>& place = path.place;
+    const auto strength = [&](std::int64_t i) {
+        return static_cast<double>(strength_at(path.as, in.piece(place[i].piece), static_cast<float>(place[i].share)) -
+                                   path.as.lower);
+    };
+    double begin = from; // of what is strong enough, as far as the last place
+    HRBFNPR_ASSERT(path.as.strength != nullptr);
+    bool strong = strength(0) >= 0.0;
+    for (std::int64_t i = 1; i < place.size() && place[i - 1].at < to; ++i) {
+        const double a = strength(i - 1);
+        const double b = strength(i);
+        if (strong == (b >= 0.0)) continue;
+        const double at = std::clamp(glm::mix(place[i - 1].at, place[i].at, a / (a - b)), from, to);
+        if (strong && at > begin) add_stroke(in, path, begin, at, out);
+        begin = at;
+        strong = !strong;
+    }
+    if (strong && to > begin) add_stroke(in, path, begin, to, out);
+}
+
+// Adds the dashes that are seen: a line that passes beside the eye is as long as numbers go. The more layers lie before
+// it, the shorter they are.
+void add_dashes(const StrokeInput& in, const Path& path, LineStrokes& out) {
+    const double begin = path.part.interval.begin_at;
+    const double whole = length_of(path.part.interval);
+    const LineStyle& style = *path.as.style;
+    const auto width = static_cast<double>(style.hidden_width);
+    const double dash = std::max(1.0, width * static_cast<double>(style.dash) / path.part.layers);
+    const double period = dash + std::max(1.0, width * static_cast<double>(style.gap));
+    const double dashes = std::max(1.0, std::round(whole / period));
+    const double step = whole / dashes;
+    double next = 0.0;
+    for (std::int64_t i = 0; i + 1 < path.place.size(); ++i) {
+        const Shares seen = in_window(in, path.place[i], path.place[i + 1], dash + width);
+        if (!(seen.low <= seen.high)) continue;
+        const double at = path.place[i].at - begin;
+        const double span = path.place[i + 1].at - path.place[i].at;
+        const double last = std::min(std::floor((at + seen.high * span) / step), dashes - 1.0);
+        next = std::max(next, std::floor((at + seen.low * span) / step));
+        for (; next <= last; next += 1.0) {
+            const double middle = begin + (next + 0.5) * step;
+            add_strong(in, path, middle - 0.5 * dash * step / period, middle + 0.5 * dash * step / period, out);
+        }
+    }
+}
+
+// The distance between the end of a part and the middle of the nearer line that crosses there: its halo, and half of
+// either width.
+double gap_at(const StrokeInput& in, const DrawnAs& as, std::int32_t line, const Place& end, float sine) noexcept {
+    HRBFNPR_ASSERT(end.share >= 0.0 && end.share <= 1.0);
+    const double joins = line_tuning.joins;
+    const double share = std::clamp((static_cast<double>(sine) - joins) / (line_tuning.ends_before - joins), 0.0, 1.0);
+    if (!(share > 0.0)) return 0.0;
+    const auto width_at = [&](const DrawnAs& style, std::int32_t l, const Place& p) {
+        const float factor = factor_at(style, in.piece(p.piece), static_cast<float>(p.share));
+        return style.style->width * factor * static_cast<float>(in.laws.along(style, l, p.at));
+    };
+    const auto before = [](const visibility::Crossing& c, const Place& p) {
+        return c.far_piece != p.piece ? c.far_piece < p.piece : c.far_share < p.share;
+    };
+    const base::Array<visibility::Crossing>& crossings = in.lines.found.crossings;
+    const visibility::Crossing* const c = std::lower_bound(crossings.begin(), crossings.end(), end, before);
+    float near_width = 0.0F;
+    if (c != crossings.end() && c->far_piece == end.piece && c->far_share == end.share) {
+        const visibility::Piece& piece = in.piece(c->near_piece);
+        const Place near{in.lines.lengths.at(in.line(piece.line), c->near_piece, c->near_share), c->near_piece,
+                         c->near_share};
+        for (const DrawnAs& other : in.laws.styles())
+            if (other.subject == piece.subject) near_width = std::max(near_width, width_at(other, piece.line, near));
+    }
+    return static_cast<double>(as.halo + 0.5F * (width_at(as, line, end) + near_width)) * share;
+}
+
+// Draws a part in a style.
+void draw(const StrokeInput& in, Path& path, LineStrokes& out) {
+    const auto& [as, part, place, knot] = path;
+    const LineStyle& style = *as.style;
+    const visibility::Interval& its = part.interval;
+    const bool hidden = part.layers > 0;
+    if (hidden && style.hidden == HiddenParts::none) return;
+    double begin = its.begin_at;
+    double end = its.end_at;
+    // A visible line ends before a nearer one that crosses it; not under it, where its end would be seen.
+    if (!hidden && as.halo > 0.0F && !in.is_whole(part)) {
+        begin += gap_at(in, as, its.line, {its.begin_at, its.begin_piece, its.begin_share}, its.begin_sine);
+        end -= gap_at(in, as, its.line, {its.end_at, its.end_piece, its.end_share}, its.end_sine);
+    }
+    // A line that is seen for a pixel only, between hidden parts, says nothing.
+    const bool is_dot = !hidden && length_of(its) < line_tuning.dot * static_cast<double>(style.width) &&
+                        length_of(its) < in.whole(its.line);
+    if (!(end > begin) || is_dot) return;
+    if (end - begin < static_cast<double>(style.shortest) && (part.free_begin || part.free_end || hidden)) return;
+    places_of(in, part, path.place);
+    knots_of(in, path);
+    if (hidden && style.hidden == HiddenParts::dashed)
+        add_dashes(in, path, out);
+    else
+        add_strong(in, path, begin, end, out);
+}
+
+} // namespace
+
+void add_strokes(const base::Runtime& runtime, const Scene& scene, const LineInput& input, const WidthLaws& laws,
+                 LineStrokes& strokes) {
+    HRBFNPR_ASSERT(input.items.size() == input.occluders.size());
+    double widest = 0.0;
+    for (const DrawnAs& as : input.styles) widest = std::max(widest, static_cast<double>(as.style->width));
+    const base::Array<std::uint8_t> hugs = find_hugging(runtime.memory, input, widest);
+    const base::Array<std::uint8_t> goes_on = find_joined(runtime.memory, input, hugs, widest);
+    const StrokeInput in{runtime, scene, input, laws};
+    const base::Array<visibility::Interval>& intervals = input.found.intervals;
+    base::Array<Part> parts(runtime.memory);
+    base::Array<Place> places(runtime.memory);
+    base::Array<double> knots(runtime.memory);
+    for (std::int64_t first = 0; first < intervals.size();) {
+        std::int64_t end = first;
+        while (end < intervals.size() && intervals[end].line == intervals[first].line) ++end;
+        parts_of(in, first, end, hugs, goes_on, parts);
+        for (const DrawnAs& as : laws.styles()) {
+            if (as.subject != in.line(intervals[first].line).subject) continue;
+            for (const Part& part : parts) {
+                Path path{as, part, std::move(places), std::move(knots)};
+                draw(in, path, strokes);
+                places = std::move(path.place);
+                knots = std::move(path.knot);
+            }
+        }
+        first = end;
+    }
+}
+
+} // namespace hrbfnpr::frame
