@@ -6,8 +6,7 @@
 #include "generate/make_seeds.h"
 #include "hatching/hatching.h"
 #include "marks/assemble.h"
-#include "marks/cluster_marks.h"
-#include "marks/tone_normals.h"
+#include "marks/clusters.h"
 #include "published/growth.h"
 #include "stipples/blue_noise.h"
 #include "stipples/density_thinning.h"
@@ -204,10 +203,10 @@ void Generation::hatch(Growing& layer) {
     const hatching::Settings settings = hatching_of(layer);
     const base::Progress progress = progress_of(layer);
     if (!ground_ || !settings.is_on_ground_of(ground_->settings()))
-        ground_.emplace(
-            site_,
-            stipples::cover_surface(site_, seeds_, samples_.spacing, hatching::hatching_tuning.most_samples, progress.part(0.0, 0.1)),
-            settings, progress.part(0.1, 0.6));
+        ground_.emplace(site_,
+                        stipples::cover_surface(site_, seeds_, samples_.spacing, hatching::hatching_tuning.most_samples,
+                                                progress.part(0.0, 0.1)),
+                        settings, progress.part(0.1, 0.6));
     ground_->lay_lines(site_, settings, layer.marks, report_of(layer), progress.part(0.6, 1.0));
     area_ = std::max(area_, ground_->area());
     report_of(layer).seconds = watch.seconds();

@@ -4,7 +4,7 @@
 #include "base/status.h"
 #include "generate/generate.h"
 #include "marks/marks.h"
-#include "marks/size.h"
+#include "marks/site.h"
 
 #include <algorithm>
 #include <cmath>

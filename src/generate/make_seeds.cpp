@@ -2,7 +2,7 @@
 #include "generate/make_seeds.h"
 
 #include "base/random.h"
-#include "marks/spacing.h"
+#include "marks/assemble.h"
 
 #include <algorithm>
 #include <array>

@@ -3,7 +3,6 @@
 #pragma once
 
 #include "generate/settings.h"
-#include "marks/seeds.h"
 #include "marks/site.h"
 
 namespace hrbfnpr::generate {

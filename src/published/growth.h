@@ -3,8 +3,8 @@
 #pragma once
 
 #include "geometry/long_vec_array.h"
-#include "marks/direction_function.h"
 #include "marks/marks.h"
+#include "marks/site.h"
 
 namespace hrbfnpr::published {
 

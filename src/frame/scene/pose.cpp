@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "frame/scene/pose.h"
 
-#include "marks/move_clusters.h"
+#include "marks/clusters.h"
 
 #include <cmath>
 

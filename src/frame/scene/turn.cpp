@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "frame/scene/turn.h"
 
-#include "marks/turn_clusters.h"
+#include "marks/clusters.h"
 
 namespace hrbfnpr::frame {
 
