@@ -5,7 +5,7 @@
 #include "api/descriptor.h"
 #include "api/streams.h"
 #include "io/files.h"
-#include "marks/cluster_marks.h"
+#include "marks/clusters.h"
 
 #include <cstring>
 

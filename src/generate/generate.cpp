@@ -10,9 +10,7 @@
 #include "hatching/hatching.h"
 #include "implicit/scaled.h"
 #include "marks/assemble.h"
-#include "marks/cluster_marks.h"
-#include "marks/size.h"
-#include "marks/tone_normals.h"
+#include "marks/clusters.h"
 #include "published/growth.h"
 #include "stipples/density.h"
 

@@ -8,7 +8,6 @@
 #include "generate/settings.h"
 #include "implicit/implicit.h"
 #include "marks/point_set.h"
-#include "marks/seeds.h"
 #include "marks/site.h"
 
 namespace hrbfnpr::generate {

@@ -4,7 +4,7 @@
 #include "base/assert.h"
 #include "base/random.h"
 #include "generate/tuning.h"
-#include "marks/spacing.h"
+#include "marks/assemble.h"
 
 #include <algorithm>
 #include <array>

@@ -5,7 +5,6 @@
 #include "base/view.h"
 #include "hatching/hatching.h"
 #include "marks/point_set.h"
-#include "marks/tone_part.h"
 #include "published/growth.h"
 #include "stipples/density.h"
 

@@ -6,7 +6,7 @@
 #pragma once
 
 #include "hatching/links.h"
-#include "marks/direction_function.h"
+#include "marks/site.h"
 
 namespace hrbfnpr::hatching {
 

@@ -2,7 +2,7 @@
 #include "hatching/hatching.h"
 
 #include "creases/crease_mesh.h"
-#include "hatching/line_marks.h"
+#include "hatching/lines.h"
 #include "stipples/blue_noise.h"
 #include "surface/creased.h"
 

@@ -3,16 +3,14 @@
 // each has the lines between those of the ones before. In this order:
 //   field.h       even samples -> a graph of neighbours -> a smooth field of lines
 //   waves.h       the field -> waves on the samples, of the longest period and of halves of it -> waves on a mesh
-//   lines.h       the crests of the finest wave -> lines -> joined ends -> even distances
-//   line_marks.h  lines -> marks on the surface, which belong to levels
+//   lines.h       the crests of the finest wave -> lines -> joined ends -> even distances -> marks on the surface
 #pragma once
 
+#include "curves/surface_mesh.h"
 #include "hatching/field.h"
 #include "hatching/tuning.h"
 #include "marks/marks.h"
 #include "stipples/surface_cells.h"
-
-#include "curves/surface_mesh.h"
 
 namespace hrbfnpr::hatching {
 

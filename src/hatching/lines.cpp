@@ -26,79 +26,50 @@ struct Crossing {
     std::uint8_t level;
 };
 
-// Edge 3 t + k runs from corner k of triangle t to the next one.
-class MeshEdges {
-public:
-    explicit MeshEdges(const curves::SurfaceMesh& mesh) noexcept : mesh_(mesh) {}
+// Edge 3 t + k of a mesh runs from corner k of triangle t to the next one. On both sides of an edge stands a triangle;
+// the one of the lower number owns it.
+std::int32_t end_of(const curves::SurfaceMesh& mesh, std::int64_t edge) noexcept {
+    return mesh.corner[edge - edge % 3 + (edge % 3 + 1) % 3];
+}
+bool is_owned(const curves::SurfaceMesh& mesh, std::int64_t edge) noexcept {
+    return mesh.neighbour[edge] < 0 || edge / 3 < mesh.neighbour[edge];
+}
+// The same edge as the triangle across has it; -1: there is none.
+std::int64_t across(const curves::SurfaceMesh& mesh, std::int64_t edge) noexcept {
+    const std::int64_t other = 3 * std::int64_t{mesh.neighbour[edge]};
+    for (std::int64_t k = other; k >= 0 && k < other + 3; ++k)
+        if (mesh.corner[k] == end_of(mesh, edge) && end_of(mesh, k) == mesh.corner[edge]) return k;
+    return -1;
+}
 
-    [[nodiscard]] std::int64_t count() const noexcept { return mesh_.corner.size(); }
-    [[nodiscard]] std::int32_t begin(std::int64_t edge) const noexcept { return mesh_.corner[edge]; }
-    [[nodiscard]] std::int32_t end(std::int64_t edge) const noexcept {
-        return mesh_.corner[edge - edge % 3 + (edge % 3 + 1) % 3];
+// Calls visit(crossing, number of its line) for all crests of the finest wave between two vertices, and for
+// 2^halvings - 1 lines between any two crests, in the order of their numbers.
+template <class Visit>
+void visit_crests(const Waves& waves, int halvings, std::int32_t a, std::int32_t b, const Visit& visit) {
+    constexpr double tau = 2.0 * std::numbers::pi;
+    if (!waves.has_line(a) || !waves.has_line(b)) return;
+    const double scale = std::ldexp(1.0, halvings) / tau;
+    const double growth = waves.growth(a, b, waves.period_of(waves.finest()));
+    const double begin = std::arg(waves.level[waves.finest()][a]);
+    const double end = std::arg(seen(waves.level[waves.finest()][b], waves.turned(a, b)));
+    const double change = growth + std::remainder(end - begin - growth, tau);
+    const double last = scale * std::max(begin, begin + change);
+    for (double k = std::floor(scale * std::min(begin, begin + change)) + 1.0; k <= last; k += 1.0) {
+        const double share = std::clamp((k / scale - begin) / change, 0.0, 1.0);
+        visit(Crossing{share, a, b, change > 0.0, 0}, static_cast<std::int64_t>(k));
     }
-    // The same edge as the triangle across has it; -1: there is no other triangle.
-    [[nodiscard]] std::int64_t across(std::int64_t edge) const noexcept {
-        const std::int64_t other = 3 * std::int64_t{mesh_.neighbour[edge]};
-        for (std::int64_t k = other; k >= 0 && k < other + 3; ++k)
-            if (begin(k) == end(edge) && end(k) == begin(edge)) return k;
-        return -1;
-    }
-    // An edge belongs to the triangle of the lower number.
-    [[nodiscard]] bool is_owned(std::int64_t edge) const noexcept {
-        const std::int32_t other = mesh_.neighbour[edge];
-        return other < 0 || edge / 3 < other;
-    }
+}
 
-private:
-    const curves::SurfaceMesh& mesh_;
-};
-
-// Where the crests of the finest wave cross the edges, and `parts` - 1 lines between any two of them.
-class CrestFinder {
-public:
-    CrestFinder(const Waves& waves, int halvings) noexcept
-        : waves_(waves), halvings_(halvings), parts_(std::int64_t{1} << halvings) {
-        HRBFNPR_ASSERT(halvings >= 0 && halvings < 62 && waves.finest() >= 0);
-    }
-
-    // Calls visit(crossing, number of its line) for all between two vertices, in the order of their lines.
-    template <class Visit>
-    void visit(std::int32_t a, std::int32_t b, const Visit& visit) const {
-        const auto has_line = [&](std::int32_t v) { return glm::dot(waves_.along[v], waves_.along[v]) > 0.0; };
-        if (!has_line(a) || !has_line(b)) return;
-        const double scale = static_cast<double>(parts_) / tau;
-        const double growth = waves_.growth(a, b, waves_.period_of(waves_.finest()));
-        const double begin = std::arg(waves_.level[waves_.finest()][a]);
-        const double end = std::arg(seen(waves_.level[waves_.finest()][b], waves_.turned(a, b)));
-        const double change = growth + std::remainder(end - begin - growth, tau);
-        const double last = scale * std::max(begin, begin + change);
-        for (double k = std::floor(scale * std::min(begin, begin + change)) + 1.0; k <= last; k += 1.0) {
-            const double share = std::clamp((k / scale - begin) / change, 0.0, 1.0);
-            visit(Crossing{share, a, b, change > 0.0, 0}, static_cast<std::int64_t>(k));
-        }
-    }
-    // A wave that was halved r times less than the finest one has every 2^r-th line.
-    [[nodiscard]] std::uint8_t level_of(const Crossing& crossing, std::int64_t line) const noexcept;
-
-private:
-    static constexpr double tau = 2.0 * std::numbers::pi;
-
-    const Waves& waves_;
-    int halvings_;
-    std::int64_t parts_;
-};
-
-std::uint8_t CrestFinder::level_of(const Crossing& crossing, std::int64_t line) const noexcept {
-    const std::int64_t place = ((line % parts_) + parts_) % parts_;
-    if (place != 0)
-        return static_cast<std::uint8_t>(waves_.finest() + halvings_ -
-                                         std::countr_zero(static_cast<std::uint64_t>(place)));
-    const auto [share, a, b] = std::tuple(crossing.share, crossing.a, crossing.b);
-    for (std::int64_t coarser = waves_.finest() - 1; coarser >= 0; --coarser) {
-        const double growth = waves_.growth(a, b, waves_.period_of(coarser));
-        const Complex at_b = seen(waves_.level[coarser][b], waves_.turned(a, b));
-        const Complex from_a = product(waves_.level[coarser][a], std::polar(1.0 - share, share * growth));
-        const Complex from_b = product(at_b, std::polar(share, (share - 1.0) * growth));
+// A wave that was halved r times less than the finest lines has every 2^r-th of them. Where the number of a line tells
+// no more, the waves say whether they have a crest there.
+std::uint8_t level_of(const Waves& waves, int halvings, const Crossing& c, std::int64_t line) noexcept {
+    const int twos = std::countr_zero(static_cast<std::uint64_t>(line));
+    if (twos < halvings) return static_cast<std::uint8_t>(waves.finest() + halvings - twos);
+    for (std::int64_t coarser = waves.finest() - 1; coarser >= 0; --coarser) {
+        const double growth = waves.growth(c.a, c.b, waves.period_of(coarser));
+        const Complex at_b = seen(waves.level[coarser][c.b], waves.turned(c.a, c.b));
+        const Complex from_a = product(waves.level[coarser][c.a], std::polar(1.0 - c.share, c.share * growth));
+        const Complex from_b = product(at_b, std::polar(c.share, (c.share - 1.0) * growth));
         if (std::real(from_a + from_b) < 0.0) return static_cast<std::uint8_t>(coarser + 1);
     }
     return 0;
@@ -112,32 +83,30 @@ struct Crossings {
     base::Array<std::int64_t> link;  // two of each crossing: the next in the owner's triangle, and across; -1: none
 };
 
-Crossings cross_edges(const base::Runtime& runtime, const curves::SurfaceMesh& mesh, const CrestFinder& finder,
+Crossings cross_edges(const base::Runtime& runtime, const curves::SurfaceMesh& mesh, const Waves& waves, int halvings,
                       const base::Progress& progress) {
     Crossings found(runtime.memory);
-    const MeshEdges edges(mesh);
-    base::resize_long(found.first, edges.count() + 1, progress);
+    const std::int64_t edges = mesh.corner.size();
+    base::resize_long(found.first, edges + 1, progress);
     const auto for_edges = [&](const auto& visit) {
-        runtime.parallel.for_chunks(edges.count(), triangles_a_task, progress,
-                                    [&](std::int64_t begin, std::int64_t end) {
-                                        for (std::int64_t edge = begin; edge < end; ++edge)
-                                            if (edges.is_owned(edge)) visit(edge, edges.begin(edge), edges.end(edge));
-                                    });
+        runtime.parallel.for_chunks(edges, triangles_a_task, progress, [&](std::int64_t begin, std::int64_t end) {
+            for (std::int64_t edge = begin; edge < end; ++edge)
+                if (is_owned(mesh, edge)) visit(edge, mesh.corner[edge], end_of(mesh, edge));
+        });
     };
     for_edges([&](std::int64_t edge, std::int32_t a, std::int32_t b) {
-        finder.visit(a, b, [&](const Crossing&, std::int64_t) { ++found.first[edge + 1]; });
+        visit_crests(waves, halvings, a, b, [&](const Crossing&, std::int64_t) { ++found.first[edge + 1]; });
     });
-    for (std::int64_t edge = 0; edge < edges.count(); ++edge) {
+    for (std::int64_t edge = 0; edge < edges; ++edge) {
         if (edge % base::at_once<std::int64_t> == 0) progress.check();
         found.first[edge + 1] += found.first[edge];
     }
-    const std::int64_t count = found.first[edges.count()];
-    found.crossing.resize_for_overwrite(count);
-    base::fill_long(found.link, 2 * count, std::int64_t{-1}, progress);
+    found.crossing.resize_for_overwrite(found.first[edges]);
+    base::fill_long(found.link, 2 * found.first[edges], std::int64_t{-1}, progress);
     for_edges([&](std::int64_t edge, std::int32_t a, std::int32_t b) {
         std::int64_t at = found.first[edge];
-        finder.visit(a, b, [&](Crossing c, std::int64_t line) {
-            c.level = finder.level_of(c, line);
+        visit_crests(waves, halvings, a, b, [&](Crossing c, std::int64_t line) {
+            c.level = level_of(waves, halvings, c, line);
             found.crossing[at++] = c;
         });
         HRBFNPR_ASSERT(at == found.first[edge + 1]);
@@ -149,12 +118,12 @@ Crossings cross_edges(const base::Runtime& runtime, const curves::SurfaceMesh& m
 }
 
 // Around a triangle a line that comes in goes out where the phase comes back: neighbours of opposite sense belong to
-// one line, and what lies between them is done. What is left over ends here, at a fork.
-void link_triangle(const MeshEdges& edges, const Waves& waves, std::int64_t triangle, Crossings& found,
+// one line, and what lies between them is done. Lines that are left over end here, at a fork.
+void link_triangle(const curves::SurfaceMesh& mesh, const Waves& waves, std::int64_t triangle, Crossings& found,
                    base::Array<std::int64_t>& open) {
-    const std::int32_t corner = edges.begin(3 * triangle);
-    const std::int32_t next = edges.begin(3 * triangle + 1);
-    const std::int32_t last = edges.begin(3 * triangle + 2);
+    const std::int32_t corner = mesh.corner[3 * triangle];
+    const std::int32_t next = mesh.corner[3 * triangle + 1];
+    const std::int32_t last = mesh.corner[3 * triangle + 2];
     const bool next_turned = waves.turned(corner, next);
     const bool last_turned = waves.turned(corner, last);
     if ((next_turned != last_turned) != waves.turned(next, last)) return; // the lines turn by half around here
@@ -175,9 +144,9 @@ void link_triangle(const MeshEdges& edges, const Waves& waves, std::int64_t tria
         open.push_back(2 * slot + (rises ? 1 : 0));
     };
     for (std::int64_t edge = 3 * triangle; edge < 3 * triangle + 3; ++edge) {
-        if (edges.is_owned(edge)) {
+        if (is_owned(mesh, edge)) {
             for (std::int64_t c = found.first[edge]; c < found.first[edge + 1]; ++c) add(c, false, true);
-        } else if (const std::int64_t other = edges.across(edge); other >= 0) {
+        } else if (const std::int64_t other = across(mesh, edge); other >= 0) {
             for (std::int64_t c = found.first[other + 1] - 1; c >= found.first[other]; --c) add(c, true, false);
         }
     }
@@ -313,14 +282,13 @@ void Lines::end_line(bool is_closed) {
 Lines find_crests(const base::Runtime& runtime, const curves::SurfaceMesh& mesh, const Waves& waves, int levels,
                   const base::Progress& progress) {
     HRBFNPR_ASSERT(waves.along.size() == mesh.vertices() && mesh.neighbour.size() == mesh.corner.size());
-    const CrestFinder finder(waves, std::max(0, levels - static_cast<int>(waves.finest())));
-    Crossings found = cross_edges(runtime, mesh, finder, progress);
-    const MeshEdges edges(mesh);
+    const int halvings = std::max(0, levels - static_cast<int>(waves.finest()));
+    Crossings found = cross_edges(runtime, mesh, waves, halvings, progress);
     runtime.parallel.for_chunks(mesh.triangles(), triangles_a_task, progress,
                                 [&](std::int64_t begin, std::int64_t end) {
                                     base::Array<std::int64_t> open(runtime.memory);
                                     for (std::int64_t t = begin; t < end; ++t)
-                                        link_triangle(edges, waves, t, found, open);
+                                        link_triangle(mesh, waves, t, found, open);
                                 });
     return walk(mesh, found, progress);
 }

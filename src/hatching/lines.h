@@ -4,9 +4,11 @@
 //   join_ends: lines whose ends face each other over a small gap -> one line
 //   resampled: lines -> the same with points a step apart
 //   even_out: lines -> the same, moved to the middle between those beside them
+//   add_line_marks: lines -> marks on the surface
 #pragma once
 
 #include "hatching/waves.h"
+#include "marks/marks.h"
 
 namespace hrbfnpr::hatching {
 
@@ -45,5 +47,16 @@ struct Lines {
 // the result are about half a separation apart. The same bits for any number of threads.
 [[nodiscard]] Lines even_out(const base::Runtime& runtime, const Lines& lines, double separation,
                              const base::Progress& progress);
+
+struct LineMarkSettings {
+    double separation = 0.0; // of the finest level
+    double step = 0.0;       // from mark to mark
+    geometry::Bounds region; // beyond it there is no surface
+};
+
+// Appends marks at even steps along each line, brought onto the surface, line after line; those that are of a coarse
+// level somewhere come first.
+void add_line_marks(const marks::Site& site, const Lines& lines, const LineMarkSettings& settings, marks::Marks& marks,
+                    marks::LayerReport& report, const base::Progress& progress);
 
 } // namespace hrbfnpr::hatching

@@ -23,11 +23,6 @@ double inner(const Complex& a, const Complex& b) noexcept { return a.real() * b.
 
 } // namespace
 
-double mean_size(const base::Runtime& runtime, const Numbers& z, const base::Progress& progress) {
-    const double squared = sum_over(runtime, z.size(), progress, [&](std::int64_t i) { return inner(z[i], z[i]); });
-    return std::sqrt(squared / static_cast<double>(z.size()));
-}
-
 void solve(const base::Runtime& runtime, const SolverSettings& settings, const Links& links,
            const base::Array<double>& diagonal, double coupling, const Numbers& right, Numbers& x,
            const base::Progress& progress) {

@@ -114,9 +114,6 @@ void iterate(const base::Runtime& runtime, int rounds, Numbers& z, const base::P
     }
 }
 
-// The root mean square over all nodes.
-[[nodiscard]] double mean_size(const base::Runtime& runtime, const Numbers& z, const base::Progress& progress);
-
 struct SolverSettings {
     double tolerance = 0.0; // of the residual, as a share of the right side
     int most_steps = 0;

@@ -8,7 +8,7 @@
 namespace hrbfnpr::hatching {
 
 struct HatchingTuning {
-    // ---- What is laid out
+    // ---- Lines and levels
 
     // The distance between marks along a line, in separations, where none is set. Larger: fewer marks.
     double step = 0.4;
@@ -43,7 +43,7 @@ struct HatchingTuning {
     // Smaller curvatures, over the diagonal, are those of a flat face as a fit within its tolerance has it; from twice
     // as much on they count. Larger: shallow forms are not followed.
     double flat_bend = 0.1;
-    // What is less sure, from 0 to 1, says nothing on a sheet of its own, as a flat face across the axis is.
+    // Lines that are less sure, from 0 to 1, say nothing on a sheet of its own, as a flat face across the axis is.
     double unsure = 1e-3;
     // A guide with a name counts this much against sure curvature. Larger: it is smoothed less, and hardly turned by
     // the axis.

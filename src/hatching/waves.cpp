@@ -23,7 +23,8 @@ Links wave_links(const base::Runtime& runtime, const Graph& graph, const Waves& 
 }
 
 // The wave that neighbours agree on most: the eigenvector of the least eigenvalue, by inverse iteration. It lives in a
-// few places only; where it is small its phase is right already.
+// few places only; where it is small its phase is right already. It grows by 1 / eigen_shift at most in each step,
+// which no number overflows by.
 Numbers first_wave(const base::Runtime& runtime, const Links& links, std::uint64_t seed,
                    const base::Progress& progress) {
     const std::int64_t n = links.nodes();
@@ -35,11 +36,7 @@ Numbers first_wave(const base::Runtime& runtime, const Links& links, std::uint64
     }
     Numbers next(runtime.memory, n);
     for (int step = 0; step < hatching_tuning.eigen_steps; ++step) {
-        const double size = mean_size(runtime, x, progress);
-        for_nodes(runtime, n, progress, [&](std::int64_t i) {
-            x[i] /= size;
-            next[i] = x[i] / hatching_tuning.eigen_shift;
-        });
+        for_nodes(runtime, n, progress, [&](std::int64_t i) { next[i] = x[i] / hatching_tuning.eigen_shift; });
         solve(runtime, {1e-3, 200}, links, diagonal, 1.0, x, next, progress);
         std::swap(x, next);
     }

@@ -21,6 +21,7 @@ struct Waves {
         along.set(i, tangent);
         across.set(i, glm::cross(normal, tangent));
     }
+    [[nodiscard]] bool has_line(std::int64_t i) const noexcept { return glm::dot(along[i], along[i]) > 0.0; }
     // Whether the lines of two neighbours point to opposite ways: their signs mean nothing.
     [[nodiscard]] bool turned(std::int64_t a, std::int64_t b) const noexcept {
         return glm::dot(along[a], along[b]) < 0.0;

@@ -1,34 +1,51 @@
 // SPDX-License-Identifier: MIT
-// From grown marks to the arrays of a point set.
+// From grown marks to the arrays of a point set: measure, soften_normals, assemble.
 #pragma once
 
 #include "marks/marks.h"
 #include "marks/point_set.h"
-#include "marks/tone_part.h"
 
 #include <array>
 #include <span>
 
 namespace hrbfnpr::marks {
 
-// The u of [NPAR 6.2], independent for each mark.
+// The u of [NPAR 6.2], which is independent for each mark.
 [[nodiscard]] float random_rank(std::uint64_t random_seed, std::uint64_t key, Kind kind) noexcept;
 
-// What to do with one layer's marks.
+// How one layer's marks are assembled.
 struct AssembleSettings {
     bool strokes = false;
     bool with_curvature = false;
     std::array<TonePart, 2> part; // of the two directions; the first one's for stipples
 };
 
-// Fills all of `result` but its kind, name and report.  Positions become relative to `origin`.  Marks without ranks
-// have those of their places in the array in a progressive layer, else random ones.
+// Fills all of `result` but its kind, name and report. Positions become relative to `origin`. Marks without ranks get
+// those of their places in the array in a progressive layer, else random ones.
 void assemble(const Site& site, const Marks& marks, const AssembleSettings& settings, const glm::dvec3& origin,
               Layer& result, const base::Progress& progress);
 
-// Bounds, origin and spacing of a set from its layers' positions, before they are assembled.
-// `area` 0: estimated from the positions of the largest layer.
+// Finds bounds, origin and spacing of a set from its layers' positions, before they are assembled.
+// `area` 0: it is estimated from the positions of the largest layer.
 void measure(const base::Runtime& runtime, std::span<const geometry::VecArray* const> positions, double area,
              PointSet& set, const base::Progress& progress);
+
+// The distances from each point to its nearest other one.
+struct NeighbourDistances {
+    double mean = 0.0;      // 0 for fewer than two distinct points
+    double variation = 0.0; // standard deviation over mean
+};
+[[nodiscard]] NeighbourDistances neighbour_distances(const base::Runtime& runtime, const geometry::VecArray& points,
+                                                     const base::Progress& progress);
+
+// sqrt(area per point) of marks on an unknown surface, within about 15 % where the marks cover it.
+[[nodiscard]] double covered_spacing(const base::Runtime& runtime, const geometry::VecArray& points,
+                                     const base::Progress& progress);
+
+// Normals that tone goes by: of a rough surface, averaged over some of it, so that its grain is no form. Averages over
+// marks on the same side of creases whose normals agree, within twice the `length`, in object units; nearer ones count
+// for more.  spacing: the root of the area for each mark.  result: 3 for each mark.
+void soften_normals(const Site& site, const Marks& marks, double length, double spacing, base::Array<float>& result,
+                    const base::Progress& progress);
 
 } // namespace hrbfnpr::marks

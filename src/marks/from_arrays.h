@@ -10,14 +10,14 @@
 
 namespace hrbfnpr::marks {
 
-// Of one layer; empty views as described at hrbfnpr_layer_arrays.
+// The arrays of one layer; hrbfnpr_layer_arrays says what empty ones mean.
 struct LayerArrays {
     Kind kind = Kind::own;
     LayerName name{};
     base::InView position, normal, stroke_first, stroke_direction, direction, curvature, rank, level, width;
 };
 
-// The layers of another set, if there is one, and those of the arrays.  Without clusters.
+// The layers of another set, if there is one, and those of the arrays, without clusters.
 // Throws Error{invalid_argument} that names layer, array and index.
 [[nodiscard]] PointSet from_arrays(const base::Runtime& runtime, const PointSet* base,
                                    std::span<const LayerArrays> arrays, std::uint64_t random_seed);

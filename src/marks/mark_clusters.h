@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The marks of a layer in pieces that lie and face alike, in the order in which a tone shows them: what a frame
-// passes over whole.
+// The marks of a layer in groups that lie and face alike, in the order in which a tone shows them. A frame passes over
+// whole groups.
 #pragma once
 
 #include "base/memory.h"
@@ -19,7 +19,7 @@ struct MarkBlock {
     std::uint32_t mark[size]; // its number in the layer
 };
 
-// Where some marks lie and how they face.  Lengths and curvatures are in the set's unit.
+// Where some marks lie and how they face. Lengths and curvatures are in the set's unit.
 struct Extent {
     float radius = 0.0F; // around the centre
     std::array<float, 3> centre{};
@@ -33,15 +33,15 @@ struct Cluster : Extent {
     std::int32_t count = 0; // of marks
     std::uint32_t set = 0;  // of directions; all marks of a cluster have the same
     float bend = 0.0F;      // largest normal curvature by magnitude; < 0: not known
-    // How the normal turns along the surface, dn/dp: xx, xy, xz, yy, yz, zz.  Outward normals: positive where convex.
+    // How the normal turns along the surface, dn/dp: xx, xy, xz, yy, yz, zz. Outward normals: positive where convex.
     std::array<float, 6> shape{};
 };
 
-// Marks that follow each other along a stroke.  The pieces of all strokes follow each other, too, and a stroke of n
+// Marks that follow each other along a stroke. The pieces of all strokes follow each other, too, and a stroke of n
 // marks has pieces_of(n).
 struct StrokePiece : Extent {
     static constexpr std::int64_t most = 32;
-    // Of a cone that holds all normals for tone: they may lie outside of the normals' own.
+    // A cone that holds all normals for tone, which may lie outside of the normals' own.
     std::array<float, 3> tone_axis{};
     float tone_cosine = 1.0F;
     float tone_sine = 0.0F;

@@ -21,11 +21,11 @@ struct Marks {
     geometry::VecArray direction;                // strokes only, until assembled
     base::Array<std::array<float, 3>> curvature; // k1, k2, confidence; may be empty
     base::Array<double> bend;                    // curvature strokes only: normal curvature along the direction
-    base::Array<std::uint64_t> key;              // who the mark is, whatever was dropped: keys random numbers
+    base::Array<std::uint64_t> key;              // the mark's identity, whatever was dropped: keys random numbers
     base::Array<std::uint32_t> stroke;           // 2 * seed + set; for a stipple its seed
     base::Array<std::int32_t> place;             // along the stroke, the seed at 0, in finest steps
     base::Array<std::uint8_t> level;
-    base::Array<float> rank;  // may be empty: by number, or at random.  If not, marks are in their final order
+    base::Array<float> rank;  // may be empty: by number, or at random. If not, marks are in their final order
     base::Array<float> width; // may be empty: all 1
 
     [[nodiscard]] std::int64_t count() const noexcept { return position.size(); }
@@ -39,18 +39,18 @@ struct Marks {
 
 // More marks than this are refused before they are made: identities of marks are 32 bits wide.
 inline constexpr std::int64_t most_marks = std::int64_t{1} << 31;
-// Of BLUE_NOISE, which takes some 300 bytes a mark while it works.
+// The same of BLUE_NOISE, which takes some 300 bytes a mark while it works.
 inline constexpr std::int64_t most_even_marks = 100000000;
 
-// base * factor^levels; no overflow for what the boundary lets through.
+// base * factor^levels, which overflows for nothing that the boundary lets through.
 [[nodiscard]] std::int64_t grown_count(std::int64_t base, std::int64_t factor, std::int32_t levels) noexcept;
 
-// Refuses what would be more than most_marks after `levels` steps of layers[layer]; layer -1: of stipples that only
+// Refuses layers[layer] if it would have more than most_marks after `levels` steps; layer -1: stipples that only
 // strokes start from.
 void require_room(std::int64_t layer, std::int64_t full_count, std::int32_t levels, std::int64_t budget);
 
-// A random choice of `kept` among candidates: those of the smallest random keys, so that who is
-// chosen does not depend on the order in which they are looked at.
+// A random choice of `kept` among candidates: those of the smallest random keys, so that the choice does not depend on
+// the order in which they are looked at.
 class Thinning {
 public:
     Thinning() noexcept = default; // keeps all

@@ -24,6 +24,7 @@ std::int64_t Layer::bytes() const noexcept {
 
 // Strokes stand in the order of their numbers wherever they have an order of their own.
 std::int64_t Layer::stroke_of(std::int64_t mark) const noexcept {
+    HRBFNPR_ASSERT(mark >= 0 && mark < count());
     if (!has_strokes()) return -1;
     const std::uint32_t* const first = stroke_first.begin();
     const std::uint32_t* const found =
@@ -55,6 +56,7 @@ std::int64_t PointSet::largest() const noexcept {
 
 void index_strokes(Layer& layer, const base::Progress& progress) {
     const std::int64_t count = layer.count();
+    HRBFNPR_ASSERT(layer.stroke.size() == 2 * count);
     const auto before = [&](std::int64_t a, std::int64_t b) {
         const std::uint32_t* const s = layer.stroke.data() + 2 * a;
         const std::uint32_t* const t = layer.stroke.data() + 2 * b;

@@ -2,13 +2,17 @@
 // The marks on a surface: layers of them, immutable once made, structures of arrays.
 #pragma once
 
+#include "base/assert.h"
 #include "base/list.h"
 #include "base/operation.h"
 #include "geometry/vec.h"
 #include "marks/mark_clusters.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
+#include <cstring>
+#include <type_traits>
 
 namespace hrbfnpr::marks {
 
@@ -45,18 +49,50 @@ struct LayerReport {
     std::int32_t levels = 0;
     double step = 0.0;
     double seconds = 0.0;
-    base::Array<LevelReport> level; // of levels 0, 1 ...; one that is not there has no candidates
+    base::Array<LevelReport> level; // by level; one that is not there has no candidates
 
-    // Adds what is missing up to this level.
+    // The report of a level; those up to it are added where they are missing.
     [[nodiscard]] LevelReport& of(std::int32_t number) {
         if (level.size() <= number) level.resize(std::int64_t{number} + 1);
         return level[number];
     }
 };
 
-// Of an array of 3n.
+// A rank in [0,1): rounding to float must not make it 1.
+[[nodiscard]] inline float rank_of(double u) noexcept {
+    constexpr float below_one = 0x1.fffffep-1F;
+    return std::min(static_cast<float>(u), below_one);
+}
+
+// The part of all tones over which a layer of marks appears: from the darkness at which the first mark is shown to the
+// one at which all are.
+struct TonePart {
+    double begin = 0.0;
+    double end = 1.0;
+
+    [[nodiscard]] double length() const noexcept { return end - begin; }
+    [[nodiscard]] float rank(float own) const noexcept {
+        if (begin == 0.0 && end == 1.0) return own;
+        return rank_of(1.0 - begin - (1.0 - static_cast<double>(own)) * length());
+    }
+};
+
+// Arrays of 3n floats.
+inline void set_vector(base::Array<float>& array, std::int64_t i, const glm::dvec3& v) noexcept {
+    HRBFNPR_ASSERT(i >= 0 && 3 * i + 2 < array.size());
+    for (int axis = 0; axis < 3; ++axis) array[3 * i + axis] = static_cast<float>(v[axis]);
+}
 [[nodiscard]] inline glm::vec3 vector_at(const base::Array<float>& array, std::int64_t i) noexcept {
     return {array[3 * i], array[3 * i + 1], array[3 * i + 2]};
+}
+
+// Copies into memory that may be there already.
+template <class T>
+void copy_array(const base::Array<T>& from, base::Array<T>& to) {
+    static_assert(std::is_trivially_copyable_v<T>);
+    to.resize_for_overwrite(from.size());
+    if (!from.empty())
+        std::memcpy(static_cast<void*>(to.data()), from.data(), sizeof(T) * static_cast<std::size_t>(from.size()));
 }
 
 // Types, shapes and meaning of each array: HRBFNPR_MARK_ATTRIBUTE_... in hrbfnpr.h.
@@ -117,7 +153,7 @@ struct PointSet {
     [[nodiscard]] std::int64_t largest() const noexcept; // marks in one layer
 };
 
-// Fills stroke_first and stroke_order from `stroke`: the strokes in the order of their numbers.
+// Fills stroke_first and stroke_order from `stroke`, by which strokes stand in the order of their numbers.
 void index_strokes(Layer& layer, const base::Progress& progress = {});
 
 } // namespace hrbfnpr::marks

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What every stage of the sampling works on, and how a point comes to rest on the surface.
+// What every stage of the sampling works on: the surface, seeds, the caller's directions, and how a point comes to rest
+// on the surface.
 #pragma once
 
 #include "base/operation.h"
@@ -22,8 +23,8 @@ struct Site {
     [[nodiscard]] base::Memory& memory() const noexcept { return runtime.memory; }
 };
 
-// Points that a stage handles at a time: bounds its scratch memory and the time between two
-// looks for a cancel, and is enough work for all threads.
+// A stage handles this many points at a time, which bounds its scratch memory and the time between two looks for a
+// cancel, and is enough work for all threads.
 inline constexpr std::int64_t chunk_size = 16384;
 
 // Projects a chunk of points and keeps those that converged near where they started.
@@ -69,5 +70,41 @@ struct FieldSamples {
     }
 };
 void evaluate(const Site& site, const geometry::VecArray& points, FieldSamples& fields, const base::Progress& progress);
+
+// Where marks start from.                                             [NPAR 4.2, 5.1]
+struct Seeds {
+    explicit Seeds(base::Memory& memory) noexcept : position(memory), normal(memory) {}
+
+    geometry::VecArray position; // on the surface
+    geometry::VecArray normal;   // unit
+    SeedSource source = SeedSource::points;
+    LevelReport report;
+    double step = 0.0; // rho_0: as set, or the estimate for this source
+};
+
+// The caller's field of directions.
+using DirectionFn = std::int32_t (*)(void* user, std::int64_t count, const double* positions, const double* normals,
+                                     double* directions);
+
+struct DirectionFunction {
+    DirectionFn function = nullptr;
+    void* user = nullptr;
+};
+
+// The unit part of d in the plane across n; 0: d has hardly a part there.
+[[nodiscard]] glm::dvec3 tangent_part(const glm::dvec3& d, const glm::dvec3& n) noexcept;
+
+// Fills in unit tangents, or zero where the field has none. Calls the function on the thread that it is called on.
+// Throws Error{callback}.
+void directions_at(const Site& site, const DirectionFunction& field, const geometry::VecArray& positions,
+                   const geometry::VecArray& normals, geometry::VecArray& directions, const base::Progress& progress);
+
+// Diagonals of what marks, which are floats, can be placed on: their distances and curvatures, in the caller's unit,
+// stay within a float's normal range.
+inline constexpr double smallest_size = 1e-33;
+inline constexpr double largest_size = 1e33;
+
+// Throws Error{invalid_argument} for sizes beyond; `what` has that size, and `remedy` is scaled.
+void require_size(const char* what, double size, const char* remedy);
 
 } // namespace hrbfnpr::marks

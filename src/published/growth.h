@@ -8,8 +8,8 @@
 
 #include "base/assert.h"
 #include "geometry/long_vec_array.h"
-#include "marks/direction_function.h"
 #include "marks/marks.h"
+#include "marks/site.h"
 
 namespace hrbfnpr::published {
 

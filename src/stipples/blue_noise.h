@@ -2,7 +2,7 @@
 // Stipples spread evenly over the area, in a progressive order.
 #pragma once
 
-#include "marks/seeds.h"
+#include "marks/site.h"
 #include "stipples/surface_cells.h"
 
 namespace hrbfnpr::stipples {

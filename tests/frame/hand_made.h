@@ -4,7 +4,7 @@
 
 #include "base/random.h"
 #include "geometry/tangent_frame.h"
-#include "marks/cluster_marks.h"
+#include "marks/clusters.h"
 #include "support/drawn.h"
 #include "support/samples.h"
 

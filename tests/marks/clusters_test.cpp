@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Clusters of marks: whole, in order, and what is said of each holds.
-#include "marks/cluster_marks.h"
+#include "marks/clusters.h"
 
 #include "frame/hand_made.h"
 #include "support/runtime.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Clusters of marks that have moved: the same marks in the same clusters, and what is said of each holds.
-#include "marks/move_clusters.h"
+#include "marks/clusters.h"
 
 #include "frame/hand_made.h"
 #include "support/allocator.h"

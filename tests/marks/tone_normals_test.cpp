@@ -4,7 +4,7 @@
 #include "support/runtime.h"
 
 #include "base/random.h"
-#include "marks/tone_normals.h"
+#include "marks/assemble.h"
 
 #include <cmath>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Ranks in a part of the tones.
-#include "marks/tone_part.h"
+#include "marks/point_set.h"
 
 #include <gtest/gtest.h>
 

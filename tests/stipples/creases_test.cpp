@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Stipples are as even beside creases as elsewhere.
 #include "generate/generate.h"
-#include "marks/spacing.h"
+#include "marks/assemble.h"
 #include "support/runtime.h"
 #include "support/sharp_shapes.h"
 

@@ -2,7 +2,7 @@
 // Fields of directions that a caller gives.
 #pragma once
 
-#include "marks/direction_function.h"
+#include "marks/site.h"
 
 #include <glm/glm.hpp>
 #include <gtest/gtest.h>

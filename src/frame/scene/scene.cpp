@@ -10,8 +10,7 @@
 #include "frame/scene/scene.h"
 
 #include "geometry/unit.h"
-#include "marks/move_clusters.h"
-#include "marks/turn_clusters.h"
+#include "marks/clusters.h"
 
 #include <glm/gtc/matrix_inverse.hpp>
 
