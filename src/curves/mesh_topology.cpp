@@ -1,19 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "curves/mesh_topology.h"
 
+#include "base/assert.h"
 #include "base/long_array.h"
+#include "curves/edge_halving.h"
 
 namespace hrbfnpr::curves {
-namespace {
-
-constexpr std::int64_t edges_at_once = 65536; // edges without a look for a cancel
-
-[[nodiscard]] std::int64_t edge_after(std::int64_t edge) noexcept { return edge % 3 == 2 ? edge - 2 : edge + 1; }
-
-} // namespace
 
 base::Array<std::int32_t> find_neighbours(const base::Runtime& runtime, const base::Array<std::int32_t>& corner,
                                           std::int64_t vertices, const base::Progress& progress) {
+    constexpr std::int64_t edges_at_once = 65536; // edges without a look for a cancel
+    HRBFNPR_ASSERT(corner.size() % 3 == 0);
     // Edges by the vertex that they start at: edge e = 3 t + k leads from corner k of triangle t.
     base::Array<std::int64_t> begin(runtime.memory);
     base::resize_long(begin, vertices + 2, progress);
@@ -33,10 +30,11 @@ base::Array<std::int32_t> find_neighbours(const base::Runtime& runtime, const ba
     neighbour.resize_for_overwrite(corner.size());
     runtime.parallel.for_chunks(corner.size(), 8192, progress, [&](std::int64_t first, std::int64_t end) {
         for (std::int64_t e = first; e < end; ++e) {
-            const std::int32_t to = corner[edge_after(e)];
+            const std::int32_t to = corner[next_in_triangle(e)];
             neighbour[e] = -1;
             for (std::int64_t i = begin[to]; i < begin[to + 1]; ++i)
-                if (corner[edge_after(edge[i])] == corner[e]) neighbour[e] = static_cast<std::int32_t>(edge[i] / 3);
+                if (corner[next_in_triangle(edge[i])] == corner[e])
+                    neighbour[e] = static_cast<std::int32_t>(edge[i] / 3);
         }
     });
     return neighbour;
