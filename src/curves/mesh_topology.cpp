@@ -3,7 +3,7 @@
 
 #include "base/assert.h"
 #include "base/long_array.h"
-#include "curves/edge_halving.h"
+#include "curves/clip_mesh.h"
 
 namespace hrbfnpr::curves {
 
