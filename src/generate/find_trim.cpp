@@ -77,8 +77,7 @@ struct Followed {
     base::Array<Part> part;
 };
 
-// Follows the surface from samples, finds its parts, and reports those that are left out. A wary look has fewer cells
-// and lower limits.
+// Follows the surface from samples, finds its parts, reports those left out. A wary look has fewer cells, lower limits.
 [[nodiscard]] Followed follow(const base::Runtime& runtime, const implicit::Implicit& implicit,
                               const surface::Support& support, const TrimSettings& settings, bool wary,
                               const geometry::VecArray& samples, TrimReport& report, const base::Progress& progress) {

@@ -50,8 +50,6 @@ struct InUnit {
         for (LayerSettings& layer : settings.layers)
             for (double* length : {&layer.hatching.separation, &layer.hatching.step}) *length /= unit;
     }
-    InUnit(const InUnit&) = delete;
-    InUnit& operator=(const InUnit&) = delete;
 
     [[nodiscard]] marks::Site site() const noexcept {
         return {site_runtime, scaled ? *scaled : unscaled, settings.projection_tolerance, settings.random_seed, unit};
@@ -122,18 +120,6 @@ struct Growing {
     marks::Site site;   // with random numbers of its own
     marks::Marks marks;
 };
-
-[[nodiscard]] base::List<Growing> add_layers(const marks::Site& site, const Settings& settings, marks::PointSet& set) {
-    base::List<Growing> growing(site.memory());
-    std::array<std::int64_t, marks::kind_count> of_kind{};
-    for (const LayerSettings& its : settings.layers) {
-        growing.add(site, its, growing.size(), of_kind[static_cast<std::size_t>(its.kind)]++);
-        marks::Layer& layer = set.layers.add(site.memory(), its.kind);
-        layer.name = its.name;
-        layer.progressive = settings.distribution == marks::Distribution::blue_noise;
-    }
-    return growing;
-}
 
 // ---- PUBLISHED
 
@@ -338,18 +324,15 @@ double expected_evaluations(const SampleHint& samples, const Settings& settings)
                                    : static_cast<std::int64_t>(samples.position.size() / 3);
     double evaluations = 0.0;
     for (const LayerSettings& layer : settings.layers) {
-        if (!published) {
-            const std::int64_t budget = layer.budget > 0 ? layer.budget : default_budget;
-            evaluations += generate_tuning.evaluations_of_even_mark * static_cast<double>(budget);
-            continue;
-        }
+        const std::int64_t even = layer.budget > 0 ? layer.budget : default_budget;
         const std::int64_t grown = layer.has_strokes() ? marks::grown_count(2 * seeds, 3, layer.published.levels)
                                                        : marks::grown_count(seeds, 5, layer.published.levels);
         const bool by_curvature =
             layer.has_strokes() && published_directions(layer.hatching) == published::Directions::principal;
-        evaluations +=
-            (by_curvature ? generate_tuning.evaluations_with_curvature : generate_tuning.evaluations_of_mark) *
-            static_cast<double>(grown);
+        const double each =
+            by_curvature ? generate_tuning.evaluations_with_curvature : generate_tuning.evaluations_of_mark;
+        evaluations += published ? each * static_cast<double>(grown)
+                                 : generate_tuning.evaluations_of_even_mark * static_cast<double>(even);
     }
     return evaluations;
 }
@@ -363,7 +346,14 @@ marks::PointSet generate(const base::Runtime& runtime, const implicit::Implicit&
     const marks::Site site = in_unit.site();
     const Settings& settings = in_unit.settings;
     marks::PointSet set(site.memory());
-    base::List<Growing> growing = add_layers(site, settings, set);
+    base::List<Growing> growing(site.memory());
+    std::array<std::int64_t, marks::kind_count> of_kind{};
+    for (const LayerSettings& its : settings.layers) {
+        growing.add(site, its, growing.size(), of_kind[static_cast<std::size_t>(its.kind)]++);
+        marks::Layer& layer = set.layers.add(site.memory(), its.kind);
+        layer.name = its.name;
+        layer.progressive = settings.distribution == marks::Distribution::blue_noise;
+    }
     const marks::Seeds seeds = make_seeds(site, in_unit.samples, settings, progress.part(0.0, 0.1));
     set.distribution = settings.distribution;
     set.seed_source = seeds.source;

@@ -34,8 +34,7 @@ void check_request(const implicit::Implicit& implicit, const Settings& settings)
 // The evaluations of the implicit that the completed() settings take, roughly.
 [[nodiscard]] double expected_evaluations(const SampleHint& samples, const Settings& settings) noexcept;
 
-// Figure 5: `corners.count` squares of side 2 rho_0 in tangent planes of random seeds,
-// 12 numbers each.  Returns rho_0.
+// Figure 5: `corners.count` squares of side 2 rho_0 in tangent planes of random seeds, 12 numbers each. Returns rho_0.
 double step_patches(const base::Runtime& runtime, const implicit::Implicit& implicit, const SampleHint& samples,
                     const Settings& given, const base::OutView& corners, const base::Progress& progress);
 

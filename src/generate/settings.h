@@ -54,12 +54,11 @@ struct Settings {
     ToneRanges tone_ranges = ToneRanges::full;
 };
 
-// With what the settings leave to this room: layers, levels, parts of the tones and budgets, each layer's own.
-// Throws Error{invalid_argument} for what cannot be made of any model.
+// Adds what the settings leave to this room: layers, levels, parts of the tones and budgets, each layer's own. Throws
+// Error{invalid_argument} for settings that no model can be drawn by.
 [[nodiscard]] Settings completed(Settings settings);
 
-// What is known of the samples that the implicit came from: 3n packed positions, empty
-// for a custom implicit.  (The samples lie on the surface; their normals are gradients.)
+// The samples that the implicit came from: 3n packed positions on the surface, empty for a custom implicit.
 struct SampleHint {
     std::span<const double> position;
     double spacing = 0.0;

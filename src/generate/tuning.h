@@ -36,8 +36,7 @@ struct GenerateTuning {
     std::int32_t automatic_box_resolution = 16;
     // Seeds are at most this far from the bounds, in diagonals: beyond, floats would not tell the model's marks apart.
     double farthest_seed = 1e4;
-    // The step of a single seed, in diagonals. Larger: fewer steps across.
-    double step_of_one_seed = 0.1;
+    double step_of_one_seed = 0.1; // in diagonals; larger: fewer steps across
 
     // ---- The end of a surface (find_trim.cpp)
 

@@ -38,7 +38,7 @@ double bend_along(const glm::dvec3& d, const surface::Curvature& c) noexcept {
 
 // From a mark along its direction d, a signed distance s on the osculating circle of curvature k
 // [NPAR 5.1, Figure 4]: sin(s k)/k d + (1 - cos(s k))/k n. Its centre is at n / k: k is negative
-// where the surface bends away from the normal.  Not beyond a quarter of the circle: farther on it
+// where the surface bends away from the normal. Not beyond a quarter of the circle: farther on it
 // comes back, and what curvature tells of the surface ended long before.
 glm::dvec3 on_osculating_circle(double s, double k, const glm::dvec3& d, const glm::dvec3& n) noexcept {
     constexpr double quarter = 1.5707963267948966;

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: MIT
-// The constants of the article as published that it leaves open. What it prints, such as five marks from one, is no
-// choice and stands with the recursions.
+// The constants that the article leaves open. Those that it prints stand with the recursions.
 #pragma once
 
 namespace hrbfnpr::published {
 
 struct PublishedTuning {
     // A stroke takes a principal direction in full from this confidence on, and below the first one goes on in its own
-    // direction. Larger: strokes are straighter where the curvature hardly has a direction. Set on a torus and a heart.
+    // direction. Larger: strokes are straighter where the curvature hardly has a direction.
     double unsure = 0.02;
     double sure = 0.10;
     // The depth map of hidden marks has at most this many texels; of a larger viewport it is coarser. Larger: more

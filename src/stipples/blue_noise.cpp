@@ -13,11 +13,6 @@
 namespace hrbfnpr::stipples {
 namespace {
 
-// Later rounds are those of small surfaces in large boxes.
-base::Progress part_of(const base::Progress& progress, int round) noexcept {
-    return progress.part(1.0 - std::exp2(-round), 1.0 - std::exp2(-round - 1));
-}
-
 // The longest side of the box around all cells, in cells.
 std::int64_t cells_across(const SurfaceCells& cells) noexcept {
     if (cells.cell.empty()) return 0;
@@ -101,9 +96,6 @@ void repair_distances(const marks::Site& site, const base::Array<std::int64_t>& 
     marks.normal.resize(kept);
 }
 
-// What became of a chosen mark.
-enum class Fate : std::uint8_t { dropped, outside, near, wandered };
-
 // Projects the chosen marks. Those that do not arrive leave a gap in the order, and are counted.
 void project(const marks::Site& site, const SurfaceCells& cells, const OrderedMarks& chosen, EvenMarks& marks,
              const base::Progress& progress) {
@@ -113,46 +105,33 @@ void project(const marks::Site& site, const SurfaceCells& cells, const OrderedMa
     marks.normal.reserve(all);
     marks::Settler settler(site);
     marks::LevelReport report;
-    geometry::VecArray normal(site.memory()); // of the batch
-    base::Array<Fate> fate(site.memory());
     base::Array<std::int64_t> wandered(site.memory());
-    const auto fate_of = [&](std::int64_t i, std::int64_t number) {
-        if (!settler.placed(i)) return Fate::dropped;
-        if (!cells.region.contains(settler.position(i))) return Fate::outside;
-        float n[3];
-        unpack_normal(chosen[number].normal, n);
-        const double turn = glm::dot(normal[i], glm::dvec3(n[0], n[1], n[2]));
-        const bool far = glm::distance(settler.position(i), settler.start[i]) >
-                         stipple_tuning.wandered * densest_distance(marks.area, static_cast<double>(number + 1));
-        return far || turn < stipple_tuning.wandered_cosine * double{unpacked_length} ? Fate::wandered : Fate::near;
-    };
     for (std::int64_t begin = 0; begin < all; begin += points_a_batch) {
         const std::int64_t count = std::min(all - begin, points_a_batch);
-        const auto for_batch = [&](auto&& visit) {
-            site.runtime.parallel.for_chunks(count, points_a_task, [&](std::int64_t from, std::int64_t to) {
-                for (std::int64_t i = from; i < to; ++i) visit(i);
-            });
-        };
-        settler.start.resize(count);
-        for_batch([&](std::int64_t i) {
-            const float(&p)[3] = chosen[begin + i].position;
-            settler.start.set(i, cells.grid.origin + glm::dvec3(p[0], p[1], p[2]));
-        });
+        settler.start.clear();
+        for (std::int64_t i = begin; i < begin + count; ++i) {
+            const float(&p)[3] = chosen[i].position;
+            settler.start.push_back(cells.grid.origin + glm::dvec3(p[0], p[1], p[2]));
+        }
         // A mark that goes farther than a cell's side comes to another sheet.
         settler.settle(cells.grid.side, report, progress.part(share(begin), share(begin + count)));
-        normal.resize(count);
-        fate.resize(count);
-        for_batch([&](std::int64_t i) {
-            if (settler.placed(i)) normal.set(i, settler.normal(i));
-            fate[i] = fate_of(i, begin + i);
-        });
         for (std::int64_t i = 0; i < count; ++i) {
             if (i % marks_a_look == 0) progress.check();
-            if (fate[i] == Fate::outside) settler.drop(i, report.dropped_strayed, report);
-            if (fate[i] < Fate::near) continue;
-            if (fate[i] == Fate::wandered) wandered.push_back(marks.position.size());
+            if (!settler.placed(i)) continue;
+            if (!cells.region.contains(settler.position(i))) {
+                settler.drop(i, report.dropped_strayed, report);
+                continue;
+            }
+            const glm::dvec3 normal = settler.normal(i);
+            float n[3];
+            unpack_normal(chosen[begin + i].normal, n);
+            const double packing = densest_distance(marks.area, static_cast<double>(begin + i + 1));
+            if (glm::distance(settler.position(i), settler.start[i]) > stipple_tuning.wandered * packing ||
+                glm::dot(normal, glm::dvec3(n[0], n[1], n[2])) <
+                    stipple_tuning.wandered_cosine * double{unpacked_length})
+                wandered.push_back(marks.position.size());
             geometry::push_back_long(marks.position, settler.position(i), progress);
-            geometry::push_back_long(marks.normal, normal[i], progress);
+            geometry::push_back_long(marks.normal, normal, progress);
         }
     }
     if (!wandered.empty()) repair_distances(site, wandered, marks, report);
@@ -175,7 +154,9 @@ SurfaceCells cover_surface(const marks::Site& site, const marks::Seeds& seeds, d
     const double finest = diagonal / stipple_tuning.most_in_diagonal;
     double side = diagonal / stipple_tuning.fewest_in_diagonal;
     for (int round = 0; round < stipple_tuning.cover_rounds; ++round) {
-        cells = find_surface_cells(site, seeds.position, region, side, part_of(progress, round));
+        // Later rounds are those of small surfaces in large boxes.
+        const base::Progress part = progress.part(1.0 - std::exp2(-round), 1.0 - std::exp2(-round - 1));
+        cells = find_surface_cells(site, seeds.position, region, side, part);
         const double spacing = std::sqrt(cells.rough_area() / static_cast<double>(marks));
         // What a few cells hold tells neither its shape nor its area.
         const bool known = cells_across(cells) >= stipple_tuning.fewest_across;

@@ -25,15 +25,10 @@ constexpr double of_32_bits = 1.0 / 4294967296.0;
 
 // ---- 1. Where planes are the surface
 
-struct JudgedCell {
-    CellKind kind;
-    float curvature;
-};
-
 // A plane is the surface where those of all cells beside it are the same one: none is nearer to another sheet, or
 // around a bend. What they turn is the divergence of the normals, twice the mean curvature.
 [[nodiscard]] JudgedCell judge(const marks::Site& site, const SurfaceCells& cells, const CellMap& numbers,
-                               std::int64_t number) noexcept {
+                               std::int64_t number, CellMap::BlocksAround& blocks) noexcept {
     constexpr JudgedCell bent = {CellKind::bent, 0.0F};
     const SurfaceCell& cell = cells.cell[number];
     const double side = cells.grid.side;
@@ -44,7 +39,7 @@ struct JudgedCell {
     const glm::dvec3 along = glm::abs(cell.normal);
     if (std::abs(cell.distance) > side * (0.5 * (along.x + along.y + along.z) + stipple_tuning.passes_by))
         return {CellKind::clear, 0.0F};
-    const CellMap::Around around = numbers.around(cell.code);
+    const CellMap::Around around = numbers.around(cell.code, blocks);
     // A crease may cut off no more than an edge or a corner of the cell.
     for (const std::int32_t next : around)
         if (site.implicit.sheets() != nullptr && next >= 0 &&
@@ -165,7 +160,7 @@ void put_from_plane(const marks::Site& site, const JudgedCells& judged, std::int
     const SurfaceCell& cell = cells.cell[number];
     const float normal = packed(cell.normal);
     const glm::dvec3 centre = cells.centre(number);
-    const double half_curvature = 0.5 * double{judged.curvature[number]};
+    const double half_curvature = 0.5 * double{judged.cell[number].curvature};
     for_candidates_on_plane(site, cells, number, planes, [&](const glm::dvec3& place, double ticket) {
         const glm::dvec3 offset = place - centre;
         const double below = half_curvature * (glm::dot(offset, offset) - cell.distance * cell.distance);
@@ -178,14 +173,6 @@ void put_from_plane(const marks::Site& site, const JudgedCells& judged, std::int
 
 // ---- 3. Candidates in the layer
 
-// Points that are worth an evaluation.
-struct LayerTrials {
-    explicit LayerTrials(base::Memory& memory) noexcept : point(memory), ticket(memory) {}
-
-    geometry::VecArray point;
-    base::Array<std::uint32_t> ticket;
-};
-
 // The cell of a place; -1 outside the region or the cells.
 [[nodiscard]] std::int32_t cell_of(const JudgedCells& judged, const glm::dvec3& p) noexcept {
     const SurfaceCells& cells = judged.cells;
@@ -196,14 +183,14 @@ struct LayerTrials {
 // trial k. What a cell's plane calls far off the band is not evaluated: its error within the cell is 3/8 side^2
 // curvature, so this holds where the surface bends with radii above 1.5 sides, and not at creases.
 void draw_trials(const marks::Site& site, const SurfaceCells& cells, std::span<const std::int32_t> trial_cells,
-                 std::span<const std::int64_t> slot, std::uint32_t stream, LayerTrials& trials) {
+                 std::span<const std::int64_t> slot, std::uint32_t stream, geometry::VecArray& trial,
+                 base::Array<std::uint32_t>& ticket) {
     HRBFNPR_ASSERT(slot.size() == trial_cells.size() + 1);
     const double side = cells.grid.side;
     const double unlikely = site.implicit.sheets() == nullptr ? cells.band + stipple_tuning.passes_by * side
                                                               : std::numeric_limits<double>::infinity();
-    LayerTrials drawn(site.memory()); // a slot for each; NaN: not worth evaluating
-    drawn.point.resize(slot.back());
-    drawn.ticket.resize_for_overwrite(slot.back());
+    trial.resize(slot.back()); // at first a slot for each, with NaN where it is not worth evaluating
+    ticket.resize_for_overwrite(slot.back());
     const auto count = static_cast<std::int64_t>(trial_cells.size());
     site.runtime.parallel.for_chunks(count, cells_a_task, [&](std::int64_t begin, std::int64_t end) {
         for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i) {
@@ -215,18 +202,19 @@ void draw_trials(const marks::Site& site, const SurfaceCells& cells, std::span<c
                 const glm::dvec3 offset = side * glm::dvec3(u[0], u[1], u[2]);
                 const double distance = cell.distance + glm::dot(cell.normal, offset - 0.5 * side);
                 const bool worth = !(std::abs(distance) > unlikely); // also where it is not a number
-                drawn.point.set(at, worth ? corner + offset : glm::dvec3(std::numeric_limits<double>::quiet_NaN()));
-                drawn.ticket[at] = static_cast<std::uint32_t>(u[3] * 4294967296.0);
+                trial.set(at, worth ? corner + offset : glm::dvec3(std::numeric_limits<double>::quiet_NaN()));
+                ticket[at] = static_cast<std::uint32_t>(u[3] * 4294967296.0);
             }
         }
     });
-    trials.point.clear();
-    trials.ticket.clear();
-    for (std::int64_t at = 0; at < drawn.ticket.size(); ++at) {
-        if (std::isnan(drawn.point.x[at])) continue;
-        trials.point.push_back(drawn.point[at]);
-        trials.ticket.push_back(drawn.ticket[at]);
+    std::int64_t kept = 0;
+    for (std::int64_t at = 0; at < slot.back(); ++at) {
+        if (std::isnan(trial.x[at])) continue;
+        trial.set(kept, trial[at]);
+        ticket[kept++] = ticket[at];
     }
+    trial.resize(kept);
+    ticket.resize(kept);
 }
 
 // How often each trial counts: once within the band, but beside creases not at all, or twice.
@@ -290,7 +278,7 @@ struct Landed {
         const std::int32_t cell = cell_of(judged, at);
         if (cell < 0 || !site.implicit.holds(at, normal))
             ++landed.strayed;
-        else if (judged.kind[cell] != CellKind::flat)
+        else if (judged.kind(cell) != CellKind::flat)
             to[landed.kept++] = {cell, ticket, glm::vec3(at - cells.grid.origin), bits,
                                  bent || !(glm::dot(normal, cells.cell[cell].normal) >= stipple_tuning.flat_cosine)};
         if (k + 1 == count) break;
@@ -306,22 +294,23 @@ struct Landed {
 }
 
 // Appends the projections of trials.
-void step_down(const marks::Site& site, const JudgedCells& judged, const LayerTrials& trials, LayerCandidates& layer,
-               const base::Progress& progress) {
+void step_down(const marks::Site& site, const JudgedCells& judged, const geometry::VecArray& trial,
+               const base::Array<std::uint32_t>& ticket, LayerCandidates& layer, const base::Progress& progress) {
+    HRBFNPR_ASSERT(trial.size() == ticket.size());
     marks::FieldSamples field(site.memory());
-    evaluate(site, trials.point, field, progress);
-    const base::Array<std::uint8_t> times = times_that_count(site, judged.cells, trials.point, field, progress);
+    evaluate(site, trial, field, progress);
+    const base::Array<std::uint8_t> times = times_that_count(site, judged.cells, trial, field, progress);
     const std::int64_t most = (site.implicit.sheets() != nullptr ? 2 : 1) * layer.each;
     base::Array<Projection> projection(site.memory()); // `most` places for each trial
-    base::Array<Landed> landed(site.memory(), trials.point.size());
-    projection.resize_for_overwrite(most * trials.point.size());
-    site.runtime.parallel.for_chunks(trials.point.size(), points_a_task, [&](std::int64_t begin, std::int64_t end) {
+    base::Array<Landed> landed(site.memory(), trial.size());
+    projection.resize_for_overwrite(most * trial.size());
+    site.runtime.parallel.for_chunks(trial.size(), points_a_task, [&](std::int64_t begin, std::int64_t end) {
         for (std::int64_t i = begin; i < end; ++i)
             if (times[i] > 0)
-                landed[i] = land(site, judged, trials.point[i], trials.ticket[i], field.distance(i), field.gradient[i],
+                landed[i] = land(site, judged, trial[i], ticket[i], field.distance(i), field.gradient[i],
                                  static_cast<std::uint32_t>(times[i] * layer.each), projection.data() + most * i);
     });
-    for (std::int64_t i = 0; i < trials.point.size(); ++i) {
+    for (std::int64_t i = 0; i < trial.size(); ++i) {
         layer.near += times[i] * layer.each;
         layer.strayed += landed[i].strayed;
         for (std::int64_t k = 0; k < landed[i].kept; ++k) layer.projection.push_back(projection[most * i + k]);
@@ -363,14 +352,14 @@ void step_down(const marks::Site& site, const JudgedCells& judged, const LayerTr
             const glm::dvec3 at = place - 2.0 * distance / square * across;
             projection.cell = first && square > 0.01 ? cell_of(judged, at) : -1;
             projection.position = glm::vec3(at - cells.grid.origin);
-            if (projection.cell >= 0 && judged.kind[projection.cell] != CellKind::flat) return true;
+            if (projection.cell >= 0 && judged.kind(projection.cell) != CellKind::flat) return true;
             projection.cell = -1;
             return false;
         }
     }
     const glm::dvec3 at = near ? place - distance * normal : place;
     const std::int32_t cell = near && site.implicit.holds(at, normal) ? cell_of(judged, at) : -1;
-    if (cell < 0 || judged.kind[cell] == CellKind::flat) {
+    if (cell < 0 || judged.kind(cell) == CellKind::flat) {
         strayed += cell < 0 ? 1 : 0;
         projection.cell = -1;
         return false;
@@ -441,11 +430,8 @@ JudgedCells judge_cells(const marks::Site& site, const SurfaceCells& cells, cons
     JudgedCells judged(cells);
     const std::int64_t count = cells.cell.size();
     site.runtime.parallel.for_chunks(count, cells_a_task, progress, [&](std::int64_t begin, std::int64_t end) {
-        for (std::int64_t i = begin; i < end; ++i) {
-            const JudgedCell cell = judge(site, cells, judged.number, i);
-            judged.kind[i] = cell.kind;
-            judged.curvature[i] = cell.curvature;
-        }
+        CellMap::BlocksAround blocks;
+        for (std::int64_t i = begin; i < end; ++i) judged.cell[i] = judge(site, cells, judged.number, i, blocks);
     });
     return judged;
 }
@@ -454,13 +440,14 @@ PlaneCandidates draw_on_planes(const marks::Site& site, const JudgedCells& judge
                                double most_trials, const base::Progress& progress) {
     HRBFNPR_ASSERT(density > 0.0);
     constexpr double most_of_cell = 1e6; // so that trials can be numbered
-    const auto flat = static_cast<double>(std::count(judged.kind.begin(), judged.kind.end(), CellKind::flat));
+    const auto flat = static_cast<double>(std::count_if(judged.cell.begin(), judged.cell.end(),
+                                                        [](const JudgedCell& c) { return c.kind == CellKind::flat; }));
     PlaneCandidates planes{stream | 0xffff0000U, density, std::min(most_trials / std::max(flat, 1.0), most_of_cell),
-                           base::Array<std::int32_t>(site.memory(), judged.kind.size())};
-    site.runtime.parallel.for_chunks(judged.kind.size(), cells_a_task, [&](std::int64_t begin, std::int64_t end) {
+                           base::Array<std::int32_t>(site.memory(), judged.cell.size())};
+    site.runtime.parallel.for_chunks(judged.cell.size(), cells_a_task, [&](std::int64_t begin, std::int64_t end) {
         for (std::int64_t i = begin; i < end; ++i) {
             progress.check(); // a cell may have many
-            if (judged.kind[i] == CellKind::flat)
+            if (judged.kind(i) == CellKind::flat)
                 for_candidates_on_plane(site, judged.cells, i, planes,
                                         [&](const glm::dvec3&, double) { ++planes.count[i]; });
         }
@@ -490,10 +477,11 @@ LayerCandidates layer_candidates(const JudgedCells& judged, std::uint32_t stream
     const double spacing = std::sqrt(cells.rough_area() * most / static_cast<double>(wanted)); // of marks
     layer.each = std::clamp<std::int64_t>(std::lround(0.5 * most * side / spacing), 1, most);
     // A projection is less than a side from its trial point: sqrt(band^2 + 2 stride^2) = 0.93 sides.
-    base::Array<std::uint8_t> taken(cells.cell.memory(), judged.kind.size());
-    for (std::int64_t i = 0; i < judged.kind.size(); ++i) {
-        if (judged.kind[i] != CellKind::bent) continue;
-        for (const std::int32_t next : judged.number.around(cells.cell[i].code))
+    CellMap::BlocksAround blocks;
+    base::Array<std::uint8_t> taken(cells.cell.memory(), judged.cell.size());
+    for (std::int64_t i = 0; i < judged.cell.size(); ++i) {
+        if (judged.kind(i) != CellKind::bent) continue;
+        for (const std::int32_t next : judged.number.around(cells.cell[i].code, blocks))
             if (next >= 0) taken[next] = 1;
     }
     for (std::int64_t i = 0; i < taken.size(); ++i)
@@ -512,7 +500,8 @@ void draw_in_layer(const marks::Site& site, const JudgedCells& judged, double de
     const double per_cell = missing / std::max(of_trial, stipple_tuning.least_of_trial) / static_cast<double>(cells);
     const std::uint32_t stream = (layer.stream + marks::stream_count * layer.rounds++) << 16U;
     base::Array<std::int64_t> slot(site.memory()); // of the first trial of each cell of the batch
-    LayerTrials trials(site.memory());
+    geometry::VecArray trial(site.memory());
+    base::Array<std::uint32_t> ticket(site.memory());
     const base::Progress standing = progress.standing();
     for (std::int64_t begin = 0, end = 0; begin < cells; begin = end) {
         slot.clear();
@@ -525,9 +514,9 @@ void draw_in_layer(const marks::Site& site, const JudgedCells& judged, double de
         layer.trials += static_cast<double>(slot.back());
         const auto batch = static_cast<std::size_t>(begin);
         draw_trials(site, judged.cells, layer.trial_cell.span().subspan(batch, slot.span().size() - 1), slot.span(),
-                    stream, trials);
+                    stream, trial, ticket);
         const std::int64_t first = layer.projection.size();
-        step_down(site, judged, trials, layer, standing);
+        step_down(site, judged, trial, ticket, layer, standing);
         step_down_again(site, judged, first, layer, standing);
         progress.update(static_cast<double>(end) / static_cast<double>(cells));
     }

@@ -17,17 +17,25 @@ namespace hrbfnpr::stipples {
 enum class CellKind : std::uint8_t {
     clear, // it passes by
     flat,  // it is the surface
-    bent   // the planes of neighbours say otherwise, or there is none
+    bent   // the planes of neighbours say otherwise, or it has no plane
+};
+
+struct JudgedCell {
+    CellKind kind;
+    float curvature; // mean; 0 where it is not known
 };
 
 struct JudgedCells {
-    explicit JudgedCells(const SurfaceCells& of)
-        : cells(of), number(of), kind(of.cell.memory(), of.cell.size()), curvature(of.cell.memory(), of.cell.size()) {}
+    explicit JudgedCells(const SurfaceCells& of) : cells(of), number(of), cell(of.cell.memory(), of.cell.size()) {}
+
+    [[nodiscard]] CellKind kind(std::int64_t i) const noexcept {
+        HRBFNPR_ASSERT(i >= 0 && i < cell.size());
+        return cell[i].kind;
+    }
 
     const SurfaceCells& cells;
     CellMap number; // of each cell by its code
-    base::Array<CellKind> kind;
-    base::Array<float> curvature; // mean; 0 where it is not known
+    base::Array<JudgedCell> cell;
 };
 
 [[nodiscard]] JudgedCells judge_cells(const marks::Site& site, const SurfaceCells& cells,

@@ -57,7 +57,7 @@ inline void unpack_normal(float packed, float (&normal)[3]) noexcept {
 
 // What the energies of a cell come to; infinite where no candidate is open.
 struct OrderLowest {
-    std::int64_t at; // the first with the lowest energy, of those with clearance >= enough; -1 where there is none
+    std::int64_t at; // the first with the lowest energy, of those with clearance >= enough; -1: none is open
     float energy;    // its energy
     float of_all;    // the lowest energy, whatever the clearance
 };

@@ -10,7 +10,6 @@
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <numeric>
 #include <span>
 #include <utility>
 
@@ -137,6 +136,14 @@ struct Stage {
     }
     void refresh(std::int32_t c, float clearance) noexcept { note(c, loops.lowest(block_of(c), clearance)); }
 
+    // Calls visit(c) for all cells, on all threads.
+    template <class Visit>
+    void for_cells(Visit&& visit) const {
+        site.runtime.parallel.for_chunks(cell.size(), cells_a_task, progress,
+                                         [&](std::int64_t begin, std::int64_t end) {
+                                             for (std::int64_t c = begin; c < end; ++c) visit(c);
+                                         });
+    }
     // Calls visit on the cells that have a point nearer than `distance` to a place in cell c.
     template <class Visit>
     void for_reached(const glm::vec3& position, double distance, std::int32_t c, Visit&& visit) const {
@@ -212,11 +219,9 @@ struct Stage {
     const base::Parallel& parallel = stage.site.runtime.parallel;
     if (settings.level == 0 && settings.ticket_limit > 0xffffffffU) {
         stage.group = candidates.group.data();
-        parallel.for_chunks(code.size(), cells_a_task, stage.progress, [&](std::int64_t begin, std::int64_t end) {
-            for (std::int64_t c = begin; c < end; ++c) {
-                stage.cell[c] = empty_cell(c, candidates.first[c] / OrderGroup::size, candidates.number[c]);
-                forget_marks(stage.block_of(c), candidates.number[c]);
-            }
+        stage.for_cells([&](std::int64_t c) {
+            stage.cell[c] = empty_cell(c, candidates.first[c] / OrderGroup::size, candidates.number[c]);
+            forget_marks(stage.block_of(c), candidates.number[c]);
         });
         return code;
     }
@@ -265,11 +270,11 @@ void find_tiles(const base::Array<std::uint64_t>& code, Stage& stage) {
     stage.neighbour.resize_for_overwrite(code.size());
     stage.lowest.resize(code.size());
     stage.floor.resize(code.size());
-    stage.site.runtime.parallel.for_chunks(code.size(), cells_a_task, stage.progress,
-                                           [&](std::int64_t begin, std::int64_t end) {
-                                               for (std::int64_t c = begin; c < end; ++c)
-                                                   stage.neighbour[c] = stage.number.around(code[c]);
-                                           });
+    const std::int64_t count = code.size();
+    stage.site.runtime.parallel.for_chunks(count, cells_a_task, stage.progress, [&](auto begin, auto end) {
+        CellMap::BlocksAround blocks;
+        for (std::int64_t c = begin; c < end; ++c) stage.neighbour[c] = stage.number.around(code[c], blocks);
+    });
 }
 
 // Puts marks of earlier stages into their cells. A mark outside all of them would be felt by none: `Home` prevents it.
@@ -287,26 +292,23 @@ void link_all(const OrderedMarks& marks, Stage& stage) {
 }
 
 void feel_all(Stage& stage) {
-    stage.site.runtime.parallel.for_chunks(
-        stage.cell.size(), cells_a_task, stage.progress, [&](std::int64_t begin, std::int64_t end) {
-            std::array<OrderMark, 64> near; // more are felt in parts
-            for (std::int64_t c = begin; c < end; ++c) {
-                std::size_t count = 0;
-                const auto feel = [&] {
-                    stage.loops.feel[stage.creased](stage.block_of(c), near.data(), static_cast<std::int64_t>(count),
-                                                    stage.inverse_squared_reach());
-                    count = 0;
-                };
-                for (const std::int32_t there : stage.neighbour[c]) {
-                    if (there < 0) continue;
-                    stage.for_marks(there, [&](const OrderMark& mark) {
-                        if (count == near.size()) feel();
-                        near[count++] = mark;
-                    });
-                }
-                feel();
-            }
-        });
+    stage.for_cells([&](std::int64_t c) {
+        std::array<OrderMark, 64> near; // more are felt in parts
+        std::size_t count = 0;
+        const auto feel = [&] {
+            stage.loops.feel[stage.creased](stage.block_of(c), near.data(), static_cast<std::int64_t>(count),
+                                            stage.inverse_squared_reach());
+            count = 0;
+        };
+        for (const std::int32_t there : stage.neighbour[c]) {
+            if (there < 0) continue;
+            stage.for_marks(there, [&](const OrderMark& mark) {
+                if (count == near.size()) feel();
+                near[count++] = mark;
+            });
+        }
+        feel();
+    });
 }
 
 // ---- The way into a gap
@@ -338,17 +340,15 @@ constexpr std::size_t most_around = 64;
 
 // The marks around a candidate, as seen from it.
 struct Surroundings {
-    std::size_t count = 0;
-    bool bent = false;                        // some have another normal, but not over a crease
-    std::array<glm::dvec2, most_around> flat; // in its tangent plane, as far away as in space or along the surface
-    std::array<glm::dvec3, most_around> between;
-    std::array<glm::dvec3, most_around> beyond; // the normals of those over a crease, and 0
-};
-
-struct View {
     glm::vec3 start, normal; // of the candidate
     float farthest;          // squared
     geometry::TangentFrame frame;
+    bool creased;      // the surface has creases
+    bool bent = false; // some marks have another normal, but not over a crease
+    std::size_t count = 0;
+    std::array<glm::dvec2, most_around> flat; // in its tangent plane, as far away as in space or along the surface
+    std::array<glm::dvec3, most_around> between;
+    std::array<glm::dvec3, most_around> beyond; // the normals of those over a crease, and 0
 };
 
 // The square of the way from a place with the unit normal n to another one, o away, with the normal m: over the crease
@@ -358,21 +358,22 @@ struct View {
     return glm::dot(o, o) + std::max(detour, 0.0);
 }
 
-void look_at(const OrderMark& mark, const View& from, bool creased, Surroundings& around) noexcept {
-    const glm::vec3 between = glm::vec3(mark.position[0], mark.position[1], mark.position[2]) - from.start;
-    if (glm::dot(between, between) > from.farthest || around.count == most_around) return;
+void look_at(const OrderMark& mark, Surroundings& around) noexcept {
+    const glm::vec3 between = glm::vec3(mark.position[0], mark.position[1], mark.position[2]) - around.start;
+    if (glm::dot(between, between) > around.farthest || around.count == most_around) return;
     float normal[3];
     unpack_normal(mark.normal, normal);
     const float turn =
-        (from.normal.x * normal[0] + from.normal.y * normal[1] + from.normal.z * normal[2]) / unpacked_length;
+        (around.normal.x * normal[0] + around.normal.y * normal[1] + around.normal.z * normal[2]) / unpacked_length;
     if (turn < opposite) return;
-    const bool beyond = turn < stipple_tuning.bent_cosine && creased;
+    const bool beyond = turn < stipple_tuning.bent_cosine && around.creased;
     around.bent = around.bent || (turn < stipple_tuning.bent_cosine && !beyond);
     const glm::dvec3 precise(between);
-    const glm::dvec2 tangent(glm::dot(precise, from.frame.u), glm::dot(precise, from.frame.r));
+    const glm::dvec2 tangent(glm::dot(precise, around.frame.u), glm::dot(precise, around.frame.r));
     const double length = glm::length(tangent);
     const glm::dvec3 other = beyond ? glm::normalize(vector(normal)) : glm::dvec3(0.0);
-    const double way = beyond ? std::sqrt(squared_way(precise, glm::dvec3(from.normal), other)) : glm::length(precise);
+    const double way =
+        beyond ? std::sqrt(squared_way(precise, glm::dvec3(around.normal), other)) : glm::length(precise);
     around.flat[around.count] = length > 0.0 ? way / length * tangent : tangent;
     around.beyond[around.count] = other;
     around.between[around.count++] = precise;
@@ -400,18 +401,21 @@ void move_into_gap(const Stage& stage, const Fresh* all, std::span<const std::in
     const double farthest_move = stage.settings.farthest_move;
     const glm::dvec3 normal = glm::normalize(unpacked(fresh.mark.normal));
     const double far = radius + 2.0 * farthest_move;
-    const View view{place_of(fresh.mark), glm::vec3(normal), static_cast<float>(far * far),
-                    geometry::combing_frame(normal)};
-    Surroundings around;
-    for (const std::int32_t k : unlinked) look_at(all[k].mark, view, stage.creased != 0, around);
-    stage.for_reached(view.start, far, fresh.cell, [&](std::int32_t there) {
-        stage.for_marks(there, [&](const OrderMark& mark) { look_at(mark, view, stage.creased != 0, around); });
+    Surroundings around; // the arrays are filled as far as `count`
+    around.start = place_of(fresh.mark);
+    around.normal = glm::vec3(normal);
+    around.farthest = static_cast<float>(far * far);
+    around.frame = geometry::combing_frame(normal);
+    around.creased = stage.creased != 0;
+    for (const std::int32_t k : unlinked) look_at(all[k].mark, around);
+    stage.for_reached(around.start, far, fresh.cell, [&](std::int32_t there) {
+        stage.for_marks(there, [&](const OrderMark& mark) { look_at(mark, around); });
     });
     fresh.cell = -1;
     if (around.bent) return; // a tangent plane is no way along it
     const glm::dvec2 way = toward_void({around.flat.data(), around.count}, stipple_tuning.aim * radius, farthest_move);
-    const glm::dvec3 moved = way.x * view.frame.u + way.y * view.frame.r;
-    const glm::dvec3 end = glm::dvec3(view.start) + moved;
+    const glm::dvec3 moved = way.x * around.frame.u + way.y * around.frame.r;
+    const glm::dvec3 end = glm::dvec3(around.start) + moved;
     if (!is_free(around, way, moved, radius) || !stage.region.contains(end)) return;
     const glm::vec3 p(end);
     for (int c = 0; c < 3; ++c) fresh.mark.position[c] = p[c];
@@ -554,24 +558,17 @@ void sweep(std::span<const SweepStep> steps, std::int64_t room, Stage& stage, Or
 
 // The lowest energy of a candidate that keeps the distance of the last step; infinite where none does.
 [[nodiscard]] float lowest_energy(Stage& stage) {
-    stage.site.runtime.parallel.for_chunks(stage.cell.size(), points_a_task, stage.progress,
-                                           [&](std::int64_t begin, std::int64_t end) {
-                                               for (std::int64_t c = begin; c < end; ++c)
-                                                   stage.refresh(static_cast<std::int32_t>(c), stage.enough);
-                                           });
+    stage.for_cells([&](std::int64_t c) { stage.refresh(static_cast<std::int32_t>(c), stage.enough); });
     return *std::min_element(stage.lowest.begin(), stage.lowest.end());
 }
 
 // Forgets the candidates that are nearer than that to a mark: radii will be larger.
 void drop_nearer(double distance, Stage& stage) {
-    const auto enough = static_cast<float>(distance * distance);
-    stage.site.runtime.parallel.for_chunks(
-        stage.cell.size(), points_a_task, stage.progress, [&](std::int64_t begin, std::int64_t end) {
-            for (std::int64_t c = begin; c < end; ++c) {
-                stage.cell[c].groups = static_cast<std::int32_t>(groups_for(keep(stage.block_of(c), enough)));
-                stage.floor[c] = 0.0F; // so that the best one is found again
-            }
-        });
+    stage.for_cells([&](std::int64_t c) {
+        const std::int64_t kept = keep(stage.block_of(c), static_cast<float>(distance * distance));
+        stage.cell[c].groups = static_cast<std::int32_t>(groups_for(kept));
+        stage.floor[c] = 0.0F; // so that the best one is found again
+    });
 }
 
 // ---- Stage by stage

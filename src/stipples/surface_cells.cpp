@@ -174,19 +174,20 @@ std::int64_t CellMap::place_of(std::uint64_t block) const noexcept {
     return static_cast<std::int64_t>(at);
 }
 
-CellMap::Around CellMap::around(std::uint64_t code) const noexcept {
-    const Cell block = geometry::morton_cell(code / geometry::cells_of_block);
-    std::array<const std::int32_t*, geometry::neighbour_count> numbers; // of the blocks around, once they are known
-    std::uint32_t known = 0;
+CellMap::Around CellMap::around(std::uint64_t code, BlocksAround& blocks) const noexcept {
     Around found;
+    if (const std::uint64_t block = code / geometry::cells_of_block; blocks.block != block) {
+        blocks.block = block;
+        for (std::size_t step = 0; step < found.size(); ++step) {
+            const Cell there = geometry::neighbour(geometry::morton_cell(block), static_cast<int>(step));
+            blocks.numbers[step] =
+                geometry::CellGrid::inside(there) ? find_block(geometry::morton_code(there)) : nullptr;
+        }
+    }
     for (std::size_t step = 0; step < found.size(); ++step) {
         const geometry::InBlock& there = geometry::neighbours_in_blocks[code % geometry::cells_of_block][step];
-        if ((known >> there.block & 1U) == 0) {
-            const Cell next = geometry::neighbour(block, there.block);
-            known |= 1U << there.block;
-            numbers[there.block] = geometry::CellGrid::inside(next) ? find_block(geometry::morton_code(next)) : nullptr;
-        }
-        found[step] = numbers[there.block] == nullptr ? -1 : numbers[there.block][there.cell];
+        const std::int32_t* const numbers = blocks.numbers[there.block];
+        found[step] = numbers == nullptr ? -1 : numbers[there.cell];
     }
     return found;
 }

@@ -68,7 +68,12 @@ public:
         const std::int32_t* const numbers = find_block(code / geometry::cells_of_block);
         return numbers == nullptr ? -1 : numbers[code % geometry::cells_of_block];
     }
-    [[nodiscard]] Around around(std::uint64_t code) const noexcept;
+    // Cells of one block share their BlocksAround: ask in the order of codes.
+    struct BlocksAround {
+        std::uint64_t block = ~std::uint64_t{0};
+        std::array<const std::int32_t*, geometry::neighbour_count> numbers{};
+    };
+    [[nodiscard]] Around around(std::uint64_t code, BlocksAround& blocks) const noexcept;
 
 private:
     // The numbers of all cells of a block, in the order of their codes; null where it has no cell.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The tuning constants of the stipples. Set on a sphere, a torus, a head, a bunny, a heart and cubes, by scripts/bench
-// quality and points; docs/quality.md tells what they were chosen by.
+// The tuning constants of the stipples. scripts/bench quality and points measure what they do; docs/quality.md tells
+// it.
 #pragma once
 
 #include <cstdint>

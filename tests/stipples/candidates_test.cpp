@@ -29,7 +29,7 @@ struct Cover {
     }
     [[nodiscard]] std::array<std::int64_t, 3> kinds() const {
         std::array<std::int64_t, 3> count{};
-        for (const CellKind kind : judged.kind) ++count[static_cast<std::size_t>(kind)];
+        for (const JudgedCell& cell : judged.cell) ++count[static_cast<std::size_t>(cell.kind)];
         return count;
     }
 
@@ -176,7 +176,7 @@ TEST(Candidates, OfPlanesAndLayersAreAlikeInDensity) {
     LayerCandidates layer = layer_candidates(cover.judged, stream, 60000);
     draw_in_layer(cover.site, cover.judged, density, layer, {});
     EXPECT_GT(layer.projection.size(), 5000);
-    for (const Projection& projection : layer.projection) EXPECT_NE(cover.judged.kind[projection.cell], CellKind::flat);
+    for (const Projection& projection : layer.projection) EXPECT_NE(cover.judged.kind(projection.cell), CellKind::flat);
     EXPECT_NEAR(planes.area() + layer.area(), area, 0.02 * area);
     // Strips along a face, across its rounded ends: as many in each for its area.
     std::array<double, 12> strip{};

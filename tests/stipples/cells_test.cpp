@@ -42,8 +42,9 @@ TEST(CellMap, FindsTheCellsAroundOne) {
     base::Array<std::uint64_t> codes(memory());
     for (const std::uint64_t code : all) codes.push_back(code);
     const CellMap map(memory(), codes);
+    CellMap::BlocksAround blocks;
     for (std::int64_t i = 0; i < codes.size(); ++i) {
-        const CellMap::Around around = map.around(codes[i]);
+        const CellMap::Around around = map.around(codes[i], blocks);
         EXPECT_EQ(around[CellMap::itself], i);
         for (int step = 0; step < neighbour_count; ++step) {
             const CellGrid::Cell there = neighbour(morton_cell(codes[i]), step);
