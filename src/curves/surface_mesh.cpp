@@ -248,7 +248,7 @@ surface::Projection seeds_on_surface(const base::Runtime& runtime, const implici
 }
 
 // The flood goes in waves: the cells of a wave get their corners, new corners their values, and over each face that the
-// surface passes through it goes on. Cells that are surely beyond the end of the surface are left out.
+// surface passes through it goes on. Blocks of cells that are surely beyond the end of the surface are left out.
 CrossedCells find_crossed_cells(const base::Runtime& runtime, const implicit::Implicit& implicit,
                                 const geometry::VecArray& seeds, const Lattice& lattice, const MeshSettings& settings,
                                 const base::Progress& progress) {
@@ -263,20 +263,31 @@ CrossedCells find_crossed_cells(const base::Runtime& runtime, const implicit::Im
                                                 {0xCC, {0, 1, 0}},
                                                 {0x0F, {0, 0, -1}},
                                                 {0xF0, {0, 0, 1}}}};
+    constexpr std::int64_t block_side = 8; // cells
     const auto sum = [](const Cell& a, const Cell& b) { return Cell{a[0] + b[0], a[1] + b[1], a[2] + b[2]}; };
     const std::int64_t limit = std::min(settings.triangle_limit, most_surface_triangles);
 
     CrossedCells cells(runtime.memory, lattice);
+    geometry::CellSet asked(runtime.memory), beyond(runtime.memory); // blocks of cells
+    const auto is_beyond = [&](const Cell& cell) {
+        if (settings.extent == nullptr) return false;
+        const Cell block{cell[0] / block_side, cell[1] / block_side, cell[2] / block_side};
+        const std::uint64_t packed = geometry::CellGrid::pack(block);
+        if (asked.insert(packed)) {
+            const double half = 0.5 * static_cast<double>(block_side);
+            const glm::dvec3 first(static_cast<double>(block[0]), static_cast<double>(block[1]),
+                                   static_cast<double>(block[2]));
+            const glm::dvec3 middle = lattice.region.min + lattice.side * (2.0 * half * first + half);
+            if (settings.extent->is_nowhere_near(middle, (half + curve_tuning.beyond_end) * lattice.longest()))
+                beyond.insert(packed);
+        }
+        return beyond.contains(packed);
+    };
     geometry::CellSet known(runtime.memory);
     base::Array<std::uint64_t> front(runtime.memory), next(runtime.memory); // packed cells of this wave and the next
     const auto go_to = [&](const Cell& cell) {
-        if (!lattice.inside(cell)) return;
-        const std::uint64_t packed = geometry::CellGrid::pack(cell);
-        if (!known.insert(packed)) return;
-        const glm::dvec3 middle = 0.5 * (lattice.corner(cell) + lattice.corner(sum(cell, {1, 1, 1})));
-        if (settings.extent == nullptr ||
-            !settings.extent->is_nowhere_near(middle, curve_tuning.beyond_end * lattice.longest()))
-            next.push_back(packed);
+        if (!lattice.inside(cell) || is_beyond(cell)) return;
+        if (const std::uint64_t packed = geometry::CellGrid::pack(cell); known.insert(packed)) next.push_back(packed);
     };
     for (std::int64_t i = 0; i < seeds.size(); ++i)
         if (lattice.region.contains(seeds[i])) go_to(lattice.cell_of(seeds[i]));
