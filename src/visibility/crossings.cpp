@@ -540,14 +540,12 @@ base::Array<Crossing> find_crossings(const base::Runtime& runtime, std::span<con
     const Scene in{subjects, lines};
     const base::Array<SegmentPair> pairs = find_pairs(runtime, in, report, progress);
     base::Array<Crossing> looked(runtime.memory, pairs.size());
-    base::Array<std::uint8_t> is_one(runtime.memory, pairs.size());
     runtime.parallel.for_chunks(pairs.size(), pairs_a_task, [&](std::int64_t begin, std::int64_t end) {
-        for (std::int64_t i = begin; i < end; ++i) is_one[i] = look_at(in, pairs[i], looked[i]) ? 1 : 0;
+        for (std::int64_t i = begin; i < end; ++i)
+            if (!look_at(in, pairs[i], looked[i])) looked[i].far_piece = -1;
     });
-    std::int64_t count = 0;
-    for (std::int64_t i = 0; i < looked.size(); ++i)
-        if (is_one[i] != 0) looked[count++] = looked[i];
-    looked.resize(count);
+    const auto is_none = [](const Crossing& c) { return c.far_piece < 0; };
+    looked.resize(std::remove_if(looked.begin(), looked.end(), is_none) - looked.begin());
     std::sort(looked.begin(), looked.end(), [](const Crossing& a, const Crossing& b) {
         return std::tie(a.far_piece, a.far_share, a.near_piece, a.near_share) <
                std::tie(b.far_piece, b.far_share, b.near_piece, b.near_share);

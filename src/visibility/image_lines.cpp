@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Draws curves in the image: parts of curves before the eye (add_curve), each cubic halved until its chords are near
-// enough (draw_cubic), and lengths along the polylines (Lengths).
+// Draws curves in the image: the parts of curves before the eye become lines of cubics (add_curve), and each cubic is
+// halved until its chords are near enough (draw_cubic). Lengths are measured along the polylines (Lengths).
 #include "visibility/image_lines.h"
 
 #include "base/list.h"
@@ -10,8 +10,6 @@
 
 namespace hrbfnpr::visibility {
 namespace {
-
-constexpr std::int64_t pieces_a_task = 256;
 
 // Whether m lies between the ends of a chord, and beside it by no more than the tolerance.
 bool on_chord(const glm::dvec2& a, const glm::dvec2& m, const glm::dvec2& b, double tolerance) noexcept {
@@ -50,27 +48,19 @@ void draw_cubic(const curves::View& view, const curves::CubicPiece& cubic, std::
 }
 
 // Adds a line of the pieces from one of a curve to another, which may lie beyond the end of a closed curve.
-void add_line(const Subject& s, std::int32_t subject, std::int64_t curve, std::int64_t from, std::int64_t to,
-              bool closed, double tolerance, ImageLines& lines) {
+void add_line(const curves::Curves& curves, std::int32_t subject, std::int64_t curve, std::int64_t from,
+              std::int64_t to, bool closed, ImageLines& lines) {
     HRBFNPR_ASSERT(from < to && from >= 0);
-    const curves::Curves& curves = *s.curves;
-    Line line{subject, curve, lines.pieces.size(), to - from, lines.points.size(), 0, closed};
     const auto number = static_cast<std::int32_t>(lines.lines.size());
+    lines.lines.push_back({subject, curve, lines.pieces.size(), to - from, 0, 0, closed});
     for (std::int64_t k = from; k < to; ++k) {
         const std::int64_t at = curves.first[curve] + k % curves.pieces_of(curve);
-        const auto piece = static_cast<std::int32_t>(lines.pieces.size());
         lines.pieces.push_back({subject, number, at, curves.next(curve, at)});
-        draw_cubic(s.view, {curves.point[at], curves.point[curves.next(curve, at)]}, piece, tolerance, lines.points);
     }
-    const Piece& last = lines.pieces.back();
-    lines.points.push_back(
-        {see(s.view, curves.point[last.b].position).place, static_cast<std::int32_t>(lines.pieces.size() - 1), 1.0});
-    line.points = lines.points.size() - line.first_point;
-    lines.lines.push_back(line);
 }
 
 // Adds the parts of a curve that are before the eye. A curve of one point could not be followed, and has none.
-void add_curve(const Subject& s, std::int32_t subject, std::int64_t curve, double tolerance, ImageLines& lines) {
+void add_curve(const Subject& s, std::int32_t subject, std::int64_t curve, ImageLines& lines) {
     const curves::Curves& curves = *s.curves;
     const std::int64_t pieces = curves.pieces_of(curve);
     const auto before_eye = [&](std::int64_t point) {
@@ -86,33 +76,13 @@ void add_curve(const Subject& s, std::int32_t subject, std::int64_t curve, doubl
     const bool closed = curves.closed[curve] != 0;
     std::int64_t begin = 0;
     while (begin < pieces && seen(begin)) ++begin;
-    if (begin == pieces) return add_line(s, subject, curve, 0, pieces, closed, tolerance, lines);
+    if (begin == pieces) return add_line(curves, subject, curve, 0, pieces, closed, lines);
     if (!closed) begin = 0;
     std::int64_t from = begin;
     for (std::int64_t k = begin; k <= begin + pieces; ++k) {
         if (k < begin + pieces && seen(k)) continue;
-        if (k > from) add_line(s, subject, curve, from, k, false, tolerance, lines);
+        if (k > from) add_line(curves, subject, curve, from, k, false, lines);
         from = k + 1;
-    }
-}
-
-// Appends lines, with the numbers that they had if all were drawn in turn.
-void append(const ImageLines& some, ImageLines& all) {
-    const std::int64_t lines = all.lines.size();
-    const std::int64_t pieces = all.pieces.size();
-    const std::int64_t points = all.points.size();
-    for (Line line : some.lines) {
-        line.first_piece += pieces;
-        line.first_point += points;
-        all.lines.push_back(line);
-    }
-    for (Piece piece : some.pieces) {
-        piece.line += static_cast<std::int32_t>(lines);
-        all.pieces.push_back(piece);
-    }
-    for (ImagePoint point : some.points) {
-        point.piece += static_cast<std::int32_t>(pieces);
-        all.points.push_back(point);
     }
 }
 
@@ -133,40 +103,31 @@ bool shows_inside(std::span<const Subject> subjects, const Piece& piece) noexcep
 
 ImageLines draw_lines(const base::Runtime& runtime, std::span<const Subject> subjects, double tolerance) {
     HRBFNPR_ASSERT(tolerance > 0.0);
-    struct Task {
-        std::int32_t subject;
-        std::int64_t begin, end; // curves
-    };
-    base::Array<Task> tasks(runtime.memory);
-    for (std::size_t s = 0; s < subjects.size(); ++s) {
-        const curves::Curves& curves = *subjects[s].curves;
-        std::int64_t pieces = pieces_a_task;
-        for (std::int64_t c = 0; c < curves.count(); ++c) {
-            if (pieces >= pieces_a_task) {
-                tasks.push_back({static_cast<std::int32_t>(s), c, c});
-                pieces = 0;
-            }
-            pieces += curves.pieces_of(c);
-            tasks.back().end = c + 1;
-        }
-    }
-    base::List<ImageLines> drawn(runtime.memory);
-    for (std::int64_t i = 0; i < tasks.size(); ++i) drawn.add(runtime.memory);
-    runtime.parallel.for_each(tasks.size(), [&](std::int64_t i) {
-        for (std::int64_t c = tasks[i].begin; c < tasks[i].end; ++c)
-            add_curve(subjects[static_cast<std::size_t>(tasks[i].subject)], tasks[i].subject, c, tolerance, drawn[i]);
+    ImageLines image(runtime.memory);
+    for (std::size_t s = 0; s < subjects.size(); ++s)
+        for (std::int64_t c = 0; c < subjects[s].curves->count(); ++c)
+            add_curve(subjects[s], static_cast<std::int32_t>(s), c, image);
+    base::List<base::Array<ImagePoint>> points(runtime.memory); // of each line
+    for (std::int64_t l = 0; l < image.lines.size(); ++l) points.add(runtime.memory);
+    runtime.parallel.for_each(image.lines.size(), [&](std::int64_t l) {
+        const Line& line = image.lines[l];
+        const Subject& subject = subjects[static_cast<std::size_t>(line.subject)];
+        const std::int64_t last = line.first_piece + line.pieces - 1;
+        for (std::int64_t p = line.first_piece; p <= last; ++p)
+            draw_cubic(subject.view, cubic(subjects, image.pieces[p]), static_cast<std::int32_t>(p), tolerance,
+                       points[l]);
+        points[l].push_back({see(subject.view, subject.curves->point[image.pieces[last].b].position).place,
+                             static_cast<std::int32_t>(last), 1.0});
     });
-    ImageLines lines(runtime.memory);
-    std::int64_t pieces = 0;
-    std::int64_t points = 0;
-    for (const ImageLines& some : drawn) {
-        pieces += some.pieces.size();
-        points += some.points.size();
+    std::int64_t count = 0;
+    for (const base::Array<ImagePoint>& of_line : points) count += of_line.size();
+    image.points.reserve(count);
+    for (std::int64_t l = 0; l < image.lines.size(); ++l) {
+        image.lines[l].first_point = image.points.size();
+        image.lines[l].points = points[l].size();
+        for (const ImagePoint& p : points[l]) image.points.push_back(p);
     }
-    lines.pieces.reserve(pieces);
-    lines.points.reserve(points);
-    for (const ImageLines& some : drawn) append(some, lines);
-    return lines;
+    return image;
 }
 
 Lengths::Lengths(base::Memory& memory, const ImageLines& lines)

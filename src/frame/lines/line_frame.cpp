@@ -33,16 +33,6 @@ void count(const visibility::Invisibility& found, const TracedLines& traced, dra
     counts.tangles = found.report.crossings.tangles;
 }
 
-base::Array<LineFamily> families(base::Memory& memory, std::span<const visibility::Subject> subjects,
-                                 std::span<const visibility::Occluder> occluders) {
-    base::Array<LineFamily> found(memory);
-    base::Array<std::int64_t> of_item(memory, static_cast<std::int64_t>(occluders.size()));
-    for (const visibility::Subject& subject : subjects)
-        found.push_back(
-            {occluders[static_cast<std::size_t>(subject.item)].sheets, subject.item, of_item[subject.item]++});
-    return found;
-}
-
 } // namespace
 
 const LineStrokes& LineFrame::run(const Scene& scene, std::span<const Item> items, const base::Progress& progress,
@@ -74,7 +64,7 @@ const LineStrokes& LineFrame::run(const Scene& scene, std::span<const Item> item
     visibility::find_hidden_by(runtime_, subjects, occluders, found, progress.part(found_end, hidden_end).standing());
     count(found, traced, drawing.line_counts);
     const visibility::Lengths lengths(runtime_.memory, found.lines);
-    numbers_.run(families(runtime_.memory, subjects, occluders).span(), subjects, found.lines);
+    numbers_.run(subjects, occluders, found.lines);
     const LineInput input{
         subjects, occluders, std::as_const(traced.items).span(), std::as_const(traced.styles).span(), found,
         lengths,  numbers_};

@@ -22,7 +22,7 @@ const curves::CurvePoint& point_of(std::span<const visibility::Subject> subjects
 
 } // namespace
 
-base::Array<LineNumbers::Vote> LineNumbers::count_votes(std::span<const LineFamily> families,
+base::Array<LineNumbers::Vote> LineNumbers::count_votes(const base::Array<Family>& families,
                                                         std::span<const visibility::Subject> subjects,
                                                         const visibility::ImageLines& lines) const {
     base::Memory& memory = last_.known.memory();
@@ -34,7 +34,7 @@ base::Array<LineNumbers::Vote> LineNumbers::count_votes(std::span<const LineFami
         base::Array<std::int64_t> owner(memory);
         for (std::int64_t k = 0; k < last_.known.size(); ++k) {
             const Known& known = last_.known[k];
-            if (!(known.family == families[subject])) continue;
+            if (!(known.family == families[static_cast<std::int64_t>(subject)])) continue;
             for (std::int64_t i = known.first; i < known.first + known.count; ++i) {
                 place.push_back(last_.place[i]);
                 direction.push_back(last_.direction[i]);
@@ -69,9 +69,16 @@ base::Array<LineNumbers::Vote> LineNumbers::count_votes(std::span<const LineFami
     return votes;
 }
 
-void LineNumbers::run(std::span<const LineFamily> families, std::span<const visibility::Subject> subjects,
+void LineNumbers::run(std::span<const visibility::Subject> subjects, std::span<const visibility::Occluder> occluders,
                       const visibility::ImageLines& lines) {
-    HRBFNPR_ASSERT(families.size() == subjects.size());
+    base::Memory& memory = last_.known.memory();
+    base::Array<Family> families(memory);
+    base::Array<std::int64_t> of_item(memory, static_cast<std::int64_t>(occluders.size()));
+    for (const visibility::Subject& subject : subjects) {
+        HRBFNPR_ASSERT(subject.item >= 0 && subject.item < of_item.size());
+        families.push_back(
+            {occluders[static_cast<std::size_t>(subject.item)].sheets, subject.item, of_item[subject.item]++});
+    }
     const auto position = [&](std::int64_t piece) { return point_of(subjects, lines, piece).position; };
     number_.clear();
     number_.resize(lines.lines.size());
@@ -81,7 +88,7 @@ void LineNumbers::run(std::span<const LineFamily> families, std::span<const visi
     std::sort(votes.begin(), votes.end(), [](const Vote& a, const Vote& b) {
         return std::tie(b.points, a.line, a.known) < std::tie(a.points, b.line, b.known);
     });
-    base::Array<std::uint8_t> taken(votes.memory(), last_.known.size());
+    base::Array<std::uint8_t> taken(memory, last_.known.size());
     for (const Vote& vote : votes) {
         if (number_[vote.line] != 0 || taken[vote.known] != 0) continue;
         const Known& known = last_.known[vote.known];
@@ -108,8 +115,8 @@ void LineNumbers::run(std::span<const LineFamily> families, std::span<const visi
             next_.place.push_back(position(p));
             next_.direction.push_back(point_of(subjects, lines, p).direction());
         }
-        next_.known.push_back({families[static_cast<std::size_t>(line.subject)], first, next_.place.size() - first,
-                               number_[l], position(origin_[l])});
+        next_.known.push_back(
+            {families[line.subject], first, next_.place.size() - first, number_[l], position(origin_[l])});
     }
     std::swap(last_, next_);
 }

@@ -11,23 +11,13 @@
 
 namespace hrbfnpr::frame {
 
-// Lines that may be each other from frame to frame: of one line set, item and style.
-struct LineFamily {
-    const void* set = nullptr;
-    std::int64_t item = 0;
-    std::int64_t number = 0; // of its subject among those of the item
-
-    friend bool operator==(const LineFamily&, const LineFamily&) = default;
-};
-
 class LineNumbers {
 public:
     explicit LineNumbers(base::Memory& memory) noexcept
         : last_(memory), next_(memory), number_(memory), origin_(memory) {}
 
-    // Numbers the lines; families: of the subjects. Lines that go on from the last call keep their numbers; others get
-    // new ones.
-    void run(std::span<const LineFamily> families, std::span<const visibility::Subject> subjects,
+    // Numbers the lines: those that go on from the last call keep their numbers; others get new ones.
+    void run(std::span<const visibility::Subject> subjects, std::span<const visibility::Occluder> occluders,
              const visibility::ImageLines& lines);
     // The number of a line, >= 1.
     [[nodiscard]] std::uint32_t number(std::int64_t line) const noexcept { return number_[line]; }
@@ -35,9 +25,17 @@ public:
     [[nodiscard]] std::int64_t origin(std::int64_t line) const noexcept { return origin_[line]; }
 
 private:
+    // Lines that may be each other from frame to frame: of one line set, item and style.
+    struct Family {
+        const void* set;
+        std::int64_t item;
+        std::int64_t number; // of its subject among those of the item
+
+        friend bool operator==(const Family&, const Family&) = default;
+    };
     // A line of the last frame.
     struct Known {
-        LineFamily family;
+        Family family;
         std::int64_t first, count; // of its points
         std::uint32_t number;
         glm::dvec3 origin;
@@ -57,7 +55,7 @@ private:
         std::int64_t points;
     };
 
-    [[nodiscard]] base::Array<Vote> count_votes(std::span<const LineFamily> families,
+    [[nodiscard]] base::Array<Vote> count_votes(const base::Array<Family>& families,
                                                 std::span<const visibility::Subject> subjects,
                                                 const visibility::ImageLines& lines) const;
 

@@ -420,7 +420,9 @@ void wobble(const StrokeInput& in, const Path& path, bool closed, const base::Ar
 // Adds a stroke along a part, from one place along its line to another. Free ends taper by half an ellipse; a short
 // part with a free end, as between a cusp and a line beside it, would be a bead, and is thinner.
 void add_stroke(const StrokeInput& in, const Path& path, double from, double to, LineStrokes& out) {
-    const auto& [as, part, place, knots] = path;
+    const DrawnAs& as = path.as;
+    const Part& part = path.part;
+    const base::Array<Place>& place = path.place;
     const LineStyle& style = *as.style;
     const bool hidden = part.layers > 0;
     const bool dashed = hidden && style.hidden == HiddenParts::dashed;
@@ -461,12 +463,12 @@ void add_stroke(const StrokeInput& in, const Path& path, double from, double to,
     };
     const auto put_between = [&](std::int64_t i, double here) { put(point_between(in, path, i, here), here); };
     const auto before = [](const Place& p, double here) { return p.at < here; };
-    const double* knot = std::upper_bound(knots.begin(), knots.end(), from);
+    const double* knot = std::upper_bound(path.knot.begin(), path.knot.end(), from);
     for (std::int64_t i = std::lower_bound(place.begin(), place.end(), from, before) - place.begin(); i < place.size();
          ++i) {
         const double here = place[i].at;
         if (i > 0 && place[i - 1].at < from && here > from) put_between(i - 1, from);
-        for (; knot != knots.end() && *knot < std::min(here, to); ++knot) put_between(i - 1, *knot);
+        for (; knot != path.knot.end() && *knot < std::min(here, to); ++knot) put_between(i - 1, *knot);
         if (here <= to) put(point_at(in, as, place[i]), here);
         if (i > 0 && place[i - 1].at < to && here > to) put_between(i - 1, to);
         if (here > to) break;
@@ -565,7 +567,8 @@ double gap_at(const StrokeInput& in, const DrawnAs& as, std::int32_t line, const
 
 // Draws a part in a style.
 void draw(const StrokeInput& in, Path& path, LineStrokes& out) {
-    const auto& [as, part, place, knot] = path;
+    const DrawnAs& as = path.as;
+    const Part& part = path.part;
     const LineStyle& style = *as.style;
     const visibility::Interval& its = part.interval;
     const bool hidden = part.layers > 0;
