@@ -35,7 +35,7 @@ struct EdgeNode {
     std::array<bool, 2> equal;          // the start may belong to the end's sheet, the end to the start's
     bool alike;                         // both, nearly
     bool meet;                          // the sheets do somewhere beside the edge, on the surface or off it
-    bool near;                          // they do beside the surface, but not on it
+    bool near;                          // they do beside the surface, at an angle
 };
 
 // A triangle whose corners belong to three sheets.
@@ -87,11 +87,12 @@ struct SheetMesh {
         const surface::SheetValue f = value(place);
         return std::abs(f.value) / (mesh.side * glm::length(f.gradient));
     }
-    [[nodiscard]] surface::MeetingPlace meeting(std::span<const std::int32_t> vertices, const glm::dvec3& from) const {
+    [[nodiscard]] surface::MeetingPlace meeting(std::span<const std::int32_t> vertices, const glm::dvec3& from,
+                                                double reach) const {
         surface::Meeting all;
         for (const std::int32_t vertex : vertices) all.add(sheet[vertex]);
         return surface::find_meeting(sheets, all, from, meeting_tolerance * mesh.side,
-                                     crease_tuning.farthest_meeting * mesh.side);
+                                     crease_tuning.farthest_meeting * reach);
     }
 };
 
@@ -146,8 +147,8 @@ void settle_alone(const base::Runtime& runtime, SheetMesh& at, const base::Progr
 
 // Whether f is the larger or the lesser of both sheets around the place. Beyond a corner it may be 0 where both are,
 // and one of them: where they differ most it then has opposite signs to either side, and the edge passes a third sheet.
-bool folds(const SheetMesh& in, const EdgeNode& node) {
-    const double far = crease_tuning.on_surface * in.mesh.side; // to where f is looked at
+// far: where f is looked at, to either side.
+bool folds(const SheetMesh& in, const EdgeNode& node, double far) {
     const glm::dvec3 across = glm::normalize(node.gradient[0]) - glm::normalize(node.gradient[1]);
     const double sine = 0.5 * glm::length(across); // of half the angle: f aside is that share of the way
     if (!(sine > crease_tuning.least_sine)) return true;
@@ -179,13 +180,17 @@ void look_at(const SheetMesh& in, EdgeNode& node) {
     double share = off[0] / (off[0] + off[1]);
     if (!(share > 0.0 && share < 1.0)) share = 0.5;
     const glm::dvec3 from = glm::mix(place[0], place[1], share);
-    const surface::MeetingPlace found = in.meeting(node.ends, from);
+    const surface::MeetingPlace found =
+        in.meeting(node.ends, from, std::min(in.mesh.side, 2.0 * glm::distance(place[0], place[1])));
     node.at.position = found.found ? found.position : from;
     node.meet = found.found;
     node.gradient = {found.gradient[0], found.gradient[1]};
     const double away = found.found ? in.off_surface(found.position) : crease_tuning.beside_surface;
-    node.at.exact = away <= crease_tuning.on_surface && folds(in, node);
-    node.near = !node.at.exact && away < crease_tuning.beside_surface;
+    node.at.exact = away <= crease_tuning.on_surface && folds(in, node, crease_tuning.on_surface * in.mesh.side);
+    const double sine = 0.5 * glm::distance(glm::normalize(node.gradient[0]), glm::normalize(node.gradient[1]));
+    // A fold beside the surface is looked at from a distance at which it makes no difference where it is.
+    node.near = !node.at.exact && away < crease_tuning.beside_surface && sine > crease_tuning.sharp_sine &&
+                folds(in, node, 2.0 * crease_tuning.beside_surface / sine * in.mesh.side);
 }
 
 // What is known of edges with the same ends and sheets is kept.
@@ -250,7 +255,8 @@ void find_corners(const base::Runtime& runtime, SheetMesh& in, const base::Progr
                 glm::dvec3 middle(0.0);
                 for (std::int64_t e = 3 * node.triangle; e < 3 * node.triangle + 3; ++e)
                     middle += in.edges[in.node[e]].at.position / 3.0;
-                const surface::MeetingPlace found = in.meeting({in.mesh.corner.data() + 3 * node.triangle, 3}, middle);
+                const surface::MeetingPlace found =
+                    in.meeting({in.mesh.corner.data() + 3 * node.triangle, 3}, middle, in.mesh.side);
                 node.at.position = found.found ? found.position : middle;
                 node.gradient = found.gradient;
                 node.at.exact = found.found && in.off_surface(found.position) <= crease_tuning.on_surface;
@@ -300,7 +306,7 @@ void place_rest(SheetMesh& in) {
         for (std::int64_t e = 3 * node.triangle; e < 3 * node.triangle + 3 && !node.at.exact; ++e) {
             const EdgeNode& beside = in.edges[in.node[e]];
             if (!beside.at.exact) continue;
-            const surface::MeetingPlace found = in.meeting(beside.ends, node.at.position);
+            const surface::MeetingPlace found = in.meeting(beside.ends, node.at.position, in.mesh.side);
             node.at.exact = found.found && in.off_surface(found.position) < crease_tuning.beside_surface;
             if (node.at.exact) node.at.position = found.position;
         }

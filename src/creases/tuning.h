@@ -18,11 +18,15 @@ struct CreaseTuning {
     double alike = 0.02;
     // The same for sheets that are one. Larger: sheets are merged that cross.
     double equal = 1e-7;
-    // Sheets may meet as far as this from an edge, in sides. Larger: creases of other places are found.
+    // Sheets may meet as far as this from an edge, in sides, or twice the edge's length if that is less. Larger:
+    // creases of other places are found.
     double farthest_meeting = 1.5;
     // Below this sine of half their angle, sheets are not tested for a fold, since their curvature may be more than the
     // angle. Larger: creases pass other sheets.
     double least_sine = 0.02;
+    // No crease goes on through a seam where that sine is smaller: 11 degrees. Smaller: creases of winding threads
+    // leave them, as a screw's do.
+    double sharp_sine = 0.1;
     // Edges shorter than this are not halved, in sides. Smaller: more triangles at corners.
     double shortest_edge = 0.01;
     // Edges are halved in this many rounds at most, and sheets merged in this many. More: finer corners, more time.
