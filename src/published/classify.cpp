@@ -134,8 +134,10 @@ private:
     }
     [[nodiscard]] bool paper(std::int64_t place, MarkClass mark_class) const noexcept {
         if (!run_.paints_paper) return false;
-        if (mark_class == MarkClass::front) return front_alpha(marks_.nu[place], run_.pen.lambda_front) > 0.0F;
-        return mark_class == MarkClass::back && back_alpha(marks_.nu[place], run_.pen.lambda_back) > 0.0F;
+        if (mark_class == MarkClass::front)
+            return front_alpha(marks_.nu[place], static_cast<float>(style_.attenuation_front)) > 0.0F;
+        return mark_class == MarkClass::back &&
+               back_alpha(marks_.nu[place], static_cast<float>(style_.attenuation_back)) > 0.0F;
     }
 
     const Run& run_;
