@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // 1. look_at, perspective and orthographic build matrices from checked numbers.
-// 2. fit_bounds and fit_points find what a camera has to see (Support), and fit builds one that does.
+// 2. fit_bounds and fit_points find an eye from which everything is seen, and build a camera there.
 // 3. check, make_optics and make_lens prepare any camera, also a host's, for a frame.
 #include "frame/scene/camera.h"
 
@@ -141,29 +141,11 @@ struct Support {
     }
 };
 
-// A camera that sees what `support` was made of, with these slopes, from `anchor` on. It looks at the anchor if it is
-// `centred`, else at the middle of the picture. size: of what is seen, for the distance of the planes.
-Camera fit(const Axes& axes, const Support& support, const glm::dvec2& slope, const glm::dvec3& anchor, bool centred,
-           double size, double vertical_angle, double width, double height, double used, DepthConvention depth) {
-    const double slack = scene_tuning.fit_slack * size;
-    // Half of the picture, where w is 1.
-    const glm::dvec2 needed = centred ? glm::max(support.above, support.below) : 0.5 * (support.above + support.below);
-    const glm::dvec2 middle = centred ? glm::dvec2(0.0) : 0.5 * (support.above - support.below);
-    glm::dvec3 eye(middle, support.nearest - 2.0 * slack);
-    Camera camera{depth, {}, {}, {0.0, 0.0, width, height}};
-    if (vertical_angle == 0.0) {
-        // 1e-9: a line seen end-on has no height.
-        const double half = std::max({needed.x * height / width, needed.y, 1e-9 * size}) / used;
-        camera.projection = orthographic(2.0 * half, width, height, slack, support.farthest - eye.z + slack, depth);
-    } else {
-        // The eye is never closer than the slack to what it sees, or it could touch it.
-        eye.z = std::min({-needed.x / slope.x, -needed.y / slope.y, support.nearest - slack});
-        const double nearest = support.nearest - eye.z;
-        camera.projection = perspective(vertical_angle, width, height, std::max(nearest - slack, 0.5 * nearest),
-                                        support.farthest - eye.z + slack, depth);
-    }
-    camera.view = view_matrix(axes, anchor + eye.x * axes.right + eye.y * axes.up + eye.z * axes.forward);
-    return camera;
+// The near plane stands before the nearest place, and never too close to the eye.
+glm::dmat4 perspective_around(double vertical_angle, double width, double height, double nearest, double farthest,
+                              double slack, DepthConvention depth) {
+    return perspective(vertical_angle, width, height, std::max(nearest - slack, 0.5 * nearest), farthest + slack,
+                       depth);
 }
 
 } // namespace
@@ -219,14 +201,34 @@ Camera fit_bounds(const geometry::Bounds& bounds, const glm::dvec3& direction, c
     glm::dvec3 half = 0.5 * bounds.size();
     // A point has no size to fill a picture with; it is shown as if it had some.
     if (half == glm::dvec3(0.0)) half = glm::dvec3(std::max(1e-3, 1e-6 * glm::length(centre)));
+    const double size = 2.0 * glm::length(half);
+    const double slack = 0.5 * scene_tuning.fit_slack * size;
     const double used = 1.0 - 2.0 * margin;
-    const glm::dvec2 slope = std::tan(0.5 * vertical_angle) * used * glm::dvec2(width / height, 1.0);
-    Support support;
-    for (unsigned i = 0; i < 8; ++i)
-        support.add(axes.along({(i & 1U) != 0 ? half.x : -half.x, (i & 2U) != 0 ? half.y : -half.y,
-                                (i & 4U) != 0 ? half.z : -half.z}),
-                    slope);
-    return fit(axes, support, slope, centre, true, glm::length(half), vertical_angle, width, height, used, depth);
+    const double aspect = width / height;
+    const double tangent = std::tan(0.5 * vertical_angle);
+    const glm::dvec2 slope(tangent * aspect * used, tangent * used);
+    glm::dvec3 extent(0.0);
+    double reach = 0.0; // of the eye from the centre, at which all corners lie between the lines of these slopes
+    for (unsigned i = 0; i < 8; ++i) {
+        const glm::dvec3 c = axes.along(
+            {(i & 1U) != 0 ? half.x : -half.x, (i & 2U) != 0 ? half.y : -half.y, (i & 4U) != 0 ? half.z : -half.z});
+        extent = glm::max(extent, glm::abs(c));
+        if (tangent > 0.0) reach = std::max({reach, std::abs(c.x) / slope.x - c.z, std::abs(c.y) / slope.y - c.z});
+    }
+    Camera camera{depth, {}, {}, {0.0, 0.0, width, height}};
+    double back = extent.z + 2.0 * slack;
+    if (vertical_angle == 0.0) {
+        // 1e-9: a line seen end-on has no height.
+        const double view_height = 2.0 * std::max({extent.y, extent.x / aspect, 1e-9 * size}) / used;
+        camera.projection = orthographic(view_height, width, height, slack, 2.0 * back - slack, depth);
+    } else {
+        // The eye is never closer than the slack to the nearest corner, or it could touch it.
+        back = std::max(reach, extent.z + slack);
+        camera.projection =
+            perspective_around(vertical_angle, width, height, back - extent.z, back + extent.z, slack, depth);
+    }
+    camera.view = view_matrix(axes, centre - back * axes.forward);
+    return camera;
 }
 
 Camera fit_points(const base::InView& points, const glm::dvec3& origin, const glm::dvec3& direction,
@@ -239,14 +241,27 @@ Camera fit_points(const base::InView& points, const glm::dvec3& origin, const gl
     require_size(width, height);
     const Axes axes = camera_axes(direction, up);
     const double used = 1.0 - 2.0 * margin;
-    const glm::dvec2 slope = std::tan(0.5 * vertical_angle) * used * glm::dvec2(width / height, 1.0);
+    const glm::dvec2 aspect(width / height, 1.0);
+    const glm::dvec2 slope = std::tan(0.5 * vertical_angle) * used * aspect;
     const glm::dvec3 anchor = point_at(points, 0);
     Support support;
     for (std::int64_t i = 0; i < points.count; ++i) support.add(axes.along(point_at(points, i) - anchor), slope);
-    const glm::dvec2 half = 0.5 * (support.above + support.below);
-    const double size = std::max({half.x, half.y, support.farthest - support.nearest,
+    const glm::dvec2 needed = 0.5 * (support.above + support.below); // half of the picture
+    const double size = std::max({needed.x, needed.y, support.farthest - support.nearest,
                                   1e-6 * glm::length(origin + anchor), 1e-3 * (points.count == 1 ? 1.0 : 0.0)});
-    return fit(axes, support, slope, origin + anchor, false, size, vertical_angle, width, height, used, depth);
+    const double slack = scene_tuning.fit_slack * size;
+    glm::dvec3 eye(0.5 * (support.above - support.below), support.nearest - 2.0 * slack);
+    Camera camera{depth, {}, {}, {0.0, 0.0, width, height}};
+    if (vertical_angle == 0.0) {
+        const double half = std::max({needed.x / aspect.x, needed.y, 1e-9 * size}) / used;
+        camera.projection = orthographic(2.0 * half, width, height, slack, support.farthest - eye.z + slack, depth);
+    } else {
+        eye.z = std::min({-needed.x / slope.x, -needed.y / slope.y, support.nearest - 0.5 * slack});
+        camera.projection = perspective_around(vertical_angle, width, height, support.nearest - eye.z,
+                                               support.farthest - eye.z, slack, depth);
+    }
+    camera.view = view_matrix(axes, origin + anchor + eye.x * axes.right + eye.y * axes.up + eye.z * axes.forward);
+    return camera;
 }
 
 void check(const Camera& camera) {
