@@ -1,16 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "frame/frame.h"
 
-#include "frame/depth_layers/layer_frame.h"
-#include "frame/lines/line_frame.h"
-#include "published/published_frame.h"
-
 namespace hrbfnpr::frame {
 namespace {
 
-// Where there are lines, they take most of the time.
+// The share of the time that lines take, where there are any.
 constexpr double lines_end = 0.7;
 
+// Lets threads look for a cancel before each task, until the end of the scope.
 class Watch {
 public:
     Watch(base::Parallel& threads, const base::Progress& progress) noexcept : threads_(threads) {
@@ -26,44 +23,25 @@ private:
 
 } // namespace
 
-struct Frame::Impl {
-    explicit Impl(const base::Runtime& host)
-        : runtime(host, host.parallel), scene(runtime.memory), published(runtime), depth_layers(runtime),
-          lines(runtime) {}
-
-    void draw(std::span<const Item> items, const Camera& camera, const base::Progress& progress,
-              drawing::Drawing& drawing);
-
-    base::Runtime runtime; // its threads are watched while a frame is drawn
-    Scene scene;
-    published::PublishedFrame published;
-    LayerFrame depth_layers;
-    LineFrame lines;
-};
-
-void Frame::Impl::draw(std::span<const Item> items, const Camera& camera, const base::Progress& progress,
-                       drawing::Drawing& drawing) {
-    set_up(scene, items, camera, drawing);
-    if (!items.empty() && items[0].style.visibility == Visibility::published) {
-        published.run(scene, drawing);
-    } else {
-        const LineStrokes& strokes = lines.run(scene, items, progress.part(0.0, lines_end), drawing);
-        depth_layers.run(scene, strokes, progress.part(lines_end, 1.0), drawing);
-    }
-    drawing.counts.scratch_bytes = scene.bytes() + published.bytes() + depth_layers.bytes();
-}
-
-Frame::Frame(const base::Runtime& runtime) : impl_(std::make_unique<Impl>(runtime)) {}
-Frame::~Frame() = default;
+Frame::Frame(const base::Runtime& runtime)
+    : runtime_(runtime, runtime.parallel), scene_(runtime.memory), published_(runtime_), depth_layers_(runtime_),
+      lines_(runtime_) {}
 
 void Frame::draw(std::span<const Item> items, const Camera& camera, const base::Progress& progress,
                  drawing::Drawing& drawing) {
-    const Watch watch(impl_->runtime.parallel, progress);
+    const Watch watch(runtime_.parallel, progress);
     try {
-        impl_->draw(items, camera, progress, drawing);
+        set_up(scene_, items, camera, drawing);
+        if (!items.empty() && items[0].style.visibility == Visibility::published) {
+            published_.run(scene_, drawing);
+        } else {
+            const LineStrokes& strokes = lines_.run(scene_, items, progress.part(0.0, lines_end), drawing);
+            depth_layers_.run(scene_, strokes, progress.part(lines_end, 1.0), drawing);
+        }
+        drawing.counts.scratch_bytes = scene_.bytes() + published_.bytes() + depth_layers_.bytes();
         progress.update(1.0); // the last chance to cancel
     } catch (...) {
-        impl_->lines.forget();
+        lines_.forget();
         throw;
     }
 }

@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: MIT
-// From items and a camera to a drawing.                                          [NPAR 6]
+// From items and a camera to a drawing.                                                                         [NPAR
+// 6]
 #pragma once
 
-#include "base/runtime.h"
-#include "drawing/drawing.h"
-#include "frame/scene/scene.h"
-
-#include <memory>
-#include <span>
+#include "frame/depth_layers/layer_frame.h"
+#include "frame/lines/line_frame.h"
+#include "published/published_frame.h"
 
 namespace hrbfnpr::frame {
 
@@ -15,7 +13,8 @@ namespace hrbfnpr::frame {
 class Frame {
 public:
     explicit Frame(const base::Runtime& runtime);
-    ~Frame();
+    Frame(const Frame&) = delete;
+    Frame& operator=(const Frame&) = delete;
 
     // Fills `drawing`, whatever was in it. Throws Error{invalid_argument, callback, cancelled, out_of_memory}; then it
     // is no drawing.
@@ -23,8 +22,11 @@ public:
               drawing::Drawing& drawing);
 
 private:
-    struct Impl;
-    std::unique_ptr<Impl> impl_;
+    base::Runtime runtime_; // its threads are watched while a frame is drawn
+    Scene scene_;
+    published::PublishedFrame published_;
+    LayerFrame depth_layers_;
+    LineFrame lines_;
 };
 
 } // namespace hrbfnpr::frame

@@ -86,7 +86,7 @@ TEST_F(HatchingTest, MarkResultsAreThoseOfItsLines) {
     bool any = false;
     for (std::int64_t layer = 0; layer < info_of(set).layers; ++layer) {
         auto described = made(hrbfnpr_drawing_layer_info_init);
-        EXPECT_OK(hrbfnpr_drawing_get_layer_info(drawing.get(), 2 * layer, &described, error));
+        EXPECT_OK(hrbfnpr_drawing_get_layer_info(drawing.get(), layer, &described, error));
         any = any || (described.shape == HRBFNPR_SHAPE_HATCH && described.strokes > 0);
         const Results results = results_of(drawing, set, layer);
         std::int64_t shown = 0;

@@ -84,6 +84,7 @@ struct Dimmed {
 
 // By the nearest layers and the halo, or by the next ones, at a place in pixels of the planes.
 Dimmed dim(const Dimming& by, const LayerPlanes& p, const Dot& ink, const glm::vec2& place, bool next) noexcept {
+    HRBFNPR_ASSERT(ink.layer < by.scene.runs.size() && ink.pixels_per_unit > 0.0F);
     Dimmed result;
     const std::int32_t at = pixel_at(p, place);
     if (!next && p.halo[at] + scene_tuning.halo_gap / ink.pixels_per_unit < ink.depth)
@@ -271,6 +272,7 @@ std::int64_t dim_by_rays(const base::Runtime& runtime, const Scene& scene, Depth
             }
             if (item->model == nullptr || !(ink.opacity > 0.0F)) continue;
             const std::int64_t mark = ink.id - run.first_id;
+            HRBFNPR_ASSERT(mark >= 0 && mark < run.count);
             const double pixel = 1.0 / (static_cast<double>(ink.pixels_per_unit) * scale);
             const glm::dvec3 from = glm::dvec3(run.place_of(mark, item->unit)) +
                                     layer_tuning.off_layer * pixel * glm::dvec3(run.normal_of(mark));

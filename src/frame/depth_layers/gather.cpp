@@ -21,7 +21,7 @@ namespace {
 
 using marks::MarkBlock;
 
-constexpr std::int64_t marks_a_gather_task = 8192;
+constexpr std::int64_t clusters_a_task = 64; // of up to 128 marks
 
 // ---- Items
 
@@ -120,21 +120,11 @@ std::int64_t add_tasks(const Scene& scene, base::Array<GatherTask>& tasks) {
     std::int64_t unused = 0;
     for (std::int64_t r = 0; r < scene.runs.size(); ++r) {
         const Run& run = scene.runs[r];
-        if (run.shape == Shape::hatch && !run.splats) {
-            unused += run.count;
-            continue;
-        }
-        const base::Array<marks::Cluster>& clusters = run.clusters->cluster;
-        std::int64_t marks = marks_a_gather_task;
-        for (std::int64_t c = 0; c < clusters.size(); ++c) {
-            const auto number = static_cast<std::int32_t>(c);
-            if (std::exchange(marks, marks + clusters[c].count) >= marks_a_gather_task) {
-                tasks.push_back({static_cast<std::int32_t>(r), number, number,
-                                 run.first_place + clusters[c].block * MarkBlock::size});
-                marks = clusters[c].count;
-            }
-            tasks.back().end = number + 1;
-        }
+        const bool is_used = run.shape != Shape::hatch || run.splats;
+        const std::int64_t clusters = is_used ? run.clusters->cluster.size() : 0;
+        if (!is_used) unused += run.count;
+        for (std::int64_t c = 0; c < clusters; c += clusters_a_task)
+            tasks.push_back({r, c, std::min(c + clusters_a_task, clusters)});
     }
     return unused;
 }
@@ -181,7 +171,6 @@ struct RunView {
     const ItemInk& ink;
     const TransmittanceTable& transmittance;
     const Gathering& all;
-    Selection selection; // what is the same for all clusters
     std::uint32_t layer; // of the drawing
 };
 
@@ -205,20 +194,6 @@ struct Local {
     }
 };
 
-[[nodiscard]] Selection selection_of(const Run& run, const Style& style, const ItemInk& ink) noexcept {
-    Selection selection{};
-    selection.by_published = style.tone_rule == ToneRule::published;
-    selection.coverage = style.tone_curve == ToneCurve::coverage;
-    selection.needed = ink.needed.data();
-    selection.share = run.style->share;
-    selection.fade = style.tone_fade;
-    selection.more = 1.0F / (1.0F - 0.5F * selection.fade); // marks that fade in are small
-    // Coverage counts on foreshortening; else the ink of the front vanishes where it turns away.
-    const bool vanishes = selection.fade > 0.0F && !selection.coverage && !selection.by_published;
-    selection.turn = vanishes ? layer_tuning.front_fade : 0.0F;
-    return selection;
-}
-
 // A bound on what select() shows of the front.
 [[nodiscard]] float most_shown(const RunView& v, const Selection& selection, const ClusterView& view) noexcept {
     const Style& style = v.item.style;
@@ -239,19 +214,27 @@ struct Local {
 [[nodiscard]] Selection selection_of(const RunView& v, const Local& local, float reach) noexcept {
     const glm::vec4& viewport = v.scene.lens.viewport;
     const float pixels_per_unit = local.view.pixels_per_unit;
-    Selection selection = v.selection;
+    const Style& style = v.item.style;
+    Selection selection{};
     selection.left = viewport.x - reach;
     selection.right = viewport.x + viewport.z + reach;
     selection.top = viewport.y - reach;
     selection.bottom = viewport.y + viewport.w + reach;
     selection.all_inside = local.view.inside;
-    selection.front_ink = v.run.draws_front && v.run.shape != Shape::hatch && v.run.draws_set(local.cluster.set);
-    selection.scale = v.run.pen.scale(pixels_per_unit);
+    selection.by_published = style.tone_rule == ToneRule::published;
+    selection.coverage = style.tone_curve == ToneCurve::coverage;
+    selection.needed = v.ink.needed.data();
     constexpr auto darkest = static_cast<std::size_t>(layer_tuning.darkest * needed_steps);
     const std::span terms(v.all.terms.data() + v.ink.first, v.all.terms.data() + v.ink.end);
     if (selection.coverage)
         selection.per_ink = 1.0F / std::max(ink_per_pixel(terms, pixels_per_unit), v.ink.needed[darkest]);
-    selection.most_shown = most_shown(v, selection, local.view);
+    selection.share = v.run.style->share;
+    selection.fade = style.tone_fade;
+    selection.more = 1.0F / (1.0F - 0.5F * selection.fade); // marks that fade in are small
+    selection.scale = v.run.pen.scale(pixels_per_unit);
+    // Coverage counts on foreshortening; else the ink of the front vanishes where it turns away.
+    const bool vanishes = selection.fade > 0.0F && !selection.coverage && !selection.by_published;
+    selection.turn = vanishes ? layer_tuning.front_fade : 0.0F;
     return selection;
 }
 
@@ -312,7 +295,7 @@ void set_halo(const RunView& v, const Local& local, const Seen& seen, std::int64
     // The mark is at the angle nu from the contour along a circle of that curvature; infinitely far where it is flat.
     const float bend = std::abs(curvature) * local.pixel_curvature;
     const float away = nu * nu / ((1.0F + std::sqrt(std::max(0.0F, 1.0F - nu * nu))) * bend);
-    if (!(away <= layer_tuning.halo_band)) return;
+    if (!(away <= layer_tuning.contour_band)) return;
     const glm::vec3 along = v.item.to_eye * glm::cross(n, turn);
     const float across = std::sqrt(along.x * along.x + along.y * along.y);
     const float slope = -along.z / across;
@@ -324,19 +307,21 @@ void set_halo(const RunView& v, const Local& local, const Seen& seen, std::int64
     c.halo_y = c.y - away * seen.side_y[i] / side;
     // Where a surface bends little, its marks tell little of how far away the contour is: its own line stays before
     // the halo, and so does what is hardly farther.
-    const float slack = std::sqrt(2.0F * layer_tuning.halo_band * (1.0F / bend)) + std::abs(slope) * c.halo;
+    const float slack = std::sqrt(2.0F * layer_tuning.contour_band * (1.0F / bend)) + std::abs(slope) * c.halo;
     c.halo_depth = c.depth + -nu * v.sight.scale / curvature + slack / c.pixels_per_unit;
     c.halo_slope_x = slope * along.x / (across * c.pixels_per_unit);
     c.halo_slope_y = -slope * along.y / (across * c.pixels_per_unit);
 }
 
 void put_splats(const RunView& v, const Local& local, const Seen& seen, std::int64_t count, Gathered& out) noexcept {
+    HRBFNPR_ASSERT(v.run.splats && count > 0 && count <= local.cluster.count);
     const Pen& pen = v.run.pen;
     const float own = pen.spacing * local.view.pixels_per_unit;
     const float spacing = v.run.is_scattered() ? std::max(own, least_splat_spacing(local)) : own;
     const bool even = v.run.is_even() && v.run.is_scattered();
     const float own_radius = (even ? layer_tuning.even_splat : layer_tuning.random_splat) * spacing + 0.5F;
-    const float radius = std::min(pen.splat_radius > 0.0F ? pen.splat_radius : own_radius, pen.largest_splat);
+    const float given = v.item.style.splat_radius;
+    const float radius = std::min(given > 0.0F ? given : own_radius, pen.largest_splat);
     const bool has_items = v.scene.items.size() > 1;
     for (std::int64_t i = 0; i < count; ++i) {
         const float nu = seen.nu[i];
@@ -387,6 +372,7 @@ void put_splats(const RunView& v, const Local& local, const Seen& seen, std::int
 
 void put_ink(const RunView& v, const Local& local, const Selection& selection, const Seen& seen, std::int64_t count,
              const SeeLoops& loops, Gathered& out) noexcept {
+    HRBFNPR_ASSERT(v.run.draws_front && count > 0 && count <= local.cluster.count);
     std::array<float, Seen::most> tau;
     std::array<float, Seen::most> tau_depth;
     const DepthTone depth_tone(v.item.style, v.scene.lens.eye_per_world);
@@ -442,16 +428,17 @@ void gather_cluster(const RunView& v, const marks::Cluster& cluster, const SeeLo
         return;
     }
     local.pixel_curvature = 1.0F / (v.sight.scale * view.pixels_per_unit);
-    // |nu| up to which a mark may be within rim_width of the contour, where no curvature is larger than the cluster's.
-    const float q = layer_tuning.rim_width * (cluster.bend * local.pixel_curvature);
+    // |nu| up to which a mark may be near the contour, where no curvature is larger than the cluster's.
+    const float q = layer_tuning.contour_band * (cluster.bend * local.pixel_curvature);
     const float rim = q < 1.0F ? std::sqrt(q * (2.0F - q)) : 1.0F;
     const float band = cluster.bend >= 0.0F ? std::min(rim, layer_tuning.widest_rim) : layer_tuning.unknown_rim;
     if (view.inside && view.nu_max < -band) counts.front += marks;
     if (view.inside && view.nu_min > band) counts.back += marks;
     local.whole = view.inside && (view.nu_max < -band || view.nu_min > band);
     const Selection selection = selection_of(v, local, reach);
-    const bool tone = selection.front_ink && view.nu_min < 0.0F;
-    const std::int64_t inks = tone ? count_shown(local, selection.most_shown) : 0;
+    const bool tone =
+        v.run.draws_front && v.run.shape != Shape::hatch && v.run.draws_set(cluster.set) && view.nu_min < 0.0F;
+    const std::int64_t inks = tone ? count_shown(local, most_shown(v, selection, view)) : 0;
     if (!local.whole)
         counts.culled += marks - inks;
     else if (tone)
@@ -480,24 +467,22 @@ void gather(const base::Runtime& runtime, const Scene& scene, Gathering& all, dr
         const GatherTask& task = all.tasks[i];
         const Run& run = scene.runs[task.run];
         const marks::MarkClusters& clusters = *run.clusters;
-        const ItemView& item = scene.item_of(run);
-        const ItemInk& ink = all.inks[run.item];
         const RunView view{scene,
                            run,
-                           item,
+                           scene.item_of(run),
                            all.sights[run.item],
-                           ink,
+                           all.inks[run.item],
                            all.transmittances[all.transmittance_of[run.item]],
                            all,
-                           selection_of(run, item.style, ink),
                            static_cast<std::uint32_t>(task.run)};
-        Gathered out{drawing.dots.data() + task.first_place, drawing.splats.data() + task.first_place, {}};
+        const std::int64_t place = run.first_place + clusters.cluster[task.begin].block * MarkBlock::size;
+        Gathered out{drawing.dots.data() + place, drawing.splats.data() + place, {}};
         for (std::int64_t c = task.begin; c < task.end; ++c) {
             if (c + 4 < clusters.cluster.size()) base::prefetch(&clusters.block[clusters.cluster[c + 4].block], 1);
             gather_cluster(view, clusters.cluster[c], loops, out);
         }
-        drawing.dot_pieces[i] = {task.first_place, out.dot - drawing.dots.data()};
-        drawing.splat_pieces[i] = {task.first_place, out.splat - drawing.splats.data()};
+        drawing.dot_pieces[i] = {place, out.dot - drawing.dots.data()};
+        drawing.splat_pieces[i] = {place, out.splat - drawing.splats.data()};
         all.counts[i] = out.counts;
     });
     drawing.counts = {};

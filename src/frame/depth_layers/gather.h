@@ -76,9 +76,7 @@ struct TransmittanceTable {
 
 // Consecutive clusters of a run.
 struct GatherTask {
-    std::int32_t run;
-    std::int32_t begin, end;  // clusters
-    std::int64_t first_place; // of its marks in the drawing's arrays
+    std::int64_t run, begin, end;
 };
 
 // Arrays are kept from frame to frame.

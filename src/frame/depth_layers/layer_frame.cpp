@@ -139,6 +139,7 @@ void LayerFrame::join_dots(const Scene& scene, drawing::Drawing& drawing) {
                     dot.opacity = 0.0F;
                 }
                 drawing.dot_count -= stroke.count;
+                HRBFNPR_ASSERT(drawing.dot_count >= 0);
             }
         }
     }

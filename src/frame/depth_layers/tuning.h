@@ -26,18 +26,16 @@ struct LayerTuning {
     // a layer's border.
     float even_splat = 0.85F;
     float random_splat = 1.6F;
-    // A cluster with a mark within this many pixels of the contour has the spacing of contours. Larger: more splats.
-    float rim_width = 1.05F;
-    // Marks of a larger |n . v| are near no contour, whatever the curvature; and where it is not known. Larger: more
-    // splats.
+    // Marks of a larger |n . v| than these are near no contour, whatever the curvature, and where it is not known.
+    // Larger: more splats.
     float widest_rim = 0.9F;
     float unknown_rim = 0.2F;
 
     // ---- Halos
 
-    // A halo goes out from marks within this many pixels of the contour. Larger: halos have fewer gaps, and are less
-    // exact.
-    float halo_band = 1.0F;
+    // Marks within this many pixels of the contour are near it: halos go out from them, and a cluster that may hold one
+    // has the splats of contours. Larger: halos have fewer gaps and are less exact, and there are more splats.
+    float contour_band = 1.0F;
     // A contour that runs into the depth more steeply than this has no halo, depth over pixels. Larger: halos reach
     // farther along such a contour, and may hide its own line.
     float steepest_contour = 8.0F;

@@ -151,28 +151,6 @@ std::int64_t splat_layer(const marks::PointSet& set, const Style& style) {
     return static_cast<double>(set.layers[stipples].count()) >= enough ? stipples : largest;
 }
 
-// `spacing` and `step` are in object space.
-Pen pen_of(const Style& style, const LayerStyle& layer, double spacing, double step, double eye_per_object,
-           const Lens& lens) {
-    Pen pen;
-    pen.spacing = static_cast<float>(spacing * eye_per_object);
-    pen.separation = static_cast<float>(step * eye_per_object);
-    if (style.zoom_reference > 0.0)
-        pen.zoom_at_one = static_cast<float>(static_cast<double>(lens.eye_per_world) / style.zoom_reference);
-    pen.zoom_exponent = static_cast<float>(style.zoom_exponent);
-    pen.ink_radius = layer.radius;
-    pen.ink_zoom = layer.radius_zoom;
-    pen.silhouette_radius = style.silhouette_radius;
-    pen.silhouette_zoom = style.silhouette_radius_zoom;
-    pen.splat_radius = style.splat_radius;
-    pen.halo = style.halo_width;
-    pen.overlap = style.splat_overlap;
-    pen.lambda_front = static_cast<float>(style.attenuation_front);
-    pen.lambda_back = static_cast<float>(style.attenuation_back);
-    pen.largest_splat = lens.diagonal;
-    return pen;
-}
-
 // Ids count the marks of all layers of all items, drawn or not.
 void note_layers(const marks::PointSet& set, std::int32_t number, drawing::Drawing& drawing) {
     for (std::int64_t i = 0; i < set.layers.size(); ++i) {
@@ -193,6 +171,7 @@ void note_layers(const marks::PointSet& set, std::int32_t number, drawing::Drawi
 
 // The run of a layer, but for its place among the scene's. `splats` says whether the item's splats are its marks.
 Run run_of(const Item& item, const marks::Layer& layer, bool splats, bool any_surface, const Lens& lens) {
+    HRBFNPR_ASSERT(layer.count() > 0);
     const Style& style = item.style;
     const LayerStyle& own = style.of(layer);
     const bool published = style.visibility == Visibility::published;
@@ -214,9 +193,13 @@ Run run_of(const Item& item, const marks::Layer& layer, bool splats, bool any_su
     run.occludes = style.hidden_lines == HiddenLines::hide && splats;
     // The size of a mark's piece of surface is known for the largest layer; in others it follows from their number.
     const double ratio = static_cast<double>(item.set->largest()) / static_cast<double>(layer.count());
-    const double step = run.is_even() && !run.is_scattered() ? layer.report.step : 0.0;
-    run.pen = pen_of(style, own, item.set->spacing * std::sqrt(ratio), step,
-                     mean_scale(item.transform) * static_cast<double>(lens.eye_per_world), lens);
+    const double eye_per_object = mean_scale(item.transform) * static_cast<double>(lens.eye_per_world);
+    run.pen = {&style, &own, static_cast<float>(item.set->spacing * std::sqrt(ratio) * eye_per_object)};
+    if (run.is_even() && !run.is_scattered())
+        run.pen.separation = static_cast<float>(layer.report.step * eye_per_object);
+    if (style.zoom_reference > 0.0)
+        run.pen.zoom_at_one = static_cast<float>(static_cast<double>(lens.eye_per_world) / style.zoom_reference);
+    run.pen.largest_splat = lens.diagonal;
     return run;
 }
 
@@ -244,6 +227,7 @@ void add_runs(Scene& scene, const Item& item, std::int32_t number, std::int64_t 
         run.turned = other_side;
         if (other_side) run.draws_silhouettes = run.paints_paper = run.occludes = run.splats = false;
         if (other_side && !run.draws_front) continue;
+        HRBFNPR_ASSERT(drawing.runs[first_of_drawing + i].count == run.count);
         run.item = static_cast<std::int32_t>(scene.items.size() - 1);
         run.source = number;
         run.layer = static_cast<std::int32_t>(i);

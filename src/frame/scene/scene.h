@@ -61,49 +61,43 @@ struct Item {
 // Sizes and opacities of the discs of one group of marks, as functions of the place on the screen. All lengths are in
 // pixels; `pixels_per_unit` is pixels per eye unit at the mark.
 struct Pen {
+    const Style* style = nullptr; // the caller keeps both
+    const LayerStyle* layer = nullptr;
     float spacing = 0.0F;     // of the group's marks, eye units
     float separation = 0.0F;  // of its strokes, eye units; 0: it is not known
     float zoom_at_one = 0.0F; // where a pixel is a unit; 0: there is no reference, and the zoom is 1
-    float zoom_exponent = 2.0F;
-    float ink_radius = 1.0F, ink_zoom = 0.0F;
-    float silhouette_radius = 1.0F, silhouette_zoom = 0.0F;
-    float splat_radius = 0.0F; // 0: it follows from the spacing
-    float halo = 0.0F;
-    float overlap = 0.0F; // of splats: hrbfnpr_style.splat_overlap
-    float lambda_front = 1.0F, lambda_back = 1.0F;
     float largest_splat = 0.0F;
 
     [[nodiscard]] float zoom(float pixels_per_unit) const noexcept {
         return zoom_at_one > 0.0F ? pixels_per_unit * zoom_at_one : 1.0F;
     }
     [[nodiscard]] float scale(float pixels_per_unit) const noexcept {
-        return zoom_scale(zoom(pixels_per_unit), zoom_exponent);
+        return zoom_scale(zoom(pixels_per_unit), static_cast<float>(style->zoom_exponent));
     }
     [[nodiscard]] float front_ink(float pixels_per_unit) const noexcept {
-        return grown(ink_radius, ink_zoom, pixels_per_unit);
+        return grown(layer->radius, layer->radius_zoom, pixels_per_unit);
     }
     [[nodiscard]] float silhouette_ink(float pixels_per_unit) const noexcept {
-        return grown(silhouette_radius, silhouette_zoom, pixels_per_unit);
+        return grown(style->silhouette_radius, style->silhouette_radius_zoom, pixels_per_unit);
     }
     [[nodiscard]] float front_splat(float pixels_per_unit) const noexcept {
         // One pixel at least, so that small drawings are covered as well.
-        const float radius = splat_radius > 0.0F
-                                 ? splat_radius
-                                 : std::max(1.0F, scene_tuning.splat_spacings * spacing * pixels_per_unit);
-        return std::min(radius, largest_splat);
+        const float own = std::max(1.0F, scene_tuning.splat_spacings * spacing * pixels_per_unit);
+        return std::min(style->splat_radius > 0.0F ? style->splat_radius : own, largest_splat);
     }
     // The area scales with the zoom. An automatic splat follows the zoom already, so only the halo is left to scale.
     [[nodiscard]] float back_splat(float pixels_per_unit) const noexcept {
         const float shrink = std::sqrt(scale(pixels_per_unit));
-        if (splat_radius > 0.0F) return std::min((splat_radius + halo) * shrink, largest_splat);
-        return front_splat(pixels_per_unit) + halo * shrink;
+        if (style->splat_radius > 0.0F)
+            return std::min((style->splat_radius + style->halo_width) * shrink, largest_splat);
+        return front_splat(pixels_per_unit) + style->halo_width * shrink;
     }
     [[nodiscard]] float front_opacity(float nu, float radius, float pixels_per_unit) const noexcept {
-        return disc_opacity(front_alpha(nu, lambda_front), overlap,
+        return disc_opacity(front_alpha(nu, static_cast<float>(style->attenuation_front)), style->splat_overlap,
                             expected_overlap(radius, spacing * pixels_per_unit, nu));
     }
     [[nodiscard]] float back_opacity(float nu, float radius, float pixels_per_unit) const noexcept {
-        return disc_opacity(back_alpha(nu, lambda_back), overlap,
+        return disc_opacity(back_alpha(nu, static_cast<float>(style->attenuation_back)), style->splat_overlap,
                             expected_overlap(radius, spacing * pixels_per_unit, nu));
     }
 

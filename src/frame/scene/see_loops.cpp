@@ -177,7 +177,7 @@ HWY_INLINE W front_of(const Selection& j, W nu, W place, W tau, W tau_depth, M f
 
 void select(const Selection& j, const MarkRange& range, const Seen& seen, const float* taus, const float* tau_depths,
             Selected& selected) {
-    HRBFNPR_ASSERT(range.count >= 0 && range.count <= Seen::most && (taus != nullptr || !j.front_ink));
+    HRBFNPR_ASSERT(range.count >= 0 && range.count <= Seen::most && taus != nullptr);
     const F d;
     const W zero = hn::Zero(d);
     const W one = hn::Set(d, 1.0F);
@@ -197,12 +197,9 @@ void select(const Selection& j, const MarkRange& range, const Seen& seen, const 
         const std::int32_t fronts = count(faces);
         selected.fronts += fronts;
         selected.backs += count(valid) - fronts;
-        W front = zero;
-        if (j.front_ink) {
-            // Lanes after the last mark have no tone: what they held would be where a table is read.
-            const W tau = hn::IfThenElseZero(all, hn::LoadU(d, taus + at));
-            front = front_of(j, nu, place, tau, tau_depth, faces, selected);
-        }
+        // Lanes after the last mark have no tone: their garbage would be the place where a table is read.
+        const W tau = hn::IfThenElseZero(all, hn::LoadU(d, taus + at));
+        const W front = front_of(j, nu, place, tau, tau_depth, faces, selected);
         hn::StoreU(front, d, selected.front + at);
         const M drawn = hn::Gt(front, zero);
         std::uint8_t bits[8] = {};

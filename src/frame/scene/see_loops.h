@@ -60,23 +60,21 @@ struct Seen {
     float distance[most];             // from the centre of projection, eye units; parallel: depth
 };
 
-// What decides on the marks of one cluster.
+// What decides on the marks of one cluster whose front is drawn as ink.
 struct Selection {
     // The screen and the strip around it from which a disc can still reach it. all_inside: every mark surely lies
     // there.
     float left, right, top, bottom;
     bool all_inside;
 
-    // Ink of the front. By share a mark is shown where 1 - rank < most(1, needed(1 - tau) |nu| per_ink) share more
+    // By share a mark is shown where 1 - rank < most(1, needed(1 - tau) |nu| per_ink) share more
     // scale tau_depth; by the published rule it passes test by test.
-    bool front_ink;
     bool by_published;
     bool coverage;       // else needed() is left out, and |nu|
     const float* needed; // of coverages 0, 1 / needed_steps ... 1
     float per_ink, share, more, scale;
-    float most_shown; // no tone shows a larger share
-    float fade;       // 0: a mark is shown or not
-    float turn;       // > 0: ink vanishes where |nu| falls below it
+    float fade; // 0: a mark is shown or not
+    float turn; // > 0: ink vanishes where |nu| falls below it
 };
 inline constexpr int needed_steps = 64;
 

@@ -163,41 +163,36 @@ TEST(PublishedRule, TestsOneByOne) {
     EXPECT_FALSE(silhouette_shown(0.25F, 0.25F, ToneRule::published));
 }
 
-Pen test_pen() {
-    Pen pen;
-    pen.spacing = 0.1F;
-    pen.halo = 2.0F;
-    pen.largest_splat = 1000.0F;
-    return pen;
-}
+struct PenTest : ::testing::Test {
+    Style style; // its halo_width is 2
+    LayerStyle layer;
+    Pen pen{&style, &layer, 0.1F, 0.0F, 0.0F, 1000.0F};
+};
 
-TEST(Pen, FollowsTheZoom) {
-    Pen pen = test_pen();
-    pen.ink_radius = 2.0F;
+TEST_F(PenTest, FollowsTheZoom) {
+    layer.radius = 2.0F;
     EXPECT_EQ(pen.front_ink(10.0F), 2.0F); // no reference: the zoom is 1
-    pen.ink_zoom = 1.0F;
+    layer.radius_zoom = 1.0F;
     EXPECT_EQ(pen.front_ink(10.0F), 2.0F);
     pen.zoom_at_one = 1.0F / 40.0F;
     EXPECT_FLOAT_EQ(pen.front_ink(10.0F), 0.5F);
     EXPECT_FLOAT_EQ(pen.front_ink(80.0F), 4.0F); // beyond the reference as well
-    pen.ink_zoom = 0.5F;
+    layer.radius_zoom = 0.5F;
     EXPECT_FLOAT_EQ(pen.front_ink(10.0F), 1.0F);
 }
 
-TEST(Pen, ScalesTheAreaOfBackPaper) {
-    Pen pen = test_pen();
-    pen.splat_radius = 6.0F;
+TEST_F(PenTest, ScalesTheAreaOfBackPaper) {
+    style.splat_radius = 6.0F;
     EXPECT_EQ(pen.front_splat(10.0F), 6.0F);
     EXPECT_EQ(pen.back_splat(10.0F), 8.0F);
     pen.zoom_at_one = 1.0F / 40.0F;
-    pen.zoom_exponent = 2.0F;
+    style.zoom_exponent = 2.0;
     EXPECT_EQ(pen.front_splat(10.0F), 6.0F);
     EXPECT_FLOAT_EQ(pen.back_splat(10.0F), 2.0F); // area times 1/16
     EXPECT_FLOAT_EQ(pen.back_splat(80.0F), 8.0F);
 }
 
-TEST(Pen, CoversBySpacingWithNoGaps) {
-    Pen pen = test_pen();
+TEST_F(PenTest, CoversBySpacingWithNoGaps) {
     EXPECT_FLOAT_EQ(pen.front_splat(100.0F), scene_tuning.splat_spacings * 10.0F);
     EXPECT_FLOAT_EQ(pen.back_splat(100.0F), scene_tuning.splat_spacings * 10.0F + 2.0F);
     EXPECT_EQ(pen.front_splat(1.0F), 1.0F); // a pixel at least
