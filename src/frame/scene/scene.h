@@ -4,7 +4,6 @@
 
 #include "base/memory.h"
 #include "drawing/drawing.h"
-#include "drawing/mark_class.h"
 #include "frame/scene/attenuation.h"
 #include "frame/scene/item.h"
 #include "frame/scene/lens.h"
