@@ -125,9 +125,9 @@ hrbfnpr_page_desc defaults() noexcept {
     page_fields().set_defaults(settings, desc);
     desc.tolerance = settings.shapes.tolerance;
     desc.width_step = settings.shapes.width_step;
-    desc.draw_speed = settings.plot.draw_speed;
-    desc.travel_speed = settings.plot.travel_speed;
-    desc.pen_seconds = settings.plot.pen_seconds;
+    desc.draw_speed = settings.plot.speeds.draw;
+    desc.travel_speed = settings.plot.speeds.travel;
+    desc.pen_seconds = settings.plot.speeds.seconds;
     return desc;
 }
 
@@ -181,8 +181,9 @@ PageSettings settings_of(const PageDesc& desc) noexcept {
     settings.shapes = {static_cast<output::Widths>(desc.widths), static_cast<output::DotShapes>(desc.dots),
                        desc.tolerance, desc.width_step,
                        in_plot_order(settings) && (desc.flags & HRBFNPR_PAGE_SINGLE_PASS) == 0};
-    settings.plot = {desc.join,         desc.shortest,    desc.dot_distance, desc.draw_speed,
-                     desc.travel_speed, desc.pen_seconds, desc.pen_down,     desc.pen_up};
+    settings.plot = {desc.join,         desc.shortest,
+                     desc.dot_distance, {desc.draw_speed, desc.travel_speed, desc.pen_seconds},
+                     desc.pen_down,     desc.pen_up};
     return settings;
 }
 

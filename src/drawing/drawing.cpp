@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "drawing/drawing.h"
 
+#include "base/assert.h"
+#include "drawing/segments.h"
 #include "geometry/unit.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace hrbfnpr::drawing {
@@ -14,7 +17,7 @@ namespace {
     return length > 0.0F ? v / length : glm::vec3(0.0F);
 }
 
-// The linear part, so that squares of what it gives are floats: lengths do not matter.
+// The linear part, scaled so that squares of the vectors that it gives are floats; their lengths do not matter.
 [[nodiscard]] glm::mat3 of_moderate_scale(const glm::dmat4& m) noexcept {
     const double scale = std::cbrt(std::abs(glm::determinant(glm::dmat3(m))));
     return glm::mat3(glm::dmat3(m) / geometry::unit_for(scale));
@@ -38,31 +41,20 @@ Drawing::Drawing(base::Memory& memory) noexcept
       posed_direction(memory) {}
 
 void Drawing::clear() noexcept {
-    line_counts = LineCounts{};
+    line_counts = {};
     counts = {};
     one_color = true;
     dot_count = 0;
-    layers.clear();
-    dots.clear();
-    dot_pieces.clear();
-    strokes.clear();
-    points.clear();
-    splats.clear();
-    splat_pieces.clear();
-    items.clear();
-    runs.clear();
-    posed_position.clear();
-    posed_normal.clear();
-    posed_direction.clear();
+    for_arrays(*this, [](auto& array) { array.clear(); });
 }
 
 std::int64_t Drawing::bytes() const noexcept {
-    return layers.bytes() + dots.bytes() + dot_pieces.bytes() + strokes.bytes() + points.bytes() + splats.bytes() +
-           splat_pieces.bytes() + dot_tiles.bytes() + splat_tiles.bytes() + segment_tiles.bytes() + items.bytes() +
-           runs.bytes() + posed_position.bytes() + posed_normal.bytes() + posed_direction.bytes();
+    std::int64_t bytes = dot_tiles.bytes() + splat_tiles.bytes() + segment_tiles.bytes();
+    for_arrays(*this, [&](const auto& array) { bytes += array.bytes(); });
+    return bytes;
 }
 
-// Of runs without marks, which begin where the next one does, it is the one behind them.
+// Runs without marks begin where the next one does, which is the one that is found.
 std::int64_t Drawing::place_of(std::uint32_t id) const noexcept {
     return std::upper_bound(runs.begin(), runs.end(), id,
                             [](std::uint32_t a, const Run& r) { return a < r.first_id; }) -
@@ -75,6 +67,7 @@ const Run* Drawing::run_of(std::uint32_t id) const noexcept {
 }
 
 Identity Drawing::identify(std::uint32_t id) const noexcept {
+    HRBFNPR_ASSERT(run_of(id) != nullptr);
     const Run& run = runs[place_of(id)];
     const marks::Layer& layer = items[run.item].set->layers[run.layer];
     const std::int64_t mark = id - run.first_id;
@@ -87,22 +80,48 @@ glm::vec3 Drawing::world(const glm::vec3& seen) const noexcept {
 }
 
 MarkSource Drawing::source(std::uint32_t id) const noexcept {
+    HRBFNPR_ASSERT(run_of(id) != nullptr);
     const Run& run = runs[place_of(id)];
     const ItemSource& item = items[run.item];
     const marks::Layer& layer = item.set->layers[run.layer];
     const std::int64_t mark = id - run.first_id;
     const bool posed = run.posed >= 0;
-    const glm::vec3 place =
-        posed ? marks::vector_at(posed_position, run.posed + mark) : marks::vector_at(layer.position, mark);
-    const glm::vec3 normal =
-        posed ? marks::vector_at(posed_normal, run.posed + mark) : marks::vector_at(layer.normal, mark);
-    const glm::vec3 direction = posed && run.poses_directions ? marks::vector_at(posed_direction, run.posed + mark)
-                                                              : marks::vector_at(layer.direction, mark);
+    const auto vector = [&](const base::Array<float>& own, const base::Array<float>& given, bool moved) {
+        return moved ? marks::vector_at(own, run.posed + mark) : marks::vector_at(given, mark);
+    };
+    const glm::vec3 place = vector(posed_position, layer.position, posed);
+    const glm::vec3 normal = vector(posed_normal, layer.normal, posed);
+    const glm::vec3 direction = vector(posed_direction, layer.direction, posed && run.poses_directions);
     MarkSource source;
     source.position = glm::vec3(item.to_world * glm::dvec4(glm::vec3(glm::dvec3(place) / item.unit), 1.0));
     source.normal = unit_or_zero(item.normal_to_world * normal);
     source.direction = unit_or_zero(of_moderate_scale(item.to_world) * direction);
     return source;
+}
+
+void bin_segments(const base::Parallel& parallel, Drawing& drawing) {
+    const Tiles& like = drawing.dot_tiles;
+    const std::array all = {Piece{0, std::max<std::int64_t>(drawing.points.size() - 1, 0)}};
+    const glm::vec2 origin(drawing.first_pixel);
+    const bool pointed = std::any_of(drawing.strokes.begin(), drawing.strokes.end(), [](const Stroke& stroke) {
+        return stroke.cap_begin == Cap::pointed || stroke.cap_end == Cap::pointed;
+    });
+    drawing.segment_tiles.build<Tiles::BoxFootprint>(
+        parallel, like.columns() * tile_size, like.rows() * tile_size, all,
+        [&](std::int64_t i, Tiles::BoxFootprint& print) {
+            const StrokePoint& a = drawing.points[i];
+            const StrokePoint& b = drawing.points[i + 1];
+            SegmentEnds ends;
+            if (const bool may_begin = !(b.length > 0.0F); may_begin || pointed) {
+                const Stroke& stroke = *stroke_of(drawing, i, drawing.strokes.begin());
+                if (i + 1 == stroke.first + stroke.count) return false; // b begins the next stroke
+                if (pointed) ends = ends_of(stroke, i);
+            }
+            const float around = reach(ends, a, b);
+            print = {std::min(a.x, b.x) - around - origin.x, std::min(a.y, b.y) - around - origin.y,
+                     std::max(a.x, b.x) + around - origin.x, std::max(a.y, b.y) + around - origin.y};
+            return true;
+        });
 }
 
 } // namespace hrbfnpr::drawing

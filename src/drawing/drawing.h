@@ -5,7 +5,6 @@
 
 #include "base/memory.h"
 #include "drawing/dot.h"
-#include "drawing/splat.h"
 #include "drawing/tiles.h"
 #include "drawing/window.h"
 #include "geometry/vec.h"
@@ -17,23 +16,24 @@
 namespace hrbfnpr::drawing {
 
 enum class Painting : std::uint8_t {
-    // Each dot and stroke has been dimmed by what is in front of it: where all have one colour their order does not
-    // matter.  Dots stand in pieces, in any order; one that is not drawn has the opacity 0.
+    // Each dot and stroke has been dimmed by the surface in front of it, so that their order does not matter where all
+    // have
+    // one colour. Dots stand in pieces, in any order; one that is not drawn has the opacity 0.
     transmittance,
-    // Dots of paper and of ink stand in the order in which they are painted.                        [NPAR 6.1]
+    // Dots of paper and of ink stand in the order in which they are painted. [NPAR 6.1]
     published
 };
 
-// Ink of one layer of one item's marks, of one class.
+// The ink of one class of one layer of an item's marks.
 struct Layer {
     std::int32_t item = 0;
-    std::int32_t layer = 0; // of the item's point set; -1: of lines
+    std::int32_t layer = 0; // of the item's point set; -1: lines
     MarkClass mark_class = MarkClass::front;
     bool as_strokes = false;
     glm::vec4 ink{0.0F};          // straight RGBA
     std::uint32_t line_kind = 0;  // HRBFNPR_LINE_KIND_..., where `layer` is -1
     bool as_hatch = false;        // and these strokes are hatching
-    marks::LayerName line_name{}; // of lines: their style's; may be empty
+    marks::LayerName line_name{}; // a style's name of its lines; may be empty
 };
 
 // Counted while the drawing was made; hrbfnpr_drawing_info says what each is.
@@ -46,7 +46,7 @@ struct Counts {
     Counts& operator+=(const Counts& other) noexcept; // but for times and bytes
 };
 
-// Of lines, counted while the drawing was made; hrbfnpr_drawing_info says what each is.
+// The same for lines.
 struct LineCounts {
     std::int64_t curves = 0, cusps = 0, crossings = 0, broken = 0, refined = 0, settled = 0, contradictions = 0;
     std::int64_t tangles = 0;
@@ -59,13 +59,13 @@ struct Run {
     std::int32_t layer = 0;
     std::int64_t count = 0;
     std::uint32_t first_id = 1;
-    std::int64_t posed = -1; // place of the first mark in `posed_position`; -1: as in the set
+    std::int64_t posed = -1; // place of the first mark in `posed_position`; -1: marks stand as in the set
     bool poses_directions = false;
 };
 
-// Where an item's marks are.
+// An item's marks in the world.
 struct ItemSource {
-    const marks::PointSet* set = nullptr; // kept alive by whoever keeps the drawing
+    const marks::PointSet* set = nullptr; // the drawing's owner keeps it alive
     double unit = 1.0;                    // in which `to_world` takes positions relative to the set's origin
     glm::dmat4 to_world{1.0};
     glm::mat3 normal_to_world{1.0F};
@@ -80,7 +80,7 @@ struct MarkSource {
 
 struct Identity {
     std::int64_t item, layer, mark;
-    std::int64_t stroke; // -1: of none
+    std::int64_t stroke; // -1: the mark has none
     std::int64_t place;  // along the stroke
 };
 
@@ -94,20 +94,20 @@ struct Drawing {
     LineCounts line_counts;
 
     base::Array<Layer> layers;
-    // All inks have one colour: then their order does not matter.
-    bool one_color = true;
-    glm::vec4 ink_color{0.0F}; // if there is but one
+    bool one_color = true;     // of all inks: then their order does not matter
+    glm::vec4 ink_color{0.0F}; // the one colour
 
     base::Array<Dot> dots;
-    base::Array<Piece> dot_pieces; // where in `dots` there are any
+    base::Array<Piece> dot_pieces; // the parts of `dots` that hold dots
     std::int64_t dot_count = 0;    // of ink that is drawn
     base::Array<Stroke> strokes;   // far to near
     base::Array<StrokePoint> points;
-    base::Array<Splat> splats; // what depth layers were found from
+    base::Array<Splat> splats; // depth layers were found from them
     bool has_splats = false;   // else nothing hides anything
     base::Array<Piece> splat_pieces;
 
-    // By place, over the viewport; `first_pixel` is their top-left corner.  Of transmittance only.
+    // Indexes by place over the viewport, whose top-left corner is `first_pixel`; only Painting::transmittance has
+    // them.
     glm::ivec2 first_pixel{0};
     Tiles dot_tiles;
     Tiles splat_tiles;
@@ -128,15 +128,21 @@ struct Drawing {
         return dots[a].depth != dots[b].depth ? dots[a].depth > dots[b].depth : a < b;
     }
 
-    // NULL for an id that is no mark's.
+    // The run that has a mark; NULL if no mark has this id.
     [[nodiscard]] const Run* run_of(std::uint32_t id) const noexcept;
-    // Of an id that is a mark's.
+    // The id must be a mark's.
     [[nodiscard]] Identity identify(std::uint32_t id) const noexcept;
     [[nodiscard]] MarkSource source(std::uint32_t id) const noexcept;
-    // The place of what is seen there.
+    // The place in the world of a place in the window.
     [[nodiscard]] glm::vec3 world(const glm::vec3& window) const noexcept;
 
 private:
+    // Calls f for each array of one element for each thing that is drawn or told.
+    template <class Self, class F>
+    static void for_arrays(Self& d, const F& f) {
+        f(d.layers), f(d.dots), f(d.dot_pieces), f(d.strokes), f(d.points), f(d.splats), f(d.splat_pieces), f(d.items);
+        f(d.runs), f(d.posed_position), f(d.posed_normal), f(d.posed_direction);
+    }
     // The last run that begins no later than the id.
     [[nodiscard]] std::int64_t place_of(std::uint32_t id) const noexcept;
 };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "drawing/far_to_near.h"
 
+#include "base/assert.h"
 #include "base/scratch.h"
 
 #include <utility>
@@ -8,7 +9,7 @@
 namespace hrbfnpr::drawing {
 namespace {
 
-constexpr std::int64_t grain = 16384;
+constexpr std::int64_t keys_a_task = 16384;
 constexpr unsigned digit_bits = 8;
 constexpr std::int64_t digits = std::int64_t{1} << digit_bits;
 
@@ -25,14 +26,15 @@ void FarToNear::sort(const base::Parallel& parallel, base::Array<std::uint64_t>&
     }
 }
 
-// One digit.  Returns false, with `to` untouched, if all keys share it.
+// Sorts by one digit. Returns false, with `to` untouched, if all keys share it.
 bool FarToNear::pass(const base::Parallel& parallel, const base::Array<std::uint64_t>& from,
                      base::Array<std::uint64_t>& to, unsigned shift) {
+    HRBFNPR_ASSERT(to.size() == from.size());
     const std::int64_t count = from.size();
-    const std::int64_t chunks = (count + grain - 1) / grain;
+    const std::int64_t chunks = (count + keys_a_task - 1) / keys_a_task;
     base::resize_scratch(histogram_, chunks * digits);
-    parallel.for_chunks(count, grain, [&](std::int64_t begin, std::int64_t end) {
-        std::int64_t* const own = histogram_.data() + begin / grain * digits;
+    parallel.for_chunks(count, keys_a_task, [&](std::int64_t begin, std::int64_t end) {
+        std::int64_t* const own = histogram_.data() + begin / keys_a_task * digits;
         std::fill(own, own + digits, std::int64_t{0});
         for (std::int64_t i = begin; i < end; ++i) ++own[digit_of(from[i], shift)];
     });
@@ -43,8 +45,8 @@ bool FarToNear::pass(const base::Parallel& parallel, const base::Array<std::uint
             total += std::exchange(histogram_[chunk * digits + digit], total);
         if (total - before == count) return false;
     }
-    parallel.for_chunks(count, grain, [&](std::int64_t begin, std::int64_t end) {
-        std::int64_t* const own = histogram_.data() + begin / grain * digits;
+    parallel.for_chunks(count, keys_a_task, [&](std::int64_t begin, std::int64_t end) {
+        std::int64_t* const own = histogram_.data() + begin / keys_a_task * digits;
         for (std::int64_t i = begin; i < end; ++i) to[own[digit_of(from[i], shift)]++] = from[i];
     });
     return true;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// The segments of strokes: where one is, how it ends, and what is in its place.
+// The segments of strokes, which go from one point of a stroke to the next: where one is and how it ends.
 #pragma once
 
-#include "drawing/dot.h"
+#include "base/assert.h"
 #include "drawing/drawing.h"
 
 #include <algorithm>
@@ -10,7 +10,16 @@
 
 namespace hrbfnpr::drawing {
 
-// How a segment ends that goes from one point of its stroke to the next: round where another one follows.
+// The stroke of a segment, whose number is that of its first point. No stroke before `from` has it.
+[[nodiscard]] inline const Stroke* stroke_of(const Drawing& drawing, std::int64_t segment,
+                                             const Stroke* from) noexcept {
+    const Stroke* const next = std::upper_bound(from, drawing.strokes.end(), segment,
+                                                [](std::int64_t at, const Stroke& s) { return at < s.first; });
+    HRBFNPR_ASSERT(next > drawing.strokes.begin());
+    return next - 1;
+}
+
+// The ends of a segment are round where another one follows.
 struct SegmentEnds {
     Cap begin = Cap::round, end = Cap::round;
 };
@@ -20,7 +29,7 @@ struct SegmentEnds {
             segment + 2 == stroke.first + stroke.count ? stroke.cap_end : Cap::round};
 }
 
-// How far a segment may reach around the line between its points.
+// A segment may reach this far around the line between its points.
 [[nodiscard]] inline float reach(const SegmentEnds& ends, const StrokePoint& a, const StrokePoint& b) noexcept {
     const bool pointed = ends.begin == Cap::pointed || ends.end == Cap::pointed;
     const float widest = std::max({a.radius, b.radius, smallest_radius});
@@ -36,7 +45,7 @@ struct Footprint {
             0.5F * std::sqrt((b.x - a.x) * (b.x - a.x) + (b.y - a.y) * (b.y - a.y)) + reach(ends, a, b)};
 }
 
-// Whether a segment covers a place, and then how far along it that is, 0 to 1.  Thin ones are taken as a pixel wide.
+// Whether a segment covers a place, and then its share of the way along it. Thin ones count as a pixel wide.
 [[nodiscard]] inline bool covers(const SegmentEnds& ends, const StrokePoint& a, const StrokePoint& b, float x, float y,
                                  float& at) noexcept {
     const float ux = b.x - a.x;
@@ -55,7 +64,7 @@ struct Footprint {
     return left > 0.0F && square - beyond * beyond <= left * left;
 }
 
-// Puts the segments of a drawing's strokes into tiles like those of its dots: all that lie anywhere near.
+// Puts the segments of a drawing's strokes into tiles like the tiles of its dots, and some that only lie near.
 void bin_segments(const base::Parallel& parallel, Drawing& drawing);
 
 } // namespace hrbfnpr::drawing

@@ -2,6 +2,7 @@
 // Which discs touch which square tile of a picture, each tile's in the order of the discs.
 #pragma once
 
+#include "base/assert.h"
 #include "base/memory.h"
 #include "base/parallel.h"
 #include "base/scratch.h"
@@ -24,15 +25,15 @@ struct Piece {
 // The side of a tile, pixels.
 inline constexpr std::int32_t tile_size = 64;
 
-// The same bins for any thread count: counted and filled in parts of the discs.  Discs over
-// very many tiles stand in one list that every tile looks through, so that memory is bounded.
+// The bins are the same for any thread count: they are counted and filled in parts of the discs. Discs over very many
+// tiles stand in one list that every tile looks through, so that memory is bounded.
 class Tiles {
 public:
     // A round footprint in pixels of the binned picture.
     struct Footprint {
         float x, y, radius;
     };
-    // Any other one's sides.
+    // Any other footprint, by its sides.
     struct BoxFootprint {
         float left, top, right, bottom;
     };
@@ -41,34 +42,45 @@ public:
         : tile_size_(tile_size), rects_(memory), counts_(memory), offsets_(memory), entries_(memory), large_(memory),
           pieces_(memory), starts_(memory) {}
 
-    // footprint(i, out) returns false for what is not to be binned; it is asked once for each i of the pieces, which
-    // ascend.
+    // footprint(i, out) is asked once for each i of the pieces, which ascend; it returns false if i is not to be
+    // binned.
     template <class Print = Footprint, class F>
     void build(const base::Parallel& parallel, std::int32_t width, std::int32_t height, std::span<const Piece> pieces,
                const F& footprint) {
         columns_ = (width + tile_size_ - 1) / tile_size_;
         rows_ = (height + tile_size_ - 1) / tile_size_;
-        number(pieces);
+        HRBFNPR_ASSERT(width >= 0 && height >= 0);
+        pieces_.clear();
+        starts_.clear();
+        total_ = 0;
+        for (const Piece& piece : pieces) {
+            HRBFNPR_ASSERT(piece.begin <= piece.end && (pieces_.empty() || piece.begin >= pieces_.back().end));
+            pieces_.push_back(piece);
+            starts_.push_back(total_);
+            total_ += piece.end - piece.begin;
+        }
+        starts_.push_back(total_);
         base::resize_scratch(rects_, total_);
-        // At most 16 parts: each keeps a count for each tile.
-        grain_ = std::max(least_grain, (total_ + 15) / 16);
-        const std::int64_t parts = (total_ + grain_ - 1) / grain_;
-        base::resize_scratch(counts_, parts * tiles());
+        grain_ = std::max(least_grain, (total_ + most_parts - 1) / most_parts);
+        base::resize_scratch(counts_, (total_ + grain_ - 1) / grain_ * tiles());
         std::atomic<bool> any_large{false};
         parallel.for_chunks(total_, grain_, [&](std::int64_t begin, std::int64_t end) {
             std::uint32_t* const counts = counts_.data() + begin / grain_ * tiles();
             std::fill_n(counts, tiles(), 0U);
             for_each_disc(begin, end, [&](std::int64_t number, std::int64_t i) {
                 Print print{};
-                const Rect rect = footprint(i, print) ? rect_of(print) : Rect{};
-                rects_[number] = rect;
-                if (rect.tiles() > most_tiles_of_one) any_large.store(true, std::memory_order_relaxed);
-                for_tiles(rect, [counts](std::int64_t tile) { ++counts[tile]; });
+                rects_[number] = footprint(i, print) ? rect_of(print) : Rect{};
+                if (rects_[number].tiles() > most_tiles_of_one) any_large.store(true, std::memory_order_relaxed);
+                for_tiles(rects_[number], [counts](std::int64_t tile) { ++counts[tile]; });
             });
         });
         distribute(parallel);
         large_.clear();
-        if (any_large) list_large();
+        if (!any_large) return;
+        for_each_disc(0, total_, [&](std::int64_t number, std::int64_t disc) {
+            if (rects_[number].tiles() > most_tiles_of_one)
+                large_.push_back({static_cast<std::uint32_t>(disc), rects_[number]});
+        });
     }
 
     [[nodiscard]] std::int32_t tile_size() const noexcept { return tile_size_; }
@@ -87,7 +99,7 @@ public:
                pieces_.bytes() + starts_.bytes();
     }
 
-    // Puts each tile's discs into another order than that of their numbers.
+    // Puts each tile's discs into another order than by their numbers.
     template <class Before>
     void order(const base::Parallel& parallel, const Before& before) {
         parallel.for_each(tiles(), [&](std::int64_t tile) {
@@ -112,7 +124,7 @@ public:
         return {edge(column, columns_), edge(row, rows_), edge(column + 1, columns_), edge(row + 1, rows_)};
     }
 
-    // Calls f(disc) for the discs that touch the tile, in ascending order, or in that of order().
+    // Calls f(disc) for the discs that touch the tile, in ascending order, or in the order of order().
     template <class F, class Before = std::less<>>
     void for_tile(std::int64_t tile, F&& f, const Before& before = {}) const {
         for_spans(
@@ -123,7 +135,7 @@ public:
             before);
     }
 
-    // Calls f(discs) for consecutive parts of what for_tile() runs through.
+    // Calls f(discs) for consecutive parts of the discs that for_tile() runs through.
     template <class F, class Before = std::less<>>
     void for_spans(std::int64_t tile, F&& f, const Before& before = {}) const {
         const auto column = static_cast<std::uint16_t>(tile % columns_);
@@ -143,7 +155,8 @@ public:
     }
 
 private:
-    static constexpr std::int64_t least_grain = 8192;
+    static constexpr std::int64_t least_grain = 8192; // discs a task
+    static constexpr std::int64_t most_parts = 16;    // each keeps a count for each tile
     static constexpr std::int64_t most_tiles_of_one = 64;
 
     // Half-open, in tiles; empty by default.
@@ -164,7 +177,7 @@ private:
                             print.y + print.radius);
     }
     [[nodiscard]] Rect rect_of(const BoxFootprint& print) const noexcept {
-        if (!(print.left <= print.right && print.top <= print.bottom)) return {}; // not numbers
+        if (!(print.left <= print.right && print.top <= print.bottom)) return {}; // NaN
         return rect_between(print.left, print.top, print.right, print.bottom);
     }
     [[nodiscard]] Rect rect_between(float from_x, float from_y, float to_x, float to_y) const noexcept {
@@ -202,9 +215,31 @@ private:
         }
     }
 
-    void number(std::span<const Piece> pieces);
-    void distribute(const base::Parallel& parallel);
-    void list_large();
+    // Fills the tiles by the counts of each part.
+    void distribute(const base::Parallel& parallel) {
+        // Counts become the place of each part's first entry, relative to its tile's.
+        const std::int64_t parts = (total_ + grain_ - 1) / grain_;
+        base::resize_scratch(offsets_, tiles() + 1);
+        std::int64_t total = 0;
+        for (std::int64_t tile = 0; tile < tiles(); ++tile) {
+            offsets_[tile] = total;
+            for (std::int64_t part = 0; part < parts; ++part) {
+                const std::uint32_t here = counts_[part * tiles() + tile];
+                counts_[part * tiles() + tile] = static_cast<std::uint32_t>(total - offsets_[tile]);
+                total += here;
+            }
+        }
+        offsets_[tiles()] = total;
+        base::resize_scratch(entries_, total);
+        parallel.for_chunks(total_, grain_, [&](std::int64_t begin, std::int64_t end) {
+            std::uint32_t* const counts = counts_.data() + begin / grain_ * tiles();
+            for_each_disc(begin, end, [&](std::int64_t number, std::int64_t disc) {
+                for_tiles(rects_[number], [&](std::int64_t tile) {
+                    entries_[offsets_[tile] + counts[tile]++] = static_cast<std::uint32_t>(disc);
+                });
+            });
+        });
+    }
 
     std::int32_t tile_size_;
     std::int32_t columns_ = 0;

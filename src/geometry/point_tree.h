@@ -3,6 +3,7 @@
 // cell size to get wrong when points cluster.
 #pragma once
 
+#include "base/assert.h"
 #include "base/memory.h"
 #include "base/operation.h"
 #include "geometry/vec_array.h"
@@ -30,16 +31,26 @@ public:
 
     // The nearest `count` points of those that `accept_point(at)` lets pass, nearest first (ties by place in the
     // tree's order): writes their places to `found`, and returns how many there are.  accept_node(node) is asked
-    // before a node's points are: false if it holds none that would pass.
+    // before a node's points are: false if it holds none that would pass.  Nodes beyond `farthest` are passed over; a
+    // point of another node may be found although it is beyond.
     template <class AcceptNode, class AcceptPoint>
     std::int64_t nearest(const glm::dvec3& p, std::int64_t count, AcceptNode&& accept_node, AcceptPoint&& accept_point,
-                         std::int64_t* found) const;
+                         std::int64_t* found, double farthest = std::numeric_limits<double>::infinity()) const;
 
     // Nodes are numbered 0 .. nodes() - 1, children after their parents; some numbers are of no node.
     [[nodiscard]] std::int64_t nodes() const noexcept { return bounds_.size(); }
     // The smallest value(at) of the points of each node, by the node's number.
     template <class Value>
     [[nodiscard]] base::Array<std::int64_t> smallest_of_nodes(Value&& value) const;
+
+    // Calls visit(node) for the nodes that hold the point at `at`, from the root on.
+    template <class Visit>
+    void for_nodes_of(std::int64_t at, Visit&& visit) const {
+        HRBFNPR_ASSERT(at >= 0 && at < size());
+        Range range{0, 0, size()};
+        for (; !range.leaf(); range = at < range.middle() ? range.low() : range.high()) visit(range.node);
+        visit(range.node);
+    }
 
     // Distance from the point at `at` to the nearest other one; infinite if it is alone.
     [[nodiscard]] double nearest_other(std::int64_t at) const noexcept;
@@ -122,10 +133,9 @@ class PointTree::Best {
 public:
     static constexpr std::int64_t most = 64;
 
-    explicit Best(std::int64_t count) noexcept : count_(count) {}
+    Best(std::int64_t count, double farthest) noexcept : count_(count), farthest_squared_(farthest * farthest) {}
     [[nodiscard]] double limit() const noexcept {
-        return size_ < count_ ? std::numeric_limits<double>::infinity()
-                              : near_[static_cast<std::size_t>(size_ - 1)].squared;
+        return size_ < count_ ? farthest_squared_ : near_[static_cast<std::size_t>(size_ - 1)].squared;
     }
     void add(const Near& near) noexcept {
         std::int64_t to = size_;
@@ -146,25 +156,30 @@ public:
 
 private:
     std::int64_t count_;
+    double farthest_squared_;
     std::int64_t size_ = 0;
     std::array<Near, most> near_;
 };
 
 template <class AcceptNode, class AcceptPoint>
 std::int64_t PointTree::nearest(const glm::dvec3& p, std::int64_t count, AcceptNode&& accept_node,
-                                AcceptPoint&& accept_point, std::int64_t* found) const {
+                                AcceptPoint&& accept_point, std::int64_t* found, double farthest) const {
     if (size() == 0 || count <= 0) return 0;
-    Best best(std::min(count, Best::most));
-    std::array<Range, stack_size> stack;
+    Best best(std::min(count, Best::most), farthest);
+    struct Waiting {
+        Range range;
+        double squared; // distance to its box
+    };
+    std::array<Waiting, stack_size> stack;
     std::size_t depth = 0;
-    stack[depth++] = {0, 0, size()};
+    stack[depth++] = {{0, 0, size()}, squared_distance_to_box(p, 0)};
     while (depth > 0) {
-        const Range range = stack[--depth];
-        if (!accept_node(range.node) || squared_distance_to_box(p, range.node) > best.limit()) continue;
+        const auto [range, squared] = stack[--depth];
+        if (squared > best.limit() || !accept_node(range.node)) continue;
         if (!range.leaf()) {
-            const Range low = range.low();
-            const Range high = range.high();
-            const bool low_first = squared_distance_to_box(p, low.node) <= squared_distance_to_box(p, high.node);
+            const Waiting low{range.low(), squared_distance_to_box(p, range.low().node)};
+            const Waiting high{range.high(), squared_distance_to_box(p, range.high().node)};
+            const bool low_first = low.squared <= high.squared;
             stack[depth++] = low_first ? high : low;
             stack[depth++] = low_first ? low : high;
             continue;

@@ -134,8 +134,10 @@ void ask_tones(Scene& scene, ToneCalls& calls) {
 [[nodiscard]] bool is_paper(const Marks& marks, const Run& run, std::int64_t place) noexcept {
     if (!run.paints_paper) return false;
     const MarkClass mark_class = marks.mark_class[place];
-    if (mark_class == MarkClass::front) return front_alpha(marks.nu[place], run.pen.lambda_front) > 0.0F;
-    return mark_class == MarkClass::back && back_alpha(marks.nu[place], run.pen.lambda_back) > 0.0F;
+    if (mark_class == MarkClass::front)
+        return front_alpha(marks.nu[place], static_cast<float>(run.pen.style->attenuation_front)) > 0.0F;
+    return mark_class == MarkClass::back &&
+           back_alpha(marks.nu[place], static_cast<float>(run.pen.style->attenuation_back)) > 0.0F;
 }
 
 void decide(Scene& scene, const Run& run, std::int64_t place, const VisibilityMap* visibility,

@@ -50,7 +50,7 @@ struct Filled {
 };
 
 Filled filled(const GroupInput& input) {
-    output::PlotOrderSettings settings = plotter_settings();
+    output::PageSettings settings = plotter_settings();
     settings.shapes.fills = true;
     Filled result;
     result.sorted = sorted(input, settings);
@@ -163,7 +163,7 @@ TEST(FillLines, EndsInAPoint) {
 TEST(FillLines, StaysOnThePage) {
     GroupInput input;
     input.add({{20.0, 0.2, 1.0}, {60.0, 0.2, 1.0}});
-    output::PlotOrderSettings settings = plotter_settings();
+    output::PageSettings settings = plotter_settings();
     settings.shapes.fills = true;
     const Sorted result = sorted(input, settings);
     EXPECT_GE(result.out.paths.size(), 1U);
@@ -187,7 +187,7 @@ TEST(FillLines, BoundsItsPasses) {
     GroupInput input;
     input.group.pen_width = 0.001;
     input.add({{10.0, 20.0, 1e5}, {10.1, 20.0, 1e5}});
-    output::PlotOrderSettings settings = plotter_settings();
+    output::PageSettings settings = plotter_settings();
     settings.shapes.fills = true;
     EXPECT_LE(sorted(input, settings).out.paths.size(), 20000U);
 }

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 // From a drawing to groups on a page, and lines cut into dashes.
-#include "output/vector/lay_out.h"
-
-#include "output/vector/line_types.h"
+#include "output/vector/filters.h"
+#include "output/vector/write_page.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // That no stage goes on for long without a look at its operation: the calls of a callback are counted, which come with
 // every look.
-#include "output/vector/near_tree.h"
 #include "recorder.h"
 
 #include <gtest/gtest.h>
@@ -48,16 +47,6 @@ output::PlotLines chained(base::Memory& memory, int count) {
         lines.lines.push_back(line);
     }
     return lines;
-}
-
-TEST(Looks, AreManyWhereTreesAreBuilt) {
-    const std::vector<glm::dvec2> points = places(many);
-    // 13 levels above the leaves and theirs, at 16384 points each.
-    EXPECT_GE(looks_of([&](const base::Progress& progress) {
-                  base::Memory memory;
-                  output::NearTree(memory).build(points, progress);
-              }),
-              14 * many / 16384 - 14);
 }
 
 TEST(Looks, AreManyWhereLinesAreJoined) {

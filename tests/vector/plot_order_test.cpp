@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 // What becomes of a group's lines and dots on the way to a pen.
-#include "output/vector/line_types.h"
 #include "recorder.h"
 
 #include <gtest/gtest.h>
@@ -110,8 +109,8 @@ TEST(PlotOrder, TurnsCapsRoundWithTheirLine) {
     input.add(line);
     input.paths[0].begin = Cap::pointed;
     input.paths[0].end = Cap::flat;
-    output::PlotOrderSettings settings = plotter_settings();
-    settings.for_plotter = false;
+    output::PageSettings settings = plotter_settings();
+    settings.format = output::PageFormat::svg;
     const Sorted result = sorted(input, settings);
     const KeptPath& path = result.out.paths.at(0);
     EXPECT_EQ(path.points.front().x, 10.0);
@@ -201,12 +200,12 @@ TEST(PlotOrder, KeepsOpacitiesApartButForAPlotter) {
     GroupInput input; // a line that fades, in parts that are shorter than half of its width
     for (int i = 0; i < 20; ++i)
         input.add(straight(20.0 + 0.08 * i, 50.0, 20.08 + 0.08 * i, 50.0, 1), false, 1.0 - 0.04 * i);
-    output::PlotOrderSettings settings = plotter_settings();
+    output::PageSettings settings = plotter_settings();
     const Sorted plotted = sorted(input, settings);
     EXPECT_EQ(plotted.counts.joined, 19);
     ASSERT_EQ(plotted.out.paths.size(), 1U);
     EXPECT_NEAR(plotted.out.paths[0].opacity, 0.62, 1e-9);
-    settings.for_plotter = false;
+    settings.format = output::PageFormat::svg;
     const Sorted written = sorted(input, settings);
     EXPECT_EQ(written.counts.joined, 0);
     EXPECT_EQ(written.out.paths.size(), 20U);
@@ -223,8 +222,8 @@ TEST(PlotOrder, DropsWhatIsTooShort) {
     EXPECT_EQ(result.counts.dropped_paths, 1);
     EXPECT_EQ(result.counts.joined, 1);
     EXPECT_EQ(result.out.paths.size(), 2U);
-    output::PlotOrderSettings settings = plotter_settings();
-    settings.shortest = 0.17;
+    output::PageSettings settings = plotter_settings();
+    settings.plot.shortest = 0.17;
     result = sorted(input, settings);
     EXPECT_EQ(result.counts.dropped_paths, 2);
     input.group.line_type = static_cast<output::LineType>(7); // dotted: as they are
@@ -243,8 +242,8 @@ TEST(PlotOrder, DropsDotsNearToOthers) {
     for (const output::PageDot& dot : result.out.dots) places.push_back(dot.x);
     std::sort(places.begin(), places.end());
     for (std::size_t i = 0; i < places.size(); ++i) EXPECT_DOUBLE_EQ(places[i], 50.0 + 0.2 * static_cast<double>(i));
-    output::PlotOrderSettings settings = plotter_settings();
-    settings.dot_distance = 0.95;
+    output::PageSettings settings = plotter_settings();
+    settings.plot.dot_distance = 0.95;
     result = sorted(input, settings);
     EXPECT_EQ(result.out.dots.size(), 1U);
     EXPECT_EQ(result.out.dots[0].x, 50.0);

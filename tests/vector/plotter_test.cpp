@@ -125,7 +125,7 @@ using Hpgl = std::integral_constant<output::PageFormat, output::PageFormat::hpgl
 using Gcode = std::integral_constant<output::PageFormat, output::PageFormat::gcode>;
 
 template <class Format>
-Written written(const std::vector<GroupInput>& groups, const output::WriterSettings& format = {},
+Written written(const std::vector<GroupInput>& groups, const output::PageSettings& format = {},
                 const std::vector<output::PageText>& texts = {}) {
     base::Memory memory;
     StringWriter out;
@@ -137,8 +137,10 @@ Written written(const std::vector<GroupInput>& groups, const output::WriterSetti
     info.program = "0";
     const base::Progress progress;
     {
-        const auto file = output::plotter_writer(Format::value, memory, out, info, format, result.counts);
-        output::PlotOrderSettings settings = plotter_settings();
+        output::PageSettings its = format;
+        its.format = Format::value;
+        const auto file = output::plotter_writer(memory, out, info, its, result.counts);
+        output::PageSettings settings = plotter_settings();
         settings.shapes = format.shapes;
         output::PlotOrder order(memory, *file, settings, result.counts, nullptr, progress);
         order.begin_view({"", {0.0, 0.0, 200.0, 100.0}, {}, false});
@@ -210,7 +212,7 @@ TYPED_TEST_SUITE(Plotter, Formats);
 TYPED_TEST(Plotter, DrawsAllLinesWithinTheTolerance) {
     const GroupInput input = random_lines(1, 150, 9.0, 40);
     for (const double tolerance : {0.05, 0.3}) {
-        output::WriterSettings format;
+        output::PageSettings format;
         format.shapes.tolerance = tolerance;
         const Written result = written<TypeParam>({input}, format);
         const double reach = tolerance + 0.02; // and half of a unit each way
@@ -227,11 +229,11 @@ TYPED_TEST(Plotter, DrawsAllLinesWithinTheTolerance) {
 }
 
 TYPED_TEST(Plotter, SaysHowLongItTakes) {
-    output::WriterSettings format;
-    format.speeds = {30.0, 200.0, 0.5};
+    output::PageSettings format;
+    format.plot.speeds = {30.0, 200.0, 0.5};
     const Written result = written<TypeParam>({random_lines(3, 300, 8.0)}, format);
     EXPECT_GT(result.plotted.lifts, 200);
-    expect_estimate(result, format.speeds);
+    expect_estimate(result, format.plot.speeds);
 }
 
 TYPED_TEST(Plotter, DoesNotLiftWhereALineGoesOn) {
@@ -251,7 +253,7 @@ TYPED_TEST(Plotter, DoesNotLiftWhereALineGoesOn) {
 TYPED_TEST(Plotter, DrawsDotsInThreeWays) {
     GroupInput input;
     input.dots = {{50.0, 50.0, 2.0, 1.0, false}, {50.0, 20.0, 0.1, 1.0, false}}; // the second no wider than the pen
-    output::WriterSettings format;
+    output::PageSettings format;
     const Written circles = written<TypeParam>({input}, format);
     EXPECT_EQ(circles.counts.dots, 2);
     ASSERT_EQ(circles.plotted.lines.size(), 2U);
@@ -287,7 +289,7 @@ TYPED_TEST(Plotter, DrawsDotsInThreeWays) {
 TYPED_TEST(Plotter, FillsDotsThatAreWiderThanThePen) {
     GroupInput input;
     input.dots = {{50.0, 50.0, 1.0, 1.0, false}, {50.0, 20.0, 0.1, 1.0, false}};
-    output::WriterSettings format;
+    output::PageSettings format;
     format.shapes.fills = true;
     const Written result = written<TypeParam>({input}, format);
     ASSERT_EQ(result.plotted.lines.size(), 2U);
@@ -332,7 +334,7 @@ TEST(Hpgl, GoesBackAfterALabel) {
     output::PageCounts counts;
     output::PageInfo info;
     info.height = 100.0;
-    const auto file = output::plotter_writer(output::PageFormat::hpgl, memory, out, info, {}, counts);
+    const auto file = output::plotter_writer(memory, out, info, plotter_settings(), counts);
     file->begin_group({});
     file->text({10.0, 90.0, 4.0, "a"});
     const Line line{{10.0, 90.0, 0.1}, {20.0, 90.0, 0.1}};
@@ -348,9 +350,9 @@ TEST(Gcode, IsWhatPlottersRead) {
     std::snprintf(input.group.name, sizeof input.group.name, "hatch (2) gr%s", "\xC3\xBCn");
     other.add({{1.0, 99.0, 0.1}, {0.5, 99.0, 0.1}});
     other.group.pen = 2;
-    output::WriterSettings format;
-    format.pen_down = "down";
-    format.pen_up = "up\n";
+    output::PageSettings format;
+    format.plot.pen_down = "down";
+    format.plot.pen_up = "up\n";
     const Written result = written<Gcode>({input, other}, format, {{10.0, 20.0, 5.0, "a\n(b)"}});
     EXPECT_EQ(result.text,
               "(A ?title??of two lines, gr?n)\n(hrbfnpr 0)\n"

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "base/random.h"
-#include "output/vector/plot_order.h"
+#include "output/vector/filters.h"
 
 #include <string>
 #include <vector>
@@ -85,18 +85,19 @@ struct GroupInput {
     }
 };
 
-inline output::PlotOrderSettings plotter_settings() {
-    output::PlotOrderSettings settings;
-    settings.for_plotter = true;
-    settings.page = {0.0, 0.0, 200.0, 100.0};
+inline output::PageSettings plotter_settings() {
+    output::PageSettings settings;
+    settings.format = output::PageFormat::hpgl;
+    settings.width = 200.0;
+    settings.height = 100.0;
     return settings;
 }
 
-inline Sorted sorted(const GroupInput& input, const output::PlotOrderSettings& settings = plotter_settings()) {
+inline Sorted sorted(const GroupInput& input, const output::PageSettings& settings = plotter_settings()) {
     base::Memory memory;
     Sorted result;
     Recorder out;
-    output::PenTrack track(result.counts, {}, {settings.page.left, settings.page.bottom});
+    output::PenTrack track(result.counts, {}, {0.0, settings.height});
     const base::Progress progress;
     output::PlotOrder order(memory, out, settings, result.counts, &track, progress);
     input.hand_to(order);

@@ -56,9 +56,7 @@ TEST(TextOut, EscapesAndBuffers) {
     EXPECT_EQ(out.bytes(), static_cast<std::int64_t>(text.all.size()));
 }
 
-using MakeWriter = decltype(output::svg_writer);
-
-std::string page_by(MakeWriter& make, PageCounts& counts, const output::ShapeSettings& settings = {}) {
+std::string page_by(output::MakeWriter& make, PageCounts& counts, const output::ShapeSettings& shapes = {}) {
     base::Memory memory;
     Text text;
     PageInfo info;
@@ -66,6 +64,8 @@ std::string page_by(MakeWriter& make, PageCounts& counts, const output::ShapeSet
     info.height = 50.0;
     info.title = "A & B \xC3\xA9";
     info.program = "1.2.3";
+    output::PageSettings settings;
+    settings.shapes = shapes;
     const std::unique_ptr<output::PageSink> writer = make(memory, text, info, settings, counts);
     writer->begin_view({"front <1>", {0, 0, 100, 50}, {1.0F, 1.0F, 1.0F, 1.0F}, true});
     output::PageGroup group;

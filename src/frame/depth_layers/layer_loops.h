@@ -3,7 +3,7 @@
 #pragma once
 
 #include "base/instruction_set.h"
-#include "drawing/splat.h"
+#include "drawing/dot.h"
 
 #include <cstdint>
 

@@ -10,7 +10,6 @@
 #include "base/memory.h"
 #include "base/view.h"
 #include "drawing/drawing.h"
-#include "drawing/mark_class.h"
 #include "features/line_set.h"
 #include "frame/scene/attenuation.h"
 #include "frame/scene/camera.h"

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "output/marks/mark_results.h"
 
+#include "base/assert.h"
+
 #include <algorithm>
 #include <utility>
 
@@ -20,7 +22,7 @@ struct Drawn {
     float radius, opacity, depth;
 };
 
-// Calls f for each mark of the run that is drawn, as a dot or as points of a stroke.  A stroke of hatching that is cut
+// Calls f for each mark of the run that is drawn, as a dot or as points of a stroke. A stroke of hatching that is cut
 // or closed may have a mark twice.
 template <class F>
 void for_each_drawn(const Drawing& drawing, const drawing::Run& run, const F& f) {
@@ -50,6 +52,7 @@ void for_each_drawn(const Drawing& drawing, const drawing::Run& run, const F& f)
 } // namespace
 
 void write_mark_results(const Drawing& drawing, std::int64_t number, const MarkViews& views) {
+    HRBFNPR_ASSERT(number >= 0 && number < drawing.runs.size());
     const drawing::Run& run = drawing.runs[number];
     for (const base::OutView* view : {&views.shown, &views.radius, &views.opacity})
         if (*view)
@@ -64,6 +67,7 @@ void write_mark_results(const Drawing& drawing, std::int64_t number, const MarkV
 
 std::span<const std::uint32_t> MarkIndices::of(const Drawing& drawing, std::int64_t number, MarkClass mark_class,
                                                Primitive primitive) {
+    HRBFNPR_ASSERT(number >= 0 && number < drawing.runs.size());
     const drawing::Run& run = drawing.runs[number];
     keys_.clear();
     indices_.clear();
@@ -74,25 +78,17 @@ std::span<const std::uint32_t> MarkIndices::of(const Drawing& drawing, std::int6
         keys_.push_back(drawing::far_first_key(drawn.depth, static_cast<std::uint32_t>(drawn.mark)));
     });
     if (primitive == Primitive::points) {
-        add_points();
-    } else {
-        add_strips(drawing.items[run.item].set->layers[run.layer], primitive == Primitive::triangle_strips ? 2 : 1);
+        order_.sort(runtime_.parallel, keys_);
+        for (const std::uint64_t key : keys_) indices_.push_back(static_cast<std::uint32_t>(key));
+        return indices_.span();
     }
-    return indices_.span();
-}
-
-void MarkIndices::add_points() {
-    order_.sort(runtime_.parallel, keys_);
-    for (const std::uint64_t key : keys_) indices_.push_back(static_cast<std::uint32_t>(key));
-}
-
-// A line takes two marks and more.
-void MarkIndices::add_strips(const marks::Layer& layer, std::uint32_t sides) {
+    const marks::Layer& layer = drawing.items[run.item].set->layers[run.layer];
+    const std::uint32_t sides = primitive == Primitive::triangle_strips ? 2 : 1;
     for (std::int64_t s = 0; s < layer.strokes(); ++s) {
         const std::int64_t end = layer.stroke_first[s + 1];
         for (std::int64_t i = layer.stroke_first[s]; i < end;) {
             std::int64_t stop = i;
-            while (stop < end && shown_[layer.mark_of(stop)] != 0) ++stop;
+            while (stop < end && shown_[layer.mark_of(stop)] != 0) ++stop; // a line takes two marks or more
             for (std::int64_t k = i; stop - i > 1 && k < stop; ++k)
                 for (std::uint32_t side = 0; side < sides; ++side)
                     indices_.push_back(sides * static_cast<std::uint32_t>(layer.mark_of(k)) + side);
@@ -100,6 +96,7 @@ void MarkIndices::add_strips(const marks::Layer& layer, std::uint32_t sides) {
             i = std::max(stop, i + 1);
         }
     }
+    return indices_.span();
 }
 
 } // namespace hrbfnpr::output

@@ -4,9 +4,7 @@
 
 #include "base/runtime.h"
 #include "base/view.h"
-#include "drawing/drawing.h"
-#include "drawing/far_to_near.h"
-#include "output/vertex/primitive.h"
+#include "output/vertex/vertices.h"
 
 #include <cstdint>
 
@@ -32,9 +30,6 @@ public:
                                                     drawing::MarkClass mark_class, Primitive primitive);
 
 private:
-    void add_points();
-    void add_strips(const marks::Layer& layer, std::uint32_t sides);
-
     const base::Runtime& runtime_;
     drawing::FarToNear order_;
     base::Array<std::uint64_t> keys_; // of the marks that are shown

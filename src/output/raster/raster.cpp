@@ -49,12 +49,6 @@ struct Job {
     [[nodiscard]] std::int64_t element(std::int32_t x, std::int32_t y) const noexcept {
         return std::int64_t{y} * image.width + x;
     }
-    // The stroke of a segment, which is none before `from`.
-    [[nodiscard]] const Stroke* stroke_of(std::uint32_t segment, const Stroke* from) const noexcept {
-        return std::upper_bound(from, drawing.strokes.end(), std::int64_t{segment},
-                                [](std::int64_t at, const Stroke& s) { return at < s.first; }) -
-               1;
-    }
 };
 
 // One tile of the image, and what its worker writes to.
@@ -124,7 +118,7 @@ void lay(const Job& job, const Canvas& canvas, const DiscTile& target) {
     };
     const Stroke* stroke = drawing.strokes.begin();
     for (std::int64_t i = dots, end = 0; i < numbers.size(); i = end) {
-        stroke = job.stroke_of(numbers[i], stroke);
+        stroke = stroke_of(drawing, numbers[i], stroke);
         HRBFNPR_ASSERT(numbers[i] >= stroke->first && numbers[i] + 1 < stroke->first + stroke->count);
         end = i;
         while (end < numbers.size() && numbers[end] < stroke->first + stroke->count) ++end;
@@ -219,7 +213,7 @@ void for_all_of_tile(const Job& job, std::int64_t tile, const Note& note) {
     if (job.published || drawing.strokes.empty()) return;
     // A segment has its depth at a pixel, and the id of its nearer end.
     drawing.segment_tiles.for_tile(tile, [&](std::uint32_t i) {
-        const Stroke& stroke = *job.stroke_of(i, drawing.strokes.begin());
+        const Stroke& stroke = *stroke_of(drawing, i, drawing.strokes.begin());
         const StrokePoint& a = drawing.points[i];
         const StrokePoint& b = drawing.points[std::int64_t{i} + 1];
         const drawing::SegmentEnds ends = drawing::ends_of(stroke, i);

@@ -107,20 +107,14 @@ bool Outliner::find_leg(std::int64_t number, Leg& leg) const noexcept {
     return true;
 }
 
-// Finds the last leg with a length before a segment.
-void Outliner::find_before(std::int64_t number, Leg& leg) const noexcept {
+// Finds the next leg with a length from a segment on, or back for a step of -1.
+void Outliner::find_next(std::int64_t number, std::int64_t step, Leg& leg) const noexcept {
+    HRBFNPR_ASSERT(step == 1 || step == -1);
     leg.number = -1;
-    for (std::int64_t i = number - 1; i >= first_; --i)
+    for (std::int64_t i = number + step; i >= first_ && i <= last_; i += step)
         if (find_leg(i, leg)) return;
-    for (std::int64_t i = last_; list_.stroke->closed && i > number; --i)
-        if (find_leg(i, leg)) return;
-}
-
-void Outliner::find_after(std::int64_t number, Leg& leg) const noexcept {
-    leg.number = -1;
-    for (std::int64_t i = number + 1; i <= last_; ++i)
-        if (find_leg(i, leg)) return;
-    for (std::int64_t i = first_; list_.stroke->closed && i < number; ++i)
+    if (!list_.stroke->closed) return;
+    for (std::int64_t i = step > 0 ? first_ : last_; i != number; i += step)
         if (find_leg(i, leg)) return;
 }
 
@@ -186,45 +180,31 @@ void Outliner::find_joint(const Leg& a, const Leg& b, Joint& joint) noexcept {
     joint.kind = fits && meet(a, b, -side, joint) ? Kind::round : Kind::open;
 }
 
-// Adds one side of a leg's beginning, in the leg's direction.
-void Outliner::begin_side(const Leg& leg, const Joint& joint, bool left, Outline& outline) const noexcept {
-    const bool outside = left == joint.left_outside;
+// Adds one side of a leg's beginning or end, in the leg's direction.
+void Outliner::add_side(const Leg& leg, bool at_end, bool left, Outline& outline) const noexcept {
+    const Joint& joint = at_end ? end_ : begin_;
     const Place across = (left ? 1.0 : -1.0) * leg.left();
-    const Place corner = leg.a + leg.radius_a * across;
+    const Place& centre = at_end ? leg.b : leg.a;
+    const double radius = at_end ? leg.radius_b : leg.radius_a;
+    const Place corner = centre + radius * across;
     if (joint.kind == Kind::shared) {
-        outline.add(left ? joint.outer : joint.inner, left);
-    } else if (joint.kind != Kind::round) {
-        outline.add(corner, left);
-    } else if (outside) {
-        outline.add(joint.outer, left);
-        add_arc(leg.a, leg.radius_a, joint.middle, across, arcs_, outline, left);
-        outline.add(corner, left);
-    } else {
-        outline.add(joint.inner, left);
-        if (joint.corner_b) outline.add(corner, left);
-    }
-}
-
-void Outliner::end_side(const Leg& leg, const Joint& joint, bool left, Outline& outline) const noexcept {
-    const bool outside = left == joint.left_outside;
-    const Place across = (left ? 1.0 : -1.0) * leg.left();
-    const Place corner = leg.b + leg.radius_b * across;
-    if (joint.kind == Kind::shared) {
-        if (outline.may_drop(left ? joint.outer : joint.inner, left)) outline.drop(left);
-        outline.add(left ? joint.outer : joint.inner, left);
-        ++outline.gentle[left ? 1 : 0];
+        const Place& edge = left ? joint.outer : joint.inner;
+        if (at_end && outline.may_drop(edge, left)) outline.drop(left);
+        outline.add(edge, left);
+        if (at_end) ++outline.gentle[left ? 1 : 0];
         return;
     }
-    outline.gentle[left ? 1 : 0] = 0;
+    if (at_end) outline.gentle[left ? 1 : 0] = 0;
     if (joint.kind != Kind::round) {
         outline.add(corner, left);
-    } else if (outside) {
-        outline.add(corner, left);
-        add_arc(leg.b, leg.radius_b, across, joint.middle, arcs_, outline, left);
-        outline.add(joint.outer, left);
+    } else if (left == joint.left_outside) {
+        outline.add(at_end ? corner : joint.outer, left);
+        add_arc(centre, radius, at_end ? across : joint.middle, at_end ? joint.middle : across, arcs_, outline, left);
+        outline.add(at_end ? joint.outer : corner, left);
     } else {
-        if (joint.corner_a) outline.add(corner, left);
+        if (at_end && joint.corner_a) outline.add(corner, left);
         outline.add(joint.inner, left);
+        if (!at_end && joint.corner_b) outline.add(corner, left);
     }
 }
 
@@ -250,9 +230,9 @@ bool Outliner::start(std::int64_t number) noexcept {
     }
     begin_.kind = end_.kind = Kind::cap;
     if (!find_leg(number, leg_)) return false;
-    find_before(number, previous_);
+    find_next(number, -1, previous_);
     find_joint(previous_, leg_, begin_);
-    find_after(number, next_);
+    find_next(number, 1, next_);
     find_joint(leg_, next_, end_);
     return true;
 }
@@ -261,7 +241,7 @@ void Outliner::go_on() noexcept {
     previous_ = leg_;
     leg_ = next_;
     begin_ = end_;
-    find_after(leg_.number, next_);
+    find_next(leg_.number, 1, next_);
     find_joint(leg_, next_, end_);
 }
 
@@ -281,21 +261,21 @@ std::int64_t Outliner::outline(std::int64_t i, bool single, Outline& outline) no
     const std::int64_t number = list_.numbers[i];
     outline.clear();
     if (!start(number)) {
-        if (number == first_) find_after(number, next_);
+        if (number == first_) find_next(number, 1, next_);
         if (number == first_ && next_.number < 0) disc(outline);
         return 1;
     }
     const Leg first = leg_;
     const Joint begin = begin_;
     if (begin_.kind == Kind::cap) add_cap(leg_.a, leg_.radius_a, -1.0 * leg_.along, stroke.cap_begin, arcs_, outline);
-    for (const bool left : {false, true}) begin_side(leg_, begin_, left, outline);
+    for (const bool left : {false, true}) add_side(leg_, false, left, outline);
     std::int64_t end = i + 1;
     for (;; ++end) {
-        for (const bool left : {false, true}) end_side(leg_, end_, left, outline);
+        for (const bool left : {false, true}) add_side(leg_, true, left, outline);
         if (single || begin.kind == Kind::open || !outline.has_room() || !goes_on(end, first)) break;
         go_on();
         for (const bool left : {false, true})
-            if (begin_.kind == Kind::round) begin_side(leg_, begin_, left, outline);
+            if (begin_.kind == Kind::round) add_side(leg_, false, left, outline);
     }
     if (end_.kind == Kind::cap) add_cap(leg_.b, leg_.radius_b, leg_.along, stroke.cap_end, arcs_, outline);
     outline.close();

@@ -88,15 +88,13 @@ private:
     };
 
     bool find_leg(std::int64_t number, Leg& leg) const noexcept;
-    void find_before(std::int64_t number, Leg& leg) const noexcept;
-    void find_after(std::int64_t number, Leg& leg) const noexcept;
+    void find_next(std::int64_t number, std::int64_t step, Leg& leg) const noexcept;
     static void find_joint(const Leg& a, const Leg& b, Joint& joint) noexcept;
     [[nodiscard]] static bool meet(const Leg& a, const Leg& b, double side, Joint& joint) noexcept;
     bool start(std::int64_t number) noexcept;
     void go_on() noexcept;
     [[nodiscard]] bool goes_on(std::int64_t i, const Leg& from) const noexcept;
-    void begin_side(const Leg& leg, const Joint& joint, bool left, Outline& outline) const noexcept;
-    void end_side(const Leg& leg, const Joint& joint, bool left, Outline& outline) const noexcept;
+    void add_side(const Leg& leg, bool at_end, bool left, Outline& outline) const noexcept;
     void disc(Outline& outline) const noexcept;
 
     const SegmentList& list_;

@@ -18,11 +18,11 @@ std::int32_t row_of(double y, std::int32_t rows) noexcept {
 
 StrokeUnion::StrokeUnion(base::Memory& memory)
     : edges_(memory), shades_(memory), winding_(memory), active_(memory), pieces_(memory), breaks_(memory),
-      beginnings_(memory), order_(memory), inside_(memory), spans_(memory), found_(memory) {
+      order_(memory), inside_(memory), spans_(memory), found_(memory) {
     // Few drawings need more room than this.
     edges_.reserve(2048);
     spans_.reserve(1024);
-    for (base::Array<std::int32_t>* const numbers : {&winding_, &active_, &beginnings_, &order_, &inside_, &found_})
+    for (base::Array<std::int32_t>* const numbers : {&winding_, &active_, &order_, &inside_, &found_})
         numbers->reserve(512);
     shades_.reserve(512);
     pieces_.reserve(512);
@@ -160,33 +160,17 @@ void StrokeUnion::add_span(const Piece& left, const Piece& right, double from, d
     if (std::find(found_.begin(), found_.end(), shade) == found_.end()) found_.push_back(shade);
 }
 
-void StrokeUnion::find_beginnings() {
-    beginnings_.clear();
-    for (std::int64_t i = 0; i < pieces_.size(); ++i) beginnings_.push_back(static_cast<std::int32_t>(i));
-    std::sort(beginnings_.begin(), beginnings_.end(), [&](std::int32_t a, std::int32_t b) {
-        return pieces_[a].upper != pieces_[b].upper ? pieces_[a].upper < pieces_[b].upper : a < b;
-    });
-    begun_ = 0;
-    order_.clear();
-}
-
-// Orders the pieces of a slab from left to right. The order is nearly that of the slab above, so that putting each
-// piece into its place moves few others.
+// Orders the pieces of a slab from left to right. They stand by their leftmost places, so that putting each into its
+// place moves few others.
 void StrokeUnion::find_order(double y) {
-    std::int64_t kept = 0;
-    for (const std::int32_t number : order_)
-        if (y < pieces_[number].lower) order_[kept++] = number;
-    order_.resize(kept);
-    for (; begun_ < beginnings_.size() && pieces_[beginnings_[begun_]].upper <= y; ++begun_)
-        if (y < pieces_[beginnings_[begun_]].lower) order_.push_back(beginnings_[begun_]);
-    for (std::int64_t i = 0; i < order_.size(); ++i) {
-        const std::int32_t number = order_[i];
-        const double x = pieces_[number].here = pieces_[number].at(y);
-        const auto is_right = [&](std::int32_t other) {
-            return pieces_[other].here != x ? pieces_[other].here > x : other > number;
-        };
-        std::int64_t k = i;
-        for (; k > 0 && is_right(order_[k - 1]); --k) order_[k] = order_[k - 1];
+    order_.clear();
+    for (std::int32_t number = 0; number < pieces_.size(); ++number) {
+        Piece& piece = pieces_[number];
+        if (!(piece.upper <= y && y < piece.lower)) continue;
+        piece.here = piece.at(y);
+        order_.push_back(number);
+        std::int64_t k = order_.size() - 1;
+        for (; k > 0 && pieces_[order_[k - 1]].here > piece.here; --k) order_[k] = order_[k - 1];
         order_[k] = number;
     }
 }
@@ -232,7 +216,6 @@ std::int32_t StrokeUnion::cut(std::int32_t y) {
     found_.clear();
     find_pieces(y);
     find_breaks(y);
-    find_beginnings();
     for (std::int64_t i = 0; i + 1 < breaks_.size(); ++i)
         if (breaks_[i + 1] - breaks_[i] > raster_tuning.flat) add_slab(breaks_[i], breaks_[i + 1]);
     std::sort(found_.begin(), found_.end());

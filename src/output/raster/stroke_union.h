@@ -62,7 +62,6 @@ private:
     void find_pieces(std::int32_t y);
     void find_breaks(std::int32_t y);
     void add_crossings();
-    void find_beginnings();
     void find_order(double y);
     void add_slab(double from, double to);
     void turn(std::int32_t shade, std::int32_t by);
@@ -80,8 +79,6 @@ private:
     base::Array<std::int32_t> active_;  // edges that pass the row
     base::Array<Piece> pieces_;
     base::Array<double> breaks_;
-    base::Array<std::int32_t> beginnings_; // of the pieces, from the first to begin
-    std::int64_t begun_ = 0;
     base::Array<std::int32_t> order_;  // of the pieces in a slab, from left to right
     base::Array<std::int32_t> inside_; // shades whose winding is not 0
     base::Array<Span> spans_;

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Ends are paired in the order of what going on from one to the other costs, and chains of pairs become lines.
-#include "output/vector/near_tree.h"
+#include "geometry/point_tree.h"
 #include "output/vector/plot_lines.h"
 #include "output/vector/tuning.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace hrbfnpr::output {
@@ -65,30 +66,31 @@ double cost_of(const PlotLine& line, const PlotLine& other, const End& a, const 
 // The pairs that may be joined, cheapest first. Notes lines that go on as a line of another opacity.
 base::Array<EndPair> find_pairs(PlotLines& lines, double given, bool any_opacity, const base::Progress& progress) {
     const base::Array<End> ends = ends_of(lines, progress);
-    base::Array<dvec2> places(lines.points.memory());
-    for (const End& end : ends) places.push_back(end.place);
-    NearTree tree(lines.points.memory());
-    tree.build(places.span(), progress);
+    base::Memory& memory = lines.points.memory();
+    geometry::VecArray places(memory);
+    base::Array<std::int32_t> free(memory); // ends of lines that are not closed
     Looks looks(progress, steps_a_look);
     for (std::int32_t end = 0; end < ends.size(); ++end) {
         looks.count();
-        if (lines.lines[end / 2].closed) tree.remove(end);
+        if (lines.lines[end / 2].closed) continue;
+        places.push_back({ends[end].place, 0.0});
+        free.push_back(end);
     }
-    base::Array<EndPair> pairs(lines.points.memory());
-    for (std::int32_t a = 0; a < ends.size(); ++a) {
+    const geometry::PointTree tree(places, progress);
+    const auto any = [](std::int64_t) { return true; };
+    base::Array<EndPair> pairs(memory);
+    for (std::int64_t at = 0; at < tree.size(); ++at) {
         looks.count();
-        if (!tree.holds(a)) continue;
+        const std::int32_t a = free[tree.index(at)];
         PlotLine& line = lines.lines[a / 2];
-        NearList near;
         const double reach = given > 0.0 ? given : line.width;
-        double square = reach * reach;
-        if (square > 0.0)
-            tree.search(places[a], square, [&](std::int32_t b, double from_there) {
-                if (b != a) near.add(b, from_there, square);
-            });
-        for (int i = 0; i < near.count; ++i) {
-            const std::int32_t b = near.near[i].number;
-            if (a / 2 == b / 2 && line.count < 3) continue;
+        std::array<std::int64_t, plot_tuning.most_near + 1> near; // the end itself is one of them
+        const std::int64_t count =
+            tree.nearest(tree.points()[at], plot_tuning.most_near + 1, any, any, near.data(), reach);
+        for (std::int64_t i = 0; i < count; ++i) {
+            const std::int32_t b = free[tree.index(near[static_cast<std::size_t>(i)])];
+            if (!(glm::distance(ends[a].place, ends[b].place) < reach)) break;
+            if (b == a || (a / 2 == b / 2 && line.count < 3)) continue;
             const PlotLine& other = lines.lines[b / 2];
             // A pair is found from both of its ends, or from the one that has the fewer neighbours.
             const double cost =

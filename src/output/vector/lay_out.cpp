@@ -3,10 +3,9 @@
 // to
 //    near, as the raster does.
 // 2. lay_out: for each run, layer and number of hiding layers a group with its name and pen, and its dots or strokes.
-#include "output/vector/lay_out.h"
-
 #include "marks/point_set.h"
 #include "output/vector/tuning.h"
+#include "output/vector/write_page.h"
 
 #include <algorithm>
 #include <array>

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 // The pipeline from drawings to a file. write_page.cpp puts it together: lay_out.cpp turns a drawing into groups of
-// lines and dots on the page; filters take them in and hand them on, LineTypes cuts lines into dashes (line_types.cpp)
-// and PlotOrder clips, joins, fills and sorts them for a pen (plot_order.cpp); a writer ends it, which makes curves of
-// lines (shapes.cpp) for SVG and PDF or straight strokes of a pen (pen.cpp) for plotters.
+// lines and dots on the page; filters take them in and hand them on, LineTypes cuts lines into dashes
+// and PlotOrder clips, joins, fills and sorts them for a pen (filters.cpp, join_lines.cpp, fill_lines.cpp, tour.cpp); a
+// writer ends it, which makes curves of lines (shapes.cpp) for SVG and PDF or straight strokes of a pen (pen.cpp) for
+// plotters.
 //
 // This file has what goes along the pipeline, in millimetres from the page's top-left corner with y down.
 #pragma once
@@ -161,6 +162,32 @@ struct ShapeSettings {
     // Circles that a pen fills are spirals.
     [[nodiscard]] DotShapes dots_of(double pen_width) const noexcept {
         return fills && dots == DotShapes::circles && pen_width > 0.0 ? DotShapes::spirals : dots;
+    }
+};
+
+struct PenSpeeds {
+    double draw = 30.0, travel = 80.0; // mm/s
+    double seconds = 0.15;             // to lower or to raise it
+};
+
+struct PlotSettings {
+    double join = 0.0, shortest = 0.0, dot_distance = 0.0; // mm; 0: by the pen's width
+    PenSpeeds speeds;
+    const char* pen_down = nullptr; // lines of G-code; NULL: its own
+    const char* pen_up = nullptr;
+};
+
+struct PageSettings {
+    PageFormat format = PageFormat::svg;
+    bool in_plot_order = false;
+    bool without_paper = false;
+    double width = 0.0, height = 0.0; // mm; 0: to where the drawings reach
+    ShapeSettings shapes;
+    PlotSettings plot;
+
+    // A plotter's pen has a width and no opacity.
+    [[nodiscard]] bool for_plotter() const noexcept {
+        return format == PageFormat::hpgl || format == PageFormat::gcode;
     }
 };
 

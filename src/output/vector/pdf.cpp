@@ -297,8 +297,8 @@ private:
 } // namespace
 
 std::unique_ptr<PageSink> pdf_writer(base::Memory& memory, io::Writer& writer, const PageInfo& page,
-                                     const ShapeSettings& settings, PageCounts& counts) {
-    return std::make_unique<PdfWriter>(memory, writer, page, settings, counts);
+                                     const PageSettings& settings, PageCounts& counts) {
+    return std::make_unique<PdfWriter>(memory, writer, page, settings.shapes, counts);
 }
 
 } // namespace hrbfnpr::output

@@ -27,11 +27,6 @@ private:
     base::Array<std::uint8_t> keeps_;
 };
 
-struct PenSpeeds {
-    double draw = 30.0, travel = 80.0; // mm/s
-    double seconds = 0.15;             // to lower or to raise it
-};
-
 // Adds up what a pen does, which begins raised in a corner.
 class PenTrack {
 public:

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Both languages of plotters have a grid of whole units with y up from the page's lower left corner, and a pen that is
 // raised, moved and lowered no more often than it must be.
+#include "output/vector/pen.h"
 #include "output/vector/text_out.h"
 #include "output/vector/writers.h"
 
@@ -33,12 +34,14 @@ std::int64_t whole_units(double number) noexcept {
 
 class PlotterWriter final : public PageSink {
 public:
-    PlotterWriter(bool gcode, base::Memory& memory, io::Writer& writer, const PageInfo& page,
-                  const WriterSettings& settings, PageCounts& counts)
-        : gcode_(gcode), units_(gcode ? gcode_units : hpgl_units), out_(writer), height_(page.height),
-          shapes_(settings.shapes), down_(settings.pen_down != nullptr ? settings.pen_down : "G1 Z0"),
-          up_(settings.pen_up != nullptr ? settings.pen_up : "G0 Z5"), feed_(60.0 * settings.speeds.draw),
-          counts_(counts), lines_(memory), track_(counts, settings.speeds, {0.0, page.height}) {
+    PlotterWriter(base::Memory& memory, io::Writer& writer, const PageInfo& page, const PageSettings& settings,
+                  PageCounts& counts)
+        : gcode_(settings.format == PageFormat::gcode), units_(gcode_ ? gcode_units : hpgl_units), out_(writer),
+          height_(page.height), shapes_(settings.shapes),
+          down_(settings.plot.pen_down != nullptr ? settings.plot.pen_down : "G1 Z0"),
+          up_(settings.plot.pen_up != nullptr ? settings.plot.pen_up : "G0 Z5"),
+          feed_(60.0 * settings.plot.speeds.draw), counts_(counts), lines_(memory),
+          track_(counts, settings.plot.speeds, {0.0, page.height}) {
         if (!gcode_) {
             out_ << "IN;\n";
             return;
@@ -212,10 +215,10 @@ private:
 
 } // namespace
 
-std::unique_ptr<PageSink> plotter_writer(PageFormat format, base::Memory& memory, io::Writer& writer,
-                                         const PageInfo& page, const WriterSettings& settings, PageCounts& counts) {
-    HRBFNPR_ASSERT(is_plotter(format));
-    return std::make_unique<PlotterWriter>(format == PageFormat::gcode, memory, writer, page, settings, counts);
+std::unique_ptr<PageSink> plotter_writer(base::Memory& memory, io::Writer& writer, const PageInfo& page,
+                                         const PageSettings& settings, PageCounts& counts) {
+    HRBFNPR_ASSERT(settings.for_plotter());
+    return std::make_unique<PlotterWriter>(memory, writer, page, settings, counts);
 }
 
 } // namespace hrbfnpr::output

@@ -199,8 +199,8 @@ private:
 } // namespace
 
 std::unique_ptr<PageSink> svg_writer(base::Memory& memory, io::Writer& writer, const PageInfo& page,
-                                     const ShapeSettings& settings, PageCounts& counts) {
-    return std::make_unique<SvgWriter>(memory, writer, page, settings, counts);
+                                     const PageSettings& settings, PageCounts& counts) {
+    return std::make_unique<SvgWriter>(memory, writer, page, settings.shapes, counts);
 }
 
 } // namespace hrbfnpr::output

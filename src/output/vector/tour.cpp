@@ -6,13 +6,13 @@
 // 3. kick: the same after small random changes, which are kept if they gain.
 // 4. turn_closed: each closed line begins where the way to it and from it is shortest; then again from 2.
 #include "geometry/cell_grid.h"
-#include "output/vector/near_tree.h"
+#include "geometry/point_tree.h"
 #include "output/vector/plot_lines.h"
 #include "output/vector/tuning.h"
 
 #include <algorithm>
+#include <array>
 #include <cstdlib>
-#include <limits>
 #include <utility>
 
 namespace hrbfnpr::output {
@@ -27,8 +27,7 @@ public:
         : stops_(stops), progress_(progress), pen_(static_cast<std::int32_t>(stops.size())), count_(pen_ + 1),
           place_(memory, 2 * std::int64_t{count_}), start_(memory, pen_), order_(memory, count_),
           position_(memory, count_), near_(memory, std::int64_t{plot_tuning.most_near} * 2 * count_),
-          queue_(memory, count_), waits_(memory, count_), log_(memory), swapped_(memory), doors_(memory),
-          tree_(memory) {
+          queue_(memory, count_), waits_(memory, count_), log_(memory), swapped_(memory) {
         set_places(pen_, from, from);
         for (std::int32_t i = 0; i < pen_; ++i)
             set_places(i, place_of(stop(i).points.front()), place_of(stop(i).points.back()));
@@ -89,9 +88,10 @@ private:
         struct Door { // where a stop may be entered
             std::int32_t stop, point;
         };
-        base::Array<Door> doors(doors_.memory());
-        base::Array<std::int64_t> first_door(doors_.memory());
-        doors_.clear();
+        base::Memory& memory = place_.memory();
+        base::Array<Door> doors(memory);
+        base::Array<std::int64_t> first_door(memory);
+        geometry::VecArray places(memory);
         for (std::int32_t i = 0; i < pen_; ++i) {
             if (i % steps_a_look == 0) look(progress_);
             const bool closed = stop(i).closed;
@@ -99,50 +99,66 @@ private:
             const auto last = static_cast<std::int64_t>(stop(i).points.size()) - 1;
             const std::int64_t step = closed ? last / plot_tuning.most_doors + 1 : std::max<std::int64_t>(last, 1);
             for (std::int64_t p = 0; p <= (closed ? last - 1 : last); p += step) {
-                doors_.push_back(place_of(stop(i).points[static_cast<std::size_t>(p)]));
+                places.push_back({place_of(stop(i).points[static_cast<std::size_t>(p)]), 0.0});
                 doors.push_back({i, static_cast<std::int32_t>(p)});
             }
         }
         first_door.push_back(doors.size());
-        tree_.build(doors_.span(), progress_);
+        const geometry::PointTree tree(places, progress_);
+        base::Array<std::int64_t> left(memory, tree.nodes()); // doors of each node at stops that were not visited
+        base::Array<std::int64_t> at_of(memory, tree.size()); // the place of each door in the tree
+        base::Array<std::uint8_t> visited(memory, pen_);
+        for (std::int64_t at = 0; at < tree.size(); ++at) {
+            if (at % steps_a_look == 0) look(progress_);
+            at_of[tree.index(at)] = at;
+            tree.for_nodes_of(at, [&](std::int64_t node) { ++left[node]; });
+        }
         put(0, free_end());
         dvec2 from = place_[free_end() + 1];
         for (std::int32_t next = 1; next < count_; ++next) {
             if (next % steps_a_look == 0) look(progress_);
-            const std::int32_t number = tree_.nearest(from);
-            const Door door = doors[number];
+            std::int64_t found = -1;
+            tree.nearest(
+                {from, 0.0}, 1, [&](std::int64_t node) { return left[node] > 0; },
+                [&](std::int64_t at) { return visited[doors[tree.index(at)].stop] == 0; }, &found);
+            HRBFNPR_ASSERT(found >= 0);
+            const Door door = doors[tree.index(found)];
             const bool closed = stop(door.stop).closed;
             if (closed) {
                 start_[door.stop] = door.point;
-                set_places(door.stop, doors_[number], doors_[number]);
+                const dvec2 place(tree.points()[found]);
+                set_places(door.stop, place, place);
             }
             put(next, 2 * door.stop + (closed || door.point == 0 ? 0 : 1));
             from = place_[exit(next)];
+            visited[door.stop] = 1;
             for (std::int64_t d = first_door[door.stop]; d < first_door[door.stop + 1]; ++d)
-                tree_.remove(static_cast<std::int32_t>(d));
+                tree.for_nodes_of(at_of[d], [&](std::int64_t node) { --left[node]; });
         }
     }
 
     // The first end of a stop whose ends are in one place stands for both.
     void find_neighbours() {
-        base::Array<Node> node_of(doors_.memory());
-        doors_.clear();
+        base::Array<Node> node_of(place_.memory());
+        geometry::VecArray places(place_.memory());
         for (Node node = 0; node < 2 * count_; ++node) {
             if (node == free_end() || (node % 2 == 1 && node / 2 < pen_ && place_[node] == place_[node - 1])) continue;
-            doors_.push_back(place_[node]);
+            places.push_back({place_[node], 0.0});
             node_of.push_back(node);
         }
-        tree_.build(doors_.span(), progress_);
+        const geometry::PointTree tree(places, progress_);
+        const auto any = [](std::int64_t) { return true; };
+        std::array<std::int64_t, plot_tuning.most_near> found;
         for (Node node = 0; node < 2 * count_; ++node) {
             if (node % steps_a_look == 0) look(progress_);
-            double square = node == free_end() ? 0.0 : std::numeric_limits<double>::infinity();
-            NearList list;
-            tree_.search(place_[node], square, [&](std::int32_t door, double from) {
-                if (node_of[door] / 2 != node / 2) list.add(door, from, square);
-            });
-            for (std::int32_t i = 0; i < plot_tuning.most_near; ++i)
+            std::int64_t count = 0;
+            if (node != free_end())
+                count = tree.nearest(
+                    {place_[node], 0.0}, plot_tuning.most_near, any,
+                    [&](std::int64_t at) { return node_of[tree.index(at)] / 2 != node / 2; }, found.data());
+            for (std::int64_t i = 0; i < plot_tuning.most_near; ++i)
                 near_[std::int64_t{plot_tuning.most_near} * node + i] =
-                    i < list.count ? node_of[list.near[i].number] : -1;
+                    i < count ? node_of[tree.index(found[static_cast<std::size_t>(i)])] : -1;
         }
     }
 
@@ -359,7 +375,7 @@ private:
 
     // The legs from the pen, which the tour may stand in either way round.
     [[nodiscard]] base::Array<Leg> legs() const {
-        base::Array<Leg> result(doors_.memory());
+        base::Array<Leg> result(place_.memory());
         const std::int64_t pen = position_[pen_];
         const bool forward = order_[pen] == free_end();
         for (std::int64_t i = 1; i < count_; ++i) {
@@ -392,8 +408,6 @@ private:
     base::Array<std::uint8_t> waits_; // whether a stop is in the queue
     base::Array<Entry> log_;          // what stood where before it was overwritten
     base::Array<Node> swapped_;       // by a kick
-    base::Array<dvec2> doors_;        // the places in the tree
-    NearTree tree_;
 };
 
 } // namespace

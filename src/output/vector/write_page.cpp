@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "output/vector/write_page.h"
 
-#include "output/vector/plot_order.h"
+#include "output/vector/filters.h"
 #include "output/vector/tuning.h"
 #include "output/vector/writers.h"
 
@@ -59,31 +59,25 @@ glm::dvec2 page_size(const Page& page, const PageSettings& settings) noexcept {
     return {settings.width > 0.0 ? settings.width : reach.x, settings.height > 0.0 ? settings.height : reach.y};
 }
 
-PageCounts write_page(const base::Runtime& runtime, const Page& page, const PageSettings& settings, io::Writer& writer,
+PageCounts write_page(const base::Runtime& runtime, const Page& page, const PageSettings& given, io::Writer& writer,
                       const base::Progress& progress) {
     PageCounts counts;
     PageInfo info = page.info;
-    const glm::dvec2 size = page_size(page, settings);
-    info.width = size.x;
-    info.height = size.y;
+    PageSettings settings = given;
+    const glm::dvec2 size = page_size(page, given);
+    info.width = settings.width = size.x;
+    info.height = settings.height = size.y;
     // The pipeline is made from its end: the writer, and before it filters.
-    const PlotSettings& plot = settings.plot;
-    const bool for_plotter = is_plotter(settings.format);
-    const WriterSettings writing{
-        settings.shapes, {plot.draw_speed, plot.travel_speed, plot.pen_seconds}, plot.pen_down, plot.pen_up};
     base::Memory& memory = runtime.memory;
-    const std::unique_ptr<PageSink> file =
-        for_plotter                          ? plotter_writer(settings.format, memory, writer, info, writing, counts)
-        : settings.format == PageFormat::pdf ? pdf_writer(memory, writer, info, settings.shapes, counts)
-                                             : svg_writer(memory, writer, info, settings.shapes, counts);
-    PenTrack track(counts, writing.speeds, {0.0, size.y});
+    MakeWriter& make = settings.for_plotter()               ? plotter_writer
+                       : settings.format == PageFormat::pdf ? pdf_writer
+                                                            : svg_writer;
+    const std::unique_ptr<PageSink> file = make(memory, writer, info, settings, counts);
+    PenTrack track(counts, settings.plot.speeds, {0.0, size.y});
     std::optional<PlotOrder> sorted;
-    if (settings.in_plot_order || for_plotter) {
-        const PlotOrderSettings order{
-            plot.join, plot.shortest, plot.dot_distance, for_plotter, {0.0, 0.0, size.x, size.y}, settings.shapes};
-        // Plotters' writers track the pen themselves, by the units that they round to.
-        sorted.emplace(memory, *file, order, counts, for_plotter ? nullptr : &track, progress);
-    }
+    // Plotters' writers track the pen themselves, by the units that they round to.
+    if (settings.in_plot_order || settings.for_plotter())
+        sorted.emplace(memory, *file, settings, counts, settings.for_plotter() ? nullptr : &track, progress);
     LineTypes dashed(memory, sorted ? static_cast<PageSink&>(*sorted) : *file);
     const auto parts = static_cast<double>(page.placements.size() + 1);
     double done = 0.0;

@@ -4,26 +4,38 @@
 
 #include "base/runtime.h"
 #include "io/stream.h"
-#include "output/vector/lay_out.h"
+#include "output/vector/page.h"
 
 namespace hrbfnpr::output {
 
-struct PlotSettings {
-    double join = 0.0, shortest = 0.0, dot_distance = 0.0; // mm; 0: by the pen's width
-    double draw_speed = 30.0, travel_speed = 80.0;         // mm/s
-    double pen_seconds = 0.15;
-    const char* pen_down = nullptr;
-    const char* pen_up = nullptr;
+struct Placement {
+    const drawing::Drawing* drawing = nullptr;
+    std::string_view name;
+    double x = 0.0, y = 0.0;    // of the viewport's top-left corner, mm
+    double scale = 25.4 / 96.0; // mm per pixel
+    bool with_paper = true;     // else the page has the same
+    bool far_to_near = true;    // where inks of several colours lie upon each other; else groups are whole
 };
 
-struct PageSettings {
-    PageFormat format = PageFormat::svg;
-    bool in_plot_order = false;
-    bool without_paper = false;
-    double width = 0.0, height = 0.0; // 0: to where the drawings reach
-    ShapeSettings shapes;
-    PlotSettings plot;
+// A pen for the groups whose name it has.
+struct Pen {
+    std::string_view groups; // a name, the beginning of one before a '*', or nothing: all
+    double width = 0.0;      // mm; 0: as drawn
+    glm::vec4 ink{0.0F};     // alpha 0: as drawn
+    std::uint32_t number = 1;
+    LineType line_type{};
 };
+
+// The placement's viewport on the page.
+[[nodiscard]] Frame frame_of(const Placement& placement) noexcept;
+
+// The group with its pen: the last one that fits its name.
+[[nodiscard]] PageGroup with_pen(PageGroup group, std::span<const Pen> pens) noexcept;
+
+// Hands a drawing's ink on, group by group, strokes far to near; groups begin anew where far to near must be kept.
+// Strokes whose opacity changes are cut into parts of an even one.
+void lay_out(base::Memory& memory, const Placement& placement, std::span<const Pen> pens, PageSink& sink,
+             const base::Progress& progress);
 
 // A line or a text beside the drawings.
 struct Annotation {

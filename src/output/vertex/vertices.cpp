@@ -1,15 +1,18 @@
 // SPDX-License-Identifier: MIT
 #include "output/vertex/vertices.h"
 
+#include "base/assert.h"
+
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstring>
 
 namespace hrbfnpr::output {
 namespace {
 
-constexpr std::int64_t grain = 4096;
-constexpr std::int64_t strokes_at_a_time = 64;
+constexpr std::int64_t dots_a_task = 4096;
+constexpr std::int64_t strokes_a_task = 64;
 
 using base::Scalar;
 using drawing::Dot;
@@ -28,22 +31,28 @@ void put_vector(std::byte* to, const glm::vec3& v) noexcept {
 }
 
 void put_integer(std::byte* to, Scalar scalar, std::uint32_t value) noexcept {
-    if (scalar == Scalar::uint8)
-        put(to, static_cast<std::uint8_t>(value));
-    else
-        put(to, value);
+    scalar == Scalar::uint8 ? put(to, static_cast<std::uint8_t>(value)) : put(to, value);
 }
 
 void put_color(std::byte* to, Scalar scalar, const glm::vec4& color) noexcept {
     for (int i = 0; i < 4; ++i) {
-        if (scalar == Scalar::uint8)
-            put(to, static_cast<std::uint8_t>(std::clamp(color[i], 0.0F, 1.0F) * 255.0F + 0.5F));
-        else
-            put(to, color[i]);
+        const float value = color[i];
+        scalar == Scalar::uint8 ? put(to, static_cast<std::uint8_t>(std::clamp(value, 0.0F, 1.0F) * 255.0F + 0.5F))
+                                : put(to, value);
     }
 }
 
-// All that a vertex can carry; what is known of its mark is asked for once, if any field wants it.
+// The types that an attribute may have.
+struct AttributeType {
+    std::int64_t components;
+    bool as_float, as_byte, as_word;
+};
+constexpr AttributeType vector3{3, true, false, false}, number{1, true, false, false}, color4{4, true, true, false},
+    word{1, false, false, true}, small{1, false, true, true};
+constexpr std::array<AttributeType, last_attribute + 1> attribute_types{
+    vector3, vector3, number, color4, vector3, vector3, word, small, small, word, number, word, word, word};
+
+// All that a vertex can carry. Its mark is asked for once if any field wants something of it.
 struct Vertex {
     glm::vec3 window;
     float radius, length;
@@ -52,7 +61,7 @@ struct Vertex {
     drawing::MarkClass mark_class;
     bool is_paper;
     drawing::MarkSource source;
-    bool off_mark = false; // it is where the picture has it, which is not where its mark is
+    bool off_mark = false; // the picture has it elsewhere than its mark is
     std::uint32_t hidden_layers = 0;
     std::uint32_t hidden_by = index_restart; // none
 };
@@ -78,17 +87,14 @@ void put_field(std::byte* to, const VertexField& field, const Vertex& vertex) no
     }
 }
 
-[[nodiscard]] bool wants_source(std::span<const VertexField> fields) noexcept {
-    return std::any_of(fields.begin(), fields.end(), [](const VertexField& field) {
-        return field.attribute == VertexAttribute::position || field.attribute == VertexAttribute::normal ||
-               field.attribute == VertexAttribute::direction;
-    });
-}
-
 class Writer {
 public:
     Writer(const Drawing& drawing, const VertexLayout& layout, std::byte* vertices) noexcept
-        : drawing_(drawing), layout_(layout), vertices_(vertices), sources_(wants_source(layout.fields)) {}
+        : drawing_(drawing), layout_(layout), vertices_(vertices),
+          sources_(std::any_of(layout.fields.begin(), layout.fields.end(), [](const VertexField& field) {
+              return field.attribute == VertexAttribute::position || field.attribute == VertexAttribute::normal ||
+                     field.attribute == VertexAttribute::direction;
+          })) {}
 
     void dot(std::int64_t number, const Dot& dot) const noexcept {
         const bool is_paper = (dot.flags & drawing::dot_is_paper) != 0;
@@ -99,7 +105,7 @@ public:
         store(number, vertex);
     }
 
-    // side: from the stroke's centre line.
+    // side: the vertex's offset from the stroke's centre line.
     void point(std::int64_t number, const Stroke& stroke, const StrokePoint& p, const glm::vec2& side) const noexcept {
         const drawing::Layer& layer = drawing_.layers[stroke.layer];
         Vertex vertex{{p.x + side.x, p.y + side.y, p.window},
@@ -141,8 +147,10 @@ struct Line {
     std::span<const StrokePoint> points;
     bool closed;
 
-    // Across the segment that ends, or begins, at a point: the nearest one with a length.  0: there is none.
+    // The unit vector to the left of the last segment with a length that ends at a point, or of the next one that
+    // begins there; 0 if no segment has a length.
     [[nodiscard]] glm::vec2 across(std::size_t i, bool behind) const noexcept {
+        HRBFNPR_ASSERT(i < points.size());
         const std::size_t segments = points.size() - 1;
         for (std::size_t k = 0; k < segments; ++k) {
             if (!closed && (behind ? i + k >= segments : i < k + 1)) break;
@@ -154,8 +162,8 @@ struct Line {
         return glm::vec2(0.0F);
     }
 
-    // Half the width across the direction at a point: half way between those of the two segments, and so much wider
-    // that both keep their width, but at most twice.
+    // Half the width to the left of a point: half way between both segments' directions, and wider so that both keep
+    // their width, but at most twice as wide.
     [[nodiscard]] glm::vec2 side(std::size_t i) const noexcept {
         glm::vec2 before = across(i, false);
         glm::vec2 after = across(i, true);
@@ -167,7 +175,7 @@ struct Line {
         return miter * points[i].radius;
     }
 
-    // From an end to its tip.
+    // The way from an end to its tip.
     [[nodiscard]] glm::vec2 tip(bool end) const noexcept {
         const glm::vec2 left = across(end ? points.size() - 1 : 0, !end);
         const float far = 2.0F * drawing::point_length * (end ? points.back() : points.front()).radius;
@@ -176,24 +184,16 @@ struct Line {
 };
 
 // A pointed end has two vertices more, in the place of its tip.
-[[nodiscard]] bool tip_at_begin(const Stroke& stroke) noexcept {
-    return !stroke.closed && stroke.cap_begin == drawing::Cap::pointed;
-}
-[[nodiscard]] bool tip_at_end(const Stroke& stroke) noexcept {
-    return !stroke.closed && stroke.cap_end == drawing::Cap::pointed;
+[[nodiscard]] bool has_tip(const Stroke& stroke, bool end) noexcept {
+    return !stroke.closed && (end ? stroke.cap_end : stroke.cap_begin) == drawing::Cap::pointed;
 }
 [[nodiscard]] std::int64_t tips(const Stroke& stroke) noexcept {
-    return (tip_at_begin(stroke) ? 1 : 0) + (tip_at_end(stroke) ? 1 : 0);
-}
-[[nodiscard]] std::int64_t tips(const Drawing& drawing) noexcept {
-    std::int64_t sum = 0;
-    for (const Stroke& stroke : drawing.strokes) sum += tips(stroke);
-    return sum;
+    return (has_tip(stroke, false) ? 1 : 0) + (has_tip(stroke, true) ? 1 : 0);
 }
 
 void write_dots(const base::Runtime& runtime, const Drawing& drawing, VertexScratch& scratch, const Writer& writer) {
     if (drawing.painting == drawing::Painting::published) {
-        runtime.parallel.for_chunks(drawing.dots.size(), grain, [&](std::int64_t begin, std::int64_t end) {
+        runtime.parallel.for_chunks(drawing.dots.size(), dots_a_task, [&](std::int64_t begin, std::int64_t end) {
             for (std::int64_t i = begin; i < end; ++i) writer.dot(i, drawing.dots[i]);
         });
         return;
@@ -205,15 +205,15 @@ void write_dots(const base::Runtime& runtime, const Drawing& drawing, VertexScra
             if (const Dot& dot = drawing.dots[i]; dot.opacity > 0.0F)
                 scratch.keys.push_back(drawing::far_first_key(dot.depth, static_cast<std::uint32_t>(i)));
     scratch.order.sort(runtime.parallel, scratch.keys);
-    runtime.parallel.for_chunks(scratch.keys.size(), grain, [&](std::int64_t begin, std::int64_t end) {
+    runtime.parallel.for_chunks(scratch.keys.size(), dots_a_task, [&](std::int64_t begin, std::int64_t end) {
         for (std::int64_t i = begin; i < end; ++i)
             writer.dot(i, drawing.dots[static_cast<std::uint32_t>(scratch.keys[i])]);
     });
 }
 
-// Strokes stand far to near already, the first vertex of each after those of the strokes before.
+// Strokes stand far to near already, and the number of a vertex is that of its point.
 void write_lines(const base::Runtime& runtime, const Drawing& drawing, const Writer& writer) {
-    runtime.parallel.for_chunks(drawing.strokes.size(), strokes_at_a_time, [&](std::int64_t begin, std::int64_t end) {
+    runtime.parallel.for_chunks(drawing.strokes.size(), strokes_a_task, [&](std::int64_t begin, std::int64_t end) {
         for (std::int64_t s = begin; s < end; ++s) {
             const Stroke& stroke = drawing.strokes[s];
             for (std::int64_t i = stroke.first; i < stroke.first + stroke.count; ++i)
@@ -222,7 +222,7 @@ void write_lines(const base::Runtime& runtime, const Drawing& drawing, const Wri
     });
 }
 
-// The number of a strip's first vertex is that of its first point and of the tips before, twice.
+// number: of the strip's first vertex, which is twice the number of points and tips before.
 void write_strip(const Drawing& drawing, const Stroke& stroke, std::int64_t number, const Writer& writer) {
     const Line line{
         drawing.points.span().subspan(static_cast<std::size_t>(stroke.first), static_cast<std::size_t>(stroke.count)),
@@ -231,12 +231,12 @@ void write_strip(const Drawing& drawing, const Stroke& stroke, std::int64_t numb
         writer.point(number++, stroke, point, left);
         writer.point(number++, stroke, point, right);
     };
-    if (tip_at_begin(stroke)) put_pair(line.points.front(), line.tip(false), line.tip(false));
+    if (has_tip(stroke, false)) put_pair(line.points.front(), line.tip(false), line.tip(false));
     for (std::size_t i = 0; i < line.points.size(); ++i) {
         const glm::vec2 side = line.side(i);
         put_pair(line.points[i], side, -side);
     }
-    if (tip_at_end(stroke)) put_pair(line.points.back(), line.tip(true), line.tip(true));
+    if (has_tip(stroke, true)) put_pair(line.points.back(), line.tip(true), line.tip(true));
 }
 
 void write_strips(const base::Runtime& runtime, const Drawing& drawing, VertexScratch& scratch, const Writer& writer) {
@@ -247,7 +247,7 @@ void write_strips(const base::Runtime& runtime, const Drawing& drawing, VertexSc
         scratch.keys.push_back(static_cast<std::uint64_t>(before));
         before += tips(stroke);
     }
-    runtime.parallel.for_chunks(drawing.strokes.size(), strokes_at_a_time, [&](std::int64_t begin, std::int64_t end) {
+    runtime.parallel.for_chunks(drawing.strokes.size(), strokes_a_task, [&](std::int64_t begin, std::int64_t end) {
         for (std::int64_t s = begin; s < end; ++s) {
             const Stroke& stroke = drawing.strokes[s];
             write_strip(drawing, stroke, 2 * (stroke.first + static_cast<std::int64_t>(scratch.keys[s])), writer);
@@ -273,26 +273,14 @@ void write_indices(const Drawing& drawing, Primitive primitive, std::uint32_t* t
 } // namespace
 
 std::int64_t size_of(const VertexField& field) noexcept {
-    const bool is_float = field.scalar == Scalar::float32;
-    const bool is_byte = field.scalar == Scalar::uint8;
-    const bool is_integer = field.scalar == Scalar::uint32;
-    switch (field.attribute) {
-    case VertexAttribute::position:
-    case VertexAttribute::window:
-    case VertexAttribute::normal:
-    case VertexAttribute::direction: return is_float ? 12 : 0;
-    case VertexAttribute::radius:
-    case VertexAttribute::length: return is_float ? 4 : 0;
-    case VertexAttribute::color: return is_float ? 16 : is_byte ? 4 : 0;
-    case VertexAttribute::id:
-    case VertexAttribute::layer:
-    case VertexAttribute::hidden_layers:
-    case VertexAttribute::hidden_by:
-    case VertexAttribute::line: return is_integer ? 4 : 0;
-    case VertexAttribute::mark_class:
-    case VertexAttribute::is_paper: return is_byte ? 1 : is_integer ? 4 : 0;
+    HRBFNPR_ASSERT(static_cast<std::uint32_t>(field.attribute) <= last_attribute);
+    const AttributeType& type = attribute_types[static_cast<std::size_t>(field.attribute)];
+    switch (field.scalar) {
+    case Scalar::float32: return type.as_float ? 4 * type.components : 0;
+    case Scalar::uint8: return type.as_byte ? type.components : 0;
+    case Scalar::uint32: return type.as_word ? 4 * type.components : 0;
+    default: return 0;
     }
-    return 0;
 }
 
 VertexBound vertex_bound(const Drawing& drawing, Primitive primitive) noexcept {
@@ -301,8 +289,11 @@ VertexBound vertex_bound(const Drawing& drawing, Primitive primitive) noexcept {
             drawing.painting == drawing::Painting::published ? drawing.dots.size() : drawing.dot_count;
         return {dots, dots};
     }
-    const std::int64_t vertices =
-        primitive == Primitive::triangle_strips ? 2 * (drawing.points.size() + tips(drawing)) : drawing.points.size();
+    std::int64_t vertices = drawing.points.size();
+    if (primitive == Primitive::triangle_strips) {
+        for (const Stroke& stroke : drawing.strokes) vertices += tips(stroke);
+        vertices *= 2;
+    }
     return {vertices, vertices + drawing.strokes.size()};
 }
 

@@ -6,11 +6,15 @@
 #include "base/view.h"
 #include "drawing/drawing.h"
 #include "drawing/far_to_near.h"
-#include "output/vertex/primitive.h"
 
 #include <span>
 
 namespace hrbfnpr::output {
+
+// Same numbers as HRBFNPR_PRIMITIVE_...
+enum class Primitive : std::uint32_t { points = 1, line_strips = 2, triangle_strips = 3 };
+// This index ends a strip.
+inline constexpr std::uint32_t index_restart = 0xFFFFFFFFU;
 
 // Same numbers as HRBFNPR_VERTEX_ATTRIBUTE_...
 enum class VertexAttribute : std::uint32_t {
@@ -58,7 +62,7 @@ struct VertexScratch {
     base::Array<std::uint64_t> keys;
 };
 
-// There is room for what vertex_bound() says; indices may be NULL.
+// Writes as much as vertex_bound() says. indices may be NULL.
 void write_vertices(const base::Runtime& runtime, const drawing::Drawing& drawing, VertexScratch& scratch,
                     const VertexLayout& layout, std::byte* vertices, std::uint32_t* indices);
 

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Parts of lines: dashes and dots [ISO 128-2], and what lies within a frame.
+// The filters between lay_out() and a writer: dashes of lines [ISO 128-2], and the order of a pen.
 #pragma once
 
-#include "output/vector/page.h"
+#include "output/vector/pen.h"
+#include "output/vector/plot_lines.h"
 
 #include <algorithm>
 #include <utility>
@@ -87,5 +88,47 @@ void Clip::parts(const PagePath& path, const Frame& frame, Take&& take) {
     }
     emit(path.closed ? drawing::Cap::flat : path.end);
 }
+
+// Keeps a group until it ends; then, in this order: lines are clipped, joined, dropped if they are short, and filled if
+// they are wider than the pen; dots are dropped near to others; and all is handed on in the order of a tour. Texts are
+// handed on before.
+class PlotOrder final : public PageFilter {
+public:
+    // settings: their size is the page's, and nothing is drawn beyond it. track: counts what is handed on; NULL: the
+    // next sink does.
+    PlotOrder(base::Memory& memory, PageSink& next, const PageSettings& settings, PageCounts& counts, PenTrack* track,
+              const base::Progress& progress);
+
+    void begin_view(const PageView& view) override;
+    void begin_group(const PageGroup& group) override;
+    void path(const PagePath& path) override;
+    void dot(const PageDot& dot) override;
+    void end_group() override;
+    void end_view() override;
+
+private:
+    [[nodiscard]] bool fills(std::span<const PagePoint> points, double pen) const noexcept;
+    [[nodiscard]] double pen_of(const PageDot& dot) const noexcept;
+    void clip(const PagePath& path, const PlotLine& like, PlotLines& to);
+    void drop_short();
+    void drop_near_dots();
+    void hand_on();
+    void put(PagePath path, const Leg& leg);
+
+    base::Memory& memory_;
+    PageSettings settings_;
+    PageCounts& counts_;
+    PenTrack* track_;
+    const base::Progress& progress_;
+    Looks looks_;
+    Frame frame_; // of the view on the page
+    PageGroup group_;
+    PlotLines lines_;
+    base::Array<PageDot> dots_;
+    Clip clip_;
+    PenLines pen_lines_;
+    base::Array<PagePoint> turned_;
+    glm::dvec2 pen_; // where it stands
+};
 
 } // namespace hrbfnpr::output
