@@ -330,7 +330,8 @@ void correct(const base::Runtime& runtime, std::span<const Subject> subjects, ba
         base::Array<curves::CurvePoint> points(runtime.memory);
         for (const curves::CurvePoint* p : which) points.push_back(*p);
         std::int64_t evaluations = 0;
-        curves::bring_close(runtime, *subjects[s].level, 2, points, evaluations, progress);
+        const base::Array<double> always(runtime.memory, points.size()); // a second step after any first one
+        curves::bring_closer(runtime, *subjects[s].level, always, points, evaluations, progress);
         for (std::int64_t i = 0; i < points.size(); ++i) *which[i] = points[i];
     }
 }
