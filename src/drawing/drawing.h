@@ -17,8 +17,7 @@ namespace hrbfnpr::drawing {
 
 enum class Painting : std::uint8_t {
     // Each dot and stroke has been dimmed by the surface in front of it, so that their order does not matter where all
-    // have
-    // one colour. Dots stand in pieces, in any order; one that is not drawn has the opacity 0.
+    // have one colour. Dots stand in pieces, in any order; one that is not drawn has the opacity 0.
     transmittance,
     // Dots of paper and of ink stand in the order in which they are painted. [NPAR 6.1]
     published
@@ -27,23 +26,23 @@ enum class Painting : std::uint8_t {
 // The ink of one class of one layer of an item's marks.
 struct Layer {
     std::int32_t item = 0;
-    std::int32_t layer = 0; // of the item's point set; -1: lines
+    std::int32_t layer = 0; // number of the layer in the item's point set; -1: lines
     MarkClass mark_class = MarkClass::front;
     bool as_strokes = false;
     glm::vec4 ink{0.0F};          // straight RGBA
-    std::uint32_t line_kind = 0;  // HRBFNPR_LINE_KIND_..., where `layer` is -1
-    bool as_hatch = false;        // and these strokes are hatching
-    marks::LayerName line_name{}; // a style's name of its lines; may be empty
+    std::uint32_t line_kind = 0;  // a constant HRBFNPR_LINE_KIND where `layer` is -1
+    bool as_hatch = false;        // whether the strokes are hatching
+    marks::LayerName line_name{}; // the name of the lines in their style; may be empty
 };
 
-// Counted while the drawing was made; hrbfnpr_drawing_info says what each is.
+// Counted while the drawing was made; hrbfnpr_drawing_info documents each member.
 struct Counts {
     std::int64_t marks = 0, outside = 0, front = 0, back = 0, silhouette = 0, shown = 0;
     std::int64_t dropped_tone = 0, dropped_depth = 0, dropped_zoom = 0, dropped_hidden = 0, splats = 0, culled = 0;
     std::int64_t nanoseconds_classify = 0, nanoseconds_visibility = 0, nanoseconds_sort = 0;
     std::int64_t scratch_bytes = 0;
 
-    Counts& operator+=(const Counts& other) noexcept; // but for times and bytes
+    Counts& operator+=(const Counts& other) noexcept; // adds all members but times and bytes
 };
 
 // The same for lines.
@@ -66,7 +65,7 @@ struct Run {
 // An item's marks in the world.
 struct ItemSource {
     const marks::PointSet* set = nullptr; // the drawing's owner keeps it alive
-    double unit = 1.0;                    // in which `to_world` takes positions relative to the set's origin
+    double unit = 1.0; // unit of the positions that `to_world` takes, which are relative to the set's origin
     glm::dmat4 to_world{1.0};
     glm::mat3 normal_to_world{1.0F};
 };
@@ -94,16 +93,16 @@ struct Drawing {
     LineCounts line_counts;
 
     base::Array<Layer> layers;
-    bool one_color = true;     // of all inks: then their order does not matter
-    glm::vec4 ink_color{0.0F}; // the one colour
+    bool one_color = true;     // all inks have one colour, so their order does not matter
+    glm::vec4 ink_color{0.0F}; // that colour
 
     base::Array<Dot> dots;
     base::Array<Piece> dot_pieces; // the parts of `dots` that hold dots
-    std::int64_t dot_count = 0;    // of ink that is drawn
+    std::int64_t dot_count = 0;    // number of dots of ink that are drawn
     base::Array<Stroke> strokes;   // far to near
     base::Array<StrokePoint> points;
     base::Array<Splat> splats; // depth layers were found from them
-    bool has_splats = false;   // else nothing hides anything
+    bool has_splats = false;   // false: nothing hides anything
     base::Array<Piece> splat_pieces;
 
     // Indexes by place over the viewport, whose top-left corner is `first_pixel`; only Painting::transmittance has
@@ -117,8 +116,9 @@ struct Drawing {
     glm::dmat4 from_window{1.0};
 
     base::Array<ItemSource> items;
-    base::Array<Run> runs; // of all layers of all items, drawn or not, in the order of their ids
-    base::Array<float> posed_position, posed_normal, posed_direction; // 3 of each mark, relative to the set's origin
+    base::Array<Run> runs; // one for each layer of each item, drawn or not, in the order of the ids
+    // Three numbers for each mark of a posed run; positions are relative to the set's origin.
+    base::Array<float> posed_position, posed_normal, posed_direction;
 
     void clear() noexcept;
     [[nodiscard]] std::int64_t bytes() const noexcept;
@@ -137,7 +137,7 @@ struct Drawing {
     [[nodiscard]] glm::vec3 world(const glm::vec3& window) const noexcept;
 
 private:
-    // Calls f for each array of one element for each thing that is drawn or told.
+    // Calls f for each array of the drawing; its tiles are no arrays.
     template <class Self, class F>
     static void for_arrays(Self& d, const F& f) {
         f(d.layers), f(d.dots), f(d.dot_pieces), f(d.strokes), f(d.points), f(d.splats), f(d.splat_pieces), f(d.items);

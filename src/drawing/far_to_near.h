@@ -10,7 +10,7 @@
 
 namespace hrbfnpr::drawing {
 
-// A 64-bit key: depth in the upper half, ascending from far to near; what it stands for in the lower.
+// A 64-bit key: in the upper half the depth, ascending from far to near; in the lower half the number of the thing.
 [[nodiscard]] inline std::uint64_t far_first_key(float depth, std::uint32_t what) noexcept {
     const auto bits = base::bit_cast<std::uint32_t>(depth);
     // The usual map of floats to integers of the same order, then turned round.

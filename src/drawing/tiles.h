@@ -245,10 +245,10 @@ private:
     std::int32_t columns_ = 0;
     std::int32_t rows_ = 0;
     std::int64_t total_ = 0;
-    std::int64_t grain_ = 1;             // discs of a part
-    base::Array<Rect> rects_;            // of each disc, by its number
-    base::Array<std::uint32_t> counts_;  // part by part, for each tile
-    base::Array<std::int64_t> offsets_;  // of each tile's entries, and the end
+    std::int64_t grain_ = 1;             // number of discs in a part
+    base::Array<Rect> rects_;            // the tiles that each disc touches, by the disc's number
+    base::Array<std::uint32_t> counts_;  // how many discs of a part are in each tile, part after part
+    base::Array<std::int64_t> offsets_;  // place of each tile's first entry, and the end
     base::Array<std::uint32_t> entries_; // discs
     base::Array<Large> large_;           // discs that are in no tile's entries
     base::Array<Piece> pieces_;

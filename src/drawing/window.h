@@ -8,10 +8,10 @@
 
 namespace hrbfnpr::drawing {
 
-// Same numbers as HRBFNPR_DEPTH_...
+// The numbers are those of the constants HRBFNPR_DEPTH.
 enum class DepthConvention : std::uint32_t { negative_one_to_one = 0, zero_to_one = 1, reversed = 2 };
 
-// Window depth of the far plane: where nothing is.
+// Window depth of the far plane, which empty pixels have.
 [[nodiscard]] constexpr float far_depth(DepthConvention depth) noexcept {
     return depth == DepthConvention::reversed ? 0.0F : 1.0F;
 }

@@ -29,7 +29,7 @@ constexpr std::int64_t plane = std::int64_t{stride} * side;
 constexpr std::int64_t planes_of_one = 2 * LayerPlanes::layers + 2;
 
 constexpr std::int64_t rays_at_a_time = 16384;
-constexpr std::int32_t most_layers = 8; // that a ray finds
+constexpr std::int32_t most_layers = 8; // a ray finds at most this many
 
 // What the tiles of a drawing are dimmed by.
 struct Dimming {
@@ -254,8 +254,8 @@ std::int64_t dim_by_rays(const base::Runtime& runtime, const Scene& scene, Depth
     const glm::dvec3 centre(scene.lens.centre);
     const bool parallel = scene.lens.centre.w == 0.0F;
     std::int64_t hidden = 0;
-    const ItemView* item = nullptr; // of the rays
-    glm::dmat3 back(1.0);           // from eye space to its own
+    const ItemView* item = nullptr; // the item whose rays are being collected
+    glm::dmat3 back(1.0);           // from eye space to the item's own
     double scale = 1.0;
     const auto flush = [&] {
         if (!scratch.asked.empty()) hidden += cast(runtime, scene, *item, scratch, drawing);

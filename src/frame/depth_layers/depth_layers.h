@@ -26,8 +26,8 @@ struct DepthLayers {
     base::Array<float> largest;
 
     // Scratch.
-    base::Array<float> planes;      // of each worker
-    base::Array<std::int64_t> seen; // dots of each tile
+    base::Array<float> planes;      // the pixel planes of all workers, one worker after the other
+    base::Array<std::int64_t> seen; // how many dots of each tile are drawn
     surface::Rays rays;
     surface::RayHits hits;
     base::Array<std::uint32_t> asked; // dots that the rays begin at

@@ -21,7 +21,7 @@ namespace {
 
 using marks::MarkBlock;
 
-constexpr std::int64_t clusters_a_task = 64; // of up to 128 marks
+constexpr std::int64_t clusters_a_task = 64; // a cluster has at most 128 marks
 
 // ---- Items
 
@@ -162,7 +162,7 @@ void ask_tones(const Scene& scene, const SeeLoops& loops, Gathering& all) {
 
 // ---- Clusters
 
-// What the clusters of a run are looked at by.
+// All that the clusters of a run are gathered with.
 struct RunView {
     const Scene& scene;
     const Run& run;
@@ -171,7 +171,7 @@ struct RunView {
     const ItemInk& ink;
     const TransmittanceTable& transmittance;
     const Gathering& all;
-    std::uint32_t layer; // of the drawing
+    std::uint32_t layer; // number of the run's layer in the drawing
 };
 
 // Where the next dot and splat go, and what was counted.
@@ -186,7 +186,7 @@ struct Local {
     const marks::Cluster& cluster;
     const MarkBlock* blocks;
     ClusterView view;
-    float pixel_curvature; // per pixel, of a curvature of 1
+    float pixel_curvature; // a curvature of 1 in the set's unit, per pixel
     bool whole;            // no mark is near a contour, and all face alike
 
     [[nodiscard]] std::uint32_t mark(std::int64_t i) const noexcept {
@@ -306,7 +306,7 @@ void set_halo(const RunView& v, const Local& local, const Seen& seen, std::int64
     c.halo_x = c.x + away * seen.side_x[i] / side;
     c.halo_y = c.y - away * seen.side_y[i] / side;
     // Where a surface bends little, its marks tell little of how far away the contour is: its own line stays before
-    // the halo, and so does what is hardly farther.
+    // the halo, and so do things that are hardly farther.
     const float slack = std::sqrt(2.0F * layer_tuning.contour_band * (1.0F / bend)) + std::abs(slope) * c.halo;
     c.halo_depth = c.depth + -nu * v.sight.scale / curvature + slack / c.pixels_per_unit;
     c.halo_slope_x = slope * along.x / (across * c.pixels_per_unit);

@@ -24,8 +24,8 @@ enum class Overlap : unsigned char {
     lines       // evenly spaced lines in some layers
 };
 
-// Ink per area x of a blue-noise order whose discs cover 0, 1/16, 2/16 ... of it, measured on a flat patch, over
-// prefixes of 5 to 100 % and radii of 1 to 3 pixels (docs/quality.md).
+// The ink per area that makes the discs of a blue-noise order cover 0, 1/16, 2/16 and so on to all of the area.
+// Measured on a flat patch, over prefixes of 5 to 100 % and radii of 1 to 3 pixels (docs/quality.md).
 inline constexpr std::array<float, 17> blue_noise_ink = {0.0F,    0.0625F, 0.1250F, 0.1875F, 0.2500F, 0.3125F,
                                                          0.3755F, 0.4400F, 0.5068F, 0.5772F, 0.6528F, 0.7362F,
                                                          0.8318F, 0.9479F, 1.1005F, 1.3370F, 3.0000F};
@@ -52,17 +52,17 @@ inline constexpr std::array<float, 17> blue_noise_ink = {0.0F,    0.0625F, 0.125
 struct ItemInk {
     struct Term {
         const Pen* pen = nullptr;
-        float marks_per_area = 0.0F; // in eye space
-        float step = 0.0F;           // between the marks of a stroke, eye units; 0: there are no strokes
+        float marks_per_area = 0.0F; // marks per square eye unit
+        float step = 0.0F;           // distance of marks along a stroke, eye units; 0: the marks form no strokes
     };
-    std::int64_t first = 0, end = 0; // of its terms
+    std::int64_t first = 0, end = 0; // the range of its terms in Gathering::terms
     // ink_for() of these coverages, so that a mark need not take a root.
     std::array<float, needed_steps + 1> needed{};
 };
 
 // ---- What gather() makes
 
-// What a layer lets through, by |nu|.
+// The share of the ink after it that a layer lets through, by |nu|.
 struct TransmittanceTable {
     static constexpr std::size_t steps = 256;
     std::array<float, steps + 1> front, back;
@@ -86,16 +86,16 @@ struct Gathering {
           tasks(memory), counts(memory), tone_calls(memory) {}
 
     Frustum frustum;
-    base::Array<ItemSight> sights; // of each item
-    base::Array<float> tau;        // by place, of marks whose tone is a callback's
+    base::Array<ItemSight> sights; // one for each item
+    base::Array<float> tau;        // the tone at each place in clusters' blocks, where a callback gives it
 
     // Scratch.
-    base::Array<ItemInk> inks;                      // of each item
-    base::Array<ItemInk::Term> terms;               // of all items
+    base::Array<ItemInk> inks;                      // one for each item
+    base::Array<ItemInk::Term> terms;               // the terms of all items, item after item
     base::Array<TransmittanceTable> transmittances; // consecutive items that are alike share one
-    base::Array<std::int32_t> transmittance_of;     // each item
+    base::Array<std::int32_t> transmittance_of;     // the number of each item's table in `transmittances`
     base::Array<GatherTask> tasks;
-    base::Array<Counts> counts; // of each task
+    base::Array<Counts> counts; // one for each task
     ToneCalls tone_calls;
 
     [[nodiscard]] std::int64_t bytes() const noexcept {

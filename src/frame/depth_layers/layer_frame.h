@@ -21,7 +21,7 @@ class LayerFrame {
 public:
     explicit LayerFrame(const base::Runtime& runtime) noexcept;
 
-    // Fills what the scene does not. `lines` are strokes that are ready.
+    // Fills the drawing's dots, splats, strokes, tiles and counts. `lines` are strokes that are ready.
     // Throws Error{callback, cancelled, out_of_memory}.
     void run(const Scene& scene, const LineStrokes& lines, const base::Progress& progress, drawing::Drawing& drawing);
 
@@ -45,7 +45,7 @@ private:
     NearerEdges edges_;
     HatchStrokes hatch_strokes_;
     DepthLayers layers_;
-    base::Array<std::int64_t> dot_of_; // of each mark of a run; -1: it is not shown
+    base::Array<std::int64_t> dot_of_; // the number of the dot of each mark of a run; -1: the mark is not shown
     LineStrokes joined_;
     base::Array<Ready> ready_;
     base::Array<std::uint64_t> keys_;

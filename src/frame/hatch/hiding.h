@@ -3,7 +3,7 @@
 //
 // 1. Depth layers say of each sample whether it is seen. They are made of splats, so they are right to a splat's
 // radius.
-// 2. `NearerEdges` holds the lines of the picture that nothing hides: the contours and creases of what lies before the
+// 2. `NearerEdges` holds the lines of the picture that nothing hides: the contours and creases of surfaces before the
 //    hatching.
 // 3. `find_cuts` moves each place where a line begins or ends to the edge, or to the border of the edge's halo.
 #pragma once

@@ -186,7 +186,7 @@ HWY_INLINE Widths widths(const HatchLaw& law, W coverage, W spacing, W gap) {
     w.lambda = hn::IfThenElseZero(hn::Gt(room, one), hn::Min(log2(room), set(law.levels)));
     const auto full = hn::ConvertTo(i, w.lambda);
     w.full = hn::ConvertTo(d, full);
-    const W weight = hn::Sub(w.lambda, w.full);                                       // of the level that fades in
+    const W weight = hn::Sub(w.lambda, w.full); // how far the next level has faded in, 0 to 1
     const W half = hn::BitCast(d, hn::ShiftLeft<23>(hn::Sub(hn::Set(i, 127), full))); // 2^-full
     const W period = hn::Mul(hn::Mul(gap, spacing), half);
     // A period holds 1 + weight wide lines. Where lines are closer together than asked they are thinner than the pen.

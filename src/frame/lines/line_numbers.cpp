@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Points of each line vote for the line of the last frame that has the nearest point of the same direction
-// (count_votes); lines with most points in common are one, and what is needed to know all again is kept (run).
+// (count_votes); lines with most points in common are one, and the points by which all are known again are kept (run).
 #include "frame/lines/line_numbers.h"
 
 #include "base/assert.h"

@@ -25,18 +25,18 @@ public:
     [[nodiscard]] std::int64_t origin(std::int64_t line) const noexcept { return origin_[line]; }
 
 private:
-    // Lines that may be each other from frame to frame: of one line set, item and style.
+    // Only lines of the same family, which is their line set, item and subject, may be one line in two frames.
     struct Family {
         const void* set;
         std::int64_t item;
-        std::int64_t number; // of its subject among those of the item
+        std::int64_t number; // the number of its subject among the subjects of the item
 
         friend bool operator==(const Family&, const Family&) = default;
     };
     // A line of the last frame.
     struct Known {
         Family family;
-        std::int64_t first, count; // of its points
+        std::int64_t first, count; // the range of its points in Kept
         std::uint32_t number;
         glm::dvec3 origin;
     };
@@ -45,10 +45,10 @@ private:
         explicit Kept(base::Memory& memory) noexcept : known(memory), place(memory), direction(memory) {}
 
         base::Array<Known> known;
-        geometry::VecArray place, direction; // of their points
-        std::uint32_t number = 0;            // the last that was given
+        geometry::VecArray place, direction; // the points of the known lines, and the directions there
+        std::uint32_t number = 0;            // the last number that was given
     };
-    // Points that a line of this frame has near one of the last.
+    // About how many points of a line of this frame are near a line of the last frame.
     struct Vote {
         std::int64_t line;
         std::int64_t known;

@@ -19,8 +19,8 @@ namespace {
 // A part of a line that is hidden by as many layers of surface everywhere.
 struct Part {
     visibility::Interval interval; // its `sheets` of no account
-    std::int32_t layers;           // of surface before it: two sheets each
-    bool free_begin, free_end;     // ends that are no ends of another part: at cusps, and of open lines
+    std::int32_t layers;           // number of surface layers before it; each is two sheets
+    bool free_begin, free_end;     // ends where no other part goes on: at cusps, and at ends of open lines
 };
 
 // A place along a part.
@@ -112,9 +112,9 @@ private:
     }
 
     double aside_, width_;
-    double between_;            // knots, pixels
-    std::int64_t knots_ = 0;    // of a closed line; 0: it is open
-    std::uint64_t seed_, line_; // of its random numbers
+    double between_;            // distance between knots, pixels
+    std::int64_t knots_ = 0;    // number of knots around a closed line; 0: it is open
+    std::uint64_t seed_, line_; // random numbers are made from these
 };
 
 Wobble wobble_of(const StrokeInput& in, const DrawnAs& as, std::int32_t line) noexcept {
@@ -163,7 +163,7 @@ void walk(const LineInput& in, const visibility::Interval& interval, double step
 }
 
 // 1 for intervals that are hidden and short, of a contour of a surface with creases, and all of them so near to a
-// contour that is seen that they belong to it. width: of the widest lines.
+// contour that is seen that they belong to it. `width` is that of the widest lines, pixels.
 base::Array<std::uint8_t> find_hugging(base::Memory& memory, const LineInput& in, double width) {
     const base::Array<visibility::Interval>& intervals = in.found.intervals;
     base::Array<std::uint8_t> hugs(memory, intervals.size());
@@ -391,7 +391,8 @@ void knots_of(const StrokeInput& in, Path& path) {
 // ---- Strokes
 
 // Moves the points of a stroke across the line: at a point halfway between the directions of the chords beside it. The
-// noise stands still on a line from frame to frame, wherever that begins. at: of the points along the line.
+// noise stands still on a line from frame to frame, wherever that begins. `at` holds the places of the points along the
+// line, pixels.
 void wobble(const StrokeInput& in, const Path& path, bool closed, const base::Array<double>& at,
             std::span<drawing::StrokePoint> points) {
     HRBFNPR_ASSERT(points.size() > 1 && static_cast<std::size_t>(at.size()) == points.size());
@@ -489,7 +490,7 @@ void add_stroke(const StrokeInput& in, const Path& path, double from, double to,
     out.strokes.push_back(stroke);
 }
 
-// Adds strokes from one place along a part to another, but for what is too weak.
+// Adds strokes from one place along a part to another, except where the line is too weak.
 void add_strong(const StrokeInput& in, const Path& path, double from, double to, LineStrokes& out) {
     if (!path.as.cut) return add_stroke(in, path, from, to, out);
     const base::Array<Place>& place = path.place;
@@ -497,7 +498,7 @@ void add_strong(const StrokeInput& in, const Path& path, double from, double to,
         return static_cast<double>(strength_at(path.as, in.piece(place[i].piece), static_cast<float>(place[i].share)) -
                                    path.as.lower);
     };
-    double begin = from; // of what is strong enough, as far as the last place
+    double begin = from; // where the present strong or weak stretch begins, pixels along the line
     HRBFNPR_ASSERT(path.as.strength != nullptr);
     bool strong = strength(0) >= 0.0;
     for (std::int64_t i = 1; i < place.size() && place[i - 1].at < to; ++i) {

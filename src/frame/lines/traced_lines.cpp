@@ -28,7 +28,7 @@ struct Source {
     std::int32_t number; // among the occluders
     bool mirrored;
     std::int32_t contours, border, end;
-    std::int32_t folds = -1; // -1: there are none
+    std::int32_t folds = -1; // -1: the item has no such creases
     const curves::CreaseParts* creases = nullptr;
 
     [[nodiscard]] const curves::LineSet& lines() const noexcept { return *item.lines; }
@@ -37,9 +37,9 @@ struct Source {
 
 // ---- The camera
 
-// The camera for all lines of a scene: where an item has creases, what is parallel to the axis of an orthographic one
-// turns away a little, as seen from a finite distance, and the eye moves a little to one side. Of a face seen edge-on
-// nothing tells on which side of its edges it lies.
+// The camera for all lines of a scene. A face that is seen exactly edge-on does not tell on which side of its edges it
+// lies, so where an item has creases the eye moves a little to one side, and an orthographic camera becomes one at a
+// large finite distance: faces parallel to its axis turn away a little.
 Camera camera_off_planes(const Scene& scene, std::span<const Item> items) {
     geometry::Bounds box; // in eye space
     bool sharp = false;
@@ -136,7 +136,7 @@ void add_folds(const base::Runtime& runtime, Source& source, TracedLines& out) {
     subject.clear = visibility::visibility_tuning.clear_of_creases;
 }
 
-// Adds lines on the surface, cut where they turn away from the eye. sheets: as of a Subject.
+// Adds lines on the surface, cut where they turn away from the eye. `sheets` is Subject::sheets.
 void add_lines(const base::Runtime& runtime, const Source& source, const curves::SurfaceLines& lines,
                const LineStyle* style, std::uint32_t layer, std::int32_t sheets, TracedLines& out) {
     HRBFNPR_ASSERT(style != nullptr || sheets > 0);
@@ -158,7 +158,7 @@ void add_lines(const base::Runtime& runtime, const Source& source, const curves:
     }
 }
 
-// A surface hides what lies beyond it only up to its border, which is needed even where it is not drawn.
+// A surface hides other things only up to its border, so the border is needed even where it is not drawn.
 void add_border(const base::Runtime& runtime, Source& source, TracedLines& out) {
     const curves::LineSet& lines = source.lines();
     source.border = static_cast<std::int32_t>(out.subjects.size());
@@ -327,7 +327,7 @@ const Contours& LastContours::find(const base::Runtime& runtime, const curves::L
         contours->from_last = near != nullptr;
         contours->broken = report.broken + report.missed;
     };
-    // From the last ones if all of them go on.
+    // Tracing begins with the last contours if nearly all of their points go on.
     if (last != nullptr) {
         const curves::Curves moved =
             curves::moved_contours(runtime.memory, level.view(), last->traced, line_tuning.farthest_move * mesh.side);

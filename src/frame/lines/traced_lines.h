@@ -18,12 +18,12 @@ struct Contours {
 
     std::shared_ptr<const void> set; // LineSet::identity()
     std::int64_t item = 0;
-    std::int64_t part = 0;     // of LineSet::parts(); 0 where there are none
-    glm::dvec4 eye{0.0};       // as of a View
-    curves::Curves traced;     // no points added
-    curves::Curves with_cusps; // those to be drawn
-    bool from_last = false;    // begun with those of the frame before
-    std::int64_t broken = 0;   // that end inside the surface, and places where one was missed
+    std::int64_t part = 0;     // the number of the part in LineSet::parts(); 0 if the set has no parts
+    glm::dvec4 eye{0.0};       // as View::eye
+    curves::Curves traced;     // as traced, before cusps are added
+    curves::Curves with_cusps; // these are drawn
+    bool from_last = false;    // tracing began with the contours of the frame before
+    std::int64_t broken = 0;   // contours that end inside the surface, and places where one was missed
 };
 
 // The contours of the last frame: those of the next begin there where the camera moved little.
@@ -57,7 +57,7 @@ struct TracedLines {
 
     base::Array<visibility::Subject> subjects;
     base::Array<visibility::Occluder> occluders;
-    base::Array<std::int32_t> items; // of the drawing, for each occluder
+    base::Array<std::int32_t> items; // the drawing's item of each occluder
     base::Array<DrawnAs> styles;
     std::int64_t broken = 0; // contours that end inside the surface, and places where one was missed
     // Subjects and styles refer to these.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // How lines are drawn, and what the laws of a style say of their width: by depth, light and curvature at the points of
-// curves, and by what lies beside a line along it.
+// curves, and along a line by whether it is part of the outline.
 #pragma once
 
 #include "base/list.h"
@@ -20,11 +20,11 @@ struct DrawnAs {
     const LineStyle* style;
     std::int32_t subject;
     std::uint32_t layer;
-    const float* strength = nullptr;  // of the points of the subject's curves; null: lines of one strength
+    const float* strength = nullptr;  // the strength at each point of the subject's curves; null: all have the same
     float lower = 0.0F, upper = 0.0F; // strengths between which a line fades
-    float halo = 0.0F;                // of its item's style: pixels between a nearer line and where this one ends
-    bool cut = false;                 // what is weaker than `lower` is not drawn
-    const float* factor = nullptr;    // of the width at the points of the subject's curves; null: 1
+    float halo = 0.0F; // pixels left free between a nearer line and the end of this one, by the item's style
+    bool cut = false;  // parts weaker than `lower` are not drawn
+    const float* factor = nullptr; // the factor of the width at each point of the subject's curves; null: 1
 };
 
 [[nodiscard]] inline float strength_at(const DrawnAs& as, const visibility::Piece& piece, float share) noexcept {
@@ -42,7 +42,7 @@ struct DrawnAs {
 struct LineInput {
     std::span<const visibility::Subject> subjects;
     std::span<const visibility::Occluder> occluders;
-    std::span<const std::int32_t> items; // of the occluders
+    std::span<const std::int32_t> items; // the drawing's item of each occluder
     std::span<const DrawnAs> styles;
     const visibility::Invisibility& found;
     const visibility::Lengths& lengths;
@@ -68,7 +68,7 @@ public:
 
 private:
     [[nodiscard]] std::span<const visibility::OutlinePart> outline_of(std::int32_t line) const noexcept;
-    // The length of a closed line; 0 of an open one.
+    // The length of a closed line, pixels; 0 for an open one.
     [[nodiscard]] double round(std::int32_t line) const noexcept {
         const visibility::Line& its = input_.found.lines.lines[line];
         return its.closed ? input_.lengths.whole(its) : 0.0;
@@ -76,7 +76,8 @@ private:
 
     LineInput input_;
     base::Array<DrawnAs> styles_;
-    base::List<base::Array<float>> factors_; // of the points of the subjects of styles that have them
+    // For each style whose width varies by point, a factor for each point of its subject.
+    base::List<base::Array<float>> factors_;
     visibility::Outline outline_;
 };
 

@@ -208,7 +208,8 @@ Camera fit_bounds(const geometry::Bounds& bounds, const glm::dvec3& direction, c
     const double tangent = std::tan(0.5 * vertical_angle);
     const glm::dvec2 slope(tangent * aspect * used, tangent * used);
     glm::dvec3 extent(0.0);
-    double reach = 0.0; // of the eye from the centre, at which all corners lie between the lines of these slopes
+    // The least distance of the eye from the centre at which it sees all corners between lines of these slopes.
+    double reach = 0.0;
     for (unsigned i = 0; i < 8; ++i) {
         const glm::dvec3 c = axes.along(
             {(i & 1U) != 0 ? half.x : -half.x, (i & 2U) != 0 ? half.y : -half.y, (i & 4U) != 0 ? half.z : -half.z});

@@ -49,9 +49,9 @@ struct Lens {
     glm::mat4 window{1.0F};
     glm::vec4 centre{0.0F};
     glm::vec4 viewport{0.0F}; // x, y, width, height
-    float pixels = 0.0F;      // per eye unit where w is 1
+    float pixels = 0.0F;      // pixels per eye unit where w is 1
     float eye_per_world = 1.0F;
-    float diagonal = 0.0F; // of the viewport, pixels
+    float diagonal = 0.0F; // the viewport's diagonal, pixels
 
     // v of [NPAR 6]: from the camera to a point, not normalised.
     [[nodiscard]] glm::vec3 sight(const glm::vec3& eye) const noexcept {

@@ -22,7 +22,7 @@ struct ItemSight {
 // The sides of the frustum in eye space: plane . (eye, 1) >= 0 inside.
 struct Frustum {
     std::array<glm::vec4, 6> plane; // left, right, top, bottom, near, far
-    std::array<float, 6> norm;      // of each plane's first three
+    std::array<float, 6> norm;      // the length of the first three numbers of each plane
     float w_norm = 0.0F;
 };
 

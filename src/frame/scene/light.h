@@ -96,10 +96,10 @@ struct DepthTone {
 enum class Verdict : std::uint8_t { shown = 0, tone = 1, zoom = 2, depth = 3 };
 
 struct ToneTerms {
-    float tau = 0.0F;       // light
-    float tau_depth = 1.0F; // distance
-    float scale = 1.0F;     // zoom
-    float share = 1.0F;     // of the group
+    float tau = 0.0F;       // the tone by light
+    float tau_depth = 1.0F; // the tone by distance
+    float scale = 1.0F;     // the share of the marks that is shown at this zoom
+    float share = 1.0F;     // the share of the group's marks that is used at all
 };
 
 // u is the mark's rank. The reason for a drop is the first of share and light, zoom, depth that drops it when they act

@@ -21,13 +21,13 @@
 namespace hrbfnpr::frame {
 namespace {
 
-using ll = long long; // of messages
+using ll = long long; // the type that messages print
 
 constexpr std::int64_t marks_a_task = 4096;
-constexpr std::int64_t marks_a_call = 4096;     // of a tone callback
+constexpr std::int64_t marks_a_call = 4096;     // a tone callback gets at most this many
 constexpr std::int64_t most_marks = 0x7FFFFFFF; // an order key holds a mark and one bit in 32
-constexpr double most_off_unit = 1e-2;          // of a pose's normal, as of floats that were turned
-constexpr double farthest = 1e33;               // of a pose's numbers: marks are floats
+constexpr double most_off_unit = 1e-2; // lengths of a pose's unit vectors may be off 1 by this: floats are rounded
+constexpr double farthest = 1e33;      // greatest number that a pose may have: marks are floats
 
 // ---- Items
 
@@ -76,7 +76,7 @@ Camera unit_camera(Camera camera, std::span<const Item> items) noexcept {
     for (int column = 0; column < 4; ++column)
         for (int row = 0; row < 3; ++row) camera.view[column][row] /= unit;
     for (int column = 0; column < 3; ++column) camera.projection[column] *= unit;
-    double largest = 0.0; // of what w is made of
+    double largest = 0.0; // the largest coefficient of w
     for (int column = 0; column < 4; ++column) largest = std::max(largest, std::abs(camera.projection[column][3]));
     camera.projection /= geometry::unit_for(largest);
     return camera;

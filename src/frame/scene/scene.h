@@ -62,9 +62,9 @@ struct Item {
 struct Pen {
     const Style* style = nullptr; // the caller keeps both
     const LayerStyle* layer = nullptr;
-    float spacing = 0.0F;     // of the group's marks, eye units
-    float separation = 0.0F;  // of its strokes, eye units; 0: it is not known
-    float zoom_at_one = 0.0F; // where a pixel is a unit; 0: there is no reference, and the zoom is 1
+    float spacing = 0.0F;     // a mark stands for spacing^2 of surface; eye units
+    float separation = 0.0F;  // distance between neighbouring strokes of the group, eye units; 0: not known
+    float zoom_at_one = 0.0F; // the zoom where a pixel is an eye unit; 0: no reference, and the zoom is 1
     float largest_splat = 0.0F;
 
     [[nodiscard]] float zoom(float pixels_per_unit) const noexcept {
@@ -112,9 +112,9 @@ struct ItemView {
     bool both_sides = false;
     const implicit::Implicit* model = nullptr;
     const curves::LineSet* lines = nullptr;
-    glm::dvec3 origin{0.0}; // of the set's positions
-    double unit = 1.0;      // of the set's clusters
-    glm::vec3 centre{0.0F}; // of a ball around the marks
+    glm::dvec3 origin{0.0}; // the set's positions are relative to it
+    double unit = 1.0;      // the unit of lengths in the set's clusters
+    glm::vec3 centre{0.0F}; // centre of a ball around the marks, relative to `origin`, in `unit`
     float radius = 0.0F;
     glm::mat3 to_eye{1.0F};
     glm::vec3 eye_offset{0.0F};
@@ -129,20 +129,21 @@ struct Run {
     const marks::Layer* marks = nullptr;
     const LayerStyle* style = nullptr;
     Pen pen;
-    // Three numbers of each mark, relative to the set's origin: of the layer, of the item's pose, or of the other side.
+    // Three numbers for each mark; positions are relative to the set's origin. The arrays are the layer's, those of the
+    // item's pose, or those made for the other side.
     const float* position = nullptr;
     const float* normal = nullptr;
     const float* posed_direction = nullptr; // NULL: the pose has none
     const marks::MarkClusters* clusters = nullptr;
-    std::int32_t item = 0;        // among the scene's
-    std::int32_t source = 0;      // among the drawing's
-    std::int32_t layer = 0;       // of the item's set
-    std::uint32_t first_id = 0;   // of the drawing
+    std::int32_t item = 0;        // its number in the scene
+    std::int32_t source = 0;      // the item's number in the drawing
+    std::int32_t layer = 0;       // its number in the item's set
+    std::uint32_t first_id = 0;   // the id of its first mark in the drawing
     std::int64_t first = 0;       // place of its first mark among the marks of all runs
-    std::int64_t count = 0;       // of its marks
-    std::int64_t first_place = 0; // of its clusters' blocks among those of all runs
-    std::uint32_t directions = 3; // of front ink
-    Shape shape = Shape::dots;    // of front ink: marks that form no strokes are dots whatever the style says
+    std::int64_t count = 0;       // the number of its marks
+    std::int64_t first_place = 0; // the first of its places in clusters' blocks, counted over all runs
+    std::uint32_t directions = 3; // directions of strokes that are front ink: bit 0 the first, bit 1 the second
+    Shape shape = Shape::dots;    // how front ink is drawn: marks that form no strokes are dots whatever the style says
     bool draws_front = false;
     bool makes_tone = true; // its ink counts for the tone of its item
     bool splats = false;    // its marks tell where the layers of its item are
@@ -167,7 +168,7 @@ struct Run {
         return glm::vec3(glm::dvec3(position_of(mark)) / unit);
     }
     [[nodiscard]] bool has_tone_normals() const noexcept { return !marks->tone_normal.empty(); }
-    // What tone goes by: where the layer is posed it is turned with normal and direction.
+    // The normal from which tone is found. Where the layer is posed it is turned with normal and direction.
     [[nodiscard]] glm::vec3 tone_normal_of(std::int64_t mark) const noexcept;
     // Radius of the ink of a front mark, by its number in the layer.
     [[nodiscard]] float front_ink(std::int64_t mark, float pixels_per_unit) const noexcept {
@@ -212,7 +213,7 @@ struct Marks {
     base::Array<float> tau;
     base::Array<float> tau_depth;
     base::Array<MarkClass> mark_class; // none: the mark lies outside of the picture
-    base::Array<std::uint8_t> role;    // the role_... bits of what is drawn of it
+    base::Array<std::uint8_t> role;    // bits of role_ink and role_paper: the parts of the mark that are drawn
 
     template <class F>
     void for_arrays(const F& f) {
@@ -238,9 +239,9 @@ struct Scene {
     base::Array<Run> runs;
     base::Array<Chunk> chunks;
     Marks marks;
-    base::List<marks::MarkClusters> posed;  // of layers whose marks have moved
-    base::List<marks::MarkClusters> turned; // of runs of the other sides
-    base::Array<float> turned_normal;       // of these, one after the other
+    base::List<marks::MarkClusters> posed;  // clusters of the layers whose marks have moved
+    base::List<marks::MarkClusters> turned; // clusters of the runs of the other sides
+    base::Array<float> turned_normal;       // normals of the marks of those runs, run after run
 
     [[nodiscard]] const ItemView& item_of(const Run& run) const noexcept { return items[run.item]; }
     [[nodiscard]] std::int64_t mark_count() const noexcept {

@@ -24,9 +24,9 @@ struct Seer {
     bool rigid;         // `normal` keeps lengths
     float normal[3][3]; // to eye space
     Light light;
-    float centre[3]; // of projection, eye space; or the direction of all lines of sight
+    float centre[3]; // centre of projection, eye space; if `parallel`, the direction of all lines of sight
     bool parallel;
-    float pixels; // per eye unit where w is 1
+    float pixels; // pixels per eye unit where w is 1
 };
 
 // The first marks of a cluster.
@@ -55,7 +55,7 @@ struct Seen {
     float pixels_per_unit[most];      // pixels per eye unit; <= 0 or not a number: after the camera's plane
     float nu[most];                   // n . v
     float lit[most];                  // n . l
-    float side_x[most], side_y[most]; // of the unit normal, eye space
+    float side_x[most], side_y[most]; // x and y of the unit normal, eye space
     float along[most];                // how far a unit step of v goes along the view
     float distance[most];             // from the centre of projection, eye units; parallel: depth
 };
@@ -70,8 +70,8 @@ struct Selection {
     // By share a mark is shown where 1 - rank < most(1, needed(1 - tau) |nu| per_ink) share more
     // scale tau_depth; by the published rule it passes test by test.
     bool by_published;
-    bool coverage;       // else needed() is left out, and |nu|
-    const float* needed; // of coverages 0, 1 / needed_steps ... 1
+    bool coverage;       // false: `needed` and |nu| are left out
+    const float* needed; // ink per area needed for each coverage k / needed_steps, k from 0 to needed_steps
     float per_ink, share, more, scale;
     float fade; // 0: a mark is shown or not
     float turn; // > 0: ink vanishes where |nu| falls below it
@@ -79,7 +79,7 @@ struct Selection {
 inline constexpr int needed_steps = 64;
 
 struct Selected {
-    float front[Seen::most];         // of a mark's area, the share that is drawn
+    float front[Seen::most];         // the share of each mark's area that is drawn
     std::uint16_t drawn[Seen::most]; // a bit for each mark whose share is not 0; an element holds `lanes` marks
     std::int32_t lanes;
     std::int32_t outside, fronts, backs;
@@ -89,7 +89,7 @@ struct Selected {
 struct SeeLoops {
     void (*see)(const Seer& seer, const MarkRange& marks, Seen& seen);
     void (*see_rows)(const Seer& seer, const MarkRows& marks, const SeenRows& seen);
-    // tau and tau_depth are of each mark; tau_depth may be NULL, which is 1 for all.
+    // tau and tau_depth hold a number for each mark; tau_depth may be NULL, which means 1 for all.
     void (*select)(const Selection& selection, const MarkRange& marks, const Seen& seen, const float* tau,
                    const float* tau_depth, Selected& selected);
 };

@@ -28,8 +28,8 @@ enum class Shape : std::uint32_t { dots = 0, strokes = 1, hatch = 2 };
 using curves::LineKind;
 
 struct LayerStyle {
-    marks::Kind kind = marks::Kind::any; // of the layers that this is for
-    const char* name = nullptr;          // of these layers; NULL: any name
+    marks::Kind kind = marks::Kind::any; // the kind of the layers that this is for
+    const char* name = nullptr;          // the name of the layers that this is for; NULL: any name
     bool shown = true;
     bool contours = true;
     std::uint32_t directions = 3;
@@ -62,9 +62,9 @@ enum class HiddenParts : std::uint32_t { none = 0, attenuated = 1, dashed = 2, s
 // How lines of one kind are drawn. Every field means what it does in hrbfnpr_line_style.
 struct LineStyle {
     LineKind kind = LineKind::contour;
-    const char* name = nullptr; // of lines that are found once; NULL: any name
+    const char* name = nullptr; // the name of lines that are found once; NULL: any name
     HiddenParts hidden = HiddenParts::none;
-    drawing::Cap cap = drawing::Cap::round; // of free ends
+    drawing::Cap cap = drawing::Cap::round; // the shape of free ends
     float width = 2.0F;
     float taper = 12.0F;
     float hidden_width = 1.2F;
@@ -74,7 +74,7 @@ struct LineStyle {
     float shortest = 2.0F;
     float fade = 1.0F;
     double lower = 0.0, upper = 0.0;
-    std::span<const double> levels; // of isophotes
+    std::span<const double> levels; // n . l on each isophote
     float ink[4] = {0.0F, 0.0F, 0.0F, 1.0F};
     float outline_factor = 1.0F;
     float far_factor = 1.0F;
