@@ -28,7 +28,7 @@ class LayerReader {
 public:
     LayerReader(const LayerArrays& arrays, std::int64_t place) noexcept : arrays_(arrays), place_(place) {}
 
-    // "point_set_desc.layers[1].rank[3] is ..."
+    // Fails with the message "point_set_desc.layers[1].rank[3] is REASON"; `format` and its arguments give REASON.
     [[noreturn]] [[gnu::format(printf, 4, 5)]] void refuse(const char* name, std::int64_t i, const char* format,
                                                            ...) const {
         char why[160];
