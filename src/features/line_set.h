@@ -112,7 +112,7 @@ public:
     [[nodiscard]] const base::List<FoundLines>& found() const noexcept { return found_; }
     [[nodiscard]] const SurfaceLines& border() const noexcept { return border_; }
     [[nodiscard]] const Creases& creases() const noexcept { return creases_; }
-    // Whether a place is so near to one that is sharp enough to be drawn; reach: half a side of the mesh at most.
+    // Whether a crease that is sharp enough to be drawn lies within `reach`, which is half a side of the mesh at most.
     [[nodiscard]] bool has_crease_near(const glm::dvec3& place, double reach) const noexcept {
         return near_creases_ && near_creases_->has(place, reach);
     }

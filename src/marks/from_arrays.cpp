@@ -231,7 +231,7 @@ PointSet copy_of(const base::Runtime& runtime, const PointSet& base) {
     return set;
 }
 
-// Where there are marks already their origin stays, and so does what is known of the area.
+// Measures the whole set. Where it had marks before, the origin stays, and the spacing is scaled as for the same area.
 void measure_all(const base::Runtime& runtime, const base::List<geometry::VecArray>& positions,
                  std::int64_t largest_before, PointSet& set) {
     if (largest_before == 0) {
