@@ -23,26 +23,26 @@ namespace hrbfnpr::curves {
 namespace {
 
 constexpr std::int64_t nodes_a_task = 32;
-constexpr double meeting_tolerance = 1e-9; // in sides, of a place where sheets meet
+constexpr double meeting_tolerance = 1e-9; // how exactly places where sheets meet are found, in sides
 
 // An edge whose ends belong to different sheets.
 struct EdgeNode {
     std::int64_t edge;                 // the first of its two
     std::array<std::int32_t, 2> ends;  // its start and end
-    std::array<std::int32_t, 2> sheet; // of these
+    std::array<std::int32_t, 2> sheet; // the sheets of both ends
     CreaseNode at;
-    std::array<glm::dvec3, 2> gradient; // of both sheets there
+    std::array<glm::dvec3, 2> gradient; // the gradients of both sheets at `at`
     std::array<bool, 2> equal;          // the start may belong to the end's sheet, the end to the start's
-    bool alike;                         // both, nearly
-    bool meet;                          // the sheets do somewhere beside the edge, on the surface or off it
-    bool near;                          // they do beside the surface, at an angle
+    bool alike;                         // each end nearly belongs to the other's sheet
+    bool meet;                          // the sheets meet somewhere beside the edge, on the surface or off it
+    bool near;                          // the sheets meet a little off the surface, at an angle
 };
 
 // A triangle whose corners belong to three sheets.
 struct CornerNode {
     std::int64_t triangle;
     CreaseNode at;
-    std::array<glm::dvec3, 3> gradient; // of its corners' sheets there
+    std::array<glm::dvec3, 3> gradient; // the gradients of its corners' sheets at `at`
 };
 
 // A mesh with the sheets of its vertices, and with nodes where it crosses creases.
@@ -54,8 +54,9 @@ struct SheetMesh {
     const implicit::Implicit& implicit;
     const implicit::Sheets& sheets;
     SurfaceMesh mesh;
-    base::Array<std::int32_t> sheet; // of each vertex
-    base::Array<std::int32_t> node;  // of each edge, on both of its sides: among `edges`; -1: it crosses no crease
+    base::Array<std::int32_t> sheet; // the sheet of each vertex
+    // The place of each edge in `edges`, the same from both of its sides; -1: the edge crosses no crease.
+    base::Array<std::int32_t> node;
     base::Array<EdgeNode> edges;
     base::Array<CornerNode> corners; // by triangle
 
@@ -150,7 +151,8 @@ void settle_alone(const base::Runtime& runtime, SheetMesh& at, const base::Progr
 // far: where f is looked at, to either side.
 bool folds(const SheetMesh& in, const EdgeNode& node, double far) {
     const glm::dvec3 across = glm::normalize(node.gradient[0]) - glm::normalize(node.gradient[1]);
-    const double sine = 0.5 * glm::length(across); // of half the angle: f aside is that share of the way
+    // The sine of half the angle: at a distance aside f is that share of the distance.
+    const double sine = 0.5 * glm::length(across);
     if (!(sine > crease_tuning.least_sine)) return true;
     const glm::dvec3 way = far / (2.0 * sine) * across;
     const auto off = [&](const glm::dvec3& place) {
@@ -165,7 +167,7 @@ bool folds(const SheetMesh& in, const EdgeNode& node, double far) {
 // Looks for the meeting from where the difference of both sheets is 0 as it is linear along the edge.
 void look_at(const SheetMesh& in, EdgeNode& node) {
     const std::array<glm::dvec3, 2> place{in.mesh.position[node.ends[0]], in.mesh.position[node.ends[1]]};
-    std::array<double, 2> off{}; // of either end from the other's sheet
+    std::array<double, 2> off{}; // the signed distance of each end from the other end's sheet
     node.alike = true;
     for (std::size_t k = 0; k < 2; ++k) {
         const surface::SheetValue other = surface::sheet_at(in.sheets, node.sheet[1 - k], place[k]);

@@ -24,8 +24,10 @@ struct CreaseChains : Chains<CreaseNode> {
 struct SharpMesh {
     explicit SharpMesh(base::Memory& memory) : mesh(memory), sheet(memory), creases(memory) {}
 
-    SurfaceMesh mesh; // a vertex on a crease stands there once for each sheet, with its gradient; nothing is across
-    base::Array<std::int32_t> sheet; // of each triangle
+    // A vertex on a crease stands there once for each sheet, with that sheet's gradient; edges on creases have no
+    // neighbour.
+    SurfaceMesh mesh;
+    base::Array<std::int32_t> sheet; // the sheet of each triangle
     CreaseChains creases;
 };
 

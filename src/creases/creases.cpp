@@ -22,10 +22,10 @@ namespace hrbfnpr::curves {
 namespace {
 
 constexpr std::int64_t points_a_task = 16;
-constexpr int crease_rounds = 8; // of halving pieces
+constexpr int crease_rounds = 8; // pieces are halved at most this many times
 constexpr int part_steps = 60;
-constexpr double known_part = 1e-10;     // of a piece
-constexpr double at_crease_point = 1e-7; // of a piece: a part that begins so near to a point begins there
+constexpr double known_part = 1e-10;     // in pieces: a turn is found once its bracket is this short
+constexpr double at_crease_point = 1e-7; // in pieces: a part that would begin this near to a point begins at the point
 
 CurvePoint as_curve_point(const CreasePoint& p) noexcept {
     CurvePoint point;
@@ -134,7 +134,7 @@ struct CreasePath {
     explicit CreasePath(base::Memory& memory) noexcept : point(memory) {}
 
     base::Array<CreasePoint> point;
-    AngleRange angles; // of the whole crease
+    AngleRange angles; // the range of angles along the whole crease, degrees
 };
 
 // Where n . v of a sheet vanishes along a piece, by its values at both ends.

@@ -17,7 +17,7 @@ struct SheetPart {
 
     std::int32_t sheet;
     implicit::OneSheet surface;
-    SurfaceMesh mesh; // of this sheet alone; it ends at its creases
+    SurfaceMesh mesh; // the mesh of this sheet alone; it ends at the sheet's creases
     std::unique_ptr<const SheetEnd> end;
 };
 

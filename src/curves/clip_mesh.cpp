@@ -114,7 +114,7 @@ ClippedMesh clip(const base::Runtime& runtime, const Level& level, const Surface
     to.side = mesh.side;
     to.unresolved = mesh.unresolved;
     to.missed_seeds = mesh.missed_seeds;
-    base::Array<std::int32_t> number(runtime.memory, mesh.vertices()); // of the vertices that are kept
+    base::Array<std::int32_t> number(runtime.memory, mesh.vertices()); // the new numbers of the vertices that are kept
     for (std::int32_t v = 0; v < mesh.vertices(); ++v) {
         if (!keeps(v)) continue;
         number[v] = static_cast<std::int32_t>(to.vertices());

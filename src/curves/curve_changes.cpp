@@ -271,7 +271,7 @@ Curves finer_curves(const base::Runtime& runtime, const Level& contour, const Vi
     };
     base::Array<std::uint8_t> changes(runtime.memory, curves.count());
     base::Array<Part> parts(runtime.memory);
-    base::Array<OnPiece> middles(runtime.memory); // of the parts
+    base::Array<OnPiece> middles(runtime.memory); // the middle of each part
     for (std::int64_t c = 0; c < curves.count(); ++c)
         for (std::int64_t at = curves.first[c]; at < curves.first[c] + curves.pieces_of(c); ++at) {
             if (marked[static_cast<std::size_t>(at)] == 0) continue;
@@ -311,7 +311,7 @@ Curves finer_curves(const base::Runtime& runtime, const Level& contour, const Vi
         if (changes[c] != 0) append_with(curves, c, added, next, changed);
     const Curves with = with_cusps(runtime, contour, view, changed, evaluations, progress);
     Curves result = no_curves(runtime.memory);
-    std::int64_t number = 0; // of the next changed curve
+    std::int64_t number = 0; // the place of the next changed curve in `with`
     for (std::int64_t c = 0; c < curves.count(); ++c) {
         const Curves& from = changes[c] != 0 ? with : curves;
         const std::int64_t curve = changes[c] != 0 ? number++ : c;

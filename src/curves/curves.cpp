@@ -16,7 +16,7 @@ constexpr double piece_bulge = 0.25;
 // This is small enough for two threads to share a few hundred points, and several vectors long.
 constexpr std::int64_t points_a_task = 32;
 
-// Evaluates the points order[0], ..., order[count - 1] side by side.
+// Evaluates points[order[i]] for each i < count, side by side.
 void evaluate_some(const Level& level, CurvePoint* points, const std::int32_t* order, std::int64_t count) {
     using Column = std::array<double, static_cast<std::size_t>(points_a_task)>;
     HRBFNPR_ASSERT(count <= points_a_task);

@@ -177,7 +177,7 @@ public:
 
 private:
     const Curves& curves_;
-    base::Array<std::int32_t> curve_; // of each point
+    base::Array<std::int32_t> curve_; // the curve of each point
     geometry::PointGrid grid_;
 };
 

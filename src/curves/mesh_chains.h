@@ -26,7 +26,7 @@ struct Crossing {
 struct MeshChains {
     explicit MeshChains(base::Memory& memory) noexcept : first(memory), closed(memory), crossing(memory) {}
 
-    base::Array<std::int64_t> first;  // of each chain, and the end of the last: one more than chains
+    base::Array<std::int64_t> first;  // the first crossing of each chain, and the number of crossings
     base::Array<std::uint8_t> closed; // 1: the last crossing is followed by the first, which stands there once
     base::Array<Crossing> crossing;
 

@@ -78,7 +78,7 @@ struct Span {
     double begin, end;
     std::int64_t line;
     std::int64_t places;    // the number of places, in order from begin to end, where f is evaluated at first
-    std::int32_t crossings; // of the line with triangles there
+    std::int32_t crossings; // how often the line crosses the mesh in the span
     bool line_begins, line_ends;
 };
 
@@ -311,7 +311,8 @@ double split_of(const Place& a, const Place& b) noexcept {
     const double f1 = sign * b.value;
     const double third = 2.0 * (f0 - f1) + d0 + d1;
     const double second = 3.0 * (f1 - f0) - 2.0 * d0 - d1;
-    const double root = second * second - 3.0 * third * d0; // of the derivative d0 + 2 second t + 3 third t^2
+    // A quarter of the discriminant of the derivative, d0 + 2 second t + 3 third t^2.
+    const double root = second * second - 3.0 * third * d0;
     if (!(root >= 0.0)) return none;
     // The derivative rises at this root, which is written so that nothing cancels.
     const double t = second > 0.0 ? -d0 / (second + std::sqrt(root)) : (std::sqrt(root) - second) / (3.0 * third);
@@ -327,8 +328,8 @@ void count_roots(const base::Runtime& runtime, const implicit::Implicit& implici
     const double noise = curve_tuning.root_noise * implicit.diagonal();
     counts.resize(spans.span.size());
     std::fill(counts.begin(), counts.end(), RootCount{});
-    base::Array<Piece> pieces(runtime.memory); // to be split
-    geometry::VecArray point(runtime.memory);  // where
+    base::Array<Piece> pieces(runtime.memory); // the pieces to split next
+    geometry::VecArray point(runtime.memory);  // the places to split them at
     const auto touches = [&](const Place& at) {
         return std::abs(at.value) <= curve_tuning.touching * implicit.diagonal() * at.gradient &&
                std::abs(at.slope) <= curve_tuning.along_surface * at.gradient;
@@ -416,7 +417,7 @@ void drop_roots(const base::Runtime& runtime, const implicit::Implicit& implicit
                 const base::Array<Line>& lines, const Spans& spans, base::Array<Root>& roots,
                 base::Array<RootCount>& counts, const base::Progress& progress) {
     struct Doubtful {
-        std::int64_t number; // of the root
+        std::int64_t number; // the root's place in `roots`
         Root root;
         double at;
         glm::dvec3 place, gradient; // where it was evaluated last

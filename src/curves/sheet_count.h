@@ -39,7 +39,7 @@ public:
 private:
     const SurfaceMesh& mesh_;
     base::Array<double> bulge_; // how far the surface may be from each triangle, by the gradients at its corners
-    geometry::BoxTree tree_;    // of the triangles with their bulges
+    geometry::BoxTree tree_;    // the boxes around the triangles with their bulges
 };
 
 } // namespace hrbfnpr::curves

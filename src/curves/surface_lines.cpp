@@ -12,8 +12,8 @@ namespace hrbfnpr::curves {
 namespace {
 
 constexpr int turn_steps = 60;
-constexpr double known_turn = 1e-10;   // of a piece
-constexpr double at_line_point = 1e-6; // of a piece: a part that ends so near to a point ends there
+constexpr double known_turn = 1e-10;   // in pieces: a turn is found once its bracket is this short
+constexpr double at_line_point = 1e-6; // in pieces: a part that would end this near to a point ends at the point
 
 // As CurvePoint::direction() wants it: gradient x level_gradient is the tangent.
 void set_tangent(CurvePoint& p, const glm::dvec3& tangent, bool as_given) noexcept {

@@ -13,7 +13,7 @@ struct SurfaceLines {
     explicit SurfaceLines(base::Memory& memory) noexcept : curves(memory), strength(memory) {}
 
     Curves curves;
-    base::Array<float> strength; // of each point
+    base::Array<float> strength; // the strength at each point
 
     [[nodiscard]] std::int64_t bytes() const noexcept { return curves.bytes() + strength.bytes(); }
 };

@@ -154,9 +154,9 @@ struct CrossedCells {
 
     Lattice lattice;
     base::Array<CrossedCell> cell;    // along a space-filling curve
-    base::Array<std::uint64_t> place; // packed, of the corners
-    geometry::VecArray position;      // of the corners
-    base::Array<double> value;        // f there
+    base::Array<std::uint64_t> place; // the place of each corner in the lattice, packed
+    geometry::VecArray position;      // the position of each corner
+    base::Array<double> value;        // f at each corner
     std::int64_t triangles = 0;
 
     [[nodiscard]] unsigned negative_corners(const CrossedCell& of) const noexcept {
@@ -479,8 +479,8 @@ struct RootLanes {
     std::array<double, size> x, y, z, f, gx, gy, gz;
 };
 
-// Puts the roots of the edges order[begin], ..., order[end - 1] (or of begin, ..., end - 1 where there is no order)
-// into mesh. Returns the number of edges whose root was not found; their vertex is where the search ended.
+// Puts the roots of the edges order[begin] to order[end - 1] into mesh; without an order, those of the edges begin to
+// end - 1. Returns the number of edges whose root was not found; their vertex is where the search ended.
 std::int64_t find_some_vertices(const implicit::Implicit& implicit, const CrossedCells& cells,
                                 const base::Array<CrossedEdge>& edges, const std::int32_t* order, std::int64_t begin,
                                 std::int64_t end, double tolerance, RootLanes& lanes, SurfaceMesh& mesh,

@@ -18,11 +18,11 @@ class SurfaceEnd;
 
 struct MeshSettings {
     geometry::Bounds region; // the mesh ends where this ends, and beyond it f is evaluated at seeds only
-    double side = 0.0;       // of a cell at most, > 0: parts that are thinner or smaller may be missed
+    double side = 0.0;       // the most that a cell's side may be, > 0: parts that are thinner or smaller may be missed
     std::int64_t triangle_limit = 4'000'000;
     // The mesh need not go on where this says that the surface is nowhere near; it goes on for some cells at least.
     const implicit::Extent* extent = nullptr;
-    double tolerance = 1e-9; // of vertices, in diagonals
+    double tolerance = 1e-9; // how far vertices may be off the surface, in diagonals
 };
 
 // It is oriented, and closed but where the region ends.
@@ -30,8 +30,8 @@ struct SurfaceMesh {
     explicit SurfaceMesh(base::Memory& memory) noexcept
         : position(memory), gradient(memory), corner(memory), neighbour(memory) {}
 
-    geometry::VecArray position;         // of the vertices, which are on the surface but for `unresolved` of them
-    geometry::VecArray gradient;         // of f there
+    geometry::VecArray position;         // the vertices; all but `unresolved` of them are on the surface
+    geometry::VecArray gradient;         // grad f at each vertex
     base::Array<std::int32_t> corner;    // 3 of each triangle, counter-clockwise as seen from where f > 0
     base::Array<std::int32_t> neighbour; // 3 of each triangle: the one across the edge from corner k to k + 1; -1: none
     geometry::Bounds region;

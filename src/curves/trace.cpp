@@ -62,8 +62,8 @@ struct Paths {
     const TraceSettings& settings;
     base::Array<Path> path;
     base::Array<Passed> passed;
-    base::Array<std::int32_t> run_of; // of each point of the runs
-    geometry::PointGrid grid;         // of these points
+    base::Array<std::int32_t> run_of; // the run of each point of the runs
+    geometry::PointGrid grid;         // the points of the runs by their positions
 };
 
 // The most that a path may turn in a step of a length in sides.
@@ -210,8 +210,9 @@ struct Joints {
         return runs.closed[r] == 0 && before[r] < 0 && passed_by[r] == 0;
     }
 
-    base::Array<std::int64_t> forward, backward, before; // of each run: its paths, and the run that leads to it
-    base::Array<std::uint8_t> passed_by;                 // 1: another path goes past this run, which then is left out
+    // Each run's two paths, and the run whose path leads to it; -1: none.
+    base::Array<std::int64_t> forward, backward, before;
+    base::Array<std::uint8_t> passed_by; // 1: another path goes past this run, which then is left out
 };
 
 Joints join(const Paths& paths) {
@@ -400,7 +401,7 @@ base::Array<Straddle> find_small_loops(const base::Runtime& runtime, const Level
             found.push_back(negative ? Straddle{vertex, three[k].position} : Straddle{three[k].position, vertex});
             return false;
         }
-        const auto slope = [&](const CurvePoint& p) { // of g along the surface
+        const auto slope = [&](const CurvePoint& p) { // the gradient of g along the surface, in the basis u, v
             const glm::dvec3 n = p.gradient / glm::dot(p.gradient, p.gradient);
             const glm::dvec3 g = p.level_gradient - glm::dot(p.level_gradient, n) * p.gradient;
             return glm::dvec2(glm::dot(g, search.u), glm::dot(g, search.v));
@@ -535,7 +536,7 @@ base::Array<std::int64_t> start_from(Tracing& tracing, base::Array<CurvePoint> p
     const base::Array<std::uint8_t> known = on_curves(tracing, points);
     base::Array<CurvePoint> fresh(memory);
     base::Array<std::int64_t> lost(memory);
-    geometry::VecArray places(memory); // of the fresh points
+    geometry::VecArray places(memory); // the positions of the fresh points
     for (std::int64_t i = 0; i < points.size(); ++i) {
         if (found[i] == 0) lost.push_back(i);
         if (found[i] == 0 || known[i] != 0) continue;

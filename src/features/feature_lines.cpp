@@ -24,11 +24,12 @@ constexpr std::int64_t vertices_a_task = 4096;
 
 struct FeatureCrossing {
     std::int32_t a, b; // vertices, a < b
-    double share;      // of the way from a to b, by interpolation
+    double share;      // the place on the way from a to b, in [0, 1], by interpolation
     double g_a, g_b;   // they have unlike signs, in the direction of a's
     double strength;   // linear between both
     bool counts;       // strong enough, and facing the eye
-    double slope;      // directed: of g along the direction in the triangles on both sides, by their areas
+    // Directed kinds: the slope of g along the direction, summed over the triangles on both sides by area.
+    double slope;
 };
 
 struct FeaturePoint {

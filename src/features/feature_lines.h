@@ -58,12 +58,12 @@ struct FeatureLines {
         : first(memory), closed(memory), level(memory), position(memory), normal(memory), strength(memory) {}
 
     FeatureKind kind = FeatureKind::suggestive_contour;
-    base::Array<std::int64_t> first;  // of each line's points, and the end of the last's
+    base::Array<std::int64_t> first;  // the first point of each line, and the number of points
     base::Array<std::uint8_t> closed; // 1: the last point is followed by the first, which stands there once
-    base::Array<std::int32_t> level;  // of the request's levels
+    base::Array<std::int32_t> level;  // the place of each line's level in the request's levels
     geometry::VecArray position;      // on the surface
     geometry::VecArray normal;        // unit
-    base::Array<double> strength;     // as feature_value.h has it; of sections the sine between plane and surface
+    base::Array<double> strength;     // as feature_value() gives it; for sections the sine between plane and surface
     std::int64_t weak = 0;            // lines that stay below `upper`
     std::int64_t small = 0;           // lines that are too short
     std::int64_t unresolved = 0;      // crossings of the mesh that no point was found for, where lines end

@@ -20,7 +20,7 @@
 
 namespace hrbfnpr::curves {
 
-// Same numbers as HRBFNPR_LINE_KIND_...
+// The numbers are those of the HRBFNPR_LINE_KIND constants.
 enum class LineKind : std::uint32_t {
     contour = 1,
     suggestive_contour = 2,
@@ -73,16 +73,17 @@ struct FoundLines {
 
 // Where the surface ends for want of samples.
 struct SupportSettings {
-    double limit = 0.0;                  // of s in surface/support.h; 0: the surface goes on to the end of its region
+    // The surface ends where s of surface/support.h exceeds this; 0: it goes on to the end of its region.
+    double limit = 0.0;
     std::span<const double> points;      // 3n packed samples; not empty where there is a limit
-    std::span<const double> normals;     // unit, of the samples; empty: the surface's normals there
-    const surface::Trim* trim = nullptr; // instead of all: where the surface of the model ends; outlives the set
+    std::span<const double> normals;     // the samples' unit normals; empty: the surface's normals there
+    const surface::Trim* trim = nullptr; // used instead of the others: where the model's surface ends; outlives the set
 };
 
 struct LineSetSettings {
-    double side = 0.0;             // of the mesh's cells; 0: half a spacing, and finer where walls are thinner
+    double side = 0.0;             // the side of the mesh's cells; 0: half a spacing, and finer where walls are thinner
     std::span<const double> seeds; // 3n packed positions near the surface; empty: found from a lattice of the bounds
-    double spacing = 0.0;          // mean, of the seeds; 0: not known
+    double spacing = 0.0;          // the mean spacing of the seeds; 0: not known
     SupportSettings support;
     bool with_shape = false; // for lines that depend on the view and on curvatures
     std::span<const LineRequest> lines;
@@ -111,7 +112,7 @@ public:
     [[nodiscard]] const base::List<FoundLines>& found() const noexcept { return found_; }
     [[nodiscard]] const SurfaceLines& border() const noexcept { return border_; }
     [[nodiscard]] const Creases& creases() const noexcept { return creases_; }
-    // Whether a place is so near to one that is sharp enough to be drawn; reach: half a side of the mesh at most.
+    // Whether a crease that is sharp enough to be drawn lies within `reach`, which is half a side of the mesh at most.
     [[nodiscard]] bool has_crease_near(const glm::dvec3& place, double reach) const noexcept {
         return near_creases_ && near_creases_->has(place, reach);
     }
@@ -136,16 +137,16 @@ private:
     const implicit::Implicit& surface_;
     std::unique_ptr<const implicit::ShapeSource> source_;
     std::optional<surface::Support> own_support_;
-    const surface::Support* support_ = nullptr; // that, or the model's; null: the surface ends at its region
+    const surface::Support* support_ = nullptr; // own_support_ or the model's; null: the surface ends at its region
     std::optional<SupportLevel> border_level_;
-    std::optional<SupportEnd> end_; // of the mesh
+    std::optional<SupportEnd> end_; // where the mesh ends
     bool border_exact_ = false;
     std::optional<SurfaceMesh> mesh_;
     std::optional<SheetCounter> sheets_;
     ShapedMesh shaped_;   // empty unless lines need curvatures
     SurfaceLines border_; // where an open surface ends
     Creases creases_;
-    std::optional<NearCreases> near_creases_; // null: there are none
+    std::optional<NearCreases> near_creases_; // null: the surface has no creases
     base::List<std::unique_ptr<SheetPart>> parts_;
     base::List<FoundLines> found_;
     double left_out_ = 0.0;

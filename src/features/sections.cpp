@@ -15,9 +15,9 @@
 namespace hrbfnpr::curves {
 namespace {
 
-constexpr int corner_steps = 20;           // of Newton's
-constexpr double corner_tolerance = 1e-10; // a step's length, in sides, that is the last one
-constexpr double same_place = 1e-9;        // in sides, of two ends
+constexpr int corner_steps = 20;           // Newton's method makes at most this many steps
+constexpr double corner_tolerance = 1e-10; // a step that is no longer than this is the last one, in sides
+constexpr double same_place = 1e-9;        // ends that are no farther apart than this are joined, in sides
 
 struct SectionCorner {
     glm::dvec3 place;

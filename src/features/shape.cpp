@@ -215,7 +215,8 @@ FeatureValue apparent_ridge(const ShapePoint& shape, const LookedFrom& view, dou
     const double facing_change = glm::dot(view.gradient_of_facing(shape), s);
     const glm::dvec2 m_change = inverse * (view.turn(shape, s) - facing_change * m);
     value.g = 2.0 * (glm::dot(shape.change(x, s), qs) + glm::dot(y, m_change) * glm::dot(y, m));
-    value.g *= std::abs(facing * facing * facing); // of the size of a curvature
+    // The factor keeps g at the size of a curvature where `facing` nears 0.
+    value.g *= std::abs(facing * facing * facing);
     value.along = shape.in_space(s);
     value.strength = std::sqrt(eigen.high) * unit;
     return value;
@@ -288,7 +289,7 @@ ShapedMesh measured_mesh(const base::Runtime& runtime, const implicit::Implicit&
             !halve_edges(runtime, implicit, edges, feature_tuning.farthest_middle, true, shaped.mesh,
                          part.part(0.0, 0.3)))
             break;
-        geometry::VecArray position(runtime.memory), gradient(runtime.memory); // of the vertices that are new
+        geometry::VecArray position(runtime.memory), gradient(runtime.memory); // those of the new vertices
         for (std::int64_t i = shaped.shape.size(); i < shaped.mesh.vertices(); ++i) {
             position.push_back(shaped.mesh.position[i]);
             gradient.push_back(shaped.mesh.gradient[i]);

@@ -41,7 +41,7 @@ struct ShapePoint {
 [[nodiscard]] ShapePoint shape_point(const glm::dvec3& gradient, const std::array<double, 6>& hessian,
                                      const std::array<double, 10>& third) noexcept;
 
-// gradient: of f at the points. result: resized. The same bits for any thread count.
+// gradient: grad f at the points. result is resized. The same bits for any thread count.
 void measure_shape(const base::Runtime& runtime, const implicit::ShapeSource& source,
                    const geometry::VecArray& position, const geometry::VecArray& gradient,
                    base::Array<ShapePoint>& result, const base::Progress& progress);
@@ -86,7 +86,7 @@ struct FeatureValue {
     double strength = -1.0;   // without a unit; not positive: no line here, whatever g is
     double facing = 1.0;      // view-dependent kinds: n . v, v the direction to the eye or light; else 1
     glm::dvec3 along{0.0};    // directed kinds: the unit direction that g is a derivative along; both have one sign
-    glm::dvec3 gradient{0.0}; // of g along the surface, where derivatives up to the third give it; else 0
+    glm::dvec3 gradient{0.0}; // the gradient of g along the surface, where derivatives up to the third give it; else 0
 };
 
 // `towards`: the eye or the light, a place (w = 1) or the direction to it (w = 0).
@@ -100,9 +100,9 @@ struct FeatureValue {
 //   parabolic            k1 k2 unit^2                           |grad K| unit^3
 //   isophote             n . l                                  |grad (n . l)| unit
 //
-// sin: of the angle between the normal and the view. Without it the first strength would grow without bound where the
-// surface faces the eye. The strength is the same whether `towards` looks at the outside or the inside.  Whether a
-// ridge is one, and not a line of least curvature, is for the caller to see.
+// sin: the sine of the angle between the normal and the view. Without it the first strength would grow without bound
+// where the surface faces the eye. The strength is the same whether `towards` looks at the outside or the inside.
+// Whether a ridge is one, and not a line of least curvature, is for the caller to see.
 [[nodiscard]] FeatureValue feature_value(FeatureKind kind, const ShapePoint& shape, const glm::dvec3& position,
                                          const glm::dvec4& towards, double unit) noexcept;
 

@@ -17,7 +17,7 @@ namespace hrbfnpr::marks {
 struct AssembleSettings {
     bool strokes = false;
     bool with_curvature = false;
-    std::array<TonePart, 2> part; // of the two directions; the first one's for stipples
+    std::array<TonePart, 2> part; // the part of the tones for each of the two directions; stipples use the first
 };
 
 // Fills all of `result` but its kind, name and report. Positions become relative to `origin`. Marks without ranks get

@@ -17,7 +17,7 @@
 namespace hrbfnpr::marks {
 namespace {
 
-constexpr int cell_bits = 16; // of each coordinate of a mark's place along the curve
+constexpr int cell_bits = 16; // bits for each coordinate of a mark's cell on the Morton curve
 
 std::array<float, 3> to_floats(const glm::dvec3& v) noexcept {
     return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
@@ -28,7 +28,7 @@ std::array<float, 3> to_floats(const glm::dvec3& v) noexcept {
 // Around the normals, and a little larger than the truth, so that floats hold it.
 struct Cone {
     std::array<float, 3> axis{};
-    float cosine = 1.0F, sine = 0.0F; // of its half angle
+    float cosine = 1.0F, sine = 0.0F; // the cosine and sine of its half angle
 };
 
 template <class Normal>
@@ -83,7 +83,7 @@ Turn fit_turn(std::int64_t begin, std::int64_t end, const Place& place, const No
         spread += glm::outerProduct(p, p);
         mixed += glm::outerProduct(normal(i) - mean, p);
     }
-    // Marks lie near a plane: what is across it is left out.
+    // Marks lie near a plane. Across it their spread tells nothing, so the map is damped there.
     const glm::dvec3 axis = glm::normalize(mean);
     const double trace = spread[0][0] + spread[1][1] + spread[2][2];
     const glm::dmat3 map = mixed * glm::inverse(spread + trace * glm::outerProduct(axis, axis));
@@ -123,7 +123,7 @@ void set_extent(StrokePiece& piece, const Layer& layer, const MarkPlaces& places
     const auto position = vectors(places.position);
     set_extent(
         piece, begin, end, [&](std::int64_t at) { return position(at) / unit; }, vectors(places.normal));
-    Cone tone{{}, -1.0F, 0.0F}; // of all directions there are
+    Cone tone{{}, -1.0F, 0.0F}; // the cone of all directions
     if (places.tone_normal == places.normal)
         tone = {piece.axis, piece.cone_cosine, piece.cone_sine};
     else if (places.tone_normal != nullptr)
@@ -183,7 +183,7 @@ private:
         return glm::dvec3(vector_at(layer_.position, mark)) / unit_;
     }
 
-    // Of marks by their places in the order.
+    // The position and the normal of the mark at place i in the order.
     [[nodiscard]] auto places() const noexcept {
         return [this](std::int64_t i) { return place(order_[i].mark); };
     }
@@ -191,8 +191,8 @@ private:
         return [this](std::int64_t i) { return glm::dvec3(vector_at(layer_.normal, order_[i].mark)); };
     }
 
-    // Parts that agree in the key down to `shift`, until they are small enough. parent: what the part turned by that
-    // these are of, for those that are too small to tell.
+    // Splits marks begin .. end - 1 into parts that agree in the key down to `shift`, until they are small enough.
+    // parent: the turn of the part that holds all of them, for parts that are too small to tell their own.
     void split(std::int64_t begin, std::int64_t end, int shift, const Turn& parent) {
         while (begin < end) {
             const std::uint64_t head = order_[begin].key >> shift;

@@ -28,7 +28,7 @@ class LayerReader {
 public:
     LayerReader(const LayerArrays& arrays, std::int64_t place) noexcept : arrays_(arrays), place_(place) {}
 
-    // "point_set_desc.layers[1].rank[3] is ..."
+    // Fails with the message "point_set_desc.layers[1].rank[3] is REASON"; `format` and its arguments give REASON.
     [[noreturn]] [[gnu::format(printf, 4, 5)]] void refuse(const char* name, std::int64_t i, const char* format,
                                                            ...) const {
         char why[160];
@@ -231,7 +231,7 @@ PointSet copy_of(const base::Runtime& runtime, const PointSet& base) {
     return set;
 }
 
-// Where there are marks already their origin stays, and so does what is known of the area.
+// Measures the whole set. Where it had marks before, the origin stays, and the spacing is scaled as for the same area.
 void measure_all(const base::Runtime& runtime, const base::List<geometry::VecArray>& positions,
                  std::int64_t largest_before, PointSet& set) {
     if (largest_before == 0) {

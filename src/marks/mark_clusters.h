@@ -23,15 +23,15 @@ struct MarkBlock {
 struct Extent {
     float radius = 0.0F; // around the centre
     std::array<float, 3> centre{};
-    std::array<float, 3> axis{}; // of a cone that holds all normals
-    float cone_cosine = 1.0F;    // of its half angle
-    float cone_sine = 0.0F;
+    std::array<float, 3> axis{}; // the axis of a cone that holds all normals
+    float cone_cosine = 1.0F;    // the cosine of the cone's half angle
+    float cone_sine = 0.0F;      // the sine of the same angle
 };
 
 struct Cluster : Extent {
-    std::int64_t block = 0; // its first; a cluster's last may be part empty
-    std::int32_t count = 0; // of marks
-    std::uint32_t set = 0;  // of directions; all marks of a cluster have the same
+    std::int64_t block = 0; // its first block; its last block may be partly empty
+    std::int32_t count = 0; // the number of marks
+    std::uint32_t set = 0;  // the direction, 0 or 1, of all its marks' strokes; 0 without strokes
     float bend = 0.0F;      // largest normal curvature by magnitude; < 0: not known
     // How the normal turns along the surface, dn/dp: xx, xy, xz, yy, yz, zz. Outward normals: positive where convex.
     std::array<float, 6> shape{};
@@ -47,7 +47,7 @@ struct StrokePiece : Extent {
     float tone_sine = 0.0F;
     std::uint32_t first = 0; // place in the order of the strokes
     std::uint8_t count = 0;
-    std::uint8_t level = 0; // the lowest of its marks'
+    std::uint8_t level = 0; // the lowest level of its marks
 };
 
 [[nodiscard]] constexpr std::int64_t pieces_of(std::int64_t marks) noexcept {
@@ -59,10 +59,10 @@ struct MarkClusters {
         : block(memory), width(memory), cluster(memory), piece(memory), gap(memory) {}
 
     base::Array<MarkBlock> block;
-    base::Array<float> width; // of each place in the blocks; or empty: all 1
+    base::Array<float> width; // the width of the mark at each place in the blocks; empty: all are 1
     base::Array<Cluster> cluster;
-    base::Array<StrokePiece> piece; // of all strokes
-    base::Array<float> gap;         // of each mark, by measure_gaps(); or empty
+    base::Array<StrokePiece> piece; // the pieces of all strokes
+    base::Array<float> gap;         // the gap of each mark, in separations, by measure_gaps(); or empty
 
     [[nodiscard]] std::int64_t bytes() const noexcept;
 };

@@ -46,7 +46,7 @@ std::uint64_t Thinning::ticket(std::uint64_t key) const noexcept {
 // few, and the others are only counted.
 void Thinning::choose(base::Array<std::uint64_t>& tickets, std::int64_t kept, const base::Progress& progress) {
     HRBFNPR_ASSERT(kept >= 0 && kept < tickets.size());
-    constexpr unsigned first_bits = 52; // of 64: a counter for each value of the upper 12
+    constexpr unsigned first_bits = 52; // tickets have 64 bits, and each value of the upper 12 has a counter
     constexpr std::int64_t at_once = 262144;
     std::array<std::int64_t, std::size_t{1} << (64U - first_bits)> counted{};
     for (std::int64_t i = 0; i < tickets.size(); ++i) {

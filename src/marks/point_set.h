@@ -29,7 +29,7 @@ inline constexpr std::int64_t most_layers = 65536;
 
 // Zero-terminated UTF-8.
 using LayerName = std::array<char, 64>;
-// "stipples", ...
+// The name of layers of this kind that are given none, such as "stipples"; empty for Kind::any.
 [[nodiscard]] LayerName default_name(Kind kind) noexcept;
 
 // What became of the candidates: attempted = placed + the dropped ones.
@@ -95,7 +95,7 @@ void copy_array(const base::Array<T>& from, base::Array<T>& to) {
         std::memcpy(static_cast<void*>(to.data()), from.data(), sizeof(T) * static_cast<std::size_t>(from.size()));
 }
 
-// Types, shapes and meaning of each array: HRBFNPR_MARK_ATTRIBUTE_... in hrbfnpr.h.
+// hrbfnpr.h tells the type, shape and meaning of each array at its HRBFNPR_MARK_ATTRIBUTE constants.
 struct Layer {
     explicit Layer(base::Memory& memory, Kind is = Kind::own) noexcept
         : kind(is), name(default_name(is)), position(memory), normal(memory), direction(memory), curvature(memory),
@@ -116,7 +116,7 @@ struct Layer {
     base::Array<float> tone_normal;          // 3n, or empty: `normal`
     base::Array<std::uint32_t> stroke_first; // S + 1 places in the order of the strokes; or empty: no strokes
     base::Array<std::uint32_t> stroke_order; // n; or empty: the marks stand stroke by stroke
-    MarkClusters clusters;                   // of all marks, by cluster_marks()
+    MarkClusters clusters;                   // the clusters of all marks, made by cluster_marks()
     LayerReport report;
 
     [[nodiscard]] std::int64_t count() const noexcept { return rank.size(); }
@@ -140,17 +140,17 @@ struct PointSet {
     Distribution distribution = Distribution::published;
     SeedSource seed_source = SeedSource::points;
     glm::dvec3 origin{0.0};
-    geometry::Bounds bounds; // of all marks, absolute
+    geometry::Bounds bounds; // the box around all marks, absolute
     double spacing = 0.0;
-    double unit = 1.0; // of lengths in the clusters: a power of two, by cluster_marks()
+    double unit = 1.0; // the clusters' unit of length, a power of two, chosen by cluster_marks()
     LevelReport seeds;
     double seconds_seeds = 0.0;
     double seconds_total = 0.0;
     base::List<Layer> layers;
 
     [[nodiscard]] std::int64_t bytes() const noexcept;
-    [[nodiscard]] std::int64_t count() const noexcept;   // of marks
-    [[nodiscard]] std::int64_t largest() const noexcept; // marks in one layer
+    [[nodiscard]] std::int64_t count() const noexcept;   // the number of marks
+    [[nodiscard]] std::int64_t largest() const noexcept; // the number of marks in the largest layer
 };
 
 // Fills stroke_first and stroke_order from `stroke`, by which strokes stand in the order of their numbers.

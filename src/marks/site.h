@@ -18,7 +18,7 @@ struct Site {
     const implicit::Implicit& implicit;
     double projection_tolerance; // in diagonals
     std::uint64_t random_seed;
-    double unit = 1.0; // of all lengths, in the caller's
+    double unit = 1.0; // the unit of all lengths here, in the caller's unit
 
     [[nodiscard]] base::Memory& memory() const noexcept { return runtime.memory; }
 };

@@ -60,7 +60,7 @@ struct Grid {
     double side = visibility_tuning.cell_side;
     std::int64_t columns = 1, rows = 1;
     base::Array<std::uint8_t> ends_line; // 1: no segment begins at the point
-    base::Array<std::int64_t> begin;     // of each cell in `segment`, and the end
+    base::Array<std::int64_t> begin;     // the first place of each cell in `segment`, and the end
     base::Array<std::int64_t> segment;
 };
 

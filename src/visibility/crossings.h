@@ -11,16 +11,16 @@ namespace hrbfnpr::visibility {
 struct Crossing {
     std::int32_t far_piece, near_piece;
     double far_share, near_share; // along the pieces, in [0, 1]
-    std::int32_t change;          // of the number of sheets before the farther line, along it
+    std::int32_t change;          // how the number of sheets before the farther line changes as one goes along it
     glm::dvec2 place;             // pixels
-    double gap;                   // between the curves, in sides of the farther one's mesh
-    double sine;                  // of the angle between their images
+    double gap;                   // the distance between the curves in space, in sides of one curve's mesh
+    double sine;                  // the sine of the angle between their images
 };
 
 struct CrossingReport {
     std::int64_t of_polylines = 0; // crossings of segments
-    std::int64_t rejected = 0;     // that the curves do not have
-    std::int64_t tangles = 0;      // cells of the image in which none was taken, as there are too many
+    std::int64_t rejected = 0;     // those of these that the curves do not have
+    std::int64_t tangles = 0;      // cells of the image in which no crossing was taken, as there are too many
 };
 
 // Crossings of all lines with those that begin or end sheets (Subject::sheets > 0). Sorted by farther piece and share.
@@ -34,10 +34,10 @@ std::int64_t verify_crossings(const base::Runtime& runtime, std::span<const Subj
                               base::Array<Crossing>& crossings, const base::Progress& progress);
 
 struct Pierced {
-    std::int32_t piece;  // of the line
+    std::int32_t piece;  // the line's piece
     double share;        // along the piece, in [0, 1]
-    std::int32_t item;   // whose surface it is, among the occluders
-    std::int32_t change; // of the number of sheets before the line, along it: one
+    std::int32_t item;   // the place of the surface's item among the occluders
+    std::int32_t change; // how the number of sheets before the line changes as one goes along it: 1 or -1
 };
 
 // Places of all lines on all surfaces but their own. Between two places where f and its slope along the line's cubic

@@ -107,7 +107,7 @@ ImageLines draw_lines(const base::Runtime& runtime, std::span<const Subject> sub
     for (std::size_t s = 0; s < subjects.size(); ++s)
         for (std::int64_t c = 0; c < subjects[s].curves->count(); ++c)
             add_curve(subjects[s], static_cast<std::int32_t>(s), c, image);
-    base::List<base::Array<ImagePoint>> points(runtime.memory); // of each line
+    base::List<base::Array<ImagePoint>> points(runtime.memory); // the points of each line's image
     for (std::int64_t l = 0; l < image.lines.size(); ++l) points.add(runtime.memory);
     runtime.parallel.for_each(image.lines.size(), [&](std::int64_t l) {
         const Line& line = image.lines[l];

@@ -28,12 +28,12 @@ struct Subject {
     const curves::Curves* curves = nullptr;
     const curves::Level* level = nullptr; // whose zero lines they are; null: polylines as they are
     curves::View view;
-    double side = 0.0;                      // of its mesh's cells: its unit of length
+    double side = 0.0;                      // the side of its mesh's cells, its unit of length
     double clear = visibility_tuning.clear; // in sides: surface nearer than this before a curve does not hide it
     glm::dmat4 to_world{1.0};               // affine
-    std::int32_t item = 0;                  // of its surface among the occluders
-    std::int32_t sheets = 2; // that begin or end at these curves: 2 of a contour or a crease that is one, 1 of a
-                             // border, 0 of other lines
+    std::int32_t item = 0;                  // the place of its surface among the occluders
+    std::int32_t sheets = 2; // the number of sheets that begin or end at these curves: 2 for a contour or a crease
+                             // that is one, 1 for a border, 0 for other lines
     bool mirrored = false;   // the image shows its surface mirrored
     bool joined = false;     // open curves end at others, as at the corners of a crease
 };
@@ -56,8 +56,8 @@ struct Line {
     std::int32_t subject;
     std::int64_t curve;
     std::int64_t first_piece, pieces;
-    std::int64_t first_point, points; // of the image
-    bool closed;                      // the first point of the image stands again at the end
+    std::int64_t first_point, points; // its range in ImageLines::points
+    bool closed;                      // its first image point is repeated as its last
 };
 
 struct ImageLines {
@@ -108,8 +108,8 @@ public:
 
 private:
     const ImageLines& lines_;
-    base::Array<double> length_;      // of its line, up to each point of the image
-    base::Array<std::int64_t> first_; // point of each piece
+    base::Array<double> length_;      // the length of its line's image up to each image point, pixels
+    base::Array<std::int64_t> first_; // the first image point of each piece
 };
 
 } // namespace hrbfnpr::visibility

@@ -19,9 +19,10 @@ struct Event {
     std::int32_t piece;
     double share;
     std::int32_t change;
-    std::int32_t near_piece; // of the line that crosses before it; -1: a cusp; no_line: it passes a surface
+    // The piece that crosses in front of the line; -1: a cusp; no_line: the line passes through a surface.
+    std::int32_t near_piece;
     double at;               // along its line, pixels
-    float sine = 0.0F;       // of the angle to the line that crosses; 0 of a cusp
+    float sine = 0.0F;       // the sine of the angle between the images of both lines; 0 where no line crosses
     double near_share = 0.5; // along the piece of the line that crosses
 };
 
@@ -34,7 +35,7 @@ struct Events {
                                     static_cast<std::size_t>(first[line + 1] - first[line]));
     }
 
-    base::Array<std::int64_t> first; // of each line, and the end
+    base::Array<std::int64_t> first; // the first event of each line, and the number of events
     base::Array<Event> event;
     std::int64_t cusps = 0;
 };
@@ -57,9 +58,9 @@ struct Interval {
     std::int32_t begin_piece, end_piece;
     double begin_share, end_share;
     double begin_at, end_at; // along the line, pixels; the end of one round a closed line may be beyond the line's
-    std::int32_t sheets;     // before it
+    std::int32_t sheets;     // the number of sheets before it
     bool begins_at_cusp, ends_at_cusp;
-    float begin_sine, end_sine; // of the angle to the nearer line that crosses there; 0: none does
+    float begin_sine, end_sine; // the sine of the angle to the nearer line that crosses there; 0: no line does
     // The occluder of the nearest surface before it, once find_hidden_by() has looked; -1: none.
     std::int32_t hidden_by = -1;
 };
@@ -67,16 +68,16 @@ struct Interval {
 struct InvisibilityReport {
     CrossingReport crossings;
     std::int64_t lines = 0, closed = 0, cusps = 0, rays = 0;
-    std::int64_t rounds = 0;         // in which the image was made finer
+    std::int64_t rounds = 0;         // rounds in which the image was made finer
     std::int64_t refined = 0;        // lines that contradicted themselves at first
-    std::int64_t settled = 0;        // lines that did at last: each of their parts is as its own ray says
-    std::int64_t contradictions = 0; // of these, lines that have a part whose ray is not certain
+    std::int64_t settled = 0;        // lines that still do at the end: each of their parts is as its own ray says
+    std::int64_t contradictions = 0; // those of the settled lines that have a part whose ray is not certain
 };
 
 struct InvisibilitySettings {
-    double tolerance = 0.05; // of the image that crossings are first looked for in, pixels
-    int rounds = 3;          // each ten times finer
-    int probes = 3;          // rays a line
+    double tolerance = 0.05; // the most that the first round's image may be off the curves, pixels
+    int rounds = 3;          // the image is made this often at most, each time ten times finer
+    int probes = 3;          // rays for each line
 };
 
 struct Invisibility {
@@ -110,7 +111,7 @@ struct OutlinePart {
 struct Outline {
     explicit Outline(base::Memory& memory) noexcept : parts(memory) {}
 
-    base::Array<OutlinePart> parts; // line by line, along it; of a closed line as its intervals are
+    base::Array<OutlinePart> parts; // line by line, along each line; a closed line starts as its intervals do
     std::int64_t rays = 0;
     std::int64_t settled = 0; // lines whose counts contradict themselves: each of their parts is as its own ray says
 };
