@@ -38,9 +38,9 @@ private:
 
 // Cells beside each other in which s exceeds the limit.
 struct Part {
-    double highest = 0.0;  // s
-    double farthest = 0.0; // from the nearest sample
-    bool to_end = false;   // of the region
+    double highest = 0.0;  // the highest s in its cells
+    double farthest = 0.0; // the largest distance of its places from the nearest sample
+    bool to_end = false;   // it reaches the end of the region
     bool left_out = false;
     std::int64_t cells = 0;
 };
@@ -73,7 +73,7 @@ struct Followed {
 
     stipples::SurfaceCells cells;
     stipples::CellMap number;
-    base::Array<std::int32_t> part_of; // of each cell
+    base::Array<std::int32_t> part_of; // the number of each cell's part, or borne_out
     base::Array<Part> part;
 };
 

@@ -26,10 +26,10 @@ struct TrimSettings {
 struct TrimReport {
     std::int64_t samples = 0;
     std::int64_t parts = 0;        // connected parts that are left out
-    std::int64_t parts_to_end = 0; // of these, those that reach the end of the search box
+    std::int64_t parts_to_end = 0; // those of `parts` that reach the end of the search box
     double share = 0.0;            // their share of the surface's area in the box
     double farthest = 0.0;         // the farthest of their places from the nearest sample
-    double spacing = 0.0;          // of the samples, the median
+    double spacing = 0.0;          // the median of the samples' spacings (h of surface/support.h)
 };
 
 struct FoundTrim {

@@ -99,7 +99,7 @@ struct Ground {
     const SampleHint& samples;
     const Settings& settings;
     const marks::Seeds& seeds;
-    base::Progress progress; // of the whole set
+    base::Progress progress; // that of all layers together
 };
 
 // A layer while it grows.

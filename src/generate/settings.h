@@ -21,8 +21,9 @@ struct LayerSettings {
     marks::Kind kind = marks::Kind::stipples;
     marks::LayerName name{}; // empty: that of its kind
     std::int64_t budget = default_budget;
-    bool with_curvature = false;  // fill Layer::curvature
-    double tone_smoothing = -1.0; // of normals for tone, diagonals; -1: completed() chooses
+    bool with_curvature = false; // fill Layer::curvature
+    // The length over which normals for tone are averaged, diagonals; -1: completed() chooses.
+    double tone_smoothing = -1.0;
     // The tone range of each of the two directions. If both are 0, Settings::tone_ranges decides.
     std::array<marks::TonePart, 2> part{marks::TonePart{0.0, 0.0}, marks::TonePart{0.0, 0.0}};
     stipples::DensitySettings density;
@@ -40,7 +41,7 @@ struct SeedSettings {
     double initial_step = 0.0;
 };
 
-// Same numbers as HRBFNPR_TONE_RANGES_...
+// The numbers are those that hrbfnpr_generate_desc.tone_ranges takes.
 enum class ToneRanges : std::uint32_t { full = 0, in_turn = 1 };
 
 // Checked by the boundary; defaults as in hrbfnpr_generate_desc.

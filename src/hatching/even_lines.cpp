@@ -67,9 +67,9 @@ void set_across(const Lines& lines, const Stretch& line, geometry::VecArray& acr
 // A place between two points of the line beside a point.
 struct Neighbour {
     std::int32_t from = -1, to = -1; // -1: there is no line
-    float share = 0.0F;              // of the way from one to the other
-    float gap = 0.0F;                // to that place, in separations
-    float sense = 0.0F;              // 1: that line's way across points the same way; -1
+    float share = 0.0F;              // where the place is between the two points: 0 at `from`, 1 at `to`
+    float gap = 0.0F;                // the distance to that place, in separations
+    float sense = 0.0F;              // 1 if that line's way across points to the same side, else -1
 };
 
 // The neighbours of each point: against its way across, and along it.
@@ -82,7 +82,7 @@ void find_beside(const base::Runtime& runtime, const Lines& lines, const geometr
     const double step = hatching_tuning.even_step;
     const geometry::PointGrid grid(lines.position, (hatching_tuning.beside + step) * separation, progress);
     const geometry::VecArray places = grid.in_order(lines.position, progress);
-    base::Array<std::int32_t> next(runtime.memory); // of each point along its line; -1: an end
+    base::Array<std::int32_t> next(runtime.memory); // the point after each point on its line; -1: the line ends there
     base::resize_long(next, lines.position.size(), progress);
     for_lines(runtime, lines, progress, [&](const Stretch& line) {
         for (std::int64_t i = line.begin; i < line.end; ++i) next[i] = static_cast<std::int32_t>(line.after(i));
@@ -185,8 +185,9 @@ base::Array<float> even_moves(const base::Runtime& runtime, const Lines& lines, 
 
 // ---- Kinks
 
-// Marks the points of all parts, each of two separations, that turn too much within the surface, but not those that
-// turn so much that their field does, around a singular point. turn: of the lines' points.
+// Marks the points of all parts, each of two separations, that turn too much within the surface. Parts that turn still
+// more are not marked: there the field itself turns, around a singular point. turn: gets the angle by which the line
+// turns at each point, radians.
 bool mark_kinks(const Lines& lines, const Stretch& line, base::Array<float>& turn, base::Array<std::uint8_t>& kink) {
     for (std::int64_t i = line.begin; i < line.end; ++i) {
         kink[i] = 0;

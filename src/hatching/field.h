@@ -10,13 +10,13 @@
 
 namespace hrbfnpr::hatching {
 
-// What lines follow. The numbers are those of HRBFNPR_HATCH_GUIDE_...
+// What lines follow. The numbers are those that hrbfnpr_layer_desc.guide takes.
 enum class Guide : std::uint32_t { curvature = 0, combing = 1, sections = 2, light = 3, silhouette = 4 };
 
 struct FieldSettings {
     double smoothing = 0.04;        // the length over which lines are smoothed, in diagonals
     glm::dvec3 axis{0.0, 1.0, 0.0}; // where curvature says little lines run across this, around it
-    double axis_weight = 0.06;      // of the axis, against curvature
+    double axis_weight = 0.06;      // how much the axis counts against curvature
     Guide guide = Guide::curvature;
     glm::dvec3 guide_direction{0.0, 0.0, 1.0}; // unit: to the light, or to the eye
     double guide_weight = 1.0;                 // the share of `guide`; curvature has the rest
@@ -37,7 +37,7 @@ struct SampleGraph : Graph {
     }
 
     geometry::VecArray position, normal;
-    base::Array<std::int32_t> sheet; // of the implicit at each sample; empty: the surface is smooth
+    base::Array<std::int32_t> sheet; // the implicit's sheet at each sample; empty: the surface is smooth
     geometry::VecArray u;            // the first axis of each sample's frame; the second is normal x u
     double spacing = 0.0;            // the root of the area for each sample
 };

@@ -18,7 +18,7 @@ namespace hrbfnpr::hatching {
 struct Settings {
     std::int64_t layer = 0;  // for messages
     std::int64_t budget = 0; // the number of marks, about, where there is no separation
-    double separation = 0.0; // of all lines together; 0: by the budget
+    double separation = 0.0; // the distance of neighbouring lines of all levels together; 0: it follows from the budget
     double step = 0.0;       // between the marks of a line; 0: a part of the separation
     double angle = 0.0;      // by which lines are turned in the tangent plane, counter-clockwise from outside; radians
     FieldSettings field;
@@ -35,7 +35,7 @@ public:
            const base::Progress& progress);
 
     [[nodiscard]] const Settings& settings() const noexcept { return settings_; }
-    [[nodiscard]] double area() const noexcept { return area_; } // of the surface
+    [[nodiscard]] double area() const noexcept { return area_; } // the area of the surface that the lines are laid on
     // Appends marks, line after line, coarse levels first.
     void lay_lines(const marks::Site& site, const Settings& settings, marks::Marks& marks, marks::LayerReport& report,
                    const base::Progress& progress) const;
@@ -45,9 +45,9 @@ private:
     geometry::Bounds region_;
     double area_ = 0.0;
     SampleGraph graph_;
-    base::Array<double> angle_; // of the field at each sample
+    base::Array<double> angle_; // the angle of the field's line at each sample, in the sample's frame, radians
     curves::SurfaceMesh mesh_;
-    base::Array<std::int32_t> sheet_; // of the mesh's vertices, where it ends at creases; else empty
+    base::Array<std::int32_t> sheet_; // the sheet of each vertex of the mesh, if the mesh ends at creases; else empty
 };
 
 [[nodiscard]] std::int64_t samples_for(const Settings& settings, double area) noexcept;

@@ -20,7 +20,7 @@ constexpr std::int64_t triangles_a_task = 4096;
 
 // A crest over an edge of the mesh, from vertex a to b.
 struct Crossing {
-    double share;      // of the way
+    double share;      // the place on the way from a to b, from 0 to 1
     std::int32_t a, b; // vertices
     bool rises;        // whether the phase grows, in the sense of a's line
     std::uint8_t level;
@@ -34,7 +34,7 @@ std::int32_t end_of(const curves::SurfaceMesh& mesh, std::int64_t edge) noexcept
 bool is_owned(const curves::SurfaceMesh& mesh, std::int64_t edge) noexcept {
     return mesh.neighbour[edge] < 0 || edge / 3 < mesh.neighbour[edge];
 }
-// The same edge as the triangle across has it; -1: there is none.
+// The same edge as the triangle across has it; -1 if no triangle is there.
 std::int64_t across(const curves::SurfaceMesh& mesh, std::int64_t edge) noexcept {
     const std::int64_t other = 3 * std::int64_t{mesh.neighbour[edge]};
     for (std::int64_t k = other; k >= 0 && k < other + 3; ++k)
@@ -78,9 +78,11 @@ std::uint8_t level_of(const Waves& waves, int halvings, const Crossing& c, std::
 struct Crossings {
     explicit Crossings(base::Memory& memory) noexcept : first(memory), crossing(memory), link(memory) {}
 
-    base::Array<std::int64_t> first; // of each edge, which has none if another triangle owns it; and the end
-    base::Array<Crossing> crossing;  // from the edge's begin to its end
-    base::Array<std::int64_t> link;  // two of each crossing: the next in the owner's triangle, and across; -1: none
+    // The number of the first crossing of each edge, and the end. An edge that another triangle owns has none.
+    base::Array<std::int64_t> first;
+    base::Array<Crossing> crossing; // in their order along the edge
+    // Two for each crossing: the next one in the owner's triangle, and the next one in the triangle across; -1: none.
+    base::Array<std::int64_t> link;
 };
 
 Crossings cross_edges(const base::Runtime& runtime, const curves::SurfaceMesh& mesh, const Waves& waves, int halvings,
@@ -118,7 +120,7 @@ Crossings cross_edges(const base::Runtime& runtime, const curves::SurfaceMesh& m
 }
 
 // Around a triangle a line that comes in goes out where the phase comes back: neighbours of opposite sense belong to
-// one line, and what lies between them is done. Lines that are left over end here, at a fork.
+// one line, and the crossings between them are done. Lines that are left over end here, at a fork.
 void link_triangle(const curves::SurfaceMesh& mesh, const Waves& waves, std::int64_t triangle, Crossings& found,
                    base::Array<std::int64_t>& open) {
     const std::int32_t corner = mesh.corner[3 * triangle];

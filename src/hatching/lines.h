@@ -25,11 +25,11 @@ struct Lines {
     // The points that were added since the last line become one.
     void end_line(bool is_closed);
 
-    base::Array<std::int64_t> first;  // point of each line; one more than there are lines
-    base::Array<std::uint8_t> closed; // of each line: 1, its last point is followed by its first one, or 0
+    base::Array<std::int64_t> first;  // the first point of each line, and the end
+    base::Array<std::uint8_t> closed; // one for each line: 1 if its first point follows its last one, else 0
     geometry::VecArray position;
-    geometry::VecArray normal;       // of the surface at each point, about, unit
-    base::Array<std::uint8_t> level; // of each point: the coarsest wave that has a crest there
+    geometry::VecArray normal;       // about the surface's normal at each point, unit
+    base::Array<std::uint8_t> level; // the coarsest wave that has a crest at each point, by number
 };
 
 // Between two crests of the finest wave more lines are put in until there are as many levels as wanted.
@@ -49,8 +49,8 @@ struct Lines {
                              const base::Progress& progress);
 
 struct LineMarkSettings {
-    double separation = 0.0; // of the finest level
-    double step = 0.0;       // from mark to mark
+    double separation = 0.0; // the distance of neighbouring lines if those of all levels are there
+    double step = 0.0;       // the distance from mark to mark along a line
     geometry::Bounds region; // beyond it there is no surface
 };
 

@@ -115,7 +115,7 @@ void iterate(const base::Runtime& runtime, int rounds, Numbers& z, const base::P
 }
 
 struct SolverSettings {
-    double tolerance = 0.0; // of the residual, as a share of the right side
+    double tolerance = 0.0; // the norm of the residual that is small enough, as a share of the norm of the right side
     int most_steps = 0;
 };
 

@@ -33,9 +33,9 @@ struct Waves {
         return std::ldexp(period, -static_cast<int>(number));
     }
 
-    const geometry::VecArray& position; // of the nodes
+    const geometry::VecArray& position; // the place of each node
     geometry::VecArray along, across;   // unit, tangent; 0 where a node has no line
-    double period;                      // of the first wave
+    double period;                      // the period of the first wave, object units
     base::List<Numbers> level;          // the waves, coarsest first
 };
 
@@ -46,8 +46,8 @@ struct Waves {
 void add_sample_waves(const base::Runtime& runtime, const SampleGraph& graph, std::uint64_t seed, int levels,
                       Waves& samples, const base::Progress& progress);
 
-// sheets: of the implicit at each vertex; empty where the samples have none. As many levels as wanted, but none too
-// fine for the mesh.
+// sheets: the implicit's sheet at each vertex; empty where the samples have none. As many levels as wanted, but none
+// too fine for the mesh.
 [[nodiscard]] Waves waves_at_vertices(const base::Runtime& runtime, const SampleGraph& graph, const Waves& samples,
                                       const curves::SurfaceMesh& mesh, const base::Array<std::int32_t>& sheets,
                                       int levels, const base::Progress& progress);

@@ -46,7 +46,7 @@ private:
     marks::Marks& marks_;
     marks::LayerReport& report_;
     marks::Settler settler_;
-    base::Array<std::int64_t> parent_; // of the chunk's starts
+    base::Array<std::int64_t> parent_; // the mark that each start of the chunk comes from
     base::Array<std::uint64_t> key_;
     std::uint64_t full_count_ = 0; // marks before this level, had none been dropped
 };

@@ -84,8 +84,8 @@ private:
     marks::Marks& marks_;
     marks::LayerReport& report_;
     marks::Settler settler_;
-    base::Array<std::int64_t> parent_; // of the chunk's starts
-    base::Array<std::int8_t> side_;    // -1 or 1
+    base::Array<std::int64_t> parent_; // the mark that each start of the chunk comes from
+    base::Array<std::int8_t> side_;    // 1 if the start lies onward along the stroke, -1 if back
     geometry::VecArray landed_, landed_normal_, given_;
     base::Array<surface::Curvature> curvature_;
 };

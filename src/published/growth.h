@@ -35,7 +35,7 @@ struct GrowthSettings {
     std::int32_t levels = 0;
     double step = 0.0;                             // rho_0
     std::int64_t budget = 0;                       // 0 = none
-    Directions directions = Directions::principal; // of strokes
+    Directions directions = Directions::principal; // what strokes follow
     marks::DirectionFunction function;             // with Directions::function
 };
 

@@ -34,13 +34,14 @@ public:
 private:
     static constexpr std::int32_t tile_size = 32;
 
+    // x, y and radius are in texels of the map, the depth is in eye units. The radius is below 0 where the mark hides
+    // nothing.
     struct Occluder {
-        float x, y, radius,
-            depth; // in texels of the map; eye units; the radius is below 0 where the mark hides nothing
+        float x, y, radius, depth;
     };
     void fill_tile(std::int64_t tile) noexcept;
 
-    float left_ = 0.0F, top_ = 0.0F; // of the viewport
+    float left_ = 0.0F, top_ = 0.0F; // the viewport's top-left corner, pixels
     float texels_per_pixel_ = 1.0F;
     std::int32_t width_ = 0, height_ = 0;
     drawing::Tiles bins_;
@@ -70,9 +71,9 @@ private:
     ToneCalls tone_calls_;
     VisibilityMap visibility_;
     drawing::FarToNear order_;
-    base::Array<Counts> counts_;          // of each chunk
-    base::Array<std::int64_t> first_key_; // of each chunk
-    base::Array<std::uint64_t> keys_;     // of each disc
+    base::Array<Counts> counts_;          // one for each chunk
+    base::Array<std::int64_t> first_key_; // where each chunk's keys begin in `keys_`
+    base::Array<std::uint64_t> keys_;     // one for each disc: its depth, its mark's place, and whether it is paper
 };
 
 } // namespace hrbfnpr::published

@@ -17,7 +17,7 @@ struct EvenMarks {
     geometry::VecArray position; // in the progressive order
     geometry::VecArray normal;
     marks::LevelReport report;
-    double area = 0.0; // of the covered surface
+    double area = 0.0; // the area of the covered surface
 };
 
 // Throws not_converged if there is not a single one.

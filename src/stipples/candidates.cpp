@@ -80,9 +80,9 @@ constexpr std::uint32_t short_step = 2447445414;
 struct PlaneTrials {
     int up; // the axis across the face
     std::int32_t count;
-    std::uint32_t u, v; // of the first one
+    std::uint32_t u, v; // the place of the first trial along both axes of the face
     std::uint32_t step_u, step_v;
-    double before; // what was left of a trial: the ticket of trial k is (k + before) / count
+    double before; // random, in [0, 1): the ticket of trial k is (k + before) / count
     double level, slope_u, slope_v;
 
     // The place of a trial on the plane, in sides from the cell's centre.
@@ -474,7 +474,8 @@ LayerCandidates layer_candidates(const JudgedCells& judged, std::uint32_t stream
     layer.band = cells.band;
     // Fewer where cells are small to the distance of marks: they would be one to the order.
     constexpr std::int64_t most = stipple_tuning.most_projections;
-    const double spacing = std::sqrt(cells.rough_area() * most / static_cast<double>(wanted)); // of marks
+    // The mean distance of marks, each of which needs about `most` candidates.
+    const double spacing = std::sqrt(cells.rough_area() * most / static_cast<double>(wanted));
     layer.each = std::clamp<std::int64_t>(std::lround(0.5 * most * side / spacing), 1, most);
     // A projection is less than a side from its trial point: sqrt(band^2 + 2 stride^2) = 0.93 sides.
     CellMap::BlocksAround blocks;
@@ -495,11 +496,12 @@ void draw_in_layer(const marks::Site& site, const JudgedCells& judged, double de
     const std::int64_t cells = layer.trial_cell.size();
     const double missing = density * layer.area() - static_cast<double>(layer.projection.size());
     if (cells == 0 || !(missing > 0.0)) return;
-    double of_trial = static_cast<double>(layer.projection.size()) / layer.trials; // projections
+    // The mean number of projections that a trial gives.
+    double of_trial = static_cast<double>(layer.projection.size()) / layer.trials;
     if (layer.rounds == 0) of_trial = static_cast<double>(layer.each) * 2.0 * layer.band * layer.area() / layer.volume;
     const double per_cell = missing / std::max(of_trial, stipple_tuning.least_of_trial) / static_cast<double>(cells);
     const std::uint32_t stream = (layer.stream + marks::stream_count * layer.rounds++) << 16U;
-    base::Array<std::int64_t> slot(site.memory()); // of the first trial of each cell of the batch
+    base::Array<std::int64_t> slot(site.memory()); // where each cell's trials begin in the batch, and the end
     geometry::VecArray trial(site.memory());
     base::Array<std::uint32_t> ticket(site.memory());
     const base::Progress standing = progress.standing();

@@ -34,7 +34,7 @@ struct JudgedCells {
     }
 
     const SurfaceCells& cells;
-    CellMap number; // of each cell by its code
+    CellMap number; // gives the number of a cell by its code
     base::Array<JudgedCell> cell;
 };
 
@@ -43,11 +43,11 @@ struct JudgedCells {
 
 // Candidates on planes are kept as numbers of trials only: each is drawn again from its cell's random numbers.
 struct PlaneCandidates {
-    std::uint32_t stream; // of random numbers
+    std::uint32_t stream; // the number of the stream of random numbers that trials are drawn from
     double density;       // trials for each unit of area
     double most_trials_in_cell;
-    base::Array<std::int32_t> count; // of each cell's candidates
-    std::int64_t all = 0;
+    base::Array<std::int32_t> count; // the number of each cell's candidates
+    std::int64_t all = 0;            // the sum of `count`
     // The area of the planes inside flat cells and the region, as the candidates tell.
     [[nodiscard]] double area() const noexcept { return all > 0 ? static_cast<double>(all) / density : 0.0; }
 };
@@ -78,17 +78,17 @@ struct LayerCandidates {
     // An estimate before the first are drawn, and a better one after that.
     [[nodiscard]] double area() const noexcept;
 
-    std::uint32_t stream = 0;             // of random numbers
-    std::int64_t each = 1;                // projections of a trial
+    std::uint32_t stream = 0;             // the number of the stream of random numbers that points are drawn from
+    std::int64_t each = 1;                // the number of projections of a trial
     base::Array<std::int32_t> trial_cell; // all cells from which a projection may be in a cell that is bent
-    double volume = 0.0;                  // of these
-    double reach = 0.0, band = 0.0;       // of all cells
+    double volume = 0.0;                  // the volume of these cells
+    double reach = 0.0, band = 0.0;       // as in SurfaceCells
     // These grow with each draw.
     base::Array<Projection> projection;
     std::uint32_t rounds = 0;
     double trials = 0.0;
-    std::int64_t near = 0;    // projections of all trials within the band
-    std::int64_t strayed = 0; // of these, the ones that were not in the region or its cells
+    std::int64_t near = 0;    // the number of projections of all trials within the band
+    std::int64_t strayed = 0; // those of `near` that lie outside the region or its cells
     bool all_bent = false;    // one step was not enough even where cells' planes are right
 };
 
@@ -117,14 +117,14 @@ struct Candidates {
     geometry::CellGrid grid;
     geometry::Bounds region;
     std::int64_t count = 0;
-    base::Array<std::uint64_t> code;   // of the cells that hold some (geometry/morton.h), rising
-    base::Array<std::int32_t> number;  // of each cell's candidates
+    base::Array<std::uint64_t> code;   // the codes of the cells that hold candidates (geometry/morton.h), rising
+    base::Array<std::int32_t> number;  // the number of each cell's candidates
     base::Array<std::int64_t> first;   // the place of each cell's first candidate, which begins a group
     base::Array<OrderGroup> group;     // x, y, z: relative to grid.origin, within about curvature * (side / 4)^2 of the
                                        // surface; energies and clearances are for the order to set
-    base::Array<std::uint32_t> ticket; // random, of each place in the groups
+    base::Array<std::uint32_t> ticket; // a random number for each place in the groups
     marks::LevelReport report;         // attempted: all that were near the surface
-    double area = 0.0;                 // of the surface inside the region, estimated
+    double area = 0.0;                 // an estimate of the area of the surface inside the region
 };
 
 // Draws about `wanted` candidates.

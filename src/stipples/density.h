@@ -8,7 +8,7 @@
 
 namespace hrbfnpr::stipples {
 
-// Same numbers as HRBFNPR_DENSITY_...
+// The numbers are those that hrbfnpr_layer_desc.density takes.
 enum class Density : std::uint32_t { uniform = 0, curvature = 1, callback = 2 };
 
 using DensityFn = std::int32_t (*)(void* user, std::int64_t count, const double* positions, const double* normals,

@@ -40,7 +40,7 @@ struct Order {
 
     OrderedMarks mark;
     base::Array<std::int64_t> sweep; // where each sweep's marks begin
-    base::Array<std::uint8_t> step;  // of its sweep, in which each mark was placed
+    base::Array<std::uint8_t> step;  // the step of its sweep in which each mark was placed
 };
 
 constexpr std::int32_t slots_of_cell = 5;
@@ -57,7 +57,7 @@ struct alignas(64) StageCell {
 };
 struct Extra {
     OrderMark mark;
-    std::int32_t next; // of the same cell; -1: the last one
+    std::int32_t next; // the next one of the same cell, in Stage::extra; -1: this is the last one
 };
 struct Tile {
     std::int32_t begin, end; // cells
@@ -69,8 +69,10 @@ struct Fresh {
     std::uint8_t step;
     bool linked; // in its cell's slots
 };
-constexpr std::int64_t most_fresh = 64; // of a tile in a sweep
-constexpr unsigned tile_bits = 3;       // of each coordinate
+// A tile gets at most this many marks in a sweep.
+constexpr std::int64_t most_fresh = 64;
+// The code of a cell's tile is the cell's code without this many bits of each coordinate.
+constexpr unsigned tile_bits = 3;
 
 [[nodiscard]] glm::dvec3 vector(const float (&v)[3]) noexcept { return {v[0], v[1], v[2]}; }
 [[nodiscard]] glm::vec3 place_of(const OrderMark& mark) noexcept {
@@ -170,16 +172,16 @@ struct Stage {
     }
 
     const marks::Site& site;
-    CellGrid grid;           // of the candidates
+    CellGrid grid;           // the candidates' grid, whose cells are those of level 0
     geometry::Bounds region; // relative to the grid's origin
     const Home& home;
     StageSettings settings;
     base::Progress progress; // only looked at for a cancel
-    float side;              // of a cell
-    std::size_t creased;     // which of the loops are for this surface
+    float side;              // the side of a cell of the stage, object units
+    std::size_t creased;     // 1 if the surface has creases, else 0: the index of its loops
     OrderLoops loops;
 
-    CellMap number; // of each cell by its code
+    CellMap number; // gives the number of a cell by its code
     base::Array<StageCell> cell;
     base::Array<CellMap::Around> neighbour;
     base::Array<float> lowest;   // energy of the best candidate of each cell; infinite where none is open
@@ -189,10 +191,10 @@ struct Stage {
     base::Array<OrderGroup> own_group;
     base::Array<Extra> extra;
 
-    base::Array<Tile> tile; // turn by turn
+    base::Array<Tile> tile; // those of the first turn, then those of the next
     std::array<std::int64_t, 9> turn{};
-    base::Array<Fresh> fresh;              // most_fresh for each tile of the turn
-    base::Array<std::int32_t> fresh_count; // of each tile of the turn
+    base::Array<Fresh> fresh;              // most_fresh places for each tile of the turn
+    base::Array<std::int32_t> fresh_count; // the number of fresh marks in each tile of the turn
 };
 
 // ---- Making a stage
@@ -202,7 +204,7 @@ struct Stage {
 [[nodiscard]] base::Array<std::uint64_t> take_candidates(Candidates& candidates, Stage& stage) {
     const StageSettings& settings = stage.settings;
     base::Array<std::uint64_t> code(stage.site.memory());
-    base::Array<std::int64_t> part(stage.site.memory()); // of each cell: the candidates' first cell in it
+    base::Array<std::int64_t> part(stage.site.memory()); // the candidates' first cell in each cell, and the end
     for (std::int64_t c = 0; c < candidates.cells(); ++c) {
         const std::uint64_t here = candidates.code[c] >> static_cast<unsigned>(3 * settings.level);
         if (!code.empty() && code.back() == here) continue;
@@ -335,13 +337,14 @@ glm::dvec2 uphill(const glm::dvec2& p, const glm::dvec2& a, const glm::dvec2* b)
     return glm::dot(across, p - 0.5 * (a + *b)) < 0.0 ? -across : across;
 }
 
-// Marks around a candidate that are looked at; a plane has room for about 20 within the distance that counts.
+// At most this many marks around a candidate are looked at; a plane has room for about 20 of them within the distance
+// that counts.
 constexpr std::size_t most_around = 64;
 
 // The marks around a candidate, as seen from it.
 struct Surroundings {
-    glm::vec3 start, normal; // of the candidate
-    float farthest;          // squared
+    glm::vec3 start, normal; // the candidate's place, relative to the grid's origin, and its unit normal
+    float farthest;          // marks farther than this are not looked at, squared
     geometry::TangentFrame frame;
     bool creased;      // the surface has creases
     bool bent = false; // some marks have another normal, but not over a crease
@@ -467,7 +470,7 @@ void prefetch_around(const Stage& stage, std::int32_t cell) noexcept {
     HRBFNPR_ASSERT(tile.begin >= 0 && tile.begin < tile.end && tile.end <= stage.cell.size());
     std::int32_t count = 0;
     std::size_t unlinked_count = 0;
-    std::array<std::int32_t, most_fresh> unlinked; // of the fresh, those that found no slot
+    std::array<std::int32_t, most_fresh> unlinked; // the numbers of fresh marks that found no slot in their cell
     for (std::size_t step = 0; step < steps.size(); ++step) {
         const auto [radius, threshold] = steps[step];
         const double nearness = stage.settings.nearness;
@@ -526,7 +529,7 @@ void keep_lowest(const base::Array<float>& energy, std::int64_t room, Order& ord
 void sweep(std::span<const SweepStep> steps, std::int64_t room, Stage& stage, Order& order) {
     HRBFNPR_ASSERT(!steps.empty() && room > 0 && order.mark.size() == order.step.size());
     order.sweep.push_back(order.mark.size());
-    base::Array<float> energy(stage.site.memory()); // of the sweep's marks, when they were placed
+    base::Array<float> energy(stage.site.memory()); // the energy of each of the sweep's marks when it was placed
     const double nearest = stage.settings.nearness * steps.back().radius;
     stage.enough = static_cast<float>(nearest * nearest);
     for (std::size_t turn = 0; turn < 8; ++turn) {
@@ -750,7 +753,7 @@ OrderedMarks progressive_order(const marks::Site& site, Candidates& candidates, 
     std::int32_t level = home.level;
     while (level < CellGrid::bits && side(level) < reach(1.0)) ++level;
     for (bool has_room = true; has_room && level > home.level; --level) {
-        // So many are within a stage's reach of energies.
+        // With this number of marks the energies of a stage reach as far as the side of its cells.
         const double within = std::floor(std::pow(reach(1.0) / side(level), 2.0));
         const std::int64_t last = std::min(static_cast<std::int64_t>(within), wanted);
         if (last > order.mark.size())

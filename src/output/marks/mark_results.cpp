@@ -18,7 +18,7 @@ using drawing::StrokePoint;
 // One mark of a run, as it is drawn.
 struct Drawn {
     std::int64_t mark;
-    std::uint32_t layer; // of the drawing
+    std::uint32_t layer; // the number of a layer of the drawing
     float radius, opacity, depth;
 };
 
@@ -42,7 +42,7 @@ void for_each_drawn(const Drawing& drawing, const drawing::Run& run, const F& f)
         for (std::int64_t i = stroke.first; i < end;) {
             const StrokePoint& p = drawing.points[i];
             Drawn drawn{std::int64_t{p.id - run.first_id}, stroke.layer, p.radius, p.opacity, p.depth};
-            for (++i; i < end && drawing.points[i].id == p.id; ++i) // of hatching
+            for (++i; i < end && drawing.points[i].id == p.id; ++i) // hatching has several points with one mark
                 drawn.radius = std::max(drawn.radius, drawing.points[i].radius);
             f(drawn);
         }

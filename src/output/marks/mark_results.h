@@ -32,8 +32,8 @@ public:
 private:
     const base::Runtime& runtime_;
     drawing::FarToNear order_;
-    base::Array<std::uint64_t> keys_; // of the marks that are shown
-    base::Array<std::uint8_t> shown_; // of all marks of the layer
+    base::Array<std::uint64_t> keys_; // one for each mark that is shown: its depth and its number
+    base::Array<std::uint8_t> shown_; // one for each mark of the layer: 1 if it is shown, else 0
     base::Array<std::uint32_t> indices_;
 };
 

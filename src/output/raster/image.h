@@ -15,7 +15,7 @@
 
 namespace hrbfnpr::output {
 
-// Same numbers as HRBFNPR_FORMAT_...
+// The numbers are those that hrbfnpr_image.format takes.
 enum class Format : std::uint32_t {
     rgba8 = 1,
     bgra8 = 2,

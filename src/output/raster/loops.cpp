@@ -171,7 +171,7 @@ struct Target {
     bool even;          // all segments have one opacity: `ink` is not looked at
     float alpha;        // that opacity, times the alpha of the stroke's ink
     bool at_once;       // there is but one outline, which is taken from the paper with no plane between
-    const float* color; // of the ink; NULL where all inks have one colour
+    const float* color; // the ink's colour; NULL where all inks have the same
 };
 
 // An outline's edges, by the rows in which they begin.
@@ -243,7 +243,7 @@ HWY_INLINE void find_parts(const Edges& edges, std::int32_t y, std::int32_t widt
         part = {static_cast<float>(x0), way, tall, high <= 0.0 || (way < 1.0F / 128.0F && way > -1.0F / 128.0F)};
         if (!part.steep)
             part.scale = tall / way;
-        else // what lies to the left of the tile is clamped to it
+        else // an edge to the left of the tile is moved to its left side
             part.x = high <= 0.0 ? 0.0F : static_cast<float>(x0 + 0.5 * (x1 - x0));
     }
     row.edge_count = kept;

@@ -13,7 +13,7 @@ namespace hrbfnpr::output {
 // Rows of `stride` floats, one for each pixel.
 struct DiscTile {
     std::int32_t width, height, stride; // stride >= width + 8
-    float* transmittance;               // what is left of the paper
+    float* transmittance;               // the part of the paper that still shows, from 0 to 1
     float* color[3];                    // what the inks add to it, premultiplied; NULL: all inks have one colour
     const float* host;                  // depth of the host's picture, falling towards the eye; or NULL
 };
@@ -24,8 +24,8 @@ struct InkList {
     const std::uint32_t* numbers;
     std::int64_t count;
     float left, top;
-    const float* colors; // four of each layer: RGB, and an alpha that multiplies the ink's
-    float one_alpha;     // of all, if there is one colour
+    const float* colors; // four numbers for each layer: RGB, and an alpha that multiplies the ink's
+    float one_alpha;     // the alpha that takes its place where all inks have one colour
     float toward;        // -1: the host's depth rises towards the eye; 1
 };
 

@@ -20,7 +20,7 @@ using drawing::StrokePoint;
 constexpr std::int32_t side = drawing::tile_size;
 constexpr std::int32_t stride = side + 16; // vectors may run over a row's end
 constexpr std::int64_t plane = std::int64_t{stride} * side;
-constexpr std::int64_t points_ahead = 10; // of the tile's next stroke are fetched
+constexpr std::int64_t points_ahead = 10; // this many points of the tile's next stroke are prefetched
 enum Plane : std::int64_t { transmittance, red, green, blue, host, cover, ink, planes };
 static_assert(side <= StrokeUnion::most_side);
 
@@ -30,12 +30,12 @@ struct Job {
     const Image& image;
     const DrawSettings& settings;
     const RasterLoops& loops;
-    const drawing::Tiles& tiles; // of the dots
-    glm::ivec2 first_pixel;      // of the tiles
+    const drawing::Tiles& tiles; // the tiles of the dots
+    glm::ivec2 first_pixel;      // the image's pixel at the corner of the first tile
     Rect drawn;
     const float* colors; // as in InkList
     bool published;      // dots are painted in their own order, paper over ink
-    bool one_color;      // of all inks: their order does not matter
+    bool one_color;      // all inks have one colour, so that their order does not matter
     glm::vec4 paper;     // premultiplied, in the light that is blended in
 
     [[nodiscard]] float toward() const noexcept {
@@ -54,8 +54,8 @@ struct Job {
 // One tile of the image, and what its worker writes to.
 struct Canvas {
     std::int64_t number;
-    glm::ivec2 first; // pixel
-    Rect rect;        // of the image
+    glm::ivec2 first; // the image's pixel at the tile's corner
+    Rect rect;        // the pixels of the image that the tile draws
     float* planes;
     StrokePlanes strokes;
     base::Array<std::uint32_t>& numbers; // scratch
@@ -111,7 +111,7 @@ void lay(const Job& job, const Canvas& canvas, const DiscTile& target) {
         });
     const std::int64_t dots = numbers.size();
     drawing.segment_tiles.for_tile(canvas.number, [&](std::uint32_t segment) { numbers.push_back(segment); });
-    std::int64_t laid = 0; // of the dots
+    std::int64_t laid = 0; // the number of dots that were laid
     const auto lay_dots_to = [&](std::int64_t end) {
         lay_dots(numbers.span().subspan(static_cast<std::size_t>(laid), static_cast<std::size_t>(end - laid)));
         laid = end;
@@ -150,7 +150,7 @@ RowColors row_colors(const Job& job) noexcept {
 void store(const Job& job, const Canvas& canvas) noexcept {
     const Image& image = job.image;
     const Rect& rect = canvas.rect;
-    // With one colour, and nothing but the drawing, a pixel is a function of what is left of the paper.
+    // With one colour, and nothing but the drawing, a pixel depends only on the part of the paper that still shows.
     if (job.one_color && !job.settings.over && !job.settings.linear_light && has_bytes(image.format)) {
         std::array<std::uint32_t, stride> pixels;
         const RowColors colors = row_colors(job);

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 // The rasteriser: a drawing into the caller's pixels, tile by tile.
-// 1. prepare (raster.cpp): a tile's planes say what is left of the paper and what inks add; all paper is left.
-// 2. lay (raster.cpp; loops.cpp for many pixels at a time): dots and strokes far to near. stroke_outline.cpp makes
-// polygons of a
-//    stroke's segments, side by side; stroke_union.cpp finds what they cover together where they overlap.
+// 1. prepare (raster.cpp): a tile's planes hold the part of the paper that still shows, first all of it, and the ink's
+//    colours.
+// 2. lay (raster.cpp; loops.cpp for many pixels at a time): dots and strokes far to near. stroke_outline.cpp makes a
+//    polygon of each segment of a stroke; stroke_union.cpp finds the area that polygons cover together where they
+//    overlap.
 // 3. store (raster.cpp; loops.cpp): planes to the caller's pixels, over what was there or not.
-// 4. store_outputs (raster.cpp): the depth, id and class of what is nearest at each pixel's centre.
+// 4. store_outputs (raster.cpp): the depth, id and class of the nearest layer or ink at each pixel's centre.
 #pragma once
 
 #include "base/list.h"
@@ -35,11 +36,11 @@ private:
 
     const base::Runtime& runtime_;
     RasterLoops loops_;
-    drawing::Tiles published_tiles_; // drawings as published have none
-    base::Array<float> planes_;      // of each worker
+    drawing::Tiles published_tiles_; // for drawings as published, which bring no tiles of dots
+    base::Array<float> planes_;      // the planes of a tile, for each worker
     base::Array<float> colors_;      // as in InkList
-    base::List<Numbers> numbers_;    // of each worker
-    base::List<StrokeUnion> unions_; // of each worker, if there are strokes
+    base::List<Numbers> numbers_;    // one for each worker
+    base::List<StrokeUnion> unions_; // one for each worker, if there are strokes
 };
 
 } // namespace hrbfnpr::output

@@ -304,7 +304,7 @@ namespace {
 
 // Consecutive segments whose directions lie within 60 degrees of the first one's, and what they reach.
 struct Stretch {
-    float along_x, along_y, square; // of its first segment, and its length's square
+    float along_x, along_y, square; // the first segment's vector, pixels, and the square of its length
     float left, top, right, bottom;
     std::int64_t begin, end; // segments
 

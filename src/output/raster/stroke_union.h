@@ -20,7 +20,7 @@ struct Shade {
 // lie between them. Inside is where the winding number is not 0. Each worker has one.
 class alignas(base::Memory::alignment) StrokeUnion {
 public:
-    static constexpr std::int32_t most_side = 64; // of a tile
+    static constexpr std::int32_t most_side = 64; // the largest width and height of a tile, pixels
 
     explicit StrokeUnion(base::Memory& memory);
 
@@ -32,7 +32,8 @@ public:
 
     [[nodiscard]] std::int32_t top() const noexcept { return top_; }
     [[nodiscard]] std::int32_t bottom() const noexcept { return bottom_; }
-    // Finds what is covered of a row; rows from top() to bottom() one after the other. Returns how many shades it has.
+    // Finds which pixels of a row are covered, and by which shades; returns the number of shades. Rows must be cut one
+    // after the other, from top() to bottom().
     std::int32_t cut(std::int32_t y);
     // Writes how much of each pixel from `left` to `right` belongs to the row's i-th shade.
     const Shade& cover(std::int32_t i, float* pixels, std::int32_t& left, std::int32_t& right) noexcept;
@@ -41,14 +42,14 @@ private:
     // An edge goes from its upper to its lower end.
     struct Edge {
         double x, top, bottom, slope;
-        std::int32_t winding; // of the places to the right of it, less that to the left
+        std::int32_t winding; // the winding number to the right of the edge less that to the left
         std::int32_t shade;
         std::int32_t next; // the next edge that begins in the same row; -1: none
     };
     // The part of an edge in the row.
     struct Piece {
         double upper, lower, x, slope; // x: at height 0 of the tile
-        double low, high;              // of x
+        double low, high;              // the least and the greatest x in the row
         std::int32_t winding, shade;
         double here; // x in the slab at hand
         [[nodiscard]] double at(double y) const noexcept { return x + y * slope; }
@@ -74,16 +75,16 @@ private:
     bool by_depth_ = false;
     base::Array<Edge> edges_;
     base::Array<Shade> shades_;
-    base::Array<std::int32_t> winding_; // of each shade around the place at hand
-    std::int32_t first_[most_side];     // edge that begins in each row
+    base::Array<std::int32_t> winding_; // the winding number of each shade's outlines around the place at hand
+    std::int32_t first_[most_side];     // the first edge that begins in each row; -1: none
     base::Array<std::int32_t> active_;  // edges that pass the row
     base::Array<Piece> pieces_;
     base::Array<double> breaks_;
-    base::Array<std::int32_t> order_;  // of the pieces in a slab, from left to right
+    base::Array<std::int32_t> order_;  // the numbers of the pieces in a slab, from left to right
     base::Array<std::int32_t> inside_; // shades whose winding is not 0
     base::Array<Span> spans_;
     base::Array<std::int32_t> found_; // shades of the row
-    double steps_[most_side + 2];     // of the cover from pixel to pixel
+    double steps_[most_side + 2];     // the cover of each pixel less that of the pixel to its left
 };
 
 } // namespace hrbfnpr::output

@@ -41,7 +41,7 @@ struct Filling {
     double pen = 0.0, spacing = 0.0, length = 0.0;
     bool closed = false;
     base::Array<Node> nodes, turned;
-    base::Array<dvec2> points; // of passes
+    base::Array<dvec2> points; // the points of all passes, pass by pass
     base::Array<Pass> passes;
 
     // What `turned` was filled with takes the place of the nodes.
@@ -192,7 +192,7 @@ void add_pass(Filling& f, const Track& track, double begin, double end) {
 
 // Adds the runs of nodes that reach far enough; runs near to each other are one.
 void add_track(Filling& f, const Track& track) {
-    double begin = 0.0, end = -1.0; // of the pass that is open, along the line
+    double begin = 0.0, end = -1.0; // where the pass at hand begins and ends along the line, mm
     bool open = false;
     const auto close = [&] {
         if (open && (end - begin >= plot_tuning.shortest_pass * f.pen || track.least < 0.0))

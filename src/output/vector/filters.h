@@ -37,8 +37,8 @@ public:
     void parts(const PagePath& path, const Frame& frame, Take&& take);
 
 private:
-    // Narrows the part of a segment, from 0 to 1, to what lies within the frame; false if nothing does, or if the
-    // segment is not finite.
+    // Narrows the part of a segment, from 0 to 1, to the part within the frame; false if all of it is outside, or if
+    // the segment is not finite.
     [[nodiscard]] static bool within(const PagePoint& a, const PagePoint& b, const Frame& frame, double& from,
                                      double& to) noexcept;
 
@@ -121,14 +121,14 @@ private:
     PenTrack* track_;
     const base::Progress& progress_;
     Looks looks_;
-    Frame frame_; // of the view on the page
+    Frame frame_; // the part of the page that can be drawn on, mm: within a view, what the view's frame has of it
     PageGroup group_;
     PlotLines lines_;
     base::Array<PageDot> dots_;
     Clip clip_;
     PenLines pen_lines_;
     base::Array<PagePoint> turned_;
-    glm::dvec2 pen_; // where it stands
+    glm::dvec2 pen_; // where the pen stands, mm
 };
 
 } // namespace hrbfnpr::output

@@ -112,7 +112,7 @@ base::Array<EndPair> find_pairs(PlotLines& lines, double given, bool any_opacity
 }
 
 struct EndPairing {
-    base::Array<std::int32_t> partner; // of each end; -1: none
+    base::Array<std::int32_t> partner; // the end that each end is joined to; -1: none
     std::int64_t joins = 0;
 };
 
@@ -122,8 +122,8 @@ EndPairing choose_pairs(const PlotLines& lines, const base::Array<EndPair>& pair
     const auto count = static_cast<std::int32_t>(lines.lines.size());
     EndPairing result{base::Array<std::int32_t>(memory, 2 * std::int64_t{count})};
     std::fill(result.partner.begin(), result.partner.end(), -1);
-    base::Array<std::int32_t> chain(memory, count); // of each line: another of the same chain, or itself
-    base::Array<double> length(memory, count);      // of the chain, at the line that `chain` leads to
+    base::Array<std::int32_t> chain(memory, count); // for each line, another line of its chain, or the line itself
+    base::Array<double> length(memory, count);      // the length of each chain, mm, at the line that `chain` leads to
     Looks looks(progress, steps_a_look);
     for (std::int32_t i = 0; i < count; ++i) {
         looks.count();

@@ -68,8 +68,9 @@ struct Cells {
     double left, top, side;
     std::int64_t columns, rows;
     std::int32_t colors;
-    base::Array<std::int32_t> color;         // of each layer
-    base::Array<std::int32_t> painted_where; // of each cell and colour: the group, counted on from run to run, or -1
+    base::Array<std::int32_t> color;         // the number of each layer's colour
+    base::Array<std::int32_t> painted_where; // for each cell and colour, the last group that painted there, counted on
+                                             // from run to run; -1: none
 
     // Calls visit(cell) for the cells that a disc may touch. Nothing beyond the viewport is seen.
     template <class Visit>
@@ -122,7 +123,7 @@ Cells blank_cells(base::Memory& memory, const Drawing& drawing) {
 template <class ForCells>
 std::uint8_t paint(Cells& cells, Runs& runs, std::uint32_t layer, std::int32_t group, const ForCells& for_cells) {
     const std::int32_t color = cells.color[layer];
-    std::int32_t most = -1; // what is painted last below the ink
+    std::int32_t most = -1; // the last group of another colour that is painted below the ink; -1: none
     for_cells([&](std::int64_t cell) {
         for (std::int32_t other = 0; other < cells.colors; ++other)
             if (other != color) most = std::max(most, cells.painted_where[cell * cells.colors + other]);
@@ -141,7 +142,7 @@ std::uint8_t paint(Cells& cells, Runs& runs, std::uint32_t layer, std::int32_t g
 // Paints all ink far to near.
 void paint_all(base::Memory& memory, const Drawing& drawing, const base::Progress& progress, Runs& runs) {
     Cells cells = blank_cells(memory, drawing);
-    base::Array<std::uint32_t> order(memory); // of dots, far to near
+    base::Array<std::uint32_t> order(memory); // the numbers of the dots, far to near
     for_dots(drawing, progress,
              [&](const Dot&, std::int64_t number) { order.push_back(static_cast<std::uint32_t>(number)); });
     Looks comparisons(progress, comparisons_a_look);
@@ -150,7 +151,7 @@ void paint_all(base::Memory& memory, const Drawing& drawing, const base::Progres
         return drawing.before(a, b);
     });
     Looks looks(progress, steps_a_look);
-    std::int64_t painted = 0; // of the dots
+    std::int64_t painted = 0; // the number of dots that were painted
     const auto paint_dots = [&](const auto& comes_before) {
         for (; painted < order.size() && comes_before(drawing.dots[order[painted]]); ++painted) {
             looks.count();
@@ -196,7 +197,7 @@ Runs find_runs(base::Memory& memory, const Drawing& drawing, bool far_to_near, c
 
 // ---- Names and pens
 
-// Names of lines, by the numbers of HRBFNPR_LINE_KIND_...
+// The names of kinds of lines, by the numbers that hrbfnpr_line_style.kind takes.
 constexpr std::array<const char*, 12> line_names{"lines",   "contour",        "suggestive", "ridge",
                                                  "valley",  "apparent ridge", "parabolic",  "isophote",
                                                  "section", "border",         "own",        "crease"};

@@ -21,11 +21,11 @@ namespace hrbfnpr::output {
 
 // ---- Data of formats
 
-// Same numbers as HRBFNPR_PAGE_FORMAT_..., HRBFNPR_WIDTHS_... and HRBFNPR_DOT_SHAPE_...
+// The numbers are those that the fields format, widths and dots of hrbfnpr_page_desc take.
 enum class PageFormat : std::uint32_t { svg = 0, pdf = 1, hpgl = 2, gcode = 3 };
 enum class Widths : std::uint32_t { outlines = 0, classes = 1 };
 enum class DotShapes : std::uint32_t { circles = 0, lines = 1, spirals = 2 };
-// Same numbers as HRBFNPR_LINE_TYPE_..., which are those of ISO 128-2.
+// The numbers are those that hrbfnpr_pen.line_type takes; from 1 on they are those of ISO 128-2.
 enum class LineType : std::uint32_t { as_drawn = 0, continuous = 1, last = 15 };
 
 // Helvetica and Arial have capitals of this height, in sizes of the font.
@@ -69,7 +69,7 @@ struct PageDot {
 
 struct PageText {
     double x, y;   // where its first baseline begins
-    double height; // of capitals
+    double height; // the height of its capitals
     const char* text;
 };
 
@@ -93,7 +93,7 @@ struct PageGroup {
     static constexpr std::size_t most = 96;
     char name[most] = "";
     glm::vec4 ink{0.0F, 0.0F, 0.0F, 1.0F};
-    double pen_width = 0.0; // of all lines; 0: as they are
+    double pen_width = 0.0; // the width of all its lines, mm; 0: each line has its own
     std::uint32_t pen = 1;  // a plotter's
     LineType line_type{};
 };
@@ -157,7 +157,7 @@ struct ShapeSettings {
     DotShapes dots = DotShapes::circles;
     double tolerance = 0.05;  // mm
     double width_step = 1.25; // from one class of widths to the next
-    bool fills = false;       // what is wider than its pen is filled by several passes
+    bool fills = false;       // lines and dots wider than their pen are filled by several passes
 
     // Circles that a pen fills are spirals.
     [[nodiscard]] DotShapes dots_of(double pen_width) const noexcept {

@@ -290,7 +290,7 @@ private:
     bool fills_ = false;
     std::bitset<256> alphas_; // the ones that are used
     base::Array<Name> groups_;
-    base::Array<std::int64_t> offsets_; // of objects, from the first
+    base::Array<std::int64_t> offsets_; // where each object begins in the file, bytes; object 1 is the first
     std::int64_t content_ = 0;          // where the stream begins
 };
 

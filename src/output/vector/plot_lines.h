@@ -8,7 +8,7 @@
 namespace hrbfnpr::output {
 
 struct PlotLine {
-    std::int64_t first = 0, count = 0; // of its points
+    std::int64_t first = 0, count = 0; // the range of its points in PlotLines::points
     double width = 0.0;                // the pen's, mm
     double opacity = 1.0;
     drawing::Cap begin = drawing::Cap::round, end = drawing::Cap::round;

@@ -18,7 +18,8 @@ using glm::dvec2;
 
 constexpr double hpgl_units = 40.0; // for each millimetre
 constexpr double gcode_units = 1000.0;
-constexpr int most_pairs = 64;           // of one HPGL instruction: old plotters have small buffers
+// An HPGL instruction has at most this many places, because old plotters have small buffers.
+constexpr int most_pairs = 64;
 constexpr char end_of_label = '\x03';    // unless DT says otherwise
 constexpr double letter_of_height = 0.7; // width of an HPGL letter
 constexpr double farthest_unit = 1e15;   // a double tells units apart up to here
@@ -198,7 +199,7 @@ private:
     bool gcode_;
     double units_;
     TextOut out_;
-    double height_; // of the page
+    double height_; // the page's height, mm
     ShapeSettings shapes_;
     std::string_view down_, up_; // lines of G-code
     double feed_;                // mm a minute

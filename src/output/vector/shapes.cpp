@@ -25,7 +25,7 @@ bool is_even(const PagePath& path) noexcept {
 
 // ---- Classes of widths
 
-constexpr double unit_radius = 0.1; // of the class number 0, mm
+constexpr double unit_radius = 0.1; // the radius of class 0, mm
 
 double radius_of_class(double number, double step) noexcept { return unit_radius * std::pow(step, number); }
 

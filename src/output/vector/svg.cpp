@@ -190,7 +190,7 @@ private:
     PageCounts& counts_;
     Shapes shapes_;
     PageGroup group_;
-    glm::vec4 paper_{0.0F}; // of the view
+    glm::vec4 paper_{0.0F}; // the view's paper
     std::int64_t views_ = 0, groups_ = 0;
     Place at_{0, 0};    // where the pen stands
     char letter_ = ' '; // the last command

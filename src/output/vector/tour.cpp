@@ -394,20 +394,20 @@ private:
     std::span<const Stop> stops_;
     const base::Progress& progress_;
     std::int32_t pen_, count_;            // the pen's number, after the stops', and the number of all
-    std::int64_t work_ = 0, checked_ = 0; // what is left for moves, and was when a cancel was looked for
+    std::int64_t work_ = 0, checked_ = 0; // the work that is left for moves, and was at the last look for a cancel
     std::int64_t longest_ = 0;            // stops that a move may take along
-    double gained_ = 0.0;                 // mm, by moves
+    double gained_ = 0.0;                 // how much shorter the last moves made the tour, mm
     bool keeps_log_ = false;
-    base::Array<dvec2> place_;           // of each node
-    base::Array<std::int32_t> start_;    // of each closed stop
+    base::Array<dvec2> place_;           // the place of each node, mm
+    base::Array<std::int32_t> start_;    // the point that each closed stop begins at
     base::Array<Node> order_;            // the tour: the node that each stop is entered by
-    base::Array<std::int32_t> position_; // of each stop
-    base::Array<Node> near_;             // `most_near` of each node, nearest first; -1: no more
-    base::Array<std::int32_t> queue_;    // stops whose ends are to be looked at; a ring
+    base::Array<std::int32_t> position_; // where each stop stands in `order_`
+    base::Array<Node> near_; // the `most_near` nodes of other stops next to each node, nearest first; -1: no more
+    base::Array<std::int32_t> queue_; // stops whose ends are to be looked at; a ring
     std::int64_t queue_first_ = 0, queue_size_ = 0;
     base::Array<std::uint8_t> waits_; // whether a stop is in the queue
     base::Array<Entry> log_;          // what stood where before it was overwritten
-    base::Array<Node> swapped_;       // by a kick
+    base::Array<Node> swapped_;       // the first of the two parts that a kick exchanges, set aside
 };
 
 } // namespace

@@ -49,7 +49,8 @@ struct PlotTuning {
     // Passes are this far apart, less where the tolerance asks for it. Larger: fewer passes, with gaps.
     double most_spacing = 0.8;
     double least_spacing = 0.4;
-    // So much on each side of a line is not worth another pass. Larger: fewer passes, narrower lines.
+    // Another pass is left out where it would add no more than this on each side of the line. Larger: fewer passes,
+    // narrower lines.
     double left_out = 0.1;
     // Shorter passes are left out. Larger: fewer passes.
     double shortest_pass = 0.5;

@@ -11,7 +11,7 @@ namespace hrbfnpr::output {
 struct Placement {
     const drawing::Drawing* drawing = nullptr;
     std::string_view name;
-    double x = 0.0, y = 0.0;    // of the viewport's top-left corner, mm
+    double x = 0.0, y = 0.0;    // where the viewport's top-left corner is on the page, mm
     double scale = 25.4 / 96.0; // mm per pixel
     bool with_paper = true;     // else the page has the same
     bool far_to_near = true;    // where inks of several colours lie upon each other; else groups are whole
@@ -41,7 +41,7 @@ void lay_out(base::Memory& memory, const Placement& placement, std::span<const P
 struct Annotation {
     std::string_view group;
     const char* text = nullptr;     // NULL: a line
-    std::span<const double> points; // x, y ...
+    std::span<const double> points; // x and y of each, mm; for a text, where its baseline begins
     double width = 0.35;
     glm::vec4 ink{0.0F, 0.0F, 0.0F, 1.0F};
     LineType line_type = LineType::continuous;

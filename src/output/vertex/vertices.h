@@ -11,12 +11,12 @@
 
 namespace hrbfnpr::output {
 
-// Same numbers as HRBFNPR_PRIMITIVE_...
+// The numbers are those that hrbfnpr_vertex_layout.primitive takes.
 enum class Primitive : std::uint32_t { points = 1, line_strips = 2, triangle_strips = 3 };
 // This index ends a strip.
 inline constexpr std::uint32_t index_restart = 0xFFFFFFFFU;
 
-// Same numbers as HRBFNPR_VERTEX_ATTRIBUTE_...
+// The numbers are those that hrbfnpr_vertex_attribute.attribute takes.
 enum class VertexAttribute : std::uint32_t {
     position = 0,
     window = 1,
