@@ -195,7 +195,7 @@ void look_at(const SheetMesh& in, EdgeNode& node) {
                 folds(in, node, 2.0 * crease_tuning.beside_surface / sine * in.mesh.side);
 }
 
-// What is known of edges with the same ends and sheets is kept.
+// Nodes of edges that had the same ends and sheets before are kept.
 void find_edges(const base::Runtime& runtime, SheetMesh& in, const base::Progress& progress) {
     const auto by_ends = [](const EdgeNode& a, const EdgeNode& b) { return a.ends < b.ends; };
     base::Array<EdgeNode> before(runtime.memory);
@@ -292,8 +292,8 @@ bool halve_unclear(const base::Runtime& runtime, SheetMesh& in, const base::Prog
 }
 
 // Nodes without a place lie where they were looked for, with the gradients of their sheets there. Beside a seam f is a
-// mean of both parts, and a little off either one: what the crease of one part with another sheet is there is good
-// enough. Two sheets of a corner may be parts of one patch, nearly one beside their seam, and meet nowhere there. A
+// mean of both parts, and a little off either one: the crease of one part with another sheet is near enough there.
+// Two sheets of a corner may be parts of one patch, nearly one beside their seam, and meet nowhere there. A
 // crease comes to such a seam on one of them and goes on along the other: it does both where the third and one of these
 // meet.
 void place_rest(SheetMesh& in) {

@@ -24,7 +24,7 @@ struct RunTuning {
     double on_curve = 0.02;
     // Starts are this far apart, in longest steps. Larger: fewer starts, and more gaps to fill.
     double chosen_apart = 0.65;
-    // A wider gap than this is none of one curve, in longest steps. Larger: more gaps are tried.
+    // Points across a wider gap than this are not on one curve, in longest steps. Larger: more gaps are tried.
     double widest = 3.0;
     // Points of the view before are kept where the curve turns by this much, in turns. Larger: fewer points.
     double kept_turn = 0.8;
@@ -38,7 +38,7 @@ constexpr RunTuning run_tuning;
 
 glm::dvec3 unit_direction(const CurvePoint& p) noexcept { return glm::normalize(p.direction()); }
 
-// What is known of the curve from a point of a chain to the next.
+// Whether the curve is known to lead from a point of a chain to the next.
 enum class Link : std::uint8_t { unknown, linked, parted };
 
 struct RunPoint {

@@ -93,7 +93,7 @@ struct Spans {
 struct Range {
     double low, high;
 
-    // Leaves what has at_zero + slope s <= 0.
+    // Keeps the part in which at_zero + slope s <= 0.
     void keep(double at_zero, double slope) noexcept {
         if (slope == 0.0) {
             if (at_zero > 0.0) high = low - 1.0;
@@ -290,7 +290,7 @@ struct Field {
     geometry::VecArray gradient;
 };
 
-// What the values and slopes at a piece's ends tell: no root (NaN), one (-1), or where to split it.
+// Tells from the values and slopes at a piece's ends: no root (NaN), one root (-1), or where to split the piece.
 double split_of(const Place& a, const Place& b) noexcept {
     constexpr double none = std::numeric_limits<double>::quiet_NaN();
     const double length = b.at - a.at;

@@ -51,7 +51,7 @@ struct Passed {
     std::int64_t before;
 };
 
-// The paths between runs, and what they need to know.
+// The paths between runs, and the data that they share.
 struct Paths {
     Paths(const SurfaceMesh& meshed, const Curves& known, const TraceSettings& by)
         : mesh(meshed), runs(known), settings(by), path(runs.point.memory()), passed(runs.point.memory()),

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a drawing is made of: dots and strokes of ink, and the splats of the surfaces that they lie on.
+// The parts of a drawing: dots and strokes of ink, and the splats of the surfaces that they lie on.
 #pragma once
 
 #include <cstdint>

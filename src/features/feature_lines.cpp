@@ -382,7 +382,7 @@ base::Array<FeaturePoint> refine_section(const base::Runtime& runtime, const Fea
 }
 
 // Multiplies the strengths of ridges and valleys by how much the curvature drops to both sides, from 0 for none, as on
-// a cylinder, to 1. What is measured is 2 (1 - k' / k) / (k s)^2, which for small s is -k'' / k^3, at s = 1 / 2k, a
+// a cylinder, to 1. The measure is 2 (1 - k' / k) / (k s)^2, which for small s is -k'' / k^3, at s = 1 / 2k, a
 // turn of half a radian.
 void weigh_by_drop(const base::Runtime& runtime, const FeatureSurface& surface, FeatureKind kind,
                    base::Array<FeaturePoint>& points, const base::Progress& progress) {

@@ -45,7 +45,7 @@ struct FeatureRequest {
     bool far_side = false; // view-dependent: also where the surface faces away
 };
 
-// What is known of the surface before any line.  All of it outlives the call.
+// The surface that lines are looked for on. All of it outlives the call.
 struct FeatureSurface {
     const implicit::Implicit& implicit;
     const implicit::ShapeSource& source;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the lines of a surface are drawn from, whatever the camera: made once for a model.
+// The mesh, creases and lines of a model that do not depend on the camera. They are made once.
 #pragma once
 
 #include "base/list.h"

@@ -95,7 +95,7 @@ struct AlongEdge {
     }
 };
 
-// Whether the form's change is not what the trapezoid rule makes of its derivatives. A form that is off by e and
+// Whether the form changes otherwise than its derivatives tell by the trapezoid rule. A form that is off by e and
 // changes by C along the surface has its zeros off by e / C; less, since g is a cubic along edges.
 bool is_rough(const ShapePoint& a, const ShapePoint& b, const glm::dvec3& edge, double least, double place) noexcept {
     const AlongEdge from(a, edge);
@@ -193,7 +193,7 @@ FeatureValue crest(const ShapePoint& shape, bool convex, double unit) noexcept {
     return value;
 }
 
-// What the normal turns by along a unit of the image is Q = II P^-1, where P takes tangent vectors to the image plane
+// The turn of the normal along a unit of the image is Q = II P^-1, where P takes tangent vectors to the image plane
 // through the point.  P shortens w by n . v, so that P^-1 P^-T = M = I + w w^T / (n . v)^2.  q1^2 is the larger
 // eigenvalue of Q Q^T = II M II, with x its eigenvector; t1 = Q^T x / q1 stands on the surface at s = M II x / q1.
 //   D_s q1^2 = 2 q1 C(x, s, s) + y^T (D_s M) y,     y = II x

@@ -55,8 +55,8 @@ struct Settings {
     ToneRanges tone_ranges = ToneRanges::full;
 };
 
-// Adds what the settings leave to this room: layers, levels, parts of the tones and budgets, each layer's own. Throws
-// Error{invalid_argument} for settings that no model can be drawn by.
+// Fills in the settings that the caller left open: layers, levels, parts of the tones and budgets, each layer's own.
+// Throws Error{invalid_argument} for settings that no model can be drawn by.
 [[nodiscard]] Settings completed(Settings settings);
 
 // The samples that the implicit came from: 3n packed positions on the surface, empty for a custom implicit.

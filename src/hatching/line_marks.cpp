@@ -82,8 +82,8 @@ base::Array<std::uint8_t> starts_at_creases(const marks::Site& site, Lines& line
     return starts;
 }
 
-// Where the sheet of the marks meets the one that their line comes to a step beyond its end; not found if there is
-// none.
+// Where the sheet of the marks meets the sheet that their line comes to a step beyond its end. Not found if it comes to
+// no other sheet.
 surface::MeetingPlace crease_beyond(const implicit::Sheets& sheets, const glm::dvec3& inner, const glm::dvec3& end,
                                     double step) {
     const double ahead = hatching_tuning.crease_ahead * step;

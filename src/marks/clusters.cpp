@@ -23,7 +23,7 @@ std::array<float, 3> to_floats(const glm::dvec3& v) noexcept {
     return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
 }
 
-// ---- What a cluster is known to be. place(i) and normal(i) are those of marks begin .. end - 1.
+// ---- The bounds of a cluster. place(i) and normal(i) are those of marks begin .. end - 1.
 
 // Around the normals, and a little larger than the truth, so that floats hold it.
 struct Cone {

@@ -22,7 +22,7 @@ bool has_nested_lines(const Layer& layer) noexcept {
 }
 
 // The gap around a mark. Marks beside it, its own line's among them, have offsets across the line; the gaps between
-// these count the more the nearer they are. It is 1 where there are none.
+// these count the more the nearer they are. It is 1 where no mark is beside it.
 float gap_around(const Layer& layer, const geometry::VecArray& place, const geometry::PointGrid& grid,
                  std::int64_t mark) noexcept {
     const glm::dvec3 n = vector_at(layer.normal, mark);

@@ -63,7 +63,7 @@ struct FieldSamples {
     geometry::VecArray gradient;
 
     // The distance to the surface to first order, f / |grad f|; infinite or NaN where that makes no sense, as where
-    // the gradient is so long or short that its square does not say how long.
+    // the square of the gradient overflows or vanishes.
     [[nodiscard]] double distance(std::int64_t i) const noexcept {
         const double slope = glm::length(gradient[i]);
         return surface::is_slope(slope) ? value[i] / slope : std::numeric_limits<double>::quiet_NaN();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Multi-level refinement: from seeds to stipples and strokes.         [NPAR 5]
 //
-// Level 0 is the seeds, less what the budget has no room for. In each further level every mark gets children a step
+// Level 0 is as many of the seeds as the budget has room for. In each further level every mark gets children a step
 // away in its tangent plane, or along its stroke, which are projected onto the surface; the step is a third of the last
 // one.
 #pragma once

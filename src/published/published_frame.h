@@ -17,8 +17,8 @@ namespace hrbfnpr::published {
 
 using namespace frame; // the scene that this room classifies and paints
 
-// The depth of the nearest surface, as discs of the front and back marks of the items that hide others. They are as far
-// behind their own layer as discs of paper, so that it does not hide its own ink.
+// The depth of the nearest surface, as discs of the front and back marks of the items that hide others. They lie as
+// far beyond their own layer as discs of paper, so that it does not hide its own ink.
 class VisibilityMap {
 public:
     explicit VisibilityMap(base::Memory& memory) noexcept

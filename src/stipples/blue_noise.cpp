@@ -158,7 +158,7 @@ SurfaceCells cover_surface(const marks::Site& site, const marks::Seeds& seeds, d
         const base::Progress part = progress.part(1.0 - std::exp2(-round), 1.0 - std::exp2(-round - 1));
         cells = find_surface_cells(site, seeds.position, region, side, part);
         const double spacing = std::sqrt(cells.rough_area() / static_cast<double>(marks));
-        // What a few cells hold tells neither its shape nor its area.
+        // A few cells do not tell its shape or its area.
         const bool known = cells_across(cells) >= stipple_tuning.fewest_across;
         const double wanted = known ? std::max(stipple_tuning.cell_spacings * spacing, finest)
                                     : std::max(stipple_tuning.blind_step * side, finest);

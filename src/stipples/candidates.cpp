@@ -26,7 +26,7 @@ constexpr double of_32_bits = 1.0 / 4294967296.0;
 // ---- 1. Where planes are the surface
 
 // A plane is the surface where those of all cells beside it are the same one: none is nearer to another sheet, or
-// around a bend. What they turn is the divergence of the normals, twice the mean curvature.
+// around a bend. The angle between them gives the divergence of the normals, twice the mean curvature.
 [[nodiscard]] JudgedCell judge(const marks::Site& site, const SurfaceCells& cells, const CellMap& numbers,
                                std::int64_t number, CellMap::BlocksAround& blocks) noexcept {
     constexpr JudgedCell bent = {CellKind::bent, 0.0F};
@@ -152,8 +152,8 @@ void put(const glm::vec3& position, float normal, std::uint32_t ticket, std::int
 }
 
 // The plane touches the surface at a distance from the cell's centre; away from there by t, a surface of mean curvature
-// k is 1/2 k t^2 below it, but for what the two principal curvatures differ. Candidates stay in their cells, where the
-// order looks for them.
+// k is 1/2 k t^2 below it, up to the difference of the two principal curvatures. Candidates stay in their cells, where
+// the order looks for them.
 void put_from_plane(const marks::Site& site, const JudgedCells& judged, std::int64_t number,
                     const PlaneCandidates& planes, std::int64_t to, Candidates& candidates) noexcept {
     const SurfaceCells& cells = judged.cells;
@@ -180,8 +180,8 @@ void put_from_plane(const marks::Site& site, const JudgedCells& judged, std::int
 }
 
 // The cells' random numbers of a round: number 0 decides whether the fraction of a trial becomes one, number k gives
-// trial k. What a cell's plane calls far off the band is not evaluated: its error within the cell is 3/8 side^2
-// curvature, so this holds where the surface bends with radii above 1.5 sides, and not at creases.
+// trial k. Trials that the cell's plane puts far off the band are not evaluated: its error within the cell is 3/8
+// side^2 curvature, so this holds where the surface bends with radii above 1.5 sides, and not at creases.
 void draw_trials(const marks::Site& site, const SurfaceCells& cells, std::span<const std::int32_t> trial_cells,
                  std::span<const std::int64_t> slot, std::uint32_t stream, geometry::VecArray& trial,
                  base::Array<std::uint32_t>& ticket) {
@@ -533,7 +533,7 @@ Candidates draw_candidates(const marks::Site& site, const SurfaceCells& cells, s
     const std::uint32_t stream = marks::stream_of(kind);
     const JudgedCells judged = judge_cells(site, cells, progress);
     LayerCandidates layer = layer_candidates(judged, stream, wanted);
-    // Where the function is no distance, the area is not what the cells say, and the first round gives too few.
+    // Where the function is no distance, the cells' area is wrong, and the first round gives too few.
     const auto many = static_cast<double>(wanted);
     double density = many / cells.rough_area();
     PlaneCandidates planes{stream, density, 0.0, base::Array<std::int32_t>(site.memory())};

@@ -13,7 +13,7 @@
 
 namespace hrbfnpr::stipples {
 
-// What a cell's plane is good for.
+// How a cell's plane can be used.
 enum class CellKind : std::uint8_t {
     clear, // it passes by
     flat,  // it is the surface

@@ -55,7 +55,7 @@ inline void unpack_normal(float packed, float (&normal)[3]) noexcept {
     for (unsigned c = 0; c < 3; ++c) normal[c] = static_cast<float>(bits >> (10U * c) & 1023U) - unpacked_length;
 }
 
-// What the energies of a cell come to; infinite where no candidate is open.
+// A summary of a cell's energies; infinite where no candidate is open.
 struct OrderLowest {
     std::int64_t at; // the first with the lowest energy, of those with clearance >= enough; -1: none is open
     float energy;    // its energy

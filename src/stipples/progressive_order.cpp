@@ -18,7 +18,7 @@ namespace {
 
 using geometry::CellGrid;
 
-// ---- What a stage works on
+// ---- The data of a stage
 
 struct StageSettings {
     std::int32_t level = 0;         // the side of a cell is that of the candidates' cells times 2^level
@@ -103,8 +103,8 @@ constexpr unsigned tile_bits = 3;
 }
 
 // The cells of a stage with their candidates and marks. Tiles of 8 x 8 x 8 cells are worked on in eight turns, in each
-// of which no two are neighbours: what a mark changes is less than two cells outside its tile. Within its turn a tile
-// is filled greedily, one mark after the other.
+// of which no two are neighbours: a mark changes candidates less than two cells outside its tile. Within its turn a
+// tile is filled greedily, one mark after the other.
 struct Stage {
     Stage(const marks::Site& of, const Candidates& candidates, const Home& home_cells, const StageSettings& its,
           const base::Progress& watch)
@@ -130,7 +130,7 @@ struct Stage {
         return number.find(code >> static_cast<unsigned>(3 * settings.level));
     }
 
-    // Takes note of what was found of a cell's candidates whose squared distance from marks is enough.
+    // Keeps the summary of a cell's candidates whose squared distance from marks is enough.
     void note(std::int32_t c, const OrderLowest& found) noexcept {
         cell[c].best = static_cast<std::int32_t>(found.at);
         lowest[c] = found.energy;

@@ -22,7 +22,7 @@ struct Front {
     double expected;    // distance by the plane of the cell that it was reached from; NaN for the cell of a seed
 };
 
-// What was found of it: whether it belongs, and to which of the 27 cells around it the flood goes on, a bit for each.
+// A cell that was judged: whether it belongs, and to which of the 27 cells around it the flood goes on, a bit for each.
 struct Judged {
     SurfaceCell cell;
     bool belongs;
@@ -34,7 +34,7 @@ struct Judged {
            cells.region.grown(0.5 * cells.grid.side).contains(cells.grid.centre(cell));
 }
 
-// What the plane of the cell at `place` says of the distance of the centre of `next`.
+// The distance of the centre of `next` from the surface, by the plane of the cell at `place`.
 [[nodiscard]] double expected_at(const SurfaceCells& cells, const SurfaceCell& cell, const Cell& place,
                                  const Cell& next) noexcept {
     const glm::dvec3 way(static_cast<double>(next[0] - place[0]), static_cast<double>(next[1] - place[1]),
@@ -42,8 +42,8 @@ struct Judged {
     return cell.distance + cells.grid.side * glm::dot(cell.normal, way);
 }
 
-// What a cell's plane calls too far off is left to a neighbour whose plane does not. Where planes have been wrong, as
-// at a sharp rim or if the function is no distance, the flood goes on anywhere.
+// Cells that a cell's plane puts too far off are left to neighbours whose planes do not. Where planes have been wrong,
+// as at a sharp rim or if the function is no distance, the flood goes on anywhere.
 [[nodiscard]] std::uint32_t onward_from(const SurfaceCells& cells, const Cell& place, const SurfaceCell& cell,
                                         bool anywhere) noexcept {
     const double side = cells.grid.side;

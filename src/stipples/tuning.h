@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The tuning constants of the stipples. scripts/bench quality and points measure what they do; docs/quality.md tells
-// it.
+// The tuning constants of the stipples. scripts/bench quality and points measure their effects; docs/quality.md
+// tells them.
 #pragma once
 
 #include <cstdint>
@@ -31,7 +31,7 @@ struct StippleTuning {
     double cell_spacings = 2.2;
     // A surface that fewer cells are across is not drawn. Larger: small surfaces in large boxes are refused.
     std::int64_t fewest_across = 8;
-    // A cell's plane is right where it differs from what is found at a place nearby by less than this, in sides.
+    // A cell's plane is right where it differs from the function at a place nearby by less than this, in sides.
     // Larger: fewer evaluations, and sheets close to others are missed.
     double plane_error = 0.1;
     // The flood goes on where a plane passes a neighbour by at up to this distance beyond the band, in sides. Larger:
@@ -94,7 +94,7 @@ struct StippleTuning {
     double threshold_power = 2.5;
     // Below this energy all places count as equally empty. Larger: the first marks of a stage are less even.
     float least_threshold = 0.05F;
-    // Where a sweep adds less than this part of what is expected, the threshold rises above the lowest energy by the
+    // Where a sweep adds less than this part of the expected marks, the threshold rises above the lowest energy by the
     // first factor, by the second one where the stage is full but for the given part. Larger: fewer sweeps, less even.
     double poor_sweep = 0.25;
     float rise = 1.06F;

@@ -422,8 +422,8 @@ base::Array<PiercingPlace> evaluate_places(const PiercingScene& in, const base::
     return places;
 }
 
-// Whether f may be 0 between two places where it has one sign: not where f, taken for a cubic, keeps its sign, nor
-// where it stays so near to 0 that the line lies in the surface.
+// Whether f may be 0 between two places where it has one sign. It is not where f, taken for a cubic, keeps its sign,
+// nor where it stays within `in_surface` of 0, so that the line lies in the surface.
 bool may_pierce(const PiercingPlace& a, const PiercingPlace& b, double in_surface) noexcept {
     const double length = b.share - a.share;
     const double sign = a.value < 0.0 ? -1.0 : 1.0;

@@ -349,7 +349,7 @@ struct BesideChange {
     std::int32_t change;
 };
 
-// Both lines that cross pass from what the other's surface does not reach to what it does, or back.
+// Each of two lines that cross comes beside the other's surface there, or leaves it.
 base::Array<BesideChange> changes_beside(const Counting& in, const base::Array<Crossing>& crossings,
                                          std::span<const std::uint8_t> wanted) {
     base::Array<BesideChange> changes(in.memory());

@@ -31,7 +31,7 @@ constexpr std::int64_t planes_of_one = 2 * LayerPlanes::layers + 2;
 constexpr std::int64_t rays_at_a_time = 16384;
 constexpr std::int32_t most_layers = 8; // a ray finds at most this many
 
-// What the tiles of a drawing are dimmed by.
+// The surfaces and tables that dim the tiles of a drawing.
 struct Dimming {
     const Scene& scene;
     const HatchTiles& hatching;
@@ -75,7 +75,7 @@ struct Dimming {
     return true;
 }
 
-// What a dot is seen through.
+// The layers that a dot is seen through.
 struct Dimmed {
     float transmittance = 1.0F;
     // Other layers may lie between the ink and this depth; nothing: none can.
@@ -188,8 +188,8 @@ std::int64_t dim_tile(const Dimming& by, LayerPlanes& planes, drawing::Drawing& 
 
 // ---- Rays
 
-// Multiplies the opacity of the dots that were asked for by what the layers let through that their rays meet. Returns
-// how many are no longer drawn.
+// Multiplies the opacity of the dots that were asked for by the transmittance of the layers that their rays meet.
+// Returns how many are no longer drawn.
 std::int64_t cast(const base::Runtime& runtime, const Scene& scene, const ItemView& item, DepthLayers& scratch,
                   drawing::Drawing& drawing) {
     HRBFNPR_ASSERT(scratch.rays.origin.size() == scratch.asked.size());
@@ -248,7 +248,7 @@ std::int64_t dim_by_layers(const base::Runtime& runtime, const Scene& scene, con
 
 std::int64_t dim_by_rays(const base::Runtime& runtime, const Scene& scene, DepthLayers& scratch,
                          drawing::Drawing& drawing) {
-    scratch.rays.origin.clear(); // what a failed frame left
+    scratch.rays.origin.clear(); // a failed frame leaves rays here
     scratch.rays.direction.clear();
     scratch.asked.clear();
     const glm::dvec3 centre(scene.lens.centre);

@@ -21,8 +21,8 @@ struct DepthLayers {
     explicit DepthLayers(base::Memory& memory) noexcept
         : largest(memory), planes(memory), seen(memory), rays(memory), hits(memory), asked(memory) {}
 
-    // The radius of the largest splat in each tile of the drawing's dots, pixels: what a splat hides ends up to that
-    // beyond its surface.
+    // The radius of the largest splat in each tile of the drawing's dots, pixels: splats hide ink up to
+    // this far beyond their surface.
     base::Array<float> largest;
 
     // Scratch.
@@ -38,8 +38,9 @@ struct DepthLayers {
     }
 };
 
-// Bins the drawing's splats, and sets the opacity of each of its dots by what the depth layers that they stand for let
-// through. The dots stand in tiles already, and those of hatching in tiles of their own. Returns how many are drawn.
+// Bins the drawing's splats, and sets the opacity of each of its dots by the transmittance of the depth layers that
+// the splats stand for. The dots stand in tiles already, and those of hatching in tiles of their own. Returns how many
+// are drawn.
 [[nodiscard]] std::int64_t dim_by_layers(const base::Runtime& runtime, const Scene& scene, const HatchTiles& hatching,
                                          DepthLayers& scratch, drawing::Drawing& drawing);
 

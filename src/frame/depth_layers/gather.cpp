@@ -174,7 +174,7 @@ struct RunView {
     std::uint32_t layer; // number of the run's layer in the drawing
 };
 
-// Where the next dot and splat go, and what was counted.
+// Where the next dot and splat go, and the counts so far.
 struct Gathered {
     Dot* dot;
     Splat* splat;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A drawing by depth layers: ink, dimmed by what it is seen through.
+// A drawing by depth layers: ink, dimmed by the layers of surface before it.
 //
 // | step | function | makes |
 // | 1 | gather | dots and splats of marks |

@@ -12,7 +12,7 @@ namespace hrbfnpr::frame {
 using drawing::Splat;
 
 // Rows of `stride` floats, one for each pixel. Along a line of sight these are the nearest layer that faces the eye,
-// the nearest that faces away, and the ones after them: their depths, and what they let through.
+// the nearest that faces away, and the ones after them: their depths and transmittances.
 struct LayerPlanes {
     enum Layer : std::int64_t { front, back, next_front, next_back, layers };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The strokes of lines: curves traced for this camera, their visibility, and what the styles make of them.
+// The strokes of lines: curves traced for this camera, their visibility, and their widths and parts by style.
 #pragma once
 
 #include "base/runtime.h"

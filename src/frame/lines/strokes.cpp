@@ -162,8 +162,8 @@ void walk(const LineInput& in, const visibility::Interval& interval, double step
     }
 }
 
-// 1 for intervals that are hidden and short, of a contour of a surface with creases, and all of them so near to a
-// contour that is seen that they belong to it. `width` is that of the widest lines, pixels.
+// 1 for intervals that are hidden and short, of a contour of a surface with creases, and lie all along a
+// contour that is seen, so that they belong to it. `width` is that of the widest lines, pixels.
 base::Array<std::uint8_t> find_hugging(base::Memory& memory, const LineInput& in, double width) {
     const base::Array<visibility::Interval>& intervals = in.found.intervals;
     base::Array<std::uint8_t> hugs(memory, intervals.size());
@@ -363,8 +363,8 @@ Shares in_window(const StrokeInput& in, const Place& from, const Place& to, doub
     return shares;
 }
 
-// Places between those of a part, where what changes along its chords changes evenly between points. What is not seen
-// has none.
+// Places between those of a part, so that widths and opacities change evenly from one to the next. A part that is not
+// seen needs no places.
 void knots_of(const StrokeInput& in, Path& path) {
     path.knot.clear();
     const DrawnAs& as = path.as;

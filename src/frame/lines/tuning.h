@@ -13,8 +13,8 @@ struct LineTuning {
     double farthest_move = 1.0;
     // None of them are where more than this share of all points moves farther. Larger: more contours may be missed.
     double most_left_out = 0.1;
-    // Contours that go on are traced to this tolerance, in sides of the mesh: after a step so short a millionth is
-    // left, and the next frame asks again.
+    // Contours that go on are traced to this tolerance, in sides of the mesh. After a step of this length a millionth
+    // of a side is left, and the next frame asks again.
     double moved_tolerance = 1e-3;
     // Lines of the caller's own may lie this deep inside the surface, in sides of the mesh. Larger: more of the surface
     // just before such lines does not hide them.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How lines are drawn, and what the laws of a style say of their width: by depth, light and curvature at the points of
+// How lines are drawn, and how a style's laws set their width: by depth, light and curvature at the points of
 // curves, and along a line by whether it is part of the outline.
 #pragma once
 

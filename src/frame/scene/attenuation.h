@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Laws of hidden lines: how much paper a mark paints over what lies after it, and how much a layer of surface lets
+// Laws of hidden lines: how much paper a mark paints over the ink beyond it, and how much a layer of surface lets
 // through.                                                                                                  [NPAR 6.1]
 #pragma once
 
@@ -39,8 +39,8 @@ namespace hrbfnpr::frame {
     return -std::expm1(std::log1p(-alpha) * layers / overlap);
 }
 
-// What a layer of an item lets through. What a solid hides lies after two layers, one that faces the eye and one that
-// faces away. A surface that is drawn on both sides may be the only one there: it hides like both.
+// The transmittance of an item's layer. Ink that a solid hides lies beyond two layers, one that faces the eye and one
+// that faces away. A surface that is drawn on both sides may be the only one there: it hides like both.
 [[nodiscard]] inline float layer_transmittance(const Style& style, float nu, bool both_sides) noexcept {
     if (style.hidden_lines == HiddenLines::show) return 1.0F;
     if (style.hidden_lines == HiddenLines::hide) return 0.0F;

@@ -123,9 +123,9 @@ glm::dmat4 with_depth(DepthConvention depth, double near_plane, double far_plane
     return make(depth == DepthConvention::negative_one_to_one, near_plane, far_plane);
 }
 
-// What a camera has to see, in its own axes (right, up, forward) from an anchor. Seen from an eye e, a point p lies
-// between the lines of slope t on the right if p_x - e_x <= t (p_z - e_z), which is p_x - t p_z <= e_x - t e_z: only
-// the largest left side of all points matters, and likewise on the other three sides. With t = 0 the four are the
+// The extent that a camera has to see, in its own axes (right, up, forward) from an anchor. Seen from an eye e, a point
+// p lies between the lines of slope t on the right if p_x - e_x <= t (p_z - e_z), which is p_x - t p_z <= e_x - t e_z:
+// only the largest left side of all points matters, and likewise on the other three sides. With t = 0 the four are the
 // extents of an orthographic picture.
 struct Support {
     glm::dvec2 above{-std::numeric_limits<double>::infinity()}; // max of p - t p_z

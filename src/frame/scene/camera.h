@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The camera as the frame sees it, the helpers that build its matrices, and what a frame needs of it, combined once.
+// The camera as the frame sees it, the helpers that build its matrices, and the numbers that a frame derives from it
+// once.
 #pragma once
 
 #include "base/view.h"

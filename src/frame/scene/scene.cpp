@@ -61,8 +61,8 @@ void check_item(std::span<const Item> items, std::int64_t index) {
              ll{index});
 }
 
-// The same camera, whose eye space is measured in a unit that suits what the items reach from the eye. Projections give
-// the same pixels for any factor.
+// The same camera, whose eye space is measured in a unit that suits the farthest distance of items from the eye.
+// Projections give the same pixels for any factor.
 Camera unit_camera(Camera camera, std::span<const Item> items) noexcept {
     double reach = 0.0;
     for (const Item& item : items) {
@@ -313,7 +313,7 @@ void pose_runs(Scene& scene, const drawing::Drawing& drawing) {
 void turn_runs(Scene& scene) {
     std::int64_t marks = 0;
     for (const Run& run : scene.runs) marks += run.turned ? run.count : 0;
-    if (marks > 0) scene.turned.reserve(scene.runs.size()); // runs point to what is in it
+    if (marks > 0) scene.turned.reserve(scene.runs.size()); // runs point to its elements
     scene.turned_normal.resize_for_overwrite(3 * marks);
     float* to = scene.turned_normal.data();
     std::int64_t number = 0;
@@ -406,7 +406,7 @@ void add_chunks(Scene& scene) {
 
 void ToneCalls::begin(const ItemView& item, base::Array<float>& out) noexcept {
     HRBFNPR_ASSERT(item.style.tone_function != nullptr);
-    places_.clear(); // what a failed frame left
+    places_.clear(); // a failed frame leaves places here
     positions_.clear();
     normals_.clear();
     item_ = &item;

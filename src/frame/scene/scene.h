@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// What both producers of a drawing begin with: the items seen through the camera, and the runs of marks that take part.
+// The data that both producers of a drawing begin with: the items seen through the camera, and the runs of marks that
+// take part.
 //
-// set_up: items, camera -> Scene (lens, items, runs), and what the drawing knows of them
+// set_up: items, camera -> Scene (lens, items, runs), and the drawing's layers and runs
 // ToneCalls: places and normals of marks -> tau by the style's callback
 // add_chunks, Marks: what is known of each mark of a drawing as published
 #pragma once
@@ -35,7 +36,7 @@ using drawing::smallest_radius;
 using drawing::soft_rim;
 using drawing::Splat;
 
-// ---- What is drawn
+// ---- Pens and runs
 
 // Where the marks of one layer are in this drawing: views of as many elements as it has marks.
 struct Pose {
@@ -191,7 +192,7 @@ struct LineStrokes {
     base::Array<drawing::StrokePoint> points;
 };
 
-// ---- What is known of each mark, as published
+// ---- The numbers of each mark, as published
 
 // Consecutive marks of a run.
 struct Chunk {

@@ -96,7 +96,7 @@ void see(const Seer& s, const MarkRange& range, Seen& seen) {
 
 void see_rows(const Seer& seer, const MarkRows& m, const SeenRows& to) {
     const F d;
-    const Seer s = seer; // no store changes what is here
+    const Seer s = seer; // a copy that no store can change
     const SeenRows seen = to;
     const float* const rows[9] = {m.x, m.y, m.z, m.nx, m.ny, m.nz, m.tone_x, m.tone_y, m.tone_z};
     const auto lanes = static_cast<std::int64_t>(hn::Lanes(d));

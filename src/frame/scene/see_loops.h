@@ -17,7 +17,7 @@ struct Light {
     float towards[3];   // unit
 };
 
-// What is done to the marks of one item: rows of matrices, of positions and normals of the set.
+// The matrices that take the positions and normals of a set to the picture, as rows.
 struct Seer {
     float clip[4][4];   // to x w, y w, window depth w, w
     float eye[3][4];    // to eye space

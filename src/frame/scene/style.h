@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A style as the frame sees it. The boundary has checked it, and every field means what it does in hrbfnpr_style. [NPAR
-// 6]
+// A style as the frame sees it. The boundary has checked it, and every field has the meaning that it has in
+// hrbfnpr_style. [NPAR 6]
 #pragma once
 
 #include "drawing/dot.h"
@@ -59,7 +59,7 @@ struct LayerStyle {
 
 enum class HiddenParts : std::uint32_t { none = 0, attenuated = 1, dashed = 2, shown = 3 };
 
-// How lines of one kind are drawn. Every field means what it does in hrbfnpr_line_style.
+// How lines of one kind are drawn. Every field has the meaning that it has in hrbfnpr_line_style.
 struct LineStyle {
     LineKind kind = LineKind::contour;
     const char* name = nullptr; // the name of lines that are found once; NULL: any name

@@ -21,7 +21,7 @@ struct SceneTuning {
     // passed over.
     float rounding = 1.0001F;
 
-    // A halo and the line before it are nearer than what the halo cuts by at least this many pixels. Larger: fewer
+    // A halo and its line are nearer than the ink that the halo cuts by at least this many pixels. Larger: fewer
     // lines are cut that touch the contour, and fewer that lie just after it.
     float halo_gap = 4.0F;
 

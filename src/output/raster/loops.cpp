@@ -284,7 +284,7 @@ HWY_INLINE W place_along(const Shade& shade, std::int32_t y, W x) {
     return hn::Min(hn::Max(along, hn::Zero(d)), hn::Set(d, 1.0F));
 }
 
-// Adds to the planes what a row's pixels are covered by.
+// Adds the cover of a row's pixels to the planes.
 HWY_INLINE void add(const Target& t, const Shade& shade, std::int32_t y, std::int32_t x, W cover) {
     const F d;
     const std::int32_t at = y * t.tile.stride + x;
@@ -367,7 +367,7 @@ HWY_INLINE void clear_spans(const DiscTile& t, Spans& spans) {
     }
 }
 
-// Returns false if parts overlap; what was laid until then does not count.
+// Returns false if parts overlap; the parts laid until then do not count.
 HWY_INLINE bool lay_segments(Target& t, const SegmentList& list) {
     Outliner outliner(list, false);
     Outline outline;

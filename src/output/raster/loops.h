@@ -14,7 +14,7 @@ namespace hrbfnpr::output {
 struct DiscTile {
     std::int32_t width, height, stride; // stride >= width + 8
     float* transmittance;               // the part of the paper that still shows, from 0 to 1
-    float* color[3];                    // what the inks add to it, premultiplied; NULL: all inks have one colour
+    float* color[3];                    // the colour that inks add to it, premultiplied; NULL: all inks have one colour
     const float* host;                  // depth of the host's picture, falling towards the eye; or NULL
 };
 

@@ -24,7 +24,7 @@ constexpr std::int64_t points_ahead = 10; // this many points of the tile's next
 enum Plane : std::int64_t { transmittance, red, green, blue, host, cover, ink, planes };
 static_assert(side <= StrokeUnion::most_side);
 
-// What the tasks of all tiles read.
+// The data that the tasks of all tiles read.
 struct Job {
     const Drawing& drawing;
     const Image& image;
@@ -44,7 +44,7 @@ struct Job {
     [[nodiscard]] glm::vec4 in_light(const glm::vec4& color) const noexcept {
         return settings.linear_light ? to_linear(color) : color;
     }
-    // The colour of all inks, opaque: their alpha is in what they leave of the paper.
+    // The colour of all inks, opaque: their alpha is in the part of the paper that they leave.
     [[nodiscard]] glm::vec4 one_ink() const noexcept { return in_light({glm::vec3(drawing.ink_color), 1.0F}); }
     [[nodiscard]] std::int64_t element(std::int32_t x, std::int32_t y) const noexcept {
         return std::int64_t{y} * image.width + x;
@@ -180,7 +180,7 @@ void store(const Job& job, const Canvas& canvas) noexcept {
 
 // ---- Depth, id and class
 
-// What is nearest at a pixel's centre: a layer, or ink, which lies a little nearer than its layer.
+// The nearest thing at a pixel's centre: a layer, or ink, which lies a little nearer than its layer.
 struct Nearest {
     float depth; // eye units
     float window;
@@ -189,7 +189,7 @@ struct Nearest {
 };
 
 // Calls note(x, y, radius, nearest, reaches) for all that may lie at pixels of the tile. reaches(dx, dy, nearest) says
-// whether it is at a place around (x, y), and may say what is there.
+// whether it is at a place around (x, y), and may change `nearest` there.
 template <class Note>
 void for_all_of_tile(const Job& job, std::int64_t tile, const Note& note) {
     const Drawing& drawing = job.drawing;

@@ -302,7 +302,7 @@ bool Outliner::join(Outline& outline) const noexcept {
 
 namespace {
 
-// Consecutive segments whose directions lie within 60 degrees of the first one's, and what they reach.
+// Consecutive segments whose directions lie within 60 degrees of the first one's, and their extent.
 struct Stretch {
     float along_x, along_y, square; // the first segment's vector, pixels, and the square of its length
     float left, top, right, bottom;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a stroke covers, as polygons side by side: one for each segment.
+// The area that a stroke covers, as polygons side by side: one for each segment.
 #pragma once
 
 #include "base/assert.h"

@@ -9,7 +9,7 @@
 
 namespace hrbfnpr::output {
 
-// What a segment gives to the pixels that it covers. Opacity and depth change evenly along it.
+// The opacity and depth of a segment at the pixels that it covers. They change evenly along it.
 struct Shade {
     float from, step_x, step_y; // the place along it: from + step . pixel, in [0, 1]
     float opacity, more_opacity;

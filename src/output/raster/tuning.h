@@ -17,7 +17,7 @@ struct RasterTuning {
     double arc_tolerance = 0.006;
     // The same for an arc of one chord, whose error is all on one side.
     double chord_tolerance = 0.0008;
-    // Both are multiplied by this where arcs may lie upon each other, since what they are off adds up.
+    // Both are multiplied by this where arcs may lie upon each other, since their errors add up.
     double finer = 0.2;
     // A quarter of a circle has at most two to this power chords.
     int most_halvings = 6;

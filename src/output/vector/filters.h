@@ -94,8 +94,8 @@ void Clip::parts(const PagePath& path, const Frame& frame, Take&& take) {
 // handed on before.
 class PlotOrder final : public PageFilter {
 public:
-    // settings: their size is the page's, and nothing is drawn beyond it. track: counts what is handed on; NULL: the
-    // next sink does.
+    // settings: their size is the page's, and nothing is drawn beyond it. `track` counts the lines that are handed on;
+    // NULL: the next sink counts them.
     PlotOrder(base::Memory& memory, PageSink& next, const PageSettings& settings, PageCounts& counts, PenTrack* track,
               const base::Progress& progress);
 
@@ -121,7 +121,7 @@ private:
     PenTrack* track_;
     const base::Progress& progress_;
     Looks looks_;
-    Frame frame_; // the part of the page that can be drawn on, mm: within a view, what the view's frame has of it
+    Frame frame_; // the part of the page that can be drawn on, mm: within a view, the part inside the view's frame
     PageGroup group_;
     PlotLines lines_;
     base::Array<PageDot> dots_;

@@ -64,7 +64,7 @@ struct PagePath {
 struct PageDot {
     double x, y, radius;
     double opacity; // times the group's ink
-    bool is_paper;  // it covers what was drawn before
+    bool is_paper;  // it covers all that was drawn before
 };
 
 struct PageText {
@@ -116,7 +116,7 @@ public:
     virtual void finish() = 0;
 };
 
-// Hands all on to the next sink; filters override what they change.
+// Hands all on to the next sink; filters override the calls that they change.
 class PageFilter : public PageSink {
 public:
     explicit PageFilter(PageSink& next) noexcept : next_(next) {}

@@ -98,7 +98,7 @@ public:
         out_ << ") Tj ET\n";
     }
     void end_group() override { out_ << "EMC\n"; }
-    // After the view the graphics state is what it was before it.
+    // The graphics state of before the view is restored.
     void end_view() override {
         out_ << "Q\n";
         ink_ = glm::vec4(-1.0F);

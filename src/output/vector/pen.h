@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a pen does: straight lines within the tolerance of a line, the way that it goes for a dot, and the time it
+// The way of a pen: straight lines within the tolerance of a line, the way that it goes for a dot, and the time it
 // takes.
 #pragma once
 
@@ -10,7 +10,7 @@ namespace hrbfnpr::output {
 // Adds the points of a spiral by which a pen of this width fills a disc, from its middle outward.
 void add_spiral(const PageDot& dot, double pen_width, double tolerance, base::Array<glm::dvec2>& points);
 
-// The lines that a pen goes along. It holds working memory; what it returns is valid until the next call.
+// The lines that a pen goes along. It holds working memory; its result is valid until the next call.
 class PenLines {
 public:
     explicit PenLines(base::Memory& memory) noexcept : places_(memory), line_(memory), keeps_(memory) {}
@@ -27,7 +27,7 @@ private:
     base::Array<std::uint8_t> keeps_;
 };
 
-// Adds up what a pen does, which begins raised in a corner.
+// Adds up the way of a pen, which begins raised in a corner.
 class PenTrack {
 public:
     PenTrack(PageCounts& counts, const PenSpeeds& speeds, const glm::dvec2& from) noexcept

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Lines of a group that waits to be sorted, and what is done to them: ends that meet are joined, lines wider than their
+// Lines of a group that waits to be sorted, and the steps of sorting: ends that meet are joined, lines wider than their
 // pen are filled by several passes, and a tour goes through all.
 #pragma once
 

@@ -14,7 +14,7 @@ namespace {
 using glm::dvec2;
 
 // All places in a file are thousandths. A curve is written as a straight line if its handles lie off its chord by no
-// more than this, and an opacity from `opaque` on is left out: neither could be told apart in what is written.
+// more than this, and an opacity from `opaque` on is left out: neither makes a difference in the file.
 constexpr double straight = 1.5;
 constexpr double opaque = 0.9995;
 

@@ -39,7 +39,7 @@ struct PlotTuning {
     // A link that is longer than this part of the thinner line's width must not be a step to the side.
     double seen_link = 0.5;
 
-    // ---- What is too fine for the pen
+    // ---- Lines and dots that are too fine for the pen
 
     // Lines shorter than this, in widths, are dropped, and of dots that are nearer to each other the later ones.
     double shortest_line = 0.5;

@@ -10,7 +10,7 @@
 
 namespace hrbfnpr::output {
 
-// A writer refers to all that it is given, and counts what it writes.
+// A writer refers to all that it is given, and counts its lines and dots.
 using MakeWriter = std::unique_ptr<PageSink>(base::Memory& memory, io::Writer& writer, const PageInfo& page,
                                              const PageSettings& settings, PageCounts& counts);
 MakeWriter svg_writer;
