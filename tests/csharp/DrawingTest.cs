@@ -40,9 +40,7 @@ namespace HrbfNpr.Tests
                 DrawingInfo info = drawing.Info;
                 Assert.True(info.Strokes > 0 && info.StrokePoints > 40);
                 Assert.Equal(0L, info.Dots);
-                Assert.Equal(2, drawing.Layers.Count); // the front, and contours, of which there are none
-                Assert.Equal(MarkClass.Silhouette, drawing.Layers[1].MarkClass);
-                Assert.Equal(0L, drawing.Layers[1].Dots);
+                Assert.Equal(1, drawing.Layers.Count);
                 DrawingLayerInfo layer = drawing.Layers[0];
                 Assert.Equal(LayerKind.Own, layer.Kind);
                 Assert.Equal("rings", layer.Name);

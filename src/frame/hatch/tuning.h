@@ -79,7 +79,7 @@ struct HatchTuning {
     // ---- Points
 
     // The distance between samples of a line, in pixels. Smaller: closer to the curve, more time.
-    float step = 3.0F;
+    float step = 2.75F;
     // Marks around those that may be drawn are looked at, too, as many on either side: the first that is not drawn, the
     // next one for its tangent, and the next one for the spacing there. Fewer: ends are wrong.
     std::int64_t marks_around = 3;
