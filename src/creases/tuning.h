@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The tuning constants of creases. "Sides" are those of the mesh's cells. They were set on trees of solids, seams of
-// fitted patches, and machine parts, by scripts/bench edges.
+// The tuning constants of creases. "Sides" are those of the mesh's cells. scripts/bench edges measures
+// their effects on trees of solids and on fitted patches.
 #pragma once
 
 namespace hrbfnpr::curves {

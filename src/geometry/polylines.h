@@ -96,7 +96,7 @@ struct Cubic {
     return s * s * s * start + 3.0 * s * s * t * c.control_1 + 3.0 * s * t * t * c.control_2 + t * t * t * c.end;
 }
 
-// The tuning constants of CurveFit. Set on pages of strokes, lines and spirals, by scripts/bench vector.
+// The tuning constants of CurveFit. scripts/bench vector measures their effects.
 struct CurveFitTuning {
     // A line keeps a corner where it turns by more than the angle of this cosine, 40 degrees. Larger: more corners.
     double corner_cosine = 0.766;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The tuning constants of hatching on the surface. Set on bumpy surfaces, tori, knots, a head, a bunny, a gargoyle and
-// shapes with creases, by scripts/bench strokes --only=surface.
+// The tuning constants of hatching on the surface. scripts/bench strokes --only=surface measures their
+// effects on bumpy surfaces, tori, knots and the models that --models names.
 #pragma once
 
 #include <cstdint>

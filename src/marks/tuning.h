@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The tuning constants of point sets. Set on a head, a bunny, knots, tori and ramps.
+// The tuning constants of point sets. scripts/bench strokes and frame measure their effects.
 #pragma once
 
 #include <cstdint>

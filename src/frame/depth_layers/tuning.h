@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The tuning constants of drawings by depth layers. Set on a torus, a sphere, a bunny and a head, by scripts/bench
-// frame and the tests of layers.
+// The tuning constants of drawings by depth layers. scripts/bench frame measures their effects.
 #pragma once
 
 namespace hrbfnpr::frame {

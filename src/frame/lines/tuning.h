@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The tuning constants of a drawing's lines. Set on tori, knots, CSG parts, a gargoyle, a head and a canyon, by
-// scripts/bench lines and by looking at pictures.
+// The tuning constants of a drawing's lines. scripts/bench lines measures their effects.
 #pragma once
 
 namespace hrbfnpr::frame {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The tuning constants of the rasteriser. Set on strokes of hatching, wobbled contours and random strokes against exact
-// areas of pixels, by tests/raster and scripts/bench frame.
+// The tuning constants of the rasteriser. tests/raster holds its strokes against exact areas of pixels; scripts/bench
+// frame measures its time.
 #pragma once
 
 namespace hrbfnpr::output {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The tuning constants of pages. Set on pages of stipples, hatching, contours and random lines, by scripts/bench
-// vector. Formats, line types and fonts are data, not tuning: page.h has them.
+// The tuning constants of pages. scripts/bench vector measures their effects. Formats, line types and fonts are data,
+// not tuning: page.h has them.
 #pragma once
 
 #include <cstdint>
