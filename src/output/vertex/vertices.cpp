@@ -47,10 +47,10 @@ struct AttributeType {
     std::int64_t components;
     bool as_float, as_byte, as_word;
 };
-constexpr AttributeType vector3{3, true, false, false}, number{1, true, false, false}, color4{4, true, true, false},
+constexpr AttributeType vector3{3, true, false, false}, scalar{1, true, false, false}, color4{4, true, true, false},
     word{1, false, false, true}, small{1, false, true, true};
 constexpr std::array<AttributeType, last_attribute + 1> attribute_types{
-    vector3, vector3, number, color4, vector3, vector3, word, small, small, word, number, word, word, word};
+    vector3, vector3, scalar, color4, vector3, vector3, word, small, small, word, scalar, word, word, word};
 
 // All that a vertex can carry. Its mark is asked for once if any field wants something of it.
 struct Vertex {
