@@ -113,7 +113,7 @@ private:
     void check_model(std::int64_t i, const Node& node) const {
         if (node.kind != HRBFNPR_CSG_MODEL) return;
         if (node.model == nullptr) fail(Status::invalid_argument, "%s.model is NULL", list_.name(i).text);
-        if (node.model->implicit().extent() != nullptr)
+        if (node.model->implicit().domain() != nullptr)
             fail(Status::invalid_argument,
                  "%s.model is trimmed: a surface with a border bounds no solid; fit it with fit_desc.trim "
                  "HRBFNPR_TRIM_NEVER",

@@ -142,8 +142,8 @@ struct SupportArrays {
 
     [[nodiscard]] curves::SupportSettings settings(double limit, const hrbfnpr_model& model) const {
         curves::SupportSettings settings{limit, points.span(), normals.span(), nullptr};
-        settings.trim = limit > 0.0 ? nullptr : model.trim().trim.get();
-        if (settings.trim != nullptr) return settings;
+        settings.domain = limit > 0.0 ? nullptr : model.trim().trim.get();
+        if (settings.domain != nullptr) return settings;
         if (points.empty()) {
             settings.points = model.samples().position;
             settings.normals = model.sample_normals();

@@ -149,7 +149,7 @@ generate::FoundTrim trim_of(const base::Runtime& runtime, const io::TrimFile& fi
     std::copy_n(file.report.begin(), std::min<std::int64_t>(file.report.size(), 5), n.begin());
     generate::FoundTrim found;
     found.report = {support.samples(), count_of(n[0]), count_of(n[1]), n[2], n[3], n[4]};
-    found.trim = std::make_unique<surface::Trim>(std::move(support), file.limit, file.closest);
+    found.trim = std::make_unique<surface::SupportDomain>(std::move(support), file.limit, file.closest);
     return found;
 }
 

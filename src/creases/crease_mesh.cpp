@@ -369,7 +369,7 @@ void find_chains(const SheetMesh& in, CreaseChains& chains) {
 void build(const base::Runtime& runtime, SheetMesh& in, SharpMesh& out, const base::Progress& progress) {
     SurfaceMesh& to = out.mesh;
     to.region = in.mesh.region;
-    to.end = in.mesh.end;
+    to.domain = in.mesh.domain;
     to.side = in.mesh.side;
     to.unresolved = in.mesh.unresolved;
     to.missed_seeds = in.mesh.missed_seeds;

@@ -1,7 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "creases/sheet_parts.h"
 
+#include "base/assert.h"
 #include "curves/mesh_topology.h"
+#include "curves/tuning.h"
+#include "geometry/point_grid.h"
+#include "implicit/sheets.h"
+#include "surface/sheets_meet.h"
+
+#include <cmath>
+#include <utility>
 
 namespace hrbfnpr::curves {
 namespace {
@@ -15,6 +23,52 @@ struct BySheet {
         for (std::int64_t t = 0; t < mesh.sheet.size(); ++t) order[begin[mesh.sheet[t] + 1]++] = t;
     }
     base::Array<std::int64_t> begin, order;
+};
+
+// One sheet of a whole surface: it is where this sheet is f.
+class SheetDomain final : public implicit::Domain {
+public:
+    // creases: places along those of all sheets, no farther apart than a side of the mesh. Near any crease a sheet may
+    // end: a curve that leaves it may come to another sheet that is the same function, as for cylinders on one axis.
+    // own: the sheet's triangles, which must outlive it. base: the domain of the whole surface, or null.
+    SheetDomain(const implicit::Implicit& whole, std::int32_t sheet, std::shared_ptr<const geometry::PointGrid> creases,
+                const SurfaceMesh& own, const implicit::Domain* base)
+        : whole_(whole), sheet_(sheet), own_(own), creases_(std::move(creases)),
+          vertices_(own.position, curve_tuning.vertex_reach * own.side), base_(base) {
+        HRBFNPR_ASSERT(whole.sheets() != nullptr && sheet >= 0 && sheet < whole.sheets()->count());
+    }
+
+    [[nodiscard]] bool near_end(const glm::dvec3& place) const noexcept override {
+        return (base_ != nullptr && base_->near_end(place)) || creases_->any_around(place);
+    }
+    // The distance from the whole surface, or a side where that is another sheet, unless the sheet is the active one.
+    // Either of two equal sheets may be active: a place on the whole surface belongs to this sheet if one of its
+    // vertices is near.
+    [[nodiscard]] double beyond(const glm::dvec3& place, const glm::dvec3& gradient) const noexcept override {
+        const double on_surface = curve_tuning.on_sheet * own_.side;
+        if (surface::active_at(*whole_.sheets(), place) != sheet_) {
+            double value = 0.0;
+            glm::dvec3 slope(0.0);
+            whole_.evaluate({&place.x, &place.y, &place.z, 1}, {&value, {&slope.x, &slope.y, &slope.z}, {}});
+            const double off = std::abs(value) / glm::length(slope);
+            if (!(off <= on_surface)) return off;
+            bool is_own = false;
+            vertices_.around(place, [&](std::int64_t at) {
+                const glm::dvec3 vertex = own_.position[vertices_.index(at)];
+                is_own = is_own || glm::distance(vertex, place) <= curve_tuning.vertex_reach * own_.side;
+            });
+            if (!is_own) return own_.side;
+        }
+        return base_ != nullptr && base_->near_end(place) ? base_->beyond(place, gradient) : -on_surface;
+    }
+
+private:
+    const implicit::Implicit& whole_;
+    std::int32_t sheet_;
+    const SurfaceMesh& own_;
+    std::shared_ptr<const geometry::PointGrid> creases_;
+    geometry::PointGrid vertices_;
+    const implicit::Domain* base_;
 };
 
 } // namespace
@@ -50,10 +104,10 @@ base::List<std::unique_ptr<SheetPart>> sheet_parts(const base::Runtime& runtime,
         for (std::int64_t e = 0; e < part.mesh.corner.size(); ++e)
             if (part.mesh.neighbour[e] < 0) creases.push_back(part.mesh.position[part.mesh.corner[e]]);
     }
-    const auto grid = SheetEnd::grid_of(creases, mesh.mesh.side);
+    const auto grid = std::make_shared<const geometry::PointGrid>(creases, curve_tuning.border_reach * mesh.mesh.side);
     for (const std::unique_ptr<SheetPart>& part : parts) {
-        part->end = std::make_unique<SheetEnd>(whole, *all, part->sheet, grid, part->mesh, mesh.mesh.end);
-        part->mesh.end = part->end.get();
+        part->domain = std::make_unique<SheetDomain>(whole, part->sheet, grid, part->mesh, mesh.mesh.domain);
+        part->mesh.domain = part->domain.get();
     }
     return parts;
 }

@@ -4,7 +4,6 @@
 
 #include "base/list.h"
 #include "creases/crease_mesh.h"
-#include "curves/surface_end.h"
 #include "implicit/one_sheet.h"
 
 #include <memory>
@@ -17,8 +16,8 @@ struct SheetPart {
 
     std::int32_t sheet;
     implicit::OneSheet surface;
-    SurfaceMesh mesh; // the mesh of this sheet alone; it ends at the sheet's creases
-    std::unique_ptr<const SheetEnd> end;
+    SurfaceMesh mesh;                               // the mesh of this sheet alone; it ends at the sheet's creases
+    std::unique_ptr<const implicit::Domain> domain; // the mesh's
 };
 
 // A part of each sheet that has triangles, in the order of sheets.

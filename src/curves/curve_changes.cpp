@@ -185,13 +185,14 @@ Curves refined_at_cusps(const base::Runtime& runtime, const Level& contour, cons
 // ---- The border
 
 // Whether the surface is there, for each point. Far from the border a curve is where it was when it last came near it.
-base::Array<std::uint8_t> find_held(const base::Runtime& runtime, const SurfaceEnd& end, const Curves& curves) {
+base::Array<std::uint8_t> find_held(const base::Runtime& runtime, const implicit::Domain& domain,
+                                    const Curves& curves) {
     constexpr std::uint8_t unknown = 2;
     base::Array<std::uint8_t> holds(runtime.memory, curves.point.size());
     runtime.parallel.for_chunks(holds.size(), 256, [&](std::int64_t first, std::int64_t last) {
         for (std::int64_t i = first; i < last; ++i) {
             const CurvePoint& p = curves.point[i];
-            holds[i] = !end.near_border(p.position) ? unknown : end.beyond(p.position, p.gradient) <= 0.0 ? 1 : 0;
+            holds[i] = !domain.near_end(p.position) ? unknown : domain.beyond(p.position, p.gradient) <= 0.0 ? 1 : 0;
         }
     });
     for (std::int64_t c = 0; c < curves.count(); ++c) {
@@ -324,10 +325,10 @@ Curves finer_curves(const base::Runtime& runtime, const Level& contour, const Vi
     return result;
 }
 
-Curves clip(const base::Runtime& runtime, const Level& level, const SurfaceEnd& end, const Curves& curves,
+Curves clip(const base::Runtime& runtime, const Level& level, const implicit::Domain& domain, const Curves& curves,
             const base::Progress& progress) {
-    const base::Array<std::uint8_t> holds = find_held(runtime, end, curves);
-    const auto beyond = [&](const CurvePoint& p) { return end.beyond(p.position, p.gradient); };
+    const base::Array<std::uint8_t> holds = find_held(runtime, domain, curves);
+    const auto beyond = [&](const CurvePoint& p) { return domain.beyond(p.position, p.gradient); };
     base::Array<Bracket> brackets(runtime.memory);
     for_pieces(curves, [&](std::int64_t at, std::int64_t next) {
         if (holds[at] == holds[next]) return;

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "curves/curves.h"
-#include "curves/surface_end.h"
+#include "implicit/domain.h"
 
 #include <span>
 
@@ -24,7 +24,7 @@ namespace hrbfnpr::curves {
 
 // The parts of curves that lie where the surface is, ended exactly on its border. The curves are zero lines of `level`;
 // each passes somewhere where the surface is.
-[[nodiscard]] Curves clip(const base::Runtime& runtime, const Level& level, const SurfaceEnd& end, const Curves& curves,
-                          const base::Progress& progress);
+[[nodiscard]] Curves clip(const base::Runtime& runtime, const Level& level, const implicit::Domain& domain,
+                          const Curves& curves, const base::Progress& progress);
 
 } // namespace hrbfnpr::curves

@@ -8,7 +8,6 @@
 #include "curves/sheet_count.h"
 
 #include "base/list.h"
-#include "curves/surface_end.h"
 #include "curves/tuning.h"
 #include "geometry/tangent_frame.h"
 #include "implicit/evaluate_all.h"
@@ -413,7 +412,7 @@ void count_roots(const base::Runtime& runtime, const implicit::Implicit& implici
 // Takes the roots beyond the surface's end from the list and from the counts. Where one lies on the border, as far as
 // numbers tell, its count is not certain. Roots near the border are found by Newton's steps, or by halving where these
 // leave the root's bounds.
-void drop_roots(const base::Runtime& runtime, const implicit::Implicit& implicit, const SurfaceEnd& end,
+void drop_roots(const base::Runtime& runtime, const implicit::Implicit& implicit, const implicit::Domain& domain,
                 const base::Array<Line>& lines, const Spans& spans, base::Array<Root>& roots,
                 base::Array<RootCount>& counts, const base::Progress& progress) {
     struct Doubtful {
@@ -428,7 +427,7 @@ void drop_roots(const base::Runtime& runtime, const implicit::Implicit& implicit
     base::Array<std::int64_t> left(runtime.memory); // the doubtful ones that are still searched
     for (std::int64_t i = 0; i < roots.size(); ++i) {
         const Doubtful d{i, roots[i], 0.5 * (roots[i].low + roots[i].high), glm::dvec3(0.0), glm::dvec3(0.0), false};
-        if (!end.near_border(line(d).at(d.at))) continue;
+        if (!domain.near_end(line(d).at(d.at))) continue;
         left.push_back(doubtful.size());
         doubtful.push_back(d);
     }
@@ -460,7 +459,7 @@ void drop_roots(const base::Runtime& runtime, const implicit::Implicit& implicit
         double beyond = -1.0;
         if (next < doubtful.size() && doubtful[next].number == i) {
             const Doubtful& d = doubtful[next++];
-            beyond = end.beyond(d.place, d.gradient);
+            beyond = domain.beyond(d.place, d.gradient);
             if (!d.done || std::abs(beyond) < curve_tuning.on_border) count.certain = false;
         }
         if (beyond > 0.0)
@@ -507,9 +506,9 @@ void SheetCounter::count(const base::Runtime& runtime, const implicit::Implicit&
     }
     base::Array<RootCount> counts(runtime.memory);
     base::Array<Root> roots(runtime.memory);
-    const SurfaceEnd* const end = mesh_.end;
+    const implicit::Domain* const domain = mesh_.domain;
     count_roots(runtime, implicit, lines, spans, counts, roots, progress);
-    if (end != nullptr) drop_roots(runtime, implicit, *end, lines, spans, roots, counts, progress);
+    if (domain != nullptr) drop_roots(runtime, implicit, *domain, lines, spans, roots, counts, progress);
 
     answer.resize(segments);
     std::fill(answer.begin(), answer.end(), Answer{});
@@ -519,7 +518,7 @@ void SheetCounter::count(const base::Runtime& runtime, const implicit::Implicit&
         its.sheets += counts[i].roots;
         const bool beside_end = span.line_begins || span.line_ends;
         // Between two spans of a line there is no surface, nor a root of f, unless the surface ends before f does.
-        const bool jumps = end == nullptr && i > 0 && spans.span[i - 1].line == span.line &&
+        const bool jumps = domain == nullptr && i > 0 && spans.span[i - 1].line == span.line &&
                            counts[i - 1].negative_at_end != counts[i].negative_at_begin;
         if (!counts[i].certain || jumps || (!beside_end && counts[i].roots != span.crossings)) its.certain = false;
     }

@@ -270,7 +270,7 @@ CrossedCells find_crossed_cells(const base::Runtime& runtime, const implicit::Im
     CrossedCells cells(runtime.memory, lattice);
     geometry::CellSet asked(runtime.memory), beyond(runtime.memory); // blocks of cells
     const auto is_beyond = [&](const Cell& cell) {
-        if (settings.extent == nullptr) return false;
+        if (settings.domain == nullptr) return false;
         const Cell block{cell[0] / block_side, cell[1] / block_side, cell[2] / block_side};
         const std::uint64_t packed = geometry::CellGrid::pack(block);
         if (asked.insert(packed)) {
@@ -278,7 +278,7 @@ CrossedCells find_crossed_cells(const base::Runtime& runtime, const implicit::Im
             const glm::dvec3 first(static_cast<double>(block[0]), static_cast<double>(block[1]),
                                    static_cast<double>(block[2]));
             const glm::dvec3 middle = lattice.region.min + lattice.side * (2.0 * half * first + half);
-            if (settings.extent->is_nowhere_near(middle, (half + curve_tuning.beyond_end) * lattice.longest()))
+            if (settings.domain->is_nowhere_near(middle, (half + curve_tuning.beyond_end) * lattice.longest()))
                 beyond.insert(packed);
         }
         return beyond.contains(packed);

@@ -14,14 +14,12 @@
 
 namespace hrbfnpr::curves {
 
-class SurfaceEnd;
-
 struct MeshSettings {
     geometry::Bounds region; // the mesh ends where this ends, and beyond it f is evaluated at seeds only
     double side = 0.0;       // the most that a cell's side may be, > 0: parts that are thinner or smaller may be missed
     std::int64_t triangle_limit = 4'000'000;
     // The mesh need not go on where this says that the surface is nowhere near; it goes on for some cells at least.
-    const implicit::Extent* extent = nullptr;
+    const implicit::Domain* domain = nullptr;
     double tolerance = 1e-9; // how far vertices may be off the surface, in diagonals
 };
 
@@ -35,9 +33,9 @@ struct SurfaceMesh {
     base::Array<std::int32_t> corner;    // 3 of each triangle, counter-clockwise as seen from where f > 0
     base::Array<std::int32_t> neighbour; // 3 of each triangle: the one across the edge from corner k to k + 1; -1: none
     geometry::Bounds region;
-    const SurfaceEnd* end = nullptr; // where the surface ends within the region, if it does
-    double side = 0.0;               // the longest side of the cells
-    std::int64_t unresolved = 0;     // vertices that the search did not bring onto the surface, or whose gradient is 0
+    const implicit::Domain* domain = nullptr; // where the surface is within the region; null: all of it
+    double side = 0.0;                        // the longest side of the cells
+    std::int64_t unresolved = 0; // vertices that the search did not bring onto the surface, or whose gradient is 0
     // Seeds on the surface, or less than a side from it, with no vertex near whose gradient points their way: a part of
     // the surface there is too thin or too small for the cells.
     std::int64_t missed_seeds = 0;

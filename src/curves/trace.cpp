@@ -637,7 +637,8 @@ Curves trace(const base::Runtime& runtime, const Level& level, const SurfaceMesh
     report.loops = report.starts - before;
     report.missed = lost.size() > curve_tuning.most_lost ? lost.size() : look_closer(tracing, lost);
     report.added = report.starts - first;
-    return mesh.end != nullptr ? clip(runtime, level, *mesh.end, tracing.curves, progress) : std::move(tracing.curves);
+    return mesh.domain != nullptr ? clip(runtime, level, *mesh.domain, tracing.curves, progress)
+                                  : std::move(tracing.curves);
 }
 
 Curves moved_contours(base::Memory& memory, const View& view, const Curves& contours, double farthest) {

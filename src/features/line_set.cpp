@@ -8,6 +8,7 @@
 
 #include "base/assert.h"
 #include "base/clock.h"
+#include "curves/tuning.h"
 #include "features/border.h"
 #include "features/sections.h"
 #include "features/tuning.h"
@@ -113,15 +114,14 @@ void LineSet::make_mesh(const base::Runtime& runtime, const LineSetSettings& set
     const geometry::VecArray seeds = settings.seeds.empty()
                                          ? found_seeds(runtime, surface_, mesh.region, progress.part(0.0, 0.2))
                                          : given_seeds(runtime.memory, settings.seeds);
-    const double limit = settings.support.trim != nullptr ? settings.support.trim->limit() : settings.support.limit;
-    mesh.extent = settings.support.trim;
+    mesh.domain = settings.support.domain;
     double last = std::numeric_limits<double>::infinity(); // the side before
     for (double from = 0.2;; from = 0.5 * (1.0 + from)) {
         mesh_ = automatic
                     ? triangulate_of_any_size(runtime, surface_, seeds, mesh, progress.part(from, 0.5 * (1.0 + from)))
                     : triangulate(runtime, surface_, seeds, mesh, progress.part(from, 0.5 * (1.0 + from)));
-        if (support_ != nullptr) clip_mesh(runtime, limit, progress);
-        if (support_ == nullptr) border_ = border_lines(runtime.memory, *mesh_);
+        if (domain_ != nullptr) clip_mesh(runtime, progress);
+        if (domain_ == nullptr) border_ = border_lines(runtime.memory, *mesh_);
         // If walls are thinner than the cells, creases cut very many triangles, and fewer where cells are smaller.
         const bool last_one =
             !automatic || 4 * mesh_->triangles() > feature_tuning.most_triangles_of_finer || mesh.side >= last;
@@ -138,7 +138,7 @@ void LineSet::make_mesh(const base::Runtime& runtime, const LineSetSettings& set
         fail(Status::not_converged,
              "all of the surface lies beyond its samples: give a larger support than %g, or "
              "support_points nearer to the surface",
-             limit);
+             domain_->limit());
     if (mesh_->triangles() == 0)
         fail(Status::not_converged, "no surface was found to draw lines of: f has no zero near the seeds; give "
                                     "seed_points on the surface");
@@ -156,8 +156,8 @@ void LineSet::measure_support(const base::Runtime& runtime, const SupportSetting
                                {nullptr, {normals.x.data(), normals.y.data(), normals.z.data()}, {}}, progress);
     }
     for (std::int64_t i = 0; i < normals.size(); ++i) normals.set(i, glm::normalize(normals[i]));
-    own_support_.emplace(runtime, points, normals, 0.0, progress);
-    support_ = &*own_support_;
+    own_domain_.emplace(surface::Support(runtime, points, normals, 0.0, progress), settings.limit, 0.0);
+    domain_ = &*own_domain_;
 }
 
 void LineSet::split_mesh(const base::Runtime& runtime, const base::Progress& progress) {
@@ -169,16 +169,18 @@ void LineSet::split_mesh(const base::Runtime& runtime, const base::Progress& pro
     mesh_ = std::move(sharp.mesh);
 }
 
-void LineSet::clip_mesh(const base::Runtime& runtime, double limit, const base::Progress& progress) {
-    border_level_.emplace(surface_, *support_, limit);
+void LineSet::clip_mesh(const base::Runtime& runtime, const base::Progress& progress) {
+    border_level_.emplace(surface_, domain_->support(), domain_->limit());
     ClippedMesh clipped = clip(runtime, *border_level_, *mesh_, progress);
     border_ = exact_border(runtime, *border_level_, clipped, progress);
     border_exact_ = is_all_cut(clipped);
-    geometry::VecArray places(runtime.memory);
-    for (const CurvePoint& p : clipped.cut) places.push_back(p.position);
-    end_.emplace(*support_, limit, places, mesh_->side);
+    if (own_domain_) {
+        geometry::VecArray border(runtime.memory);
+        for (const CurvePoint& p : clipped.cut) border.push_back(p.position);
+        own_domain_->set_border(border, curve_tuning.border_reach * mesh_->side);
+    }
     mesh_ = std::move(clipped.mesh);
-    mesh_->end = &*end_;
+    mesh_->domain = domain_;
     left_out_ = clipped.left_out;
 }
 
@@ -205,10 +207,8 @@ LineSet::LineSet(const base::Runtime& runtime, const implicit::Implicit& surface
     : surface_(surface), source_(std::move(shape)), shaped_(runtime.memory), border_(runtime.memory),
       creases_(runtime.memory), parts_(runtime.memory), found_(runtime.memory) {
     const base::Stopwatch watch;
-    if (settings.support.trim != nullptr)
-        support_ = &settings.support.trim->support();
-    else if (settings.support.limit > 0.0)
-        measure_support(runtime, settings.support, progress);
+    domain_ = settings.support.domain;
+    if (domain_ == nullptr && settings.support.limit > 0.0) measure_support(runtime, settings.support, progress);
     make_mesh(runtime, settings, progress.part(0.0, 0.4));
     bool with_shape = settings.with_shape;
     for (const LineRequest& request : settings.lines)
@@ -230,7 +230,7 @@ LineSet::LineSet(const base::Runtime& runtime, const implicit::Implicit& surface
 
 std::int64_t LineSet::bytes() const noexcept {
     std::int64_t bytes = mesh_->bytes() + sheets_->bytes() + shaped_.bytes() + border_.bytes();
-    if (own_support_) bytes += own_support_->bytes();
+    if (own_domain_) bytes += own_domain_->support().bytes();
     bytes += creases_.bytes() + (near_creases_ ? near_creases_->bytes() : 0);
     for (const std::unique_ptr<SheetPart>& part : parts_) bytes += part->mesh.bytes();
     for (const FoundLines& found : found_) bytes += found.lines.bytes();

@@ -6,12 +6,11 @@
 #include "creases/creases.h"
 #include "creases/sheet_parts.h"
 #include "curves/sheet_count.h"
-#include "curves/surface_end.h"
 #include "curves/surface_lines.h"
 #include "curves/surface_mesh.h"
 #include "features/feature_lines.h"
 #include "features/shape.h"
-#include "surface/trim.h"
+#include "surface/support_domain.h"
 
 #include <array>
 #include <memory>
@@ -75,9 +74,10 @@ struct FoundLines {
 struct SupportSettings {
     // The surface ends where s of surface/support.h exceeds this; 0: it goes on to the end of its region.
     double limit = 0.0;
-    std::span<const double> points;      // 3n packed samples; not empty where there is a limit
-    std::span<const double> normals;     // the samples' unit normals; empty: the surface's normals there
-    const surface::Trim* trim = nullptr; // used instead of the others: where the model's surface ends; outlives the set
+    std::span<const double> points;  // 3n packed samples; not empty where there is a limit
+    std::span<const double> normals; // the samples' unit normals; empty: the surface's normals there
+    // The model's domain, used instead of the others; it outlives the set.
+    const surface::SupportDomain* domain = nullptr;
 };
 
 struct LineSetSettings {
@@ -129,17 +129,16 @@ private:
     void make_mesh(const base::Runtime& runtime, const LineSetSettings& settings, const base::Progress& progress);
     void measure_support(const base::Runtime& runtime, const SupportSettings& settings, const base::Progress& progress);
     void split_mesh(const base::Runtime& runtime, const base::Progress& progress);
-    void clip_mesh(const base::Runtime& runtime, double limit, const base::Progress& progress);
+    void clip_mesh(const base::Runtime& runtime, const base::Progress& progress);
     [[nodiscard]] SurfaceLines find(const base::Runtime& runtime, const LineRequest& request,
                                     const base::Progress& progress) const;
 
     std::shared_ptr<const void> identity_ = std::make_shared<char>();
     const implicit::Implicit& surface_;
     std::unique_ptr<const implicit::ShapeSource> source_;
-    std::optional<surface::Support> own_support_;
-    const surface::Support* support_ = nullptr; // own_support_ or the model's; null: the surface ends at its region
+    std::optional<surface::SupportDomain> own_domain_;
+    const surface::SupportDomain* domain_ = nullptr; // own_domain_ or the model's; null: the surface ends at its region
     std::optional<SupportLevel> border_level_;
-    std::optional<SupportEnd> end_; // where the mesh ends
     bool border_exact_ = false;
     std::optional<SurfaceMesh> mesh_;
     std::optional<SheetCounter> sheets_;

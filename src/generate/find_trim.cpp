@@ -19,16 +19,13 @@ using geometry::CellGrid;
 
 constexpr double unused = 1e-7; // tolerance of projections, of which none are made
 
-// Where the first look goes on.
-class Doubtful final : public implicit::Extent {
+// What the first look follows: the surface where samples surround it and support it, and all that they do not surround.
+class Doubtful final : public implicit::Domain {
 public:
     Doubtful(const surface::Support& support, double limit) noexcept : support_(support), limit_(limit) {}
 
-    [[nodiscard]] bool holds(const glm::dvec3& place, const glm::dvec3& gradient) const noexcept override {
-        return !support_.nearest_sample(place).surrounded || !(support_.value(place, gradient) <= limit_);
-    }
-    [[nodiscard]] bool may_end_near(const glm::dvec3& /*place*/, double /*half*/) const noexcept override {
-        return true;
+    [[nodiscard]] double beyond(const glm::dvec3& place, const glm::dvec3& gradient) const noexcept override {
+        return support_.nearest_sample(place).surrounded ? limit_ - support_.value(place, gradient) : -limit_;
     }
 
 private:
@@ -190,7 +187,7 @@ FoundTrim find_trim(const base::Runtime& runtime, const ImplicitFor& implicit_fo
         if (const std::uint64_t packed = CellGrid::pack(geometry::morton_cell(cell.code)); !left_out.contains(packed))
             kept.insert(packed);
     support.keep(found.cells.grid, std::move(kept), std::move(left_out), settings.limit);
-    trim.trim = std::make_unique<surface::Trim>(std::move(support), settings.limit, closest);
+    trim.trim = std::make_unique<surface::SupportDomain>(std::move(support), settings.limit, closest);
     progress.update(1.0);
     return trim;
 }

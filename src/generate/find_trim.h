@@ -7,7 +7,7 @@
 #include "base/runtime.h"
 #include "geometry/vec_array.h"
 #include "implicit/implicit.h"
-#include "surface/trim.h"
+#include "surface/support_domain.h"
 
 #include <functional>
 #include <limits>
@@ -33,7 +33,7 @@ struct TrimReport {
 };
 
 struct FoundTrim {
-    std::unique_ptr<surface::Trim> trim; // null: all of the surface stays
+    std::unique_ptr<surface::SupportDomain> trim; // null: all of the surface stays
     TrimReport report;
 };
 

@@ -23,6 +23,12 @@ public:
     // Calls visit(at) once for every point within the radius of p, and for some that are farther away.
     template <class Visit>
     void around(const glm::dvec3& p, Visit&& visit) const;
+    // Whether around() visits any point.
+    [[nodiscard]] bool any_around(const glm::dvec3& p) const {
+        bool any = false;
+        around(p, [&](std::int64_t) { any = true; });
+        return any;
+    }
 
 private:
     [[nodiscard]] std::int64_t bucket(std::uint64_t cell) const noexcept {

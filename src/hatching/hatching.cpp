@@ -69,7 +69,7 @@ Ground::Ground(const marks::Site& site, const stipples::SurfaceCells& cells, con
     mesh.region = region_;
     mesh.side = std::max(separation_of(settings, area_),
                          std::sqrt(hatching_tuning.triangles_a_cell * area_ / hatching_tuning.most_triangles));
-    mesh.extent = site.implicit.extent();
+    mesh.domain = site.implicit.domain();
     mesh_ = triangulate_of_any_size(site.runtime, site.implicit, graph_.position, mesh, progress.part(0.64, 0.94));
     if (site.implicit.sheets() == nullptr) return;
     // Lines end where the mesh does.

@@ -5,7 +5,7 @@
 
 #include "base/parallel.h"
 #include "geometry/vec.h"
-#include "implicit/extent.h"
+#include "implicit/domain.h"
 
 #include <array>
 #include <cstdint>
@@ -59,11 +59,11 @@ public:
     // The box that the surface (or its samples) lies in; never empty, finite.
     [[nodiscard]] virtual const geometry::Bounds& bounds() const noexcept = 0;
 
-    // Where the surface ends inside of its bounds; null: nowhere.
-    [[nodiscard]] virtual const Extent* extent() const noexcept { return nullptr; }
+    // Where the surface is within its bounds; null: all of the zero level.
+    [[nodiscard]] virtual const Domain* domain() const noexcept { return nullptr; }
     [[nodiscard]] bool holds(const glm::dvec3& place, const glm::dvec3& gradient) const noexcept {
-        const Extent* const end = extent();
-        return end == nullptr || end->holds(place, gradient);
+        const Domain* const its = domain();
+        return its == nullptr || its->holds(place, gradient);
     }
 
     // The smooth functions that this is made of, if it has creases; null: it is smooth.  Where they meet the gradient

@@ -11,7 +11,7 @@ class Scaled final : public Implicit {
 public:
     // `own` lives as long as this.
     Scaled(const Implicit& own, double unit) noexcept
-        : own_(own), unit_(unit), bounds_{own.bounds().min / unit, own.bounds().max / unit}, extent_(own, unit),
+        : own_(own), unit_(unit), bounds_{own.bounds().min / unit, own.bounds().max / unit}, domain_(own, unit),
           sheets_(own, unit) {}
 
     void evaluate(const PointBatch& points, const FieldBatch& fields) const override;
@@ -20,24 +20,27 @@ public:
     [[nodiscard]] std::int32_t cell_of(const glm::dvec3& p) const noexcept override { return own_.cell_of(unit_ * p); }
     [[nodiscard]] const geometry::Bounds& bounds() const noexcept override { return bounds_; }
     [[nodiscard]] double lipschitz() const noexcept override { return own_.lipschitz(); }
-    [[nodiscard]] const Extent* extent() const noexcept override {
-        return own_.extent() != nullptr ? &extent_ : nullptr;
+    [[nodiscard]] const Domain* domain() const noexcept override {
+        return own_.domain() != nullptr ? &domain_ : nullptr;
     }
     [[nodiscard]] const Sheets* sheets() const noexcept override {
         return own_.sheets() != nullptr ? &sheets_ : nullptr;
     }
 
 private:
-    struct ScaledExtent final : Extent {
-        ScaledExtent(const Implicit& of, double by) noexcept : own(of), unit(by) {}
-        [[nodiscard]] bool holds(const glm::dvec3& place, const glm::dvec3& gradient) const noexcept override {
-            return own.holds(unit * place, gradient);
+    struct ScaledDomain final : Domain {
+        ScaledDomain(const Implicit& of, double by) noexcept : own(of), unit(by) {}
+        [[nodiscard]] double beyond(const glm::dvec3& place, const glm::dvec3& gradient) const noexcept override {
+            return own.domain()->beyond(unit * place, gradient);
         }
-        [[nodiscard]] bool may_end_near(const glm::dvec3& place, double half) const noexcept override {
-            return own.extent()->may_end_near(unit * place, unit * half);
+        [[nodiscard]] bool near_end(const glm::dvec3& place) const noexcept override {
+            return own.domain()->near_end(unit * place);
         }
-        [[nodiscard]] bool is_nowhere_near(const glm::dvec3& place, double half) const noexcept override {
-            return own.extent()->is_nowhere_near(unit * place, unit * half);
+        [[nodiscard]] bool may_end_near(const glm::dvec3& centre, double half) const noexcept override {
+            return own.domain()->may_end_near(unit * centre, unit * half);
+        }
+        [[nodiscard]] bool is_nowhere_near(const glm::dvec3& centre, double half) const noexcept override {
+            return own.domain()->is_nowhere_near(unit * centre, unit * half);
         }
         const Implicit& own;
         double unit;
@@ -54,7 +57,7 @@ private:
     const Implicit& own_;
     double unit_;
     geometry::Bounds bounds_;
-    ScaledExtent extent_;
+    ScaledDomain domain_;
     ScaledSheets sheets_;
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// An implicit whose surface ends where an extent says.
+// An implicit whose surface has a domain of its own.
 #pragma once
 
 #include "implicit/implicit.h"
@@ -9,7 +9,7 @@ namespace hrbfnpr::implicit {
 class Trimmed final : public Implicit {
 public:
     // Both live as long as this.
-    Trimmed(const Implicit& whole, const Extent& extent) noexcept : whole_(whole), extent_(extent) {}
+    Trimmed(const Implicit& whole, const Domain& domain) noexcept : whole_(whole), domain_(domain) {}
 
     void evaluate(const PointBatch& points, const FieldBatch& fields) const override {
         whole_.evaluate(points, fields);
@@ -18,13 +18,13 @@ public:
     [[nodiscard]] std::int64_t cells() const noexcept override { return whole_.cells(); }
     [[nodiscard]] std::int32_t cell_of(const glm::dvec3& p) const noexcept override { return whole_.cell_of(p); }
     [[nodiscard]] const geometry::Bounds& bounds() const noexcept override { return whole_.bounds(); }
-    [[nodiscard]] const Extent* extent() const noexcept override { return &extent_; }
+    [[nodiscard]] const Domain* domain() const noexcept override { return &domain_; }
     [[nodiscard]] double lipschitz() const noexcept override { return whole_.lipschitz(); }
     [[nodiscard]] const Sheets* sheets() const noexcept override { return whole_.sheets(); }
 
 private:
     const Implicit& whole_;
-    const Extent& extent_;
+    const Domain& domain_;
 };
 
 } // namespace hrbfnpr::implicit

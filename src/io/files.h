@@ -15,7 +15,7 @@
 
 namespace hrbfnpr::io {
 
-// Where the surface of a trimmed model ends (surface/trim.h).
+// Where the surface of a trimmed model ends (surface/support_domain.h).
 struct TrimFile {
     explicit TrimFile(base::Memory& memory) noexcept
         : report(memory), position(memory), normal(memory), kept(memory), ends(memory) {}

@@ -45,7 +45,7 @@ void Settler::settle(double stray_limit, LevelReport& report, const base::Progre
 
 // Where the surface is not borne out by its samples.
 void Settler::drop_beyond_end(LevelReport& report) {
-    if (site_.implicit.extent() == nullptr) return;
+    if (site_.implicit.domain() == nullptr) return;
     constexpr std::int64_t grain = 256;
     site_.runtime.parallel.for_chunks(placed_.size(), grain, [&](std::int64_t begin, std::int64_t end) {
         for (std::int64_t i = begin; i < end; ++i)

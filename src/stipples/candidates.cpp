@@ -34,8 +34,8 @@ constexpr double of_32_bits = 1.0 / 4294967296.0;
     const double side = cells.grid.side;
     if (std::isnan(cell.distance)) return bent;
     HRBFNPR_ASSERT(std::abs(glm::length(cell.normal) - 1.0) < 1e-6);
-    if (const implicit::Extent* const extent = site.implicit.extent(); extent != nullptr)
-        if (extent->may_end_near(cells.centre(number), 0.5 * side)) return bent;
+    if (const implicit::Domain* const domain = site.implicit.domain(); domain != nullptr)
+        if (domain->may_end_near(cells.centre(number), 0.5 * side)) return bent;
     const glm::dvec3 along = glm::abs(cell.normal);
     if (std::abs(cell.distance) > side * (0.5 * (along.x + along.y + along.z) + stipple_tuning.passes_by))
         return {CellKind::clear, 0.0F};

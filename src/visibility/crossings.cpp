@@ -8,7 +8,6 @@
 
 #include "base/assert.h"
 #include "base/list.h"
-#include "curves/surface_end.h"
 #include "implicit/evaluate_all.h"
 
 #include <glm/common.hpp>
@@ -451,8 +450,8 @@ void add_pierced(const PiercingScene& in, const PiercingPart& part, base::Array<
     const double rise = part.high.value - part.low.value;
     const double share = part.low.share - (part.high.share - part.low.share) * part.low.value / rise;
     const PiercingPlace& at = part.low;
-    const curves::SurfaceEnd* const end = in.occluder.sheets->mesh().end;
-    if (end != nullptr && !end->holds(at.point, at.gradient)) return;
+    const implicit::Domain* const domain = in.occluder.sheets->mesh().domain;
+    if (domain != nullptr && !domain->holds(at.point, at.gradient)) return;
     const glm::dvec4& eye = in.occluder.eye;
     const glm::dvec3 sight = eye.w == 0.0 ? glm::dvec3(eye) : at.point - glm::dvec3(eye);
     const bool faces_away = glm::dot(at.gradient, sight) > 0.0;

@@ -5,7 +5,7 @@
 #include "shapes.h"
 #include "support/runtime.h"
 #include "support/watched_operation.h"
-#include "surface/trim.h"
+#include "surface/support_domain.h"
 
 #include <gtest/gtest.h>
 
@@ -134,10 +134,10 @@ TEST(SurfaceMesh, EndsBeyondItsSamples) {
     for (double angle = 0.0; angle < 0.4; angle += 0.04) // around the south pole
         for (double turn = 0.0; turn < 2 * pi; turn += 0.04 / std::max(0.04, std::sin(angle)))
             samples.push_back({std::sin(angle) * std::cos(turn), std::sin(angle) * std::sin(turn), -std::cos(angle)});
-    const surface::Trim trim(surface::Support(runtime, samples, samples, 0.0, {}), 3.0, 0.0);
+    const surface::SupportDomain domain(surface::Support(runtime, samples, samples, 0.0, {}), 3.0, 0.0);
     MeshSettings cells = settings(sphere, 0.02);
     const SurfaceMesh whole = triangulate(runtime, sphere, samples, cells, {});
-    cells.extent = &trim;
+    cells.domain = &domain;
     const SurfaceMesh cap = triangulate(runtime, sphere, samples, cells, {});
     std::set<std::array<double, 3>> kept;
     double highest = -1.0;
@@ -148,7 +148,7 @@ TEST(SurfaceMesh, EndsBeyondItsSamples) {
     std::int64_t supported = 0;
     for (std::int64_t i = 0; i < whole.vertices(); ++i) {
         const glm::dvec3 p = whole.position[i];
-        if (!trim.holds(p, whole.gradient[i])) continue;
+        if (!domain.holds(p, whole.gradient[i])) continue;
         ++supported;
         ASSERT_TRUE(kept.contains({p.x, p.y, p.z}));
     }

@@ -26,7 +26,7 @@ struct Open {
         : lines(runtime, surface, std::make_unique<implicit::DifferencedShape>(surface),
                 settings_of(samples, side, limit), {}) {}
 
-    [[nodiscard]] const SurfaceEnd& end() const { return *lines.mesh().end; }
+    [[nodiscard]] const implicit::Domain& domain() const { return *lines.mesh().domain; }
     LineSet lines;
 };
 
@@ -56,7 +56,7 @@ TEST_F(OpenSphere, MeshEndsAtTheLimit) {
     EXPECT_NEAR(open.lines.left_out(), 0.45, 0.05);
     int on_border = 0;
     for (std::int64_t i = 0; i < mesh.vertices(); ++i) {
-        const double beyond = open.end().beyond(mesh.position[i], mesh.gradient[i]);
+        const double beyond = open.domain().beyond(mesh.position[i], mesh.gradient[i]);
         EXPECT_LE(beyond, 1e-7);
         on_border += std::abs(beyond) < 1e-7 ? 1 : 0;
     }
@@ -73,11 +73,11 @@ TEST_F(OpenSphere, BorderIsExact) {
         const CurvePoint& a = border.point[k];
         const CurvePoint& b = border.point[border.next(0, k)];
         EXPECT_LT(off_surface(sphere, a.position), 1e-8);
-        EXPECT_NEAR(open.end().beyond(a.position, a.gradient), 0.0, 1e-6);
+        EXPECT_NEAR(open.domain().beyond(a.position, a.gradient), 0.0, 1e-6);
         // Between points, too.
         const glm::dvec3 middle = CubicPiece(a, b).at(0.5);
         EXPECT_LT(off_surface(sphere, middle), 1e-5);
-        EXPECT_NEAR(open.end().beyond(middle, middle), 0.0, 2e-3);
+        EXPECT_NEAR(open.domain().beyond(middle, middle), 0.0, 2e-3);
         // The surface lies to the left, as seen from outside.
         EXPECT_GT(glm::dot(glm::cross(a.position, b.position - a.position), glm::dvec3(0.0, 0.0, 1.0)), 0.0);
     }
@@ -94,7 +94,7 @@ TEST_F(OpenSphere, ContoursEndOnIt) {
         EXPECT_EQ(report.broken + report.missed, 0);
         EXPECT_LT(test_traced::farthest_off(runtime, level, curves), 1e-7);
         for (std::int64_t i = 0; i < curves.point.size(); ++i) {
-            const double beyond = open.end().beyond(curves.point[i].position, curves.point[i].position);
+            const double beyond = open.domain().beyond(curves.point[i].position, curves.point[i].position);
             if (i == 0 || i + 1 == curves.point.size())
                 EXPECT_NEAR(beyond, 0.0, 1e-6);
             else
