@@ -41,14 +41,17 @@ void require_room(const marks::Site& site, const Settings& settings, double area
              static_cast<long long>(settings.layer), site.unit * step, site.unit * separation);
 }
 
+std::int64_t samples_for(const Settings& settings, double area) noexcept {
+    const double spacing = hatching_tuning.sample_spacing * separation_of(settings, area);
+    return std::clamp(static_cast<std::int64_t>(std::min(area / (spacing * spacing), 1e9)),
+                      hatching_tuning.fewest_samples, hatching_tuning.most_samples);
+}
+
 } // namespace
 
 bool Settings::is_on_ground_of(const Settings& other) const noexcept {
     return separation == other.separation && step == other.step && (separation > 0.0 || budget == other.budget) &&
-           field.smoothing == other.field.smoothing && field.axis == other.field.axis &&
-           field.axis_weight == other.field.axis_weight && field.guide == other.field.guide &&
-           field.guide_direction == other.field.guide_direction && field.guide_weight == other.field.guide_weight &&
-           direction.function == other.direction.function && direction.user == other.direction.user;
+           field == other.field && direction == other.direction;
 }
 
 Ground::Ground(const marks::Site& site, const stipples::SurfaceCells& cells, const Settings& settings,
@@ -96,16 +99,10 @@ void Ground::lay_lines(const marks::Site& site, const Settings& settings, marks:
     Lines lines = find_crests(site.runtime, mesh_, waves, levels, rest);
     lines = join_ends(lines, hatching_tuning.widest_gap * separation, rest);
     lines = even_out(site.runtime, lines, separation, rest);
-    add_line_marks(site, lines, {separation, step_of(settings, separation), region_}, marks, report,
+    add_line_marks(site, lines, separation, step_of(settings, separation), region_, marks, report,
                    progress.part(0.6, 1.0));
     report.step = separation;
     report.levels = levels;
-}
-
-std::int64_t samples_for(const Settings& settings, double area) noexcept {
-    const double spacing = hatching_tuning.sample_spacing * separation_of(settings, area);
-    return std::clamp(static_cast<std::int64_t>(std::min(area / (spacing * spacing), 1e9)),
-                      hatching_tuning.fewest_samples, hatching_tuning.most_samples);
 }
 
 } // namespace hrbfnpr::hatching

@@ -89,6 +89,8 @@ using DirectionFn = std::int32_t (*)(void* user, std::int64_t count, const doubl
 struct DirectionFunction {
     DirectionFn function = nullptr;
     void* user = nullptr;
+
+    [[nodiscard]] bool operator==(const DirectionFunction& other) const noexcept = default;
 };
 
 // The unit part of d in the plane across n; 0: d has hardly a part there.
