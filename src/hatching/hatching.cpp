@@ -41,12 +41,6 @@ void require_room(const marks::Site& site, const Settings& settings, double area
              static_cast<long long>(settings.layer), site.unit * step, site.unit * separation);
 }
 
-std::int64_t samples_for(const Settings& settings, double area) noexcept {
-    const double spacing = hatching_tuning.sample_spacing * separation_of(settings, area);
-    return std::clamp(static_cast<std::int64_t>(std::min(area / (spacing * spacing), 1e9)),
-                      hatching_tuning.fewest_samples, hatching_tuning.most_samples);
-}
-
 } // namespace
 
 bool Settings::is_on_ground_of(const Settings& other) const noexcept {
@@ -59,8 +53,11 @@ Ground::Ground(const marks::Site& site, const stipples::SurfaceCells& cells, con
     : settings_(settings), region_(cells.region), graph_(site.memory()), angle_(site.memory()), mesh_(site.memory()),
       sheet_(site.memory()) {
     require_room(site, settings, cells.rough_area());
-    stipples::EvenMarks even = stipples::spread_evenly(site, cells, samples_for(settings, cells.rough_area()),
-                                                       marks::Kind::stipples, progress.part(0.0, 0.4));
+    const double spacing = hatching_tuning.sample_spacing * separation_of(settings, cells.rough_area());
+    const auto samples = static_cast<std::int64_t>(std::min(cells.rough_area() / (spacing * spacing), 1e9));
+    stipples::EvenMarks even = stipples::spread_evenly(
+        site, cells, std::clamp(samples, hatching_tuning.fewest_samples, hatching_tuning.most_samples),
+        marks::Kind::stipples, progress.part(0.0, 0.4));
     area_ = even.area > 0.0 ? even.area : cells.rough_area();
     graph_.spacing = std::sqrt(area_ / static_cast<double>(even.position.size()));
     graph_.position = std::move(even.position);

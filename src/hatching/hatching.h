@@ -9,7 +9,7 @@
 #include "curves/surface_mesh.h"
 #include "hatching/field.h"
 #include "hatching/tuning.h"
-#include "marks/marks.h"
+#include "marks/site.h"
 #include "stipples/surface_cells.h"
 
 namespace hrbfnpr::hatching {

@@ -631,23 +631,6 @@ Lines cut(const marks::Site& site, const Lines& lines, const base::Array<std::ui
     return pieces;
 }
 
-void append(const Lines& pieces, std::int64_t piece, std::uint32_t number, float rank, marks::Marks& marks) {
-    const std::int64_t first = pieces.first[piece];
-    const std::int64_t last = pieces.first[piece + 1] - 1;
-    for (std::int64_t i = first; i <= last; ++i) {
-        const glm::dvec3 n = pieces.normal[i];
-        const glm::dvec3 way = pieces.position[std::min(last, i + 1)] - pieces.position[std::max(first, i - 1)];
-        marks.position.push_back(pieces.position[i]);
-        marks.normal.push_back(n);
-        marks.direction.push_back(glm::normalize(way - glm::dot(way, n) * n));
-        marks.key.push_back(static_cast<std::uint64_t>(marks.count() - 1));
-        marks.stroke.push_back(2 * number);
-        marks.place.push_back(static_cast<std::int32_t>(i - first));
-        marks.level.push_back(pieces.level[i]);
-        marks.rank.push_back(rank);
-    }
-}
-
 } // namespace
 
 void Lines::add_point(const glm::dvec3& at, const glm::dvec3& its_normal, std::uint8_t its_level,
@@ -795,7 +778,21 @@ void add_line_marks(const marks::Site& site, const Lines& given, double separati
     for (const Order& next : order) {
         progress.check();
         const double middle = static_cast<double>(marks.count()) + 0.5 * static_cast<double>(pieces.points(next.piece));
-        append(pieces, next.piece, number++, marks::rank_of(1.0 - middle / static_cast<double>(all)), marks);
+        const std::int64_t first = pieces.first[next.piece];
+        const std::int64_t last = pieces.first[next.piece + 1] - 1;
+        for (std::int64_t i = first; i <= last; ++i) {
+            const glm::dvec3 n = pieces.normal[i];
+            const glm::dvec3 way = pieces.position[std::min(last, i + 1)] - pieces.position[std::max(first, i - 1)];
+            marks.position.push_back(pieces.position[i]);
+            marks.normal.push_back(n);
+            marks.direction.push_back(glm::normalize(way - glm::dot(way, n) * n));
+            marks.key.push_back(static_cast<std::uint64_t>(marks.count() - 1));
+            marks.stroke.push_back(2 * number);
+            marks.place.push_back(static_cast<std::int32_t>(i - first));
+            marks.level.push_back(pieces.level[i]);
+            marks.rank.push_back(marks::rank_of(1.0 - middle / static_cast<double>(all)));
+        }
+        ++number;
     }
     report.full_count = all;
 }

@@ -8,7 +8,7 @@
 #pragma once
 
 #include "hatching/field.h"
-#include "marks/marks.h"
+#include "marks/site.h"
 
 namespace hrbfnpr::hatching {
 
