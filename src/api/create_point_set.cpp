@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Making point sets from the caller's arrays.
-#include "marks/from_arrays.h"
+#include "marks/assemble.h"
 
 #include "api/barrier.h"
 #include "api/checks.h"

@@ -5,7 +5,7 @@
 #include "api/descriptor.h"
 #include "api/streams.h"
 #include "io/files.h"
-#include "marks/clusters.h"
+#include "marks/point_set.h"
 
 #include <cstring>
 

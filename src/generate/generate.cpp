@@ -10,9 +10,9 @@
 #include "hatching/hatching.h"
 #include "implicit/scaled.h"
 #include "marks/assemble.h"
-#include "marks/clusters.h"
+#include "marks/point_set.h"
 #include "published/growth.h"
-#include "stipples/density.h"
+#include "stipples/blue_noise.h"
 
 #include <algorithm>
 #include <array>

@@ -4,7 +4,7 @@
 #include "base/assert.h"
 #include "base/status.h"
 #include "generate/tuning.h"
-#include "marks/marks.h"
+#include "marks/site.h"
 
 #include <algorithm>
 

@@ -6,7 +6,7 @@
 #include "hatching/hatching.h"
 #include "marks/point_set.h"
 #include "published/growth.h"
-#include "stipples/density.h"
+#include "stipples/blue_noise.h"
 
 #include <array>
 #include <span>

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "hatching/field.h"
 
+#include "base/random.h"
 #include "base/sort.h"
 #include "geometry/neighbours.h"
+#include "geometry/point_grid.h"
 #include "geometry/tangent_frame.h"
 #include "hatching/tuning.h"
 #include "surface/creased.h"
@@ -14,6 +16,145 @@
 
 namespace hrbfnpr::hatching {
 namespace {
+
+// The magnitude of a number whose square can neither overflow nor underflow; std::abs takes care of both.
+[[nodiscard]] inline double magnitude(const Complex& z) noexcept {
+    return std::sqrt(z.real() * z.real() + z.imag() * z.imag());
+}
+[[nodiscard]] inline Complex to_unit(const Complex& z) noexcept {
+    const double size = magnitude(z);
+    return size > 0.0 ? z / size : z;
+}
+
+// ---- Numbers seen from neighbours
+
+struct Link {
+    Complex factor; // the number at the link's end, times this, is that number as seen from its begin
+    std::int32_t to;
+    float sense; // -1: the number is conjugated first, since the lines at both ends point to opposite ways; else 1
+};
+
+constexpr std::int64_t nodes_a_task = 2048;
+
+// Calls visit(i) once for each node, concurrently.
+template <class Visit>
+void for_nodes(const base::Runtime& runtime, std::int64_t nodes, const base::Progress& progress, const Visit& visit) {
+    runtime.parallel.for_chunks(nodes, nodes_a_task, progress, [&](std::int64_t begin, std::int64_t end) {
+        for (std::int64_t i = begin; i < end; ++i) visit(i);
+    });
+}
+
+class Links {
+public:
+    // The graph must outlive these. link_between(i, j): the link from node i to its neighbour j.
+    template <class LinkBetween>
+    Links(const base::Runtime& runtime, const Graph& graph, const base::Progress& progress,
+          const LinkBetween& link_between)
+        : graph_(graph), link_(runtime.memory) {
+        link_.resize_for_overwrite(graph.neighbour.size());
+        for_nodes(runtime, nodes(), progress, [&](std::int64_t i) {
+            for (std::int64_t k = graph.first[i]; k < graph.first[i + 1]; ++k) {
+                HRBFNPR_ASSERT(graph.neighbour[k] >= 0 && graph.neighbour[k] < nodes());
+                link_[k] = link_between(i, graph.neighbour[k]);
+            }
+        });
+    }
+
+    [[nodiscard]] std::int64_t nodes() const noexcept { return graph_.nodes(); }
+    [[nodiscard]] double count(std::int64_t i) const noexcept {
+        return static_cast<double>(graph_.first[i + 1] - graph_.first[i]);
+    }
+    // The sum of the neighbours' numbers as seen from node i.
+    [[nodiscard]] Complex around(std::int64_t i, const Numbers& z) const noexcept {
+        Complex sum(0.0);
+        for (std::int64_t k = graph_.first[i]; k < graph_.first[i + 1]; ++k) {
+            const Link& link = link_[k];
+            const Complex& there = z[link.to];
+            sum += product(link.factor, {there.real(), static_cast<double>(link.sense) * there.imag()});
+        }
+        return sum;
+    }
+    // The mean over node i and its neighbours.
+    [[nodiscard]] Complex mean(std::int64_t i, const Numbers& z) const noexcept {
+        return (around(i, z) + z[i]) / (1.0 + count(i));
+    }
+    // Makes these the links of waves of half the period: along each link the phase grows by twice as much.
+    void halve_period(const base::Runtime& runtime, const base::Progress& progress) {
+        for_nodes(runtime, nodes(), progress, [&](std::int64_t i) {
+            for (std::int64_t k = graph_.first[i]; k < graph_.first[i + 1]; ++k)
+                link_[k].factor = product(link_[k].factor, link_[k].factor);
+        });
+    }
+
+private:
+    const Graph& graph_;
+    base::Array<Link> link_;
+};
+
+// Replaces z by next(i, z) at all nodes at once, as many times as there are rounds.
+template <class Next>
+void iterate(const base::Runtime& runtime, int rounds, Numbers& z, const base::Progress& progress, const Next& next) {
+    Numbers after(runtime.memory, z.size());
+    for (int round = 0; round < rounds; ++round) {
+        for_nodes(runtime, z.size(), progress, [&](std::int64_t i) { after[i] = next(i, z); });
+        std::swap(after, z);
+    }
+}
+
+// Adds value(i) up over all nodes: first within each task, then over the tasks in their order.
+template <class Value>
+double sum_over(const base::Runtime& runtime, std::int64_t nodes, const base::Progress& progress, const Value& value) {
+    base::Array<double> part(runtime.memory, (nodes + nodes_a_task - 1) / nodes_a_task);
+    runtime.parallel.for_chunks(nodes, nodes_a_task, progress, [&](std::int64_t begin, std::int64_t end) {
+        double sum = 0.0;
+        for (std::int64_t i = begin; i < end; ++i) sum += value(i);
+        part[begin / nodes_a_task] = sum;
+    });
+    double all = 0.0;
+    for (const double sum : part) all += sum;
+    return all;
+}
+
+// The real part of conj(a) b.
+double inner(const Complex& a, const Complex& b) noexcept { return a.real() * b.real() + a.imag() * b.imag(); }
+
+// Conjugate gradients for the system diagonal_i x_i - coupling * links.around(i, x) = right_i, which must be positive
+// definite over the reals. x: the start, and the solution. It ends where the norm of the residual is `tolerance` times
+// that of the right side.
+void solve(const base::Runtime& runtime, double tolerance, int most_steps, const Links& links,
+           const base::Array<double>& diagonal, double coupling, const Numbers& right, Numbers& x,
+           const base::Progress& progress) {
+    const std::int64_t n = right.size();
+    HRBFNPR_ASSERT(links.nodes() == n && diagonal.size() == n && x.size() == n);
+    HRBFNPR_ASSERT(coupling >= 0.0 && tolerance > 0.0);
+    const auto row = [&](std::int64_t i, const Numbers& z) {
+        return diagonal[i] * z[i] - coupling * links.around(i, z);
+    };
+    const auto sum = [&](const auto& value) { return sum_over(runtime, n, progress, value); };
+    Numbers residual(runtime.memory, n);
+    Numbers way(runtime.memory, n);
+    Numbers image(runtime.memory, n);
+    double squared = sum([&](std::int64_t i) {
+        way[i] = residual[i] = right[i] - row(i, x);
+        return inner(residual[i], residual[i]);
+    });
+    const double limit = tolerance * tolerance * sum([&](std::int64_t i) { return inner(right[i], right[i]); });
+    for (int step = 0; step < most_steps && squared > limit; ++step) {
+        const double bend = sum([&](std::int64_t i) {
+            image[i] = row(i, way);
+            return inner(way[i], image[i]);
+        });
+        const double share = squared / bend;
+        const double next = sum([&](std::int64_t i) {
+            x[i] += share * way[i];
+            residual[i] -= share * image[i];
+            return inner(residual[i], residual[i]);
+        });
+        const double kept = next / squared;
+        for_nodes(runtime, n, progress, [&](std::int64_t i) { way[i] = residual[i] + kept * way[i]; });
+        squared = next;
+    }
+}
 
 // ---- The graph
 
@@ -154,6 +295,149 @@ Numbers wanted_lines(const marks::Site& site, const SampleGraph& graph, const Li
     return wanted;
 }
 
+// ---- Waves
+
+Links wave_links(const base::Runtime& runtime, const Graph& graph, const Waves& waves, double period,
+                 const base::Progress& progress) {
+    return {runtime, graph, progress, [&](std::int64_t i, std::int32_t j) -> Link {
+                return {std::polar(1.0, -waves.growth(i, j, period)), j, waves.turned(i, j) ? -1.0F : 1.0F};
+            }};
+}
+
+// The wave that neighbours agree on most: the eigenvector of the least eigenvalue, by inverse iteration. It lives in a
+// few places only; where it is small its phase is right already. It grows by 1 / eigen_shift at most in each step,
+// which no number overflows by.
+Numbers first_wave(const base::Runtime& runtime, const Links& links, std::uint64_t seed,
+                   const base::Progress& progress) {
+    const std::int64_t n = links.nodes();
+    base::Array<double> diagonal(runtime.memory, n);
+    Numbers x(runtime.memory, n);
+    for (std::int64_t i = 0; i < n; ++i) {
+        diagonal[i] = links.count(i) + hatching_tuning.eigen_shift;
+        x[i] = std::polar(1.0, tau * base::uniform4(seed, static_cast<std::uint64_t>(i), base::Purpose::stripes)[0]);
+    }
+    Numbers next(runtime.memory, n);
+    for (int step = 0; step < hatching_tuning.eigen_steps; ++step) {
+        for_nodes(runtime, n, progress, [&](std::int64_t i) { next[i] = x[i] / hatching_tuning.eigen_shift; });
+        solve(runtime, 1e-3, 200, links, diagonal, 1.0, x, next, progress);
+        std::swap(x, next);
+    }
+    for_nodes(runtime, n, progress, [&](std::int64_t i) { x[i] = to_unit(x[i]); });
+    return x;
+}
+
+// The wave of half the period of the links has twice the phase. In plain means it is low where it is squeezed or drawn
+// out, so that waves of the right length grow into it from around there, and a fork of two lines becomes two forks;
+// among waves of one height none would, and lines would stay too dense or too sparse.
+Numbers halved(const base::Runtime& runtime, const Links& links, const Numbers& wave, int means,
+               const base::Progress& progress) {
+    HRBFNPR_ASSERT(links.nodes() == wave.size());
+    Numbers z(runtime.memory, wave.size());
+    for_nodes(runtime, z.size(), progress, [&](std::int64_t i) { z[i] = to_unit(product(wave[i], wave[i])); });
+    iterate(runtime, means, z, progress, [&](std::int64_t i, const Numbers& now) { return links.mean(i, now); });
+    iterate(runtime, hatching_tuning.unit_averages, z, progress,
+            [&](std::int64_t i, const Numbers& now) { return to_unit(links.around(i, now) + now[i]); });
+    return z;
+}
+
+// A sample near a vertex of the mesh.
+struct Heard {
+    std::int64_t sample;
+    double weight;
+    bool turned = false;
+    Complex factor{1.0}; // the sample's wave, times this, is that wave as seen from the vertex
+};
+
+// The line of a vertex from those of the samples around it, unit; 0: it has none. A line has no sign, so that angles
+// are doubled before they are added.
+glm::dvec3 mean_line(const Waves& samples, const base::Array<Heard>& heard, const glm::dvec3& normal) noexcept {
+    const glm::dvec3 u = geometry::any_perpendicular(normal);
+    const glm::dvec3 v = glm::cross(normal, u);
+    Complex sum(0.0);
+    double weights = 0.0;
+    for (const Heard& h : heard) {
+        const glm::dvec3 t = samples.along[h.sample];
+        const Complex z(glm::dot(t, u), glm::dot(t, v));
+        sum += h.weight * product(z, z);
+        weights += h.weight;
+    }
+    if (!(magnitude(sum) > 1e-3 * weights)) return glm::dvec3(0.0);
+    const double angle = 0.5 * std::arg(sum);
+    return std::cos(angle) * u + std::sin(angle) * v;
+}
+
+// The line and the waves of a vertex that is there already.
+void interpolate(const Waves& samples, base::Array<Heard>& heard, const glm::dvec3& normal, std::int64_t vertex,
+                 Waves& result) noexcept {
+    const glm::dvec3 line = mean_line(samples, heard, normal);
+    if (glm::dot(line, line) == 0.0) return;
+    result.set_line(vertex, normal, line);
+    double weights = 0.0;
+    for (Heard& h : heard) {
+        const glm::dvec3 there = samples.across[h.sample];
+        h.turned = glm::dot(line, samples.along[h.sample]) < 0.0;
+        const glm::dvec3 mean = 0.5 * (result.across[vertex] + (h.turned ? -there : there));
+        const glm::dvec3 way = result.position[vertex] - samples.position[h.sample];
+        h.factor = std::polar(1.0, tau / samples.period * glm::dot(way, mean));
+        weights += h.weight;
+    }
+    for (std::int64_t level = 0; level < samples.level.size(); ++level) {
+        Complex sum(0.0);
+        for (Heard& h : heard) {
+            if (level > 0) h.factor = product(h.factor, h.factor); // half the period
+            sum += h.weight * product(h.factor, seen(samples.level[level][h.sample], h.turned));
+        }
+        result.level[level][vertex] = sum / weights;
+    }
+}
+
+Waves interpolated(const base::Runtime& runtime, const SampleGraph& graph, const Waves& samples,
+                   const curves::SurfaceMesh& mesh, const base::Array<std::int32_t>& sheets,
+                   const base::Progress& progress) {
+    Waves result(runtime.memory, mesh.position, samples.period);
+    for (std::int64_t level = 0; level < samples.level.size(); ++level)
+        result.level.add(runtime.memory, mesh.vertices());
+    const double radius = hatching_tuning.influence * graph.spacing;
+    const geometry::PointGrid grid(graph.position, radius, progress);
+    const geometry::VecArray places = grid.in_order(graph.position, progress);
+    runtime.parallel.for_chunks(mesh.vertices(), nodes_a_task, [&](std::int64_t begin, std::int64_t end) {
+        base::Array<Heard> heard(runtime.memory);
+        for (std::int64_t v = begin; v < end; ++v) {
+            if (v % 128 == 0) progress.check();
+            const glm::dvec3 p = mesh.position[v];
+            const glm::dvec3 n = glm::normalize(mesh.gradient[v]);
+            heard.clear();
+            grid.around(p, [&](std::int64_t at) {
+                const glm::dvec3 way = p - places[at];
+                const double squared = glm::dot(way, way);
+                if (!(squared < radius * radius)) return;
+                const std::int64_t i = grid.index(at);
+                const glm::dvec3 there = graph.normal[i];
+                if (!(glm::dot(there, n) > hatching_tuning.same_sheet_cosine)) return;
+                if (!sheets.empty() && surface::is_creased(sheets[v], graph.sheet[i], n, there)) return;
+                const double height = glm::dot(way, n);
+                if (height * height > hatching_tuning.steepest * hatching_tuning.steepest * squared) return;
+                const double rest = 1.0 - squared / (radius * radius);
+                heard.push_back({i, rest * rest});
+            });
+            interpolate(samples, heard, n, v, result);
+        }
+    });
+    return result;
+}
+
+// Both ends of each edge are neighbours; at a border one of them has the other only.
+Graph graph_of(base::Memory& memory, const curves::SurfaceMesh& mesh) {
+    Graph graph(memory);
+    graph.first.resize(mesh.vertices() + 1);
+    graph.neighbour.resize(mesh.corner.size());
+    for (const std::int32_t v : mesh.corner) ++graph.first[v];
+    std::partial_sum(graph.first.begin(), graph.first.end(), graph.first.begin());
+    for (std::int64_t edge = mesh.corner.size() - 1; edge >= 0; --edge)
+        graph.neighbour[--graph.first[mesh.corner[edge]]] = mesh.corner[edge - edge % 3 + (edge % 3 + 1) % 3];
+    return graph;
+}
+
 } // namespace
 
 Complex curvature_line(double mean, const Complex& difference, double diagonal) noexcept {
@@ -211,11 +495,40 @@ base::Array<double> line_angles(const marks::Site& site, const SampleGraph& grap
             right[i] = wanted[i] + (size > 0.0 ? pull / size * z[i] : Complex(0.0));
             diagonal[i] = std::abs(wanted[i]) + pull + 1e-6 + stiffness * links.count(i);
         });
-        solve(runtime, {1e-4, 400}, links, diagonal, stiffness, right, z, progress);
+        solve(runtime, 1e-4, 400, links, diagonal, stiffness, right, z, progress);
     }
     base::Array<double> angle(runtime.memory, graph.nodes());
     for (std::int64_t i = 0; i < graph.nodes(); ++i) angle[i] = 0.5 * std::arg(z[i]);
     return angle;
+}
+
+void add_sample_waves(const base::Runtime& runtime, const SampleGraph& graph, std::uint64_t seed, int levels,
+                      Waves& samples, const base::Progress& progress) {
+    HRBFNPR_ASSERT(samples.along.size() == graph.nodes() && samples.level.empty() && samples.period > 0.0);
+    Links links = wave_links(runtime, graph, samples, samples.period, progress);
+    samples.level.add(first_wave(runtime, links, seed, progress));
+    const double finest = hatching_tuning.finest_period * graph.spacing;
+    while (samples.finest() < levels && samples.period_of(samples.finest() + 1) >= finest) {
+        links.halve_period(runtime, progress);
+        samples.level.add(halved(runtime, links, samples.level.back(), hatching_tuning.sample_means, progress));
+    }
+}
+
+Waves waves_at_vertices(const base::Runtime& runtime, const SampleGraph& graph, const Waves& samples,
+                        const curves::SurfaceMesh& mesh, const base::Array<std::int32_t>& sheets, int levels,
+                        const base::Progress& progress) {
+    HRBFNPR_ASSERT(!samples.level.empty());
+    HRBFNPR_ASSERT(sheets.empty() || (sheets.size() == mesh.vertices() && graph.sheet.size() == graph.nodes()));
+    Waves waves = interpolated(runtime, graph, samples, mesh, sheets, progress.part(0.0, 0.5));
+    const auto is_next_known = [&] { return waves.period_of(waves.finest() + 1) >= mesh.side; };
+    if (waves.finest() >= levels || !is_next_known()) return waves;
+    const Graph edges = graph_of(runtime.memory, mesh);
+    Links links = wave_links(runtime, edges, waves, waves.period_of(waves.finest()), progress);
+    while (waves.finest() < levels && is_next_known()) {
+        links.halve_period(runtime, progress);
+        waves.level.add(halved(runtime, links, waves.level.back(), hatching_tuning.vertex_means, progress));
+    }
+    return waves;
 }
 
 } // namespace hrbfnpr::hatching

@@ -1,14 +1,46 @@
 // SPDX-License-Identifier: MIT
-// A smooth field of lines (directions without a sign) on even samples of a surface.
+// Complex numbers at the nodes of a graph: lines of a field (directions without a sign, as exp(2 i angle)) at even
+// samples of the surface, and waves (as exp(i phase)) at samples or at the vertices of a mesh. Crests of waves run
+// along the field's lines. The waves have several periods, each half of the one before, so that every crest is one of
+// the next wave, too.                                                  [Knoeppel et al. 2013; Knoeppel et al. 2015]
 //   link_samples: samples -> a graph of neighbours on the same sheet, each with a tangent frame
 //   line_angles: curvature, a law with a name or the caller's directions -> the smoothest field that follows them where
-//                they are sure                                                              [Knoeppel et al. 2013]
+//                they are sure
+//   add_sample_waves: lines of samples -> waves of the long periods
+//   waves_at_vertices: these -> the same waves at the vertices of a mesh, and waves of the short periods
 #pragma once
 
-#include "hatching/links.h"
+#include "base/assert.h"
+#include "base/list.h"
+#include "curves/surface_mesh.h"
 #include "marks/site.h"
 
+#include <cmath>
+#include <complex>
+#include <numbers>
+
 namespace hrbfnpr::hatching {
+
+using Complex = std::complex<double>;
+using Numbers = base::Array<Complex>; // one at each node
+inline constexpr double tau = 2.0 * std::numbers::pi;
+
+// The product of finite numbers. The operator of std::complex looks for NaN, which costs more than the product itself.
+[[nodiscard]] inline Complex product(const Complex& a, const Complex& b) noexcept {
+    return {a.real() * b.real() - a.imag() * b.imag(), a.real() * b.imag() + a.imag() * b.real()};
+}
+
+// ---- The field
+
+// Which nodes are linked: those from first[i] up to first[i + 1] are the neighbours of node i.
+struct Graph {
+    explicit Graph(base::Memory& memory) noexcept : first(memory), neighbour(memory) {}
+
+    [[nodiscard]] std::int64_t nodes() const noexcept { return first.size() - 1; }
+
+    base::Array<std::int64_t> first; // one more than there are nodes
+    base::Array<std::int32_t> neighbour;
+};
 
 // What lines follow. The numbers are those that hrbfnpr_layer_desc.guide takes.
 enum class Guide : std::uint32_t { curvature = 0, combing = 1, sections = 2, light = 3, silhouette = 4 };
@@ -21,6 +53,8 @@ struct FieldSettings {
     glm::dvec3 guide_direction{0.0, 0.0, 1.0}; // unit: to the light, or to the eye
     double guide_weight = 1.0;                 // the share of `guide`; curvature has the rest
     double diagonal = 1.0;
+
+    [[nodiscard]] bool operator==(const FieldSettings& other) const noexcept = default;
 };
 
 // Even samples of the surface; the graph's links lead over no crease and to no other sheet.
@@ -53,5 +87,52 @@ void link_samples(const base::Runtime& runtime, SampleGraph& graph, const base::
 [[nodiscard]] base::Array<double> line_angles(const marks::Site& site, const SampleGraph& graph,
                                               const FieldSettings& settings, const marks::DirectionFunction& function,
                                               const base::Progress& progress);
+
+// ---- Waves
+
+// Waves at the nodes of a graph: exp(i phase), where the phase grows across the line of each node, to its left as seen
+// from outside. The magnitude, up to 1, says how far the waves around a node agree.
+struct Waves {
+    Waves(base::Memory& memory, const geometry::VecArray& nodes, double coarsest)
+        : position(nodes), along(memory, nodes.size()), across(memory, nodes.size()), period(coarsest), level(memory) {}
+
+    void set_line(std::int64_t i, const glm::dvec3& normal, const glm::dvec3& tangent) noexcept {
+        along.set(i, tangent);
+        across.set(i, glm::cross(normal, tangent));
+    }
+    [[nodiscard]] bool has_line(std::int64_t i) const noexcept { return glm::dot(along[i], along[i]) > 0.0; }
+    // Whether the lines of two neighbours point to opposite ways: their signs mean nothing.
+    [[nodiscard]] bool turned(std::int64_t a, std::int64_t b) const noexcept {
+        return glm::dot(along[a], along[b]) < 0.0;
+    }
+    // By how much the phase of a wave of this period grows from node a to b, in the sense of a's line.
+    [[nodiscard]] double growth(std::int64_t a, std::int64_t b, double wave_period) const noexcept {
+        const glm::dvec3 there = across[b];
+        const glm::dvec3 mean = 0.5 * (across[a] + (turned(a, b) ? -there : there));
+        return tau / wave_period * glm::dot(position[b] - position[a], mean);
+    }
+    [[nodiscard]] std::int64_t finest() const noexcept { return level.size() - 1; }
+    [[nodiscard]] double period_of(std::int64_t number) const noexcept {
+        return std::ldexp(period, -static_cast<int>(number));
+    }
+
+    const geometry::VecArray& position; // the place of each node
+    geometry::VecArray along, across;   // unit, tangent; 0 where a node has no line
+    double period;                      // the period of the first wave, object units
+    base::List<Numbers> level;          // the waves, coarsest first
+};
+
+// The wave as a line sees it that points to the opposite way, or to the same.
+[[nodiscard]] inline Complex seen(const Complex& z, bool turned) noexcept { return turned ? std::conj(z) : z; }
+
+// Adds waves to the samples' lines: as many levels as wanted, but none too fine for the samples.
+void add_sample_waves(const base::Runtime& runtime, const SampleGraph& graph, std::uint64_t seed, int levels,
+                      Waves& samples, const base::Progress& progress);
+
+// sheets: the implicit's sheet at each vertex; empty where the samples have none. As many levels as wanted, but none
+// too fine for the mesh.
+[[nodiscard]] Waves waves_at_vertices(const base::Runtime& runtime, const SampleGraph& graph, const Waves& samples,
+                                      const curves::SurfaceMesh& mesh, const base::Array<std::int32_t>& sheets,
+                                      int levels, const base::Progress& progress);
 
 } // namespace hrbfnpr::hatching

@@ -45,10 +45,7 @@ void require_room(const marks::Site& site, const Settings& settings, double area
 
 bool Settings::is_on_ground_of(const Settings& other) const noexcept {
     return separation == other.separation && step == other.step && (separation > 0.0 || budget == other.budget) &&
-           field.smoothing == other.field.smoothing && field.axis == other.field.axis &&
-           field.axis_weight == other.field.axis_weight && field.guide == other.field.guide &&
-           field.guide_direction == other.field.guide_direction && field.guide_weight == other.field.guide_weight &&
-           direction.function == other.direction.function && direction.user == other.direction.user;
+           field == other.field && direction == other.direction;
 }
 
 Ground::Ground(const marks::Site& site, const stipples::SurfaceCells& cells, const Settings& settings,
@@ -56,8 +53,11 @@ Ground::Ground(const marks::Site& site, const stipples::SurfaceCells& cells, con
     : settings_(settings), region_(cells.region), graph_(site.memory()), angle_(site.memory()), mesh_(site.memory()),
       sheet_(site.memory()) {
     require_room(site, settings, cells.rough_area());
-    stipples::EvenMarks even = stipples::spread_evenly(site, cells, samples_for(settings, cells.rough_area()),
-                                                       marks::Kind::stipples, progress.part(0.0, 0.4));
+    const double spacing = hatching_tuning.sample_spacing * separation_of(settings, cells.rough_area());
+    const auto samples = static_cast<std::int64_t>(std::min(cells.rough_area() / (spacing * spacing), 1e9));
+    stipples::EvenMarks even = stipples::spread_evenly(
+        site, cells, std::clamp(samples, hatching_tuning.fewest_samples, hatching_tuning.most_samples),
+        marks::Kind::stipples, progress.part(0.0, 0.4));
     area_ = even.area > 0.0 ? even.area : cells.rough_area();
     graph_.spacing = std::sqrt(area_ / static_cast<double>(even.position.size()));
     graph_.position = std::move(even.position);
@@ -96,16 +96,10 @@ void Ground::lay_lines(const marks::Site& site, const Settings& settings, marks:
     Lines lines = find_crests(site.runtime, mesh_, waves, levels, rest);
     lines = join_ends(lines, hatching_tuning.widest_gap * separation, rest);
     lines = even_out(site.runtime, lines, separation, rest);
-    add_line_marks(site, lines, {separation, step_of(settings, separation), region_}, marks, report,
+    add_line_marks(site, lines, separation, step_of(settings, separation), region_, marks, report,
                    progress.part(0.6, 1.0));
     report.step = separation;
     report.levels = levels;
-}
-
-std::int64_t samples_for(const Settings& settings, double area) noexcept {
-    const double spacing = hatching_tuning.sample_spacing * separation_of(settings, area);
-    return std::clamp(static_cast<std::int64_t>(std::min(area / (spacing * spacing), 1e9)),
-                      hatching_tuning.fewest_samples, hatching_tuning.most_samples);
 }
 
 } // namespace hrbfnpr::hatching

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
 // Hatching laid out on a surface: lines all over it along one smooth field, evenly spaced, in nested levels of which
 // each has the lines between those of the ones before. In this order:
-//   field.h       even samples -> a graph of neighbours -> a smooth field of lines
-//   waves.h       the field -> waves on the samples, of the longest period and of halves of it -> waves on a mesh
+//   field.h       even samples -> a graph of neighbours -> a smooth field of lines -> waves on the samples, of the
+//                 longest period and of halves of it -> waves on a mesh
 //   lines.h       the crests of the finest wave -> lines -> joined ends -> even distances -> marks on the surface
 #pragma once
 
 #include "curves/surface_mesh.h"
 #include "hatching/field.h"
 #include "hatching/tuning.h"
-#include "marks/marks.h"
+#include "marks/site.h"
 #include "stipples/surface_cells.h"
 
 namespace hrbfnpr::hatching {
@@ -49,7 +49,5 @@ private:
     curves::SurfaceMesh mesh_;
     base::Array<std::int32_t> sheet_; // the sheet of each vertex of the mesh, if the mesh ends at creases; else empty
 };
-
-[[nodiscard]] std::int64_t samples_for(const Settings& settings, double area) noexcept;
 
 } // namespace hrbfnpr::hatching

@@ -1,14 +1,21 @@
 // SPDX-License-Identifier: MIT
+// 1. find_crests: a crest crosses edges of the mesh; crossings are linked in triangles, and lines follow the links.
+// 2. join_ends: ends that face each other over a small gap are joined, the nearest first.
+// 3. even_out: lines are moved to the middle between those beside them, and straightened where they turn too much.
+// 4. add_line_marks: lines get a mark at each step, which is settled on the surface. They are cut into pieces where
+//    they pass over a crease or leave the surface; the ends of pieces are drawn up to creases.
 #include "hatching/lines.h"
 
 #include "base/sort.h"
 #include "geometry/long_vec_array.h"
 #include "geometry/point_grid.h"
 #include "hatching/tuning.h"
+#include "surface/creased.h"
+#include "surface/sheets_meet.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
-#include <numbers>
 #include <tuple>
 
 namespace hrbfnpr::hatching {
@@ -46,7 +53,7 @@ std::int64_t across(const curves::SurfaceMesh& mesh, std::int64_t edge) noexcept
 // 2^halvings - 1 lines between any two crests, in the order of their numbers.
 template <class Visit>
 void visit_crests(const Waves& waves, int halvings, std::int32_t a, std::int32_t b, const Visit& visit) {
-    constexpr double tau = 2.0 * std::numbers::pi;
+
     if (!waves.has_line(a) || !waves.has_line(b)) return;
     const double scale = std::ldexp(1.0, halvings) / tau;
     const double growth = waves.growth(a, b, waves.period_of(waves.finest()));
@@ -264,6 +271,366 @@ void add_from(const Lines& lines, const Ends& ends, std::int64_t end, Lines& res
         result.add_point(lines.position[point(k)], lines.normal[point(k)], lines.level[point(k)], progress);
 }
 
+// ---- Lines and their points
+
+constexpr std::int64_t lines_a_task = 16;
+
+// The points of a line: those from begin up to end.
+struct Stretch {
+    std::int64_t begin, end;
+    bool closed;
+
+    // The neighbours of a point along the line; -1 beyond an end.
+    [[nodiscard]] std::int64_t after(std::int64_t i) const noexcept {
+        return i + 1 < end ? i + 1 : closed ? begin : -1;
+    }
+    [[nodiscard]] std::int64_t before(std::int64_t i) const noexcept {
+        return i > begin ? i - 1 : closed ? end - 1 : -1;
+    }
+};
+
+template <class Visit>
+void for_lines(const base::Runtime& runtime, const Lines& lines, const base::Progress& progress, const Visit& visit) {
+    runtime.parallel.for_chunks(lines.count(), lines_a_task, [&](std::int64_t begin, std::int64_t end) {
+        for (std::int64_t l = begin; l < end; ++l) {
+            progress.check();
+            visit(Stretch{lines.first[l], lines.first[l + 1], lines.closed[l] != 0});
+        }
+    });
+}
+
+// Replaces the points of a line by moved(point before, point, point after) of where they were; open ends stay.
+template <class Moved>
+void move_between(geometry::VecArray& position, const Stretch& line, const Moved& moved) {
+    const glm::dvec3 first = position[line.begin];
+    glm::dvec3 before = line.closed ? position[line.end - 1] : first;
+    for (std::int64_t i = line.begin; i < line.end; ++i) {
+        const glm::dvec3 here = position[i];
+        const glm::dvec3 after = i + 1 < line.end ? position[i + 1] : first;
+        if (line.before(i) >= 0 && line.after(i) >= 0) position.set(i, moved(i, before, here, after));
+        before = here;
+    }
+}
+
+// The unit tangents across a line; 0 where it does not go on.
+void set_across(const Lines& lines, const Stretch& line, geometry::VecArray& across) {
+    for (std::int64_t i = line.begin; i < line.end; ++i) {
+        const std::int64_t last = line.before(i);
+        const std::int64_t next = line.after(i);
+        const glm::dvec3 along = lines.position[next < 0 ? i : next] - lines.position[last < 0 ? i : last];
+        const glm::dvec3 way = glm::cross(lines.normal[i], along);
+        const double length = glm::length(way);
+        across.set(i, length > 0.0 ? way / length : glm::dvec3(0.0));
+    }
+}
+
+// ---- Neighbours
+
+// A place between two points of the line beside a point.
+struct Neighbour {
+    std::int32_t from = -1, to = -1; // -1: there is no line
+    float share = 0.0F;              // where the place is between the two points: 0 at `from`, 1 at `to`
+    float gap = 0.0F;                // the distance to that place, in separations
+    float sense = 0.0F;              // 1 if that line's way across points to the same side, else -1
+};
+
+// The neighbours of each point: against its way across, and along it.
+using Beside = base::Array<std::array<Neighbour, 2>>;
+
+// Where the plane across the line at each point meets other lines, or a part of the same line farther on: the nearest
+// place on either side.
+void find_beside(const base::Runtime& runtime, const Lines& lines, const geometry::VecArray& across, double separation,
+                 Beside& beside, const base::Progress& progress) {
+    const double step = hatching_tuning.even_step;
+    const geometry::PointGrid grid(lines.position, (hatching_tuning.beside + step) * separation, progress);
+    const geometry::VecArray places = grid.in_order(lines.position, progress);
+    base::Array<std::int32_t> next(runtime.memory); // the point after each point on its line; -1: the line ends there
+    base::resize_long(next, lines.position.size(), progress);
+    for_lines(runtime, lines, progress, [&](const Stretch& line) {
+        for (std::int64_t i = line.begin; i < line.end; ++i) next[i] = static_cast<std::int32_t>(line.after(i));
+    });
+    // Along a line its own points are beside others only where it winds round.
+    const auto is_apart = [&](const Stretch& line, std::int64_t i, std::int64_t j) {
+        if (j < line.begin || j >= line.end) return true;
+        const std::int64_t way = std::abs(i - j);
+        const std::int64_t shortest = line.closed ? std::min(way, line.end - line.begin - way) : way;
+        return static_cast<double>(shortest) * step >= hatching_tuning.winding;
+    };
+    const auto look_around = [&](const Stretch& line, std::int64_t i) {
+        const glm::dvec3 p = lines.position[i];
+        const glm::dvec3 n = lines.normal[i];
+        const glm::dvec3 aside = across[i];
+        const glm::dvec3 along = glm::cross(aside, n);
+        std::array<Neighbour, 2> found{};
+        for (Neighbour& side : found) side.gap = static_cast<float>(hatching_tuning.beside);
+        grid.around(p, [&](std::int64_t at) {
+            const glm::dvec3 way = places[at] - p;
+            const double from = glm::dot(way, along);
+            if (std::abs(from) > 2.0 * step * separation) return;
+            const std::int64_t j = grid.index(at);
+            if (next[j] < 0) return;
+            const glm::dvec3 next_way = lines.position[next[j]] - p;
+            const double to = glm::dot(next_way, along);
+            if ((from > 0.0) == (to > 0.0) || !is_apart(line, i, j)) return;
+            const double turned = glm::dot(across[j], aside);
+            if (!(glm::dot(n, lines.normal[j]) > hatching_tuning.same_sheet_cosine) ||
+                !(std::abs(turned) > hatching_tuning.parallel_cosine))
+                return;
+            const double share = from / (from - to);
+            const glm::dvec3 there = glm::mix(way, next_way, share);
+            const double offset = glm::dot(there, aside);
+            const double height = glm::dot(there, n);
+            if (std::abs(height) > hatching_tuning.steepest * std::abs(offset) + hatching_tuning.thickness * separation)
+                return;
+            Neighbour& best = found[offset > 0.0 ? 1 : 0];
+            const auto gap = static_cast<float>(std::abs(offset) / separation);
+            if (gap < best.gap)
+                best = {static_cast<std::int32_t>(j), next[j], static_cast<float>(share), gap,
+                        turned > 0.0 ? 1.0F : -1.0F};
+        });
+        beside[i] = found;
+    };
+    for_lines(runtime, lines, progress, [&](const Stretch& line) {
+        for (std::int64_t i = line.begin; i < line.end; ++i) {
+            if ((i - line.begin) % 512 == 0) progress.check();
+            look_around(line, i);
+        }
+    });
+}
+
+// ---- Moves
+
+// An exponential mean of the values along a line, twice to and fro.
+void average(const Stretch& line, float* values) {
+    const std::int64_t count = line.end - line.begin;
+    const std::int64_t run_up = line.closed ? std::min<std::int64_t>(hatching_tuning.run_up, count) : 0;
+    const auto run = [&](const auto& at) {
+        float mean = at(run_up == 0 ? 0 : count - run_up);
+        for (std::int64_t i = count - run_up; i < count; ++i) mean += hatching_tuning.newest * (at(i) - mean);
+        for (std::int64_t i = 0; i < count; ++i) at(i) = mean += hatching_tuning.newest * (at(i) - mean);
+    };
+    for (int twice = 0; twice < 2; ++twice) {
+        run([&](std::int64_t i) -> float& { return values[line.begin + i]; });
+        run([&](std::int64_t i) -> float& { return values[line.end - 1 - i]; });
+    }
+}
+
+// How far a point is from the middle between its neighbours, after the moves of all three; in separations.
+float way_to_middle(const Beside& beside, const base::Array<float>& move, std::int64_t i) noexcept {
+    std::array<float, 2> gap{};
+    for (const std::size_t side : {0U, 1U}) {
+        const Neighbour& n = beside[i][side];
+        if (n.from < 0) return 0.0F;
+        const float wider = n.sense * std::lerp(move[n.from], move[n.to], n.share) - move[i];
+        gap[side] = n.gap + (side == 1 ? wider : -wider);
+    }
+    return 0.5F * (gap[1] - gap[0]);
+}
+
+// How far each point is to move across its line, in separations.
+base::Array<float> even_moves(const base::Runtime& runtime, const Lines& lines, const Beside& beside,
+                              const base::Progress& progress) {
+    base::Array<float> move(runtime.memory, beside.size());
+    base::Array<float> wanted(runtime.memory, beside.size());
+    for (int round = 0; round < hatching_tuning.moves; ++round) {
+        for_lines(runtime, lines, progress, [&](const Stretch& line) {
+            for (std::int64_t i = line.begin; i < line.end; ++i)
+                wanted[i] = hatching_tuning.move_share * std::clamp(way_to_middle(beside, move, i), -0.5F, 0.5F);
+            average(line, wanted.data());
+        });
+        for_lines(runtime, lines, progress, [&](const Stretch& line) {
+            for (std::int64_t i = line.begin; i < line.end; ++i) move[i] += wanted[i];
+        });
+    }
+    return move;
+}
+
+// ---- Kinks
+
+// Marks the points of all parts, each of two separations, that turn too much within the surface. Parts that turn still
+// more are not marked: there the field itself turns, around a singular point. turn: gets the angle by which the line
+// turns at each point, radians.
+bool mark_kinks(const Lines& lines, const Stretch& line, base::Array<float>& turn, base::Array<std::uint8_t>& kink) {
+    for (std::int64_t i = line.begin; i < line.end; ++i) {
+        kink[i] = 0;
+        turn[i] = 0.0F;
+        if (line.before(i) < 0 || line.after(i) < 0) continue;
+        const glm::dvec3 n = lines.normal[i];
+        const glm::dvec3 from = lines.position[i] - lines.position[line.before(i)];
+        const glm::dvec3 to = lines.position[line.after(i)] - lines.position[i];
+        const double cosine = glm::dot(from, to) - glm::dot(from, n) * glm::dot(to, n);
+        turn[i] = static_cast<float>(std::atan2(glm::dot(glm::cross(from, to), n), cosine));
+    }
+    const auto for_part = [&](std::int64_t i, const auto& visit) {
+        for (int k = 0; k < hatching_tuning.points_of_kink && i >= 0; ++k, i = line.after(i)) visit(i);
+    };
+    bool any = false;
+    for (std::int64_t i = line.begin; i < line.end; ++i) {
+        float sum = 0.0F;
+        float most = 0.0F;
+        for_part(i, [&](std::int64_t k) { most = std::max(most, std::abs(sum += turn[k])); });
+        if (most <= hatching_tuning.most_turn || most > hatching_tuning.singular_turn) continue;
+        for_part(i, [&](std::int64_t k) { kink[k] = 1; });
+        any = true;
+    }
+    return any;
+}
+
+// Moves points in kinks halfway to the middle of those beside them, across the line.
+void straighten(const base::Runtime& runtime, Lines& lines, geometry::VecArray& across,
+                const base::Progress& progress) {
+    base::Array<float> turn(runtime.memory, lines.position.size());
+    base::Array<std::uint8_t> kink(runtime.memory, lines.position.size());
+    for_lines(runtime, lines, progress, [&](const Stretch& line) {
+        for (int round = 0; round < hatching_tuning.straightenings && mark_kinks(lines, line, turn, kink); ++round) {
+            set_across(lines, line, across);
+            move_between(lines.position, line,
+                         [&](std::int64_t i, const glm::dvec3& before, const glm::dvec3& p, const glm::dvec3& after) {
+                             const glm::dvec3 way = 0.5 * (before + after) - p;
+                             return kink[i] != 0 ? p + 0.5 * glm::dot(way, across[i]) * across[i] : p;
+                         });
+        }
+    });
+}
+
+// ---- Marks along lines
+
+// Around a fork of a coarse wave a line changes its level often, and is to change it only for long: each mark gets the
+// median level of those up to `reach` away along the line.
+void smooth_levels(Lines& lines, std::int64_t reach) {
+    base::Array<std::uint8_t> median(lines.first.memory());
+    base::Array<std::uint8_t> near(lines.first.memory());
+    for (std::int64_t l = 0; l < lines.count(); ++l)
+        for (std::int64_t i = lines.first[l]; i < lines.first[l + 1]; ++i) {
+            near.clear();
+            const std::int64_t last = std::min(lines.first[l + 1] - 1, i + reach);
+            for (std::int64_t k = std::max(lines.first[l], i - reach); k <= last; ++k) near.push_back(lines.level[k]);
+            std::uint8_t* const middle = near.begin() + (near.size() - 1) / 2;
+            std::nth_element(near.begin(), middle, near.end());
+            median.push_back(*middle);
+        }
+    std::swap(lines.level, median);
+}
+
+// Brings marks onto the surface; the normal of one that did not settle is 0.
+void settle(const marks::Site& site, double separation, const geometry::Bounds& region, Lines& lines,
+            marks::LevelReport& report, const base::Progress& progress) {
+    marks::Settler settler(site);
+    const std::int64_t count = lines.position.size();
+    for (std::int64_t from = 0; from < count; from += marks::chunk_size) {
+        settler.start.clear();
+        const std::int64_t end = std::min(count, from + marks::chunk_size);
+        for (std::int64_t i = from; i < end; ++i) settler.start.push_back(lines.position[i]);
+        settler.settle(separation, report, base::Progress(progress).part(0.0, 0.0));
+        for (std::int64_t i = from; i < end; ++i) {
+            if (settler.placed(i - from) && !region.contains(settler.position(i - from)))
+                settler.drop(i - from, report.dropped_strayed, report);
+            lines.position.set(i, settler.position(i - from));
+            lines.normal.set(i, settler.placed(i - from) ? settler.normal(i - from) : glm::dvec3(0.0));
+        }
+        progress.update(static_cast<double>(end) / static_cast<double>(count));
+    }
+}
+
+// 1 for marks on another sheet than the mark before them, which is the last one for the first of a line; empty where
+// the surface is smooth. A mark on the crease itself belongs to the sheet of the marks that it goes on from, or else
+// leads to, and gets its normal.
+base::Array<std::uint8_t> starts_at_creases(const marks::Site& site, Lines& lines, const base::Progress& progress) {
+    base::Array<std::int32_t> sheet = surface::sheets_at(site.runtime, site.implicit, lines.position, progress);
+    base::Array<std::uint8_t> starts(site.memory(), sheet.size());
+    const implicit::Sheets* const sheets = site.implicit.sheets();
+    if (sheets == nullptr) return starts;
+    const auto joins = [&](std::int64_t i, std::int32_t other) {
+        const surface::SheetValue at = surface::sheet_at(*sheets, other, lines.position[i]);
+        const double slope = glm::length(at.gradient);
+        if (!(std::abs(at.value) <= hatching_tuning.on_sheet * site.implicit.diagonal() * slope)) return false;
+        lines.normal.set(i, at.gradient / slope);
+        sheet[i] = other;
+        return true;
+    };
+    const auto has_settled = [&](std::int64_t i) { return lines.normal[i] != glm::dvec3(0.0); };
+    for (std::int64_t l = 0; l < lines.count(); ++l) {
+        progress.check();
+        bool goes_on = false; // the mark before does, from the one before that
+        for (std::int64_t i = lines.first[l], last = lines.first[l + 1] - 1; i < lines.first[l + 1]; last = i++) {
+            if (i == lines.first[l] && lines.closed[l] == 0) continue;
+            const bool both = has_settled(last) && has_settled(i);
+            const bool creased =
+                both && surface::is_creased(sheet[last], sheet[i], lines.normal[last], lines.normal[i]);
+            if (creased && !joins(i, sheet[last]) && (goes_on || !joins(last, sheet[i]))) starts[i] = 1;
+            goes_on = both && starts[i] == 0;
+        }
+    }
+    return starts;
+}
+
+bool is_a_step(const glm::dvec3& a, const glm::dvec3& b, double step) noexcept {
+    const double distance = glm::distance(a, b) / step;
+    return distance > hatching_tuning.least_step && distance < hatching_tuning.most_step;
+}
+
+// A line ends where its face of the mesh does, but once it has been moved to the middle between others, its last mark
+// may lie beyond the crease, on the next sheet, or somewhat before it. So an end beside a crease gets a mark on that.
+struct CreaseEnd {
+    surface::MeetingPlace place;
+    bool replaces = false; // the mark that the line ended with, which is too near
+};
+
+CreaseEnd crease_end(const implicit::Sheets* sheets, const glm::dvec3& inner, const glm::dvec3& end, double step) {
+    if (sheets == nullptr) return {};
+    const double ahead = hatching_tuning.crease_ahead * step;
+    const std::int32_t own = surface::active_at(*sheets, inner);
+    const std::int32_t other = surface::active_at(*sheets, end + ahead * glm::normalize(end - inner));
+    if (own == other) return {};
+    surface::Meeting meeting;
+    meeting.add(own);
+    meeting.add(other);
+    const surface::MeetingPlace place = surface::find_meeting(*sheets, meeting, end, 1e-7 * step, ahead);
+    if (!place.found ||
+        !surface::is_creased(own, other, glm::normalize(place.gradient[0]), glm::normalize(place.gradient[1])))
+        return {};
+    const bool replaces = glm::distance(place.position, end) <= hatching_tuning.least_step * step;
+    return is_a_step(place.position, replaces ? inner : end, step) ? CreaseEnd{place, replaces} : CreaseEnd{};
+}
+
+// Lines in pieces each of which lies on the surface and on one side of all creases.
+Lines cut(const marks::Site& site, const Lines& lines, const base::Array<std::uint8_t>& starts, double step,
+          const base::Progress& progress) {
+    Lines pieces(site.memory());
+    const auto add = [&](std::int64_t l, std::int64_t begin, std::int64_t end) {
+        const auto at = [&](std::int64_t k) { return lines.first[l] + k % lines.points(l); };
+        const auto place = [&](std::int64_t k) { return lines.position[at(k)]; };
+        if (end - begin < hatching_tuning.fewest_marks) return;
+        const CreaseEnd head = crease_end(site.implicit.sheets(), place(begin + 1), place(begin), step);
+        const CreaseEnd tail = crease_end(site.implicit.sheets(), place(end - 2), place(end - 1), step);
+        const auto add_crease = [&](const surface::MeetingPlace& crease, std::int64_t k) {
+            if (crease.found)
+                pieces.add_point(crease.position, glm::normalize(crease.gradient[0]), lines.level[at(k)], progress);
+        };
+        add_crease(head.place, begin);
+        for (std::int64_t k = begin + (head.replaces ? 1 : 0); k < end - (tail.replaces ? 1 : 0); ++k)
+            pieces.add_point(place(k), lines.normal[at(k)], lines.level[at(k)], progress);
+        add_crease(tail.place, end - 1);
+        pieces.end_line(false);
+    };
+    for (std::int64_t l = 0; l < lines.count(); ++l) {
+        // The last mark of a closed line is its first one once more.
+        const std::int64_t count = lines.points(l) + (lines.closed[l] != 0 ? 1 : 0);
+        std::int64_t begin = 0;
+        for (std::int64_t k = 1; k <= count; ++k) {
+            const std::int64_t last = lines.first[l] + k - 1;
+            const std::int64_t next = lines.first[l] + k % lines.points(l);
+            const bool goes_on = k < count && (starts.empty() || starts[next] == 0) &&
+                                 is_a_step(lines.position[last], lines.position[next], step) &&
+                                 glm::dot(lines.normal[last], lines.normal[next]) > 0.0;
+            if (goes_on) continue;
+            add(l, begin, k);
+            begin = k;
+        }
+    }
+    return pieces;
+}
+
 } // namespace
 
 void Lines::add_point(const glm::dvec3& at, const glm::dvec3& its_normal, std::uint8_t its_level,
@@ -348,6 +715,86 @@ Lines resampled(const Lines& lines, double step, double shortest, const base::Pr
         result.end_line(lines.closed[l] != 0);
     }
     return result;
+}
+
+Lines even_out(const base::Runtime& runtime, const Lines& given, double separation, const base::Progress& progress) {
+    HRBFNPR_ASSERT(separation > 0.0);
+    Lines lines =
+        resampled(given, hatching_tuning.even_step * separation, hatching_tuning.shortest * separation, progress);
+    // Points on a mesh's edges know their place only to a part of its cells.
+    for_lines(runtime, lines, progress, [&](const Stretch& line) {
+        for (int round = 0; round < hatching_tuning.smoothings; ++round)
+            move_between(lines.position, line,
+                         [](std::int64_t, const glm::dvec3& before, const glm::dvec3& p, const glm::dvec3& after) {
+                             return 0.25 * before + 0.5 * p + 0.25 * after;
+                         });
+    });
+    geometry::VecArray across(runtime.memory);
+    geometry::resize_long(across, lines.position.size(), progress);
+    Beside beside(runtime.memory);
+    base::resize_long(beside, lines.position.size(), progress);
+    for (int round = 0; round < hatching_tuning.rounds; ++round) {
+        for_lines(runtime, lines, progress, [&](const Stretch& line) { set_across(lines, line, across); });
+        find_beside(runtime, lines, across, separation, beside, progress);
+        const base::Array<float> move = even_moves(runtime, lines, beside, progress);
+        for_lines(runtime, lines, progress, [&](const Stretch& line) {
+            for (std::int64_t i = line.begin; i < line.end; ++i)
+                lines.position.set(i, lines.position[i] + static_cast<double>(move[i]) * separation * across[i]);
+        });
+    }
+    straighten(runtime, lines, across, progress);
+    return lines;
+}
+
+void add_line_marks(const marks::Site& site, const Lines& given, double separation, double step,
+                    const geometry::Bounds& region, marks::Marks& marks, marks::LayerReport& report,
+                    const base::Progress& progress) {
+    HRBFNPR_ASSERT(separation > 0.0 && step > 0.0 && marks.count() == 0);
+    Lines lines = resampled(given, step, 0.0, progress);
+    const double reach = std::ceil(0.5 * hatching_tuning.level_length * separation / step);
+    smooth_levels(lines, static_cast<std::int64_t>(reach));
+    marks::LevelReport& level = report.of(0);
+    settle(site, separation, region, lines, level, progress);
+    const base::Array<std::uint8_t> starts = starts_at_creases(site, lines, progress);
+    const Lines pieces = cut(site, lines, starts, step, progress);
+    // Marks that no piece is made of were placed for nothing; those on creases, and ends of rings, come on top.
+    const std::int64_t all = pieces.position.size();
+    const std::int64_t added = std::max<std::int64_t>(0, all - level.placed);
+    level.attempted += added;
+    level.dropped_strayed += level.placed + added - all;
+    level.placed = all;
+    struct Order {
+        std::uint8_t level; // the coarsest of the piece's marks
+        std::int64_t piece;
+    };
+    base::Array<Order> order(site.memory());
+    for (std::int64_t p = 0; p < pieces.count(); ++p)
+        order.push_back(
+            {*std::min_element(pieces.level.begin() + pieces.first[p], pieces.level.begin() + pieces.first[p + 1]), p});
+    base::sort_long(order.begin(), order.end(), [](const Order& a, const Order& b) {
+        return std::tie(a.level, a.piece) < std::tie(b.level, b.piece);
+    });
+    std::uint32_t number = 0;
+    for (const Order& next : order) {
+        progress.check();
+        const double middle = static_cast<double>(marks.count()) + 0.5 * static_cast<double>(pieces.points(next.piece));
+        const std::int64_t first = pieces.first[next.piece];
+        const std::int64_t last = pieces.first[next.piece + 1] - 1;
+        for (std::int64_t i = first; i <= last; ++i) {
+            const glm::dvec3 n = pieces.normal[i];
+            const glm::dvec3 way = pieces.position[std::min(last, i + 1)] - pieces.position[std::max(first, i - 1)];
+            marks.position.push_back(pieces.position[i]);
+            marks.normal.push_back(n);
+            marks.direction.push_back(glm::normalize(way - glm::dot(way, n) * n));
+            marks.key.push_back(static_cast<std::uint64_t>(marks.count() - 1));
+            marks.stroke.push_back(2 * number);
+            marks.place.push_back(static_cast<std::int32_t>(i - first));
+            marks.level.push_back(pieces.level[i]);
+            marks.rank.push_back(marks::rank_of(1.0 - middle / static_cast<double>(all)));
+        }
+        ++number;
+    }
+    report.full_count = all;
 }
 
 } // namespace hrbfnpr::hatching

@@ -7,8 +7,8 @@
 //   add_line_marks: lines -> marks on the surface
 #pragma once
 
-#include "hatching/waves.h"
-#include "marks/marks.h"
+#include "hatching/field.h"
+#include "marks/site.h"
 
 namespace hrbfnpr::hatching {
 
@@ -48,15 +48,10 @@ struct Lines {
 [[nodiscard]] Lines even_out(const base::Runtime& runtime, const Lines& lines, double separation,
                              const base::Progress& progress);
 
-struct LineMarkSettings {
-    double separation = 0.0; // the distance of neighbouring lines if those of all levels are there
-    double step = 0.0;       // the distance from mark to mark along a line
-    geometry::Bounds region; // beyond it there is no surface
-};
-
-// Appends marks at even steps along each line, brought onto the surface, line after line; those that are of a coarse
-// level somewhere come first.
-void add_line_marks(const marks::Site& site, const Lines& lines, const LineMarkSettings& settings, marks::Marks& marks,
-                    marks::LayerReport& report, const base::Progress& progress);
+// Appends marks a step apart along each line, brought onto the surface, line after line; those that are of a coarse
+// level somewhere come first. `separation` is that of all levels together; beyond the region there is no surface.
+void add_line_marks(const marks::Site& site, const Lines& lines, double separation, double step,
+                    const geometry::Bounds& region, marks::Marks& marks, marks::LayerReport& report,
+                    const base::Progress& progress);
 
 } // namespace hrbfnpr::hatching

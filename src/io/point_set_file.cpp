@@ -4,7 +4,7 @@
 #include "io/decoder.h"
 #include "io/encoder.h"
 #include "io/files.h"
-#include "marks/marks.h"
+#include "marks/site.h"
 
 #include <algorithm>
 #include <cstring>

@@ -1,18 +1,21 @@
 // SPDX-License-Identifier: MIT
 #include "marks/assemble.h"
 
+#include "base/format.h"
 #include "base/long_array.h"
 #include "base/random.h"
 #include "geometry/cell_set.h"
 #include "geometry/point_grid.h"
 #include "geometry/point_tree.h"
 #include "geometry/tangent_frame.h"
+#include "geometry/unit.h"
 #include "marks/tuning.h"
 #include "surface/creased.h"
 #include "surface/curvature.h"
 
 #include <algorithm>
 #include <cmath>
+#include <cstdarg>
 #include <numbers>
 
 namespace hrbfnpr::marks {
@@ -204,6 +207,262 @@ void soften_normals(const Site& site, const Marks& marks, double length, double 
             set_vector(result, i, averaged(i));
         }
     });
+}
+
+// ---- Ready-made marks
+
+namespace {
+
+using base::InView;
+
+long long number(std::int64_t i) noexcept { return static_cast<long long>(i); }
+
+// The numbers of one layer, each of which is checked; `place` is that of the layer in the list.
+class LayerReader {
+public:
+    LayerReader(const LayerArrays& arrays, std::int64_t place) noexcept : arrays_(arrays), place_(place) {}
+
+    // Fails with the message "point_set_desc.layers[1].rank[3] is REASON"; `format` and its arguments give REASON.
+    [[noreturn]] [[gnu::format(printf, 4, 5)]] void refuse(const char* name, std::int64_t i, const char* format,
+                                                           ...) const {
+        char why[160];
+        std::va_list arguments;
+        va_start(arguments, format);
+        base::format_text(why, sizeof why, format, arguments);
+        va_end(arguments);
+        fail(Status::invalid_argument, "point_set_desc.layers[%lld].%s[%lld] is %s", number(place_), name, number(i),
+             why);
+    }
+
+    void check_counts() const {
+        const auto check = [&](const InView& view, const char* name, bool needed) {
+            if (view.count == count() || (view.empty() && !needed)) return;
+            fail(Status::invalid_argument,
+                 "point_set_desc.layers[%lld].%s has %lld elements and .position has %lld: %s", number(place_), name,
+                 number(view.count), number(count()),
+                 needed ? "every mark needs one" : "give one for each mark or leave it empty");
+        };
+        check(arrays_.normal, "normal", true);
+        check(arrays_.direction, "direction", false);
+        check(arrays_.curvature, "curvature", false);
+        check(arrays_.rank, "rank", false);
+        check(arrays_.level, "level", false);
+        check(arrays_.width, "width", false);
+        if (count() > most_marks)
+            fail(Status::invalid_argument,
+                 "point_set_desc.layers[%lld].position has %lld elements, and %lld are the most", number(place_),
+                 number(count()), number(most_marks));
+    }
+
+    [[nodiscard]] std::int64_t count() const noexcept { return arrays_.position.count; }
+
+    [[nodiscard]] glm::dvec3 vector(const InView& view, const char* name, std::int64_t i) const {
+        glm::dvec3 v(0.0);
+        for (int axis = 0; axis < 3; ++axis) {
+            v[axis] = view.get(i, static_cast<std::uint32_t>(axis));
+            if (!std::isfinite(v[axis])) refuse(name, i, "not finite");
+            // It would become infinite in the set.
+            if (std::abs(v[axis]) > 3.4e38) refuse(name, i, "%g, which a float cannot hold: scale the marks", v[axis]);
+        }
+        return v;
+    }
+
+    [[nodiscard]] glm::dvec3 normal(std::int64_t i) const {
+        const glm::dvec3 given = vector(arrays_.normal, "normal", i);
+        const glm::dvec3 size = glm::abs(given);
+        const glm::dvec3 n = given / geometry::unit_for(std::max({size.x, size.y, size.z})); // its square is a number
+        const double length = glm::length(n);
+        if (!(length > 0.0) || !std::isfinite(length)) refuse("normal", i, "zero: every mark needs a normal");
+        return n / length;
+    }
+
+    // A stroke has no part along its normal.
+    [[nodiscard]] glm::dvec3 direction(std::int64_t i, const glm::dvec3& n) const {
+        const glm::dvec3 tangent = tangent_part(vector(arrays_.direction, "direction", i), n);
+        if (tangent == glm::dvec3(0.0)) refuse("direction", i, "zero or along the normal: it must be tangent");
+        return tangent;
+    }
+
+    [[nodiscard]] float rank(std::int64_t i) const {
+        const double u = arrays_.rank.get(i, 0);
+        if (!(u >= 0.0 && u <= 1.0)) refuse("rank", i, "outside [0,1)");
+        return rank_of(u);
+    }
+
+    [[nodiscard]] float width(std::int64_t i) const {
+        const double width = arrays_.width.get(i, 0);
+        const auto rounded = static_cast<float>(width);
+        if (!(rounded > 0.0F && width <= 1.0)) refuse("width", i, "outside (0,1]");
+        return rounded;
+    }
+
+    // Fills stroke_first and stroke.
+    void read_strokes(Layer& layer) const;
+
+private:
+    [[nodiscard]] std::uint32_t direction_of_stroke(std::int64_t stroke) const {
+        if (arrays_.stroke_direction.empty()) return 0;
+        const auto direction = static_cast<std::uint32_t>(arrays_.stroke_direction.get(stroke, 0));
+        if (direction > 1) refuse("stroke_direction", stroke, "%u; it must be 0 or 1", direction);
+        return direction;
+    }
+
+    const LayerArrays& arrays_;
+    std::int64_t place_;
+};
+
+void LayerReader::read_strokes(Layer& layer) const {
+    const InView& first = arrays_.stroke_first;
+    const std::int64_t strokes = first.empty() ? 0 : first.count - 1;
+    for (std::int64_t s = 0; s < first.count; ++s) {
+        const double now = first.get(s, 0);
+        const bool rises = s == 0 ? now == 0.0 : now > first.get(s - 1, 0);
+        const bool ends = s == strokes ? now == static_cast<double>(count()) : now < static_cast<double>(count());
+        if (!rises || !ends)
+            refuse("stroke_first", s, "%.0f; it must rise from 0 to the %lld marks", now, number(count()));
+        if (strokes > 0) layer.stroke_first.push_back(static_cast<std::uint32_t>(now));
+    }
+    const std::int64_t directions = arrays_.stroke_direction.count;
+    if (!arrays_.stroke_direction.empty() && directions != strokes)
+        fail(Status::invalid_argument,
+             "point_set_desc.layers[%lld].stroke_direction has %lld elements and .stroke_first tells of %lld strokes: "
+             "give one for each stroke or leave it empty",
+             number(place_), number(directions), number(strokes));
+    layer.stroke.resize(2 * count());
+    for (std::int64_t s = 0; s < strokes; ++s) {
+        const std::uint32_t own = 2 * static_cast<std::uint32_t>(s) + direction_of_stroke(s);
+        for (std::uint32_t i = layer.stroke_first[s]; i < layer.stroke_first[s + 1]; ++i) {
+            layer.stroke[2 * std::int64_t{i}] = own;
+            layer.stroke[2 * std::int64_t{i} + 1] = i - layer.stroke_first[s];
+        }
+    }
+    for (std::int64_t i = 0; strokes == 0 && i < count(); ++i) layer.stroke[2 * i] = 2 * static_cast<std::uint32_t>(i);
+}
+
+// Where no directions are given marks go along their strokes, by central differences; a mark that has no neighbour
+// elsewhere keeps the direction of a stipple.
+void direct_along(const geometry::VecArray& positions, const LayerReader& reader, Layer& layer) {
+    for (std::int64_t s = 0; s < layer.strokes(); ++s) {
+        const std::int64_t begin = layer.stroke_first[s];
+        const std::int64_t last = std::int64_t{layer.stroke_first[s + 1]} - 1;
+        for (std::int64_t i = begin; i <= last; ++i) {
+            const glm::dvec3 way = positions[std::min(i + 1, last)] - positions[std::max(i - 1, begin)];
+            const glm::dvec3 tangent = tangent_part(way, reader.normal(i));
+            if (tangent != glm::dvec3(0.0)) set_vector(layer.direction, i, tangent);
+        }
+    }
+}
+
+// All arrays but that of the positions, which are returned as they were given.
+geometry::VecArray read_layer(base::Memory& memory, const LayerArrays& arrays, std::int64_t place,
+                              std::uint64_t random_seed, Layer& layer) {
+    const LayerReader reader(arrays, place);
+    reader.check_counts();
+    const std::int64_t count = reader.count();
+    geometry::VecArray positions(memory, count);
+    for (std::int64_t i = 0; i < count; ++i) positions.set(i, reader.vector(arrays.position, "position", i));
+    reader.read_strokes(layer);
+    layer.normal.resize(3 * count);
+    layer.direction.resize(3 * count);
+    layer.rank.resize(count);
+    layer.level.resize(count);
+    if (!arrays.curvature.empty()) layer.curvature.resize(3 * count);
+    if (!arrays.width.empty()) layer.width.resize(count);
+    const std::uint64_t seed = layer_seed(random_seed, Kind::own, place);
+    for (std::int64_t i = 0; i < count; ++i) {
+        const glm::dvec3 n = reader.normal(i);
+        set_vector(layer.normal, i, n);
+        set_vector(layer.direction, i,
+                   arrays.direction.empty() ? geometry::stipple_frame(n).u : reader.direction(i, n));
+        if (!arrays.curvature.empty()) set_vector(layer.curvature, i, reader.vector(arrays.curvature, "curvature", i));
+        // All marks of a stroke have the same rank where none is given.
+        const std::int64_t key = layer.has_strokes() ? std::int64_t{layer.stroke[2 * i] / 2} : i;
+        layer.rank[i] =
+            arrays.rank.empty() ? random_rank(seed, static_cast<std::uint64_t>(key), layer.kind) : reader.rank(i);
+        if (!arrays.width.empty()) layer.width[i] = reader.width(i);
+        if (!arrays.level.empty()) layer.level[i] = static_cast<std::uint8_t>(arrays.level.get(i, 0));
+        layer.report.levels = std::max<std::int32_t>(layer.report.levels, layer.level[i]);
+        LevelReport& counted = layer.report.of(layer.level[i]);
+        ++counted.attempted;
+        ++counted.placed;
+    }
+    layer.report.full_count = count;
+    if (arrays.direction.empty()) direct_along(positions, reader, layer);
+    return positions;
+}
+
+// All but its clusters.
+void copy(const Layer& from, Layer& to) {
+    to.name = from.name;
+    to.progressive = from.progressive;
+    copy_arrays(from, to, &Layer::position, &Layer::normal, &Layer::direction, &Layer::curvature, &Layer::rank,
+                &Layer::level, &Layer::stroke, &Layer::width, &Layer::tone_normal, &Layer::stroke_first,
+                &Layer::stroke_order);
+    to.report.full_count = from.report.full_count;
+    to.report.levels = from.report.levels;
+    to.report.step = from.report.step;
+    to.report.seconds = from.report.seconds;
+    copy_array(from.report.level, to.report.level);
+}
+
+PointSet copy_of(const base::Runtime& runtime, const PointSet& base) {
+    PointSet set(runtime.memory);
+    set.distribution = base.distribution;
+    set.seed_source = base.seed_source;
+    set.origin = base.origin;
+    set.bounds = base.bounds;
+    set.spacing = base.spacing;
+    set.seeds = base.seeds;
+    set.seconds_seeds = base.seconds_seeds;
+    set.seconds_total = base.seconds_total;
+    for (const Layer& layer : base.layers) copy(layer, set.layers.add(runtime.memory, layer.kind));
+    return set;
+}
+
+// Measures the whole set. Where it had marks before, the origin stays, and the spacing is scaled as for the same area.
+void measure_all(const base::Runtime& runtime, const base::List<geometry::VecArray>& positions,
+                 std::int64_t largest_before, PointSet& set) {
+    if (largest_before == 0) {
+        base::Array<const geometry::VecArray*> all(runtime.memory);
+        for (const geometry::VecArray& of_layer : positions) all.push_back(&of_layer);
+        return measure(runtime, all.span(), 0.0, set, {});
+    }
+    std::int64_t largest = largest_before;
+    for (const geometry::VecArray& of_layer : positions) {
+        for (std::int64_t i = 0; i < of_layer.size(); ++i) set.bounds.extend(of_layer[i]);
+        largest = std::max(largest, of_layer.size());
+    }
+    if (largest > largest_before)
+        set.spacing *= std::sqrt(static_cast<double>(largest_before) / static_cast<double>(largest));
+}
+
+} // namespace
+
+PointSet from_arrays(const base::Runtime& runtime, const PointSet* base, std::span<const LayerArrays> arrays,
+                     std::uint64_t random_seed) {
+    PointSet set = base != nullptr ? copy_of(runtime, *base) : PointSet(runtime.memory);
+    const std::int64_t copied = set.layers.size();
+    const std::int64_t largest_before = set.largest();
+    base::List<geometry::VecArray> positions(runtime.memory);
+    std::int64_t marks = set.count();
+    for (std::size_t i = 0; i < arrays.size(); ++i) {
+        Layer& layer = set.layers.add(runtime.memory, arrays[i].kind);
+        if (arrays[i].name[0] != '\0') layer.name = arrays[i].name;
+        positions.add(read_layer(runtime.memory, arrays[i], static_cast<std::int64_t>(i), random_seed, layer));
+        marks += layer.count();
+    }
+    if (marks == 0)
+        fail(Status::invalid_argument,
+             "there is no mark: give point_set_desc.layers[0].position and .normal, or those of another layer");
+    measure_all(runtime, positions, largest_before, set);
+    if (const double side = set.bounds.longest_side(); side > 0.0) require_size("the marks are", side, "positions");
+    for (std::int64_t k = 0; k < positions.size(); ++k) {
+        Layer& layer = set.layers[copied + k];
+        layer.position.resize(3 * positions[k].size());
+        for (std::int64_t i = 0; i < positions[k].size(); ++i)
+            set_vector(layer.position, i, positions[k][i] - set.origin);
+    }
+    return set;
 }
 
 } // namespace hrbfnpr::marks

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-// From grown marks to the arrays of a point set: measure, soften_normals, assemble.
+// From grown marks (measure, soften_normals, assemble) or from the caller's arrays (from_arrays) to the arrays of a
+// point set.
 #pragma once
 
-#include "marks/marks.h"
-#include "marks/point_set.h"
+#include "base/view.h"
+#include "marks/site.h"
 
 #include <array>
 #include <span>
@@ -47,5 +48,19 @@ struct NeighbourDistances {
 // for more.  spacing: the root of the area for each mark.  result: 3 for each mark.
 void soften_normals(const Site& site, const Marks& marks, double length, double spacing, base::Array<float>& result,
                     const base::Progress& progress);
+
+// ---- Ready-made marks
+
+// The arrays of one layer; hrbfnpr_layer_arrays says what empty ones mean.
+struct LayerArrays {
+    Kind kind = Kind::own;
+    LayerName name{};
+    base::InView position, normal, stroke_first, stroke_direction, direction, curvature, rank, level, width;
+};
+
+// The layers of another set, if there is one, and those of the arrays, without clusters.
+// Throws Error{invalid_argument} that names layer, array and index.
+[[nodiscard]] PointSet from_arrays(const base::Runtime& runtime, const PointSet* base,
+                                   std::span<const LayerArrays> arrays, std::uint64_t random_seed);
 
 } // namespace hrbfnpr::marks

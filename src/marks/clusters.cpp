@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "marks/clusters.h"
+#include "marks/point_set.h"
 
 #include "base/assert.h"
 #include "base/long_array.h"
 #include "base/sort.h"
 #include "geometry/cell_grid.h"
 #include "geometry/morton.h"
+#include "geometry/point_grid.h"
 #include "geometry/unit.h"
 #include "marks/tuning.h"
 
@@ -13,9 +14,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace hrbfnpr::marks {
 namespace {
+
+constexpr Turn unknown_turn{-1.0F, {}};
 
 constexpr int cell_bits = 16; // bits for each coordinate of a mark's cell on the Morton curve
 
@@ -26,11 +30,6 @@ std::array<float, 3> to_floats(const glm::dvec3& v) noexcept {
 // ---- The bounds of a cluster. place(i) and normal(i) are those of marks begin .. end - 1.
 
 // Around the normals, and a little larger than the truth, so that floats hold it.
-struct Cone {
-    std::array<float, 3> axis{};
-    float cosine = 1.0F, sine = 0.0F; // the cosine and sine of its half angle
-};
-
 template <class Normal>
 Cone cone_around(std::int64_t begin, std::int64_t end, const Normal& normal) {
     HRBFNPR_ASSERT(begin < end);
@@ -53,19 +52,11 @@ void set_extent(Extent& extent, std::int64_t begin, std::int64_t end, const Plac
     for (std::int64_t i = begin; i < end; ++i) radius = std::max(radius, glm::length(place(i) - centre));
     extent.centre = to_floats(centre);
     extent.radius = static_cast<float>(radius * 1.00001);
-    const Cone cone = cone_around(begin, end, normal);
-    extent.axis = cone.axis;
-    extent.cone_cosine = cone.cosine;
-    extent.cone_sine = cone.sine;
+    extent.cone = cone_around(begin, end, normal);
 }
 
-// How the normals turn along the surface: Cluster::shape and ::bend.
-struct Turn {
-    std::array<float, 6> shape{};
-    float bend = -1.0F; // < 0: not known
-};
-
-// By the linear map that takes the marks' offsets from their mean to the normals', in the sense of least squares.
+// How the normals turn, by the linear map that takes the marks' offsets from their mean to the normals', in the sense
+// of least squares.
 template <class Place, class Normal>
 Turn fit_turn(std::int64_t begin, std::int64_t end, const Place& place, const Normal& normal) {
     glm::dvec3 middle(0.0);
@@ -93,24 +84,14 @@ Turn fit_turn(std::int64_t begin, std::int64_t end, const Place& place, const No
     const double squares = glm::dot(s[0], s[0]) + glm::dot(s[1], s[1]) + glm::dot(s[2], s[2]);
     const double t = s[0][0] + s[1][1] + s[2][2];
     const double bend = 0.5 * (std::abs(t) + std::sqrt(std::max(0.0, 2.0 * squares - t * t)));
-    if (!(bend <= marks_tuning.most_bend)) return {};
+    if (!(bend <= marks_tuning.most_bend)) return unknown_turn;
     const auto [x, yz] = std::pair(to_floats({s[0][0], s[1][0], s[2][0]}), to_floats({s[1][1], s[2][1], s[2][2]}));
-    return {{x[0], x[1], x[2], yz[0], yz[1], yz[2]}, static_cast<float>(bend)};
+    return {static_cast<float>(bend), {x[0], x[1], x[2], yz[0], yz[1], yz[2]}};
 }
 
-void set_turn(Cluster& cluster, const Turn& turn) noexcept {
-    cluster.shape = turn.shape;
-    cluster.bend = turn.bend;
-}
-
-// Three floats of each mark of a layer, relative to the set's origin.
-struct MarkPlaces {
-    const float* position;
-    const float* normal;
-    const float* tone_normal; // NULL: they are not known
-};
-
-void set_extent(StrokePiece& piece, const Layer& layer, const MarkPlaces& places, double unit) {
+// `position`, `normal` and `tone_normal` are three floats of each mark of the layer; NULL: they are not known.
+void set_extent(StrokePiece& piece, const Layer& layer, const float* positions, const float* normals,
+                const float* tone_normals, double unit) {
     const std::int64_t begin = piece.first;
     const std::int64_t end = begin + piece.count;
     HRBFNPR_ASSERT(begin < end && end <= layer.count());
@@ -120,17 +101,12 @@ void set_extent(StrokePiece& piece, const Layer& layer, const MarkPlaces& places
             return glm::dvec3(v[0], v[1], v[2]);
         };
     };
-    const auto position = vectors(places.position);
+    const auto position = vectors(positions);
     set_extent(
-        piece, begin, end, [&](std::int64_t at) { return position(at) / unit; }, vectors(places.normal));
-    Cone tone{{}, -1.0F, 0.0F}; // the cone of all directions
-    if (places.tone_normal == places.normal)
-        tone = {piece.axis, piece.cone_cosine, piece.cone_sine};
-    else if (places.tone_normal != nullptr)
-        tone = cone_around(begin, end, vectors(places.tone_normal));
-    piece.tone_axis = tone.axis;
-    piece.tone_cosine = tone.cosine;
-    piece.tone_sine = tone.sine;
+        piece, begin, end, [&](std::int64_t at) { return position(at) / unit; }, vectors(normals));
+    piece.tone = tone_normals == normals   ? piece.cone
+                 : tone_normals != nullptr ? cone_around(begin, end, vectors(tone_normals))
+                                           : Cone{{}, -1.0F, 0.0F}; // the cone of all directions
 }
 
 // ---- Clusters of a finished layer
@@ -139,12 +115,6 @@ struct Keyed {
     std::uint64_t key; // set of directions, side of the cube that the normal points at, place along a Morton curve
     std::uint32_t mark;
 };
-
-std::uint64_t side_of(const glm::dvec3& n) noexcept {
-    const glm::dvec3 a = glm::abs(n);
-    const int axis = a.x >= a.y ? (a.x >= a.z ? 0 : 2) : (a.y >= a.z ? 1 : 2);
-    return static_cast<std::uint64_t>(2 * axis + (n[axis] < 0.0 ? 1 : 0));
-}
 
 base::Array<Keyed> sorted_along_curve(const Layer& layer, double unit, const base::Progress& progress) {
     constexpr std::int64_t last = (std::int64_t{1} << cell_bits) - 1;
@@ -160,8 +130,11 @@ base::Array<Keyed> sorted_along_curve(const Layer& layer, double unit, const bas
         const std::uint64_t code = geometry::morton_code(
             {geometry::whole(at.x, last), geometry::whole(at.y, last), geometry::whole(at.z, last)});
         const std::uint64_t set = layer.has_strokes() ? layer.direction_of(i) : 0U;
-        order[i] = {(set * 8 + side_of(vector_at(layer.normal, i))) << (3 * cell_bits) | code,
-                    static_cast<std::uint32_t>(i)};
+        const glm::vec3 n = vector_at(layer.normal, i);
+        const glm::vec3 a = glm::abs(n);
+        const int axis = a.x >= a.y ? (a.x >= a.z ? 0 : 2) : (a.y >= a.z ? 1 : 2);
+        const std::uint64_t cube_side = 2U * static_cast<unsigned>(axis) + (n[axis] < 0.0F ? 1U : 0U);
+        order[i] = {(set * 8 + cube_side) << (3 * cell_bits) | code, static_cast<std::uint32_t>(i)};
     }
     base::sort_long(
         order.begin(), order.end(),
@@ -169,105 +142,86 @@ base::Array<Keyed> sorted_along_curve(const Layer& layer, double unit, const bas
     return order;
 }
 
-class Clustering {
-public:
-    Clustering(const Layer& layer, double unit, MarkClusters& result, const base::Progress& progress)
-        : layer_(layer), unit_(unit), result_(result), progress_(progress),
-          order_(sorted_along_curve(layer, unit, progress)) {
-        split(0, order_.size(), 3 * cell_bits, Turn{});
-        fill();
+// A layer whose marks are put into clusters, in the order of their keys.
+struct Sorted {
+    [[nodiscard]] glm::dvec3 place(std::int64_t i) const noexcept {
+        return glm::dvec3(vector_at(layer.position, order[i].mark)) / unit;
     }
+    [[nodiscard]] glm::dvec3 normal(std::int64_t i) const noexcept { return vector_at(layer.normal, order[i].mark); }
 
-private:
-    [[nodiscard]] glm::dvec3 place(std::int64_t mark) const noexcept {
-        return glm::dvec3(vector_at(layer_.position, mark)) / unit_;
-    }
-
-    // The position and the normal of the mark at place i in the order.
-    [[nodiscard]] auto places() const noexcept {
-        return [this](std::int64_t i) { return place(order_[i].mark); };
-    }
-    [[nodiscard]] auto normals() const noexcept {
-        return [this](std::int64_t i) { return glm::dvec3(vector_at(layer_.normal, order_[i].mark)); };
-    }
-
-    // Splits marks begin .. end - 1 into parts that agree in the key down to `shift`, until they are small enough.
-    // parent: the turn of the part that holds all of them, for parts that are too small to tell their own.
-    void split(std::int64_t begin, std::int64_t end, int shift, const Turn& parent) {
-        while (begin < end) {
-            const std::uint64_t head = order_[begin].key >> shift;
-            const Keyed* const next = std::partition_point(order_.data() + begin, order_.data() + end,
-                                                           [&](const Keyed& k) { return k.key >> shift == head; });
-            const std::int64_t stop = next - order_.data();
-            const std::int64_t count = stop - begin;
-            const bool tells = count >= marks_tuning.fewest_to_fit && count <= 16 * most_in_cluster;
-            const Turn turn = tells ? fit_turn(begin, stop, places(), normals()) : parent;
-            if (count <= most_in_cluster || shift == 0)
-                close(begin, stop, turn);
-            else
-                split(begin, stop, shift - 3, turn);
-            begin = stop;
-        }
-    }
-
-    void close(std::int64_t begin, std::int64_t end, const Turn& turn) {
-        progress_.check();
-        std::sort(order_.data() + begin, order_.data() + end, [&](const Keyed& a, const Keyed& b) {
-            const float u = layer_.rank[a.mark];
-            const float v = layer_.rank[b.mark];
-            return u != v ? u > v : a.mark < b.mark;
-        });
-        // More marks than that are at one place only if they are all alike.
-        for (; begin < end; begin += most_in_cluster) {
-            const std::int64_t stop = std::min(end, begin + most_in_cluster);
-            Cluster cluster;
-            cluster.count = static_cast<std::int32_t>(stop - begin);
-            cluster.set = layer_.has_strokes() ? layer_.direction_of(order_[begin].mark) : 0U;
-            set_extent(cluster, begin, stop, places(), normals());
-            set_turn(cluster, turn);
-            result_.cluster.push_back(cluster);
-        }
-    }
-
-    void fill() {
-        constexpr std::int64_t size = MarkBlock::size;
-        std::int64_t blocks = 0;
-        for (Cluster& cluster : result_.cluster) {
-            cluster.block = blocks;
-            blocks += (cluster.count + size - 1) / size;
-        }
-        base::resize_long(result_.block, blocks, progress_);
-        if (!layer_.width.empty()) base::resize_long(result_.width, blocks * size, progress_);
-        const Keyed* from = order_.data();
-        for (const Cluster& cluster : result_.cluster) {
-            progress_.check();
-            for (std::int64_t i = 0; i < cluster.count; ++i) put(cluster.block * size + i, (from++)->mark);
-        }
-        HRBFNPR_ASSERT(from == order_.end());
-    }
-
-    void put(std::int64_t slot, std::int64_t mark) {
-        MarkBlock& block = result_.block[slot / MarkBlock::size];
-        const std::int64_t at = slot % MarkBlock::size;
-        const glm::vec3 p(place(mark));
-        const glm::vec3 n = vector_at(layer_.normal, mark);
-        block.x[at] = p.x;
-        block.y[at] = p.y;
-        block.z[at] = p.z;
-        block.nx[at] = n.x;
-        block.ny[at] = n.y;
-        block.nz[at] = n.z;
-        block.rank[at] = layer_.rank[mark];
-        block.mark[at] = static_cast<std::uint32_t>(mark);
-        if (!layer_.width.empty()) result_.width[slot] = layer_.width[mark];
-    }
-
-    const Layer& layer_;
-    double unit_;
-    MarkClusters& result_;
-    const base::Progress& progress_;
-    base::Array<Keyed> order_;
+    const Layer& layer;
+    double unit;
+    base::Array<Keyed> order;
 };
+
+// Adds the clusters of marks begin .. end - 1, which are put in the order of their ranks.
+void close(Sorted& sorted, std::int64_t begin, std::int64_t end, const Turn& turn, base::Array<Cluster>& clusters) {
+    const Layer& layer = sorted.layer;
+    std::sort(sorted.order.data() + begin, sorted.order.data() + end, [&](const Keyed& a, const Keyed& b) {
+        const float u = layer.rank[a.mark];
+        const float v = layer.rank[b.mark];
+        return u != v ? u > v : a.mark < b.mark;
+    });
+    // More marks than that are at one place only if they are all alike.
+    for (; begin < end; begin += most_in_cluster) {
+        Cluster cluster;
+        cluster.count = static_cast<std::int32_t>(std::min(end - begin, most_in_cluster));
+        cluster.set = layer.has_strokes() ? layer.direction_of(sorted.order[begin].mark) : 0U;
+        set_extent(
+            cluster, begin, begin + cluster.count, [&](std::int64_t i) { return sorted.place(i); },
+            [&](std::int64_t i) { return sorted.normal(i); });
+        static_cast<Turn&>(cluster) = turn;
+        clusters.push_back(cluster);
+    }
+}
+
+// Splits marks begin .. end - 1 into parts that agree in the key down to `shift`, until they are small enough.
+// parent: the turn of the part that holds all of them, for parts that are too small to tell their own.
+void split(Sorted& sorted, std::int64_t begin, std::int64_t end, int shift, const Turn& parent,
+           base::Array<Cluster>& clusters, const base::Progress& progress) {
+    while (begin < end) {
+        const std::uint64_t head = sorted.order[begin].key >> shift;
+        const Keyed* const next = std::partition_point(sorted.order.data() + begin, sorted.order.data() + end,
+                                                       [&](const Keyed& k) { return k.key >> shift == head; });
+        const std::int64_t stop = next - sorted.order.data();
+        const std::int64_t count = stop - begin;
+        const bool tells = count >= marks_tuning.fewest_to_fit && count <= 16 * most_in_cluster;
+        const Turn turn = tells ? fit_turn(
+                                      begin, stop, [&](std::int64_t i) { return sorted.place(i); },
+                                      [&](std::int64_t i) { return sorted.normal(i); })
+                                : parent;
+        progress.check();
+        if (count <= most_in_cluster || shift == 0)
+            close(sorted, begin, stop, turn, clusters);
+        else
+            split(sorted, begin, stop, shift - 3, turn, clusters, progress);
+        begin = stop;
+    }
+}
+
+void find_clusters(const Layer& layer, double unit, MarkClusters& result, const base::Progress& progress) {
+    constexpr std::int64_t size = MarkBlock::size;
+    Sorted sorted{layer, unit, sorted_along_curve(layer, unit, progress)};
+    split(sorted, 0, layer.count(), 3 * cell_bits, unknown_turn, result.cluster, progress);
+    std::int64_t blocks = 0;
+    for (Cluster& cluster : result.cluster)
+        cluster.block = std::exchange(blocks, blocks + (cluster.count + size - 1) / size);
+    base::resize_long(result.block, blocks, progress);
+    if (!layer.width.empty()) base::resize_long(result.width, blocks * size, progress);
+    std::int64_t from = 0;
+    for (const Cluster& cluster : result.cluster) {
+        progress.check();
+        for (std::int64_t i = 0; i < cluster.count; ++i, ++from) {
+            const std::uint32_t mark = sorted.order[from].mark;
+            MarkBlock& block = result.block[cluster.block + i / size];
+            block.set(i % size, sorted.place(from), vector_at(layer.normal, mark));
+            block.rank[i % size] = layer.rank[mark];
+            block.mark[i % size] = mark;
+            if (!layer.width.empty()) result.width[cluster.block * size + i] = layer.width[mark];
+        }
+    }
+    HRBFNPR_ASSERT(from == layer.count());
+}
 
 void cut_strokes(const Layer& layer, double unit, base::Array<StrokePiece>& pieces, const base::Progress& progress) {
     const float* const tone_normal = layer.tone_normal.empty() ? layer.normal.data() : layer.tone_normal.data();
@@ -281,19 +235,103 @@ void cut_strokes(const Layer& layer, double unit, base::Array<StrokePiece>& piec
             piece.level = layer.level[layer.mark_of(first)];
             for (std::int64_t i = 1; i < piece.count; ++i)
                 piece.level = std::min(piece.level, layer.level[layer.mark_of(first + i)]);
-            set_extent(piece, layer, {layer.position.data(), layer.normal.data(), tone_normal}, unit);
+            set_extent(piece, layer, layer.position.data(), layer.normal.data(), tone_normal, unit);
             base::push_back_long(pieces, piece, progress);
         }
     }
 }
 
+// ---- How far apart nested lines really lie
+
+constexpr std::size_t most_lines = 64; // beside a mark
+constexpr std::int64_t strokes_a_task = 16;
+
+// The gap around a mark. Marks beside it, its own line's among them, have offsets across the line; the gaps between
+// these count the more the nearer they are. It is 1 where no mark is beside it.
+float gap_around(const Layer& layer, const geometry::VecArray& place, const geometry::PointGrid& grid,
+                 std::int64_t mark) noexcept {
+    const glm::dvec3 n = vector_at(layer.normal, mark);
+    const glm::dvec3 along = vector_at(layer.direction, mark);
+    const glm::dvec3 across = glm::cross(n, along);
+    std::array<double, most_lines> offset;
+    std::size_t count = 0;
+    grid.around(place[mark], [&](std::int64_t at) {
+        const std::int64_t other = grid.index(at);
+        const glm::dvec3 way = (place[other] - place[mark]) / layer.report.step;
+        const double u = glm::dot(way, across);
+        // The comparisons are false for NaN, so that it is beside nothing.
+        if (count < most_lines && std::abs(u) < marks_tuning.gap_reach &&
+            std::abs(glm::dot(way, along)) < marks_tuning.strip &&
+            std::abs(glm::dot(way, n)) < marks_tuning.gap_steepest * std::abs(u) + 0.1 &&
+            glm::dot(n, glm::dvec3(vector_at(layer.normal, other))) > marks_tuning.gap_cosine)
+            offset[count++] = u;
+    });
+    std::sort(offset.begin(), offset.begin() + static_cast<std::ptrdiff_t>(count));
+    double sum = 0.0;
+    double weights = 0.0;
+    double last = count > 0 ? offset[0] : 0.0;
+    for (std::size_t i = 1; i < count; ++i) {
+        const double here = offset[i];
+        if (here - last < marks_tuning.same_line) continue;
+        const double at = 0.5 * (last + here) / marks_tuning.gap_reach;
+        const double weight = (1.0 - at * at) * (1.0 - at * at);
+        sum += weight * std::min(here - last, marks_tuning.widest_gap);
+        weights += weight;
+        last = here;
+    }
+    return weights > 0.0 ? static_cast<float>(sum / weights) : 1.0F;
+}
+
+// Fills the gap of each of the layer's marks, in separations: the distance between the lines around it, averaged over
+// some of them and along its own, since tone goes by the paper that each line has. A layer without lines of a known
+// separation gets none.
+void measure_gaps(const base::Runtime& runtime, const Layer& layer, base::Array<float>& gap,
+                  const base::Progress& progress) {
+    gap.clear();
+    // Published strokes lie as they grew: their report's step is not the distance between them.
+    const bool nested = layer.kind == Kind::own || (layer.kind == Kind::hatch && layer.progressive);
+    if (!nested || layer.strokes() <= 1 || !(layer.report.step > 0.0)) return;
+    HRBFNPR_ASSERT(layer.direction.size() == 3 * layer.count());
+    const std::int64_t marks = layer.count();
+    geometry::VecArray place(runtime.memory, marks);
+    for (std::int64_t i = 0; i < marks; ++i) place.set(i, glm::dvec3(vector_at(layer.position, i)));
+    const geometry::PointGrid grid(place, marks_tuning.gap_reach * layer.report.step, progress);
+    // A file may have any separation: only few marks around each one can all be looked at.
+    const std::int64_t sample = std::max<std::int64_t>(marks / 32, 1);
+    std::int64_t visits = 0;
+    for (std::int64_t i = 0; i < marks; i += sample) grid.around(place[i], [&](std::int64_t) { ++visits; });
+    if (visits > marks_tuning.most_visits * (marks / sample)) return;
+    gap.resize(marks);
+    runtime.parallel.for_chunks(layer.strokes(), strokes_a_task, [&](std::int64_t begin, std::int64_t end) {
+        base::Array<float> measured(runtime.memory);
+        const auto averaged = [&](std::int64_t k) {
+            const std::int64_t reach = std::min({marks_tuning.most_averaged, k, measured.size() - 1 - k});
+            float sum = 0.0F;
+            for (std::int64_t i = k - reach; i <= k + reach; ++i) sum += measured[i];
+            return sum / static_cast<float>(2 * reach + 1);
+        };
+        for (std::int64_t s = begin; s < end; ++s) {
+            progress.check();
+            const std::int64_t first = layer.stroke_first[s];
+            const std::int64_t count = std::int64_t{layer.stroke_first[s + 1]} - first;
+            measured.clear();
+            for (std::int64_t i = 0; i < count; i += marks_tuning.measured_each)
+                measured.push_back(gap_around(layer, place, grid, layer.mark_of(first + i)));
+            for (std::int64_t i = 0; i < count; ++i) {
+                const std::int64_t k = i / marks_tuning.measured_each;
+                const float t =
+                    static_cast<float>(i % marks_tuning.measured_each) / static_cast<float>(marks_tuning.measured_each);
+                gap[layer.mark_of(first + i)] =
+                    std::lerp(averaged(k), averaged(std::min(k + 1, measured.size() - 1)), t);
+            }
+        }
+    });
+}
+
 // ---- Clusters that moved
 
 void copy_clusters(const MarkClusters& from, MarkClusters& to) {
-    copy_array(from.block, to.block);
-    copy_array(from.width, to.width);
-    copy_array(from.cluster, to.cluster);
-    copy_array(from.piece, to.piece);
+    copy_arrays(from, to, &MarkClusters::block, &MarkClusters::width, &MarkClusters::cluster, &MarkClusters::piece);
 }
 
 // The nearest of the clusters beside it in the order that tells how the surface bends and faces alike; null: none.
@@ -307,7 +345,7 @@ const Cluster* nearest_that_tells(const base::Array<Cluster>& clusters, std::int
     const Cluster* nearest = nullptr;
     for (const std::int64_t k : {c - 1, c + 1}) {
         if (k < 0 || k >= clusters.size() || clusters[k].count < marks_tuning.fewest_to_fit) continue;
-        if (glm::dot(vector(clusters[k].axis), vector(own.axis)) > marks_tuning.alike_cosine &&
+        if (glm::dot(vector(clusters[k].cone.axis), vector(own.cone.axis)) > marks_tuning.alike_cosine &&
             (nearest == nullptr || square(clusters[k]) < square(*nearest)))
             nearest = &clusters[k];
     }
@@ -329,7 +367,7 @@ void cluster_marks(const base::Runtime& runtime, PointSet& set, const base::Prog
         Layer& layer = set.layers[number];
         HRBFNPR_ASSERT(layer.position.size() == 3 * layer.count() && layer.normal.size() == 3 * layer.count());
         layer.clusters = MarkClusters(runtime.memory);
-        if (layer.count() > 0) Clustering(layer, set.unit, layer.clusters, progress);
+        if (layer.count() > 0) find_clusters(layer, set.unit, layer.clusters, progress);
         cut_strokes(layer, set.unit, layer.clusters.piece, progress);
     });
     for (Layer& layer : set.layers) measure_gaps(runtime, layer, layer.clusters.gap, progress);
@@ -338,41 +376,35 @@ void cluster_marks(const base::Runtime& runtime, PointSet& set, const base::Prog
 void move_clusters(const Layer& layer, const float* position, const float* normal, double unit, MarkClusters& moved) {
     HRBFNPR_ASSERT(unit > 0.0);
     copy_clusters(layer.clusters, moved);
-    for (const Cluster& cluster : moved.cluster) {
+    for (const Cluster& cluster : moved.cluster)
         for (std::int64_t i = 0; i < cluster.count; ++i) {
             MarkBlock& block = moved.block[cluster.block + i / MarkBlock::size];
             const std::int64_t at = i % MarkBlock::size;
-            const std::int64_t mark = 3 * std::int64_t{block.mark[at]};
-            block.x[at] = static_cast<float>(double{position[mark]} / unit);
-            block.y[at] = static_cast<float>(double{position[mark + 1]} / unit);
-            block.z[at] = static_cast<float>(double{position[mark + 2]} / unit);
-            block.nx[at] = normal[mark];
-            block.ny[at] = normal[mark + 1];
-            block.nz[at] = normal[mark + 2];
+            const float* const p = position + 3 * std::int64_t{block.mark[at]};
+            const float* const n = normal + 3 * std::int64_t{block.mark[at]};
+            block.set(at, glm::dvec3(p[0], p[1], p[2]) / unit, {n[0], n[1], n[2]});
         }
-    }
     // Normals for tone turn with their marks' directions, too, which are not known here.
     const float* const tone_normal = layer.tone_normal.empty() ? normal : nullptr;
-    for (StrokePiece& piece : moved.piece) set_extent(piece, layer, {position, normal, tone_normal}, unit);
+    for (StrokePiece& piece : moved.piece) set_extent(piece, layer, position, normal, tone_normal, unit);
     const auto place_in = [&](std::int64_t slot) {
-        const MarkBlock& b = moved.block[slot / MarkBlock::size];
-        return glm::dvec3(b.x[slot % MarkBlock::size], b.y[slot % MarkBlock::size], b.z[slot % MarkBlock::size]);
+        return glm::dvec3(moved.block[slot / MarkBlock::size].place_at(slot % MarkBlock::size));
     };
     const auto normal_in = [&](std::int64_t slot) {
-        const MarkBlock& b = moved.block[slot / MarkBlock::size];
-        return glm::dvec3(b.nx[slot % MarkBlock::size], b.ny[slot % MarkBlock::size], b.nz[slot % MarkBlock::size]);
+        return glm::dvec3(moved.block[slot / MarkBlock::size].normal_at(slot % MarkBlock::size));
     };
     for (Cluster& cluster : moved.cluster) {
         const std::int64_t begin = cluster.block * MarkBlock::size;
         const std::int64_t end = begin + cluster.count;
         set_extent(cluster, begin, end, place_in, normal_in);
-        if (cluster.count >= marks_tuning.fewest_to_fit) set_turn(cluster, fit_turn(begin, end, place_in, normal_in));
+        if (cluster.count >= marks_tuning.fewest_to_fit)
+            static_cast<Turn&>(cluster) = fit_turn(begin, end, place_in, normal_in);
     }
     // A cluster of too few marks bends as the nearest one does that tells.
     for (std::int64_t c = 0; c < moved.cluster.size(); ++c) {
         if (moved.cluster[c].count >= marks_tuning.fewest_to_fit) continue;
         const Cluster* const nearest = nearest_that_tells(moved.cluster, c);
-        set_turn(moved.cluster[c], nearest != nullptr ? Turn{nearest->shape, nearest->bend} : Turn{});
+        static_cast<Turn&>(moved.cluster[c]) = nearest != nullptr ? *nearest : unknown_turn;
     }
 }
 
@@ -387,12 +419,12 @@ void turn_clusters(const MarkClusters& clusters, MarkClusters& turned) {
         negate(block.nz);
     }
     for (Cluster& cluster : turned.cluster) {
-        negate(cluster.axis);
+        negate(cluster.cone.axis);
         negate(cluster.shape);
     }
     for (StrokePiece& piece : turned.piece) {
-        negate(piece.axis);
-        negate(piece.tone_axis);
+        negate(piece.cone.axis);
+        negate(piece.tone.axis);
     }
 }
 

@@ -5,8 +5,8 @@
 #include "base/assert.h"
 #include "base/list.h"
 #include "base/operation.h"
+#include "base/runtime.h"
 #include "geometry/vec.h"
-#include "marks/mark_clusters.h"
 
 #include <algorithm>
 #include <array>
@@ -95,6 +95,92 @@ void copy_array(const base::Array<T>& from, base::Array<T>& to) {
         std::memcpy(static_cast<void*>(to.data()), from.data(), sizeof(T) * static_cast<std::size_t>(from.size()));
 }
 
+// ---- Clusters: marks in groups that lie and face alike, in the order in which a tone shows them. A frame passes over
+// whole groups.
+
+// Sixteen marks, each number of all of them in a line of the cache.
+struct MarkBlock {
+    static constexpr std::int64_t size = 16;
+    float x[size], y[size], z[size]; // relative to the set's origin, in the set's unit
+    float nx[size], ny[size], nz[size];
+    float rank[size];         // falling, from block to block of a cluster
+    std::uint32_t mark[size]; // its number in the layer
+
+    [[nodiscard]] glm::vec3 place_at(std::int64_t i) const noexcept { return {x[i], y[i], z[i]}; }
+    [[nodiscard]] glm::vec3 normal_at(std::int64_t i) const noexcept { return {nx[i], ny[i], nz[i]}; }
+    void set(std::int64_t i, const glm::vec3& place, const glm::vec3& normal) noexcept {
+        x[i] = place.x;
+        y[i] = place.y;
+        z[i] = place.z;
+        nx[i] = normal.x;
+        ny[i] = normal.y;
+        nz[i] = normal.z;
+    }
+};
+
+// Holds the directions whose angle with the axis is no larger than its half angle.
+struct Cone {
+    std::array<float, 3> axis{};
+    float cosine = 1.0F, sine = 0.0F; // the cosine and sine of the half angle
+};
+
+// How normals turn along a surface.
+struct Turn {
+    float bend = 0.0F; // largest normal curvature by magnitude; < 0: not known
+    // dn/dp: xx, xy, xz, yy, yz, zz. Outward normals: positive where convex.
+    std::array<float, 6> shape{};
+};
+
+// Where some marks lie and how they face. Lengths and curvatures are in the set's unit.
+struct Extent {
+    float radius = 0.0F; // around the centre
+    std::array<float, 3> centre{};
+    Cone cone; // holds all normals
+};
+
+struct Cluster : Extent, Turn {
+    std::int64_t block = 0; // its first block; its last block may be partly empty
+    std::int32_t count = 0; // the number of marks
+    std::uint32_t set = 0;  // the direction, 0 or 1, of all its marks' strokes; 0 without strokes
+};
+
+// Marks that follow each other along a stroke. The pieces of all strokes follow each other, too, and a stroke of n
+// marks has pieces_of(n).
+struct StrokePiece : Extent {
+    static constexpr std::int64_t most = 32;
+    Cone tone;               // holds all normals for tone, which may lie outside of the normals' own cone
+    std::uint32_t first = 0; // place in the order of the strokes
+    std::uint8_t count = 0;
+    std::uint8_t level = 0; // the lowest level of its marks
+};
+
+[[nodiscard]] constexpr std::int64_t pieces_of(std::int64_t marks) noexcept {
+    return (marks + StrokePiece::most - 1) / StrokePiece::most;
+}
+
+struct MarkClusters {
+    explicit MarkClusters(base::Memory& memory) noexcept
+        : block(memory), width(memory), cluster(memory), piece(memory), gap(memory) {}
+
+    base::Array<MarkBlock> block;
+    base::Array<float> width; // the width of the mark at each place in the blocks; empty: all are 1
+    base::Array<Cluster> cluster;
+    base::Array<StrokePiece> piece; // the pieces of all strokes
+    base::Array<float> gap;         // the gap of each mark, in separations, by measure_gaps(); or empty
+
+    [[nodiscard]] std::int64_t bytes() const noexcept;
+};
+
+inline constexpr std::int64_t most_in_cluster = 128;
+
+// ---- Layers and sets
+
+// The same of some arrays of one object.
+template <class Owner, class... Members>
+void copy_arrays(const Owner& from, Owner& to, Members... member) {
+    (copy_array(from.*member, to.*member), ...);
+}
+
 // hrbfnpr.h tells the type, shape and meaning of each array at its HRBFNPR_MARK_ATTRIBUTE constants.
 struct Layer {
     explicit Layer(base::Memory& memory, Kind is = Kind::own) noexcept
@@ -155,5 +241,15 @@ struct PointSet {
 
 // Fills stroke_first and stroke_order from `stroke`, by which strokes stand in the order of their numbers.
 void index_strokes(Layer& layer, const base::Progress& progress = {});
+
+// Fills set.unit and the layers' clusters. Any finite numbers will do. Bits do not depend on the number of threads.
+void cluster_marks(const base::Runtime& runtime, PointSet& set, const base::Progress& progress = {});
+
+// The same marks in the same clusters at other places, as those of an animated surface: three floats of each mark,
+// relative to the set's origin. `unit` is the set's. Allocates nothing where `moved` has held as many marks before.
+void move_clusters(const Layer& layer, const float* position, const float* normal, double unit, MarkClusters& moved);
+
+// The same marks in the same clusters with opposite normals. Allocates nothing where `turned` has held as many before.
+void turn_clusters(const MarkClusters& clusters, MarkClusters& turned);
 
 } // namespace hrbfnpr::marks

@@ -1,19 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "marks/site.h"
 
+#include "base/random.h"
 #include "geometry/long_vec_array.h"
 #include "geometry/unit.h"
 #include "implicit/evaluate_all.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace hrbfnpr::marks {
-namespace {
-
-constexpr std::int64_t call_size = 4096; // places that the caller's function is asked for at a time
-
-} // namespace
 
 void Settler::settle(double stray_limit, LevelReport& report, const base::Progress& progress) {
     const std::int64_t count = start.size();
@@ -84,36 +81,42 @@ glm::dvec3 tangent_part(const glm::dvec3& d, const glm::dvec3& n) noexcept {
     return length > 1e-6 * glm::length(moderate) ? tangent / length : glm::dvec3(0.0);
 }
 
-void directions_at(const Site& site, const DirectionFunction& field, const geometry::VecArray& positions,
-                   const geometry::VecArray& normals, geometry::VecArray& directions, const base::Progress& progress) {
+base::Array<double> ask_at(const Site& site, PlaceFn function, void* user, const char* name,
+                           const geometry::VecArray& positions, const geometry::VecArray& normals,
+                           std::int64_t components, const base::Progress& progress) {
+    constexpr std::int64_t places_a_call = 4096;
     const std::int64_t all = positions.size();
-    HRBFNPR_ASSERT(normals.size() == all && field.function != nullptr);
-    directions.resize(all);
+    HRBFNPR_ASSERT(normals.size() == all && function != nullptr && components > 0);
     progress.check();
-    base::Array<double> packed(site.memory(), 9 * std::min(all, call_size));
-    for (std::int64_t begin = 0; begin < all; begin += call_size) {
+    base::Array<double> results(site.memory(), components * all);
+    base::Array<double> packed(site.memory(), 6 * std::min(all, places_a_call)); // positions, then normals
+    for (std::int64_t begin = 0; begin < all; begin += places_a_call) {
         progress.update(static_cast<double>(begin) / static_cast<double>(all));
-        const std::int64_t count = std::min(call_size, all - begin);
-        double* const places = packed.data();
-        double* const sides = places + 3 * count;
-        double* const result = sides + 3 * count;
+        const std::int64_t count = std::min(places_a_call, all - begin);
         for (std::int64_t i = 0; i < count; ++i)
             for (int c = 0; c < 3; ++c) {
-                places[3 * i + c] = site.unit * positions[begin + i][c];
-                sides[3 * i + c] = normals[begin + i][c];
-                result[3 * i + c] = 0.0;
+                packed[3 * i + c] = site.unit * positions[begin + i][c];
+                packed[3 * (count + i) + c] = normals[begin + i][c];
             }
-        if (const std::int32_t code = field.function(field.user, count, places, sides, result); code != 0)
-            fail(Status::callback, "direction_function returned %d; it must return 0 unless it failed",
-                 static_cast<int>(code));
-        for (std::int64_t i = 0; i < count; ++i) {
-            const glm::dvec3 d(result[3 * i], result[3 * i + 1], result[3 * i + 2]);
-            if (!std::isfinite(d.x) || !std::isfinite(d.y) || !std::isfinite(d.z))
-                fail(Status::callback,
-                     "direction_function gave %g %g %g as a direction; it must be finite, or 0 0 0 where there is none",
-                     d.x, d.y, d.z);
-            directions.set(begin + i, tangent_part(d, normals[begin + i]));
-        }
+        double* const to = results.data() + components * begin;
+        if (const std::int32_t code = function(user, count, packed.data(), packed.data() + 3 * count, to); code != 0)
+            fail(Status::callback, "%s returned %d; it must return 0 unless it failed", name, static_cast<int>(code));
+    }
+    return results;
+}
+
+void directions_at(const Site& site, const DirectionFunction& field, const geometry::VecArray& positions,
+                   const geometry::VecArray& normals, geometry::VecArray& directions, const base::Progress& progress) {
+    const base::Array<double> given =
+        ask_at(site, field.function, field.user, "direction_function", positions, normals, 3, progress);
+    directions.resize(positions.size());
+    for (std::int64_t i = 0; i < positions.size(); ++i) {
+        const glm::dvec3 d(given[3 * i], given[3 * i + 1], given[3 * i + 2]);
+        if (!std::isfinite(d.x) || !std::isfinite(d.y) || !std::isfinite(d.z))
+            fail(Status::callback,
+                 "direction_function gave %g %g %g as a direction; it must be finite, or 0 0 0 where there is none",
+                 d.x, d.y, d.z);
+        directions.set(i, tangent_part(d, normals[i]));
     }
 }
 
@@ -122,6 +125,62 @@ void require_size(const char* what, double size, const char* remedy) {
     fail(Status::invalid_argument,
          "%s %.3g across; marks are float and can be placed where that is from %g to %g: scale the %s, by about %.0g",
          what, size, smallest_size, largest_size, remedy, std::clamp(1.0 / size, 1e-300, 1e300));
+}
+
+std::int64_t grown_count(std::int64_t base, std::int64_t factor, std::int32_t levels) noexcept {
+    for (std::int32_t level = 0; level < levels; ++level) base *= factor;
+    return base;
+}
+
+void require_room(std::int64_t layer, std::int64_t full_count, std::int32_t levels, std::int64_t budget) {
+    if (full_count <= most_marks || (budget > 0 && budget <= most_marks)) return;
+    if (layer < 0)
+        fail(Status::invalid_argument, "start_level = %d would grow to %lld stipples, and %lld are the most: lower it",
+             levels, static_cast<long long>(full_count), static_cast<long long>(most_marks));
+    fail(
+        Status::invalid_argument,
+        "layers[%lld].levels = %d would grow to %lld marks, and %lld are the most: lower it or set layers[%lld].budget",
+        static_cast<long long>(layer), levels, static_cast<long long>(full_count), static_cast<long long>(most_marks),
+        static_cast<long long>(layer));
+}
+
+// The first layer of stipples and the first of hatching have the set's own seed.
+std::uint64_t layer_seed(std::uint64_t random_seed, Kind kind, std::int64_t number) noexcept {
+    if (number == 0 && kind != Kind::own) return random_seed;
+    const auto n = static_cast<std::uint64_t>(number);
+    const base::Philox bits =
+        base::philox(random_seed, {static_cast<std::uint32_t>(n), static_cast<std::uint32_t>(n >> 32U),
+                                   static_cast<std::uint32_t>(base::Purpose::layer), static_cast<std::uint32_t>(kind)});
+    return static_cast<std::uint64_t>(bits[0]) << 32U | bits[1];
+}
+
+std::uint64_t Thinning::ticket(std::uint64_t key) const noexcept {
+    const base::Philox bits =
+        base::philox(seed_, {static_cast<std::uint32_t>(key), static_cast<std::uint32_t>(key >> 32U),
+                             static_cast<std::uint32_t>(base::Purpose::budget), stream_});
+    return static_cast<std::uint64_t>(bits[0]) << 32U | bits[1];
+}
+
+// The limit is the ticket of place `kept`.  Tickets are uniform: of those that share their first bits with it there are
+// few, and the others are only counted.
+void Thinning::choose(base::Array<std::uint64_t>& tickets, std::int64_t kept, const base::Progress& progress) {
+    HRBFNPR_ASSERT(kept >= 0 && kept < tickets.size());
+    constexpr unsigned first_bits = 52; // tickets have 64 bits, and each value of the upper 12 has a counter
+    constexpr std::int64_t at_once = 262144;
+    std::array<std::int64_t, std::size_t{1} << (64U - first_bits)> counted{};
+    for (std::int64_t i = 0; i < tickets.size(); ++i) {
+        if (i % at_once == 0) progress.check();
+        ++counted[static_cast<std::size_t>(tickets[i] >> first_bits)];
+    }
+    std::uint64_t first = 0;
+    for (; kept >= counted[static_cast<std::size_t>(first)]; ++first) kept -= counted[static_cast<std::size_t>(first)];
+    std::int64_t alike = 0;
+    for (std::int64_t i = 0; i < tickets.size(); ++i) {
+        if (i % at_once == 0) progress.check();
+        if (tickets[i] >> first_bits == first) tickets[alike++] = tickets[i];
+    }
+    std::nth_element(tickets.begin(), tickets.begin() + kept, tickets.begin() + alike);
+    limit_ = tickets[kept];
 }
 
 } // namespace hrbfnpr::marks

@@ -6,9 +6,6 @@
 // one.
 #pragma once
 
-#include "base/assert.h"
-#include "geometry/long_vec_array.h"
-#include "marks/marks.h"
 #include "marks/site.h"
 
 namespace hrbfnpr::published {
@@ -38,32 +35,6 @@ struct GrowthSettings {
     Directions directions = Directions::principal; // what strokes follow
     marks::DirectionFunction function;             // with Directions::function
 };
-
-// Makes room for `marks` marks in each column, and looks for a cancel between them, because growing a column takes
-// long.
-template <class... Column>
-void make_room(std::int64_t marks, const base::Progress& progress, Column&... column) {
-    (make_room_long(column, marks, progress), ...);
-}
-
-// Refines level by level, by steps of a third of the one before, until the budget cuts a level: refine(level, step,
-// progress) returns whether it did. `growth`: marks of a level for each mark of the one before. `full`: level 0 was
-// cut.
-template <class Refine>
-void refine_levels(const GrowthSettings& settings, std::int64_t growth, bool full, marks::LayerReport& report,
-                   const base::Progress& progress, Refine&& refine) {
-    HRBFNPR_ASSERT(growth > 1 && settings.levels >= 0);
-    const auto done = [&](std::int32_t level) {
-        return static_cast<double>(marks::grown_count(1, growth, level)) /
-               static_cast<double>(marks::grown_count(1, growth, settings.levels));
-    };
-    double step = settings.step;
-    for (std::int32_t level = 1; level <= settings.levels && !full; ++level) {
-        full = refine(level, step, progress.part(done(level - 1), done(level)));
-        report.levels = level;
-        step /= 3.0;
-    }
-}
 
 // The x5 recursion.
 void grow_stipples(const marks::Site& site, const Start& start, const GrowthSettings& settings, marks::Marks& marks,

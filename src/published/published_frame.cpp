@@ -10,9 +10,24 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace hrbfnpr::published {
 namespace {
+
+constexpr std::int64_t marks_a_task = 4096;
+
+// Calls visit(run, place, task) for all marks of the scene's runs, on all threads.
+template <class Visit>
+void for_marks(const base::Parallel& parallel, const Scene& scene, const Visit& visit) {
+    parallel.for_chunks(scene.mark_count(), marks_a_task, [&](std::int64_t begin, std::int64_t end) {
+        const Run* run = scene.runs.begin();
+        for (std::int64_t place = begin; place < end; ++place) {
+            while (place >= run->first + run->count) ++run;
+            visit(*run, place, begin / marks_a_task);
+        }
+    });
+}
 
 // ---- 1. Classes
 
@@ -32,35 +47,32 @@ namespace {
            y < viewport.y + viewport.w + radius && window_depth >= 0.0F && window_depth <= 1.0F;
 }
 
-// Fills every array of the scene's marks but `role` at a place; tau only where the style's tone is not a callback.
-void classify(const Run& run, const ItemView& item, const Lens& lens, std::int64_t place, Marks& out) noexcept {
+// The mark of that number in its layer; tau only where the style's tone is not a callback.
+[[nodiscard]] Mark classify(const Run& run, const ItemView& item, const Lens& lens, std::int64_t number) noexcept {
     const Style& style = item.style;
-    const std::int64_t mark = place - run.first;
-    HRBFNPR_ASSERT(mark >= 0 && mark < run.count);
-    out.mark_class[place] = MarkClass::none;
-    const glm::vec3 eye = item.to_eye * run.place_of(mark, item.unit) + item.eye_offset;
+    Mark mark{};
+    const glm::vec3 eye = item.to_eye * run.place_of(number, item.unit) + item.eye_offset;
     const glm::vec4 clip = lens.window * glm::vec4(eye, 1.0F);
-    if (!(clip.w > 0.0F)) return; // the eye is before it
-    const float pixels_per_unit = lens.pixels / clip.w;
+    if (!(clip.w > 0.0F)) return mark; // the eye is before it
     const glm::vec3 at = glm::vec3(clip) / clip.w;
-    const glm::vec3 own_normal = run.normal_of(mark);
-    const glm::vec3 normal = glm::normalize(item.normal_to_eye * own_normal);
-    const float nu = glm::dot(normal, glm::normalize(lens.sight(eye)));
-    if (!inside(lens.viewport, at.x, at.y, at.z, reach(run, pixels_per_unit)) || !(std::abs(nu) <= 1.001F)) return;
-    out.x[place] = at.x;
-    out.y[place] = at.y;
-    out.window_depth[place] = at.z;
-    out.depth[place] = -eye.z;
-    out.pixels_per_unit[place] = pixels_per_unit;
-    out.nu[place] = nu;
-    out.tau[place] = style.tone == Tone::light ? LightTone(style)(lit(item.light, own_normal)) : 0.0F;
+    const glm::vec3 own_normal = run.normal_of(number);
+    const glm::vec3 sight = lens.sight(eye);
+    mark.x = at.x;
+    mark.y = at.y;
+    mark.window = at.z;
+    mark.depth = -eye.z;
+    mark.pixels_per_unit = lens.pixels / clip.w;
+    mark.nu = glm::dot(glm::normalize(item.normal_to_eye * own_normal), glm::normalize(sight));
+    if (!inside(lens.viewport, at.x, at.y, at.z, reach(run, mark.pixels_per_unit)) || !(std::abs(mark.nu) <= 1.001F))
+        return mark;
+    mark.tau = style.tone == Tone::light ? LightTone(style)(lit(item.light, own_normal)) : 0.0F;
     // The distance is from the eye, or from its plane where there is no eye.
-    out.tau_depth[place] =
-        DepthTone(style, lens.eye_per_world)(lens.centre.w == 0.0F ? -eye.z : glm::length(lens.sight(eye)));
+    mark.tau_depth = DepthTone(style, lens.eye_per_world)(lens.centre.w == 0.0F ? mark.depth : glm::length(sight));
     const auto threshold = static_cast<float>(style.silhouette_threshold);
-    out.mark_class[place] = nu < -threshold  ? MarkClass::front
-                            : nu > threshold ? MarkClass::back
-                                             : MarkClass::silhouette;
+    mark.mark_class = mark.nu < -threshold  ? MarkClass::front
+                      : mark.nu > threshold ? MarkClass::back
+                                            : MarkClass::silhouette;
+    return mark;
 }
 
 // Whether a front mark would be ink but for tone, depth, zoom and visibility.
@@ -69,134 +81,114 @@ void classify(const Run& run, const ItemView& item, const Lens& lens, std::int64
 }
 
 // Asks the styles' tone callbacks for tau of the front marks that need one, on this thread.
-void ask_tones(Scene& scene, ToneCalls& calls) {
+void ask_tones(const Scene& scene, ToneCalls& calls, base::Array<Mark>& marks) {
     for (const Run& run : scene.runs) {
         const ItemView& item = scene.item_of(run);
         if (item.style.tone != Tone::callback) continue;
-        calls.begin(item, scene.marks.tau);
+        static_assert(sizeof(Mark) % sizeof(float) == 0);
+        calls.begin(item, &marks[0].tau, sizeof(Mark) / sizeof(float));
         for (std::int64_t i = 0; i < run.count; ++i) {
-            if (scene.marks.mark_class[run.first + i] == MarkClass::front && may_be_ink(run, i))
+            if (marks[run.first + i].mark_class == MarkClass::front && may_be_ink(run, i))
                 calls.add(run.place_of(i, item.unit), run.normal_of(i), run.first + i);
         }
         calls.end();
     }
 }
 
-// ---- Radii of discs
+// ---- Discs of a mark: their radii, and where they are painted, eye units along the view
 
-[[nodiscard]] float ink_radius(const Scene& scene, const Run& run, std::int64_t place) noexcept {
-    const float pixels_per_unit = scene.marks.pixels_per_unit[place];
-    return scene.marks.mark_class[place] == MarkClass::silhouette ? run.pen.silhouette_ink(pixels_per_unit)
-                                                                  : run.front_ink(place - run.first, pixels_per_unit);
+[[nodiscard]] float ink_radius(const Run& run, const Mark& mark, std::int64_t number) noexcept {
+    return mark.mark_class == MarkClass::silhouette ? run.pen.silhouette_ink(mark.pixels_per_unit)
+                                                    : run.front_ink(number, mark.pixels_per_unit);
 }
 
-[[nodiscard]] float splat_radius(const Scene& scene, const Run& run, std::int64_t place) noexcept {
-    const float pixels_per_unit = scene.marks.pixels_per_unit[place];
-    return scene.marks.mark_class[place] == MarkClass::back ? run.pen.back_splat(pixels_per_unit)
-                                                            : run.pen.front_splat(pixels_per_unit);
+[[nodiscard]] float splat_radius(const Run& run, const Mark& mark) noexcept {
+    return mark.mark_class == MarkClass::back ? run.pen.back_splat(mark.pixels_per_unit)
+                                              : run.pen.front_splat(mark.pixels_per_unit);
+}
+
+[[nodiscard]] float paper_depth(const Mark& mark, float radius) noexcept {
+    return mark.depth + (mark.mark_class == MarkClass::back ? back_push(radius, mark.pixels_per_unit)
+                                                            : front_push(radius, mark.nu, mark.pixels_per_unit));
+}
+
+// Ink is pulled toward the eye by about its own size, so that it lies over the paper of its own layer.
+[[nodiscard]] float ink_depth(const Mark& mark, float radius) noexcept {
+    return mark.depth - radius / mark.pixels_per_unit;
 }
 
 // ---- 3. Roles
 
-// Whether a mark of class front or silhouette is ink; where it is not, `counts` says why. `visibility`: null where
+// Whether a mark is ink; where one of class front or silhouette is not, `counts` says why. `visibility`: null where
 // nothing hides marks.
-[[nodiscard]] bool is_ink(const Scene& scene, const Run& run, std::int64_t place, const VisibilityMap* visibility,
+[[nodiscard]] bool is_ink(const Run& run, const Mark& mark, std::int64_t number, const VisibilityMap* visibility,
                           Counts& counts) noexcept {
-    const Marks& marks = scene.marks;
-    const Style& style = scene.item_of(run).style;
-    const std::int64_t mark = place - run.first;
-    const float pixels_per_unit = marks.pixels_per_unit[place];
-    const float rank = run.marks->rank[mark];
-    if (marks.mark_class[place] == MarkClass::front) {
-        if (!may_be_ink(run, mark)) return false;
-        const ToneTerms terms{marks.tau[place], marks.tau_depth[place], run.pen.scale(pixels_per_unit),
-                              run.style->share};
-        switch (front_verdict(rank, terms, style.tone_rule)) {
+    const ToneRule rule = run.pen.style->tone_rule;
+    const float rank = run.marks->rank[number];
+    if (mark.mark_class == MarkClass::front) {
+        if (!may_be_ink(run, number)) return false;
+        const ToneTerms terms{mark.tau, mark.tau_depth, run.pen.scale(mark.pixels_per_unit), run.style->share};
+        switch (front_verdict(rank, terms, rule)) {
         case Verdict::shown: break;
         case Verdict::tone: ++counts.dropped_tone; return false;
         case Verdict::zoom: ++counts.dropped_zoom; return false;
         case Verdict::depth: ++counts.dropped_depth; return false;
         }
     } else {
-        if (!run.draws_silhouettes) return false;
-        if (!silhouette_shown(rank, marks.tau_depth[place], style.tone_rule)) {
+        if (mark.mark_class != MarkClass::silhouette || !run.draws_silhouettes) return false;
+        if (!silhouette_shown(rank, mark.tau_depth, rule)) {
             ++counts.dropped_depth;
             return false;
         }
     }
-    if (visibility == nullptr) return true;
-    const float depth = ink_depth(marks.depth[place], ink_radius(scene, run, place), pixels_per_unit);
-    if (!visibility->hides(marks.x[place], marks.y[place], depth)) return true;
+    if (visibility == nullptr || !visibility->hides(mark.x, mark.y, ink_depth(mark, ink_radius(run, mark, number))))
+        return true;
     ++counts.dropped_hidden;
     return false;
 }
 
-[[nodiscard]] bool is_paper(const Marks& marks, const Run& run, std::int64_t place) noexcept {
+[[nodiscard]] bool is_paper(const Run& run, const Mark& mark) noexcept {
     if (!run.paints_paper) return false;
-    const MarkClass mark_class = marks.mark_class[place];
-    if (mark_class == MarkClass::front)
-        return front_alpha(marks.nu[place], static_cast<float>(run.pen.style->attenuation_front)) > 0.0F;
-    return mark_class == MarkClass::back &&
-           back_alpha(marks.nu[place], static_cast<float>(run.pen.style->attenuation_back)) > 0.0F;
+    if (mark.mark_class == MarkClass::front)
+        return front_alpha(mark.nu, static_cast<float>(run.pen.style->attenuation_front)) > 0.0F;
+    return mark.mark_class == MarkClass::back &&
+           back_alpha(mark.nu, static_cast<float>(run.pen.style->attenuation_back)) > 0.0F;
 }
 
-void decide(Scene& scene, const Run& run, std::int64_t place, const VisibilityMap* visibility,
-            Counts& counts) noexcept {
-    const MarkClass mark_class = scene.marks.mark_class[place];
-    switch (mark_class) {
+void decide(const Run& run, std::int64_t number, const VisibilityMap* visibility, Mark& mark, Counts& counts) noexcept {
+    ++counts.marks;
+    switch (mark.mark_class) {
     case MarkClass::none: ++counts.outside; break;
     case MarkClass::back: ++counts.back; break;
     case MarkClass::front: ++counts.front; break;
     case MarkClass::silhouette: ++counts.silhouette; break;
     }
-    std::uint8_t role = 0;
-    if ((mark_class == MarkClass::front || mark_class == MarkClass::silhouette) &&
-        is_ink(scene, run, place, visibility, counts)) {
-        ++counts.shown;
-        role = role_ink;
-    }
-    if (is_paper(scene.marks, run, place)) {
-        ++counts.splats;
-        role |= role_paper;
-    }
-    scene.marks.role[place] = role;
+    mark.is_ink = is_ink(run, mark, number, visibility, counts);
+    mark.is_paper = is_paper(run, mark);
+    counts.shown += mark.is_ink ? 1 : 0;
+    counts.splats += mark.is_paper ? 1 : 0;
 }
 
-// Calls visit(chunk, run, number) for each chunk of the scene's marks, on all threads.
-template <class Visit>
-void for_chunks(const base::Parallel& parallel, const Scene& scene, Visit&& visit) {
-    parallel.for_each(scene.chunks.size(), [&](std::int64_t c) {
-        const Chunk& chunk = scene.chunks[c];
-        const Run& run = scene.runs[chunk.run];
-        HRBFNPR_ASSERT(chunk.begin >= run.first && chunk.end <= run.first + run.count);
-        visit(chunk, run, c);
-    });
-}
+// ---- 4. Dots
 
-// ---- 4. Discs
-
-[[nodiscard]] Dot dot_of(const Scene& scene, std::int64_t number, std::int64_t place, bool is_paper) noexcept {
-    const Marks& m = scene.marks;
-    const Run& run = scene.runs[number];
+// `run` is the scene's run of that number.
+[[nodiscard]] Dot dot_of(const Run& run, std::int64_t run_number, const Mark& mark, std::int64_t number,
+                         bool is_paper) noexcept {
     Dot dot{};
-    dot.x = m.x[place];
-    dot.y = m.y[place];
-    dot.depth = m.depth[place];
-    dot.window = m.window_depth[place];
-    dot.pixels_per_unit = m.pixels_per_unit[place];
-    dot.id = run.first_id + static_cast<std::uint32_t>(place - run.first);
-    dot.mark_class = m.mark_class[place];
-    dot.layer = 2U * static_cast<std::uint32_t>(number) + (dot.mark_class == MarkClass::silhouette ? 1U : 0U);
-    if (!is_paper) {
-        dot.radius = ink_radius(scene, run, place);
-        dot.opacity = 1.0F;
-        return dot;
-    }
-    dot.flags = dot_is_paper;
-    dot.radius = splat_radius(scene, run, place);
-    dot.opacity = dot.mark_class == MarkClass::back
-                      ? run.pen.back_opacity(m.nu[place], dot.radius, m.pixels_per_unit[place])
-                      : run.pen.front_opacity(m.nu[place], dot.radius, m.pixels_per_unit[place]);
+    dot.x = mark.x;
+    dot.y = mark.y;
+    dot.depth = mark.depth;
+    dot.window = mark.window;
+    dot.pixels_per_unit = mark.pixels_per_unit;
+    dot.id = run.first_id + static_cast<std::uint32_t>(number);
+    dot.mark_class = mark.mark_class;
+    dot.layer = 2U * static_cast<std::uint32_t>(run_number) + (mark.mark_class == MarkClass::silhouette ? 1U : 0U);
+    dot.radius = is_paper ? splat_radius(run, mark) : ink_radius(run, mark, number);
+    dot.opacity = !is_paper ? 1.0F
+                  : mark.mark_class == MarkClass::back
+                      ? run.pen.back_opacity(mark.nu, dot.radius, mark.pixels_per_unit)
+                      : run.pen.front_opacity(mark.nu, dot.radius, mark.pixels_per_unit);
+    if (is_paper) dot.flags = dot_is_paper;
     return dot;
 }
 
@@ -204,7 +196,7 @@ void for_chunks(const base::Parallel& parallel, const Scene& scene, Visit&& visi
 
 // ---- 2. Visibility
 
-void VisibilityMap::build(const base::Parallel& parallel, const Scene& scene) {
+void VisibilityMap::build(const base::Parallel& parallel, const Scene& scene, const base::Array<Mark>& marks) {
     const glm::vec4& viewport = scene.lens.viewport;
     left_ = viewport.x;
     top_ = viewport.y;
@@ -215,17 +207,14 @@ void VisibilityMap::build(const base::Parallel& parallel, const Scene& scene) {
     texels_per_pixel_ = static_cast<float>(scale);
     width_ = static_cast<std::int32_t>(std::ceil(viewport.z * texels_per_pixel_));
     height_ = static_cast<std::int32_t>(std::ceil(viewport.w * texels_per_pixel_));
-    base::resize_scratch(occluders_, scene.marks.x.size());
-    for_chunks(parallel, scene, [&](const Chunk& chunk, const Run& run, std::int64_t) {
-        for (std::int64_t i = chunk.begin; i < chunk.end; ++i) {
-            const MarkClass mark_class = scene.marks.mark_class[i];
-            occluders_[i].radius = -1.0F;
-            if (!run.occludes || (mark_class != MarkClass::front && mark_class != MarkClass::back)) continue;
-            const float radius = run.pen.front_splat(scene.marks.pixels_per_unit[i]);
-            occluders_[i] = {(scene.marks.x[i] - left_) * texels_per_pixel_,
-                             (scene.marks.y[i] - top_) * texels_per_pixel_, radius * texels_per_pixel_,
-                             paper_depth(scene.marks, i, radius)};
-        }
+    base::resize_scratch(occluders_, marks.size());
+    for_marks(parallel, scene, [&](const Run& run, std::int64_t place, std::int64_t) {
+        const Mark& mark = marks[place];
+        occluders_[place].radius = -1.0F;
+        if (!run.occludes || (mark.mark_class != MarkClass::front && mark.mark_class != MarkClass::back)) return;
+        const float radius = run.pen.front_splat(mark.pixels_per_unit);
+        occluders_[place] = {(mark.x - left_) * texels_per_pixel_, (mark.y - top_) * texels_per_pixel_,
+                             radius * texels_per_pixel_, paper_depth(mark, radius)};
     });
     const std::array all = {Piece{0, occluders_.size()}};
     bins_.build(parallel, width_, height_, all, [this](std::int64_t i, drawing::Tiles::Footprint& print) {
@@ -270,34 +259,30 @@ bool VisibilityMap::hides(float x, float y, float depth) const noexcept {
     return depth > depth_[static_cast<std::int64_t>(v) * width_ + static_cast<std::int64_t>(u)];
 }
 
-void PublishedFrame::run(Scene& scene, drawing::Drawing& drawing) {
+void PublishedFrame::run(const Scene& scene, drawing::Drawing& drawing) {
     drawing.painting = drawing::Painting::published;
     const base::Parallel& parallel = runtime_.parallel;
     base::Stopwatch watch;
-    add_chunks(scene);
-    for_chunks(parallel, scene, [&](const Chunk& chunk, const Run& run, std::int64_t) {
-        const ItemView& item = scene.item_of(run);
-        for (std::int64_t i = chunk.begin; i < chunk.end; ++i) classify(run, item, scene.lens, i, scene.marks);
+    base::resize_scratch(marks_, scene.mark_count());
+    for_marks(parallel, scene, [&](const Run& run, std::int64_t place, std::int64_t) {
+        marks_[place] = classify(run, scene.item_of(run), scene.lens, place - run.first);
     });
-    ask_tones(scene, tone_calls_);
+    ask_tones(scene, tone_calls_, marks_);
     const std::int64_t classified = watch.nanoseconds();
 
     watch.restart();
     const bool hiding = std::any_of(scene.runs.begin(), scene.runs.end(), [](const Run& run) { return run.occludes; });
-    if (hiding) visibility_.build(parallel, scene);
+    if (hiding) visibility_.build(parallel, scene, marks_);
     const std::int64_t seen = watch.nanoseconds();
 
     watch.restart();
-    counts_.resize(scene.chunks.size());
-    for_chunks(parallel, scene, [&](const Chunk& chunk, const Run& run, std::int64_t c) {
-        Counts counts;
-        counts.marks = chunk.end - chunk.begin;
-        for (std::int64_t i = chunk.begin; i < chunk.end; ++i)
-            decide(scene, run, i, hiding ? &visibility_ : nullptr, counts);
-        counts_[c] = counts;
+    counts_.clear();
+    counts_.resize((marks_.size() + marks_a_task - 1) / marks_a_task);
+    for_marks(parallel, scene, [&](const Run& run, std::int64_t place, std::int64_t task) {
+        decide(run, place - run.first, hiding ? &visibility_ : nullptr, marks_[place], counts_[task]);
     });
     Counts& all = drawing.counts;
-    for (const Counts& chunk : counts_) all += chunk;
+    for (const Counts& counts : counts_) all += counts;
     all.nanoseconds_classify = classified + watch.nanoseconds();
     all.nanoseconds_visibility = seen;
 
@@ -307,44 +292,38 @@ void PublishedFrame::run(Scene& scene, drawing::Drawing& drawing) {
     base::resize_scratch(drawing.dots, keys_.size());
     drawing.dot_pieces.push_back({0, keys_.size()});
     drawing.dot_count = all.shown;
-    constexpr std::int64_t dots_a_task = 4096;
-    parallel.for_chunks(keys_.size(), dots_a_task, [&](std::int64_t begin, std::int64_t end) {
+    parallel.for_chunks(keys_.size(), marks_a_task, [&](std::int64_t begin, std::int64_t end) {
         for (std::int64_t i = begin; i < end; ++i) {
             const auto disc = static_cast<std::uint32_t>(keys_[i]);
             const std::int64_t place = disc >> 1U;
             const Run* run = std::upper_bound(scene.runs.begin(), scene.runs.end(), place,
                                               [](std::int64_t p, const Run& r) { return p < r.first; }) -
                              1;
-            drawing.dots[i] = dot_of(scene, run - scene.runs.begin(), place, (disc & 1U) != 0);
+            drawing.dots[i] =
+                dot_of(*run, run - scene.runs.begin(), marks_[place], place - run->first, (disc & 1U) != 0);
         }
     });
     all.nanoseconds_sort = watch.nanoseconds();
 }
 
-// A key for each disc, in the order of the marks: its depth, and twice the mark's place, with 1 added for paper.
+// A key for each disc, in the order of the marks: its depth, and twice the mark's place, with 1 added for paper. A
+// task's counts tell where its keys begin.
 void PublishedFrame::find_keys(const Scene& scene) {
-    base::resize_scratch(first_key_, counts_.size());
+    next_key_.clear();
     std::int64_t total = 0;
-    for (std::int64_t c = 0; c < counts_.size(); ++c) {
-        first_key_[c] = total;
-        total += counts_[c].shown + counts_[c].splats;
-    }
+    for (const Counts& counts : counts_)
+        next_key_.push_back(std::exchange(total, total + counts.shown + counts.splats));
     base::resize_scratch(keys_, total);
-    for_chunks(runtime_.parallel, scene, [&](const Chunk& chunk, const Run& run, std::int64_t c) {
-        const Marks& m = scene.marks;
-        std::int64_t next = first_key_[c];
-        for (std::int64_t place = chunk.begin; place < chunk.end; ++place) {
-            const unsigned role = m.role[place];
-            const auto disc = static_cast<std::uint32_t>(place) << 1U;
-            if ((role & role_paper) != 0)
-                keys_[next++] =
-                    drawing::far_first_key(paper_depth(m, place, splat_radius(scene, run, place)), disc | 1U);
-            if ((role & role_ink) != 0)
-                keys_[next++] = drawing::far_first_key(
-                    ink_depth(m.depth[place], ink_radius(scene, run, place), m.pixels_per_unit[place]), disc);
-        }
-        HRBFNPR_ASSERT(next == first_key_[c] + counts_[c].shown + counts_[c].splats);
+    for_marks(runtime_.parallel, scene, [&](const Run& run, std::int64_t place, std::int64_t task) {
+        const Mark& mark = marks_[place];
+        const auto disc = static_cast<std::uint32_t>(place) << 1U;
+        if (mark.is_paper)
+            keys_[next_key_[task]++] = drawing::far_first_key(paper_depth(mark, splat_radius(run, mark)), disc | 1U);
+        if (mark.is_ink)
+            keys_[next_key_[task]++] =
+                drawing::far_first_key(ink_depth(mark, ink_radius(run, mark, place - run.first)), disc);
     });
+    HRBFNPR_ASSERT(next_key_.empty() || next_key_.back() == total);
 }
 
 } // namespace hrbfnpr::published

@@ -17,6 +17,18 @@ namespace hrbfnpr::published {
 
 using namespace frame; // the scene that this room classifies and paints
 
+// A mark on the screen.
+struct Mark {
+    float x, y;            // pixels
+    float window;          // depth in the camera's convention
+    float depth;           // eye units along the view
+    float pixels_per_unit; // pixels per eye unit
+    float nu;
+    float tau, tau_depth; // its tone by light, and by distance
+    MarkClass mark_class; // none: it lies outside of the picture, and all numbers before are not set
+    bool is_ink, is_paper;
+};
+
 // The depth of the nearest surface, as discs of the front and back marks of the items that hide others. They lie as
 // far beyond their own layer as discs of paper, so that it does not hide its own ink.
 class VisibilityMap {
@@ -24,7 +36,7 @@ public:
     explicit VisibilityMap(base::Memory& memory) noexcept
         : bins_(memory, tile_size), depth_(memory), occluders_(memory) {}
 
-    void build(const base::Parallel& parallel, const Scene& scene);
+    void build(const base::Parallel& parallel, const Scene& scene, const base::Array<Mark>& marks);
 
     // x, y in pixels of the image; depth in eye units along the view. False outside the viewport.
     [[nodiscard]] bool hides(float x, float y, float depth) const noexcept;
@@ -52,15 +64,15 @@ private:
 class PublishedFrame {
 public:
     explicit PublishedFrame(const base::Runtime& runtime) noexcept
-        : runtime_(runtime), tone_calls_(runtime.memory), visibility_(runtime.memory), order_(runtime.memory),
-          counts_(runtime.memory), first_key_(runtime.memory), keys_(runtime.memory) {}
+        : runtime_(runtime), marks_(runtime.memory), tone_calls_(runtime.memory), visibility_(runtime.memory),
+          order_(runtime.memory), next_key_(runtime.memory), counts_(runtime.memory), keys_(runtime.memory) {}
 
-    // Fills the scene's marks, and all of the drawing that the scene does not. Throws Error{callback, out_of_memory}.
-    void run(Scene& scene, drawing::Drawing& drawing);
+    // Fills all of the drawing that the scene does not. Throws Error{callback, out_of_memory}.
+    void run(const Scene& scene, drawing::Drawing& drawing);
 
     [[nodiscard]] std::int64_t bytes() const noexcept {
-        return tone_calls_.bytes() + visibility_.bytes() + order_.bytes() + counts_.bytes() + first_key_.bytes() +
-               keys_.bytes();
+        return marks_.bytes() + tone_calls_.bytes() + visibility_.bytes() + order_.bytes() + next_key_.bytes() +
+               counts_.bytes() + keys_.bytes();
     }
 
 private:
@@ -68,12 +80,13 @@ private:
 
     const base::Runtime& runtime_;
     // Memory that is kept from frame to frame.
+    base::Array<Mark> marks_; // one for each mark of the scene's runs
     ToneCalls tone_calls_;
     VisibilityMap visibility_;
     drawing::FarToNear order_;
-    base::Array<Counts> counts_;          // one for each chunk
-    base::Array<std::int64_t> first_key_; // where each chunk's keys begin in `keys_`
-    base::Array<std::uint64_t> keys_;     // one for each disc: its depth, its mark's place, and whether it is paper
+    base::Array<std::int64_t> next_key_; // where each task's next key goes
+    base::Array<Counts> counts_;         // one for each task
+    base::Array<std::uint64_t> keys_;    // one for each disc: its depth, its mark's place, and whether it is paper
 };
 
 } // namespace hrbfnpr::published

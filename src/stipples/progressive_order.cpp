@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "stipples/progressive_order.h"
+#include "stipples/candidates.h"
 
 #include "base/bits.h"
 #include "base/long_array.h"
@@ -559,21 +559,6 @@ void sweep(std::span<const SweepStep> steps, std::int64_t room, Stage& stage, Or
     if (energy.size() > room) keep_lowest(energy, room, order);
 }
 
-// The lowest energy of a candidate that keeps the distance of the last step; infinite where none does.
-[[nodiscard]] float lowest_energy(Stage& stage) {
-    stage.for_cells([&](std::int64_t c) { stage.refresh(static_cast<std::int32_t>(c), stage.enough); });
-    return *std::min_element(stage.lowest.begin(), stage.lowest.end());
-}
-
-// Forgets the candidates that are nearer than that to a mark: radii will be larger.
-void drop_nearer(double distance, Stage& stage) {
-    stage.for_cells([&](std::int64_t c) {
-        const std::int64_t kept = keep(stage.block_of(c), static_cast<float>(distance * distance));
-        stage.cell[c].groups = static_cast<std::int32_t>(groups_for(kept));
-        stage.floor[c] = 0.0F; // so that the best one is found again
-    });
-}
-
 // ---- Stage by stage
 
 // Places marks until there are `last` of them; returns false where they would have to be nearer than `closest`, in
@@ -588,7 +573,12 @@ bool fill(Stage& stage, double area, std::int64_t last, std::int64_t wanted, dou
         progress.check();
         const auto before = static_cast<double>(order.mark.size());
         if (before > stipple_tuning.cleaning_growth * at_cleaning) {
-            drop_nearer(needless, stage);
+            // They are forgotten: radii will be larger.
+            stage.for_cells([&](std::int64_t c) {
+                const std::int64_t kept = keep(stage.block_of(c), static_cast<float>(needless * needless));
+                stage.cell[c].groups = static_cast<std::int32_t>(groups_for(kept));
+                stage.floor[c] = 0.0F; // so that the best one is found again
+            });
             at_cleaning = before;
         }
         const bool nearly_full = before > stipple_tuning.nearly_full * static_cast<double>(last);
@@ -612,7 +602,9 @@ bool fill(Stage& stage, double area, std::int64_t last, std::int64_t wanted, dou
             if (many) threshold *= static_cast<float>(std::pow(expected / after, stipple_tuning.threshold_power));
             continue;
         }
-        const float lowest = lowest_energy(stage);
+        // The lowest energy of a candidate that keeps the distance of the last step; infinite where none does.
+        stage.for_cells([&](std::int64_t c) { stage.refresh(static_cast<std::int32_t>(c), stage.enough); });
+        const float lowest = *std::min_element(stage.lowest.begin(), stage.lowest.end());
         missed = after == before && lowest < threshold;
         if (std::isfinite(lowest))
             threshold = (nearly_full ? stipple_tuning.last_rise : stipple_tuning.rise) * std::max(threshold, lowest);

@@ -2,7 +2,7 @@
 // Clusters are passed over whole: the ink must be that of every mark looked at one by one.
 #include "frame/depth_layers/gather.h"
 #include "frame/line_of_sight.h"
-#include "frame/scene/cluster_view.h"
+#include "frame/scene/scene.h"
 #include "support/instruction_sets.h"
 
 #include <glm/gtc/matrix_inverse.hpp>
@@ -115,8 +115,8 @@ protected:
         const bool parallel = view.camera.projection[2][3] == 0.0 && view.camera.projection[0][3] == 0.0;
         base::Array<marks::Cluster>& clusters = open.layers[0].clusters.cluster;
         for (std::int64_t i = 0; i < clusters.size(); ++i) {
-            clusters[i].cone_cosine = -1.0F;
-            clusters[i].cone_sine = 0.0F;
+            clusters[i].cone.cosine = -1.0F;
+            clusters[i].cone.sine = 0.0F;
             clusters[i].radius = parallel ? 100.0F : set.layers[0].clusters.cluster[i].radius;
         }
         const std::array items{layered_item(set, style, view.transform)};

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Visibility that is asked of the surface itself.
 #include "frame/line_of_sight.h"
-#include "frame/scene/attenuation.h"
+#include "frame/scene/light.h"
 #include "support/analytic.h"
 
 #include <gtest/gtest.h>

@@ -4,7 +4,7 @@
 
 #include "base/random.h"
 #include "geometry/tangent_frame.h"
-#include "marks/clusters.h"
+#include "marks/point_set.h"
 #include "support/drawn.h"
 #include "support/samples.h"
 

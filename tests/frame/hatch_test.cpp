@@ -280,8 +280,8 @@ protected:
     }
     static void open_pieces(marks::Layer& ball) {
         for (marks::StrokePiece& piece : ball.clusters.piece) {
-            piece.cone_cosine = piece.tone_cosine = -1.0F;
-            piece.cone_sine = piece.tone_sine = 0.0F;
+            piece.cone.cosine = piece.tone.cosine = -1.0F;
+            piece.cone.sine = piece.tone.sine = 0.0F;
             piece.level = 0;
         }
     }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What layers of surface hide and dim, against lines of sight through known solids.
 #include "frame/line_of_sight.h"
-#include "frame/scene/attenuation.h"
+#include "frame/scene/light.h"
 
 #include <gtest/gtest.h>
 

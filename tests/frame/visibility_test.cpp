@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What hides what, and the discs of paper.
 #include "frame/hand_made.h"
-#include "frame/scene/attenuation.h"
+#include "frame/scene/light.h"
 
 #include <gtest/gtest.h>
 

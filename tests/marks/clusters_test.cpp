@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Clusters of marks: whole, in order, and what is said of each holds.
-#include "marks/clusters.h"
+#include "marks/point_set.h"
 
 #include "frame/hand_made.h"
 #include "support/runtime.h"
@@ -49,11 +49,11 @@ void expect_sound_pieces(const marks::Layer& layer) {
                 const glm::dvec3 p(marks::vector_at(layer.position, mark));
                 const glm::dvec3 n(marks::vector_at(layer.normal, mark));
                 ASSERT_LE(glm::length(p - vector_of(piece.centre)), static_cast<double>(piece.radius) + 1e-7);
-                ASSERT_GE(glm::dot(n, vector_of(piece.axis)), static_cast<double>(piece.cone_cosine));
+                ASSERT_GE(glm::dot(n, vector_of(piece.cone.axis)), static_cast<double>(piece.cone.cosine));
                 const glm::dvec3 soft(
                     layer.tone_normal.empty() ? n : glm::dvec3(marks::vector_at(layer.tone_normal, mark)));
-                ASSERT_GE(glm::dot(soft, vector_of(piece.tone_axis)), static_cast<double>(piece.tone_cosine));
-                ASSERT_NEAR(std::hypot(piece.tone_cosine, piece.tone_sine), 1.0F, 1e-5F);
+                ASSERT_GE(glm::dot(soft, vector_of(piece.tone.axis)), static_cast<double>(piece.tone.cosine));
+                ASSERT_NEAR(std::hypot(piece.tone.cosine, piece.tone.sine), 1.0F, 1e-5F);
                 level = std::min(level, layer.level[mark]);
             }
             ASSERT_EQ(piece.level, level);
@@ -74,9 +74,9 @@ void expect_sound(const marks::Layer& layer, bool strokes = false) {
         ASSERT_LE(c.count, marks::most_in_cluster);
         blocks += (c.count + size - 1) / size;
         ASSERT_LE(blocks, m.block.size());
-        const glm::dvec3 axis = vector_of(c.axis);
+        const glm::dvec3 axis = vector_of(c.cone.axis);
         ASSERT_NEAR(glm::length(axis), 1.0, 1e-6);
-        ASSERT_NEAR(c.cone_cosine * c.cone_cosine + c.cone_sine * c.cone_sine, 1.0F, 1e-5F);
+        ASSERT_NEAR(c.cone.cosine * c.cone.cosine + c.cone.sine * c.cone.sine, 1.0F, 1e-5F);
         for (std::int64_t place = c.block * size; place < c.block * size + c.count; ++place) {
             const Placed p = placed(m, place);
             ASSERT_LT(p.mark, layer.count());
@@ -94,7 +94,7 @@ void expect_sound(const marks::Layer& layer, bool strokes = false) {
                 ASSERT_LE(p.rank, placed(m, place - 1).rank);
             }
             ASSERT_LE(glm::length(p.position - vector_of(c.centre)), static_cast<double>(c.radius) + 1e-7);
-            ASSERT_GE(glm::dot(p.normal, axis), static_cast<double>(c.cone_cosine));
+            ASSERT_GE(glm::dot(p.normal, axis), static_cast<double>(c.cone.cosine));
             ASSERT_EQ(c.set, strokes ? layer.stroke[2 * mark] & 1U : 0U);
         }
     }
@@ -191,7 +191,7 @@ TEST_F(Clusters, OfAnyFiniteFloatsAreFinite) {
         for (const Cluster& c : set.layers[0].clusters.cluster) {
             marks += c.count;
             ASSERT_LT(c.radius, 8.0F);
-            for (const float number : {c.radius, c.bend, c.axis[0], c.shape[0], c.shape[3], c.shape[5]})
+            for (const float number : {c.radius, c.bend, c.cone.axis[0], c.shape[0], c.shape[3], c.shape[5]})
                 ASSERT_TRUE(std::isfinite(number));
         }
         EXPECT_EQ(marks, set.layers[0].count());

@@ -3,7 +3,7 @@
 #include "support/point_sets.h"
 
 #include "geometry/tangent_frame.h"
-#include "marks/from_arrays.h"
+#include "marks/assemble.h"
 
 namespace hrbfnpr::marks::from_arrays_test {
 namespace {

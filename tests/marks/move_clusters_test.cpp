@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Clusters of marks that have moved: the same marks in the same clusters, and what is said of each holds.
-#include "marks/clusters.h"
+#include "marks/point_set.h"
 
 #include "frame/hand_made.h"
 #include "support/allocator.h"
@@ -47,7 +47,7 @@ void expect_sound(const marks::Layer& layer, const Moved& places, double unit, c
         ASSERT_EQ(cluster.block, before.cluster[c].block);
         ASSERT_EQ(cluster.count, before.cluster[c].count);
         ASSERT_EQ(cluster.set, before.cluster[c].set);
-        ASSERT_NEAR(cluster.cone_cosine * cluster.cone_cosine + cluster.cone_sine * cluster.cone_sine, 1.0F, 1e-5F);
+        ASSERT_NEAR(cluster.cone.cosine * cluster.cone.cosine + cluster.cone.sine * cluster.cone.sine, 1.0F, 1e-5F);
         for (std::int64_t i = 0; i < cluster.count; ++i) {
             const MarkBlock& block = moved.block[cluster.block + i / MarkBlock::size];
             const std::int64_t at = i % MarkBlock::size;
@@ -64,7 +64,7 @@ void expect_sound(const marks::Layer& layer, const Moved& places, double unit, c
             // But for what is lost where the centre is rounded.
             const float rounded = 1.1e-7F * (1.0F + glm::length(vector_of(cluster.centre)));
             ASSERT_LE(glm::distance(p, vector_of(cluster.centre)), cluster.radius + rounded);
-            ASSERT_GE(glm::dot(n, vector_of(cluster.axis)), cluster.cone_cosine - 1e-6F);
+            ASSERT_GE(glm::dot(n, vector_of(cluster.cone.axis)), cluster.cone.cosine - 1e-6F);
         }
     }
     ASSERT_EQ(moved.piece.size(), before.piece.size());
@@ -79,7 +79,7 @@ void expect_sound(const marks::Layer& layer, const Moved& places, double unit, c
             }
             const float rounded = 1.1e-7F * (1.0F + glm::length(vector_of(piece.centre)));
             ASSERT_LE(glm::distance(p, vector_of(piece.centre)), piece.radius + rounded);
-            ASSERT_GE(glm::dot(n, vector_of(piece.axis)), piece.cone_cosine - 1e-6F);
+            ASSERT_GE(glm::dot(n, vector_of(piece.cone.axis)), piece.cone.cosine - 1e-6F);
         }
     }
 }
@@ -105,8 +105,8 @@ TEST_F(MoveClusters, ThatDoNotMoveStayTheSame) {
             const Cluster& b = moved.cluster[c];
             ASSERT_EQ(a.centre, b.centre) << c;
             ASSERT_EQ(a.radius, b.radius) << c;
-            ASSERT_EQ(a.axis, b.axis) << c;
-            ASSERT_EQ(a.cone_cosine, b.cone_cosine) << c;
+            ASSERT_EQ(a.cone.axis, b.cone.axis) << c;
+            ASSERT_EQ(a.cone.cosine, b.cone.cosine) << c;
         }
     }
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A random choice of so many candidates.
-#include "marks/marks.h"
+#include "marks/site.h"
 
 #include "support/analytic.h"
 #include "support/runtime.h"

@@ -58,7 +58,7 @@ TEST(Density, FollowsCurvature) {
 TEST(Density, BadOnesAreErrors) {
     generate::Settings settings = blue({Kind::stipples}, 400);
     of(settings, Kind::stipples).density.kind = Density::callback;
-    const auto status_of = [&](DensityFn function) {
+    const auto status_of = [&](marks::PlaceFn function) {
         of(settings, Kind::stipples).density.function = function;
         try {
             make(Sphere(), settings);

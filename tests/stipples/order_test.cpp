@@ -3,7 +3,7 @@
 #include "support/point_sets.h"
 
 #include "geometry/point_tree.h"
-#include "stipples/progressive_order.h"
+#include "stipples/candidates.h"
 
 #include <algorithm>
 #include <cmath>

@@ -142,7 +142,7 @@ void ask_cluster(const Scene& scene, const SeeLoops& loops, const Run& run, cons
         if (!(seen.pixels_per_unit[i] > 0.0F && seen.nu[i] < 0.0F)) continue;
         const MarkBlock& m = blocks[i / MarkBlock::size];
         const std::int64_t at = i % MarkBlock::size;
-        all.tone_calls.add({m.x[at], m.y[at], m.z[at]}, run.tone_normal_of(m.mark[at]),
+        all.tone_calls.add(m.place_at(at), run.tone_normal_of(m.mark[at]),
                            run.first_place + cluster.block * MarkBlock::size + i);
     }
 }
@@ -154,7 +154,7 @@ void ask_tones(const Scene& scene, const SeeLoops& loops, Gathering& all) {
     std::fill(all.tau.begin(), all.tau.end(), 0.0F); // loops read, but do not use those of marks that are not asked for
     for (const Run& run : scene.runs) {
         if (!asks(run) || !run.draws_front) continue;
-        all.tone_calls.begin(scene.item_of(run), all.tau);
+        all.tone_calls.begin(scene.item_of(run), all.tau.data(), 1);
         for (const marks::Cluster& cluster : run.clusters->cluster) ask_cluster(scene, loops, run, cluster, all);
         all.tone_calls.end();
     }
@@ -270,13 +270,6 @@ struct Local {
     return static_cast<std::int64_t>(std::ceil(pixels * pixels * static_cast<float>(local.cluster.count)));
 }
 
-// The turn of the normal for a step w along the surface.
-[[nodiscard]] glm::vec3 turn_for(const marks::Cluster& cluster, const glm::vec3& w) noexcept {
-    const auto& s = cluster.shape;
-    return {s[0] * w.x + s[1] * w.y + s[2] * w.z, s[1] * w.x + s[3] * w.y + s[4] * w.z,
-            s[2] * w.x + s[4] * w.y + s[5] * w.z};
-}
-
 // A halo goes out from the contour, and may be nowhere before its own line, which may run into the depth. The contour's
 // direction is conjugate to the line of sight, since along it the normal stays across that.
 // [Koenderink 1984, "What does the occluding contour tell us about solid shape?"]
@@ -287,10 +280,12 @@ void set_halo(const RunView& v, const Local& local, const Seen& seen, std::int64
     if (!(width > 0.0F) || !(std::abs(nu) <= layer_tuning.widest_rim) || local.cluster.bend < 0.0F) return;
     const MarkBlock& m = local.blocks[i / MarkBlock::size];
     const std::int64_t at = i % MarkBlock::size;
-    const glm::vec3 n(m.nx[at], m.ny[at], m.nz[at]);
-    const glm::vec3 sight = v.sight.seer.parallel ? v.sight.eye : glm::vec3(m.x[at], m.y[at], m.z[at]) - v.sight.eye;
+    const glm::vec3 n = m.normal_at(at);
+    const glm::vec3 sight = v.sight.seer.parallel ? v.sight.eye : m.place_at(at) - v.sight.eye;
     const glm::vec3 w = sight - glm::dot(sight, n) * n; // the line of sight along the surface
-    const glm::vec3 turn = turn_for(local.cluster, w);
+    const auto& s = local.cluster.shape;
+    const glm::vec3 turn(s[0] * w.x + s[1] * w.y + s[2] * w.z, s[1] * w.x + s[3] * w.y + s[4] * w.z,
+                         s[2] * w.x + s[4] * w.y + s[5] * w.z); // of the normal for the step w
     const float curvature = glm::dot(w, turn) / glm::dot(w, w); // radial, object space; positive where convex
     // The mark is at the angle nu from the contour along a circle of that curvature; infinitely far where it is flat.
     const float bend = std::abs(curvature) * local.pixel_curvature;

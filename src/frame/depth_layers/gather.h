@@ -6,7 +6,6 @@
 
 #include "base/runtime.h"
 #include "drawing/drawing.h"
-#include "frame/scene/cluster_view.h"
 #include "frame/scene/scene.h"
 
 #include <algorithm>

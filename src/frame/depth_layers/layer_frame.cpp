@@ -2,11 +2,19 @@
 #include "frame/depth_layers/layer_frame.h"
 
 #include "base/clock.h"
+#include "base/operation.h"
+#include "base/scratch.h"
 #include "drawing/segments.h"
+#include "frame/depth_layers/layer_loops.h"
 #include "frame/depth_layers/tuning.h"
 
+#include <glm/matrix.hpp>
+
 #include <algorithm>
+#include <atomic>
 #include <cmath>
+#include <limits>
+#include <numeric>
 #include <utility>
 
 namespace hrbfnpr::frame {
@@ -49,12 +57,291 @@ void bin_dots(const base::Parallel& parallel, const Scene& scene, std::span<cons
         drawing.dot_tiles.order(parallel, [&](std::uint32_t a, std::uint32_t b) { return drawing.before(a, b); });
 }
 
+// ---- What each dot of ink is seen through                                                                  [NPAR 6.1]
+//
+// A mark that faces the eye is never hidden by its own layer, nor by one of its item that faces the eye like it unless
+// one that faces away lies between: solids have both, in turn.
+
+constexpr float nothing = std::numeric_limits<float>::infinity();
+
+// Planes have some pixels around their tile: for dots just outside of the picture, and where items end, to see there
+// how far their surfaces go on.
+constexpr std::int32_t tile_size = drawing::tile_size;
+constexpr std::int32_t narrow_apron = 4;
+constexpr std::int32_t wide_apron = 9;
+constexpr std::int32_t side = tile_size + 2 * wide_apron;
+constexpr std::int32_t stride = side + 16;
+constexpr std::int64_t plane = std::int64_t{stride} * side;
+constexpr std::int64_t planes_of_one = 2 * LayerPlanes::layers + 2;
+
+constexpr std::int64_t rays_at_a_time = 16384;
+constexpr std::int32_t most_layers = 8; // a ray finds at most this many
+
+// The surfaces and tables that dim the tiles of a drawing.
+struct Dimming {
+    const Scene& scene;
+    const HatchTiles& hatching;
+    LayerLoops loops;
+    std::uint32_t ends; // a bit for each item that ends in the open, by its number's lowest bits
+    std::int32_t apron;
+};
+
+[[nodiscard]] LayerPlanes planes_of(float* at, std::int32_t apron) noexcept {
+    const std::int32_t size = tile_size + 2 * apron;
+    LayerPlanes planes{size, size, stride, {}, {}, nullptr, nullptr, 0.0F};
+    const auto next = [&] { return std::exchange(at, at + plane); };
+    for (float*& depth : planes.depth) depth = next();
+    planes.halo = next();
+    for (float*& transmittance : planes.transmittance) transmittance = next();
+    planes.halo_transmittance = next();
+    return planes;
+}
+
+// The number of the pixel at a place, which is clamped to the planes.
+[[nodiscard]] std::int32_t pixel_at(const LayerPlanes& p, const glm::vec2& place) noexcept {
+    const auto column = static_cast<std::int32_t>(std::clamp(place.x, 0.0F, static_cast<float>(p.width - 1)));
+    const auto row = static_cast<std::int32_t>(std::clamp(place.y, 0.0F, static_cast<float>(p.height - 1)));
+    return row * p.stride + column;
+}
+
+// Whether the layer there goes on in all directions: it is seen there, or something before where its slope leads.
+[[nodiscard]] bool goes_on(const LayerPlanes& p, std::int64_t layer, const glm::vec2& place) noexcept {
+    const float reach = layer_tuning.border_reach * p.largest_splat;
+    const std::int32_t here = pixel_at(p, place);
+    const float* const depth = p.depth[layer];
+    const auto is_same = [&](std::int32_t at) {
+        return depth[at] < nothing && item_of(p.transmittance[layer][at]) == item_of(p.transmittance[layer][here]);
+    };
+    for (const glm::vec2& to : {glm::vec2(reach, 0.0F), {-reach, 0.0F}, {0.0F, reach}, {0.0F, -reach}}) {
+        const std::int32_t there = pixel_at(p, place + to);
+        if (is_same(there)) continue;
+        const std::int32_t opposite = pixel_at(p, place - to);
+        if (!is_same(opposite) || depth[there] >= 2.0F * depth[here] - depth[opposite]) return false;
+    }
+    return true;
+}
+
+// The layers that a dot is seen through.
+struct Dimmed {
+    float transmittance = 1.0F;
+    // Other layers may lie between the ink and this depth; nothing: none can.
+    float more_from = nothing;
+};
+
+// By the nearest layers and the halo, or by the next ones, at a place in pixels of the planes.
+Dimmed dim(const Dimming& by, const LayerPlanes& p, const Dot& ink, const glm::vec2& place, bool next) noexcept {
+    HRBFNPR_ASSERT(ink.layer < by.scene.runs.size() && ink.pixels_per_unit > 0.0F);
+    Dimmed result;
+    const std::int32_t at = pixel_at(p, place);
+    if (!next && p.halo[at] + scene_tuning.halo_gap / ink.pixels_per_unit < ink.depth)
+        result.transmittance = p.halo_transmittance[at];
+    if ((ink.flags & dot_is_exact) != 0) return result;
+    const float other = layer_tuning.side_gap / ink.pixels_per_unit;
+    const float own = layer_tuning.own_gap * p.largest_splat / ink.pixels_per_unit;
+    const float border = layer_tuning.border_gap * p.largest_splat / ink.pixels_per_unit;
+    const bool has_items = by.scene.items.size() > 1;
+    const std::uint32_t item = bits_of_item(by.scene.runs[ink.layer].item);
+    const bool faces_back = (ink.flags & dot_faces_back) != 0;
+    const auto hides = [&](std::int64_t layer, bool alike) {
+        const float depth = p.depth[layer][at];
+        const std::uint32_t its = item_of(p.transmittance[layer][at]);
+        // A layer of another item is nowhere the ink's own.
+        const bool is_other = has_items && depth < nothing && its != item;
+        if (alike && !is_other) return depth + own < ink.depth;
+        if (!(depth + other < ink.depth)) return false;
+        const bool may_end = is_other && alike && (by.ends >> its & 1U) != 0;
+        return !may_end || depth + border < ink.depth || goes_on(p, layer, place);
+    };
+    const std::int64_t first = next ? std::int64_t{LayerPlanes::next_front} : std::int64_t{LayerPlanes::front};
+    const float front = p.depth[first][at];
+    const float back = p.depth[first + 1][at];
+    const bool after_back = hides(first + 1, faces_back);
+    const bool after_front = hides(first, !faces_back) || (after_back && front < back);
+    if (after_front) result.transmittance *= p.transmittance[first][at];
+    if (after_back) result.transmittance *= p.transmittance[first + 1][at];
+    // In solids, a layer that faces away lies between two that face the eye.
+    if (after_back || (after_front && back == nothing)) result.more_from = std::min(front, back);
+    return result;
+}
+
+// Dims the dots whose centres lie in a tile: first through the nearest layers, then, if any ink is still seen after
+// those, through the next. Returns how many are drawn; `largest` becomes the radius of the largest splat.
+std::int64_t dim_tile(const Dimming& by, LayerPlanes& planes, drawing::Drawing& drawing, std::int64_t tile,
+                      float& largest) noexcept {
+    const drawing::Tiles& tiles = drawing.dot_tiles;
+    HRBFNPR_ASSERT(tile >= 0 && tile < tiles.tiles());
+    const glm::vec2 origin(drawing.first_pixel);
+    const glm::vec2 corner = origin + glm::vec2(static_cast<float>(tile % tiles.columns() * tile_size - by.apron),
+                                                static_cast<float>(tile / tiles.columns() * tile_size - by.apron));
+    const drawing::Tiles::Extent own = tiles.own_extent(tile);
+    const auto for_own = [&](auto&& f) {
+        tiles.for_tile(tile, [&](std::uint32_t i) {
+            Dot& ink = drawing.dots[i];
+            if (own.holds(ink.x - origin.x, ink.y - origin.y)) f(ink);
+        });
+        by.hatching.for_tile(tile, [&](std::int64_t i) { f(drawing.dots[i]); });
+    };
+    const auto dimmed_by = [&](const Dot& ink, bool next) {
+        return dim(by, planes, ink, glm::vec2(ink.x, ink.y) - corner, next);
+    };
+    const auto clear = [](std::initializer_list<float*> depths) {
+        for (float* const depth : depths) std::fill_n(depth, plane, nothing);
+    };
+    const std::span<const Splat> splats = drawing.splats.span();
+    const auto list_of = [&](std::span<const std::uint32_t> numbers, float nearest, float farthest) {
+        return SplatList{splats.data(), numbers.data(), static_cast<std::int64_t>(numbers.size()), corner.x, corner.y,
+                         nearest,       farthest};
+    };
+    const auto lay = [&] {
+        clear({planes.depth[LayerPlanes::front], planes.depth[LayerPlanes::back], planes.halo});
+        planes.largest_splat = 0.0F;
+        drawing.splat_tiles.for_spans(tile, [&](std::span<const std::uint32_t> numbers) {
+            for (const std::uint32_t number : numbers)
+                planes.largest_splat = std::max(planes.largest_splat, splats[number].radius);
+            const SplatList list = list_of(numbers, -nothing, nothing);
+            by.loops.lay(planes, list);
+            by.loops.lay_halos(planes, list);
+        });
+        largest = planes.largest_splat;
+    };
+    std::int64_t seen = 0;
+    bool laid = false;
+    float nearest = nothing;
+    float farthest = -nothing;
+    largest = 0.0F;
+    for_own([&](Dot& ink) {
+        if (!std::exchange(laid, true)) lay();
+        const Dimmed dimmed = dimmed_by(ink, false);
+        ink.opacity = dimmed.transmittance < faintest_ink ? 0.0F : dimmed.transmittance;
+        seen += ink.opacity > 0.0F;
+        if (!(ink.opacity > 0.0F) || dimmed.more_from == nothing) return;
+        nearest = std::min(nearest, dimmed.more_from);
+        farthest = std::max(farthest, ink.depth);
+    });
+    if (nearest == nothing) return seen;
+    clear({planes.depth[LayerPlanes::next_front], planes.depth[LayerPlanes::next_back]});
+    drawing.splat_tiles.for_spans(tile, [&](std::span<const std::uint32_t> numbers) {
+        by.loops.lay_next(planes, list_of(numbers, nearest, farthest));
+    });
+    seen = 0;
+    for_own([&](Dot& ink) {
+        if (ink.opacity > 0.0F) ink.opacity *= dimmed_by(ink, true).transmittance;
+        if (ink.opacity < faintest_ink) ink.opacity = 0.0F;
+        seen += ink.opacity > 0.0F;
+    });
+    return seen;
+}
+
+// ---- Rays
+
+// Multiplies the opacity of the dots that were asked for by the transmittance of the layers that their rays meet.
+// Returns how many are no longer drawn.
+std::int64_t cast(const base::Runtime& runtime, const Scene& scene, const ItemView& item, DepthLayers& scratch,
+                  drawing::Drawing& drawing) {
+    HRBFNPR_ASSERT(scratch.rays.origin.size() == scratch.asked.size());
+    surface::RaySettings settings;
+    settings.maximum_hits = most_layers;
+    if (scene.lens.centre.w != 0.0F) settings.t_max = 1.0; // at the eye
+    surface::cast_rays(runtime, *item.model, settings, scratch.rays, scratch.hits, {});
+    std::int64_t hidden = 0;
+    for (std::int64_t i = 0; i < scratch.asked.size(); ++i) {
+        Dot& ink = drawing.dots[scratch.asked[i]];
+        const glm::dvec3 sight = scratch.rays.direction[i] / -item.unit;
+        for (std::int32_t hit = 0; hit < scratch.hits.count[i]; ++hit) {
+            const glm::dvec3 n = scratch.hits.normal[i * most_layers + hit];
+            const double nu = glm::dot(n, sight) / glm::length(sight);
+            ink.opacity *= layer_transmittance(item.style, static_cast<float>(nu), item.both_sides);
+        }
+        if (ink.opacity >= faintest_ink) continue;
+        ink.opacity = 0.0F;
+        ++hidden;
+    }
+    scratch.rays.origin.clear();
+    scratch.rays.direction.clear();
+    scratch.asked.clear();
+    return hidden;
+}
+
+// Bins the drawing's splats, and sets the opacity of each of its dots by the transmittance of the depth layers that
+// the splats stand for. The dots stand in tiles already, and those of hatching in tiles of their own. Returns how many
+// are drawn.
+[[nodiscard]] std::int64_t dim_by_layers(const base::Runtime& runtime, const Scene& scene, const HatchTiles& hatching,
+                                         DepthLayers& scratch, drawing::Drawing& drawing) {
+    const drawing::Tiles& tiles = drawing.dot_tiles;
+    const glm::vec2 origin(drawing.first_pixel);
+    Dimming by{scene, hatching, layer_loops(runtime.instruction_set), 0, narrow_apron};
+    for (std::int64_t i = 0; scene.items.size() > 1 && i < scene.items.size(); ++i)
+        if (scene.items[i].both_sides) by.ends |= 1U << bits_of_item(static_cast<std::int32_t>(i));
+    if (by.ends != 0) by.apron = wide_apron;
+    drawing.splat_tiles.build(runtime.parallel, tiles.columns() * tile_size, tiles.rows() * tile_size,
+                              drawing.splat_pieces.span(), [&](std::int64_t i, drawing::Tiles::Footprint& print) {
+                                  const Splat& c = drawing.splats[i];
+                                  const float reach = std::max(c.radius, c.halo) + static_cast<float>(by.apron) + 1.0F;
+                                  print = {c.x - origin.x, c.y - origin.y, reach};
+                                  return true;
+                              });
+    const std::int64_t workers = std::max(1, runtime.parallel.threads());
+    base::resize_scratch(scratch.planes, workers * planes_of_one * plane);
+    base::resize_scratch(scratch.seen, tiles.tiles());
+    base::resize_scratch(scratch.largest, tiles.tiles());
+    std::atomic<std::int64_t> next{0};
+    runtime.parallel.for_each(workers, [&](std::int64_t worker) {
+        LayerPlanes planes = planes_of(scratch.planes.data() + worker * planes_of_one * plane, by.apron);
+        for (std::int64_t tile = next++; tile < tiles.tiles(); tile = next++)
+            scratch.seen[tile] = dim_tile(by, planes, drawing, tile, scratch.largest[tile]);
+    });
+    return std::accumulate(scratch.seen.begin(), scratch.seen.end(), std::int64_t{0});
+}
+
+// Multiplies the opacity of the dots of items that have a model. Returns how many are no longer drawn.
+// Throws Error{callback, out_of_memory}.
+[[nodiscard]] std::int64_t dim_by_rays(const base::Runtime& runtime, const Scene& scene, DepthLayers& scratch,
+                                       drawing::Drawing& drawing) {
+    scratch.rays.origin.clear(); // a failed frame leaves rays here
+    scratch.rays.direction.clear();
+    scratch.asked.clear();
+    const glm::dvec3 centre(scene.lens.centre);
+    const bool parallel = scene.lens.centre.w == 0.0F;
+    std::int64_t hidden = 0;
+    const ItemView* item = nullptr; // the item whose rays are being collected
+    glm::dmat3 back(1.0);           // from eye space to the item's own
+    double scale = 1.0;
+    const auto flush = [&] {
+        if (!scratch.asked.empty()) hidden += cast(runtime, scene, *item, scratch, drawing);
+    };
+    for (const Piece& piece : drawing.dot_pieces) {
+        for (std::int64_t i = piece.begin; i < piece.end; ++i) {
+            const Dot& ink = drawing.dots[i];
+            const Run& run = scene.runs[ink.layer];
+            if (&scene.item_of(run) != item || scratch.asked.size() == rays_at_a_time) {
+                flush();
+                item = &scene.item_of(run);
+                back = glm::inverse(glm::dmat3(item->to_eye));
+                scale = std::cbrt(std::abs(glm::determinant(glm::dmat3(item->to_eye))));
+            }
+            if (item->model == nullptr || !(ink.opacity > 0.0F)) continue;
+            const std::int64_t mark = ink.id - run.first_id;
+            HRBFNPR_ASSERT(mark >= 0 && mark < run.count);
+            const double pixel = 1.0 / (static_cast<double>(ink.pixels_per_unit) * scale);
+            const glm::dvec3 from = glm::dvec3(run.place_of(mark, item->unit)) +
+                                    layer_tuning.off_layer * pixel * glm::dvec3(run.normal_of(mark));
+            // The length does not matter where lines of sight are parallel: rays end with the model's bounds.
+            const glm::dvec3 to = parallel ? from - back * centre : back * (centre - glm::dvec3(item->eye_offset));
+            scratch.rays.origin.push_back(item->unit * from + item->origin);
+            scratch.rays.direction.push_back(item->unit * (to - from));
+            scratch.asked.push_back(static_cast<std::uint32_t>(i));
+        }
+    }
+    flush();
+    return hidden;
+}
+
 } // namespace
 
 LayerFrame::LayerFrame(const base::Runtime& runtime) noexcept
     : runtime_(runtime), gathering_(runtime.memory), hatch_points_(runtime), hatch_tiles_(runtime),
-      edges_(runtime.memory), hatch_strokes_(runtime), layers_(runtime.memory), dot_of_(runtime.memory),
-      joined_(runtime.memory), ready_(runtime.memory), keys_(runtime.memory), order_(runtime.memory) {}
+      edges_(runtime.memory), layers_(runtime.memory), dot_of_(runtime.memory), joined_(runtime.memory),
+      ready_(runtime.memory), keys_(runtime.memory), order_(runtime.memory) {}
 
 void LayerFrame::run(const Scene& scene, const LineStrokes& lines, const base::Progress& progress,
                      drawing::Drawing& drawing) {
@@ -82,10 +369,9 @@ void LayerFrame::run(const Scene& scene, const LineStrokes& lines, const base::P
     if (!hatch_points_.batches().empty() && !lines.strokes.empty())
         edges_.build(lines, drawing.layers.span(), scene.lens.viewport);
     const std::span<const float> largest = drawing.has_splats ? layers_.largest.span() : std::span<const float>();
-    const std::span<const HatchStrokePart> hatching =
-        hatch_strokes_.run(scene, hatch_points_, {edges_, drawing, largest}, drawing);
+    make_strokes(runtime_, scene, {edges_, drawing, largest}, hatch_points_.batches(), drawing);
     join_dots(scene, drawing);
-    put_strokes(lines, hatching, drawing);
+    put_strokes(lines, drawing);
     drawing.counts.nanoseconds_sort += watch.nanoseconds();
 }
 
@@ -146,8 +432,7 @@ void LayerFrame::join_dots(const Scene& scene, drawing::Drawing& drawing) {
 }
 
 // Puts the strokes of all lists into the drawing, far to near.
-void LayerFrame::put_strokes(const LineStrokes& lines, std::span<const HatchStrokePart> hatching,
-                             drawing::Drawing& drawing) {
+void LayerFrame::put_strokes(const LineStrokes& lines, drawing::Drawing& drawing) {
     ready_.clear();
     keys_.clear();
     std::int64_t points = 0;
@@ -161,7 +446,7 @@ void LayerFrame::put_strokes(const LineStrokes& lines, std::span<const HatchStro
     };
     add(joined_);
     add(lines);
-    for (const HatchStrokePart& part : hatching) add(part.made);
+    for (const HatchPoints::Batch& batch : hatch_points_.batches()) add(batch.part.made);
     if (ready_.empty()) return;
     order_.sort(runtime_.parallel, keys_);
     base::resize_scratch(drawing.points, points);
@@ -184,9 +469,9 @@ void LayerFrame::put_strokes(const LineStrokes& lines, std::span<const HatchStro
 }
 
 std::int64_t LayerFrame::bytes() const noexcept {
-    return gathering_.bytes() + hatch_points_.bytes() + hatch_tiles_.bytes() + edges_.bytes() + hatch_strokes_.bytes() +
-           layers_.bytes() + dot_of_.bytes() + joined_.strokes.bytes() + joined_.points.bytes() + ready_.bytes() +
-           keys_.bytes() + order_.bytes();
+    return gathering_.bytes() + hatch_points_.bytes() + hatch_tiles_.bytes() + edges_.bytes() + layers_.bytes() +
+           dot_of_.bytes() + joined_.strokes.bytes() + joined_.points.bytes() + ready_.bytes() + keys_.bytes() +
+           order_.bytes();
 }
 
 } // namespace hrbfnpr::frame

@@ -6,16 +6,38 @@
 // | 2 | HatchPoints | dots along hatching |
 // | 3 | bin_dots, HatchTiles | tiles of dots |
 // | 4 | dim_by_layers, dim_by_rays | opacities |
-// | 5 | HatchStrokes | strokes of hatching |
+// | 5 | make_strokes | strokes of hatching |
 // | 6 | join_dots, put_strokes | strokes of the drawing, far to near |
 #pragma once
 
 #include "drawing/far_to_near.h"
-#include "frame/depth_layers/depth_layers.h"
 #include "frame/depth_layers/gather.h"
 #include "frame/hatch/strokes.h"
+#include "surface/cast_rays.h"
 
 namespace hrbfnpr::frame {
+
+// Arrays that are kept from frame to frame.
+struct DepthLayers {
+    explicit DepthLayers(base::Memory& memory) noexcept
+        : largest(memory), planes(memory), seen(memory), rays(memory), hits(memory), asked(memory) {}
+
+    // The radius of the largest splat in each tile of the drawing's dots, pixels: splats hide ink up to
+    // this far beyond their surface.
+    base::Array<float> largest;
+
+    // Scratch.
+    base::Array<float> planes;      // the pixel planes of all workers, one worker after the other
+    base::Array<std::int64_t> seen; // how many dots of each tile are drawn
+    surface::Rays rays;
+    surface::RayHits hits;
+    base::Array<std::uint32_t> asked; // dots that the rays begin at
+
+    [[nodiscard]] std::int64_t bytes() const noexcept {
+        return largest.bytes() + planes.bytes() + seen.bytes() + rays.origin.bytes() + rays.direction.bytes() +
+               hits.t.bytes() + hits.position.bytes() + hits.normal.bytes() + asked.bytes();
+    }
+};
 
 class LayerFrame {
 public:
@@ -36,14 +58,13 @@ private:
 
     void dim(const Scene& scene, drawing::Drawing& drawing);
     void join_dots(const Scene& scene, drawing::Drawing& drawing);
-    void put_strokes(const LineStrokes& lines, std::span<const HatchStrokePart> hatching, drawing::Drawing& drawing);
+    void put_strokes(const LineStrokes& lines, drawing::Drawing& drawing);
 
     const base::Runtime& runtime_;
     Gathering gathering_;
     HatchPoints hatch_points_;
     HatchTiles hatch_tiles_;
     NearerEdges edges_;
-    HatchStrokes hatch_strokes_;
     DepthLayers layers_;
     base::Array<std::int64_t> dot_of_; // the number of the dot of each mark of a run; -1: the mark is not shown
     LineStrokes joined_;

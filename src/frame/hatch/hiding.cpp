@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "frame/hatch/hiding.h"
+#include "frame/hatch/strokes.h"
 
 #include "base/assert.h"
 #include "base/scratch.h"
@@ -60,9 +60,34 @@ constexpr float most_pieces = 4096.0F;
     return first;
 }
 
+// By how many pixels the edge's point nearest to `at` is nearer to the eye than a point of that depth.
+[[nodiscard]] float nearer_at(const NearerEdge& edge, const glm::vec2& at, float depth,
+                              float pixels_per_unit) noexcept {
+    const float share = geometry::nearest_share(at, edge.a, edge.b);
+    return (depth - edge.depth_a - share * (edge.depth_b - edge.depth_a)) * pixels_per_unit;
+}
+
+// By how many pixels the edge is nearer to the eye than a line that runs from a on to b, where both, running on, would
+// cross. So it is 0 for an edge of the line's own surface, however steep that is.
+[[nodiscard]] float nearer_on(const NearerEdge& edge, const Dot& a, const Dot& b) noexcept {
+    const glm::vec2 way = place(b) - place(a);
+    const glm::vec2 along = edge.b - edge.a;
+    const glm::vec2 to = edge.a - place(a);
+    const float turn = cross(way, along);
+    const float share = cross(to, along) / turn;
+    const float edge_share = cross(to, way) / turn;
+    const float length = glm::length(along);
+    if (std::abs(share) * glm::length(way) <= hatch_tuning.farthest_crossing &&
+        std::abs(edge_share - 0.5F) * length <= hatch_tuning.farthest_crossing + 0.5F * length)
+        return (a.depth + share * (b.depth - a.depth) - edge.depth_a - edge_share * (edge.depth_b - edge.depth_a)) *
+               a.pixels_per_unit;
+    return nearer_at(edge, place(a), a.depth, a.pixels_per_unit) -
+           hatch_tuning.steepest * geometry::distance_to_segment(place(a), edge.a, edge.b);
+}
+
 } // namespace
 
-NearerEdges::Cells NearerEdges::cells(const glm::vec2& low, const glm::vec2& high) const noexcept {
+glm::ivec4 NearerEdges::cells(const glm::vec2& low, const glm::vec2& high) const noexcept {
     const auto cell = [](float at, std::int32_t count) {
         return static_cast<std::int32_t>(std::clamp(at / cell_side, 0.0F, static_cast<float>(count - 1)));
     };
@@ -72,23 +97,23 @@ NearerEdges::Cells NearerEdges::cells(const glm::vec2& low, const glm::vec2& hig
 
 // Pieces that are no longer than a cell lie in few of those that they might cross.
 template <class F>
-void NearerEdges::for_cells_of(const Edge& edge, const F& f) const {
+void NearerEdges::for_cells_of(const NearerEdge& edge, const F& f) const {
     const auto pieces = 1 + static_cast<std::int32_t>(std::min(glm::distance(edge.a, edge.b) / cell_side, most_pieces));
     for (std::int32_t i = 0; i < pieces; ++i) {
         const auto at = [&](std::int32_t k) {
             return edge.a + static_cast<float>(k) / static_cast<float>(pieces) * (edge.b - edge.a);
         };
-        const Cells own = cells(glm::min(at(i), at(i + 1)), glm::max(at(i), at(i + 1)));
-        for (std::int32_t row = own.top; row < own.bottom; ++row)
-            for (std::int32_t column = own.left; column < own.right; ++column) f(row * columns_ + column);
+        const glm::ivec4 own = cells(glm::min(at(i), at(i + 1)), glm::max(at(i), at(i + 1)));
+        for (std::int32_t row = own.y; row < own.w; ++row)
+            for (std::int32_t column = own.x; column < own.z; ++column) f(row * columns_ + column);
     }
 }
 
 template <class F>
 void NearerEdges::for_near(const glm::vec2& low, const glm::vec2& high, const F& f) const {
-    const Cells own = cells(low, high);
-    for (std::int32_t row = own.top; row < own.bottom; ++row)
-        for (std::int32_t column = own.left; column < own.right; ++column)
+    const glm::ivec4 own = cells(low, high);
+    for (std::int32_t row = own.y; row < own.w; ++row)
+        for (std::int32_t column = own.x; column < own.z; ++column)
             for (std::int32_t i = first_[row * columns_ + column]; i < first_[row * columns_ + column + 1]; ++i)
                 f(edges_[numbers_[i]]);
 }
@@ -106,24 +131,20 @@ void NearerEdges::build(const LineStrokes& lines, std::span<const drawing::Layer
         const bool is_crease = layer.line_kind == static_cast<std::uint32_t>(LineKind::crease);
         const StrokePoint* const point = lines.points.data() + stroke.first;
         for (std::int32_t i = 0; i + 1 < stroke.count; ++i) {
-            const Edge edge{{point[i].x, point[i].y},
-                            {point[i + 1].x, point[i + 1].y},
-                            point[i].depth,
-                            point[i + 1].depth,
-                            is_crease};
+            const NearerEdge edge{{point[i].x, point[i].y},
+                                  {point[i + 1].x, point[i + 1].y},
+                                  point[i].depth,
+                                  point[i + 1].depth,
+                                  is_crease};
             if (glm::all(glm::lessThan(glm::min(edge.a, edge.b), high)) &&
                 glm::all(glm::greaterThan(glm::max(edge.a, edge.b), low)))
                 edges_.push_back(edge);
         }
     }
-    bin();
-}
-
-void NearerEdges::bin() {
     // Counts stand one place farther on, so that filling moves them back to where each cell begins.
     base::resize_scratch(first_, std::int64_t{columns_} * rows_ + 2);
     std::fill(first_.begin(), first_.end(), 0);
-    for (const Edge& edge : edges_) for_cells_of(edge, [&](std::int32_t cell) { ++first_[cell + 2]; });
+    for (const NearerEdge& edge : edges_) for_cells_of(edge, [&](std::int32_t cell) { ++first_[cell + 2]; });
     for (std::int64_t i = 2; i < first_.size(); ++i) first_[i] += first_[i - 1];
     base::resize_scratch(numbers_, first_[first_.size() - 1]);
     for (std::int64_t i = 0; i < edges_.size(); ++i)
@@ -131,35 +152,11 @@ void NearerEdges::bin() {
                      [&](std::int32_t cell) { numbers_[first_[cell + 1]++] = static_cast<std::int32_t>(i); });
 }
 
-// By how many pixels the edge's point nearest to `at` is nearer to the eye than a point of that depth.
-float NearerEdges::nearer_at(const Edge& edge, const glm::vec2& at, float depth, float pixels_per_unit) noexcept {
-    const float share = geometry::nearest_share(at, edge.a, edge.b);
-    return (depth - edge.depth_a - share * (edge.depth_b - edge.depth_a)) * pixels_per_unit;
-}
-
-// By how many pixels the edge is nearer to the eye than a line that runs from a on to b, where both, running on, would
-// cross. So it is 0 for an edge of the line's own surface, however steep that is.
-float NearerEdges::nearer_on(const Edge& edge, const Dot& a, const Dot& b) noexcept {
-    const glm::vec2 way = place(b) - place(a);
-    const glm::vec2 along = edge.b - edge.a;
-    const glm::vec2 to = edge.a - place(a);
-    const float turn = cross(way, along);
-    const float share = cross(to, along) / turn;
-    const float edge_share = cross(to, way) / turn;
-    const float length = glm::length(along);
-    if (std::abs(share) * glm::length(way) <= hatch_tuning.farthest_crossing &&
-        std::abs(edge_share - 0.5F) * length <= hatch_tuning.farthest_crossing + 0.5F * length)
-        return (a.depth + share * (b.depth - a.depth) - edge.depth_a - edge_share * (edge.depth_b - edge.depth_a)) *
-               a.pixels_per_unit;
-    return nearer_at(edge, place(a), a.depth, a.pixels_per_unit) -
-           hatch_tuning.steepest * geometry::distance_to_segment(place(a), edge.a, edge.b);
-}
-
 bool NearerEdges::is_near(const Dot& dot, float reach, float halo) const noexcept {
     const glm::vec2 at = place(dot);
     const float most = std::max(reach, halo);
     bool found = false;
-    for_near(at - most, at + most, [&](const Edge& edge) {
+    for_near(at - most, at + most, [&](const NearerEdge& edge) {
         const float square = geometry::square_from_segment(at, edge.a, edge.b);
         if (found || square > most * most) return;
         const float nearer = nearer_at(edge, at, dot.depth, dot.pixels_per_unit);
@@ -176,7 +173,7 @@ float NearerEdges::entry(const Dot& a, const Dot& b, float halo) const noexcept 
     if (!(length > 0.0F)) return nowhere;
     const float reach = length + std::max(halo, hatch_tuning.at_edge);
     float first = nowhere;
-    for_near(from - reach, from + reach, [&](const Edge& edge) {
+    for_near(from - reach, from + reach, [&](const NearerEdge& edge) {
         const float square = geometry::square_from_segment(from, edge.a, edge.b);
         if (square > reach * reach) return;
         const float nearer = nearer_on(edge, a, b);
@@ -194,7 +191,7 @@ float NearerEdges::room(const StrokePoint& point, const glm::vec2& along, float 
     const glm::vec2 u = along / way;
     const float reach = radius + std::max(halo, hatch_tuning.at_edge);
     float least = radius;
-    for_near(at - reach, at + reach, [&](const Edge& edge) {
+    for_near(at - reach, at + reach, [&](const NearerEdge& edge) {
         // The perpendicular of the line at the point meets the edge.
         const float from = glm::dot(edge.a - at, u);
         const float to = glm::dot(edge.b - at, u);
@@ -213,14 +210,6 @@ float NearerEdges::room(const StrokePoint& point, const glm::vec2& along, float 
         least = std::min(least, std::lerp(radius, std::max(free, 0.0F), along_edge));
     });
     return least;
-}
-
-float Hiding::largest_splat_at(const Dot& dot) const noexcept {
-    if (largest_splat.empty()) return 0.0F;
-    const drawing::Tiles& tiles = drawing.dot_tiles;
-    const glm::vec2 at = place(dot) - glm::vec2(drawing.first_pixel);
-    return largest_splat[static_cast<std::size_t>(tile_of(at.y, tiles.rows()) * tiles.columns() +
-                                                  tile_of(at.x, tiles.columns()))];
 }
 
 namespace {
@@ -243,7 +232,11 @@ struct SeenLine {
     }
     // How far from an edge splats may hide a sample by mistake.
     [[nodiscard]] float reach_of_splats(std::int64_t i) const noexcept {
-        return std::min(hiding.largest_splat_at((*this)[i]) + hatch_tuning.beyond_splat, hatch_tuning.farthest_hidden);
+        const drawing::Tiles& tiles = hiding.drawing.dot_tiles;
+        const glm::vec2 at = place((*this)[i]) - glm::vec2(hiding.drawing.first_pixel);
+        const std::int64_t tile = tile_of(at.y, tiles.rows()) * tiles.columns() + tile_of(at.x, tiles.columns());
+        const float splat = hiding.largest_splat.empty() ? 0.0F : hiding.largest_splat[static_cast<std::size_t>(tile)];
+        return std::min(splat + hatch_tuning.beyond_splat, hatch_tuning.farthest_hidden);
     }
     // Whether splats may hide the sample by mistake.
     [[nodiscard]] bool may_be_seen(std::int64_t i) const noexcept { return is_near(i, reach_of_splats(i)); }

@@ -51,25 +51,6 @@ HWY_INLINE W log2(W x) {
     return hn::Add(hn::ConvertTo(d, exponent), hn::Mul(sum, t));
 }
 
-void load(const float* triples, std::int64_t count, float factor, float other, float* x, float* y, float* z) {
-    const F d;
-    const auto lanes = static_cast<std::int64_t>(hn::Lanes(d));
-    const auto scaled = [&](W v) HWY_ATTR { return hn::Mul(hn::Mul(v, set(factor)), set(other)); };
-    std::int64_t at = 0;
-    for (; at + lanes <= count; at += lanes) {
-        W a, b, c;
-        hn::LoadInterleaved3(d, triples + 3 * at, a, b, c);
-        hn::StoreU(scaled(a), d, x + at);
-        hn::StoreU(scaled(b), d, y + at);
-        hn::StoreU(scaled(c), d, z + at);
-    }
-    for (; at < count; ++at) {
-        x[at] = triples[3 * at] * factor * other;
-        y[at] = triples[3 * at + 1] * factor * other;
-        z[at] = triples[3 * at + 2] * factor * other;
-    }
-}
-
 HWY_INLINE bool may_draw(const HatchBounds& b, const float* n, const float* t) {
     const auto dot = [](const float(&a)[3], const float* v) { return a[0] * v[0] + a[1] * v[1] + a[2] * v[2]; };
     return !(dot(b.sight, n) > b.away || dot(b.light, t) > b.lightest);
@@ -144,9 +125,9 @@ void place(const HatchSight& sight, const HatchRows& rows, std::int64_t count) {
         const M valid =
             hn::And(hn::And(hn::And(hn::Eq(left, left), hn::Eq(top, top)),
                             hn::And(between(row(HatchRow::window), 0.0F, 1.0F), between(nu, -1.001F, 1.001F))),
-                    hn::And(hn::Gt(row(HatchRow::pixels_per_unit), hn::Zero(d)), hn::Gt(margin, set(-sight.farthest))));
+                    hn::And(hn::Gt(row(HatchRow::pixels_per_unit), hn::Zero(d)), hn::Gt(margin, set(-hatch_farthest))));
         hn::StoreU(hn::IfThenElse(valid, margin, set(hatch_nowhere)), d, own[HatchRow::picture_margin]);
-        hn::StoreU(hn::Sub(set(sight.last_nu), nu), d, own[HatchRow::rim_margin]);
+        hn::StoreU(hn::Sub(set(hatch_tuning.last_nu), nu), d, own[HatchRow::rim_margin]);
     });
 }
 
@@ -155,11 +136,14 @@ void place(const HatchSight& sight, const HatchRows& rows, std::int64_t count) {
 constexpr float hollow[5] = {0.5399F, 1.1747F, -1.5068F, 1.1364F, -0.3442F};
 
 HWY_INLINE W coverage(const HatchLaw& law, W darkness) {
-    const W at = clamped(hn::Mul(hn::Sub(darkness, set(law.tone_begin)), set(law.per_tone_span)), 0.0F, 1.0F);
+    const LayerStyle& style = *law.style;
+    const W begin = set(style.hatch_tone_begin);
+    const W at = clamped(hn::Mul(hn::Sub(darkness, begin), set(law.per_tone_span)), 0.0F, 1.0F);
     const auto line = [&](int from) HWY_ATTR { return hn::Add(set(hollow[from]), hn::Mul(set(hollow[from + 2]), at)); };
     const W even = hn::Add(line(0), hn::Mul(set(hollow[4]), hn::Mul(at, at)));
     const W risen = hn::Mul(at, hn::Add(even, hn::Mul(hn::Sqrt(at), line(1))));
-    return hn::Mul(set(law.share), hn::Add(set(law.coverage_begin), hn::Mul(set(law.coverage_rise), risen)));
+    const W rise = set(style.hatch_coverage_end - style.hatch_coverage_begin);
+    return hn::Mul(set(style.share), hn::Add(set(style.hatch_coverage_begin), hn::Mul(rise, risen)));
 }
 
 void coverage(const HatchLaw& law, const float* darkness, std::int64_t count, float* to) {
@@ -191,8 +175,9 @@ HWY_INLINE Widths widths(const HatchLaw& law, W coverage, W spacing, W gap) {
     const W period = hn::Mul(hn::Mul(gap, spacing), half);
     // A period holds 1 + weight wide lines. Where lines are closer together than asked they are thinner than the pen.
     const W lines = hn::Add(one, weight);
-    const W ink = hn::Min(hn::Mul(coverage, period),
-                          hn::Max(hn::Sub(period, hn::Mul(lines, set(law.white))), hn::Mul(lines, set(law.pen))));
+    const W ink =
+        hn::Min(hn::Mul(coverage, period), hn::Max(hn::Sub(period, hn::Mul(lines, set(law.style->hatch_white))),
+                                                   hn::Mul(lines, set(law.style->hatch_pen))));
     const W next = hn::Div(hn::Mul(weight, ink), lines);
     const W margin = hn::Sub(hn::Mul(next, set(law.per_pen)), set(hatch_tuning.thinnest_fading));
     const W rise =
@@ -223,7 +208,7 @@ HWY_INLINE W largest_near(const float* row) {
 // Sets the tone's margin, and `least` to the least margin of tone, rim and picture.
 HWY_INLINE void set_least(const HatchLaw& law, const HatchRows& rows) {
     const F d;
-    const W tone = hn::Sub(hn::LoadU(d, rows[HatchRow::darkness]), set(law.tone_begin));
+    const W tone = hn::Sub(hn::LoadU(d, rows[HatchRow::darkness]), set(law.style->hatch_tone_begin));
     hn::StoreU(tone, d, rows[HatchRow::tone_margin]);
     const W others = hn::Min(hn::LoadU(d, rows[HatchRow::rim_margin]), hn::LoadU(d, rows[HatchRow::picture_margin]));
     hn::StoreU(hn::Min(tone, others), d, rows[HatchRow::least]);
@@ -249,9 +234,9 @@ HWY_INLINE void set_width(const HatchSight& sight, const HatchLaw& law, const Ha
     const W margin = hn::IfThenElse(full, one, hn::IfThenElse(fades, w.margin, rest));
     const W width = hn::IfThenElse(full, w.width, hn::IfThenElseZero(fades, w.fading));
     // The comparison is false for NaN, so NaN counts as turned away.
-    const M turned = hn::Not(hn::Lt(row(HatchRow::nu), set(law.widest_nu)));
+    const M turned = hn::Not(hn::Lt(row(HatchRow::nu), set(hatch_tuning.widest_nu)));
     const M valid =
-        hn::And(hn::And(hn::Eq(darkness, darkness), hn::Eq(spacing, spacing)), hn::Lt(width, set(law.widest)));
+        hn::And(hn::And(hn::Eq(darkness, darkness), hn::Eq(spacing, spacing)), hn::Lt(width, set(hatch_farthest)));
     hn::StoreU(hn::IfThenElse(hn::Or(turned, hn::Not(near)), one, clamped(margin, -1.0F, 1.0F)), d, rows[own_margin]);
     hn::StoreU(hn::IfThenElseZero(near, hn::IfThenZeroElse(turned, width)), d, rows[own_width]);
     hn::StoreU(hn::IfThenElse(hn::Or(hn::Or(turned, valid), hn::Not(near)), picture, set(hatch_nowhere)), d,
@@ -322,50 +307,9 @@ void measure(const HatchRows& rows, std::int64_t count, bool closed) {
     });
 }
 
-#if HWY_TARGET == HWY_SCALAR
-void pack(const HatchRows& rows, std::int64_t count, float* marks) {
-    for (std::int64_t at = 0; at < count; ++at) {
-        float* const to = marks + PackedMark::size * at;
-        for (std::int64_t k = 0; k < PackedMark::size; ++k)
-            to[k] = k < PackedMark::rows_of_mark ? rows[PackedMark::rows[k]][at] : 0.0F;
-    }
-}
-#else
-using Q = hn::FixedTag<float, PackedMark::at_once>;
-
-// Four numbers of each of four marks.
-template <class V>
-HWY_INLINE void pack_four(V a, V b, V c, V e, float* to) {
-    const Q d;
-    const V low = hn::InterleaveLower(d, a, b);
-    const V next_low = hn::InterleaveLower(d, c, e);
-    const V high = hn::InterleaveUpper(d, a, b);
-    const V next_high = hn::InterleaveUpper(d, c, e);
-    hn::StoreU(hn::ConcatLowerLower(d, next_low, low), d, to);
-    hn::StoreU(hn::ConcatUpperUpper(d, next_low, low), d, to + PackedMark::size);
-    hn::StoreU(hn::ConcatLowerLower(d, next_high, high), d, to + 2 * PackedMark::size);
-    hn::StoreU(hn::ConcatUpperUpper(d, next_high, high), d, to + 3 * PackedMark::size);
-}
-
-void pack(const HatchRows& rows, std::int64_t count, float* marks) {
-    const Q d;
-    const float* row[PackedMark::rows_of_mark];
-    for (std::int64_t k = 0; k < PackedMark::rows_of_mark; ++k) row[k] = rows[PackedMark::rows[k]];
-    const auto zero = hn::Zero(d);
-    for (std::int64_t at = 0; at < count; at += PackedMark::at_once) {
-        float* const to = marks + PackedMark::size * at;
-        const auto of = [&](std::int64_t k) HWY_ATTR { return hn::LoadU(d, row[k] + at); };
-        pack_four(of(0), of(1), of(2), of(3), to);
-        pack_four(of(4), of(5), of(6), of(7), to + 4);
-        pack_four(of(8), of(9), of(10), of(11), to + 8);
-        pack_four(of(12), zero, zero, zero, to + 12);
-    }
-}
-#endif
-
 } // namespace
 
-HatchLoops pick_hatch_loops() noexcept { return {may_draw, load, coverage, place, widen, measure, pack}; }
+HatchLoops pick_hatch_loops() noexcept { return {may_draw, coverage, place, widen, measure}; }
 
 } // namespace hrbfnpr::frame::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

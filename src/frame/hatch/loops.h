@@ -4,6 +4,7 @@
 #pragma once
 
 #include "frame/scene/see_loops.h"
+#include "frame/scene/style.h"
 
 #include <cstdint>
 
@@ -44,6 +45,8 @@ enum class HatchRow : std::int64_t {
 };
 
 inline constexpr float hatch_nowhere = -1e30F;
+// Marks farther outside of the picture have no place in it, nor have those of wider lines, pixels.
+inline constexpr float hatch_farthest = 1e6F;
 
 // Rows of numbers that can be read and written `slack` numbers beyond their ends.
 struct HatchRows {
@@ -58,39 +61,21 @@ struct HatchRows {
     [[nodiscard]] HatchRows from(std::int64_t mark) const noexcept { return {first + mark, stride}; }
 };
 
-// A mark alone: its numbers in these rows, and zeros up to `size`.
-struct PackedMark {
-    static constexpr std::int64_t size = 16;
-    static constexpr std::int64_t rows_of_mark = 13;
-    static constexpr HatchRow rows[rows_of_mark] = {
-        HatchRow::left,           HatchRow::top,          HatchRow::window,     HatchRow::depth,
-        HatchRow::side_x,         HatchRow::side_y,       HatchRow::width,      HatchRow::leg,
-        HatchRow::tone_margin,    HatchRow::level_margin, HatchRow::rim_margin, HatchRow::picture_margin,
-        HatchRow::pixels_per_unit};
-    static constexpr std::int64_t at_once = 4;
-};
-
 // How marks are seen.
 struct HatchSight {
     const Seer* seer;
     float separation;               // between lines of level 0 on the surface; 0: not known
     float left, top, right, bottom; // the picture's sides, pixels
     float beyond;                   // the strip around the picture that counts as inside, pixels
-    float last_nu;                  // a line ends where it is larger
-    float farthest;                 // a mark farther outside has no place, pixels
 };
 
 // How wide the lines of each level of a nested set are, so that together they cover a share of the paper that grows
 // with the darkness.  [Winkenbach & Salesin 1994, "Computer-generated pen-and-ink illustration"; Praun et al. 2001,
 // "Real-time hatching": lines of a lighter tone stay in a darker one]
 struct HatchLaw {
-    float tone_begin, tone_span;
-    float share, coverage_begin, coverage_rise;
-    float spacing, pen, white;
+    const LayerStyle* style;
     float levels;
-    float per_tone_span, per_spacing, per_pen; // the reciprocals of the members without `per_`
-    float widest_nu;                           // marks with a larger n . v have no width
-    float widest;                              // a mark with a larger width has no place
+    float per_tone_span, per_spacing, per_pen; // reciprocals
 };
 
 // A mark may be drawn unless it faces away, where n . sight > away, or is too light, where n . l > lightest.
@@ -103,8 +88,6 @@ struct HatchLoops {
     // Looks at the normals of at most 32 marks, and at those for tone. Returns a bit for each mark that may be drawn.
     std::uint32_t (*may_draw)(const HatchBounds& bounds, const float* normals, const float* tone_normals,
                               std::int64_t count);
-    // From x, y, z of one mark after the other to rows, multiplied by the one and then by the other factor.
-    void (*load)(const float* triples, std::int64_t count, float factor, float other, float* x, float* y, float* z);
     // The share of the paper that lines cover at each darkness.
     void (*coverage)(const HatchLaw& law, const float* darkness, std::int64_t count, float* coverage);
     // Margins of marks that are seen.
@@ -114,8 +97,6 @@ struct HatchLoops {
     void (*widen)(const HatchSight& sight, const HatchLaw& law, const HatchRows& rows, std::int64_t count, bool closed);
     // Legs, and which marks are near to one that is drawn.
     void (*measure)(const HatchRows& rows, std::int64_t count, bool closed);
-    // One mark after the other, up to three more than asked for.
-    void (*pack)(const HatchRows& rows, std::int64_t count, float* marks);
 };
 
 [[nodiscard]] HatchLoops hatch_loops(base::InstructionSet set) noexcept;

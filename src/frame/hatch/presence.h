@@ -92,10 +92,4 @@ template <class Presence, class Weight, class EndShare>
     return to > from ? std::clamp((x - from) / (to - from), 0.0F, 1.0F) : x > from ? 1.0F : 0.0F;
 }
 
-// The same without corners.
-[[nodiscard]] inline float smoothly_risen(float x, float from, float to) noexcept {
-    const float t = risen(x, from, to);
-    return t * t * (3.0F - 2.0F * t);
-}
-
 } // namespace hrbfnpr::frame

@@ -1,18 +1,509 @@
 // SPDX-License-Identifier: MIT
-#include "frame/hatch/samples.h"
+// sample_strokes, stroke by stroke:
+//
+// 1. see_stroke: pieces and marks that may be drawn -> rows of numbers for these and the marks around them -> where
+//    they are and how wide their line is there -> HatchStroke: the marks near places that are drawn
+// 2. sample_stroke: chains of marks -> even samples along smooth curves through them
+#include "frame/hatch/points.h"
 
 #include "base/assert.h"
+#include "base/prefetch.h"
 #include "base/random.h"
 #include "base/scratch.h"
+#include "features/line_set.h"
 #include "frame/hatch/tuning.h"
 
+#include <glm/gtc/matrix_access.hpp>
+
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstring>
+#include <limits>
+#include <numeric>
 #include <utility>
 
 namespace hrbfnpr::frame {
 namespace {
+
+// Bounds of a piece hold for its marks up to rounding.
+constexpr float rounding_of_margins = 1e-3F;
+constexpr float rounding_of_darkness = 1e-4F;
+constexpr float most_length = 1.01F; // a unit normal's, up to rounding
+
+// The longest image, in pixels, of a length of 1 where w is 1, within `beyond` pixels around the picture. In a
+// projection dx = (row_x - x row_w) . d / w, whose largest stretch is convex in the place, so that it is greatest in a
+// corner.
+[[nodiscard]] float largest_stretch(const Lens& lens, float beyond) noexcept {
+    const glm::vec4 row = glm::row(lens.window, 3);
+    const glm::vec4& v = lens.viewport;
+    float stretch = 0.0F;
+    for (const float x : {v.x - beyond, v.x + v.z + beyond}) {
+        for (const float y : {v.y - beyond, v.y + v.w + beyond}) {
+            const glm::vec3 a(glm::row(lens.window, 0) - x * row);
+            const glm::vec3 b(glm::row(lens.window, 1) - y * row);
+            // The root of the largest eigenvalue of their products.
+            const float half = 0.5F * (glm::dot(a, a) - glm::dot(b, b));
+            const float mean = 0.5F * (glm::dot(a, a) + glm::dot(b, b));
+            stretch = std::max(stretch, std::sqrt(mean + std::sqrt(half * half + glm::dot(a, b) * glm::dot(a, b))));
+        }
+    }
+    return stretch;
+}
+
+// How the strokes of one run are seen.
+struct RunSight {
+    const HatchView& view;
+    const Run& run;
+    const ItemView& item;
+    const ItemSight& sight;
+    const LayerStyle& style;
+    const float* taus;
+    std::int32_t levels;      // the finest one
+    double per_unit;          // 1 / the item's unit, a power of two
+    const float* tone_normal; // the normals that light is bounded by: the marks' own, or those for tone
+    bool has_bounds;          // whether marks can be passed over by their normals
+    bool is_unsteady;         // an unsteady hand goes by the numbers of the marks, and past where the tone ends
+    float beyond;             // the strip around the picture in which lines may end unseen, pixels
+    HatchLaw law{};
+    float lightest = std::numeric_limits<float>::infinity(); // n . l above which a mark is too light
+    float separation = 0.0F;  // between lines of level 0 alone, in the item's unit; 0: not known
+    float stretch = 0.0F;     // the longest image of a length of 1 at the distance 1, pixels
+    std::int32_t shown = 255; // finer levels cannot be seen from here
+    static constexpr std::size_t steps = 16;
+    std::array<float, steps + 1> most_coverage{}; // the most of all darknesses up to k / steps
+};
+
+// Whether there may be room for lines of a level where no mark is darker than `darkness` and nearer than `nearest`, the
+// w of a place in the picture's projection.
+bool has_room(const RunSight& v, std::int32_t level, float nearest, float darkness) noexcept {
+    if (level <= 1 || !(nearest > 0.0F)) return true;
+    const auto step =
+        static_cast<std::size_t>(std::ceil(std::clamp(darkness, 0.0F, 1.0F) * static_cast<float>(RunSight::steps)));
+    const float wanted = std::max(v.style.hatch_spacing, v.style.hatch_pen / v.most_coverage[step]);
+    return !(1.001F * v.separation * v.stretch < std::ldexp(wanted, level - 1) * nearest);
+}
+
+RunSight sight_of_run(const HatchView& view, const Run& run, const ItemSight& sight, const float* taus) noexcept {
+    const ItemView& item = view.scene.item_of(run);
+    const LayerStyle& style = *run.style;
+    // The report's step of a layer is its lines' separation, but for published strokes, which lie as they grew.
+    const bool nested =
+        run.marks->report.step > 0.0 && (run.marks->progressive || run.marks->kind != marks::Kind::hatch);
+    RunSight v{view,
+               run,
+               item,
+               sight,
+               style,
+               taus,
+               nested ? std::clamp(run.marks->report.levels, 0, marks::most_levels) : 0,
+               1.0 / item.unit,
+               run.normal,
+               sight.seer.rigid && run.marks->stroke_order.empty(),
+               style.hatch_wobble > 0.0F || style.hatch_overshoot > 0.0F,
+               std::min(style.hatch_taper + 6.0F * style.hatch_shortest + 4.0F * style.hatch_spacing,
+                        view.scene.lens.diagonal)};
+    v.law = {&style, static_cast<float>(v.levels), 1.0F / (style.hatch_tone_end - style.hatch_tone_begin),
+             1.0F / style.hatch_spacing, 1.0F / style.hatch_pen};
+    const bool posed = run.normal != run.marks->normal.data();
+    if (taus == nullptr && item.style.tone == Tone::light && !(posed && run.has_tone_normals())) {
+        if (run.has_tone_normals()) v.tone_normal = run.marks->tone_normal.data();
+        v.lightest = LightTone(item.style).lightest(1.0F - style.hatch_tone_begin, rounding_of_darkness);
+    }
+    if (!nested) return v;
+    v.separation = static_cast<float>(std::ldexp(run.marks->report.step / item.unit, v.levels));
+    v.stretch = sight.scale * largest_stretch(view.scene.lens, v.beyond);
+    std::array<float, RunSight::steps + 1 + HatchRows::slack> darkness{};
+    std::array<float, RunSight::steps + 1 + HatchRows::slack> coverage{};
+    for (std::size_t i = 0; i <= RunSight::steps; ++i)
+        darkness[i] = static_cast<float>(i) / static_cast<float>(RunSight::steps);
+    view.loops.coverage(v.law, darkness.data(), RunSight::steps + 1, coverage.data());
+    for (std::size_t i = 0; i <= RunSight::steps; ++i)
+        v.most_coverage[i] = std::max(coverage[i], i > 0 ? v.most_coverage[i - 1] : 0.0F);
+    // The finest level that there may be room for anywhere on the item inside the picture.
+    const glm::vec4 row = glm::row(view.scene.lens.window, 3);
+    const float nearest = glm::dot(row, glm::vec4(item.to_eye * item.centre + item.eye_offset, 1.0F)) -
+                          glm::length(glm::vec3(row)) * sight.scale * item.radius;
+    v.shown = v.levels;
+    while (v.shown > 0 && !has_room(v, v.shown, nearest, 1.0F)) --v.shown;
+    return v;
+}
+
+// Whether a mark of the piece may be drawn. Else all are too light, face away, lie outside, or are of a level that
+// there is no room for.
+bool may_draw_piece(const RunSight& v, const marks::StrokePiece& piece) noexcept {
+    if (piece.level > v.shown || faces_away(piece, v.sight)) return false;
+    const ClusterView view = view_cluster(piece, v.sight, v.view.scene.lens, v.view.frustum);
+    if (view.beyond > v.beyond + rounding_of_margins || view.nu_min > hatch_tuning.last_nu + rounding_of_margins)
+        return false;
+    // No mark is darker.
+    const bool is_lit = v.taus == nullptr && v.item.style.tone == Tone::light;
+    const float tau = is_lit ? LightTone(v.item.style).least(least_lit(piece, v.sight)) : 0.0F;
+    const float darkness = 1.0F - tau + rounding_of_margins;
+    if (darkness < v.style.hatch_tone_begin) return false;
+    return !(v.separation > 0.0F) || has_room(v, piece.level, view.nearest, darkness);
+}
+
+// At a place p of the ball around c, e the eye, n . (p - e) >= n . (c - e) - |n| r: where that is positive it faces
+// away. Returns a bit for each mark that may be drawn.
+std::uint32_t marks_that_may(const RunSight& v, const marks::StrokePiece& piece) noexcept {
+    HatchBounds bounds{};
+    const Seer& seer = v.sight.seer;
+    for (std::size_t k = 0; k < 3; ++k) {
+        const auto i = static_cast<int>(k);
+        bounds.sight[k] = seer.parallel ? v.sight.eye[i] : piece.centre[k] - v.sight.eye[i];
+        bounds.light[k] = seer.light.towards[k];
+    }
+    bounds.away = seer.parallel ? 0.0F : most_length * piece.radius;
+    bounds.lightest = v.lightest;
+    const std::int64_t first = 3 * std::int64_t{piece.first};
+    return v.view.loops.may_draw(bounds, v.run.normal + first, v.tone_normal + first, piece.count);
+}
+
+// A closed stroke's last mark may lie where its first one does.
+void find_extent(const RunSight& v, std::int64_t stroke, HatchStroke& seen) noexcept {
+    seen.first = v.run.marks->stroke_first[stroke];
+    seen.count = std::int64_t{v.run.marks->stroke_first[stroke + 1]} - seen.first;
+    seen.closed = false;
+    if (seen.count < hatch_tuning.fewest_of_closed) return;
+    const auto place = [&](std::int64_t at) {
+        return glm::vec3(glm::dvec3(v.run.position_of(v.run.marks->mark_of(at))) * v.per_unit);
+    };
+    const glm::vec3 begin = place(seen.first);
+    const glm::vec3 end = place(seen.first + seen.count - 1);
+    const glm::vec3 leaves = place(seen.first + 1) - begin;
+    const glm::vec3 comes = end - place(seen.first + seen.count - 2);
+    const float gap = glm::distance(begin, end);
+    const float step = glm::length(leaves);
+    const bool same = gap <= hatch_tuning.same_place * step;
+    const auto goes_on = [&](const glm::vec3& way) {
+        return glm::dot(way, begin - end) >= hatch_tuning.closed_cosine * gap * glm::length(way);
+    };
+    seen.closed = same || (gap <= hatch_tuning.closed_gap * step && goes_on(leaves) && goes_on(comes));
+    if (same) --seen.count;
+}
+
+// Whether any piece may be drawn.
+bool find_drawn_pieces(const RunSight& v, std::int64_t piece, std::int64_t count, HatchStroke& seen) {
+    constexpr std::uint32_t all = ~std::uint32_t{0} >> (32 - marks::StrokePiece::most);
+    seen.may_draw.clear();
+    bool any = false;
+    for (std::int64_t k = 0; k < count; ++k) {
+        const marks::StrokePiece& own = v.run.clusters->piece[piece + k];
+        seen.may_draw.push_back(may_draw_piece(v, own) ? all >> (marks::StrokePiece::most - own.count) : 0U);
+        if (seen.may_draw.back() == 0) continue;
+        any = true;
+        if (!v.run.marks->stroke_order.empty()) continue;
+        // Soon its marks are asked whether they may be drawn.
+        base::prefetch_many(v.run.normal + 3 * std::int64_t{own.first}, 3 * std::int64_t{own.count});
+        if (v.run.has_tone_normals() && v.run.normal == v.run.marks->normal.data())
+            base::prefetch_many(v.run.marks->tone_normal.data() + 3 * std::int64_t{own.first},
+                                3 * std::int64_t{own.count});
+    }
+    // An unsteady hand goes by the numbers of the marks, and past where the tone ends.
+    if (any && v.is_unsteady) std::fill(seen.may_draw.begin(), seen.may_draw.end(), all);
+    return any;
+}
+
+// Whether any mark may be drawn.
+bool find_marks(const RunSight& v, std::int64_t piece, HatchStroke& seen) noexcept {
+    const bool bounded = v.has_bounds && !v.is_unsteady;
+    std::uint32_t any = 0;
+    for (std::int64_t k = 0; k < seen.may_draw.size(); ++k) {
+        std::uint32_t& bits = seen.may_draw[k];
+        const marks::StrokePiece& own = v.run.clusters->piece[piece + k];
+        if (bits != 0 && bounded) bits = marks_that_may(v, own);
+        any |= bits;
+        if (bits == 0 || !v.run.marks->stroke_order.empty()) continue;
+        base::prefetch_many(v.run.position + 3 * std::int64_t{own.first}, 3 * std::int64_t{own.count});
+        base::prefetch_many(v.run.marks->level.data() + own.first, own.count);
+        const base::Array<float>& gap = v.run.marks->clusters.gap;
+        if (!gap.empty()) base::prefetch_many(gap.data() + own.first, own.count);
+    }
+    return any != 0;
+}
+
+// The ranges of marks that may be drawn, and of the marks around them that their ends, tangents and spacing need. A few
+// marks between two ranges are looked at rather than left out.
+void find_ranges(HatchStroke& seen) {
+    const std::int64_t end = seen.first + seen.count;
+    const auto add = [&](std::int64_t from, std::int64_t to) {
+        from = std::max(from, seen.first);
+        to = std::min(to, end);
+        if (from >= to) return;
+        if (!seen.range.empty() && from <= seen.range.back().end + hatch_tuning.fewest_left_out)
+            seen.range.back().end = std::max(seen.range.back().end, to);
+        else
+            seen.range.push_back({from, to});
+    };
+    const auto first_of = [&](std::int64_t k) { return seen.first + k * marks::StrokePiece::most; };
+    seen.range.clear();
+    if (seen.closed && seen.may_draw.back() != 0)
+        add(seen.first, first_of(seen.may_draw.size() - 1) + std::bit_width(seen.may_draw.back()) +
+                            hatch_tuning.marks_around - seen.count);
+    for (std::int64_t k = 0; k < seen.may_draw.size(); ++k)
+        for (std::uint32_t bits = seen.may_draw[k]; bits != 0;) {
+            const int from = std::countr_zero(bits);
+            const int to = from + std::countr_one(bits >> from);
+            add(first_of(k) + from - hatch_tuning.marks_around, first_of(k) + to + hatch_tuning.marks_around);
+            bits = to < 32 ? bits >> to << to : 0U;
+        }
+    if (seen.closed && seen.may_draw[0] != 0)
+        add(end + std::countr_zero(seen.may_draw[0]) - hatch_tuning.marks_around, end);
+}
+
+// Loads marks whose places follow each other.
+void load_range(const RunSight& v, std::int64_t begin, std::int64_t count, std::uint32_t* numbers,
+                const HatchRows& rows) noexcept {
+    const marks::Layer& layer = *v.run.marks;
+    const bool ordered = layer.stroke_order.empty();
+    for (std::int64_t i = 0; i < count; ++i)
+        numbers[i] = ordered ? static_cast<std::uint32_t>(begin + i) : layer.stroke_order[begin + i];
+    const auto mark = [&](std::int64_t i) { return ordered ? begin + i : std::int64_t{numbers[i]}; };
+    const float* const gap = layer.clusters.gap.data(); // NULL: it is not known
+    const std::uint8_t* const level = layer.level.data();
+    float* const levels = rows[HatchRow::level];
+    float* const gaps = rows[HatchRow::gap];
+    for (std::int64_t i = 0; i < count; ++i) levels[i] = static_cast<float>(level[mark(i)]);
+    for (std::int64_t i = 0; i < count; ++i) gaps[i] = gap != nullptr ? gap[mark(i)] : 1.0F;
+    const auto put = [&](HatchRow first, const float* all, float factor, float other) {
+        float* const x = rows[first];
+        float* const y = x + rows.stride;
+        float* const z = y + rows.stride;
+        for (std::int64_t i = 0; i < count; ++i) {
+            const float* const from = all + 3 * mark(i);
+            x[i] = from[0] * factor * other;
+            y[i] = from[1] * factor * other;
+            z[i] = from[2] * factor * other;
+        }
+    };
+    // The inverse of some units is too large for a float, so it is split into two factors.
+    const int exponent = std::ilogb(v.per_unit);
+    put(HatchRow::x, v.run.position, std::ldexp(1.0F, exponent / 2), std::ldexp(1.0F, exponent - exponent / 2));
+    put(HatchRow::normal_x, v.run.normal, 1.0F, 1.0F);
+    if (!v.run.has_tone_normals()) return;
+    if (v.run.normal == layer.normal.data()) {
+        put(HatchRow::tone_x, layer.tone_normal.data(), 1.0F, 1.0F);
+        return;
+    }
+    for (std::int64_t i = 0; i < count; ++i) {
+        const glm::vec3 normal = v.run.tone_normal_of(numbers[i]);
+        rows[HatchRow::tone_x][i] = normal.x;
+        rows[HatchRow::tone_y][i] = normal.y;
+        rows[HatchRow::tone_z][i] = normal.z;
+    }
+}
+
+void set_darkness(const RunSight& v, std::span<const std::uint32_t> numbers, const HatchRows& rows) noexcept {
+    const auto count = static_cast<std::int64_t>(numbers.size());
+    const Style& style = v.item.style;
+    float* const darkness = rows[HatchRow::darkness];
+    const LightTone light(style);
+    if (v.taus != nullptr)
+        for (std::int64_t i = 0; i < count; ++i) darkness[i] = 1.0F - v.taus[numbers[static_cast<std::size_t>(i)]];
+    else if (style.tone != Tone::light)
+        std::fill_n(darkness, count, 1.0F);
+    else if (light.exponent == 1.0F)
+        for (std::int64_t i = 0; i < count; ++i) darkness[i] = 1.0F - light_tone(darkness[i], 1.0F, light.fill);
+    else
+        for (std::int64_t i = 0; i < count; ++i) darkness[i] = 1.0F - light(darkness[i]);
+    const DepthTone depth_tone(style, v.view.scene.lens.eye_per_world);
+    for (std::int64_t i = 0; depth_tone.is_on && i < count; ++i) darkness[i] *= depth_tone(rows[HatchRow::distance][i]);
+    if (v.taus == nullptr) return;
+    // A callback is not asked for what faces away or is far outside: such a mark takes the darkness of one beside it.
+    const auto asked = [&](std::int64_t i) {
+        return i >= 0 && i < count && rows[HatchRow::nu][i] < 0.0F && rows[HatchRow::picture_margin][i] >= 0.0F;
+    };
+    for (std::int64_t i = 0; i < count; ++i)
+        if (!asked(i)) darkness[i] = asked(i - 1) ? darkness[i - 1] : asked(i + 1) ? darkness[i + 1] : 1.0F;
+}
+
+// The widths of lines whose distance from each other is not known go by the style's radius.
+void set_widths_alone(const RunSight& v, std::span<const std::uint32_t> numbers, const HatchRows& rows) noexcept {
+    const auto count = static_cast<std::int64_t>(numbers.size());
+    const float* const darkness = rows[HatchRow::darkness];
+    float* const coverage = rows[HatchRow::least]; // not needed yet
+    v.view.loops.coverage(v.law, darkness, count, coverage);
+    for (std::int64_t i = 0; i < count; ++i) {
+        float& picture = rows[HatchRow::picture_margin][i];
+        float& width = rows[HatchRow::width][i];
+        rows[HatchRow::tone_margin][i] = darkness[i] - v.style.hatch_tone_begin;
+        rows[HatchRow::level_margin][i] = 1.0F;
+        width = 0.0F;
+        if (picture == hatch_nowhere || !(rows[HatchRow::nu][i] < hatch_tuning.widest_nu)) continue;
+        width = 2.0F * v.run.front_ink(numbers[static_cast<std::size_t>(i)], rows[HatchRow::pixels_per_unit][i]) *
+                coverage[i] / v.style.hatch_coverage_end;
+        if (!(width < hatch_farthest)) picture = hatch_nowhere;
+    }
+}
+
+void see_marks(const RunSight& v, std::span<const std::uint32_t> numbers, const HatchRows& rows, bool closed) noexcept {
+    const auto count = static_cast<std::int64_t>(numbers.size());
+    for (const HatchRow row : {HatchRow::x, HatchRow::y, HatchRow::z}) { // beside the first and the last one
+        rows[row][-1] = rows[row][closed ? count - 1 : 0];
+        rows[row][count] = rows[row][closed ? 0 : count - 1];
+    }
+    const glm::vec4& port = v.view.scene.lens.viewport;
+    const HatchSight how{&v.sight.seer, v.separation, port.x, port.y, port.x + port.z, port.y + port.w, v.beyond};
+    const HatchRow tone = v.run.has_tone_normals() ? HatchRow::tone_x : HatchRow::normal_x;
+    const float* const tone_x = rows[tone];
+    v.view.see.see_rows(v.sight.seer,
+                        {rows[HatchRow::x], rows[HatchRow::y], rows[HatchRow::z], rows[HatchRow::normal_x],
+                         rows[HatchRow::normal_y], rows[HatchRow::normal_z], tone_x, tone_x + rows.stride,
+                         tone_x + 2 * rows.stride, count},
+                        {rows[HatchRow::left], rows[HatchRow::top], rows[HatchRow::window], rows[HatchRow::depth],
+                         rows[HatchRow::pixels_per_unit], rows[HatchRow::nu], rows[HatchRow::darkness],
+                         rows[HatchRow::side_x], rows[HatchRow::side_y], rows[HatchRow::distance], nullptr});
+    v.view.loops.place(how, rows, count);
+    set_darkness(v, numbers, rows);
+    if (v.separation > 0.0F)
+        v.view.loops.widen(how, v.law, rows, count, closed);
+    else
+        set_widths_alone(v, numbers, rows);
+    v.view.loops.measure(rows, count, closed);
+}
+
+// Whether the stroke is closed and its first and last marks, which are neighbours, were looked at.
+bool has_seam(const HatchStroke& seen) noexcept {
+    return seen.closed && seen.range.span().front().begin == seen.first &&
+           seen.range.span().back().end == seen.first + seen.count;
+}
+
+// Marks of a gap are near, too, if the gap is so short in the picture that the line may go on over it. Where marks were
+// left out the straight way counts. The marks before the first and after the last near one of a closed stroke are one
+// gap.
+void keep_short_gaps(const HatchRows& rows, const HatchStroke& seen) noexcept {
+    const std::int64_t count = seen.number.size();
+    float* const near = rows[HatchRow::near];
+    const float* const leg = rows[HatchRow::leg];
+    const float* const width = rows[HatchRow::width];
+    const auto is_near = [&](std::int64_t i) { return near[i] >= 0.0F; };
+    const auto is_short = [&](float way, float widest) {
+        return way < 2.0F * (hatch_tuning.least_gap * widest + hatch_tuning.least_gap_pixels + hatch_tuning.step);
+    };
+    std::int64_t begin = 0; // the first near mark
+    while (!is_near(begin)) ++begin;
+    std::int64_t end = count; // after the last one
+    while (!is_near(end - 1)) --end;
+    for (std::int64_t i = begin; i < end; ++i) {
+        if (is_near(i)) continue;
+        const std::int64_t first = i;
+        float way = leg[i];
+        while (!is_near(i + 1)) way += leg[++i];
+        way += leg[i + 1];
+        if (is_short(way, std::max(width[first - 1], width[i + 1]))) std::fill(near + first, near + i + 1, 0.0F);
+    }
+    if (!has_seam(seen) || (begin == 0 && end == count)) return;
+    const float way = std::accumulate(leg, leg + begin + 1, 0.0F) + std::accumulate(leg + end, leg + count, 0.0F);
+    if (!is_short(way, std::max(width[begin], width[end - 1]))) return;
+    std::fill(near, near + begin, 0.0F);
+    std::fill(near + end, near + count, 0.0F);
+}
+
+// The numbers of a HatchMark up to `pixels_per_unit`.
+constexpr HatchRow rows_of_mark[] = {HatchRow::left,           HatchRow::top,        HatchRow::window,
+                                     HatchRow::depth,          HatchRow::side_x,     HatchRow::side_y,
+                                     HatchRow::width,          HatchRow::leg,        HatchRow::tone_margin,
+                                     HatchRow::level_margin,   HatchRow::rim_margin, HatchRow::picture_margin,
+                                     HatchRow::pixels_per_unit};
+static_assert(offsetof(HatchMark, begins_chain) == sizeof(float) * std::size(rows_of_mark));
+
+// Keeps the near marks. A gap in them begins a new chain.
+void keep_near(const RunSight& v, const HatchRows& rows, HatchStroke& seen) {
+    const std::int64_t count = seen.number.size();
+    float* const near = rows[HatchRow::near];
+    const auto is_near = [](float margin) { return margin >= 0.0F; };
+    seen.mark.clear();
+    seen.ring = false;
+    if (std::none_of(near, near + count, is_near)) return;
+    if (v.is_unsteady)
+        std::fill(near, near + count, 0.0F);
+    else
+        keep_short_gaps(rows, seen);
+    base::resize_scratch(seen.mark, count + 1);
+    HatchMark* to = seen.mark.data();
+    for (std::int64_t i = 0; i < count;) {
+        const std::int64_t first = std::find_if(near + i, near + count, is_near) - near;
+        i = std::find_if_not(near + first, near + count, is_near) - near;
+        if (to == seen.mark.data()) seen.first_kept = first;
+        const bool begins_chain = to != seen.mark.data();
+        for (std::int64_t k = first; k < i; ++k, ++to) {
+            float* number = &to->x;
+            for (const HatchRow row : rows_of_mark) *number++ = rows[row][k];
+            to->begins_chain = begins_chain && k == first ? 1.0F : 0.0F;
+            to->id = v.run.first_id + seen.number[k];
+        }
+    }
+    const std::int64_t kept = to - seen.mark.data();
+    if (has_seam(seen) && is_near(near[0]) && is_near(near[count - 1])) {
+        // The line goes on over the seam. It begins after the first gap; without gaps it is a ring.
+        HatchMark* const first =
+            std::find_if(seen.mark.data(), to, [](const HatchMark& m) { return m.begins_chain > 0.0F; });
+        seen.ring = first == to;
+        if (seen.ring) {
+            *to = seen.mark[0];
+        } else {
+            first->begins_chain = 0.0F;
+            std::rotate(seen.mark.data(), first, to);
+        }
+    }
+    seen.mark.resize(kept + (seen.ring ? 1 : 0));
+}
+
+// How the line ends where its stroke does, and where creases may be.
+void set_ends(const RunSight& v, HatchStroke& seen) noexcept {
+    HRBFNPR_ASSERT(!seen.mark.empty());
+    const auto id_at = [&](std::int64_t at) {
+        return v.run.first_id + static_cast<std::uint32_t>(v.run.marks->mark_of(at));
+    };
+    const std::int64_t last = seen.first + seen.count - 1;
+    seen.begins = seen.ends = StrokeEnd::open;
+    seen.has_begin = !seen.closed && seen.mark[0].id == id_at(seen.first);
+    seen.has_end = !seen.closed && seen.mark.back().id == id_at(last);
+    // Marks of a pose are not where creases are.
+    if (v.item.lines == nullptr || v.run.is_posed()) return;
+    const auto end_at = [&](std::int64_t place, std::int64_t before) {
+        const glm::dvec3 end(v.run.position_of(v.run.marks->mark_of(place)));
+        const glm::dvec3 inner(v.run.position_of(v.run.marks->mark_of(before)));
+        return v.item.lines->has_crease_near(v.item.origin + end, glm::distance(end, inner)) ? StrokeEnd::crease
+                                                                                             : StrokeEnd::open;
+    };
+    if (seen.has_begin) seen.begins = end_at(seen.first, seen.first + 1);
+    if (seen.has_end) seen.ends = end_at(last, last - 1);
+}
+
+// Fills `seen` with the marks of a stroke, whose first piece has the number `piece`. Returns whether anything may be
+// drawn of it.
+bool see_stroke(const RunSight& v, std::int64_t stroke, std::int64_t piece, HatchStroke& seen) {
+    const marks::Layer& layer = *v.run.marks;
+    const std::int64_t first = layer.stroke_first[stroke];
+    const std::int64_t count = std::int64_t{layer.stroke_first[stroke + 1]} - first;
+    if (count < 2) return false;
+    if (!v.run.draws_set(layer.direction_of(layer.mark_of(first)))) return false;
+    if (!find_drawn_pieces(v, piece, marks::pieces_of(count), seen)) return false;
+    find_extent(v, stroke, seen);
+    if (!find_marks(v, piece, seen)) return false;
+    find_ranges(seen);
+    std::int64_t marks = 0;
+    for (const HatchStroke::Range& range : seen.range) marks += range.end - range.begin;
+    base::resize_scratch(seen.number, marks);
+    const std::int64_t stride = marks + 2 * HatchRows::slack;
+    const std::int64_t numbers = static_cast<std::int64_t>(HatchRow::rows) * stride;
+    if (seen.row.size() < numbers) base::resize_scratch(seen.row, numbers);
+    const HatchRows rows{seen.row.data() + HatchRows::slack, stride};
+    std::int64_t at = 0;
+    for (const HatchStroke::Range& range : seen.range) {
+        load_range(v, range.begin, range.end - range.begin, seen.number.data() + at, rows.from(at));
+        at += range.end - range.begin;
+    }
+    see_marks(v, seen.number.span(), rows, seen.closed);
+    keep_near(v, rows, seen);
+    if (seen.mark.empty()) return false;
+    set_ends(v, seen);
+    return true;
+}
+
+// ---- Samples
 
 // Lengths are multiples of 1 / this, in pixels, so that sums are exact: chains have the same samples whatever lies
 // before them.
@@ -21,87 +512,59 @@ constexpr float length_steps = 1024.0F;
 // An unsteady hand: how far a line strays, and how far it runs past the tone that it ends at. Both are smooth noise
 // over the numbers of the stroke's marks, so that it stays in its place on the surface from frame to frame. When the
 // eye comes nearer, swings of half the length take over, so that swings keep their length in the picture.
-class HatchHand {
-public:
-    HatchHand() noexcept = default;
-    // `marks` is the number of marks of a closed stroke, after which the noise repeats; 0: the stroke is open. `step`
-    // is the distance from mark to mark, in pixels.
-    HatchHand(const LayerStyle& style, std::int64_t stroke, std::int64_t marks, float step) noexcept;
-
-    [[nodiscard]] bool wobbles() const noexcept { return wobble_ > 0.0F; }
-    [[nodiscard]] bool overshoots() const noexcept { return overshoot_ > 0.0F; }
-
-    // Pixels to one side, at a place along the stroke.
-    [[nodiscard]] float aside(double mark) const noexcept;
-    // Pixels that a line goes on beyond its end there.
-    [[nodiscard]] float beyond(double mark) const noexcept;
-
-private:
-    [[nodiscard]] double noise(double mark, double level, std::size_t which) const noexcept;
-    [[nodiscard]] double octave(double mark, int level, std::size_t which) const noexcept;
-    [[nodiscard]] double random(std::int64_t knot, int level, std::size_t which) const noexcept;
-
-    float wobble_ = 0.0F, overshoot_ = 0.0F;      // pixels
-    double wobble_level_ = 0.0, end_level_ = 0.0; // the length of a swing, as the power of two of a number of marks
-    std::uint64_t seed_ = 0, stroke_ = 0;
-    std::int64_t around_ = 0; // the marks of a closed stroke; else 0
+struct HatchHand {
+    float wobble, overshoot;        // pixels
+    double wobble_level, end_level; // the length of a swing, as the power of two of a number of marks
+    std::uint64_t seed, stroke;
+    std::int64_t around; // the marks of a closed stroke, after which the noise repeats; else 0
 };
 
-[[nodiscard]] double level_of(float swing, float step) noexcept {
-    constexpr double least = -8.0;
-    const double marks = static_cast<double>(swing) / static_cast<double>(step);
-    return marks > 0.0 ? std::clamp(std::log2(marks), least, 24.0) : least;
+// `step` is the distance from mark to mark, in pixels.
+[[nodiscard]] HatchHand hand_of(const LayerStyle& style, std::int64_t stroke, std::int64_t around,
+                                float step) noexcept {
+    const auto level_of = [&](float swing) {
+        constexpr double least = -8.0;
+        const double marks = static_cast<double>(swing) / static_cast<double>(step);
+        return marks > 0.0 ? std::clamp(std::log2(marks), least, 24.0) : least;
+    };
+    return {style.hatch_wobble * style.hatch_pen,
+            style.hatch_overshoot,
+            level_of(hatch_tuning.wobble_swing * style.hatch_pen),
+            level_of(hatch_tuning.end_swing * style.hatch_overshoot),
+            style.hatch_seed,
+            static_cast<std::uint64_t>(stroke),
+            around};
 }
 
-HatchHand::HatchHand(const LayerStyle& style, std::int64_t stroke, std::int64_t marks, float step) noexcept
-    : wobble_(style.hatch_wobble * style.hatch_pen), overshoot_(style.hatch_overshoot),
-      wobble_level_(level_of(hatch_tuning.wobble_swing * style.hatch_pen, step)),
-      end_level_(level_of(hatch_tuning.end_swing * overshoot_, step)), seed_(style.hatch_seed),
-      stroke_(static_cast<std::uint64_t>(stroke)), around_(marks) {}
-
-float HatchHand::aside(double mark) const noexcept {
-    return wobble_ * static_cast<float>(noise(mark, wobble_level_, 0));
-}
-
-float HatchHand::beyond(double mark) const noexcept {
-    return overshoot_ * static_cast<float>(std::clamp(0.5 + noise(mark, end_level_, 1), 0.0, 1.0));
-}
-
-// In [-1, 1].
-double HatchHand::noise(double mark, double wanted, std::size_t which) const noexcept {
+// In [-1, 1], at a place along the stroke: uniform cubic B-splines of random numbers, of the two lengths of swings
+// around the wanted one. Round a closed stroke each goes a whole number of times.
+[[nodiscard]] double noise(const HatchHand& hand, double mark, double wanted, std::size_t which) noexcept {
+    const auto octave = [&](int level) {
+        double between = std::ldexp(1.0, level) / hatch_tuning.knots_of_swing;
+        std::int64_t knots = 0;
+        if (hand.around > 0) {
+            const auto marks = static_cast<double>(hand.around);
+            const double count = std::max(hatch_tuning.fewest_knots, std::round(marks / between));
+            between = marks / count;
+            knots = static_cast<std::int64_t>(count);
+        }
+        const double first = std::floor(mark / between);
+        const double u = mark / between - first;
+        const double v = 1.0 - u;
+        const double weights[4] = {v * v * v, 4.0 - 3.0 * u * u * (1.0 + v), 4.0 - 3.0 * v * v * (1.0 + u), u * u * u};
+        const std::uint64_t seed = hand.seed | static_cast<std::uint64_t>(level + 64) << 32U;
+        double sum = 0.0;
+        for (int k = 0; k < 4; ++k) {
+            std::int64_t knot = static_cast<std::int64_t>(first) - 1 + k;
+            if (knots > 0) knot = (knot % knots + knots) % knots;
+            const std::uint64_t index = hand.stroke << 32U | static_cast<std::uint32_t>(knot);
+            sum += weights[k] * (2.0 * base::uniform4(seed, index, base::Purpose::hatch_hand)[which] - 1.0);
+        }
+        return sum / 6.0;
+    };
     const double level = std::floor(wanted);
     const double share = wanted - level;
-    const auto number = static_cast<int>(level);
-    return (1.0 - share) * octave(mark, number, which) + share * octave(mark, number + 1, which);
-}
-
-// A uniform cubic B-spline of random numbers.  Round a closed stroke it goes a whole number of times.
-double HatchHand::octave(double mark, int level, std::size_t which) const noexcept {
-    double between = std::ldexp(1.0, level) / hatch_tuning.knots_of_swing;
-    std::int64_t knots = 0;
-    if (around_ > 0) {
-        const double count = std::max(hatch_tuning.fewest_knots, std::round(static_cast<double>(around_) / between));
-        between = static_cast<double>(around_) / count;
-        knots = static_cast<std::int64_t>(count);
-    }
-    const double place = mark / between;
-    const double first = std::floor(place);
-    const double u = place - first;
-    const double v = 1.0 - u;
-    const double weights[4] = {v * v * v, 4.0 - 3.0 * u * u * (1.0 + v), 4.0 - 3.0 * v * v * (1.0 + u), u * u * u};
-    double sum = 0.0;
-    for (int k = 0; k < 4; ++k) {
-        std::int64_t knot = static_cast<std::int64_t>(first) - 1 + k;
-        if (knots > 0) knot = (knot % knots + knots) % knots;
-        sum += weights[k] * random(knot, level, which);
-    }
-    return sum / 6.0;
-}
-
-double HatchHand::random(std::int64_t knot, int level, std::size_t which) const noexcept {
-    const std::uint64_t index = stroke_ << 32U | static_cast<std::uint32_t>(knot);
-    const std::uint64_t seed = seed_ | static_cast<std::uint64_t>(level + 64) << 32U;
-    return 2.0 * base::uniform4(seed, index, base::Purpose::hatch_hand)[which] - 1.0;
+    return (1.0 - share) * octave(static_cast<int>(level)) + share * octave(static_cast<int>(level) + 1);
 }
 
 [[nodiscard]] glm::vec2 place_of(const HatchMark& mark) noexcept { return {mark.x, mark.y}; }
@@ -182,12 +645,12 @@ void see_sample(const Marks& m, const Place& place, HatchSample& sample) noexcep
 
 // Where the hand has the line: aside of its course.
 void stray(const Marks& m, const HatchHand& hand, const Place& place, double mark, HatchSample& sample) noexcept {
-    if (!hand.wobbles()) return;
+    if (!(hand.wobble > 0.0F)) return;
     const glm::vec2 along =
         glm::mix(m.tangent[place.mark], m.tangent[std::min(place.mark + 1, m.size() - 1)], place.share);
     const float length = glm::length(along);
     if (!(length > 0.0F)) return;
-    const float aside = hand.aside(mark) / length;
+    const float aside = hand.wobble * static_cast<float>(noise(hand, mark, hand.wobble_level, 0)) / length;
     sample.x -= aside * along.y;
     sample.y += aside * along.x;
 }
@@ -355,7 +818,9 @@ void sample_chain(const Marks& m, const HatchHand& hand, std::int64_t first_mark
                 if ((static_cast<unsigned>(to.ends[i]) >> k & 1U) != 0) sample.margin[k] = 0.0F;
         const double mark = static_cast<double>(place.mark + first_mark) + static_cast<double>(place.share);
         stray(m, hand, place, mark, sample);
-        if (hand.overshoots()) sample.overshoot = hand.beyond(mark);
+        if (hand.overshoot > 0.0F)
+            sample.overshoot =
+                hand.overshoot * static_cast<float>(std::clamp(0.5 + noise(hand, mark, hand.end_level, 1), 0.0, 1.0));
         // From one mark to the next a width may change by much, and samples stand elsewhere in the next frame: a width
         // is the mean over a step around its place.
         const float reach = std::min({half_step, at[i], whole - at[i]});
@@ -365,8 +830,7 @@ void sample_chain(const Marks& m, const HatchHand& hand, std::int64_t first_mark
     }
 }
 
-} // namespace
-
+// Appends the chains of a stroke of that number.
 void sample_stroke(const LayerStyle& style, std::int64_t number, const HatchStroke& stroke, HatchSamples& to) {
     const std::span<const HatchMark> marks = stroke.mark.span();
     std::size_t end = 0;
@@ -384,10 +848,23 @@ void sample_stroke(const LayerStyle& style, std::int64_t number, const HatchStro
         chain.begins = stroke.begins;
         chain.ends = stroke.ends;
         const float steps = static_cast<float>(own.size() - 1);
-        const HatchHand hand(style, number, stroke.closed ? stroke.count : 0, to.length[to.length.size() - 1] / steps);
+        const HatchHand hand =
+            hand_of(style, number, stroke.closed ? stroke.count : 0, to.length[to.length.size() - 1] / steps);
         sample_chain({own, to.length.data(), to.area.data(), to.tangent.data()}, hand, stroke.first_kept, to);
         chain.count = to.sample.size() - chain.first;
         to.chain.push_back(chain);
+    }
+}
+
+} // namespace
+
+void sample_strokes(const HatchView& view, const Run& run, const ItemSight& sight, const float* taus,
+                    const HatchRange& range, HatchStroke& scratch, HatchSamples& to) {
+    const RunSight v = sight_of_run(view, run, sight, taus);
+    std::int64_t piece = range.piece;
+    for (std::int64_t s = range.begin; s < range.end; ++s) {
+        if (see_stroke(v, s, piece, scratch)) sample_stroke(v.style, s, scratch, to);
+        piece += marks::pieces_of(std::int64_t{run.marks->stroke_first[s + 1]} - run.marks->stroke_first[s]);
     }
 }
 

@@ -22,40 +22,38 @@ namespace {
 constexpr std::array<float, 3> tip_points = {0.3F, 1.25F, hatch_tuning.tip_reach};
 
 // The directions from a point in which its line may go on: those that pass by all points since nearly enough.
-class Passage {
-public:
-    explicit Passage(const StrokePoint& from) noexcept
-        : x_at_(from.x), y_at_(from.y), radius_at_(from.radius), length_(from.length), opacity_(from.opacity) {}
+struct Passage {
+    // x, y and radius of points are kept as even as these.
+    static constexpr std::array<float, 3> even = {hatch_tuning.straight, hatch_tuning.straight,
+                                                  hatch_tuning.even_radius};
 
+    explicit Passage(const StrokePoint& first) noexcept : from(first) {
+        least.fill(-std::numeric_limits<float>::infinity());
+        most.fill(std::numeric_limits<float>::infinity());
+    }
+    [[nodiscard]] std::array<float, 3> rise(const StrokePoint& to) const noexcept {
+        return {to.x - from.x, to.y - from.y, to.radius - from.radius};
+    }
     // Whether the points taken lie between the first one and this one, and have its opacity.
     [[nodiscard]] bool reaches(const StrokePoint& to) const noexcept {
-        const float way = to.length - length_;
-        return way > 0.0F && to.opacity == opacity_ && holds(to.x - x_at_, way, x_) && holds(to.y - y_at_, way, y_) &&
-               holds(to.radius - radius_at_, way, radius_);
+        const float way = to.length - from.length;
+        bool holds = way > 0.0F && to.opacity == from.opacity;
+        for (std::size_t k = 0; k < 3; ++k)
+            holds = holds && rise(to)[k] > least[k] * way && rise(to)[k] < most[k] * way;
+        return holds;
     }
-    void take(const StrokePoint& p) noexcept {
-        const float way = p.length - length_;
+    void take(const StrokePoint& to) noexcept {
+        const float way = to.length - from.length;
         if (!(way > 0.0F)) return;
         const float scale = 1.0F / way;
-        narrow(p.x - x_at_, hatch_tuning.straight, scale, x_);
-        narrow(p.y - y_at_, hatch_tuning.straight, scale, y_);
-        narrow(p.radius - radius_at_, hatch_tuning.even_radius, scale, radius_);
+        for (std::size_t k = 0; k < 3; ++k) {
+            least[k] = std::max(least[k], (rise(to)[k] - even[k]) * scale);
+            most[k] = std::min(most[k], (rise(to)[k] + even[k]) * scale);
+        }
     }
 
-private:
-    struct Slopes {
-        float least = -std::numeric_limits<float>::infinity(), most = std::numeric_limits<float>::infinity();
-    };
-    static bool holds(float rise, float way, const Slopes& slopes) noexcept {
-        return rise > slopes.least * way && rise < slopes.most * way;
-    }
-    static void narrow(float rise, float by, float scale, Slopes& slopes) noexcept {
-        slopes.least = std::max(slopes.least, (rise - by) * scale);
-        slopes.most = std::min(slopes.most, (rise + by) * scale);
-    }
-
-    float x_at_, y_at_, radius_at_, length_, opacity_; // the first point's
-    Slopes x_, y_, radius_;
+    StrokePoint from;
+    std::array<float, 3> least, most; // slopes
 };
 
 // How wide a line is at this distance from its end, as a share of its width. An ellipse's quarter would be blunter.
@@ -100,9 +98,16 @@ public:
     void operator()() {
         find_presences();
         if (std::none_of(row(by_tone), row(by_tone) + size(), [](float p) { return p > 0.0F; })) return;
-        close_gaps();
+        // Gaps of tone that are no longer than they are wide look like mistakes. Where a line lacks room it has no
+        // width, so that no gap is seen there.
+        close_gaps(by_tone, [&](std::int64_t i) {
+            const float most = std::max(hatch_tuning.least_gap * sample(i).width, hatch_tuning.least_gap_pixels);
+            return std::pair(0.5F * most, most);
+        });
         close_hidden();
-        unite();
+        for (std::int64_t i = 0; i < size(); ++i)
+            row(of_all)[i] =
+                std::min({row(by_tone)[i], row(by_level)[i], row(by_rim)[i], row(by_picture)[i], row(by_hiding)[i]});
         leave_out_short();
         put_parts();
     }
@@ -187,26 +192,29 @@ private:
         return share;
     }
 
-    // The length of the gap that sample i lies in, up to `most` on either side.
-    [[nodiscard]] float gap_around(std::int64_t i, float most, Presence reason) const noexcept {
-        const auto absence = [&](std::int64_t k) { return row(reason)[k] > 0.0F ? 0.0F : 1.0F; };
-        // The gap begins where the line ends.
-        const auto share = [&](std::int64_t j, std::int64_t k) { return 1.0F - end_share(reason, k, j); };
-        return held_length(line_, i, 1, most, most, absence, as_long, share).length +
-               held_length(line_, i, -1, most, most, absence, as_long, share).length;
+    // The length to either side of sample i that holds together, up to `most` on each side.
+    template <class Of, class Weight, class Share>
+    [[nodiscard]] float held_around(std::int64_t i, float most, float beyond, const Of& presence, const Weight& weight,
+                                    const Share& share) const noexcept {
+        const float length = held_length(line_, i, 1, most, beyond, presence, weight, share).length;
+        return length + held_length(line_, i, -1, most, beyond, presence, weight, share).length;
     }
     static float as_long(std::int64_t) noexcept { return 1.0F; }
 
-    // Gaps of tone that are no longer than they are wide look like mistakes. They open little by little. Where a line
-    // lacks room it has no width, so that no gap is seen there.
-    void close_gaps() {
-        float* const p = row(by_tone);
+    // Closes the gaps for a reason that are shorter than limit(i).first, and half opens those up to limit(i).second.
+    // They so open little by little.
+    template <class Limit>
+    void close_gaps(Presence reason, const Limit& limit) {
+        float* const p = row(reason);
         float* const closed = row(scratch);
         std::copy_n(p, size(), closed);
+        const auto absence = [&](std::int64_t k) { return p[k] > 0.0F ? 0.0F : 1.0F; };
+        // The gap begins where the line ends.
+        const auto share = [&](std::int64_t j, std::int64_t k) { return 1.0F - end_share(reason, k, j); };
         for (std::int64_t i = 0; i < size(); ++i) {
             if (p[i] > 0.0F) continue;
-            const float limit = std::max(hatch_tuning.least_gap * sample(i).width, hatch_tuning.least_gap_pixels);
-            closed[i] = 1.0F - risen(gap_around(i, limit, by_tone), 0.5F * limit, limit);
+            const auto [from, to] = limit(i);
+            closed[i] = 1.0F - risen(held_around(i, to, to, absence, as_long, share), from, to);
         }
         std::copy_n(closed, size(), p);
     }
@@ -216,32 +224,19 @@ private:
     void close_hidden() {
         float* const p = row(by_hiding);
         if (std::all_of(p, p + size(), [](float seen) { return seen == 1.0F; })) return;
-        float* const kept = row(scratch);
-        std::copy_n(p, size(), kept);
-        for (std::int64_t i = 0; i < size(); ++i) {
-            if (p[i] == 1.0F) continue;
-            const float closed = std::max(hatch_tuning.least_gap * sample(i).width, hatch_tuning.halo_alone * halo_);
-            const float open = closed * hatch_tuning.halo_and_more / hatch_tuning.halo_alone;
-            kept[i] = 1.0F - risen(gap_around(i, open, by_hiding), closed, open);
-        }
-        std::copy_n(kept, size(), p);
+        close_gaps(by_hiding, [&](std::int64_t i) {
+            const float least = std::max(hatch_tuning.least_gap * sample(i).width, hatch_tuning.halo_alone * halo_);
+            return std::pair(least, least * hatch_tuning.halo_and_more / hatch_tuning.halo_alone);
+        });
         const float shortest = hatch_tuning.between_hidden * style_.hatch_shortest;
         if (!(shortest > 0.0F)) return;
+        float* const kept = row(scratch); // holds the presences from before
         const auto seen = [&](std::int64_t k) { return p[k]; };
         const auto share = [&](std::int64_t j, std::int64_t k) { return end_share(by_hiding, j, k); };
-        for (std::int64_t i = 0; i < size(); ++i) {
-            if (!(p[i] > 0.0F)) continue;
-            const float length = held_length(line_, i, 1, shortest, shortest, seen, as_long, share).length +
-                                 held_length(line_, i, -1, shortest, shortest, seen, as_long, share).length;
-            kept[i] *= risen(length, 0.5F * shortest, shortest);
-        }
-        std::copy_n(kept, size(), p);
-    }
-
-    void unite() {
         for (std::int64_t i = 0; i < size(); ++i)
-            row(of_all)[i] =
-                std::min({row(by_tone)[i], row(by_level)[i], row(by_rim)[i], row(by_picture)[i], row(by_hiding)[i]});
+            if (p[i] > 0.0F)
+                kept[i] *= risen(held_around(i, shortest, shortest, seen, as_long, share), 0.5F * shortest, shortest);
+        std::copy_n(kept, size(), p);
     }
 
     // The share of the law's width that is left: how far a gap is closed, and how much is seen.
@@ -306,14 +301,10 @@ private:
 
     // How long the end is before sample k, the first that a line going that way does not reach for a reason.
     [[nodiscard]] float taper(Presence reason, std::int64_t k, int way) const noexcept {
-        const float blunt = hatch_tuning.blunt * style_.hatch_taper;
-        switch (reason) {
-        case by_tone: return style_.hatch_taper;
-        case by_level: return blunt;
-        case by_rim: return blunt * (1.0F - risen(sine_at_rim(k, way), hatch_tuning.runs_along, hatch_tuning.crosses));
-        case by_hiding: return hatch_tuning.hidden_taper;
-        default: return 0.0F;
-        }
+        if (reason == by_picture) return 0.0F;
+        const float longest = longest_taper(reason);
+        if (reason != by_rim) return longest;
+        return longest * (1.0F - risen(sine_at_rim(k, way), hatch_tuning.runs_along, hatch_tuning.crosses));
     }
 
     // The sine of the angle between the contour at sample k, where a line going that way ends, and the line's last
@@ -472,8 +463,10 @@ private:
             for (std::size_t k = tip_points.size(); k-- > 0;)
                 points.push_back(tip_point(whole - tip_points[k], whole - hatch_tuning.tip_reach, tip_points[k]));
         points.push_back(raw().back());
-        if (begins_in_tip) narrow_tip(stroke.first + 1);
-        if (ends_in_tip) narrow_tip(points.size() - 2);
+        // However wide the line is, it is narrow at the first point from a tip.
+        const float widest = 0.5F * hatch_tuning.widest_tip * style_.hatch_pen;
+        if (begins_in_tip) points[stroke.first + 1].radius = std::min(points[stroke.first + 1].radius, widest);
+        if (ends_in_tip) points[points.size() - 2].radius = std::min(points[points.size() - 2].radius, widest);
         keep_within_edges(stroke.first);
         leave_out(stroke.first + (begins_in_tip ? 1 : 0), points.size() - (ends_in_tip ? 2 : 1));
         stroke.count = static_cast<std::int32_t>(points.size() - stroke.first);
@@ -509,15 +502,13 @@ private:
 
     [[nodiscard]] static StrokePoint between(const StrokePoint& a, const StrokePoint& b, float t) noexcept {
         const auto mixed = [t](float from, float to) { return from + t * (to - from); };
-        return {mixed(a.x, b.x),
-                mixed(a.y, b.y),
-                std::sqrt(mixed(a.radius * a.radius, b.radius * b.radius)), // as near an end
-                mixed(a.opacity, b.opacity),
-                mixed(a.depth, b.depth),
-                mixed(a.window, b.window),
-                mixed(a.pixels_per_unit, b.pixels_per_unit),
-                mixed(a.length, b.length),
-                t < 0.5F ? a.id : b.id};
+        StrokePoint point = t < 0.5F ? a : b;
+        for (float StrokePoint::*const number :
+             {&StrokePoint::x, &StrokePoint::y, &StrokePoint::opacity, &StrokePoint::depth, &StrokePoint::window,
+              &StrokePoint::pixels_per_unit, &StrokePoint::length})
+            point.*number = mixed(a.*number, b.*number);
+        point.radius = std::sqrt(mixed(a.radius * a.radius, b.radius * b.radius)); // as near an end
+        return point;
     }
 
     // Where the line ends between sample j, which is drawn, and k, which is not.
@@ -543,12 +534,6 @@ private:
         StrokePoint point = raw_at(length);
         point.radius = raw_at(full).radius * std::sqrt(from_tip / hatch_tuning.tip_reach);
         return point;
-    }
-
-    // Limits the width at the first point from a tip, however wide the line is.
-    void narrow_tip(std::int64_t point) noexcept {
-        float& radius = part_.made.points[point].radius;
-        radius = std::min(radius, 0.5F * hatch_tuning.widest_tip * style_.hatch_pen);
     }
 
     // A line goes over no edge that it runs along.
@@ -603,64 +588,38 @@ private:
     std::array<bool, presences> ends_by_{};
 };
 
-// Calls f for each element whose mark differs from that of the one before.
-template <class Range, class F>
-void for_each_mark(const Range& range, const F& f) {
-    std::uint32_t last = 0;
-    for (const auto& element : range)
-        if (std::exchange(last, element.id) != element.id) f(element);
-}
-
-void make_strokes(const LayerStyle& style, float halo, const Hiding& hiding, const HatchSamples& from,
-                  std::span<Dot> dots, HatchStrokePart& part) {
-    part.made.strokes.clear();
-    part.made.points.clear();
-    part.seen = part.shown = part.hidden = 0;
-    for (const Dot& dot : dots) part.seen += dot.opacity > 0.0F ? 1 : 0;
-    for (const HatchChain& chain : from.chain) {
-        const std::span<Dot> own =
-            dots.subspan(static_cast<std::size_t>(chain.first), static_cast<std::size_t>(chain.count));
-        const std::span<const HatchSample> samples =
-            from.sample.span().subspan(static_cast<std::size_t>(chain.first), static_cast<std::size_t>(chain.count));
-        std::uint32_t last = 0;
-        for (std::size_t i = 0; i < own.size(); ++i) {
-            if (std::exchange(last, own[i].id) == own[i].id || own[i].opacity > 0.0F) continue;
-            part.hidden += *std::min_element(samples[i].margin.begin(), samples[i].margin.end()) >= 0.0F ? 1 : 0;
-        }
-        ChainStrokes(style, halo, hiding, chain, samples, own, part)();
-    }
-    for (Dot& dot : dots) dot.opacity = 0.0F;
-    for_each_mark(part.made.points, [&](const StrokePoint&) { ++part.shown; });
-}
-
 } // namespace
 
-std::span<const HatchStrokePart> HatchStrokes::run(const Scene& scene, const HatchPoints& points, const Hiding& hiding,
-                                                   drawing::Drawing& drawing) {
-    const std::span<const HatchPoints::Batch> batches = points.batches();
-    const auto count = static_cast<std::int64_t>(batches.size());
-    while (parts_.size() < count) parts_.add(runtime_.memory);
-    runtime_.parallel.for_each(count, [&](std::int64_t i) {
-        const HatchPoints::Batch& batch = batches[static_cast<std::size_t>(i)];
-        const std::span<Dot> dots(drawing.dots.data() + batch.first_dot,
-                                  static_cast<std::size_t>(batch.samples.sample.size()));
-        const Run& own = scene.runs[batch.run];
-        make_strokes(*own.style, scene.item_of(own).style.halo_width, hiding, batch.samples, dots, parts_[i]);
+void make_strokes(const base::Runtime& runtime, const Scene& scene, const Hiding& hiding,
+                  std::span<HatchPoints::Batch> batches, drawing::Drawing& drawing) {
+    runtime.parallel.for_each(static_cast<std::int64_t>(batches.size()), [&](std::int64_t number) {
+        HatchPoints::Batch& batch = batches[static_cast<std::size_t>(number)];
+        const Run& run = scene.runs[batch.run];
+        HatchStrokePart& part = batch.part;
+        part.clear();
+        Dot* const dots = drawing.dots.data() + batch.first_dot;
+        for (const HatchChain& chain : batch.samples.chain) {
+            const std::span<Dot> own(dots + chain.first, static_cast<std::size_t>(chain.count));
+            const std::span<const HatchSample> samples(batch.samples.sample.data() + chain.first, own.size());
+            std::uint32_t last = 0;
+            for (std::size_t i = 0; i < own.size(); ++i) {
+                const bool is_seen = own[i].opacity > 0.0F;
+                part.seen += is_seen ? 1 : 0;
+                if (std::exchange(last, own[i].id) == own[i].id || is_seen) continue;
+                part.hidden += *std::min_element(samples[i].margin.begin(), samples[i].margin.end()) >= 0.0F ? 1 : 0;
+            }
+            ChainStrokes(*run.style, scene.item_of(run).style.halo_width, hiding, chain, samples, own, part)();
+            for (Dot& dot : own) dot.opacity = 0.0F;
+        }
+        std::uint32_t last = 0;
+        for (const StrokePoint& point : part.made.points) part.shown += std::exchange(last, point.id) != point.id;
     });
-    for (std::int64_t i = 0; i < count; ++i) {
-        const HatchStrokePart& part = parts_[i];
-        const std::int64_t dots = batches[static_cast<std::size_t>(i)].samples.sample.size();
+    for (const HatchPoints::Batch& batch : batches) {
+        const HatchStrokePart& part = batch.part;
         drawing.dot_count -= part.seen;
         drawing.counts.shown += part.shown - part.seen;
-        drawing.counts.dropped_hidden += part.hidden - (dots - part.seen);
+        drawing.counts.dropped_hidden += part.hidden - (batch.samples.sample.size() - part.seen);
     }
-    return {parts_.begin(), batches.size()};
-}
-
-std::int64_t HatchStrokes::bytes() const noexcept {
-    std::int64_t sum = parts_.bytes();
-    for (const HatchStrokePart& part : parts_) sum += part.bytes();
-    return sum;
 }
 
 } // namespace hrbfnpr::frame

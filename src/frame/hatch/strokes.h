@@ -2,53 +2,93 @@
 // Makes strokes of samples along lines of hatching that are known to be seen or hidden.
 //
 // 1. Each reason for a line to end has a presence along it (presence.h): its tone, its level, the rim, the picture, and
-//    what hides it. Hidden parts begin and end exactly where the edges of what hides them are (hiding.h).
+//    what hides it. Hidden parts begin and end exactly where the edges of what hides them are (hiding.cpp).
 // 2. Short gaps of tone and level, and short hidden ones, are closed.
 // 3. The line is present where all of these are; parts with too little ink are left out.
-// 4. The line's width is that of its samples times the presence, and narrows towards each end as the reason for it
-// asks.
+// 4. The line's width is that of its samples times the presence, and narrows towards each end as the reason for the
+//    end asks.
 #pragma once
 
-#include "frame/hatch/hiding.h"
+#include "frame/hatch/points.h"
+#include "frame/scene/scene.h"
+
+#include <limits>
+#include <span>
 
 namespace hrbfnpr::frame {
 
-// The strokes of one batch of samples. Threads fill parts that lie side by side.
-struct alignas(base::Memory::alignment) HatchStrokePart {
-    explicit HatchStrokePart(base::Memory& memory) noexcept
-        : made(memory), length(memory), cuts(memory), row(memory), near(memory), raw(memory) {}
+// ---- What hides lines of hatching, and where exactly the lines end at it
+//
+// 1. Depth layers say of each sample whether it is seen. They are made of splats, so they are right to the radius of
+//    a splat.
+// 2. `NearerEdges` holds the lines of the picture that nothing hides: the contours and creases of surfaces before the
+//    hatching.
+// 3. `find_cuts` moves each place where a line begins or ends to the edge, or to the border of the edge's halo.
 
-    LineStrokes made;
-    std::int64_t seen = 0;              // dots
-    std::int64_t shown = 0, hidden = 0; // marks
-
-    // Scratch.
-    base::Array<float> length; // the way from a chain's first sample to each, pixels
-    base::Array<HatchCut> cuts;
-    base::Array<float> row;         // presences of a chain
-    base::Array<std::uint8_t> near; // for each sample, a bit for each reason by which the line ends or fades near it
-    base::Array<drawing::StrokePoint> raw; // a stroke's points, before some are chosen
-
-    [[nodiscard]] std::int64_t bytes() const noexcept {
-        return made.strokes.bytes() + made.points.bytes() + length.bytes() + cuts.bytes() + row.bytes() + near.bytes() +
-               raw.bytes();
-    }
+// A part of a line that nothing hides.
+struct NearerEdge {
+    glm::vec2 a, b;
+    float depth_a, depth_b;
+    bool is_crease;
 };
 
-class HatchStrokes {
+class NearerEdges {
 public:
-    explicit HatchStrokes(const base::Runtime& runtime) noexcept : runtime_(runtime), parts_(runtime.memory) {}
+    explicit NearerEdges(base::Memory& memory) noexcept : edges_(memory), first_(memory), numbers_(memory) {}
 
-    // Makes the strokes of each batch. Its dots are not drawn any more, and the drawing's counts, where they were taken
-    // for marks, are corrected.
-    std::span<const HatchStrokePart> run(const Scene& scene, const HatchPoints& points, const Hiding& hiding,
-                                         drawing::Drawing& drawing);
+    // Takes the edges of all strokes that nothing hides. `picture` is left, top, width and height, in pixels.
+    void build(const LineStrokes& lines, std::span<const drawing::Layer> layers, const glm::vec4& picture);
+    void clear() noexcept { edges_.clear(); }
+    [[nodiscard]] bool empty() const noexcept { return edges_.empty(); }
 
-    [[nodiscard]] std::int64_t bytes() const noexcept;
+    // Whether an edge that lies before the dot is within `reach` of it, or its halo holds the dot. Edges of the dot's
+    // own surface count, too, where that is slanted.
+    [[nodiscard]] bool is_near(const drawing::Dot& dot, float reach, float halo) const noexcept;
+
+    static constexpr float nowhere = std::numeric_limits<float>::infinity();
+    // The share of the way from a to b at which a line reaches the first edge before it, or that edge's halo, that does
+    // not hold a; else `nowhere`.
+    [[nodiscard]] float entry(const drawing::Dot& a, const drawing::Dot& b, float halo) const noexcept;
+
+    // The largest radius, up to `radius`, that a line through the point in the direction `along` may have so that it
+    // covers no edge before it, nor that edge's halo, nor a crease of its own surface.
+    [[nodiscard]] float room(const drawing::StrokePoint& point, const glm::vec2& along, float radius,
+                             float halo) const noexcept;
+
+    [[nodiscard]] std::int64_t bytes() const noexcept { return edges_.bytes() + first_.bytes() + numbers_.bytes(); }
 
 private:
-    const base::Runtime& runtime_;
-    base::List<HatchStrokePart> parts_;
+    // The half-open rectangle of cells around a box: left, top, right, bottom.
+    [[nodiscard]] glm::ivec4 cells(const glm::vec2& low, const glm::vec2& high) const noexcept;
+    template <class F>
+    void for_cells_of(const NearerEdge& edge, const F& f) const;
+    template <class F>
+    void for_near(const glm::vec2& low, const glm::vec2& high, const F& f) const;
+
+    glm::vec2 corner_{0.0F};
+    std::int32_t columns_ = 0, rows_ = 0;
+    base::Array<NearerEdge> edges_;
+    base::Array<std::int32_t> first_;   // the first place in `numbers_` for each cell, and the end
+    base::Array<std::int32_t> numbers_; // the edges in each cell, cell by cell
 };
+
+struct Hiding {
+    const NearerEdges& edges;
+    const drawing::Drawing& drawing;
+    std::span<const float> largest_splat; // in each tile of the drawing's dots, pixels; empty if there are no splats
+};
+
+// Finds the cuts of a line, in its order, whose samples are given as dots that are seen or hidden. `length` is the way
+// to each sample, in pixels. Samples between where the dots said that the line ends and where it does become seen or
+// hidden.
+void find_cuts(const Hiding& hiding, float halo, std::span<drawing::Dot> dots, const base::Array<float>& length,
+               base::Array<HatchCut>& cuts);
+
+// ---- Strokes
+
+// Makes the strokes of each batch. Its dots are not drawn any more, and the drawing's counts, where they were taken for
+// marks, are corrected.
+void make_strokes(const base::Runtime& runtime, const Scene& scene, const Hiding& hiding,
+                  std::span<HatchPoints::Batch> batches, drawing::Drawing& drawing);
 
 } // namespace hrbfnpr::frame

@@ -148,6 +148,28 @@ glm::dmat4 perspective_around(double vertical_angle, double width, double height
                        depth);
 }
 
+// The point of eye space that has no image, where all lines of sight meet: the common null vector of the x, y and w
+// rows. It is at infinity for parallel projections.
+glm::dvec4 centre_of_projection(const glm::dmat4& projection) {
+    const glm::dmat4 rows = glm::transpose(projection);
+    const glm::dvec4& a = rows[0];
+    const glm::dvec4& b = rows[1];
+    const glm::dvec4& c = rows[3];
+    const auto minor = [&](int i, int j, int k) {
+        return a[i] * (b[j] * c[k] - b[k] * c[j]) - a[j] * (b[i] * c[k] - b[k] * c[i]) +
+               a[k] * (b[i] * c[j] - b[j] * c[i]);
+    };
+    const glm::dvec4 null(minor(1, 2, 3), -minor(0, 2, 3), minor(0, 1, 3), -minor(0, 1, 2));
+    const double direction = glm::length(glm::dvec3(null));
+    if (!(direction > 0.0) && null.w == 0.0)
+        fail(Status::invalid_argument, "camera.projection is singular; build it with hrbfnpr_camera_perspective or "
+                                       "_orthographic, or take the host's");
+    if (std::abs(null.w) > 1e-12 * direction) return null / null.w;
+    // The eye looks along -z.
+    const double length = null.z > 0.0 ? -direction : direction;
+    return {glm::dvec3(null) / length, 0.0};
+}
+
 } // namespace
 
 glm::dmat4 look_at(const glm::dvec3& eye, const glm::dvec3& target, const glm::dvec3& up) {
@@ -285,32 +307,6 @@ void check(const Camera& camera) {
 double mean_scale(const glm::dmat4& transform) noexcept {
     return std::cbrt(std::abs(glm::determinant(glm::dmat3(transform))));
 }
-
-namespace {
-
-// The point of eye space that has no image, where all lines of sight meet: the common null vector of the x, y and w
-// rows. It is at infinity for parallel projections.
-glm::dvec4 centre_of_projection(const glm::dmat4& projection) {
-    const glm::dmat4 rows = glm::transpose(projection);
-    const glm::dvec4& a = rows[0];
-    const glm::dvec4& b = rows[1];
-    const glm::dvec4& c = rows[3];
-    const auto minor = [&](int i, int j, int k) {
-        return a[i] * (b[j] * c[k] - b[k] * c[j]) - a[j] * (b[i] * c[k] - b[k] * c[i]) +
-               a[k] * (b[i] * c[j] - b[j] * c[i]);
-    };
-    const glm::dvec4 null(minor(1, 2, 3), -minor(0, 2, 3), minor(0, 1, 3), -minor(0, 1, 2));
-    const double direction = glm::length(glm::dvec3(null));
-    if (!(direction > 0.0) && null.w == 0.0)
-        fail(Status::invalid_argument, "camera.projection is singular; build it with hrbfnpr_camera_perspective or "
-                                       "_orthographic, or take the host's");
-    if (std::abs(null.w) > 1e-12 * direction) return null / null.w;
-    // The eye looks along -z.
-    const double length = null.z > 0.0 ? -direction : direction;
-    return {glm::dvec3(null) / length, 0.0};
-}
-
-} // namespace
 
 Optics make_optics(const Camera& camera) {
     const glm::dvec4 v = camera.viewport;

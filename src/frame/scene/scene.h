@@ -4,7 +4,6 @@
 //
 // set_up: items, camera -> Scene (lens, items, runs), and the drawing's layers and runs
 // ToneCalls: places and normals of marks -> tau by the style's callback
-// add_chunks, Marks: what is known of each mark of a drawing as published
 #pragma once
 
 #include "base/list.h"
@@ -12,14 +11,15 @@
 #include "base/view.h"
 #include "drawing/drawing.h"
 #include "features/line_set.h"
-#include "frame/scene/attenuation.h"
 #include "frame/scene/camera.h"
 #include "frame/scene/light.h"
+#include "frame/scene/see_loops.h"
 #include "frame/scene/style.h"
 #include "frame/scene/tuning.h"
 #include "implicit/implicit.h"
 #include "marks/point_set.h"
 
+#include <array>
 #include <span>
 
 namespace hrbfnpr::frame {
@@ -192,54 +192,16 @@ struct LineStrokes {
     base::Array<drawing::StrokePoint> points;
 };
 
-// ---- The numbers of each mark, as published
-
-// Consecutive marks of a run.
-struct Chunk {
-    std::int32_t run = 0;
-    std::int64_t begin = 0, end = 0; // places in the arrays
-};
-
-// One entry for each mark of the runs.
-struct Marks {
-    explicit Marks(base::Memory& memory) noexcept
-        : x(memory), y(memory), window_depth(memory), depth(memory), pixels_per_unit(memory), nu(memory), tau(memory),
-          tau_depth(memory), mark_class(memory), role(memory) {}
-
-    base::Array<float> x, y;            // pixels
-    base::Array<float> window_depth;    // in the camera's convention
-    base::Array<float> depth;           // eye units along the view
-    base::Array<float> pixels_per_unit; // pixels per eye unit
-    base::Array<float> nu;
-    base::Array<float> tau;
-    base::Array<float> tau_depth;
-    base::Array<MarkClass> mark_class; // none: the mark lies outside of the picture
-    base::Array<std::uint8_t> role;    // bits of role_ink and role_paper: the parts of the mark that are drawn
-
-    template <class F>
-    void for_arrays(const F& f) {
-        for (base::Array<float>* a : {&x, &y, &window_depth, &depth, &pixels_per_unit, &nu, &tau, &tau_depth}) f(*a);
-        f(mark_class);
-        f(role);
-    }
-};
-
-inline constexpr std::uint8_t role_ink = 1;
-inline constexpr std::uint8_t role_paper = 2;
-
 // ---- The scene
 
 struct Scene {
     explicit Scene(base::Memory& memory) noexcept
-        : items(memory), runs(memory), chunks(memory), marks(memory), posed(memory), turned(memory),
-          turned_normal(memory) {}
+        : items(memory), runs(memory), posed(memory), turned(memory), turned_normal(memory) {}
 
     Lens lens;
     Camera camera;               // in the unit that eye space is measured in
     base::Array<ItemView> items; // those of the other sides come last
     base::Array<Run> runs;
-    base::Array<Chunk> chunks;
-    Marks marks;
     base::List<marks::MarkClusters> posed;  // clusters of the layers whose marks have moved
     base::List<marks::MarkClusters> turned; // clusters of the runs of the other sides
     base::Array<float> turned_normal;       // normals of the marks of those runs, run after run
@@ -251,15 +213,13 @@ struct Scene {
     [[nodiscard]] std::int64_t place_count() const noexcept {
         return runs.empty() ? 0 : runs.span().back().first_place + runs.span().back().places();
     }
-    [[nodiscard]] std::int64_t bytes() noexcept;
+    [[nodiscard]] std::int64_t bytes() const noexcept { return items.bytes() + runs.bytes() + turned_normal.bytes(); }
 };
 
 // Fills lens, items and runs, and of the drawing its window, paper, layers, items, runs and poses. The drawing has a
 // layer of front ink for each run; as published each is followed by a layer of contours.
 // Throws Error{invalid_argument}.
 void set_up(Scene& scene, std::span<const Item> items, const Camera& given, drawing::Drawing& drawing);
-// Fills chunks, and makes room for the marks.
-void add_chunks(Scene& scene);
 
 // Asks a style's tone callback for tau, on the thread that entered.
 class ToneCalls {
@@ -267,8 +227,8 @@ public:
     explicit ToneCalls(base::Memory& memory) noexcept
         : positions_(memory), normals_(memory), tau_(memory), places_(memory) {}
 
-    // The answers to all marks added go to out[place]. Call begin() first, for each item, and end() last.
-    void begin(const ItemView& item, base::Array<float>& out) noexcept;
+    // The answers to all marks added go to out[stride * place]. Call begin() first, for each item, and end() last.
+    void begin(const ItemView& item, float* out, std::int64_t stride) noexcept;
     void add(const glm::vec3& own_position, const glm::vec3& own_normal, std::int64_t place);
     void end();
 
@@ -278,38 +238,52 @@ public:
 
 private:
     const ItemView* item_ = nullptr;
-    base::Array<float>* out_ = nullptr;
+    float* out_ = nullptr;
+    std::int64_t stride_ = 1;
     base::Array<float> positions_, normals_, tau_;
     base::Array<std::int64_t> places_;
 };
 
-// ---- The order of painting, as published
+// ---- What can be said of many marks at once before any of them is looked at: of all that lie in a ball with normals
+// in a cone
 
-// How far after its mark, in eye units, a front mark's disc of paper is painted, so that it lies after all ink of its
-// own layer: within the disc's radius R a sphere of any size that faces the eye under the angle theta falls back by R
-// (1 + sin(theta)) / cos(theta) at most, be it a plane (R tan(theta)) or so small that its contour is just within
-// reach.
-[[nodiscard]] inline float front_push(float radius, float nu, float pixels_per_unit) noexcept {
-    const float cosine = std::clamp(std::abs(nu), scene_tuning.smallest_cosine, 1.0F);
-    return radius / pixels_per_unit * (1.0F + std::sqrt(1.0F - cosine * cosine)) / cosine;
-}
+// One item seen from its own space.
+struct ItemSight {
+    Seer seer;             // `rigid` if the transform keeps angles, so that cones of normals stay cones
+    float scale = 1.0F;    // eye units per object unit, the largest
+    bool inside = false;   // all of it surely lies in the picture
+    glm::vec3 eye{0.0F};   // centre of projection, object space; or the unit direction of all lines of sight
+    glm::vec3 light{0.0F}; // unit, object space, if the transform is rigid
+};
 
-// The ink that a back mark must not cover is the contour's, where its layer turns to the front. It is nearer to the
-// eye, so only some slack is needed.
-[[nodiscard]] inline float back_push(float radius, float pixels_per_unit) noexcept { return radius / pixels_per_unit; }
+// The sides of the frustum in eye space: plane . (eye, 1) >= 0 inside.
+struct Frustum {
+    std::array<glm::vec4, 6> plane; // left, right, top, bottom, near, far
+    std::array<float, 6> norm;      // the length of the first three numbers of each plane
+    float w_norm = 0.0F;
+};
 
-// Where a disc of paper is painted in the order of painting, eye units along the view.
-[[nodiscard]] inline float paper_depth(const Marks& marks, std::int64_t place, float radius) noexcept {
-    const float pixels_per_unit = marks.pixels_per_unit[place];
-    return marks.depth[place] + (marks.mark_class[place] == MarkClass::back
-                                     ? back_push(radius, pixels_per_unit)
-                                     : front_push(radius, marks.nu[place], pixels_per_unit));
-}
+[[nodiscard]] Frustum frustum_of(const Lens& lens) noexcept;
+[[nodiscard]] ItemSight sight_of(const ItemView& item, const Lens& lens, const Frustum& frustum) noexcept;
 
-// Where ink is painted in the order of painting, eye units along the view: it is pulled toward the eye by about its own
-// size, so that it lies over the paper of its own layer.
-[[nodiscard]] inline float ink_depth(float depth, float radius, float pixels_per_unit) noexcept {
-    return depth - radius / pixels_per_unit;
-}
+// Bounds that hold for all marks of a cluster or of a piece of a stroke.
+struct ClusterView {
+    float beyond = -1.0F; // all marks surely lie more than this outside of the picture, pixels; < 0: they may not
+    bool inside = false;  // all marks surely lie in the picture
+    float pixels_per_unit = 1.0F; // at the centre
+    float nearest = 0.0F;         // w of the projection, at least; 0: some marks may be after the camera's plane
+    float nu_min = -1.0F;
+    float nu_max = 1.0F;
+    float lit_min = -1.0F; // by the normals; tone may go by others
+};
+
+[[nodiscard]] ClusterView view_cluster(const marks::Extent& extent, const ItemSight& sight, const Lens& lens,
+                                       const Frustum& frustum) noexcept;
+
+// Whether n . v > 0 at all marks; false where that is not known at once.
+[[nodiscard]] bool faces_away(const marks::Extent& extent, const ItemSight& sight) noexcept;
+
+// No n . l of a normal for tone in the piece is less.
+[[nodiscard]] float least_lit(const marks::StrokePiece& piece, const ItemSight& sight) noexcept;
 
 } // namespace hrbfnpr::frame

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "base/instruction_set.h"
-#include "marks/mark_clusters.h"
+#include "marks/point_set.h"
 
 #include <cstdint>
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 // Each law against its formula.
-#include "frame/scene/attenuation.h"
 #include "frame/scene/light.h"
 #include "frame/scene/scene.h"
 #include "support/instruction_sets.h"

@@ -1,0 +1,334 @@
+// SPDX-License-Identifier: MIT
+// Both recursions go the same way: seeds are thinned to what the budget has room for (place_seeds), and in each further
+// level the children of all marks are thinned, settled on the surface and appended (refine_level).
+#include "published/growth.h"
+
+#include "base/random.h"
+#include "geometry/long_vec_array.h"
+#include "geometry/tangent_frame.h"
+#include "published/tuning.h"
+#include "surface/curvature.h"
+
+#include <glm/common.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace hrbfnpr::published {
+namespace {
+
+// ---- What both recursions share
+
+struct Growth {
+    const marks::Site& site;
+    const GrowthSettings& settings;
+    marks::Marks& grown;
+    marks::LayerReport& report;
+    marks::Kind kind;
+    std::int64_t children; // of each mark, in the next level
+    marks::Settler settler{site};
+    base::Array<std::int64_t> child{site.memory()}; // the number of each of the settler's starts among all children
+
+    [[nodiscard]] bool by_curvature() const noexcept {
+        return kind == marks::Kind::hatch && settings.directions == Directions::principal;
+    }
+};
+
+// Makes room for that many marks in each column that grows, and looks for a cancel between them, because growing a
+// column takes long.
+void make_room(Growth& growth, std::int64_t count, const base::Progress& progress) {
+    marks::Marks& marks = growth.grown;
+    const auto make = [&](auto&... column) { (make_room_long(column, count, progress), ...); };
+    make(marks.position, marks.normal, marks.key, marks.stroke, marks.place, marks.level);
+    if (growth.kind == marks::Kind::hatch) make(marks.direction);
+    if (growth.by_curvature()) make(marks.bend, marks.curvature);
+}
+
+// Calls append(i) for the seeds that the budget has room for; returns whether it has none for some of them.
+template <class KeyOf, class Append>
+bool place_seeds(Growth& growth, std::int64_t count, const KeyOf& key_of, const Append& append,
+                 const base::Progress& progress) {
+    const std::int64_t room = growth.settings.budget > 0 ? growth.settings.budget : count;
+    const marks::Thinning thinning(growth.site, count, room, marks::stream_of(growth.kind), key_of, progress);
+    make_room(growth, std::min(room, count), progress);
+    for (std::int64_t i = 0; i < count; ++i) {
+        if (i % marks::chunk_size == 0) progress.check();
+        if (thinning.keeps(key_of(i))) append(i);
+    }
+    marks::LevelReport& level = growth.report.of(0);
+    level.attempted = count;
+    level.placed = growth.grown.count();
+    level.dropped_budget = count - growth.grown.count();
+    return thinning.active();
+}
+
+// Settles the children that the budget has room for, chunk by chunk: child i, of mark i / children, starts at
+// start_of(i), and is dropped where it lands farther than `stray_limit` from there. append(progress) takes a chunk from
+// the settler. Returns whether the budget cut the level.
+template <class KeyOf, class StartOf, class Append>
+bool refine_level(Growth& growth, std::int32_t number, double stray_limit, const KeyOf& key_of, const StartOf& start_of,
+                  const Append& append, const base::Progress& progress) {
+    HRBFNPR_ASSERT(number > 0 && number <= growth.settings.levels && stray_limit > 0.0);
+    marks::LevelReport& report = growth.report.of(number);
+    const std::int64_t parents = growth.grown.count();
+    const std::int64_t all = growth.children * parents;
+    const std::int64_t room =
+        growth.settings.budget > 0 ? std::max<std::int64_t>(0, growth.settings.budget - parents) : all;
+    const marks::Thinning thinning(growth.site, all, room, marks::stream_of(growth.kind), key_of, progress);
+    make_room(growth, parents + std::min(room, all), progress);
+    for (std::int64_t begin = 0; begin < all; begin += marks::chunk_size) {
+        const std::int64_t end = std::min(all, begin + marks::chunk_size);
+        growth.settler.start.clear();
+        growth.child.clear();
+        for (std::int64_t i = begin; i < end; ++i) {
+            if (!thinning.keeps(key_of(i))) {
+                ++report.attempted;
+                ++report.dropped_budget;
+                continue;
+            }
+            growth.settler.start.push_back(start_of(i));
+            growth.child.push_back(i);
+        }
+        const base::Progress part = progress.part(static_cast<double>(begin) / static_cast<double>(all),
+                                                  static_cast<double>(end) / static_cast<double>(all));
+        growth.settler.settle(stray_limit, report, part.part(0.0, 0.5));
+        append(part.part(0.5, 1.0));
+    }
+    return thinning.active();
+}
+
+// Refines level by level, by steps of a third of the one before, until the budget cuts a level: refine(level, step,
+// progress) returns whether it did. `full`: level 0 was cut.
+template <class Refine>
+void refine_levels(const Growth& growth, bool full, const base::Progress& progress, const Refine& refine) {
+    HRBFNPR_ASSERT(growth.children > 0 && growth.settings.levels >= 0);
+    const auto grown = [&](std::int32_t level) {
+        return static_cast<double>(marks::grown_count(1, 1 + growth.children, level));
+    };
+    const double all = grown(growth.settings.levels);
+    double step = growth.settings.step;
+    for (std::int32_t level = 1; level <= growth.settings.levels && !full; ++level) {
+        full = refine(level, step, progress.part(grown(level - 1) / all, grown(level) / all));
+        growth.report.levels = level;
+        step /= 3.0;
+    }
+}
+
+// ---- Stipples
+
+// As the article prints it.
+constexpr double jitter = 0.125;
+
+// Where a child of a mark with this normal starts: (i r + j u) rho in the tangent plane, i and j = +-1 + U(-1/8, 1/8),
+// drawn for each child; in units of rho.                                                                     [NPAR 5.2]
+[[nodiscard]] glm::dvec3 stipple_offset(const glm::dvec3& normal, std::int64_t child, std::uint64_t seed,
+                                        std::uint64_t key) noexcept {
+    const auto u = base::uniform4(seed, key, base::Purpose::stipple_jitter);
+    const double i = (child & 1) != 0 ? 1.0 : -1.0;
+    const double j = (child & 2) != 0 ? 1.0 : -1.0;
+    const geometry::TangentFrame frame = geometry::stipple_frame(normal);
+    return (i + jitter * (2.0 * u[0] - 1.0)) * frame.r + (j + jitter * (2.0 * u[1] - 1.0)) * frame.u;
+}
+
+void append_stipple(const glm::dvec3& position, const glm::dvec3& normal, std::uint64_t key, std::uint32_t seed,
+                    std::int32_t level, marks::Marks& marks) {
+    marks.position.push_back(position);
+    marks.normal.push_back(normal);
+    marks.key.push_back(key);
+    marks.stroke.push_back(seed);
+    marks.place.push_back(0);
+    marks.level.push_back(static_cast<std::uint8_t>(level));
+}
+
+// ---- Strokes
+
+constexpr std::int32_t sets = 2;
+
+// Euler: the normal curvature in the tangent direction d.
+[[nodiscard]] double bend_along(const glm::dvec3& d, const surface::Curvature& c) noexcept {
+    const double first = glm::dot(d, c.d1);
+    const double second = glm::dot(d, c.d2);
+    return c.k1 * first * first + c.k2 * second * second;
+}
+
+// From a mark along its direction d, a signed distance s on the osculating circle of curvature k
+// [NPAR 5.1, Figure 4]: sin(s k)/k d + (1 - cos(s k))/k n. Its centre is at n / k: k is negative
+// where the surface bends away from the normal. Not beyond a quarter of the circle: farther on it
+// comes back, and what curvature tells of the surface ended long before.
+[[nodiscard]] glm::dvec3 on_osculating_circle(double s, double k, const glm::dvec3& d, const glm::dvec3& n) noexcept {
+    constexpr double quarter = 1.5707963267948966;
+    const double angle = std::clamp(s * k, -quarter, quarter);
+    if (std::abs(s * k) > quarter) s = std::copysign(quarter / std::abs(k), s);
+    if (std::abs(angle) < 1e-4) // the series: no division by a k that may be 0
+        return s * ((1.0 - angle * angle / 6.0) * d + 0.5 * angle * (1.0 - angle * angle / 12.0) * n);
+    return s / angle * (std::sin(angle) * d + (1.0 - std::cos(angle)) * n);
+}
+
+// The curvatures at places. A caller's directions take their place, with confidence 1, or 0 where the function gives
+// none. Combing strokes have none.
+[[nodiscard]] base::Array<surface::Curvature> measured(const Growth& growth, const geometry::VecArray& position,
+                                                       const geometry::VecArray& normal,
+                                                       const base::Progress& progress) {
+    const marks::Site& site = growth.site;
+    base::Array<surface::Curvature> curvature(site.memory());
+    if (growth.by_curvature()) {
+        surface::principal_curvatures(site.runtime, site.implicit, position, curvature, progress);
+        return curvature;
+    }
+    curvature.resize(position.size());
+    if (growth.settings.directions != Directions::function) return curvature;
+    geometry::VecArray given(site.memory());
+    marks::directions_at(site, growth.settings.function, position, normal, given, progress);
+    for (std::int64_t i = 0; i < position.size(); ++i) {
+        surface::Curvature& c = curvature[i];
+        c = {};
+        c.d1 = given[i];
+        c.d2 = glm::cross(normal[i], given[i]);
+        c.confidence = glm::dot(c.d1, c.d1) > 0.5 ? 1.0 : 0.0;
+    }
+    return curvature;
+}
+
+// `before`: the direction of the mark that this one was placed from, zero for a seed. Fields of directions have no
+// sign; a stroke keeps its own, or it would fold back on itself.
+[[nodiscard]] glm::dvec3 stroke_direction(bool combing, std::uint32_t set, const glm::dvec3& n,
+                                          const surface::Curvature& c, const glm::dvec3& before) noexcept {
+    glm::dvec3 field = set == 0 ? c.d1 : c.d2;
+    // Zero where the caller's field has none, or the gradient vanishes by the curvature's evaluation but not by the
+    // projection's.
+    if (combing || !(glm::dot(field, field) > 0.5))
+        field = set == 0 ? geometry::combing_frame(n).r : geometry::combing_frame(n).u;
+    const glm::dvec3 flat = before - glm::dot(before, n) * n; // in the plane across n
+    const double length = glm::length(flat);
+    if (!(length > 1e-6)) return field;
+    const glm::dvec3 onward = flat / length;
+    if (glm::dot(field, onward) < 0.0) field = -field;
+    if (combing) return field;
+    const double weight = glm::smoothstep(published_tuning.unsure, published_tuning.sure, c.confidence);
+    return glm::normalize(weight * field + (1.0 - weight) * onward); // no more than 90 degrees apart
+}
+
+// A stroke and a place along it make a mark.
+[[nodiscard]] std::uint64_t stroke_key(std::uint32_t stroke, std::int32_t place) noexcept {
+    return static_cast<std::uint64_t>(stroke) << 32U | static_cast<std::uint32_t>(place);
+}
+
+void append_stroke_mark(Growth& growth, const glm::dvec3& position, const glm::dvec3& normal, std::uint32_t stroke,
+                        std::int32_t place, std::int32_t level, const surface::Curvature& c, const glm::dvec3& before) {
+    marks::Marks& marks = growth.grown;
+    const glm::dvec3 d =
+        stroke_direction(growth.settings.directions == Directions::combing, stroke & 1U, normal, c, before);
+    marks.position.push_back(position);
+    marks.normal.push_back(normal);
+    marks.direction.push_back(d);
+    marks.key.push_back(stroke_key(stroke, place));
+    marks.stroke.push_back(stroke);
+    marks.place.push_back(place);
+    marks.level.push_back(static_cast<std::uint8_t>(level));
+    if (!growth.by_curvature()) return;
+    marks.bend.push_back(bend_along(d, c));
+    marks.curvature.push_back(
+        {marks::held_curvature(c.k1), marks::held_curvature(c.k2), static_cast<float>(c.confidence)});
+}
+
+} // namespace
+
+void grow_stipples(const marks::Site& site, const Start& start, const GrowthSettings& settings, marks::Marks& marks,
+                   marks::LayerReport& report, const base::Progress& progress) {
+    Growth growth{site, settings, marks, report, marks::Kind::stipples, 4};
+    const std::int64_t seeds = start.position.size();
+    report.full_count = marks::grown_count(start.full_count, 5, settings.levels);
+    report.step = settings.step;
+    marks::require_room(settings.layer, marks::grown_count(seeds, 5, settings.levels), settings.levels,
+                        settings.budget);
+    const bool full = place_seeds(
+        growth, seeds, [](std::int64_t i) { return static_cast<std::uint64_t>(i); },
+        [&](std::int64_t i) {
+            append_stipple(start.position[i], start.normal[i], static_cast<std::uint64_t>(i),
+                           static_cast<std::uint32_t>(i), 0, marks);
+        },
+        progress);
+    auto full_count = static_cast<std::uint64_t>(seeds); // marks before a level, had none been dropped
+    refine_levels(growth, full, progress, [&](std::int32_t level, double rho, const base::Progress& part) {
+        // The mark `key` of a full tree of n marks has the children n + 4 key + {0, 1, 2, 3}.
+        const auto key_of = [&](std::int64_t i) {
+            return full_count + 4 * marks.key[i / 4] + static_cast<std::uint64_t>(i % 4);
+        };
+        const auto start_of = [&](std::int64_t i) {
+            return marks.position[i / 4] +
+                   rho * stipple_offset(marks.normal[i / 4], i % 4, site.random_seed, key_of(i));
+        };
+        const auto append = [&](const base::Progress&) {
+            for (std::int64_t i = 0; i < growth.child.size(); ++i)
+                if (growth.settler.placed(i))
+                    append_stipple(growth.settler.position(i), growth.settler.normal(i), key_of(growth.child[i]),
+                                   marks.stroke[growth.child[i] / 4], level, marks);
+        };
+        // No start is farther from its parent than this. A child that lands farther from its start than its start is
+        // from the parent belongs to another part of the surface.
+        const double stray_limit = std::sqrt(2.0) * (1.0 + jitter) * rho;
+        const bool cut = refine_level(growth, level, stray_limit, key_of, start_of, append, part);
+        full_count *= 5;
+        return cut;
+    });
+}
+
+void grow_strokes(const marks::Site& site, const Start& start, const GrowthSettings& settings, marks::Marks& marks,
+                  marks::LayerReport& report, const base::Progress& progress) {
+    Growth growth{site, settings, marks, report, marks::Kind::hatch, 2};
+    const std::int64_t seeds = sets * start.position.size();
+    report.full_count = marks::grown_count(sets * start.full_count, 3, settings.levels);
+    report.step = settings.step;
+    marks::require_room(settings.layer, marks::grown_count(seeds, 3, settings.levels), settings.levels,
+                        settings.budget);
+    const auto work = static_cast<double>(marks::grown_count(1, 3, settings.levels));
+    const base::Progress first = progress.part(0.0, 1.0 / work);
+    const base::Array<surface::Curvature> at_seeds = measured(growth, start.position, start.normal, first);
+    // A seed of a stroke is its middle; stroke i belongs to set i % 2.
+    const bool full = place_seeds(
+        growth, seeds, [](std::int64_t i) { return stroke_key(static_cast<std::uint32_t>(i), 0); },
+        [&](std::int64_t i) {
+            append_stroke_mark(growth, start.position[i / sets], start.normal[i / sets], static_cast<std::uint32_t>(i),
+                               0, 0, at_seeds[i / sets], glm::dvec3(0.0));
+        },
+        first);
+    geometry::VecArray landed(site.memory());
+    geometry::VecArray landed_normal(site.memory());
+    refine_levels(growth, full, progress, [&](std::int32_t level, double rho, const base::Progress& part) {
+        // Places are numbered in steps of the last level that was asked for. Children lie back and onward.
+        const auto finest = static_cast<std::int32_t>(marks::grown_count(1, 3, settings.levels - level));
+        const auto place_of = [&](std::int64_t i) { return marks.place[i / 2] + (i % 2 == 0 ? -finest : finest); };
+        const auto key_of = [&](std::int64_t i) { return stroke_key(marks.stroke[i / 2], place_of(i)); };
+        const auto start_of = [&](std::int64_t i) {
+            const double s = i % 2 == 0 ? -rho : rho;
+            const glm::dvec3 d = marks.direction[i / 2];
+            return marks.position[i / 2] +
+                   (growth.by_curvature() ? on_osculating_circle(s, marks.bend[i / 2], d, marks.normal[i / 2]) : s * d);
+        };
+        const auto append = [&](const base::Progress& rest) {
+            landed.clear();
+            landed_normal.clear();
+            std::int64_t placed = 0;
+            for (std::int64_t i = 0; i < growth.child.size(); ++i) {
+                if (!growth.settler.placed(i)) continue;
+                landed.push_back(growth.settler.position(i));
+                landed_normal.push_back(growth.settler.normal(i));
+                growth.child[placed++] = growth.child[i];
+            }
+            const base::Array<surface::Curvature> curvature = measured(growth, landed, landed_normal, rest);
+            for (std::int64_t k = 0; k < placed; ++k) {
+                const std::int64_t parent = growth.child[k] / 2;
+                append_stroke_mark(growth, landed[k], landed_normal[k], marks.stroke[parent], place_of(growth.child[k]),
+                                   level, curvature[k], marks.direction[parent]);
+            }
+        };
+        // What lands farther from its start than a step belongs to another part of the surface.
+        return refine_level(growth, level, rho, key_of, start_of, append, part);
+    });
+    // Places were numbered for all levels; number them for those that were taken.
+    const auto unused = static_cast<std::int32_t>(marks::grown_count(1, 3, settings.levels - report.levels));
+    const auto middle = static_cast<std::int32_t>((marks::grown_count(1, 3, report.levels) - 1) / 2);
+    for (std::int32_t& place : marks.place) place = place / unused + middle;
+}
+
+} // namespace hrbfnpr::published
