@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: MIT
 // A mesh of an implicit that has sheets, cut where they meet: each triangle stands for one of them, and there are
-// vertices on the creases and at their corners.
+// vertices on the creases and at their corners. Its smooth parts, which end at creases, are what contours are traced
+// on.
 #pragma once
 
+#include "base/list.h"
 #include "curves/chains.h"
-#include "curves/surface_mesh.h"
+#include "curves/surface_end.h"
+#include "implicit/one_sheet.h"
+
+#include <memory>
 
 namespace hrbfnpr::curves {
 
@@ -35,5 +40,19 @@ struct SharpMesh {
 // since another sheet lies between. The same bits for any thread count.
 [[nodiscard]] SharpMesh split_at_creases(const base::Runtime& runtime, const implicit::Implicit& implicit,
                                          SurfaceMesh mesh, const base::Progress& progress);
+
+struct SheetPart {
+    SheetPart(base::Memory& memory, const implicit::Implicit& whole, const implicit::Sheets& sheets, std::int32_t of)
+        : sheet(of), surface(whole, sheets, of), mesh(memory) {}
+
+    std::int32_t sheet;
+    implicit::OneSheet surface;
+    SurfaceMesh mesh; // the mesh of this sheet alone; it ends at the sheet's creases
+    std::unique_ptr<const SheetEnd> end;
+};
+
+// A part of each sheet that has triangles, in the order of sheets.
+[[nodiscard]] base::List<std::unique_ptr<SheetPart>>
+sheet_parts(const base::Runtime& runtime, const implicit::Implicit& whole, const SharpMesh& mesh);
 
 } // namespace hrbfnpr::curves

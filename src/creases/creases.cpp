@@ -8,7 +8,7 @@
 #include "creases/creases.h"
 
 #include "creases/tuning.h"
-#include "curves/illinois.h"
+#include "curves/curves.h"
 #include "geometry/segment.h"
 #include "surface/sheets_meet.h"
 

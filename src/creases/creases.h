@@ -58,7 +58,7 @@ struct AngleRange {
 
 // The parts of creases in a view, as lines. Their strength is the angle, degrees, negative where it is concave.
 struct CreaseParts {
-    explicit CreaseParts(base::Memory& memory) noexcept
+    explicit CreaseParts(base::Memory& memory)
         : folds(memory), outside(memory), inside(memory), of_outside(memory), of_inside(memory) {}
 
     SurfaceLines folds;   // parts of the contour: one sheet faces the eye, to their left, and the other one away

@@ -30,8 +30,13 @@ struct Chains {
         if (i + 1 < first[chain + 1]) return i + 1;
         return closed[chain] != 0 ? first[chain] : -1;
     }
+    // The number of pieces between points.
+    [[nodiscard]] std::int64_t pieces_of(std::int64_t chain) const noexcept {
+        return size_of(chain) - (closed[chain] != 0 ? 0 : 1);
+    }
     // The points since the last chain become one.
     void end(bool is_closed) {
+        HRBFNPR_ASSERT(first.size() == closed.size() + 1);
         first.push_back(point.size());
         closed.push_back(is_closed ? 1 : 0);
     }

@@ -5,7 +5,9 @@
 
 #include "base/assert.h"
 #include "base/memory.h"
+#include "curves/chains.h"
 #include "curves/level.h"
+#include "curves/tuning.h"
 #include "geometry/point_grid.h"
 #include "geometry/vec_array.h"
 
@@ -69,45 +71,14 @@ inline void step_to_surface(CurvePoint& p) noexcept {
 
 // ---- Curves
 
-struct Curves {
-    explicit Curves(base::Memory& memory) noexcept : first(memory), closed(memory), point(memory), cusp(memory) {}
+// Points stand in the order of CurvePoint::direction().
+struct Curves : Chains<CurvePoint> {
+    explicit Curves(base::Memory& memory) : Chains(memory), cusp(memory) {}
 
-    base::Array<std::int64_t> first;  // the first point of each curve, and the number of points
-    base::Array<std::uint8_t> closed; // 1: the first point follows the last one; it is not repeated
-    base::Array<CurvePoint> point;    // in the order of CurvePoint::direction()
-    base::Array<std::uint8_t> cusp;   // 1: the line of sight is tangent to the curve at this point; empty: not known
+    base::Array<std::uint8_t> cusp; // 1: the line of sight is tangent to the curve at this point; empty: not known
 
-    [[nodiscard]] std::int64_t count() const noexcept { return closed.size(); }
-    [[nodiscard]] std::int64_t size_of(std::int64_t curve) const noexcept {
-        HRBFNPR_ASSERT(curve >= 0 && curve < count());
-        return first[curve + 1] - first[curve];
-    }
-    // The number of pieces between points.
-    [[nodiscard]] std::int64_t pieces_of(std::int64_t curve) const noexcept {
-        return size_of(curve) - (closed[curve] != 0 ? 0 : 1);
-    }
-    // The point after a point of the curve; the last point of an open curve has none.
-    [[nodiscard]] std::int64_t next(std::int64_t curve, std::int64_t at) const noexcept {
-        HRBFNPR_ASSERT(at >= first[curve] && at < first[curve + 1]);
-        return at + 1 < first[curve + 1] ? at + 1 : first[curve];
-    }
-    // Ends a curve after the points that were added since the last one. `first` must not be empty.
-    void end_curve(bool is_closed) {
-        HRBFNPR_ASSERT(first.size() == closed.size() + 1);
-        first.push_back(point.size());
-        closed.push_back(is_closed ? 1 : 0);
-    }
-    [[nodiscard]] std::int64_t bytes() const noexcept {
-        return first.bytes() + closed.bytes() + point.bytes() + cusp.bytes();
-    }
+    [[nodiscard]] std::int64_t bytes() const noexcept { return Chains::bytes() + cusp.bytes(); }
 };
-
-// No curves, ready for points and end_curve().
-[[nodiscard]] inline Curves no_curves(base::Memory& memory) {
-    Curves curves(memory);
-    curves.first.push_back(0);
-    return curves;
-}
 
 // The cubic between two points of a curve.
 class CubicPiece {
@@ -143,6 +114,38 @@ private:
     glm::dvec3 a_, b_;
     double length_;
     glm::dvec3 begin_, end_;
+};
+
+// The search for a zero of a function between two places where its signs differ: the Illinois method. [Dowell & Jarratt
+// 1971]
+struct Illinois {
+    double low = 0.0, high = 1.0;
+    double at_low, at_high; // the values there; the value of an end that stays is halved
+    double trial;           // where the function is asked for next
+    int trusted;            // from this many steps on it halves
+    int steps = 0;
+    int kept = 0; // how many times in a row the same end stayed: above 0 the higher one
+
+    Illinois(double from, double to, int trusted_steps = curve_tuning.most_steps) noexcept
+        : at_low(from), at_high(to), trial(from / (from - to)), trusted(trusted_steps) {
+        HRBFNPR_ASSERT(!(from * to > 0.0));
+    }
+    // The value at the trial.
+    void take(double value) noexcept {
+        const bool same = (value < 0.0) == (at_low < 0.0);
+        (same ? low : high) = trial;
+        (same ? at_low : at_high) = value;
+        kept = same ? std::max(1, kept + 1) : std::min(-1, kept - 1);
+        if (kept > 1) at_high *= 0.5;
+        if (kept < -1) at_low *= 0.5;
+        trial = low + (high - low) * at_low / (at_low - at_high);
+        const bool found = at_low == 0.0 || at_high == 0.0;
+        // The value may jump, as at a sample: then halving goes on.
+        if (++steps > trusted || (!found && !(trial > low && trial < high))) trial = 0.5 * (low + high);
+    }
+    [[nodiscard]] bool done(double width) const noexcept {
+        return !(high - low > width) || at_low == 0.0 || at_high == 0.0;
+    }
 };
 
 // ---- Nearness

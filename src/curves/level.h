@@ -7,13 +7,24 @@
 #include "base/operation.h"
 #include "base/runtime.h"
 #include "curves/surface_mesh.h"
-#include "curves/view.h"
+#include "geometry/vec.h"
 #include "implicit/implicit.h"
 #include "surface/support.h"
 
 #include <array>
 
 namespace hrbfnpr::curves {
+
+// The camera as curves see it: in the surface's own coordinates.
+struct View {
+    glm::dvec4 eye{0.0, 0.0, 0.0, 1.0}; // w = 1: where the eye is; w = 0: the direction in which it looks
+    glm::dmat4 to_window{1.0};          // to (x w, y w, depth w, w), pixels
+
+    // From the eye to a point, not normalised.
+    [[nodiscard]] glm::dvec3 sight(const glm::dvec3& p) const noexcept {
+        return eye.w == 0.0 ? glm::dvec3(eye) : p - glm::dvec3(eye);
+    }
+};
 
 // Where the values of f and g and their gradients are written. No pointer is null.
 struct LevelBatch {

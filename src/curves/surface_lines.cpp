@@ -2,7 +2,7 @@
 #include "curves/surface_lines.h"
 
 #include "curves/chains.h"
-#include "curves/illinois.h"
+#include "curves/curves.h"
 #include "implicit/evaluate_all.h"
 
 #include <algorithm>
@@ -33,10 +33,6 @@ double facing(const glm::dvec3& gradient, const glm::dvec3& place, const View& v
 }
 
 } // namespace
-
-LineBuilder::LineBuilder(SurfaceLines& lines, bool as_given) : lines_(lines), as_given_(as_given) {
-    if (lines_.curves.first.empty()) lines_.curves.first.push_back(0);
-}
 
 void LineBuilder::add(const glm::dvec3& position, const glm::dvec3& normal, double strength,
                       const glm::dvec3& tangent) {
@@ -76,8 +72,7 @@ void LineBuilder::end(bool closed) {
                                     curves.point[first + after].position - p.position),
                     as_given_);
     }
-    curves.first.push_back(curves.point.size());
-    curves.closed.push_back(closed ? 1 : 0);
+    curves.end(closed);
 }
 
 SurfaceLines parts_where(const SurfaceLines& lines, const base::Array<double>& value, bool below, bool as_given) {

@@ -4,13 +4,13 @@
 #pragma once
 
 #include "curves/curves.h"
-#include "curves/view.h"
+#include "curves/level.h"
 
 namespace hrbfnpr::curves {
 
 // CurvePoint::direction() runs along the line, and `gradient` is the surface's normal; f and g mean nothing.
 struct SurfaceLines {
-    explicit SurfaceLines(base::Memory& memory) noexcept : curves(memory), strength(memory) {}
+    explicit SurfaceLines(base::Memory& memory) : curves(memory), strength(memory) {}
 
     Curves curves;
     base::Array<float> strength; // the strength at each point
@@ -31,7 +31,7 @@ class LineBuilder {
 public:
     // as_given: tangents are kept and normals made perpendicular to them, since the lines need not lie on the surface;
     // else it is the other way round.
-    explicit LineBuilder(SurfaceLines& lines, bool as_given = false);
+    explicit LineBuilder(SurfaceLines& lines, bool as_given = false) noexcept : lines_(lines), as_given_(as_given) {}
 
     // A point in the place of the last one is left out. tangent: where it is known, of any length; 0: from the points.
     void add(const glm::dvec3& position, const glm::dvec3& normal, double strength,

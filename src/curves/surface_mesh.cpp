@@ -14,7 +14,7 @@
 
 #include "base/long_array.h"
 #include "base/sort.h"
-#include "curves/mesh_topology.h"
+#include "curves/mesh_edges.h"
 #include "curves/tuning.h"
 #include "geometry/cell_block.h"
 #include "geometry/cell_set.h"
@@ -230,8 +230,8 @@ surface::Projection seeds_on_surface(const base::Runtime& runtime, const implici
         before.push_back(seeds[i]);
     }
     surface::ProjectionSettings steps;
-    steps.evaluation_limit = curve_tuning.seed_evaluations;
-    steps.tolerance = std::max(settings.tolerance, curve_tuning.seed_tolerance * settings.side / implicit.diagonal());
+    steps.evaluation_limit = curve_tuning.newton_steps;
+    steps.tolerance = std::max(settings.tolerance, curve_tuning.close * settings.side / implicit.diagonal());
     surface::project(runtime, implicit, steps, on, progress);
     std::int64_t kept = 0;
     for (std::int64_t i = 0; i < before.size(); ++i) {

@@ -8,8 +8,7 @@
 #include "features/feature_lines.h"
 
 #include "curves/curves.h"
-#include "curves/illinois.h"
-#include "curves/mesh_chains.h"
+#include "curves/mesh_edges.h"
 #include "features/tuning.h"
 #include "surface/project.h"
 
@@ -32,43 +31,11 @@ struct FeatureCrossing {
     double slope;
 };
 
-struct FeaturePoint {
-    glm::dvec3 position{0.0};
-    glm::dvec3 normal{0.0};
-    double strength = 0.0;
-    double facing = 1.0;
-    bool resolved = false; // a root was found
-};
-
-// There are lines where `facing` is not negative; on the far side, if that is wanted, as it is seen from there.
 FeatureValue requested_value(const FeatureRequest& request, const ShapePoint& shape, const glm::dvec3& position,
                              double unit) noexcept {
     FeatureValue value = feature_value(request.kind, shape, position, request.towards, unit);
-    if (request.far_side && value.facing < 0.0) {
-        // The normal is turned over, which changes the sign of a suggestive contour's slope.
-        if (request.kind == FeatureKind::suggestive_contour) value.strength = -value.strength;
-        value.facing = -value.facing;
-    }
     if (request.kind == FeatureKind::apparent_ridge) value.facing -= feature_tuning.grazing;
     return value;
-}
-
-// The value of kinds that need no curvature: the caller's function, or the height above a plane.
-void values_by_place(const base::Runtime& runtime, const FeatureRequest& request, const geometry::VecArray& position,
-                     base::Array<FeatureValue>& value, const base::Progress& progress) {
-    const bool section = request.kind == FeatureKind::section;
-    const bool concurrent = section || request.function->concurrent();
-    const base::Parallel threads = concurrent ? runtime.parallel : base::Parallel();
-    threads.for_chunks(position.size(), implicit::batch_size, [&](std::int64_t begin, std::int64_t end) {
-        progress.check();
-        std::array<double, static_cast<std::size_t>(implicit::batch_size)> g;
-        if (!section)
-            request.function->evaluate(
-                implicit::slice({position.x.data(), position.y.data(), position.z.data(), position.size()}, begin, end),
-                g.data());
-        for (std::int64_t i = begin; i < end; ++i)
-            value[i] = {section ? glm::dot(request.plane, position[i]) : g[static_cast<std::size_t>(i - begin)], 1.0};
-    });
 }
 
 base::Array<FeatureValue> vertex_values(const base::Runtime& runtime, const FeatureSurface& surface,
@@ -76,16 +43,14 @@ base::Array<FeatureValue> vertex_values(const base::Runtime& runtime, const Feat
     const SurfaceMesh& mesh = surface.mesh;
     base::Array<FeatureValue> value(runtime.memory);
     value.resize_for_overwrite(mesh.vertices());
-    if (!needs_shape(request.kind)) {
-        values_by_place(runtime, request, mesh.position, value, progress);
-        return value;
-    }
-    HRBFNPR_ASSERT(surface.shape.size() == mesh.vertices());
+    const bool section = request.kind == FeatureKind::section;
+    HRBFNPR_ASSERT(section || surface.shape.size() == mesh.vertices());
     const double unit = surface.implicit.diagonal();
     runtime.parallel.for_chunks(mesh.vertices(), vertices_a_task, [&](std::int64_t begin, std::int64_t end) {
         progress.check();
         for (std::int64_t i = begin; i < end; ++i)
-            value[i] = requested_value(request, surface.shape[i], mesh.position[i], unit);
+            value[i] = section ? FeatureValue{glm::dot(request.plane, mesh.position[i]), 1.0}
+                               : requested_value(request, surface.shape[i], mesh.position[i], unit);
     });
     return value;
 }
@@ -250,18 +215,14 @@ void evaluate(const base::Runtime& runtime, const FeatureSurface& surface, const
               const base::Progress& progress) {
     const std::int64_t count = at.position.size();
     value.resize_for_overwrite(count);
-    if (!needs_shape(request.kind)) {
-        values_by_place(runtime, request, at.position, value, progress);
+    if (request.kind == FeatureKind::isophote) {
+        shape.resize(count); // all that n . l needs are normals
+        for (std::int64_t i = 0; i < count; ++i) shape[i].normal = glm::normalize(at.gradient[i]);
     } else {
-        if (request.kind == FeatureKind::isophote) {
-            shape.resize(count); // all that n . l needs are normals
-            for (std::int64_t i = 0; i < count; ++i) shape[i].normal = glm::normalize(at.gradient[i]);
-        } else {
-            measure_shape(runtime, surface.source, at.position, at.gradient, shape, progress);
-        }
-        for (std::int64_t i = 0; i < count; ++i)
-            value[i] = requested_value(request, shape[i], at.position[i], surface.implicit.diagonal());
+        measure_shape(runtime, surface.source, at.position, at.gradient, shape, progress);
     }
+    for (std::int64_t i = 0; i < count; ++i)
+        value[i] = requested_value(request, shape[i], at.position[i], surface.implicit.diagonal());
     for (FeatureValue& v : value) v.g -= level;
 }
 
@@ -425,11 +386,6 @@ void add_lines(const Chains<FeatureCrossing>& chains, const base::Array<FeatureP
     const auto counts = [&](const FeaturePoint& p) {
         return p.strength > 0.0 && p.strength >= request.lower && p.facing >= 0.0 && p.resolved;
     };
-    const auto put = [&](const glm::dvec3& position, const glm::dvec3& normal, double strength) {
-        lines.position.push_back(position);
-        lines.normal.push_back(normal);
-        lines.strength.push_back(strength);
-    };
     // Between a point that counts and one that does not, where the line ends by linear interpolation.
     const auto add_end = [&](const FeaturePoint& in, const FeaturePoint& out) {
         if (!out.resolved) return;
@@ -437,30 +393,27 @@ void add_lines(const Chains<FeatureCrossing>& chains, const base::Array<FeatureP
         const double share =
             std::min(root(in.strength - request.lower, out.strength - request.lower), root(in.facing, out.facing));
         if (!(share > 0.0 && share < 1.0)) return;
-        put(glm::mix(in.position, out.position, share), glm::normalize(glm::mix(in.normal, out.normal, share)),
-            std::max(glm::mix(in.strength, out.strength, share), 0.0));
+        lines.point.push_back({glm::mix(in.position, out.position, share),
+                               glm::normalize(glm::mix(in.normal, out.normal, share)),
+                               std::max(glm::mix(in.strength, out.strength, share), 0.0)});
     };
     // The points since the last line are one, unless they are too weak or too short.
     const auto finish = [&](bool closed) {
         const std::int64_t begin = lines.first.back();
-        const std::int64_t end = lines.position.size();
+        const std::int64_t end = lines.point.size();
         double strongest = 0.0;
         double length = 0.0;
         for (std::int64_t i = begin; i < end; ++i) {
-            strongest = std::max(strongest, lines.strength[i]);
+            strongest = std::max(strongest, lines.point[i].strength);
             if (i + 1 < end || closed)
-                length += glm::distance(lines.position[i], lines.position[i + 1 < end ? i + 1 : begin]);
+                length += glm::distance(lines.point[i].position, lines.point[i + 1 < end ? i + 1 : begin].position);
         }
         const bool weak = strongest < request.upper;
         if (weak || length < request.shortest * diagonal || end < begin + (closed ? 3 : 2)) {
             ++(weak ? lines.weak : lines.small);
-            lines.position.resize(begin);
-            lines.normal.resize(begin);
-            lines.strength.resize(begin);
-            return;
+            return lines.point.resize(begin);
         }
-        lines.first.push_back(end);
-        lines.closed.push_back(closed ? 1 : 0);
+        lines.end(closed);
         lines.level.push_back(level);
     };
     for (std::int64_t c = 0; c < chains.count(); ++c) {
@@ -473,14 +426,12 @@ void add_lines(const Chains<FeatureCrossing>& chains, const base::Array<FeatureP
             count, closed, [&](std::int64_t i) { return counts(at(i)); },
             [&](std::int64_t begin, std::int64_t end, bool whole) {
                 if (!whole && (closed || begin > 0)) add_end(at(begin), at(begin - 1));
-                for (std::int64_t i = begin; i < end; ++i) {
-                    // A vertex that the line passes is crossed by several edges: their points would say nothing of its
-                    // direction.
-                    const std::int64_t last = lines.position.size() - 1;
-                    if (last >= lines.first.back() && glm::distance(at(i).position, lines.position[last]) < gap)
-                        continue;
-                    put(at(i).position, at(i).normal, at(i).strength);
-                }
+                // A vertex that the line passes is crossed by several edges: their points would say nothing of its
+                // direction.
+                for (std::int64_t i = begin; i < end; ++i)
+                    if (lines.point.size() == lines.first.back() ||
+                        !(glm::distance(at(i).position, lines.point.back().position) < gap))
+                        lines.point.push_back(at(i));
                 if (!whole && (closed || end < count)) add_end(at(end - 1), at(end));
                 finish(whole);
             });
@@ -492,8 +443,6 @@ void add_lines(const Chains<FeatureCrossing>& chains, const base::Array<FeatureP
 FeatureLines find_feature_lines(const base::Runtime& runtime, const FeatureSurface& surface,
                                 const FeatureRequest& request, const base::Progress& progress) {
     FeatureLines lines(runtime.memory);
-    lines.kind = request.kind;
-    lines.first.push_back(0);
     base::Array<FeatureValue> value = vertex_values(runtime, surface, request, progress);
     const bool directed = is_directed(request.kind);
     const bool has_levels = !needs_shape(request.kind) || request.kind == FeatureKind::isophote;
@@ -522,9 +471,9 @@ FeatureLines find_feature_lines(const base::Runtime& runtime, const FeatureSurfa
 SurfaceLines as_lines(base::Memory& memory, const FeatureLines& features) {
     SurfaceLines lines(memory);
     LineBuilder builder(lines);
-    for (std::int64_t l = 0; l < features.lines(); ++l) {
+    for (std::int64_t l = 0; l < features.count(); ++l) {
         for (std::int64_t i = features.first[l]; i < features.first[l + 1]; ++i)
-            builder.add(features.position[i], features.normal[i], features.strength[i]);
+            builder.add(features.point[i].position, features.point[i].normal, features.point[i].strength);
         builder.end(features.closed[l] != 0);
     }
     return lines;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Lines on the surface beyond its contours: suggestive contours, ridges, valleys, apparent ridges, parabolic lines,
-// isophotes, plane sections, level lines.
+// isophotes, plane sections.
 //
 // A mesh of the surface tells where they pass; each of their points is then brought onto the true curve, between the
 // two vertices of the edge that it crosses.  A line that turns within a triangle is missed, so the mesh should be as
@@ -15,25 +15,11 @@
 
 namespace hrbfnpr::curves {
 
-// A caller's function of place.
-class PlaceFunction {
-public:
-    PlaceFunction() = default;
-    PlaceFunction(const PlaceFunction&) = delete;
-    PlaceFunction& operator=(const PlaceFunction&) = delete;
-    virtual ~PlaceFunction() = default;
-
-    // On the calling thread, at most implicit::batch_size points.
-    virtual void evaluate(const implicit::PointBatch& points, double* value) const = 0;
-    [[nodiscard]] virtual bool concurrent() const noexcept = 0;
-};
-
 struct FeatureRequest {
     FeatureKind kind = FeatureKind::suggestive_contour;
-    glm::dvec4 towards{0.0, 0.0, 1.0, 0.0};  // view-dependent: the eye or light, a place (w = 1) or a direction to it
-    glm::dvec3 plane{0.0, 0.0, 1.0};         // sections: the planes' unit normal
-    std::span<const double> levels;          // isophotes, sections, levels: one or several
-    const PlaceFunction* function = nullptr; // levels
+    glm::dvec4 towards{0.0, 0.0, 1.0, 0.0}; // view-dependent: the eye or light, a place (w = 1) or a direction to it
+    glm::dvec3 plane{0.0, 0.0, 1.0};        // sections: the planes' unit normal
+    std::span<const double> levels;         // isophotes, sections: one or several
     // A line goes on while it is at least `lower`, and is drawn if it is `upper` somewhere (hysteresis).  To fade it,
     // draw it with (strength - lower) / (upper - lower).
     double lower = 0.0;
@@ -42,7 +28,6 @@ struct FeatureRequest {
     // Evaluations of g at most to find each point.  With none, points are where g is 0 by interpolation: a cubic one
     // for suggestive contours, parabolic lines and isophotes, which is enough to draw; a linear one else.
     std::int32_t rounds = 6;
-    bool far_side = false; // view-dependent: also where the surface faces away
 };
 
 // The surface that lines are looked for on. All of it outlives the call.
@@ -50,25 +35,24 @@ struct FeatureSurface {
     const implicit::Implicit& implicit;
     const implicit::ShapeSource& source;
     const SurfaceMesh& mesh;
-    const base::Array<ShapePoint>& shape; // at the mesh's vertices; may be empty for sections and levels
+    const base::Array<ShapePoint>& shape; // at the mesh's vertices; may be empty for sections
 };
 
-struct FeatureLines {
-    explicit FeatureLines(base::Memory& memory) noexcept
-        : first(memory), closed(memory), level(memory), position(memory), normal(memory), strength(memory) {}
+struct FeaturePoint {
+    glm::dvec3 position{0.0}; // on the surface
+    glm::dvec3 normal{0.0};   // unit
+    double strength = 0.0;    // as feature_value() gives it; for sections the sine between plane and surface
+    double facing = 1.0;      // the same
+    bool resolved = false;    // a root was found
+};
 
-    FeatureKind kind = FeatureKind::suggestive_contour;
-    base::Array<std::int64_t> first;  // the first point of each line, and the number of points
-    base::Array<std::uint8_t> closed; // 1: the last point is followed by the first, which stands there once
-    base::Array<std::int32_t> level;  // the place of each line's level in the request's levels
-    geometry::VecArray position;      // on the surface
-    geometry::VecArray normal;        // unit
-    base::Array<double> strength;     // as feature_value() gives it; for sections the sine between plane and surface
-    std::int64_t weak = 0;            // lines that stay below `upper`
-    std::int64_t small = 0;           // lines that are too short
-    std::int64_t unresolved = 0;      // crossings of the mesh that no point was found for, where lines end
+struct FeatureLines : Chains<FeaturePoint> {
+    explicit FeatureLines(base::Memory& memory) : Chains(memory), level(memory) {}
 
-    [[nodiscard]] std::int64_t lines() const noexcept { return closed.size(); }
+    base::Array<std::int32_t> level; // the place of each line's level in the request's levels
+    std::int64_t weak = 0;           // lines that stay below `upper`
+    std::int64_t small = 0;          // lines that are too short
+    std::int64_t unresolved = 0;     // crossings of the mesh that no point was found for, where lines end
 };
 
 // The same bits for any thread count.  Throws Error{out_of_memory, cancelled, callback}.

@@ -4,7 +4,7 @@
 
 #include "base/list.h"
 #include "creases/creases.h"
-#include "creases/sheet_parts.h"
+#include "curves/mesh_edges.h"
 #include "curves/sheet_count.h"
 #include "curves/surface_end.h"
 #include "curves/surface_lines.h"
@@ -65,7 +65,7 @@ struct LineRequest {
 };
 
 struct FoundLines {
-    explicit FoundLines(base::Memory& memory) noexcept : lines(memory) {}
+    explicit FoundLines(base::Memory& memory) : lines(memory) {}
     LineKind kind = LineKind::ridge;
     std::array<char, 64> name{};
     SurfaceLines lines;

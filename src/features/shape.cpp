@@ -8,7 +8,7 @@
 
 #include "base/assert.h"
 #include "base/long_array.h"
-#include "curves/halve_edges.h"
+#include "curves/mesh_edges.h"
 #include "features/tuning.h"
 #include "geometry/tangent_frame.h"
 #include "surface/curvature.h"
@@ -315,8 +315,7 @@ FeatureValue feature_value(FeatureKind kind, const ShapePoint& shape, const glm:
         const glm::dvec2 gradient = view.gradient_of_facing(shape);
         return {view.facing, glm::length(gradient) * unit, view.facing, glm::dvec3(0.0), shape.in_space(gradient)};
     }
-    case FeatureKind::section:
-    case FeatureKind::level: break;
+    case FeatureKind::section: break;
     }
     return {};
 }

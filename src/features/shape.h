@@ -68,8 +68,7 @@ enum class FeatureKind : std::uint8_t {
     apparent_ridge, // [Judd, Durand & Adelson 2007]
     parabolic,      // K = 0
     isophote,       // n . l = level
-    section,        // plane . p = level
-    level           // a function of the caller = level
+    section         // plane . p = level
 };
 
 // Whether the sign of g changes with the sign of a principal direction.
@@ -77,9 +76,7 @@ enum class FeatureKind : std::uint8_t {
     return kind == FeatureKind::ridge || kind == FeatureKind::valley || kind == FeatureKind::apparent_ridge;
 }
 // Whether g comes from curvatures.
-[[nodiscard]] constexpr bool needs_shape(FeatureKind kind) noexcept {
-    return kind != FeatureKind::section && kind != FeatureKind::level;
-}
+[[nodiscard]] constexpr bool needs_shape(FeatureKind kind) noexcept { return kind != FeatureKind::section; }
 
 struct FeatureValue {
     double g = 1.0;
@@ -91,7 +88,7 @@ struct FeatureValue {
 
 // `towards`: the eye or the light, a place (w = 1) or the direction to it (w = 0).
 // `unit`: the length that makes strengths pure numbers, the model's diagonal.
-// Not for sections and levels of a caller's function.
+// Not for sections.
 //
 //   kind                 g                                      strength
 //   suggestive_contour   radial curvature times sin^2           its derivative towards the eye, times sin, unit^2

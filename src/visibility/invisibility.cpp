@@ -248,21 +248,13 @@ base::Array<std::int32_t> count(const Counting& in, const Events& events, int ra
     out.intervals.clear();
     base::Array<std::int32_t> bad(in.memory());
     for (std::int32_t l = 0; l < lines; ++l) {
-        const auto take = [&](std::span<const Event> some, base::Array<Interval>& parts) {
-            parts = parts_of(in, l, some);
-            std::int32_t sum = 0;
-            for (const Event& e : some) sum += e.change;
-            return set_numbers(parts.span(), rays_of(rays, l), in.lengths.whole(in.line(l))) &&
-                   (sum == 0 || !in.line(l).closed);
-        };
-        base::Array<Interval> parts(in.memory());
-        base::Array<Interval> all(in.memory());
-        if (!take(seen_events(l).span(), parts)) {
-            if (take(events.of(l), all))
-                parts = std::move(all);
-            else
-                bad.push_back(l);
-        }
+        const base::Array<Event> seen = seen_events(l);
+        base::Array<Interval> parts = parts_of(in, l, seen.span());
+        std::int32_t sum = 0;
+        for (const Event& e : seen) sum += e.change;
+        if (!set_numbers(parts.span(), rays_of(rays, l), in.lengths.whole(in.line(l))) ||
+            (sum != 0 && in.line(l).closed))
+            bad.push_back(l);
         for (const Interval& part : parts) out.intervals.push_back(part);
     }
     return bad;
@@ -508,10 +500,8 @@ Invisibility find_invisibility(const base::Runtime& runtime, std::span<const Sub
         out.report.cusps = events.cusps;
         if (r == 0) out.report.refined = bad.size();
         if (bad.empty()) break;
-        const double torn = std::max(visibility_tuning.least_torn,
-                                     visibility_tuning.most_torn * static_cast<double>(out.lines.lines.size()));
         // Finer curves do not disentangle lines over one another, nor mend a torn surface.
-        if (r + 1 == settings.rounds || out.report.crossings.tangles > 0 || static_cast<double>(bad.size()) > torn) {
+        if (r + 1 == settings.rounds || out.report.crossings.tangles > 0 || bad.size() > visibility_tuning.most_torn) {
             out.report.contradictions = settle(in, false, bad.span(), out.intervals.span(), out.report.rays);
             out.report.settled = bad.size();
             break;

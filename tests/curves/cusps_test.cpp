@@ -203,7 +203,6 @@ TEST(Cusps, OfNoCurvesAreNone) {
     const test::SquareSphere sphere;
     const ContourLevel level(sphere, {});
     Curves none(runtime().memory);
-    none.first.push_back(0);
     std::int64_t evaluations = 0;
     const Curves found = with_cusps(runtime(), level, {}, none, evaluations, {});
     EXPECT_EQ(found.count(), 0);

@@ -61,7 +61,6 @@ TEST(Trace, GoesOnFromTheViewBefore) {
             EXPECT_LT(farthest_off(runtime(), level, found), 1e-7);
             EXPECT_NEAR(length(found, 0) + length(found, 1), length(anew, 0) + length(anew, 1), 1e-3);
             Curves one(runtime().memory);
-            one.first.push_back(0);
             for (std::int64_t i = 0; i < near.first[1]; ++i) one.point.push_back(near.point[i]);
             one.first.push_back(one.point.size());
             one.closed.push_back(1);

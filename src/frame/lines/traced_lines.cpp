@@ -3,11 +3,10 @@
 // that are contours (add_folds) and its border (add_border) become subjects whatever is drawn, as they hide others.
 // Then for each style of lines its subjects are found or made (add_style), and get a layer. All of this is seen through
 // a camera that sees no face exactly edge-on (camera_off_planes).
-#include "frame/lines/traced_lines.h"
-
 #include "base/assert.h"
 #include "curves/curve_changes.h"
 #include "curves/trace.h"
+#include "frame/lines/lines.h"
 #include "frame/lines/tuning.h"
 
 #include <glm/matrix.hpp>
@@ -104,16 +103,56 @@ visibility::Subject& add_subject(const Source& source, const curves::Curves& cur
     return out.subjects.back();
 }
 
+// The contours of an item, or of a part of it, in this view. Seen from where the last frame saw them, they are the
+// same.
+std::unique_ptr<Contours> find_contours(const base::Runtime& runtime, const curves::LineSet& lines, std::int64_t item,
+                                        std::int64_t part, const curves::ContourLevel& level, ContourList& all_last,
+                                        const base::Progress& progress) {
+    const curves::View& view = level.view();
+    HRBFNPR_ASSERT(part >= 0 && (part == 0 || part < lines.parts().size()));
+    std::unique_ptr<Contours> last;
+    for (std::unique_ptr<Contours>& known : all_last)
+        if (last == nullptr && known != nullptr && known->item == item && known->part == part &&
+            known->set == lines.identity())
+            last = std::move(known);
+    if (last != nullptr && last->eye == view.eye) return last;
+    const curves::SurfaceMesh& mesh = lines.parts().empty() ? lines.mesh() : lines.parts()[part]->mesh;
+    auto contours = std::make_unique<Contours>(runtime.memory);
+    contours->set = lines.identity();
+    contours->item = item;
+    contours->part = part;
+    contours->eye = view.eye;
+    const auto trace = [&](const curves::Curves* near) {
+        curves::TraceReport report;
+        curves::TraceSettings settings;
+        if (near != nullptr) settings.tolerance = line_tuning.moved_tolerance;
+        contours->traced = curves::trace(runtime, level, mesh, settings, report, progress, near);
+        contours->from_last = near != nullptr;
+        contours->broken = report.broken + report.missed;
+    };
+    // Tracing begins with the last contours if nearly all of their points go on.
+    if (last != nullptr) {
+        const curves::Curves moved =
+            curves::moved_contours(runtime.memory, view, last->traced, line_tuning.farthest_move * mesh.side);
+        const double least = (1.0 - line_tuning.most_left_out) * static_cast<double>(last->traced.point.size());
+        if (!moved.point.empty() && static_cast<double>(moved.point.size()) >= least) trace(&moved);
+    }
+    if (!contours->from_last || contours->broken > 0) trace(nullptr);
+    std::int64_t evaluations = 0;
+    contours->with_cusps = curves::with_cusps(runtime, level, view, contours->traced, evaluations, progress);
+    return contours;
+}
+
 // Contours of a sheet end at its creases.
-void trace_contours(const base::Runtime& runtime, const Source& source, LastContours& last,
+void trace_contours(const base::Runtime& runtime, const Source& source, ContourList& last,
                     const base::Progress& progress, TracedLines& out) {
     const curves::LineSet& lines = source.lines();
     for (std::int64_t p = 0; p < std::max<std::int64_t>(1, lines.parts().size()); ++p) {
         const implicit::Implicit& surface = lines.parts().empty() ? lines.surface() : lines.parts()[p]->surface;
         const curves::ContourLevel& level =
             *out.levels.add(std::make_unique<curves::ContourLevel>(surface, source.view));
-        const Contours& contours =
-            last.find(runtime, lines, out.items[source.number], p, level, source.view, progress.standing());
+        const Contours& contours = *out.contours.add(
+            find_contours(runtime, lines, out.items[source.number], p, level, last, progress.standing()));
         out.broken += contours.broken;
         visibility::Subject& subject = add_subject(source, contours.with_cusps, out);
         subject.level = &level;
@@ -194,7 +233,7 @@ void add_bent(const base::Runtime& runtime, const Source& source, const LineStyl
     const bool outlined =
         std::any_of(all.begin(), all.end(), [](const LineStyle& other) { return other.kind == LineKind::contour; });
     if (outlined || source.folds < 0) return;
-    base::Array<float>& strength = out.strengths.add(runtime.memory);
+    base::Array<float>& strength = out.numbers.add(runtime.memory);
     for (const float angle : parts.folds.strength) strength.push_back(curves::angle_on(style.creases, angle));
     add(source.folds, strength, true);
 }
@@ -254,7 +293,7 @@ void add_style(const base::Runtime& runtime, const Scene& scene, const Source& s
 } // namespace
 
 TracedLines trace_lines(const base::Runtime& runtime, const Scene& scene, std::span<const Item> items,
-                        LastContours& last, const base::Progress& progress, drawing::Drawing& drawing) {
+                        ContourList& last, const base::Progress& progress, drawing::Drawing& drawing) {
     TracedLines out(runtime.memory);
     base::List<Source> sources(runtime.memory);
     const Camera camera = camera_off_planes(scene, items);
@@ -292,52 +331,6 @@ TracedLines trace_lines(const base::Runtime& runtime, const Scene& scene, std::s
         for (std::int64_t i = first; i < out.styles.size(); ++i) out.styles[i].halo = source.item.style.halo_width;
     }
     return out;
-}
-
-bool LastContours::are_from_last() const noexcept {
-    return std::any_of(now_.begin(), now_.end(), [](const auto& contours) { return contours->from_last; });
-}
-
-void LastContours::begin_frame() noexcept {
-    std::swap(last_, now_);
-    now_.clear();
-}
-
-const Contours& LastContours::find(const base::Runtime& runtime, const curves::LineSet& lines, std::int64_t item,
-                                   std::int64_t part, const curves::ContourLevel& level, const curves::View& view,
-                                   const base::Progress& progress) {
-    HRBFNPR_ASSERT(part >= 0 && (part == 0 || part < lines.parts().size()));
-    std::unique_ptr<Contours> last;
-    for (std::unique_ptr<Contours>& known : last_)
-        if (last == nullptr && known != nullptr && known->item == item && known->part == part &&
-            known->set == lines.identity())
-            last = std::move(known);
-    if (last != nullptr && last->eye == view.eye) return *now_.add(std::move(last));
-    const curves::SurfaceMesh& mesh = lines.parts().empty() ? lines.mesh() : lines.parts()[part]->mesh;
-    auto contours = std::make_unique<Contours>(runtime.memory);
-    contours->set = lines.identity();
-    contours->item = item;
-    contours->part = part;
-    contours->eye = view.eye;
-    const auto trace = [&](const curves::Curves* near) {
-        curves::TraceReport report;
-        curves::TraceSettings settings;
-        if (near != nullptr) settings.tolerance = line_tuning.moved_tolerance;
-        contours->traced = curves::trace(runtime, level, mesh, settings, report, progress, near);
-        contours->from_last = near != nullptr;
-        contours->broken = report.broken + report.missed;
-    };
-    // Tracing begins with the last contours if nearly all of their points go on.
-    if (last != nullptr) {
-        const curves::Curves moved =
-            curves::moved_contours(runtime.memory, level.view(), last->traced, line_tuning.farthest_move * mesh.side);
-        const double least = (1.0 - line_tuning.most_left_out) * static_cast<double>(last->traced.point.size());
-        if (!moved.point.empty() && static_cast<double>(moved.point.size()) >= least) trace(&moved);
-    }
-    if (!contours->from_last || contours->broken > 0) trace(nullptr);
-    std::int64_t evaluations = 0;
-    contours->with_cusps = curves::with_cusps(runtime, level, view, contours->traced, evaluations, progress);
-    return *now_.add(std::move(contours));
 }
 
 } // namespace hrbfnpr::frame
