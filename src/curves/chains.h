@@ -81,6 +81,14 @@ void for_joined(std::int64_t count, bool closed, Joined&& joined, Part&& part) {
     }
 }
 
+// Calls visit(i, j) for the points at both ends of each piece.
+template <class T, class Visit>
+void for_pieces(const Chains<T>& chains, Visit&& visit) {
+    for (std::int64_t c = 0; c < chains.count(); ++c)
+        for (std::int64_t i = chains.first[c]; i < chains.first[c + 1]; ++i)
+            if (const std::int64_t j = chains.next(c, i); j >= 0) visit(i, j);
+}
+
 // Puts points into pieces of chains, and returns whether there were any. wanted(chain, i, j, p) tells whether the piece
 // from point i to point j wants one, and sets p to a guess of it. bring(points, chains, pieces) improves the guesses
 // and returns an array of 1 for each that may be put there, else 0; pieces are told by their first points.

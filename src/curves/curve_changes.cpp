@@ -3,7 +3,7 @@
 // finds its zero, and the places that it asks for are points of the piece's cubic, brought onto the curve.
 #include "curves/curve_changes.h"
 
-#include "curves/surface_lines.h"
+#include "curves/curves.h"
 #include "curves/tuning.h"
 #include "implicit/evaluate_all.h"
 
@@ -89,24 +89,6 @@ base::Array<CurvePoint> find_zeros(const base::Runtime& runtime, const Level& le
     return found;
 }
 
-// A point on the piece that begins at a point of a curve.
-struct AddedPoint {
-    std::int64_t piece;
-    double share;
-    CurvePoint point;
-};
-
-// Appends a curve with the points that were added on its pieces; `next` is the first of these and goes on to the next
-// curve's.
-void append_with(const Curves& curves, std::int64_t curve, const base::Array<AddedPoint>& added, std::int64_t& next,
-                 Curves& result) {
-    for (std::int64_t at = curves.first[curve]; at < curves.first[curve + 1]; ++at) {
-        result.point.push_back(curves.point[at]);
-        for (; next < added.size() && added[next].piece == at; ++next) result.point.push_back(added[next].point);
-    }
-    result.end(curves.closed[curve] != 0);
-}
-
 // ---- Cusps
 
 // v^T H v = v . grad g on the contour: the radial curvature but for a positive factor.
@@ -142,22 +124,24 @@ bool changes_between(const CurvePoint& a, const CurvePoint& b, const View& view)
 Curves refined_at_cusps(const base::Runtime& runtime, const Level& contour, const View& view, const Curves& curves,
                         std::int64_t& evaluations, const base::Progress& progress) {
     base::Array<OnPiece> places(runtime.memory);
-    base::Array<AddedPoint> added(runtime.memory);
-    for (std::int64_t c = 0; c < curves.count(); ++c)
-        for (std::int64_t at = curves.first[c]; at < curves.first[c] + curves.pieces_of(c); ++at) {
-            const CurvePoint& a = curves.point[at];
-            const CurvePoint& b = curves.point[curves.next(c, at)];
-            if (!changes_between(a, b, view)) continue;
-            for (const double u : inner_shares) {
-                places.push_back({a, b, u});
-                added.push_back({at, u, {}});
-            }
+    base::Array<std::int64_t> piece(runtime.memory); // the first point of the piece that each place is on
+    for_pieces(curves, [&](std::int64_t at, std::int64_t next) {
+        if (!changes_between(curves.point[at], curves.point[next], view)) return;
+        for (const double u : inner_shares) {
+            places.push_back({curves.point[at], curves.point[next], u});
+            piece.push_back(at);
         }
+    });
     bring_onto(runtime, contour, places, evaluations, progress);
-    for (std::int64_t i = 0; i < added.size(); ++i) added[i].point = places[i].found;
     Curves result(runtime.memory);
-    std::int64_t next = 0;
-    for (std::int64_t c = 0; c < curves.count(); ++c) append_with(curves, c, added, next, result);
+    std::int64_t k = 0;
+    for (std::int64_t c = 0; c < curves.count(); ++c) {
+        for (std::int64_t at = curves.first[c]; at < curves.first[c + 1]; ++at) {
+            result.point.push_back(curves.point[at]);
+            for (; k < piece.size() && piece[k] == at; ++k) result.point.push_back(places[k].found);
+        }
+        result.end(curves.closed[c] != 0);
+    }
     return result;
 }
 
@@ -187,14 +171,6 @@ base::Array<std::uint8_t> find_held(const base::Runtime& runtime, const SurfaceE
         }
     }
     return holds;
-}
-
-// Calls add(a, b) for the points at both ends of each piece.
-template <class Add>
-void for_pieces(const Curves& curves, Add&& add) {
-    for (std::int64_t c = 0; c < curves.count(); ++c)
-        for (std::int64_t at = curves.first[c]; at < curves.first[c] + curves.pieces_of(c); ++at)
-            add(at, curves.next(c, at));
 }
 
 } // namespace
@@ -235,55 +211,49 @@ Curves finer_curves(const base::Runtime& runtime, const Level& contour, const Vi
                     std::span<const std::uint8_t> marked, double tolerance, std::int64_t& evaluations,
                     const base::Progress& progress) {
     HRBFNPR_ASSERT(static_cast<std::int64_t>(marked.size()) == curves.point.size());
-    const auto seen = [&](const glm::dvec3& p) {
-        const glm::dvec4 q = view.to_window * glm::dvec4(p, 1.0);
-        return glm::dvec2(q) / q.w;
+    struct FinePoint {
+        CurvePoint at;
+        bool halved; // whether the piece that begins there is to be halved
     };
-    // The part of a piece between two shares of it, and its middle.
-    struct Part {
-        std::int64_t piece;
-        double low, high;
-    };
+    Chains<FinePoint> fine(runtime.memory); // the curves that have a mark
     base::Array<std::uint8_t> changes(runtime.memory, curves.count());
-    base::Array<Part> parts(runtime.memory);
-    base::Array<OnPiece> middles(runtime.memory); // the middle of each part
-    for (std::int64_t c = 0; c < curves.count(); ++c)
-        for (std::int64_t at = curves.first[c]; at < curves.first[c] + curves.pieces_of(c); ++at) {
-            if (marked[static_cast<std::size_t>(at)] == 0) continue;
-            changes[c] = 1;
-            parts.push_back({at, 0.0, 1.0});
-            middles.push_back({curves.point[at], curves.point[curves.next(c, at)], 0.5});
-        }
-    base::Array<AddedPoint> added(runtime.memory);
-    const std::int64_t limit = curve_tuning.most_added * parts.size();
-    for (int depth = 0; depth < curve_tuning.deepest_piece && !parts.empty() && added.size() < limit; ++depth) {
-        bring_onto(runtime, contour, middles, evaluations, progress);
-        base::Array<Part> next(runtime.memory);
-        base::Array<OnPiece> next_middles(runtime.memory);
-        for (std::int64_t i = 0; i < parts.size(); ++i) {
-            const auto [piece, low, high] = parts[i];
-            const auto& [a, b, half, middle, astray] = middles[i];
-            if (astray) continue;
-            const double share = 0.5 * (low + high);
-            added.push_back({piece, share, middle});
-            const CubicPiece cubic(a, b);
-            const double off = glm::distance(seen(middle.position), seen(cubic.at(half)));
-            if (!(off > tolerance)) continue;
-            next.push_back({piece, low, share});
-            next.push_back({piece, share, high});
-            next_middles.push_back({a, middle, 0.5});
-            next_middles.push_back({middle, b, 0.5});
-        }
-        std::swap(parts, next);
-        std::swap(middles, next_middles);
+    std::int64_t marks = 0;
+    for (std::int64_t c = 0; c < curves.count(); ++c) {
+        const auto own =
+            marked.subspan(static_cast<std::size_t>(curves.first[c]), static_cast<std::size_t>(curves.pieces_of(c)));
+        const std::int64_t count = std::count_if(own.begin(), own.end(), [](std::uint8_t m) { return m != 0; });
+        if (count == 0) continue;
+        marks += count;
+        changes[c] = 1;
+        for (std::int64_t at = curves.first[c]; at < curves.first[c + 1]; ++at)
+            fine.point.push_back({curves.point[at], marked[static_cast<std::size_t>(at)] != 0});
+        fine.end(curves.closed[c] != 0);
     }
-    std::sort(added.begin(), added.end(), [](const AddedPoint& a, const AddedPoint& b) {
-        return a.piece != b.piece ? a.piece < b.piece : a.share < b.share;
-    });
+    const auto wanted = [&](std::int64_t, std::int64_t i, std::int64_t, FinePoint&) { return fine.point[i].halved; };
+    const auto bring = [&](base::Array<FinePoint>& added, const base::Array<std::int64_t>& of,
+                           const base::Array<std::int64_t>& after) {
+        base::Array<OnPiece> middles(runtime.memory);
+        for (std::int64_t k = 0; k < added.size(); ++k)
+            middles.push_back({fine.point[after[k]].at, fine.point[fine.next(of[k], after[k])].at, 0.5});
+        bring_onto(runtime, contour, middles, evaluations, progress);
+        base::Array<std::uint8_t> found(runtime.memory, added.size());
+        for (std::int64_t k = 0; k < added.size(); ++k) {
+            const OnPiece& middle = middles[k];
+            const glm::dvec2 guess = view.see(CubicPiece(middle.a, middle.b).at(0.5)).place;
+            const bool off = glm::distance(view.see(middle.found.position).place, guess) > tolerance;
+            added[k] = {middle.found, off};
+            fine.point[after[k]].halved = off && !middle.astray;
+            found[k] = middle.astray ? 0 : 1;
+        }
+        return found;
+    };
+    const std::int64_t most = fine.point.size() + curve_tuning.most_added * marks;
+    for (int depth = 0; depth < curve_tuning.deepest_piece && fine.point.size() < most; ++depth)
+        if (!halve_pieces(fine, wanted, bring)) break;
     Curves changed(runtime.memory);
-    std::int64_t next = 0;
-    for (std::int64_t c = 0; c < curves.count(); ++c)
-        if (changes[c] != 0) append_with(curves, c, added, next, changed);
+    for (const FinePoint& p : fine.point) changed.point.push_back(p.at);
+    changed.first = std::move(fine.first);
+    changed.closed = std::move(fine.closed);
     const Curves with = with_cusps(runtime, contour, view, changed, evaluations, progress);
     Curves result(runtime.memory);
     std::int64_t number = 0; // the place of the next changed curve in `with`

@@ -1,21 +1,108 @@
 // SPDX-License-Identifier: MIT
 // Curves f = g = 0 on a surface as polylines that cubics go through: their points, Newton's steps that bring places
-// onto a curve, the cubic pieces between points, and the question whether a curve passes by a place.
+// onto a curve, the cubic pieces between points, and the question whether a curve passes by a place. Lines that lie on
+// a surface whatever the camera, as curves with a strength along them; and the parts of them that face a camera.
 #pragma once
 
 #include "base/assert.h"
 #include "base/memory.h"
+#include "base/operation.h"
+#include "base/runtime.h"
 #include "curves/chains.h"
-#include "curves/level.h"
+#include "curves/surface_mesh.h"
 #include "curves/tuning.h"
 #include "geometry/point_grid.h"
+#include "geometry/vec.h"
 #include "geometry/vec_array.h"
+#include "implicit/implicit.h"
+#include "surface/support.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 
 namespace hrbfnpr::curves {
+
+// ---- Levels: a function g in space. Its zero lines on the surface f = 0 are curves to be drawn.
+
+// The camera as curves see it: in the surface's own coordinates.
+struct View {
+    // Where a place is seen.
+    struct Seen {
+        glm::dvec2 place; // pixels
+        double w;         // > 0 before the eye
+    };
+
+    glm::dvec4 eye{0.0, 0.0, 0.0, 1.0}; // w = 1: where the eye is; w = 0: the direction in which it looks
+    glm::dmat4 to_window{1.0};          // to (x w, y w, depth w, w), pixels
+
+    // From the eye to a point, not normalised.
+    [[nodiscard]] glm::dvec3 sight(const glm::dvec3& p) const noexcept {
+        return eye.w == 0.0 ? glm::dvec3(eye) : p - glm::dvec3(eye);
+    }
+    [[nodiscard]] Seen see(const glm::dvec3& p) const noexcept {
+        const glm::dvec4 q = to_window * glm::dvec4(p, 1.0);
+        return {{q.x / q.w, q.y / q.w}, q.w};
+    }
+};
+
+// Where the values of f and g and their gradients are written. No pointer is null.
+struct LevelBatch {
+    double* value = nullptr;
+    std::array<double*, 3> gradient{};
+    double* level = nullptr;
+    std::array<double*, 3> level_gradient{};
+};
+
+class Level {
+public:
+    Level() = default;
+    Level(const Level&) = delete;
+    Level& operator=(const Level&) = delete;
+    virtual ~Level() = default;
+
+    [[nodiscard]] virtual const implicit::Implicit& surface() const noexcept = 0;
+    // Evaluates at most implicit::batch_size points on the calling thread. g and its gradient need to be right near
+    // f = 0 only.
+    virtual void evaluate(const implicit::PointBatch& points, const LevelBatch& out) const = 0;
+    // g at the vertices of a mesh of the surface, by the gradients that the mesh holds. `level` is resized.
+    virtual void at_vertices(const base::Runtime& runtime, const SurfaceMesh& mesh, base::Array<double>& level,
+                             const base::Progress& progress) const = 0;
+};
+
+// The occluding contour: g = grad f . v, where v leads from the eye to the point.
+class ContourLevel final : public Level {
+public:
+    ContourLevel(const implicit::Implicit& surface, const View& view) noexcept : surface_(surface), view_(view) {}
+
+    [[nodiscard]] const implicit::Implicit& surface() const noexcept override { return surface_; }
+    [[nodiscard]] const View& view() const noexcept { return view_; }
+    void evaluate(const implicit::PointBatch& points, const LevelBatch& out) const override;
+    void at_vertices(const base::Runtime& runtime, const SurfaceMesh& mesh, base::Array<double>& level,
+                     const base::Progress& progress) const override;
+
+private:
+    const implicit::Implicit& surface_;
+    View view_;
+};
+
+// The border of the support: g = s - limit, s of surface/support.h. The surface lies to the left of the border.
+class SupportLevel final : public Level {
+public:
+    SupportLevel(const implicit::Implicit& surface, const surface::Support& support, double limit) noexcept
+        : surface_(surface), support_(support), limit_(limit) {}
+
+    [[nodiscard]] const implicit::Implicit& surface() const noexcept override { return surface_; }
+    void evaluate(const implicit::PointBatch& points, const LevelBatch& out) const override;
+    void at_vertices(const base::Runtime& runtime, const SurfaceMesh& mesh, base::Array<double>& level,
+                     const base::Progress& progress) const override;
+
+private:
+    const implicit::Implicit& surface_;
+    const surface::Support& support_;
+    double limit_;
+};
 
 // ---- Points
 
@@ -183,5 +270,59 @@ private:
     base::Array<std::int32_t> curve_; // the curve of each point
     geometry::PointGrid grid_;
 };
+
+// ---- Lines on a surface, whatever the camera
+
+// CurvePoint::direction() runs along the line, and `gradient` is the surface's normal; f and g mean nothing.
+struct SurfaceLines {
+    explicit SurfaceLines(base::Memory& memory) : curves(memory), strength(memory) {}
+
+    Curves curves;
+    base::Array<float> strength; // the strength at each point
+
+    [[nodiscard]] std::int64_t bytes() const noexcept { return curves.bytes() + strength.bytes(); }
+};
+
+// The tangent at a point of the circle through it and the points before and after it, by the ways to it and on from it;
+// the nearer point counts more. It is not unit.
+[[nodiscard]] inline glm::dvec3 tangent_between(const glm::dvec3& in, const glm::dvec3& out) noexcept {
+    const double a = glm::dot(in, in);
+    const double b = glm::dot(out, out);
+    return a > 0.0 && b > 0.0 ? in / a + out / b : in + out;
+}
+
+// Adds lines point by point.
+class LineBuilder {
+public:
+    // as_given: tangents are kept and normals made perpendicular to them, since the lines need not lie on the surface;
+    // else it is the other way round.
+    explicit LineBuilder(SurfaceLines& lines, bool as_given = false) noexcept : lines_(lines), as_given_(as_given) {}
+
+    // A point in the place of the last one is left out. tangent: where it is known, of any length; 0: from the points.
+    void add(const glm::dvec3& position, const glm::dvec3& normal, double strength,
+             const glm::dvec3& tangent = glm::dvec3(0.0));
+    // The same of a point of other lines.
+    void add(const SurfaceLines& from, std::int64_t point);
+    // Ends the line, which is dropped if it has less than two points.
+    void end(bool closed);
+
+private:
+    SurfaceLines& lines_;
+    bool as_given_;
+};
+
+// The parts of lines whose points have a value below 0, or those whose points have not, by one value for each point;
+// they end where it is 0 by interpolation. as_given: as LineBuilder has it.
+[[nodiscard]] SurfaceLines parts_where(const SurfaceLines& lines, const base::Array<double>& value, bool below,
+                                       bool as_given);
+// The parts that show their outside to the eye, or those that show their inside; they end where the line of sight is
+// tangent to the surface, by the normals that the lines have.
+[[nodiscard]] SurfaceLines facing_parts(base::Memory& memory, const SurfaceLines& lines, const View& view,
+                                        bool outside);
+
+// The lines with a point more on each piece that turns over, where grad f at the piece is perpendicular to the line of
+// sight: parts that begin and end there fit to contours that end there.
+[[nodiscard]] SurfaceLines with_turns(const base::Runtime& runtime, const SurfaceLines& lines,
+                                      const implicit::Implicit& surface, const View& view);
 
 } // namespace hrbfnpr::curves

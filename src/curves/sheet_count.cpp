@@ -244,8 +244,7 @@ void find_spans(const SurfaceMesh& mesh, const geometry::BoxTree& tree, const ba
 
 struct RootCount {
     std::int32_t roots = 0;
-    bool certain = true;                                     // false: f touches 0, or is no number somewhere
-    bool negative_at_begin = false, negative_at_end = false; // f
+    bool certain = true; // false: f touches 0, or is no number somewhere
 };
 
 // A root of a span lies between these places of its line, and no other.
@@ -383,11 +382,9 @@ void count_roots(const base::Runtime& runtime, const implicit::Implicit& implici
             if (begins) settle_end(counts[i], now, 1.0);
             if (ends) settle_end(counts[i], now, -1.0);
             if (!begins && !ends && touches(now)) counts[i].certain = false;
-            if (k == 0) counts[i].negative_at_begin = now.negative();
             if (k > 0) judge(before, now, i, 0);
             before = now;
         }
-        counts[i].negative_at_end = before.negative();
     }
     while (!pieces.empty()) {
         progress.check();
@@ -503,10 +500,7 @@ void SheetCounter::count(const base::Runtime& runtime, const implicit::Implicit&
         Answer& its = answer[span.line];
         its.sheets += counts[i].roots;
         const bool beside_end = span.line_begins || span.line_ends;
-        // Between two spans of a line there is no surface, nor a root of f, unless the surface ends before f does.
-        const bool jumps = end == nullptr && i > 0 && spans.span[i - 1].line == span.line &&
-                           counts[i - 1].negative_at_end != counts[i].negative_at_begin;
-        if (!counts[i].certain || jumps || (!beside_end && counts[i].roots != span.crossings)) its.certain = false;
+        if (!counts[i].certain || (!beside_end && counts[i].roots != span.crossings)) its.certain = false;
     }
     base::Array<std::uint8_t> known(runtime.memory, segments);
     for (const Root& root : roots) {

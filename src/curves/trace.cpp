@@ -63,22 +63,6 @@ bool is_between(const CurvePoint& m, const CurvePoint& a, const CurvePoint& b) n
            glm::dot(m.direction(), way) > 0.0;
 }
 
-// The starts that could be brought onto curves, in the order of their chains.
-Chains<RunPoint> begin_runs(const base::Runtime& runtime, const Curves& starts, const base::Array<CurvePoint>& points,
-                            const base::Array<std::uint8_t>& found, double side, const TraceSettings& settings) {
-    HRBFNPR_ASSERT(found.size() == points.size() && points.size() == starts.point.size());
-    Chains<RunPoint> chains(runtime.memory);
-    for (std::int64_t c = 0; c < starts.count(); ++c) {
-        const std::int64_t first = chains.point.size();
-        for (std::int64_t i = starts.first[c]; i < starts.first[c + 1]; ++i)
-            if (found[i] != 0 &&
-                (chains.point.size() == first || in_order(chains.point.back().at, points[i], side, settings)))
-                chains.point.push_back({points[i]});
-        chains.end(starts.closed[c] != 0);
-    }
-    return chains;
-}
-
 // Leaves out points that a longer run passes by, as where the mesh crosses a curve to and fro.
 Curves without_doubles(const base::Runtime& runtime, const Curves& runs, double distance, double longest) {
     const NearCurves near(runs, longest, distance);
@@ -161,7 +145,14 @@ Curves runs_from(const base::Runtime& runtime, const Level& level, const Surface
     base::Array<CurvePoint> points(runtime.memory, starts.point.size());
     std::copy(starts.point.begin(), starts.point.end(), points.begin());
     const base::Array<std::uint8_t> brought = bring_points(points, curve_tuning.start_reach * side);
-    Chains<RunPoint> chains = begin_runs(runtime, starts, points, brought, side, settings);
+    Chains<RunPoint> chains(runtime.memory); // the starts that could be brought onto curves
+    for (std::int64_t c = 0; c < starts.count(); ++c) {
+        for (std::int64_t i = starts.first[c]; i < starts.first[c + 1]; ++i)
+            if (brought[i] != 0 && (chains.point.size() == chains.first.back() ||
+                                    in_order(chains.point.back().at, points[i], side, settings)))
+                chains.point.push_back({points[i]});
+        chains.end(starts.closed[c] != 0);
+    }
     // A chain of two points has no gap from the second one back to the first.
     const auto is_gap_between = [&](std::int64_t c, std::int64_t i, std::int64_t j) {
         return j > i || (j >= 0 && chains.size_of(c) > 2);
@@ -250,13 +241,20 @@ struct Passed {
 struct Paths {
     Paths(const SurfaceMesh& meshed, const Curves& known, const TraceSettings& by)
         : mesh(meshed), runs(known), settings(by), path(runs.point.memory()), passed(runs.point.memory()),
-          run_of(curve_of_points(runs)), grid(positions_of(runs.point), 0.75 * settings.longest * mesh.side) {}
+          forward(runs.point.memory(), runs.count()), backward(runs.point.memory(), runs.count()),
+          before(runs.point.memory(), runs.count()), run_of(curve_of_points(runs)),
+          grid(positions_of(runs.point), 0.75 * settings.longest * mesh.side) {
+        for (base::Array<std::int64_t>* const all : {&forward, &backward, &before})
+            std::fill(all->begin(), all->end(), -1);
+    }
 
     const SurfaceMesh& mesh;
     const Curves& runs;
     const TraceSettings& settings;
     base::Array<Path> path;
     base::Array<Passed> passed;
+    // Each run's two paths, and the run whose path leads to it; -1: none.
+    base::Array<std::int64_t> forward, backward, before;
     base::Array<std::int32_t> run_of; // the run of each point of the runs
     geometry::PointGrid grid;         // the points of the runs by their positions
 };
@@ -373,6 +371,7 @@ void follow_from(const base::Runtime& runtime, const Level& level, const base::A
                   {}};
         if (sense > 0.0) path.steps = static_cast<std::int32_t>(runs.size_of(r) - 1); // it came along its run
         predict(path);
+        (sense > 0.0 ? paths.forward : paths.backward)[r] = paths.path.size();
         active.push_back(paths.path.size());
         paths.path.push_back(path);
     }
@@ -393,38 +392,8 @@ void follow_from(const base::Runtime& runtime, const Level& level, const base::A
     }
 }
 
-// How paths put runs together to curves.
-struct Joints {
-    Joints(base::Memory& memory, std::int64_t runs)
-        : forward(memory, runs), backward(memory, runs), before(memory, runs) {
-        for (base::Array<std::int64_t>* const all : {&forward, &backward, &before})
-            std::fill(all->begin(), all->end(), -1);
-    }
-    // Whether no path leads to the run.
-    [[nodiscard]] bool is_first(const Curves& runs, std::int64_t r) const noexcept {
-        return runs.closed[r] == 0 && before[r] < 0;
-    }
-
-    // Each run's two paths, and the run whose path leads to it; -1: none.
-    base::Array<std::int64_t> forward, backward, before;
-};
-
-Joints join(const Paths& paths) {
-    const Curves& runs = paths.runs;
-    Joints joints(runs.point.memory(), runs.count());
-    const auto path_from = [&](std::int64_t r) -> const Path& { return paths.path[joints.forward[r]]; };
-    for (std::int64_t p = 0; p < paths.path.size(); ++p) {
-        const Path& path = paths.path[p];
-        (path.sense < 0.0 ? joints.backward : joints.forward)[path.start] = p;
-        if (path.sense < 0.0 || path.met < 0) continue;
-        std::int64_t& before = joints.before[path.met];
-        if (before < 0 || path.met_point < path_from(before).met_point) before = path.start;
-    }
-    return joints;
-}
-
 // Adds the curves that the runs and the paths between them make.
-void add_curves(const Paths& paths, const Joints& joints, Curves& curves, TraceReport& report) {
+void add_curves(const Paths& paths, Curves& curves, TraceReport& report) {
     const Curves& runs = paths.runs;
     base::Array<std::uint8_t> done(runs.point.memory(), runs.count());
     const auto add_path = [&](std::int64_t number, bool reversed) {
@@ -439,17 +408,17 @@ void add_curves(const Paths& paths, const Joints& joints, Curves& curves, TraceR
             done[run] = 1;
             const bool closed = runs.closed[run] != 0;
             // A path may have come to a later point of the run than its first.
-            const std::int64_t before = closed ? -1 : joints.before[run];
-            const std::int64_t first = before >= 0 ? paths.path[joints.forward[before]].met_point : runs.first[run];
+            const std::int64_t before = closed ? -1 : paths.before[run];
+            const std::int64_t first = before >= 0 ? paths.path[paths.forward[before]].met_point : runs.first[run];
             for (std::int64_t i = first; i < runs.first[run + 1]; ++i) curves.point.push_back(runs.point[i]);
-            add_path(joints.forward[run], false);
-            const std::int64_t met = closed ? -1 : paths.path[joints.forward[run]].met;
-            run = met >= 0 && joints.before[met] == run ? met : -1;
+            add_path(paths.forward[run], false);
+            const std::int64_t met = closed ? -1 : paths.path[paths.forward[run]].met;
+            run = met >= 0 && paths.before[met] == run ? met : -1;
         }
     };
     for (std::int64_t r = 0; r < runs.count(); ++r) {
-        if (!joints.is_first(runs, r)) continue;
-        add_path(joints.backward[r], true);
+        if (runs.closed[r] != 0 || paths.before[r] >= 0) continue;
+        add_path(paths.backward[r], true);
         add_from(r);
         curves.end(false);
     }
@@ -459,7 +428,7 @@ void add_curves(const Paths& paths, const Joints& joints, Curves& curves, TraceR
         curves.end(true);
     }
     for (const Path& path : paths.path) {
-        if (path.end == PathEnd::broken || (path.sense > 0.0 && path.met >= 0 && joints.before[path.met] != path.start))
+        if (path.end == PathEnd::broken || (path.sense > 0.0 && path.met >= 0 && paths.before[path.met] != path.start))
             ++report.broken;
     }
 }
@@ -472,65 +441,40 @@ void follow(const base::Runtime& runtime, const Level& level, const SurfaceMesh&
     base::Array<std::int64_t> all(runtime.memory), first(runtime.memory);
     for (std::int64_t r = 0; r < runs.count(); ++r) all.push_back(r);
     follow_from(runtime, level, all, 1.0, paths, report, progress);
-    const Joints forward = join(paths);
+    // The path that comes to the first point of a run leads to it.
+    for (const Path& path : paths.path) {
+        if (path.met < 0) continue;
+        std::int64_t& before = paths.before[path.met];
+        if (before < 0 || path.met_point < paths.path[paths.forward[before]].met_point) before = path.start;
+    }
     for (std::int64_t r = 0; r < runs.count(); ++r)
-        if (forward.is_first(runs, r)) first.push_back(r);
+        if (runs.closed[r] == 0 && paths.before[r] < 0) first.push_back(r);
     follow_from(runtime, level, first, -1.0, paths, report, progress);
-    add_curves(paths, join(paths), curves, report);
+    add_curves(paths, curves, report);
 }
 
 // ---- Loops between vertices
 
-// Calls holds(vertex) for the neighbours of a triangle's corner, until it is false: around the corner over the edges
-// that begin there, and at a border also the other way.
-template <class Holds>
-bool all_neighbours(const SurfaceMesh& mesh, std::int64_t triangle, std::int32_t vertex, Holds&& holds) {
-    for (const std::int64_t over : {0, 2}) {
-        std::int64_t t = triangle;
-        do {
-            const std::int32_t* const v = mesh.corner.data() + 3 * t;
-            const std::int64_t k = std::find(v, v + 3, vertex) - v;
-            HRBFNPR_ASSERT(k < 3);
-            if (!holds(v[(k + 1) % 3]) || !holds(v[(k + 2) % 3])) return false;
-            t = mesh.neighbour[3 * t + (k + over) % 3];
-        } while (t >= 0 && t != triangle);
-        if (t >= 0) break;
-    }
-    return true;
-}
-
-// Whether g has one sign in a triangle, and |g| is low at a corner beside another: lower than the difference. The
-// extremum of a quadratic is nearer than half an edge, and lower by a quarter of that difference. It has no branches
-// because it is called for every triangle.
-bool is_low(double a, double b, double c) noexcept {
-    const double lower = std::min(std::abs(a), std::min(std::abs(b), std::abs(c)));
-    const double upper = std::max(std::abs(a), std::max(std::abs(b), std::abs(c)));
-    const unsigned parted = unsigned(std::min(a, std::min(b, c)) < 0.0) & unsigned(std::max(a, std::max(b, c)) > 0.0);
-    return (unsigned(lower < upper - lower) & ~parted) != 0;
-}
-
-// Vertices where |g| is low, is nowhere less among the neighbours, and g has the sign of all these; ascending.
+// Vertices where |g| is low, is nowhere less among the neighbours, and g has the sign of all these; ascending. It is
+// low where it is lower than the difference to another corner of a triangle: the extremum of a quadratic is nearer than
+// half an edge, and lower by a quarter of that difference.
 base::Array<std::int32_t> find_low(const base::Runtime& runtime, const SurfaceMesh& mesh,
                                    const base::Array<double>& level) {
-    base::Array<std::int32_t> found(runtime.memory, mesh.triangles()); // 1 + such a vertex of each triangle
-    runtime.parallel.for_chunks(mesh.triangles(), 8192, [&](std::int64_t begin, std::int64_t end) {
-        for (std::int64_t t = begin; t < end; ++t) {
-            const std::int32_t* const v = mesh.corner.data() + 3 * t;
-            if (!is_low(level[v[0]], level[v[1]], level[v[2]])) continue;
-            const std::int32_t least = *std::min_element(
-                v, v + 3, [&](std::int32_t a, std::int32_t b) { return std::abs(level[a]) < std::abs(level[b]); });
-            const double here = level[least];
-            const bool is_least = all_neighbours(mesh, t, least, [&](std::int32_t other) {
-                return (level[other] < 0.0) == (here < 0.0) && std::abs(level[other]) >= std::abs(here);
-            });
-            if (is_least) found[t] = 1 + least;
-        }
-    });
+    base::Array<std::uint8_t> low(runtime.memory, mesh.vertices());
+    const auto value = [&](std::int32_t v) { return std::abs(level[v]); };
+    const auto less = [&](std::int32_t a, std::int32_t b) { return value(a) < value(b); };
+    for (std::int64_t t = 0; t < mesh.triangles(); ++t) {
+        const std::int32_t* const v = mesh.corner.data() + 3 * t;
+        const auto [least, most] = std::minmax_element(v, v + 3, less);
+        if (value(*least) < value(*most) - value(*least)) low[*least] = 1;
+    }
+    for (std::int64_t e = 0; e < mesh.corner.size(); ++e)
+        for (const auto& [v, other] :
+             {std::pair(start_of(mesh, e), end_of(mesh, e)), std::pair(end_of(mesh, e), start_of(mesh, e))})
+            if (low[v] != 0 && ((level[other] < 0.0) != (level[v] < 0.0) || !(value(other) >= value(v)))) low[v] = 0;
     base::Array<std::int32_t> all(runtime.memory);
-    for (const std::int32_t v : found)
-        if (v > 0) all.push_back(v - 1);
-    std::sort(all.begin(), all.end());
-    all.resize(std::unique(all.begin(), all.end()) - all.begin());
+    for (std::int32_t v = 0; v < mesh.vertices(); ++v)
+        if (low[v] != 0) all.push_back(v);
     return all;
 }
 

@@ -4,13 +4,12 @@
 
 #include "base/list.h"
 #include "creases/creases.h"
+#include "curves/curves.h"
 #include "curves/mesh_edges.h"
 #include "curves/sheet_count.h"
 #include "curves/surface_end.h"
-#include "curves/surface_lines.h"
 #include "curves/surface_mesh.h"
 #include "features/feature_lines.h"
-#include "features/shape.h"
 #include "surface/trim.h"
 
 #include <array>

@@ -42,7 +42,7 @@ bool on_chord(const glm::dvec2& a, const glm::dvec2& m, const glm::dvec2& b, dou
 void draw_cubic(const curves::View& view, const curves::CubicPiece& cubic, std::int32_t piece, double tolerance,
                 base::Array<ImagePoint>& points) {
     const auto at = [&](double u) {
-        return glm::clamp(see(view, cubic.at(u)).place, -visibility_tuning.farthest, visibility_tuning.farthest);
+        return glm::clamp(view.see(cubic.at(u)).place, -visibility_tuning.farthest, visibility_tuning.farthest);
     };
     const auto split = [&](const auto& self, double u, const glm::dvec2& a, double v, const glm::dvec2& b,
                            int left) -> void {
@@ -79,7 +79,7 @@ void add_curve(const Subject& s, std::int32_t subject, std::int64_t curve, Image
     const curves::Curves& curves = *s.curves;
     const std::int64_t pieces = curves.pieces_of(curve);
     const auto before_eye = [&](std::int64_t point) {
-        const Seen at = see(s.view, curves.point[point].position);
+        const curves::View::Seen at = s.view.see(curves.point[point].position);
         return at.w > 0.0 && std::abs(at.place.x) < visibility_tuning.farthest &&
                std::abs(at.place.y) < visibility_tuning.farthest;
     };
@@ -88,17 +88,9 @@ void add_curve(const Subject& s, std::int32_t subject, std::int64_t curve, Image
         return before_eye(at) && before_eye(curves.next(curve, at));
     };
     if (pieces == 0) return;
-    const bool closed = curves.closed[curve] != 0;
-    std::int64_t begin = 0;
-    while (begin < pieces && seen(begin)) ++begin;
-    if (begin == pieces) return add_line(curves, subject, curve, 0, pieces, closed, lines);
-    if (!closed) begin = 0;
-    std::int64_t from = begin;
-    for (std::int64_t k = begin; k <= begin + pieces; ++k) {
-        if (k < begin + pieces && seen(k)) continue;
-        if (k > from) add_line(curves, subject, curve, from, k, false, lines);
-        from = k + 1;
-    }
+    curves::for_parts(pieces, curves.closed[curve] != 0, seen, [&](std::int64_t begin, std::int64_t end, bool whole) {
+        add_line(curves, subject, curve, begin, end, whole, lines);
+    });
 }
 
 // ---- Crossings
@@ -583,11 +575,6 @@ void find_pierced_by(const PiercingScene& in, base::Array<Pierced>& found, const
 
 } // namespace
 
-Seen see(const curves::View& view, const glm::dvec3& p) noexcept {
-    const glm::dvec4 q = view.to_window * glm::dvec4(p, 1.0);
-    return {{q.x / q.w, q.y / q.w}, q.w};
-}
-
 bool shows_inside(std::span<const Subject> subjects, const Piece& piece) noexcept {
     const Subject& subject = subject_of(subjects, piece);
     if (subject.sheets != 1) return false;
@@ -611,7 +598,7 @@ ImageLines draw_lines(const base::Runtime& runtime, std::span<const Subject> sub
         for (std::int64_t p = line.first_piece; p <= last; ++p)
             draw_cubic(subject.view, cubic(subjects, image.pieces[p]), static_cast<std::int32_t>(p), tolerance,
                        points[l]);
-        points[l].push_back({see(subject.view, subject.curves->point[image.pieces[last].b].position).place,
+        points[l].push_back({subject.view.see(subject.curves->point[image.pieces[last].b].position).place,
                              static_cast<std::int32_t>(last), 1.0});
     });
     std::int64_t count = 0;

@@ -7,7 +7,6 @@
 #include "base/assert.h"
 #include "base/runtime.h"
 #include "curves/curves.h"
-#include "curves/level.h"
 #include "curves/sheet_count.h"
 #include "visibility/tuning.h"
 
@@ -71,13 +70,6 @@ struct ImageLines {
 
 // The polylines are off the curves by `tolerance` pixels, or little more.
 [[nodiscard]] ImageLines draw_lines(const base::Runtime& runtime, std::span<const Subject> subjects, double tolerance);
-
-// Where a place is seen.
-struct Seen {
-    glm::dvec2 place; // pixels
-    double w;         // > 0 before the eye
-};
-[[nodiscard]] Seen see(const curves::View& view, const glm::dvec3& p) noexcept;
 
 [[nodiscard]] inline const Subject& subject_of(std::span<const Subject> subjects, const Piece& piece) noexcept {
     HRBFNPR_ASSERT(piece.subject >= 0 && static_cast<std::size_t>(piece.subject) < subjects.size());

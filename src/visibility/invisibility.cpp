@@ -316,19 +316,13 @@ base::Array<CuspGroup> find_groups(base::Memory& memory, std::span<const Event> 
     base::Array<CuspGroup> groups(memory);
     const std::int64_t count = cusps.size();
     const auto at = [&](std::int64_t i) { return events[cusps[i % count]].at + (i >= count ? whole : 0.0); };
-    std::int64_t first = 0;
-    while (closed && first < count && at(first + count) - at(first + count - 1) <= size) ++first;
-    if (first == count) first = 0;
-    for (std::int64_t i = first; i < first + count;) {
-        std::int64_t end = i + 1;
-        while (end < first + count && at(end) - at(end - 1) <= size) ++end;
-        if (end - i > 1) {
-            const double before = i > 0 ? at(i) - at(i - 1) : closed ? at(i) + whole - at(count - 1) : whole;
-            const double after = end < count || closed ? at(end) - at(end - 1) : whole;
-            groups.push_back({at(i), at(end - 1), before, after, (end - i) % 2 != 0, cusps[(end - 1) % count]});
-        }
-        i = end;
-    }
+    const auto joined = [&](std::int64_t i) { return at(i + 1) - at(i) <= size; };
+    curves::for_joined(count, closed, joined, [&](std::int64_t i, std::int64_t end, bool) {
+        if (end - i < 2) return;
+        const double before = i > 0 ? at(i) - at(i - 1) : closed ? at(i) + whole - at(count - 1) : whole;
+        const double after = end < count || closed ? at(end) - at(end - 1) : whole;
+        groups.push_back({at(i), at(end - 1), before, after, (end - i) % 2 != 0, cusps[(end - 1) % count]});
+    });
     return groups;
 }
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "curves/curve_changes.h"
-#include "curves/level.h"
+#include "curves/curves.h"
 #include "curves/trace.h"
 #include "shapes.h"
 #include "support/runtime.h"

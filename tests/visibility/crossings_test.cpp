@@ -28,7 +28,7 @@ Seen3 seen_at(const Picture& picture, std::int32_t number, double share) {
     const glm::dvec3 p = cubic(picture.subjects, piece).at(share);
     const glm::dvec3 in_world(subject.to_world * glm::dvec4(p, 1.0));
     const glm::dvec4 eye = subject.to_world * subject.view.eye;
-    return {see(subject.view, p).place,
+    return {subject.view.see(p).place,
             eye.w != 0.0 ? glm::distance(in_world, glm::dvec3(eye)) : glm::dot(in_world, glm::dvec3(eye))};
 }
 

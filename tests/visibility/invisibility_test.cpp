@@ -250,7 +250,7 @@ TEST(Invisibility, LinesThatPassBehindTheEye) {
             EXPECT_TRUE(std::isfinite(p.place.x) && std::isfinite(p.place.y));
             const Piece& piece = picture.found->lines.pieces[p.piece];
             const Subject& subject = picture.subjects[static_cast<std::size_t>(piece.subject)];
-            EXPECT_GT(see(subject.view, subject.curves->point[piece.a].position).w, 0.0);
+            EXPECT_GT(subject.view.see(subject.curves->point[piece.a].position).w, 0.0);
         }
         compared += expect_right(picture, 80);
     }

@@ -39,10 +39,6 @@ struct TracedLines {
     base::List<base::Array<float>> numbers; // strengths and factors
 };
 
-// Adds a layer to the drawing for each style of lines. Takes contours of the last frame that are the same.
-[[nodiscard]] TracedLines trace_lines(const base::Runtime& runtime, const Scene& scene, std::span<const Item> items,
-                                      ContourList& last, const base::Progress& progress, drawing::Drawing& drawing);
-
 // Numbers for lines, which a line keeps from one frame to the next: it is known again by where it is on its surface.
 struct LineNumbers {
     explicit LineNumbers(base::Memory& memory) noexcept : number(memory), origin(memory) {}

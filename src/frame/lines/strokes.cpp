@@ -97,7 +97,7 @@ DepthRange depth_range(const LineInput& in) {
             continue;
         const glm::dmat4 to_eye = in.scene.camera.view * subject.to_world;
         for (const curves::CurvePoint& p : subject.curves->point) {
-            const visibility::Seen seen = visibility::see(subject.view, p.position);
+            const curves::View::Seen seen = subject.view.see(p.position);
             const glm::dvec2 at = seen.place - glm::dvec2(window.x, window.y);
             if (!(seen.w > 0.0 && at.x >= 0.0 && at.y >= 0.0 && at.x <= window.z && at.y <= window.w)) continue;
             const double depth = -(to_eye * glm::dvec4(p.position, 1.0)).z;
@@ -165,8 +165,8 @@ base::Array<double> smooth_along(const visibility::Subject& subject, double pixe
         const bool closed = curves.closed[c] != 0;
         const auto number = [&](std::int64_t k) { return first + k % size; };
         for (std::int64_t k = 0; k < size; ++k) {
-            const visibility::Seen a = visibility::see(subject.view, curves.point[number(k + size - 1)].position);
-            const visibility::Seen b = visibility::see(subject.view, curves.point[number(k)].position);
+            const curves::View::Seen a = subject.view.see(curves.point[number(k + size - 1)].position);
+            const curves::View::Seen b = subject.view.see(curves.point[number(k)].position);
             const bool joined = (k > 0 || closed) && a.w > 0.0 && b.w > 0.0;
             kept[number(k)] = joined ? std::exp(-glm::distance(a.place, b.place) / pixels) : 0.0;
         }
@@ -517,8 +517,8 @@ void places_of(const StrokeInput& in, const Part& part, base::Array<Place>& plac
 
 glm::dvec2 seen_at(const StrokeInput& in, const Place& place) {
     const visibility::Piece& piece = in.piece(place.piece);
-    return visibility::see(in.found.subjects[piece.subject].view,
-                           visibility::cubic(in.found.subjects.span(), piece).at(place.share))
+    return in.found.subjects[piece.subject]
+        .view.see(visibility::cubic(in.found.subjects.span(), piece).at(place.share))
         .place;
 }
 
