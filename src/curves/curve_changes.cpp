@@ -189,7 +189,7 @@ Curves with_cusps(const base::Runtime& runtime, const Level& contour, const View
     Curves result(runtime.memory);
     const auto add = [&](const CurvePoint& p, bool cusp) {
         result.point.push_back(p);
-        result.cusp.push_back(cusp ? 1 : 0);
+        result.point.back().is_cusp = cusp ? 1 : 0;
     };
     std::int64_t s = 0;
     for (std::int64_t c = 0; c < curves.count(); ++c) {
@@ -203,7 +203,6 @@ Curves with_cusps(const base::Runtime& runtime, const Level& contour, const View
         }
         result.end(curves.closed[c] != 0);
     }
-    HRBFNPR_ASSERT(result.cusp.size() == result.point.size());
     return result;
 }
 
@@ -260,10 +259,8 @@ Curves finer_curves(const base::Runtime& runtime, const Level& contour, const Vi
     for (std::int64_t c = 0; c < curves.count(); ++c) {
         const Curves& from = changes[c] != 0 ? with : curves;
         const std::int64_t curve = changes[c] != 0 ? number++ : c;
-        for (std::int64_t at = from.first[curve]; at < from.first[curve + 1]; ++at) {
+        for (std::int64_t at = from.first[curve]; at < from.first[curve + 1]; ++at)
             result.point.push_back(from.point[at]);
-            result.cusp.push_back(from.cusp.empty() ? std::uint8_t{0} : from.cusp[at]);
-        }
         result.end(from.closed[curve] != 0);
     }
     return result;

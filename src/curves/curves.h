@@ -113,6 +113,7 @@ struct CurvePoint {
     glm::dvec3 level_gradient{0.0}; // grad g
     double value = 0.0;             // f
     double level = 0.0;             // g
+    std::int64_t is_cusp = 0;       // 1: the line of sight is tangent to the curve here, as with_cusps() finds
 
     // The direction of the curve, with negative g to its left; it is not unit.
     [[nodiscard]] glm::dvec3 direction() const noexcept { return glm::cross(gradient, level_gradient); }
@@ -159,13 +160,7 @@ inline void step_to_surface(CurvePoint& p) noexcept {
 // ---- Curves
 
 // Points stand in the order of CurvePoint::direction().
-struct Curves : Chains<CurvePoint> {
-    explicit Curves(base::Memory& memory) : Chains(memory), cusp(memory) {}
-
-    base::Array<std::uint8_t> cusp; // 1: the line of sight is tangent to the curve at this point; empty: not known
-
-    [[nodiscard]] std::int64_t bytes() const noexcept { return Chains::bytes() + cusp.bytes(); }
-};
+using Curves = Chains<CurvePoint>;
 
 // The cubic between two points of a curve.
 class CubicPiece {

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 // The steps of tracing:
 //
-//   beads_of           the mesh's changes of sign, as places and directions
-//   runs_from          (chain_runs.h) runs of points on curves, from beads or from the curves of the view before
+//   find_beads         (mesh_edges.h) the mesh's changes of sign, as places and directions
+//   runs_from          runs of points on curves, from beads or from the curves of the view before: starts are brought
+//                      onto curves all at once, and gaps between them halved until a cubic links them or they are
+//                      parted
 //   follow             predictor and corrector from the ends of runs until each comes to where a run begins
 //   uncovered          beads that no curve passes by; curves start from these by Newton's steps, else by halving
 //   find_small_loops   curves between the mesh's vertices, around extrema of g

@@ -399,8 +399,7 @@ Events collect_events(base::Memory& memory, std::span<const Subject> subjects, c
         for (std::int64_t k = 0; k < line.pieces; ++k) {
             const auto piece = static_cast<std::int32_t>(line.first_piece + k);
             const std::int64_t a = lines.pieces[piece].a;
-            if (!curves.cusp.empty() && curves.cusp[a] != 0 && (k > 0 || line.closed)) {
-                const curves::CurvePoint& p = curves.point[a];
+            if (const curves::CurvePoint& p = curves.point[a]; p.is_cusp != 0 && (k > 0 || line.closed)) {
                 const bool away = glm::dot(p.direction(), subject.view.sight(p.position)) > 0.0;
                 events.event.push_back({piece, 0.0, away ? 1 : -1, -1, lengths.at(line, piece, 0.0), 0.0F});
                 ++events.cusps;

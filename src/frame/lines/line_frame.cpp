@@ -3,10 +3,10 @@
 // (trace_contours, from the last frame's where the camera moved little), creases that are contours (add_folds) and its
 // border (add_border) become subjects whatever is drawn, as they hide others; then for each style of lines its subjects
 // are found or made (add_style), and get a layer. All of this is seen through a camera that sees no face exactly
-// edge-on (camera_off_planes). Sheets before them counted (find_invisibility, find_hidden_by), lines numbered as in the
-// last frame (number_lines) and strokes made (add_strokes). For its number, points of each line vote for the line of
-// the last frame that has the nearest point of the same direction (count_votes); lines with most points in common are
-// one.
+// edge-on (camera_off_planes). Then sheets before the lines are counted (find_invisibility, find_hidden_by), lines
+// numbered as in the last frame (number_lines) and strokes made (add_strokes). For their numbers, points of each line
+// vote for the line of the last frame that has the nearest point of the same direction (count_votes); lines with most
+// points in common are one.
 #include "frame/lines/line_frame.h"
 
 #include "base/assert.h"
@@ -219,9 +219,7 @@ void add_lines(const base::Runtime& runtime, const Source& source, const curves:
         if (style == nullptr) continue;
         if (style->kind == LineKind::own) subject.clear = line_tuning.clear_of_own;
         subject.joined = style->kind == LineKind::section && source.lines().creases().count() > 0;
-        const curves::Thresholds by = curves::thresholds_of(style->kind, {style->lower, style->upper});
-        out.styles.push_back(
-            {style, number, layer, parts.strength.data(), static_cast<float>(by.lower), static_cast<float>(by.upper)});
+        out.styles.push_back({style, number, layer, parts.strength.data()});
     }
 }
 
@@ -241,10 +239,6 @@ void add_bent(const base::Runtime& runtime, const Source& source, const LineStyl
     HRBFNPR_ASSERT(source.creases != nullptr);
     const curves::CreaseParts& parts = *source.creases;
     const curves::Thresholds by = curves::thresholds_of(style.kind, {style.lower, style.upper});
-    const auto add = [&](std::int32_t subject, const base::Array<float>& strength, bool cut) {
-        out.styles.push_back({&style, subject, layer, strength.data(), static_cast<float>(by.lower),
-                              static_cast<float>(by.upper), 0.0F, cut});
-    };
     for (const bool outside : {true, false}) {
         if (!outside && style.hidden == HiddenParts::none && !source.is_open()) continue;
         const curves::SurfaceLines& lines = *out.lines.add(std::make_unique<curves::SurfaceLines>(
@@ -255,7 +249,8 @@ void add_bent(const base::Runtime& runtime, const Source& source, const LineStyl
         subject.sheets = 0;
         subject.joined = true;
         subject.clear = visibility::visibility_tuning.clear_of_creases;
-        add(static_cast<std::int32_t>(out.subjects.size() - 1), lines.strength, false);
+        out.styles.push_back(
+            {&style, static_cast<std::int32_t>(out.subjects.size() - 1), layer, lines.strength.data()});
     }
     const std::span<const LineStyle> all = source.item.style.lines;
     const bool outlined =
@@ -263,7 +258,8 @@ void add_bent(const base::Runtime& runtime, const Source& source, const LineStyl
     if (outlined || source.folds < 0) return;
     base::Array<float>& strength = out.numbers.add(runtime.memory);
     for (const float angle : parts.folds.strength) strength.push_back(curves::angle_on(style.creases, angle));
-    add(source.folds, strength, true);
+    out.styles.push_back({&style, source.folds, layer, strength.data()});
+    out.styles.back().cut = true;
 }
 
 // Adds feature lines by interpolation on the mesh, which is enough to draw. towards: the eye, or the light of
@@ -356,7 +352,13 @@ TracedLines trace_lines(const base::Runtime& runtime, const Scene& scene, std::s
             add_style(runtime, scene, source, style, static_cast<std::uint32_t>(drawing.layers.size()), progress, out);
             drawing.layers.push_back(layer);
         }
-        for (std::int64_t i = first; i < out.styles.size(); ++i) out.styles[i].halo = source.item.style.halo_width;
+        for (std::int64_t i = first; i < out.styles.size(); ++i) {
+            DrawnAs& as = out.styles[i];
+            const curves::Thresholds by = curves::thresholds_of(as.style->kind, {as.style->lower, as.style->upper});
+            as.lower = static_cast<float>(by.lower);
+            as.upper = static_cast<float>(by.upper);
+            as.halo = source.item.style.halo_width;
+        }
     }
     return out;
 }

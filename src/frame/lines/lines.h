@@ -50,7 +50,7 @@ struct LineNumbers {
 struct LineInput {
     const base::Runtime& runtime;
     const Scene& scene;
-    const TracedLines& traced;
+    TracedLines& traced; // its styles get the factors of their widths
     const visibility::Invisibility& found;
     const visibility::Lengths& lengths;
     const LineNumbers& numbers;

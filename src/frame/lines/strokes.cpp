@@ -204,43 +204,32 @@ void add_curvature(const LineInput& in, const DrawnAs& as, base::Array<float>& f
             static_cast<float>(by(as.style->curvature_factor, 1.0 - std::min(1.0, 1.0 / (bent * curvature[i]))));
 }
 
-// The styles with the factors at the points of their subjects, and the outline.
-struct Widths {
-    explicit Widths(base::Memory& memory) noexcept : styles(memory), factors(memory), outline(memory) {}
-
-    base::Array<DrawnAs> styles;
-    base::List<base::Array<float>> factors; // of each style whose width varies by point
-    visibility::Outline outline;
-};
-
-Widths find_widths(const LineInput& in, const drawing::Drawing& drawing, const base::Progress& progress) {
-    Widths widths(in.runtime.memory);
-    DepthRange depths;
-    const base::Array<DrawnAs>& styles = in.traced.styles;
+// Sets the factors of styles at the points of their subjects. Returns the outline, where styles ask for it.
+visibility::Outline find_widths(const LineInput& in, const drawing::Drawing& drawing, const base::Progress& progress) {
+    base::Array<DrawnAs>& styles = in.traced.styles;
     const auto is_by_depth = [](const DrawnAs& as) { return as.style->far_factor != 1.0F; };
-    if (std::any_of(styles.begin(), styles.end(), is_by_depth)) depths = depth_range(in);
+    const bool by_depth = std::any_of(styles.begin(), styles.end(), is_by_depth);
+    const DepthRange depths = by_depth ? depth_range(in) : DepthRange();
     base::Array<std::uint8_t> wanted(in.runtime.memory, in.found.subjects.size());
-    for (DrawnAs as : styles) {
+    for (DrawnAs& as : styles) {
         HRBFNPR_ASSERT(as.subject >= 0 && as.subject < wanted.size());
         if (changes_along(as)) wanted[as.subject] = 1;
-        if (has_point_law(*as.style)) {
-            const Light& light = in.scene.items[drawing.layers[as.layer].item].light;
-            base::Array<float>& factors =
-                widths.factors.add(point_factors(in, light, as, in.found.subjects[as.subject], depths));
-            if (as.style->curvature_factor != 1.0F) add_curvature(in, as, factors, progress);
-            as.factor = factors.data();
-        }
-        widths.styles.push_back(as);
+        if (!has_point_law(*as.style)) continue;
+        const Light& light = in.scene.items[drawing.layers[as.layer].item].light;
+        base::Array<float>& factors =
+            in.traced.numbers.add(point_factors(in, light, as, in.found.subjects[as.subject], depths));
+        if (as.style->curvature_factor != 1.0F) add_curvature(in, as, factors, progress);
+        as.factor = factors.data();
     }
-    if (std::any_of(wanted.begin(), wanted.end(), [](std::uint8_t w) { return w != 0; }))
-        widths.outline = visibility::find_outline(in.runtime, in.found.subjects.span(), in.traced.occluders.span(),
-                                                  in.found, in.lengths, wanted.span(), progress.standing());
-    return widths;
+    if (std::none_of(wanted.begin(), wanted.end(), [](std::uint8_t w) { return w != 0; }))
+        return visibility::Outline(in.runtime.memory);
+    return visibility::find_outline(in.runtime, in.found.subjects.span(), in.traced.occluders.span(), in.found,
+                                    in.lengths, wanted.span(), progress.standing());
 }
 
 // All steps of strokes read these.
 struct StrokeInput : LineInput {
-    const Widths& widths;
+    const visibility::Outline& outline;
 
     // The length of a closed line, pixels; 0 for an open one.
     [[nodiscard]] double round(std::int32_t l) const noexcept { return line(l).closed ? whole(l) : 0.0; }
@@ -251,12 +240,12 @@ struct StrokeInput : LineInput {
     }
 };
 
-std::span<const visibility::OutlinePart> outline_of(const Widths& widths, std::int32_t line) noexcept {
+std::span<const visibility::OutlinePart> outline_of(const visibility::Outline& outline, std::int32_t line) noexcept {
     const auto before = [](const visibility::OutlinePart& a, const visibility::OutlinePart& b) {
         return a.line < b.line;
     };
-    const auto [first, end] = std::equal_range(widths.outline.parts.begin(), widths.outline.parts.end(),
-                                               visibility::OutlinePart{line, 0.0, 0.0}, before);
+    const auto [first, end] =
+        std::equal_range(outline.parts.begin(), outline.parts.end(), visibility::OutlinePart{line, 0.0, 0.0}, before);
     return {first, end};
 }
 
@@ -268,7 +257,7 @@ double step_of(const DrawnAs& as) noexcept {
 // A factor of the width at a place along a line, besides that of the points around it.
 double along(const StrokeInput& in, const DrawnAs& as, std::int32_t line, double at) noexcept {
     if (!changes_along(as)) return 1.0;
-    const std::span<const visibility::OutlinePart> parts = outline_of(in.widths, line);
+    const std::span<const visibility::OutlinePart> parts = outline_of(in.outline, line);
     double nearest = std::numeric_limits<double>::infinity();
     for (const double here : {at, at - in.round(line), at + in.round(line)}) {
         const auto begins = [](double place, const visibility::OutlinePart& part) { return place < part.begin_at; };
@@ -285,7 +274,7 @@ double along(const StrokeInput& in, const DrawnAs& as, std::int32_t line, double
 bool changes(const StrokeInput& in, const DrawnAs& as, std::int32_t line, double from, double to) noexcept {
     HRBFNPR_ASSERT(!(from > to));
     if (!changes_along(as)) return false;
-    for (const visibility::OutlinePart& part : outline_of(in.widths, line))
+    for (const visibility::OutlinePart& part : outline_of(in.outline, line))
         for (const double turn : {-in.round(line), 0.0, in.round(line)}) {
             const double begin = part.begin_at + turn;
             const double end = part.end_at + turn;
@@ -779,7 +768,7 @@ double gap_at(const StrokeInput& in, const DrawnAs& as, std::int32_t line, const
         const visibility::Piece& piece = in.piece(c->near_piece);
         const Place near{in.lengths.at(in.line(piece.line), c->near_piece, c->near_share), c->near_piece,
                          c->near_share};
-        for (const DrawnAs& other : in.widths.styles)
+        for (const DrawnAs& other : in.traced.styles)
             if (other.subject == piece.subject) near_width = std::max(near_width, width_at(other, piece.line, near));
     }
     return static_cast<double>(as.halo + 0.5F * (width_at(as, line, end) + near_width)) * share;
@@ -821,10 +810,10 @@ void add_strokes(const LineInput& input, const drawing::Drawing& drawing, const 
     base::Memory& memory = input.runtime.memory;
     double widest = 0.0;
     for (const DrawnAs& as : input.traced.styles) widest = std::max(widest, static_cast<double>(as.style->width));
-    const Widths widths = find_widths(input, drawing, progress);
+    const visibility::Outline outline = find_widths(input, drawing, progress);
     const base::Array<std::uint8_t> hugs = find_hugging(memory, input, widest);
     const base::Array<std::uint8_t> goes_on = find_joined(memory, input, hugs, widest);
-    const StrokeInput in{input, widths};
+    const StrokeInput in{input, outline};
     const base::Array<visibility::Interval>& intervals = in.found.intervals;
     base::Array<Part> parts(memory);
     base::Array<Place> places(memory);
@@ -833,7 +822,7 @@ void add_strokes(const LineInput& input, const drawing::Drawing& drawing, const 
         std::int64_t end = first;
         while (end < intervals.size() && intervals[end].line == intervals[first].line) ++end;
         parts_of(in, first, end, hugs, goes_on, parts);
-        for (const DrawnAs& as : widths.styles) {
+        for (const DrawnAs& as : in.traced.styles) {
             if (as.subject != in.line(intervals[first].line).subject) continue;
             for (const Part& part : parts) {
                 Path path{as, part, std::move(places), std::move(knots)};
