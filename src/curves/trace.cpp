@@ -467,13 +467,19 @@ base::Array<std::int32_t> find_low(const base::Runtime& runtime, const SurfaceMe
     const auto less = [&](std::int32_t a, std::int32_t b) { return value(a) < value(b); };
     for (std::int64_t t = 0; t < mesh.triangles(); ++t) {
         const std::int32_t* const v = mesh.corner.data() + 3 * t;
-        const auto [least, most] = std::minmax_element(v, v + 3, less);
-        if (value(*least) < value(*most) - value(*least)) low[*least] = 1;
+        const double least = std::min(value(v[0]), std::min(value(v[1]), value(v[2])));
+        const double most = std::max(value(v[0]), std::max(value(v[1]), value(v[2])));
+        if (least < most - least) low[*std::min_element(v, v + 3, less)] = 1;
     }
-    for (std::int64_t e = 0; e < mesh.corner.size(); ++e)
-        for (const auto& [v, other] :
-             {std::pair(start_of(mesh, e), end_of(mesh, e)), std::pair(end_of(mesh, e), start_of(mesh, e))})
-            if (low[v] != 0 && ((level[other] < 0.0) != (level[v] < 0.0) || !(value(other) >= value(v)))) low[v] = 0;
+    for (std::int64_t t = 0; t < mesh.triangles(); ++t) {
+        const std::int32_t* const v = mesh.corner.data() + 3 * t;
+        if ((low[v[0]] | low[v[1]] | low[v[2]]) == 0) continue;
+        for (std::int64_t k = 0; k < 9; ++k) { // each corner beside each
+            const std::int32_t here = v[k / 3];
+            const std::int32_t other = v[k % 3];
+            if ((level[other] < 0.0) != (level[here] < 0.0) || !(value(other) >= value(here))) low[here] = 0;
+        }
+    }
     base::Array<std::int32_t> all(runtime.memory);
     for (std::int32_t v = 0; v < mesh.vertices(); ++v)
         if (low[v] != 0) all.push_back(v);
