@@ -244,8 +244,8 @@ struct Paths {
     Paths(const SurfaceMesh& meshed, const Curves& known, const TraceSettings& by)
         : mesh(meshed), runs(known), settings(by), path(runs.point.memory()), passed(runs.point.memory()),
           forward(runs.point.memory(), runs.count()), backward(runs.point.memory(), runs.count()),
-          before(runs.point.memory(), runs.count()), run_of(curve_of_points(runs)),
-          grid(positions_of(runs.point), 0.75 * settings.longest * mesh.side) {
+          before(runs.point.memory(), runs.count()), passed_by(runs.point.memory(), runs.count()),
+          run_of(curve_of_points(runs)), grid(positions_of(runs.point), 0.75 * settings.longest * mesh.side) {
         for (base::Array<std::int64_t>* const all : {&forward, &backward, &before})
             std::fill(all->begin(), all->end(), -1);
     }
@@ -257,8 +257,9 @@ struct Paths {
     base::Array<Passed> passed;
     // Each run's two paths, and the run whose path leads to it; -1: none.
     base::Array<std::int64_t> forward, backward, before;
-    base::Array<std::int32_t> run_of; // the run of each point of the runs
-    geometry::PointGrid grid;         // the points of the runs by their positions
+    base::Array<std::uint8_t> passed_by; // 1: another path goes past this run, which then is left out
+    base::Array<std::int32_t> run_of;    // the run of each point of the runs
+    geometry::PointGrid grid;            // the points of the runs by their positions
 };
 
 // The most that a path may turn in a step of a length in sides.
@@ -394,6 +395,11 @@ void follow_from(const base::Runtime& runtime, const Level& level, const base::A
     }
 }
 
+// Whether no path leads to the run.
+bool is_first(const Paths& paths, std::int64_t r) noexcept {
+    return paths.runs.closed[r] == 0 && paths.before[r] < 0 && paths.passed_by[r] == 0;
+}
+
 // Adds the curves that the runs and the paths between them make.
 void add_curves(const Paths& paths, Curves& curves, TraceReport& report) {
     const Curves& runs = paths.runs;
@@ -419,17 +425,18 @@ void add_curves(const Paths& paths, Curves& curves, TraceReport& report) {
         }
     };
     for (std::int64_t r = 0; r < runs.count(); ++r) {
-        if (runs.closed[r] != 0 || paths.before[r] >= 0) continue;
+        if (!is_first(paths, r)) continue;
         add_path(paths.backward[r], true);
         add_from(r);
         curves.end(false);
     }
     for (std::int64_t r = 0; r < runs.count(); ++r) {
-        if (done[r] != 0) continue;
+        if (done[r] != 0 || paths.passed_by[r] != 0) continue;
         add_from(r);
         curves.end(true);
     }
     for (const Path& path : paths.path) {
+        if (paths.passed_by[path.start] != 0) continue;
         if (path.end == PathEnd::broken || (path.sense > 0.0 && path.met >= 0 && paths.before[path.met] != path.start))
             ++report.broken;
     }
@@ -449,8 +456,17 @@ void follow(const base::Runtime& runtime, const Level& level, const SurfaceMesh&
         std::int64_t& before = paths.before[path.met];
         if (before < 0 || path.met_point < paths.path[paths.forward[before]].met_point) before = path.start;
     }
+    // Where two paths come to one run, and none to the run of one of them, the other has passed that by at a kink:
+    // there is nothing left for it to do. Changes of sign that no curve passes by tell of curves that are lost so.
+    for (std::int64_t r = 0; r < runs.count(); ++r) {
+        const std::int64_t met = runs.closed[r] != 0 ? -1 : paths.path[paths.forward[r]].met;
+        if (met < 0 || paths.before[met] == r) continue;
+        std::int64_t late = r;
+        if (paths.before[r] >= 0 && paths.before[paths.before[met]] < 0) late = std::exchange(paths.before[met], r);
+        if (paths.before[late] < 0) paths.passed_by[late] = 1;
+    }
     for (std::int64_t r = 0; r < runs.count(); ++r)
-        if (runs.closed[r] == 0 && paths.before[r] < 0) first.push_back(r);
+        if (is_first(paths, r)) first.push_back(r);
     follow_from(runtime, level, first, -1.0, paths, report, progress);
     add_curves(paths, curves, report);
 }
