@@ -1,4 +1,14 @@
 // SPDX-License-Identifier: MIT
+// split_at_creases, the mesh:
+// 1. find_sheets: the sheet that each vertex is on.
+// 2. settle_alone, settle_equal: vertices between sheets that are hardly apart belong to the first of them.
+// 3. find_edges: where on edges between two sheets these meet. find_corners: the same in triangles of three sheets.
+// 4. halve_unclear: edges where another sheet lies between are halved, and steps 2 to 4 are done again.
+// 5. place_rest: nodes without a place get one beside the surface.
+// 6. find_chains: creases as chains of nodes.
+// 7. build: triangles cut at the nodes.
+// Afterwards sheet_parts takes the mesh apart into one for each sheet.
+//
 // trace_creases, once for a model:
 // 1. add_chain: nodes of the mesh as points, without those that crowd; chains are cut where sheets do not meet.
 // 2. measure: the normals of both sheets at each point.
@@ -8,24 +18,429 @@
 #include "creases/creases.h"
 
 #include "creases/tuning.h"
-#include "curves/illinois.h"
+#include "curves/mesh_edges.h"
+#include "curves/tuning.h"
+#include "geometry/point_grid.h"
 #include "geometry/segment.h"
 #include "surface/sheets_meet.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <utility>
 
 namespace hrbfnpr::curves {
 namespace {
 
+// ---- The mesh
+
+constexpr std::int64_t nodes_a_task = 32;
+constexpr double meeting_tolerance = 1e-9; // how exactly places where sheets meet are found, in sides
+
+// An edge whose ends belong to different sheets.
+struct EdgeNode {
+    std::int64_t edge;                 // the first of its two
+    std::array<std::int32_t, 2> ends;  // its start and end
+    std::array<std::int32_t, 2> sheet; // the sheets of both ends
+    CreaseNode at;
+    std::array<glm::dvec3, 2> gradient; // the gradients of both sheets at `at`
+    std::array<bool, 2> equal;          // the start may belong to the end's sheet, the end to the start's
+    bool alike;                         // each end nearly belongs to the other's sheet
+    bool meet;                          // the sheets meet somewhere beside the edge, on the surface or off it
+    bool near;                          // the sheets meet a little off the surface, at an angle
+};
+
+// A triangle whose corners belong to three sheets.
+struct CornerNode {
+    std::int64_t triangle;
+    CreaseNode at;
+    std::array<glm::dvec3, 3> gradient; // the gradients of its corners' sheets at `at`
+};
+
+// A mesh with the sheets of its vertices, and with nodes where it crosses creases.
+struct SheetMesh {
+    SheetMesh(base::Memory& memory, const implicit::Implicit& of, SurfaceMesh given)
+        : implicit(of), sheets(*of.sheets()), mesh(std::move(given)), sheet(memory), node(memory), edges(memory),
+          corners(memory) {}
+
+    const implicit::Implicit& implicit;
+    const implicit::Sheets& sheets;
+    SurfaceMesh mesh;
+    base::Array<std::int32_t> sheet; // the sheet of each vertex
+    // The place of each edge in `edges`, the same from both of its sides; -1: the edge crosses no crease.
+    base::Array<std::int32_t> node;
+    base::Array<EdgeNode> edges;
+    base::Array<CornerNode> corners; // by triangle
+
+    [[nodiscard]] std::int32_t sheet_at(std::int64_t edge) const noexcept { return sheet[start_of(mesh, edge)]; }
+    [[nodiscard]] int sheets_of(std::int64_t triangle) const noexcept {
+        const std::int32_t a = sheet_at(3 * triangle);
+        const std::int32_t b = sheet_at(3 * triangle + 1);
+        const std::int32_t c = sheet_at(3 * triangle + 2);
+        return a == b && b == c ? 1 : a != b && b != c && a != c ? 3 : 2;
+    }
+    // The corner in a triangle; null: it has none.
+    [[nodiscard]] const CornerNode* corner_of(std::int64_t triangle) const noexcept {
+        const CornerNode* const at =
+            std::lower_bound(corners.begin(), corners.end(), triangle,
+                             [](const CornerNode& one, std::int64_t wanted) { return one.triangle < wanted; });
+        return at != corners.end() && at->triangle == triangle ? at : nullptr;
+    }
+    [[nodiscard]] double length_of(std::int64_t edge) const noexcept {
+        return glm::distance(mesh.position[start_of(mesh, edge)], mesh.position[end_of(mesh, edge)]);
+    }
+    [[nodiscard]] surface::SheetValue value(const glm::dvec3& place) const {
+        surface::SheetValue f;
+        implicit.evaluate({&place.x, &place.y, &place.z, 1},
+                          {&f.value, {&f.gradient.x, &f.gradient.y, &f.gradient.z}, {}});
+        return f;
+    }
+    // The distance from the whole surface, in sides.
+    [[nodiscard]] double off_surface(const glm::dvec3& place) const {
+        const surface::SheetValue f = value(place);
+        return std::abs(f.value) / (mesh.side * glm::length(f.gradient));
+    }
+    [[nodiscard]] surface::MeetingPlace meeting(std::span<const std::int32_t> vertices, const glm::dvec3& from,
+                                                double reach) const {
+        surface::Meeting all;
+        for (const std::int32_t vertex : vertices) all.add(sheet[vertex]);
+        return surface::find_meeting(sheets, all, from, meeting_tolerance * mesh.side,
+                                     crease_tuning.farthest_meeting * reach);
+    }
+};
+
+void find_sheets(const base::Runtime& runtime, SheetMesh& at, const base::Progress& progress) {
+    const std::int64_t from = at.sheet.size();
+    const geometry::VecArray& p = at.mesh.position;
+    at.sheet.resize(p.size());
+    at.implicit.threads(runtime.parallel)
+        .for_chunks(p.size() - from, implicit::batch_size, [&](std::int64_t begin, std::int64_t end) {
+            progress.check();
+            const std::int64_t i = from + begin;
+            at.sheets.active({p.x.data() + i, p.y.data() + i, p.z.data() + i, end - begin}, at.sheet.data() + i);
+        });
+}
+
+// Between two sheets that are hardly apart the mesh has a vertex in them by chance only. A vertex of whose sheet no
+// vertex beside it is, and whose neighbours' sheets are alike there, is one more of the first of these, and moves onto
+// it.
+void settle_alone(const base::Runtime& runtime, SheetMesh& at, const base::Progress& progress) {
+    constexpr std::int32_t none = std::numeric_limits<std::int32_t>::max();
+    constexpr std::int32_t not_alone = -1;
+    SurfaceMesh& mesh = at.mesh;
+    base::Array<std::int32_t> first(runtime.memory, mesh.vertices()); // the first sheet beside each vertex
+    std::fill(first.begin(), first.end(), none);
+    const auto for_neighbours = [&](const auto& visit) {
+        for (std::int64_t e = 0; e < mesh.corner.size(); ++e) {
+            if (e % 16384 == 0) progress.check();
+            visit(start_of(mesh, e), end_of(mesh, e));
+            visit(end_of(mesh, e), start_of(mesh, e));
+        }
+    };
+    for_neighbours([&](std::int32_t vertex, std::int32_t other) {
+        first[vertex] = at.sheet[vertex] == at.sheet[other] ? not_alone : std::min(first[vertex], at.sheet[other]);
+    });
+    for_neighbours([&](std::int32_t vertex, std::int32_t other) {
+        if (first[vertex] == not_alone) return;
+        const surface::SheetValue a = surface::sheet_at(at.sheets, first[vertex], mesh.position[vertex]);
+        const surface::SheetValue b = surface::sheet_at(at.sheets, at.sheet[other], mesh.position[vertex]);
+        const double slope = glm::length(b.gradient);
+        if (!(std::abs(b.value) <= crease_tuning.alike * mesh.side * slope &&
+              glm::distance(a.gradient / glm::length(a.gradient), b.gradient / slope) <= crease_tuning.alike))
+            first[vertex] = not_alone;
+    });
+    for (std::int32_t vertex = 0; vertex < mesh.vertices(); ++vertex) {
+        if (first[vertex] == not_alone || first[vertex] == none) continue;
+        const surface::SheetValue to = surface::sheet_at(at.sheets, first[vertex], mesh.position[vertex]);
+        mesh.position.set(vertex, mesh.position[vertex] - to.value / glm::dot(to.gradient, to.gradient) * to.gradient);
+        mesh.gradient.set(vertex, to.gradient);
+        at.sheet[vertex] = first[vertex];
+    }
+}
+
+// Whether f is the larger or the lesser of both sheets around the place. Beyond a corner it may be 0 where both are,
+// and one of them: where they differ most it then has opposite signs to either side, and the edge passes a third sheet.
+// far: where f is looked at, to either side.
+bool folds(const SheetMesh& in, const EdgeNode& node, double far) {
+    const glm::dvec3 across = glm::normalize(node.gradient[0]) - glm::normalize(node.gradient[1]);
+    // The sine of half the angle: at a distance aside f is that share of the distance.
+    const double sine = 0.5 * glm::length(across);
+    if (!(sine > crease_tuning.least_sine)) return true;
+    const glm::dvec3 way = far / (2.0 * sine) * across;
+    const auto off = [&](const glm::dvec3& place) {
+        const surface::SheetValue f = in.value(place);
+        return f.value / glm::length(f.gradient);
+    };
+    const double a = off(node.at.position + way);
+    const double b = off(node.at.position - way);
+    return !(a * b < 0.0 && std::min(std::abs(a), std::abs(b)) > 0.5 * sine * far);
+}
+
+// Looks for the meeting from where the difference of both sheets is 0 as it is linear along the edge.
+void look_at(const SheetMesh& in, EdgeNode& node) {
+    const std::array<glm::dvec3, 2> place{in.mesh.position[node.ends[0]], in.mesh.position[node.ends[1]]};
+    std::array<double, 2> off{}; // the signed distance of each end from the other end's sheet
+    node.alike = true;
+    for (std::size_t k = 0; k < 2; ++k) {
+        const surface::SheetValue other = surface::sheet_at(in.sheets, node.sheet[1 - k], place[k]);
+        const double slope = glm::length(other.gradient);
+        off[k] = other.value / slope;
+        const double apart =
+            std::max(std::abs(off[k]) / in.mesh.side,
+                     glm::distance(glm::normalize(in.mesh.gradient[node.ends[k]]), other.gradient / slope));
+        node.equal[k] = apart <= crease_tuning.equal;
+        node.alike = node.alike && apart <= crease_tuning.alike;
+    }
+    double share = off[0] / (off[0] + off[1]);
+    if (!(share > 0.0 && share < 1.0)) share = 0.5;
+    const glm::dvec3 from = glm::mix(place[0], place[1], share);
+    const surface::MeetingPlace found =
+        in.meeting(node.ends, from, std::min(in.mesh.side, 2.0 * glm::distance(place[0], place[1])));
+    node.at.position = found.found ? found.position : from;
+    node.meet = found.found;
+    node.gradient = {found.gradient[0], found.gradient[1]};
+    const double away = found.found ? in.off_surface(found.position) : crease_tuning.beside_surface;
+    node.at.exact = away <= crease_tuning.on_surface && folds(in, node, crease_tuning.on_surface * in.mesh.side);
+    const double sine = 0.5 * glm::distance(glm::normalize(node.gradient[0]), glm::normalize(node.gradient[1]));
+    // A fold beside the surface is looked at from a distance at which it makes no difference where it is.
+    node.near = !node.at.exact && away < crease_tuning.beside_surface && sine > crease_tuning.sharp_sine &&
+                folds(in, node, 2.0 * crease_tuning.beside_surface / sine * in.mesh.side);
+}
+
+// Nodes of edges that had the same ends and sheets before are kept.
+void find_edges(const base::Runtime& runtime, SheetMesh& in, const base::Progress& progress) {
+    const auto by_ends = [](const EdgeNode& a, const EdgeNode& b) { return a.ends < b.ends; };
+    base::Array<EdgeNode> before(runtime.memory);
+    std::swap(in.edges, before);
+    std::sort(before.begin(), before.end(), by_ends);
+    base::Array<std::int32_t> fresh(runtime.memory);
+    in.node.resize(in.mesh.corner.size());
+    for (std::int64_t e = 0; e < in.mesh.corner.size(); ++e) {
+        in.node[e] = -1;
+        EdgeNode edge{};
+        edge.ends = {start_of(in.mesh, e), end_of(in.mesh, e)};
+        edge.sheet = {in.sheet[edge.ends[0]], in.sheet[edge.ends[1]]};
+        if (!is_first(in.mesh, e) || edge.sheet[0] == edge.sheet[1]) continue;
+        in.node[e] = static_cast<std::int32_t>(in.edges.size());
+        const EdgeNode* const known = std::lower_bound(before.begin(), before.end(), edge, by_ends);
+        if (known != before.end() && known->ends == edge.ends && known->sheet == edge.sheet)
+            edge = *known;
+        else
+            fresh.push_back(in.node[e]);
+        edge.edge = e;
+        in.edges.push_back(edge);
+    }
+    for (std::int64_t i = 0; i < in.edges.size(); ++i)
+        if (const std::int64_t other = opposite_of(in.mesh, in.edges[i].edge); other >= 0)
+            in.node[other] = static_cast<std::int32_t>(i);
+    in.implicit.threads(runtime.parallel)
+        .for_chunks(fresh.size(), nodes_a_task, [&](std::int64_t begin, std::int64_t end) {
+            progress.check();
+            for (std::int64_t i = begin; i < end; ++i) look_at(in, in.edges[fresh[i]]);
+        });
+}
+
+// Where sheets lie upon each other any is active: the first of them gets all. Returns whether anything changed.
+bool settle_equal(SheetMesh& in) {
+    bool changed = false;
+    for (const EdgeNode& node : in.edges) {
+        std::int32_t& start = in.sheet[node.ends[0]];
+        std::int32_t& end = in.sheet[node.ends[1]];
+        if (end < start && node.equal[0])
+            start = end;
+        else if (start < end && node.equal[1])
+            end = start;
+        else
+            continue;
+        changed = true;
+    }
+    return changed;
+}
+
+void find_corners(const base::Runtime& runtime, SheetMesh& in, const base::Progress& progress) {
+    in.corners.clear();
+    for (std::int64_t t = 0; t < in.mesh.triangles(); ++t)
+        if (in.sheets_of(t) == 3) in.corners.push_back({t, {}, {}});
+    in.implicit.threads(runtime.parallel)
+        .for_chunks(in.corners.size(), nodes_a_task, [&](std::int64_t begin, std::int64_t end) {
+            progress.check();
+            for (std::int64_t i = begin; i < end; ++i) {
+                CornerNode& node = in.corners[i];
+                glm::dvec3 middle(0.0);
+                for (std::int64_t e = 3 * node.triangle; e < 3 * node.triangle + 3; ++e)
+                    middle += in.edges[in.node[e]].at.position / 3.0;
+                const surface::MeetingPlace found =
+                    in.meeting({in.mesh.corner.data() + 3 * node.triangle, 3}, middle, in.mesh.side);
+                node.at.position = found.found ? found.position : middle;
+                node.gradient = found.gradient;
+                node.at.exact = found.found && in.off_surface(found.position) <= crease_tuning.on_surface;
+            }
+        });
+}
+
+// Halves edges whose sheets meet beside them, but not on the surface, since another sheet lies between, and the longest
+// of triangles that have no corner where theirs do. Returns whether there were any.
+bool halve_unclear(const base::Runtime& runtime, SheetMesh& in, const base::Progress& progress) {
+    base::Array<std::uint8_t> chosen(runtime.memory, in.mesh.corner.size());
+    base::Array<std::int64_t> edges(runtime.memory);
+    const auto add = [&](std::int64_t e) {
+        e = in.edges[in.node[e]].edge;
+        if (chosen[e] != 0 || in.length_of(e) < crease_tuning.shortest_edge * in.mesh.side) return;
+        chosen[e] = 1;
+        edges.push_back(e);
+    };
+    for (const EdgeNode& node : in.edges)
+        if (!node.at.exact && !node.alike && node.meet) add(node.edge);
+    for (const CornerNode& node : in.corners) {
+        if (node.at.exact) continue;
+        std::int64_t longest = 3 * node.triangle;
+        for (std::int64_t e = longest; e < 3 * node.triangle + 3; ++e)
+            if (in.length_of(e) > in.length_of(longest)) longest = e;
+        add(longest);
+    }
+    if (!halve_edges(runtime, in.implicit, edges, 0.5, false, in.mesh, progress)) return false;
+    find_sheets(runtime, in, progress);
+    return true;
+}
+
+// Nodes without a place lie where they were looked for, with the gradients of their sheets there. Beside a seam f is a
+// mean of both parts, and a little off either one: the crease of one part with another sheet is near enough there.
+// Two sheets of a corner may be parts of one patch, nearly one beside their seam, and meet nowhere there. A
+// crease comes to such a seam on one of them and goes on along the other: it does both where the third and one of these
+// meet.
+void place_rest(SheetMesh& in) {
+    for (EdgeNode& node : in.edges) {
+        if (node.at.exact) continue;
+        node.at.exact = node.near;
+        for (std::size_t k = 0; k < 2 && !node.near; ++k)
+            node.gradient[k] = surface::sheet_at(in.sheets, node.sheet[k], node.at.position).gradient;
+    }
+    for (CornerNode& node : in.corners) {
+        if (node.at.exact) continue;
+        for (std::int64_t e = 3 * node.triangle; e < 3 * node.triangle + 3 && !node.at.exact; ++e) {
+            const EdgeNode& beside = in.edges[in.node[e]];
+            if (!beside.at.exact) continue;
+            const surface::MeetingPlace found = in.meeting(beside.ends, node.at.position, in.mesh.side);
+            node.at.exact = found.found && in.off_surface(found.position) < crease_tuning.beside_surface;
+            if (node.at.exact) node.at.position = found.position;
+        }
+        for (std::size_t k = 0; k < 3; ++k)
+            node.gradient[k] =
+                surface::sheet_at(in.sheets, in.sheet_at(3 * node.triangle + static_cast<std::int64_t>(k)),
+                                  node.at.position)
+                    .gradient;
+    }
+}
+
+// Chains begin at corners and at the border; the others are closed.
+void find_chains(const SheetMesh& in, CreaseChains& chains) {
+    const SurfaceMesh& mesh = in.mesh;
+    base::Array<std::uint8_t> taken(chains.first.memory(), mesh.corner.size()); // edges that chains have passed
+    const auto put = [&](std::int64_t edge) { chains.point.push_back(in.edges[in.node[edge]].at); };
+    const auto end = [&](std::int32_t left, std::int32_t right, bool closed) {
+        chains.end(closed);
+        chains.left.push_back(left);
+        chains.right.push_back(right);
+    };
+    // Through the triangle of an edge, and on; the sheet of the edge's start lies to the left.
+    const auto follow = [&](std::int64_t entered) {
+        bool closed = false;
+        for (std::int64_t e = entered; e >= 0 && taken[e] == 0;) {
+            put(e);
+            taken[e] = 1;
+            if (const CornerNode* const corner = in.corner_of(e / 3)) {
+                chains.point.push_back(corner->at);
+                break;
+            }
+            std::int64_t exit = next_in_triangle(e);
+            if (in.node[exit] < 0) exit = next_in_triangle(exit);
+            taken[exit] = 1;
+            e = opposite_of(mesh, exit);
+            if (e < 0) put(exit);
+            closed = e == entered;
+        }
+        end(in.sheet_at(entered), in.sheet_at(next_in_triangle(entered)), closed);
+    };
+    for (const CornerNode& corner : in.corners)
+        for (std::int64_t e = 3 * corner.triangle; e < 3 * corner.triangle + 3; ++e) {
+            if (taken[e] != 0) continue;
+            taken[e] = 1;
+            chains.point.push_back(corner.at);
+            if (const std::int64_t next = opposite_of(mesh, e); next >= 0) {
+                follow(next);
+                continue;
+            }
+            put(e); // two nodes, with its sides the other way round
+            end(in.sheet_at(next_in_triangle(e)), in.sheet_at(e), false);
+        }
+    for (const bool border : {true, false})
+        for (const EdgeNode& node : in.edges)
+            if (taken[node.edge] == 0 && (mesh.neighbour[node.edge] < 0) == border) follow(node.edge);
+}
+
+void build(const base::Runtime& runtime, SheetMesh& in, SharpMesh& out, const base::Progress& progress) {
+    SurfaceMesh& to = out.mesh;
+    to.region = in.mesh.region;
+    to.domain = in.mesh.domain;
+    to.side = in.mesh.side;
+    to.unresolved = in.mesh.unresolved;
+    to.missed_seeds = in.mesh.missed_seeds;
+    std::swap(to.position, in.mesh.position);
+    std::swap(to.gradient, in.mesh.gradient);
+    const auto add_vertices = [&](const auto& nodes) { // a vertex of each node for each of its sheets
+        const auto first = static_cast<std::int32_t>(to.vertices());
+        for (const auto& node : nodes)
+            for (const glm::dvec3& gradient : node.gradient) {
+                to.position.push_back(node.at.position);
+                to.gradient.push_back(gradient);
+            }
+        return first;
+    };
+    const std::int32_t first_of_edges = add_vertices(in.edges);
+    const std::int32_t first_of_corners = add_vertices(in.corners);
+    // The vertex on an edge that belongs to the sheet of its start or its end.
+    const auto vertex_of = [&](std::int64_t edge, bool at_start) {
+        const bool first = in.edges[in.node[edge]].edge == edge;
+        return first_of_edges + 2 * in.node[edge] + (first == at_start ? 0 : 1);
+    };
+    const auto add = [&](std::int32_t a, std::int32_t b, std::int32_t c, std::int32_t sheet) {
+        for (const std::int32_t vertex : {a, b, c}) to.corner.push_back(vertex);
+        out.sheet.push_back(sheet);
+    };
+    const auto add_quad = [&](const std::array<std::int32_t, 4>& vertex, std::int32_t sheet) {
+        add(vertex[0], vertex[1], vertex[2], sheet);
+        add(vertex[0], vertex[2], vertex[3], sheet);
+    };
+    std::int32_t corner = first_of_corners;
+    for (std::int64_t t = 0; t < in.mesh.triangles(); ++t) {
+        if (t % 4096 == 0) progress.check();
+        const auto edge = [&](std::int64_t k) { return 3 * t + k % 3; };
+        const auto at = [&](std::int64_t k) { return in.mesh.corner[edge(k)]; };
+        const int count = in.sheets_of(t);
+        if (count == 1) {
+            add(at(0), at(1), at(2), in.sheet[at(0)]);
+            to.turned += is_turned(to, to.triangles() - 1) ? 1 : 0; // cut triangles are slivers, which say nothing
+        } else if (count == 2) {
+            std::int64_t k = 0; // the corner that stands alone
+            while (in.sheet[at(k)] == in.sheet[at(k + 1)] || in.sheet[at(k)] == in.sheet[at(k + 2)]) ++k;
+            add(at(k), vertex_of(edge(k), true), vertex_of(edge(k + 2), false), in.sheet[at(k)]);
+            add_quad({vertex_of(edge(k), false), at(k + 1), at(k + 2), vertex_of(edge(k + 2), true)},
+                     in.sheet[at(k + 1)]);
+        } else {
+            for (std::int64_t k = 0; k < 3; ++k)
+                add_quad({at(k), vertex_of(edge(k), true), corner++, vertex_of(edge(k + 2), false)}, in.sheet[at(k)]);
+        }
+    }
+    HRBFNPR_ASSERT(corner == static_cast<std::int32_t>(to.vertices()));
+    to.neighbour = find_neighbours(runtime, to.corner, to.vertices());
+}
+
+// ---- Curves
+
 constexpr std::int64_t points_a_task = 16;
 constexpr int crease_rounds = 8; // pieces are halved at most this many times
-constexpr int part_steps = 60;
-constexpr double known_part = 1e-10;     // in pieces: a turn is found once its bracket is this short
-constexpr double at_crease_point = 1e-7; // in pieces: a part that would begin this near to a point begins at the point
 
 CurvePoint as_curve_point(const CreasePoint& p) noexcept {
     CurvePoint point;
@@ -129,19 +544,11 @@ void find_tangents(Creases& creases) {
     }
 }
 
-// A crease with points more where a sheet turns away from the eye or to it.
-struct CreasePath {
-    explicit CreasePath(base::Memory& memory) noexcept : point(memory) {}
-
-    base::Array<CreasePoint> point;
-    AngleRange angles; // the range of angles along the whole crease, degrees
-};
-
 // Where n . v of a sheet vanishes along a piece, by its values at both ends.
 double turn_of(const implicit::Sheets& sheets, std::int32_t sheet, const CubicPiece& piece, double from, double to,
                const View& view) {
     Illinois root(from, to);
-    for (int step = 0; step < part_steps && !root.done(known_part); ++step) {
+    for (int step = 0; step < curve_tuning.most_steps && !root.done(curve_tuning.exact); ++step) {
         const glm::dvec3 place = piece.at(root.trial);
         const glm::dvec3 gradient = surface::sheet_at(sheets, sheet, place).gradient;
         root.take(glm::dot(gradient, view.sight(place)) / glm::length(gradient));
@@ -149,14 +556,13 @@ double turn_of(const implicit::Sheets& sheets, std::int32_t sheet, const CubicPi
     return std::clamp(root.trial, root.low, root.high);
 }
 
-CreasePath path_of(base::Memory& memory, const implicit::Sheets& sheets, const Creases& creases, std::int64_t crease,
-                   const View& view) {
-    CreasePath path(memory);
+// The points of a crease, with more of them where a sheet turns away from the eye or to it.
+base::Array<CreasePoint> path_of(base::Memory& memory, const implicit::Sheets& sheets, const Creases& creases,
+                                 std::int64_t crease, const View& view) {
+    base::Array<CreasePoint> path(memory);
     for (std::int64_t i = creases.first[crease]; i < creases.first[crease + 1]; ++i) {
         const CreasePoint& p = creases.point[i];
-        const auto angle = static_cast<float>(p.angle());
-        path.angles = {std::min(path.angles.least, angle), std::max(path.angles.most, angle)};
-        path.point.push_back(p);
+        path.push_back(p);
         const std::int64_t j = creases.next(crease, i);
         if (j < 0) continue;
         const CreasePoint& q = creases.point[j];
@@ -169,7 +575,7 @@ CreasePath path_of(base::Memory& memory, const implicit::Sheets& sheets, const C
             if ((from < 0.0) == (to < 0.0)) continue;
             const double at =
                 turn_of(sheets, left ? creases.left[crease] : creases.right[crease], piece, from, to, view);
-            if (at > at_crease_point && at < 1.0 - at_crease_point) share[count++] = at;
+            if (at > curve_tuning.at_point && at < 1.0 - curve_tuning.at_point) share[count++] = at;
         }
         if (count == 2 && share[1] < share[0]) std::swap(share[0], share[1]);
         for (std::size_t k = 0; k < count; ++k) {
@@ -177,14 +583,15 @@ CreasePath path_of(base::Memory& memory, const implicit::Sheets& sheets, const C
             turn.position = piece.at(share[k]);
             turn.tangent = glm::normalize(piece.derivative(share[k]));
             set_normals(sheets, creases, crease, turn);
-            path.point.push_back(turn);
+            path.push_back(turn);
         }
     }
     return path;
 }
 
-void add_parts(const CreasePath& path, bool closed, const View& view, CreaseParts& parts) {
-    const std::int64_t size = path.point.size();
+void add_parts(const base::Array<CreasePoint>& path, bool closed, const AngleRange& angles, const View& view,
+               CreaseParts& parts) {
+    const std::int64_t size = path.size();
     HRBFNPR_ASSERT(size >= 2);
     // Which sheets of the piece from point k to the next face the eye. The middle tells, since at an end one of them
     // may be turning.
@@ -193,8 +600,8 @@ void add_parts(const CreasePath& path, bool closed, const View& view, CreasePart
         bool operator==(const Facing&) const = default;
     };
     const auto facing_after = [&](std::int64_t k) {
-        const CreasePoint& a = path.point[k % size];
-        const CreasePoint& b = path.point[(k + 1) % size];
+        const CreasePoint& a = path[k % size];
+        const CreasePoint& b = path[(k + 1) % size];
         const glm::dvec3 sight = view.sight(0.5 * (a.position + b.position));
         return Facing{glm::dot(a.left + b.left, sight) < 0.0, glm::dot(a.right + b.right, sight) < 0.0};
     };
@@ -208,16 +615,127 @@ void add_parts(const CreasePath& path, bool closed, const View& view, CreasePart
         LineBuilder builder(to, true);
         const std::int64_t last = whole ? end - 1 : end;
         for (std::int64_t k = begin; k <= last; ++k) {
-            const CreasePoint& p = path.point[(backwards ? last - (k - begin) : k) % size];
+            const CreasePoint& p = path[(backwards ? last - (k - begin) : k) % size];
             const glm::dvec3 normal = !fold ? p.left + p.right : facing.left ? p.left : p.right;
             builder.add(p.position, normal, p.angle(), backwards ? -p.tangent : p.tangent);
         }
         builder.end(whole);
-        if (!fold && of.size() < to.curves.count()) of.push_back(path.angles);
+        if (!fold && of.size() < to.curves.count()) of.push_back(angles);
     });
 }
 
+// ---- Sheets
+
+// One sheet of a whole surface: it is where this sheet is f.
+class SheetDomain final : public implicit::Domain {
+public:
+    // creases: places along those of all sheets, no farther apart than a side of the mesh. Near any crease a sheet may
+    // end: a curve that leaves it may come to another sheet that is the same function, as for cylinders on one axis.
+    // own: the sheet's triangles, which must outlive it. base: the domain of the whole surface, or null.
+    SheetDomain(const implicit::Implicit& whole, std::int32_t sheet, std::shared_ptr<const geometry::PointGrid> creases,
+                const SurfaceMesh& own, const implicit::Domain* base)
+        : whole_(whole), sheet_(sheet), own_(own), creases_(std::move(creases)),
+          vertices_(own.position, curve_tuning.vertex_reach * own.side), base_(base) {
+        HRBFNPR_ASSERT(whole.sheets() != nullptr && sheet >= 0 && sheet < whole.sheets()->count());
+    }
+
+    [[nodiscard]] bool near_end(const glm::dvec3& place) const noexcept override {
+        return (base_ != nullptr && base_->near_end(place)) || creases_->any_around(place);
+    }
+    // The distance from the whole surface, or a side where that is another sheet, unless the sheet is the active one.
+    // Either of two equal sheets may be active: a place on the whole surface belongs to this sheet if one of its
+    // vertices is near.
+    [[nodiscard]] double beyond(const glm::dvec3& place, const glm::dvec3& gradient) const noexcept override {
+        const double on_surface = curve_tuning.on_sheet * own_.side;
+        if (surface::active_at(*whole_.sheets(), place) != sheet_) {
+            double value = 0.0;
+            glm::dvec3 slope(0.0);
+            whole_.evaluate({&place.x, &place.y, &place.z, 1}, {&value, {&slope.x, &slope.y, &slope.z}, {}});
+            const double off = std::abs(value) / glm::length(slope);
+            if (!(off <= on_surface)) return off;
+            bool is_own = false;
+            vertices_.around(place, [&](std::int64_t at) {
+                const glm::dvec3 vertex = own_.position[vertices_.index(at)];
+                is_own = is_own || glm::distance(vertex, place) <= curve_tuning.vertex_reach * own_.side;
+            });
+            if (!is_own) return own_.side;
+        }
+        return base_ != nullptr && base_->near_end(place) ? base_->beyond(place, gradient) : -on_surface;
+    }
+
+private:
+    const implicit::Implicit& whole_;
+    std::int32_t sheet_;
+    const SurfaceMesh& own_;
+    std::shared_ptr<const geometry::PointGrid> creases_;
+    geometry::PointGrid vertices_;
+    const implicit::Domain* base_;
+};
+
 } // namespace
+
+SharpMesh split_at_creases(const base::Runtime& runtime, const implicit::Implicit& implicit, SurfaceMesh mesh,
+                           const base::Progress& progress) {
+    HRBFNPR_ASSERT(implicit.sheets() != nullptr && mesh.side > 0.0);
+    const base::Progress standing = progress.standing();
+    SheetMesh in(runtime.memory, implicit, std::move(mesh));
+    find_sheets(runtime, in, standing);
+    for (int round = 0;; ++round) {
+        settle_alone(runtime, in, standing);
+        find_edges(runtime, in, standing);
+        for (int i = 0; i < crease_tuning.settlings && settle_equal(in); ++i) find_edges(runtime, in, standing);
+        find_corners(runtime, in, standing);
+        if (round == crease_tuning.rounds || !halve_unclear(runtime, in, standing)) break;
+    }
+    place_rest(in);
+    SharpMesh out(runtime.memory);
+    find_chains(in, out.creases);
+    build(runtime, in, out, progress);
+    return out;
+}
+
+base::List<std::unique_ptr<SheetPart>> sheet_parts(const base::Runtime& runtime, const implicit::Implicit& whole,
+                                                   const SharpMesh& mesh) {
+    base::List<std::unique_ptr<SheetPart>> parts(runtime.memory);
+    const implicit::Sheets* const all = whole.sheets();
+    if (all == nullptr) return parts;
+    const std::int32_t sheets = all->count();
+    // The triangles of sheet s are order[begin[s]] to order[begin[s + 1]].
+    base::Array<std::int64_t> begin(runtime.memory, sheets + 2), order(runtime.memory, mesh.sheet.size());
+    for (const std::int32_t sheet : mesh.sheet) ++begin[sheet + 2];
+    for (std::int64_t s = 2; s < begin.size(); ++s) begin[s] += begin[s - 1];
+    for (std::int64_t t = 0; t < mesh.sheet.size(); ++t) order[begin[mesh.sheet[t] + 1]++] = t;
+    base::Array<std::int32_t> number(runtime.memory, mesh.mesh.vertices()); // in its part, and 1
+    geometry::VecArray creases(runtime.memory);
+    for (std::int32_t sheet = 0; sheet < sheets; ++sheet) {
+        if (begin[sheet] == begin[sheet + 1]) continue;
+        SheetPart& part = *parts.add(std::make_unique<SheetPart>(runtime.memory, whole, *all, sheet));
+        base::Array<std::int32_t> used(runtime.memory);
+        for (std::int64_t k = begin[sheet]; k < begin[sheet + 1]; ++k)
+            for (std::int64_t i = 3 * order[k]; i < 3 * order[k] + 3; ++i) {
+                const std::int32_t vertex = mesh.mesh.corner[i];
+                if (number[vertex] == 0) {
+                    part.mesh.position.push_back(mesh.mesh.position[vertex]);
+                    part.mesh.gradient.push_back(mesh.mesh.gradient[vertex]);
+                    number[vertex] = static_cast<std::int32_t>(part.mesh.vertices());
+                    used.push_back(vertex);
+                }
+                part.mesh.corner.push_back(number[vertex] - 1);
+            }
+        for (const std::int32_t vertex : used) number[vertex] = 0;
+        part.mesh.neighbour = find_neighbours(runtime, part.mesh.corner, part.mesh.vertices());
+        part.mesh.region = mesh.mesh.region;
+        part.mesh.side = mesh.mesh.side;
+        for (std::int64_t e = 0; e < part.mesh.corner.size(); ++e)
+            if (part.mesh.neighbour[e] < 0) creases.push_back(part.mesh.position[part.mesh.corner[e]]);
+    }
+    const auto grid = std::make_shared<const geometry::PointGrid>(creases, curve_tuning.border_reach * mesh.mesh.side);
+    for (const std::unique_ptr<SheetPart>& part : parts) {
+        part->domain = std::make_unique<SheetDomain>(whole, part->sheet, grid, part->mesh, mesh.mesh.domain);
+        part->mesh.domain = part->domain.get();
+    }
+    return parts;
+}
 
 double CreasePoint::angle() const noexcept {
     const glm::dvec3 cross = glm::cross(left, right);
@@ -303,8 +821,14 @@ bool NearCreases::has(const glm::dvec3& place, double reach) const noexcept {
 CreaseParts parts_in_view(const base::Runtime& runtime, const implicit::Sheets& sheets, const Creases& creases,
                           const View& view) {
     CreaseParts parts(runtime.memory);
-    for (std::int64_t c = 0; c < creases.count(); ++c)
-        add_parts(path_of(runtime.memory, sheets, creases, c, view), creases.closed[c] != 0, view, parts);
+    for (std::int64_t c = 0; c < creases.count(); ++c) {
+        AngleRange angles;
+        for (std::int64_t i = creases.first[c]; i < creases.first[c + 1]; ++i) {
+            const auto angle = static_cast<float>(creases.point[i].angle());
+            angles = {std::min(angles.least, angle), std::max(angles.most, angle)};
+        }
+        add_parts(path_of(runtime.memory, sheets, creases, c, view), creases.closed[c] != 0, angles, view, parts);
+    }
     return parts;
 }
 

@@ -1,16 +1,66 @@
 // SPDX-License-Identifier: MIT
-// Creases as curves: where two sheets of an implicit are both 0 on its surface. They are traced once; their parts in a
-// view are cut out for every camera.
+// A mesh of an implicit that has sheets, cut where they meet: each triangle stands for one of them, and there are
+// vertices on the creases and at their corners. Its smooth parts, which end at creases, are what contours are traced
+// on. Creases as curves: where two sheets are both 0 on the surface. They are traced once; their parts in a view are
+// cut out for every camera.
 #pragma once
 
-#include "creases/crease_mesh.h"
-#include "curves/surface_lines.h"
+#include "base/list.h"
+#include "curves/curves.h"
 #include "geometry/point_grid.h"
+#include "implicit/one_sheet.h"
 
 #include <cmath>
+#include <memory>
 #include <optional>
 
 namespace hrbfnpr::curves {
+
+// ---- The mesh
+
+// A place of a crease where an edge of the mesh crosses it, or a corner.
+struct CreaseNode {
+    glm::dvec3 position{0.0};
+    bool exact = false; // both sheets are 0 there; else they could not be told apart, or more than two meet
+};
+
+// Creases as chains of nodes, from corner to corner, from border to border, or closed.
+struct CreaseChains : Chains<CreaseNode> {
+    explicit CreaseChains(base::Memory& memory) : Chains(memory), left(memory), right(memory) {}
+
+    base::Array<std::int32_t> left, right; // the sheets on both sides of each chain, as seen from outside
+};
+
+struct SharpMesh {
+    explicit SharpMesh(base::Memory& memory) : mesh(memory), sheet(memory), creases(memory) {}
+
+    // A vertex on a crease stands there once for each sheet, with that sheet's gradient; edges on creases have no
+    // neighbour.
+    SurfaceMesh mesh;
+    base::Array<std::int32_t> sheet; // the sheet of each triangle
+    CreaseChains creases;
+};
+
+// The vertices of `mesh` stay the first ones. Some edges are halved whose sheets meet beside them, but off the surface,
+// since another sheet lies between. The same bits for any thread count.
+[[nodiscard]] SharpMesh split_at_creases(const base::Runtime& runtime, const implicit::Implicit& implicit,
+                                         SurfaceMesh mesh, const base::Progress& progress);
+
+struct SheetPart {
+    SheetPart(base::Memory& memory, const implicit::Implicit& whole, const implicit::Sheets& sheets, std::int32_t of)
+        : sheet(of), surface(whole, sheets, of), mesh(memory) {}
+
+    std::int32_t sheet;
+    implicit::OneSheet surface;
+    SurfaceMesh mesh;                               // the mesh of this sheet alone; it ends at the sheet's creases
+    std::unique_ptr<const implicit::Domain> domain; // the mesh's
+};
+
+// A part of each sheet that has triangles, in the order of sheets.
+[[nodiscard]] base::List<std::unique_ptr<SheetPart>>
+sheet_parts(const base::Runtime& runtime, const implicit::Implicit& whole, const SharpMesh& mesh);
+
+// ---- Curves
 
 struct CreasePoint {
     glm::dvec3 position{0.0};
@@ -58,7 +108,7 @@ struct AngleRange {
 
 // The parts of creases in a view, as lines. Their strength is the angle, degrees, negative where it is concave.
 struct CreaseParts {
-    explicit CreaseParts(base::Memory& memory) noexcept
+    explicit CreaseParts(base::Memory& memory)
         : folds(memory), outside(memory), inside(memory), of_outside(memory), of_inside(memory) {}
 
     SurfaceLines folds;   // parts of the contour: one sheet faces the eye, to their left, and the other one away

@@ -30,8 +30,13 @@ struct Chains {
         if (i + 1 < first[chain + 1]) return i + 1;
         return closed[chain] != 0 ? first[chain] : -1;
     }
+    // The number of pieces between points.
+    [[nodiscard]] std::int64_t pieces_of(std::int64_t chain) const noexcept {
+        return size_of(chain) - (closed[chain] != 0 ? 0 : 1);
+    }
     // The points since the last chain become one.
     void end(bool is_closed) {
+        HRBFNPR_ASSERT(first.size() == closed.size() + 1);
         first.push_back(point.size());
         closed.push_back(is_closed ? 1 : 0);
     }
@@ -74,6 +79,14 @@ void for_joined(std::int64_t count, bool closed, Joined&& joined, Part&& part) {
         part(i, end, false);
         i = end;
     }
+}
+
+// Calls visit(i, j) for the points at both ends of each piece.
+template <class T, class Visit>
+void for_pieces(const Chains<T>& chains, Visit&& visit) {
+    for (std::int64_t c = 0; c < chains.count(); ++c)
+        for (std::int64_t i = chains.first[c]; i < chains.first[c + 1]; ++i)
+            if (const std::int64_t j = chains.next(c, i); j >= 0) visit(i, j);
 }
 
 // Puts points into pieces of chains, and returns whether there were any. wanted(chain, i, j, p) tells whether the piece

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// All changes are found in one way: where a function has different signs at the ends of a piece, a Bracket narrows to
-// its zero, and the places that it asks for are points of the piece's cubic, brought onto the curve.
+// All changes are found in one way: where a function has different signs at the ends of a piece, the Illinois method
+// finds its zero, and the places that it asks for are points of the piece's cubic, brought onto the curve.
 #include "curves/curve_changes.h"
 
-#include "curves/surface_lines.h"
+#include "curves/curves.h"
 #include "curves/tuning.h"
 #include "implicit/evaluate_all.h"
 
@@ -14,32 +14,11 @@
 namespace hrbfnpr::curves {
 namespace {
 
-// The zero of a function on a piece of a curve, by the Illinois method [Dowell & Jarratt 1971].
-struct Bracket {
+// The zero of a function on a piece of a curve.
+struct Change {
     std::int64_t piece, next; // the points of the curve between which it lies
-    double at_low, at_high;   // values of different signs
-    double low = 0.0, high = 1.0;
-    double share = 0.5; // where the function is to be evaluated next
-    int kept = 0;       // how often the same end was kept, negative for the low one
-    int steps = 0;
-    bool done = false; // whether `share` is the zero
-
-    void begin() noexcept { share = at_low / (at_low - at_high); }
-    void take(double value) noexcept {
-        HRBFNPR_ASSERT(low <= share && share <= high);
-        const bool is_low = (value < 0.0) == (at_low < 0.0);
-        (is_low ? low : high) = share;
-        (is_low ? at_low : at_high) = value;
-        kept = is_low ? std::max(1, kept + 1) : std::min(-1, kept - 1);
-        if (kept > 1) at_high *= 0.5;
-        if (kept < -1) at_low *= 0.5;
-        double wanted = low + (high - low) * at_low / (at_low - at_high);
-        // The value may jump, as at a sample: then halving goes on.
-        if (++steps > curve_tuning.trusted_steps || !(wanted > low && wanted < high)) wanted = 0.5 * (low + high);
-        done = value == 0.0 || !(high - low > curve_tuning.exact) || std::abs(wanted - share) <= curve_tuning.exact ||
-               steps == curve_tuning.most_steps;
-        if (!done) share = wanted;
-    }
+    Illinois root;
+    double share = 0.5; // where the function was evaluated last: in the end the zero
 };
 
 // A place of the cubic between two points of a curve, to be brought onto the curve.
@@ -71,61 +50,43 @@ void bring_onto(const base::Runtime& runtime, const Level& level, base::Array<On
     }
 }
 
-// Narrows brackets until all are done; value(place) is the function at a point of the curve. Returns the points.
+// Finds the zeros, all side by side; value(place) is the function at a point of the curve. Returns the points.
 template <class Value>
 base::Array<CurvePoint> find_zeros(const base::Runtime& runtime, const Level& level, const Curves& curves,
-                                   base::Array<Bracket>& brackets, Value&& value, std::int64_t& evaluations,
+                                   base::Array<Change>& changes, Value&& value, std::int64_t& evaluations,
                                    const base::Progress& progress) {
-    base::Array<CurvePoint> found(runtime.memory, brackets.size());
-    // The piece between the ends of the bracket: it comes to lie on the curve.
-    struct Ends {
-        CurvePoint low, high;
-    };
-    base::Array<Ends> ends(runtime.memory);
+    base::Array<CurvePoint> found(runtime.memory, changes.size());
+    // The piece between the ends of the search: it comes to lie on the curve.
+    base::Array<OnPiece> ends(runtime.memory);
     base::Array<std::int64_t> active(runtime.memory);
-    for (std::int64_t i = 0; i < brackets.size(); ++i) {
-        ends.push_back({curves.point[brackets[i].piece], curves.point[brackets[i].next]});
+    for (std::int64_t i = 0; i < changes.size(); ++i) {
+        ends.push_back({curves.point[changes[i].piece], curves.point[changes[i].next], 0.0});
         active.push_back(i);
     }
     base::Array<OnPiece> places(runtime.memory);
     while (!active.empty()) {
         places.clear();
         for (const std::int64_t i : active) {
-            const Bracket& b = brackets[i];
-            places.push_back({ends[i].low, ends[i].high, (b.share - b.low) / (b.high - b.low)});
+            const Illinois& root = changes[i].root;
+            places.push_back({ends[i].a, ends[i].b, (root.trial - root.low) / (root.high - root.low)});
         }
         bring_onto(runtime, level, places, evaluations, progress);
         std::int64_t left = 0;
         for (std::int64_t k = 0; k < places.size(); ++k) {
             const std::int64_t i = active[k];
-            Bracket& b = brackets[i];
+            Illinois& root = changes[i].root;
             found[i] = places[k].found;
-            const double before = b.low;
-            b.take(value(found[i]));
-            (b.low != before ? ends[i].low : ends[i].high) = found[i];
-            if (!b.done) active[left++] = i;
+            const double low = root.low;
+            const double share = changes[i].share = root.trial;
+            root.take(value(found[i]));
+            (root.low != low ? ends[i].a : ends[i].b) = found[i];
+            if (!root.done(curve_tuning.exact) && std::abs(root.trial - share) > curve_tuning.exact &&
+                root.steps < curve_tuning.most_steps)
+                active[left++] = i;
         }
         active.resize(left);
     }
     return found;
-}
-
-// A point on the piece that begins at a point of a curve.
-struct AddedPoint {
-    std::int64_t piece;
-    double share;
-    CurvePoint point;
-};
-
-// Appends a curve with the points that were added on its pieces; `next` is the first of these and goes on to the next
-// curve's.
-void append_with(const Curves& curves, std::int64_t curve, const base::Array<AddedPoint>& added, std::int64_t& next,
-                 Curves& result) {
-    for (std::int64_t at = curves.first[curve]; at < curves.first[curve + 1]; ++at) {
-        result.point.push_back(curves.point[at]);
-        for (; next < added.size() && added[next].piece == at; ++next) result.point.push_back(added[next].point);
-    }
-    result.end_curve(curves.closed[curve] != 0);
 }
 
 // ---- Cusps
@@ -163,22 +124,24 @@ bool changes_between(const CurvePoint& a, const CurvePoint& b, const View& view)
 Curves refined_at_cusps(const base::Runtime& runtime, const Level& contour, const View& view, const Curves& curves,
                         std::int64_t& evaluations, const base::Progress& progress) {
     base::Array<OnPiece> places(runtime.memory);
-    base::Array<AddedPoint> added(runtime.memory);
-    for (std::int64_t c = 0; c < curves.count(); ++c)
-        for (std::int64_t at = curves.first[c]; at < curves.first[c] + curves.pieces_of(c); ++at) {
-            const CurvePoint& a = curves.point[at];
-            const CurvePoint& b = curves.point[curves.next(c, at)];
-            if (!changes_between(a, b, view)) continue;
-            for (const double u : inner_shares) {
-                places.push_back({a, b, u});
-                added.push_back({at, u, {}});
-            }
+    base::Array<std::int64_t> piece(runtime.memory); // the first point of the piece that each place is on
+    for_pieces(curves, [&](std::int64_t at, std::int64_t next) {
+        if (!changes_between(curves.point[at], curves.point[next], view)) return;
+        for (const double u : inner_shares) {
+            places.push_back({curves.point[at], curves.point[next], u});
+            piece.push_back(at);
         }
+    });
     bring_onto(runtime, contour, places, evaluations, progress);
-    for (std::int64_t i = 0; i < added.size(); ++i) added[i].point = places[i].found;
-    Curves result = no_curves(runtime.memory);
-    std::int64_t next = 0;
-    for (std::int64_t c = 0; c < curves.count(); ++c) append_with(curves, c, added, next, result);
+    Curves result(runtime.memory);
+    std::int64_t k = 0;
+    for (std::int64_t c = 0; c < curves.count(); ++c) {
+        for (std::int64_t at = curves.first[c]; at < curves.first[c + 1]; ++at) {
+            result.point.push_back(curves.point[at]);
+            for (; k < piece.size() && piece[k] == at; ++k) result.point.push_back(places[k].found);
+        }
+        result.end(curves.closed[c] != 0);
+    }
     return result;
 }
 
@@ -211,49 +174,36 @@ base::Array<std::uint8_t> find_held(const base::Runtime& runtime, const implicit
     return holds;
 }
 
-// Calls add(a, b) for the points at both ends of each piece.
-template <class Add>
-void for_pieces(const Curves& curves, Add&& add) {
-    for (std::int64_t c = 0; c < curves.count(); ++c)
-        for (std::int64_t at = curves.first[c]; at < curves.first[c] + curves.pieces_of(c); ++at)
-            add(at, curves.next(c, at));
-}
-
 } // namespace
 
 Curves with_cusps(const base::Runtime& runtime, const Level& contour, const View& view, const Curves& given,
                   std::int64_t& evaluations, const base::Progress& progress) {
     const Curves curves = refined_at_cusps(runtime, contour, view, given, evaluations, progress);
-    base::Array<Bracket> brackets(runtime.memory);
+    base::Array<Change> changes(runtime.memory);
     for_pieces(curves, [&](std::int64_t at, std::int64_t next) {
-        const CurvePoint& a = curves.point[at];
-        const CurvePoint& b = curves.point[next];
-        Bracket bracket{at, next, radial(a, view), radial(b, view)};
-        if ((bracket.at_low < 0.0) == (bracket.at_high < 0.0)) return;
-        bracket.begin();
-        brackets.push_back(bracket);
+        const double from = radial(curves.point[at], view);
+        const double to = radial(curves.point[next], view);
+        if ((from < 0.0) != (to < 0.0)) changes.push_back({at, next, Illinois(from, to, curve_tuning.trusted_steps)});
     });
     const base::Array<CurvePoint> cusps = find_zeros(
-        runtime, contour, curves, brackets, [&](const CurvePoint& p) { return radial(p, view); }, evaluations,
-        progress);
-    Curves result = no_curves(runtime.memory);
+        runtime, contour, curves, changes, [&](const CurvePoint& p) { return radial(p, view); }, evaluations, progress);
+    Curves result(runtime.memory);
     const auto add = [&](const CurvePoint& p, bool cusp) {
         result.point.push_back(p);
-        result.cusp.push_back(cusp ? 1 : 0);
+        result.point.back().is_cusp = cusp ? 1 : 0;
     };
     std::int64_t s = 0;
     for (std::int64_t c = 0; c < curves.count(); ++c) {
         bool replaced = false; // whether a cusp just before the next point stands for it
         for (std::int64_t at = curves.first[c]; at < curves.first[c + 1]; ++at) {
-            const bool changes = s < brackets.size() && brackets[s].piece == at;
-            const double share = changes ? brackets[s].share : 0.5;
-            if (!replaced && !(changes && share < curve_tuning.at_end)) add(curves.point[at], false);
-            replaced = changes && share > 1.0 - curve_tuning.at_end && brackets[s].next > at;
-            if (changes) add(cusps[s++], true);
+            const bool is_before = s < changes.size() && changes[s].piece == at; // before a cusp
+            const double share = is_before ? changes[s].share : 0.5;
+            if (!replaced && !(is_before && share < curve_tuning.at_end)) add(curves.point[at], false);
+            replaced = is_before && share > 1.0 - curve_tuning.at_end && changes[s].next > at;
+            if (is_before) add(cusps[s++], true);
         }
-        result.end_curve(curves.closed[c] != 0);
+        result.end(curves.closed[c] != 0);
     }
-    HRBFNPR_ASSERT(result.cusp.size() == result.point.size());
     return result;
 }
 
@@ -261,66 +211,58 @@ Curves finer_curves(const base::Runtime& runtime, const Level& contour, const Vi
                     std::span<const std::uint8_t> marked, double tolerance, std::int64_t& evaluations,
                     const base::Progress& progress) {
     HRBFNPR_ASSERT(static_cast<std::int64_t>(marked.size()) == curves.point.size());
-    const auto seen = [&](const glm::dvec3& p) {
-        const glm::dvec4 q = view.to_window * glm::dvec4(p, 1.0);
-        return glm::dvec2(q) / q.w;
+    struct FinePoint {
+        CurvePoint at;
+        bool halved; // whether the piece that begins there is to be halved
     };
-    // The part of a piece between two shares of it, and its middle.
-    struct Part {
-        std::int64_t piece;
-        double low, high;
-    };
+    Chains<FinePoint> fine(runtime.memory); // the curves that have a mark
     base::Array<std::uint8_t> changes(runtime.memory, curves.count());
-    base::Array<Part> parts(runtime.memory);
-    base::Array<OnPiece> middles(runtime.memory); // the middle of each part
-    for (std::int64_t c = 0; c < curves.count(); ++c)
-        for (std::int64_t at = curves.first[c]; at < curves.first[c] + curves.pieces_of(c); ++at) {
-            if (marked[static_cast<std::size_t>(at)] == 0) continue;
-            changes[c] = 1;
-            parts.push_back({at, 0.0, 1.0});
-            middles.push_back({curves.point[at], curves.point[curves.next(c, at)], 0.5});
-        }
-    base::Array<AddedPoint> added(runtime.memory);
-    const std::int64_t limit = curve_tuning.most_added * parts.size();
-    for (int depth = 0; depth < curve_tuning.deepest_piece && !parts.empty() && added.size() < limit; ++depth) {
-        bring_onto(runtime, contour, middles, evaluations, progress);
-        base::Array<Part> next(runtime.memory);
-        base::Array<OnPiece> next_middles(runtime.memory);
-        for (std::int64_t i = 0; i < parts.size(); ++i) {
-            const auto [piece, low, high] = parts[i];
-            const auto& [a, b, half, middle, astray] = middles[i];
-            if (astray) continue;
-            const double share = 0.5 * (low + high);
-            added.push_back({piece, share, middle});
-            const CubicPiece cubic(a, b);
-            const double off = glm::distance(seen(middle.position), seen(cubic.at(half)));
-            if (!(off > tolerance)) continue;
-            next.push_back({piece, low, share});
-            next.push_back({piece, share, high});
-            next_middles.push_back({a, middle, 0.5});
-            next_middles.push_back({middle, b, 0.5});
-        }
-        std::swap(parts, next);
-        std::swap(middles, next_middles);
+    std::int64_t marks = 0;
+    for (std::int64_t c = 0; c < curves.count(); ++c) {
+        const auto own =
+            marked.subspan(static_cast<std::size_t>(curves.first[c]), static_cast<std::size_t>(curves.pieces_of(c)));
+        const std::int64_t count = std::count_if(own.begin(), own.end(), [](std::uint8_t m) { return m != 0; });
+        if (count == 0) continue;
+        marks += count;
+        changes[c] = 1;
+        for (std::int64_t at = curves.first[c]; at < curves.first[c + 1]; ++at)
+            fine.point.push_back({curves.point[at], marked[static_cast<std::size_t>(at)] != 0});
+        fine.end(curves.closed[c] != 0);
     }
-    std::sort(added.begin(), added.end(), [](const AddedPoint& a, const AddedPoint& b) {
-        return a.piece != b.piece ? a.piece < b.piece : a.share < b.share;
-    });
-    Curves changed = no_curves(runtime.memory);
-    std::int64_t next = 0;
-    for (std::int64_t c = 0; c < curves.count(); ++c)
-        if (changes[c] != 0) append_with(curves, c, added, next, changed);
+    const auto wanted = [&](std::int64_t, std::int64_t i, std::int64_t, FinePoint&) { return fine.point[i].halved; };
+    const auto bring = [&](base::Array<FinePoint>& added, const base::Array<std::int64_t>& of,
+                           const base::Array<std::int64_t>& after) {
+        base::Array<OnPiece> middles(runtime.memory);
+        for (std::int64_t k = 0; k < added.size(); ++k)
+            middles.push_back({fine.point[after[k]].at, fine.point[fine.next(of[k], after[k])].at, 0.5});
+        bring_onto(runtime, contour, middles, evaluations, progress);
+        base::Array<std::uint8_t> found(runtime.memory, added.size());
+        for (std::int64_t k = 0; k < added.size(); ++k) {
+            const OnPiece& middle = middles[k];
+            const glm::dvec2 guess = view.see(CubicPiece(middle.a, middle.b).at(0.5)).place;
+            const bool off = glm::distance(view.see(middle.found.position).place, guess) > tolerance;
+            added[k] = {middle.found, off};
+            fine.point[after[k]].halved = off && !middle.astray;
+            found[k] = middle.astray ? 0 : 1;
+        }
+        return found;
+    };
+    const std::int64_t most = fine.point.size() + curve_tuning.most_added * marks;
+    for (int depth = 0; depth < curve_tuning.deepest_piece && fine.point.size() < most; ++depth)
+        if (!halve_pieces(fine, wanted, bring)) break;
+    Curves changed(runtime.memory);
+    for (const FinePoint& p : fine.point) changed.point.push_back(p.at);
+    changed.first = std::move(fine.first);
+    changed.closed = std::move(fine.closed);
     const Curves with = with_cusps(runtime, contour, view, changed, evaluations, progress);
-    Curves result = no_curves(runtime.memory);
+    Curves result(runtime.memory);
     std::int64_t number = 0; // the place of the next changed curve in `with`
     for (std::int64_t c = 0; c < curves.count(); ++c) {
         const Curves& from = changes[c] != 0 ? with : curves;
         const std::int64_t curve = changes[c] != 0 ? number++ : c;
-        for (std::int64_t at = from.first[curve]; at < from.first[curve + 1]; ++at) {
+        for (std::int64_t at = from.first[curve]; at < from.first[curve + 1]; ++at)
             result.point.push_back(from.point[at]);
-            result.cusp.push_back(from.cusp.empty() ? std::uint8_t{0} : from.cusp[at]);
-        }
-        result.end_curve(from.closed[curve] != 0);
+        result.end(from.closed[curve] != 0);
     }
     return result;
 }
@@ -329,49 +271,40 @@ Curves clip(const base::Runtime& runtime, const Level& level, const implicit::Do
             const base::Progress& progress) {
     const base::Array<std::uint8_t> holds = find_held(runtime, domain, curves);
     const auto beyond = [&](const CurvePoint& p) { return domain.beyond(p.position, p.gradient); };
-    base::Array<Bracket> brackets(runtime.memory);
+    base::Array<Change> changes(runtime.memory);
     for_pieces(curves, [&](std::int64_t at, std::int64_t next) {
         if (holds[at] == holds[next]) return;
-        brackets.push_back({at, next, holds[at] != 0 ? -1.0 : 1.0, holds[next] != 0 ? -1.0 : 1.0});
+        const double from = holds[at] != 0 ? -1.0 : 1.0;
+        changes.push_back({at, next, Illinois(from, -from, curve_tuning.trusted_steps)});
     });
     std::int64_t evaluations = 0;
-    const base::Array<CurvePoint> ends = find_zeros(runtime, level, curves, brackets, beyond, evaluations, progress);
-    Curves result = no_curves(runtime.memory);
-    const auto finish = [&](bool closed) {
-        const std::int64_t first = result.first.back();
-        if (result.point.size() - first < 2)
-            result.point.resize(first);
-        else
-            result.end_curve(closed);
-    };
-    // A point of the curve, or an end on the border, where the surface is.
-    struct Held {
-        CurvePoint point;
-        bool holds;
-    };
-    base::Array<Held> points(runtime.memory);
-    std::int64_t next = 0; // the next bracket
+    const base::Array<CurvePoint> ends = find_zeros(runtime, level, curves, changes, beyond, evaluations, progress);
+    Curves result(runtime.memory);
+    // The points of a curve with its ends on the border, and whether the surface is there.
+    base::Array<CurvePoint> points(runtime.memory);
+    base::Array<std::uint8_t> held(runtime.memory);
+    std::int64_t next = 0; // the next change
     for (std::int64_t c = 0; c < curves.count(); ++c) {
         points.clear();
+        held.clear();
+        const auto add = [&](const CurvePoint& p, std::uint8_t holds_it) {
+            points.push_back(p);
+            held.push_back(holds_it);
+        };
         for (std::int64_t at = curves.first[c]; at < curves.first[c + 1]; ++at) {
-            points.push_back({curves.point[at], holds[at] != 0});
-            if (next == brackets.size() || brackets[next].piece != at) continue;
-            const double from_held = holds[at] != 0 ? brackets[next].share : 1.0 - brackets[next].share;
-            if (from_held > curve_tuning.at_point) points.push_back({ends[next], true});
+            add(curves.point[at], holds[at]);
+            if (next == changes.size() || changes[next].piece != at) continue;
+            const double from_held = holds[at] != 0 ? changes[next].share : 1.0 - changes[next].share;
+            if (from_held > curve_tuning.at_point) add(ends[next], 1);
             ++next;
         }
-        // A closed curve that is cut is walked from a point where there is no surface.
-        const Held* const lost = std::find_if(points.begin(), points.end(), [](const Held& p) { return !p.holds; });
-        const bool closed = curves.closed[c] != 0;
-        if (closed && lost != points.end())
-            std::rotate(points.begin(), points.begin() + (lost - points.begin()), points.end());
-        for (const Held& p : points) {
-            if (p.holds)
-                result.point.push_back(p.point);
-            else
-                finish(false);
-        }
-        finish(closed && lost == points.end());
+        for_parts(
+            points.size(), curves.closed[c] != 0, [&](std::int64_t i) { return held[i] != 0; },
+            [&](std::int64_t begin, std::int64_t end, bool whole) {
+                if (end - begin < 2) return;
+                for (std::int64_t i = begin; i < end; ++i) result.point.push_back(points[i % points.size()]);
+                result.end(whole);
+            });
     }
     return result;
 }

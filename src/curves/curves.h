@@ -1,19 +1,108 @@
 // SPDX-License-Identifier: MIT
 // Curves f = g = 0 on a surface as polylines that cubics go through: their points, Newton's steps that bring places
-// onto a curve, the cubic pieces between points, and the question whether a curve passes by a place.
+// onto a curve, the cubic pieces between points, and the question whether a curve passes by a place. Lines that lie on
+// a surface whatever the camera, as curves with a strength along them; and the parts of them that face a camera.
 #pragma once
 
 #include "base/assert.h"
 #include "base/memory.h"
-#include "curves/level.h"
+#include "base/operation.h"
+#include "base/runtime.h"
+#include "curves/chains.h"
+#include "curves/surface_mesh.h"
+#include "curves/tuning.h"
 #include "geometry/point_grid.h"
+#include "geometry/vec.h"
 #include "geometry/vec_array.h"
+#include "implicit/implicit.h"
+#include "surface/support.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 
 namespace hrbfnpr::curves {
+
+// ---- Levels: a function g in space. Its zero lines on the surface f = 0 are curves to be drawn.
+
+// The camera as curves see it: in the surface's own coordinates.
+struct View {
+    // Where a place is seen.
+    struct Seen {
+        glm::dvec2 place; // pixels
+        double w;         // > 0 before the eye
+    };
+
+    glm::dvec4 eye{0.0, 0.0, 0.0, 1.0}; // w = 1: where the eye is; w = 0: the direction in which it looks
+    glm::dmat4 to_window{1.0};          // to (x w, y w, depth w, w), pixels
+
+    // From the eye to a point, not normalised.
+    [[nodiscard]] glm::dvec3 sight(const glm::dvec3& p) const noexcept {
+        return eye.w == 0.0 ? glm::dvec3(eye) : p - glm::dvec3(eye);
+    }
+    [[nodiscard]] Seen see(const glm::dvec3& p) const noexcept {
+        const glm::dvec4 q = to_window * glm::dvec4(p, 1.0);
+        return {{q.x / q.w, q.y / q.w}, q.w};
+    }
+};
+
+// Where the values of f and g and their gradients are written. No pointer is null.
+struct LevelBatch {
+    double* value = nullptr;
+    std::array<double*, 3> gradient{};
+    double* level = nullptr;
+    std::array<double*, 3> level_gradient{};
+};
+
+class Level {
+public:
+    Level() = default;
+    Level(const Level&) = delete;
+    Level& operator=(const Level&) = delete;
+    virtual ~Level() = default;
+
+    [[nodiscard]] virtual const implicit::Implicit& surface() const noexcept = 0;
+    // Evaluates at most implicit::batch_size points on the calling thread. g and its gradient need to be right near
+    // f = 0 only.
+    virtual void evaluate(const implicit::PointBatch& points, const LevelBatch& out) const = 0;
+    // g at the vertices of a mesh of the surface, by the gradients that the mesh holds. `level` is resized.
+    virtual void at_vertices(const base::Runtime& runtime, const SurfaceMesh& mesh, base::Array<double>& level,
+                             const base::Progress& progress) const = 0;
+};
+
+// The occluding contour: g = grad f . v, where v leads from the eye to the point.
+class ContourLevel final : public Level {
+public:
+    ContourLevel(const implicit::Implicit& surface, const View& view) noexcept : surface_(surface), view_(view) {}
+
+    [[nodiscard]] const implicit::Implicit& surface() const noexcept override { return surface_; }
+    [[nodiscard]] const View& view() const noexcept { return view_; }
+    void evaluate(const implicit::PointBatch& points, const LevelBatch& out) const override;
+    void at_vertices(const base::Runtime& runtime, const SurfaceMesh& mesh, base::Array<double>& level,
+                     const base::Progress& progress) const override;
+
+private:
+    const implicit::Implicit& surface_;
+    View view_;
+};
+
+// The border of the support: g = s - limit, s of surface/support.h. The surface lies to the left of the border.
+class SupportLevel final : public Level {
+public:
+    SupportLevel(const implicit::Implicit& surface, const surface::Support& support, double limit) noexcept
+        : surface_(surface), support_(support), limit_(limit) {}
+
+    [[nodiscard]] const implicit::Implicit& surface() const noexcept override { return surface_; }
+    void evaluate(const implicit::PointBatch& points, const LevelBatch& out) const override;
+    void at_vertices(const base::Runtime& runtime, const SurfaceMesh& mesh, base::Array<double>& level,
+                     const base::Progress& progress) const override;
+
+private:
+    const implicit::Implicit& surface_;
+    const surface::Support& support_;
+    double limit_;
+};
 
 // ---- Points
 
@@ -24,6 +113,7 @@ struct CurvePoint {
     glm::dvec3 level_gradient{0.0}; // grad g
     double value = 0.0;             // f
     double level = 0.0;             // g
+    std::int64_t is_cusp = 0;       // 1: the line of sight is tangent to the curve here, as with_cusps() finds
 
     // The direction of the curve, with negative g to its left; it is not unit.
     [[nodiscard]] glm::dvec3 direction() const noexcept { return glm::cross(gradient, level_gradient); }
@@ -69,45 +159,8 @@ inline void step_to_surface(CurvePoint& p) noexcept {
 
 // ---- Curves
 
-struct Curves {
-    explicit Curves(base::Memory& memory) noexcept : first(memory), closed(memory), point(memory), cusp(memory) {}
-
-    base::Array<std::int64_t> first;  // the first point of each curve, and the number of points
-    base::Array<std::uint8_t> closed; // 1: the first point follows the last one; it is not repeated
-    base::Array<CurvePoint> point;    // in the order of CurvePoint::direction()
-    base::Array<std::uint8_t> cusp;   // 1: the line of sight is tangent to the curve at this point; empty: not known
-
-    [[nodiscard]] std::int64_t count() const noexcept { return closed.size(); }
-    [[nodiscard]] std::int64_t size_of(std::int64_t curve) const noexcept {
-        HRBFNPR_ASSERT(curve >= 0 && curve < count());
-        return first[curve + 1] - first[curve];
-    }
-    // The number of pieces between points.
-    [[nodiscard]] std::int64_t pieces_of(std::int64_t curve) const noexcept {
-        return size_of(curve) - (closed[curve] != 0 ? 0 : 1);
-    }
-    // The point after a point of the curve; the last point of an open curve has none.
-    [[nodiscard]] std::int64_t next(std::int64_t curve, std::int64_t at) const noexcept {
-        HRBFNPR_ASSERT(at >= first[curve] && at < first[curve + 1]);
-        return at + 1 < first[curve + 1] ? at + 1 : first[curve];
-    }
-    // Ends a curve after the points that were added since the last one. `first` must not be empty.
-    void end_curve(bool is_closed) {
-        HRBFNPR_ASSERT(first.size() == closed.size() + 1);
-        first.push_back(point.size());
-        closed.push_back(is_closed ? 1 : 0);
-    }
-    [[nodiscard]] std::int64_t bytes() const noexcept {
-        return first.bytes() + closed.bytes() + point.bytes() + cusp.bytes();
-    }
-};
-
-// No curves, ready for points and end_curve().
-[[nodiscard]] inline Curves no_curves(base::Memory& memory) {
-    Curves curves(memory);
-    curves.first.push_back(0);
-    return curves;
-}
+// Points stand in the order of CurvePoint::direction().
+using Curves = Chains<CurvePoint>;
 
 // The cubic between two points of a curve.
 class CubicPiece {
@@ -145,6 +198,38 @@ private:
     glm::dvec3 begin_, end_;
 };
 
+// The search for a zero of a function between two places where its signs differ: the Illinois method. [Dowell & Jarratt
+// 1971]
+struct Illinois {
+    double low = 0.0, high = 1.0;
+    double at_low, at_high; // the values there; the value of an end that stays is halved
+    double trial;           // where the function is asked for next
+    int trusted;            // from this many steps on it halves
+    int steps = 0;
+    int kept = 0; // how many times in a row the same end stayed: above 0 the higher one
+
+    Illinois(double from, double to, int trusted_steps = curve_tuning.most_steps) noexcept
+        : at_low(from), at_high(to), trial(from / (from - to)), trusted(trusted_steps) {
+        HRBFNPR_ASSERT(!(from * to > 0.0));
+    }
+    // The value at the trial.
+    void take(double value) noexcept {
+        const bool same = (value < 0.0) == (at_low < 0.0);
+        (same ? low : high) = trial;
+        (same ? at_low : at_high) = value;
+        kept = same ? std::max(1, kept + 1) : std::min(-1, kept - 1);
+        if (kept > 1) at_high *= 0.5;
+        if (kept < -1) at_low *= 0.5;
+        trial = low + (high - low) * at_low / (at_low - at_high);
+        const bool found = at_low == 0.0 || at_high == 0.0;
+        // The value may jump, as at a sample: then halving goes on.
+        if (++steps > trusted || (!found && !(trial > low && trial < high))) trial = 0.5 * (low + high);
+    }
+    [[nodiscard]] bool done(double width) const noexcept {
+        return !(high - low > width) || at_low == 0.0 || at_high == 0.0;
+    }
+};
+
 // ---- Nearness
 
 [[nodiscard]] geometry::VecArray positions_of(const base::Array<CurvePoint>& points);
@@ -180,5 +265,59 @@ private:
     base::Array<std::int32_t> curve_; // the curve of each point
     geometry::PointGrid grid_;
 };
+
+// ---- Lines on a surface, whatever the camera
+
+// CurvePoint::direction() runs along the line, and `gradient` is the surface's normal; f and g mean nothing.
+struct SurfaceLines {
+    explicit SurfaceLines(base::Memory& memory) : curves(memory), strength(memory) {}
+
+    Curves curves;
+    base::Array<float> strength; // the strength at each point
+
+    [[nodiscard]] std::int64_t bytes() const noexcept { return curves.bytes() + strength.bytes(); }
+};
+
+// The tangent at a point of the circle through it and the points before and after it, by the ways to it and on from it;
+// the nearer point counts more. It is not unit.
+[[nodiscard]] inline glm::dvec3 tangent_between(const glm::dvec3& in, const glm::dvec3& out) noexcept {
+    const double a = glm::dot(in, in);
+    const double b = glm::dot(out, out);
+    return a > 0.0 && b > 0.0 ? in / a + out / b : in + out;
+}
+
+// Adds lines point by point.
+class LineBuilder {
+public:
+    // as_given: tangents are kept and normals made perpendicular to them, since the lines need not lie on the surface;
+    // else it is the other way round.
+    explicit LineBuilder(SurfaceLines& lines, bool as_given = false) noexcept : lines_(lines), as_given_(as_given) {}
+
+    // A point in the place of the last one is left out. tangent: where it is known, of any length; 0: from the points.
+    void add(const glm::dvec3& position, const glm::dvec3& normal, double strength,
+             const glm::dvec3& tangent = glm::dvec3(0.0));
+    // The same of a point of other lines.
+    void add(const SurfaceLines& from, std::int64_t point);
+    // Ends the line, which is dropped if it has less than two points.
+    void end(bool closed);
+
+private:
+    SurfaceLines& lines_;
+    bool as_given_;
+};
+
+// The parts of lines whose points have a value below 0, or those whose points have not, by one value for each point;
+// they end where it is 0 by interpolation. as_given: as LineBuilder has it.
+[[nodiscard]] SurfaceLines parts_where(const SurfaceLines& lines, const base::Array<double>& value, bool below,
+                                       bool as_given);
+// The parts that show their outside to the eye, or those that show their inside; they end where the line of sight is
+// tangent to the surface, by the normals that the lines have.
+[[nodiscard]] SurfaceLines facing_parts(base::Memory& memory, const SurfaceLines& lines, const View& view,
+                                        bool outside);
+
+// The lines with a point more on each piece that turns over, where grad f at the piece is perpendicular to the line of
+// sight: parts that begin and end there fit to contours that end there.
+[[nodiscard]] SurfaceLines with_turns(const base::Runtime& runtime, const SurfaceLines& lines,
+                                      const implicit::Implicit& surface, const View& view);
 
 } // namespace hrbfnpr::curves

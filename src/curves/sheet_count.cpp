@@ -8,6 +8,7 @@
 #include "curves/sheet_count.h"
 
 #include "base/list.h"
+#include "curves/curves.h"
 #include "curves/tuning.h"
 #include "geometry/tangent_frame.h"
 #include "implicit/evaluate_all.h"
@@ -228,7 +229,7 @@ void find_spans(const SurfaceMesh& mesh, const geometry::BoxTree& tree, const ba
         double before = 0.0;
         for (const TriangleCrossing& crossing : crossings) {
             if (crossing.at < range.low || crossing.at > range.high) continue;
-            if (count++ > 0 && crossing.at - before > curve_tuning.crossings_apart * mesh.side)
+            if (count++ > 0 && crossing.at - before > curve_tuning.close * mesh.side)
                 found.place.push_back(0.5 * (before + crossing.at));
             before = crossing.at;
         }
@@ -242,16 +243,15 @@ void find_spans(const SurfaceMesh& mesh, const geometry::BoxTree& tree, const ba
 
 struct RootCount {
     std::int32_t roots = 0;
-    bool certain = true;                                     // false: f touches 0, or is no number somewhere
-    bool negative_at_begin = false, negative_at_end = false; // f
+    bool certain = true; // false: f touches 0, or is no number somewhere
 };
 
 // A root of a span lies between these places of its line, and no other.
 struct Root {
     std::int64_t span;
     double low, high;
-    double at;            // about there
-    bool negative_at_low; // f
+    double at; // about there
+    Illinois search;
 };
 
 // A place on a line: f, its slope along the line, and the length of its gradient.
@@ -350,7 +350,7 @@ void count_roots(const base::Runtime& runtime, const implicit::Implicit& implici
         if (share < 0.0) {
             ++count.roots;
             const double at = a.at + a.value / (a.value - b.value) * (b.at - a.at);
-            roots.push_back({span, a.at, b.at, at, a.negative()});
+            roots.push_back({span, a.at, b.at, at, Illinois(a.value, b.value)});
             return;
         }
         const double middle = a.at + share * (b.at - a.at);
@@ -381,11 +381,9 @@ void count_roots(const base::Runtime& runtime, const implicit::Implicit& implici
             if (begins) settle_end(counts[i], now, 1.0);
             if (ends) settle_end(counts[i], now, -1.0);
             if (!begins && !ends && touches(now)) counts[i].certain = false;
-            if (k == 0) counts[i].negative_at_begin = now.negative();
             if (k > 0) judge(before, now, i, 0);
             before = now;
         }
-        counts[i].negative_at_end = before.negative();
     }
     while (!pieces.empty()) {
         progress.check();
@@ -409,61 +407,46 @@ void count_roots(const base::Runtime& runtime, const implicit::Implicit& implici
     }
 }
 
-// Takes the roots beyond the surface's end from the list and from the counts. Where one lies on the border, as far as
-// numbers tell, its count is not certain. Roots near the border are found by Newton's steps, or by halving where these
-// leave the root's bounds.
+// Takes the roots beyond the surface's end from the list and from the counts; those near the border are found exactly
+// first. Where one lies on the border, as far as numbers tell, its count is not certain.
 void drop_roots(const base::Runtime& runtime, const implicit::Implicit& implicit, const implicit::Domain& domain,
                 const base::Array<Line>& lines, const Spans& spans, base::Array<Root>& roots,
                 base::Array<RootCount>& counts, const base::Progress& progress) {
-    struct Doubtful {
-        std::int64_t number; // the root's place in `roots`
-        Root root;
-        double at;
-        glm::dvec3 place, gradient; // where it was evaluated last
-        bool done;
+    const auto line = [&](const Root& root) -> const Line& { return lines[spans.span[root.span].line]; };
+    const auto width = [&](const Root& root) {
+        return curve_tuning.root_noise * implicit.diagonal() / (root.high - root.low);
     };
-    const auto line = [&](const Doubtful& d) -> const Line& { return lines[spans.span[d.root.span].line]; };
-    base::Array<Doubtful> doubtful(runtime.memory);
-    base::Array<std::int64_t> left(runtime.memory); // the doubtful ones that are still searched
-    for (std::int64_t i = 0; i < roots.size(); ++i) {
-        const Doubtful d{i, roots[i], 0.5 * (roots[i].low + roots[i].high), glm::dvec3(0.0), glm::dvec3(0.0), false};
-        if (!domain.near_end(line(d).at(d.at))) continue;
-        left.push_back(doubtful.size());
-        doubtful.push_back(d);
-    }
+    base::Array<double> beyond(runtime.memory, roots.size());
+    std::fill(beyond.begin(), beyond.end(), -1.0);
+    base::Array<std::int64_t> left(runtime.memory); // the roots that are still searched
+    for (std::int64_t i = 0; i < roots.size(); ++i)
+        if (domain.near_end(line(roots[i]).at(0.5 * (roots[i].low + roots[i].high)))) left.push_back(i);
     geometry::VecArray place(runtime.memory);
-    for (int step = 0; step < curve_tuning.most_steps && !left.empty(); ++step) {
+    while (!left.empty()) {
         place.clear();
-        for (const std::int64_t i : left) place.push_back(line(doubtful[i]).at(doubtful[i].at));
+        for (const std::int64_t i : left)
+            place.push_back(line(roots[i]).at(glm::mix(roots[i].low, roots[i].high, roots[i].search.trial)));
         const Field field(runtime, implicit, place, progress);
         std::int64_t kept = 0;
-        for (std::int64_t i = 0; i < left.size(); ++i) {
-            Doubtful& d = doubtful[left[i]];
-            Root& root = d.root;
-            d.place = place[i];
-            d.gradient = field.gradient[i];
-            ((field.value[i] < 0.0) == root.negative_at_low ? root.low : root.high) = d.at;
-            double next = d.at - field.value[i] / glm::dot(d.gradient, line(d).direction);
-            if (!(next > root.low && next < root.high)) next = 0.5 * (root.low + root.high);
-            d.done = std::abs(next - d.at) <= curve_tuning.root_noise * implicit.diagonal();
-            if (d.done) continue;
-            d.at = next;
-            left[kept++] = left[i];
+        for (std::int64_t k = 0; k < left.size(); ++k) {
+            const std::int64_t i = left[k];
+            Illinois& search = roots[i].search;
+            const double before = search.trial;
+            search.take(field.value[k]);
+            const bool found = search.done(width(roots[i])) || std::abs(search.trial - before) <= width(roots[i]);
+            if (!found && search.steps < curve_tuning.most_steps) {
+                left[kept++] = i;
+                continue;
+            }
+            beyond[i] = domain.beyond(place[k], field.gradient[k]);
+            if (!found || std::abs(beyond[i]) < curve_tuning.on_border) counts[roots[i].span].certain = false;
         }
         left.resize(kept);
     }
     std::int64_t kept = 0;
-    std::int64_t next = 0;
     for (std::int64_t i = 0; i < roots.size(); ++i) {
-        RootCount& count = counts[roots[i].span];
-        double beyond = -1.0;
-        if (next < doubtful.size() && doubtful[next].number == i) {
-            const Doubtful& d = doubtful[next++];
-            beyond = domain.beyond(d.place, d.gradient);
-            if (!d.done || std::abs(beyond) < curve_tuning.on_border) count.certain = false;
-        }
-        if (beyond > 0.0)
-            --count.roots;
+        if (beyond[i] > 0.0)
+            --counts[roots[i].span].roots;
         else
             roots[kept++] = roots[i];
     }
@@ -517,10 +500,7 @@ void SheetCounter::count(const base::Runtime& runtime, const implicit::Implicit&
         Answer& its = answer[span.line];
         its.sheets += counts[i].roots;
         const bool beside_end = span.line_begins || span.line_ends;
-        // Between two spans of a line there is no surface, nor a root of f, unless the surface ends before f does.
-        const bool jumps = domain == nullptr && i > 0 && spans.span[i - 1].line == span.line &&
-                           counts[i - 1].negative_at_end != counts[i].negative_at_begin;
-        if (!counts[i].certain || jumps || (!beside_end && counts[i].roots != span.crossings)) its.certain = false;
+        if (!counts[i].certain || (!beside_end && counts[i].roots != span.crossings)) its.certain = false;
     }
     base::Array<std::uint8_t> known(runtime.memory, segments);
     for (const Root& root : roots) {

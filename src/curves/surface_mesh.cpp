@@ -14,7 +14,7 @@
 
 #include "base/long_array.h"
 #include "base/sort.h"
-#include "curves/mesh_topology.h"
+#include "curves/mesh_edges.h"
 #include "curves/tuning.h"
 #include "geometry/cell_block.h"
 #include "geometry/cell_set.h"
@@ -25,7 +25,6 @@
 
 #include <algorithm>
 #include <atomic>
-#include <bit>
 #include <cmath>
 
 namespace hrbfnpr::curves {
@@ -91,19 +90,14 @@ struct Tetrahedron {
     bool even;            // positively oriented
 };
 
-constexpr std::array<Tetrahedron, 6> tetrahedra = [] {
-    constexpr std::array<std::array<unsigned, 3>, 6> orders{
-        {{0, 1, 2}, {1, 2, 0}, {2, 0, 1}, {0, 2, 1}, {1, 0, 2}, {2, 1, 0}}};
-    std::array<Tetrahedron, 6> all{};
-    for (std::size_t i = 0; i < all.size(); ++i) {
-        const unsigned first = 1U << orders[i][0];
-        const unsigned second = first | 1U << orders[i][1];
-        all[i].corner = {0, static_cast<std::uint8_t>(first), static_cast<std::uint8_t>(second), 7};
-        all[i].corners = static_cast<std::uint8_t>(1U | 1U << first | 1U << second | 1U << 7U);
-        all[i].even = i < 3;
-    }
-    return all;
-}();
+constexpr std::array<Tetrahedron, 6> tetrahedra{{
+    {{0, 1, 3, 7}, 0x8B, true},
+    {{0, 2, 6, 7}, 0xC5, true},
+    {{0, 4, 5, 7}, 0xB1, true},
+    {{0, 1, 5, 7}, 0xA3, false},
+    {{0, 2, 3, 7}, 0x8D, false},
+    {{0, 4, 6, 7}, 0xD1, false},
+}};
 
 // Where the surface meets a tetrahedron: a polygon with a corner on each of these edges, counter-clockwise as seen from
 // the positive corners if the tetrahedron is even, else clockwise.
@@ -112,34 +106,26 @@ struct Section {
     std::array<std::array<std::uint8_t, 2>, 4> edge{}; // between corners of the tetrahedron, the lower one first
 };
 
-// The section for each set of negative corners.
-constexpr std::array<Section, 16> sections = [] {
-    const auto edge = [](unsigned a, unsigned b) {
-        return std::array<std::uint8_t, 2>{static_cast<std::uint8_t>(std::min(a, b)),
-                                           static_cast<std::uint8_t>(std::max(a, b))};
-    };
-    std::array<Section, 16> all{};
-    for (unsigned set = 1; set < 15; ++set) {
-        const unsigned other = ~set & 15U;
-        if (std::popcount(set) != 2) {
-            // A triangle around the corner i that is alone: (i, i ^ 1, i ^ 2, i ^ 3) is an even order of the four.
-            const bool negative = std::popcount(set) == 1;
-            const auto i = static_cast<unsigned>(std::countr_zero(negative ? set : other));
-            const unsigned second = negative ? 1 : 2;
-            all[set] = {3, {edge(i, i ^ 3U), edge(i, i ^ second), edge(i, i ^ (3U - second))}};
-            continue;
-        }
-        // A quadrilateral between the corners 0 and j and the other two; (0, j, k, l) is an even order.
-        const bool negative = (set & 1U) != 0;
-        const auto j = static_cast<unsigned>(std::countr_zero((negative ? set : other) & 14U));
-        const unsigned k = j == 1 ? 2 : (j == 2 ? 3 : 1);
-        const unsigned l = 6 - j - k;
-        all[set] = {4,
-                    {edge(negative ? 0 : j, k), edge(negative ? 0 : j, l), edge(negative ? j : 0, l),
-                     edge(negative ? j : 0, k)}};
-    }
-    return all;
-}();
+// The section for each set of negative corners: a triangle around the corner that stands alone, or a quadrilateral
+// between two corners and the other two.
+constexpr std::array<Section, 16> sections{{
+    {},
+    {3, {{{0, 3}, {0, 1}, {0, 2}}}},
+    {3, {{{1, 2}, {0, 1}, {1, 3}}}},
+    {4, {{{0, 2}, {0, 3}, {1, 3}, {1, 2}}}},
+    {3, {{{1, 2}, {2, 3}, {0, 2}}}},
+    {4, {{{0, 3}, {0, 1}, {1, 2}, {2, 3}}}},
+    {4, {{{1, 3}, {2, 3}, {0, 2}, {0, 1}}}},
+    {3, {{{0, 3}, {1, 3}, {2, 3}}}},
+    {3, {{{0, 3}, {2, 3}, {1, 3}}}},
+    {4, {{{0, 1}, {0, 2}, {2, 3}, {1, 3}}}},
+    {4, {{{2, 3}, {1, 2}, {0, 1}, {0, 3}}}},
+    {3, {{{1, 2}, {0, 2}, {2, 3}}}},
+    {4, {{{1, 2}, {1, 3}, {0, 3}, {0, 2}}}},
+    {3, {{{1, 2}, {1, 3}, {0, 1}}}},
+    {3, {{{0, 3}, {0, 2}, {0, 1}}}},
+    {},
+}};
 
 // ---- Cells
 
@@ -230,8 +216,8 @@ surface::Projection seeds_on_surface(const base::Runtime& runtime, const implici
         before.push_back(seeds[i]);
     }
     surface::ProjectionSettings steps;
-    steps.evaluation_limit = curve_tuning.seed_evaluations;
-    steps.tolerance = std::max(settings.tolerance, curve_tuning.seed_tolerance * settings.side / implicit.diagonal());
+    steps.evaluation_limit = curve_tuning.newton_steps;
+    steps.tolerance = std::max(settings.tolerance, curve_tuning.close * settings.side / implicit.diagonal());
     surface::project(runtime, implicit, steps, on, progress);
     std::int64_t kept = 0;
     for (std::int64_t i = 0; i < before.size(); ++i) {

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 // The steps of tracing:
 //
-//   beads_of           the mesh's changes of sign, as places and directions
-//   runs_from          (chain_runs.h) runs of points on curves, from beads or from the curves of the view before
+//   find_beads         (mesh_edges.h) the mesh's changes of sign, as places and directions
+//   runs_from          runs of points on curves, from beads or from the curves of the view before: starts are brought
+//                      onto curves all at once, and gaps between them halved until a cubic links them or they are
+//                      parted
 //   follow             predictor and corrector from the ends of runs until each comes to where a run begins
 //   uncovered          beads that no curve passes by; curves start from these by Newton's steps, else by halving
 //   find_small_loops   curves between the mesh's vertices, around extrema of g
@@ -10,7 +12,6 @@
 //   clip               (curve_changes.h) the parts of curves where the surface is
 #include "curves/trace.h"
 
-#include "curves/chain_runs.h"
 #include "curves/curve_changes.h"
 #include "curves/tuning.h"
 #include "geometry/point_grid.h"
@@ -22,6 +23,193 @@
 
 namespace hrbfnpr::curves {
 namespace {
+
+// ---- Runs
+
+glm::dvec3 unit_direction(const CurvePoint& p) noexcept { return glm::normalize(p.direction()); }
+
+// Whether the curve is known to lead from a point of a chain to the next.
+enum class Link : std::uint8_t { unknown, linked, parted };
+
+struct RunPoint {
+    CurvePoint at;
+    Link link = Link::unknown;
+};
+
+// Whether the cubic between two points is the curve.
+bool is_linked(const CurvePoint& a, const CurvePoint& b, double side, const TraceSettings& settings) noexcept {
+    const glm::dvec3 way = b.position - a.position;
+    const double length = glm::length(way);
+    if (!(length <= settings.longest * side)) return false;
+    const double limit = length < curve_tuning.kink_length * side ? curve_tuning.sharpest_kink : settings.turn;
+    const glm::dvec3 begin = unit_direction(a);
+    const glm::dvec3 end = unit_direction(b);
+    return glm::distance(begin, end) <= limit && glm::distance(begin, way / length) <= curve_tuning.off_chord * limit &&
+           glm::distance(end, way / length) <= curve_tuning.off_chord * limit;
+}
+
+// Newton's steps go along the curve, too: points may have come together, or passed each other. Where the curve turns
+// it is not known whether they have.
+bool in_order(const CurvePoint& before, const CurvePoint& p, double side, const TraceSettings& settings) noexcept {
+    const glm::dvec3 way = p.position - before.position;
+    const glm::dvec3 a = unit_direction(before);
+    const glm::dvec3 b = unit_direction(p);
+    return glm::distance(a, b) > settings.turn ||
+           (glm::length(way) > curve_tuning.least_run * settings.longest * side && glm::dot(a, way) > 0.0 &&
+            glm::dot(b, way) > 0.0);
+}
+
+bool is_between(const CurvePoint& m, const CurvePoint& a, const CurvePoint& b) noexcept {
+    const glm::dvec3 way = b.position - a.position;
+    return glm::dot(m.position - a.position, way) > 0.0 && glm::dot(b.position - m.position, way) > 0.0 &&
+           glm::dot(m.direction(), way) > 0.0;
+}
+
+// Leaves out points that a longer run passes by, as where the mesh crosses a curve to and fro.
+Curves without_doubles(const base::Runtime& runtime, const Curves& runs, double distance, double longest) {
+    const NearCurves near(runs, longest, distance);
+    base::Array<std::uint8_t> doubled(runtime.memory, runs.point.size());
+    const auto is_longer = [&](std::int64_t s, std::int64_t r) {
+        return runs.size_of(s) > runs.size_of(r) || (runs.size_of(s) == runs.size_of(r) && s < r);
+    };
+    runtime.parallel.for_chunks(runs.count(), 8, [&](std::int64_t begin, std::int64_t end) {
+        for (std::int64_t r = begin; r < end; ++r)
+            for (std::int64_t i = runs.first[r]; i < runs.first[r + 1]; ++i) {
+                const std::int64_t s = near.passing(runs.point[i].position, runs.point[i].direction(), distance, r);
+                doubled[i] = s >= 0 && is_longer(s, r) ? 1 : 0;
+            }
+    });
+    Curves kept(runtime.memory);
+    for (std::int64_t r = 0; r < runs.count(); ++r) {
+        const std::int64_t first = runs.first[r];
+        const std::int64_t count = runs.size_of(r);
+        for_parts(
+            count, false, [&](std::int64_t i) { return doubled[first + i] == 0; },
+            [&](std::int64_t begin, std::int64_t end, bool) {
+                for (std::int64_t i = begin; i < end; ++i) kept.point.push_back(runs.point[first + i]);
+                kept.end(end - begin == count && runs.closed[r] != 0);
+            });
+    }
+    return kept;
+}
+
+// Places of each chain of beads that are part of a step from each other. Only positions count.
+Curves starts_of(const base::Runtime& runtime, const SurfaceMesh& mesh, const Chains<Bead>& beads,
+                 const TraceSettings& settings) {
+    Curves starts(runtime.memory);
+    const double apart = curve_tuning.chosen_apart * settings.longest * mesh.side;
+    for (std::int64_t c = 0; c < beads.count(); ++c) {
+        double way = apart;
+        for (std::int64_t i = beads.first[c]; i < beads.first[c + 1]; ++i) {
+            if (i > beads.first[c]) way += glm::distance(beads.point[i].place, beads.point[i - 1].place);
+            if (way < apart) continue;
+            starts.point.push_back({beads.point[i].place});
+            way = 0.0;
+        }
+        starts.end(beads.closed[c] != 0);
+    }
+    return starts;
+}
+
+// Starts with known directions, as far apart as starts from chains, and closer where the curve turns.
+Curves thinned(const base::Runtime& runtime, const SurfaceMesh& mesh, const Curves& starts,
+               const TraceSettings& settings) {
+    const double apart = curve_tuning.chosen_apart * settings.longest * mesh.side;
+    Curves kept(runtime.memory);
+    for (std::int64_t c = 0; c < starts.count(); ++c) {
+        std::int64_t last = starts.first[c];
+        for (std::int64_t i = last; i < starts.first[c + 1]; ++i) {
+            const bool needed = i == last || i + 1 == starts.first[c + 1] ||
+                                glm::distance(starts.point[i + 1].position, starts.point[last].position) > apart ||
+                                glm::distance(unit_direction(starts.point[i + 1]), unit_direction(starts.point[last])) >
+                                    curve_tuning.kept_turn * settings.turn;
+            if (!needed) continue;
+            kept.point.push_back(starts.point[i]);
+            last = i;
+        }
+        kept.end(starts.closed[c] != 0);
+    }
+    return kept;
+}
+
+// Runs of points from starts: each is a part of a curve, or all of it if it is closed. No place of a curve is in two
+// runs, but beside their ends. Starts follow each other as the points of a curve do.
+Curves runs_from(const base::Runtime& runtime, const Level& level, const SurfaceMesh& mesh, const Curves& starts,
+                 const TraceSettings& settings, TraceReport& report, const base::Progress& progress) {
+    const double side = mesh.side;
+    HRBFNPR_ASSERT(side > 0.0 && settings.longest > 0.0);
+    const auto bring_points = [&](base::Array<CurvePoint>& points, double farthest) {
+        base::Array<std::uint8_t> found(runtime.memory);
+        report.evaluations +=
+            bring_to_curve(runtime, level, {settings.tolerance * side, farthest}, points, found, progress);
+        return found;
+    };
+    base::Array<CurvePoint> points(runtime.memory, starts.point.size());
+    std::copy(starts.point.begin(), starts.point.end(), points.begin());
+    const base::Array<std::uint8_t> brought = bring_points(points, curve_tuning.start_reach * side);
+    Chains<RunPoint> chains(runtime.memory); // the starts that could be brought onto curves
+    for (std::int64_t c = 0; c < starts.count(); ++c) {
+        for (std::int64_t i = starts.first[c]; i < starts.first[c + 1]; ++i)
+            if (brought[i] != 0 && (chains.point.size() == chains.first.back() ||
+                                    in_order(chains.point.back().at, points[i], side, settings)))
+                chains.point.push_back({points[i]});
+        chains.end(starts.closed[c] != 0);
+    }
+    // A chain of two points has no gap from the second one back to the first.
+    const auto is_gap_between = [&](std::int64_t c, std::int64_t i, std::int64_t j) {
+        return j > i || (j >= 0 && chains.size_of(c) > 2);
+    };
+    const auto wanted = [&](std::int64_t c, std::int64_t i, std::int64_t j, RunPoint& p) {
+        RunPoint& a = chains.point[i];
+        const RunPoint& b = chains.point[j];
+        if (!is_gap_between(c, i, j) || a.link != Link::unknown) return false;
+        if (is_linked(a.at, b.at, side, settings)) {
+            a.link = Link::linked;
+            return false;
+        }
+        const double width = glm::distance(a.at.position, b.at.position) / side;
+        if (!(width <= curve_tuning.widest_gap * settings.longest && width >= curve_tuning.kink_length)) {
+            a.link = Link::parted;
+            return false;
+        }
+        p.at.position = CubicPiece(a.at, b.at).at(0.5);
+        return true;
+    };
+    const auto bring = [&](base::Array<RunPoint>& added, const base::Array<std::int64_t>& of,
+                           const base::Array<std::int64_t>& after) {
+        base::Array<CurvePoint> middle(runtime.memory);
+        for (const RunPoint& p : added) middle.push_back(p.at);
+        base::Array<std::uint8_t> found = bring_points(middle, 0.5 * settings.longest * side);
+        for (std::int64_t k = 0; k < added.size(); ++k) {
+            added[k].at = middle[k];
+            RunPoint& a = chains.point[after[k]];
+            const RunPoint& b = chains.point[chains.next(of[k], after[k])];
+            if (found[k] != 0 && !is_between(middle[k], a.at, b.at)) found[k] = 0;
+            if (found[k] == 0) a.link = Link::parted;
+        }
+        return found;
+    };
+    for (int round = 0; round < curve_tuning.gap_halvings && halve_pieces(chains, wanted, bring); ++round)
+        progress.check();
+    Curves runs(runtime.memory);
+    for (std::int64_t c = 0; c < chains.count(); ++c) {
+        const std::int64_t first = chains.first[c];
+        const std::int64_t count = chains.size_of(c);
+        const auto joined = [&](std::int64_t k) {
+            const RunPoint& a = chains.point[first + k];
+            const std::int64_t j = chains.next(c, first + k);
+            return is_gap_between(c, first + k, j) &&
+                   (a.link == Link::linked ||
+                    (a.link == Link::unknown && is_linked(a.at, chains.point[j].at, side, settings)));
+        };
+        for_joined(count, chains.closed[c] != 0, joined, [&](std::int64_t begin, std::int64_t end, bool whole) {
+            for (std::int64_t k = begin; k < end; ++k) runs.point.push_back(chains.point[first + k % count].at);
+            if (begin == end) return;
+            runs.end(whole);
+        });
+    }
+    return without_doubles(runtime, runs, curve_tuning.found_already * side, settings.longest * side);
+}
 
 // ---- Following
 
@@ -55,15 +243,23 @@ struct Passed {
 struct Paths {
     Paths(const SurfaceMesh& meshed, const Curves& known, const TraceSettings& by)
         : mesh(meshed), runs(known), settings(by), path(runs.point.memory()), passed(runs.point.memory()),
-          run_of(curve_of_points(runs)), grid(positions_of(runs.point), 0.75 * settings.longest * mesh.side) {}
+          forward(runs.point.memory(), runs.count()), backward(runs.point.memory(), runs.count()),
+          before(runs.point.memory(), runs.count()), passed_by(runs.point.memory(), runs.count()),
+          run_of(curve_of_points(runs)), grid(positions_of(runs.point), 0.75 * settings.longest * mesh.side) {
+        for (base::Array<std::int64_t>* const all : {&forward, &backward, &before})
+            std::fill(all->begin(), all->end(), -1);
+    }
 
     const SurfaceMesh& mesh;
     const Curves& runs;
     const TraceSettings& settings;
     base::Array<Path> path;
     base::Array<Passed> passed;
-    base::Array<std::int32_t> run_of; // the run of each point of the runs
-    geometry::PointGrid grid;         // the points of the runs by their positions
+    // Each run's two paths, and the run whose path leads to it; -1: none.
+    base::Array<std::int64_t> forward, backward, before;
+    base::Array<std::uint8_t> passed_by; // 1: another path goes past this run, which then is left out
+    base::Array<std::int32_t> run_of;    // the run of each point of the runs
+    geometry::PointGrid grid;            // the points of the runs by their positions
 };
 
 // The most that a path may turn in a step of a length in sides.
@@ -160,7 +356,7 @@ void take(Paths& paths, Path& path) {
     if (!(turn <= limit)) return shorten(paths, path, std::clamp(curve_tuning.step_safety * limit / turn, 0.25, 0.7));
     if (paths.mesh.region.contains(path.trial.position)) return accept(paths, path, tangent);
     // Shorter steps lead up to the region's wall.
-    if (path.step <= curve_tuning.at_wall * paths.mesh.side)
+    if (path.step <= curve_tuning.close * paths.mesh.side)
         path.end = PathEnd::border;
     else
         shorten(paths, path, 0.5);
@@ -178,6 +374,7 @@ void follow_from(const base::Runtime& runtime, const Level& level, const base::A
                   {}};
         if (sense > 0.0) path.steps = static_cast<std::int32_t>(runs.size_of(r) - 1); // it came along its run
         predict(path);
+        (sense > 0.0 ? paths.forward : paths.backward)[r] = paths.path.size();
         active.push_back(paths.path.size());
         paths.path.push_back(path);
     }
@@ -198,49 +395,13 @@ void follow_from(const base::Runtime& runtime, const Level& level, const base::A
     }
 }
 
-// How paths put runs together to curves.
-struct Joints {
-    Joints(base::Memory& memory, std::int64_t runs)
-        : forward(memory, runs), backward(memory, runs), before(memory, runs), passed_by(memory, runs) {
-        for (base::Array<std::int64_t>* const all : {&forward, &backward, &before})
-            std::fill(all->begin(), all->end(), -1);
-    }
-    // Whether no path leads to the run.
-    [[nodiscard]] bool is_first(const Curves& runs, std::int64_t r) const noexcept {
-        return runs.closed[r] == 0 && before[r] < 0 && passed_by[r] == 0;
-    }
-
-    // Each run's two paths, and the run whose path leads to it; -1: none.
-    base::Array<std::int64_t> forward, backward, before;
-    base::Array<std::uint8_t> passed_by; // 1: another path goes past this run, which then is left out
-};
-
-Joints join(const Paths& paths) {
-    const Curves& runs = paths.runs;
-    Joints joints(runs.point.memory(), runs.count());
-    const auto path_from = [&](std::int64_t r) -> const Path& { return paths.path[joints.forward[r]]; };
-    for (std::int64_t p = 0; p < paths.path.size(); ++p) {
-        const Path& path = paths.path[p];
-        (path.sense < 0.0 ? joints.backward : joints.forward)[path.start] = p;
-        if (path.sense < 0.0 || path.met < 0) continue;
-        std::int64_t& before = joints.before[path.met];
-        if (before < 0 || path.met_point < path_from(before).met_point) before = path.start;
-    }
-    // Where two paths come to one run, and none to the run of one of them, the other has passed that by at a kink:
-    // there is nothing left for it to do. Changes of sign that no curve passes by tell of curves that are lost so.
-    for (std::int64_t r = 0; r < runs.count(); ++r) {
-        if (runs.closed[r] != 0) continue;
-        const std::int64_t met = path_from(r).met;
-        if (met < 0 || joints.before[met] == r) continue;
-        std::int64_t late = r;
-        if (joints.before[r] >= 0 && joints.before[joints.before[met]] < 0) late = std::exchange(joints.before[met], r);
-        if (joints.before[late] < 0) joints.passed_by[late] = 1;
-    }
-    return joints;
+// Whether no path leads to the run.
+bool is_first(const Paths& paths, std::int64_t r) noexcept {
+    return paths.runs.closed[r] == 0 && paths.before[r] < 0 && paths.passed_by[r] == 0;
 }
 
 // Adds the curves that the runs and the paths between them make.
-void add_curves(const Paths& paths, const Joints& joints, Curves& curves, TraceReport& report) {
+void add_curves(const Paths& paths, Curves& curves, TraceReport& report) {
     const Curves& runs = paths.runs;
     base::Array<std::uint8_t> done(runs.point.memory(), runs.count());
     const auto add_path = [&](std::int64_t number, bool reversed) {
@@ -255,28 +416,28 @@ void add_curves(const Paths& paths, const Joints& joints, Curves& curves, TraceR
             done[run] = 1;
             const bool closed = runs.closed[run] != 0;
             // A path may have come to a later point of the run than its first.
-            const std::int64_t before = closed ? -1 : joints.before[run];
-            const std::int64_t first = before >= 0 ? paths.path[joints.forward[before]].met_point : runs.first[run];
+            const std::int64_t before = closed ? -1 : paths.before[run];
+            const std::int64_t first = before >= 0 ? paths.path[paths.forward[before]].met_point : runs.first[run];
             for (std::int64_t i = first; i < runs.first[run + 1]; ++i) curves.point.push_back(runs.point[i]);
-            add_path(joints.forward[run], false);
-            const std::int64_t met = closed ? -1 : paths.path[joints.forward[run]].met;
-            run = met >= 0 && joints.before[met] == run ? met : -1;
+            add_path(paths.forward[run], false);
+            const std::int64_t met = closed ? -1 : paths.path[paths.forward[run]].met;
+            run = met >= 0 && paths.before[met] == run ? met : -1;
         }
     };
     for (std::int64_t r = 0; r < runs.count(); ++r) {
-        if (!joints.is_first(runs, r)) continue;
-        add_path(joints.backward[r], true);
+        if (!is_first(paths, r)) continue;
+        add_path(paths.backward[r], true);
         add_from(r);
-        curves.end_curve(false);
+        curves.end(false);
     }
     for (std::int64_t r = 0; r < runs.count(); ++r) {
-        if (done[r] != 0 || joints.passed_by[r] != 0) continue;
+        if (done[r] != 0 || paths.passed_by[r] != 0) continue;
         add_from(r);
-        curves.end_curve(true);
+        curves.end(true);
     }
     for (const Path& path : paths.path) {
-        if (joints.passed_by[path.start] != 0) continue;
-        if (path.end == PathEnd::broken || (path.sense > 0.0 && path.met >= 0 && joints.before[path.met] != path.start))
+        if (paths.passed_by[path.start] != 0) continue;
+        if (path.end == PathEnd::broken || (path.sense > 0.0 && path.met >= 0 && paths.before[path.met] != path.start))
             ++report.broken;
     }
 }
@@ -289,65 +450,55 @@ void follow(const base::Runtime& runtime, const Level& level, const SurfaceMesh&
     base::Array<std::int64_t> all(runtime.memory), first(runtime.memory);
     for (std::int64_t r = 0; r < runs.count(); ++r) all.push_back(r);
     follow_from(runtime, level, all, 1.0, paths, report, progress);
-    const Joints forward = join(paths);
+    // The path that comes to the first point of a run leads to it.
+    for (const Path& path : paths.path) {
+        if (path.met < 0) continue;
+        std::int64_t& before = paths.before[path.met];
+        if (before < 0 || path.met_point < paths.path[paths.forward[before]].met_point) before = path.start;
+    }
+    // Where two paths come to one run, and none to the run of one of them, the other has passed that by at a kink:
+    // there is nothing left for it to do. Changes of sign that no curve passes by tell of curves that are lost so.
+    for (std::int64_t r = 0; r < runs.count(); ++r) {
+        const std::int64_t met = runs.closed[r] != 0 ? -1 : paths.path[paths.forward[r]].met;
+        if (met < 0 || paths.before[met] == r) continue;
+        std::int64_t late = r;
+        if (paths.before[r] >= 0 && paths.before[paths.before[met]] < 0) late = std::exchange(paths.before[met], r);
+        if (paths.before[late] < 0) paths.passed_by[late] = 1;
+    }
     for (std::int64_t r = 0; r < runs.count(); ++r)
-        if (forward.is_first(runs, r)) first.push_back(r);
+        if (is_first(paths, r)) first.push_back(r);
     follow_from(runtime, level, first, -1.0, paths, report, progress);
-    add_curves(paths, join(paths), curves, report);
+    add_curves(paths, curves, report);
 }
 
 // ---- Loops between vertices
 
-// Calls holds(vertex) for the neighbours of a triangle's corner, until it is false: around the corner over the edges
-// that begin there, and at a border also the other way.
-template <class Holds>
-bool all_neighbours(const SurfaceMesh& mesh, std::int64_t triangle, std::int32_t vertex, Holds&& holds) {
-    for (const std::int64_t over : {0, 2}) {
-        std::int64_t t = triangle;
-        do {
-            const std::int32_t* const v = mesh.corner.data() + 3 * t;
-            const std::int64_t k = std::find(v, v + 3, vertex) - v;
-            HRBFNPR_ASSERT(k < 3);
-            if (!holds(v[(k + 1) % 3]) || !holds(v[(k + 2) % 3])) return false;
-            t = mesh.neighbour[3 * t + (k + over) % 3];
-        } while (t >= 0 && t != triangle);
-        if (t >= 0) break;
-    }
-    return true;
-}
-
-// Whether g has one sign in a triangle, and |g| is low at a corner beside another: lower than the difference. The
-// extremum of a quadratic is nearer than half an edge, and lower by a quarter of that difference. It has no branches
-// because it is called for every triangle.
-bool is_low(double a, double b, double c) noexcept {
-    const double lower = std::min(std::abs(a), std::min(std::abs(b), std::abs(c)));
-    const double upper = std::max(std::abs(a), std::max(std::abs(b), std::abs(c)));
-    const unsigned parted = unsigned(std::min(a, std::min(b, c)) < 0.0) & unsigned(std::max(a, std::max(b, c)) > 0.0);
-    return (unsigned(lower < upper - lower) & ~parted) != 0;
-}
-
-// Vertices where |g| is low, is nowhere less among the neighbours, and g has the sign of all these; ascending.
+// Vertices where |g| is low, is nowhere less among the neighbours, and g has the sign of all these; ascending. It is
+// low where it is lower than the difference to another corner of a triangle: the extremum of a quadratic is nearer than
+// half an edge, and lower by a quarter of that difference.
 base::Array<std::int32_t> find_low(const base::Runtime& runtime, const SurfaceMesh& mesh,
                                    const base::Array<double>& level) {
-    base::Array<std::int32_t> found(runtime.memory, mesh.triangles()); // 1 + such a vertex of each triangle
-    runtime.parallel.for_chunks(mesh.triangles(), 8192, [&](std::int64_t begin, std::int64_t end) {
-        for (std::int64_t t = begin; t < end; ++t) {
-            const std::int32_t* const v = mesh.corner.data() + 3 * t;
-            if (!is_low(level[v[0]], level[v[1]], level[v[2]])) continue;
-            const std::int32_t least = *std::min_element(
-                v, v + 3, [&](std::int32_t a, std::int32_t b) { return std::abs(level[a]) < std::abs(level[b]); });
-            const double here = level[least];
-            const bool is_least = all_neighbours(mesh, t, least, [&](std::int32_t other) {
-                return (level[other] < 0.0) == (here < 0.0) && std::abs(level[other]) >= std::abs(here);
-            });
-            if (is_least) found[t] = 1 + least;
+    base::Array<std::uint8_t> low(runtime.memory, mesh.vertices());
+    const auto value = [&](std::int32_t v) { return std::abs(level[v]); };
+    const auto less = [&](std::int32_t a, std::int32_t b) { return value(a) < value(b); };
+    for (std::int64_t t = 0; t < mesh.triangles(); ++t) {
+        const std::int32_t* const v = mesh.corner.data() + 3 * t;
+        const double least = std::min(value(v[0]), std::min(value(v[1]), value(v[2])));
+        const double most = std::max(value(v[0]), std::max(value(v[1]), value(v[2])));
+        if (least < most - least) low[*std::min_element(v, v + 3, less)] = 1;
+    }
+    for (std::int64_t t = 0; t < mesh.triangles(); ++t) {
+        const std::int32_t* const v = mesh.corner.data() + 3 * t;
+        if ((low[v[0]] | low[v[1]] | low[v[2]]) == 0) continue;
+        for (std::int64_t k = 0; k < 9; ++k) { // each corner beside each
+            const std::int32_t here = v[k / 3];
+            const std::int32_t other = v[k % 3];
+            if ((level[other] < 0.0) != (level[here] < 0.0) || !(value(other) >= value(here))) low[here] = 0;
         }
-    });
+    }
     base::Array<std::int32_t> all(runtime.memory);
-    for (const std::int32_t v : found)
-        if (v > 0) all.push_back(v - 1);
-    std::sort(all.begin(), all.end());
-    all.resize(std::unique(all.begin(), all.end()) - all.begin());
+    for (std::int32_t v = 0; v < mesh.vertices(); ++v)
+        if (low[v] != 0) all.push_back(v);
     return all;
 }
 
@@ -414,7 +565,7 @@ base::Array<Straddle> find_small_loops(const base::Runtime& runtime, const Level
         glm::dvec2 step((-g.x * v.y + g.y * mixed) / determinant, (-g.y * u.x + g.x * mixed) / determinant);
         const double length = glm::length(step);
         const double longest = curve_tuning.longest_search * side;
-        if (!(length > curve_tuning.near_surface * side)) return false;
+        if (!(length > curve_tuning.close * side)) return false;
         const double extremum = (three[0].level + 0.5 * glm::dot(g, step)) * (negative ? -1.0 : 1.0);
         if (length <= longest && extremum > curve_tuning.hopeless * std::abs(known)) return false;
         if (length > longest) step *= longest / length;
@@ -430,7 +581,7 @@ base::Array<Straddle> find_small_loops(const base::Runtime& runtime, const Level
             points[3 * i + 1].position = place + probe * u;
             points[3 * i + 2].position = place + probe * v;
         }
-        evaluate_on_surface(runtime, level, curve_tuning.near_surface * side, points, evaluations, progress);
+        evaluate_on_surface(runtime, level, curve_tuning.close * side, points, evaluations, progress);
         std::int64_t left = 0;
         for (std::int64_t i = 0; i < active.size(); ++i) {
             Search search = active[i];
@@ -442,29 +593,6 @@ base::Array<Straddle> find_small_loops(const base::Runtime& runtime, const Level
 }
 
 // ---- Starts
-
-// One bead for each crossing, in their order.
-base::Array<Bead> beads_of(const base::Runtime& runtime, const SurfaceMesh& mesh, const MeshChains& chains) {
-    base::Array<Bead> beads(runtime.memory, chains.crossing.size());
-    runtime.parallel.for_chunks(chains.chains(), 16, [&](std::int64_t from, std::int64_t to) {
-        for (std::int64_t c = from; c < to; ++c) {
-            const std::int64_t begin = chains.first[c];
-            const std::int64_t count = chains.first[c + 1] - begin;
-            const auto place = [&](std::int64_t i) {
-                const std::int64_t at =
-                    chains.closed[c] != 0 ? (i + count) % count : std::clamp<std::int64_t>(i, 0, count - 1);
-                return chains.crossing[begin + at].place(mesh);
-            };
-            for (std::int64_t i = 0; i < count; ++i) {
-                const Crossing& crossing = chains.crossing[begin + i];
-                beads[begin + i] = {place(i),
-                                    place(i + 1) - place(i - 1),
-                                    {mesh.position[crossing.negative], mesh.position[crossing.positive]}};
-            }
-        }
-    });
-    return beads;
-}
 
 // The curves that are known already, and the arguments of trace().
 struct Tracing {
@@ -530,7 +658,7 @@ base::Array<std::int64_t> start_from(Tracing& tracing, base::Array<CurvePoint> p
     base::Memory& memory = tracing.runtime.memory;
     const double side = tracing.mesh.side;
     base::Array<std::uint8_t> found(memory);
-    const NewtonSettings newton{tracing.settings.tolerance * side, curve_tuning.bead_reach * side};
+    const NewtonSettings newton{tracing.settings.tolerance * side, curve_tuning.start_reach * side};
     tracing.report.evaluations +=
         bring_to_curve(tracing.runtime, tracing.level, newton, points, found, tracing.progress);
     const base::Array<std::uint8_t> known = on_curves(tracing, points);
@@ -543,9 +671,9 @@ base::Array<std::int64_t> start_from(Tracing& tracing, base::Array<CurvePoint> p
         fresh.push_back(points[i]);
         places.push_back(points[i].position);
     }
-    const double same = curve_tuning.same_start * side;
+    const double same = curve_tuning.close * side;
     const geometry::PointGrid grid(places, same);
-    Curves runs = no_curves(memory); // one point each
+    Curves runs(memory); // one point each
     for (std::int64_t i = 0; i < fresh.size(); ++i) {
         bool first = true;
         grid.around(places[i], [&](std::int64_t at) {
@@ -555,7 +683,7 @@ base::Array<std::int64_t> start_from(Tracing& tracing, base::Array<CurvePoint> p
         });
         if (!first) continue;
         runs.point.push_back(fresh[i]);
-        runs.end_curve(false);
+        runs.end(false);
     }
     tracing.add(runs);
     return lost;
@@ -610,7 +738,7 @@ std::int64_t look_closer(Tracing& tracing, const base::Array<Straddle>& lost) {
         const SurfaceMesh part = triangulate(runtime, tracing.level.surface(), seeds, settings, {});
         base::Array<double> at_vertices(runtime.memory);
         tracing.level.at_vertices(runtime, part, at_vertices, tracing.progress);
-        for (const Bead& bead : beads_of(runtime, part, find_chains(runtime, part, at_vertices))) beads.push_back(bead);
+        for (const Bead& bead : find_beads(runtime, part, at_vertices).point) beads.push_back(bead);
     }
     return start_from(tracing, beads).size();
 }
@@ -622,14 +750,13 @@ Curves trace(const base::Runtime& runtime, const Level& level, const SurfaceMesh
     report = TraceReport{};
     base::Array<double> at_vertices(runtime.memory);
     level.at_vertices(runtime, mesh, at_vertices, progress);
-    const MeshChains chains = find_chains(runtime, mesh, at_vertices);
-    const base::Array<Bead> beads = beads_of(runtime, mesh, chains);
-    Tracing tracing{runtime, level, mesh, settings, report, progress, no_curves(runtime.memory)};
+    const Chains<Bead> beads = find_beads(runtime, mesh, at_vertices);
+    Tracing tracing{runtime, level, mesh, settings, report, progress, Curves(runtime.memory)};
     const Curves starts =
-        near != nullptr ? thinned(runtime, mesh, *near, settings) : starts_of(runtime, mesh, chains, beads, settings);
+        near != nullptr ? thinned(runtime, mesh, *near, settings) : starts_of(runtime, mesh, beads, settings);
     tracing.add(runs_from(runtime, level, mesh, starts, settings, report, progress));
     const std::int64_t first = report.starts;
-    base::Array<Straddle> lost = start_from(tracing, beads);
+    base::Array<Straddle> lost = start_from(tracing, beads.point);
     const std::int64_t before = report.starts;
     const base::Array<Straddle> loops =
         find_small_loops(runtime, level, mesh, at_vertices, report.evaluations, progress);
@@ -642,7 +769,7 @@ Curves trace(const base::Runtime& runtime, const Level& level, const SurfaceMesh
 }
 
 Curves moved_contours(base::Memory& memory, const View& view, const Curves& contours, double farthest) {
-    Curves result = no_curves(memory);
+    Curves result(memory);
     result.point.reserve(contours.point.size());
     for (std::int64_t c = 0; c < contours.count(); ++c) {
         for (std::int64_t i = contours.first[c]; i < contours.first[c + 1]; ++i) {
@@ -654,7 +781,7 @@ Curves moved_contours(base::Memory& memory, const View& view, const Curves& cont
             p.position += way;
             result.point.push_back(p);
         }
-        result.end_curve(contours.closed[c] != 0);
+        result.end(contours.closed[c] != 0);
     }
     return result;
 }

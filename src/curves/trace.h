@@ -6,8 +6,7 @@
 
 #include "base/operation.h"
 #include "base/runtime.h"
-#include "curves/curves.h"
-#include "curves/mesh_chains.h"
+#include "curves/mesh_edges.h"
 
 namespace hrbfnpr::curves {
 
@@ -26,13 +25,6 @@ struct TraceReport {
     std::int64_t added = 0;  // starts on curves that the first ones had not led to
     std::int64_t loops = 0;  // those of the added ones that are on loops between the mesh's vertices
     std::int64_t missed = 0; // changes of sign that no curve was found for
-};
-
-// A change of sign on an edge of the mesh, and the direction of its chain there.
-struct Bead {
-    glm::dvec3 place;
-    glm::dvec3 way;
-    Straddle edge;
 };
 
 // The same bits for any thread count.  near: places near the curves, in their order, that are tried before the changes

@@ -11,10 +11,10 @@ namespace hrbfnpr::curves {
 struct CurveTuning {
     // ---- The mesh
 
-    // Seeds are brought as near to the surface as this, in sides, in at most this many evaluations each. Larger
-    // tolerance: seeds may begin in a cell beside the surface.
-    double seed_tolerance = 1e-3;
-    int seed_evaluations = 12;
+    // Places that are nearer than this to each other, to the surface or to the region's wall are one, or on it, in
+    // sides: seeds, starts of curves, ends of paths, crossings of a line with triangles. Larger: fewer evaluations;
+    // small loops and close sheets may be missed.
+    double close = 1e-3;
     // A vertex stands for the surface of its sheet within this many sides: a seed that has none is missed. Larger: less
     // is told of thin parts.
     double vertex_reach = 1.5;
@@ -49,7 +49,8 @@ struct CurveTuning {
 
     // ---- Newton's steps
 
-    // A point that is not on its curve after this many steps is given up. Larger: more evaluations.
+    // A point that is not on its curve, or a seed that is not on the surface, after this many steps is given up.
+    // Larger: more evaluations.
     int newton_steps = 12;
     // A step of up to this many tolerances may be the last one, where the next one would be below this share of the
     // tolerance. Larger: fewer evaluations, points less exact.
@@ -58,22 +59,37 @@ struct CurveTuning {
 
     // ---- Starts
 
-    // A curve may be this far from the change of sign that stands for it, in sides. Larger: a start may be led to the
-    // next curve.
-    double bead_reach = 1.0;
+    // A curve may be this far from the place that it is looked for at, in sides. Larger: a start may be led to the next
+    // curve.
+    double start_reach = 1.0;
     // A change of sign has its curve if one passes within this, in sides. Larger: close curves may be missed.
     double covered = 0.35;
-    // A start lies on a known curve if it is this near to it, in sides. Larger: close curves may be missed; smaller:
-    // curves are found twice.
+    // Starts and runs that are this near to a known curve or a longer run lie on it, in sides. Larger: close curves may
+    // be missed; smaller: curves are found twice.
     double found_already = 0.02;
-    // Starts nearer to each other than this, in sides, are one.
-    double same_start = 1e-3;
     // Where no curve was found for changes of sign, cells are this many times smaller, with at most this many along a
     // box's diagonal. Larger: more time, fewer curves missed.
     double closer = 8.0;
     double most_cells = 128.0;
     // A surface that has lost more changes of sign than this is torn, in smaller cells as well.
     std::int64_t most_lost = 2000;
+
+    // ---- Runs of points
+
+    // Starts are this far apart, in longest steps. Larger: fewer starts, and more gaps to fill.
+    double chosen_apart = 0.65;
+    // Points that are nearer to each other than this are one, in longest steps, but where the curve turns. Larger:
+    // fewer points.
+    double least_run = 0.1;
+    // Points across a wider gap than this are not on one curve, in longest steps. Larger: more gaps are tried.
+    double widest_gap = 3.0;
+    // Points of the view before are kept where the curve turns by this much, in turns. Larger: fewer points.
+    double kept_turn = 0.8;
+    // A piece's chord may be off its ends' directions by this much, in turns; an arc's is by half. Larger: cubics may
+    // leave the curve.
+    double off_chord = 0.75;
+    // A gap is halved this many times, down to a kink.
+    int gap_halvings = 10;
 
     // ---- Following
 
@@ -94,8 +110,6 @@ struct CurveTuning {
     double same_way = 0.7;
     // A path may come to its own run after this many steps.
     std::int32_t fewest_steps_of_loop = 3;
-    // A path ends this near to the region's wall, in sides.
-    double at_wall = 1e-3;
     // Where points are nearer to each other than this, in sides, a curve may have a kink between them, of this many
     // radians, since the Hessian of a Hermite sum jumps at each sample.
     double kink_length = 2e-3;
@@ -110,9 +124,6 @@ struct CurveTuning {
     double longest_search = 0.5;
     double farthest_extremum = 1.5;
     int extremum_steps = 5;
-    // A place this near to the surface counts as on it, and a search ends with a shorter step, in sides. Larger: fewer
-    // evaluations, small loops may be missed.
-    double near_surface = 1e-3;
     // A quadratic whose extremum is near has no zero if it is not below this share of |g| at the vertex. Larger: more
     // evaluations.
     double hopeless = 0.5;
@@ -143,8 +154,6 @@ struct CurveTuning {
     double place_spacing = 0.5;
     // Spans with a smaller gap are one, in sides.
     double span_gap = 0.05;
-    // Between crossings with triangles that are farther apart than this, in sides, f is evaluated.
-    double crossings_apart = 1e-3;
     // A place this near to the surface, in diagonals, is on it as far as f can be trusted: prepared values are off by
     // some 1e-9.
     double root_noise = 1e-9;

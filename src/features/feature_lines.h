@@ -1,39 +1,125 @@
 // SPDX-License-Identifier: MIT
+// Curvatures of f = 0 and their derivatives, measured once and read for every view; and a mesh with them, which is
+// finer where they change otherwise between two vertices than both tell, as around the samples of a rough fit.
+//
 // Lines on the surface beyond its contours: suggestive contours, ridges, valleys, apparent ridges, parabolic lines,
-// isophotes, plane sections, level lines.
+// isophotes, plane sections.
 //
 // A mesh of the surface tells where they pass; each of their points is then brought onto the true curve, between the
 // two vertices of the edge that it crosses.  A line that turns within a triangle is missed, so the mesh should be as
 // fine as the lines that are to be drawn.
 #pragma once
 
-#include "curves/surface_lines.h"
+#include "curves/curves.h"
 #include "curves/surface_mesh.h"
-#include "features/shape.h"
+#include "implicit/shape_source.h"
 
+#include <array>
+#include <cstdint>
 #include <span>
 
 namespace hrbfnpr::curves {
 
-// A caller's function of place.
-class PlaceFunction {
-public:
-    PlaceFunction() = default;
-    PlaceFunction(const PlaceFunction&) = delete;
-    PlaceFunction& operator=(const PlaceFunction&) = delete;
-    virtual ~PlaceFunction() = default;
+// ---- Shape
 
-    // On the calling thread, at most implicit::batch_size points.
-    virtual void evaluate(const implicit::PointBatch& points, double* value) const = 0;
-    [[nodiscard]] virtual bool concurrent() const noexcept = 0;
+// Signs as in surface/curvature.h: k > 0 where the surface bends towards the normal grad f / |grad f|, so that a ball
+// has k < 0.  All 0 where there is no gradient.
+struct ShapePoint {
+    glm::dvec3 normal{0.0};
+    glm::dvec3 d1{0.0}; // the direction of k1; d2() has k2
+    double k1 = 0.0;    // k1 >= k2
+    double k2 = 0.0;
+    std::array<double, 4> c{}; // C111 C112 C122 C222: derivatives of the second fundamental form
+
+    [[nodiscard]] glm::dvec3 d2() const noexcept { return glm::cross(normal, d1); }
+    // Tangent vectors in the basis d1, d2.
+    [[nodiscard]] glm::dvec2 in_tangent(const glm::dvec3& v) const noexcept {
+        return {glm::dot(v, d1), glm::dot(v, d2())};
+    }
+    [[nodiscard]] glm::dvec3 in_space(const glm::dvec2& t) const noexcept { return t.x * d1 + t.y * d2(); }
+    // The second fundamental form, applied to one vector.
+    [[nodiscard]] glm::dvec2 bend(const glm::dvec2& t) const noexcept { return {k1 * t.x, k2 * t.y}; }
+    // C(u, v, .)
+    [[nodiscard]] glm::dvec2 change(const glm::dvec2& u, const glm::dvec2& v) const noexcept {
+        const double mixed = u.x * v.y + u.y * v.x;
+        return {c[0] * u.x * v.x + c[1] * mixed + c[2] * u.y * v.y, c[1] * u.x * v.x + c[2] * mixed + c[3] * u.y * v.y};
+    }
 };
+
+// hessian: xx xy xz yy yz zz; third: xxx xxy xxz xyy xyz xzz yyy yyz yzz zzz. Where k1 = k2 any directions are given,
+// with C in them.
+[[nodiscard]] ShapePoint shape_point(const glm::dvec3& gradient, const std::array<double, 6>& hessian,
+                                     const std::array<double, 10>& third) noexcept;
+
+// gradient: grad f at the points. result is resized. The same bits for any thread count.
+void measure_shape(const base::Runtime& runtime, const implicit::ShapeSource& source,
+                   const geometry::VecArray& position, const geometry::VecArray& gradient,
+                   base::Array<ShapePoint>& result, const base::Progress& progress);
+
+struct ShapedMesh {
+    explicit ShapedMesh(base::Memory& memory) noexcept : mesh(memory), shape(memory) {}
+
+    SurfaceMesh mesh;              // `side` is the side of the cells it was made from
+    base::Array<ShapePoint> shape; // at its vertices
+    [[nodiscard]] std::int64_t bytes() const noexcept { return mesh.bytes() + shape.bytes(); }
+};
+
+// Edges are halved, up to three times, and their middles brought onto the surface; each triangle is cut into two, three
+// or four at its halved edges, so that triangles still meet nowhere but in edges and corners.  The first vertices are
+// those of `mesh`.  The same bits for any thread count.  Throws Error{out_of_memory, cancelled, callback}.
+[[nodiscard]] ShapedMesh measured_mesh(const base::Runtime& runtime, const implicit::Implicit& implicit,
+                                       const implicit::ShapeSource& source, const SurfaceMesh& mesh,
+                                       const base::Progress& progress);
+
+enum class FeatureKind : std::uint8_t {
+    suggestive_contour, // [DeCarlo et al. 2003]
+    ridge,              // convex; [Ohtake, Belyaev & Seidel 2004]
+    valley,
+    apparent_ridge, // [Judd, Durand & Adelson 2007]
+    parabolic,      // K = 0
+    isophote,       // n . l = level
+    section         // plane . p = level
+};
+
+// Whether the sign of g changes with the sign of a principal direction.
+[[nodiscard]] constexpr bool is_directed(FeatureKind kind) noexcept {
+    return kind == FeatureKind::ridge || kind == FeatureKind::valley || kind == FeatureKind::apparent_ridge;
+}
+// Whether g comes from curvatures.
+[[nodiscard]] constexpr bool needs_shape(FeatureKind kind) noexcept { return kind != FeatureKind::section; }
+
+struct FeatureValue {
+    double g = 1.0;
+    double strength = -1.0;   // without a unit; not positive: no line here, whatever g is
+    double facing = 1.0;      // view-dependent kinds: n . v, v the direction to the eye or light; else 1
+    glm::dvec3 along{0.0};    // directed kinds: the unit direction that g is a derivative along; both have one sign
+    glm::dvec3 gradient{0.0}; // the gradient of g along the surface, where derivatives up to the third give it; else 0
+};
+
+// `towards`: the eye or the light, a place (w = 1) or the direction to it (w = 0).
+// `unit`: the length that makes strengths pure numbers, the model's diagonal.
+// Not for sections.
+//
+//   kind                 g                                      strength
+//   suggestive_contour   radial curvature times sin^2           its derivative towards the eye, times sin, unit^2
+//   ridge, valley        C(d, d, d) of the larger curvature     (|k| - |k'|) unit; of a ridge k < 0
+//   apparent_ridge       derivative of q1^2 along t1            q1 unit
+//   parabolic            k1 k2 unit^2                           |grad K| unit^3
+//   isophote             n . l                                  |grad (n . l)| unit
+//
+// sin: the sine of the angle between the normal and the view. Without it the first strength would grow without bound
+// where the surface faces the eye. The strength is the same whether `towards` looks at the outside or the inside.
+// Whether a ridge is one, and not a line of least curvature, is for the caller to see.
+[[nodiscard]] FeatureValue feature_value(FeatureKind kind, const ShapePoint& shape, const glm::dvec3& position,
+                                         const glm::dvec4& towards, double unit) noexcept;
+
+// ---- Lines
 
 struct FeatureRequest {
     FeatureKind kind = FeatureKind::suggestive_contour;
-    glm::dvec4 towards{0.0, 0.0, 1.0, 0.0};  // view-dependent: the eye or light, a place (w = 1) or a direction to it
-    glm::dvec3 plane{0.0, 0.0, 1.0};         // sections: the planes' unit normal
-    std::span<const double> levels;          // isophotes, sections, levels: one or several
-    const PlaceFunction* function = nullptr; // levels
+    glm::dvec4 towards{0.0, 0.0, 1.0, 0.0}; // view-dependent: the eye or light, a place (w = 1) or a direction to it
+    glm::dvec3 plane{0.0, 0.0, 1.0};        // sections: the planes' unit normal
+    std::span<const double> levels;         // isophotes, sections: one or several
     // A line goes on while it is at least `lower`, and is drawn if it is `upper` somewhere (hysteresis).  To fade it,
     // draw it with (strength - lower) / (upper - lower).
     double lower = 0.0;
@@ -42,7 +128,6 @@ struct FeatureRequest {
     // Evaluations of g at most to find each point.  With none, points are where g is 0 by interpolation: a cubic one
     // for suggestive contours, parabolic lines and isophotes, which is enough to draw; a linear one else.
     std::int32_t rounds = 6;
-    bool far_side = false; // view-dependent: also where the surface faces away
 };
 
 // The surface that lines are looked for on. All of it outlives the call.
@@ -50,25 +135,24 @@ struct FeatureSurface {
     const implicit::Implicit& implicit;
     const implicit::ShapeSource& source;
     const SurfaceMesh& mesh;
-    const base::Array<ShapePoint>& shape; // at the mesh's vertices; may be empty for sections and levels
+    const base::Array<ShapePoint>& shape; // at the mesh's vertices; may be empty for sections
 };
 
-struct FeatureLines {
-    explicit FeatureLines(base::Memory& memory) noexcept
-        : first(memory), closed(memory), level(memory), position(memory), normal(memory), strength(memory) {}
+struct FeaturePoint {
+    glm::dvec3 position{0.0}; // on the surface
+    glm::dvec3 normal{0.0};   // unit
+    double strength = 0.0;    // as feature_value() gives it; for sections the sine between plane and surface
+    double facing = 1.0;      // the same
+    bool resolved = false;    // a root was found
+};
 
-    FeatureKind kind = FeatureKind::suggestive_contour;
-    base::Array<std::int64_t> first;  // the first point of each line, and the number of points
-    base::Array<std::uint8_t> closed; // 1: the last point is followed by the first, which stands there once
-    base::Array<std::int32_t> level;  // the place of each line's level in the request's levels
-    geometry::VecArray position;      // on the surface
-    geometry::VecArray normal;        // unit
-    base::Array<double> strength;     // as feature_value() gives it; for sections the sine between plane and surface
-    std::int64_t weak = 0;            // lines that stay below `upper`
-    std::int64_t small = 0;           // lines that are too short
-    std::int64_t unresolved = 0;      // crossings of the mesh that no point was found for, where lines end
+struct FeatureLines : Chains<FeaturePoint> {
+    explicit FeatureLines(base::Memory& memory) : Chains(memory), level(memory) {}
 
-    [[nodiscard]] std::int64_t lines() const noexcept { return closed.size(); }
+    base::Array<std::int32_t> level; // the place of each line's level in the request's levels
+    std::int64_t weak = 0;           // lines that stay below `upper`
+    std::int64_t small = 0;          // lines that are too short
+    std::int64_t unresolved = 0;     // crossings of the mesh that no point was found for, where lines end
 };
 
 // The same bits for any thread count.  Throws Error{out_of_memory, cancelled, callback}.

@@ -1,24 +1,27 @@
 // SPDX-License-Identifier: MIT
 // 1. make_mesh: the surface as a mesh, cut where samples end (clip_mesh) and at creases (split_mesh); with smaller
-// cells
-//    again where walls are too thin for them.
-// 2. measured_mesh: curvatures, if lines need them.
-// 3. find: the lines that do not depend on the view.
+//    cells again where walls are too thin for them.
+// 2. border_lines, exact_border: the border as a line, along the mesh's border edges (border_vertices), without points
+//    that crowd (thinned_border), and with more of them where it turns (halve_pieces).
+// 3. measured_mesh: curvatures, if lines need them.
+// 4. find: the lines that do not depend on the view. Sections of a surface with creases end where the planes cross
+//    creases (find_section_corners, end_at_corners), and lines that end where others begin become one (join).
 #include "features/line_set.h"
 
 #include "base/assert.h"
 #include "base/clock.h"
-#include "curves/tuning.h"
-#include "features/border.h"
-#include "features/sections.h"
 #include "features/tuning.h"
+#include "geometry/point_grid.h"
 #include "implicit/evaluate_all.h"
 #include "surface/project.h"
 #include "surface/region.h"
+#include "surface/sheets_meet.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace hrbfnpr::curves {
 namespace {
@@ -74,6 +77,284 @@ SurfaceLines own_lines(const base::Runtime& runtime, const implicit::Implicit& s
         builder.end(false);
     }
     return lines;
+}
+
+// ---- The border
+
+constexpr int most_rounds = 6; // each halves pieces
+
+struct BorderPoint {
+    CurvePoint at;
+    bool exact = false; // on f = g = 0; else where the region ends
+};
+
+Chains<std::int32_t> border_vertices(base::Memory& memory, const SurfaceMesh& mesh) {
+    HRBFNPR_ASSERT(mesh.neighbour.size() == mesh.corner.size());
+    base::Array<std::int32_t> after(memory, mesh.vertices()); // 1 + the next vertex along the border
+    for (std::int64_t e = 0; e < mesh.corner.size(); ++e)
+        if (mesh.neighbour[e] < 0) after[start_of(mesh, e)] = 1 + end_of(mesh, e);
+    Chains<std::int32_t> chains(memory);
+    for (std::int64_t start = 0; start < mesh.vertices(); ++start) {
+        if (after[start] == 0) continue;
+        std::int64_t at = start;
+        while (after[at] != 0) {
+            chains.point.push_back(static_cast<std::int32_t>(at));
+            at = std::exchange(after[at], 0) - 1;
+        }
+        if (at != start) chains.point.push_back(static_cast<std::int32_t>(at));
+        chains.end(at == start);
+    }
+    return chains;
+}
+
+// Points of the cut that crowd are left out, but for those where the region's end begins.
+Chains<BorderPoint> thinned_border(const Chains<std::int32_t>& border, const ClippedMesh& clipped) {
+    HRBFNPR_ASSERT(clipped.mesh.vertices() - clipped.first_cut == clipped.cut.size());
+    Chains<BorderPoint> chains(border.first.memory());
+    for (std::int64_t c = 0; c < border.count(); ++c) {
+        const std::int32_t* const vertex = border.point.data() + border.first[c];
+        const std::int64_t count = border.size_of(c);
+        const bool closed = border.closed[c] != 0;
+        const std::int64_t first = chains.point.size();
+        const auto is_cut = [&](std::int64_t i) {
+            return (closed || (i >= 0 && i < count)) && vertex[(i + count) % count] >= clipped.first_cut;
+        };
+        for (std::int64_t i = 0; i < count; ++i) {
+            BorderPoint p;
+            p.exact = is_cut(i);
+            if (p.exact) {
+                p.at = clipped.cut[vertex[i] - clipped.first_cut];
+            } else {
+                p.at.position = clipped.mesh.position[vertex[i]];
+                p.at.gradient = clipped.mesh.gradient[vertex[i]];
+            }
+            const auto crowds = [&](std::int64_t other) {
+                return glm::distance(chains.point[other].at.position, p.at.position) <
+                       feature_tuning.border_gap * clipped.mesh.side;
+            };
+            const std::int64_t size = chains.point.size();
+            const bool last = closed && i + 1 == count;
+            if (is_cut(i - 1) && is_cut(i) && is_cut(i + 1) && size > first + (last ? 2 : 0) &&
+                (crowds(size - 1) || (last && crowds(first))))
+                continue;
+            chains.point.push_back(p);
+        }
+        chains.end(closed);
+    }
+    return chains;
+}
+
+// The border along the mesh's border edges. The surface lies to the left, as seen from outside.
+SurfaceLines border_lines(base::Memory& memory, const SurfaceMesh& mesh) {
+    const Chains<std::int32_t> border = border_vertices(memory, mesh);
+    SurfaceLines lines(memory);
+    LineBuilder builder(lines);
+    for (std::int64_t c = 0; c < border.count(); ++c) {
+        for (std::int64_t i = border.first[c]; i < border.first[c + 1]; ++i)
+            builder.add(mesh.position[border.point[i]], mesh.gradient[border.point[i]], 1.0);
+        builder.end(border.closed[c] != 0);
+    }
+    return lines;
+}
+
+// The border of a mesh that was cut along g = 0: there the points are on f = g = 0, as many as the curve's turns want,
+// with exact tangents.
+SurfaceLines exact_border(const base::Runtime& runtime, const Level& level, const ClippedMesh& clipped,
+                          const base::Progress& progress) {
+    const double side = clipped.mesh.side;
+    Chains<BorderPoint> chains = thinned_border(border_vertices(runtime.memory, clipped.mesh), clipped);
+    const auto wanted = [&](std::int64_t, std::int64_t i, std::int64_t j, BorderPoint& p) {
+        const BorderPoint& a = chains.point[i];
+        const BorderPoint& b = chains.point[j];
+        if (!a.exact || !b.exact) return false;
+        const bool turns =
+            glm::dot(glm::normalize(a.at.direction()), glm::normalize(b.at.direction())) < feature_tuning.border_turn;
+        const double length = glm::distance(a.at.position, b.at.position) / side;
+        p.exact = true;
+        p.at.position = CubicPiece(a.at, b.at).at(0.5);
+        return length > feature_tuning.longest_border_piece || (turns && length > feature_tuning.shortest_border_piece);
+    };
+    const auto bring = [&](base::Array<BorderPoint>& added, const auto&, const auto&) {
+        base::Array<CurvePoint> points(runtime.memory);
+        for (const BorderPoint& p : added) points.push_back(p.at);
+        base::Array<std::uint8_t> found(runtime.memory);
+        bring_to_curve(runtime, level, {1e-9 * side, 0.2 * side}, points, found, progress);
+        for (std::int64_t k = 0; k < added.size(); ++k) added[k].at = points[k];
+        return found;
+    };
+    for (int round = 0; round < most_rounds && halve_pieces(chains, wanted, bring); ++round) continue;
+    SurfaceLines lines(runtime.memory);
+    LineBuilder builder(lines);
+    for (std::int64_t c = 0; c < chains.count(); ++c) {
+        for (std::int64_t i = chains.first[c]; i < chains.first[c + 1]; ++i) {
+            const CurvePoint& p = chains.point[i].at;
+            builder.add(p.position, p.gradient, 1.0, chains.point[i].exact ? p.direction() : glm::dvec3(0.0));
+        }
+        builder.end(chains.closed[c] != 0);
+    }
+    return lines;
+}
+
+// Whether all of the border was cut, so that none of it is the end of the region.
+bool is_all_cut(const ClippedMesh& clipped) noexcept {
+    const SurfaceMesh& mesh = clipped.mesh;
+    for (std::int64_t e = 0; e < mesh.corner.size(); ++e)
+        if (mesh.neighbour[e] < 0 && (start_of(mesh, e) < clipped.first_cut || end_of(mesh, e) < clipped.first_cut))
+            return false;
+    return true;
+}
+
+// ---- Sections
+
+constexpr int corner_steps = 20;           // Newton's method makes at most this many steps
+constexpr double corner_tolerance = 1e-10; // a step that is no longer than this is the last one, in sides
+constexpr double same_place = 1e-9;        // ends that are no farther apart than this are joined, in sides
+
+struct SectionCorner {
+    glm::dvec3 place;
+    glm::dvec3 left, right; // unit normals of both sheets
+    std::int32_t level;
+};
+
+base::Array<SectionCorner> find_section_corners(base::Memory& memory, const implicit::Sheets& sheets,
+                                                const Creases& creases, const glm::dvec3& plane,
+                                                std::span<const double> levels, double side) {
+    base::Array<SectionCorner> corners(memory);
+    for (std::int64_t c = 0; c < creases.count(); ++c)
+        for (std::int64_t i = creases.first[c]; i < creases.first[c + 1]; ++i) {
+            const std::int64_t j = creases.next(c, i);
+            if (j < 0) continue;
+            const glm::dvec3 a = creases.point[i].position;
+            const glm::dvec3 b = creases.point[j].position;
+            for (std::size_t l = 0; l < levels.size(); ++l) {
+                const double from = glm::dot(plane, a) - levels[l];
+                const double to = glm::dot(plane, b) - levels[l];
+                if ((from < 0.0) == (to < 0.0)) continue;
+                const glm::dvec3 start = glm::mix(a, b, from / (from - to));
+                std::array<surface::SheetValue, 3> values;
+                glm::dvec3 at = start;
+                const auto look = [&] {
+                    values = {surface::sheet_at(sheets, creases.left[c], at),
+                              surface::sheet_at(sheets, creases.right[c], at),
+                              {glm::dot(plane, at) - levels[l], plane}};
+                };
+                look();
+                for (int step = 0; step < corner_steps; ++step) {
+                    const glm::dvec3 way = surface::way_to_zero(values);
+                    const bool lost = !(glm::distance(at + way, start) <= feature_tuning.corner_reach * side);
+                    at = lost ? start : at + way;
+                    look();
+                    if (lost || glm::length(way) <= corner_tolerance * side) break;
+                }
+                corners.push_back({at, glm::normalize(values[0].gradient), glm::normalize(values[1].gradient),
+                                   static_cast<std::int32_t>(l)});
+            }
+        }
+    return corners;
+}
+
+// Points before an end that lie beyond the corner come between it and the last one that does not. The normal at the
+// corner is the normal of the line's own sheet.
+void end_at_corners(const base::Runtime& runtime, const base::Array<SectionCorner>& corners, double side,
+                    FeatureLines& lines) {
+    geometry::VecArray places(runtime.memory);
+    for (const SectionCorner& corner : corners) places.push_back(corner.place);
+    const geometry::PointGrid grid(places, feature_tuning.corner_reach * side);
+    for (std::int64_t l = 0; l < lines.count(); ++l)
+        for (const std::int64_t inward : {1, -1}) {
+            if (lines.closed[l] != 0) continue;
+            const std::int64_t end = inward > 0 ? lines.first[l] : lines.first[l + 1] - 1;
+            const std::int64_t count = lines.size_of(l);
+            double least = feature_tuning.corner_reach * side;
+            const SectionCorner* nearest = nullptr;
+            grid.around(lines.point[end].position, [&](std::int64_t at) {
+                const SectionCorner& corner = corners[grid.index(at)];
+                const double distance = glm::distance(corner.place, lines.point[end].position);
+                if (corner.level != lines.level[l] || !(distance < least)) return;
+                least = distance;
+                nearest = &corner;
+            });
+            if (nearest == nullptr) continue;
+            const auto at = [&](std::int64_t k) { return lines.point[end + k * inward].position; };
+            std::int64_t kept = 1;
+            while (kept + 1 < count && glm::dot(nearest->place - at(kept), at(kept) - at(kept + 1)) <= 0.0) ++kept;
+            const glm::dvec3 inner = glm::normalize(lines.point[end + std::min(count - 1, kept) * inward].normal);
+            const bool is_left = glm::dot(inner, nearest->left) >= glm::dot(inner, nearest->right);
+            for (std::int64_t k = 0; k < kept; ++k) {
+                const double share = static_cast<double>(k) / static_cast<double>(kept);
+                FeaturePoint& p = lines.point[end + k * inward];
+                p.position = glm::mix(nearest->place, at(kept), share);
+                p.normal = glm::mix(is_left ? nearest->left : nearest->right, inner, share);
+            }
+        }
+}
+
+// Open lines become one where one ends in the very place where another begins, and closed where that is its own.
+SurfaceLines join(base::Memory& memory, const SurfaceLines& lines, double side) {
+    const Curves& curves = lines.curves;
+    const auto start = [&](std::int64_t line) { return curves.first[line]; };
+    const auto last = [&](std::int64_t line) { return curves.first[line + 1] - 1; };
+    base::Array<std::int64_t> after(memory, curves.count()), before(memory, curves.count()); // each line; -1: none
+    std::fill(after.begin(), after.end(), -1);
+    std::fill(before.begin(), before.end(), -1);
+    geometry::VecArray starts(memory);
+    for (std::int64_t l = 0; l < curves.count(); ++l) starts.push_back(curves.point[start(l)].position);
+    const geometry::PointGrid grid(starts, side);
+    for (std::int64_t l = 0; l < curves.count(); ++l) {
+        if (curves.closed[l] != 0) continue;
+        const glm::dvec3 end = curves.point[last(l)].position;
+        grid.around(end, [&](std::int64_t at) {
+            const std::int64_t next = grid.index(at);
+            if (curves.closed[next] != 0 || after[l] >= 0 || before[next] >= 0 ||
+                !(glm::distance(starts[next], end) <= same_place * side))
+                return;
+            after[l] = next;
+            before[next] = l;
+        });
+    }
+    const auto turns = [&](std::int64_t line, std::int64_t next) {
+        return glm::dot(glm::normalize(curves.point[last(line)].direction()),
+                        glm::normalize(curves.point[start(next)].direction())) < feature_tuning.smooth;
+    };
+    SurfaceLines joined(memory);
+    LineBuilder builder(joined);
+    // A point, a little of the way to another point if it stands beside a corner.
+    const auto put = [&](std::int64_t at, std::int64_t towards) {
+        const CurvePoint& p = curves.point[at];
+        const glm::dvec3 way = curves.point[towards].position - p.position;
+        const double length = glm::length(way);
+        const double share = length > 0.0 ? std::min(0.25, feature_tuning.around_corner * side / length) : 0.0;
+        builder.add(p.position + share * way, p.gradient, static_cast<double>(lines.strength[at]), p.direction());
+    };
+    base::Array<std::uint8_t> done(memory, curves.count());
+    for (const bool from_ends : {true, false}) // then those that go round
+        for (std::int64_t l = 0; l < curves.count(); ++l) {
+            if (done[l] != 0 || (from_ends && (before[l] >= 0 || curves.closed[l] != 0))) continue;
+            for (std::int64_t at = l; at >= 0 && done[at] == 0; at = after[at]) {
+                done[at] = 1;
+                const std::int64_t a = before[at];
+                const std::int64_t b = after[at];
+                put(start(at), start(at) + (a >= 0 && turns(a, at) ? 1 : 0));
+                for (std::int64_t i = start(at) + 1; i < last(at); ++i) put(i, i);
+                // At smooth joints the last point is the next line's first one.
+                if (b < 0 || turns(at, b)) put(last(at), last(at) - (b < 0 ? 0 : 1));
+            }
+            builder.end(!from_ends);
+        }
+    return joined;
+}
+
+// The sections of a mesh that is cut at creases are one line for each sheet: their ends move to where both sheets of a
+// crease and the plane are 0, and are joined there. A corner between two lines stays one. side: of the mesh's cells.
+SurfaceLines joined_sections(const base::Runtime& runtime, const implicit::Sheets& sheets, const Creases& creases,
+                             const glm::dvec3& plane, std::span<const double> levels, double side,
+                             FeatureLines& sections) {
+    HRBFNPR_ASSERT(side > 0.0);
+    const base::Array<SectionCorner> corners =
+        find_section_corners(runtime.memory, sheets, creases, plane, levels, side);
+    if (!corners.empty()) end_at_corners(runtime, corners, side, sections);
+    const SurfaceLines lines = as_lines(runtime.memory, sections);
+    return lines.curves.count() > 0 ? join(runtime.memory, lines, side) : SurfaceLines(runtime.memory);
 }
 
 } // namespace

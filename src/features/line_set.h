@@ -4,12 +4,11 @@
 
 #include "base/list.h"
 #include "creases/creases.h"
-#include "creases/sheet_parts.h"
+#include "curves/curves.h"
+#include "curves/mesh_edges.h"
 #include "curves/sheet_count.h"
-#include "curves/surface_lines.h"
 #include "curves/surface_mesh.h"
 #include "features/feature_lines.h"
-#include "features/shape.h"
 #include "surface/support_domain.h"
 
 #include <array>
@@ -64,7 +63,7 @@ struct LineRequest {
 };
 
 struct FoundLines {
-    explicit FoundLines(base::Memory& memory) noexcept : lines(memory) {}
+    explicit FoundLines(base::Memory& memory) : lines(memory) {}
     LineKind kind = LineKind::ridge;
     std::array<char, 64> name{};
     SurfaceLines lines;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "hatching/hatching.h"
 
-#include "creases/crease_mesh.h"
+#include "creases/creases.h"
 #include "hatching/lines.h"
 #include "stipples/blue_noise.h"
 #include "surface/creased.h"

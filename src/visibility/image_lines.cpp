@@ -1,12 +1,26 @@
 // SPDX-License-Identifier: MIT
 // Draws curves in the image: the parts of curves before the eye become lines of cubics (add_curve), and each cubic is
 // halved until its chords are near enough (draw_cubic). Lengths are measured along the polylines (Lengths).
+//
+// Finds crossings: segments of polylines go into the cells of a grid (make_grid), pairs of them that cross are found
+// cell by cell (find_pairs), Newton's method moves each pair onto its cubics (refine), and depths and directions there
+// say which curve is the nearer one and on which side of it its surface lies (describe). Crossings of curves that are
+// near in space, too, are looked for on the curves themselves (verify_crossings). Lines that pass through another
+// item's surface are found by halving their cubics (find_pierced).
 #include "visibility/image_lines.h"
 
 #include "base/list.h"
+#include "implicit/evaluate_all.h"
+
+#include <glm/common.hpp>
+#include <glm/matrix.hpp>
+#include <glm/vector_relational.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <tuple>
+#include <utility>
 
 namespace hrbfnpr::visibility {
 namespace {
@@ -27,7 +41,7 @@ bool on_chord(const glm::dvec2& a, const glm::dvec2& m, const glm::dvec2& b, dou
 void draw_cubic(const curves::View& view, const curves::CubicPiece& cubic, std::int32_t piece, double tolerance,
                 base::Array<ImagePoint>& points) {
     const auto at = [&](double u) {
-        return glm::clamp(see(view, cubic.at(u)).place, -visibility_tuning.farthest, visibility_tuning.farthest);
+        return glm::clamp(view.see(cubic.at(u)).place, -visibility_tuning.farthest, visibility_tuning.farthest);
     };
     const auto split = [&](const auto& self, double u, const glm::dvec2& a, double v, const glm::dvec2& b,
                            int left) -> void {
@@ -64,7 +78,7 @@ void add_curve(const Subject& s, std::int32_t subject, std::int64_t curve, Image
     const curves::Curves& curves = *s.curves;
     const std::int64_t pieces = curves.pieces_of(curve);
     const auto before_eye = [&](std::int64_t point) {
-        const Seen at = see(s.view, curves.point[point].position);
+        const curves::View::Seen at = s.view.see(curves.point[point].position);
         return at.w > 0.0 && std::abs(at.place.x) < visibility_tuning.farthest &&
                std::abs(at.place.y) < visibility_tuning.farthest;
     };
@@ -73,25 +87,492 @@ void add_curve(const Subject& s, std::int32_t subject, std::int64_t curve, Image
         return before_eye(at) && before_eye(curves.next(curve, at));
     };
     if (pieces == 0) return;
-    const bool closed = curves.closed[curve] != 0;
-    std::int64_t begin = 0;
-    while (begin < pieces && seen(begin)) ++begin;
-    if (begin == pieces) return add_line(curves, subject, curve, 0, pieces, closed, lines);
-    if (!closed) begin = 0;
-    std::int64_t from = begin;
-    for (std::int64_t k = begin; k <= begin + pieces; ++k) {
-        if (k < begin + pieces && seen(k)) continue;
-        if (k > from) add_line(curves, subject, curve, from, k, false, lines);
-        from = k + 1;
+    curves::for_parts(pieces, curves.closed[curve] != 0, seen, [&](std::int64_t begin, std::int64_t end, bool whole) {
+        add_line(curves, subject, curve, begin, end, whole, lines);
+    });
+}
+
+// ---- Crossings
+
+constexpr std::int64_t cells_a_task = 4096;
+constexpr std::int64_t pairs_a_task = 16;
+
+double cross2(const glm::dvec2& a, const glm::dvec2& b) noexcept { return a.x * b.y - a.y * b.x; }
+
+// A place of a curve in the image, and how it moves as the curve goes on.
+struct Moving {
+    glm::dvec3 point;
+    glm::dvec2 place, velocity; // pixels
+};
+
+// A place of a line.
+struct OnLine {
+    std::int32_t piece;
+    double share;
+};
+
+struct SegmentPair {
+    std::int64_t a, b;
+};
+
+// The segments of the image, each from a point to the next, by the cells that their boxes meet.
+struct Grid {
+    explicit Grid(base::Memory& memory) noexcept : ends_line(memory), begin(memory), segment(memory) {}
+
+    // The cell of a place in cells from the origin.
+    [[nodiscard]] std::int64_t column(double x) const noexcept { return within(x, columns); }
+    [[nodiscard]] std::int64_t row(double y) const noexcept { return within(y, rows); }
+    [[nodiscard]] static std::int64_t within(double at, std::int64_t count) noexcept {
+        return static_cast<std::int64_t>(std::clamp(at, 0.0, static_cast<double>(count - 1)));
+    }
+
+    glm::dvec2 origin{0.0};
+    double side = visibility_tuning.cell_side;
+    std::int64_t columns = 1, rows = 1;
+    base::Array<std::uint8_t> ends_line; // 1: no segment begins at the point
+    base::Array<std::int64_t> begin;     // the first place of each cell in `segment`, and the end
+    base::Array<std::int64_t> segment;
+};
+
+// Calls f for each segment with each cell that its box meets.
+template <class F>
+void for_cells(const ImageLines& lines, const Grid& grid, const F& f) {
+    for (std::int64_t s = 0; s < lines.points.size(); ++s) {
+        if (grid.ends_line[s] != 0) continue;
+        const glm::dvec2 p = (lines.points[s].place - grid.origin) / grid.side;
+        const glm::dvec2 q = (lines.points[s + 1].place - grid.origin) / grid.side;
+        for (std::int64_t r = grid.row(std::min(p.y, q.y)); r <= grid.row(std::max(p.y, q.y)); ++r)
+            for (std::int64_t c = grid.column(std::min(p.x, q.x)); c <= grid.column(std::max(p.x, q.x)); ++c)
+                f(s, r * grid.columns + c);
+    }
+}
+
+Grid make_grid(base::Memory& memory, const ImageLines& lines) {
+    Grid grid(memory);
+    grid.ends_line.resize(lines.points.size());
+    for (const Line& line : lines.lines) grid.ends_line[line.first_point + line.points - 1] = 1;
+    glm::dvec2 low(lines.points.empty() ? 0.0 : std::numeric_limits<double>::infinity());
+    glm::dvec2 high = -low;
+    for (const ImagePoint& p : lines.points) {
+        low = glm::min(low, p.place);
+        high = glm::max(high, p.place);
+    }
+    low = glm::clamp(low, -visibility_tuning.grid_end, visibility_tuning.grid_end);
+    high = glm::clamp(high, -visibility_tuning.grid_end, visibility_tuning.grid_end);
+    const glm::dvec2 size = high - low;
+    grid.origin = low;
+    grid.side = std::max(grid.side, std::sqrt(size.x * size.y / visibility_tuning.most_cells));
+    grid.columns = static_cast<std::int64_t>(size.x / grid.side) + 1;
+    grid.rows = static_cast<std::int64_t>(size.y / grid.side) + 1;
+    // Counting sort: each cell's count is at the place after the next, then its begin, and in the end its end.
+    grid.begin.resize(grid.columns * grid.rows + 2);
+    for_cells(lines, grid, [&](std::int64_t, std::int64_t cell) { ++grid.begin[cell + 2]; });
+    for (std::int64_t cell = 2; cell < grid.begin.size(); ++cell) grid.begin[cell] += grid.begin[cell - 1];
+    grid.segment.resize(grid.begin.back());
+    for_cells(lines, grid, [&](std::int64_t s, std::int64_t cell) { grid.segment[grid.begin[cell + 1]++] = s; });
+    grid.begin.resize(grid.columns * grid.rows + 1);
+    return grid;
+}
+
+// All steps read these.
+struct Scene {
+    std::span<const Subject> subjects;
+    const ImageLines& lines;
+
+    [[nodiscard]] const glm::dvec2& place(std::int64_t point) const noexcept { return lines.points[point].place; }
+    [[nodiscard]] const Subject& subject(std::int32_t piece) const noexcept {
+        return subject_of(subjects, lines.pieces[piece]);
+    }
+};
+
+// Whether each end of one segment is on another side of the other one. An end on the line counts as left of it, so that
+// a third segment crosses one of two with a common end.
+bool cross(const Scene& in, std::int64_t a, std::int64_t b) noexcept {
+    const auto left = [](const glm::dvec2& from, const glm::dvec2& to, const glm::dvec2& at) {
+        return cross2(to - from, at - from) >= 0.0;
+    };
+    const glm::dvec2 &p = in.place(a), &q = in.place(a + 1), &r = in.place(b), &s = in.place(b + 1);
+    return left(p, q, r) != left(p, q, s) && left(r, s, p) != left(r, s, q);
+}
+
+// The crossing of two segments, as shares of both.
+glm::dvec2 crossing_of(const Scene& in, std::int64_t a, std::int64_t b) noexcept {
+    const glm::dvec2 d = in.place(a + 1) - in.place(a);
+    const glm::dvec2 e = in.place(b + 1) - in.place(b);
+    const glm::dvec2 way = in.place(b) - in.place(a);
+    const double area = cross2(d, e);
+    if (area == 0.0) return glm::dvec2(0.5);
+    return {cross2(way, e) / area, cross2(way, d) / area};
+}
+
+// Whether two segments may cross: at least one begins or ends sheets, and they are neither of one piece nor one after
+// the other on a line.
+bool may_cross(const Scene& in, std::int64_t a, std::int64_t b) noexcept {
+    const std::int32_t p = in.lines.points[a].piece;
+    const std::int32_t q = in.lines.points[b].piece;
+    if (p == q || (in.subject(p).sheets <= 0 && in.subject(q).sheets <= 0)) return false;
+    const bool touch = in.place(a + 1) == in.place(b) || in.place(b + 1) == in.place(a);
+    return !(touch && in.lines.pieces[p].line == in.lines.pieces[q].line);
+}
+
+// Adds the pairs of a cell's segments that cross there: a pair that meets in several cells is found in the one of its
+// crossing. Returns false, and adds none, where there is a tangle.
+bool find_pairs_in(const Scene& in, const Grid& grid, std::int64_t cell, base::Array<SegmentPair>& pairs) {
+    HRBFNPR_ASSERT(cell >= 0 && cell + 1 < grid.begin.size());
+    const std::int64_t segments = grid.begin[cell + 1] - grid.begin[cell];
+    if (segments > visibility_tuning.most_segments) return false;
+    const std::int64_t first = pairs.size();
+    for (std::int64_t i = grid.begin[cell]; i < grid.begin[cell + 1]; ++i) {
+        if (pairs.size() > first + visibility_tuning.most_of_segment * segments) {
+            pairs.resize(first);
+            return false;
+        }
+        for (std::int64_t j = i + 1; j < grid.begin[cell + 1]; ++j) {
+            const std::int64_t a = grid.segment[i];
+            const std::int64_t b = grid.segment[j];
+            if (!may_cross(in, a, b) || !cross(in, a, b)) continue;
+            const double share = std::clamp(crossing_of(in, a, b).x, 0.0, 1.0);
+            const glm::dvec2 at = (glm::mix(in.place(a), in.place(a + 1), share) - grid.origin) / grid.side;
+            if (grid.row(at.y) * grid.columns + grid.column(at.x) == cell) pairs.push_back({a, b});
+        }
+    }
+    return true;
+}
+
+// Pairs of segments that cross, in the order of the cells for any number of threads.
+base::Array<SegmentPair> find_pairs(const base::Runtime& runtime, const Scene& in, CrossingReport& report,
+                                    const base::Progress& progress) {
+    const Grid grid = make_grid(runtime.memory, in.lines);
+    const std::int64_t cells = grid.begin.size() - 1;
+    base::List<base::Array<SegmentPair>> found(runtime.memory);
+    for (std::int64_t begin = 0; begin < cells; begin += cells_a_task) found.add(runtime.memory);
+    base::Array<std::int64_t> tangles(runtime.memory, found.size());
+    runtime.parallel.for_chunks(cells, cells_a_task, [&](std::int64_t begin, std::int64_t end) {
+        progress.check();
+        const std::int64_t task = begin / cells_a_task;
+        for (std::int64_t cell = begin; cell < end; ++cell)
+            if (!find_pairs_in(in, grid, cell, found[task])) ++tangles[task];
+    });
+    base::Array<SegmentPair> pairs(runtime.memory);
+    for (const base::Array<SegmentPair>& some : found)
+        for (const SegmentPair& pair : some) pairs.push_back(pair);
+    for (const std::int64_t some : tangles) report.tangles += some;
+    report.of_polylines = pairs.size();
+    return pairs;
+}
+
+OnLine place_on(const Scene& in, std::int64_t segment, double t) noexcept {
+    const ImagePoint& from = in.lines.points[segment];
+    const ImagePoint& to = in.lines.points[segment + 1];
+    const double end = to.piece == from.piece ? to.share : 1.0;
+    return {from.piece, from.share + std::clamp(t, 0.0, 1.0) * (end - from.share)};
+}
+
+Moving moving(const curves::View& view, const glm::dvec3& point, const glm::dvec3& derivative) noexcept {
+    const glm::dvec4 q = view.to_window * glm::dvec4(point, 1.0);
+    const glm::dvec4 d = view.to_window * glm::dvec4(derivative, 0.0);
+    const glm::dvec2 place(q.x / q.w, q.y / q.w);
+    return {point, place, {(d.x - place.x * d.w) / q.w, (d.y - place.y * d.w) / q.w}};
+}
+
+Moving moving_at(const Scene& in, const OnLine& at) noexcept {
+    const curves::CubicPiece its = cubic(in.subjects, in.lines.pieces[at.piece]);
+    return moving(in.subject(at.piece).view, its.at(at.share), its.derivative(at.share));
+}
+
+// How far two places have to go for them to meet, as both go straight on. It is not finite where they run alike.
+std::pair<double, double> meeting(const Moving& p, const Moving& q) noexcept {
+    const double area = cross2(p.velocity, q.velocity);
+    const glm::dvec2 way = q.place - p.place;
+    return {cross2(way, q.velocity) / area, cross2(way, p.velocity) / area};
+}
+
+// Moves a place along its line, over the ends of pieces, but no farther than the line's end.
+void go(const Scene& in, OnLine& at, double by) noexcept {
+    at.share += by;
+    if (at.share >= -visibility_tuning.slack && at.share <= 1.0 + visibility_tuning.slack) return;
+    const Line& line = in.lines.lines[in.lines.pieces[at.piece].line];
+    const bool back = at.share < 0.0;
+    const std::int64_t k = at.piece - line.first_piece + (back ? -1 : 1);
+    const bool ends = !line.closed && (k < 0 || k >= line.pieces);
+    const std::int64_t next = ends ? at.piece - line.first_piece : (k + line.pieces) % line.pieces;
+    at = {static_cast<std::int32_t>(line.first_piece + next), back != ends ? 1.0 : 0.0};
+}
+
+// Newton's method on the cubics themselves: both places move until they meet in the image.
+bool refine(const Scene& in, OnLine& a, OnLine& b) noexcept {
+    HRBFNPR_ASSERT(a.share >= 0.0 && a.share <= 1.0 && b.share >= 0.0 && b.share <= 1.0);
+    for (int step = 0;; ++step) {
+        const auto [da, db] = meeting(moving_at(in, a), moving_at(in, b));
+        if (!(std::abs(da) <= 1.0 && std::abs(db) <= 1.0) || step == visibility_tuning.newton_steps) return false;
+        if (std::abs(da) <= visibility_tuning.known && std::abs(db) <= visibility_tuning.known) return true;
+        go(in, a, da);
+        go(in, b, db);
+    }
+}
+
+// The least distance of two curves at a crossing, in sides.
+double least_gap_of(const Scene& in, const OnLine& a, const OnLine& b) noexcept {
+    if (in.lines.pieces[a.piece].line == in.lines.pieces[b.piece].line) return visibility_tuning.least_loop;
+    const Subject& sa = in.subject(a.piece);
+    const Subject& sb = in.subject(b.piece);
+    return sa.item == sb.item && (sa.level == nullptr || sb.level == nullptr) ? visibility_tuning.touching
+                                                                              : visibility_tuning.least_gap;
+}
+
+// turn > 0: clockwise as seen, from the first image direction to the second. Returns false where the curves are one, as
+// beside a cusp: they do not cross there.
+bool describe(const Scene& in, const OnLine& a, const OnLine& b, double turn, Crossing& crossing) noexcept {
+    const Moving p = moving_at(in, a);
+    const Moving q = moving_at(in, b);
+    const Subject& sa = in.subject(a.piece);
+    const Subject& sb = in.subject(b.piece);
+    const glm::dvec3 world_p(sa.to_world * glm::dvec4(p.point, 1.0));
+    const glm::dvec3 world_q(sb.to_world * glm::dvec4(q.point, 1.0));
+    const glm::dvec3 sight = glm::dmat3(sa.to_world) * sa.view.sight(p.point); // common to both
+    const bool second_far = glm::dot(world_q - world_p, sight) > 0.0;
+    const double side = sa.side * glm::length(sight) / glm::length(sa.view.sight(p.point));
+    crossing.gap = glm::distance(world_p, world_q) / side;
+    if (!(crossing.gap > least_gap_of(in, a, b))) return false;
+    const OnLine& far = second_far ? b : a;
+    const OnLine& near = second_far ? a : b;
+    const Subject& near_one = second_far ? sa : sb;
+    // With y up the nearer surface lies to the left of its contour.
+    const bool to_left = second_far ? turn < 0.0 : turn > 0.0;
+    const bool left = to_left != (near_one.mirrored != shows_inside(in.subjects, in.lines.pieces[near.piece]));
+    crossing.far_piece = far.piece;
+    crossing.near_piece = near.piece;
+    crossing.far_share = std::clamp(far.share, 0.0, 1.0);
+    crossing.near_share = std::clamp(near.share, 0.0, 1.0);
+    crossing.change = left ? near_one.sheets : -near_one.sheets;
+    crossing.place = p.place;
+    crossing.sine = std::abs(cross2(p.velocity, q.velocity)) / (glm::length(p.velocity) * glm::length(q.velocity));
+    return true;
+}
+
+// A crossing of the cubics, or of the segments where Newton's method fails. Returns false where the curves do not
+// cross.
+bool look_at(const Scene& in, const SegmentPair& pair, Crossing& crossing) noexcept {
+    const glm::dvec2 start = crossing_of(in, pair.a, pair.b);
+    OnLine a = place_on(in, pair.a, start.x);
+    OnLine b = place_on(in, pair.b, start.y);
+    const double turn = cross2(in.place(pair.a + 1) - in.place(pair.a), in.place(pair.b + 1) - in.place(pair.b));
+    OnLine exact_a = a;
+    OnLine exact_b = b;
+    if (!refine(in, exact_a, exact_b)) return describe(in, a, b, turn, crossing);
+    const double exact_turn = cross2(moving_at(in, exact_a).velocity, moving_at(in, exact_b).velocity);
+    return describe(in, exact_a, exact_b, exact_turn, crossing);
+}
+
+// ---- Verification
+
+// A crossing whose curves are near each other, and a place on either, the farther one first.
+struct Suspect {
+    std::int64_t crossing;
+    std::int32_t subject[2];
+    glm::dvec3 begin[2];
+    curves::CurvePoint point[2];
+    double gap; // between the places at first
+    bool done, right;
+};
+
+// Whether a crossing is to be asked of the curves themselves: where a curve crosses itself near a cusp cubics may cross
+// that the curves do not have alone; elsewhere there are two, whose changes add up to zero. Contours touch the image of
+// the border where they end.
+bool is_suspect(const Scene& in, const Crossing& c) noexcept {
+    const Subject& far = in.subject(c.far_piece);
+    const Subject& near = in.subject(c.near_piece);
+    if (!(c.gap < visibility_tuning.suspicious_gap) || far.level == nullptr || near.level == nullptr) return false;
+    const bool one_line = in.lines.pieces[c.far_piece].line == in.lines.pieces[c.near_piece].line;
+    return far.item == near.item && (far.level != near.level || one_line);
+}
+
+// Moves the places of all suspects onto their curves, by two of Newton's steps.
+void correct(const base::Runtime& runtime, std::span<const Subject> subjects, base::Array<Suspect>& suspects,
+             const base::Progress& progress) {
+    for (std::size_t s = 0; s < subjects.size(); ++s) {
+        base::Array<curves::CurvePoint*> which(runtime.memory);
+        for (Suspect& suspect : suspects)
+            for (const int k : {0, 1})
+                if (!suspect.done && static_cast<std::size_t>(suspect.subject[k]) == s)
+                    which.push_back(&suspect.point[k]);
+        if (which.empty()) continue;
+        base::Array<curves::CurvePoint> points(runtime.memory);
+        for (const curves::CurvePoint* p : which) points.push_back(*p);
+        std::int64_t evaluations = 0;
+        const base::Array<double> always(runtime.memory, points.size()); // a second step after any first one
+        curves::bring_closer(runtime, *subjects[s].level, always, points, evaluations, progress);
+        for (std::int64_t i = 0; i < points.size(); ++i) *which[i] = points[i];
+    }
+}
+
+// Moves both places of a suspect towards their meeting. The search fails where they go farther than the curves were
+// apart, and where the gap vanishes: at a cusp a curve meets itself.
+void advance(std::span<const Subject> subjects, Suspect& suspect) noexcept {
+    const auto view = [&](int k) { return subjects[static_cast<std::size_t>(suspect.subject[k])].view; };
+    curves::CurvePoint& a = suspect.point[0];
+    curves::CurvePoint& b = suspect.point[1];
+    const glm::dvec3 along_a = glm::normalize(a.direction());
+    const glm::dvec3 along_b = glm::normalize(b.direction());
+    const auto [da, db] = meeting(moving(view(0), a.position, along_a), moving(view(1), b.position, along_b));
+    const double most = visibility_tuning.farthest_crossing * suspect.gap;
+    const bool strayed = !(glm::distance(a.position, suspect.begin[0]) <= most) ||
+                         !(glm::distance(b.position, suspect.begin[1]) <= most);
+    const bool met = glm::distance(a.position, b.position) < visibility_tuning.smallest_gap * suspect.gap;
+    const bool lost = strayed || met || !(std::abs(da) <= suspect.gap && std::abs(db) <= suspect.gap);
+    const double short_step = visibility_tuning.settled * suspect.gap;
+    suspect.right = !lost && std::abs(da) <= short_step && std::abs(db) <= short_step;
+    suspect.done = lost || suspect.right;
+    if (suspect.done) return;
+    a.position += da * along_a;
+    b.position += db * along_b;
+}
+
+// ---- Piercing
+
+// A place of a piece: f of the other surface there, its slope along the piece, and its gradient.
+struct PiercingPlace {
+    double share;
+    double value, slope;
+    glm::dvec3 point, gradient; // in the other item's coordinates
+    bool inside;                // the region where f is asked for
+};
+
+// A part of a piece between two places.
+struct PiercingPart {
+    std::int32_t piece;
+    int depth; // halvings
+    PiercingPlace low, high;
+};
+
+// The lines of all other items against one surface.
+struct PiercingScene {
+    const base::Runtime& runtime;
+    std::span<const Subject> subjects;
+    const ImageLines& lines;
+    const Occluder& occluder;
+    std::int32_t item;
+    geometry::Bounds region;
+    glm::dmat4 from_world;
+};
+
+// Evaluates f at places of pieces.
+base::Array<PiercingPlace> evaluate_places(const PiercingScene& in, const base::Array<OnLine>& wanted,
+                                           const base::Progress& progress) {
+    base::Memory& memory = in.runtime.memory;
+    base::Array<PiercingPlace> places(memory, wanted.size());
+    geometry::VecArray point(memory);
+    base::Array<glm::dvec3> way(memory);
+    for (std::int64_t i = 0; i < wanted.size(); ++i) {
+        const Piece& its = in.lines.pieces[wanted[i].piece];
+        const glm::dmat4 to_other = in.from_world * subject_of(in.subjects, its).to_world;
+        const curves::CubicPiece piece = cubic(in.subjects, its);
+        PiercingPlace& place = places[i];
+        place.share = wanted[i].share;
+        place.point = glm::dvec3(to_other * glm::dvec4(piece.at(place.share), 1.0));
+        place.inside = in.region.contains(place.point);
+        if (!place.inside) continue;
+        point.push_back(place.point);
+        way.push_back(glm::dmat3(to_other) * piece.derivative(place.share));
+    }
+    geometry::VecArray gradient(memory, point.size());
+    base::Array<double> value(memory, point.size());
+    implicit::evaluate_all(in.runtime, *in.occluder.surface, point,
+                           {value.data(), {gradient.x.data(), gradient.y.data(), gradient.z.data()}, {}},
+                           progress.part(0.0, 0.0));
+    std::int64_t next = 0;
+    for (PiercingPlace& place : places) {
+        if (!place.inside) continue;
+        place.value = value[next];
+        place.gradient = gradient[next];
+        place.slope = glm::dot(place.gradient, way[next]);
+        place.inside = std::isfinite(place.value) && std::isfinite(place.slope);
+        ++next;
+    }
+    return places;
+}
+
+// Whether f may be 0 between two places where it has one sign. It is not where f, taken for a cubic, keeps its sign,
+// nor where it stays within `in_surface` of 0, so that the line lies in the surface.
+bool may_pierce(const PiercingPlace& a, const PiercingPlace& b, double in_surface) noexcept {
+    const double length = b.share - a.share;
+    const double sign = a.value < 0.0 ? -1.0 : 1.0;
+    if (sign * (a.value + length * a.slope / 3.0) > 0.0 && sign * (b.value - length * b.slope / 3.0) > 0.0)
+        return false;
+    const auto near = [&](const PiercingPlace& place) {
+        const double most = in_surface * glm::length(place.gradient);
+        return std::abs(place.value) <= most && std::abs(length * place.slope) <= most;
+    };
+    return !(near(a) && near(b));
+}
+
+// A cubic is nowhere farther from its ends than half of its chord.
+bool is_near_region(const PiercingPart& part, const geometry::Bounds& region) noexcept {
+    geometry::Bounds box;
+    box.extend(part.low.point);
+    box.extend(part.high.point);
+    box = box.grown(0.5 * glm::distance(part.low.point, part.high.point));
+    return glm::all(glm::lessThanEqual(box.min, region.max)) && glm::all(glm::lessThanEqual(region.min, box.max));
+}
+
+// Adds the place where a short part passes the surface. The sheet lies before the line where the way back to the eye
+// leads through it.
+void add_pierced(const PiercingScene& in, const PiercingPart& part, base::Array<Pierced>& found) {
+    const double rise = part.high.value - part.low.value;
+    const double share = part.low.share - (part.high.share - part.low.share) * part.low.value / rise;
+    const PiercingPlace& at = part.low;
+    const implicit::Domain* const domain = in.occluder.sheets->mesh().domain;
+    if (domain != nullptr && !domain->holds(at.point, at.gradient)) return;
+    const glm::dvec4& eye = in.occluder.eye;
+    const glm::dvec3 sight = eye.w == 0.0 ? glm::dvec3(eye) : at.point - glm::dvec3(eye);
+    const bool faces_away = glm::dot(at.gradient, sight) > 0.0;
+    found.push_back({part.piece, share, in.item, faces_away != (at.value < 0.0) ? -1 : 1});
+}
+
+// Adds the place if the part is short; otherwise the part to those to be halved if it may pass the surface.
+void judge(const PiercingScene& in, const PiercingPart& part, base::Array<PiercingPart>& halved,
+           base::Array<Pierced>& found) {
+    const PiercingPlace& a = part.low;
+    const PiercingPlace& b = part.high;
+    HRBFNPR_ASSERT(a.share < b.share);
+    if (!a.inside && !b.inside && (part.depth >= visibility_tuning.deepest_outside || !is_near_region(part, in.region)))
+        return;
+    const bool last = b.share - a.share <= visibility_tuning.known;
+    if (a.inside && b.inside) {
+        const bool changes = (a.value < 0.0) != (b.value < 0.0);
+        if (changes && last) return add_pierced(in, part, found);
+        if (!changes && !may_pierce(a, b, visibility_tuning.in_surface * in.region.diagonal())) return;
+    }
+    if (!last) halved.push_back(part);
+}
+
+void find_pierced_by(const PiercingScene& in, base::Array<Pierced>& found, const base::Progress& progress) {
+    base::Memory& memory = in.runtime.memory;
+    base::Array<OnLine> wanted(memory);
+    base::Array<PiercingPart> halved(memory);
+    for (std::int32_t p = 0; p < in.lines.pieces.size(); ++p) {
+        if (subject_of(in.subjects, in.lines.pieces[p]).item == in.item) continue;
+        wanted.push_back({p, 0.0});
+        wanted.push_back({p, 1.0});
+    }
+    const base::Array<PiercingPlace> ends = evaluate_places(in, wanted, progress);
+    for (std::int64_t i = 0; i < ends.size(); i += 2)
+        judge(in, {wanted[i].piece, 0, ends[i], ends[i + 1]}, halved, found);
+    while (!halved.empty()) {
+        progress.check();
+        wanted.clear();
+        for (const PiercingPart& part : halved)
+            wanted.push_back({part.piece, 0.5 * (part.low.share + part.high.share)});
+        const base::Array<PiercingPlace> middle = evaluate_places(in, wanted, progress);
+        const base::Array<PiercingPart> parts = std::exchange(halved, base::Array<PiercingPart>(memory));
+        for (std::int64_t i = 0; i < parts.size(); ++i) {
+            judge(in, {parts[i].piece, parts[i].depth + 1, parts[i].low, middle[i]}, halved, found);
+            judge(in, {parts[i].piece, parts[i].depth + 1, middle[i], parts[i].high}, halved, found);
+        }
     }
 }
 
 } // namespace
-
-Seen see(const curves::View& view, const glm::dvec3& p) noexcept {
-    const glm::dvec4 q = view.to_window * glm::dvec4(p, 1.0);
-    return {{q.x / q.w, q.y / q.w}, q.w};
-}
 
 bool shows_inside(std::span<const Subject> subjects, const Piece& piece) noexcept {
     const Subject& subject = subject_of(subjects, piece);
@@ -116,7 +597,7 @@ ImageLines draw_lines(const base::Runtime& runtime, std::span<const Subject> sub
         for (std::int64_t p = line.first_piece; p <= last; ++p)
             draw_cubic(subject.view, cubic(subjects, image.pieces[p]), static_cast<std::int32_t>(p), tolerance,
                        points[l]);
-        points[l].push_back({see(subject.view, subject.curves->point[image.pieces[last].b].position).place,
+        points[l].push_back({subject.view.see(subject.curves->point[image.pieces[last].b].position).place,
                              static_cast<std::int32_t>(last), 1.0});
     });
     std::int64_t count = 0;
@@ -166,6 +647,79 @@ std::int64_t Lengths::piece_at(const Line& line, double at) const noexcept {
         (length_[first_[middle]] <= at ? low : high) = middle;
     }
     return low;
+}
+
+std::int64_t verify_crossings(const base::Runtime& runtime, std::span<const Subject> subjects, const ImageLines& lines,
+                              base::Array<Crossing>& crossings, const base::Progress& progress) {
+    const Scene in{subjects, lines};
+    base::Array<Suspect> suspects(runtime.memory);
+    for (std::int64_t i = 0; i < crossings.size(); ++i) {
+        const Crossing& c = crossings[i];
+        if (!is_suspect(in, c)) continue;
+        const Piece& far = lines.pieces[c.far_piece];
+        const Piece& near = lines.pieces[c.near_piece];
+        Suspect suspect{i, {far.subject, near.subject}, {}, {}, 0.0, false, false};
+        suspect.begin[0] = suspect.point[0].position = cubic(subjects, far).at(c.far_share);
+        suspect.begin[1] = suspect.point[1].position = cubic(subjects, near).at(c.near_share);
+        suspect.gap = glm::distance(suspect.begin[0], suspect.begin[1]);
+        suspects.push_back(suspect);
+    }
+    for (int round = 0; round < visibility_tuning.verifying_rounds; ++round) {
+        correct(runtime, subjects, suspects, progress);
+        for (Suspect& suspect : suspects)
+            if (!suspect.done) advance(subjects, suspect);
+    }
+    std::int64_t kept = 0;
+    const Suspect* next = suspects.begin();
+    for (std::int64_t i = 0; i < crossings.size(); ++i) {
+        const bool is_wrong = next != suspects.end() && next->crossing == i && !next->right;
+        if (next != suspects.end() && next->crossing == i) ++next;
+        if (!is_wrong) crossings[kept++] = crossings[i];
+    }
+    const std::int64_t removed = crossings.size() - kept;
+    crossings.resize(kept);
+    return removed;
+}
+
+base::Array<Crossing> find_crossings(const base::Runtime& runtime, std::span<const Subject> subjects,
+                                     const ImageLines& lines, CrossingReport& report, const base::Progress& progress) {
+    const Scene in{subjects, lines};
+    const base::Array<SegmentPair> pairs = find_pairs(runtime, in, report, progress);
+    base::Array<Crossing> looked(runtime.memory, pairs.size());
+    runtime.parallel.for_chunks(pairs.size(), pairs_a_task, [&](std::int64_t begin, std::int64_t end) {
+        for (std::int64_t i = begin; i < end; ++i)
+            if (!look_at(in, pairs[i], looked[i])) looked[i].far_piece = -1;
+    });
+    const auto is_none = [](const Crossing& c) { return c.far_piece < 0; };
+    looked.resize(std::remove_if(looked.begin(), looked.end(), is_none) - looked.begin());
+    std::sort(looked.begin(), looked.end(), [](const Crossing& a, const Crossing& b) {
+        return std::tie(a.far_piece, a.far_share, a.near_piece, a.near_share) <
+               std::tie(b.far_piece, b.far_share, b.near_piece, b.near_share);
+    });
+    // Where curves touch, Newton's method comes to the same place from several crossings of segments.
+    const auto same = [](const Crossing& a, const Crossing& b) {
+        return a.far_piece == b.far_piece && a.near_piece == b.near_piece &&
+               b.far_share - a.far_share <= visibility_tuning.same_place &&
+               std::abs(a.near_share - b.near_share) <= visibility_tuning.same_place;
+    };
+    looked.resize(std::unique(looked.begin(), looked.end(), same) - looked.begin());
+    verify_crossings(runtime, subjects, lines, looked, progress);
+    report.rejected = pairs.size() - looked.size();
+    return looked;
+}
+
+base::Array<Pierced> find_pierced(const base::Runtime& runtime, std::span<const Subject> subjects,
+                                  std::span<const Occluder> occluders, const ImageLines& lines,
+                                  const base::Progress& progress) {
+    base::Array<Pierced> found(runtime.memory);
+    for (std::size_t o = 0; o < occluders.size() && occluders.size() > 1; ++o)
+        find_pierced_by({runtime, subjects, lines, occluders[o], static_cast<std::int32_t>(o),
+                         occluders[o].sheets->mesh().region, glm::inverse(occluders[o].to_world)},
+                        found, progress);
+    std::sort(found.begin(), found.end(), [](const Pierced& a, const Pierced& b) {
+        return std::tie(a.piece, a.share, a.item) < std::tie(b.piece, b.share, b.item);
+    });
+    return found;
 }
 
 } // namespace hrbfnpr::visibility

@@ -248,21 +248,13 @@ base::Array<std::int32_t> count(const Counting& in, const Events& events, int ra
     out.intervals.clear();
     base::Array<std::int32_t> bad(in.memory());
     for (std::int32_t l = 0; l < lines; ++l) {
-        const auto take = [&](std::span<const Event> some, base::Array<Interval>& parts) {
-            parts = parts_of(in, l, some);
-            std::int32_t sum = 0;
-            for (const Event& e : some) sum += e.change;
-            return set_numbers(parts.span(), rays_of(rays, l), in.lengths.whole(in.line(l))) &&
-                   (sum == 0 || !in.line(l).closed);
-        };
-        base::Array<Interval> parts(in.memory());
-        base::Array<Interval> all(in.memory());
-        if (!take(seen_events(l).span(), parts)) {
-            if (take(events.of(l), all))
-                parts = std::move(all);
-            else
-                bad.push_back(l);
-        }
+        const base::Array<Event> seen = seen_events(l);
+        base::Array<Interval> parts = parts_of(in, l, seen.span());
+        std::int32_t sum = 0;
+        for (const Event& e : seen) sum += e.change;
+        if (!set_numbers(parts.span(), rays_of(rays, l), in.lengths.whole(in.line(l))) ||
+            (sum != 0 && in.line(l).closed))
+            bad.push_back(l);
         for (const Interval& part : parts) out.intervals.push_back(part);
     }
     return bad;
@@ -324,19 +316,13 @@ base::Array<CuspGroup> find_groups(base::Memory& memory, std::span<const Event> 
     base::Array<CuspGroup> groups(memory);
     const std::int64_t count = cusps.size();
     const auto at = [&](std::int64_t i) { return events[cusps[i % count]].at + (i >= count ? whole : 0.0); };
-    std::int64_t first = 0;
-    while (closed && first < count && at(first + count) - at(first + count - 1) <= size) ++first;
-    if (first == count) first = 0;
-    for (std::int64_t i = first; i < first + count;) {
-        std::int64_t end = i + 1;
-        while (end < first + count && at(end) - at(end - 1) <= size) ++end;
-        if (end - i > 1) {
-            const double before = i > 0 ? at(i) - at(i - 1) : closed ? at(i) + whole - at(count - 1) : whole;
-            const double after = end < count || closed ? at(end) - at(end - 1) : whole;
-            groups.push_back({at(i), at(end - 1), before, after, (end - i) % 2 != 0, cusps[(end - 1) % count]});
-        }
-        i = end;
-    }
+    const auto joined = [&](std::int64_t i) { return at(i + 1) - at(i) <= size; };
+    curves::for_joined(count, closed, joined, [&](std::int64_t i, std::int64_t end, bool) {
+        if (end - i < 2) return;
+        const double before = i > 0 ? at(i) - at(i - 1) : closed ? at(i) + whole - at(count - 1) : whole;
+        const double after = end < count || closed ? at(end) - at(end - 1) : whole;
+        groups.push_back({at(i), at(end - 1), before, after, (end - i) % 2 != 0, cusps[(end - 1) % count]});
+    });
     return groups;
 }
 
@@ -413,8 +399,7 @@ Events collect_events(base::Memory& memory, std::span<const Subject> subjects, c
         for (std::int64_t k = 0; k < line.pieces; ++k) {
             const auto piece = static_cast<std::int32_t>(line.first_piece + k);
             const std::int64_t a = lines.pieces[piece].a;
-            if (!curves.cusp.empty() && curves.cusp[a] != 0 && (k > 0 || line.closed)) {
-                const curves::CurvePoint& p = curves.point[a];
+            if (const curves::CurvePoint& p = curves.point[a]; p.is_cusp != 0 && (k > 0 || line.closed)) {
                 const bool away = glm::dot(p.direction(), subject.view.sight(p.position)) > 0.0;
                 events.event.push_back({piece, 0.0, away ? 1 : -1, -1, lengths.at(line, piece, 0.0), 0.0F});
                 ++events.cusps;
@@ -508,10 +493,8 @@ Invisibility find_invisibility(const base::Runtime& runtime, std::span<const Sub
         out.report.cusps = events.cusps;
         if (r == 0) out.report.refined = bad.size();
         if (bad.empty()) break;
-        const double torn = std::max(visibility_tuning.least_torn,
-                                     visibility_tuning.most_torn * static_cast<double>(out.lines.lines.size()));
         // Finer curves do not disentangle lines over one another, nor mend a torn surface.
-        if (r + 1 == settings.rounds || out.report.crossings.tangles > 0 || static_cast<double>(bad.size()) > torn) {
+        if (r + 1 == settings.rounds || out.report.crossings.tangles > 0 || bad.size() > visibility_tuning.most_torn) {
             out.report.contradictions = settle(in, false, bad.span(), out.intervals.span(), out.report.rays);
             out.report.settled = bad.size();
             break;

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "base/list.h"
-#include "visibility/crossings.h"
+#include "visibility/image_lines.h"
 
 #include <limits>
 #include <memory>

@@ -3,6 +3,8 @@
 // their effects.
 #pragma once
 
+#include <cstdint>
+
 namespace hrbfnpr::visibility {
 
 struct VisibilityTuning {
@@ -85,10 +87,9 @@ struct VisibilityTuning {
     double finer = 0.1;
     // Curves that are made finer are off by at most this many tolerances of the next round's image.
     double off_curve = 0.2;
-    // Curves are made finer where at most this share of all lines, or at most this many lines, contradict themselves.
-    // Where more do, the curves' tolerance is not the cause. Larger: more time for torn surfaces.
-    double most_torn = 0.1;
-    double least_torn = 50.0;
+    // Curves are made finer where at most this many lines contradict themselves. Where more do, the curves' tolerance
+    // is not the cause. Larger: more time for torn surfaces.
+    std::int64_t most_torn = 50;
     // This many pieces of a curve before and after one with a doubtful crossing are made finer with it.
     int beside_crossing = 2;
 };

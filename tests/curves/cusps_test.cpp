@@ -131,7 +131,7 @@ protected:
     void compare_cusps(const Contours& found, const Places& cusps) {
         EXPECT_EQ(found.cusps(), static_cast<std::int64_t>(cusps.size()));
         for (std::int64_t i = 0; i < found.curves.point.size(); ++i) {
-            if (found.curves.cusp[i] == 0) continue;
+            if (found.curves.point[i].is_cusp == 0) continue;
             const CurvePoint& p = found.curves.point[i];
             EXPECT_LE(nearest(cusps, p.position), 2e-3);
             // The line of sight is tangent to the curve.
@@ -203,11 +203,10 @@ TEST(Cusps, OfNoCurvesAreNone) {
     const test::SquareSphere sphere;
     const ContourLevel level(sphere, {});
     Curves none(runtime().memory);
-    none.first.push_back(0);
     std::int64_t evaluations = 0;
     const Curves found = with_cusps(runtime(), level, {}, none, evaluations, {});
     EXPECT_EQ(found.count(), 0);
-    EXPECT_EQ(found.cusp.size(), 0);
+    EXPECT_EQ(found.point.size(), 0);
     EXPECT_EQ(evaluations, 0);
 }
 

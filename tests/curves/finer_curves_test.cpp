@@ -68,7 +68,7 @@ TEST_F(FinerCurves, AreAsNearAsAsked) {
     EXPECT_LE(farthest(found, finer), 1e-4);
     EXPECT_GT(evaluations, 0);
     EXPECT_EQ(finer.count(), found.curves.count());
-    EXPECT_EQ(std::count(finer.cusp.begin(), finer.cusp.end(), 1), found.cusps());
+    EXPECT_EQ(count_cusps(finer), found.cusps());
 }
 
 TEST_F(FinerCurves, StayWhereNothingIsMarked) {

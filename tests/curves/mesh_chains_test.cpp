@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Chains of crossed edges: in closed and open meshes, and which way they run.
-#include "curves/mesh_chains.h"
+#include "curves/mesh_edges.h"
 
 #include "traced.h"
 
@@ -35,16 +35,22 @@ std::set<std::pair<std::int32_t, std::int32_t>> crossed_edges(const SurfaceMesh&
     return edges;
 }
 
-void expect_each_edge_once(const SurfaceMesh& mesh, const base::Array<double>& level, const MeshChains& chains) {
+bool is_on_edge(const Bead& bead) {
+    const double length = glm::distance(bead.edge.negative, bead.edge.positive);
+    return glm::distance(bead.place, bead.edge.negative) <= length * (1.0 + 1e-12) &&
+           glm::distance(bead.place, bead.edge.positive) <= length * (1.0 + 1e-12);
+}
+
+void expect_each_edge_once(const SurfaceMesh& mesh, const base::Array<double>& level, const Chains<Bead>& chains) {
     std::set<std::pair<std::int32_t, std::int32_t>> found;
-    for (const Crossing& c : chains.crossing) {
+    for (const Bead& c : chains.point) {
         EXPECT_LT(level[c.negative], 0.0);
         EXPECT_GE(level[c.positive], 0.0);
-        EXPECT_TRUE(c.share >= 0.0 && c.share <= 1.0);
+        EXPECT_TRUE(is_on_edge(c));
         EXPECT_TRUE(found.insert({c.negative, c.positive}).second);
     }
     EXPECT_EQ(found, crossed_edges(mesh, level));
-    EXPECT_EQ(chains.first[chains.chains()], chains.crossing.size());
+    EXPECT_EQ(chains.first[chains.count()], chains.point.size());
 }
 
 TEST(MeshChains, ParallelsOfASphereAreClosedAndKeepWhatIsNegativeToTheLeft) {
@@ -52,16 +58,16 @@ TEST(MeshChains, ParallelsOfASphereAreClosedAndKeepWhatIsNegativeToTheLeft) {
     const Meshed meshed(runtime(), sphere, {{1.0, 0.0, 0.0}}, 0.1);
     const auto bands = [](const glm::dvec3& p) { return std::sin(6.0 * p.z + 0.1); };
     const base::Array<double> level = values(meshed.mesh, bands);
-    const MeshChains chains = find_chains(runtime(), meshed.mesh, level);
+    const Chains<Bead> chains = find_beads(runtime(), meshed.mesh, level);
     expect_each_edge_once(meshed.mesh, level, chains);
-    ASSERT_EQ(chains.chains(), 3); // 6 z + 0.1 = -pi, 0, pi
-    for (std::int64_t c = 0; c < chains.chains(); ++c) {
+    ASSERT_EQ(chains.count(), 3); // 6 z + 0.1 = -pi, 0, pi
+    for (std::int64_t c = 0; c < chains.count(); ++c) {
         EXPECT_EQ(chains.closed[c], 1);
         for (std::int64_t i = chains.first[c]; i < chains.first[c + 1]; ++i) {
             const std::int64_t next = i + 1 < chains.first[c + 1] ? i + 1 : chains.first[c];
-            const glm::dvec3 p = chains.crossing[i].place(meshed.mesh);
+            const glm::dvec3 p = chains.point[i].place;
             EXPECT_NEAR(bands(p), 0.0, 0.05);
-            const glm::dvec3 way = chains.crossing[next].place(meshed.mesh) - p;
+            const glm::dvec3 way = chains.point[next].place - p;
             const glm::dvec3 slope(0.0, 0.0, std::cos(6.0 * p.z + 0.1));
             EXPECT_GE(glm::dot(way, glm::cross(p, slope)), -1e-3) << c << ' ' << i;
         }
@@ -73,13 +79,13 @@ TEST(MeshChains, OpenOnesRunFromBorderToBorder) {
     const Meshed meshed(runtime(), plane, {{0.1, 0.1, 0.0}}, 0.1);
     const base::Array<double> level =
         values(meshed.mesh, [](const glm::dvec3& p) { return (p.x - 0.31) * (p.x + 0.27) + 0.01 * p.y; });
-    const MeshChains chains = find_chains(runtime(), meshed.mesh, level);
+    const Chains<Bead> chains = find_beads(runtime(), meshed.mesh, level);
     expect_each_edge_once(meshed.mesh, level, chains);
-    ASSERT_EQ(chains.chains(), 2);
+    ASSERT_EQ(chains.count(), 2);
     for (std::int64_t c = 0; c < 2; ++c) {
         EXPECT_EQ(chains.closed[c], 0);
-        const glm::dvec3 a = chains.crossing[chains.first[c]].place(meshed.mesh);
-        const glm::dvec3 b = chains.crossing[chains.first[c + 1] - 1].place(meshed.mesh);
+        const glm::dvec3 a = chains.point[chains.first[c]].place;
+        const glm::dvec3 b = chains.point[chains.first[c + 1] - 1].place;
         EXPECT_NEAR(std::max(a.y, b.y), meshed.mesh.region.max.y, 1e-9);
         EXPECT_NEAR(std::min(a.y, b.y), meshed.mesh.region.min.y, 1e-9);
         // f > 0 above: what is negative lies to the left, which is between the two lines.
@@ -90,13 +96,13 @@ TEST(MeshChains, OpenOnesRunFromBorderToBorder) {
 TEST(MeshChains, WhatIsZeroCountsAsPositive) {
     const test::Plane plane({0.0, 0.0, 1.0}, 0.0, {{-1.0, -1.0, -0.3}, {1.0, 1.0, 0.3}});
     const Meshed meshed(runtime(), plane, {{0.1, 0.1, 0.0}}, 0.25);
-    EXPECT_EQ(find_chains(runtime(), meshed.mesh, values(meshed.mesh, [](const glm::dvec3&) { return 0.0; })).chains(),
+    EXPECT_EQ(find_beads(runtime(), meshed.mesh, values(meshed.mesh, [](const glm::dvec3&) { return 0.0; })).count(),
               0);
     const base::Array<double> level = values(meshed.mesh, [](const glm::dvec3& p) { return std::min(0.0, p.x - 0.1); });
-    const MeshChains chains = find_chains(runtime(), meshed.mesh, level);
+    const Chains<Bead> chains = find_beads(runtime(), meshed.mesh, level);
     expect_each_edge_once(meshed.mesh, level, chains);
-    EXPECT_EQ(chains.chains(), 1);
-    for (const Crossing& c : chains.crossing) EXPECT_EQ(c.share, 1.0);
+    EXPECT_EQ(chains.count(), 1);
+    for (const Bead& c : chains.point) EXPECT_EQ(c.place, c.edge.positive);
 }
 
 TEST(MeshChains, OfNoNumbersAndOfNothing) {
@@ -104,10 +110,10 @@ TEST(MeshChains, OfNoNumbersAndOfNothing) {
     const Meshed meshed(runtime(), sphere, {{1.0, 0.0, 0.0}}, 0.1);
     const base::Array<double> level =
         values(meshed.mesh, [](const glm::dvec3& p) { return p.x > 0.3 ? HUGE_VAL - HUGE_VAL : p.y; });
-    const MeshChains chains = find_chains(runtime(), meshed.mesh, level);
-    for (const Crossing& c : chains.crossing) EXPECT_TRUE(c.share >= 0.0 && c.share <= 1.0);
+    const Chains<Bead> chains = find_beads(runtime(), meshed.mesh, level);
+    for (const Bead& c : chains.point) EXPECT_TRUE(is_on_edge(c));
     const Meshed empty(runtime(), sphere, {}, 0.1);
-    EXPECT_EQ(find_chains(runtime(), empty.mesh, base::Array<double>(runtime().memory)).chains(), 0);
+    EXPECT_EQ(find_beads(runtime(), empty.mesh, base::Array<double>(runtime().memory)).count(), 0);
 }
 
 TEST(MeshChains, SameForAnyThreadCount) {
@@ -117,14 +123,13 @@ TEST(MeshChains, SameForAnyThreadCount) {
     const base::Array<double> level =
         values(meshed.mesh, [](const glm::dvec3& p) { return std::sin(9.0 * p.x) + std::cos(7.0 * p.y + p.z); });
     const base::Runtime alone = test::with_threads(1);
-    const MeshChains one = find_chains(alone, meshed.mesh, level);
+    const Chains<Bead> one = find_beads(alone, meshed.mesh, level);
     for (const int threads : {2, 3, 7}) {
         const base::Runtime together = test::with_threads(threads);
-        const MeshChains more = find_chains(together, meshed.mesh, level);
+        const Chains<Bead> more = find_beads(together, meshed.mesh, level);
         EXPECT_TRUE(test::same_bits(one.first, more.first));
-        ASSERT_EQ(one.crossing.size(), more.crossing.size());
-        for (std::int64_t i = 0; i < one.crossing.size(); ++i)
-            EXPECT_EQ(one.crossing[i].place(meshed.mesh), more.crossing[i].place(meshed.mesh));
+        ASSERT_EQ(one.point.size(), more.point.size());
+        for (std::int64_t i = 0; i < one.point.size(); ++i) EXPECT_EQ(one.point[i].place, more.point[i].place);
     }
 }
 

@@ -49,7 +49,6 @@ TEST(CubicPiece, FollowsTheChordWhereTheCurveHasNoDirection) {
 Curves circles(base::Memory& memory) {
     constexpr int points = 40;
     Curves curves(memory);
-    curves.first.push_back(0);
     for (const double radius : {1.0, 1.3}) {
         for (int i = 0; i < points; ++i) curves.point.push_back(on_circle(radius, 2.0 * std::numbers::pi * i / points));
         curves.first.push_back(curves.point.size());

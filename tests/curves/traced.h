@@ -3,7 +3,7 @@
 #pragma once
 
 #include "curves/curve_changes.h"
-#include "curves/level.h"
+#include "curves/curves.h"
 #include "curves/trace.h"
 #include "shapes.h"
 #include "support/runtime.h"
@@ -33,13 +33,17 @@ struct Meshed {
     SurfaceMesh mesh;
 };
 
+inline std::int64_t count_cusps(const Curves& curves) {
+    return std::count_if(curves.point.begin(), curves.point.end(), [](const CurvePoint& p) { return p.is_cusp != 0; });
+}
+
 struct Contours {
     Contours(const base::Runtime& runtime, const Meshed& of, const View& seen, const TraceSettings& settings = {})
         : view(seen), level(of.surface, seen), curves(runtime.memory) {
         const Curves found = trace(runtime, level, of.mesh, settings, report, {});
         curves = with_cusps(runtime, level, view, found, report.evaluations, {});
     }
-    [[nodiscard]] std::int64_t cusps() const { return std::count(curves.cusp.begin(), curves.cusp.end(), 1); }
+    [[nodiscard]] std::int64_t cusps() const { return count_cusps(curves); }
     [[nodiscard]] std::int64_t closed() const { return std::count(curves.closed.begin(), curves.closed.end(), 1); }
 
     View view;

@@ -80,7 +80,7 @@ TEST(FittedFeatures, SuggestiveContoursAreThoseOfADenseReference) {
             // Strengths differ a little: the reference is asked for less, or for more.
             const double precision = Places(zero_lines(dense, request, 2.7), pixel).share(found);
             const double recall = Places(found, pixel).share(zero_lines(dense, request, 3.3));
-            EXPECT_GT(lines.lines(), 1);
+            EXPECT_GT(lines.count(), 1);
             EXPECT_EQ(lines.unresolved, 0);
             EXPECT_GE(precision, 0.99) << rounds;
             EXPECT_GE(recall, 0.99) << rounds;
@@ -95,13 +95,13 @@ double off_circles(const fit_test::Cloud& cloud, double smoothing) {
     FeatureRequest request;
     request.kind = FeatureKind::parabolic;
     const FeatureLines found = fitted.meshed(0.5 * spacing).find(runtime(), request);
-    EXPECT_EQ(found.lines(), 2);
+    EXPECT_EQ(found.count(), 2);
     double sum = 0.0;
-    for (std::int64_t i = 0; i < found.position.size(); ++i) {
-        const glm::dvec3 p = found.position[i];
+    for (std::int64_t i = 0; i < found.point.size(); ++i) {
+        const glm::dvec3 p = found.point[i].position;
         sum += std::hypot(std::hypot(p.x, p.y) - 1.0, std::abs(p.z) - 0.4);
     }
-    return sum / static_cast<double>(found.position.size()) / spacing;
+    return sum / static_cast<double>(found.point.size()) / spacing;
 }
 
 // By its square: 0.3 spacings of smoothing move a line by some thousandth of a spacing.
@@ -157,7 +157,7 @@ TEST(FittedFeatures, ASphereHasNone) {
         request.towards = {0.5, -0.8, 0.3, 0.0};
         request.lower = 0.3;
         request.upper = 0.5;
-        EXPECT_EQ(subject.find(runtime(), request).lines(), 0) << static_cast<int>(kind);
+        EXPECT_EQ(subject.find(runtime(), request).count(), 0) << static_cast<int>(kind);
     }
 }
 

@@ -35,16 +35,14 @@ Subject of(const implicit::Implicit& implicit, const glm::dvec3& seed, double si
 
 // What every answer is.
 void expect_lines(const FeatureLines& lines) {
-    ASSERT_EQ(lines.first.size(), lines.lines() + 1);
+    ASSERT_EQ(lines.first.size(), lines.count() + 1);
     ASSERT_EQ(lines.first[0], 0);
-    ASSERT_EQ(lines.first[lines.lines()], lines.position.size());
-    ASSERT_EQ(lines.normal.size(), lines.position.size());
-    ASSERT_EQ(lines.strength.size(), lines.position.size());
-    for (std::int64_t line = 0; line < lines.lines(); ++line)
+    ASSERT_EQ(lines.first[lines.count()], lines.point.size());
+    for (std::int64_t line = 0; line < lines.count(); ++line)
         EXPECT_GE(lines.first[line + 1] - lines.first[line], lines.closed[line] != 0 ? 3 : 2);
-    for (std::int64_t i = 0; i < lines.position.size(); ++i) {
-        EXPECT_NEAR(glm::length(lines.normal[i]), 1.0, 1e-12);
-        EXPECT_GE(lines.strength[i], 0.0);
+    for (std::int64_t i = 0; i < lines.point.size(); ++i) {
+        EXPECT_NEAR(glm::length(lines.point[i].normal), 1.0, 1e-12);
+        EXPECT_GE(lines.point[i].strength, 0.0);
     }
 }
 
@@ -53,19 +51,19 @@ TEST(FeatureLines, ParabolicLinesOfATorusAreItsTopAndBottom) {
     const Subject subject = of(torus, {1.35, 0.0, 0.0}, 0.08);
     const FeatureLines lines = subject.find(runtime(), request_of(FeatureKind::parabolic));
     expect_lines(lines);
-    ASSERT_EQ(lines.lines(), 2);
+    ASSERT_EQ(lines.count(), 2);
     const double unit = torus.diagonal();
     for (std::int64_t line = 0; line < 2; ++line) {
         EXPECT_EQ(lines.closed[line], 1);
         EXPECT_NEAR(length(lines, line), 2.0 * pi, 0.01);
     }
-    for (std::int64_t i = 0; i < lines.position.size(); ++i) {
-        const glm::dvec3 p = lines.position[i];
+    for (std::int64_t i = 0; i < lines.point.size(); ++i) {
+        const glm::dvec3 p = lines.point[i].position;
         EXPECT_NEAR(std::hypot(p.x, p.y), 1.0, 1e-5);
         EXPECT_NEAR(std::abs(p.z), 0.35, 1e-8);
-        EXPECT_NEAR(std::abs(lines.normal[i].z), 1.0, 1e-6);
+        EXPECT_NEAR(std::abs(lines.point[i].normal.z), 1.0, 1e-6);
         // K = cos v / (r (R + r cos v)), whose slope there is 1 / (r^2 R).
-        EXPECT_NEAR(lines.strength[i], unit * unit * unit / (0.35 * 0.35), 1e-3 * lines.strength[i]);
+        EXPECT_NEAR(lines.point[i].strength, unit * unit * unit / (0.35 * 0.35), 1e-3 * lines.point[i].strength);
     }
 }
 
@@ -74,15 +72,15 @@ TEST(FeatureLines, HysteresisAndLengthDropLinesAndCountThem) {
     const Subject subject = of(torus, {1.35, 0.0, 0.0}, 0.1);
     FeatureRequest request = request_of(FeatureKind::parabolic, 1.0, 1e4);
     FeatureLines lines = subject.find(runtime(), request);
-    EXPECT_EQ(lines.lines(), 0);
+    EXPECT_EQ(lines.count(), 0);
     EXPECT_EQ(lines.weak, 2);
     request.upper = 2.0;
     request.shortest = 7.0 / torus.diagonal();
     lines = subject.find(runtime(), request);
-    EXPECT_EQ(lines.lines(), 0);
+    EXPECT_EQ(lines.count(), 0);
     EXPECT_EQ(lines.small, 2);
     request.shortest = 6.0 / torus.diagonal();
-    EXPECT_EQ(subject.find(runtime(), request).lines(), 2);
+    EXPECT_EQ(subject.find(runtime(), request).count(), 2);
 }
 
 TEST(FeatureLines, RidgeOfAnEllipsoidIsItsSharpestSection) {
@@ -91,11 +89,11 @@ TEST(FeatureLines, RidgeOfAnEllipsoidIsItsSharpestSection) {
     const Subject subject = of(field, {1.0, 0.0, 0.0}, 0.05);
     const FeatureLines lines = subject.find(runtime(), request_of(FeatureKind::ridge));
     expect_lines(lines);
-    ASSERT_EQ(lines.lines(), 1);
+    ASSERT_EQ(lines.count(), 1);
     EXPECT_EQ(lines.closed[0], 1);
     EXPECT_NEAR(length(lines, 0), 5.3823, 0.02); // the perimeter of its ellipse with the axes 1 and 0.7
-    for (const double z : lines.position.z) EXPECT_NEAR(z, 0.0, 1e-5);
-    EXPECT_EQ(subject.find(runtime(), request_of(FeatureKind::valley)).lines(), 0);
+    for (const FeaturePoint& p : lines.point) EXPECT_NEAR(p.position.z, 0.0, 1e-5);
+    EXPECT_EQ(subject.find(runtime(), request_of(FeatureKind::valley)).count(), 0);
 }
 
 TEST(FeatureLines, RidgesOfARingWithAFlatTubeAreItsRims) {
@@ -104,14 +102,15 @@ TEST(FeatureLines, RidgesOfARingWithAFlatTubeAreItsRims) {
     const Subject subject = of(field, {1.4, 0.0, 0.0}, 0.05);
     const FeatureLines lines = subject.find(runtime(), request_of(FeatureKind::ridge, 0.5, 1.0));
     expect_lines(lines);
-    ASSERT_EQ(lines.lines(), 2);
+    ASSERT_EQ(lines.count(), 2);
     for (std::int64_t line = 0; line < 2; ++line) {
         EXPECT_EQ(lines.closed[line], 1);
-        const double radius = std::hypot(lines.position.x[lines.first[line]], lines.position.y[lines.first[line]]);
+        const double radius =
+            std::hypot(lines.point[lines.first[line]].position.x, lines.point[lines.first[line]].position.y);
         EXPECT_NEAR(std::min(std::abs(radius - 1.4), std::abs(radius - 0.6)), 0.0, 1e-5);
         EXPECT_NEAR(length(lines, line), 2.0 * pi * radius, 0.01);
     }
-    for (const double z : lines.position.z) EXPECT_NEAR(z, 0.0, 1e-5);
+    for (const FeaturePoint& p : lines.point) EXPECT_NEAR(p.position.z, 0.0, 1e-5);
 }
 
 // The same inside out: what was a ridge is a valley.
@@ -122,16 +121,16 @@ TEST(FeatureLines, ValleysAreTheRidgesOfTheOtherSide) {
         return Field{-f.value, -f.gradient, f.hessian};
     });
     const Subject subject = of(field, {1.4, 0.0, 0.0}, 0.05);
-    EXPECT_EQ(subject.find(runtime(), request_of(FeatureKind::valley, 0.5, 1.0)).lines(), 2);
-    EXPECT_EQ(subject.find(runtime(), request_of(FeatureKind::ridge, 0.5, 1.0)).lines(), 0);
+    EXPECT_EQ(subject.find(runtime(), request_of(FeatureKind::valley, 0.5, 1.0)).count(), 2);
+    EXPECT_EQ(subject.find(runtime(), request_of(FeatureKind::ridge, 0.5, 1.0)).count(), 0);
 }
 
 TEST(FeatureLines, ASphereAndARoundTubeHaveNoRidges) {
     const test::Sphere sphere(1.0);
     const test::Torus torus(1.0, 0.35);
     for (const auto kind : {FeatureKind::ridge, FeatureKind::valley}) {
-        EXPECT_EQ(of(sphere, {1.0, 0.0, 0.0}, 0.1).find(runtime(), request_of(kind, 0.1, 0.1)).lines(), 0);
-        EXPECT_EQ(of(torus, {1.35, 0.0, 0.0}, 0.1).find(runtime(), request_of(kind, 0.1, 0.1)).lines(), 0);
+        EXPECT_EQ(of(sphere, {1.0, 0.0, 0.0}, 0.1).find(runtime(), request_of(kind, 0.1, 0.1)).count(), 0);
+        EXPECT_EQ(of(torus, {1.35, 0.0, 0.0}, 0.1).find(runtime(), request_of(kind, 0.1, 0.1)).count(), 0);
     }
 }
 
@@ -144,16 +143,16 @@ TEST(FeatureLines, SectionsOfATorusAreCircles) {
     const FeatureLines lines = subject.find(runtime(), request);
     expect_lines(lines);
     EXPECT_EQ(lines.unresolved, 0);
-    ASSERT_EQ(lines.lines(), 6) << "two in each plane, none in the last";
+    ASSERT_EQ(lines.count(), 6) << "two in each plane, none in the last";
     for (std::int64_t line = 0; line < 6; ++line) {
         EXPECT_EQ(lines.closed[line], 1);
         const double height = levels[static_cast<std::size_t>(lines.level[line])];
         const double half = std::sqrt(0.35 * 0.35 - height * height);
         for (std::int64_t i = lines.first[line]; i < lines.first[line + 1]; ++i) {
-            const glm::dvec3 p = lines.position[i];
+            const glm::dvec3 p = lines.point[i].position;
             EXPECT_NEAR(p.z, height, 1e-8);
             EXPECT_NEAR(std::abs(std::hypot(p.x, p.y) - 1.0), half, 1e-8);
-            EXPECT_NEAR(lines.strength[i], half / 0.35, 1e-7);
+            EXPECT_NEAR(lines.point[i].strength, half / 0.35, 1e-7);
         }
     }
 }
@@ -166,10 +165,10 @@ TEST(FeatureLines, UndirectedLinesHaveTheNegativeSideToTheirLeft) {
     FeatureRequest request = request_of(FeatureKind::section);
     request.levels = levels;
     const FeatureLines lines = subject.find(runtime(), request);
-    ASSERT_EQ(lines.lines(), 1);
-    for (std::int64_t i = 0; i + 1 < lines.position.size(); ++i) {
-        const glm::dvec3 step = lines.position[i + 1] - lines.position[i];
-        EXPECT_LT(glm::cross(lines.normal[i], step).z, 0.0);
+    ASSERT_EQ(lines.count(), 1);
+    for (std::int64_t i = 0; i + 1 < lines.point.size(); ++i) {
+        const glm::dvec3 step = lines.point[i + 1].position - lines.point[i].position;
+        EXPECT_LT(glm::cross(lines.point[i].normal, step).z, 0.0);
     }
 }
 
@@ -184,41 +183,15 @@ TEST(FeatureLines, IsophotesOfASphereAreCirclesAboutTheLight) {
     const FeatureLines lines = subject.find(runtime(), request);
     expect_lines(lines);
     EXPECT_EQ(lines.unresolved, 0);
-    ASSERT_EQ(lines.lines(), 3);
+    ASSERT_EQ(lines.count(), 3);
     for (std::int64_t line = 0; line < 3; ++line) {
         EXPECT_EQ(lines.closed[line], 1);
         const double level = levels[static_cast<std::size_t>(lines.level[line])];
         for (std::int64_t i = lines.first[line]; i < lines.first[line + 1]; ++i) {
-            EXPECT_NEAR(glm::dot(lines.position[i], light), level, 1e-5);
-            EXPECT_NEAR(lines.strength[i], std::sqrt(1.0 - level * level) * sphere.diagonal(), 1e-2);
+            EXPECT_NEAR(glm::dot(lines.point[i].position, light), level, 1e-5);
+            EXPECT_NEAR(lines.point[i].strength, std::sqrt(1.0 - level * level) * sphere.diagonal(), 1e-2);
         }
     }
-}
-
-class Saddle : public PlaceFunction {
-public:
-    void evaluate(const implicit::PointBatch& points, double* value) const override {
-        for (std::int64_t i = 0; i < points.count; ++i) value[i] = points.x[i] * points.y[i];
-    }
-    [[nodiscard]] bool concurrent() const noexcept override { return true; }
-};
-
-TEST(FeatureLines, LevelLinesOfAFunctionOfTheCaller) {
-    const test::Sphere sphere(1.0);
-    const Subject subject = of(sphere, {1.0, 0.0, 0.0}, 0.1);
-    const Saddle saddle;
-    const std::array<double, 2> levels = {-0.25, 0.1};
-    FeatureRequest request = request_of(FeatureKind::level);
-    request.levels = levels;
-    request.function = &saddle;
-    const FeatureLines lines = subject.find(runtime(), request);
-    expect_lines(lines);
-    EXPECT_EQ(lines.unresolved, 0);
-    ASSERT_EQ(lines.lines(), 4);
-    for (std::int64_t line = 0; line < 4; ++line)
-        for (std::int64_t i = lines.first[line]; i < lines.first[line + 1]; ++i)
-            EXPECT_NEAR(lines.position.x[i] * lines.position.y[i], levels[static_cast<std::size_t>(lines.level[line])],
-                        1e-5);
 }
 
 // B(w, w) of a torus and its slope, in angles: u around the axis, v around the tube.
@@ -291,7 +264,7 @@ TEST_P(Suggestive, ContoursOfATorusAreThoseOfADenseReference) {
     const FeatureLines lines = subject.find(runtime(), request);
     expect_lines(lines);
     EXPECT_EQ(lines.unresolved, 0);
-    ASSERT_GT(lines.lines(), 0);
+    ASSERT_GT(lines.count(), 0);
     const double precision = Places(suggestive_of_torus(GetParam(), unit, 1.9), pixel).share(along(lines, pixel));
     EXPECT_GE(precision, 0.99);
     const double recall = Places(along(lines, pixel), pixel).share(suggestive_of_torus(GetParam(), unit, 2.1));
@@ -310,17 +283,17 @@ TEST(FeatureLines, ApparentRidgesAreMaximaOfViewDependentCurvature) {
     request.towards = {0.0, -1.0, 0.05, 0.0};
     const FeatureLines lines = subject.find(runtime(), request);
     expect_lines(lines);
-    ASSERT_GT(lines.lines(), 0);
+    ASSERT_GT(lines.count(), 0);
     std::int64_t maxima = 0;
-    for (std::int64_t i = 0; i < lines.position.size(); ++i) {
+    for (std::int64_t i = 0; i < lines.point.size(); ++i) {
         const double h = 2e-3;
         std::array<double, 3> q{};
         for (int k = -1; k <= 1; ++k) {
             // The ellipsoid's own point near there: its direction scaled onto the surface.
-            const Field f = ellipsoid(lines.position[i], axes);
+            const Field f = ellipsoid(lines.point[i].position, axes);
             const ShapePoint here = shape_point(f.gradient, f.hessian, {});
-            const FeatureValue v = feature_value(request.kind, here, lines.position[i], request.towards, 1.0);
-            glm::dvec3 p = lines.position[i] + k * h * v.along;
+            const FeatureValue v = feature_value(request.kind, here, lines.point[i].position, request.towards, 1.0);
+            glm::dvec3 p = lines.point[i].position + k * h * v.along;
             p /= std::sqrt(ellipsoid(p, axes).value + 1.0);
             const Field g = ellipsoid(p, axes);
             q[static_cast<std::size_t>(k + 1)] =
@@ -328,7 +301,7 @@ TEST(FeatureLines, ApparentRidgesAreMaximaOfViewDependentCurvature) {
         }
         maxima += q[1] > q[0] && q[1] > q[2] ? 1 : 0;
     }
-    EXPECT_EQ(maxima, lines.position.size());
+    EXPECT_EQ(maxima, lines.point.size());
     EXPECT_LE(lines.unresolved, 60); // at the contour, where q1 has a pole
 }
 
@@ -341,9 +314,10 @@ TEST(FeatureLines, HaveTheSameBitsForAnyThreadCount) {
         request.towards = {1.0, 3.0, 1.6, 1.0};
         FeatureLines lines = subject.find(own, request);
         std::vector<double> numbers;
-        for (std::int64_t i = 0; i < lines.position.size(); ++i)
-            numbers.insert(numbers.end(), {lines.position.x[i], lines.position.y[i], lines.position.z[i],
-                                           lines.normal.x[i], lines.strength[i]});
+        for (std::int64_t i = 0; i < lines.point.size(); ++i)
+            numbers.insert(numbers.end(),
+                           {lines.point[i].position.x, lines.point[i].position.y, lines.point[i].position.z,
+                            lines.point[i].normal.x, lines.point[i].strength});
         return numbers;
     };
     const std::vector<double> one = run(1);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The finer mesh that feature lines of rough fits are looked for on.
-#include "features/shape.h"
+#include "features/feature_lines.h"
 
 #include "curves/mesh_checks.h"
 #include "feature_shapes.h"

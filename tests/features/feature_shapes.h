@@ -61,7 +61,7 @@ inline double length(const FeatureLines& lines, std::int64_t line) {
     for (std::int64_t i = lines.first[line]; i < lines.first[line + 1]; ++i) {
         const bool last = i + 1 == lines.first[line + 1];
         if (last && lines.closed[line] == 0) break;
-        sum += glm::distance(lines.position[i], lines.position[last ? lines.first[line] : i + 1]);
+        sum += glm::distance(lines.point[i].position, lines.point[last ? lines.first[line] : i + 1].position);
     }
     return sum;
 }
@@ -95,14 +95,14 @@ private:
 // Along the polylines, a quarter of `step` apart at most, where they are at least so strong.
 inline std::vector<glm::dvec3> along(const FeatureLines& lines, double step, double least = 0.0) {
     std::vector<glm::dvec3> result;
-    for (std::int64_t line = 0; line < lines.lines(); ++line) {
+    for (std::int64_t line = 0; line < lines.count(); ++line) {
         const std::int64_t begin = lines.first[line];
         const std::int64_t end = lines.first[line + 1];
         for (std::int64_t i = begin; i < end; ++i) {
             const std::int64_t next = i + 1 < end ? i + 1 : lines.closed[line] != 0 ? begin : i;
-            if (std::min(lines.strength[i], lines.strength[next]) < least) continue;
-            const glm::dvec3 a = lines.position[i];
-            const glm::dvec3 b = lines.position[next];
+            if (std::min(lines.point[i].strength, lines.point[next].strength) < least) continue;
+            const glm::dvec3 a = lines.point[i].position;
+            const glm::dvec3 b = lines.point[next].position;
             const int pieces = 1 + static_cast<int>(glm::distance(a, b) / (0.25 * step));
             for (int k = 0; k < pieces; ++k) result.push_back(glm::mix(a, b, static_cast<double>(k) / pieces));
         }

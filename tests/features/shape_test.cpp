@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "features/shape.h"
+#include "features/feature_lines.h"
 
 #include "feature_shapes.h"
 #include "surface/curvature.h"

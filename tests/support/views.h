@@ -2,7 +2,7 @@
 // Cameras for tests of lines, and the directions of a cube's corners, edges and faces.
 #pragma once
 
-#include "curves/view.h"
+#include "curves/curves.h"
 #include "geometry/tangent_frame.h"
 
 #include <glm/matrix.hpp>

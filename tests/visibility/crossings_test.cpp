@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Crossings of lines: that all are found, on both curves, and the nearer one by its distance.
-#include "visibility/crossings.h"
+#include "visibility/image_lines.h"
 
 #include "stage.h"
 #include "support/contour_shapes.h"
@@ -28,7 +28,7 @@ Seen3 seen_at(const Picture& picture, std::int32_t number, double share) {
     const glm::dvec3 p = cubic(picture.subjects, piece).at(share);
     const glm::dvec3 in_world(subject.to_world * glm::dvec4(p, 1.0));
     const glm::dvec4 eye = subject.to_world * subject.view.eye;
-    return {see(subject.view, p).place,
+    return {subject.view.see(p).place,
             eye.w != 0.0 ? glm::distance(in_world, glm::dvec3(eye)) : glm::dot(in_world, glm::dvec3(eye))};
 }
 
@@ -120,7 +120,6 @@ TEST_F(Crossings, BesideALineFarOutside) {
     Stage stage;
     add(runtime(), stage, sphere, {1.0, 0.0, 0.0}, 0.1);
     curves::Curves line(runtime().memory);
-    line.first.push_back(0);
     for (const double from_eye : {6.0, 5.0, 3.0, 1.0, 1e-3, 1e-6, 1e-12, 1e-300}) {
         curves::CurvePoint p;
         p.position = eye.place() - from_eye * eye.back + (5.1 - from_eye) * eye.right;
@@ -187,7 +186,6 @@ TEST(TouchingLines, AddUp) {
 TEST(Tangles, HaveFewCrossings) {
     base::Memory& memory = runtime().memory;
     curves::Curves lines(memory);
-    lines.first.push_back(0);
     const auto add = [&](const glm::dvec3& place, const glm::dvec3& way) {
         curves::CurvePoint p;
         p.position = place;

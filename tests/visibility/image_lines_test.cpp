@@ -36,7 +36,7 @@ double farthest_off(const Picture& picture, const ImageLines& lines) {
             const double end = b.piece == a.piece ? b.share : 1.0;
             for (int k = 1; k < 8; ++k) {
                 const double u = a.share + (end - a.share) * k / 8.0;
-                const glm::dvec2 place = see(view, cubic(picture.subjects, piece).at(u)).place;
+                const glm::dvec2 place = view.see(cubic(picture.subjects, piece).at(u)).place;
                 farthest = std::max(farthest, distance_to_chord(place, a.place, b.place));
             }
         }

@@ -250,7 +250,7 @@ TEST(Invisibility, LinesThatPassBehindTheEye) {
             EXPECT_TRUE(std::isfinite(p.place.x) && std::isfinite(p.place.y));
             const Piece& piece = picture.found->lines.pieces[p.piece];
             const Subject& subject = picture.subjects[static_cast<std::size_t>(piece.subject)];
-            EXPECT_GT(see(subject.view, subject.curves->point[piece.a].position).w, 0.0);
+            EXPECT_GT(subject.view.see(subject.curves->point[piece.a].position).w, 0.0);
         }
         compared += expect_right(picture, 80);
     }
@@ -280,7 +280,6 @@ TEST(Invisibility, OtherLines) {
     add(runtime(), stage, sphere, {1.0, 0.0, 0.0}, 0.1);
     const Eye eye = Eye::at({0.2, -0.3, 1.0}, 6.0, false, 150.0);
     curves::Curves line(runtime().memory);
-    line.first.push_back(0);
     for (int i = 0; i <= 20; ++i) {
         curves::CurvePoint p;
         p.position = -2.0 * eye.back + (-2.0 + 0.2 * i) * eye.right + 0.6 * eye.up;

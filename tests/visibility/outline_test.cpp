@@ -69,8 +69,8 @@ bool is_outline(const Picture& picture, const Eye& eye, const Place& place) {
     const curves::View& view = picture.subjects[static_cast<std::size_t>(piece.subject)].view;
     const glm::dvec3 p = picture.point_at(place);
     const glm::dvec3 way = cubic(picture.subjects, piece).derivative(place.share);
-    const glm::dvec2 here = see(view, p).place;
-    const glm::dvec2 along = see(view, p + 1e-4 * way).place - here;
+    const glm::dvec2 here = view.see(p).place;
+    const glm::dvec2 along = view.see(p + 1e-4 * way).place - here;
     const glm::dvec2 across = beside * glm::normalize(glm::dvec2(-along.y, along.x));
     return sheets_through(picture, eye, here + across) == 0 || sheets_through(picture, eye, here - across) == 0;
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Items that run through each other.
-#include "visibility/crossings.h"
+#include "visibility/image_lines.h"
 
 #include "fit/shapes.h"
 #include "stage.h"

@@ -4,8 +4,8 @@
 
 #include "base/random.h"
 #include "curves/curve_changes.h"
+#include "curves/curves.h"
 #include "curves/dense_count.h"
-#include "curves/level.h"
 #include "curves/trace.h"
 #include "support/runtime.h"
 #include "support/views.h"

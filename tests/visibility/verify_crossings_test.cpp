@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Crossings of curves near each other: those that the curves have stay.
-#include "visibility/crossings.h"
+#include "visibility/image_lines.h"
 
 #include "stage.h"
 #include "support/contour_shapes.h"

@@ -1,15 +1,29 @@
 // SPDX-License-Identifier: MIT
-// A frame of lines: curves are traced for the camera (trace_lines), sheets before them counted (find_invisibility,
-// find_hidden_by), lines numbered as in the last frame (LineNumbers), widths found (WidthLaws) and strokes made
-// (add_strokes).
+// A frame of lines: curves are traced for the camera (trace_lines): for each item with lines its contours
+// (trace_contours, from the last frame's where the camera moved little), creases that are contours (add_folds) and its
+// border (add_border) become subjects whatever is drawn, as they hide others; then for each style of lines its subjects
+// are found or made (add_style), and get a layer. All of this is seen through a camera that sees no face exactly
+// edge-on (camera_off_planes). Then sheets before the lines are counted (find_invisibility, find_hidden_by), lines
+// numbered as in the last frame (number_lines) and strokes made (add_strokes). For their numbers, points of each line
+// vote for the line of the last frame that has the nearest point of the same direction (count_votes); lines with most
+// points in common are one.
 #include "frame/lines/line_frame.h"
 
+#include "base/assert.h"
 #include "base/clock.h"
-#include "frame/lines/strokes.h"
+#include "curves/curve_changes.h"
+#include "curves/trace.h"
+#include "frame/lines/lines.h"
+#include "frame/lines/tuning.h"
+#include "geometry/point_grid.h"
 
 #include <glm/matrix.hpp>
 
 #include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <string_view>
+#include <tuple>
 #include <utility>
 
 namespace hrbfnpr::frame {
@@ -33,6 +47,433 @@ void count(const visibility::Invisibility& found, const TracedLines& traced, dra
     counts.tangles = found.report.crossings.tangles;
 }
 
+// An item that has lines, and its subjects: from `contours` on its contours and, at `folds`, creases that are such,
+// then from `border` to `end` its border.
+struct Source {
+    const Item& item;
+    curves::View view;
+    std::int32_t number; // among the occluders
+    bool mirrored;
+    std::int32_t contours, border, end;
+    std::int32_t folds = -1; // -1: the item has no such creases
+    const curves::CreaseParts* creases = nullptr;
+
+    [[nodiscard]] const curves::LineSet& lines() const noexcept { return *item.lines; }
+    [[nodiscard]] bool is_open() const noexcept { return lines().border().curves.count() > 0; }
+};
+
+// ---- The camera
+
+// The camera for all lines of a scene. A face that is seen exactly edge-on does not tell on which side of its edges it
+// lies, so where an item has creases the eye moves a little to one side, and an orthographic camera becomes one at a
+// large finite distance: faces parallel to its axis turn away a little.
+Camera camera_off_planes(const Scene& scene, std::span<const Item> items) {
+    geometry::Bounds box; // in eye space
+    bool sharp = false;
+    for (const Item& item : items) {
+        if (item.lines == nullptr) continue;
+        sharp = sharp || item.lines->creases().count() > 0;
+        const glm::dmat4 to_eye = scene.camera.view * item.transform;
+        const geometry::Bounds& region = item.lines->mesh().region;
+        for (int i = 0; i < 8; ++i) {
+            const glm::bvec3 high((i & 1) != 0, (i & 2) != 0, (i & 4) != 0);
+            box.extend(glm::dvec3(to_eye * glm::dvec4(glm::mix(region.min, region.max, high), 1.0)));
+        }
+    }
+    Camera camera = scene.camera;
+    const double radius = sharp ? 0.5 * glm::length(box.size()) : 0.0;
+    const double middle = 0.5 * (box.min.z + box.max.z);
+    if (!(radius > 0.0) || !std::isfinite(radius) || !std::isfinite(middle)) return camera;
+    // x and y by (z - middle) to one side; w grows with it, so that an orthographic camera is a finite one.
+    glm::dmat4 moved(1.0);
+    const double shift = line_tuning.off_planes;
+    const glm::dvec2 to_side =
+        line_tuning.aside * shift * glm::dvec2(std::cos(line_tuning.aside_angle), std::sin(line_tuning.aside_angle));
+    for (int axis = 0; axis < 2; ++axis) {
+        moved[2][axis] = to_side[axis];
+        moved[3][axis] = -to_side[axis] * middle;
+    }
+    if (make_optics(camera).centre.w == 0.0) {
+        moved[2][3] = -shift / radius;
+        moved[3][3] = 1.0 + shift / radius * middle;
+    }
+    camera.projection = camera.projection * moved;
+    return camera;
+}
+
+curves::View view_of(const Camera& camera, const Item& item) {
+    const Optics optics = make_optics(camera);
+    const glm::dmat4 to_eye = camera.view * item.transform;
+    glm::dvec4 eye = glm::inverse(to_eye) * optics.centre;
+    if (eye.w != 0.0) {
+        const glm::dvec3 place = glm::dvec3(eye) / eye.w;
+        const geometry::Bounds& region = item.lines->mesh().region;
+        const glm::dvec3 size = glm::abs(place); // whose squares may be no numbers
+        const double largest = std::max({size.x, size.y, size.z});
+        const bool is_far = !(largest <= line_tuning.parallel_from * glm::distance(region.min, region.max));
+        eye = is_far ? glm::dvec4(glm::normalize(0.5 * (region.min + region.max) / largest - place / largest), 0.0)
+                     : glm::dvec4(place, 1.0);
+    }
+    return {eye, optics.window * to_eye};
+}
+
+// ---- Subjects
+
+visibility::Subject& add_subject(const Source& source, const curves::Curves& curves, TracedLines& out) {
+    visibility::Subject subject;
+    subject.curves = &curves;
+    subject.view = source.view;
+    subject.side = source.lines().mesh().side;
+    subject.to_world = source.item.transform;
+    subject.item = source.number;
+    subject.mirrored = source.mirrored;
+    out.subjects.push_back(subject);
+    return out.subjects.back();
+}
+
+// The contours of an item, or of a part of it, in this view. Seen from where the last frame saw them, they are the
+// same.
+std::unique_ptr<Contours> find_contours(const base::Runtime& runtime, const curves::LineSet& lines, std::int64_t item,
+                                        std::int64_t part, const curves::ContourLevel& level, ContourList& all_last,
+                                        const base::Progress& progress) {
+    const curves::View& view = level.view();
+    HRBFNPR_ASSERT(part >= 0 && (part == 0 || part < lines.parts().size()));
+    std::unique_ptr<Contours> last;
+    for (std::unique_ptr<Contours>& known : all_last)
+        if (last == nullptr && known != nullptr && known->item == item && known->part == part &&
+            known->set == lines.identity())
+            last = std::move(known);
+    if (last != nullptr && last->eye == view.eye) return last;
+    const curves::SurfaceMesh& mesh = lines.parts().empty() ? lines.mesh() : lines.parts()[part]->mesh;
+    auto contours = std::make_unique<Contours>(runtime.memory);
+    contours->set = lines.identity();
+    contours->item = item;
+    contours->part = part;
+    contours->eye = view.eye;
+    const auto trace = [&](const curves::Curves* near) {
+        curves::TraceReport report;
+        curves::TraceSettings settings;
+        if (near != nullptr) settings.tolerance = line_tuning.moved_tolerance;
+        contours->traced = curves::trace(runtime, level, mesh, settings, report, progress, near);
+        contours->from_last = near != nullptr;
+        contours->broken = report.broken + report.missed;
+    };
+    // Tracing begins with the last contours if nearly all of their points go on.
+    if (last != nullptr) {
+        const curves::Curves moved =
+            curves::moved_contours(runtime.memory, view, last->traced, line_tuning.farthest_move * mesh.side);
+        const double least = (1.0 - line_tuning.most_left_out) * static_cast<double>(last->traced.point.size());
+        if (!moved.point.empty() && static_cast<double>(moved.point.size()) >= least) trace(&moved);
+    }
+    if (!contours->from_last || contours->broken > 0) trace(nullptr);
+    std::int64_t evaluations = 0;
+    contours->with_cusps = curves::with_cusps(runtime, level, view, contours->traced, evaluations, progress);
+    return contours;
+}
+
+// Contours of a sheet end at its creases.
+void trace_contours(const base::Runtime& runtime, const Source& source, ContourList& last,
+                    const base::Progress& progress, TracedLines& out) {
+    const curves::LineSet& lines = source.lines();
+    for (std::int64_t p = 0; p < std::max<std::int64_t>(1, lines.parts().size()); ++p) {
+        const implicit::Implicit& surface = lines.parts().empty() ? lines.surface() : lines.parts()[p]->surface;
+        const curves::ContourLevel& level =
+            *out.levels.add(std::make_unique<curves::ContourLevel>(surface, source.view));
+        const Contours& contours = *out.contours.add(
+            find_contours(runtime, lines, out.items[source.number], p, level, last, progress.standing()));
+        out.broken += contours.broken;
+        visibility::Subject& subject = add_subject(source, contours.with_cusps, out);
+        subject.level = &level;
+        subject.joined = !lines.parts().empty();
+    }
+}
+
+// The surface turns over at creases of which one sheet faces the eye.
+void add_folds(const base::Runtime& runtime, Source& source, TracedLines& out) {
+    const curves::LineSet& lines = source.lines();
+    if (lines.creases().count() == 0) return;
+    source.creases = out.creases
+                         .add(std::make_unique<curves::CreaseParts>(
+                             curves::parts_in_view(runtime, *lines.surface().sheets(), lines.creases(), source.view)))
+                         .get();
+    if (source.creases->folds.curves.count() == 0) return;
+    source.folds = static_cast<std::int32_t>(out.subjects.size());
+    visibility::Subject& subject = add_subject(source, source.creases->folds.curves, out);
+    subject.joined = true;
+    subject.clear = visibility::visibility_tuning.clear_of_creases;
+}
+
+// Adds lines on the surface, cut where they turn away from the eye. `sheets` is Subject::sheets.
+void add_lines(const base::Runtime& runtime, const Source& source, const curves::SurfaceLines& lines,
+               const LineStyle* style, std::uint32_t layer, std::int32_t sheets, TracedLines& out) {
+    HRBFNPR_ASSERT(style != nullptr || sheets > 0);
+    if (lines.curves.count() == 0) return;
+    for (const bool outside : {true, false}) {
+        // Lines that show the inside are hidden by their own surface, unless that is open.
+        if (!outside && sheets == 0 && style->hidden == HiddenParts::none && !source.is_open()) continue;
+        const curves::SurfaceLines& parts = *out.lines.add(
+            std::make_unique<curves::SurfaceLines>(curves::facing_parts(runtime.memory, lines, source.view, outside)));
+        const auto number = static_cast<std::int32_t>(out.subjects.size());
+        visibility::Subject& subject = add_subject(source, parts.curves, out);
+        subject.sheets = sheets;
+        if (style == nullptr) continue;
+        if (style->kind == LineKind::own) subject.clear = line_tuning.clear_of_own;
+        subject.joined = style->kind == LineKind::section && source.lines().creases().count() > 0;
+        out.styles.push_back({style, number, layer, parts.strength.data()});
+    }
+}
+
+// A surface hides other things only up to its border, so the border is needed even where it is not drawn.
+void add_border(const base::Runtime& runtime, Source& source, TracedLines& out) {
+    const curves::LineSet& lines = source.lines();
+    source.border = static_cast<std::int32_t>(out.subjects.size());
+    add_lines(runtime, source, curves::with_turns(runtime, lines.border(), lines.surface(), source.view), nullptr, 0, 1,
+              out);
+    source.end = static_cast<std::int32_t>(out.subjects.size());
+    for (std::int32_t s = source.border; s < source.end; ++s) out.subjects[s].level = lines.border_level();
+}
+
+// Adds creases that are no contours; these as well where the style draws no contours.
+void add_bent(const base::Runtime& runtime, const Source& source, const LineStyle& style, std::uint32_t layer,
+              TracedLines& out) {
+    HRBFNPR_ASSERT(source.creases != nullptr);
+    const curves::CreaseParts& parts = *source.creases;
+    const curves::Thresholds by = curves::thresholds_of(style.kind, {style.lower, style.upper});
+    for (const bool outside : {true, false}) {
+        if (!outside && style.hidden == HiddenParts::none && !source.is_open()) continue;
+        const curves::SurfaceLines& lines = *out.lines.add(std::make_unique<curves::SurfaceLines>(
+            curves::bent_parts(runtime.memory, outside ? parts.outside : parts.inside,
+                               outside ? parts.of_outside : parts.of_inside, style.creases, by.lower, by.upper)));
+        if (lines.curves.count() == 0) continue;
+        visibility::Subject& subject = add_subject(source, lines.curves, out);
+        subject.sheets = 0;
+        subject.joined = true;
+        subject.clear = visibility::visibility_tuning.clear_of_creases;
+        out.styles.push_back(
+            {&style, static_cast<std::int32_t>(out.subjects.size() - 1), layer, lines.strength.data()});
+    }
+    const std::span<const LineStyle> all = source.item.style.lines;
+    const bool outlined =
+        std::any_of(all.begin(), all.end(), [](const LineStyle& other) { return other.kind == LineKind::contour; });
+    if (outlined || source.folds < 0) return;
+    base::Array<float>& strength = out.numbers.add(runtime.memory);
+    for (const float angle : parts.folds.strength) strength.push_back(curves::angle_on(style.creases, angle));
+    out.styles.push_back({&style, source.folds, layer, strength.data()});
+    out.styles.back().cut = true;
+}
+
+// Adds feature lines by interpolation on the mesh, which is enough to draw. towards: the eye, or the light of
+// isophotes.
+void add_features(const base::Runtime& runtime, const Source& source, const LineStyle& style, std::uint32_t layer,
+                  const glm::dvec4& towards, const base::Progress& progress, TracedLines& out) {
+    curves::FeatureRequest request;
+    request.kind = curves::feature_of(style.kind);
+    request.towards = towards;
+    request.levels = style.levels;
+    const curves::Thresholds by = curves::thresholds_of(style.kind, {style.lower, style.upper});
+    request.lower = by.lower;
+    request.upper = by.upper;
+    request.shortest = line_tuning.shortest_feature;
+    request.rounds = style.kind == LineKind::apparent_ridge ? line_tuning.ridge_rounds : 0;
+    const curves::FeatureLines lines =
+        find_feature_lines(runtime, source.lines().features(), request, progress.standing());
+    add_lines(runtime, source, curves::as_lines(runtime.memory, lines), &style, layer, 0, out);
+}
+
+void add_style(const base::Runtime& runtime, const Scene& scene, const Source& source, const LineStyle& style,
+               std::uint32_t layer, const base::Progress& progress, TracedLines& out) {
+    const Item& item = source.item;
+    switch (style.kind) {
+    case LineKind::contour:
+        for (std::int32_t s = source.contours; s < source.border; ++s) out.styles.push_back({&style, s, layer});
+        break;
+    case LineKind::crease: add_bent(runtime, source, style, layer, out); break;
+    case LineKind::border:
+        for (std::int32_t s = source.border; s < source.end; ++s) out.styles.push_back({&style, s, layer});
+        break;
+    case LineKind::suggestive_contour:
+    case LineKind::apparent_ridge: {
+        const glm::dvec4& eye = source.view.eye;
+        const glm::dvec4 towards = eye.w == 0.0 ? glm::dvec4(-glm::dvec3(eye), 0.0) : eye;
+        add_features(runtime, source, style, layer, towards, progress, out);
+        break;
+    }
+    case LineKind::isophote: {
+        // Normals go by the inverse transpose, so that n . l is that of the light's space.
+        const glm::dmat3 to_space = item.style.light_space == LightSpace::camera
+                                        ? glm::dmat3(scene.camera.view * item.transform)
+                                        : glm::dmat3(item.transform);
+        const glm::dvec4 light(glm::normalize(glm::inverse(to_space) * item.style.light), 0.0);
+        add_features(runtime, source, style, layer, light, progress, out);
+        break;
+    }
+    default:
+        for (const curves::FoundLines& found : source.lines().found())
+            if (found.kind == style.kind && (style.name == nullptr || std::strcmp(style.name, found.name.data()) == 0))
+                add_lines(runtime, source, found.lines, &style, layer, 0, out);
+    }
+}
+
+// All lines of the items. Adds a layer to the drawing for each style of lines. Takes contours of the last frame that
+// are the same.
+TracedLines trace_lines(const base::Runtime& runtime, const Scene& scene, std::span<const Item> items,
+                        ContourList& last, const base::Progress& progress, drawing::Drawing& drawing) {
+    TracedLines out(runtime.memory);
+    base::List<Source> sources(runtime.memory);
+    const Camera camera = camera_off_planes(scene, items);
+    for (std::size_t i = 0; i < items.size(); ++i) {
+        const Item& item = items[i];
+        if (item.lines == nullptr) continue;
+        progress.update(static_cast<double>(i) / static_cast<double>(items.size()));
+        const bool mirrored = glm::determinant(glm::dmat3(scene.camera.view * item.transform)) < 0.0;
+        const auto first = static_cast<std::int32_t>(out.subjects.size());
+        Source& source = sources.add(Source{item, view_of(camera, item), static_cast<std::int32_t>(out.items.size()),
+                                            mirrored, first, first, first});
+        out.occluders.push_back({&item.lines->sheets(), &item.lines->surface(), item.transform, source.view.eye});
+        out.items.push_back(static_cast<std::int32_t>(i));
+        trace_contours(runtime, source, last, progress, out);
+        add_folds(runtime, source, out);
+        add_border(runtime, source, out);
+    }
+    for (const Source& source : sources) {
+        const std::int64_t first = out.styles.size();
+        for (const LineStyle& style : source.item.style.lines) {
+            if (style.kind == LineKind::crease && source.lines().creases().count() == 0) continue;
+            drawing::Layer layer;
+            layer.item = out.items[source.number];
+            layer.layer = -1;
+            layer.mark_class =
+                style.kind == LineKind::contour ? drawing::MarkClass::silhouette : drawing::MarkClass::front;
+            layer.as_strokes = true;
+            layer.ink = glm::vec4(style.ink[0], style.ink[1], style.ink[2], style.ink[3]);
+            layer.line_kind = static_cast<std::uint32_t>(style.kind);
+            if (style.name != nullptr)
+                std::string_view(style.name).copy(layer.line_name.data(), layer.line_name.size() - 1);
+            add_style(runtime, scene, source, style, static_cast<std::uint32_t>(drawing.layers.size()), progress, out);
+            drawing.layers.push_back(layer);
+        }
+        for (std::int64_t i = first; i < out.styles.size(); ++i) {
+            DrawnAs& as = out.styles[i];
+            const curves::Thresholds by = curves::thresholds_of(as.style->kind, {as.style->lower, as.style->upper});
+            as.lower = static_cast<float>(by.lower);
+            as.upper = static_cast<float>(by.upper);
+            as.halo = source.item.style.halo_width;
+        }
+    }
+    return out;
+}
+
+// ---- Numbers
+
+// About how many points of a line of this frame are near a line of the last frame.
+struct Vote {
+    std::int64_t line;
+    std::int64_t known;
+    std::int64_t points;
+};
+
+const curves::CurvePoint& point_of(const base::Array<visibility::Subject>& subjects,
+                                   const visibility::ImageLines& lines, std::int64_t piece) noexcept {
+    const visibility::Piece& its = lines.pieces[piece];
+    return subjects[its.subject].curves->point[its.a];
+}
+
+base::Array<Vote> count_votes(const KnownLines& last, const base::Array<LineFamily>& families,
+                              const base::Array<visibility::Subject>& subjects, const visibility::ImageLines& lines) {
+    base::Memory& memory = families.memory();
+    base::Array<Vote> votes(memory);
+    base::Array<std::int64_t> of_line(memory, last.line.size());
+    for (std::int64_t subject = 0; subject < subjects.size(); ++subject) {
+        geometry::VecArray place(memory);
+        geometry::VecArray direction(memory);
+        base::Array<std::int64_t> owner(memory);
+        for (std::int64_t k = 0; k < last.line.size(); ++k) {
+            const KnownLines::Known& known = last.line[k];
+            if (!(known.family == families[subject])) continue;
+            for (std::int64_t i = known.first; i < known.first + known.count; ++i) {
+                place.push_back(last.place[i]);
+                direction.push_back(last.direction[i]);
+                owner.push_back(k);
+            }
+        }
+        if (place.empty()) continue;
+        const double radius = line_tuning.farthest_number * subjects[subject].side;
+        const geometry::PointGrid grid(place, radius);
+        for (std::int64_t l = 0; l < lines.lines.size(); ++l) {
+            const visibility::Line& line = lines.lines[l];
+            if (line.subject != subject) continue;
+            const std::int64_t step = std::max<std::int64_t>(1, line.pieces / line_tuning.most_points);
+            for (std::int64_t p = 0; p < line.pieces; p += step) {
+                const curves::CurvePoint& point = point_of(subjects, lines, line.first_piece + p);
+                double least = radius;
+                std::int64_t nearest = -1;
+                grid.around(point.position, [&](std::int64_t at) {
+                    const std::int64_t i = grid.index(at);
+                    const double distance = glm::distance(place[i], point.position);
+                    if (distance > least || !(glm::dot(direction[i], point.direction()) > 0.0)) return;
+                    least = distance;
+                    nearest = i;
+                });
+                if (nearest >= 0) ++of_line[owner[nearest]];
+            }
+            for (std::int64_t k = 0; k < last.line.size(); ++k)
+                if (const std::int64_t points = std::exchange(of_line[k], 0); points > 0)
+                    votes.push_back({l, k, points * step});
+        }
+    }
+    return votes;
+}
+
+// Lines that go on from the last frame keep their numbers; others get new ones.
+LineNumbers number_lines(base::Memory& memory, const base::Array<visibility::Subject>& subjects,
+                         const base::Array<visibility::Occluder>& occluders, const visibility::ImageLines& lines,
+                         KnownLines& last) {
+    base::Array<LineFamily> families(memory);
+    base::Array<std::int64_t> of_item(memory, occluders.size());
+    for (const visibility::Subject& subject : subjects) {
+        HRBFNPR_ASSERT(subject.item >= 0 && subject.item < of_item.size());
+        families.push_back({occluders[subject.item].sheets, subject.item, of_item[subject.item]++});
+    }
+    const auto position = [&](std::int64_t piece) { return point_of(subjects, lines, piece).position; };
+    LineNumbers out(memory);
+    out.number.resize(lines.lines.size());
+    for (const visibility::Line& line : lines.lines) out.origin.push_back(line.first_piece);
+    base::Array<Vote> votes = count_votes(last, families, subjects, lines);
+    std::sort(votes.begin(), votes.end(), [](const Vote& a, const Vote& b) {
+        return std::tie(b.points, a.line, a.known) < std::tie(a.points, b.line, b.known);
+    });
+    base::Array<std::uint8_t> taken(memory, last.line.size());
+    for (const Vote& vote : votes) {
+        if (out.number[vote.line] != 0 || taken[vote.known] != 0) continue;
+        const KnownLines::Known& known = last.line[vote.known];
+        out.number[vote.line] = known.number;
+        taken[vote.known] = 1;
+        std::int64_t& origin = out.origin[vote.line];
+        const visibility::Line& line = lines.lines[vote.line];
+        double least = glm::distance(position(origin), known.origin);
+        for (std::int64_t p = line.first_piece + 1; p < line.first_piece + line.pieces; ++p)
+            if (const double distance = glm::distance(position(p), known.origin); distance < least) {
+                least = distance;
+                origin = p;
+            }
+    }
+    KnownLines next(memory);
+    next.number = last.number;
+    for (std::int64_t l = 0; l < lines.lines.size(); ++l) {
+        const visibility::Line& line = lines.lines[l];
+        if (out.number[l] == 0) out.number[l] = ++next.number;
+        const std::int64_t first = next.place.size();
+        for (std::int64_t p = line.first_piece; p < line.first_piece + line.pieces; p += line_tuning.kept_each) {
+            next.place.push_back(position(p));
+            next.direction.push_back(point_of(subjects, lines, p).direction());
+        }
+        next.line.push_back(
+            {families[line.subject], first, next.place.size() - first, out.number[l], position(out.origin[l])});
+    }
+    last = std::move(next);
+    return out;
+}
+
 } // namespace
 
 const LineStrokes& LineFrame::run(const Scene& scene, std::span<const Item> items, const base::Progress& progress,
@@ -41,7 +482,6 @@ const LineStrokes& LineFrame::run(const Scene& scene, std::span<const Item> item
     strokes_.points.clear();
     if (std::none_of(items.begin(), items.end(), draws_lines)) return strokes_;
     const base::Stopwatch watch;
-    contours_.begin_frame();
     const std::int64_t layers = drawing.layers.size();
     const auto trace = [&] {
         return trace_lines(runtime_, scene, items, contours_, progress.part(0.0, traced_end), drawing);
@@ -53,24 +493,21 @@ const LineStrokes& LineFrame::run(const Scene& scene, std::span<const Item> item
     TracedLines traced = trace();
     visibility::Invisibility found = count_sheets(traced);
     // Contours that are whole may still be too coarse, or doubled, where they began with those of the last frame.
-    if (found.report.settled > 0 && contours_.are_from_last()) {
-        contours_.forget();
+    const auto is_from_last = [](const auto& contours) { return contours->from_last; };
+    if (found.report.settled > 0 && std::any_of(traced.contours.begin(), traced.contours.end(), is_from_last)) {
+        contours_.clear();
         drawing.layers.resize(layers);
         traced = trace();
         found = count_sheets(traced);
     }
-    const std::span<const visibility::Subject> subjects = std::as_const(found.subjects).span();
-    const std::span<const visibility::Occluder> occluders = std::as_const(traced.occluders).span();
-    visibility::find_hidden_by(runtime_, subjects, occluders, found, progress.part(found_end, hidden_end).standing());
+    visibility::find_hidden_by(runtime_, std::as_const(found.subjects).span(), traced.occluders.span(), found,
+                               progress.part(found_end, hidden_end).standing());
     count(found, traced, drawing.line_counts);
     const visibility::Lengths lengths(runtime_.memory, found.lines);
-    numbers_.run(subjects, occluders, found.lines);
-    const LineInput input{
-        subjects, occluders, std::as_const(traced.items).span(), std::as_const(traced.styles).span(), found,
-        lengths,  numbers_};
+    const LineNumbers numbers = number_lines(runtime_.memory, found.subjects, traced.occluders, found.lines, known_);
     progress.update(hidden_end);
-    const WidthLaws laws(runtime_, scene, drawing, input, progress.part(hidden_end, 1.0));
-    add_strokes(runtime_, scene, input, laws, strokes_);
+    add_strokes({runtime_, scene, traced, found, lengths, numbers}, drawing, progress.part(hidden_end, 1.0), strokes_);
+    contours_ = std::move(traced.contours);
     progress.update(1.0);
     drawing.line_counts.nanoseconds = watch.nanoseconds();
     return strokes_;

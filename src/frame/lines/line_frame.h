@@ -2,32 +2,72 @@
 // The strokes of lines: curves traced for this camera, their visibility, and their widths and parts by style.
 #pragma once
 
+#include "base/list.h"
 #include "base/runtime.h"
-#include "frame/lines/line_numbers.h"
-#include "frame/lines/traced_lines.h"
+#include "curves/curves.h"
 #include "frame/scene/scene.h"
 
+#include <memory>
 #include <span>
 
 namespace hrbfnpr::frame {
 
+// The contours of one item, or of one sheet of it.
+struct Contours {
+    explicit Contours(base::Memory& memory) : traced(memory), with_cusps(memory) {}
+
+    std::shared_ptr<const void> set; // LineSet::identity()
+    std::int64_t item = 0;
+    std::int64_t part = 0;     // the number of the part in LineSet::parts(); 0 if the set has no parts
+    glm::dvec4 eye{0.0};       // as View::eye
+    curves::Curves traced;     // as traced, before cusps are added
+    curves::Curves with_cusps; // these are drawn
+    bool from_last = false;    // tracing began with the contours of the frame before
+    std::int64_t broken = 0;   // contours that end inside the surface, and places where one was missed
+};
+using ContourList = base::List<std::unique_ptr<Contours>>;
+
+// Only lines of the same family, which is their line set, item and subject, may be one line in two frames.
+struct LineFamily {
+    const void* set;
+    std::int64_t item;
+    std::int64_t number; // the number of its subject among the subjects of the item
+
+    friend bool operator==(const LineFamily&, const LineFamily&) = default;
+};
+
+// The lines of a frame, as far as the next one needs them to number its own.
+struct KnownLines {
+    explicit KnownLines(base::Memory& memory) noexcept : line(memory), place(memory), direction(memory) {}
+
+    struct Known {
+        LineFamily family;
+        std::int64_t first, count; // the range of its points
+        std::uint32_t number;
+        glm::dvec3 origin; // where its first piece began when it was new, or beside
+    };
+    base::Array<Known> line;
+    geometry::VecArray place, direction; // some points of the lines, and the directions there
+    std::uint32_t number = 0;            // the last number that was given
+};
+
 class LineFrame {
 public:
     explicit LineFrame(const base::Runtime& runtime) noexcept
-        : runtime_(runtime), strokes_(runtime.memory), contours_(runtime.memory), numbers_(runtime.memory) {}
+        : runtime_(runtime), strokes_(runtime.memory), contours_(runtime.memory), known_(runtime.memory) {}
 
     // Draws the lines of the items that have lines and styles for them; adds their layers and counts to the drawing.
     // All items with lines hide each other's.  Throws Error{callback, cancelled, out_of_memory}.
     const LineStrokes& run(const Scene& scene, std::span<const Item> items, const base::Progress& progress,
                            drawing::Drawing& drawing);
     // After a frame that was not finished: the next begins with no contours.
-    void forget() noexcept { contours_.forget(); }
+    void forget() noexcept { contours_.clear(); }
 
 private:
     const base::Runtime& runtime_;
     LineStrokes strokes_;
-    LastContours contours_;
-    LineNumbers numbers_;
+    ContourList contours_; // of the last frame: those of the next begin there where the camera moved little
+    KnownLines known_;
 };
 
 } // namespace hrbfnpr::frame

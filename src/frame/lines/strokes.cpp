@@ -1,17 +1,23 @@
 // SPDX-License-Identifier: MIT
-// Makes strokes of lines. Intervals of a line that look alike become a part (parts_of), with what hugs a contour that
-// is seen (find_hugging) and ends that go on as other lines (find_joined). A part has places: the points of its
-// polyline (places_of), and knots between where its width or wobble changes along a chord (knots_of). It is drawn
-// whole, as dashes, or where it is strong enough (draw), as strokes of points with their widths (add_stroke), wobbled
-// across (Wobble).
-#include "frame/lines/strokes.h"
-
+// Makes strokes of lines. At each point of a curve the factors of depth and light (point_factors) are multiplied by
+// that of curvature (add_curvature), smoothed along the image (smooth_along). Along a line the outline has a factor of
+// its own, which fades out beyond its ends (along). Intervals of a line that look alike become a part (parts_of), with
+// what hugs a contour that is seen (find_hugging) and ends that go on as other lines (find_joined). A part has places:
+// the points of its polyline (places_of), and knots between where its width or wobble changes along a chord (knots_of).
+// It is drawn whole, as dashes, or where it is strong enough (draw), as strokes of points with their widths
+// (add_stroke), wobbled across (Wobble).
 #include "base/assert.h"
 #include "base/random.h"
+#include "frame/lines/lines.h"
 #include "frame/lines/tuning.h"
+#include "frame/scene/light.h"
+#include "geometry/point_grid.h"
+#include "implicit/evaluate_all.h"
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <limits>
 
 namespace hrbfnpr::frame {
 namespace {
@@ -45,25 +51,237 @@ struct Shares {
 
 double length_of(const visibility::Interval& i) noexcept { return i.end_at - i.begin_at; }
 
-// All steps read these.
-struct StrokeInput {
-    const base::Runtime& runtime;
-    const Scene& scene;
-    const LineInput& lines;
-    const WidthLaws& laws;
+// ---- Widths
 
-    [[nodiscard]] const visibility::Line& line(std::int32_t l) const noexcept { return lines.found.lines.lines[l]; }
-    [[nodiscard]] const visibility::Piece& piece(std::int64_t p) const noexcept { return lines.found.lines.pieces[p]; }
-    [[nodiscard]] const visibility::Subject& subject(const visibility::Line& l) const noexcept {
-        return lines.subjects[static_cast<std::size_t>(l.subject)];
+float strength_at(const DrawnAs& as, const visibility::Piece& piece, float share) noexcept {
+    return (1.0F - share) * as.strength[piece.a] + share * as.strength[piece.b];
+}
+
+// The opacity of a line by its strength at a place.
+float faded(const DrawnAs& as, const visibility::Piece& piece, float share) noexcept {
+    if (as.strength == nullptr || !(as.upper > as.lower)) return 1.0F;
+    const float full = std::clamp((strength_at(as, piece, share) - as.lower) / (as.upper - as.lower), 0.0F, 1.0F);
+    return 1.0F - as.style->fade * (1.0F - full);
+}
+
+struct DepthRange {
+    double nearest = std::numeric_limits<double>::infinity();
+    double farthest = -std::numeric_limits<double>::infinity();
+};
+
+// A factor that goes evenly from 1, where share is 0.
+double by(float factor, double share) noexcept {
+    return glm::mix(1.0, static_cast<double>(factor), std::clamp(share, 0.0, 1.0));
+}
+
+bool has_point_law(const LineStyle& style) noexcept {
+    return style.far_factor != 1.0F || style.lit_factor != 1.0F || style.curvature_factor != 1.0F;
+}
+
+double fade_of(const DrawnAs& as) noexcept { return line_tuning.fade_widths * static_cast<double>(as.style->width); }
+
+// Whether a style's width is another one along the outline.
+bool changes_along(const DrawnAs& as) noexcept {
+    return as.style->outline_factor != 1.0F &&
+           (as.style->kind == LineKind::contour || as.style->kind == LineKind::border);
+}
+
+// The depths of the points of drawn lines that are in the window.
+DepthRange depth_range(const LineInput& in) {
+    DepthRange range;
+    const glm::dvec4 window(in.scene.lens.viewport);
+    for (std::int64_t s = 0; s < in.found.subjects.size(); ++s) {
+        const visibility::Subject& subject = in.found.subjects[s];
+        if (std::none_of(in.traced.styles.begin(), in.traced.styles.end(),
+                         [&](const DrawnAs& as) { return as.subject == s; }))
+            continue;
+        const glm::dmat4 to_eye = in.scene.camera.view * subject.to_world;
+        for (const curves::CurvePoint& p : subject.curves->point) {
+            const curves::View::Seen seen = subject.view.see(p.position);
+            const glm::dvec2 at = seen.place - glm::dvec2(window.x, window.y);
+            if (!(seen.w > 0.0 && at.x >= 0.0 && at.y >= 0.0 && at.x <= window.z && at.y <= window.w)) continue;
+            const double depth = -(to_eye * glm::dvec4(p.position, 1.0)).z;
+            range = {std::min(range.nearest, depth), std::max(range.farthest, depth)};
+        }
     }
-    [[nodiscard]] double whole(std::int32_t l) const noexcept { return lines.lengths.whole(line(l)); }
+    return range;
+}
+
+base::Array<float> point_factors(const LineInput& in, const Light& light, const DrawnAs& as,
+                                 const visibility::Subject& subject, const DepthRange& depths) {
+    const glm::dmat4 to_eye = in.scene.camera.view * subject.to_world;
+    const double range = depths.farthest - depths.nearest;
+    const base::Array<curves::CurvePoint>& points = subject.curves->point;
+    base::Array<float> factors(in.runtime.memory, points.size());
+    for (std::int64_t i = 0; i < points.size(); ++i) {
+        const double depth = -(to_eye * glm::dvec4(points[i].position, 1.0)).z;
+        const float n_dot_l = lit(light, glm::vec3(glm::normalize(points[i].gradient)));
+        const double facing = std::isfinite(n_dot_l) ? static_cast<double>(n_dot_l) : 0.0; // where f is constant
+        const double far = range > 0.0 ? (depth - depths.nearest) / range : 0.0;
+        factors[i] = static_cast<float>(by(as.style->far_factor, far) * by(as.style->lit_factor, 0.5 + 0.5 * facing));
+    }
+    return factors;
+}
+
+// On a contour grad g . v = v H v: as n . v = 0 there, the radial curvature is that over |grad f| v^2.
+void find_radial_curvature(const visibility::Subject& subject, base::Array<double>& curvature) {
+    for (std::int64_t i = 0; i < curvature.size(); ++i) {
+        const curves::CurvePoint& p = subject.curves->point[i];
+        const glm::dvec3 v = subject.view.sight(p.position);
+        curvature[i] = std::abs(glm::dot(p.level_gradient, v)) / (glm::length(p.gradient) * glm::dot(v, v));
+    }
+}
+
+// b H b / |grad f|, b tangent to the surface and across the line.
+void find_curvature_across(const base::Runtime& runtime, const implicit::Implicit& surface,
+                           const base::Array<curves::CurvePoint>& points, base::Array<double>& curvature,
+                           const base::Progress& progress) {
+    geometry::VecArray place(runtime.memory, points.size());
+    for (std::int64_t i = 0; i < points.size(); ++i) place.set(i, points[i].position);
+    base::Array<double> hessian(runtime.memory, 6 * points.size());
+    implicit::FieldBatch fields;
+    for (std::size_t c = 0; c < 6; ++c)
+        fields.hessian[c] = hessian.data() + static_cast<std::int64_t>(c) * points.size();
+    implicit::evaluate_all(runtime, surface, place, fields, progress.standing());
+    for (std::int64_t i = 0; i < points.size(); ++i) {
+        const glm::dvec3 b = glm::normalize(glm::cross(points[i].gradient, points[i].direction()));
+        const auto h = [&](std::size_t c) { return fields.hessian[c][i]; };
+        const double second = h(0) * b.x * b.x + h(3) * b.y * b.y + h(5) * b.z * b.z +
+                              2.0 * (h(1) * b.x * b.y + h(2) * b.x * b.z + h(4) * b.y * b.z);
+        curvature[i] = std::abs(second) / glm::length(points[i].gradient);
+    }
+}
+
+// Weights fall by e over some pixels of the image. At samples a fit's curvature jumps, and where the line of sight is
+// tangent to a contour its radial curvature is 0: neither is to be seen.
+base::Array<double> smooth_along(const visibility::Subject& subject, double pixels, const base::Array<double>& values) {
+    const curves::Curves& curves = *subject.curves;
+    HRBFNPR_ASSERT(values.size() == curves.point.size() && pixels > 0.0);
+    base::Array<double> kept(values.memory(), values.size()); // share of the value before that goes on
+    base::Array<double> smooth(values.memory(), values.size());
+    for (std::int64_t c = 0; c < curves.count(); ++c) {
+        const std::int64_t first = curves.first[c];
+        const std::int64_t size = curves.size_of(c);
+        const bool closed = curves.closed[c] != 0;
+        const auto number = [&](std::int64_t k) { return first + k % size; };
+        for (std::int64_t k = 0; k < size; ++k) {
+            const curves::View::Seen a = subject.view.see(curves.point[number(k + size - 1)].position);
+            const curves::View::Seen b = subject.view.see(curves.point[number(k)].position);
+            const bool joined = (k > 0 || closed) && a.w > 0.0 && b.w > 0.0;
+            kept[number(k)] = joined ? std::exp(-glm::distance(a.place, b.place) / pixels) : 0.0;
+        }
+        const std::int64_t steps = closed ? 2 * size : size;
+        double value = values[first];
+        for (std::int64_t k = 0; k < steps; ++k) {
+            const std::int64_t i = number(k);
+            smooth[i] = value = values[i] + kept[i] * (value - values[i]);
+        }
+        double back = values[number(size - 1)];
+        for (std::int64_t k = steps; k > 0; --k) {
+            const std::int64_t i = number(k - 1);
+            back = values[i] + kept[number(k)] * (back - values[i]);
+            if (k <= size) smooth[i] = 0.5 * (smooth[i] + back);
+        }
+    }
+    return smooth;
+}
+
+void add_curvature(const LineInput& in, const DrawnAs& as, base::Array<float>& factors,
+                   const base::Progress& progress) {
+    const visibility::Subject& subject = in.found.subjects[as.subject];
+    const implicit::Implicit& surface = *in.traced.occluders[subject.item].surface;
+    base::Array<double> curvature(in.runtime.memory, factors.size());
+    if (subject.level != nullptr)
+        find_radial_curvature(subject, curvature);
+    else
+        find_curvature_across(in.runtime, surface, subject.curves->point, curvature, progress);
+    for (double& c : curvature)
+        if (!std::isfinite(c)) c = 0.0;
+    curvature = smooth_along(subject, line_tuning.smooth_widths * static_cast<double>(as.style->width), curvature);
+    const double bent = static_cast<double>(as.style->curvature_radius) * surface.diagonal();
+    for (std::int64_t i = 0; i < curvature.size(); ++i)
+        factors[i] *=
+            static_cast<float>(by(as.style->curvature_factor, 1.0 - std::min(1.0, 1.0 / (bent * curvature[i]))));
+}
+
+// Sets the factors of styles at the points of their subjects. Returns the outline, where styles ask for it.
+visibility::Outline find_widths(const LineInput& in, const drawing::Drawing& drawing, const base::Progress& progress) {
+    base::Array<DrawnAs>& styles = in.traced.styles;
+    const auto is_by_depth = [](const DrawnAs& as) { return as.style->far_factor != 1.0F; };
+    const bool by_depth = std::any_of(styles.begin(), styles.end(), is_by_depth);
+    const DepthRange depths = by_depth ? depth_range(in) : DepthRange();
+    base::Array<std::uint8_t> wanted(in.runtime.memory, in.found.subjects.size());
+    for (DrawnAs& as : styles) {
+        HRBFNPR_ASSERT(as.subject >= 0 && as.subject < wanted.size());
+        if (changes_along(as)) wanted[as.subject] = 1;
+        if (!has_point_law(*as.style)) continue;
+        const Light& light = in.scene.items[drawing.layers[as.layer].item].light;
+        base::Array<float>& factors =
+            in.traced.numbers.add(point_factors(in, light, as, in.found.subjects[as.subject], depths));
+        if (as.style->curvature_factor != 1.0F) add_curvature(in, as, factors, progress);
+        as.factor = factors.data();
+    }
+    if (std::none_of(wanted.begin(), wanted.end(), [](std::uint8_t w) { return w != 0; }))
+        return visibility::Outline(in.runtime.memory);
+    return visibility::find_outline(in.runtime, in.found.subjects.span(), in.traced.occluders.span(), in.found,
+                                    in.lengths, wanted.span(), progress.standing());
+}
+
+// All steps of strokes read these.
+struct StrokeInput : LineInput {
+    const visibility::Outline& outline;
+
+    // The length of a closed line, pixels; 0 for an open one.
+    [[nodiscard]] double round(std::int32_t l) const noexcept { return line(l).closed ? whole(l) : 0.0; }
     // A closed line, all of it.
     [[nodiscard]] bool is_whole(const Part& part) const noexcept {
         return line(part.interval.line).closed && !part.free_begin && !part.free_end &&
                length_of(part.interval) >= whole(part.interval.line);
     }
 };
+
+std::span<const visibility::OutlinePart> outline_of(const visibility::Outline& outline, std::int32_t line) noexcept {
+    const auto before = [](const visibility::OutlinePart& a, const visibility::OutlinePart& b) {
+        return a.line < b.line;
+    };
+    const auto [first, end] =
+        std::equal_range(outline.parts.begin(), outline.parts.end(), visibility::OutlinePart{line, 0.0, 0.0}, before);
+    return {first, end};
+}
+
+// The longest chord of a line where its width changes along it, pixels.
+double step_of(const DrawnAs& as) noexcept {
+    return changes_along(as) ? fade_of(as) / line_tuning.fade_steps : std::numeric_limits<double>::infinity();
+}
+
+// A factor of the width at a place along a line, besides that of the points around it.
+double along(const StrokeInput& in, const DrawnAs& as, std::int32_t line, double at) noexcept {
+    if (!changes_along(as)) return 1.0;
+    const std::span<const visibility::OutlinePart> parts = outline_of(in.outline, line);
+    double nearest = std::numeric_limits<double>::infinity();
+    for (const double here : {at, at - in.round(line), at + in.round(line)}) {
+        const auto begins = [](double place, const visibility::OutlinePart& part) { return place < part.begin_at; };
+        const auto next = std::upper_bound(parts.begin(), parts.end(), here, begins);
+        if (next != parts.end()) nearest = std::min(nearest, next->begin_at - here);
+        if (next != parts.begin()) nearest = std::min(nearest, std::max(0.0, here - std::prev(next)->end_at));
+    }
+    // From 1 to 0, with no bend at either end.
+    const double u = std::clamp(1.0 - nearest / fade_of(as), 0.0, 1.0);
+    return by(as.style->outline_factor, u * u * (3.0 - 2.0 * u));
+}
+
+// Whether that changes between two places along a line.
+bool changes(const StrokeInput& in, const DrawnAs& as, std::int32_t line, double from, double to) noexcept {
+    HRBFNPR_ASSERT(!(from > to));
+    if (!changes_along(as)) return false;
+    for (const visibility::OutlinePart& part : outline_of(in.outline, line))
+        for (const double turn : {-in.round(line), 0.0, in.round(line)}) {
+            const double begin = part.begin_at + turn;
+            const double end = part.end_at + turn;
+            if (to > begin - fade_of(as) && from < end + fade_of(as) && !(from >= begin && to <= end)) return true;
+        }
+    return false;
+}
 
 // ---- An unsteady hand
 
@@ -118,36 +336,26 @@ private:
 };
 
 Wobble wobble_of(const StrokeInput& in, const DrawnAs& as, std::int32_t line) noexcept {
-    return {*as.style, in.lines.numbers.number(line), in.whole(line), in.line(line).closed};
+    return {*as.style, in.numbers.number[line], in.whole(line), in.line(line).closed};
 }
 
 // ---- Parts
 
-// A place of the image, and the end of a line that it is; -1: none.
-struct SeenPlace {
-    glm::dvec2 place; // pixels
-    std::int64_t end;
-};
-
-void sort_by_x(base::Array<SeenPlace>& places) {
-    std::sort(places.begin(), places.end(), [](const SeenPlace& a, const SeenPlace& b) {
-        return a.place.x != b.place.x ? a.place.x < b.place.x : a.end < b.end;
+// Whether a place is near one of those of a grid of the image, but for the place of one number.
+bool is_near(const geometry::PointGrid& grid, const geometry::VecArray& places, const glm::dvec2& place, double radius,
+             std::int64_t but) {
+    bool found = false;
+    grid.around({place, 0.0}, [&](std::int64_t at) {
+        const std::int64_t i = grid.index(at);
+        found = found || (i != but && glm::distance(places[i], glm::dvec3(place, 0.0)) <= radius);
     });
-}
-
-// Whether one of the places, which are sorted by x, is near; but for one end.
-bool is_near(const base::Array<SeenPlace>& by_x, const glm::dvec2& place, double radius, std::int64_t but) noexcept {
-    const auto before = [](const SeenPlace& a, double x) { return a.place.x < x; };
-    const SeenPlace* p = std::lower_bound(by_x.begin(), by_x.end(), place.x - radius, before);
-    for (; p != by_x.end() && p->place.x <= place.x + radius; ++p)
-        if ((p->end < 0 || p->end != but) && glm::distance(p->place, place) <= radius) return true;
-    return false;
+    return found;
 }
 
 // Calls f for places of the image along an interval until it returns false.
 template <class F>
 void walk(const LineInput& in, const visibility::Interval& interval, double step, const F& f) {
-    const visibility::Line& line = in.found.lines.lines[interval.line];
+    const visibility::Line& line = in.line(interval.line);
     const double whole = in.lengths.whole(line);
     std::int64_t i = line.first_point;
     for (double way = interval.begin_at; way < interval.end_at + step; way += step) {
@@ -168,8 +376,8 @@ base::Array<std::uint8_t> find_hugging(base::Memory& memory, const LineInput& in
     const base::Array<visibility::Interval>& intervals = in.found.intervals;
     base::Array<std::uint8_t> hugs(memory, intervals.size());
     const auto is_contour = [&](const visibility::Interval& interval) {
-        const visibility::Line& line = in.found.lines.lines[interval.line];
-        const visibility::Subject& subject = in.subjects[static_cast<std::size_t>(line.subject)];
+        const visibility::Line& line = in.line(interval.line);
+        const visibility::Subject& subject = in.found.subjects[line.subject];
         return subject.joined && subject.sheets == 2;
     };
     const auto may_hug = [&](const visibility::Interval& interval) {
@@ -177,19 +385,20 @@ base::Array<std::uint8_t> find_hugging(base::Memory& memory, const LineInput& in
     };
     if (!(width > 0.0) || std::none_of(intervals.begin(), intervals.end(), may_hug)) return hugs;
     const double step = line_tuning.hugging_steps * width;
-    base::Array<SeenPlace> seen(memory);
+    geometry::VecArray seen(memory);
     for (const visibility::Interval& interval : intervals)
         if (interval.sheets <= 0 && is_contour(interval))
             walk(in, interval, step, [&](const glm::dvec2& place) {
-                seen.push_back({place, -1});
+                seen.push_back({place, 0.0});
                 return true;
             });
-    sort_by_x(seen);
+    const double radius = line_tuning.beside * width;
+    const geometry::PointGrid grid(seen, radius);
     for (std::int64_t i = 0; i < intervals.size(); ++i) {
         bool all = may_hug(intervals[i]);
         if (all)
             walk(in, intervals[i], step,
-                 [&](const glm::dvec2& place) { return all = is_near(seen, place, line_tuning.beside * width, -1); });
+                 [&](const glm::dvec2& place) { return all = is_near(grid, seen, place, radius, -1); });
         hugs[i] = all ? 1 : 0;
     }
     return hugs;
@@ -201,43 +410,43 @@ base::Array<std::uint8_t> find_hugging(base::Memory& memory, const LineInput& in
 base::Array<std::uint8_t> find_joined(base::Memory& memory, const LineInput& in, const base::Array<std::uint8_t>& hugs,
                                       double width) {
     const base::Array<visibility::Interval>& intervals = in.found.intervals;
-    base::Array<SeenPlace> seen(memory);
+    geometry::VecArray seen(memory);
+    base::Array<std::int64_t> ends(memory); // the end of a line that each place is
     for (std::int64_t i = 0; i < intervals.size(); ++i) {
         const std::int32_t number = intervals[i].line;
-        const visibility::Line& line = in.found.lines.lines[number];
-        if (line.closed || !in.subjects[static_cast<std::size_t>(line.subject)].joined) continue;
+        const visibility::Line& line = in.line(number);
+        if (line.closed || !in.found.subjects[line.subject].joined) continue;
         if (intervals[i].sheets > 0 && hugs[i] == 0) continue;
         for (const int at_end : {0, 1}) {
             const std::int64_t beside = at_end == 0 ? i - 1 : i + 1;
             if (beside >= 0 && beside < intervals.size() && intervals[beside].line == number) continue;
-            const visibility::Piece& piece = in.found.lines.pieces[line.first_piece + at_end * (line.pieces - 1)];
+            const visibility::Piece& piece = in.piece(line.first_piece + at_end * (line.pieces - 1));
             float opacity = 0.0F;
-            for (const DrawnAs& as : in.styles)
+            for (const DrawnAs& as : in.traced.styles)
                 if (as.subject == line.subject)
                     opacity = std::max(opacity, faded(as, piece, static_cast<float>(at_end)));
             const std::int64_t point = line.first_point + at_end * (line.points - 1);
-            if (opacity >= line_tuning.least_opacity)
-                seen.push_back({in.found.lines.points[point].place, 2 * std::int64_t{number} + at_end});
+            if (opacity < line_tuning.least_opacity) continue;
+            seen.push_back({in.found.lines.points[point].place, 0.0});
+            ends.push_back(2 * std::int64_t{number} + at_end);
         }
     }
-    sort_by_x(seen);
+    const double radius = std::max(1e-6, line_tuning.together * width); // pens may have no width
+    const geometry::PointGrid grid(seen, radius);
     base::Array<std::uint8_t> goes_on(memory, 2 * in.found.lines.lines.size());
     std::fill(goes_on.begin(), goes_on.end(), std::uint8_t{1});
-    for (const SeenPlace& p : seen) {
-        const visibility::Line& line = in.found.lines.lines[p.end / 2];
-        if (in.subjects[static_cast<std::size_t>(line.subject)].sheets == 2 &&
-            !is_near(seen, p.place, line_tuning.together * width, p.end))
-            goes_on[p.end] = 0;
-    }
+    for (std::int64_t i = 0; i < ends.size(); ++i)
+        if (in.subject(in.line(ends[i] / 2)).sheets == 2 && !is_near(grid, seen, glm::dvec2(seen[i]), radius, i))
+            goes_on[ends[i]] = 0;
     return goes_on;
 }
 
 // The intervals of a line that look alike are one part; so are the last and the first of a closed line.
 void parts_of(const StrokeInput& in, std::int64_t first, std::int64_t end, const base::Array<std::uint8_t>& hugs,
               const base::Array<std::uint8_t>& goes_on, base::Array<Part>& parts) {
-    HRBFNPR_ASSERT(first < end && end <= in.lines.found.intervals.size() && hugs.size() >= end);
+    HRBFNPR_ASSERT(first < end && end <= in.found.intervals.size() && hugs.size() >= end);
     parts.clear();
-    const std::int32_t number = in.lines.found.intervals[first].line;
+    const std::int32_t number = in.found.intervals[first].line;
     const visibility::Line& line = in.line(number);
     const auto are_alike = [](const Part& a, const Part& b) {
         return a.layers == b.layers && a.interval.hidden_by == b.interval.hidden_by;
@@ -250,7 +459,7 @@ void parts_of(const StrokeInput& in, std::int64_t first, std::int64_t end, const
         part.free_end = next.free_end;
     };
     for (std::int64_t i = first; i < end; ++i) {
-        visibility::Interval its = in.lines.found.intervals[i];
+        visibility::Interval its = in.found.intervals[i];
         if (hugs[i] != 0) its.hidden_by = -1;
         const std::int32_t layers = hugs[i] != 0 ? 0 : std::max(0, (its.sheets + 1) / 2);
         const Part next{its, layers, its.begins_at_cusp, its.ends_at_cusp};
@@ -275,7 +484,7 @@ void places_of(const StrokeInput& in, const Part& part, base::Array<Place>& plac
     const visibility::Interval& its = part.interval;
     const visibility::Line& line = in.line(its.line);
     const double whole = in.whole(its.line);
-    const auto at = [&](std::int64_t i) { return in.lines.lengths.at_point(i); };
+    const auto at = [&](std::int64_t i) { return in.lengths.at_point(i); };
     places.clear();
     places.push_back({its.begin_at, its.begin_piece, its.begin_share});
     std::int64_t p = line.first_point;
@@ -288,7 +497,7 @@ void places_of(const StrokeInput& in, const Part& part, base::Array<Place>& plac
             beyond += whole;
         }
         if (!(at(p) + beyond < its.end_at) || beyond > whole) break;
-        places.push_back({at(p) + beyond, in.lines.found.lines.points[p].piece, in.lines.found.lines.points[p].share});
+        places.push_back({at(p) + beyond, in.found.lines.points[p].piece, in.found.lines.points[p].share});
     }
     places.push_back({its.end_at, its.end_piece, its.end_share});
 }
@@ -297,8 +506,8 @@ void places_of(const StrokeInput& in, const Part& part, base::Array<Place>& plac
 
 glm::dvec2 seen_at(const StrokeInput& in, const Place& place) {
     const visibility::Piece& piece = in.piece(place.piece);
-    return visibility::see(visibility::subject_of(in.lines.subjects, piece).view,
-                           visibility::cubic(in.lines.subjects, piece).at(place.share))
+    return in.found.subjects[piece.subject]
+        .view.see(visibility::cubic(in.found.subjects.span(), piece).at(place.share))
         .place;
 }
 
@@ -310,8 +519,8 @@ float factor_at(const DrawnAs& as, const visibility::Piece& piece, float share) 
 // A point whose radius is still a factor of its style's width.
 drawing::StrokePoint point_at(const StrokeInput& in, const DrawnAs& as, const Place& place) {
     const visibility::Piece& piece = in.piece(place.piece);
-    const visibility::Subject& subject = visibility::subject_of(in.lines.subjects, piece);
-    const glm::dvec3 p = visibility::cubic(in.lines.subjects, piece).at(place.share);
+    const visibility::Subject& subject = in.found.subjects[piece.subject];
+    const glm::dvec3 p = visibility::cubic(in.found.subjects.span(), piece).at(place.share);
     const glm::dvec4 q = subject.view.to_window * glm::dvec4(p, 1.0);
     const glm::dvec4 eye = in.scene.camera.view * (subject.to_world * glm::dvec4(p, 1.0));
     drawing::StrokePoint point{};
@@ -369,9 +578,9 @@ void knots_of(const StrokeInput& in, Path& path) {
     path.knot.clear();
     const DrawnAs& as = path.as;
     const bool wobbles = as.style->wobbles();
-    if (!wobbles && !in.laws.changes_along(as)) return;
+    if (!wobbles && !changes_along(as)) return;
     const std::int32_t line = path.part.interval.line;
-    const double step = wobbles ? std::min(wobble_of(in, as, line).step(), in.laws.step(as)) : in.laws.step(as);
+    const double step = wobbles ? std::min(wobble_of(in, as, line).step(), step_of(as)) : step_of(as);
     for (std::int64_t i = 0; i + 1 < path.place.size(); ++i) {
         const double begin = path.place[i].at;
         const double span = path.place[i + 1].at - begin;
@@ -379,7 +588,7 @@ void knots_of(const StrokeInput& in, Path& path) {
         if (!(seen.low < seen.high)) continue;
         double low = begin + seen.low * span;
         double high = begin + seen.high * span;
-        if (!wobbles && !in.laws.changes(as, line, low, high)) continue;
+        if (!wobbles && !changes(in, as, line, low, high)) continue;
         if (low < begin + step) low = begin;
         if (high > begin + span - step) high = begin + span;
         const double count = std::ceil((high - low) / step);
@@ -399,7 +608,7 @@ void wobble(const StrokeInput& in, const Path& path, bool closed, const base::Ar
     const std::int32_t number = path.part.interval.line;
     const Wobble hand = wobble_of(in, path.as, number);
     const visibility::Line& line = in.line(number);
-    const double origin = in.lines.lengths.at(line, in.lines.numbers.origin(number), 0.0);
+    const double origin = in.lengths.at(line, in.numbers.origin[number], 0.0);
     const auto place = [&](std::size_t i) { return glm::dvec2(points[i].x, points[i].y); };
     const std::size_t last = points.size() - 1;
     const glm::dvec2 second = place(1);
@@ -444,10 +653,9 @@ void add_stroke(const StrokeInput& in, const Path& path, double from, double to,
     drawing::Stroke stroke;
     stroke.first = out.points.size();
     stroke.layer = as.layer;
-    stroke.line = in.lines.numbers.number(part.interval.line);
+    stroke.line = in.numbers.number[part.interval.line];
     stroke.hidden_layers = part.layers;
-    stroke.hidden_by =
-        part.interval.hidden_by < 0 ? -1 : in.lines.items[static_cast<std::size_t>(part.interval.hidden_by)];
+    stroke.hidden_by = part.interval.hidden_by < 0 ? -1 : in.traced.items[part.interval.hidden_by];
     stroke.closed = in.is_whole(part) && to - from >= length;
     stroke.cap_begin = part.free_begin && !hidden ? style.cap : drawing::Cap::round;
     stroke.cap_end = part.free_end && !hidden ? style.cap : drawing::Cap::round;
@@ -456,7 +664,7 @@ void add_stroke(const StrokeInput& in, const Path& path, double from, double to,
     const auto put = [&](drawing::StrokePoint point, double here) {
         const double narrow = std::min(tapered(part.free_begin, here - part.interval.begin_at),
                                        tapered(part.free_end, part.interval.end_at - here));
-        const double factor = static_cast<double>(point.radius) * in.laws.along(as, part.interval.line, here);
+        const double factor = static_cast<double>(point.radius) * along(in, as, part.interval.line, here);
         point.radius = static_cast<float>(0.5 * width * narrow * factor);
         point.opacity *= static_cast<float>(opacity);
         out.points.push_back(point);
@@ -548,19 +756,19 @@ double gap_at(const StrokeInput& in, const DrawnAs& as, std::int32_t line, const
     if (!(share > 0.0)) return 0.0;
     const auto width_at = [&](const DrawnAs& style, std::int32_t l, const Place& p) {
         const float factor = factor_at(style, in.piece(p.piece), static_cast<float>(p.share));
-        return style.style->width * factor * static_cast<float>(in.laws.along(style, l, p.at));
+        return style.style->width * factor * static_cast<float>(along(in, style, l, p.at));
     };
     const auto before = [](const visibility::Crossing& c, const Place& p) {
         return c.far_piece != p.piece ? c.far_piece < p.piece : c.far_share < p.share;
     };
-    const base::Array<visibility::Crossing>& crossings = in.lines.found.crossings;
+    const base::Array<visibility::Crossing>& crossings = in.found.crossings;
     const visibility::Crossing* const c = std::lower_bound(crossings.begin(), crossings.end(), end, before);
     float near_width = 0.0F;
     if (c != crossings.end() && c->far_piece == end.piece && c->far_share == end.share) {
         const visibility::Piece& piece = in.piece(c->near_piece);
-        const Place near{in.lines.lengths.at(in.line(piece.line), c->near_piece, c->near_share), c->near_piece,
+        const Place near{in.lengths.at(in.line(piece.line), c->near_piece, c->near_share), c->near_piece,
                          c->near_share};
-        for (const DrawnAs& other : in.laws.styles())
+        for (const DrawnAs& other : in.traced.styles)
             if (other.subject == piece.subject) near_width = std::max(near_width, width_at(other, piece.line, near));
     }
     return static_cast<double>(as.halo + 0.5F * (width_at(as, line, end) + near_width)) * share;
@@ -596,23 +804,25 @@ void draw(const StrokeInput& in, Path& path, LineStrokes& out) {
 
 } // namespace
 
-void add_strokes(const base::Runtime& runtime, const Scene& scene, const LineInput& input, const WidthLaws& laws,
+void add_strokes(const LineInput& input, const drawing::Drawing& drawing, const base::Progress& progress,
                  LineStrokes& strokes) {
-    HRBFNPR_ASSERT(input.items.size() == input.occluders.size());
+    HRBFNPR_ASSERT(input.traced.items.size() == input.traced.occluders.size());
+    base::Memory& memory = input.runtime.memory;
     double widest = 0.0;
-    for (const DrawnAs& as : input.styles) widest = std::max(widest, static_cast<double>(as.style->width));
-    const base::Array<std::uint8_t> hugs = find_hugging(runtime.memory, input, widest);
-    const base::Array<std::uint8_t> goes_on = find_joined(runtime.memory, input, hugs, widest);
-    const StrokeInput in{runtime, scene, input, laws};
-    const base::Array<visibility::Interval>& intervals = input.found.intervals;
-    base::Array<Part> parts(runtime.memory);
-    base::Array<Place> places(runtime.memory);
-    base::Array<double> knots(runtime.memory);
+    for (const DrawnAs& as : input.traced.styles) widest = std::max(widest, static_cast<double>(as.style->width));
+    const visibility::Outline outline = find_widths(input, drawing, progress);
+    const base::Array<std::uint8_t> hugs = find_hugging(memory, input, widest);
+    const base::Array<std::uint8_t> goes_on = find_joined(memory, input, hugs, widest);
+    const StrokeInput in{input, outline};
+    const base::Array<visibility::Interval>& intervals = in.found.intervals;
+    base::Array<Part> parts(memory);
+    base::Array<Place> places(memory);
+    base::Array<double> knots(memory);
     for (std::int64_t first = 0; first < intervals.size();) {
         std::int64_t end = first;
         while (end < intervals.size() && intervals[end].line == intervals[first].line) ++end;
         parts_of(in, first, end, hugs, goes_on, parts);
-        for (const DrawnAs& as : laws.styles()) {
+        for (const DrawnAs& as : in.traced.styles) {
             if (as.subject != in.line(intervals[first].line).subject) continue;
             for (const Part& part : parts) {
                 Path path{as, part, std::move(places), std::move(knots)};

@@ -1,0 +1,285 @@
+// SPDX-License-Identifier: MIT
+#include "curves/mesh_edges.h"
+
+#include "base/long_array.h"
+#include "curves/tuning.h"
+#include "geometry/long_vec_array.h"
+#include "surface/project.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+namespace hrbfnpr::curves {
+namespace {
+
+struct CutEdge {
+    std::int32_t kept, lost; // vertices
+
+    [[nodiscard]] auto operator<=>(const CutEdge&) const noexcept = default;
+};
+
+// Cuts each triangle into one to four. middle[e] is the vertex on edge e, the same one on both sides of it; < 0: none.
+void cut_at_middles(const base::Runtime& runtime, const base::Array<std::int32_t>& middle, SurfaceMesh& mesh) {
+    HRBFNPR_ASSERT(middle.size() == mesh.corner.size());
+    base::Array<std::int32_t> corner(runtime.memory);
+    corner.reserve(mesh.corner.size());
+    for (std::int64_t t = 0; t < mesh.triangles(); ++t) {
+        const auto at = [&](int k) { return mesh.corner[3 * t + k % 3]; };
+        const auto cut = [&](int k) { return middle[3 * t + k % 3]; };
+        const auto add = [&](std::int32_t a, std::int32_t b, std::int32_t c) {
+            for (const std::int32_t v : {a, b, c}) corner.push_back(v);
+        };
+        const int cuts = (cut(0) >= 0 ? 1 : 0) + (cut(1) >= 0 ? 1 : 0) + (cut(2) >= 0 ? 1 : 0);
+        int k = 0;
+        if (cuts == 0) {
+            add(at(0), at(1), at(2));
+        } else if (cuts == 1) {
+            while (cut(k) < 0) ++k;
+            add(at(k), cut(k), at(k + 2));
+            add(cut(k), at(k + 1), at(k + 2));
+        } else if (cuts == 2) {
+            // Edges k and k + 1 are cut, and their corner k + 1 is cut off. The shorter diagonal divides the rest.
+            while (cut(k + 2) >= 0) ++k;
+            add(cut(k), at(k + 1), cut(k + 1));
+            const bool first = glm::distance(mesh.position[cut(k)], mesh.position[at(k + 2)]) <
+                               glm::distance(mesh.position[at(k)], mesh.position[cut(k + 1)]);
+            if (first)
+                add(cut(k), cut(k + 1), at(k + 2));
+            else
+                add(at(k), cut(k), cut(k + 1));
+            add(at(k), first ? cut(k) : cut(k + 1), at(k + 2));
+        } else {
+            for (k = 0; k < 3; ++k) add(at(k), cut(k), cut(k + 2));
+            add(cut(0), cut(1), cut(2));
+        }
+    }
+    mesh.corner = std::move(corner);
+    mesh.neighbour = find_neighbours(runtime, mesh.corner, mesh.vertices());
+}
+
+double area_of(const SurfaceMesh& mesh) noexcept {
+    double sum = 0.0;
+    for (std::int64_t t = 0; t < mesh.triangles(); ++t) {
+        const std::array<glm::dvec3, 3> p = corners_of(mesh, t);
+        sum += 0.5 * glm::length(glm::cross(p[1] - p[0], p[2] - p[0]));
+    }
+    return sum;
+}
+
+// The place where g is 0 on each of the edges, by Newton's steps from where it is 0 by its values at the ends; where
+// these fail, from where halving leads.
+base::Array<CurvePoint> find_cut_points(const base::Runtime& runtime, const Level& level, const SurfaceMesh& mesh,
+                                        const base::Array<double>& value, const base::Array<CutEdge>& edges,
+                                        const base::Progress& progress) {
+    const double tolerance = curve_tuning.exact * mesh.side;
+    base::Array<CurvePoint> points(runtime.memory, edges.size());
+    for (std::int64_t i = 0; i < edges.size(); ++i) {
+        const auto [kept, lost] = edges[i];
+        const double share = value[kept] / (value[kept] - value[lost]);
+        points[i].position = glm::mix(mesh.position[kept], mesh.position[lost], share);
+    }
+    base::Array<std::uint8_t> found(runtime.memory);
+    bring_to_curve(runtime, level, {tolerance, curve_tuning.farthest_cut * mesh.side}, points, found, progress);
+    base::Array<Straddle> places(runtime.memory);
+    base::Array<std::int64_t> which(runtime.memory);
+    for (std::int64_t i = 0; i < edges.size(); ++i) {
+        if (found[i] != 0) continue;
+        places.push_back({mesh.position[edges[i].kept], mesh.position[edges[i].lost]});
+        which.push_back(i);
+    }
+    base::Array<CurvePoint> halved(runtime.memory);
+    halve(runtime, level, places, curve_tuning.cut_halvings, halved, progress);
+    for (std::int64_t i = 0; i < which.size(); ++i) points[which[i]] = halved[i];
+    return points;
+}
+
+} // namespace
+
+std::int64_t opposite_of(const SurfaceMesh& mesh, std::int64_t edge) noexcept {
+    const std::int64_t triangle = mesh.neighbour[edge];
+    if (triangle < 0) return -1;
+    for (std::int64_t e = 3 * triangle; e < 3 * triangle + 3; ++e)
+        if (start_of(mesh, e) == end_of(mesh, edge) && end_of(mesh, e) == start_of(mesh, edge)) return e;
+    return -1;
+}
+
+base::Array<std::int32_t> find_neighbours(const base::Runtime& runtime, const base::Array<std::int32_t>& corner,
+                                          std::int64_t vertices, const base::Progress& progress) {
+    constexpr std::int64_t edges_at_once = 65536; // edges without a look for a cancel
+    HRBFNPR_ASSERT(corner.size() % 3 == 0);
+    // Edges by the vertex that they start at: edge e = 3 t + k leads from corner k of triangle t.
+    base::Array<std::int64_t> begin(runtime.memory);
+    base::resize_long(begin, vertices + 2, progress);
+    for (std::int64_t e = 0; e < corner.size(); ++e) {
+        if (e % edges_at_once == 0) progress.check();
+        ++begin[corner[e] + 2];
+    }
+    for (std::int64_t v = 2; v < begin.size(); ++v) begin[v] += begin[v - 1];
+    progress.check();
+    base::Array<std::int64_t> edge(runtime.memory);
+    base::resize_long(edge, corner.size(), progress);
+    for (std::int64_t e = 0; e < corner.size(); ++e) {
+        if (e % edges_at_once == 0) progress.check();
+        edge[begin[corner[e] + 1]++] = e;
+    }
+    base::Array<std::int32_t> neighbour(runtime.memory);
+    neighbour.resize_for_overwrite(corner.size());
+    runtime.parallel.for_chunks(corner.size(), 8192, progress, [&](std::int64_t first, std::int64_t end) {
+        for (std::int64_t e = first; e < end; ++e) {
+            const std::int32_t to = corner[next_in_triangle(e)];
+            neighbour[e] = -1;
+            for (std::int64_t i = begin[to]; i < begin[to + 1]; ++i)
+                if (corner[next_in_triangle(edge[i])] == corner[e])
+                    neighbour[e] = static_cast<std::int32_t>(edge[i] / 3);
+        }
+    });
+    return neighbour;
+}
+
+bool halve_edges(const base::Runtime& runtime, const implicit::Implicit& implicit,
+                 const base::Array<std::int64_t>& edges, double farthest, bool smooth, SurfaceMesh& mesh,
+                 const base::Progress& progress) {
+    constexpr std::int64_t at_once = 8192; // edges without a look for a cancel
+    const auto between = [&](std::int64_t e) {
+        HRBFNPR_ASSERT(e >= 0 && e < mesh.corner.size());
+        return 0.5 * (mesh.position[start_of(mesh, e)] + mesh.position[end_of(mesh, e)]);
+    };
+    surface::Projection at(runtime.memory);
+    for (const std::int64_t e : edges) at.position.push_back(between(e));
+    surface::project(runtime, implicit, {}, at, progress);
+    base::Array<std::int32_t> middle(runtime.memory);
+    middle.resize_for_overwrite(mesh.corner.size());
+    std::fill(middle.begin(), middle.end(), -1);
+    const std::int64_t before = mesh.vertices();
+    for (std::int64_t i = 0; i < edges.size(); ++i) {
+        if (i % at_once == 0) progress.check();
+        const std::int64_t e = edges[i];
+        const double length = glm::distance(mesh.position[start_of(mesh, e)], mesh.position[end_of(mesh, e)]);
+        const auto agrees = [&](std::int32_t end) { return glm::dot(at.gradient[i], mesh.gradient[end]) > 0.0; };
+        if (at.status[i] != surface::ProjectionStatus::converged ||
+            !(glm::distance(at.position[i], between(e)) < farthest * length) ||
+            (smooth && !(agrees(start_of(mesh, e)) && agrees(end_of(mesh, e)))))
+            continue;
+        middle[e] = static_cast<std::int32_t>(mesh.vertices());
+        if (const std::int64_t other = opposite_of(mesh, e); other >= 0) middle[other] = middle[e];
+        geometry::push_back_long(mesh.position, at.position[i], progress);
+        geometry::push_back_long(mesh.gradient, at.gradient[i], progress);
+    }
+    if (mesh.vertices() == before) return false;
+    cut_at_middles(runtime, middle, mesh);
+    return true;
+}
+
+ClippedMesh clip(const base::Runtime& runtime, const Level& level, const SurfaceMesh& mesh,
+                 const base::Progress& progress) {
+    base::Array<double> value(runtime.memory);
+    level.at_vertices(runtime, mesh, value, progress);
+    HRBFNPR_ASSERT(value.size() == mesh.vertices());
+    const auto keeps = [&](std::int32_t vertex) { return value[vertex] <= 0.0; };
+
+    ClippedMesh clipped(runtime.memory);
+    SurfaceMesh& to = clipped.mesh;
+    to.region = mesh.region;
+    to.side = mesh.side;
+    to.unresolved = mesh.unresolved;
+    to.missed_seeds = mesh.missed_seeds;
+    base::Array<std::int32_t> number(runtime.memory, mesh.vertices()); // the new numbers of the vertices that are kept
+    for (std::int32_t v = 0; v < mesh.vertices(); ++v) {
+        if (!keeps(v)) continue;
+        number[v] = static_cast<std::int32_t>(to.vertices());
+        to.position.push_back(mesh.position[v]);
+        to.gradient.push_back(mesh.gradient[v]);
+    }
+    clipped.first_cut = to.vertices();
+
+    base::Array<CutEdge> edges(runtime.memory);
+    for (std::int64_t e = 0; e < mesh.corner.size(); ++e) {
+        const std::int32_t a = start_of(mesh, e);
+        const std::int32_t b = end_of(mesh, e);
+        if (keeps(a) != keeps(b)) edges.push_back(keeps(a) ? CutEdge{a, b} : CutEdge{b, a});
+    }
+    std::sort(edges.begin(), edges.end());
+    edges.resize(std::unique(edges.begin(), edges.end()) - edges.begin());
+    clipped.cut = find_cut_points(runtime, level, mesh, value, edges, progress);
+    for (const CurvePoint& p : clipped.cut) {
+        to.position.push_back(p.position);
+        to.gradient.push_back(p.gradient);
+    }
+
+    const auto cut_of = [&](std::int32_t kept, std::int32_t lost) {
+        const CutEdge* const at = std::lower_bound(edges.begin(), edges.end(), CutEdge{kept, lost});
+        return static_cast<std::int32_t>(clipped.first_cut + (at - edges.begin()));
+    };
+    const auto put = [&](std::int32_t a, std::int32_t b, std::int32_t c) {
+        for (const std::int32_t v : {a, b, c}) to.corner.push_back(v);
+    };
+    for (std::int64_t t = 0; t < mesh.triangles(); ++t) {
+        const std::int32_t* const v = mesh.corner.data() + 3 * t;
+        const int kept = static_cast<int>(keeps(v[0])) + static_cast<int>(keeps(v[1])) + static_cast<int>(keeps(v[2]));
+        if (kept == 0) continue;
+        if (kept == 3) {
+            to.turned += is_turned(mesh, t) ? 1 : 0;
+            put(number[v[0]], number[v[1]], number[v[2]]);
+            continue;
+        }
+        int odd = 0; // the corner that stands alone
+        while (keeps(v[odd]) != (kept == 1)) ++odd;
+        const std::int32_t a = v[odd];
+        const std::int32_t b = v[(odd + 1) % 3];
+        const std::int32_t c = v[(odd + 2) % 3];
+        if (kept == 1) {
+            put(number[a], cut_of(a, b), cut_of(a, c));
+            continue;
+        }
+        put(number[b], number[c], cut_of(c, a));
+        put(number[b], cut_of(c, a), cut_of(b, a));
+    }
+    to.neighbour = find_neighbours(runtime, to.corner, to.vertices());
+    const double before = area_of(mesh);
+    clipped.left_out = before > 0.0 ? std::max(0.0, 1.0 - area_of(to) / before) : 0.0;
+    return clipped;
+}
+
+Chains<Bead> find_beads(const base::Runtime& runtime, const SurfaceMesh& mesh, const base::Array<double>& level) {
+    constexpr std::int64_t triangles_a_task = 8192;
+    HRBFNPR_ASSERT(level.size() == mesh.vertices());
+    base::Array<std::uint8_t> crossed(runtime.memory);
+    crossed.resize_for_overwrite(mesh.triangles());
+    runtime.parallel.for_chunks(mesh.triangles(), triangles_a_task, [&](std::int64_t begin, std::int64_t end) {
+        for (std::int64_t t = begin; t < end; ++t) {
+            const std::int32_t* const corner = mesh.corner.data() + 3 * t;
+            const bool a = level[corner[0]] < 0.0;
+            const bool b = level[corner[1]] < 0.0;
+            const bool c = level[corner[2]] < 0.0;
+            crossed[t] = static_cast<std::uint8_t>((a != b ? 1 : 0) | (b != c ? 2 : 0) | (c != a ? 4 : 0));
+        }
+    });
+    // A walk comes in from the negative side of an edge's start, so that this stays to the left.
+    const auto enters = [&](std::int64_t edge) { return level[start_of(mesh, edge)] < 0.0; };
+    Chains<std::int64_t> edges = walk_chains(mesh, crossed, enters);
+    Chains<Bead> chains(runtime.memory);
+    chains.point.reserve(edges.point.size());
+    for (const std::int64_t edge : edges.point) {
+        const auto [a, b] = enters(edge) ? std::pair(start_of(mesh, edge), end_of(mesh, edge))
+                                         : std::pair(end_of(mesh, edge), start_of(mesh, edge));
+        const double drop = level[b] - level[a];
+        const Straddle places{mesh.position[a], mesh.position[b]};
+        const glm::dvec3 place =
+            places.negative + (drop > 0.0 ? -level[a] / drop : 0.5) * (places.positive - places.negative);
+        chains.point.push_back({a, b, places, place, glm::dvec3(0.0)});
+    }
+    for (std::int64_t c = 0; c < edges.count(); ++c) {
+        Bead* const bead = chains.point.data() + edges.first[c];
+        const std::int64_t count = edges.size_of(c);
+        const auto place = [&](std::int64_t i) {
+            return bead[edges.closed[c] != 0 ? (i + count) % count : std::clamp<std::int64_t>(i, 0, count - 1)].place;
+        };
+        for (std::int64_t i = 0; i < count; ++i) bead[i].way = place(i + 1) - place(i - 1);
+    }
+    chains.first = std::move(edges.first);
+    chains.closed = std::move(edges.closed);
+    return chains;
+}
+
+} // namespace hrbfnpr::curves

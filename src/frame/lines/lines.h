@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+// The steps of a frame of lines, and what they hand on: all lines of its items, traced for its camera; their numbers;
+// and their strokes.
+#pragma once
+
+#include "features/line_set.h"
+#include "frame/lines/line_frame.h"
+#include "visibility/invisibility.h"
+
+namespace hrbfnpr::frame {
+
+// Lines of a subject that are drawn in a layer of the drawing.
+struct DrawnAs {
+    const LineStyle* style;
+    std::int32_t subject;
+    std::uint32_t layer;
+    const float* strength = nullptr;  // the strength at each point of the subject's curves; null: all have the same
+    float lower = 0.0F, upper = 0.0F; // strengths between which a line fades
+    float halo = 0.0F; // pixels left free between a nearer line and the end of this one, by the item's style
+    bool cut = false;  // parts weaker than `lower` are not drawn
+    const float* factor = nullptr; // the factor of the width at each point of the subject's curves; null: 1
+};
+
+struct TracedLines {
+    explicit TracedLines(base::Memory& memory) noexcept
+        : subjects(memory), occluders(memory), items(memory), styles(memory), contours(memory), levels(memory),
+          lines(memory), creases(memory), numbers(memory) {}
+
+    base::Array<visibility::Subject> subjects;
+    base::Array<visibility::Occluder> occluders;
+    base::Array<std::int32_t> items; // the drawing's item of each occluder
+    base::Array<DrawnAs> styles;
+    std::int64_t broken = 0; // contours that end inside the surface, and places where one was missed
+    // Subjects and styles refer to these.
+    ContourList contours;
+    base::List<std::unique_ptr<curves::ContourLevel>> levels;
+    base::List<std::unique_ptr<curves::SurfaceLines>> lines;
+    base::List<std::unique_ptr<curves::CreaseParts>> creases;
+    base::List<base::Array<float>> numbers; // strengths and factors
+};
+
+// Numbers for lines, which a line keeps from one frame to the next: it is known again by where it is on its surface.
+struct LineNumbers {
+    explicit LineNumbers(base::Memory& memory) noexcept : number(memory), origin(memory) {}
+
+    base::Array<std::uint32_t> number; // of each line, >= 1
+    base::Array<std::int64_t> origin;  // the piece of each line that begins where its first one did when it was new
+};
+
+struct LineInput {
+    const base::Runtime& runtime;
+    const Scene& scene;
+    TracedLines& traced; // its styles get the factors of their widths
+    const visibility::Invisibility& found;
+    const visibility::Lengths& lengths;
+    const LineNumbers& numbers;
+
+    [[nodiscard]] const visibility::Line& line(std::int64_t l) const noexcept { return found.lines.lines[l]; }
+    [[nodiscard]] const visibility::Piece& piece(std::int64_t p) const noexcept { return found.lines.pieces[p]; }
+    [[nodiscard]] const visibility::Subject& subject(const visibility::Line& l) const noexcept {
+        return found.subjects[l.subject];
+    }
+    [[nodiscard]] double whole(std::int64_t l) const noexcept { return lengths.whole(line(l)); }
+};
+
+// Adds the strokes of all lines. Throws Error{callback, out_of_memory}.
+void add_strokes(const LineInput& in, const drawing::Drawing& drawing, const base::Progress& progress,
+                 LineStrokes& strokes);
+
+} // namespace hrbfnpr::frame
