@@ -7,7 +7,6 @@
 #include "api/descriptor.h"
 #include "api/lists.h"
 #include "api/views.h"
-#include "output/marks/mark_results.h"
 #include "output/vertex/vertices.h"
 
 #include <limits>

@@ -5,7 +5,6 @@
 
 #include "base/runtime.h"
 #include "base/scratch_pool.h"
-#include "output/marks/mark_results.h"
 #include "output/raster/raster.h"
 #include "output/vertex/vertices.h"
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Pages of drawings, written as vectors.
+#include "output/vector/page.h"
 #include "api/barrier.h"
 #include "api/drawing.h"
 #include "api/fields.h"
@@ -8,7 +9,6 @@
 #include "api/streams.h"
 #include "api/views.h"
 #include "base/utf8.h"
-#include "output/vector/write_page.h"
 
 #include <cstdio>
 

@@ -3,13 +3,17 @@
 // come from.  Producers (src/frame) fill one, readers (src/output) only read it.
 #pragma once
 
+#include "base/assert.h"
+#include "base/bits.h"
 #include "base/memory.h"
+#include "base/parallel.h"
 #include "drawing/dot.h"
 #include "drawing/tiles.h"
-#include "drawing/window.h"
 #include "geometry/vec.h"
 #include "marks/point_set.h"
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <span>
 
@@ -145,6 +149,90 @@ private:
     }
     // The last run that begins no later than the id.
     [[nodiscard]] std::int64_t place_of(std::uint32_t id) const noexcept;
+};
+
+// ---- Segments of strokes, which go from one point of a stroke to the next: where one is and how it ends
+
+// The stroke of a segment, whose number is that of its first point. No stroke before `from` has it.
+[[nodiscard]] inline const Stroke* stroke_of(const Drawing& drawing, std::int64_t segment,
+                                             const Stroke* from) noexcept {
+    const Stroke* const next = std::upper_bound(from, drawing.strokes.end(), segment,
+                                                [](std::int64_t at, const Stroke& s) { return at < s.first; });
+    HRBFNPR_ASSERT(next > drawing.strokes.begin());
+    return next - 1;
+}
+
+// The ends of a segment are round where another one follows.
+struct SegmentEnds {
+    Cap begin = Cap::round, end = Cap::round;
+};
+[[nodiscard]] inline SegmentEnds ends_of(const Stroke& stroke, std::int64_t segment) noexcept {
+    if (stroke.closed) return {};
+    return {segment == stroke.first ? stroke.cap_begin : Cap::round,
+            segment + 2 == stroke.first + stroke.count ? stroke.cap_end : Cap::round};
+}
+
+// A segment may reach this far around the line between its points.
+[[nodiscard]] inline float reach(const SegmentEnds& ends, const StrokePoint& a, const StrokePoint& b) noexcept {
+    const bool pointed = ends.begin == Cap::pointed || ends.end == Cap::pointed;
+    const float widest = std::max({a.radius, b.radius, smallest_radius});
+    return widest * (pointed ? std::max(1.0F, 2.0F * point_length) : 1.0F) + soft_rim;
+}
+
+// A disc around all that a segment covers.
+struct Footprint {
+    float x, y, radius;
+};
+[[nodiscard]] inline Footprint footprint(const SegmentEnds& ends, const StrokePoint& a, const StrokePoint& b) noexcept {
+    return {0.5F * (a.x + b.x), 0.5F * (a.y + b.y),
+            0.5F * std::sqrt((b.x - a.x) * (b.x - a.x) + (b.y - a.y) * (b.y - a.y)) + reach(ends, a, b)};
+}
+
+// Whether a segment covers a place, and then its share of the way along it. Thin ones count as a pixel wide.
+[[nodiscard]] inline bool covers(const SegmentEnds& ends, const StrokePoint& a, const StrokePoint& b, float x, float y,
+                                 float& at) noexcept {
+    const float ux = b.x - a.x;
+    const float uy = b.y - a.y;
+    const float length = std::hypot(ux, uy);
+    const float along = length > 0.0F ? ((x - a.x) * ux + (y - a.y) * uy) / length : 0.0F;
+    at = length > 0.0F ? std::clamp(along / length, 0.0F, 1.0F) : 0.0F;
+    const float radius = std::max(a.radius + (b.radius - a.radius) * at, smallest_radius);
+    const float beyond = std::max(-along, along - length);
+    const float dx = x - a.x - at * ux;
+    const float dy = y - a.y - at * uy;
+    const float square = dx * dx + dy * dy;
+    const Cap cap = along < 0.0F ? ends.begin : ends.end;
+    if (!(beyond > 0.0F) || cap == Cap::round) return square <= radius * radius;
+    const float left = cap == Cap::pointed ? radius - beyond / (2.0F * point_length) : -1.0F; // half the tip's width
+    return left > 0.0F && square - beyond * beyond <= left * left;
+}
+
+// Puts the segments of a drawing's strokes into tiles like the tiles of its dots, and some that only lie near.
+void bin_segments(const base::Parallel& parallel, Drawing& drawing);
+
+// ---- Far-to-near order
+
+// A 64-bit key: in the upper half the depth, ascending from far to near; in the lower half the number of the thing.
+[[nodiscard]] inline std::uint64_t far_first_key(float depth, std::uint32_t what) noexcept {
+    const auto bits = base::bit_cast<std::uint32_t>(depth);
+    // The usual map of floats to integers of the same order, then turned round.
+    const std::uint32_t ascending = (bits >> 31U) != 0 ? ~bits : bits | 0x80000000U;
+    return std::uint64_t{~ascending} << 32U | what;
+}
+
+// Sorts by the upper halves; equal ones stay in their order.  The same for any thread count.
+class FarToNear {
+public:
+    explicit FarToNear(base::Memory& memory) noexcept : other_(memory), histogram_(memory) {}
+    void sort(const base::Parallel& parallel, base::Array<std::uint64_t>& keys);
+    [[nodiscard]] std::int64_t bytes() const noexcept { return other_.bytes() + histogram_.bytes(); }
+
+private:
+    bool pass(const base::Parallel& parallel, const base::Array<std::uint64_t>& from, base::Array<std::uint64_t>& to,
+              unsigned shift);
+
+    base::Array<std::uint64_t> other_;
+    base::Array<std::int64_t> histogram_; // chunk by chunk, for each digit
 };
 
 } // namespace hrbfnpr::drawing

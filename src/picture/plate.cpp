@@ -5,7 +5,7 @@
 
 #include "api/descriptor.h"
 #include "base/assert.h"
-#include "output/raster/image.h"
+#include "output/raster/raster.h"
 #include "picture/lettering.h"
 #include "picture/look.h"
 #include "picture/tuning_lines.h"

@@ -9,7 +9,6 @@
 
 #include "base/runtime.h"
 #include "drawing/drawing.h"
-#include "drawing/far_to_near.h"
 #include "drawing/tiles.h"
 #include "frame/scene/scene.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Orders by depth, and tiles.
 #include "base/random.h"
-#include "drawing/far_to_near.h"
+#include "drawing/drawing.h"
 #include "drawing/tiles.h"
 
 #include <gtest/gtest.h>

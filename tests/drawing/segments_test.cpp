@@ -2,7 +2,7 @@
 // Segments of strokes in tiles.
 #include "base/random.h"
 #include "base/runtime.h"
-#include "drawing/segments.h"
+#include "drawing/drawing.h"
 
 #include <gtest/gtest.h>
 

@@ -22,7 +22,6 @@ FLOORS = {
     "picture": 13,
     "api": 12,
     "frame": 11,
-    "output/marks": 11,
     "output/raster": 10,
     "output/vector": 10,
     "output/vertex": 10,

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The part of a pixel that a stroke covers, against a plain reference in doubles.
 #include "base/random.h"
-#include "output/raster/loops.h"
+#include "output/raster/raster.h"
 #include "raster/stroke_reference.h"
 
 #include <gtest/gtest.h>

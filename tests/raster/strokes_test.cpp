@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Strokes into pixels: loops on every instruction set, coverage, joints, the order among dots.
-#include "drawing/segments.h"
-#include "output/raster/loops.h"
+#include "drawing/drawing.h"
+#include "output/raster/raster.h"
 #include "raster/reference.h"
 #include "support/instruction_sets.h"
 #include "support/runtime.h"

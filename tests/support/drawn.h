@@ -3,7 +3,6 @@
 #pragma once
 
 #include "drawing/drawing.h"
-#include "drawing/far_to_near.h"
 #include "frame/frame.h"
 
 #include <algorithm>

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // From a drawing to groups on a page, and lines cut into dashes.
-#include "output/vector/filters.h"
-#include "output/vector/write_page.h"
+#include "output/vector/page.h"
 
 #include <gtest/gtest.h>
 
@@ -162,16 +161,16 @@ TEST_F(LayOut, TakesTheLastPenThatFits) {
 std::vector<Part> dashed(std::uint32_t type, const std::vector<PagePoint>& line, bool closed = false) {
     base::Memory memory;
     Groups found;
-    output::LineTypes types(memory, found);
+    const auto types = output::line_types(memory, found);
     output::PageGroup group;
     group.pen_width = 0.5;
     group.line_type = static_cast<LineType>(type);
-    types.begin_group(group);
+    types->begin_group(group);
     PagePath path;
     path.points = line;
     path.closed = closed;
-    types.path(path);
-    types.end_group();
+    types->path(path);
+    types->end_group();
     return found.groups[0].paths;
 }
 

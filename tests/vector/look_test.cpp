@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // That no stage goes on for long without a look at its operation: the calls of a callback are counted, which come with
 // every look.
+#include "output/vector/plot_lines.h"
 #include "recorder.h"
 
 #include <gtest/gtest.h>
@@ -83,8 +84,8 @@ TEST(Looks, AreManyWhileAGroupIsTakenAndHandedOn) {
         base::Memory memory;
         Recorder out;
         output::PageCounts counts;
-        output::PlotOrder order(memory, out, plotter_settings(), counts, nullptr, progress);
-        input.hand_to(order);
+        const auto order = output::plot_order(memory, out, plotter_settings(), counts, nullptr, progress);
+        input.hand_to(*order);
     });
     EXPECT_GE(looks, 3 * 4900 / 64 + 5000 * 2000 / 100000);
 }

@@ -254,10 +254,10 @@ TEST(PlotOrder, CutsOffWhatIsBeyondTheFrame) {
     Recorder out;
     output::PageCounts counts;
     const base::Progress progress;
-    output::PlotOrder order(memory, out, plotter_settings(), counts, nullptr, progress);
+    const auto order = output::plot_order(memory, out, plotter_settings(), counts, nullptr, progress);
     output::PageView view;
     view.frame = {-20.0, 20.0, 60.0, 80.0}; // beyond the page, too
-    order.begin_view(view);
+    order->begin_view(view);
     GroupInput input;
     input.add(straight(-50.0, 50.0, 150.0, 50.0));
     input.add(circle(60.0, 60.0, 10.0, 400), true); // half of it
@@ -269,8 +269,8 @@ TEST(PlotOrder, CutsOffWhatIsBeyondTheFrame) {
                {20.0, 70.0, 0.1},
                {30.0, 70.0, 0.1}});
     input.dots = {{30.0, 30.0, 1.0, 1.0, false}, {61.0, 30.0, 5.0, 1.0, false}};
-    input.hand_to(order);
-    order.end_view();
+    input.hand_to(*order);
+    order->end_view();
     EXPECT_EQ(out.kept.dots.size(), 1U);
     double length = 0.0;
     int closed = 0;
@@ -293,17 +293,17 @@ TEST(PlotOrder, HandsTextsOnFirstAndNests) {
     Recorder out;
     output::PageCounts counts;
     const base::Progress progress;
-    output::PlotOrder order(memory, out, plotter_settings(), counts, nullptr, progress);
-    order.begin_view({});
-    order.begin_group({});
-    order.path(path_of(straight(10.0, 10.0, 20.0, 10.0)));
-    order.text({10.0, 10.0, 3.0, "a"});
-    order.end_group();
-    order.end_view();
-    order.begin_group({});
-    order.path(path_of(straight(10.0, 10.0, 20.0, 10.0)));
-    order.end_group();
-    order.finish();
+    const auto order = output::plot_order(memory, out, plotter_settings(), counts, nullptr, progress);
+    order->begin_view({});
+    order->begin_group({});
+    order->path(path_of(straight(10.0, 10.0, 20.0, 10.0)));
+    order->text({10.0, 10.0, 3.0, "a"});
+    order->end_group();
+    order->end_view();
+    order->begin_group({});
+    order->path(path_of(straight(10.0, 10.0, 20.0, 10.0)));
+    order->end_group();
+    order->finish();
     EXPECT_EQ(out.kept.calls, "view{{'a'}}{p}."); // an empty frame, then the page
 }
 
@@ -315,11 +315,11 @@ TEST(PlotOrder, IsCancelled) {
     base::Memory memory;
     Recorder out;
     output::PageCounts counts;
-    output::PlotOrder order(memory, out, plotter_settings(), counts, nullptr, progress);
-    order.begin_group({});
+    const auto order = output::plot_order(memory, out, plotter_settings(), counts, nullptr, progress);
+    order->begin_group({});
     const Line line = straight(10.0, 10.0, 20.0, 10.0);
     try {
-        for (int i = 0; i < 300; ++i) order.path(path_of(line)); // before the group ends
+        for (int i = 0; i < 300; ++i) order->path(path_of(line)); // before the group ends
         FAIL() << "not cancelled";
     } catch (const Error& error) {
         EXPECT_EQ(error.status(), Status::cancelled);

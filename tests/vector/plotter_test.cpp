@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // HPGL and G-code, read back as a plotter reads them.
-#include "output/vector/writers.h"
+#include "output/vector/page.h"
 
 #include "recorder.h"
 
@@ -142,16 +142,16 @@ Written written(const std::vector<GroupInput>& groups, const output::PageSetting
         const auto file = output::plotter_writer(memory, out, info, its, result.counts);
         output::PageSettings settings = plotter_settings();
         settings.shapes = format.shapes;
-        output::PlotOrder order(memory, *file, settings, result.counts, nullptr, progress);
-        order.begin_view({"", {0.0, 0.0, 200.0, 100.0}, {}, false});
-        for (const GroupInput& group : groups) group.hand_to(order);
-        order.end_view();
+        const auto order = output::plot_order(memory, *file, settings, result.counts, nullptr, progress);
+        order->begin_view({"", {0.0, 0.0, 200.0, 100.0}, {}, false});
+        for (const GroupInput& group : groups) group.hand_to(*order);
+        order->end_view();
         if (!texts.empty()) {
-            order.begin_group({});
-            for (const output::PageText& text : texts) order.text(text);
-            order.end_group();
+            order->begin_group({});
+            for (const output::PageText& text : texts) order->text(text);
+            order->end_group();
         }
-        order.finish();
+        order->finish();
     }
     result.text = out.text;
     EXPECT_EQ(result.counts.bytes, static_cast<std::int64_t>(out.text.size()));

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "base/random.h"
-#include "output/vector/filters.h"
+#include "output/vector/shapes.h"
 
 #include <string>
 #include <vector>
@@ -99,9 +99,9 @@ inline Sorted sorted(const GroupInput& input, const output::PageSettings& settin
     Recorder out;
     output::PenTrack track(result.counts, {}, {0.0, settings.height});
     const base::Progress progress;
-    output::PlotOrder order(memory, out, settings, result.counts, &track, progress);
-    input.hand_to(order);
-    order.finish();
+    const auto order = output::plot_order(memory, out, settings, result.counts, &track, progress);
+    input.hand_to(*order);
+    order->finish();
     result.out = out.kept;
     return result;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "output/vector/pen.h"
+#include "output/vector/shapes.h"
 
 #include <gtest/gtest.h>
 

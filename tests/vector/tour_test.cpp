@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Tours against the best ones.
+#include "output/vector/plot_lines.h"
 #include "recorder.h"
 
 #include <gtest/gtest.h>

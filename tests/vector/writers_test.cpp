@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What writers write: numbers, characters, the structure of a file.
-#include "output/vector/writers.h"
+#include "output/vector/page.h"
 
 #include "output/vector/text_out.h"
 

@@ -4,7 +4,7 @@
 #include "base/clock.h"
 #include "base/operation.h"
 #include "base/scratch.h"
-#include "drawing/segments.h"
+#include "drawing/drawing.h"
 #include "frame/depth_layers/layer_loops.h"
 #include "frame/depth_layers/tuning.h"
 

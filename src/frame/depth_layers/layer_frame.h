@@ -10,7 +10,7 @@
 // | 6 | join_dots, put_strokes | strokes of the drawing, far to near |
 #pragma once
 
-#include "drawing/far_to_near.h"
+#include "drawing/drawing.h"
 #include "frame/depth_layers/gather.h"
 #include "frame/hatch/strokes.h"
 #include "surface/cast_rays.h"

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "base/view.h"
-#include "drawing/window.h"
+#include "drawing/dot.h"
 #include "geometry/vec.h"
 
 #include <cstdint>

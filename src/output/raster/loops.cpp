@@ -4,7 +4,7 @@
 #include "base/simd.h"
 
 #include "base/assert.h"
-#include "output/raster/loops.h"
+#include "output/raster/raster.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace hrbfnpr::output::HWY_NAMESPACE {

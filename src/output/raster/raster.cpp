@@ -2,7 +2,7 @@
 #include "output/raster/raster.h"
 
 #include "base/prefetch.h"
-#include "drawing/segments.h"
+#include "drawing/drawing.h"
 
 #include <array>
 #include <atomic>

@@ -2,20 +2,207 @@
 // The rasteriser: a drawing into the caller's pixels, tile by tile.
 // 1. prepare (raster.cpp): a tile's planes hold the part of the paper that still shows, first all of it, and the ink's
 //    colours.
-// 2. lay (raster.cpp; loops.cpp for many pixels at a time): dots and strokes far to near. stroke_outline.cpp makes a
-//    polygon of each segment of a stroke; stroke_union.cpp finds the area that polygons cover together where they
-//    overlap.
+// 2. lay (raster.cpp; loops.cpp for many pixels at a time): dots and strokes far to near. strokes.h makes a
+//    polygon of each segment of a stroke, and finds the area that polygons cover together where they overlap.
 // 3. store (raster.cpp; loops.cpp): planes to the caller's pixels, over what was there or not.
 // 4. store_outputs (raster.cpp): the depth, id and class of the nearest layer or ink at each pixel's centre.
 #pragma once
 
+#include "base/assert.h"
+#include "base/instruction_set.h"
 #include "base/list.h"
 #include "base/runtime.h"
+#include "base/view.h"
 #include "drawing/drawing.h"
-#include "output/raster/image.h"
-#include "output/raster/loops.h"
+#include "geometry/vec.h"
+#include "output/raster/strokes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <utility>
 
 namespace hrbfnpr::output {
+
+// ---- The caller's pixels: which are drawn, and how they become premultiplied floats and the other way round
+
+// The numbers are those that hrbfnpr_image.format takes.
+enum class Format : std::uint32_t {
+    rgba8 = 1,
+    bgra8 = 2,
+    rgba8_premultiplied = 3,
+    bgra8_premultiplied = 4,
+    rgba32f = 5,
+    rgba32f_premultiplied = 6,
+    coverage8 = 7
+};
+
+[[nodiscard]] constexpr std::int64_t bytes_of_pixel(Format format) noexcept {
+    if (format == Format::coverage8) return 1;
+    return format == Format::rgba32f || format == Format::rgba32f_premultiplied ? 16 : 4;
+}
+[[nodiscard]] constexpr bool has_bytes(Format format) noexcept { return bytes_of_pixel(format) == 4; }
+[[nodiscard]] constexpr bool is_premultiplied(Format format) noexcept {
+    return format == Format::rgba8_premultiplied || format == Format::bgra8_premultiplied ||
+           format == Format::rgba32f_premultiplied;
+}
+[[nodiscard]] constexpr bool is_bgra(Format format) noexcept {
+    return format == Format::bgra8 || format == Format::bgra8_premultiplied;
+}
+
+struct Image {
+    Format format = Format::rgba8;
+    std::int32_t width = 0;
+    std::int32_t height = 0;
+    std::byte* pixels = nullptr; // top-left
+    std::int64_t row_stride = 0; // bytes, never 0
+
+    [[nodiscard]] std::byte* pixel(std::int32_t x, std::int32_t y) const noexcept {
+        HRBFNPR_ASSERT(x >= 0 && x < width && y >= 0 && y < height);
+        return pixels + y * row_stride + bytes_of_pixel(format) * x;
+    }
+};
+
+// Views of width * height elements, or empty.
+struct DrawSettings {
+    bool over = false;
+    bool linear_light = false;
+    base::InView host_depth;
+    base::OutView depth;
+    base::OutView id;
+    base::OutView mark_class;
+};
+
+// ---- Rectangles
+
+// Half-open, pixels.
+struct Rect {
+    std::int32_t left = 0, top = 0, right = 0, bottom = 0;
+    [[nodiscard]] bool empty() const noexcept { return left >= right || top >= bottom; }
+};
+
+// The pixels of the image whose centres lie in the viewport.
+[[nodiscard]] inline Rect drawn_rect(const glm::dvec4& viewport, const Image& image) noexcept {
+    const auto edge = [](double at, std::int32_t limit) {
+        return static_cast<std::int32_t>(std::clamp(std::ceil(at - 0.5), 0.0, static_cast<double>(limit)));
+    };
+    return {edge(viewport.x, image.width), edge(viewport.y, image.height), edge(viewport.x + viewport.z, image.width),
+            edge(viewport.y + viewport.w, image.height)};
+}
+
+// ---- Colours
+
+[[nodiscard]] inline glm::vec4 premultiplied(const glm::vec4& straight) noexcept {
+    return {glm::vec3(straight) * straight.w, straight.w};
+}
+
+// Between encoded sRGB values and linear light, for colours in [0, 1]. [IEC 61966-2-1]
+[[nodiscard]] inline float to_linear(float encoded) noexcept {
+    return encoded <= 0.04045F ? encoded / 12.92F : std::pow((encoded + 0.055F) / 1.055F, 2.4F);
+}
+[[nodiscard]] inline float from_linear(float light) noexcept {
+    return light <= 0.0031308F ? light * 12.92F : 1.055F * std::pow(light, 1.0F / 2.4F) - 0.055F;
+}
+// The same for premultiplied colours, whose alpha stays.
+[[nodiscard]] inline glm::vec4 to_linear(const glm::vec4& c) noexcept {
+    if (!(c.w > 0.0F)) return glm::vec4(0.0F);
+    return {to_linear(c.x / c.w) * c.w, to_linear(c.y / c.w) * c.w, to_linear(c.z / c.w) * c.w, c.w};
+}
+[[nodiscard]] inline glm::vec4 from_linear(const glm::vec4& c) noexcept {
+    if (!(c.w > 0.0F)) return glm::vec4(0.0F);
+    return {from_linear(c.x / c.w) * c.w, from_linear(c.y / c.w) * c.w, from_linear(c.z / c.w) * c.w, c.w};
+}
+
+// ---- Pixels
+
+[[nodiscard]] inline std::byte to_byte(float value) noexcept {
+    return static_cast<std::byte>(static_cast<std::uint8_t>(std::clamp(value, 0.0F, 1.0F) * 255.0F + 0.5F));
+}
+[[nodiscard]] inline float from_byte(std::byte value) noexcept {
+    constexpr float scale = 1.0F / 255.0F;
+    return static_cast<float>(std::to_integer<std::uint8_t>(value)) * scale;
+}
+
+// The colour of a coverage is black, and its alpha the coverage.
+[[nodiscard]] inline glm::vec4 load_pixel(const std::byte* at, Format format) noexcept {
+    if (format == Format::coverage8) return {0.0F, 0.0F, 0.0F, from_byte(*at)};
+    glm::vec4 color;
+    if (has_bytes(format)) {
+        for (int i = 0; i < 4; ++i) color[i] = from_byte(at[i]);
+    } else {
+        std::memcpy(&color[0], at, sizeof(float) * 4);
+    }
+    if (is_bgra(format)) std::swap(color.x, color.z);
+    return is_premultiplied(format) ? color : premultiplied(color);
+}
+
+inline void store_pixel(std::byte* at, const glm::vec4& given, Format format) noexcept {
+    if (format == Format::coverage8) {
+        *at = to_byte(given.w);
+        return;
+    }
+    glm::vec4 color = given; // premultiplied
+    // Straight pixels of alpha 0 have no colour and are all zero.
+    if (!is_premultiplied(format))
+        color = color.w > 0.0F ? glm::vec4(glm::vec3(color) / color.w, color.w) : glm::vec4(0.0F);
+    if (is_bgra(format)) std::swap(color.x, color.z);
+    if (has_bytes(format)) {
+        for (int i = 0; i < 4; ++i) at[i] = to_byte(color[i]);
+        return;
+    }
+    color = glm::clamp(color, 0.0F, 1.0F);
+    std::memcpy(at, &color[0], sizeof(float) * 4);
+}
+
+// ---- Loops for each instruction set, which give the same bits: discs and strokes into planes, planes to bytes
+
+// Rows of `stride` floats, one for each pixel.
+struct DiscTile {
+    std::int32_t width, height, stride; // stride >= width + 8
+    float* transmittance;               // the part of the paper that still shows, from 0 to 1
+    float* color[3];                    // the colour that inks add to it, premultiplied; NULL: all inks have one colour
+    const float* host;                  // depth of the host's picture, falling towards the eye; or NULL
+};
+
+// Inks by their numbers; (left, top) is the tile's first pixel.
+struct InkList {
+    const drawing::Dot* inks;
+    const std::uint32_t* numbers;
+    std::int64_t count;
+    float left, top;
+    const float* colors; // four numbers for each layer: RGB, and an alpha that multiplies the ink's
+    float one_alpha;     // the alpha that takes its place where all inks have one colour
+    float toward;        // -1: the host's depth rises towards the eye; 1
+};
+
+// Planes of the tile's stride that are zero, and are zero again afterwards.
+struct StrokePlanes {
+    float* cover;          // the part of a pixel that is covered
+    float* ink;            // the cover times the opacity
+    StrokeUnion* overlaps; // working memory, for strokes that may overlap themselves
+};
+
+// Four channels of a row, each alpha * transmittance + beta * (1 - transmittance), as bytes.
+struct RowColors {
+    float paper[4]; // premultiplied, in the order of the bytes
+    float ink[4];
+    bool straight; // divide by the last one
+};
+
+struct RasterLoops {
+    // Lays discs, in their order; those of paper need the planes of colours, and bring the paper back.
+    void (*discs)(const DiscTile& tile, const InkList& list);
+    // Lays the union of the segments over the tile: where they overlap, the stroke is no darker. A pixel takes the
+    // exact area that is covered of it. Throws Error{out_of_memory}.
+    void (*stroke)(const DiscTile& tile, const SegmentList& list, const StrokePlanes& planes);
+    void (*store)(const RowColors& colors, const float* transmittance, std::int64_t count, std::uint32_t* pixels);
+};
+
+[[nodiscard]] RasterLoops raster_loops(base::InstructionSet set) noexcept;
+
+// ---- The rasteriser
 
 // The scratch of one call at a time: it allocates nothing once warm.
 class Raster {

@@ -1,19 +1,21 @@
 // SPDX-License-Identifier: MIT
-// The pipeline from drawings to a file. write_page.cpp puts it together: lay_out.cpp turns a drawing into groups of
-// lines and dots on the page; filters take them in and hand them on, LineTypes cuts lines into dashes
-// and PlotOrder clips, joins, fills and sorts them for a pen (filters.cpp, join_lines.cpp, fill_lines.cpp, tour.cpp); a
-// writer ends it, which makes curves of lines (shapes.cpp) for SVG and PDF or straight strokes of a pen (pen.cpp) for
-// plotters.
+// The pipeline from drawings to a file, which write_page.cpp puts together: lay_out turns a drawing into groups of
+// lines and dots on the page; filters take them in and hand them on, LineTypes cuts lines into dashes and PlotOrder
+// clips, joins, fills and sorts them for a pen (write_page.cpp, plot_lines.cpp, tour.cpp); a writer (writers.cpp) ends
+// it, which makes curves of lines for SVG and PDF or straight strokes of a pen for plotters (shapes.h).
 //
 // This file has what goes along the pipeline, in millimetres from the page's top-left corner with y down.
 #pragma once
 
 #include "base/memory.h"
 #include "base/operation.h"
+#include "base/runtime.h"
 #include "drawing/drawing.h"
 #include "geometry/polylines.h"
+#include "io/stream.h"
 
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <string_view>
 
@@ -191,6 +193,29 @@ struct PageSettings {
     }
 };
 
+// ---- Filters and writers; a filter hands on to the next sink, and both count their lines and dots
+
+// Cuts the lines of groups that have a line type into its dashes.
+[[nodiscard]] std::unique_ptr<PageSink> line_types(base::Memory& memory, PageSink& next);
+
+class PenTrack;
+// Keeps a group until it ends; then, in this order: lines are clipped, joined, dropped if they are short, and filled if
+// they are wider than the pen; dots are dropped near to others; and all is handed on in the order of a tour. Texts are
+// handed on before.
+// settings: their size is the page's, and nothing is drawn beyond it. `track` counts the lines that are handed on;
+// NULL: the next sink counts them.
+[[nodiscard]] std::unique_ptr<PageSink> plot_order(base::Memory& memory, PageSink& next, const PageSettings& settings,
+                                                   PageCounts& counts, PenTrack* track, const base::Progress& progress);
+
+// The writers: SVG 1.1 with Inkscape's layers; PDF 1.5 whose groups are optional content; HPGL as HP's 7400 series of
+// plotters reads it, or G-code [ISO 6983-1], by settings.format.
+// A writer refers to all that it is given.
+using MakeWriter = std::unique_ptr<PageSink>(base::Memory& memory, io::Writer& writer, const PageInfo& page,
+                                             const PageSettings& settings, PageCounts& counts);
+MakeWriter svg_writer;
+MakeWriter pdf_writer;
+MakeWriter plotter_writer;
+
 // ---- Looks for a cancel
 
 // Looks for a cancel, and calls the caller's callback without more progress.
@@ -212,5 +237,55 @@ private:
     const base::Progress& progress_;
     std::int64_t steps_, counted_ = 0;
 };
+
+// ---- A page of drawings, as bytes of one of several formats
+
+struct Placement {
+    const drawing::Drawing* drawing = nullptr;
+    std::string_view name;
+    double x = 0.0, y = 0.0;    // where the viewport's top-left corner is on the page, mm
+    double scale = 25.4 / 96.0; // mm per pixel
+    bool with_paper = true;     // else the page has the same
+    bool far_to_near = true;    // where inks of several colours lie upon each other; else groups are whole
+};
+
+// A pen for the groups whose name it has.
+struct Pen {
+    std::string_view groups; // a name, the beginning of one before a '*', or nothing: all
+    double width = 0.0;      // mm; 0: as drawn
+    glm::vec4 ink{0.0F};     // alpha 0: as drawn
+    std::uint32_t number = 1;
+    LineType line_type{};
+};
+
+// ---- Drawings to groups
+
+// Hands a drawing's ink on, group by group, strokes far to near; groups begin anew where far to near must be kept.
+// Strokes whose opacity changes are cut into parts of an even one.
+void lay_out(base::Memory& memory, const Placement& placement, std::span<const Pen> pens, PageSink& sink,
+             const base::Progress& progress);
+
+// A line or a text beside the drawings.
+struct Annotation {
+    std::string_view group;
+    const char* text = nullptr;     // NULL: a line
+    std::span<const double> points; // x and y of each, mm; for a text, where its baseline begins
+    double width = 0.35;
+    glm::vec4 ink{0.0F, 0.0F, 0.0F, 1.0F};
+    LineType line_type = LineType::continuous;
+};
+
+struct Page {
+    PageInfo info; // its size is found
+    std::span<const Placement> placements;
+    std::span<const Pen> pens;
+    std::span<const Annotation> annotations;
+};
+
+// The page's size, mm.
+[[nodiscard]] glm::dvec2 page_size(const Page& page, const PageSettings& settings) noexcept;
+
+PageCounts write_page(const base::Runtime& runtime, const Page& page, const PageSettings& settings, io::Writer& writer,
+                      const base::Progress& progress);
 
 } // namespace hrbfnpr::output

@@ -4,39 +4,117 @@
 
 #include "io/stream.h"
 
+#include <algorithm>
+#include <charconv>
+#include <cmath>
 #include <cstdint>
+#include <cstdio>
+#include <cstring>
 #include <string_view>
 
 namespace hrbfnpr::output {
+
+inline constexpr double most_thousandths = 1e15; // a double tells thousandths apart up to here
+
+// To thousandths of a millimetre, the unit of all that is written.
+[[nodiscard]] inline std::int64_t in_thousandths(double number) noexcept {
+    return static_cast<std::int64_t>(
+        std::floor(std::clamp(1000.0 * number, -most_thousandths, most_thousandths) + 0.5));
+}
 
 class TextOut {
 public:
     explicit TextOut(io::Writer& writer) noexcept : writer_(writer) {}
 
-    TextOut& operator<<(std::string_view text);
+    TextOut& operator<<(std::string_view text) {
+        while (!text.empty()) {
+            if (used_ == room) flush();
+            const std::size_t part = std::min(text.size(), static_cast<std::size_t>(room - used_));
+            std::memcpy(buffer_ + used_, text.data(), part);
+            used_ += static_cast<std::int64_t>(part);
+            text.remove_prefix(part);
+        }
+        return *this;
+    }
     TextOut& operator<<(char one) { return *this << std::string_view(&one, 1); }
-    TextOut& operator<<(std::int64_t number);
+    TextOut& operator<<(std::int64_t number) {
+        char digits[24];
+        return *this << until(digits, std::to_chars(digits, digits + sizeof digits, number).ptr);
+    }
     // Writes a number of thousandths, without zeros at its end.
-    TextOut& thousandths(std::int64_t number);
+    TextOut& thousandths(std::int64_t number) {
+        char digits[32];
+        char* end = digits;
+        if (number < 0) *end++ = '-';
+        const std::int64_t size = number < 0 ? -number : number;
+        if (size >= 1000 || size == 0) end = std::to_chars(end, digits + sizeof digits, size / 1000).ptr;
+        if (std::int64_t rest = size % 1000; rest != 0) {
+            *end++ = '.';
+            for (std::int64_t unit = 100; rest != 0; unit /= 10) {
+                *end++ = static_cast<char>('0' + rest / unit);
+                rest %= unit;
+            }
+        }
+        return *this << until(digits, end);
+    }
     // Rounds to thousandths.
-    TextOut& operator<<(double number);
+    TextOut& operator<<(double number) { return thousandths(in_thousandths(number)); }
     // Writes nine decimals, as a matrix needs.
-    TextOut& precise(double number);
+    TextOut& precise(double number) {
+        char digits[64];
+        const double known = std::clamp(number, -most_thousandths, most_thousandths);
+#if defined(__EMSCRIPTEN__) // its library cannot write doubles this way, and has one locale only
+        return *this << std::string_view(digits,
+                                         static_cast<std::size_t>(std::snprintf(digits, sizeof digits, "%.9f", known)));
+#else
+        return *this << until(digits,
+                              std::to_chars(digits, digits + sizeof digits, known, std::chars_format::fixed, 9).ptr);
+#endif
+    }
     // Writes the five characters that XML reserves as entities, and controls as spaces.
-    TextOut& escaped(std::string_view text);
+    TextOut& escaped(std::string_view text) {
+        for (std::size_t i = 0; i < text.size(); ++i) {
+            const char c = text[i];
+            const std::string_view three = text.substr(i, 3);
+            if (three == "\xEF\xBF\xBE" || three == "\xEF\xBF\xBF") { // U+FFFE and U+FFFF, which XML does not allow
+                *this << "\xEF\xBF\xBD";
+                i += 2;
+                continue;
+            }
+            switch (c) {
+            case '&': *this << "&amp;"; break;
+            case '<': *this << "&lt;"; break;
+            case '>': *this << "&gt;"; break;
+            case '"': *this << "&quot;"; break;
+            case '\'': *this << "&#39;"; break;
+            default: {
+                const bool control = static_cast<unsigned char>(c) < 0x20 && c != '\n' && c != '\t';
+                *this << (control ? ' ' : c);
+            }
+            }
+        }
+        return *this;
+    }
 
-    void flush();
+    void flush() {
+        if (used_ == 0) return;
+        const std::int64_t size = used_;
+        bytes_ += size;
+        used_ = 0;
+        writer_.write(buffer_, static_cast<std::uint64_t>(size));
+    }
     [[nodiscard]] std::int64_t bytes() const noexcept { return bytes_ + used_; }
 
 private:
     static constexpr std::int64_t room = 16384;
 
+    [[nodiscard]] static std::string_view until(const char* begin, const char* end) noexcept {
+        return {begin, static_cast<std::size_t>(end - begin)};
+    }
+
     io::Writer& writer_;
     std::int64_t used_ = 0, bytes_ = 0;
     char buffer_[room];
 };
-
-// To thousandths of a millimetre, the unit of all that is written.
-[[nodiscard]] std::int64_t in_thousandths(double number) noexcept;
 
 } // namespace hrbfnpr::output

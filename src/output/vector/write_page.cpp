@@ -1,15 +1,661 @@
 // SPDX-License-Identifier: MIT
-#include "output/vector/write_page.h"
-
-#include "output/vector/filters.h"
+// From drawings to a file:
+// 1. find_runs: how often groups begin anew, so that inks of several colours that lie upon each other are painted far
+// to
+//    near, as the raster does.
+// 2. lay_out: for each run, layer and number of hiding layers a group with its name and pen, and its dots or strokes.
+// 3. LineTypes: a filter that cuts lines into dashes [ISO 128-2].
+// 4. PlotOrder: a filter that clips, joins, drops, fills and sorts the lines and dots of a group for a pen.
+// 5. write_page: makes the writer and the filters before it, and hands drawings and annotations to them.
+#include "geometry/point_tree.h"
+#include "marks/point_set.h"
+#include "output/vector/plot_lines.h"
+#include "output/vector/shapes.h"
 #include "output/vector/tuning.h"
-#include "output/vector/writers.h"
 
 #include <algorithm>
-#include <optional>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <utility>
 
 namespace hrbfnpr::output {
 namespace {
+
+using drawing::Dot;
+using drawing::Drawing;
+using drawing::Stroke;
+using drawing::StrokePoint;
+
+// ---- Groups of ink: a layer's dots, or its strokes that a number of layers of surface hide
+
+constexpr std::int32_t most_hidden = 31; // strokes that more surfaces hide count as hidden by this many
+constexpr std::int32_t groups_of_layer = most_hidden + 2;
+
+std::int32_t hidden_layers(const Stroke& stroke) noexcept { return std::clamp(stroke.hidden_layers, 0, most_hidden); }
+std::int32_t group_of_dots(std::int64_t layer) noexcept { return static_cast<std::int32_t>(layer) * groups_of_layer; }
+// Strokes that more surfaces hide come before others.
+std::int32_t group_of_strokes(std::int64_t layer, std::int32_t hidden) noexcept {
+    HRBFNPR_ASSERT(hidden >= 0 && hidden <= most_hidden);
+    return group_of_dots(layer) + 1 + most_hidden - hidden;
+}
+
+// Calls f(dot, number) for the dots that are seen.
+template <class F>
+void for_dots(const Drawing& drawing, const base::Progress& progress, const F& f) {
+    Looks looks(progress, steps_a_look);
+    for (const drawing::Piece& piece : drawing.dot_pieces)
+        for (std::int64_t i = piece.begin; i < piece.end; ++i) {
+            looks.count();
+            if (drawing.dots[i].opacity >= drawing::faintest_ink) f(drawing.dots[i], i);
+        }
+}
+
+// ---- Runs
+
+// All groups are painted in their order, run after run. An ink is in the first run in which it comes after all ink of
+// another colour that it lies upon; in the last run it may come before it.
+struct Runs {
+    explicit Runs(base::Memory& memory) noexcept
+        : of_stroke(memory), of_dot(memory), has_group(memory), has_layer(memory) {}
+
+    std::int32_t count = 1, groups = 0;
+    base::Array<std::uint8_t> of_stroke, of_dot;
+    base::Array<std::uint8_t> has_group; // whether there is ink of each group of each run
+    base::Array<std::uint8_t> has_layer; // whether there is ink of each layer
+
+    [[nodiscard]] bool has(std::int32_t run, std::int32_t group) const noexcept {
+        HRBFNPR_ASSERT(run < count && group < groups);
+        return has_group[std::int64_t{run} * groups + group] != 0;
+    }
+};
+
+// The cells of a viewport, and where the ink in each was painted last.
+struct Cells {
+    double left, top, side;
+    std::int64_t columns, rows;
+    std::int32_t colors;
+    base::Array<std::int32_t> color;         // the number of each layer's colour
+    base::Array<std::int32_t> painted_where; // for each cell and colour, the last group that painted there, counted on
+                                             // from run to run; -1: none
+
+    // Calls visit(cell) for the cells that a disc may touch. Nothing beyond the viewport is seen.
+    template <class Visit>
+    void for_disc(double x, double y, double radius, const Visit& visit) const {
+        const auto cell = [&](double from, std::int64_t most) {
+            return static_cast<std::int64_t>(std::clamp(std::floor(from / side), -1.0, static_cast<double>(most)));
+        };
+        const std::int64_t right = std::min(cell(x + radius - left, columns), columns - 1);
+        const std::int64_t bottom = std::min(cell(y + radius - top, rows), rows - 1);
+        const std::int64_t first = std::max<std::int64_t>(cell(x - radius - left, columns), 0);
+        for (std::int64_t row = std::max<std::int64_t>(cell(y - radius - top, rows), 0); row <= bottom; ++row)
+            for (std::int64_t column = first; column <= right; ++column) visit(row * columns + column);
+    }
+    // The same for a stroke, in steps of a cell at most.
+    template <class Visit>
+    void for_stroke(const Drawing& drawing, const Stroke& stroke, const Visit& visit) const {
+        const StrokePoint* const points = drawing.points.data() + stroke.first;
+        for (std::int64_t i = 1; i < stroke.count; ++i) {
+            const auto x = static_cast<double>(points[i - 1].x), y = static_cast<double>(points[i - 1].y);
+            const double dx = static_cast<double>(points[i].x) - x, dy = static_cast<double>(points[i].y) - y;
+            const auto radius = static_cast<double>(std::max(points[i - 1].radius, points[i].radius));
+            const double length = std::hypot(dx, dy);
+            if (!(length < 1e6)) continue; // far beyond any viewport
+            const auto steps = static_cast<int>(length / side) + 1;
+            for (int step = 0; step <= steps; ++step)
+                for_disc(x + dx * step / steps, y + dy * step / steps, radius, visit);
+        }
+    }
+};
+
+Cells blank_cells(base::Memory& memory, const Drawing& drawing) {
+    const glm::dvec4& viewport = drawing.window.viewport;
+    Cells cells{
+        viewport.x, viewport.y, 1.0, 1, 1, 0, base::Array<std::int32_t>(memory), base::Array<std::int32_t>(memory)};
+    for (std::int64_t i = 0; i < drawing.layers.size(); ++i) {
+        std::int64_t like = 0;
+        while (glm::vec3(drawing.layers[like].ink) != glm::vec3(drawing.layers[i].ink) && like < i) ++like;
+        cells.color.push_back(like < i ? cells.color[like] : cells.colors++);
+    }
+    cells.side = std::max(lay_out_tuning.least_cell,
+                          std::sqrt(viewport.z * viewport.w * cells.colors / lay_out_tuning.most_cells));
+    cells.columns = std::max(std::int64_t{1}, static_cast<std::int64_t>(std::ceil(viewport.z / cells.side)));
+    cells.rows = std::max(std::int64_t{1}, static_cast<std::int64_t>(std::ceil(viewport.w / cells.side)));
+    cells.painted_where.resize_for_overwrite(cells.columns * cells.rows * cells.colors);
+    std::fill(cells.painted_where.begin(), cells.painted_where.end(), -1);
+    return cells;
+}
+
+// Paints one ink, whose cells for_cells(visit) visits, and returns its run.
+template <class ForCells>
+std::uint8_t paint(Cells& cells, Runs& runs, std::uint32_t layer, std::int32_t group, const ForCells& for_cells) {
+    const std::int32_t color = cells.color[layer];
+    std::int32_t most = -1; // the last group of another colour that is painted below the ink; -1: none
+    for_cells([&](std::int64_t cell) {
+        for (std::int32_t other = 0; other < cells.colors; ++other)
+            if (other != color) most = std::max(most, cells.painted_where[cell * cells.colors + other]);
+    });
+    std::int32_t run = most < 0 ? 0 : most / runs.groups;
+    if (most >= 0 && most % runs.groups > group) ++run;
+    run = std::min(run, lay_out_tuning.most_runs - 1);
+    runs.count = std::max(runs.count, run + 1);
+    for_cells([&](std::int64_t cell) {
+        std::int32_t& last = cells.painted_where[cell * cells.colors + color];
+        last = std::max(last, run * runs.groups + group);
+    });
+    return static_cast<std::uint8_t>(run);
+}
+
+// Paints all ink far to near.
+void paint_all(base::Memory& memory, const Drawing& drawing, const base::Progress& progress, Runs& runs) {
+    Cells cells = blank_cells(memory, drawing);
+    base::Array<std::uint32_t> order(memory); // the numbers of the dots, far to near
+    for_dots(drawing, progress,
+             [&](const Dot&, std::int64_t number) { order.push_back(static_cast<std::uint32_t>(number)); });
+    Looks comparisons(progress, comparisons_a_look);
+    std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+        comparisons.count();
+        return drawing.before(a, b);
+    });
+    Looks looks(progress, steps_a_look);
+    std::int64_t painted = 0; // the number of dots that were painted
+    const auto paint_dots = [&](const auto& comes_before) {
+        for (; painted < order.size() && comes_before(drawing.dots[order[painted]]); ++painted) {
+            looks.count();
+            const Dot& dot = drawing.dots[order[painted]];
+            runs.of_dot[order[painted]] =
+                paint(cells, runs, dot.layer, group_of_dots(dot.layer), [&](const auto& visit) {
+                    cells.for_disc(static_cast<double>(dot.x), static_cast<double>(dot.y),
+                                   static_cast<double>(dot.radius), visit);
+                });
+        }
+    };
+    for (std::int64_t i = 0; i < drawing.strokes.size(); ++i) {
+        const Stroke& stroke = drawing.strokes[i];
+        looks.count(1 + stroke.count);
+        paint_dots([&](const Dot& dot) { return dot.depth > stroke.depth; });
+        runs.of_stroke[i] = paint(cells, runs, stroke.layer, group_of_strokes(stroke.layer, hidden_layers(stroke)),
+                                  [&](const auto& visit) { cells.for_stroke(drawing, stroke, visit); });
+    }
+    paint_dots([](const Dot&) { return true; });
+}
+
+Runs find_runs(base::Memory& memory, const Drawing& drawing, bool far_to_near, const base::Progress& progress) {
+    Runs runs(memory);
+    runs.groups = group_of_dots(drawing.layers.size());
+    runs.of_stroke.resize(drawing.strokes.size());
+    runs.of_dot.resize(drawing.dots.size());
+    if (far_to_near && !drawing.one_color) paint_all(memory, drawing, progress, runs);
+    runs.has_group.resize(std::int64_t{runs.count} * runs.groups);
+    runs.has_layer.resize(drawing.layers.size());
+    const auto note = [&](std::uint32_t layer, std::int64_t run, std::int32_t group) {
+        runs.has_group[run * runs.groups + group] = 1;
+        runs.has_layer[layer] = 1;
+    };
+    for (std::int64_t i = 0; i < drawing.strokes.size(); ++i) {
+        const Stroke& stroke = drawing.strokes[i];
+        note(stroke.layer, runs.of_stroke[i], group_of_strokes(stroke.layer, hidden_layers(stroke)));
+    }
+    for_dots(drawing, progress, [&](const Dot& dot, std::int64_t number) {
+        note(dot.layer, runs.of_dot[number], group_of_dots(dot.layer));
+    });
+    return runs;
+}
+
+// ---- Names and pens
+
+// The names of kinds of lines, by the numbers that hrbfnpr_line_style.kind takes.
+constexpr std::array<const char*, 12> line_names{"lines",   "contour",        "suggestive", "ridge",
+                                                 "valley",  "apparent ridge", "parabolic",  "isophote",
+                                                 "section", "border",         "own",        "crease"};
+constexpr std::size_t own_lines = 10;
+
+void name_layer(const Drawing& drawing, std::int64_t number, char (&name)[PageGroup::most]) {
+    const drawing::Layer& layer = drawing.layers[number];
+    if (layer.layer < 0) {
+        const std::size_t kind = std::min<std::size_t>(layer.line_kind, line_names.size() - 1);
+        const bool is_own = kind == own_lines && layer.line_name[0] != '\0';
+        std::snprintf(name, sizeof name, "%s", is_own ? layer.line_name.data() : line_names[kind]);
+        return;
+    }
+    const marks::Layer& source = drawing.items[layer.item].set->layers[layer.layer];
+    const bool contour = layer.mark_class == drawing::MarkClass::silhouette;
+    std::snprintf(name, sizeof name, "%.63s%s", source.name.data(), contour ? " contour" : "");
+}
+
+void append(char (&name)[PageGroup::most], const char* what, int number) noexcept {
+    const std::size_t used = std::string_view(name).size();
+    std::snprintf(name + used, sizeof name - used, "%s %d", what, number);
+}
+
+bool fits(std::string_view groups, std::string_view name) noexcept {
+    if (groups.empty()) return true;
+    if (groups.back() != '*') return groups == name;
+    groups.remove_suffix(1);
+    return name.substr(0, groups.size()) == groups;
+}
+
+// The placement's viewport on the page.
+Frame frame_of(const Placement& placement) noexcept {
+    const glm::dvec4& viewport = placement.drawing->window.viewport;
+    return {placement.x, placement.y, placement.x + placement.scale * viewport.z,
+            placement.y + placement.scale * viewport.w};
+}
+
+// The group with its pen: the last one that fits its name.
+PageGroup with_pen(PageGroup group, std::span<const Pen> pens) noexcept {
+    for (std::size_t i = pens.size(); i-- > 0;) {
+        const Pen& pen = pens[i];
+        if (!fits(pen.groups, group.name)) continue;
+        group.pen_width = pen.width;
+        if (pen.ink.w > 0.0F) group.ink = pen.ink;
+        group.pen = pen.number;
+        if (pen.line_type != LineType::as_drawn) group.line_type = pen.line_type;
+        break;
+    }
+    return group;
+}
+
+// A group's name tells it from earlier layers of the same name that have ink. Its pen goes by the name without the
+// number of the run.
+PageGroup group_of(const Drawing& drawing, const Runs& runs, std::span<const Pen> pens, std::int64_t layer,
+                   std::int32_t hidden, std::int32_t run) {
+    PageGroup group;
+    name_layer(drawing, layer, group.name);
+    int namesakes = 0;
+    char other[PageGroup::most];
+    for (std::int64_t i = 0; i < layer; ++i) {
+        if (runs.has_layer[i] == 0) continue;
+        name_layer(drawing, i, other);
+        namesakes += std::string_view(group.name) == other ? 1 : 0;
+    }
+    if (namesakes > 0) append(group.name, "", namesakes + 1);
+    if (hidden > 0) append(group.name, " hidden", hidden);
+    group.ink = drawing.layers[layer].ink;
+    group = with_pen(group, pens);
+    if (run > 0) append(group.name, ", run", run + 1);
+    return group;
+}
+
+// ---- Ink
+
+struct Mapping {
+    const Placement& placement;
+
+    [[nodiscard]] PagePoint operator()(float x, float y, double radius) const noexcept {
+        const glm::dvec4& viewport = placement.drawing->window.viewport;
+        return {placement.x + placement.scale * (static_cast<double>(x) - viewport.x),
+                placement.y + placement.scale * (static_cast<double>(y) - viewport.y), placement.scale * radius};
+    }
+};
+
+// The disc has as much ink as the raster's dot, whose rim falls off over a pixel: that covers pi (r^2 + 1 / 12) pixels,
+// and tone goes by it. A radius of less than half a pixel is drawn as half a pixel, and paler.
+PageDot page_dot(const Mapping& map, const Dot& dot) noexcept {
+    constexpr double smallest = static_cast<double>(drawing::smallest_radius);
+    const double radius = std::max(static_cast<double>(dot.radius), smallest);
+    const double paler = std::min(static_cast<double>(dot.radius) / smallest, 1.0);
+    const PagePoint p = map(dot.x, dot.y, paler * std::sqrt(radius * radius + 1.0 / 12.0));
+    return {p.x, p.y, p.radius, static_cast<double>(dot.opacity), (dot.flags & drawing::dot_is_paper) != 0};
+}
+
+// Hands on the parts of a stroke that have an even opacity.
+void add_stroke(const Mapping& map, const Stroke& stroke, base::Array<PagePoint>& page, PageSink& sink) {
+    HRBFNPR_ASSERT(stroke.count > 1);
+    const StrokePoint* const points = map.placement.drawing->points.data() + stroke.first;
+    std::int64_t end = 0;
+    for (std::int64_t begin = 0; begin + 1 < stroke.count; begin = end) {
+        end = begin + 1;
+        while (end + 1 < stroke.count &&
+               !(std::abs(points[end + 1].opacity - points[begin].opacity) > lay_out_tuning.opacity_step))
+            ++end;
+        float opacity = 0.0F;
+        for (std::int64_t i = begin; i < end; ++i) opacity += 0.5F * (points[i].opacity + points[i + 1].opacity);
+        opacity /= static_cast<float>(end - begin);
+        if (opacity < drawing::faintest_ink) continue;
+        page.clear();
+        for (std::int64_t i = begin; i <= end; ++i)
+            page.push_back(map(points[i].x, points[i].y, static_cast<double>(points[i].radius)));
+        const bool at_begin = begin == 0, at_end = end + 1 == stroke.count;
+        PagePath path;
+        path.points = page.span();
+        path.begin = at_begin && !stroke.closed ? stroke.cap_begin : drawing::Cap::flat;
+        path.end = at_end && !stroke.closed ? stroke.cap_end : drawing::Cap::flat;
+        path.closed = stroke.closed && at_begin && at_end;
+        path.opacity = static_cast<double>(opacity);
+        sink.path(path);
+    }
+}
+
+// As published, dots of paper and ink stand in the order in which they cover each other. [NPAR 6.1]
+void add_published(const Mapping& map, std::span<const Pen> pens, PageSink& sink, const base::Progress& progress) {
+    const Drawing& drawing = *map.placement.drawing;
+    PageGroup group;
+    std::snprintf(group.name, sizeof group.name, "marks");
+    if (!drawing.layers.empty()) group.ink = drawing.layers[0].ink;
+    sink.begin_group(with_pen(group, pens));
+    for_dots(drawing, progress, [&](const Dot& dot, std::int64_t) { sink.dot(page_dot(map, dot)); });
+    sink.end_group();
+}
+
+// ---- Line types
+
+// Dashes and gaps by turns, in line widths; the first 0 ends the pattern.
+using Pattern = std::array<double, 10>;
+constexpr double dot = 0.5, gap = 3.0, space = 18.0, short_dash = 6.0, dash = 12.0, long_dash = 24.0;
+constexpr std::array<Pattern, 16> patterns{{
+    {},
+    {},
+    {dash, gap},
+    {dash, space},
+    {long_dash, gap, dot, gap},
+    {long_dash, gap, dot, gap, dot, gap},
+    {long_dash, gap, dot, gap, dot, gap, dot, gap},
+    {dot, gap},
+    {long_dash, gap, short_dash, gap},
+    {long_dash, gap, short_dash, gap, short_dash, gap},
+    {dash, gap, dot, gap},
+    {dash, gap, dash, gap, dot, gap},
+    {dash, gap, dot, gap, dot, gap},
+    {dash, gap, dash, gap, dot, gap, dot, gap},
+    {dash, gap, dot, gap, dot, gap, dot, gap},
+    {dash, gap, dash, gap, dot, gap, dot, gap, dot, gap},
+}};
+static_assert(patterns.size() == static_cast<std::size_t>(LineType::last) + 1);
+// A line with more periods is drawn whole: they are too small to be told apart, and writing them would never end.
+constexpr double most_periods = 1e5;
+
+class LineTypes final : public PageFilter {
+public:
+    LineTypes(base::Memory& memory, PageSink& next) noexcept : PageFilter(next), part_(memory) {}
+
+    void begin_group(const PageGroup& group) override {
+        group_ = group;
+        next_.begin_group(group);
+    }
+    void path(const PagePath& path) override {
+        HRBFNPR_ASSERT(path.points.size() > 1);
+        const Pattern& pattern = patterns[std::min(static_cast<std::size_t>(group_.line_type), patterns.size() - 1)];
+        double width = group_.pen_width;
+        if (!(width > 0.0)) {
+            width = 0.0;
+            for (const PagePoint& p : path.points) width = std::max(width, 2.0 * p.radius);
+        }
+        const double length = length_of(path.points);
+        double period = 0.0;
+        for (const double part : pattern) period += width * part;
+        const double first = width * pattern[0];
+        if (!(first > 0.0) || length <= first || !(length <= most_periods * period)) {
+            next_.path(path);
+            return;
+        }
+        // The pattern is scaled so that a whole number of periods fit, and a dash after the last one of an open line.
+        const double open = path.closed ? 0.0 : first;
+        const double times = std::max(std::floor((length - open) / period + 0.5), 1.0);
+        const double scale = length / (times * period + open);
+        PagePath piece = path;
+        piece.closed = false;
+        piece.begin = piece.end = drawing::Cap::flat;
+        std::size_t at = 0; // in the pattern
+        double left = scale * first;
+        part_.clear();
+        part_.push_back(path.points[0]);
+        const auto emit = [&] {
+            piece.points = part_.span();
+            if (at % 2 == 0 && part_.size() > 1) next_.path(piece);
+        };
+        for (std::size_t i = 1; i < path.points.size(); ++i) {
+            PagePoint a = path.points[i - 1];
+            const PagePoint& b = path.points[i];
+            double rest = glm::distance(place_of(a), place_of(b));
+            while (rest > left) {
+                a = between(a, b, left / rest);
+                rest -= left;
+                part_.push_back(a);
+                emit();
+                part_.clear();
+                part_.push_back(a);
+                at = at + 1 < pattern.size() && pattern[at + 1] > 0.0 ? at + 1 : 0;
+                left = scale * width * pattern[at];
+            }
+            left -= rest;
+            part_.push_back(b);
+        }
+        if (left < scale * width * pattern[at] * (1.0 - 1e-9)) emit();
+    }
+
+private:
+    PageGroup group_;
+    base::Array<PagePoint> part_;
+};
+
+// Narrows the part of a segment, from 0 to 1, to the part within the frame; false if all of it is outside, or if the
+// segment is not finite. [Liang and Barsky 1984, "A new concept and method for line clipping"]
+bool find_within(const PagePoint& a, const PagePoint& b, const Frame& frame, double& from, double& to) noexcept {
+    if (!std::isfinite(a.x + a.y + b.x + b.y)) return false;
+    const double dx = b.x - a.x, dy = b.y - a.y;
+    // For each side: how fast the segment leaves through it, and how far from it the segment begins.
+    const std::array<double, 4> speed{-dx, dx, -dy, dy};
+    const std::array<double, 4> room{a.x - frame.left, frame.right - a.x, a.y - frame.top, frame.bottom - a.y};
+    for (std::size_t side = 0; side < 4; ++side) {
+        if (speed[side] == 0.0 && room[side] < 0.0) return false;
+        if (speed[side] < 0.0) from = std::max(from, room[side] / speed[side]);
+        if (speed[side] > 0.0) to = std::min(to, room[side] / speed[side]);
+    }
+    return from < to;
+}
+
+// ---- The order of a pen
+
+constexpr std::int64_t lines_a_look = 64;
+
+class PlotOrder final : public PageFilter {
+public:
+    PlotOrder(base::Memory& memory, PageSink& next, const PageSettings& settings, PageCounts& counts, PenTrack* track,
+              const base::Progress& progress)
+        : PageFilter(next), memory_(memory), settings_(settings), counts_(counts), track_(track), progress_(progress),
+          looks_(progress, lines_a_look), frame_{0.0, 0.0, settings.width, settings.height}, lines_(memory),
+          dots_(memory), ring_(memory), part_(memory), pen_lines_(memory), turned_(memory), pen_(0.0, settings.height) {
+    }
+
+    void begin_view(const PageView& view) override {
+        const Frame& own = view.frame;
+        frame_ = {std::max(0.0, own.left), std::max(0.0, own.top), std::min(settings_.width, own.right),
+                  std::min(settings_.height, own.bottom)};
+        next_.begin_view(view);
+    }
+    void begin_group(const PageGroup& group) override {
+        group_ = group;
+        if (settings_.for_plotter() && !(group_.pen_width > 0.0)) group_.pen_width = plotter_pen;
+        lines_.clear();
+        dots_.clear();
+        if (track_ != nullptr) track_->raise();
+        next_.begin_group(group_);
+    }
+    void path(const PagePath& path) override {
+        PlotLine like;
+        like.width = group_.pen_width;
+        clip(path, like, lines_);
+    }
+    void dot(const PageDot& dot) override {
+        looks_.count();
+        if (frame_.contains(dot.x, dot.y)) dots_.push_back(dot);
+    }
+    void end_group() override {
+        const bool dashed = group_.line_type > LineType::continuous;
+        if (!dashed) { // dots of dashed lines are short, and their gaps are meant
+            counts_.joined += join_lines(lines_, settings_.plot.join, group_.pen_width > 0.0, progress_);
+            drop_short();
+        }
+        if (settings_.shapes.fills && group_.pen_width > 0.0) {
+            counts_.filled_paths += fill_lines(lines_, settings_.shapes.tolerance, progress_);
+            PlotLines within(memory_); // passes beside the centre may lie beyond the frame where that does not
+            for (const PlotLine& line : lines_.lines) clip(lines_.path_of(line), line, within);
+            std::swap(lines_, within);
+        }
+        drop_near_dots();
+        hand_on();
+        next_.end_group();
+    }
+    void end_view() override {
+        frame_ = {0.0, 0.0, settings_.width, settings_.height};
+        next_.end_view();
+    }
+
+private:
+    // Adds each part of the path's centre within the frame, in its order, to the lines. An end where it is cut is flat.
+    // A closed path becomes open if anything is cut off.
+    void clip(const PagePath& path, const PlotLine& like, PlotLines& to) {
+        looks_.count();
+        const auto take = [&](const PagePath& part) {
+            PlotLine line = like;
+            line.width = like.width > 0.0 ? like.width : mean_width(part.points);
+            line.opacity = part.opacity;
+            line.begin = part.begin;
+            line.end = part.end;
+            line.closed = part.closed;
+            to.add(line, part.points);
+        };
+        HRBFNPR_ASSERT(path.points.size() > 1);
+        const auto inside = [&](const PagePoint& p) { return frame_.contains(p.x, p.y); };
+        if (std::all_of(path.points.begin(), path.points.end(), inside)) {
+            take(path);
+            return;
+        }
+        std::span<const PagePoint> points = path.points;
+        if (path.closed) { // it begins beyond the frame
+            const std::span<const PagePoint> once = points.first(points.size() - 1);
+            const auto first = std::find_if_not(once.begin(), once.end(), inside) - once.begin();
+            ring_.clear();
+            for (std::size_t i = 0; i <= once.size(); ++i)
+                ring_.push_back(once[(static_cast<std::size_t>(first) + i) % once.size()]);
+            points = ring_.span();
+        }
+        PagePath part = path;
+        part.closed = false;
+        const auto emit = [&](drawing::Cap end) {
+            part.points = part_.span();
+            part.end = end;
+            if (part_.size() > 1) take(part);
+            part_.clear();
+        };
+        part_.clear();
+        for (std::size_t i = 1; i < points.size(); ++i) {
+            const PagePoint& a = points[i - 1];
+            const PagePoint& b = points[i];
+            double from = 0.0, to = 1.0;
+            const bool any = find_within(a, b, frame_, from, to);
+            if (!any || part_.empty() || from > 0.0) emit(drawing::Cap::flat);
+            if (!any) continue;
+            if (part_.empty()) {
+                part.begin = i == 1 && from <= 0.0 && !path.closed ? path.begin : drawing::Cap::flat;
+                part_.push_back(from > 0.0 ? between(a, b, from) : a);
+            }
+            part_.push_back(to < 1.0 ? between(a, b, to) : b);
+            if (to < 1.0) emit(drawing::Cap::flat);
+        }
+        emit(path.closed ? drawing::Cap::flat : path.end);
+    }
+
+    [[nodiscard]] bool fills(std::span<const PagePoint> points, double pen) const noexcept {
+        return settings_.shapes.fills && group_.pen_width > 0.0 && is_wider_than(pen, points);
+    }
+
+    [[nodiscard]] double pen_of(const PageDot& dot) const noexcept {
+        return group_.pen_width > 0.0 ? group_.pen_width : 2.0 * dot.radius;
+    }
+
+    void drop_short() {
+        const auto is_short = [&](const PlotLine& line) {
+            looks_.count();
+            const double least =
+                settings_.plot.shortest > 0.0 ? settings_.plot.shortest : plot_tuning.shortest_line * line.width;
+            const std::span<const PagePoint> points = lines_.points_of(line);
+            return !line.goes_on && !fills(points, line.width) && !(length_of(points) >= least);
+        };
+        const std::int64_t kept =
+            std::remove_if(lines_.lines.begin(), lines_.lines.end(), is_short) - lines_.lines.begin();
+        counts_.dropped_paths += lines_.lines.size() - kept;
+        lines_.lines.resize(kept);
+    }
+
+    // Each dot in its order takes away those after it that are too near.
+    void drop_near_dots() {
+        geometry::VecArray places(memory_);
+        for (const PageDot& dot : dots_) places.push_back({dot.x, dot.y, 0.0});
+        const geometry::PointTree tree(places, progress_);
+        base::Array<std::uint8_t> taken(memory_, dots_.size());
+        std::int64_t kept = 0;
+        for (std::int64_t i = 0; i < dots_.size(); ++i) {
+            looks_.count();
+            if (taken[i] != 0) continue;
+            const PageDot dot = dots_[i];
+            const double least = settings_.plot.dot_distance > 0.0 ? settings_.plot.dot_distance
+                                                                   : plot_tuning.shortest_line * pen_of(dot);
+            tree.within(places[i], least, [&](std::int64_t at, double square) {
+                if (square < least * least) taken[tree.index(at)] = 1;
+            });
+            dots_[kept++] = dot;
+        }
+        counts_.dropped_dots += dots_.size() - kept;
+        dots_.resize(kept);
+    }
+
+    void hand_on() {
+        look(progress_);
+        base::Array<PagePoint> places(memory_);
+        for (const PageDot& dot : dots_) places.push_back({dot.x, dot.y, dot.radius});
+        base::Array<Stop> stops(memory_); // lines, then dots
+        for (const PlotLine& line : lines_.lines) stops.push_back({lines_.points_of(line), line.closed});
+        for (std::int64_t i = 0; i < places.size(); ++i)
+            stops.push_back({places.span().subspan(static_cast<std::size_t>(i), 1), false});
+        for (const Leg& leg : find_tour(memory_, stops.span(), pen_, progress_)) {
+            looks_.count();
+            if (leg.stop < lines_.lines.size()) {
+                put(lines_.path_of(lines_.lines[leg.stop]), leg);
+                continue;
+            }
+            const PageDot& dot = dots_[leg.stop - lines_.lines.size()];
+            pen_ = {dot.x, dot.y};
+            if (track_ != nullptr) track_->draw(pen_lines_.line(dot, pen_of(dot), settings_.shapes, track_->place()));
+            next_.dot(dot);
+        }
+    }
+
+    void put(PagePath path, const Leg& leg) {
+        const std::size_t count = path.points.size();
+        turned_.clear();
+        if (path.closed) {
+            for (std::size_t i = 0; i < count; ++i)
+                turned_.push_back(path.points[(static_cast<std::size_t>(leg.start) + i) % (count - 1)]);
+            path.points = turned_.span();
+        } else if (leg.reversed) {
+            std::swap(path.begin, path.end);
+            for (std::size_t i = count; i > 0; --i) turned_.push_back(path.points[i - 1]);
+            path.points = turned_.span();
+        }
+        pen_ = place_of(path.points.back());
+        if (track_ != nullptr) track_->draw(pen_lines_.line(path, settings_.shapes.tolerance));
+        next_.path(path);
+    }
+
+    base::Memory& memory_;
+    PageSettings settings_;
+    PageCounts& counts_;
+    PenTrack* track_;
+    const base::Progress& progress_;
+    Looks looks_;
+    Frame frame_; // the part of the page that can be drawn on, mm: within a view, the part inside the view's frame
+    PageGroup group_;
+    PlotLines lines_;
+    base::Array<PageDot> dots_;
+    base::Array<PagePoint> ring_, part_; // a closed path from a point beyond the frame; a part within the frame
+    PenLines pen_lines_;
+    base::Array<PagePoint> turned_;
+    glm::dvec2 pen_; // where the pen stands, mm
+};
+
+// ---- Annotations
 
 void add_annotation(const Annotation& annotation, PageSink& sink, base::Array<PagePoint>& points) {
     points.clear();
@@ -50,6 +696,52 @@ void add_annotations(base::Memory& memory, const Page& page, PageSink& sink, con
 
 } // namespace
 
+void lay_out(base::Memory& memory, const Placement& placement, std::span<const Pen> pens, PageSink& sink,
+             const base::Progress& progress) {
+    const Drawing& drawing = *placement.drawing;
+    const Mapping map{placement};
+    sink.begin_view({placement.name, frame_of(placement), drawing.paper, placement.with_paper});
+    if (drawing.painting == drawing::Painting::published) {
+        add_published(map, pens, sink, progress);
+        sink.end_view();
+        return;
+    }
+    const Runs runs = find_runs(memory, drawing, placement.far_to_near, progress);
+    base::Array<PagePoint> page(memory);
+    Looks looks(progress, steps_a_look);
+    for (std::int32_t run = 0; run < runs.count; ++run)
+        for (std::int64_t layer = 0; layer < drawing.layers.size(); ++layer) {
+            if (runs.has(run, group_of_dots(layer))) {
+                sink.begin_group(group_of(drawing, runs, pens, layer, 0, run));
+                for_dots(drawing, progress, [&](const Dot& dot, std::int64_t number) {
+                    if (dot.layer == layer && runs.of_dot[number] == run) sink.dot(page_dot(map, dot));
+                });
+                sink.end_group();
+            }
+            for (std::int32_t hidden = most_hidden; hidden >= 0; --hidden) {
+                if (!runs.has(run, group_of_strokes(layer, hidden))) continue;
+                sink.begin_group(group_of(drawing, runs, pens, layer, hidden, run));
+                for (std::int64_t i = 0; i < drawing.strokes.size(); ++i) {
+                    const Stroke& stroke = drawing.strokes[i];
+                    const bool is_here = stroke.layer == layer && hidden_layers(stroke) == hidden;
+                    looks.count(is_here ? 1 + stroke.count : 1);
+                    if (is_here && runs.of_stroke[i] == run) add_stroke(map, stroke, page, sink);
+                }
+                sink.end_group();
+            }
+        }
+    sink.end_view();
+}
+
+std::unique_ptr<PageSink> line_types(base::Memory& memory, PageSink& next) {
+    return std::make_unique<LineTypes>(memory, next);
+}
+
+std::unique_ptr<PageSink> plot_order(base::Memory& memory, PageSink& next, const PageSettings& settings,
+                                     PageCounts& counts, PenTrack* track, const base::Progress& progress) {
+    return std::make_unique<PlotOrder>(memory, next, settings, counts, track, progress);
+}
+
 glm::dvec2 page_size(const Page& page, const PageSettings& settings) noexcept {
     glm::dvec2 reach(0.0);
     for (const Placement& placement : page.placements) {
@@ -74,11 +766,11 @@ PageCounts write_page(const base::Runtime& runtime, const Page& page, const Page
                                                             : svg_writer;
     const std::unique_ptr<PageSink> file = make(memory, writer, info, settings, counts);
     PenTrack track(counts, settings.plot.speeds, {0.0, size.y});
-    std::optional<PlotOrder> sorted;
+    std::unique_ptr<PageSink> sorted;
     // Plotters' writers track the pen themselves, by the units that they round to.
     if (settings.in_plot_order || settings.for_plotter())
-        sorted.emplace(memory, *file, settings, counts, settings.for_plotter() ? nullptr : &track, progress);
-    LineTypes dashed(memory, sorted ? static_cast<PageSink&>(*sorted) : *file);
+        sorted = plot_order(memory, *file, settings, counts, settings.for_plotter() ? nullptr : &track, progress);
+    LineTypes dashed(memory, sorted ? *sorted : *file);
     const auto parts = static_cast<double>(page.placements.size() + 1);
     double done = 0.0;
     const bool filled = !settings.without_paper;
