@@ -273,9 +273,10 @@ void write_indices(const hrbfnpr_drawing& handle, std::int64_t run, std::uint32_
         fail(Status::invalid_argument, "mark_class is %u; it must be HRBFNPR_CLASS_FRONT or SILHOUETTE", mark_class);
     check_capacity("capacity", out.capacity, out.indices, "indices");
     require_pointer(out.count, "count");
-    const base::ScratchPool<output::MarkIndices>::Lease scratch(handle.context().readers.indices);
-    const auto found = scratch->of(handle.drawing, run, static_cast<drawing::MarkClass>(mark_class),
-                                   checked_primitive(primitive, "primitive"));
+    const base::ScratchPool<output::VertexScratch>::Lease scratch(handle.context().readers.vertices);
+    const auto found =
+        output::mark_indices(handle.context().runtime, handle.drawing, run, static_cast<drawing::MarkClass>(mark_class),
+                             checked_primitive(primitive, "primitive"), *scratch);
     const auto needed = static_cast<std::int64_t>(found.size());
     *out.count = needed;
     if (out.capacity < needed)

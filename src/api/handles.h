@@ -41,11 +41,10 @@ private:
 
 // Scratch of the calls that read a drawing: they take a const handle, and may run on several threads at once.
 struct Readers {
-    explicit Readers(const base::Runtime& runtime) noexcept : rasters(runtime), vertices(runtime), indices(runtime) {}
+    explicit Readers(const base::Runtime& runtime) noexcept : rasters(runtime), vertices(runtime) {}
 
     base::ScratchPool<output::Raster> rasters;
     base::ScratchPool<output::VertexScratch> vertices;
-    base::ScratchPool<output::MarkIndices> indices;
 };
 
 } // namespace hrbfnpr::api

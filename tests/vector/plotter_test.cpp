@@ -139,7 +139,7 @@ Written written(const std::vector<GroupInput>& groups, const output::PageSetting
     {
         output::PageSettings its = format;
         its.format = Format::value;
-        const auto file = output::plotter_writer(memory, out, info, its, result.counts);
+        const auto file = output::make_writer(memory, out, info, its, result.counts);
         output::PageSettings settings = plotter_settings();
         settings.shapes = format.shapes;
         const auto order = output::plot_order(memory, *file, settings, result.counts, nullptr, progress);
@@ -334,7 +334,7 @@ TEST(Hpgl, GoesBackAfterALabel) {
     output::PageCounts counts;
     output::PageInfo info;
     info.height = 100.0;
-    const auto file = output::plotter_writer(memory, out, info, plotter_settings(), counts);
+    const auto file = output::make_writer(memory, out, info, plotter_settings(), counts);
     file->begin_group({});
     file->text({10.0, 90.0, 4.0, "a"});
     const Line line{{10.0, 90.0, 0.1}, {20.0, 90.0, 0.1}};

@@ -56,7 +56,7 @@ TEST(TextOut, EscapesAndBuffers) {
     EXPECT_EQ(out.bytes(), static_cast<std::int64_t>(text.all.size()));
 }
 
-std::string page_by(output::MakeWriter& make, PageCounts& counts, const output::ShapeSettings& shapes = {}) {
+std::string page_by(output::PageFormat format, PageCounts& counts, const output::ShapeSettings& shapes = {}) {
     base::Memory memory;
     Text text;
     PageInfo info;
@@ -65,8 +65,9 @@ std::string page_by(output::MakeWriter& make, PageCounts& counts, const output::
     info.title = "A & B \xC3\xA9";
     info.program = "1.2.3";
     output::PageSettings settings;
+    settings.format = format;
     settings.shapes = shapes;
-    const std::unique_ptr<output::PageSink> writer = make(memory, text, info, settings, counts);
+    const std::unique_ptr<output::PageSink> writer = output::make_writer(memory, text, info, settings, counts);
     writer->begin_view({"front <1>", {0, 0, 100, 50}, {1.0F, 1.0F, 1.0F, 1.0F}, true});
     output::PageGroup group;
     std::snprintf(group.name, sizeof group.name, "contour hidden 1");
@@ -93,7 +94,7 @@ bool has(const std::string& text, const std::string& part) { return text.find(pa
 
 TEST(Svg, HasLayersSizesAndWords) {
     PageCounts counts;
-    const std::string svg = page_by(output::svg_writer, counts);
+    const std::string svg = page_by(output::PageFormat::svg, counts);
     EXPECT_TRUE(has(svg, R"(width="100mm" height="50mm" viewBox="0 0 100 50")"));
     EXPECT_TRUE(has(svg, "<title>A &amp; B \xC3\xA9</title>"));
     EXPECT_TRUE(has(svg, "hrbfnpr 1.2.3</metadata>"));
@@ -115,7 +116,7 @@ TEST(Svg, HasClassesOfWidthsAndOtherDots) {
     settings.widths = output::Widths::classes;
     settings.width_step = 2.0;
     settings.dots = output::DotShapes::lines;
-    const std::string svg = page_by(output::svg_writer, counts, settings);
+    const std::string svg = page_by(output::PageFormat::svg, counts, settings);
     EXPECT_FALSE(has(svg, "<path fill-opacity"));
     for (const char* width : {".2", ".4", ".8"})
         EXPECT_TRUE(has(svg, std::string("stroke-width=\"") + width + '"')) << width;
@@ -125,7 +126,7 @@ TEST(Svg, HasClassesOfWidthsAndOtherDots) {
 
 TEST(Pdf, HasItsObjectsWhereItSays) {
     PageCounts counts;
-    const std::string pdf = page_by(output::pdf_writer, counts);
+    const std::string pdf = page_by(output::PageFormat::pdf, counts);
     EXPECT_EQ(pdf.substr(0, 9), "%PDF-1.5\n");
     const std::size_t start = std::stoul(pdf.substr(pdf.rfind("startxref\n") + 10));
     ASSERT_EQ(pdf.substr(start, 5), "xref\n");

@@ -137,23 +137,19 @@ void lay(const Job& job, const Canvas& canvas, const DiscTile& target) {
 
 // ---- Pixels
 
-RowColors row_colors(const Job& job) noexcept {
-    glm::vec4 ink = job.one_ink();
-    glm::vec4 paper = job.paper;
-    if (is_bgra(job.image.format)) {
-        std::swap(ink.x, ink.z);
-        std::swap(paper.x, paper.z);
-    }
-    return {{paper.x, paper.y, paper.z, paper.w}, {ink.x, ink.y, ink.z, ink.w}, !is_premultiplied(job.image.format)};
-}
-
 void store(const Job& job, const Canvas& canvas) noexcept {
     const Image& image = job.image;
     const Rect& rect = canvas.rect;
     // With one colour, and nothing but the drawing, a pixel depends only on the part of the paper that still shows.
     if (job.one_color && !job.settings.over && !job.settings.linear_light && has_bytes(image.format)) {
         std::array<std::uint32_t, stride> pixels;
-        const RowColors colors = row_colors(job);
+        glm::vec4 ink = job.one_ink(), paper = job.paper;
+        if (is_bgra(image.format)) {
+            std::swap(ink.x, ink.z);
+            std::swap(paper.x, paper.z);
+        }
+        const RowColors colors{
+            {paper.x, paper.y, paper.z, paper.w}, {ink.x, ink.y, ink.z, ink.w}, !is_premultiplied(image.format)};
         for (std::int32_t y = rect.top; y < rect.bottom; ++y) {
             job.loops.store(colors, canvas.planes + canvas.row_begin(y) + rect.left, rect.right - rect.left,
                             pixels.data());
@@ -272,17 +268,6 @@ void store_outputs(const Job& job, const Canvas& canvas) {
     }
 }
 
-void draw_tile(const Job& job, Canvas& canvas) {
-    canvas.first = job.first_pixel + side * glm::ivec2(static_cast<int>(canvas.number % job.tiles.columns()),
-                                                       static_cast<int>(canvas.number / job.tiles.columns()));
-    canvas.rect = {std::max(canvas.first.x, job.drawn.left), std::max(canvas.first.y, job.drawn.top),
-                   std::min(canvas.first.x + side, job.drawn.right), std::min(canvas.first.y + side, job.drawn.bottom)};
-    if (canvas.rect.empty()) return;
-    lay(job, canvas, prepare(job, canvas));
-    store(job, canvas);
-    if (job.settings.depth || job.settings.id || job.settings.mark_class) store_outputs(job, canvas);
-}
-
 } // namespace
 
 void Raster::draw(const Drawing& drawing, const Image& image, const DrawSettings& settings) {
@@ -334,7 +319,17 @@ void Raster::draw(const Drawing& drawing, const Image& image, const DrawSettings
             std::fill_n(canvas.strokes.cover, plane, 0.0F);
             std::fill_n(canvas.strokes.ink, plane, 0.0F);
         }
-        while ((canvas.number = next++) < job.tiles.tiles()) draw_tile(job, canvas);
+        while ((canvas.number = next++) < job.tiles.tiles()) {
+            canvas.first = job.first_pixel + side * glm::ivec2(static_cast<int>(canvas.number % job.tiles.columns()),
+                                                               static_cast<int>(canvas.number / job.tiles.columns()));
+            canvas.rect = {std::max(canvas.first.x, job.drawn.left), std::max(canvas.first.y, job.drawn.top),
+                           std::min(canvas.first.x + side, job.drawn.right),
+                           std::min(canvas.first.y + side, job.drawn.bottom)};
+            if (canvas.rect.empty()) continue;
+            lay(job, canvas, prepare(job, canvas));
+            store(job, canvas);
+            if (job.settings.depth || job.settings.id || job.settings.mark_class) store_outputs(job, canvas);
+        }
     });
 }
 

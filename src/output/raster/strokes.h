@@ -299,7 +299,6 @@ private:
         leg.number = number;
         return true;
     }
-
     // Finds the next leg with a length from a segment on, or back for a step of -1.
     void find_next(std::int64_t number, std::int64_t step, Leg& leg) const noexcept {
         HRBFNPR_ASSERT(step == 1 || step == -1);
@@ -310,7 +309,6 @@ private:
         for (std::int64_t i = step > 0 ? first_ : last_; i != number; i += step)
             if (find_leg(i, leg)) return;
     }
-
     // Finds where the inner edges of two legs meet. Where the width changes they may pass each other by: then the wider
     // one's end reaches the other's edge. Returns false if they meet beyond the halves that face each other.
     static bool meet(const Leg& a, const Leg& b, double side, Joint& joint) noexcept {
@@ -341,7 +339,6 @@ private:
         }
         return false;
     }
-
     static void find_joint(const Leg& a, const Leg& b, Joint& joint) noexcept {
         joint.kind = Kind::cap;
         joint.corner_a = joint.corner_b = false;
@@ -373,7 +370,6 @@ private:
         joint.outer = b.a + radius * joint.middle;
         joint.kind = fits && meet(a, b, -side, joint) ? Kind::round : Kind::open;
     }
-
     // Returns false if the segment has no length.
     bool start(std::int64_t number) noexcept {
         if (leg_.number >= 0 && next_.number == number) {
@@ -388,7 +384,6 @@ private:
         find_joint(leg_, next_, end_);
         return true;
     }
-
     void go_on() noexcept {
         previous_ = leg_;
         leg_ = next_;
@@ -396,7 +391,6 @@ private:
         find_next(leg_.number, 1, next_);
         find_joint(leg_, next_, end_);
     }
-
     // Whether the list's segment i continues an outline that began with `from`: it has the same opacity, but for less
     // than can be seen, and about the same direction.
     bool goes_on(std::int64_t i, const Leg& from) const noexcept {
@@ -406,7 +400,6 @@ private:
                std::abs(list_.points[next_.number + 1].opacity - opacity) <= raster_tuning.same_opacity &&
                dot(from.along, next_.along) > 0.5;
     }
-
     // Adds one side of a leg's beginning or end, in the leg's direction.
     void add_side(const Leg& leg, bool at_end, bool left, Outline& outline) const noexcept {
         const Joint& joint = at_end ? end_ : begin_;
@@ -435,7 +428,6 @@ private:
             if (!at_end && joint.corner_b) outline.add(corner, left);
         }
     }
-
     // A stroke all of whose points stand in one place is a disc if it ends round.
     void disc(Outline& outline) const noexcept {
         const drawing::Stroke& stroke = *list_.stroke;
@@ -485,7 +477,6 @@ public:
         pieces_.reserve(512);
         breaks_.reserve(raster_tuning.most_breaks + 1);
     }
-
     // Begins a tile. A place that several outlines cover belongs to the nearest one if `by_depth` is set, else to the
     // first one.
     void begin(std::int32_t width, std::int32_t height, bool by_depth) noexcept {
@@ -533,7 +524,6 @@ public:
             bottom_ = std::max(bottom_, row_of(std::ceil(bottom), height_));
         }
     }
-
     [[nodiscard]] std::int32_t top() const noexcept { return top_; }
     [[nodiscard]] std::int32_t bottom() const noexcept { return bottom_; }
     // Finds which pixels of a row are covered, and by which shades; returns the number of shades. Rows must be cut one
@@ -599,12 +589,10 @@ private:
     [[nodiscard]] static std::int32_t row_of(double y, std::int32_t rows) noexcept {
         return static_cast<std::int32_t>(std::clamp(y, 0.0, static_cast<double>(rows)));
     }
-
     // Outlines of the same constant opacity share a shade.
     bool same_shade(const Shade& a, const Shade& b) const noexcept {
         return !by_depth_ && a.more_opacity == 0.0F && b.more_opacity == 0.0F && a.opacity == b.opacity;
     }
-
     // Finds the parts of edges in a row. The list of active edges keeps those that go on below.
     void find_pieces(std::int32_t y) {
         const double top = static_cast<double>(y);
@@ -627,7 +615,6 @@ private:
             return a.upper != b.upper ? a.upper < b.upper : a.slope < b.slope;
         });
     }
-
     void add_crossings() {
         for (std::int64_t i = 0; i < pieces_.size(); ++i) {
             const Piece& a = pieces_[i];
@@ -643,7 +630,6 @@ private:
             }
         }
     }
-
     // Finds the heights between which nothing begins, ends or crosses, in order.
     void find_breaks(std::int32_t y) {
         breaks_.clear();
@@ -659,7 +645,6 @@ private:
         }
         std::sort(breaks_.begin(), breaks_.end());
     }
-
     // The shade that a place belongs to, of those that cover it.
     std::int32_t owner(double x, double y) const noexcept {
         std::int32_t best = inside_[0];
@@ -679,12 +664,10 @@ private:
         }
         return best;
     }
-
     void add_span(const Piece& left, const Piece& right, double from, double to, std::int32_t shade) {
         spans_.push_back({left.at(from), left.at(to), right.at(from), right.at(to), to - from, shade});
         if (std::find(found_.begin(), found_.end(), shade) == found_.end()) found_.push_back(shade);
     }
-
     // Orders the pieces of a slab from left to right. They stand by their leftmost places, so that putting each into
     // its place moves few others.
     void find_order(double y) {
@@ -699,7 +682,6 @@ private:
             order_[k] = number;
         }
     }
-
     // Passes an edge of an outline: its winding number changes.
     void turn(std::int32_t shade, std::int32_t by) {
         const bool was_inside = winding_[shade] != 0;
@@ -713,7 +695,6 @@ private:
         *std::find(inside_.begin(), inside_.end(), shade) = inside_.back();
         inside_.resize(inside_.size() - 1);
     }
-
     // Adds the trapezoids between two heights where nothing begins, ends or crosses.
     void add_slab(double from, double to) {
         const double middle = 0.5 * (from + to);
@@ -734,7 +715,6 @@ private:
         if (whose >= 0) add_span(*left, beyond, from, to, whose);
         for (const std::int32_t shade : inside_) winding_[shade] = 0;
     }
-
     // Adds the area to the right of an edge that goes from x0 to x1 over a height, as steps whose sums are the pixels.
     void add_edge(double x0, double x1, double height) noexcept {
         double low = std::min(x0, x1);

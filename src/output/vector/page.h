@@ -210,11 +210,8 @@ class PenTrack;
 // The writers: SVG 1.1 with Inkscape's layers; PDF 1.5 whose groups are optional content; HPGL as HP's 7400 series of
 // plotters reads it, or G-code [ISO 6983-1], by settings.format.
 // A writer refers to all that it is given.
-using MakeWriter = std::unique_ptr<PageSink>(base::Memory& memory, io::Writer& writer, const PageInfo& page,
-                                             const PageSettings& settings, PageCounts& counts);
-MakeWriter svg_writer;
-MakeWriter pdf_writer;
-MakeWriter plotter_writer;
+[[nodiscard]] std::unique_ptr<PageSink> make_writer(base::Memory& memory, io::Writer& writer, const PageInfo& page,
+                                                    const PageSettings& settings, PageCounts& counts);
 
 // ---- Looks for a cancel
 

@@ -192,9 +192,6 @@ struct Filling {
     base::Array<Node> nodes, turned;
     base::Array<dvec2> points; // the points of all passes, pass by pass
     base::Array<Pass> passes;
-
-    // What `turned` was filled with takes the place of the nodes.
-    void take_turned() noexcept { std::swap(nodes, turned); }
 };
 
 dvec2 unit_or_right(const dvec2& way) noexcept {
@@ -221,7 +218,7 @@ void begin_where_narrow(Filling& f) {
         node.at += (least + i >= last ? length : 0.0) - f.nodes[least].at;
         f.turned.push_back(node);
     }
-    f.take_turned();
+    std::swap(f.nodes, f.turned);
 }
 
 // Cuts half of the pen off the line from its first node on.
@@ -260,7 +257,7 @@ void add_cap(Filling& f, Cap cap, bool at_end) {
             }
         }
         for (const Node& node : f.nodes) f.turned.push_back(node);
-        f.take_turned();
+        std::swap(f.nodes, f.turned);
     }
     if (at_end) std::reverse(f.nodes.begin(), f.nodes.end());
 }
@@ -284,7 +281,7 @@ void find_normals(Filling& f) {
             f.turned.push_back(node);
         }
     }
-    f.take_turned();
+    std::swap(f.nodes, f.turned);
 }
 
 void find_nodes(Filling& f, std::span<const PagePoint> points, const PlotLine& line) {

@@ -200,7 +200,6 @@ private:
         if (path.closed && !cubics.empty()) sink.close();
         sink.end_shape();
     }
-
     // Each part has the width of its class; where it ends the line's width is midway between two classes.
     void add_classes(const PagePath& path, ShapeSink& sink) {
         const double width_step = settings_.width_step;
@@ -231,7 +230,6 @@ private:
         }
         emit(current);
     }
-
     // Consecutive segments meet on the line that halves their angle.
     void find_sides(std::span<const PagePoint> points, bool ring) {
         HRBFNPR_ASSERT(points.size() > 1);
@@ -249,7 +247,6 @@ private:
             sides_.push_back({place_of(p) + across, place_of(p) - across});
         }
     }
-
     // Adds the left side from its beginning, or the right one from its end. The pen stands where it begins.
     void add_side(bool left, bool closed, ShapeSink& sink) {
         line_.clear();
@@ -259,7 +256,6 @@ private:
         if (closed && !cubics.empty()) sink.move_to(cubics.back().end);
         for (const geometry::Cubic& cubic : cubics) sink.curve_to(cubic);
     }
-
     void add_piece(std::span<const PagePoint> points, drawing::Cap begin, drawing::Cap end, ShapeSink& sink) {
         find_sides(points, false);
         const PagePoint &first = points.front(), &last = points.back();

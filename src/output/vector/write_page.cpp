@@ -228,13 +228,6 @@ void append(char (&name)[PageGroup::most], const char* what, int number) noexcep
     std::snprintf(name + used, sizeof name - used, "%s %d", what, number);
 }
 
-bool fits(std::string_view groups, std::string_view name) noexcept {
-    if (groups.empty()) return true;
-    if (groups.back() != '*') return groups == name;
-    groups.remove_suffix(1);
-    return name.substr(0, groups.size()) == groups;
-}
-
 // The placement's viewport on the page.
 Frame frame_of(const Placement& placement) noexcept {
     const glm::dvec4& viewport = placement.drawing->window.viewport;
@@ -246,7 +239,10 @@ Frame frame_of(const Placement& placement) noexcept {
 PageGroup with_pen(PageGroup group, std::span<const Pen> pens) noexcept {
     for (std::size_t i = pens.size(); i-- > 0;) {
         const Pen& pen = pens[i];
-        if (!fits(pen.groups, group.name)) continue;
+        const bool is_beginning = pen.groups.ends_with('*');
+        const std::string_view groups = pen.groups.substr(0, pen.groups.size() - (is_beginning ? 1 : 0));
+        const std::string_view name = group.name;
+        if (!pen.groups.empty() && (is_beginning ? !name.starts_with(groups) : name != groups)) continue;
         group.pen_width = pen.width;
         if (pen.ink.w > 0.0F) group.ink = pen.ink;
         group.pen = pen.number;
@@ -327,39 +323,28 @@ void add_stroke(const Mapping& map, const Stroke& stroke, base::Array<PagePoint>
     }
 }
 
-// As published, dots of paper and ink stand in the order in which they cover each other. [NPAR 6.1]
-void add_published(const Mapping& map, std::span<const Pen> pens, PageSink& sink, const base::Progress& progress) {
-    const Drawing& drawing = *map.placement.drawing;
-    PageGroup group;
-    std::snprintf(group.name, sizeof group.name, "marks");
-    if (!drawing.layers.empty()) group.ink = drawing.layers[0].ink;
-    sink.begin_group(with_pen(group, pens));
-    for_dots(drawing, progress, [&](const Dot& dot, std::int64_t) { sink.dot(page_dot(map, dot)); });
-    sink.end_group();
-}
-
 // ---- Line types
 
 // Dashes and gaps by turns, in line widths; the first 0 ends the pattern.
 using Pattern = std::array<double, 10>;
-constexpr double dot = 0.5, gap = 3.0, space = 18.0, short_dash = 6.0, dash = 12.0, long_dash = 24.0;
+constexpr double dot_part = 0.5, gap = 3.0, space = 18.0, short_dash = 6.0, dash = 12.0, long_dash = 24.0;
 constexpr std::array<Pattern, 16> patterns{{
     {},
     {},
     {dash, gap},
     {dash, space},
-    {long_dash, gap, dot, gap},
-    {long_dash, gap, dot, gap, dot, gap},
-    {long_dash, gap, dot, gap, dot, gap, dot, gap},
-    {dot, gap},
+    {long_dash, gap, dot_part, gap},
+    {long_dash, gap, dot_part, gap, dot_part, gap},
+    {long_dash, gap, dot_part, gap, dot_part, gap, dot_part, gap},
+    {dot_part, gap},
     {long_dash, gap, short_dash, gap},
     {long_dash, gap, short_dash, gap, short_dash, gap},
-    {dash, gap, dot, gap},
-    {dash, gap, dash, gap, dot, gap},
-    {dash, gap, dot, gap, dot, gap},
-    {dash, gap, dash, gap, dot, gap, dot, gap},
-    {dash, gap, dot, gap, dot, gap, dot, gap},
-    {dash, gap, dash, gap, dot, gap, dot, gap, dot, gap},
+    {dash, gap, dot_part, gap},
+    {dash, gap, dash, gap, dot_part, gap},
+    {dash, gap, dot_part, gap, dot_part, gap},
+    {dash, gap, dash, gap, dot_part, gap, dot_part, gap},
+    {dash, gap, dot_part, gap, dot_part, gap, dot_part, gap},
+    {dash, gap, dash, gap, dot_part, gap, dot_part, gap, dot_part, gap},
 }};
 static_assert(patterns.size() == static_cast<std::size_t>(LineType::last) + 1);
 // A line with more periods is drawn whole: they are too small to be told apart, and writing them would never end.
@@ -457,7 +442,6 @@ public:
           looks_(progress, lines_a_look), frame_{0.0, 0.0, settings.width, settings.height}, lines_(memory),
           dots_(memory), ring_(memory), part_(memory), pen_lines_(memory), turned_(memory), pen_(0.0, settings.height) {
     }
-
     void begin_view(const PageView& view) override {
         const Frame& own = view.frame;
         frame_ = {std::max(0.0, own.left), std::max(0.0, own.top), std::min(settings_.width, own.right),
@@ -505,7 +489,7 @@ public:
 private:
     // Adds each part of the path's centre within the frame, in its order, to the lines. An end where it is cut is flat.
     // A closed path becomes open if anything is cut off.
-    void clip(const PagePath& path, const PlotLine& like, PlotLines& to) {
+    void clip(const PagePath& path, const PlotLine& like, PlotLines& out) {
         looks_.count();
         const auto take = [&](const PagePath& part) {
             PlotLine line = like;
@@ -514,7 +498,7 @@ private:
             line.begin = part.begin;
             line.end = part.end;
             line.closed = part.closed;
-            to.add(line, part.points);
+            out.add(line, part.points);
         };
         HRBFNPR_ASSERT(path.points.size() > 1);
         const auto inside = [&](const PagePoint& p) { return frame_.contains(p.x, p.y); };
@@ -556,15 +540,12 @@ private:
         }
         emit(path.closed ? drawing::Cap::flat : path.end);
     }
-
     [[nodiscard]] bool fills(std::span<const PagePoint> points, double pen) const noexcept {
         return settings_.shapes.fills && group_.pen_width > 0.0 && is_wider_than(pen, points);
     }
-
     [[nodiscard]] double pen_of(const PageDot& dot) const noexcept {
         return group_.pen_width > 0.0 ? group_.pen_width : 2.0 * dot.radius;
     }
-
     void drop_short() {
         const auto is_short = [&](const PlotLine& line) {
             looks_.count();
@@ -578,7 +559,6 @@ private:
         counts_.dropped_paths += lines_.lines.size() - kept;
         lines_.lines.resize(kept);
     }
-
     // Each dot in its order takes away those after it that are too near.
     void drop_near_dots() {
         geometry::VecArray places(memory_);
@@ -600,7 +580,6 @@ private:
         counts_.dropped_dots += dots_.size() - kept;
         dots_.resize(kept);
     }
-
     void hand_on() {
         look(progress_);
         base::Array<PagePoint> places(memory_);
@@ -621,7 +600,6 @@ private:
             next_.dot(dot);
         }
     }
-
     void put(PagePath path, const Leg& leg) {
         const std::size_t count = path.points.size();
         turned_.clear();
@@ -657,22 +635,6 @@ private:
 
 // ---- Annotations
 
-void add_annotation(const Annotation& annotation, PageSink& sink, base::Array<PagePoint>& points) {
-    points.clear();
-    for (std::size_t i = 0; i + 1 < annotation.points.size(); i += 2)
-        points.push_back({annotation.points[i], annotation.points[i + 1], 0.5 * annotation.width});
-    if (points.empty()) return;
-    if (annotation.text != nullptr) {
-        sink.text({points[0].x, points[0].y, annotation.width, annotation.text});
-        return;
-    }
-    PagePath path;
-    path.points = points.span();
-    path.closed = points.size() > 3 && place_of(points[0]) == place_of(points.back());
-    path.begin = path.end = drawing::Cap::flat;
-    if (points.size() > 1) sink.path(path);
-}
-
 // Annotations of one group that follow each other make one group on the page.
 void add_annotations(base::Memory& memory, const Page& page, PageSink& sink, const base::Progress& progress) {
     base::Array<PagePoint> points(memory);
@@ -689,7 +651,16 @@ void add_annotations(base::Memory& memory, const Page& page, PageSink& sink, con
             sink.begin_group(with_pen(group, page.pens));
             open = &annotation;
         }
-        add_annotation(annotation, sink, points);
+        points.clear();
+        for (std::size_t i = 0; i + 1 < annotation.points.size(); i += 2)
+            points.push_back({annotation.points[i], annotation.points[i + 1], 0.5 * annotation.width});
+        PagePath path;
+        path.points = points.span();
+        path.closed = points.size() > 3 && place_of(points[0]) == place_of(points.back());
+        path.begin = path.end = drawing::Cap::flat;
+        if (annotation.text == nullptr && points.size() > 1) sink.path(path);
+        if (annotation.text != nullptr && !points.empty())
+            sink.text({points[0].x, points[0].y, annotation.width, annotation.text});
     }
     if (open != nullptr) sink.end_group();
 }
@@ -702,7 +673,13 @@ void lay_out(base::Memory& memory, const Placement& placement, std::span<const P
     const Mapping map{placement};
     sink.begin_view({placement.name, frame_of(placement), drawing.paper, placement.with_paper});
     if (drawing.painting == drawing::Painting::published) {
-        add_published(map, pens, sink, progress);
+        // Dots of paper and ink stand in the order in which they cover each other. [NPAR 6.1]
+        PageGroup group;
+        std::snprintf(group.name, sizeof group.name, "marks");
+        if (!drawing.layers.empty()) group.ink = drawing.layers[0].ink;
+        sink.begin_group(with_pen(group, pens));
+        for_dots(drawing, progress, [&](const Dot& dot, std::int64_t) { sink.dot(page_dot(map, dot)); });
+        sink.end_group();
         sink.end_view();
         return;
     }
@@ -761,10 +738,7 @@ PageCounts write_page(const base::Runtime& runtime, const Page& page, const Page
     info.height = settings.height = size.y;
     // The pipeline is made from its end: the writer, and before it filters.
     base::Memory& memory = runtime.memory;
-    MakeWriter& make = settings.for_plotter()               ? plotter_writer
-                       : settings.format == PageFormat::pdf ? pdf_writer
-                                                            : svg_writer;
-    const std::unique_ptr<PageSink> file = make(memory, writer, info, settings, counts);
+    const std::unique_ptr<PageSink> file = make_writer(memory, writer, info, settings, counts);
     PenTrack track(counts, settings.plot.speeds, {0.0, size.y});
     std::unique_ptr<PageSink> sorted;
     // Plotters' writers track the pen themselves, by the units that they round to.

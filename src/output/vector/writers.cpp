@@ -308,9 +308,48 @@ public:
         begin_object();
         out_ << length;
         end_object();
-        write_catalog(first_of_groups);
-        write_page(first_of_groups);
-        write_information();
+        begin_object();
+        out_ << "<< /Type /Catalog /Pages " << std::int64_t{pages} << " 0 R /PageMode /UseOC /OCProperties << /OCGs [";
+        const auto list = [&] {
+            for (std::int64_t i = 0; i < groups_.size(); ++i) out_ << ' ' << first_of_groups + i << " 0 R";
+        };
+        list();
+        out_ << " ] /D << /Order [";
+        list();
+        out_ << " ] /ON [";
+        list();
+        out_ << " ] >> >> >>";
+        end_object();
+        begin_object();
+        out_ << "<< /Type /Pages /Count 1 /Kids [ " << std::int64_t{page} << " 0 R ] >>";
+        end_object();
+        begin_object();
+        out_ << "<< /Type /Page /Parent " << std::int64_t{pages} << " 0 R /MediaBox [ 0 0 "
+             << points_of_mm * page_.width << ' ' << points_of_mm * page_.height << " ] /Contents "
+             << std::int64_t{content}
+             << " 0 R\n/Resources << /Font << /F1 << /Type /Font /Subtype /Type1 /BaseFont /Helvetica /Encoding "
+                "/WinAnsiEncoding >> >>\n/ExtGState <<";
+        for (std::size_t i = 0; i < alphas_.size(); ++i)
+            if (alphas_.test(i))
+                out_ << " /A" << static_cast<std::int64_t>(i) << " << /ca " << static_cast<double>(i) / 255.0 << " /CA "
+                     << static_cast<double>(i) / 255.0 << " >>";
+        out_ << " >>\n/Properties <<";
+        for (std::int64_t i = 0; i < groups_.size(); ++i)
+            out_ << " /G" << i + 1 << ' ' << first_of_groups + i << " 0 R";
+        out_ << " >> >> >>";
+        end_object();
+        begin_object();
+        out_ << "<< /Producer (hrbfnpr " << page_.program << ')';
+        const auto entry = [&](const char* name, const char* text) {
+            if (text == nullptr || *text == '\0') return;
+            out_ << ' ' << name << ' ';
+            string(text);
+        };
+        entry("/Title", page_.title);
+        entry("/Subject", page_.description);
+        entry("/Keywords", page_.metadata);
+        out_ << " >>";
+        end_object();
         for (const Name& name : groups_) {
             begin_object();
             out_ << "<< /Type /OCG /Name ";
@@ -318,7 +357,17 @@ public:
             out_ << " >>";
             end_object();
         }
-        write_references();
+        const std::int64_t start = out_.bytes();
+        out_ << "xref\n0 " << offsets_.size() + 1 << "\n0000000000 65535 f \n";
+        for (const std::int64_t offset : offsets_) {
+            std::array<char, 11> digits{};
+            std::int64_t rest = offset;
+            for (std::size_t i = 10; i-- > 0; rest /= 10) digits[i] = static_cast<char>('0' + rest % 10);
+            out_ << digits.data() << " 00000 n \n";
+        }
+        out_ << "trailer\n<< /Size " << offsets_.size() + 1 << " /Root " << std::int64_t{catalog} << " 0 R /Info "
+             << std::int64_t{information} << " 0 R >>\nstartxref\n"
+             << start << "\n%%EOF\n";
         out_.flush();
         counts_.bytes = out_.bytes();
     }
@@ -408,66 +457,6 @@ private:
         cap_ = number;
     }
     void place(const dvec2& p) { out_ << p.x << ' ' << p.y; }
-    void write_catalog(std::int64_t first_group) {
-        begin_object();
-        out_ << "<< /Type /Catalog /Pages " << std::int64_t{pages} << " 0 R /PageMode /UseOC /OCProperties << /OCGs [";
-        const auto list = [&] {
-            for (std::int64_t i = 0; i < groups_.size(); ++i) out_ << ' ' << first_group + i << " 0 R";
-        };
-        list();
-        out_ << " ] /D << /Order [";
-        list();
-        out_ << " ] /ON [";
-        list();
-        out_ << " ] >> >> >>";
-        end_object();
-    }
-    void write_page(std::int64_t first_group) {
-        begin_object();
-        out_ << "<< /Type /Pages /Count 1 /Kids [ " << std::int64_t{page} << " 0 R ] >>";
-        end_object();
-        begin_object();
-        out_ << "<< /Type /Page /Parent " << std::int64_t{pages} << " 0 R /MediaBox [ 0 0 "
-             << points_of_mm * page_.width << ' ' << points_of_mm * page_.height << " ] /Contents "
-             << std::int64_t{content}
-             << " 0 R\n/Resources << /Font << /F1 << /Type /Font /Subtype /Type1 /BaseFont /Helvetica /Encoding "
-                "/WinAnsiEncoding >> >>\n/ExtGState <<";
-        for (std::size_t i = 0; i < alphas_.size(); ++i)
-            if (alphas_.test(i))
-                out_ << " /A" << static_cast<std::int64_t>(i) << " << /ca " << static_cast<double>(i) / 255.0 << " /CA "
-                     << static_cast<double>(i) / 255.0 << " >>";
-        out_ << " >>\n/Properties <<";
-        for (std::int64_t i = 0; i < groups_.size(); ++i) out_ << " /G" << i + 1 << ' ' << first_group + i << " 0 R";
-        out_ << " >> >> >>";
-        end_object();
-    }
-    void write_information() {
-        begin_object();
-        out_ << "<< /Producer (hrbfnpr " << page_.program << ')';
-        const auto entry = [&](const char* name, const char* text) {
-            if (text == nullptr || *text == '\0') return;
-            out_ << ' ' << name << ' ';
-            string(text);
-        };
-        entry("/Title", page_.title);
-        entry("/Subject", page_.description);
-        entry("/Keywords", page_.metadata);
-        out_ << " >>";
-        end_object();
-    }
-    void write_references() {
-        const std::int64_t start = out_.bytes();
-        out_ << "xref\n0 " << offsets_.size() + 1 << "\n0000000000 65535 f \n";
-        for (const std::int64_t offset : offsets_) {
-            std::array<char, 11> digits{};
-            std::int64_t rest = offset;
-            for (std::size_t i = 10; i-- > 0; rest /= 10) digits[i] = static_cast<char>('0' + rest % 10);
-            out_ << digits.data() << " 00000 n \n";
-        }
-        out_ << "trailer\n<< /Size " << offsets_.size() + 1 << " /Root " << std::int64_t{catalog} << " 0 R /Info "
-             << std::int64_t{information} << " 0 R >>\nstartxref\n"
-             << start << "\n%%EOF\n";
-    }
 
     struct Name {
         char text[PageGroup::most];
@@ -689,20 +678,12 @@ private:
 
 } // namespace
 
-std::unique_ptr<PageSink> svg_writer(base::Memory& memory, io::Writer& writer, const PageInfo& page,
-                                     const PageSettings& settings, PageCounts& counts) {
+std::unique_ptr<PageSink> make_writer(base::Memory& memory, io::Writer& writer, const PageInfo& page,
+                                      const PageSettings& settings, PageCounts& counts) {
+    if (settings.for_plotter()) return std::make_unique<PlotterWriter>(memory, writer, page, settings, counts);
+    if (settings.format == PageFormat::pdf)
+        return std::make_unique<PdfWriter>(memory, writer, page, settings.shapes, counts);
     return std::make_unique<SvgWriter>(memory, writer, page, settings.shapes, counts);
-}
-
-std::unique_ptr<PageSink> pdf_writer(base::Memory& memory, io::Writer& writer, const PageInfo& page,
-                                     const PageSettings& settings, PageCounts& counts) {
-    return std::make_unique<PdfWriter>(memory, writer, page, settings.shapes, counts);
-}
-
-std::unique_ptr<PageSink> plotter_writer(base::Memory& memory, io::Writer& writer, const PageInfo& page,
-                                         const PageSettings& settings, PageCounts& counts) {
-    HRBFNPR_ASSERT(settings.for_plotter());
-    return std::make_unique<PlotterWriter>(memory, writer, page, settings, counts);
 }
 
 } // namespace hrbfnpr::output

@@ -360,22 +360,24 @@ void write_mark_results(const Drawing& drawing, std::int64_t number, const MarkV
     });
 }
 
-std::span<const std::uint32_t> MarkIndices::of(const Drawing& drawing, std::int64_t number,
-                                               drawing::MarkClass mark_class, Primitive primitive) {
+std::span<const std::uint32_t> mark_indices(const base::Runtime& runtime, const Drawing& drawing, std::int64_t number,
+                                            drawing::MarkClass mark_class, Primitive primitive,
+                                            VertexScratch& scratch) {
     HRBFNPR_ASSERT(number >= 0 && number < drawing.runs.size());
     const drawing::Run& run = drawing.runs[number];
-    keys_.clear();
-    indices_.clear();
-    shown_.clear();
-    shown_.resize(run.count);
+    scratch.keys.clear();
+    scratch.indices.clear();
+    scratch.shown.clear();
+    scratch.shown.resize(run.count);
     for_each_drawn(drawing, run, [&](const Drawn& drawn) {
-        if (drawing.layers[drawn.layer].mark_class != mark_class || std::exchange(shown_[drawn.mark], 1) != 0) return;
-        keys_.push_back(drawing::far_first_key(drawn.depth, static_cast<std::uint32_t>(drawn.mark)));
+        if (drawing.layers[drawn.layer].mark_class != mark_class || std::exchange(scratch.shown[drawn.mark], 1) != 0)
+            return;
+        scratch.keys.push_back(drawing::far_first_key(drawn.depth, static_cast<std::uint32_t>(drawn.mark)));
     });
     if (primitive == Primitive::points) {
-        order_.sort(runtime_.parallel, keys_);
-        for (const std::uint64_t key : keys_) indices_.push_back(static_cast<std::uint32_t>(key));
-        return indices_.span();
+        scratch.order.sort(runtime.parallel, scratch.keys);
+        for (const std::uint64_t key : scratch.keys) scratch.indices.push_back(static_cast<std::uint32_t>(key));
+        return scratch.indices.span();
     }
     const marks::Layer& layer = drawing.items[run.item].set->layers[run.layer];
     const std::uint32_t sides = primitive == Primitive::triangle_strips ? 2 : 1;
@@ -383,15 +385,15 @@ std::span<const std::uint32_t> MarkIndices::of(const Drawing& drawing, std::int6
         const std::int64_t end = layer.stroke_first[s + 1];
         for (std::int64_t i = layer.stroke_first[s]; i < end;) {
             std::int64_t stop = i;
-            while (stop < end && shown_[layer.mark_of(stop)] != 0) ++stop; // a line takes two marks or more
+            while (stop < end && scratch.shown[layer.mark_of(stop)] != 0) ++stop; // a line takes two marks or more
             for (std::int64_t k = i; stop - i > 1 && k < stop; ++k)
                 for (std::uint32_t side = 0; side < sides; ++side)
-                    indices_.push_back(sides * static_cast<std::uint32_t>(layer.mark_of(k)) + side);
-            if (stop - i > 1) indices_.push_back(index_restart);
+                    scratch.indices.push_back(sides * static_cast<std::uint32_t>(layer.mark_of(k)) + side);
+            if (stop - i > 1) scratch.indices.push_back(index_restart);
             i = std::max(stop, i + 1);
         }
     }
-    return indices_.span();
+    return scratch.indices.span();
 }
 
 } // namespace hrbfnpr::output

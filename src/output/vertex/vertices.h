@@ -56,10 +56,13 @@ struct VertexLayout {
 };
 
 struct VertexScratch {
-    explicit VertexScratch(const base::Runtime& runtime) noexcept : order(runtime.memory), keys(runtime.memory) {}
+    explicit VertexScratch(const base::Runtime& runtime) noexcept
+        : order(runtime.memory), keys(runtime.memory), shown(runtime.memory), indices(runtime.memory) {}
 
     drawing::FarToNear order;
-    base::Array<std::uint64_t> keys;
+    base::Array<std::uint64_t> keys; // one for each dot or mark that is shown: its depth and its number
+    base::Array<std::uint8_t> shown; // one for each mark of a run: 1 if it is shown, else 0
+    base::Array<std::uint32_t> indices;
 };
 
 // Writes as much as vertex_bound() says. indices may be NULL.
@@ -76,23 +79,9 @@ struct MarkViews {
 // run: a layer of an item, by its number in drawing.runs.
 void write_mark_results(const drawing::Drawing& drawing, std::int64_t run, const MarkViews& views);
 
-// Numbers of marks, as hrbfnpr_drawing_write_mark_indices says.
-class MarkIndices {
-public:
-    explicit MarkIndices(const base::Runtime& runtime) noexcept
-        : runtime_(runtime), order_(runtime.memory), keys_(runtime.memory), shown_(runtime.memory),
-          indices_(runtime.memory) {}
-
-    // Valid until the next call.
-    [[nodiscard]] std::span<const std::uint32_t> of(const drawing::Drawing& drawing, std::int64_t run,
-                                                    drawing::MarkClass mark_class, Primitive primitive);
-
-private:
-    const base::Runtime& runtime_;
-    drawing::FarToNear order_;
-    base::Array<std::uint64_t> keys_; // one for each mark that is shown: its depth and its number
-    base::Array<std::uint8_t> shown_; // one for each mark of the layer: 1 if it is shown, else 0
-    base::Array<std::uint32_t> indices_;
-};
+// Numbers of marks, as hrbfnpr_drawing_write_mark_indices says; valid until the scratch is used again.
+[[nodiscard]] std::span<const std::uint32_t> mark_indices(const base::Runtime& runtime, const drawing::Drawing& drawing,
+                                                          std::int64_t run, drawing::MarkClass mark_class,
+                                                          Primitive primitive, VertexScratch& scratch);
 
 } // namespace hrbfnpr::output
