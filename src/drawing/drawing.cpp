@@ -114,22 +114,23 @@ void bin_segments(const base::Parallel& parallel, Drawing& drawing) {
     const bool pointed = std::any_of(drawing.strokes.begin(), drawing.strokes.end(), [](const Stroke& stroke) {
         return stroke.cap_begin == Cap::pointed || stroke.cap_end == Cap::pointed;
     });
-    drawing.segment_tiles.build<Tiles::BoxFootprint>(
-        parallel, like.columns() * tile_size, like.rows() * tile_size, all,
-        [&](std::int64_t i, Tiles::BoxFootprint& print) {
-            const StrokePoint& a = drawing.points[i];
-            const StrokePoint& b = drawing.points[i + 1];
-            SegmentEnds ends;
-            if (const bool may_begin = !(b.length > 0.0F); may_begin || pointed) {
-                const Stroke& stroke = *stroke_of(drawing, i, drawing.strokes.begin());
-                if (i + 1 == stroke.first + stroke.count) return false; // b begins the next stroke
-                if (pointed) ends = ends_of(stroke, i);
-            }
-            const float around = reach(ends, a, b);
-            print = {std::min(a.x, b.x) - around - origin.x, std::min(a.y, b.y) - around - origin.y,
-                     std::max(a.x, b.x) + around - origin.x, std::max(a.y, b.y) + around - origin.y};
-            return true;
-        });
+    drawing.segment_tiles.build(parallel, like.columns() * tile_size, like.rows() * tile_size, all,
+                                [&](std::int64_t i, Tiles::Footprint& print) {
+                                    const StrokePoint& a = drawing.points[i];
+                                    const StrokePoint& b = drawing.points[i + 1];
+                                    SegmentEnds ends;
+                                    if (const bool may_begin = !(b.length > 0.0F); may_begin || pointed) {
+                                        const Stroke& stroke = *stroke_of(drawing, i, drawing.strokes.begin());
+                                        if (i + 1 == stroke.first + stroke.count)
+                                            return false; // b begins the next stroke
+                                        if (pointed) ends = ends_of(stroke, i);
+                                    }
+                                    const float around = reach(ends, a, b);
+                                    print = {
+                                        std::min(a.x, b.x) - around - origin.x, std::min(a.y, b.y) - around - origin.y,
+                                        std::max(a.x, b.x) + around - origin.x, std::max(a.y, b.y) + around - origin.y};
+                                    return true;
+                                });
 }
 
 void FarToNear::sort(const base::Parallel& parallel, base::Array<std::uint64_t>& keys) {

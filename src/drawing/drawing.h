@@ -15,7 +15,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <span>
 
 namespace hrbfnpr::drawing {
 
@@ -177,15 +176,6 @@ struct SegmentEnds {
     const bool pointed = ends.begin == Cap::pointed || ends.end == Cap::pointed;
     const float widest = std::max({a.radius, b.radius, smallest_radius});
     return widest * (pointed ? std::max(1.0F, 2.0F * point_length) : 1.0F) + soft_rim;
-}
-
-// A disc around all that a segment covers.
-struct Footprint {
-    float x, y, radius;
-};
-[[nodiscard]] inline Footprint footprint(const SegmentEnds& ends, const StrokePoint& a, const StrokePoint& b) noexcept {
-    return {0.5F * (a.x + b.x), 0.5F * (a.y + b.y),
-            0.5F * std::sqrt((b.x - a.x) * (b.x - a.x) + (b.y - a.y) * (b.y - a.y)) + reach(ends, a, b)};
 }
 
 // Whether a segment covers a place, and then its share of the way along it. Thin ones count as a pixel wide.

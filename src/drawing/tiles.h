@@ -29,13 +29,12 @@ inline constexpr std::int32_t tile_size = 64;
 // tiles stand in one list that every tile looks through, so that memory is bounded.
 class Tiles {
 public:
-    // A round footprint in pixels of the binned picture.
+    // A rectangle in pixels of the binned picture. One with NaN touches no tile.
     struct Footprint {
-        float x, y, radius;
-    };
-    // Any other footprint, by its sides.
-    struct BoxFootprint {
         float left, top, right, bottom;
+        [[nodiscard]] static Footprint of_disc(float x, float y, float radius) noexcept {
+            return {x - radius, y - radius, x + radius, y + radius};
+        }
     };
 
     Tiles(base::Memory& memory, std::int32_t tile_size) noexcept
@@ -44,7 +43,7 @@ public:
 
     // footprint(i, out) is asked once for each i of the pieces, which ascend; it returns false if i is not to be
     // binned.
-    template <class Print = Footprint, class F>
+    template <class F>
     void build(const base::Parallel& parallel, std::int32_t width, std::int32_t height, std::span<const Piece> pieces,
                const F& footprint) {
         columns_ = (width + tile_size_ - 1) / tile_size_;
@@ -68,7 +67,7 @@ public:
             std::uint32_t* const counts = counts_.data() + begin / grain_ * tiles();
             std::fill_n(counts, tiles(), 0U);
             for_each_disc(begin, end, [&](std::int64_t number, std::int64_t i) {
-                Print print{};
+                Footprint print{};
                 rects_[number] = footprint(i, print) ? rect_of(print) : Rect{};
                 if (rects_[number].tiles() > most_tiles_of_one) any_large.store(true, std::memory_order_relaxed);
                 for_tiles(rects_[number], [counts](std::int64_t tile) { ++counts[tile]; });
@@ -172,24 +171,16 @@ private:
     };
 
     [[nodiscard]] Rect rect_of(const Footprint& print) const noexcept {
-        if (!(print.radius >= 0.0F) || !std::isfinite(print.x) || !std::isfinite(print.y)) return {};
-        return rect_between(print.x - print.radius, print.y - print.radius, print.x + print.radius,
-                            print.y + print.radius);
-    }
-    [[nodiscard]] Rect rect_of(const BoxFootprint& print) const noexcept {
-        if (!(print.left <= print.right && print.top <= print.bottom)) return {}; // NaN
-        return rect_between(print.left, print.top, print.right, print.bottom);
-    }
-    [[nodiscard]] Rect rect_between(float from_x, float from_y, float to_x, float to_y) const noexcept {
+        if (!(print.left <= print.right && print.top <= print.bottom)) return {};
         // Clamped as floats: radii may be larger than any integer, or not numbers at all.
         const float scale = 1.0F / static_cast<float>(tile_size_);
         const auto cell = [scale](float at, std::int32_t limit) {
             return static_cast<std::int32_t>(std::clamp(at * scale + 1.0F, 0.0F, static_cast<float>(limit + 1))) - 1;
         };
-        const std::int32_t left = std::max(cell(from_x, columns_), 0);
-        const std::int32_t right = std::min(cell(to_x, columns_), columns_ - 1) + 1;
-        const std::int32_t top = std::max(cell(from_y, rows_), 0);
-        const std::int32_t bottom = std::min(cell(to_y, rows_), rows_ - 1) + 1;
+        const std::int32_t left = std::max(cell(print.left, columns_), 0);
+        const std::int32_t right = std::min(cell(print.right, columns_), columns_ - 1) + 1;
+        const std::int32_t top = std::max(cell(print.top, rows_), 0);
+        const std::int32_t bottom = std::min(cell(print.bottom, rows_), rows_ - 1) + 1;
         if (left >= right || top >= bottom) return {};
         return {static_cast<std::uint16_t>(left), static_cast<std::uint16_t>(top), static_cast<std::uint16_t>(right),
                 static_cast<std::uint16_t>(bottom)};

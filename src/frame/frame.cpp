@@ -7,18 +7,10 @@ namespace {
 // The share of the time that lines take, where there are any.
 constexpr double lines_end = 0.7;
 
-// Lets threads look for a cancel before each task, until the end of the scope.
-class Watch {
-public:
-    Watch(base::Parallel& threads, const base::Progress& progress) noexcept : threads_(threads) {
-        threads_.watch(progress);
-    }
-    ~Watch() { threads_.watch(base::Progress()); }
-    Watch(const Watch&) = delete;
-    Watch& operator=(const Watch&) = delete;
-
-private:
-    base::Parallel& threads_;
+// Threads no longer look for a cancel once the scope ends.
+struct Watch {
+    ~Watch() { threads.watch(base::Progress()); }
+    base::Parallel& threads;
 };
 
 } // namespace
@@ -29,7 +21,8 @@ Frame::Frame(const base::Runtime& runtime)
 
 void Frame::draw(std::span<const Item> items, const Camera& camera, const base::Progress& progress,
                  drawing::Drawing& drawing) {
-    const Watch watch(runtime_.parallel, progress);
+    runtime_.parallel.watch(progress); // before each task
+    const Watch watch{runtime_.parallel};
     try {
         set_up(scene_, items, camera, drawing);
         if (!items.empty() && items[0].style.visibility == Visibility::published) {

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// From items and a camera to a drawing.                                                                         [NPAR
-// 6]
+// From items and a camera to a drawing [NPAR 6].
 #pragma once
 
 #include "frame/depth_layers/layer_frame.h"

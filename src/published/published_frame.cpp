@@ -219,7 +219,7 @@ void VisibilityMap::build(const base::Parallel& parallel, const Scene& scene, co
     const std::array all = {Piece{0, occluders_.size()}};
     bins_.build(parallel, width_, height_, all, [this](std::int64_t i, drawing::Tiles::Footprint& print) {
         const Occluder& disc = occluders_[i];
-        print = {disc.x, disc.y, disc.radius};
+        print = drawing::Tiles::Footprint::of_disc(disc.x, disc.y, disc.radius);
         return disc.radius >= 0.0F;
     });
     base::resize_scratch(depth_, std::int64_t{width_} * height_);

@@ -5,8 +5,6 @@
 
 #include "stipples/order_loops.h"
 
-#include <algorithm>
-
 HWY_BEFORE_NAMESPACE();
 namespace hrbfnpr::stipples::HWY_NAMESPACE {
 namespace {

@@ -47,8 +47,12 @@ TEST(FarToNearSort, IsAStableSort) {
     }
 }
 
-std::vector<Tiles::Footprint> random_discs(std::int64_t count) {
-    std::vector<Tiles::Footprint> discs;
+struct Round {
+    float x, y, radius;
+};
+
+std::vector<Round> random_discs(std::int64_t count) {
+    std::vector<Round> discs;
     for (std::int64_t i = 0; i < count; ++i) {
         const auto u = base::uniform4(5, static_cast<std::uint64_t>(i), base::Purpose::candidate);
         const double radius = i % 50 == 0 ? 400.0 * u[2] : 20.0 * u[2]; // some over very many tiles
@@ -62,7 +66,7 @@ TEST(Tiles, HoldEveryDiscThatTouchesATileInOrder) {
     base::Memory memory;
     const std::int32_t width = 1000;
     const std::int32_t height = 700;
-    const std::vector<Tiles::Footprint> discs = random_discs(20000);
+    const std::vector<Round> discs = random_discs(20000);
     // Pieces with gaps, and empty ones.
     const std::array<drawing::Piece, 5> pieces{{{0, 0}, {10, 9000}, {9000, 9000}, {9001, 19000}, {19990, 20000}}};
     const auto taken = [&](std::size_t i) {
@@ -74,7 +78,8 @@ TEST(Tiles, HoldEveryDiscThatTouchesATileInOrder) {
         Tiles bins(memory, 32);
         bins.build(base::Parallel(threads, nullptr, nullptr), width, height, pieces,
                    [&](std::int64_t i, Tiles::Footprint& print) {
-                       print = discs[static_cast<std::size_t>(i)];
+                       const Round& d = discs[static_cast<std::size_t>(i)];
+                       print = Tiles::Footprint::of_disc(d.x, d.y, d.radius);
                        return i % 3 != 0;
                    });
         ASSERT_EQ(bins.columns(), 32);
@@ -85,7 +90,7 @@ TEST(Tiles, HoldEveryDiscThatTouchesATileInOrder) {
             const auto tile_side = static_cast<float>(bins.tile_size());
             std::vector<std::uint32_t> expected;
             for (std::size_t i = 0; i < discs.size(); ++i) {
-                const Tiles::Footprint& d = discs[i];
+                const Round& d = discs[i];
                 if (taken(i) && d.x + d.radius >= left && d.x - d.radius < left + tile_side && d.y + d.radius >= top &&
                     d.y - d.radius < top + tile_side)
                     expected.push_back(static_cast<std::uint32_t>(i));
@@ -101,21 +106,21 @@ TEST(Tiles, BearStrangeFootprints) {
     base::Memory memory;
     constexpr float nan = std::numeric_limits<float>::quiet_NaN();
     constexpr float infinity = std::numeric_limits<float>::infinity();
-    const Tiles::Footprint discs[] = {{nan, 1, 1},
-                                      {1, nan, 1},
-                                      {1, 1, nan},
-                                      {1, 1, -1},
-                                      {1, 1, 0},
-                                      {1, 1, infinity},
-                                      {1e30F, 1, 1},
-                                      {-1e30F, 1, 1},
-                                      {1, 1, 1e30F},
-                                      {infinity, 1, 1},
-                                      {infinity, 1, infinity}};
+    const Round discs[] = {{nan, 1, 1},
+                           {1, nan, 1},
+                           {1, 1, nan},
+                           {1, 1, -1},
+                           {1, 1, 0},
+                           {1, 1, infinity},
+                           {1e30F, 1, 1},
+                           {-1e30F, 1, 1},
+                           {1, 1, 1e30F},
+                           {infinity, 1, 1},
+                           {infinity, 1, infinity}};
     Tiles bins(memory, 32);
     const std::array pieces{drawing::Piece{0, std::size(discs)}};
     bins.build(base::Parallel(), 64, 32, pieces, [&](std::int64_t i, Tiles::Footprint& print) {
-        print = discs[i];
+        print = Tiles::Footprint::of_disc(discs[i].x, discs[i].y, discs[i].radius);
         return true;
     });
     std::vector<std::uint32_t> found;

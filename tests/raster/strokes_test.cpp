@@ -334,7 +334,7 @@ TEST(StrokeSegments, CoverWhatTheirEndsDo) {
         EXPECT_EQ(drawing::covers(ends, a, b, tip - 0.1F, 20.0F, at), cap == Cap::pointed);
         EXPECT_FALSE(drawing::covers(ends, a, b, tip + 0.1F, 20.0F, at));
         EXPECT_FALSE(drawing::covers(ends, a, b, tip - 1.0F, 21.0F, at));
-        EXPECT_GE(drawing::footprint(ends, a, b).radius, cap == Cap::pointed ? tip - 20.0F : 13.0F);
+        EXPECT_GE(10.0F + drawing::reach(ends, a, b), cap == Cap::pointed ? tip - 20.0F : 13.0F);
     }
     const Stroke stroke{5, 4, 0, 0.0F, Cap::pointed, Cap::flat};
     EXPECT_EQ(drawing::ends_of(stroke, 5).begin, Cap::pointed);

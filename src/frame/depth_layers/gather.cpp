@@ -14,7 +14,6 @@
 
 #include <bit>
 #include <numbers>
-#include <utility>
 
 namespace hrbfnpr::frame {
 namespace {

@@ -48,9 +48,9 @@ void bin_dots(const base::Parallel& parallel, const Scene& scene, std::span<cons
     drawing.dot_tiles.build(parallel, width, height, pieces, [&](std::int64_t i, drawing::Tiles::Footprint& print) {
         const Dot& ink = drawing.dots[i];
         // A dot that just misses the picture belongs to the nearest tile, too.
-        print = {std::clamp(ink.x - left, 0.0F, static_cast<float>(width)),
-                 std::clamp(ink.y - top, 0.0F, static_cast<float>(height)),
-                 std::max(ink.radius, smallest_radius) + soft_rim};
+        print = drawing::Tiles::Footprint::of_disc(std::clamp(ink.x - left, 0.0F, static_cast<float>(width)),
+                                                   std::clamp(ink.y - top, 0.0F, static_cast<float>(height)),
+                                                   std::max(ink.radius, smallest_radius) + soft_rim);
         return true;
     });
     if (!drawing.one_color)
@@ -277,7 +277,7 @@ std::int64_t cast(const base::Runtime& runtime, const Scene& scene, const ItemVi
                               drawing.splat_pieces.span(), [&](std::int64_t i, drawing::Tiles::Footprint& print) {
                                   const Splat& c = drawing.splats[i];
                                   const float reach = std::max(c.radius, c.halo) + static_cast<float>(by.apron) + 1.0F;
-                                  print = {c.x - origin.x, c.y - origin.y, reach};
+                                  print = drawing::Tiles::Footprint::of_disc(c.x - origin.x, c.y - origin.y, reach);
                                   return true;
                               });
     const std::int64_t workers = std::max(1, runtime.parallel.threads());

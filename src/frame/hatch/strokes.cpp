@@ -334,7 +334,8 @@ private:
     // Presences near a contour do not narrow a line: one that crosses it goes on in full.
     [[nodiscard]] float tapering(Presence reason, std::int64_t i) const noexcept {
         const float p = row(reason)[i];
-        return reason != by_rim ? p : p > 0.0F ? 1.0F : 0.0F;
+        const bool fades = reason == by_level || reason == by_hiding || sample(i).margin[reason] <= 0.0F;
+        return fades ? p : 1.0F;
     }
     // The longest taper of that reason.
     [[nodiscard]] float longest_taper(Presence reason) const noexcept {
@@ -376,7 +377,7 @@ private:
         float least = 1.0F;
         for (const Presence reason : {by_tone, by_level, by_rim, by_hiding}) {
             if ((static_cast<unsigned>(part_.near[i]) >> reason & 1U) == 0) continue;
-            const bool fades = reason == by_tone || reason == by_level;
+            const bool fades = reason == by_level;
             const auto presence = [&](std::int64_t k) { return tapering(reason, k); };
             const auto share = [&](std::int64_t j, std::int64_t k) {
                 return (fades ? 0.5F : 1.0F) * end_share(reason, j, k);

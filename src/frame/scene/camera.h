@@ -7,8 +7,6 @@
 #include "drawing/dot.h"
 #include "geometry/vec.h"
 
-#include <cstdint>
-
 namespace hrbfnpr::frame {
 
 using drawing::DepthConvention;

@@ -213,12 +213,13 @@ void for_all_of_tile(const Job& job, std::int64_t tile, const Note& note) {
         const StrokePoint& a = drawing.points[i];
         const StrokePoint& b = drawing.points[std::int64_t{i} + 1];
         const drawing::SegmentEnds ends = drawing::ends_of(stroke, i);
-        const drawing::Footprint print = drawing::footprint(ends, a, b);
+        const glm::vec2 middle(0.5F * (a.x + b.x), 0.5F * (a.y + b.y));
+        const float half = 0.5F * std::sqrt((b.x - a.x) * (b.x - a.x) + (b.y - a.y) * (b.y - a.y));
         const drawing::MarkClass mark_class = drawing.layers[stroke.layer].mark_class;
-        note(print.x, print.y, print.radius, Nearest{0.0F, 0.0F, 0, mark_class},
+        note(middle.x, middle.y, half + reach(ends, a, b), Nearest{0.0F, 0.0F, 0, mark_class},
              [&](float dx, float dy, Nearest& what) {
                  float at = 0.0F;
-                 if (!drawing::covers(ends, a, b, print.x + dx, print.y + dy, at)) return false;
+                 if (!drawing::covers(ends, a, b, middle.x + dx, middle.y + dy, at)) return false;
                  const float radius = std::max(glm::mix(a.radius, b.radius, at), drawing::smallest_radius);
                  what.id = at > 0.5F ? b.id : a.id;
                  what.window = glm::mix(a.window, b.window, at);
@@ -284,9 +285,9 @@ void Raster::draw(const Drawing& drawing, const Image& image, const DrawSettings
         published_tiles_.build(runtime_.parallel, drawn.right - drawn.left, drawn.bottom - drawn.top,
                                drawing.dot_pieces.span(), [&](std::int64_t i, drawing::Tiles::Footprint& print) {
                                    const Dot& dot = drawing.dots[i];
-                                   print = {dot.x - static_cast<float>(drawn.left),
-                                            dot.y - static_cast<float>(drawn.top),
-                                            std::max(dot.radius, drawing::smallest_radius) + drawing::soft_rim};
+                                   print = drawing::Tiles::Footprint::of_disc(
+                                       dot.x - static_cast<float>(drawn.left), dot.y - static_cast<float>(drawn.top),
+                                       std::max(dot.radius, drawing::smallest_radius) + drawing::soft_rim);
                                    return true;
                                });
     const std::int64_t workers = std::max(1, runtime_.parallel.threads());
