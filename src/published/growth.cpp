@@ -25,7 +25,7 @@ struct Growth {
     marks::Marks& grown;
     marks::LayerReport& report;
     marks::Kind kind;
-    std::int64_t children; // of each mark, in the next level
+    std::int64_t children; // how many children a mark has in the next level
     marks::Settler settler{site};
     base::Array<std::int64_t> child{site.memory()}; // the number of each of the settler's starts among all children
 

@@ -284,7 +284,7 @@ void set_halo(const RunView& v, const Local& local, const Seen& seen, std::int64
     const glm::vec3 w = sight - glm::dot(sight, n) * n; // the line of sight along the surface
     const auto& s = local.cluster.shape;
     const glm::vec3 turn(s[0] * w.x + s[1] * w.y + s[2] * w.z, s[1] * w.x + s[3] * w.y + s[4] * w.z,
-                         s[2] * w.x + s[4] * w.y + s[5] * w.z); // of the normal for the step w
+                         s[2] * w.x + s[4] * w.y + s[5] * w.z); // the change of the normal for the step w
     const float curvature = glm::dot(w, turn) / glm::dot(w, w); // radial, object space; positive where convex
     // The mark is at the angle nu from the contour along a circle of that curvature; infinitely far where it is flat.
     const float bend = std::abs(curvature) * local.pixel_curvature;

@@ -66,7 +66,7 @@ public:
 private:
     const base::Runtime& runtime_;
     LineStrokes strokes_;
-    ContourList contours_; // of the last frame: those of the next begin there where the camera moved little
+    ContourList contours_; // the last frame's: those of the next begin there where the camera moved little
     KnownLines known_;
 };
 

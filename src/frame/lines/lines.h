@@ -43,7 +43,7 @@ struct TracedLines {
 struct LineNumbers {
     explicit LineNumbers(base::Memory& memory) noexcept : number(memory), origin(memory) {}
 
-    base::Array<std::uint32_t> number; // of each line, >= 1
+    base::Array<std::uint32_t> number; // the number of each line, from 1 on
     base::Array<std::int64_t> origin;  // the piece of each line that begins where its first one did when it was new
 };
 
