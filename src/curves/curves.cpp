@@ -265,24 +265,27 @@ base::Array<std::int32_t> curve_of_points(const Curves& curves) {
 }
 
 // Looks at each point around the place and at the pieces on both sides of it.
-NearCurves::Foot NearCurves::nearest(const glm::dvec3& place, const glm::dvec3& along, std::int64_t but) const {
+NearCurves::Foot NearCurves::nearest(const glm::dvec3& place, const glm::dvec3& along, std::int64_t but,
+                                     double most) const {
     Foot best;
+    best.distance = most;
     const auto look_at = [&](const glm::dvec3& foot, std::int64_t curve) {
         if (const double distance = glm::distance(foot, place); distance < best.distance)
             best = {foot, distance, curve};
     };
     grid_.around(place, [&](std::int64_t at) {
         const std::int64_t point = grid_.index(at);
-        const std::int64_t curve = curve_[point];
         const CurvePoint& p = curves_.point[point];
+        if (glm::distance(p.position, place) >= best.distance + (1.0 + piece_bulge) * longest_) return;
+        const std::int64_t curve = curve_[point];
         if (curve == but || !(glm::dot(p.direction(), along) >= 0.0)) return;
         look_at(p.position, curve);
+        const std::int64_t first = curves_.first[curve];
+        const std::int64_t last = curves_.first[curve + 1] - 1;
         for (const std::int64_t way : {-1, 1}) {
-            const std::int64_t first = curves_.first[curve];
-            const std::int64_t size = curves_.size_of(curve);
-            const std::int64_t k = point - first + way;
-            if (curves_.closed[curve] == 0 && (k < 0 || k >= size)) continue;
-            const CurvePoint& q = curves_.point[first + (k + size) % size];
+            const std::int64_t end = way > 0 ? last : first;
+            if (point == end && curves_.closed[curve] == 0) continue;
+            const CurvePoint& q = curves_.point[point != end ? point + way : first + last - end];
             const glm::dvec3 chord = q.position - p.position;
             const double share = glm::dot(place - p.position, chord) / glm::dot(chord, chord);
             const double reach = best.distance + piece_bulge * glm::length(chord);

@@ -241,7 +241,8 @@ public:
     // Answers for curves whose pieces are no longer than `longest`, up to the distance `farthest`. The curves must
     // outlive it.
     NearCurves(const Curves& curves, double longest, double farthest)
-        : curves_(curves), curve_(curve_of_points(curves)), grid_(positions_of(curves.point), longest + farthest) {
+        : curves_(curves), longest_(longest), curve_(curve_of_points(curves)),
+          grid_(positions_of(curves.point), longest + farthest) {
         HRBFNPR_ASSERT(longest > 0.0 && farthest >= 0.0);
     }
 
@@ -251,17 +252,18 @@ public:
         double distance = HUGE_VAL;
         std::int64_t curve = -1; // -1: no curve is near
     };
-    // The nearest place of the curves other than `but` that run in the direction `along`.
-    [[nodiscard]] Foot nearest(const glm::dvec3& place, const glm::dvec3& along, std::int64_t but = -1) const;
+    // The nearest place of the curves other than `but` that run in the direction `along`, if it is nearer than `most`.
+    [[nodiscard]] Foot nearest(const glm::dvec3& place, const glm::dvec3& along, std::int64_t but = -1,
+                               double most = HUGE_VAL) const;
     // The nearest of these curves if it is within the distance; -1: it is farther.
     [[nodiscard]] std::int64_t passing(const glm::dvec3& place, const glm::dvec3& along, double distance,
                                        std::int64_t but = -1) const {
-        const Foot foot = nearest(place, along, but);
-        return foot.distance <= distance ? foot.curve : -1;
+        return nearest(place, along, but, std::nextafter(distance, HUGE_VAL)).curve;
     }
 
 private:
     const Curves& curves_;
+    double longest_;
     base::Array<std::int32_t> curve_; // the curve of each point
     geometry::PointGrid grid_;
 };

@@ -7,6 +7,8 @@
 #include "base/operation.h"
 #include "curves/curves.h"
 
+#include <cstring>
+
 namespace hrbfnpr::curves {
 
 // ---- Edges: edge e leads from corner e % 3 of triangle e / 3 to the next corner.
@@ -67,8 +69,14 @@ template <class MayEnter>
     HRBFNPR_ASSERT(crossed.size() == mesh.triangles());
     Chains<std::int64_t> chains(crossed.memory());
     base::Array<std::int32_t> found(crossed.memory()); // the triangles that are crossed
-    for (std::int64_t t = 0; t < crossed.size(); ++t)
-        if (crossed[t] != 0) found.push_back(static_cast<std::int32_t>(t));
+    for (std::int64_t t = 0; t < crossed.size(); ++t) {
+        std::uint64_t eight = 1;
+        if (t + 8 <= crossed.size()) std::memcpy(&eight, crossed.data() + t, sizeof eight);
+        if (eight == 0) // few triangles are crossed
+            t += 7;
+        else if (crossed[t] != 0)
+            found.push_back(static_cast<std::int32_t>(t));
+    }
     const auto has = [&](std::int64_t edge) { return ((crossed[edge / 3] >> (edge % 3)) & 1) != 0; };
     const auto walk = [&](std::int64_t edge) {
         while (edge >= 0 && crossed[edge / 3] != 0) {

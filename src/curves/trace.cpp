@@ -481,21 +481,31 @@ base::Array<std::int32_t> find_low(const base::Runtime& runtime, const SurfaceMe
     base::Array<std::uint8_t> low(runtime.memory, mesh.vertices());
     const auto value = [&](std::int32_t v) { return std::abs(level[v]); };
     const auto less = [&](std::int32_t a, std::int32_t b) { return value(a) < value(b); };
-    for (std::int64_t t = 0; t < mesh.triangles(); ++t) {
-        const std::int32_t* const v = mesh.corner.data() + 3 * t;
+    // Marks the vertices that look(corners, found) finds in triangles.
+    const auto mark = [&](std::uint8_t as, const auto& look) {
+        constexpr std::int64_t triangles_a_task = 8192;
+        base::List<base::Array<std::int32_t>> found(runtime.memory);
+        for (std::int64_t t = 0; t < mesh.triangles(); t += triangles_a_task) found.add(runtime.memory);
+        runtime.parallel.for_chunks(mesh.triangles(), triangles_a_task, [&](std::int64_t begin, std::int64_t end) {
+            for (std::int64_t t = begin; t < end; ++t)
+                look(mesh.corner.data() + 3 * t, found[begin / triangles_a_task]);
+        });
+        for (const base::Array<std::int32_t>& some : found)
+            for (const std::int32_t v : some) low[v] = as;
+    };
+    mark(1, [&](const std::int32_t* v, base::Array<std::int32_t>& found) {
         const double least = std::min(value(v[0]), std::min(value(v[1]), value(v[2])));
         const double most = std::max(value(v[0]), std::max(value(v[1]), value(v[2])));
-        if (least < most - least) low[*std::min_element(v, v + 3, less)] = 1;
-    }
-    for (std::int64_t t = 0; t < mesh.triangles(); ++t) {
-        const std::int32_t* const v = mesh.corner.data() + 3 * t;
-        if ((low[v[0]] | low[v[1]] | low[v[2]]) == 0) continue;
+        if (least < most - least) found.push_back(*std::min_element(v, v + 3, less));
+    });
+    mark(0, [&](const std::int32_t* v, base::Array<std::int32_t>& found) {
+        if ((low[v[0]] | low[v[1]] | low[v[2]]) == 0) return;
         for (std::int64_t k = 0; k < 9; ++k) { // each corner beside each
             const std::int32_t here = v[k / 3];
             const std::int32_t other = v[k % 3];
-            if ((level[other] < 0.0) != (level[here] < 0.0) || !(value(other) >= value(here))) low[here] = 0;
+            if ((level[other] < 0.0) != (level[here] < 0.0) || !(value(other) >= value(here))) found.push_back(here);
         }
-    }
+    });
     base::Array<std::int32_t> all(runtime.memory);
     for (std::int32_t v = 0; v < mesh.vertices(); ++v)
         if (low[v] != 0) all.push_back(v);
