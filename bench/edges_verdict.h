@@ -3,6 +3,8 @@
 #pragma once
 
 #include "calls.h"
+#include "support/screw.h"
+#include "timing.h"
 #include "verdict_shapes.h"
 
 #include <cstdio>
@@ -59,6 +61,8 @@ inline void add_grids(std::vector<Model>& models) {
         models.push_back({"thin torus" + name, Right::smooth, cut(torus(120, 10, 0.1), how)});
         models.push_back({"waves" + name, Right::smooth, cut(waves(60, 4, 0.08), how)});
         models.push_back({"steep waves" + name, Right::smooth, cut(waves(80, 8, 0.07), how)});
+        models.push_back({"coarse capsule" + name, Right::smooth, cut(capsule(10, 20), how)});
+        models.push_back({"coarse torus" + name, Right::smooth, cut(torus(24, 9, 0.4), how)});
     }
 }
 
@@ -83,6 +87,11 @@ inline void add_scans(std::vector<Model>& models) {
     for (std::size_t i = 2; i < lakes.vertices.size(); i += 3)
         lakes.vertices[i] = std::max(lakes.vertices[i] + 0.02 * random(i, 3), 0.0);
     models.push_back({"lakes", Right::smooth, lakes});
+    const Triangles ground = cut(
+        grid(40, 40, [](double u, double v) { return glm::dvec3(3.0 * u - 1.5, 3.0 * v - 1.5, -1.2); }), Cut::first);
+    models.push_back({"figure on a ground", Right::smooth, ground.with(head(4, 0.012))});
+    models.push_back({"coarse body", Right::smooth, clustered(scan(soft_body(), 64, 0.0), 0.16)});
+    models.push_back({"coarser head", Right::smooth, clustered(head(5, 0.0), 0.4)});
 }
 
 inline void add_flat(std::vector<Model>& models) {
@@ -187,6 +196,26 @@ inline void add_parts(std::vector<Model>& models) {
     add("prism uneven", finer(prism(rounded(rectangle(1.0, 0.7), 0.12, 5), 0.6), 3, true));
     add("cylinder finer", finer(ringed(lathe, 32, 5.0), 2));
     add("cylinder as text", as_text(finer(ringed(lathe, 64, 5.0), 1, true)));
+    add("screw", screw(5, trapezoidal, 72, 3));
+    add("noisy machine", rough(finer(machine, 1), 1e-4));
+    add("coarsely written gear", as_text(finer(gear(16, 1), 1), 1e-3));
+    add("coarsely written bracket", as_text(bracket(6), 1e-3));
+    add("scattered shaft", scattered(stepped_shaft(96), 0.02));
+    add("scattered cube", scattered(drilled_cube(0.5, 64), 0.02));
+    Triangles houses = box(10.0, 10.0, 0.2, 1);
+    for (int k = 0; k < 9; ++k) {
+        const double eaves = 1.5 + 0.2 * (k % 4);
+        const Outline gable{{{0.0, 0.0}, {2.0, 0.0}, {2.0, eaves}, {1.0, 2.5}, {0.0, eaves}}, {1.0, 0.7}};
+        Triangles house = prism(gable, 2.0 + 0.1 * k);
+        for (std::size_t i = 0; i < house.vertices.size(); i += 3) {
+            std::swap(house.vertices[i + 1], house.vertices[i + 2]);
+            house.vertices[i] += 0.5 + 3.2 * (k % 3);
+            house.vertices[i + 1] += 0.5 + 3.2 * (k / 3);
+            house.vertices[i + 2] += 0.2;
+        }
+        houses = houses.with(house.turned());
+    }
+    models.push_back({"houses", Right::flat, houses});
     for (const int chords : {2, 3})
         models.push_back({"round box " + std::to_string(2 * chords), Right::smooth, round_box(0.25, chords)});
 }

@@ -692,9 +692,47 @@ inline Triangles finer(const Triangles& coarse, int rounds, bool uneven = false)
     return mesh;
 }
 
-// As a file of text has it: six digits behind the point.
-inline Triangles as_text(Triangles mesh) {
-    for (double& x : mesh.vertices) x = std::round(x * 1e6) * 1e-6;
+// As a file of text has it, whose digits end somewhere.
+inline Triangles as_text(Triangles mesh, double digit = 1e-6) {
+    for (double& x : mesh.vertices) x = std::round(x / digit) * digit;
+    return mesh;
+}
+
+// Every coordinate off by up to `off`.
+inline Triangles rough(Triangles mesh, double off) {
+    for (std::size_t i = 0; i < mesh.vertices.size(); ++i) mesh.vertices[i] += off * random(i, 11);
+    return mesh;
+}
+
+// Moves vertices about the z axis and along it where neither crosses an edge: those on round walls, which are nowhere
+// in rows then.
+inline Triangles scattered(Triangles mesh, double off) {
+    std::map<std::pair<std::int32_t, std::int32_t>, glm::dvec3> normal;
+    const auto at = [&](std::int32_t i) {
+        const auto v = 3 * static_cast<std::size_t>(i);
+        return glm::dvec3(mesh.vertices[v], mesh.vertices[v + 1], mesh.vertices[v + 2]);
+    };
+    for (std::size_t i = 0; i < mesh.triangles.size(); i += 3) {
+        const std::array<std::int32_t, 3> t{mesh.triangles[i], mesh.triangles[i + 1], mesh.triangles[i + 2]};
+        const glm::dvec3 n = glm::normalize(glm::cross(at(t[1]) - at(t[0]), at(t[2]) - at(t[0])));
+        for (std::size_t k = 0; k < 3; ++k) normal[{t[k], t[(k + 1) % 3]}] = n;
+    }
+    std::vector<std::uint8_t> stays(mesh.vertices.size() / 3, 0);
+    for (const auto& [ends, n] : normal) {
+        const auto other = normal.find({ends.second, ends.first});
+        const bool bends = other == normal.end() || glm::dot(n, other->second) < 0.9;
+        const bool is_wall = std::abs(n.z) < 0.1 && std::hypot(at(ends.first).x, at(ends.first).y) > 1e-9;
+        for (const std::int32_t end : {ends.first, ends.second})
+            if (bends || !is_wall) stays[static_cast<std::size_t>(end)] = 1;
+    }
+    for (std::size_t v = 0; v < stays.size(); ++v) {
+        if (stays[v] != 0) continue;
+        const glm::dvec3 p = at(static_cast<std::int32_t>(v));
+        const double turn = off * random(2 * v, 13);
+        mesh.vertices[3 * v] = p.x * std::cos(turn) - p.y * std::sin(turn);
+        mesh.vertices[3 * v + 1] = p.x * std::sin(turn) + p.y * std::cos(turn);
+        mesh.vertices[3 * v + 2] += off * random(2 * v + 1, 13);
+    }
     return mesh;
 }
 
