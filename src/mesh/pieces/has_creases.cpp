@@ -151,14 +151,25 @@ double bulge(const SidedMesh& sided, std::int64_t side) noexcept {
 
 // ---- The verdict
 
-// Returns the diagonals of all components, or one of the whole mesh.
-base::Array<double> diagonals(const base::Runtime& runtime, const Mesh& mesh, std::int64_t parts) {
-    base::Array<geometry::Bounds> bounds(runtime.memory, parts);
-    for (std::int64_t face = 0; face < mesh.faces(); ++face)
-        for (const glm::dvec3& p : mesh.corners(face)) bounds[parts == 1 ? 0 : mesh.component[face]].extend(p);
-    base::Array<double> diagonal(runtime.memory);
-    for (const geometry::Bounds& each : bounds) diagonal.push_back(each.diagonal());
-    return diagonal;
+struct Sizes {
+    explicit Sizes(base::Memory& memory) : diagonal(memory), area(memory) {}
+
+    base::Array<double> diagonal, area; // of each component
+};
+
+Sizes sizes_of_parts(const base::Runtime& runtime, const Mesh& mesh) {
+    const std::int64_t parts = 1 + *std::max_element(mesh.component.begin(), mesh.component.end());
+    Sizes sizes(runtime.memory);
+    sizes.area.resize(parts);
+    base::Array<geometry::Bounds> bounds(runtime.memory);
+    for (std::int64_t part = 0; part < parts; ++part) bounds.push_back({});
+    for (std::int64_t face = 0; face < mesh.faces(); ++face) {
+        const auto corners = mesh.corners(face);
+        for (const glm::dvec3& p : corners) bounds[mesh.component[face]].extend(p);
+        sizes.area[mesh.component[face]] += 0.5 * glm::length(doubled_area(corners));
+    }
+    for (const geometry::Bounds& each : bounds) sizes.diagonal.push_back(each.diagonal());
+    return sizes;
 }
 
 CreaseEvidence judged(CreaseEvidence lengths, double diagonal) noexcept {
@@ -173,36 +184,56 @@ CreaseEvidence judged(CreaseEvidence lengths, double diagonal) noexcept {
     return found;
 }
 
-base::Array<CreaseEvidence> look(const base::Runtime& runtime, const Mesh& mesh, double angle, std::int64_t parts,
-                                 const base::Progress& progress) {
-    HRBFNPR_ASSERT(angle > 0.0 && parts >= 1);
-    const SidedMesh sided = by_sides(runtime, mesh, progress);
-    const base::Array<std::int32_t> faces_of_polygon = faces_of_polygons(runtime, sided, progress);
-    const base::Array<double> diagonal = diagonals(runtime, mesh, parts);
-    base::Array<CreaseEvidence> found(runtime.memory, parts);
-    for_plain_edges(sided, progress, [&](std::int64_t side, std::int64_t other) {
-        if (!bends_more(sided.bend[side], angle)) return;
-        const std::int64_t part = parts == 1 ? 0 : mesh.component[side / 3];
-        const double length = sided.length(side);
-        found[part].length += length;
-        if (stands_out(sided, side, other, faces_of_polygon)) found[part].standing += length;
-        const double off = std::min(bulge(sided, side), bulge(sided, other));
-        if (off >= has_creases_tuning.far_off * diagonal[part]) found[part].coarse += length;
-    });
-    for (std::int64_t part = 0; part < parts; ++part) found[part] = judged(found[part], diagonal[part]);
-    return found;
+// Adds up what the parts have. The whole has creases if enough of its area is of parts that have.
+CreaseEvidence judged_whole(const CreaseEvidenceOfParts& found, const Sizes& sizes, double diagonal) noexcept {
+    CreaseEvidence lengths;
+    double area = 0.0, area_with_creases = 0.0;
+    for (std::int64_t i = 0; i < found.part.size(); ++i) {
+        const CreaseEvidence& part = found.part[i];
+        const double length = part.length * sizes.diagonal[i];
+        lengths.length += length;
+        lengths.standing += part.standing * length;
+        lengths.coarse += part.coarse * length;
+        area += sizes.area[i];
+        area_with_creases += part.creases ? sizes.area[i] : 0.0;
+    }
+    CreaseEvidence whole = judged(lengths, diagonal);
+    whole.creases = area_with_creases > 0.0 && area_with_creases >= has_creases_tuning.enough_area * area;
+    return whole;
 }
 
 } // namespace
 
-CreaseEvidence look_for_creases(const base::Runtime& runtime, const Mesh& mesh, double angle,
-                                const base::Progress& progress) {
-    return look(runtime, mesh, angle, 1, progress)[0];
+CreaseEvidenceOfParts look_for_creases_of_parts(const base::Runtime& runtime, const Mesh& mesh, double angle,
+                                                const base::Progress& progress) {
+    HRBFNPR_ASSERT(angle > 0.0 && mesh.faces() > 0);
+    const SidedMesh sided = by_sides(runtime, mesh, progress);
+    const base::Array<std::int32_t> faces_of_polygon = faces_of_polygons(runtime, sided, progress);
+    const Sizes sizes = sizes_of_parts(runtime, mesh);
+    CreaseEvidenceOfParts found{base::Array<CreaseEvidence>(runtime.memory, sizes.area.size()),
+                                base::Array<std::uint8_t>(runtime.memory, 3 * mesh.faces()),
+                                {}};
+    for_plain_edges(sided, progress, [&](std::int64_t side, std::int64_t other) {
+        if (!bends_more(sided.bend[side], angle)) return;
+        const std::int64_t number = mesh.component[side / 3];
+        CreaseEvidence& part = found.part[number];
+        const double length = sided.length(side);
+        part.length += length;
+        if (stands_out(sided, side, other, faces_of_polygon)) {
+            part.standing += length;
+            found.standing[side] = found.standing[other] = 1;
+        }
+        const double off = std::min(bulge(sided, side), bulge(sided, other));
+        if (off >= has_creases_tuning.far_off * sizes.diagonal[number]) part.coarse += length;
+    });
+    for (std::int64_t i = 0; i < found.part.size(); ++i) found.part[i] = judged(found.part[i], sizes.diagonal[i]);
+    found.whole = judged_whole(found, sizes, mesh.bounds.diagonal());
+    return found;
 }
 
-base::Array<CreaseEvidence> look_for_creases_of_parts(const base::Runtime& runtime, const Mesh& mesh, double angle,
-                                                      const base::Progress& progress) {
-    return look(runtime, mesh, angle, 1 + *std::max_element(mesh.component.begin(), mesh.component.end()), progress);
+CreaseEvidence look_for_creases(const base::Runtime& runtime, const Mesh& mesh, double angle,
+                                const base::Progress& progress) {
+    return look_for_creases_of_parts(runtime, mesh, angle, progress).whole;
 }
 
 } // namespace hrbfnpr::mesh

@@ -20,12 +20,20 @@ struct CreaseEvidence {
     bool polyhedron = false; // Edges are meant because the faces are coarse: all are flat.
 };
 
-// Looks for creases among the edges that bend by more than an angle, in degrees.
+struct CreaseEvidenceOfParts {
+    base::Array<CreaseEvidence> part; // of each component, in its own diagonals
+    // Of each side of the faces, 3 face + k: 1 if it bends by more than the angle and stands out.
+    base::Array<std::uint8_t> standing;
+    CreaseEvidence whole; // The whole has creases if parts with creases hold enough of its area.
+};
+
+// Looks for creases among the edges that bend by more than an angle, in degrees. Each component is judged by itself, as
+// a statue is smooth on a block with edges.
+[[nodiscard]] CreaseEvidenceOfParts look_for_creases_of_parts(const base::Runtime& runtime, const Mesh& mesh,
+                                                              double angle, const base::Progress& progress);
+
+// Returns the evidence of the whole.
 [[nodiscard]] CreaseEvidence look_for_creases(const base::Runtime& runtime, const Mesh& mesh, double angle,
                                               const base::Progress& progress);
-
-// Looks at each component by itself, in its own diagonals.
-[[nodiscard]] base::Array<CreaseEvidence> look_for_creases_of_parts(const base::Runtime& runtime, const Mesh& mesh,
-                                                                    double angle, const base::Progress& progress);
 
 } // namespace hrbfnpr::mesh

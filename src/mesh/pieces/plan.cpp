@@ -50,13 +50,16 @@ Sharpness sharpness_of(const CreaseEvidence& found, const FitMeshSettings& setti
     return {found.polyhedron ? plan_tuning.flat_faces * settings.crease_angle : settings.crease_angle, coarse};
 }
 
-// Finds the creases of intersecting solids. Each solid is a surface of its own, with or without edges.
-Creases creases_of_solids(const base::Runtime& runtime, const Mesh& mesh, const FitMeshSettings& settings,
-                          double coarse, const base::Progress& progress) {
+// Finds the creases that stand out, in each component by itself, as one may have edges and another none. A polyhedron
+// has creases wherever it bends.
+Creases creases_that_stand_out(const base::Runtime& runtime, const Mesh& mesh, const FitMeshSettings& settings,
+                               double coarse, const base::Progress& progress) {
+    CreaseEvidenceOfParts found = look_for_creases_of_parts(runtime, mesh, settings.crease_angle, progress);
     base::Array<Sharpness> sharpness(runtime.memory);
-    for (const CreaseEvidence& found : look_for_creases_of_parts(runtime, mesh, settings.crease_angle, progress))
-        sharpness.push_back(sharpness_of(found, settings, coarse));
-    return find_creases(runtime, mesh, sharpness, progress);
+    for (const CreaseEvidence& part : found.part) sharpness.push_back(sharpness_of(part, settings, coarse));
+    for (std::int64_t side = 0; side < found.standing.size(); ++side)
+        if (found.part[mesh.component[side / 3]].polyhedron) found.standing[side] = 1;
+    return find_creases(runtime, mesh, sharpness, found.standing, progress);
 }
 
 // Returns the lower bound of how_far_off(), in diagonals. A support with wide spacings cannot end a narrow strip. So
@@ -87,22 +90,18 @@ CreasePlan plan_creases(const base::Runtime& runtime, const Mesh& mesh, const Fa
                         const CreaseEvidence& known, const FitMeshSettings& settings, const base::Progress& progress) {
     if (settings.edges == Edges::smooth) return {};
     const double tolerance = settings.tolerance > 0.0 ? settings.tolerance : default_tolerance * mesh.bounds.diagonal();
-    Sharpness sharpness{settings.crease_angle,
-                        plan_tuning.too_coarse * (settings.far > 0.0 ? settings.far : 5.0 * tolerance)};
+    const double coarse = plan_tuning.too_coarse * (settings.far > 0.0 ? settings.far : 5.0 * tolerance);
     CreasePlan plan;
     if (settings.edges == Edges::automatic) {
         const CreaseEvidence found = settings.crease_angle == default_crease_angle
                                          ? known
                                          : look_for_creases(runtime, mesh, settings.crease_angle, progress);
-        if (!found.creases) {
-            plan.doubtful = found.length;
-            if (crosses(runtime, mesh, tree, progress))
-                plan.creases = creases_of_solids(runtime, mesh, settings, sharpness.coarse, progress);
-            return plan;
-        }
-        sharpness = sharpness_of(found, settings, sharpness.coarse);
+        if (!found.creases) plan.doubtful = found.length;
+        if (!found.creases && !crosses(runtime, mesh, tree, progress)) return plan;
     }
-    Creases creases = find_creases(runtime, mesh, sharpness.angle, sharpness.coarse, progress);
+    Creases creases = settings.edges == Edges::automatic
+                          ? creases_that_stand_out(runtime, mesh, settings, coarse, progress)
+                          : find_creases(runtime, mesh, settings.crease_angle, coarse, progress);
     if (creases.patches >= 2) plan.creases = std::move(creases);
     return plan;
 }

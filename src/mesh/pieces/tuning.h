@@ -30,6 +30,9 @@ struct HasCreasesTuning {
     // The least share of such edges of a shape whose faces are all meant to be flat, by length. Larger: fewer rocks
     // have edges.
     double enough_far_off = 0.25;
+    // The least share of the area that is of components with creases, if the whole has. It keeps crumbs of a scan from
+    // giving it edges. Larger: smooth figures on blocks need larger blocks.
+    double enough_area = 0.1;
     // A look beside an edge ends after this many faces. Larger: fans of very many needles are passed.
     std::int64_t most_faces = 256;
 };

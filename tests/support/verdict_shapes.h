@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Meshes of quads that are subdivided and cut in either direction, scans, and parts of machines: what the benchmark of
-// the verdict on edges is made of.
+// Meshes of which it is known whether they stand for shapes with edges: cages of quads that are subdivided and cut in
+// either direction, grids, scans, folds and parts of machines.
 #pragma once
 
 #include "support/sharp_meshes.h"
@@ -19,9 +19,7 @@
 #include <utility>
 #include <vector>
 
-namespace bench::verdict {
-
-using hrbfnpr::test::Triangles;
+namespace hrbfnpr::test::verdict {
 
 inline constexpr double pi = std::numbers::pi;
 
@@ -412,7 +410,7 @@ inline Triangles clustered(const Triangles& fine, double cell) {
 // The directions of an icosphere, at distances by direction.
 template <class Distance>
 Triangles star(int levels, Distance&& distance) {
-    Triangles mesh = hrbfnpr::test::icosphere(levels);
+    Triangles mesh = icosphere(levels);
     for (std::size_t i = 0; i < mesh.vertices.size(); i += 3) {
         const double by = distance(glm::dvec3(mesh.vertices[i], mesh.vertices[i + 1], mesh.vertices[i + 2]), i / 3);
         for (std::size_t c = 0; c < 3; ++c) mesh.vertices[i + c] *= by;
@@ -736,4 +734,4 @@ inline Triangles scattered(Triangles mesh, double off) {
     return mesh;
 }
 
-} // namespace bench::verdict
+} // namespace hrbfnpr::test::verdict
