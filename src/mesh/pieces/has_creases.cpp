@@ -23,7 +23,7 @@ struct SidedMesh {
     const Mesh& mesh;
     base::Array<glm::dvec3> normal;   // of each face
     base::Array<std::int64_t> beyond; // The side of the neighbour that has the same edge; -1 if there is none.
-    base::Array<double> bend;         // The angle between the normals of both, in degrees.
+    base::Array<double> bend;         // The angle between the normals of both, in degrees; below 0 in hollows.
 
     [[nodiscard]] static std::int64_t next(std::int64_t side) noexcept { return side / 3 * 3 + (side + 1) % 3; }
     [[nodiscard]] const glm::dvec3& from(std::int64_t side) const noexcept {
@@ -61,7 +61,9 @@ SidedMesh by_sides(const base::Runtime& runtime, const Mesh& mesh, const base::P
         sided.beyond[other] = one;
         const glm::dvec3& a = sided.normal[one / 3];
         const glm::dvec3& b = sided.normal[other / 3];
-        sided.bend[one] = sided.bend[other] = degrees * std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
+        const glm::dvec3 about = glm::cross(a, b);
+        const double bend = degrees * std::atan2(glm::length(about), glm::dot(a, b));
+        sided.bend[one] = sided.bend[other] = glm::dot(about, sided.along(one)) < 0.0 ? -bend : bend;
     });
     return sided;
 }
@@ -77,13 +79,19 @@ void for_plain_edges(const SidedMesh& sided, const base::Progress& progress, Vis
 
 // ---- What is beside an edge
 
+// By how much a mesh turns, in degrees.
+struct Turn {
+    double all = 0.0; // either way
+    double net = 0.0; // as on a hill; below 0 as in a hollow
+};
+
 // Walks from the middle of a side into its face and on, at right angles to the side, and adds up by how much the mesh
-// turns about the side, in degrees. The edge of the side itself does not count.
-double turn_beside(const SidedMesh& sided, std::int64_t side, double reach) noexcept {
+// turns about the side. The edge of the side itself does not count.
+Turn turn_beside(const SidedMesh& sided, std::int64_t side, double reach) noexcept {
     HRBFNPR_ASSERT(side >= 0 && side < sided.beyond.size() && reach >= 0.0);
     glm::dvec3 place = sided.from(side) + 0.5 * sided.along(side);
     glm::dvec3 way = glm::normalize(glm::cross(sided.normal[side / 3], sided.along(side)));
-    double turn = 0.0;
+    Turn turn;
     for (std::int64_t faces = 0; faces < has_creases_tuning.most_faces; ++faces) {
         const glm::dvec3& normal = sided.normal[side / 3];
         std::int64_t exit = -1;
@@ -104,7 +112,8 @@ double turn_beside(const SidedMesh& sided, std::int64_t side, double reach) noex
         const glm::dvec3 edge = glm::normalize(sided.along(exit));
         const double along = glm::dot(way, edge);
         const double across = glm::dot(way, glm::cross(edge, normal));
-        turn += sided.bend[exit] * across;
+        turn.all += std::abs(sided.bend[exit]) * across;
+        turn.net += sided.bend[exit] * across;
         side = sided.beyond[exit];
         way = along * edge + across * glm::cross(edge, sided.normal[side / 3]);
     }
@@ -117,7 +126,7 @@ base::Array<std::int32_t> faces_of_polygons(const base::Runtime& runtime, const 
     const std::int64_t faces = sided.mesh.faces();
     Sets polygons(runtime.memory, faces);
     for_plain_edges(sided, progress, [&](std::int64_t side, std::int64_t other) {
-        if (sided.bend[side] < has_creases_tuning.flat)
+        if (std::abs(sided.bend[side]) < has_creases_tuning.flat)
             polygons.join(static_cast<std::int32_t>(side / 3), static_cast<std::int32_t>(other / 3));
     });
     base::Array<std::int32_t> count(runtime.memory, faces);
@@ -126,27 +135,37 @@ base::Array<std::int32_t> faces_of_polygons(const base::Runtime& runtime, const 
     return count;
 }
 
-// Tells whether an edge stands out: the mesh turns little on both sides, or one of its faces belongs to a flat polygon,
-// and the mesh turns little on one side, or the edge is too sharp to be round. On one side the look reaches no farther
-// than the lower face is high, as that may be the face of a chamfer.
-bool stands_out(const SidedMesh& sided, std::int64_t side, std::int64_t other,
-                const base::Array<std::int32_t>& faces_of_polygon) noexcept {
-    const double bend = sided.bend[side];
+// An edge as the look on both sides sees it.
+struct SeenEdge {
+    bool stands_out = false;
+    bool is_round = false; // The mesh goes on turning the same way on both sides, as on a round wall or a fillet.
+};
+
+// Looks at both sides of an edge. It stands out if the mesh turns little on both sides, or if one of its faces belongs
+// to a flat polygon, and the mesh turns little on one side, or the edge is too sharp to be round. On one side the look
+// reaches no farther than the lower face is high, as that may be the face of a chamfer.
+SeenEdge look_beside(const SidedMesh& sided, std::int64_t side, std::int64_t other,
+                     const base::Array<std::int32_t>& faces_of_polygon) noexcept {
+    const double bend = std::abs(sided.bend[side]);
+    const double little = bend / has_creases_tuning.stands_out;
     const double reach = has_creases_tuning.reach * sided.height(side);
     const double other_reach = has_creases_tuning.reach * sided.height(other);
-    const auto turns_little = [&](std::int64_t from, double within) {
-        return bend >= has_creases_tuning.stands_out * turn_beside(sided, from, within);
-    };
-    if (turns_little(side, reach) && turns_little(other, other_reach)) return true;
-    if (faces_of_polygon[side / 3] < 2 && faces_of_polygon[other / 3] < 2) return false;
+    const Turn turn = turn_beside(sided, side, reach), other_turn = turn_beside(sided, other, other_reach);
+    SeenEdge seen;
+    const double way = sided.bend[side] < 0.0 ? -1.0 : 1.0;
+    seen.is_round = bend <= has_creases_tuning.surely_sharp && way * turn.net > little && way * other_turn.net > little;
+    seen.stands_out = turn.all <= little && other_turn.all <= little;
+    if (seen.stands_out || (faces_of_polygon[side / 3] < 2 && faces_of_polygon[other / 3] < 2)) return seen;
     const double lower = std::min(reach, other_reach);
-    return bend > has_creases_tuning.surely_sharp || turns_little(side, lower) || turns_little(other, lower);
+    seen.stands_out = bend > has_creases_tuning.surely_sharp || turn_beside(sided, side, lower).all <= little ||
+                      turn_beside(sided, other, lower).all <= little;
+    return seen;
 }
 
 // Returns how far the face of a side is from a round surface that turns at the side as the mesh does, and has the face
 // for a chord.
 double bulge(const SidedMesh& sided, std::int64_t side) noexcept {
-    return 0.25 * sided.height(side) * std::tan(0.5 / degrees * std::min(sided.bend[side], 120.0));
+    return 0.25 * sided.height(side) * std::tan(0.5 / degrees * std::min(std::abs(sided.bend[side]), 120.0));
 }
 
 // ---- The verdict
@@ -214,15 +233,14 @@ CreaseEvidenceOfParts look_for_creases_of_parts(const base::Runtime& runtime, co
                                 base::Array<std::uint8_t>(runtime.memory, 3 * mesh.faces()),
                                 {}};
     for_plain_edges(sided, progress, [&](std::int64_t side, std::int64_t other) {
-        if (!bends_more(sided.bend[side], angle)) return;
+        if (!bends_more(std::abs(sided.bend[side]), angle)) return;
         const std::int64_t number = mesh.component[side / 3];
         CreaseEvidence& part = found.part[number];
         const double length = sided.length(side);
         part.length += length;
-        if (stands_out(sided, side, other, faces_of_polygon)) {
-            part.standing += length;
-            found.standing[side] = found.standing[other] = 1;
-        }
+        const SeenEdge seen = look_beside(sided, side, other, faces_of_polygon);
+        if (seen.stands_out) part.standing += length;
+        if (!seen.is_round) found.sharp[side] = found.sharp[other] = 1;
         const double off = std::min(bulge(sided, side), bulge(sided, other));
         if (off >= has_creases_tuning.far_off * sizes.diagonal[number]) part.coarse += length;
     });

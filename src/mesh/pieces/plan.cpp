@@ -45,21 +45,19 @@ bool crosses(const base::Runtime& runtime, const Mesh& mesh, const FaceTree& tre
     return mesh.report.boundary_edges == 0 && find_crossing(runtime, mesh, tree, progress).one >= 0;
 }
 
-Sharpness sharpness_of(const CreaseEvidence& found, const FitMeshSettings& settings, double coarse) noexcept {
-    if (!found.creases) return no_creases;
-    return {found.polyhedron ? plan_tuning.flat_faces * settings.crease_angle : settings.crease_angle, coarse};
-}
-
-// Finds the creases that stand out, in each component by itself, as one may have edges and another none. A polyhedron
-// has creases wherever it bends.
-Creases creases_that_stand_out(const base::Runtime& runtime, const Mesh& mesh, const FitMeshSettings& settings,
-                               double coarse, const base::Progress& progress) {
-    CreaseEvidenceOfParts found = look_for_creases_of_parts(runtime, mesh, settings.crease_angle, progress);
+// Finds the creases that are meant in each component, as one may have edges and another none. A polyhedron has creases
+// wherever it bends. `of_smooth` is the sharpness of components without edges.
+Creases creases_that_are_meant(const base::Runtime& runtime, const Mesh& mesh, double angle, double coarse,
+                               const Sharpness& of_smooth, const base::Progress& progress) {
+    CreaseEvidenceOfParts found = look_for_creases_of_parts(runtime, mesh, angle, progress);
     base::Array<Sharpness> sharpness(runtime.memory);
-    for (const CreaseEvidence& part : found.part) sharpness.push_back(sharpness_of(part, settings, coarse));
-    for (std::int64_t side = 0; side < found.standing.size(); ++side)
-        if (found.part[mesh.component[side / 3]].polyhedron) found.standing[side] = 1;
-    return find_creases(runtime, mesh, sharpness, found.standing, progress);
+    for (const CreaseEvidence& part : found.part) {
+        const Sharpness of_part{part.polyhedron ? plan_tuning.flat_faces * angle : angle, coarse};
+        sharpness.push_back(part.creases ? of_part : of_smooth);
+    }
+    for (std::int64_t side = 0; side < found.sharp.size(); ++side)
+        if (found.part[mesh.component[side / 3]].polyhedron) found.sharp[side] = 1;
+    return find_creases(runtime, mesh, sharpness, found.sharp, progress);
 }
 
 // Returns the lower bound of how_far_off(), in diagonals. A support with wide spacings cannot end a narrow strip. So
@@ -92,15 +90,19 @@ CreasePlan plan_creases(const base::Runtime& runtime, const Mesh& mesh, const Fa
     const double tolerance = settings.tolerance > 0.0 ? settings.tolerance : default_tolerance * mesh.bounds.diagonal();
     const double coarse = plan_tuning.too_coarse * (settings.far > 0.0 ? settings.far : 5.0 * tolerance);
     CreasePlan plan;
+    Sharpness of_smooth{no_creases.angle, tolerance}; // Beside parts with edges, coarse faces are better left flat.
     if (settings.edges == Edges::automatic) {
         const CreaseEvidence found = settings.crease_angle == default_crease_angle
                                          ? known
                                          : look_for_creases(runtime, mesh, settings.crease_angle, progress);
-        if (!found.creases) plan.doubtful = found.length;
-        if (!found.creases && !crosses(runtime, mesh, tree, progress)) return plan;
+        if (!found.creases) {
+            plan.doubtful = found.length;
+            of_smooth = no_creases;
+            if (!crosses(runtime, mesh, tree, progress)) return plan;
+        }
     }
     Creases creases = settings.edges == Edges::automatic
-                          ? creases_that_stand_out(runtime, mesh, settings, coarse, progress)
+                          ? creases_that_are_meant(runtime, mesh, settings.crease_angle, coarse, of_smooth, progress)
                           : find_creases(runtime, mesh, settings.crease_angle, coarse, progress);
     if (creases.patches >= 2) plan.creases = std::move(creases);
     return plan;

@@ -62,7 +62,7 @@ TEST(Creases, AreLookedForInEachPart) {
     hrbfnpr::base::Array<mesh::Sharpness> sharpness(both.runtime.memory);
     sharpness.push_back({180.0, 1.0});
     sharpness.push_back({15.0, 1.0});
-    EXPECT_EQ(mesh::find_creases(both.runtime, both.shape, sharpness, found.standing, {}).patches, 7);
+    EXPECT_EQ(mesh::find_creases(both.runtime, both.shape, sharpness, found.sharp, {}).patches, 7);
 }
 
 TEST(Creases, OfTurnedShapesAreTheirSteps) {
@@ -166,7 +166,7 @@ TEST(Creases, BeginWhereEdgesStandOut) {
     const mesh::CreaseEvidenceOfParts parts = mesh::look_for_creases_of_parts(found.runtime, found.shape, 30.0, {});
     hrbfnpr::base::Array<mesh::Sharpness> sharpness(found.runtime.memory);
     sharpness.push_back({30.0, 0.008 * found.shape.bounds.diagonal()});
-    EXPECT_EQ(mesh::find_creases(found.runtime, found.shape, sharpness, parts.standing, {}).patches, 3);
+    EXPECT_EQ(mesh::find_creases(found.runtime, found.shape, sharpness, parts.sharp, {}).patches, 3);
 }
 
 // A box on which one vertex is raised by so little that nobody can see the faces around it.
