@@ -3,6 +3,7 @@
 
 #include "base/assert.h"
 #include "mesh/fit/touching.h"
+#include "mesh/pieces/tuning.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,7 +18,7 @@ struct PlanTuning {
     double too_coarse = 0.8;
     // A polyhedron of coarse faces has edges from this share of the crease angle on. Larger: fewer of its edges are
     // sharp.
-    double flat_faces = 0.5;
+    double flat_faces = 0.05;
     // The lower and upper bounds of EndPlan::off, in diagonals. Larger: more of the surface beyond a mesh stays.
     double least_off = 0.009;
     double most_off = 0.015;
@@ -90,16 +91,15 @@ CreasePlan plan_creases(const base::Runtime& runtime, const Mesh& mesh, const Fa
     const double tolerance = settings.tolerance > 0.0 ? settings.tolerance : default_tolerance * mesh.bounds.diagonal();
     const double coarse = plan_tuning.too_coarse * (settings.far > 0.0 ? settings.far : 5.0 * tolerance);
     CreasePlan plan;
-    Sharpness of_smooth{no_creases.angle, tolerance}; // Beside parts with edges, coarse faces are better left flat.
+    Sharpness of_smooth = no_creases;
     if (settings.edges == Edges::automatic) {
         const CreaseEvidence found = settings.crease_angle == default_crease_angle
                                          ? known
                                          : look_for_creases(runtime, mesh, settings.crease_angle, progress);
-        if (!found.creases) {
-            plan.doubtful = found.length;
-            of_smooth = no_creases;
-            if (!crosses(runtime, mesh, tree, progress)) return plan;
-        }
+        if (!found.creases) plan.doubtful = found.length;
+        if (!found.creases && !crosses(runtime, mesh, tree, progress)) return plan;
+        // Where most edges stand out, coarse faces are meant to be flat in smooth parts, too.
+        if (found.standing >= has_creases_tuning.enough) of_smooth.coarse = tolerance;
     }
     Creases creases = settings.edges == Edges::automatic
                           ? creases_that_are_meant(runtime, mesh, settings.crease_angle, coarse, of_smooth, progress)
