@@ -245,6 +245,12 @@ CreaseEvidenceOfParts look_for_creases_of_parts(const base::Runtime& runtime, co
         if (off >= has_creases_tuning.far_off * sizes.diagonal[number]) part.coarse += length;
     });
     for (std::int64_t i = 0; i < found.part.size(); ++i) found.part[i] = judged(found.part[i], sizes.diagonal[i]);
+    for_plain_edges(sided, progress, [&](std::int64_t side, std::int64_t other) {
+        const std::int64_t number = mesh.component[side / 3];
+        if (!found.part[number].polyhedron) return;
+        const double off = std::max(bulge(sided, side), bulge(sided, other));
+        found.sharp[side] = found.sharp[other] = off >= has_creases_tuning.near_enough * sizes.diagonal[number] ? 1 : 0;
+    });
     found.whole = judged_whole(found, sizes, mesh.bounds.diagonal());
     return found;
 }

@@ -23,7 +23,8 @@ struct CreaseEvidence {
 struct CreaseEvidenceOfParts {
     base::Array<CreaseEvidence> part; // of each component, in its own diagonals
     // Of each side of the faces, 3 face + k: 1 if it bends by more than the angle, and the mesh does not go on turning
-    // the same way on both sides, as on fillets and other round walls.
+    // the same way on both sides, as on fillets and other round walls. Of a polyhedron 1 if a face is too coarse there
+    // to be round.
     base::Array<std::uint8_t> sharp;
     CreaseEvidence whole; // The whole has creases if parts with creases hold enough of its area.
 };

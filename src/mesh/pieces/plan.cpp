@@ -16,8 +16,8 @@ namespace {
 struct PlanTuning {
     // A share of `far`: faces that are farther than this from a round surface stay flat. Larger: fewer faces stay flat.
     double too_coarse = 0.8;
-    // A polyhedron of coarse faces has edges from this share of the crease angle on. Larger: fewer of its edges are
-    // sharp.
+    // A polyhedron of coarse faces has edges from this share of the crease angle on, if its faces are that coarse
+    // there. Larger: fewer of its edges are sharp.
     double flat_faces = 0.05;
     // The lower and upper bounds of EndPlan::off, in diagonals. Larger: more of the surface beyond a mesh stays.
     double least_off = 0.009;
@@ -46,18 +46,26 @@ bool crosses(const base::Runtime& runtime, const Mesh& mesh, const FaceTree& tre
     return mesh.report.boundary_edges == 0 && find_crossing(runtime, mesh, tree, progress).one >= 0;
 }
 
-// Finds the creases that are meant in each component, as one may have edges and another none. A polyhedron has creases
-// wherever it bends. `of_smooth` is the sharpness of components without edges.
-Creases creases_that_are_meant(const base::Runtime& runtime, const Mesh& mesh, double angle, double coarse,
-                               const Sharpness& of_smooth, const base::Progress& progress) {
-    CreaseEvidenceOfParts found = look_for_creases_of_parts(runtime, mesh, angle, progress);
+// What a mesh asks of its creases. Coarse faces stay flat in smooth parts of meshes with edges if something round would
+// leave them by more than the tolerance.
+struct Limits {
+    double angle, coarse; // of parts with edges
+    double tolerance;
+    bool has_edges; // Most edges stand out.
+};
+
+Sharpness sharpness_of(const CreaseEvidence& part, const Limits& limits) noexcept {
+    if (part.polyhedron) return {plan_tuning.flat_faces * limits.angle, limits.coarse};
+    if (part.creases) return {limits.angle, limits.coarse};
+    return {no_creases.angle, limits.has_edges ? limits.tolerance : no_creases.coarse};
+}
+
+// Finds the creases that are meant in each component, as one may have edges and another none.
+Creases creases_that_are_meant(const base::Runtime& runtime, const Mesh& mesh, const Limits& limits,
+                               const base::Progress& progress) {
+    const CreaseEvidenceOfParts found = look_for_creases_of_parts(runtime, mesh, limits.angle, progress);
     base::Array<Sharpness> sharpness(runtime.memory);
-    for (const CreaseEvidence& part : found.part) {
-        const Sharpness of_part{part.polyhedron ? plan_tuning.flat_faces * angle : angle, coarse};
-        sharpness.push_back(part.creases ? of_part : of_smooth);
-    }
-    for (std::int64_t side = 0; side < found.sharp.size(); ++side)
-        if (found.part[mesh.component[side / 3]].polyhedron) found.sharp[side] = 1;
+    for (const CreaseEvidence& part : found.part) sharpness.push_back(sharpness_of(part, limits));
     return find_creases(runtime, mesh, sharpness, found.sharp, progress);
 }
 
@@ -89,21 +97,20 @@ CreasePlan plan_creases(const base::Runtime& runtime, const Mesh& mesh, const Fa
                         const CreaseEvidence& known, const FitMeshSettings& settings, const base::Progress& progress) {
     if (settings.edges == Edges::smooth) return {};
     const double tolerance = settings.tolerance > 0.0 ? settings.tolerance : default_tolerance * mesh.bounds.diagonal();
-    const double coarse = plan_tuning.too_coarse * (settings.far > 0.0 ? settings.far : 5.0 * tolerance);
+    Limits limits{settings.crease_angle, plan_tuning.too_coarse * (settings.far > 0.0 ? settings.far : 5.0 * tolerance),
+                  tolerance, true};
     CreasePlan plan;
-    Sharpness of_smooth = no_creases;
     if (settings.edges == Edges::automatic) {
         const CreaseEvidence found = settings.crease_angle == default_crease_angle
                                          ? known
                                          : look_for_creases(runtime, mesh, settings.crease_angle, progress);
         if (!found.creases) plan.doubtful = found.length;
         if (!found.creases && !crosses(runtime, mesh, tree, progress)) return plan;
-        // Where most edges stand out, coarse faces are meant to be flat in smooth parts, too.
-        if (found.standing >= has_creases_tuning.enough) of_smooth.coarse = tolerance;
+        limits.has_edges = found.standing >= has_creases_tuning.enough;
     }
     Creases creases = settings.edges == Edges::automatic
-                          ? creases_that_are_meant(runtime, mesh, settings.crease_angle, coarse, of_smooth, progress)
-                          : find_creases(runtime, mesh, settings.crease_angle, coarse, progress);
+                          ? creases_that_are_meant(runtime, mesh, limits, progress)
+                          : find_creases(runtime, mesh, limits.angle, limits.coarse, progress);
     if (creases.patches >= 2) plan.creases = std::move(creases);
     return plan;
 }

@@ -27,8 +27,11 @@ struct HasCreasesTuning {
     // Faces that a round surface would leave by more than this are meant to be flat, in diagonals. A ball of 80 faces
     // is off by 0.009, an icosahedron by 0.03. Larger: fewer rocks have edges.
     double far_off = 0.02;
-    // The least share of such edges of a shape whose faces are all meant to be flat, by length. Larger: fewer rocks
-    // have edges.
+    // Edges of a polyhedron are sharp if something round would leave a face there by more than this, in diagonals.
+    // Larger: blunter edges and smaller faces stay smooth.
+    double near_enough = 0.002;
+    // The least share of edges between faces that are far off, of a shape whose faces are all meant to be flat, by
+    // length. Larger: fewer rocks have edges.
     double enough_far_off = 0.25;
     // The least share of the area that is of components with creases, if the whole has. It keeps crumbs of a scan from
     // giving it edges. Larger: smooth figures on blocks need larger blocks.
