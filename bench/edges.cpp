@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Shapes with sharp edges: CSG trees beside a plain recursion, unions of many fits, and models of sheets that are
-// fitted to meshes.  --only=csg|rows|pieces; --trees=N; --models=DIR: a folder of OBJ and PLY meshes that are measured,
-// too; --named=TEXT: only those with it in the name.
+// Shapes with sharp edges: CSG trees beside a plain recursion, unions of many fits, models of sheets that are fitted to
+// meshes, and which meshes are said to have edges.  --only=csg|rows|pieces|verdict; --trees=N; --models=DIR: a folder
+// of OBJ and PLY meshes that are measured, too; --named=TEXT: only those with it in the name.
 #include "edges_pieces.h"
 #include "edges_rows.h"
 #include "edges_trees.h"
+#include "edges_verdict.h"
 
 #include <cstdio>
 #include <exception>
@@ -13,8 +14,8 @@
 int main(int argc, char** argv) {
     try {
         const std::string only = bench::option(argc, argv, "--only=");
-        if (!only.empty() && only != "csg" && only != "rows" && only != "pieces")
-            throw std::runtime_error("--only=" + only + ": there are csg, rows and pieces");
+        if (!only.empty() && only != "csg" && only != "rows" && only != "pieces" && only != "verdict")
+            throw std::runtime_error("--only=" + only + ": there are csg, rows, pieces and verdict");
         const scenes::Context context = bench::make_context(2);
         const auto wants = [&](const char* part) { return only.empty() || only == part; };
         if (wants("csg")) {
@@ -25,6 +26,7 @@ int main(int argc, char** argv) {
         if (wants("pieces"))
             bench::measure_pieces(context.get(), bench::option(argc, argv, "--models="),
                                   bench::option(argc, argv, "--named="));
+        if (wants("verdict")) bench::verdict::measure_verdict(context.get(), bench::option(argc, argv, "--named="));
     } catch (const std::exception& error) {
         std::fprintf(stderr, "bench/edges: %s\n", error.what());
         return 1;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "mesh/pieces/creases.h"
 
+#include "base/assert.h"
 #include "mesh/pieces/patch_normals.h"
 #include "mesh/pieces/split_fading.h"
 
@@ -21,6 +22,9 @@ constexpr double aligned = 0.6;
 // if it is shorter than so many diagonals, or has fewer edges.
 constexpr double shortest_fading = 0.03;
 constexpr std::int64_t fewest_fading = 4;
+// A patch of fewer faces than this, whose area is less than the square of this many diagonals, is no patch.
+constexpr std::int64_t scrap_faces = 10;
+constexpr double scrap_size = 0.002;
 
 // An edge that bends.
 struct Bend {
@@ -33,12 +37,14 @@ struct Bend {
 class Finder {
 public:
     // One sharpness for all faces, or several, and the number of its own for each face.  known: edges that are sharp.
+    // may_be_sharp: the sides of the others that may be sharp; if it is empty, all may.
     Finder(const base::Runtime& runtime, const Mesh& mesh, const base::Array<Sharpness>& sharpness,
-           const base::Array<std::int32_t>& of_face, const base::Array<Crease>& known, const base::Progress& progress)
-        : runtime_(runtime), mesh_(mesh), sharpness_(sharpness), of_face_(of_face), known_(known), progress_(progress),
-          bend_(runtime.memory), first_(runtime.memory), at_(runtime.memory),
-          degree_(runtime.memory, mesh.vertex.size()), sides_(sides_by_edge(runtime, mesh.triangle, progress)),
-          result_(runtime.memory) {}
+           const base::Array<std::int32_t>& of_face, const base::Array<Crease>& known,
+           const base::Array<std::uint8_t>& may_be_sharp, const base::Progress& progress)
+        : runtime_(runtime), mesh_(mesh), sharpness_(sharpness), of_face_(of_face), known_(known),
+          may_be_sharp_(may_be_sharp), progress_(progress), bend_(runtime.memory), first_(runtime.memory),
+          at_(runtime.memory), degree_(runtime.memory, mesh.vertex.size()),
+          sides_(sides_by_edge(runtime, mesh.triangle, progress)), result_(runtime.memory) {}
 
     [[nodiscard]] Creases run() {
         find_bends();
@@ -49,6 +55,7 @@ public:
         find_patches();
         if (sharpen_coarse()) find_patches();
         if (drop_short_fading()) find_patches();
+        while (join_scraps()) find_patches();
         describe();
         split_fading(runtime_, mesh_, sides_, result_, progress_);
         describe();
@@ -64,6 +71,15 @@ private:
         return sharpness_[sharpness_.size() == 1 ? 0 : of_face_[face]];
     }
     [[nodiscard]] double limit_of(std::int32_t face) const noexcept { return sharpness_of(face).angle * radians; }
+
+    // Of the side of a face that begins in a vertex.
+    [[nodiscard]] std::int64_t side_of(std::int32_t face, std::int32_t from) const noexcept {
+        const Triangle& t = mesh_.triangle[face];
+        return 3 * std::int64_t{face} + (t[0] == from ? 0 : t[1] == from ? 1 : 2);
+    }
+    [[nodiscard]] bool may_be_sharp(std::int32_t face, std::int32_t from) const noexcept {
+        return may_be_sharp_.empty() || may_be_sharp_[side_of(face, from)] != 0;
+    }
 
     [[nodiscard]] double length_of(const Bend& bend) const noexcept {
         return glm::distance(mesh_.vertex[bend.from], mesh_.vertex[bend.to]);
@@ -91,7 +107,7 @@ private:
             const bool is_known = known != known_.end() && known->from == low && known->to == high;
             known += is_known ? 1 : 0;
             if (!is_known && angle < std::min(least_bend * radians, limit)) return;
-            const bool sharp = is_known || bends_more(angle, limit);
+            const bool sharp = is_known || (bends_more(angle, limit) && may_be_sharp(left.face, low));
             bend_.push_back({low, high, left.face, right.face, angle, sharp});
             degree_[low] += sharp ? 1 : 0;
             degree_[high] += sharp ? 1 : 0;
@@ -187,10 +203,6 @@ private:
 
     void find_patches() {
         base::Array<std::uint8_t> sharp(runtime_.memory, 3 * mesh_.faces());
-        const auto side_of = [&](std::int32_t face, std::int32_t from) {
-            const Triangle& t = mesh_.triangle[face];
-            return 3 * std::int64_t{face} + (t[0] == from ? 0 : t[1] == from ? 1 : 2);
-        };
         for (const Bend& bend : bend_)
             if (bend.sharp) {
                 sharp[side_of(bend.left, bend.from)] = 1;
@@ -270,6 +282,49 @@ private:
                            [&](std::int64_t i) { return bend_[i].sharp && !is_fading(bend_[i]); });
     }
 
+    // Tells of each patch whether it is a few small faces that nobody can see.
+    [[nodiscard]] base::Array<std::uint8_t> find_scraps() const {
+        base::Array<std::int64_t> faces(runtime_.memory, result_.patches);
+        base::Array<double> area(runtime_.memory, result_.patches);
+        for (std::int64_t face = 0; face < mesh_.faces(); ++face) {
+            ++faces[result_.patch[face]];
+            area[result_.patch[face]] += 0.5 * glm::length(doubled_area(mesh_.corners(face)));
+        }
+        const double across = scrap_size * mesh_.bounds.diagonal();
+        base::Array<std::uint8_t> is_scrap(runtime_.memory, result_.patches);
+        for (std::int32_t patch = 0; patch < result_.patches; ++patch)
+            is_scrap[patch] = faces[patch] < scrap_faces && area[patch] < across * across ? 1 : 0;
+        return is_scrap;
+    }
+
+    // Joins each scrap with the patch beyond its flattest edge. Returns whether there were any.
+    [[nodiscard]] bool join_scraps() {
+        progress_.check();
+        const base::Array<std::uint8_t> is_scrap = find_scraps();
+        base::Array<std::int64_t> flattest(runtime_.memory, result_.patches); // numbers of bends, from 1
+        for (std::int64_t i = 0; i < bend_.size(); ++i) {
+            if (!bend_[i].sharp || is_fading(bend_[i])) continue;
+            for (const std::int32_t face : {bend_[i].left, bend_[i].right}) {
+                std::int64_t& best = flattest[result_.patch[face]];
+                if (best == 0 || bend_[i].angle < bend_[best - 1].angle) best = i + 1;
+            }
+        }
+        Sets joined_patches(runtime_.memory, result_.patches);
+        for (std::int32_t patch = 0; patch < result_.patches; ++patch) {
+            if (is_scrap[patch] == 0 || flattest[patch] == 0) continue;
+            const Bend& bend = bend_[flattest[patch] - 1];
+            joined_patches.join(result_.patch[bend.left], result_.patch[bend.right]);
+        }
+        bool joined = false;
+        for (Bend& bend : bend_) {
+            const std::int32_t left = result_.patch[bend.left], right = result_.patch[bend.right];
+            if (!bend.sharp || left == right || joined_patches.of(left) != joined_patches.of(right)) continue;
+            bend.sharp = false;
+            joined = true;
+        }
+        return joined;
+    }
+
     void describe() {
         result_.edge.clear();
         result_.length = result_.fading = 0.0;
@@ -286,6 +341,7 @@ private:
     const base::Array<Sharpness>& sharpness_;
     const base::Array<std::int32_t>& of_face_;
     const base::Array<Crease>& known_;
+    const base::Array<std::uint8_t>& may_be_sharp_;
     const base::Progress& progress_;
     base::Array<Bend> bend_;
     base::Array<std::int64_t> first_; // of the bends at each vertex, in at_
@@ -299,15 +355,18 @@ private:
 
 Creases find_creases(const base::Runtime& runtime, const Mesh& mesh, double angle, double coarse,
                      const base::Progress& progress) {
-    base::Array<Sharpness> all(runtime.memory);
-    all.push_back({angle, coarse});
-    return find_creases(runtime, mesh, all, progress);
+    base::Array<Sharpness> of_all(runtime.memory);
+    of_all.push_back({angle, coarse});
+    const base::Array<Crease> none(runtime.memory);
+    const base::Array<std::uint8_t> all(runtime.memory);
+    return Finder(runtime, mesh, of_all, mesh.component, none, all, progress).run();
 }
 
 Creases find_creases(const base::Runtime& runtime, const Mesh& mesh, const base::Array<Sharpness>& of_component,
-                     const base::Progress& progress) {
+                     const base::Array<std::uint8_t>& sides, const base::Progress& progress) {
+    HRBFNPR_ASSERT(sides.size() == 3 * mesh.faces());
     const base::Array<Crease> none(runtime.memory);
-    return Finder(runtime, mesh, of_component, mesh.component, none, progress).run();
+    return Finder(runtime, mesh, of_component, mesh.component, none, sides, progress).run();
 }
 
 Creases find_more_creases(const base::Runtime& runtime, const Mesh& mesh, const Creases& known,
@@ -315,7 +374,8 @@ Creases find_more_creases(const base::Runtime& runtime, const Mesh& mesh, const 
     constexpr double no_limit = std::numeric_limits<double>::infinity();
     base::Array<Sharpness> of_patch(runtime.memory);
     for (const std::uint8_t is : within) of_patch.push_back({is != 0 ? angle : no_crease, no_limit});
-    return Finder(runtime, mesh, of_patch, known.patch, known.edge, progress).run();
+    const base::Array<std::uint8_t> all(runtime.memory);
+    return Finder(runtime, mesh, of_patch, known.patch, known.edge, all, progress).run();
 }
 
 } // namespace hrbfnpr::mesh

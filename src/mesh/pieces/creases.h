@@ -38,9 +38,11 @@ struct Sharpness {
 // Creases that end nowhere are grown along edges that go on as they do; short pieces that part nothing are none.
 [[nodiscard]] Creases find_creases(const base::Runtime& runtime, const Mesh& mesh, double angle, double coarse,
                                    const base::Progress& progress);
-// By what each component is said to be.
+// By what each component is said to be. Creases begin with those sides of the faces, 3 face + k, that are not 0 in
+// `sides`, if they bend by more than the angle.
 [[nodiscard]] Creases find_creases(const base::Runtime& runtime, const Mesh& mesh,
-                                   const base::Array<Sharpness>& of_component, const base::Progress& progress);
+                                   const base::Array<Sharpness>& of_component, const base::Array<std::uint8_t>& sides,
+                                   const base::Progress& progress);
 // Those, and what bends by more than an angle in some of the patches between them: patch by patch, whether.
 [[nodiscard]] Creases find_more_creases(const base::Runtime& runtime, const Mesh& mesh, const Creases& known,
                                         const base::Array<std::uint8_t>& within, double angle,

@@ -1,200 +1,263 @@
 // SPDX-License-Identifier: MIT
 #include "mesh/pieces/has_creases.h"
 
+#include "base/assert.h"
+#include "mesh/pieces/tuning.h"
+
 #include <algorithm>
 #include <cmath>
-#include <tuple>
+#include <limits>
 
 namespace hrbfnpr::mesh {
 namespace {
 
 constexpr double degrees = 57.29577951308232;
-constexpr double stands_out = 6.0;
-// Of real meshes: parts of machines have clear shares of 0.99 and 1, or, where faces are few, of 0.7 with a ratio of
-// 20; scans and coarse figures 0.34 to 0.63 with ratios of 0.2 to 2.1.
-constexpr double surely_clear = 0.9;
-constexpr double maybe_clear = 0.6;
-constexpr double clear_ratio = 3.0;
-// Edges that bend by less than a fiftieth of what 0.9 of all edges stay below are 0.2 to 0.5 of the length of machines,
-// vehicles and arms whose edges are not that clear.  Of scans, figures and animals they are 0.02 to 0.143, of 100 to
-// 300 000 faces alike.
-constexpr double constructed = 0.16;
-constexpr double constructed_clear = 0.45;
-constexpr double hardly = 0.02;
-constexpr double nearly_all = 0.9;
-// Faces that are that coarse at a quarter of the edges are a rock's; coarse balls, rings and figures have none.
-constexpr double surely_coarse = 0.25;
-constexpr double coarse_ratio = 2.0;
-constexpr double shortest = 0.05; // diagonals
-constexpr double far_off = 0.02;  // diagonals; a ball of 80 faces is off by 0.009, an icosahedron by 0.03
 constexpr std::int64_t faces_a_check = 1024;
 
-class Looker {
-public:
-    Looker(const base::Runtime& runtime, const Mesh& mesh, double angle, const base::Progress& progress)
-        : mesh_(mesh), angle_(angle), progress_(progress), sides_(sides_by_edge(runtime, mesh.triangle, progress)),
-          bend_(runtime.memory, 3 * mesh.faces()) {}
+// ---- The mesh by its sides. Side 3 face + k goes from corner k of the face to the next one.
 
-    // Of each component, or of all as one.
-    [[nodiscard]] base::Array<CreaseEvidence> run(bool by_part) {
-        measure();
-        base::Array<CreaseEvidence> found(mesh_.vertex.memory(), by_part ? components() : 1);
-        const base::Array<double> diagonal = diagonals(found.size());
-        for_edges(sides_, [&](const Side* first, const Side* last) {
-            if ((first - sides_.begin()) % faces_a_check == 0) progress_.check();
-            if (last - first == 2) {
-                const std::int64_t part = by_part ? mesh_.component[first->face] : 0;
-                add(first[0], first[1], diagonal[part], found[part]);
-            }
-        });
-        look_for_even(by_part, found);
-        for (std::int64_t part = 0; part < found.size(); ++part) conclude(diagonal[part], found[part]);
-        return found;
+struct SidedMesh {
+    SidedMesh(base::Memory& memory, const Mesh& mesh)
+        : mesh(mesh), normal(memory), beyond(memory), bend(memory, 3 * mesh.faces()) {}
+
+    const Mesh& mesh;
+    base::Array<glm::dvec3> normal;   // of each face
+    base::Array<std::int64_t> beyond; // The side of the neighbour that has the same edge; -1 if there is none.
+    base::Array<double> bend;         // The angle between the normals of both, in degrees; below 0 in hollows.
+
+    [[nodiscard]] static std::int64_t next(std::int64_t side) noexcept { return side / 3 * 3 + (side + 1) % 3; }
+    [[nodiscard]] const glm::dvec3& from(std::int64_t side) const noexcept {
+        return mesh.vertex[mesh.triangle[side / 3][static_cast<std::size_t>(side % 3)]];
     }
-
-private:
-    struct Bend {
-        std::int64_t part = 0;
-        double bend = 0.0, length = 0.0;
-    };
-
-    void look_for_even(bool by_part, base::Array<CreaseEvidence>& found) const {
-        base::Array<Bend> bends(mesh_.vertex.memory());
-        for_edges(sides_, progress_, [&](const Side* first, const Side* last) {
-            if (last - first != 2) return;
-            const std::int64_t part = by_part ? mesh_.component[first->face] : 0;
-            if (found[part].length > 0.0) bends.push_back({part, bend_[side_of(*first)], glm::length(along(*first))});
-        });
-        std::sort(bends.begin(), bends.end(), [](const Bend& a, const Bend& b) {
-            return std::tuple(a.part, a.bend, a.length) < std::tuple(b.part, b.bend, b.length);
-        });
-        for (const Bend* first = bends.begin(); first != bends.end();) {
-            const Bend* const last = std::find_if(first, static_cast<const Bend*>(bends.end()),
-                                                  [&](const Bend& other) { return other.part != first->part; });
-            found[first->part].even = even_of(first, last);
-            first = last;
-        }
+    [[nodiscard]] glm::dvec3 along(std::int64_t side) const noexcept { return from(next(side)) - from(side); }
+    [[nodiscard]] double length(std::int64_t side) const noexcept { return glm::length(along(side)); }
+    // How far the third corner is from the line of a side.
+    [[nodiscard]] double height(std::int64_t side) const noexcept {
+        return glm::length(doubled_area(mesh.corners(side / 3))) / length(side);
     }
-
-    // Of edges by how much they bend.
-    [[nodiscard]] static double even_of(const Bend* first, const Bend* last) noexcept {
-        double all = 0.0, below = 0.0, even = 0.0;
-        for (const Bend* each = first; each != last; ++each) all += each->length;
-        const Bend* large = first;
-        while (large + 1 != last && below + large->length < nearly_all * all) below += (large++)->length;
-        for (const Bend* each = first; each != last && each->bend <= hardly * large->bend; ++each) even += each->length;
-        return even / all;
-    }
-
-    [[nodiscard]] std::int64_t components() const noexcept {
-        return 1 + *std::max_element(mesh_.component.begin(), mesh_.component.end());
-    }
-
-    [[nodiscard]] base::Array<double> diagonals(std::int64_t parts) const {
-        base::Array<geometry::Bounds> bounds(mesh_.vertex.memory());
-        for (std::int64_t part = 0; part < parts; ++part) bounds.push_back({});
-        for (std::int64_t face = 0; face < mesh_.faces(); ++face)
-            for (const glm::dvec3& p : mesh_.corners(face)) bounds[parts == 1 ? 0 : mesh_.component[face]].extend(p);
-        base::Array<double> diagonal(mesh_.vertex.memory());
-        for (const geometry::Bounds& each : bounds) diagonal.push_back(each.diagonal());
-        return diagonal;
-    }
-
-    // Lengths; `ratio`: of what bends by half the angle, and not by all of it.
-    void add(const Side& left, const Side& right, double diagonal, CreaseEvidence& to) const noexcept {
-        const double bend = bend_[side_of(left)];
-        if (!bends_more(bend, 0.5 * angle_)) return;
-        const double length = glm::length(along(left));
-        if (!bends_more(bend, angle_)) {
-            to.ratio += length;
-            return;
-        }
-        to.length += length;
-        to.clear += bend >= stands_out * std::min(bend_beside(left), bend_beside(right)) ? length : 0.0;
-        to.coarse += std::min(bulge(left), bulge(right)) >= far_off * diagonal ? length : 0.0;
-    }
-
-    static void conclude(double diagonal, CreaseEvidence& of) noexcept {
-        if (!(of.length > 0.0)) {
-            of = {};
-            return;
-        }
-        of.clear /= of.length;
-        of.coarse /= of.length;
-        of.ratio = of.length / std::max(of.ratio, 1e-9 * of.length);
-        of.length /= diagonal;
-        const bool clear_enough = of.clear >= surely_clear || (of.clear >= maybe_clear && of.ratio >= clear_ratio) ||
-                                  (of.clear >= constructed_clear && of.even >= constructed);
-        of.polyhedron = !clear_enough && of.coarse >= surely_coarse && of.ratio >= coarse_ratio;
-        of.creases = (clear_enough || of.polyhedron) && of.length >= shortest;
-    }
-
-    [[nodiscard]] std::int64_t side_of(const Side& side) const noexcept {
-        const auto low = static_cast<std::int32_t>(side.edge >> 32U);
-        const auto high = static_cast<std::int32_t>(side.edge & 0xFFFFFFFFU);
-        const std::int32_t from = side.forward != 0 ? low : high;
-        const Triangle& t = mesh_.triangle[side.face];
-        return 3 * std::int64_t{side.face} + (t[0] == from ? 0 : t[1] == from ? 1 : 2);
-    }
-
-    [[nodiscard]] glm::dvec3 along(const Side& side) const noexcept { return along(side_of(side)); }
-    [[nodiscard]] glm::dvec3 along(std::int64_t side) const noexcept {
-        const auto p = mesh_.corners(side / 3);
-        return p[static_cast<std::size_t>((side + 1) % 3)] - p[static_cast<std::size_t>(side % 3)];
-    }
-
-    void measure() {
-        base::Array<glm::dvec3> normal(mesh_.vertex.memory());
-        for (std::int64_t face = 0; face < mesh_.faces(); ++face) {
-            if (face % faces_a_check == 0) progress_.check();
-            normal.push_back(glm::normalize(doubled_area(mesh_.corners(face))));
-        }
-        for_edges(sides_, [&](const Side* first, const Side* last) {
-            if ((first - sides_.begin()) % faces_a_check == 0) progress_.check();
-            if (last - first != 2) return;
-            const glm::dvec3 a = normal[first[0].face];
-            const glm::dvec3 b = (first[0].forward != first[1].forward ? 1.0 : -1.0) * normal[first[1].face];
-            const double bend = degrees * std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
-            bend_[side_of(first[0])] = bend_[side_of(first[1])] = bend;
-        });
-    }
-
-    // By how much the mesh bends about the direction of a side at the other sides of its face.
-    [[nodiscard]] double bend_beside(const Side& of) const noexcept {
-        const std::int64_t side = side_of(of);
-        const glm::dvec3 direction = glm::normalize(along(side));
-        double most = 0.0;
-        for (std::int64_t k = 1; k < 3; ++k) {
-            const std::int64_t other = side / 3 * 3 + (side + k) % 3;
-            most = std::max(most, bend_[other] * std::abs(glm::dot(glm::normalize(along(other)), direction)));
-        }
-        return most;
-    }
-
-    // How far a face is from something round that bends about the side as the mesh does, and has the face for a chord.
-    [[nodiscard]] double bulge(const Side& of) const noexcept {
-        const std::int64_t side = side_of(of);
-        const double across = glm::length(doubled_area(mesh_.corners(of.face))) / glm::length(along(side));
-        return 0.25 * across * std::tan(0.5 / degrees * std::min(bend_[side], 120.0));
-    }
-
-    const Mesh& mesh_;
-    const double angle_;
-    const base::Progress& progress_;
-    const base::Array<Side> sides_;
-    base::Array<double> bend_; // of each side, degrees
 };
+
+std::int64_t number_of(const Mesh& mesh, const Side& side) noexcept {
+    const auto low = static_cast<std::int32_t>(side.edge >> 32U);
+    const auto high = static_cast<std::int32_t>(side.edge & 0xFFFFFFFFU);
+    const std::int32_t from = side.forward != 0 ? low : high;
+    const Triangle& t = mesh.triangle[side.face];
+    return 3 * std::int64_t{side.face} + (t[0] == from ? 0 : t[1] == from ? 1 : 2);
+}
+
+SidedMesh by_sides(const base::Runtime& runtime, const Mesh& mesh, const base::Progress& progress) {
+    SidedMesh sided(runtime.memory, mesh);
+    for (std::int64_t face = 0; face < mesh.faces(); ++face) {
+        if (face % faces_a_check == 0) progress.check();
+        sided.normal.push_back(glm::normalize(doubled_area(mesh.corners(face))));
+    }
+    sided.beyond.resize_for_overwrite(3 * mesh.faces());
+    std::fill(sided.beyond.begin(), sided.beyond.end(), -1);
+    const base::Array<Side> sides = sides_by_edge(runtime, mesh.triangle, progress);
+    for_edges(sides, progress, [&](const Side* first, const Side* last) {
+        if (last - first != 2 || first[0].forward == first[1].forward) return;
+        const std::int64_t one = number_of(mesh, first[0]), other = number_of(mesh, first[1]);
+        sided.beyond[one] = other;
+        sided.beyond[other] = one;
+        const glm::dvec3& a = sided.normal[one / 3];
+        const glm::dvec3& b = sided.normal[other / 3];
+        const glm::dvec3 about = glm::cross(a, b);
+        const double bend = degrees * std::atan2(glm::length(about), glm::dot(a, b));
+        sided.bend[one] = sided.bend[other] = glm::dot(about, sided.along(one)) < 0.0 ? -bend : bend;
+    });
+    return sided;
+}
+
+// Calls visit(side, side of the neighbour) for each edge of two faces.
+template <class Visit>
+void for_plain_edges(const SidedMesh& sided, const base::Progress& progress, Visit&& visit) {
+    for (std::int64_t side = 0; side < sided.beyond.size(); ++side) {
+        if (side % faces_a_check == 0) progress.check();
+        if (sided.beyond[side] > side) visit(side, sided.beyond[side]);
+    }
+}
+
+// ---- What is beside an edge
+
+// By how much a mesh turns, in degrees.
+struct Turn {
+    double all = 0.0; // either way
+    double net = 0.0; // as on a hill; below 0 as in a hollow
+};
+
+// Walks from the middle of a side into its face and on, at right angles to the side, and adds up by how much the mesh
+// turns about the side. The edge of the side itself does not count.
+Turn turn_beside(const SidedMesh& sided, std::int64_t side, double reach) noexcept {
+    HRBFNPR_ASSERT(side >= 0 && side < sided.beyond.size() && reach >= 0.0);
+    glm::dvec3 place = sided.from(side) + 0.5 * sided.along(side);
+    glm::dvec3 way = glm::normalize(glm::cross(sided.normal[side / 3], sided.along(side)));
+    Turn turn;
+    for (std::int64_t faces = 0; faces < has_creases_tuning.most_faces; ++faces) {
+        const glm::dvec3& normal = sided.normal[side / 3];
+        std::int64_t exit = -1;
+        double distance = std::numeric_limits<double>::infinity();
+        for (std::int64_t other = SidedMesh::next(side); other != side; other = SidedMesh::next(other)) {
+            const glm::dvec3 outward = glm::cross(sided.along(other), normal);
+            const double speed = glm::dot(way, outward);
+            if (!(speed > 1e-12 * glm::length(outward))) continue;
+            const double to_other = std::max(glm::dot(sided.from(other) - place, outward) / speed, 0.0);
+            if (to_other >= distance) continue;
+            distance = to_other;
+            exit = other;
+        }
+        if (exit < 0 || distance >= reach || sided.beyond[exit] < 0) return turn;
+        reach -= distance;
+        place += distance * way;
+        // The way keeps its angle with the edge that it crosses.
+        const glm::dvec3 edge = glm::normalize(sided.along(exit));
+        const double along = glm::dot(way, edge);
+        const double across = glm::dot(way, glm::cross(edge, normal));
+        turn.all += std::abs(sided.bend[exit]) * across;
+        turn.net += sided.bend[exit] * across;
+        side = sided.beyond[exit];
+        way = along * edge + across * glm::cross(edge, sided.normal[side / 3]);
+    }
+    return turn;
+}
+
+// Counts the faces of the flat polygon that each face belongs to.
+base::Array<std::int32_t> faces_of_polygons(const base::Runtime& runtime, const SidedMesh& sided,
+                                            const base::Progress& progress) {
+    const std::int64_t faces = sided.mesh.faces();
+    Sets polygons(runtime.memory, faces);
+    for_plain_edges(sided, progress, [&](std::int64_t side, std::int64_t other) {
+        if (std::abs(sided.bend[side]) < has_creases_tuning.flat)
+            polygons.join(static_cast<std::int32_t>(side / 3), static_cast<std::int32_t>(other / 3));
+    });
+    base::Array<std::int32_t> count(runtime.memory, faces);
+    for (std::int32_t face = 0; face < faces; ++face) ++count[polygons.of(face)];
+    for (std::int32_t face = 0; face < faces; ++face) count[face] = count[polygons.of(face)];
+    return count;
+}
+
+// An edge as the look on both sides sees it.
+struct SeenEdge {
+    bool stands_out = false;
+    bool is_round = false; // The mesh goes on turning the same way on both sides, as on a round wall or a fillet.
+};
+
+// Looks at both sides of an edge. It stands out if the mesh turns little on both sides, or if one of its faces belongs
+// to a flat polygon, and the mesh turns little on one side, or the edge is too sharp to be round. On one side the look
+// reaches no farther than the lower face is high, as that may be the face of a chamfer.
+SeenEdge look_beside(const SidedMesh& sided, std::int64_t side, std::int64_t other,
+                     const base::Array<std::int32_t>& faces_of_polygon) noexcept {
+    const double bend = std::abs(sided.bend[side]);
+    const double little = bend / has_creases_tuning.stands_out;
+    const double reach = has_creases_tuning.reach * sided.height(side);
+    const double other_reach = has_creases_tuning.reach * sided.height(other);
+    const Turn turn = turn_beside(sided, side, reach), other_turn = turn_beside(sided, other, other_reach);
+    SeenEdge seen;
+    const double way = sided.bend[side] < 0.0 ? -1.0 : 1.0;
+    seen.is_round = bend <= has_creases_tuning.surely_sharp && way * turn.net > little && way * other_turn.net > little;
+    seen.stands_out = turn.all <= little && other_turn.all <= little;
+    if (seen.stands_out || (faces_of_polygon[side / 3] < 2 && faces_of_polygon[other / 3] < 2)) return seen;
+    const double lower = std::min(reach, other_reach);
+    seen.stands_out = bend > has_creases_tuning.surely_sharp || turn_beside(sided, side, lower).all <= little ||
+                      turn_beside(sided, other, lower).all <= little;
+    return seen;
+}
+
+// Returns how far the face of a side is from a round surface that turns at the side as the mesh does, and has the face
+// for a chord.
+double bulge(const SidedMesh& sided, std::int64_t side) noexcept {
+    return 0.25 * sided.height(side) * std::tan(0.5 / degrees * std::min(std::abs(sided.bend[side]), 120.0));
+}
+
+// ---- The verdict
+
+struct Sizes {
+    explicit Sizes(base::Memory& memory) : diagonal(memory), area(memory) {}
+
+    base::Array<double> diagonal, area; // of each component
+};
+
+Sizes sizes_of_parts(const base::Runtime& runtime, const Mesh& mesh) {
+    const std::int64_t parts = 1 + *std::max_element(mesh.component.begin(), mesh.component.end());
+    Sizes sizes(runtime.memory);
+    sizes.area.resize(parts);
+    base::Array<geometry::Bounds> bounds(runtime.memory);
+    for (std::int64_t part = 0; part < parts; ++part) bounds.push_back({});
+    for (std::int64_t face = 0; face < mesh.faces(); ++face) {
+        const auto corners = mesh.corners(face);
+        for (const glm::dvec3& p : corners) bounds[mesh.component[face]].extend(p);
+        sizes.area[mesh.component[face]] += 0.5 * glm::length(doubled_area(corners));
+    }
+    for (const geometry::Bounds& each : bounds) sizes.diagonal.push_back(each.diagonal());
+    return sizes;
+}
+
+CreaseEvidence judged(CreaseEvidence lengths, double diagonal) noexcept {
+    if (!(lengths.length > 0.0)) return {};
+    CreaseEvidence found;
+    found.length = lengths.length / diagonal;
+    found.standing = lengths.standing / lengths.length;
+    found.coarse = lengths.coarse / lengths.length;
+    const bool stand_out = found.standing >= has_creases_tuning.enough;
+    found.polyhedron = !stand_out && found.coarse >= has_creases_tuning.enough_far_off;
+    found.creases = (stand_out || found.polyhedron) && found.length >= has_creases_tuning.shortest;
+    return found;
+}
+
+// Adds up what the parts have. The whole has creases if enough of its area is of parts that have.
+CreaseEvidence judged_whole(const CreaseEvidenceOfParts& found, const Sizes& sizes, double diagonal) noexcept {
+    CreaseEvidence lengths;
+    double area = 0.0, area_with_creases = 0.0;
+    for (std::int64_t i = 0; i < found.part.size(); ++i) {
+        const CreaseEvidence& part = found.part[i];
+        const double length = part.length * sizes.diagonal[i];
+        lengths.length += length;
+        lengths.standing += part.standing * length;
+        lengths.coarse += part.coarse * length;
+        area += sizes.area[i];
+        area_with_creases += part.creases ? sizes.area[i] : 0.0;
+    }
+    CreaseEvidence whole = judged(lengths, diagonal);
+    whole.creases = area_with_creases > 0.0 && area_with_creases >= has_creases_tuning.enough_area * area;
+    return whole;
+}
 
 } // namespace
 
-CreaseEvidence look_for_creases(const base::Runtime& runtime, const Mesh& mesh, double angle,
-                                const base::Progress& progress) {
-    return Looker(runtime, mesh, angle, progress).run(false)[0];
+CreaseEvidenceOfParts look_for_creases_of_parts(const base::Runtime& runtime, const Mesh& mesh, double angle,
+                                                const base::Progress& progress) {
+    HRBFNPR_ASSERT(angle > 0.0 && mesh.faces() > 0);
+    const SidedMesh sided = by_sides(runtime, mesh, progress);
+    const base::Array<std::int32_t> faces_of_polygon = faces_of_polygons(runtime, sided, progress);
+    const Sizes sizes = sizes_of_parts(runtime, mesh);
+    CreaseEvidenceOfParts found{base::Array<CreaseEvidence>(runtime.memory, sizes.area.size()),
+                                base::Array<std::uint8_t>(runtime.memory, 3 * mesh.faces()),
+                                {}};
+    for_plain_edges(sided, progress, [&](std::int64_t side, std::int64_t other) {
+        if (!bends_more(std::abs(sided.bend[side]), angle)) return;
+        const std::int64_t number = mesh.component[side / 3];
+        CreaseEvidence& part = found.part[number];
+        const double length = sided.length(side);
+        part.length += length;
+        const SeenEdge seen = look_beside(sided, side, other, faces_of_polygon);
+        if (seen.stands_out) part.standing += length;
+        if (!seen.is_round) found.sharp[side] = found.sharp[other] = 1;
+        const double off = std::min(bulge(sided, side), bulge(sided, other));
+        if (off >= has_creases_tuning.far_off * sizes.diagonal[number]) part.coarse += length;
+    });
+    for (std::int64_t i = 0; i < found.part.size(); ++i) found.part[i] = judged(found.part[i], sizes.diagonal[i]);
+    for_plain_edges(sided, progress, [&](std::int64_t side, std::int64_t other) {
+        const std::int64_t number = mesh.component[side / 3];
+        if (!found.part[number].polyhedron) return;
+        const double off = std::max(bulge(sided, side), bulge(sided, other));
+        found.sharp[side] = found.sharp[other] = off >= has_creases_tuning.near_enough * sizes.diagonal[number] ? 1 : 0;
+    });
+    found.whole = judged_whole(found, sizes, mesh.bounds.diagonal());
+    return found;
 }
 
-base::Array<CreaseEvidence> look_for_creases_of_parts(const base::Runtime& runtime, const Mesh& mesh, double angle,
-                                                      const base::Progress& progress) {
-    return Looker(runtime, mesh, angle, progress).run(true);
+CreaseEvidence look_for_creases(const base::Runtime& runtime, const Mesh& mesh, double angle,
+                                const base::Progress& progress) {
+    return look_for_creases_of_parts(runtime, mesh, angle, progress).whole;
 }
 
 } // namespace hrbfnpr::mesh

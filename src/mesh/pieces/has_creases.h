@@ -1,5 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Whether a mesh stands for a shape with edges.
+//
+// Any mesh bends at its edges. Where it stands for a smooth surface, it turns beside an edge about as much as at the
+// edge, however finely it is divided. An edge of the shape is different: beside it the mesh turns little. The look
+// beside an edge reaches as far as the face there is high and half as far again, so it does not depend on how quads are
+// cut into triangles. Two more kinds of faces tell that edges are meant: flat polygons, which smooth surfaces of bent
+// quads do not have, and faces so coarse that nobody means something round by them.
 #pragma once
 
 #include "mesh/edges.h"
@@ -7,24 +13,29 @@
 namespace hrbfnpr::mesh {
 
 struct CreaseEvidence {
-    double length = 0.0; // of the edges that bend by more than the angle, in diagonals
-    double clear = 0.0;  // share of them beside which, on one side at least, the mesh bends six times less
-    double coarse = 0.0; // ... beside which, on both sides, faces would be far off what is round there
-    double ratio = 0.0;  // their length, to that of the edges that bend by half the angle at least
-    double even = 0.0;   // share of all edges that hardly bend, to those that bend most
-    bool creases = false;
-    bool polyhedron = false; // it has them as its faces are coarse: all are meant to be flat
+    double length = 0.0;     // The length of the edges that bend by more than the angle, in diagonals.
+    double standing = 0.0;   // The share of them that stands out, by length.
+    double coarse = 0.0;     // The share of them with faces on both sides that a round surface would leave by far.
+    bool creases = false;    // Edges are meant.
+    bool polyhedron = false; // Edges are meant because the faces are coarse: all are flat.
 };
 
-// Noise and coarse faces bend by any angle, more often less, and beside a bend there is another; edges stand out.  So
-// do those of a polyhedron of a few faces: nobody means something round by them.  And where many faces are flat, or
-// round in one direction only, the mesh was constructed: edges of such meshes are meant, also beside narrow fillets and
-// chamfers.  angle: degrees.
+struct CreaseEvidenceOfParts {
+    base::Array<CreaseEvidence> part; // of each component, in its own diagonals
+    // Of each side of the faces, 3 face + k: 1 if it bends by more than the angle, and the mesh does not go on turning
+    // the same way on both sides, as on fillets and other round walls. Of a polyhedron 1 if a face is too coarse there
+    // to be round.
+    base::Array<std::uint8_t> sharp;
+    CreaseEvidence whole; // The whole has creases if parts with creases hold enough of its area.
+};
+
+// Looks for creases among the edges that bend by more than an angle, in degrees. Each component is judged by itself, as
+// a statue is smooth on a block with edges.
+[[nodiscard]] CreaseEvidenceOfParts look_for_creases_of_parts(const base::Runtime& runtime, const Mesh& mesh,
+                                                              double angle, const base::Progress& progress);
+
+// Returns the evidence of the whole.
 [[nodiscard]] CreaseEvidence look_for_creases(const base::Runtime& runtime, const Mesh& mesh, double angle,
                                               const base::Progress& progress);
-
-// Of each component by itself, in its own diagonals.
-[[nodiscard]] base::Array<CreaseEvidence> look_for_creases_of_parts(const base::Runtime& runtime, const Mesh& mesh,
-                                                                    double angle, const base::Progress& progress);
 
 } // namespace hrbfnpr::mesh

@@ -3,6 +3,7 @@
 
 #include "base/assert.h"
 #include "mesh/fit/touching.h"
+#include "mesh/pieces/tuning.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,9 +16,9 @@ namespace {
 struct PlanTuning {
     // A share of `far`: faces that are farther than this from a round surface stay flat. Larger: fewer faces stay flat.
     double too_coarse = 0.8;
-    // A polyhedron of coarse faces has edges from this share of the crease angle on. Larger: fewer of its edges are
-    // sharp.
-    double flat_faces = 0.5;
+    // A polyhedron of coarse faces has edges from this share of the crease angle on, if its faces are that coarse
+    // there. Larger: fewer of its edges are sharp.
+    double flat_faces = 0.05;
     // The lower and upper bounds of EndPlan::off, in diagonals. Larger: more of the surface beyond a mesh stays.
     double least_off = 0.009;
     double most_off = 0.015;
@@ -45,18 +46,27 @@ bool crosses(const base::Runtime& runtime, const Mesh& mesh, const FaceTree& tre
     return mesh.report.boundary_edges == 0 && find_crossing(runtime, mesh, tree, progress).one >= 0;
 }
 
-Sharpness sharpness_of(const CreaseEvidence& found, const FitMeshSettings& settings, double coarse) noexcept {
-    if (!found.creases) return no_creases;
-    return {found.polyhedron ? plan_tuning.flat_faces * settings.crease_angle : settings.crease_angle, coarse};
+// What a mesh asks of its creases. Coarse faces stay flat in smooth parts of meshes with edges if something round would
+// leave them by more than the tolerance.
+struct Limits {
+    double angle, coarse; // of parts with edges
+    double tolerance;
+    bool has_edges; // Most edges stand out.
+};
+
+Sharpness sharpness_of(const CreaseEvidence& part, const Limits& limits) noexcept {
+    if (part.polyhedron) return {plan_tuning.flat_faces * limits.angle, limits.coarse};
+    if (part.creases) return {limits.angle, limits.coarse};
+    return {no_creases.angle, limits.has_edges ? limits.tolerance : no_creases.coarse};
 }
 
-// Finds the creases of intersecting solids. Each solid is a surface of its own, with or without edges.
-Creases creases_of_solids(const base::Runtime& runtime, const Mesh& mesh, const FitMeshSettings& settings,
-                          double coarse, const base::Progress& progress) {
+// Finds the creases that are meant in each component, as one may have edges and another none.
+Creases creases_that_are_meant(const base::Runtime& runtime, const Mesh& mesh, const Limits& limits,
+                               const base::Progress& progress) {
+    const CreaseEvidenceOfParts found = look_for_creases_of_parts(runtime, mesh, limits.angle, progress);
     base::Array<Sharpness> sharpness(runtime.memory);
-    for (const CreaseEvidence& found : look_for_creases_of_parts(runtime, mesh, settings.crease_angle, progress))
-        sharpness.push_back(sharpness_of(found, settings, coarse));
-    return find_creases(runtime, mesh, sharpness, progress);
+    for (const CreaseEvidence& part : found.part) sharpness.push_back(sharpness_of(part, limits));
+    return find_creases(runtime, mesh, sharpness, found.sharp, progress);
 }
 
 // Returns the lower bound of how_far_off(), in diagonals. A support with wide spacings cannot end a narrow strip. So
@@ -87,22 +97,20 @@ CreasePlan plan_creases(const base::Runtime& runtime, const Mesh& mesh, const Fa
                         const CreaseEvidence& known, const FitMeshSettings& settings, const base::Progress& progress) {
     if (settings.edges == Edges::smooth) return {};
     const double tolerance = settings.tolerance > 0.0 ? settings.tolerance : default_tolerance * mesh.bounds.diagonal();
-    Sharpness sharpness{settings.crease_angle,
-                        plan_tuning.too_coarse * (settings.far > 0.0 ? settings.far : 5.0 * tolerance)};
+    Limits limits{settings.crease_angle, plan_tuning.too_coarse * (settings.far > 0.0 ? settings.far : 5.0 * tolerance),
+                  tolerance, true};
     CreasePlan plan;
     if (settings.edges == Edges::automatic) {
         const CreaseEvidence found = settings.crease_angle == default_crease_angle
                                          ? known
                                          : look_for_creases(runtime, mesh, settings.crease_angle, progress);
-        if (!found.creases) {
-            plan.doubtful = found.length;
-            if (crosses(runtime, mesh, tree, progress))
-                plan.creases = creases_of_solids(runtime, mesh, settings, sharpness.coarse, progress);
-            return plan;
-        }
-        sharpness = sharpness_of(found, settings, sharpness.coarse);
+        if (!found.creases) plan.doubtful = found.length;
+        if (!found.creases && !crosses(runtime, mesh, tree, progress)) return plan;
+        limits.has_edges = found.standing >= has_creases_tuning.enough;
     }
-    Creases creases = find_creases(runtime, mesh, sharpness.angle, sharpness.coarse, progress);
+    Creases creases = settings.edges == Edges::automatic
+                          ? creases_that_are_meant(runtime, mesh, limits, progress)
+                          : find_creases(runtime, mesh, limits.angle, limits.coarse, progress);
     if (creases.patches >= 2) plan.creases = std::move(creases);
     return plan;
 }

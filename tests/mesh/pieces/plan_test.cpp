@@ -3,6 +3,7 @@
 
 #include "mesh/meshes.h"
 #include "support/runtime.h"
+#include "support/verdict_shapes.h"
 #include "support/watched_operation.h"
 
 #include <gtest/gtest.h>
@@ -13,6 +14,7 @@ namespace plan_test {
 
 namespace mesh = hrbfnpr::mesh;
 namespace test = hrbfnpr::test;
+namespace verdict = hrbfnpr::test::verdict;
 using hrbfnpr::test::Triangles;
 
 namespace {
@@ -65,6 +67,28 @@ TEST(Plan, EdgesThatDoNotStandOutAreDoubtful) {
     EXPECT_FALSE(plan.creases);
     EXPECT_GT(plan.doubtful, 1.0);
     EXPECT_EQ(coarse.creases(mesh::Edges::sharp, 16.0).doubtful, 0.0);
+}
+
+// A star has walls that meet in fillets of three chords: those are round, and its outline is sharp.
+TEST(Plan, FilletsStaySmooth) {
+    const std::vector<glm::dvec2> corners{{1.0, 0.0},  {0.3, 0.3},   {0.0, 1.0},  {-0.3, 0.3},
+                                          {-1.0, 0.0}, {-0.3, -0.3}, {0.0, -1.0}, {0.3, -0.3}};
+    const Planned star(verdict::prism(verdict::rounded(corners, 0.05, 3), 0.4, 3));
+    const mesh::CreasePlan plan = star.creases(mesh::Edges::automatic);
+    ASSERT_TRUE(plan.creases);
+    EXPECT_EQ(plan.creases->patches, 3);
+    EXPECT_EQ(star.creases(mesh::Edges::sharp).creases->patches, 10);
+}
+
+TEST(Plan, AStatueOnABlockIsSmooth) {
+    const verdict::Quads statue =
+        verdict::subdivided(verdict::cage(verdict::solid_of(verdict::person()), 14, 2, 0.05, 4), 1);
+    const Triangles block = test::box(14.0, 10.0, 4.0, 1).moved(1.0, -7.0, -5.0, -15.0);
+    const Planned both(block.with(verdict::cut(statue, verdict::Cut::first)));
+    const mesh::CreasePlan plan = both.creases(mesh::Edges::automatic);
+    ASSERT_TRUE(plan.creases);
+    EXPECT_EQ(plan.creases->patches, 6 + 1);
+    EXPECT_GT(both.creases(mesh::Edges::sharp).creases->patches, 20);
 }
 
 TEST(Plan, SolidsThatCrossAreFittedApart) {
