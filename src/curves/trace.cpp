@@ -12,6 +12,7 @@
 //   clip               (curve_changes.h) the parts of curves where the surface is
 #include "curves/trace.h"
 
+#include "base/list.h"
 #include "curves/curve_changes.h"
 #include "curves/tuning.h"
 #include "geometry/point_grid.h"
