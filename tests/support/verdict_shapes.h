@@ -618,7 +618,7 @@ inline Triangles crossed_cylinders(int n) {
     return mesh;
 }
 
-// A twisted blade with a sharp edge behind and a round one in front.
+// A twisted blade with a sharp trailing edge and a round leading edge.
 inline Triangles blade(int around, int along) {
     const auto place = [&](double u, double v) {
         const double angle = u < 1.0 ? 2.0 * pi * u : 0.0;

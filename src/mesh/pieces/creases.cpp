@@ -72,7 +72,7 @@ private:
     }
     [[nodiscard]] double limit_of(std::int32_t face) const noexcept { return sharpness_of(face).angle * radians; }
 
-    // Of the side of a face that begins in a vertex.
+    // Returns the number of the side of a face that begins in a vertex.
     [[nodiscard]] std::int64_t side_of(std::int32_t face, std::int32_t from) const noexcept {
         const Triangle& t = mesh_.triangle[face];
         return 3 * std::int64_t{face} + (t[0] == from ? 0 : t[1] == from ? 1 : 2);
@@ -282,7 +282,7 @@ private:
                            [&](std::int64_t i) { return bend_[i].sharp && !is_fading(bend_[i]); });
     }
 
-    // Tells of each patch whether it is a few small faces that nobody can see.
+    // Tells which patches are a few faces too small to be seen.
     [[nodiscard]] base::Array<std::uint8_t> find_scraps() const {
         base::Array<std::int64_t> faces(runtime_.memory, result_.patches);
         base::Array<double> area(runtime_.memory, result_.patches);

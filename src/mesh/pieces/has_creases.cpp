@@ -21,8 +21,8 @@ struct SidedMesh {
         : mesh(mesh), normal(memory), beyond(memory), bend(memory, 3 * mesh.faces()) {}
 
     const Mesh& mesh;
-    base::Array<glm::dvec3> normal;   // of each face
-    base::Array<std::int64_t> beyond; // The side of the neighbour that has the same edge; -1 if there is none.
+    base::Array<glm::dvec3> normal;   // The unit normal of each face.
+    base::Array<std::int64_t> beyond; // The side of the neighbour with the same edge; -1: there is no neighbour.
     base::Array<double> bend;         // The angle between the normals of both, in degrees; below 0 in hollows.
 
     [[nodiscard]] static std::int64_t next(std::int64_t side) noexcept { return side / 3 * 3 + (side + 1) % 3; }
@@ -77,7 +77,7 @@ void for_plain_edges(const SidedMesh& sided, const base::Progress& progress, Vis
     }
 }
 
-// ---- What is beside an edge
+// ---- The mesh beside an edge
 
 // By how much a mesh turns, in degrees.
 struct Turn {

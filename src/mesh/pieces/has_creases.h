@@ -5,7 +5,7 @@
 // edge, however finely it is divided. An edge of the shape is different: beside it the mesh turns little. The look
 // beside an edge reaches as far as the face there is high and half as far again, so it does not depend on how quads are
 // cut into triangles. Two more kinds of faces tell that edges are meant: flat polygons, which smooth surfaces of bent
-// quads do not have, and faces so coarse that nobody means something round by them.
+// quads do not have, and faces too coarse to stand for something round.
 #pragma once
 
 #include "mesh/edges.h"
@@ -22,9 +22,9 @@ struct CreaseEvidence {
 
 struct CreaseEvidenceOfParts {
     base::Array<CreaseEvidence> part; // of each component, in its own diagonals
-    // Of each side of the faces, 3 face + k: 1 if it bends by more than the angle, and the mesh does not go on turning
-    // the same way on both sides, as on fillets and other round walls. Of a polyhedron 1 if a face is too coarse there
-    // to be round.
+    // One number for each side of the faces, 3 face + k. It is 1 where the mesh bends by more than the angle and does
+    // not go on turning the same way on both sides, as fillets and other round walls do. On a polyhedron it is 1 where
+    // a face is too coarse to be round.
     base::Array<std::uint8_t> sharp;
     CreaseEvidence whole; // The whole has creases if parts with creases hold enough of its area.
 };

@@ -16,7 +16,7 @@ struct HasCreasesTuning {
     // Faces beyond an edge that bends by less belong to one polygon, in degrees. Larger: coordinates of fewer digits
     // are enough, and more bent quads are taken for flat ones.
     double flat = 0.2;
-    // Edges that bend by more than this are not round, in degrees: nobody means a ring of six sides as a circle. Those
+    // Edges that bend by more than this are not round, in degrees: a ring of six sides is not meant as a circle. Those
     // of flat polygons stand out. Larger: fewer edges between narrow walls are sharp.
     double surely_sharp = 60.0;
     // The least share of the edges beyond the angle that stands out on a shape with edges, by length. Larger: more

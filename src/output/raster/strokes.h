@@ -350,7 +350,7 @@ private:
         const double bend = std::abs(sine) * scale; // the tangent of half the turn
         const bool fits = a.radius_b == radius && radius * bend <= 0.5 * std::min(a.length, b.length);
         joint.left_outside = sine >= 0.0;
-        // The corner stands out of the arc over twice this length, of which a pixel has at most its own.
+        // The corner stands out of the arc over twice this length. A pixel sees at most its own width of it.
         const double reach = radius * bend;
         const double taper = std::max(a.taper, b.taper);
         bool gentle = fits && reach * (0.5 * bend + taper) < raster_tuning.edge_tolerance;

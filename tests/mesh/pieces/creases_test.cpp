@@ -178,7 +178,7 @@ TEST(Creases, AreSharpUnlessTheyAreRound) {
     }
 }
 
-// A box, and a pyramid so small that nobody can see its faces.
+// A box, and a pyramid whose faces are too small to be seen.
 TEST(Creases, OfFacesThatNobodySeesAreNone) {
     Triangles shape = test::box(1.0, 1.0, 1.0, 4);
     for (const double size : {1e-3, 1e-1}) {
