@@ -161,8 +161,8 @@ std::uint64_t Thinning::ticket(std::uint64_t key) const noexcept {
     return static_cast<std::uint64_t>(bits[0]) << 32U | bits[1];
 }
 
-// The limit is the ticket of place `kept`.  Tickets are uniform: of those that share their first bits with it there are
-// few, and the others are only counted.
+// The limit is the ticket of place `kept`. Tickets are uniform, so that few share their first bits with it. The others
+// are only counted.
 void Thinning::choose(base::Array<std::uint64_t>& tickets, std::int64_t kept, const base::Progress& progress) {
     HRBFNPR_ASSERT(kept >= 0 && kept < tickets.size());
     constexpr unsigned first_bits = 52; // tickets have 64 bits, and each value of the upper 12 has a counter
