@@ -264,36 +264,56 @@ base::Array<std::int32_t> curve_of_points(const Curves& curves) {
     return numbers;
 }
 
-// Looks at each point around the place and at the pieces on both sides of it.
+void NearCurves::look_beside(std::int64_t point, const glm::dvec3& place, const glm::dvec3& along,
+                             Foot& best) const noexcept {
+    const CurvePoint& p = curves_.point[point];
+    if (glm::distance(p.position, place) >= best.distance + (1.0 + piece_bulge) * longest_ ||
+        !(glm::dot(p.direction(), along) >= 0.0))
+        return;
+    const std::int64_t curve = curve_[point];
+    const auto look_at = [&](const glm::dvec3& foot) {
+        if (const double distance = glm::distance(foot, place); distance < best.distance)
+            best = {foot, distance, curve};
+    };
+    look_at(p.position);
+    const std::int64_t first = curves_.first[curve];
+    const std::int64_t last = curves_.first[curve + 1] - 1;
+    for (const std::int64_t way : {-1, 1}) {
+        const std::int64_t end = way > 0 ? last : first;
+        if (point == end && curves_.closed[curve] == 0) continue;
+        const CurvePoint& q = curves_.point[point != end ? point + way : first + last - end];
+        const glm::dvec3 chord = q.position - p.position;
+        const double share = glm::dot(place - p.position, chord) / glm::dot(chord, chord);
+        const double reach = best.distance + piece_bulge * glm::length(chord);
+        if (!(share > 0.0 && share < 1.0) || glm::distance(p.position + share * chord, place) > reach) continue;
+        look_at(way > 0 ? CubicPiece(p, q).at(share) : CubicPiece(q, p).at(1.0 - share));
+    }
+}
+
 NearCurves::Foot NearCurves::nearest(const glm::dvec3& place, const glm::dvec3& along, std::int64_t but,
                                      double most) const {
     Foot best;
     best.distance = most;
-    const auto look_at = [&](const glm::dvec3& foot, std::int64_t curve) {
-        if (const double distance = glm::distance(foot, place); distance < best.distance)
-            best = {foot, distance, curve};
-    };
     grid_.around(place, [&](std::int64_t at) {
-        const std::int64_t point = grid_.index(at);
-        const CurvePoint& p = curves_.point[point];
-        if (glm::distance(p.position, place) >= best.distance + (1.0 + piece_bulge) * longest_) return;
-        const std::int64_t curve = curve_[point];
-        if (curve == but || !(glm::dot(p.direction(), along) >= 0.0)) return;
-        look_at(p.position, curve);
-        const std::int64_t first = curves_.first[curve];
-        const std::int64_t last = curves_.first[curve + 1] - 1;
-        for (const std::int64_t way : {-1, 1}) {
-            const std::int64_t end = way > 0 ? last : first;
-            if (point == end && curves_.closed[curve] == 0) continue;
-            const CurvePoint& q = curves_.point[point != end ? point + way : first + last - end];
-            const glm::dvec3 chord = q.position - p.position;
-            const double share = glm::dot(place - p.position, chord) / glm::dot(chord, chord);
-            const double reach = best.distance + piece_bulge * glm::length(chord);
-            if (!(share > 0.0 && share < 1.0) || glm::distance(p.position + share * chord, place) > reach) continue;
-            look_at(way > 0 ? CubicPiece(p, q).at(share) : CubicPiece(q, p).at(1.0 - share), curve);
-        }
+        if (const std::int64_t point = grid_.index(at); curve_[point] != but) look_beside(point, place, along, best);
     });
     return best;
+}
+
+bool NearCurves::passes(const glm::dvec3& place, const glm::dvec3& along, double distance, std::int64_t& guess) const {
+    constexpr std::int64_t beside = 2; // points before and after the guess
+    Foot best;
+    best.distance = std::nextafter(distance, HUGE_VAL);
+    const auto look = [&](std::int64_t point) {
+        if (best.curve >= 0) return;
+        look_beside(point, place, along, best);
+        if (best.curve >= 0) guess = point;
+    };
+    const std::int64_t from = std::max<std::int64_t>(guess - beside, 0);
+    const std::int64_t to = std::min(guess + beside, curves_.point.size() - 1);
+    for (std::int64_t point = from; point <= to; ++point) look(point);
+    if (best.curve < 0) grid_.around(place, [&](std::int64_t at) { look(grid_.index(at)); });
+    return best.curve >= 0;
 }
 
 // ---- Lines on a surface

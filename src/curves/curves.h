@@ -260,8 +260,15 @@ public:
                                        std::int64_t but = -1) const {
         return nearest(place, along, but, std::nextafter(distance, HUGE_VAL)).curve;
     }
+    // Whether one of these curves is within the distance. Looks beside the point `guess` first, and sets it to the
+    // point that the curve was found beside.
+    [[nodiscard]] bool passes(const glm::dvec3& place, const glm::dvec3& along, double distance,
+                              std::int64_t& guess) const;
 
 private:
+    // Sets `best` to the nearest place of the pieces on both sides of a point, if that is nearer.
+    void look_beside(std::int64_t point, const glm::dvec3& place, const glm::dvec3& along, Foot& best) const noexcept;
+
     const Curves& curves_;
     double longest_;
     base::Array<std::int32_t> curve_; // the curve of each point

@@ -244,14 +244,14 @@ ClippedMesh clip(const base::Runtime& runtime, const Level& level, const Surface
 Chains<Bead> find_beads(const base::Runtime& runtime, const SurfaceMesh& mesh, const base::Array<double>& level) {
     constexpr std::int64_t triangles_a_task = 8192;
     HRBFNPR_ASSERT(level.size() == mesh.vertices());
-    base::Array<std::uint8_t> crossed(runtime.memory);
-    crossed.resize_for_overwrite(mesh.triangles());
+    base::Array<std::uint8_t> crossed(runtime.memory, mesh.triangles());
     runtime.parallel.for_chunks(mesh.triangles(), triangles_a_task, [&](std::int64_t begin, std::int64_t end) {
         for (std::int64_t t = begin; t < end; ++t) {
             const std::int32_t* const corner = mesh.corner.data() + 3 * t;
             const bool a = level[corner[0]] < 0.0;
             const bool b = level[corner[1]] < 0.0;
             const bool c = level[corner[2]] < 0.0;
+            if (a == b && b == c) continue; // as nearly everywhere
             crossed[t] = static_cast<std::uint8_t>((a != b ? 1 : 0) | (b != c ? 2 : 0) | (c != a ? 4 : 0));
         }
     });
@@ -259,24 +259,29 @@ Chains<Bead> find_beads(const base::Runtime& runtime, const SurfaceMesh& mesh, c
     const auto enters = [&](std::int64_t edge) { return level[start_of(mesh, edge)] < 0.0; };
     Chains<std::int64_t> edges = walk_chains(mesh, crossed, enters);
     Chains<Bead> chains(runtime.memory);
-    chains.point.reserve(edges.point.size());
-    for (const std::int64_t edge : edges.point) {
-        const auto [a, b] = enters(edge) ? std::pair(start_of(mesh, edge), end_of(mesh, edge))
-                                         : std::pair(end_of(mesh, edge), start_of(mesh, edge));
-        const double drop = level[b] - level[a];
-        const Straddle places{mesh.position[a], mesh.position[b]};
-        const glm::dvec3 place =
-            places.negative + (drop > 0.0 ? -level[a] / drop : 0.5) * (places.positive - places.negative);
-        chains.point.push_back({a, b, places, place, glm::dvec3(0.0)});
-    }
-    for (std::int64_t c = 0; c < edges.count(); ++c) {
-        Bead* const bead = chains.point.data() + edges.first[c];
-        const std::int64_t count = edges.size_of(c);
-        const auto place = [&](std::int64_t i) {
-            return bead[edges.closed[c] != 0 ? (i + count) % count : std::clamp<std::int64_t>(i, 0, count - 1)].place;
-        };
-        for (std::int64_t i = 0; i < count; ++i) bead[i].way = place(i + 1) - place(i - 1);
-    }
+    chains.point.resize(edges.point.size());
+    runtime.parallel.for_chunks(edges.count(), 16, [&](std::int64_t begin, std::int64_t end) {
+        for (std::int64_t c = begin; c < end; ++c) {
+            Bead* const bead = chains.point.data() + edges.first[c];
+            const std::int64_t count = edges.size_of(c);
+            for (std::int64_t i = 0; i < count; ++i) {
+                const std::int64_t edge = edges.point[edges.first[c] + i];
+                const auto [a, b] = enters(edge) ? std::pair(start_of(mesh, edge), end_of(mesh, edge))
+                                                 : std::pair(end_of(mesh, edge), start_of(mesh, edge));
+                const double drop = level[b] - level[a];
+                const Straddle places{mesh.position[a], mesh.position[b]};
+                const double share = drop > 0.0 ? -level[a] / drop : 0.5;
+                bead[i] = {a, b, places, places.negative + share * (places.positive - places.negative),
+                           glm::dvec3(0.0)};
+            }
+            const bool closed = edges.closed[c] != 0;
+            for (std::int64_t i = 0; i < count; ++i) {
+                const std::int64_t before = i > 0 ? i - 1 : closed ? count - 1 : 0;
+                const std::int64_t after = i + 1 < count ? i + 1 : closed ? 0 : count - 1;
+                bead[i].way = bead[after].place - bead[before].place;
+            }
+        }
+    });
     chains.first = std::move(edges.first);
     chains.closed = std::move(edges.closed);
     return chains;

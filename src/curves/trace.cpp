@@ -474,42 +474,58 @@ void follow(const base::Runtime& runtime, const Level& level, const SurfaceMesh&
 
 // ---- Loops between vertices
 
-// Vertices where |g| is low, is nowhere less among the neighbours, and g has the sign of all these; ascending. It is
-// low where it is lower than the difference to another corner of a triangle: the extremum of a quadratic is nearer than
-// half an edge, and lower by a quarter of that difference.
+// Whether holds(other) is true for all neighbours of a triangle's corner. Walks around the corner over the edges that
+// begin there, and from a border of the mesh the other way, too.
+template <class Holds>
+bool all_neighbours(const SurfaceMesh& mesh, std::int64_t triangle, std::int32_t vertex, const Holds& holds) {
+    for (const std::int64_t over : {0, 2}) {
+        std::int64_t t = triangle;
+        do {
+            const std::int32_t* const v = mesh.corner.data() + 3 * t;
+            const std::int64_t k = v[0] == vertex ? 0 : v[1] == vertex ? 1 : 2;
+            HRBFNPR_ASSERT(v[k] == vertex);
+            if (!holds(v[(k + 1) % 3]) || !holds(v[(k + 2) % 3])) return false;
+            t = mesh.neighbour[3 * t + (k + over) % 3];
+        } while (t >= 0 && t != triangle);
+        if (t >= 0) break;
+    }
+    return true;
+}
+
+// Whether g has one sign at the corners of a triangle and |g| is low at one of them: lower than its difference to
+// another corner. The extremum of a quadratic is nearer than half an edge, and lower by a quarter of that difference.
+// Every triangle is asked, so there are no branches.
+bool is_low(double a, double b, double c) noexcept {
+    const double least = std::min(std::abs(a), std::min(std::abs(b), std::abs(c)));
+    const double most = std::max(std::abs(a), std::max(std::abs(b), std::abs(c)));
+    const unsigned parted = unsigned(std::min(a, std::min(b, c)) < 0.0) & unsigned(std::max(a, std::max(b, c)) > 0.0);
+    return (unsigned(least < most - least) & ~parted) != 0;
+}
+
+// Vertices where |g| is low, is nowhere less among the neighbours, and g has the sign of all these; ascending.
 base::Array<std::int32_t> find_low(const base::Runtime& runtime, const SurfaceMesh& mesh,
                                    const base::Array<double>& level) {
-    base::Array<std::uint8_t> low(runtime.memory, mesh.vertices());
-    const auto value = [&](std::int32_t v) { return std::abs(level[v]); };
-    const auto less = [&](std::int32_t a, std::int32_t b) { return value(a) < value(b); };
-    // Marks the vertices that look(corners, found) finds in triangles.
-    const auto mark = [&](std::uint8_t as, const auto& look) {
-        constexpr std::int64_t triangles_a_task = 8192;
-        base::List<base::Array<std::int32_t>> found(runtime.memory);
-        for (std::int64_t t = 0; t < mesh.triangles(); t += triangles_a_task) found.add(runtime.memory);
-        runtime.parallel.for_chunks(mesh.triangles(), triangles_a_task, [&](std::int64_t begin, std::int64_t end) {
-            for (std::int64_t t = begin; t < end; ++t)
-                look(mesh.corner.data() + 3 * t, found[begin / triangles_a_task]);
-        });
-        for (const base::Array<std::int32_t>& some : found)
-            for (const std::int32_t v : some) low[v] = as;
-    };
-    mark(1, [&](const std::int32_t* v, base::Array<std::int32_t>& found) {
-        const double least = std::min(value(v[0]), std::min(value(v[1]), value(v[2])));
-        const double most = std::max(value(v[0]), std::max(value(v[1]), value(v[2])));
-        if (least < most - least) found.push_back(*std::min_element(v, v + 3, less));
-    });
-    mark(0, [&](const std::int32_t* v, base::Array<std::int32_t>& found) {
-        if ((low[v[0]] | low[v[1]] | low[v[2]]) == 0) return;
-        for (std::int64_t k = 0; k < 9; ++k) { // each corner beside each
-            const std::int32_t here = v[k / 3];
-            const std::int32_t other = v[k % 3];
-            if ((level[other] < 0.0) != (level[here] < 0.0) || !(value(other) >= value(here))) found.push_back(here);
+    constexpr std::int64_t triangles_a_task = 8192;
+    base::List<base::Array<std::int32_t>> found(runtime.memory); // by task
+    for (std::int64_t t = 0; t < mesh.triangles(); t += triangles_a_task) found.add(runtime.memory);
+    runtime.parallel.for_chunks(mesh.triangles(), triangles_a_task, [&](std::int64_t begin, std::int64_t end) {
+        for (std::int64_t t = begin; t < end; ++t) {
+            const std::int32_t* const v = mesh.corner.data() + 3 * t;
+            if (!is_low(level[v[0]], level[v[1]], level[v[2]])) continue;
+            const std::int32_t lowest = *std::min_element(
+                v, v + 3, [&](std::int32_t a, std::int32_t b) { return std::abs(level[a]) < std::abs(level[b]); });
+            const double here = level[lowest];
+            const bool is_least = all_neighbours(mesh, t, lowest, [&](std::int32_t other) {
+                return (level[other] < 0.0) == (here < 0.0) && std::abs(level[other]) >= std::abs(here);
+            });
+            if (is_least) found[begin / triangles_a_task].push_back(lowest);
         }
     });
     base::Array<std::int32_t> all(runtime.memory);
-    for (std::int32_t v = 0; v < mesh.vertices(); ++v)
-        if (low[v] != 0) all.push_back(v);
+    for (const base::Array<std::int32_t>& some : found)
+        for (const std::int32_t v : some) all.push_back(v);
+    std::sort(all.begin(), all.end());
+    all.resize(std::unique(all.begin(), all.end()) - all.begin());
     return all;
 }
 
@@ -626,9 +642,10 @@ base::Array<Bead> uncovered(const Tracing& tracing, const base::Array<Bead>& bea
     const NearCurves near = tracing.near_curves();
     base::Array<std::uint8_t> is_covered(tracing.runtime.memory, beads.size());
     tracing.runtime.parallel.for_chunks(beads.size(), 512, [&](std::int64_t begin, std::int64_t end) {
+        std::int64_t guess = 0; // beads follow each other along curves
         for (std::int64_t i = begin; i < end; ++i)
             is_covered[i] =
-                near.passing(beads[i].place, beads[i].way, curve_tuning.covered * tracing.mesh.side) >= 0 ? 1 : 0;
+                near.passes(beads[i].place, beads[i].way, curve_tuning.covered * tracing.mesh.side, guess) ? 1 : 0;
     });
     base::Array<Bead> left(tracing.runtime.memory);
     for (std::int64_t i = 0; i < beads.size(); ++i)

@@ -24,11 +24,13 @@ PointGrid::PointGrid(const VecArray& points, double radius, const base::Progress
     const auto buckets =
         static_cast<std::int64_t>(std::bit_ceil(static_cast<std::uint64_t>(std::max<std::int64_t>(points.size(), 1))));
     base::resize_long(begin_, buckets + 1, progress);
-    const auto cell_of = [&](std::int64_t i) { return CellGrid::pack(grid_.cell_of(points[i])); };
+    base::Array<std::uint64_t> cells(points.memory()); // of the points as given
+    cells.resize_for_overwrite(points.size());
     // Sorting by counting, which keeps the order of the points of a bucket.
     for (std::int64_t i = 0; i < points.size(); ++i) {
         if (i % numbered_at_once == 0) progress.check();
-        ++begin_[bucket(cell_of(i)) + 1];
+        cells[i] = CellGrid::pack(grid_.cell_of(points[i]));
+        ++begin_[bucket(cells[i]) + 1];
     }
     progress.check();
     for (std::int64_t b = 0; b < buckets; ++b) begin_[b + 1] += begin_[b];
@@ -38,10 +40,9 @@ PointGrid::PointGrid(const VecArray& points, double radius, const base::Progress
     for (std::int64_t b = 0; b < buckets; ++b) next[b] = begin_[b];
     for (std::int64_t i = 0; i < points.size(); ++i) {
         if (i % numbered_at_once == 0) progress.check();
-        const std::uint64_t cell = cell_of(i);
-        const std::int64_t at = next[bucket(cell)]++;
+        const std::int64_t at = next[bucket(cells[i])]++;
         index_[at] = i;
-        cell_[at] = cell;
+        cell_[at] = cells[i];
     }
 }
 
