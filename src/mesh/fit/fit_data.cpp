@@ -37,38 +37,15 @@ void FitField::expect(const base::Runtime& runtime, std::int64_t places, const b
     if (error.value <= precision_ && error.gradient <= gradient_precision) prepared_ = std::move(prepared);
 }
 
-fit::Samples chosen_samples(const base::Runtime& runtime, const fit::Samples& candidates,
-                            const base::Array<std::int64_t>& centres, const OffSurface& off,
-                            const base::Progress& progress) {
-    fit::Samples chosen(runtime.memory);
-    chosen.position.reserve(centres.size() + off.count());
-    chosen.normal.reserve(centres.size() + off.count());
-    for (const std::int64_t i : centres) {
-        chosen.position.push_back(candidates.position[i]);
-        chosen.normal.push_back(candidates.normal[i]);
-    }
-    fit::measure_extent(runtime, chosen, progress);
-    chosen.bounds = candidates.bounds;
-    if (off.count() == 0) return chosen;
-    chosen.value.resize(centres.size());
-    for (std::int64_t i = 0; i < off.count(); ++i) {
-        chosen.position.push_back(off.position[i]);
-        chosen.normal.push_back(off.normal[i]);
-        chosen.value.push_back(off.value[i]);
-    }
-    return chosen;
-}
-
 double root_mean_square(const base::Array<double>& distance, double unit) noexcept {
     double sum = 0.0;
     for (const double d : distance) sum += (d / unit) * (d / unit);
     return unit * std::sqrt(sum / static_cast<double>(distance.size()));
 }
 
-void describe(const base::Runtime& runtime, const fit::Samples& candidates, const base::Array<std::int64_t>& centres,
-              const OffSurface& off, const FitMeshReport& report, fit::CentreFit& fit, const base::Progress& progress) {
+void describe(const base::Runtime& runtime, const fit::Samples& chosen, const FitMeshReport& report,
+              fit::CentreFit& fit, const base::Progress& progress) {
     fit::FitReport& to = fit.result.report;
-    const fit::Samples chosen = chosen_samples(runtime, candidates, centres, off, progress);
     const fit::Distances at = fit::measure_distances(runtime, fit.result.data, chosen, progress);
     const double unit = fit.result.data.scale; // no underflow in small units
     double values = 0.0;
@@ -84,7 +61,7 @@ void describe(const base::Runtime& runtime, const fit::Samples& candidates, cons
     }
     to.value_residual_rms = unit * std::sqrt(values / static_cast<double>(count));
     to.gradient_residual_rms = std::sqrt(gradients / static_cast<double>(count));
-    to.samples = candidates.position.size();
+    to.samples = report.candidates;
     to.choice_rounds = report.rounds;
     to.input_distance_max = report.mesh.most;
     to.input_share_within = report.mesh.share;

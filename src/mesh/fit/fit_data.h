@@ -5,7 +5,6 @@
 #include "fit/distance.h"
 #include "fit/fit_centres.h"
 #include "mesh/fit/fit_mesh.h"
-#include "mesh/fit/off_surface.h"
 
 #include <memory>
 
@@ -49,16 +48,11 @@ private:
     std::unique_ptr<implicit::Implicit> prepared_;
 };
 
-// The chosen candidates, then the centres off the surface.
-[[nodiscard]] fit::Samples chosen_samples(const base::Runtime& runtime, const fit::Samples& candidates,
-                                          const base::Array<std::int64_t>& centres, const OffSurface& off,
-                                          const base::Progress& progress);
-
 // The root of the mean square, unit: a length, so that squares of small ones do not underflow.
 [[nodiscard]] double root_mean_square(const base::Array<double>& distance, double unit) noexcept;
 
-// Fills in the fit's report, but for the candidates' distances.
-void describe(const base::Runtime& runtime, const fit::Samples& candidates, const base::Array<std::int64_t>& centres,
-              const OffSurface& off, const FitMeshReport& report, fit::CentreFit& fit, const base::Progress& progress);
+// Fills in the fit's report, but for the candidates' distances. `chosen` are the centres of the fit.
+void describe(const base::Runtime& runtime, const fit::Samples& chosen, const FitMeshReport& report,
+              fit::CentreFit& fit, const base::Progress& progress);
 
 } // namespace hrbfnpr::mesh

@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: MIT
+#include "fit/adaptive.h"
+
+#include "base/assert.h"
+#include "base/clock.h"
+#include "fit/tuning.h"
+#include "geometry/farthest_order.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace hrbfnpr::fit {
+namespace {
+
+geometry::VecArray positions_of_centres(const Samples& samples, const base::Array<std::int64_t>& centres) {
+    geometry::VecArray positions(centres.memory());
+    positions.reserve(centres.size());
+    for (const std::int64_t i : centres) positions.push_back(samples.position[i]);
+    return positions;
+}
+
+// How far a fit is off at each sample.
+struct Misfits {
+    explicit Misfits(base::Memory& memory, std::int64_t count)
+        : error(memory, count), score(memory, count), to_centre(memory, count), spacing(memory, count) {}
+
+    base::Array<double> error;     // distance from the surface
+    base::Array<double> score;     // the higher, the worse
+    base::Array<double> to_centre; // distance to the nearest centre
+    base::Array<double> spacing;   // distance of that centre from the next one
+};
+
+Misfits misfits_of(const base::Runtime& runtime, const Samples& samples, const base::Array<std::int64_t>& centres,
+                   const Distances& distances, const CandidateOptions& options, const base::Progress& progress) {
+    const geometry::PointTree tree(positions_of_centres(samples, centres), progress);
+    base::Array<double> spacing(runtime.memory, centres.size()); // by place in the tree
+    for (std::int64_t at = 0; at < centres.size(); ++at)
+        spacing[at] = std::min(tree.nearest_other(at), samples.bounds.diagonal());
+    // 0 where the gradient is along the normal, 2 where it is against it.
+    const auto deviation = [&](std::int64_t i) {
+        const glm::dvec3 gradient = distances.gradient[i];
+        const double slope = glm::length(gradient);
+        return slope > 0.0 ? glm::distance(gradient / slope, samples.normal[i]) : 2.0;
+    };
+    Misfits found(runtime.memory, samples.position.size());
+    const auto measure = [&](std::int64_t i) {
+        // The noise of one sample says nothing about the surface; the mean of some does.
+        double distance = distances.distance[i];
+        double off = deviation(i);
+        if (options.neighbours != nullptr) {
+            const auto near = options.neighbours->of(i);
+            for (const std::int64_t j : near) {
+                distance += distances.distance[j];
+                off += deviation(j);
+            }
+            distance /= static_cast<double>(near.size() + 1);
+            off /= static_cast<double>(near.size() + 1);
+        }
+        std::int64_t nearest = 0;
+        tree.nearest(
+            samples.position[i], 1, [](std::int64_t) { return true; }, [](std::int64_t) { return true; }, &nearest);
+        found.to_centre[i] = glm::distance(samples.position[i], tree.points()[nearest]);
+        found.spacing[i] = spacing[nearest];
+        // Where f grows inward the distance is that from another sheet, or from none.
+        const bool wrong_side = off > 1.4142135623730951;
+        found.error[i] = wrong_side ? std::max(std::abs(distance), adaptive_tuning.wrong_side * options.tolerance)
+                                    : std::abs(distance);
+        found.score[i] = found.error[i] + adaptive_tuning.lever * off * found.to_centre[i];
+    };
+    runtime.parallel.for_chunks(samples.position.size(), 512, [&](std::int64_t begin, std::int64_t end) {
+        progress.check();
+        for (std::int64_t i = begin; i < end; ++i) measure(i);
+    });
+    return found;
+}
+
+bool is_unsolvable(const Error& error) noexcept {
+    return error.status() == Status::not_converged || error.status() == Status::singular_system;
+}
+
+void resize_held(Samples& held, std::int64_t count) {
+    held.position.resize(count);
+    held.normal.resize(count);
+    held.value.resize(count);
+}
+
+} // namespace
+
+// ---- The loop
+
+AdaptiveFit fit_adaptively(const base::Runtime& runtime, const FitInput& input, const Samples& candidates,
+                           base::Array<std::int64_t> first, const Smoothing& smoothing,
+                           const AdaptiveSettings& settings, const Oracle& oracle, const base::Progress& progress) {
+    HRBFNPR_ASSERT(!first.empty() && std::is_sorted(first.begin(), first.end()) && settings.most_rounds > 0);
+    const base::Stopwatch watch;
+    const auto fit_round = [&](std::int32_t round, const base::Array<std::int64_t>& centres, const Samples& held,
+                               const Smoothing& smooth) {
+        // The number of rounds is not known; each is longer than the one before.
+        const base::Progress part = progress.part(1.0 - std::pow(0.75, round), 1.0 - std::pow(0.75, round + 1));
+        return fit_centres(runtime, input, centres_of(runtime, candidates, centres, held, progress), smooth, part);
+    };
+    Samples none(runtime.memory);
+    CentreFit first_fit = fit_round(0, first, none, smoothing);
+    AdaptiveFit now{std::move(first_fit), std::move(first), std::move(none), 1, watch.seconds(), 0.0};
+    for (;;) {
+        const Growth growth = oracle(now);
+        if (!growth.goes_on || now.rounds >= settings.most_rounds) return now;
+        const double before = watch.seconds();
+        base::Array<std::int64_t> centres(runtime.memory);
+        centres.reserve(now.centres.size() + growth.centres.size());
+        for (const base::Array<std::int64_t>* const some : {&std::as_const(now.centres), &growth.centres})
+            for (const std::int64_t i : *some) centres.push_back(i);
+        std::sort(centres.begin(), centres.end());
+        centres.resize(std::unique(centres.begin(), centres.end()) - centres.begin());
+        const std::int64_t held = now.held.position.size();
+        for (std::int64_t i = 0; i < growth.held.position.size(); ++i) {
+            now.held.position.push_back(growth.held.position[i]);
+            now.held.normal.push_back(growth.held.normal[i]);
+            now.held.value.push_back(growth.held.value[i]);
+        }
+        try {
+            now.fit = fit_round(now.rounds, centres, now.held, growth.smoothing);
+        } catch (const Error& error) {
+            if (!settings.keeps_last || !is_unsolvable(error)) throw;
+            runtime.log(base::LogLevel::debug, "fit: with %lld centres: %s; with %lld it is solved",
+                        static_cast<long long>(centres.size() + now.held.position.size()), error.what(),
+                        static_cast<long long>(now.centres.size() + held));
+            resize_held(now.held, held);
+            return now;
+        }
+        now.centres = std::move(centres);
+        ++now.rounds;
+        now.seconds_before = before;
+        now.seconds_fit += watch.seconds() - before;
+    }
+}
+
+base::Array<std::int64_t> even_choice(const Samples& candidates, std::int64_t count, const base::Progress& progress) {
+    HRBFNPR_ASSERT(count > 0 && !candidates.position.empty());
+    geometry::FarthestOrder found =
+        geometry::farthest_order(candidates.position, std::min(count, candidates.position.size()), progress.standing());
+    std::sort(found.order.begin(), found.order.end());
+    return std::move(found.order);
+}
+
+Samples centres_of(const base::Runtime& runtime, const Samples& candidates, const base::Array<std::int64_t>& centres,
+                   const Samples& held, const base::Progress& progress) {
+    HRBFNPR_ASSERT(held.value.size() == held.position.size());
+    Samples chosen(runtime.memory);
+    chosen.position.reserve(centres.size() + held.position.size());
+    chosen.normal.reserve(centres.size() + held.position.size());
+    for (const std::int64_t i : centres) {
+        chosen.position.push_back(candidates.position[i]);
+        chosen.normal.push_back(candidates.normal[i]);
+    }
+    if (centres.size() == candidates.position.size() && candidates.spacing > 0.0)
+        chosen.spacing = candidates.spacing;
+    else
+        measure_extent(runtime, chosen, progress);
+    chosen.bounds = candidates.bounds;
+    if (held.position.empty()) return chosen;
+    chosen.value.resize(centres.size());
+    for (std::int64_t i = 0; i < held.position.size(); ++i) {
+        chosen.position.push_back(held.position[i]);
+        chosen.normal.push_back(held.normal[i]);
+        chosen.value.push_back(held.value[i]);
+    }
+    return chosen;
+}
+
+std::int64_t batch_of(std::int64_t centres, double outside) noexcept {
+    const double share = outside > adaptive_tuning.mostly_outside ? adaptive_tuning.large_batch : adaptive_tuning.batch;
+    return std::max(adaptive_tuning.smallest_batch, static_cast<std::int64_t>(share * static_cast<double>(centres)));
+}
+
+// ---- What to add
+
+Candidates worst_candidates(const base::Runtime& runtime, const Samples& samples, const geometry::PointTree& tree,
+                            const base::Array<std::int64_t>& centres, const Distances& distances,
+                            const CandidateOptions& options, const base::Progress& progress) {
+    const std::int64_t count = samples.position.size();
+    HRBFNPR_ASSERT(!centres.empty() && tree.size() == count && distances.distance.size() == count);
+    const Misfits misfit = misfits_of(runtime, samples, centres, distances, options, progress);
+    Candidates result(runtime.memory);
+    for (const double error : misfit.error) result.outside += error > options.tolerance ? 1 : 0;
+    if (result.outside == 0) return result;
+
+    base::Array<std::uint8_t> is_centre(runtime.memory, count);
+    for (const std::int64_t i : centres) is_centre[i] = 1;
+    base::Array<std::int64_t> order(runtime.memory);
+    for (std::int64_t i = 0; i < count; ++i)
+        if (is_centre[i] == 0 && misfit.error[i] >= adaptive_tuning.nearly_outside * options.tolerance)
+            order.push_back(i);
+    std::sort(order.begin(), order.end(), [&](std::int64_t a, std::int64_t b) {
+        return misfit.score[a] > misfit.score[b] || (misfit.score[a] == misfit.score[b] && a < b);
+    });
+    base::Array<std::int64_t> place(runtime.memory, count); // in the tree
+    for (std::int64_t at = 0; at < tree.size(); ++at) place[tree.index(at)] = at;
+
+    const auto take = [&](double share) {
+        base::Array<std::uint8_t> covered(runtime.memory, count); // by place in the tree
+        for (const std::int64_t i : order) {
+            if (result.chosen.size() >= options.most) return;
+            const double radius = std::max(share * misfit.spacing[i], options.least_distance);
+            if (covered[place[i]] != 0 || misfit.to_centre[i] < radius) continue;
+            const std::int64_t added = options.typical != nullptr ? (*options.typical)[i] : i;
+            // A sample that is near enough to share its typical one with another is not tried again.
+            if (is_centre[added] == 0) result.chosen.push_back(added);
+            tree.within(samples.position[i], radius, [&](std::int64_t at, double) { covered[at] = 1; });
+            if (result.chosen.size() % 256 == 0) progress.check();
+        }
+    };
+    for (double share = adaptive_tuning.apart; share >= adaptive_tuning.least_apart && result.chosen.empty();
+         share *= 0.5) {
+        take(share);
+        if (options.neighbours != nullptr) break; // noise is not chased
+    }
+    return result;
+}
+
+} // namespace hrbfnpr::fit
