@@ -2413,6 +2413,59 @@ HRBFNPR_API hrbfnpr_status hrbfnpr_mesh_sample(const hrbfnpr_mesh* mesh, const h
                                                const hrbfnpr_array_out* points, const hrbfnpr_array_out* normals,
                                                hrbfnpr_operation* operation, hrbfnpr_error* error);
 
+/* Which edges of a mesh are sharp. */
+enum {
+    HRBFNPR_EDGES_AUTO = 0,   /* sharp where the mesh has edges: they stand out, as those of machine parts do, from what
+                                 is beside them; noise and coarse faces of round shapes do not.  Closed parts that
+                                 cross are fitted apart, and meet in creases */
+    HRBFNPR_EDGES_SMOOTH = 1, /* no edge is: a fit is one smooth surface, which rounds them */
+    HRBFNPR_EDGES_SHARP = 2   /* sharp wherever faces meet at more than crease_angle */
+};
+
+/* How sharp edges are found. */
+typedef struct hrbfnpr_mesh_edges_desc {
+    uint32_t struct_size;
+    uint32_t edges;      /* HRBFNPR_EDGES_...; AUTO */
+    double crease_angle; /* degrees between the normals of two faces, 1 .. 179: an edge that bends more is sharp; 30 */
+    double far;          /* coarse faces that a round surface would leave by four fifths of this stay flat, with sharp
+                            edges; in units of the mesh; 0 = 0.01 diagonals.  A large number, such as the diagonal:
+                            only the angle counts */
+} hrbfnpr_mesh_edges_desc;
+
+HRBFNPR_API hrbfnpr_status hrbfnpr_mesh_edges_desc_init(hrbfnpr_mesh_edges_desc* desc, uint32_t struct_size);
+
+typedef struct hrbfnpr_mesh_edges_info {
+    uint32_t struct_size;
+    uint32_t reserved;
+    int64_t edges;     /* the number of sharp edges */
+    int64_t patches;   /* the number of smooth patches between them; 1 where no edge is sharp */
+    double length;     /* of the sharp edges, in units of the mesh */
+    double fading;     /* of those among them that have the same patch on both sides, as where a crease fades out */
+    double doubtful;   /* with AUTO: of edges that bend more than crease_angle but do not stand out, in units of the mesh;
+                          0 where edges are sharp */
+    double seconds;
+} hrbfnpr_mesh_edges_info;
+
+HRBFNPR_API hrbfnpr_status hrbfnpr_mesh_edges_info_init(hrbfnpr_mesh_edges_info* info, uint32_t struct_size);
+
+/* Finds the sharp edges of a mesh and the smooth patches between them, as
+ * hrbfnpr_model_fit_mesh does with the same edges, crease_angle and far.  Edges
+ * that bend by more than crease_angle are sharp; where one ends, it goes on along
+ * edges that bend by 8 degrees or more and keep its direction; short sharp edges
+ * that part nothing are dropped as noise.  Edges of one face, and of more than
+ * two, end patches, but are not sharp.
+ * patch: m x 1, INT64, INT32 or UINT32 for the m faces of the mesh: the number of
+ *        each face's patch, from 0 in the order of their first faces.  NULL: not
+ *        wanted.
+ * sharp: m x 3, the same types: 1 where the edge from corner k of the face to the
+ *        next corner is sharp, else 0.  NULL: not wanted.
+ * desc, info and operation may be NULL.  The call is thread-safe: it only reads
+ * the mesh.  Errors: INVALID_ARGUMENT, OUT_OF_MEMORY, CANCELLED. */
+HRBFNPR_API hrbfnpr_status hrbfnpr_mesh_edges(const hrbfnpr_mesh* mesh, const hrbfnpr_mesh_edges_desc* desc,
+                                              const hrbfnpr_array_out* patch, const hrbfnpr_array_out* sharp,
+                                              hrbfnpr_mesh_edges_info* info, hrbfnpr_operation* operation,
+                                              hrbfnpr_error* error);
+
 /* Farthest-point order: each is the point farthest from those before it, the
  * first the one nearest to the middle of the bounding box; of equals the one of
  * lower number.  Every prefix is an even choice [Gonzalez 1985].
@@ -2482,15 +2535,6 @@ HRBFNPR_API hrbfnpr_status hrbfnpr_model_compare_mesh(const hrbfnpr_model* model
                                                       const hrbfnpr_compare_desc* desc,
                                                       hrbfnpr_comparison* comparison,
                                                       hrbfnpr_operation* operation, hrbfnpr_error* error);
-
-/* What becomes of a mesh's edges. */
-enum {
-    HRBFNPR_EDGES_AUTO = 0,   /* sharp where the mesh has edges: they stand out, as those of machine parts do, from what
-                                 is beside them; noise and coarse faces of round shapes do not.  Closed parts that
-                                 cross are fitted apart, and meet in creases */
-    HRBFNPR_EDGES_SMOOTH = 1, /* the surface is one smooth fit, which rounds them */
-    HRBFNPR_EDGES_SHARP = 2   /* sharp wherever faces meet at more than crease_angle */
-};
 
 /* How a mesh is fitted. */
 typedef struct hrbfnpr_mesh_fit_desc {

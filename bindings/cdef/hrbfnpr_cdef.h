@@ -417,7 +417,17 @@ hrbfnpr_status hrbfnpr_mesh_view(const hrbfnpr_mesh* mesh, uint32_t attribute, h
 hrbfnpr_status hrbfnpr_sample_desc_init(hrbfnpr_sample_desc* desc, uint32_t struct_size);
 hrbfnpr_status hrbfnpr_mesh_sample(const hrbfnpr_mesh* mesh, const hrbfnpr_sample_desc* desc,
     const hrbfnpr_array_out* points, const hrbfnpr_array_out* normals, hrbfnpr_operation* operation,
-    hrbfnpr_error* error); hrbfnpr_status hrbfnpr_farthest_points(hrbfnpr_context* context, const hrbfnpr_array* points,
+    hrbfnpr_error* error); enum { HRBFNPR_EDGES_AUTO = 0, HRBFNPR_EDGES_SMOOTH = 1, HRBFNPR_EDGES_SHARP = 2 };
+typedef struct hrbfnpr_mesh_edges_desc { uint32_t struct_size; uint32_t edges; double crease_angle; double far;
+    } hrbfnpr_mesh_edges_desc;
+hrbfnpr_status hrbfnpr_mesh_edges_desc_init(hrbfnpr_mesh_edges_desc* desc, uint32_t struct_size);
+typedef struct hrbfnpr_mesh_edges_info { uint32_t struct_size; uint32_t reserved; int64_t edges; int64_t patches;
+    double length; double fading; double doubtful; double seconds; } hrbfnpr_mesh_edges_info;
+hrbfnpr_status hrbfnpr_mesh_edges_info_init(hrbfnpr_mesh_edges_info* info, uint32_t struct_size);
+hrbfnpr_status hrbfnpr_mesh_edges(const hrbfnpr_mesh* mesh, const hrbfnpr_mesh_edges_desc* desc,
+    const hrbfnpr_array_out* patch, const hrbfnpr_array_out* sharp, hrbfnpr_mesh_edges_info* info,
+    hrbfnpr_operation* operation, hrbfnpr_error* error);
+hrbfnpr_status hrbfnpr_farthest_points(hrbfnpr_context* context, const hrbfnpr_array* points,
     const hrbfnpr_array_out* indices, const hrbfnpr_array_out* distance, hrbfnpr_operation* operation,
     hrbfnpr_error* error);
 typedef struct hrbfnpr_compare_desc { uint32_t struct_size; uint32_t reserved; double tolerance; double far;
@@ -431,10 +441,9 @@ typedef struct hrbfnpr_comparison { uint32_t struct_size; uint32_t reserved; int
 hrbfnpr_status hrbfnpr_comparison_init(hrbfnpr_comparison* comparison, uint32_t struct_size);
 hrbfnpr_status hrbfnpr_model_compare_mesh(const hrbfnpr_model* model, const hrbfnpr_mesh* mesh,
     const hrbfnpr_compare_desc* desc, hrbfnpr_comparison* comparison, hrbfnpr_operation* operation,
-    hrbfnpr_error* error); enum { HRBFNPR_EDGES_AUTO = 0, HRBFNPR_EDGES_SMOOTH = 1, HRBFNPR_EDGES_SHARP = 2 };
-typedef struct hrbfnpr_mesh_fit_desc { uint32_t struct_size; uint32_t reserved; double tolerance; double share;
-    double far; int64_t maximum_centres; int64_t candidates; uint64_t random_seed; double crease_angle; uint32_t edges;
-    uint32_t reserved2; } hrbfnpr_mesh_fit_desc;
+    hrbfnpr_error* error); typedef struct hrbfnpr_mesh_fit_desc { uint32_t struct_size; uint32_t reserved;
+    double tolerance; double share; double far; int64_t maximum_centres; int64_t candidates; uint64_t random_seed;
+    double crease_angle; uint32_t edges; uint32_t reserved2; } hrbfnpr_mesh_fit_desc;
 hrbfnpr_status hrbfnpr_mesh_fit_desc_init(hrbfnpr_mesh_fit_desc* desc, uint32_t struct_size);
 typedef struct hrbfnpr_mesh_fit_info { uint32_t struct_size; uint32_t reached; double tolerance; double far;
     int64_t candidates; int64_t centres; int64_t off_surface_centres; int32_t rounds; uint32_t supported;

@@ -35,6 +35,7 @@ BY_HAND = {
     "hrbfnpr_trim_info": "TrimInfo",
     "hrbfnpr_csg_info": "CsgInfo",
     "hrbfnpr_mesh_info": "MeshInfo",
+    "hrbfnpr_mesh_edges_info": "MeshEdgesInfo",
     "hrbfnpr_mesh_fit_info": "MeshFitInfo",
     "hrbfnpr_comparison": "MeshComparison",
     "hrbfnpr_drawing_info": "DrawingInfo",

@@ -87,6 +87,7 @@ RECORDS = {
                             "place": "its place along that"}),
     "PageInfo": Record("page_info", "What was written."),
     "MeshInfo": Record("mesh_info", "What making a mesh found, and did."),
+    "MeshEdgesInfo": Record("mesh_edges_info", "The sharp edges of a mesh as a whole; lengths are in units of the mesh."),
     "MeshFitInfo": Record(
         "mesh_fit_info", "What a fit to a mesh came to: the last of the measurements that it went by.", {},
         {"far": _AS_USED, "centres": "as many as the model has", 

@@ -355,6 +355,15 @@ inline constexpr FieldLayout fields_of_hrbfnpr_sample_desc[] = {
     FIELD(struct_size, "uint32_t"), FIELD(reserved, "uint32_t"), FIELD(candidates, "int64_t"),
     FIELD(random_seed, "uint64_t")};
 #undef RECORD
+#define RECORD hrbfnpr_mesh_edges_desc
+inline constexpr FieldLayout fields_of_hrbfnpr_mesh_edges_desc[] = {
+    FIELD(struct_size, "uint32_t"), FIELD(edges, "uint32_t"), FIELD(crease_angle, "double"), FIELD(far, "double")};
+#undef RECORD
+#define RECORD hrbfnpr_mesh_edges_info
+inline constexpr FieldLayout fields_of_hrbfnpr_mesh_edges_info[] = {
+    FIELD(struct_size, "uint32_t"), FIELD(reserved, "uint32_t"), FIELD(edges, "int64_t"), FIELD(patches, "int64_t"),
+    FIELD(length, "double"), FIELD(fading, "double"), FIELD(doubtful, "double"), FIELD(seconds, "double")};
+#undef RECORD
 #define RECORD hrbfnpr_compare_desc
 inline constexpr FieldLayout fields_of_hrbfnpr_compare_desc[] = {
     FIELD(struct_size, "uint32_t"), FIELD(reserved, "uint32_t"), FIELD(tolerance, "double"), FIELD(far, "double"),
@@ -536,11 +545,11 @@ inline constexpr FieldLayout fields_of_hrbfnpr_views_info[] = {
     X(hrbfnpr_line_set_desc) X(hrbfnpr_line_set_info) X(hrbfnpr_camera) X(hrbfnpr_layer_style) X(hrbfnpr_line_style) \
     X(hrbfnpr_style) X(hrbfnpr_layer_pose) X(hrbfnpr_item) X(hrbfnpr_drawing_info) X(hrbfnpr_drawing_layer_info) \
     X(hrbfnpr_raster_desc) X(hrbfnpr_vertex_attribute) X(hrbfnpr_vertex_layout) X(hrbfnpr_mark_results) \
-    X(hrbfnpr_mark_identity) X(hrbfnpr_mesh_desc) X(hrbfnpr_mesh_info) X(hrbfnpr_sample_desc) X(hrbfnpr_compare_desc) \
-    X(hrbfnpr_comparison) X(hrbfnpr_mesh_fit_desc) X(hrbfnpr_mesh_fit_info) X(hrbfnpr_page_item) X(hrbfnpr_pen) \
-    X(hrbfnpr_annotation) X(hrbfnpr_page_desc) X(hrbfnpr_page_info) X(hrbfnpr_picture_source) X(hrbfnpr_change) \
-    X(hrbfnpr_dab) X(hrbfnpr_note) X(hrbfnpr_picture_event) X(hrbfnpr_picture_desc) X(hrbfnpr_source_info) \
-    X(hrbfnpr_picture_info) X(hrbfnpr_picture_part) X(hrbfnpr_picture_page_desc) X(hrbfnpr_views_desc) \
-    X(hrbfnpr_views_info)
+    X(hrbfnpr_mark_identity) X(hrbfnpr_mesh_desc) X(hrbfnpr_mesh_info) X(hrbfnpr_sample_desc) \
+    X(hrbfnpr_mesh_edges_desc) X(hrbfnpr_mesh_edges_info) X(hrbfnpr_compare_desc) X(hrbfnpr_comparison) \
+    X(hrbfnpr_mesh_fit_desc) X(hrbfnpr_mesh_fit_info) X(hrbfnpr_page_item) X(hrbfnpr_pen) X(hrbfnpr_annotation) \
+    X(hrbfnpr_page_desc) X(hrbfnpr_page_info) X(hrbfnpr_picture_source) X(hrbfnpr_change) X(hrbfnpr_dab) \
+    X(hrbfnpr_note) X(hrbfnpr_picture_event) X(hrbfnpr_picture_desc) X(hrbfnpr_source_info) X(hrbfnpr_picture_info) \
+    X(hrbfnpr_picture_part) X(hrbfnpr_picture_page_desc) X(hrbfnpr_views_desc) X(hrbfnpr_views_info)
 
 } // namespace hrbfnpr::api

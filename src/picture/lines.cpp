@@ -36,85 +36,72 @@ hrbfnpr_line_desc LinesOnce::view() const noexcept {
 
 namespace {
 
-// Points in the same place share a number. The numbers ascend by x, then y, then z.
-struct NumberedPlaces {
+// The sharp edges of a mesh, each as one of its two sides.
+struct SharpEdges {
+    struct Edge {
+        std::int64_t from, to; // numbers of places
+    };
     Points places;
-    Vector<std::int64_t> number; // The number of each point.
+    Vector<Edge> edges; // in the order in which the faces list them
 };
 
-// Compares coordinates. NaN comes last.
-bool is_less_place(double a, double b) noexcept { return std::isnan(a) ? false : std::isnan(b) || a < b; }
-bool is_less_place(const glm::dvec3& a, const glm::dvec3& b) noexcept {
-    for (int axis = 0; axis < 3; ++axis) {
-        if (is_less_place(a[axis], b[axis])) return true;
-        if (is_less_place(b[axis], a[axis])) return false;
-    }
-    return false;
+double diagonal_of_points(const Points& points) noexcept {
+    geometry::Bounds bounds;
+    for (const glm::dvec3& point : points) bounds.extend(point);
+    return points.empty() ? 0.0 : bounds.diagonal();
 }
 
-NumberedPlaces number_places(const Points& points, Pool& pool) {
-    Vector<std::size_t> order(points.size(), &pool);
-    std::iota(order.begin(), order.end(), std::size_t{0});
-    std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-        if (is_less_place(points[a], points[b])) return true;
-        return !is_less_place(points[b], points[a]) && a < b;
-    });
-    NumberedPlaces numbered{Points(&pool), Vector<std::int64_t>(points.size(), &pool)};
-    for (const std::size_t i : order) {
-        if (numbered.places.empty() || is_less_place(numbered.places.back(), points[i]))
-            numbered.places.push_back(points[i]);
-        numbered.number[i] = static_cast<std::int64_t>(numbered.places.size()) - 1;
-    }
-    return numbered;
+bool is_finite(const glm::dvec3& p) noexcept { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); }
+
+// The faces whose corners are all finite.
+Vector<Triangle> usable_faces(const Shape& shape, Pool& pool) {
+    Vector<Triangle> usable(&pool);
+    for (const Triangle& face : shape.triangles)
+        if (std::all_of(face.begin(), face.end(),
+                        [&](std::int64_t i) { return is_finite(shape.points[static_cast<std::size_t>(i)]); }))
+            usable.push_back(face);
+    return usable;
 }
 
-// A side of a face.
-struct FaceSide {
-    std::int64_t low, high; // numbers of places
-    std::size_t turn;       // 3 * face + the number of the side within its face
-
-    [[nodiscard]] bool is_same_edge(const FaceSide& other) const noexcept {
-        return low == other.low && high == other.high;
-    }
-};
-
-constexpr double least_normal = 1e-300; // The normal of a face without area stays 0.
-
-// Returns the edges of exactly two faces that meet at more than `angle` degrees, in the order in which the faces list
-// them.
-Vector<FaceSide> sharp_sides(const NumberedPlaces& numbered, const Vector<Triangle>& triangles, double angle,
-                             Pool& pool) {
-    Points normals(&pool);
-    Vector<FaceSide> sides(&pool);
-    normals.reserve(triangles.size());
-    sides.reserve(3 * triangles.size());
-    for (const Triangle& triangle : triangles) {
-        std::array<std::int64_t, 3> corners{};
-        for (std::size_t k = 0; k < 3; ++k) {
-            HRBFNPR_ASSERT(triangle[k] >= 0 && static_cast<std::size_t>(triangle[k]) < numbered.number.size());
-            corners[k] = numbered.number[static_cast<std::size_t>(triangle[k])];
-        }
-        const auto corner = [&](std::size_t k) { return numbered.places[static_cast<std::size_t>(corners[k])]; };
-        const glm::dvec3 normal = glm::cross(corner(1) - corner(0), corner(2) - corner(0));
-        normals.push_back(normal / std::max(glm::length(normal), least_normal));
-        for (std::size_t k = 0; k < 3; ++k) {
-            const auto [low, high] = std::minmax(corners[k], corners[(k + 1) % 3]);
-            sides.push_back({low, high, sides.size()});
-        }
-    }
-    std::sort(sides.begin(), sides.end(), [](const FaceSide& a, const FaceSide& b) {
-        return std::array<std::int64_t, 3>{a.low, a.high, static_cast<std::int64_t>(a.turn)} <
-               std::array<std::int64_t, 3>{b.low, b.high, static_cast<std::int64_t>(b.turn)};
+// Returns the sharp edges as hrbfnpr_mesh_edges finds them by the angle alone.
+SharpEdges sharp_edges(hrbfnpr_context& context, const Shape& shape, double angle, hrbfnpr_operation* operation,
+                       Pool& pool) {
+    SharpEdges found{Points(&pool), Vector<SharpEdges::Edge>(&pool)};
+    const Vector<Triangle> faces = usable_faces(shape, pool);
+    Points points(&pool);
+    for (const glm::dvec3& p : shape.points) points.push_back(is_finite(p) ? p : glm::dvec3(0.0));
+    auto of_mesh = defaults<hrbfnpr_mesh_desc>(hrbfnpr_mesh_desc_init);
+    of_mesh.vertices = view_of(points);
+    of_mesh.triangles = view_of(faces);
+    of_mesh.parts = HRBFNPR_PARTS_ALL;
+    const Mesh mesh = make<Mesh>([&](hrbfnpr_mesh** made, hrbfnpr_error* error) {
+        return hrbfnpr_mesh_create(&context, &of_mesh, operation, made, error);
     });
-    const double limit = std::cos(angle * (std::numbers::pi / 180.0));
-    Vector<FaceSide> sharp(&pool);
-    for (std::size_t begin = 0, end = 0; begin < sides.size(); begin = end) {
-        while (end < sides.size() && sides[end].is_same_edge(sides[begin])) ++end;
-        if (end - begin == 2 && glm::dot(normals[sides[begin].turn / 3], normals[sides[begin + 1].turn / 3]) < limit)
-            sharp.push_back(sides[begin]);
+    const auto view = [&](std::uint32_t attribute) {
+        hrbfnpr_array array{};
+        call([&](hrbfnpr_error* error) { return hrbfnpr_mesh_view(mesh.get(), attribute, &array, error); });
+        return array;
+    };
+    const hrbfnpr_array vertices = view(HRBFNPR_MESH_ATTRIBUTE_VERTEX);
+    const hrbfnpr_array triangles = view(HRBFNPR_MESH_ATTRIBUTE_TRIANGLE);
+    Vector<std::int32_t> sharp(static_cast<std::size_t>(3 * triangles.count), 0, &pool);
+    auto desc = defaults<hrbfnpr_mesh_edges_desc>(hrbfnpr_mesh_edges_desc_init);
+    desc.edges = HRBFNPR_EDGES_SHARP;
+    desc.crease_angle = std::clamp(angle, 1.0, 179.0);
+    desc.far = diagonal_of_points(shape.points); // so that only the angle counts
+    const hrbfnpr_array_out to_sharp{sharp.data(), triangles.count, 0, HRBFNPR_SCALAR_INT32, 3};
+    call([&](hrbfnpr_error* error) {
+        return hrbfnpr_mesh_edges(mesh.get(), &desc, nullptr, &to_sharp, nullptr, operation, error);
+    });
+    const auto* const place = static_cast<const glm::dvec3*>(vertices.data);
+    const auto* const corner = static_cast<const std::int32_t*>(triangles.data);
+    found.places.assign(place, place + vertices.count);
+    for (std::size_t side = 0; side < sharp.size(); ++side) {
+        const std::int64_t from = corner[side];
+        const std::int64_t to = corner[side % 3 == 2 ? side - 2 : side + 1];
+        if (sharp[side] != 0 && from < to) found.edges.push_back({from, to});
     }
-    std::sort(sharp.begin(), sharp.end(), [](const FaceSide& a, const FaceSide& b) { return a.turn < b.turn; });
-    return sharp;
+    return found;
 }
 
 // Lists the edges that meet in each vertex. Vertices are numbered anew, in the order in which the edges list them.
@@ -130,7 +117,7 @@ struct EdgeGraph {
     [[nodiscard]] std::size_t degree(std::size_t vertex) const noexcept { return first[vertex + 1] - first[vertex]; }
 };
 
-EdgeGraph graph_of_edges(const Vector<FaceSide>& edges, std::size_t place_count, Pool& pool) {
+EdgeGraph graph_of_edges(const Vector<SharpEdges::Edge>& edges, std::size_t place_count, Pool& pool) {
     EdgeGraph graph{Vector<std::int64_t>(&pool), Vector<std::size_t>(&pool), Vector<EdgeGraph::Way>(&pool)};
     constexpr auto none = static_cast<std::size_t>(-1);
     Vector<std::size_t> vertex_of_place(place_count, none, &pool);
@@ -144,9 +131,9 @@ EdgeGraph graph_of_edges(const Vector<FaceSide>& edges, std::size_t place_count,
         }
         ++degrees[vertex];
     };
-    for (const FaceSide& edge : edges) {
-        add(edge.low);
-        add(edge.high);
+    for (const SharpEdges::Edge& edge : edges) {
+        add(edge.from);
+        add(edge.to);
     }
     graph.first.reserve(degrees.size() + 1);
     graph.first.push_back(0);
@@ -154,10 +141,10 @@ EdgeGraph graph_of_edges(const Vector<FaceSide>& edges, std::size_t place_count,
     graph.ways.resize(graph.first.back());
     Vector<std::size_t> next(graph.first.begin(), graph.first.end(), &pool);
     for (std::size_t i = 0; i < edges.size(); ++i) {
-        const std::size_t low = vertex_of_place[static_cast<std::size_t>(edges[i].low)];
-        const std::size_t high = vertex_of_place[static_cast<std::size_t>(edges[i].high)];
-        graph.ways[next[low]++] = {high, i};
-        graph.ways[next[high]++] = {low, i};
+        const std::size_t from = vertex_of_place[static_cast<std::size_t>(edges[i].from)];
+        const std::size_t to = vertex_of_place[static_cast<std::size_t>(edges[i].to)];
+        graph.ways[next[from]++] = {to, i};
+        graph.ways[next[to]++] = {from, i};
     }
     return graph;
 }
@@ -198,19 +185,13 @@ double length_of_polyline(const Polyline& line) noexcept {
     return length;
 }
 
-double diagonal_of_points(const Points& points) noexcept {
-    geometry::Bounds bounds;
-    for (const glm::dvec3& point : points) bounds.extend(point);
-    return points.empty() ? 0.0 : bounds.diagonal();
-}
-
 } // namespace
 
-Vector<Polyline> mesh_creases(const Shape& shape, double angle, Pool& pool) {
+Vector<Polyline> mesh_creases(hrbfnpr_context& context, const Shape& shape, double angle, hrbfnpr_operation* operation,
+                              Pool& pool) {
     if (!shape.is_mesh()) fail(Status::invalid_argument, "creases come from a mesh; this file has no faces");
-    const NumberedPlaces numbered = number_places(shape.points, pool);
-    const Vector<FaceSide> sharp = sharp_sides(numbered, shape.triangles, angle, pool);
-    return join_edges(graph_of_edges(sharp, numbered.places.size(), pool), sharp.size(), numbered.places, pool);
+    const SharpEdges sharp = sharp_edges(context, shape, angle, operation, pool);
+    return join_edges(graph_of_edges(sharp.edges, sharp.places.size(), pool), sharp.edges.size(), sharp.places, pool);
 }
 
 Vector<Polyline> without_facets(Vector<Polyline> creases, double diagonal) {
@@ -270,8 +251,8 @@ LinesOnce lines_of_settings(const hrbfnpr_line_desc& of_file, Pool& pool) {
 
 // Returns the creases of a mesh as lines named "crease". If the caller asks for no lines, facets of rounded shapes are
 // removed.
-LinesOnce edges_of_mesh(const Call& call, const Shape& shape) {
-    Vector<Polyline> found = mesh_creases(shape, lines_tuning.crease_angle, call.pool);
+LinesOnce edges_of_mesh(const Call& call, const Shape& shape, hrbfnpr_operation* operation) {
+    Vector<Polyline> found = mesh_creases(call.context, shape, lines_tuning.crease_angle, operation, call.pool);
     if (call.options.desc.lines == nullptr) found = without_facets(std::move(found), diagonal_of_points(shape.points));
     LinesOnce lines(HRBFNPR_LINE_KIND_OWN, call.pool);
     lines.name = "crease";
@@ -355,22 +336,22 @@ LineSet make_lines(const Call& call, const Surface& surface, const Style& style,
     Vector<hrbfnpr_line_desc> list(&call.pool);
     for (const LinesOnce& lines : once) list.push_back(lines.view());
     for (const LinesOnce& lines : more) list.push_back(lines.view());
-    LinesOnce edges(HRBFNPR_LINE_KIND_OWN, call.pool);
-    if (is_sharp && has_faces) edges = edges_of_mesh(call, *surface.shape);
-    const bool has_edges = !edges.points.empty();
-    if (has_edges) list.push_back(edges.view());
 
     auto desc = defaults<hrbfnpr_line_set_desc>(hrbfnpr_line_set_desc_init);
     desc.support = support_of_lines(model, wanted);
     call.options.changes.apply("line_set", desc);
     if (needs_curvature(style)) desc.flags |= HRBFNPR_LINE_SET_WITH_CURVATURE;
-    desc.lines = list.data();
-    desc.line_count = static_cast<std::int64_t>(list.size());
 
     LineSet made;
     hrbfnpr_line_set_info info{};
     {
         Stage stage(call.report, HRBFNPR_STAGE_LINES);
+        LinesOnce edges(HRBFNPR_LINE_KIND_OWN, call.pool);
+        if (is_sharp && has_faces) edges = edges_of_mesh(call, *surface.shape, stage.operation());
+        const bool has_edges = !edges.points.empty();
+        if (has_edges) list.push_back(edges.view());
+        desc.lines = list.data();
+        desc.line_count = static_cast<std::int64_t>(list.size());
         made = create_line_set(call, model, desc, stage);
         info = info_of(made);
         if (info.creases > 0 && has_edges) { // The model's own creases replace those of the mesh.

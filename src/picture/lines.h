@@ -48,10 +48,11 @@ struct LinesOnce {
 [[nodiscard]] LineSet make_lines(const Call& call, const Surface& surface, const Style& style,
                                  const Vector<WantedLine>& wanted, const Vector<LinesOnce>& more);
 
-// Returns the edges of a mesh at which two faces meet at more than `angle` degrees, joined to polylines. A polyline
-// continues through a vertex where exactly two such edges meet. Polylines that begin at other vertices come first.
-// Throws Error{invalid_argument} for a shape without faces.
-[[nodiscard]] Vector<Polyline> mesh_creases(const Shape& shape, double angle, Pool& pool);
+// Returns the sharp edges of a mesh, as hrbfnpr_mesh_edges finds them where faces meet at more than `angle` degrees,
+// joined to polylines. A polyline continues through a vertex where exactly two such edges meet. Polylines that begin at
+// other vertices come first. Throws Error{invalid_argument} for a shape without faces.
+[[nodiscard]] Vector<Polyline> mesh_creases(hrbfnpr_context& context, const Shape& shape, double angle,
+                                            hrbfnpr_operation* operation, Pool& pool);
 
 // Removes the facets of a rounded shape: if the mean crease is short, only long creases are kept.
 [[nodiscard]] Vector<Polyline> without_facets(Vector<Polyline> creases, double diagonal);

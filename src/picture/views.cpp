@@ -212,7 +212,8 @@ Vector<LinesOnce> lines_once(const ViewsOptions& options, const SheetPlan& plan,
     return once;
 }
 
-void trace_lines_of(Solid& solid, const Call& call_, const ViewsOptions& options, const SheetPlan& plan) {
+void trace_lines_of(Solid& solid, const Call& call_, const Surface& surface, const ViewsOptions& options,
+                    const SheetPlan& plan) {
     Pool& pool = call_.pool;
     const Vector<LinesOnce> once = lines_once(options, plan, pool);
     Vector<hrbfnpr_line_desc> list(&pool);
@@ -225,6 +226,10 @@ void trace_lines_of(Solid& solid, const Call& call_, const ViewsOptions& options
     if (has_suggestive) desc.flags = HRBFNPR_LINE_SET_WITH_CURVATURE;
 
     Stage stage(call_.report, HRBFNPR_STAGE_LINES);
+    if (surface.shape != nullptr && surface.shape->is_mesh())
+        solid.creases = without_loose_edges(
+            mesh_creases(call_.context, *surface.shape, options.crease_angle, stage.operation(), pool), plan.diagonal,
+            pool);
     solid.lines = make<LineSet>([&](hrbfnpr_line_set** out, hrbfnpr_error* error) {
         return hrbfnpr_line_set_create(&call_.context, solid.model.get(), &desc, stage.operation(), out, error);
     });
@@ -243,10 +248,7 @@ Solid solid_of(const Call& call_, const Surface& surface, const ViewsOptions& op
     solid.middle = plan.middle;
     solid.diagonal = plan.diagonal;
     solid.smooth.assign(options.smooth.begin(), options.smooth.end());
-    if (surface.shape != nullptr && surface.shape->is_mesh())
-        solid.creases =
-            without_loose_edges(mesh_creases(*surface.shape, options.crease_angle, pool), plan.diagonal, pool);
-    trace_lines_of(solid, call_, options, plan);
+    trace_lines_of(solid, call_, surface, options, plan);
     solid.marks = stipples_on(call_, solid.model, views_tuning.marks, nullptr);
     solid.renderer = make<Renderer>([&](hrbfnpr_renderer** out, hrbfnpr_error* error) {
         return hrbfnpr_renderer_create(&call_.context, out, error);

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cmath>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -50,6 +51,97 @@ std::vector<std::uint8_t> saved(const Model& model) {
     std::vector<std::uint8_t> bytes(static_cast<std::size_t>(size));
     EXPECT_OK(hrbfnpr_model_save_memory(model.get(), bytes.data(), size, &size, error));
     return bytes;
+}
+
+struct FoundEdges {
+    explicit FoundEdges(const Mesh& mesh, std::uint32_t edges = HRBFNPR_EDGES_AUTO, double angle = 30.0,
+                        double far = 0.0) {
+        Error error;
+        hrbfnpr_array faces{};
+        EXPECT_OK(hrbfnpr_mesh_view(mesh.get(), HRBFNPR_MESH_ATTRIBUTE_TRIANGLE, &faces, error));
+        corner.assign(static_cast<const std::int32_t*>(faces.data),
+                      static_cast<const std::int32_t*>(faces.data) + 3 * faces.count);
+        patch.resize(static_cast<std::size_t>(faces.count), -1);
+        sharp.resize(corner.size(), -1);
+        const hrbfnpr_array_out patches{patch.data(), faces.count, 0, HRBFNPR_SCALAR_INT32, 1};
+        const hrbfnpr_array_out sides{sharp.data(), faces.count, 0, HRBFNPR_SCALAR_INT32, 3};
+        auto desc = made(hrbfnpr_mesh_edges_desc_init);
+        desc.edges = edges;
+        desc.crease_angle = angle;
+        desc.far = far;
+        EXPECT_OK(hrbfnpr_mesh_edges(mesh.get(), &desc, &patches, &sides, &info, nullptr, error));
+    }
+
+    // Each edge has two sides.
+    [[nodiscard]] std::int64_t sharp_edges() const {
+        std::int64_t sides = 0;
+        for (const std::int32_t is : sharp) sides += is;
+        return sides / 2;
+    }
+
+    std::vector<std::int32_t> corner, patch, sharp;
+    hrbfnpr_mesh_edges_info info = made(hrbfnpr_mesh_edges_info_init);
+};
+
+TEST(MeshEdges, OfABoxPartItsSixFaces) {
+    const Context context = make_context();
+    const Mesh mesh = mesh_of(context, hrbfnpr::test::box(1.0, 1.0, 1.0, 3));
+    const FoundEdges found(mesh);
+    EXPECT_EQ(found.info.patches, 6);
+    EXPECT_EQ(found.info.edges, 12 * 3);
+    EXPECT_EQ(found.sharp_edges(), found.info.edges);
+    EXPECT_NEAR(found.info.length, 12.0, 1e-12);
+    EXPECT_EQ(found.info.fading, 0.0);
+    EXPECT_EQ(found.info.doubtful, 0.0);
+    // Patches part at sharp edges, and nowhere else.
+    std::map<std::array<std::int32_t, 2>, std::int32_t> patch_of_side;
+    for (std::size_t side = 0; side < found.corner.size(); ++side) {
+        const std::int32_t from = found.corner[side], to = found.corner[side % 3 == 2 ? side - 2 : side + 1];
+        patch_of_side[{from, to}] = found.patch[side / 3];
+    }
+    for (std::size_t side = 0; side < found.corner.size(); ++side) {
+        const std::int32_t from = found.corner[side], to = found.corner[side % 3 == 2 ? side - 2 : side + 1];
+        EXPECT_EQ((patch_of_side[{to, from}] != found.patch[side / 3]), found.sharp[side] == 1) << side;
+    }
+    EXPECT_EQ(FoundEdges(mesh, HRBFNPR_EDGES_SMOOTH).info.patches, 1);
+    EXPECT_EQ(FoundEdges(mesh, HRBFNPR_EDGES_SMOOTH).sharp_edges(), 0);
+    EXPECT_EQ(FoundEdges(mesh, HRBFNPR_EDGES_SHARP, 95.0, 2.0).info.edges, 0);
+}
+
+TEST(MeshEdges, OfABallAreNone) {
+    const Context context = make_context();
+    const Mesh mesh = mesh_of(context, hrbfnpr::test::icosphere(2));
+    EXPECT_EQ(FoundEdges(mesh).info.edges, 0);
+    EXPECT_EQ(FoundEdges(mesh).info.patches, 1);
+    // At a small angle all edges are sharp, and all faces are patches.
+    const FoundEdges all(mesh, HRBFNPR_EDGES_SHARP, 5.0, 2.0);
+    EXPECT_EQ(all.info.patches, static_cast<std::int64_t>(all.patch.size()));
+    EXPECT_GT(FoundEdges(mesh, HRBFNPR_EDGES_AUTO, 5.0).info.doubtful, 0.0);
+}
+
+TEST(MeshEdges, RefuseWhatTheyCannotUse) {
+    const Context context = make_context();
+    const Mesh mesh = mesh_of(context, hrbfnpr::test::box(1.0, 1.0, 1.0, 1));
+    Error error;
+    auto desc = made(hrbfnpr_mesh_edges_desc_init);
+    const auto expect = [&](const char* message) {
+        EXPECT_FAILS(hrbfnpr_mesh_edges(mesh.get(), &desc, nullptr, nullptr, nullptr, nullptr, error),
+                     HRBFNPR_STATUS_INVALID_ARGUMENT, message);
+    };
+    desc.crease_angle = 0.5;
+    expect("mesh_edges_desc.crease_angle is 0.5");
+    desc = made(hrbfnpr_mesh_edges_desc_init);
+    desc.far = -1.0;
+    expect("mesh_edges_desc.far is -1");
+    desc = made(hrbfnpr_mesh_edges_desc_init);
+    desc.edges = 3;
+    expect("mesh_edges_desc.edges is 3");
+    std::vector<std::int32_t> few(3);
+    const hrbfnpr_array_out patches{few.data(), 3, 0, HRBFNPR_SCALAR_INT32, 1};
+    EXPECT_FAILS(hrbfnpr_mesh_edges(mesh.get(), nullptr, &patches, nullptr, nullptr, nullptr, error),
+                 HRBFNPR_STATUS_INVALID_ARGUMENT, "patch");
+    EXPECT_FAILS(hrbfnpr_mesh_edges(nullptr, nullptr, nullptr, nullptr, nullptr, nullptr, error),
+                 HRBFNPR_STATUS_INVALID_ARGUMENT, "mesh is NULL");
 }
 
 TEST(MeshEdges, AreToldByTheMesh) {

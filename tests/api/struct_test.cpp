@@ -54,6 +54,8 @@ INIT(mark_results);
 INIT(mark_identity);
 INIT(mesh_desc);
 INIT(mesh_info);
+INIT(mesh_edges_desc);
+INIT(mesh_edges_info);
 INIT(sample_desc);
 INIT(compare_desc);
 INIT(comparison);
@@ -68,17 +70,19 @@ INIT(page_info);
 
 template <class T>
 class StructTest : public testing::Test {};
-using Structs = testing::Types<
-    hrbfnpr_image, hrbfnpr_context_desc, hrbfnpr_context_info, hrbfnpr_fit_desc, hrbfnpr_orient_desc,
-    hrbfnpr_orient_info, hrbfnpr_depth_image_desc, hrbfnpr_depth_image_info, hrbfnpr_custom_desc, hrbfnpr_trim_desc,
-    hrbfnpr_trim_info, hrbfnpr_model_info, hrbfnpr_csg_node, hrbfnpr_csg_desc, hrbfnpr_csg_info, hrbfnpr_project_desc,
-    hrbfnpr_cast_desc, hrbfnpr_projection, hrbfnpr_curvature, hrbfnpr_ray_hits, hrbfnpr_layer_desc,
-    hrbfnpr_generate_desc, hrbfnpr_layer_arrays, hrbfnpr_layer_info, hrbfnpr_placement_info, hrbfnpr_point_set_desc,
-    hrbfnpr_point_set_info, hrbfnpr_camera, hrbfnpr_layer_style, hrbfnpr_style, hrbfnpr_layer_pose, hrbfnpr_item,
-    hrbfnpr_drawing_info, hrbfnpr_drawing_layer_info, hrbfnpr_raster_desc, hrbfnpr_vertex_attribute,
-    hrbfnpr_vertex_layout, hrbfnpr_mark_results, hrbfnpr_mark_identity, hrbfnpr_mesh_desc, hrbfnpr_mesh_info,
-    hrbfnpr_sample_desc, hrbfnpr_compare_desc, hrbfnpr_comparison, hrbfnpr_mesh_fit_desc, hrbfnpr_mesh_fit_info,
-    hrbfnpr_page_item, hrbfnpr_pen, hrbfnpr_annotation, hrbfnpr_page_desc, hrbfnpr_page_info>;
+using Structs =
+    testing::Types<hrbfnpr_image, hrbfnpr_context_desc, hrbfnpr_context_info, hrbfnpr_fit_desc, hrbfnpr_orient_desc,
+                   hrbfnpr_orient_info, hrbfnpr_depth_image_desc, hrbfnpr_depth_image_info, hrbfnpr_custom_desc,
+                   hrbfnpr_trim_desc, hrbfnpr_trim_info, hrbfnpr_model_info, hrbfnpr_csg_node, hrbfnpr_csg_desc,
+                   hrbfnpr_csg_info, hrbfnpr_project_desc, hrbfnpr_cast_desc, hrbfnpr_projection, hrbfnpr_curvature,
+                   hrbfnpr_ray_hits, hrbfnpr_layer_desc, hrbfnpr_generate_desc, hrbfnpr_layer_arrays,
+                   hrbfnpr_layer_info, hrbfnpr_placement_info, hrbfnpr_point_set_desc, hrbfnpr_point_set_info,
+                   hrbfnpr_camera, hrbfnpr_layer_style, hrbfnpr_style, hrbfnpr_layer_pose, hrbfnpr_item,
+                   hrbfnpr_drawing_info, hrbfnpr_drawing_layer_info, hrbfnpr_raster_desc, hrbfnpr_vertex_attribute,
+                   hrbfnpr_vertex_layout, hrbfnpr_mark_results, hrbfnpr_mark_identity, hrbfnpr_mesh_desc,
+                   hrbfnpr_mesh_info, hrbfnpr_mesh_edges_desc, hrbfnpr_mesh_edges_info, hrbfnpr_sample_desc,
+                   hrbfnpr_compare_desc, hrbfnpr_comparison, hrbfnpr_mesh_fit_desc, hrbfnpr_mesh_fit_info,
+                   hrbfnpr_page_item, hrbfnpr_pen, hrbfnpr_annotation, hrbfnpr_page_desc, hrbfnpr_page_info>;
 TYPED_TEST_SUITE(StructTest, Structs);
 
 // A struct of the future: ours with a tail.

@@ -32,6 +32,27 @@ namespace HrbfNpr.Tests
         }
 
         [Fact]
+        public void SharpEdgesOfABoxPartItsFaces()
+        {
+            double[] corners = { 0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0, 0, 0, 1, 1, 0, 1, 0, 1, 1, 1, 1, 1 };
+            int[] triangles =
+            {
+                0, 2, 3, 0, 3, 1, 4, 5, 7, 4, 7, 6, 0, 1, 5, 0, 5, 4, 2, 6, 7, 2, 7, 3, 0, 4, 6, 0, 6, 2, 1, 3, 7, 1, 7, 5,
+            };
+            using (var mesh = new TriangleMesh(corners, triangles))
+            {
+                MeshEdgesInfo info = mesh.FindEdges(out int[] sharp, out int[] patches);
+                Assert.Equal(12, info.Edges);
+                Assert.Equal(6, info.Patches);
+                Assert.Equal(12.0, info.Length, 9);
+                Assert.Equal(24, sharp.Sum());
+                Assert.Equal(5, patches.Max());
+                Assert.Equal(1, mesh.FindEdges(out sharp, out patches, MeshEdges.Smooth).Patches);
+                Assert.Throws<InvalidArgumentException>(() => mesh.FindEdges(out _, out _, creaseAngle: 200));
+            }
+        }
+
+        [Fact]
         public void AMeshSaysWhatItIs()
         {
             double[] vertices = Torus(40, 20, out int[] triangles);

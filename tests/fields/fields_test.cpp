@@ -142,14 +142,33 @@ INSTANTIATE_TEST_SUITE_P(OfEveryDescriptor, Fields, testing::ValuesIn(places(49)
 
 // What a caller fills in has a place in the scene; what the library fills in has not.
 TEST(FieldsOfTheBoundary, EveryDescriptorIsTried) {
-    const std::set<std::string> results{
-        "hrbfnpr_error",         "hrbfnpr_array",         "hrbfnpr_array_out",      "hrbfnpr_context_info",
-        "hrbfnpr_orient_info",   "hrbfnpr_model_info",    "hrbfnpr_trim_info",      "hrbfnpr_point_set_info",
-        "hrbfnpr_layer_info",    "hrbfnpr_mesh_info",     "hrbfnpr_placement_info", "hrbfnpr_line_set_info",
-        "hrbfnpr_drawing_info",  "hrbfnpr_comparison",    "hrbfnpr_mesh_fit_info",  "hrbfnpr_drawing_layer_info",
-        "hrbfnpr_mark_identity", "hrbfnpr_page_info",     "hrbfnpr_csg_info",       "hrbfnpr_depth_image_info",
-        "hrbfnpr_note",          "hrbfnpr_picture_event", "hrbfnpr_picture_info",   "hrbfnpr_picture_part",
-        "hrbfnpr_views_info",    "hrbfnpr_source_info"};
+    const std::set<std::string> results{"hrbfnpr_error",
+                                        "hrbfnpr_array",
+                                        "hrbfnpr_array_out",
+                                        "hrbfnpr_context_info",
+                                        "hrbfnpr_orient_info",
+                                        "hrbfnpr_model_info",
+                                        "hrbfnpr_trim_info",
+                                        "hrbfnpr_point_set_info",
+                                        "hrbfnpr_layer_info",
+                                        "hrbfnpr_mesh_info",
+                                        "hrbfnpr_placement_info",
+                                        "hrbfnpr_line_set_info",
+                                        "hrbfnpr_drawing_info",
+                                        "hrbfnpr_comparison",
+                                        "hrbfnpr_mesh_edges_info",
+                                        "hrbfnpr_mesh_fit_info",
+                                        "hrbfnpr_drawing_layer_info",
+                                        "hrbfnpr_mark_identity",
+                                        "hrbfnpr_page_info",
+                                        "hrbfnpr_csg_info",
+                                        "hrbfnpr_depth_image_info",
+                                        "hrbfnpr_note",
+                                        "hrbfnpr_picture_event",
+                                        "hrbfnpr_picture_info",
+                                        "hrbfnpr_picture_part",
+                                        "hrbfnpr_views_info",
+                                        "hrbfnpr_source_info"};
     Scene scene;
     std::set<std::string> tried;
     const std::vector<Slot> slots = scene.slots();

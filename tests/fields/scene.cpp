@@ -318,6 +318,7 @@ void Scene::describe_output() {
     check(hrbfnpr_mesh_create(context_.get(), &mesh_desc_, nullptr, &mesh, check.error()));
     mesh_.reset(mesh);
     sample_desc_ = made(hrbfnpr_sample_desc_init);
+    mesh_edges_desc_ = made(hrbfnpr_mesh_edges_desc_init);
     compare_desc_ = made(hrbfnpr_compare_desc_init);
     compare_desc_.points = 100;
     compare_desc_.cell_size = 0.3;

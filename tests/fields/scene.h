@@ -68,6 +68,7 @@ private:
     Outcome mark_results();
     Outcome create_mesh();
     Outcome sample_mesh();
+    Outcome find_mesh_edges();
     Outcome compare_mesh();
     Outcome fit_mesh();
     Outcome write_page();
@@ -147,6 +148,7 @@ private:
     hrbfnpr_mark_results mark_results_{};
     hrbfnpr_mesh_desc mesh_desc_{};
     hrbfnpr_sample_desc sample_desc_{};
+    hrbfnpr_mesh_edges_desc mesh_edges_desc_{};
     hrbfnpr_compare_desc compare_desc_{};
     hrbfnpr_mesh_fit_desc mesh_fit_desc_{};
     hrbfnpr_page_item page_item_{};

@@ -184,6 +184,17 @@ Outcome Scene::sample_mesh() {
     return outcome(status, points == before && normals == before);
 }
 
+Outcome Scene::find_mesh_edges() {
+    std::vector<std::int32_t> patch(8, 7);
+    std::vector<std::int32_t> sharp(24, 7);
+    const std::vector<std::int32_t> before = sharp;
+    const hrbfnpr_array_out patches{patch.data(), 8, 0, HRBFNPR_SCALAR_INT32, 1};
+    const hrbfnpr_array_out sides{sharp.data(), 8, 0, HRBFNPR_SCALAR_INT32, 3};
+    const hrbfnpr_status status =
+        hrbfnpr_mesh_edges(mesh_.get(), &mesh_edges_desc_, &patches, &sides, nullptr, operation_.get(), &error_);
+    return outcome(status, sharp == before && patch[0] == 7);
+}
+
 Outcome Scene::compare_mesh() {
     auto comparison = made(hrbfnpr_comparison_init);
     const hrbfnpr_status status =
@@ -294,6 +305,7 @@ std::vector<Slot> Scene::slots() {
         FIELDS_TEST_SLOT(hrbfnpr_mark_results, mark_results_, mark_results),
         FIELDS_TEST_SLOT(hrbfnpr_mesh_desc, mesh_desc_, create_mesh),
         FIELDS_TEST_SLOT(hrbfnpr_sample_desc, sample_desc_, sample_mesh),
+        FIELDS_TEST_SLOT(hrbfnpr_mesh_edges_desc, mesh_edges_desc_, find_mesh_edges),
         FIELDS_TEST_SLOT(hrbfnpr_compare_desc, compare_desc_, compare_mesh),
         FIELDS_TEST_SLOT(hrbfnpr_mesh_fit_desc, mesh_fit_desc_, fit_mesh),
         FIELDS_TEST_SLOT(hrbfnpr_page_item, page_item_, write_page),

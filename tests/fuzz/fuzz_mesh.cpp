@@ -88,6 +88,25 @@ void sample(Context& context, const hrbfnpr_mesh* mesh, Input& input) {
         require(points.is_untouched() && normals.is_untouched(), "a failed call leaves samples untouched");
 }
 
+void find_edges(Context& context, const hrbfnpr_mesh* mesh, Input& input) {
+    hrbfnpr_array faces{};
+    if (hrbfnpr_mesh_view(mesh, HRBFNPR_MESH_ATTRIBUTE_COMPONENT, &faces, nullptr) != HRBFNPR_STATUS_OK) return;
+    hrbfnpr_mesh_edges_desc desc;
+    hrbfnpr_mesh_edges_desc_init(&desc, sizeof desc);
+    change_fields(input, "hrbfnpr_mesh_edges_desc", &desc);
+    std::vector<std::int32_t> patch(static_cast<std::size_t>(faces.count), -1);
+    const hrbfnpr_array_out patches{patch.data(), faces.count, 0, HRBFNPR_SCALAR_INT32, 1};
+    const Operation operation(context, input);
+    Call call("mesh_edges");
+    const hrbfnpr_status status =
+        hrbfnpr_mesh_edges(mesh, &desc, &patches, nullptr, nullptr, operation.handle, call.error());
+    operation.check(status);
+    if (call.expect(status, failures))
+        for (const std::int32_t one : patch) require(one >= 0 && one < faces.count, "each face has a patch");
+    else
+        require(patch[0] == -1, "a failed call leaves patches untouched");
+}
+
 void compare(Context& context, const hrbfnpr_mesh* mesh, Input& input) {
     const hrbfnpr_model* const model = scene_model(input.below(model_count));
     hrbfnpr_compare_desc desc;
@@ -211,6 +230,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     if (mesh == nullptr) return 0;
     require_sound_mesh(mesh);
     sample(context, mesh, input);
+    find_edges(context, mesh, input);
     if (input.once_in(3)) compare(context, mesh, input);
     if (input.once_in(4)) fit(context, mesh, input);
     hrbfnpr_mesh_release(mesh);

@@ -51,40 +51,44 @@ protected:
         }
     }
 
-    base::Memory memory;
-    Pool pool{memory};
+    [[nodiscard]] Vector<Polyline> creases(double angle) {
+        return mesh_creases(*planned.context.get(), shape, angle, nullptr, pool);
+    }
+
+    PlannedCall planned;
+    Pool& pool = planned.pool;
     Shape shape{pool};
 };
 
 TEST_F(CreasesTest, ABoxHasTwelveEdgesOfTwoPoints) {
     add_box();
-    const auto creases = mesh_creases(shape, 30.0, pool);
-    ASSERT_EQ(creases.size(), 12U);
+    const auto edges = creases(30.0);
+    ASSERT_EQ(edges.size(), 12U);
     double length = 0.0;
-    for (const Polyline& line : creases) {
+    for (const Polyline& line : edges) {
         ASSERT_EQ(line.size(), 2U);
         length += glm::length(line[1] - line[0]);
     }
     EXPECT_EQ(length, 4.0 * (3.0 + 2.0 + 1.0));
-    EXPECT_EQ(creases[0], (Polyline{{{0, 0, 0}, {0, 2, 0}}, &pool})); // Creases follow the order of the faces.
-    EXPECT_TRUE(mesh_creases(shape, 95.0, pool).empty());
+    EXPECT_EQ(edges[0], (Polyline{{{0, 0, 0}, {0, 2, 0}}, &pool})); // Creases follow the order of the faces.
+    EXPECT_TRUE(creases(95.0).empty());
 }
 
 TEST_F(CreasesTest, EdgesThatGoRoundAreOneClosedLine) {
     add_prism(24); // Sides meet at 15 degrees.
-    const auto rims = mesh_creases(shape, 30.0, pool);
+    const auto rims = creases(30.0);
     ASSERT_EQ(rims.size(), 2U);
     for (const Polyline& rim : rims) {
         EXPECT_EQ(rim.size(), 25U);
         EXPECT_EQ(rim.front(), rim.back());
     }
-    EXPECT_EQ(mesh_creases(shape, 10.0, pool).size(), 3U * 24U); // The edges between the sides are creases, too.
+    EXPECT_EQ(creases(10.0).size(), 3U * 24U); // The edges between the sides are creases, too.
 }
 
 TEST_F(CreasesTest, FacetsOfARoundedShapeAreLeftOut) {
     add_prism(200); // At 1 degree all edges are creases, and rims end at each corner.
     const double diagonal = 3.0;
-    auto lines = mesh_creases(shape, 1.0, pool);
+    auto lines = creases(1.0);
     EXPECT_EQ(lines.size(), 600U);
     lines = without_facets(std::move(lines), diagonal);
     EXPECT_EQ(lines.size(), 600U); // The mean crease is long enough.
@@ -94,13 +98,13 @@ TEST_F(CreasesTest, FacetsOfARoundedShapeAreLeftOut) {
 }
 
 TEST_F(CreasesTest, BadFacesDoNoHarm) {
-    EXPECT_THROW(static_cast<void>(mesh_creases(shape, 30.0, pool)), Error);
+    EXPECT_THROW(static_cast<void>(creases(30.0)), Error);
     const double nan = std::numeric_limits<double>::quiet_NaN();
     add_box();
     add_side({nan, 0, 0}, {0, nan, 0}, {0, 0, nan}, {nan, nan, nan});
     shape.triangles.push_back({0, 0, 0});
-    shape.triangles.push_back({0, 0, 1}); // An edge of four sides is no crease, so lines join at its two ends.
-    EXPECT_EQ(mesh_creases(shape, 30.0, pool).size(), 9U);
+    shape.triangles.push_back({0, 0, 1});
+    EXPECT_EQ(creases(30.0).size(), 12U); // The box has its twelve edges.
 }
 
 class LinesTest : public testing::Test {

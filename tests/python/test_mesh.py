@@ -176,3 +176,17 @@ def test_flats_beside_soft_bevels_stay_flat():
     model = hrbfnpr.Model.fit_mesh(hrbfnpr.Mesh(vertices, triangles), edges="sharp")
     marks = model.generate(budget=4000)
     assert max(row[2] + marks.origin[2] for row in marks.layers[0].positions.tolist()) < 1.005
+
+
+def test_edges_of_a_box_part_its_faces():
+    corners = np.array([(x, y, z) for z in (0, 1) for y in (0, 1) for x in (0, 1)], float)
+    sides = [(0, 2, 3, 1), (4, 5, 7, 6), (0, 1, 5, 4), (2, 6, 7, 3), (0, 4, 6, 2), (1, 3, 7, 5)]
+    mesh = hrbfnpr.Mesh(corners, [t for a, b, c, d in sides for t in ((a, b, c), (a, c, d))])
+    found = mesh.edges()
+    assert (found.info.edges, found.info.patches) == (12, 6)
+    assert found.info.length == pytest.approx(12.0)
+    assert found.sharp.shape == (12, 3) and found.sharp.sum() == 2 * 12
+    assert sorted(np.bincount(found.patches)) == [2] * 6
+    assert mesh.edges(edges="smooth").info.patches == 1
+    with pytest.raises(hrbfnpr.InvalidArgumentError, match="crease_angle is 200"):
+        mesh.edges(crease_angle=200.0)

@@ -117,6 +117,12 @@ void add_meshes(std::map<std::string, Call>& calls) {
         status = hrbfnpr_mesh_sample(s.mesh.get(), nullptr, &places, nullptr, nullptr, error);
         result.add(place);
     });
+    CALL(hrbfnpr_mesh_edges) {
+        auto info = made(hrbfnpr_mesh_edges_info_init);
+        status = hrbfnpr_mesh_edges(s.mesh.get(), nullptr, nullptr, nullptr, &info, nullptr, error);
+        result.add(info.edges);
+        result.add(info.length);
+    });
     CALL(hrbfnpr_model_compare_mesh) {
         auto desc = made(hrbfnpr_compare_desc_init);
         desc.points = point_count;

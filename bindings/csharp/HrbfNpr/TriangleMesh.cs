@@ -125,6 +125,47 @@ namespace HrbfNpr
         }
 
         /// <summary>
+        /// Finds sharp edges and the smooth patches between them, as <see cref="Model.FitMesh"/> does.  Any number of
+        /// threads may call it at a time.
+        /// </summary>
+        /// <param name="sharp">Three numbers for each face: 1 where the edge from that corner to the next one is sharp,
+        /// else 0.</param>
+        /// <param name="patches">The number of each face's patch, from 0 in the order of their first faces.</param>
+        /// <param name="edges">Which edges are sharp: by default those of shapes with edges.</param>
+        /// <param name="creaseAngle">Degrees between the normals of two faces, 1 to 179: edges that bend more are
+        /// sharp.</param>
+        /// <param name="far">Coarse faces that a round surface would leave by four fifths of this stay flat, with sharp
+        /// edges; in units of the mesh, 0 = 0.01 of its diagonal.</param>
+        /// <param name="progress">May be null.</param>
+        /// <param name="cancellationToken">Cancels the call.</param>
+        public MeshEdgesInfo FindEdges(
+            out int[] sharp, out int[] patches, MeshEdges edges = MeshEdges.Auto, double creaseAngle = 30,
+            double far = 0, IProgress<double> progress = null,
+            CancellationToken cancellationToken = default(CancellationToken))
+        {
+            patches = new int[Info.Faces];
+            sharp = new int[3 * patches.Length];
+            hrbfnpr_mesh_edges_desc desc;
+            Errors.Check(NativeMethods.hrbfnpr_mesh_edges_desc_init(&desc, (uint)sizeof(hrbfnpr_mesh_edges_desc)));
+            desc.edges = (uint)edges;
+            desc.crease_angle = creaseAngle;
+            desc.far = far;
+            MeshEdgesInfo info;
+            Errors.Check(NativeMethods.hrbfnpr_mesh_edges_info_init(&info, (uint)sizeof(MeshEdgesInfo)));
+            using (var pins = new Pins())
+            using (var call = new LongCall(handle, progress, cancellationToken))
+            {
+                hrbfnpr_array of = ((ArrayView)patches).ToNative(pins, 1, nameof(patches));
+                hrbfnpr_array at = ((ArrayView)sharp).ToNative(pins, 3, nameof(sharp));
+                hrbfnpr_error error = Errors.New();
+                int status = NativeMethods.hrbfnpr_mesh_edges(
+                    handle, &desc, &of, &at, &info, call.Operation, &error);
+                call.Check(status, &error, null);
+            }
+            return info;
+        }
+
+        /// <summary>
         /// Farthest-point order: each point the farthest from those before it, so that every prefix is even.
         /// </summary>
         /// <param name="points">n points.</param>

@@ -11,7 +11,7 @@ export type {
   Annotation, CastDesc, CompareDesc, Comparison, ContextDesc, ContextInfo, CsgDesc, CsgInfo, CsgNode, CustomDesc,
   DepthImageDesc, DepthImageInfo, DrawingInfo, DrawingLayerInfo, FitDesc, GenerateDesc, Item, LayerArrays, LayerDesc,
   LayerInfo, LayerPose, LayerStyle, LineDesc, LineSetDesc, LineSetInfo, LineStyle, MarkIdentity, MeshDesc, MeshFitDesc,
-  MeshFitInfo, MeshInfo, ModelInfo, OrientDesc, OrientInfo, PageDesc, PageInfo, PageItem, Pen, PictureDesc,
+  MeshEdgesDesc, MeshFitInfo, MeshInfo, ModelInfo, OrientDesc, OrientInfo, PageDesc, PageInfo, PageItem, Pen, PictureDesc,
   PictureInfo, PicturePageDesc, PictureSource, PlacementInfo, ViewsDesc, ViewsInfo,
   PointSetDesc, PointSetInfo, ProjectDesc, SampleDesc, Style, TrimDesc, TrimInfo,
 } from "./generated/options.js";
@@ -207,6 +207,8 @@ export class Mesh extends Handle {
   view(attribute: C.MeshAttributeName | number): TypedArray;
   /** Even samples with their normals, each count x 3. */
   sample(count: number, options?: O.SampleDesc, control?: Control): { points: Float64Array; normals: Float64Array };
+  /** Sharp edges (3 numbers for each face: 1 = the edge from that corner to the next is sharp), and patches of faces. */
+  edges(options?: O.MeshEdgesDesc, control?: Control): { patches: Int32Array; sharp: Int32Array };
 }
 
 export interface PictureSize {

@@ -28,4 +28,18 @@ export class Mesh extends Made {
       return { points, normals };
     });
   }
+
+  /** Finds sharp edges, and the smooth patches between them: see hrbfnpr_mesh_edges. */
+  edges(options = {}, control) {
+    const faces = this.info().faces;
+    const patches = new Int32Array(Number(faces));
+    const sharp = new Int32Array(3 * Number(faces));
+    return Call.with(this.library, (call) => {
+      const desc = call.structOf(options, "hrbfnpr_mesh_edges_desc", "edges");
+      const out = [call.arrayOut(patches, 1), call.arrayOut(sharp, 3)];
+      operated(call, this.context.pointer, control, (operation) =>
+        call.check("hrbfnpr_mesh_edges", this.pointer, desc, ...out, 0, operation));
+      return { patches, sharp };
+    });
+  }
 }

@@ -43,7 +43,7 @@ from ._library import library_path
 from ._line_set import Lines, LineSet
 from ._line_style import LineStyle
 from ._marks import MarkLayer
-from ._mesh import Mesh, MeshSamples, farthest_points
+from ._mesh import Mesh, MeshEdges, MeshSamples, farthest_points
 from ._model import Model
 from ._model_results import Curvature, Evaluation, Projection, RayHits
 from ._names import CLASSES, PRESETS
@@ -63,6 +63,7 @@ from ._records import (
     LayerInfo,
     LineSetInfo,
     MarkIdentity,
+    MeshEdgesInfo,
     MeshFitInfo,
     MeshInfo,
     ModelInfo,
@@ -86,7 +87,8 @@ __all__ = [
     "Camera", "CancelledError", "Comparison", "Context", "ContextInfo", "CorruptDataError", "CsgInfo", "Curvature",
     "DepthImageInfo", "Drawing", "DrawingInfo", "DrawingLayerInfo", "Error", "Evaluation", "InternalError", "InvalidArgumentError", "Item", "Layer",
     "LayerInfo", "LayerStyle", "LineSet", "LineSetInfo", "LineStyle", "Lines", "MarkIdentity", "MarkLayer",
-    "MarkResults", "Mesh", "MeshFitInfo", "MeshInfo", "MeshSamples", "Model", "ModelInfo", "NotConvergedError",
+    "MarkResults", "Mesh", "MeshEdges", "MeshEdgesInfo", "MeshFitInfo", "MeshInfo", "MeshSamples", "Model", "ModelInfo",
+    "NotConvergedError",
     "Operation", "OrientInfo", "Oriented", "OutOfMemoryError", "OwnLayer", "PageInfo", "PageItem", "Pen",
     "PlacementInfo", "PointSet", "PointSetInfo", "Projection", "Raster", "RayHits", "Renderer", "SingularSystemError",
     "SmoothedDepthImage", "StepPatches", "StreamError", "Style", "TrimInfo", "UnsupportedStructError", "VersionMismatchError", "Vertices",

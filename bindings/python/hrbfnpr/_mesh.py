@@ -9,9 +9,9 @@ from ._context import Context, resolve
 from ._errors import new_struct
 from ._handles import Owner
 from ._library import lib
-from ._names import FACES, PARTS, number_of
+from ._names import EDGES, FACES, PARTS, number_of
 from ._operation import Operation, Progress, make, run
-from ._records import MeshInfo, get
+from ._records import MeshEdgesInfo, MeshInfo, get, read
 
 
 class MeshSamples(NamedTuple):
@@ -19,6 +19,23 @@ class MeshSamples(NamedTuple):
 
     points: Array
     normals: Array
+
+
+class MeshEdges(NamedTuple):
+    """The sharp edges of a mesh, and the smooth patches between them.
+
+    Attributes
+    ----------
+    sharp : array of int32, shape (m, 3)
+        1 where the edge from corner k of a face to the next corner is sharp, else 0.
+    patches : array of int32, shape (m,)
+        The number of each face's patch, from 0 in the order of their first faces.
+    info : MeshEdgesInfo
+    """
+
+    sharp: Array
+    patches: Array
+    info: MeshEdgesInfo
 
 
 class Mesh(Owner):
@@ -124,6 +141,39 @@ class Mesh(Owner):
         given = self._handle, desc, points_out, normals_out
         run(lib.hrbfnpr_mesh_sample, given, operation, progress, self._made_in._handle)
         return MeshSamples(points, normals)
+
+    def edges(
+        self,
+        *,
+        edges: str = "auto",
+        crease_angle: float = 30.0,
+        far: float = 0.0,
+        progress: Optional[Progress] = None,
+        operation: Optional[Operation] = None,
+    ) -> MeshEdges:
+        """Sharp edges and the smooth patches between them, as `Model.fit_mesh` finds them.
+
+        Edges that bend by more than `crease_angle` are sharp.  Where one ends, it goes on along edges that bend by 8
+        degrees or more and keep its direction.  Short sharp edges that part nothing are dropped as noise.
+
+        Parameters
+        ----------
+        edges : {"auto", "smooth", "sharp"}
+            With "auto" an edge is sharp only if the mesh stands for a shape with edges.
+        crease_angle : float
+            Degrees between the normals of two faces, 1 to 179.
+        far : float
+            Coarse faces that a round surface would leave by four fifths of this stay flat, with sharp edges; in units
+            of the mesh, 0 = 0.01 diagonals.
+        """
+        desc, info = new_struct("hrbfnpr_mesh_edges_desc"), new_struct("hrbfnpr_mesh_edges_info")
+        desc.edges, desc.crease_angle, desc.far = number_of("edges", EDGES, edges), crease_angle, far
+        count = self.triangles.shape[0]
+        patches, patches_out = output("patch", new_array((count,), "i"), (count,), 1, "i")
+        sharp, sharp_out = output("sharp", new_array((count, 3), "i"), (count,), 3, "i")
+        given = self._handle, desc, patches_out, sharp_out, info
+        run(lib.hrbfnpr_mesh_edges, given, operation, progress, self._made_in._handle)
+        return MeshEdges(sharp, patches, read(MeshEdgesInfo, info))
 
     def __repr__(self) -> str:
         if self.closed:

@@ -732,6 +732,33 @@ class MeshInfo:
     creases: bool
 
 @dataclass(frozen=True)
+class MeshEdgesInfo:
+    """The sharp edges of a mesh as a whole; lengths are in units of the mesh.
+
+    Attributes
+    ----------
+    edges : int
+        The number of sharp edges.
+    patches : int
+        The number of smooth patches between them; 1 where no edge is sharp.
+    length : float
+        Of the sharp edges, in units of the mesh.
+    fading : float
+        Of those among them that have the same patch on both sides, as where a crease fades out.
+    doubtful : float
+        With "auto": of edges that bend more than crease_angle but do not stand out, in units of the mesh; 0 where
+        edges are sharp.
+    seconds : float
+    """
+
+    edges: int
+    patches: int
+    length: float
+    fading: float
+    doubtful: float
+    seconds: float
+
+@dataclass(frozen=True)
 class MeshFitInfo:
     """What a fit to a mesh came to: the last of the measurements that it went by.
 

@@ -207,6 +207,22 @@ void Stages::add_meshes(std::vector<Stage>& stages) {
                           return status;
                       },
                       {}});
+    stages.push_back({"mesh.edges",
+                      [this](Attempt& attempt, Bytes& bytes, hrbfnpr_error* error) {
+                          const auto faces = static_cast<std::size_t>(triangles_.triangles.size() / 3);
+                          std::vector<std::int32_t> patch(faces), sharp(3 * faces);
+                          const hrbfnpr_array_out patches = out(patch, 1), sides = out(sharp, 3);
+                          auto desc = made(hrbfnpr_mesh_edges_desc_init);
+                          desc.edges = HRBFNPR_EDGES_SHARP;
+                          desc.crease_angle = 20.0;
+                          const auto status = attempt([&] {
+                              return hrbfnpr_mesh_edges(mesh_.get(), &desc, &patches, &sides, nullptr,
+                                                        attempt.operation, error);
+                          });
+                          if (status == HRBFNPR_STATUS_OK) append(bytes, patch), append(bytes, sharp);
+                          return status;
+                      },
+                      {}});
     stages.push_back({"farthest_points",
                       [this](Attempt& attempt, Bytes& bytes, hrbfnpr_error* error) {
                           std::vector<std::int32_t> index(50);

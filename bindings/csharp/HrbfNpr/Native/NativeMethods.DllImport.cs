@@ -341,6 +341,14 @@ namespace HrbfNpr
         internal static extern int hrbfnpr_mesh_sample(MeshHandle mesh, hrbfnpr_sample_desc* desc,
             hrbfnpr_array* points, hrbfnpr_array* normals, OperationHandle operation, hrbfnpr_error* error);
         [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int hrbfnpr_mesh_edges_desc_init(hrbfnpr_mesh_edges_desc* desc, uint struct_size);
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int hrbfnpr_mesh_edges_info_init(MeshEdgesInfo* info, uint struct_size);
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern int hrbfnpr_mesh_edges(MeshHandle mesh, hrbfnpr_mesh_edges_desc* desc,
+            hrbfnpr_array* patch, hrbfnpr_array* sharp, MeshEdgesInfo* info, OperationHandle operation,
+            hrbfnpr_error* error);
+        [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]
         internal static extern int hrbfnpr_farthest_points(ContextHandle context, hrbfnpr_array* points,
             hrbfnpr_array* indices, hrbfnpr_array* distance, OperationHandle operation, hrbfnpr_error* error);
         [DllImport(Name, CallingConvention = CallingConvention.Cdecl)]

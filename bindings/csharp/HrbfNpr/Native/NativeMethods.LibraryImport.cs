@@ -343,6 +343,14 @@ namespace HrbfNpr
         internal static partial int hrbfnpr_mesh_sample(MeshHandle mesh, hrbfnpr_sample_desc* desc,
             hrbfnpr_array* points, hrbfnpr_array* normals, OperationHandle operation, hrbfnpr_error* error);
         [LibraryImport(Name), UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int hrbfnpr_mesh_edges_desc_init(hrbfnpr_mesh_edges_desc* desc, uint struct_size);
+        [LibraryImport(Name), UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int hrbfnpr_mesh_edges_info_init(MeshEdgesInfo* info, uint struct_size);
+        [LibraryImport(Name), UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
+        internal static partial int hrbfnpr_mesh_edges(MeshHandle mesh, hrbfnpr_mesh_edges_desc* desc,
+            hrbfnpr_array* patch, hrbfnpr_array* sharp, MeshEdgesInfo* info, OperationHandle operation,
+            hrbfnpr_error* error);
+        [LibraryImport(Name), UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]
         internal static partial int hrbfnpr_farthest_points(ContextHandle context, hrbfnpr_array* points,
             hrbfnpr_array* indices, hrbfnpr_array* distance, OperationHandle operation, hrbfnpr_error* error);
         [LibraryImport(Name), UnmanagedCallConv(CallConvs = new[] { typeof(CallConvCdecl) })]

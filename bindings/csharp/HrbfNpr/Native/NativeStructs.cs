@@ -362,6 +362,15 @@ namespace HrbfNpr
         internal ulong random_seed;
     }
 
+    [StructLayout(LayoutKind.Sequential), NativeStruct("hrbfnpr_mesh_edges_desc")]
+    internal unsafe struct hrbfnpr_mesh_edges_desc
+    {
+        internal uint struct_size;
+        internal uint edges;
+        internal double crease_angle;
+        internal double far;
+    }
+
     [StructLayout(LayoutKind.Sequential), NativeStruct("hrbfnpr_compare_desc")]
     internal unsafe struct hrbfnpr_compare_desc
     {

@@ -880,14 +880,14 @@ export declare const MESH_ATTRIBUTE: {
 /** A constant of MESH_ATTRIBUTE as options spell it. */
 export type MeshAttributeName = "vertex" | "triangle" | "component" | "given-face" | "corner-normal";
 
-/** What becomes of a mesh's edges. */
+/** Which edges of a mesh are sharp. */
 export declare const EDGES: {
   /**
    * sharp where the mesh has edges: they stand out, as those of machine parts do, from what is beside them; noise
    * and coarse faces of round shapes do not. Closed parts that cross are fitted apart, and meet in creases
    */
   readonly AUTO: 0;
-  /** the surface is one smooth fit, which rounds them */
+  /** no edge is: a fit is one smooth surface, which rounds them */
   readonly SMOOTH: 1;
   /** sharp wherever faces meet at more than crease_angle */
   readonly SHARP: 2;

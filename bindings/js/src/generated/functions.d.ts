@@ -1056,6 +1056,38 @@ export interface Functions {
    */
   hrbfnpr_mesh_sample(mesh: Pointer, desc: Pointer, points: Pointer, normals: Pointer, operation: Pointer, error: Pointer): number;
   /**
+   * hrbfnpr_status hrbfnpr_mesh_edges_desc_init(hrbfnpr_mesh_edges_desc* desc, uint32_t struct_size)
+   *
+   *
+   */
+  hrbfnpr_mesh_edges_desc_init(desc: Pointer, struct_size: number): number;
+  /**
+   * hrbfnpr_status hrbfnpr_mesh_edges_info_init(hrbfnpr_mesh_edges_info* info, uint32_t struct_size)
+   *
+   *
+   */
+  hrbfnpr_mesh_edges_info_init(info: Pointer, struct_size: number): number;
+  /**
+   * hrbfnpr_status hrbfnpr_mesh_edges(const hrbfnpr_mesh* mesh, const hrbfnpr_mesh_edges_desc* desc, const
+   * hrbfnpr_array_out* patch, const hrbfnpr_array_out* sharp, hrbfnpr_mesh_edges_info* info, hrbfnpr_operation*
+   * operation, hrbfnpr_error* error)
+   *
+   * Finds the sharp edges of a mesh and the smooth patches between them, as
+   * hrbfnpr_model_fit_mesh does with the same edges, crease_angle and far.  Edges
+   * that bend by more than crease_angle are sharp; where one ends, it goes on along
+   * edges that bend by 8 degrees or more and keep its direction; short sharp edges
+   * that part nothing are dropped as noise.  Edges of one face, and of more than
+   * two, end patches, but are not sharp.
+   * patch: m x 1, INT64, INT32 or UINT32 for the m faces of the mesh: the number of
+   *        each face's patch, from 0 in the order of their first faces.  NULL: not
+   *        wanted.
+   * sharp: m x 3, the same types: 1 where the edge from corner k of the face to the
+   *        next corner is sharp, else 0.  NULL: not wanted.
+   * desc, info and operation may be NULL.  The call is thread-safe: it only reads
+   * the mesh.  Errors: INVALID_ARGUMENT, OUT_OF_MEMORY, CANCELLED.
+   */
+  hrbfnpr_mesh_edges(mesh: Pointer, desc: Pointer, patch: Pointer, sharp: Pointer, info: Pointer, operation: Pointer, error: Pointer): number;
+  /**
    * hrbfnpr_status hrbfnpr_farthest_points(hrbfnpr_context* context, const hrbfnpr_array* points, const
    * hrbfnpr_array_out* indices, const hrbfnpr_array_out* distance, hrbfnpr_operation* operation, hrbfnpr_error*
    * error)

@@ -576,6 +576,19 @@ export const STRUCTS = {
     candidates: ["i64", 8],
     randomSeed: ["u64", 16],
   } },
+  hrbfnpr_mesh_edges_desc: { size: 24, sized: true, fields: {
+    edges: ["u32", 4, 0, "EDGES"],
+    creaseAngle: ["f64", 8],
+    far: ["f64", 16],
+  } },
+  hrbfnpr_mesh_edges_info: { size: 56, sized: true, fields: {
+    edges: ["i64", 8],
+    patches: ["i64", 16],
+    length: ["f64", 24],
+    fading: ["f64", 32],
+    doubtful: ["f64", 40],
+    seconds: ["f64", 48],
+  } },
   hrbfnpr_compare_desc: { size: 56, sized: true, fields: {
     tolerance: ["f64", 8],
     far: ["f64", 16],
@@ -1012,6 +1025,9 @@ export const OFFSETS = {
     160, volume: 168, bounds_min: 176, bounds_max: 200, seconds: 224, bytes: 232, crease_length: 240, creases: 248,
     reserved: 252},
   hrbfnpr_sample_desc: {struct_size: 0, reserved: 4, candidates: 8, random_seed: 16},
+  hrbfnpr_mesh_edges_desc: {struct_size: 0, edges: 4, crease_angle: 8, far: 16},
+  hrbfnpr_mesh_edges_info: {struct_size: 0, reserved: 4, edges: 8, patches: 16, length: 24, fading: 32, doubtful: 40,
+    seconds: 48},
   hrbfnpr_compare_desc: {struct_size: 0, reserved: 4, tolerance: 8, far: 16, support: 24, points: 32, cell_size: 40,
     random_seed: 48},
   hrbfnpr_comparison: {struct_size: 0, reserved: 4, surface_points: 8, surface_mean: 16, surface_p99: 24, surface_max:

@@ -1381,6 +1381,36 @@ export interface SampleDesc {
   randomSeed?: number;
 }
 
+/** How sharp edges are found. */
+export interface MeshEdgesDesc {
+  /** HRBFNPR_EDGES_...; AUTO */
+  edges?: EdgesName | number;
+  /** degrees between the normals of two faces, 1 .. 179: an edge that bends more is sharp; 30 */
+  creaseAngle?: number;
+  /**
+   * coarse faces that a round surface would leave by four fifths of this stay flat, with sharp edges; in units of
+   * the mesh; 0 = 0.01 diagonals. A large number, such as the diagonal: only the angle counts
+   */
+  far?: number;
+}
+
+export interface MeshEdgesInfo {
+  /** the number of sharp edges */
+  readonly edges: number;
+  /** the number of smooth patches between them; 1 where no edge is sharp */
+  readonly patches: number;
+  /** of the sharp edges, in units of the mesh */
+  readonly length: number;
+  /** of those among them that have the same patch on both sides, as where a crease fades out */
+  readonly fading: number;
+  /**
+   * with AUTO: of edges that bend more than crease_angle but do not stand out, in units of the mesh; 0 where edges
+   * are sharp
+   */
+  readonly doubtful: number;
+  readonly seconds: number;
+}
+
 /**
  * How near a surface is to a mesh.  "Surface": of the model, within the box of
  * the mesh, grown by 0.05 diagonals; "diagonal" is the mesh's.  What of it is

@@ -1031,6 +1031,36 @@ const _: () = {
 };
 
 const _: () = {
+    assert!(size_of::<hrbfnpr_mesh_edges_desc>() == 24);
+    assert!(align_of::<hrbfnpr_mesh_edges_desc>() == either(8, 8, 4));
+};
+#[cfg(not(hrbfnpr_no_offset_of))]
+const _: () = {
+    use core::mem::offset_of;
+    assert!(offset_of!(hrbfnpr_mesh_edges_desc, struct_size) == 0);
+    assert!(offset_of!(hrbfnpr_mesh_edges_desc, edges) == 4);
+    assert!(offset_of!(hrbfnpr_mesh_edges_desc, crease_angle) == 8);
+    assert!(offset_of!(hrbfnpr_mesh_edges_desc, far) == 16);
+};
+
+const _: () = {
+    assert!(size_of::<hrbfnpr_mesh_edges_info>() == 56);
+    assert!(align_of::<hrbfnpr_mesh_edges_info>() == either(8, 8, 4));
+};
+#[cfg(not(hrbfnpr_no_offset_of))]
+const _: () = {
+    use core::mem::offset_of;
+    assert!(offset_of!(hrbfnpr_mesh_edges_info, struct_size) == 0);
+    assert!(offset_of!(hrbfnpr_mesh_edges_info, reserved) == 4);
+    assert!(offset_of!(hrbfnpr_mesh_edges_info, edges) == 8);
+    assert!(offset_of!(hrbfnpr_mesh_edges_info, patches) == 16);
+    assert!(offset_of!(hrbfnpr_mesh_edges_info, length) == 24);
+    assert!(offset_of!(hrbfnpr_mesh_edges_info, fading) == 32);
+    assert!(offset_of!(hrbfnpr_mesh_edges_info, doubtful) == 40);
+    assert!(offset_of!(hrbfnpr_mesh_edges_info, seconds) == 48);
+};
+
+const _: () = {
     assert!(size_of::<hrbfnpr_compare_desc>() == 56);
     assert!(align_of::<hrbfnpr_compare_desc>() == either(8, 8, 4));
 };

@@ -3512,6 +3512,86 @@ extern "C" {
         operation: *mut hrbfnpr_operation,
         error: *mut hrbfnpr_error,
     ) -> hrbfnpr_status;
+}
+
+// Which edges of a mesh are sharp.
+/// sharp where the mesh has edges: they stand out, as those of machine parts do, from what is
+/// beside them; noise and coarse faces of round shapes do not. Closed parts that cross are
+/// fitted apart, and meet in creases
+pub const HRBFNPR_EDGES_AUTO: u32 = 0;
+/// no edge is: a fit is one smooth surface, which rounds them
+pub const HRBFNPR_EDGES_SMOOTH: u32 = 1;
+/// sharp wherever faces meet at more than crease_angle
+pub const HRBFNPR_EDGES_SHARP: u32 = 2;
+
+/// How sharp edges are found.
+#[repr(C)]
+#[derive(Debug, Clone, Copy)]
+pub struct hrbfnpr_mesh_edges_desc {
+    pub struct_size: u32,
+    /// HRBFNPR_EDGES_...; AUTO
+    pub edges: u32,
+    /// degrees between the normals of two faces, 1 .. 179: an edge that bends more is sharp; 30
+    pub crease_angle: f64,
+    /// coarse faces that a round surface would leave by four fifths of this stay flat, with sharp
+    /// edges; in units of the mesh; 0 = 0.01 diagonals. A large number, such as the diagonal:
+    /// only the angle counts
+    pub far: f64,
+}
+
+extern "C" {
+    pub fn hrbfnpr_mesh_edges_desc_init(
+        desc: *mut hrbfnpr_mesh_edges_desc,
+        struct_size: u32,
+    ) -> hrbfnpr_status;
+}
+
+#[repr(C)]
+#[derive(Debug, Clone, Copy)]
+pub struct hrbfnpr_mesh_edges_info {
+    pub struct_size: u32,
+    pub reserved: u32,
+    /// the number of sharp edges
+    pub edges: i64,
+    /// the number of smooth patches between them; 1 where no edge is sharp
+    pub patches: i64,
+    /// of the sharp edges, in units of the mesh
+    pub length: f64,
+    /// of those among them that have the same patch on both sides, as where a crease fades out
+    pub fading: f64,
+    /// with AUTO: of edges that bend more than crease_angle but do not stand out, in units of the
+    /// mesh; 0 where edges are sharp
+    pub doubtful: f64,
+    pub seconds: f64,
+}
+
+extern "C" {
+    pub fn hrbfnpr_mesh_edges_info_init(
+        info: *mut hrbfnpr_mesh_edges_info,
+        struct_size: u32,
+    ) -> hrbfnpr_status;
+    /// Finds the sharp edges of a mesh and the smooth patches between them, as
+    /// hrbfnpr_model_fit_mesh does with the same edges, crease_angle and far.  Edges
+    /// that bend by more than crease_angle are sharp; where one ends, it goes on along
+    /// edges that bend by 8 degrees or more and keep its direction; short sharp edges
+    /// that part nothing are dropped as noise.  Edges of one face, and of more than
+    /// two, end patches, but are not sharp.
+    /// patch: m x 1, INT64, INT32 or UINT32 for the m faces of the mesh: the number of
+    ///        each face's patch, from 0 in the order of their first faces.  NULL: not
+    ///        wanted.
+    /// sharp: m x 3, the same types: 1 where the edge from corner k of the face to the
+    ///        next corner is sharp, else 0.  NULL: not wanted.
+    /// desc, info and operation may be NULL.  The call is thread-safe: it only reads
+    /// the mesh.  Errors: INVALID_ARGUMENT, OUT_OF_MEMORY, CANCELLED.
+    pub fn hrbfnpr_mesh_edges(
+        mesh: *const hrbfnpr_mesh,
+        desc: *const hrbfnpr_mesh_edges_desc,
+        patch: *const hrbfnpr_array_out,
+        sharp: *const hrbfnpr_array_out,
+        info: *mut hrbfnpr_mesh_edges_info,
+        operation: *mut hrbfnpr_operation,
+        error: *mut hrbfnpr_error,
+    ) -> hrbfnpr_status;
     /// Farthest-point order: each is the point farthest from those before it, the
     /// first the one nearest to the middle of the bounding box; of equals the one of
     /// lower number.  Every prefix is an even choice [Gonzalez 1985].
@@ -3621,16 +3701,6 @@ extern "C" {
         error: *mut hrbfnpr_error,
     ) -> hrbfnpr_status;
 }
-
-// What becomes of a mesh's edges.
-/// sharp where the mesh has edges: they stand out, as those of machine parts do, from what is
-/// beside them; noise and coarse faces of round shapes do not. Closed parts that cross are
-/// fitted apart, and meet in creases
-pub const HRBFNPR_EDGES_AUTO: u32 = 0;
-/// the surface is one smooth fit, which rounds them
-pub const HRBFNPR_EDGES_SMOOTH: u32 = 1;
-/// sharp wherever faces meet at more than crease_angle
-pub const HRBFNPR_EDGES_SHARP: u32 = 2;
 
 /// How a mesh is fitted.
 #[repr(C)]
