@@ -16,10 +16,7 @@ namespace fit = hrbfnpr::fit;
 using hrbfnpr::Status;
 using hrbfnpr::kernel::Kind;
 using namespace fit_test;
-using hrbfnpr::test::Allocator;
 using hrbfnpr::test::same_bits;
-using hrbfnpr::test::WatchedOperation;
-using hrbfnpr::test::with_allocator;
 using hrbfnpr::test::with_threads;
 
 namespace {
@@ -94,12 +91,6 @@ void expect_same_bits_for_threads(const fit::FitInput& chosen, std::initializer_
     }
 }
 
-TEST(IterativeRobustness, SameBitsForAnyNumberOfThreads) {
-    const Cloud cloud = bumpy(600);
-    for (const Kind kind : {Kind::triharmonic, Kind::gaussian, Kind::wendland_c2})
-        expect_same_bits_for_threads(iterative(cloud, kind), {2, 3, 7});
-}
-
 // Vectors of more than one piece.
 TEST(IterativeRobustness, SameBitsForManySamples) {
     const Cloud cloud = bumpy(4500);
@@ -107,55 +98,6 @@ TEST(IterativeRobustness, SameBitsForManySamples) {
     chosen.solver_tolerance = 0.1;
     chosen.preconditioner_neighbours = 8;
     expect_same_bits_for_threads(chosen, {3});
-}
-
-TEST(IterativeRobustness, ReportsProgressUpToOne) {
-    const base::Runtime runtime;
-    const Cloud cloud = bumpy(500);
-    WatchedOperation watched;
-    static_cast<void>(fit::fit(runtime, iterative(cloud), watched.progress()));
-    EXPECT_GE(watched.watcher.values.size(), 18U); // eleven of them from the iterations
-    EXPECT_FALSE(watched.watcher.fell());
-    EXPECT_DOUBLE_EQ(watched.watcher.last(), 1.0);
-}
-
-TEST(IterativeRobustness, StopsWhereverItIsCancelled) {
-    const base::Runtime runtime;
-    const Cloud cloud = bumpy(500);
-    for (double cancel_at = 0.0; cancel_at < 0.9; cancel_at += 0.04) {
-        WatchedOperation watched(cancel_at);
-        try {
-            static_cast<void>(fit::fit(runtime, iterative(cloud), watched.progress()));
-            ADD_FAILURE() << "not cancelled at " << cancel_at;
-        } catch (const hrbfnpr::Error& error) {
-            EXPECT_EQ(error.status(), Status::cancelled);
-        }
-        EXPECT_EQ(runtime.memory.bytes_now(), 0);
-    }
-}
-
-TEST(IterativeRobustness, EveryAllocationMayFail) {
-    const Cloud cloud = bumpy(60);
-    fit::FitInput chosen = iterative(cloud);
-    chosen.preconditioner_neighbours = 8;
-    std::int64_t failing = 1;
-    for (bool done = false; !done; ++failing) {
-        Allocator allocator;
-        allocator.refuse_at = failing;
-        {
-            const base::Runtime runtime = with_allocator(allocator);
-            try {
-                static_cast<void>(fit::fit(runtime, chosen, {}));
-                done = true;
-            } catch (const hrbfnpr::Error& error) {
-                EXPECT_EQ(error.status(), Status::out_of_memory) << failing << ": " << error.what();
-            }
-            EXPECT_EQ(runtime.memory.bytes_now(), 0) << failing;
-        }
-        EXPECT_EQ(allocator.blocks, 0) << failing;
-        ASSERT_LT(failing, 1000);
-    }
-    EXPECT_GT(failing, 41);
 }
 
 } // namespace
