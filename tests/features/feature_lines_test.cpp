@@ -2,7 +2,6 @@
 #include "features/feature_lines.h"
 
 #include "feature_shapes.h"
-#include "support/watched_operation.h"
 
 #include <gtest/gtest.h>
 

@@ -2,11 +2,8 @@
 #include "base/status.h"
 #include "shapes.h"
 #include "support/runtime.h"
-#include "support/watched_operation.h"
 
 #include <gtest/gtest.h>
-
-#include <atomic>
 
 namespace robustness_test {
 
@@ -16,37 +13,9 @@ using hrbfnpr::Status;
 using hrbfnpr::kernel::Kind;
 using namespace fit_test;
 using hrbfnpr::test::Allocator;
-using hrbfnpr::test::same_bits;
 using hrbfnpr::test::with_allocator;
-using hrbfnpr::test::with_threads;
 
 namespace {
-
-void expect_same_bits(const fit::FitResult& a, const fit::FitResult& b, const std::string& what) {
-    EXPECT_TRUE(same_bits(a.data.alpha, b.data.alpha)) << what;
-    EXPECT_TRUE(same_bits(a.data.beta.x, b.data.beta.x)) << what;
-    EXPECT_TRUE(same_bits(a.data.beta.y, b.data.beta.y)) << what;
-    EXPECT_TRUE(same_bits(a.data.beta.z, b.data.beta.z)) << what;
-    EXPECT_TRUE(same_bits(a.data.polynomial, b.data.polynomial)) << what;
-    EXPECT_EQ(a.data.spacing, b.data.spacing) << what;
-    EXPECT_EQ(a.report.condition_estimate, b.report.condition_estimate) << what;
-    EXPECT_EQ(a.report.solver_residual, b.report.solver_residual) << what;
-    EXPECT_EQ(a.report.gradient_residual_rms, b.report.gradient_residual_rms) << what;
-}
-
-TEST(Robustness, RunsOnAHostsTasks) {
-    const Cloud cloud = bumpy(100);
-    std::atomic<std::int64_t> tasks{0};
-    const auto run = [](void* user, base::TaskFn task, void* context, std::int64_t count) {
-        *static_cast<std::atomic<std::int64_t>*>(user) += count;
-        for (std::int64_t i = count - 1; i >= 0; --i) task(context, i);
-    };
-    const base::Runtime hosted(nullptr, nullptr, nullptr, base::Parallel(4, run, &tasks),
-                               base::InstructionSet::automatic, nullptr, nullptr);
-    const base::Runtime serial = with_threads(1);
-    expect_same_bits(fit::fit(serial, input(cloud), {}), fit::fit(hosted, input(cloud), {}), "tasks");
-    EXPECT_GT(tasks.load(), 10);
-}
 
 TEST(Robustness, AMatrixThatDoesNotFitIsNamedWithItsBytes) {
     Allocator allocator;
