@@ -23,8 +23,8 @@ function(hrbfnpr_test_program name)
   file(GENERATE OUTPUT "${CMAKE_CURRENT_BINARY_DIR}/${name}.objects" CONTENT "$<JOIN:$<TARGET_OBJECTS:${name}>,\n>\n")
 endfunction()
 
-# hrbfnpr_discover_tests(NAME PREFIX [LONG ...] [LONG_UNCHECKED ...] [UNCHECKED ...] [PROPERTIES ...]): the program's tests,
-# with labels.  The three lists are filters of GoogleTest.
+# hrbfnpr_discover_tests(NAME PREFIX [LONG ...] [LONG_UNCHECKED ...] [UNCHECKED ...] [PROPERTIES ...]) adds the tests of a
+# program and labels them.  The three lists are filters of GoogleTest.
 #   LONG             tests that take over a second, or over five under the sanitizers: `long checked`
 #   LONG_UNCHECKED   tests that take over a second, and minutes under the sanitizers: `long`
 #   UNCHECKED        tests that are too slow under the sanitizers only: `short`
@@ -54,7 +54,8 @@ function(hrbfnpr_discover_tests name prefix)
   file(GENERATE OUTPUT "${CMAKE_CURRENT_BINARY_DIR}/${name}.filters" CONTENT "${lines}\n")
 endfunction()
 
-# hrbfnpr_label_tests([UNCHECKED] [LONG NAME...]): labels of the tests that add_test has made in this folder.
+# hrbfnpr_label_tests([UNCHECKED] [LONG NAME...]) labels the tests that add_test has made in this folder: `long` those that
+# LONG names, `short` the others, and all `checked` but with UNCHECKED.
 function(hrbfnpr_label_tests)
   cmake_parse_arguments(arg "UNCHECKED" "" "LONG" ${ARGN})
   get_property(tests DIRECTORY PROPERTY TESTS)

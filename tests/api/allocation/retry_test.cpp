@@ -94,7 +94,7 @@ TEST_P(Retry, SomeRefusalsOfALargerRun) {
     refuse_in_every_stage(GetParam(), sizes, 1, 6);
 }
 
-// What comes before all stages.
+// Both are made before all stages.
 TEST(Allocation, AContextAndAnOperationAreMadeOrNot) {
     for (std::int64_t k = 1;; ++k) {
         Error error;
