@@ -23,6 +23,54 @@ function(hrbfnpr_test_program name)
   file(GENERATE OUTPUT "${CMAKE_CURRENT_BINARY_DIR}/${name}.objects" CONTENT "$<JOIN:$<TARGET_OBJECTS:${name}>,\n>\n")
 endfunction()
 
+# hrbfnpr_discover_tests(NAME PREFIX [LONG ...] [LONG_UNCHECKED ...] [UNCHECKED ...] [PROPERTIES ...]) adds the tests of a
+# program and labels them.  The three lists are filters of GoogleTest.
+#   LONG             tests that take over a second, or over five under the sanitizers: `long checked`
+#   LONG_UNCHECKED   tests that take over a second, and minutes under the sanitizers: `long`
+#   UNCHECKED        tests that are too slow under the sanitizers only: `short`
+# All others are `short checked`.  This is one label, because gtest_discover_tests takes no list of them; `ctest -L short`
+# finds it, as it looks for a part of a label.  NAME.filters keeps the lists for scripts/test and tests/house/labels_test.py.
+function(hrbfnpr_discover_tests name prefix)
+  set(kinds LONG_UNCHECKED LONG UNCHECKED)
+  cmake_parse_arguments(arg "" "" "${kinds};PROPERTIES" ${ARGN})
+  set(labels_of_LONG "long checked")
+  set(labels_of_LONG_UNCHECKED long)
+  set(labels_of_UNCHECKED short)
+  set(named)
+  set(lines)
+  foreach(kind IN LISTS kinds)
+    if(arg_${kind})
+      list(JOIN arg_${kind} ":" filter)
+      gtest_discover_tests(${name} TEST_PREFIX "${prefix}." DISCOVERY_MODE PRE_TEST TEST_LIST "${name}_${kind}"
+        TEST_FILTER "${filter}-${named}" PROPERTIES LABELS "${labels_of_${kind}}" ${arg_PROPERTIES})
+      string(APPEND named "${filter}:")
+      list(TRANSFORM arg_${kind} PREPEND "${kind} ")
+      list(APPEND lines ${arg_${kind}})
+    endif()
+  endforeach()
+  gtest_discover_tests(${name} TEST_PREFIX "${prefix}." DISCOVERY_MODE PRE_TEST
+    TEST_FILTER "-${named}" PROPERTIES LABELS "short checked" ${arg_PROPERTIES})
+  list(JOIN lines "\n" lines)
+  file(GENERATE OUTPUT "${CMAKE_CURRENT_BINARY_DIR}/${name}.filters" CONTENT "${lines}\n")
+endfunction()
+
+# hrbfnpr_label_tests([UNCHECKED] [LONG NAME...]) labels the tests that add_test has made in this folder: `long` those that
+# LONG names, `short` the others, and all `checked` but with UNCHECKED.
+function(hrbfnpr_label_tests)
+  cmake_parse_arguments(arg "UNCHECKED" "" "LONG" ${ARGN})
+  get_property(tests DIRECTORY PROPERTY TESTS)
+  foreach(test IN LISTS tests)
+    set(labels short)
+    if(test IN_LIST arg_LONG)
+      set(labels long)
+    endif()
+    if(NOT arg_UNCHECKED)
+      list(APPEND labels checked)
+    endif()
+    set_property(TEST ${test} APPEND PROPERTY LABELS ${labels})
+  endforeach()
+endfunction()
+
 # Two dozen files are compiled as one: templates are then made and optimized once for all, in a third of the time.  What a file
 # names itself is in a namespace of the file's name; files that are no tests stay by themselves.
 function(hrbfnpr_unite name)

@@ -126,49 +126,6 @@ TEST(Camera, AFailureChangesNothing) {
     EXPECT_FAILS(hrbfnpr_camera_perspective(&camera, 1.0, 9, 9, 1, 2, error), invalid, "camera.depth_convention is 3");
 }
 
-TEST(Style, DefaultsAreThoseOfTheHeader) {
-    const auto style = made(hrbfnpr_style_init);
-    EXPECT_EQ(style.hidden_lines, static_cast<std::uint32_t>(HRBFNPR_HIDDEN_LINES_ATTENUATE));
-    EXPECT_EQ(style.silhouette_threshold, 0.2);
-    EXPECT_EQ(style.attenuation_front, 1.0);
-    EXPECT_EQ(style.attenuation_back, 1.0);
-    EXPECT_EQ(style.halo_width, 2.0F);
-    EXPECT_EQ(style.splat_overlap, 8.0F);
-    EXPECT_EQ(style.tone, static_cast<std::uint32_t>(HRBFNPR_TONE_LIGHT));
-    EXPECT_EQ(style.tone_rule, static_cast<std::uint32_t>(HRBFNPR_TONE_RULE_SHARE));
-    EXPECT_EQ(style.light_space, static_cast<std::uint32_t>(HRBFNPR_LIGHT_CAMERA));
-    EXPECT_EQ(style.light[2], 0.7);
-    EXPECT_EQ(style.zoom_exponent, 2.0);
-    EXPECT_EQ(style.silhouette_radius, 1.0F);
-    EXPECT_EQ(style.paper[0], 1.0F);
-    EXPECT_EQ(style.layers, nullptr);
-    EXPECT_EQ(style.layer_count, 0);
-    const auto layer = made(hrbfnpr_layer_style_init);
-    EXPECT_EQ(layer.kind, static_cast<std::uint32_t>(HRBFNPR_LAYER_KIND_ANY));
-    EXPECT_EQ(layer.name, nullptr);
-    EXPECT_EQ(layer.shown, 1U);
-    EXPECT_EQ(layer.contours, 1U);
-    EXPECT_EQ(layer.directions, 3U);
-    EXPECT_EQ(layer.shape, static_cast<std::uint32_t>(HRBFNPR_SHAPE_DOTS));
-    EXPECT_EQ(layer.hatch_tone_begin, 0.15F);
-    EXPECT_EQ(layer.hatch_tone_end, 0.95F);
-    EXPECT_EQ(layer.hatch_coverage_begin, 0.1F);
-    EXPECT_EQ(layer.hatch_coverage_end, 0.82F);
-    EXPECT_EQ(layer.hatch_spacing, 4.6F);
-    EXPECT_EQ(layer.hatch_pen, 0.6F);
-    EXPECT_EQ(layer.hatch_white, 1.2F);
-    EXPECT_EQ(layer.hatch_taper, 20.0F);
-    EXPECT_EQ(layer.hatch_shortest, 10.0F);
-    EXPECT_EQ(layer.hatch_wobble, 0.0F);
-    EXPECT_EQ(layer.hatch_overshoot, 0.0F);
-    EXPECT_EQ(layer.hatch_seed, 0U);
-    EXPECT_EQ(layer.share, 1.0F);
-    EXPECT_EQ(layer.radius, 1.0F);
-    EXPECT_EQ(layer.radius_zoom, 0.0F);
-    EXPECT_EQ(layer.ink[0], 0.0F);
-    EXPECT_EQ(layer.ink[3], 1.0F);
-}
-
 // What a style says of a kind of layers: the first that is for it.
 hrbfnpr_layer_style style_for(const hrbfnpr_style& style, std::uint32_t kind) {
     for (std::int64_t i = 0; i < style.layer_count; ++i)

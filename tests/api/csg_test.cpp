@@ -367,33 +367,6 @@ TEST(CsgModel, TreesThatDoubleEndWithAnError) {
     EXPECT_NE(message.find("more than 65536 nodes"), std::string::npos) << message;
 }
 
-// With leaves of all sorts, and many evaluations: the fit is prepared for them.
-TEST(CsgModel, ManyPointsAndAnyNumberOfThreadsGiveTheSame) {
-    std::vector<double> first;
-    std::vector<double> one_by_one;
-    for (const std::int32_t threads : {1, 2, 3, 7}) {
-        const Context context = make_context(threads);
-        const Model fitted = fit_whole(context, scenes::torus(700));
-        CsgNodes nodes;
-        nodes.add(HRBFNPR_CSG_DIFFERENCE).blend = 0.1;
-        nodes.add(HRBFNPR_CSG_MODEL, 0).model = fitted.get();
-        nodes.add(HRBFNPR_CSG_BOX, 0, 1.0, 0.0, 0.0);
-        const Model part = create(context, nodes);
-        std::vector<double> point = scattered(20000, 1.5);
-        std::vector<double> value = values_of(part, point);
-        for (std::size_t i = 0; i < (threads == 1 ? 300 : 0); ++i)
-            ASSERT_NEAR(values_of(part, {point[3 * i], point[3 * i + 1], point[3 * i + 2]})[0], value[i], 1e-9);
-        Error error;
-        const hrbfnpr_array points = in(point);
-        auto projection = made(hrbfnpr_projection_init);
-        projection.position = out(point);
-        EXPECT_OK(hrbfnpr_model_project(part.get(), &points, nullptr, &projection, nullptr, error));
-        value.insert(value.end(), point.begin(), point.end());
-        if (threads == 1) first = value;
-        EXPECT_TRUE(value == first) << threads;
-    }
-}
-
 TEST(CsgModel, IsDrawnWithItsContours) {
     Error error;
     const Context context = make_context();

@@ -23,14 +23,6 @@ hrbfnpr_depth_image_desc desc_of(const SeenDepths& seen) {
     return desc;
 }
 
-TEST(DepthImage, DefaultsAreThose) {
-    const auto desc = made(hrbfnpr_depth_image_desc_init);
-    EXPECT_EQ(desc.columns, 0);
-    EXPECT_EQ(desc.keep_points, 0U);
-    EXPECT_EQ(desc.noise, 0.0);
-    EXPECT_EQ(desc.smoothing, 1.0);
-}
-
 TEST(DepthImage, WritesPointsNormalsAndWhatItFound) {
     Error error;
     const Context context = make_context();

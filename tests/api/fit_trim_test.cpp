@@ -9,10 +9,6 @@
 namespace api_test::fit_trim_test {
 namespace {
 
-TEST(FitTrim, IsTheDefault) {
-    EXPECT_EQ(made(hrbfnpr_fit_desc_init).trim, static_cast<std::uint32_t>(HRBFNPR_TRIM_AUTO));
-}
-
 TEST(FitTrim, EndsAnOpenSurfaceAsTrimmingDoes) {
     Error error;
     const Context context = make_context();
@@ -125,27 +121,6 @@ TEST(FitTrim, IsSavedWithTheModel) {
     hrbfnpr_model* made_model = nullptr;
     ASSERT_OK(hrbfnpr_model_load_memory(context.get(), bytes.data(), size, &made_model, error));
     EXPECT_EQ(stipples_of(context, Model(made_model)), stipples_of(context, model));
-}
-
-TEST(FitTrim, CanBeCancelledAtAnyTime) {
-    Error error;
-    const Context context = make_context();
-    const scenes::Samples open = zone(0.0, 1.0);
-    const hrbfnpr_fit_desc desc = fit_desc(open);
-    for (const double at : {0.3, 0.9, 0.95, 1.0}) {
-        struct Stop {
-            double at;
-            static int32_t reached(void* user, double progress) {
-                return progress >= static_cast<Stop*>(user)->at ? 1 : 0;
-            }
-        } stop{at};
-        const Operation operation = make_operation(context);
-        ASSERT_OK(hrbfnpr_operation_set_callback(operation.get(), Stop::reached, &stop, error));
-        hrbfnpr_model* model = nullptr;
-        EXPECT_EQ(hrbfnpr_model_fit(context.get(), &desc, operation.get(), &model, error), HRBFNPR_STATUS_CANCELLED)
-            << at;
-        EXPECT_EQ(model, nullptr);
-    }
 }
 
 TEST(FitTrim, RefusesAnotherWord) {

@@ -242,28 +242,6 @@ TEST(Layers, OfASetAndTheCallersOwn) {
     EXPECT_EQ(info_of(set).marks, before.marks);
 }
 
-TEST(Layers, EveryAllocationOfACreateMayFail) {
-    Error error;
-    Allocator allocator;
-    const Context context = make_context(allocator_desc(allocator));
-    Sphere sphere;
-    const PointSet base = generate(context, custom_sphere(context, sphere), small_desc());
-    Arrays arrays;
-    arrays.desc.base = base.get();
-    const std::int64_t before = allocator.bytes;
-    const std::int64_t calls = allocator.calls;
-    PointSet set;
-    ASSERT_OK(create(context, arrays.desc, set, error));
-    const std::int64_t all = allocator.calls - calls;
-    set.reset();
-    ASSERT_EQ(allocator.bytes, before);
-    for (std::int64_t k = 1; k <= all; ++k) {
-        allocator.refuse_at = allocator.calls + k;
-        ASSERT_EQ(create(context, arrays.desc, set, error), HRBFNPR_STATUS_OUT_OF_MEMORY) << k << " of " << all;
-        ASSERT_EQ(allocator.bytes, before) << k;
-    }
-}
-
 // ---- generated -----------------------------------------------------------------------------
 
 std::int32_t only_north(void* /*user*/, std::int64_t count, const double* positions, const double* /*normals*/,

@@ -382,33 +382,5 @@ TEST(Mesh, OutlivesItsContext) {
     hrbfnpr_mesh_release(nullptr);
 }
 
-TEST(Mesh, EveryAllocationMayBeRefused) {
-    const Triangles from = torus(12, 6, 0.4);
-    for (std::int64_t k = 1; k < 1000; ++k) {
-        Allocator allocator;
-        hrbfnpr_status status = HRBFNPR_STATUS_OK;
-        {
-            Error error;
-            auto desc = made(hrbfnpr_context_desc_init);
-            desc.thread_count = 1;
-            desc.allocate = Allocator::allocate;
-            desc.deallocate = Allocator::deallocate;
-            desc.allocator_user = &allocator;
-            hrbfnpr_context* raw = nullptr;
-            ASSERT_OK(hrbfnpr_context_create(&desc, &raw, error));
-            const Context context(raw);
-            allocator.refuse_at = allocator.calls + k;
-            const hrbfnpr_mesh_desc given = mesh_desc(from);
-            hrbfnpr_mesh* mesh = nullptr;
-            status = hrbfnpr_mesh_create(context.get(), &given, nullptr, &mesh, error);
-            hrbfnpr_mesh_release(mesh);
-        }
-        EXPECT_EQ(allocator.blocks, 0) << k;
-        if (status == HRBFNPR_STATUS_OK) return;
-        ASSERT_EQ(status, HRBFNPR_STATUS_OUT_OF_MEMORY) << k;
-    }
-    FAIL() << "it never had enough";
-}
-
 } // namespace
 } // namespace api_test::mesh_test

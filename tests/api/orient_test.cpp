@@ -24,14 +24,6 @@ scenes::Samples inward(scenes::Samples samples) {
     return samples;
 }
 
-TEST(Orient, DefaultsAreThose) {
-    const auto desc = made(hrbfnpr_orient_desc_init);
-    EXPECT_EQ(desc.mode, static_cast<std::uint32_t>(HRBFNPR_NORMALS_AUTO));
-    EXPECT_EQ(desc.up[2], 1.0);
-    EXPECT_EQ(desc.has_viewpoint, 0U);
-    EXPECT_EQ(made(hrbfnpr_fit_desc_init).normal_mode, static_cast<std::uint32_t>(HRBFNPR_NORMALS_GIVEN));
-}
-
 TEST(Orient, WritesNormalsAndWhatItFound) {
     Error error;
     const Context context = make_context();
@@ -108,34 +100,6 @@ TEST(Orient, BadInputsAreNamed) {
                      HRBFNPR_STATUS_INVALID_ARGUMENT, row.message);
         EXPECT_EQ(normals, std::vector<double>(samples.points.size(), 7.0));
     }
-}
-
-TEST(Orient, IsCancelled) {
-    const Context context = make_context();
-    const scenes::Samples samples = shape();
-    const auto desc = desc_of(samples, HRBFNPR_NORMALS_NONE);
-    std::vector<double> normals(samples.points.size(), 7.0);
-    const hrbfnpr_array_out target = out(normals);
-    Error error;
-    const Operation operation = make_operation(context);
-    double last = 0.0;
-    struct Seen {
-        double* last;
-        bool fell = false;
-    } seen{&last};
-    const auto watch = [](void* user, double progress) -> std::int32_t {
-        auto& s = *static_cast<Seen*>(user);
-        s.fell = s.fell || progress < *s.last;
-        *s.last = progress;
-        return progress > 0.3 ? 1 : 0;
-    };
-    EXPECT_OK(hrbfnpr_operation_set_callback(operation.get(), watch, &seen, error));
-    EXPECT_FAILS(hrbfnpr_orient(context.get(), &desc, operation.get(), &target, nullptr, error),
-                 HRBFNPR_STATUS_CANCELLED, "");
-    EXPECT_FALSE(seen.fell);
-    EXPECT_GT(last, 0.3);
-    EXPECT_LT(last, 0.9);
-    EXPECT_EQ(normals[0], 7.0);
 }
 
 hrbfnpr_model_info fitted(const scenes::Samples& samples, std::uint32_t mode, bool with_normals, double* inside) {

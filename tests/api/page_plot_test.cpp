@@ -252,25 +252,5 @@ TEST(PagePlot, TakesMemoryByItsLargestGroup) {
     EXPECT_GT(peak_of(half, 10000, 1), one / 3); // no faster than linear
 }
 
-TEST(PagePlot, FailsCleanlyWithoutMemory) {
-    const std::vector<double> points = wavy(200);
-    Allocator allocator;
-    const Context context = make_context(allocator_desc(allocator));
-    Page page = many_lines(points, 200, 2);
-    const std::int64_t before = allocator.calls, bytes = allocator.bytes;
-    page.write(context);
-    const std::int64_t all = allocator.calls - before;
-    ASSERT_GT(all, 30);
-    for (std::int64_t k = 1; k <= all; ++k) {
-        Error error;
-        std::string written;
-        allocator.refuse_at = allocator.calls + k;
-        ASSERT_EQ(hrbfnpr_page_write(context.get(), &page, Page::append, &written, nullptr, nullptr, error),
-                  HRBFNPR_STATUS_OUT_OF_MEMORY)
-            << k << " of " << all;
-        ASSERT_EQ(allocator.bytes, bytes);
-    }
-}
-
 } // namespace
 } // namespace api_test::page_plot_test

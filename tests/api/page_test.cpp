@@ -73,26 +73,6 @@ TEST_F(PageTest, HasWhatTheDrawingHas) {
     EXPECT_EQ(written().substr(0, 5), "%PDF-");
 }
 
-TEST_F(PageTest, IsTheSameForAnyNumberOfThreads) {
-    const std::string two = written();
-    context = make_context(1);
-    renderer = make_renderer(context);
-    const PointSet base = generate(context, custom_sphere(context, sphere), small_desc());
-    auto alone = made(hrbfnpr_item_init);
-    alone.point_set = base.get();
-    drawing = draw_item(renderer, alone, front_camera(side));
-    item.drawing = drawing.get();
-    const std::string one = written();
-    context = make_context(3);
-    renderer = make_renderer(context);
-    const PointSet other = generate(context, custom_sphere(context, sphere), small_desc());
-    alone.point_set = other.get();
-    drawing = draw_item(renderer, alone, front_camera(side));
-    item.drawing = drawing.get();
-    EXPECT_EQ(written(), one);
-    EXPECT_NE(one, two);
-}
-
 TEST_F(PageTest, HasAnnotationsPensAndPlaces) {
     const std::vector<double> line{10, 10, 60, 10};
     hrbfnpr_annotation notes[2] = {made(hrbfnpr_annotation_init), made(hrbfnpr_annotation_init)};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "fixture.h"
 
+#include <array>
 #include <cmath>
 
 namespace api_test::renderer_test {
@@ -167,17 +168,53 @@ TEST_F(RendererTest, WritesVertices) {
     EXPECT_EQ(vertices.back().id, 0x55555555U);
 }
 
+// Two items go round, drawn as dots and as strokes, and are read as pixels and as vertices.
 TEST_F(RendererTest, AllocatesNothingOnceItIsWarm) {
     Allocator allocator;
     const Context counted = make_context(allocator_desc(allocator));
-    const Model round = custom_sphere(counted, sphere);
-    const PointSet marks = generate(counted, round, small_desc());
-    const Renderer warm = make_renderer(counted);
-    for (int frame = 0; frame < 3; ++frame) draw(warm, marks);
-    const std::int64_t before = allocator.calls;
-    const auto first = draw(warm, marks);
-    EXPECT_EQ(allocator.calls, before);
-    EXPECT_EQ(first, draw(warm, marks));
+    const PointSet marks = generate(counted, custom_sphere(counted, sphere), small_desc());
+    auto layer = made(hrbfnpr_layer_style_init);
+    auto style = made(hrbfnpr_style_init);
+    style.layers = &layer;
+    style.layer_count = 1;
+    auto red = style;
+    red.silhouette_ink[0] = 1.0F;
+    std::array items{item_of(marks, &style), item_of(marks, &red)};
+    std::vector<std::uint8_t> pixels;
+    const hrbfnpr_image image = image_of(pixels, 64);
+    std::vector<float> host(64 * 64, 0.6F), vertices(std::size_t{3} << 20);
+    std::vector<std::uint32_t> indices(std::size_t{1} << 20);
+    auto raster = made(hrbfnpr_raster_desc_init);
+    raster.host_depth = in(host, 1);
+    Layout layout(HRBFNPR_PRIMITIVE_TRIANGLE_STRIPS);
+    layout.add(HRBFNPR_VERTEX_ATTRIBUTE_WINDOW, HRBFNPR_SCALAR_FLOAT32, 0);
+    for (const std::uint32_t shape : {HRBFNPR_SHAPE_DOTS, HRBFNPR_SHAPE_STROKES})
+        for (const std::uint32_t hidden :
+             {HRBFNPR_HIDDEN_LINES_SHOW, HRBFNPR_HIDDEN_LINES_HIDE, HRBFNPR_HIDDEN_LINES_ATTENUATE}) {
+            layer.shape = shape;
+            style.hidden_lines = red.hidden_lines = hidden;
+            const Renderer warm = make_renderer(counted);
+            const auto round = [&] {
+                for (int step = 0; step < 6; ++step) {
+                    for (hrbfnpr_item& item : items) {
+                        item.transform[0] = item.transform[10] = std::cos(step);
+                        item.transform[8] = -(item.transform[2] = -std::sin(step));
+                    }
+                    items[1].transform[12] = 0.7 * std::cos(step);
+                    const hrbfnpr_camera camera = front_camera();
+                    hrbfnpr_drawing* drawn = nullptr;
+                    ASSERT_OK(hrbfnpr_renderer_draw(warm.get(), items.data(), 2, 0, &camera, &drawn, error));
+                    const Drawing owned(drawn);
+                    EXPECT_OK(hrbfnpr_drawing_rasterize(drawn, &image, &raster, error));
+                    EXPECT_OK(hrbfnpr_drawing_write_vertices(drawn, layout.get(), vertices.data(), 1 << 20, nullptr,
+                                                             indices.data(), 1 << 20, nullptr, error));
+                }
+            };
+            round();
+            const std::int64_t before = allocator.calls;
+            round();
+            EXPECT_EQ(allocator.calls, before) << shape << " " << hidden;
+        }
 }
 
 TEST_F(RendererTest, DrawsSeveralItems) {

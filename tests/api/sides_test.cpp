@@ -173,15 +173,5 @@ TEST_F(Sides, BothAreSeenThroughAModel) {
                 0.1 * static_cast<double>(splats.shown));
 }
 
-TEST_F(Sides, AreTheSameForAnyNumberOfThreads) {
-    std::vector<std::vector<std::uint8_t>> pictures;
-    for (const int threads : {1, 3}) {
-        context = make_context(threads);
-        renderer = make_renderer(context);
-        pictures.push_back(picture(draw(bowl(), HRBFNPR_SIDES_BOTH)));
-    }
-    EXPECT_EQ(pictures[0], pictures[1]);
-}
-
 } // namespace
 } // namespace api_test::sides_test

@@ -163,15 +163,6 @@ TEST(Trim, EndsRaysAndLines) {
     EXPECT_GT(info.left_out, 0.01);
 }
 
-TEST(Trim, IsTheSameForAnyNumberOfThreads) {
-    const std::vector<float> one = [] {
-        const Context context = make_context(1);
-        return stipples_of(context, trimmed(fit_whole(context, zone(0.0, 1.0))));
-    }();
-    const Context context = make_context(3);
-    EXPECT_EQ(stipples_of(context, trimmed(fit_whole(context, zone(0.0, 1.0)))), one);
-}
-
 TEST(Trim, KeepsTheModelThatItIsOf) {
     Error error;
     const Context context = make_context();
@@ -255,16 +246,6 @@ TEST(Trim, SaysThatOneSampleHasNoEnd) {
     hrbfnpr_model* got = nullptr;
     EXPECT_FAILS(hrbfnpr_model_trim(model.get(), nullptr, nullptr, &got, error), HRBFNPR_STATUS_NOT_CONVERGED,
                  "no part of the surface is near its samples");
-}
-
-TEST(Trim, CanBeCancelled) {
-    Error error;
-    const Context context = make_context();
-    const Model model = fit_whole(context, zone(0.0, 1.0));
-    const Operation operation = make_operation(context);
-    hrbfnpr_operation_cancel(operation.get());
-    hrbfnpr_model* got = nullptr;
-    EXPECT_EQ(hrbfnpr_model_trim(model.get(), nullptr, operation.get(), &got, error), HRBFNPR_STATUS_CANCELLED);
 }
 
 } // namespace

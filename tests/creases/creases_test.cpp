@@ -195,20 +195,6 @@ TEST(Creases, AngleFades) {
     EXPECT_GT(longest, 0.8);
 }
 
-TEST(Creases, SameBitsForAnyThreads) {
-    const auto shape = bored_cube();
-    LineSetSettings settings;
-    settings.side = 0.15;
-    const base::Runtime one = with_threads(1);
-    const base::Runtime three = with_threads(3);
-    const LineSet a(one, *shape, std::make_unique<implicit::DifferencedShape>(*shape), settings, {});
-    const LineSet b(three, *shape, std::make_unique<implicit::DifferencedShape>(*shape), settings, {});
-    EXPECT_TRUE(same_bits(a.creases().point, b.creases().point));
-    EXPECT_TRUE(same_bits(a.mesh().corner, b.mesh().corner));
-    EXPECT_TRUE(same_bits(a.mesh().position.x, b.mesh().position.x));
-    EXPECT_TRUE(same_bits(a.mesh().gradient.z, b.mesh().gradient.z));
-}
-
 // Two boxes whose long faces lie in four planes, and overlap: one box, whichever of two equal faces is active.
 TEST(Creases, FacesInOnePlaneAreOne) {
     const auto box = [](double low, double high) {

@@ -116,22 +116,5 @@ TEST(MeshChains, OfNoNumbersAndOfNothing) {
     EXPECT_EQ(find_beads(runtime(), empty.mesh, base::Array<double>(runtime().memory)).count(), 0);
 }
 
-TEST(MeshChains, SameForAnyThreadCount) {
-    const test::SquareSphere sphere;
-    const Meshed meshed(runtime(), sphere, {{1.0, 0.0, 0.0}}, 0.03);
-    ASSERT_GT(meshed.mesh.triangles(), 3 * 8192);
-    const base::Array<double> level =
-        values(meshed.mesh, [](const glm::dvec3& p) { return std::sin(9.0 * p.x) + std::cos(7.0 * p.y + p.z); });
-    const base::Runtime alone = test::with_threads(1);
-    const Chains<Bead> one = find_beads(alone, meshed.mesh, level);
-    for (const int threads : {2, 3, 7}) {
-        const base::Runtime together = test::with_threads(threads);
-        const Chains<Bead> more = find_beads(together, meshed.mesh, level);
-        EXPECT_TRUE(test::same_bits(one.first, more.first));
-        ASSERT_EQ(one.point.size(), more.point.size());
-        for (std::int64_t i = 0; i < one.point.size(); ++i) EXPECT_EQ(one.point[i].place, more.point[i].place);
-    }
-}
-
 } // namespace
 } // namespace hrbfnpr::curves::mesh_chains_test

@@ -283,23 +283,6 @@ TEST_F(SheetCount, OnlyPartsOfTheMeshCount) {
     EXPECT_EQ(count(both, {.6, -.2, 3}, {.6, -.2, -3}).sheets, 0);
 }
 
-TEST_F(SheetCount, IsTheSameForAnyNumberOfThreads) {
-    const Torus torus;
-    make(torus, {1.35, 0, 0}, 0.08);
-    Segments segments(runtime.memory);
-    for (std::int64_t i = 0; i < 500; ++i) segments.add(3.0 * random(i, 0), random(i, 1));
-    const auto on = [&](int threads) {
-        const base::Runtime other = with_threads(threads);
-        SheetCounter(other, mesh).count(other, torus, segments.from, segments.to, segments.clear, answer, {});
-        std::vector<std::pair<int, bool>> all;
-        for (const SheetCounter::Answer& each : answer) all.emplace_back(each.sheets, each.certain);
-        return all;
-    };
-    const auto one = on(1);
-    EXPECT_EQ(on(2), one);
-    EXPECT_EQ(on(7), one);
-}
-
 // What a segment's answer is does not depend on the others, and all of them cost little.
 TEST_F(SheetCount, AsksForFewValues) {
     const Sphere sphere;
@@ -314,43 +297,6 @@ TEST_F(SheetCount, AsksForFewValues) {
     EXPECT_LT(sphere.evaluations - before, 3 * sheets);
     const SheetCounter::Answer some = answer[123];
     EXPECT_EQ(count(sphere, segments.from[123], segments.to[123]).sheets, some.sheets);
-}
-
-TEST_F(SheetCount, IsCancelled) {
-    const Sphere sphere;
-    make(sphere, {0, 0, 1}, 0.1);
-    Segments segments(runtime.memory);
-    segments.add({3, 0, 0}, {-3, 0, 0});
-    base::Operation operation;
-    operation.begin();
-    const base::Progress progress(&operation);
-    const SheetCounter counter(runtime, mesh);
-    counter.count(runtime, sphere, segments.from, segments.to, segments.clear, answer, progress);
-    EXPECT_EQ(operation.progress(), 1.0);
-    operation.cancel();
-    EXPECT_THROW(counter.count(runtime, sphere, segments.from, segments.to, segments.clear, answer, progress), Error);
-}
-
-TEST_F(SheetCount, FailsCleanlyWithoutMemory) {
-    const Sphere sphere;
-    make(sphere, {0, 0, 1}, 0.1);
-    std::int64_t failures = 0;
-    for (std::int64_t k = 1; k < 30; ++k) {
-        Allocator allocator;
-        allocator.refuse_at = k;
-        const base::Runtime other = with_allocator(allocator);
-        try {
-            Segments segments(other.memory);
-            segments.add({3, 0, 0.1}, {-3, 0, 0.2});
-            base::Array<SheetCounter::Answer> result(other.memory);
-            SheetCounter(other, mesh).count(other, sphere, segments.from, segments.to, segments.clear, result, {});
-        } catch (const Error& error) {
-            EXPECT_EQ(error.status(), Status::out_of_memory);
-            ++failures;
-        }
-        EXPECT_EQ(other.memory.bytes_now(), 0);
-    }
-    EXPECT_GT(failures, 10);
 }
 
 } // namespace

@@ -4,7 +4,6 @@
 #include "mesh_checks.h"
 #include "shapes.h"
 #include "support/runtime.h"
-#include "support/watched_operation.h"
 #include "surface/support_domain.h"
 
 #include <gtest/gtest.h>
@@ -247,28 +246,6 @@ TEST(SurfaceMesh, SaysWhereAWallIsTooThin) {
     EXPECT_GT(triangulate(runtime, shell, seeds(runtime, {{0, 0, 1}}), settings(shell, 0.06), {}).turned, 0);
 }
 
-void expect_same(const SurfaceMesh& a, const SurfaceMesh& b) {
-    EXPECT_TRUE(same_bits(a.position.x, b.position.x) && same_bits(a.position.y, b.position.y) &&
-                same_bits(a.position.z, b.position.z));
-    EXPECT_TRUE(same_bits(a.gradient.x, b.gradient.x) && same_bits(a.corner, b.corner) &&
-                same_bits(a.neighbour, b.neighbour));
-    EXPECT_EQ(a.missed_seeds, b.missed_seeds);
-}
-
-TEST(SurfaceMesh, IsTheSameForAnyNumberOfThreads) {
-    const TwoTori tori;
-    const base::Runtime alone = with_threads(1);
-    const auto mesh = [&](const base::Runtime& runtime, const implicit::Implicit& of) {
-        return triangulate(runtime, of, seeds(runtime, {{1.3, 0, 0}, {1, 0, 1.3}}), settings(of, 0.05), {});
-    };
-    const SurfaceMesh one = mesh(alone, tori);
-    for (const int threads : {2, 3, 7}) expect_same(one, mesh(with_threads(threads), tori));
-    TwoTori serial;
-    serial.is_concurrent = false;
-    expect_same(one, mesh(with_threads(3), serial));
-    EXPECT_FALSE(serial.strange_thread);
-}
-
 TEST(SurfaceMesh, TooManyTrianglesNameTheRemedy) {
     const base::Runtime runtime = with_threads(2);
     const Sphere sphere;
@@ -295,19 +272,6 @@ TEST(SurfaceMesh, TooManyTrianglesNameTheRemedy) {
     EXPECT_LT(sphere.evaluations - before, 100000) << "it is found in time";
     fine.side = 1e-9; // more cells along an axis than can be numbered
     EXPECT_TRUE(refused());
-}
-
-TEST(SurfaceMesh, IsCancelled) {
-    const base::Runtime runtime = with_threads(2);
-    const Sphere sphere;
-    for (const double at : {0.01, 0.2, 0.5, 0.8}) {
-        WatchedOperation operation(at);
-        EXPECT_THROW(static_cast<void>(triangulate(runtime, sphere, seeds(runtime, {{0, 0, 1}}), settings(sphere, 0.02),
-                                                   operation.progress())),
-                     Error)
-            << at;
-        EXPECT_FALSE(operation.watcher.fell());
-    }
 }
 
 // f is no number in a ball around a pole and in a thin layer that cells hardly meet.
@@ -340,24 +304,6 @@ TEST(SurfaceMesh, CostsTwoEvaluationsAVertex) {
     const AnyField quartic(cube(1.2), two_holes);
     const SurfaceMesh mesh = triangulate(runtime, quartic, seeds(runtime, {{0, 0, .2}}), settings(quartic, 0.03), {});
     EXPECT_LT(quartic.evaluations, 3 * mesh.vertices());
-}
-
-TEST(SurfaceMesh, FailsCleanlyWithoutMemory) {
-    const Sphere sphere;
-    std::int64_t failures = 0;
-    for (std::int64_t k = 1; k < 60; k += 3) {
-        Allocator allocator;
-        allocator.refuse_at = k;
-        const base::Runtime runtime = with_allocator(allocator);
-        try {
-            static_cast<void>(triangulate(runtime, sphere, seeds(runtime, {{0, 0, 1}}), settings(sphere, 0.2), {}));
-        } catch (const Error& error) {
-            EXPECT_EQ(error.status(), Status::out_of_memory);
-            ++failures;
-        }
-        EXPECT_EQ(runtime.memory.bytes_now(), 0);
-    }
-    EXPECT_GT(failures, 5);
 }
 
 } // namespace

@@ -183,46 +183,6 @@ TEST(Trace, OpenContoursEndAtTheBorder) {
     }
 }
 
-TEST(Trace, SameBitsForAnyThreadCount) {
-    const test::Knot knot;
-    const Eye eye = Eye::at({0.3, -0.8, 0.5}, 4.0, true);
-    const base::Runtime one = test::with_threads(1);
-    const Meshed meshed(one, knot, {{1.0 + test::Knot::tube, 0.0, 0.0}}, 0.05);
-    const Contours first(one, meshed, eye.view());
-    for (const int threads : {2, 3, 7}) {
-        const base::Runtime more = test::with_threads(threads);
-        const Contours again(more, meshed, eye.view());
-        EXPECT_TRUE(test::same_bits(first.curves.point, again.curves.point));
-        EXPECT_TRUE(test::same_bits(first.curves.first, again.curves.first));
-        EXPECT_TRUE(test::same_bits(first.curves.closed, again.curves.closed));
-        EXPECT_EQ(first.report.evaluations, again.report.evaluations);
-    }
-}
-
-TEST(Trace, CanBeCancelledOnTheWay) {
-    const test::SquareSphere sphere;
-    base::Operation operation;
-    operation.begin();
-    bool armed = false;
-    const test::AnyField field(sphere.bounds(), [&](const glm::dvec3& p) {
-        if (armed) operation.cancel();
-        return sphere.at(p);
-    });
-    const Meshed meshed(runtime(), field, {{1.0, 0.0, 0.0}}, 0.1);
-    const ContourLevel level(field, Eye::at({1.0, 0.2, 0.1}, 3.0, true).view());
-    TraceReport report;
-    const base::Progress progress(&operation);
-    const Curves found = trace(runtime(), level, meshed.mesh, {}, report, progress);
-    EXPECT_EQ(found.count(), 1);
-    armed = true;
-    try {
-        (void)trace(runtime(), level, meshed.mesh, {}, report, progress);
-        ADD_FAILURE() << "was not cancelled";
-    } catch (const Error& error) {
-        EXPECT_EQ(error.status(), Status::cancelled);
-    }
-}
-
 TEST(Trace, NothingIsSeenFromWithinASphere) {
     const test::SquareSphere sphere;
     const Meshed meshed(runtime(), sphere, {{1.0, 0.0, 0.0}}, 0.1);

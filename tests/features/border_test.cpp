@@ -5,8 +5,6 @@
 #include "features/line_set.h"
 #include "support/half_samples.h"
 
-#include <cstring>
-
 namespace hrbfnpr::curves::border_test {
 namespace {
 
@@ -201,19 +199,6 @@ TEST(Border, AllBeyondIsAnError) {
     } catch (const Error& error) {
         EXPECT_EQ(error.status(), Status::not_converged);
         EXPECT_NE(std::string(error.what()).find("support"), std::string::npos);
-    }
-}
-
-TEST(Border, SameBitsForAnyThreads) {
-    std::vector<CurvePoint> first;
-    for (const int threads : {1, 3}) {
-        const base::Runtime runtime = with_threads(threads);
-        const Torus torus(1.0, 0.4);
-        const Open open(runtime, torus, half_torus(1.0, 0.4), 0.06);
-        const auto& border = open.lines.border().curves.point;
-        if (first.empty()) first.assign(border.begin(), border.end());
-        ASSERT_EQ(static_cast<std::int64_t>(first.size()), border.size());
-        EXPECT_EQ(std::memcmp(first.data(), border.data(), first.size() * sizeof(CurvePoint)), 0);
     }
 }
 

@@ -2,7 +2,6 @@
 #include "features/feature_lines.h"
 
 #include "feature_shapes.h"
-#include "support/watched_operation.h"
 
 #include <gtest/gtest.h>
 
@@ -303,39 +302,6 @@ TEST(FeatureLines, ApparentRidgesAreMaximaOfViewDependentCurvature) {
     }
     EXPECT_EQ(maxima, lines.point.size());
     EXPECT_LE(lines.unresolved, 60); // at the contour, where q1 has a pole
-}
-
-TEST(FeatureLines, HaveTheSameBitsForAnyThreadCount) {
-    const test::Torus torus(1.0, 0.35);
-    const auto run = [&](int threads) {
-        const base::Runtime own = test::with_threads(threads);
-        const Subject subject(own, torus, seeds(own, {{1.35, 0.0, 0.0}}), 0.08);
-        FeatureRequest request = request_of(FeatureKind::suggestive_contour, 1.0, 2.0);
-        request.towards = {1.0, 3.0, 1.6, 1.0};
-        FeatureLines lines = subject.find(own, request);
-        std::vector<double> numbers;
-        for (std::int64_t i = 0; i < lines.point.size(); ++i)
-            numbers.insert(numbers.end(),
-                           {lines.point[i].position.x, lines.point[i].position.y, lines.point[i].position.z,
-                            lines.point[i].normal.x, lines.point[i].strength});
-        return numbers;
-    };
-    const std::vector<double> one = run(1);
-    EXPECT_FALSE(one.empty());
-    EXPECT_EQ(one, run(2));
-    EXPECT_EQ(one, run(3));
-    EXPECT_EQ(one, run(7));
-}
-
-TEST(FeatureLines, CanBeCancelled) {
-    const test::Torus torus;
-    const Subject subject = of(torus, {1.35, 0.0, 0.0}, 0.1);
-    base::Operation operation;
-    operation.begin();
-    operation.cancel();
-    EXPECT_THROW((void)find_feature_lines(runtime(), {torus, subject.source, subject.mesh, subject.shape},
-                                          request_of(FeatureKind::parabolic), base::Progress(&operation)),
-                 Error);
 }
 
 } // namespace

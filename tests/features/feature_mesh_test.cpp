@@ -61,17 +61,6 @@ TEST(FeatureMesh, IsAsClosedAsItsCoarseMeshAndLiesOnTheSurface) {
     EXPECT_LT(found.off, 1e-8);
 }
 
-TEST(FeatureMesh, IsTheSameForAnyThreadCount) {
-    const Fitted fitted(rough());
-    const SurfaceMesh mesh = fitted.meshed(0.5);
-    base::Runtime one = test::with_threads(1);
-    const ShapedMesh a = measured_mesh(one, fitted.hrbf, fitted.source, mesh, {});
-    const ShapedMesh b = measured_mesh(runtime(), fitted.hrbf, fitted.source, mesh, {});
-    ASSERT_EQ(a.mesh.corner.size(), b.mesh.corner.size());
-    EXPECT_TRUE(std::equal(a.mesh.corner.begin(), a.mesh.corner.end(), b.mesh.corner.begin()));
-    EXPECT_TRUE(std::equal(a.mesh.position.x.begin(), a.mesh.position.x.end(), b.mesh.position.x.begin()));
-}
-
 TEST(FeatureMesh, OfASmoothSurfaceNothingIsHalved) {
     const geometry::Bounds box{glm::dvec3(-1.5, -1.5, -0.4), glm::dvec3(1.5, 1.5, 0.4)};
     const AnyField shape(box, [](const glm::dvec3& p) { return elliptic_torus(p, 0.4, 0.3); });

@@ -138,7 +138,7 @@ TEST_P(Fields, AnyValueGivesAPictureOrAFailureThatNamesTheField) {
 }
 
 // As in Scene::slots().
-INSTANTIATE_TEST_SUITE_P(OfEveryDescriptor, Fields, testing::ValuesIn(places(50)));
+INSTANTIATE_TEST_SUITE_P(OfEveryDescriptor, Fields, testing::ValuesIn(places(50)), testing::PrintToStringParamName());
 
 // What a caller fills in has a place in the scene; what the library fills in has not.
 TEST(FieldsOfTheBoundary, EveryDescriptorIsTried) {

@@ -4,7 +4,6 @@
 #include "base/random.h"
 #include "base/status.h"
 #include "fit/shapes.h"
-#include "support/watched_operation.h"
 
 #include <gtest/gtest.h>
 
@@ -19,12 +18,6 @@ namespace {
 
 using namespace hrbfnpr;
 using namespace fit_test;
-using hrbfnpr::test::WatchedOperation;
-
-base::Runtime runtime_of(int threads, base::LogFn log = nullptr, void* user = nullptr) {
-    return base::Runtime(nullptr, nullptr, nullptr, base::Parallel(threads, nullptr, nullptr),
-                         base::InstructionSet::automatic, log, user);
-}
 
 fit::FitInput choosing(const Cloud& cloud, double tolerance, std::int64_t maximum_centres = 0) {
     fit::FitInput call = input(cloud);
@@ -164,23 +157,6 @@ TEST(Choose, AllSamplesAreCentresIfNobodyAsksOrTheyAreFew) {
     EXPECT_EQ(fit::fit(runtime, choosing(sphere(1), 1e-3, 1), {}).data.count(), 1);
 }
 
-TEST(Choose, SameBitsForAnyThreadCount) {
-    const Cloud cloud = bumpy(4000);
-    fit::FitInput call = choosing(cloud, 1e-3, 600);
-    const base::Runtime serial = runtime_of(1);
-    const fit::FitResult one = fit::fit(serial, call, {});
-    for (const int threads : {2, 3, 7}) {
-        const base::Runtime runtime = runtime_of(threads);
-        const fit::FitResult other = fit::fit(runtime, call, {});
-        ASSERT_EQ(other.data.count(), one.data.count());
-        for (std::int64_t i = 0; i < 3 * one.data.count(); ++i)
-            ASSERT_EQ(other.data.sample_position[i], one.data.sample_position[i]);
-        for (std::int64_t i = 0; i < one.data.count(); ++i) ASSERT_EQ(other.data.alpha[i], one.data.alpha[i]);
-        EXPECT_EQ(other.report.input_distance_rms, one.report.input_distance_rms);
-        EXPECT_EQ(other.report.choice_rounds, one.report.choice_rounds);
-    }
-}
-
 double gaussian(std::int64_t i, std::uint32_t lane) {
     const auto u = base::uniform4(3, static_cast<std::uint64_t>(i), base::Purpose::rank, lane);
     return std::sqrt(-2.0 * std::log(1.0 - u[0])) * std::cos(6.283185307179586 * u[1]);
@@ -214,23 +190,6 @@ TEST(Choose, DoesNotChaseNoise) {
         ASSERT_GT(glm::dot(at(result.data, truth.point(i)).gradient, truth.normal(i)), 0.0) << i;
     }
     EXPECT_LT(std::sqrt(sum / static_cast<double>(truth.count())), 0.004);
-}
-
-TEST(Choose, StopsWhereverItIsCancelled) {
-    const base::Runtime runtime;
-    const Cloud cloud = scan(bumpy(3000));
-    fit::FitInput call = choosing(cloud, 0.01, 700);
-    call.regularization_mode = fit::RegularizationMode::automatic;
-    call.outliers = fit::Repair::drop;
-    for (const double cancel_at : {0.0, 0.01, 0.02, 0.025, 0.03, 0.1, 0.3, 0.5, 0.7, 0.8, 0.85}) {
-        WatchedOperation watched(cancel_at);
-        EXPECT_THROW((void)fit::fit(runtime, call, watched.progress()), Error) << cancel_at;
-        EXPECT_LT(watched.watcher.last(), 1.0);
-        EXPECT_EQ(runtime.memory.bytes_now(), 0) << cancel_at;
-    }
-    WatchedOperation watched;
-    (void)fit::fit(runtime, call, watched.progress());
-    EXPECT_EQ(watched.watcher.last(), 1.0);
 }
 
 } // namespace

@@ -199,29 +199,6 @@ TEST(Clean, LeavesSetsThatAreTooSmallAlone) {
     EXPECT_EQ(Cleaned(cloud, Repair::drop, Repair::drop).samples.position.size(), 32);
 }
 
-TEST(Clean, IsTheSameForAnyThreadCount) {
-    Cloud cloud = torus_with_outliers(3000);
-    for (std::int64_t i = 5; i < 3000; i += 211)
-        for (std::size_t c = 0; c < 3; ++c) cloud.normals[static_cast<std::size_t>(3 * i) + c] *= -1.0;
-    const Cleaned one(cloud, Repair::drop, Repair::reorient, 1);
-    for (const int threads : {2, 3, 7}) {
-        const Cleaned other(cloud, Repair::drop, Repair::reorient, threads);
-        ASSERT_EQ(other.samples.position.size(), one.samples.position.size());
-        for (std::int64_t i = 0; i < one.samples.position.size(); ++i) {
-            ASSERT_EQ(other.samples.position[i], one.samples.position[i]);
-            ASSERT_EQ(other.samples.normal[i], one.samples.normal[i]);
-        }
-    }
-}
-
-TEST(Clean, CanBeCancelled) {
-    const base::Runtime runtime;
-    fit::Samples samples = samples_of(runtime, torus(100));
-    base::Operation operation;
-    operation.cancel();
-    EXPECT_THROW((void)fit::clean(runtime, samples, Repair::keep, Repair::keep, base::Progress(&operation)), Error);
-}
-
 } // namespace
 
 } // namespace clean_test

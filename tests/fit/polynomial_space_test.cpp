@@ -151,15 +151,6 @@ TEST(PolynomialSpace, SameBitsForAnyNumberOfThreads) {
     }
 }
 
-TEST(PolynomialSpace, CanBeCancelled) {
-    const Runtime runtime;
-    const VecArray x = positions(runtime, 60);
-    hrbfnpr::base::Operation operation;
-    operation.cancel();
-    const hrbfnpr::base::Progress progress(&operation);
-    EXPECT_THROW(fit::PolynomialSpace(runtime, system_of(x, 1), progress), hrbfnpr::Error);
-}
-
 } // namespace
 
 } // namespace polynomial_space_test

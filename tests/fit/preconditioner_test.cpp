@@ -213,18 +213,6 @@ TEST(Preconditioner, IsBetterTheMoreNeighboursItHas) {
     }
 }
 
-TEST(Preconditioner, IsNotAppliedAfterACancel) {
-    const base::Runtime runtime;
-    const Arranged arranged(positions(runtime.memory, 60));
-    const fit::HermiteSystem system(arranged.tree.points(), options(Kind::triharmonic, 0.0));
-    fit::Preconditioner preconditioner(runtime, system, arranged.tree, arranged.rank, 16, {});
-    Eigen::VectorXd z(system.rows());
-    base::Operation operation;
-    operation.cancel();
-    EXPECT_THROW(preconditioner.apply(wave(system.rows()).data(), z.data(), base::Progress(&operation)),
-                 hrbfnpr::Error);
-}
-
 Eigen::VectorXd applied(const base::Runtime& runtime, const Arranged& arranged, const fit::HermiteSystem::Options& o) {
     const fit::HermiteSystem system(arranged.tree.points(), o);
     fit::Preconditioner preconditioner(runtime, system, arranged.tree, arranged.rank, 16, {});
@@ -253,7 +241,7 @@ TEST(Preconditioner, IsTheSameForAllInstructionSetsAndThreads) {
     }
 }
 
-TEST(Preconditioner, RefusesWhatIsNotDefiniteAndCanBeCancelled) {
+TEST(Preconditioner, RefusesWhatIsNotDefinite) {
     const base::Runtime runtime;
     const Arranged arranged(positions(runtime.memory, 80));
     fit::HermiteSystem::Options flat = options(Kind::gaussian, 0.0);
@@ -264,11 +252,6 @@ TEST(Preconditioner, RefusesWhatIsNotDefiniteAndCanBeCancelled) {
     } catch (const hrbfnpr::Error& error) {
         EXPECT_EQ(error.status(), hrbfnpr::Status::singular_system);
     }
-    base::Operation operation;
-    operation.cancel();
-    const fit::HermiteSystem system(arranged.tree.points(), options(Kind::triharmonic, 0.0));
-    EXPECT_THROW(fit::Preconditioner(runtime, system, arranged.tree, arranged.rank, 16, base::Progress(&operation)),
-                 hrbfnpr::Error);
 }
 
 } // namespace

@@ -129,12 +129,6 @@ TEST_F(PreparedTest, APointsResultDoesNotDependOnTheOthers) {
     }
 }
 
-TEST_F(PreparedTest, CanBeCancelled) {
-    base::Operation operation;
-    operation.cancel();
-    EXPECT_THROW((void)Prepared::make(runtime, result.data, base::Progress(&operation)), hrbfnpr::Error);
-}
-
 // Where parts nearly lie in each other and cross, samples contradict each other, and weights have many digits.
 TEST(Prepared, IsThereForPartsThatCross) {
     const base::Runtime runtime;

@@ -2,11 +2,8 @@
 #include "base/status.h"
 #include "shapes.h"
 #include "support/runtime.h"
-#include "support/watched_operation.h"
 
 #include <gtest/gtest.h>
-
-#include <atomic>
 
 namespace robustness_test {
 
@@ -16,108 +13,9 @@ using hrbfnpr::Status;
 using hrbfnpr::kernel::Kind;
 using namespace fit_test;
 using hrbfnpr::test::Allocator;
-using hrbfnpr::test::same_bits;
-using hrbfnpr::test::WatchedOperation;
 using hrbfnpr::test::with_allocator;
-using hrbfnpr::test::with_threads;
 
 namespace {
-
-void expect_same_bits(const fit::FitResult& a, const fit::FitResult& b, const std::string& what) {
-    EXPECT_TRUE(same_bits(a.data.alpha, b.data.alpha)) << what;
-    EXPECT_TRUE(same_bits(a.data.beta.x, b.data.beta.x)) << what;
-    EXPECT_TRUE(same_bits(a.data.beta.y, b.data.beta.y)) << what;
-    EXPECT_TRUE(same_bits(a.data.beta.z, b.data.beta.z)) << what;
-    EXPECT_TRUE(same_bits(a.data.polynomial, b.data.polynomial)) << what;
-    EXPECT_EQ(a.data.spacing, b.data.spacing) << what;
-    EXPECT_EQ(a.report.condition_estimate, b.report.condition_estimate) << what;
-    EXPECT_EQ(a.report.solver_residual, b.report.solver_residual) << what;
-    EXPECT_EQ(a.report.gradient_residual_rms, b.report.gradient_residual_rms) << what;
-}
-
-TEST(Robustness, SameBitsForAnyNumberOfThreads) {
-    const Cloud cloud = bumpy(130);
-    for (const Kind kind : {Kind::triharmonic, Kind::gaussian, Kind::wendland_c2}) {
-        for (const std::int32_t degree : {-1, 1}) { // r^3 without a polynomial goes by LU
-            const base::Runtime serial = with_threads(1);
-            const fit::FitResult expected = fit::fit(serial, input(cloud, kind, degree), {});
-            for (const int threads : {2, 3, 7}) {
-                const base::Runtime runtime = with_threads(threads);
-                expect_same_bits(expected, fit::fit(runtime, input(cloud, kind, degree), {}),
-                                 std::string(hrbfnpr::kernel::name(kind)) + std::to_string(threads));
-            }
-        }
-    }
-}
-
-TEST(Robustness, RunsOnAHostsTasks) {
-    const Cloud cloud = bumpy(100);
-    std::atomic<std::int64_t> tasks{0};
-    const auto run = [](void* user, base::TaskFn task, void* context, std::int64_t count) {
-        *static_cast<std::atomic<std::int64_t>*>(user) += count;
-        for (std::int64_t i = count - 1; i >= 0; --i) task(context, i);
-    };
-    const base::Runtime hosted(nullptr, nullptr, nullptr, base::Parallel(4, run, &tasks),
-                               base::InstructionSet::automatic, nullptr, nullptr);
-    const base::Runtime serial = with_threads(1);
-    expect_same_bits(fit::fit(serial, input(cloud), {}), fit::fit(hosted, input(cloud), {}), "tasks");
-    EXPECT_GT(tasks.load(), 10);
-}
-
-TEST(Robustness, ReportsProgressUpToOne) {
-    const base::Runtime runtime;
-    const Cloud cloud = bumpy(130);
-    for (const std::int32_t degree : {-1, 1}) {
-        WatchedOperation watched;
-        static_cast<void>(fit::fit(runtime, input(cloud, Kind::triharmonic, degree), watched.progress()));
-        EXPECT_GT(watched.watcher.values.size(), 10U);
-        EXPECT_FALSE(watched.watcher.fell());
-        EXPECT_DOUBLE_EQ(watched.watcher.last(), 1.0);
-    }
-}
-
-TEST(Robustness, StopsWhereverItIsCancelled) {
-    const base::Runtime runtime;
-    const Cloud cloud = bumpy(130);
-    for (const std::int32_t degree : {-1, 1}) {
-        for (const double cancel_at : {0.0, 0.01, 0.03, 0.1, 0.2, 0.4, 0.6, 0.8, 0.9, 0.94, 0.97}) {
-            WatchedOperation watched(cancel_at);
-            try {
-                static_cast<void>(fit::fit(runtime, input(cloud, Kind::triharmonic, degree), watched.progress()));
-                ADD_FAILURE() << "not cancelled at " << cancel_at;
-            } catch (const hrbfnpr::Error& error) {
-                EXPECT_EQ(error.status(), Status::cancelled);
-            }
-            EXPECT_EQ(runtime.memory.bytes_now(), 0);
-        }
-    }
-}
-
-TEST(Robustness, EveryAllocationMayFail) {
-    Cloud cloud = bumpy(40);
-    cloud.add(cloud.point(2), cloud.normal(2));
-    for (const std::int32_t degree : {-1, 1}) {
-        std::int64_t failing = 1;
-        for (bool done = false; !done; ++failing) {
-            Allocator allocator;
-            allocator.refuse_at = failing;
-            {
-                const base::Runtime runtime = with_allocator(allocator);
-                try {
-                    const fit::FitResult result = fit::fit(runtime, input(cloud, Kind::triharmonic, degree), {});
-                    done = true;
-                    EXPECT_LE(result.report.gradient_residual_max, 1e-8);
-                } catch (const hrbfnpr::Error& error) {
-                    EXPECT_EQ(error.status(), Status::out_of_memory) << failing << ": " << error.what();
-                }
-                EXPECT_EQ(runtime.memory.bytes_now(), 0) << failing;
-            }
-            EXPECT_EQ(allocator.blocks, 0) << failing;
-            ASSERT_LT(failing, 1000);
-        }
-        EXPECT_GT(failing, 21);
-    }
-}
 
 TEST(Robustness, AMatrixThatDoesNotFitIsNamedWithItsBytes) {
     Allocator allocator;

@@ -43,15 +43,6 @@ TEST(Typical, IsNoneOfTheOddOnesAndNear) {
     }
 }
 
-TEST(Typical, CanBeCancelled) {
-    const base::Runtime runtime;
-    const fit::Samples samples = torus_with_odd_ones(runtime);
-    const geometry::Neighbours neighbours(runtime.parallel, samples.position, 16, {});
-    base::Operation operation;
-    operation.cancel();
-    EXPECT_THROW((void)fit::typical_samples(runtime, samples, neighbours, base::Progress(&operation)), Error);
-}
-
 } // namespace
 
 } // namespace typical_test

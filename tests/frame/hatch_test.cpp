@@ -2,7 +2,6 @@
 // Hatching: nested lines whose width makes the tone.
 #include "frame/hatching.h"
 #include "support/instruction_sets.h"
-#include "support/runtime.h"
 
 namespace hrbfnpr::testing::hatch_test {
 namespace {
@@ -354,29 +353,6 @@ TEST_F(Hatch, SameBitsForAnyThreadCountAndInstructionSet) {
         if (expected.empty()) expected = numbers;
         EXPECT_EQ(numbers, expected) << threads << " " << static_cast<int>(instructions);
     }
-}
-
-TEST_F(Hatch, AllocatesNothingOnceWarm) {
-    test::Allocator counter;
-    const base::Runtime other = test::with_allocator(counter);
-    marks::PointSet ball(other.memory);
-    add_latitudes(ball);
-    ball = clustered(other, std::move(ball));
-    style.layers = std::span(&layer, 1);
-    style.hidden_lines = frame::HiddenLines::hide;
-    const std::array items{layered_item(ball, style)};
-    DrawnFrame own(other);
-    const auto orbit = [&] {
-        for (int turn = 0; turn < 6; ++turn) {
-            frame::Camera camera = front_camera(size, size, 1.25);
-            camera.view = frame::look_at({7.0 * std::cos(turn), 7.0 * std::sin(turn), 5.0}, glm::dvec3(0.0), {0, 0, 1});
-            own.draw(items, camera);
-        }
-    };
-    orbit();
-    const std::int64_t warm = counter.calls;
-    orbit();
-    EXPECT_EQ(counter.calls, warm);
 }
 
 TEST_F(Hatch, CountsAndLayersSayWhatIsDrawn) {

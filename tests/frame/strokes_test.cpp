@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // From marks along strokes to lines.
 #include "frame/hand_made.h"
-#include "support/runtime.h"
 
 #include <gtest/gtest.h>
 
@@ -228,28 +227,6 @@ TEST_F(Strokes, SegmentsAreInTheTilesThatTheyTouch) {
         });
     }
     for (std::size_t i = 0; i < met.size(); ++i) EXPECT_EQ(met[i] > 0, i != 20 && i != 41) << i;
-}
-
-TEST_F(Strokes, SameBitsForAnyThreadCount) {
-    std::vector<float> expected;
-    for (const int threads : {1, 2, 3, 7}) {
-        const base::Runtime other = test::with_threads(threads);
-        marks::PointSet ring = torus(other.memory, 60);
-        add_torus_strokes(ring, marks::Kind::hatch, 300, 27, 0.3);
-        ring = clustered(other, std::move(ring));
-        const std::array items{layered_item(ring, style_of(frame::HiddenLines::attenuate))};
-        DrawnFrame own(other);
-        frame::Camera camera = front_camera(size, size, 1.6);
-        camera.view = frame::look_at({3.0, 4.0, 8.0}, glm::dvec3(0.0), {0, 1, 0});
-        own.draw(items, camera);
-        std::vector<float> numbers;
-        for (const StrokePoint& p : own.drawing().points)
-            numbers.insert(numbers.end(), {p.x, p.y, p.radius, p.opacity, p.depth, p.length, static_cast<float>(p.id)});
-        for (const Stroke& s : own.drawing().strokes) numbers.push_back(static_cast<float>(s.count));
-        EXPECT_GT(own.drawing().strokes.size(), 100);
-        if (expected.empty()) expected = numbers;
-        EXPECT_EQ(numbers, expected) << threads;
-    }
 }
 
 } // namespace

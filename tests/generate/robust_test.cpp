@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The same bits for any threads, cancelling, failing allocations, callbacks' threads, far origins.
+// Callbacks' threads, seeds, memory, far origins.
 #include "support/point_sets.h"
-#include "support/watched_operation.h"
 
 #include <thread>
 
@@ -22,26 +21,6 @@ generate::Settings small_published() {
 }
 
 generate::Settings small_blue() { return blue({Kind::stipples, principal, combing}, 3000, 2); }
-
-// Runs the tasks from the last to the first.
-void reverse_tasks(void* /*user*/, base::TaskFn task, void* context, std::int64_t count) {
-    for (std::int64_t i = count; i-- > 0;) task(context, i);
-}
-
-TEST(Determinism, SameBitsForAnyThreadCountAndTaskOrder) {
-    const Torus torus;
-    for (const generate::Settings& settings : {small_published(), small_blue()}) {
-        const base::Runtime serial = test::with_threads(1);
-        const PointSet expected = generate::generate(serial, torus, {}, settings, {});
-        for (const int threads : {2, 3, 7}) {
-            const base::Runtime many = test::with_threads(threads);
-            EXPECT_TRUE(same_bits(expected, generate::generate(many, torus, {}, settings, {}))) << threads;
-        }
-        const base::Runtime hook(nullptr, nullptr, nullptr, base::Parallel(4, reverse_tasks, nullptr),
-                                 base::InstructionSet::automatic, nullptr, nullptr);
-        EXPECT_TRUE(same_bits(expected, generate::generate(hook, torus, {}, settings, {})));
-    }
-}
 
 TEST(Determinism, TheRandomSeedChangesTheMarks) {
     const Torus torus;
@@ -66,55 +45,6 @@ TEST(Callbacks, ASerialFunctionRunsOnTheCallersThreadOnly) {
     (void)generate::generate(threads, torus, {}, small_blue(), {});
     if (std::thread::hardware_concurrency() > 1) {
         EXPECT_TRUE(torus.strange_thread);
-    }
-}
-
-TEST(Cancel, AtEveryReportOfProgress) {
-    const Torus torus;
-    const base::Runtime serial = with_threads(1);
-    for (const generate::Settings& settings : {small_published(), small_blue()}) {
-        WatchedOperation watched;
-        (void)generate::generate(serial, torus, {}, settings, watched.progress());
-        EXPECT_DOUBLE_EQ(watched.watcher.last(), 1.0);
-        EXPECT_FALSE(watched.watcher.fell());
-        const std::size_t calls = watched.watcher.values.size();
-        EXPECT_GT(calls, 50U);
-        const std::int64_t bytes = serial.memory.bytes_now();
-        for (std::size_t k = 1; k < calls; k += 1 + calls / 30) {
-            WatchedOperation cancelled;
-            cancelled.watcher.cancel_at_call = k;
-            expect_error(Status::cancelled, {},
-                         [&] { (void)generate::generate(serial, torus, {}, settings, cancelled.progress()); });
-            EXPECT_LE(cancelled.watcher.values.size(), k + 1) << "it went on after the cancel";
-            EXPECT_EQ(serial.memory.bytes_now(), bytes) << "memory was lost";
-        }
-    }
-}
-
-TEST(Memory, EveryAllocationMayFail) {
-    const Torus torus;
-    generate::Settings tiny_published = small_published();
-    tiny_published.seeds.box_resolution = 3;
-    of(tiny_published, principal).budget = 60;
-    for (const generate::Settings& settings : {tiny_published, blue({principal}, 60, 1)}) {
-        Allocator allocator;
-        {
-            const base::Runtime runtime = with_allocator(allocator, 1);
-            (void)generate::generate(runtime, torus, {}, settings, {});
-            EXPECT_EQ(runtime.memory.bytes_now(), 0) << "all memory is given back with the set";
-        }
-        const std::int64_t count = allocator.calls;
-        EXPECT_GT(count, 100);
-        // The default's arrays grow in many steps of one kind: every fifth is enough.
-        const std::int64_t stride = settings.distribution == Distribution::published ? 1 : 5;
-        for (std::int64_t k = 1; k <= count; k += stride) {
-            allocator.calls = 0;
-            allocator.refuse_at = k;
-            const base::Runtime runtime = with_allocator(allocator, 1);
-            expect_error(Status::out_of_memory, {},
-                         [&] { (void)generate::generate(runtime, torus, {}, settings, {}); });
-            ASSERT_EQ(runtime.memory.bytes_now(), 0) << k;
-        }
     }
 }
 

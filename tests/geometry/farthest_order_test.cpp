@@ -74,11 +74,5 @@ TEST(FarthestOrder, DistancesNeverRise) {
     for (std::int64_t k = 1; k < order.order.size(); ++k) ASSERT_LE(order.distance[k], order.distance[k - 1]) << k;
 }
 
-TEST(FarthestOrder, CanBeCancelled) {
-    base::Operation operation;
-    operation.cancel();
-    EXPECT_THROW((void)farthest_order(scattered(100), 0, base::Progress(&operation)), Error);
-}
-
 } // namespace
 } // namespace hrbfnpr::geometry::farthest_order_test

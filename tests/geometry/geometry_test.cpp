@@ -72,14 +72,6 @@ TEST(PointTree, IsEmptyForNoPoints) {
     EXPECT_TRUE(tree.bounds().empty());
 }
 
-TEST(PointTree, CanBeCancelled) {
-    base::Operation operation;
-    operation.begin();
-    operation.cancel();
-    const VecArray points = awkward(10000);
-    EXPECT_THROW(PointTree(points, base::Progress(&operation)), Error);
-}
-
 TEST(Morton, CodesGoBackToTheirCells) {
     for (const std::array<std::int64_t, 3>& cell :
          {std::array<std::int64_t, 3>{0, 0, 0}, {1, 2, 3}, {12345, 654321, 2097151}, {2097151, 0, 77}}) {

@@ -41,15 +41,6 @@ TEST(PointGrid, PutsValuesInItsOrder) {
     for (std::int64_t at = 0; at < grid.size(); ++at) EXPECT_EQ(sorted[at], points[grid.index(at)]);
 }
 
-TEST(PointGrid, CanBeCancelled) {
-    base::Memory memory;
-    base::Operation operation;
-    operation.cancel();
-    const VecArray points(memory, 7);
-    EXPECT_THROW(PointGrid(points, 0.5, base::Progress(&operation)), Error);
-    EXPECT_THROW((void)PointGrid(points, 0.5).in_order(points, base::Progress(&operation)), Error);
-}
-
 TEST(PointGrid, OfNoPointsOrOfTwins) {
     base::Memory memory;
     int visits = 0;

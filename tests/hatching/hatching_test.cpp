@@ -201,17 +201,6 @@ TEST(Hatching, ABudgetIsAboutWhatIsMade) {
     }
 }
 
-TEST(Hatching, IsTheSameForAnyNumberOfThreads) {
-    const Torus torus;
-    const generate::Settings settings = hatched(0.05);
-    const PointSet one = make(torus, settings);
-    for (const int threads : {2, 3, 7}) {
-        base::Runtime several;
-        several.parallel = base::Parallel(threads, nullptr, nullptr);
-        EXPECT_TRUE(same_bits(one, generate::generate(several, torus, {}, settings, {}))) << threads;
-    }
-}
-
 TEST(Hatching, IsRefusedWhereItCannotBe) {
     generate::Settings tiny = hatched(1e-6);
     expect_error(Status::invalid_argument, {"layers[0]", "separation"}, [&] { (void)make(Sphere(), tiny); });

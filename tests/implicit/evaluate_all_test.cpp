@@ -104,16 +104,6 @@ TEST(EvaluateAll, PointsOfACellComeTogether) {
     EXPECT_TRUE(implicit::order_by_cell(runtime, Slices(0), p).empty());
 }
 
-TEST(EvaluateAll, CanBeCancelled) {
-    const base::Runtime runtime;
-    base::Operation operation;
-    operation.cancel();
-    const VecArray p = points(runtime.memory, 10);
-    test::Fields fields(10);
-    EXPECT_THROW(implicit::evaluate_all(runtime, Slices(3), p, fields.all(), base::Progress(&operation)),
-                 hrbfnpr::Error);
-}
-
 } // namespace
 
 } // namespace evaluate_all_test

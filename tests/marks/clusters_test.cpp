@@ -3,7 +3,6 @@
 #include "marks/point_set.h"
 
 #include "frame/hand_made.h"
-#include "support/runtime.h"
 
 #include <gtest/gtest.h>
 
@@ -277,26 +276,6 @@ TEST_F(Clusters, KnowTheCurvaturesOfATorus) {
     };
     const marks::PointSet set = clustered(runtime, torus(runtime.memory, 400, minor));
     EXPECT_LE(share_off(set.layers[0], 1.0 / minor, wanted), 0.005);
-}
-
-TEST_F(Clusters, AreTheSameForAnyThreadCount) {
-    const auto made = [](int threads) {
-        const base::Runtime other = test::with_threads(threads);
-        marks::PointSet set = torus(other.memory, 60);
-        add_torus_strokes(set, marks::Kind::hatch, 300, 9, 0.3);
-        marks::cluster_marks(other, set);
-        std::vector<std::uint32_t> marks;
-        for (const marks::Layer& layer : set.layers) {
-            for (const Cluster& c : layer.clusters.cluster) {
-                for (std::int64_t i = 0; i < c.count; ++i)
-                    marks.push_back(placed(layer.clusters, c.block * marks::MarkBlock::size + i).mark);
-                marks.push_back(static_cast<std::uint32_t>(c.count));
-            }
-        }
-        return marks;
-    };
-    const auto expected = made(1);
-    for (const int threads : {2, 3, 7}) EXPECT_EQ(made(threads), expected);
 }
 
 } // namespace

@@ -210,27 +210,6 @@ TEST(FromArrays, AddLayersToThoseOfASet) {
     EXPECT_TRUE(same_bits(only, base));
 }
 
-TEST(FromArrays, EveryAllocationMayFail) {
-    const Arrays arrays;
-    const PointSet base = import(arrays.views());
-    for (int k = 0;; ++k) {
-        ASSERT_LT(k, 1000);
-        Allocator allocator;
-        allocator.refuse_at = k + 1;
-        allocator.refuse_after = true;
-        const base::Runtime failing = with_allocator(allocator, 1);
-        try {
-            const LayerArrays own = arrays.views();
-            (void)from_arrays(failing, &base, {&own, 1}, 1);
-            EXPECT_GT(k, 8);
-            break;
-        } catch (const Error& error) {
-            ASSERT_EQ(error.status(), Status::out_of_memory);
-            ASSERT_EQ(failing.memory.bytes_now(), 0);
-        }
-    }
-}
-
 // Spacing from positions alone: marks of a known area.
 TEST(FromArrays, SpacingIsEstimatedFromThePositions) {
     for (const int n : {100, 600, 3000, 20000}) {

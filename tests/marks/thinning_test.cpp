@@ -3,7 +3,7 @@
 #include "marks/site.h"
 
 #include "support/analytic.h"
-#include "support/runtime.h"
+#include "support/point_sets.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Normals that tone goes by: the grain of a surface goes, its sheets and edges stay.
 #include "support/point_sets.h"
-#include "support/runtime.h"
 
 #include "base/random.h"
 #include "marks/assemble.h"
@@ -88,15 +87,6 @@ TEST(ToneNormals, KeepSheetsApartAndEdgesSharp) {
     EXPECT_LT(off(soft, 0, {0, 0, 1}), 1e-6);
     EXPECT_LT(off(soft, side * side, {0, 0, -1}), 1e-6);
     EXPECT_LT(off(soft, 2 * side * side, {1, 0, 0}), 1e-6);
-}
-
-TEST(ToneNormals, AreTheSameBitsForAnyThreadCount) {
-    Marks marks = no_marks();
-    add_square(marks, {0, 0, 0}, {1, 0, 0}, {0, 1, 0}, 1.0);
-    add_square(marks, {0, 0, 0.03}, {1, 0, 0}, {0, 1, 0}, 1.0);
-    const base::Runtime one = with_threads(1);
-    const base::Runtime three = with_threads(3);
-    EXPECT_TRUE(same_bits(softened(marks, length, one), softened(marks, length, three)));
 }
 
 TEST(ToneNormals, AreThoseOfLayersThatAskForThem) {

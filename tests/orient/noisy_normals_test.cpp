@@ -6,8 +6,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cstring>
-
 namespace noisy_normals_test {
 
 namespace {
@@ -90,19 +88,6 @@ TEST(NoisyNormals, LookTheWayOfTheFaceThatTheyAreNearerTo) {
     EXPECT_LT(found.score_of(runtime, wall).right, 0.945);
     found.refine(runtime);
     EXPECT_GT(found.score_of(runtime, wall).right, 0.995);
-}
-
-TEST(NoisyNormals, AreTheSameBitsForAnyThreads) {
-    std::vector<double> first;
-    for (const int threads : {1, 2, 7}) {
-        const base::Runtime runtime = test::with_threads(threads);
-        const Samples wall = noisy(sheets(24, 1.5), 0.2);
-        Found found(runtime, wall, shaken(wall.normals));
-        found.refine(runtime);
-        const std::vector<double> x(found.normal.x.begin(), found.normal.x.end());
-        if (first.empty()) first = x;
-        EXPECT_EQ(std::memcmp(first.data(), x.data(), x.size() * sizeof(double)), 0) << threads;
-    }
 }
 
 } // namespace

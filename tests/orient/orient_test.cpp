@@ -104,25 +104,6 @@ TEST(Orient, SaysThatPointsWithoutOrderHaveNoNormals) {
     EXPECT_LT(oriented(dust, runtime).report.confidence, 0.5);
 }
 
-TEST(Orient, GivesTheSameBitsForAnyNumberOfThreads) {
-    const Samples walls = sheets(18, 1.0);
-    const auto with = [&](int threads) {
-        const base::Runtime runtime(
-            [](void*, std::uint64_t size, std::uint64_t alignment) {
-                return std::aligned_alloc(alignment, (size + alignment - 1) / alignment * alignment);
-            },
-            [](void*, void* memory, std::uint64_t, std::uint64_t) { std::free(memory); }, nullptr,
-            base::Parallel(threads, nullptr, nullptr), base::InstructionSet::automatic, nullptr, nullptr);
-        const orient::Orientation result = oriented(walls, runtime);
-        std::vector<double> numbers(result.normal.x.begin(), result.normal.x.end());
-        numbers.insert(numbers.end(), result.normal.z.begin(), result.normal.z.end());
-        return numbers;
-    };
-    const std::vector<double> alone = with(1);
-    EXPECT_EQ(alone, with(2));
-    EXPECT_EQ(alone, with(3));
-}
-
 TEST(Orient, MergesPointsThatCoincide) {
     const base::Runtime runtime;
     Samples twice = test::sphere(100);
@@ -156,15 +137,6 @@ TEST(Orient, NamesWhatIsWrongWithThePoints) {
     EXPECT_NE(message({0, 0, 0, 1, 0, 0, 0, NAN, 0, 0, 0, 1}).find("points[2]"), std::string::npos);
     EXPECT_NE(message({0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0}).find("at one place"), std::string::npos);
     EXPECT_EQ(message({0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0.1}), "no error");
-}
-
-TEST(Orient, CanBeCancelled) {
-    const base::Runtime runtime;
-    base::Operation operation;
-    operation.begin();
-    operation.cancel();
-    const Samples shape = test::torus(500);
-    EXPECT_THROW((void)orient::orient(runtime, input(shape), base::Progress(&operation)), Error);
 }
 
 } // namespace

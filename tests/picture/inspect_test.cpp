@@ -423,21 +423,5 @@ TEST_F(InspectTest, Calls_that_make_no_sense_are_refused) {
     EXPECT_EQ(call(context.get(), &source, 0, &info, made), HRBFNPR_STATUS_CANCELLED);
 }
 
-TEST_F(InspectTest, A_cancel_by_progress_ends_it) {
-    const test::Triangles mesh = test::icosphere(3);
-    const auto source = source_of(mesh);
-    auto info = test::made(hrbfnpr_source_info_init);
-    hrbfnpr_error error;
-    hrbfnpr_error_init(&error, sizeof error);
-    hrbfnpr_operation* made = nullptr;
-    ASSERT_EQ(hrbfnpr_operation_create(context.get(), &made, &error), HRBFNPR_STATUS_OK);
-    const test::Operation operation(made);
-    const auto cancels = [](void* /*user*/, double progress) -> std::int32_t { return progress > 0.0 ? 1 : 0; };
-    ASSERT_EQ(hrbfnpr_operation_set_callback(made, cancels, nullptr, &error), HRBFNPR_STATUS_OK);
-    EXPECT_EQ(hrbfnpr_source_inspect(context.get(), &source, 0, on_event, this, made, &info, &error),
-              HRBFNPR_STATUS_CANCELLED);
-    EXPECT_THAT(failures(), IsEmpty());
-}
-
 } // namespace
 } // namespace picture_tests::inspect_test

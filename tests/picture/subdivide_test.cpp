@@ -248,18 +248,6 @@ TEST_F(Subdivide, RefusesWhatItCannotDivide) {
               "5120 faces are 5242880 after 5 rounds of subdivision, and 4000000 are the most: subdivide fewer times");
 }
 
-TEST_F(Subdivide, EndsAtACancel) {
-    base::Operation operation;
-    operation.begin();
-    operation.cancel();
-    EXPECT_THROW(static_cast<void>(subdivide(ball(), 3, 60.0, pool, base::Progress(&operation))), Error);
-}
-
-TEST_F(Subdivide, GivesItsMemoryBack) {
-    { const Shape fine = subdivide(ball(), 2, 60.0, pool); }
-    EXPECT_EQ(memory.bytes_now(), 0);
-}
-
 // ---- What it stands on
 
 TEST_F(Subdivide, KnowsTheEdgesOfFaces) {

@@ -178,12 +178,6 @@ def near_parts():
     return obj(np.vstack([vertices, vertices + [2.01, 0, 0]]), [*faces, *beside])
 
 
-def spiked():
-    vertices, faces = tube()
-    vertices[0] = [9, 0, 0]
-    return obj(vertices, faces)
-
-
 def not_finite():
     vertices, faces = tube()
     return obj(vertices, faces) + "v nan 0 0\nf 1 2 " + str(len(vertices) + 1) + "\n"

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Discs into pixels: coverage, blending, paper, against the plain reference.
 #include "raster/reference.h"
-#include "support/runtime.h"
 
 #include <gtest/gtest.h>
 
@@ -134,34 +133,6 @@ TEST_F(Blend, TransparentPaperErases) {
     style.splat_overlap = 1.0F;
     const int left = draw_marks(style, 40, 40).at(20, 20, 3);
     EXPECT_NEAR(left, 128, 10); // one layer of opacity 0.5, made of overlapping discs
-}
-
-TEST_F(Blend, SameBitsForAnyThreadCount) {
-    const marks::PointSet ball = sphere(runtime.memory, 20000);
-    const std::array items{item_of(ball, Style{})};
-    std::vector<std::byte> expected;
-    for (const int threads : {1, 2, 3, 7}) {
-        const base::Runtime other = test::with_threads(threads);
-        const Picture picture = picture_of(other, items, front_camera(333, 222), 333, 222);
-        if (expected.empty()) expected = picture.bytes;
-        EXPECT_EQ(picture.bytes, expected) << threads;
-    }
-}
-
-TEST_F(Blend, AllocatesNothingOnceWarm) {
-    test::Allocator counter;
-    const base::Runtime counted = test::with_allocator(counter);
-    const marks::PointSet ball = sphere(counted.memory, 5000);
-    const std::array items{item_of(ball, Style{})};
-    DrawnFrame counted_frame(counted);
-    output::Raster counted_raster(counted);
-    Picture picture(200, 200);
-    counted_frame.draw(items, front_camera(200, 200));
-    counted_raster.draw(counted_frame.drawing(), picture.image(), {});
-    const std::int64_t warm = counter.calls;
-    counted_frame.draw(items, front_camera(200, 200));
-    counted_raster.draw(counted_frame.drawing(), picture.image(), {});
-    EXPECT_EQ(counter.calls, warm);
 }
 
 } // namespace

@@ -2,7 +2,6 @@
 // Ink of frames by layers into pixels, against a plain reference in doubles.
 #include "raster/reference.h"
 #include "support/instruction_sets.h"
-#include "support/runtime.h"
 
 #include <gtest/gtest.h>
 
@@ -378,43 +377,6 @@ TEST_F(LayerRaster, AViewportShiftsThePictureAndLeavesTheRestAlone) {
             }
         }
     }
-}
-
-TEST_F(LayerRaster, AllocatesNothingOnceWarm) {
-    test::Allocator counter;
-    const base::Runtime counted = test::with_allocator(counter);
-    const marks::PointSet ring = clustered(counted, torus(counted.memory, 80));
-    Style style;
-    Style red = style;
-    red.kind[0].ink = {1.0F, 0.0F, 0.0F, 1.0F};
-    const glm::dmat4 smaller(glm::dmat3(0.5));
-    const std::array items{layered_item(ring, style), layered_item(ring, style, smaller)};
-    const std::array colored{layered_item(ring, style), layered_item(ring, red, smaller)};
-    DrawnFrame own(counted);
-    output::Raster own_raster(counted);
-    Picture picture(240, 240);
-    std::vector<float> host(240 * 240, 0.6F);
-    DrawSettings settings;
-    settings.host_depth = {reinterpret_cast<const std::byte*>(host.data()), 240 * 240, sizeof(float),
-                           base::Scalar::float32, 1};
-    const auto round = [&] {
-        for (int step = 0; step < 13; ++step) {
-            frame::Camera camera = front_camera(240, 240);
-            const double angle = 0.5 * step;
-            camera.view =
-                frame::look_at({8.0 * std::sin(angle), 3.0, 8.0 * std::cos(angle)}, glm::dvec3(0.0), {0, 1, 0});
-            camera.projection = frame::perspective(0.4, 240, 240, 1.0, 20.0, camera.depth);
-            own.draw(step % 2 == 0 ? items : colored, camera);
-            ASSERT_EQ(own.drawing().one_color, step % 2 == 0);
-            own_raster.draw(own.drawing(), picture.image(), settings);
-            ASSERT_FALSE(own.discs().empty());
-        }
-    };
-    round();
-    const std::int64_t warm = counter.calls;
-    round();
-    EXPECT_EQ(counter.calls, warm);
-    EXPECT_LE(own.info().scratch_bytes, counted.memory.bytes_now());
 }
 
 } // namespace

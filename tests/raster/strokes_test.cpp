@@ -4,7 +4,6 @@
 #include "output/raster/raster.h"
 #include "raster/reference.h"
 #include "support/instruction_sets.h"
-#include "support/runtime.h"
 
 #include <gtest/gtest.h>
 
@@ -376,40 +375,6 @@ TEST_F(StrokePicture, SameBitsForAnyThreadCountAndInstructionSet) {
         for (const base::InstructionSet one : test::instruction_sets())
             EXPECT_EQ(picture_of(2, one, many), expected) << static_cast<int>(one);
     }
-}
-
-TEST_F(StrokePicture, AllocatesNothingOnceWarm) {
-    test::Allocator counter;
-    const base::Runtime counted = test::with_allocator(counter);
-    marks::PointSet ring = torus(counted.memory, 60);
-    add_torus_strokes(ring, marks::Kind::hatch, 600, 27, 0.3);
-    ring = clustered(counted, std::move(ring));
-    std::array<LayerStyle, 2> layers;
-    layers[0].kind = marks::Kind::hatch;
-    layers[0].shape = frame::Shape::strokes;
-    layers[1].kind = marks::Kind::stipples;
-    frame::Style style;
-    style.layers = layers;
-    const std::array items{layered_item(ring, style)};
-    DrawnFrame own(counted);
-    output::Raster own_raster(counted);
-    Picture own_picture(240, 240);
-    const auto round = [&] {
-        for (int step = 0; step < 13; ++step) {
-            frame::Camera camera = front_camera(240, 240);
-            const double angle = 0.5 * step;
-            camera.view =
-                frame::look_at({8.0 * std::sin(angle), 3.0, 8.0 * std::cos(angle)}, glm::dvec3(0.0), {0, 1, 0});
-            camera.projection = frame::perspective(0.4, 240, 240, 1.0, 20.0, camera.depth);
-            own.draw(items, camera);
-            own_raster.draw(own.drawing(), own_picture.image(), {});
-            ASSERT_GT(own.drawing().strokes.size(), 100);
-        }
-    };
-    round();
-    const std::int64_t warm = counter.calls;
-    for (int again = 0; again < 5; ++again) round();
-    EXPECT_EQ(counter.calls, warm);
 }
 
 } // namespace

@@ -2,7 +2,6 @@
 // What a progress callback is told, and when it cancels.
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <thread>
@@ -23,9 +22,6 @@ struct Watcher {
         self.other_thread = self.other_thread || std::this_thread::get_id() != self.maker_;
         return progress >= self.cancel_at || self.values.size() == self.cancel_at_call ? 1 : 0;
     }
-
-    [[nodiscard]] double last() const { return values.empty() ? -1.0 : values.back(); }
-    [[nodiscard]] bool fell() const { return !std::is_sorted(values.begin(), values.end()); }
 
 private:
     std::thread::id maker_ = std::this_thread::get_id();

@@ -353,28 +353,6 @@ TEST(CastRays, ToleranceIsInDiagonals) {
     EXPECT_NEAR(cast(SquareSphere(), line, settings).t[0], wanted, 1e-14);
 }
 
-TEST(CastRays, TheSameBitsForAnyNumberOfThreads) {
-    const Torus torus;
-    const Rays rays = rays_of(many_lines(1500));
-    const auto run = [&](int threads) {
-        const base::Runtime many = test::with_threads(threads);
-        RayHits hits(runtime().memory);
-        cast_rays(many, torus, at_most(4), rays, hits, {});
-        return hits;
-    };
-    const RayHits one = run(1);
-    for (const int threads : {2, 3, 7}) {
-        const RayHits hits = run(threads);
-        for (std::int64_t i = 0; i < one.t.size(); ++i) {
-            ASSERT_EQ(hits.t[i], one.t[i]);
-            ASSERT_EQ(hits.position[i], one.position[i]);
-            ASSERT_EQ(hits.normal[i], one.normal[i]);
-            ASSERT_EQ(hits.entering[i], one.entering[i]);
-        }
-        for (std::int64_t i = 0; i < one.count.size(); ++i) ASSERT_EQ(hits.count[i], one.count[i]);
-    }
-}
-
 TEST(CastRays, NoRayDependsOnTheOthers) {
     const Torus torus;
     const std::vector<Line> lines = many_lines(700);
@@ -386,23 +364,6 @@ TEST(CastRays, NoRayDependsOnTheOthers) {
         EXPECT_EQ(alone.t[0], hits.t[2 * i]);
         EXPECT_EQ(alone.t[1], hits.t[2 * i + 1]);
     }
-}
-
-TEST(CastRays, CanBeCancelledAndReportsProgress) {
-    base::Operation operation;
-    operation.begin();
-    const Sphere sphere;
-    const Rays rays = rays_of(many_lines(2000));
-    RayHits hits(runtime().memory);
-    cast_rays(runtime(), sphere, {}, rays, hits, base::Progress(&operation));
-    EXPECT_DOUBLE_EQ(operation.progress(), 1.0);
-    operation.cancel();
-    const std::int64_t before = sphere.evaluations;
-    EXPECT_THROW(cast_rays(runtime(), sphere, {}, rays, hits, base::Progress(&operation)), Error);
-    RaySettings settings;
-    settings.lipschitz = 1.0;
-    EXPECT_THROW(cast_rays(runtime(), sphere, settings, rays, hits, base::Progress(&operation)), Error);
-    EXPECT_EQ(sphere.evaluations, before);
 }
 
 TEST(CastRays, ASerialFunctionRunsOnTheCallersThreadOnly) {

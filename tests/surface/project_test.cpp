@@ -162,23 +162,6 @@ TEST(Project, ToleranceIsInDiagonals) {
     EXPECT_NEAR(run(plane, {{0.0, 0.0, 0.0101 * diagonal}}, settings).position[0].z, 0.0, 1e-15);
 }
 
-TEST(Project, CanBeCancelledAndReportsProgress) {
-    base::Operation operation;
-    operation.begin();
-    const Sphere sphere;
-    Projection p(runtime().memory);
-    for (int i = 0; i < 5000; ++i) p.position.push_back(2.0 * pseudo_random(i));
-    project(runtime(), sphere, {}, p, base::Progress(&operation));
-    EXPECT_DOUBLE_EQ(operation.progress(), 1.0);
-    operation.cancel();
-    try {
-        project(runtime(), sphere, {}, p, base::Progress(&operation));
-        FAIL() << "not cancelled";
-    } catch (const Error& error) {
-        EXPECT_EQ(error.status(), Status::cancelled);
-    }
-}
-
 TEST(Project, ASerialFunctionRunsOnTheCallersThreadOnly) {
     Sphere sphere;
     sphere.is_concurrent = false;

@@ -7,7 +7,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstring>
 
 namespace hrbfnpr::surface::support_test {
 namespace {
@@ -102,21 +101,6 @@ TEST(Support, FewSamplesAndSamplesOnTopOfEachOther) {
         EXPECT_LT(support.value({0.0, 0.0, 0.0}, {1.0, 0.0, 0.0}), 1.0) << count;
         EXPECT_GT(support.value({5.0, 0.0, 0.0}, {1.0, 0.0, 0.0}), 100.0) << count;
         EXPECT_FALSE(support.value({0.0, 0.0, 0.0}, {0.0, 0.0, 0.0}) < 100.0) << count; // no normal
-    }
-}
-
-TEST(Support, SameBitsForAnyThreads) {
-    const PartSamples samples = test::half_torus(1.0, 0.4);
-    std::vector<double> first;
-    for (const int threads : {1, 2, 7}) {
-        const base::Runtime runtime = test::with_threads(threads);
-        const Support support = support_of(runtime, samples);
-        const geometry::VecArray points = PartSamples::unpacked(runtime.memory, samples.points);
-        const geometry::VecArray normals = PartSamples::unpacked(runtime.memory, samples.normals);
-        base::Array<double> value(runtime.memory);
-        support.evaluate_all(runtime, points, normals, value, {});
-        if (first.empty()) first.assign(value.begin(), value.end());
-        EXPECT_EQ(std::memcmp(first.data(), value.data(), first.size() * sizeof(double)), 0) << threads;
     }
 }
 

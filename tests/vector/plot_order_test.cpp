@@ -307,24 +307,5 @@ TEST(PlotOrder, HandsTextsOnFirstAndNests) {
     EXPECT_EQ(out.kept.calls, "view{{'a'}}{p}."); // an empty frame, then the page
 }
 
-TEST(PlotOrder, IsCancelled) {
-    base::Operation operation;
-    operation.begin();
-    operation.cancel();
-    const base::Progress progress(&operation);
-    base::Memory memory;
-    Recorder out;
-    output::PageCounts counts;
-    const auto order = output::plot_order(memory, out, plotter_settings(), counts, nullptr, progress);
-    order->begin_group({});
-    const Line line = straight(10.0, 10.0, 20.0, 10.0);
-    try {
-        for (int i = 0; i < 300; ++i) order->path(path_of(line)); // before the group ends
-        FAIL() << "not cancelled";
-    } catch (const Error& error) {
-        EXPECT_EQ(error.status(), Status::cancelled);
-    }
-}
-
 } // namespace
 } // namespace hrbfnpr::testing::plot_order_test

@@ -3,7 +3,6 @@
 #include "output/vertex/vertices.h"
 
 #include "raster/reference.h"
-#include "support/runtime.h"
 
 #include <gtest/gtest.h>
 
@@ -174,34 +173,6 @@ TEST_P(Both, DrawnFarToNearGiveThePictureOfTheRaster) {
 
 INSTANTIATE_TEST_SUITE_P(Visibility, Both, ::testing::Bool(),
                          [](const auto& one) { return one.param ? "layers" : "published"; });
-
-TEST_F(Vertices, OfLayersAreWrittenWithoutAllocationOnceWarm) {
-    test::Allocator counter;
-    const base::Runtime counted = test::with_allocator(counter);
-    const marks::PointSet ring = clustered(counted, torus(counted.memory, 80));
-    const std::array items{layered_item(ring, Style{})};
-    DrawnFrame own(counted);
-    output::VertexScratch scratch(counted);
-    const std::array fields{VertexField{VertexAttribute::window, Scalar::float32, 0},
-                            VertexField{VertexAttribute::normal, Scalar::float32, 12}};
-    std::vector<std::byte> memory(24 * static_cast<std::size_t>(ring.layers[0].count()));
-    const auto round = [&] {
-        for (int step = 0; step < 13; ++step) {
-            frame::Camera camera = front_camera(size, size);
-            const glm::dvec3 eye(8.0 * std::sin(0.5 * step), 3.0, 8.0 * std::cos(0.5 * step));
-            camera.view = frame::look_at(eye, glm::dvec3(0.0), {0, 1, 0});
-            camera.projection = frame::perspective(0.4, size, size, 1.0, 20.0, camera.depth);
-            own.draw(items, camera);
-            output::write_vertices(counted, own.drawing(), scratch, {output::Primitive::points, fields, 24},
-                                   memory.data(), nullptr);
-            ASSERT_FALSE(own.discs().empty());
-        }
-    };
-    round();
-    const std::int64_t warm = counter.calls;
-    round();
-    EXPECT_EQ(counter.calls, warm);
-}
 
 } // namespace
 } // namespace hrbfnpr::testing::vertices_test

@@ -310,45 +310,6 @@ TEST(Invisibility, OtherLines) {
     EXPECT_NEAR(parts[1].end_at, 150.0 * (2.0 + 0.8), 0.01);
 }
 
-TEST(Invisibility, SameForAnyThreadCount) {
-    const test::Knot knot;
-    const Eye eye = Eye::at({0.3, -0.8, 0.5}, 4.0, true);
-    const base::Runtime alone = test::with_threads(1);
-    Stage stage;
-    add(alone, stage, knot, {1.0 + test::Knot::tube, 0.0, 0.0}, 0.05);
-    Picture one(alone, stage, eye);
-    one.find();
-    for (const int threads : {2, 3, 7}) {
-        const base::Runtime together = test::with_threads(threads);
-        Picture more(together, stage, eye);
-        more.find();
-        ASSERT_EQ(one.found->intervals.size(), more.found->intervals.size());
-        for (std::int64_t i = 0; i < one.found->intervals.size(); ++i) {
-            const Interval& a = one.found->intervals[i];
-            const Interval& b = more.found->intervals[i];
-            EXPECT_EQ(a.sheets, b.sheets);
-            EXPECT_EQ(a.begin_at, b.begin_at);
-            EXPECT_EQ(a.end_at, b.end_at);
-        }
-    }
-}
-
-TEST(Invisibility, CanBeCancelled) {
-    const test::SquareSphere sphere;
-    Stage stage;
-    add(runtime(), stage, sphere, {1.0, 0.0, 0.0}, 0.1);
-    Picture picture(runtime(), stage, Eye::at({1.0, 0.0, 0.0}, 3.0, true));
-    base::Operation operation;
-    operation.begin();
-    operation.cancel();
-    try {
-        picture.find({}, base::Progress(&operation));
-        ADD_FAILURE() << "was not cancelled";
-    } catch (const Error& error) {
-        EXPECT_EQ(error.status(), Status::cancelled);
-    }
-}
-
 TEST(Invisibility, OfNothingIsNothing) {
     Picture picture(runtime(), {}, Eye::at({1.0, 0.0, 0.0}, 3.0, true));
     picture.find();

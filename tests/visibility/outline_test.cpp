@@ -170,26 +170,6 @@ TEST(Outline, LinkedAndMirroredItems) {
     expect_right_from_everywhere(stage, 0.2, 5.0, 30);
 }
 
-TEST(Outline, SameForAnyThreadCount) {
-    const test::Knot knot;
-    const Eye eye = Eye::at({0.3, -0.8, 0.5}, 4.0, true);
-    Stage stage;
-    add(runtime(), stage, knot, {1.0 + test::Knot::tube, 0.0, 0.0}, 0.05);
-    Picture picture(runtime(), stage, eye);
-    picture.find();
-    const Outline one = outline_of(picture);
-    EXPECT_GT(one.parts.size(), 3);
-    for (const int threads : {1, 3, 7}) {
-        const base::Runtime others = test::with_threads(threads);
-        const Outline more = outline_of(picture, others);
-        ASSERT_EQ(one.parts.size(), more.parts.size());
-        for (std::int64_t i = 0; i < one.parts.size(); ++i) {
-            EXPECT_EQ(one.parts[i].begin_at, more.parts[i].begin_at);
-            EXPECT_EQ(one.parts[i].end_at, more.parts[i].end_at);
-        }
-    }
-}
-
 TEST(Outline, OnlyOfWhatIsWanted) {
     const test::SquareSphere sphere;
     Stage stage;

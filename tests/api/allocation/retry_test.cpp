@@ -94,5 +94,29 @@ TEST_P(Retry, SomeRefusalsOfALargerRun) {
     refuse_in_every_stage(GetParam(), sizes, 1, 6);
 }
 
+// Both are made before all stages.
+TEST(Allocation, AContextAndAnOperationAreMadeOrNot) {
+    for (std::int64_t k = 1;; ++k) {
+        Error error;
+        Allocator allocator;
+        allocator.refuse_at = k;
+        const hrbfnpr_context_desc desc = allocator_desc(allocator, 3);
+        hrbfnpr_context* context = nullptr;
+        hrbfnpr_operation* operation = nullptr;
+        hrbfnpr_status status = hrbfnpr_context_create(&desc, &context, error);
+        EXPECT_EQ(context != nullptr, status == HRBFNPR_STATUS_OK);
+        if (context != nullptr) status = hrbfnpr_operation_create(context, &operation, error);
+        EXPECT_EQ(operation != nullptr, status == HRBFNPR_STATUS_OK);
+        hrbfnpr_operation_release(operation);
+        hrbfnpr_context_release(context);
+        EXPECT_EQ(allocator.bytes, 0) << k;
+        if (status == HRBFNPR_STATUS_OK) {
+            EXPECT_GT(k, 2);
+            return;
+        }
+        EXPECT_FAILS(status, HRBFNPR_STATUS_OUT_OF_MEMORY, "bytes");
+    }
+}
+
 } // namespace
 } // namespace api_test::retry_test

@@ -81,6 +81,38 @@ TEST(Cancel, ByTheCallbackAtEveryStage) {
     EXPECT_EQ(with_operation, 64);
 }
 
+// One operation serves all calls, one after the other; cancelled, it ends each of them before it begins.
+TEST(Cancel, HoldsForEveryLaterCall) {
+    const Context context = make_context(3);
+    Stages stages(context);
+    const std::vector<Stage> all = stages.all();
+    const Operation operation = make_operation(context);
+    Watcher watcher;
+    hrbfnpr_operation_set_callback(operation.get(), Watcher::call, &watcher, nullptr);
+    EXPECT_EQ(hrbfnpr_operation_is_cancelled(operation.get()), 0);
+    for (const Stage& stage : all) {
+        Error error;
+        Bytes bytes;
+        renew(stage);
+        EXPECT_OK(run(stage, operation.get(), bytes, error)) << stage.name;
+        EXPECT_EQ(hrbfnpr_operation_progress(operation.get()), 1.0) << stage.name;
+    }
+    EXPECT_FALSE(watcher.other_thread);
+    hrbfnpr_operation_cancel(operation.get());
+    hrbfnpr_operation_cancel(operation.get());
+    int cancelled = 0;
+    for (const Stage& stage : all) {
+        Error error;
+        Bytes bytes;
+        renew(stage);
+        const hrbfnpr_status status = run(stage, operation.get(), bytes, error);
+        if (status == HRBFNPR_STATUS_OK) continue; // what takes no operation
+        EXPECT_FAILS(status, HRBFNPR_STATUS_CANCELLED, "cancelled before the call");
+        ++cancelled;
+    }
+    EXPECT_EQ(cancelled, 64);
+}
+
 // At moments spread over the call's time.
 TEST(Cancel, FromAnotherThreadAtAnyTime) {
     const Context context = make_context(3);

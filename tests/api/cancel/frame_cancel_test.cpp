@@ -3,10 +3,8 @@
 #include "stages/stage.h"
 #include "support/handles.h"
 
-#include <chrono>
 #include <cmath>
 #include <set>
-#include <thread>
 
 namespace api_test::frame_cancel_test {
 namespace {
@@ -109,31 +107,6 @@ TEST(FrameCancel, TheRendererGoesOnAsIfNothingHadBeenAsked) {
         ASSERT_OK(scene.draw(0.0, nullptr, again, error));
         EXPECT_TRUE(scene.bytes_of(again) == wanted) << moment;
     }
-}
-
-// Anywhere between those moments, too.
-TEST(FrameCancel, FromAnotherThreadAtAnyTime) {
-    Scene scene(3);
-    Error error;
-    Drawing drawing;
-    ASSERT_OK(scene.draw(0.7, nullptr, drawing, error));
-    const std::vector<std::uint8_t> wanted = scene.bytes_of(drawing);
-    int cancelled = 0;
-    for (int wait = 0; wait < 60; ++wait) {
-        const Operation operation = make_operation(scene.context);
-        std::thread other([&] {
-            std::this_thread::sleep_for(std::chrono::microseconds(50 * wait));
-            hrbfnpr_operation_cancel(operation.get());
-        });
-        const hrbfnpr_status status = scene.draw(0.7 + wait, operation.get(), drawing, error);
-        other.join();
-        EXPECT_TRUE(status == HRBFNPR_STATUS_OK || status == HRBFNPR_STATUS_CANCELLED) << hrbfnpr_status_name(status);
-        cancelled += status == HRBFNPR_STATUS_CANCELLED ? 1 : 0;
-    }
-    EXPECT_GT(cancelled, 0);
-    scene.renderer = make_renderer(scene.context);
-    ASSERT_OK(scene.draw(0.7, nullptr, drawing, error));
-    EXPECT_TRUE(scene.bytes_of(drawing) == wanted);
 }
 
 // A call without an operation is watched by none that was there before.

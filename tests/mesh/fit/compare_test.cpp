@@ -19,9 +19,7 @@ namespace compare_test {
 namespace mesh = hrbfnpr::mesh;
 using hrbfnpr::test::box;
 using hrbfnpr::test::icosphere;
-using hrbfnpr::test::same_bits;
 using hrbfnpr::test::Sphere;
-using hrbfnpr::test::torus;
 using hrbfnpr::test::with_threads;
 using namespace mesh_test;
 
@@ -158,14 +156,6 @@ TEST(Compare, DoesNotCountWhatOverlaps) {
     const mesh::Comparison found = compared(Two({1.0, 0.0, 0.0}), both, 0.01, 0.05);
     EXPECT_EQ(found.mesh.share, 1.0);
     EXPECT_LT(found.mesh.points, 3600);
-}
-
-TEST(Compare, IsTheSameForAnyNumberOfThreads) {
-    const mesh::Comparison one = compared(Sphere(1.01), torus(40, 20, 0.3), 0.01, 0.05, 1);
-    const mesh::Comparison three = compared(Sphere(1.01), torus(40, 20, 0.3), 0.01, 0.05, 3);
-    EXPECT_EQ(one.surface.mean, three.surface.mean);
-    EXPECT_EQ(one.mesh.p99, three.mesh.p99);
-    EXPECT_EQ(one.normal_mean, three.normal_mean);
 }
 
 TEST(Compare, SpreadIsThatOfASortedList) {

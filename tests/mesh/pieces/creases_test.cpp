@@ -374,16 +374,6 @@ TEST(Creases, OfCoarseFacesStayFlat) {
     EXPECT_EQ(Found(test::ringed(rings, 13, 0.5)).creases.patches, 2 + 13);
 }
 
-TEST(Creases, AreTheSameForAnyNumberOfThreads) {
-    const Triangles shape = test::stepped_shaft(48);
-    const auto one = test::with_threads(1);
-    const auto three = test::with_threads(3);
-    const mesh::Mesh a = mesh_test::made(one, shape);
-    const mesh::Mesh b = mesh_test::made(three, shape);
-    EXPECT_TRUE(test::same_bits(mesh::find_creases(one, a, 30.0, 1.0, {}).patch,
-                                mesh::find_creases(three, b, 30.0, 1.0, {}).patch));
-}
-
 } // namespace
 
 } // namespace creases_test

@@ -7,7 +7,6 @@
 #include "mesh/sample.h"
 #include "support/runtime.h"
 #include "support/sharp_meshes.h"
-#include "support/watched_operation.h"
 
 #include <gtest/gtest.h>
 
@@ -309,47 +308,6 @@ TEST(FitPieces, AreTheSameForAnyNumberOfThreads) {
     EXPECT_TRUE(test::same_bits(a.program, b.program));
     EXPECT_TRUE(test::same_bits(a.plain, b.plain));
     EXPECT_TRUE(test::same_bits(a.sample_position, b.sample_position));
-}
-
-TEST(FitPieces, CanBeCancelledAndTellsItsProgress) {
-    const auto runtime = test::with_threads(2);
-    const mesh::Mesh shape = mesh_test::made(runtime, test::stepped_shaft(48));
-    const mesh::FaceTree tree(runtime, shape.vertex, shape.triangle, {});
-    const mesh::Creases creases = mesh::find_creases(runtime, shape, 30.0, 0.008 * shape.bounds.diagonal(), {});
-    for (const double when : {0.1, 0.65, 0.9}) {
-        test::WatchedOperation operation(when);
-        EXPECT_THROW((void)mesh::fit_pieces(runtime, shape, tree, creases, {}, {}, operation.progress()),
-                     hrbfnpr::Error);
-    }
-    test::WatchedOperation operation;
-    (void)mesh::fit_pieces(runtime, shape, tree, creases, {}, {}, operation.progress());
-    EXPECT_FALSE(operation.watcher.fell());
-    EXPECT_EQ(operation.watcher.last(), 1.0);
-    EXPECT_GT(operation.watcher.values.size(), 10U);
-}
-
-// Every hundredth allocation is refused once: all others are given back.
-TEST(FitPieces, GiveBackAllMemoryWhereSomeIsRefused) {
-    for (std::int64_t at = 1; at < 100'000; at = at * 3 + 1) {
-        test::Allocator allocator;
-        std::int64_t before = 0;
-        {
-            const auto runtime = test::with_allocator(allocator);
-            const mesh::Mesh shape = mesh_test::made(runtime, test::box(1.0, 1.0, 1.0, 2));
-            const mesh::FaceTree tree(runtime, shape.vertex, shape.triangle, {});
-            before = allocator.calls;
-            allocator.refuse_at = before + at;
-            try {
-                const mesh::Creases creases =
-                    mesh::find_creases(runtime, shape, 30.0, 0.008 * shape.bounds.diagonal(), {});
-                (void)mesh::fit_pieces(runtime, shape, tree, creases, {}, {}, {});
-                EXPECT_LT(allocator.calls, before + at); // all was given
-            } catch (const hrbfnpr::Error& error) {
-                EXPECT_EQ(error.status(), hrbfnpr::Status::out_of_memory);
-            }
-        }
-        EXPECT_EQ(allocator.blocks, 0);
-    }
 }
 
 // Values, gradients and Hessians of places beside the surface and all over the box.

@@ -4,7 +4,6 @@
 #include "mesh/meshes.h"
 #include "support/runtime.h"
 #include "support/verdict_shapes.h"
-#include "support/watched_operation.h"
 
 #include <gtest/gtest.h>
 
