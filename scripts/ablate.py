@@ -21,7 +21,7 @@ BENCHES: Dict[str, List[List[str]]] = {
     "creases": [["edges", "--only=pieces"]],
     "curves": [["lines", "--only=truth,views"]],
     "features": [["lines", "--only=features"]],
-    "fit": [["points"], ["fit"]],
+    "fit": [["fit"]],
     "frame/hatch": [["strokes", "--only=screen,ends,tone"]],
     "frame/lines": [["lines", "--only=truth,flicker"]],
     "frame/scene": [["frame", "--only=tone"]],
