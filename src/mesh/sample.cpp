@@ -16,19 +16,6 @@
 namespace hrbfnpr::mesh {
 namespace {
 
-// Returns the area up to the end of each face.
-[[nodiscard]] base::Array<double> running_area(const Mesh& mesh, const base::Progress& progress) {
-    base::Array<double> area(mesh.vertex.memory());
-    area.reserve(mesh.faces());
-    double sum = 0.0;
-    for (std::int64_t face = 0; face < mesh.faces(); ++face) {
-        if (face % mesh_tuning.at_once == 0) progress.check();
-        sum += glm::length(doubled_area(mesh.corners(face)));
-        area.push_back(sum);
-    }
-    return area;
-}
-
 // Calls visit(face, k) for the sides of faces beyond which there is no other.
 template <class Visit>
 void for_border_sides(const Mesh& mesh, Visit&& visit) {
@@ -86,21 +73,25 @@ glm::dvec3 normal_at(const Mesh& mesh, std::int64_t face, const glm::dvec3& shar
     return length > 1e-12 ? sum / length : glm::normalize(doubled_area(mesh.corners(face)));
 }
 
+RandomPlaces::Place RandomPlaces::at(std::uint64_t seed, std::int64_t number, std::uint32_t stream) const noexcept {
+    const auto random = base::uniform4(seed, static_cast<std::uint64_t>(number), base::Purpose::mesh_sample, stream);
+    const double* const found = std::upper_bound(area_.begin(), area_.end(), random[0] * area_[area_.size() - 1]);
+    const double root = std::sqrt(random[1]);
+    return {std::min<std::int64_t>(found - area_.begin(), area_.size() - 1),
+            {1.0 - root, root * (1.0 - random[2]), root * random[2]}};
+}
+
 MeshSamples random_samples(const base::Runtime& runtime, const Mesh& mesh, std::int64_t count, std::uint64_t seed,
                            std::uint32_t stream, const base::Progress& progress) {
     MeshSamples samples(runtime.memory);
     samples.position.resize(count);
     samples.normal.resize(count);
     samples.face.resize(count);
-    const base::Array<double> area = running_area(mesh, progress);
-    runtime.parallel.for_chunks(count, mesh_tuning.at_once, [&](std::int64_t begin, std::int64_t end) {
-        progress.check();
+    const RandomPlaces places(
+        runtime.memory, mesh.faces(), [&](std::int64_t face) { return mesh.corners(face); }, progress);
+    runtime.parallel.for_chunks(count, mesh_tuning.at_once, progress, [&](std::int64_t begin, std::int64_t end) {
         for (std::int64_t i = begin; i < end; ++i) {
-            const auto random = base::uniform4(seed, static_cast<std::uint64_t>(i), base::Purpose::mesh_sample, stream);
-            const double* const found = std::upper_bound(area.begin(), area.end(), random[0] * area[area.size() - 1]);
-            const std::int64_t face = std::min<std::int64_t>(found - area.begin(), mesh.faces() - 1);
-            const double root = std::sqrt(random[1]);
-            const glm::dvec3 shares{1.0 - root, root * (1.0 - random[2]), root * random[2]};
+            const auto [face, shares] = places.at(seed, i, stream);
             const auto p = mesh.corners(face);
             samples.position.set(i, shares.x * p[0] + shares.y * p[1] + shares.z * p[2]);
             samples.normal.set(i, normal_at(mesh, face, shares));

@@ -20,10 +20,38 @@ struct MeshSamples {
     base::Array<std::int32_t> face;
 };
 
+// Random places on faces, even over their area.
+class RandomPlaces {
+public:
+    struct Place {
+        std::int64_t face;
+        glm::dvec3 shares; // of its corners
+    };
+
+    // corners(face) are the places of a face's corners.
+    template <class Corners>
+    RandomPlaces(base::Memory& memory, std::int64_t faces, Corners&& corners, const base::Progress& progress)
+        : area_(memory) {
+        HRBFNPR_ASSERT(faces > 0);
+        area_.reserve(faces);
+        double sum = 0.0;
+        for (std::int64_t face = 0; face < faces; ++face) {
+            if (face % 4096 == 0) progress.check();
+            sum += glm::length(doubled_area(corners(face)));
+            area_.push_back(sum);
+        }
+    }
+    // Each stream gives other places for the same seed.
+    [[nodiscard]] Place at(std::uint64_t seed, std::int64_t number, std::uint32_t stream) const noexcept;
+
+private:
+    base::Array<double> area_; // up to the end of each face
+};
+
 // Returns the unit normal at a place of a face, between those of the corners.
 [[nodiscard]] glm::dvec3 normal_at(const Mesh& mesh, std::int64_t face, const glm::dvec3& shares) noexcept;
 
-// Returns random places. Each stream gives other ones for the same seed.
+// Returns RandomPlaces of a mesh.
 [[nodiscard]] MeshSamples random_samples(const base::Runtime& runtime, const Mesh& mesh, std::int64_t count,
                                          std::uint64_t seed, std::uint32_t stream, const base::Progress& progress);
 

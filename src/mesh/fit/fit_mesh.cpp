@@ -8,11 +8,8 @@
 #include "fit/fit_centres.h"
 #include "geometry/farthest_order.h"
 #include "mesh/fit/fit_data.h"
-#include "mesh/fit/flat.h"
 #include "mesh/fit/off_surface.h"
 #include "mesh/fit/outer.h"
-#include "mesh/fit/surface_places.h"
-#include "mesh/fit/touching.h"
 #include "mesh/sample.h"
 #include "surface/project.h"
 
