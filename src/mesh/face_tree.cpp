@@ -74,7 +74,7 @@ FaceTree::FaceTree(const base::Runtime& runtime, const base::Array<glm::dvec3>& 
     bound({0, 0, count}, progress);
 }
 
-// Halves a range along its longest side; of equals, by number.
+// Halves a range along its longest side. Equal middles are ordered by number.
 void FaceTree::split(const base::Array<glm::dvec3>& middle, const Range& range) {
     if (range.leaf()) return;
     geometry::Bounds box;
@@ -152,39 +152,13 @@ double FaceTree::meet(const Corners& p, const glm::dvec3& origin, const glm::dve
 
 FaceTree::Hit FaceTree::first_hit(const glm::dvec3& origin, const glm::dvec3& direction, double t_min,
                                   double t_max) const noexcept {
-    const glm::dvec3 inverse = 1.0 / direction;
     Hit first;
     double limit = t_max;
-    std::array<Range, stack_size> stack;
-    std::size_t depth = 0;
-    stack[depth++] = {0, 0, face_.size()};
-    while (depth > 0) {
-        const Range range = stack[--depth];
-        if (!meets(box_[range.node], origin, inverse, t_min, limit)) continue;
-        if (!range.leaf()) {
-            const glm::dvec3 way = box_[range.low().node].centre() - box_[range.high().node].centre();
-            const bool low_first = glm::dot(way, direction) <= 0.0;
-            stack[depth++] = low_first ? range.high() : range.low();
-            stack[depth++] = low_first ? range.low() : range.high();
-            continue;
-        }
-        for (std::int64_t at = range.begin; at < range.end; ++at) {
-            const double t = meet(corners_[at], origin, direction);
-            if (!(t > t_min && t < limit)) continue;
-            limit = t;
-            first = {t, face_[at]};
-        }
-    }
+    walk<true>(origin, direction, t_min, limit, [&](std::int64_t at, double t) {
+        limit = t;
+        first = {t, face_[at]};
+    });
     return first;
-}
-
-glm::dvec3 shares_of(const std::array<glm::dvec3, 3>& p, const glm::dvec3& place) noexcept {
-    const glm::dvec3 normal = doubled_area(p);
-    const double whole = glm::dot(normal, normal);
-    if (!(whole > 0.0)) return glm::dvec3(1.0 / 3.0);
-    const double b = glm::dot(glm::cross(place - p[0], p[2] - p[0]), normal) / whole;
-    const double c = glm::dot(glm::cross(p[1] - p[0], place - p[0]), normal) / whole;
-    return {1.0 - b - c, b, c};
 }
 
 } // namespace hrbfnpr::mesh

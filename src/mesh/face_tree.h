@@ -24,18 +24,23 @@ public:
     FaceTree(const base::Runtime& runtime, const base::Array<glm::dvec3>& vertex, const base::Array<Triangle>& triangle,
              const base::Progress& progress);
 
-    // On the calling thread; const, for any number of threads.  Of faces that are as near, any, but always the same.
-    // limit: squared distance beyond which nobody wants to know.
+    // All of these are for any number of threads. Of faces that are as near it is always the same one that is found.
+    // limit: a squared distance; faces beyond it are not found.
     [[nodiscard]] Nearest nearest(const glm::dvec3& p,
                                   double limit = std::numeric_limits<double>::infinity()) const noexcept;
     [[nodiscard]] double distance(const glm::dvec3& p) const noexcept { return std::sqrt(nearest(p).squared); }
-    // The first face that a ray meets at t_min < t < t_max.
+    // Returns the first face that a ray meets at t_min < t < t_max.
     [[nodiscard]] Hit first_hit(const glm::dvec3& origin, const glm::dvec3& direction, double t_min,
                                 double t_max) const noexcept;
-    // Calls visit(face, t, sign) for all faces that a ray meets at t > 0, in the tree's order; sign: 1 where the face
-    // looks along the ray, so that the ray leaves, else -1.
+    // Calls visit(face, t, sign) for all faces that a ray meets at t > 0, in the tree's order. The sign is 1 where the
+    // face looks along the ray, so that the ray leaves, else -1.
     template <class Visit>
-    void crossings(const glm::dvec3& origin, const glm::dvec3& direction, Visit&& visit) const;
+    void crossings(const glm::dvec3& origin, const glm::dvec3& direction, Visit&& visit) const {
+        double limit = std::numeric_limits<double>::infinity();
+        walk<false>(origin, direction, 0.0, limit, [&](std::int64_t at, double t) {
+            visit(face_[at], t, glm::dot(doubled_area(corners_[at]), direction) > 0.0 ? 1 : -1);
+        });
+    }
 
     [[nodiscard]] std::int64_t bytes() const noexcept { return box_.bytes() + face_.bytes() + corners_.bytes(); }
 
@@ -55,11 +60,24 @@ private:
         [[nodiscard]] Range high() const noexcept { return {2 * node + 2, middle(), end}; }
     };
 
-    // Where a ray meets a face's plane within the face: t, or NaN.
+    // Returns t where a ray meets a face's plane within the face, else NaN.
     [[nodiscard]] static double meet(const Corners& p, const glm::dvec3& origin, const glm::dvec3& direction) noexcept;
-    // Whether it meets the box at some t in the range.
+    // Tells whether a ray meets the box at some t in the range.
     [[nodiscard]] static bool meets(const geometry::Bounds& box, const glm::dvec3& origin, const glm::dvec3& inverse,
-                                    double t_min, double t_max) noexcept;
+                                    double t_min, double t_max) noexcept {
+        const glm::dvec3 a = (box.min - origin) * inverse;
+        const glm::dvec3 b = (box.max - origin) * inverse;
+        const glm::dvec3 low = glm::min(a, b);
+        const glm::dvec3 high = glm::max(a, b);
+        const double from = std::max({low.x, low.y, low.z, t_min});
+        const double to = std::min({high.x, high.y, high.z, t_max});
+        return from <= to * (1.0 + 1e-12) || from <= to; // flat boxes are met in one place
+    }
+    // Calls visit(at, t) for the faces that a ray meets at t_min < t < limit. The visit may lower the limit. If
+    // near_first, boxes that the ray enters earlier come earlier, about.
+    template <bool near_first, class Visit>
+    void walk(const glm::dvec3& origin, const glm::dvec3& direction, double t_min, const double& limit,
+              Visit&& visit) const;
     void split(const base::Array<glm::dvec3>& middle, const Range& range);
     void bound(const Range& range, const base::Progress& progress);
     [[nodiscard]] double squared_distance_to_box(const glm::dvec3& p, std::int64_t node) const noexcept {
@@ -73,37 +91,34 @@ private:
     base::Array<Corners> corners_;
 };
 
-// Shares of the corners in a place of a face's plane, which sum up to 1.
-[[nodiscard]] glm::dvec3 shares_of(const std::array<glm::dvec3, 3>& p, const glm::dvec3& place) noexcept;
+// Directions that edges of meshes do not have.
+inline constexpr std::array<glm::dvec3, 3> ray_directions{
+    glm::dvec3{0.5773, 0.2161, 0.7874}, glm::dvec3{-0.6431, 0.7321, 0.2247}, glm::dvec3{0.1713, -0.5119, -0.8418}};
 
-inline bool FaceTree::meets(const geometry::Bounds& box, const glm::dvec3& origin, const glm::dvec3& inverse,
-                            double t_min, double t_max) noexcept {
-    const glm::dvec3 a = (box.min - origin) * inverse;
-    const glm::dvec3 b = (box.max - origin) * inverse;
-    const glm::dvec3 low = glm::min(a, b);
-    const glm::dvec3 high = glm::max(a, b);
-    const double from = std::max({low.x, low.y, low.z, t_min});
-    const double to = std::min({high.x, high.y, high.z, t_max});
-    return from <= to * (1.0 + 1e-12) || from <= to; // flat boxes are met in one place
-}
-
-template <class Visit>
-void FaceTree::crossings(const glm::dvec3& origin, const glm::dvec3& direction, Visit&& visit) const {
+template <bool near_first, class Visit>
+void FaceTree::walk(const glm::dvec3& origin, const glm::dvec3& direction, double t_min, const double& limit,
+                    Visit&& visit) const {
     const glm::dvec3 inverse = 1.0 / direction;
     std::array<Range, stack_size> stack;
     std::size_t depth = 0;
     stack[depth++] = {0, 0, face_.size()};
     while (depth > 0) {
         const Range range = stack[--depth];
-        if (!meets(box_[range.node], origin, inverse, 0.0, std::numeric_limits<double>::infinity())) continue;
+        if (!meets(box_[range.node], origin, inverse, t_min, limit)) continue;
         if (!range.leaf()) {
-            stack[depth++] = range.high();
-            stack[depth++] = range.low();
+            HRBFNPR_ASSERT(depth + 2 <= stack_size);
+            bool low_first = true;
+            if constexpr (near_first) {
+                const glm::dvec3 way = box_[range.low().node].centre() - box_[range.high().node].centre();
+                low_first = glm::dot(way, direction) <= 0.0;
+            }
+            stack[depth++] = low_first ? range.high() : range.low();
+            stack[depth++] = low_first ? range.low() : range.high();
             continue;
         }
         for (std::int64_t at = range.begin; at < range.end; ++at) {
             const double t = meet(corners_[at], origin, direction);
-            if (t > 0.0) visit(face_[at], t, glm::dot(doubled_area(corners_[at]), direction) > 0.0 ? 1 : -1);
+            if (t > t_min && t < limit) visit(at, t);
         }
     }
 }

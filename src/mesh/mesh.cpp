@@ -1,12 +1,24 @@
 // SPDX-License-Identifier: MIT
+// The steps of make_mesh(), in order:
+//
+//   weld                  vertices in different places, faces that have an area, solids that touch nowhere
+//   agree                 faces are turned to agree with those beside them
+//   measure_components    what hangs together by vertices, and the volume that it encloses
+//   find_nested           components that lie inside others
+//   turn_components       closed components look outward
+//   keep_components       the mesh is made of the components that are wanted
+//   measure               its borders, area, volume and genus
+//   set_corner_normals    the normals of its corners
 #include "mesh/mesh.h"
 
 #include "base/clock.h"
 #include "base/status.h"
-#include "mesh/corner_normals.h"
-#include "mesh/face_tree.h"
-#include "mesh/nested.h"
+#include "mesh/corners.h"
+#include "mesh/orient.h"
+#include "mesh/tuning.h"
 #include "mesh/weld.h"
+
+#include <glm/trigonometric.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -14,10 +26,7 @@
 namespace hrbfnpr::mesh {
 namespace {
 
-constexpr double smallest_mesh = 1e-60; // across
-constexpr std::int64_t at_once = 16384; // faces or vertices without a look for a cancel
-
-// Closed components that are inside out are turned; with all parts kept, not those inside others: they are cavities.
+// Turns closed components that are inside out. If all parts are kept, those inside others are cavities.
 void turn_components(const MeshInput& input, const base::Array<std::int32_t>& component,
                      base::Array<Component>& measured, Welded& welded, MeshReport& report) {
     for (Component& each : measured) {
@@ -29,38 +38,33 @@ void turn_components(const MeshInput& input, const base::Array<std::int32_t>& co
         if (measured[component[face]].turned) turn(welded.triangle[face]);
 }
 
-[[nodiscard]] base::Array<std::uint8_t> kept_components(base::Memory& memory, Parts parts,
-                                                        const base::Array<Component>& measured) {
-    base::Array<std::uint8_t> kept(memory, measured.size());
-    std::int64_t largest = 0;
-    for (std::int64_t i = 1; i < measured.size(); ++i)
-        if (measured[i].area > measured[largest].area) largest = i;
-    for (std::int64_t i = 0; i < measured.size(); ++i)
-        kept[i] = parts == Parts::largest ? i == largest : parts == Parts::all || !measured[i].nested;
-    return kept;
-}
-
-void keep(const Welded& welded, const base::Array<std::int32_t>& component, const base::Array<std::uint8_t>& kept,
-          Mesh& mesh, const base::Progress& progress) {
+void keep_components(const Welded& welded, const base::Array<std::int32_t>& component, Parts parts,
+                     const base::Array<Component>& measured, Mesh& mesh, const base::Progress& progress) {
     base::Memory& memory = welded.vertex.memory();
-    base::Array<std::int32_t> name(memory, kept.size()); // of what is kept, and 1
+    const Component* const largest = std::max_element(
+        measured.begin(), measured.end(), [](const Component& a, const Component& b) { return a.area < b.area; });
+    base::Array<std::int32_t> name(memory, measured.size()); // of a component that is kept, + 1
     std::int32_t names = 0;
-    for (std::int64_t i = 0; i < kept.size(); ++i)
-        if (kept[i] != 0) name[i] = ++names;
-    base::Array<std::int32_t> number(memory, welded.vertex.size()); // and 1
+    for (const Component& each : measured) {
+        const bool kept = parts == Parts::largest ? &each == largest : parts == Parts::all || !each.nested;
+        if (kept) name[&each - measured.begin()] = ++names;
+        mesh.report.nested_components += each.nested ? 1 : 0;
+        mesh.report.left_out_components += kept ? 0 : 1;
+    }
+    base::Array<std::int32_t> number(memory, welded.vertex.size()); // of a vertex that is kept, + 1
     for (std::int64_t face = 0; face < welded.triangle.size(); ++face)
-        if (kept[component[face]] != 0)
+        if (name[component[face]] != 0)
             for (const std::int32_t corner : welded.triangle[face]) number[corner] = 1;
     for (std::int64_t v = 0; v < welded.vertex.size(); ++v) {
-        if (v % at_once == 0) progress.check();
+        if (v % mesh_tuning.at_once == 0) progress.check();
         if (number[v] == 0) continue;
         mesh.vertex.push_back(welded.vertex[v]);
         mesh.bounds.extend(welded.vertex[v]);
         number[v] = static_cast<std::int32_t>(mesh.vertex.size());
     }
     for (std::int64_t face = 0; face < welded.triangle.size(); ++face) {
-        if (face % at_once == 0) progress.check();
-        if (kept[component[face]] == 0) {
+        if (face % mesh_tuning.at_once == 0) progress.check();
+        if (name[component[face]] == 0) {
             ++mesh.report.left_out_faces;
             continue;
         }
@@ -71,30 +75,25 @@ void keep(const Welded& welded, const base::Array<std::int32_t>& component, cons
     }
 }
 
-// Counts edges of what is kept.
 void measure_edges(const base::Runtime& runtime, Mesh& mesh, const base::Progress& progress) {
     MeshReport& report = mesh.report;
     mesh.border.resize(mesh.faces());
-    const base::Array<Side> sides = sides_by_edge(runtime, mesh.triangle, progress);
+    const auto mark = [&](std::int64_t face, std::int64_t bit) {
+        mesh.border[face] = static_cast<std::uint8_t>(mesh.border[face] | 1U << static_cast<unsigned>(bit));
+    };
     Sets rims(runtime.memory, mesh.vertex.size());
     std::int64_t edges = 0;
     std::int64_t joined = 0; // vertices of borders that are in a rim with another
     base::Array<std::uint8_t> at_border(runtime.memory, mesh.vertex.size());
-    for_edges(sides, progress, [&](const Side* first, const Side* last) {
+    for_edges(sides_by_edge(runtime, mesh.triangle, progress), progress, [&](const Side* first, const Side* last) {
         report.nonmanifold_edges += last - first > 2 ? 1 : 0;
         ++edges;
         report.contrary_edges += last - first == 2 && first[0].forward == first[1].forward ? 1 : 0;
         if (last - first != 1) return;
         ++report.boundary_edges;
-        for (std::size_t k = 0; k < 3; ++k) {
-            const Triangle& t = mesh.triangle[first->face];
-            const auto a = static_cast<std::uint64_t>(t[k]);
-            const auto b = static_cast<std::uint64_t>(t[(k + 1) % 3]);
-            if ((std::min(a, b) << 32U | std::max(a, b)) == first->edge)
-                mesh.border[first->face] = static_cast<std::uint8_t>(mesh.border[first->face] | 1U << k);
-        }
-        const auto a = static_cast<std::int32_t>(first->edge >> 32U);
-        const auto b = static_cast<std::int32_t>(first->edge & 0xffffffffU);
+        mark(first->face, number_of(mesh.triangle, *first) % 3);
+        const std::int32_t a = low_end(*first);
+        const std::int32_t b = high_end(*first);
         at_border[a] = at_border[b] = 1;
         if (rims.of(a) == rims.of(b)) return;
         rims.join(a, b);
@@ -102,10 +101,8 @@ void measure_edges(const base::Runtime& runtime, Mesh& mesh, const base::Progres
     });
     for (std::int64_t face = 0; face < mesh.faces(); ++face)
         for (std::size_t k = 0; k < 3; ++k)
-            if (at_border[mesh.triangle[face][k]] != 0)
-                mesh.border[face] = static_cast<std::uint8_t>(mesh.border[face] | 1U << (k + 3));
-    report.boundary_loops = -joined;
-    for (const std::uint8_t is : at_border) report.boundary_loops += is;
+            if (at_border[mesh.triangle[face][k]] != 0) mark(face, static_cast<std::int64_t>(k) + 3);
+    report.boundary_loops = std::count(at_border.begin(), at_border.end(), std::uint8_t{1}) - joined;
     report.closed = report.boundary_edges == 0 && report.nonmanifold_edges == 0 && report.contrary_edges == 0;
     report.euler_characteristic = mesh.vertex.size() - edges + mesh.faces();
 }
@@ -116,7 +113,7 @@ void measure(const base::Runtime& runtime, Mesh& mesh, const base::Progress& pro
     double volume = 0.0;
     const glm::dvec3 middle = mesh.bounds.centre();
     for (std::int64_t face = 0; face < mesh.faces(); ++face) {
-        if (face % at_once == 0) progress.check();
+        if (face % mesh_tuning.at_once == 0) progress.check();
         const auto p = mesh.corners(face);
         report.area += 0.5 * glm::length(doubled_area(p));
         volume += glm::dot(p[0] - middle, doubled_area(p)) / 6.0;
@@ -128,24 +125,71 @@ void measure(const base::Runtime& runtime, Mesh& mesh, const base::Progress& pro
 }
 
 void check_extent(const Welded& welded) {
+    constexpr double smallest_mesh = 1e-60; // across
     geometry::Bounds bounds;
     for (const glm::dvec3& p : welded.vertex) bounds.extend(p);
     if (!(bounds.diagonal() >= smallest_mesh))
         fail(Status::invalid_argument, "the mesh is %g across; it must be at least 1e-60: scale it", bounds.diagonal());
 }
 
+// Sets the unit normals of all corners: the mean over the faces at the vertex that are within the crease angle, by the
+// angles that they have there.
+void set_corner_normals(const base::Runtime& runtime, double crease_angle, Mesh& mesh, const base::Progress& progress) {
+    const base::Groups corners = corners_at_vertices(mesh, progress);
+    base::Array<glm::dvec3> normal(runtime.memory);   // of faces
+    base::Array<glm::dvec3> weighted(runtime.memory); // the same, times the angle, for each corner
+    normal.resize_for_overwrite(mesh.faces());
+    weighted.resize_for_overwrite(3 * mesh.faces());
+    mesh.corner_normal.resize_for_overwrite(3 * mesh.faces());
+    const auto for_faces = [&](auto&& work) {
+        runtime.parallel.for_chunks(mesh.faces(), mesh_tuning.at_once, progress,
+                                    [&](std::int64_t begin, std::int64_t end) {
+                                        for (std::int64_t face = begin; face < end; ++face) work(face);
+                                    });
+    };
+    for_faces([&](std::int64_t face) {
+        const auto p = mesh.corners(face);
+        normal[face] = glm::normalize(doubled_area(p));
+        for (std::size_t k = 0; k < 3; ++k)
+            weighted[3 * face + static_cast<std::int64_t>(k)] = angle_at(p, k) * normal[face];
+    });
+    const double least = std::cos(glm::radians(crease_angle)) - 1e-12;
+    for_faces([&](std::int64_t face) {
+        for (std::size_t k = 0; k < 3; ++k) {
+            const std::span<const std::int32_t> about = corners[mesh.triangle[face][k]];
+            const std::int64_t corner = 3 * face + static_cast<std::int64_t>(k);
+            const auto most = static_cast<std::size_t>(mesh_tuning.most_corners);
+            const std::size_t step = (about.size() + most - 1) / most; // of large fans evenly chosen corners count
+            glm::dvec3 sum = step > 1 ? weighted[corner] : glm::dvec3(0.0);
+            for (std::size_t at = 0; at < about.size(); at += step)
+                if (glm::dot(normal[face], normal[about[at] / 3]) >= least) sum += weighted[about[at]];
+            const double length = glm::length(sum);
+            mesh.corner_normal[corner] = length > 1e-12 ? sum / length : normal[face];
+        }
+    });
+}
+
 } // namespace
 
 bool on_border(const Mesh& mesh, std::int64_t face, const glm::dvec3& place) noexcept {
-    constexpr double at_the_side = 1e-9; // share of the corner across
+    HRBFNPR_ASSERT(face >= 0 && face < mesh.faces());
     if (mesh.border[face] == 0) return false;
     const glm::dvec3 shares = shares_of(mesh.corners(face), place);
     const auto border = unsigned{mesh.border[face]};
     for (glm::length_t k = 0; k < 3; ++k) {
-        if ((border >> k & 1U) != 0 && shares[(k + 2) % 3] <= at_the_side) return true;
-        if ((border >> (k + 3) & 1U) != 0 && shares[k] >= 1.0 - at_the_side) return true;
+        if ((border >> k & 1U) != 0 && shares[(k + 2) % 3] <= mesh_tuning.on_side) return true;
+        if ((border >> (k + 3) & 1U) != 0 && shares[k] >= 1.0 - mesh_tuning.on_side) return true;
     }
     return false;
+}
+
+glm::dvec3 shares_of(const std::array<glm::dvec3, 3>& p, const glm::dvec3& place) noexcept {
+    const glm::dvec3 normal = doubled_area(p);
+    const double whole = glm::dot(normal, normal);
+    if (!(whole > 0.0)) return glm::dvec3(1.0 / 3.0);
+    const double b = glm::dot(glm::cross(place - p[0], p[2] - p[0]), normal) / whole;
+    const double c = glm::dot(glm::cross(p[1] - p[0], place - p[0]), normal) / whole;
+    return {1.0 - b - c, b, c};
 }
 
 Mesh make_mesh(const base::Runtime& runtime, const MeshInput& input, const base::Progress& progress) {
@@ -163,10 +207,7 @@ Mesh make_mesh(const base::Runtime& runtime, const MeshInput& input, const base:
     progress.update(0.6);
     find_nested(runtime, welded.vertex, welded.triangle, component, measured, progress);
     turn_components(input, component, measured, welded, report);
-    for (const Component& each : measured) report.nested_components += each.nested ? 1 : 0;
-    const base::Array<std::uint8_t> kept = kept_components(runtime.memory, input.parts, measured);
-    for (const std::uint8_t is : kept) report.left_out_components += 1 - is;
-    keep(welded, component, kept, mesh, progress);
+    keep_components(welded, component, input.parts, measured, mesh, progress);
     measure(runtime, mesh, progress);
     progress.update(0.8);
     set_corner_normals(runtime, input.crease_angle, mesh, progress);

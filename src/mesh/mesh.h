@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// A triangle mesh as it comes from a file, made usable: welded, without faces that are none, oriented, and without the
-// parts that lie inside others.
+// A triangle mesh as it comes from a file, made usable: welded, without faces that have no area, oriented, and without
+// the parts that lie inside others.
 #pragma once
 
+#include "base/assert.h"
 #include "base/operation.h"
 #include "base/runtime.h"
 #include "base/view.h"
@@ -14,11 +15,11 @@
 
 namespace hrbfnpr::mesh {
 
-// Same numbers as HRBFNPR_PARTS_... and HRBFNPR_FACES_...
+// Their numbers are those of HRBFNPR_PARTS_... and HRBFNPR_FACES_...
 enum class Parts : std::uint32_t { outer = 0, all = 1, largest = 2 };
 enum class Faces : std::uint32_t { turn = 0, keep = 1 };
 
-// Coordinates have squares, and areas have squares, that stay far from the ends of a double's range.
+// Squares of coordinates and of areas stay far from the ends of a double's range.
 inline constexpr double largest_coordinate = 1e60;
 inline constexpr std::int64_t most_vertices = (std::int64_t{1} << 31U) - 1;
 inline constexpr std::int64_t most_faces = std::int64_t{1} << 29U;
@@ -57,7 +58,7 @@ struct MeshReport {
 
 using Triangle = std::array<std::int32_t, 3>;
 
-// What is kept.
+// The faces and vertices that are kept.
 struct Mesh {
     explicit Mesh(base::Memory& memory) noexcept
         : vertex(memory), triangle(memory), component(memory), given_face(memory), border(memory),
@@ -68,13 +69,14 @@ struct Mesh {
     base::Array<std::int32_t> component;   // of each face, from 0
     base::Array<std::int32_t> given_face;  // the number that each face was given by
     base::Array<std::uint8_t> border;      // of each face: bit k is set if no other face is beyond corners k and k + 1,
-                                           // bit k + 3 if corner k is an end of such a side, of any face
+                                           // bit k + 3 if corner k is an end of such a side of any face
     base::Array<glm::dvec3> corner_normal; // unit, three of each face
     geometry::Bounds bounds;
     MeshReport report;
 
     [[nodiscard]] std::int64_t faces() const noexcept { return triangle.size(); }
     [[nodiscard]] std::array<glm::dvec3, 3> corners(std::int64_t face) const noexcept {
+        HRBFNPR_ASSERT(face >= 0 && face < faces());
         const Triangle& t = triangle[face];
         return {vertex[t[0]], vertex[t[1]], vertex[t[2]]};
     }
@@ -84,13 +86,16 @@ struct Mesh {
     }
 };
 
-// Whether a place of a face lies on the mesh's border.
+// Tells whether a place of a face lies on the mesh's border.
 [[nodiscard]] bool on_border(const Mesh& mesh, std::int64_t face, const glm::dvec3& place) noexcept;
 
-// Twice the area, along the normal.
+// Returns twice the area, along the normal.
 [[nodiscard]] inline glm::dvec3 doubled_area(const std::array<glm::dvec3, 3>& p) noexcept {
     return glm::cross(p[1] - p[0], p[2] - p[0]);
 }
+
+// Returns the shares of the corners in a place of a face's plane. They sum up to 1.
+[[nodiscard]] glm::dvec3 shares_of(const std::array<glm::dvec3, 3>& p, const glm::dvec3& place) noexcept;
 
 // Throws Error{invalid_argument} that names the face and the index, or the vertex; out_of_memory, cancelled.
 [[nodiscard]] Mesh make_mesh(const base::Runtime& runtime, const MeshInput& input, const base::Progress& progress);

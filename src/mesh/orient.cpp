@@ -1,18 +1,21 @@
 // SPDX-License-Identifier: MIT
+// Agreement goes from face to face across the edges of two faces. Volumes are sums over faces, and over fans that close
+// holes. A component is nested if rays from its faces cross a closed component an odd number of times.
 #include "mesh/orient.h"
+
+#include "base/random.h"
+#include "mesh/corners.h"
+#include "mesh/face_tree.h"
+#include "mesh/tuning.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace hrbfnpr::mesh {
 namespace {
 
-// An open component has an inside if its holes have less than this share of its area.
-constexpr double small_holes = 0.25;
-
-constexpr std::int64_t turned_a_look = 16384;
-
-// Across each side of each face: the other face, and whether the two agree; none where not exactly two faces meet.
+// The other face at each side of each face. `face` is -1 where not exactly two faces meet.
 struct Across {
     std::int32_t face = -1;
     std::int32_t agrees = 0;
@@ -20,37 +23,27 @@ struct Across {
 
 [[nodiscard]] base::Array<Across> across_of(const base::Runtime& runtime, const base::Array<Triangle>& triangle,
                                             const base::Progress& progress) {
-    const base::Array<Side> sides = sides_by_edge(runtime, triangle, progress);
     base::Array<Across> across(runtime.memory);
     across.resize_for_overwrite(3 * triangle.size());
     std::fill(across.begin(), across.end(), Across{});
-    const auto place = [&](const Side& side) -> Across& {
-        for (std::int64_t k = 3 * static_cast<std::int64_t>(side.face);; ++k) {
-            const Triangle& t = triangle[side.face];
-            const auto corner = static_cast<std::size_t>(k % 3);
-            const auto a = static_cast<std::uint64_t>(t[corner]);
-            const auto b = static_cast<std::uint64_t>(t[(corner + 1) % 3]);
-            if ((std::min(a, b) << 32U | std::max(a, b)) == side.edge) return across[k];
-        }
-    };
-    for_edges(sides, progress, [&](const Side* first, const Side* last) {
+    for_edges(sides_by_edge(runtime, triangle, progress), progress, [&](const Side* first, const Side* last) {
         if (last - first != 2) return;
         const std::int32_t agrees = first[0].forward != first[1].forward ? 1 : 0;
-        place(first[0]) = {first[1].face, agrees};
-        place(first[1]) = {first[0].face, agrees};
+        across[number_of(triangle, first[0])] = {first[1].face, agrees};
+        across[number_of(triangle, first[1])] = {first[0].face, agrees};
     });
     return across;
 }
 
-// How much more often the faces at an edge run through it forward than backward.
+[[nodiscard]] glm::dvec3 doubled_area_of(const base::Array<glm::dvec3>& vertex, const Triangle& t) noexcept {
+    return doubled_area({vertex[t[0]], vertex[t[1]], vertex[t[2]]});
+}
+
+// Returns how much more often the faces at an edge run through it forward than backward.
 [[nodiscard]] std::int64_t surplus(const Side* first, const Side* last) noexcept {
     std::int64_t sum = 0;
     for (const Side* side = first; side != last; ++side) sum += side->forward != 0 ? 1 : -1;
     return sum;
-}
-
-[[nodiscard]] std::array<std::int32_t, 2> ends_of(const Side& side) noexcept {
-    return {static_cast<std::int32_t>(side.edge >> 32U), static_cast<std::int32_t>(side.edge & 0xffffffffU)};
 }
 
 // Adds to each component's volume what fans about the middles of its holes enclose.
@@ -62,35 +55,102 @@ void close_holes(const base::Runtime& runtime, const base::Array<glm::dvec3>& ve
     Sets rims(runtime.memory, vertex.size());
     bool open = false;
     for_edges(sides, progress, [&](const Side* first, const Side* last) {
-        Component& of = result[component[first->face]];
-        of.manifold = of.manifold && last - first == 2;
         if (surplus(first, last) == 0) return;
         open = true;
-        of.closed = false;
-        rims.join(ends_of(*first)[0], ends_of(*first)[1]);
+        result[component[first->face]].closed = false;
+        rims.join(low_end(*first), high_end(*first));
     });
     if (!open) return;
-    base::Array<glm::dvec4> rim(runtime.memory, vertex.size()); // sum of the ends, and their number
+    base::Array<glm::dvec4> rim(runtime.memory, vertex.size()); // the sum of the ends, and their number
     for_edges(sides, progress, [&](const Side* first, const Side* last) {
         if (surplus(first, last) == 0) return;
-        for (const std::int32_t end : ends_of(*first)) rim[rims.of(end)] += glm::dvec4(vertex[end], 1.0);
+        for (const std::int32_t end : {low_end(*first), high_end(*first)})
+            rim[rims.of(end)] += glm::dvec4(vertex[end], 1.0);
     });
     for_edges(sides, progress, [&](const Side* first, const Side* last) {
         const auto more = static_cast<double>(surplus(first, last));
         if (more == 0.0) return;
-        const auto [a, b] = ends_of(*first);
+        const std::int32_t a = low_end(*first);
         const glm::dvec4& sum = rim[rims.of(a)];
         const glm::dvec3 apex = glm::dvec3(sum) / sum.w;
-        const glm::dvec3 area = more * doubled_area({apex, vertex[b], vertex[a]});
+        const glm::dvec3 area = more * doubled_area({apex, vertex[high_end(*first)], vertex[a]});
         Component& of = result[component[first->face]];
         of.holes += 0.5 * glm::length(area);
         of.volume += glm::dot(apex - middle[component[first->face]], area) / 6.0;
     });
 }
 
-} // namespace
+// ---- Nested components
 
-void turn(Triangle& triangle) noexcept { std::swap(triangle[1], triangle[2]); }
+constexpr std::int64_t places_of_face = 4; // the middle, and next to each corner
+
+// Places next to the corners of a large face reach farther out than its middle.
+[[nodiscard]] glm::dvec3 place_of_face(const std::array<glm::dvec3, 3>& corners, std::int64_t number) noexcept {
+    HRBFNPR_ASSERT(number >= 0 && number < places_of_face);
+    const glm::dvec3 middle = (corners[0] + corners[1] + corners[2]) / 3.0;
+    return number == 0 ? middle : glm::mix(corners[static_cast<std::size_t>(number - 1)], middle, 0.01);
+}
+
+// Calls visit(value, count) for all values of a sorted array.
+template <class Visit>
+void for_values(const base::Array<std::int32_t>& sorted, Visit&& visit) {
+    HRBFNPR_ASSERT(std::is_sorted(sorted.begin(), sorted.end()));
+    for (const std::int32_t *at = sorted.begin(), *next = at; at != sorted.end(); at = next) {
+        next = std::upper_bound(at, sorted.end(), *at);
+        visit(*at, next - at);
+    }
+}
+
+// Returns the components that most rays from a place meet an odd number of times, rising.
+[[nodiscard]] base::Array<std::int32_t>
+components_around(const FaceTree& tree, const base::Array<std::int32_t>& component, const glm::dvec3& from) {
+    base::Array<std::int32_t> met(component.memory());
+    base::Array<std::int32_t> odd(component.memory());
+    base::Array<std::int32_t> around(component.memory());
+    for (const glm::dvec3& direction : ray_directions) {
+        met.clear();
+        tree.crossings(from, direction, [&](std::int64_t face, double, int) { met.push_back(component[face]); });
+        std::sort(met.begin(), met.end());
+        for_values(met, [&](std::int32_t one, std::ptrdiff_t count) {
+            if (count % 2 == 1) odd.push_back(one);
+        });
+    }
+    std::sort(odd.begin(), odd.end());
+    for_values(odd, [&](std::int32_t one, std::ptrdiff_t count) {
+        if (count >= 2) around.push_back(one);
+    });
+    return around;
+}
+
+// Returns faces with a corner that lies farthest along an axis, either way, and others. Those are at random places of
+// even stretches, as every n-th face of a mesh of rows and columns may lie in one column.
+[[nodiscard]] base::Array<std::int32_t> faces_to_test(const base::Array<glm::dvec3>& vertex,
+                                                      const base::Array<Triangle>& triangle,
+                                                      std::span<const std::int32_t> faces) {
+    HRBFNPR_ASSERT(!faces.empty());
+    std::array<double, 6> reach;
+    reach.fill(-std::numeric_limits<double>::infinity());
+    base::Array<std::int32_t> result(triangle.memory(), 6);
+    for (const std::int32_t face : faces)
+        for (const std::int32_t corner : triangle[face])
+            for (std::size_t way = 0; way < reach.size(); ++way) {
+                const double along = vertex[corner][static_cast<glm::length_t>(way / 2)];
+                const double far = way % 2 == 0 ? along : -along;
+                if (far <= reach[way]) continue;
+                reach[way] = far;
+                result[static_cast<std::int64_t>(way)] = face;
+            }
+    const auto count = static_cast<std::int64_t>(faces.size());
+    const std::int64_t tests = std::min(mesh_tuning.tested_faces, count);
+    for (std::int64_t k = 0; k < tests; ++k) {
+        const double share = base::uniform4(0, static_cast<std::uint64_t>(k), base::Purpose::probe)[0];
+        const double at = (static_cast<double>(k) + share) * static_cast<double>(count) / static_cast<double>(tests);
+        result.push_back(faces[static_cast<std::size_t>(std::min(static_cast<std::int64_t>(at), count - 1))]);
+    }
+    return result;
+}
+
+} // namespace
 
 std::int64_t agree(const base::Runtime& runtime, const base::Array<glm::dvec3>& vertex, base::Array<Triangle>& triangle,
                    const base::Progress& progress) {
@@ -106,10 +166,9 @@ std::int64_t agree(const base::Runtime& runtime, const base::Array<glm::dvec3>& 
         way[first] = 1;
         double balance = 0.0; // of area
         for (std::int64_t at = 0; at < patch.size(); ++at) {
-            if (at % 4096 == 0) progress.check();
+            if (at % mesh_tuning.at_once == 0) progress.check();
             const std::int32_t face = patch[at];
-            const Triangle& t = triangle[face];
-            balance += way[face] * glm::length(doubled_area({vertex[t[0]], vertex[t[1]], vertex[t[2]]}));
+            balance += way[face] * glm::length(doubled_area_of(vertex, triangle[face]));
             for (std::int64_t k = 3 * std::int64_t{face}; k < 3 * std::int64_t{face} + 3; ++k) {
                 if (across[k].face < 0 || way[across[k].face] != 0) continue;
                 way[across[k].face] = static_cast<std::int8_t>(across[k].agrees != 0 ? way[face] : -way[face]);
@@ -129,32 +188,61 @@ base::Array<Component> measure_components(const base::Runtime& runtime, const ba
                                           const base::Array<Triangle>& triangle,
                                           const base::Array<std::int32_t>& component, std::int64_t count,
                                           const base::Progress& progress) {
-    base::Memory& memory = runtime.memory;
-    base::Array<Component> result(memory);
+    HRBFNPR_ASSERT(component.size() == triangle.size());
+    base::Array<Component> result(runtime.memory);
     result.resize_for_overwrite(count);
     std::fill(result.begin(), result.end(), Component{});
-    base::Array<glm::dvec3> middle(memory, count);
+    base::Array<glm::dvec3> middle(runtime.memory, count);
     for (std::int64_t face = 0; face < triangle.size(); ++face) {
-        if (face % turned_a_look == 0) progress.check();
+        if (face % mesh_tuning.at_once == 0) progress.check();
         ++result[component[face]].faces;
         for (const std::int32_t corner : triangle[face]) middle[component[face]] += vertex[corner];
     }
     for (std::int64_t i = 0; i < count; ++i) middle[i] /= 3.0 * static_cast<double>(result[i].faces);
     for (std::int64_t face = 0; face < triangle.size(); ++face) {
-        if (face % turned_a_look == 0) progress.check();
-        const Triangle& t = triangle[face];
+        if (face % mesh_tuning.at_once == 0) progress.check();
         Component& of = result[component[face]];
-        const glm::dvec3 area = doubled_area({vertex[t[0]], vertex[t[1]], vertex[t[2]]});
+        const glm::dvec3 area = doubled_area_of(vertex, triangle[face]);
         of.area += 0.5 * glm::length(area);
-        of.volume += glm::dot(vertex[t[0]] - middle[component[face]], area) / 6.0;
+        of.volume += glm::dot(vertex[triangle[face][0]] - middle[component[face]], area) / 6.0;
     }
     close_holes(runtime, vertex, triangle, component, middle, result, progress);
     return result;
 }
 
 bool inside_out(const Component& component) noexcept {
-    const bool has_inside = component.closed || component.holes < small_holes * component.area;
+    const bool has_inside = component.closed || component.holes < mesh_tuning.small_holes * component.area;
     return has_inside && component.volume < 0.0;
+}
+
+void find_nested(const base::Runtime& runtime, const base::Array<glm::dvec3>& vertex,
+                 const base::Array<Triangle>& triangle, const base::Array<std::int32_t>& component,
+                 base::Array<Component>& measured, const base::Progress& progress) {
+    if (measured.size() < 2) return;
+    const FaceTree tree(runtime, vertex, triangle, progress);
+    const base::Groups faces(runtime.memory, measured.size(), [&](auto&& put) {
+        for (std::int64_t face = 0; face < component.size(); ++face)
+            put(component[face], static_cast<std::int32_t>(face));
+    });
+    runtime.parallel.for_each(measured.size(), [&](std::int64_t i) {
+        progress.check();
+        base::Array<std::int32_t> holders(runtime.memory); // closed components that all tested places lie inside
+        const base::Array<std::int32_t> tested = faces_to_test(vertex, triangle, faces[i]);
+        for (std::int64_t k = 0; k < places_of_face * tested.size(); ++k) {
+            const Triangle& t = triangle[tested[k / places_of_face]];
+            const glm::dvec3 place = place_of_face({vertex[t[0]], vertex[t[1]], vertex[t[2]]}, k % places_of_face);
+            base::Array<std::int32_t> here = components_around(tree, component, place);
+            std::int64_t kept = 0;
+            for (const std::int32_t other : here) {
+                const bool before = k == 0 || std::binary_search(holders.begin(), holders.end(), other);
+                if (other != i && measured[other].closed && before) here[kept++] = other;
+            }
+            here.resize(kept);
+            holders = std::move(here);
+            if (holders.empty()) return;
+        }
+        measured[i].nested = true;
+    });
 }
 
 } // namespace hrbfnpr::mesh

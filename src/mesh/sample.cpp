@@ -1,59 +1,97 @@
 // SPDX-License-Identifier: MIT
+// A random place falls on a face by the running sum of areas, and evenly within it. Even ones are chosen of these in
+// farthest-point order. At a border a row of places, all as far inside, takes the place of even ones.
 #include "mesh/sample.h"
 
 #include "base/random.h"
 #include "geometry/farthest_order.h"
+#include "geometry/point_tree.h"
+#include "mesh/edges.h"
+#include "mesh/tuning.h"
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace hrbfnpr::mesh {
 namespace {
 
-constexpr std::int64_t samples_a_task = 4096;
-
-[[nodiscard]] MeshSamples of_size(base::Memory& memory, std::int64_t count) {
-    MeshSamples samples(memory);
-    samples.position.resize(count);
-    samples.normal.resize(count);
-    samples.face.resize(count);
-    return samples;
+// Calls visit(face, k) for the sides of faces beyond which there is no other.
+template <class Visit>
+void for_border_sides(const Mesh& mesh, Visit&& visit) {
+    for (std::int64_t face = 0; face < mesh.faces(); ++face)
+        for (std::size_t k = 0; k < 3; ++k)
+            if ((mesh.border[face] >> k & 1) != 0) visit(face, k);
 }
 
-// Area up to the end of each face.
-[[nodiscard]] base::Array<double> running_area(const Mesh& mesh, const base::Progress& progress) {
-    base::Array<double> area(mesh.vertex.memory());
-    area.reserve(mesh.faces());
-    double sum = 0.0;
-    for (std::int64_t face = 0; face < mesh.faces(); ++face) {
-        if (face % samples_a_task == 0) progress.check();
-        sum += glm::length(doubled_area(mesh.corners(face)));
-        area.push_back(sum);
-    }
-    return area;
+[[nodiscard]] double side_length(const Mesh& mesh, std::int64_t face, std::size_t k) noexcept {
+    const Triangle& t = mesh.triangle[face];
+    return glm::distance(mesh.vertex[t[k]], mesh.vertex[t[(k + 1) % 3]]);
+}
+
+// Returns places along the borders, `step` apart. Their normals are the ways inside. Borders shorter than `shortest`
+// have none.
+[[nodiscard]] MeshSamples border_places(const Mesh& mesh, double step, double shortest) {
+    base::Memory& memory = mesh.vertex.memory();
+    Sets borders(memory, mesh.vertex.size());
+    for_border_sides(mesh, [&](std::int64_t face, std::size_t k) {
+        borders.join(mesh.triangle[face][k], mesh.triangle[face][(k + 1) % 3]);
+    });
+    base::Array<double> length_of(memory, mesh.vertex.size());
+    for_border_sides(mesh, [&](std::int64_t face, std::size_t k) {
+        length_of[borders.of(mesh.triangle[face][k])] += side_length(mesh, face, k);
+    });
+    MeshSamples places(memory);
+    double along = 0.5 * step; // to the next place
+    for_border_sides(mesh, [&](std::int64_t face, std::size_t k) {
+        if (length_of[borders.of(mesh.triangle[face][k])] < shortest) return;
+        const auto p = mesh.corners(face);
+        const glm::dvec3 side = p[(k + 1) % 3] - p[k];
+        const double length = glm::length(side);
+        const glm::dvec3 in = glm::cross(doubled_area(p), side);
+        for (; along < length; along += step) places.add(p[k] + along / length * side, glm::normalize(in), face);
+        along -= length;
+    });
+    return places;
+}
+
+// Returns the number of the point nearest to a place, or -1 if there are no points.
+[[nodiscard]] std::int64_t nearest_in(const geometry::PointTree& tree, const glm::dvec3& p) {
+    if (tree.size() == 0) return -1;
+    std::int64_t at = -1;
+    const auto any = [](std::int64_t) { return true; };
+    return tree.nearest(p, 1, any, any, &at) == 1 ? tree.index(at) : -1;
 }
 
 } // namespace
 
 glm::dvec3 normal_at(const Mesh& mesh, std::int64_t face, const glm::dvec3& shares) noexcept {
+    HRBFNPR_ASSERT(face >= 0 && face < mesh.faces());
     const glm::dvec3* const n = mesh.corner_normal.data() + 3 * face;
     const glm::dvec3 sum = shares.x * n[0] + shares.y * n[1] + shares.z * n[2];
     const double length = glm::length(sum);
     return length > 1e-12 ? sum / length : glm::normalize(doubled_area(mesh.corners(face)));
 }
 
+RandomPlaces::Place RandomPlaces::at(std::uint64_t seed, std::int64_t number, std::uint32_t stream) const noexcept {
+    const auto random = base::uniform4(seed, static_cast<std::uint64_t>(number), base::Purpose::mesh_sample, stream);
+    const double* const found = std::upper_bound(area_.begin(), area_.end(), random[0] * area_[area_.size() - 1]);
+    const double root = std::sqrt(random[1]);
+    return {std::min<std::int64_t>(found - area_.begin(), area_.size() - 1),
+            {1.0 - root, root * (1.0 - random[2]), root * random[2]}};
+}
+
 MeshSamples random_samples(const base::Runtime& runtime, const Mesh& mesh, std::int64_t count, std::uint64_t seed,
                            std::uint32_t stream, const base::Progress& progress) {
-    MeshSamples samples = of_size(runtime.memory, count);
-    const base::Array<double> area = running_area(mesh, progress);
-    runtime.parallel.for_chunks(count, samples_a_task, [&](std::int64_t begin, std::int64_t end) {
-        progress.check();
+    MeshSamples samples(runtime.memory);
+    samples.position.resize(count);
+    samples.normal.resize(count);
+    samples.face.resize(count);
+    const RandomPlaces places(
+        runtime.memory, mesh.faces(), [&](std::int64_t face) { return mesh.corners(face); }, progress);
+    runtime.parallel.for_chunks(count, mesh_tuning.at_once, progress, [&](std::int64_t begin, std::int64_t end) {
         for (std::int64_t i = begin; i < end; ++i) {
-            const auto random = base::uniform4(seed, static_cast<std::uint64_t>(i), base::Purpose::mesh_sample, stream);
-            const double* const found = std::upper_bound(area.begin(), area.end(), random[0] * area[area.size() - 1]);
-            const std::int64_t face = std::min<std::int64_t>(found - area.begin(), mesh.faces() - 1);
-            const double root = std::sqrt(random[1]);
-            const glm::dvec3 shares{1.0 - root, root * (1.0 - random[2]), root * random[2]};
+            const auto [face, shares] = places.at(seed, i, stream);
             const auto p = mesh.corners(face);
             samples.position.set(i, shares.x * p[0] + shares.y * p[1] + shares.z * p[2]);
             samples.normal.set(i, normal_at(mesh, face, shares));
@@ -68,14 +106,60 @@ MeshSamples even_samples(const base::Runtime& runtime, const Mesh& mesh, std::in
     MeshSamples all = random_samples(runtime, mesh, std::max(count, candidates), seed, 0, progress.part(0.0, 0.2));
     if (candidates <= count) return all;
     const geometry::FarthestOrder chosen = geometry::farthest_order(all.position, count, progress.part(0.2, 1.0));
-    MeshSamples samples = of_size(runtime.memory, count);
+    MeshSamples samples(runtime.memory);
     for (std::int64_t k = 0; k < count; ++k) {
         const std::int64_t i = chosen.order[k];
-        samples.position.set(k, all.position[i]);
-        samples.normal.set(k, all.normal[i]);
-        samples.face[k] = all.face[i];
+        samples.add(all.position[i], all.normal[i], all.face[i]);
     }
     return samples;
+}
+
+double border_length(const Mesh& mesh) noexcept {
+    double length = 0.0;
+    for_border_sides(mesh, [&](std::int64_t face, std::size_t k) { length += side_length(mesh, face, k); });
+    return length;
+}
+
+MeshSamples end_samples(const base::Runtime& runtime, const Mesh& mesh, const FaceTree& tree, std::int64_t count,
+                        double closest, std::uint64_t seed, const base::Progress& progress) {
+    HRBFNPR_ASSERT(count > 0 && closest > 0.0);
+    const MeshSamples even =
+        even_samples(runtime, mesh, count, mesh_tuning.candidates_each * count, seed, progress.part(0.0, 0.7));
+    const double inset = mesh_tuning.row_inset * closest;
+    const MeshSamples border = border_places(mesh, mesh_tuning.row_step * closest,
+                                             mesh_tuning.shortest_border * 2.0 * std::numbers::pi * closest);
+    const geometry::PointTree border_tree(border.position, base::Progress{});
+    MeshSamples row(runtime.memory);
+    const auto add_to_row = [&](const glm::dvec3& place, std::int64_t face) {
+        row.add(place, normal_at(mesh, face, shares_of(mesh.corners(face), place)), face);
+    };
+    for (std::int64_t i = 0; i < border.position.size(); ++i) {
+        const FaceTree::Nearest found = tree.nearest(border.position[i] + inset * border.normal[i]);
+        const glm::dvec3 beside = border.position[nearest_in(border_tree, found.place)];
+        if (glm::distance(beside, found.place) >= mesh_tuning.least_inset * inset) add_to_row(found.place, found.face);
+    }
+    const geometry::PointTree row_tree(row.position, base::Progress{});
+    const auto has_row = [&](std::int64_t i) {
+        const std::int64_t at = nearest_in(row_tree, border.position[i]);
+        return at >= 0 && glm::distance(row.position[at], border.position[i]) < mesh_tuning.covered * inset;
+    };
+    // Where there is no room for a row, as on a narrow strip, the border itself stands for it.
+    for (std::int64_t i = 0; i < border.position.size(); ++i)
+        if (!has_row(i)) add_to_row(border.position[i], border.face[i]);
+    base::Array<std::uint8_t> replaced(runtime.memory, even.position.size());
+    runtime.parallel.for_chunks(replaced.size(), 256, progress, [&](std::int64_t begin, std::int64_t end) {
+        for (std::int64_t i = begin; i < end; ++i) {
+            const std::int64_t at = nearest_in(border_tree, even.position[i]);
+            replaced[i] = at >= 0 && has_row(at) &&
+                          glm::distance(border.position[at], even.position[i]) < mesh_tuning.replaced * inset;
+        }
+    });
+    MeshSamples all(runtime.memory);
+    for (std::int64_t i = 0; i < replaced.size(); ++i)
+        if (replaced[i] == 0) all.add(even.position[i], even.normal[i], even.face[i]);
+    for (std::int64_t i = 0; i < row.position.size(); ++i) all.add(row.position[i], row.normal[i], row.face[i]);
+    progress.update(1.0);
+    return all;
 }
 
 } // namespace hrbfnpr::mesh

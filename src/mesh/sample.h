@@ -2,28 +2,72 @@
 // Places on a mesh, even over its area, with normals.
 #pragma once
 
-#include "mesh/mesh.h"
+#include "mesh/face_tree.h"
 
 namespace hrbfnpr::mesh {
 
 struct MeshSamples {
     explicit MeshSamples(base::Memory& memory) noexcept : position(memory), normal(memory), face(memory) {}
 
+    void add(const glm::dvec3& place, const glm::dvec3& unit_normal, std::int64_t of_face) {
+        position.push_back(place);
+        normal.push_back(unit_normal);
+        face.push_back(static_cast<std::int32_t>(of_face));
+    }
+
     geometry::VecArray position;
     geometry::VecArray normal; // unit
     base::Array<std::int32_t> face;
 };
 
-// The unit normal at a place of a face, between those of the corners.
+// Random places on faces, even over their area.
+class RandomPlaces {
+public:
+    struct Place {
+        std::int64_t face;
+        glm::dvec3 shares; // of its corners
+    };
+
+    // corners(face) are the places of a face's corners.
+    template <class Corners>
+    RandomPlaces(base::Memory& memory, std::int64_t faces, Corners&& corners, const base::Progress& progress)
+        : area_(memory) {
+        HRBFNPR_ASSERT(faces > 0);
+        area_.reserve(faces);
+        double sum = 0.0;
+        for (std::int64_t face = 0; face < faces; ++face) {
+            if (face % 4096 == 0) progress.check();
+            sum += glm::length(doubled_area(corners(face)));
+            area_.push_back(sum);
+        }
+    }
+    // Each stream gives other places for the same seed.
+    [[nodiscard]] Place at(std::uint64_t seed, std::int64_t number, std::uint32_t stream) const noexcept;
+
+private:
+    base::Array<double> area_; // up to the end of each face
+};
+
+// Returns the unit normal at a place of a face, between those of the corners.
 [[nodiscard]] glm::dvec3 normal_at(const Mesh& mesh, std::int64_t face, const glm::dvec3& shares) noexcept;
 
-// Random places; stream: further ones for the same seed.
+// Returns RandomPlaces of a mesh.
 [[nodiscard]] MeshSamples random_samples(const base::Runtime& runtime, const Mesh& mesh, std::int64_t count,
                                          std::uint64_t seed, std::uint32_t stream, const base::Progress& progress);
 
-// `count` of so many random candidates, in farthest-point order; as many candidates as that, or fewer: all of them, in
-// random order.
+// Returns `count` of the random candidates in farthest-point order, or all in random order if there are no more.
 [[nodiscard]] MeshSamples even_samples(const base::Runtime& runtime, const Mesh& mesh, std::int64_t count,
                                        std::int64_t candidates, std::uint64_t seed, const base::Progress& progress);
+
+// Returns samples that tell where an open mesh ends: a support of them ends where the mesh does (surface/support.h).
+// They are `count` even ones, of which a row along the border replaces the nearest. Random ones would end the surface
+// like torn paper. The row is as far inside that s, whose spacings are `closest` at least, is 1.5 on the border.
+// Borders that are no longer than that of a hole that stays closed have none.
+[[nodiscard]] MeshSamples end_samples(const base::Runtime& runtime, const Mesh& mesh, const FaceTree& tree,
+                                      std::int64_t count, double closest, std::uint64_t seed,
+                                      const base::Progress& progress);
+
+// Returns the length of all borders.
+[[nodiscard]] double border_length(const Mesh& mesh) noexcept;
 
 } // namespace hrbfnpr::mesh

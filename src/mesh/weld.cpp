@@ -1,54 +1,32 @@
 // SPDX-License-Identifier: MIT
+// The steps of weld(), in order:
+//
+//   read_triangles    checks the indices and the coordinates
+//   join_vertices     vertices at the same place become one
+//   join_borders      so do vertices of borders that only rounding keeps apart
+//   split_slivers     half of the face beside it takes the place of a face without area
+//   leave_out_faces   faces without area, and repeated ones
+//   leave_out_walls   pairs of faces that are a wall between two solids
+//   part_edges        solids that touch in an edge or in a corner get vertices of their own there
 #include "mesh/weld.h"
 
 #include "base/bits.h"
 #include "base/status.h"
-#include "mesh/join_borders.h"
-#include "mesh/part_edges.h"
-#include "mesh/split_slivers.h"
-#include "mesh/walls.h"
+#include "geometry/point_grid.h"
+#include "mesh/corners.h"
+#include "mesh/tuning.h"
 
 #include <algorithm>
 #include <bit>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <numeric>
 
 namespace hrbfnpr::mesh {
 namespace {
 
-constexpr double rounding = 1e-6; // diagonals: vertices of borders that are no farther from each other are one
-constexpr std::int64_t corners_a_task = 8192;
-
-[[nodiscard]] std::uint64_t mixed(std::uint64_t bits) noexcept { // the end of MurmurHash3
-    bits = (bits ^ bits >> 33U) * 0xff51afd7ed558ccdU;
-    bits = (bits ^ bits >> 33U) * 0xc4ceb9fe1a85ec53U;
-    return bits ^ bits >> 33U;
-}
-
-// Numbers of things that are different, in the order in which they come.
-class Numbers {
-public:
-    Numbers(base::Memory& memory, std::int64_t most)
-        : place_(memory, static_cast<std::int64_t>(std::bit_ceil(static_cast<std::uint64_t>(2 * most + 16)))) {}
-
-    // The number of what `same(number)` says is the same, or `next`, which it has from now on.
-    template <class Same>
-    [[nodiscard]] std::int64_t find_or_add(std::uint64_t hash, std::int64_t next, Same&& same) noexcept {
-        const auto mask = static_cast<std::uint64_t>(place_.size() - 1);
-        for (std::uint64_t at = hash & mask;; at = (at + 1) & mask) {
-            std::int32_t& number = place_[static_cast<std::int64_t>(at)];
-            if (number == 0) {
-                number = static_cast<std::int32_t>(next + 1);
-                return next;
-            }
-            if (same(number - 1)) return number - 1;
-        }
-    }
-
-private:
-    base::Array<std::int32_t> place_; // a number and 1, or 0
-};
+// ---- Reading
 
 [[nodiscard]] glm::dvec3 vertex_at(const base::InView& vertices, std::int64_t i) noexcept {
     // -0 is the same place as 0.
@@ -64,36 +42,61 @@ void check_vertex(const glm::dvec3& p, std::int64_t vertex, std::int64_t face) {
                  static_cast<long long>(vertex), static_cast<long long>(face), p[c]);
 }
 
-// Numbers of given vertices.
+// Returns triangles of given vertices.
 [[nodiscard]] base::Array<Triangle> read_triangles(const base::Runtime& runtime, const MeshInput& input,
                                                    const base::Progress& progress) {
     const std::int64_t vertices = input.vertices.count;
     base::Array<Triangle> triangle(runtime.memory);
     triangle.resize_for_overwrite(input.triangles.count);
-    runtime.parallel.for_chunks(triangle.size(), corners_a_task, [&](std::int64_t begin, std::int64_t end) {
-        progress.check();
-        for (std::int64_t face = begin; face < end; ++face)
-            for (std::uint32_t k = 0; k < 3; ++k) {
-                const std::int64_t index = input.triangles.get_integer(face, k);
-                if (index < 0 || index >= vertices)
-                    fail(Status::invalid_argument,
-                         "triangles[%lld] has the index %lld; there are %lld vertices, numbered from 0 to %lld",
-                         static_cast<long long>(face), static_cast<long long>(index), static_cast<long long>(vertices),
-                         static_cast<long long>(vertices - 1));
-                triangle[face][k] = static_cast<std::int32_t>(index);
-                check_vertex(vertex_at(input.vertices, index), index, face);
-            }
-    });
+    runtime.parallel.for_chunks(
+        triangle.size(), mesh_tuning.at_once, progress, [&](std::int64_t begin, std::int64_t end) {
+            for (std::int64_t face = begin; face < end; ++face)
+                for (std::uint32_t k = 0; k < 3; ++k) {
+                    const std::int64_t index = input.triangles.get_integer(face, k);
+                    if (index < 0 || index >= vertices)
+                        fail(Status::invalid_argument,
+                             "triangles[%lld] has the index %lld; there are %lld vertices, numbered from 0 to %lld",
+                             static_cast<long long>(face), static_cast<long long>(index),
+                             static_cast<long long>(vertices), static_cast<long long>(vertices - 1));
+                    triangle[face][k] = static_cast<std::int32_t>(index);
+                    check_vertex(vertex_at(input.vertices, index), index, face);
+                }
+        });
     return triangle;
 }
 
-[[nodiscard]] std::uint64_t hash_of(const glm::dvec3& p) noexcept {
-    std::uint64_t hash = mixed(base::bit_cast<std::uint64_t>(p.x));
-    hash = mixed(hash ^ base::bit_cast<std::uint64_t>(p.y));
-    return mixed(hash ^ base::bit_cast<std::uint64_t>(p.z));
+// ---- Vertices at the same place
+
+[[nodiscard]] std::uint64_t mixed(std::uint64_t bits) noexcept { // the end of MurmurHash3
+    bits = (bits ^ bits >> 33U) * 0xff51afd7ed558ccdU;
+    bits = (bits ^ bits >> 33U) * 0xc4ceb9fe1a85ec53U;
+    return bits ^ bits >> 33U;
 }
 
-// From given numbers of vertices to those of different places.
+// Numbers different things in the order in which they come.
+class Numbers {
+public:
+    Numbers(base::Memory& memory, std::int64_t most)
+        : place_(memory, static_cast<std::int64_t>(std::bit_ceil(static_cast<std::uint64_t>(2 * most + 16)))) {}
+
+    // Returns the number of the thing for which same(number) is true. A new thing gets the number `next`.
+    template <class Same>
+    [[nodiscard]] std::int64_t find_or_add(std::uint64_t hash, std::int64_t next, Same&& same) noexcept {
+        const auto mask = static_cast<std::uint64_t>(place_.size() - 1);
+        for (std::uint64_t at = hash & mask;; at = (at + 1) & mask) {
+            std::int32_t& number = place_[static_cast<std::int64_t>(at)];
+            if (number == 0) {
+                number = static_cast<std::int32_t>(next + 1);
+                return next;
+            }
+            if (same(number - 1)) return number - 1;
+        }
+    }
+
+private:
+    base::Array<std::int32_t> place_; // a number + 1, or 0
+};
+
 void join_vertices(const base::InView& given, Welded& welded, MeshReport& report, const base::Progress& progress) {
     base::Memory& memory = welded.vertex.memory();
     base::Array<std::int32_t> number(memory, given.count);
@@ -103,13 +106,16 @@ void join_vertices(const base::InView& given, Welded& welded, MeshReport& report
     Numbers numbers(memory, given.count);
     std::int64_t used = 0;
     for (std::int64_t i = 0; i < given.count; ++i) {
-        if (i % corners_a_task == 0) progress.check();
+        if (i % mesh_tuning.at_once == 0) progress.check();
         if (number[i] == 0) continue;
         ++used;
         const glm::dvec3 p = vertex_at(given, i);
+        std::uint64_t hash = mixed(base::bit_cast<std::uint64_t>(p.x));
+        hash = mixed(hash ^ base::bit_cast<std::uint64_t>(p.y));
+        hash = mixed(hash ^ base::bit_cast<std::uint64_t>(p.z));
         const std::int64_t next = welded.vertex.size();
         const std::int64_t found =
-            numbers.find_or_add(hash_of(p), next, [&](std::int64_t k) { return welded.vertex[k] == p; });
+            numbers.find_or_add(hash, next, [&](std::int64_t k) { return welded.vertex[k] == p; });
         if (found == next) welded.vertex.push_back(p);
         number[i] = static_cast<std::int32_t>(found);
     }
@@ -118,8 +124,8 @@ void join_vertices(const base::InView& given, Welded& welded, MeshReport& report
         for (std::int32_t& corner : t) corner = number[corner];
 }
 
-// Whether each edge runs as often forward as backward, as those of closed meshes do, and so there are no borders: but
-// for one mesh in 2^64 where it does not.  Sorting all edges takes longer.
+// Tells whether each edge runs as often forward as backward, as those of closed meshes do, so that there are no
+// borders. One mesh with borders in 2^64 is balanced, too. Sorting all edges takes longer.
 [[nodiscard]] bool is_balanced(const base::Array<Triangle>& triangle) noexcept {
     std::uint64_t sum = 0;
     for (const Triangle& t : triangle)
@@ -131,38 +137,218 @@ void join_vertices(const base::InView& given, Welded& welded, MeshReport& report
     return sum == 0;
 }
 
-// Faces that were made apart have corners that rounding keeps apart.
-void join_rounded(const base::Runtime& runtime, Welded& welded, MeshReport& report, const base::Progress& progress) {
+void renumber(Sets& same, Welded& welded) {
+    base::Array<std::int32_t> number(welded.vertex.memory(), welded.vertex.size());
+    std::int64_t kept = 0;
+    for (std::int64_t v = 0; v < welded.vertex.size(); ++v) {
+        const std::int32_t first = same.of(static_cast<std::int32_t>(v)); // the least of them
+        if (first == v) welded.vertex[kept] = welded.vertex[v];
+        number[v] = first == v ? static_cast<std::int32_t>(kept++) : number[first];
+    }
+    welded.vertex.resize(kept);
+    for (Triangle& t : welded.triangle)
+        for (std::int32_t& corner : t) corner = number[corner];
+}
+
+// Joins vertices of borders that are near to each other: faces that were made apart have corners that rounding keeps
+// apart. Faces may have corners in common then.
+void join_borders(const base::Runtime& runtime, Welded& welded, MeshReport& report, const base::Progress& progress) {
+    if (is_balanced(welded.triangle)) return;
     geometry::Bounds bounds;
     for (const glm::dvec3& p : welded.vertex) bounds.extend(p);
+    const double near = mesh_tuning.border_rounding * bounds.diagonal();
+    base::Array<std::uint8_t> is_border(runtime.memory, welded.vertex.size());
+    for_edges(sides_by_edge(runtime, welded.triangle, progress), progress, [&](const Side* first, const Side* last) {
+        if (last - first == 1) is_border[low_end(*first)] = is_border[high_end(*first)] = 1;
+    });
+    base::Array<std::int32_t> border(runtime.memory);
+    geometry::VecArray place(runtime.memory);
+    for (std::int64_t v = 0; v < welded.vertex.size(); ++v) {
+        if (is_border[v] == 0) continue;
+        border.push_back(static_cast<std::int32_t>(v));
+        place.push_back(welded.vertex[v]);
+    }
+    if (border.empty() || !(near > 0.0)) return;
+    const geometry::PointGrid grid(place, near, progress);
+    Sets same(runtime.memory, welded.vertex.size());
+    bool any = false;
+    for (std::int64_t i = 0; i < border.size(); ++i)
+        grid.around(place[i], [&](std::int64_t at) {
+            const std::int64_t j = grid.index(at);
+            const glm::dvec3 way = place[j] - place[i];
+            if (j <= i || glm::dot(way, way) > near * near) return;
+            same.join(border[i], border[j]);
+            any = true;
+        });
+    if (!any) return;
     const std::int64_t before = welded.vertex.size();
-    join_borders(runtime, welded.vertex, welded.triangle, rounding * bounds.diagonal(), progress);
+    renumber(same, welded);
     report.welded_vertices += before - welded.vertex.size();
 }
+
+// ---- Slivers: faces whose corners lie on a line, but for rounding
+//
+// A sliver has a corner within its longest side. Left out, it would leave a slit, and a solid would be open: the face
+// across that side is cut in two there, and one half takes the sliver's place.
+
+constexpr std::uint64_t no_edge = ~std::uint64_t{0};
+
+struct Sliver {
+    std::uint64_t edge; // the longest side
+    std::int32_t face;
+    bool forward;             // It runs from the lower to the higher vertex there.
+    std::int32_t across = -1; // a face beside that edge, or -1
+    bool agrees = false;      // `across` runs the other way there, as faces of one side do.
+};
+
+[[nodiscard]] std::uint64_t edge_of(std::int32_t a, std::int32_t b) noexcept {
+    const auto low = static_cast<std::uint64_t>(std::min(a, b));
+    return low << 32U | static_cast<std::uint64_t>(std::max(a, b));
+}
+
+// Returns the number of a sliver's longest side, or -1 for another face.
+[[nodiscard]] int sliver_side(const Welded& welded, const Triangle& t, double rounding) noexcept {
+    if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0]) return -1;
+    const std::array<glm::dvec3, 3> p{welded.vertex[t[0]], welded.vertex[t[1]], welded.vertex[t[2]]};
+    int longest = 0;
+    double length = 0.0;
+    for (int k = 0; k < 3; ++k) {
+        const auto from = static_cast<std::size_t>(k);
+        const double one = glm::distance(p[from], p[(from + 1) % 3]);
+        if (one <= length) continue;
+        length = one;
+        longest = k;
+    }
+    const double height = glm::length(doubled_area(p)) / length;
+    return height <= std::min(rounding, mesh_tuning.flattest * length) ? longest : -1;
+}
+
+// Joins the ends of slivers that are no longer than rounding.
+void join_ends(Welded& welded, double rounding) {
+    Sets places(welded.vertex.memory(), welded.vertex.size());
+    bool any = false;
+    for (const Triangle& t : welded.triangle) {
+        if (sliver_side(welded, t, rounding) < 0) continue;
+        for (std::size_t k = 0; k < 3; ++k) {
+            if (glm::distance(welded.vertex[t[k]], welded.vertex[t[(k + 1) % 3]]) > rounding) continue;
+            places.join(t[k], t[(k + 1) % 3]);
+            any = true;
+        }
+    }
+    if (!any) return;
+    for (Triangle& t : welded.triangle)
+        for (std::int32_t& corner : t) corner = places.of(corner);
+}
+
+// Keeps the better face across: where solids touch there are more than one, and faces of one solid come near to each
+// other in most files.
+void take_across(Sliver& sliver, std::int32_t face, bool forward) noexcept {
+    if (sliver.face == face) return;
+    const bool agrees = forward != sliver.forward;
+    const auto off = [&](std::int32_t other) { return std::abs(std::int64_t{other} - sliver.face); };
+    const bool better =
+        sliver.across < 0 || (agrees && !sliver.agrees) || (agrees == sliver.agrees && off(face) < off(sliver.across));
+    if (!better) return;
+    sliver.across = face;
+    sliver.agrees = agrees;
+}
+
+// Returns the slivers by their longest sides, and sets `longest` to these, or to no_edge for other faces.
+[[nodiscard]] base::Array<Sliver> find_slivers(const Welded& welded, double rounding,
+                                               base::Array<std::uint64_t>& longest, const base::Progress& progress) {
+    base::Array<Sliver> found(welded.vertex.memory());
+    for (std::int32_t face = 0; face < welded.triangle.size(); ++face) {
+        if (face % mesh_tuning.at_once == 0) progress.check();
+        const Triangle& t = welded.triangle[face];
+        const int side = sliver_side(welded, t, rounding);
+        longest[face] = no_edge;
+        if (side < 0) continue;
+        const auto k = static_cast<std::size_t>(side);
+        longest[face] = edge_of(t[k], t[(k + 1) % 3]);
+        found.push_back({longest[face], face, t[k] < t[(k + 1) % 3]});
+    }
+    std::sort(found.begin(), found.end(),
+              [](const Sliver& a, const Sliver& b) { return a.edge != b.edge ? a.edge < b.edge : a.face < b.face; });
+    for (std::int32_t face = 0; face < welded.triangle.size() && !found.empty(); ++face) {
+        if (face % mesh_tuning.at_once == 0) progress.check();
+        const Triangle& t = welded.triangle[face];
+        for (std::size_t k = 0; k < 3; ++k) {
+            const std::uint64_t edge = edge_of(t[k], t[(k + 1) % 3]);
+            auto at = std::lower_bound(found.begin(), found.end(), edge,
+                                       [](const Sliver& one, std::uint64_t wanted) { return one.edge < wanted; });
+            for (; at != found.end() && at->edge == edge; ++at) take_across(*at, face, t[k] < t[(k + 1) % 3]);
+        }
+    }
+    return found;
+}
+
+// Returns the number of faces that were cut.
+[[nodiscard]] std::int64_t split_across(const base::Array<Sliver>& slivers, const base::Array<std::uint64_t>& longest,
+                                        Welded& welded) {
+    base::Array<std::uint8_t> changed(welded.vertex.memory(), welded.triangle.size());
+    std::int64_t split = 0;
+    for (const Sliver& sliver : slivers) {
+        if (sliver.across < 0 || changed[sliver.face] != 0 || changed[sliver.across] != 0) continue;
+        // Another sliver is cut at its own longest side first: else the two would take turns for ever.
+        if (longest[sliver.across] != no_edge && longest[sliver.across] != sliver.edge) continue;
+        const auto a = static_cast<std::int32_t>(sliver.edge >> 32U);
+        const auto b = static_cast<std::int32_t>(sliver.edge & 0xFFFFFFFFU);
+        const Triangle& flat = welded.triangle[sliver.face];
+        const std::int32_t middle =
+            *std::find_if(flat.begin(), flat.end(), [&](std::int32_t v) { return v != a && v != b; });
+        const Triangle whole = welded.triangle[sliver.across];
+        if (std::find(whole.begin(), whole.end(), middle) != whole.end()) continue; // it lies on it
+        const auto half_with_middle_for = [&](std::int32_t end) {
+            Triangle half = whole;
+            std::replace(half.begin(), half.end(), end, middle);
+            return half;
+        };
+        welded.triangle[sliver.across] = half_with_middle_for(a);
+        welded.triangle[sliver.face] = half_with_middle_for(b);
+        welded.given_face[sliver.face] = welded.given_face[sliver.across];
+        changed[sliver.face] = changed[sliver.across] = 1;
+        ++split;
+    }
+    return split;
+}
+
+void split_slivers(double rounding, Welded& welded, MeshReport& report, const base::Progress& progress) {
+    join_ends(welded, rounding);
+    base::Array<std::uint64_t> longest(welded.vertex.memory(), welded.triangle.size());
+    for (int round = 0; round < mesh_tuning.most_sliver_rounds; ++round) { // each makes the longest sides shorter
+        const base::Array<Sliver> slivers = find_slivers(welded, rounding, longest, progress);
+        const std::int64_t split = split_across(slivers, longest, welded);
+        report.degenerate_faces += split;
+        if (split == 0) return;
+    }
+}
+
+// ---- Faces without area, and repeated ones
+
+// What else was given with the corners of a face that is kept.
+struct Repeated {
+    std::int32_t balance = 0; // how many faces turn one way more than the other
+    std::int32_t last = -1;   // the last one's number
+};
 
 [[nodiscard]] Triangle sorted(Triangle t) noexcept {
     std::sort(t.begin(), t.end());
     return t;
 }
 
-// 1 where the corners come in an even order, else -1.
+// Returns 1 where the corners come in an even order, else -1.
 [[nodiscard]] std::int32_t sense(const Triangle& t) noexcept {
     const int turns = (t[0] > t[1] ? 1 : 0) + (t[1] > t[2] ? 1 : 0) + (t[0] > t[2] ? 1 : 0);
     return turns % 2 == 0 ? 1 : -1;
 }
 
-// What else was given with the corners of a face that is kept.
-struct Repeated {
-    std::int32_t balance = 0; // how many in one sense more than in the other
-    std::int32_t last = -1;   // the last one's number
-};
-
-void leave_out_faces(Welded& welded, base::Array<Repeated>& repeated, MeshReport& report,
-                     const base::Progress& progress) {
+[[nodiscard]] base::Array<Repeated> leave_out_faces(Welded& welded, MeshReport& report,
+                                                    const base::Progress& progress) {
+    base::Array<Repeated> repeated(welded.vertex.memory());
     Numbers numbers(welded.vertex.memory(), welded.triangle.size());
     std::int64_t kept = 0;
     for (std::int64_t face = 0; face < welded.triangle.size(); ++face) {
-        if (face % corners_a_task == 0) progress.check();
+        if (face % mesh_tuning.at_once == 0) progress.check();
         const Triangle t = welded.triangle[face];
         const glm::dvec3 area = doubled_area({welded.vertex[t[0]], welded.vertex[t[1]], welded.vertex[t[2]]});
         // Nor has it a normal where the square of its area is too small for a double.
@@ -188,40 +374,243 @@ void leave_out_faces(Welded& welded, base::Array<Repeated>& repeated, MeshReport
     }
     welded.triangle.resize(kept);
     welded.given_face.resize(kept);
+    return repeated;
 }
 
-// Between solids that share them there is nothing to be seen.  Where solids touch in more than in faces that both have,
-// each keeps its own.
-void leave_out_walls(const base::Runtime& runtime, const base::Array<Repeated>& repeated, Welded& welded,
-                     MeshReport& report, const base::Progress& progress) {
-    if (report.repeated_faces == 0) return;
+// ---- The faces about an edge
+
+struct FaceAbout {
+    const Side* side;
+    std::int64_t angle; // about the edge, from the first face, in parts of a radian, above -pi and up to pi
+    double rounding;    // what that may be off by
+};
+
+constexpr double parts_of_radian = 1e7;
+
+[[nodiscard]] std::int64_t in_parts(double angle) noexcept { // -pi is pi
+    const std::int64_t half = std::llround(parts_of_radian * std::numbers::pi);
+    const std::int64_t parts = std::llround(parts_of_radian * angle);
+    return parts <= -half ? half : parts;
+}
+
+void measure_about(const Welded& welded, double rounding, const Side* first, const Side* last,
+                   base::Array<FaceAbout>& about) {
+    const glm::dvec3 from = welded.vertex[low_end(*first)];
+    const glm::dvec3 axis = glm::normalize(welded.vertex[high_end(*first)] - from);
+    about.clear();
+    glm::dvec3 zero(0.0);
+    for (const Side* side = first; side != last; ++side) {
+        const std::int64_t number = number_of(welded.triangle, *side);
+        const glm::dvec3 way =
+            welded.vertex[welded.triangle[side->face][static_cast<std::size_t>((number + 2) % 3)]] - from;
+        const glm::dvec3 up = way - glm::dot(way, axis) * axis;
+        const double height = glm::length(up);
+        const glm::dvec3 off = up / height;
+        if (side == first) zero = off;
+        about.push_back({side, in_parts(std::atan2(glm::dot(glm::cross(axis, zero), off), glm::dot(zero, off))),
+                         parts_of_radian * std::min(rounding / height, mesh_tuning.most_angle_rounding)});
+    }
+}
+
+// Tells whether both lie on the same side of the edge, one on the other, but for rounding.
+[[nodiscard]] bool lie_on_each_other(const FaceAbout& a, const FaceAbout& b) noexcept {
+    const std::int64_t half = in_parts(std::numbers::pi);
+    const std::int64_t apart = half - std::abs(half - std::abs(a.angle - b.angle));
+    return static_cast<double>(apart) <= a.rounding + b.rounding;
+}
+
+// Returns how far the angle between two faces is from a half turn.
+[[nodiscard]] std::int64_t bend(const FaceAbout& a, const FaceAbout& b) noexcept {
+    return std::abs(std::abs(a.angle - b.angle) - in_parts(std::numbers::pi));
+}
+
+// ---- Walls within solids: faces that two of them share, as boxes beside each other do
+
+enum class Twin : std::uint8_t {
+    none = 0, // a face of one side, or of a leaf
+    wall = 1,
+    contact = 2 // of solids that touch in more than this
+};
+
+// Returns what each of the faces is that were given as often one way as the other. What hangs together of these is a
+// wall where it ends at other faces on both sides, and nowhere else: a leaf of two sides ends at nothing, and a solid
+// with two sides nowhere. It is a part of a contact where those other faces lie on each other, too, in triangles of
+// their own.
+[[nodiscard]] base::Array<Twin> find_walls(const base::Runtime& runtime, const Welded& welded,
+                                           const base::Array<Repeated>& repeated, double rounding,
+                                           const base::Progress& progress) {
+    constexpr unsigned ends = 1;    // at an edge with fewer than two other faces
+    constexpr unsigned meets = 2;   // others, two or more
+    constexpr unsigned goes_on = 4; // of these, two that lie on each other and look against each other
     const std::int64_t faces = welded.triangle.size();
-    base::Array<std::uint8_t> twin(runtime.memory, faces);
-    for (std::int64_t face = 0; face < faces; ++face) twin[face] = repeated[face].balance == 0 ? 1 : 0;
-    const base::Array<Twin> kind = find_walls(runtime, welded.vertex, welded.triangle, twin, progress);
-    base::Array<Triangle> other(runtime.memory); // sides of contacts
-    base::Array<std::int32_t> given(runtime.memory);
-    std::int64_t kept = 0;
+    const auto is_twin = [&](const Side& side) { return repeated[side.face].balance == 0; };
+    Sets sheets(runtime.memory, faces);
+    base::Array<FaceAbout> about(runtime.memory);
+    base::Array<std::uint8_t> at(runtime.memory, faces);
+    const auto others_touch = [&](const Side* first, const Side* last) {
+        measure_about(welded, rounding, first, last, about);
+        for (std::int64_t i = 0; i < about.size(); ++i)
+            for (std::int64_t k = i + 1; k < about.size(); ++k) {
+                const bool others = !is_twin(*about[i].side) && !is_twin(*about[k].side);
+                const bool against = about[i].side->forward != about[k].side->forward;
+                if (others && against && lie_on_each_other(about[i], about[k])) return true;
+            }
+        return false;
+    };
+    for_edges(sides_by_edge(runtime, welded.triangle, progress), progress, [&](const Side* first, const Side* last) {
+        const Side* one = nullptr;
+        std::int64_t twins = 0;
+        for (const Side* side = first; side != last; ++side) {
+            if (!is_twin(*side)) continue;
+            if (one != nullptr) sheets.join(one->face, side->face);
+            one = side;
+            ++twins;
+        }
+        if (one == nullptr) return;
+        const bool others = last - first - twins >= 2;
+        const unsigned found = (twins == 1 && !others ? ends : 0U) | (others ? meets : 0U) |
+                               (others && others_touch(first, last) ? goes_on : 0U);
+        at[one->face] = static_cast<std::uint8_t>(at[one->face] | found);
+    });
+    base::Array<std::uint8_t> of_sheet(runtime.memory, faces);
     for (std::int64_t face = 0; face < faces; ++face) {
+        std::uint8_t& all = of_sheet[sheets.of(static_cast<std::int32_t>(face))];
+        all = static_cast<std::uint8_t>(all | at[face]);
+    }
+    base::Array<Twin> result(runtime.memory, faces);
+    for (std::int64_t face = 0; face < faces; ++face) {
+        if (repeated[face].balance != 0) continue;
+        const unsigned found = of_sheet[sheets.of(static_cast<std::int32_t>(face))];
+        if ((found & meets) == 0 || (found & ends) != 0) continue;
+        result[face] = (found & goes_on) != 0 ? Twin::contact : Twin::wall;
+    }
+    return result;
+}
+
+// Between solids that share a wall there is nothing to be seen. Where solids touch in more than in faces that both
+// have, each keeps its own.
+void leave_out_walls(const base::Runtime& runtime, const base::Array<Repeated>& repeated, double rounding,
+                     Welded& welded, MeshReport& report, const base::Progress& progress) {
+    if (report.repeated_faces == 0) return;
+    const base::Array<Twin> kind = find_walls(runtime, welded, repeated, rounding, progress);
+    Welded other_sides(runtime.memory); // of contacts
+    std::int64_t kept = 0;
+    for (std::int64_t face = 0; face < kind.size(); ++face) {
         if (kind[face] == Twin::wall) {
             ++report.repeated_faces;
             continue;
         }
+        const Triangle t = welded.triangle[face];
         if (kind[face] == Twin::contact) {
             --report.repeated_faces;
-            const Triangle& t = welded.triangle[face];
-            other.push_back({t[0], t[2], t[1]});
-            given.push_back(repeated[face].last);
+            other_sides.triangle.push_back({t[0], t[2], t[1]});
+            other_sides.given_face.push_back(repeated[face].last);
         }
-        welded.triangle[kept] = welded.triangle[face];
+        welded.triangle[kept] = t;
         welded.given_face[kept++] = welded.given_face[face];
     }
     welded.triangle.resize(kept);
     welded.given_face.resize(kept);
-    for (std::int64_t i = 0; i < other.size(); ++i) {
-        welded.triangle.push_back(other[i]);
-        welded.given_face.push_back(given[i]);
+    for (const Triangle& t : other_sides.triangle) welded.triangle.push_back(t);
+    for (const std::int32_t given : other_sides.given_face) welded.given_face.push_back(given);
+}
+
+// ---- Edges and corners in which solids touch
+
+// Of two solids that share a wall, but for rounding, the one ends there, and the other begins.
+void end_before_begin(base::Array<FaceAbout>& about) noexcept {
+    for (std::int64_t turns = 0; turns < about.size(); ++turns) {
+        bool moved = false;
+        for (std::int64_t i = 0; i < about.size(); ++i) {
+            FaceAbout& one = about[i];
+            FaceAbout& next = about[(i + 1) % about.size()];
+            const bool ends = next.side->forward != 0 && one.side->forward == 0;
+            if (!ends || !lie_on_each_other(one, next)) continue;
+            std::swap(one.side, next.side);
+            moved = true;
+        }
+        if (!moved) return;
     }
+}
+
+// Solids that go through each other there, as round ones that touch along a line do by their flat faces, go on
+// straight.
+[[nodiscard]] bool pair_flattest(base::Array<FaceAbout>& about) {
+    std::sort(about.begin(), about.end(), [](const FaceAbout& a, const FaceAbout& b) {
+        if (a.side->forward != b.side->forward) return a.side->forward < b.side->forward;
+        return a.side->face < b.side->face;
+    });
+    if (about.size() != 4 || about[1].side->forward != 0 || about[2].side->forward == 0) return false;
+    const bool crossed =
+        bend(about[0], about[3]) + bend(about[1], about[2]) < bend(about[0], about[2]) + bend(about[1], about[3]);
+    std::swap(about[1], about[crossed ? 3 : 2]);
+    return true;
+}
+
+// Sorts the faces about an edge so that two and two, from the first on, have a solid between them. Returns false where
+// that is not clear.
+[[nodiscard]] bool pair_about(base::Array<FaceAbout>& about) {
+    std::sort(about.begin(), about.end(), [](const FaceAbout& a, const FaceAbout& b) {
+        return a.angle != b.angle ? a.angle < b.angle : a.side->face < b.side->face;
+    });
+    end_before_begin(about);
+    for (std::int64_t i = 0; i < about.size(); ++i)
+        if (about[i].side->forward == about[(i + 1) % about.size()].side->forward) return pair_flattest(about);
+    // A face that runs through the edge backward looks against the turn: the solid follows it, up to the next one.
+    if (about[0].side->forward != 0) std::rotate(about.begin(), about.begin() + 1, about.end());
+    return true;
+}
+
+// Corners of one set share a vertex; the first set keeps it.
+void give_vertices(Sets& corners, const base::Array<std::uint8_t>& parted, Welded& welded,
+                   const base::Progress& progress) {
+    base::Memory& memory = welded.vertex.memory();
+    base::Array<std::int32_t> owner(memory, welded.vertex.size()); // a set + 1
+    base::Array<std::int32_t> own(memory, 3 * welded.triangle.size());
+    for (std::int64_t corner = 0; corner < own.size(); ++corner) {
+        if (corner % mesh_tuning.at_once == 0) progress.check();
+        std::int32_t& at = welded.triangle[corner / 3][static_cast<std::size_t>(corner % 3)];
+        if (parted[at] == 0) continue;
+        const std::int32_t set = corners.of(static_cast<std::int32_t>(corner));
+        if (owner[at] == 0) owner[at] = set + 1;
+        if (owner[at] == set + 1) continue;
+        if (own[set] == 0) {
+            own[set] = static_cast<std::int32_t>(welded.vertex.size());
+            welded.vertex.push_back(welded.vertex[at]);
+        }
+        at = own[set];
+    }
+}
+
+// Where an edge has two faces or more in either sense, those that have a solid between them get an edge of their own,
+// by vertices at the same places, so that each solid is closed. Solids that share a vertex and no edge get vertices of
+// their own, where no border passes: they are parts, and whether one lies against another is asked of parts.
+void part_edges(const base::Runtime& runtime, double rounding, Welded& welded, const base::Progress& progress) {
+    const base::Array<Side> sides = sides_by_edge(runtime, welded.triangle, progress);
+    Sets corners(runtime.memory, 3 * welded.triangle.size()); // that share a vertex
+    base::Array<std::uint8_t> parted(runtime.memory, welded.vertex.size());
+    std::fill(parted.begin(), parted.end(), std::uint8_t{1});
+    for_edges(sides, progress, [&](const Side* first, const Side* last) {
+        if (last - first == 1) parted[low_end(*first)] = parted[high_end(*first)] = 0;
+    });
+    const auto join = [&](const Side& a, const Side& b) {
+        for (const std::int32_t end : {low_end(a), high_end(a)})
+            corners.join(static_cast<std::int32_t>(corner_at(welded.triangle, a.face, end)),
+                         static_cast<std::int32_t>(corner_at(welded.triangle, b.face, end)));
+    };
+    base::Array<FaceAbout> about(runtime.memory);
+    for_edges(sides, progress, [&](const Side* first, const Side* last) {
+        if (last - first >= 4) {
+            measure_about(welded, rounding, first, last, about);
+            if (pair_about(about)) {
+                for (std::int64_t i = 0; i < about.size(); i += 2) join(*about[i].side, *about[i + 1].side);
+                parted[low_end(*first)] = parted[high_end(*first)] = 1;
+                return;
+            }
+        }
+        for (const Side* side = first + 1; side != last; ++side) join(*first, *side);
+    });
+    give_vertices(corners, parted, welded, progress);
 }
 
 } // namespace
@@ -234,12 +623,15 @@ Welded weld(const base::Runtime& runtime, const MeshInput& input, MeshReport& re
     welded.given_face.resize_for_overwrite(welded.triangle.size());
     std::iota(welded.given_face.begin(), welded.given_face.end(), 0);
     join_vertices(input.vertices, welded, report, progress);
-    if (!is_balanced(welded.triangle)) join_rounded(runtime, welded, report, progress);
-    report.degenerate_faces = split_slivers(welded, progress);
-    base::Array<Repeated> repeated(runtime.memory);
-    leave_out_faces(welded, repeated, report, progress);
-    leave_out_walls(runtime, repeated, welded, report, progress);
-    part_edges(runtime, welded.vertex, welded.triangle, progress);
+    join_borders(runtime, welded, report, progress);
+    double largest = 0.0;
+    for (const glm::dvec3& p : welded.vertex)
+        largest = std::max({largest, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+    const double rounding = mesh_tuning.coordinate_rounding * largest;
+    split_slivers(rounding, welded, report, progress);
+    const base::Array<Repeated> repeated = leave_out_faces(welded, report, progress);
+    leave_out_walls(runtime, repeated, rounding, welded, report, progress);
+    part_edges(runtime, rounding, welded, progress);
     if (welded.triangle.empty())
         fail(Status::invalid_argument, "triangles has %lld faces, and none has an area; give at least one that has",
              static_cast<long long>(report.given_faces));

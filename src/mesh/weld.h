@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The caller's arrays as vertices in different places and faces that are some.
+// The first half of make_mesh(): the caller's arrays as vertices in different places and faces that have an area.
 #pragma once
 
 #include "mesh/mesh.h"
@@ -14,7 +14,7 @@ struct Welded {
     base::Array<std::int32_t> given_face;
 };
 
-// Counts what it leaves out.
+// Counts in the report what it joins and leaves out.
 [[nodiscard]] Welded weld(const base::Runtime& runtime, const MeshInput& input, MeshReport& report,
                           const base::Progress& progress);
 

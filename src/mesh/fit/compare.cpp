@@ -1,13 +1,22 @@
 // SPDX-License-Identifier: MIT
+// The steps of compare(), in order:
+//
+//   find_surface   the surface as triangles, from places on the mesh and of a coarse lattice
+//   parts_of       its components and handles; if the mesh has others, finer cells are tried once
+//   places_on      places on the surface, even over its area; the mesh's distance from them
+//   from_mesh      the surface's distance from places on the mesh, and the angles between the normals
 #include "mesh/fit/compare.h"
 
 #include "base/clock.h"
 #include "curves/surface_mesh.h"
+#include "mesh/edges.h"
 #include "mesh/fit/outer.h"
-#include "mesh/fit/surface_places.h"
+#include "mesh/fit/tuning.h"
 #include "mesh/sample.h"
 #include "surface/project.h"
 #include "surface/region.h"
+
+#include <glm/trigonometric.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -15,15 +24,101 @@
 namespace hrbfnpr::mesh {
 namespace {
 
-constexpr std::int64_t grain = 256;
-constexpr std::int64_t points_a_look = 16; // some are far from all faces
-constexpr double degrees = 57.29577951308232;
-constexpr int evaluations = 20;
-constexpr double projected_tolerance = 1e-6;
-constexpr std::int64_t most_to_look_closer = 400'000; // triangles
-constexpr std::uint32_t stream = 77;                  // other places than those that a fit is made of
+// Streams of random numbers: other places than those that a fit is made of.
+constexpr std::uint32_t places_of_mesh = 77;
+constexpr std::uint32_t places_of_surface = 1U << 16U;
 
-// The triangles as faces for a tree.
+struct CompareTask {
+    const base::Runtime& runtime;
+    const implicit::Implicit& implicit;
+    const SurfaceSearch& search;
+    const base::Progress& progress;
+};
+
+[[nodiscard]] surface::Projection projected(const CompareTask& task, const geometry::VecArray& places, int evaluations,
+                                            double tolerance, const base::Progress& progress) {
+    surface::Projection on(task.runtime.memory);
+    on.position.reserve(places.size());
+    for (std::int64_t i = 0; i < places.size(); ++i) on.position.push_back(places[i]);
+    surface::ProjectionSettings settings;
+    settings.evaluation_limit = evaluations;
+    settings.tolerance = tolerance;
+    surface::project(task.runtime, task.implicit, settings, on, progress);
+    return on;
+}
+
+// Returns distance(i) of all i. A few take long, as places may be far from all faces.
+template <class Distance>
+[[nodiscard]] base::Array<double> distances(const CompareTask& task, std::int64_t count, Distance&& distance) {
+    base::Array<double> result(task.runtime.memory, count);
+    task.runtime.parallel.for_chunks(count, 256, [&](std::int64_t begin, std::int64_t end) {
+        for (std::int64_t i = begin; i < end; ++i) {
+            if (i % 16 == 0) task.progress.check();
+            result[i] = distance(i);
+        }
+    });
+    return result;
+}
+
+// ---- The surface as triangles
+
+void add_lattice(const CompareTask& task, geometry::VecArray& seeds) {
+    const std::int64_t n = mesh_fit_tuning.lattice;
+    const geometry::Bounds& region = task.search.region;
+    const glm::dvec3 step = region.size() / static_cast<double>(n);
+    geometry::VecArray lattice(task.runtime.memory);
+    for (std::int64_t i = 0; i < n * n * n; ++i)
+        lattice.push_back(region.min + step * (glm::dvec3(i % n, i / n % n, i / (n * n)) + 0.5));
+    const surface::Projection on =
+        projected(task, lattice, mesh_fit_tuning.place_evaluations, mesh_fit_tuning.on_surface_of_seeds, task.progress);
+    for (std::int64_t i = 0; i < on.position.size(); ++i)
+        if (on.status[i] == surface::ProjectionStatus::converged && region.contains(on.position[i]))
+            seeds.push_back(on.position[i]);
+}
+
+// Tells whether finer cells would show another surface, and there is room for them.
+[[nodiscard]] bool too_thin(const curves::SurfaceMesh& surface) noexcept {
+    const auto triangles = static_cast<double>(surface.triangles());
+    const bool thin =
+        static_cast<double>(surface.turned) > mesh_fit_tuning.turned_share * triangles || surface.missed_seeds > 0;
+    return thin && 4 * surface.triangles() <= mesh_fit_tuning.most_triangles;
+}
+
+struct SurfaceParts {
+    std::int64_t components = 0;
+    std::int64_t genus = -1; // the sum over the components; -1: there is a border
+};
+
+[[nodiscard]] SurfaceParts parts_of(const base::Runtime& runtime, const curves::SurfaceMesh& surface) {
+    SurfaceParts parts;
+    Sets sets(runtime.memory, surface.vertices());
+    for (std::int64_t t = 0; t < surface.triangles(); ++t) {
+        const std::int32_t* const corner = surface.corner.data() + 3 * t;
+        sets.join(corner[0], corner[1]);
+        sets.join(corner[0], corner[2]);
+    }
+    base::Array<std::uint8_t> used(runtime.memory, surface.vertices());
+    for (const std::int32_t corner : surface.corner) used[corner] = 1;
+    std::int64_t vertices = 0;
+    for (std::int64_t v = 0; v < surface.vertices(); ++v) {
+        vertices += used[v];
+        parts.components += used[v] != 0 && sets.of(static_cast<std::int32_t>(v)) == v ? 1 : 0;
+    }
+    const bool border =
+        std::any_of(surface.neighbour.begin(), surface.neighbour.end(), [](std::int32_t beyond) { return beyond < 0; });
+    // A closed one has three edges for two triangles.
+    const std::int64_t euler = vertices - surface.triangles() / 2;
+    if (!border && surface.triangles() > 0 && euler % 2 == 0) parts.genus = parts.components - euler / 2;
+    return parts;
+}
+
+// A closed mesh has other parts or handles where the cells do not show a wall, or a gap.
+[[nodiscard]] bool differ(const SurfaceParts& parts, const MeshReport& report) noexcept {
+    return report.closed &&
+           (parts.genus != report.genus || parts.components != report.components - report.left_out_components);
+}
+
+// Returns the triangles as faces of a tree.
 [[nodiscard]] FaceTree tree_of(const base::Runtime& runtime, const curves::SurfaceMesh& surface,
                                const base::Progress& progress) {
     base::Array<glm::dvec3> vertex(runtime.memory);
@@ -36,123 +131,81 @@ constexpr std::uint32_t stream = 77;                  // other places than those
     return {runtime, vertex, triangle, progress};
 }
 
-[[nodiscard]] base::Array<double> distances(const base::Runtime& runtime, const geometry::VecArray& from,
-                                            const FaceTree& tree, const base::Progress& progress) {
-    base::Array<double> result(runtime.memory, from.size());
-    runtime.parallel.for_chunks(from.size(), grain, [&](std::int64_t begin, std::int64_t end) {
+// ---- From the surface
+
+// Returns places on the surface, even over its area. Those of which the projection fails stay on their triangle.
+[[nodiscard]] SurfacePlaces places_on(const CompareTask& task, const curves::SurfaceMesh& surface,
+                                      const base::Progress& progress) {
+    SurfacePlaces places(task.runtime.memory);
+    if (surface.triangles() == 0) return places;
+    const auto corners = [&](std::int64_t t) {
+        const std::int32_t* const v = surface.corner.data() + 3 * t;
+        return std::array<glm::dvec3, 3>{surface.position[v[0]], surface.position[v[1]], surface.position[v[2]]};
+    };
+    const RandomPlaces random(task.runtime.memory, surface.triangles(), corners, task.progress);
+    geometry::VecArray flat(task.runtime.memory, task.search.count);
+    task.runtime.parallel.for_chunks(flat.size(), 4096, [&](std::int64_t begin, std::int64_t end) {
         for (std::int64_t i = begin; i < end; ++i) {
-            if (i % points_a_look == 0) progress.check();
-            result[i] = tree.distance(from[i]);
+            const auto [t, s] = random.at(task.search.seed, i, places_of_surface);
+            const auto p = corners(t);
+            flat.set(i, s.x * p[0] + s.y * p[1] + s.z * p[2]);
         }
     });
-    return result;
+    const surface::Projection on =
+        projected(task, flat, mesh_fit_tuning.place_evaluations, mesh_fit_tuning.on_surface, progress);
+    for (std::int64_t i = 0; i < flat.size(); ++i) {
+        const bool good = on.status[i] == surface::ProjectionStatus::converged &&
+                          glm::distance(on.position[i], flat[i]) <= surface.side;
+        places.position.push_back(good ? on.position[i] : flat[i]);
+        places.gradient.push_back(on.gradient[i]);
+    }
+    return places;
 }
 
-class Comparer {
-public:
-    Comparer(const base::Runtime& runtime, const implicit::Implicit& implicit, const Mesh& mesh, const FaceTree& tree,
-             const surface::Support* support, const CompareSettings& given, const base::Progress& progress)
-        : runtime_(runtime), implicit_(implicit), mesh_(mesh), tree_(tree), outer_(runtime, mesh, tree, progress),
-          progress_(progress) {
-        result_.diagonal = mesh.bounds.diagonal();
-        result_.tolerance = given.tolerance > 0.0 ? given.tolerance : default_tolerance * result_.diagonal;
-        far_ = given.far > 0.0 ? given.far : default_far * result_.diagonal;
-        search_.region = search_region(mesh);
-        search_.side = given.cell_size > 0.0 ? given.cell_size : result_.diagonal / cells_a_diagonal;
-        search_.finer = !(given.cell_size > 0.0);
-        search_.count = given.points > 0 ? given.points : default_points;
-        search_.seed = given.seed;
-        search_.support = given.support > 0.0 ? support : nullptr;
-        search_.limit = given.support;
-    }
+void from_surface(const CompareTask& task, const Mesh& mesh, const curves::SurfaceMesh& surface,
+                  const OuterFaces& outer, double far, Comparison& result) {
+    SurfacePlaces places = places_on(task, surface, task.progress.part(0.4, 0.6));
+    const std::int64_t found = places.position.size();
+    leave_out(task.runtime, task.search, places, task.progress.part(0.4, 0.6));
+    base::Array<double> distance = distances(task, places.position.size(), [&](std::int64_t i) {
+        const FaceTree::Nearest nearest = outer.tree().nearest(places.position[i]);
+        return on_border(mesh, nearest.face, nearest.place) ? -1.0 : std::sqrt(nearest.squared);
+    });
+    distance.resize(std::remove_if(distance.begin(), distance.end(), [](double d) { return d < 0.0; }) -
+                    distance.begin());
+    result.left_out =
+        static_cast<double>(found - distance.size()) / static_cast<double>(std::max<std::int64_t>(found, 1));
+    result.surface = spread_of(distance, result.tolerance, far);
+}
 
-    [[nodiscard]] Comparison run() {
-        MeshSamples samples =
-            random_samples(runtime_, mesh_, search_.count, search_.seed, stream, progress_.part(0.0, 0.1));
-        keep_outer(runtime_, mesh_, tree_, samples.position, samples.normal, progress_);
-        curves::SurfaceMesh surface =
-            find_surface(runtime_, implicit_, samples.position, search_, progress_.part(0.1, 0.3));
-        parts_ = parts_of(runtime_, surface);
-        if (search_.finer && differs_from_mesh() && surface.triangles() < most_to_look_closer) {
-            search_.side = 0.5 * surface.side;
-            surface = find_surface(runtime_, implicit_, samples.position, search_, progress_.part(0.3, 0.4));
-            parts_ = parts_of(runtime_, surface);
-        }
-        from_surface(surface);
-        from_mesh(surface, samples);
-        result_.seconds = watch_.seconds();
-        progress_.update(1.0);
-        return result_;
-    }
+// ---- From the mesh
 
-private:
-    // A closed mesh has other parts or handles: the cells may not show a wall, or a gap.
-    [[nodiscard]] bool differs_from_mesh() const noexcept {
-        const MeshReport& report = mesh_.report;
-        return report.closed &&
-               (parts_.genus != report.genus || parts_.components != report.components - report.left_out_components);
+// A projection may end farther away than need be; the triangles are off the surface by their bulge. The nearer counts.
+void from_mesh(const CompareTask& task, const curves::SurfaceMesh& surface, const MeshSamples& samples, double far,
+               Comparison& result) {
+    const surface::Projection on = projected(task, samples.position, mesh_fit_tuning.mesh_evaluations,
+                                             mesh_fit_tuning.on_surface, task.progress.part(0.7, 0.9));
+    base::Array<double> distance(task.runtime.memory, samples.position.size());
+    std::fill(distance.begin(), distance.end(), std::numeric_limits<double>::infinity());
+    if (surface.triangles() > 0) {
+        const FaceTree tree = tree_of(task.runtime, surface, task.progress);
+        distance = distances(task, samples.position.size(),
+                             [&](std::int64_t i) { return tree.distance(samples.position[i]); });
     }
-
-    void from_surface(const curves::SurfaceMesh& surface) {
-        const SurfacePlaces places = places_on(runtime_, implicit_, surface, search_, progress_.part(0.4, 0.6));
-        base::Array<double> distance(runtime_.memory, places.position.size());
-        runtime_.parallel.for_chunks(distance.size(), grain, [&](std::int64_t begin, std::int64_t end) {
-            for (std::int64_t i = begin; i < end; ++i) {
-                if (i % points_a_look == 0) progress_.check();
-                const FaceTree::Nearest nearest = outer_.tree().nearest(places.position[i]);
-                distance[i] = on_border(mesh_, nearest.face, nearest.place) ? -1.0 : std::sqrt(nearest.squared);
-            }
-        });
-        std::int64_t kept = 0;
-        for (const double d : distance)
-            if (d >= 0.0) distance[kept++] = d;
-        distance.resize(kept);
-        result_.surface = spread_of(distance, result_.tolerance, far_);
-        result_.components = parts_.components;
-        result_.genus = parts_.genus;
-        result_.left_out =
-            static_cast<double>(places.found - kept) / static_cast<double>(std::max<std::int64_t>(places.found, 1));
+    base::Array<double> angle(task.runtime.memory);
+    for (std::int64_t i = 0; i < distance.size(); ++i) {
+        const double slope = glm::length(on.gradient[i]);
+        if (on.status[i] != surface::ProjectionStatus::converged || !(slope > 0.0)) continue;
+        distance[i] = std::min(distance[i], glm::distance(on.position[i], samples.position[i]));
+        if (distance[i] > far) continue;
+        const double cosine = glm::dot(on.gradient[i], samples.normal[i]) / slope;
+        angle.push_back(glm::degrees(std::acos(std::clamp(cosine, -1.0, 1.0))));
     }
-
-    // A projection may end farther away than need be; the triangles are off the surface by their bulge.
-    void from_mesh(const curves::SurfaceMesh& surface, const MeshSamples& samples) {
-        surface::Projection on(runtime_.memory);
-        for (std::int64_t i = 0; i < samples.position.size(); ++i) on.position.push_back(samples.position[i]);
-        surface::ProjectionSettings settings;
-        settings.evaluation_limit = evaluations;
-        settings.tolerance = projected_tolerance;
-        surface::project(runtime_, implicit_, settings, on, progress_.part(0.7, 0.9));
-        base::Array<double> distance(runtime_.memory, samples.position.size());
-        const bool some = surface.triangles() > 0;
-        if (some) distance = distances(runtime_, samples.position, tree_of(runtime_, surface, progress_), progress_);
-        base::Array<double> angle(runtime_.memory);
-        for (std::int64_t i = 0; i < distance.size(); ++i) {
-            const double slope = glm::length(on.gradient[i]);
-            if (!some) distance[i] = std::numeric_limits<double>::infinity();
-            if (on.status[i] != surface::ProjectionStatus::converged || !(slope > 0.0)) continue;
-            distance[i] = std::min(distance[i], glm::distance(on.position[i], samples.position[i]));
-            if (distance[i] > far_) continue;
-            const double cosine = glm::dot(on.gradient[i], samples.normal[i]) / slope;
-            angle.push_back(degrees * std::acos(std::clamp(cosine, -1.0, 1.0)));
-        }
-        result_.mesh = spread_of(distance, result_.tolerance, far_);
-        const Spread normals = spread_of(angle, 180.0, 180.0);
-        result_.normal_mean = normals.mean;
-        result_.normal_p99 = normals.p99;
-    }
-
-    const base::Runtime& runtime_;
-    const implicit::Implicit& implicit_;
-    const Mesh& mesh_;
-    const FaceTree& tree_;
-    const OuterFaces outer_;
-    const base::Progress& progress_;
-    const base::Stopwatch watch_;
-    SurfaceSearch search_;
-    double far_ = 0.0;
-    SurfaceParts parts_;
-    Comparison result_;
-};
+    result.mesh = spread_of(distance, result.tolerance, far);
+    const Spread normals = spread_of(angle, 180.0, 180.0);
+    result.normal_mean = normals.mean;
+    result.normal_p99 = normals.p99;
+}
 
 } // namespace
 
@@ -184,10 +237,77 @@ Spread spread_of(base::Array<double>& distance, double tolerance, double far) {
     return spread;
 }
 
+curves::SurfaceMesh find_surface(const base::Runtime& runtime, const implicit::Implicit& implicit,
+                                 const geometry::VecArray& seeds, const SurfaceSearch& search,
+                                 const base::Progress& progress) {
+    HRBFNPR_ASSERT(search.side > 0.0 && !search.region.empty());
+    geometry::VecArray all(runtime.memory);
+    all.reserve(seeds.size());
+    for (std::int64_t i = 0; i < seeds.size(); ++i) all.push_back(seeds[i]);
+    add_lattice({runtime, implicit, search, progress}, all);
+    curves::MeshSettings settings{search.region, search.side};
+    settings.tolerance = search.precision;
+    curves::SurfaceMesh surface = curves::triangulate_of_any_size(runtime, implicit, all, settings, progress);
+    const double least = implicit.diagonal() / mesh_fit_tuning.most_cells;
+    while ((search.finer && too_thin(surface)) || (surface.triangles() == 0 && settings.side > least)) {
+        settings.side *= 0.5;
+        surface = curves::triangulate(runtime, implicit, all, settings, progress);
+    }
+    return surface;
+}
+
+void leave_out(const base::Runtime& runtime, const SurfaceSearch& search, SurfacePlaces& places,
+               const base::Progress& progress) {
+    HRBFNPR_ASSERT(places.position.size() == places.gradient.size());
+    if (search.support == nullptr) return;
+    base::Array<double> beyond(runtime.memory);
+    search.support->evaluate_all(runtime, places.position, places.gradient, beyond, progress);
+    std::int64_t kept = 0;
+    for (std::int64_t i = 0; i < beyond.size(); ++i) {
+        if (!(beyond[i] <= search.limit)) continue;
+        places.position.set(kept, places.position[i]);
+        places.gradient.set(kept++, places.gradient[i]);
+    }
+    places.position.resize(kept);
+    places.gradient.resize(kept);
+}
+
 Comparison compare(const base::Runtime& runtime, const implicit::Implicit& implicit, const Mesh& mesh,
                    const FaceTree& tree, const surface::Support* support, const CompareSettings& settings,
                    const base::Progress& progress) {
-    return Comparer(runtime, implicit, mesh, tree, support, settings, progress).run();
+    const base::Stopwatch watch;
+    const OuterFaces outer(runtime, mesh, tree, progress);
+    Comparison result;
+    result.diagonal = mesh.bounds.diagonal();
+    result.tolerance = settings.tolerance > 0.0 ? settings.tolerance : default_tolerance * result.diagonal;
+    const double far = settings.far > 0.0 ? settings.far : default_far * result.diagonal;
+    SurfaceSearch search;
+    search.region = search_region(mesh);
+    search.finer = !(settings.cell_size > 0.0);
+    search.side = search.finer ? result.diagonal / cells_a_diagonal : settings.cell_size;
+    search.count = settings.points > 0 ? settings.points : default_points;
+    search.seed = settings.seed;
+    search.support = settings.support > 0.0 ? support : nullptr;
+    search.limit = settings.support;
+
+    MeshSamples samples =
+        random_samples(runtime, mesh, search.count, search.seed, places_of_mesh, progress.part(0.0, 0.1));
+    keep_outer(runtime, mesh, tree, samples.position, samples.normal, progress);
+    curves::SurfaceMesh surface = find_surface(runtime, implicit, samples.position, search, progress.part(0.1, 0.3));
+    SurfaceParts parts = parts_of(runtime, surface);
+    if (search.finer && differ(parts, mesh.report) && surface.triangles() < mesh_fit_tuning.most_to_look_closer) {
+        search.side = 0.5 * surface.side;
+        surface = find_surface(runtime, implicit, samples.position, search, progress.part(0.3, 0.4));
+        parts = parts_of(runtime, surface);
+    }
+    result.components = parts.components;
+    result.genus = parts.genus;
+    const CompareTask task{runtime, implicit, search, progress};
+    from_surface(task, mesh, surface, outer, far, result);
+    from_mesh(task, surface, samples, far, result);
+    result.seconds = watch.seconds();
+    progress.update(1.0);
+    return result;
 }
 
 } // namespace hrbfnpr::mesh

@@ -14,11 +14,8 @@
 #include "curves/surface_mesh.h"
 #include "fit/adaptive.h"
 #include "mesh/fit/fit_data.h"
-#include "mesh/fit/fit_mesh_tuning.h"
-#include "mesh/fit/flat.h"
 #include "mesh/fit/outer.h"
-#include "mesh/fit/surface_places.h"
-#include "mesh/fit/touching.h"
+#include "mesh/fit/tuning.h"
 #include "mesh/sample.h"
 #include "surface/project.h"
 

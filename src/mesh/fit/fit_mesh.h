@@ -5,7 +5,7 @@
 #include "fit/fit.h"
 #include "mesh/edges.h"
 #include "mesh/fit/compare.h"
-#include "mesh/fit/touching.h"
+#include "mesh/fit/outer.h"
 
 namespace hrbfnpr::mesh {
 

@@ -1,70 +1,117 @@
 // SPDX-License-Identifier: MIT
+// Rays count how often the mesh winds around a place. Edges that go through faces, and short lines along normals, find
+// parts that touch.
 #include "mesh/fit/outer.h"
 
+#include "base/status.h"
+#include "mesh/fit/tuning.h"
+
+#include <algorithm>
 #include <cmath>
 
 namespace hrbfnpr::mesh {
 namespace {
 
-// In no direction that edges of meshes have.
-const std::array<glm::dvec3, 3> directions{glm::dvec3{0.5773, 0.2161, 0.7874}, glm::dvec3{-0.6431, 0.7321, 0.2247},
-                                           glm::dvec3{0.1713, -0.5119, -0.8418}};
-constexpr std::size_t rays = 16;
-constexpr std::size_t dissenters = 2;
-constexpr double beside = 1e-4; // a face, in diagonals
-constexpr std::int64_t tested_a_task = 512;
-
-[[nodiscard]] bool may_overlap(const Mesh& mesh) noexcept {
-    return mesh.report.closed && mesh.report.components - mesh.report.left_out_components > 1;
+[[nodiscard]] bool winds_around(const FaceTree& tree, const glm::dvec3& place, const glm::dvec3& direction) noexcept {
+    int winding = 0;
+    tree.crossings(place, direction, [&](std::int64_t, double, int sign) { winding += sign; });
+    return winding > 0;
 }
 
-// Whether its middle and its corners, or places close to them, lie inside another component.
+[[nodiscard]] bool may_overlap(const Mesh& mesh) noexcept { return mesh.report.closed && has_parts(mesh); }
+
+// Tells whether the middle of a face and places close to its corners lie inside another component.
 [[nodiscard]] bool is_covered(const Mesh& mesh, const FaceTree& tree, std::int64_t face, double off) noexcept {
     const auto p = mesh.corners(face);
     const glm::dvec3 middle = (p[0] + p[1] + p[2]) / 3.0;
     const glm::dvec3 beyond = off * glm::normalize(doubled_area(p));
-    if (!is_inside(tree, middle + beyond)) return false;
-    for (const glm::dvec3& corner : p)
-        if (!is_inside(tree, corner + 0.01 * (middle - corner) + beyond)) return false;
-    return true;
+    return is_inside(tree, middle + beyond) && std::all_of(p.begin(), p.end(), [&](const glm::dvec3& corner) {
+               return is_inside(tree, corner + 0.01 * (middle - corner) + beyond);
+           });
+}
+
+// Returns the component that a short line through a place meets besides the place's own, where the cosine of their
+// normals is at least `alike`, or at most -alike; or -1.
+[[nodiscard]] std::int32_t other_component(const Mesh& mesh, const FaceTree& tree, const MeshSamples& places,
+                                           std::int64_t i, double near, double alike) noexcept {
+    const std::int32_t own = mesh.component[places.face[i]];
+    for (const double side : {near, -near}) {
+        const FaceTree::Hit hit = tree.first_hit(places.position[i], side * places.normal[i], 1e-3, 1.0);
+        if (hit.face < 0 || mesh.component[hit.face] == own) continue;
+        const glm::dvec3 there = doubled_area(mesh.corners(hit.face));
+        if (std::abs(glm::dot(there, places.normal[i])) >= alike * glm::length(there)) return mesh.component[hit.face];
+    }
+    return -1;
+}
+
+// Returns the component of the first face of another one that a side of a face goes through, or -1.
+[[nodiscard]] std::int32_t pierced_by(const Mesh& mesh, const FaceTree& tree, std::int64_t face,
+                                      glm::dvec3& place) noexcept {
+    constexpr double beyond = 1e-9;
+    const std::array<glm::dvec3, 3> p = mesh.corners(face);
+    for (std::size_t k = 0; k < 3; ++k) {
+        const glm::dvec3 along = p[(k + 1) % 3] - p[k];
+        FaceTree::Hit hit{0.0, face};
+        for (int own = 0; own < mesh_fit_tuning.most_own && hit.face >= 0; ++own) {
+            hit = tree.first_hit(p[k], along, hit.t + beyond, 1.0);
+            if (hit.face < 0 || mesh.component[hit.face] == mesh.component[face]) continue;
+            place = p[k] + hit.t * along;
+            return mesh.component[hit.face];
+        }
+    }
+    return -1;
+}
+
+// Finds the first of `count` things for which find(i, place) is a component; component_of(i) is its own.
+template <class Find, class ComponentOf>
+[[nodiscard]] Touching first_of(const base::Runtime& runtime, std::int64_t count, const base::Progress& progress,
+                                Find&& find, ComponentOf&& component_of) {
+    base::Array<std::int32_t> other(runtime.memory, count);
+    runtime.parallel.for_chunks(count, 256, progress, [&](std::int64_t begin, std::int64_t end) {
+        glm::dvec3 place;
+        for (std::int64_t i = begin; i < end; ++i) other[i] = find(i, place);
+    });
+    const auto at = std::find_if(other.begin(), other.end(), [](std::int32_t one) { return one >= 0; });
+    Touching found;
+    if (at == other.end()) return found;
+    found.other = find(at - other.begin(), found.place);
+    found.one = component_of(at - other.begin());
+    return found;
 }
 
 } // namespace
 
 bool is_inside(const FaceTree& tree, const glm::dvec3& place) noexcept {
     int votes = 0;
-    for (const glm::dvec3& direction : directions) {
-        int winding = 0;
-        tree.crossings(place, direction, [&](std::int64_t, double, int sign) { winding += sign; });
-        votes += winding > 0 ? 1 : 0;
-    }
+    for (const glm::dvec3& direction : ray_directions) votes += winds_around(tree, place, direction) ? 1 : 0;
     return votes >= 2;
 }
 
 Where where(const FaceTree& tree, const glm::dvec3& place) noexcept {
-    std::size_t votes = 0;
-    for (std::size_t k = 0; k < rays; ++k) {
-        // Evenly over the sphere [Vogel 1979], and turned.
-        const double z = 1.0 - (2.0 * static_cast<double>(k) + 1.0) / static_cast<double>(rays);
-        const double angle = 0.6 + 2.399963229728653 * static_cast<double>(k);
+    constexpr int rays = 16;
+    int votes = 0;
+    for (int k = 0; k < rays; ++k) {
+        // The directions are even over the sphere [Vogel 1979], and turned.
+        const double z = 1.0 - (2.0 * k + 1.0) / rays;
+        const double angle = 0.6 + 2.399963229728653 * k;
         const double r = std::sqrt(1.0 - z * z);
-        const glm::dvec3 direction = r * std::cos(angle) * directions[0] + r * std::sin(angle) * directions[1] +
-                                     z * glm::cross(directions[0], directions[1]);
-        int winding = 0;
-        tree.crossings(place, direction, [&](std::int64_t, double, int sign) { winding += sign; });
-        votes += winding > 0 ? 1 : 0;
+        votes += winds_around(tree, place,
+                              r * std::cos(angle) * ray_directions[0] + r * std::sin(angle) * ray_directions[1] +
+                                  z * glm::cross(ray_directions[0], ray_directions[1]))
+                     ? 1
+                     : 0;
     }
-    if (votes >= rays - dissenters) return Where::inside;
-    return votes <= dissenters ? Where::outside : Where::unsure;
+    if (votes >= rays - mesh_fit_tuning.dissenters) return Where::inside;
+    return votes <= mesh_fit_tuning.dissenters ? Where::outside : Where::unsure;
 }
 
 void keep_outer(const base::Runtime& runtime, const Mesh& mesh, const FaceTree& tree, geometry::VecArray& position,
                 geometry::VecArray& normal, const base::Progress& progress) {
+    HRBFNPR_ASSERT(position.size() == normal.size());
     if (!may_overlap(mesh)) return;
     base::Array<std::uint8_t> inside(runtime.memory, position.size());
-    const double off = beside * mesh.bounds.diagonal();
-    runtime.parallel.for_chunks(position.size(), tested_a_task, [&](std::int64_t begin, std::int64_t end) {
-        progress.check();
+    const double off = mesh_fit_tuning.beside_face * mesh.bounds.diagonal();
+    runtime.parallel.for_chunks(position.size(), 512, progress, [&](std::int64_t begin, std::int64_t end) {
         for (std::int64_t i = begin; i < end; ++i) inside[i] = is_inside(tree, position[i] + off * normal[i]) ? 1 : 0;
     });
     std::int64_t kept = 0;
@@ -73,7 +120,7 @@ void keep_outer(const base::Runtime& runtime, const Mesh& mesh, const FaceTree& 
         position.set(kept, position[i]);
         normal.set(kept++, normal[i]);
     }
-    if (kept == 0) return; // all of them: a mesh of which nobody knows what is outside
+    if (kept == 0) return; // It is not known what is outside.
     position.resize(kept);
     normal.resize(kept);
 }
@@ -83,15 +130,87 @@ OuterFaces::OuterFaces(const base::Runtime& runtime, const Mesh& mesh, const Fac
     : all_(all) {
     if (!may_overlap(mesh)) return;
     base::Array<std::uint8_t> covered(runtime.memory, mesh.faces());
-    const double off = beside * mesh.bounds.diagonal();
-    runtime.parallel.for_chunks(mesh.faces(), tested_a_task, [&](std::int64_t begin, std::int64_t end) {
-        progress.check();
+    const double off = mesh_fit_tuning.beside_face * mesh.bounds.diagonal();
+    runtime.parallel.for_chunks(mesh.faces(), 512, progress, [&](std::int64_t begin, std::int64_t end) {
         for (std::int64_t face = begin; face < end; ++face) covered[face] = is_covered(mesh, all, face, off) ? 1 : 0;
     });
     base::Array<Triangle> outer(runtime.memory);
     for (std::int64_t face = 0; face < mesh.faces(); ++face)
         if (covered[face] == 0) outer.push_back(mesh.triangle[face]);
     if (!outer.empty() && outer.size() < mesh.faces()) outer_.emplace(runtime, mesh.vertex, outer, progress);
+}
+
+bool has_parts(const Mesh& mesh) noexcept { return mesh.report.components - mesh.report.left_out_components >= 2; }
+
+Touching find_crossing(const base::Runtime& runtime, const Mesh& mesh, const FaceTree& tree,
+                       const base::Progress& progress) {
+    if (!has_parts(mesh)) return {};
+    return first_of(
+        runtime, mesh.faces(), progress,
+        [&](std::int64_t face, glm::dvec3& place) { return pierced_by(mesh, tree, face, place); },
+        [&](std::int64_t face) { return mesh.component[face]; });
+}
+
+Touching find_touching(const base::Runtime& runtime, const Mesh& mesh, const FaceTree& tree, const MeshSamples& places,
+                       double near, bool solids_apart, const base::Progress& progress) {
+    HRBFNPR_ASSERT(places.face.size() == places.position.size());
+    if (!has_parts(mesh)) return {};
+    Touching found;
+    if (!solids_apart) found = find_crossing(runtime, mesh, tree, progress);
+    if (found.one < 0) {
+        const double alike = solids_apart ? mesh_fit_tuning.least_alike : 0.0;
+        found = first_of(
+            runtime, places.position.size(), progress,
+            [&](std::int64_t i, glm::dvec3& place) {
+                place = places.position[i];
+                return other_component(mesh, tree, places, i, near, alike);
+            },
+            [&](std::int64_t i) { return mesh.component[places.face[i]]; });
+    }
+    found.may_cross = found.one >= 0 && !solids_apart;
+    return found;
+}
+
+Touching warn_of_touching(const base::Runtime& runtime, const Mesh& mesh, const FaceTree& tree,
+                          const MeshSamples& places, double near, bool solids_apart, const base::Progress& progress) {
+    const Touching found = find_touching(runtime, mesh, tree, places, near, solids_apart, progress);
+    if (found.one >= 0)
+        runtime.log(base::LogLevel::warning,
+                    "mesh fit: parts %d and %d of the mesh, and maybe others, %s nearer to each other than the "
+                    "tolerance, as near %.4g %.4g %.4g: the surface may join them there; a smaller tolerance holds "
+                    "apart what does not cross",
+                    static_cast<int>(found.one), static_cast<int>(found.other),
+                    found.may_cross ? "cross or are" : "are", found.place.x, found.place.y, found.place.z);
+    return found;
+}
+
+void refuse_flat_solid(const Mesh& mesh) {
+    glm::dvec3 normal(0.0); // of the largest face, and then unit
+    glm::dvec3 place(0.0);
+    for (std::int64_t face = 0; face < mesh.faces(); ++face) {
+        const std::array<glm::dvec3, 3> corners = mesh.corners(face);
+        const glm::dvec3 area = doubled_area(corners);
+        if (glm::dot(area, area) <= glm::dot(normal, normal)) continue;
+        normal = area;
+        place = corners[0];
+    }
+    if (const double length = glm::length(normal); length > 0.0) normal = normal / length;
+    const double most = mesh_fit_tuning.flatness * glm::length(mesh.bounds.size());
+    double toward = 0.0;
+    double away = 0.0;
+    for (std::int64_t face = 0; face < mesh.faces(); ++face) {
+        const std::array<glm::dvec3, 3> corners = mesh.corners(face);
+        for (const glm::dvec3& corner : corners)
+            if (std::abs(glm::dot(corner - place, normal)) > most) return;
+        const double area = glm::dot(doubled_area(corners), normal);
+        (area < 0.0 ? away : toward) += std::abs(area);
+    }
+    const double all = toward + away;
+    if (std::min(toward, away) > mesh_fit_tuning.other_way * all)
+        fail(Status::invalid_argument,
+             "the mesh is flat: all of its vertices lie in one plane, %.0f %% of the area looks one way and %.0f %% "
+             "the other, so it has no inside; keep the faces of one side, or give it a thickness",
+             100.0 * std::max(toward, away) / all, 100.0 * std::min(toward, away) / all);
 }
 
 } // namespace hrbfnpr::mesh

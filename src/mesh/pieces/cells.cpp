@@ -1,240 +1,605 @@
 // SPDX-License-Identifier: MIT
+// The steps of make_cells(), in order:
+//
+//   Sides              signed distances from the mesh
+//   look_at            what a cell is: without surface, with a tree over its sheets, or to be split
+//     gather_tests     places in the cell, with what f is to be there
+//     choose_tree      the tree over the cell's sheets that fails the fewest tests
+//   add_level          cells of one level as data; those that are split make the next level
+//   continue_surface   gives cells beyond the borders of an open mesh the trees of the nearest cells with surface
 #include "mesh/pieces/cells.h"
 
-#include "mesh/pieces/box_faces.h"
+#include "base/list.h"
+#include "base/random.h"
+#include "geometry/segment.h"
+#include "mesh/corners.h"
+#include "mesh/fit/outer.h"
+#include "mesh/pieces/cell_tuning.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
+#include <limits>
 
 namespace hrbfnpr::mesh {
 namespace {
 
 using implicit::PiecesData;
+using FaceList = base::Array<std::int32_t>;
 
-constexpr double root_side = 1.02 * PiecesData::reach; // diagonals
-constexpr double reach = PiecesData::cell_reach;
-constexpr std::int32_t least_level = 4;       // of cells with surface, ...
-constexpr std::int32_t least_plain_level = 3; // ... and without
-constexpr std::int32_t most_level = 9;
-constexpr std::int64_t most_cells = 60'000;
-constexpr double near = 2e-4;      // diagonals: how near to the surface signs may be wrong
-constexpr double plain_fall = 0.8; // of its value, that a plain cell's function falls by in the cell at most
+// ---- The trees
+
+struct Program {
+    std::int32_t code[2 * ReadOnceTrees::most] = {};
+    std::int32_t size = 0;
+
+    void add(const Program& other) noexcept {
+        for (std::int32_t i = 0; i < other.size; ++i) code[size++] = other.code[i];
+    }
+};
+using Programs = base::Array<Program>;
+
+// Adds the trees over a set of functions, the bits of its number, with maxima (0) or minima (1) on top. topped(set,
+// top) are those over smaller sets; a single function is the same with both. The part with the lowest function is that
+// alone, or a tree with the other top; the rest is one such part, or a tree with the same top.
+template <class Topped>
+void add_trees(std::uint32_t set, std::uint32_t top, Topped&& topped, Programs& to) {
+    const std::uint32_t lowest = set & (~set + 1U);
+    const std::uint32_t others = set & ~lowest;
+    if (others == 0) {
+        Program alone;
+        while ((set >> static_cast<unsigned>(alone.code[0])) != 1U) ++alone.code[0];
+        alone.size = 1;
+        return to.push_back(alone);
+    }
+    const auto join = [&](const Program& a, const Program& b) {
+        Program joined = a;
+        joined.add(b);
+        joined.code[joined.size++] = top == 0 ? PiecesData::larger : PiecesData::smaller;
+        to.push_back(joined);
+    };
+    for (std::uint32_t with = (others - 1) & others;; with = (with - 1) & others) {
+        const std::uint32_t rest = others & ~with;
+        for (const Program& part : topped(lowest | with, 1 - top)) {
+            for (const Program& one : topped(rest, 1 - top)) join(part, one);
+            if ((rest & (rest - 1)) == 0) continue;
+            for (const Program& several : topped(rest, top)) join(part, several);
+        }
+        if (with == 0) return;
+    }
+}
+
+// ---- Sides of the mesh
+
+// The place of the mesh that is nearest to another place.
+struct Beside {
+    double distance = 0.0; // signed: below 0 is inside
+    std::int64_t face = -1;
+    glm::dvec3 place{0.0};
+    bool inner = false; // It is inside its face, not on an edge.
+};
+
+// Where the mesh is closed and is more than one part, or not a manifold, or where faces are folded upon each other,
+// whose normals do not tell, rays tell the side; elsewhere the normal there does (Baerentzen and Aanaes, "Signed
+// distance computation using the angle weighted pseudonormal", 2005).
+class Sides {
+public:
+    Sides(const base::Runtime& runtime, const Mesh& mesh, const FaceTree& tree, const base::Progress& progress);
+
+    [[nodiscard]] Beside beside(const glm::dvec3& place) const noexcept {
+        const FaceTree::Nearest nearest = tree_.nearest(place);
+        Beside result{std::sqrt(nearest.squared), nearest.face, nearest.place, false};
+        const glm::dvec3 normal = pseudo_normal(nearest.face, nearest.place, result.inner);
+        const Triangle& t = mesh_.triangle[nearest.face];
+        const bool is_folded = folded_[t[0]] != 0 || folded_[t[1]] != 0 || folded_[t[2]] != 0;
+        const bool inside =
+            by_rays_ || (solid_ && is_folded) ? is_inside(tree_, place) : glm::dot(place - nearest.place, normal) < 0.0;
+        if (inside) result.distance = -result.distance;
+        return result;
+    }
+    // Returns how far one may go from an inner place of a face along its normal, or against it, so that the mesh is no
+    // nearer on the other side: at most `most`.
+    [[nodiscard]] double room(const glm::dvec3& place, const glm::dvec3& along, double most) const noexcept {
+        const FaceTree::Hit hit = tree_.first_hit(place, 2.0 * most * along, 1e-6, 1.0);
+        return hit.face < 0 ? most : 0.9 * hit.t * most;
+    }
+    // Tells whether a place is on the mesh's surface: not on a face inside another part.
+    [[nodiscard]] bool is_outer(const Beside& beside) const noexcept {
+        return !by_rays_ || !is_inside(tree_, beside.place + off_ * normal_[beside.face]) ||
+               !is_inside(tree_, beside.place - off_ * normal_[beside.face]);
+    }
+    // Tells whether all of space is inside or outside.
+    [[nodiscard]] bool solid() const noexcept { return solid_; }
+    [[nodiscard]] const glm::dvec3& normal(std::int64_t face) const noexcept { return normal_[face]; }
+
+private:
+    [[nodiscard]] bool look_solid(const base::Runtime& runtime, const base::Array<std::int64_t>& face,
+                                  const base::Progress& progress) const;
+    [[nodiscard]] glm::dvec3 pseudo_normal(std::int64_t face, const glm::dvec3& place, bool& inner) const noexcept;
+
+    const Mesh& mesh_;
+    const FaceTree& tree_;
+    base::Array<glm::dvec3> normal_;   // of faces, unit
+    base::Array<glm::dvec3> edge_;     // of sides: the sum of the faces'
+    base::Array<glm::dvec3> vertex_;   // by angles
+    base::Array<std::uint8_t> folded_; // vertices of faces that are folded upon another
+    double off_ = 0.0;
+    bool solid_ = false;
+    bool by_rays_ = false;
+};
+
+// Returns every n-th face, and faces evenly chosen by area: the many small faces of a tray's rounded corners may look
+// solid.
+[[nodiscard]] std::array<base::Array<std::int64_t>, 2> faces_to_probe(const Mesh& mesh) {
+    base::Memory& memory = mesh.vertex.memory();
+    std::array<base::Array<std::int64_t>, 2> faces{base::Array<std::int64_t>(memory),
+                                                   base::Array<std::int64_t>(memory)};
+    const std::int64_t probes = cell_tuning.probes;
+    const std::int64_t step = std::max<std::int64_t>(1, mesh.faces() / probes);
+    for (std::int64_t face = 0; face < mesh.faces(); face += step) faces[0].push_back(face);
+    double area = 0.0;
+    for (std::int64_t face = 0; face < mesh.faces(); ++face) area += glm::length(doubled_area(mesh.corners(face)));
+    double passed = 0.0;
+    for (std::int64_t face = 0; face < mesh.faces(); ++face) {
+        passed += glm::length(doubled_area(mesh.corners(face)));
+        while (faces[1].size() < probes &&
+               passed * static_cast<double>(probes) >= area * (static_cast<double>(faces[1].size()) + 0.5))
+            faces[1].push_back(face);
+    }
+    return faces;
+}
+
+Sides::Sides(const base::Runtime& runtime, const Mesh& mesh, const FaceTree& tree, const base::Progress& progress)
+    : mesh_(mesh), tree_(tree), normal_(runtime.memory), edge_(runtime.memory, 3 * mesh.faces()),
+      vertex_(runtime.memory, mesh.vertex.size()), folded_(runtime.memory, mesh.vertex.size()),
+      off_(cell_tuning.off_face * mesh.bounds.diagonal()) {
+    for (std::int64_t face = 0; face < mesh.faces(); ++face) {
+        const auto p = mesh.corners(face);
+        normal_.push_back(glm::normalize(doubled_area(p)));
+        for (std::size_t k = 0; k < 3; ++k) vertex_[mesh.triangle[face][k]] += angle_at(p, k) * normal_[face];
+    }
+    for_edges(sides_by_edge(runtime, mesh.triangle, progress), progress, [&](const Side* first, const Side* last) {
+        glm::dvec3 sum(0.0);
+        for (const Side* side = first; side != last; ++side) sum += normal_[side->face];
+        const bool folded = last - first == 2 && glm::length(sum) < cell_tuning.folded;
+        for (const Side* side = first; side != last; ++side) {
+            edge_[number_of(mesh.triangle, *side)] = sum;
+            for (const std::int32_t vertex : mesh.triangle[side->face])
+                if (folded) folded_[vertex] = 1;
+        }
+    });
+    const auto probes = faces_to_probe(mesh);
+    solid_ =
+        mesh.report.closed || (look_solid(runtime, probes[0], progress) && look_solid(runtime, probes[1], progress));
+    by_rays_ = solid_ && (!mesh.report.closed || has_parts(mesh));
+}
+
+// Tells whether rays agree, at nearly all of these faces, with the side that they look to.
+bool Sides::look_solid(const base::Runtime& runtime, const base::Array<std::int64_t>& face,
+                       const base::Progress& progress) const {
+    base::Array<std::uint8_t> right(runtime.memory, face.size());
+    runtime.parallel.for_chunks(face.size(), 16, progress, [&](std::int64_t begin, std::int64_t end) {
+        for (std::int64_t i = begin; i < end; ++i) {
+            const auto p = mesh_.corners(face[i]);
+            const glm::dvec3 middle = (p[0] + p[1] + p[2]) / 3.0;
+            const glm::dvec3 off = off_ * normal_[face[i]];
+            right[i] = where(tree_, middle + off) == Where::outside && where(tree_, middle - off) == Where::inside;
+        }
+    });
+    const auto sum = static_cast<double>(std::count(right.begin(), right.end(), std::uint8_t{1}));
+    return sum >= cell_tuning.solid_share * static_cast<double>(face.size());
+}
+
+glm::dvec3 Sides::pseudo_normal(std::int64_t face, const glm::dvec3& place, bool& inner) const noexcept {
+    constexpr double on_edge = 1e-6; // shares of a corner
+    const glm::dvec3 shares = shares_of(mesh_.corners(face), place);
+    inner = shares.x > on_edge && shares.y > on_edge && shares.z > on_edge;
+    if (inner) return normal_[face];
+    for (int k = 0; k < 3; ++k)
+        if (shares[k] >= 1.0 - on_edge) return vertex_[mesh_.triangle[face][static_cast<std::size_t>(k)]];
+    const int without_share = shares.x <= on_edge ? 0 : shares.y <= on_edge ? 1 : 2;
+    return edge_[3 * face + (without_share + 1) % 3]; // the side opposite that corner
+}
+
+// ---- Cells and faces
+
+// The cube that a cell has a say in.
+struct CellBox {
+    glm::dvec3 centre{0.0};
+    double half = 0.0;
+    [[nodiscard]] bool contains(const glm::dvec3& p) const noexcept {
+        const glm::dvec3 off = glm::abs(p - centre);
+        return off.x <= half && off.y <= half && off.z <= half;
+    }
+};
+
+// Tells whether a triangle meets a box, by the axes that may part them (Akenine-Moeller, "Fast 3D triangle-box overlap
+// testing", 2001).
+[[nodiscard]] bool meets(const CellBox& box, const std::array<glm::dvec3, 3>& corners) noexcept {
+    const std::array<glm::dvec3, 3> p{corners[0] - box.centre, corners[1] - box.centre, corners[2] - box.centre};
+    const auto parts = [&](const glm::dvec3& axis) {
+        const double a = glm::dot(axis, p[0]);
+        const double b = glm::dot(axis, p[1]);
+        const double c = glm::dot(axis, p[2]);
+        const double radius = box.half * (std::abs(axis.x) + std::abs(axis.y) + std::abs(axis.z));
+        return std::min({a, b, c}) > radius || std::max({a, b, c}) < -radius;
+    };
+    const glm::dvec3 low = glm::min(glm::min(p[0], p[1]), p[2]);
+    const glm::dvec3 high = glm::max(glm::max(p[0], p[1]), p[2]);
+    for (int axis = 0; axis < 3; ++axis)
+        if (low[axis] > box.half || high[axis] < -box.half) return false;
+    if (parts(doubled_area(p))) return false;
+    for (std::size_t k = 0; k < 3; ++k) {
+        const glm::dvec3 edge = p[(k + 1) % 3] - p[k];
+        if (parts({0.0, -edge.z, edge.y}) || parts({edge.z, 0.0, -edge.x}) || parts({-edge.y, edge.x, 0.0}))
+            return false;
+    }
+    return true;
+}
+
+// Returns the distance to the plane's place if that is inside, else to the nearest edge.
+[[nodiscard]] double distance_to(const glm::dvec3& place, const std::array<glm::dvec3, 3>& corners) noexcept {
+    const glm::dvec3 shares = shares_of(corners, place);
+    if (shares.x >= 0.0 && shares.y >= 0.0 && shares.z >= 0.0)
+        return glm::distance(place, shares.x * corners[0] + shares.y * corners[1] + shares.z * corners[2]);
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t k = 0; k < 3; ++k)
+        least = std::min(least, geometry::distance_to_segment(place, corners[k], corners[(k + 1) % 3]));
+    return least;
+}
+
+// ---- Tests of trees
+
+struct CellTask {
+    const base::Runtime& runtime;
+    const Mesh& mesh;
+    const Creases& creases;
+    const Sides& sides;
+    const base::Array<double>& chord;
+    const ReadOnceTrees& trees;
+    const PiecesData& data;
+    const double near; // distance from the surface up to which signs may be wrong
+    const std::uint64_t seed;
+
+    // Returns the same for the surface that a face stands for.
+    [[nodiscard]] double slack(std::int64_t face) const noexcept {
+        const Triangle& t = mesh.triangle[face];
+        return near + 1.5 * std::max({chord[t[0]], chord[t[1]], chord[t[2]]});
+    }
+};
+
+struct Tests {
+    explicit Tests(base::Memory& memory) noexcept : place(memory), distance(memory), slack(memory), own(memory) {}
+
+    void add(const glm::dvec3& p, double d, double may_be_off, std::int32_t sheet) {
+        place.push_back(p);
+        distance.push_back(d);
+        slack.push_back(may_be_off);
+        own.push_back(sheet);
+    }
+    // Returns the sign of all places, if they have the same and no surface is between, or 0.
+    [[nodiscard]] double one_side() const noexcept {
+        if (distance.empty()) return 0.0;
+        const double sign = std::copysign(1.0, distance[0]);
+        for (std::int64_t i = 0; i < distance.size(); ++i)
+            if (own[i] >= 0 || !(distance[i] * sign > 0.0)) return 0.0;
+        return sign;
+    }
+
+    geometry::VecArray place;
+    base::Array<double> distance;  // signed
+    base::Array<double> slack;     // by how much f may be something else than `own`
+    base::Array<std::int32_t> own; // on the surface: the sheet of the cell that f is to be; else -1
+};
+
+// Where the mesh is, f is to be the sheet of the patch there, and to have the mesh's signs beside it.
+void test_on_surface(const CellTask& task, const CellBox& box, std::span<const std::int32_t> sheets,
+                     const Beside& beside, double step, Tests& tests) {
+    if (!box.contains(beside.place) || !task.sides.is_outer(beside)) return;
+    const auto own = std::find(sheets.begin(), sheets.end(), task.creases.patch[beside.face]);
+    if (own == sheets.end()) return;
+    const double slack = task.slack(beside.face);
+    tests.add(beside.place, 0.0, slack - 0.5 * task.near, static_cast<std::int32_t>(own - sheets.begin()));
+    if (!beside.inner) return;
+    const glm::dvec3& normal = task.sides.normal(beside.face);
+    for (const double side : {1.0, -1.0}) {
+        const double room = task.sides.room(beside.place, side * normal, step * box.half);
+        if (room > slack) tests.add(beside.place + side * room * normal, side * room, 0.0, -1);
+    }
+}
+
+// The places are random ones in the cell, those of the mesh nearest to them, and places in the middles of faces and
+// near to their sides: small faces, and creases, lie between random places.
+[[nodiscard]] Tests gather_tests(const CellTask& task, const CellBox& box, std::span<const std::int32_t> faces,
+                                 std::span<const std::int32_t> sheets, std::uint64_t cell) {
+    constexpr std::uint32_t stream = 78;
+    Tests tests(task.runtime.memory);
+    const std::int64_t n = cell_tuning.along;
+    const double spacing = 2.0 * box.half / static_cast<double>(n);
+    for (std::int64_t i = 0; i < n * n * n; ++i) {
+        const auto random =
+            base::uniform4(task.seed, cell * 1024U + static_cast<std::uint64_t>(i), base::Purpose::mesh_sample, stream);
+        const glm::dvec3 in = glm::dvec3(i % n, i / n % n, i / (n * n)) + glm::dvec3(random[0], random[1], random[2]);
+        const glm::dvec3 place = box.centre - box.half + spacing * in;
+        const Beside beside = task.sides.beside(place);
+        if (std::abs(beside.distance) > task.slack(beside.face)) tests.add(place, beside.distance, 0.0, -1);
+        if (i % 2 == 0)
+            test_on_surface(task, box, sheets, beside, i % 4 == 0 ? cell_tuning.beside_step : cell_tuning.finer_step,
+                            tests);
+    }
+    const std::size_t step =
+        std::max<std::size_t>(1, faces.size() / static_cast<std::size_t>(cell_tuning.faces_looked_at));
+    for (std::size_t i = 0; i < faces.size(); i += step) {
+        const auto p = task.mesh.corners(faces[i]);
+        const glm::dvec3 middle = (p[0] + p[1] + p[2]) / 3.0;
+        Beside beside{0.0, faces[i], middle, true};
+        test_on_surface(task, box, sheets, beside, cell_tuning.finer_step, tests);
+        for (std::size_t k = 0; k < 3; ++k) {
+            const glm::dvec3 side = 0.5 * (p[k] + p[(k + 1) % 3]);
+            beside.place = side + std::min(1.0, 0.1 * box.half / glm::distance(side, middle)) * 0.5 * (middle - side);
+            test_on_surface(task, box, sheets, beside, cell_tuning.finer_step, tests);
+        }
+    }
+    return tests;
+}
+
+struct Choice {
+    std::int64_t tree = -1;
+    std::int64_t wrong = 0; // the tests that it fails
+    double off = 0.0;       // how far its values are from distances, on average
+};
+
+// value: of each sheet at all places.
+[[nodiscard]] Choice judge(std::span<const std::int32_t> program, std::int64_t tree, const Tests& tests,
+                           const base::Array<double>& value) noexcept {
+    const std::int64_t count = tests.distance.size();
+    Choice choice;
+    choice.tree = tree;
+    for (std::int64_t i = 0; i < count; ++i) {
+        double stack[ReadOnceTrees::most + 1];
+        std::size_t depth = 0;
+        for (const std::int32_t code : program) {
+            if (code >= 0) {
+                stack[depth++] = value[code * count + i];
+                continue;
+            }
+            const double b = stack[--depth];
+            const double a = stack[depth - 1];
+            stack[depth - 1] = code == PiecesData::larger ? std::max(a, b) : std::min(a, b);
+        }
+        HRBFNPR_ASSERT(depth == 1);
+        const double v = stack[0];
+        const double d = tests.distance[i];
+        if (tests.own[i] >= 0)
+            choice.wrong += std::abs(v - value[tests.own[i] * count + i]) > tests.slack[i] ? 1 : 0;
+        else if (!(v * d > 0.0))
+            ++choice.wrong;
+        else
+            choice.off += std::min(1.0, std::abs(v - d) / std::abs(d));
+    }
+    choice.off /= static_cast<double>(std::max<std::int64_t>(count, 1));
+    return choice;
+}
+
+[[nodiscard]] Choice choose_tree(const CellTask& task, std::span<const std::int32_t> sheets, const Tests& tests) {
+    const std::int64_t count = tests.distance.size();
+    base::Array<double> value(task.runtime.memory);
+    value.resize_for_overwrite(count * static_cast<std::int64_t>(sheets.size()));
+    for (std::size_t k = 0; k < sheets.size(); ++k)
+        implicit::evaluate(task.runtime.instruction_set, task.data.sheet[sheets[k]],
+                           {tests.place.x.data(), tests.place.y.data(), tests.place.z.data(), count},
+                           {value.data() + static_cast<std::int64_t>(k) * count, {}, {}});
+    const auto functions = static_cast<std::int32_t>(sheets.size());
+    Choice best;
+    for (std::int64_t tree = 0; tree < task.trees.count(functions); ++tree) {
+        const Choice choice = judge(task.trees.program(functions, tree), tree, tests, value);
+        const bool better = choice.wrong < best.wrong || (choice.wrong == best.wrong && choice.off < best.off);
+        if (best.tree < 0 || better) best = choice;
+    }
+    return best;
+}
+
+// ---- Cells
 
 struct Node {
     glm::dvec3 centre;
     double half;
-    std::int64_t parent; // its place in the lists of faces
+    std::int64_t parent; // its number in the level above
+
+    [[nodiscard]] CellBox box() const noexcept { return {centre, PiecesData::cell_reach * half}; }
 };
 
-// What was found of a node.
+// What becomes of a node.
 struct Found {
     bool split = false;
     bool poor = false;
     bool surface = false;
-    std::int32_t size = 0;
-    std::int32_t program[2 * ReadOnceTrees::most];
-    double plain[4] = {};
+    Program program;
+    double plain[4] = {}; // the value and the gradient of a cell without surface
 };
 
-class Builder {
-public:
-    using Faces = base::Array<std::int32_t>;
-
-    Builder(const base::Runtime& runtime, const Mesh& mesh, const Creases& creases, const Sides& sides,
-            const base::Array<double>& chord, std::uint64_t seed, PiecesData& data, const base::Progress& progress)
-        : runtime_(runtime), mesh_(mesh), creases_(creases), sides_(sides), data_(data), progress_(progress),
-          trees_(runtime.memory), near_(near * mesh.bounds.diagonal()),
-          tests_(mesh, sides, creases.patch, chord, trees_, near_, seed), nodes_(runtime.memory),
-          found_(runtime.memory), faces_(runtime.memory) {}
-
-    [[nodiscard]] CellsReport run() {
-        data_.bounds = mesh_.bounds;
-        data_.side = root_side * mesh_.bounds.diagonal();
-        data_.corner = mesh_.bounds.centre() - 0.5 * data_.side;
-        const double half = 0.5 * data_.side;
-        nodes_.push_back({mesh_.bounds.centre(), half, 0});
-        base::List<Faces> above(runtime_.memory);
-        Faces& all = above.add(runtime_.memory);
-        for (std::int64_t face = 0; face < mesh_.faces(); ++face) all.push_back(static_cast<std::int32_t>(face));
-        for (level_ = 0; !nodes_.empty(); ++level_) {
-            look_at_level(above);
-            next_level();
-            above = std::move(faces_);
-            faces_ = base::List<Faces>(runtime_.memory);
-            progress_.update(static_cast<double>(level_ + 1) / (most_level + 1));
-        }
-        if (!sides_.solid()) continue_surface();
-        report_.cells = data_.leaves();
-        return report_;
+// Returns the patches of the cell's faces: rising, or, if there are too many in a cell that cannot be split, nearest
+// first.
+[[nodiscard]] FaceList patches_of(const CellTask& task, const Node& node, const FaceList& faces, bool may_split) {
+    FaceList patches(task.runtime.memory);
+    for (const std::int32_t face : faces) {
+        const std::int32_t patch = task.creases.patch[face];
+        if (std::find(patches.begin(), patches.end(), patch) == patches.end()) patches.push_back(patch);
     }
-
-private:
-    void look_at_level(const base::List<Faces>& above) {
-        const std::int64_t count = nodes_.size();
-        found_.resize(count);
-        for (std::int64_t i = 0; i < count; ++i) faces_.add(runtime_.memory);
-        runtime_.parallel.for_each(count, [&](std::int64_t i) {
-            progress_.check();
-            const Node& node = nodes_[i];
-            faces_in_box({node.centre, reach * node.half}, mesh_, above[node.parent], faces_[i]);
-            found_[i] = look_at(node, faces_[i], cell_number(i));
-        });
+    std::sort(patches.begin(), patches.end());
+    if (patches.size() <= ReadOnceTrees::most || may_split) return patches;
+    struct Near {
+        double distance;
+        std::int32_t patch;
+    };
+    base::Array<Near> order(task.runtime.memory);
+    for (const std::int32_t patch : patches) {
+        double least = std::numeric_limits<double>::infinity();
+        for (const std::int32_t face : faces)
+            if (task.creases.patch[face] == patch)
+                least = std::min(least, distance_to(node.centre, task.mesh.corners(face)));
+        order.push_back({least, patch});
     }
+    std::sort(order.begin(), order.end(), [](const Near& a, const Near& b) {
+        return a.distance < b.distance || (a.distance == b.distance && a.patch < b.patch);
+    });
+    for (std::int64_t i = 0; i < patches.size(); ++i) patches[i] = order[i].patch;
+    return patches;
+}
 
-    [[nodiscard]] std::uint64_t cell_number(std::int64_t i) const noexcept {
-        return (static_cast<std::uint64_t>(level_) << 32U) + static_cast<std::uint64_t>(i);
-    }
+// Makes a cell's function as far from 0 as the surface is away, in the middle, and of its sign in all of the cell.
+void make_plain(const Sides& sides, const Node& node, Found& found) noexcept {
+    const Beside beside = sides.beside(node.centre);
+    const glm::dvec3 off = node.centre - beside.place;
+    const double distance = glm::length(off);
+    const double far = std::sqrt(3.0) * PiecesData::cell_reach * node.half;
+    const double slope = std::min(1.0, cell_tuning.plain_fall * distance / far);
+    const glm::dvec3 gradient = distance > 0.0 ? (slope / beside.distance) * off : glm::dvec3(0.0);
+    found.plain[0] = beside.distance;
+    for (int c = 0; c < 3; ++c) found.plain[1 + c] = gradient[c];
+}
 
-    [[nodiscard]] bool may_split() const noexcept {
-        return level_ < most_level && data_.child.size() + 8 * nodes_.size() < most_cells;
-    }
-
-    [[nodiscard]] Found look_at(const Node& node, const Faces& faces, std::uint64_t number) const {
-        Found found;
-        if (faces.empty()) {
-            found.split = level_ < least_plain_level;
-            if (!found.split) make_plain(node, found);
-            return found;
-        }
-        found.surface = true;
-        found.split = level_ < least_level;
-        if (found.split) return found;
-        Faces patches(runtime_.memory);
-        gather_patches(node, faces, patches);
-        if (patches.size() > ReadOnceTrees::most && may_split()) {
-            found.split = true;
-            return found;
-        }
-        patches.resize(std::min<std::int64_t>(patches.size(), ReadOnceTrees::most));
-        const CellTests::Choice choice =
-            tests_.choose(runtime_.instruction_set, runtime_.memory, data_.sheet, patches.span(), faces.span(),
-                          {node.centre, reach * node.half}, number);
-        if (choice.side != 0.0) { // faces that meet the box, but not here, or inside another part
-            found.plain[0] = 0.5 * choice.side * node.half;
-            // Not by a gradient of 0: whoever asks for a direction gets one.
-            const glm::dvec3 along = 0.1 * choice.side * sides_.normal(faces[0]);
-            for (int c = 0; c < 3; ++c) found.plain[1 + c] = along[c];
-            return found;
-        }
-        found.split = choice.wrong > 0 && may_split();
-        found.poor = choice.wrong > 0;
-        for (const std::int32_t code : trees_.program(static_cast<std::int32_t>(patches.size()), choice.tree))
-            found.program[found.size++] = code >= 0 ? patches[code] : code;
+// faces: those in the cell's box. cell: a number of its own.
+[[nodiscard]] Found look_at(const CellTask& task, const Node& node, const FaceList& faces, std::int32_t level,
+                            std::uint64_t cell, bool may_split) {
+    Found found;
+    found.surface = !faces.empty();
+    found.split = level < (found.surface ? cell_tuning.least_level : cell_tuning.least_plain_level);
+    if (found.split) return found;
+    if (!found.surface) {
+        make_plain(task.sides, node, found);
         return found;
     }
-
-    // Nearest first, where there are too many; else rising.
-    void gather_patches(const Node& node, const Faces& faces, Faces& patches) const {
-        for (const std::int32_t face : faces) {
-            const std::int32_t patch = creases_.patch[face];
-            if (std::find(patches.begin(), patches.end(), patch) == patches.end()) patches.push_back(patch);
-        }
-        std::sort(patches.begin(), patches.end());
-        if (patches.size() <= ReadOnceTrees::most || may_split()) return;
-        base::Array<double> distance(runtime_.memory);
-        for (const std::int32_t patch : patches) {
-            double least = std::numeric_limits<double>::infinity();
-            for (const std::int32_t face : faces)
-                if (creases_.patch[face] == patch)
-                    least = std::min(least, distance_to(node.centre, mesh_.corners(face)));
-            distance.push_back(least);
-        }
-        Faces order(runtime_.memory);
-        for (std::int32_t i = 0; i < patches.size(); ++i) order.push_back(i);
-        std::sort(order.begin(), order.end(), [&](std::int32_t a, std::int32_t b) {
-            return distance[a] < distance[b] || (distance[a] == distance[b] && a < b);
-        });
-        for (std::int32_t& i : order) i = patches[i];
-        patches = std::move(order);
+    FaceList patches = patches_of(task, node, faces, may_split);
+    found.split = patches.size() > ReadOnceTrees::most && may_split;
+    if (found.split) return found;
+    patches.resize(std::min<std::int64_t>(patches.size(), ReadOnceTrees::most));
+    const Tests tests = gather_tests(task, node.box(), faces.span(), patches.span(), cell);
+    if (const double side = tests.one_side(); side != 0.0) { // faces that meet the box, but are inside another part
+        found.plain[0] = 0.5 * side * node.half;
+        // The gradient is not 0, as a direction may be asked for.
+        const glm::dvec3 along = 0.1 * side * task.sides.normal(faces[0]);
+        for (int c = 0; c < 3; ++c) found.plain[1 + c] = along[c];
+        return found;
     }
+    const Choice choice = choose_tree(task, patches.span(), tests);
+    found.poor = choice.wrong > 0;
+    found.split = found.poor && may_split;
+    for (const std::int32_t code : task.trees.program(static_cast<std::int32_t>(patches.size()), choice.tree))
+        found.program.code[found.program.size++] = code >= 0 ? patches[code] : code;
+    return found;
+}
 
-    // As far from 0 as the surface is away, in the middle, and of its sign in all of the cell.
-    void make_plain(const Node& node, Found& found) const noexcept {
-        const Beside beside = sides_.beside(node.centre);
-        const glm::dvec3 off = node.centre - beside.place;
-        const double distance = glm::length(off);
-        const double far = std::sqrt(3.0) * reach * node.half;
-        const double slope = std::min(1.0, plain_fall * distance / far);
-        const glm::dvec3 gradient = distance > 0.0 ? (slope / beside.distance) * off : glm::dvec3(0.0);
-        found.plain[0] = beside.distance;
-        for (int c = 0; c < 3; ++c) found.plain[1 + c] = gradient[c];
-    }
-
-    void next_level() {
-        const std::int64_t first = data_.child.size() + nodes_.size();
-        std::int64_t split = 0;
-        base::Array<Node> next(runtime_.memory);
-        for (std::int64_t i = 0; i < nodes_.size(); ++i) {
-            const Found& found = found_[i];
-            if (found.split) {
-                data_.child.push_back(static_cast<std::int32_t>(first + 8 * split++));
-                const double q = 0.5 * nodes_[i].half;
-                for (std::int32_t k = 0; k < 8; ++k)
-                    next.push_back({nodes_[i].centre +
-                                        glm::dvec3((k & 1) != 0 ? q : -q, (k & 2) != 0 ? q : -q, (k & 4) != 0 ? q : -q),
-                                    q, i});
-                continue;
-            }
-            data_.child.push_back(-1 - static_cast<std::int32_t>(data_.program_begin.size()));
-            data_.program_begin.push_back(static_cast<std::int32_t>(data_.program.size()));
-            for (std::int32_t k = 0; k < found.size; ++k) data_.program.push_back(found.program[k]);
-            for (const double number : found.plain) data_.plain.push_back(number);
-            report_.surface_cells += found.surface ? 1 : 0;
-            report_.poor_cells += found.poor ? 1 : 0;
-            centres_.push_back(nodes_[i].centre);
+// Adds the nodes of a level to the data, and the centres of leaves. Returns the next level.
+[[nodiscard]] base::Array<Node> add_level(const base::Array<Node>& nodes, const base::Array<Found>& found,
+                                          PiecesData& data, geometry::VecArray& centres, CellsReport& report) {
+    const std::int64_t first = data.child.size() + nodes.size();
+    base::Array<Node> next(nodes.memory());
+    for (std::int64_t i = 0; i < nodes.size(); ++i) {
+        if (found[i].split) {
+            data.child.push_back(static_cast<std::int32_t>(first + next.size()));
+            const double q = 0.5 * nodes[i].half;
+            for (std::int32_t k = 0; k < 8; ++k)
+                next.push_back(
+                    {nodes[i].centre + glm::dvec3((k & 1) != 0 ? q : -q, (k & 2) != 0 ? q : -q, (k & 4) != 0 ? q : -q),
+                     q, i});
+            continue;
         }
-        nodes_ = std::move(next);
-        if (nodes_.empty()) data_.program_begin.push_back(static_cast<std::int32_t>(data_.program.size()));
+        data.child.push_back(-1 - static_cast<std::int32_t>(data.program_begin.size()));
+        data.program_begin.push_back(static_cast<std::int32_t>(data.program.size()));
+        for (std::int32_t k = 0; k < found[i].program.size; ++k) data.program.push_back(found[i].program.code[k]);
+        for (const double number : found[i].plain) data.plain.push_back(number);
+        report.surface_cells += found[i].surface ? 1 : 0;
+        report.poor_cells += found[i].poor ? 1 : 0;
+        centres.push_back(nodes[i].centre);
     }
+    if (next.empty()) data.program_begin.push_back(static_cast<std::int32_t>(data.program.size()));
+    return next;
+}
 
-    const base::Runtime& runtime_;
-    const Mesh& mesh_;
-    const Creases& creases_;
-    const Sides& sides_;
-    PiecesData& data_;
-    const base::Progress& progress_;
-    const ReadOnceTrees trees_;
-    const double near_;
-    const CellTests tests_;
-    std::int32_t level_ = 0;
-    base::Array<Node> nodes_; // of this level
-    base::Array<Found> found_;
-    base::List<Faces> faces_;                     // in the box of each
-    geometry::VecArray centres_{runtime_.memory}; // of the leaves
-    CellsReport report_;
-
-    // Where neither side is all of space, a cell without surface has what the nearest one with surface has: beyond its
-    // borders the surface goes on as it comes.
-    void continue_surface() {
-        base::Array<std::int32_t> from(runtime_.memory, data_.leaves());
-        runtime_.parallel.for_chunks(data_.leaves(), 64, [&](std::int64_t begin, std::int64_t end) {
-            progress_.check();
-            for (std::int64_t leaf = begin; leaf < end; ++leaf) {
-                const bool has_surface = data_.program_begin[leaf] < data_.program_begin[leaf + 1];
-                from[leaf] =
-                    has_surface ? static_cast<std::int32_t>(leaf) : data_.leaf_at(sides_.beside(centres_[leaf]).place);
-            }
-        });
-        base::Array<std::int32_t> begin(runtime_.memory);
-        base::Array<std::int32_t> program(runtime_.memory);
-        for (const std::int32_t leaf : from) {
-            begin.push_back(static_cast<std::int32_t>(program.size()));
-            for (std::int32_t at = data_.program_begin[leaf]; at < data_.program_begin[leaf + 1]; ++at)
-                program.push_back(data_.program[at]);
-        }
+// Where neither side is all of space, a cell without surface has what the nearest one with surface has: beyond its
+// borders the surface goes on as it comes.
+void continue_surface(const base::Runtime& runtime, const Sides& sides, const geometry::VecArray& centres,
+                      PiecesData& data, const base::Progress& progress) {
+    base::Array<std::int32_t> from(runtime.memory, data.leaves());
+    runtime.parallel.for_chunks(data.leaves(), 64, progress, [&](std::int64_t begin, std::int64_t end) {
+        for (std::int64_t leaf = begin; leaf < end; ++leaf)
+            from[leaf] = data.program_begin[leaf] < data.program_begin[leaf + 1]
+                             ? static_cast<std::int32_t>(leaf)
+                             : data.leaf_at(sides.beside(centres[leaf]).place);
+    });
+    base::Array<std::int32_t> begin(runtime.memory);
+    base::Array<std::int32_t> program(runtime.memory);
+    for (const std::int32_t leaf : from) {
         begin.push_back(static_cast<std::int32_t>(program.size()));
-        data_.program_begin = std::move(begin);
-        data_.program = std::move(program);
+        for (std::int32_t at = data.program_begin[leaf]; at < data.program_begin[leaf + 1]; ++at)
+            program.push_back(data.program[at]);
     }
-};
+    begin.push_back(static_cast<std::int32_t>(program.size()));
+    data.program_begin = std::move(begin);
+    data.program = std::move(program);
+}
 
 } // namespace
 
-CellsReport make_cells(const base::Runtime& runtime, const Mesh& mesh, const Creases& creases, const Sides& sides,
+ReadOnceTrees::ReadOnceTrees(base::Memory& memory) : first_(memory), begin_(memory), code_(memory) {
+    base::List<Programs> trees(memory); // of set and top: 2 set + top
+    const auto topped = [&](std::uint32_t set, std::uint32_t top) -> const Programs& { return trees[2 * set + top]; };
+    for (std::uint32_t set = 0; set < 1U << most; ++set)
+        for (std::uint32_t top = 0; top < 2; ++top) {
+            Programs& to = trees.add(memory);
+            if (set > 0) add_trees(set, top, topped, to);
+        }
+    first_.resize(2); // none of no functions
+    for (std::int32_t functions = 1; functions <= most; ++functions) {
+        const std::uint32_t all = (1U << static_cast<unsigned>(functions)) - 1U;
+        for (std::uint32_t top = 0; top < (functions > 1 ? 2U : 1U); ++top)
+            for (const Program& program : topped(all, top)) {
+                begin_.push_back(code_.size());
+                for (std::int32_t i = 0; i < program.size; ++i) code_.push_back(program.code[i]);
+            }
+        first_.push_back(begin_.size());
+    }
+    begin_.push_back(code_.size());
+}
+
+CellsReport make_cells(const base::Runtime& runtime, const Mesh& mesh, const FaceTree& tree, const Creases& creases,
                        const base::Array<double>& chord, std::uint64_t seed, PiecesData& data,
                        const base::Progress& progress) {
-    return Builder(runtime, mesh, creases, sides, chord, seed, data, progress).run();
+    HRBFNPR_ASSERT(data.sheet.size() == creases.patches && chord.size() == mesh.vertex.size());
+    const Sides sides(runtime, mesh, tree, progress);
+    const ReadOnceTrees trees(runtime.memory);
+    const double diagonal = mesh.bounds.diagonal();
+    const CellTask task{runtime, mesh, creases, sides, chord, trees, data, cell_tuning.near * diagonal, seed};
+    data.bounds = mesh.bounds;
+    data.side = cell_tuning.root_side * PiecesData::reach * diagonal;
+    data.corner = mesh.bounds.centre() - 0.5 * data.side;
+    base::Array<Node> nodes(runtime.memory); // of one level
+    nodes.push_back({mesh.bounds.centre(), 0.5 * data.side, 0});
+    base::List<FaceList> above(runtime.memory); // in the box of each node of the level above
+    FaceList& all = above.add(runtime.memory);
+    for (std::int64_t face = 0; face < mesh.faces(); ++face) all.push_back(static_cast<std::int32_t>(face));
+    geometry::VecArray centres(runtime.memory);
+    CellsReport report;
+    for (std::int32_t level = 0; !nodes.empty(); ++level) {
+        base::List<FaceList> faces(runtime.memory);
+        for (std::int64_t i = 0; i < nodes.size(); ++i) faces.add(runtime.memory);
+        base::Array<Found> found(runtime.memory, nodes.size());
+        const bool may_split =
+            level < cell_tuning.most_level && data.child.size() + 8 * nodes.size() < cell_tuning.most_cells;
+        runtime.parallel.for_each(nodes.size(), [&](std::int64_t i) {
+            progress.check();
+            for (const std::int32_t face : above[nodes[i].parent])
+                if (meets(nodes[i].box(), mesh.corners(face))) faces[i].push_back(face);
+            const std::uint64_t cell = (static_cast<std::uint64_t>(level) << 32U) + static_cast<std::uint64_t>(i);
+            found[i] = look_at(task, nodes[i], faces[i], level, cell, may_split);
+        });
+        nodes = add_level(nodes, found, data, centres, report);
+        above = std::move(faces);
+        progress.update(static_cast<double>(level + 1) / (cell_tuning.most_level + 1));
+    }
+    if (!sides.solid()) continue_surface(runtime, sides, centres, data, progress);
+    report.cells = data.leaves();
+    return report;
 }
 
 } // namespace hrbfnpr::mesh

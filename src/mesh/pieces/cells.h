@@ -2,20 +2,50 @@
 // Space cut into cells, in each of which a few sheets make the mesh's surface.
 #pragma once
 
-#include "mesh/pieces/sides.h"
-#include "mesh/pieces/tests_in_cell.h"
+#include "implicit/pieces.h"
+#include "mesh/face_tree.h"
+#include "mesh/pieces/creases.h"
+
+#include <span>
 
 namespace hrbfnpr::mesh {
+
+// All ways to take maxima and minima of a few functions, each once, as programs of implicit::PiecesData: numbers of
+// functions, larger, smaller. Of 1 to `most` functions there are 1, 2, 8, 52 and 472 (series-parallel networks:
+// MacMahon 1890).
+class ReadOnceTrees {
+public:
+    static constexpr std::int32_t most = 5;
+
+    explicit ReadOnceTrees(base::Memory& memory);
+
+    [[nodiscard]] std::int64_t count(std::int32_t functions) const noexcept {
+        HRBFNPR_ASSERT(functions >= 1 && functions <= most);
+        return first_[functions + 1] - first_[functions];
+    }
+    [[nodiscard]] std::span<const std::int32_t> program(std::int32_t functions, std::int64_t tree) const noexcept {
+        HRBFNPR_ASSERT(tree >= 0 && tree < count(functions));
+        const std::int64_t at = first_[functions] + tree;
+        return code_.span().subspan(static_cast<std::size_t>(begin_[at]),
+                                    static_cast<std::size_t>(begin_[at + 1] - begin_[at]));
+    }
+
+private:
+    base::Array<std::int64_t> first_; // the first tree of each number of functions
+    base::Array<std::int64_t> begin_; // of each tree in code_, and the end
+    base::Array<std::int32_t> code_;
+};
 
 struct CellsReport {
     std::int64_t cells = 0;
     std::int64_t surface_cells = 0;
-    std::int64_t poor_cells = 0; // in which no tree does all that is asked for
+    std::int64_t poor_cells = 0; // in which no tree passes all tests
 };
 
-// Fills in the cells of `data`, whose sheets are those of the patches, in their order.
-[[nodiscard]] CellsReport make_cells(const base::Runtime& runtime, const Mesh& mesh, const Creases& creases,
-                                     const Sides& sides, const base::Array<double>& chord, std::uint64_t seed,
+// Fills in the cells of `data`, whose sheets are those of the patches, in their order. chord: how far the faces at each
+// vertex are from the smooth surface that they stand for.
+[[nodiscard]] CellsReport make_cells(const base::Runtime& runtime, const Mesh& mesh, const FaceTree& tree,
+                                     const Creases& creases, const base::Array<double>& chord, std::uint64_t seed,
                                      implicit::PiecesData& data, const base::Progress& progress);
 
 } // namespace hrbfnpr::mesh

@@ -2,7 +2,7 @@
 #include "mesh/pieces/creases.h"
 
 #include "base/assert.h"
-#include "mesh/pieces/patch_normals.h"
+#include "mesh/pieces/patches.h"
 #include "mesh/pieces/split_fading.h"
 
 #include <algorithm>

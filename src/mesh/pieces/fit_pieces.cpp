@@ -1,387 +1,308 @@
 // SPDX-License-Identifier: MIT
+// The steps of fit_pieces(), in order:
+//
+//   fit_sheets      a sheet for each patch, smaller patches first
+//   report_sheets   their errors, as one report
+//   make_whole      the cells that join the sheets, and how far the surface is from the mesh
+//   improves        the same with patches parted along edges that bend less, while something is far off
 #include "mesh/pieces/fit_pieces.h"
 
 #include "base/clock.h"
-#include "mesh/fit/flat.h"
+#include "base/groups.h"
 #include "mesh/fit/outer.h"
-#include "mesh/fit/touching.h"
-#include "mesh/pieces/contacts.h"
+#include "mesh/pieces/cell_tuning.h"
+#include "mesh/pieces/cells.h"
 #include "mesh/pieces/fit_sheet.h"
-#include "mesh/sample.h"
+#include "mesh/pieces/patches.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 namespace hrbfnpr::mesh {
 namespace {
 
-// Shares of the fit's tolerance: at creases, where an error shows as a wave in a straight line, and far from them.
-constexpr double at_crease = 0.025;
-constexpr double far_from_crease = 0.25;
-constexpr double ramp = 0.05;             // diagonals
-constexpr std::int64_t fewest = 8;        // centres that each sheet may have ...
-constexpr std::int64_t room_a_sheet = 32; // ... and that there may be for each, at least
-constexpr std::int64_t even_places = 2000;
-constexpr std::int64_t fewest_on_parts = 4000;
-constexpr std::int64_t most_on_parts = 100000;
-constexpr double cells_a_diagonal = 72.0; // that the surface is looked for in, when it is measured
-constexpr double contact = 1e-4; // diagonals: parts that are no farther from each other, and by how much they grow
-constexpr std::int64_t measured_places = 10000;
-constexpr double support_limit = 3.0; // of what dense samples bear out
-// Of a sheet's samples those that may be outside its tolerance.  Where more are, and something is far off, its patch is
-// parted along edges that bend by so many degrees.  That is kept if all is so much nearer, or so much less of it is
-// outside: what is curved at random does not become better by it.
-constexpr double settled = 0.02;
-constexpr double smaller_angles[] = {20.0, 10.0};
-constexpr double promised = 0.8; // of what is outside, before all is made and measured
-constexpr double nearer = 0.8;
-constexpr double no_worse = 1.1;     // of what is far off for another reason
-constexpr double end_of_first = 0.7; // of the progress
+struct PiecesTask {
+    const base::Runtime& runtime;
+    const Mesh& mesh;
+    const FaceTree& tree;
+    const MeshSamples& places; // on all parts
+    const FitMeshSettings& settings;
+    const fit::FitInput& options;
+    const double tolerance;
+};
 
-[[nodiscard]] double tolerance_of(const Mesh& mesh, const FitMeshSettings& settings) noexcept {
-    return settings.tolerance > 0.0 ? settings.tolerance : default_tolerance * mesh.bounds.diagonal();
+struct Sheets {
+    Sheets(base::Memory& memory, const Mesh& mesh, const Creases& from)
+        : creases(from), faces(memory, from.patches,
+                               [&](auto&& put) {
+                                   for (std::int32_t face = 0; face < mesh.faces(); ++face) put(from.patch[face], face);
+                                   for (const Creases::Shared& shared : from.shared) put(shared.patch, shared.face);
+                               }),
+          fit(memory), lent(memory, from.patches), unsettled(memory), chord(memory) {
+        for (std::int32_t p = 0; p < from.patches; ++p) fit.add();
+        std::fill(lent.begin(), lent.end(), -1);
+    }
+
+    const Creases& creases;
+    base::Groups faces;                      // of each patch, and then those beyond its smooth cuts
+    base::List<std::optional<SheetFit>> fit; // of each patch
+    base::Array<std::int32_t> lent;      // of each patch: the one of other sheets that its fit was taken from, or -1
+    base::Array<std::uint8_t> unsettled; // of each patch: no function goes through it
+    double unsettled_area = 0.0;         // of these, each by the share of its samples that are outside
+    base::Array<double> chord;           // of vertices: chord_errors()
+};
+
+// ---- Sheets
+
+// Takes the fits of patches that are the same. Patches are parted, but not joined: those with as many faces are the
+// same.
+void borrow(Sheets& before, Sheets& sheets) {
+    for (std::int32_t p = 0; p < sheets.creases.patches; ++p) {
+        const std::int32_t q = before.creases.patch[sheets.faces[p][0]];
+        if (sheets.faces.count(p) != before.faces.count(q)) continue;
+        sheets.lent[p] = q;
+        sheets.fit[p] = std::exchange(before.fit[q], std::nullopt);
+    }
 }
 
-class Fitter {
-public:
-    // places: on all parts.
-    Fitter(const base::Runtime& runtime, const Mesh& mesh, const FaceTree& tree, const MeshSamples& places,
-           const Creases& creases, const FitMeshSettings& settings, const fit::FitInput& options,
-           const base::Progress& progress)
-        : runtime_(runtime), mesh_(mesh), tree_(tree), places_(places), creases_(creases), settings_(settings),
-          options_(options), progress_(progress), result_{implicit::PiecesData(runtime.memory), {}, {}, {}} {
-        result_.mesh.tolerance = tolerance_of(mesh, settings);
-        result_.mesh.far = settings.far > 0.0 ? settings.far : 5.0 * result_.mesh.tolerance;
-        unit_ = at_crease * result_.mesh.tolerance;
-        result_.mesh.supported = mesh.report.boundary_edges > 0;
-    }
+void give_back(Sheets& sheets, Sheets& before) {
+    for (std::int32_t p = 0; p < sheets.creases.patches; ++p)
+        if (sheets.lent[p] >= 0) before.fit[sheets.lent[p]] = std::exchange(sheets.fit[p], std::nullopt);
+}
 
-    // before: of the same mesh with fewer creases, which lends the sheets of patches that are the same.
-    void fit_sheets(Fitter* before) {
-        look_at_parts();
-        group_faces();
-        fit_patches(before);
-        result_.mesh.seconds_fit = watch_.seconds();
-    }
+// Returns the patches by their numbers of faces: what small ones need not is left to the larger ones.
+[[nodiscard]] base::Array<std::int32_t> small_first(const Sheets& sheets) {
+    base::Array<std::int32_t> order(sheets.lent.memory());
+    for (std::int32_t p = 0; p < sheets.creases.patches; ++p) order.push_back(p);
+    std::sort(order.begin(), order.end(), [&](std::int32_t a, std::int32_t b) {
+        return sheets.faces.count(a) < sheets.faces.count(b) ||
+               (sheets.faces.count(a) == sheets.faces.count(b) && a < b);
+    });
+    return order;
+}
 
-    // From its sheets.
-    void make_whole() {
-        for (std::int32_t p = 0; p < creases_.patches; ++p) result_.data.sheet.add(std::move(made_[at_[p]].data));
-        base::Stopwatch watch;
-        make_cells();
-        result_.pieces.seconds_cells = watch.seconds();
-        watch.restart();
-        measure();
-        result_.mesh.seconds_measure = watch.seconds();
-        result_.pieces.sheets = static_cast<std::int32_t>(result_.data.sheet.size());
-        result_.pieces.crease_length = creases_.length - creases_.fading;
-        result_.pieces.smooth_length = creases_.fading;
-    }
-
-    // The sheets that it was lent.
-    void give_back(Fitter& before) {
-        for (std::int32_t p = 0; p < creases_.patches; ++p) {
-            if (!is_lent(p)) continue;
-            implicit::HrbfData& data = result_.data.sheet.empty() ? made_[at_[p]].data : result_.data.sheet[p];
-            before.result_.data.sheet[lent_[p]] = std::move(data);
-        }
-    }
-
-    [[nodiscard]] const PiecesFit& result() const noexcept { return result_; }
-    [[nodiscard]] PiecesFit take() { return std::move(result_); }
-
-    // The same creases, and what bends by more than an angle within patches that no function goes through.
-    [[nodiscard]] Creases more_creases(double angle) const {
-        return find_more_creases(runtime_, mesh_, creases_, unsettled_, angle, progress_);
-    }
-    [[nodiscard]] std::int32_t patches() const noexcept { return creases_.patches; }
-    // Area of patches that no function goes through, each by the share of its samples that are outside.
-    [[nodiscard]] double unsettled_area() const noexcept { return unsettled_area_; }
-
-private:
-    void look_at_parts() {
-        const bool solids = !result_.mesh.supported;
-        if (solids && has_parts(mesh_))
-            in_contact_ = patches_in_contact(runtime_, mesh_, tree_, creases_, places_,
-                                             contact * mesh_.bounds.diagonal(), progress_);
-    }
-
-    // A sheet that lies against another part grows by so much that the two go through each other: where both are 0, or
-    // next to it, there would be surface in the midst of the solid.
-    void grow(std::int32_t p, fit::Samples& samples) const noexcept {
-        if (in_contact_.empty() || in_contact_[p] == 0) return;
-        const double by = contact * mesh_.bounds.diagonal();
-        for (std::int64_t i = 0; i < samples.position.size(); ++i)
-            samples.position.set(i, samples.position[i] + by * samples.normal[i]);
-    }
-
-    // The faces of each patch, one after the other.
-    void group_faces() {
-        first_.resize(creases_.patches + 1);
-        for (const std::int32_t patch : creases_.patch) ++first_[patch + 1];
-        for (const Creases::Shared& shared : creases_.shared) ++first_[shared.patch + 1];
-        for (std::int32_t p = 0; p < creases_.patches; ++p) first_[p + 1] += first_[p];
-        faces_.resize(mesh_.faces() + creases_.shared.size());
-        base::Array<std::int64_t> next(runtime_.memory);
-        for (const std::int64_t at : first_) next.push_back(at);
-        for (std::int64_t face = 0; face < mesh_.faces(); ++face)
-            faces_[next[creases_.patch[face]]++] = static_cast<std::int32_t>(face);
-        for (const Creases::Shared& shared : creases_.shared) faces_[next[shared.patch]++] = shared.face;
-    }
-
-    // Of many sheets each takes few, and is solved alone.
-    [[nodiscard]] std::int64_t most_centres() const noexcept {
-        return std::max(settings_.maximum_centres, room_a_sheet * creases_.patches);
-    }
-
-    // Small patches first: what they need not is left to the larger ones.
-    [[nodiscard]] base::Array<std::int32_t> small_first() const {
-        base::Array<std::int32_t> order(runtime_.memory);
-        for (std::int32_t p = 0; p < creases_.patches; ++p) order.push_back(p);
-        std::sort(order.begin(), order.end(), [&](std::int32_t a, std::int32_t b) {
-            const std::int64_t of_a = first_[a + 1] - first_[a];
-            const std::int64_t of_b = first_[b + 1] - first_[b];
-            return of_a < of_b || (of_a == of_b && a < b);
-        });
-        return order;
-    }
-
-    void fit_patches(Fitter* before) {
-        const PatchNormals normal = patch_normals(runtime_, mesh_, creases_, result_.mesh.tolerance);
-        chord_ = chord_errors(mesh_, normal.normal);
-        const PatchTolerance tolerance{at_crease * result_.mesh.tolerance, far_from_crease * result_.mesh.tolerance,
-                                       ramp * mesh_.bounds.diagonal()};
-        at_.resize(creases_.patches);
-        if (before != nullptr) borrow(*before);
-        std::int64_t faces_left = 0;
-        for (std::int32_t p = 0; p < creases_.patches; ++p) faces_left += is_lent(p) ? 0 : first_[p + 1] - first_[p];
-        const auto all_faces = static_cast<double>(faces_left);
-        std::int64_t centres = 0;
-        for (const SheetFit& lent : made_) centres += lent.data.count();
-        base::Array<std::int32_t> starved(runtime_.memory); // for which their share was too little
-        for (const std::int32_t p : small_first()) {
-            if (is_lent(p)) continue;
-            const std::int64_t faces = first_[p + 1] - first_[p];
-            const double share = static_cast<double>(faces) / static_cast<double>(faces_left);
-            const std::int64_t room = std::max<std::int64_t>(most_centres() - centres, 0);
-            const std::int64_t most = std::max(fewest, static_cast<std::int64_t>(share * static_cast<double>(room)));
-            at_[p] = made_.size();
-            made_.add(fit_patch(p, normal, tolerance, most));
-            faces_left -= faces;
-            centres += made_.back().data.count();
-            const bool far = made_.back().report.input_distance_max > result_.mesh.tolerance;
-            if (far && made_.back().data.count() >= most) starved.push_back(p);
-            progress_.update(0.5 * (1.0 - static_cast<double>(faces_left) / all_faces));
-        }
-        // A few coarse faces may stand for what takes many centres, as cones do.
-        for (std::int64_t left = starved.size(); const std::int32_t p : starved) {
-            SheetFit& one = made_[at_[p]];
-            const std::int64_t more = std::max<std::int64_t>(most_centres() - centres, 0) / left--;
-            if (more < one.data.count() / 4) continue;
-            centres -= one.data.count();
-            one = fit_patch(p, normal, tolerance, one.data.count() + more);
-            centres += one.data.count();
-        }
-        progress_.update(0.6);
-        for (std::int32_t p = 0; p < creases_.patches; ++p) add_to_report(p, made_[at_[p]]);
-        finish_report();
-        gather_samples(normal.normal);
-    }
-
-    [[nodiscard]] bool is_lent(std::int32_t p) const noexcept { return !lent_.empty() && lent_[p] >= 0; }
-
-    // Patches are parted, but not joined: those with as many faces are the same.
-    void borrow(Fitter& before) {
-        for (std::int32_t p = 0; p < creases_.patches; ++p) {
-            const std::int32_t q = before.creases_.patch[faces_[first_[p]]];
-            const bool same = first_[p + 1] - first_[p] == before.first_[q + 1] - before.first_[q];
-            lent_.push_back(same ? q : -1);
-            if (!same) continue;
-            const SheetFit& of = before.made_[before.at_[q]];
-            at_[p] = made_.size();
-            made_.add(SheetFit{std::move(before.result_.data.sheet[q]), of.report, of.squares, of.worst, of.outside,
-                               of.rounds, of.samples});
-        }
-    }
-
-    // Places that whoever looks for the surface may begin at.
-    void gather_samples(const base::Array<glm::dvec3>& normal) {
-        MeshSamples even = even_samples(runtime_, mesh_, even_places, 4 * even_places, settings_.seed, progress_);
-        for (std::int64_t i = 0; i < even.position.size(); ++i) {
-            const glm::dvec3 shares = shares_of(mesh_.corners(even.face[i]), even.position[i]);
-            const glm::dvec3* const n = normal.data() + 3 * std::int64_t{even.face[i]};
-            even.normal.set(i, glm::normalize(shares.x * n[0] + shares.y * n[1] + shares.z * n[2]));
-        }
-        keep_outer(runtime_, mesh_, tree_, even.position, even.normal, progress_);
-        fit::Samples samples(runtime_.memory);
-        samples.position = std::move(even.position);
-        fit::measure_extent(runtime_, samples, progress_);
-        result_.data.spacing = samples.spacing;
-        for (std::int64_t i = 0; i < samples.position.size(); ++i)
-            for (int c = 0; c < 3; ++c) {
-                result_.data.sample_position.push_back(samples.position[i][c]);
-                result_.data.sample_normal.push_back(even.normal[i][c]);
-            }
-    }
-
-    [[nodiscard]] SheetFit fit_patch(std::int32_t p, const PatchNormals& normal, const PatchTolerance& tolerance,
-                                     std::int64_t most) {
-        const std::span<const std::int32_t> faces = faces_.span().subspan(
-            static_cast<std::size_t>(first_[p]), static_cast<std::size_t>(first_[p + 1] - first_[p]));
-        PatchSamples patch = sample_patch(runtime_, mesh_, creases_, normal, faces, tolerance, progress_);
-        grow(p, patch.samples);
-        SheetFit made = fit_sheet(runtime_, patch, options_, most, progress_.part(0.0, 0.0));
-        runtime_.log(base::LogLevel::debug,
+[[nodiscard]] SheetFit fit_patch(const PiecesTask& task, const Sheets& sheets, std::int32_t p,
+                                 const PatchNormals& normals, bool grows, std::int64_t most,
+                                 const base::Progress& progress) {
+    PatchSamples patch =
+        sample_patch(task.runtime, task.mesh, sheets.creases, normals, sheets.faces[p],
+                     {pieces_tuning.at_crease * task.tolerance, pieces_tuning.far_from_crease * task.tolerance,
+                      pieces_tuning.ramp * task.mesh.bounds.diagonal()},
+                     progress);
+    fit::Samples& samples = patch.samples;
+    for (std::int64_t i = 0; grows && i < samples.position.size(); ++i)
+        samples.position.set(i, samples.position[i] +
+                                    pieces_tuning.contact * task.mesh.bounds.diagonal() * samples.normal[i]);
+    SheetFit made = fit_sheet(task.runtime, patch, task.options, most, progress.part(0.0, 0.0));
+    task.runtime.log(base::LogLevel::debug,
                      "pieces: sheet %d: %lld faces, %lld samples, %lld centres in %d rounds, %lld outside, the worst "
                      "by %.2f",
-                     static_cast<int>(p), static_cast<long long>(faces.size()),
-                     static_cast<long long>(patch.samples.position.size()), static_cast<long long>(made.data.count()),
+                     static_cast<int>(p), static_cast<long long>(sheets.faces.count(p)),
+                     static_cast<long long>(samples.position.size()), static_cast<long long>(made.data.count()),
                      static_cast<int>(made.rounds), static_cast<long long>(made.outside), made.worst);
-        return made;
-    }
+    return made;
+}
 
-    // The worst of all sheets; means over all.
-    void add_to_report(std::int32_t p, const SheetFit& made) {
-        fit::FitReport& all = result_.fit;
+// Returns places that those who look for the surface may begin at.
+void gather_samples(const PiecesTask& task, const base::Array<glm::dvec3>& normal, implicit::PiecesData& data,
+                    const base::Progress& progress) {
+    MeshSamples even = even_samples(task.runtime, task.mesh, pieces_tuning.even_places, 4 * pieces_tuning.even_places,
+                                    task.settings.seed, progress);
+    for (std::int64_t i = 0; i < even.position.size(); ++i) {
+        const glm::dvec3 shares = shares_of(task.mesh.corners(even.face[i]), even.position[i]);
+        const glm::dvec3* const n = normal.data() + 3 * std::int64_t{even.face[i]};
+        even.normal.set(i, glm::normalize(shares.x * n[0] + shares.y * n[1] + shares.z * n[2]));
+    }
+    keep_outer(task.runtime, task.mesh, task.tree, even.position, even.normal, progress);
+    fit::Samples samples(task.runtime.memory);
+    samples.position = std::move(even.position);
+    fit::measure_extent(task.runtime, samples, progress);
+    data.spacing = samples.spacing;
+    for (std::int64_t i = 0; i < samples.position.size(); ++i)
+        for (int c = 0; c < 3; ++c) {
+            data.sample_position.push_back(samples.position[i][c]);
+            data.sample_normal.push_back(even.normal[i][c]);
+        }
+}
+
+// Each of many sheets takes few centres, and is solved alone.
+void fit_sheets(const PiecesTask& task, Sheets& sheets, PiecesFit& result, const base::Progress& progress) {
+    const base::Runtime& runtime = task.runtime;
+    const std::int32_t patches = sheets.creases.patches;
+    // A sheet that lies against another part grows by so much that the two go through each other: where both are 0, or
+    // next to it, there would be surface in the midst of the solid.
+    base::Array<std::uint8_t> grows(runtime.memory, patches);
+    if (!result.mesh.supported && has_parts(task.mesh))
+        grows = patches_in_contact(runtime, task.mesh, task.tree, sheets.creases, task.places,
+                                   pieces_tuning.contact * task.mesh.bounds.diagonal(), progress);
+    const PatchNormals normals = patch_normals(runtime, task.mesh, sheets.creases, task.tolerance);
+    sheets.chord = chord_errors(task.mesh, normals.normal);
+    std::int64_t faces_left = 0;
+    std::int64_t room = std::max(task.settings.maximum_centres, pieces_tuning.room_a_sheet * patches);
+    for (std::int32_t p = 0; p < patches; ++p) {
+        if (sheets.fit[p])
+            room -= sheets.fit[p]->data.count();
+        else
+            faces_left += sheets.faces.count(p);
+    }
+    const auto all_faces = static_cast<double>(faces_left);
+    base::Array<std::int32_t> starved(runtime.memory); // Their share of centres was too little.
+    for (const std::int32_t p : small_first(sheets)) {
+        if (sheets.fit[p]) continue;
+        const std::int64_t faces = sheets.faces.count(p);
+        const double share = static_cast<double>(faces) / static_cast<double>(faces_left);
+        const auto most =
+            std::max(pieces_tuning.fewest,
+                     static_cast<std::int64_t>(share * static_cast<double>(std::max<std::int64_t>(room, 0))));
+        const SheetFit& made =
+            sheets.fit[p].emplace(fit_patch(task, sheets, p, normals, grows[p] != 0, most, progress));
+        faces_left -= faces;
+        room -= made.data.count();
+        if (made.report.input_distance_max > task.tolerance && made.data.count() >= most) starved.push_back(p);
+        progress.update(0.5 * (1.0 - static_cast<double>(faces_left) / all_faces));
+    }
+    // A few coarse faces may stand for what takes many centres, as cones do.
+    for (std::int64_t left = starved.size(); const std::int32_t p : starved) {
+        const std::int64_t before = sheets.fit[p]->data.count();
+        const std::int64_t more = std::max<std::int64_t>(room, 0) / left--;
+        if (more < before / 4) continue;
+        sheets.fit[p] = fit_patch(task, sheets, p, normals, grows[p] != 0, before + more, progress);
+        room += before - sheets.fit[p]->data.count();
+    }
+    progress.update(0.6);
+    gather_samples(task, normals.normal, result.data, progress);
+}
+
+// Reports the worst of all sheets, and means over all; and notes which patches are unsettled.
+void report_sheets(const PiecesTask& task, Sheets& sheets, PiecesFit& result) {
+    fit::FitReport& all = result.fit;
+    const double unit = pieces_tuning.at_crease * task.tolerance; // the least tolerance of a sample
+    double values = 0.0, gradients = 0.0, squares = 0.0, centres = 0.0;
+    const auto raise = [](auto& to, auto value) { to = std::max(to, value); };
+    for (std::int32_t p = 0; p < sheets.creases.patches; ++p) {
+        const SheetFit& made = *sheets.fit[p];
         const fit::FitReport& one = made.report;
         const auto count = static_cast<double>(made.data.count());
-        all.kernel_radius = std::max(all.kernel_radius, one.kernel_radius);
-        all.regularization = std::max(all.regularization, one.regularization);
-        all.solver_residual = std::max(all.solver_residual, one.solver_residual);
-        all.condition_estimate = std::max(all.condition_estimate, one.condition_estimate);
-        all.iterations = std::max(all.iterations, one.iterations);
-        const double outside = static_cast<double>(made.outside) / static_cast<double>(made.samples);
-        unsettled_.push_back(outside > settled ? 1 : 0);
-        if (outside > settled) unsettled_area_ += outside * area_of(p);
-        result_.mesh.rounds = std::max(result_.mesh.rounds, made.rounds);
-        result_.mesh.candidates += made.samples;
-        all.choice_rounds = std::max(all.choice_rounds, one.choice_rounds);
+        raise(all.kernel_radius, one.kernel_radius);
+        raise(all.regularization, one.regularization);
+        raise(all.solver_residual, one.solver_residual);
+        raise(all.condition_estimate, one.condition_estimate);
+        raise(all.iterations, one.iterations);
+        raise(all.choice_rounds, one.choice_rounds);
+        raise(all.value_residual_max, one.value_residual_max);
+        raise(all.gradient_residual_max, one.gradient_residual_max);
+        raise(all.input_distance_max, one.input_distance_max);
+        raise(result.mesh.rounds, made.rounds);
         all.fallback = all.fallback || one.fallback;
         if (one.solver == fit::SolverKind::iterative) all.solver = one.solver;
-        all.value_residual_max = std::max(all.value_residual_max, one.value_residual_max);
-        all.gradient_residual_max = std::max(all.gradient_residual_max, one.gradient_residual_max);
-        values_ += count * (one.value_residual_rms / unit_) * (one.value_residual_rms / unit_);
-        gradients_ += count * one.gradient_residual_rms * one.gradient_residual_rms;
-        squares_ += made.squares;
-        centres_ += count;
-        all.input_distance_max = std::max(all.input_distance_max, one.input_distance_max);
+        values += count * (one.value_residual_rms / unit) * (one.value_residual_rms / unit);
+        gradients += count * one.gradient_residual_rms * one.gradient_residual_rms;
+        squares += made.squares;
+        centres += count;
+        all.samples += made.samples;
         all.seconds_assemble += one.seconds_assemble;
         all.seconds_precondition += one.seconds_precondition;
         all.seconds_solve += one.seconds_solve;
-    }
-
-    [[nodiscard]] double area_of(std::int32_t p) const noexcept {
+        const double outside = static_cast<double>(made.outside) / static_cast<double>(made.samples);
+        sheets.unsettled.push_back(outside > pieces_tuning.settled ? 1 : 0);
+        if (sheets.unsettled[p] == 0) continue;
         double doubled = 0.0;
-        for (std::int64_t i = first_[p]; i < first_[p + 1]; ++i)
-            doubled += glm::length(doubled_area(mesh_.corners(faces_[i])));
-        return 0.5 * doubled;
+        for (const std::int32_t face : sheets.faces[p]) doubled += glm::length(doubled_area(task.mesh.corners(face)));
+        sheets.unsettled_area += outside * (0.5 * doubled);
     }
+    result.mesh.candidates = all.samples;
+    all.value_residual_rms = unit * std::sqrt(values / centres);
+    all.gradient_residual_rms = std::sqrt(gradients / centres);
+    all.input_distance_rms = std::sqrt(squares / static_cast<double>(all.samples));
+}
 
-    void finish_report() noexcept {
-        fit::FitReport& all = result_.fit;
-        all.samples = result_.mesh.candidates;
-        all.value_residual_rms = unit_ * std::sqrt(values_ / centres_);
-        all.gradient_residual_rms = std::sqrt(gradients_ / centres_);
-        all.input_distance_rms = std::sqrt(squares_ / static_cast<double>(all.samples));
-    }
+// ---- The whole
 
-    void make_cells() {
-        const Sides sides(runtime_, mesh_, tree_, progress_);
-        const CellsReport report = mesh::make_cells(runtime_, mesh_, creases_, sides, chord_, settings_.seed,
-                                                    result_.data, progress_.part(0.6, 0.85));
-        result_.pieces.cells = report.cells;
-        result_.pieces.poor_cells = report.poor_cells;
-        runtime_.log(base::LogLevel::debug, "pieces: %lld cells, %lld with surface, %lld of them poor",
-                     static_cast<long long>(report.cells), static_cast<long long>(report.surface_cells),
-                     static_cast<long long>(report.poor_cells));
-    }
+[[nodiscard]] bool is_good(const Spread& spread, const FitMeshSettings& settings, double far) noexcept {
+    return spread.points > 0 && spread.share >= settings.share && spread.most <= far;
+}
 
+void move_sheets(Sheets& from, implicit::PiecesData& to) {
+    for (std::optional<SheetFit>& one : from.fit) to.sheet.add(std::move(one->data));
+}
+
+// Makes the cells, and measures both ways, at places of their own. The sheets are in the result meanwhile.
+void make_whole(const PiecesTask& task, Sheets& sheets, PiecesFit& result, const base::Progress& progress) {
+    const base::Runtime& runtime = task.runtime;
+    base::Stopwatch watch;
+    move_sheets(sheets, result.data);
+    const CellsReport cells = make_cells(runtime, task.mesh, task.tree, sheets.creases, sheets.chord,
+                                         task.settings.seed, result.data, progress.part(0.6, 0.85));
+    runtime.log(base::LogLevel::debug, "pieces: %lld cells, %lld with surface, %lld of them poor",
+                static_cast<long long>(cells.cells), static_cast<long long>(cells.surface_cells),
+                static_cast<long long>(cells.poor_cells));
+    result.pieces = {sheets.creases.patches, sheets.creases.length - sheets.creases.fading,
+                     sheets.creases.fading,  cells.cells,
+                     cells.poor_cells,       watch.seconds()};
+    watch.restart();
+    implicit::Pieces made(runtime.instruction_set, std::move(result.data));
+    CompareSettings settings;
+    settings.tolerance = result.mesh.tolerance;
+    settings.far = result.mesh.far;
+    settings.points = pieces_tuning.measured_places;
+    settings.cell_size = task.mesh.bounds.diagonal() / pieces_tuning.cells_a_diagonal;
+    settings.seed = task.settings.seed;
     // What sheets of an open mesh do beyond its borders is no error: a drawing trims it.
-    [[nodiscard]] std::optional<surface::Support> support_of_open() const {
-        if (!result_.mesh.supported) return std::nullopt;
-        return std::make_optional<surface::Support>(runtime_, places_.position, places_.normal, 0.0, progress_);
-    }
-
-    // Both ways, at places of their own.
-    void measure() {
-        implicit::Pieces made(runtime_.instruction_set, std::move(result_.data));
-        CompareSettings settings;
-        settings.tolerance = result_.mesh.tolerance;
-        settings.far = result_.mesh.far;
-        settings.points = measured_places;
-        settings.cell_size = mesh_.bounds.diagonal() / cells_a_diagonal;
-        settings.seed = settings_.seed;
-        const std::optional<surface::Support> support = support_of_open();
-        settings.support = support ? support_limit : 0.0;
-        const Comparison found =
-            compare(runtime_, made, mesh_, tree_, support ? &*support : nullptr, settings, progress_.part(0.85, 1.0));
-        result_.mesh.surface = found.surface;
-        result_.mesh.mesh = found.mesh;
-        const auto good = [&](const Spread& spread) {
-            return spread.points > 0 && spread.share >= settings_.share && spread.most <= result_.mesh.far;
-        };
-        result_.mesh.reached = good(found.surface) && good(found.mesh);
-        result_.data = std::move(made).take();
-    }
-
-    const base::Runtime& runtime_;
-    const Mesh& mesh_;
-    const FaceTree& tree_;
-    const MeshSamples& places_;
-    const Creases& creases_;
-    const FitMeshSettings& settings_;
-    const fit::FitInput& options_;
-    const base::Progress progress_;
-    const base::Stopwatch watch_;
-    base::Array<std::int64_t> first_{runtime_.memory};
-    base::Array<std::int32_t> faces_{runtime_.memory};
-    base::Array<std::uint8_t> in_contact_{runtime_.memory}; // patches
-    base::Array<std::uint8_t> unsettled_{runtime_.memory};  // patches
-    double unsettled_area_ = 0.0;
-    base::List<SheetFit> made_{runtime_.memory};
-    base::Array<std::int64_t> at_{runtime_.memory};   // of each patch, in them
-    base::Array<std::int32_t> lent_{runtime_.memory}; // of each patch, another fitter's that its sheet is of, or -1
-    double unit_ = 0.0;                               // the least tolerance of a sample
-    double values_ = 0.0, gradients_ = 0.0, squares_ = 0.0, centres_ = 0.0;
-    base::Array<double> chord_{runtime_.memory};
-    PiecesFit result_;
-};
-
-// So many that no contact of two parts is missed that matters.
-[[nodiscard]] MeshSamples places_on_parts(const base::Runtime& runtime, const Mesh& mesh, std::uint64_t seed,
-                                          const base::Progress& progress) {
-    const std::int64_t count = std::clamp(mesh.faces(), fewest_on_parts, most_on_parts);
-    return random_samples(runtime, mesh, count, seed, 2, progress);
+    std::optional<surface::Support> support;
+    if (result.mesh.supported) support.emplace(runtime, task.places.position, task.places.normal, 0.0, progress);
+    settings.support = support ? pieces_tuning.support_limit : 0.0;
+    const Comparison found =
+        compare(runtime, made, task.mesh, task.tree, support ? &*support : nullptr, settings, progress.part(0.85, 1.0));
+    result.mesh.surface = found.surface;
+    result.mesh.mesh = found.mesh;
+    result.mesh.reached =
+        is_good(found.surface, task.settings, result.mesh.far) && is_good(found.mesh, task.settings, result.mesh.far);
+    result.data = std::move(made).take();
+    for (std::int32_t p = 0; p < sheets.creases.patches; ++p) sheets.fit[p]->data = std::move(result.data.sheet[p]);
+    result.data.sheet = base::List<implicit::HrbfData>(runtime.memory);
+    result.mesh.seconds_measure = watch.seconds();
 }
 
 [[nodiscard]] double farthest(const FitMeshReport& report) noexcept {
     return std::max(report.mesh.most, report.surface.most);
 }
 
-// Farther than coarse faces are off what is round.
-[[nodiscard]] bool is_far_off(const FitMeshReport& report) noexcept { return farthest(report) > report.far; }
-
 [[nodiscard]] bool is_better(const FitMeshReport& one, const FitMeshReport& other) noexcept {
     const auto outside = [](const FitMeshReport& of) { return 1.0 - std::min(of.mesh.share, of.surface.share); };
     const double less_outside = outside(one) / outside(other);
     const double less_far = farthest(one) / farthest(other);
-    return one.reached || (std::max(less_outside, less_far) <= no_worse && std::min(less_outside, less_far) < nearer);
+    return one.reached || (std::max(less_outside, less_far) <= pieces_tuning.no_worse &&
+                           std::min(less_outside, less_far) < pieces_tuning.nearer);
 }
 
-// With its sheets only, unless these are better.
-[[nodiscard]] bool improves(Fitter& other, Fitter& best) {
+[[nodiscard]] PiecesFit empty_result(const PiecesTask& task) {
+    PiecesFit result{implicit::PiecesData(task.runtime.memory), {}, {}, {}};
+    result.mesh.tolerance = task.tolerance;
+    result.mesh.far = task.settings.far > 0.0 ? task.settings.far : 5.0 * task.tolerance;
+    result.mesh.supported = task.mesh.report.boundary_edges > 0;
+    return result;
+}
+
+// Makes a model of other patches, which borrows the sheets of those that are the same. Tells whether it is better; if
+// not, the sheets go back.
+[[nodiscard]] bool improves(const PiecesTask& task, Sheets& sheets, PiecesFit& result, Sheets& best_sheets,
+                            const PiecesFit& best, const base::Progress& progress) {
     try {
-        other.fit_sheets(&best);
-        if (other.unsettled_area() < promised * best.unsettled_area()) {
-            other.make_whole();
-            if (is_better(other.result().mesh, best.result().mesh)) return true;
+        const base::Stopwatch watch;
+        borrow(best_sheets, sheets);
+        fit_sheets(task, sheets, result, progress);
+        report_sheets(task, sheets, result);
+        result.mesh.seconds_fit = watch.seconds();
+        if (sheets.unsettled_area < pieces_tuning.promised * best_sheets.unsettled_area) {
+            make_whole(task, sheets, result, progress);
+            if (is_better(result.mesh, best.mesh)) return true;
         }
     } catch (const Error& error) {
         if (error.status() != Status::not_converged && error.status() != Status::singular_system) throw;
     }
-    other.give_back(best);
+    give_back(sheets, best_sheets);
     return false;
 }
 
@@ -389,35 +310,54 @@ private:
 
 PiecesFit fit_pieces(const base::Runtime& runtime, const Mesh& mesh, const FaceTree& tree, const Creases& creases,
                      const FitMeshSettings& settings, const fit::FitInput& options, const base::Progress& progress) {
+    constexpr double end_of_first = 0.7; // of the progress
+    HRBFNPR_ASSERT(creases.patches >= 1 && creases.patch.size() == mesh.faces());
     refuse_flat_solid(mesh);
     const base::Stopwatch watch;
-    const bool closed = mesh.report.boundary_edges == 0;
-    const MeshSamples places = places_on_parts(runtime, mesh, settings.seed, progress);
+    // There are so many places that no contact of two parts is missed that matters.
+    const MeshSamples places = random_samples(
+        runtime, mesh, std::clamp(mesh.faces(), pieces_tuning.fewest_on_parts, pieces_tuning.most_on_parts),
+        settings.seed, 2, progress);
+    const PiecesTask task{runtime,
+                          mesh,
+                          tree,
+                          places,
+                          settings,
+                          options,
+                          settings.tolerance > 0.0 ? settings.tolerance : default_tolerance * mesh.bounds.diagonal()};
     const Touching touching =
-        warn_of_touching(runtime, mesh, tree, places, tolerance_of(mesh, settings), closed, progress);
-    std::optional<Fitter> best(std::in_place, runtime, mesh, tree, places, creases, settings, options,
-                               progress.part(0.0, end_of_first));
-    best->fit_sheets(nullptr);
-    best->make_whole();
+        warn_of_touching(runtime, mesh, tree, places, task.tolerance, mesh.report.boundary_edges == 0, progress);
+    PiecesFit best = empty_result(task);
+    std::optional<Sheets> sheets(std::in_place, runtime.memory, mesh, creases);
+    const base::Progress first = progress.part(0.0, end_of_first);
+    const base::Stopwatch first_watch;
+    fit_sheets(task, *sheets, best, first);
+    report_sheets(task, *sheets, best);
+    best.mesh.seconds_fit = first_watch.seconds();
+    make_whole(task, *sheets, best, first);
     double done = end_of_first;
-    std::array<std::optional<Creases>, std::size(smaller_angles)> more;
+    std::array<std::optional<Creases>, std::size(pieces_tuning.smaller_angles)> more;
     for (std::size_t i = 0; i < more.size() && settings.edges == Edges::automatic; ++i) {
-        if (!is_far_off(best->result().mesh)) break;
-        more[i].emplace(best->more_creases(smaller_angles[i]));
-        if (more[i]->patches == best->patches()) continue;
+        const double angle = pieces_tuning.smaller_angles[i];
+        if (!(farthest(best.mesh) > best.mesh.far)) break; // no farther than coarse faces are off what is round
+        more[i].emplace(
+            find_more_creases(runtime, mesh, sheets->creases, sheets->unsettled, angle, progress.part(done, done)));
+        if (more[i]->patches == sheets->creases.patches) continue;
         const double next = 0.5 * (done + 1.0);
-        Fitter other(runtime, mesh, tree, places, *more[i], settings, options, progress.part(done, next));
-        if (!improves(other, *best)) break;
-        best.emplace(std::move(other));
+        Sheets other_sheets(runtime.memory, mesh, *more[i]);
+        PiecesFit other = empty_result(task);
+        if (!improves(task, other_sheets, other, *sheets, best, progress.part(done, next))) break;
+        sheets.emplace(std::move(other_sheets));
+        best = std::move(other);
         runtime.log(base::LogLevel::debug, "pieces: %d sheets, parted along edges of %g degrees",
-                    static_cast<int>(best->patches()), smaller_angles[i]);
+                    static_cast<int>(sheets->creases.patches), angle);
         done = next;
     }
-    PiecesFit result = best->take();
-    result.mesh.touching = touching;
-    result.mesh.seconds_total = result.fit.seconds_total = watch.seconds();
+    move_sheets(*sheets, best.data);
+    best.mesh.touching = touching;
+    best.mesh.seconds_total = best.fit.seconds_total = watch.seconds();
     progress.update(1.0);
-    return result;
+    return best;
 }
 
 } // namespace hrbfnpr::mesh

@@ -3,7 +3,7 @@
 
 #include "base/assert.h"
 #include "fit/adaptive.h"
-#include "mesh/pieces/sheet_tuning.h"
+#include "mesh/pieces/tuning.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "fit/fit.h"
-#include "mesh/pieces/patch_samples.h"
+#include "mesh/pieces/patches.h"
 
 namespace hrbfnpr::mesh {
 

@@ -2,7 +2,7 @@
 #include "mesh/pieces/plan.h"
 
 #include "base/assert.h"
-#include "mesh/fit/touching.h"
+#include "mesh/fit/outer.h"
 #include "mesh/pieces/tuning.h"
 
 #include <algorithm>

@@ -2,10 +2,10 @@
 // Decides for a fit to a mesh whether its surface has creases and where the surface ends.
 #pragma once
 
-#include "mesh/end_samples.h"
 #include "mesh/fit/fit_mesh.h"
 #include "mesh/pieces/creases.h"
 #include "mesh/pieces/has_creases.h"
+#include "mesh/sample.h"
 
 #include <optional>
 

@@ -6,9 +6,9 @@
 
 namespace hrbfnpr::mesh {
 
-// A sheet through turns that lie above each other and face the same way would have to fall to 0 between them once more,
-// and one of many turns that lie beside each other is asked everywhere, with all its centres.  Such patches are cut
-// across, smoothly, into parts that are no more than half a turn long.
+// Cuts such patches across, smoothly, into parts that are no more than half a turn long. A sheet through turns that lie
+// above each other and face the same way would have to fall to 0 between them once more, and one of many turns that lie
+// beside each other is asked everywhere, with all its centres.
 void split_winding(const base::Runtime& runtime, const Mesh& mesh, Creases& creases, const base::Progress& progress);
 
 } // namespace hrbfnpr::mesh

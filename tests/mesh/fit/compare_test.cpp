@@ -3,7 +3,6 @@
 #include "mesh/fit/compare.h"
 
 #include "curves/surface_mesh.h"
-#include "mesh/fit/surface_places.h"
 #include "mesh/meshes.h"
 #include "support/analytic.h"
 #include "support/runtime.h"

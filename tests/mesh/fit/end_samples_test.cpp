@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "mesh/end_samples.h"
+#include "mesh/sample.h"
 
 #include "mesh/meshes.h"
 #include "support/runtime.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "mesh/fit/touching.h"
+#include "mesh/fit/outer.h"
 
 #include "mesh/meshes.h"
 #include "support/runtime.h"
@@ -25,8 +25,7 @@ mesh::Touching find(const Triangles& from, double near, std::int64_t places, int
     const mesh::Mesh shape = made(runtime, from);
     const mesh::FaceTree tree(runtime, shape.vertex, shape.triangle, {});
     const mesh::MeshSamples at = mesh::random_samples(runtime, shape, places, 1, 0, {});
-    return crossing ? mesh::find_touching(runtime, shape, tree, at, near, {})
-                    : mesh::find_near(runtime, shape, tree, at, near, {});
+    return mesh::find_touching(runtime, shape, tree, at, near, !crossing, {});
 }
 
 const Triangles cube = box(1.0, 1.0, 1.0, 1);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "mesh/pieces/read_once.h"
+#include "mesh/pieces/cells.h"
 
 #include "implicit/pieces.h"
 #include "support/runtime.h"

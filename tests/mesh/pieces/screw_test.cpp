@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Patches that wind around beside themselves: threads of screws.
 #include "base/random.h"
+#include "mesh/fit/outer.h"
 #include "mesh/meshes.h"
 #include "mesh/pieces/fit_pieces.h"
 #include "support/runtime.h"
@@ -62,7 +63,6 @@ void expect_close(const Triangles& from) {
     EXPECT_EQ(fit.pieces.poor_cells, 0);
     // All but the shaft.
     EXPECT_LE(std::ranges::count_if(fit.data.sheet, [](const auto& sheet) { return sheet.count() > 250; }), 1);
-    const mesh::Sides sides(cut.runtime, cut.shape, tree, {});
     const double unit = 0.01 * cut.shape.bounds.diagonal();
     EXPECT_LE(fit.mesh.surface.most, 0.3 * unit);
     const implicit::Pieces f(cut.runtime.instruction_set, std::move(fit.data));
@@ -79,7 +79,7 @@ void expect_close(const Triangles& from) {
         for (const double side : {-0.2, 0.2}) {
             const glm::dvec3 beside = place + side * unit * normal;
             f.evaluate({&beside.x, &beside.y, &beside.z, 1}, {&value, {}, {}});
-            const double distance = sides.beside(beside).distance;
+            const double distance = (mesh::is_inside(tree, beside) ? -1.0 : 1.0) * tree.distance(beside);
             wrong += std::abs(distance) > 0.1 * unit && (value > 0.0) != (distance > 0.0) ? 1 : 0;
         }
     }

@@ -1,0 +1,476 @@
+// SPDX-License-Identifier: MIT
+// The steps of patch_normals(), in order:
+//
+//   fans_of        the corners at a vertex that hang together by sides that are no crease have one mean normal
+//   find_flats     flat regions that these normals make bulge
+//   largest_flat   keeps its own normal, if what is beside it bulges less then
+//   is_tip         tells tips of cones, whose faces keep their normals
+//
+// sample_patch() then thins places of the curved faces by grids, first those along creases.
+#include "mesh/pieces/patches.h"
+
+#include "geometry/cell_set.h"
+#include "geometry/point_tree.h"
+#include "mesh/corners.h"
+#include "mesh/pieces/cell_tuning.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hrbfnpr::mesh {
+namespace {
+
+[[nodiscard]] glm::dvec3 face_normal(const Mesh& mesh, std::int64_t face) noexcept {
+    return glm::normalize(doubled_area(mesh.corners(face)));
+}
+
+// Returns how far the middle of a side is from the curve whose normals are these at its ends.
+[[nodiscard]] double bulge(const glm::dvec3& side, const glm::dvec3& a, const glm::dvec3& b) noexcept {
+    return std::abs(glm::dot(side, b - a)) / 8.0;
+}
+
+// ---- Fans
+
+// Tells whether the face of the second corner lies across the side from the vertex onward, and that is no crease.
+[[nodiscard]] bool goes_on(const Mesh& mesh, const Creases& creases, std::int64_t a, std::int64_t b) noexcept {
+    const auto ahead = [&](std::int64_t corner, std::int64_t by) {
+        return mesh.triangle[corner / 3][static_cast<std::size_t>((corner % 3 + by) % 3)];
+    };
+    return creases.cut[a] != 1 && ahead(b, 2) == ahead(a, 1);
+}
+
+using Fan = std::span<const std::int32_t>; // corners, rising
+
+// Returns the fans. Vertices of very many corners have one for each patch.
+[[nodiscard]] base::Groups fans_of(const base::Runtime& runtime, const Mesh& mesh, const Creases& creases,
+                                   const base::Groups& corners) {
+    base::Array<std::int32_t> name(
+        runtime.memory); // of each corner: another one of its fan, in the end the same for all
+    name.resize_for_overwrite(3 * mesh.faces());
+    const auto root = [&](std::int32_t corner) {
+        while (name[corner] != corner) corner = name[corner];
+        return corner;
+    };
+    runtime.parallel.for_chunks(mesh.vertex.size(), 4096, [&](std::int64_t begin, std::int64_t end) {
+        for (std::int64_t v = begin; v < end; ++v) {
+            const Fan at = corners[v];
+            const bool many = corners.count(v) > patch_tuning.most_corners;
+            for (const std::int32_t a : at)
+                name[a] = !many ? a : *std::find_if(at.begin(), at.end(), [&](std::int32_t b) {
+                    return creases.patch[b / 3] == creases.patch[a / 3];
+                });
+            if (many) continue;
+            for (const std::int32_t a : at)
+                for (const std::int32_t b : at)
+                    if (goes_on(mesh, creases, a, b)) name[root(a)] = root(b);
+        }
+    });
+    base::Array<std::int32_t> number(runtime.memory, name.size()); // of the fan of a root, from 1
+    std::int32_t fans = 0;
+    for (std::int32_t corner = 0; corner < name.size(); ++corner)
+        if (name[corner] = root(corner); number[name[corner]] == 0) number[name[corner]] = ++fans;
+    return {runtime.memory, fans, [&](auto&& put) {
+                for (std::int32_t corner = 0; corner < name.size(); ++corner) put(number[name[corner]] - 1, corner);
+            }};
+}
+
+// ---- Flats: regions of a mesh, of one face or many
+
+struct Flats {
+    explicit Flats(base::Memory& memory) noexcept
+        : region(memory), area(memory), normal(memory), bulge(memory), mean(memory) {}
+
+    base::Array<std::int32_t> region; // of faces
+    base::Array<double> area;         // of regions
+    base::Array<glm::dvec3> normal;
+    base::Array<double> bulge; // by the mean normals: the largest chord_error() of the region's faces
+    // The mean normals of corners: several threads put the normals of flats in their place, and ask for those beside.
+    base::Array<glm::dvec3> mean;
+};
+
+// Returns the face beyond each side that is no crease, or -1.
+[[nodiscard]] base::Array<std::int32_t> faces_beside(const base::Runtime& runtime, const Mesh& mesh,
+                                                     const Creases& creases) {
+    base::Array<std::int32_t> beside(runtime.memory);
+    beside.resize_for_overwrite(3 * mesh.faces());
+    std::fill(beside.begin(), beside.end(), -1);
+    for_edges(sides_by_edge(runtime, mesh.triangle), [&](const Side* first, const Side* last) {
+        if (last != first + 2) return;
+        for (int i = 0; i < 2; ++i) {
+            const std::int64_t side = number_of(mesh.triangle, first[i]);
+            if (creases.cut[side] != 1) beside[side] = first[1 - i].face;
+        }
+    });
+    return beside;
+}
+
+// Grows regions over edges that are no crease, from the larger faces on, whose normals are the most exact.
+void grow_flats(const base::Runtime& runtime, const Mesh& mesh, const Creases& creases, Flats& flats) {
+    base::Memory& memory = runtime.memory;
+    const base::Array<std::int32_t> beside = faces_beside(runtime, mesh, creases);
+    base::Array<std::int64_t> order(memory);
+    base::Array<glm::dvec3> area(memory);
+    for (std::int64_t face = 0; face < mesh.faces(); ++face) {
+        order.push_back(face);
+        area.push_back(0.5 * doubled_area(mesh.corners(face)));
+    }
+    // std::stable_sort would take memory of its own.
+    std::sort(order.begin(), order.end(), [&](std::int64_t a, std::int64_t b) {
+        const double of_a = glm::length(area[a]);
+        const double of_b = glm::length(area[b]);
+        return of_a > of_b || (of_a == of_b && a < b);
+    });
+    flats.region.resize_for_overwrite(mesh.faces());
+    std::fill(flats.region.begin(), flats.region.end(), -1);
+    base::Array<std::int64_t> todo(memory);
+    for (const std::int64_t seed : order) {
+        if (flats.region[seed] >= 0) continue;
+        const auto region = static_cast<std::int32_t>(flats.area.size());
+        const glm::dvec3 normal = glm::normalize(area[seed]);
+        flats.area.push_back(0.0);
+        flats.normal.push_back(normal);
+        flats.region[seed] = region;
+        todo.push_back(seed);
+        while (!todo.empty()) {
+            const std::int64_t face = todo.back();
+            todo.resize(todo.size() - 1);
+            flats.area[region] += glm::length(area[face]);
+            for (int k = 0; k < 3; ++k) {
+                const std::int64_t other = beside[3 * face + k];
+                if (other < 0 || flats.region[other] >= 0) continue;
+                if (glm::dot(area[other], normal) < patch_tuning.flat_cosine * glm::length(area[other])) continue;
+                flats.region[other] = region;
+                todo.push_back(other);
+            }
+        }
+    }
+}
+
+// Returns no regions if no face bulges by more than the tolerance.
+[[nodiscard]] Flats find_flats(const base::Runtime& runtime, const Mesh& mesh, const Creases& creases,
+                               const base::Array<glm::dvec3>& mean, double tolerance) {
+    Flats flats(runtime.memory);
+    base::Array<double> of_face(runtime.memory);
+    for (std::int64_t face = 0; face < mesh.faces(); ++face) of_face.push_back(chord_error(mesh, mean, face));
+    if (std::none_of(of_face.begin(), of_face.end(), [&](double one) { return one > tolerance; })) return flats;
+    for (const glm::dvec3& normal : mean) flats.mean.push_back(normal);
+    grow_flats(runtime, mesh, creases, flats);
+    flats.bulge.resize(flats.area.size());
+    for (std::int64_t face = 0; face < mesh.faces(); ++face)
+        flats.bulge[flats.region[face]] = std::max(flats.bulge[flats.region[face]], of_face[face]);
+    return flats;
+}
+
+// Returns the largest flat of a fan, if it bulges and is much larger than all others there, or -1.
+[[nodiscard]] std::int32_t largest_flat(const Flats& flats, const Fan& fan, double tolerance) noexcept {
+    const auto region = [&](std::int32_t corner) { return flats.region[corner / 3]; };
+    std::int32_t largest = region(fan[0]);
+    for (const std::int32_t corner : fan)
+        if (flats.area[region(corner)] > flats.area[largest]) largest = region(corner);
+    double next = 0.0;
+    for (const std::int32_t corner : fan)
+        if (region(corner) != largest) next = std::max(next, flats.area[region(corner)]);
+    const bool keeps = flats.bulge[largest] > tolerance && flats.area[largest] >= patch_tuning.much_larger * next;
+    return keeps ? largest : -1;
+}
+
+// Tells whether what is beside a flat bulges less, once the flat keeps its normal there, than the flat did with means.
+[[nodiscard]] bool bends_less(const Mesh& mesh, const Flats& flats, const Fan& fan, std::int32_t flat) noexcept {
+    double most = 0.0;
+    for (const std::int64_t corner : fan) {
+        if (flats.region[corner / 3] == flat) continue;
+        const auto p = mesh.corners(corner / 3);
+        const auto k = static_cast<std::size_t>(corner % 3);
+        for (const std::size_t other : {(k + 1) % 3, (k + 2) % 3}) {
+            const glm::dvec3& beyond = flats.mean[corner - corner % 3 + static_cast<std::int64_t>(other)];
+            most = std::max(most, bulge(p[other] - p[k], flats.normal[flat], beyond));
+        }
+    }
+    return most < flats.bulge[flat];
+}
+
+// ---- Tips of cones
+//
+// At a tip the mean normal is turned from that of each face, and at the face's far side the normals are turned by a
+// small part of that. On a sphere they are turned as much at all corners of a face.
+
+[[nodiscard]] double turned_at(const Mesh& mesh, const PatchNormals& normals, std::int64_t corner,
+                               std::int64_t other) noexcept {
+    return glm::distance(face_normal(mesh, corner / 3), normals.normal[other]);
+}
+
+// An edge that is no crease turns at once, a cone slowly.
+[[nodiscard]] bool turns_slowly(const Mesh& mesh, const Creases& creases, const Fan& fan) noexcept {
+    double turn = 0.0;
+    double step = 0.0;
+    for (const std::int32_t a : fan)
+        for (const std::int32_t b : fan) {
+            const double angle = glm::distance(face_normal(mesh, a / 3), face_normal(mesh, b / 3));
+            turn = std::max(turn, angle);
+            if (goes_on(mesh, creases, a, b)) step = std::max(step, angle);
+        }
+    return step <= patch_tuning.small_step * turn;
+}
+
+[[nodiscard]] bool is_tip(const Mesh& mesh, const Creases& creases, const PatchNormals& normals,
+                          const Fan& fan) noexcept {
+    const auto turns = [&](std::int64_t corner) {
+        return turned_at(mesh, normals, corner, corner) >= patch_tuning.least_turn;
+    };
+    if (std::none_of(fan.begin(), fan.end(), turns)) return false;
+    double here = 0.0, beyond = 0.0, angles = 0.0;
+    for (const std::int64_t corner : fan) {
+        const std::int64_t first = corner - corner % 3;
+        const double angle = angle_at(mesh.corners(corner / 3), static_cast<std::size_t>(corner % 3));
+        const double turned = turned_at(mesh, normals, corner, corner);
+        here += angle * turned;
+        // The other corner where it is turned less counts, as the second one may be a tip itself.
+        beyond += angle * std::min(turned_at(mesh, normals, corner, first + (corner + 1) % 3),
+                                   turned_at(mesh, normals, corner, first + (corner + 2) % 3));
+        angles += angle;
+    }
+    return here >= patch_tuning.least_turn * angles && beyond <= patch_tuning.straight * here &&
+           turns_slowly(mesh, creases, fan);
+}
+
+// ---- Places
+
+[[nodiscard]] glm::dvec3 unit_or(const glm::dvec3& v, const glm::dvec3& other) noexcept {
+    const double length = glm::length(v);
+    return length > 1e-12 ? v / length : other;
+}
+
+// A cubic triangle through three corners, along their tangent planes.
+class CurvedFace {
+public:
+    CurvedFace(const std::array<glm::dvec3, 3>& p, const glm::dvec3* n) noexcept : p_(p), n_{n[0], n[1], n[2]} {
+        const auto third = [&](std::size_t i, std::size_t j) {
+            return (2.0 * p[i] + p[j] - glm::dot(p[j] - p[i], n[i]) * n[i]) / 3.0;
+        };
+        glm::dvec3 edges(0.0);
+        for (std::size_t i = 0; i < 3; ++i) {
+            const std::size_t j = (i + 1) % 3;
+            ahead_[i] = third(i, j);
+            back_[i] = third(j, i);
+            edges += ahead_[i] + back_[i];
+        }
+        const glm::dvec3 middle = (p[0] + p[1] + p[2]) / 3.0;
+        middle_ = edges / 6.0 + 0.5 * (edges / 6.0 - middle);
+    }
+    [[nodiscard]] glm::dvec3 at(const glm::dvec3& s) const noexcept {
+        glm::dvec3 sum = 6.0 * s.x * s.y * s.z * middle_;
+        for (std::size_t i = 0; i < 3; ++i) {
+            const double a = s[static_cast<glm::length_t>(i)];
+            const double b = s[static_cast<glm::length_t>((i + 1) % 3)];
+            sum += a * a * a * p_[i] + 3.0 * a * a * b * ahead_[i] + 3.0 * a * b * b * back_[i];
+        }
+        return sum;
+    }
+    [[nodiscard]] glm::dvec3 normal(const glm::dvec3& s) const noexcept {
+        return unit_or(s.x * n_[0] + s.y * n_[1] + s.z * n_[2], n_[0]);
+    }
+
+private:
+    std::array<glm::dvec3, 3> p_, n_, ahead_, back_;
+    glm::dvec3 middle_;
+};
+
+// Returns the number of pieces that a side is cut into.
+[[nodiscard]] std::int64_t pieces_of(double length, double spacing) noexcept {
+    return static_cast<std::int64_t>(std::clamp(length / spacing, 1.0, patch_tuning.most_cuts));
+}
+
+// Sets how far each place may be from the sheet. Where a tip is rounded that is as far as its centres are apart.
+void set_tolerances(const base::Runtime& runtime, const PatchTolerance& tolerance, std::int64_t on_creases,
+                    const base::Array<glm::dvec3>& tips, double around_tip, PatchSamples& result,
+                    const base::Progress& progress) {
+    const geometry::VecArray& position = result.samples.position;
+    result.tolerance.resize(position.size());
+    geometry::VecArray crease(runtime.memory);
+    for (std::int64_t i = 0; i < on_creases; ++i) crease.push_back(position[i]);
+    const geometry::PointTree tree(crease, progress);
+    runtime.parallel.for_chunks(position.size(), 512, [&](std::int64_t begin, std::int64_t end) {
+        const auto any = [](std::int64_t) { return true; };
+        for (std::int64_t i = begin; i < end; ++i) {
+            std::int64_t found = 0;
+            const bool near_crease = tree.nearest(position[i], 1, any, any, &found) > 0;
+            const double share =
+                near_crease ? std::min(glm::distance(position[i], tree.points()[found]) / tolerance.ramp, 1.0) : 1.0;
+            double at_tip = 0.0;
+            for (const glm::dvec3& tip : tips)
+                at_tip = std::max(at_tip, 1.0 - glm::distance(position[i], tip) / around_tip);
+            result.tolerance[i] = std::max(tolerance.crease + share * share * (tolerance.far - tolerance.crease),
+                                           at_tip * patch_tuning.tip_tolerance * tolerance.far);
+        }
+    });
+}
+
+} // namespace
+
+PatchNormals patch_normals(const base::Runtime& runtime, const Mesh& mesh, const Creases& creases, double tolerance) {
+    HRBFNPR_ASSERT(creases.cut.size() == 3 * mesh.faces() && creases.patch.size() == mesh.faces());
+    const base::Groups corners = corners_at_vertices(mesh, {});
+    base::Array<glm::dvec3> weighted(runtime.memory); // By these the normals of faces count at their corners.
+    weighted.resize_for_overwrite(3 * mesh.faces());
+    runtime.parallel.for_chunks(mesh.faces(), 4096, [&](std::int64_t begin, std::int64_t end) {
+        for (std::int64_t face = begin; face < end; ++face) {
+            const auto p = mesh.corners(face);
+            for (std::size_t k = 0; k < 3; ++k)
+                weighted[3 * face + static_cast<std::int64_t>(k)] = angle_at(p, k) * doubled_area(p);
+        }
+    });
+    PatchNormals result(runtime.memory);
+    result.normal.resize_for_overwrite(3 * mesh.faces());
+    result.tip.resize(3 * mesh.faces());
+    const base::Groups fans = fans_of(runtime, mesh, creases, corners);
+    const auto for_fans = [&](auto&& visit) {
+        runtime.parallel.for_chunks(fans.groups(), 4096, [&](std::int64_t begin, std::int64_t end) {
+            for (std::int64_t fan = begin; fan < end; ++fan) visit(fans[fan]);
+        });
+    };
+    // At a vertex of very many corners neither flats nor tips are looked for.
+    const auto has_many = [&](const Fan& fan) {
+        return corners.count(mesh.triangle[fan[0] / 3][static_cast<std::size_t>(fan[0] % 3)]) >
+               patch_tuning.most_corners;
+    };
+    for_fans([&](const Fan& fan) {
+        glm::dvec3 sum(0.0);
+        for (const std::int32_t corner : fan) sum += weighted[corner];
+        const double length = glm::length(sum);
+        const bool usable = length > 0.0 && std::isfinite(length);
+        for (const std::int32_t corner : fan)
+            result.normal[corner] = usable ? sum / length : face_normal(mesh, corner / 3);
+    });
+    if (const Flats flats = find_flats(runtime, mesh, creases, result.normal, tolerance); !flats.area.empty())
+        for_fans([&](const Fan& fan) {
+            const std::int32_t flat = has_many(fan) ? -1 : largest_flat(flats, fan, tolerance);
+            if (flat < 0 || !bends_less(mesh, flats, fan, flat)) return;
+            for (const std::int32_t corner : fan) result.normal[corner] = flats.normal[flat];
+        });
+    for_fans([&](const Fan& fan) {
+        if (has_many(fan) || !is_tip(mesh, creases, result, fan)) return;
+        for (const std::int32_t corner : fan) result.tip[corner] = 1;
+    });
+    for (std::int64_t i = 0; i < result.tip.size(); ++i)
+        if (result.tip[i] != 0) result.normal[i] = face_normal(mesh, i / 3);
+    return result;
+}
+
+double chord_error(const Mesh& mesh, const base::Array<glm::dvec3>& normal, std::int64_t face) noexcept {
+    HRBFNPR_ASSERT(normal.size() == 3 * mesh.faces());
+    const auto p = mesh.corners(face);
+    const glm::dvec3* const n = normal.data() + 3 * face;
+    return std::max({bulge(p[1] - p[0], n[0], n[1]), bulge(p[2] - p[1], n[1], n[2]), bulge(p[0] - p[2], n[2], n[0])});
+}
+
+base::Array<double> chord_errors(const Mesh& mesh, const base::Array<glm::dvec3>& normal) {
+    base::Array<double> error(mesh.vertex.memory(), mesh.vertex.size());
+    for (std::int64_t face = 0; face < mesh.faces(); ++face) {
+        const double off = chord_error(mesh, normal, face);
+        for (const std::int32_t v : mesh.triangle[face]) error[v] = std::max(error[v], off);
+    }
+    return error;
+}
+
+PatchSamples sample_patch(const base::Runtime& runtime, const Mesh& mesh, const Creases& creases,
+                          const PatchNormals& normals, std::span<const std::int32_t> faces,
+                          const PatchTolerance& tolerance, const base::Progress& progress) {
+    HRBFNPR_ASSERT(!faces.empty() && tolerance.ramp > 0.0);
+    const double diagonal = mesh.bounds.diagonal();
+    double area = 0.0;
+    for (const std::int32_t face : faces) area += 0.5 * glm::length(doubled_area(mesh.corners(face)));
+    const double spacing = std::max(std::sqrt(area / patch_tuning.wanted_places), 1e-4 * diagonal);
+    const auto grid_of = [&](double side) {
+        return geometry::CellGrid{mesh.bounds.min - spacing, std::max(side * spacing, 1e-5 * diagonal)};
+    };
+    const geometry::CellGrid grid = grid_of(patch_tuning.thinned);
+    const geometry::CellGrid crease_grid = grid_of(patch_tuning.thinned_crease);
+    geometry::CellSet taken(runtime.memory), taken_crease(runtime.memory);
+    base::Array<glm::dvec3> tips(runtime.memory);
+    PatchSamples result(runtime.memory);
+    const auto add = [&](const glm::dvec3& place, const glm::dvec3& normal, bool crease) {
+        const std::uint64_t cell = geometry::CellGrid::pack(grid.cell_of(place));
+        if (crease && !taken_crease.insert(geometry::CellGrid::pack(crease_grid.cell_of(place)))) return;
+        if (!taken.insert(cell) && !crease) return;
+        result.samples.position.push_back(place);
+        result.samples.normal.push_back(normal);
+    };
+    // No sheet has several normals at a tip: it is rounded as finely as the places around it are.
+    const auto add_corner = [&](std::int32_t face, std::size_t k, bool crease) {
+        const std::int64_t corner = 3 * std::int64_t{face} + static_cast<std::int64_t>(k);
+        const glm::dvec3 place = mesh.corners(face)[k];
+        if (normals.tip[corner] == 0) return add(place, normals.normal[corner], crease);
+        if (std::find(tips.begin(), tips.end(), place) == tips.end()) tips.push_back(place);
+    };
+    // Each patch has the places between vertices on its own curved surface: what is common to both is where these meet.
+    const auto add_crease = [&](std::int32_t face, int k) {
+        const auto p = mesh.corners(face);
+        const auto a = static_cast<std::size_t>(k);
+        const std::size_t b = (a + 1) % 3;
+        for (const std::size_t end : {a, b}) add_corner(face, end, true);
+        const std::int64_t pieces = pieces_of(glm::distance(p[a], p[b]), 0.5 * spacing);
+        if (pieces == 1) return;
+        const CurvedFace curved(p, normals.normal.data() + 3 * std::int64_t{face});
+        for (std::int64_t i = 1; i < pieces; ++i) {
+            const double t = static_cast<double>(i) / static_cast<double>(pieces);
+            glm::dvec3 shares(0.0);
+            shares[k] = 1.0 - t;
+            shares[(k + 1) % 3] = t;
+            add(curved.at(shares), curved.normal(shares), true);
+        }
+    };
+    const auto add_face = [&](std::int32_t face) {
+        const auto p = mesh.corners(face);
+        for (std::size_t k = 0; k < 3; ++k) add_corner(face, k, false);
+        const std::int64_t pieces = pieces_of(
+            std::max({glm::distance(p[0], p[1]), glm::distance(p[1], p[2]), glm::distance(p[2], p[0])}), spacing);
+        if (pieces == 1) return;
+        const CurvedFace curved(p, normals.normal.data() + 3 * std::int64_t{face});
+        for (std::int64_t i = 0; i <= pieces; ++i)
+            for (std::int64_t j = 0; i + j <= pieces; ++j) {
+                const glm::dvec3 shares = glm::dvec3(i, j, pieces - i - j) / static_cast<double>(pieces);
+                if (std::max({shares.x, shares.y, shares.z}) == 1.0) continue;
+                const int opposite = shares.x == 0.0 ? 1 : shares.y == 0.0 ? 2 : shares.z == 0.0 ? 0 : -1;
+                if (opposite >= 0 && creases.cut[3 * std::int64_t{face} + opposite] == 1) continue;
+                add(curved.at(shares), curved.normal(shares), false);
+            }
+    };
+    for (const std::int32_t face : faces)
+        for (int k = 0; k < 3; ++k)
+            if (creases.cut[3 * std::int64_t{face} + k] == 1) add_crease(face, k);
+    const std::int64_t on_creases = result.samples.position.size();
+    for (const std::int32_t face : faces) add_face(face);
+    fit::measure_extent(runtime, result.samples, progress);
+    set_tolerances(runtime, tolerance, on_creases, tips, patch_tuning.around_tip * spacing, result, progress);
+    return result;
+}
+
+base::Array<std::uint8_t> patches_in_contact(const base::Runtime& runtime, const Mesh& mesh, const FaceTree& tree,
+                                             const Creases& creases, const MeshSamples& places, double near,
+                                             const base::Progress& progress) {
+    const std::int64_t count = places.position.size();
+    base::Array<std::int32_t> against(runtime.memory, count); // a face of another component, or -1
+    runtime.parallel.for_chunks(count, 256, progress, [&](std::int64_t begin, std::int64_t end) {
+        for (std::int64_t i = begin; i < end; ++i) {
+            const glm::dvec3 normal = face_normal(mesh, places.face[i]);
+            against[i] = -1;
+            tree.crossings(places.position[i] - near * normal, 2.0 * near * normal,
+                           [&](std::int32_t face, double t, int sign) {
+                               if (t > 1.0 || sign > 0 || mesh.component[face] == mesh.component[places.face[i]])
+                                   return;
+                               const glm::dvec3 there = doubled_area(mesh.corners(face));
+                               if (glm::dot(there, normal) < patch_tuning.most_opposite * glm::length(there))
+                                   against[i] = face;
+                           });
+        }
+    });
+    base::Array<std::uint8_t> touches(runtime.memory, creases.patches);
+    for (std::int64_t i = 0; i < count; ++i) {
+        if (against[i] < 0) continue;
+        touches[creases.patch[places.face[i]]] = 1;
+        touches[creases.patch[against[i]]] = 1;
+    }
+    return touches;
+}
+
+} // namespace hrbfnpr::mesh

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+// The smooth surface that a patch stands for, as its sheet is held to it: normals of its own, and places with them.
+#pragma once
+
+#include "fit/samples.h"
+#include "mesh/face_tree.h"
+#include "mesh/pieces/creases.h"
+#include "mesh/sample.h"
+
+#include <limits>
+#include <span>
+
+namespace hrbfnpr::mesh {
+
+// The normals of corners, numbered 3 face + k.
+struct PatchNormals {
+    explicit PatchNormals(base::Memory& memory) noexcept : normal(memory), tip(memory) {}
+
+    base::Array<glm::dvec3> normal; // unit
+    base::Array<std::uint8_t> tip;  // 1: the tip of a cone, where no normal is everybody's, and each face has its own
+};
+
+// Returns means over the faces of the corner's own patch, by area and angle. A flat that would still bulge by more than
+// the tolerance keeps its own normal beside what is much smaller, where that bulges less for it than the flat did.
+[[nodiscard]] PatchNormals patch_normals(const base::Runtime& runtime, const Mesh& mesh, const Creases& creases,
+                                         double tolerance = std::numeric_limits<double>::infinity());
+
+// Returns how far the middles of a face's sides are from the surface that is curved as the normals are.
+[[nodiscard]] double chord_error(const Mesh& mesh, const base::Array<glm::dvec3>& normal, std::int64_t face) noexcept;
+// Returns the largest chord_error() of the faces at each vertex.
+[[nodiscard]] base::Array<double> chord_errors(const Mesh& mesh, const base::Array<glm::dvec3>& normal);
+
+struct PatchSamples {
+    explicit PatchSamples(base::Memory& memory) noexcept : samples(memory), tolerance(memory) {}
+
+    fit::Samples samples;          // with bounds and spacing
+    base::Array<double> tolerance; // how far each may be from the sheet
+};
+
+struct PatchTolerance {
+    double crease; // at a crease
+    double far;    // from `ramp` off a crease on
+    double ramp;
+};
+
+// Returns the vertices of a patch's faces, and places between them on the surface that is curved as the normals are
+// (Vlachos et al., "Curved PN triangles", 2001).
+[[nodiscard]] PatchSamples sample_patch(const base::Runtime& runtime, const Mesh& mesh, const Creases& creases,
+                                        const PatchNormals& normals, std::span<const std::int32_t> faces,
+                                        const PatchTolerance& tolerance, const base::Progress& progress);
+
+// Returns 1 for each patch that lies against another solid, as boxes that stand on each other do: at one of the places
+// a face of another component looks the other way and is no farther than `near`. The patch of that face has 1, too.
+[[nodiscard]] base::Array<std::uint8_t> patches_in_contact(const base::Runtime& runtime, const Mesh& mesh,
+                                                           const FaceTree& tree, const Creases& creases,
+                                                           const MeshSamples& places, double near,
+                                                           const base::Progress& progress);
+
+} // namespace hrbfnpr::mesh
