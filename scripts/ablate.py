@@ -29,7 +29,7 @@ BENCHES: Dict[str, List[List[str]]] = {
     "generate": [["support"]],
     "hatching": [["strokes", "--only=surface"]],
     "marks": [["strokes", "--only=surface"], ["frame", "--only=tone"]],
-    "mesh/fit": [["edges", "--only=pieces"], ["sample"]],
+    "mesh/fit": [["edges", "--only=pieces"]],
     "mesh/pieces": [["edges", "--only=verdict,pieces"]],
     "orient": [["orient", "--only=clean,noisy"]],
     "output/raster": [["frame", "--only=tone"]],
