@@ -2,6 +2,7 @@
 #include "mesh/pieces/has_creases.h"
 
 #include "base/assert.h"
+#include "mesh/corners.h"
 #include "mesh/pieces/tuning.h"
 
 #include <algorithm>
@@ -37,14 +38,6 @@ struct SidedMesh {
     }
 };
 
-std::int64_t number_of(const Mesh& mesh, const Side& side) noexcept {
-    const auto low = static_cast<std::int32_t>(side.edge >> 32U);
-    const auto high = static_cast<std::int32_t>(side.edge & 0xFFFFFFFFU);
-    const std::int32_t from = side.forward != 0 ? low : high;
-    const Triangle& t = mesh.triangle[side.face];
-    return 3 * std::int64_t{side.face} + (t[0] == from ? 0 : t[1] == from ? 1 : 2);
-}
-
 SidedMesh by_sides(const base::Runtime& runtime, const Mesh& mesh, const base::Progress& progress) {
     SidedMesh sided(runtime.memory, mesh);
     for (std::int64_t face = 0; face < mesh.faces(); ++face) {
@@ -56,7 +49,7 @@ SidedMesh by_sides(const base::Runtime& runtime, const Mesh& mesh, const base::P
     const base::Array<Side> sides = sides_by_edge(runtime, mesh.triangle, progress);
     for_edges(sides, progress, [&](const Side* first, const Side* last) {
         if (last - first != 2 || first[0].forward == first[1].forward) return;
-        const std::int64_t one = number_of(mesh, first[0]), other = number_of(mesh, first[1]);
+        const std::int64_t one = number_of(mesh.triangle, first[0]), other = number_of(mesh.triangle, first[1]);
         sided.beyond[one] = other;
         sided.beyond[other] = one;
         const glm::dvec3& a = sided.normal[one / 3];

@@ -13,31 +13,6 @@
 namespace hrbfnpr::mesh {
 namespace {
 
-struct PlanTuning {
-    // A share of `far`: faces that are farther than this from a round surface stay flat. Larger: fewer faces stay flat.
-    double too_coarse = 0.8;
-    // A polyhedron of coarse faces has edges from this share of the crease angle on, if its faces are that coarse
-    // there. Larger: fewer of its edges are sharp.
-    double flat_faces = 0.05;
-    // The lower and upper bounds of EndPlan::off, in diagonals. Larger: more of the surface beyond a mesh stays.
-    double least_off = 0.009;
-    double most_off = 0.015;
-    // The lower bound of EndPlan::off where the fit is exact, in diagonals. Larger: narrow strips end later.
-    double least_off_exact = 0.001;
-    // A fit is exact if it is at most this far from the mesh, in diagonals, as fits of planes are.
-    double exact = 2e-4;
-    // The lower bound as a share of a strip's width. It leaves room for a row of places on either side and a gap
-    // between.
-    double of_width = 0.2;
-    // The lower bound in mean distances of the places. Larger: the surface ends farther beyond the last places.
-    double of_places = 1.5;
-    // A factor of the 99th percentile of the mesh's distances from the surface, which is large all over coarse faces.
-    double of_coarse_faces = 1.5;
-    // This many places show where a mesh ends. Larger: the end is more exact, and takes longer to find.
-    std::int64_t places = 40000;
-};
-constexpr PlanTuning plan_tuning;
-
 // With this limit a round mesh has one sheet for each of its parts: no edge is sharp, and no face is too coarse.
 constexpr Sharpness no_creases{180.0, std::numeric_limits<double>::infinity()};
 

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "mesh/pieces/split_fading.h"
 
+#include "mesh/corners.h"
 #include "mesh/pieces/split_winding.h"
+#include "mesh/pieces/tuning.h"
 
 #include <algorithm>
 #include <limits>
@@ -9,9 +11,6 @@
 namespace hrbfnpr::mesh {
 namespace {
 
-constexpr double widest_band = 0.04; // diagonals: of the faces beyond a smooth cut that both sheets have ...
-constexpr double band_share = 0.4;   // ... of the distance from the crease, where it is nearer
-constexpr double widest_tip = 1.0;   // radians: of a patch that ends between two sides of another
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
 class Splitter {
@@ -26,8 +25,8 @@ public:
         std::fill(across_.begin(), across_.end(), -1);
         for_edges(sides, progress, [&](const Side* first, const Side* last) {
             if (last - first != 2) return;
-            across_[side_of(first[0])] = first[1].face;
-            across_[side_of(first[1])] = first[0].face;
+            across_[number_of(mesh.triangle, first[0])] = first[1].face;
+            across_[number_of(mesh.triangle, first[1])] = first[0].face;
         });
     }
 
@@ -54,13 +53,6 @@ private:
         }
     };
 
-    [[nodiscard]] std::int64_t side_of(const Side& side) const noexcept {
-        const auto low = static_cast<std::int32_t>(side.edge >> 32U);
-        const auto high = static_cast<std::int32_t>(side.edge & 0xFFFFFFFFU);
-        const std::int32_t from = side.forward != 0 ? low : high;
-        const Triangle& t = mesh_.triangle[side.face];
-        return 3 * std::int64_t{side.face} + (t[0] == from ? 0 : t[1] == from ? 1 : 2);
-    }
     [[nodiscard]] bool is_fading(const Crease& crease) const noexcept {
         return creases_.patch[crease.left] == creases_.patch[crease.right];
     }
@@ -101,7 +93,7 @@ private:
         base::Array<std::uint8_t> passed(runtime_.memory, creases_.edge.size());
         base::Array<std::int32_t> tips(runtime_.memory);
         for (std::int32_t v = 0; v < mesh_.vertex.size(); ++v) {
-            if (!is_between_two(v, edge) || std::min(angle[v][0], angle[v][1]) > widest_tip) continue;
+            if (!is_between_two(v, edge) || std::min(angle[v][0], angle[v][1]) > crease_tuning.widest_tip) continue;
             const std::int32_t around = pair_of(edge[v][0])[angle[v][0] < angle[v][1] ? 1 : 0];
             for (const std::int32_t i : edge[v]) follow_from_tip(v, i, around, edge, passed);
             tips.push_back(v);
@@ -116,10 +108,7 @@ private:
             for (std::size_t k = 0; k < 3; ++k) {
                 const std::int32_t v = mesh_.triangle[face][k];
                 if (!is_between_two(v, edge)) continue;
-                const glm::dvec3 a = p[(k + 1) % 3] - p[k];
-                const glm::dvec3 b = p[(k + 2) % 3] - p[k];
-                angle[v][creases_.patch[face] == pair_of(edge[v][0])[0] ? 0 : 1] +=
-                    std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
+                angle[v][creases_.patch[face] == pair_of(edge[v][0])[0] ? 0 : 1] += angle_at(p, k);
             }
         }
     }
@@ -232,7 +221,7 @@ private:
 
     // Faces of another part that are near to a smooth cut of both.
     void add_bands() {
-        const double widest = widest_band * mesh_.bounds.diagonal();
+        const double widest = crease_tuning.widest_band * mesh_.bounds.diagonal();
         base::Array<std::int32_t> other(runtime_.memory); // the part that a face is near to
         other.resize_for_overwrite(mesh_.faces());
         std::fill(other.begin(), other.end(), -1);
@@ -244,7 +233,7 @@ private:
         spread([&](std::int32_t face, std::int32_t from, double before, double distance) {
             if (before > from_cut_[from] || distance >= from_cut_[face]) return false;
             if (creases_.patch[face] != creases_.patch[from]) return false;
-            if (distance > std::min(widest, band_share * distance_[face])) return false;
+            if (distance > std::min(widest, crease_tuning.band_share * distance_[face])) return false;
             from_cut_[face] = distance;
             other[face] = other[from];
             return true;

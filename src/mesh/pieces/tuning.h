@@ -41,6 +41,56 @@ struct HasCreasesTuning {
 };
 inline constexpr HasCreasesTuning has_creases_tuning;
 
+// What plan.cpp decides. Set by scripts/bench edges, and by pictures of open and closed files.
+struct PlanTuning {
+    // A share of `far`: faces that are farther than this from a round surface stay flat. Larger: fewer faces stay flat.
+    double too_coarse = 0.8;
+    // A polyhedron of coarse faces has edges from this share of the crease angle on, if its faces are that coarse
+    // there. Larger: fewer of its edges are sharp.
+    double flat_faces = 0.05;
+    // The lower and upper bounds of EndPlan::off, in diagonals. Larger: more of the surface beyond a mesh stays.
+    double least_off = 0.009;
+    double most_off = 0.015;
+    // The lower bound of EndPlan::off where the fit is exact, in diagonals. Larger: narrow strips end later.
+    double least_off_exact = 0.001;
+    // A fit is exact if it is at most this far from the mesh, in diagonals, as fits of planes are.
+    double exact = 2e-4;
+    // The lower bound as a share of a strip's width. It leaves room for a row of places on either side and a gap
+    // between.
+    double of_width = 0.2;
+    // The lower bound in mean distances of the places. Larger: the surface ends farther beyond the last places.
+    double of_places = 1.5;
+    // A factor of the 99th percentile of the mesh's distances from the surface, which is large all over coarse faces.
+    double of_coarse_faces = 1.5;
+    // This many places show where a mesh ends. Larger: the end is more exact, and takes longer to find.
+    std::int64_t places = 40000;
+};
+inline constexpr PlanTuning plan_tuning;
+
+// Creases and the patches between them. Set by scripts/bench edges on its models of parts and machines.
+struct CreaseTuning {
+    // A crease that ends goes on along edges that bend by at least this, in degrees. Larger: fading creases end sooner.
+    double least_bend = 8.0;
+    // It goes on only if the cosine of its turn is at least this. Larger: creases stop at turns.
+    double aligned = 0.6;
+    // A crease that parts nothing is noise if it is shorter than this, in diagonals, or has fewer edges. Larger: fewer
+    // short creases.
+    double shortest_fading = 0.03;
+    std::int64_t fewest_fading = 4;
+    // A patch of fewer faces than this, whose area is less than the square of `scrap_size` diagonals, joins the patch
+    // beside. Larger: fewer tiny sheets.
+    std::int64_t scrap_faces = 10;
+    double scrap_size = 0.002;
+    // Beyond a smooth cut the sheets of both sides are fitted to the faces within this many diagonals, and within the
+    // second share of the distance from the crease. Larger: the sheets agree better at the cut, and have more centres.
+    double widest_band = 0.04;
+    double band_share = 0.4;
+    // A patch ends in a tip between two sides of another one if its angle there is at most this, in radians. Larger:
+    // more patches are cut at tips.
+    double widest_tip = 1.0;
+};
+inline constexpr CreaseTuning crease_tuning;
+
 // The fit of one sheet. Set by scripts/bench edges, in which most sheets are planes, parts of cylinders and fillets:
 // few centres are enough for them, and each round is short.
 struct SheetTuning {
