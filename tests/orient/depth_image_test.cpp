@@ -3,7 +3,6 @@
 #include "orient/depth_image.h"
 
 #include "base/status.h"
-#include "orient/depth_planes.h"
 #include "shapes.h"
 #include "support/depth_image.h"
 
