@@ -24,6 +24,7 @@ namespace {
 
 constexpr std::int64_t pixels_a_task = 1024;
 constexpr std::int64_t tasks_a_band = 32;
+constexpr double regular = 1e-9;         // pixels^2: keeps the squares of pixels in one row regular
 constexpr std::int32_t small_radius = 2; // of a small plane's square
 constexpr double small_count = 25.0;
 constexpr double small_square = 50.0;          // sum of (pixels to the right)^2 of the 25
@@ -190,11 +191,9 @@ void read_pixel(const DepthImageInput& input, std::int64_t i, Camera& camera) {
             if (camera.error[at] < camera.error[best]) best = at;
         }
     SmallPlane plane{{here, 0.0, 0.0}, std::max(camera.noise, depth_tuning.rounding * here)};
-    const double most_curved = depth_tuning.most_curved * here;
     if (const auto found = small_plane(depth, camera.column_of(best), camera.row_of(best))) {
-        if (found->error <= depth_tuning.even * camera.noise || found->error <= most_curved)
-            plane.plane = {here, found->plane.across, found->plane.down};
-        plane.error = std::max(plane.error, std::min(found->error, most_curved));
+        plane.plane = {here, found->plane.across, found->plane.down};
+        plane.error = std::max(plane.error, std::min(found->error, depth_tuning.most_curved * here));
     }
     return plane;
 }
@@ -269,9 +268,9 @@ struct Sums {
     [[nodiscard]] DepthPlane plane() const noexcept {
         const double mx = x / weight;
         const double my = y / weight;
-        const double cxx = xx - mx * x + depth_tuning.ridge * weight;
+        const double cxx = xx - mx * x + regular * weight;
         const double cxy = xy - mx * y;
-        const double cyy = yy - my * y + depth_tuning.ridge * weight;
+        const double cyy = yy - my * y + regular * weight;
         const double bx = dx - mx * d;
         const double by = dy - my * d;
         const double determinant = cxx * cyy - cxy * cxy;

@@ -242,19 +242,15 @@ struct DepthTuning {
     // A camera has depth steps if there are at least this many pixels for each value of 1 / z.
     std::int64_t same_steps = 8;
     // What is off a plane at a pixel is at least the first share of 1 / z, as most images come in single precision, and
-    // at most the second, if it is not noise.
+    // at most the second, if it is not noise. Larger: more is smoothed over an edge.
     double rounding = 1e-6;
     double most_curved = 5e-3;
-    // A small plane whose error is more than this many standard deviations of the noise has an edge in it.
-    double even = 3.0;
     // Pixels that are farther off the plane than this lie beyond an edge, in standard deviations of the noise; of a
     // camera with depth steps these are 2.5 of them. Larger: edges are rounder, fewer points are left out.
     double gate = 6.5;
     // A plane is fitted this many times, and only to at least this part of the disc's weight.
-    int plane_rounds = 3;
+    int plane_rounds = 2;
     double least_part = 0.1;
-    // Pixels in one row tell nothing of the slope across it: this is added to the squares, in pixels^2.
-    double ridge = 1e-2;
     // Discs of up to this radius have all their pixels, larger ones this many rings of 6, 12, ... pixels. Larger: more
     // time.
     std::int32_t all_pixels_up_to = 5;
