@@ -26,7 +26,6 @@ struct Begin {
 struct Effort {
     int starts = 6;               // at most: two that come to the same are enough
     bool all = false;             // unless all are wanted
-    bool tree = false;            // adds a start whose signs are those of a spanning tree
     const Begin* begin = nullptr; // adds a start from these
 };
 
