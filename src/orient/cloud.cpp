@@ -191,7 +191,7 @@ base::Array<double> local_spacing(const base::Runtime& runtime, const geometry::
     return spacing;
 }
 
-Groups find_pieces(const base::Runtime& runtime, const geometry::PointTree& tree, const Near& near) {
+std::int64_t count_pieces(const base::Runtime& runtime, const geometry::PointTree& tree, const Near& near) {
     const base::Array<double> spacing = local_spacing(runtime, tree, near);
     base::Array<std::int32_t> parent(runtime.memory, tree.size());
     std::iota(parent.begin(), parent.end(), 0);
@@ -207,20 +207,8 @@ Groups find_pieces(const base::Runtime& runtime, const geometry::PointTree& tree
             const std::int32_t b = root_of(other);
             parent[std::max(a, b)] = std::min(a, b);
         }
-    for (std::int32_t& p : parent) p = root_of(p);
-    base::Array<std::int32_t> count(runtime.memory, tree.size()); // by root
-    for (const std::int32_t root : parent) ++count[root];
-    Groups pieces(runtime.memory);
-    pieces.member.resize(tree.size());
-    std::iota(pieces.member.begin(), pieces.member.end(), 0);
-    std::sort(pieces.member.begin(), pieces.member.end(), [&](std::int32_t a, std::int32_t b) {
-        const std::int32_t x = parent[a];
-        const std::int32_t y = parent[b];
-        if (count[x] != count[y]) return count[x] > count[y];
-        return x < y || (x == y && a < b);
-    });
-    for (std::int64_t at = 1; at <= tree.size(); ++at)
-        if (at == tree.size() || parent[pieces.member[at]] != parent[pieces.member[at - 1]]) pieces.begin.push_back(at);
+    std::int64_t pieces = 0;
+    for (std::int64_t at = 0; at < tree.size(); ++at) pieces += parent[at] == at ? 1 : 0;
     return pieces;
 }
 

@@ -106,8 +106,9 @@ struct Groups {
     base::Array<std::int64_t> begin;
 };
 
-// Returns the sets of places that neighbours connect, the largest first.
-[[nodiscard]] Groups find_pieces(const base::Runtime& runtime, const geometry::PointTree& tree, const Near& near);
+// Returns the number of sets of places that neighbours connect.
+[[nodiscard]] std::int64_t count_pieces(const base::Runtime& runtime, const geometry::PointTree& tree,
+                                        const Near& near);
 
 struct Moments {
     double count = 0.0;

@@ -61,8 +61,7 @@ struct Likeness {
 // In doubt the given normals alone tell.
 [[nodiscard]] bool are_inward(const Case& c, double alike, const base::Progress& progress) {
     if (!c.evidence.doubtful) return alike < 0.5;
-    return measure_sides(c.runtime, c.tree, local_spacing(c.runtime, c.tree, c.near), c.given.normal, {}, progress)
-               .outward() < 0;
+    return measure_sides(c.runtime, c.tree, c.near, c.given.normal, progress).outward() < 0;
 }
 
 // Returns whether neighbours agree with those of least energy, or not, by chance. In doubt opposite neighbours must not

@@ -4,7 +4,7 @@
 //   read_cloud         (cloud.h) points 1 apart, merged, in a tree's order
 //   read_given         (given_normals.h) the given normals, which are a start, too
 //   normals_of_cloud   (normals_of_cloud.h) the normals of least energy, as the noise and the size of the cloud call
-//   for turn_outward       (outward.h) the sign of the whole, and of its pieces judge              (given_normals.h)
+//   for turn_outward       (outward.h) the sign of the whole judge              (given_normals.h)
 //   what given normals are worth write_...          the normals of the points
 #include "orient/orient.h"
 
@@ -76,9 +76,8 @@ Orientation orient(const base::Runtime& runtime, const OrientInput& input, const
         normals_of_cloud(runtime, cloud, near, use_given ? &given.normal : nullptr, progress.part(0.1, 0.9));
     VecArray& least = found.fitted.normal;
     const fit::HermiteEnergy* const form = found.fitted.form.get();
-    const Groups pieces = find_pieces(runtime, *cloud.tree, near);
     const OutwardRule rule{input.up, (input.viewpoint - cloud.centre) / cloud.spacing, input.has_viewpoint};
-    const Whole whole = turn_outward(runtime, cloud, near, pieces, rule, form, least, progress.part(0.9, 0.95));
+    const Whole whole = turn_outward(runtime, cloud, near, rule, least, progress.part(0.9, 0.95));
     Orientation result(runtime.memory);
     result.normal.resize(input.points.count);
     OrientReport& report = result.report;
@@ -89,7 +88,7 @@ Orientation orient(const base::Runtime& runtime, const OrientInput& input, const
     report.confidence = found.confidence;
     report.closed = whole.closed;
     report.outward_by = whole.by;
-    report.components = pieces.size();
+    report.components = count_pieces(runtime, *cloud.tree, near);
     report.found = NormalMode::none;
     if (use_given) {
         const Evidence evidence{least, form, whole.by != OutwardBy::inside, found.confidence < tuning.doubtful};
@@ -125,7 +124,7 @@ bool plainly_inward(const base::Runtime& runtime, const base::InView& points, co
     VecArray normal(runtime.memory, tree.size());
     for (std::int64_t at = 0; at < tree.size(); ++at) normal.set(at, given[tree.index(at)]);
     const Near near(runtime, tree, Near::of_spacing, progress);
-    const Sides sides = measure_sides(runtime, tree, local_spacing(runtime, tree, near), normal, {}, progress);
+    const Sides sides = measure_sides(runtime, tree, near, normal, progress);
     return sides.closed() && sides.against < 0.5 * sides.along && sides.outward() < 0;
 }
 

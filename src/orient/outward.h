@@ -2,7 +2,6 @@
 // Which side of a cloud is outside, by winding numbers: those of a closed surface are 0 outside and 1 inside.
 #pragma once
 
-#include "fit/hermite_energy.h"
 #include "orient/cloud.h"
 
 namespace hrbfnpr::orient {
@@ -21,10 +20,9 @@ struct Sides {
 };
 
 // Takes each place as a dipole as large as its area (Barill and others, "Fast winding numbers for soups and clouds",
-// 2018). members: the places that make up the surface; all if empty.
-[[nodiscard]] Sides measure_sides(const base::Runtime& runtime, const geometry::PointTree& tree,
-                                  const base::Array<double>& spacing, const geometry::VecArray& normal,
-                                  std::span<const std::int32_t> members, const base::Progress& progress);
+// 2018).
+[[nodiscard]] Sides measure_sides(const base::Runtime& runtime, const geometry::PointTree& tree, const Near& near,
+                                  const geometry::VecArray& normal, const base::Progress& progress);
 
 // Has the numbers of HRBFNPR_OUTWARD_...
 enum class OutwardBy : std::uint32_t { inside = 0, up = 1, viewpoint = 2, as_given = 3 };
@@ -40,9 +38,8 @@ struct Whole {
     OutwardBy by = OutwardBy::inside;
 };
 
-// Turns closed pieces that the energy is indifferent to outward, and then everything. form: the energy, or null.
+// Turns all normals outward, as winding numbers tell, or else by the rule.
 [[nodiscard]] Whole turn_outward(const base::Runtime& runtime, const Cloud& cloud, const Near& near,
-                                 const Groups& pieces, const OutwardRule& rule, const fit::HermiteEnergy* form,
-                                 geometry::VecArray& normal, const base::Progress& progress);
+                                 const OutwardRule& rule, geometry::VecArray& normal, const base::Progress& progress);
 
 } // namespace hrbfnpr::orient

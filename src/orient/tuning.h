@@ -200,13 +200,6 @@ struct OrientTuning {
     // extent.
     double told_apart = 0.2;
     double least_volume = 3e-4;
-    // The largest pieces, of at least this many places, are turned one by one if turning them changes the energy by
-    // less than this share of their own.
-    std::int64_t most_pieces = 64;
-    std::int64_t fewest_of_piece = 16;
-    double indifferent = 0.05;
-    // A piece is inside the others by the winding numbers at this many of its places.
-    std::int64_t inside_probes = 8;
     // A quick look at given normals takes this many points.
     std::int64_t most_compared = 4096;
 
