@@ -90,22 +90,6 @@ private:
 [[nodiscard]] base::Array<double> local_spacing(const base::Runtime& runtime, const geometry::PointTree& tree,
                                                 const Near& near);
 
-// Sets of places, one after the other.
-struct Groups {
-    explicit Groups(base::Memory& memory) : member(memory), begin(memory) { begin.push_back(0); }
-
-    [[nodiscard]] std::int64_t size() const noexcept { return begin.size() - 1; }
-    [[nodiscard]] std::span<const std::int32_t> of(std::int64_t k) const noexcept {
-        return member.span().subspan(static_cast<std::size_t>(begin[k]),
-                                     static_cast<std::size_t>(begin[k + 1] - begin[k]));
-    }
-    // Ends a group after its members have been added.
-    void close() { begin.push_back(member.size()); }
-
-    base::Array<std::int32_t> member;
-    base::Array<std::int64_t> begin;
-};
-
 // Returns the number of sets of places that neighbours connect.
 [[nodiscard]] std::int64_t count_pieces(const base::Runtime& runtime, const geometry::PointTree& tree,
                                         const Near& near);

@@ -4,8 +4,7 @@
 //   compare            how much the given lines have to do with those of least energy: colours have nothing
 //   are_inward         whether most point inward: then all are turned
 //   are_tossed         whether neighbours agree by chance only: then each takes the sign of least energy
-//   patches_against    else the patches of places that are against the least energy; each is turned where that lowers
-//                      the energy of the given normals
+//   patches_against    else the patches of places that are against the least energy are turned
 #include "orient/given_normals.h"
 
 #include "base/assert.h"
@@ -107,12 +106,11 @@ struct Border {
 
 // Returns connected places whose normals are against those of least energy, where their directions agree; in doubt only
 // those that the given normals themselves show to be turned, by how they go on around them.
-[[nodiscard]] Groups patches_against(const Case& c, const Signs& signs) {
+[[nodiscard]] base::Array<std::int32_t> patches_against(const Case& c, const Signs& signs) {
     double side = 0.0;
     for (std::int64_t at = 0; at < c.tree.size(); ++at) side += signs[at] * c.cosine(at) > 0.0 ? 1.0 : -1.0;
     const auto against = [&](std::int64_t at) { return (side >= 0.0 ? 1.0 : -1.0) * signs[at] * c.cosine(at) < 0.0; };
-    Groups patches(c.runtime.memory);
-    base::Array<std::int32_t>& patch = patches.member; // the last one's are still being found
+    base::Array<std::int32_t> patch(c.runtime.memory); // all of them, one after the other
     base::Array<std::uint8_t> seen(c.runtime.memory, c.tree.size());
     const auto add = [&](std::int64_t at) {
         if (seen[at] != 0) return;
@@ -135,25 +133,10 @@ struct Border {
             }
         }
         if (patch.size() == begin) continue;
-        if (cosines > tuning.distinct * static_cast<double>(patch.size() - begin) &&
-            (!c.evidence.doubtful || border.sum < tuning.torn * border.size))
-            patches.close();
-        else
-            patch.resize(begin);
+        const bool distinct = cosines > tuning.distinct * static_cast<double>(patch.size() - begin);
+        if (!distinct || (c.evidence.doubtful && border.sum >= tuning.torn * border.size)) patch.resize(begin);
     }
-    return patches;
-}
-
-// Turns those patches where the given directions, too, have less energy then. Returns whether any was turned.
-[[nodiscard]] bool turn_patches(const Case& c, Signs& signs) {
-    const Groups patches = patches_against(c, signs);
-    if (c.evidence.form != nullptr) {
-        const base::Array<std::uint8_t> turned =
-            SignEnergy(c.runtime, *c.evidence.form, c.given.normal).turn(patches, 0.0, signs);
-        return std::count(turned.begin(), turned.end(), 1) > 0;
-    }
-    for (const std::int32_t at : patches.member) signs[at] = static_cast<std::int8_t>(-signs[at]);
-    return patches.size() > 0;
+    return patch;
 }
 
 } // namespace
@@ -217,8 +200,12 @@ Judgement judge(const base::Runtime& runtime, const Cloud& cloud, const Near& ne
     } else {
         if (judgement.made_sign > 0.0 && are_inward(c, alike, progress)) turn_everything();
         const bool may_differ = std::max(alike, 1.0 - alike) < tuning.all_alike || mode == NormalMode::mixed;
-        if ((may_differ && turn_patches(c, judgement.signs)) || mode == NormalMode::mixed)
-            judgement.found = NormalMode::mixed;
+        if (may_differ)
+            for (const std::int32_t at : patches_against(c, judgement.signs)) {
+                judgement.signs[at] = static_cast<std::int8_t>(-judgement.signs[at]);
+                judgement.found = NormalMode::mixed;
+            }
+        if (mode == NormalMode::mixed) judgement.found = mode;
     }
     if (mode == NormalMode::given) std::fill(judgement.signs.begin(), judgement.signs.end(), std::int8_t{1});
     return judgement;

@@ -27,7 +27,6 @@ struct GivenNormals {
 // The evidence that given normals are judged by.
 struct Evidence {
     const geometry::VecArray& least; // normals of least energy, outward
-    const fit::HermiteEnergy* form;  // their energy, or null
     bool open = false;               // a rule only says what is outward
     bool doubtful = false;           // its confidence is low: in doubt given normals stay
 };

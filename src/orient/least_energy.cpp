@@ -4,11 +4,11 @@
 //   starts             planes through neighbours, near and far, directions from the middle, and what the caller gives
 //   find_signs         (signs.h) signs by the energy
 //   descend            directions by the energy: limited-memory BFGS on the product of the normals' spheres
-//   settle             both in turn, while that lowers the energy
 //   agreement          how far the starts that came as low have the signs of the lowest
 #include "orient/least_energy.h"
 
 #include "base/assert.h"
+#include "base/sort.h"
 #include "orient/signs.h"
 #include "orient/tuning.h"
 
@@ -16,6 +16,7 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -179,6 +180,80 @@ double descend(const base::Runtime& runtime, fit::HermiteEnergy& energy, const b
     return descent.value();
 }
 
+// ---- Signs that spread from neighbour to neighbour
+
+struct Edge {
+    float doubt;
+    std::int32_t a;
+    std::int32_t b;
+    std::int32_t turned; // 1: the signs differ
+};
+
+// Sets of places that are joined, each with its sign relative to the set's first (Tarjan 1975).
+class SignedSets {
+public:
+    SignedSets(base::Memory& memory, std::int64_t size) : parent_(memory, size), turned_(memory, size) {
+        for (std::int64_t i = 0; i < size; ++i) parent_[i] = static_cast<std::int32_t>(i);
+    }
+
+    // Returns the set's first, and whether the place has the other sign.
+    std::pair<std::int32_t, bool> find(std::int32_t at) noexcept {
+        bool turned = false;
+        for (; parent_[at] != at; at = parent_[at]) {
+            const std::int32_t above = parent_[at];
+            turned_[at] ^= turned_[above]; // halves the path: it skips the one above
+            parent_[at] = parent_[above];
+            turned ^= turned_[at] != 0;
+        }
+        return {at, turned};
+    }
+    void join(const Edge& edge) noexcept {
+        const auto [a, a_turned] = find(edge.a);
+        const auto [b, b_turned] = find(edge.b);
+        if (a == b) return;
+        const std::int32_t high = std::max(a, b);
+        parent_[high] = std::min(a, b);
+        turned_[high] = (a_turned ^ b_turned ^ (edge.turned != 0)) ? 1 : 0;
+    }
+
+private:
+    base::Array<std::int32_t> parent_;
+    base::Array<std::uint8_t> turned_; // against the parent; 0 of a root
+};
+
+// Turns directions so that neighbours agree, along the minimum spanning forest of the pairs whose directions are most
+// alike (Hoppe and others, "Surface reconstruction from unorganized points", 1992).
+void spread_signs(const base::Runtime& runtime, const Near& near, std::int64_t neighbours, VecArray& normal,
+                  const base::Progress& progress) {
+    constexpr std::int64_t edges_a_look = 16384;
+    const std::int64_t each = std::min(neighbours, near.each());
+    base::Array<Edge> edges(runtime.memory);
+    edges.resize_for_overwrite(normal.size() * each);
+    for_places(runtime, normal.size(), progress, [&](std::int64_t at) {
+        Edge* edge = edges.data() + at * each;
+        for (const std::int32_t other : near.of(at, each)) {
+            const double cosine = glm::dot(normal[at], normal[other]);
+            const auto own = static_cast<std::int32_t>(at);
+            *edge++ = {static_cast<float>(1.0 - std::min(1.0, std::abs(cosine))), std::min(own, other),
+                       std::max(own, other), cosine < 0.0 ? 1 : 0};
+        }
+    });
+    // Two places that are each other's neighbours have an edge twice: those that are equal are the same.
+    base::sort_long(
+        edges.begin(), edges.end(),
+        [](const Edge& x, const Edge& y) {
+            return std::tie(x.doubt, x.a, x.b, x.turned) < std::tie(y.doubt, y.a, y.b, y.turned);
+        },
+        progress);
+    SignedSets sets(runtime.memory, normal.size());
+    for (std::int64_t k = 0; k < edges.size(); ++k) {
+        if (k % edges_a_look == 0) progress.check();
+        sets.join(edges[k]);
+    }
+    for (std::int64_t at = 0; at < normal.size(); ++at)
+        if (sets.find(static_cast<std::int32_t>(at)).second) normal.set(at, -normal[at]);
+}
+
 // ---- Starts
 
 [[nodiscard]] VecArray copy(const VecArray& from) {
@@ -260,31 +335,13 @@ LeastEnergy least_energy(const base::Runtime& runtime, const Places& places, con
     // More neighbours of few places cost little.
     const auto neighbours = static_cast<std::int32_t>(
         std::min<std::int64_t>(size < tuning.few_places ? tuning.neighbours_of_few : tuning.neighbours, size - 1));
-    LeastEnergy result(runtime.memory);
-    result.form = std::make_unique<fit::HermiteEnergy>(
-        runtime, *places.tree, places.rank, fit::HermiteEnergy::Options{ridge, neighbours}, progress.part(0.0, 0.1));
-    const base::Array<double> stiffness = result.form->stiffness(progress);
+    fit::HermiteEnergy energy(runtime, *places.tree, places.rank, {ridge, neighbours}, progress.part(0.0, 0.1));
+    const base::Array<double> stiffness = energy.stiffness(progress);
     std::vector<Result> results;
-    Levels levels; // of the signs found last
-    const auto add_signs = [&](VecArray& normal) {
-        return find_signs(runtime, places, near, *result.form, levels, normal, standing);
-    };
-    const auto descended = [&](VecArray normal) {
-        const double energy = descend(runtime, *result.form, stiffness, normal, standing);
-        return Result{std::move(normal), energy};
-    };
     const auto settle = [&](VecArray normal, bool keep_signs) {
-        if (!keep_signs) add_signs(normal);
-        Result best = descended(std::move(normal));
-        for (int round = 1; round < (size > tuning.many_places ? tuning.rounds - 1 : tuning.rounds); ++round) {
-            VecArray turned = copy(best.normal);
-            if (!add_signs(turned)) break;
-            Result next = descended(std::move(turned));
-            const bool lower = next.energy < best.energy * (1.0 - 1e-4);
-            if (next.energy < best.energy) best = std::move(next);
-            if (!lower) break;
-        }
-        results.push_back(std::move(best));
+        if (!keep_signs) find_signs(runtime, places, near, energy, normal, standing);
+        const double reached = descend(runtime, energy, stiffness, normal, standing);
+        results.push_back({std::move(normal), reached});
     };
     const auto planes = [&](std::int64_t count) { return plane_normals(runtime, *places.tree, near, count, progress); };
     const std::array<std::function<VecArray()>, 6> starts{
@@ -299,6 +356,12 @@ LeastEnergy least_energy(const base::Runtime& runtime, const Places& places, con
         settle(copy(*given), false);
     }
     if (effort.begin != nullptr) settle(copy(effort.begin->normal), true);
+    if (effort.tree) {
+        constexpr std::int64_t of_tree = 16;
+        VecArray normal = planes(of_tree);
+        spread_signs(runtime, near, of_tree, normal, progress);
+        settle(std::move(normal), true);
+    }
     const auto best = [&] {
         return std::min_element(results.begin(), results.end(),
                                 [](const Result& a, const Result& b) { return a.energy < b.energy; });
@@ -314,6 +377,7 @@ LeastEnergy least_energy(const base::Runtime& runtime, const Places& places, con
         if (found && best()->energy > (1.0 - tuning.same_energy) * last.energy) break;
     }
     const auto chosen = best();
+    LeastEnergy result(runtime.memory);
     result.agreement = agreement(results, *chosen, effort.begin, result.rival);
     result.energy = std::max(chosen->energy, 0.0) / (4.0 * static_cast<double>(size) - 4.0);
     result.normal = std::move(chosen->normal);

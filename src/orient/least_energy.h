@@ -2,11 +2,9 @@
 // The normals of least energy of some places, from several starts.
 #pragma once
 
-#include "fit/hermite_energy.h"
 #include "orient/cloud.h"
 
 #include <limits>
-#include <memory>
 
 namespace hrbfnpr::orient {
 
@@ -26,6 +24,7 @@ struct Begin {
 struct Effort {
     int starts = 6;               // at most: two that come to the same are enough
     bool all = false;             // unless all are wanted
+    bool tree = false;            // adds a start whose signs are those of a spanning tree
     const Begin* begin = nullptr; // adds a start from these
 };
 
@@ -37,7 +36,6 @@ struct LeastEnergy {
     double agreement = 1.0;    // 0 .. 1: how far starts that came as low have the same signs
     // Energy over the least of the lowest start whose signs are others: near 1 where the noise decides.
     double rival = std::numeric_limits<double>::infinity();
-    std::unique_ptr<fit::HermiteEnergy> form; // the energy itself; refers to the places
 };
 
 // ridge: that of fit::HermiteEnergy. given: normals to begin with, with their signs, or null.

@@ -53,16 +53,16 @@ struct Noise {
     const auto fit = [&](double ridge, const Effort& effort) {
         return least_energy(runtime, places, near, ridge, nullptr, effort, progress.standing());
     };
-    LeastEnergy clean = fit(0.0, {2, true});
+    LeastEnergy clean = fit(0.0, {2, true, true});
     if (clean.energy < tuning.clean_below) return {};
-    if (places.size() < tuning.few_to_measure) clean = fit(0.0, {6, true});
+    if (places.size() < tuning.few_to_measure) clean = fit(0.0, {6, true, true});
     const bool clear = clean.rival > tuning.noisy_rival;
     if (clean.energy < tuning.clean_below || (clean.energy > tuning.no_order_above && clear)) return {};
     LeastEnergy fitted(runtime.memory);
     Noise noise;
     noise.ridge = tuning.first_ridge;
     for (int k = 1; k < tuning.most_ridges; ++k, noise.ridge *= ridge_factor) {
-        fitted = fit(noise.ridge, {1, true});
+        fitted = fit(noise.ridge, {1, true, false});
         runtime.log(base::LogLevel::debug, "orient: ridge %.0f: energy %.4f", noise.ridge, fitted.energy);
         if (fitted.energy < tuning.settled_below) break;
     }
@@ -105,8 +105,8 @@ struct Noise {
 
 // Fewer starts of more places.
 [[nodiscard]] Effort effort_for(std::int64_t count) noexcept {
-    if (count <= tuning.few_points) return {6, true};
-    return {count <= tuning.many_points ? 3 : 1, false};
+    if (count <= tuning.few_points) return {6, true, true};
+    return {count <= tuning.many_points ? 3 : 1, false, count <= tuning.many_points};
 }
 
 void fit_even(const base::Runtime& runtime, const Cloud& cloud, const Near& near, const Noise& noise,
@@ -119,13 +119,13 @@ void fit_even(const base::Runtime& runtime, const Cloud& cloud, const Near& near
         confidence_of(std::clamp(result.fitted.agreement, 0.0, 1.0), result.fitted.energy, noise.deviation);
     if (noise.ridge == 0.0 || cloud.size() > tuning.few_points) return;
     // With less of a ridge the signs should be the same: they are not where walls are as thin as the noise.
-    const LeastEnergy other = fit(tuning.softer * noise.ridge, nullptr, {1, false}, progress.standing());
+    const LeastEnergy other = fit(tuning.softer * noise.ridge, nullptr, {1, false, false}, progress.standing());
     result.confidence *= std::max(0.0, 2.0 * share_alike(result.fitted.normal, other.normal) - 1.0);
 }
 
 void fit_noisy(const base::Runtime& runtime, const Cloud& cloud, const Near& near, const Noise& noise,
                const VecArray* given, CloudNormals& result, const base::Progress& progress) {
-    RidgeFit found = follow_ridges(runtime, cloud, near, noise.ridge, given, {3, false}, progress);
+    RidgeFit found = follow_ridges(runtime, cloud, near, noise.ridge, given, {3, false, true}, progress);
     result.confidence = confidence_of(found, noise.deviation);
     runtime.log(base::LogLevel::debug, "orient: energy %.4f, agreement %.3f, steadiness %.3f, noise %.3f, ridge %.0f",
                 found.roughest, found.fitted.agreement, found.steadiness, noise.deviation, noise.ridge);
@@ -168,11 +168,11 @@ void fit_noisy(const base::Runtime& runtime, const Cloud& cloud, const Near& nea
     for (std::int64_t count = cloud.all_over; 3 * count < 2 * most; count *= 2) {
         const FirstPlaces level(runtime, cloud, count, progress);
         Begin begin(runtime.memory);
-        Effort effort{6, true};
+        Effort effort{6, true, true};
         if (!levels.empty()) {
             begin.normal = level.pick(levels.back().normal);
             begin.agreement = levels.back().agreement;
-            effort = {2, false, &begin};
+            effort = {2, false, false, &begin};
         }
         const Near near(runtime, *level.tree, tuning.most_neighbours, progress);
         const LeastEnergy found = least_energy(runtime, level, near, 0.0, nullptr, effort, progress.standing());
@@ -188,22 +188,16 @@ void fit_noisy(const base::Runtime& runtime, const Cloud& cloud, const Near& nea
 
 // Returns the coarser cloud whose normals are to stay, or null. Noise has the more energy the nearer points are to each
 // other, and directions that are off by it. If the energy of all points is no less than that of fewer, it is the cloud
-// of least energy whose signs are those of these. Where starts disagree on all points it is the finest that they agree
-// on.
-[[nodiscard]] Begin* to_stay(std::vector<Begin>& coarser, double energy, double confidence) noexcept {
+// of least energy whose signs are those of these.
+[[nodiscard]] Begin* to_stay(std::vector<Begin>& coarser, double energy) noexcept {
     const auto least = std::min_element(coarser.begin(), coarser.end(),
                                         [](const Begin& a, const Begin& b) { return a.own_energy() < b.own_energy(); });
-    if (least->own_energy() < tuning.falling * energy) {
-        Begin* best = &*least;
-        for (Begin& level : coarser)
-            if (level.energy < best->energy && share_alike(level.normal, least->normal) > tuning.signs_of_level)
-                best = &level;
-        return best;
-    }
-    if (confidence > tuning.doubtful) return nullptr;
-    const auto sure = std::find_if(coarser.rbegin(), coarser.rend(),
-                                   [](const Begin& level) { return level.agreement > tuning.agreed; });
-    return sure != coarser.rend() ? &*sure : nullptr;
+    if (least->own_energy() >= tuning.falling * energy) return nullptr;
+    Begin* best = &*least;
+    for (Begin& level : coarser)
+        if (level.energy < best->energy && share_alike(level.normal, least->normal) > tuning.signs_of_level)
+            best = &level;
+    return best;
 }
 
 // The coarser clouds are enough for many points.
@@ -218,7 +212,7 @@ void fit_curves(const base::Runtime& runtime, const Cloud& cloud, const Near& ne
         result.confidence = confidence_of(std::clamp(result.fitted.agreement, 0.0, 1.0), result.fitted.energy, 0.0);
         energy = result.fitted.energy * cloud.apart[cloud.size() / 2];
     }
-    Begin* const level = to_stay(coarser, energy, result.confidence);
+    Begin* const level = to_stay(coarser, energy);
     if (level == nullptr) return;
     result.fitted.normal = std::move(level->normal);
     result.fitted.energy = level->energy;
@@ -271,7 +265,7 @@ RidgeFit follow_ridges(const base::Runtime& runtime, const Cloud& cloud, const N
     const auto next_fit = [&](const LeastEnergy& last) {
         progress.update(std::log(ridge) / std::log(ridge_factor * most));
         ridge *= ridge_factor;
-        return least_energy(runtime, cloud, near, ridge, &last.normal, {2, false}, progress.standing());
+        return least_energy(runtime, cloud, near, ridge, &last.normal, {2, false, false}, progress.standing());
     };
     const auto ends = [&](const LeastEnergy& last) {
         return last.energy < tuning.path_settled || ridge * ridge_factor > 1.01 * most;
@@ -286,7 +280,7 @@ RidgeFit follow_ridges(const base::Runtime& runtime, const Cloud& cloud, const N
                     alike);
         if (alike < tuning.path_same_signs) return best;
     }
-    if (last.form != nullptr) best.fitted = std::move(last);
+    if (!last.normal.empty()) best.fitted = std::move(last);
     progress.update(1.0);
     return best;
 }
@@ -303,7 +297,6 @@ CloudNormals normals_of_cloud(const base::Runtime& runtime, const Cloud& cloud, 
         const Near near_means(runtime, *means.tree, tuning.most_neighbours, progress);
         fit(runtime, means, near_means, noise, nullptr, result, progress.part(0.2, 0.95));
         result.fitted.normal = normals_by_means(runtime, cloud, means, result.fitted.normal, progress.part(0.95, 1.0));
-        result.fitted.form.reset(); // it is the means'
     } else {
         fit(runtime, cloud, near, noise, given, result, progress.part(0.1, 0.95));
         if (noise.ridge > 0.0 && cloud.size() >= tuning.fewest_to_refine && cloud.size() <= tuning.few_points)

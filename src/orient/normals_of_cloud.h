@@ -9,7 +9,7 @@ namespace hrbfnpr::orient {
 struct CloudNormals {
     explicit CloudNormals(base::Memory& memory) noexcept : fitted(memory) {}
 
-    LeastEnergy fitted; // its form is null if the cloud was replaced by means of its points
+    LeastEnergy fitted;
     double noise = 0.0; // standard deviation, in spacings
     double confidence = 0.0;
 };

@@ -75,7 +75,6 @@ Orientation orient(const base::Runtime& runtime, const OrientInput& input, const
     CloudNormals found =
         normals_of_cloud(runtime, cloud, near, use_given ? &given.normal : nullptr, progress.part(0.1, 0.9));
     VecArray& least = found.fitted.normal;
-    const fit::HermiteEnergy* const form = found.fitted.form.get();
     const OutwardRule rule{input.up, (input.viewpoint - cloud.centre) / cloud.spacing, input.has_viewpoint};
     const Whole whole = turn_outward(runtime, cloud, near, rule, least, progress.part(0.9, 0.95));
     Orientation result(runtime.memory);
@@ -91,7 +90,7 @@ Orientation orient(const base::Runtime& runtime, const OrientInput& input, const
     report.components = count_pieces(runtime, *cloud.tree, near);
     report.found = NormalMode::none;
     if (use_given) {
-        const Evidence evidence{least, form, whole.by != OutwardBy::inside, found.confidence < tuning.doubtful};
+        const Evidence evidence{least, whole.by != OutwardBy::inside, found.confidence < tuning.doubtful};
         const Judgement judgement = judge(runtime, cloud, near, given, evidence, input.mode, progress);
         if (judgement.follows_given) report.outward_by = OutwardBy::as_given;
         report.found = judgement.found;

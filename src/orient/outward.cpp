@@ -42,10 +42,7 @@ bool Sides::closed() const noexcept { return std::min(along, against) < tuning.c
 bool Sides::nearly_closed() const noexcept { return std::min(along, against) < tuning.nearly_closed_below; }
 
 int Sides::outward() const noexcept {
-    if (std::abs(along - against) > tuning.told_apart) return along < against ? 1 : -1;
-    // On a thin wall a step inward leads out of it on the other side.
-    if (nearly_closed() && std::abs(volume) > tuning.least_volume) return volume > 0.0 ? 1 : -1;
-    return 0;
+    return std::abs(along - against) > tuning.told_apart ? (along < against ? 1 : -1) : 0;
 }
 
 Sides measure_sides(const base::Runtime& runtime, const geometry::PointTree& tree, const Near& near,
@@ -53,14 +50,8 @@ Sides measure_sides(const base::Runtime& runtime, const geometry::PointTree& tre
     HRBFNPR_ASSERT(normal.size() == tree.size() && tree.size() > 0);
     const base::Array<double> spacing = local_spacing(runtime, tree, near);
     VecArray moment(runtime.memory, tree.size()); // of dipoles: normals times areas
-    double area = 0.0;
-    double volume = 0.0;
-    for (std::int64_t at = 0; at < tree.size(); ++at) {
-        const double own = area_share * spacing[at] * spacing[at];
-        moment.set(at, own * normal[at]);
-        area += own;
-        volume += glm::dot(tree.points()[at] - tree.bounds().centre(), moment[at]) / 3.0;
-    }
+    for (std::int64_t at = 0; at < tree.size(); ++at)
+        moment.set(at, area_share * spacing[at] * spacing[at] * normal[at]);
     const auto winding_number = [&](const glm::dvec3& p) {
         double sum = 0.0;
         for (std::int64_t i = 0; i < tree.size(); ++i) {
@@ -77,7 +68,7 @@ Sides measure_sides(const base::Runtime& runtime, const geometry::PointTree& tre
         const double way = (i % 2 == 0 ? 1.0 : -1.0) * tuning.probe_step * spacing[at];
         number[i] = std::min(1.5, std::abs(winding_number(tree.points()[at] + way * normal[at])));
     });
-    Sides sides{0.0, 0.0, volume / std::max(area * tree.bounds().diagonal(), 1e-300)};
+    Sides sides{0.0, 0.0};
     for (std::int64_t i = 0; i < 2 * probes; ++i)
         (i % 2 == 0 ? sides.along : sides.against) += number[i] / static_cast<double>(probes);
     return sides;

@@ -10,7 +10,6 @@ struct Sides {
     // Mean |winding number| a little way along the normals: 0 if they point out of a closed surface.
     double along = 0.5;
     double against = 0.5; // the same against the normals
-    double volume = 0.0;  // signed, over area times the extent
 
     [[nodiscard]] bool closed() const noexcept;
     // The same as far as some hundred places tell.

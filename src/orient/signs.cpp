@@ -16,9 +16,11 @@
 #include "orient/tuning.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
 #include <utility>
+#include <vector>
 
 namespace hrbfnpr::orient {
 namespace {
@@ -52,16 +54,55 @@ struct SumsByName {
     base::Array<std::int32_t> names; // in the order in which they came
 };
 
-} // namespace
+using Four = std::array<double, 4>;
 
+// The clusters of places, from fine to coarse: a cluster is named for its first place.
+using Levels = std::vector<base::Array<std::int32_t>>;
+
+// The energy's terms for given directions.
+struct SignTerms {
+    SignTerms(const base::Runtime& all, const fit::HermiteEnergy& energy, const geometry::VecArray& normal,
+              const base::Progress& progress)
+        : runtime(all), terms(energy.terms(normal, progress)), blocks(terms.blocks), size(energy.size()),
+          dense(all.memory, size) {
+        for (std::int64_t k = 0; k < blocks.coarse_count; ++k) dense[blocks.coarse[k]] = k + 1;
+    }
+
+    // What an element adds to its term.
+    [[nodiscard]] Four part(std::int64_t element, const Signs& signs) const noexcept {
+        const float* const a = terms.add.data() + 4 * element;
+        const auto s = static_cast<float>(signs[blocks.set[element]]);
+        return {double{s * a[0]}, double{s * a[1]}, double{s * a[2]}, double{s * a[3]}};
+    }
+    // Calls visit(element) for the elements of a term.
+    template <class Visit>
+    void for_elements(std::int64_t term, Visit&& visit) const {
+        for (std::int64_t e = term * blocks.set_size; e < (term + 1) * blocks.set_size; ++e) visit(e);
+    }
+    // What a sample of the dense term adds to it, with the sign +1.
+    [[nodiscard]] const double* dense_part(std::int64_t sample) const noexcept {
+        return terms.coarse_add.data() + sample * blocks.coarse_columns;
+    }
+
+    const base::Runtime& runtime;
+    fit::HermiteEnergy::Terms terms;
+    fit::Preconditioner::Blocks blocks;
+    std::int64_t size;
+    base::Array<std::int64_t> dense; // of each place: 1 + its number in the dense term, or 0
+};
+
+// Joins places, two clusters at a time that are each other's nearest by |coupling| / sqrt(self energies), with the sign
+// that lowers the energy; the couplings of joined clusters add up. The first level, if there is one, holds the clusters
+// to begin with, and `signs` the signs in them.
+//
 // Clusters are linked lists of their members. A term whose members are all of one cluster is over: it is skipped.
-class SignEnergy::Agglomeration {
+class Agglomeration {
 public:
-    Agglomeration(const SignEnergy& energy, Levels& levels, Signs& signs, const base::Progress& progress)
-        : energy_(energy), memory_(energy.runtime_.memory), blocks_(energy.terms_.blocks), size_(energy.size_),
-          levels_(levels), signs_(signs), progress_(progress), cluster_(memory_, size_), next_(memory_, size_),
-          last_(memory_, size_), self_(memory_, size_), partner_(memory_, size_), count_(memory_, size_),
-          joined_(memory_, size_), over_(memory_, size_), names_(memory_), sums_(energy.runtime_) {
+    Agglomeration(const SignTerms& energy, Levels& levels, Signs& signs, const base::Progress& progress)
+        : energy_(energy), memory_(energy.runtime.memory), blocks_(energy.blocks), size_(energy.size), levels_(levels),
+          signs_(signs), progress_(progress), cluster_(memory_, size_), next_(memory_, size_), last_(memory_, size_),
+          self_(memory_, size_), partner_(memory_, size_), count_(memory_, size_), joined_(memory_, size_),
+          over_(memory_, size_), names_(memory_), sums_(energy.runtime) {
         for (std::int64_t at = 0; at < size_; ++at) {
             const std::int32_t name = levels.empty() ? static_cast<std::int32_t>(at) : levels.back()[at];
             HRBFNPR_ASSERT(name <= at);
@@ -105,7 +146,7 @@ private:
 
     template <class F>
     void for_names(F&& f) const {
-        energy_.runtime_.parallel.for_chunks(names_.size(), clusters_a_task, [&](std::int64_t begin, std::int64_t end) {
+        energy_.runtime.parallel.for_chunks(names_.size(), clusters_a_task, [&](std::int64_t begin, std::int64_t end) {
             for (std::int64_t k = begin; k < end; ++k) {
                 progress_.check();
                 f(names_[k]);
@@ -135,9 +176,9 @@ private:
     template <class Visit>
     void for_dense(std::int32_t name, Visit&& visit) const {
         for (std::int32_t at = name; at >= 0; at = next_[at])
-            for (std::int64_t k = 0; energy_.dense_[at] > 0 && k < blocks_.coarse_count; ++k) {
+            for (std::int64_t k = 0; energy_.dense[at] > 0 && k < blocks_.coarse_count; ++k) {
                 const std::int64_t other = blocks_.coarse[k];
-                const double* const x = energy_.dense_part(energy_.dense_[at] - 1);
+                const double* const x = energy_.dense_part(energy_.dense[at] - 1);
                 const double product = std::inner_product(x, x + blocks_.coarse_columns, energy_.dense_part(k), 0.0);
                 visit(cluster_[other], product * signs_[at] * signs_[other]);
             }
@@ -163,7 +204,7 @@ private:
     }
 
     void mark_over() {
-        energy_.runtime_.parallel.for_chunks(
+        energy_.runtime.parallel.for_chunks(
             size_, 8 * clusters_a_task, progress_, [&](std::int64_t begin, std::int64_t end) {
                 for (std::int64_t term = begin; term < end; ++term) {
                     const std::int32_t* const set = blocks_.set + term * blocks_.set_size;
@@ -246,7 +287,7 @@ private:
         joined_[b.to] = {a.to, turn};
     }
 
-    const SignEnergy& energy_;
+    const SignTerms& energy_;
     base::Memory& memory_;
     fit::Preconditioner::Blocks blocks_;
     std::int64_t size_;
@@ -266,16 +307,15 @@ private:
 };
 
 // The totals of all terms, from which follows what turning a set of places does to the energy.
-class SignEnergy::Turning {
+class Turning {
 public:
-    Turning(const SignEnergy& energy, Signs& signs, const base::Progress& progress = {})
-        : energy_(energy), blocks_(energy.terms_.blocks), signs_(signs),
-          total_(energy.runtime_.memory, 4 * energy.size_),
-          dense_total_(energy.runtime_.memory, blocks_.coarse_columns),
-          dense_part_(energy.runtime_.memory, blocks_.coarse_columns), seen_(energy.runtime_.memory, energy.size_),
-          terms_(energy.runtime_.memory), part_(energy.runtime_.memory, 4 * energy.size_) {
+    Turning(const SignTerms& energy, Signs& signs, const base::Progress& progress)
+        : energy_(energy), blocks_(energy.blocks), signs_(signs), total_(energy.runtime.memory, 4 * energy.size),
+          dense_total_(energy.runtime.memory, blocks_.coarse_columns),
+          dense_part_(energy.runtime.memory, blocks_.coarse_columns), seen_(energy.runtime.memory, energy.size),
+          terms_(energy.runtime.memory), part_(energy.runtime.memory, 4 * energy.size) {
         for (std::int64_t k = 0; k < blocks_.coarse_count; ++k) add_dense(k, dense_total_);
-        for_places(energy.runtime_, energy.size_, progress, [&](std::int64_t term) {
+        for_places(energy.runtime, energy.size, progress, [&](std::int64_t term) {
             if (blocks_.set[term * blocks_.set_size] < 0) return;
             energy_.for_elements(term, [&](std::int64_t e) {
                 const Four part = energy_.part(e, signs_);
@@ -291,16 +331,16 @@ public:
         return sum;
     }
 
-    // Turns the members if half of what that takes off the energy is more than this share of their own.
-    bool turn(std::span<const std::int32_t> members, double least) {
+    // Turns the members if that lowers the energy by more than rounding does.
+    bool turn(std::span<const std::int32_t> members) {
         ++visit_;
         terms_.clear();
         std::fill(dense_part_.begin(), dense_part_.end(), 0.0);
         bool dense = false;
         for (const std::int32_t at : members) {
             for (std::int64_t u = blocks_.use_begin[at]; u < blocks_.use_begin[at + 1]; ++u) add(blocks_.use[u]);
-            if (energy_.dense_[at] == 0) continue;
-            add_dense(energy_.dense_[at] - 1, dense_part_);
+            if (energy_.dense[at] == 0) continue;
+            add_dense(energy_.dense[at] - 1, dense_part_);
             dense = true;
         }
         const auto for_numbers = [&](auto&& visit) { // visit(the members' part, total)
@@ -315,7 +355,7 @@ public:
             across += part * (total - part);
             self += part * part;
         });
-        if (!(across > least * self)) return false;
+        if (!(across > tuning.least_gain * self)) return false;
         for_numbers([](double part, double& total) { total -= 2.0 * part; });
         for (const std::int32_t at : members) signs_[at] = static_cast<std::int8_t>(-signs_[at]);
         return true;
@@ -339,7 +379,7 @@ private:
         for (std::int64_t c = 0; c < blocks_.coarse_columns; ++c) sum[c] += signs_[blocks_.coarse[k]] * a[c];
     }
 
-    const SignEnergy& energy_;
+    const SignTerms& energy_;
     fit::Preconditioner::Blocks blocks_;
     Signs& signs_;
     base::Array<double> total_;
@@ -351,37 +391,12 @@ private:
     std::int64_t visit_ = 0;
 };
 
-SignEnergy::SignEnergy(const base::Runtime& runtime, const fit::HermiteEnergy& energy, const geometry::VecArray& normal,
-                       const base::Progress& progress)
-    : runtime_(runtime), terms_(energy.terms(normal, progress)), size_(energy.size()), dense_(runtime.memory, size_) {
-    HRBFNPR_ASSERT(normal.size() == size_);
-    for (std::int64_t k = 0; k < terms_.blocks.coarse_count; ++k) dense_[terms_.blocks.coarse[k]] = k + 1;
-}
-
-double SignEnergy::of(const Signs& signs, const base::Progress& progress) const {
-    Signs copy(runtime_.memory, size_);
-    std::copy_n(signs.data(), size_, copy.data());
-    return Turning(*this, copy, progress).energy();
-}
-
-void SignEnergy::agglomerate(Levels& levels, Signs& signs, const base::Progress& progress) const {
-    HRBFNPR_ASSERT(signs.size() == size_ && (levels.empty() || levels.back().size() == size_));
-    Agglomeration(*this, levels, signs, progress).run();
-}
-
-base::Array<std::uint8_t> SignEnergy::turn(const Groups& groups, double most, Signs& signs) const {
-    Turning turning(*this, signs);
-    base::Array<std::uint8_t> turned(runtime_.memory);
-    for (std::int64_t k = 0; k < groups.size(); ++k) turned.push_back(turning.turn(groups.of(k), -most) ? 1 : 0);
-    return turned;
-}
-
-std::int64_t SignEnergy::improve(const Levels& levels, Signs& signs, const base::Progress& progress) const {
-    Turning turning(*this, signs, progress);
-    std::int64_t turned = 0;
-    base::Array<std::int32_t> order(runtime_.memory, size_);
+// Turns clusters, from coarse to fine, and single places wherever that lowers the energy. Returns the energy.
+double improve(const SignTerms& energy, const Levels& levels, Signs& signs, const base::Progress& progress) {
+    Turning turning(energy, signs, progress);
+    base::Array<std::int32_t> order(energy.runtime.memory, energy.size);
     for (int sweep = 0; sweep < tuning.most_sweeps; ++sweep) {
-        const std::int64_t before = turned;
+        bool turned = false;
         for (std::size_t level = levels.size() + 1; level-- > 0;) {
             progress.check();
             std::iota(order.begin(), order.end(), 0);
@@ -393,36 +408,21 @@ std::int64_t SignEnergy::improve(const Levels& levels, Signs& signs, const base:
                     [&](std::int32_t a, std::int32_t b) { return std::pair(name(a), a) < std::pair(name(b), b); },
                     progress);
             std::int64_t looked = 0;
-            for (std::int64_t begin = 0; begin < size_;) {
+            for (std::int64_t begin = 0; begin < energy.size;) {
                 if (begin >= looked) {
                     progress.check();
                     looked = begin + places_a_look;
                 }
                 std::int64_t end = begin + 1;
-                while (end < size_ && name(order[end]) == name(order[begin])) ++end;
-                if (turning.turn({order.data() + begin, static_cast<std::size_t>(end - begin)}, tuning.least_gain))
-                    turned += end - begin;
+                while (end < energy.size && name(order[end]) == name(order[begin])) ++end;
+                if (turning.turn({order.data() + begin, static_cast<std::size_t>(end - begin)})) turned = true;
                 begin = end;
             }
         }
-        if (turned == before) break;
+        if (!turned) break;
     }
-    return turned;
+    return turning.energy();
 }
-
-Signs all_positive(base::Memory& memory, std::int64_t size) {
-    Signs signs(memory, size);
-    std::fill(signs.begin(), signs.end(), std::int8_t{1});
-    return signs;
-}
-
-void turn(const Signs& signs, geometry::VecArray& normal) noexcept {
-    HRBFNPR_ASSERT(signs.size() == normal.size());
-    for (std::int64_t at = 0; at < normal.size(); ++at)
-        if (signs[at] < 0) normal.set(at, -normal[at]);
-}
-
-namespace {
 
 // Returns clusters of a place and the neighbours on its sheet whose normals agree with its own; writes their signs.
 [[nodiscard]] base::Array<std::int32_t> find_patches(const Places& places, const Near& near,
@@ -448,23 +448,24 @@ namespace {
 
 } // namespace
 
-bool find_signs(const base::Runtime& runtime, const Places& places, const Near& near, const fit::HermiteEnergy& energy,
-                Levels& levels, geometry::VecArray& normal, const base::Progress& progress) {
-    const SignEnergy signs(runtime, energy, normal, progress);
-    const bool many = places.size() > tuning.many_places;
-    Signs best = all_positive(runtime.memory, places.size());
-    if (many && !levels.empty()) {
-        if (signs.improve(levels, best, progress) == 0) return false;
-    } else {
-        const double before = signs.of(best, progress);
-        levels.clear();
-        if (many) levels.push_back(find_patches(places, near, normal, best));
-        signs.agglomerate(levels, best, progress);
-        signs.improve(levels, best, progress);
-        if (!(signs.of(best, progress) < before * (1.0 - 1e-9))) return false;
-    }
-    turn(best, normal);
-    return true;
+Signs all_positive(base::Memory& memory, std::int64_t size) {
+    Signs signs(memory, size);
+    std::fill(signs.begin(), signs.end(), std::int8_t{1});
+    return signs;
+}
+
+void find_signs(const base::Runtime& runtime, const Places& places, const Near& near, const fit::HermiteEnergy& energy,
+                geometry::VecArray& normal, const base::Progress& progress) {
+    HRBFNPR_ASSERT(normal.size() == places.size() && energy.size() == places.size());
+    const SignTerms terms(runtime, energy, normal, progress);
+    Signs signs = all_positive(runtime.memory, places.size());
+    const double given = Turning(terms, signs, progress).energy();
+    Levels levels;
+    if (places.size() > tuning.many_places) levels.push_back(find_patches(places, near, normal, signs));
+    Agglomeration(terms, levels, signs, progress).run();
+    if (!(improve(terms, levels, signs, progress) < given * (1.0 - 1e-9))) return;
+    for (std::int64_t at = 0; at < places.size(); ++at)
+        if (signs[at] < 0) normal.set(at, -normal[at]);
 }
 
 } // namespace hrbfnpr::orient

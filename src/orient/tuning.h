@@ -30,15 +30,13 @@ struct OrientTuning {
     std::int64_t few_points = 6000;
     // Clouds above this get one start. Larger: more time.
     std::int64_t many_points = 150000;
-    // Clouds above this begin with patches, and keep the clusters that they found first. Larger: more time.
+    // Clouds above this begin with patches. Larger: more time.
     std::int64_t many_places = 100000;
     // Each place is conditioned on this many neighbours, those of fewer than few_places places on more. Larger: the
     // sparse energy is nearer to the true one, and takes more time.
     std::int32_t neighbours = 16;
     std::int32_t neighbours_of_few = 32;
     std::int64_t few_places = 1000;
-    // Signs and directions are found this many times in turn. Larger: more time.
-    int rounds = 3;
 
     // ---- Signs
 
@@ -173,8 +171,6 @@ struct OrientTuning {
     double falling = 1.2;
     // It may be a finer one of which this share of the signs is the same.
     double signs_of_level = 0.97;
-    // Starts that agree by more than this need no warning.
-    double agreed = 0.9;
 
     // ---- Confidence
 
@@ -196,10 +192,8 @@ struct OrientTuning {
     // A surface is closed if their mean on one side is below this; some hundred places tell no better than the second.
     double closed_below = 0.035;
     double nearly_closed_below = 0.12;
-    // Sides are told apart by a larger difference of winding numbers than this, or by a larger volume, over area times
-    // extent.
+    // Sides are told apart by a larger difference of winding numbers than this.
     double told_apart = 0.2;
-    double least_volume = 3e-4;
     // A quick look at given normals takes this many points.
     std::int64_t most_compared = 4096;
 

@@ -38,7 +38,7 @@ struct NoisyCloud {
 };
 
 constexpr double high = 3162.0;
-constexpr orient::Effort effort{3, false};
+constexpr orient::Effort effort{3, false, true};
 
 TEST(RidgePath, KeepsTheSheetsApartThatAHighRidgeMerges) {
     const base::Runtime runtime;
