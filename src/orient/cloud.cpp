@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+// Reading a cloud: its points are checked, merged where they coincide, scaled to spacing 1, and ranked in a
+// farthest-first order. Neighbours, and planes through them, come from the cloud's tree.
 #include "orient/cloud.h"
 
 #include "base/assert.h"

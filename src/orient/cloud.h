@@ -36,8 +36,8 @@ struct Cloud : Places {
     glm::dvec3 centre{0.0};
     double spacing = 1.0; // median distance to the nearest other point, in the caller's unit
     std::int64_t merged = 0;
-    // Points may lie along curves, whose neighbours tell no plane. Then the first places of the farthest-first order,
-    // so many of them, stand all over the surface that the curves lie on; else it is 0.
+    // If points lie along curves, whose neighbours tell no plane: the number of first places of the farthest-first
+    // order that stand all over the surface that the curves lie on. Else 0.
     std::int64_t all_over = 0;
 };
 

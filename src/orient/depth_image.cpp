@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 // The steps of smoothing a depth image:
 //
-//   read               the points as 1 / z, and the camera: the lines that x / z and y / z are of columns and rows
-//   small_plane        a plane through the 5 x 5 pixels around each pixel; the median of the planes' errors is the
-//   noise best_plane         the best of the small planes that cover a pixel, which has no edge in it plane_around
-//   least squares over a disc that is as wide as the noise calls for, without what is beyond an edge smoothed the point
-//   on that plane, and its normal
+//   read           the points as 1 / z, and the camera: x / z goes with the column by a line, y / z with the row
+//   small_plane    a plane through the 5 x 5 pixels around each pixel; the median of their errors is the noise
+//   best_plane     the best of the small planes that cover a pixel: it has no edge in it
+//   plane_around   least squares over a disc that is as wide as the noise calls for, without pixels beyond an edge
+//   smooth_pixel   the point on that plane, and its normal
 #include "orient/depth_image.h"
 
 #include "base/assert.h"
@@ -28,7 +28,7 @@ constexpr double regular = 1e-9;         // pixels^2: keeps the squares of pixel
 constexpr std::int32_t small_radius = 2; // of a small plane's square
 constexpr double small_count = 25.0;
 constexpr double small_square = 50.0;          // sum of (pixels to the right)^2 of the 25
-constexpr double of_step = 0.2886751345948129; // standard deviation of what is rounded to steps of 1: 1 / sqrt(12)
+constexpr double of_step = 0.2886751345948129; // standard deviation of rounding to steps of 1: 1 / sqrt(12)
 
 // The line y = slope x + start of least squares, and how well it fits.
 class Line {
@@ -213,7 +213,7 @@ bool smooth_pixel(const Camera& camera, const DepthImageInput& input, const Disc
     const double nx = plane->across / camera.across.slope();
     const double ny = plane->down / camera.down.slope();
     const glm::dvec3 normal(nx, ny, plane->value - nx * camera.across.at(column) - ny * camera.down.at(row));
-    // It points to the camera, against the direction (u, v, 1) of what has a z above 0.
+    // It points to the camera, against the direction (u, v, 1) of points with a z above 0.
     image.normal.set(i, -camera.sign * glm::normalize(normal));
     image.point.set(i, input.keep_points ? seen : seen * (here / plane->value));
     return true;

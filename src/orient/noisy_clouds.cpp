@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+// Means of normals: refine_noisy() tries smooth_directions() over several widths, by the misfit of chords, and then
+// turns places of walls to their nearer face. Means of points: means_of() makes them, and normals_by_means() takes
+// normals back to the points.
 #include "orient/noisy_clouds.h"
 
 #include "base/assert.h"
@@ -108,7 +111,7 @@ struct Refined {
     return nearest;
 }
 
-// Adds the moments about zero of what has these moments about `origin`.
+// Adds moments about `origin` to those about zero.
 void add_moved(const Moments& moments, const glm::dvec3& origin, double weight, Moments& sum) noexcept {
     const double n = moments.count;
     const glm::dvec3& o = origin;

@@ -3,9 +3,10 @@
 //
 //   read_cloud         (cloud.h) points 1 apart, merged, in a tree's order
 //   read_given         (given_normals.h) the given normals, which are a start, too
-//   normals_of_cloud   (normals_of_cloud.h) the normals of least energy, as the noise and the size of the cloud call
-//   for turn_outward       (outward.h) the sign of the whole judge              (given_normals.h)
-//   what given normals are worth write_...          the normals of the points
+//   normals_of_cloud   (normals_of_cloud.h) the normals of least energy
+//   turn_outward       (outward.h) the sign of the whole
+//   judge              (given_normals.h) the worth of given normals
+//   write_normals      the normals of the points: made ones, and given ones that stay or are turned
 #include "orient/orient.h"
 
 #include "base/clock.h"

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+// The outside of a cloud: measure_sides() compares winding numbers on both sides of its places; where these are alike,
+// side_by_rule() decides.
 #include "orient/outward.h"
 
 #include "base/assert.h"

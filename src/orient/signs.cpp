@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 // The steps of the solver:
 //
-//   find_patches       few neighbours whose normals agree, in place of single places, of a large cloud
-//   agglomerate        rounds in which each cluster finds its partner, and partners join, until one cluster is left
-//   improve            sweeps from the coarsest clusters to single places, which are turned where that lowers the
-//   energy
+//   find_patches    few neighbours whose normals agree, in place of single places, of a large cloud
+//   Agglomeration   rounds in which each cluster finds its partner, and partners join, until one cluster is left
+//   improve         sweeps from the coarsest clusters to single places: each is turned where that lowers the energy
 //
 // The energy is a sum of squares, which the sparse factor's terms make: a sparse term has a few places as elements, the
 // dense term the coarsest places.

@@ -146,7 +146,7 @@ struct OrientTuning {
 
     // ---- Means of points
 
-    // Clouds with more noise than this, in spacings, are replaced by means, at most so often. Larger: wrong signs of
+    // Clouds with more noise than this, in spacings, are replaced by means, at most this often. Larger: wrong signs of
     // scans; smaller: less detail.
     double noisiest = 0.55;
     int most_reductions = 3;
@@ -205,7 +205,7 @@ struct OrientTuning {
     double senseless = 0.2;
     // Signs are all alike if more than this share agrees; between they are mixed.
     double all_alike = 0.99;
-    // Signs are no more than a toss if fewer neighbours than this share agree; so many neighbours are asked.
+    // Signs are no more than a toss if fewer neighbours than this share agree, of this many.
     double tossed = 0.75;
     std::int64_t beside = 8;
     // A patch that is turned has a direction of its own: the mean |cosine| with the least energy is above this.
@@ -228,8 +228,8 @@ struct DepthTuning {
     double widening = 12.0;
     // A camera has depth steps if there are at least this many pixels for each value of 1 / z.
     std::int64_t same_steps = 8;
-    // What is off a plane at a pixel is at least the first share of 1 / z, as most images come in single precision, and
-    // at most the second, if it is not noise. Larger: more is smoothed over an edge.
+    // The error off a plane at a pixel is at least the first share of 1 / z, as most images come in single precision,
+    // and at most the second, if it is not noise. Larger: more is smoothed over an edge.
     double rounding = 1e-6;
     double most_curved = 5e-3;
     // Pixels that are farther off the plane than this lie beyond an edge, in standard deviations of the noise; of a
