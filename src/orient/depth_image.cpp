@@ -1,11 +1,19 @@
 // SPDX-License-Identifier: MIT
+// The steps of smoothing a depth image:
+//
+//   read           the points as 1 / z, and the camera: x / z goes with the column by a line, y / z with the row
+//   small_plane    a plane through the 5 x 5 pixels around each pixel; the median of their errors is the noise
+//   best_plane     the best of the small planes that cover a pixel: it has no edge in it
+//   plane_around   least squares over a disc that is as wide as the noise calls for, without pixels beyond an edge
+//   smooth_pixel   the point on that plane, and its normal
 #include "orient/depth_image.h"
 
+#include "base/assert.h"
 #include "base/clock.h"
 #include "base/sort.h"
 #include "base/status.h"
 #include "geometry/long_vec_array.h"
-#include "orient/depth_planes.h"
+#include "orient/tuning.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,19 +24,13 @@ namespace {
 
 constexpr std::int64_t pixels_a_task = 1024;
 constexpr std::int64_t tasks_a_band = 32;
-constexpr std::int64_t least_seen = 64;
-constexpr double in_line = 0.99; // correlation of directions and pixels
-// Standard deviations of depth, seen from the side as wide as so many pixels, that a disc of one pixel is for.
-constexpr double widening = 12.0;
-constexpr std::int64_t same_steps = 8; // pixels for each value of 1 / z, at least, of a camera with depth steps
-// Shares of 1 / z: what is off a plane at a pixel is no less, as most images come in single precision, and no more,
-// where it is not noise.
-constexpr double rounding = 1e-6;
-constexpr double most_curved = 5e-3;
-constexpr double even = 3.0; // standard deviations: a small plane with a larger error has an edge in it
-constexpr double of_step = 0.2886751345948129; // standard deviation of what is rounded to steps of 1: 1 / sqrt(12)
+constexpr double regular = 1e-9;         // pixels^2: keeps the squares of pixels in one row regular
+constexpr std::int32_t small_radius = 2; // of a small plane's square
+constexpr double small_count = 25.0;
+constexpr double small_square = 50.0;          // sum of (pixels to the right)^2 of the 25
+constexpr double of_step = 0.2886751345948129; // standard deviation of rounding to steps of 1: 1 / sqrt(12)
 
-// y = slope x + start, of all of them.
+// The line y = slope x + start of least squares, and how well it fits.
 class Line {
 public:
     void add(double x, double y) noexcept {
@@ -43,13 +45,43 @@ public:
     }
     [[nodiscard]] double slope() const noexcept { return xy_ / xx_; }
     [[nodiscard]] double at(double x) const noexcept { return mean_y_ + slope() * (x - mean_x_); }
-    [[nodiscard]] bool is_one() const noexcept { return std::abs(xy_) > in_line * std::sqrt(xx_ * yy_); }
+    [[nodiscard]] bool fits() const noexcept { return std::abs(xy_) > depth_tuning.in_line * std::sqrt(xx_ * yy_); }
 
 private:
     double count_ = 0.0, mean_x_ = 0.0, mean_y_ = 0.0, xx_ = 0.0, yy_ = 0.0, xy_ = 0.0;
 };
 
-// The middle one; changes the order.
+struct Camera {
+    explicit Camera(base::Memory& memory) noexcept : depth(memory), error(memory) {}
+
+    [[nodiscard]] std::int32_t column_of(std::int64_t i) const noexcept {
+        return static_cast<std::int32_t>(i % depth.columns);
+    }
+    [[nodiscard]] std::int32_t row_of(std::int64_t i) const noexcept {
+        return static_cast<std::int32_t>(i / depth.columns);
+    }
+    // A plane's slope is as wrong as its depths over the disc's width: the noise of z, over z / focal_length a pixel.
+    [[nodiscard]] double radius_at(double inverse_depth, double smoothing) const noexcept {
+        const double wrong = noise / inverse_depth * focal_length;
+        return std::clamp(smoothing * depth_tuning.widening * std::sqrt(wrong), double{Discs::least},
+                          double{Discs::most});
+    }
+
+    InverseDepth depth;        // in a unit in which the median of z is 1
+    base::Array<double> error; // of the small plane around each pixel; infinite if it has none
+    Line across, down;         // x / z by columns, y / z by rows
+    std::int64_t seen = 0;
+    double sign = 0.0; // of z
+    double unit = 1.0; // median of z
+    double focal_length = 0.0;
+    double noise = 0.0; // in the unit of `depth`
+};
+
+[[nodiscard]] glm::dvec3 given_point(const DepthImageInput& input, std::int64_t i) noexcept {
+    return {input.points.get(i, 0), input.points.get(i, 1), input.points.get(i, 2)};
+}
+
+// Returns the middle one; changes the order.
 [[nodiscard]] double median(base::Array<double>& values, const base::Progress& progress) {
     if (values.empty()) return 0.0;
     progress.check();
@@ -58,212 +90,289 @@ private:
     return *middle;
 }
 
-class Smoothing {
-public:
-    Smoothing(const base::Runtime& runtime, const DepthImageInput& input)
-        : runtime_(runtime), input_(input), depth_(runtime.memory), error_(runtime.memory), discs_(runtime.memory) {}
-
-    DepthImage run(const base::Progress& progress) {
-        read(progress.part(0.0, 0.05));
-        DepthImage image(runtime_.memory);
-        image.report = report_;
-        image.report.noise = noise_ / unit_;
-        geometry::resize_long(image.point, depth_.size(), progress);
-        geometry::resize_long(image.normal, depth_.size(), progress);
-        const std::int64_t tasks = (depth_.size() + pixels_a_task - 1) / pixels_a_task;
-        base::Array<std::int64_t> left_out(runtime_.memory);
-        left_out.resize(tasks);
-        const base::Progress smoothing = progress.part(0.05, 1.0);
-        for (std::int64_t from = 0; from < tasks; from += tasks_a_band) {
-            const std::int64_t count = std::min(tasks_a_band, tasks - from);
-            runtime_.parallel.for_each(count, smoothing, [&](std::int64_t task) {
-                const std::int64_t begin = (from + task) * pixels_a_task;
-                for (std::int64_t i = begin; i < std::min(begin + pixels_a_task, depth_.size()); ++i)
-                    left_out[from + task] += smooth(i, image) ? 0 : 1;
-            });
-            smoothing.update(static_cast<double>(from + count) / static_cast<double>(tasks));
-        }
-        for (const std::int64_t count : left_out) image.report.left_out += count;
-        return image;
+[[nodiscard]] base::Array<double> values_if(const base::Array<double>& from, bool (*wanted)(double),
+                                            const base::Progress& progress) {
+    base::Array<double> some(from.memory());
+    for (std::int64_t i = 0; i < from.size(); ++i) {
+        if (i % pixels_a_task == 0) progress.check();
+        if (wanted(from[i])) some.push_back(from[i]);
     }
+    return some;
+}
 
-private:
-    [[nodiscard]] glm::dvec3 given(std::int64_t i) const noexcept {
-        return {input_.points.get(i, 0), input_.points.get(i, 1), input_.points.get(i, 2)};
-    }
-
-    // 1 / z, in units in which the median is 1, and the camera.
-    void read(const base::Progress& progress) {
-        depth_.columns = input_.columns;
-        depth_.rows = input_.rows;
-        depth_.value.resize_for_overwrite(depth_.size());
-        base::Array<double> seen(runtime_.memory);
-        seen.reserve(depth_.size());
-        Line across;
-        Line down;
-        for (std::int32_t row = 0; row < input_.rows; ++row) {
-            progress.check();
-            for (std::int32_t column = 0; column < input_.columns; ++column)
-                read_pixel(column, row, across, down, seen);
-        }
-        report_.seen = seen.size();
-        require_camera(across, down);
-        across_ = across;
-        down_ = down;
-        report_.focal_length = 1.0 / std::sqrt(std::abs(across.slope() * down.slope()));
-        unit_ = median(seen, progress);
-        report_.depth = unit_;
-        for (std::int64_t i = 0; i < depth_.size(); ++i) {
-            if (i % pixels_a_task == 0) progress.check();
-            depth_.value[i] = unit_ / depth_.value[i];
-        }
-        measure_errors(progress);
-        noise_ = input_.noise > 0.0 ? input_.noise * unit_ : measured_noise(progress);
-        report_.radius = radius_at(1.0);
-    }
-
-    void read_pixel(std::int32_t column, std::int32_t row, Line& across, Line& down, base::Array<double>& seen) {
-        const std::int64_t i = std::int64_t{row} * input_.columns + column;
-        const glm::dvec3 p = given(i);
-        depth_.value[i] = std::numeric_limits<double>::quiet_NaN();
-        if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z) || p.z == 0.0) return;
-        if (sign_ == 0.0) sign_ = p.z > 0.0 ? 1.0 : -1.0;
-        if (sign_ * p.z < 0.0)
-            fail(Status::invalid_argument,
-                 "depth_image_desc.points[%lld] has z = %g, others have the other sign: a camera in the origin "
-                 "sees to one side; move the points to where it stood",
-                 static_cast<long long>(i), p.z);
-        depth_.value[i] = std::abs(p.z);
-        seen.push_back(std::abs(p.z));
-        across.add(column, p.x / p.z);
-        down.add(row, p.y / p.z);
-    }
-
-    void require_camera(const Line& across, const Line& down) const {
-        if (report_.seen < least_seen)
-            fail(Status::invalid_argument,
-                 "depth_image_desc.points has %lld points with a z that is finite and not 0; give at least %lld",
-                 static_cast<long long>(report_.seen), static_cast<long long>(least_seen));
-        if (across.is_one() && down.is_one()) return;
+void require_camera(const Camera& camera) {
+    if (camera.seen < depth_tuning.least_seen)
         fail(Status::invalid_argument,
-             "depth_image_desc.points are no image of a camera in the origin that looks along z: %s; give them "
-             "row by row, in the camera's coordinates",
-             across.is_one() ? "y / z does not go with the row" : "x / z does not go with the column");
-    }
+             "depth_image_desc.points has %lld points with a z that is finite and not 0; give at least %lld",
+             static_cast<long long>(camera.seen), static_cast<long long>(depth_tuning.least_seen));
+    if (camera.across.fits() && camera.down.fits()) return;
+    fail(Status::invalid_argument,
+         "depth_image_desc.points are no image of a camera in the origin that looks along z: %s; give them "
+         "row by row, in the camera's coordinates",
+         camera.across.fits() ? "y / z does not go with the row" : "x / z does not go with the column");
+}
 
-    // Of the small plane around each pixel; infinite where there is none.
-    void measure_errors(const base::Progress& progress) {
-        base::resize_long(error_, depth_.size(), progress);
-        runtime_.parallel.for_chunks(depth_.size(), pixels_a_task, progress, [&](std::int64_t begin, std::int64_t end) {
-            for (std::int64_t i = begin; i < end; ++i) {
-                const auto plane = small_plane(depth_, column_of(i), row_of(i));
-                error_[i] = plane ? plane->error : std::numeric_limits<double>::infinity();
-            }
-        });
-    }
+// Returns the step between the values of 1 / z; 0 if there are too many different ones.
+[[nodiscard]] double depth_step(const base::Array<double>& depth, const base::Progress& progress) {
+    base::Array<double> values = values_if(
+        depth, [](double x) { return !std::isnan(x); }, progress);
+    base::sort_long(values.begin(), values.end(), std::less<>(), progress);
+    base::Array<double> gaps(depth.memory());
+    for (std::int64_t i = 1; i < values.size(); ++i)
+        if (values[i] > values[i - 1]) gaps.push_back(values[i] - values[i - 1]);
+    return depth_tuning.same_steps * (gaps.size() + 1) > values.size() ? 0.0 : median(gaps, progress);
+}
 
-    [[nodiscard]] double measured_noise(const base::Progress& progress) const {
-        base::Array<double> errors(runtime_.memory);
-        for (std::int64_t i = 0; i < error_.size(); ++i) {
-            if (i % pixels_a_task == 0) progress.check();
-            if (std::isfinite(error_[i])) errors.push_back(error_[i]);
+// Reads one pixel's z into `camera.depth` and adds it to the camera's lines.
+void read_pixel(const DepthImageInput& input, std::int64_t i, Camera& camera) {
+    const glm::dvec3 p = given_point(input, i);
+    camera.depth.value[i] = std::numeric_limits<double>::quiet_NaN();
+    if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z) || p.z == 0.0) return;
+    if (camera.sign == 0.0) camera.sign = p.z > 0.0 ? 1.0 : -1.0;
+    if (camera.sign * p.z < 0.0)
+        fail(Status::invalid_argument,
+             "depth_image_desc.points[%lld] has z = %g, others have the other sign: a camera in the origin "
+             "sees to one side; move the points to where it stood",
+             static_cast<long long>(i), p.z);
+    camera.depth.value[i] = std::abs(p.z);
+    ++camera.seen;
+    camera.across.add(camera.column_of(i), p.x / p.z);
+    camera.down.add(camera.row_of(i), p.y / p.z);
+}
+
+[[nodiscard]] Camera read(const base::Runtime& runtime, const DepthImageInput& input, const base::Progress& progress) {
+    Camera camera(runtime.memory);
+    InverseDepth& depth = camera.depth;
+    depth.columns = input.columns;
+    depth.rows = input.rows;
+    depth.value.resize_for_overwrite(depth.size());
+    for (std::int64_t i = 0; i < depth.size(); ++i) {
+        if (i % pixels_a_task == 0) progress.check();
+        read_pixel(input, i, camera);
+    }
+    require_camera(camera);
+    camera.focal_length = 1.0 / std::sqrt(std::abs(camera.across.slope() * camera.down.slope()));
+    base::Array<double> seen = values_if(
+        depth.value, [](double x) { return !std::isnan(x); }, progress);
+    camera.unit = median(seen, progress);
+    for (std::int64_t i = 0; i < depth.size(); ++i) {
+        if (i % pixels_a_task == 0) progress.check();
+        depth.value[i] = camera.unit / depth.value[i];
+    }
+    base::resize_long(camera.error, depth.size(), progress);
+    runtime.parallel.for_chunks(depth.size(), pixels_a_task, progress, [&](std::int64_t begin, std::int64_t end) {
+        for (std::int64_t i = begin; i < end; ++i) {
+            const auto plane = small_plane(depth, camera.column_of(i), camera.row_of(i));
+            camera.error[i] = plane ? plane->error : std::numeric_limits<double>::infinity();
         }
-        return std::max(median(errors, progress), of_step * step(progress));
+    });
+    if (input.noise > 0.0) {
+        camera.noise = input.noise * camera.unit;
+    } else {
+        base::Array<double> errors = values_if(
+            camera.error, [](double x) { return std::isfinite(x); }, progress);
+        camera.noise = std::max(median(errors, progress), of_step * depth_step(depth.value, progress));
+    }
+    return camera;
+}
+
+// Returns the plane that the fit at a pixel begins with: the slope of the best small plane that covers the pixel, and
+// the error that the pixels around may have, by noise or by curvature.
+[[nodiscard]] SmallPlane best_plane(const Camera& camera, std::int64_t i) noexcept {
+    const InverseDepth& depth = camera.depth;
+    const std::int32_t column = camera.column_of(i);
+    const std::int32_t row = camera.row_of(i);
+    const double here = depth.value[i];
+    std::int64_t best = i;
+    for (std::int32_t y = std::max(row - small_radius, 0); y <= std::min(row + small_radius, depth.rows - 1); ++y)
+        for (std::int32_t x = std::max(column - small_radius, 0);
+             x <= std::min(column + small_radius, depth.columns - 1); ++x) {
+            const std::int64_t at = std::int64_t{y} * depth.columns + x;
+            if (camera.error[at] < camera.error[best]) best = at;
+        }
+    SmallPlane plane{{here, 0.0, 0.0}, std::max(camera.noise, depth_tuning.rounding * here)};
+    if (const auto found = small_plane(depth, camera.column_of(best), camera.row_of(best))) {
+        plane.plane = {here, found->plane.across, found->plane.down};
+        plane.error = std::max(plane.error, std::min(found->error, depth_tuning.most_curved * here));
+    }
+    return plane;
+}
+
+// Writes one pixel of the image. Returns false if its point is left out.
+bool smooth_pixel(const Camera& camera, const DepthImageInput& input, const Discs& discs, std::int64_t i,
+                  DepthImage& image) noexcept {
+    image.point.set(i, glm::dvec3(std::numeric_limits<double>::quiet_NaN()));
+    const double here = camera.depth.value[i];
+    if (std::isnan(here)) return true;
+    const std::int32_t column = camera.column_of(i);
+    const std::int32_t row = camera.row_of(i);
+    const auto radius = static_cast<std::int32_t>(std::lround(camera.radius_at(here, input.smoothing)));
+    const auto plane = plane_around(camera.depth, column, row, discs.of(radius), best_plane(camera, i));
+    if (!plane || !(plane->value > 0.0)) return false;
+    const glm::dvec3 seen = given_point(input, i);
+    const double nx = plane->across / camera.across.slope();
+    const double ny = plane->down / camera.down.slope();
+    const glm::dvec3 normal(nx, ny, plane->value - nx * camera.across.at(column) - ny * camera.down.at(row));
+    // It points to the camera, against the direction (u, v, 1) of points with a z above 0.
+    image.normal.set(i, -camera.sign * glm::normalize(normal));
+    image.point.set(i, input.keep_points ? seen : seen * (here / plane->value));
+    return true;
+}
+
+[[nodiscard]] double weight_of(double square) noexcept { return 1.0 - (1.0 - depth_tuning.least_weight) * square; }
+
+void add_whole_disc(std::int32_t radius, base::Array<Tap>& taps) {
+    const double square = (radius + 0.5) * (radius + 0.5);
+    for (std::int32_t down = -radius; down <= radius; ++down)
+        for (std::int32_t across = -radius; across <= radius; ++across) {
+            const double away = (static_cast<double>(across) * across + static_cast<double>(down) * down) / square;
+            if (away <= 1.0) taps.push_back({across, down, weight_of(away)});
+        }
+}
+
+// Adds rings of 6, 12, ... pixels.
+void add_ringed_disc(std::int32_t radius, base::Array<Tap>& taps) {
+    taps.push_back({0, 0, 1.0});
+    constexpr int rings = depth_tuning.rings;
+    for (int ring = 1; ring <= rings; ++ring)
+        for (int k = 0; k < 6 * ring; ++k) {
+            const double angle = (k + 0.5 * (ring % 2)) / (6 * ring) * 6.283185307179586;
+            const double away = static_cast<double>(ring) / rings;
+            taps.push_back({static_cast<std::int32_t>(std::lround(away * radius * std::cos(angle))),
+                            static_cast<std::int32_t>(std::lround(away * radius * std::sin(angle))),
+                            weight_of(away * away)});
+        }
+}
+
+// The sums of a plane's weighted least squares.
+struct Sums {
+    double weight = 0.0;
+    double x = 0.0, y = 0.0, xx = 0.0, xy = 0.0, yy = 0.0;
+    double d = 0.0, dx = 0.0, dy = 0.0;
+
+    void add(const Tap& tap, double depth) noexcept {
+        const double w = tap.weight;
+        const double wx = w * tap.across;
+        const double wy = w * tap.down;
+        weight += w;
+        x += wx;
+        y += wy;
+        xx += wx * tap.across;
+        xy += wx * tap.down;
+        yy += wy * tap.down;
+        d += w * depth;
+        dx += wx * depth;
+        dy += wy * depth;
     }
 
-    // Of the small planes over a pixel the best one, which has no edge in it: its slope, and what is seen off it, noise
-    // or curvature.
-    [[nodiscard]] SmallPlane best_plane(std::int64_t i) const noexcept {
-        const std::int32_t column = column_of(i);
-        const std::int32_t row = row_of(i);
-        const double here = depth_.value[i];
-        std::int64_t best = i;
-        for (std::int32_t y = std::max(row - 2, 0); y <= std::min(row + 2, depth_.rows - 1); ++y)
-            for (std::int32_t x = std::max(column - 2, 0); x <= std::min(column + 2, depth_.columns - 1); ++x) {
-                const std::int64_t at = std::int64_t{y} * depth_.columns + x;
-                if (error_[at] < error_[best]) best = at;
-            }
-        SmallPlane plane{{here, 0.0, 0.0}, std::max(noise_, rounding * here)};
-        if (const auto found = small_plane(depth_, column_of(best), row_of(best))) {
-            if (found->error <= even * noise_ || found->error <= most_curved * here)
-                plane.plane = {here, found->plane.across, found->plane.down};
-            plane.error = std::max(plane.error, std::min(found->error, most_curved * here));
-        }
+    [[nodiscard]] DepthPlane plane() const noexcept {
+        const double mx = x / weight;
+        const double my = y / weight;
+        const double cxx = xx - mx * x + regular * weight;
+        const double cxy = xy - mx * y;
+        const double cyy = yy - my * y + regular * weight;
+        const double bx = dx - mx * d;
+        const double by = dy - my * d;
+        const double determinant = cxx * cyy - cxy * cxy;
+        DepthPlane plane;
+        plane.across = (cyy * bx - cxy * by) / determinant;
+        plane.down = (cxx * by - cxy * bx) / determinant;
+        plane.value = d / weight - plane.across * mx - plane.down * my;
         return plane;
     }
-
-    // Between the values of 1 / z; 0 if there are too many different ones.
-    [[nodiscard]] double step(const base::Progress& progress) const {
-        base::Array<double> values(runtime_.memory);
-        for (std::int64_t i = 0; i < depth_.size(); ++i) {
-            if (i % pixels_a_task == 0) progress.check();
-            if (!std::isnan(depth_.value[i])) values.push_back(depth_.value[i]);
-        }
-        base::sort_long(values.begin(), values.end(), std::less<>(), progress);
-        base::Array<double> gaps(runtime_.memory);
-        for (std::int64_t i = 1; i < values.size(); ++i)
-            if (values[i] > values[i - 1]) gaps.push_back(values[i] - values[i - 1]);
-        return same_steps * (gaps.size() + 1) > values.size() ? 0.0 : median(gaps, progress);
-    }
-
-    // The slope of a plane is as wrong as its depths are, over the disc's width: noise of z, over z / focal_length for
-    // each pixel.
-    [[nodiscard]] double radius_at(double inverse_depth) const noexcept {
-        const double wrong = noise_ / inverse_depth * report_.focal_length;
-        return std::clamp(input_.smoothing * widening * std::sqrt(wrong), static_cast<double>(Discs::least),
-                          static_cast<double>(Discs::most));
-    }
-
-    // False if what was seen is left out.
-    bool smooth(std::int64_t i, DepthImage& image) const noexcept {
-        const double nan = std::numeric_limits<double>::quiet_NaN();
-        image.point.set(i, glm::dvec3(nan));
-        const double here = depth_.value[i];
-        if (std::isnan(here)) return true;
-        const std::int32_t column = column_of(i);
-        const std::int32_t row = row_of(i);
-        const auto radius = static_cast<std::int32_t>(std::lround(radius_at(here)));
-        const auto plane = plane_around(depth_, column, row, discs_.of(radius), best_plane(i));
-        if (!plane || !(plane->value > 0.0)) return false;
-        const glm::dvec3 seen = given(i);
-        const double u = across_.at(column);
-        const double v = down_.at(row);
-        const double nx = plane->across / across_.slope();
-        const double ny = plane->down / down_.slope();
-        const glm::dvec3 normal(nx, ny, plane->value - nx * u - ny * v);
-        // To the camera: against the direction (u, v, 1) of what has a z above 0.
-        image.normal.set(i, -sign_ * glm::normalize(normal));
-        image.point.set(i, input_.keep_points ? seen : seen * (here / plane->value));
-        return true;
-    }
-
-    [[nodiscard]] std::int32_t column_of(std::int64_t i) const noexcept {
-        return static_cast<std::int32_t>(i % depth_.columns);
-    }
-    [[nodiscard]] std::int32_t row_of(std::int64_t i) const noexcept {
-        return static_cast<std::int32_t>(i / depth_.columns);
-    }
-
-    const base::Runtime& runtime_;
-    const DepthImageInput& input_;
-    InverseDepth depth_;
-    base::Array<double> error_;
-    Discs discs_;
-    Line across_, down_;
-    DepthImageReport report_;
-    double sign_ = 0.0; // of z
-    double unit_ = 1.0;
-    double noise_ = 0.0;
 };
 
 } // namespace
 
+std::optional<SmallPlane> small_plane(const InverseDepth& depth, std::int32_t column, std::int32_t row) noexcept {
+    HRBFNPR_ASSERT(column >= 0 && column < depth.columns && row >= 0 && row < depth.rows);
+    constexpr std::int32_t r = small_radius;
+    if (column < r || row < r || column >= depth.columns - r || row >= depth.rows - r) return std::nullopt;
+    const double here = depth.at(column, row); // is taken off, so that rounding leaves the squares exact
+    double sum = 0.0;
+    double across = 0.0;
+    double down = 0.0;
+    double squares = 0.0;
+    for (std::int32_t y = -r; y <= r; ++y)
+        for (std::int32_t x = -r; x <= r; ++x) {
+            const double d = depth.at(column + x, row + y) - here;
+            sum += d;
+            across += x * d;
+            down += y * d;
+            squares += d * d;
+        }
+    if (!std::isfinite(squares)) return std::nullopt;
+    const double off = squares - sum * sum / small_count - (across * across + down * down) / small_square;
+    return SmallPlane{{here + sum / small_count, across / small_square, down / small_square},
+                      std::sqrt(std::max(off, 0.0) / (small_count - 3.0))};
+}
+
+Discs::Discs(base::Memory& memory) : taps_(memory) {
+    for (std::int32_t radius = least; radius <= most; ++radius) {
+        if (radius <= depth_tuning.all_pixels_up_to)
+            add_whole_disc(radius, taps_);
+        else
+            add_ringed_disc(radius, taps_);
+        start_[static_cast<std::size_t>(radius - least) + 1] = taps_.size();
+    }
+}
+
+std::optional<DepthPlane> plane_around(const InverseDepth& depth, std::int32_t column, std::int32_t row,
+                                       std::span<const Tap> disc, const SmallPlane& first) noexcept {
+    HRBFNPR_ASSERT(column >= 0 && column < depth.columns && row >= 0 && row < depth.rows);
+    HRBFNPR_ASSERT(!disc.empty() && first.error >= 0.0);
+    const double here = depth.at(column, row);
+    const double limit = depth_tuning.gate * first.error;
+    DepthPlane plane = first.plane;
+    double whole = 0.0;
+    for (const Tap& tap : disc) whole += tap.weight;
+    for (int round = 0; round < depth_tuning.plane_rounds; ++round) {
+        Sums sums;
+        for (const Tap& tap : disc) {
+            const std::int32_t x = column + tap.across;
+            const std::int32_t y = row + tap.down;
+            if (x < 0 || y < 0 || x >= depth.columns || y >= depth.rows) continue;
+            const double d = depth.at(x, y);
+            const double off = d - (plane.value + plane.across * tap.across + plane.down * tap.down);
+            if (std::abs(off) <= limit) sums.add(tap, d - here);
+        }
+        if (!(sums.weight >= depth_tuning.least_part * whole)) return std::nullopt;
+        plane = sums.plane();
+        plane.value += here;
+    }
+    return std::abs(plane.value - here) <= limit ? std::optional(plane) : std::nullopt;
+}
+
 DepthImage smooth_depth_image(const base::Runtime& runtime, const DepthImageInput& input,
                               const base::Progress& progress) {
+    HRBFNPR_ASSERT(input.points.count == std::int64_t{input.columns} * input.rows && input.smoothing > 0.0);
     const base::Stopwatch watch;
-    DepthImage image = Smoothing(runtime, input).run(progress);
-    image.report.seconds = watch.seconds();
-    const DepthImageReport& report = image.report;
+    const Camera camera = read(runtime, input, progress.part(0.0, 0.05));
+    const Discs discs(runtime.memory);
+    const std::int64_t pixels = camera.depth.size();
+    DepthImage image(runtime.memory);
+    geometry::resize_long(image.point, pixels, progress);
+    geometry::resize_long(image.normal, pixels, progress);
+    const std::int64_t tasks = (pixels + pixels_a_task - 1) / pixels_a_task;
+    base::Array<std::int64_t> left_out(runtime.memory, tasks);
+    const base::Progress smoothing = progress.part(0.05, 1.0);
+    for (std::int64_t from = 0; from < tasks; from += tasks_a_band) {
+        const std::int64_t count = std::min(tasks_a_band, tasks - from);
+        runtime.parallel.for_each(count, smoothing, [&](std::int64_t task) {
+            const std::int64_t begin = (from + task) * pixels_a_task;
+            for (std::int64_t i = begin; i < std::min(begin + pixels_a_task, pixels); ++i)
+                left_out[from + task] += smooth_pixel(camera, input, discs, i, image) ? 0 : 1;
+        });
+        smoothing.update(static_cast<double>(from + count) / static_cast<double>(tasks));
+    }
+    DepthImageReport& report = image.report;
+    report.seen = camera.seen;
+    for (const std::int64_t count : left_out) report.left_out += count;
+    report.noise = camera.noise / camera.unit;
+    report.focal_length = camera.focal_length;
+    report.depth = camera.unit;
+    report.radius = camera.radius_at(1.0, input.smoothing);
+    report.seconds = watch.seconds();
     runtime.log(base::LogLevel::info, "depth image: %lld points smoothed over %.1f pixels in %.2f s, %lld left out",
                 static_cast<long long>(report.seen), report.radius, report.seconds,
                 static_cast<long long>(report.left_out));

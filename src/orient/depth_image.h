@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: MIT
-// The image of a depth camera: points without the sensor's noise, and their normals.
+// The image of a depth camera: its points without the sensor's noise, and their normals.
+//
+// A plane n . p = c, seen in the direction (u, v, 1), has 1 / z = n . (u, v, 1) / c: the inverse depth is linear in the
+// image. Its errors are alike everywhere, because cameras that triangulate measure the shift of a pattern, which is
+// proportional to 1 / z.
 #pragma once
 
 #include "base/operation.h"
@@ -7,9 +11,13 @@
 #include "base/view.h"
 #include "geometry/vec_array.h"
 
+#include <array>
+#include <optional>
+#include <span>
+
 namespace hrbfnpr::orient {
 
-// As hrbfnpr_depth_image_desc.  The view has 3 components and columns x rows elements (the boundary checks).
+// The fields of hrbfnpr_depth_image_desc. The view has 3 components and columns x rows elements (the boundary checks).
 struct DepthImageInput {
     base::InView points;
     std::int32_t columns = 0;
@@ -29,7 +37,7 @@ struct DepthImageReport {
     double seconds = 0.0;
 };
 
-// Of each pixel; NaN and a zero normal where nothing was seen, or what was is left out.
+// One point and normal for each pixel; NaN and a zero normal where nothing was seen or the point is left out.
 struct DepthImage {
     explicit DepthImage(base::Memory& memory) noexcept : point(memory), normal(memory) {}
 
@@ -41,5 +49,67 @@ struct DepthImage {
 // Throws Error{invalid_argument, out_of_memory, cancelled}.
 [[nodiscard]] DepthImage smooth_depth_image(const base::Runtime& runtime, const DepthImageInput& input,
                                             const base::Progress& progress);
+
+// ---- Its parts, for tests
+
+// Row by row; NaN where nothing was seen.
+struct InverseDepth {
+    explicit InverseDepth(base::Memory& memory) noexcept : value(memory) {}
+
+    [[nodiscard]] std::int64_t size() const noexcept { return std::int64_t{columns} * rows; }
+    [[nodiscard]] double at(std::int32_t column, std::int32_t row) const noexcept {
+        return value[std::int64_t{row} * columns + column];
+    }
+
+    base::Array<double> value;
+    std::int32_t columns = 0;
+    std::int32_t rows = 0;
+};
+
+// The inverse depth is value + across * (pixels to the right) + down * (pixels down).
+struct DepthPlane {
+    double value = 0.0;
+    double across = 0.0;
+    double down = 0.0;
+};
+
+struct SmallPlane {
+    DepthPlane plane;
+    double error = 0.0; // standard deviation of the pixels' distances from it
+};
+
+// Returns the plane through the 5 x 5 pixels around one, if all of them were seen.
+[[nodiscard]] std::optional<SmallPlane> small_plane(const InverseDepth& depth, std::int32_t column,
+                                                    std::int32_t row) noexcept;
+
+// A pixel of a disc around another one, and its weight.
+struct Tap {
+    std::int32_t across = 0;
+    std::int32_t down = 0;
+    double weight = 0.0;
+};
+
+// The discs of all radii from `least` to `most` pixels.
+class Discs {
+public:
+    static constexpr std::int32_t least = 2;
+    static constexpr std::int32_t most = 48;
+
+    explicit Discs(base::Memory& memory);
+
+    [[nodiscard]] std::span<const Tap> of(std::int32_t radius) const noexcept {
+        const auto k = static_cast<std::size_t>(radius - least);
+        return {taps_.data() + start_[k], static_cast<std::size_t>(start_[k + 1] - start_[k])};
+    }
+
+private:
+    base::Array<Tap> taps_; // of all discs
+    std::array<std::int64_t, most - least + 2> start_{};
+};
+
+// Fits a plane to the pixels of a disc, beginning with `first` and leaving out pixels that lie beyond an edge. Returns
+// nothing if few pixels are left.
+[[nodiscard]] std::optional<DepthPlane> plane_around(const InverseDepth& depth, std::int32_t column, std::int32_t row,
+                                                     std::span<const Tap> disc, const SmallPlane& first) noexcept;
 
 } // namespace hrbfnpr::orient

@@ -1,7 +1,15 @@
 // SPDX-License-Identifier: MIT
+// The steps of a judgement:
+//
+//   compare            how much the given lines have to do with those of least energy: colours have nothing
+//   are_inward         whether most point inward: then all are turned
+//   are_tossed         whether neighbours agree by chance only: then each takes the sign of least energy
+//   patches_against    else the patches of places that are against the least energy are turned
 #include "orient/given_normals.h"
 
-#include "orient/sides.h"
+#include "base/assert.h"
+#include "orient/outward.h"
+#include "orient/tuning.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,222 +19,196 @@ namespace {
 
 using geometry::VecArray;
 
-// Half of normals that are some have a cosine above it with those of least energy; of colours half are above 0.5.
-constexpr double meaningful = 0.75;
-// ... and no more than this share, where those of least energy are sure, have one below 0.5.
-constexpr double senseless = 0.2;
-// Shares of signs that agree: what is between is mixed.
-constexpr double all_alike = 0.99;
-// Of neighbours, where signs are no more than a toss.
-constexpr double tossed = 0.75;
-constexpr std::size_t beside = 8; // neighbours
-// What is turned has a direction of its own, whichever way it points.
-constexpr double distinct = 0.5;
-// Around patches that were turned the normals of neighbours on a sheet are opposite: -0.97 and below.  Around walls too
-// thin for the noise, where the least energy is wrong and the normals right, they are not: -0.2 to -0.8.
-constexpr double torn = -0.9;
-// In doubt neighbours that point opposite ways are walls if more of them lie behind than before each other, or the
-// other way round, by this share; of random signs half do.
-constexpr double walls = 0.3;
+// The arguments of judge() that its steps share.
+struct Case {
+    const base::Runtime& runtime;
+    const geometry::PointTree& tree;
+    const Near& near;
+    const GivenNormals& given;
+    const Evidence& evidence;
 
-// How neighbours' normals go on over a patch's border: 1 the same way, -1 turned round.  Pairs count for as much as
-// they lie on one sheet: (1 - (n . d)^2) of both, d the direction from one to the other.
-class Border {
-public:
+    [[nodiscard]] double cosine(std::int64_t at) const noexcept {
+        return glm::dot(evidence.least[at], given.normal[at]);
+    }
+    [[nodiscard]] bool known(std::int64_t at) const noexcept { return given.known[at] != 0; }
+};
+
+struct Likeness {
+    double same_sign = 0.0; // share
+    double far = 0.0;       // share of lines that are more than 60 degrees off
+    double median = 0.0;    // of cosines of the angle between lines
+};
+
+[[nodiscard]] Likeness compare(const Case& c) {
+    base::Array<double> cosines(c.runtime.memory);
+    Likeness likeness;
+    for (std::int64_t at = 0; at < c.tree.size(); ++at) {
+        if (!c.known(at)) continue;
+        const double cosine = c.cosine(at);
+        cosines.push_back(std::abs(cosine));
+        likeness.same_sign += cosine > 0.0 ? 1.0 : 0.0;
+        likeness.far += std::abs(cosine) < 0.5 ? 1.0 : 0.0;
+    }
+    likeness.same_sign /= static_cast<double>(cosines.size());
+    likeness.far /= static_cast<double>(cosines.size());
+    double* const middle = cosines.data() + cosines.size() / 2;
+    std::nth_element(cosines.begin(), middle, cosines.end());
+    likeness.median = *middle;
+    return likeness;
+}
+
+// In doubt the given normals alone tell.
+[[nodiscard]] bool are_inward(const Case& c, double alike, const base::Progress& progress) {
+    if (!c.evidence.doubtful) return alike < 0.5;
+    return measure_sides(c.runtime, c.tree, c.near, c.given.normal, progress).outward() < 0;
+}
+
+// Returns whether neighbours agree with those of least energy, or not, by chance. In doubt opposite neighbours must not
+// lie behind each other, either.
+[[nodiscard]] bool are_tossed(const Case& c) {
+    std::int64_t pairs = 0;
+    std::int64_t consistent = 0;
+    std::int64_t opposite = 0;
+    std::int64_t behind = 0; // less those before
+    for (std::int64_t at = 0; at < c.tree.size(); ++at) {
+        if (!c.known(at)) continue;
+        const glm::dvec3 own = c.given.normal[at];
+        for (const std::int32_t other : c.near.of(at, tuning.beside)) {
+            if (!c.known(other)) continue;
+            ++pairs;
+            consistent += (c.cosine(at) > 0.0) == (c.cosine(other) > 0.0) ? 1 : 0;
+            if (glm::dot(own, c.given.normal[other]) >= 0.0) continue;
+            ++opposite;
+            behind += glm::dot(c.tree.points()[other] - c.tree.points()[at], own) < 0.0 ? 1 : -1;
+        }
+    }
+    const bool toss = static_cast<double>(consistent) < tuning.tossed * static_cast<double>(pairs);
+    const bool are_walls = static_cast<double>(std::abs(behind)) > tuning.walls * static_cast<double>(opposite);
+    return toss && !(c.evidence.doubtful && are_walls);
+}
+
+// How neighbours' normals go on over a patch's border: sum / size is 1 if the same way, -1 if turned round. A pair
+// counts for as much as it lies on one sheet: (1 - (n . d)^2) of both, d the direction between them.
+struct Border {
     void add(const glm::dvec3& one, const glm::dvec3& two, const glm::dvec3& between) noexcept {
         const double square = glm::dot(between, between);
         if (!(square > 0.0)) return;
         const double a = glm::dot(one, between);
         const double b = glm::dot(two, between);
         const double cosine = (1.0 - a * a / square) * (1.0 - b * b / square) * glm::dot(one, two);
-        sum_ += cosine;
-        size_ += std::abs(cosine);
+        sum += cosine;
+        size += std::abs(cosine);
     }
-    [[nodiscard]] bool is_torn() const noexcept { return sum_ < torn * size_; }
 
-private:
-    double sum_ = 0.0;
-    double size_ = 0.0;
+    double sum = 0.0;
+    double size = 0.0;
 };
+
+// Returns connected places whose normals are against those of least energy, where their directions agree; in doubt only
+// those that the given normals themselves show to be turned, by how they go on around them.
+[[nodiscard]] base::Array<std::int32_t> patches_against(const Case& c, const Signs& signs) {
+    double side = 0.0;
+    for (std::int64_t at = 0; at < c.tree.size(); ++at) side += signs[at] * c.cosine(at) > 0.0 ? 1.0 : -1.0;
+    const auto against = [&](std::int64_t at) { return (side >= 0.0 ? 1.0 : -1.0) * signs[at] * c.cosine(at) < 0.0; };
+    base::Array<std::int32_t> patch(c.runtime.memory); // all of them, one after the other
+    base::Array<std::uint8_t> seen(c.runtime.memory, c.tree.size());
+    const auto add = [&](std::int64_t at) {
+        if (seen[at] != 0) return;
+        seen[at] = 1;
+        patch.push_back(static_cast<std::int32_t>(at));
+    };
+    for (std::int64_t start = 0; start < c.tree.size(); ++start) {
+        const std::int64_t begin = patch.size();
+        if (against(start)) add(start);
+        double cosines = 0.0;
+        Border border;
+        for (std::int64_t k = begin; k < patch.size(); ++k) {
+            const std::int32_t at = patch[k];
+            cosines += std::abs(c.cosine(at));
+            for (const std::int32_t other : c.near.of(at, tuning.beside)) {
+                if (against(other))
+                    add(other);
+                else if (c.known(at) && c.known(other))
+                    border.add(c.given.normal[at], c.given.normal[other], c.tree.points()[other] - c.tree.points()[at]);
+            }
+        }
+        if (patch.size() == begin) continue;
+        const bool distinct = cosines > tuning.distinct * static_cast<double>(patch.size() - begin);
+        if (!distinct || (c.evidence.doubtful && border.sum >= tuning.torn * border.size)) patch.resize(begin);
+    }
+    return patch;
+}
 
 } // namespace
 
-GivenNormals::GivenNormals(const base::Runtime& runtime, const base::InView& normals, const Cloud& cloud,
-                           const Near& near, bool used, const base::Progress& progress)
-    : runtime_(runtime), given_(normals), tree_(*cloud.tree), near_(near), normal_(runtime.memory),
-      known_(runtime.memory) {
-    if (!used) return;
-    known_.resize(cloud.size());
-    normal_ = plane_normals(runtime, *cloud.tree, near, 16, progress);
+glm::dvec3 given_normal(const base::InView& normals, std::int64_t point) noexcept {
+    return {normals.get(point, 0), normals.get(point, 1), normals.get(point, 2)};
+}
+
+GivenNormals read_given(const base::Runtime& runtime, const base::InView& normals, const Cloud& cloud, const Near& near,
+                        const base::Progress& progress) {
+    HRBFNPR_ASSERT(normals.count == cloud.place.size());
+    GivenNormals given(runtime.memory);
+    given.known.resize(cloud.size());
+    given.normal = plane_normals(runtime, *cloud.tree, near, 16, progress);
     for (std::int64_t i = 0; i < normals.count; ++i) {
-        const glm::dvec3 n = of(i);
+        const glm::dvec3 n = given_normal(normals, i);
         if (!std::isfinite(n.x + n.y + n.z))
             fail(Status::invalid_argument, "normals[%lld] is NaN or infinite; remove that point, or make it 0 0 0",
                  static_cast<long long>(i));
         const double largest = std::max({std::abs(n.x), std::abs(n.y), std::abs(n.z)});
         const std::int64_t at = cloud.place[i];
-        if (largest == 0.0 || known_[at] != 0) continue;
-        known_[at] = 1;
-        ++known_count_;
-        normal_.set(at, glm::normalize(n / largest));
+        if (largest == 0.0 || given.known[at] != 0) continue;
+        given.known[at] = 1;
+        ++given.known_count;
+        given.normal.set(at, glm::normalize(n / largest));
     }
+    return given;
 }
 
-glm::dvec3 GivenNormals::of(std::int64_t point) const noexcept {
-    return {given_.get(point, 0), given_.get(point, 1), given_.get(point, 2)};
-}
-
-// alike: share that agrees with those of least energy.  In doubt the given normals alone tell.
-bool GivenNormals::are_inward(double alike, bool doubtful, const base::Progress& progress) const {
-    if (!doubtful) return alike < 0.5;
-    const base::Array<double> spacing = local_spacing(runtime_, tree_, near_);
-    return measure_sides(runtime_, tree_, spacing, normal_, {}, progress).outward() < 0;
-}
-
-// Whether neighbours agree with those of least energy, or not, by chance; in doubt also where they lie behind each
-// other.
-bool GivenNormals::are_tossed(const Evidence& evidence) const {
-    const VecArray& least = evidence.least;
-    std::int64_t pairs = 0;
-    std::int64_t consistent = 0;
-    std::int64_t opposite = 0;
-    std::int64_t behind = 0; // less those before
-    for (std::int64_t at = 0; at < least.size(); ++at) {
-        if (known_[at] == 0) continue;
-        for (const std::int32_t other : near_.of(at).first(std::min(beside, near_.of(at).size()))) {
-            if (known_[other] == 0) continue;
-            const bool one = glm::dot(least[at], normal_[at]) > 0.0;
-            const bool two = glm::dot(least[other], normal_[other]) > 0.0;
-            ++pairs;
-            consistent += one == two ? 1 : 0;
-            if (glm::dot(normal_[at], normal_[other]) >= 0.0) continue;
-            ++opposite;
-            behind += glm::dot(tree_.points()[other] - tree_.points()[at], normal_[at]) < 0.0 ? 1 : -1;
-        }
-    }
-    const bool toss = static_cast<double>(consistent) < tossed * static_cast<double>(pairs);
-    const bool are_walls = static_cast<double>(std::abs(behind)) > walls * static_cast<double>(opposite);
-    return toss && !(evidence.doubtful && are_walls);
-}
-
-// With those of least energy, of those that are given.
-GivenNormals::Likeness GivenNormals::compare(const VecArray& least) const {
-    base::Array<double> cosine(runtime_.memory);
-    Likeness likeness;
-    for (std::int64_t at = 0; at < least.size(); ++at) {
-        if (known_[at] == 0) continue;
-        const double c = glm::dot(least[at], normal_[at]);
-        cosine.push_back(std::abs(c));
-        likeness.same_sign += c > 0.0 ? 1.0 : 0.0;
-        likeness.far += std::abs(c) < 0.5 ? 1.0 : 0.0;
-    }
-    likeness.same_sign /= static_cast<double>(known_count_);
-    likeness.far /= static_cast<double>(known_count_);
-    double* middle = cosine.data() + cosine.size() / 2;
-    std::nth_element(cosine.begin(), middle, cosine.end());
-    likeness.median = *middle;
-    return likeness;
-}
-
-// What most of them say, and then the patches that are against it.
-void GivenNormals::follow_most(const Evidence& evidence, bool inward, bool may_differ, Judgement& judgement) const {
-    if (inward) std::fill(judgement.signs.begin(), judgement.signs.end(), std::int8_t{-1});
-    judgement.found = inward ? NormalMode::inward : NormalMode::given;
-    if (!may_differ) return;
-    std::int64_t before = 0;
-    for (const std::int8_t s : judgement.signs) before += s;
-    repair(evidence, judgement.signs);
-    std::int64_t after = 0;
-    for (const std::int8_t s : judgement.signs) after += s;
-    if (after != before) judgement.found = NormalMode::mixed;
-}
-
-Judgement GivenNormals::judge(const Evidence& evidence, NormalMode mode, const base::Progress& progress) const {
-    const VecArray& least = evidence.least;
-    const bool open = evidence.open;
-    Judgement judgement(runtime_.memory);
-    judgement.found = NormalMode::none;
-    if (known_count_ == 0) return judgement;
-    const Likeness likeness = compare(least);
+Judgement judge(const base::Runtime& runtime, const Cloud& cloud, const Near& near, const GivenNormals& given,
+                const Evidence& evidence, NormalMode mode, const base::Progress& progress) {
+    HRBFNPR_ASSERT(evidence.least.size() == cloud.size() && given.normal.size() == cloud.size());
+    Judgement judgement(runtime.memory);
+    if (given.known_count == 0) return judgement;
+    const Case c{runtime, *cloud.tree, near, given, evidence};
+    const Likeness likeness = compare(c);
     progress.check();
     const double alike = likeness.same_sign;
     const bool looks = mode == NormalMode::automatic || mode == NormalMode::given;
-    const bool strange = !evidence.doubtful && likeness.far > senseless;
-    if (looks && (likeness.median < meaningful || strange)) return judgement;
+    const bool strange = !evidence.doubtful && likeness.far > tuning.senseless;
+    if (looks && (likeness.median < tuning.meaningful || strange)) return judgement;
 
-    judgement.signs.resize(least.size());
-    std::fill(judgement.signs.begin(), judgement.signs.end(), std::int8_t{1});
-    if (mode == NormalMode::inward) {
+    judgement.signs = all_positive(runtime.memory, cloud.size());
+    const auto turn_everything = [&] {
         std::fill(judgement.signs.begin(), judgement.signs.end(), std::int8_t{-1});
         judgement.found = NormalMode::inward;
+    };
+    judgement.found = NormalMode::given;
+    if (mode == NormalMode::inward) {
+        turn_everything();
         return judgement;
     }
-    // Of open surfaces most given normals say which side is meant.
-    if (open && alike < 0.5 && mode != NormalMode::unoriented) judgement.made_sign = -1.0;
-    judgement.follows_given = open && mode != NormalMode::unoriented;
-    const double side = judgement.made_sign;
-    const bool inward = side > 0.0 && are_inward(alike, evidence.doubtful, progress);
-    const bool toss = looks && are_tossed(evidence);
-    if (mode == NormalMode::unoriented || toss) {
+    // Most given normals say which side of an open surface is meant.
+    judgement.follows_given = evidence.open && mode != NormalMode::unoriented;
+    if (judgement.follows_given && alike < 0.5) judgement.made_sign = -1.0;
+    if (mode == NormalMode::unoriented || (looks && are_tossed(c))) {
         judgement.found = NormalMode::unoriented;
         judgement.by_place = true;
-        for (std::int64_t at = 0; at < least.size(); ++at)
-            if (side * glm::dot(least[at], normal_[at]) < 0.0) judgement.signs[at] = -1;
+        for (std::int64_t at = 0; at < cloud.size(); ++at)
+            if (judgement.made_sign * c.cosine(at) < 0.0) judgement.signs[at] = -1;
     } else {
-        follow_most(evidence, inward, std::max(alike, 1.0 - alike) < all_alike || mode == NormalMode::mixed, judgement);
-        if (mode == NormalMode::mixed) judgement.found = NormalMode::mixed;
+        if (judgement.made_sign > 0.0 && are_inward(c, alike, progress)) turn_everything();
+        const bool may_differ = std::max(alike, 1.0 - alike) < tuning.all_alike || mode == NormalMode::mixed;
+        if (may_differ)
+            for (const std::int32_t at : patches_against(c, judgement.signs)) {
+                judgement.signs[at] = static_cast<std::int8_t>(-judgement.signs[at]);
+                judgement.found = NormalMode::mixed;
+            }
+        if (mode == NormalMode::mixed) judgement.found = mode;
     }
     if (mode == NormalMode::given) std::fill(judgement.signs.begin(), judgement.signs.end(), std::int8_t{1});
     return judgement;
-}
-
-// Places whose normals are against those of least energy, neighbour by neighbour, where their directions agree; in
-// doubt only those that the given normals themselves show to be turned, by how they go on around them.
-Groups GivenNormals::patches_against(const Evidence& evidence, const Signs& signs) const {
-    const VecArray& least = evidence.least;
-    double side = 0.0;
-    for (std::int64_t at = 0; at < least.size(); ++at)
-        side += signs[at] * glm::dot(least[at], normal_[at]) > 0.0 ? 1.0 : -1.0;
-    const auto against = [&](std::int64_t at) {
-        return (side >= 0.0 ? 1.0 : -1.0) * signs[at] * glm::dot(least[at], normal_[at]) < 0.0;
-    };
-    Groups patches(runtime_.memory);
-    base::Array<std::int32_t>& patch = patches.member; // the last one's are still being found
-    base::Array<std::uint8_t> seen(runtime_.memory, least.size());
-    for (std::int64_t start = 0; start < least.size(); ++start) {
-        if (seen[start] != 0 || !against(start)) continue;
-        const std::int64_t begin = patch.size();
-        patch.push_back(static_cast<std::int32_t>(start));
-        seen[start] = 1;
-        double cosines = 0.0;
-        Border border;
-        for (std::int64_t k = begin; k < patch.size(); ++k) {
-            const std::int32_t at = patch[k];
-            cosines += std::abs(glm::dot(least[at], normal_[at]));
-            for (const std::int32_t other : near_.of(at).first(std::min(beside, near_.of(at).size()))) {
-                if (!against(other) && known_[at] != 0 && known_[other] != 0)
-                    border.add(normal_[at], normal_[other], tree_.points()[other] - tree_.points()[at]);
-                if (seen[other] != 0 || !against(other)) continue;
-                seen[other] = 1;
-                patch.push_back(other);
-            }
-        }
-        if (cosines > distinct * static_cast<double>(patch.size() - begin) && (!evidence.doubtful || border.is_torn()))
-            patches.close();
-        else
-            patch.resize(begin);
-    }
-    return patches;
-}
-
-// Turns those patches where the given directions, too, have less energy then.
-void GivenNormals::repair(const Evidence& evidence, Signs& signs) const {
-    const Groups patches = patches_against(evidence, signs);
-    if (evidence.form == nullptr) {
-        for (const std::int32_t at : patches.member) signs[at] = static_cast<std::int8_t>(-signs[at]);
-        return;
-    }
-    (void)SignEnergy(runtime_, *evidence.form, normal_).turn(patches, 0.0, signs);
 }
 
 } // namespace hrbfnpr::orient

@@ -1,63 +1,48 @@
 // SPDX-License-Identifier: MIT
-// What given normals are worth, held against those of least energy.
+// Judges given normals by those of least energy.
 #pragma once
 
-#include "orient/cloud.h"
-#include "orient/orient.h"
+#include "base/view.h"
+#include "orient/signs.h"
 
 namespace hrbfnpr::orient {
+
+// Has the numbers of HRBFNPR_NORMALS_...
+enum class NormalMode : std::uint32_t { given = 0, none = 1, unoriented = 2, mixed = 3, inward = 4, automatic = 5 };
+
+struct GivenNormals {
+    explicit GivenNormals(base::Memory& memory) noexcept : normal(memory), known(memory) {}
+
+    geometry::VecArray normal;       // of each place: the first that is given there, made unit, or some direction
+    base::Array<std::uint8_t> known; // 1 where one is given
+    std::int64_t known_count = 0;
+};
+
+[[nodiscard]] glm::dvec3 given_normal(const base::InView& normals, std::int64_t point) noexcept;
+
+// Throws Error{invalid_argument} naming "normals" and the index of one that is not finite.
+[[nodiscard]] GivenNormals read_given(const base::Runtime& runtime, const base::InView& normals, const Cloud& cloud,
+                                      const Near& near, const base::Progress& progress);
+
+// The evidence that given normals are judged by.
+struct Evidence {
+    const geometry::VecArray& least; // normals of least energy, outward
+    bool open = false;               // a rule only says what is outward
+    bool doubtful = false;           // its confidence is low: in doubt given normals stay
+};
 
 struct Judgement {
     explicit Judgement(base::Memory& memory) noexcept : signs(memory) {}
 
-    NormalMode found = NormalMode::given;
+    NormalMode found = NormalMode::none;
     Signs signs;                // -1: the given normals of this place are to be turned
     double made_sign = 1.0;     // of those that are made in place of missing ones
-    bool follows_given = false; // which side is outward
-    bool by_place = false;      // a place's given normals are turned to agree with its first
+    bool follows_given = false; // the given normals say which side is outward
+    bool by_place = false;      // all normals of a place are turned to agree with its first
 };
 
-// What given normals are held against.
-struct Evidence {
-    const geometry::VecArray& least; // normals of least energy, outward
-    const fit::HermiteEnergy* form;  // their energy, or null
-    bool open = false;               // outward is by a rule only
-    bool doubtful = false;           // of low confidence: in doubt given normals stay
-};
-
-class GivenNormals {
-public:
-    // Throws Error{invalid_argument} naming "normals" and the index.
-    GivenNormals(const base::Runtime& runtime, const base::InView& normals, const Cloud& cloud, const Near& near,
-                 bool used, const base::Progress& progress);
-
-    // Of each place: the first that is given there, made unit; where none is, some direction.
-    [[nodiscard]] const geometry::VecArray& normal() const noexcept { return normal_; }
-    // As given.
-    [[nodiscard]] glm::dvec3 of(std::int64_t point) const noexcept;
-
-    [[nodiscard]] Judgement judge(const Evidence& evidence, NormalMode mode, const base::Progress& progress) const;
-
-private:
-    [[nodiscard]] bool are_inward(double alike, bool doubtful, const base::Progress& progress) const;
-    struct Likeness {
-        double same_sign = 0.0; // share
-        double far = 0.0;       // share with a cosine below 0.5
-        double median = 0.0;    // of cosines of the angle between lines
-    };
-    [[nodiscard]] Likeness compare(const geometry::VecArray& least) const;
-    void follow_most(const Evidence& evidence, bool inward, bool may_differ, Judgement& judgement) const;
-    [[nodiscard]] bool are_tossed(const Evidence& evidence) const;
-    [[nodiscard]] Groups patches_against(const Evidence& evidence, const Signs& signs) const;
-    void repair(const Evidence& evidence, Signs& signs) const;
-
-    const base::Runtime& runtime_;
-    base::InView given_;
-    const geometry::PointTree& tree_;
-    const Near& near_;
-    geometry::VecArray normal_;
-    base::Array<std::uint8_t> known_;
-    std::int64_t known_count_ = 0;
-};
+[[nodiscard]] Judgement judge(const base::Runtime& runtime, const Cloud& cloud, const Near& near,
+                              const GivenNormals& given, const Evidence& evidence, NormalMode mode,
+                              const base::Progress& progress);
 
 } // namespace hrbfnpr::orient

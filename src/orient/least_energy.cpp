@@ -1,37 +1,298 @@
 // SPDX-License-Identifier: MIT
+// The steps of the search:
+//
+//   starts             planes through neighbours, near and far, directions from the middle, and what the caller gives
+//   find_signs         (signs.h) signs by the energy
+//   descend            directions by the energy: limited-memory BFGS on the product of the normals' spheres
+//   agreement          how far the starts that came as low have the signs of the lowest
 #include "orient/least_energy.h"
 
-#include "orient/descend.h"
-#include "orient/patches.h"
-#include "orient/spanning_tree.h"
+#include "base/assert.h"
+#include "base/sort.h"
+#include "orient/signs.h"
+#include "orient/tuning.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <functional>
+#include <tuple>
+#include <utility>
+#include <vector>
 
 namespace hrbfnpr::orient {
 namespace {
 
 using geometry::VecArray;
 
-// Two results are one if their energies are no further apart than this share.
-constexpr double same = 0.03;
-// Energies so many times the least say nothing about it.
-constexpr double unlikely = 0.15;
-constexpr double others = 0.95; // share of equal signs
-constexpr std::int64_t patches_from = 100000;
-constexpr int rounds = 3; // of signs and directions
+// ---- Directions
 
-void turn(const Signs& signs, VecArray& normal) noexcept {
-    for (std::int64_t at = 0; at < normal.size(); ++at)
-        if (signs[at] < 0) normal.set(at, -normal[at]);
+// Limited-memory BFGS (Nocedal 1980) on a product of spheres, scaled by the energy's stiffness at each normal.
+class Descent {
+public:
+    Descent(const base::Runtime& runtime, fit::HermiteEnergy& energy, const base::Array<double>& stiffness,
+            VecArray& normal, const base::Progress& progress)
+        : runtime_(runtime), energy_(energy), stiffness_(stiffness), normal_(normal), progress_(progress),
+          size_(normal.size()), gradient_(runtime.memory, size_), next_(runtime.memory, size_),
+          next_gradient_(runtime.memory, size_), direction_(runtime.memory, size_),
+          part_(runtime.memory, (size_ + places_a_sum - 1) / places_a_sum) {
+        HRBFNPR_ASSERT(stiffness.size() == size_ && energy.size() == size_);
+        for (int k = 0; k < most_pairs; ++k) {
+            step_.emplace_back(runtime.memory, size_);
+            change_.emplace_back(runtime.memory, size_);
+        }
+        value_ = evaluate(normal_, gradient_);
+    }
+
+    [[nodiscard]] double value() const noexcept { return value_; }
+
+    // Returns false if no step lowers the energy.
+    bool step() {
+        find_direction();
+        double slope = dot(direction_, gradient_);
+        if (!(slope < 0.0)) {
+            pairs_ = 0;
+            find_direction();
+            slope = dot(direction_, gradient_);
+            if (!(slope < 0.0)) return false;
+        }
+        double length = std::min(1.0, tuning.longest_turn / largest(direction_));
+        for (int halving = 0; halving < tuning.step_halvings; ++halving, length *= 0.5) {
+            for_all([&](std::int64_t i) { next_.set(i, glm::normalize(normal_[i] + length * direction_[i])); });
+            const double value = evaluate(next_, next_gradient_);
+            if (!(value <= value_ + tuning.armijo * length * slope)) continue;
+            remember();
+            value_ = value;
+            return true;
+        }
+        if (pairs_ == 0) return false;
+        pairs_ = 0; // the curvature that was remembered misleads
+        return true;
+    }
+
+private:
+    static constexpr int most_pairs = tuning.curvature_pairs;
+    static constexpr std::int64_t places_a_sum = 4096;
+
+    template <class F>
+    void for_all(F&& f) const {
+        for_places(runtime_, size_, progress_, f);
+    }
+
+    // Sums or maxima of chunks do not depend on the number of threads.
+    template <class F, class Join>
+    [[nodiscard]] double reduced(F&& f, Join&& join) {
+        runtime_.parallel.for_chunks(size_, places_a_sum, [&](std::int64_t begin, std::int64_t end) {
+            double all = 0.0;
+            for (std::int64_t i = begin; i < end; ++i) all = join(all, f(i));
+            part_[begin / places_a_sum] = all;
+        });
+        double all = 0.0;
+        for (const double part : part_) all = join(all, part);
+        return all;
+    }
+    [[nodiscard]] double dot(const VecArray& a, const VecArray& b) {
+        return reduced([&](std::int64_t i) { return a.x[i] * b.x[i] + a.y[i] * b.y[i] + a.z[i] * b.z[i]; },
+                       std::plus<>());
+    }
+    [[nodiscard]] double largest(const VecArray& a) {
+        return std::max(1e-300, std::sqrt(reduced([&](std::int64_t i) { return glm::dot(a[i], a[i]); },
+                                                  [](double x, double y) { return std::max(x, y); })));
+    }
+
+    // Returns the energy, and its derivative along the spheres.
+    double evaluate(const VecArray& normal, VecArray& gradient) const {
+        const double value = energy_.sparse(normal, gradient, progress_);
+        for_all([&](std::int64_t i) { gradient.set(i, tangent(2.0 * gradient[i], normal[i])); });
+        return value;
+    }
+    [[nodiscard]] static glm::dvec3 tangent(const glm::dvec3& v, const glm::dvec3& normal) noexcept {
+        return v - glm::dot(v, normal) * normal;
+    }
+
+    void find_direction() {
+        for_all([&](std::int64_t i) { direction_.set(i, -gradient_[i]); });
+        std::array<double, most_pairs> along{};
+        const int kept = std::min(pairs_, most_pairs);
+        for (int k = 0; k < kept; ++k) {
+            const std::size_t at = pair(k);
+            along[at] = dot(step_[at], direction_) * inverse_[at];
+            for_all([&](std::int64_t i) { direction_.set(i, direction_[i] - along[at] * change_[at][i]); });
+        }
+        for_all([&](std::int64_t i) { direction_.set(i, direction_[i] * (scale_ / stiffness_[i])); });
+        for (int k = kept - 1; k >= 0; --k) {
+            const std::size_t at = pair(k);
+            const double back = dot(change_[at], direction_) * inverse_[at];
+            for_all([&](std::int64_t i) { direction_.set(i, direction_[i] + (along[at] - back) * step_[at][i]); });
+        }
+        for_all([&](std::int64_t i) { direction_.set(i, tangent(direction_[i], normal_[i])); });
+    }
+
+    // Returns the place of the k-th newest pair.
+    [[nodiscard]] std::size_t pair(int k) const noexcept {
+        return static_cast<std::size_t>((pairs_ - 1 - k) % most_pairs);
+    }
+
+    void remember() {
+        const auto at = static_cast<std::size_t>(pairs_ % most_pairs);
+        for_all([&](std::int64_t i) {
+            const glm::dvec3 n = next_[i];
+            step_[at].set(i, tangent(n - normal_[i], n));
+            change_[at].set(i, tangent(next_gradient_[i] - gradient_[i], n));
+            normal_.set(i, n);
+        });
+        std::swap(gradient_, next_gradient_);
+        const double curvature = dot(step_[at], change_[at]);
+        if (!(curvature > 0.0)) return;
+        inverse_[at] = 1.0 / curvature;
+        for_all([&](std::int64_t i) { next_.set(i, change_[at][i] / stiffness_[i]); });
+        scale_ = curvature / std::max(dot(change_[at], next_), 1e-300);
+        ++pairs_;
+    }
+
+    const base::Runtime& runtime_;
+    fit::HermiteEnergy& energy_;
+    const base::Array<double>& stiffness_;
+    VecArray& normal_;
+    const base::Progress& progress_;
+    std::int64_t size_;
+    VecArray gradient_, next_, next_gradient_, direction_;
+    base::Array<double> part_;
+    std::vector<VecArray> step_, change_; // the pairs
+    std::array<double, most_pairs> inverse_{};
+    int pairs_ = 0; // of all steps; the newest are kept
+    double scale_ = 0.5;
+    double value_ = 0.0;
+};
+
+// Turns the normals to the least energy near them, and returns it.
+double descend(const base::Runtime& runtime, fit::HermiteEnergy& energy, const base::Array<double>& stiffness,
+               VecArray& normal, const base::Progress& progress) {
+    Descent descent(runtime, energy, stiffness, normal, progress);
+    double before = descent.value();
+    for (int step = 1; step <= tuning.most_steps; ++step) {
+        progress.check();
+        if (!descent.step()) break;
+        if (step % tuning.looked_back != 0) continue;
+        if (before - descent.value() < tuning.enough_gain * before) break;
+        before = descent.value();
+    }
+    return descent.value();
 }
+
+// ---- Signs that spread from neighbour to neighbour
+
+struct Edge {
+    float doubt;
+    std::int32_t a;
+    std::int32_t b;
+    std::int32_t turned; // 1: the signs differ
+};
+
+// Sets of places that are joined, each with its sign relative to the set's first (Tarjan 1975).
+class SignedSets {
+public:
+    SignedSets(base::Memory& memory, std::int64_t size) : parent_(memory, size), turned_(memory, size) {
+        for (std::int64_t i = 0; i < size; ++i) parent_[i] = static_cast<std::int32_t>(i);
+    }
+
+    // Returns the set's first, and whether the place has the other sign.
+    std::pair<std::int32_t, bool> find(std::int32_t at) noexcept {
+        bool turned = false;
+        for (; parent_[at] != at; at = parent_[at]) {
+            const std::int32_t above = parent_[at];
+            turned_[at] ^= turned_[above]; // halves the path: it skips the one above
+            parent_[at] = parent_[above];
+            turned ^= turned_[at] != 0;
+        }
+        return {at, turned};
+    }
+    void join(const Edge& edge) noexcept {
+        const auto [a, a_turned] = find(edge.a);
+        const auto [b, b_turned] = find(edge.b);
+        if (a == b) return;
+        const std::int32_t high = std::max(a, b);
+        parent_[high] = std::min(a, b);
+        turned_[high] = (a_turned ^ b_turned ^ (edge.turned != 0)) ? 1 : 0;
+    }
+
+private:
+    base::Array<std::int32_t> parent_;
+    base::Array<std::uint8_t> turned_; // against the parent; 0 of a root
+};
+
+// Turns directions so that neighbours agree, along the minimum spanning forest of the pairs whose directions are most
+// alike (Hoppe and others, "Surface reconstruction from unorganized points", 1992).
+void spread_signs(const base::Runtime& runtime, const Near& near, std::int64_t neighbours, VecArray& normal,
+                  const base::Progress& progress) {
+    constexpr std::int64_t edges_a_look = 16384;
+    const std::int64_t each = std::min(neighbours, near.each());
+    base::Array<Edge> edges(runtime.memory);
+    edges.resize_for_overwrite(normal.size() * each);
+    for_places(runtime, normal.size(), progress, [&](std::int64_t at) {
+        Edge* edge = edges.data() + at * each;
+        for (const std::int32_t other : near.of(at, each)) {
+            const double cosine = glm::dot(normal[at], normal[other]);
+            const auto own = static_cast<std::int32_t>(at);
+            *edge++ = {static_cast<float>(1.0 - std::min(1.0, std::abs(cosine))), std::min(own, other),
+                       std::max(own, other), cosine < 0.0 ? 1 : 0};
+        }
+    });
+    // Two places that are each other's neighbours have an edge twice: those that are equal are the same.
+    base::sort_long(
+        edges.begin(), edges.end(),
+        [](const Edge& x, const Edge& y) {
+            return std::tie(x.doubt, x.a, x.b, x.turned) < std::tie(y.doubt, y.a, y.b, y.turned);
+        },
+        progress);
+    SignedSets sets(runtime.memory, normal.size());
+    for (std::int64_t k = 0; k < edges.size(); ++k) {
+        if (k % edges_a_look == 0) progress.check();
+        sets.join(edges[k]);
+    }
+    for (std::int64_t at = 0; at < normal.size(); ++at)
+        if (sets.find(static_cast<std::int32_t>(at)).second) normal.set(at, -normal[at]);
+}
+
+// ---- Starts
 
 [[nodiscard]] VecArray copy(const VecArray& from) {
     VecArray to(from.memory(), from.size());
-    std::copy(from.x.begin(), from.x.end(), to.x.begin());
-    std::copy(from.y.begin(), from.y.end(), to.y.begin());
-    std::copy(from.z.begin(), from.z.end(), to.z.begin());
+    for (std::int64_t i = 0; i < from.size(); ++i) to.set(i, from[i]);
     return to;
+}
+
+// Planes through the nearest of the first places in the farthest-first order, of which there are a share: neighbours on
+// all sides even where places stand along lines.
+[[nodiscard]] VecArray coarse_normals(const base::Runtime& runtime, const Places& places, std::int64_t share,
+                                      std::int64_t count, const base::Progress& progress) {
+    const geometry::PointTree& tree = *places.tree;
+    const std::int64_t first = std::max<std::int64_t>(tree.size() / share, std::min<std::int64_t>(tree.size(), 12));
+    const base::Array<std::int64_t> least = tree.smallest_of_nodes([&](std::int64_t at) { return places.rank[at]; });
+    VecArray normal(runtime.memory, tree.size());
+    for_places(runtime, tree.size(), progress, [&](std::int64_t at) {
+        std::array<std::int64_t, 64> found;
+        const glm::dvec3 p = tree.points()[at];
+        const std::int64_t there = tree.nearest(
+            p, count, [&](std::int64_t node) { return least[node] < first; },
+            [&](std::int64_t other) { return places.rank[other] < first; }, found.data());
+        Moments moments;
+        moments.add(glm::dvec3(0.0));
+        for (std::int64_t k = 0; k < there; ++k) moments.add(tree.points()[found[static_cast<std::size_t>(k)]] - p);
+        normal.set(at, plane_of(moments).normal);
+    });
+    return normal;
+}
+
+[[nodiscard]] VecArray radial_normals(const geometry::PointTree& tree) {
+    VecArray normal(tree.points().memory(), tree.size());
+    const glm::dvec3 centre = tree.bounds().centre();
+    for (std::int64_t at = 0; at < tree.size(); ++at) {
+        const glm::dvec3 out = tree.points()[at] - centre;
+        const double length = glm::length(out);
+        normal.set(at, length > 0.0 ? out / length : glm::dvec3(0.0, 0.0, 1.0));
+    }
+    return normal;
 }
 
 struct Result {
@@ -39,136 +300,10 @@ struct Result {
     double energy;
 };
 
-class Search {
-public:
-    Search(const base::Runtime& runtime, const geometry::PointTree& tree, const base::Array<std::int64_t>& rank,
-           const Near& near, double ridge, const base::Progress& progress)
-        : runtime_(runtime), tree_(tree), rank_(rank), near_(near), progress_(progress),
-          energy_(std::make_unique<fit::HermiteEnergy>(runtime, tree, rank,
-                                                       fit::HermiteEnergy::Options{ridge, neighbours_for(tree.size())},
-                                                       progress.part(0.0, 0.1))),
-          stiffness_(energy_->stiffness(progress)) {}
-
-    // Signs by the energy, then directions, and both again while that lowers it.
-    Result settle(VecArray normal, bool keep_signs) {
-        const int most_rounds = tree_.size() > patches_from ? rounds - 1 : rounds;
-        const Energy energy = [this](const VecArray& n, VecArray& beta) { return energy_->sparse(n, beta, progress_); };
-        if (!keep_signs) find_signs(normal);
-        Result best{std::move(normal), 0.0};
-        best.energy = descend(runtime_, energy, stiffness_, {}, best.normal, progress_.part(0.0, 0.0));
-        for (int round = 1; round < most_rounds; ++round) {
-            VecArray next = copy(best.normal);
-            if (!find_signs(next)) break;
-            const double reached = descend(runtime_, energy, stiffness_, {}, next, progress_.part(0.0, 0.0));
-            const bool lower = reached < best.energy * (1.0 - 1e-4);
-            if (reached < best.energy) best = {std::move(next), reached};
-            if (!lower) break;
-        }
-        return best;
-    }
-
-    // Planes through the nearest of the first places in the farthest-first order: neighbours on all sides even where
-    // places stand along lines.
-    [[nodiscard]] VecArray coarse_normals(std::int64_t share, std::int64_t count) const {
-        const std::int64_t first =
-            std::max<std::int64_t>(tree_.size() / share, std::min<std::int64_t>(tree_.size(), 12));
-        const base::Array<std::int64_t> least = tree_.smallest_of_nodes([&](std::int64_t at) { return rank_[at]; });
-        VecArray normal(runtime_.memory, tree_.size());
-        runtime_.parallel.for_chunks(tree_.size(), 256, [&](std::int64_t begin, std::int64_t end) {
-            progress_.check();
-            std::array<std::int64_t, 64> found;
-            for (std::int64_t at = begin; at < end; ++at) {
-                const glm::dvec3 p = tree_.points()[at];
-                const std::int64_t there = tree_.nearest(
-                    p, count, [&](std::int64_t node) { return least[node] < first; },
-                    [&](std::int64_t other) { return rank_[other] < first; }, found.data());
-                Moments moments;
-                moments.add(glm::dvec3(0.0));
-                for (std::int64_t k = 0; k < there; ++k)
-                    moments.add(tree_.points()[found[static_cast<std::size_t>(k)]] - p);
-                normal.set(at, plane_of(moments).normal);
-            }
-        });
-        return normal;
-    }
-    [[nodiscard]] VecArray near_normals(std::int64_t count) const {
-        return plane_normals(runtime_, tree_, near_, count, progress_);
-    }
-
-    [[nodiscard]] VecArray radial_normals() const {
-        VecArray normal(runtime_.memory, tree_.size());
-        const glm::dvec3 centre = tree_.bounds().centre();
-        for (std::int64_t at = 0; at < tree_.size(); ++at) {
-            const glm::dvec3 out = tree_.points()[at] - centre;
-            const double length = glm::length(out);
-            normal.set(at, length > 0.0 ? out / length : glm::dvec3(0.0, 0.0, 1.0));
-        }
-        return normal;
-    }
-
-    [[nodiscard]] VecArray tree_normals() const {
-        constexpr std::int64_t count = 16;
-        VecArray normal = near_normals(count);
-        turn(spread_signs(runtime_, tree_, near_, count, normal, Spreading::parallel, progress_), normal);
-        return normal;
-    }
-
-    [[nodiscard]] double freedom() const noexcept { return 4.0 * static_cast<double>(tree_.size()) - 4.0; }
-    [[nodiscard]] std::unique_ptr<fit::HermiteEnergy> take_form() noexcept { return std::move(energy_); }
-
-private:
-    // More neighbours of few places cost little.
-    [[nodiscard]] static std::int32_t neighbours_for(std::int64_t count) noexcept {
-        return static_cast<std::int32_t>(std::min<std::int64_t>(count < 1000 ? 32 : 16, count - 1));
-    }
-
-    // Whether any was turned relative to the others.
-    bool find_signs(VecArray& normal) {
-        const SignEnergy signs(runtime_, *energy_, normal, progress_);
-        if (tree_.size() > patches_from && !levels_.cluster.empty()) return improve_signs(signs, normal);
-        Signs as_it_is(runtime_.memory, tree_.size());
-        std::fill(as_it_is.begin(), as_it_is.end(), std::int8_t{1});
-        Patches patches =
-            tree_.size() > patches_from ? find_patches(runtime_, tree_, near_, normal) : Patches(runtime_.memory);
-        const bool has_patches = patches.cluster.size() == tree_.size();
-        Levels& levels = levels_;
-        levels.cluster.clear();
-        if (has_patches) levels.cluster.push_back(copy_of(patches.cluster));
-        Signs best = signs.agglomerate(has_patches ? &patches.cluster : nullptr, has_patches ? &patches.signs : nullptr,
-                                       levels, progress_);
-        signs.improve(levels, best, progress_);
-        if (!(signs.of(best, progress_) < signs.of(as_it_is, progress_) * (1.0 - 1e-9))) return false;
-        turn(best, normal);
-        return true;
-    }
-    // The clusters of the first time will do.
-    bool improve_signs(const SignEnergy& energy, VecArray& normal) {
-        Signs signs(runtime_.memory, tree_.size());
-        std::fill(signs.begin(), signs.end(), std::int8_t{1});
-        if (energy.improve(levels_, signs, progress_) == 0) return false;
-        turn(signs, normal);
-        return true;
-    }
-    [[nodiscard]] base::Array<std::int32_t> copy_of(const base::Array<std::int32_t>& from) const {
-        base::Array<std::int32_t> to(runtime_.memory, from.size());
-        std::copy(from.begin(), from.end(), to.begin());
-        return to;
-    }
-
-    const base::Runtime& runtime_;
-    const geometry::PointTree& tree_;
-    const base::Array<std::int64_t>& rank_;
-    const Near& near_;
-    base::Progress progress_;
-    std::unique_ptr<fit::HermiteEnergy> energy_;
-    base::Array<double> stiffness_;
-    Levels levels_; // of the signs found last
-};
-
-// How far the others agree with the chosen one: of energies near its, weighted by how near, and of the coarser cloud
-// that was begun from.  rival: see LeastEnergy.
+// Returns how far the others agree with the chosen one: of energies near its, weighted by how near, and of the coarser
+// cloud that was begun from. Writes LeastEnergy's rival.
 double agreement(const std::vector<Result>& results, const Result& chosen, const Begin* begin, double& rival) noexcept {
-    // A sum of squares, but by its rounding it may lie below 0.
+    // Rounding may bring a sum of squares below 0.
     const auto over_chosen = [&](const Result& r) {
         return std::max(r.energy, 1e-300) / std::max(chosen.energy, 1e-300);
     };
@@ -177,8 +312,8 @@ double agreement(const std::vector<Result>& results, const Result& chosen, const
     for (const Result& r : results) {
         if (&r == &chosen) continue;
         const double share = share_alike(r.normal, chosen.normal);
-        if (share < others) rival = std::min(rival, over_chosen(r));
-        const double weight = std::exp(-(over_chosen(r) - 1.0) / unlikely);
+        if (share < tuning.other_signs) rival = std::min(rival, over_chosen(r));
+        const double weight = std::exp(-(over_chosen(r) - 1.0) / tuning.unlikely_energy);
         weights += weight;
         alike += weight * (2.0 * share - 1.0);
     }
@@ -191,48 +326,61 @@ double agreement(const std::vector<Result>& results, const Result& chosen, const
 
 } // namespace
 
-double share_alike(const VecArray& a, const VecArray& b) noexcept {
-    std::int64_t alike = 0;
-    for (std::int64_t at = 0; at < a.size(); ++at) alike += glm::dot(a[at], b[at]) > 0.0 ? 1 : 0;
-    const double share = static_cast<double>(alike) / static_cast<double>(a.size());
-    return std::max(share, 1.0 - share);
-}
-
-LeastEnergy least_energy(const base::Runtime& runtime, const geometry::PointTree& tree,
-                         const base::Array<std::int64_t>& rank, const Near& near, double ridge, const VecArray* given,
-                         const Effort& effort, const base::Progress& progress) {
-    Search search(runtime, tree, rank, near, ridge, progress);
+LeastEnergy least_energy(const base::Runtime& runtime, const Places& places, const Near& near, double ridge,
+                         const VecArray* given, const Effort& effort, const base::Progress& progress) {
+    HRBFNPR_ASSERT(given == nullptr || given->size() == places.size());
+    HRBFNPR_ASSERT(places.rank.size() == places.size() && ridge >= 0.0 && effort.starts >= 0);
+    const std::int64_t size = places.size();
+    const base::Progress standing = progress.standing();
+    // More neighbours of few places cost little.
+    const auto neighbours = static_cast<std::int32_t>(
+        std::min<std::int64_t>(size < tuning.few_places ? tuning.neighbours_of_few : tuning.neighbours, size - 1));
+    fit::HermiteEnergy energy(runtime, *places.tree, places.rank, {ridge, neighbours}, progress.part(0.0, 0.1));
+    const base::Array<double> stiffness = energy.stiffness(progress);
     std::vector<Result> results;
-    const std::vector<std::function<VecArray()>> starts{
-        [&] { return search.near_normals(8); },       [&] { return search.near_normals(16); },
-        [&] { return search.coarse_normals(4, 8); },  [&] { return search.near_normals(32); },
-        [&] { return search.coarse_normals(16, 8); }, [&] { return search.radial_normals(); }};
+    const auto settle = [&](VecArray normal, bool keep_signs) {
+        if (!keep_signs) find_signs(runtime, places, near, energy, normal, standing);
+        const double reached = descend(runtime, energy, stiffness, normal, standing);
+        results.push_back({std::move(normal), reached});
+    };
+    const auto planes = [&](std::int64_t count) { return plane_normals(runtime, *places.tree, near, count, progress); };
+    const std::array<std::function<VecArray()>, 6> starts{
+        [&] { return planes(8); },
+        [&] { return planes(16); },
+        [&] { return coarse_normals(runtime, places, 4, 8, progress); },
+        [&] { return planes(32); },
+        [&] { return coarse_normals(runtime, places, 16, 8, progress); },
+        [&] { return radial_normals(*places.tree); }};
     if (given != nullptr) {
-        results.push_back(search.settle(copy(*given), true));
-        results.push_back(search.settle(copy(*given), false));
+        settle(copy(*given), true);
+        settle(copy(*given), false);
     }
-    if (effort.begin != nullptr) results.push_back(search.settle(copy(effort.begin->normal), true));
-    if (effort.tree) results.push_back(search.settle(search.tree_normals(), true));
+    if (effort.begin != nullptr) settle(copy(effort.begin->normal), true);
+    if (effort.tree) {
+        constexpr std::int64_t of_tree = 16;
+        VecArray normal = planes(of_tree);
+        spread_signs(runtime, near, of_tree, normal, progress);
+        settle(std::move(normal), true);
+    }
     const auto best = [&] {
         return std::min_element(results.begin(), results.end(),
                                 [](const Result& a, const Result& b) { return a.energy < b.energy; });
     };
     for (std::size_t k = 0; k < starts.size() && static_cast<int>(k) < effort.starts; ++k) {
         progress.update(0.1 + 0.9 * static_cast<double>(k) / static_cast<double>(starts.size()));
-        results.push_back(search.settle(starts[k](), false));
+        settle(starts[k](), false);
         if (effort.all || results.size() < 2) continue;
         const Result& last = results.back();
         const bool found = std::any_of(results.begin(), results.end() - 1, [&](const Result& r) {
             return std::abs(r.energy - last.energy) < 1e-3 * last.energy && share_alike(r.normal, last.normal) > 0.999;
         });
-        if (found && best()->energy > (1.0 - same) * last.energy) break;
+        if (found && best()->energy > (1.0 - tuning.same_energy) * last.energy) break;
     }
     const auto chosen = best();
     LeastEnergy result(runtime.memory);
     result.agreement = agreement(results, *chosen, effort.begin, result.rival);
-    result.energy = std::max(chosen->energy, 0.0) / search.freedom();
+    result.energy = std::max(chosen->energy, 0.0) / (4.0 * static_cast<double>(size) - 4.0);
     result.normal = std::move(chosen->normal);
-    result.form = search.take_form();
     progress.update(1.0);
     return result;
 }

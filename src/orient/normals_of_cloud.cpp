@@ -1,15 +1,24 @@
 // SPDX-License-Identifier: MIT
+// The steps:
+//
+//   measure_noise      the ridge on the values that brings the energy of the cloud, or of patches of it, down
+//   reduced            means in place of the points of a large cloud, if the noise is above their spacing
+//   fit_even           clean points, and many noisy ones: the least energy with that ridge
+//   fit_noisy          few noisy points: the least energy over a rising ridge, and means of the directions
+//   fit_curves         points along curves: the least energy of a few of them, which begins with twice as many, ...
+//   confidence_of      how far starts, ridges and coarser clouds agree
 #include "orient/normals_of_cloud.h"
 
-#include "orient/coarser.h"
-#include "orient/means.h"
-#include "orient/noisy_normals.h"
-#include "orient/ridge_path.h"
+#include "base/assert.h"
+#include "geometry/farthest_order.h"
+#include "orient/noisy_clouds.h"
+#include "orient/tuning.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace hrbfnpr::orient {
@@ -17,56 +26,70 @@ namespace {
 
 using geometry::VecArray;
 
-constexpr std::int64_t neighbours = 32;
-// Clouds with more noise, in spacings, are replaced by means of so many points that it is less.
-constexpr double noisiest = 0.55;
-// ... which are so many deviations apart: nearer, they would be layers of the noise.
-constexpr double means_apart = 2.0;
-constexpr std::int64_t fewest_to_reduce = 6000;
-constexpr std::int64_t fewest_means = 500;
-constexpr int most_reductions = 3;
-// Of noisy clouds with fewer the shape is no larger than what directions would be means over.
-constexpr std::int64_t fewest_to_refine = 400;
+constexpr double ridge_factor = 3.1622776601683795; // half a power of ten
 
-// Fewer starts of more places.
-constexpr std::int64_t few_points = 6000;
-// Noisy ones with no more are fitted with several ridges.
-constexpr std::int64_t few_for_path = 2000;
-constexpr double smoothed_over = 1.5; // spacings
-constexpr std::int64_t many = 150000;
+// ---- Noise
 
-constexpr Effort path_effort{3, false, true};
+struct Noise {
+    double deviation = 0.0; // over the spacing
+    double ridge = 0.0;     // that it calls for; 0 for a clean cloud
+};
 
-// Energies: see noise.cpp.
-constexpr double sure_below = 0.012;
-constexpr double no_order = 0.03;
-// Without noise twice as many points along curves have 0.8 of the energy and less.
-constexpr double falling = 1.2;
-constexpr double signs_of_level = 0.97; // share of equal ones
-// How far starts agree that need no warning.
-constexpr double agreed = 0.9;
-// Share of signs that change with the ridge: confidence falls by e with every so many.
-constexpr double unsteady = 0.03;
-
-[[nodiscard]] Effort effort_for(std::int64_t count) noexcept {
-    if (count <= few_points) return {6, true, true};
-    return {count <= many ? 3 : 1, false, count <= many};
+// Returns places that follow each other in the tree's order, which lie together.
+[[nodiscard]] Places patch_at(const base::Runtime& runtime, const Cloud& cloud, std::int64_t begin, std::int64_t end,
+                              const base::Progress& progress) {
+    VecArray position(runtime.memory);
+    for (std::int64_t at = begin; at < end; ++at) position.push_back(cloud.point(at));
+    Places patch(runtime.memory);
+    patch.tree = std::make_unique<geometry::PointTree>(position, progress);
+    const geometry::FarthestOrder order = geometry::farthest_order(patch.tree->points(), 0, base::Progress());
+    patch.rank.resize(patch.size());
+    for (std::int64_t k = 0; k < patch.size(); ++k) patch.rank[order.order[k]] = k;
+    return patch;
 }
 
-// With less of a ridge the signs should be the same: they are not where walls are as thin as the noise.
-constexpr double softer = 0.125;
-
-[[nodiscard]] double sign_stability(const base::Runtime& runtime, const Cloud& cloud, const Near& near,
-                                    const LeastEnergy& fitted, double ridge, const base::Progress& progress) {
-    if (ridge == 0.0 || cloud.size() > few_points) return 1.0;
-    const LeastEnergy other = least_energy(runtime, *cloud.tree, cloud.rank, near, softer * ridge, nullptr,
-                                           {1, false, false}, progress.part(0.0, 0.0));
-    return std::max(0.0, 2.0 * share_alike(fitted.normal, other.normal) - 1.0);
+[[nodiscard]] Noise noise_of(const base::Runtime& runtime, const Places& places, const base::Progress& progress) {
+    const Near near(runtime, *places.tree, tuning.most_neighbours, progress);
+    const auto fit = [&](double ridge, const Effort& effort) {
+        return least_energy(runtime, places, near, ridge, nullptr, effort, progress.standing());
+    };
+    LeastEnergy clean = fit(0.0, {2, true, true});
+    if (clean.energy < tuning.clean_below) return {};
+    if (places.size() < tuning.few_to_measure) clean = fit(0.0, {6, true, true});
+    const bool clear = clean.rival > tuning.noisy_rival;
+    if (clean.energy < tuning.clean_below || (clean.energy > tuning.no_order_above && clear)) return {};
+    LeastEnergy fitted(runtime.memory);
+    Noise noise;
+    noise.ridge = tuning.first_ridge;
+    for (int k = 1; k < tuning.most_ridges; ++k, noise.ridge *= ridge_factor) {
+        fitted = fit(noise.ridge, {1, true, false});
+        runtime.log(base::LogLevel::debug, "orient: ridge %.0f: energy %.4f", noise.ridge, fitted.energy);
+        if (fitted.energy < tuning.settled_below) break;
+    }
+    // Few points of thin tubes, whose signs were clear, are lost by a ridge.
+    if (clear && share_alike(clean.normal, fitted.normal) < tuning.same_signs) return {};
+    noise.deviation = std::sqrt(noise.ridge * fitted.energy);
+    return noise;
 }
 
-[[nodiscard]] double confidence_of(const LeastEnergy& fitted, double energy, double noise) noexcept {
-    const double order = std::clamp((no_order - energy) / (no_order - sure_below), 0.0, 1.0);
-    const double agreement = std::clamp(fitted.agreement, 0.0, 1.0);
+[[nodiscard]] Noise measure_noise(const base::Runtime& runtime, const Cloud& cloud, const base::Progress& progress) {
+    if (cloud.size() < tuning.fewest_to_measure) return {};
+    if (cloud.size() <= 2 * tuning.patch_size) return noise_of(runtime, cloud, progress);
+    constexpr int patches = 3;
+    std::array<Noise, patches> found;
+    for (int k = 0; k < patches; ++k) {
+        const std::int64_t begin = (2 * k + 1) * (cloud.size() - tuning.patch_size) / (2 * patches);
+        found[static_cast<std::size_t>(k)] =
+            noise_of(runtime, patch_at(runtime, cloud, begin, begin + tuning.patch_size, progress), progress);
+    }
+    std::sort(found.begin(), found.end(), [](const Noise& a, const Noise& b) { return a.deviation < b.deviation; });
+    return found[patches / 2];
+}
+
+// ---- Confidence
+
+[[nodiscard]] double confidence_of(double agreement, double energy, double noise) noexcept {
+    const double order = std::clamp((tuning.no_order - energy) / (tuning.no_order - tuning.clean_below), 0.0, 1.0);
     return agreement * agreement * order * std::exp(-1.5 * noise * noise);
 }
 
@@ -74,111 +97,211 @@ constexpr double softer = 0.125;
 // noisy may be a wall of three deviations.
 [[nodiscard]] double confidence_of(const RidgeFit& found, double noise) noexcept {
     const double agreement = std::clamp(found.fitted.agreement, 0.0, 1.0);
-    return confidence_of(found.fitted, found.roughest, noise) * agreement * agreement *
-           std::exp(-(1.0 - found.steadiness) / unsteady - 0.5 * noise * noise);
+    return confidence_of(agreement, found.roughest, noise) * agreement * agreement *
+           std::exp(-(1.0 - found.steadiness) / tuning.unsteady - 0.5 * noise * noise);
 }
 
-// Of points along curves, the coarser cloud whose normals are to stay; null: none.  Noise has the more energy the
-// nearer points are to each other, and directions that are off by it: if that of all points is no less than that of
-// fewer, it is the one of least energy whose signs are those of these.  Where starts disagree on all points it is the
-// finest that they agree on.
-[[nodiscard]] Begin* to_stay(std::vector<Begin>& coarser, double energy, double confidence) noexcept {
-    const auto least = std::min_element(coarser.begin(), coarser.end(),
-                                        [](const Begin& a, const Begin& b) { return a.own_energy() < b.own_energy(); });
-    if (least->own_energy() < falling * energy) {
-        Begin* best = &*least;
-        for (Begin& level : coarser)
-            if (level.energy < best->energy && share_alike(level.normal, least->normal) > signs_of_level) best = &level;
-        return best;
-    }
-    if (confidence > doubtful) return nullptr;
-    const auto sure =
-        std::find_if(coarser.rbegin(), coarser.rend(), [](const Begin& level) { return level.agreement > agreed; });
-    return sure != coarser.rend() ? &*sure : nullptr;
+// ---- Points all over a surface
+
+// Fewer starts of more places.
+[[nodiscard]] Effort effort_for(std::int64_t count) noexcept {
+    if (count <= tuning.few_points) return {6, true, true};
+    return {count <= tuning.many_points ? 3 : 1, false, count <= tuning.many_points};
 }
 
-void stay(Begin& level, CloudNormals& result) {
-    result.fitted.normal = std::move(level.normal);
-    result.fitted.energy = level.energy;
-    result.fitted.agreement = level.agreement;
-    result.confidence = level.agreement * level.agreement;
+void fit_even(const base::Runtime& runtime, const Cloud& cloud, const Near& near, const Noise& noise,
+              const VecArray* given, CloudNormals& result, const base::Progress& progress) {
+    const auto fit = [&](double ridge, const VecArray* begin, const Effort& effort, const base::Progress& part) {
+        return least_energy(runtime, cloud, near, ridge, begin, effort, part);
+    };
+    result.fitted = fit(noise.ridge, given, effort_for(cloud.size()), progress);
+    result.confidence =
+        confidence_of(std::clamp(result.fitted.agreement, 0.0, 1.0), result.fitted.energy, noise.deviation);
+    if (noise.ridge == 0.0 || cloud.size() > tuning.few_points) return;
+    // With less of a ridge the signs should be the same: they are not where walls are as thin as the noise.
+    const LeastEnergy other = fit(tuning.softer * noise.ridge, nullptr, {1, false, false}, progress.standing());
+    result.confidence *= std::max(0.0, 2.0 * share_alike(result.fitted.normal, other.normal) - 1.0);
 }
 
-// Points along curves.  Of many the coarser clouds are enough.
-void fit_curves(const base::Runtime& runtime, const Cloud& cloud, const Near& near, const VecArray* given,
-                CloudNormals& result, const base::Progress& progress) {
-    std::vector<Begin> coarser = begin_from_coarser(runtime, cloud, few_points, progress.part(0.0, 0.5));
-    if (cloud.size() > few_points) {
-        stay(*to_stay(coarser, std::numeric_limits<double>::infinity(), 0.0), result);
-        return;
-    }
-    Effort effort = effort_for(cloud.size());
-    effort.begin = &coarser.back();
-    result.fitted = least_energy(runtime, *cloud.tree, cloud.rank, near, 0.0, given, effort, progress.part(0.5, 1.0));
-    result.confidence = confidence_of(result.fitted, result.fitted.energy, 0.0);
-    Begin* const level = to_stay(coarser, result.fitted.energy * cloud.apart[cloud.size() / 2], result.confidence);
-    if (level != nullptr) stay(*level, result);
-}
-
-// Fits the cloud as its noise calls for.
-void fit(const base::Runtime& runtime, const Cloud& cloud, const Near& near, const Noise& noise, const VecArray* given,
-         CloudNormals& result, const base::Progress& progress) {
-    if (is_of_curves(cloud)) {
-        fit_curves(runtime, cloud, near, given, result, progress);
-        return;
-    }
-    if (noise.ridge == 0.0 || cloud.size() > few_for_path) {
-        result.fitted = least_energy(runtime, *cloud.tree, cloud.rank, near, noise.ridge, given,
-                                     effort_for(cloud.size()), progress);
-        result.confidence = confidence_of(result.fitted, result.fitted.energy, noise.deviation) *
-                            sign_stability(runtime, cloud, near, result.fitted, noise.ridge, progress);
-        return;
-    }
-    RidgeFit found = follow_ridges(runtime, cloud, near, noise.ridge, given, path_effort, progress);
+void fit_noisy(const base::Runtime& runtime, const Cloud& cloud, const Near& near, const Noise& noise,
+               const VecArray* given, CloudNormals& result, const base::Progress& progress) {
+    RidgeFit found = follow_ridges(runtime, cloud, near, noise.ridge, given, {3, false, true}, progress);
     result.confidence = confidence_of(found, noise.deviation);
     runtime.log(base::LogLevel::debug, "orient: energy %.4f, agreement %.3f, steadiness %.3f, noise %.3f, ridge %.0f",
                 found.roughest, found.fitted.agreement, found.steadiness, noise.deviation, noise.ridge);
-    found.fitted.normal = smooth_directions(runtime, *cloud.tree, near, found.fitted.normal, smoothed_over);
+    found.fitted.normal =
+        smooth_directions(runtime, *cloud.tree, near, found.fitted.normal, tuning.smoothed_over, progress);
     result.fitted = std::move(found.fitted);
+}
+
+// ---- Points along curves
+
+// Returns the normals at the points of a finer tree: those of the three nearest first places, by the inverse squares of
+// their distances.
+[[nodiscard]] VecArray blend(const base::Runtime& runtime, const FirstPlaces& first, const VecArray& normal,
+                             const geometry::PointTree& finer, const base::Progress& progress) {
+    constexpr std::size_t blended = 3;
+    VecArray all(runtime.memory, finer.size());
+    for_places(runtime, finer.size(), progress, [&](std::int64_t at) {
+        std::array<std::int64_t, blended> found;
+        const glm::dvec3 p = finer.points()[at];
+        const auto any = [](std::int64_t /*place*/) { return true; };
+        const auto there = static_cast<std::size_t>(first.tree->nearest(p, blended, any, any, found.data()));
+        glm::dvec3 sum(0.0);
+        for (std::size_t k = 0; k < there; ++k) {
+            const glm::dvec3 between = first.point(found[k]) - p;
+            sum += normal[found[k]] / std::max(glm::dot(between, between), 1e-12);
+        }
+        const double length = glm::length(sum);
+        all.set(at, length > 0.0 ? sum / length : normal[found[0]]);
+    });
+    return all;
+}
+
+// Returns the normals of least energy of the first places that stand all over the surface, then of twice as many, each
+// time begun from those before: one for each. The energy of points without noise falls; interpolated noise has the more
+// the nearer points are to each other.
+[[nodiscard]] std::vector<Begin> begin_from_coarser(const base::Runtime& runtime, const Cloud& cloud,
+                                                    const base::Progress& progress) {
+    std::vector<Begin> levels;
+    const std::int64_t most = std::min(cloud.size(), tuning.few_points);
+    for (std::int64_t count = cloud.all_over; 3 * count < 2 * most; count *= 2) {
+        const FirstPlaces level(runtime, cloud, count, progress);
+        Begin begin(runtime.memory);
+        Effort effort{6, true, true};
+        if (!levels.empty()) {
+            begin.normal = level.pick(levels.back().normal);
+            begin.agreement = levels.back().agreement;
+            effort = {2, false, false, &begin};
+        }
+        const Near near(runtime, *level.tree, tuning.most_neighbours, progress);
+        const LeastEnergy found = least_energy(runtime, level, near, 0.0, nullptr, effort, progress.standing());
+        Begin& reached = levels.emplace_back(runtime.memory);
+        reached.normal = blend(runtime, level, found.normal, *cloud.tree, progress);
+        reached.energy = found.energy;
+        reached.apart = cloud.apart[count / 2];
+        reached.agreement = found.agreement;
+    }
+    HRBFNPR_ASSERT(!levels.empty());
+    return levels;
+}
+
+// Returns the coarser cloud whose normals are to stay, or null. Noise has the more energy the nearer points are to each
+// other, and directions that are off by it. If the energy of all points is no less than that of fewer, it is the cloud
+// of least energy whose signs are those of these.
+[[nodiscard]] Begin* to_stay(std::vector<Begin>& coarser, double energy) noexcept {
+    const auto least = std::min_element(coarser.begin(), coarser.end(),
+                                        [](const Begin& a, const Begin& b) { return a.own_energy() < b.own_energy(); });
+    if (least->own_energy() >= tuning.falling * energy) return nullptr;
+    Begin* best = &*least;
+    for (Begin& level : coarser)
+        if (level.energy < best->energy && share_alike(level.normal, least->normal) > tuning.signs_of_level)
+            best = &level;
+    return best;
+}
+
+// The coarser clouds are enough for many points.
+void fit_curves(const base::Runtime& runtime, const Cloud& cloud, const Near& near, const VecArray* given,
+                CloudNormals& result, const base::Progress& progress) {
+    std::vector<Begin> coarser = begin_from_coarser(runtime, cloud, progress.part(0.0, 0.5));
+    double energy = std::numeric_limits<double>::infinity();
+    if (cloud.size() <= tuning.few_points) {
+        Effort effort = effort_for(cloud.size());
+        effort.begin = &coarser.back();
+        result.fitted = least_energy(runtime, cloud, near, 0.0, given, effort, progress.part(0.5, 1.0));
+        result.confidence = confidence_of(std::clamp(result.fitted.agreement, 0.0, 1.0), result.fitted.energy, 0.0);
+        energy = result.fitted.energy * cloud.apart[cloud.size() / 2];
+    }
+    Begin* const level = to_stay(coarser, energy);
+    if (level == nullptr) return;
+    result.fitted.normal = std::move(level->normal);
+    result.fitted.energy = level->energy;
+    result.fitted.agreement = level->agreement;
+    result.confidence = level->agreement * level->agreement;
+}
+
+void fit(const base::Runtime& runtime, const Cloud& cloud, const Near& near, const Noise& noise, const VecArray* given,
+         CloudNormals& result, const base::Progress& progress) {
+    if (cloud.is_of_curves())
+        fit_curves(runtime, cloud, near, given, result, progress);
+    else if (noise.ridge > 0.0 && cloud.size() <= tuning.few_for_path)
+        fit_noisy(runtime, cloud, near, noise, given, result, progress);
+    else
+        fit_even(runtime, cloud, near, noise, given, result, progress);
+}
+
+// Returns means of the cloud's points, in its coordinates, that are far enough apart for their noise, which is written.
+[[nodiscard]] Cloud reduced(const base::Runtime& runtime, const Cloud& cloud, Noise& noise,
+                            const base::Progress& progress) {
+    Cloud means(runtime.memory);
+    const Cloud* last = &cloud;
+    for (int k = 0; k < tuning.most_reductions && noise.deviation > tuning.noisiest && last->size() > tuning.few_points;
+         ++k) {
+        const std::int64_t count =
+            std::partition_point(last->apart.begin(), last->apart.end(),
+                                 [&](double distance) { return distance > tuning.means_apart * noise.deviation; }) -
+            last->apart.begin();
+        const glm::dvec3 centre = k == 0 ? glm::dvec3(0.0) : last->centre;
+        const double spacing = k == 0 ? 1.0 : last->spacing;
+        means = means_of(runtime, *last, std::max(tuning.fewest_means, count), progress);
+        means.centre = centre + spacing * means.centre;
+        means.spacing *= spacing;
+        last = &means;
+        noise = measure_noise(runtime, means, progress);
+        runtime.log(base::LogLevel::debug, "orient: %lld means have a noise of %.2f spacings",
+                    static_cast<long long>(means.size()), noise.deviation);
+    }
+    return means;
 }
 
 } // namespace
 
+RidgeFit follow_ridges(const base::Runtime& runtime, const Cloud& cloud, const Near& near, double most,
+                       const VecArray* given, const Effort& effort, const base::Progress& progress) {
+    HRBFNPR_ASSERT(most > 0.0);
+    double ridge = 1.0;
+    RidgeFit best{least_energy(runtime, cloud, near, ridge, given, effort, progress.standing())};
+    best.roughest = best.fitted.energy;
+    const auto next_fit = [&](const LeastEnergy& last) {
+        progress.update(std::log(ridge) / std::log(ridge_factor * most));
+        ridge *= ridge_factor;
+        return least_energy(runtime, cloud, near, ridge, &last.normal, {2, false, false}, progress.standing());
+    };
+    const auto ends = [&](const LeastEnergy& last) {
+        return last.energy < tuning.path_settled || ridge * ridge_factor > 1.01 * most;
+    };
+    while (best.fitted.energy > tuning.trusted_below && !ends(best.fitted)) best.fitted = next_fit(best.fitted);
+    LeastEnergy last(runtime.memory);
+    for (const LeastEnergy* before = &best.fitted; !ends(*before); before = &last) {
+        last = next_fit(*before);
+        const double alike = share_alike(last.normal, best.fitted.normal);
+        best.steadiness = std::min(best.steadiness, alike);
+        runtime.log(base::LogLevel::debug, "orient: ridge %.0f: energy %.4f, signs alike %.3f", ridge, last.energy,
+                    alike);
+        if (alike < tuning.path_same_signs) return best;
+    }
+    if (!last.normal.empty()) best.fitted = std::move(last);
+    progress.update(1.0);
+    return best;
+}
+
 CloudNormals normals_of_cloud(const base::Runtime& runtime, const Cloud& cloud, const Near& near, const VecArray* given,
                               const base::Progress& progress) {
+    HRBFNPR_ASSERT(given == nullptr || given->size() == cloud.size());
     CloudNormals result(runtime.memory);
     Noise noise = measure_noise(runtime, cloud, progress.part(0.0, 0.1));
     progress.update(0.1);
     result.noise = noise.deviation;
-    if (noise.deviation <= noisiest || cloud.size() <= fewest_to_reduce || is_of_curves(cloud)) {
+    if (noise.deviation > tuning.noisiest && cloud.size() > tuning.few_points && !cloud.is_of_curves()) {
+        const Cloud means = reduced(runtime, cloud, noise, progress.part(0.1, 0.2));
+        const Near near_means(runtime, *means.tree, tuning.most_neighbours, progress);
+        fit(runtime, means, near_means, noise, nullptr, result, progress.part(0.2, 0.95));
+        result.fitted.normal = normals_by_means(runtime, cloud, means, result.fitted.normal, progress.part(0.95, 1.0));
+    } else {
         fit(runtime, cloud, near, noise, given, result, progress.part(0.1, 0.95));
-        if (noise.ridge > 0.0 && cloud.size() >= fewest_to_refine && cloud.size() <= fewest_to_reduce)
+        if (noise.ridge > 0.0 && cloud.size() >= tuning.fewest_to_refine && cloud.size() <= tuning.few_points)
             refine_noisy(runtime, *cloud.tree, result.fitted.normal, progress.part(0.95, 1.0));
-        progress.update(1.0);
-        return result;
     }
-    Cloud means(runtime.memory);
-    const Cloud* last = &cloud;
-    for (int k = 0; k < most_reductions && noise.deviation > noisiest && last->size() > fewest_to_reduce; ++k) {
-        const std::int64_t count =
-            std::partition_point(last->apart.begin(), last->apart.end(),
-                                 [&](double distance) { return distance > means_apart * noise.deviation; }) -
-            last->apart.begin();
-        // In the coordinates of the cloud that all began with.
-        const glm::dvec3 centre = k == 0 ? glm::dvec3(0.0) : last->centre;
-        const double spacing = k == 0 ? 1.0 : last->spacing;
-        means = means_of(runtime, *last, std::max(fewest_means, count), progress);
-        means.centre = centre + spacing * means.centre;
-        means.spacing *= spacing;
-        last = &means;
-        noise = measure_noise(runtime, means, progress.part(0.1, 0.2));
-        runtime.log(base::LogLevel::debug, "orient: %lld means have a noise of %.2f spacings",
-                    static_cast<long long>(means.size()), noise.deviation);
-    }
-    const Near near_means(runtime, *means.tree, neighbours, progress);
-    fit(runtime, means, near_means, noise, nullptr, result, progress.part(0.2, 0.95));
-    result.fitted.normal = normals_by_means(runtime, cloud, means, result.fitted.normal, progress.part(0.95, 1.0));
-    result.fitted.form.reset(); // it is the means'
     progress.update(1.0);
     return result;
 }

@@ -1,9 +1,17 @@
 // SPDX-License-Identifier: MIT
+// The steps in their order:
+//
+//   read_cloud         (cloud.h) points 1 apart, merged, in a tree's order
+//   read_given         (given_normals.h) the given normals, which are a start, too
+//   normals_of_cloud   (normals_of_cloud.h) the normals of least energy
+//   turn_outward       (outward.h) the sign of the whole
+//   judge              (given_normals.h) the worth of given normals
+//   write_normals      the normals of the points: made ones, and given ones that stay or are turned
 #include "orient/orient.h"
 
 #include "base/clock.h"
-#include "orient/given_normals.h"
 #include "orient/normals_of_cloud.h"
+#include "orient/tuning.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,116 +21,111 @@ namespace {
 
 using geometry::VecArray;
 
-constexpr std::int64_t typical_neighbours = 32;
-
-// What becomes of each given point.
-enum class Fate : std::uint8_t { keep, turn, make };
-
-class Orienting {
-public:
-    Orienting(const base::Runtime& runtime, const OrientInput& input, const base::Progress& progress)
-        : runtime_(runtime), input_(input), cloud_(read_cloud(runtime, input.points, progress.part(0.0, 0.1))),
-          near_(runtime, *cloud_.tree, typical_neighbours, progress), normal_(runtime.memory) {}
-
-    Orientation run(const base::Progress& progress) {
-        const bool use_given = !input_.normals.empty() && input_.mode != NormalMode::none;
-        GivenNormals given(runtime_, input_.normals, cloud_, near_, use_given, progress);
-        CloudNormals found =
-            normals_of_cloud(runtime_, cloud_, near_, use_given ? &given.normal() : nullptr, progress.part(0.1, 0.9));
-        normal_ = std::move(found.fitted.normal);
-        const Groups pieces = find_pieces(runtime_, *cloud_.tree, near_);
-        const Outward outward{input_.up, (input_.viewpoint - cloud_.centre) / cloud_.spacing, input_.has_viewpoint};
-        const Whole whole = turn_outward(runtime_, cloud_, near_, pieces, outward, found.fitted.form.get(), normal_,
-                                         progress.part(0.9, 0.95));
-        Orientation result(runtime_.memory);
-        OrientReport& report = result.report;
-        report.merged = cloud_.merged;
-        report.noise = found.noise * cloud_.spacing;
-        report.spacing = cloud_.spacing;
-        report.energy = found.fitted.energy;
-        report.confidence = found.confidence;
-        report.closed = whole.closed;
-        report.outward_by = whole.by;
-        report.components = pieces.size();
-        report.found = NormalMode::none;
-        if (use_given) {
-            const Evidence evidence{normal_, found.fitted.form.get(), whole.by != OutwardBy::inside,
-                                    found.confidence < doubtful};
-            const Judgement judgement = given.judge(evidence, input_.mode, progress);
-            if (judgement.follows_given) report.outward_by = OutwardBy::as_given;
-            report.found = judgement.found;
-            write(given, judgement, result);
-        } else {
-            write(result);
+// Writes a normal for each point. Given ones that stay keep their length, and change no more than their sign.
+void write_normals(const OrientInput& input, const Cloud& cloud, const VecArray& least, const GivenNormals& given,
+                   const Judgement& judgement, Orientation& result) {
+    OrientReport& report = result.report;
+    double angles = 0.0;
+    std::int64_t lines = 0;
+    for (std::int64_t i = 0; i < input.points.count; ++i) {
+        const std::int64_t at = cloud.place[i];
+        const glm::dvec3 own = given_normal(input.normals, i);
+        const double length = glm::length(own);
+        if (length > 0.0) {
+            const double cosine = std::abs(glm::dot(own / length, least[at]));
+            if (judgement.found == NormalMode::none) angles += std::acos(std::min(1.0, cosine));
+            ++lines;
         }
-        return result;
-    }
-
-private:
-    void write(Orientation& result) const {
-        result.normal.resize(input_.points.count);
-        for (std::int64_t i = 0; i < input_.points.count; ++i) result.normal.set(i, normal_[cloud_.place[i]]);
-        result.report.made = input_.points.count;
-    }
-
-    // Given ones stay what they are but for the sign.
-    void write(const GivenNormals& given, const Judgement& judgement, Orientation& result) const {
-        OrientReport& report = result.report;
-        result.normal.resize(input_.points.count);
-        double angles = 0.0;
-        std::int64_t lines = 0;
-        for (std::int64_t i = 0; i < input_.points.count; ++i) {
-            const std::int64_t at = cloud_.place[i];
-            const glm::dvec3 own = given.of(i);
-            const double length = glm::length(own);
-            const bool known = length > 0.0;
-            if (known) {
-                const double cosine = std::abs(glm::dot(own / length, normal_[at]));
-                if (judgement.found == NormalMode::none) angles += std::acos(std::min(1.0, cosine));
-                ++lines;
-            }
-            if (!known || judgement.found == NormalMode::none) {
-                const bool look_only = input_.mode == NormalMode::given;
-                result.normal.set(i, look_only ? own : judgement.made_sign * normal_[at]);
-                report.made += look_only ? 0 : 1;
-                continue;
-            }
-            // Of points that coincide each has its own.
-            const bool against = glm::dot(own, given.normal()[at]) < 0.0;
-            const bool turned = (judgement.signs[at] < 0) != (against && judgement.by_place);
-            result.normal.set(i, turned ? -own : own);
-            report.turned += turned ? 1 : 0;
+        if (!(length > 0.0) || judgement.found == NormalMode::none) {
+            const bool look_only = input.mode == NormalMode::given;
+            result.normal.set(i, look_only ? own : judgement.made_sign * least[at]);
+            report.made += look_only ? 0 : 1;
+            continue;
         }
-        if (lines > 0) report.direction_change = angles / static_cast<double>(lines) * 57.29577951308232;
+        // Each of several points that coincide has a normal of its own.
+        const bool against = glm::dot(own, given.normal[at]) < 0.0;
+        const bool turned = (judgement.signs[at] < 0) != (against && judgement.by_place);
+        result.normal.set(i, turned ? -own : own);
+        report.turned += turned ? 1 : 0;
     }
+    if (lines > 0) report.direction_change = angles / static_cast<double>(lines) * 57.29577951308232;
+}
 
-    const base::Runtime& runtime_;
-    const OrientInput& input_;
-    Cloud cloud_;
-    Near near_;
-    VecArray normal_; // of each place, outward
-};
+void log_report(const base::Runtime& runtime, const OrientReport& report, std::int64_t count) {
+    runtime.log(base::LogLevel::info, "orient: %lld points in %.2f s, %s, confidence %.2f",
+                static_cast<long long>(count), report.seconds, report.closed ? "closed" : "open", report.confidence);
+    if (report.turned > 0)
+        runtime.log(base::LogLevel::warning, "orient: %lld of %lld normals were turned round",
+                    static_cast<long long>(report.turned), static_cast<long long>(count));
+    if (report.confidence < tuning.doubtful)
+        runtime.log(base::LogLevel::warning,
+                    "orient: confidence %.2f only: noise of %.2g spacings, or walls thinner than the spacing; more "
+                    "points, or normals of the scanner's, would help",
+                    report.confidence, report.noise / report.spacing);
+}
 
 } // namespace
 
 Orientation orient(const base::Runtime& runtime, const OrientInput& input, const base::Progress& progress) {
     const base::Stopwatch watch;
-    Orientation result = Orienting(runtime, input, progress).run(progress);
-    result.report.seconds = watch.seconds();
-    const OrientReport& report = result.report;
-    runtime.log(base::LogLevel::info, "orient: %lld points in %.2f s, %s, confidence %.2f",
-                static_cast<long long>(input.points.count), report.seconds, report.closed ? "closed" : "open",
-                report.confidence);
-    if (report.turned > 0)
-        runtime.log(base::LogLevel::warning, "orient: %lld of %lld normals were turned round",
-                    static_cast<long long>(report.turned), static_cast<long long>(input.points.count));
-    if (report.confidence < doubtful)
-        runtime.log(base::LogLevel::warning,
-                    "orient: confidence %.2f only: noise of %.2g spacings, or walls thinner than the spacing; more "
-                    "points, or normals of the scanner's, would help",
-                    report.confidence, report.noise / report.spacing);
+    const Cloud cloud = read_cloud(runtime, input.points, progress.part(0.0, 0.1));
+    const Near near(runtime, *cloud.tree, tuning.most_neighbours, progress);
+    const bool use_given = !input.normals.empty() && input.mode != NormalMode::none;
+    const GivenNormals given =
+        use_given ? read_given(runtime, input.normals, cloud, near, progress) : GivenNormals(runtime.memory);
+    CloudNormals found =
+        normals_of_cloud(runtime, cloud, near, use_given ? &given.normal : nullptr, progress.part(0.1, 0.9));
+    VecArray& least = found.fitted.normal;
+    const OutwardRule rule{input.up, (input.viewpoint - cloud.centre) / cloud.spacing, input.has_viewpoint};
+    const Whole whole = turn_outward(runtime, cloud, near, rule, least, progress.part(0.9, 0.95));
+    Orientation result(runtime.memory);
+    result.normal.resize(input.points.count);
+    OrientReport& report = result.report;
+    report.merged = cloud.merged;
+    report.noise = found.noise * cloud.spacing;
+    report.spacing = cloud.spacing;
+    report.energy = found.fitted.energy;
+    report.confidence = found.confidence;
+    report.closed = whole.closed;
+    report.outward_by = whole.by;
+    report.components = count_pieces(runtime, *cloud.tree, near);
+    report.found = NormalMode::none;
+    if (use_given) {
+        const Evidence evidence{least, whole.by != OutwardBy::inside, found.confidence < tuning.doubtful};
+        const Judgement judgement = judge(runtime, cloud, near, given, evidence, input.mode, progress);
+        if (judgement.follows_given) report.outward_by = OutwardBy::as_given;
+        report.found = judgement.found;
+        write_normals(input, cloud, least, given, judgement, result);
+    } else {
+        for (std::int64_t i = 0; i < input.points.count; ++i) result.normal.set(i, least[cloud.place[i]]);
+        report.made = input.points.count;
+    }
+    report.seconds = watch.seconds();
+    log_report(runtime, report, input.points.count);
     progress.update(1.0);
     return result;
+}
+
+bool plainly_inward(const base::Runtime& runtime, const base::InView& points, const base::InView& normals,
+                    const base::Progress& progress) {
+    constexpr std::int64_t fewest = 16;
+    if (points.count < fewest || normals.count != points.count) return false;
+    const std::int64_t step = (points.count + tuning.most_compared - 1) / tuning.most_compared;
+    VecArray position(runtime.memory);
+    VecArray given(runtime.memory);
+    for (std::int64_t i = 0; i < points.count; i += step) {
+        const glm::dvec3 n = given_normal(normals, i);
+        const double length = glm::length(n);
+        if (!(length > 0.0)) return false;
+        position.push_back({points.get(i, 0), points.get(i, 1), points.get(i, 2)});
+        given.push_back(n / length);
+    }
+    const geometry::PointTree tree(position, progress);
+    VecArray normal(runtime.memory, tree.size());
+    for (std::int64_t at = 0; at < tree.size(); ++at) normal.set(at, given[tree.index(at)]);
+    const Near near(runtime, tree, Near::of_spacing, progress);
+    const Sides sides = measure_sides(runtime, tree, near, normal, progress);
+    return sides.closed() && sides.against < 0.5 * sides.along && sides.outward() < 0;
 }
 
 } // namespace hrbfnpr::orient

@@ -6,17 +6,15 @@
 #include "base/runtime.h"
 #include "base/view.h"
 #include "geometry/vec_array.h"
-#include "orient/whole.h"
+#include "orient/given_normals.h"
+#include "orient/outward.h"
 
 #include <limits>
 
 namespace hrbfnpr::orient {
 
-// Same numbers as HRBFNPR_NORMALS_...
-enum class NormalMode : std::uint32_t { given = 0, none = 1, unoriented = 2, mixed = 3, inward = 4, automatic = 5 };
-
-// As hrbfnpr_orient_desc.  Views have 3 components; the normals are as many as the points, or empty (the boundary
-// checks).
+// The fields of hrbfnpr_orient_desc. Views have 3 components; there are as many normals as points, or none (the
+// boundary checks).
 struct OrientInput {
     base::InView points;
     base::InView normals;
@@ -45,7 +43,7 @@ struct OrientReport {
 struct Orientation {
     explicit Orientation(base::Memory& memory) noexcept : normal(memory) {}
 
-    geometry::VecArray normal; // of each given point; given ones that stay are as they were
+    geometry::VecArray normal; // of each given point; given ones that stay keep their bits
     OrientReport report;
 };
 
@@ -53,7 +51,8 @@ struct Orientation {
 [[nodiscard]] Orientation orient(const base::Runtime& runtime, const OrientInput& input,
                                  const base::Progress& progress);
 
-// Whether given normals plainly all point into a closed surface: of some thousand points, in no time.
+// Returns whether given normals plainly all point into a closed surface. It looks at some thousand points only, which
+// takes no time.
 [[nodiscard]] bool plainly_inward(const base::Runtime& runtime, const base::InView& points, const base::InView& normals,
                                   const base::Progress& progress);
 

@@ -2,7 +2,7 @@
 #include "picture/points.h"
 
 #include "base/assert.h"
-#include "orient/directions.h"
+#include "orient/cloud.h"
 #include "picture/ends.h"
 #include "picture/nearness.h"
 #include "picture/normals.h"

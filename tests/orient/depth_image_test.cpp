@@ -3,7 +3,6 @@
 #include "orient/depth_image.h"
 
 #include "base/status.h"
-#include "orient/depth_planes.h"
 #include "shapes.h"
 #include "support/depth_image.h"
 
@@ -99,6 +98,7 @@ TEST(DepthImage, LeavesWhatIsExactWhereItIs) {
     const orient::DepthImage result = smoothed(image);
     const Errors errors = errors_of(image, result);
     EXPECT_LT(errors_of(image, result, Of::wall).worst, 1e-4);
+    EXPECT_LT(errors_of(image, result, Of::wall).normal, 0.02) << "slopes are not drawn to 0";
     EXPECT_LT(errors.worst, 1e-2) << "at the ball's outline, 0.17 before the wall";
     EXPECT_LT(errors.depth, 3e-4);
     EXPECT_LT(errors.normal, 0.5);

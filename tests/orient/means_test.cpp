@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "orient/means.h"
+#include "orient/noisy_clouds.h"
 #include "shapes.h"
 
 #include <gtest/gtest.h>

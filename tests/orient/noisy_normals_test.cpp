@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Normals of noisy clouds: means where the surface is smooth, and walls whose points look the right way.
-#include "orient/noisy_normals.h"
+#include "orient/noisy_clouds.h"
 #include "shapes.h"
 #include "support/runtime.h"
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Normals of noisy points over a rising ridge.
-#include "orient/ridge_path.h"
+#include "orient/noisy_clouds.h"
+#include "orient/normals_of_cloud.h"
 #include "shapes.h"
 
 #include <gtest/gtest.h>
@@ -43,8 +44,8 @@ TEST(RidgePath, KeepsTheSheetsApartThatAHighRidgeMerges) {
     const base::Runtime runtime;
     const Samples wall = noisy_wall();
     const NoisyCloud noisy(runtime, wall);
-    const orient::LeastEnergy merged = orient::least_energy(runtime, *noisy.cloud.tree, noisy.cloud.rank, noisy.near,
-                                                            high, nullptr, effort, base::Progress());
+    const orient::LeastEnergy merged =
+        orient::least_energy(runtime, noisy.cloud, noisy.near, high, nullptr, effort, base::Progress());
     EXPECT_LT(noisy.right(wall, merged.normal), 0.7);
     const orient::RidgeFit found =
         orient::follow_ridges(runtime, noisy.cloud, noisy.near, high, nullptr, effort, base::Progress());
@@ -79,7 +80,7 @@ TEST(RidgePath, SmoothsDirectionsButNotOverToTheOtherSide) {
         return score(wall, of_points).angle;
     };
     const double before = angle();
-    normal = orient::smooth_directions(runtime, *clean.cloud.tree, clean.near, normal, 1.5);
+    normal = orient::smooth_directions(runtime, *clean.cloud.tree, clean.near, normal, 1.5, base::Progress());
     EXPECT_LT(angle(), 0.6 * before);
     EXPECT_EQ(clean.right(wall, normal), 1.0);
 }

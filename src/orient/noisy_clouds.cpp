@@ -1,0 +1,235 @@
+// SPDX-License-Identifier: MIT
+// Means of normals: refine_noisy() tries smooth_directions() over several widths, by the misfit of chords, and then
+// turns places of walls to their nearer face. Means of points: means_of() makes them, and normals_by_means() takes
+// normals back to the points.
+#include "orient/noisy_clouds.h"
+
+#include "base/assert.h"
+#include "orient/tuning.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace hrbfnpr::orient {
+namespace {
+
+using geometry::VecArray;
+
+[[nodiscard]] bool any_place(std::int64_t /*at*/) noexcept { return true; }
+
+[[nodiscard]] double falling(double square, double over) noexcept { return std::exp(-square / (over * over)); }
+
+// ---- Means of normals
+
+// A cloud, and the normals that are to be refined.
+struct Refined {
+    const base::Runtime& runtime;
+    const geometry::PointTree& tree;
+    const VecArray& normal;
+    const base::Progress& progress;
+    double spacing;
+    base::Array<double> part; // of each place, of a sum
+};
+
+// Even samples of a plane have their sixth neighbour at 1.38 spacings.
+[[nodiscard]] double median_spacing(const geometry::PointTree& tree, const Near& near) {
+    constexpr double distance_to_sixth = 1.38;
+    base::Array<double> all(tree.points().memory());
+    for (std::int64_t at = 0; at < tree.size(); ++at)
+        all.push_back(glm::distance(tree.points()[at], tree.points()[near.of(at, 6).back()]));
+    std::nth_element(all.begin(), all.begin() + all.size() / 2, all.end());
+    return all[all.size() / 2] / distance_to_sixth;
+}
+
+// Returns means of the places around each place whose normals point the same way.
+[[nodiscard]] VecArray mean_places(const Refined& r, const Near& near) {
+    VecArray mean(r.runtime.memory, r.tree.size());
+    for_places(r.runtime, r.tree.size(), r.progress, [&](std::int64_t at) {
+        glm::dvec3 sum = r.tree.points()[at];
+        double all = 1.0;
+        for (const std::int32_t other : near.of(at, tuning.mean_place_neighbours)) {
+            const double alike = glm::dot(r.normal[at], r.normal[other]);
+            if (!(alike > 0.0)) continue;
+            const glm::dvec3 between = r.tree.points()[other] - r.tree.points()[at];
+            const double share = alike * falling(glm::dot(between, between), tuning.mean_place_over * r.spacing);
+            sum += share * r.tree.points()[other];
+            all += share;
+        }
+        mean.set(at, (1.0 / all) * sum);
+    });
+    return mean;
+}
+
+// Returns the sum of squares of twice the sines between chords and planes, for pairs of places of one face.
+[[nodiscard]] double misfit(Refined& r, const VecArray& place, const VecArray& normal) {
+    const double from = tuning.chords_from * r.spacing;
+    for_places(r.runtime, r.tree.size(), r.progress, [&](std::int64_t at) {
+        double sum = 0.0;
+        r.tree.within(r.tree.points()[at], tuning.chords_to * r.spacing, [&](std::int64_t other, double square) {
+            if (!(square > from * from) || !(glm::dot(r.normal[at], r.normal[other]) > tuning.same_face)) return;
+            const double off = glm::dot(normal[at] + normal[other], place[other] - place[at]);
+            sum += off * off / square;
+        });
+        r.part[at] = sum;
+    });
+    double all = 0.0;
+    for (const double sum : r.part) all += sum;
+    return all;
+}
+
+// Returns whether a place lies nearer to the other face of a wall than to its own: the distance is the mean to the
+// places of a face, along the mean of both normals, so that the face may be curved.
+[[nodiscard]] bool is_of_other_face(const Refined& r, const VecArray& normal, std::int64_t at) noexcept {
+    const glm::dvec3 own = normal[at];
+    double here = 0.0, here_all = 0.0, there = 0.0, there_all = 0.0;
+    r.tree.within(r.tree.points()[at], tuning.faces_within * r.spacing, [&](std::int64_t other, double square) {
+        const double alike = glm::dot(own, normal[other]);
+        if (other == at || !(std::abs(alike) > tuning.along_face)) return;
+        const double share = std::abs(alike) * falling(square, tuning.faces_over * r.spacing);
+        const glm::dvec3 across = 0.5 * (own + (alike > 0.0 ? 1.0 : -1.0) * normal[other]);
+        const double off = share * glm::dot(across, r.tree.points()[other] - r.tree.points()[at]);
+        (alike > 0.0 ? here : there) += off;
+        (alike > 0.0 ? here_all : there_all) += share;
+    });
+    if (!(there_all > tuning.least_other_face) || !(here_all > 0.0)) return false;
+    here /= here_all;
+    there /= there_all;
+    return std::abs(there) < std::abs(here) && there < here;
+}
+
+// ---- Means of points
+
+// Returns the mean that is nearest to each place, the means standing at `centre` in their own unit.
+[[nodiscard]] base::Array<std::int64_t> nearest_means(const base::Runtime& runtime, const Cloud& cloud,
+                                                      const geometry::PointTree& means, const glm::dvec3& centre,
+                                                      double spacing, const base::Progress& progress) {
+    base::Array<std::int64_t> nearest(runtime.memory, cloud.size());
+    for_places(runtime, cloud.size(), progress, [&](std::int64_t at) {
+        means.nearest((cloud.point(at) - centre) / spacing, 1, any_place, any_place, &nearest[at]);
+    });
+    return nearest;
+}
+
+// Adds moments about `origin` to those about zero.
+void add_moved(const Moments& moments, const glm::dvec3& origin, double weight, Moments& sum) noexcept {
+    const double n = moments.count;
+    const glm::dvec3& o = origin;
+    const glm::dvec3& s = moments.sum;
+    sum.count += weight * n;
+    sum.sum += weight * (s + n * o);
+    std::size_t k = 0;
+    for (glm::length_t i = 0; i < 3; ++i)
+        for (glm::length_t j = i; j < 3; ++j, ++k)
+            sum.square[k] += weight * (moments.square[k] + o[i] * s[j] + s[i] * o[j] + n * o[i] * o[j]);
+}
+
+// Returns the normal at a place in the means' coordinates.
+[[nodiscard]] glm::dvec3 normal_by_means(const Cloud& means, const base::Array<Moments>& moments,
+                                         const VecArray& normal, const glm::dvec3& p) noexcept {
+    std::array<std::int64_t, tuning.gathered_means> found;
+    const auto there =
+        static_cast<std::size_t>(means.tree->nearest(p, tuning.gathered_means, any_place, any_place, found.data()));
+    const std::span<const std::int64_t> near(found.data(), there);
+    const glm::dvec3 own = normal[near[0]];
+    glm::dvec3 side = own;
+    for (const std::int64_t mean : near.subspan(1, std::min(tuning.blended_means, there) - 1))
+        if (glm::dot(own, normal[mean]) > 0.5) side += normal[mean];
+    side = glm::normalize(side);
+    Moments sum;
+    for (const std::int64_t mean : near) {
+        const glm::dvec3 away = means.point(mean) - p;
+        const double alike = glm::dot(side, normal[mean]);
+        if (alike > 0.0)
+            add_moved(moments[mean], away,
+                      alike * std::exp(-0.5 * glm::dot(away, away) / (tuning.means_reach * tuning.means_reach)), sum);
+    }
+    const glm::dvec3 plane = plane_of(sum).normal;
+    const double cosine = glm::dot(plane, side);
+    // A plane that stands across the side is a wall's: no more is known than the side.
+    if (std::abs(cosine) < tuning.plane_across) return side;
+    return glm::normalize(side + std::copysign(tuning.plane_weight, cosine) * plane);
+}
+
+} // namespace
+
+VecArray smooth_directions(const base::Runtime& runtime, const geometry::PointTree& tree, const Near& near,
+                           const VecArray& normal, double deviation, const base::Progress& progress) {
+    HRBFNPR_ASSERT(normal.size() == tree.size() && deviation > 0.0);
+    VecArray smooth(runtime.memory, tree.size());
+    for_places(runtime, tree.size(), progress, [&](std::int64_t at) {
+        const glm::dvec3 own = normal[at];
+        glm::dvec3 sum = own;
+        for (const std::int32_t other : near.of(at)) {
+            const glm::dvec3 between = tree.points()[other] - tree.points()[at];
+            const double alike = glm::dot(own, normal[other]);
+            if (alike > 0.0)
+                sum += alike * std::exp(-0.5 * glm::dot(between, between) / (deviation * deviation)) * normal[other];
+        }
+        smooth.set(at, glm::normalize(sum));
+    });
+    return smooth;
+}
+
+void refine_noisy(const base::Runtime& runtime, const geometry::PointTree& tree, VecArray& normal,
+                  const base::Progress& progress) {
+    HRBFNPR_ASSERT(normal.size() == tree.size() && tree.size() > 6);
+    const Near near(runtime, tree, tuning.mean_direction_neighbours, progress);
+    Refined r{
+        runtime, tree, normal, progress, median_spacing(tree, near), base::Array<double>(runtime.memory, tree.size())};
+    const VecArray place = mean_places(r, near);
+    VecArray best(runtime.memory);
+    double best_over = 0.0;
+    double least = tuning.plainly_better * misfit(r, place, normal);
+    for (double over = tuning.least_mean_over; over <= tuning.most_mean_over; over += tuning.mean_over_step) {
+        VecArray means = smooth_directions(runtime, tree, near, normal, over * r.spacing / std::sqrt(2.0), progress);
+        const double now = misfit(r, place, means);
+        if (!(now < least)) continue;
+        least = now;
+        best = std::move(means);
+        best_over = over;
+    }
+    if (best.empty()) return;
+    runtime.log(base::LogLevel::debug, "orient: directions are means over %.1f spacings", best_over);
+    for (int round = 0; best_over >= tuning.smooth_enough && round < tuning.face_rounds; ++round) {
+        for_places(runtime, tree.size(), progress,
+                   [&](std::int64_t at) { r.part[at] = is_of_other_face(r, best, at) ? -1.0 : 1.0; });
+        for (std::int64_t at = 0; at < tree.size(); ++at) best.set(at, r.part[at] * best[at]);
+    }
+    normal = std::move(best);
+}
+
+Cloud means_of(const base::Runtime& runtime, const Cloud& cloud, std::int64_t count, const base::Progress& progress) {
+    HRBFNPR_ASSERT(count > 0 && count <= cloud.size());
+    VecArray first(runtime.memory, count);
+    for (std::int64_t at = 0; at < cloud.size(); ++at)
+        if (cloud.rank[at] < count) first.set(cloud.rank[at], cloud.point(at));
+    const geometry::PointTree centres(first, progress);
+    const base::Array<std::int64_t> nearest = nearest_means(runtime, cloud, centres, glm::dvec3(0.0), 1.0, progress);
+    base::Array<Moments> sum(runtime.memory, count);
+    for (std::int64_t at = 0; at < cloud.size(); ++at) {
+        sum[nearest[at]].sum += cloud.point(at);
+        sum[nearest[at]].count += 1.0;
+    }
+    base::Array<double> packed(runtime.memory, 3 * count);
+    for (std::int64_t k = 0; k < count; ++k)
+        for (glm::length_t c = 0; c < 3; ++c) packed[3 * k + c] = sum[k].sum[c] / sum[k].count;
+    return read_cloud(runtime, {reinterpret_cast<const std::byte*>(packed.data()), count, 24, base::Scalar::float64, 3},
+                      progress);
+}
+
+VecArray normals_by_means(const base::Runtime& runtime, const Cloud& cloud, const Cloud& means, const VecArray& normal,
+                          const base::Progress& progress) {
+    HRBFNPR_ASSERT(normal.size() == means.size() && means.spacing > 0.0);
+    const base::Array<std::int64_t> nearest =
+        nearest_means(runtime, cloud, *means.tree, means.centre, means.spacing, progress);
+    const auto place = [&](std::int64_t at) { return (cloud.point(at) - means.centre) / means.spacing; };
+    base::Array<Moments> moments(runtime.memory, means.size()); // of each mean's points about it, in its unit
+    for (std::int64_t at = 0; at < cloud.size(); ++at) moments[nearest[at]].add(place(at) - means.point(nearest[at]));
+    VecArray result(runtime.memory, cloud.size());
+    for_places(runtime, cloud.size(), progress,
+               [&](std::int64_t at) { result.set(at, normal_by_means(means, moments, normal, place(at))); });
+    return result;
+}
+
+} // namespace hrbfnpr::orient

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: MIT
+// The outside of a cloud: measure_sides() compares winding numbers on both sides of its places; where these are alike,
+// side_by_rule() decides.
+#include "orient/outward.h"
+
+#include "base/assert.h"
+#include "orient/tuning.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hrbfnpr::orient {
+namespace {
+
+using geometry::VecArray;
+
+constexpr double area_share = 0.8660254037844386; // of a hexagonal lattice: area over squared distance
+constexpr double sphere = 12.566370614359172;     // solid angle
+
+// Returns 1 if most area faces up, or the viewpoint; of walls that stand across up, faces along y, or x.
+[[nodiscard]] int side_by_rule(const Cloud& cloud, const base::Array<double>& spacing, const OutwardRule& rule,
+                               const VecArray& normal) {
+    glm::dvec3 area{0.0};
+    double seen = 0.0;
+    double all = 0.0;
+    for (std::int64_t at = 0; at < cloud.size(); ++at) {
+        const double own = spacing[at] * spacing[at];
+        area += own * normal[at];
+        all += own;
+        seen += glm::dot(normal[at], rule.viewpoint - cloud.point(at)) > 0.0 ? own : -own;
+    }
+    if (rule.has_viewpoint) return seen >= 0.0 ? 1 : -1;
+    constexpr double across = 1e-3; // more than rounding
+    for (const glm::dvec3& axis :
+         {rule.up, glm::dvec3(0.0, 0.0, 1.0), glm::dvec3(0.0, 1.0, 0.0), glm::dvec3(1.0, 0.0, 0.0)})
+        if (std::abs(glm::dot(area, axis)) > across * all) return glm::dot(area, axis) > 0.0 ? 1 : -1;
+    return 1;
+}
+
+} // namespace
+
+bool Sides::closed() const noexcept { return std::min(along, against) < tuning.closed_below; }
+
+bool Sides::nearly_closed() const noexcept { return std::min(along, against) < tuning.nearly_closed_below; }
+
+int Sides::outward() const noexcept {
+    return std::abs(along - against) > tuning.told_apart ? (along < against ? 1 : -1) : 0;
+}
+
+Sides measure_sides(const base::Runtime& runtime, const geometry::PointTree& tree, const Near& near,
+                    const VecArray& normal, const base::Progress& progress) {
+    HRBFNPR_ASSERT(normal.size() == tree.size() && tree.size() > 0);
+    const base::Array<double> spacing = local_spacing(runtime, tree, near);
+    VecArray moment(runtime.memory, tree.size()); // of dipoles: normals times areas
+    for (std::int64_t at = 0; at < tree.size(); ++at)
+        moment.set(at, area_share * spacing[at] * spacing[at] * normal[at]);
+    const auto winding_number = [&](const glm::dvec3& p) {
+        double sum = 0.0;
+        for (std::int64_t i = 0; i < tree.size(); ++i) {
+            const glm::dvec3 d = tree.points()[i] - p;
+            const double r2 = glm::dot(d, d) + 1e-12;
+            sum += glm::dot(moment[i], d) / (r2 * std::sqrt(r2));
+        }
+        return sum / sphere;
+    };
+    const std::int64_t probes = std::min(tuning.probes, tree.size());
+    base::Array<double> number(runtime.memory, 2 * probes);
+    runtime.parallel.for_each(2 * probes, progress, [&](std::int64_t i) {
+        const std::int64_t at = (i / 2) * tree.size() / probes;
+        const double way = (i % 2 == 0 ? 1.0 : -1.0) * tuning.probe_step * spacing[at];
+        number[i] = std::min(1.5, std::abs(winding_number(tree.points()[at] + way * normal[at])));
+    });
+    Sides sides{0.0, 0.0};
+    for (std::int64_t i = 0; i < 2 * probes; ++i)
+        (i % 2 == 0 ? sides.along : sides.against) += number[i] / static_cast<double>(probes);
+    return sides;
+}
+
+Whole turn_outward(const base::Runtime& runtime, const Cloud& cloud, const Near& near, const OutwardRule& rule,
+                   VecArray& normal, const base::Progress& progress) {
+    HRBFNPR_ASSERT(normal.size() == cloud.size());
+    Whole whole;
+    int side = 0;
+    if (cloud.is_of_curves()) {
+        // Places along curves stand for no area: the first of them do.
+        const FirstPlaces first(runtime, cloud, cloud.all_over, progress);
+        const Near around(runtime, *first.tree, Near::of_spacing, progress);
+        const Sides sides = measure_sides(runtime, *first.tree, around, first.pick(normal), progress);
+        whole.closed = sides.nearly_closed();
+        side = sides.outward();
+    } else {
+        const Sides sides = measure_sides(runtime, *cloud.tree, near, normal, progress);
+        whole.closed = sides.closed();
+        side = sides.outward();
+    }
+    // An open surface that was seen from somewhere has no other outside.
+    if (side == 0 || (!whole.closed && rule.has_viewpoint)) {
+        whole.by = rule.has_viewpoint ? OutwardBy::viewpoint : OutwardBy::up;
+        side = side_by_rule(cloud, local_spacing(runtime, *cloud.tree, near), rule, normal);
+    }
+    if (side < 0)
+        for (std::int64_t at = 0; at < normal.size(); ++at) normal.set(at, -normal[at]);
+    return whole;
+}
+
+} // namespace hrbfnpr::orient
