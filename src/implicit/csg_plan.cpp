@@ -49,7 +49,7 @@ base::Array<Frame> frames_of(base::Memory& memory, const CsgTree& tree) {
 }
 
 // An op, and the bounds of its solid: of what models are drawn in, and of all that they may have.
-struct Part {
+struct BoundedOp {
     CsgOp op;
     CsgReach drawn, whole;
     std::int32_t models = 0; // leaves below it that are models
@@ -66,8 +66,9 @@ void count_sheets(CsgOp& op, std::int64_t count) noexcept {
     op.sheets = op.merged ? 1 : static_cast<std::int32_t>(count);
 }
 
-Part pair_of(const Part& a, const Part& b, std::int32_t a_op, std::int32_t b_op, bool least, const Blend& blend) {
-    Part both;
+BoundedOp pair_of(const BoundedOp& a, const BoundedOp& b, std::int32_t a_op, std::int32_t b_op, bool least,
+                  const Blend& blend) {
+    BoundedOp both;
     both.op.kind = least ? CsgOp::Kind::minimum : CsgOp::Kind::maximum;
     both.op.a = a_op;
     both.op.b = b_op;
@@ -85,8 +86,8 @@ Part pair_of(const Part& a, const Part& b, std::int32_t a_op, std::int32_t b_op,
     return both;
 }
 
-Part shell_of(const Part& part, std::int32_t op, bool least, double thickness) {
-    Part shell = part;
+BoundedOp shell_of(const BoundedOp& part, std::int32_t op, bool least, double thickness) {
+    BoundedOp shell = part;
     shell.op = {};
     shell.op.kind = least ? CsgOp::Kind::shell_of_minimum : CsgOp::Kind::shell_of_maximum;
     shell.op.a = op;
@@ -101,8 +102,8 @@ Part shell_of(const Part& part, std::int32_t op, bool least, double thickness) {
     return shell;
 }
 
-Part leaf_of(const CsgNode& node, const Frame& frame, const base::Array<CsgModel>& models, CsgPlace& place) {
-    Part part;
+BoundedOp leaf_of(const CsgNode& node, const Frame& frame, const base::Array<CsgModel>& models, CsgPlace& place) {
+    BoundedOp part;
     place.to_local = glm::inverse(frame.linear);
     place.shift = -(place.to_local * frame.translation);
     place.scale = frame.turned ? -frame.scale : frame.scale;
@@ -133,11 +134,11 @@ Part leaf_of(const CsgNode& node, const Frame& frame, const base::Array<CsgModel
 }
 
 // The parts of all nodes, the root's last.
-base::Array<Part> parts_of(base::Memory& memory, const CsgTree& tree, const base::Array<CsgModel>& models,
-                           base::Array<CsgPlace>& places) {
+base::Array<BoundedOp> parts_of(base::Memory& memory, const CsgTree& tree, const base::Array<CsgModel>& models,
+                                base::Array<CsgPlace>& places) {
     base::Array<Frame> frames = frames_of(memory, tree);
-    base::Array<Part> parts(memory);
-    const auto add = [&](const Part& part) {
+    base::Array<BoundedOp> parts(memory);
+    const auto add = [&](const BoundedOp& part) {
         parts.push_back(part);
         return static_cast<std::int32_t>(parts.size() - 1);
     };
@@ -146,7 +147,7 @@ base::Array<Part> parts_of(base::Memory& memory, const CsgTree& tree, const base
         Frame& frame = frames[i];
         if (is_leaf(node.kind)) {
             CsgPlace place;
-            Part part = leaf_of(node, frame, models, place);
+            BoundedOp part = leaf_of(node, frame, models, place);
             part.op.place = static_cast<std::int32_t>(places.size());
             places.push_back(place);
             frame.op = add(part);
@@ -172,7 +173,7 @@ base::Array<Part> parts_of(base::Memory& memory, const CsgTree& tree, const base
 }
 
 // The operands of a chain of minima, or of maxima, in their order.
-void find_members(const base::Array<Part>& parts, const CsgOp& of, base::Array<std::int32_t>& waiting,
+void find_members(const base::Array<BoundedOp>& parts, const CsgOp& of, base::Array<std::int32_t>& waiting,
                   base::Array<std::int32_t>& found) {
     found.clear();
     waiting.clear();
@@ -191,7 +192,7 @@ void find_members(const base::Array<Part>& parts, const CsgOp& of, base::Array<s
     }
 }
 
-CsgGroup group_of(CsgPlan& plan, const base::Array<Part>& parts, std::int32_t op,
+CsgGroup group_of(CsgPlan& plan, const base::Array<BoundedOp>& parts, std::int32_t op,
                   const base::Array<std::int32_t>& found) {
     const CsgOp& of = plan.ops[op];
     CsgGroup group;
@@ -216,7 +217,7 @@ CsgGroup group_of(CsgPlan& plan, const base::Array<Part>& parts, std::int32_t op
 }
 
 // always: also where pairs are quicker.
-void make_groups(CsgPlan& plan, const base::Array<Part>& parts, bool always) {
+void make_groups(CsgPlan& plan, const base::Array<BoundedOp>& parts, bool always) {
     struct Task {
         std::int32_t op;
         std::int32_t nested; // groups that it is in
@@ -254,8 +255,8 @@ void make_groups(CsgPlan& plan, const base::Array<Part>& parts, bool always) {
 CsgPlan::CsgPlan(base::Memory& memory, const CsgTree& tree, const base::Array<CsgModel>& models, Groups how)
     : ops(memory), places(memory), steps(memory), groups(memory), members(memory), boxes(memory) {
     HRBFNPR_ASSERT(!tree.empty() && tree[0].parent < 0);
-    const base::Array<Part> parts = parts_of(memory, tree, models, places);
-    for (const Part& part : parts) ops.push_back(part.op);
+    const base::Array<BoundedOp> parts = parts_of(memory, tree, models, places);
+    for (const BoundedOp& part : parts) ops.push_back(part.op);
     root_op = static_cast<std::int32_t>(ops.size() - 1);
     drawn = parts[root_op].drawn.surface();
     whole = parts[root_op].whole.surface();
