@@ -9,6 +9,7 @@
 #include "implicit/lanes.h"
 #include "implicit/tuning.h"
 
+#include <numeric>
 #include <utility>
 
 namespace hrbfnpr::implicit {
@@ -22,9 +23,13 @@ struct Register : FieldLanes<std::size_t{csg_block}> {
     std::int32_t sheet[csg_block];
 };
 
-// What a group knows of the points of a block.
+// The members of a group at the points of a block.
 struct Contest {
-    double best[csg_block]; // the least value, of the negative function where the group takes the most
+    const CsgOp* op;
+    PointBatch points;
+    Register* to;
+    double sign;            // -1 where the group takes the most
+    double best[csg_block]; // the least value, of the negative function where that is
     double slack[csg_block];
     std::int32_t winner[csg_block];           // the member that it is; -1: none yet
     std::int32_t nearest[csg_block];          // the member that was evaluated first
@@ -40,8 +45,8 @@ std::array<double, 6> moved(const std::array<double, 6>& h, const CsgPlace& plac
 }
 
 // The chain rule.
-CsgJet chained(const BlendJet& f, const CsgJet& a, const CsgJet& b) noexcept {
-    CsgJet jet{f.value, f.by_a * a.gradient + f.by_b * b.gradient, {}};
+Jet chained(const BlendJet& f, const Jet& a, const Jet& b) noexcept {
+    Jet jet{f.value, f.by_a * a.gradient + f.by_b * b.gradient, {}};
     std::size_t at = 0;
     for (int i = 0; i < 3; ++i)
         for (int j = i; j < 3; ++j, ++at)
@@ -82,28 +87,15 @@ public:
     const Register& operator()(std::span<const CsgStep> steps, const PointBatch& points);
 
 private:
-    [[nodiscard]] CsgJet take(const Register& from, std::int64_t lane) const noexcept {
-        CsgJet jet;
-        jet.value = from.field[0][lane];
-        for (int c = 0; c < 3 && columns_ > 1; ++c) jet.gradient[c] = from.field[1 + c][lane];
-        for (std::size_t c = 0; c < 6 && columns_ > 4; ++c) jet.hessian[c] = from.field[4 + c][lane];
-        return jet;
-    }
-    void set(Register& to, std::int64_t lane, const CsgJet& jet) const noexcept {
-        to.field[0][lane] = jet.value;
-        for (int c = 0; c < 3 && columns_ > 1; ++c) to.field[1 + c][lane] = jet.gradient[c];
-        for (std::size_t c = 0; c < 6 && columns_ > 4; ++c) to.field[4 + c][lane] = jet.hessian[c];
-    }
     void copy(const Register& from, std::int64_t k, Register& to, std::int64_t lane) const noexcept {
         for (int c = 0; c < columns_; ++c) to.field[c][lane] = from.field[c][k];
     }
     // Sets the jet of a leaf, given in its own coordinates.
-    void put(Register& to, std::int64_t lane, const CsgOp& op, const CsgPlace& place,
-             const CsgJet& jet) const noexcept {
-        CsgJet here{place.scale * jet.value + op.add, glm::dvec3(0.0), {}};
+    void put(Register& to, std::int64_t lane, const CsgOp& op, const CsgPlace& place, const Jet& jet) const noexcept {
+        Jet here{place.scale * jet.value + op.add, glm::dvec3(0.0), {}};
         if (columns_ > 1) here.gradient = place.scale * (jet.gradient * place.to_local);
         if (columns_ > 4) here.hessian = moved(jet.hessian, place);
-        set(to, lane, here);
+        to.set(lane, here, columns_);
     }
 
     void shape(const CsgStep& step, const CsgOp& op, const PointBatch& points) noexcept;
@@ -116,14 +108,10 @@ private:
     void shell(const CsgStep& step, const CsgOp& op, std::int64_t count) noexcept;
 
     void take_best(const CsgGroup& group, const PointBatch& points, Register& to);
-    [[nodiscard]] double bound(const CsgBoxTree::Node& leaf, const glm::dvec3& p, double slack,
-                               double sign) const noexcept;
-    void evaluate_nearest(const CsgGroup& group, std::int32_t root, const PointBatch& points, Contest& contest,
-                          Register& to);
-    void evaluate_others(const CsgGroup& group, std::int32_t root, const PointBatch& points, Contest& contest,
-                         Register& to);
-    void evaluate_member(const CsgGroup& group, std::int32_t member, const PointBatch& points,
-                         std::span<const std::int32_t> lanes, Contest& contest, Register& to);
+    [[nodiscard]] double bound(const CsgBoxTree::Node& leaf, const Contest& contest, std::int64_t lane) const noexcept;
+    void evaluate_nearest(std::int32_t root, Contest& contest);
+    void evaluate_others(std::int32_t root, Contest& contest);
+    void evaluate_member(std::int32_t member, std::span<const std::int32_t> lanes, Contest& contest);
 
     const CsgPlan& plan_;
     std::span<const Implicit* const> leaves_;
@@ -180,7 +168,7 @@ void Run::evaluate_model(const CsgStep& step, const CsgPlace& place) {
         const double beyond = place.beyond(p, side);
         const bool ends = beyond > 0.0 ? !(answer.field[0][k] >= beyond) : beyond > answer.field[0][k];
         if (!ends) continue;
-        set(answer, k, place.shape.jet(side, p - place.centre));
+        answer.set(k, place.shape.jet(side, p - place.centre), columns_);
         answer.sheet[k] = place.model_sheets + side;
     }
 }
@@ -196,7 +184,7 @@ void Run::model(const CsgStep& step, const CsgOp& op, const PointBatch& points) 
         if (step.sheet >= place.model_sheets) {
             put(to, i, op, place, place.shape.jet(step.sheet - place.model_sheets, p - place.centre));
         } else if (step.than >= 0 && !is_needed(step, op, place, i, place.beyond(p, side))) {
-            set(to, i, {place.scale > 0.0 ? infinity : -infinity, glm::dvec3(0.0), {}});
+            to.set(i, {place.scale > 0.0 ? infinity : -infinity, glm::dvec3(0.0), {}}, columns_);
             to.sheet[i] = 0;
         } else {
             asked.add(p, i);
@@ -205,7 +193,7 @@ void Run::model(const CsgStep& step, const CsgOp& op, const PointBatch& points) 
     if (asked.count == 0) return;
     evaluate_model(step, place);
     for (std::int64_t k = 0; k < asked.count; ++k) {
-        put(to, asked.index[k], op, place, take(scratch_.answer, k));
+        put(to, asked.index[k], op, place, scratch_.answer.take(k, columns_));
         to.sheet[asked.index[k]] = scratch_.answer.sheet[k];
     }
 }
@@ -240,10 +228,10 @@ void Run::mix(const CsgStep& step, const CsgOp& op, std::int64_t count) noexcept
         const double u = a.field[0][i];
         const double v = b.field[0][i];
         const BlendJet blend = op.takes_least() ? op.blend.minimum(u, v) : op.blend.maximum(u, v);
-        CsgJet jet{blend.value, glm::dvec3(0.0), {}};
-        if (columns_ > 1) jet = chained(blend, take(a, i), take(b, i));
+        Jet jet{blend.value, glm::dvec3(0.0), {}};
+        if (columns_ > 1) jet = chained(blend, a.take(i, columns_), b.take(i, columns_));
         jet.value += op.add;
-        set(first, i, jet);
+        first.set(i, jet, columns_);
     }
 }
 
@@ -262,24 +250,22 @@ void Run::shell(const CsgStep& step, const CsgOp& op, std::int64_t count) noexce
     }
 }
 
-// The least that a member is at a place. A model's own box, which may be turned, says it exactly.
-double Run::bound(const CsgBoxTree::Node& leaf, const glm::dvec3& p, double slack, double sign) const noexcept {
+// The least that a member is at a point. A model's own box, which may be turned, says it exactly.
+double Run::bound(const CsgBoxTree::Node& leaf, const Contest& contest, std::int64_t lane) const noexcept {
+    const glm::dvec3 p = point_at(contest.points, lane);
     const CsgOp& op = plan_.ops[plan_.members[leaf.first].op];
-    if (op.kind != CsgOp::Kind::model) return leaf.least(p, slack);
+    if (op.kind != CsgOp::Kind::model) return leaf.least(p, contest.slack[lane]);
     const CsgPlace& place = plan_.place(op);
-    if (sign * place.scale < 0.0) return -infinity;
+    if (contest.sign * place.scale < 0.0) return -infinity;
     std::int32_t side = 0;
-    return sign * (place.scale * place.beyond(place.local(p), side) + op.add);
+    return contest.sign * (place.scale * place.beyond(place.local(p), side) + op.add);
 }
 
 // Takes over what is less. As in pairs, one after the other, the first of two equal ones wins, and NaN stays.
-void Run::evaluate_member(const CsgGroup& group, std::int32_t member, const PointBatch& points,
-                          std::span<const std::int32_t> lanes, Contest& contest, Register& to) {
+void Run::evaluate_member(std::int32_t member, std::span<const std::int32_t> lanes, Contest& contest) {
     const CsgMember& part = plan_.members[member];
-    const CsgOp& op = plan_.ops[group.op];
-    const double sign = op.takes_least() ? 1.0 : -1.0;
     contest.asked.count = 0;
-    for (const std::int32_t lane : lanes) contest.asked.add(point_at(points, lane), lane);
+    for (const std::int32_t lane : lanes) contest.asked.add(point_at(contest.points, lane), lane);
     Register* const own = std::exchange(registers_, registers_ + plan_.root().registers);
     ++nested_;
     const Register& answer = (*this)(plan_.steps_of(part), contest.asked.points());
@@ -287,7 +273,7 @@ void Run::evaluate_member(const CsgGroup& group, std::int32_t member, const Poin
     registers_ = own;
     for (std::int64_t k = 0; k < contest.asked.count; ++k) {
         const std::int32_t lane = contest.asked.index[k];
-        const double value = sign * answer.field[0][k];
+        const double value = contest.sign * answer.field[0][k];
         double& best = contest.best[lane];
         std::int32_t& winner = contest.winner[lane];
         const bool wins = winner < 0 || value < best || (value == best && member < winner) ||
@@ -295,58 +281,50 @@ void Run::evaluate_member(const CsgGroup& group, std::int32_t member, const Poin
         if (!wins) continue;
         best = value;
         winner = member;
-        copy(answer, k, to, lane);
-        if (wants_sheet_) to.sheet[lane] = op.merged ? 0 : answer.sheet[k] + part.first_sheet;
+        copy(answer, k, *contest.to, lane);
+        if (wants_sheet_) contest.to->sheet[lane] = contest.op->merged ? 0 : answer.sheet[k] + part.first_sheet;
     }
 }
 
-void Run::evaluate_nearest(const CsgGroup& group, std::int32_t root, const PointBatch& points, Contest& contest,
-                           Register& to) {
-    const double sign = plan_.ops[group.op].takes_least() ? 1.0 : -1.0;
+void Run::evaluate_nearest(std::int32_t root, Contest& contest) {
     std::int32_t* const begin = contest.lane;
-    std::int32_t* const end = begin + points.count;
-    for (std::int64_t i = 0; i < points.count; ++i) {
-        const glm::dvec3 p = point_at(points, i);
-        begin[i] = static_cast<std::int32_t>(i);
-        contest.nearest[i] =
-            plan_.boxes.nearest(root, p, contest.slack[i], contest.best[i],
-                                [&](const CsgBoxTree::Node& leaf) { return bound(leaf, p, contest.slack[i], sign); });
-    }
+    std::int32_t* const end = begin + contest.points.count;
+    std::iota(begin, end, 0);
+    for (std::int64_t i = 0; i < contest.points.count; ++i)
+        contest.nearest[i] = plan_.boxes.nearest(root, point_at(contest.points, i), contest.slack[i], contest.best[i],
+                                                 [&](const CsgBoxTree::Node& leaf) { return bound(leaf, contest, i); });
     const auto nearest = [&](std::int32_t lane) { return contest.nearest[lane]; };
     std::sort(begin, end,
               [&](std::int32_t a, std::int32_t b) { return std::pair(nearest(a), a) < std::pair(nearest(b), b); });
     for (std::int32_t* lane = begin; lane != end;) {
         const std::int32_t member = nearest(*lane);
         std::int32_t* const next = std::find_if(lane, end, [&](std::int32_t i) { return nearest(i) != member; });
-        if (member >= 0) evaluate_member(group, member, points, {lane, next}, contest, to);
+        if (member >= 0) evaluate_member(member, {lane, next}, contest);
         lane = next;
     }
 }
 
 // Walks down the boxes with the points at which they allow a value that is less, or as small.
-void Run::evaluate_others(const CsgGroup& group, std::int32_t root, const PointBatch& points, Contest& contest,
-                          Register& to) {
+void Run::evaluate_others(std::int32_t root, Contest& contest) {
     struct Part {
         std::int32_t node;
         std::int64_t count; // of the lanes that stand first
     };
     std::array<Part, CsgBoxTree::deepest> waiting;
     std::size_t parts = 0;
-    const double sign = plan_.ops[group.op].takes_least() ? 1.0 : -1.0;
-    waiting[parts++] = {root, points.count};
+    waiting[parts++] = {root, contest.points.count};
     while (parts > 0) {
         const Part part = waiting[--parts];
         const CsgBoxTree::Node& node = plan_.boxes[part.node];
         const auto may_be_least = [&](std::int32_t lane) {
-            const glm::dvec3 p = point_at(points, lane);
-            if (!node.is_leaf()) return !(node.least(p, contest.slack[lane]) > contest.best[lane]);
-            return contest.nearest[lane] != node.first &&
-                   !(bound(node, p, contest.slack[lane], sign) > contest.best[lane]);
+            if (node.is_leaf())
+                return contest.nearest[lane] != node.first && !(bound(node, contest, lane) > contest.best[lane]);
+            return !(node.least(point_at(contest.points, lane), contest.slack[lane]) > contest.best[lane]);
         };
         const std::int64_t count = std::partition(contest.lane, contest.lane + part.count, may_be_least) - contest.lane;
         if (count == 0) continue;
         if (node.is_leaf()) {
-            evaluate_member(group, node.first, points, {contest.lane, contest.lane + count}, contest, to);
+            evaluate_member(node.first, {contest.lane, contest.lane + count}, contest);
             continue;
         }
         HRBFNPR_ASSERT(parts + 2 <= waiting.size());
@@ -356,7 +334,12 @@ void Run::evaluate_others(const CsgGroup& group, std::int32_t root, const PointB
 }
 
 void Run::take_best(const CsgGroup& group, const PointBatch& points, Register& to) {
+    HRBFNPR_ASSERT(nested_ < scratch_.contests.size() && points.count <= csg_block);
     Contest& contest = scratch_.contests[nested_];
+    contest.op = &plan_.ops[group.op];
+    contest.points = points;
+    contest.to = &to;
+    contest.sign = contest.op->takes_least() ? 1.0 : -1.0;
     for (std::int64_t i = 0; i < points.count; ++i) {
         const glm::dvec3 p = glm::abs(point_at(points, i));
         contest.best[i] = infinity;
@@ -365,10 +348,10 @@ void Run::take_best(const CsgGroup& group, const PointBatch& points, Register& t
     }
     for (const std::int32_t root : group.boxes) {
         if (root < 0) continue;
-        evaluate_nearest(group, root, points, contest, to);
-        evaluate_others(group, root, points, contest, to);
+        evaluate_nearest(root, contest);
+        evaluate_others(root, contest);
     }
-    for (std::int64_t i = 0; i < points.count; ++i) to.field[0][i] += plan_.ops[group.op].add;
+    for (std::int64_t i = 0; i < points.count; ++i) to.field[0][i] += contest.op->add;
 }
 
 const Register& Run::operator()(std::span<const CsgStep> steps, const PointBatch& points) {

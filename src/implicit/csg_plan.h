@@ -12,7 +12,7 @@
 
 namespace hrbfnpr::implicit {
 
-// What is known of a leaf that is a model.
+// A leaf that is a model, as the plan needs it.
 struct CsgModel {
     geometry::Bounds bounds; // that its surface is drawn in
     geometry::Bounds region; // beyond which it has none, whatever its f is

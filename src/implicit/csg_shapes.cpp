@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "implicit/csg_shapes.h"
 
-#include "base/assert.h"
+#include "implicit/sheets.h"
 
 #include <utility>
 
@@ -65,7 +65,7 @@ struct Profile {
 };
 
 // On the axis the part of the gradient across it has no direction, and is left out.
-CsgJet around_axis(const glm::dvec3& p, double rho, const Profile& f) noexcept {
+Jet around_axis(const glm::dvec3& p, double rho, const Profile& f) noexcept {
     if (rho == 0.0) return {f.value, {0.0, 0.0, f.by_z}, {0.0, 0.0, 0.0, 0.0, 0.0, f.by_z_z}};
     const double x = p.x / rho;
     const double y = p.y / rho;
@@ -76,15 +76,15 @@ CsgJet around_axis(const glm::dvec3& p, double rho, const Profile& f) noexcept {
              f.by_rho_rho * y * y + bend * x * x, f.by_rho_z * y, f.by_z_z}};
 }
 
-CsgJet plane(int axis, double sign, double value) noexcept {
-    CsgJet jet{value, glm::dvec3(0.0), {}};
+Jet plane(int axis, double sign, double value) noexcept {
+    Jet jet{value, glm::dvec3(0.0), {}};
     jet.gradient[axis] = sign;
     return jet;
 }
 
-CsgJet sphere(const glm::dvec3& p, double radius) noexcept {
+Jet sphere(const glm::dvec3& p, double radius) noexcept {
     const double length = glm::length(p);
-    CsgJet jet{length - radius, glm::dvec3(0.0), {}};
+    Jet jet{length - radius, glm::dvec3(0.0), {}};
     if (length == 0.0) return jet;
     const glm::dvec3 n = p / length;
     jet.gradient = n;
@@ -120,6 +120,7 @@ CsgBox about(const glm::dvec3& centre, const glm::dvec3& reach) noexcept { retur
 
 // {side z <= level}, moved; side: 1 or -1.
 CsgBox half_space(const glm::dmat3& linear, const glm::dvec3& translation, double level, double side) noexcept {
+    HRBFNPR_ASSERT(level >= 0.0 && std::abs(side) == 1.0);
     const glm::dvec3 n = glm::cross(linear[0], linear[1]) * (glm::determinant(linear) < 0.0 ? -1.0 : 1.0);
     CsgBox box;
     for (int i = 0; i < 3; ++i) {
@@ -221,7 +222,8 @@ double CsgShape::value(const glm::dvec3& p, std::int32_t& sheet) const noexcept 
     return beyond;
 }
 
-CsgJet CsgShape::jet(std::int32_t sheet, const glm::dvec3& p) const noexcept {
+Jet CsgShape::jet(std::int32_t sheet, const glm::dvec3& p) const noexcept {
+    HRBFNPR_ASSERT(sheet >= 0 && sheet < sheets());
     switch (kind_) {
     case CsgKind::half_space: return plane(2, 1.0, p.z);
     case CsgKind::sphere: return sphere(p, radius_);

@@ -6,7 +6,7 @@
 #pragma once
 
 #include "base/memory.h"
-#include "geometry/vec.h"
+#include "implicit/lanes.h"
 
 #include <glm/mat3x3.hpp>
 
@@ -69,22 +69,12 @@ struct Stretch {
 };
 [[nodiscard]] Stretch stretch_of(const glm::dmat3& linear) noexcept;
 
-// A function at a place. The order of the Hessian is xx xy xz yy yz zz.
-struct CsgJet {
-    double value = 0.0;
-    glm::dvec3 gradient{0.0};
-    std::array<double, 6> hessian{};
-};
-
 // A function of two numbers a and b, with its derivatives.
 struct BlendJet {
     double value = 0.0;
     double by_a = 0.0, by_b = 0.0;
     double by_aa = 0.0, by_ab = 0.0, by_bb = 0.0;
 };
-
-// Whether the minimum of two is the second. If either is NaN, the minimum is NaN.
-[[nodiscard]] inline bool takes_lower(double a, double b) noexcept { return b < a || std::isnan(b); }
 
 // How two functions become one.
 struct Blend {
@@ -148,7 +138,7 @@ public:
     // f, and the sheet that f is.
     [[nodiscard]] double value(const glm::dvec3& p, std::int32_t& sheet) const noexcept;
     // One sheet, everywhere. Where it has no gradient, as at the centre of a sphere, gradient and Hessian are 0.
-    [[nodiscard]] CsgJet jet(std::int32_t sheet, const glm::dvec3& p) const noexcept;
+    [[nodiscard]] Jet jet(std::int32_t sheet, const glm::dvec3& p) const noexcept;
     // The bounds if the solid is moved by x -> linear x + translation, and f becomes scale f.
     [[nodiscard]] CsgReach reach(const glm::dmat3& linear, const glm::dvec3& translation, double scale) const noexcept;
 

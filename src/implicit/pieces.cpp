@@ -28,7 +28,7 @@ struct Bump {
 };
 
 // Hessians are in the order of FieldBatch.
-void add_symmetric(const glm::dvec3& a, const glm::dvec3& b, double* h) noexcept {
+void add_symmetric(const glm::dvec3& a, const glm::dvec3& b, std::array<double, 6>& h) noexcept {
     h[0] += 2.0 * a.x * b.x;
     h[1] += a.x * b.y + a.y * b.x;
     h[2] += a.x * b.z + a.z * b.x;
@@ -38,7 +38,7 @@ void add_symmetric(const glm::dvec3& a, const glm::dvec3& b, double* h) noexcept
 }
 
 // Adds the Hessian of a function of the distance, with derivatives d and h, along the unit vector u.
-void add_radial(const glm::dvec3& u, double d, double h, double distance, double* to) noexcept {
+void add_radial(const glm::dvec3& u, double d, double h, double distance, std::array<double, 6>& to) noexcept {
     const double across = d / distance;
     add_symmetric(u, 0.5 * (h - across) * u, to);
     to[0] += across;
@@ -46,20 +46,7 @@ void add_radial(const glm::dvec3& u, double d, double h, double distance, double
     to[5] += across;
 }
 
-// A function with two derivatives. This and what follows has no initializers: a block of many is not to be cleared.
-struct Weight {
-    double w;
-    glm::dvec3 d;
-    double h[6];
-
-    void add(const Weight& other) noexcept {
-        w += other.w;
-        d += other.d;
-        for (std::size_t c = 0; c < 6; ++c) h[c] += other.h[c];
-    }
-};
-
-Weight weight_of(const PiecesNode& cell, const glm::dvec3& place) noexcept {
+Jet weight_of(const PiecesNode& cell, const glm::dvec3& place) noexcept {
     const glm::dvec3 off = place - cell.centre;
     const double width = PiecesData::cell_reach * cell.half;
     const Bump x(off.x, width);
@@ -75,10 +62,8 @@ struct Term {
     std::int32_t sheet; // -1: no sheet
     std::int32_t point;
     std::int32_t next; // term of the sheet, or -1
-    double value;
-    glm::dvec3 gradient;
-    double hessian[6];
-    Weight weight; // of all cells that it rules
+    Jet jet;
+    Jet weight; // of all cells that it rules
 };
 
 // A cell that has a say at a point.
@@ -95,9 +80,9 @@ struct Hit {
 // The linear function of a cell without a program.
 Term plain_term(const PiecesData& data, const Hit& hit, const glm::dvec3& place) noexcept {
     const double* const p = data.plain.data() + 4 * std::int64_t{hit.leaf};
-    Term term{-1, 0, -1, 0.0, {}, {}, {}};
-    term.gradient = {p[1], p[2], p[3]};
-    term.value = p[0] + glm::dot(term.gradient, place - hit.cell.centre);
+    Term term{-1, 0, -1, {}, {}};
+    term.jet.gradient = {p[1], p[2], p[3]};
+    term.jet.value = p[0] + glm::dot(term.jet.gradient, place - hit.cell.centre);
     term.weight = weight_of(hit.cell, place);
     return term;
 }
@@ -110,16 +95,16 @@ Term sphere_term(const PiecesData& data, const glm::dvec3& place) noexcept {
     const glm::dvec3 u = off / distance;
     const double width = (PiecesData::sphere_rules - PiecesData::sphere_begins) * radius;
     const double t = std::min(1.0, (distance - PiecesData::sphere_begins * radius) / width);
-    Term term{-1, 0, -1, 0.0, {}, {}, {}};
-    term.value = distance - radius;
-    term.gradient = u;
-    add_radial(u, 1.0, 0.0, distance, term.hessian);
+    Term term{-1, 0, -1, {}, {}};
+    term.jet.value = distance - radius;
+    term.jet.gradient = u;
+    add_radial(u, 1.0, 0.0, distance, term.jet.hessian);
     // t^3 (10 - 15 t + 6 t^2): two derivatives are 0 at both ends.
-    term.weight.w = t * t * t * (10.0 + t * (6.0 * t - 15.0));
+    term.weight.value = t * t * t * (10.0 + t * (6.0 * t - 15.0));
     const double d = 30.0 * t * t * (1.0 - t) * (1.0 - t) / width;
     const double h = 60.0 * t * (1.0 - t) * (1.0 - 2.0 * t) / (width * width);
-    term.weight.d = d * u;
-    add_radial(u, d, h, distance, term.weight.h);
+    term.weight.gradient = d * u;
+    add_radial(u, d, h, distance, term.weight.hessian);
     return term;
 }
 
@@ -138,7 +123,7 @@ private:
     static constexpr std::int64_t most_hits = 768;    // of all points
     static constexpr std::int64_t most_terms = 768;
 
-    // What is evaluated of a sheet: points that it alone rules, and terms.
+    // A sheet that is evaluated at points that it alone rules, and for terms.
     struct Group {
         std::int32_t sheet;
         std::int32_t point, term; // the first of each chain, or -1
@@ -162,7 +147,7 @@ private:
     void evaluate_terms(bool gradient, bool hessian);
     void choose(std::int64_t point) noexcept;
     [[nodiscard]] std::int32_t run(const Hit& hit, std::int64_t point) const noexcept;
-    void mix(std::int64_t point, const FieldBatch& fields) const noexcept;
+    [[nodiscard]] Jet mean(std::int64_t point, const FieldBatch& wanted) const noexcept;
 
     const PiecesOf& of_;
     const PiecesData& data_;
@@ -287,14 +272,14 @@ void PiecesBlock::evaluate_terms(bool gradient, bool hessian) {
     for (const Group& group : std::span(group_, static_cast<std::size_t>(groups_))) {
         lanes_.count = 0;
         for (std::int32_t i = group.term; i >= 0; i = term_[i].next)
-            if (!hessian || term_[i].weight.w > 0.0) lanes_.add(point_at(points_, term_[i].point), i);
+            if (!hessian || term_[i].weight.value > 0.0) lanes_.add(point_at(points_, term_[i].point), i);
         if (lanes_.count == 0) continue;
         of_.evaluate(group.sheet, lanes_.points(), answer_.fields(!hessian, gradient, hessian));
         for (std::int64_t k = 0; k < lanes_.count; ++k) {
-            Term& term = term_[lanes_.index[k]];
-            if (!hessian) term.value = answer_.field[0][k];
-            for (int c = 0; gradient && c < 3; ++c) term.gradient[c] = answer_.field[1 + c][k];
-            for (int c = 0; hessian && c < 6; ++c) term.hessian[c] = answer_.field[4 + c][k];
+            Jet& jet = term_[lanes_.index[k]].jet;
+            if (!hessian) jet.value = answer_.field[0][k];
+            for (int c = 0; gradient && c < 3; ++c) jet.gradient[c] = answer_.field[1 + c][k];
+            for (std::size_t c = 0; hessian && c < 6; ++c) jet.hessian[c] = answer_.field[4 + c][k];
         }
     }
 }
@@ -311,11 +296,11 @@ std::int32_t PiecesBlock::run(const Hit& hit, std::int64_t point) const noexcept
             stack[depth++] = static_cast<std::int32_t>(i);
             continue;
         }
+        HRBFNPR_ASSERT(depth >= 2);
+        const double sign = code == PiecesData::smaller ? 1.0 : -1.0;
         const std::int32_t b = stack[--depth];
-        const std::int32_t a = stack[depth - 1];
-        const bool second =
-            code == PiecesData::larger ? term_[b].value > term_[a].value : term_[b].value < term_[a].value;
-        if (second) stack[depth - 1] = b;
+        std::int32_t& a = stack[depth - 1];
+        if (takes_lower(sign * term_[a].jet.value, sign * term_[b].jet.value)) a = b;
     }
     return depth == 1 ? stack[0] : -1;
 }
@@ -329,41 +314,36 @@ void PiecesBlock::choose(std::int64_t point) noexcept {
         one = one && hit.ruler >= 0 && hit.ruler == hits[0].ruler;
     }
     ruler_[point] = one ? hits[0].ruler : -1;
-    if (one) term_[ruler_[point]].weight.w = 1.0;
+    if (one) term_[ruler_[point]].weight.value = 1.0;
     for (const Hit& hit : hits)
         if (!one && hit.ruler >= 0) term_[hit.ruler].weight.add(weight_of(hit.cell, point_at(points_, point)));
 }
 
 // f = sum w_k f_k / sum w_k. What the weights' derivatives add is 0 where the terms agree.
-void PiecesBlock::mix(std::int64_t point, const FieldBatch& fields) const noexcept {
+Jet PiecesBlock::mean(std::int64_t point, const FieldBatch& wanted) const noexcept {
     double total = 0.0;
     double sum = 0.0;
     double first = std::numeric_limits<double>::quiet_NaN(); // where no term weighs anything
     bool one = true;
     for (const Term& term : terms(point)) {
-        if (!(term.weight.w > 0.0)) continue;
-        if (total == 0.0) first = term.value;
-        one = one && term.value == first;
-        total += term.weight.w;
-        sum += term.weight.w * term.value;
+        if (!(term.weight.value > 0.0)) continue;
+        if (total == 0.0) first = term.jet.value;
+        one = one && term.jet.value == first;
+        total += term.weight.value;
+        sum += term.weight.value * term.jet.value;
     }
-    const double value = one ? first : sum / total;
-    if (fields.value != nullptr) fields.value[point] = value;
-    if (!fields.wants_gradient() && !fields.wants_hessian()) return;
-    glm::dvec3 gradient(0.0);
-    for (const Term& term : terms(point))
-        if (term.weight.w > 0.0)
-            gradient += (term.weight.w / total) * term.gradient + ((term.value - value) / total) * term.weight.d;
-    double hessian[6] = {};
-    for (const Term& term : terms(point)) {
-        if (!(term.weight.w > 0.0) || !fields.wants_hessian()) continue;
+    Jet mean{one ? first : sum / total, glm::dvec3(0.0), {}};
+    for (const auto& [sheet, number, next, jet, weight] : terms(point))
+        if ((wanted.wants_gradient() || wanted.wants_hessian()) && weight.value > 0.0)
+            mean.gradient +=
+                (weight.value / total) * jet.gradient + ((jet.value - mean.value) / total) * weight.gradient;
+    for (const auto& [sheet, number, next, jet, weight] : terms(point)) {
+        if (!wanted.wants_hessian() || !(weight.value > 0.0)) continue;
         for (std::size_t c = 0; c < 6; ++c)
-            hessian[c] += (term.weight.w * term.hessian[c] + (term.value - value) * term.weight.h[c]) / total;
-        add_symmetric(term.weight.d / total, term.gradient - gradient, hessian);
+            mean.hessian[c] += (weight.value * jet.hessian[c] + (jet.value - mean.value) * weight.hessian[c]) / total;
+        add_symmetric(weight.gradient / total, jet.gradient - mean.gradient, mean.hessian);
     }
-    for_columns(fields, [&](std::size_t c, double* column) {
-        if (c > 0) column[point] = c < 4 ? gradient[static_cast<glm::length_t>(c) - 1] : hessian[c - 4];
-    });
+    return mean;
 }
 
 void PiecesBlock::evaluate(const FieldBatch& fields) {
@@ -374,16 +354,9 @@ void PiecesBlock::evaluate(const FieldBatch& fields) {
     if (fields.wants_hessian()) evaluate_terms(false, true);
     for (std::int64_t point = 0; point < points_.count; ++point) {
         if (alone_[point] >= 0) continue;
-        if (ruler_[point] < 0) {
-            mix(point, fields);
-            continue;
-        }
-        const Term& term = term_[ruler_[point]];
-        for_columns(fields, [&](std::size_t c, double* column) {
-            column[point] = c == 0  ? term.value
-                            : c < 4 ? term.gradient[static_cast<glm::length_t>(c) - 1]
-                                    : term.hessian[c - 4];
-        });
+        Jet mixed;
+        Jet& jet = ruler_[point] >= 0 ? term_[ruler_[point]].jet : (mixed = mean(point, fields));
+        for_columns(fields, [&](std::size_t c, double* column) { column[point] = jet[c]; });
     }
 }
 
@@ -396,11 +369,11 @@ void PiecesBlock::active(std::int32_t* sheet) {
         choose(point);
         double most = 0.0;
         for (const Term& term : terms(point))
-            if (term.sheet < 0) most += term.weight.w;
+            if (term.sheet < 0) most += term.weight.value;
         sheet[point] = of_.count() - 1;
         for (const Term& term : terms(point)) {
-            if (term.sheet < 0 || !(term.weight.w > most)) continue;
-            most = term.weight.w;
+            if (term.sheet < 0 || !(term.weight.value > most)) continue;
+            most = term.weight.value;
             sheet[point] = term.sheet;
         }
     }

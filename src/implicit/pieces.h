@@ -69,7 +69,7 @@ private:
 // The same function, up to rounding and what Prepared says of its sheets, where many points are asked for.
 class PreparedPieces final : public PiecesOf {
 public:
-    // What is prepared: zones, or zones and sheets of many centres.
+    // Zones are prepared, or zones and sheets of many centres.
     enum class Scope : std::uint8_t { zones, sheets };
 
     // What takes less time for this number of points than it saves; nullopt: nothing.

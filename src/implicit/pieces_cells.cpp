@@ -48,7 +48,7 @@ namespace {
 
 constexpr std::size_t places = 9; // of a zone where programs are looked at: its corners and its middle
 
-// What is left of a program, and its values.
+// A program without the operands that cannot matter, and its values.
 struct Simple {
     std::array<double, places> value{};
     std::array<std::int32_t, std::size_t{2 * PiecesData::most_operands}> code{};

@@ -101,7 +101,7 @@ public:
         std::int32_t begin, end; // of its parts: those whose programs are equal have the same one
         bool alone;              // all that have a say have the program of the one part
     };
-    // What is known of a place.
+    // The rule of a place.
     struct At {
         std::int32_t sheet = -1;     // that alone rules it; -1: none is known to
         std::span<const Part> parts; // else: cells, some of which have a say; none: nothing is known

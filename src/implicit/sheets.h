@@ -5,9 +5,13 @@
 
 #include "implicit/implicit.h"
 
+#include <cmath>
 #include <cstdint>
 
 namespace hrbfnpr::implicit {
+
+// Whether the minimum of two is the second. If either is NaN, the minimum is NaN.
+[[nodiscard]] inline bool takes_lower(double a, double b) noexcept { return b < a || std::isnan(b); }
 
 class Sheets {
 public:
