@@ -321,21 +321,9 @@ void CsgPlan::add_steps(std::int32_t op, std::int32_t only, base::Array<CsgStep>
     }
 }
 
-// An item without an end would hide the ends of all beside it.
-std::int32_t CsgBoxTree::add(std::span<Item> items) {
-    const auto apart = std::partition(items.begin(), items.end(), [](const Item& item) {
-        const glm::dvec3 size = item.box.high - item.box.low;
-        return std::isfinite(size.x + size.y + size.z);
-    });
-    const auto ended = static_cast<std::size_t>(apart - items.begin());
-    if (ended == 0 || ended == items.size()) return items.empty() ? -1 : split(items);
-    const std::int32_t first = split(items.first(ended));
-    return join(first, split(items.subspan(ended)));
-}
-
 // Two halves along the axis on which their centres are farthest apart.
-std::int32_t CsgBoxTree::split(std::span<Item> items) {
-    HRBFNPR_ASSERT(!items.empty());
+std::int32_t CsgBoxTree::add(std::span<Item> items) {
+    if (items.empty()) return -1;
     if (items.size() == 1) {
         nodes_.push_back({items[0].box, items[0].slope, items[0].item, -1});
         return static_cast<std::int32_t>(nodes_.size() - 1);
@@ -361,14 +349,11 @@ std::int32_t CsgBoxTree::split(std::span<Item> items) {
         return std::pair(centre(a, widest), a.item) < std::pair(centre(b, widest), b.item);
     });
     const std::size_t half = items.size() / 2;
-    const std::int32_t first = split(items.first(half));
-    return join(first, split(items.subspan(half)));
-}
-
-// An empty box has its faces the wrong way round, and is as near as they say.
-std::int32_t CsgBoxTree::join(std::int32_t first, std::int32_t second) {
+    const std::int32_t first = add(items.first(half));
+    const std::int32_t second = add(items.subspan(half));
     const Node& a = nodes_[first];
     const Node& b = nodes_[second];
+    // An empty box has its faces the wrong way round, and is as near as they say.
     const CsgBox box{glm::min(a.box.low, b.box.low), glm::max(a.box.high, b.box.high)};
     nodes_.push_back({box, std::max(a.slope, b.slope), first, second});
     return static_cast<std::int32_t>(nodes_.size() - 1);

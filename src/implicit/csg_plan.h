@@ -108,7 +108,7 @@ public:
             return distance > 0.0 ? distance / slope : -std::numeric_limits<double>::infinity();
         }
     };
-    // The most nodes that wait on the way down: halves of 2^16 items, and those without an end apart.
+    // The most nodes that wait on the way down; 2^16 items are halved 16 times.
     static constexpr std::size_t deepest = 32;
 
     explicit CsgBoxTree(base::Memory& memory) noexcept : nodes_(memory) {}
@@ -124,9 +124,6 @@ public:
     [[nodiscard]] std::int64_t bytes() const noexcept { return nodes_.bytes(); }
 
 private:
-    std::int32_t split(std::span<Item> items);
-    std::int32_t join(std::int32_t first, std::int32_t second);
-
     base::Array<Node> nodes_;
 };
 

@@ -113,8 +113,7 @@ struct Beside {
     base::Array<std::int32_t> sheet;
     base::Array<double> value; // sheet by sheet
     std::int64_t places = 0;
-    bool plain = false; // some cells have no program
-    bool trees = false; // some have one of several sheets
+    bool trees = false; // some programs take minima or maxima
 
     [[nodiscard]] std::int64_t number_of(std::int32_t code) const noexcept {
         return std::find(sheet.begin(), sheet.end(), code) - sheet.begin();
@@ -128,7 +127,6 @@ struct Beside {
         [&](const PiecesNode&, std::int8_t, std::int32_t leaf) {
             const std::span<const std::int32_t> program = data.program_of(leaf);
             beside.leaf.push_back(leaf);
-            beside.plain = beside.plain || program.empty();
             beside.trees = beside.trees || program.size() > 1;
             for (const std::int32_t code : program)
                 if (code >= 0 && beside.number_of(code) == beside.sheet.size()) beside.sheet.push_back(code);
@@ -172,7 +170,7 @@ struct LeafZones {
     base::Array<std::int32_t> program;
 };
 
-// Equal programs of a zone, and equal zones of a leaf, are stored once.
+// Equal programs of a zone are stored once.
 void add_zone(const PiecesData& data, const base::Array<PiecesNode>& nodes, const PiecesNode& at,
               const std::array<std::int64_t, places>& its, const Beside& beside, LeafZones& made) {
     using Part = PiecesZones::Part;
@@ -196,20 +194,10 @@ void add_zone(const PiecesData& data, const base::Array<PiecesNode>& nodes, cons
     PiecesZones::Zone zone{first, static_cast<std::int32_t>(made.part.size()), front.begin < front.end};
     for (const Part& part : range(made.part, first, zone.end)) zone.alone = zone.alone && part.begin == front.begin;
     if (zone.alone) zone.end = first + 1;
-    const auto is_same = [&](const PiecesZones::Zone& other) {
-        const auto a = range(made.part, other.begin, other.end);
-        const auto b = range(made.part, zone.begin, zone.end);
-        return other.alone == zone.alone &&
-               std::equal(a.begin(), a.end(), b.begin(), b.end(), [&](const Part& one, const Part& two) {
-                   return one.leaf == two.leaf && equal(program(one), program(two));
-               });
-    };
-    const auto known = std::find_if(made.zone.begin(), made.zone.end(), is_same) - made.zone.begin();
     const bool one_sheet = zone.alone && front.end - front.begin == 1;
-    const bool is_new = !one_sheet && known == made.zone.size();
-    made.code.push_back(one_sheet ? -1 - made.program[front.begin] : static_cast<std::int32_t>(known));
-    if (is_new) made.zone.push_back(zone);
-    made.part.resize(is_new ? zone.end : first);
+    made.code.push_back(one_sheet ? -1 - made.program[front.begin] : static_cast<std::int32_t>(made.zone.size()));
+    if (!one_sheet) made.zone.push_back(zone);
+    made.part.resize(one_sheet ? first : zone.end);
 }
 
 [[nodiscard]] LeafZones zones_of(const base::Runtime& runtime, const PiecesData& data,
@@ -220,8 +208,7 @@ void add_zone(const PiecesData& data, const base::Array<PiecesNode>& nodes, cons
     if (farthest > PiecesData::sphere_begins * 0.5 * data.bounds.diagonal()) return made;
     Beside beside = look_beside(data, at, runtime.memory);
     if (beside.sheet.empty() || beside.leaf.size() > zone_tuning.parts) return made;
-    const bool one = beside.sheet.size() == 1 && !beside.plain;
-    made.cuts = static_cast<std::int8_t>(one ? 0 : std::clamp(zone_tuning.level - level, 0, zone_tuning.cuts));
+    made.cuts = static_cast<std::int8_t>(std::clamp(zone_tuning.level - level, 0, zone_tuning.cuts));
     const std::int64_t along = std::int64_t{1} << made.cuts;
     const double half = at.half / static_cast<double>(along);
     const glm::dvec3 low = at.centre - at.half;

@@ -141,7 +141,7 @@ private:
     base::Array<std::int8_t> cuts_;   // of each leaf: 2^that zones along each of its sides; -1: none
     base::Array<std::int32_t> first_; // of each leaf: its first zone
     base::Array<std::int32_t> code_;  // of each zone: as code_at() says
-    base::Array<Zone> zone_;          // those that differ
+    base::Array<Zone> zone_;          // those that not one sheet rules
     base::Array<Part> part_;
     base::Array<std::int32_t> program_;
 };
