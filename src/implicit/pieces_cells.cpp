@@ -191,13 +191,13 @@ void add_zone(const PiecesData& data, const base::Array<PiecesNode>& nodes, cons
     }
     HRBFNPR_ASSERT(made.part.size() > first);
     const Part front = made.part[first];
-    PiecesZones::Zone zone{first, static_cast<std::int32_t>(made.part.size()), front.begin < front.end};
-    for (const Part& part : range(made.part, first, zone.end)) zone.alone = zone.alone && part.begin == front.begin;
-    if (zone.alone) zone.end = first + 1;
-    const bool one_sheet = zone.alone && front.end - front.begin == 1;
+    const bool alone =
+        front.begin < front.end && std::all_of(made.part.begin() + first, made.part.end(),
+                                               [&](const Part& part) { return part.begin == front.begin; });
+    const bool one_sheet = alone && front.end - front.begin == 1;
+    if (alone) made.part.resize(one_sheet ? first : first + 1);
     made.code.push_back(one_sheet ? -1 - made.program[front.begin] : static_cast<std::int32_t>(made.zone.size()));
-    if (!one_sheet) made.zone.push_back(zone);
-    made.part.resize(one_sheet ? first : zone.end);
+    if (!one_sheet) made.zone.push_back({first, static_cast<std::int32_t>(made.part.size())});
 }
 
 [[nodiscard]] LeafZones zones_of(const base::Runtime& runtime, const PiecesData& data,
@@ -317,7 +317,7 @@ PiecesZones::PiecesZones(const base::Runtime& runtime, const PiecesData& data, c
         cuts_.push_back(one.cuts);
         first_.push_back(static_cast<std::int32_t>(code_.size()));
         for (const std::int32_t code : one.code) code_.push_back(code >= 0 ? zones + code : code);
-        for (const Zone& zone : one.zone) zone_.push_back({zone.begin + parts, zone.end + parts, zone.alone});
+        for (const Zone& zone : one.zone) zone_.push_back({zone.begin + parts, zone.end + parts});
         for (const Part& part : one.part) part_.push_back({part.leaf, part.begin + codes, part.end + codes});
         for (const std::int32_t code : one.program) program_.push_back(code);
     }
@@ -352,7 +352,7 @@ PiecesZones::At PiecesZones::at(const glm::dvec3& place) const noexcept {
     if (code < 0) return {-1 - code, {}};
     const Zone& zone = zone_[code];
     const std::span<const Part> parts = range(part_, zone.begin, zone.end);
-    if (zone.alone) return {-1, parts};
+    if (parts.size() == 1) return {-1, parts};
     // Which of the parts have a say cannot be foreseen, so this has no branches. `found` is the last one; the place is
     // `mixed` if their programs differ, or one has none.
     const Part* found = nullptr;

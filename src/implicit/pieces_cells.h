@@ -97,9 +97,9 @@ public:
         std::int32_t leaf;
         std::int32_t begin, end;
     };
+    // The parts of a zone; one if all cells that have a say there have its program. Equal programs are the same one.
     struct Zone {
-        std::int32_t begin, end; // of its parts: those whose programs are equal have the same one
-        bool alone;              // all that have a say have the program of the one part
+        std::int32_t begin, end;
     };
     // The rule of a place.
     struct At {
