@@ -53,7 +53,7 @@ struct CsgPlace {
     CsgReach reach;         // of that box, not turned inside out
 
     [[nodiscard]] glm::dvec3 local(const glm::dvec3& p) const noexcept { return to_local * p + shift; }
-    // What a model's box is at a place of the model's own coordinates, and which side is the nearest.
+    // The distance beyond a model's box, at a place of its own coordinates, and the nearest side of the box.
     [[nodiscard]] double beyond(const glm::dvec3& p, std::int32_t& side) const noexcept {
         return shape.value(p - centre, side);
     }
@@ -144,7 +144,7 @@ struct CsgPlan {
         return steps.span().subspan(static_cast<std::size_t>(member.begin),
                                     static_cast<std::size_t>(member.end - member.begin));
     }
-    // What make_steps works on.
+    // An op whose steps are still to be added.
     struct Pending {
         std::int32_t op = 0;
         std::int32_t to = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What evaluators of several functions work with: some points of a batch side by side, so that one function is
+// Tools of evaluators of several functions: some points of a batch side by side, so that one function is
 // evaluated at all of them at once; the fields that come back; and jets, the fields at one point.
 #pragma once
 

@@ -57,7 +57,7 @@ Jet weight_of(const PiecesNode& cell, const glm::dvec3& place) noexcept {
             {x.h * y.w * z.w, x.d * y.d * z.w, x.d * y.w * z.d, x.w * y.h * z.w, x.w * y.d * z.d, x.w * y.w * z.h}};
 }
 
-// What f is a mean of at a point: a sheet, or a function that stands in where no surface is near.
+// One of the functions whose mean is f at a point: a sheet, or one that stands in where no surface is near.
 struct Term {
     std::int32_t sheet; // -1: no sheet
     std::int32_t point;

@@ -72,7 +72,7 @@ public:
     // Zones are prepared, or zones and sheets of many centres.
     enum class Scope : std::uint8_t { zones, sheets };
 
-    // What takes less time for this number of points than it saves; nullopt: nothing.
+    // The scope that takes less time for this number of points than it saves; nullopt: none does.
     [[nodiscard]] static std::optional<Scope> pays(const PiecesData& data, double points) noexcept;
 
     // The pieces must outlive it.
