@@ -158,7 +158,7 @@ geometry::Bounds given_bounds(const Desc& desc) {
 
 // What models are drawn in, and so much more that the search box, which is larger by a margin, has all of the surface.
 geometry::Bounds found_bounds(const implicit::CsgPlan& plan) {
-    const implicit::CsgBox whole = plan.whole_box();
+    const implicit::CsgBox whole = plan.whole;
     if (whole.empty())
         fail(Status::invalid_argument,
              "csg_desc: nothing is left of the solid: an intersection or a difference has no part in common");
@@ -168,7 +168,7 @@ geometry::Bounds found_bounds(const implicit::CsgPlan& plan) {
                  "csg_desc: the surface may have no end along %c: intersect it with a box, or give bounds_min and "
                  "bounds_max",
                  "xyz"[axis]);
-    const implicit::CsgBox drawn = plan.drawn_box();
+    const implicit::CsgBox drawn = plan.drawn;
     if (drawn.empty()) return {whole.low, whole.high};
     const double margin = surface::region_margin * glm::length(drawn.high - drawn.low);
     return {glm::min(drawn.low, whole.low + margin), glm::max(drawn.high, whole.high - margin)};

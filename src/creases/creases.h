@@ -8,7 +8,7 @@
 #include "base/list.h"
 #include "curves/curves.h"
 #include "geometry/point_grid.h"
-#include "implicit/one_sheet.h"
+#include "implicit/sheets.h"
 
 #include <cmath>
 #include <memory>

@@ -1,22 +1,398 @@
 // SPDX-License-Identifier: MIT
+// Runs the steps of a plan for a block of points at a time. Each step fills a register, an intermediate result at all
+// points of the block: leaves from their own coordinates, minima, maxima and blends from two registers. Of a model only
+// those points are evaluated at which its box allows that it matters. A group evaluates, at each point, first the
+// member whose box is nearest, then those whose boxes allow a lesser value; points that need the same member go
+// together.
 #include "implicit/csg.h"
 
-#include "implicit/csg_run.h"
+#include "implicit/lanes.h"
+#include "implicit/tuning.h"
+
+#include <numeric>
+#include <utility>
 
 namespace hrbfnpr::implicit {
 namespace {
 
-void copy(const CsgRegister& from, std::int64_t count, const FieldBatch& to) noexcept {
-    if (to.value != nullptr) std::copy_n(from.value, count, to.value);
-    for (std::size_t c = 0; to.wants_gradient() && c < 3; ++c) std::copy_n(from.gradient[c], count, to.gradient[c]);
-    for (std::size_t c = 0; to.wants_hessian() && c < 6; ++c) std::copy_n(from.hessian[c], count, to.hessian[c]);
+constexpr std::int64_t csg_block = CsgTuning::block;
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+// An intermediate result.
+struct Register : FieldLanes<std::size_t{csg_block}> {
+    std::int32_t sheet[csg_block];
+};
+
+// The members of a group at the points of a block.
+struct Contest {
+    const CsgOp* op;
+    PointBatch points;
+    Register* to;
+    double sign;            // -1 where the group takes the most
+    double best[csg_block]; // the least value, of the negative function where that is
+    double slack[csg_block];
+    std::int32_t winner[csg_block];           // the member that it is; -1: none yet
+    std::int32_t nearest[csg_block];          // the member that was evaluated first
+    std::int32_t lane[csg_block];             // those that are still looked at stand first
+    PointLanes<std::size_t{csg_block}> asked; // of the member that is evaluated
+};
+
+// Sums scale M^T H M.
+std::array<double, 6> moved(const std::array<double, 6>& h, const CsgPlace& place) noexcept {
+    const glm::dmat3 full(h[0], h[1], h[2], h[1], h[3], h[4], h[2], h[4], h[5]);
+    const glm::dmat3 m = place.scale * (glm::transpose(place.to_local) * full * place.to_local);
+    return {m[0][0], m[1][0], m[2][0], m[1][1], m[2][1], m[2][2]};
 }
 
-// work(first, points) for each block.
+// The chain rule.
+Jet chained(const BlendJet& f, const Jet& a, const Jet& b) noexcept {
+    Jet jet{f.value, f.by_a * a.gradient + f.by_b * b.gradient, {}};
+    std::size_t at = 0;
+    for (int i = 0; i < 3; ++i)
+        for (int j = i; j < 3; ++j, ++at)
+            jet.hessian[at] = f.by_a * a.hessian[at] + f.by_b * b.hessian[at] +
+                              f.by_aa * a.gradient[i] * a.gradient[j] +
+                              f.by_ab * (a.gradient[i] * b.gradient[j] + b.gradient[i] * a.gradient[j]) +
+                              f.by_bb * b.gradient[i] * b.gradient[j];
+    return jet;
+}
+
+} // namespace
+
+struct CsgScratch {
+    explicit CsgScratch(const base::Runtime& runtime) noexcept
+        : registers(runtime.memory), contests(runtime.memory), steps(runtime.memory), pending(runtime.memory) {}
+
+    base::Array<Register> registers; // of the plan, then of groups in groups
+    base::Array<Contest> contests;
+    base::Array<CsgStep> steps;
+    base::Array<CsgPlan::Pending> pending;
+    PointLanes<std::size_t{csg_block}> asked; // of a model, in its own coordinates
+    Register answer;
+};
+
+namespace {
+
+class Run {
+public:
+    // columns: 1 for values, 4 with gradients, 10 with Hessians.
+    Run(const CsgPlan& plan, std::span<const Implicit* const> leaves, CsgScratch& scratch, int columns, bool sheet)
+        : plan_(plan), leaves_(leaves), scratch_(scratch), columns_(columns), wants_sheet_(sheet) {
+        scratch.registers.resize_for_overwrite((plan.nested + 1) * std::int64_t{plan.root().registers});
+        scratch.contests.resize_for_overwrite(plan.nested);
+        registers_ = scratch.registers.data();
+    }
+
+    // The result is in the first register.
+    const Register& operator()(std::span<const CsgStep> steps, const PointBatch& points);
+
+private:
+    void copy(const Register& from, std::int64_t k, Register& to, std::int64_t lane) const noexcept {
+        for (int c = 0; c < columns_; ++c) to.field[c][lane] = from.field[c][k];
+    }
+    // Sets the jet of a leaf, given in its own coordinates.
+    void put(Register& to, std::int64_t lane, const CsgOp& op, const CsgPlace& place, const Jet& jet) const noexcept {
+        Jet here{place.scale * jet.value + op.add, glm::dvec3(0.0), {}};
+        if (columns_ > 1) here.gradient = place.scale * (jet.gradient * place.to_local);
+        if (columns_ > 4) here.hessian = moved(jet.hessian, place);
+        to.set(lane, here, columns_);
+    }
+
+    void shape(const CsgStep& step, const CsgOp& op, const PointBatch& points) noexcept;
+    void model(const CsgStep& step, const CsgOp& op, const PointBatch& points);
+    void evaluate_model(const CsgStep& step, const CsgPlace& place);
+    [[nodiscard]] bool is_needed(const CsgStep& step, const CsgOp& op, const CsgPlace& place, std::int64_t lane,
+                                 double beyond) const noexcept;
+    void pick(const CsgStep& step, const CsgOp& op, std::int64_t count) noexcept;
+    void mix(const CsgStep& step, const CsgOp& op, std::int64_t count) noexcept;
+    void shell(const CsgStep& step, const CsgOp& op, std::int64_t count) noexcept;
+
+    void take_best(const CsgGroup& group, const PointBatch& points, Register& to);
+    [[nodiscard]] double bound(const CsgBoxTree::Node& leaf, const Contest& contest, std::int64_t lane) const noexcept;
+    void evaluate_nearest(std::int32_t root, Contest& contest);
+    void evaluate_others(std::int32_t root, Contest& contest);
+    void evaluate_member(std::int32_t member, std::span<const std::int32_t> lanes, Contest& contest);
+
+    const CsgPlan& plan_;
+    std::span<const Implicit* const> leaves_;
+    CsgScratch& scratch_;
+    int columns_;
+    bool wants_sheet_;
+    Register* registers_ = nullptr; // of the steps that are being done
+    std::int64_t nested_ = 0;       // groups that these are in
+};
+
+void Run::shape(const CsgStep& step, const CsgOp& op, const PointBatch& points) noexcept {
+    const CsgPlace& place = plan_.place(op);
+    Register& to = registers_[step.to];
+    for (std::int64_t i = 0; i < points.count; ++i) {
+        const glm::dvec3 p = place.local(point_at(points, i));
+        std::int32_t sheet = step.sheet;
+        double value = 0.0;
+        if (sheet < 0) value = place.shape.value(p, sheet);
+        if (step.sheet < 0 && columns_ == 1)
+            to.field[0][i] = place.scale * value + op.add;
+        else
+            put(to, i, op, place, place.shape.jet(sheet, p));
+        if (wants_sheet_) to.sheet[i] = sheet;
+    }
+}
+
+// Whether a model can matter where it is at least `beyond`, which its box says.
+bool Run::is_needed(const CsgStep& step, const CsgOp& op, const CsgPlace& place, std::int64_t lane,
+                    double beyond) const noexcept {
+    const CsgOp& both = plan_.ops[step.than];
+    if (both.takes_least() != (place.scale > 0.0)) return true;
+    const double sign = place.scale > 0.0 ? 1.0 : -1.0;
+    const double other = sign * registers_[step.to - 1].field[0][lane];
+    const double least = sign * (place.scale * beyond + op.add);
+    const double radius = both.blend.radius;
+    return !(least > (both.blend.exponent > 0.0 ? std::max(radius, other) : other + radius));
+}
+
+// A model is the larger of its f and the distance from its box, beyond which its f may be anything.
+void Run::evaluate_model(const CsgStep& step, const CsgPlace& place) {
+    PointLanes<std::size_t{csg_block}>& asked = scratch_.asked;
+    Register& answer = scratch_.answer;
+    const FieldBatch fields = answer.fields(true, columns_ > 1, columns_ > 4);
+    const Implicit& model = *leaves_[static_cast<std::size_t>(place.model)];
+    const Sheets* const sheets = model.sheets();
+    std::fill_n(answer.sheet, asked.count, std::max(0, step.sheet));
+    if (step.sheet >= 0 && sheets != nullptr) return sheets->evaluate(step.sheet, asked.points(), fields);
+    model.evaluate(asked.points(), fields);
+    if (step.sheet >= 0) return;
+    if (wants_sheet_ && sheets != nullptr) sheets->active(asked.points(), answer.sheet);
+    for (std::int64_t k = 0; k < asked.count; ++k) {
+        const glm::dvec3 p = point_at(asked.points(), k);
+        std::int32_t side = 0;
+        const double beyond = place.beyond(p, side);
+        const bool ends = beyond > 0.0 ? !(answer.field[0][k] >= beyond) : beyond > answer.field[0][k];
+        if (!ends) continue;
+        answer.set(k, place.shape.jet(side, p - place.centre), columns_);
+        answer.sheet[k] = place.model_sheets + side;
+    }
+}
+
+void Run::model(const CsgStep& step, const CsgOp& op, const PointBatch& points) {
+    const CsgPlace& place = plan_.place(op);
+    Register& to = registers_[step.to];
+    PointLanes<std::size_t{csg_block}>& asked = scratch_.asked;
+    asked.count = 0;
+    for (std::int64_t i = 0; i < points.count; ++i) {
+        const glm::dvec3 p = place.local(point_at(points, i));
+        std::int32_t side = 0;
+        if (step.sheet >= place.model_sheets) {
+            put(to, i, op, place, place.shape.jet(step.sheet - place.model_sheets, p - place.centre));
+        } else if (step.than >= 0 && !is_needed(step, op, place, i, place.beyond(p, side))) {
+            to.set(i, {place.scale > 0.0 ? infinity : -infinity, glm::dvec3(0.0), {}}, columns_);
+            to.sheet[i] = 0;
+        } else {
+            asked.add(p, i);
+        }
+    }
+    if (asked.count == 0) return;
+    evaluate_model(step, place);
+    for (std::int64_t k = 0; k < asked.count; ++k) {
+        put(to, asked.index[k], op, place, scratch_.answer.take(k, columns_));
+        to.sheet[asked.index[k]] = scratch_.answer.sheet[k];
+    }
+}
+
+void Run::pick(const CsgStep& step, const CsgOp& op, std::int64_t count) noexcept {
+    Register& first = registers_[step.to];
+    if (step.sheet < 0) { // else only one of them was made
+        const Register& second = registers_[step.to + 1];
+        const double sign = op.takes_least() ? 1.0 : -1.0;
+        const std::int32_t sheets_of_a = plan_.ops[op.a].sheets;
+        for (std::int64_t i = 0; i < count; ++i) {
+            const double one = sign * first.field[0][i];
+            const double other = sign * second.field[0][i];
+            const bool takes_b = step.a_is_second ? takes_lower(other, one) : takes_lower(one, other);
+            const bool takes_second = takes_b != step.a_is_second;
+            if (wants_sheet_)
+                first.sheet[i] = op.merged ? 0 : (takes_second ? second : first).sheet[i] + (takes_b ? sheets_of_a : 0);
+            if (takes_second) copy(second, i, first, i);
+        }
+    }
+    for (std::int64_t i = 0; i < count; ++i) first.field[0][i] += op.add;
+}
+
+void Run::mix(const CsgStep& step, const CsgOp& op, std::int64_t count) noexcept {
+    Register& first = registers_[step.to];
+    const Register& second = registers_[step.to + 1];
+    const Register& a = step.a_is_second ? second : first;
+    const Register& b = step.a_is_second ? first : second;
+    const std::int32_t sheets_of_b = plan_.ops[op.b].sheets;
+    for (std::int64_t i = 0; i < count; ++i) {
+        if (wants_sheet_) first.sheet[i] = op.merged ? 0 : a.sheet[i] * sheets_of_b + b.sheet[i];
+        const double u = a.field[0][i];
+        const double v = b.field[0][i];
+        const BlendJet blend = op.takes_least() ? op.blend.minimum(u, v) : op.blend.maximum(u, v);
+        Jet jet{blend.value, glm::dvec3(0.0), {}};
+        if (columns_ > 1) jet = chained(blend, a.take(i, columns_), b.take(i, columns_));
+        jet.value += op.add;
+        first.set(i, jet, columns_);
+    }
+}
+
+void Run::shell(const CsgStep& step, const CsgOp& op, std::int64_t count) noexcept {
+    Register& to = registers_[step.to];
+    const std::int32_t sheets = plan_.ops[op.a].sheets;
+    const double sign = op.takes_least() ? 1.0 : -1.0;
+    for (std::int64_t i = 0; i < count; ++i) {
+        double& value = to.field[0][i];
+        const bool inner =
+            step.sheet >= 0 ? step.sheet >= sheets : takes_lower(sign * value, op.thickness - sign * value);
+        if (inner) value = sign * op.thickness - value;
+        for (int c = 1; inner && c < columns_; ++c) to.field[c][i] = -to.field[c][i];
+        if (wants_sheet_) to.sheet[i] = op.merged ? 0 : to.sheet[i] + (inner ? sheets : 0);
+        value += op.add;
+    }
+}
+
+// The least that a member is at a point. A model's own box, which may be turned, says it exactly.
+double Run::bound(const CsgBoxTree::Node& leaf, const Contest& contest, std::int64_t lane) const noexcept {
+    const glm::dvec3 p = point_at(contest.points, lane);
+    const CsgOp& op = plan_.ops[plan_.members[leaf.first].op];
+    if (op.kind != CsgOp::Kind::model) return leaf.least(p, contest.slack[lane]);
+    const CsgPlace& place = plan_.place(op);
+    if (contest.sign * place.scale < 0.0) return -infinity;
+    std::int32_t side = 0;
+    return contest.sign * (place.scale * place.beyond(place.local(p), side) + op.add);
+}
+
+// Takes over what is less. As in pairs, one after the other, the first of two equal ones wins, and NaN stays.
+void Run::evaluate_member(std::int32_t member, std::span<const std::int32_t> lanes, Contest& contest) {
+    const CsgMember& part = plan_.members[member];
+    contest.asked.count = 0;
+    for (const std::int32_t lane : lanes) contest.asked.add(point_at(contest.points, lane), lane);
+    Register* const own = std::exchange(registers_, registers_ + plan_.root().registers);
+    ++nested_;
+    const Register& answer = (*this)(plan_.steps_of(part), contest.asked.points());
+    --nested_;
+    registers_ = own;
+    for (std::int64_t k = 0; k < contest.asked.count; ++k) {
+        const std::int32_t lane = contest.asked.index[k];
+        const double value = contest.sign * answer.field[0][k];
+        double& best = contest.best[lane];
+        std::int32_t& winner = contest.winner[lane];
+        const bool wins = winner < 0 || value < best || (value == best && member < winner) ||
+                          (std::isnan(value) && (!std::isnan(best) || member > winner));
+        if (!wins) continue;
+        best = value;
+        winner = member;
+        copy(answer, k, *contest.to, lane);
+        if (wants_sheet_) contest.to->sheet[lane] = contest.op->merged ? 0 : answer.sheet[k] + part.first_sheet;
+    }
+}
+
+void Run::evaluate_nearest(std::int32_t root, Contest& contest) {
+    std::int32_t* const begin = contest.lane;
+    std::int32_t* const end = begin + contest.points.count;
+    std::iota(begin, end, 0);
+    for (std::int64_t i = 0; i < contest.points.count; ++i)
+        contest.nearest[i] = plan_.boxes.nearest(root, point_at(contest.points, i), contest.slack[i], contest.best[i],
+                                                 [&](const CsgBoxTree::Node& leaf) { return bound(leaf, contest, i); });
+    const auto nearest = [&](std::int32_t lane) { return contest.nearest[lane]; };
+    std::sort(begin, end,
+              [&](std::int32_t a, std::int32_t b) { return std::pair(nearest(a), a) < std::pair(nearest(b), b); });
+    for (std::int32_t* lane = begin; lane != end;) {
+        const std::int32_t member = nearest(*lane);
+        std::int32_t* const next = std::find_if(lane, end, [&](std::int32_t i) { return nearest(i) != member; });
+        if (member >= 0) evaluate_member(member, {lane, next}, contest);
+        lane = next;
+    }
+}
+
+// Walks down the boxes with the points at which they allow a value that is less, or as small.
+void Run::evaluate_others(std::int32_t root, Contest& contest) {
+    struct Part {
+        std::int32_t node;
+        std::int64_t count; // of the lanes that stand first
+    };
+    std::array<Part, CsgBoxTree::deepest> waiting;
+    std::size_t parts = 0;
+    waiting[parts++] = {root, contest.points.count};
+    while (parts > 0) {
+        const Part part = waiting[--parts];
+        const CsgBoxTree::Node& node = plan_.boxes[part.node];
+        const auto may_be_least = [&](std::int32_t lane) {
+            if (node.is_leaf())
+                return contest.nearest[lane] != node.first && !(bound(node, contest, lane) > contest.best[lane]);
+            return !(node.least(point_at(contest.points, lane), contest.slack[lane]) > contest.best[lane]);
+        };
+        const std::int64_t count = std::partition(contest.lane, contest.lane + part.count, may_be_least) - contest.lane;
+        if (count == 0) continue;
+        if (node.is_leaf()) {
+            evaluate_member(node.first, {contest.lane, contest.lane + count}, contest);
+            continue;
+        }
+        HRBFNPR_ASSERT(parts + 2 <= waiting.size());
+        waiting[parts++] = {node.second, count};
+        waiting[parts++] = {node.first, count};
+    }
+}
+
+void Run::take_best(const CsgGroup& group, const PointBatch& points, Register& to) {
+    HRBFNPR_ASSERT(nested_ < scratch_.contests.size() && points.count <= csg_block);
+    Contest& contest = scratch_.contests[nested_];
+    contest.op = &plan_.ops[group.op];
+    contest.points = points;
+    contest.to = &to;
+    contest.sign = contest.op->takes_least() ? 1.0 : -1.0;
+    for (std::int64_t i = 0; i < points.count; ++i) {
+        const glm::dvec3 p = glm::abs(point_at(points, i));
+        contest.best[i] = infinity;
+        contest.winner[i] = -1;
+        contest.slack[i] = csg_tuning.rounding * (group.size + std::max({p.x, p.y, p.z}));
+    }
+    for (const std::int32_t root : group.boxes) {
+        if (root < 0) continue;
+        evaluate_nearest(root, contest);
+        evaluate_others(root, contest);
+    }
+    for (std::int64_t i = 0; i < points.count; ++i) to.field[0][i] += contest.op->add;
+}
+
+const Register& Run::operator()(std::span<const CsgStep> steps, const PointBatch& points) {
+    HRBFNPR_ASSERT(points.count <= csg_block);
+    for (const CsgStep& step : steps) {
+        const CsgOp& op = plan_.ops[step.op];
+        if (step.kind == CsgStep::Kind::group)
+            take_best(plan_.groups[op.group], points, registers_[step.to]);
+        else if (step.kind == CsgStep::Kind::shell)
+            shell(step, op, points.count);
+        else if (op.kind == CsgOp::Kind::model)
+            model(step, op, points);
+        else if (op.kind == CsgOp::Kind::shape)
+            shape(step, op, points);
+        else if (op.blend.radius > 0.0)
+            mix(step, op, points.count);
+        else
+            pick(step, op, points.count);
+    }
+    return registers_[0];
+}
+
+int columns_of(const FieldBatch& fields) noexcept {
+    if (fields.wants_hessian()) return 10;
+    return fields.wants_gradient() ? 4 : 1;
+}
+
+// take(result, first, count), for each block.
 template <class F>
-void for_blocks(const PointBatch& points, F&& work) {
-    for (std::int64_t begin = 0; begin < points.count; begin += csg_block)
-        work(begin, slice(points, begin, std::min(points.count, begin + csg_block)));
+void for_blocks(Run run, std::span<const CsgStep> steps, const PointBatch& points, F&& take) {
+    for (std::int64_t begin = 0; begin < points.count; begin += csg_block) {
+        const std::int64_t count = std::min(csg_block, points.count - begin);
+        take(run(steps, slice(points, begin, begin + count)), begin, count);
+    }
+}
+
+void copy_blocks(const Run& run, std::span<const CsgStep> steps, const PointBatch& points, const FieldBatch& fields) {
+    for_blocks(run, steps, points, [&](const Register& from, std::int64_t begin, std::int64_t count) {
+        for_columns(fields.from(begin),
+                    [&](std::size_t c, double* column) { std::copy_n(from.field[c], count, column); });
+    });
 }
 
 } // namespace
@@ -32,9 +408,9 @@ Csg::Csg(const base::Runtime& runtime, const CsgPlan& plan, base::Array<const Im
 Csg::~Csg() = default;
 
 void Csg::place_cells(base::Memory& memory) {
-    base::Array<CsgBounded> boxes(memory);
+    base::Array<CsgBoxTree::Item> boxes(memory);
     bool several = false;
-    for (const CsgOp& op : plan_.ops()) {
+    for (const CsgOp& op : plan_.ops) {
         if (op.kind != CsgOp::Kind::model) continue;
         const CsgPlace& place = plan_.place(op);
         const std::int64_t own = leaves_[place.model]->cells();
@@ -47,43 +423,38 @@ void Csg::place_cells(base::Memory& memory) {
     if (cells_ > 0) boxes_root_ = boxes_.add(boxes.span());
 }
 
-// In that model whose box the point is farthest inside of, or nearest to: others are hardly asked there.
+// A point is of the model whose box it is farthest inside of, or nearest to: others are seldom evaluated there.
 std::int32_t Csg::cell_of(const glm::dvec3& point) const noexcept {
     if (cells_ == 0) return 0;
-    const std::int32_t nearest = boxes_.nearest(
-        boxes_root_, point, 0.0, std::numeric_limits<double>::infinity(), [&](const CsgBoxTree::Node& leaf) {
-            const CsgPlace& place = *celled_[leaf.first].place;
-            std::int32_t side = 0;
-            return std::abs(place.scale) * place.shape.value(place.to_local * point + place.shift - place.centre, side);
-        });
+    const std::int32_t nearest = boxes_.nearest(boxes_root_, point, 0.0, infinity, [&](const CsgBoxTree::Node& leaf) {
+        const CsgPlace& place = *celled_[leaf.first].place;
+        std::int32_t side = 0;
+        return std::abs(place.scale) * place.beyond(place.local(point), side);
+    });
     const Celled& leaf = celled_[std::max(0, nearest)];
-    const CsgPlace& place = *leaf.place;
-    return static_cast<std::int32_t>(leaf.first + leaves_[place.model]->cell_of(place.to_local * point + place.shift));
+    return static_cast<std::int32_t>(leaf.first + leaves_[leaf.place->model]->cell_of(leaf.place->local(point)));
 }
 
 void Csg::evaluate(const PointBatch& points, const FieldBatch& fields) const {
-    const base::ScratchPool<Scratch>::Lease scratch(scratch_);
-    Run run(*this, *scratch, plan_.steps(),
-            {fields.wants_gradient() || fields.wants_hessian(), fields.wants_hessian(), false});
-    for_blocks(points,
-               [&](std::int64_t begin, const PointBatch& block) { copy(run(block), block.count, fields.from(begin)); });
+    const base::ScratchPool<CsgScratch>::Lease scratch(scratch_);
+    const Run run(plan_, leaves_.span(), *scratch, columns_of(fields), false);
+    copy_blocks(run, plan_.root_steps(), points, fields);
 }
 
-void Csg::SheetsOf::active(const PointBatch& points, std::int32_t* sheet) const {
-    const base::ScratchPool<Scratch>::Lease scratch(csg.scratch_);
-    Run run(csg, *scratch, csg.plan_.steps(), {false, false, true});
-    for_blocks(points, [&](std::int64_t begin, const PointBatch& block) {
-        std::copy_n(run(block).sheet, block.count, sheet + begin);
-    });
+void Csg::active(const PointBatch& points, std::int32_t* sheet) const {
+    const base::ScratchPool<CsgScratch>::Lease scratch(scratch_);
+    for_blocks(Run(plan_, leaves_.span(), *scratch, 1, true), plan_.root_steps(), points,
+               [&](const Register& from, std::int64_t begin, std::int64_t count) {
+                   std::copy_n(from.sheet, count, sheet + begin);
+               });
 }
 
-void Csg::SheetsOf::evaluate(std::int32_t sheet, const PointBatch& points, const FieldBatch& fields) const {
-    const base::ScratchPool<Scratch>::Lease scratch(csg.scratch_);
-    csg.plan_.make_steps(sheet, scratch->steps, scratch->pending);
-    Run run(csg, *scratch, scratch->steps.span(),
-            {fields.wants_gradient() || fields.wants_hessian(), fields.wants_hessian(), false});
-    for_blocks(points,
-               [&](std::int64_t begin, const PointBatch& block) { copy(run(block), block.count, fields.from(begin)); });
+void Csg::evaluate(std::int32_t sheet, const PointBatch& points, const FieldBatch& fields) const {
+    const base::ScratchPool<CsgScratch>::Lease scratch(scratch_);
+    scratch->steps.clear();
+    plan_.add_steps(plan_.root_op, sheet, scratch->steps, scratch->pending);
+    const Run run(plan_, leaves_.span(), *scratch, columns_of(fields), false);
+    copy_blocks(run, scratch->steps.span(), points, fields);
 }
 
 } // namespace hrbfnpr::implicit

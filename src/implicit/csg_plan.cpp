@@ -1,5 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "implicit/csg_grouping.h"
+// 1. Frames: where each node of the tree is, and whether it is turned inside out. 2. Parts: an op for each leaf and
+// each combination of two, with the boxes that bound it. 3. Groups of chains of minima and maxima. 4. Steps, of the
+// root and of each member of a group.
+#include "implicit/csg_plan.h"
+
+#include "base/assert.h"
+#include "implicit/tuning.h"
 
 #include <glm/matrix.hpp>
 
@@ -7,8 +13,6 @@
 
 namespace hrbfnpr::implicit {
 namespace {
-
-constexpr std::int64_t most_sheets = std::numeric_limits<std::int32_t>::max();
 
 // Where a node of the tree is, and whether what is inside there is outside here.
 struct Frame {
@@ -20,297 +24,339 @@ struct Frame {
     std::int32_t op = -1;
 };
 
-} // namespace
-
-// Singular values: columns turned until they are at right angles [Hestenes 1958].
-Stretch stretch_of(const glm::dmat3& linear) noexcept {
-    const double size = std::max({glm::length(linear[0]), glm::length(linear[1]), glm::length(linear[2])});
-    if (!(size > 0.0 && std::isfinite(size))) return {0.0, size};
-    glm::dmat3 m = linear / size;
-    constexpr int most_sweeps = 30;
-    bool turned = true;
-    for (int sweep = 0; sweep < most_sweeps && turned; ++sweep) {
-        turned = false;
-        for (const auto& [p, q] : {std::pair(0, 1), std::pair(0, 2), std::pair(1, 2)}) {
-            const double slant = glm::dot(m[p], m[q]);
-            if (std::abs(slant) <= 1e-16 * glm::length(m[p]) * glm::length(m[q])) continue;
-            turned = true;
-            const double ratio = 0.5 * (glm::dot(m[q], m[q]) - glm::dot(m[p], m[p])) / slant;
-            const double tangent = std::copysign(1.0, ratio) / (std::abs(ratio) + std::hypot(1.0, ratio));
-            const double c = 1.0 / std::hypot(1.0, tangent);
-            const glm::dvec3 column = m[p];
-            m[p] = c * (column - tangent * m[q]);
-            m[q] = c * (tangent * column + m[q]);
+base::Array<Frame> frames_of(base::Memory& memory, const CsgTree& tree) {
+    base::Array<Frame> frames(memory);
+    for (const CsgNode& node : tree) {
+        Frame frame{node.linear, node.translation, stretch_of(node.linear).least};
+        if (node.parent >= 0) {
+            HRBFNPR_ASSERT(node.parent < frames.size());
+            const Frame& parent = frames[node.parent];
+            frame.linear = parent.linear * node.linear;
+            frame.translation = parent.linear * node.translation + parent.translation;
+            frame.scale *= parent.scale;
         }
+        frames.push_back(frame);
     }
-    const double a = glm::length(m[0]);
-    const double b = glm::length(m[1]);
-    const double d = glm::length(m[2]);
-    return {size * std::min({a, b, d}), size * std::max({a, b, d})};
+    for (std::int64_t i = tree.size() - 1; i > 0; --i)
+        frames[i].next = std::exchange(frames[tree[i].parent].first, static_cast<std::int32_t>(i));
+    for (std::int64_t i = 1; i < tree.size(); ++i) {
+        const std::int64_t parent = tree[i].parent;
+        const CsgKind kind = tree[parent].kind;
+        const bool turns = kind == CsgKind::complement || (kind == CsgKind::subtract && frames[parent].first != i);
+        frames[i].turned = frames[parent].turned != turns;
+    }
+    return frames;
 }
 
-class CsgPlan::Builder {
-public:
-    Builder(CsgPlan& plan, base::Memory& memory, const CsgTree& tree, const base::Array<CsgModel>& models)
-        : plan_(plan), tree_(tree), models_(models), frames_(memory, tree.size()), reaches_(memory) {}
+// An op, and the bounds of its solid: of what models are drawn in, and of all that they may have.
+struct BoundedOp {
+    CsgOp op;
+    CsgReach drawn, whole;
+    std::int32_t models = 0; // leaves below it that are models
 
-    void run() {
-        place_all();
-        for (std::int64_t i = tree_.size() - 1; i >= 0; --i) frames_[i].op = op_of(i);
-        plan_.root_ = frames_[0].op;
-        plan_.drawn_ = reaches_[plan_.root_].drawn;
-        plan_.whole_ = reaches_[plan_.root_].whole;
+    template <class F>
+    void set_reaches(F&& reach) noexcept(noexcept(reach(drawn))) {
+        drawn = reach(drawn);
+        whole = reach(whole);
     }
-    [[nodiscard]] const base::Array<Reaches>& reaches() const noexcept { return reaches_; }
+};
 
-private:
-    // From the root down.
-    void place_all() {
-        for (std::int64_t i = 0; i < tree_.size(); ++i) {
-            const CsgNode& node = tree_[i];
-            Frame frame;
-            frame.linear = node.linear;
-            frame.translation = node.translation;
-            frame.scale = stretch_of(node.linear).least;
-            if (node.parent >= 0) {
-                const Frame& parent = frames_[node.parent];
-                frame.linear = parent.linear * node.linear;
-                frame.translation = parent.linear * node.translation + parent.translation;
-                frame.scale *= parent.scale;
-            }
-            frames_[i] = frame;
-        }
-        for (std::int64_t i = tree_.size() - 1; i > 0; --i) {
-            Frame& parent = frames_[tree_[i].parent];
-            frames_[i].next = parent.first;
-            parent.first = static_cast<std::int32_t>(i);
-        }
-        turn_all();
-    }
-    void turn_all() {
-        for (std::int64_t i = 1; i < tree_.size(); ++i) {
-            const std::int64_t parent = tree_[i].parent;
-            const CsgKind kind = tree_[parent].kind;
-            const bool turns = kind == CsgKind::complement || (kind == CsgKind::subtract && frames_[parent].first != i);
-            frames_[i].turned = frames_[parent].turned != turns;
-        }
-    }
+void count_sheets(CsgOp& op, std::int64_t count) noexcept {
+    op.merged = count > std::numeric_limits<std::int32_t>::max();
+    op.sheets = op.merged ? 1 : static_cast<std::int32_t>(count);
+}
 
-    std::int32_t op_of(std::int64_t i) {
-        const CsgNode& node = tree_[i];
-        const Frame& frame = frames_[i];
-        switch (node.kind) {
-        case CsgKind::complement: return frames_[frame.first].op;
-        case CsgKind::offset: return shifted(frames_[frame.first].op, frame, node.distance);
-        case CsgKind::shell: return shell(frames_[frame.first].op, frame, node.distance);
-        case CsgKind::unite:
-        case CsgKind::intersect:
-        case CsgKind::subtract: return combination(node, frame);
-        default: return leaf(node, frame);
-        }
-    }
+BoundedOp pair_of(const BoundedOp& a, const BoundedOp& b, std::int32_t a_op, std::int32_t b_op, bool least,
+                  const Blend& blend) {
+    BoundedOp both;
+    both.op.kind = least ? CsgOp::Kind::minimum : CsgOp::Kind::maximum;
+    both.op.a = a_op;
+    both.op.b = b_op;
+    both.op.blend = blend;
+    both.op.registers = std::max({a.op.registers, b.op.registers, std::min(a.op.registers, b.op.registers) + 1});
+    const std::int64_t m = a.op.sheets;
+    const std::int64_t n = b.op.sheets;
+    count_sheets(both.op, blend.radius > 0.0 ? m * n : m + n);
+    const bool known = a.op.lipschitz > 0.0 && b.op.lipschitz > 0.0;
+    both.op.lipschitz = known ? blend.steepness() * std::max(a.op.lipschitz, b.op.lipschitz) : 0.0;
+    const auto reach = least ? reach_of_minimum : reach_of_maximum;
+    both.drawn = reach(a.drawn, b.drawn, blend);
+    both.whole = reach(a.whole, b.whole, blend);
+    both.models = a.models + b.models;
+    return both;
+}
 
-    std::int32_t push(const CsgOp& op, const Reaches& reach) {
-        plan_.ops_.push_back(op);
-        reaches_.push_back(reach);
-        return static_cast<std::int32_t>(plan_.ops_.size() - 1);
-    }
-
-    std::int32_t shifted(std::int32_t at, const Frame& frame, double distance) {
-        const double add = (frame.turned ? distance : -distance) * frame.scale;
-        plan_.ops_[at].add += add;
-        Reaches& reach = reaches_[at];
-        reach = {reach.drawn.shifted(add), reach.whole.shifted(add)};
-        return at;
-    }
-
-    static CsgReach shell_of(const CsgReach& reach, double thickness, bool least) noexcept {
+BoundedOp shell_of(const BoundedOp& part, std::int32_t op, bool least, double thickness) {
+    BoundedOp shell = part;
+    shell.op = {};
+    shell.op.kind = least ? CsgOp::Kind::shell_of_minimum : CsgOp::Kind::shell_of_maximum;
+    shell.op.a = op;
+    shell.op.thickness = thickness;
+    shell.op.registers = part.op.registers;
+    shell.op.lipschitz = part.op.lipschitz;
+    count_sheets(shell.op, 2 * std::int64_t{part.op.sheets});
+    shell.set_reaches([&](const CsgReach& reach) {
         return least ? reach_of_minimum(reach, reach.turned().shifted(thickness), {})
                      : reach_of_maximum(reach, reach.turned().shifted(-thickness), {});
-    }
+    });
+    return shell;
+}
 
-    std::int32_t shell(std::int32_t at, const Frame& frame, double distance) {
-        CsgOp op;
-        op.kind = frame.turned ? CsgOp::Kind::shell_of_minimum : CsgOp::Kind::shell_of_maximum;
-        op.a = at;
-        op.thickness = distance * frame.scale;
-        op.registers = plan_.ops_[at].registers;
-        op.lipschitz = plan_.ops_[at].lipschitz;
-        count_sheets(op, 2 * std::int64_t{plan_.ops_[at].sheets});
-        const Reaches reach = reaches_[at];
-        return push(
-            op, {shell_of(reach.drawn, op.thickness, frame.turned), shell_of(reach.whole, op.thickness, frame.turned)});
-    }
-
-    std::int32_t combination(const CsgNode& node, const Frame& frame) {
-        const bool least = (node.kind == CsgKind::unite) != frame.turned;
-        std::int32_t all = frames_[frame.first].op;
-        for (std::int32_t child = frames_[frame.first].next; child >= 0; child = frames_[child].next)
-            all = pair(all, frames_[child].op, least, {node.blend * frame.scale, node.exponent});
-        return all;
-    }
-
-    std::int32_t pair(std::int32_t a, std::int32_t b, bool least, const Blend& blend) {
-        const CsgOp& one = plan_.ops_[a];
-        const CsgOp& other = plan_.ops_[b];
-        CsgOp op;
-        op.kind = least ? CsgOp::Kind::minimum : CsgOp::Kind::maximum;
-        op.a = a;
-        op.b = b;
-        op.blend = blend;
-        op.registers = std::max({one.registers, other.registers, std::min(one.registers, other.registers) + 1});
-        const std::int64_t m = one.sheets;
-        const std::int64_t n = other.sheets;
-        count_sheets(op, blend.radius > 0.0 ? m * n : m + n);
-        const bool known = one.lipschitz > 0.0 && other.lipschitz > 0.0;
-        const double steeper = blend.radius > 0.0 ? blend.steepness() : 1.0;
-        op.lipschitz = known ? steeper * std::max(one.lipschitz, other.lipschitz) : 0.0;
-        const auto reach = [&](const CsgReach& of_a, const CsgReach& of_b) {
-            return least ? reach_of_minimum(of_a, of_b, blend) : reach_of_maximum(of_a, of_b, blend);
+BoundedOp leaf_of(const CsgNode& node, const Frame& frame, const base::Array<CsgModel>& models, CsgPlace& place) {
+    BoundedOp part;
+    place.to_local = glm::inverse(frame.linear);
+    place.shift = -(place.to_local * frame.translation);
+    place.scale = frame.turned ? -frame.scale : frame.scale;
+    if (node.kind == CsgKind::model) {
+        HRBFNPR_ASSERT(node.model >= 0 && node.model < models.size());
+        const CsgModel& model = models[node.model];
+        const auto reach = [&](const geometry::Bounds& bounds) {
+            return CsgShape(bounds.size())
+                .reach(frame.linear, frame.linear * bounds.centre() + frame.translation, frame.scale);
         };
-        const Reaches both{reach(reaches_[a].drawn, reaches_[b].drawn), reach(reaches_[a].whole, reaches_[b].whole)};
-        return push(op, both);
-    }
-
-    static void count_sheets(CsgOp& op, std::int64_t count) noexcept {
-        op.merged = count > most_sheets;
-        op.sheets = op.merged ? 1 : static_cast<std::int32_t>(count);
-    }
-
-    std::int32_t leaf(const CsgNode& node, const Frame& frame) {
-        CsgPlace place;
-        place.to_local = glm::inverse(frame.linear);
-        place.shift = -(place.to_local * frame.translation);
-        place.scale = frame.turned ? -frame.scale : frame.scale;
-        place.shape = CsgShape(node);
-        CsgOp op;
-        op.place = static_cast<std::int32_t>(plan_.places_.size());
-        Reaches reach;
-        if (node.kind == CsgKind::model) {
-            reach = place_model(node, frame, place, op);
-        } else {
-            op.sheets = place.shape.sheets();
-            const CsgReach both = reach_of(place.shape, frame.linear, frame.translation, frame.scale);
-            reach = {both, both};
-        }
-        if (frame.turned) reach = {reach.drawn.turned(), reach.whole.turned()};
-        plan_.places_.push_back(place);
-        return push(op, reach);
-    }
-
-    Reaches place_model(const CsgNode& node, const Frame& frame, CsgPlace& place, CsgOp& op) {
-        const CsgModel& model = models_[node.model];
-        op.kind = CsgOp::Kind::model;
-        op.lipschitz = model.lipschitz > 0.0 ? std::max(1.0, model.lipschitz) : 0.0;
-        count_sheets(op, std::int64_t{model.sheets} + 6);
+        part.models = 1;
+        part.op.kind = CsgOp::Kind::model;
+        part.op.lipschitz = model.lipschitz > 0.0 ? std::max(1.0, model.lipschitz) : 0.0;
+        count_sheets(part.op, std::int64_t{model.sheets} + 6);
+        part.drawn = reach(model.bounds);
+        part.whole = place.reach = reach(model.region);
         place.model = static_cast<std::int32_t>(node.model);
         place.model_sheets = model.sheets;
         place.centre = model.region.centre();
-        place.shape = box_of(model.region);
-        const auto reach = [&](const geometry::Bounds& bounds) {
-            return reach_of(box_of(bounds), frame.linear, frame.linear * bounds.centre() + frame.translation,
-                            frame.scale);
-        };
-        place.reach = reach(model.region);
-        return {reach(model.bounds), place.reach};
+        place.shape = CsgShape(model.region.size());
+    } else {
+        place.shape = CsgShape(node);
+        part.op.sheets = place.shape.sheets();
+        part.drawn = part.whole = place.shape.reach(frame.linear, frame.translation, frame.scale);
     }
-    static CsgShape box_of(const geometry::Bounds& bounds) noexcept {
-        CsgNode box;
-        box.kind = CsgKind::box;
-        box.size = bounds.size();
-        return CsgShape(box);
+    if (frame.turned) part.set_reaches([](const CsgReach& reach) { return reach.turned(); });
+    return part;
+}
+
+// The parts of all nodes, the root's last.
+base::Array<BoundedOp> parts_of(base::Memory& memory, const CsgTree& tree, const base::Array<CsgModel>& models,
+                                base::Array<CsgPlace>& places) {
+    base::Array<Frame> frames = frames_of(memory, tree);
+    base::Array<BoundedOp> parts(memory);
+    const auto add = [&](const BoundedOp& part) {
+        parts.push_back(part);
+        return static_cast<std::int32_t>(parts.size() - 1);
+    };
+    for (std::int64_t i = tree.size() - 1; i >= 0; --i) {
+        const CsgNode& node = tree[i];
+        Frame& frame = frames[i];
+        if (is_leaf(node.kind)) {
+            CsgPlace place;
+            BoundedOp part = leaf_of(node, frame, models, place);
+            part.op.place = static_cast<std::int32_t>(places.size());
+            places.push_back(place);
+            frame.op = add(part);
+            continue;
+        }
+        frame.op = frames[frame.first].op;
+        if (node.kind == CsgKind::offset) {
+            const double more = (frame.turned ? node.distance : -node.distance) * frame.scale;
+            parts[frame.op].op.add += more;
+            parts[frame.op].set_reaches([&](const CsgReach& reach) { return reach.shifted(more); });
+        } else if (node.kind == CsgKind::shell) {
+            frame.op = add(shell_of(parts[frame.op], frame.op, frame.turned, node.distance * frame.scale));
+        } else if (node.kind != CsgKind::complement) {
+            const bool least = (node.kind == CsgKind::unite) != frame.turned;
+            const Blend blend{node.blend * frame.scale, node.exponent};
+            for (std::int32_t child = frames[frame.first].next; child >= 0; child = frames[child].next) {
+                const std::int32_t b = frames[child].op;
+                frame.op = add(pair_of(parts[frame.op], parts[b], frame.op, b, least, blend));
+            }
+        }
     }
+    return parts;
+}
 
-    CsgPlan& plan_;
-    const CsgTree& tree_;
-    const base::Array<CsgModel>& models_;
-    base::Array<Frame> frames_;
-    base::Array<Reaches> reaches_; // of each op
-};
+// The operands of a chain of minima, or of maxima, in their order.
+void find_members(const base::Array<BoundedOp>& parts, const CsgOp& of, base::Array<std::int32_t>& waiting,
+                  base::Array<std::int32_t>& found) {
+    found.clear();
+    waiting.clear();
+    waiting.push_back(of.b);
+    waiting.push_back(of.a);
+    while (!waiting.empty()) {
+        const std::int32_t next = waiting.back();
+        waiting.resize(waiting.size() - 1);
+        const CsgOp& op = parts[next].op;
+        if (op.is_sharp() && op.kind == of.kind && op.add == 0.0 && !op.merged) {
+            waiting.push_back(op.b);
+            waiting.push_back(op.a);
+        } else {
+            found.push_back(next);
+        }
+    }
+}
 
-CsgPlan::CsgPlan(base::Memory& memory, const CsgTree& tree, const base::Array<CsgModel>& models, Groups groups)
-    : ops_(memory), places_(memory), steps_(memory), groups_(memory), members_(memory), boxes_(memory) {
-    Builder builder(*this, memory, tree, models);
-    builder.run();
-    if (groups != Groups::never) Grouping(*this, builder.reaches(), groups == Groups::always).run();
+CsgGroup group_of(CsgPlan& plan, const base::Array<BoundedOp>& parts, std::int32_t op,
+                  const base::Array<std::int32_t>& found) {
+    const CsgOp& of = plan.ops[op];
+    CsgGroup group;
+    group.op = op;
+    std::int32_t sheets = 0;
+    base::Array<CsgBoxTree::Item> items(found.memory());
+    for (const std::int32_t part : found) {
+        const CsgReach& whole = parts[part].whole;
+        const CsgReach reach = of.takes_least() ? whole : whole.turned();
+        for (int axis = 0; axis < 3; ++axis)
+            for (const double end : {reach.inside.low[axis], reach.inside.high[axis]})
+                if (std::isfinite(end)) group.size = std::max(group.size, std::abs(end));
+        items.push_back({reach.inside, reach.slope, static_cast<std::int32_t>(plan.members.size())});
+        plan.members.push_back({part, sheets, 0, 0});
+        sheets += of.merged ? 0 : plan.ops[part].sheets;
+    }
+    const auto dear = std::partition(items.begin(), items.end(), [&](const CsgBoxTree::Item& item) {
+        return parts[plan.members[item.item].op].models == 0;
+    });
+    group.boxes = {plan.boxes.add({items.begin(), dear}), plan.boxes.add({dear, items.end()})};
+    return group;
+}
+
+// always: also where pairs are quicker.
+void make_groups(CsgPlan& plan, const base::Array<BoundedOp>& parts, bool always) {
+    struct Task {
+        std::int32_t op;
+        std::int32_t nested; // groups that it is in
+    };
+    base::Memory& memory = plan.ops.memory();
+    base::Array<Task> tasks(memory);
+    base::Array<std::int32_t> found(memory), waiting(memory);
+    const auto pays = [&] {
+        const auto dear =
+            std::count_if(found.begin(), found.end(), [&](std::int32_t op) { return parts[op].models > 0; });
+        return always || dear >= 2 || found.size() >= (dear == 1 ? csg_tuning.beside_model : csg_tuning.primitives);
+    };
+    tasks.push_back({plan.root_op, 0});
+    while (!tasks.empty()) {
+        const Task task = tasks.back();
+        tasks.resize(tasks.size() - 1);
+        CsgOp& op = plan.ops[task.op];
+        if (op.is_leaf()) continue;
+        const bool may = op.is_sharp() && task.nested < csg_tuning.nested;
+        if (may) find_members(parts, op, waiting, found);
+        if (may && pays()) {
+            op.group = static_cast<std::int32_t>(plan.groups.size());
+            plan.groups.push_back(group_of(plan, parts, task.op, found));
+            plan.nested = std::max(plan.nested, task.nested + 1);
+            for (const std::int32_t part : found) tasks.push_back({part, task.nested + 1});
+            continue;
+        }
+        for (const std::int32_t part : {op.a, op.b})
+            if (part >= 0) tasks.push_back({part, task.nested});
+    }
+}
+
+} // namespace
+
+CsgPlan::CsgPlan(base::Memory& memory, const CsgTree& tree, const base::Array<CsgModel>& models, Groups how)
+    : ops(memory), places(memory), steps(memory), groups(memory), members(memory), boxes(memory) {
+    HRBFNPR_ASSERT(!tree.empty() && tree[0].parent < 0);
+    const base::Array<BoundedOp> parts = parts_of(memory, tree, models, places);
+    for (const BoundedOp& part : parts) ops.push_back(part.op);
+    root_op = static_cast<std::int32_t>(ops.size() - 1);
+    drawn = parts[root_op].drawn.surface();
+    whole = parts[root_op].whole.surface();
+    if (how != Groups::never) make_groups(*this, parts, how == Groups::always);
     base::Array<Pending> pending(memory);
-    add_steps(root_, -1, steps_, pending);
-    root_steps_ = steps_.size();
-    for (CsgMember& member : members_) {
-        member.begin = steps_.size();
-        add_steps(member.op, -1, steps_, pending);
-        member.end = steps_.size();
+    add_steps(root_op, -1, steps, pending);
+    root_end = steps.size();
+    for (CsgMember& member : members) {
+        member.begin = steps.size();
+        add_steps(member.op, -1, steps, pending);
+        member.end = steps.size();
     }
 }
 
 bool CsgPlan::is_finite() const noexcept {
-    return std::all_of(places_.begin(), places_.end(), [](const CsgPlace& place) {
+    return std::all_of(places.begin(), places.end(), [](const CsgPlace& place) {
         double sum = glm::dot(place.shift, place.shift);
         for (int column = 0; column < 3; ++column) sum += glm::dot(place.to_local[column], place.to_local[column]);
         return std::isfinite(sum) && std::isfinite(1.0 / place.scale) && std::isfinite(place.scale);
     });
 }
 
-void CsgPlan::make_steps(std::int32_t sheet, base::Array<CsgStep>& steps, base::Array<Pending>& pending) const {
-    steps.clear();
-    add_steps(root_, sheet, steps, pending);
-}
-
-void CsgPlan::add_steps(std::int32_t op, std::int32_t sheet, base::Array<CsgStep>& steps,
+// The operand that needs more registers comes first, and a model comes after what may show that it is not needed.
+void CsgPlan::add_steps(std::int32_t op, std::int32_t only, base::Array<CsgStep>& to,
                         base::Array<Pending>& pending) const {
+    HRBFNPR_ASSERT(op >= 0 && op < ops.size() && only < ops[op].sheets);
     pending.clear();
-    pending.push_back({op, 0, sheet, -1, false, false});
+    pending.push_back({op, 0, only, -1, false, false});
     while (!pending.empty()) {
-        const Pending task = pending.back();
+        Pending task = pending.back();
         pending.resize(pending.size() - 1);
-        visit(task, steps, pending);
+        const CsgOp& of = ops[task.op];
+        if (of.merged) task.sheet = -1;
+        const bool grouped = of.group >= 0 && task.sheet < 0;
+        if (of.is_leaf() || grouped || task.done) {
+            const auto kind = of.is_leaf()    ? CsgStep::Kind::leaf
+                              : grouped       ? CsgStep::Kind::group
+                              : of.is_shell() ? CsgStep::Kind::shell
+                                              : CsgStep::Kind::combine;
+            to.push_back({kind, task.a_is_second, task.op, task.to, task.sheet, task.than});
+            continue;
+        }
+        task.done = true;
+        const CsgOp& a = ops[of.a];
+        const std::int32_t sheet = task.sheet;
+        if (of.is_shell() || (sheet >= 0 && of.is_sharp())) {
+            const bool second = sheet >= a.sheets;
+            pending.push_back(task);
+            pending.push_back({second && !of.is_shell() ? of.b : of.a, task.to, second ? sheet - a.sheets : sheet});
+            continue;
+        }
+        const CsgOp& b = ops[of.b];
+        task.a_is_second = b.kind != CsgOp::Kind::model && (a.kind == CsgOp::Kind::model || b.registers > a.registers);
+        Pending first{of.a, task.to, sheet >= 0 ? sheet / b.sheets : -1};
+        Pending second{of.b, task.to, sheet >= 0 ? sheet % b.sheets : -1};
+        if (task.a_is_second) std::swap(first, second);
+        ++second.to;
+        second.than = sheet < 0 ? task.op : -1;
+        pending.push_back(task);
+        pending.push_back(second);
+        pending.push_back(first);
     }
 }
 
-void CsgPlan::visit(const Pending& task, base::Array<CsgStep>& steps, base::Array<Pending>& pending) const {
-    const CsgOp& op = ops_[task.op];
-    const std::int32_t sheet = op.merged ? -1 : task.sheet;
-    const bool grouped = op.group >= 0 && sheet < 0;
-    if (op.is_leaf() || grouped || task.done) {
-        const auto kind = op.is_leaf()    ? CsgStep::Kind::leaf
-                          : grouped       ? CsgStep::Kind::group
-                          : op.is_shell() ? CsgStep::Kind::shell
-                                          : CsgStep::Kind::combine;
-        steps.push_back({kind, task.a_is_second, task.op, task.to, sheet, task.than});
-        return;
+// Two halves along the axis on which their centres are farthest apart.
+std::int32_t CsgBoxTree::add(std::span<Item> items) {
+    if (items.empty()) return -1;
+    if (items.size() == 1) {
+        nodes_.push_back({items[0].box, items[0].slope, items[0].item, -1});
+        return static_cast<std::int32_t>(nodes_.size() - 1);
     }
-    Pending rest = task;
-    rest.done = true;
-    rest.sheet = sheet;
-    if (op.is_shell() || (sheet >= 0 && op.blend.radius == 0.0)) {
-        const std::int32_t first = ops_[op.a].sheets;
-        const bool second = sheet >= first;
-        pending.push_back(rest);
-        pending.push_back(
-            {second && !op.is_shell() ? op.b : op.a, task.to, second ? sheet - first : sheet, -1, false, false});
-        return;
+    // Twice the centre; 0 where a box has no end.
+    const auto centre = [](const Item& item, int axis) {
+        const double sum = item.box.low[axis] + item.box.high[axis];
+        return std::isfinite(sum) ? sum : 0.0;
+    };
+    int widest = 0;
+    double width = -1.0;
+    for (int axis = 0; axis < 3; ++axis) {
+        const auto [low, high] = std::minmax_element(items.begin(), items.end(), [&](const Item& a, const Item& b) {
+            return centre(a, axis) < centre(b, axis);
+        });
+        const double between = centre(*high, axis) - centre(*low, axis);
+        if (between > width) {
+            width = between;
+            widest = axis;
+        }
     }
-    visit_both(rest, pending);
-}
-
-// The one that needs more registers first; a model after what may show that it is not needed.
-void CsgPlan::visit_both(const Pending& task, base::Array<Pending>& pending) const {
-    const CsgOp& op = ops_[task.op];
-    const CsgOp& a = ops_[op.a];
-    const CsgOp& b = ops_[op.b];
-    Pending rest = task;
-    rest.a_is_second = b.kind != CsgOp::Kind::model && (a.kind == CsgOp::Kind::model || b.registers > a.registers);
-    const std::int32_t of_b = task.sheet >= 0 ? task.sheet % b.sheets : -1;
-    const std::int32_t of_a = task.sheet >= 0 ? task.sheet / b.sheets : -1;
-    const std::int32_t than = task.sheet < 0 ? task.op : -1;
-    pending.push_back(rest);
-    if (rest.a_is_second) {
-        pending.push_back({op.a, task.to + 1, of_a, than, false, false});
-        pending.push_back({op.b, task.to, of_b, -1, false, false});
-    } else {
-        pending.push_back({op.b, task.to + 1, of_b, than, false, false});
-        pending.push_back({op.a, task.to, of_a, -1, false, false});
-    }
+    std::sort(items.begin(), items.end(), [&](const Item& a, const Item& b) {
+        return std::pair(centre(a, widest), a.item) < std::pair(centre(b, widest), b.item);
+    });
+    const std::size_t half = items.size() / 2;
+    const std::int32_t first = add(items.first(half));
+    const std::int32_t second = add(items.subspan(half));
+    const Node& a = nodes_[first];
+    const Node& b = nodes_[second];
+    // An empty box has its faces the wrong way round, and is as near as they say.
+    const CsgBox box{glm::min(a.box.low, b.box.low), glm::max(a.box.high, b.box.high)};
+    nodes_.push_back({box, std::max(a.slope, b.slope), first, second});
+    return static_cast<std::int32_t>(nodes_.size() - 1);
 }
 
 } // namespace hrbfnpr::implicit

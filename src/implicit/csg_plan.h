@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: MIT
-// How a CSG tree is evaluated: minima and maxima of two at a time, in an order that keeps few intermediate results.
+// How a tree of solids is evaluated. Complements and differences become signs of leaves, offsets numbers that are
+// added, transforms one map for each leaf; what is left are minima, maxima and blends of two at a time, and shells.
+// Steps do these in an order that keeps few intermediate results, so that trees of any depth need no recursion. A chain
+// of minima, or of maxima, is a group where that pays: its members stand in a tree of boxes, and only those are
+// evaluated whose boxes allow a lesser value.
 #pragma once
 
-#include "implicit/csg_boxes.h"
-#include "implicit/csg_reach.h"
-#include "implicit/implicit.h"
+#include "implicit/csg_shapes.h"
+
+#include <span>
 
 namespace hrbfnpr::implicit {
 
-// What a leaf that is a model is known by.
+// A leaf that is a model, as the plan needs it.
 struct CsgModel {
     geometry::Bounds bounds; // that its surface is drawn in
     geometry::Bounds region; // beyond which it has none, whatever its f is
@@ -20,12 +24,12 @@ struct CsgOp {
     enum class Kind : std::uint8_t { shape, model, minimum, maximum, shell_of_minimum, shell_of_maximum };
 
     Kind kind = Kind::shape;
-    std::int32_t a = -1, b = -1; // what is combined
+    std::int32_t a = -1, b = -1; // operands, earlier ops
     std::int32_t place = -1;     // of a leaf
-    std::int32_t group = -1;     // whose minimum or maximum it is
-    std::int32_t registers = 1;  // results that it needs at a time
+    std::int32_t group = -1;     // that does the same
+    std::int32_t registers = 1;  // intermediate results that are kept at a time
     std::int32_t sheets = 1;
-    bool merged = false; // more sheets than there are numbers: taken for one
+    bool merged = false; // the number of sheets is beyond 32 bits: all are taken for one
     Blend blend;
     double thickness = 0.0;
     double add = 0.0; // to the result
@@ -33,6 +37,7 @@ struct CsgOp {
 
     [[nodiscard]] bool is_leaf() const noexcept { return kind <= Kind::model; }
     [[nodiscard]] bool is_shell() const noexcept { return kind >= Kind::shell_of_minimum; }
+    [[nodiscard]] bool is_sharp() const noexcept { return !is_leaf() && !is_shell() && blend.radius == 0.0; }
     [[nodiscard]] bool takes_least() const noexcept { return kind == Kind::minimum || kind == Kind::shell_of_minimum; }
 };
 
@@ -45,7 +50,13 @@ struct CsgPlace {
     std::int32_t model = -1;
     std::int32_t model_sheets = 0;
     glm::dvec3 centre{0.0}; // of that box
-    CsgReach reach;         // of that box, wherever it is and not turned inside out
+    CsgReach reach;         // of that box, not turned inside out
+
+    [[nodiscard]] glm::dvec3 local(const glm::dvec3& p) const noexcept { return to_local * p + shift; }
+    // The distance beyond a model's box, at a place of its own coordinates, and the nearest side of the box.
+    [[nodiscard]] double beyond(const glm::dvec3& p, std::int32_t& side) const noexcept {
+        return shape.value(p - centre, side);
+    }
 };
 
 struct CsgStep {
@@ -59,7 +70,7 @@ struct CsgStep {
     std::int32_t than = -1;  // op of a minimum or maximum whose other side is known, in the register before
 };
 
-// One of the operands of a group, as a tree of its own.
+// An operand of a group, with steps of its own.
 struct CsgMember {
     std::int32_t op = 0;
     std::int32_t first_sheet = 0; // of the group's
@@ -67,89 +78,132 @@ struct CsgMember {
     std::int64_t end = 0;
 };
 
-// A minimum or maximum of several, without blends: only the members that can be it are asked for, the nearest first.
 struct CsgGroup {
     std::int32_t op = 0;
-    std::int32_t first_member = 0;
-    std::array<std::int32_t, 2> boxes{-1, -1}; // roots: of members without models, and of those with some
-    double size = 0.0;                         // of their numbers
+    // Roots of the members' boxes: those without models, which are cheap and come first, and those with some.
+    std::array<std::int32_t, 2> boxes{-1, -1};
+    double size = 0.0; // the largest coordinate of the boxes
 };
 
-class CsgPlan {
+// A tree of boxes that bound where items are low.
+class CsgBoxTree {
 public:
+    // {f <= level} is in the box grown by slope * level, for levels above 0.
+    struct Item {
+        CsgBox box;
+        double slope = 1.0;
+        std::int32_t item = 0;
+    };
+    struct Node {
+        CsgBox box;
+        double slope = 1.0;
+        std::int32_t first = -1, second = -1; // nodes; without a second one `first` is an item
+
+        [[nodiscard]] bool is_leaf() const noexcept { return second < 0; }
+        // A lower bound of f, if places and values are off by `slack` at most; -infinity: none is known.
+        [[nodiscard]] double least(const glm::dvec3& p, double slack) const noexcept {
+            const glm::dvec3 below = box.low - p;
+            const glm::dvec3 above = p - box.high;
+            const double distance = std::max({below.x, below.y, below.z, above.x, above.y, above.z}) - slack;
+            return distance > 0.0 ? distance / slope : -std::numeric_limits<double>::infinity();
+        }
+    };
+    // The most nodes that wait on the way down; 2^16 items are halved 16 times.
+    static constexpr std::size_t deepest = 32;
+
+    explicit CsgBoxTree(base::Memory& memory) noexcept : nodes_(memory) {}
+
+    // Adds a tree of some items, which it reorders. Returns its root; -1: there are no items.
+    std::int32_t add(std::span<Item> items);
+    // The item whose bound is least and not above `limit`; -1: all are above. bound_of(node): the bound of a leaf.
+    template <class F>
+    [[nodiscard]] std::int32_t nearest(std::int32_t root, const glm::dvec3& p, double slack, double limit,
+                                       F&& bound_of) const noexcept;
+
+    [[nodiscard]] const Node& operator[](std::int32_t node) const noexcept { return nodes_[node]; }
+    [[nodiscard]] std::int64_t bytes() const noexcept { return nodes_.bytes(); }
+
+private:
+    base::Array<Node> nodes_;
+};
+
+struct CsgPlan {
     enum class Groups : std::uint8_t { never, where_they_pay, always };
 
-    // The tree is valid: parents come before their children, there is a child where one is needed, transforms can be
-    // undone.  The groups change no bit of a result.
+    // The tree is valid: parents come before their children, each inner node has a child, transforms can be undone.
+    // Groups change no bit of a result.
     CsgPlan(base::Memory& memory, const CsgTree& tree, const base::Array<CsgModel>& models,
             Groups groups = Groups::where_they_pay);
 
-    [[nodiscard]] const base::Array<CsgOp>& ops() const noexcept { return ops_; }
-    [[nodiscard]] const CsgOp& root() const noexcept { return ops_[root_]; }
-    [[nodiscard]] const CsgPlace& place(const CsgOp& op) const noexcept { return places_[op.place]; }
-    // Of the root, for all sheets.
-    [[nodiscard]] std::span<const CsgStep> steps() const noexcept {
-        return steps_.span().first(static_cast<std::size_t>(root_steps_));
+    [[nodiscard]] const CsgOp& root() const noexcept { return ops[root_op]; }
+    [[nodiscard]] const CsgPlace& place(const CsgOp& op) const noexcept { return places[op.place]; }
+    [[nodiscard]] std::span<const CsgStep> root_steps() const noexcept {
+        return steps.span().first(static_cast<std::size_t>(root_end));
     }
-
-    [[nodiscard]] const CsgGroup& group(const CsgOp& op) const noexcept { return groups_[op.group]; }
-    [[nodiscard]] const CsgMember& member(std::int32_t i) const noexcept { return members_[i]; }
     [[nodiscard]] std::span<const CsgStep> steps_of(const CsgMember& member) const noexcept {
-        return steps_.span().subspan(static_cast<std::size_t>(member.begin),
-                                     static_cast<std::size_t>(member.end - member.begin));
+        return steps.span().subspan(static_cast<std::size_t>(member.begin),
+                                    static_cast<std::size_t>(member.end - member.begin));
     }
-    [[nodiscard]] const CsgBoxTree& boxes() const noexcept { return boxes_; }
-    // How many groups lie within each other at most, and what a run of steps keeps at a time.
-    [[nodiscard]] std::int32_t nested() const noexcept { return nested_; }
-    [[nodiscard]] std::int32_t registers() const noexcept { return root().registers; }
-
-    // The steps for one sheet; -1: for all.
+    // An op whose steps are still to be added.
     struct Pending {
         std::int32_t op = 0;
         std::int32_t to = 0;
         std::int32_t sheet = -1;
         std::int32_t than = -1;
-        bool done = false; // what it is made of
+        bool done = false; // its operands
         bool a_is_second = false;
     };
-    void make_steps(std::int32_t sheet, base::Array<CsgStep>& steps, base::Array<Pending>& pending) const;
+    // Appends the steps of an op; sheet: the only one that is wanted, or -1.
+    void add_steps(std::int32_t op, std::int32_t sheet, base::Array<CsgStep>& to, base::Array<Pending>& pending) const;
 
     // Whether all transforms together can be undone in doubles.
     [[nodiscard]] bool is_finite() const noexcept;
-    // Where the surface may be: counting what models are drawn in, and all that they may have.
-    [[nodiscard]] CsgBox drawn_box() const noexcept { return drawn_.surface(); }
-    [[nodiscard]] CsgBox whole_box() const noexcept { return whole_.surface(); }
     [[nodiscard]] std::int64_t bytes() const noexcept {
-        return ops_.bytes() + places_.bytes() + steps_.bytes() + groups_.bytes() + members_.bytes() + boxes_.bytes();
+        return ops.bytes() + places.bytes() + steps.bytes() + groups.bytes() + members.bytes() + boxes.bytes();
     }
 
-private:
-    struct Reaches {
-        CsgReach drawn, whole;
+    base::Array<CsgOp> ops; // operands come before what combines them
+    base::Array<CsgPlace> places;
+    base::Array<CsgStep> steps; // the root's, then those of all members
+    base::Array<CsgGroup> groups;
+    base::Array<CsgMember> members;
+    CsgBoxTree boxes;
+    std::int64_t root_end = 0; // of the root's steps
+    std::int32_t root_op = 0;
+    std::int32_t nested = 0; // the most groups that lie in each other
+    // Where the surface may be: of what models are drawn in, and of all that they may have.
+    CsgBox drawn, whole;
+};
+
+template <class F>
+std::int32_t CsgBoxTree::nearest(std::int32_t root, const glm::dvec3& p, double slack, double limit,
+                                 F&& bound_of) const noexcept {
+    struct Part {
+        std::int32_t node;
+        double least;
     };
-    class Builder;
-    class Grouping;
-    void add_steps(std::int32_t op, std::int32_t sheet, base::Array<CsgStep>& steps,
-                   base::Array<Pending>& pending) const;
-    void visit(const Pending& task, base::Array<CsgStep>& steps, base::Array<Pending>& pending) const;
-    void visit_both(const Pending& task, base::Array<Pending>& pending) const;
-
-    base::Array<CsgOp> ops_; // what is combined before the combination
-    base::Array<CsgPlace> places_;
-    base::Array<CsgStep> steps_; // the root's, then those of all members
-    base::Array<CsgGroup> groups_;
-    base::Array<CsgMember> members_;
-    CsgBoxTree boxes_;
-    std::int64_t root_steps_ = 0;
-    std::int32_t nested_ = 0;
-    std::int32_t root_ = 0;
-    CsgReach drawn_, whole_;
-};
-
-// The least that a linear map stretches a vector by, and the most.
-struct Stretch {
-    double least = 1.0, most = 1.0;
-};
-[[nodiscard]] Stretch stretch_of(const glm::dmat3& linear) noexcept;
+    std::array<Part, deepest> waiting;
+    std::size_t count = 0;
+    std::int32_t item = -1;
+    waiting[count++] = {root, -std::numeric_limits<double>::infinity()};
+    while (count > 0) {
+        const Part part = waiting[--count];
+        if (part.least > limit) continue;
+        const Node& one = nodes_[part.node];
+        if (one.is_leaf()) {
+            const double here = bound_of(one);
+            if (here > limit || (item >= 0 && here == limit)) continue;
+            limit = here;
+            item = one.first;
+            continue;
+        }
+        Part near{one.first, nodes_[one.first].least(p, slack)};
+        Part far{one.second, nodes_[one.second].least(p, slack)};
+        if (far.least < near.least) std::swap(near, far);
+        waiting[count++] = far;
+        waiting[count++] = near;
+    }
+    return item;
+}
 
 } // namespace hrbfnpr::implicit

@@ -1,13 +1,61 @@
 // SPDX-License-Identifier: MIT
 #include "implicit/csg_shapes.h"
 
+#include "implicit/sheets.h"
+
+#include <utility>
+
 namespace hrbfnpr::implicit {
 namespace {
 
-constexpr double boundless = std::numeric_limits<double>::infinity();
-
-// Of places, which are within 1e150: faster than std::hypot, and the same everywhere.
+// Places are within 1e150: this is faster than std::hypot, and the same everywhere.
 double root_of_squares(double x, double y) noexcept { return std::sqrt(x * x + y * y); }
+
+BlendJet only_a(double a) noexcept { return {a, 1.0, 0.0, 0.0, 0.0, 0.0}; }
+BlendJet only_b(double b) noexcept { return {b, 0.0, 1.0, 0.0, 0.0, 0.0}; }
+
+// min(a, b) - R/6 (1 - |a - b|/R)^3 where |a - b| < R: twice continuously differentiable, bounded as the blends of
+// Barthe, Wyvill and de Groot ("Controllable binary CSG operators for soft objects", 2004) are.
+BlendJet polynomial_minimum(double a, double b, double radius) noexcept {
+    const double u = a - b;
+    if (std::abs(u) >= radius) return u < 0.0 ? only_a(a) : only_b(b);
+    const double h = 1.0 - std::abs(u) / radius;
+    const double slope = std::copysign(0.5 - 0.5 * h * h, u);
+    const double bend = h / radius;
+    return {std::min(a, b) - radius / 6.0 * h * h * h, 0.5 - slope, 0.5 + slope, -bend, bend, -bend};
+}
+
+// max(R, min(a, b)) - (A^p + B^p)^(1/p), A = max(0, R - a), B = max(0, R - b): Ricci's super-ellipse ("A constructive
+// geometry for computer graphics", 1973) of densities that end at the distance R.
+BlendJet elliptic_minimum(double a, double b, double radius, double p) noexcept {
+    if (std::isnan(a) || std::isnan(b)) return only_a(a + b);
+    const double big_a = std::max(0.0, radius - a);
+    const double big_b = std::max(0.0, radius - b);
+    if (big_b == 0.0 && big_a == 0.0) return takes_lower(a, b) ? only_b(b) : only_a(a);
+    if (big_b == 0.0) return only_a(a);
+    if (big_a == 0.0) return only_b(b);
+    const double most = std::max(big_a, big_b);
+    const double norm = most * std::pow(std::pow(big_a / most, p) + std::pow(big_b / most, p), 1.0 / p);
+    const double s = big_a / norm;
+    const double t = big_b / norm;
+    const double s_low = std::pow(s, p - 2.0);
+    const double t_low = std::pow(t, p - 2.0);
+    const double bend = (p - 1.0) / norm;
+    return {radius - norm,
+            s_low * s,
+            t_low * t,
+            -bend * s_low * t_low * t * t,
+            bend * s_low * s * t_low * t,
+            -bend * t_low * s_low * s * s};
+}
+
+// Faces of an empty box count, too: it may have room once it has grown.
+CsgBox hull(const CsgBox& a, const CsgBox& b) noexcept {
+    return {glm::min(glm::min(a.low, a.high), glm::min(b.low, b.high)),
+            glm::max(glm::max(a.low, a.high), glm::max(b.low, b.high))};
+}
+
+CsgBox common(const CsgBox& a, const CsgBox& b) noexcept { return {glm::max(a.low, b.low), glm::min(a.high, b.high)}; }
 
 // A function of the distance from the z axis and of z, with its derivatives.
 struct Profile {
@@ -16,8 +64,8 @@ struct Profile {
     double by_rho_rho = 0.0, by_rho_z = 0.0, by_z_z = 0.0;
 };
 
-// On the axis, where a gradient across it would have no direction, there is none across it.
-CsgJet around_axis(const glm::dvec3& p, double rho, const Profile& f) noexcept {
+// On the axis the part of the gradient across it has no direction, and is left out.
+Jet around_axis(const glm::dvec3& p, double rho, const Profile& f) noexcept {
     if (rho == 0.0) return {f.value, {0.0, 0.0, f.by_z}, {0.0, 0.0, 0.0, 0.0, 0.0, f.by_z_z}};
     const double x = p.x / rho;
     const double y = p.y / rho;
@@ -28,15 +76,15 @@ CsgJet around_axis(const glm::dvec3& p, double rho, const Profile& f) noexcept {
              f.by_rho_rho * y * y + bend * x * x, f.by_rho_z * y, f.by_z_z}};
 }
 
-CsgJet plane(int axis, double sign, double value) noexcept {
-    CsgJet jet{value, glm::dvec3(0.0), {}};
+Jet plane(int axis, double sign, double value) noexcept {
+    Jet jet{value, glm::dvec3(0.0), {}};
     jet.gradient[axis] = sign;
     return jet;
 }
 
-CsgJet sphere(const glm::dvec3& p, double radius) noexcept {
+Jet sphere(const glm::dvec3& p, double radius) noexcept {
     const double length = glm::length(p);
-    CsgJet jet{length - radius, glm::dvec3(0.0), {}};
+    Jet jet{length - radius, glm::dvec3(0.0), {}};
     if (length == 0.0) return jet;
     const glm::dvec3 n = p / length;
     jet.gradient = n;
@@ -54,14 +102,14 @@ Profile tube(double rho, double z, double radius, double tube_radius) noexcept {
     return {length - tube_radius, u, v, v * v / length, -u * v / length, u * u / length};
 }
 
-// How far a disc about the z axis reaches along each axis, moved.
+// The extent along each axis of a disc about the z axis that is moved.
 glm::dvec3 reach_of_disc(const glm::dmat3& linear, double radius) noexcept {
     glm::dvec3 reach;
     for (int i = 0; i < 3; ++i) reach[i] = radius * std::hypot(linear[0][i], linear[1][i]);
     return reach;
 }
 
-// ... and a ball.
+// The extent along each axis of a ball that is moved.
 glm::dvec3 reach_of_ball(const glm::dmat3& linear, double radius) noexcept {
     glm::dvec3 reach;
     for (int i = 0; i < 3; ++i) reach[i] = radius * glm::length(glm::dvec3(linear[0][i], linear[1][i], linear[2][i]));
@@ -70,8 +118,9 @@ glm::dvec3 reach_of_ball(const glm::dmat3& linear, double radius) noexcept {
 
 CsgBox about(const glm::dvec3& centre, const glm::dvec3& reach) noexcept { return {centre - reach, centre + reach}; }
 
-// {n . y <= level}, n: the z axis before it was moved.
+// {side z <= level}, moved; side: 1 or -1.
 CsgBox half_space(const glm::dmat3& linear, const glm::dvec3& translation, double level, double side) noexcept {
+    HRBFNPR_ASSERT(level >= 0.0 && std::abs(side) == 1.0);
     const glm::dvec3 n = glm::cross(linear[0], linear[1]) * (glm::determinant(linear) < 0.0 ? -1.0 : 1.0);
     CsgBox box;
     for (int i = 0; i < 3; ++i) {
@@ -84,6 +133,53 @@ CsgBox half_space(const glm::dmat3& linear, const glm::dvec3& translation, doubl
 }
 
 } // namespace
+
+// Singular values: columns turned until they are at right angles [Hestenes 1958].
+Stretch stretch_of(const glm::dmat3& linear) noexcept {
+    const double size = std::max({glm::length(linear[0]), glm::length(linear[1]), glm::length(linear[2])});
+    if (!(size > 0.0 && std::isfinite(size))) return {0.0, size};
+    glm::dmat3 m = linear / size;
+    constexpr int most_sweeps = 30;
+    bool turned = true;
+    for (int sweep = 0; sweep < most_sweeps && turned; ++sweep) {
+        turned = false;
+        for (const auto& [p, q] : {std::pair(0, 1), std::pair(0, 2), std::pair(1, 2)}) {
+            const double slant = glm::dot(m[p], m[q]);
+            if (std::abs(slant) <= 1e-16 * glm::length(m[p]) * glm::length(m[q])) continue;
+            turned = true;
+            const double ratio = 0.5 * (glm::dot(m[q], m[q]) - glm::dot(m[p], m[p])) / slant;
+            const double tangent = std::copysign(1.0, ratio) / (std::abs(ratio) + std::hypot(1.0, ratio));
+            const double c = 1.0 / std::hypot(1.0, tangent);
+            const glm::dvec3 column = m[p];
+            m[p] = c * (column - tangent * m[q]);
+            m[q] = c * (tangent * column + m[q]);
+        }
+    }
+    const double a = glm::length(m[0]);
+    const double b = glm::length(m[1]);
+    const double d = glm::length(m[2]);
+    return {size * std::min({a, b, d}), size * std::max({a, b, d})};
+}
+
+BlendJet Blend::minimum(double a, double b) const noexcept {
+    return exponent == 0.0 ? polynomial_minimum(a, b, radius) : elliptic_minimum(a, b, radius, exponent);
+}
+
+// A blend differs from the lower of two only where both are within its radius.
+CsgReach reach_of_minimum(const CsgReach& a, const CsgReach& b, const Blend& blend) noexcept {
+    CsgReach reach{hull(a.inside, b.inside), common(a.outside, b.outside), std::max(a.slope, b.slope)};
+    if (blend.radius == 0.0) return reach;
+    const double deep = blend.depth();
+    const CsgBox both =
+        common(a.inside.grown(a.slope * (blend.radius + deep)), b.inside.grown(b.slope * (blend.radius + deep)));
+    const CsgBox added = common(both, reach.inside.grown(reach.slope * deep));
+    if (!added.empty()) reach.inside = hull(reach.inside, added);
+    return reach;
+}
+
+CsgReach reach_of_maximum(const CsgReach& a, const CsgReach& b, const Blend& blend) noexcept {
+    return reach_of_minimum(a.turned(), b.turned(), blend).turned();
+}
 
 CsgShape::CsgShape(const CsgNode& node) noexcept
     : kind_(node.kind), half_(0.5 * node.size), radius_(node.radius), second_radius_(node.second_radius) {
@@ -126,7 +222,8 @@ double CsgShape::value(const glm::dvec3& p, std::int32_t& sheet) const noexcept 
     return beyond;
 }
 
-CsgJet CsgShape::jet(std::int32_t sheet, const glm::dvec3& p) const noexcept {
+Jet CsgShape::jet(std::int32_t sheet, const glm::dvec3& p) const noexcept {
+    HRBFNPR_ASSERT(sheet >= 0 && sheet < sheets());
     switch (kind_) {
     case CsgKind::half_space: return plane(2, 1.0, p.z);
     case CsgKind::sphere: return sphere(p, radius_);
@@ -146,6 +243,7 @@ CsgJet CsgShape::jet(std::int32_t sheet, const glm::dvec3& p) const noexcept {
     return around_axis(p, rho, {side(rho, p.z), slant_.x, slant_.y, 0.0, 0.0, 0.0});
 }
 
+// {f <= level}, moved.
 CsgBox CsgShape::box(const glm::dmat3& linear, const glm::dvec3& translation, double level) const noexcept {
     switch (kind_) {
     case CsgKind::half_space: return half_space(linear, translation, level, 1.0);
@@ -166,9 +264,15 @@ CsgBox CsgShape::box(const glm::dmat3& linear, const glm::dvec3& translation, do
                 about(translation + up, reach_of_disc(linear, second_radius_ + outward + along)));
 }
 
-CsgBox CsgShape::box_outside(const glm::dmat3& linear, const glm::dvec3& translation, double level) const noexcept {
-    if (kind_ == CsgKind::half_space) return half_space(linear, translation, level, -1.0);
-    return {glm::dvec3(-boundless), glm::dvec3(boundless)};
+CsgReach CsgShape::reach(const glm::dmat3& linear, const glm::dvec3& translation, double scale) const noexcept {
+    HRBFNPR_ASSERT(scale > 0.0);
+    CsgReach reach{box(linear, translation, 0.0), {}, 0.0};
+    if (kind_ == CsgKind::half_space) reach.outside = half_space(linear, translation, 0.0, -1.0);
+    const CsgBox more = box(linear, translation, 1.0 / scale);
+    for (int i = 0; i < 3; ++i)
+        for (const double by : {reach.inside.low[i] - more.low[i], more.high[i] - reach.inside.high[i]})
+            if (std::isfinite(by)) reach.slope = std::max(reach.slope, by);
+    return reach;
 }
 
 } // namespace hrbfnpr::implicit

@@ -1,14 +1,102 @@
 // SPDX-License-Identifier: MIT
-// Primitive solids, each the intersection of one to six smooth sheets: the largest of their signed distances.  Inside
-// that is the distance to the surface, outside it is where a sheet is nearest, and less beside edges and corners.
+// Trees of solids as plain data, and what they are made of: primitives, blends of two functions, and boxes that bound
+// where a solid may be. A primitive is the intersection of one to six smooth sheets, the largest of their signed
+// distances. Inside that is the distance to the surface; outside it is the distance where a sheet is nearest, and less
+// beside edges and corners.
 #pragma once
 
-#include "implicit/csg_jet.h"
-#include "implicit/csg_tree.h"
+#include "base/memory.h"
+#include "implicit/lanes.h"
+
+#include <glm/mat3x3.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
 
 namespace hrbfnpr::implicit {
 
-// Where a solid may be, face by face; infinite where it has no end, and a face beyond its opposite where it is empty.
+// The numbers are those of HRBFNPR_CSG_... and of files.
+enum class CsgKind : std::uint32_t {
+    unite,
+    intersect,
+    subtract, // all others from the first child
+    complement,
+    offset, // f - distance
+    shell,  // max(f, -f - distance)
+    model,
+    half_space, // z <= 0
+    box,
+    sphere,
+    cylinder, // about the z axis, its middle at 0
+    cone,     // the same, `second_radius` at the top
+    torus     // about the z axis, its tube of `second_radius`
+};
+inline constexpr auto last_csg_kind = static_cast<std::uint32_t>(CsgKind::torus);
+
+[[nodiscard]] constexpr bool is_leaf(CsgKind kind) noexcept { return kind >= CsgKind::model; }
+// The most children that a node may have; -1: any number from 1.
+[[nodiscard]] constexpr std::int64_t children_of(CsgKind kind) noexcept {
+    if (is_leaf(kind)) return 0;
+    return kind <= CsgKind::subtract ? -1 : 1;
+}
+
+inline constexpr std::int64_t most_csg_nodes = 65536;
+
+struct CsgNode {
+    CsgKind kind = CsgKind::unite;
+    std::int64_t parent = -1; // an earlier node; children are in the order of the nodes
+    std::int64_t model = -1;  // which leaf
+    // The node and all below it are moved by x = linear y + translation, an affine map.
+    glm::dmat3 linear{1.0};
+    glm::dvec3 translation{0.0};
+    glm::dvec3 size{1.0};
+    double radius = 1.0;
+    double second_radius = 0.5;
+    double height = 1.0;
+    double distance = 0.0;
+    double blend = 0.0;    // radius; 0 = a crease
+    double exponent = 0.0; // 0: the polynomial blend; else the super-elliptic one
+};
+
+// The first node is the root.
+using CsgTree = base::Array<CsgNode>;
+
+// The least that a linear map stretches a vector by, and the most.
+struct Stretch {
+    double least = 1.0, most = 1.0;
+};
+[[nodiscard]] Stretch stretch_of(const glm::dmat3& linear) noexcept;
+
+// A function of two numbers a and b, with its derivatives.
+struct BlendJet {
+    double value = 0.0;
+    double by_a = 0.0, by_b = 0.0;
+    double by_aa = 0.0, by_ab = 0.0, by_bb = 0.0;
+};
+
+// How two functions become one.
+struct Blend {
+    double radius = 0.0;   // 0: their minimum or maximum
+    double exponent = 0.0; // 0: the polynomial blend; else the super-elliptic one
+
+    [[nodiscard]] BlendJet minimum(double a, double b) const noexcept;
+    [[nodiscard]] BlendJet maximum(double a, double b) const noexcept {
+        const BlendJet m = minimum(-a, -b);
+        return {-m.value, m.by_a, m.by_b, -m.by_aa, -m.by_ab, -m.by_bb};
+    }
+    // The most that a blend is below the lower of two.
+    [[nodiscard]] double depth() const noexcept {
+        return radius * (exponent == 0.0 ? 1.0 / 6.0 : 1.0 - std::pow(0.5, 1.0 / exponent));
+    }
+    // The most that it lengthens gradients by.
+    [[nodiscard]] double steepness() const noexcept {
+        return exponent == 0.0 || radius == 0.0 ? 1.0 : std::pow(2.0, 1.0 / exponent);
+    }
+};
+
+// A box face by face: infinite where a solid has no end, and a face lies beyond its opposite where the solid is empty.
 struct CsgBox {
     glm::dvec3 low{-std::numeric_limits<double>::infinity()};
     glm::dvec3 high{std::numeric_limits<double>::infinity()};
@@ -16,36 +104,49 @@ struct CsgBox {
     [[nodiscard]] CsgBox grown(double by) const noexcept { return {low - by, high + by}; }
     [[nodiscard]] bool empty() const noexcept { return !glm::all(glm::lessThanEqual(low, high)); }
 };
-// Of an empty one all between its faces: it may have room once it has grown.
-[[nodiscard]] inline CsgBox hull(const CsgBox& a, const CsgBox& b) noexcept {
-    return {glm::min(glm::min(a.low, a.high), glm::min(b.low, b.high)),
-            glm::max(glm::max(a.low, a.high), glm::max(b.low, b.high))};
-}
-[[nodiscard]] inline CsgBox common(const CsgBox& a, const CsgBox& b) noexcept {
-    return {glm::max(a.low, b.low), glm::min(a.high, b.high)};
-}
+
+// Bounds of a solid and of what is outside it.
+struct CsgReach {
+    CsgBox inside;      // {f <= 0} is in it
+    CsgBox outside;     // {f >= 0} is in it
+    double slope = 1.0; // {f <= level} is in `inside` grown by slope * level, for levels above 0; so is {f >= -level}
+
+    [[nodiscard]] CsgReach turned() const noexcept { return {outside, inside, slope}; }
+    // The bounds of f + add.
+    [[nodiscard]] CsgReach shifted(double add) const noexcept {
+        CsgReach reach = *this;
+        (add < 0.0 ? reach.inside : reach.outside) = (add < 0.0 ? inside : outside).grown(slope * std::abs(add));
+        return reach;
+    }
+    // Where f = 0 may be.
+    [[nodiscard]] CsgBox surface() const noexcept {
+        return {glm::max(inside.low, outside.low), glm::min(inside.high, outside.high)};
+    }
+};
+[[nodiscard]] CsgReach reach_of_minimum(const CsgReach& a, const CsgReach& b, const Blend& blend) noexcept;
+[[nodiscard]] CsgReach reach_of_maximum(const CsgReach& a, const CsgReach& b, const Blend& blend) noexcept;
 
 // A primitive in its own coordinates.
 class CsgShape {
 public:
     CsgShape() = default;
     explicit CsgShape(const CsgNode& node) noexcept;
+    // A box of this size about 0.
+    explicit CsgShape(const glm::dvec3& size) noexcept : kind_(CsgKind::box), half_(0.5 * size) {}
 
     [[nodiscard]] std::int32_t sheets() const noexcept;
-    // f, and the sheet that it is.
+    // f, and the sheet that f is.
     [[nodiscard]] double value(const glm::dvec3& p, std::int32_t& sheet) const noexcept;
-    // One sheet, everywhere.  Where it has no gradient, such as at the centre of a sphere, that and the Hessian are 0.
-    [[nodiscard]] CsgJet jet(std::int32_t sheet, const glm::dvec3& p) const noexcept;
-    // Of what is left of all space, if the solid is moved by x -> linear x + translation: {f <= level}, level >= 0.
-    [[nodiscard]] CsgBox box(const glm::dmat3& linear, const glm::dvec3& translation, double level) const noexcept;
-    // ... and {f >= -level}.
-    [[nodiscard]] CsgBox box_outside(const glm::dmat3& linear, const glm::dvec3& translation,
-                                     double level) const noexcept;
+    // One sheet, everywhere. Where it has no gradient, as at the centre of a sphere, gradient and Hessian are 0.
+    [[nodiscard]] Jet jet(std::int32_t sheet, const glm::dvec3& p) const noexcept;
+    // The bounds if the solid is moved by x -> linear x + translation, and f becomes scale f.
+    [[nodiscard]] CsgReach reach(const glm::dmat3& linear, const glm::dvec3& translation, double scale) const noexcept;
 
 private:
     [[nodiscard]] double side(double rho, double z) const noexcept {
         return slant_.x * (rho - radius_) + slant_.y * (z + half_.z);
     }
+    [[nodiscard]] CsgBox box(const glm::dmat3& linear, const glm::dvec3& translation, double level) const noexcept;
 
     CsgKind kind_ = CsgKind::sphere;
     glm::dvec3 half_{0.0}; // of a box; z: of a cylinder or cone

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "implicit/evaluate_all.h"
 
+#include "implicit/lanes.h"
+
 #include <algorithm>
-#include <array>
 #include <atomic>
 #include <limits>
 #include <numeric>
@@ -12,46 +13,10 @@ namespace {
 
 constexpr std::int64_t many_cells = 64; // for each point
 
-using Column = std::array<double, static_cast<std::size_t>(batch_size)>;
-
 // Points from all over, and their fields, side by side.
-class Gathered {
-public:
-    Gathered(const geometry::VecArray& points, const std::int32_t* order, std::int64_t count) noexcept
-        : order_(order), count_(count) {
-        for (std::int64_t i = 0; i < count; ++i) {
-            const glm::dvec3 p = points[order[i]];
-            const auto lane = static_cast<std::size_t>(i);
-            point_[0][lane] = p.x;
-            point_[1][lane] = p.y;
-            point_[2][lane] = p.z;
-        }
-    }
-
-    void evaluate(const Implicit& implicit, const FieldBatch& fields) {
-        FieldBatch here;
-        std::size_t column = 0;
-        const auto want = [&](double* to, double*& from) {
-            if (to != nullptr) from = field_[column++].data();
-        };
-        want(fields.value, here.value);
-        for (std::size_t c = 0; c < 3; ++c) want(fields.gradient[c], here.gradient[c]);
-        for (std::size_t c = 0; c < 6; ++c) want(fields.hessian[c], here.hessian[c]);
-        implicit.evaluate({point_[0].data(), point_[1].data(), point_[2].data(), count_}, here);
-        scatter(here.value, fields.value);
-        for (std::size_t c = 0; c < 3; ++c) scatter(here.gradient[c], fields.gradient[c]);
-        for (std::size_t c = 0; c < 6; ++c) scatter(here.hessian[c], fields.hessian[c]);
-    }
-
-private:
-    void scatter(const double* from, double* to) const noexcept {
-        for (std::int64_t i = 0; to != nullptr && i < count_; ++i) to[order_[i]] = from[i];
-    }
-
-    const std::int32_t* order_;
-    std::int64_t count_;
-    std::array<Column, 3> point_;
-    std::array<Column, 10> field_;
+struct Gathered {
+    PointLanes<std::size_t{batch_size}> points;
+    FieldLanes<std::size_t{batch_size}> fields;
 };
 
 } // namespace
@@ -92,12 +57,17 @@ void evaluate_all(const base::Runtime& runtime, const Implicit& implicit, const 
     std::atomic<std::int64_t> done{0};
     implicit.threads(runtime.parallel).for_chunks(count, batch_size, [&](std::int64_t begin, std::int64_t end) {
         progress.check();
-        if (order.empty())
+        if (order.empty()) {
             implicit.evaluate(slice({points.x.data(), points.y.data(), points.z.data(), count}, begin, end),
                               fields.from(begin));
-        else
-            base::Boxed<Gathered>(runtime.memory, points, order.data() + begin, end - begin)
-                ->evaluate(implicit, fields);
+        } else {
+            base::Boxed<Gathered> some(runtime.memory);
+            for (std::int64_t i = begin; i < end; ++i) some->points.add(points[order[i]], order[i]);
+            implicit.evaluate(
+                some->points.points(),
+                some->fields.fields(fields.value != nullptr, fields.wants_gradient(), fields.wants_hessian()));
+            some->fields.scatter(some->points.index, end - begin, fields);
+        }
         const std::int64_t now = done.fetch_add(end - begin, std::memory_order_relaxed) + end - begin;
         progress.update(static_cast<double>(now) / static_cast<double>(count));
     });

@@ -1,235 +1,446 @@
 // SPDX-License-Identifier: MIT
+// A block of points goes through five steps: 1. points that zones know one sheet of, and the cells that have a say at
+// the others; 2. the terms of these: each sheet that a cell's program asks for, and cells without a program; 3. each
+// sheet at all its points at once; 4. which sheet each cell's program ends with, and what the cells of a sheet weigh;
+// 5. the mean of the terms.
 #include "implicit/pieces.h"
 
-#include "implicit/pieces_block.h"
+#include "implicit/lanes.h"
 #include "implicit/prepared.h"
+#include "implicit/tuning.h"
 
-#include <algorithm>
+#include <cmath>
 
 namespace hrbfnpr::implicit {
 namespace {
 
-constexpr std::int64_t slice_size = 256;
-constexpr double points_a_cell = 40.0; // from which on zones are worth it
-// Sheets that are fewer have enough points each in any slice.
-constexpr std::int64_t few_sheets = 8;
-
-// Points of a slice that are evaluated together, in their order, and what they are.
-class GatheredPoints {
-public:
-    // visit: called with the function that takes a point's index.
-    template <class ForPoints>
-    PointBatch points(const PointBatch& from, ForPoints&& for_points) noexcept {
-        std::int64_t count = 0;
-        for_points([&](std::int32_t i) {
-            x_[count] = from.x[i];
-            y_[count] = from.y[i];
-            z_[count] = from.z[i];
-            index_[count++] = i;
-        });
-        return {x_, y_, z_, count};
+// Wendland's function (1 - t)^4 (4 t + 1) of one coordinate, with two derivatives (Wendland, "Piecewise polynomial,
+// positive definite and compactly supported radial functions of minimal degree", 1995).
+struct Bump {
+    Bump(double offset, double width) noexcept {
+        const double t = std::min(1.0, std::abs(offset) / width);
+        const double s = 1.0 - t;
+        w = s * s * s * s * (4.0 * t + 1.0);
+        d = std::copysign(20.0 * t * s * s * s / width, -offset);
+        h = 20.0 * s * s * (4.0 * t - 1.0) / (width * width);
     }
-    [[nodiscard]] FieldBatch fields(const FieldBatch& wanted) noexcept {
-        FieldBatch fields;
-        if (wanted.value != nullptr) fields.value = field_[0];
-        for (std::size_t c = 0; wanted.wants_gradient() && c < 3; ++c) fields.gradient[c] = field_[1 + c];
-        for (std::size_t c = 0; wanted.wants_hessian() && c < 6; ++c) fields.hessian[c] = field_[4 + c];
-        return fields;
-    }
-    void scatter(std::int64_t count, const FieldBatch& to) const noexcept {
-        scatter(field_[0], count, to.value);
-        for (std::size_t c = 0; c < 3; ++c) scatter(field_[1 + c], count, to.gradient[c]);
-        for (std::size_t c = 0; c < 6; ++c) scatter(field_[4 + c], count, to.hessian[c]);
-    }
-    [[nodiscard]] std::int32_t index(std::int64_t i) const noexcept { return index_[i]; }
-
-private:
-    void scatter(const double* from, std::int64_t count, double* to) const noexcept {
-        for (std::int64_t i = 0; to != nullptr && i < count; ++i) to[index_[i]] = from[i];
-    }
-
-    double x_[slice_size], y_[slice_size], z_[slice_size];
-    double field_[10][slice_size];
-    std::int32_t index_[slice_size];
+    double w, d, h;
 };
 
-// The points of a slice, by the one sheet that rules them: others are the group of -1.
-class Groups {
+// Hessians are in the order of FieldBatch.
+void add_symmetric(const glm::dvec3& a, const glm::dvec3& b, std::array<double, 6>& h) noexcept {
+    h[0] += 2.0 * a.x * b.x;
+    h[1] += a.x * b.y + a.y * b.x;
+    h[2] += a.x * b.z + a.z * b.x;
+    h[3] += 2.0 * a.y * b.y;
+    h[4] += a.y * b.z + a.z * b.y;
+    h[5] += 2.0 * a.z * b.z;
+}
+
+// Adds the Hessian of a function of the distance, with derivatives d and h, along the unit vector u.
+void add_radial(const glm::dvec3& u, double d, double h, double distance, std::array<double, 6>& to) noexcept {
+    const double across = d / distance;
+    add_symmetric(u, 0.5 * (h - across) * u, to);
+    to[0] += across;
+    to[3] += across;
+    to[5] += across;
+}
+
+Jet weight_of(const PiecesNode& cell, const glm::dvec3& place) noexcept {
+    const glm::dvec3 off = place - cell.centre;
+    const double width = PiecesData::cell_reach * cell.half;
+    const Bump x(off.x, width);
+    const Bump y(off.y, width);
+    const Bump z(off.z, width);
+    return {x.w * y.w * z.w,
+            {x.d * y.w * z.w, x.w * y.d * z.w, x.w * y.w * z.d},
+            {x.h * y.w * z.w, x.d * y.d * z.w, x.d * y.w * z.d, x.w * y.h * z.w, x.w * y.d * z.d, x.w * y.w * z.h}};
+}
+
+// One of the functions whose mean is f at a point: a sheet, or one that stands in where no surface is near.
+struct Term {
+    std::int32_t sheet; // -1: no sheet
+    std::int32_t point;
+    std::int32_t next; // term of the sheet, or -1
+    Jet jet;
+    Jet weight; // of all cells that it rules
+};
+
+// A cell that has a say at a point.
+struct Hit {
+    PiecesNode cell;
+    std::int32_t leaf;         // -1: the sphere far outside
+    std::int32_t ruler;        // the term that the program ends with, or -1
+    const std::int32_t* begin; // of the program
+    const std::int32_t* end;
+
+    [[nodiscard]] std::span<const std::int32_t> program() const noexcept { return {begin, end}; }
+};
+
+// The linear function of a cell without a program.
+Term plain_term(const PiecesData& data, const Hit& hit, const glm::dvec3& place) noexcept {
+    const double* const p = data.plain.data() + 4 * std::int64_t{hit.leaf};
+    Term term{-1, 0, -1, {}, {}};
+    term.jet.gradient = {p[1], p[2], p[3]};
+    term.jet.value = p[0] + glm::dot(term.jet.gradient, place - hit.cell.centre);
+    term.weight = weight_of(hit.cell, place);
+    return term;
+}
+
+// The sphere about the bounds, far outside.
+Term sphere_term(const PiecesData& data, const glm::dvec3& place) noexcept {
+    const double radius = 0.5 * data.bounds.diagonal();
+    const glm::dvec3 off = place - data.bounds.centre();
+    const double distance = glm::length(off);
+    const glm::dvec3 u = off / distance;
+    const double width = (PiecesData::sphere_rules - PiecesData::sphere_begins) * radius;
+    const double t = std::min(1.0, (distance - PiecesData::sphere_begins * radius) / width);
+    Term term{-1, 0, -1, {}, {}};
+    term.jet.value = distance - radius;
+    term.jet.gradient = u;
+    add_radial(u, 1.0, 0.0, distance, term.jet.hessian);
+    // t^3 (10 - 15 t + 6 t^2): two derivatives are 0 at both ends.
+    term.weight.value = t * t * t * (10.0 + t * (6.0 * t - 15.0));
+    const double d = 30.0 * t * t * (1.0 - t) * (1.0 - t) / width;
+    const double h = 60.0 * t * (1.0 - t) * (1.0 - 2.0 * t) / (width * width);
+    term.weight.gradient = d * u;
+    add_radial(u, d, h, distance, term.weight.hessian);
+    return term;
+}
+
+class PiecesBlock {
 public:
-    void find(const PiecesZones& zones, const PointBatch& points) noexcept {
-        count_ = 0;
-        for (std::int32_t i = 0; i < points.count; ++i) {
-            const glm::dvec3 place(points.x[i], points.y[i], points.z[i]);
-            const std::int32_t zone = zones.at(place);
-            const PiecesZones::Part* const alone = zone >= 0 ? zones.alone_at(zones[zone], place) : nullptr;
-            at_[i] = {zone, alone};
-            if (alone == nullptr)
-                add(zone >= 0 || zone == PiecesZones::nowhere ? -1 : -1 - zone, i);
-            else
-                add(zones.sheet_of(*alone), i);
-        }
-    }
-    [[nodiscard]] std::int64_t count() const noexcept { return count_; }
-    [[nodiscard]] std::int32_t sheet(std::int64_t group) const noexcept { return group_[group].sheet; }
-    [[nodiscard]] const PiecesBlock::At& at(std::int32_t point) const noexcept { return at_[point]; }
-    template <class Visit>
-    void for_points(std::int64_t group, Visit&& visit) const {
-        for (std::int32_t i = group_[group].first; i >= 0; i = next_[i]) visit(i);
-    }
+    explicit PiecesBlock(const PiecesOf& of) noexcept : of_(of), data_(of.data()) {}
+
+    // Takes as many of the points as there is room for, one at least, and returns their number.
+    std::int64_t take(const PointBatch& points) noexcept;
+    void evaluate(const FieldBatch& fields);
+    void active(std::int32_t* sheet);
 
 private:
+    static constexpr std::int64_t most_points = PiecesTuning::points;
+    static constexpr std::int64_t most_at_point = 96; // cells, and sheets, of one point
+    static constexpr std::int64_t most_hits = 768;    // of all points
+    static constexpr std::int64_t most_terms = 768;
+
+    // A sheet that is evaluated at points that it alone rules, and for terms.
     struct Group {
-        std::int32_t sheet, first, last;
+        std::int32_t sheet;
+        std::int32_t point, term; // the first of each chain, or -1
     };
 
-    void add(std::int32_t sheet, std::int32_t point) noexcept {
-        next_[point] = -1;
-        for (std::int64_t g = count_ - 1; g >= 0; --g) {
-            if (group_[g].sheet != sheet) continue;
-            next_[group_[g].last] = point;
-            group_[g].last = point;
-            return;
-        }
-        group_[count_++] = {sheet, point, point};
+    [[nodiscard]] std::span<Hit> hits(std::int64_t point) noexcept {
+        return {hit_ + first_hit_[point], hit_ + first_hit_[point + 1]};
     }
+    [[nodiscard]] std::span<const Term> terms(std::int64_t point) const noexcept {
+        return {term_ + first_term_[point], term_ + first_term_[point + 1]};
+    }
+    Group& group_of(std::int32_t sheet) noexcept;
+    void add_hit(const PiecesNode& cell, std::int32_t leaf, std::span<const std::int32_t> program) noexcept {
+        HRBFNPR_ASSERT(hits_ < most_hits);
+        hit_[hits_++] = {cell, leaf, -1, program.data(), program.data() + program.size()};
+    }
+    void find_hits(const PiecesNode& cell, const glm::dvec3& place, std::int64_t limit) noexcept;
+    void look_up(std::span<const PiecesZones::Part> parts, const glm::dvec3& place) noexcept;
+    void add_terms(std::int64_t point, const glm::dvec3& place) noexcept;
+    void evaluate_alone(const FieldBatch& fields);
+    void evaluate_terms(bool gradient, bool hessian);
+    void choose(std::int64_t point) noexcept;
+    [[nodiscard]] std::int32_t run(const Hit& hit, std::int64_t point) const noexcept;
+    [[nodiscard]] Jet mean(std::int64_t point, const FieldBatch& wanted) const noexcept;
 
-    std::int64_t count_ = 0;
-    Group group_[slice_size];
-    std::int32_t next_[slice_size];
-    PiecesBlock::At at_[slice_size];
+    const PiecesOf& of_;
+    const PiecesData& data_;
+    PointBatch points_;
+    std::int64_t hits_ = 0;
+    std::int64_t terms_ = 0;
+    std::int64_t groups_ = 0;
+    std::int64_t first_hit_[most_points + 1];
+    std::int64_t first_term_[most_points + 1];
+    std::int32_t alone_[most_points];      // the sheet that is known to rule each point, or -1
+    std::int32_t next_alone_[most_points]; // point of the same sheet, or -1
+    std::int32_t ruler_[most_points];      // of others, the term that rules all cells, or -1
+    Hit hit_[most_hits];
+    Term term_[most_terms];
+    Group group_[most_points + most_terms];
+    PointLanes<std::size_t{most_points}> lanes_;
+    FieldLanes<std::size_t{most_points}> answer_;
 };
 
-// What evaluating works in.
-class Work {
-public:
-    explicit Work(const PiecesParts& parts) noexcept : parts_(parts), block_(parts) {}
+PiecesBlock::Group& PiecesBlock::group_of(std::int32_t sheet) noexcept {
+    HRBFNPR_ASSERT(sheet >= 0 && sheet < data_.sheet.size());
+    for (std::int64_t g = groups_ - 1; g >= 0; --g)
+        if (group_[g].sheet == sheet) return group_[g];
+    group_[groups_] = {sheet, -1, -1};
+    return group_[groups_++];
+}
 
-    void evaluate(const PointBatch& points, const FieldBatch& fields) {
-        for_groups(points, [&](const PointBatch& some, std::int32_t sheet, const PiecesBlock::At* at) {
-            const FieldBatch here = gathered_.fields(fields);
-            if (sheet >= 0) parts_.evaluate_sheet(sheet, some, here);
-            for (std::int64_t begin = 0; sheet < 0 && begin < some.count;) {
-                const std::int64_t taken = block_.take(slice(some, begin, some.count), at + begin);
-                block_.evaluate(here.from(begin));
-                begin += taken;
-            }
-            gathered_.scatter(some.count, fields);
-        });
+// Visits the leaf that the place lies in, or is nearest to, before others.
+void PiecesBlock::find_hits(const PiecesNode& cell, const glm::dvec3& place, std::int64_t limit) noexcept {
+    const std::int32_t child = data_.child[cell.node];
+    if (child < 0) {
+        if (hits_ < limit) add_hit(cell, -1 - child, data_.program_of(-1 - child));
+        return;
     }
+    // Along each axis the lower children reach beyond the middle, and the upper ones below it.
+    const glm::dvec3 off = place - cell.centre;
+    const double both = (PiecesData::cell_reach - 1.0) * 0.5 * cell.half;
+    const int low = (off.x < both ? 1 : 0) | (off.y < both ? 2 : 0) | (off.z < both ? 4 : 0);
+    const int high = (off.x > -both ? 1 : 0) | (off.y > -both ? 2 : 0) | (off.z > -both ? 4 : 0);
+    find_hits(cell.child(child, high), place, limit);
+    for (int k = 0; (low & high) != 0 && k < 8; ++k)
+        if (k != high && (k & high) == k && (~k & 7 & low) == (~k & 7)) find_hits(cell.child(child, k), place, limit);
+}
 
-    void active(const PointBatch& points, std::int32_t* active) {
-        for_groups(points, [&](const PointBatch& some, std::int32_t sheet, const PiecesBlock::At* at) {
-            std::fill_n(active_, some.count, sheet);
-            for (std::int64_t begin = 0; sheet < 0 && begin < some.count;) {
-                const std::int64_t taken = block_.take(slice(some, begin, some.count), at + begin);
-                block_.active(active_ + begin);
-                begin += taken;
+// Cells that have a say at a place of which zones say no more than `parts`.
+void PiecesBlock::look_up(std::span<const PiecesZones::Part> parts, const glm::dvec3& place) noexcept {
+    const PiecesZones* const zones = of_.zones();
+    for (const PiecesZones::Part& part : parts)
+        if (const PiecesNode& cell = zones->node(part.leaf); parts.size() == 1 || cell.reaches(place))
+            add_hit(cell, part.leaf, zones->program_of(part));
+    if (!parts.empty()) return;
+    const PiecesNode root = root_of(data_);
+    if (root.reaches(place)) find_hits(root, place, hits_ + most_at_point - 1);
+    const double begins = PiecesData::sphere_begins * 0.5 * data_.bounds.diagonal();
+    if (glm::distance(place, data_.bounds.centre()) > begins) add_hit(root, -1, {});
+}
+
+// Each sheet that a cell of the point asks for is one term. A cell for whose sheets there is no room has no program.
+void PiecesBlock::add_terms(std::int64_t point, const glm::dvec3& place) noexcept {
+    const std::int64_t first = terms_;
+    bool plain = false;
+    for (Hit& hit : std::span(hit_ + first_hit_[point], hit_ + hits_)) {
+        for (const std::int32_t sheet : hit.program()) {
+            if (sheet < 0) continue;
+            std::int64_t i = first;
+            while (i < terms_ && term_[i].sheet != sheet) ++i;
+            if (i < terms_) continue;
+            if (i - first >= most_at_point) {
+                hit.end = hit.begin;
+                break;
             }
-            for (std::int64_t i = 0; i < some.count; ++i) active[gathered_.index(i)] = active_[i];
-        });
+            Term& term = term_[terms_++];
+            term.sheet = sheet;
+            term.point = static_cast<std::int32_t>(point);
+            term.next = std::exchange(group_of(sheet).term, static_cast<std::int32_t>(i));
+            term.weight = {};
+        }
+        plain = plain || hit.begin == hit.end;
     }
+    for (std::int64_t k = first_hit_[point]; plain && k < hits_; ++k)
+        if (const Hit& hit = hit_[k]; hit.begin == hit.end)
+            term_[terms_++] = hit.leaf >= 0 ? plain_term(data_, hit, place) : sphere_term(data_, place);
+}
 
-private:
-    template <class Visit>
-    void for_groups(const PointBatch& points, Visit&& visit) {
-        groups_.find(*parts_.zones, points);
-        for (std::int64_t g = 0; g < groups_.count(); ++g) {
-            const PointBatch some = gathered_.points(points, [&](auto&& add) { groups_.for_points(g, add); });
-            for (std::int64_t i = 0; i < some.count; ++i) at_[i] = groups_.at(gathered_.index(i));
-            visit(some, groups_.sheet(g), at_);
+std::int64_t PiecesBlock::take(const PointBatch& points) noexcept {
+    const PiecesZones* const zones = of_.zones();
+    hits_ = terms_ = groups_ = 0;
+    first_hit_[0] = first_term_[0] = 0;
+    std::int64_t count = 0;
+    while (count < std::min(points.count, most_points) && hits_ + most_at_point <= most_hits &&
+           terms_ + 2 * most_at_point <= most_terms) {
+        const glm::dvec3 place = point_at(points, count);
+        PiecesZones::At at;
+        if (zones != nullptr) at = zones->at(place);
+        alone_[count] = at.sheet;
+        if (at.sheet >= 0) {
+            next_alone_[count] = std::exchange(group_of(at.sheet).point, static_cast<std::int32_t>(count));
+        } else {
+            look_up(at.parts, place);
+            add_terms(count, place);
+        }
+        first_hit_[++count] = hits_;
+        first_term_[count] = terms_;
+    }
+    points_ = slice(points, 0, count);
+    return count;
+}
+
+void PiecesBlock::evaluate_alone(const FieldBatch& fields) {
+    for (const Group& group : std::span(group_, static_cast<std::size_t>(groups_))) {
+        lanes_.count = 0;
+        for (std::int32_t i = group.point; i >= 0; i = next_alone_[i]) lanes_.add(point_at(points_, i), i);
+        if (lanes_.count == 0) continue;
+        of_.evaluate(group.sheet, lanes_.points(),
+                     answer_.fields(fields.value != nullptr, fields.wants_gradient(), fields.wants_hessian()));
+        answer_.scatter(lanes_.index, lanes_.count, fields);
+    }
+}
+
+// Values, with gradients or not; then, on their own, Hessians of the terms that weigh something.
+void PiecesBlock::evaluate_terms(bool gradient, bool hessian) {
+    for (const Group& group : std::span(group_, static_cast<std::size_t>(groups_))) {
+        lanes_.count = 0;
+        for (std::int32_t i = group.term; i >= 0; i = term_[i].next)
+            if (!hessian || term_[i].weight.value > 0.0) lanes_.add(point_at(points_, term_[i].point), i);
+        if (lanes_.count == 0) continue;
+        of_.evaluate(group.sheet, lanes_.points(), answer_.fields(!hessian, gradient, hessian));
+        for (std::int64_t k = 0; k < lanes_.count; ++k) {
+            Jet& jet = term_[lanes_.index[k]].jet;
+            if (!hessian) jet.value = answer_.field[0][k];
+            for (int c = 0; gradient && c < 3; ++c) jet.gradient[c] = answer_.field[1 + c][k];
+            for (std::size_t c = 0; hessian && c < 6; ++c) jet.hessian[c] = answer_.field[4 + c][k];
         }
     }
+}
 
-    const PiecesParts& parts_;
-    PiecesBlock block_;
-    Groups groups_;
-    GatheredPoints gathered_;
-    PiecesBlock::At at_[slice_size];
-    std::int32_t active_[slice_size];
-};
+// The term that a cell's program ends with.
+std::int32_t PiecesBlock::run(const Hit& hit, std::int64_t point) const noexcept {
+    std::int32_t stack[PiecesData::most_operands + 1];
+    std::size_t depth = 0;
+    for (const std::int32_t code : hit.program()) {
+        if (code >= 0) {
+            std::int64_t i = first_term_[point];
+            while (term_[i].sheet != code) ++i;
+            HRBFNPR_ASSERT(i < first_term_[point + 1]);
+            stack[depth++] = static_cast<std::int32_t>(i);
+            continue;
+        }
+        HRBFNPR_ASSERT(depth >= 2);
+        const double sign = code == PiecesData::smaller ? 1.0 : -1.0;
+        const std::int32_t b = stack[--depth];
+        std::int32_t& a = stack[depth - 1];
+        if (takes_lower(sign * term_[a].jet.value, sign * term_[b].jet.value)) a = b;
+    }
+    return depth == 1 ? stack[0] : -1;
+}
+
+// Which sheet rules each cell, and what all cells of a sheet weigh: 1 where it is all of them.
+void PiecesBlock::choose(std::int64_t point) noexcept {
+    const std::span<Hit> hits = this->hits(point);
+    bool one = !hits.empty();
+    for (Hit& hit : hits) {
+        hit.ruler = run(hit, point);
+        one = one && hit.ruler >= 0 && hit.ruler == hits[0].ruler;
+    }
+    ruler_[point] = one ? hits[0].ruler : -1;
+    if (one) term_[ruler_[point]].weight.value = 1.0;
+    for (const Hit& hit : hits)
+        if (!one && hit.ruler >= 0) term_[hit.ruler].weight.add(weight_of(hit.cell, point_at(points_, point)));
+}
+
+// f = sum w_k f_k / sum w_k. What the weights' derivatives add is 0 where the terms agree.
+Jet PiecesBlock::mean(std::int64_t point, const FieldBatch& wanted) const noexcept {
+    double total = 0.0;
+    double sum = 0.0;
+    double first = std::numeric_limits<double>::quiet_NaN(); // where no term weighs anything
+    bool one = true;
+    for (const Term& term : terms(point)) {
+        if (!(term.weight.value > 0.0)) continue;
+        if (total == 0.0) first = term.jet.value;
+        one = one && term.jet.value == first;
+        total += term.weight.value;
+        sum += term.weight.value * term.jet.value;
+    }
+    Jet mean{one ? first : sum / total, glm::dvec3(0.0), {}};
+    for (const auto& [sheet, number, next, jet, weight] : terms(point))
+        if ((wanted.wants_gradient() || wanted.wants_hessian()) && weight.value > 0.0)
+            mean.gradient +=
+                (weight.value / total) * jet.gradient + ((jet.value - mean.value) / total) * weight.gradient;
+    for (const auto& [sheet, number, next, jet, weight] : terms(point)) {
+        if (!wanted.wants_hessian() || !(weight.value > 0.0)) continue;
+        for (std::size_t c = 0; c < 6; ++c)
+            mean.hessian[c] += (weight.value * jet.hessian[c] + (jet.value - mean.value) * weight.hessian[c]) / total;
+        add_symmetric(weight.gradient / total, jet.gradient - mean.gradient, mean.hessian);
+    }
+    return mean;
+}
+
+void PiecesBlock::evaluate(const FieldBatch& fields) {
+    evaluate_alone(fields);
+    evaluate_terms(fields.wants_gradient() || fields.wants_hessian(), false);
+    for (std::int64_t point = 0; point < points_.count; ++point)
+        if (alone_[point] < 0) choose(point);
+    if (fields.wants_hessian()) evaluate_terms(false, true);
+    for (std::int64_t point = 0; point < points_.count; ++point) {
+        if (alone_[point] >= 0) continue;
+        Jet mixed;
+        Jet& jet = ruler_[point] >= 0 ? term_[ruler_[point]].jet : (mixed = mean(point, fields));
+        for_columns(fields, [&](std::size_t c, double* column) { column[point] = jet[c]; });
+    }
+}
+
+// The sheet that weighs the most; if cells without a program weigh as much together, the last one, which is f.
+void PiecesBlock::active(std::int32_t* sheet) {
+    evaluate_terms(false, false);
+    for (std::int64_t point = 0; point < points_.count; ++point) {
+        sheet[point] = alone_[point];
+        if (sheet[point] >= 0) continue;
+        choose(point);
+        double most = 0.0;
+        for (const Term& term : terms(point))
+            if (term.sheet < 0) most += term.weight.value;
+        sheet[point] = of_.count() - 1;
+        for (const Term& term : terms(point)) {
+            if (term.sheet < 0 || !(term.weight.value > most)) continue;
+            most = term.weight.value;
+            sheet[point] = term.sheet;
+        }
+    }
+}
+
+// work(block, first): for all points, as many at a time as a block takes.
+template <class F>
+void in_blocks(const PiecesOf& of, const PointBatch& points, F&& work) {
+    base::Boxed<PiecesBlock> block(of.data().child.memory(), of);
+    for (std::int64_t begin = 0; begin < points.count;) {
+        const std::int64_t count = block->take(slice(points, begin, points.count));
+        work(*block, begin);
+        begin += count;
+    }
+}
 
 } // namespace
 
-void PiecesParts::evaluate_sheet(std::int32_t sheet, const PointBatch& points, const FieldBatch& fields) const {
-    if (prepared != nullptr && prepared[sheet] != nullptr)
-        prepared[sheet]->evaluate(points, fields);
-    else
-        implicit::evaluate(set, data.sheet[sheet], points, fields);
-}
-
 void PiecesOf::evaluate(const PointBatch& points, const FieldBatch& fields) const {
-    if (parts_.zones == nullptr) {
-        base::Boxed<PiecesBlock> block(data().child.memory(), parts_);
-        for (std::int64_t begin = 0; begin < points.count;) {
-            const std::int64_t count = block->take(slice(points, begin, points.count), nullptr);
-            block->evaluate(fields.from(begin));
-            begin += count;
-        }
-        return;
-    }
-    base::Boxed<Work> work(data().child.memory(), parts_);
-    for (std::int64_t begin = 0; begin < points.count; begin += slice_size)
-        work->evaluate(slice(points, begin, std::min(points.count, begin + slice_size)), fields.from(begin));
+    in_blocks(*this, points, [&](PiecesBlock& block, std::int64_t begin) { block.evaluate(fields.from(begin)); });
 }
 
 void PiecesOf::active(const PointBatch& points, std::int32_t* sheet) const {
-    if (parts_.zones == nullptr) {
-        base::Boxed<PiecesBlock> block(data().child.memory(), parts_);
-        for (std::int64_t begin = 0; begin < points.count;) {
-            const std::int64_t count = block->take(slice(points, begin, points.count), nullptr);
-            block->active(sheet + begin);
-            begin += count;
-        }
-        return;
-    }
-    base::Boxed<Work> work(data().child.memory(), parts_);
-    for (std::int64_t begin = 0; begin < points.count; begin += slice_size)
-        work->active(slice(points, begin, std::min(points.count, begin + slice_size)), sheet + begin);
-}
-
-std::int64_t PiecesOf::cells() const noexcept {
-    if (parts_.zones == nullptr) return data().leaves();
-    bool order = data().sheet.size() > few_sheets;
-    for (std::int64_t i = 0; !order && i < data().sheet.size(); ++i) order = parts_.prepared[i] != nullptr;
-    return order ? parts_.zones->cells() : 0;
+    in_blocks(*this, points, [&](PiecesBlock& block, std::int64_t begin) { block.active(sheet + begin); });
 }
 
 void PiecesOf::evaluate(std::int32_t sheet, const PointBatch& points, const FieldBatch& fields) const {
-    if (sheet < data().sheet.size())
-        parts_.evaluate_sheet(sheet, points, fields);
-    else
+    HRBFNPR_ASSERT(sheet >= 0 && sheet < count());
+    if (sheet == data_.sheet.size())
         evaluate(points, fields);
+    else if (const Prepared* const its = prepared(sheet); its != nullptr)
+        its->evaluate(points, fields);
+    else
+        implicit::evaluate(set_, data_.sheet[sheet], points, fields);
 }
 
-// Measured on two cores: zones take some 20 us a cell, and save some 0.5 us a point.
+std::int64_t PiecesOf::cells() const noexcept {
+    if (zones_ == nullptr) return data_.leaves();
+    bool order = data_.sheet.size() > pieces_tuning.few_sheets;
+    for (std::int64_t i = 0; !order && i < data_.sheet.size(); ++i) order = prepared(i) != nullptr;
+    return order ? zones_->cells() : 0;
+}
+
 std::optional<PreparedPieces::Scope> PreparedPieces::pays(const PiecesData& data, double points) noexcept {
-    if (points < points_a_cell * static_cast<double>(data.leaves())) return std::nullopt;
+    if (points < pieces_tuning.points_a_cell * static_cast<double>(data.leaves())) return std::nullopt;
     const auto all = static_cast<double>(data.centres());
-    for (const HrbfData& one : data.sheet) // asked for as often as its centres are of all
+    for (const HrbfData& one : data.sheet) // is evaluated as often as its share of the centres
         if (Prepared::pays(one, points * static_cast<double>(one.count()) / all)) return Scope::sheets;
     return Scope::zones;
 }
 
 PreparedPieces::PreparedPieces(const base::Runtime& runtime, const PiecesOf& of, Scope scope,
                                const base::Progress& progress)
-    : ReadyPieces{{},
-                  {runtime, of.data(), progress},
-                  base::List<std::unique_ptr<Prepared>>(runtime.memory),
-                  base::Array<const Prepared*>(runtime.memory, of.data().sheet.size())},
-      PiecesOf({of.instruction_set(), of.data(), &zones, pointer.data()}) {
+    : PiecesOf(of.instruction_set(), of.data(), &own_zones_, &sheet_), own_zones_(runtime, of.data(), progress),
+      sheet_(runtime.memory) {
     runtime.log(base::LogLevel::info, "cells of %lld sheets prepared in %.3f s, %.1f MB",
-                static_cast<long long>(data().sheet.size()), watch.seconds(), static_cast<double>(zones.bytes()) / 1e6);
-    for (std::int64_t i = 0; scope == Scope::sheets && i < data().sheet.size(); ++i) {
-        sheet.add(Prepared::make(runtime, data().sheet[i], progress));
-        pointer[i] = sheet.back().get();
-    }
+                static_cast<long long>(data().sheet.size()), watch_.seconds(),
+                static_cast<double>(own_zones_.bytes()) / 1e6);
+    for (std::int64_t i = 0; scope == Scope::sheets && i < data().sheet.size(); ++i)
+        sheet_.add(Prepared::make(runtime, data().sheet[i], progress));
 }
 
 PreparedPieces::~PreparedPieces() = default;
 
 std::int64_t PreparedPieces::bytes() const noexcept {
-    std::int64_t sum = zones.bytes();
-    for (const std::unique_ptr<Prepared>& one : sheet) sum += one != nullptr ? one->bytes() : 0;
+    std::int64_t sum = own_zones_.bytes();
+    for (const std::unique_ptr<Prepared>& one : sheet_) sum += one != nullptr ? one->bytes() : 0;
     return sum;
 }
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-// An implicit with creases: smooth sheets, each a Hermite fit of its own, and cells that say which of them rule where.
-// In each cell f is a maximum or minimum of a few sheets, or, where no surface is near, a linear function that is as
-// far from 0 as the surface is away; between cells it changes smoothly (a partition of unity as in Ohtake et al.,
-// "Multi-level partition of unity implicits", 2003, whose pieces are global functions here: cells that are ruled by
-// the same sheet change nothing).
+// An implicit made of sheets that meet in creases, and the same prepared for many points. In each cell f is a maximum
+// or minimum of a few sheets, or, where no surface is near, a linear function that is as far from 0 as the surface is
+// away. Between cells it changes smoothly: a partition of unity as in Ohtake et al., "Multi-level partition of unity
+// implicits", 2003, whose pieces are global functions here, so that cells that are ruled by the same sheet change
+// nothing.
 #pragma once
 
 #include "base/clock.h"
-#include "implicit/pieces_zones.h"
+#include "implicit/pieces_cells.h"
 #include "implicit/sheets.h"
 
 #include <memory>
@@ -17,71 +17,62 @@ namespace hrbfnpr::implicit {
 
 class Prepared;
 
-// What is evaluated: a model's own, or with some of its sheets prepared for many points.
-struct PiecesParts {
-    base::InstructionSet set;
-    const PiecesData& data;
-    const PiecesZones* zones = nullptr;
-    const Prepared* const* prepared = nullptr; // of each sheet, where it is; null: of none
-
-    void evaluate_sheet(std::int32_t sheet, const PointBatch& points, const FieldBatch& fields) const;
-};
-
-// As its parts say, which outlive it.
 class PiecesOf : public Implicit, public Sheets {
 public:
-    explicit PiecesOf(const PiecesParts& parts) noexcept : parts_(parts) {}
-
     void evaluate(const PointBatch& points, const FieldBatch& fields) const override;
     [[nodiscard]] bool concurrent() const noexcept override { return true; }
     [[nodiscard]] std::int64_t cells() const noexcept override;
     [[nodiscard]] std::int32_t cell_of(const glm::dvec3& place) const noexcept override {
-        return parts_.zones != nullptr ? parts_.zones->cell_of(place) : data().leaf_at(place);
+        return zones_ != nullptr ? zones_->cell_of(place) : data_.leaf_at(place);
     }
-    [[nodiscard]] const geometry::Bounds& bounds() const noexcept override { return data().bounds; }
+    [[nodiscard]] const geometry::Bounds& bounds() const noexcept override { return data_.bounds; }
     [[nodiscard]] const Sheets* sheets() const noexcept override { return this; }
 
     // The last one is f itself, which is smooth where no surface is near.
     [[nodiscard]] std::int32_t count() const noexcept override {
-        return static_cast<std::int32_t>(data().sheet.size()) + 1;
+        return static_cast<std::int32_t>(data_.sheet.size()) + 1;
     }
     void active(const PointBatch& points, std::int32_t* sheet) const override;
     void evaluate(std::int32_t sheet, const PointBatch& points, const FieldBatch& fields) const override;
 
-    [[nodiscard]] const PiecesData& data() const noexcept { return parts_.data; }
-    [[nodiscard]] base::InstructionSet instruction_set() const noexcept { return parts_.set; }
+    [[nodiscard]] const PiecesData& data() const noexcept { return data_; }
+    [[nodiscard]] const PiecesZones* zones() const noexcept { return zones_; }
+    [[nodiscard]] base::InstructionSet instruction_set() const noexcept { return set_; }
+
+protected:
+    // All outlive it. zones: null: none. prepared: for each sheet, null where it is not; empty: none is.
+    PiecesOf(base::InstructionSet set, const PiecesData& data, const PiecesZones* zones = nullptr,
+             const base::List<std::unique_ptr<Prepared>>* prepared = nullptr) noexcept
+        : set_(set), data_(data), zones_(zones), prepared_(prepared) {}
 
 private:
-    PiecesParts parts_;
+    [[nodiscard]] const Prepared* prepared(std::int64_t sheet) const noexcept {
+        return prepared_ != nullptr && !prepared_->empty() ? (*prepared_)[sheet].get() : nullptr;
+    }
+
+    base::InstructionSet set_;
+    const PiecesData& data_;
+    const PiecesZones* zones_;
+    const base::List<std::unique_ptr<Prepared>>* prepared_;
 };
 
-struct OwnedPieces {
-    PiecesData data;
-};
-
-class Pieces final : private OwnedPieces, public PiecesOf {
+class Pieces final : public PiecesOf {
 public:
-    Pieces(base::InstructionSet set, PiecesData made) noexcept
-        : OwnedPieces{std::move(made)}, PiecesOf({set, OwnedPieces::data}) {}
+    Pieces(base::InstructionSet set, PiecesData made) noexcept : PiecesOf(set, own_), own_(std::move(made)) {}
 
-    using PiecesOf::data;
-    [[nodiscard]] PiecesData take() && noexcept { return std::move(OwnedPieces::data); }
-};
+    [[nodiscard]] PiecesData take() && noexcept { return std::move(own_); }
 
-struct ReadyPieces {
-    base::Stopwatch watch;
-    PiecesZones zones;
-    base::List<std::unique_ptr<Prepared>> sheet; // null where it is not
-    base::Array<const Prepared*> pointer;
+private:
+    PiecesData own_;
 };
 
 // The same function, up to rounding and what Prepared says of its sheets, where many points are asked for.
-class PreparedPieces final : private ReadyPieces, public PiecesOf {
+class PreparedPieces final : public PiecesOf {
 public:
-    // What is prepared: zones, or zones and sheets of many centres.
+    // Zones are prepared, or zones and sheets of many centres.
     enum class Scope : std::uint8_t { zones, sheets };
 
-    // How much takes less time for so many points than it saves; nullopt: nothing.
+    // The scope that takes less time for this number of points than it saves; nullopt: none does.
     [[nodiscard]] static std::optional<Scope> pays(const PiecesData& data, double points) noexcept;
 
     // The pieces must outlive it.
@@ -89,6 +80,11 @@ public:
     ~PreparedPieces() override;
 
     [[nodiscard]] std::int64_t bytes() const noexcept;
+
+private:
+    base::Stopwatch watch_;
+    PiecesZones own_zones_;
+    base::List<std::unique_ptr<Prepared>> sheet_; // null where it would not be accurate
 };
 
 } // namespace hrbfnpr::implicit

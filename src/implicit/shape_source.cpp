@@ -3,7 +3,7 @@
 
 #include "implicit/hermite_thirds.h"
 #include "implicit/hrbf_block.h"
-#include "implicit/one_sheet.h"
+#include "implicit/sheets.h"
 #include "kernel/polynomial.h"
 
 #include <algorithm>

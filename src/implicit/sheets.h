@@ -5,9 +5,13 @@
 
 #include "implicit/implicit.h"
 
+#include <cmath>
 #include <cstdint>
 
 namespace hrbfnpr::implicit {
+
+// Whether the minimum of two is the second. If either is NaN, the minimum is NaN.
+[[nodiscard]] inline bool takes_lower(double a, double b) noexcept { return b < a || std::isnan(b); }
 
 class Sheets {
 public:
@@ -16,12 +20,32 @@ public:
     Sheets& operator=(const Sheets&) = delete;
     virtual ~Sheets() = default;
 
-    // How many there are.
+    // The number of sheets.
     [[nodiscard]] virtual std::int32_t count() const noexcept = 0;
     // Which of them f is at each point, in [0, count()).  On the calling thread.
     virtual void active(const PointBatch& points, std::int32_t* sheet) const = 0;
     // One of them, also beyond the place where it is f: smooth, and signed as f is.
     virtual void evaluate(std::int32_t sheet, const PointBatch& points, const FieldBatch& fields) const = 0;
+};
+
+// One sheet as an implicit of its own.
+class OneSheet final : public Implicit {
+public:
+    // `sheets` are those of `whole`, which lives as long as this.
+    OneSheet(const Implicit& whole, const Sheets& sheets, std::int32_t sheet) noexcept
+        : whole_(whole), sheets_(sheets), sheet_(sheet) {}
+
+    void evaluate(const PointBatch& points, const FieldBatch& fields) const override {
+        sheets_.evaluate(sheet_, points, fields);
+    }
+    [[nodiscard]] bool concurrent() const noexcept override { return whole_.concurrent(); }
+    [[nodiscard]] const geometry::Bounds& bounds() const noexcept override { return whole_.bounds(); }
+    [[nodiscard]] std::int32_t sheet() const noexcept { return sheet_; }
+
+private:
+    const Implicit& whole_;
+    const Sheets& sheets_;
+    std::int32_t sheet_;
 };
 
 } // namespace hrbfnpr::implicit

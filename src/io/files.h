@@ -4,7 +4,7 @@
 
 #include "base/memory.h"
 #include "geometry/cell_grid.h"
-#include "implicit/csg_tree.h"
+#include "implicit/csg_shapes.h"
 #include "implicit/hrbf.h"
 #include "implicit/pieces.h"
 #include "io/stream.h"

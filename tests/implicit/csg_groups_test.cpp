@@ -65,7 +65,7 @@ public:
         : quick_(plan(nodes, models, groups)), plain_(plan(nodes, models, Groups::never)), quick(csg(quick_, models)),
           plain(csg(plain_, models)) {}
 
-    [[nodiscard]] std::int32_t nested() const { return quick_.nested(); }
+    [[nodiscard]] std::int32_t nested() const { return quick_.nested; }
 
 private:
     static implicit::CsgPlan plan(const Nodes& nodes, const std::vector<const implicit::Implicit*>& models,

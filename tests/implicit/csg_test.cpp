@@ -247,7 +247,7 @@ TEST(Csg, TheSurfaceIsInItsBox) {
         SCOPED_TRACE(seed);
         const test::RandomTree tree(seed, 1 + static_cast<int>(seed % 5), true);
         const Solid solid(tree.nodes());
-        const implicit::CsgBox box = solid.plan().whole_box();
+        const implicit::CsgBox box = solid.plan().whole;
         finite += std::isfinite(glm::length(box.high - box.low)) ? 1 : 0;
         const test::Points points = scattered(150, 3.0);
         for (std::size_t k = 0; k + 1 < points.size(); ++k) {
@@ -271,7 +271,7 @@ TEST(Csg, TheSurfaceIsInItsBox) {
 }
 
 TEST(Csg, BoxesAreTight) {
-    const auto box_of = [](const Nodes& nodes) { return Solid(nodes).plan().whole_box(); };
+    const auto box_of = [](const Nodes& nodes) { return Solid(nodes).plan().whole; };
     // A cut ball, made larger by 0.5.
     Nodes cut{node(CsgKind::offset), node(CsgKind::subtract, 0), ball(1, {1, 0, 0}, 2.0), half_space(1, 0, 0.0)};
     cut[0].distance = 0.5;

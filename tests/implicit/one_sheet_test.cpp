@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // One sheet of an implicit with creases, and derivatives beside a crease.
-#include "implicit/one_sheet.h"
 #include "implicit/shape_source.h"
+#include "implicit/sheets.h"
 #include "support/sharp_shapes.h"
 
 #include <gtest/gtest.h>

@@ -185,6 +185,30 @@ TEST(Pieces, FarAwayAreADistanceFromASphere) {
     EXPECT_EQ(active_at(f, {30.0, 0.0, 0.0}), 4);
 }
 
+// A file may hold a program that names its only sheet twice. The cells are small enough for zones.
+TEST(Pieces, ZonesOfOneSheetThatIsNamedTwiceAreThatSheet) {
+    const auto runtime = hrbfnpr::test::with_threads(1);
+    PiecesData data = eight(runtime.memory, {{}});
+    data.child.clear();
+    data.program_begin.clear();
+    for (std::int32_t node = 0; node < 1 + 8 + 64; ++node) data.child.push_back(1 + 8 * node);
+    for (std::int32_t leaf = 0; leaf < 512; ++leaf) {
+        data.child.push_back(-1 - leaf);
+        data.program_begin.push_back(static_cast<std::int32_t>(data.program.size()));
+        for (const std::int32_t code : {0, 0, larger}) data.program.push_back(code);
+    }
+    data.program_begin.push_back(static_cast<std::int32_t>(data.program.size()));
+    data.plain.resize(4 * 512);
+    const implicit::Pieces f(InstructionSet::automatic, std::move(data));
+    ASSERT_TRUE(implicit::is_sound(f.data()));
+    const implicit::PreparedPieces prepared(runtime, f, implicit::PreparedPieces::Scope::zones, {});
+    EXPECT_FALSE(prepared.zones()->at(glm::dvec3(0.1)).parts.empty());
+    for (std::uint64_t i = 0; i < 100; ++i) {
+        const glm::dvec3 p = place(i, 1.0);
+        EXPECT_EQ(at(prepared, p).value, value_of(f.data().sheet[0], p));
+    }
+}
+
 TEST(Pieces, WithADamagedProgramOrTreeAreNotSound) {
     const auto runtime = hrbfnpr::test::with_threads(1);
     const auto damaged = [&](auto&& damage) {

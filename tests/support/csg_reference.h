@@ -2,7 +2,7 @@
 // CSG trees, made at random and evaluated plainly: one node after the other, from the root, by recursion.
 #pragma once
 
-#include "implicit/csg_tree.h"
+#include "implicit/csg_shapes.h"
 #include "implicit/implicit.h"
 
 #include <glm/matrix.hpp>

@@ -384,15 +384,11 @@ TEST(PreparedPieces, KnowTheOneSheetOfMostPlaces) {
         if (i % 3 == 0) continue;
         ++beside;
         const glm::dvec3 p(asked.x[i], asked.y[i], asked.z[i]);
-        const std::int32_t zone = zones.at(p);
-        if (zone == implicit::PiecesZones::nowhere) continue;
-        ++known;
-        if (zone < 0) {
-            EXPECT_EQ(-1 - zone, asked.sheet[i]);
-            ++one;
-        } else if (const auto* part = zones.alone_at(zones[zone], p)) {
-            one += zones.sheet_of(*part) >= 0 ? 1 : 0;
-        }
+        const implicit::PiecesZones::At at = zones.at(p);
+        known += at.sheet >= 0 || !at.parts.empty() ? 1 : 0;
+        if (at.sheet < 0) continue;
+        EXPECT_EQ(at.sheet, asked.sheet[i]);
+        ++one;
     }
     EXPECT_EQ(known, beside);
     EXPECT_GT(one, beside / 2);
