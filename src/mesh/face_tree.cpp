@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: MIT
+// The tree halves the faces by the middles of their boxes, level after level, and then bounds them from the leaves up.
 #include "mesh/face_tree.h"
+
+#include <utility>
 
 namespace hrbfnpr::mesh {
 namespace {
@@ -43,35 +46,38 @@ FaceTree::FaceTree(const base::Runtime& runtime, const base::Array<glm::dvec3>& 
     std::int64_t nodes = 1;
     for (std::int64_t longest = count; longest > leaf_size; longest = (longest + 1) / 2) nodes = 2 * nodes + 1;
     box_.resize_for_overwrite(nodes);
-    // The upper levels one after the other, what is below them side by side.
-    constexpr std::int64_t upper = 4;
-    std::array<Range, 1U << upper> below{Range{0, 0, count}};
-    std::int64_t parts = 1;
-    for (std::int64_t level = 0; level < upper && !below[0].leaf(); ++level) {
-        progress.check();
-        runtime.parallel.for_each(parts, [&](std::int64_t i) { split(middle, below[static_cast<std::size_t>(i)]); });
-        for (std::int64_t i = parts - 1; i >= 0; --i) {
-            const Range range = below[static_cast<std::size_t>(i)];
-            below[static_cast<std::size_t>(2 * i)] = range.low();
-            below[static_cast<std::size_t>(2 * i + 1)] = range.high();
+    base::Array<Range> ranges(runtime.memory); // of the nodes, level after level
+    ranges.push_back({0, 0, count});
+    for (std::int64_t first = 0, last = 1; first < last; first = std::exchange(last, ranges.size())) {
+        const std::int64_t at_once = 1 + 4096 / (1 + ranges[first].end - ranges[first].begin);
+        runtime.parallel.for_chunks(last - first, at_once, progress, [&](std::int64_t begin, std::int64_t end) {
+            for (std::int64_t i = first + begin; i < first + end; ++i) split(middle, ranges[i]);
+        });
+        for (std::int64_t i = first; i < last; ++i) {
+            if (ranges[i].leaf()) continue;
+            ranges.push_back(ranges[i].low());
+            ranges.push_back(ranges[i].high());
         }
-        parts *= 2;
     }
-    const auto build = [&](auto&& self, const Range& range) -> void {
-        if (range.leaf()) return;
-        if (range.end - range.begin > 4096) progress.check();
-        split(middle, range);
-        self(self, range.low());
-        self(self, range.high());
-    };
-    runtime.parallel.for_each(parts, [&](std::int64_t i) { build(build, below[static_cast<std::size_t>(i)]); });
     corners_.resize_for_overwrite(count);
     for (std::int64_t at = 0; at < count; ++at) {
         if (at % 16384 == 0) progress.check();
         const Triangle& t = triangle[face_[at]];
         corners_[at] = {vertex[t[0]], vertex[t[1]], vertex[t[2]]};
     }
-    bound({0, 0, count}, progress);
+    for (std::int64_t i = ranges.size() - 1; i >= 0; --i) {
+        if (i % 16384 == 0) progress.check();
+        const Range& range = ranges[i];
+        geometry::Bounds& box = box_[range.node] = {};
+        if (!range.leaf()) {
+            const geometry::Bounds& low = box_[range.low().node];
+            const geometry::Bounds& high = box_[range.high().node];
+            box = {glm::min(low.min, high.min), glm::max(low.max, high.max)};
+            continue;
+        }
+        for (std::int64_t at = range.begin; at < range.end; ++at)
+            for (const glm::dvec3& corner : corners_[at]) box.extend(corner);
+    }
 }
 
 // Halves a range along its longest side. Equal middles are ordered by number.
@@ -85,22 +91,6 @@ void FaceTree::split(const base::Array<glm::dvec3>& middle, const Range& range) 
                      [&](std::int32_t a, std::int32_t b) {
                          return middle[a][axis] < middle[b][axis] || (middle[a][axis] == middle[b][axis] && a < b);
                      });
-}
-
-void FaceTree::bound(const Range& range, const base::Progress& progress) {
-    if (range.end - range.begin > 4096) progress.check();
-    geometry::Bounds box;
-    if (range.leaf()) {
-        for (std::int64_t at = range.begin; at < range.end; ++at)
-            for (const glm::dvec3& corner : corners_[at]) box.extend(corner);
-    } else {
-        bound(range.low(), progress);
-        bound(range.high(), progress);
-        const geometry::Bounds& low = box_[range.low().node];
-        const geometry::Bounds& high = box_[range.high().node];
-        box = {glm::min(low.min, high.min), glm::max(low.max, high.max)};
-    }
-    box_[range.node] = box;
 }
 
 FaceTree::Nearest FaceTree::nearest(const glm::dvec3& p, double limit) const noexcept {

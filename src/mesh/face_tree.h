@@ -79,7 +79,6 @@ private:
     void walk(const glm::dvec3& origin, const glm::dvec3& direction, double t_min, const double& limit,
               Visit&& visit) const;
     void split(const base::Array<glm::dvec3>& middle, const Range& range);
-    void bound(const Range& range, const base::Progress& progress);
     [[nodiscard]] double squared_distance_to_box(const glm::dvec3& p, std::int64_t node) const noexcept {
         const geometry::Bounds& box = box_[node];
         const glm::dvec3 outside = glm::max(glm::max(box.min - p, p - box.max), glm::dvec3(0.0));

@@ -33,7 +33,7 @@ struct MeshTuning {
     // At this many faces of a component rays tell whether it lies inside another. Larger: slower, and fewer parts that
     // stick out by a little are left out.
     std::int64_t tested_faces = 64;
-    // Of fans with more corners at a vertex, this many count for its normals. Larger: slower on fans.
+    // At a vertex with more corners than this, about this many count for its normals. Larger: slower on fans.
     std::int64_t most_corners = 256;
     // A place of a face is on its side if the corner across has at most this share. Larger: more is on the border.
     double on_side = 1e-9;

@@ -137,17 +137,9 @@ void join_vertices(const base::InView& given, Welded& welded, MeshReport& report
     return sum == 0;
 }
 
-void renumber(Sets& same, Welded& welded) {
-    base::Array<std::int32_t> number(welded.vertex.memory(), welded.vertex.size());
-    std::int64_t kept = 0;
-    for (std::int64_t v = 0; v < welded.vertex.size(); ++v) {
-        const std::int32_t first = same.of(static_cast<std::int32_t>(v)); // the least of them
-        if (first == v) welded.vertex[kept] = welded.vertex[v];
-        number[v] = first == v ? static_cast<std::int32_t>(kept++) : number[first];
-    }
-    welded.vertex.resize(kept);
+void rename_corners(Sets& same, Welded& welded) noexcept {
     for (Triangle& t : welded.triangle)
-        for (std::int32_t& corner : t) corner = number[corner];
+        for (std::int32_t& corner : t) corner = same.of(corner);
 }
 
 // Joins vertices of borders that are near to each other: faces that were made apart have corners that rounding keeps
@@ -171,19 +163,15 @@ void join_borders(const base::Runtime& runtime, Welded& welded, MeshReport& repo
     if (border.empty() || !(near > 0.0)) return;
     const geometry::PointGrid grid(place, near, progress);
     Sets same(runtime.memory, welded.vertex.size());
-    bool any = false;
     for (std::int64_t i = 0; i < border.size(); ++i)
         grid.around(place[i], [&](std::int64_t at) {
             const std::int64_t j = grid.index(at);
             const glm::dvec3 way = place[j] - place[i];
-            if (j <= i || glm::dot(way, way) > near * near) return;
-            same.join(border[i], border[j]);
-            any = true;
+            if (j > i && glm::dot(way, way) <= near * near) same.join(border[i], border[j]);
         });
-    if (!any) return;
-    const std::int64_t before = welded.vertex.size();
-    renumber(same, welded);
-    report.welded_vertices += before - welded.vertex.size();
+    rename_corners(same, welded);
+    report.welded_vertices +=
+        std::count_if(border.begin(), border.end(), [&](std::int32_t v) { return same.of(v) != v; });
 }
 
 // ---- Slivers: faces whose corners lie on a line, but for rounding
@@ -226,18 +214,11 @@ struct Sliver {
 // Joins the ends of slivers that are no longer than rounding.
 void join_ends(Welded& welded, double rounding) {
     Sets places(welded.vertex.memory(), welded.vertex.size());
-    bool any = false;
-    for (const Triangle& t : welded.triangle) {
-        if (sliver_side(welded, t, rounding) < 0) continue;
-        for (std::size_t k = 0; k < 3; ++k) {
-            if (glm::distance(welded.vertex[t[k]], welded.vertex[t[(k + 1) % 3]]) > rounding) continue;
-            places.join(t[k], t[(k + 1) % 3]);
-            any = true;
-        }
-    }
-    if (!any) return;
-    for (Triangle& t : welded.triangle)
-        for (std::int32_t& corner : t) corner = places.of(corner);
+    for (const Triangle& t : welded.triangle)
+        for (std::size_t k = 0; k < 3 && sliver_side(welded, t, rounding) >= 0; ++k)
+            if (glm::distance(welded.vertex[t[k]], welded.vertex[t[(k + 1) % 3]]) <= rounding)
+                places.join(t[k], t[(k + 1) % 3]);
+    rename_corners(places, welded);
 }
 
 // Keeps the better face across: where solids touch there are more than one, and faces of one solid come near to each
@@ -325,7 +306,7 @@ void split_slivers(double rounding, Welded& welded, MeshReport& report, const ba
 
 // ---- Faces without area, and repeated ones
 
-// What else was given with the corners of a face that is kept.
+// The faces that were given with the corners of a face that is kept.
 struct Repeated {
     std::int32_t balance = 0; // how many faces turn one way more than the other
     std::int32_t last = -1;   // the last one's number
@@ -517,7 +498,8 @@ void leave_out_walls(const base::Runtime& runtime, const base::Array<Repeated>& 
 
 // ---- Edges and corners in which solids touch
 
-// Of two solids that share a wall, but for rounding, the one ends there, and the other begins.
+// Sorts faces that lie on each other but for rounding: the solid before a shared wall ends, then the one after it
+// begins.
 void end_before_begin(base::Array<FaceAbout>& about) noexcept {
     for (std::int64_t turns = 0; turns < about.size(); ++turns) {
         bool moved = false;

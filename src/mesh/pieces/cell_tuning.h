@@ -14,7 +14,8 @@ struct PatchTuning {
     std::int64_t most_corners = 1024;
     // Faces of one flat have normals with at least this cosine, a degree, as files have them. Larger: flats end early.
     double flat_cosine = 0.99985;
-    // A flat keeps its normal if its area is this many times that of any other flat at the vertex.
+    // A flat keeps its normal if its area is this many times that of any other flat at the vertex. Larger: fewer stay
+    // flat. At 0 the base of a cone of 24 sides is off by half as much again.
     double much_larger = 3.0;
     // A tip of a cone turns by at least this on average, in radians. Larger: blunt tips are rounded.
     double least_turn = 0.05;
@@ -113,7 +114,7 @@ struct PiecesTuning {
     // Each sheet may have this many centres, and the model the second number for each sheet.
     std::int64_t fewest = 8;
     std::int64_t room_a_sheet = 32;
-    // The model keeps this many places all over the mesh, at which those who look for its surface begin.
+    // The model keeps this many places all over the mesh, at which searches for its surface begin.
     std::int64_t even_places = 2000;
     // Contacts of parts are looked for at a place a face, within these bounds. Larger: fewer are missed.
     std::int64_t fewest_on_parts = 4000;

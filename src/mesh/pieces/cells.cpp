@@ -127,23 +127,17 @@ private:
     bool by_rays_ = false;
 };
 
-// Returns every n-th face, and faces evenly chosen by area: the many small faces of a tray's rounded corners may look
-// solid.
-[[nodiscard]] std::array<base::Array<std::int64_t>, 2> faces_to_probe(const Mesh& mesh) {
-    base::Memory& memory = mesh.vertex.memory();
-    std::array<base::Array<std::int64_t>, 2> faces{base::Array<std::int64_t>(memory),
-                                                   base::Array<std::int64_t>(memory)};
-    const std::int64_t probes = cell_tuning.probes;
-    const std::int64_t step = std::max<std::int64_t>(1, mesh.faces() / probes);
-    for (std::int64_t face = 0; face < mesh.faces(); face += step) faces[0].push_back(face);
+// Returns faces evenly chosen by area. By number the many small faces of a tray's rounded corners would look solid.
+[[nodiscard]] base::Array<std::int64_t> faces_to_probe(const Mesh& mesh) {
+    const auto probes = static_cast<double>(cell_tuning.probes);
+    base::Array<std::int64_t> faces(mesh.vertex.memory());
     double area = 0.0;
     for (std::int64_t face = 0; face < mesh.faces(); ++face) area += glm::length(doubled_area(mesh.corners(face)));
     double passed = 0.0;
     for (std::int64_t face = 0; face < mesh.faces(); ++face) {
         passed += glm::length(doubled_area(mesh.corners(face)));
-        while (faces[1].size() < probes &&
-               passed * static_cast<double>(probes) >= area * (static_cast<double>(faces[1].size()) + 0.5))
-            faces[1].push_back(face);
+        while (faces.size() < cell_tuning.probes && passed * probes >= area * (static_cast<double>(faces.size()) + 0.5))
+            faces.push_back(face);
     }
     return faces;
 }
@@ -167,9 +161,7 @@ Sides::Sides(const base::Runtime& runtime, const Mesh& mesh, const FaceTree& tre
                 if (folded) folded_[vertex] = 1;
         }
     });
-    const auto probes = faces_to_probe(mesh);
-    solid_ =
-        mesh.report.closed || (look_solid(runtime, probes[0], progress) && look_solid(runtime, probes[1], progress));
+    solid_ = mesh.report.closed || look_solid(runtime, faces_to_probe(mesh), progress);
     by_rays_ = solid_ && (!mesh.report.closed || has_parts(mesh));
 }
 

@@ -105,7 +105,7 @@ void give_back(Sheets& sheets, Sheets& before) {
     return made;
 }
 
-// Returns places that those who look for the surface may begin at.
+// Gives the model places at which searches for its surface may begin.
 void gather_samples(const PiecesTask& task, const base::Array<glm::dvec3>& normal, implicit::PiecesData& data,
                     const base::Progress& progress) {
     MeshSamples even = even_samples(task.runtime, task.mesh, pieces_tuning.even_places, 4 * pieces_tuning.even_places,
@@ -314,7 +314,7 @@ PiecesFit fit_pieces(const base::Runtime& runtime, const Mesh& mesh, const FaceT
     HRBFNPR_ASSERT(creases.patches >= 1 && creases.patch.size() == mesh.faces());
     refuse_flat_solid(mesh);
     const base::Stopwatch watch;
-    // There are so many places that no contact of two parts is missed that matters.
+    // With this many places no contact of two parts is missed that matters.
     const MeshSamples places = random_samples(
         runtime, mesh, std::clamp(mesh.faces(), pieces_tuning.fewest_on_parts, pieces_tuning.most_on_parts),
         settings.seed, 2, progress);

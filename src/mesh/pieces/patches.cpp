@@ -3,7 +3,7 @@
 //
 //   fans_of        the corners at a vertex that hang together by sides that are no crease have one mean normal
 //   find_flats     flat regions that these normals make bulge
-//   largest_flat   keeps its own normal, if what is beside it bulges less then
+//   largest_flat   keeps its own normal beside smaller ones
 //   is_tip         tells tips of cones, whose faces keep their normals
 //
 // sample_patch() then thins places of the curved faces by grids, first those along creases.
@@ -77,15 +77,12 @@ using Fan = std::span<const std::int32_t>; // corners, rising
 // ---- Flats: regions of a mesh, of one face or many
 
 struct Flats {
-    explicit Flats(base::Memory& memory) noexcept
-        : region(memory), area(memory), normal(memory), bulge(memory), mean(memory) {}
+    explicit Flats(base::Memory& memory) noexcept : region(memory), area(memory), normal(memory), bulge(memory) {}
 
     base::Array<std::int32_t> region; // of faces
     base::Array<double> area;         // of regions
     base::Array<glm::dvec3> normal;
     base::Array<double> bulge; // by the mean normals: the largest chord_error() of the region's faces
-    // The mean normals of corners: several threads put the normals of flats in their place, and ask for those beside.
-    base::Array<glm::dvec3> mean;
 };
 
 // Returns the face beyond each side that is no crease, or -1.
@@ -153,7 +150,6 @@ void grow_flats(const base::Runtime& runtime, const Mesh& mesh, const Creases& c
     base::Array<double> of_face(runtime.memory);
     for (std::int64_t face = 0; face < mesh.faces(); ++face) of_face.push_back(chord_error(mesh, mean, face));
     if (std::none_of(of_face.begin(), of_face.end(), [&](double one) { return one > tolerance; })) return flats;
-    for (const glm::dvec3& normal : mean) flats.mean.push_back(normal);
     grow_flats(runtime, mesh, creases, flats);
     flats.bulge.resize(flats.area.size());
     for (std::int64_t face = 0; face < mesh.faces(); ++face)
@@ -164,29 +160,14 @@ void grow_flats(const base::Runtime& runtime, const Mesh& mesh, const Creases& c
 // Returns the largest flat of a fan, if it bulges and is much larger than all others there, or -1.
 [[nodiscard]] std::int32_t largest_flat(const Flats& flats, const Fan& fan, double tolerance) noexcept {
     const auto region = [&](std::int32_t corner) { return flats.region[corner / 3]; };
-    std::int32_t largest = region(fan[0]);
-    for (const std::int32_t corner : fan)
-        if (flats.area[region(corner)] > flats.area[largest]) largest = region(corner);
+    const std::int32_t largest = region(*std::max_element(fan.begin(), fan.end(), [&](std::int32_t a, std::int32_t b) {
+        return flats.area[region(a)] < flats.area[region(b)];
+    }));
     double next = 0.0;
     for (const std::int32_t corner : fan)
         if (region(corner) != largest) next = std::max(next, flats.area[region(corner)]);
     const bool keeps = flats.bulge[largest] > tolerance && flats.area[largest] >= patch_tuning.much_larger * next;
     return keeps ? largest : -1;
-}
-
-// Tells whether what is beside a flat bulges less, once the flat keeps its normal there, than the flat did with means.
-[[nodiscard]] bool bends_less(const Mesh& mesh, const Flats& flats, const Fan& fan, std::int32_t flat) noexcept {
-    double most = 0.0;
-    for (const std::int64_t corner : fan) {
-        if (flats.region[corner / 3] == flat) continue;
-        const auto p = mesh.corners(corner / 3);
-        const auto k = static_cast<std::size_t>(corner % 3);
-        for (const std::size_t other : {(k + 1) % 3, (k + 2) % 3}) {
-            const glm::dvec3& beyond = flats.mean[corner - corner % 3 + static_cast<std::int64_t>(other)];
-            most = std::max(most, bulge(p[other] - p[k], flats.normal[flat], beyond));
-        }
-    }
-    return most < flats.bulge[flat];
 }
 
 // ---- Tips of cones
@@ -344,7 +325,7 @@ PatchNormals patch_normals(const base::Runtime& runtime, const Mesh& mesh, const
     if (const Flats flats = find_flats(runtime, mesh, creases, result.normal, tolerance); !flats.area.empty())
         for_fans([&](const Fan& fan) {
             const std::int32_t flat = has_many(fan) ? -1 : largest_flat(flats, fan, tolerance);
-            if (flat < 0 || !bends_less(mesh, flats, fan, flat)) return;
+            if (flat < 0) return;
             for (const std::int32_t corner : fan) result.normal[corner] = flats.normal[flat];
         });
     for_fans([&](const Fan& fan) {
@@ -402,7 +383,7 @@ PatchSamples sample_patch(const base::Runtime& runtime, const Mesh& mesh, const 
         if (normals.tip[corner] == 0) return add(place, normals.normal[corner], crease);
         if (std::find(tips.begin(), tips.end(), place) == tips.end()) tips.push_back(place);
     };
-    // Each patch has the places between vertices on its own curved surface: what is common to both is where these meet.
+    // Each patch has the places between vertices on its own curved surface. The two sheets meet between these places.
     const auto add_crease = [&](std::int32_t face, int k) {
         const auto p = mesh.corners(face);
         const auto a = static_cast<std::size_t>(k);

@@ -17,11 +17,11 @@ struct PatchNormals {
     explicit PatchNormals(base::Memory& memory) noexcept : normal(memory), tip(memory) {}
 
     base::Array<glm::dvec3> normal; // unit
-    base::Array<std::uint8_t> tip;  // 1: the tip of a cone, where no normal is everybody's, and each face has its own
+    base::Array<std::uint8_t> tip;  // 1: the tip of a cone, where each face has its own normal
 };
 
 // Returns means over the faces of the corner's own patch, by area and angle. A flat that would still bulge by more than
-// the tolerance keeps its own normal beside what is much smaller, where that bulges less for it than the flat did.
+// the tolerance keeps its own normal beside flats that are much smaller.
 [[nodiscard]] PatchNormals patch_normals(const base::Runtime& runtime, const Mesh& mesh, const Creases& creases,
                                          double tolerance = std::numeric_limits<double>::infinity());
 
