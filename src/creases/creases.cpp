@@ -645,7 +645,7 @@ public:
     // The distance from the whole surface, or a side where that is another sheet, unless the sheet is the active one.
     // Either of two equal sheets may be active: a place on the whole surface belongs to this sheet if one of its
     // vertices is near.
-    [[nodiscard]] double beyond(const glm::dvec3& place, const glm::dvec3& gradient) const noexcept override {
+    [[nodiscard]] double beyond(const glm::dvec3& place, const glm::dvec3& gradient) const override {
         const double on_surface = curve_tuning.on_sheet * own_.side;
         if (surface::active_at(*whole_.sheets(), place) != sheet_) {
             double value = 0.0;

@@ -15,10 +15,11 @@ public:
     virtual ~Domain() = default;
 
     // <= 0: the surface is there; its end is where this is 0. The place has f = 0, and its gradient need not be unit.
-    [[nodiscard]] virtual double beyond(const glm::dvec3& place, const glm::dvec3& gradient) const noexcept = 0;
+    // It may evaluate the surface, so it may throw what that does.
+    [[nodiscard]] virtual double beyond(const glm::dvec3& place, const glm::dvec3& gradient) const = 0;
     // Whether beyond() must be asked. Far from every end a place is there, and a line that runs there does not end.
     [[nodiscard]] virtual bool near_end(const glm::dvec3& /*place*/) const noexcept { return true; }
-    [[nodiscard]] bool holds(const glm::dvec3& place, const glm::dvec3& gradient) const noexcept {
+    [[nodiscard]] bool holds(const glm::dvec3& place, const glm::dvec3& gradient) const {
         return !near_end(place) || beyond(place, gradient) <= 0.0;
     }
     // Whether the surface may end within a cube, given by its centre and half its side.

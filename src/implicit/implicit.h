@@ -61,7 +61,7 @@ public:
 
     // Where the surface is within its bounds; null: all of the zero level.
     [[nodiscard]] virtual const Domain* domain() const noexcept { return nullptr; }
-    [[nodiscard]] bool holds(const glm::dvec3& place, const glm::dvec3& gradient) const noexcept {
+    [[nodiscard]] bool holds(const glm::dvec3& place, const glm::dvec3& gradient) const {
         const Domain* const its = domain();
         return its == nullptr || its->holds(place, gradient);
     }

@@ -30,7 +30,7 @@ public:
 private:
     struct ScaledDomain final : Domain {
         ScaledDomain(const Implicit& of, double by) noexcept : own(of), unit(by) {}
-        [[nodiscard]] double beyond(const glm::dvec3& place, const glm::dvec3& gradient) const noexcept override {
+        [[nodiscard]] double beyond(const glm::dvec3& place, const glm::dvec3& gradient) const override {
             return own.domain()->beyond(unit * place, gradient);
         }
         [[nodiscard]] bool near_end(const glm::dvec3& place) const noexcept override {

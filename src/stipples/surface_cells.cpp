@@ -66,7 +66,7 @@ struct Judged {
 // it does not jump to a sheet a few cells away: a point of the band has its nearest surface point at most one cell
 // further (along each axis, 1/2 + 1/2 sqrt 3 + 1/2 < 2). Nor does it go on beyond the end of a trimmed surface.
 [[nodiscard]] Judged judge_reached(const marks::Site& site, const SurfaceCells& cells, const Front& from, bool seeded,
-                                   double distance, const glm::dvec3& gradient) noexcept {
+                                   double distance, const glm::dvec3& gradient) {
     const Cell place = geometry::CellGrid::unpack(from.cell);
     const bool near = std::abs(distance) <= cells.reach();
     Judged judged{{geometry::morton_code(place), no_plane, glm::dvec3(0.0)}, near || seeded, 0};

@@ -84,8 +84,8 @@ private:
     void take_step(std::size_t i, double f) noexcept;
     void go_on(std::size_t i, double at, double f) noexcept;
     void bracket(std::size_t i, double f) noexcept;
-    void take_root(std::size_t i, double f, const glm::dvec3& g) noexcept;
-    void hit(std::size_t i, double s, const glm::dvec3& g) noexcept;
+    void take_root(std::size_t i, double f, const glm::dvec3& g);
+    void hit(std::size_t i, double s, const glm::dvec3& g);
     void end_with(std::size_t i, RayStatus status) noexcept;
     [[nodiscard]] bool counted(std::size_t i, bool finite) noexcept;
 
@@ -180,7 +180,7 @@ void Batch::bracket(std::size_t i, double f) noexcept {
     ray.phase = Ray::Phase::refine;
 }
 
-void Batch::take_root(std::size_t i, double f, const glm::dvec3& g) noexcept {
+void Batch::take_root(std::size_t i, double f, const glm::dvec3& g) {
     Ray& ray = rays_[i];
     const double slope = glm::dot(g, ray.direction);
     if (!counted(i, std::isfinite(f) && std::isfinite(glm::length(g)))) return;
@@ -197,7 +197,7 @@ void Batch::take_root(std::size_t i, double f, const glm::dvec3& g) noexcept {
     ray.trial = next;
 }
 
-void Batch::hit(std::size_t i, double s, const glm::dvec3& g) noexcept {
+void Batch::hit(std::size_t i, double s, const glm::dvec3& g) {
     Ray& ray = rays_[i];
     if (!implicit_.holds(ray.start + s * ray.direction, g)) { // f changes its sign, but there is no surface
         ray.inside = !ray.inside;
