@@ -17,7 +17,7 @@
 
 namespace hrbfnpr::implicit {
 
-// The numbers are those of HRBFNPR_CSG_... and of files.
+// The values equal those of the constants HRBFNPR_CSG_ of hrbfnpr.h, and saved models hold them.
 enum class CsgKind : std::uint32_t {
     unite,
     intersect,

@@ -15,7 +15,7 @@
 
 namespace hrbfnpr::mesh {
 
-// Their numbers are those of HRBFNPR_PARTS_... and HRBFNPR_FACES_...
+// The values equal those of the constants HRBFNPR_PARTS_ and HRBFNPR_FACES_ of hrbfnpr.h.
 enum class Parts : std::uint32_t { outer = 0, all = 1, largest = 2 };
 enum class Faces : std::uint32_t { turn = 0, keep = 1 };
 

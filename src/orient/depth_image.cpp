@@ -230,7 +230,7 @@ void add_whole_disc(std::int32_t radius, base::Array<Tap>& taps) {
         }
 }
 
-// Adds rings of 6, 12, ... pixels.
+// Adds the pixel in the middle and rings around it. The first ring has 6 pixels, and each next one 6 more.
 void add_ringed_disc(std::int32_t radius, base::Array<Tap>& taps) {
     taps.push_back({0, 0, 1.0});
     constexpr int rings = depth_tuning.rings;

@@ -63,8 +63,8 @@ struct Likeness {
     return measure_sides(c.runtime, c.tree, c.near, c.given.normal, progress).outward() < 0;
 }
 
-// Returns whether neighbours agree with those of least energy, or not, by chance. In doubt opposite neighbours must not
-// lie behind each other, either.
+// Returns whether the given signs are those of a tossed coin: neighbours agree with the signs of least energy as often
+// as not. In doubt, neighbours that point opposite ways must not be the two sides of walls, either.
 [[nodiscard]] bool are_tossed(const Case& c) {
     std::int64_t pairs = 0;
     std::int64_t consistent = 0;

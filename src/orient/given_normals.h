@@ -7,7 +7,7 @@
 
 namespace hrbfnpr::orient {
 
-// Has the numbers of HRBFNPR_NORMALS_...
+// The values equal those of the constants HRBFNPR_NORMALS_ of hrbfnpr.h.
 enum class NormalMode : std::uint32_t { given = 0, none = 1, unoriented = 2, mixed = 3, inward = 4, automatic = 5 };
 
 struct GivenNormals {

@@ -5,7 +5,8 @@
 //   reduced            means in place of the points of a large cloud, if the noise is above their spacing
 //   fit_even           clean points, and many noisy ones: the least energy with that ridge
 //   fit_noisy          few noisy points: the least energy over a rising ridge, and means of the directions
-//   fit_curves         points along curves: the least energy of a few of them, which begins with twice as many, ...
+//   fit_curves         points along curves: the least energy of a few of them, then of twice as many that begin with
+//                      the normals of those before, until all have one
 //   confidence_of      how far starts, ridges and coarser clouds agree
 #include "orient/normals_of_cloud.h"
 

@@ -23,7 +23,7 @@ struct Sides {
 [[nodiscard]] Sides measure_sides(const base::Runtime& runtime, const geometry::PointTree& tree, const Near& near,
                                   const geometry::VecArray& normal, const base::Progress& progress);
 
-// Has the numbers of HRBFNPR_OUTWARD_...
+// The values equal those of the constants HRBFNPR_OUTWARD_ of hrbfnpr.h.
 enum class OutwardBy : std::uint32_t { inside = 0, up = 1, viewpoint = 2, as_given = 3 };
 
 struct OutwardRule {

@@ -87,13 +87,14 @@ struct OrientTuning {
     // Clean clouds have energies of 1e-7 (smooth) to 0.006 (sharp edges), noisy ones above 0.018, points without any
     // order 0.026. Clouds below this are clean.
     double clean_below = 0.012;
-    // Clean clouds much too thin for their spacing may be above this, too. Other signs have more energy there by this
-    // factor, but where the noise decides; and a ridge leaves more than this share of the signs.
+    // Clean clouds that are much too sparse for their details may be above this, too. They are told from noisy ones by
+    // two signs: another choice of signs has more energy by at least `noisy_rival`, and a ridge leaves more than
+    // `same_signs` of the signs as they were. Larger: more clouds count as noisy.
     double no_order_above = 0.02;
     double noisy_rival = 1.05;
     double same_signs = 0.9;
-    // The ridge is the least of 10, 10^1.5, ... of which there are this many, that brings the energy below this.
-    // Larger: less smooth, and nearer to the points.
+    // Ridges are tried from the first one on, each larger by the same factor, until one brings the energy below
+    // `settled_below` or this many were tried. Larger settled_below: less smooth, and nearer to the points.
     double first_ridge = 10.0;
     int most_ridges = 11;
     double settled_below = 0.0025;
@@ -213,8 +214,9 @@ struct OrientTuning {
     // Around patches that were turned the normals of neighbours on a sheet are opposite: -0.97 and below. Around walls
     // too thin for the noise, where the least energy is wrong and the normals right, they are not: -0.2 to -0.8.
     double torn = -0.9;
-    // In doubt neighbours that point opposite ways are walls if more of them lie behind than before each other, or the
-    // other way round, by this share; of random signs half do.
+    // In doubt, neighbours that point opposite ways are the two sides of walls if the share of them that lie at the
+    // back of each other differs by more than this from the share of those at the front. Random signs give equal
+    // shares. Larger: fewer walls are seen.
     double walls = 0.3;
 };
 inline constexpr OrientTuning tuning;
@@ -238,8 +240,8 @@ struct DepthTuning {
     // A plane is fitted this many times, and only to at least this part of the disc's weight.
     int plane_rounds = 2;
     double least_part = 0.1;
-    // Discs of up to this radius have all their pixels, larger ones this many rings of 6, 12, ... pixels. Larger: more
-    // time.
+    // Discs of up to this radius, in pixels, have all their pixels. Larger discs have this many rings, the first of 6
+    // pixels and each next one of 6 more. Larger: more time.
     std::int32_t all_pixels_up_to = 5;
     int rings = 6;
     // The weight at a disc's rim, of 1 in its middle.

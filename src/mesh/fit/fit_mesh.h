@@ -9,7 +9,7 @@
 
 namespace hrbfnpr::mesh {
 
-// Same numbers as HRBFNPR_EDGES_...
+// The values equal those of the constants HRBFNPR_EDGES_ of hrbfnpr.h.
 enum class Edges : std::uint32_t { automatic = 0, smooth = 1, sharp = 2 };
 
 struct FitMeshSettings {
