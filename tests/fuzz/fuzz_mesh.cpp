@@ -230,9 +230,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     if (mesh == nullptr) return 0;
     require_sound_mesh(mesh);
     sample(context, mesh, input);
-    find_edges(context, mesh, input);
     if (input.once_in(3)) compare(context, mesh, input);
     if (input.once_in(4)) fit(context, mesh, input);
+    find_edges(context, mesh, input); // last, so that committed inputs mean what they meant
     hrbfnpr_mesh_release(mesh);
     return 0;
 }
