@@ -29,6 +29,7 @@ BENCHES: Dict[str, List[List[str]]] = {
     "generate": [["support"]],
     "hatching": [["strokes", "--only=surface"]],
     "marks": [["strokes", "--only=surface"], ["frame", "--only=tone"]],
+    "mesh": [["edges", "--only=verdict,pieces"]],
     "mesh/fit": [["edges", "--only=pieces"]],
     "mesh/pieces": [["edges", "--only=verdict,pieces"]],
     "orient": [["orient", "--only=clean,noisy"]],

@@ -6,7 +6,7 @@
 #include "api/operation.h"
 #include "api/queries.h"
 #include "base/clock.h"
-#include "mesh/pieces/plan.h"
+#include "mesh/pieces/fit_as_planned.h"
 
 #include <optional>
 
@@ -66,8 +66,8 @@ void find_edges(const hrbfnpr_mesh& handle, const MeshEdgesDesc& desc, const hrb
     mesh_edges_fields().copy(desc, settings);
     settings.tolerance = settings.far / 5.0; // as in a fit whose `far` is the default
     const OperationUse use(operation);
-    const mesh::CreasePlan plan =
-        mesh::plan_creases(handle.runtime(), mesh, handle.tree, handle.creases, settings, use.progress());
+    const mesh::PlannedCreases plan =
+        mesh::find_planned_creases(handle.runtime(), mesh, handle.tree, handle.creases, settings, use.progress());
     use.finish();
     for (std::int64_t face = 0; face < mesh.faces(); ++face) {
         if (patches) patches.set(face, 0, plan.creases ? static_cast<double>(plan.creases->patch[face]) : 0.0);

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "mesh/fit/fit_mesh.h"
-
 #include "api/barrier.h"
 #include "api/descriptor.h"
 #include "api/fields.h"
@@ -8,12 +6,9 @@
 #include "api/mesh.h"
 #include "api/model_trim.h"
 #include "api/operation.h"
-#include "base/assert.h"
-#include "mesh/pieces/fit_pieces.h"
-#include "mesh/pieces/plan.h"
+#include "mesh/pieces/fit_as_planned.h"
 
 #include <memory>
-#include <optional>
 #include <utility>
 
 using namespace hrbfnpr;
@@ -87,7 +82,7 @@ namespace {
 constexpr double evaluations_of_a_comparison = 5e5;
 constexpr double smallest_tolerance = 1e-6; // in diagonals
 constexpr double smallest_cell = 1e-3;
-constexpr double end_of_mesh_fit = 0.9; // of its progress; then it is looked for the surface's end
+constexpr double end_of_mesh_fit = 0.95; // of its progress; then the surface is ended
 constexpr std::int64_t fewest_points = 100;
 constexpr std::int64_t fewest_candidates = 1000;
 
@@ -161,27 +156,23 @@ void compare(const hrbfnpr_model& model, const hrbfnpr_mesh& mesh, const Compare
     write_struct(out, described(result));
 }
 
-void log_fit(const base::Runtime& runtime, const mesh::FitMeshReport& report, std::int64_t centres) {
-    runtime.log(base::LogLevel::info,
-                "mesh fit: %lld centres in %d rounds, %.3f s; within %.3g: %.2f %% of the mesh and %.2f %% of the "
-                "surface",
-                static_cast<long long>(centres), static_cast<int>(report.rounds), report.seconds_total,
-                report.tolerance, 100.0 * report.mesh.share, 100.0 * report.surface.share);
-    if (!report.reached)
-        runtime.log(base::LogLevel::warning,
-                    "mesh fit: the tolerance is not reached: the mesh is up to %.3g from the surface, the surface up "
-                    "to %.3g from the mesh; give more maximum_centres, or a larger tolerance",
-                    report.mesh.most, report.surface.most);
-}
-
-hrbfnpr_mesh_fit_info described(const mesh::FitMeshReport& report, std::int64_t centres) noexcept {
+hrbfnpr_mesh_fit_info described(const mesh::PlannedFit& made) noexcept {
+    const mesh::FitMeshReport& report = made.report;
     hrbfnpr_mesh_fit_info to{};
     to.sheets = 1;
+    if (made.pieces) {
+        const mesh::PiecesReport& pieces = made.pieces->pieces;
+        to.sheets = pieces.sheets;
+        to.crease_length = pieces.crease_length;
+        to.smooth_length = pieces.smooth_length;
+        to.cells = pieces.cells;
+        to.poor_cells = pieces.poor_cells;
+    }
     to.reached = report.reached ? 1 : 0;
     to.tolerance = report.tolerance;
     to.far = report.far;
     to.candidates = report.candidates;
-    to.centres = centres;
+    to.centres = made.centres;
     to.off_surface_centres = report.off_surface;
     to.rounds = report.rounds;
     to.supported = report.supported ? 1 : 0;
@@ -202,103 +193,40 @@ hrbfnpr_mesh_fit_info described(const mesh::FitMeshReport& report, std::int64_t 
     return to;
 }
 
-// Carries out a plan: takes the model that make() makes, and gives it its end.  samples: those of the fit, where the
-// plan may name them.
-template <class Make>
-hrbfnpr_model* ended(const hrbfnpr_mesh& mesh, const mesh::EndPlan& plan, const fit::Samples* samples,
-                     std::uint64_t seed, const base::Progress& progress, Make&& make) {
-    if (plan.end == mesh::End::nowhere) {
-        progress.update(1.0);
-        return make();
-    }
-    generate::TrimSettings settings;
-    settings.hole = settings.closest = plan.off;
-    if (plan.end == mesh::End::at_samples) {
-        HRBFNPR_ASSERT(samples != nullptr);
-        return ended_model(make(), samples->position, samples->normal, settings, progress);
-    }
-    const mesh::MeshSamples places =
-        mesh::end_places(mesh.runtime(), mesh.mesh, mesh.tree, plan, seed, progress.part(0.0, 0.4));
-    return ended_model(make(), places.position, places.normal, settings, progress.part(0.4, 1.0));
-}
-
-mesh::EndPlan end_of(const hrbfnpr_mesh& mesh, const mesh::FitMeshReport& report, bool has_creases,
-                     std::uint32_t trim) noexcept {
-    return trim == HRBFNPR_TRIM_NEVER ? mesh::EndPlan() : mesh::plan_end(mesh.mesh, report, has_creases);
-}
-
-void log_plan(const base::Runtime& runtime, const mesh::CreasePlan& plan, double crease_angle) {
-    if (plan.doubtful > 0.0)
-        runtime.log(
-            base::LogLevel::info,
-            "mesh fit: the mesh bends by more than %g degrees along %.3g diagonals, but no edges stand out: the "
-            "fit is smooth; edges SHARP makes them sharp",
-            crease_angle, plan.doubtful);
-}
-
-void log_pieces(const base::Runtime& runtime, const mesh::PiecesReport& report) {
-    runtime.log(base::LogLevel::info, "mesh fit: %d sheets in %lld cells meet in creases %.4g long",
-                static_cast<int>(report.sheets), static_cast<long long>(report.cells), report.crease_length);
-    if (report.smooth_length > 0.0 || report.poor_cells > 0)
-        runtime.log(
-            base::LogLevel::warning,
-            "mesh fit: edges %.4g long stay smooth, and in %lld cells no maximum and minimum of the sheets there "
-            "is all that the mesh is",
-            report.smooth_length, static_cast<long long>(report.poor_cells));
-}
-
-hrbfnpr_model* fit_pieces(const hrbfnpr_mesh& mesh, const mesh::FitMeshSettings& settings, const fit::FitInput& options,
-                          std::uint32_t trim, const mesh::Creases& creases, hrbfnpr_mesh_fit_info* info,
-                          const base::Progress& progress) {
-    const base::Runtime& runtime = mesh.runtime();
-    mesh::PiecesFit result = mesh::fit_pieces(runtime, mesh.mesh, mesh.tree, creases, settings, options,
-                                              progress.part(0.0, end_of_mesh_fit));
-    const std::int64_t centres = result.data.centres();
-    log_fit(runtime, result.mesh, centres);
-    log_pieces(runtime, result.pieces);
-    const mesh::EndPlan end = end_of(mesh, result.mesh, true, trim);
-    hrbfnpr_model* const model = ended(mesh, end, nullptr, settings.seed, progress.part(end_of_mesh_fit, 1.0), [&] {
-        return make_handle<hrbfnpr_model>(mesh.context(), std::move(result.data), result.fit);
-    });
-    if (info == nullptr) return model;
-    hrbfnpr_mesh_fit_info to = described(result.mesh, centres);
-    to.sheets = result.pieces.sheets;
-    to.crease_length = result.pieces.crease_length;
-    to.smooth_length = result.pieces.smooth_length;
-    to.cells = result.pieces.cells;
-    to.poor_cells = result.pieces.poor_cells;
-    write_struct(info, to);
-    return model;
-}
-
-hrbfnpr_model* fit_mesh(const hrbfnpr_mesh& mesh, const MeshFitDesc& desc, const hrbfnpr_fit_desc& fit,
-                        hrbfnpr_mesh_fit_info* info, hrbfnpr_operation* operation) {
-    if (info != nullptr) check_output_struct(info, "mesh_fit_info");
+mesh::FitMeshSettings checked_settings(const MeshFitDesc& desc, const mesh::Mesh& mesh) {
     mesh_fit_fields().check("mesh_fit_desc", desc);
     check_fewest("mesh_fit_desc", "candidates", desc.candidates, fewest_candidates);
-    check_smallest("mesh_fit_desc", "tolerance", desc.tolerance, smallest_tolerance * mesh.mesh.bounds.diagonal());
+    check_smallest("mesh_fit_desc", "tolerance", desc.tolerance, smallest_tolerance * mesh.bounds.diagonal());
     if (desc.far != 0.0 && desc.far < desc.tolerance)
         fail(Status::invalid_argument, "mesh_fit_desc.far is %g, less than the tolerance, %g", desc.far,
              desc.tolerance);
     mesh::FitMeshSettings settings;
     mesh_fit_fields().copy(desc, settings);
+    return settings;
+}
+
+hrbfnpr_model* fit_mesh(const hrbfnpr_mesh& mesh, const MeshFitDesc& desc, const hrbfnpr_fit_desc& fit,
+                        hrbfnpr_mesh_fit_info* info, hrbfnpr_operation* operation) {
+    if (info != nullptr) check_output_struct(info, "mesh_fit_info");
+    const mesh::FitMeshSettings settings = checked_settings(desc, mesh.mesh);
     const fit::FitInput options = checked_options(fit);
     const OperationUse use(operation);
-    const base::Progress progress = use.progress();
-    const mesh::CreasePlan plan =
-        mesh::plan_creases(mesh.runtime(), mesh.mesh, mesh.tree, mesh.creases, settings, progress);
-    log_plan(mesh.runtime(), plan, settings.crease_angle);
-    if (plan.creases) return fit_pieces(mesh, settings, options, fit.trim, *plan.creases, info, progress);
-    mesh::MeshFit result =
-        mesh::fit_mesh(mesh.runtime(), mesh.mesh, mesh.tree, settings, options, progress.part(0.0, end_of_mesh_fit));
-    const std::int64_t centres = result.fit.data.count();
-    log_fit(mesh.runtime(), result.report, centres);
-    const std::optional<fit::Samples> samples = std::exchange(result.fit.samples, std::nullopt);
-    const mesh::EndPlan end = end_of(mesh, result.report, false, fit.trim);
-    hrbfnpr_model* const model =
-        ended(mesh, end, samples ? &*samples : nullptr, settings.seed, progress.part(end_of_mesh_fit, 1.0),
-              [&] { return make_handle<hrbfnpr_model>(mesh.context(), std::move(result.fit)); });
-    if (info != nullptr) write_struct(info, described(result.report, centres));
+    mesh::PlannedFit made =
+        mesh::fit_as_planned(mesh.runtime(), mesh.mesh, mesh.tree, mesh.creases, settings, options,
+                             fit.trim != HRBFNPR_TRIM_NEVER, use.progress().part(0.0, end_of_mesh_fit));
+    const hrbfnpr_mesh_fit_info to = described(made);
+    const bool ends = made.end.end != mesh::End::nowhere;
+    const base::Progress rest = use.progress().part(end_of_mesh_fit, 1.0);
+    if (!ends) rest.update(1.0);
+    hrbfnpr_model* model =
+        made.smooth ? make_handle<hrbfnpr_model>(mesh.context(), std::move(*made.smooth))
+                    : make_handle<hrbfnpr_model>(mesh.context(), std::move(made.pieces->data), made.pieces->fit);
+    if (ends) {
+        generate::TrimSettings end;
+        end.hole = end.closest = made.end.off;
+        model = ended_model(model, made.end_place, made.end_normal, end, rest);
+    }
+    if (info != nullptr) write_struct(info, to);
     return model;
 }
 

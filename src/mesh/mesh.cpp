@@ -14,7 +14,7 @@
 #include "base/clock.h"
 #include "base/status.h"
 #include "mesh/corners.h"
-#include "mesh/orient.h"
+#include "mesh/plan.h"
 #include "mesh/tuning.h"
 #include "mesh/weld.h"
 
@@ -26,12 +26,10 @@
 namespace hrbfnpr::mesh {
 namespace {
 
-// Turns closed components that are inside out. If all parts are kept, those inside others are cavities.
 void turn_components(const MeshInput& input, const base::Array<std::int32_t>& component,
                      base::Array<Component>& measured, Welded& welded, MeshReport& report) {
     for (Component& each : measured) {
-        const bool cavity = input.parts == Parts::all && each.nested;
-        each.turned = input.faces == Faces::turn && inside_out(each) && !cavity;
+        each.turned = is_turned(each, input.parts, input.faces);
         report.turned_components += each.turned ? 1 : 0;
     }
     for (std::int64_t face = 0; face < welded.triangle.size(); ++face)
@@ -46,7 +44,7 @@ void keep_components(const Welded& welded, const base::Array<std::int32_t>& comp
     base::Array<std::int32_t> name(memory, measured.size()); // of a component that is kept, + 1
     std::int32_t names = 0;
     for (const Component& each : measured) {
-        const bool kept = parts == Parts::largest ? &each == largest : parts == Parts::all || !each.nested;
+        const bool kept = is_kept(each, &each == largest, parts);
         if (kept) name[&each - measured.begin()] = ++names;
         mesh.report.nested_components += each.nested ? 1 : 0;
         mesh.report.left_out_components += kept ? 0 : 1;

@@ -4,9 +4,11 @@
 // parts different groups.
 #include "picture/apart.h"
 
+#include "api/mesh.h"
 #include "base/assert.h"
 #include "base/random.h"
 #include "mesh/edges.h"
+#include "mesh/plan.h"
 #include "picture/tuning_mesh.h"
 
 #include <algorithm>
@@ -77,10 +79,10 @@ Sizes sizes_of(const Labels& labels, const Vector<double>& areas, Pool& pool) {
 
 // Marks the parts that are too small for a surface of their own.
 Vector<std::uint8_t> little_parts(const Sizes& sizes, Pool& pool) {
-    const double most = apart_tuning.flap_area * sum_in_pairs(sizes.area);
+    const double area = sum_in_pairs(sizes.area);
     Vector<std::uint8_t> little(&pool);
     for (std::size_t part = 0; part < sizes.area.size(); ++part)
-        little.push_back(sizes.faces[part] <= apart_tuning.flap_faces && sizes.area[part] < most ? 1 : 0);
+        little.push_back(mesh::is_flap(sizes.faces[part], sizes.area[part], area) ? 1 : 0);
     return little;
 }
 
@@ -340,15 +342,10 @@ Vector<FaceNumbers> faces_of_groups(const Vector<std::int64_t>& group, const Lab
     return sorted;
 }
 
-bool is_asked_for_groups(const hrbfnpr_mesh_info& info) noexcept {
-    return info.boundary_edges > 0 &&
-           info.faces <= (info.components == 1 ? apart_tuning.most_faces_of_one : apart_tuning.most_faces);
-}
-
 } // namespace
 
 std::optional<FaceGroups> find_groups(const Mesh& mesh, Pool& pool) {
-    if (!is_asked_for_groups(info_of(mesh))) return std::nullopt;
+    if (!mesh::may_be_grouped(mesh.get()->mesh.report, mesh.get()->mesh.faces())) return std::nullopt;
     const Points points = vertices_of(mesh, pool);
     const Vector<Triangle> faces = triangles_of(mesh, pool);
     const FaceEdges edges = find_edges(faces, points.size(), pool);
@@ -406,13 +403,15 @@ LostParts find_lost_parts(const Mesh& mesh, Pool& pool) {
     const std::size_t parts = static_cast<std::size_t>(*std::max_element(part.begin(), part.end())) + 1;
     Vector<double> area(parts, 0.0, &pool); // A part that was left out has the area 0.
     for (std::size_t f = 0; f < faces.size(); ++f) area[part_of(f)] += glm::length(doubled_area_of(points, faces[f]));
-    const double little = apart_tuning.lost_area * sum_in_pairs(area);
-    double little_area = 0.0;
-    for (const double one : area) little_area += one < little ? one : 0.0;
-    if (little_area > little) return lost;
+    const double whole = sum_in_pairs(area);
+    Vector<std::uint8_t> is_crumb(&pool);
+    for (const double one : area) is_crumb.push_back(mesh::is_crumb(one, whole) ? 1 : 0);
+    double of_crumbs = 0.0;
+    for (std::size_t one = 0; one < parts; ++one) of_crumbs += is_crumb[one] != 0 ? area[one] : 0.0;
+    if (!mesh::is_crumb(of_crumbs, whole)) return lost;
     geometry::Bounds kept;
     for (std::size_t f = 0; f < faces.size(); ++f)
-        for (std::size_t k = 0; k < 3 && !(area[part_of(f)] < little); ++k) kept.extend(corner_of(points, faces[f], k));
+        for (std::size_t k = 0; k < 3 && is_crumb[part_of(f)] == 0; ++k) kept.extend(corner_of(points, faces[f], k));
     if (kept.empty()) return lost;
     Vector<double> nearest(parts, std::numeric_limits<double>::infinity(), &pool);
     for (std::size_t f = 0; f < faces.size(); ++f) {
@@ -423,10 +422,10 @@ LostParts find_lost_parts(const Mesh& mesh, Pool& pool) {
         }
         nearest[part_of(f)] = std::min(nearest[part_of(f)], glm::length(beyond));
     }
-    const double far = (apart_tuning.lost_distance - 1.0) * kept.diagonal();
     Vector<std::uint8_t> is_lost(&pool);
     Vector<std::uint8_t> is_there(parts, 0, &pool);
-    for (std::size_t one = 0; one < parts; ++one) is_lost.push_back(area[one] < little && nearest[one] > far ? 1 : 0);
+    for (std::size_t one = 0; one < parts; ++one)
+        is_lost.push_back(is_crumb[one] != 0 && mesh::is_lost(nearest[one] / kept.diagonal()) ? 1 : 0);
     for (std::size_t f = 0; f < faces.size(); ++f) {
         if (is_lost[part_of(f)] == 0) continue;
         lost.faces.push_back(static_cast<std::int64_t>(f));

@@ -6,7 +6,8 @@
 
 #include "api/mesh.h"
 #include "base/assert.h"
-#include "mesh/pieces/plan.h"
+#include "mesh/pieces/fit_as_planned.h"
+#include "mesh/plan.h"
 #include "picture/apart.h"
 #include "picture/ends.h"
 #include "picture/nearness.h"
@@ -33,20 +34,37 @@ hrbfnpr_fit_desc wanted_fit(const Options& options) {
     return desc;
 }
 
-// Tells whether the fit takes as many samples as it needs. It does not if the caller asks for a number of samples or
-// for an option that only a fit to samples has.
+// Tells whether the fit takes as many samples as it needs.
 bool chooses_samples(const Options& options) {
     const Changes& changes = options.changes;
-    const bool refines = changes.is_callers("fit.refinement_steps") && changes.number("fit.refinement_steps") != 0.0;
-    const bool asks_for_samples = options.desc.samples > 0 || options.has(HRBFNPR_PICTURE_FLIP) || refines ||
-                                  changes.is_callers("fit.outliers") || changes.is_callers("fit.flipped_normals");
-    return !asks_for_samples && wanted_fit(options).regularization_mode != HRBFNPR_REGULARIZATION_AUTO;
+    mesh::SampleWishes wishes;
+    wishes.count = options.desc.samples > 0;
+    wishes.flips = options.has(HRBFNPR_PICTURE_FLIP);
+    wishes.refines = changes.is_callers("fit.refinement_steps") && changes.number("fit.refinement_steps") != 0.0;
+    wishes.judges = changes.is_callers("fit.outliers") || changes.is_callers("fit.flipped_normals");
+    wishes.regularizes = wanted_fit(options).regularization_mode == HRBFNPR_REGULARIZATION_AUTO;
+    return mesh::chooses_samples(wishes);
 }
 
 bool edges_are_as_given(const Options& options) noexcept {
     return options.desc.edges == HRBFNPR_PICTURE_EDGES_AS_GIVEN;
 }
-bool subdivides_as_told(const Options& options) noexcept { return options.desc.subdivide >= 0; }
+
+bool keeps_faces(const Options& options) noexcept { return options.desc.normals == HRBFNPR_NORMALS_GIVEN; }
+
+// Returns the wishes for a mesh with this diagonal.
+mesh::MeshWishes wishes_of(const Options& options, double across) {
+    mesh::MeshWishes wishes;
+    wishes.edges_as_given = edges_are_as_given(options);
+    static_assert(HRBFNPR_PICTURE_EDGES_SHARP - HRBFNPR_PICTURE_EDGES_AUTO == HRBFNPR_EDGES_SHARP - HRBFNPR_EDGES_AUTO);
+    if (!wishes.edges_as_given)
+        wishes.edges = static_cast<mesh::Edges>(options.desc.edges - HRBFNPR_PICTURE_EDGES_AUTO);
+    wishes.edge_angle = options.desc.edge_angle;
+    wishes.rounds = options.desc.subdivide;
+    wishes.chooses_samples = chooses_samples(options);
+    wishes.tolerance = options.desc.tolerance > 0.0 && across > 0.0 ? options.desc.tolerance / across : 0.0;
+    return wishes;
+}
 
 double crease_angle_of(const Options& options) noexcept {
     return std::isnan(options.desc.crease_angle) ? mesh_tuning.crease_angle : options.desc.crease_angle;
@@ -74,7 +92,7 @@ Mesh welded_mesh(const Call& call, const Points& points, const Vector<Triangle>&
     const Options& options = call.options;
     hrbfnpr_mesh_desc desc = mesh_desc_of(points, triangles, crease_angle_of(options));
     desc.parts = options.desc.parts;
-    desc.faces = options.desc.normals == HRBFNPR_NORMALS_GIVEN ? HRBFNPR_FACES_KEEP : HRBFNPR_FACES_TURN;
+    desc.faces = keeps_faces(options) ? HRBFNPR_FACES_KEEP : HRBFNPR_FACES_TURN;
     return create_mesh(call, desc, operation);
 }
 
@@ -105,7 +123,7 @@ struct LookedAtMesh {
     Shape shape;
     Points points;
     Points normals;
-    double edge_angle = 0.0; // Edges that bend by more are sharp, in degrees. 0: edges that stand out are sharp.
+    bool is_flat = false; // All of its faces are flat.
 };
 
 String borders_in_words(const hrbfnpr_mesh_info& info, Pool& pool) {
@@ -196,23 +214,22 @@ void tell_left_out(const Call& call, const LeftOut& left_out) {
                          " that only an edge of two others holds left out; {parts=all} keeps them");
 }
 
-// The reasons to turn the faces of an open mesh.
-enum class Wrong { nothing, looks_down_z, looks_down_y, looks_inward };
-
-Wrong looks_wrong(const Points& points, const Points& normals, Pool& pool) {
-    if (const char axis = hangs_along(points, normals); axis != 0)
-        return axis == 'z' ? Wrong::looks_down_z : Wrong::looks_down_y;
-    return look_at_normals(points, normals, true, pool).inward() ? Wrong::looks_inward : Wrong::nothing;
+mesh::Facing facing_of(const Call& call, const LookedAtMesh& looked) {
+    const auto hangs = [&] { return hangs_along(looked.points, looked.normals); };
+    const auto inward = [&] { return look_at_normals(looked.points, looked.normals, true, call.pool).inward(); };
+    const bool closed = info_of(looked.mesh).closed != 0;
+    return mesh::plan_facing({closed, std::ref(hangs), std::ref(inward)},
+                             keeps_faces(call.options) || call.options.has(HRBFNPR_PICTURE_FLIP));
 }
 
-void tell_wrong(const Call& call, Wrong wrong) {
-    if (wrong == Wrong::nothing) return;
-    if (wrong == Wrong::looks_inward) {
+void tell_facing(const Call& call, mesh::Facing facing) {
+    if (facing == mesh::Facing::right) return;
+    if (facing == mesh::Facing::inward) {
         call.report.note(HRBFNPR_NOTE_NORMALS_TURNED, {},
                          "all normals looked inward: they are turned ({normals=keep} leaves them)");
         return;
     }
-    const char axis = wrong == Wrong::looks_down_z ? 'z' : 'y';
+    const char axis = facing == mesh::Facing::down_z ? 'z' : 'y';
     call.report.note(HRBFNPR_NOTE_TERRAIN_TURNED, {static_cast<double>(axis - 'x')},
                      formatted(call.pool,
                                "the surface is a terrain that looked down along %c: its normals are turned "
@@ -222,53 +239,27 @@ void tell_wrong(const Call& call, Wrong wrong) {
 
 // ---- Coarse meshes
 
-// The decision about coarse faces.
+// What became of coarse faces.
 struct Divided {
-    enum class Choice {
-        nothing,     // The mesh stays as it is.
-        all_flat,    // All edges are sharp, because the normals of the file say so.
-        coarse_flat, // No round surface goes through the vertices.
-        divided
-    };
-    Choice choice = Choice::nothing;
-    bool by_file = false;    // Some edges are sharp, because the normals of the file say so.
-    std::int32_t rounds = 0; // rounds of subdivision
-    double moved = 0.0;      // the farthest that a vertex moved, in diagonals
-    double raised = 0.0;     // the farthest that a place between vertices moved, in diagonals
+    using Choice = mesh::CoarsePlan::Choice;
+
+    mesh::CoarsePlan plan;
+    bool by_file = false; // Some edges are sharp, because the normals of the file say so.
+    double moved = 0.0;   // the farthest that a vertex moved, in diagonals
+    double raised = 0.0;  // the farthest that a place between vertices moved, in diagonals
     // The coarseness before the division. It is below 0 if it was not measured because the options ask for division.
     double coarseness = -1.0;
 };
 
-double tolerance_as_share(const Options& options, const Points& points) noexcept {
-    const double across = box_diagonal_of(points);
-    return options.desc.tolerance > 0.0 && across > 0.0 ? options.desc.tolerance / across : mesh_tuning.tolerance;
-}
-
 // Tells whether a fit keeps some edges sharp, as it does on machine parts and polyhedra. If none stand out on the whole
 // mesh, those of a single part still may. A caller sees the same in the sheets of a rough fit.
-bool has_edges(const Call& call, const Shape& shape, hrbfnpr_operation* operation) {
-    const Mesh mesh = same_mesh(call, shape.points, shape.triangles, mesh_tuning.crease_angle, operation);
+bool has_creases(const Mesh& mesh, const base::Progress& progress) {
     if (info_of(mesh).creases != 0) return true;
     const hrbfnpr_mesh& made = *mesh.get();
     mesh::FitMeshSettings rough;
-    rough.tolerance = mesh_tuning.rough_tolerance * box_diagonal_of(shape.points);
-    const base::Progress progress =
-        operation != nullptr ? base::Progress(&operation->operation).standing() : base::Progress();
-    return mesh::plan_creases(made.runtime(), made.mesh, made.tree, made.creases, rough, progress).creases.has_value();
-}
-
-// Returns how often faces are to be divided: those out of which a round surface would bulge by more than the tolerance.
-std::int32_t rounds_of(const Call& call, const Shape& welded, SaidOfEdges said, hrbfnpr_operation* operation) {
-    const Options& options = call.options;
-    if (subdivides_as_told(options)) return options.desc.subdivide;
-    if (options.desc.edges == HRBFNPR_PICTURE_EDGES_SHARP || !chooses_samples(options) ||
-        welded.triangles.size() > mesh_tuning.most_coarse || mean_edge(welded, call.pool) < mesh_tuning.coarse_edge)
-        return 0;
-    const double tolerance = tolerance_as_share(options, welded.points);
-    const double off = coarseness(welded, subdivide_tuning.coarse_percentile, call.pool);
-    if (!(off > tolerance) || (said != SaidOfEdges::some_are_sharp && has_edges(call, welded, operation))) return 0;
-    const double rounds = std::ceil(std::log(2.0 * off / tolerance) / std::log(4.0));
-    return rounds < mesh_tuning.most_rounds ? static_cast<std::int32_t>(rounds) : mesh_tuning.most_rounds;
+    rough.tolerance = mesh_tuning.rough_tolerance * made.mesh.bounds.diagonal();
+    return mesh::find_planned_creases(made.runtime(), made.mesh, made.tree, made.creases, rough, progress)
+        .creases.has_value();
 }
 
 double farthest_moved(const Points& from, const Points& to) noexcept {
@@ -277,50 +268,39 @@ double farthest_moved(const Points& from, const Points& to) noexcept {
     return most;
 }
 
-// Divides a welded mesh, unless no round surface goes through its vertices. The long and unequal faces of a convex
-// hull, for example, would fold.
-Divided divide(const Call& call, const Shape& welded, std::int32_t rounds, Shape& finer,
-               const base::Progress& progress) {
+// Divides the faces of a welded mesh as planned, and judges what came out.
+Divided divide(const Call& call, const Shape& welded, const mesh::CoarsePlan& plan, mesh::SaidOfEdges said,
+               const mesh::MeshWishes& wishes, Shape& finer, const base::Progress& progress) {
     Pool& pool = call.pool;
-    const Options& options = call.options;
-    const bool as_told = subdivides_as_told(options);
-    const double crease = std::isnan(options.desc.crease_angle) ? 180.0 : options.desc.crease_angle;
-    Divided found;
-    found.rounds = rounds;
+    const double crease = std::isnan(call.options.desc.crease_angle) ? 180.0 : call.options.desc.crease_angle;
+    Divided found{plan};
     found.by_file = welded.has_sharp_edges;
     Vector<std::int64_t> parents(&pool);
-    if (found.by_file && !as_told) {
-        DividedParts parts =
-            subdivide_coarse_parts(welded, rounds, crease, tolerance_as_share(options, welded.points), pool, progress);
+    if (plan.parts_alone) {
+        DividedParts parts = subdivide_coarse_parts(welded, plan.rounds, crease,
+                                                    mesh::plan_tolerance(wishes.tolerance, 1.0), pool, progress);
         finer = std::move(parts.shape);
         parents = std::move(parts.parents);
     } else {
-        finer = subdivide(welded, rounds, crease, pool, progress);
+        finer = subdivide(welded, plan.rounds, crease, pool, progress);
         parents = parents_of(welded.triangles.size(), finer.triangles.size(), pool);
     }
     Vector<double> rise = raised(welded, finer, parents, pool);
-    const double across = box_diagonal_of(welded.points);
-    const double moved_by = farthest_moved(welded.points, finer.points);
-    found.moved = moved_by / across;
+    found.moved = farthest_moved(welded.points, finer.points) / box_diagonal_of(welded.points);
     found.raised = rise.empty() ? 0.0 : *std::max_element(rise.begin(), rise.end());
-    found.choice = Divided::Choice::divided;
-    if (as_told) return found;
+    if (wishes.rounds >= 0) return found;
     found.coarseness = coarseness(welded, subdivide_tuning.coarse_percentile, pool);
-    if (found.by_file) {
-        if (moved_by > mesh_tuning.most_moved * coarseness(welded, 100.0, pool) * across)
-            found.choice = Divided::Choice::nothing;
-        return found;
-    }
-    const bool folds = moved_by > mesh_tuning.most_moved * found.coarseness * across ||
-                       percentile(rise, mesh_tuning.raised_percentile) > mesh_tuning.most_raised * found.coarseness;
-    if (folds && edges_are_as_given(options)) found.choice = Divided::Choice::coarse_flat;
+    const auto most_coarse = [&] { return coarseness(welded, 100.0, pool); };
+    found.plan.choice = mesh::judge_division(
+        {found.moved, percentile(rise, mesh_tuning.raised_percentile), found.coarseness, std::ref(most_coarse)}, said,
+        wishes);
     return found;
 }
 
 void tell_divided(const Call& call, const Divided& found) {
     Pool& pool = call.pool;
     Report& report = call.report;
-    switch (found.choice) {
+    switch (found.plan.choice) {
     case Divided::Choice::nothing: return;
     case Divided::Choice::all_flat:
         report.note(HRBFNPR_NOTE_ALL_FLAT, {}, "by the normals of its file all faces are flat ({edges=smooth} rounds)");
@@ -337,9 +317,9 @@ void tell_divided(const Call& call, const Divided& found) {
                     "stand out)");
     const String divided =
         formatted(pool, "divided %s, vertices moved by at most %s, what lies between them by %s",
-                  count_of(found.rounds, "time", pool).c_str(), percent_of(found.moved, 2, pool).c_str(),
+                  count_of(found.plan.rounds, "time", pool).c_str(), percent_of(found.moved, 2, pool).c_str(),
                   percent_of(found.raised, 2, pool).c_str());
-    const double times = found.rounds;
+    const double times = found.plan.rounds;
     if (found.coarseness < 0.0)
         report.note(HRBFNPR_NOTE_DIVIDED, {times, found.moved, found.raised},
                     formatted(pool, "the faces are %s", divided.c_str()));
@@ -359,24 +339,25 @@ Divided make_round(const Call& call, LookedAtMesh& looked, Stage& stage) {
     Shape welded(pool);
     welded.points = vertices_of(looked.mesh, pool);
     welded.triangles = triangles_of(looked.mesh, pool);
-    SaidOfEdges said = SaidOfEdges::nothing;
-    if (edges_are_as_given(options) && chooses_samples(options) && looked.shape.has_sharp_edges) {
+    mesh::SaidOfEdges said = mesh::SaidOfEdges::nothing;
+    const mesh::MeshWishes wishes = wishes_of(options, box_diagonal_of(welded.points));
+    if (wishes.edges_as_given && wishes.chooses_samples && looked.shape.has_sharp_edges) {
         Vector<Edge> sharp = edges_among(welded.points, looked.shape.sharp_edges, looked.shape.points, pool);
         said = said_of_edges(welded.points, welded.triangles, sharp, pool);
-        welded.has_sharp_edges = said == SaidOfEdges::some_are_sharp;
+        welded.has_sharp_edges = said == mesh::SaidOfEdges::some_are_sharp;
         if (welded.has_sharp_edges) welded.sharp_edges = std::move(sharp);
     }
-    const std::int32_t rounds = rounds_of(call, welded, said, stage.operation());
-    Divided found;
-    if (rounds == 0) return found;
+    const base::Progress progress = base::Progress(&stage.operation()->operation).standing();
+    const auto mean = [&] { return mean_edge(welded, pool); };
+    const auto coarse = [&] { return coarseness(welded, subdivide_tuning.coarse_percentile, pool); };
+    const auto creases = [&] { return has_creases(looked.mesh, progress); };
+    const auto faces = static_cast<std::int64_t>(welded.triangles.size());
+    Divided found{mesh::plan_coarse_faces({faces, said, std::ref(mean), std::ref(coarse), std::ref(creases)}, wishes)};
     Shape finer(pool);
-    if (said == SaidOfEdges::all_are_sharp && !subdivides_as_told(options))
-        found.choice = Divided::Choice::all_flat;
-    else
-        found = divide(call, welded, rounds, finer, base::Progress(&stage.operation()->operation).standing());
-    if (found.choice == Divided::Choice::all_flat || found.choice == Divided::Choice::coarse_flat)
-        looked.edge_angle = mesh_tuning.flat_bend;
-    if (found.choice != Divided::Choice::divided) return found;
+    if (found.plan.choice == Divided::Choice::divided)
+        found = divide(call, welded, found.plan, said, wishes, finer, progress);
+    looked.is_flat = found.plan.is_flat();
+    if (found.plan.choice != Divided::Choice::divided) return found;
     looked.mesh = same_mesh(call, finer.points, finer.triangles, crease_angle_of(options), stage.operation());
     looked.shape.points = std::move(finer.points);
     looked.shape.triangles = std::move(finer.triangles);
@@ -417,7 +398,7 @@ void sample_and_divide(const Call& call, LookedAtMesh& looked) {
     const std::int64_t count = samples_of_look(call);
     auto desc = defaults<hrbfnpr_sample_desc>(hrbfnpr_sample_desc_init);
     desc.random_seed = options.desc.random_seed;
-    Wrong wrong = Wrong::nothing;
+    mesh::Facing facing = mesh::Facing::right;
     Divided divided;
     {
         Stage stage(call.report, HRBFNPR_STAGE_SAMPLE);
@@ -426,19 +407,17 @@ void sample_and_divide(const Call& call, LookedAtMesh& looked) {
         sample_mesh(looked.mesh, desc, looked.points, &looked.normals, stage.operation());
         stage.says(formatted(call.pool, "%lld samples%s", static_cast<long long>(count),
                              chooses_samples(options) ? ", to look at" : ""));
-        const bool is_settled = info_of(looked.mesh).closed != 0 || options.desc.normals == HRBFNPR_NORMALS_GIVEN ||
-                                options.has(HRBFNPR_PICTURE_FLIP);
-        if (!is_settled) wrong = looks_wrong(looked.points, looked.normals, call.pool);
-        if (wrong != Wrong::nothing) {
+        facing = facing_of(call, looked);
+        if (facing != mesh::Facing::right) {
             Vector<Triangle> turned(&call.pool);
             for (const Triangle& face : looked.shape.triangles) turned.push_back({face[2], face[1], face[0]});
             looked.mesh = welded_mesh(call, looked.shape.points, turned, stage.operation());
         }
         divided = make_round(call, looked, stage);
-        if (wrong != Wrong::nothing || divided.choice == Divided::Choice::divided)
+        if (facing != mesh::Facing::right || divided.plan.choice == Divided::Choice::divided)
             sample_mesh(looked.mesh, desc, looked.points, &looked.normals, stage.operation());
     }
-    tell_wrong(call, wrong);
+    tell_facing(call, facing);
     tell_divided(call, divided);
     if (options.has(HRBFNPR_PICTURE_FLIP))
         for (glm::dvec3& normal : looked.normals) normal = -normal;
@@ -520,29 +499,20 @@ Vector<MeshGroup> groups_of_mesh(const Call& call, Mesh&& mesh, Shape&& shape) {
 
 // ---- The fit
 
-// Sets up the fit of a group. `across` is the diagonal of all groups together, or 0 for a single group. A small group
-// beside large ones is seen from the same distance as they are, so its tolerance lies between that of the whole and its
-// own.
-hrbfnpr_mesh_fit_desc fit_of_mesh(const Options& options, const Shape& shape, double edge_angle, double across) {
+// Sets up the fit of a group. `across` is the diagonal of all groups together, or 0 for a single group.
+hrbfnpr_mesh_fit_desc fit_of_mesh(const Options& options, const Shape& shape, bool is_flat, double across) {
     auto desc = defaults<hrbfnpr_mesh_fit_desc>(hrbfnpr_mesh_fit_desc_init);
     desc.random_seed = options.desc.random_seed;
     options.changes.apply("mesh_fit", desc);
     const bool gives_tolerance = options.desc.tolerance > 0.0 || options.changes.has("mesh_fit.tolerance");
     if (options.desc.tolerance > 0.0) desc.tolerance = options.desc.tolerance;
     if (options.desc.maximum_centres > 0) desc.maximum_centres = options.desc.maximum_centres;
-    if (!edges_are_as_given(options)) {
-        static_assert(HRBFNPR_PICTURE_EDGES_SHARP - HRBFNPR_PICTURE_EDGES_AUTO ==
-                      HRBFNPR_EDGES_SHARP - HRBFNPR_EDGES_AUTO);
-        desc.edges = options.desc.edges - HRBFNPR_PICTURE_EDGES_AUTO;
-        desc.crease_angle = options.desc.edges == HRBFNPR_PICTURE_EDGES_SHARP
-                                ? options.desc.edge_angle
-                                : defaults<hrbfnpr_mesh_fit_desc>(hrbfnpr_mesh_fit_desc_init).crease_angle;
-    } else if (edge_angle > 0.0) {
-        desc.edges = HRBFNPR_EDGES_SHARP;
-        desc.crease_angle = edge_angle;
-    }
+    const mesh::FittedEdges edges = mesh::plan_fitted_edges({static_cast<mesh::Edges>(desc.edges), desc.crease_angle},
+                                                            wishes_of(options, 0.0), is_flat);
+    desc.edges = static_cast<std::uint32_t>(edges.edges);
+    desc.crease_angle = edges.angle;
     if (across > 0.0 && !gives_tolerance)
-        desc.tolerance = mesh_tuning.tolerance * std::sqrt(box_diagonal_of(shape.points) * across);
+        desc.tolerance = mesh::plan_tolerance_of_group(box_diagonal_of(shape.points), across);
     return desc;
 }
 
@@ -607,11 +577,10 @@ void tell_mesh_fit(const Call& call, const hrbfnpr_mesh_fit_info& done, double d
 }
 
 // Fits the group within a tolerance in both directions. A warning tells where the fit exceeds it.
-Model fit_group(const Call& call, const MeshGroup& group, double edge_angle, double across,
-                hrbfnpr_mesh_fit_info& done) {
+Model fit_group(const Call& call, const MeshGroup& group, bool is_flat, double across, hrbfnpr_mesh_fit_info& done) {
     Pool& pool = call.pool;
     const bool ends = info_of(group.mesh).boundary_edges > 0 && !call.options.has(HRBFNPR_PICTURE_CLOSE);
-    const hrbfnpr_mesh_fit_desc desc = fit_of_mesh(call.options, *group.shape, edge_angle, across);
+    const hrbfnpr_mesh_fit_desc desc = fit_of_mesh(call.options, *group.shape, is_flat, across);
     const hrbfnpr_fit_desc solver = solver_of_mesh(call.options, ends);
     done = defaults<hrbfnpr_mesh_fit_info>(hrbfnpr_mesh_fit_info_init);
     Model model;
@@ -633,14 +602,17 @@ Model fit_group(const Call& call, const MeshGroup& group, double edge_angle, dou
 
 // ---- The end
 
-// Returns the distance, in diagonals, beyond which surface does not belong to the mesh. A fit to few samples rounds
-// sharp edges off, so a coarser fit may be farther from the mesh.
-double off_of_model(const Model& model, const std::optional<hrbfnpr_mesh_fit_info>& fit) {
+mesh::EndPlan end_plan_of(const Model& model, const hrbfnpr_mesh_info& mesh,
+                          const std::optional<hrbfnpr_mesh_fit_info>& fit) {
     const hrbfnpr_model_info info = model_info_of(model);
-    const double diagonal = diagonal_of(info);
-    if (!fit) return std::max(mesh_tuning.least_off, mesh_tuning.off_factor * info.spacing / diagonal);
-    const double p99 = std::isnan(fit->mesh_p99) ? 0.0 : fit->mesh_p99;
-    return std::clamp(mesh_tuning.off_factor * p99 / diagonal, mesh_tuning.least_off, mesh_tuning.most_off);
+    if (!fit) return mesh::plan_end_of_samples(info.spacing, diagonal_of(info));
+    mesh::EndFacts facts;
+    facts.diagonal = diagonal_of(info);
+    facts.has_border = mesh.boundary_edges > 0;
+    facts.has_creases = fit->sheets > 1;
+    facts.mesh_p99 = fit->mesh_p99;
+    facts.surface_most = fit->surface_max;
+    return mesh::plan_end_of_picture(facts, mesh.closed != 0);
 }
 
 // Warns of parts of a closed surface that the fit invented and that are removed.
@@ -663,11 +635,9 @@ Model end_of_mesh(const Call& call, const Model& model, const Mesh& mesh,
                   const std::optional<hrbfnpr_mesh_fit_info>& fit) {
     if (call.options.has(HRBFNPR_PICTURE_CLOSE)) return model;
     const hrbfnpr_mesh_info info = info_of(mesh);
-    const bool is_closed = info.closed != 0;
-    const bool of_sheets = fit && fit->sheets > 1;
-    const double off = off_of_model(model, fit);
-    if (of_sheets && is_closed && fit->surface_max <= off * diagonal_of(model)) return model;
-    if (fit && info.boundary_edges > 0) { // The fit has already ended the surface along the border.
+    const mesh::EndPlan plan = end_plan_of(model, info, fit);
+    if (plan.end == mesh::End::nowhere) return model;
+    if (plan.end == mesh::End::as_fitted) {
         Stage stage(call.report, HRBFNPR_STAGE_END);
         stage.says(trim_in_words(call, model, "mesh"));
         return model;
@@ -677,9 +647,9 @@ Model end_of_mesh(const Call& call, const Model& model, const Mesh& mesh,
     dense.candidates = mesh_tuning.end_candidates;
     sample_mesh(mesh, dense, places, nullptr, nullptr);
     auto desc = defaults<hrbfnpr_trim_desc>(hrbfnpr_trim_desc_init);
-    desc.hole = desc.closest = off;
+    desc.hole = desc.closest = plan.off;
     Model ended = ended_by(call, model, places, "mesh", desc);
-    if (is_closed) tell_made_by_fit(call, ended, of_sheets);
+    if (info.closed != 0) tell_made_by_fit(call, ended, fit && fit->sheets > 1);
     return ended;
 }
 
@@ -689,7 +659,7 @@ Surface surface_of_group(const Call& call, MeshGroup&& group, const LookedAtMesh
     Surface surface;
     if (chooses_samples(call.options)) {
         surface.fit.emplace();
-        surface.model = fit_group(call, group, looked.edge_angle, across, *surface.fit);
+        surface.model = fit_group(call, group, looked.is_flat, across, *surface.fit);
     } else {
         surface.model = fit_samples(call, looked.points, looked.normals, false, false);
         tell_nearness(call, group.mesh, surface.model);

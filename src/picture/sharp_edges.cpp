@@ -61,8 +61,8 @@ Vector<Edge> edges_among(const Points& points, const Vector<Edge>& edges, const 
     return moved;
 }
 
-SaidOfEdges said_of_edges(const Points& points, const Vector<Triangle>& triangles, const Vector<Edge>& sharp,
-                          Pool& pool) {
+mesh::SaidOfEdges said_of_edges(const Points& points, const Vector<Triangle>& triangles, const Vector<Edge>& sharp,
+                                Pool& pool) {
     const Vector<std::int64_t> place = places_of_points(points, pool);
     const auto place_of = [&](std::int64_t i) {
         HRBFNPR_ASSERT(i >= 0 && static_cast<std::size_t>(i) < points.size());
@@ -89,10 +89,7 @@ SaidOfEdges said_of_edges(const Points& points, const Vector<Triangle>& triangle
         ++bends;
         if (std::binary_search(said.begin(), said.end(), ends)) ++are_sharp;
     }
-    if (bends < sharp_edges_tuning.fewest) return SaidOfEdges::nothing;
-    const double share = static_cast<double>(are_sharp) / static_cast<double>(bends);
-    if (share >= sharp_edges_tuning.nearly_all) return SaidOfEdges::all_are_sharp;
-    return share > 1.0 - sharp_edges_tuning.nearly_all ? SaidOfEdges::some_are_sharp : SaidOfEdges::nothing;
+    return mesh::plan_edges_of_file(bends, are_sharp);
 }
 
 } // namespace hrbfnpr::picture

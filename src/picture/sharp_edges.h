@@ -5,23 +5,17 @@
 // "smoothing groups"), and have their own normals along other edges.
 #pragma once
 
+#include "mesh/plan.h"
 #include "picture/shape.h"
 
 namespace hrbfnpr::picture {
-
-// The statement of a file's normals about the edges that bend.
-enum class SaidOfEdges {
-    nothing, // The file says nothing, or that all edges are smooth, which is also what computed normals look like.
-    some_are_sharp,
-    all_are_sharp,
-};
 
 // Renames edges by the numbers of other points at the same places. Edges without such points are left out. The numbers
 // of `edges` refer to `of`.
 [[nodiscard]] Vector<Edge> edges_among(const Points& points, const Vector<Edge>& edges, const Points& of, Pool& pool);
 
 // Interprets the sharp edges of a file. `sharp` has numbers of the points.
-[[nodiscard]] SaidOfEdges said_of_edges(const Points& points, const Vector<Triangle>& triangles,
-                                        const Vector<Edge>& sharp, Pool& pool);
+[[nodiscard]] mesh::SaidOfEdges said_of_edges(const Points& points, const Vector<Triangle>& triangles,
+                                              const Vector<Edge>& sharp, Pool& pool);
 
 } // namespace hrbfnpr::picture

@@ -18,24 +18,7 @@ struct MeshTuning {
     // Faces that meet at a larger angle, in degrees, do not share normals, unless the options set the angle. Larger:
     // normals of samples beside edges lean towards the other face.
     double crease_angle = 60.0;
-    // Faces that bend by this many degrees are meant to be flat, and their edges are sharp. Larger: fewer edges are
-    // sharp.
-    double flat_bend = 5.0;
 
-    // The tolerance of a fit in diagonals, as in hrbfnpr_model_fit_mesh. Larger: coarser surfaces in less time.
-    double tolerance = 0.002;
-    // Meshes with at most this many faces may be divided. Larger: finer meshes are examined, in more time.
-    std::size_t most_coarse = 50'000;
-    // A mesh whose mean edge is shorter than this, in diagonals, bends by noise and is not divided. Larger: fewer
-    // meshes are divided.
-    double coarse_edge = 0.025;
-    // The limit of subdivision rounds. Each more: four times as many faces.
-    std::int32_t most_rounds = 3;
-    // No round surface goes through the vertices if they move by more than this factor times the bulge of the faces.
-    // The factor of figures and rings is 1.2 at most. Larger: more meshes with long faces are divided.
-    double most_moved = 1.5;
-    // The same factor for places between the vertices: it is 1.8 for a ball of 156 faces, and 2.7 at most for figures.
-    double most_raised = 3.0;
     // The places are compared at this percentile. Larger: a single fold counts.
     double raised_percentile = 99.0;
     // A rough fit with this tolerance, in diagonals, shows whether a coarse mesh has edges. Larger: more of its faces
@@ -60,13 +43,6 @@ struct MeshTuning {
     // time.
     std::int64_t end_places = 60'000;
     std::int64_t end_candidates = 180'000;
-    // Surface farther from a mesh than a limit between these two, in diagonals, does not belong to it. Larger: more of
-    // the surface that a fit invents stays.
-    double least_off = 0.009;
-    double most_off = 0.015;
-    // Between these bounds, the limit is this factor times the 99th percentile of the mesh's distances from the
-    // surface, or times the spacing of the samples, by which they round edges off. Larger: as above.
-    double off_factor = 1.5;
     // A warning comes if more than this share of a closed surface is removed. Larger: fewer warnings.
     double doubted_share = 0.002;
     // The warning proposes this many times the samples.
@@ -86,23 +62,10 @@ struct ApartTuning {
     double seam_cosine = 0.7;
     // About this many places are spread over all parts. Larger: no contact is missed, in more time.
     double places = 40'000.0;
-    // Meshes with more faces are one group; the first limit is for parts connected by vertices. Larger: more meshes are
-    // grouped, in more time.
-    std::int64_t most_faces_of_one = 100'000;
-    std::int64_t most_faces = 300'000;
     // A mesh with more parts is one group. Time and memory grow with the square of it.
     std::int64_t most_parts = 500;
     // The limit of the groups. Parts beyond the first ones share the last. Larger: more fits.
     std::int64_t most_groups = 8;
-    // Parts with at most this many faces, and this share of the total area, are too small for a surface of their own.
-    // Larger: more faces are removed where three meet in an edge.
-    std::int64_t flap_faces = 2;
-    double flap_area = 2e-4;
-
-    // All lost parts together have at most this share of the area. Larger: more parts are lost.
-    double lost_area = 0.001;
-    // Parts are lost beyond a distance of (this - 1) times the size of all other parts. Larger: fewer parts are lost.
-    double lost_distance = 4.0;
 };
 inline constexpr ApartTuning apart_tuning;
 
@@ -132,11 +95,6 @@ struct SharpEdgesTuning {
     // Faces that bend by less than this, in degrees, are one face, like the triangles of a polygon. Larger: fewer edges
     // count.
     double bend_angle = 2.0;
-    // The normals say nothing if there are fewer edges.
-    std::int64_t fewest = 8;
-    // All edges are sharp if at least this share is, and none is if at most 1 minus this share is. Larger: more files
-    // have some sharp edges.
-    double nearly_all = 0.98;
 };
 inline constexpr SharpEdgesTuning sharp_edges_tuning;
 

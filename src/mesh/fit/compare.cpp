@@ -12,6 +12,7 @@
 #include "mesh/edges.h"
 #include "mesh/fit/outer.h"
 #include "mesh/fit/tuning.h"
+#include "mesh/plan.h"
 #include "mesh/sample.h"
 #include "surface/project.h"
 #include "surface/region.h"
@@ -279,7 +280,7 @@ Comparison compare(const base::Runtime& runtime, const implicit::Implicit& impli
     const OuterFaces outer(runtime, mesh, tree, progress);
     Comparison result;
     result.diagonal = mesh.bounds.diagonal();
-    result.tolerance = settings.tolerance > 0.0 ? settings.tolerance : default_tolerance * result.diagonal;
+    result.tolerance = plan_tolerance(settings.tolerance, result.diagonal);
     const double far = settings.far > 0.0 ? settings.far : default_far * result.diagonal;
     SurfaceSearch search;
     search.region = search_region(mesh);

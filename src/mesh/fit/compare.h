@@ -44,8 +44,7 @@ struct Comparison {
     double seconds = 0.0;
 };
 
-inline constexpr double default_tolerance = 0.002; // in diagonals
-inline constexpr double default_far = 0.01;
+inline constexpr double default_far = 0.01; // in diagonals
 inline constexpr std::int64_t default_points = 20000;
 inline constexpr double cells_a_diagonal = 128.0;
 

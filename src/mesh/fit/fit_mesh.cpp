@@ -41,8 +41,8 @@ struct Task {
 
 FitMeshReport first_report(const Mesh& mesh, const FitMeshSettings& settings) noexcept {
     FitMeshReport report;
-    report.tolerance = settings.tolerance > 0.0 ? settings.tolerance : default_tolerance * mesh.bounds.diagonal();
-    report.far = settings.far > 0.0 ? settings.far : 5.0 * report.tolerance;
+    report.tolerance = plan_tolerance(settings.tolerance, mesh.bounds.diagonal());
+    report.far = plan_far(settings.far, report.tolerance);
     report.supported = mesh.report.boundary_edges > 0;
     return report;
 }

@@ -6,11 +6,9 @@
 #include "mesh/edges.h"
 #include "mesh/fit/compare.h"
 #include "mesh/fit/outer.h"
+#include "mesh/plan.h"
 
 namespace hrbfnpr::mesh {
-
-// The values equal those of the constants HRBFNPR_EDGES_ of hrbfnpr.h.
-enum class Edges : std::uint32_t { automatic = 0, smooth = 1, sharp = 2 };
 
 struct FitMeshSettings {
     double tolerance = 0.0; // 0: 0.002 diagonals

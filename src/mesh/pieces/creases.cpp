@@ -328,10 +328,10 @@ Creases found_creases(const base::Runtime& runtime, const Mesh& mesh, const base
 
 } // namespace
 
-Creases find_creases(const base::Runtime& runtime, const Mesh& mesh, double angle, double coarse,
+Creases find_creases(const base::Runtime& runtime, const Mesh& mesh, const Sharpness& sharpness,
                      const base::Progress& progress) {
     base::Array<Sharpness> of_all(runtime.memory);
-    of_all.push_back({angle, coarse});
+    of_all.push_back(sharpness);
     const base::Array<Crease> none(runtime.memory);
     const base::Array<std::uint8_t> all(runtime.memory);
     return found_creases(runtime, mesh, of_all, mesh.component, none, all, progress);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "mesh/edges.h"
+#include "mesh/plan.h"
 
 namespace hrbfnpr::mesh {
 
@@ -29,14 +30,8 @@ struct Creases {
     double fading = 0.0; // of those that one patch meets itself in, though it was cut
 };
 
-// angle: in degrees; what bends more is sharp.  coarse: faces that would be farther than that from a surface which is
-// curved as their normals are stay flat, with sharp edges.
-struct Sharpness {
-    double angle, coarse;
-};
-
 // Creases that end nowhere are grown along edges that go on as they do; short pieces that part nothing are none.
-[[nodiscard]] Creases find_creases(const base::Runtime& runtime, const Mesh& mesh, double angle, double coarse,
+[[nodiscard]] Creases find_creases(const base::Runtime& runtime, const Mesh& mesh, const Sharpness& sharpness,
                                    const base::Progress& progress);
 // By what each component is said to be. Creases begin with those sides of the faces, 3 face + k, that are not 0 in
 // `sides`, if they bend by more than the angle.

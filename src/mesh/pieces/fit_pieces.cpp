@@ -280,7 +280,7 @@ void make_whole(const PiecesTask& task, Sheets& sheets, PiecesFit& result, const
 [[nodiscard]] PiecesFit empty_result(const PiecesTask& task) {
     PiecesFit result{implicit::PiecesData(task.runtime.memory), {}, {}, {}};
     result.mesh.tolerance = task.tolerance;
-    result.mesh.far = task.settings.far > 0.0 ? task.settings.far : 5.0 * task.tolerance;
+    result.mesh.far = plan_far(task.settings.far, task.tolerance);
     result.mesh.supported = task.mesh.report.boundary_edges > 0;
     return result;
 }
@@ -324,7 +324,7 @@ PiecesFit fit_pieces(const base::Runtime& runtime, const Mesh& mesh, const FaceT
                           places,
                           settings,
                           options,
-                          settings.tolerance > 0.0 ? settings.tolerance : default_tolerance * mesh.bounds.diagonal()};
+                          plan_tolerance(settings.tolerance, mesh.bounds.diagonal())};
     const Touching touching =
         warn_of_touching(runtime, mesh, tree, places, task.tolerance, mesh.report.boundary_edges == 0, progress);
     PiecesFit best = empty_result(task);

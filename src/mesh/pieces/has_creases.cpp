@@ -161,7 +161,7 @@ double bulge(const SidedMesh& sided, std::int64_t side) noexcept {
     return 0.25 * sided.height(side) * std::tan(0.5 / degrees * std::min(std::abs(sided.bend[side]), 120.0));
 }
 
-// ---- The verdict
+// ---- The components
 
 struct Sizes {
     explicit Sizes(base::Memory& memory) : diagonal(memory), area(memory) {}
@@ -184,34 +184,19 @@ Sizes sizes_of_parts(const base::Runtime& runtime, const Mesh& mesh) {
     return sizes;
 }
 
-CreaseEvidence judged(CreaseEvidence lengths, double diagonal) noexcept {
-    if (!(lengths.length > 0.0)) return {};
-    CreaseEvidence found;
-    found.length = lengths.length / diagonal;
-    found.standing = lengths.standing / lengths.length;
-    found.coarse = lengths.coarse / lengths.length;
-    const bool stand_out = found.standing >= has_creases_tuning.enough;
-    found.polyhedron = !stand_out && found.coarse >= has_creases_tuning.enough_far_off;
-    found.creases = (stand_out || found.polyhedron) && found.length >= has_creases_tuning.shortest;
-    return found;
-}
-
-// Adds up what the parts have. The whole has creases if enough of its area is of parts that have.
-CreaseEvidence judged_whole(const CreaseEvidenceOfParts& found, const Sizes& sizes, double diagonal) noexcept {
-    CreaseEvidence lengths;
+// Sums up the components.
+CreaseEvidence judged_whole(const base::Array<EdgeLengths>& lengths, const base::Array<CreaseEvidence>& part,
+                            const Sizes& sizes, double diagonal) noexcept {
+    EdgeLengths all;
     double area = 0.0, area_with_creases = 0.0;
-    for (std::int64_t i = 0; i < found.part.size(); ++i) {
-        const CreaseEvidence& part = found.part[i];
-        const double length = part.length * sizes.diagonal[i];
-        lengths.length += length;
-        lengths.standing += part.standing * length;
-        lengths.coarse += part.coarse * length;
+    for (std::int64_t i = 0; i < part.size(); ++i) {
+        all.all += lengths[i].all;
+        all.standing += lengths[i].standing;
+        all.coarse += lengths[i].coarse;
         area += sizes.area[i];
-        area_with_creases += part.creases ? sizes.area[i] : 0.0;
+        area_with_creases += part[i].creases ? sizes.area[i] : 0.0;
     }
-    CreaseEvidence whole = judged(lengths, diagonal);
-    whole.creases = area_with_creases > 0.0 && area_with_creases >= has_creases_tuning.enough_area * area;
-    return whole;
+    return judge_all_edges(all, diagonal, area_with_creases, area);
 }
 
 } // namespace
@@ -225,26 +210,27 @@ CreaseEvidenceOfParts look_for_creases_of_parts(const base::Runtime& runtime, co
     CreaseEvidenceOfParts found{base::Array<CreaseEvidence>(runtime.memory, sizes.area.size()),
                                 base::Array<std::uint8_t>(runtime.memory, 3 * mesh.faces()),
                                 {}};
+    base::Array<EdgeLengths> lengths(runtime.memory, sizes.area.size());
     for_plain_edges(sided, progress, [&](std::int64_t side, std::int64_t other) {
         if (!bends_more(std::abs(sided.bend[side]), angle)) return;
         const std::int64_t number = mesh.component[side / 3];
-        CreaseEvidence& part = found.part[number];
+        EdgeLengths& part = lengths[number];
         const double length = sided.length(side);
-        part.length += length;
+        part.all += length;
         const SeenEdge seen = look_beside(sided, side, other, faces_of_polygon);
         if (seen.stands_out) part.standing += length;
         if (!seen.is_round) found.sharp[side] = found.sharp[other] = 1;
         const double off = std::min(bulge(sided, side), bulge(sided, other));
         if (off >= has_creases_tuning.far_off * sizes.diagonal[number]) part.coarse += length;
     });
-    for (std::int64_t i = 0; i < found.part.size(); ++i) found.part[i] = judged(found.part[i], sizes.diagonal[i]);
+    for (std::int64_t i = 0; i < lengths.size(); ++i) found.part[i] = judge_edges(lengths[i], sizes.diagonal[i]);
     for_plain_edges(sided, progress, [&](std::int64_t side, std::int64_t other) {
         const std::int64_t number = mesh.component[side / 3];
         if (!found.part[number].polyhedron) return;
         const double off = std::max(bulge(sided, side), bulge(sided, other));
         found.sharp[side] = found.sharp[other] = off >= has_creases_tuning.near_enough * sizes.diagonal[number] ? 1 : 0;
     });
-    found.whole = judged_whole(found, sizes, mesh.bounds.diagonal());
+    found.whole = judged_whole(lengths, found.part, sizes, mesh.bounds.diagonal());
     return found;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Whether a mesh stands for a shape with edges.
+// Measures whether a mesh stands for a shape with edges; plan.h judges.
 //
 // Any mesh bends at its edges. Where it stands for a smooth surface, it turns beside an edge about as much as at the
 // edge, however finely it is divided. An edge of the shape is different: beside it the mesh turns little. The look
@@ -9,16 +9,9 @@
 #pragma once
 
 #include "mesh/edges.h"
+#include "mesh/plan.h"
 
 namespace hrbfnpr::mesh {
-
-struct CreaseEvidence {
-    double length = 0.0;     // The length of the edges that bend by more than the angle, in diagonals.
-    double standing = 0.0;   // The share of them that stands out, by length.
-    double coarse = 0.0;     // The share of them with faces on both sides that a round surface would leave by far.
-    bool creases = false;    // Edges are meant.
-    bool polyhedron = false; // Edges are meant because the faces are coarse: all are flat.
-};
 
 struct CreaseEvidenceOfParts {
     base::Array<CreaseEvidence> part; // of each component, in its own diagonals

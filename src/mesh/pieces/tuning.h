@@ -19,53 +19,16 @@ struct HasCreasesTuning {
     // Edges that bend by more than this are not round, in degrees: a ring of six sides is not meant as a circle. Those
     // of flat polygons stand out. Larger: fewer edges between narrow walls are sharp.
     double surely_sharp = 60.0;
-    // The least share of the edges beyond the angle that stands out on a shape with edges, by length. Larger: more
-    // meshes are smooth.
-    double enough = 0.5;
-    // The least length of the edges beyond the angle, in diagonals. Larger: shapes with a short edge are smooth.
-    double shortest = 0.05;
     // Faces that a round surface would leave by more than this are meant to be flat, in diagonals. A ball of 80 faces
     // is off by 0.009, an icosahedron by 0.03. Larger: fewer rocks have edges.
     double far_off = 0.02;
     // Edges of a polyhedron are sharp if something round would leave a face there by more than this, in diagonals.
     // Larger: blunter edges and smaller faces stay smooth.
     double near_enough = 0.002;
-    // The least share of edges between faces that are far off, of a shape whose faces are all meant to be flat, by
-    // length. Larger: fewer rocks have edges.
-    double enough_far_off = 0.25;
-    // The least share of the area that is of components with creases, if the whole has. It keeps crumbs of a scan from
-    // giving it edges. Larger: smooth figures on blocks need larger blocks.
-    double enough_area = 0.1;
     // A look beside an edge ends after this many faces. Larger: fans of very many needles are passed.
     std::int64_t most_faces = 256;
 };
 inline constexpr HasCreasesTuning has_creases_tuning;
-
-// What plan.cpp decides. Set by scripts/bench edges, and by pictures of open and closed files.
-struct PlanTuning {
-    // A share of `far`: faces that are farther than this from a round surface stay flat. Larger: fewer faces stay flat.
-    double too_coarse = 0.8;
-    // A polyhedron of coarse faces has edges from this share of the crease angle on, if its faces are that coarse
-    // there. Larger: fewer of its edges are sharp.
-    double flat_faces = 0.05;
-    // The lower and upper bounds of EndPlan::off, in diagonals. Larger: more of the surface beyond a mesh stays.
-    double least_off = 0.009;
-    double most_off = 0.015;
-    // The lower bound of EndPlan::off where the fit is exact, in diagonals. Larger: narrow strips end later.
-    double least_off_exact = 0.001;
-    // A fit is exact if it is at most this far from the mesh, in diagonals, as fits of planes are.
-    double exact = 2e-4;
-    // The lower bound as a share of a strip's width. It leaves room for a row of places on either side and a gap
-    // between.
-    double of_width = 0.2;
-    // The lower bound in mean distances of the places. Larger: the surface ends farther beyond the last places.
-    double of_places = 1.5;
-    // A factor of the 99th percentile of the mesh's distances from the surface, which is large all over coarse faces.
-    double of_coarse_faces = 1.5;
-    // This many places show where a mesh ends. Larger: the end is more exact, and takes longer to find.
-    std::int64_t places = 40000;
-};
-inline constexpr PlanTuning plan_tuning;
 
 // Creases and the patches between them. Set by scripts/bench edges on its models of parts and machines.
 struct CreaseTuning {

@@ -27,7 +27,7 @@ namespace {
 struct Found {
     explicit Found(const Triangles& from, double angle = 30.0, mesh::Parts parts = mesh::Parts::all)
         : runtime(test::with_threads(2)), shape(mesh_test::made(runtime, from, parts)),
-          creases(mesh::find_creases(runtime, shape, angle, 0.008 * shape.bounds.diagonal(), {})),
+          creases(mesh::find_creases(runtime, shape, {angle, 0.008 * shape.bounds.diagonal()}, {})),
           evidence(mesh::look_for_creases(runtime, shape, angle, {})) {}
 
     hrbfnpr::base::Runtime runtime;

@@ -27,7 +27,7 @@ struct Fitted {
     explicit Fitted(const Triangles& from, int threads = 2, std::int64_t most = 8000)
         : runtime(test::with_threads(threads)), shape(mesh_test::made(runtime, from, mesh::Parts::all)),
           tree(runtime, shape.vertex, shape.triangle, {}),
-          creases(mesh::find_creases(runtime, shape, 30.0, 0.008 * shape.bounds.diagonal(), {})),
+          creases(mesh::find_creases(runtime, shape, {30.0, 0.008 * shape.bounds.diagonal()}, {})),
           result(mesh::fit_pieces(runtime, shape, tree, creases, settings(most), {}, {})),
           f(runtime.instruction_set, std::move(result.data)) {}
 

@@ -35,7 +35,7 @@ struct Plate {
     explicit Plate(int threads = 2)
         : runtime(test::with_threads(threads)), shape(mesh_test::made(runtime, plate(), mesh::Parts::all)),
           tree(runtime, shape.vertex, shape.triangle, {}),
-          creases(mesh::find_creases(runtime, shape, at_plates, 0.012 * shape.bounds.diagonal(), {})) {}
+          creases(mesh::find_creases(runtime, shape, {at_plates, 0.012 * shape.bounds.diagonal()}, {})) {}
 
     [[nodiscard]] mesh::PiecesFit fit(mesh::Edges edges = mesh::Edges::automatic) const {
         mesh::FitMeshSettings settings;

@@ -26,7 +26,7 @@ namespace {
 struct Cut {
     explicit Cut(const Triangles& from)
         : runtime(test::with_threads(2)), shape(mesh_test::made(runtime, from, mesh::Parts::all)),
-          creases(mesh::find_creases(runtime, shape, 30.0, 0.008 * shape.bounds.diagonal(), {})) {}
+          creases(mesh::find_creases(runtime, shape, {30.0, 0.008 * shape.bounds.diagonal()}, {})) {}
     hrbfnpr::base::Runtime runtime;
     mesh::Mesh shape;
     mesh::Creases creases;

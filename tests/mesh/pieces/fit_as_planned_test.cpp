@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "mesh/pieces/plan.h"
+#include "mesh/pieces/fit_as_planned.h"
 
 #include "mesh/meshes.h"
 #include "support/runtime.h"
@@ -7,9 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include <limits>
-
-namespace plan_test {
+namespace fit_as_planned_test {
 
 namespace mesh = hrbfnpr::mesh;
 namespace test = hrbfnpr::test;
@@ -24,11 +22,11 @@ struct Planned {
           tree(runtime, shape.vertex, shape.triangle, {}),
           known(mesh::look_for_creases(runtime, shape, mesh::default_crease_angle, {})) {}
 
-    [[nodiscard]] mesh::CreasePlan creases(mesh::Edges edges, double angle = mesh::default_crease_angle) const {
+    [[nodiscard]] mesh::PlannedCreases creases(mesh::Edges edges, double angle = mesh::default_crease_angle) const {
         mesh::FitMeshSettings settings;
         settings.edges = edges;
         settings.crease_angle = angle;
-        return mesh::plan_creases(runtime, shape, tree, known, settings, {});
+        return mesh::find_planned_creases(runtime, shape, tree, known, settings, {});
     }
 
     // Distances are in diagonals.
@@ -38,7 +36,7 @@ struct Planned {
         report.reached = reached;
         report.mesh.p99 = report.surface.p99 = mesh_p99 * diagonal;
         report.surface.most = surface_most * diagonal;
-        return mesh::plan_end(shape, report, has_creases);
+        return mesh::plan_end(mesh::end_facts(shape, report, has_creases));
     }
 
     hrbfnpr::base::Runtime runtime;
@@ -47,12 +45,12 @@ struct Planned {
     mesh::CreaseEvidence known;
 };
 
-TEST(Plan, ABallHasNoCreasesAndABoxHas) {
+TEST(FitAsPlanned, ABallHasNoCreasesAndABoxHas) {
     const Planned ball(test::icosphere(3));
     EXPECT_FALSE(ball.creases(mesh::Edges::automatic).creases);
     EXPECT_EQ(ball.creases(mesh::Edges::automatic).doubtful, 0.0);
     const Planned box(test::box(1, 1, 1, 2));
-    const mesh::CreasePlan plan = box.creases(mesh::Edges::automatic);
+    const mesh::PlannedCreases plan = box.creases(mesh::Edges::automatic);
     ASSERT_TRUE(plan.creases);
     EXPECT_EQ(plan.creases->patches, 6);
     EXPECT_FALSE(box.creases(mesh::Edges::smooth).creases);
@@ -60,39 +58,39 @@ TEST(Plan, ABallHasNoCreasesAndABoxHas) {
     EXPECT_TRUE(box.creases(mesh::Edges::automatic, 40.0).creases); // not the evidence that is known
 }
 
-TEST(Plan, EdgesThatDoNotStandOutAreDoubtful) {
+TEST(FitAsPlanned, EdgesThatDoNotStandOutAreDoubtful) {
     const Planned coarse(test::icosphere(1));
-    const mesh::CreasePlan plan = coarse.creases(mesh::Edges::automatic, 16.0);
+    const mesh::PlannedCreases plan = coarse.creases(mesh::Edges::automatic, 16.0);
     EXPECT_FALSE(plan.creases);
     EXPECT_GT(plan.doubtful, 1.0);
     EXPECT_EQ(coarse.creases(mesh::Edges::sharp, 16.0).doubtful, 0.0);
 }
 
 // A star has walls that meet in fillets of three chords: those are round, and its outline is sharp.
-TEST(Plan, FilletsStaySmooth) {
+TEST(FitAsPlanned, FilletsStaySmooth) {
     const std::vector<glm::dvec2> corners{{1.0, 0.0},  {0.3, 0.3},   {0.0, 1.0},  {-0.3, 0.3},
                                           {-1.0, 0.0}, {-0.3, -0.3}, {0.0, -1.0}, {0.3, -0.3}};
     const Planned star(verdict::prism(verdict::rounded(corners, 0.05, 3), 0.4, 3));
-    const mesh::CreasePlan plan = star.creases(mesh::Edges::automatic);
+    const mesh::PlannedCreases plan = star.creases(mesh::Edges::automatic);
     ASSERT_TRUE(plan.creases);
     EXPECT_EQ(plan.creases->patches, 3);
     EXPECT_EQ(star.creases(mesh::Edges::sharp).creases->patches, 10);
 }
 
-TEST(Plan, AStatueOnABlockIsSmooth) {
+TEST(FitAsPlanned, AStatueOnABlockIsSmooth) {
     const verdict::Quads statue =
         verdict::subdivided(verdict::cage(verdict::solid_of(verdict::person()), 14, 2, 0.05, 4), 1);
     const Triangles block = test::box(14.0, 10.0, 4.0, 1).moved(1.0, -7.0, -5.0, -15.0);
     const Planned both(block.with(verdict::cut(statue, verdict::Cut::first)));
-    const mesh::CreasePlan plan = both.creases(mesh::Edges::automatic);
+    const mesh::PlannedCreases plan = both.creases(mesh::Edges::automatic);
     ASSERT_TRUE(plan.creases);
     EXPECT_EQ(plan.creases->patches, 6 + 1);
     EXPECT_GT(both.creases(mesh::Edges::sharp).creases->patches, 20);
 }
 
-TEST(Plan, SolidsThatCrossAreFittedApart) {
+TEST(FitAsPlanned, SolidsThatCrossAreFittedApart) {
     const Triangles ball = test::icosphere(3);
-    const mesh::CreasePlan crossing =
+    const mesh::PlannedCreases crossing =
         Planned(ball.with(ball.moved(1.0, 1.0, 0.0, 0.0))).creases(mesh::Edges::automatic);
     ASSERT_TRUE(crossing.creases);
     EXPECT_EQ(crossing.creases->patches, 2);
@@ -103,25 +101,7 @@ TEST(Plan, SolidsThatCrossAreFittedApart) {
     EXPECT_FALSE(Planned(bowl.with(bowl.moved(1.0, 1.0, 0.0, 0.0))).creases(mesh::Edges::automatic).creases);
 }
 
-TEST(Plan, AClosedSurfaceEndsWhereTheFitInventsSome) {
-    const Planned ball(test::icosphere(3));
-    EXPECT_EQ(ball.end(true, 0.001, 0.01, false).end, mesh::End::nowhere);
-    EXPECT_EQ(ball.end(false, 0.001, 0.01, false).end, mesh::End::at_samples);
-    EXPECT_EQ(ball.end(false, 0.001, 0.008, true).end, mesh::End::nowhere);
-    EXPECT_EQ(ball.end(true, 0.001, 0.02, true).end, mesh::End::at_places);
-    const double nan = std::numeric_limits<double>::quiet_NaN();
-    EXPECT_EQ(ball.end(false, nan, nan, true).end, mesh::End::nowhere);
-    EXPECT_EQ(ball.end(false, nan, nan, false).off, 0.009);
-}
-
-TEST(Plan, CoarseFacesAreFartherOff) {
-    const Planned ball(test::icosphere(3));
-    EXPECT_EQ(ball.end(false, 0.001, 0.0, false).off, 0.009);
-    EXPECT_DOUBLE_EQ(ball.end(false, 0.008, 0.0, false).off, 0.012);
-    EXPECT_EQ(ball.end(false, 1.0, 0.0, false).off, 0.015);
-}
-
-TEST(Plan, AnOpenSurfaceEndsAtItsBorder) {
+TEST(FitAsPlanned, AnOpenSurfaceEndsAtItsBorder) {
     const auto lower = [](double, double, double z) { return z < 0.5; };
     const Planned bowl(test::icosphere(3).where(lower));
     const mesh::EndPlan plan = bowl.end(true, 0.001, 0.0, false);
@@ -145,4 +125,4 @@ TEST(Plan, AnOpenSurfaceEndsAtItsBorder) {
 }
 
 } // namespace
-} // namespace plan_test
+} // namespace fit_as_planned_test

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: MIT
+// The steps of fit_as_planned(), in order:
+//
+//   find_planned_creases   the edges that stay sharp
+//   fit_mesh, fit_pieces   one smooth surface, or sheets
+//   find_end               where the surface ends
+#include "mesh/pieces/fit_as_planned.h"
+
+#include "base/assert.h"
+#include "mesh/tuning.h"
+
+#include <utility>
+
+namespace hrbfnpr::mesh {
+namespace {
+
+// Finds the creases that are meant in each component, as one may have edges and another none.
+Creases creases_that_are_meant(const base::Runtime& runtime, const Mesh& mesh, const CreaseEvidence& whole,
+                               const FitMeshSettings& settings, double far, double tolerance,
+                               const base::Progress& progress) {
+    const CreaseEvidenceOfParts found = look_for_creases_of_parts(runtime, mesh, settings.crease_angle, progress);
+    base::Array<Sharpness> sharpness(runtime.memory);
+    for (const CreaseEvidence& part : found.part)
+        sharpness.push_back(plan_sharpness(part, whole, settings.crease_angle, far, tolerance));
+    return find_creases(runtime, mesh, sharpness, found.sharp, progress);
+}
+
+void log_doubt(const base::Runtime& runtime, const PlannedCreases& found, double crease_angle) {
+    if (found.doubtful > 0.0)
+        runtime.log(
+            base::LogLevel::info,
+            "mesh fit: the mesh bends by more than %g degrees along %.3g diagonals, but no edges stand out: the "
+            "fit is smooth; edges SHARP makes them sharp",
+            crease_angle, found.doubtful);
+}
+
+void log_fit(const base::Runtime& runtime, const FitMeshReport& report, std::int64_t centres) {
+    runtime.log(base::LogLevel::info,
+                "mesh fit: %lld centres in %d rounds, %.3f s; within %.3g: %.2f %% of the mesh and %.2f %% of the "
+                "surface",
+                static_cast<long long>(centres), static_cast<int>(report.rounds), report.seconds_total,
+                report.tolerance, 100.0 * report.mesh.share, 100.0 * report.surface.share);
+    if (!report.reached)
+        runtime.log(base::LogLevel::warning,
+                    "mesh fit: the tolerance is not reached: the mesh is up to %.3g from the surface, the surface up "
+                    "to %.3g from the mesh; give more maximum_centres, or a larger tolerance",
+                    report.mesh.most, report.surface.most);
+}
+
+void log_pieces(const base::Runtime& runtime, const PiecesReport& report) {
+    runtime.log(base::LogLevel::info, "mesh fit: %d sheets in %lld cells meet in creases %.4g long",
+                static_cast<int>(report.sheets), static_cast<long long>(report.cells), report.crease_length);
+    if (report.smooth_length > 0.0 || report.poor_cells > 0)
+        runtime.log(
+            base::LogLevel::warning,
+            "mesh fit: edges %.4g long stay smooth, and in %lld cells no maximum and minimum of the sheets there "
+            "is all that the mesh is",
+            report.smooth_length, static_cast<long long>(report.poor_cells));
+}
+
+// Sets the places that the surface ends with. `samples` are those of a smooth fit.
+void find_end(const base::Runtime& runtime, const Mesh& mesh, const FaceTree& tree, std::uint64_t seed,
+              std::optional<fit::Samples>&& samples, PlannedFit& made, const base::Progress& progress) {
+    made.end = plan_end(end_facts(mesh, made.report, made.pieces.has_value()));
+    if (made.end.end == End::at_samples) {
+        HRBFNPR_ASSERT(samples.has_value());
+        made.end_place = std::move(samples->position);
+        made.end_normal = std::move(samples->normal);
+    }
+    if (made.end.end != End::at_places) return;
+    MeshSamples places = end_places(runtime, mesh, tree, made.end, seed, progress);
+    made.end_place = std::move(places.position);
+    made.end_normal = std::move(places.normal);
+}
+
+} // namespace
+
+PlannedCreases find_planned_creases(const base::Runtime& runtime, const Mesh& mesh, const FaceTree& tree,
+                                    const CreaseEvidence& known, const FitMeshSettings& settings,
+                                    const base::Progress& progress) {
+    const double angle = settings.crease_angle;
+    const double tolerance = plan_tolerance(settings.tolerance, mesh.bounds.diagonal());
+    const double far = plan_far(settings.far, tolerance);
+    CreaseEvidence whole = known;
+    if (settings.edges == Edges::automatic && angle != default_crease_angle)
+        whole = look_for_creases(runtime, mesh, angle, progress);
+    const auto solids_cross = [&] {
+        return mesh.report.boundary_edges == 0 && find_crossing(runtime, mesh, tree, progress).one >= 0;
+    };
+    PlannedCreases planned;
+    if (settings.edges == Edges::automatic && !whole.creases) planned.doubtful = whole.length;
+    const SharpEdges sharp = plan_edges(settings.edges, whole, std::ref(solids_cross));
+    if (sharp == SharpEdges::none) return planned;
+    Creases creases = sharp == SharpEdges::meant
+                          ? creases_that_are_meant(runtime, mesh, whole, settings, far, tolerance, progress)
+                          : find_creases(runtime, mesh, plan_sharpness(angle, far), progress);
+    if (creases.patches >= 2) planned.creases = std::move(creases);
+    return planned;
+}
+
+EndFacts end_facts(const Mesh& mesh, const FitMeshReport& report, bool has_creases) noexcept {
+    EndFacts facts;
+    facts.diagonal = mesh.bounds.diagonal();
+    facts.area = mesh.report.area;
+    facts.border = border_length(mesh);
+    facts.has_border = mesh.report.boundary_edges > 0;
+    facts.has_creases = has_creases;
+    facts.reached = report.reached;
+    facts.mesh_p99 = report.mesh.p99;
+    facts.surface_p99 = report.surface.p99;
+    facts.surface_most = report.surface.most;
+    return facts;
+}
+
+MeshSamples end_places(const base::Runtime& runtime, const Mesh& mesh, const FaceTree& tree, const EndPlan& plan,
+                       std::uint64_t seed, const base::Progress& progress) {
+    HRBFNPR_ASSERT(plan.off > 0.0);
+    return end_samples(runtime, mesh, tree, plan_tuning.places, plan.off * mesh.bounds.diagonal(), seed, progress);
+}
+
+PlannedFit fit_as_planned(const base::Runtime& runtime, const Mesh& mesh, const FaceTree& tree,
+                          const CreaseEvidence& known, const FitMeshSettings& settings, const fit::FitInput& options,
+                          bool may_end, const base::Progress& progress) {
+    constexpr double end_of_fit = 0.95; // of the progress
+    const base::Progress of_fit = progress.part(0.0, end_of_fit);
+    const PlannedCreases planned = find_planned_creases(runtime, mesh, tree, known, settings, progress);
+    log_doubt(runtime, planned, settings.crease_angle);
+    PlannedFit made(runtime.memory);
+    std::optional<fit::Samples> samples;
+    if (planned.creases) {
+        made.pieces = fit_pieces(runtime, mesh, tree, *planned.creases, settings, options, of_fit);
+        made.report = made.pieces->mesh;
+        made.centres = made.pieces->data.centres();
+    } else {
+        MeshFit smooth = fit_mesh(runtime, mesh, tree, settings, options, of_fit);
+        made.report = smooth.report;
+        made.centres = smooth.fit.data.count();
+        samples = std::exchange(smooth.fit.samples, std::nullopt);
+        made.smooth = std::move(smooth.fit);
+    }
+    log_fit(runtime, made.report, made.centres);
+    if (made.pieces) log_pieces(runtime, made.pieces->pieces);
+    if (may_end) find_end(runtime, mesh, tree, settings.seed, std::move(samples), made, progress.part(end_of_fit, 1.0));
+    progress.update(1.0);
+    return made;
+}
+
+} // namespace hrbfnpr::mesh

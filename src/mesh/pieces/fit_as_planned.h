@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+// Fits a surface to a mesh as mesh/plan.h decides: one smooth function, or sheets that meet in creases, and where it
+// ends.
+#pragma once
+
+#include "mesh/pieces/creases.h"
+#include "mesh/pieces/fit_pieces.h"
+#include "mesh/pieces/has_creases.h"
+
+#include <optional>
+
+namespace hrbfnpr::mesh {
+
+struct PlannedCreases {
+    std::optional<Creases> creases; // The creases of the surface; empty if one smooth fit is enough.
+    double doubtful = 0.0;          // The length of edges beyond the crease angle that do not stand out, in diagonals.
+};
+
+// Finds the creases that settings.edges asks for. `known` is the evidence at default_crease_angle.
+[[nodiscard]] PlannedCreases find_planned_creases(const base::Runtime& runtime, const Mesh& mesh, const FaceTree& tree,
+                                                  const CreaseEvidence& known, const FitMeshSettings& settings,
+                                                  const base::Progress& progress);
+
+// Measures what plan_end() needs. `has_creases` tells that fit_pieces() made the fit.
+[[nodiscard]] EndFacts end_facts(const Mesh& mesh, const FitMeshReport& report, bool has_creases) noexcept;
+
+// Returns places all over a mesh. A support around them ends where the mesh ends.
+[[nodiscard]] MeshSamples end_places(const base::Runtime& runtime, const Mesh& mesh, const FaceTree& tree,
+                                     const EndPlan& plan, std::uint64_t seed, const base::Progress& progress);
+
+struct PlannedFit {
+    explicit PlannedFit(base::Memory& memory) noexcept : end_place(memory), end_normal(memory) {}
+
+    std::optional<fit::FitResult> smooth; // without its samples
+    std::optional<PiecesFit> pieces;      // if there is no smooth one
+    FitMeshReport report;
+    std::int64_t centres = 0;
+    EndPlan end;
+    geometry::VecArray end_place; // The surface ends where these end, unless it ends nowhere.
+    geometry::VecArray end_normal;
+};
+
+// Fits a surface. If it may not end, its end is nowhere. Says in the log what came out.
+[[nodiscard]] PlannedFit fit_as_planned(const base::Runtime& runtime, const Mesh& mesh, const FaceTree& tree,
+                                        const CreaseEvidence& known, const FitMeshSettings& settings,
+                                        const fit::FitInput& options, bool may_end, const base::Progress& progress);
+
+} // namespace hrbfnpr::mesh

@@ -1,0 +1,239 @@
+// SPDX-License-Identifier: MIT
+#include "mesh/plan.h"
+
+#include "base/assert.h"
+#include "mesh/edges.h"
+#include "mesh/tuning.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace hrbfnpr::mesh {
+
+// ---- Faces that look the wrong way
+
+bool is_turned(const Component& component, Parts parts, Faces faces) noexcept {
+    // The caller keeps the faces as they are.
+    if (faces == Faces::keep) return false;
+    // If all parts are kept, one inside another is a cavity, whose faces look into it.
+    if (parts == Parts::all && component.nested) return false;
+    // An open component has an inside if its holes are small. One that encloses less than nothing is inside out.
+    return inside_out(component);
+}
+
+Facing plan_facing(const FacingFacts& facts, bool keeps_faces) {
+    // The caller keeps the faces, or make_mesh() has already turned them.
+    if (keeps_faces || facts.closed) return Facing::right;
+    // A terrain looks up.
+    if (const char axis = facts.hangs_along(); axis != 0) return axis == 'z' ? Facing::down_z : Facing::down_y;
+    // A mesh with holes looks outward.
+    return facts.inward() ? Facing::inward : Facing::right;
+}
+
+// ---- Edges that stand out
+
+CreaseEvidence judge_edges(const EdgeLengths& lengths, double diagonal) noexcept {
+    // Nothing bends by more than the angle.
+    if (!(lengths.all > 0.0)) return {};
+    CreaseEvidence found;
+    found.length = lengths.all / diagonal;
+    found.standing = lengths.standing / lengths.all;
+    found.coarse = lengths.coarse / lengths.all;
+    // Most edges stand out.
+    const bool stand_out = found.standing >= plan_tuning.enough_standing;
+    // Otherwise enough of the faces are too coarse to stand for something round.
+    found.polyhedron = !stand_out && found.coarse >= plan_tuning.enough_coarse;
+    // In both cases edges are meant, unless they are very short.
+    found.creases = (stand_out || found.polyhedron) && found.length >= plan_tuning.shortest_edges;
+    return found;
+}
+
+CreaseEvidence judge_all_edges(const EdgeLengths& lengths, double diagonal, double area_with_creases,
+                               double area) noexcept {
+    CreaseEvidence whole = judge_edges(lengths, diagonal);
+    // A mesh has edges if enough of its area is of components that have some.
+    whole.creases = area_with_creases > 0.0 && area_with_creases >= plan_tuning.enough_area * area;
+    return whole;
+}
+
+SharpEdges plan_edges(Edges wish, const CreaseEvidence& whole, const std::function<bool()>& solids_cross) {
+    // The caller wants none, or all that bend.
+    if (wish == Edges::smooth) return SharpEdges::none;
+    if (wish == Edges::sharp) return SharpEdges::bending;
+    // Edges are meant.
+    if (whole.creases) return SharpEdges::meant;
+    // One function cannot represent solids that intersect each other: they are fitted apart, and meet in creases.
+    return solids_cross() ? SharpEdges::meant : SharpEdges::none;
+}
+
+Sharpness plan_sharpness(double angle, double far) noexcept { return {angle, plan_tuning.too_coarse * far}; }
+
+Sharpness plan_sharpness(const CreaseEvidence& part, const CreaseEvidence& whole, double angle, double far,
+                         double tolerance) noexcept {
+    constexpr double boundless = std::numeric_limits<double>::infinity();
+    // All faces of a polyhedron are flat, even where they hardly bend.
+    if (part.polyhedron) return plan_sharpness(plan_tuning.flat_faces * angle, far);
+    if (part.creases) return plan_sharpness(angle, far);
+    // No edge of a smooth part is sharp. But beside parts with edges its coarse faces stay flat, if something round
+    // would leave them by more than the tolerance.
+    return {180.0, whole.standing >= plan_tuning.enough_standing ? tolerance : boundless};
+}
+
+// ---- Coarse faces
+
+SaidOfEdges plan_edges_of_file(std::int64_t bends, std::int64_t sharp) noexcept {
+    // A few edges say nothing.
+    if (bends < plan_tuning.fewest_of_file) return SaidOfEdges::nothing;
+    const double share = static_cast<double>(sharp) / static_cast<double>(bends);
+    if (share >= plan_tuning.nearly_all) return SaidOfEdges::all_are_sharp;
+    return share > 1.0 - plan_tuning.nearly_all ? SaidOfEdges::some_are_sharp : SaidOfEdges::nothing;
+}
+
+CoarsePlan plan_coarse_faces(const CoarseFacts& facts, const MeshWishes& wishes) {
+    // The caller says how often faces are divided.
+    if (wishes.rounds >= 0)
+        return {wishes.rounds > 0 ? CoarsePlan::Choice::divided : CoarsePlan::Choice::nothing, wishes.rounds, false};
+    // The caller wants all edges sharp, or takes samples of the mesh as it is.
+    if (!wishes.edges_as_given && wishes.edges == Edges::sharp) return {};
+    if (!wishes.chooses_samples) return {};
+    // Many faces, and small ones, bend by noise.
+    if (facts.faces > plan_tuning.most_coarse || facts.mean_edge() < plan_tuning.coarse_edge) return {};
+    // Faces bulge by no more than the tolerance.
+    const double tolerance = plan_tolerance(wishes.tolerance, 1.0);
+    const double off = facts.coarseness();
+    if (!(off > tolerance)) return {};
+    // Edges stand out, unless the file says which ones are sharp.
+    if (facts.said != SaidOfEdges::some_are_sharp && facts.has_creases()) return {};
+    // A round leaves a quarter of the bulge. Half of the tolerance is to be left.
+    const double rounds = std::ceil(std::log(2.0 * off / tolerance) / std::log(4.0));
+    CoarsePlan plan;
+    plan.rounds = rounds < plan_tuning.most_rounds ? static_cast<std::int32_t>(rounds) : plan_tuning.most_rounds;
+    if (plan.rounds == 0) return plan;
+    // By the normals of the file all faces are flat.
+    plan.choice = facts.said == SaidOfEdges::all_are_sharp ? CoarsePlan::Choice::all_flat : CoarsePlan::Choice::divided;
+    // Where the file says which edges are sharp, parts without coarse faces are as they should be.
+    plan.parts_alone = facts.said == SaidOfEdges::some_are_sharp;
+    return plan;
+}
+
+CoarsePlan::Choice judge_division(const DivisionFacts& facts, SaidOfEdges said, const MeshWishes& wishes) {
+    using Choice = CoarsePlan::Choice;
+    // The caller wants it.
+    if (wishes.rounds >= 0) return Choice::divided;
+    // Where the file says which edges are sharp, faces stay as they are if vertices moved too far.
+    if (said == SaidOfEdges::some_are_sharp)
+        return facts.moved > plan_tuning.most_moved * facts.most_coarse() ? Choice::nothing : Choice::divided;
+    // The long and unequal faces of a convex hull fold: nothing round goes through their vertices. They are flat,
+    // unless the caller wants something else.
+    const bool folds = facts.moved > plan_tuning.most_moved * facts.coarseness ||
+                       facts.raised > plan_tuning.most_raised * facts.coarseness;
+    return folds && wishes.edges_as_given ? Choice::coarse_flat : Choice::divided;
+}
+
+FittedEdges plan_fitted_edges(const FittedEdges& of_fit, const MeshWishes& wishes, bool all_flat) noexcept {
+    // The caller says which edges are sharp.
+    if (!wishes.edges_as_given)
+        return {wishes.edges, wishes.edges == Edges::sharp ? wishes.edge_angle : default_crease_angle};
+    // All edges of flat faces are sharp.
+    if (all_flat) return {Edges::sharp, plan_tuning.flat_bend};
+    return of_fit;
+}
+
+// ---- Parts
+
+bool is_kept(const Component& component, bool is_largest, Parts parts) noexcept {
+    // The caller wants the largest component, or all.
+    if (parts == Parts::largest) return is_largest;
+    if (parts == Parts::all) return true;
+    // Components inside others are left out.
+    return !component.nested;
+}
+
+bool is_crumb(double area, double whole) noexcept { return area < plan_tuning.lost_area * whole; }
+
+bool is_lost(double distance) noexcept { return distance > plan_tuning.lost_distance - 1.0; }
+
+bool is_flap(std::int64_t faces, double area, double whole) noexcept {
+    return faces <= plan_tuning.flap_faces && area < plan_tuning.flap_area * whole;
+}
+
+bool may_be_grouped(const MeshReport& mesh, std::int64_t faces) noexcept {
+    // Closed parts that cross are solids: the library joins them.
+    if (mesh.boundary_edges == 0) return false;
+    // Very large meshes are one surface, because the look takes too long.
+    return faces <= (mesh.components == 1 ? plan_tuning.most_faces_of_one : plan_tuning.most_faces);
+}
+
+// ---- How near the surface is to come
+
+bool chooses_samples(const SampleWishes& wishes) noexcept {
+    // A fit to a mesh takes as many samples as it needs, unless the caller wants what only a fit to samples has.
+    return !wishes.count && !wishes.flips && !wishes.refines && !wishes.judges && !wishes.regularizes;
+}
+
+double plan_tolerance(double wish, double diagonal) noexcept {
+    return wish > 0.0 ? wish : default_tolerance * diagonal;
+}
+
+double plan_far(double wish, double tolerance) noexcept { return wish > 0.0 ? wish : plan_tuning.far * tolerance; }
+
+double plan_tolerance_of_group(double diagonal, double across) noexcept {
+    return default_tolerance * std::sqrt(diagonal * across);
+}
+
+// ---- Where the surface ends
+
+namespace {
+
+// Returns the least distance, in diagonals, beyond which surface does not belong to the mesh. A support with wide
+// spacings cannot end a narrow strip. So for a mesh that is met exactly it is a share of the mean width,
+// 2 area / border, but no less than the distance between places.
+double least_off(const EndFacts& facts) noexcept {
+    const double farthest = std::max(facts.mesh_p99, facts.surface_p99);
+    if (facts.border == 0.0 || !(farthest < plan_tuning.exact * facts.diagonal)) return plan_tuning.least_off;
+    const double dense = std::sqrt(facts.area / static_cast<double>(plan_tuning.places));
+    const double narrow = plan_tuning.of_width * 2.0 * facts.area / facts.border;
+    return std::clamp(std::max(narrow, plan_tuning.of_places * dense) / facts.diagonal, plan_tuning.least_off_exact,
+                      plan_tuning.least_off);
+}
+
+// Coarse faces that stand for a round shape are far off the round surface everywhere, so most of the distances of the
+// mesh from the surface are no sign of surface that does not belong to it.
+double off_of_fit(const EndFacts& facts, double least) noexcept {
+    const double p99 = facts.mesh_p99 / facts.diagonal;
+    return p99 > 0.0 ? std::clamp(plan_tuning.of_coarse_faces * p99, least, plan_tuning.most_off) : least;
+}
+
+} // namespace
+
+EndPlan plan_end(const EndFacts& facts) noexcept {
+    HRBFNPR_ASSERT(facts.diagonal > 0.0);
+    const double off = off_of_fit(facts, least_off(facts));
+    // Open data ends where it does.
+    if (facts.has_border) return {End::at_places, off};
+    // A fit with creases takes its inside from the mesh, so it invents no surface unless the mesh crosses itself, where
+    // the inside is not defined.
+    if (facts.has_creases) return {facts.surface_most > off * facts.diagonal ? End::at_places : End::nowhere, off};
+    // A smooth fit that reached its tolerance has already seen that its surface is nowhere far from the mesh.
+    return {facts.reached ? End::nowhere : End::at_samples, off};
+}
+
+EndPlan plan_end_of_picture(const EndFacts& facts, bool closed) noexcept {
+    HRBFNPR_ASSERT(facts.diagonal > 0.0);
+    const double off = off_of_fit(facts, plan_tuning.least_off);
+    // The fit has ended the surface along the border.
+    if (facts.has_border) return {End::as_fitted, off};
+    // Sheets of a closed mesh end in each other, unless some surface is far off.
+    if (facts.has_creases && closed && facts.surface_most <= off * facts.diagonal) return {End::nowhere, off};
+    // A closed mesh has no surface that is far off: the fit made it up.
+    return {End::at_places, off};
+}
+
+EndPlan plan_end_of_samples(double spacing, double diagonal) noexcept {
+    HRBFNPR_ASSERT(diagonal > 0.0);
+    // A fit to few samples rounds sharp edges off, so its surface may be farther from the mesh.
+    return {End::at_places, std::max(plan_tuning.least_off, plan_tuning.of_coarse_faces * spacing / diagonal)};
+}
+
+} // namespace hrbfnpr::mesh

@@ -1,0 +1,302 @@
+// SPDX-License-Identifier: MIT
+#include "mesh/plan.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+namespace plan_test {
+
+namespace mesh = hrbfnpr::mesh;
+using mesh::Edges;
+using mesh::SaidOfEdges;
+using Choice = mesh::CoarsePlan::Choice;
+
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+bool never() {
+    ADD_FAILURE() << "the plan asked for a fact that it does not need";
+    return false;
+}
+
+// ---- Faces that look the wrong way
+
+TEST(Plan, TurnsWhatIsInsideOut) {
+    using mesh::Faces;
+    using mesh::Parts;
+    mesh::Component component;
+    component.area = 1.0;
+    component.volume = -1.0;
+    EXPECT_TRUE(mesh::is_turned(component, Parts::all, Faces::turn));
+    EXPECT_FALSE(mesh::is_turned(component, Parts::all, Faces::keep));
+    component.nested = true; // a cavity
+    EXPECT_FALSE(mesh::is_turned(component, Parts::all, Faces::turn));
+    EXPECT_TRUE(mesh::is_turned(component, Parts::outer, Faces::turn));
+    component.closed = false;
+    component.holes = 0.2;
+    EXPECT_TRUE(mesh::is_turned(component, Parts::outer, Faces::turn));
+    component.holes = 0.3; // too large for an inside
+    EXPECT_FALSE(mesh::is_turned(component, Parts::outer, Faces::turn));
+}
+
+TEST(Plan, TurnsAnOpenMesh) {
+    const auto facing = [](char hangs, bool inward) {
+        return mesh::plan_facing({false, [=] { return hangs; }, [=] { return inward; }}, false);
+    };
+    EXPECT_EQ(facing(0, false), mesh::Facing::right);
+    EXPECT_EQ(facing(0, true), mesh::Facing::inward);
+    EXPECT_EQ(facing('z', true), mesh::Facing::down_z);
+    EXPECT_EQ(facing('y', false), mesh::Facing::down_y);
+    const auto asked = [] { return never() ? 'z' : 'y'; };
+    EXPECT_EQ(mesh::plan_facing({true, asked, never}, false), mesh::Facing::right);
+    EXPECT_EQ(mesh::plan_facing({false, asked, never}, true), mesh::Facing::right);
+}
+
+// ---- Edges that stand out
+
+TEST(Plan, EdgesAreMeantIfTheyStandOut) {
+    EXPECT_FALSE(mesh::judge_edges({0.0, 0.0, 0.0}, 1.0).creases);
+    EXPECT_FALSE(mesh::judge_edges({1.0, 0.49, 0.0}, 1.0).creases);
+    EXPECT_TRUE(mesh::judge_edges({1.0, 0.5, 0.0}, 1.0).creases);
+    EXPECT_FALSE(mesh::judge_edges({1.0, 0.5, 0.9}, 1.0).polyhedron);
+    EXPECT_TRUE(mesh::judge_edges({1.0, 0.1, 0.25}, 1.0).polyhedron);
+    EXPECT_FALSE(mesh::judge_edges({0.04, 0.04, 0.0}, 1.0).creases); // too short
+    const mesh::CreaseEvidence found = mesh::judge_edges({4.0, 1.0, 2.0}, 2.0);
+    EXPECT_EQ(found.length, 2.0);
+    EXPECT_EQ(found.standing, 0.25);
+    EXPECT_EQ(found.coarse, 0.5);
+}
+
+TEST(Plan, AMeshHasTheEdgesOfEnoughOfItsArea) {
+    EXPECT_FALSE(mesh::judge_all_edges({1.0, 1.0, 0.0}, 1.0, 0.09, 1.0).creases);
+    EXPECT_TRUE(mesh::judge_all_edges({1.0, 0.0, 0.0}, 1.0, 0.1, 1.0).creases);
+    EXPECT_FALSE(mesh::judge_all_edges({}, 1.0, 0.0, 0.0).creases);
+}
+
+TEST(Plan, EdgesAreAsWishedOrAsTheyStandOut) {
+    mesh::CreaseEvidence found;
+    EXPECT_EQ(mesh::plan_edges(Edges::smooth, found, never), mesh::SharpEdges::none);
+    EXPECT_EQ(mesh::plan_edges(Edges::sharp, found, never), mesh::SharpEdges::bending);
+    EXPECT_EQ(mesh::plan_edges(Edges::automatic, found, [] { return false; }), mesh::SharpEdges::none);
+    EXPECT_EQ(mesh::plan_edges(Edges::automatic, found, [] { return true; }), mesh::SharpEdges::meant);
+    found.creases = true;
+    EXPECT_EQ(mesh::plan_edges(Edges::automatic, found, never), mesh::SharpEdges::meant);
+}
+
+TEST(Plan, EachPartHasASharpnessOfItsOwn) {
+    mesh::CreaseEvidence part, whole;
+    whole.standing = 0.6;
+    EXPECT_EQ(mesh::plan_sharpness(part, whole, 30.0, 5.0, 1.0).angle, 180.0);
+    EXPECT_EQ(mesh::plan_sharpness(part, whole, 30.0, 5.0, 1.0).coarse, 1.0);
+    whole.standing = 0.4;
+    EXPECT_EQ(mesh::plan_sharpness(part, whole, 30.0, 5.0, 1.0).coarse, std::numeric_limits<double>::infinity());
+    part.creases = true;
+    EXPECT_EQ(mesh::plan_sharpness(part, whole, 30.0, 5.0, 1.0).angle, 30.0);
+    EXPECT_EQ(mesh::plan_sharpness(part, whole, 30.0, 5.0, 1.0).coarse, mesh::plan_sharpness(30.0, 5.0).coarse);
+    part.polyhedron = true;
+    EXPECT_EQ(mesh::plan_sharpness(part, whole, 30.0, 5.0, 1.0).angle, 1.5);
+}
+
+// ---- Coarse faces
+
+TEST(Plan, AFileSaysWhichEdgesAreSharp) {
+    EXPECT_EQ(mesh::plan_edges_of_file(7, 7), SaidOfEdges::nothing);
+    EXPECT_EQ(mesh::plan_edges_of_file(100, 98), SaidOfEdges::all_are_sharp);
+    EXPECT_EQ(mesh::plan_edges_of_file(100, 97), SaidOfEdges::some_are_sharp);
+    EXPECT_EQ(mesh::plan_edges_of_file(100, 3), SaidOfEdges::some_are_sharp);
+    EXPECT_EQ(mesh::plan_edges_of_file(100, 2), SaidOfEdges::nothing);
+}
+
+struct Coarse {
+    mesh::CoarseFacts facts;
+    mesh::MeshWishes wishes;
+
+    explicit Coarse(double off, SaidOfEdges said = SaidOfEdges::nothing) {
+        facts.faces = 100;
+        facts.said = said;
+        facts.mean_edge = [] { return 0.1; };
+        facts.coarseness = [off] { return off; };
+        facts.has_creases = [] { return false; };
+    }
+    [[nodiscard]] mesh::CoarsePlan plan() const { return mesh::plan_coarse_faces(facts, wishes); }
+};
+
+TEST(Plan, DividesCoarseFacesUntilTheyAreFine) {
+    EXPECT_EQ(Coarse(0.002).plan().choice, Choice::nothing);
+    EXPECT_EQ(Coarse(nan).plan().choice, Choice::nothing);
+    EXPECT_EQ(Coarse(0.0021).plan().rounds, 2);
+    EXPECT_EQ(Coarse(0.0039).plan().rounds, 1);
+    EXPECT_EQ(Coarse(0.01).plan().rounds, 2);
+    EXPECT_EQ(Coarse(1.0).plan().rounds, 3);
+    EXPECT_EQ(Coarse(1.0).plan().choice, Choice::divided);
+    Coarse rough(0.01);
+    rough.wishes.tolerance = 0.02;
+    EXPECT_EQ(rough.plan().choice, Choice::nothing);
+}
+
+TEST(Plan, LeavesFacesThatAreNotToBeDivided) {
+    Coarse coarse(0.01);
+    coarse.facts.has_creases = [] { return true; };
+    EXPECT_EQ(coarse.plan().choice, Choice::nothing);
+    coarse.facts.said = SaidOfEdges::some_are_sharp; // then edges that stand out do not matter
+    EXPECT_EQ(coarse.plan().choice, Choice::divided);
+    EXPECT_TRUE(coarse.plan().parts_alone);
+    coarse = Coarse(0.01);
+    coarse.facts.mean_edge = [] { return 0.02; };
+    coarse.facts.has_creases = never;
+    EXPECT_EQ(coarse.plan().choice, Choice::nothing);
+    coarse.facts.mean_edge = [] { return never() ? 0.0 : 1.0; };
+    coarse.facts.faces = 50'001;
+    EXPECT_EQ(coarse.plan().choice, Choice::nothing);
+    coarse.facts.faces = 100;
+    coarse.wishes.chooses_samples = false;
+    EXPECT_EQ(coarse.plan().choice, Choice::nothing);
+    coarse.wishes.chooses_samples = true;
+    coarse.wishes.edges_as_given = false;
+    coarse.wishes.edges = Edges::sharp;
+    EXPECT_EQ(coarse.plan().choice, Choice::nothing);
+    coarse.wishes.rounds = 2; // as the caller says, whatever else
+    EXPECT_EQ(coarse.plan().choice, Choice::divided);
+    EXPECT_EQ(coarse.plan().rounds, 2);
+    coarse.wishes.rounds = 0;
+    EXPECT_EQ(coarse.plan().choice, Choice::nothing);
+}
+
+TEST(Plan, AllFacesAreFlatIfTheFileSaysSo) {
+    Coarse coarse(0.01, SaidOfEdges::all_are_sharp);
+    EXPECT_EQ(coarse.plan().choice, Choice::all_flat);
+    EXPECT_TRUE(coarse.plan().is_flat());
+    coarse.wishes.rounds = 1;
+    EXPECT_EQ(coarse.plan().choice, Choice::divided);
+}
+
+TEST(Plan, ADivisionThatFoldsIsNoDivision) {
+    mesh::MeshWishes wishes;
+    const auto judge = [&](double moved, double raised, SaidOfEdges said) {
+        return mesh::judge_division({moved, raised, 0.01, [] { return 0.02; }}, said, wishes);
+    };
+    EXPECT_EQ(judge(0.015, 0.03, SaidOfEdges::nothing), Choice::divided);
+    EXPECT_EQ(judge(0.016, 0.0, SaidOfEdges::nothing), Choice::coarse_flat);
+    EXPECT_EQ(judge(0.0, 0.031, SaidOfEdges::nothing), Choice::coarse_flat);
+    EXPECT_EQ(judge(0.029, 1.0, SaidOfEdges::some_are_sharp), Choice::divided);
+    EXPECT_EQ(judge(0.031, 0.0, SaidOfEdges::some_are_sharp), Choice::nothing);
+    wishes.edges_as_given = false; // such as AUTO or SMOOTH
+    EXPECT_EQ(judge(0.016, 0.0, SaidOfEdges::nothing), Choice::divided);
+    wishes.rounds = 1;
+    EXPECT_EQ(judge(1.0, 1.0, SaidOfEdges::some_are_sharp), Choice::divided);
+}
+
+TEST(Plan, TheFitKeepsTheEdgesThatAreWished) {
+    mesh::MeshWishes wishes;
+    const mesh::FittedEdges of_fit{Edges::automatic, 40.0};
+    EXPECT_EQ(mesh::plan_fitted_edges(of_fit, wishes, false).angle, 40.0);
+    EXPECT_EQ(mesh::plan_fitted_edges(of_fit, wishes, true).edges, Edges::sharp);
+    EXPECT_EQ(mesh::plan_fitted_edges(of_fit, wishes, true).angle, 5.0);
+    wishes.edges_as_given = false;
+    wishes.edges = Edges::smooth;
+    wishes.edge_angle = 20.0;
+    EXPECT_EQ(mesh::plan_fitted_edges(of_fit, wishes, true).edges, Edges::smooth);
+    EXPECT_EQ(mesh::plan_fitted_edges(of_fit, wishes, true).angle, 30.0);
+    wishes.edges = Edges::sharp;
+    EXPECT_EQ(mesh::plan_fitted_edges(of_fit, wishes, true).angle, 20.0);
+}
+
+// ---- Parts
+
+TEST(Plan, LeavesOutPartsInsideOthersAndFarAway) {
+    using mesh::Parts;
+    mesh::Component nested;
+    nested.nested = true;
+    EXPECT_FALSE(mesh::is_kept(nested, false, Parts::outer));
+    EXPECT_TRUE(mesh::is_kept(nested, false, Parts::all));
+    EXPECT_FALSE(mesh::is_kept({}, false, Parts::largest));
+    EXPECT_TRUE(mesh::is_kept(nested, true, Parts::largest));
+    EXPECT_TRUE(mesh::is_kept({}, false, Parts::outer));
+    EXPECT_TRUE(mesh::is_crumb(0.0009, 1.0));
+    EXPECT_FALSE(mesh::is_crumb(0.001, 1.0));
+    EXPECT_TRUE(mesh::is_lost(3.1));
+    EXPECT_FALSE(mesh::is_lost(3.0));
+    EXPECT_TRUE(mesh::is_flap(2, 1e-4, 1.0));
+    EXPECT_FALSE(mesh::is_flap(3, 1e-4, 1.0));
+    EXPECT_FALSE(mesh::is_flap(2, 3e-4, 1.0));
+}
+
+TEST(Plan, OpenPartsMayBeGrouped) {
+    mesh::MeshReport report;
+    report.components = 2;
+    EXPECT_FALSE(mesh::may_be_grouped(report, 100));
+    report.boundary_edges = 1;
+    EXPECT_TRUE(mesh::may_be_grouped(report, 300'000));
+    report.components = 1;
+    EXPECT_FALSE(mesh::may_be_grouped(report, 300'000));
+    EXPECT_TRUE(mesh::may_be_grouped(report, 100'000));
+}
+
+// ---- How near the surface is to come
+
+TEST(Plan, AFitChoosesItsSamplesUnlessTheCallerDoes) {
+    EXPECT_TRUE(mesh::chooses_samples({}));
+    EXPECT_FALSE(mesh::chooses_samples({true, false, false, false, false}));
+    EXPECT_FALSE(mesh::chooses_samples({false, false, false, false, true}));
+}
+
+TEST(Plan, TolerancesAreThoseThatAreWished) {
+    EXPECT_EQ(mesh::plan_tolerance(0.0, 10.0), 0.02);
+    EXPECT_EQ(mesh::plan_tolerance(0.5, 10.0), 0.5);
+    EXPECT_EQ(mesh::plan_far(0.0, 0.5), 2.5);
+    EXPECT_EQ(mesh::plan_far(1.0, 0.5), 1.0);
+    EXPECT_EQ(mesh::plan_tolerance_of_group(1.0, 4.0), 0.004);
+}
+
+// ---- Where the surface ends
+
+TEST(Plan, AClosedSurfaceEndsWhereTheFitInventsSome) {
+    mesh::EndFacts facts;
+    facts.mesh_p99 = facts.surface_p99 = 0.001;
+    facts.surface_most = 0.01;
+    EXPECT_EQ(mesh::plan_end(facts).end, mesh::End::at_samples);
+    facts.reached = true;
+    EXPECT_EQ(mesh::plan_end(facts).end, mesh::End::nowhere);
+    facts.has_creases = true;
+    EXPECT_EQ(mesh::plan_end(facts).end, mesh::End::at_places);
+    facts.surface_most = 0.008;
+    EXPECT_EQ(mesh::plan_end(facts).end, mesh::End::nowhere);
+    facts.mesh_p99 = facts.surface_p99 = facts.surface_most = nan;
+    EXPECT_EQ(mesh::plan_end(facts).end, mesh::End::nowhere);
+    EXPECT_EQ(mesh::plan_end(facts).off, 0.009);
+}
+
+TEST(Plan, APictureEndsWhereTheMeshDoes) {
+    mesh::EndFacts facts;
+    facts.surface_most = 0.008;
+    EXPECT_EQ(mesh::plan_end_of_picture(facts, true).end, mesh::End::at_places);
+    facts.has_creases = true;
+    EXPECT_EQ(mesh::plan_end_of_picture(facts, true).end, mesh::End::nowhere);
+    EXPECT_EQ(mesh::plan_end_of_picture(facts, false).end, mesh::End::at_places);
+    facts.surface_most = nan;
+    EXPECT_EQ(mesh::plan_end_of_picture(facts, true).end, mesh::End::at_places);
+    facts.has_border = true;
+    EXPECT_EQ(mesh::plan_end_of_picture(facts, false).end, mesh::End::as_fitted);
+    EXPECT_EQ(mesh::plan_end_of_samples(0.01, 10.0).off, 0.009);
+    EXPECT_DOUBLE_EQ(mesh::plan_end_of_samples(0.1, 1.0).off, 0.15);
+}
+
+TEST(Plan, CoarseFacesAreFartherOff) {
+    mesh::EndFacts facts;
+    const auto off = [&](double p99) {
+        facts.mesh_p99 = facts.surface_p99 = p99;
+        return mesh::plan_end(facts).off;
+    };
+    EXPECT_EQ(off(0.001), 0.009);
+    EXPECT_DOUBLE_EQ(off(0.008), 0.012);
+    EXPECT_EQ(off(1.0), 0.015);
+    facts.area = 0.02; // a strip that is met exactly ends at 0.2 of its width
+    facts.border = 2.0;
+    EXPECT_DOUBLE_EQ(off(1e-6), 0.004);
+    EXPECT_EQ(off(1e-3), 0.009);
+}
+
+} // namespace
+} // namespace plan_test
