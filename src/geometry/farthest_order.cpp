@@ -34,16 +34,7 @@ private:
         double squared_distance = 0.0;
         std::int64_t farthest = 0; // place in the tree
     };
-    struct Range {
-        std::int64_t node;
-        std::int64_t begin;
-        std::int64_t end;
-
-        [[nodiscard]] bool leaf() const noexcept { return end - begin <= leaf_size; }
-        [[nodiscard]] std::int64_t middle() const noexcept { return begin + (end - begin) / 2; } // as in PointTree
-        [[nodiscard]] Range low() const noexcept { return {2 * node + 1, begin, middle()}; }
-        [[nodiscard]] Range high() const noexcept { return {2 * node + 2, middle(), end}; }
-    };
+    using Range = Halves<leaf_size>;
 
     [[nodiscard]] Range whole() const noexcept { return {0, 0, tree_.size()}; }
     Bounds build(const Range& range, const base::Progress& progress);
@@ -62,9 +53,7 @@ private:
 
 FarthestTree::FarthestTree(const VecArray& points, const base::Progress& progress)
     : tree_(points, progress), squared_distance_(points.memory()), nodes_(points.memory()) {
-    std::int64_t nodes = 1;
-    for (std::int64_t longest = points.size(); longest > leaf_size; longest = (longest + 1) / 2) nodes = 2 * nodes + 1;
-    base::resize_long(nodes_, nodes, progress);
+    base::resize_long(nodes_, Range::nodes(points.size()), progress);
     base::fill_long(squared_distance_, points.size(), HUGE_VAL, progress);
     build(whole(), progress);
 }

@@ -12,21 +12,13 @@ namespace {
 
 constexpr std::int64_t halved_at_once = 65536; // points without a look for a cancel
 
-int longest_axis(const Bounds& box) noexcept {
-    const glm::dvec3 size = box.size();
-    if (size.x >= size.y && size.x >= size.z) return 0;
-    return size.y >= size.z ? 1 : 2;
-}
-
 } // namespace
 
 PointTree::PointTree(const VecArray& points, const base::Progress& progress)
     : points_(points.memory()), index_(points.memory()), bounds_(points.memory()) {
     const std::int64_t count = points.size();
     if (count == 0) return;
-    std::int64_t nodes = 1;
-    for (std::int64_t longest = count; longest > leaf_size; longest = (longest + 1) / 2) nodes = 2 * nodes + 1;
-    base::resize_long(bounds_, nodes, progress);
+    base::resize_long(bounds_, Range::nodes(count), progress);
     base::Array<Place> places(points.memory());
     base::resize_long(places, count, progress);
     for (std::int64_t i = 0; i < count; ++i) {
@@ -74,24 +66,13 @@ void PointTree::build(Place* places, const Range& range, const base::Progress& p
 double PointTree::nearest_other(std::int64_t at) const noexcept {
     const glm::dvec3 p = points_[at];
     double best = std::numeric_limits<double>::infinity();
-    std::array<Range, stack_size> stack;
-    std::size_t depth = 0;
-    stack[depth++] = {0, 0, size()};
-    while (depth > 0) {
-        const Range range = stack[--depth];
-        if (squared_distance_to_box(p, range.node) >= best) continue;
-        if (!range.leaf()) {
-            const bool low_first =
-                squared_distance_to_box(p, 2 * range.node + 1) <= squared_distance_to_box(p, 2 * range.node + 2);
-            stack[depth++] = low_first ? range.high() : range.low();
-            stack[depth++] = low_first ? range.low() : range.high();
-            continue;
-        }
-        for (std::int64_t other = range.begin; other < range.end; ++other) {
+    visit_nearest_first<leaf_size>(
+        size(), [&](std::int64_t node) { return squared_distance_to(bounds_[node], p); },
+        [&](std::int64_t, double squared) { return squared < best; },
+        [&](std::int64_t other) {
             const glm::dvec3 between = points_[other] - p;
             if (other != at) best = std::min(best, glm::dot(between, between));
-        }
-    }
+        });
     return std::sqrt(best);
 }
 

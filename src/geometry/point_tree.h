@@ -6,6 +6,7 @@
 #include "base/assert.h"
 #include "base/memory.h"
 #include "base/operation.h"
+#include "geometry/halves.h"
 #include "geometry/vec_array.h"
 
 #include <algorithm>
@@ -57,19 +58,7 @@ public:
 
 private:
     static constexpr std::int64_t leaf_size = 8;
-    // Every level halves its ranges, so that 2^63 points would have 60 levels.
-    static constexpr std::size_t stack_size = 64;
-
-    struct Range {
-        std::int64_t node;
-        std::int64_t begin;
-        std::int64_t end;
-
-        [[nodiscard]] bool leaf() const noexcept { return end - begin <= leaf_size; }
-        [[nodiscard]] std::int64_t middle() const noexcept { return begin + (end - begin) / 2; }
-        [[nodiscard]] Range low() const noexcept { return {2 * node + 1, begin, middle()}; }
-        [[nodiscard]] Range high() const noexcept { return {2 * node + 2, middle(), end}; }
-    };
+    using Range = Halves<leaf_size>;
 
     // A place and its squared distance; the worse one is farther, or as far and later.
     struct Near {
@@ -93,29 +82,22 @@ private:
     void build(Place* places, const Range& range, const base::Progress& progress);
     template <class Value>
     std::int64_t fill_smallest(const Range& range, const Value& value, base::Array<std::int64_t>& smallest) const;
-    [[nodiscard]] double squared_distance_to_box(const glm::dvec3& p, std::int64_t node) const noexcept;
 
     VecArray points_;
     base::Array<std::int64_t> index_;
     base::Array<Bounds> bounds_; // of the nodes, in heap order
 };
 
-inline double PointTree::squared_distance_to_box(const glm::dvec3& p, std::int64_t node) const noexcept {
-    const Bounds& box = bounds_[node];
-    const glm::dvec3 outside = glm::max(glm::max(box.min - p, p - box.max), glm::dvec3(0.0));
-    return glm::dot(outside, outside);
-}
-
 template <class Visit>
 void PointTree::within(const glm::dvec3& p, double radius, Visit&& visit) const {
     if (size() == 0) return;
     const double limit = radius * radius;
-    std::array<Range, stack_size> stack;
+    std::array<Range, most_levels_of_halves> stack;
     std::size_t depth = 0;
     stack[depth++] = {0, 0, size()};
     while (depth > 0) {
         const Range range = stack[--depth];
-        if (squared_distance_to_box(p, range.node) > limit) continue;
+        if (squared_distance_to(bounds_[range.node], p) > limit) continue;
         if (!range.leaf()) {
             stack[depth++] = range.high();
             stack[depth++] = range.low();
@@ -166,30 +148,14 @@ std::int64_t PointTree::nearest(const glm::dvec3& p, std::int64_t count, AcceptN
                                 AcceptPoint&& accept_point, std::int64_t* found, double farthest) const {
     if (size() == 0 || count <= 0) return 0;
     Best best(std::min(count, Best::most), farthest);
-    struct Waiting {
-        Range range;
-        double squared; // distance to its box
-    };
-    std::array<Waiting, stack_size> stack;
-    std::size_t depth = 0;
-    stack[depth++] = {{0, 0, size()}, squared_distance_to_box(p, 0)};
-    while (depth > 0) {
-        const auto [range, squared] = stack[--depth];
-        if (squared > best.limit() || !accept_node(range.node)) continue;
-        if (!range.leaf()) {
-            const Waiting low{range.low(), squared_distance_to_box(p, range.low().node)};
-            const Waiting high{range.high(), squared_distance_to_box(p, range.high().node)};
-            const bool low_first = low.squared <= high.squared;
-            stack[depth++] = low_first ? high : low;
-            stack[depth++] = low_first ? low : high;
-            continue;
-        }
-        for (std::int64_t at = range.begin; at < range.end; ++at) {
-            if (!accept_point(at)) continue;
+    visit_nearest_first<leaf_size>(
+        size(), [&](std::int64_t node) { return squared_distance_to(bounds_[node], p); },
+        [&](std::int64_t node, double squared) { return !(squared > best.limit()) && accept_node(node); },
+        [&](std::int64_t at) {
+            if (!accept_point(at)) return;
             const glm::dvec3 between = points_[at] - p;
             best.add({glm::dot(between, between), at});
-        }
-    }
+        });
     return best.write(found);
 }
 

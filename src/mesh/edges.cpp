@@ -51,6 +51,20 @@ base::Array<Side> sides_by_edge(const base::Runtime& runtime, const base::Array<
     return sides;
 }
 
+base::Array<std::int64_t> sides_beyond(const base::Array<Triangle>& triangle, const base::Array<Side>& sides,
+                                       const base::Progress& progress) {
+    base::Array<std::int64_t> beyond(triangle.memory());
+    beyond.resize_for_overwrite(3 * triangle.size());
+    std::fill(beyond.begin(), beyond.end(), -1);
+    for_edges(sides, progress, [&](const Side* first, const Side* last) {
+        if (last - first != 2) return;
+        const std::int64_t one = number_of(triangle, first[0]), other = number_of(triangle, first[1]);
+        beyond[one] = other;
+        beyond[other] = one;
+    });
+    return beyond;
+}
+
 base::Array<std::int32_t> components_of(const base::Array<Triangle>& triangle, std::int64_t vertices,
                                         std::int64_t& count, const base::Progress& progress) {
     base::Memory& memory = triangle.memory();
@@ -61,15 +75,13 @@ base::Array<std::int32_t> components_of(const base::Array<Triangle>& triangle, s
         sets.join(t[0], t[1]);
         sets.join(t[0], t[2]);
     }
-    base::Array<std::int32_t> number(memory, vertices); // of a set, and 1
+    NumbersInOrder numbers(memory, vertices);
     base::Array<std::int32_t> component(memory, triangle.size());
-    count = 0;
     for (std::int64_t face = 0; face < triangle.size(); ++face) {
         if (face % faces_a_look == 0) progress.check();
-        std::int32_t& of = number[sets.of(triangle[face][0])];
-        if (of == 0) of = static_cast<std::int32_t>(++count);
-        component[face] = of - 1;
+        component[face] = numbers.of(sets.of(triangle[face][0]));
     }
+    count = numbers.count();
     return component;
 }
 

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: MIT
 // What lies across the edges of faces, and what hangs together.
+//
+// Corner k of a face has the number 3 face + k, and so has the side from there to the next corner.
 #pragma once
 
+#include "base/groups.h"
 #include "mesh/mesh.h"
 
+#include <cmath>
 #include <numeric>
 
 namespace hrbfnpr::mesh {
@@ -29,6 +33,23 @@ private:
     base::Array<std::int32_t> above_;
 };
 
+// Numbers names from 0 in the order in which they come.
+class NumbersInOrder {
+public:
+    // All names are below `names`.
+    NumbersInOrder(base::Memory& memory, std::int64_t names) : number_(memory, names) {}
+    [[nodiscard]] std::int32_t of(std::int64_t name) noexcept {
+        std::int32_t& number = number_[name];
+        if (number == 0) number = ++count_;
+        return number - 1;
+    }
+    [[nodiscard]] std::int32_t count() const noexcept { return count_; }
+
+private:
+    base::Array<std::int32_t> number_; // plus 1; 0: the name has not come
+    std::int32_t count_ = 0;
+};
+
 // A side of a face: from corner k to k + 1.
 struct Side {
     std::uint64_t edge; // lower vertex, higher vertex
@@ -36,9 +57,34 @@ struct Side {
     std::int32_t forward; // 1: from the lower one to the higher one
 };
 
+[[nodiscard]] inline std::int32_t low_end(const Side& side) noexcept {
+    return static_cast<std::int32_t>(side.edge >> 32U);
+}
+[[nodiscard]] inline std::int32_t high_end(const Side& side) noexcept {
+    return static_cast<std::int32_t>(side.edge & 0xFFFFFFFFU);
+}
+
+// Returns the number of a face's corner at a vertex.
+[[nodiscard]] inline std::int64_t corner_at(const base::Array<Triangle>& triangle, std::int64_t face,
+                                            std::int32_t vertex) noexcept {
+    const Triangle& t = triangle[face];
+    HRBFNPR_ASSERT(t[0] == vertex || t[1] == vertex || t[2] == vertex);
+    return 3 * face + (t[0] == vertex ? 0 : t[1] == vertex ? 1 : 2);
+}
+
+[[nodiscard]] inline std::int64_t number_of(const base::Array<Triangle>& triangle, const Side& side) noexcept {
+    return corner_at(triangle, side.face, side.forward != 0 ? low_end(side) : high_end(side));
+}
+
 // All sides, those of one edge one after the other.
 [[nodiscard]] base::Array<Side> sides_by_edge(const base::Runtime& runtime, const base::Array<Triangle>& triangle,
                                               const base::Progress& progress = {});
+
+// Returns, for each side of the faces, the side of another face with the same edge; -1 where not exactly
+// two faces meet.
+[[nodiscard]] base::Array<std::int64_t> sides_beyond(const base::Array<Triangle>& triangle,
+                                                     const base::Array<Side>& sides,
+                                                     const base::Progress& progress = {});
 
 // Calls visit(first side, behind the last) for each edge.
 template <class Visit>
@@ -57,6 +103,49 @@ void for_edges(const base::Array<Side>& sides, const base::Progress& progress, V
 template <class Visit>
 void for_edges(const base::Array<Side>& sides, Visit&& visit) {
     for_edges(sides, base::Progress(), std::forward<Visit>(visit));
+}
+
+// Tells whether two sides of one edge run opposite ways, as those of faces that agree do.
+[[nodiscard]] inline bool run_opposite(const base::Array<Triangle>& triangle, std::int64_t a, std::int64_t b) noexcept {
+    return triangle[a / 3][static_cast<std::size_t>(a % 3)] != triangle[b / 3][static_cast<std::size_t>(b % 3)];
+}
+
+[[nodiscard]] inline glm::dvec3 unit_normal(const Mesh& mesh, std::int64_t face) noexcept {
+    return glm::normalize(doubled_area(mesh.corners(face)));
+}
+[[nodiscard]] inline glm::dvec3 middle_of(const Mesh& mesh, std::int64_t face) noexcept {
+    const auto p = mesh.corners(face);
+    return (p[0] + p[1] + p[2]) / 3.0;
+}
+
+// Returns the unit normals of all faces.
+[[nodiscard]] inline base::Array<glm::dvec3> unit_normals(const Mesh& mesh, const base::Progress& progress) {
+    base::Array<glm::dvec3> normal(mesh.vertex.memory());
+    normal.reserve(mesh.faces());
+    for (std::int64_t face = 0; face < mesh.faces(); ++face) {
+        if (face % 16384 == 0) progress.check();
+        normal.push_back(unit_normal(mesh, face));
+    }
+    return normal;
+}
+
+// Returns the angle at a corner, in radians.
+[[nodiscard]] inline double angle_at(const std::array<glm::dvec3, 3>& p, std::size_t k) noexcept {
+    HRBFNPR_ASSERT(k < 3);
+    const glm::dvec3 u = p[(k + 1) % 3] - p[k];
+    const glm::dvec3 v = p[(k + 2) % 3] - p[k];
+    return std::atan2(glm::length(glm::cross(u, v)), glm::dot(u, v));
+}
+
+// Returns the numbers of the corners at each vertex, rising.
+[[nodiscard]] inline base::Groups corners_at_vertices(const Mesh& mesh, const base::Progress& progress) {
+    return {mesh.vertex.memory(), mesh.vertex.size(), [&](auto&& put) {
+                for (std::int64_t corner = 0; corner < 3 * mesh.faces(); ++corner) {
+                    if (corner % 16384 == 0) progress.check();
+                    put(mesh.triangle[corner / 3][static_cast<std::size_t>(corner % 3)],
+                        static_cast<std::int32_t>(corner));
+                }
+            }};
 }
 
 inline constexpr double default_crease_angle = 30.0; // degrees

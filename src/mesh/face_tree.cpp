@@ -43,9 +43,7 @@ FaceTree::FaceTree(const base::Runtime& runtime, const base::Array<glm::dvec3>& 
         middle[face] = glm::min(glm::min(a, b), c) + glm::max(glm::max(a, b), c);
         face_[face] = static_cast<std::int32_t>(face);
     }
-    std::int64_t nodes = 1;
-    for (std::int64_t longest = count; longest > leaf_size; longest = (longest + 1) / 2) nodes = 2 * nodes + 1;
-    box_.resize_for_overwrite(nodes);
+    box_.resize_for_overwrite(Range::nodes(count));
     base::Array<Range> ranges(runtime.memory); // of the nodes, level after level
     ranges.push_back({0, 0, count});
     for (std::int64_t first = 0, last = 1; first < last; first = std::exchange(last, ranges.size())) {
@@ -85,8 +83,7 @@ void FaceTree::split(const base::Array<glm::dvec3>& middle, const Range& range) 
     if (range.leaf()) return;
     geometry::Bounds box;
     for (std::int64_t at = range.begin; at < range.end; ++at) box.extend(middle[face_[at]]);
-    const glm::dvec3 size = box.size();
-    const glm::length_t axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
+    const glm::length_t axis = geometry::longest_axis(box);
     std::nth_element(face_.begin() + range.begin, face_.begin() + range.middle(), face_.begin() + range.end,
                      [&](std::int32_t a, std::int32_t b) {
                          return middle[a][axis] < middle[b][axis] || (middle[a][axis] == middle[b][axis] && a < b);
@@ -94,32 +91,18 @@ void FaceTree::split(const base::Array<glm::dvec3>& middle, const Range& range) 
 }
 
 FaceTree::Nearest FaceTree::nearest(const glm::dvec3& p, double limit) const noexcept {
-    struct Waiting {
-        Range range;
-        double squared;
-    };
     Nearest best;
     best.squared = limit;
-    std::array<Waiting, stack_size> stack;
-    std::size_t depth = 0;
-    stack[depth++] = {{0, 0, face_.size()}, squared_distance_to_box(p, 0)};
-    while (depth > 0) {
-        const auto [range, squared] = stack[--depth];
-        if (squared > best.squared || (squared == best.squared && best.face >= 0)) continue;
-        if (!range.leaf()) {
-            const Waiting low{range.low(), squared_distance_to_box(p, range.low().node)};
-            const Waiting high{range.high(), squared_distance_to_box(p, range.high().node)};
-            const bool low_first = low.squared <= high.squared;
-            stack[depth++] = low_first ? high : low;
-            stack[depth++] = low_first ? low : high;
-            continue;
-        }
-        for (std::int64_t at = range.begin; at < range.end; ++at) {
+    geometry::visit_nearest_first<leaf_size>(
+        face_.size(), [&](std::int64_t node) { return geometry::squared_distance_to(box_[node], p); },
+        [&](std::int64_t, double squared) {
+            return !(squared > best.squared || (squared == best.squared && best.face >= 0));
+        },
+        [&](std::int64_t at) {
             const glm::dvec3 place = nearest_on_triangle(corners_[at], p);
             const double near = glm::dot(place - p, place - p);
             if (near < best.squared || (near == best.squared && best.face < 0)) best = {near, face_[at], place};
-        }
-    }
+        });
     return best;
 }
 

@@ -2,6 +2,7 @@
 // A tree of boxes over faces: the nearest one, and those that a ray meets.
 #pragma once
 
+#include "geometry/halves.h"
 #include "mesh/mesh.h"
 
 #include <algorithm>
@@ -47,18 +48,7 @@ public:
 private:
     using Corners = std::array<glm::dvec3, 3>;
     static constexpr std::int64_t leaf_size = 4;
-    static constexpr std::size_t stack_size = 64; // every level halves its ranges
-
-    struct Range {
-        std::int64_t node;
-        std::int64_t begin;
-        std::int64_t end;
-
-        [[nodiscard]] bool leaf() const noexcept { return end - begin <= leaf_size; }
-        [[nodiscard]] std::int64_t middle() const noexcept { return begin + (end - begin) / 2; }
-        [[nodiscard]] Range low() const noexcept { return {2 * node + 1, begin, middle()}; }
-        [[nodiscard]] Range high() const noexcept { return {2 * node + 2, middle(), end}; }
-    };
+    using Range = geometry::Halves<leaf_size>;
 
     // Returns t where a ray meets a face's plane within the face, else NaN.
     [[nodiscard]] static double meet(const Corners& p, const glm::dvec3& origin, const glm::dvec3& direction) noexcept;
@@ -79,11 +69,6 @@ private:
     void walk(const glm::dvec3& origin, const glm::dvec3& direction, double t_min, const double& limit,
               Visit&& visit) const;
     void split(const base::Array<glm::dvec3>& middle, const Range& range);
-    [[nodiscard]] double squared_distance_to_box(const glm::dvec3& p, std::int64_t node) const noexcept {
-        const geometry::Bounds& box = box_[node];
-        const glm::dvec3 outside = glm::max(glm::max(box.min - p, p - box.max), glm::dvec3(0.0));
-        return glm::dot(outside, outside);
-    }
 
     base::Array<geometry::Bounds> box_; // of the nodes, in heap order
     base::Array<std::int32_t> face_;    // in the tree's order, as the next
@@ -98,14 +83,14 @@ template <bool near_first, class Visit>
 void FaceTree::walk(const glm::dvec3& origin, const glm::dvec3& direction, double t_min, const double& limit,
                     Visit&& visit) const {
     const glm::dvec3 inverse = 1.0 / direction;
-    std::array<Range, stack_size> stack;
+    std::array<Range, geometry::most_levels_of_halves> stack;
     std::size_t depth = 0;
     stack[depth++] = {0, 0, face_.size()};
     while (depth > 0) {
         const Range range = stack[--depth];
         if (!meets(box_[range.node], origin, inverse, t_min, limit)) continue;
         if (!range.leaf()) {
-            HRBFNPR_ASSERT(depth + 2 <= stack_size);
+            HRBFNPR_ASSERT(depth + 2 <= stack.size());
             bool low_first = true;
             if constexpr (near_first) {
                 const glm::dvec3 way = box_[range.low().node].centre() - box_[range.high().node].centre();

@@ -13,7 +13,7 @@
 
 #include "base/clock.h"
 #include "base/status.h"
-#include "mesh/corners.h"
+#include "mesh/edges.h"
 #include "mesh/plan.h"
 #include "mesh/tuning.h"
 #include "mesh/weld.h"

@@ -4,7 +4,7 @@
 #include "mesh/orient.h"
 
 #include "base/random.h"
-#include "mesh/corners.h"
+#include "mesh/edges.h"
 #include "mesh/face_tree.h"
 #include "mesh/tuning.h"
 
@@ -14,26 +14,6 @@
 
 namespace hrbfnpr::mesh {
 namespace {
-
-// The other face at each side of each face. `face` is -1 where not exactly two faces meet.
-struct Across {
-    std::int32_t face = -1;
-    std::int32_t agrees = 0;
-};
-
-[[nodiscard]] base::Array<Across> across_of(const base::Runtime& runtime, const base::Array<Triangle>& triangle,
-                                            const base::Progress& progress) {
-    base::Array<Across> across(runtime.memory);
-    across.resize_for_overwrite(3 * triangle.size());
-    std::fill(across.begin(), across.end(), Across{});
-    for_edges(sides_by_edge(runtime, triangle, progress), progress, [&](const Side* first, const Side* last) {
-        if (last - first != 2) return;
-        const std::int32_t agrees = first[0].forward != first[1].forward ? 1 : 0;
-        across[number_of(triangle, first[0])] = {first[1].face, agrees};
-        across[number_of(triangle, first[1])] = {first[0].face, agrees};
-    });
-    return across;
-}
 
 [[nodiscard]] glm::dvec3 doubled_area_of(const base::Array<glm::dvec3>& vertex, const Triangle& t) noexcept {
     return doubled_area({vertex[t[0]], vertex[t[1]], vertex[t[2]]});
@@ -154,7 +134,8 @@ components_around(const FaceTree& tree, const base::Array<std::int32_t>& compone
 
 std::int64_t agree(const base::Runtime& runtime, const base::Array<glm::dvec3>& vertex, base::Array<Triangle>& triangle,
                    const base::Progress& progress) {
-    const base::Array<Across> across = across_of(runtime, triangle, progress);
+    const base::Array<std::int64_t> beyond =
+        sides_beyond(triangle, sides_by_edge(runtime, triangle, progress), progress);
     base::Array<std::int8_t> way(runtime.memory, triangle.size()); // 1 as the first of its patch, -1 against it
     base::Array<std::int32_t> patch(runtime.memory);
     std::int64_t turned = 0;
@@ -170,9 +151,10 @@ std::int64_t agree(const base::Runtime& runtime, const base::Array<glm::dvec3>& 
             const std::int32_t face = patch[at];
             balance += way[face] * glm::length(doubled_area_of(vertex, triangle[face]));
             for (std::int64_t k = 3 * std::int64_t{face}; k < 3 * std::int64_t{face} + 3; ++k) {
-                if (across[k].face < 0 || way[across[k].face] != 0) continue;
-                way[across[k].face] = static_cast<std::int8_t>(across[k].agrees != 0 ? way[face] : -way[face]);
-                patch.push_back(across[k].face);
+                const auto other = static_cast<std::int32_t>(beyond[k] / 3);
+                if (beyond[k] < 0 || way[other] != 0) continue;
+                way[other] = static_cast<std::int8_t>(run_opposite(triangle, k, beyond[k]) ? way[face] : -way[face]);
+                patch.push_back(other);
             }
         }
         for (const std::int32_t face : patch) {

@@ -13,7 +13,7 @@
 #include "base/bits.h"
 #include "base/status.h"
 #include "geometry/point_grid.h"
-#include "mesh/corners.h"
+#include "mesh/edges.h"
 #include "mesh/tuning.h"
 
 #include <algorithm>

@@ -48,17 +48,12 @@ Labels labels_of(const Vector<Pair>& joined, std::int64_t count, Pool& pool) {
 
 std::size_t label_at(const Labels& labels, std::size_t i) noexcept { return static_cast<std::size_t>(labels.of[i]); }
 
-// Returns the pairs of faces that share an edge. Edges of three or more faces are skipped, because surfaces cross
-// there.
-Vector<Pair> joined_across_edges(const FaceEdges& edges, Pool& pool) {
+// Labels the faces that share edges. Edges of three or more faces are skipped, because surfaces cross there.
+Labels labels_of_faces(const FaceEdges& edges, Pool& pool) {
     Vector<Pair> joined(&pool);
-    for (std::size_t e = 0; e < edges.size(); ++e)
-        if (edges.is_plain(e)) {
-            const auto sides = edges.sides_of(e);
-            joined.push_back(
-                {static_cast<std::int64_t>(edges.face(sides[0])), static_cast<std::int64_t>(edges.face(sides[1]))});
-        }
-    return joined;
+    for (const PlainEdge& plain : plain_edges(edges, pool))
+        joined.push_back({static_cast<std::int64_t>(plain.one), static_cast<std::int64_t>(plain.other)});
+    return labels_of(joined, edges.faces, pool);
 }
 
 // The number of faces and the area of each part.
@@ -349,7 +344,7 @@ std::optional<FaceGroups> find_groups(const Mesh& mesh, Pool& pool) {
     const Points points = vertices_of(mesh, pool);
     const Vector<Triangle> faces = triangles_of(mesh, pool);
     const FaceEdges edges = find_edges(faces, points.size(), pool);
-    Labels labels = labels_of(joined_across_edges(edges, pool), static_cast<std::int64_t>(faces.size()), pool);
+    Labels labels = labels_of_faces(edges, pool);
     if (labels.count < 2 || labels.count > apart_tuning.most_parts) return std::nullopt;
     const double across = box_diagonal_of(points);
     const Vector<BorderEdge> border = border_edges(edges, pool);
@@ -376,7 +371,7 @@ FaceNumbers find_flaps(const Mesh& mesh, Pool& pool) {
     const Points points = vertices_of(mesh, pool);
     const Vector<Triangle> faces = triangles_of(mesh, pool);
     const FaceEdges edges = find_edges(faces, points.size(), pool);
-    const Labels labels = labels_of(joined_across_edges(edges, pool), static_cast<std::int64_t>(faces.size()), pool);
+    const Labels labels = labels_of_faces(edges, pool);
     const Vector<std::uint8_t> little = little_parts(sizes_of(labels, areas_of(points, faces, pool), pool), pool);
     Vector<std::uint8_t> hangs(little.size(), 0, &pool);
     for (std::size_t e = 0; e < edges.size(); ++e) {

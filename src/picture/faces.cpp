@@ -78,6 +78,16 @@ FaceEdges find_edges(const Vector<Triangle>& triangles, std::size_t vertices, Po
     return edges;
 }
 
+Vector<PlainEdge> plain_edges(const FaceEdges& edges, Pool& pool) {
+    Vector<PlainEdge> plain(&pool);
+    for (std::size_t e = 0; e < edges.size(); ++e)
+        if (edges.is_plain(e)) {
+            const auto sides = edges.sides_of(e);
+            plain.push_back({e, edges.face(sides[0]), edges.face(sides[1])});
+        }
+    return plain;
+}
+
 glm::dvec3 unit_or_zero(const glm::dvec3& vector) noexcept {
     constexpr double least = 1e-300;
     return vector / std::max(glm::length(vector), least);

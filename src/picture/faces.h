@@ -34,6 +34,13 @@ struct FaceEdges {
 // Finds the edges of triangles. All vertex numbers of the triangles are below `vertices`.
 [[nodiscard]] FaceEdges find_edges(const Vector<Triangle>& triangles, std::size_t vertices, Pool& pool);
 
+// The number of an edge of exactly two faces, with these.
+struct PlainEdge {
+    std::size_t edge;
+    std::size_t one, other; // faces
+};
+[[nodiscard]] Vector<PlainEdge> plain_edges(const FaceEdges& edges, Pool& pool);
+
 // Returns the normal of a face, with a length of twice the face's area.
 [[nodiscard]] inline glm::dvec3 doubled_area_of(const Points& points, const Triangle& face) noexcept {
     const glm::dvec3& a = points[static_cast<std::size_t>(face[0])];

@@ -81,11 +81,9 @@ mesh::SaidOfEdges said_of_edges(const Points& points, const Vector<Triangle>& tr
     const double flat = std::cos(sharp_edges_tuning.bend_angle * (std::numbers::pi / 180.0));
     std::int64_t bends = 0;
     std::int64_t are_sharp = 0;
-    for (std::size_t e = 0; e < edges.size(); ++e) {
-        const Edge& ends = edges.ends[e];
-        if (!edges.is_plain(e) || ends[0] == ends[1]) continue;
-        const auto sides = edges.sides_of(e);
-        if (!(glm::dot(normal[edges.face(sides[0])], normal[edges.face(sides[1])]) < flat)) continue;
+    for (const PlainEdge& plain : plain_edges(edges, pool)) {
+        const Edge& ends = edges.ends[plain.edge];
+        if (ends[0] == ends[1] || !(glm::dot(normal[plain.one], normal[plain.other]) < flat)) continue;
         ++bends;
         if (std::binary_search(said.begin(), said.end(), ends)) ++are_sharp;
     }

@@ -25,22 +25,6 @@ glm::dvec3& at(Points& points, std::int64_t i) noexcept { return points[static_c
 
 // ---- Sharp edges, and the coarseness of the others
 
-// The number of a plain edge, with the two faces beside it.
-struct PlainEdge {
-    std::size_t edge;
-    std::size_t one, other; // faces
-};
-
-Vector<PlainEdge> plain_edges(const FaceEdges& edges, Pool& pool) {
-    Vector<PlainEdge> plain(&pool);
-    for (std::size_t e = 0; e < edges.size(); ++e)
-        if (edges.is_plain(e)) {
-            const auto sides = edges.sides_of(e);
-            plain.push_back({e, edges.face(sides[0]), edges.face(sides[1])});
-        }
-    return plain;
-}
-
 // The plain edges of a mesh, with the angles by which they bend.
 struct Bends {
     explicit Bends(Pool& pool) : plain(&pool), angle(&pool), length(&pool), area(&pool) {}

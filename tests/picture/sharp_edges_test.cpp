@@ -14,6 +14,7 @@ namespace {
 
 using namespace hrbfnpr;
 using namespace hrbfnpr::picture;
+using hrbfnpr::mesh::SaidOfEdges;
 using testing::ElementsAre;
 using testing::IsEmpty;
 

@@ -29,6 +29,11 @@ struct Spread {
     double most = std::numeric_limits<double>::quiet_NaN();
     double share = std::numeric_limits<double>::quiet_NaN();  // within the tolerance
     double beyond = std::numeric_limits<double>::quiet_NaN(); // share beyond `far`
+
+    // Tells whether at least a share is within the tolerance, and nothing beyond `far`.
+    [[nodiscard]] bool is_within(double least_share, double farthest) const noexcept {
+        return points > 0 && share >= least_share && most <= farthest;
+    }
 };
 
 struct Comparison {

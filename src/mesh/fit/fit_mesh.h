@@ -43,6 +43,26 @@ struct MeshFit {
     FitMeshReport report;
 };
 
+// A fit that is under way, as an implicit. The data must outlive it.
+class FitData final : public implicit::Implicit {
+public:
+    FitData(base::InstructionSet set, const implicit::HrbfData& data) noexcept : set_(set), data_(data) {}
+
+    void evaluate(const implicit::PointBatch& points, const implicit::FieldBatch& fields) const override {
+        implicit::evaluate(set_, data_, points, fields);
+    }
+    [[nodiscard]] bool concurrent() const noexcept override { return true; }
+    [[nodiscard]] const geometry::Bounds& bounds() const noexcept override { return data_.bounds; }
+
+private:
+    base::InstructionSet set_;
+    const implicit::HrbfData& data_;
+};
+
+// Fills in the residuals at the centres, where the data is to have a normal, and a value or 0.
+void describe_residuals(const base::Runtime& runtime, const implicit::HrbfData& data, const fit::Samples& centres,
+                        fit::FitReport& to, const base::Progress& progress);
+
 // options: kernel, solver and regularization; its views are empty, its tolerance and maximum_centres 0.
 [[nodiscard]] MeshFit fit_mesh(const base::Runtime& runtime, const Mesh& mesh, const FaceTree& tree,
                                const FitMeshSettings& settings, const fit::FitInput& options,

@@ -12,9 +12,9 @@
 #include "base/list.h"
 #include "base/random.h"
 #include "geometry/segment.h"
-#include "mesh/corners.h"
+#include "mesh/edges.h"
 #include "mesh/fit/outer.h"
-#include "mesh/pieces/cell_tuning.h"
+#include "mesh/pieces/tuning.h"
 
 #include <algorithm>
 #include <cmath>
@@ -143,14 +143,12 @@ private:
 }
 
 Sides::Sides(const base::Runtime& runtime, const Mesh& mesh, const FaceTree& tree, const base::Progress& progress)
-    : mesh_(mesh), tree_(tree), normal_(runtime.memory), edge_(runtime.memory, 3 * mesh.faces()),
+    : mesh_(mesh), tree_(tree), normal_(unit_normals(mesh, progress)), edge_(runtime.memory, 3 * mesh.faces()),
       vertex_(runtime.memory, mesh.vertex.size()), folded_(runtime.memory, mesh.vertex.size()),
       off_(cell_tuning.off_face * mesh.bounds.diagonal()) {
-    for (std::int64_t face = 0; face < mesh.faces(); ++face) {
-        const auto p = mesh.corners(face);
-        normal_.push_back(glm::normalize(doubled_area(p)));
-        for (std::size_t k = 0; k < 3; ++k) vertex_[mesh.triangle[face][k]] += angle_at(p, k) * normal_[face];
-    }
+    for (std::int64_t face = 0; face < mesh.faces(); ++face)
+        for (std::size_t k = 0; k < 3; ++k)
+            vertex_[mesh.triangle[face][k]] += angle_at(mesh.corners(face), k) * normal_[face];
     for_edges(sides_by_edge(runtime, mesh.triangle, progress), progress, [&](const Side* first, const Side* last) {
         glm::dvec3 sum(0.0);
         for (const Side* side = first; side != last; ++side) sum += normal_[side->face];
@@ -171,8 +169,7 @@ bool Sides::look_solid(const base::Runtime& runtime, const base::Array<std::int6
     base::Array<std::uint8_t> right(runtime.memory, face.size());
     runtime.parallel.for_chunks(face.size(), 16, progress, [&](std::int64_t begin, std::int64_t end) {
         for (std::int64_t i = begin; i < end; ++i) {
-            const auto p = mesh_.corners(face[i]);
-            const glm::dvec3 middle = (p[0] + p[1] + p[2]) / 3.0;
+            const glm::dvec3 middle = middle_of(mesh_, face[i]);
             const glm::dvec3 off = off_ * normal_[face[i]];
             right[i] = where(tree_, middle + off) == Where::outside && where(tree_, middle - off) == Where::inside;
         }
@@ -322,7 +319,7 @@ void test_on_surface(const CellTask& task, const CellBox& box, std::span<const s
         std::max<std::size_t>(1, faces.size() / static_cast<std::size_t>(cell_tuning.faces_looked_at));
     for (std::size_t i = 0; i < faces.size(); i += step) {
         const auto p = task.mesh.corners(faces[i]);
-        const glm::dvec3 middle = (p[0] + p[1] + p[2]) / 3.0;
+        const glm::dvec3 middle = middle_of(task.mesh, faces[i]);
         Beside beside{0.0, faces[i], middle, true};
         test_on_surface(task, box, sheets, beside, cell_tuning.finer_step, tests);
         for (std::size_t k = 0; k < 3; ++k) {
@@ -491,9 +488,7 @@ void make_plain(const Sides& sides, const Node& node, Found& found) noexcept {
             data.child.push_back(static_cast<std::int32_t>(first + next.size()));
             const double q = 0.5 * nodes[i].half;
             for (std::int32_t k = 0; k < 8; ++k)
-                next.push_back(
-                    {nodes[i].centre + glm::dvec3((k & 1) != 0 ? q : -q, (k & 2) != 0 ? q : -q, (k & 4) != 0 ? q : -q),
-                     q, i});
+                next.push_back({nodes[i].centre + PiecesData::child_offset(k, q), q, i});
             continue;
         }
         data.child.push_back(-1 - static_cast<std::int32_t>(data.program_begin.size()));

@@ -8,13 +8,13 @@
 //   sharpen_coarse          coarse faces that are far from something round get sharp edges
 //   drop_short_fading       short creases that part nothing are noise
 //   join_scraps             patches of a few small faces join the patch beside
-//   split_fading            (split_fading.h) patches that meet themselves in a crease are cut where they are smooth
+//   split_patches           (split_patches.h) patches that one sheet cannot be are cut where they are smooth
 #include "mesh/pieces/creases.h"
 
 #include "base/assert.h"
-#include "mesh/corners.h"
+#include "mesh/edges.h"
 #include "mesh/pieces/patches.h"
-#include "mesh/pieces/split_fading.h"
+#include "mesh/pieces/split_patches.h"
 #include "mesh/pieces/tuning.h"
 
 #include <algorithm>
@@ -85,9 +85,7 @@ Bends find_bends(const Task& task, const base::Array<Crease>& known, const base:
     const Mesh& mesh = task.mesh;
     base::Array<Bend> edge(task.runtime.memory);
     base::Array<std::int32_t> degree(task.runtime.memory, mesh.vertex.size());
-    base::Array<glm::dvec3> normal(task.runtime.memory);
-    for (std::int64_t face = 0; face < mesh.faces(); ++face)
-        normal.push_back(glm::normalize(doubled_area(mesh.corners(face))));
+    const base::Array<glm::dvec3> normal = unit_normals(mesh, task.progress);
     const Crease* next_known = known.begin();
     for_edges(task.sides, task.progress, [&](const Side* first, const Side* last) {
         const std::int32_t from = low_end(*first);
@@ -197,14 +195,10 @@ void find_patches(const Task& task, const Bends& bends, Creases& creases) {
         if (joined && cut[number_of(mesh.triangle, *first)] == 0) sets.join(first[0].face, first[1].face);
     });
     creases.cut = std::move(cut);
-    base::Array<std::int32_t> number(task.runtime.memory, mesh.faces()); // of a set, plus 1
+    NumbersInOrder numbers(task.runtime.memory, mesh.faces());
     creases.patch.resize(mesh.faces());
-    creases.patches = 0;
-    for (std::int64_t face = 0; face < mesh.faces(); ++face) {
-        std::int32_t& of = number[sets.of(static_cast<std::int32_t>(face))];
-        if (of == 0) of = ++creases.patches;
-        creases.patch[face] = of - 1;
-    }
+    for (std::int32_t face = 0; face < mesh.faces(); ++face) creases.patch[face] = numbers.of(sets.of(face));
+    creases.patches = numbers.count();
 }
 
 // Returns whether there were faces too far from a surface that is curved as their normals are.
@@ -321,7 +315,7 @@ Creases found_creases(const base::Runtime& runtime, const Mesh& mesh, const base
     if (drop_short_fading(task, creases, bends)) find_patches(task, bends, creases);
     while (join_scraps(task, creases, bends)) find_patches(task, bends, creases);
     describe(mesh, bends, creases);
-    split_fading(runtime, mesh, sides, creases, progress);
+    split_patches(runtime, mesh, sides, creases, progress);
     describe(mesh, bends, creases);
     return creases;
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The steps of fit_pieces(), in order:
 //
-//   fit_sheets      a sheet for each patch, smaller patches first
+//   fit_sheets      a sheet for each patch, smaller patches first: a Hermite fit by fit_sheet()
 //   report_sheets   their errors, as one report
 //   make_whole      the cells that join the sheets, and how far the surface is from the mesh
 //   improves        the same with patches parted along edges that bend less, while something is far off
@@ -9,19 +9,96 @@
 
 #include "base/clock.h"
 #include "base/groups.h"
+#include "fit/adaptive.h"
 #include "mesh/fit/outer.h"
-#include "mesh/pieces/cell_tuning.h"
 #include "mesh/pieces/cells.h"
-#include "mesh/pieces/fit_sheet.h"
 #include "mesh/pieces/patches.h"
+#include "mesh/pieces/tuning.h"
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <optional>
 #include <utility>
 
 namespace hrbfnpr::mesh {
 namespace {
+
+// ---- One sheet
+
+struct SheetFit {
+    implicit::HrbfData data;
+    fit::FitReport report;    // residuals at the centres, distances of all samples
+    double squares = 0.0;     // sum of the samples' squared distances
+    double worst = 0.0;       // distance of a sample, in its tolerance
+    std::int64_t outside = 0; // samples beyond their tolerance
+    std::int32_t rounds = 0;
+    std::int64_t samples = 0;
+};
+
+// Returns the centres of a fit with their normals.
+fit::Samples centres_of(base::Memory& memory, const implicit::HrbfData& data) {
+    fit::Samples centres(memory);
+    const double* const p = data.sample_position.data();
+    const double* const n = data.sample_normal.data();
+    for (std::int64_t i = 0; i < 3 * data.count(); i += 3) {
+        centres.position.push_back({p[i], p[i + 1], p[i + 2]});
+        centres.normal.push_back({n[i], n[i + 1], n[i + 2]});
+    }
+    return centres;
+}
+
+// Fits a sheet to a patch, with as many of its samples as it takes, but at most `most` centres.
+[[nodiscard]] SheetFit fit_sheet(const base::Runtime& runtime, const PatchSamples& patch, const fit::FitInput& given,
+                                 std::int64_t most, const base::Progress& progress) {
+    const fit::Samples& samples = patch.samples;
+    HRBFNPR_ASSERT(most > 0 && !patch.tolerance.empty() && patch.tolerance.size() == samples.position.size());
+    const double unit = *std::min_element(patch.tolerance.begin(), patch.tolerance.end());
+    fit::FitInput options = given;
+    options.tolerance = unit; // residuals that a distance does not show are accepted
+    const fit::Smoothing smoothing{options.regularization, options.regularization};
+
+    std::optional<geometry::PointTree> tree;
+    SheetFit sheet{implicit::HrbfData(runtime.memory), {}};
+    double input_distance_max = 0.0;
+    const auto look = [&](const fit::AdaptiveFit& now) {
+        fit::Growth growth(runtime.memory, smoothing);
+        fit::Distances distances = fit::measure_distances(runtime, now.fit.result.data, samples, progress);
+        sheet.worst = sheet.squares = input_distance_max = 0.0;
+        sheet.outside = 0;
+        for (std::int64_t i = 0; i < distances.distance.size(); ++i) {
+            const double distance = std::abs(distances.distance[i]);
+            input_distance_max = std::max(input_distance_max, distance);
+            sheet.squares += distance * distance;
+            distances.distance[i] *= unit / patch.tolerance[i];
+            const double off = std::abs(distances.distance[i]) / unit;
+            sheet.worst = std::max(sheet.worst, off);
+            sheet.outside += off > 1.0 ? 1 : 0;
+        }
+        const std::int64_t room = most - now.centres.size();
+        if (sheet.outside == 0 || room <= 0) return growth;
+        const auto share = static_cast<std::int64_t>(sheet_tuning.batch * static_cast<double>(now.centres.size()));
+        const fit::CandidateOptions wanted{unit, sheet_tuning.apart * unit,
+                                           std::min(room, std::max(sheet_tuning.smallest_batch, share))};
+        if (!tree) tree.emplace(samples.position, progress);
+        growth.centres =
+            fit::worst_candidates(runtime, samples, *tree, now.centres, distances, wanted, progress).chosen;
+        growth.goes_on = !growth.centres.empty();
+        return growth;
+    };
+    fit::AdaptiveFit made = fit::fit_adaptively(
+        runtime, options, samples, fit::even_choice(samples, std::min(sheet_tuning.first_centres, most), progress),
+        smoothing, {sheet_tuning.most_rounds, true}, std::ref(look), progress.standing());
+    sheet.data = std::move(made.fit.result.data);
+    sheet.report = made.fit.result.report;
+    sheet.report.input_distance_max = input_distance_max;
+    sheet.report.choice_rounds = sheet.rounds = made.rounds;
+    sheet.samples = samples.position.size();
+    describe_residuals(runtime, sheet.data, centres_of(runtime.memory, sheet.data), sheet.report, progress);
+    return sheet;
+}
+
+// ---- All sheets
 
 struct PiecesTask {
     const base::Runtime& runtime;
@@ -53,8 +130,6 @@ struct Sheets {
     double unsettled_area = 0.0;         // of these, each by the share of its samples that are outside
     base::Array<double> chord;           // of vertices: chord_errors()
 };
-
-// ---- Sheets
 
 // Takes the fits of patches that are the same. Patches are parted, but not joined: those with as many faces are the
 // same.
@@ -220,10 +295,6 @@ void report_sheets(const PiecesTask& task, Sheets& sheets, PiecesFit& result) {
 
 // ---- The whole
 
-[[nodiscard]] bool is_good(const Spread& spread, const FitMeshSettings& settings, double far) noexcept {
-    return spread.points > 0 && spread.share >= settings.share && spread.most <= far;
-}
-
 void move_sheets(Sheets& from, implicit::PiecesData& to) {
     for (std::optional<SheetFit>& one : from.fit) to.sheet.add(std::move(one->data));
 }
@@ -231,17 +302,15 @@ void move_sheets(Sheets& from, implicit::PiecesData& to) {
 // Makes the cells, and measures both ways, at places of their own. The sheets are in the result meanwhile.
 void make_whole(const PiecesTask& task, Sheets& sheets, PiecesFit& result, const base::Progress& progress) {
     const base::Runtime& runtime = task.runtime;
-    base::Stopwatch watch;
     move_sheets(sheets, result.data);
     const CellsReport cells = make_cells(runtime, task.mesh, task.tree, sheets.creases, sheets.chord,
                                          task.settings.seed, result.data, progress.part(0.6, 0.85));
     runtime.log(base::LogLevel::debug, "pieces: %lld cells, %lld with surface, %lld of them poor",
                 static_cast<long long>(cells.cells), static_cast<long long>(cells.surface_cells),
                 static_cast<long long>(cells.poor_cells));
-    result.pieces = {sheets.creases.patches, sheets.creases.length - sheets.creases.fading,
-                     sheets.creases.fading,  cells.cells,
-                     cells.poor_cells,       watch.seconds()};
-    watch.restart();
+    result.pieces = {sheets.creases.patches, sheets.creases.length - sheets.creases.fading, sheets.creases.fading,
+                     cells.cells, cells.poor_cells};
+    const base::Stopwatch watch;
     implicit::Pieces made(runtime.instruction_set, std::move(result.data));
     CompareSettings settings;
     settings.tolerance = result.mesh.tolerance;
@@ -257,8 +326,8 @@ void make_whole(const PiecesTask& task, Sheets& sheets, PiecesFit& result, const
         compare(runtime, made, task.mesh, task.tree, support ? &*support : nullptr, settings, progress.part(0.85, 1.0));
     result.mesh.surface = found.surface;
     result.mesh.mesh = found.mesh;
-    result.mesh.reached =
-        is_good(found.surface, task.settings, result.mesh.far) && is_good(found.mesh, task.settings, result.mesh.far);
+    result.mesh.reached = found.surface.is_within(task.settings.share, result.mesh.far) &&
+                          found.mesh.is_within(task.settings.share, result.mesh.far);
     result.data = std::move(made).take();
     for (std::int32_t p = 0; p < sheets.creases.patches; ++p) sheets.fit[p]->data = std::move(result.data.sheet[p]);
     result.data.sheet = base::List<implicit::HrbfData>(runtime.memory);
@@ -318,13 +387,8 @@ PiecesFit fit_pieces(const base::Runtime& runtime, const Mesh& mesh, const FaceT
     const MeshSamples places = random_samples(
         runtime, mesh, std::clamp(mesh.faces(), pieces_tuning.fewest_on_parts, pieces_tuning.most_on_parts),
         settings.seed, 2, progress);
-    const PiecesTask task{runtime,
-                          mesh,
-                          tree,
-                          places,
-                          settings,
-                          options,
-                          plan_tolerance(settings.tolerance, mesh.bounds.diagonal())};
+    const PiecesTask task{
+        runtime, mesh, tree, places, settings, options, plan_tolerance(settings.tolerance, mesh.bounds.diagonal())};
     const Touching touching =
         warn_of_touching(runtime, mesh, tree, places, task.tolerance, mesh.report.boundary_edges == 0, progress);
     PiecesFit best = empty_result(task);

@@ -14,7 +14,6 @@ struct PiecesReport {
     double smooth_length = 0.0; // of creases that fade, which stay smooth
     std::int64_t cells = 0;
     std::int64_t poor_cells = 0;
-    double seconds_cells = 0.0;
 };
 
 struct PiecesFit {

@@ -2,12 +2,13 @@
 #include "mesh/pieces/has_creases.h"
 
 #include "base/assert.h"
-#include "mesh/corners.h"
+#include "mesh/edges.h"
 #include "mesh/pieces/tuning.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace hrbfnpr::mesh {
 namespace {
@@ -18,8 +19,8 @@ constexpr std::int64_t faces_a_check = 1024;
 // ---- The mesh by its sides. Side 3 face + k goes from corner k of the face to the next one.
 
 struct SidedMesh {
-    SidedMesh(base::Memory& memory, const Mesh& mesh)
-        : mesh(mesh), normal(memory), beyond(memory), bend(memory, 3 * mesh.faces()) {}
+    SidedMesh(const Mesh& of, base::Array<glm::dvec3>&& normals, base::Array<std::int64_t>&& sides)
+        : mesh(of), normal(std::move(normals)), beyond(std::move(sides)), bend(of.vertex.memory(), 3 * of.faces()) {}
 
     const Mesh& mesh;
     base::Array<glm::dvec3> normal;   // The unit normal of each face.
@@ -38,29 +39,6 @@ struct SidedMesh {
     }
 };
 
-SidedMesh by_sides(const base::Runtime& runtime, const Mesh& mesh, const base::Progress& progress) {
-    SidedMesh sided(runtime.memory, mesh);
-    for (std::int64_t face = 0; face < mesh.faces(); ++face) {
-        if (face % faces_a_check == 0) progress.check();
-        sided.normal.push_back(glm::normalize(doubled_area(mesh.corners(face))));
-    }
-    sided.beyond.resize_for_overwrite(3 * mesh.faces());
-    std::fill(sided.beyond.begin(), sided.beyond.end(), -1);
-    const base::Array<Side> sides = sides_by_edge(runtime, mesh.triangle, progress);
-    for_edges(sides, progress, [&](const Side* first, const Side* last) {
-        if (last - first != 2 || first[0].forward == first[1].forward) return;
-        const std::int64_t one = number_of(mesh.triangle, first[0]), other = number_of(mesh.triangle, first[1]);
-        sided.beyond[one] = other;
-        sided.beyond[other] = one;
-        const glm::dvec3& a = sided.normal[one / 3];
-        const glm::dvec3& b = sided.normal[other / 3];
-        const glm::dvec3 about = glm::cross(a, b);
-        const double bend = degrees * std::atan2(glm::length(about), glm::dot(a, b));
-        sided.bend[one] = sided.bend[other] = glm::dot(about, sided.along(one)) < 0.0 ? -bend : bend;
-    });
-    return sided;
-}
-
 // Calls visit(side, side of the neighbour) for each edge of two faces.
 template <class Visit>
 void for_plain_edges(const SidedMesh& sided, const base::Progress& progress, Visit&& visit) {
@@ -68,6 +46,23 @@ void for_plain_edges(const SidedMesh& sided, const base::Progress& progress, Vis
         if (side % faces_a_check == 0) progress.check();
         if (sided.beyond[side] > side) visit(side, sided.beyond[side]);
     }
+}
+
+SidedMesh by_sides(const base::Runtime& runtime, const Mesh& mesh, const base::Progress& progress) {
+    SidedMesh sided(mesh, unit_normals(mesh, progress),
+                    sides_beyond(mesh.triangle, sides_by_edge(runtime, mesh.triangle, progress), progress));
+    for (std::int64_t side = 0; side < sided.beyond.size(); ++side) {
+        const std::int64_t other = sided.beyond[side];
+        if (other >= 0 && !run_opposite(mesh.triangle, side, other)) sided.beyond[side] = sided.beyond[other] = -1;
+    }
+    for_plain_edges(sided, progress, [&](std::int64_t one, std::int64_t other) {
+        const glm::dvec3& a = sided.normal[one / 3];
+        const glm::dvec3& b = sided.normal[other / 3];
+        const glm::dvec3 about = glm::cross(a, b);
+        const double bend = degrees * std::atan2(glm::length(about), glm::dot(a, b));
+        sided.bend[one] = sided.bend[other] = glm::dot(about, sided.along(one)) < 0.0 ? -bend : bend;
+    });
+    return sided;
 }
 
 // ---- The mesh beside an edge

@@ -11,18 +11,14 @@
 
 #include "geometry/cell_set.h"
 #include "geometry/point_tree.h"
-#include "mesh/corners.h"
-#include "mesh/pieces/cell_tuning.h"
+#include "mesh/edges.h"
+#include "mesh/pieces/tuning.h"
 
 #include <algorithm>
 #include <cmath>
 
 namespace hrbfnpr::mesh {
 namespace {
-
-[[nodiscard]] glm::dvec3 face_normal(const Mesh& mesh, std::int64_t face) noexcept {
-    return glm::normalize(doubled_area(mesh.corners(face)));
-}
 
 // Returns how far the middle of a side is from the curve whose normals are these at its ends.
 [[nodiscard]] double bulge(const glm::dvec3& side, const glm::dvec3& a, const glm::dvec3& b) noexcept {
@@ -65,12 +61,11 @@ using Fan = std::span<const std::int32_t>; // corners, rising
                     if (goes_on(mesh, creases, a, b)) name[root(a)] = root(b);
         }
     });
-    base::Array<std::int32_t> number(runtime.memory, name.size()); // of the fan of a root, from 1
-    std::int32_t fans = 0;
-    for (std::int32_t corner = 0; corner < name.size(); ++corner)
-        if (name[corner] = root(corner); number[name[corner]] == 0) number[name[corner]] = ++fans;
-    return {runtime.memory, fans, [&](auto&& put) {
-                for (std::int32_t corner = 0; corner < name.size(); ++corner) put(number[name[corner]] - 1, corner);
+    NumbersInOrder numbers(runtime.memory, name.size());
+    for (std::int32_t corner = 0; corner < name.size(); ++corner) name[corner] = root(corner);
+    for (std::int32_t& fan : name) fan = numbers.of(fan);
+    return {runtime.memory, numbers.count(), [&](auto&& put) {
+                for (std::int32_t corner = 0; corner < name.size(); ++corner) put(name[corner], corner);
             }};
 }
 
@@ -85,26 +80,10 @@ struct Flats {
     base::Array<double> bulge; // by the mean normals: the largest chord_error() of the region's faces
 };
 
-// Returns the face beyond each side that is no crease, or -1.
-[[nodiscard]] base::Array<std::int32_t> faces_beside(const base::Runtime& runtime, const Mesh& mesh,
-                                                     const Creases& creases) {
-    base::Array<std::int32_t> beside(runtime.memory);
-    beside.resize_for_overwrite(3 * mesh.faces());
-    std::fill(beside.begin(), beside.end(), -1);
-    for_edges(sides_by_edge(runtime, mesh.triangle), [&](const Side* first, const Side* last) {
-        if (last != first + 2) return;
-        for (int i = 0; i < 2; ++i) {
-            const std::int64_t side = number_of(mesh.triangle, first[i]);
-            if (creases.cut[side] != 1) beside[side] = first[1 - i].face;
-        }
-    });
-    return beside;
-}
-
 // Grows regions over edges that are no crease, from the larger faces on, whose normals are the most exact.
 void grow_flats(const base::Runtime& runtime, const Mesh& mesh, const Creases& creases, Flats& flats) {
     base::Memory& memory = runtime.memory;
-    const base::Array<std::int32_t> beside = faces_beside(runtime, mesh, creases);
+    const base::Array<std::int64_t> beyond = sides_beyond(mesh.triangle, sides_by_edge(runtime, mesh.triangle));
     base::Array<std::int64_t> order(memory);
     base::Array<glm::dvec3> area(memory);
     for (std::int64_t face = 0; face < mesh.faces(); ++face) {
@@ -133,8 +112,8 @@ void grow_flats(const base::Runtime& runtime, const Mesh& mesh, const Creases& c
             todo.resize(todo.size() - 1);
             flats.area[region] += glm::length(area[face]);
             for (int k = 0; k < 3; ++k) {
-                const std::int64_t other = beside[3 * face + k];
-                if (other < 0 || flats.region[other] >= 0) continue;
+                const std::int64_t side = 3 * face + k, other = beyond[side] / 3;
+                if (creases.cut[side] == 1 || beyond[side] < 0 || flats.region[other] >= 0) continue;
                 if (glm::dot(area[other], normal) < patch_tuning.flat_cosine * glm::length(area[other])) continue;
                 flats.region[other] = region;
                 todo.push_back(other);
@@ -177,7 +156,7 @@ void grow_flats(const base::Runtime& runtime, const Mesh& mesh, const Creases& c
 
 [[nodiscard]] double turned_at(const Mesh& mesh, const PatchNormals& normals, std::int64_t corner,
                                std::int64_t other) noexcept {
-    return glm::distance(face_normal(mesh, corner / 3), normals.normal[other]);
+    return glm::distance(unit_normal(mesh, corner / 3), normals.normal[other]);
 }
 
 // An edge that is no crease turns at once, a cone slowly.
@@ -186,7 +165,7 @@ void grow_flats(const base::Runtime& runtime, const Mesh& mesh, const Creases& c
     double step = 0.0;
     for (const std::int32_t a : fan)
         for (const std::int32_t b : fan) {
-            const double angle = glm::distance(face_normal(mesh, a / 3), face_normal(mesh, b / 3));
+            const double angle = glm::distance(unit_normal(mesh, a / 3), unit_normal(mesh, b / 3));
             turn = std::max(turn, angle);
             if (goes_on(mesh, creases, a, b)) step = std::max(step, angle);
         }
@@ -320,7 +299,7 @@ PatchNormals patch_normals(const base::Runtime& runtime, const Mesh& mesh, const
         const double length = glm::length(sum);
         const bool usable = length > 0.0 && std::isfinite(length);
         for (const std::int32_t corner : fan)
-            result.normal[corner] = usable ? sum / length : face_normal(mesh, corner / 3);
+            result.normal[corner] = usable ? sum / length : unit_normal(mesh, corner / 3);
     });
     if (const Flats flats = find_flats(runtime, mesh, creases, result.normal, tolerance); !flats.area.empty())
         for_fans([&](const Fan& fan) {
@@ -333,7 +312,7 @@ PatchNormals patch_normals(const base::Runtime& runtime, const Mesh& mesh, const
         for (const std::int32_t corner : fan) result.tip[corner] = 1;
     });
     for (std::int64_t i = 0; i < result.tip.size(); ++i)
-        if (result.tip[i] != 0) result.normal[i] = face_normal(mesh, i / 3);
+        if (result.tip[i] != 0) result.normal[i] = unit_normal(mesh, i / 3);
     return result;
 }
 
@@ -433,7 +412,7 @@ base::Array<std::uint8_t> patches_in_contact(const base::Runtime& runtime, const
     base::Array<std::int32_t> against(runtime.memory, count); // a face of another component, or -1
     runtime.parallel.for_chunks(count, 256, progress, [&](std::int64_t begin, std::int64_t end) {
         for (std::int64_t i = begin; i < end; ++i) {
-            const glm::dvec3 normal = face_normal(mesh, places.face[i]);
+            const glm::dvec3 normal = unit_normal(mesh, places.face[i]);
             against[i] = -1;
             tree.crossings(places.position[i] - near * normal, 2.0 * near * normal,
                            [&](std::int32_t face, double t, int sign) {

@@ -2,7 +2,6 @@
 #include "mesh/fit/fit_mesh.h"
 
 #include "base/status.h"
-#include "mesh/fit/fit_data.h"
 #include "mesh/fit/outer.h"
 #include "mesh/meshes.h"
 #include "mesh/sample.h"
