@@ -207,8 +207,10 @@ double off_of_fit(const EndFacts& facts, double least) noexcept {
 
 } // namespace
 
-EndPlan plan_end(const EndFacts& facts) noexcept {
+EndPlan plan_end(const EndFacts& facts, bool may_end) noexcept {
     HRBFNPR_ASSERT(facts.diagonal > 0.0);
+    // The caller keeps all of the surface.
+    if (!may_end) return {};
     const double off = off_of_fit(facts, least_off(facts));
     // Open data ends where it does.
     if (facts.has_border) return {End::at_places, off};
@@ -219,19 +221,21 @@ EndPlan plan_end(const EndFacts& facts) noexcept {
     return {facts.reached ? End::nowhere : End::at_samples, off};
 }
 
-EndPlan plan_end_of_picture(const EndFacts& facts, bool closed) noexcept {
+EndPlan plan_end_of_picture(const EndFacts& facts, bool may_end) noexcept {
     HRBFNPR_ASSERT(facts.diagonal > 0.0);
+    if (!may_end) return {};
     const double off = off_of_fit(facts, plan_tuning.least_off);
     // The fit has ended the surface along the border.
     if (facts.has_border) return {End::as_fitted, off};
     // Sheets of a closed mesh end in each other, unless some surface is far off.
-    if (facts.has_creases && closed && facts.surface_most <= off * facts.diagonal) return {End::nowhere, off};
+    if (facts.has_creases && facts.closed && facts.surface_most <= off * facts.diagonal) return {End::nowhere, off};
     // A closed mesh has no surface that is far off: the fit made it up.
     return {End::at_places, off};
 }
 
-EndPlan plan_end_of_samples(double spacing, double diagonal) noexcept {
+EndPlan plan_end_of_samples(double spacing, double diagonal, bool may_end) noexcept {
     HRBFNPR_ASSERT(diagonal > 0.0);
+    if (!may_end) return {};
     // A fit to few samples rounds sharp edges off, so its surface may be farther from the mesh.
     return {End::at_places, std::max(plan_tuning.least_off, plan_tuning.of_coarse_faces * spacing / diagonal)};
 }

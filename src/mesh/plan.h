@@ -192,16 +192,18 @@ struct EndFacts {
     double area = 0.0;
     double border = 0.0; // the length of all borders
     bool has_border = false;
+    bool closed = false;      // Each edge has two faces that agree.
     bool has_creases = false; // The fit is of sheets.
     bool reached = false;     // The fit reached its tolerance.
     double mesh_p99 = 0.0;
     double surface_p99 = 0.0;
     double surface_most = 0.0;
 };
-[[nodiscard]] EndPlan plan_end(const EndFacts& facts) noexcept;
+// `may_end` is false if the caller keeps all of the surface.
+[[nodiscard]] EndPlan plan_end(const EndFacts& facts, bool may_end) noexcept;
 // Does the same for a picture, whose fit has only ended surfaces with a border.
-[[nodiscard]] EndPlan plan_end_of_picture(const EndFacts& facts, bool closed) noexcept;
+[[nodiscard]] EndPlan plan_end_of_picture(const EndFacts& facts, bool may_end) noexcept;
 // Does the same for a picture of a fit to samples that are `spacing` apart.
-[[nodiscard]] EndPlan plan_end_of_samples(double spacing, double diagonal) noexcept;
+[[nodiscard]] EndPlan plan_end_of_samples(double spacing, double diagonal, bool may_end) noexcept;
 
 } // namespace hrbfnpr::mesh

@@ -603,16 +603,17 @@ Model fit_group(const Call& call, const MeshGroup& group, bool is_flat, double a
 // ---- The end
 
 mesh::EndPlan end_plan_of(const Model& model, const hrbfnpr_mesh_info& mesh,
-                          const std::optional<hrbfnpr_mesh_fit_info>& fit) {
+                          const std::optional<hrbfnpr_mesh_fit_info>& fit, bool may_end) {
     const hrbfnpr_model_info info = model_info_of(model);
-    if (!fit) return mesh::plan_end_of_samples(info.spacing, diagonal_of(info));
+    if (!fit) return mesh::plan_end_of_samples(info.spacing, diagonal_of(info), may_end);
     mesh::EndFacts facts;
     facts.diagonal = diagonal_of(info);
     facts.has_border = mesh.boundary_edges > 0;
+    facts.closed = mesh.closed != 0;
     facts.has_creases = fit->sheets > 1;
     facts.mesh_p99 = fit->mesh_p99;
     facts.surface_most = fit->surface_max;
-    return mesh::plan_end_of_picture(facts, mesh.closed != 0);
+    return mesh::plan_end_of_picture(facts, may_end);
 }
 
 // Warns of parts of a closed surface that the fit invented and that are removed.
@@ -633,9 +634,8 @@ void tell_made_by_fit(const Call& call, const Model& ended, bool of_sheets) {
 // closed mesh does not have.
 Model end_of_mesh(const Call& call, const Model& model, const Mesh& mesh,
                   const std::optional<hrbfnpr_mesh_fit_info>& fit) {
-    if (call.options.has(HRBFNPR_PICTURE_CLOSE)) return model;
     const hrbfnpr_mesh_info info = info_of(mesh);
-    const mesh::EndPlan plan = end_plan_of(model, info, fit);
+    const mesh::EndPlan plan = end_plan_of(model, info, fit, !call.options.has(HRBFNPR_PICTURE_CLOSE));
     if (plan.end == mesh::End::nowhere) return model;
     if (plan.end == mesh::End::as_fitted) {
         Stage stage(call.report, HRBFNPR_STAGE_END);

@@ -126,9 +126,9 @@ struct Coarse {
 TEST(Plan, DividesCoarseFacesUntilTheyAreFine) {
     EXPECT_EQ(Coarse(0.002).plan().choice, Choice::nothing);
     EXPECT_EQ(Coarse(nan).plan().choice, Choice::nothing);
-    EXPECT_EQ(Coarse(0.0021).plan().rounds, 2);
+    EXPECT_EQ(Coarse(0.0021).plan().rounds, 1);
     EXPECT_EQ(Coarse(0.0039).plan().rounds, 1);
-    EXPECT_EQ(Coarse(0.01).plan().rounds, 2);
+    EXPECT_EQ(Coarse(0.0041).plan().rounds, 2);
     EXPECT_EQ(Coarse(1.0).plan().rounds, 3);
     EXPECT_EQ(Coarse(1.0).plan().choice, Choice::divided);
     Coarse rough(0.01);
@@ -256,38 +256,50 @@ TEST(Plan, AClosedSurfaceEndsWhereTheFitInventsSome) {
     mesh::EndFacts facts;
     facts.mesh_p99 = facts.surface_p99 = 0.001;
     facts.surface_most = 0.01;
-    EXPECT_EQ(mesh::plan_end(facts).end, mesh::End::at_samples);
+    EXPECT_EQ(mesh::plan_end(facts, true).end, mesh::End::at_samples);
     facts.reached = true;
-    EXPECT_EQ(mesh::plan_end(facts).end, mesh::End::nowhere);
+    EXPECT_EQ(mesh::plan_end(facts, true).end, mesh::End::nowhere);
     facts.has_creases = true;
-    EXPECT_EQ(mesh::plan_end(facts).end, mesh::End::at_places);
+    EXPECT_EQ(mesh::plan_end(facts, true).end, mesh::End::at_places);
     facts.surface_most = 0.008;
-    EXPECT_EQ(mesh::plan_end(facts).end, mesh::End::nowhere);
+    EXPECT_EQ(mesh::plan_end(facts, true).end, mesh::End::nowhere);
     facts.mesh_p99 = facts.surface_p99 = facts.surface_most = nan;
-    EXPECT_EQ(mesh::plan_end(facts).end, mesh::End::nowhere);
-    EXPECT_EQ(mesh::plan_end(facts).off, 0.009);
+    EXPECT_EQ(mesh::plan_end(facts, true).end, mesh::End::nowhere);
+    EXPECT_EQ(mesh::plan_end(facts, true).off, 0.009);
 }
 
 TEST(Plan, APictureEndsWhereTheMeshDoes) {
     mesh::EndFacts facts;
     facts.surface_most = 0.008;
-    EXPECT_EQ(mesh::plan_end_of_picture(facts, true).end, mesh::End::at_places);
+    facts.closed = true;
+    const auto end = [&] { return mesh::plan_end_of_picture(facts, true).end; };
+    EXPECT_EQ(end(), mesh::End::at_places);
     facts.has_creases = true;
-    EXPECT_EQ(mesh::plan_end_of_picture(facts, true).end, mesh::End::nowhere);
-    EXPECT_EQ(mesh::plan_end_of_picture(facts, false).end, mesh::End::at_places);
+    EXPECT_EQ(end(), mesh::End::nowhere);
+    facts.closed = false;
+    EXPECT_EQ(end(), mesh::End::at_places);
+    facts.closed = true;
     facts.surface_most = nan;
-    EXPECT_EQ(mesh::plan_end_of_picture(facts, true).end, mesh::End::at_places);
+    EXPECT_EQ(end(), mesh::End::at_places);
     facts.has_border = true;
-    EXPECT_EQ(mesh::plan_end_of_picture(facts, false).end, mesh::End::as_fitted);
-    EXPECT_EQ(mesh::plan_end_of_samples(0.01, 10.0).off, 0.009);
-    EXPECT_DOUBLE_EQ(mesh::plan_end_of_samples(0.1, 1.0).off, 0.15);
+    EXPECT_EQ(end(), mesh::End::as_fitted);
+    EXPECT_EQ(mesh::plan_end_of_samples(0.01, 10.0, true).off, 0.009);
+    EXPECT_DOUBLE_EQ(mesh::plan_end_of_samples(0.1, 1.0, true).off, 0.15);
+}
+
+TEST(Plan, ASurfaceThatIsKeptEndsNowhere) {
+    mesh::EndFacts facts;
+    facts.has_border = true;
+    EXPECT_EQ(mesh::plan_end(facts, false).end, mesh::End::nowhere);
+    EXPECT_EQ(mesh::plan_end_of_picture(facts, false).end, mesh::End::nowhere);
+    EXPECT_EQ(mesh::plan_end_of_samples(0.1, 1.0, false).end, mesh::End::nowhere);
 }
 
 TEST(Plan, CoarseFacesAreFartherOff) {
     mesh::EndFacts facts;
     const auto off = [&](double p99) {
         facts.mesh_p99 = facts.surface_p99 = p99;
-        return mesh::plan_end(facts).off;
+        return mesh::plan_end(facts, true).off;
     };
     EXPECT_EQ(off(0.001), 0.009);
     EXPECT_DOUBLE_EQ(off(0.008), 0.012);

@@ -59,9 +59,9 @@ void log_pieces(const base::Runtime& runtime, const PiecesReport& report) {
 }
 
 // Sets the places that the surface ends with. `samples` are those of a smooth fit.
-void find_end(const base::Runtime& runtime, const Mesh& mesh, const FaceTree& tree, std::uint64_t seed,
+void find_end(const base::Runtime& runtime, const Mesh& mesh, const FaceTree& tree, std::uint64_t seed, bool may_end,
               std::optional<fit::Samples>&& samples, PlannedFit& made, const base::Progress& progress) {
-    made.end = plan_end(end_facts(mesh, made.report, made.pieces.has_value()));
+    made.end = plan_end(end_facts(mesh, made.report, made.pieces.has_value()), may_end);
     if (made.end.end == End::at_samples) {
         HRBFNPR_ASSERT(samples.has_value());
         made.end_place = std::move(samples->position);
@@ -104,6 +104,7 @@ EndFacts end_facts(const Mesh& mesh, const FitMeshReport& report, bool has_creas
     facts.area = mesh.report.area;
     facts.border = border_length(mesh);
     facts.has_border = mesh.report.boundary_edges > 0;
+    facts.closed = mesh.report.closed;
     facts.has_creases = has_creases;
     facts.reached = report.reached;
     facts.mesh_p99 = report.mesh.p99;
@@ -140,7 +141,7 @@ PlannedFit fit_as_planned(const base::Runtime& runtime, const Mesh& mesh, const 
     }
     log_fit(runtime, made.report, made.centres);
     if (made.pieces) log_pieces(runtime, made.pieces->pieces);
-    if (may_end) find_end(runtime, mesh, tree, settings.seed, std::move(samples), made, progress.part(end_of_fit, 1.0));
+    find_end(runtime, mesh, tree, settings.seed, may_end, std::move(samples), made, progress.part(end_of_fit, 1.0));
     progress.update(1.0);
     return made;
 }

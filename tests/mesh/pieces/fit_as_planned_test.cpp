@@ -36,7 +36,7 @@ struct Planned {
         report.reached = reached;
         report.mesh.p99 = report.surface.p99 = mesh_p99 * diagonal;
         report.surface.most = surface_most * diagonal;
-        return mesh::plan_end(mesh::end_facts(shape, report, has_creases));
+        return mesh::plan_end(mesh::end_facts(shape, report, has_creases), true);
     }
 
     hrbfnpr::base::Runtime runtime;
