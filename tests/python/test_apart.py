@@ -47,19 +47,6 @@ def wall(corner, along, up, count=12):
                     for c in range(count)]  # fmt: skip
 
 
-def with_flap():
-    points, faces = merged(wall((0, 0, 0), (1, 0, 0), (0, 1, 0)))
-    return np.vstack([points, [[0.49, 0.5, 0.004]]]), np.vstack([faces, [[84, 85, len(points)]]])
-
-
-def test_faces_left_over_on_an_edge_are_no_part(tmp_path, capsys):
-    vertices, faces = with_flap()
-    path = str(write(tmp_path, "a.obj", obj(vertices, faces.tolist())))
-    assert main(["draw", path, str(tmp_path / "a.png"), "--size", "60", "-q"]) == 0
-    assert main(["draw", path, str(tmp_path / "a.png"), "--size", "60"]) == 0
-    assert "1 face that only an edge of two others holds left out" in capsys.readouterr().err
-
-
 @pytest.fixture(scope="module")
 def picture():
     return hrbfnpr.draw(crossing(), size=400, marks={"stipples": 6000}, azimuth=70)
@@ -93,24 +80,6 @@ def test_no_warning_where_parts_are_apart(tmp_path, capsys):
     assert "not all of them closed" not in said.err and said.out.count("\nfit ") == 1
     assert main(["draw", path, str(tmp_path / "c.png"), "--size", "200", "--save-model", str(tmp_path / "c.hrbf")]) == 0
     assert capsys.readouterr().out.count("\nfit ") == 1  # one model is wanted
-
-
-def test_one_part_hides_the_other():
-    """Of two walls one stands right before the other."""
-    front = moved(wall((-1, -1, 0), (2, 0, 0), (0, 2, 0)), (0, 0, 0.1))
-    back = wall((-1, -1, 0), (2, 0, 0), (0, 2, 0))
-    picture = hrbfnpr.draw(merged(front, back), "stipple", size=800, azimuth=0, elevation=0, up="y")
-    assert len(picture._scene.parts) == 2
-    info = picture.drawing.info
-    assert 0.4 < info.dropped_hidden / (info.shown + info.dropped_hidden) < 0.6
-
-
-def test_the_same_from_elsewhere_and_in_other_styles(picture):
-    other = picture.seen(azimuth=200)
-    assert len(other._scene.parts) == 2 and other.drawing.info.items == 2
-    hatched = picture.restyled("hatch")
-    count = [len(part.marks) for part in hatched._scene.parts]
-    assert abs(count[0] / count[1] - 1) < 0.05  # lines are as far from each other on both
 
 
 def test_an_orbit_has_all_parts():

@@ -66,35 +66,6 @@ def test_draw_every_kind(files, tmp_path, kind, capsys):
     assert all(line.startswith("hrbfnpr: warning: ") for line in err.splitlines()) and bool(err) == edged
 
 
-def test_edges(files, tmp_path, capsys):
-    model = str(tmp_path / "cube.hrbf")
-    for options, says in (([], "6 sheets"), (["--edges", "30"], "6 sheets"), (["--edges", "smooth"], "round")):
-        assert main(["fit", str(files["obj"]), model, "--max-centres", "200", *options]) == 0
-        assert says in capsys.readouterr().out
-    assert main(["fit", str(files["obj"]), model, "--edges", "4"]) == 2
-    assert "auto, smooth, or degrees from 5 to 175 are needed, not '4'" in capsys.readouterr().err
-
-
-@pytest.mark.parametrize("style", hrbfnpr.PRESETS)
-def test_every_style(files, tmp_path, style):
-    output = tmp_path / "out.png"
-    assert main(["draw", str(files["ply"]), "-o", str(output), "--style", style, *QUICK]) == 0
-    assert 0.002 < ink(output) < 0.95
-
-
-def test_lines_of_hatching_are_turned(files, tmp_path):
-    directions = []
-    for angle in ("0", "90"):
-        saved = tmp_path / f"{angle}.points"
-        assert main(["draw", str(files["ply"]), str(tmp_path / "out.png"), *QUICK, "--style", "cross-hatch",
-                     "--hatch-angle", angle, "--guide", "sections", "--save-points", str(saved)]) == 0  # fmt: skip
-        layers = [one for one in hrbfnpr.PointSet.load(saved).layers if one.kind == "hatch"]
-        assert len(layers) == 3  # 35 and -30 degrees apart
-        directions.append([np.abs(np.asarray(layer.directions)[:, 1]).mean() for layer in layers])
-    along, across = directions
-    assert along[0] < 0.15 and across[0] > 0.5 and min(along[1:]) > 0.2 and max(across[1:]) < across[0]
-
-
 def test_the_default_output_and_summary(files, tmp_path, monkeypatch, capsys):
     monkeypatch.chdir(tmp_path)
     assert main(["draw", str(files["xyz"]), "--size", "100x80", "--marks", "500", "--samples", "50"]) == 0
@@ -160,39 +131,6 @@ def test_every_option(files, tmp_path, options, capsys):
         return
     assert code == 0, capsys.readouterr().err
     assert ink(output) > 0.0005
-
-
-@pytest.mark.parametrize(
-    "points, options, words",
-    [
-        (72, ["--lines", "contour,border"], "ends nowhere within support 3"),
-        (72, ["--lines", "border", "--support", "0"], ""),
-        (36, ["--support", "0.01", "--style", "silhouette"], "% of it is left out"),  # half of a torus
-    ],
-)
-def test_where_the_surface_ends(files, tmp_path, points, options, words, capsys):
-    few = [word for word in QUICK if word != "--quiet"]
-    some = write(tmp_path, "some.xyz", "".join(files["xyz"].read_text().splitlines(keepends=True)[:points]))
-    assert main(["draw", str(some), str(tmp_path / "out.png"), *few, *options]) == 0
-    out = capsys.readouterr().out
-    assert (words in out) and ("lines:" in out) == bool(words)
-
-
-def test_flip(files, tmp_path):
-    pictures = []
-    for name, options in (("a", []), ("b", ["--flip"])):
-        options += ["--lines", "none", "--allow-blank"]  # lines are the same from inside
-        assert main(["draw", str(files["xyz"]), str(tmp_path / name), *QUICK, *options]) == 0
-        pictures.append(ink(tmp_path / name))
-    assert pictures[0] > 2 * pictures[1]
-    assert main(["draw", str(files["xyz"]), str(tmp_path / "c"), *QUICK, "--flip"]) == 3
-    assert not (tmp_path / "c").exists()
-
-
-def test_the_same_picture_at_any_number_of_threads(files, tmp_path):
-    for threads in ("1", "3"):
-        assert main(["draw", str(files["ply"]), str(tmp_path / f"{threads}.png"), *QUICK, "--threads", threads]) == 0
-    assert (tmp_path / "1.png").read_bytes() == (tmp_path / "3.png").read_bytes()
 
 
 def test_transparent_paper_and_other_formats(files, tmp_path):

@@ -4,13 +4,11 @@ import json
 
 import numpy as np
 import pytest
-from curves import rings, wires
-from looks import info_of
+from curves import wires
 from test_cli import rows
 
 import hrbfnpr
 from hrbfnpr.cli import main
-from hrbfnpr.shapes import Shape
 
 Image = pytest.importorskip("PIL.Image")
 
@@ -54,17 +52,3 @@ def test_check_says_what_they_are(tmp_path, capsys):
     status, facts = checked(tmp_path, capsys, np.hstack([points, normals]))
     assert status == 1 and facts["normals_look"] == "none"
     assert "the normals are none of these points'" in facts["warnings"]
-
-
-def test_normals_of_wires_with_noise_are_right():
-    points, normals = wires()
-    noise = np.random.default_rng(1).normal(scale=0.015, size=points.shape)
-    found = hrbfnpr.orient(points + noise)
-    assert (np.einsum("ij,ij->i", found.normals, normals) > 0).mean() > 0.99
-    assert found.info.closed
-
-
-@pytest.mark.parametrize("points, expected", [(rings(), True), (wires()[0], True), (rings(60, 18), False)])
-def test_along_curves(points, expected):
-    assert info_of(Shape(points)).along_curves == expected
-    assert not info_of(Shape(points[:10])).along_curves

@@ -70,20 +70,6 @@ def test_what_is_no_image():
         hrbfnpr.smooth_depth_image(points, smoothing=0)
 
 
-def test_it_is_cancelled():
-    points, _ = kinect(400, 300)
-    seen = []
-
-    def stop(fraction):
-        seen.append(fraction)
-        if fraction > 0.3:
-            raise KeyError("enough")
-
-    with pytest.raises(hrbfnpr.CallbackError, match="enough"):
-        hrbfnpr.smooth_depth_image(points, progress=stop)
-    assert seen == sorted(seen) and seen[-1] < 0.9
-
-
 def test_files_tell_their_rows(tmp_path):
     points, _ = kinect(40, 30)
     shape = shapes.read(write(tmp_path, "a.pcd", pcd(points)))
@@ -129,15 +115,6 @@ def test_a_wall_is_a_wall(tmp_path, capsys):
     assert main(["fit", str(file), str(tmp_path / "d.hrbf"), "--viewpoint", "0,0,0.001"]) == 0
     rough, steep = off_the_wall(tmp_path / "d.hrbf", z)
     assert rough > 2 * distance and steep > 3 * angle
-
-
-def test_near_things_have_as_many_samples_as_pixels(tmp_path):
-    """Samples even in space would give the ball 1 of 30, which has 1 of 9 pixels."""
-    points, z = kinect(240, 180)
-    saved = tmp_path / "a.hrbf"
-    assert main(["fit", str(write(tmp_path, "a.pcd", pcd(points))), str(saved), "--samples", "1000"]) == 0
-    centres = np.asarray(hrbfnpr.Model.load(saved).points)
-    assert 0.7 < (centres[:, 2] < 2).mean() / (z < 2).mean() < 2
 
 
 def test_what_is_behind_is_no_hole(tmp_path):

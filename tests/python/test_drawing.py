@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: MIT
 """Drawings: a value that says how its marks are drawn; strokes, poses, formats."""
-import threading
 
 import numpy as np
 import pytest
@@ -66,14 +65,6 @@ def test_own_strokes_are_lines(renderer):
     assert (info.item, info.layer, info.dots, info.strokes) == (0, 0, 1, 2)
 
 
-def test_dots_of_the_same_strokes_are_no_lines(renderer):
-    marks = hrbfnpr.PointSet.create(flat_strokes())
-    style = hrbfnpr.Style(tone="none", layers=[hrbfnpr.LayerStyle("own", radius=1.0)])
-    drawing = renderer.draw((marks, style), above())
-    assert (drawing.info.strokes, drawing.info.dots) == (0, 61)
-    assert not (drawing.image()[49:51, 52:148, 0] < 60).all()
-
-
 def test_line_and_triangle_strips(renderer):
     marks = hrbfnpr.PointSet.create(flat_strokes())
     style = hrbfnpr.Style(tone="none", layers=[hrbfnpr.LayerStyle("own", shape="strokes", radius=1.5)])
@@ -100,41 +91,6 @@ def test_line_and_triangle_strips(renderer):
     np.testing.assert_allclose(np.linalg.norm((left - right)[:, :2], axis=1), 3, atol=1e-2)
     # The dots are points: the single mark.
     assert len(drawing.vertices().vertices) == 1
-
-
-def test_strips_of_generated_strokes(lines):
-    vertices, indices = lines.vertices("line-strips", ("window", "id", "length"))
-    info = lines.info
-    assert info.strokes > 5 and len(vertices) == info.stroke_points and (indices == RESTART).sum() == info.strokes
-    np.testing.assert_array_equal(indices[indices != RESTART], np.arange(len(vertices)))
-    assert sum(layer.strokes for layer in lines.layers) == info.strokes
-    assert sum(layer.dots for layer in lines.layers) == info.dots
-    starts = np.flatnonzero(vertices["length"] == 0)
-    assert len(starts) == info.strokes
-
-
-def test_mark_results_are_those_of_the_drawing(drawing, lines, marks):
-    for one in (drawing, lines):
-        vertices = np.concatenate(
-            [one.vertices(kind, ("id", "radius", "color", "class")).vertices for kind in ("points", "line_strips")]
-        )
-        seen = {}
-        for vertex in vertices:
-            identity = one.identify(vertex["id"])
-            seen[identity.layer, identity.mark] = vertex
-        assert len(seen) == one.info.shown > 300
-        shown = 0
-        for layer in marks.layers:
-            results = one.mark_results(0, layer.name)
-            assert all(len(part) == len(layer) for part in results)
-            np.testing.assert_array_equal(results.shown > 0, results.radius > 0)
-            shown += (results.shown > 0).sum()
-            for mark in np.flatnonzero(results.shown):
-                vertex = seen[layer.number, mark]
-                assert vertex["class"] == results.shown[mark]
-                assert vertex["radius"] == pytest.approx(results.radius[mark], rel=1e-5)
-                assert vertex["color"][3] == pytest.approx(255 * results.opacity[mark], abs=0.51)
-        assert shown == len(seen)
 
 
 def test_mark_indices_are_those_that_are_shown(renderer, drawing, lines, marks, camera, style):
@@ -197,14 +153,6 @@ def test_ids_and_layers_of_several_items(renderer, marks, camera, ring):
         drawing.mark_indices(0, 0, "back")
 
 
-def test_coverage_is_the_ink_on_white_paper(drawing, lines):
-    for one in (drawing, lines):
-        coverage = one.image(format="coverage8")
-        assert coverage.shape == (120, 160) and coverage.dtype == np.uint8 and coverage.max() > 200
-        left = one.image()[..., 0].astype(int)
-        assert np.abs(255 - left - coverage).max() <= 1
-
-
 @pytest.mark.parametrize("paper", ["#ffffff", "#e0d0b0", (1, 1, 1, 0)])
 def test_the_float_image_is_the_8_bit_one(renderer, marks, camera, strokes_style, paper):
     drawing = renderer.draw((marks, strokes_style.copy(paper=paper, ink="#203040")), camera)
@@ -216,38 +164,6 @@ def test_the_float_image_is_the_8_bit_one(renderer, marks, camera, strokes_style
     assert drawing.image(out=out[:120, :160], format="rgba32f").base is out
     np.testing.assert_array_equal(out[:120, :160], drawing.image(format="rgba32f"))
     assert (out[120:] == 0).all()
-
-
-def test_poses_are_as_good_as_a_set_at_the_new_places(renderer, marks, camera, strokes_style):
-    turn = np.array([[0, -1, 0], [1, 0, 0], [0, 0, 1.0]])
-
-    def places(layer, moved):
-        positions = layer.positions.astype(float) + marks.origin
-        parts = positions, layer.normals.astype(float), layer.directions.astype(float)
-        return tuple(part @ turn.T + (0.01 if i == 0 else 0) for i, part in enumerate(parts)) if moved else parts
-
-    def copy(layer, moved):
-        positions, normals, directions = places(layer, moved)
-        made = hrbfnpr.OwnLayer(positions, normals, layer.name, layer.kind, directions=directions, ranks=layer.ranks)
-        if layer.info.strokes:
-            made.stroke_first, made.widths = layer.stroke_first, layer.widths
-            made.stroke_directions = layer.stroke_places[layer.stroke_first[:-1], 0] % 2
-        if len(layer.curvatures):
-            made.curvatures = layer.curvatures
-        return made
-
-    before, after = (hrbfnpr.PointSet.create([copy(layer, moved) for layer in marks.layers]) for moved in (False, True))
-    poses = {layer.name if layer.number else 0: places(layer, True) for layer in marks.layers}
-    still = renderer.draw((before, strokes_style), camera).image().astype(int)
-    posed = renderer.draw(hrbfnpr.Item(before, strokes_style, poses=poses), camera)
-    drawn = renderer.draw((after, strokes_style), camera)
-    assert drawn.info.shown == pytest.approx(posed.info.shown, rel=0.01)
-    difference = np.abs(drawn.image().astype(int) - posed.image()).mean()
-    assert difference < 0.3 and np.abs(still - posed.image()).mean() > 20 * difference
-    # A pose that moves nothing changes nothing.
-    same = {layer.name: places(layer, False)[:2] for layer in marks.layers}
-    image = renderer.draw(hrbfnpr.Item(before, strokes_style, poses=same), camera).image()
-    assert np.abs(still - image).mean() < 0.3
 
 
 @pytest.mark.parametrize(
@@ -289,28 +205,3 @@ def test_a_drawing_outlives_what_it_came_from(ring, camera):
     del own, marks, context
     np.testing.assert_array_equal(drawing.image(), image)
     assert len(drawing.mark_results().shown) == 500
-
-
-def test_threads_read_one_drawing(lines):
-    readers = {
-        "image": lambda: lines.image().tobytes(),
-        "float": lambda: lines.image(format="rgba32f").tobytes(),
-        "raster": lambda: b"".join(part.tobytes() for part in lines.raster()),
-        "points": lambda: lines.vertices().vertices.tobytes(),
-        "strips": lambda: lines.vertices("triangle_strips").vertices.tobytes(),
-        "results": lambda: lines.mark_results(0, 1).radius.tobytes(),
-        "indices": lambda: lines.mark_indices(0, 1, primitive="line_strips").tobytes(),
-    }
-    wanted = {name: read() for name, read in readers.items()}
-    wrong = []
-
-    def work():
-        for _ in range(5):
-            wrong.extend(name for name, read in readers.items() if read() != wanted[name])
-
-    threads = [threading.Thread(target=work) for _ in range(2)]
-    for thread in threads:
-        thread.start()
-    for thread in threads:
-        thread.join()
-    assert not wrong

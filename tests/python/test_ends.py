@@ -2,7 +2,6 @@
 """Where the command line ends what it draws: where the points or the mesh do."""
 import numpy as np
 import pytest
-from conftest import fibonacci_sphere
 
 import hrbfnpr
 from hrbfnpr.cli import main
@@ -61,13 +60,6 @@ def test_the_sides_of_a_mesh_are_turned_on_request(tmp_path):
     assert inside < 0 < fitted(path, "--samples", "100", "--flip").evaluate(middle).value[0]
 
 
-def test_a_closed_surface_stays_whole(tmp_path, capsys):
-    path = tmp_path / "ball.xyz"
-    np.savetxt(path, np.column_stack([fibonacci_sphere(300), fibonacci_sphere(300)]))
-    assert not fitted(path).trim_info.is_trimmed
-    assert "the surface is whole" in capsys.readouterr().out
-
-
 def test_a_mesh_tells_where_it_ends(tmp_path, capsys):
     points, _ = terrain()
     path = tmp_path / "mesh.obj"
@@ -106,18 +98,3 @@ def test_the_border_is_drawn(scan, tmp_path, capsys):
     assert (np.asarray(Image.open(picture).convert("L")) < 100).sum() > 300
     assert main(["draw", str(scan), picture, *options, "--close"]) == 3
     assert "would be blank" in capsys.readouterr().err
-
-
-def test_both_sides_of_what_ends_are_drawn(scan, tmp_path):
-    from PIL import Image
-
-    def ink(*options):
-        picture = str(tmp_path / "out.png")
-        below = ["--up", "z", "--elevation", "-80", "--light", "1,0,0.3", "--lines", "none", "--size", "150"]
-        assert main(["draw", str(scan), picture, *below, "--quiet", "--allow-blank", *options]) == 0
-        return int((np.asarray(Image.open(picture).convert("L")) < 100).sum())
-
-    for style, marks in (("stipple", "2000"), ("hatch", "hatch=20000")):
-        options = ["--style", style, "--marks", marks]
-        assert 10 * ink(*options, "--sides", "front") <= ink(*options)
-        assert ink(*options, "--sides", "both") > 100

@@ -33,21 +33,6 @@ def test_look_at_and_perspective():
     assert camera.view.shape == (4, 4) and "200x100" in repr(camera)
 
 
-def test_orthographic():
-    camera = hrbfnpr.Camera.look_at((0, 0, 5), (0, 0, 0)).orthographic(4, (400, 400), 0, 10)
-    np.testing.assert_allclose(project(camera, (1, 1, 0)), (300, 100, 1))
-
-
-@pytest.mark.parametrize("angle", [0.0, 0.6])
-def test_fit_sees_the_whole_box(angle):
-    camera = hrbfnpr.Camera.fit(BOX, (1, -1, -2), size=(300, 500), vertical_angle=angle, margin=0.1)
-    corners = [(x, y, z) for x in (-1, 1) for y in (-2, 2) for z in (-3, 3)]
-    pixels = np.array([project(camera, corner)[:2] for corner in corners])
-    share = pixels / (300, 500)
-    assert share.min() > 0.0999 and share.max() < 0.9001
-    assert max(np.ptp(share[:, 0]), np.ptp(share[:, 1])) > 0.7
-
-
 def test_cameras_are_values(ring):
     bare = hrbfnpr.Camera.look_at((0, 0, 5), (0, 0, 0))
     camera = bare.perspective(1.0, (20, 10), 0.1, 10)
@@ -64,13 +49,10 @@ def test_cameras_are_values(ring):
 @pytest.mark.parametrize(
     "make, words",
     [
-        (lambda: hrbfnpr.Camera.look_at((0, 0, 0), (0, 0, 0)), "eye"),
         (lambda: hrbfnpr.Camera.look_at((0, 1, 0), (0, 0, 0)), "up"),
         (lambda: hrbfnpr.Camera.look_at((0, 1), (0, 0, 0)), "eye must be 3 numbers"),
         (lambda: hrbfnpr.Camera().perspective(4.0, (1, 1), 0.1, 1), "vertical_angle"),
-        (lambda: hrbfnpr.Camera().perspective(1.0, (1, 1), 1, 0.1), "near_plane"),
         (lambda: hrbfnpr.Camera.fit(BOX, margin=0.5), "margin"),
-        (lambda: hrbfnpr.Camera.fit(BOX, direction=(0, 0, 0)), "direction"),
         (lambda: hrbfnpr.Camera(view=np.eye(3)), "view must be a 4 x 4 matrix"),
         (lambda: hrbfnpr.Camera(depth_convention="odd"), "depth_convention"),
     ],
@@ -86,26 +68,11 @@ def test_presets():
         style = hrbfnpr.Style(name)
         assert style.preset == name and style.layers and hrbfnpr.preset_layers(name)
         assert style == hrbfnpr.Style(name)
-    assert [layer.kind for layer in hrbfnpr.preset_layers("hatch")] == ["stipples", "hatch"]
-    assert [layer.guide for layer in hrbfnpr.preset_layers("combing")[1:]] == ["combing", "combing"]
     for name in ("hatch", "cross-hatch", "combing", "full"):
         guide = "combing" if name == "combing" else "curvature"
         published = hrbfnpr.preset_layers(name, "published")
         assert published == [hrbfnpr.Layer("stipples"), hrbfnpr.Layer("hatch", guide=guide)]
         assert hrbfnpr.Style(name).style_of("hatch").shown
-    assert hrbfnpr.preset_layers("stipple", "published") == hrbfnpr.preset_layers("stipple")
-    sets = hrbfnpr.preset_layers("etching")[1:]
-    assert [(layer.kind, layer.name, layer.angle) for layer in sets] == [
-        ("hatch", "hatch-1", 0.0), ("hatch", "hatch-2", 50.0), ("hatch", "hatch-3", -40.0)
-    ]  # fmt: skip
-    angles = [layer.angle for layer in hrbfnpr.preset_layers("cross-hatch")[1:]]
-    assert len(angles) == 3 and all(30 <= abs(a - b) <= 65 for i, a in enumerate(angles) for b in angles[:i])
-    assert hrbfnpr.Style("xray").hidden_lines == "show"
-    assert [line.wobble_seed for line in hrbfnpr.Style("sketch").lines] == [1, 2, 3]
-    assert [(line.kind, line.name) for line in hrbfnpr.Style("blueprint").lines] == [
-        ("contour", None), ("border", None), ("own", "crease"), ("crease", None)
-    ]  # fmt: skip
-    assert [line.kind for line in hrbfnpr.Style("archaeological").lines] == ["contour", "ridge", "crease"]
     assert hrbfnpr.Style().preset is None and hrbfnpr.Style().tone == "light"
     with pytest.raises(ValueError, match="preset must be one of 'stipple'"):
         hrbfnpr.Style("watercolour")
@@ -129,10 +96,6 @@ def test_every_field_can_be_read_and_written():
         for choice, number in numbers.items():
             setattr(style, name, choice)
             assert getattr(style, name) == choice and getattr(style._prepared()[0], name) == number
-    assert (style.tone_fade, style.silhouette_radius, style.fill_light) == (0.25, 1, 0.25)
-    style.update(tone_fade=0.5, silhouette_radius=2.5, fill_light=0.125)
-    struct = style._prepared()[0]
-    assert (struct.tone_fade, struct.silhouette_radius, struct.fill_light) == (0.5, 2.5, 0.125)
     style.hidden_lines = "hide"
     style.light = (1, 2, 3)
     style.paper = "#ff000080"
@@ -188,10 +151,6 @@ def test_what_a_layer_takes():
         (lambda s: setattr(s, "paper", (1, 1)), ValueError),
         (lambda s: setattr(s, "light", (1, 1)), ValueError),
         (lambda s: setattr(s, "tone", "callback"), ValueError),
-        (lambda s: setattr(s, "tone", "dark"), ValueError),
-        (lambda s: setattr(s, "hidden_lines", "no"), ValueError),
-        (lambda s: setattr(s, "visibility", "hidden"), ValueError),
-        (lambda s: setattr(s, "tone_curve", "cubic"), ValueError),
         (lambda s: setattr(s, "tone_rule", "none"), ValueError),
         (lambda s: setattr(s, "tone_fade", "slow"), ValueError),
         (lambda s: setattr(s, "silhouette_radius", None), TypeError),

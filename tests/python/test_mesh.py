@@ -48,15 +48,6 @@ def test_types_of_indices(kind):
     assert hrbfnpr.Mesh(vertices.astype(np.float32), triangles).info.faces == 144
 
 
-def test_inside_out_and_repeated(ring):
-    vertices, triangles = torus()
-    turned = hrbfnpr.Mesh(vertices[triangles].reshape(-1, 3), np.arange(3 * len(triangles)).reshape(-1, 3)[:, ::-1])
-    assert turned.info.turned_components == 1 and turned.info.welded_vertices == 3 * len(triangles) - 1440
-    assert turned.info.volume == pytest.approx(ring.info.volume)
-    kept = hrbfnpr.Mesh(vertices, triangles[:, ::-1], faces="keep")
-    assert kept.info.volume == pytest.approx(-ring.info.volume)
-
-
 def test_parts():
     vertices, triangles = torus()
     both = np.concatenate([vertices, vertices * [1, 1, 0.1] * [0.98, 0.98, 1]])
@@ -145,13 +136,6 @@ def test_edges(tmp_path):
     assert np.array_equal(hrbfnpr.Model.load(tmp_path / "cube.hrbf").evaluate(edge).value, sharp.evaluate(edge).value)
     with pytest.raises(ValueError, match="edges"):
         hrbfnpr.Model.fit_mesh(cube, edges="round")
-
-
-def test_cancelling(ring):
-    operation = hrbfnpr.Operation()
-    operation.cancel()
-    with pytest.raises(hrbfnpr.CancelledError):
-        hrbfnpr.Model.fit_mesh(ring, operation=operation)
 
 
 def test_closing():

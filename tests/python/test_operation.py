@@ -194,23 +194,6 @@ def test_log_and_run_tasks(ring):
     assert runs
 
 
-def test_every_thread_backend_gives_the_same(ring):
-    where = np.random.default_rng(3).uniform(-1, 1, (5000, 3))
-    wanted = ring.evaluate(where).value
-    backends = ["pool", "serial"] + (["openmp"] if "OPENMP" in hrbfnpr.build_info()["thread_backends"] else [])
-    for backend in backends:
-        context = hrbfnpr.Context(2, thread_backend=backend)
-        assert context.info.thread_backend == backend
-        model = hrbfnpr.Model.fit(*torus(), context=context)
-        np.testing.assert_array_equal(model.evaluate(where).value, wanted)
-    assert hrbfnpr.Context(2).info.thread_backend == "pool"
-    assert hrbfnpr.Context(2, run_tasks=lambda task, count: None).info.thread_backend == "run_tasks"
-    with pytest.raises(hrbfnpr.InvalidArgumentError, match="run_tasks is NULL"):
-        hrbfnpr.Context(2, thread_backend="run_tasks")
-    with pytest.raises(ValueError, match="thread_backend"):
-        hrbfnpr.Context(thread_backend="fibers")
-
-
 @pytest.mark.filterwarnings("ignore::pytest.PytestUnraisableExceptionWarning")
 def test_a_task_runner_that_fails_is_made_good(ring):
     failures = []

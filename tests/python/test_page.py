@@ -173,14 +173,6 @@ def test_paper_and_pens(points, tmp_path, capsys):
     assert "--page is of vectors" in capsys.readouterr().err
 
 
-def test_a_plate_of_vectors(points, tmp_path):
-    svg = tmp_path / "a.svg"
-    assert main(["draw", str(points), str(svg), "--style", "archaeological", "--scale-bar", "cm", "--size", "200"]) == 0
-    groups = groups_of(svg.read_bytes())
-    assert {"view", "profile", "section", "section hatching", "scale bar", "scale"} <= set(groups)
-    assert len(groups["section hatching"]) > 5 and re.fullmatch(r"[125]?0?\.?\d* cm", groups["scale"][1].text)
-
-
 def test_plotters(points, tmp_path, capsys):
     for name, begin in (("a.hpgl", "IN;\nSP1;"), ("a.plt", "IN;\nSP1;"), ("a.gcode", "(ball.xyz)"), ("a.nc", "(ball.xyz)")):
         path = tmp_path / name
@@ -194,20 +186,6 @@ def test_plotters(points, tmp_path, capsys):
     up = ["--pen-up", "M5", "--pen-down", "M3 S90"]
     assert main(["draw", str(points), str(tmp_path / "b.gcode"), *up, *QUICK]) == 0
     assert "\nM5\n" in (tmp_path / "b.gcode").read_text() and "\nM3 S90\n" in (tmp_path / "b.gcode").read_text()
-
-
-def test_plot_order_travels_less(model):
-    drawing = drawn(model, "etching", 400)
-    as_drawn, sorted_lines = io.BytesIO(), io.BytesIO()
-    assert drawing.save(as_drawn, "svg").travelled == 0
-    info = drawing.save(sorted_lines, "svg", plot_order=True)
-    assert info.drawn > info.travelled > 0 and info.seconds > info.drawn / 30
-    names = [set(groups_of(file.getvalue())) for file in (as_drawn, sorted_lines)]
-    assert names[0] == names[1]
-    with pytest.raises(hrbfnpr.InvalidArgumentError, match="PUBLISHED"):
-        style = hrbfnpr.Style("stipple", visibility="published")
-        marks = hrbfnpr.PointSet.generate(model, [hrbfnpr.Layer("stipples", budget=500)])
-        hrbfnpr.Renderer().draw((marks, style), hrbfnpr.Camera.fit(model, (0, 0, -1))).save(io.BytesIO(), "hpgl")
 
 
 # Where Debian's w3c-sgml-lib has it.

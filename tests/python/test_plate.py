@@ -2,7 +2,6 @@
 """What the command line puts beside a drawing: a section and a scale bar."""
 import numpy as np
 import pytest
-from conftest import torus
 
 from hrbfnpr.cli import main
 
@@ -47,34 +46,3 @@ def test_plates_are_asked_for(ball, tmp_path):
     assert Image.open(output).size == (240, 284)
     assert main(["draw", str(ball), str(output), "--style", "hatch", *QUICK]) == 0
     assert Image.open(output).size == (240, 240)
-
-
-@pytest.mark.parametrize("size", [64, 240, 700, 1600])
-def test_what_is_written_below_the_bar_is_whole(ball, tmp_path, size):
-    output = tmp_path / "bar.png"
-    options = ["--style", "silhouette", "--scale-bar", "mm", *QUICK, "--size", str(size)]
-    assert main(["draw", str(ball), str(output), *options]) == 0
-    rows = (np.asarray(Image.open(output).convert("L"))[size:] < 128).any(axis=1)
-    assert not rows[-2:].any()
-    written = np.flatnonzero(rows)
-    pen = max(1.0, size / 800)
-    assert written[-1] - written[0] > 18 * pen  # the bar and figures of 16 pens
-
-
-def test_outlines_of_sections_have_no_gaps(tmp_path):
-    path, output = tmp_path / "ring.xyz", tmp_path / "ring.png"
-    np.savetxt(path, np.hstack(torus(36, 16)))
-    options = ["--style", "archaeological", "--scale-bar", "none", "--up", "z", "--elevation", "50", "--azimuth", "0"]
-    assert main(["draw", str(path), str(output), *QUICK, *options, "--size", "400"]) == 0
-    dark = np.asarray(Image.open(output).convert("L"))[:, 410:] < 128
-    y, x = np.nonzero(dark)
-    for half in (x < x.mean(), x > x.mean()):  # a circle each
-        places = np.column_stack([x[half], y[half]])
-        middle = (places.min(axis=0) + places.max(axis=0)) / 2
-        away = places - middle
-        distance = np.hypot(*away.T)
-        rim = away[distance > 0.9 * distance.max()]
-        angles = np.degrees(np.arctan2(rim[:, 1], rim[:, 0])).round().astype(int) % 360
-        counts = np.bincount(angles, minlength=360)
-        around = np.convolve(np.concatenate([counts, counts[:2]]), np.ones(3), "valid")
-        assert around.min() > 0.5 * np.median(around), around

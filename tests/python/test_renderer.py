@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: MIT
 """Renderers and what drawings give: pixels, outputs, vertices."""
 import io
-import threading
 
 import numpy as np
 import pytest
@@ -246,24 +245,6 @@ def test_vertices(renderer, marks, camera, visibility):
         drawing.vertices("points", ())
     with pytest.raises(ValueError, match="primitive"):
         drawing.vertices("lines")
-
-
-def test_threads_take_turns(renderer, marks, camera):
-    inks = ["#ff0000", "#00ff00", "#0000ff", "#000000"]
-    wanted = [renderer.draw((marks, STYLE.copy(ink=ink)), camera).image() for ink in inks]
-    wrong = []
-
-    def work(i):
-        for _ in range(5):
-            if not np.array_equal(renderer.draw((marks, STYLE.copy(ink=inks[i])), camera).image(), wanted[i]):
-                wrong.append(i)
-
-    threads = [threading.Thread(target=work, args=(i,)) for i in range(4)]
-    for thread in threads:
-        thread.start()
-    for thread in threads:
-        thread.join()
-    assert not wrong
 
 
 def test_drawings_save_themselves(renderer, marks, camera, tmp_path):

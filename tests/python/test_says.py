@@ -9,10 +9,10 @@ import sys
 import numpy as np
 import pytest
 from conftest import PACKAGE, fibonacci_sphere, torus
-from looks import hangs, look, up_of
+from looks import look
 from test_input import ball, obj, table, tube
 from test_meshes import glb, gltf
-from test_shapes import CUBE, QUADS, stl, write
+from test_shapes import stl, write
 
 import hrbfnpr
 from hrbfnpr import shapes
@@ -28,17 +28,6 @@ def draw(path, output, *options):
 
 
 # --- parts -------------------------------------------------------------------------------------
-
-
-def test_parts_that_a_fit_may_join_are_warned_of(tmp_path, capsys):
-    vertices, faces = tube()
-    for gap, warned in ((0.01, True), (0.5, False)):
-        beside = [[i + len(vertices) for i in face] for face in faces]
-        path = write(tmp_path, "tubes.obj", obj(np.vstack([vertices, vertices + [2 + gap, 0, 0]]), faces + beside))
-        for edges in ("smooth", "30"):
-            assert draw(path, tmp_path / "tubes.png", "--tolerance", "0.05", "--edges", edges) == 0
-            said = "are nearer to each other than the tolerance" in capsys.readouterr().err
-            assert said == warned, edges
 
 
 def test_what_coarse_faces_are_taken_for(tmp_path, capsys):
@@ -63,104 +52,7 @@ def test_normals_that_are_turned_make_the_same_picture(tmp_path, capsys):
     assert capsys.readouterr().err.count("inward") == 1
 
 
-def knot(count=900):
-    """A tube about a trefoil: thin, and near to itself."""
-    t, a = 2 * np.pi * np.arange(count) / count, np.pi * (1 + 5**0.5) * np.arange(count)
-    centre = np.column_stack([np.sin(t) + 2 * np.sin(2 * t), np.cos(t) - 2 * np.cos(2 * t), -np.sin(3 * t)])
-    along = np.gradient(centre, axis=0)
-    across = np.cross(along, [0.3, 0.2, 1.0])
-    across /= np.linalg.norm(across, axis=1)[:, None]
-    other = np.cross(along, across)
-    other /= np.linalg.norm(other, axis=1)[:, None]
-    normals = np.cos(a)[:, None] * across + np.sin(a)[:, None] * other
-    return centre + 0.35 * normals, normals
-
-
-def plates(distance):
-    """Two sheets that look away from each other, and the rim between them."""
-    grid = np.stack(np.meshgrid(*2 * [np.linspace(-1, 1, 21)]), axis=-1).reshape(-1, 2)
-    up = np.column_stack([grid, np.full(len(grid), distance / 2)])
-    return np.vstack([up, up * [1, 1, -1]]), np.repeat([[0.0, 0, 1], [0, 0, -1]], len(grid), axis=0)
-
-
-@pytest.mark.parametrize("make", [lambda: ball(3.0), lambda: torus(24, 12), knot, lambda: plates(0.15)])
-def test_which_way_normals_look(make):
-    points, normals = make()
-    random = np.random.default_rng(5)
-    right = look(points, normals)
-    assert right.closed > 0.6 and not right.inward and not right.mixed
-    assert look(points, -normals).inward
-    for share in (0.05, 0.3):
-        wrong = random.random(len(points)) < share
-        found = look(points, np.where(wrong[:, None], -normals, normals))
-        assert found.mixed and not found.inward
-        assert found.flipped == pytest.approx(wrong.mean(), abs=0.1)
-
-
-def test_walls_that_are_too_thin_to_tell_are_left_alone():
-    points, normals = plates(0.05)  # half as far apart as the samples
-    for sign in (1, -1):
-        found = look(points, sign * normals)
-        assert not found.inward and not found.mixed
-
-
-def test_every_fourth_normal_turned_over_is_mixed():
-    points, normals = ball()
-    found = look(points, np.where(np.arange(200)[:, None] % 4 == 0, -normals, normals))
-    assert found.mixed and found.flipped == pytest.approx(0.25, abs=0.05)
-
-
-def test_half_of_a_closed_surface_turned_over_is_mixed():
-    points, normals = torus(30, 14)
-    normals = np.where(points[:, :1] > 0, normals, -normals)
-    assert look(points, normals).mixed
-
-
-def test_sheets_are_left_as_they_are():
-    grid = np.stack(np.meshgrid(*2 * [np.linspace(-1, 1, 25)]), axis=-1).reshape(-1, 2)
-    points = np.column_stack([grid, 0.2 * np.sin(3 * grid[:, 0])])
-    normals = np.column_stack([-0.6 * np.cos(3 * grid[:, 0]), 0 * grid[:, 0], np.ones(len(grid))])
-    normals /= np.linalg.norm(normals, axis=1)[:, None]
-    for sign in (1, -1):
-        found = look(points, sign * normals)
-        assert not found.inward and not found.mixed and abs(found.closed) < 0.25
-    # Of a scan from one side, a part of a ball, the sign can be told, but not for sure.
-    half = fibonacci_sphere(600)
-    half = half[half[:, 2] > 0]
-    found = look(half, -half)
-    assert not found.inward or found.closed < -0.5
-
-
-def test_uneven_points():
-    points = fibonacci_sphere(3000)
-    keep = np.random.default_rng(1).random(3000) < np.where(points[:, 2] > 0, 1.0, 0.05)
-    points = points[keep]
-    assert look(points, -points).inward and look(points, points).closed > 0.7
-
-
 # --- up ----------------------------------------------------------------------------------------
-
-
-def turned(shape):
-    """Up along z instead of y."""
-    turn = np.array([[1.0, 0, 0], [0, 0, -1], [0, 1, 0]])
-    normals = None if shape.normals is None else shape.normals @ turn.T
-    return shapes.Shape(shape.points @ turn.T, normals, shape.triangles)
-
-
-def goblet():
-    """A body of revolution about y with a foot and a lid."""
-    heights = np.array([0, 0, 0.05, 0.1, 0.7, 0.9, 1.4, 1.7, 2.2])
-    radii = np.array([0, 0.5, 0.5, 0.1, 0.1, 0.4, 0.6, 0.5, 0])
-    angle = 2 * np.pi * np.arange(32) / 32
-    rings = zip(heights, radii)
-    vertices = np.vstack([np.column_stack([r * np.cos(angle), 0 * angle + h, r * np.sin(angle)]) for h, r in rings])
-    faces = []
-    for ring in range(len(heights) - 1):
-        for i in range(32):
-            a, b = ring * 32 + i, ring * 32 + (i + 1) % 32
-            faces += [[a, a + 32, b + 32], [a, b + 32, b]]
-    return shapes.Shape(vertices, None, np.array(faces))
 
 
 def terrain(relief):
@@ -170,81 +62,6 @@ def terrain(relief):
     slope = relief * np.column_stack([np.cos(x) * np.cos(y), -0.8 * np.sin(x) * np.sin(y)])
     normals = np.column_stack([-slope, np.ones(len(grid))])
     return shapes.Shape(np.column_stack([grid[:, 0], grid[:, 1], heights + 1200]), normals)
-
-
-def test_up_by_the_shape():
-    away = shapes.Shape(goblet().points + 7, None, goblet().triangles)
-    for shape in (goblet(), away):
-        assert up_of(shape) == "y" and up_of(turned(shape)) == "z"
-    assert up_of(terrain(0.6)) == "z"
-    lying = terrain(0.6)  # with y up
-    assert up_of(shapes.Shape(lying.points[:, [0, 2, 1]], lying.normals[:, [0, 2, 1]])) == "y"
-    assert up_of(terrain(4.0)) == "y" and up_of(terrain(0.0)) == "y"  # a relief; a flat sheet
-    for points, normals in (ball(), torus(24, 12), knot()):
-        assert up_of(shapes.Shape(points, normals)) == "y"
-        assert up_of(shapes.Shape(points + 5, normals)) == "y"
-    for corner, up in (([0.5, 0.5, 0.5], "y"), ([0, 0, 0], "y"), ([0.5, 0.5, 0], "z"), ([0.5, 0, 0.5], "y")):
-        assert up_of(shapes.Shape(CUBE - corner, None, shapes._polygons.fans(QUADS))) == up  # all ends are flat
-
-
-def four_legs():
-    """A slab on four legs, which differ in length by a little."""
-    top = np.array([[x, y, 0.7 + z] for x in (0, 2) for y in (0, 1.2) for z in (0, 0.1)])
-    parts = [top] + [
-        np.array([[x + a, y + b, z] for a in (0, 0.1) for b in (0, 0.1) for z in (0.003 * i, 0.7)])
-        for i, (x, y) in enumerate(((0.1, 0.1), (1.8, 0.1), (0.1, 1.0), (1.8, 1.0)))
-    ]
-    quads = np.concatenate([np.asarray(QUADS) + 8 * i for i in range(5)])
-    return shapes.Shape(np.concatenate(parts) + [5, 7, 3], None, shapes._polygons.fans(quads.tolist()))
-
-
-def test_up_by_what_it_stands_on():
-    assert up_of(four_legs()) == "z"
-    for order in ([0, 2, 1], [2, 0, 1]):  # it lies along z, its feet along y and x
-        assert up_of(shapes.Shape(four_legs().points[:, order], None, four_legs().triangles[:, ::-1])) == "y"
-    hanging = shapes.Shape(four_legs().points * [1, -1, -1], None, four_legs().triangles)  # on its top, which is wider
-    assert up_of(hanging) == "z"
-
-
-def test_up_by_the_hole_it_stands_on():
-    table = four_legs()
-    table.points[:, 1] += 0.3 * (table.points[:, 0] - 5) * (table.points[:, 1] - 7)  # left and right are not alike
-    for axis, up in ((1, "y"), (0, "z")):  # open where y is least, or where x is
-        low = np.isclose(table.points[:, axis], table.points[:, axis].min())
-        closed = ~low[table.triangles].all(axis=1)
-        assert 0 < (~closed).sum() <= 2
-        assert up_of(shapes.Shape(table.points, None, table.triangles[closed])) == up
-
-
-def test_up_by_left_and_right():
-    points, normals = ball()
-    x, y, z = points.T
-    pear = np.column_stack([1.5 * x + 0.5 * z**2, y, z + 0.9 * x**2 + 0.4 * x])  # its sides are along y
-    assert up_of(shapes.Shape(pear, normals)) == "z"
-    assert up_of(shapes.Shape(pear[:, [0, 2, 1]], normals[:, [0, 2, 1]])) == "y"
-    upright = pear[:, [0, 2, 1]] - (pear.min(axis=0) + pear.max(axis=0))[[0, 2, 1]] / 2 + [0, 0, 1]
-    assert up_of(shapes.Shape(upright, normals[:, [0, 2, 1]])) == "y"  # though on z = 0, in the middle of x and y
-    leaf = pear * [1, 0.05, 1]
-    assert up_of(shapes.Shape(leaf, normals)) == "y"  # it lies
-
-
-def test_up_of_maps():
-    steep = terrain(4.0)
-    far = 5403000
-    for place, up in (([512000, far, 0], "z"), ([512000, 0, 0], "y"), ([512000, far, 400000], "y"), ([9000, 9000, 0], "y")):
-        assert up_of(shapes.Shape(steep.points + place, steep.normals)) == up
-
-
-def test_which_terrains_hang():
-    ground = terrain(0.6)
-    assert hangs(ground.points, ground.normals) is None
-    assert hangs(ground.points, -ground.normals) == "z"
-    lying = [0, 2, 1]
-    assert hangs(ground.points[:, lying], -ground.normals[:, lying]) == "y"
-    steep = terrain(4.0)
-    assert hangs(steep.points, -steep.normals) is None
-    for points, normals in (ball(), torus(24, 12), knot()):
-        assert hangs(points, -normals) is None
 
 
 def test_up_by_the_format(tmp_path, capsys):

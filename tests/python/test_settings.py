@@ -63,46 +63,10 @@ def test_a_picture_of_another_size_has_the_same_view(folder):
     assert np.abs(inked[0] - inked[1]).max() < 0.03
 
 
-def test_paint_changes_what_it_is_on(folder):
-    scene = put(folder, size=[200, 150], marks={"layers": [{"kind": "stipples", "budget": 8000}]})
-    bare = draw("a.png", *scene, "-q")
-    dab = {"map": "tone", "position": [1.0, 0.0, 0.4], "normal": [0, 0, 1], "radius": 0.6, "strength": 1.0}
-    scene = put(folder, size=[200, 150], marks={"layers": [{"kind": "stipples", "budget": 8000}]}, paint=[{**dab, "value": 0.0}])
-    dark = draw("b.png", *scene, "-q")
-    scene = put(folder, size=[200, 150], marks={"layers": [{"kind": "stipples", "budget": 8000}]}, paint=[{**dab, "value": 1.0}])
-    light = draw("c.png", *scene, "-q")
-    assert dark[..., 0].mean() < bare[..., 0].mean() < light[..., 0].mean()
-    scene = put(folder, size=[200, 150], marks={"layers": [{"kind": "stipples", "budget": 8000}]},
-                paint=[{**dab, "map": "density", "value": 0.0}])  # fmt: skip
-    assert not np.array_equal(draw("d.png", *scene, "-q"), bare)
-
-
-def test_paint_turns_hatching(folder):
-    layers = {"layers": [{"kind": "hatch", "budget": 0, "separation": 0.15}]}
-    dab = {"map": "direction", "position": [1.0, 0.0, 0.4], "normal": [0, 0, 1], "radius": 0.8, "strength": 1.0,
-           "direction": [1.0, 1.0, 0.0]}  # fmt: skip
-    bare = draw("a.png", *put(folder, size=[200, 150], preset="hatch", marks=layers), "-q")
-    combed = draw("b.png", *put(folder, size=[200, 150], preset="hatch", marks=layers, paint=[dab]), "-q")
-    assert not np.array_equal(bare, combed)
-
-
-DAB = {"map": "tone", "position": [0, 0, 0], "normal": [0, 0, 1], "radius": 1, "strength": 1, "value": 0}
 WRONG = [
     ({"styel": {}}, "styel: there is no such field; there are hrbfnpr-settings, preset"),
-    ({"preset": "hatched"}, 'preset: there is no style "hatched"; there are stipple'),
-    ({"size": [0, 5]}, "size: a pair of whole numbers"),
-    ({"pen": "thick"}, "pen: a number from 0 to 100 is needed"),
-    ({"style": {"radiuss": 1}}, "style.radiuss: there is no such field; there are tone, paper"),
-    ({"style": {"tone": "loud"}}, 'style.tone: one of none, light is needed, not "loud"'),
-    ({"style": {"paper": [1, 1, 1]}}, "style.paper: a list of 4 numbers is needed"),
     ({"style": {"layers": [{"kind": "hatch"}, {"radius": "wide"}]}}, "style.layers[1].radius: a number is needed"),
-    ({"marks": {"layers": [{"kind": "stipples", "budget": 1.5}]}}, "marks.layers[0].budget: a whole number is needed"),
-    ({"marks": {"box_resolution": -1}}, "marks.box_resolution: a number that fits"),
-    ({"camera": {"eye": [0, 0, 1]}}, "camera.target: it is missing, and needed"),
     ({"camera": {"view": [0] * 16, "projection": [0] * 16}}, "size: it is missing"),
-    ({"line_set": {"lines": [{"kind": "contour"}]}}, "line_set.lines[0].kind: one of ridge"),
-    ({"paint": [DAB, {**DAB, "radius": 0}]}, "paint[1].radius: a number above 0"),
-    ({"paint": [{**DAB, "map": "colour"}]}, "paint[0].map: one of tone, density, direction"),
 ]  # fmt: skip
 
 
@@ -115,10 +79,6 @@ def test_what_is_wrong_is_named(folder, capsys, settings, message):
 
 @pytest.mark.parametrize("text, message", [("{}", "these are no settings"), ("{", "this is no JSON"), ("[1]", "no settings"),
                                            ('{"hrbfnpr-settings": 2}', "version 1 is known here, not 2")])  # fmt: skip
-def test_other_files_are_no_settings(folder, capsys, text, message):
-    (folder / "s.json").write_text(text)
-    assert main(["draw", str(SAMPLES), "a.png", "--settings", "s.json"]) == 1
-    assert message in capsys.readouterr().err
 
 
 def test_what_is_not_held_is_said(folder, capsys):

@@ -86,13 +86,6 @@ def test_views_are_beside_each_other(ring_file, tmp_path):
     assert (inner[3] != inner[5]).any() and max(middle) < 255
 
 
-def test_the_same_bits_at_any_number_of_threads(ring_file, tmp_path):
-    options = ["sheet", ring_file, *QUICK, "--styles", "engraving,full"]
-    for threads in ("1", "3"):
-        assert main([*options, "-o", str(tmp_path / f"{threads}.png"), "--threads", threads]) == 0
-    assert (tmp_path / "1.png").read_bytes() == (tmp_path / "3.png").read_bytes()
-
-
 def test_marks_are_made_once_for_styles_with_the_same_layers(ring_file, tmp_path, monkeypatch):
     used, draw = [], Scene.draw
 

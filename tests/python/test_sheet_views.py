@@ -7,7 +7,6 @@ import pytest
 from conftest import fibonacci_sphere, torus
 
 from hrbfnpr.cli import main
-from hrbfnpr.cli._grammar import SHEET_VIEWS
 
 NUMBER = r"-?(?:\d+\.?\d*|\.\d+)"
 
@@ -76,17 +75,6 @@ def ring(tmp_path_factory):
 
 
 @pytest.fixture(scope="module")
-def cube(tmp_path_factory):
-    """Of side 10, as a mesh."""
-    corners = np.array([(x, y, z) for x in (0, 10) for y in (0, 10) for z in (0, 10)], dtype=float)
-    quads = ((0, 1, 3, 2), (4, 6, 7, 5), (0, 4, 5, 1), (2, 3, 7, 6), (0, 2, 6, 4), (1, 5, 7, 3))
-    path = tmp_path_factory.mktemp("views") / "cube.off"
-    faces = "\n".join(f"4 {a} {b} {c} {d}" for a, b, c, d in quads)
-    path.write_text("OFF\n8 6 0\n" + "\n".join("{} {} {}".format(*c) for c in corners) + "\n" + faces + "\n")
-    return path
-
-
-@pytest.fixture(scope="module")
 def bush(tmp_path_factory):
     """A mesh, turned about z: a flange 50 wide and 8 high, a shaft 30 wide, a bore of 16 and, above 22, of 22."""
     corners = [(8, 0), (25, 0), (25, 8), (15, 8), (15, 36), (11, 36), (11, 22), (8, 22)]
@@ -120,58 +108,6 @@ def test_sizes_are_those_of_the_scale(egg, tmp_path, scale, factor):
         assert high - low == pytest.approx(factor * np.array(size), abs=0.05 + 0.002 * factor * 40)
 
 
-def test_a_unit_may_be_another_than_a_millimetre(egg, tmp_path):
-    paths = drawn(egg, tmp_path, "--scale", "1:5", "--unit-mm", "10", "--views", "front")
-    low, high = box_of(paths, "outlines front")
-    assert high - low == pytest.approx((80, 48), abs=0.2)
-
-
-def test_the_page_has_its_size(egg, tmp_path):
-    drawn(egg, tmp_path, "--page", "a3")
-    head = (tmp_path / "sheet.svg").read_text()[:600]
-    assert 'width="420mm"' in head and 'height="297mm"' in head
-
-
-def test_views_are_aligned(egg, tmp_path):
-    paths = drawn(egg, tmp_path, "--views", "front,left,top,bottom,right,back", "--scale", "1:1", "--page", "a3")
-    middle = {name: sum(box_of(paths, f"outlines {name}")) / 2 for name in SHEET_VIEWS if name != "iso"}
-    for name in ("left", "right", "back"):
-        assert middle[name][1] == pytest.approx(middle["front"][1], abs=0.05)
-    for name in ("top", "bottom"):
-        assert middle[name][0] == pytest.approx(middle["front"][0], abs=0.05)
-
-
-@pytest.mark.parametrize("projection, side", [("first", 1), ("third", -1)])
-def test_first_and_third_angle(egg, tmp_path, projection, side):
-    paths = drawn(egg, tmp_path, "--views", "front,left,top", "--projection", projection, "--scale", "1:1")
-    front, left, top = (box_of(paths, f"outlines {name}") for name in ("front", "left", "top"))
-    assert side * (left[0][0] - front[0][0]) > 0  # the left view at the right, the top view below, or the other way
-    assert side * (top[0][1] - front[0][1]) > 0
-    cone, circles = [p for p in paths["projection"] if len(p) < 8], [p for p in paths["projection"] if len(p) > 8]
-    assert len(cone) == 1 and len(circles) == 2
-    assert side * (circles[0].mean(axis=0)[0] - cone[0].mean(axis=0)[0]) > 0
-    # The smaller end is at the left: seen from there, both circles are.
-    at_left = cone[0][cone[0][:, 0] < cone[0][:, 0].mean()]
-    assert np.ptp(at_left[:, 1]) < np.ptp(cone[0][:, 1])
-
-
-def test_views_look_the_right_way(tmp_path):
-    """A cone whose tip is at x = +: in the front view it points to the right, in the back view to the left."""
-    t, a = np.meshgrid(np.linspace(0, 1, 30), np.linspace(0, 2 * np.pi, 24, endpoint=False))
-    r = 5.0 * np.sqrt(1 - t**2) + 1e-3
-    points = np.stack((20 * t, r * np.cos(a), r * np.sin(a)), axis=-1).reshape(-1, 3)
-    normals = np.stack((t / 20, r * np.cos(a) / 25, r * np.sin(a) / 25), axis=-1).reshape(-1, 3)
-    tail = points * (-0.2, 1, 1), normals / (-0.2, 1, 1)
-    path = tmp_path / "drop.xyz"
-    np.savetxt(path, np.hstack((np.concatenate((points, tail[0])), np.concatenate((normals, tail[1])))))
-    paths = drawn(path, tmp_path, "--views", "front,back,top", "--scale", "1:1")
-    for name, sign in (("front", 1), ("back", -1), ("top", 1)):
-        points = np.concatenate(paths[f"outlines {name}"])
-        middle = sum(box_of(paths, f"outlines {name}")) / 2
-        thick = points[np.abs(points[:, 1] - middle[1]).argmax()]
-        assert sign * (middle[0] - thick[0]) > 3
-
-
 def test_hidden_edges_are_dashed_and_thin(ring, tmp_path):
     """The inner side of a torus is behind its outer side."""
     paths = drawn(ring, tmp_path, "--up", "z", "--views", "front,top", "--scale", "2:1")
@@ -187,12 +123,6 @@ def test_hidden_edges_are_dashed_and_thin(ring, tmp_path):
     whole = re.search(r'inkscape:label="outlines front"[^>]*>\s*<path[^>]*stroke-width="([\d.]+)"', text)
     widths = [float(found.group(1)) for found in (group, whole)] if group and whole else [0.25, 0.5]
     assert widths == [0.25, 0.5]
-
-
-def test_hidden_edges_as_asked(ring, tmp_path):
-    assert "hidden front" not in drawn(ring, tmp_path, "--up", "z", "--hidden", "none", "--views", "front")
-    shown = drawn(ring, tmp_path, "--up", "z", "--hidden", "shown", "--views", "front", "--scale", "2:1")
-    assert max(np.linalg.norm(np.diff(line, axis=0), axis=1).sum() for line in shown["hidden front"]) > 10
 
 
 def test_lines_behind_each_other_are_drawn_once(ring, tmp_path):
@@ -227,39 +157,6 @@ def test_a_section_is_hatched_inside_the_cut_alone(ring, tmp_path):
     assert {"cutting planes top", "cutting ends top"} <= set(paths)
 
 
-def test_what_is_before_the_plane_is_cut_away(egg, tmp_path):
-    paths = drawn(egg, tmp_path, "--views", "front", "--section", "x:10", "--scale", "1:1")
-    low, high = box_of(paths, "outlines A-A")
-    # Seen from the right, the larger half: its widest place is behind the cut, which is smaller by sqrt(3/4).
-    assert high - low == pytest.approx((16, 24), abs=0.2)
-    ends = np.concatenate(paths["hatching A-A"])
-    away = (ends - (low + high) / 2) / (8, 12)
-    assert np.linalg.norm(away, axis=1) == pytest.approx(np.sqrt(0.75), abs=0.02)
-    paths = drawn(egg, tmp_path, "--views", "front", "--section", "-x:10", "--scale", "1:1")
-    low, high = box_of(paths, "outlines A-A")
-    assert high - low == pytest.approx(np.sqrt(0.75) * np.array((16, 24)), abs=0.2)
-
-
-def test_oblique_sections_are_seen_as_they_are(egg, tmp_path):
-    paths = drawn(egg, tmp_path, "--views", "front,top", "--section", "1:0:1:0", "--scale", "1:1")
-    ends = np.concatenate(paths["hatching A-A"])
-    # x = -z: the half axis along (1, 0, -1) / sqrt(2) is that of 1 / 800 + 1 / 128.
-    width = 2 / np.sqrt(1 / 800 + 1 / 128)
-    assert np.ptp(ends[:, 0]) == pytest.approx(width, rel=0.1) and np.ptp(ends[:, 0]) < width + 0.1
-
-
-def test_edges_of_a_mesh_are_as_they_are(cube, tmp_path):
-    paths = drawn(cube, tmp_path, "--views", "front,iso", "--scale", "2:1")
-    low, high = box_of(paths, "outlines front")
-    assert high - low == pytest.approx((20, 20), abs=0.3)
-    # An isometric view has edges as long as the scale says [ISO 5456-3], and three hidden ones.
-    low, high = box_of(paths, "outlines iso")
-    assert high[1] - low[1] == pytest.approx(40, abs=0.5)
-    assert high[0] - low[0] == pytest.approx(40 * np.cos(np.pi / 6), abs=0.5)
-    hidden = np.concatenate(paths["hidden iso"])
-    assert np.linalg.norm(hidden - (low + high) / 2, axis=1).min() < 1.5  # they meet in the middle
-
-
 def test_holes_stay_empty(bush, tmp_path):
     cuts = ("--section", "y", "--section", "z:15")
     paths = drawn(bush, tmp_path, "--up", "z", "--views", "front", *cuts, "--scale", "1:1")
@@ -283,12 +180,6 @@ def test_centre_lines_are_of_symmetric_models(egg, tmp_path):
     low, high = box_of(paths, "centre lines front")
     assert high - low == pytest.approx((46, 30), abs=0.5)
     assert "centre lines front" not in drawn(egg, tmp_path, "--views", "front")
-
-
-def test_the_same_bytes_again(ring, tmp_path):
-    for name in ("a.svg", "b.svg"):
-        drawn(ring, tmp_path, "--section", "z", "--labels", name=name)
-    assert (tmp_path / "a.svg").read_bytes() == (tmp_path / "b.svg").read_bytes()
 
 
 def test_pdf(egg, tmp_path):
@@ -324,23 +215,6 @@ def test_what_cannot_be_drawn_is_said(egg, tmp_path, capsys, options, status, wo
 def test_pictures_are_refused(egg, tmp_path, capsys):
     assert main(["sheet-views", str(egg), str(tmp_path / "egg.png")]) == 1
     assert ".svg" in capsys.readouterr().err
-
-
-def test_flat_faces_of_solids_that_are_seen_edge_on_have_their_edges(tmp_path):
-    (tmp_path / "disc.csg").write_text("cylinder(0.5, 1) - cylinder(0.2, 3)\n")
-    sheet = tmp_path / "disc.svg"
-    options = ["--views", "left", "--section", "x", "--scale", "50:1"]
-    assert main(["sheet-views", str(tmp_path / "disc.csg"), str(sheet), *options]) == 0
-    paths = paths_of(sheet)
-    assert len(paths["hatching A-A"]) > 10
-    for view in ("left", "A-A"):
-        points = np.vstack(paths[f"outlines {view}"])
-        low, high = points.min(axis=0), points.max(axis=0)
-        assert high - low == pytest.approx((50, 50), abs=0.1)
-        for axis in (0, 1):  # outlines along each side
-            for end in (low, high):
-                on = points[np.abs(points[:, axis] - end[axis]) < 0.1]
-                assert np.ptp(on[:, 1 - axis]) == pytest.approx(50, abs=0.2)
 
 
 def test_solids_have_centre_lines(tmp_path):

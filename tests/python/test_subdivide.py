@@ -8,7 +8,6 @@ from test_shapes import write
 
 import hrbfnpr
 from hrbfnpr.cli import main
-from hrbfnpr.shapes import Shape
 
 
 def icosahedron():
@@ -38,12 +37,6 @@ def ball():
     return np.vstack([points, new / np.linalg.norm(new, axis=1, keepdims=True)]), np.array(quarters)
 
 
-def cube():
-    points = np.array([[x, y, z] for x in (0.0, 1.0) for y in (0.0, 1.0) for z in (0.0, 1.0)])
-    quads = [(0, 1, 3, 2), (4, 6, 7, 5), (0, 4, 5, 1), (2, 3, 7, 6), (0, 2, 6, 4), (1, 5, 7, 3)]
-    return Shape(points, None, np.array([f for a, b, c, d in quads for f in ((a, b, c), (a, c, d))]))
-
-
 @pytest.mark.parametrize(
     "options, divided", [([], 2), (["--subdivide", "1"], 1), (["--subdivide", "0"], 0), (["--edges", "10"], 0)]
 )
@@ -54,37 +47,6 @@ def test_the_command_divides_what_is_coarse_and_round(tmp_path, capsys, options,
     assert f"divided {divided} time" in said if divided else "divided" not in said
 
 
-def bevelled_cube():
-    """Of flat faces and round edges; all its faces but these are narrow."""
-    line = np.array([-0.5, -0.48, -0.45, 0.45, 0.48, 0.5])
-    side = len(line)
-    a, b = np.meshgrid(line, line, indexing="ij")
-    points, faces = [], []
-    for axis in range(3):
-        for end in (-0.5, 0.5):
-            first = len(points) * side**2
-            grid = np.full((side**2, 3), end)
-            grid[:, (axis + 1) % 3], grid[:, (axis + 2) % 3] = a.ravel(), b.ravel()
-            points.append(grid)
-            for k in (first + row * side + column for row in range(side - 1) for column in range(side - 1)):
-                two = [(k, k + side, k + side + 1), (k, k + side + 1, k + 1)]
-                faces += two if end > 0 else [face[::-1] for face in two]
-    grid = np.vstack(points)
-    inner = np.clip(grid, -0.45, 0.45)
-    out = (grid - inner) / np.linalg.norm(grid - inner, axis=1, keepdims=True)
-    return inner + 0.05 * out, np.array(faces)
-
-
-# Edges as long as its faces are no coarse ones: what is round there is narrow.
-def test_a_bevelled_cube_is_left(tmp_path, capsys):
-    points, faces = bevelled_cube()
-    path = write(tmp_path, "cube.obj", obj(points, faces))
-    assert main(["draw", str(path), str(tmp_path / "a.png"), "--size", "100", "--marks", "600"]) == 0
-    out, said = capsys.readouterr()
-    assert "divided" not in said and "warning" not in said
-    assert "the surface is whole" in out
-
-
 @pytest.mark.parametrize("hull", (rounded_box, hull_in_a_box))
 def test_a_convex_hull_is_flat(hull, tmp_path, capsys):
     path = write(tmp_path, "hull.obj", obj(*hull()))
@@ -93,33 +55,6 @@ def test_a_convex_hull_is_flat(hull, tmp_path, capsys):
     assert "divided" not in said and "warning: the surface is not within" not in said
     # Faces so coarse that they are seen to be flat are not divided for a try.
     assert ("nothing round goes through them" in said) == (hull is rounded_box)
-
-
-def round_ball(rounds):
-    """Each face of a ball divided into four, its new corners on the sphere."""
-    points, faces = ball()
-    for _ in range(rounds):
-        ends = np.sort(np.concatenate([faces[:, [0, 1]], faces[:, [1, 2]], faces[:, [2, 0]]]), axis=1)
-        edges, number = np.unique(ends, axis=0, return_inverse=True)
-        ab, bc, ca = len(points) + number.reshape(3, -1)
-        a, b, c = faces.T
-        middle = points[edges].sum(axis=1)
-        points = np.vstack([points, middle / np.linalg.norm(middle, axis=1)[:, None]])
-        faces = np.vstack([np.column_stack(part) for part in ((a, ab, ca), (b, bc, ab), (c, ca, bc), (ab, bc, ca))])
-    return points, faces
-
-
-def test_edges_that_stand_out_fine_faces_and_noise_are_left(tmp_path, capsys):
-    box = cube()
-    path = write(tmp_path, "box.obj", obj(box.points, box.triangles))
-    assert main(["draw", str(path), str(tmp_path / "a.png"), "--size", "100", "--marks", "600"]) == 0
-    path = write(tmp_path, "fine.obj", obj(*round_ball(2)))
-    assert main(["draw", str(path), str(tmp_path / "b.png"), "--size", "100", "--marks", "600"]) == 0
-    points, faces = round_ball(3)
-    noise = 1 + 0.02 * np.random.default_rng(1).normal(size=(len(points), 1))
-    path = write(tmp_path, "noise.obj", obj(points * noise, faces))
-    assert main(["draw", str(path), str(tmp_path / "c.png"), "--size", "100", "--marks", "600"]) == 0
-    assert "divided" not in capsys.readouterr().err
 
 
 def test_what_the_look_for_edges_finds_is_not_told(tmp_path, capsys):

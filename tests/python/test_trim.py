@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: MIT
 """Surfaces that end where their samples do."""
 import math
-import pickle
 
 import pytest
 
@@ -27,21 +26,6 @@ def heights(marks):
     return [(row[0] + x + row[2] + z) / math.sqrt(2) for row in marks.layers[0].positions.tolist()]
 
 
-def test_an_open_scan_ends_where_its_samples_do():
-    cap = zone(0.0, 1.0)
-    model = hrbfnpr.Model.fit(cap, cap, trim="never")
-    assert model.trim_info.samples == 0
-    trimmed = model.trim()
-    info = trimmed.trim_info
-    assert info.is_trimmed and info.samples == len(cap) and info.parts == 1 and 0 < info.share < 0.9
-    assert trimmed.info.centres == len(cap)
-    lowest = min(heights(trimmed.generate(budget=2000)))
-    assert -info.spacing < lowest < 0
-    assert min(heights(model.generate(budget=2000))) < 1.5 * lowest
-    assert hrbfnpr.LineSet(trimmed).info.borders == 1
-    assert pickle.loads(pickle.dumps(trimmed)).trim_info == info
-
-
 def test_a_fit_ends_where_its_samples_do():
     cap = zone(0.0, 1.0)
     model = hrbfnpr.Model.fit(cap, cap)
@@ -53,16 +37,6 @@ def test_a_fit_ends_where_its_samples_do():
     assert not info.is_trimmed and info.samples == WHOLE
     with pytest.raises(ValueError, match="'never', 'auto'"):
         hrbfnpr.Model.fit(cap, cap, trim="often")
-
-
-def test_a_fit_of_an_open_mesh_ends_where_that_does():
-    n = 12
-    grid = [(x / n, y / n, 0.2 * math.sin(3 * x / n)) for y in range(n) for x in range(n)]
-    cells = [n * y + x for y in range(n - 1) for x in range(n - 1)]
-    triangles = [t for i in cells for t in ((i, i + 1, i + n + 1), (i, i + n + 1, i + n))]
-    mesh = hrbfnpr.Mesh(grid, triangles)
-    assert hrbfnpr.Model.fit_mesh(mesh, tolerance=0.01).trim_info.is_trimmed
-    assert not hrbfnpr.Model.fit_mesh(mesh, tolerance=0.01, trim="never").trim_info.is_trimmed
 
 
 def test_a_smooth_open_mesh_ends_straight_along_its_border():
@@ -104,14 +78,6 @@ def test_a_function_is_trimmed_too():
     assert info.is_trimmed and info.parts == 1
     with pytest.raises(hrbfnpr.InvalidArgumentError, match="trim_desc.points is empty"):
         model.trim()
-
-
-@pytest.mark.parametrize("wrong", ({"limit": 0}, {"hole": -1}, {"closest": 2}, {"points": [(0, 0, math.nan)]}))
-def test_wrong_arguments_are_named(wrong):
-    cap = zone(0.5)
-    model = hrbfnpr.Model.fit(cap, cap)
-    with pytest.raises(hrbfnpr.InvalidArgumentError, match=f"trim_desc.{next(iter(wrong))}"):
-        model.trim(**wrong)
 
 
 def test_coarse_round_walls_have_no_holes():
