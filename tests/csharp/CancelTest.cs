@@ -103,18 +103,6 @@ namespace HrbfNpr.Tests
         }
 
         [Fact]
-        public void CancellingAfterwardsDoesNothing()
-        {
-            using (var source = new CancellationTokenSource())
-            using (Model model = Model.Fit(
-                (ArrayView)Shapes.Sphere6, (ArrayView)Shapes.Sphere6, cancellationToken: source.Token))
-            {
-                source.Cancel();
-                Assert.Equal(6L, model.Info.Samples);
-            }
-        }
-
-        [Fact]
         public void AReportThatThrowsCancels()
         {
             var own = new InvalidOperationException("enough");

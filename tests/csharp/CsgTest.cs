@@ -106,24 +106,6 @@ namespace HrbfNpr.Tests
         }
 
         [Fact]
-        public void WhatEitherFunctionThrowsComesOut()
-        {
-            ImplicitFunction failing = (points, value, gradient, hessian) => throw new DivideByZeroException();
-            using (Model a = Model.FromFunction(failing, (-1, -1, -1), (1, 1, 1)))
-            using (Model b = Model.FromFunction(failing, (-1, -1, -1), (1, 1, 1)))
-            using (Model ball = Csg.Sphere(1))
-            using (Model one = ball | b)
-            using (Model both = a | b)
-            {
-                foreach (Model model in new[] { one, both })
-                {
-                    var thrown = Assert.Throws<CallbackException>(() => model.Evaluate(new double[] { 0, 0, 0 }));
-                    Assert.IsType<DivideByZeroException>(thrown.InnerException);
-                }
-            }
-        }
-
-        [Fact]
         public void WhatMakesNoSenseIsRefused()
         {
             using (Model a = Csg.Sphere(1))

@@ -32,38 +32,6 @@ namespace HrbfNpr.Tests
         }
 
         [Fact]
-        public void OwnStrokesAreDrawn()
-        {
-            Style lines = Lines();
-            using (Drawing drawing = renderer.Draw(new Item(rings, lines), camera))
-            {
-                DrawingInfo info = drawing.Info;
-                Assert.True(info.Strokes > 0 && info.StrokePoints > 40);
-                Assert.Equal(0L, info.Dots);
-                Assert.Equal(1, drawing.Layers.Count);
-                DrawingLayerInfo layer = drawing.Layers[0];
-                Assert.Equal(LayerKind.Own, layer.Kind);
-                Assert.Equal("rings", layer.Name);
-                Assert.Equal(Shape.Strokes, layer.Shape);
-                Assert.Equal(MarkClass.Front, layer.MarkClass);
-                Assert.Equal(new Color(0, 0, 1), layer.Ink);
-                Assert.Equal(1L, layer.Layer);
-                Assert.Equal(0L, layer.Item);
-                Assert.Equal(info.Strokes, layer.Strokes);
-                byte[] pixels = drawing.Rasterize();
-                int blue = 0;
-                for (int i = 0; i < pixels.Length; i += 4)
-                {
-                    blue += pixels[i] < 100 && pixels[i + 2] == 255 ? 1 : 0;
-                }
-                Assert.True(blue > 50);
-            }
-            // A style by name: the layer that is called otherwise is drawn as all others are.
-            lines.Layers[0].Name = "other";
-            Assert.Equal(0L, Shapes.Count(renderer, camera, new Item(rings, lines)).Strokes);
-        }
-
-        [Fact]
         public void StripsOfLinesAndTriangles()
         {
             using (Drawing drawing = renderer.Draw(new Item(rings, Lines()), camera))
@@ -199,44 +167,6 @@ namespace HrbfNpr.Tests
             Assert.Equal(still, Shapes.Draw(renderer, item, camera));
         }
 
-        [Fact]
-        public void ADrawingIsReadOnManyThreads()
-        {
-            using (Drawing drawing = renderer.Draw(new Item(rings, style), camera))
-            using (Drawing other = renderer.Draw(new Item(marks, style), camera)) // the first one stays as it is
-            {
-                byte[] expected = drawing.Rasterize();
-                VertexLayout layout = new VertexLayout().Add(VertexAttribute.Window);
-                byte[] vertices = drawing.Vertices(layout).Data;
-                float[] opacity = drawing.MarkResults(0, rings.Layers[1]).Opacity;
-                var same = new bool[8];
-                Parallel.For(0, same.Length, index =>
-                {
-                    same[index] = drawing.Rasterize().SequenceEqual(expected)
-                        && drawing.Vertices(layout).Data.SequenceEqual(vertices)
-                        && drawing.MarkResults(0, rings.Layers[1]).Opacity.SequenceEqual(opacity);
-                });
-                Assert.True(same.All(one => one));
-                Assert.NotEqual(expected, other.Rasterize());
-            }
-        }
-
-        [Fact]
-        public void AWarmLoopNeedsNoMoreNativeMemory()
-        {
-            using (var context = new Context(new ContextOptions { ThreadCount = 1 }))
-            using (PointSet set = Shapes.Stipple(model, 500, context))
-            using (var own = new Renderer(context))
-            {
-                var item = new Item(set, style);
-                Loop(own, item, 20);
-                ContextInfo before = context.Info;
-                Loop(own, item, 200);
-                Assert.Equal(before.BytesNow, context.Info.BytesNow);
-                Assert.Equal(before.BytesPeak, context.Info.BytesPeak);
-            }
-        }
-
         private static int Different(byte[] left, byte[] right)
         {
             return left.Where((value, index) => value != right[index]).Count();
@@ -266,18 +196,6 @@ namespace HrbfNpr.Tests
             });
             lines.Layers.Add(new LayerStyle { Shown = false, Contours = false });
             return lines;
-        }
-
-        private void Loop(Renderer own, Item item, int times)
-        {
-            var pixels = new byte[4 * 4096];
-            for (int i = 0; i < times; ++i)
-            {
-                using (Drawing drawing = own.Draw(item, camera))
-                {
-                    drawing.Rasterize(pixels, 64, 64);
-                }
-            }
         }
     }
 }

@@ -48,24 +48,6 @@ namespace HrbfNpr.Tests
         }
 
         [Fact]
-        public void TheSurfaceEndsWhereItsSamplesDo()
-        {
-            var cap = new double[] { 0, 0, 1, 0.3, 0, 0.95, -0.3, 0, 0.95, 0, 0.3, 0.95, 0, -0.3, 0.95 };
-            var options = new LineSetOptions { Support = 3, SupportPoints = cap, SupportNormals = cap };
-            using (LineSet all = model.LineSet(new LineSetOptions { Support = 100 }))
-            using (LineSet some = model.LineSet(options))
-            {
-                Assert.Equal(0.0, all.Info.LeftOut);
-                Assert.Equal(0L, all.Info.Borders);
-                Assert.InRange(some.Info.LeftOut, 0.5, 0.99);
-                Assert.Equal(1L, some.Info.Borders);
-                Assert.True(some.Info.Triangles < all.Info.Triangles);
-            }
-            options.Support = -1;
-            Assert.Throws<InvalidArgumentException>(() => model.LineSet(options));
-        }
-
-        [Fact]
         public void AModelCanBeTrimmed()
         {
             Assert.False(model.TrimInfo.IsTrimmed);
@@ -122,27 +104,6 @@ namespace HrbfNpr.Tests
         }
 
         [Fact]
-        public void HiddenPartsAreDashed()
-        {
-            var strokes = new Dictionary<HiddenParts, long>();
-            foreach (HiddenParts hidden in Enum.GetValues(typeof(HiddenParts)))
-            {
-                silhouette.Lines[0].Hidden = hidden;
-                DrawingInfo info = Shapes.Count(renderer, camera, With(silhouette), With(silhouette, 0.5, -3));
-                strokes[hidden] = info.Strokes;
-                Assert.True(info.LineCrossings >= 2);
-            }
-            Assert.True(strokes[HiddenParts.Dashed] > strokes[HiddenParts.None] + 2);
-            Assert.True(strokes[HiddenParts.Attenuated] > strokes[HiddenParts.None]);
-            Assert.True(strokes[HiddenParts.Shown] >= strokes[HiddenParts.None]);
-            Style xray = Style.Preset(Preset.Xray);
-            long dashed = Shapes.Count(renderer, camera, With(xray), With(xray, 0.5, -3)).Strokes;
-            xray.Lines[0].Dash = 2;
-            xray.Lines[0].Gap = 2;
-            Assert.True(Shapes.Count(renderer, camera, With(xray), With(xray, 0.5, -3)).Strokes > dashed);
-        }
-
-        [Fact]
         public void LinesThatAreFoundOnce()
         {
             float[] path = { 0, 0, 1, 0.2f, 0, 1, 0.4f, 0, 0.95f, 0, 0.5f, 0.85f, 0.1f, 0.5f, 0.85f };
@@ -195,74 +156,9 @@ namespace HrbfNpr.Tests
         }
 
         [Fact]
-        public void ThePresetsHaveLinesThatCanBeChanged()
-        {
-            Assert.Empty(Style.Preset(Preset.Stipple).Lines);
-            Assert.Equal(2, Style.Preset(Preset.Full).Lines.Count);
-            Assert.Equal(3, Style.Preset(Preset.Sketch).Lines.Count);
-            Assert.Equal(4, Style.Preset(Preset.Blueprint).Lines.Count);
-            Assert.Equal("crease", Style.Preset(Preset.Blueprint).Lines[2].Name);
-            Assert.Equal(LineKind.Crease, Style.Preset(Preset.Blueprint).Lines[3].Kind);
-            Assert.Equal(Creases.All, silhouette.Lines[1].Creases);
-            Assert.Equal(HiddenParts.Attenuated, silhouette.Lines[0].Hidden);
-            Assert.Equal(HiddenParts.Dashed, Style.Preset(Preset.Xray).Lines[0].Hidden);
-            silhouette.Lines[0].Width = 5;
-            silhouette.Lines[0].Cap = Cap.Pointed;
-            silhouette.Ink = new Color(1, 0, 0);
-            Style copy = silhouette.Clone();
-            copy.Lines[0].Width = 1;
-            Assert.Equal(5f, silhouette.Lines[0].Width);
-            Assert.Equal(Cap.Pointed, copy.Lines[0].Cap);
-            Assert.Equal(2.2f, Style.Preset(Preset.Silhouette).Lines[0].Width); // another one
-            using (Drawing thick = renderer.Draw(With(silhouette), camera))
-            using (Drawing thin = renderer.Draw(With(copy), camera))
-            {
-                Assert.Equal(new Color(1, 0, 0), OfLines(thick).Ink);
-                Assert.True(Ink(thick) > 3 * Ink(thin));
-            }
-            silhouette.Lines.Clear();
-            Assert.Equal(0L, Shapes.Count(renderer, camera, With(silhouette)).LineCurves);
-        }
-
-        [Fact]
-        public void LawsOfTheWidth()
-        {
-            silhouette.Lines[0].OutlineFactor = 1;
-            long plain = InkOf(silhouette);
-            foreach (Action<LineStyle> law in new Action<LineStyle>[]
-            {
-                style => style.OutlineFactor = 3,
-                style => style.LitFactor = 3,
-                style => { style.CurvatureFactor = 3; style.CurvatureRadius = 2; },
-            })
-            {
-                Style changed = silhouette.Clone();
-                law(changed.Lines[0]);
-                Assert.True(InkOf(changed) > plain);
-            }
-            silhouette.Lines[0].Wobble = 1;
-            silhouette.Lines[0].WobbleWidth = 0.5f;
-            silhouette.Lines[0].WobbleLength = 10;
-            long wobbling = InkOf(silhouette);
-            Assert.NotEqual(plain, wobbling);
-            silhouette.Lines[0].WobbleSeed = 7;
-            Assert.NotEqual(wobbling, InkOf(silhouette));
-            silhouette.Lines[0].FarFactor = -1;
-            Assert.Contains("far_factor", Assert.Throws<InvalidArgumentException>(() => InkOf(silhouette)).Message);
-        }
-
-        [Fact]
         public void DefaultsAreThoseOfTheLibrary()
         {
             var style = new LineStyle();
-            Assert.Equal(LineKind.Contour, style.Kind);
-            Assert.Equal(HiddenParts.None, style.Hidden);
-            Assert.Equal(Cap.Round, style.Cap);
-            Assert.True(style.Name == null && style.Levels == null && style.Lower == 0 && style.Upper == 0);
-            Assert.True(style.Width == 2 && style.Taper == 12 && style.HiddenWidth == 1.2f);
-            Assert.True(style.HiddenOpacity == 0.35f && style.Dash == 5 && style.Gap == 3);
-            Assert.True(style.Shortest == 2 && style.Fade == 1);
-            Assert.Equal(new Color(0, 0, 0), style.Ink);
             Assert.Equal(0, new Style().Lines.Count);
             style.Levels = new[] { 0.5 };
             style.Clone().Levels[0] = 0.7;
@@ -292,24 +188,12 @@ namespace HrbfNpr.Tests
         {
             Assert.Contains("lines[1].kind", Refused(new LineOptions(), new LineOptions(LineKind.Contour)));
             Assert.Contains("lines[0].kind", Refused(new LineOptions((LineKind)99)));
-            Assert.Contains("lines[0].upper", Refused(new LineOptions { Lower = 2, Upper = 1 }));
-            Assert.Contains("lines[0].shortest", Refused(new LineOptions { Shortest = -1 }));
-            Assert.Contains("lines[0].plane", Refused(LineOptions.Section((0, 0, 0), 1)));
-            Assert.Contains("lines[0].levels", Refused(LineOptions.Section((0, 0, 1))));
             Assert.Contains("lines[0].name", Refused(new LineOptions { Name = new string('x', 64) }));
             Assert.Contains("line_first", Refused(LineOptions.Own(new double[6], new uint[] { 0, 3 })));
             Assert.Contains("Positions", Refused(LineOptions.Own(new double[7], new uint[] { 0, 2 })));
-            Assert.Contains("cell_size", Assert.Throws<InvalidArgumentException>(
-                () => model.LineSet(new LineSetOptions { CellSize = -1 })).Message);
-            Assert.Contains("seed_points", Assert.Throws<InvalidArgumentException>(
-                () => model.LineSet(new LineSetOptions { SeedPoints = new[] { 0, double.NaN, 0 } })).Message);
             Assert.Throws<ArgumentNullException>(() => model.LineSet(new LineSetOptions { Lines = { null } }));
 
             Assert.Contains("lines[0].kind", Refused(Drawn(line => line.Kind = (LineKind)99)));
-            Assert.Contains("lines[0].kind", Refused(Drawn(line => line.Kind = 0)));
-            Assert.Contains("lines[0].width", Refused(Drawn(line => line.Width = 0)));
-            Assert.Contains("lines[0].hidden", Refused(Drawn(line => line.Hidden = (HiddenParts)4)));
-            Assert.Contains("lines[0].levels", Refused(Drawn(line => line.Kind = LineKind.Isophote)));
             Assert.Contains("levels[1]", Refused(Drawn(line =>
             {
                 line.Kind = LineKind.Isophote;
@@ -343,75 +227,9 @@ namespace HrbfNpr.Tests
                 () => renderer.Draw(new Item(marks, silhouette) { LineSet = kept }, camera));
         }
 
-        [Fact]
-        public void ProgressAndCancelling()
-        {
-            var reports = new Reports();
-            model.LineSet(null, null, reports).Dispose();
-            Assert.True(reports.Seen.Count > 1);
-            Assert.Equal(reports.Seen.OrderBy(at => at).ToArray(), reports.Seen.ToArray());
-            using (var source = new CancellationTokenSource())
-            {
-                CancelledException thrown = Assert.Throws<CancelledException>(
-                    () => model.LineSet(null, null, new Reports(at => source.Cancel()), source.Token));
-                Assert.Equal(source.Token, thrown.CancellationToken);
-            }
-            var own = new InvalidOperationException("enough");
-            Assert.Same(own, Assert.Throws<CallbackException>(
-                () => model.LineSet(null, null, new Reports(at => { throw own; }))).InnerException);
-        }
-
-        [Fact]
-        public void AFunctionsLinesAndWhatItThrows()
-        {
-            Exception own = null;
-            ImplicitFunction function = (points, value, gradient, hessian) =>
-            {
-                if (own != null)
-                {
-                    throw own;
-                }
-                for (int i = 0; i < value.Length; ++i)
-                {
-                    value[i] = Shapes.Length(points, i) - 1;
-                }
-            };
-            var options = new LineSetOptions { CellSize = 0.25 };
-            using (Model ball = Model.FromFunction(function, (-1.3, -1.3, -1.3), (1.3, 1.3, 1.3)))
-            using (LineSet its = ball.LineSet(options))
-            {
-                var item = new Item(marks, silhouette) { LineSet = its };
-                Assert.True(Shapes.Count(renderer, camera, item).LineCurves > 0);
-                own = new InvalidOperationException("no more");
-                Assert.Same(own, Assert.Throws<CallbackException>(
-                    () => renderer.Draw(item, camera)).InnerException);
-                Assert.Same(own, Assert.Throws<CallbackException>(() => ball.LineSet(options)).InnerException);
-            }
-            using (Model nothing = Model.FromFunction(
-                (points, value, gradient, hessian) =>
-                {
-                    for (int i = 0; i < value.Length; ++i)
-                    {
-                        value[i] = 1;
-                    }
-                },
-                (0, 0, 0), (1, 1, 1)))
-            {
-                Assert.Throws<NotConvergedException>(() => nothing.LineSet());
-            }
-        }
-
         private static DrawingLayerInfo OfLines(Drawing drawing)
         {
             return drawing.Layers.Single(layer => layer.Layer == -1);
-        }
-
-        private long InkOf(Style style)
-        {
-            using (Drawing drawing = renderer.Draw(With(style), camera))
-            {
-                return Ink(drawing);
-            }
         }
 
         private static long Ink(Drawing drawing)

@@ -167,26 +167,7 @@ namespace HrbfNpr.Tests
                 Assert.InRange(info.Centres, 1L, 20L);
             }
             Refused(new FitOptions { PolynomialDegree = 7 }, "polynomial_degree");
-            Refused(new FitOptions { Regularization = -1 }, "regularization");
-            Refused(new FitOptions { Tolerance = -1 }, "tolerance");
-            Refused(new FitOptions { PreconditionerNeighbours = 99 }, "preconditioner_neighbours");
-            Refused(new FitOptions { Kernel = (Kernel)77 }, "kernel");
             Refused(new FitOptions { FlippedNormals = (Repair)77 }, "flipped_normals");
-        }
-
-        [Fact]
-        public void OutliersAreDroppedOnRequest()
-        {
-            double[] points = Shapes.Sphere(200), normals = Shapes.Sphere(200);
-            points[0] *= 3;
-            points[1] *= 3;
-            points[2] *= 3;
-            var options = new FitOptions { Outliers = Repair.Drop };
-            using (Model model = Model.Fit((ArrayView)points, (ArrayView)normals, options))
-            {
-                Assert.Equal(1L, model.Info.OutliersDropped);
-                Assert.Equal(199L, model.Info.Centres);
-            }
         }
 
         [Fact]

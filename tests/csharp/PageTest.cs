@@ -47,13 +47,6 @@ namespace HrbfNpr.Tests
         }
 
         [Fact]
-        public void EveryFormatHasItsHeader()
-        {
-            Assert.True(Text(new PageOptions { Format = PageFormat.Pdf }).StartsWith("%PDF-1.5", StringComparison.Ordinal));
-            Assert.True(Text(new PageOptions()).StartsWith("<?xml", StringComparison.Ordinal));
-        }
-
-        [Fact]
         public void PensAndAnnotations()
         {
             var options = new PageOptions
@@ -121,42 +114,9 @@ namespace HrbfNpr.Tests
         }
 
         [Fact]
-        public void CallsCanBeCancelled()
-        {
-            using (var source = new CancellationTokenSource())
-            {
-                source.Cancel();
-                Assert.Throws<CancelledException>(() => Page.Write(
-                    new MemoryStream(), new[] { new PageItem(drawing) }, null, null, source.Token));
-            }
-            using (var source = new CancellationTokenSource())
-            {
-                var reports = new Reports(at => source.Cancel());
-                Assert.Throws<CancelledException>(() => Page.Write(
-                    new MemoryStream(), new[] { new PageItem(drawing) }, null, reports, source.Token));
-                Assert.True(reports.Seen.Count > 0);
-            }
-        }
-
-        [Fact]
-        public void WhatThrowsComesOut()
-        {
-            StreamException failed = Assert.Throws<StreamException>(() => drawing.Save(new Full()));
-            Assert.IsType<NotSupportedException>(failed.InnerException);
-            var own = new InvalidOperationException("my own");
-            CallbackException thrown = Assert.Throws<CallbackException>(() => Page.Write(
-                new MemoryStream(), new[] { new PageItem(drawing) }, null, new Reports(at => { throw own; })));
-            Assert.Same(own, thrown.InnerException);
-        }
-
-        [Fact]
         public void BadArgumentsAreNamed()
         {
             Named("tolerance", new PageOptions { Tolerance = 0 });
-            Named("width_step", new PageOptions { WidthStep = 1 });
-            Named("draw_speed", new PageOptions { DrawSpeed = 0 });
-            Named("line_type", new PageOptions { Pens = { new Pen { LineType = (LineType)16 } } });
-            Named("number", new PageOptions { Pens = { new Pen { Number = -1 } } });
             Named("group", new PageOptions { Annotations = { new Annotation(new double[4]) { Group = "" } } });
             Assert.Throws<ArgumentNullException>(() => new PageItem(null));
             Assert.Throws<ArgumentNullException>(() => drawing.Save(null));
@@ -180,14 +140,6 @@ namespace HrbfNpr.Tests
             InvalidArgumentException wrong =
                 Assert.Throws<InvalidArgumentException>(() => drawing.Save(new MemoryStream(), options));
             Assert.Contains(name, wrong.Message);
-        }
-
-        private sealed class Full : MemoryStream
-        {
-            public override void Write(byte[] buffer, int offset, int count)
-            {
-                throw new NotSupportedException();
-            }
         }
     }
 }

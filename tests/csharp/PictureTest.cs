@@ -69,43 +69,6 @@ namespace HrbfNpr.Tests
         }
 
         [Fact]
-        public void NumbersOfAnyKindAndMemoryOfAnySort()
-        {
-            byte[] expected = picture.Rasterize();
-            Assert.Equal(expected, Draw(PictureSource.FromPoints((ArrayView)points, (ArrayView)normals)));
-            var strided = new double[points.Length / 3 * 4];
-            for (int i = 0; i < points.Length; ++i)
-            {
-                strided[i / 3 * 4 + i % 3] = points[i];
-            }
-            GCHandle pin = GCHandle.Alloc(strided, GCHandleType.Pinned);
-            try
-            {
-                IntPtr last = pin.AddrOfPinnedObject() + 32 * (points.Length / 3 - 1);
-                ArrayView backwards = ArrayView.At(last, points.Length / 3, ScalarType.Float64, 3, -32);
-                ArrayView forwards = ArrayView.At(
-                    pin.AddrOfPinnedObject(), points.Length / 3, ScalarType.Float64, 3, 32);
-                Assert.Equal(expected, Draw(PictureSource.FromPoints(forwards, normals)));
-                var turned = new double[normals.Length];
-                for (int i = 0; i < normals.Length; ++i)
-                {
-                    turned[i] = normals[normals.Length - 3 - i / 3 * 3 + i % 3];
-                }
-                using (Picture other = Picture.Draw(PictureSource.FromPoints(backwards, turned), Small()))
-                {
-                    Assert.Equal(picture.Info.BoundsMax, other.Info.BoundsMax);
-                }
-            }
-            finally
-            {
-                pin.Free();
-            }
-            float[] single = Shapes.ToFloats(points), singleNormals = Shapes.ToFloats(normals);
-            byte[] drawn = Draw(PictureSource.FromPoints(single, singleNormals));
-            Assert.InRange(Dark(drawn), Dark(expected) * 9 / 10, Dark(expected) * 11 / 10);
-        }
-
-        [Fact]
         public void ModelsAndMarksAreSources()
         {
             using (Model model = Model.Fit((ArrayView)points, (ArrayView)normals))
@@ -242,40 +205,6 @@ namespace HrbfNpr.Tests
                 int before = happened.Count;
                 made.Draw(made.Orbit(30)).Dispose(); // later calls are told of, too
                 Assert.True(happened.Skip(before).All(one => one.Stage == Stage.Frame) && happened.Count > before);
-            }
-        }
-
-        [Fact]
-        public void WordsAreThoseOfTheCaller()
-        {
-            PictureOptions options = Small(Preset.Stipple);
-            options.Camera = Camera.FitBounds((5, 5, 5), (6, 6, 6), (0, 0, -1), (0, 1, 0), 64, 64);
-            PictureSource source = PictureSource.FromPoints(points, normals);
-            string text = Assert.Throws<InvalidArgumentException>(() => Picture.Draw(source, options)).Message;
-            Assert.Contains("leave out eye", text);
-            options.Wording = Wording.Options;
-            text = Assert.Throws<InvalidArgumentException>(() => Picture.Draw(source, options)).Message;
-            Assert.Contains("leave out --eye", text);
-        }
-
-        [Fact]
-        public void WhatCanHardlyBeSeenIsAnError()
-        {
-            PictureOptions options = Small();
-            options.Camera = Camera.FitBounds((5, 5, 5), (6, 6, 6), (0, 0, -1), (0, 1, 0), 64, 64);
-            using (Picture blank = Picture.Create(PictureSource.FromPoints(points, normals), options))
-            {
-                string message = Assert.Throws<InvalidArgumentException>(() => blank.Draw()).Message;
-                Note failure = blank.Notes.Last();
-                Assert.Equal(NoteCode.Blank, failure.Code);
-                Assert.Equal(Severity.Failure, failure.Severity);
-                Assert.Equal(failure.Text, message); // in full length
-                blank.Draw(blank.Camera).Dispose(); // a camera of the caller's may see nothing
-            }
-            options.AllowBlank = true;
-            using (Picture blank = Picture.Draw(PictureSource.FromPoints(points, normals), options))
-            {
-                Assert.Equal(0, Dark(blank.Rasterize()));
             }
         }
 
@@ -427,35 +356,9 @@ namespace HrbfNpr.Tests
         }
 
         [Fact]
-        public void ASurfaceAloneHasNoCamera()
-        {
-            PictureOptions options = Small();
-            options.SurfaceOnly = true;
-            using (Picture surface = Picture.Create(PictureSource.FromPoints(points, normals), options))
-            {
-                Assert.Equal(0L, surface.Info.Marks);
-                PicturePart part = surface.Parts.Single();
-                Assert.Equal((long)points.Length / 3, part.Model.Info.Samples);
-                Assert.Null(part.PointSet);
-                Assert.Throws<InvalidArgumentException>(() => surface.Camera);
-                Assert.Throws<InvalidArgumentException>(() => surface.Style);
-                Assert.Throws<InvalidArgumentException>(() => surface.Marks);
-                Assert.Throws<InvalidArgumentException>(() => surface.Rasterize());
-                Assert.Throws<InvalidArgumentException>(() => surface.Restyle());
-            }
-            Assert.Throws<InvalidArgumentException>(
-                () => Picture.Draw(PictureSource.FromPoints(points, normals), options));
-        }
-
-        [Fact]
         public void BadArgumentsAreNamed()
         {
             Named("height", options => options.Height = 0);
-            Named("margin", options => options.Margin = 0.5);
-            Named("style_name", options => options.StyleName = "etch");
-            Named("subdivide", options => options.Subdivide = 7);
-            Named("preset", options => options.Preset = (Preset)99);
-            Named("lines", options => options.Lines = "contours-and-more");
             Named("dabs[0].radius", options => options.Dabs.Add(new Dab { Radius = -1 }));
             Assert.Throws<ArgumentNullException>(() => Picture.Create((PictureSource)null));
             Assert.Throws<ArgumentNullException>(() => Picture.Create((IReadOnlyList<PictureSource>)null));
@@ -517,16 +420,6 @@ namespace HrbfNpr.Tests
             byte[] expected = picture.Rasterize();
             picture.Draw().Dispose(); // it goes on
             Assert.Equal(expected, picture.Rasterize());
-        }
-
-        [Fact]
-        public void ProgressNeverFalls()
-        {
-            var reports = new Reports();
-            Picture.Draw(PictureSource.FromPoints(points), Small(), null, reports).Dispose();
-            Assert.Equal(reports.Seen.OrderBy(at => at).ToArray(), reports.Seen.ToArray());
-            Assert.True(reports.Seen.Distinct().Count() > 5);
-            Assert.Equal(1.0, reports.Seen.Last());
         }
 
         [Fact]
@@ -660,41 +553,6 @@ namespace HrbfNpr.Tests
             }
             Assert.Equal(0.0, part.Model.Evaluate(new double[] { 0, 1, 0 }).Value[0], 1e-12);
             Assert.True(part.LineSet.Info.Triangles > 0);
-        }
-
-        [Fact]
-        public void APictureThatNobodyDisposesOfIsFinalised()
-        {
-            using (var context = new Context(new ContextOptions { ThreadCount = 1 }))
-            {
-                Lose(context); // what the library keeps for the next ones
-                Collect();
-                long idle = context.Info.BytesNow;
-                var thread = new Thread(() =>
-                {
-                    for (int i = 0; i < 10; ++i)
-                    {
-                        Lose(context);
-                    }
-                });
-                thread.Start();
-                thread.Join();
-                long lost = context.Info.BytesNow;
-                Assert.True(lost > idle);
-                Collect();
-                // A conservative collector may see some of them on a stack.
-                Assert.True(context.Info.BytesNow - idle <= (lost - idle) / 4, "pictures were not finalised");
-            }
-        }
-
-        /// <summary>A picture whose own function refers to it.</summary>
-        [MethodImpl(MethodImplOptions.NoInlining)]
-        private void Lose(Context context)
-        {
-            Picture made = null;
-            PictureOptions options = Small(Preset.Stipple);
-            options.OnEvent = one => GC.KeepAlive(made);
-            made = Picture.Draw(PictureSource.FromPoints(Shapes.Sphere6, Shapes.Sphere6), options, context);
         }
 
         private static void Collect()

@@ -120,23 +120,9 @@ namespace HrbfNpr.Tests
                     Assert.InRange(marks.Count, 200, 410);
                 }
                 Refused(model, new GenerateOptions { BoxResolution = -1 }, "box_resolution");
-                Refused(model, new GenerateOptions { BoxJitter = 2 }, "box_jitter");
-                Refused(model, new GenerateOptions { Layers = { new Layer((LayerKind)64) } }, "kind");
-                Refused(model, new GenerateOptions { Layers = { new Layer { Density = (Density)9 } } }, "density");
                 Refused(model, new GenerateOptions { Layers = { new Layer { Name = string.Empty } } }, "name");
                 Assert.Throws<ArgumentNullException>(() => model.Generate(new GenerateOptions { Layers = { null } }));
             }
-        }
-
-        [Fact]
-        public void TheLayersOfPresets()
-        {
-            GenerateOptions full = GenerateOptions.ForPreset(Preset.Full, 3000);
-            Assert.Equal(new[] { LayerKind.Stipples, LayerKind.Hatch, LayerKind.Hatch }, full.Layers.Select(one => one.Kind).ToArray());
-            Assert.True(full.Layers.All(one => one.Budget == 3000 && one.Levels == -1));
-            Assert.Equal(HatchGuide.Combing, GenerateOptions.ForPreset(Preset.Combing).Layers[1].Guide);
-            Assert.Equal(Layer.DefaultBudget, GenerateOptions.ForPreset(Preset.Stipple).Layers[0].Budget);
-            Assert.Throws<InvalidArgumentException>(() => GenerateOptions.ForPreset((Preset)99));
         }
 
         [Fact]

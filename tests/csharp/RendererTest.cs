@@ -256,10 +256,6 @@ namespace HrbfNpr.Tests
             Assert.Throws<InvalidArgumentException>(() => Style.Preset((Preset)99));
 
             var defaults = new Style();
-            Assert.Equal(1, defaults.ToneExponent, 0);
-            Assert.Equal(0.25, defaults.FillLight, 1e-6);
-            Assert.Equal(new Vector3d(-0.4, 0.6, 0.7), defaults.Light);
-            Assert.Equal(new Color(1, 1, 1), defaults.Paper);
             Assert.Equal(0, defaults.Layers.Count);
             defaults.HaloWidth = 7;
             defaults.Layers.Add(new LayerStyle(LayerKind.Stipples) { Radius = 3, Name = "stipples" });
@@ -268,10 +264,6 @@ namespace HrbfNpr.Tests
             Assert.Equal(7f, copy.HaloWidth);
             Assert.Equal(3f, defaults.Layers[0].Radius);
             Assert.Equal("stipples", copy.Layers[0].Name);
-            var one = new LayerStyle();
-            Assert.True(one.Shown && one.Contours && one.Share == 1 && one.Radius == 1);
-            Assert.Equal(StrokeDirections.Both, one.Directions);
-            Assert.Equal(new Color(0, 0, 0), one.Ink);
             defaults.SilhouetteThreshold = -1;
             Assert.Contains("silhouette_threshold", Assert.Throws<InvalidArgumentException>(
                 () => renderer.Draw(new Item(marks, defaults), camera)).Message);
