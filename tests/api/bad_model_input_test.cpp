@@ -68,37 +68,15 @@ const std::vector<Row<FitCall>>& fit_rows() {
         {[](FitCall& c) { c.desc.points.count = largest; }, invalid, "is beyond the address space"},
         {[](FitCall& c) { c.desc.points.count = largest / 24 + 1; }, invalid, "is beyond the address space"},
         {[](FitCall& c) { c.desc.kernel = 3; }, invalid, "fit_desc.kernel is 3; it must be one of HRBFNPR_KERNEL_..."},
-        {[](FitCall& c) { c.desc.kernel_radius = -1; }, invalid,
-         "fit_desc.kernel_radius is -1; it must be a finite number of at least 0"},
-        {[](FitCall& c) { c.desc.kernel_radius = nan; }, invalid, "fit_desc.kernel_radius is nan"},
-        {[](FitCall& c) { c.desc.polynomial_degree = 4; }, invalid,
-         "fit_desc.polynomial_degree is 4; it must be -1, 0, 1, 2 or 3"},
-        {[](FitCall& c) { c.desc.polynomial_degree = -2; }, invalid, "fit_desc.polynomial_degree is -2"},
         {[](FitCall& c) { c.desc.polynomial_degree = 3; }, invalid, "do not determine a polynomial of that degree"},
-        {[](FitCall& c) { c.desc.solver = 3; }, invalid, "fit_desc.solver is 3"},
-        {[](FitCall& c) { c.desc.regularization = -0.5; }, invalid, "fit_desc.regularization is -0.5"},
-        {[](FitCall& c) { c.desc.regularization = infinity; }, invalid, "fit_desc.regularization is inf"},
-        {[](FitCall& c) { c.desc.tolerance = nan; }, invalid, "fit_desc.tolerance is nan"},
-        {[](FitCall& c) { c.desc.maximum_centres = -1; }, invalid, "fit_desc.maximum_centres is -1"},
-        {[](FitCall& c) { c.desc.refinement_steps = -1; }, invalid,
-         "fit_desc.refinement_steps is -1; it must be from 0 to 20"},
-        {[](FitCall& c) { c.desc.refinement_steps = 21; }, invalid, "fit_desc.refinement_steps is 21"},
         {[](FitCall& c) { c.desc.outliers = HRBFNPR_REPAIR_REORIENT; }, invalid,
          "fit_desc.outliers is 2; it must be one of HRBFNPR_REPAIR_KEEP and _DROP"},
         {[](FitCall& c) { c.desc.flipped_normals = 3; }, invalid, "fit_desc.flipped_normals is 3"},
-        {[](FitCall& c) { c.desc.regularization_mode = 2; }, invalid, "fit_desc.regularization_mode is 2"},
         {[](FitCall& c) {
              c.desc.regularization_mode = HRBFNPR_REGULARIZATION_AUTO;
              c.desc.regularization = 0.5;
          },
          invalid, "fit_desc.regularization is 0.5 with regularization_mode AUTO; leave it 0"},
-        {[](FitCall& c) { c.desc.preconditioner_neighbours = 49; }, invalid,
-         "fit_desc.preconditioner_neighbours is 49; it must be from 0 to 48"},
-        {[](FitCall& c) { c.desc.solver_tolerance = nan; }, invalid, "fit_desc.solver_tolerance is nan"},
-        {[](FitCall& c) { c.desc.solver_tolerance = -1; }, invalid, "fit_desc.solver_tolerance is -1"},
-        {[](FitCall& c) { c.desc.iteration_limit = -1; }, invalid, "fit_desc.iteration_limit is -1"},
-        {[](FitCall& c) { c.desc.iteration_limit = 0; }, invalid,
-         "fit_desc.iteration_limit is 0; it must be from 1 to 1e+06"},
         {[](FitCall& c) { c.desc.struct_size = 0; }, HRBFNPR_STATUS_UNSUPPORTED_STRUCT, "fit_desc.struct_size is 0"},
         {[](FitCall& c) { c.desc.struct_size = 8; }, invalid, "fit_desc.points is empty"},
         {[](FitCall& c) {
@@ -141,8 +119,6 @@ TEST(BadInput, Context) {
         {[](auto& d) { d.abi_version = 77; }, HRBFNPR_STATUS_VERSION_MISMATCH,
          "context_desc.abi_version is 77 and this library's is 1"},
         {[](auto& d) { d.thread_count = -1; }, invalid, "context_desc.thread_count is -1"},
-        {[](auto& d) { d.flags = 1; }, invalid, "context_desc.flags is 1; it must be 0"},
-        {[](auto& d) { d.thread_backend = 5; }, invalid, "context_desc.thread_backend is 5"},
         {[](auto& d) { d.thread_backend = HRBFNPR_THREAD_BACKEND_RUN_TASKS; }, invalid,
          "context_desc.run_tasks is NULL"},
         {[](auto& d) {
@@ -150,11 +126,8 @@ TEST(BadInput, Context) {
              d.run_tasks = [](void*, hrbfnpr_task_fn, void*, std::int64_t) {};
          },
          invalid, "context_desc.thread_backend is 1 and run_tasks is given"},
-        {[](auto& d) { d.highest_instruction_set = 5; }, invalid, "context_desc.highest_instruction_set is 5"},
         {[](auto& d) { d.log_level = 3; }, invalid,
          "context_desc.log_level is 3; it must be one of HRBFNPR_LOG_... (0 to 2)"},
-        {[](auto& d) { d.log_level = -1; }, invalid, "context_desc.log_level is -1"},
-        {[](auto& d) { d.reserved = 1; }, invalid, "context_desc.reserved is 1; it must be 0"},
         {[](auto& d) { d.allocate = Allocator::allocate; }, invalid, "context_desc.deallocate is NULL; give both"},
         {[](auto& d) { d.deallocate = Allocator::deallocate; }, invalid, "context_desc.allocate is NULL; give both"}};
     for (const auto& row : rows) {
@@ -170,9 +143,7 @@ TEST(BadInput, Context) {
 TEST(BadInput, Custom) {
     const std::vector<Row<hrbfnpr_custom_desc>> rows = {
         {[](auto& d) { d.function = nullptr; }, invalid, "custom_desc.function is NULL"},
-        {[](auto& d) { d.flags = 9; }, invalid, "custom_desc.flags is 0x9; only the bits of 0x7 have a meaning"},
         {[](auto& d) { d.bounds_min[1] = nan; }, invalid, "custom_desc.bounds_min is nan"},
-        {[](auto& d) { d.bounds_max[1] = infinity; }, invalid, "custom_desc.bounds_max is inf"},
         {[](auto& d) { d.bounds_min[2] = 1.5; }, invalid, "custom_desc.bounds_min[2] is 1.5, above bounds_max[2]"},
         {[](auto& d) {
              for (int axis = 0; axis < 3; ++axis) d.bounds_max[axis] = d.bounds_min[axis];
@@ -216,7 +187,6 @@ void expect_untouched(const Query& query) {
 
 TEST(BadInput, Evaluate) {
     const std::vector<Row<Query>> rows = {
-        {[](Query& q) { q.point[4] = nan; }, invalid, "points[1] is NaN or infinite; all points must be finite"},
         {[](Query& q) { q.points.data = nullptr; }, invalid, "points.data is NULL but its count is 2"},
         {[](Query& q) { q.numbers.count = 1; }, invalid, "value.count is 1; it must be 2"},
         {[](Query& q) { q.numbers.count = -2; }, invalid, "value.count is -2"},
@@ -249,16 +219,9 @@ TEST(BadInput, Evaluate) {
 
 TEST(BadInput, Project) {
     const std::vector<Row<Query>> rows = {
-        {[](Query& q) { q.point[0] = infinity; }, invalid, "points[0] is NaN or infinite"},
         {[](Query& q) { q.vectors.count = 3; }, invalid, "projection.position.count is 3; it must be 2"},
         {[](Query& q) { q.bytes.scalar = HRBFNPR_SCALAR_FLOAT32; }, invalid,
          "projection.status.scalar is 1; it must be HRBFNPR_SCALAR_ UINT8 or UINT32"},
-        {[](Query& q) { q.desc.evaluation_limit = 0; }, invalid,
-         "project_desc.evaluation_limit is 0; it must be from 1"},
-        {[](Query& q) { q.desc.evaluation_limit = 1001; }, invalid, "project_desc.evaluation_limit is 1001"},
-        {[](Query& q) { q.desc.tolerance = 0; }, invalid, "project_desc.tolerance is 0"},
-        {[](Query& q) { q.desc.armijo_slope = 0.5; }, invalid,
-         "project_desc.armijo_slope is 0.5; it must be between 0 and 0.5"},
         {[](Query& q) { q.desc.armijo_factor = nan; }, invalid, "project_desc.armijo_factor is nan"}};
     const Context context = make_context();
     Sphere sphere;

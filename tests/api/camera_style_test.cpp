@@ -22,55 +22,6 @@ std::array<double, 2> pixel(const hrbfnpr_camera& camera, const double (&world)[
             camera.viewport[1] + camera.viewport[3] * (0.5 - 0.5 * clip[1] / clip[3])};
 }
 
-TEST(Camera, StartsWithIdentities) {
-    const auto camera = made(hrbfnpr_camera_init);
-    for (int i = 0; i < 16; ++i) {
-        EXPECT_EQ(camera.view[i], i % 5 == 0 ? 1.0 : 0.0);
-        EXPECT_EQ(camera.projection[i], i % 5 == 0 ? 1.0 : 0.0);
-    }
-    EXPECT_EQ(camera.viewport[2], 0.0);
-    EXPECT_EQ(camera.depth_convention, static_cast<std::uint32_t>(HRBFNPR_DEPTH_NEGATIVE_ONE_TO_ONE));
-}
-
-TEST(Camera, LooksAtItsTarget) {
-    Error error;
-    auto camera = made(hrbfnpr_camera_init);
-    const double eye[3] = {3, 4, 5};
-    const double target[3] = {1, 1, 1};
-    const double up[3] = {0, 0, 1};
-    const double above[3] = {1, 1, 2};
-    EXPECT_OK(hrbfnpr_camera_look_at(&camera, eye, target, up, error));
-    for (const std::uint32_t depth : {0U, 1U, 2U}) {
-        camera.depth_convention = depth;
-        EXPECT_OK(hrbfnpr_camera_perspective(&camera, 0.8, 200, 100, 0.1, 50, error));
-        EXPECT_NEAR(pixel(camera, target)[0], 100.0, 1e-9);
-        EXPECT_NEAR(pixel(camera, target)[1], 50.0, 1e-9);
-        EXPECT_LT(pixel(camera, above)[1], 50.0); // y grows downward
-        EXPECT_OK(hrbfnpr_camera_orthographic(&camera, 4.0, 200, 100, -1, 50, error));
-        EXPECT_NEAR(pixel(camera, target)[1], 50.0, 1e-9);
-    }
-}
-
-TEST(Camera, FitsABox) {
-    Error error;
-    auto camera = made(hrbfnpr_camera_init);
-    const double low[3] = {-1, -2, -3};
-    const double high[3] = {1, 2, 3};
-    const double direction[3] = {1, -1, -1};
-    const double up[3] = {0, 1, 0};
-    for (const double angle : {0.0, 0.7}) {
-        EXPECT_OK(hrbfnpr_camera_fit_bounds(&camera, low, high, direction, up, angle, 300, 200, 0.1, error));
-        double margin = 1e9;
-        for (int corner = 0; corner < 8; ++corner) {
-            const double p[3] = {(corner & 1) != 0 ? 1.0 : -1.0, (corner & 2) != 0 ? 2.0 : -2.0,
-                                 (corner & 4) != 0 ? 3.0 : -3.0};
-            const auto at = pixel(camera, p);
-            margin = std::min({margin, at[0] / 300, 1 - at[0] / 300, at[1] / 200, 1 - at[1] / 200});
-        }
-        EXPECT_NEAR(margin, 0.1, 1e-6) << angle;
-    }
-}
-
 TEST(Camera, FitsPoints) {
     Error error;
     auto camera = made(hrbfnpr_camera_init);
@@ -175,41 +126,6 @@ TEST(Style, PresetsHaveNamesAndLayers) {
                  "style is NULL");
     EXPECT_FAILS(hrbfnpr_style_init_preset(&style, 4, 0, error), HRBFNPR_STATUS_UNSUPPORTED_STRUCT,
                  "style.struct_size is 4");
-}
-
-// The layers of marks that a style wants are the defaults but for what makes the style.
-TEST(Style, PresetsWantMarks) {
-    const auto layer_of = [](std::uint32_t preset, std::int64_t i) {
-        std::int64_t count = 0;
-        const hrbfnpr_layer_desc* const layers = hrbfnpr_preset_layers(preset, &count);
-        return i < count ? layers[i] : hrbfnpr_layer_desc{};
-    };
-    const auto expect = [&](std::uint32_t preset, std::int64_t i, auto change) {
-        auto wanted = made(hrbfnpr_layer_desc_init);
-        const hrbfnpr_layer_desc layer = layer_of(preset, i);
-        wanted.name = layer.name;
-        change(wanted);
-        EXPECT_EQ(std::memcmp(&layer, &wanted, sizeof wanted), 0) << hrbfnpr_preset_name(preset) << ", " << i;
-    };
-    expect(HRBFNPR_PRESET_STIPPLE, 0, [](auto& wanted) { wanted.kind = HRBFNPR_LAYER_KIND_STIPPLES; });
-    expect(HRBFNPR_PRESET_CROSS_HATCH, 2, [](auto& wanted) {
-        wanted.kind = HRBFNPR_LAYER_KIND_HATCH;
-        wanted.angle = 35.0;
-    });
-    EXPECT_STREQ(layer_of(HRBFNPR_PRESET_CROSS_HATCH, 2).name, "hatch-2");
-    expect(HRBFNPR_PRESET_COMBING, 1, [](auto& wanted) {
-        wanted.kind = HRBFNPR_LAYER_KIND_HATCH;
-        wanted.guide = HRBFNPR_HATCH_GUIDE_COMBING;
-    });
-    expect(HRBFNPR_PRESET_SCIENTIFIC_STIPPLE, 0, [](auto& wanted) { // lights are empty
-        wanted.tone_begin = 0.08F;
-        wanted.tone_end = 1.0F;
-    });
-    expect(HRBFNPR_PRESET_ARCHAEOLOGICAL, 1, [](auto& wanted) { // along curvature
-        wanted.kind = HRBFNPR_LAYER_KIND_HATCH;
-        wanted.smoothing = 0.03;
-        wanted.axis_weight = 0.02;
-    });
 }
 
 TEST(Style, PresetsAreGeneratedAndDrawn) {

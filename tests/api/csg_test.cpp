@@ -138,26 +138,6 @@ TEST(CsgModel, RaysProjectionsAndInsideTestsAreRight) {
     EXPECT_GT(hit, 700);
 }
 
-TEST(CsgModel, CurvaturesAreThoseOfItsParts) {
-    Error error;
-    const Context context = make_context();
-    const Model part = create(context, csg_part());
-    // On the boss, in its bore, on the top of the block.
-    const std::vector<double> place{1.3, 0.0, 1.1, 0.4, 0.0, 0.9, -0.2, -0.6, 0.5};
-    const hrbfnpr_array places = in(place);
-    std::vector<double> k1(3);
-    std::vector<double> k2(3);
-    auto curvature = made(hrbfnpr_curvature_init);
-    curvature.k1 = out(k1, 1);
-    curvature.k2 = out(k2, 1);
-    ASSERT_OK(hrbfnpr_model_curvature(part.get(), &places, &curvature, nullptr, error));
-    const double expected[3][2] = {{0.0, -1.0 / 0.6}, {1.0 / 0.3, 0.0}, {0.0, 0.0}};
-    for (std::size_t i = 0; i < 3; ++i) {
-        EXPECT_NEAR(k1[i], expected[i][0], 1e-12) << i;
-        EXPECT_NEAR(k2[i], expected[i][1], 1e-12) << i;
-    }
-}
-
 TEST(CsgModel, IsTrimmedByGivenPointsAndSavedSo) {
     Error error;
     const Context context = make_context();

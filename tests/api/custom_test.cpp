@@ -139,25 +139,6 @@ TEST(Custom, IsCalledOnAllThreadsIfItIsThreadSafe) {
     EXPECT_EQ(threads.seen.count(std::this_thread::get_id()), 0U); // this runner leaves the caller idle
 }
 
-TEST(Custom, WhatItDoesNotProvideIsDifferenced) {
-    Error error;
-    const Context context = make_context();
-    for (const std::uint32_t flags : {0U, 1U, 2U, 3U}) {
-        Sphere sphere;
-        const Model model = custom_sphere(context, sphere, flags);
-        std::vector<double> point{0.5, -0.25, 0.75};
-        std::vector<double> gradient(3);
-        std::vector<double> hessian(6);
-        const hrbfnpr_array points = in(point);
-        const hrbfnpr_array_out gradients = out(gradient);
-        const hrbfnpr_array_out hessians = out(hessian, 6);
-        EXPECT_OK(hrbfnpr_model_evaluate(model.get(), &points, nullptr, &gradients, &hessians, nullptr, error));
-        for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(gradient[i], point[i], 1e-8) << flags;
-        const double identity[6] = {1, 0, 0, 1, 0, 1};
-        for (std::size_t i = 0; i < 6; ++i) EXPECT_NEAR(hessian[i], identity[i], 1e-6) << flags;
-    }
-}
-
 TEST(Custom, AFailureOfTheFunctionFailsTheCall) {
     const Context context = make_context();
     Sphere sphere;

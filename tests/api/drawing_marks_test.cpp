@@ -113,55 +113,6 @@ TEST_F(DrawingTest, IdsAreNumberedOverItemsAndLayers) {
 
 // ---- formats -------------------------------------------------------------------------------
 
-template <class T>
-std::vector<T> image_as(const Drawing& drawing, std::uint32_t format, std::size_t channels) {
-    Error error;
-    std::vector<T> pixels(static_cast<std::size_t>(side * side) * channels);
-    auto image = made(hrbfnpr_image_init);
-    image.format = format;
-    image.width = image.height = side;
-    image.pixels = pixels.data();
-    EXPECT_OK(hrbfnpr_drawing_rasterize(drawing.get(), &image, nullptr, error));
-    return pixels;
-}
-
-TEST_F(DrawingTest, FormatsShowTheSamePicture) {
-    layers[0].ink[0] = 0.0F; // black alone
-    const Drawing drawing = drawn();
-    const auto rgba = image_as<std::uint8_t>(drawing, HRBFNPR_FORMAT_RGBA8, 4);
-    const auto coverage = image_as<std::uint8_t>(drawing, HRBFNPR_FORMAT_COVERAGE8, 1);
-    const auto floats = image_as<float>(drawing, HRBFNPR_FORMAT_RGBA32F, 4);
-    const auto premultiplied = image_as<float>(drawing, HRBFNPR_FORMAT_RGBA32F_PREMULTIPLIED, 4);
-    int ink = 0;
-    for (std::size_t i = 0; i < coverage.size(); ++i) {
-        ASSERT_NEAR(coverage[i], 255 - rgba[4 * i], 1) << i;
-        ink += coverage[i] > 128 ? 1 : 0;
-        for (std::size_t c = 4 * i; c < 4 * i + 4; ++c) {
-            ASSERT_EQ(std::lround(255.0F * floats[c]), rgba[c]) << c;
-            ASSERT_NEAR(premultiplied[c], floats[c], 1e-6F) << c; // paper is opaque
-        }
-    }
-    EXPECT_GT(ink, 200);
-}
-
-TEST_F(DrawingTest, TransparentPaperHasTheCoverageAsAlpha) {
-    style.paper[3] = 0.0F;
-    layers[0].ink[0] = 0.0F;
-    const Drawing drawing = drawn();
-    const auto rgba = image_as<std::uint8_t>(drawing, HRBFNPR_FORMAT_RGBA8_PREMULTIPLIED, 4);
-    const auto coverage = image_as<std::uint8_t>(drawing, HRBFNPR_FORMAT_COVERAGE8, 1);
-    for (std::size_t i = 0; i < coverage.size(); ++i) ASSERT_NEAR(coverage[i], rgba[4 * i + 3], 1) << i;
-}
-
-TEST_F(DrawingTest, CoverageCountsInkOfAnyColour) {
-    const auto black = [&](float value) {
-        for (hrbfnpr_layer_style& layer : layers) std::fill_n(layer.ink, 3, value);
-        std::fill_n(style.silhouette_ink, 3, value);
-        return image_as<std::uint8_t>(drawn(), HRBFNPR_FORMAT_COVERAGE8, 1);
-    };
-    EXPECT_EQ(black(0.0F), black(0.9F));
-}
-
 // ---- poses ---------------------------------------------------------------------------------
 
 // Poses of all layers of a set, shifted.
@@ -196,39 +147,6 @@ int most_different(const std::vector<std::uint8_t>& a, const std::vector<std::ui
     int most = 0;
     for (std::size_t i = 0; i < a.size(); ++i) most = std::max(most, std::abs(int{a[i]} - int{b[i]}));
     return most;
-}
-
-TEST_F(DrawingTest, APoseOfTheSetsOwnPlacesIsTheSamePicture) {
-    const std::vector<std::uint8_t> expected = rasterize(drawn(), side);
-    Poses poses(set, {0, 0, 0});
-    for (const bool with_directions : {false, true}) {
-        for (std::size_t layer = 0; with_directions && layer < poses.pose.size(); ++layer)
-            poses.pose[layer].direction = in(poses.direction[layer]);
-        hrbfnpr_item item = item_of(set, &style);
-        poses.use(item);
-        const Drawing drawing = draw_item(renderer, item, front_camera(side));
-        EXPECT_LE(most_different(rasterize(drawing, side), expected), 2) << with_directions;
-        EXPECT_EQ(info_of(drawing).strokes, info_of(drawn()).strokes);
-    }
-}
-
-TEST_F(DrawingTest, MovedMarksAreThoseOfAMovedItem) {
-    const std::array<double, 3> shift{0.3, -0.2, 0.1};
-    const Poses poses(set, shift);
-    hrbfnpr_item posed = item_of(set, &style);
-    poses.use(posed);
-    hrbfnpr_item moved = item_of(set, &style);
-    for (std::size_t axis = 0; axis < 3; ++axis) moved.transform[12 + axis] = shift[axis];
-    const Drawing expected = draw_item(renderer, moved, front_camera(side));
-    const Drawing drawing = draw_item(renderer, posed, front_camera(side));
-    EXPECT_NEAR(static_cast<double>(info_of(drawing).shown), static_cast<double>(info_of(expected).shown), 3.0);
-    EXPECT_LE(most_different(rasterize(drawing, side), rasterize(expected, side)), 8);
-    // What a host reads of it tells where the marks are now.
-    for (const Vertex& v : vertices_of(drawing, HRBFNPR_PRIMITIVE_POINTS).vertex) {
-        double square = 0.0;
-        for (std::size_t axis = 0; axis < 3; ++axis) square += std::pow(double{v.position[axis]} - shift[axis], 2);
-        ASSERT_NEAR(square, 1.0, 1e-3);
-    }
 }
 
 // Only one layer moves; it is where a set made there has it.

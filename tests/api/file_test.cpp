@@ -192,43 +192,5 @@ TEST(File, MemoryThatIsTooSmallIsLeftAlone) {
 }
 
 // Any call that loads `size` bytes.
-template <class Load>
-void expect_damage_is_found(Bytes bytes, Load&& load) {
-    const std::int64_t all = static_cast<std::int64_t>(bytes.size());
-    for (std::int64_t size = 0; size < all; ++size) ASSERT_EQ(load(bytes, size), HRBFNPR_STATUS_CORRUPT_DATA) << size;
-    for (std::size_t bit = 0; bit < 8 * bytes.size(); ++bit) {
-        bytes[bit / 8] = static_cast<std::uint8_t>(bytes[bit / 8] ^ 1U << bit % 8);
-        ASSERT_EQ(load(bytes, all), HRBFNPR_STATUS_CORRUPT_DATA) << bit;
-        bytes[bit / 8] = static_cast<std::uint8_t>(bytes[bit / 8] ^ 1U << bit % 8);
-    }
-    EXPECT_EQ(load(bytes, all), HRBFNPR_STATUS_OK);
-}
-
-TEST(File, TruncationAndFlippedBitsAreFound) {
-    Error error;
-    const Context context = make_context();
-    const std::int64_t before = info_of(context).bytes_now;
-    scenes::Samples one;
-    one.add({0.5, 0.25, 0.125}, {0.0, 0.0, 1.0});
-    expect_damage_is_found(saved(fit(context, one)), [&](const Bytes& bytes, std::int64_t size) {
-        hrbfnpr_model* model = nullptr;
-        const hrbfnpr_status status = hrbfnpr_model_load_memory(context.get(), bytes.data(), size, &model, error);
-        EXPECT_EQ(model != nullptr, status == HRBFNPR_STATUS_OK);
-        hrbfnpr_model_release(model);
-        return status;
-    });
-    Sphere sphere;
-    const Generation desc = one_layer(HRBFNPR_LAYER_KIND_STIPPLES, 3);
-    const Bytes small = saved(generate(context, custom_sphere(context, sphere), desc));
-    expect_damage_is_found(small, [&](const Bytes& bytes, std::int64_t size) {
-        hrbfnpr_point_set* set = nullptr;
-        const hrbfnpr_status status = hrbfnpr_point_set_load_memory(context.get(), bytes.data(), size, &set, error);
-        EXPECT_EQ(set != nullptr, status == HRBFNPR_STATUS_OK);
-        hrbfnpr_point_set_release(set);
-        return status;
-    });
-    EXPECT_EQ(info_of(context).bytes_now, before);
-}
-
 } // namespace
 } // namespace api_test::file_test

@@ -110,29 +110,5 @@ TEST(FitTrim, LeavesWholeWhatItCannotTell) {
     }
 }
 
-TEST(FitTrim, IsSavedWithTheModel) {
-    Error error;
-    const Context context = make_context();
-    const Model model = fit(context, zone(0.0, 1.0));
-    std::int64_t size = 0;
-    ASSERT_EQ(hrbfnpr_model_save_memory(model.get(), nullptr, 0, &size, error), HRBFNPR_STATUS_BUFFER_TOO_SMALL);
-    std::vector<std::uint8_t> bytes(static_cast<std::size_t>(size));
-    ASSERT_OK(hrbfnpr_model_save_memory(model.get(), bytes.data(), size, &size, error));
-    hrbfnpr_model* made_model = nullptr;
-    ASSERT_OK(hrbfnpr_model_load_memory(context.get(), bytes.data(), size, &made_model, error));
-    EXPECT_EQ(stipples_of(context, Model(made_model)), stipples_of(context, model));
-}
-
-TEST(FitTrim, RefusesAnotherWord) {
-    Error error;
-    const Context context = make_context();
-    const scenes::Samples open = zone(0.0, 1.0);
-    hrbfnpr_fit_desc desc = fit_desc(open);
-    desc.trim = 2;
-    hrbfnpr_model* model = nullptr;
-    EXPECT_FAILS(hrbfnpr_model_fit(context.get(), &desc, nullptr, &model, error), HRBFNPR_STATUS_INVALID_ARGUMENT,
-                 "fit_desc.trim");
-}
-
 } // namespace
 } // namespace api_test::fit_trim_test

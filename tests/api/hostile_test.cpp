@@ -144,45 +144,6 @@ TEST(Hostile, ProjectionsAreNotConverged) {
     }
 }
 
-// Cancels at the k-th look, and counts the work that is done after it.
-struct Cancel {
-    std::int64_t at = -1;
-    std::int64_t looks = 0;
-    Steep* steep = nullptr;
-    std::int64_t calls_then = 0;
-
-    static std::int32_t look(void* user, double /*progress*/) {
-        auto& self = *static_cast<Cancel*>(user);
-        if (++self.looks != self.at) return 0;
-        self.calls_then = self.steep->calls;
-        return 1;
-    }
-};
-
-TEST(Hostile, ACancelEndsAnyFunctionSoon) {
-    const Context context = make_context(1);
-    for (const double factor : {1.0, infinity, 1e300, 1e-300})
-        for (const KindAndGuide& kind : kinds)
-            for (std::int64_t at = 1; at < 200; at += 1 + at / 2) {
-                Error error;
-                Steep steep{factor, on_the_right};
-                const Model model = model_of(context, steep);
-                const Operation operation = make_operation(context);
-                Cancel cancel;
-                cancel.at = at;
-                cancel.steep = &steep;
-                ASSERT_OK(hrbfnpr_operation_set_callback(operation.get(), Cancel::look, &cancel, error));
-                PointSet set;
-                const hrbfnpr_status status =
-                    generated(context, model, layer_of(kind, 2000), error, set, operation.get());
-                if (cancel.looks < at) break;
-                EXPECT_EQ(status, HRBFNPR_STATUS_CANCELLED);
-                EXPECT_LE(cancel.looks, at + 1);
-                EXPECT_LE(steep.calls, cancel.calls_then + 2)
-                    << "it went on: kind " << kind.kind << ", guide " << kind.guide << ", look " << at;
-            }
-}
-
 // ---- boxes ---------------------------------------------------------------------------------
 
 TEST(Hostile, ABoxThatIsTooWideIsRefusedOrServed) {

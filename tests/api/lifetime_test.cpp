@@ -151,35 +151,6 @@ TEST(Lifetime, NullIsIgnored) {
     hrbfnpr_drawing_release(nullptr);
 }
 
-TEST(Sharing, EightThreadsUseOneModelAndOnePointSet) {
-    const Context context = make_context(2);
-    const Model model = fit(context, scenes::torus(50));
-    const PointSet set = generate(context, model, small_desc());
-    const auto picture = draw(make_renderer(context), set);
-    std::vector<double> point(3 * 600, 0.7);
-    const auto values = [&] {
-        std::vector<double> value(600);
-        const hrbfnpr_array points = in(point);
-        const hrbfnpr_array_out result = out(value, 1);
-        EXPECT_EQ(hrbfnpr_model_evaluate(model.get(), &points, &result, nullptr, nullptr, nullptr, nullptr),
-                  HRBFNPR_STATUS_OK);
-        return value;
-    };
-    const std::vector<double> wanted = values();
-    std::vector<std::thread> threads;
-    std::atomic<int> same{0};
-    for (int i = 0; i < 8; ++i)
-        threads.emplace_back([&] {
-            for (int round = 0; round < 5; ++round) {
-                hrbfnpr_model_retain(model.get());
-                if (values() == wanted && draw(make_renderer(context), set) == picture) same.fetch_add(1);
-                hrbfnpr_model_release(model.get());
-            }
-        });
-    for (std::thread& thread : threads) thread.join();
-    EXPECT_EQ(same, 40);
-}
-
 TEST(Sharing, OneContextServesSeveralFitsAtOnce) {
     const Context context = make_context(2);
     std::vector<std::thread> threads;

@@ -119,31 +119,6 @@ TEST(MeshEdges, OfABallAreNone) {
     EXPECT_GT(FoundEdges(mesh, HRBFNPR_EDGES_AUTO, 5.0).info.doubtful, 0.0);
 }
 
-TEST(MeshEdges, RefuseWhatTheyCannotUse) {
-    const Context context = make_context();
-    const Mesh mesh = mesh_of(context, hrbfnpr::test::box(1.0, 1.0, 1.0, 1));
-    Error error;
-    auto desc = made(hrbfnpr_mesh_edges_desc_init);
-    const auto expect = [&](const char* message) {
-        EXPECT_FAILS(hrbfnpr_mesh_edges(mesh.get(), &desc, nullptr, nullptr, nullptr, nullptr, error),
-                     HRBFNPR_STATUS_INVALID_ARGUMENT, message);
-    };
-    desc.crease_angle = 0.5;
-    expect("mesh_edges_desc.crease_angle is 0.5");
-    desc = made(hrbfnpr_mesh_edges_desc_init);
-    desc.far = -1.0;
-    expect("mesh_edges_desc.far is -1");
-    desc = made(hrbfnpr_mesh_edges_desc_init);
-    desc.edges = 3;
-    expect("mesh_edges_desc.edges is 3");
-    std::vector<std::int32_t> few(3);
-    const hrbfnpr_array_out patches{few.data(), 3, 0, HRBFNPR_SCALAR_INT32, 1};
-    EXPECT_FAILS(hrbfnpr_mesh_edges(mesh.get(), nullptr, &patches, nullptr, nullptr, nullptr, error),
-                 HRBFNPR_STATUS_INVALID_ARGUMENT, "patch");
-    EXPECT_FAILS(hrbfnpr_mesh_edges(nullptr, nullptr, nullptr, nullptr, nullptr, nullptr, error),
-                 HRBFNPR_STATUS_INVALID_ARGUMENT, "mesh is NULL");
-}
-
 TEST(MeshEdges, AreToldByTheMesh) {
     const Context context = make_context();
     const Mesh mesh = mesh_of(context, hrbfnpr::test::box(1.0, 1.0, 1.0, 3));
@@ -245,29 +220,6 @@ TEST(MeshEdges, AreKeptInFiles) {
     const PointSet set = generate(context, loaded, hrbfnpr::test::one_layer(HRBFNPR_LAYER_KIND_STIPPLES, 2000));
     ASSERT_OK(hrbfnpr_point_set_view(set.get(), 0, HRBFNPR_MARK_ATTRIBUTE_POSITION, &view, error));
     EXPECT_GT(view.count, 1000);
-}
-
-TEST(MeshEdges, CheckTheirFields) {
-    const Context context = make_context();
-    const Mesh mesh = mesh_of(context, hrbfnpr::test::box(1.0, 1.0, 1.0, 1));
-    Error error;
-    hrbfnpr_model* raw = nullptr;
-    const auto expect = [&](const hrbfnpr_mesh_fit_desc& desc, const char* part) {
-        EXPECT_FAILS(hrbfnpr_model_fit_mesh(mesh.get(), &desc, nullptr, nullptr, nullptr, &raw, error),
-                     HRBFNPR_STATUS_INVALID_ARGUMENT, part);
-        EXPECT_EQ(raw, nullptr);
-    };
-    auto desc = made(hrbfnpr_mesh_fit_desc_init);
-    EXPECT_EQ(desc.crease_angle, 30.0);
-    EXPECT_EQ(desc.edges, static_cast<std::uint32_t>(HRBFNPR_EDGES_AUTO));
-    desc.edges = 3;
-    expect(desc, "mesh_fit_desc.edges is 3; it must be one of HRBFNPR_EDGES_");
-    desc.edges = 0;
-    desc.crease_angle = 4.0;
-    expect(desc, "mesh_fit_desc.crease_angle is 4; it must be from 5 to 175");
-    desc.crease_angle = 30.0;
-    desc.reserved2 = 1;
-    expect(desc, "reserved2");
 }
 
 // Round solids that cross are one sheet each, and meet in creases: where one function would be off both, the surface is

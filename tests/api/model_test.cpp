@@ -14,21 +14,6 @@ scenes::Samples plane() {
     return samples;
 }
 
-TEST(Model, FitsASphereOfSixSamples) {
-    Error error;
-    const Context context = make_context();
-    const scenes::Samples samples = scenes::sphere_6();
-    const Model model = fit(context, samples);
-    const hrbfnpr_array points = in(samples.points);
-    std::vector<double> value(6);
-    std::vector<double> gradient(18);
-    const hrbfnpr_array_out values = out(value, 1);
-    const hrbfnpr_array_out gradients = out(gradient);
-    EXPECT_OK(hrbfnpr_model_evaluate(model.get(), &points, &values, &gradients, nullptr, nullptr, error));
-    for (const double v : value) EXPECT_NEAR(v, 0.0, 1e-10);
-    for (std::size_t i = 0; i < 18; ++i) EXPECT_NEAR(gradient[i], samples.normals[i], 1e-10);
-}
-
 TEST(Model, InfoDescribesTheFit) {
     Error error;
     const Context context = make_context();

@@ -114,16 +114,6 @@ TEST_F(PageTest, RefusesWhatIsWrong) {
         desc = before;
     };
     constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-    with(&hrbfnpr_page_desc::format, 4U, "page_desc.format");
-    with(&hrbfnpr_page_desc::flags, 64U, "page_desc.flags");
-    with(&hrbfnpr_page_desc::widths, 2U, "page_desc.widths");
-    with(&hrbfnpr_page_desc::dots, 3U, "page_desc.dots");
-    with(&hrbfnpr_page_desc::tolerance, 0.0, "page_desc.tolerance");
-    with(&hrbfnpr_page_desc::tolerance, nan, "page_desc.tolerance");
-    with(&hrbfnpr_page_desc::width_step, 1.0, "page_desc.width_step");
-    with(&hrbfnpr_page_desc::width, -1.0, "page_desc.width");
-    with(&hrbfnpr_page_desc::height, nan, "page_desc.height");
-    with(&hrbfnpr_page_desc::draw_speed, 0.0, "page_desc.draw_speed");
     with(&hrbfnpr_page_desc::title, "\xFF", "page_desc.title is not UTF-8");
     with(&hrbfnpr_page_desc::item_count, std::int64_t{0}, "page_desc has no items and no annotations");
     with(&hrbfnpr_page_desc::item_count, std::int64_t{-1}, "page_desc.item_count");

@@ -98,20 +98,6 @@ TEST(PointSet, ViewsOfAllAttributesFitTogether) {
     }
 }
 
-TEST(PointSet, CurvatureOnRequest) {
-    const Context context = make_context();
-    Sphere sphere;
-    const Model model = custom_sphere(context, sphere);
-    Generation desc = small_desc();
-    for (hrbfnpr_layer_desc& layer : desc.layer) layer.flags = HRBFNPR_LAYER_WITH_CURVATURE;
-    const PointSet set = generate(context, model, desc);
-    for (std::int64_t layer = 0; layer < 3; ++layer) {
-        const auto curvature = attribute<float>(set, layer, HRBFNPR_MARK_ATTRIBUTE_CURVATURE);
-        ASSERT_FALSE(curvature.empty());
-        EXPECT_NEAR(curvature[0], -1.0F, 1e-3F);
-    }
-}
-
 TEST(PointSet, RefusesUnknownViews) {
     Error error;
     const Context context = make_context();

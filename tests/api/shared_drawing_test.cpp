@@ -61,23 +61,6 @@ struct Helper {
     }
 };
 
-TEST(SharedDrawing, IsReadOnManyThreads) {
-    const Context context = make_context(1);
-    const PointSet set = generate(context, fit(context, scenes::torus(60)), small_desc());
-    const Renderer renderer = make_renderer(context);
-    const Seen expected(draw_item(renderer, item_of(set), front_camera()));
-    ASSERT_GT(expected.vertices.size(), 300U);
-    for (int round = 0; round < 20; ++round) {
-        const Drawing drawing = draw_item(renderer, item_of(set), front_camera());
-        std::atomic<int> same{0};
-        std::vector<std::thread> threads;
-        for (int thread = 0; thread < 4; ++thread)
-            threads.emplace_back([&] { same.fetch_add(Seen(drawing) == expected ? 1 : 0); });
-        for (std::thread& thread : threads) thread.join();
-        EXPECT_EQ(same, 4) << round;
-    }
-}
-
 // The next one is made while others are read, and released where they were read.
 TEST(SharedDrawing, IsReadWhileTheNextIsMade) {
     const Context context = make_context(1);

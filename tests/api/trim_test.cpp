@@ -36,32 +36,6 @@ TEST(Trim, LeavesOutWhatIsBeyondTheSamplesOfAnOpenScan) {
     EXPECT_LT(lowest(stipples_of(context, open)), -2.0 * sphere_spacing); // what a fit invents
 }
 
-TEST(Trim, LeavesAFlatSquareOfASquare) {
-    const Context context = make_context();
-    const Model model = trimmed(fit_whole(context, square()));
-    EXPECT_GE(info_of(model).parts_to_end, 1);
-    const std::vector<float> stipples = stipples_of(context, model);
-    for (std::size_t i = 0; i < stipples.size(); ++i) {
-        if (i % 3 == 2) continue;
-        EXPECT_GT(stipples[i], -0.1);
-        EXPECT_LT(stipples[i], 0.9 + 0.1);
-    }
-    EXPECT_LT(*std::min_element(stipples.begin(), stipples.end()), -0.02);
-}
-
-TEST(Trim, LeavesClosedSurfacesAsTheyAre) {
-    const Context context = make_context();
-    const Model closed = fit_whole(context, scenes::trefoil(600));
-    const Model model = trimmed(closed);
-    const hrbfnpr_trim_info info = info_of(model);
-    EXPECT_EQ(info.is_trimmed, 0U);
-    EXPECT_EQ(info.samples, 600);
-    EXPECT_EQ(info.parts + info.parts_to_end, 0);
-    EXPECT_TRUE(info.share == 0.0 && info.farthest == 0.0 && info.spacing > 0.0);
-    EXPECT_EQ(stipples_of(context, model), stipples_of(context, closed));
-    EXPECT_EQ(info_of(closed).samples, 0);
-}
-
 // Where samples are wanting in the middle, by the size of the hole.
 TEST(Trim, KeepsSmallHolesClosed) {
     const Context context = make_context();
@@ -210,16 +184,6 @@ TEST(Trim, RefusesWhatIsNoEnd) {
         EXPECT_FAILS(hrbfnpr_model_trim(of.get(), &desc, nullptr, &got, error), invalid, part);
         EXPECT_EQ(got, nullptr);
     };
-    refused(
-        model, [](auto& desc) { desc.limit = 0.0; }, "trim_desc.limit");
-    refused(
-        model, [](auto& desc) { desc.limit = nan; }, "trim_desc.limit");
-    refused(
-        model, [](auto& desc) { desc.hole = -1.0; }, "trim_desc.hole");
-    refused(
-        model, [](auto& desc) { desc.closest = 2.0; }, "trim_desc.closest");
-    refused(
-        model, [](auto& desc) { desc.reserved = 1; }, "trim_desc.reserved");
     refused(
         model, [&](auto& desc) { desc.points = in(two); }, "trim_desc.points[1]");
     refused(

@@ -79,15 +79,6 @@ TEST(Noise, IsMeasured) {
 // More noise than spacing: near pairs are those whose noise is alike.
 TEST(Noise, IsSeenWhereItHidesTheSpacing) { EXPECT_GT(measured(noisy(sphere(3000), 0.1, 0.0)).position, 0.03); }
 
-TEST(Noise, CanBeCancelled) {
-    const base::Runtime runtime;
-    const Cloud cloud = sphere(100);
-    const fit::Samples samples = fit::read_samples(runtime, view(cloud.points), view(cloud.normals), {});
-    base::Operation operation;
-    operation.cancel();
-    EXPECT_THROW((void)fit::measure_noise(runtime, samples, base::Progress(&operation)), Error);
-}
-
 TEST(AutomaticRegularization, BringsNoisySamplesNearerToTheTruth) {
     const base::Runtime runtime;
     for (const double normal : {0.0, 0.1}) {

@@ -136,21 +136,6 @@ TEST(PolynomialSpace, NeedsSamplesThatDetermineThePolynomial) {
     }
 }
 
-TEST(PolynomialSpace, SameBitsForAnyNumberOfThreads) {
-    Runtime runtime;
-    const VecArray x = positions(runtime, 5000); // two pieces
-    const fit::HermiteSystem system = system_of(x, 1);
-    runtime.parallel = Parallel(1, nullptr, nullptr);
-    Eigen::VectorXd expected = wave(system.rows());
-    fit::PolynomialSpace(runtime, system).take_out(expected.data());
-    for (const int threads : {2, 3, 7}) {
-        runtime.parallel = Parallel(threads, nullptr, nullptr);
-        Eigen::VectorXd found = wave(system.rows());
-        fit::PolynomialSpace(runtime, system).take_out(found.data());
-        EXPECT_EQ(found, expected) << threads;
-    }
-}
-
 } // namespace
 
 } // namespace polynomial_space_test

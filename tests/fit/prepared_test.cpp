@@ -100,23 +100,6 @@ TEST_F(PreparedTest, WhatIsFarIsSummedUpAlready) {
     EXPECT_EQ(prepared->cell_of({NAN, 0.0, 0.0}) + 1, prepared->cells());
 }
 
-TEST_F(PreparedTest, SameBitsForAnyNumberOfThreads) {
-    runtime.parallel = base::Parallel(1, nullptr, nullptr);
-    const auto serial = Prepared::make(runtime, result.data, {});
-    ASSERT_NE(serial, nullptr);
-    const Everything expected = evaluate(runtime, *serial);
-    for (const int threads : {2, 3, 7}) {
-        base::Runtime other;
-        other.parallel = base::Parallel(threads, nullptr, nullptr);
-        const auto prepared = Prepared::make(other, result.data, {});
-        const Everything found = evaluate(other, *prepared);
-        EXPECT_EQ(std::memcmp(found.numbers.data(), expected.numbers.data(),
-                              static_cast<std::size_t>(expected.numbers.size()) * sizeof(double)),
-                  0)
-            << threads;
-    }
-}
-
 TEST_F(PreparedTest, APointsResultDoesNotDependOnTheOthers) {
     const auto prepared = Prepared::make(runtime, result.data, {});
     const Everything all = evaluate(runtime, *prepared);

@@ -80,16 +80,6 @@ TEST(Samples, AllInOnePlaceAreOneSample) {
     EXPECT_NEAR(at(result.data, {9, 5, 9}).value, 3.0, 1e-12);
 }
 
-TEST(Samples, CoincidentOnesThatDisagreeAreNamed) {
-    Cloud cloud = sphere(50);
-    cloud.add(cloud.point(31), glm::normalize(cloud.normal(31) + glm::dvec3(0.0, 0.0, 0.1)));
-    expect_message(input(cloud), {"points[31]", "points[50]", "normals", "degrees", "remove"});
-    Cloud opposite;
-    opposite.add({0, 0, 0}, {0, 0, 1});
-    opposite.add({0, 0, 0}, {0, 0, -1});
-    expect_message(input(opposite), {"points[0]", "points[1]", "180"});
-}
-
 TEST(Samples, NormalsAreNormalisedAndCounted) {
     const Runtime runtime;
     const Cloud cloud = sphere(20);
@@ -100,29 +90,6 @@ TEST(Samples, NormalsAreNormalisedAndCounted) {
     EXPECT_EQ(result.report.rescaled_normals, 12); // not those of 1 and 1 + 5e-5: 4 + 4
     for (std::int64_t i = 0; i < 20; ++i)
         EXPECT_NEAR(glm::distance(at(result.data, cloud.point(i)).gradient, cloud.normal(i)), 0.0, 1e-10);
-}
-
-TEST(Samples, WhatIsNotFiniteIsNamed) {
-    const double nan = std::numeric_limits<double>::quiet_NaN();
-    const double inf = std::numeric_limits<double>::infinity();
-    for (const double bad : {nan, inf, -inf}) {
-        Cloud cloud = sphere(10);
-        cloud.points[3 * 4 + 1] = bad;
-        expect_message(input(cloud), {"points[4]", "NaN or infinite"});
-        cloud = sphere(10);
-        cloud.normals[3 * 9 + 2] = bad;
-        expect_message(input(cloud), {"normals[9]", "NaN or infinite"});
-    }
-    Cloud cloud = sphere(10);
-    cloud.points[0] = -1e101;
-    expect_message(input(cloud), {"points[0]", "1e100"});
-    expect_message(input(sphere(10).moved(1e-130, glm::dvec3(0.0))), {"points", "1e-100"});
-}
-
-TEST(Samples, ZeroNormalsAreNamed) {
-    Cloud cloud = sphere(10);
-    for (std::size_t c = 0; c < 3; ++c) cloud.normals[3 * 6 + c] = 0.0;
-    expect_message(input(cloud), {"normals[6]", "zero"});
 }
 
 TEST(Samples, BadParametersAreNamed) {

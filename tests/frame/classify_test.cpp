@@ -240,43 +240,5 @@ protected:
     frame::Camera camera = front_camera(100, 100);
 };
 
-TEST_F(BadFrame, NamesTheMatrix) {
-    Item item = good;
-    item.transform[1][2] = std::nan("");
-    expect_error(item, camera, "items[1].transform[6]");
-    item = good;
-    item.transform[0][3] = 0.5;
-    expect_error(item, camera, "items[1].transform is not affine");
-    item = good;
-    item.transform[2] = glm::dvec4(0.0);
-    expect_error(item, camera, "items[1].transform is singular");
-}
-
-TEST_F(BadFrame, NamesTheCameraField) {
-    frame::Camera bad = camera;
-    bad.viewport = glm::dvec4(0.0);
-    expect_error(good, bad, "camera.viewport is 0 x 0");
-    bad.viewport = {0.0, std::nan(""), 10.0, 10.0};
-    expect_error(good, bad, "camera.viewport[1]");
-    bad = camera;
-    bad.view[3][0] = std::nan("");
-    expect_error(good, bad, "camera.view[12]");
-    bad = camera;
-    bad.view = glm::dmat4(0.0);
-    expect_error(good, bad, "camera.view is singular");
-    bad = camera;
-    bad.projection = glm::dmat4(0.0);
-    expect_error(good, bad, "camera.projection is singular");
-    bad = camera;
-    bad.depth = static_cast<drawing::DepthConvention>(7);
-    expect_error(good, bad, "depth_convention 7");
-}
-
-TEST_F(BadFrame, NamesTheItemOfAnotherPaper) {
-    Item item = good;
-    item.style.paper = {1.0F, 1.0F, 1.0F, 0.0F};
-    expect_error(item, camera, "items[1].style.paper");
-}
-
 } // namespace
 } // namespace hrbfnpr::testing::classify_test

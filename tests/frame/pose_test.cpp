@@ -303,30 +303,6 @@ protected:
     Places places{set, 0};
 };
 
-TEST_F(BadPose, NamesTheLayer) {
-    for (const std::int64_t layer : {std::int64_t{1}, std::int64_t{-1}, std::int64_t{1} << 40}) {
-        Pose pose = places.pose(0);
-        pose.layer = layer;
-        expect_error(std::array{pose}, "items[1].poses[0].layer is");
-    }
-    expect_error(std::array{places.pose(0), places.pose(0)}, "items[1].poses[1].layer is 0");
-}
-
-TEST_F(BadPose, NamesTheVector) {
-    places.position[3 * 4 + 1] = std::numeric_limits<double>::quiet_NaN();
-    expect_error(std::array{places.pose(0)}, "items[1].poses[0].position[4]");
-    places.position[3 * 4 + 1] = std::numeric_limits<double>::infinity();
-    expect_error(std::array{places.pose(0)}, "items[1].poses[0].position[4]");
-    places = Places(set, 0);
-    places.normal[3 * 24 + 2] = 1.02;
-    expect_error(std::array{places.pose(0)}, "items[1].poses[0].normal[24] has the length 1.02");
-    places.normal[3 * 24 + 2] = 0.0;
-    expect_error(std::array{places.pose(0)}, "items[1].poses[0].normal[24]");
-    places = Places(set, 0);
-    places.direction[0] = std::numeric_limits<double>::quiet_NaN();
-    expect_error(std::array{places.pose(0)}, "items[1].poses[0].direction[0]");
-}
-
 TEST_F(BadPose, IsForgottenAfterwards) {
     places.normal[2] = 3.0;
     expect_error(std::array{places.pose(0)}, "normal[0]");

@@ -87,55 +87,6 @@ TEST(Layers, WithoutAnyThereIsOneOfStipples) {
     EXPECT_EQ(settings.layers[0].published.levels, 4);
 }
 
-TEST(Layers, BudgetsThatLimitNothingAreRefused) {
-    expect_error(Status::invalid_argument, {"layers[0].budget is 0", "stipples of BLUE_NOISE need one"},
-                 [] { (void)completed(blue({Kind::stipples}, 0)); });
-    expect_error(Status::invalid_argument, {"layers[1].budget is 0", "separation"}, [] {
-        Settings settings = blue({Kind::stipples, Kind::hatch}, 100);
-        of(settings, Kind::hatch).budget = 0;
-        (void)completed(settings);
-    });
-    expect_error(Status::invalid_argument, {"layers[0]", "100000001", "100000000 at most"},
-                 [] { (void)completed(blue({Kind::hatch}, 100000001)); });
-    Settings fine = blue({Kind::stipples}, 0);
-    fine.shared_budget = 10;
-    EXPECT_EQ(completed(fine).layers[0].budget, 10);
-    EXPECT_EQ(completed(recursion({Kind::stipples}, 1)).layers[0].budget, 0);
-}
-
-TEST(Layers, StartsAreChecked) {
-    Settings settings = recursion({Kind::stipples, Kind::hatch}, 2);
-    of(settings, Kind::hatch).published.from_stipples = true;
-    of(settings, Kind::hatch).published.start_level = 3;
-    expect_error(Status::invalid_argument, {"layers[1].start_level is 3", "2 levels"},
-                 [&] { (void)completed(settings); });
-    of(settings, Kind::hatch).published.start_level = 2;
-    (void)completed(settings);
-    of(settings, Kind::stipples).published.from_stipples = true;
-    expect_error(Status::invalid_argument, {"layers[0].start is STIPPLES"}, [&] { (void)completed(settings); });
-    settings = blue({Kind::hatch}, 100);
-    of(settings, Kind::hatch).published.from_stipples = true;
-    expect_error(Status::invalid_argument, {"layers[0].start", "PUBLISHED"}, [&] { (void)completed(settings); });
-}
-
-// Published strokes follow curvature, the combing direction or the caller's field, and nothing else.
-TEST(Layers, GuidesOfPublishedStrokesAreChecked) {
-    for (const hatching::Guide guide :
-         {hatching::Guide::sections, hatching::Guide::light, hatching::Guide::silhouette}) {
-        Settings settings = recursion({Kind::stipples, Kind::hatch}, 2);
-        of(settings, Kind::hatch).hatching.field.guide = guide;
-        const std::string number = "layers[1].guide is " + std::to_string(static_cast<int>(guide));
-        expect_error(Status::invalid_argument, {number.c_str(), "PUBLISHED", "CURVATURE (0), COMBING (1)"},
-                     [&] { (void)completed(settings); });
-        of(settings, Kind::hatch).hatching.direction.function = [](void*, std::int64_t, const double*, const double*,
-                                                                   double*) { return std::int32_t{0}; };
-        (void)completed(settings);
-        settings = blue({Kind::hatch}, 100);
-        of(settings, Kind::hatch).hatching.field.guide = guide;
-        (void)completed(settings);
-    }
-}
-
 // Over how long a way normals for the tone are averaged depends on what shows it.
 TEST(Layers, TonesOfLinesAreSmoothedUnlessTheySayOtherwise) {
     Settings settings = blue({Kind::stipples, Kind::hatch}, 100);

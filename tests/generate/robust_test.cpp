@@ -31,23 +31,6 @@ TEST(Determinism, TheRandomSeedChangesTheMarks) {
     }
 }
 
-TEST(Callbacks, ASerialFunctionRunsOnTheCallersThreadOnly) {
-    const base::Runtime threads = test::with_threads(4);
-    for (const generate::Settings& settings : {small_published(), small_blue()}) {
-        Torus torus;
-        torus.is_concurrent = false;
-        const PointSet set = generate::generate(threads, torus, {}, settings, {});
-        EXPECT_FALSE(torus.strange_thread);
-        EXPECT_GT(torus.evaluations, 1000);
-    }
-    // The test can fail: a concurrent one does run elsewhere, where there are threads at all.
-    const Torus torus;
-    (void)generate::generate(threads, torus, {}, small_blue(), {});
-    if (std::thread::hardware_concurrency() > 1) {
-        EXPECT_TRUE(torus.strange_thread);
-    }
-}
-
 TEST(Memory, BytesAreThoseOfTheArrays) {
     const base::Runtime runtime;
     const PointSet set = generate::generate(runtime, Torus(), {}, small_blue(), {});

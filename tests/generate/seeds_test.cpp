@@ -131,18 +131,6 @@ TEST(Seeds, PointsAreProjectedFromAnywhere) {
     EXPECT_NEAR(glm::distance(position(set, Kind::stipples, 2), {0, 0, -1}), 0.0, 1e-6);
 }
 
-TEST(Seeds, BadOnesAreNamed) {
-    generate::Settings settings = recursion({Kind::stipples}, 0);
-    settings.seeds.source = SeedSource::points;
-    expect_error(Status::invalid_argument, {"seed_points", "empty"}, [&] { (void)make(Sphere(), settings); });
-    std::vector<double> points = six_seeds();
-    points[7] = std::nan("");
-    use_points(settings, points);
-    expect_error(Status::invalid_argument, {"seed_points[2]", "finite"}, [&] { (void)make(Sphere(), settings); });
-    settings.seeds.source = SeedSource::samples;
-    expect_error(Status::invalid_argument, {"SAMPLES", "BOX"}, [&] { (void)make(Sphere(), settings); });
-}
-
 TEST(Seeds, ASetWithoutAnyIsAnError) {
     const AnyField nothing(cube(1.0), [](const glm::dvec3& p) -> Field {
         return {glm::dot(p, p) + 1.0, 2.0 * p, identity(2.0)};

@@ -47,11 +47,5 @@ TEST(Neighbours, AreTheNearestInOrder) {
 
 TEST(Neighbours, OfNothingAreNothing) { EXPECT_EQ(Neighbours(base::Parallel(), VecArray(memory()), 6, {}).each(), 0); }
 
-TEST(Neighbours, CanBeCancelled) {
-    base::Operation operation;
-    operation.cancel();
-    EXPECT_THROW(Neighbours(base::Parallel(), lattice(100), 6, base::Progress(&operation)), Error);
-}
-
 } // namespace
 } // namespace hrbfnpr::geometry::neighbours_test

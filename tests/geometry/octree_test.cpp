@@ -155,14 +155,6 @@ TEST(Octree, StandsLevelByLevelAlongACurve) {
     }
 }
 
-TEST(Octree, CanBeCancelled) {
-    base::Operation operation;
-    operation.cancel();
-    EXPECT_THROW(Octree(surface(50), 7, 0.0, base::Progress(&operation)), Error);
-    const Octree tree(surface(50), 7, 0.0, {});
-    EXPECT_THROW(static_cast<void>(octree_interactions(tree, base::Progress(&operation))), Error);
-}
-
 bool touching(const Octree::Node& a, const Octree::Node& b) {
     return std::abs(a.cell[0] - b.cell[0]) < 2 && std::abs(a.cell[1] - b.cell[1]) < 2 &&
            std::abs(a.cell[2] - b.cell[2]) < 2;

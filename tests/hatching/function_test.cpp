@@ -73,15 +73,5 @@ TEST(Function, IsAskedAtAbsolutePlaces) {
     }
 }
 
-TEST(Function, ThatFailsIsReported) {
-    const Torus torus;
-    Caller fails{helix};
-    fails.result = 3;
-    expect_error(Status::callback, {"direction_function returned 3"}, [&] { (void)make(torus, along(fails, 1000)); });
-    EXPECT_EQ(fails.calls, 1);
-    Caller nan{not_a_number};
-    expect_error(Status::callback, {"direction_function gave 1 nan 0"}, [&] { (void)make(torus, along(nan, 1000)); });
-}
-
 } // namespace
 } // namespace hrbfnpr::hatching::function_test

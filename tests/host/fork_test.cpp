@@ -33,8 +33,8 @@ TEST(Fork, ChildrenDoTheSameWork) {
     const Scene scene(make_context(0)); // the threads are up
     const auto work = [&](const Context& context) {
         const Model model = fit(context);
-        Bytes bytes = draw(context, generate(context, model), nullptr, model.get());
-        const Bytes old = draw(context, scene.marks, nullptr, scene.model.get()); // the parent's
+        Bytes bytes = draw(context, generate(context, model), model.get());
+        const Bytes old = draw(context, scene.marks, scene.model.get()); // the parent's
         bytes.insert(bytes.end(), old.begin(), old.end());
         return bytes;
     };

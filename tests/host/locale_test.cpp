@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A host in a country that writes 0,5: neither is its locale changed, nor does it change a byte.
-#include "host/session.h"
+#include "host/calls.h"
 
 #include <gtest/gtest.h>
 
@@ -72,7 +72,7 @@ std::string messages() {
 }
 
 Bytes session() {
-    Bytes bytes = everything(Scene(make_context(2)));
+    Bytes bytes = everything(make_context(2));
     const std::string words = messages();
     bytes.insert(bytes.end(), words.begin(), words.end());
     return bytes;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The library's own threads: when they are there, what they are called, and what happens where the system gives none.
-#include "host/session.h"
+#include "host/calls.h"
 
 #include <gtest/gtest.h>
 
@@ -91,9 +91,9 @@ TEST(Pool, SaysWhatItIs) {
 }
 
 TEST(Pool, GoesOnWithoutThreadsThatTheSystemDoesNotGive) {
-    const Bytes wanted = everything(Scene(make_context(1)));
+    const Bytes wanted = everything(make_context(1));
     refuses = true;
-    const Bytes alone = everything(Scene(make_context(4)));
+    const Bytes alone = everything(make_context(4));
     refuses = false;
     EXPECT_GT(refused, 0);
     EXPECT_TRUE(alone == wanted);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What belongs to the host's process and comes back as it was: signals, floating-point state, streams.
-#include "host/session.h"
+#include "host/calls.h"
 
 #include <gtest/gtest.h>
 
@@ -52,7 +52,7 @@ TEST(ProcessState, SignalsAreTheHosts) {
     action.sa_handler = [](int) {};
     sigaction(SIGFPE, &action, &old);
     const Signals before;
-    everything(Scene(make_context(0)));
+    everything(make_context(0));
     const Signals after;
     EXPECT_EQ(after.handler, before.handler);
     EXPECT_EQ(after.blocked, before.blocked);
@@ -76,7 +76,8 @@ TEST(ProcessState, FloatingPointStateIsTheHosts) {
     const hrbfnpr_fit_desc desc = fit_desc(samples);
     const Context context = make_context(0);
     const Scene scene(make_context(0));
-    const Bytes wanted = everything(scene);
+    const Calls calls(make_context(0));
+    const Bytes wanted = calls.everything();
     for (const int mode : {FE_TONEAREST, FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO}) {
         fenv_t ours;
         std::feholdexcept(&ours);
@@ -92,7 +93,7 @@ TEST(ProcessState, FloatingPointStateIsTheHosts) {
                                      << after.x87 << " was " << before.x87;
         EXPECT_TRUE(picture == same);
     }
-    EXPECT_TRUE(everything(scene) == wanted);
+    EXPECT_TRUE(calls.everything() == wanted);
 }
 #endif
 
@@ -162,7 +163,7 @@ void go_wrong(const Context& context) {
 TEST(ProcessState, NothingIsPrinted) {
     Captured output(STDOUT_FILENO);
     Captured errors(STDERR_FILENO);
-    everything(Scene(make_context(0)));
+    everything(make_context(0));
     go_wrong(make_context(0));
     EXPECT_EQ(errors.text(), "");
     EXPECT_EQ(output.text(), "");

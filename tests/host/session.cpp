@@ -45,13 +45,28 @@ PointSet generate(const Context& context, const Model& model, Generation desc) {
 
 PointSet generate(const Context& context, const Model& model) { return generate(context, model, three_layers(1000)); }
 
-Bytes everything(const Scene& scene) {
-    Bytes all;
-    for (const Step& step : steps()) {
-        const Bytes part = step.run(scene);
-        all.insert(all.end(), part.begin(), part.end());
-    }
-    return all;
+Bytes draw(const Context& context, const PointSet& marks, const hrbfnpr_model* rays) {
+    constexpr std::int32_t side = 160;
+    scenes::Check check;
+    hrbfnpr_renderer* made_renderer = nullptr;
+    check(hrbfnpr_renderer_create(context.get(), &made_renderer, check.error()));
+    const Renderer renderer(made_renderer);
+    auto item = made(hrbfnpr_item_init);
+    item.point_set = marks.get();
+    item.model = rays;
+    auto camera = made(hrbfnpr_camera_init);
+    const double low[3] = {-1.5, -1.5, -0.5}, high[3] = {1.5, 1.5, 0.5}, direction[3] = {0.0, 1.0, -1.0};
+    const double up[3] = {0.0, 0.0, 1.0};
+    check(hrbfnpr_camera_fit_bounds(&camera, low, high, direction, up, 0.5, side, side, 0.02, check.error()));
+    hrbfnpr_drawing* made_drawing = nullptr;
+    check(hrbfnpr_renderer_draw(renderer.get(), &item, 1, 0, &camera, &made_drawing, check.error()));
+    const Drawing drawing(made_drawing);
+    Bytes pixels(std::size_t{4} * side * side);
+    auto image = made(hrbfnpr_image_init);
+    image.width = image.height = side;
+    image.pixels = pixels.data();
+    check(hrbfnpr_drawing_rasterize(drawing.get(), &image, nullptr, check.error()));
+    return pixels;
 }
 
 } // namespace host_test

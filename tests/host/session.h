@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a host does with the library, call by call, so that tests can do it in unusual places.
+// What a host does with the library, so that tests can do it in unusual places.
 #pragma once
 
 #include "scenes/shapes.h"
@@ -7,7 +7,6 @@
 #include "support/test_backend.h"
 
 #include <cstdint>
-#include <span>
 #include <vector>
 
 namespace host_test {
@@ -31,27 +30,14 @@ Model fit(const Context& context, const hrbfnpr_fit_desc& desc);
 Model fit(const Context& context, int samples = 192); // of a torus
 PointSet generate(const Context& context, const Model& model, Generation desc);
 PointSet generate(const Context& context, const Model& model); // 1000 marks of each kind
-Bytes draw(const Context& context, const PointSet& marks, const hrbfnpr_style* style = nullptr,
-           const hrbfnpr_model* rays = nullptr);
+Bytes draw(const Context& context, const PointSet& marks, const hrbfnpr_model* rays = nullptr);
 
-// What steps work on: a torus, or a model of the caller's.
+// A torus and marks on it.
 struct Scene {
     explicit Scene(Context made_context) : context(std::move(made_context)), model(fit(context)) {}
-    Scene(Context made_context, Model made_model) : context(std::move(made_context)), model(std::move(made_model)) {}
     Context context;
     Model model;
     PointSet marks = generate(context, model);
 };
-
-// A kind of call, or a few that belong together; every kind but fit is among them.  What is computed comes
-// back as bytes.
-struct Step {
-    const char* name;
-    Bytes (*run)(const Scene& scene);
-};
-[[nodiscard]] std::span<const Step> steps();
-
-// What all steps compute, for one scene after the other.
-Bytes everything(const Scene& scene);
 
 } // namespace host_test

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Threads with small stacks, as job systems have: every call but fit does with 64 KiB, and fit with 512 KiB.
-#include "host/session.h"
+#include "host/calls.h"
 #include "host/small_stack.h"
 
 #include <gtest/gtest.h>
@@ -27,8 +27,8 @@ void expect_enough(std::size_t stack, const char* what, const std::function<void
 class SmallStacks : public testing::TestWithParam<std::int32_t> {}; // the context's threads, 0 = all
 
 TEST_P(SmallStacks, DoForEverythingButFit) {
-    const Scene scene(make_context(GetParam()));
-    for (const Step& step : steps()) expect_enough(small, step.name, [&] { step.run(scene); });
+    const Calls calls(make_context(GetParam()));
+    for (const api_test::Stage& call : calls.all()) expect_enough(small, call.name.c_str(), [&] { Calls::run(call); });
 }
 
 std::int64_t bytes_in_use(const Context& context) {
@@ -123,9 +123,9 @@ TEST(SmallStacksOfWorkers, DoForEverythingButFit) {
     desc.thread_count = 4;
     desc.run_tasks = run_on_workers;
     desc.run_tasks_user = &stack;
-    const Scene scene(make_context(desc));
+    const Calls calls(make_context(desc));
     stack = small;
-    EXPECT_EQ(everything(scene), everything(Scene(make_context(1))));
+    EXPECT_EQ(calls.everything(), everything(make_context(1)));
 }
 
 } // namespace

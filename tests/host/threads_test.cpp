@@ -36,7 +36,7 @@ void on_threads(int count, const std::function<void(int)>& work) {
 Bytes session(const Context& context, const Model& model) {
     const PointSet marks = generate(context, model);
     Bytes bytes = draw(context, marks);
-    const Bytes by_rays = draw(context, marks, nullptr, model.get());
+    const Bytes by_rays = draw(context, marks, model.get());
     bytes.insert(bytes.end(), by_rays.begin(), by_rays.end());
     return bytes;
 }

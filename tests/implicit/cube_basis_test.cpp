@@ -158,31 +158,6 @@ TEST(CubeBasis, InterpolationIsStable) {
     }
 }
 
-TEST(CubeBasis, SameBitsForAnyNumberOfThreads) {
-    base::Runtime runtime;
-    runtime.parallel = base::Parallel(1, nullptr, nullptr);
-    const CubeBasis serial(runtime, 7, {});
-    for (const int threads : {2, 3, 7}) {
-        runtime.parallel = base::Parallel(threads, nullptr, nullptr);
-        const CubeBasis basis(runtime, 7, {});
-        EXPECT_EQ(std::memcmp(basis.to_coefficients().data(), serial.to_coefficients().data(),
-                              static_cast<std::size_t>(serial.to_coefficients().size()) * sizeof(double)),
-                  0)
-            << threads;
-    }
-}
-
-TEST(CubeBasis, CanBeCancelled) {
-    const base::Runtime runtime;
-    base::Operation operation;
-    operation.cancel();
-    EXPECT_THROW(CubeBasis(runtime, 5, base::Progress(&operation)), hrbfnpr::Error);
-    const CubeBasis basis(runtime, 5, {});
-    const VecArray points = points_in_cube(runtime.memory, 3);
-    EXPECT_THROW(static_cast<void>(basis.interpolation(runtime, points, 3, base::Progress(&operation))),
-                 hrbfnpr::Error);
-}
-
 } // namespace
 
 } // namespace cube_basis_test

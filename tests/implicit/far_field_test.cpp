@@ -163,36 +163,6 @@ TEST(FarField, SumsNothingOfTheCallBefore) {
     EXPECT_EQ(error(second, first), 0.0);
 }
 
-TEST(FarField, SameBitsForAnyNumberOfThreads) {
-    base::Runtime runtime;
-    const VecArray points = uneven(runtime.memory, 1500);
-    const Weights weights(runtime.memory, points.size());
-    runtime.parallel = base::Parallel(1, nullptr, nullptr);
-    const Sums serial = quickly(runtime, points, weights, {4.0, 0, 20, 1.0});
-    for (const int threads : {2, 3, 7}) {
-        runtime.parallel = base::Parallel(threads, nullptr, nullptr);
-        const Sums sums = quickly(runtime, points, weights, {4.0, 0, 20, 1.0});
-        EXPECT_TRUE(hrbfnpr::test::same_bits(sums.value, serial.value)) << threads;
-        EXPECT_TRUE(hrbfnpr::test::same_bits(sums.gradient.x, serial.gradient.x)) << threads;
-        EXPECT_TRUE(hrbfnpr::test::same_bits(sums.gradient.y, serial.gradient.y)) << threads;
-        EXPECT_TRUE(hrbfnpr::test::same_bits(sums.gradient.z, serial.gradient.z)) << threads;
-    }
-}
-
-TEST(FarField, CanBeCancelled) {
-    const base::Runtime runtime;
-    const VecArray points = sphere(runtime.memory, 300);
-    const Weights weights(runtime.memory, points.size());
-    implicit::FarField field(runtime, points, {4.0, 0, 20, 1.0}, {});
-    Sums sums(runtime.memory, points.size());
-    base::Operation operation;
-    operation.cancel();
-    const base::Progress cancelled(&operation);
-    EXPECT_THROW(implicit::FarField(runtime, points, {4.0, 0, 20, 1.0}, cancelled), hrbfnpr::Error);
-    EXPECT_THROW(field.sum(weights.alpha.data(), weights.beta, sums.value.data(), sums.gradient, cancelled),
-                 hrbfnpr::Error);
-}
-
 } // namespace
 
 } // namespace far_field_test

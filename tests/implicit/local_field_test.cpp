@@ -155,16 +155,6 @@ TEST(LocalField, OutsideOfAllCubesThereIsNone) {
     }
 }
 
-TEST(LocalField, CanBeCancelled) {
-    const base::Runtime runtime;
-    base::Operation operation;
-    operation.cancel();
-    const Sources sources = sheet(runtime.memory, 10, 0);
-    EXPECT_THROW(implicit::LocalField(runtime, sources.position, sources.alpha.data(), sources.beta, {1.0, 1e-3, 0},
-                                      base::Progress(&operation)),
-                 hrbfnpr::Error);
-}
-
 } // namespace
 
 } // namespace local_field_test

@@ -240,13 +240,6 @@ TEST(Files, NothingBehindTheEndIsRead) {
     EXPECT_EQ(reader.remaining(), 0U);
 }
 
-TEST(Files, GiveTheirMemoryBack) {
-    base::Memory memory;
-    EXPECT_EQ(load(memory, model_bytes(100), true).status, Status::ok);
-    EXPECT_EQ(load(memory, point_set_bytes(100), false).status, Status::ok);
-    EXPECT_EQ(memory.bytes_now(), 0);
-}
-
 TEST(Files, FailedWritesAreReported) {
     class Full final : public Writer {
         void write(const void* /*data*/, std::uint64_t size) override {

@@ -157,22 +157,6 @@ TEST_F(MoveClusters, FollowTheBendOfTheSurface) {
     }
 }
 
-TEST_F(MoveClusters, AllocateNothingWhereThereWereAsMany) {
-    test::Allocator counter;
-    const base::Runtime counted = test::with_allocator(counter);
-    const marks::PointSet set = clustered(counted, torus(counted.memory, 100));
-    const marks::PointSet less = clustered(counted, torus(counted.memory, 60));
-    MarkClusters own(counted.memory);
-    const Moved places(set.layers[0], stay);
-    const Moved fewer(less.layers[0], stay);
-    marks::move_clusters(set.layers[0], places.position.data(), places.normal.data(), set.unit, own);
-    const std::int64_t warm = counter.calls;
-    marks::move_clusters(less.layers[0], fewer.position.data(), fewer.normal.data(), less.unit, own);
-    EXPECT_EQ(own.cluster.size(), less.layers[0].clusters.cluster.size());
-    marks::move_clusters(set.layers[0], places.position.data(), places.normal.data(), set.unit, own);
-    EXPECT_EQ(counter.calls, warm);
-}
-
 TEST_F(MoveClusters, OfAnEmptyLayerAreNone) {
     const marks::Layer empty(runtime.memory);
     marks::move_clusters(empty, nullptr, nullptr, 1.0, moved);

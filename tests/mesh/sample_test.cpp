@@ -41,21 +41,6 @@ TEST(MeshSamples, LieOnTheMeshEvenOverItsArea) {
     EXPECT_NEAR(on_lid, 20000.0 / 2.04, 300.0);
 }
 
-TEST(MeshSamples, AreTheSameForAnyNumberOfThreadsAndNotForAnotherSeed) {
-    const base::Runtime one = runtime(1), three = runtime(3);
-    const mesh::Mesh sphere = made(one, icosphere(3));
-    const mesh::MeshSamples a = mesh::even_samples(one, sphere, 500, 20000, 7, {});
-    const mesh::MeshSamples b = mesh::even_samples(three, sphere, 500, 20000, 7, {});
-    const mesh::MeshSamples c = mesh::even_samples(one, sphere, 500, 20000, 8, {});
-    int different = 0;
-    for (std::int64_t i = 0; i < 500; ++i) {
-        ASSERT_EQ(a.position[i], b.position[i]) << i;
-        ASSERT_EQ(a.normal[i], b.normal[i]) << i;
-        different += a.position[i] != c.position[i] ? 1 : 0;
-    }
-    EXPECT_GT(different, 490);
-}
-
 TEST(MeshSamples, KeepTheirDistanceInEveryPrefix) {
     const base::Runtime two = runtime(2);
     const mesh::Mesh sphere = made(two, icosphere(4));

@@ -211,23 +211,6 @@ void expect_refused(const SeenDepths& image, const char* message) {
     }
 }
 
-TEST(DepthImage, RefusesWhatIsNoImage) {
-    const SeenDepths image = seen_depths(64, 48, kinect);
-    SeenDepths turned = image; // columns and rows mixed up
-    std::swap(turned.columns, turned.rows);
-    expect_refused(turned, "no image of a camera");
-    SeenDepths behind = image;
-    behind.points[3 * 1000 + 2] *= -1.0;
-    expect_refused(behind, "depth_image_desc.points[1000] has z = -");
-    SeenDepths empty = image;
-    std::fill(empty.points.begin(), empty.points.end(), nan);
-    expect_refused(empty, "has 0 points with a z that is finite and not 0");
-    SeenDepths away = image;
-    for (std::size_t i = 2; i < away.points.size(); i += 3) away.points[i] += 5.0; // not where the camera stood
-    for (std::size_t i = 0; i < away.points.size(); i += 3) away.points[i] = 1.0;
-    expect_refused(away, "x / z does not go with the column");
-}
-
 // Numbers that overflow on the way are no crash, and give no numbers that are not.
 TEST(DepthImage, StandsOddNumbers) {
     SeenDepths image = seen_depths(64, 48, kinect);

@@ -85,26 +85,6 @@ TEST(RidgePath, SmoothsDirectionsButNotOverToTheOtherSide) {
     EXPECT_EQ(clean.right(wall, normal), 1.0);
 }
 
-TEST(RidgePath, GivesTheSameBitsForAnyNumberOfThreads) {
-    const Samples wall = noisy_wall();
-    const auto with = [&](int threads) {
-        const base::Runtime runtime(
-            [](void*, std::uint64_t size, std::uint64_t alignment) {
-                return std::aligned_alloc(alignment, (size + alignment - 1) / alignment * alignment);
-            },
-            [](void*, void* memory, std::uint64_t, std::uint64_t) { std::free(memory); }, nullptr,
-            base::Parallel(threads, nullptr, nullptr), base::InstructionSet::automatic, nullptr, nullptr);
-        const orient::Orientation result = orient::orient(runtime, input(wall), base::Progress());
-        std::vector<double> numbers(result.normal.x.begin(), result.normal.x.end());
-        numbers.insert(numbers.end(), result.normal.z.begin(), result.normal.z.end());
-        numbers.push_back(result.report.confidence);
-        return numbers;
-    };
-    const std::vector<double> alone = with(1);
-    EXPECT_EQ(alone, with(2));
-    EXPECT_EQ(alone, with(3));
-}
-
 TEST(RidgePath, IsDoubtfulOfNoisyWallsAndMoreOfNoiseWithoutOrder) {
     const base::Runtime runtime;
     const auto confidence = [&](double deviation) {

@@ -257,17 +257,6 @@ TEST_F(SettingsTest, OtherTextsAreNoSettings) {
     EXPECT_TRUE(refused(many + "}").starts_with("key0: there is no such field; there are "));
 }
 
-TEST_F(SettingsTest, ItsMemoryIsTheContexts) {
-    const std::int64_t before = memory.bytes_now();
-    {
-        const auto settings = read(written_by_python);
-        EXPECT_GT(memory.bytes_now(), before + 1000);
-    }
-    EXPECT_THROW(static_cast<void>(with(R"("style": {"layers": [{"name": "a long name for a layer of marks"}, 3]})")),
-                 Error);
-    EXPECT_EQ(memory.bytes_now(), before);
-}
-
 TEST_F(SettingsTest, ACameraIsThatOfTheFile) {
     const Json view =
         R"("eye": [1.2, 0.8, 2.5], "target": [0, 0, 0], "up": [0, 1, 0], "near_plane": 1, "far_plane": 5)";

@@ -51,15 +51,5 @@ TEST(Function, WithoutDirectionsStrokesAreMadeAllTheSame) {
     EXPECT_EQ(set.layers[0].count(), 64 * 2 * 27);
 }
 
-TEST(Function, ThatFailsIsReported) {
-    const Torus torus;
-    Caller fails{helix};
-    fails.result = 3;
-    expect_error(Status::callback, {"direction_function returned 3"}, [&] { (void)make(torus, along(fails)); });
-    EXPECT_EQ(fails.calls, 1);
-    Caller nan{not_a_number};
-    expect_error(Status::callback, {"direction_function gave 1 nan 0"}, [&] { (void)make(torus, along(nan)); });
-}
-
 } // namespace
 } // namespace hrbfnpr::published::function_test

@@ -14,32 +14,6 @@ using namespace generate;
 using namespace marks;
 using namespace test;
 
-TEST(PublishedStipples, SixSeedsAndFourLevelsGive3750) {
-    const Sphere sphere;
-    generate::Settings settings = recursion({Kind::stipples}, 4);
-    const std::vector<double> seeds = six_seeds();
-    use_points(settings, seeds);
-    const PointSet set = make(sphere, settings);
-    EXPECT_EQ(of(set, Kind::stipples).count(), 3750);
-    const LayerReport& report = of(set, Kind::stipples).report;
-    EXPECT_EQ(report.full_count, 3750);
-    EXPECT_EQ(report.levels, 4);
-    EXPECT_EQ(of(set, Kind::stipples).strokes(), 0);
-    const std::array<std::int64_t, 5> placed = {6, 24, 120, 600, 3000};
-    for (std::int32_t level = 0; level < 5; ++level)
-        EXPECT_EQ(report.level[level].placed, placed[static_cast<std::size_t>(level)]);
-    expect_sound(set, sphere);
-    EXPECT_EQ(set.distribution, Distribution::published);
-    EXPECT_EQ(set.seed_source, SeedSource::points);
-    // A stipple knows its seed, and every seed has as many.
-    std::array<int, 6> of_seed{};
-    for (std::int64_t i = 0; i < 3750; ++i) {
-        ++of_seed[of(set, Kind::stipples).stroke[2 * i] / 2];
-        EXPECT_EQ(of(set, Kind::stipples).stroke[2 * i + 1], 0U);
-    }
-    for (const int count : of_seed) EXPECT_EQ(count, 625);
-}
-
 TEST(PublishedCounts, Table1) {
     const Sphere sphere;
     const std::vector<double> seeds512 = spiral_seeds(512);
@@ -169,21 +143,6 @@ TEST(PublishedBudget, ThinsTheLevelThatExceedsItAndStops) {
         EXPECT_EQ(of(few, kind).count(), 10);
         EXPECT_EQ(of(few, kind).report.levels, 0);
     }
-}
-
-TEST(PublishedBudget, CountsBeyondReasonAreRefusedBeforeTheyAreMade) {
-    generate::Settings settings = recursion({Kind::stipples}, 12);
-    const std::vector<double> seeds = spiral_seeds(100);
-    use_points(settings, seeds);
-    expect_error(Status::invalid_argument, {"layers[0].levels = 12", "24414062500", "budget"},
-                 [&] { (void)make(Sphere(), settings); });
-    of(settings, Kind::stipples).budget = 1000;
-    EXPECT_EQ(of(make(Sphere(), settings), Kind::stipples).count(), 1000);
-    settings = recursion({combing}, 12);
-    const std::vector<double> many = spiral_seeds(3000);
-    use_points(settings, many);
-    expect_error(Status::invalid_argument, {"layers[0].levels = 12", "budget"},
-                 [&] { (void)make(Sphere(), settings); });
 }
 
 // A step far too long: children of the tangent plane land all over a small sphere or not at all, and

@@ -55,36 +55,5 @@ TEST(Density, FollowsCurvature) {
     EXPECT_NEAR(inner / 4000.0, uniform, 0.01);
 }
 
-TEST(Density, BadOnesAreErrors) {
-    generate::Settings settings = blue({Kind::stipples}, 400);
-    of(settings, Kind::stipples).density.kind = Density::callback;
-    const auto status_of = [&](marks::PlaceFn function) {
-        of(settings, Kind::stipples).density.function = function;
-        try {
-            make(Sphere(), settings);
-        } catch (const Error& error) {
-            return error.status();
-        }
-        return Status::ok;
-    };
-    EXPECT_EQ(status_of([](void*, std::int64_t, const double*, const double*, double*) { return 3; }),
-              Status::callback);
-    EXPECT_EQ(status_of([](void*, std::int64_t count, const double*, const double*, double* d) {
-                  std::fill(d, d + count, -0.5);
-                  return 0;
-              }),
-              Status::callback);
-    EXPECT_EQ(status_of([](void*, std::int64_t count, const double*, const double*, double* d) {
-                  std::fill(d, d + count, std::nan(""));
-                  return 0;
-              }),
-              Status::callback);
-    EXPECT_EQ(status_of([](void*, std::int64_t count, const double*, const double*, double* d) {
-                  std::fill(d, d + count, 0.0);
-                  return 0;
-              }),
-              Status::invalid_argument);
-}
-
 } // namespace
 } // namespace hrbfnpr::stipples::density_test

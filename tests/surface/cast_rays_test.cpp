@@ -366,15 +366,6 @@ TEST(CastRays, NoRayDependsOnTheOthers) {
     }
 }
 
-TEST(CastRays, ASerialFunctionRunsOnTheCallersThreadOnly) {
-    Sphere sphere;
-    sphere.is_concurrent = false;
-    const base::Runtime threads = test::with_threads(4);
-    RayHits hits(runtime().memory);
-    cast_rays(threads, sphere, {}, rays_of(many_lines(2000)), hits, {});
-    EXPECT_FALSE(sphere.strange_thread);
-}
-
 TEST(CastRays, NoRaysIsFine) {
     const Sphere sphere;
     EXPECT_EQ(cast(sphere, {}, at_most(3)).t.size(), 0);

@@ -162,16 +162,6 @@ TEST(Project, ToleranceIsInDiagonals) {
     EXPECT_NEAR(run(plane, {{0.0, 0.0, 0.0101 * diagonal}}, settings).position[0].z, 0.0, 1e-15);
 }
 
-TEST(Project, ASerialFunctionRunsOnTheCallersThreadOnly) {
-    Sphere sphere;
-    sphere.is_concurrent = false;
-    Projection p(runtime().memory);
-    for (int i = 0; i < 5000; ++i) p.position.push_back(2.0 * pseudo_random(i));
-    const base::Runtime threads = test::with_threads(4);
-    project(threads, sphere, {}, p, {});
-    EXPECT_FALSE(sphere.strange_thread);
-}
-
 TEST(Project, NoPointsIsFine) {
     const Projection p = run(Sphere(), {});
     EXPECT_EQ(p.status.size(), 0);

@@ -68,22 +68,6 @@ TEST(Contains, NothingBeyondTheRegionAndNothingThatIsNotFinite) {
     EXPECT_EQ(inside_of(broken, {{0, 0, 0}})[0], 0);
 }
 
-TEST(Contains, ManyPointsOnAnyNumberOfThreads) {
-    const Torus torus;
-    geometry::VecArray points(runtime().memory);
-    for (int i = 0; i < 3000; ++i) {
-        const auto [x, y, z] = spiral_point(i, 3000);
-        points.push_back(1.2 * glm::dvec3(x, y, 0.3 * z));
-    }
-    for (const int threads : {1, 2, 3, 7}) {
-        const base::Runtime many = test::with_threads(threads);
-        base::Array<std::uint8_t> inside(runtime().memory);
-        contains(many, torus, points, inside, {});
-        for (std::int64_t i = 0; i < points.size(); ++i)
-            ASSERT_EQ(inside[i], torus.at(points[i]).value < 0.0 ? 1 : 0) << i;
-    }
-}
-
 TEST(Contains, TakesNoPoints) { EXPECT_EQ(inside_of(Sphere(), {}).size(), 0); }
 
 } // namespace

@@ -74,21 +74,6 @@ TEST(PlotOrder, TravelsFarLessAndSaysSo) {
     EXPECT_NEAR(result.counts.seconds, result.counts.drawn / 30.0 + result.counts.travelled / 80.0 + 0.3 * lifts, 1e-6);
 }
 
-TEST(PlotOrder, IsTheSameAgain) {
-    GroupInput input = random_lines(4, 1000, 4.0);
-    Random random(7);
-    for (int i = 0; i < 1000; ++i) {
-        const double x = 200.0 * random();
-        input.dots.push_back({x, 100.0 * random(), 0.3, 1.0, false});
-    }
-    const Sorted one = sorted(input), two = sorted(input);
-    EXPECT_EQ(one.out.calls, two.out.calls);
-    ASSERT_EQ(one.out.paths.size(), two.out.paths.size());
-    for (std::size_t i = 0; i < one.out.paths.size(); ++i)
-        EXPECT_EQ(one.out.paths[i].points[0].x, two.out.paths[i].points[0].x);
-    EXPECT_EQ(one.counts.travelled, two.counts.travelled);
-}
-
 TEST(PlotOrder, BeginsClosedLinesAnywhere) {
     GroupInput input;
     input.add(circle(50.0, 50.0, 10.0, 400), true);

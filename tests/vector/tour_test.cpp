@@ -163,14 +163,5 @@ TEST(Tour, OfClosedLinesBeginsAtTheirBestPoints) {
     EXPECT_LT(result.travel, 1.02 * best);
 }
 
-TEST(Tour, IsTheSameAgain) {
-    const GroupInput input = random_lines(5, 3000, 5.0);
-    const Result one = tour_of(stops_of(input)), two = tour_of(stops_of(input));
-    for (std::size_t i = 0; i < one.legs.size(); ++i) {
-        EXPECT_EQ(one.legs[i].stop, two.legs[i].stop);
-        EXPECT_EQ(one.legs[i].reversed, two.legs[i].reversed);
-    }
-}
-
 } // namespace
 } // namespace hrbfnpr::testing::tour_test

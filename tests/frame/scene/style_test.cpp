@@ -27,15 +27,6 @@ unsigned kinds_with(bool LayerStyle::*flag, std::uint32_t preset) {
     return bits;
 }
 
-TEST(Presets, HaveTheirNames) {
-    for (std::uint32_t i = 0; i < preset_count; ++i) {
-        EXPECT_EQ(testing::preset_names[i].preset, i);
-        EXPECT_STREQ(hrbfnpr_preset_name(i), testing::preset_names[i].name);
-    }
-    EXPECT_EQ(hrbfnpr_preset_name(preset_count), nullptr);
-    EXPECT_EQ(hrbfnpr_preset_name(0xFFFFFFFFU), nullptr);
-}
-
 TEST(Presets, AreValidStyles) {
     for (std::uint32_t i = 0; i < preset_count; ++i) {
         const NamedStyle named(i);
@@ -55,35 +46,6 @@ TEST(Presets, AreValidStyles) {
             EXPECT_EQ(of(named, kind).directions, 3U) << named.name;
         }
     }
-}
-
-TEST(Presets, AreWhatTheirNamesSay) {
-    const auto shown = [](std::uint32_t preset) { return kinds_with(&LayerStyle::shown, preset); };
-    const auto contours = [](std::uint32_t preset) { return kinds_with(&LayerStyle::contours, preset); };
-    EXPECT_EQ(shown(HRBFNPR_PRESET_STIPPLE), 3U); // layers of other kinds are drawn as they come
-    EXPECT_EQ(contours(HRBFNPR_PRESET_STIPPLE), 0U);
-    EXPECT_EQ(shown(HRBFNPR_PRESET_HATCH), 2U);
-    EXPECT_EQ(shown(HRBFNPR_PRESET_CROSS_HATCH), 2U);
-    EXPECT_EQ(shown(HRBFNPR_PRESET_COMBING), 2U);
-    EXPECT_EQ(shown(HRBFNPR_PRESET_SILHOUETTE), 0U);
-    EXPECT_NE(contours(HRBFNPR_PRESET_SILHOUETTE), 0U);
-    EXPECT_EQ(shown(HRBFNPR_PRESET_CONTOUR_AND_STIPPLE), 1U);
-    EXPECT_NE(contours(HRBFNPR_PRESET_CONTOUR_AND_STIPPLE), 0U);
-    EXPECT_EQ(shown(HRBFNPR_PRESET_XRAY), 0U);
-    EXPECT_EQ(NamedStyle(HRBFNPR_PRESET_XRAY).style.hidden_lines, HiddenLines::show);
-    EXPECT_EQ(shown(HRBFNPR_PRESET_FULL), 3U);
-    EXPECT_EQ(shown(HRBFNPR_PRESET_SCIENTIFIC_STIPPLE), 1U);
-    EXPECT_EQ(shown(HRBFNPR_PRESET_BLUEPRINT), 0U);
-    // Hatching alone, which widens with the tone; stipples tell where the surface is.
-    for (const std::uint32_t preset : {HRBFNPR_PRESET_ENGRAVING, HRBFNPR_PRESET_ETCHING, HRBFNPR_PRESET_WOODCUT,
-                                       HRBFNPR_PRESET_SKETCH, HRBFNPR_PRESET_ARCHAEOLOGICAL}) {
-        EXPECT_EQ(shown(preset) & 1U, 0U);
-        EXPECT_NE(contours(preset), 0U);
-        EXPECT_EQ(NamedStyle(preset).style.hidden_lines, HiddenLines::hide);
-    }
-    EXPECT_EQ(NamedStyle(HRBFNPR_PRESET_STIPPLE).style.paper, glm::vec4(1.0F));
-    EXPECT_NE(NamedStyle(HRBFNPR_PRESET_SKETCH).style.paper, glm::vec4(1.0F));
-    EXPECT_NE(NamedStyle(HRBFNPR_PRESET_BLUEPRINT).style.paper, glm::vec4(1.0F));
 }
 
 // Every layer of hatching that a style asks for is drawn as lines, by the element that has its name.

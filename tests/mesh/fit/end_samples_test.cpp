@@ -111,16 +111,6 @@ TEST(EndSamples, EndAtLargeHolesOnly) {
     EXPECT_LT(small.support.nearest_sample({0.5, 0.5, 0.0}).distance, small.closest);
 }
 
-TEST(EndSamples, AreTheSameForAnyNumberOfThreads) {
-    const Triangles from = sheet(0.5, 20, none);
-    const Ended one(from, 1);
-    const Ended other(from, 3);
-    ASSERT_EQ(one.samples.position.size(), other.samples.position.size());
-    EXPECT_TRUE(same_bits(one.samples.face, other.samples.face));
-    for (std::int64_t i = 0; i < one.samples.position.size(); ++i)
-        EXPECT_EQ(one.samples.position[i], other.samples.position[i]);
-}
-
 } // namespace
 
 } // namespace end_samples_test

@@ -86,15 +86,6 @@ TEST(Touching, PartsThatCrossAreNotNear) {
     EXPECT_LT(find(crossing, 0.01, 2000, 2, false).one, 0);
 }
 
-TEST(Touching, IsTheSameForAnyNumberOfThreads) {
-    const Triangles two = box(1.0, 1.0, 1.0, 20).with(box(1.0, 1.0, 1.0, 20).moved(1.0, 0.37, 0.41, 0.53));
-    const mesh::Touching one = find(two, 0.01, 1000, 1);
-    const mesh::Touching other = find(two, 0.01, 1000, 3);
-    EXPECT_GE(one.one, 0);
-    EXPECT_EQ(one.place, other.place);
-    EXPECT_EQ(one.one, other.one);
-}
-
 } // namespace
 
 } // namespace touching_test

@@ -296,20 +296,6 @@ TEST(FitPieces, BridgeTJunctions) {
         EXPECT_LT(tee.edge_offset({0.01 * i, 0.0, 1.0}, std::sqrt(0.5) * glm::dvec3(0.0, -1.0, 1.0)), 1.1e-5);
 }
 
-TEST(FitPieces, AreTheSameForAnyNumberOfThreads) {
-    const Triangles shape = test::drilled_cube(0.4, 48);
-    const Fitted one(shape, 1);
-    const Fitted three(shape, 3);
-    const implicit::PiecesData& a = one.f.data();
-    const implicit::PiecesData& b = three.f.data();
-    ASSERT_EQ(a.sheet.size(), b.sheet.size());
-    for (std::int64_t i = 0; i < a.sheet.size(); ++i) EXPECT_TRUE(test::same_bits(a.sheet[i].alpha, b.sheet[i].alpha));
-    EXPECT_TRUE(test::same_bits(a.child, b.child));
-    EXPECT_TRUE(test::same_bits(a.program, b.program));
-    EXPECT_TRUE(test::same_bits(a.plain, b.plain));
-    EXPECT_TRUE(test::same_bits(a.sample_position, b.sample_position));
-}
-
 // Values, gradients and Hessians of places beside the surface and all over the box.
 struct Asked {
     std::vector<double> x, y, z;

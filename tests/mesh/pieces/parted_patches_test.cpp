@@ -95,15 +95,4 @@ TEST(PartedPatches, AreNoneWhereItIsSaidWhatIsSharp) {
     EXPECT_EQ(found.pieces.sheets, sides + 2);
 }
 
-TEST(PartedPatches, AreTheSameForAnyNumberOfThreads) {
-    const Plate by_one(1);
-    const Plate by_three(3);
-    const mesh::PiecesFit one = by_one.fit();
-    const mesh::PiecesFit three = by_three.fit();
-    ASSERT_EQ(one.data.sheet.size(), three.data.sheet.size());
-    for (std::int64_t i = 0; i < one.data.sheet.size(); ++i)
-        EXPECT_TRUE(test::same_bits(one.data.sheet[i].alpha, three.data.sheet[i].alpha));
-    EXPECT_TRUE(test::same_bits(one.data.program, three.data.program));
-}
-
 } // namespace parted_patches_test
