@@ -3,8 +3,8 @@
 #pragma once
 
 #include "calls.h"
+#include "edges_shapes.h"
 #include "support/screw.h"
-#include "support/verdict_shapes.h"
 #include "timing.h"
 
 #include <cstdio>
