@@ -5,6 +5,14 @@
 
 #include "support/verdict_shapes.h"
 
+#include <array>
+#include <cmath>
+#include <functional>
+#include <map>
+#include <set>
+#include <utility>
+#include <vector>
+
 namespace hrbfnpr::test::verdict {
 
 // The same with limbs of four sides.

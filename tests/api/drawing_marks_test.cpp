@@ -111,14 +111,12 @@ TEST_F(DrawingTest, IdsAreNumberedOverItemsAndLayers) {
         EXPECT_FAILS(hrbfnpr_drawing_identify(raw, none, &identity, error), HRBFNPR_STATUS_INVALID_ARGUMENT, "id is ");
 }
 
-// ---- formats -------------------------------------------------------------------------------
-
 // ---- poses ---------------------------------------------------------------------------------
 
 // Poses of all layers of a set, shifted.
 struct Poses {
     std::vector<std::vector<double>> position;
-    std::vector<std::vector<float>> normal, direction;
+    std::vector<std::vector<float>> normal;
     std::vector<hrbfnpr_layer_pose> pose;
 
     Poses(const PointSet& set, const std::array<double, 3>& shift) {
@@ -130,16 +128,11 @@ struct Poses {
                 position.back().push_back(double{coordinate} + info.origin[axis] + shift[axis]);
             }
             normal.push_back(attribute<float>(set, layer, HRBFNPR_MARK_ATTRIBUTE_NORMAL));
-            direction.push_back(attribute<float>(set, layer, HRBFNPR_MARK_ATTRIBUTE_DIRECTION));
             pose.push_back(made(hrbfnpr_layer_pose_init));
             pose.back().layer = layer;
             pose.back().position = in(position.back());
             pose.back().normal = in(normal.back());
         }
-    }
-    void use(hrbfnpr_item& item) const {
-        item.poses = pose.data();
-        item.pose_count = static_cast<std::int64_t>(pose.size());
     }
 };
 

@@ -220,25 +220,5 @@ TEST_F(Classify, NothingToDrawIsFine) {
     EXPECT_TRUE(frame.discs().empty());
 }
 
-class BadFrame : public Classify {
-protected:
-    void expect_error(const Item& item, const frame::Camera& seen_by, const char* text) {
-        const std::array items{item_of(set, Style{}), item};
-        try {
-            frame.draw(items, seen_by);
-            ADD_FAILURE() << "no error: " << text;
-        } catch (const Error& error) {
-            EXPECT_EQ(error.status(), Status::invalid_argument);
-            EXPECT_THAT(error.what(), HasSubstr(text));
-        }
-        EXPECT_FALSE(frame.drawn());
-        EXPECT_TRUE(frame.discs().empty());
-    }
-
-    marks::PointSet set = sphere(runtime.memory, 10);
-    Item good = item_of(set, Style{});
-    frame::Camera camera = front_camera(100, 100);
-};
-
 } // namespace
 } // namespace hrbfnpr::testing::classify_test

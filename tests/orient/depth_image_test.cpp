@@ -201,16 +201,6 @@ TEST(DepthImage, DoesNotGoByTheUnitOrTheThreads) {
     EXPECT_EQ(scaled.report.noise, one.report.noise * 0x1p20);
 }
 
-void expect_refused(const SeenDepths& image, const char* message) {
-    try {
-        static_cast<void>(smoothed(image));
-        FAIL() << message;
-    } catch (const Error& error) {
-        EXPECT_EQ(error.status(), Status::invalid_argument);
-        EXPECT_THAT(error.what(), testing::HasSubstr(message));
-    }
-}
-
 // Numbers that overflow on the way are no crash, and give no numbers that are not.
 TEST(DepthImage, StandsOddNumbers) {
     SeenDepths image = seen_depths(64, 48, kinect);

@@ -14,8 +14,6 @@
 #include <functional>
 #include <map>
 #include <numbers>
-#include <set>
-#include <tuple>
 #include <utility>
 #include <vector>
 

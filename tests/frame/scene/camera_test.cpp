@@ -16,7 +16,6 @@ using frame::Camera;
 using frame::DepthConvention;
 using ::testing::HasSubstr;
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr std::array conventions{DepthConvention::negative_one_to_one, DepthConvention::zero_to_one,
                                  DepthConvention::reversed};
 

@@ -19,14 +19,6 @@ LayerStyle of(const NamedStyle& named, Kind kind) {
     return named.style.of(marks::Layer(memory, kind));
 }
 
-// Kinds of layers for which a flag is set, among those that presets generate: bit 0 is stipples, bit 1 hatching.
-unsigned kinds_with(bool LayerStyle::*flag, std::uint32_t preset) {
-    const NamedStyle named(preset);
-    unsigned bits = 0;
-    for (unsigned bit = 0; bit < 2; ++bit) bits |= of(named, kinds[bit]).*flag ? 1U << bit : 0U;
-    return bits;
-}
-
 TEST(Presets, AreValidStyles) {
     for (std::uint32_t i = 0; i < preset_count; ++i) {
         const NamedStyle named(i);
