@@ -47,6 +47,37 @@ def test_the_command_divides_what_is_coarse_and_round(tmp_path, capsys, options,
     assert f"divided {divided} time" in said if divided else "divided" not in said
 
 
+def bevelled_cube():
+    """Of flat faces and round edges; all its faces but these are narrow."""
+    line = np.array([-0.5, -0.48, -0.45, 0.45, 0.48, 0.5])
+    side = len(line)
+    a, b = np.meshgrid(line, line, indexing="ij")
+    points, faces = [], []
+    for axis in range(3):
+        for end in (-0.5, 0.5):
+            first = len(points) * side**2
+            grid = np.full((side**2, 3), end)
+            grid[:, (axis + 1) % 3], grid[:, (axis + 2) % 3] = a.ravel(), b.ravel()
+            points.append(grid)
+            for k in (first + row * side + column for row in range(side - 1) for column in range(side - 1)):
+                two = [(k, k + side, k + side + 1), (k, k + side + 1, k + 1)]
+                faces += two if end > 0 else [face[::-1] for face in two]
+    grid = np.vstack(points)
+    inner = np.clip(grid, -0.45, 0.45)
+    out = (grid - inner) / np.linalg.norm(grid - inner, axis=1, keepdims=True)
+    return inner + 0.05 * out, np.array(faces)
+
+
+# Edges as long as its faces are no coarse ones: what is round there is narrow.
+def test_a_bevelled_cube_is_left(tmp_path, capsys):
+    points, faces = bevelled_cube()
+    path = write(tmp_path, "cube.obj", obj(points, faces))
+    assert main(["draw", str(path), str(tmp_path / "a.png"), "--size", "100", "--marks", "600"]) == 0
+    out, said = capsys.readouterr()
+    assert "divided" not in said and "warning" not in said
+    assert "the surface is whole" in out
+
+
 @pytest.mark.parametrize("hull", (rounded_box, hull_in_a_box))
 def test_a_convex_hull_is_flat(hull, tmp_path, capsys):
     path = write(tmp_path, "hull.obj", obj(*hull()))
