@@ -3,7 +3,7 @@
 
 #include "implicit/hrbf_block.h"
 
-#include "fields.h"
+#include "hermite.h"
 #include "support/instruction_sets.h"
 
 #include <gtest/gtest.h>
@@ -18,9 +18,11 @@ namespace implicit = hrbfnpr::implicit;
 namespace kernel = hrbfnpr::kernel;
 using hrbfnpr::test::instruction_sets;
 using test::Fields;
+using test::hermite_data;
 using test::hessian_index;
 using test::Points;
 using test::scatter;
+using test::targets;
 
 namespace {
 
@@ -28,19 +30,6 @@ using Hessians = std::array<std::vector<double>, 6>;
 
 constexpr double untouched = -7.0;
 constexpr double before = 0.5; // what stands in the sums
-
-implicit::HrbfData make(base::Memory& memory, kernel::Kind kind, int centres) {
-    implicit::HrbfData data(memory);
-    data.kernel = kind;
-    data.kernel_radius = kind == kernel::Kind::gaussian ? 0.8 : 1.5;
-    data.polynomial_degree = -1;
-    for (int j = 0; j < centres; ++j) {
-        data.centre_position.push_back({scatter(7 * j), scatter(7 * j + 1), scatter(7 * j + 2)});
-        data.beta.push_back({scatter(7 * j + 3), scatter(7 * j + 4), scatter(7 * j + 5)});
-        data.alpha.push_back(scatter(7 * j + 6));
-    }
-    return data;
-}
 
 // The Hessian of equation 1, term by term: alpha Hess psi less beta times the third derivatives of psi.
 Hessians plain_sums(const implicit::HrbfData& data, const Points& points) {
@@ -63,15 +52,6 @@ Hessians plain_sums(const implicit::HrbfData& data, const Points& points) {
         }
     }
     return sums;
-}
-
-// The first and every fifth one are centres.
-Points targets(const implicit::HrbfData& data, int count) {
-    Points points;
-    for (int i = 0; i < count; ++i)
-        points.add(i % 5 == 0 ? data.centre_position[i % data.count()]
-                              : glm::dvec3(scatter(5000 + 3 * i), scatter(5001 + 3 * i), scatter(5002 + 3 * i)));
-    return points;
 }
 
 implicit::HessianTargets slice(const Points& points, Hessians& sums, std::size_t begin, std::size_t end) {
@@ -114,8 +94,8 @@ class HermiteHessians : public testing::TestWithParam<kernel::Kind> {};
 TEST_P(HermiteHessians, AreThePlainOnesForAnyCount) {
     base::Memory memory;
     for (const int centres : {0, 1, 23}) {
-        const implicit::HrbfData data = make(memory, GetParam(), centres);
-        const Points points = targets(make(memory, GetParam(), 23), 67);
+        const implicit::HrbfData data = hermite_data(memory, GetParam(), centres);
+        const Points points = targets(hermite_data(memory, GetParam(), 23), 67);
         const Hessians plain = plain_sums(data, points);
         for (const base::InstructionSet set : instruction_sets())
             for (const std::size_t count : {0U, 1U, 2U, 3U, 5U, 7U, 8U, 9U, 15U, 16U, 17U, 25U, 64U})
@@ -126,7 +106,7 @@ TEST_P(HermiteHessians, AreThePlainOnesForAnyCount) {
 
 TEST_P(HermiteHessians, DoNotDependOnHowTheTargetsAreCut) {
     base::Memory memory;
-    const implicit::HrbfData data = make(memory, GetParam(), 31);
+    const implicit::HrbfData data = hermite_data(memory, GetParam(), 31);
     const Points points = targets(data, 137);
     for (const base::InstructionSet set : instruction_sets()) {
         const implicit::AddHermiteHessians add = implicit::hermite_hessians(set, GetParam());
@@ -145,7 +125,7 @@ TEST_P(HermiteHessians, DoNotDependOnHowTheTargetsAreCut) {
 // Next to it, too, where the limit depends on the direction.
 TEST_P(HermiteHessians, AreThePlainOnesAtASource) {
     base::Memory memory;
-    const implicit::HrbfData data = make(memory, GetParam(), 2);
+    const implicit::HrbfData data = hermite_data(memory, GetParam(), 2);
     Points points;
     points.add(data.centre_position[0]);
     for (double gap = 1e-2; gap > 1e-18; gap *= 0.1) {
@@ -160,7 +140,7 @@ TEST_P(HermiteHessians, AreThePlainOnesAtASource) {
 // At a source nothing is left of its own beta; its alpha counts where the kernel is curved there.
 TEST_P(HermiteHessians, LeaveASourcesOwnThirdDerivativeOut) {
     base::Memory memory;
-    implicit::HrbfData data = make(memory, GetParam(), 1);
+    implicit::HrbfData data = hermite_data(memory, GetParam(), 1);
     Points points;
     points.add(data.centre_position[0]);
     const double a = kernel::radial(data.kernel, data.kernel_radius, 0.0).a;
@@ -179,7 +159,7 @@ TEST_P(HermiteHessians, LeaveASourcesOwnThirdDerivativeOut) {
 // Where two doubles are nearer than smallest_r2: a source at the origin.
 TEST_P(HermiteHessians, AreBoundedAsCloseToASourceAsDoublesGo) {
     base::Memory memory;
-    implicit::HrbfData data = make(memory, GetParam(), 1);
+    implicit::HrbfData data = hermite_data(memory, GetParam(), 1);
     data.centre_position.set(0, glm::dvec3(0.0));
     Points points;
     for (double gap = 1e-10; gap > 0.0; gap *= 1e-5) points.add(gap * glm::dvec3(-0.3, 0.7, 0.5));

@@ -3,7 +3,7 @@
 
 #include "implicit/hrbf_block.h"
 
-#include "fields.h"
+#include "hermite.h"
 #include "support/instruction_sets.h"
 
 #include <gtest/gtest.h>
@@ -18,26 +18,15 @@ namespace implicit = hrbfnpr::implicit;
 namespace kernel = hrbfnpr::kernel;
 using hrbfnpr::test::instruction_sets;
 using test::Fields;
+using test::hermite_data;
 using test::Points;
 using test::scatter;
+using test::targets;
 
 namespace {
 
 constexpr double untouched = -7.0;
 constexpr double before = 0.5; // what stands in the sums
-
-implicit::HrbfData make(base::Memory& memory, kernel::Kind kind, int centres) {
-    implicit::HrbfData data(memory);
-    data.kernel = kind;
-    data.kernel_radius = kind == kernel::Kind::gaussian ? 0.8 : 1.5;
-    data.polynomial_degree = -1;
-    for (int j = 0; j < centres; ++j) {
-        data.centre_position.push_back({scatter(7 * j), scatter(7 * j + 1), scatter(7 * j + 2)});
-        data.beta.push_back({scatter(7 * j + 3), scatter(7 * j + 4), scatter(7 * j + 5)});
-        data.alpha.push_back(scatter(7 * j + 6));
-    }
-    return data;
-}
 
 // Equation 1 and its gradient, term by term.
 Fields plain_sums(const implicit::HrbfData& data, const Points& points) {
@@ -56,15 +45,6 @@ Fields plain_sums(const implicit::HrbfData& data, const Points& points) {
         for (std::size_t c = 0; c < 3; ++c) sums.gradient[c][i] = gradient[static_cast<int>(c)];
     }
     return sums;
-}
-
-// The first and every fifth one are centres.
-Points targets(const implicit::HrbfData& data, int count) {
-    Points points;
-    for (int i = 0; i < count; ++i)
-        points.add(i % 5 == 0 ? data.centre_position[i % data.count()]
-                              : glm::dvec3(scatter(5000 + 3 * i), scatter(5001 + 3 * i), scatter(5002 + 3 * i)));
-    return points;
 }
 
 implicit::Targets slice(const Points& points, Fields& sums, std::size_t begin, std::size_t end) {
@@ -93,8 +73,8 @@ class HermiteSums : public testing::TestWithParam<kernel::Kind> {};
 TEST_P(HermiteSums, AreThePlainOnesForAnyCount) {
     base::Memory memory;
     for (const int centres : {0, 1, 23}) {
-        const implicit::HrbfData data = make(memory, GetParam(), centres);
-        const Points points = targets(make(memory, GetParam(), 23), 24);
+        const implicit::HrbfData data = hermite_data(memory, GetParam(), centres);
+        const Points points = targets(hermite_data(memory, GetParam(), 23), 24);
         const Fields plain = plain_sums(data, points);
         for (const base::InstructionSet set : instruction_sets()) {
             for (std::size_t count = 0; count <= 20; ++count) {
@@ -113,7 +93,7 @@ TEST_P(HermiteSums, AreThePlainOnesForAnyCount) {
 
 TEST_P(HermiteSums, DoNotDependOnHowTheTargetsAreCut) {
     base::Memory memory;
-    const implicit::HrbfData data = make(memory, GetParam(), 31);
+    const implicit::HrbfData data = hermite_data(memory, GetParam(), 31);
     const Points points = targets(data, 137);
     for (const base::InstructionSet set : instruction_sets()) {
         const implicit::AddHermiteSums add = implicit::hermite_sums(set, GetParam());
@@ -132,7 +112,7 @@ TEST_P(HermiteSums, DoNotDependOnHowTheTargetsAreCut) {
 
 TEST_P(HermiteSums, AreFiniteNextToASource) {
     base::Memory memory;
-    const implicit::HrbfData data = make(memory, GetParam(), 2);
+    const implicit::HrbfData data = hermite_data(memory, GetParam(), 2);
     Points points;
     for (double gap = 1e-2; gap > 1e-18; gap *= 0.1) points.add(data.centre_position[0] + glm::dvec3(gap, 0.0, 0.0));
     const Fields plain = plain_sums(data, points);
@@ -154,7 +134,7 @@ INSTANTIATE_TEST_SUITE_P(Kernels, HermiteSums,
 
 TEST(TriharmonicValues, AreTheValuesOfTheSums) {
     base::Memory memory;
-    const implicit::HrbfData data = make(memory, kernel::Kind::triharmonic, 23);
+    const implicit::HrbfData data = hermite_data(memory, kernel::Kind::triharmonic, 23);
     for (const int count : {0, 1, 7, 8, 9, 30}) {
         const Points points = targets(data, count);
         const Fields expected = plain_sums(data, points);

@@ -88,24 +88,23 @@ using Call = std::function<void(const Shared& s, hrbfnpr_error* error, Result& r
 void add(std::map<std::string, Call>& calls, const char* name, Call call) { calls.emplace(name, std::move(call)); }
 
 #define CALL(name) add(calls, #name, [](const Shared& s, hrbfnpr_error* error, Result& result, hrbfnpr_status& status)
+#define RETAIN_AND_RELEASE(what, owner)                                                                                \
+    for (const char* const name : {"hrbfnpr_" #what "_retain", "hrbfnpr_" #what "_release"})                           \
+    add(calls, name, [](const Shared& s, hrbfnpr_error*, Result&, hrbfnpr_status&) {                                   \
+        hrbfnpr_##what##_retain((owner).get());                                                                        \
+        hrbfnpr_##what##_release((owner).get());                                                                       \
+    })
+#define INFO(name, type, owner)                                                                                        \
+    CALL(name) {                                                                                                       \
+        auto info = made(type##_init);                                                                                 \
+        status = name((owner).get(), &info, error);                                                                    \
+        result.add(info);                                                                                              \
+    })
 #define UNUSED() static_cast<void>(s), static_cast<void>(error), static_cast<void>(result), static_cast<void>(status)
 
 void add_meshes(std::map<std::string, Call>& calls) {
-    CALL(hrbfnpr_mesh_retain) {
-        UNUSED();
-        hrbfnpr_mesh_retain(s.mesh.get());
-        hrbfnpr_mesh_release(s.mesh.get());
-    });
-    CALL(hrbfnpr_mesh_release) {
-        UNUSED();
-        hrbfnpr_mesh_retain(s.mesh.get());
-        hrbfnpr_mesh_release(s.mesh.get());
-    });
-    CALL(hrbfnpr_mesh_get_info) {
-        auto info = made(hrbfnpr_mesh_info_init);
-        status = hrbfnpr_mesh_get_info(s.mesh.get(), &info, error);
-        result.add(info);
-    });
+    RETAIN_AND_RELEASE(mesh, s.mesh);
+    INFO(hrbfnpr_mesh_get_info, hrbfnpr_mesh_info, s.mesh);
     CALL(hrbfnpr_mesh_view) {
         hrbfnpr_array view{};
         status = hrbfnpr_mesh_view(s.mesh.get(), HRBFNPR_MESH_ATTRIBUTE_TRIANGLE, &view, error);
@@ -142,16 +141,7 @@ void add_meshes(std::map<std::string, Call>& calls) {
 }
 
 void add_models(std::map<std::string, Call>& calls) {
-    CALL(hrbfnpr_model_retain) {
-        UNUSED();
-        hrbfnpr_model_retain(s.model.get());
-        hrbfnpr_model_release(s.model.get());
-    });
-    CALL(hrbfnpr_model_release) {
-        UNUSED();
-        hrbfnpr_model_retain(s.model.get());
-        hrbfnpr_model_release(s.model.get());
-    });
+    RETAIN_AND_RELEASE(model, s.model);
     CALL(hrbfnpr_model_get_info) {
         auto info = made(hrbfnpr_model_info_init);
         status = hrbfnpr_model_get_info(s.model.get(), &info, error);
@@ -245,16 +235,8 @@ void add_point_sets(std::map<std::string, Call>& calls) {
         if (trimmed != nullptr) static_cast<void>(hrbfnpr_model_get_trim_info(trimmed, &info, error));
         result.add(info);
     });
-    CALL(hrbfnpr_model_get_trim_info) {
-        auto info = made(hrbfnpr_trim_info_init);
-        status = hrbfnpr_model_get_trim_info(s.model.get(), &info, error);
-        result.add(info);
-    });
-    CALL(hrbfnpr_model_get_csg_info) {
-        auto info = made(hrbfnpr_csg_info_init);
-        status = hrbfnpr_model_get_csg_info(s.model.get(), &info, error); // of a fit: no nodes
-        result.add(info);
-    });
+    INFO(hrbfnpr_model_get_trim_info, hrbfnpr_trim_info, s.model);
+    INFO(hrbfnpr_model_get_csg_info, hrbfnpr_csg_info, s.model);
     CALL(hrbfnpr_line_set_create) {
         hrbfnpr_line_set* lines = nullptr;
         status = hrbfnpr_line_set_create(s.context.get(), s.model.get(), nullptr, nullptr, &lines, error);
@@ -263,46 +245,16 @@ void add_point_sets(std::map<std::string, Call>& calls) {
         if (lines != nullptr) static_cast<void>(hrbfnpr_line_set_get_info(lines, &info, error));
         result.add(info.triangles);
     });
-    CALL(hrbfnpr_line_set_retain) {
-        UNUSED();
-        hrbfnpr_line_set_retain(s.lines.get());
-        hrbfnpr_line_set_release(s.lines.get());
-    });
-    CALL(hrbfnpr_line_set_release) {
-        UNUSED();
-        hrbfnpr_line_set_retain(s.lines.get());
-        hrbfnpr_line_set_release(s.lines.get());
-    });
-    CALL(hrbfnpr_line_set_get_info) {
-        auto info = made(hrbfnpr_line_set_info_init);
-        status = hrbfnpr_line_set_get_info(s.lines.get(), &info, error);
-        result.add(info);
-    });
-    CALL(hrbfnpr_point_set_retain) {
-        UNUSED();
-        hrbfnpr_point_set_retain(s.marks.get());
-        hrbfnpr_point_set_release(s.marks.get());
-    });
-    CALL(hrbfnpr_point_set_release) {
-        UNUSED();
-        hrbfnpr_point_set_retain(s.marks.get());
-        hrbfnpr_point_set_release(s.marks.get());
-    });
-    CALL(hrbfnpr_point_set_get_info) {
-        auto info = made(hrbfnpr_point_set_info_init);
-        status = hrbfnpr_point_set_get_info(s.marks.get(), &info, error);
-        result.add(info);
-    });
+    RETAIN_AND_RELEASE(line_set, s.lines);
+    INFO(hrbfnpr_line_set_get_info, hrbfnpr_line_set_info, s.lines);
+    RETAIN_AND_RELEASE(point_set, s.marks);
+    INFO(hrbfnpr_point_set_get_info, hrbfnpr_point_set_info, s.marks);
     CALL(hrbfnpr_point_set_get_layer_info) {
         auto info = made(hrbfnpr_layer_info_init);
         status = hrbfnpr_point_set_get_layer_info(s.marks.get(), 1, &info, error);
         result.add(info);
     });
-    CALL(hrbfnpr_point_set_get_seed_placement) {
-        auto info = made(hrbfnpr_placement_info_init);
-        status = hrbfnpr_point_set_get_seed_placement(s.marks.get(), &info, error);
-        result.add(info);
-    });
+    INFO(hrbfnpr_point_set_get_seed_placement, hrbfnpr_placement_info, s.marks);
     CALL(hrbfnpr_point_set_get_placement) {
         auto info = made(hrbfnpr_placement_info_init);
         status = hrbfnpr_point_set_get_placement(s.marks.get(), 1, 0, &info, error);
@@ -327,21 +279,8 @@ void add_point_sets(std::map<std::string, Call>& calls) {
 }
 
 void add_drawings(std::map<std::string, Call>& calls) {
-    CALL(hrbfnpr_drawing_retain) {
-        UNUSED();
-        hrbfnpr_drawing_retain(s.drawing.get());
-        hrbfnpr_drawing_release(s.drawing.get());
-    });
-    CALL(hrbfnpr_drawing_release) {
-        UNUSED();
-        hrbfnpr_drawing_retain(s.drawing.get());
-        hrbfnpr_drawing_release(s.drawing.get());
-    });
-    CALL(hrbfnpr_drawing_get_info) {
-        auto info = made(hrbfnpr_drawing_info_init);
-        status = hrbfnpr_drawing_get_info(s.drawing.get(), &info, error);
-        result.add(info);
-    });
+    RETAIN_AND_RELEASE(drawing, s.drawing);
+    INFO(hrbfnpr_drawing_get_info, hrbfnpr_drawing_info, s.drawing);
     CALL(hrbfnpr_drawing_get_layer_info) {
         auto info = made(hrbfnpr_drawing_layer_info_init);
         status = hrbfnpr_drawing_get_layer_info(s.drawing.get(), 0, &info, error);
@@ -405,11 +344,7 @@ void add_pictures(std::map<std::string, Call>& calls) {
         hrbfnpr_picture_get_info(other.get(), &info, error);
         result.add(info.marks);
     });
-    CALL(hrbfnpr_picture_get_info) {
-        auto info = made(hrbfnpr_picture_info_init);
-        status = hrbfnpr_picture_get_info(s.picture.get(), &info, error);
-        result.add(info);
-    });
+    INFO(hrbfnpr_picture_get_info, hrbfnpr_picture_info, s.picture);
     CALL(hrbfnpr_picture_get_part) {
         auto part = made(hrbfnpr_picture_part_init);
         status = hrbfnpr_picture_get_part(s.picture.get(), 0, &part, error);
@@ -476,16 +411,7 @@ void add_pictures(std::map<std::string, Call>& calls) {
                                        nullptr, error);
         result.add(page);
     });
-    CALL(hrbfnpr_settings_retain) {
-        UNUSED();
-        hrbfnpr_settings_retain(s.settings.get());
-        hrbfnpr_settings_release(s.settings.get());
-    });
-    CALL(hrbfnpr_settings_release) {
-        UNUSED();
-        hrbfnpr_settings_retain(s.settings.get());
-        hrbfnpr_settings_release(s.settings.get());
-    });
+    RETAIN_AND_RELEASE(settings, s.settings);
 }
 
 std::map<std::string, Call> all_calls() {
@@ -512,6 +438,8 @@ std::map<std::string, Call> all_calls() {
 }
 
 #undef CALL
+#undef RETAIN_AND_RELEASE
+#undef INFO
 #undef UNUSED
 
 Result run(const Shared& shared, const std::string& name, const Call& call) {
