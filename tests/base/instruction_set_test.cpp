@@ -54,10 +54,5 @@ TEST(InstructionSet, AutomaticIsTheBestOfAll) {
     EXPECT_EQ(Runtime().instruction_set, best);
 }
 
-TEST(InstructionSet, HasAName) {
-    const char* const expected[] = {"automatic", "baseline", "AVX2", "AVX-512", "NEON"};
-    for (const InstructionSet set : all) EXPECT_STREQ(name(set), expected[static_cast<std::size_t>(set)]);
-}
-
 } // namespace
 } // namespace hrbfnpr::base::instruction_set_test

@@ -79,14 +79,6 @@ TEST(Layers, OfHatchingHaveOnePartOfTheTones) {
     }
 }
 
-TEST(Layers, WithoutAnyThereIsOneOfStipples) {
-    const Settings settings = completed({});
-    ASSERT_EQ(settings.layers.size(), 1U);
-    EXPECT_EQ(settings.layers[0].kind, Kind::stipples);
-    EXPECT_EQ(settings.layers[0].budget, 40000);
-    EXPECT_EQ(settings.layers[0].published.levels, 4);
-}
-
 // Over how long a way normals for the tone are averaged depends on what shows it.
 TEST(Layers, TonesOfLinesAreSmoothedUnlessTheySayOtherwise) {
     Settings settings = blue({Kind::stipples, Kind::hatch}, 100);

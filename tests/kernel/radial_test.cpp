@@ -123,13 +123,6 @@ TEST(Radial, ScalesWithItsHomogeneity) {
     }
 }
 
-TEST(Radial, HasNames) {
-    EXPECT_STREQ(hrbfnpr::kernel::name(Kind::triharmonic), "triharmonic");
-    EXPECT_STREQ(hrbfnpr::kernel::name(Kind::gaussian), "gaussian");
-    EXPECT_STREQ(hrbfnpr::kernel::name(Kind::wendland_c2), "wendland_c2");
-    EXPECT_STREQ(hrbfnpr::kernel::name(static_cast<Kind>(77)), "unknown");
-}
-
 } // namespace
 
 } // namespace radial_test

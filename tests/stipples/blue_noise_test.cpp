@@ -128,8 +128,6 @@ TEST(BlueNoise, OrdersThatUseUpTheirCandidatesEnd) {
     }
 }
 
-TEST(BlueNoise, DefaultBudgetIs40000) { EXPECT_EQ(of(make(Sphere(), {}), Kind::stipples).count(), 40000); }
-
 TEST(BlueNoise, ReachesAllComponentsThatHaveASeed) {
     const TwoTori tori;
     const PointSet set = make(tori, blue({Kind::stipples}, 4000));

@@ -80,17 +80,14 @@ std::vector<Stage> Stages::all() {
 }
 
 void Stages::add_fit(std::vector<Stage>& stages, const char* name, const hrbfnpr_fit_desc& desc) {
-    stages.push_back({name,
-                      [this, desc](Attempt& attempt, Bytes& bytes, hrbfnpr_error* error) {
-                          hrbfnpr_model* model = nullptr;
-                          const auto status = attempt([&] {
-                              return hrbfnpr_model_fit(context_.get(), &desc, attempt.operation, &model, error);
-                          });
-                          EXPECT_EQ(model != nullptr, status == HRBFNPR_STATUS_OK);
-                          if (const Model owned(model); owned) append(bytes, owned);
-                          return status;
-                      },
-                      {}});
+    add(stages, name, [this, desc](Attempt& attempt, Bytes& bytes, hrbfnpr_error* error) {
+        hrbfnpr_model* model = nullptr;
+        const auto status =
+            attempt([&] { return hrbfnpr_model_fit(context_.get(), &desc, attempt.operation, &model, error); });
+        EXPECT_EQ(model != nullptr, status == HRBFNPR_STATUS_OK);
+        if (const Model owned(model); owned) append(bytes, owned);
+        return status;
+    });
 }
 
 void Stages::add_fits(std::vector<Stage>& stages) {
@@ -133,149 +130,119 @@ void Stages::add_fits(std::vector<Stage>& stages) {
     open.points = in(half_.points);
     open.normals = in(half_.normals);
     add_fit(stages, "fit.open", open);
-    stages.push_back({"orient",
-                      [this](Attempt& attempt, Bytes& bytes, hrbfnpr_error* error) {
-                          auto orient = made(hrbfnpr_orient_desc_init);
-                          orient.mode = HRBFNPR_NORMALS_NONE;
-                          orient.points = in(cloud_.points);
-                          std::vector<double> normals(cloud_.points.size());
-                          const hrbfnpr_array_out to = out(normals);
-                          const auto status = attempt([&] {
-                              return hrbfnpr_orient(context_.get(), &orient, attempt.operation, &to, nullptr, error);
-                          });
-                          if (status == HRBFNPR_STATUS_OK) append(bytes, normals);
-                          return status;
-                      },
-                      {}});
-    stages.push_back({"smooth_depth_image",
-                      [this](Attempt& attempt, Bytes& bytes, hrbfnpr_error* error) {
-                          auto image = made(hrbfnpr_depth_image_desc_init);
-                          image.columns = depths_.columns;
-                          image.rows = depths_.rows;
-                          image.points = in(depths_.points);
-                          std::vector<double> points(depths_.points.size()), normals(points);
-                          const hrbfnpr_array_out to = out(points), normals_to = out(normals);
-                          const auto status = attempt([&] {
-                              return hrbfnpr_smooth_depth_image(context_.get(), &image, attempt.operation, &to,
-                                                                &normals_to, nullptr, error);
-                          });
-                          if (status == HRBFNPR_STATUS_OK) append(bytes, points), append(bytes, normals);
-                          return status;
-                      },
-                      {}});
-    stages.push_back({"trim",
-                      [this](Attempt& attempt, Bytes& bytes, hrbfnpr_error* error) {
-                          hrbfnpr_model* trimmed = nullptr;
-                          const auto status = attempt([&] {
-                              return hrbfnpr_model_trim(half_model_.get(), nullptr, attempt.operation, &trimmed, error);
-                          });
-                          const Model owned(trimmed);
-                          EXPECT_EQ(trimmed != nullptr, status == HRBFNPR_STATUS_OK);
-                          if (!owned) return status;
-                          auto info = made(hrbfnpr_trim_info_init);
-                          EXPECT_EQ(hrbfnpr_model_get_trim_info(trimmed, &info, nullptr), HRBFNPR_STATUS_OK);
-                          append(bytes, std::vector<double>{info.share, info.farthest, info.spacing});
-                          append_value(bytes, info.parts);
-                          return status;
-                      },
-                      {}});
+    add(stages, "orient", [this](Attempt& attempt, Bytes& bytes, hrbfnpr_error* error) {
+        auto orient = made(hrbfnpr_orient_desc_init);
+        orient.mode = HRBFNPR_NORMALS_NONE;
+        orient.points = in(cloud_.points);
+        std::vector<double> normals(cloud_.points.size());
+        const hrbfnpr_array_out to = out(normals);
+        const auto status =
+            attempt([&] { return hrbfnpr_orient(context_.get(), &orient, attempt.operation, &to, nullptr, error); });
+        if (status == HRBFNPR_STATUS_OK) append(bytes, normals);
+        return status;
+    });
+    add(stages, "smooth_depth_image", [this](Attempt& attempt, Bytes& bytes, hrbfnpr_error* error) {
+        auto image = made(hrbfnpr_depth_image_desc_init);
+        image.columns = depths_.columns;
+        image.rows = depths_.rows;
+        image.points = in(depths_.points);
+        std::vector<double> points(depths_.points.size()), normals(points);
+        const hrbfnpr_array_out to = out(points), normals_to = out(normals);
+        const auto status = attempt([&] {
+            return hrbfnpr_smooth_depth_image(context_.get(), &image, attempt.operation, &to, &normals_to, nullptr,
+                                              error);
+        });
+        if (status == HRBFNPR_STATUS_OK) append(bytes, points), append(bytes, normals);
+        return status;
+    });
+    add(stages, "trim", [this](Attempt& attempt, Bytes& bytes, hrbfnpr_error* error) {
+        hrbfnpr_model* trimmed = nullptr;
+        const auto status =
+            attempt([&] { return hrbfnpr_model_trim(half_model_.get(), nullptr, attempt.operation, &trimmed, error); });
+        const Model owned(trimmed);
+        EXPECT_EQ(trimmed != nullptr, status == HRBFNPR_STATUS_OK);
+        if (!owned) return status;
+        auto info = made(hrbfnpr_trim_info_init);
+        EXPECT_EQ(hrbfnpr_model_get_trim_info(trimmed, &info, nullptr), HRBFNPR_STATUS_OK);
+        append(bytes, std::vector<double>{info.share, info.farthest, info.spacing});
+        append_value(bytes, info.parts);
+        return status;
+    });
 }
 
 void Stages::add_meshes(std::vector<Stage>& stages) {
-    stages.push_back({"mesh.create",
-                      [this](Attempt& attempt, Bytes& bytes, hrbfnpr_error* error) {
-                          hrbfnpr_mesh* mesh = nullptr;
-                          const Triangles& ball = triangles_;
-                          const hrbfnpr_mesh_desc desc = mesh_desc(ball);
-                          const auto status = attempt([&] {
-                              return hrbfnpr_mesh_create(context_.get(), &desc, attempt.operation, &mesh, error);
-                          });
-                          EXPECT_EQ(mesh != nullptr, status == HRBFNPR_STATUS_OK);
-                          if (const Mesh owned(mesh); owned) append(bytes, mesh);
-                          return status;
-                      },
-                      {}});
-    stages.push_back({"mesh.sample",
-                      [this](Attempt& attempt, Bytes& bytes, hrbfnpr_error* error) {
-                          std::vector<double> points(3 * 100), normals(3 * 100);
-                          const hrbfnpr_array_out to = out(points), directions = out(normals);
-                          const auto status = attempt([&] {
-                              return hrbfnpr_mesh_sample(mesh_.get(), nullptr, &to, &directions, attempt.operation,
-                                                         error);
-                          });
-                          if (status == HRBFNPR_STATUS_OK) append(bytes, points), append(bytes, normals);
-                          return status;
-                      },
-                      {}});
-    stages.push_back({"mesh.edges",
-                      [this](Attempt& attempt, Bytes& bytes, hrbfnpr_error* error) {
-                          const auto faces = static_cast<std::size_t>(triangles_.triangles.size() / 3);
-                          std::vector<std::int32_t> patch(faces), sharp(3 * faces);
-                          const hrbfnpr_array_out patches = out(patch, 1), sides = out(sharp, 3);
-                          auto desc = made(hrbfnpr_mesh_edges_desc_init);
-                          desc.edges = HRBFNPR_EDGES_SHARP;
-                          desc.crease_angle = 20.0;
-                          const auto status = attempt([&] {
-                              return hrbfnpr_mesh_edges(mesh_.get(), &desc, &patches, &sides, nullptr,
-                                                        attempt.operation, error);
-                          });
-                          if (status == HRBFNPR_STATUS_OK) append(bytes, patch), append(bytes, sharp);
-                          return status;
-                      },
-                      {}});
-    stages.push_back({"farthest_points",
-                      [this](Attempt& attempt, Bytes& bytes, hrbfnpr_error* error) {
-                          std::vector<std::int32_t> index(50);
-                          std::vector<double> distance(50);
-                          const hrbfnpr_array from = in(dense_.points);
-                          const hrbfnpr_array_out to = out(index, 1), distances = out(distance, 1);
-                          const auto status = attempt([&] {
-                              return hrbfnpr_farthest_points(context_.get(), &from, &to, &distances, attempt.operation,
-                                                             error);
-                          });
-                          if (status == HRBFNPR_STATUS_OK) append(bytes, index), append(bytes, distance);
-                          return status;
-                      },
-                      {}});
-    stages.push_back({"mesh.compare",
-                      [this](Attempt& attempt, Bytes& bytes, hrbfnpr_error* error) {
-                          auto desc = made(hrbfnpr_compare_desc_init);
-                          desc.points = 200;
-                          desc.cell_size = 0.6;
-                          auto c = made(hrbfnpr_comparison_init);
-                          const auto status = attempt([&] {
-                              return hrbfnpr_model_compare_mesh(model_.get(), mesh_.get(), &desc, &c, attempt.operation,
-                                                                error);
-                          });
-                          if (status == HRBFNPR_STATUS_OK)
-                              append(bytes, std::vector<double>{c.surface_mean, c.surface_p99, c.mesh_mean, c.mesh_p99,
-                                                                c.invented_share, c.missed_share, c.normal_mean});
-                          return status;
-                      },
-                      {}});
+    add(stages, "mesh.create", [this](Attempt& attempt, Bytes& bytes, hrbfnpr_error* error) {
+        hrbfnpr_mesh* mesh = nullptr;
+        const Triangles& ball = triangles_;
+        const hrbfnpr_mesh_desc desc = mesh_desc(ball);
+        const auto status =
+            attempt([&] { return hrbfnpr_mesh_create(context_.get(), &desc, attempt.operation, &mesh, error); });
+        EXPECT_EQ(mesh != nullptr, status == HRBFNPR_STATUS_OK);
+        if (const Mesh owned(mesh); owned) append(bytes, mesh);
+        return status;
+    });
+    add(stages, "mesh.sample", [this](Attempt& attempt, Bytes& bytes, hrbfnpr_error* error) {
+        std::vector<double> points(3 * 100), normals(3 * 100);
+        const hrbfnpr_array_out to = out(points), directions = out(normals);
+        const auto status = attempt(
+            [&] { return hrbfnpr_mesh_sample(mesh_.get(), nullptr, &to, &directions, attempt.operation, error); });
+        if (status == HRBFNPR_STATUS_OK) append(bytes, points), append(bytes, normals);
+        return status;
+    });
+    add(stages, "mesh.edges", [this](Attempt& attempt, Bytes& bytes, hrbfnpr_error* error) {
+        const auto faces = static_cast<std::size_t>(triangles_.triangles.size() / 3);
+        std::vector<std::int32_t> patch(faces), sharp(3 * faces);
+        const hrbfnpr_array_out patches = out(patch, 1), sides = out(sharp, 3);
+        auto desc = made(hrbfnpr_mesh_edges_desc_init);
+        desc.edges = HRBFNPR_EDGES_SHARP;
+        desc.crease_angle = 20.0;
+        const auto status = attempt([&] {
+            return hrbfnpr_mesh_edges(mesh_.get(), &desc, &patches, &sides, nullptr, attempt.operation, error);
+        });
+        if (status == HRBFNPR_STATUS_OK) append(bytes, patch), append(bytes, sharp);
+        return status;
+    });
+    add(stages, "farthest_points", [this](Attempt& attempt, Bytes& bytes, hrbfnpr_error* error) {
+        std::vector<std::int32_t> index(50);
+        std::vector<double> distance(50);
+        const hrbfnpr_array from = in(dense_.points);
+        const hrbfnpr_array_out to = out(index, 1), distances = out(distance, 1);
+        const auto status = attempt(
+            [&] { return hrbfnpr_farthest_points(context_.get(), &from, &to, &distances, attempt.operation, error); });
+        if (status == HRBFNPR_STATUS_OK) append(bytes, index), append(bytes, distance);
+        return status;
+    });
+    add(stages, "mesh.compare", [this](Attempt& attempt, Bytes& bytes, hrbfnpr_error* error) {
+        auto desc = made(hrbfnpr_compare_desc_init);
+        desc.points = 200;
+        desc.cell_size = 0.6;
+        auto c = made(hrbfnpr_comparison_init);
+        const auto status = attempt(
+            [&] { return hrbfnpr_model_compare_mesh(model_.get(), mesh_.get(), &desc, &c, attempt.operation, error); });
+        if (status == HRBFNPR_STATUS_OK)
+            append(bytes, std::vector<double>{c.surface_mean, c.surface_p99, c.mesh_mean, c.mesh_p99, c.invented_share,
+                                              c.missed_share, c.normal_mean});
+        return status;
+    });
     add_mesh_fit(stages, "mesh.fit", mesh_, HRBFNPR_EDGES_SMOOTH);
     add_mesh_fit(stages, "mesh.fit.sharp", solid_, HRBFNPR_EDGES_AUTO);
 }
 
 void Stages::add_mesh_fit(std::vector<Stage>& stages, const char* name, const Mesh& mesh, std::uint32_t edges) {
-    stages.push_back({name,
-                      [&mesh, edges](Attempt& attempt, Bytes& bytes, hrbfnpr_error* error) {
-                          auto desc = made(hrbfnpr_mesh_fit_desc_init);
-                          desc.tolerance = 0.5;
-                          desc.maximum_centres = 16;
-                          desc.candidates = 1000;
-                          desc.edges = edges;
-                          hrbfnpr_model* model = nullptr;
-                          const auto status = attempt([&] {
-                              return hrbfnpr_model_fit_mesh(mesh.get(), &desc, nullptr, nullptr, attempt.operation,
-                                                            &model, error);
-                          });
-                          EXPECT_EQ(model != nullptr, status == HRBFNPR_STATUS_OK);
-                          if (const Model owned(model); owned) append(bytes, owned);
-                          return status;
-                      },
-                      {}});
-    stages.back().most_refusals = 60;
+    add(stages, name, [&mesh, edges](Attempt& attempt, Bytes& bytes, hrbfnpr_error* error) {
+        auto desc = made(hrbfnpr_mesh_fit_desc_init);
+        desc.tolerance = 0.5;
+        desc.maximum_centres = 16;
+        desc.candidates = 1000;
+        desc.edges = edges;
+        hrbfnpr_model* model = nullptr;
+        const auto status = attempt([&] {
+            return hrbfnpr_model_fit_mesh(mesh.get(), &desc, nullptr, nullptr, attempt.operation, &model, error);
+        });
+        EXPECT_EQ(model != nullptr, status == HRBFNPR_STATUS_OK);
+        if (const Model owned(model); owned) append(bytes, owned);
+        return status;
+    }).most_refusals = 60;
 }
 
 } // namespace api_test

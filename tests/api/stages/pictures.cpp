@@ -46,24 +46,25 @@ void Stages::renew_renderer() { renderer_ = make_renderer(context_); }
 
 void Stages::add_frame(std::vector<Stage>& stages, const std::string& name, const hrbfnpr_style& style, bool lines,
                        std::uint32_t sides) {
-    stages.push_back({name,
-                      [this, style, lines, sides](Attempt& attempt, Bytes& bytes, hrbfnpr_error* error) {
-                          const hrbfnpr_camera view = camera();
-                          auto item = made(hrbfnpr_item_init);
-                          item.point_set = set_.get();
-                          item.style = &style;
-                          item.sides = sides;
-                          if (lines) item.line_set = curved_lines_.get();
-                          hrbfnpr_drawing* drawing = nullptr;
-                          const auto status = attempt([&] {
-                              return hrbfnpr_renderer_draw_with_operation(renderer_.get(), &item, 1, 0, &view,
-                                                                          attempt.operation, &drawing, error);
-                          });
-                          EXPECT_EQ(drawing != nullptr, status == HRBFNPR_STATUS_OK);
-                          if (const Drawing owned(drawing); owned) append_pixels(bytes, drawing, sizes_.pixels);
-                          return status;
-                      },
-                      [this] { renew_renderer(); }});
+    add(
+        stages, name,
+        [this, style, lines, sides](Attempt& attempt, Bytes& bytes, hrbfnpr_error* error) {
+            const hrbfnpr_camera view = camera();
+            auto item = made(hrbfnpr_item_init);
+            item.point_set = set_.get();
+            item.style = &style;
+            item.sides = sides;
+            if (lines) item.line_set = curved_lines_.get();
+            hrbfnpr_drawing* drawing = nullptr;
+            const auto status = attempt([&] {
+                return hrbfnpr_renderer_draw_with_operation(renderer_.get(), &item, 1, 0, &view, attempt.operation,
+                                                            &drawing, error);
+            });
+            EXPECT_EQ(drawing != nullptr, status == HRBFNPR_STATUS_OK);
+            if (const Drawing owned(drawing); owned) append_pixels(bytes, drawing, sizes_.pixels);
+            return status;
+        },
+        [this] { renew_renderer(); });
 }
 
 void Stages::add_frames(std::vector<Stage>& stages) {
@@ -98,16 +99,13 @@ void Stages::add_frames(std::vector<Stage>& stages) {
     add_frame(stages, "frame.contours", style, true);
     style.line_count = static_cast<std::int64_t>(kinds.size());
     add_frame(stages, "frame.lines", style, true);
-    stages.push_back({"renderer",
-                      [this](Attempt& attempt, Bytes&, hrbfnpr_error* error) {
-                          hrbfnpr_renderer* renderer = nullptr;
-                          const auto status =
-                              attempt([&] { return hrbfnpr_renderer_create(context_.get(), &renderer, error); });
-                          EXPECT_EQ(renderer != nullptr, status == HRBFNPR_STATUS_OK);
-                          hrbfnpr_renderer_release(renderer);
-                          return status;
-                      },
-                      {}});
+    add(stages, "renderer", [this](Attempt& attempt, Bytes&, hrbfnpr_error* error) {
+        hrbfnpr_renderer* renderer = nullptr;
+        const auto status = attempt([&] { return hrbfnpr_renderer_create(context_.get(), &renderer, error); });
+        EXPECT_EQ(renderer != nullptr, status == HRBFNPR_STATUS_OK);
+        hrbfnpr_renderer_release(renderer);
+        return status;
+    });
 }
 
 // Strokes and contours, hidden ones dashed.
@@ -130,23 +128,19 @@ const hrbfnpr_drawing* Stages::drawing() {
 
 void Stages::add_readers(std::vector<Stage>& stages) {
     const auto add_image = [&](const char* name, std::uint32_t format, int pixel_bytes) {
-        stages.push_back({name,
-                          [this, format, pixel_bytes](Attempt& attempt, Bytes& bytes, hrbfnpr_error* error) {
-                              std::vector<std::uint8_t> pixels;
-                              const hrbfnpr_image image = image_in(pixels, format, sizes_.pixels, pixel_bytes);
-                              const auto count = static_cast<std::size_t>(sizes_.pixels * sizes_.pixels);
-                              std::vector<float> depth(count);
-                              std::vector<std::uint32_t> id(count);
-                              auto desc = made(hrbfnpr_raster_desc_init);
-                              desc.depth = out(depth, 1);
-                              desc.id = out(id, 1);
-                              const auto status =
-                                  attempt([&] { return hrbfnpr_drawing_rasterize(drawing(), &image, &desc, error); });
-                              if (status == HRBFNPR_STATUS_OK)
-                                  append(bytes, pixels), append(bytes, depth), append(bytes, id);
-                              return status;
-                          },
-                          {}});
+        add(stages, name, [this, format, pixel_bytes](Attempt& attempt, Bytes& bytes, hrbfnpr_error* error) {
+            std::vector<std::uint8_t> pixels;
+            const hrbfnpr_image image = image_in(pixels, format, sizes_.pixels, pixel_bytes);
+            const auto count = static_cast<std::size_t>(sizes_.pixels * sizes_.pixels);
+            std::vector<float> depth(count);
+            std::vector<std::uint32_t> id(count);
+            auto desc = made(hrbfnpr_raster_desc_init);
+            desc.depth = out(depth, 1);
+            desc.id = out(id, 1);
+            const auto status = attempt([&] { return hrbfnpr_drawing_rasterize(drawing(), &image, &desc, error); });
+            if (status == HRBFNPR_STATUS_OK) append(bytes, pixels), append(bytes, depth), append(bytes, id);
+            return status;
+        });
     };
     add_image("image.bytes", HRBFNPR_FORMAT_RGBA8, 4);
     add_image("image.floats", HRBFNPR_FORMAT_RGBA32F, 16);
@@ -155,79 +149,71 @@ void Stages::add_readers(std::vector<Stage>& stages) {
          {std::pair<std::uint32_t, const char*>{HRBFNPR_PRIMITIVE_POINTS, "vertices.points"},
           std::pair<std::uint32_t, const char*>{HRBFNPR_PRIMITIVE_LINE_STRIPS, "vertices.lines"},
           std::pair<std::uint32_t, const char*>{HRBFNPR_PRIMITIVE_TRIANGLE_STRIPS, "vertices.triangles"}})
-        stages.push_back(
-            {name,
-             [this, kind = std::uint32_t{primitive}](Attempt& attempt, Bytes& bytes, hrbfnpr_error* error) {
-                 Layout layout(kind);
-                 layout.add(HRBFNPR_VERTEX_ATTRIBUTE_WINDOW, HRBFNPR_SCALAR_FLOAT32, 0);
-                 layout.add(HRBFNPR_VERTEX_ATTRIBUTE_RADIUS, HRBFNPR_SCALAR_FLOAT32, 12);
-                 const hrbfnpr_vertex_layout* wanted = layout.get();
-                 std::int64_t count = 0, indices = 0, written = 0;
-                 EXPECT_EQ(hrbfnpr_drawing_vertex_bound(drawing(), kind, &count, &indices, nullptr), HRBFNPR_STATUS_OK);
-                 std::vector<float> vertex(static_cast<std::size_t>(4 * count));
-                 std::vector<std::uint32_t> index(static_cast<std::size_t>(indices)), mark(100000);
-                 auto status = attempt([&] {
-                     return hrbfnpr_drawing_write_vertices(drawing(), wanted, vertex.data(), count, nullptr,
-                                                           index.data(), indices, nullptr, error);
-                 });
-                 if (status != HRBFNPR_STATUS_OK) return status;
-                 status = attempt([&] {
-                     return hrbfnpr_drawing_write_mark_indices(drawing(), 0, 1, HRBFNPR_CLASS_FRONT, kind, mark.data(),
-                                                               100000, &written, error);
-                 });
-                 if (status == HRBFNPR_STATUS_OK) append(bytes, vertex), append(bytes, index), append(bytes, mark);
-                 return status;
-             },
-             {}});
-    stages.push_back({"mark_results",
-                      [this](Attempt& attempt, Bytes& bytes, hrbfnpr_error* error) {
-                          const auto count = static_cast<std::size_t>(layer_info(set_, 0).marks);
-                          std::vector<float> radius(count), opacity(count);
-                          auto results = made(hrbfnpr_mark_results_init);
-                          results.radius = out(radius, 1);
-                          results.opacity = out(opacity, 1);
-                          const auto status =
-                              attempt([&] { return hrbfnpr_drawing_mark_results(drawing(), 0, 0, &results, error); });
-                          if (status == HRBFNPR_STATUS_OK) append(bytes, radius), append(bytes, opacity);
-                          return status;
-                      },
-                      {}});
+        add(stages, name,
+            [this, kind = std::uint32_t{primitive}](Attempt& attempt, Bytes& bytes, hrbfnpr_error* error) {
+                Layout layout(kind);
+                layout.add(HRBFNPR_VERTEX_ATTRIBUTE_WINDOW, HRBFNPR_SCALAR_FLOAT32, 0);
+                layout.add(HRBFNPR_VERTEX_ATTRIBUTE_RADIUS, HRBFNPR_SCALAR_FLOAT32, 12);
+                const hrbfnpr_vertex_layout* wanted = layout.get();
+                std::int64_t count = 0, indices = 0, written = 0;
+                EXPECT_EQ(hrbfnpr_drawing_vertex_bound(drawing(), kind, &count, &indices, nullptr), HRBFNPR_STATUS_OK);
+                std::vector<float> vertex(static_cast<std::size_t>(4 * count));
+                std::vector<std::uint32_t> index(static_cast<std::size_t>(indices)), mark(100000);
+                auto status = attempt([&] {
+                    return hrbfnpr_drawing_write_vertices(drawing(), wanted, vertex.data(), count, nullptr,
+                                                          index.data(), indices, nullptr, error);
+                });
+                if (status != HRBFNPR_STATUS_OK) return status;
+                status = attempt([&] {
+                    return hrbfnpr_drawing_write_mark_indices(drawing(), 0, 1, HRBFNPR_CLASS_FRONT, kind, mark.data(),
+                                                              100000, &written, error);
+                });
+                if (status == HRBFNPR_STATUS_OK) append(bytes, vertex), append(bytes, index), append(bytes, mark);
+                return status;
+            });
+    add(stages, "mark_results", [this](Attempt& attempt, Bytes& bytes, hrbfnpr_error* error) {
+        const auto count = static_cast<std::size_t>(layer_info(set_, 0).marks);
+        std::vector<float> radius(count), opacity(count);
+        auto results = made(hrbfnpr_mark_results_init);
+        results.radius = out(radius, 1);
+        results.opacity = out(opacity, 1);
+        const auto status = attempt([&] { return hrbfnpr_drawing_mark_results(drawing(), 0, 0, &results, error); });
+        if (status == HRBFNPR_STATUS_OK) append(bytes, radius), append(bytes, opacity);
+        return status;
+    });
 }
 
 void Stages::add_page(std::vector<Stage>& stages, const char* name, std::uint32_t format, std::uint32_t flags) {
-    stages.push_back({name,
-                      [this, format, flags](Attempt& attempt, Bytes& bytes, hrbfnpr_error* error) {
-                          auto item = made(hrbfnpr_page_item_init);
-                          item.drawing = drawing();
-                          auto pen = made(hrbfnpr_pen_init);
-                          pen.line_type = HRBFNPR_LINE_TYPE_DASHED;
-                          pen.groups = "contour hidden*";
-                          auto note = made(hrbfnpr_annotation_init);
-                          const std::vector<double> at{1.0, 2.0};
-                          note.text = "A";
-                          note.points = in(at, 2);
-                          auto desc = made(hrbfnpr_page_desc_init);
-                          desc.format = format;
-                          desc.flags = flags;
-                          desc.title = "stage";
-                          desc.items = &item;
-                          desc.item_count = 1;
-                          desc.pens = &pen;
-                          desc.pen_count = 1;
-                          desc.annotations = &note;
-                          desc.annotation_count = 1;
-                          Text text;
-                          const auto status = attempt([&] {
-                              return hrbfnpr_page_write(context_.get(), &desc, Text::write, &text, nullptr,
-                                                        attempt.operation, error);
-                          });
-                          if (status == HRBFNPR_STATUS_OK) {
-                              text.room.resize(text.used);
-                              append(bytes, text.room);
-                          }
-                          return status;
-                      },
-                      {}});
+    add(stages, name, [this, format, flags](Attempt& attempt, Bytes& bytes, hrbfnpr_error* error) {
+        auto item = made(hrbfnpr_page_item_init);
+        item.drawing = drawing();
+        auto pen = made(hrbfnpr_pen_init);
+        pen.line_type = HRBFNPR_LINE_TYPE_DASHED;
+        pen.groups = "contour hidden*";
+        auto note = made(hrbfnpr_annotation_init);
+        const std::vector<double> at{1.0, 2.0};
+        note.text = "A";
+        note.points = in(at, 2);
+        auto desc = made(hrbfnpr_page_desc_init);
+        desc.format = format;
+        desc.flags = flags;
+        desc.title = "stage";
+        desc.items = &item;
+        desc.item_count = 1;
+        desc.pens = &pen;
+        desc.pen_count = 1;
+        desc.annotations = &note;
+        desc.annotation_count = 1;
+        Text text;
+        const auto status = attempt([&] {
+            return hrbfnpr_page_write(context_.get(), &desc, Text::write, &text, nullptr, attempt.operation, error);
+        });
+        if (status == HRBFNPR_STATUS_OK) {
+            text.room.resize(text.used);
+            append(bytes, text.room);
+        }
+        return status;
+    });
 }
 
 void Stages::add_pages(std::vector<Stage>& stages) {

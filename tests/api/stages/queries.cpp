@@ -48,9 +48,7 @@ struct Reading {
 } // namespace
 
 void Stages::add_queries(std::vector<Stage>& stages) {
-    const auto query = [&](const char* name, auto&& call) {
-        stages.push_back({name, std::forward<decltype(call)>(call), {}});
-    };
+    const auto query = [&](const char* name, auto&& call) { add(stages, name, std::forward<decltype(call)>(call)); };
     query("evaluate", [this](Attempt& attempt, Bytes& bytes, hrbfnpr_error* error) {
         std::vector<double> value(places_.size() / 3), gradient(places_.size()), hessian(2 * places_.size());
         const hrbfnpr_array from = in(places_);
@@ -127,56 +125,50 @@ void Stages::add_queries(std::vector<Stage>& stages) {
 }
 
 void Stages::add_set(std::vector<Stage>& stages, const std::string& name, const Generation& desc) {
-    stages.push_back({name,
-                      [this, desc](Attempt& attempt, Bytes& bytes, hrbfnpr_error* error) {
-                          Generation own = desc;
-                          hrbfnpr_point_set* set = nullptr;
-                          const hrbfnpr_generate_desc* settings = own.get();
-                          const auto status = attempt([&] {
-                              return hrbfnpr_point_set_generate(context_.get(), model_.get(), settings,
-                                                                attempt.operation, &set, error);
-                          });
-                          EXPECT_EQ(set != nullptr, status == HRBFNPR_STATUS_OK);
-                          if (const PointSet owned(set); owned) append(bytes, owned);
-                          return status;
-                      },
-                      {}});
+    add(stages, name, [this, desc](Attempt& attempt, Bytes& bytes, hrbfnpr_error* error) {
+        Generation own = desc;
+        hrbfnpr_point_set* set = nullptr;
+        const hrbfnpr_generate_desc* settings = own.get();
+        const auto status = attempt([&] {
+            return hrbfnpr_point_set_generate(context_.get(), model_.get(), settings, attempt.operation, &set, error);
+        });
+        EXPECT_EQ(set != nullptr, status == HRBFNPR_STATUS_OK);
+        if (const PointSet owned(set); owned) append(bytes, owned);
+        return status;
+    });
 }
 
 void Stages::add_line_set(std::vector<Stage>& stages, const char* name, bool curved) {
-    stages.push_back(
-        {name,
-         [this, curved](Attempt& attempt, Bytes& bytes, hrbfnpr_error* error) {
-             const std::vector<double> level{0.0, 0.4};
-             std::array<hrbfnpr_line_desc, 4> lines{};
-             const std::array<std::uint32_t, 4> kinds{HRBFNPR_LINE_KIND_RIDGE, HRBFNPR_LINE_KIND_VALLEY,
-                                                      HRBFNPR_LINE_KIND_PARABOLIC, HRBFNPR_LINE_KIND_SECTION};
-             for (std::size_t i = 0; i < lines.size(); ++i) {
-                 lines[i] = made(hrbfnpr_line_desc_init);
-                 lines[i].kind = kinds[i];
-             }
-             lines[3].levels = in(level, 1);
-             auto desc = made(hrbfnpr_line_set_desc_init);
-             desc.cell_size = 0.4;
-             if (curved) {
-                 desc.flags = HRBFNPR_LINE_SET_WITH_CURVATURE;
-                 desc.lines = lines.data();
-                 desc.line_count = static_cast<std::int64_t>(lines.size());
-             }
-             hrbfnpr_line_set* set = nullptr;
-             const auto status = attempt([&] {
-                 return hrbfnpr_line_set_create(context_.get(), (curved ? model_ : half_model_).get(), &desc,
-                                                attempt.operation, &set, error);
-             });
-             EXPECT_EQ(set != nullptr, status == HRBFNPR_STATUS_OK);
-             const LineSet owned(set);
-             if (!owned) return status;
-             auto info = made(hrbfnpr_line_set_info_init);
-             EXPECT_EQ(hrbfnpr_line_set_get_info(set, &info, nullptr), HRBFNPR_STATUS_OK);
-             append(bytes, std::vector<std::int64_t>{info.triangles, info.turned, info.lines, info.borders});
-             return status;
-         },
-         {}});
+    add(stages, name, [this, curved](Attempt& attempt, Bytes& bytes, hrbfnpr_error* error) {
+        const std::vector<double> level{0.0, 0.4};
+        std::array<hrbfnpr_line_desc, 4> lines{};
+        const std::array<std::uint32_t, 4> kinds{HRBFNPR_LINE_KIND_RIDGE, HRBFNPR_LINE_KIND_VALLEY,
+                                                 HRBFNPR_LINE_KIND_PARABOLIC, HRBFNPR_LINE_KIND_SECTION};
+        for (std::size_t i = 0; i < lines.size(); ++i) {
+            lines[i] = made(hrbfnpr_line_desc_init);
+            lines[i].kind = kinds[i];
+        }
+        lines[3].levels = in(level, 1);
+        auto desc = made(hrbfnpr_line_set_desc_init);
+        desc.cell_size = 0.4;
+        if (curved) {
+            desc.flags = HRBFNPR_LINE_SET_WITH_CURVATURE;
+            desc.lines = lines.data();
+            desc.line_count = static_cast<std::int64_t>(lines.size());
+        }
+        hrbfnpr_line_set* set = nullptr;
+        const auto status = attempt([&] {
+            return hrbfnpr_line_set_create(context_.get(), (curved ? model_ : half_model_).get(), &desc,
+                                           attempt.operation, &set, error);
+        });
+        EXPECT_EQ(set != nullptr, status == HRBFNPR_STATUS_OK);
+        const LineSet owned(set);
+        if (!owned) return status;
+        auto info = made(hrbfnpr_line_set_info_init);
+        EXPECT_EQ(hrbfnpr_line_set_get_info(set, &info, nullptr), HRBFNPR_STATUS_OK);
+        append(bytes, std::vector<std::int64_t>{info.triangles, info.turned, info.lines, info.borders});
+        return status;
+    });
 }
 
 void Stages::add_marks(std::vector<Stage>& stages) {
@@ -217,90 +209,75 @@ void Stages::add_marks(std::vector<Stage>& stages) {
 }
 
 void Stages::add_files(std::vector<Stage>& stages) {
-    stages.push_back({"marks.own",
-                      [this](Attempt& attempt, Bytes& bytes, hrbfnpr_error* error) {
-                          const std::vector<std::uint32_t> first{0, 3, 6};
-                          const std::vector<double> position(samples_.points.begin(), samples_.points.begin() + 18);
-                          auto arrays = made(hrbfnpr_layer_arrays_init);
-                          arrays.position = arrays.normal = in(position);
-                          arrays.stroke_first = in(first, 1);
-                          auto desc = made(hrbfnpr_point_set_desc_init);
-                          desc.base = set_.get();
-                          desc.layers = &arrays;
-                          desc.layer_count = 1;
-                          hrbfnpr_point_set* set = nullptr;
-                          const auto status =
-                              attempt([&] { return hrbfnpr_point_set_create(context_.get(), &desc, &set, error); });
-                          EXPECT_EQ(set != nullptr, status == HRBFNPR_STATUS_OK);
-                          if (const PointSet owned(set); owned) append(bytes, owned);
-                          return status;
-                      },
-                      {}});
-    stages.push_back(
-        {"file.model",
-         [this](Attempt& attempt, Bytes& bytes, hrbfnpr_error* error) {
-             std::pair<Bytes, std::size_t> file{Bytes(4 << 20), 0};
-             auto status = attempt([&] { return hrbfnpr_model_save(model_.get(), write_bytes, &file, error); });
-             if (status != HRBFNPR_STATUS_OK) return status;
-             file.first.resize(file.second);
-             Reading reading{file.first};
-             hrbfnpr_model* loaded = nullptr;
-             status =
-                 attempt([&] { return hrbfnpr_model_load(context_.get(), Reading::read, &reading, &loaded, error); });
-             EXPECT_EQ(loaded != nullptr, status == HRBFNPR_STATUS_OK);
-             if (const Model owned(loaded); owned) append(bytes, owned);
-             return status;
-         },
-         {}});
-    stages.push_back(
-        {"csg",
-         [this](Attempt& attempt, Bytes& bytes, hrbfnpr_error* error) {
-             hrbfnpr::test::CsgNodes nodes = hrbfnpr::test::csg_part();
-             nodes.add(HRBFNPR_CSG_MODEL, 1).model = model_.get();
-             const hrbfnpr_csg_desc desc = nodes.desc();
-             hrbfnpr_model* part = nullptr;
-             auto status = attempt([&] { return hrbfnpr_model_create_csg(context_.get(), &desc, &part, error); });
-             EXPECT_EQ(part != nullptr, status == HRBFNPR_STATUS_OK);
-             if (status != HRBFNPR_STATUS_OK) return status;
-             const Model owned(part);
-             std::vector<double> value(places_.size() / 3), gradient(places_.size());
-             const hrbfnpr_array from = in(places_);
-             const hrbfnpr_array_out values = out(value, 1), gradients = out(gradient);
-             status = attempt([&] {
-                 return hrbfnpr_model_evaluate(part, &from, &values, &gradients, nullptr, attempt.operation, error);
-             });
-             if (status != HRBFNPR_STATUS_OK) return status;
-             append(bytes, value), append(bytes, gradient);
-             std::pair<Bytes, std::size_t> file{Bytes(4 << 20), 0};
-             status = attempt([&] { return hrbfnpr_model_save(part, write_bytes, &file, error); });
-             if (status != HRBFNPR_STATUS_OK) return status;
-             file.first.resize(file.second);
-             Reading reading{file.first};
-             hrbfnpr_model* loaded = nullptr;
-             status =
-                 attempt([&] { return hrbfnpr_model_load(context_.get(), Reading::read, &reading, &loaded, error); });
-             EXPECT_EQ(loaded != nullptr, status == HRBFNPR_STATUS_OK);
-             if (const Model again(loaded); again) append(bytes, again);
-             return status;
-         },
-         {}});
-    stages.push_back({"file.point_set",
-                      [this](Attempt& attempt, Bytes& bytes, hrbfnpr_error* error) {
-                          Bytes file(4 << 20);
-                          std::int64_t size = 0;
-                          auto status = attempt([&] {
-                              return hrbfnpr_point_set_save_memory(set_.get(), file.data(), 4 << 20, &size, error);
-                          });
-                          if (status != HRBFNPR_STATUS_OK) return status;
-                          hrbfnpr_point_set* loaded = nullptr;
-                          status = attempt([&] {
-                              return hrbfnpr_point_set_load_memory(context_.get(), file.data(), size, &loaded, error);
-                          });
-                          EXPECT_EQ(loaded != nullptr, status == HRBFNPR_STATUS_OK);
-                          if (const PointSet owned(loaded); owned) append(bytes, owned);
-                          return status;
-                      },
-                      {}});
+    add(stages, "marks.own", [this](Attempt& attempt, Bytes& bytes, hrbfnpr_error* error) {
+        const std::vector<std::uint32_t> first{0, 3, 6};
+        const std::vector<double> position(samples_.points.begin(), samples_.points.begin() + 18);
+        auto arrays = made(hrbfnpr_layer_arrays_init);
+        arrays.position = arrays.normal = in(position);
+        arrays.stroke_first = in(first, 1);
+        auto desc = made(hrbfnpr_point_set_desc_init);
+        desc.base = set_.get();
+        desc.layers = &arrays;
+        desc.layer_count = 1;
+        hrbfnpr_point_set* set = nullptr;
+        const auto status = attempt([&] { return hrbfnpr_point_set_create(context_.get(), &desc, &set, error); });
+        EXPECT_EQ(set != nullptr, status == HRBFNPR_STATUS_OK);
+        if (const PointSet owned(set); owned) append(bytes, owned);
+        return status;
+    });
+    add(stages, "file.model", [this](Attempt& attempt, Bytes& bytes, hrbfnpr_error* error) {
+        std::pair<Bytes, std::size_t> file{Bytes(4 << 20), 0};
+        auto status = attempt([&] { return hrbfnpr_model_save(model_.get(), write_bytes, &file, error); });
+        if (status != HRBFNPR_STATUS_OK) return status;
+        file.first.resize(file.second);
+        Reading reading{file.first};
+        hrbfnpr_model* loaded = nullptr;
+        status = attempt([&] { return hrbfnpr_model_load(context_.get(), Reading::read, &reading, &loaded, error); });
+        EXPECT_EQ(loaded != nullptr, status == HRBFNPR_STATUS_OK);
+        if (const Model owned(loaded); owned) append(bytes, owned);
+        return status;
+    });
+    add(stages, "csg", [this](Attempt& attempt, Bytes& bytes, hrbfnpr_error* error) {
+        hrbfnpr::test::CsgNodes nodes = hrbfnpr::test::csg_part();
+        nodes.add(HRBFNPR_CSG_MODEL, 1).model = model_.get();
+        const hrbfnpr_csg_desc desc = nodes.desc();
+        hrbfnpr_model* part = nullptr;
+        auto status = attempt([&] { return hrbfnpr_model_create_csg(context_.get(), &desc, &part, error); });
+        EXPECT_EQ(part != nullptr, status == HRBFNPR_STATUS_OK);
+        if (status != HRBFNPR_STATUS_OK) return status;
+        const Model owned(part);
+        std::vector<double> value(places_.size() / 3), gradient(places_.size());
+        const hrbfnpr_array from = in(places_);
+        const hrbfnpr_array_out values = out(value, 1), gradients = out(gradient);
+        status = attempt([&] {
+            return hrbfnpr_model_evaluate(part, &from, &values, &gradients, nullptr, attempt.operation, error);
+        });
+        if (status != HRBFNPR_STATUS_OK) return status;
+        append(bytes, value), append(bytes, gradient);
+        std::pair<Bytes, std::size_t> file{Bytes(4 << 20), 0};
+        status = attempt([&] { return hrbfnpr_model_save(part, write_bytes, &file, error); });
+        if (status != HRBFNPR_STATUS_OK) return status;
+        file.first.resize(file.second);
+        Reading reading{file.first};
+        hrbfnpr_model* loaded = nullptr;
+        status = attempt([&] { return hrbfnpr_model_load(context_.get(), Reading::read, &reading, &loaded, error); });
+        EXPECT_EQ(loaded != nullptr, status == HRBFNPR_STATUS_OK);
+        if (const Model again(loaded); again) append(bytes, again);
+        return status;
+    });
+    add(stages, "file.point_set", [this](Attempt& attempt, Bytes& bytes, hrbfnpr_error* error) {
+        Bytes file(4 << 20);
+        std::int64_t size = 0;
+        auto status =
+            attempt([&] { return hrbfnpr_point_set_save_memory(set_.get(), file.data(), 4 << 20, &size, error); });
+        if (status != HRBFNPR_STATUS_OK) return status;
+        hrbfnpr_point_set* loaded = nullptr;
+        status =
+            attempt([&] { return hrbfnpr_point_set_load_memory(context_.get(), file.data(), size, &loaded, error); });
+        EXPECT_EQ(loaded != nullptr, status == HRBFNPR_STATUS_OK);
+        if (const PointSet owned(loaded); owned) append(bytes, owned);
+        return status;
+    });
 }
 
 } // namespace api_test

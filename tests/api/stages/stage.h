@@ -47,6 +47,12 @@ struct Stage {
     std::int64_t most_refusals = 1 << 30;
 };
 
+template <class Call>
+Stage& add(std::vector<Stage>& stages, const std::string& name, Call call, std::function<void()> renew = {}) {
+    stages.push_back({name, std::move(call), std::move(renew)});
+    return stages.back();
+}
+
 // How much there is to do.
 struct StageSizes {
     int samples = 40;       // of a fit

@@ -63,22 +63,18 @@ hrbfnpr_picture_desc Stages::picture_desc() const {
 
 void Stages::add_picture(std::vector<Stage>& stages, const char* name, const hrbfnpr_picture_source& source,
                          std::uint32_t preset) {
-    stages.push_back({name,
-                      [this, source, preset](Attempt& attempt, Bytes& bytes, hrbfnpr_error* error) {
-                          auto desc = picture_desc();
-                          desc.sources = &source;
-                          desc.source_count = 1;
-                          desc.preset = preset;
-                          hrbfnpr_picture* picture = nullptr;
-                          const auto status = attempt([&] {
-                              return hrbfnpr_picture_create(context_.get(), &desc, attempt.operation, &picture, error);
-                          });
-                          EXPECT_EQ(picture != nullptr, status == HRBFNPR_STATUS_OK);
-                          const Picture owned(picture);
-                          return status == HRBFNPR_STATUS_OK ? draw(attempt, picture, nullptr, bytes, error) : status;
-                      },
-                      {},
-                      most_refusals});
+    add(stages, name, [this, source, preset](Attempt& attempt, Bytes& bytes, hrbfnpr_error* error) {
+        auto desc = picture_desc();
+        desc.sources = &source;
+        desc.source_count = 1;
+        desc.preset = preset;
+        hrbfnpr_picture* picture = nullptr;
+        const auto status =
+            attempt([&] { return hrbfnpr_picture_create(context_.get(), &desc, attempt.operation, &picture, error); });
+        EXPECT_EQ(picture != nullptr, status == HRBFNPR_STATUS_OK);
+        const Picture owned(picture);
+        return status == HRBFNPR_STATUS_OK ? draw(attempt, picture, nullptr, bytes, error) : status;
+    }).most_refusals = most_refusals;
 }
 
 void Stages::add_pictures(std::vector<Stage>& stages) {
@@ -112,18 +108,15 @@ void Stages::add_pictures(std::vector<Stage>& stages) {
     const std::array<std::pair<const char*, hrbfnpr_picture_source>, 3> inspected{
         {{"picture.inspected_points", points}, {"picture.inspected_bare", bare}, {"picture.inspected_mesh", mesh}}};
     for (const auto& each : inspected)
-        stages.push_back({each.first,
-                          [this, source = each.second](Attempt& attempt, Bytes& bytes, hrbfnpr_error* error) {
-                              auto info = made(hrbfnpr_source_info_init);
-                              const auto status = attempt([&] {
-                                  return hrbfnpr_source_inspect(context_.get(), &source, HRBFNPR_WORDING_FIELDS,
-                                                                nullptr, nullptr, attempt.operation, &info, error);
-                              });
-                              if (status == HRBFNPR_STATUS_OK) append_value(bytes, info);
-                              return status;
-                          },
-                          {},
-                          most_refusals});
+        add(stages, each.first, [this, source = each.second](Attempt& attempt, Bytes& bytes, hrbfnpr_error* error) {
+            auto info = made(hrbfnpr_source_info_init);
+            const auto status = attempt([&] {
+                return hrbfnpr_source_inspect(context_.get(), &source, HRBFNPR_WORDING_FIELDS, nullptr, nullptr,
+                                              attempt.operation, &info, error);
+            });
+            if (status == HRBFNPR_STATUS_OK) append_value(bytes, info);
+            return status;
+        }).most_refusals = most_refusals;
 
     {
         Error error;
@@ -137,68 +130,51 @@ void Stages::add_pictures(std::vector<Stage>& stages) {
         EXPECT_OK(hrbfnpr_picture_draw(picture, nullptr, nullptr, &drawing, error));
         picture_drawing_.reset(drawing);
     }
-    stages.push_back({"picture.restyled",
-                      [this](Attempt& attempt, Bytes& bytes, hrbfnpr_error* error) {
-                          auto restyle = picture_desc();
-                          restyle.style_name = "etching";
-                          hrbfnpr_picture* other = nullptr;
-                          const auto status = attempt([&] {
-                              return hrbfnpr_picture_restyle(picture_.get(), &restyle, attempt.operation, &other,
-                                                             error);
-                          });
-                          EXPECT_EQ(other != nullptr, status == HRBFNPR_STATUS_OK);
-                          const Picture owned(other);
-                          return status == HRBFNPR_STATUS_OK ? draw(attempt, other, nullptr, bytes, error) : status;
-                      },
-                      {},
-                      most_refusals});
-    stages.push_back({"picture.drawn",
-                      [this](Attempt& attempt, Bytes& bytes, hrbfnpr_error* error) {
-                          return draw(attempt, picture_.get(), attempt.operation, bytes, error);
-                      },
-                      {},
-                      most_refusals});
-    stages.push_back({"picture.page",
-                      [this](Attempt& attempt, Bytes& bytes, hrbfnpr_error* error) {
-                          auto page = made(hrbfnpr_picture_page_desc_init);
-                          page.paper = "a6";
-                          const std::array<double, 2> widths{0.2, 0.5};
-                          page.pen_widths = {widths.data(), 2, 0, HRBFNPR_SCALAR_FLOAT64, 1};
-                          Sink sink;
-                          const auto status = attempt([&] {
-                              return hrbfnpr_picture_write(picture_.get(), picture_drawing_.get(), nullptr, &page,
-                                                           Sink::write, &sink, nullptr, attempt.operation, error);
-                          });
-                          if (status == HRBFNPR_STATUS_OK) sink.append_to(bytes);
-                          return status;
-                      },
-                      {},
-                      most_refusals});
-    stages.push_back({"picture.views",
-                      [this](Attempt& attempt, Bytes& bytes, hrbfnpr_error* error) {
-                          auto views = made(hrbfnpr_views_desc_init);
-                          views.sections = "z";
-                          views.model = "stage";
-                          Sink sink;
-                          const auto status = attempt([&] {
-                              return hrbfnpr_picture_write_views(picture_.get(), &views, Sink::write, &sink, nullptr,
-                                                                 attempt.operation, error);
-                          });
-                          if (status == HRBFNPR_STATUS_OK) sink.append_to(bytes);
-                          return status;
-                      },
-                      {},
-                      most_refusals});
-    stages.push_back({"picture.settings",
-                      [this](Attempt& attempt, Bytes& bytes, hrbfnpr_error* error) {
-                          Sink sink;
-                          const auto status = attempt([&] {
-                              return hrbfnpr_picture_write_settings(picture_.get(), Sink::write, &sink, error);
-                          });
-                          if (status == HRBFNPR_STATUS_OK) sink.append_to(bytes);
-                          return status;
-                      },
-                      {}});
+    add(stages, "picture.restyled", [this](Attempt& attempt, Bytes& bytes, hrbfnpr_error* error) {
+        auto restyle = picture_desc();
+        restyle.style_name = "etching";
+        hrbfnpr_picture* other = nullptr;
+        const auto status = attempt(
+            [&] { return hrbfnpr_picture_restyle(picture_.get(), &restyle, attempt.operation, &other, error); });
+        EXPECT_EQ(other != nullptr, status == HRBFNPR_STATUS_OK);
+        const Picture owned(other);
+        return status == HRBFNPR_STATUS_OK ? draw(attempt, other, nullptr, bytes, error) : status;
+    }).most_refusals = most_refusals;
+    add(stages, "picture.drawn", [this](Attempt& attempt, Bytes& bytes, hrbfnpr_error* error) {
+        return draw(attempt, picture_.get(), attempt.operation, bytes, error);
+    }).most_refusals = most_refusals;
+    add(stages, "picture.page", [this](Attempt& attempt, Bytes& bytes, hrbfnpr_error* error) {
+        auto page = made(hrbfnpr_picture_page_desc_init);
+        page.paper = "a6";
+        const std::array<double, 2> widths{0.2, 0.5};
+        page.pen_widths = {widths.data(), 2, 0, HRBFNPR_SCALAR_FLOAT64, 1};
+        Sink sink;
+        const auto status = attempt([&] {
+            return hrbfnpr_picture_write(picture_.get(), picture_drawing_.get(), nullptr, &page, Sink::write, &sink,
+                                         nullptr, attempt.operation, error);
+        });
+        if (status == HRBFNPR_STATUS_OK) sink.append_to(bytes);
+        return status;
+    }).most_refusals = most_refusals;
+    add(stages, "picture.views", [this](Attempt& attempt, Bytes& bytes, hrbfnpr_error* error) {
+        auto views = made(hrbfnpr_views_desc_init);
+        views.sections = "z";
+        views.model = "stage";
+        Sink sink;
+        const auto status = attempt([&] {
+            return hrbfnpr_picture_write_views(picture_.get(), &views, Sink::write, &sink, nullptr, attempt.operation,
+                                               error);
+        });
+        if (status == HRBFNPR_STATUS_OK) sink.append_to(bytes);
+        return status;
+    }).most_refusals = most_refusals;
+    add(stages, "picture.settings", [this](Attempt& attempt, Bytes& bytes, hrbfnpr_error* error) {
+        Sink sink;
+        const auto status =
+            attempt([&] { return hrbfnpr_picture_write_settings(picture_.get(), Sink::write, &sink, error); });
+        if (status == HRBFNPR_STATUS_OK) sink.append_to(bytes);
+        return status;
+    });
 }
 
 } // namespace api_test

@@ -70,13 +70,6 @@ TEST(Compare, KnowsTheDistanceBothWays) {
     EXPECT_EQ(narrow.surface.beyond, 1.0);
 }
 
-TEST(Compare, HasDefaults) {
-    const mesh::Comparison found = compared(Sphere(1.0), icosphere(5), 0.0, 0.0);
-    EXPECT_NEAR(found.diagonal, std::sqrt(12.0), 0.01);
-    EXPECT_EQ(found.tolerance, 0.002 * found.diagonal);
-    EXPECT_EQ(found.surface.share, 1.0);
-}
-
 TEST(Compare, FindsWhatIsInventedAndWhatIsMissed) {
     // The mesh has another ball in its box, so that the second surface is looked for there.
     const Triangles both = icosphere(4).with(icosphere(4).moved(1.0, 2.6, 0.0, 0.0));
