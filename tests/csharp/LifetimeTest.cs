@@ -204,46 +204,6 @@ namespace HrbfNpr.Tests
         }
 
         [Fact]
-        public void LogsBelowTheirLevelAreNotReported()
-        {
-            var lines = new List<string>();
-            var options = new ContextOptions
-            {
-                LogLevel = LogLevel.Warning,
-                Log = (level, message) => lines.Add(level + " " + message),
-            };
-            double[] points = Shapes.Sphere(300);
-            double[] normals = points.Select(number => 2.0 * number).ToArray();
-            using (var context = new Context(options))
-            using (Model model = Model.Fit((ArrayView)points, (ArrayView)normals, null, context))
-            {
-                Assert.Equal(1, lines.Count);
-                Assert.True(lines[0].StartsWith("Warning "));
-            }
-        }
-
-        [Fact]
-        public void OneModelOnManyThreads()
-        {
-            double[] at = Shapes.Sphere(500);
-            using (Model model = Shapes.FitSphere())
-            {
-                double[] expected = model.Evaluate(at).Value;
-                var same = new bool[8];
-                Parallel.For(0, same.Length, index =>
-                {
-                    using (var renderer = new Renderer())
-                    using (PointSet marks = Shapes.Stipple(model, 100))
-                    {
-                        same[index] = model.Evaluate(at).Value.SequenceEqual(expected)
-                            && Shapes.Draw(renderer, marks, Shapes.Look(marks, 20)).Length == 1600;
-                    }
-                });
-                Assert.True(same.All(one => one));
-            }
-        }
-
-        [Fact]
         public void TheDefaultContextCanBeReplaced()
         {
             Context old = Context.Default;

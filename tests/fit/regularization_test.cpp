@@ -115,21 +115,6 @@ TEST(Regularization, SmoothsNoise) {
     }
 }
 
-TEST(Regularization, DoesNotDependOnTheUnit) {
-    const base::Runtime runtime;
-    const Cloud cloud = noisy_sphere(0.02);
-    const Cloud large = cloud.moved(1000.0, glm::dvec3(0.0));
-    for (const Kind kind : {Kind::triharmonic, Kind::gaussian}) {
-        fit::FitInput a = input(cloud, kind, 1);
-        fit::FitInput b = input(large, kind, 1);
-        a.regularization = b.regularization = 1e-4;
-        const fit::FitResult small_fit = fit::fit(runtime, a, {});
-        const fit::FitResult large_fit = fit::fit(runtime, b, {});
-        const glm::dvec3 p(0.5, 0.6, 0.7);
-        EXPECT_NEAR(at(large_fit.data, 1000.0 * p).value, 1000.0 * at(small_fit.data, p).value, 1e-6);
-    }
-}
-
 } // namespace
 
 } // namespace regularization_test

@@ -313,38 +313,5 @@ TEST_F(Culling, FrontMarksAreShownDroppedOrNotDrawn) {
     }
 }
 
-TEST_F(Culling, SameBitsForAnyThreadCountAndInstructionSet) {
-    const auto bytes_of = [](int threads, base::InstructionSet instructions, const Style& style) {
-        const base::Runtime other(nullptr, nullptr, nullptr, base::Parallel(threads, nullptr, nullptr), instructions,
-                                  nullptr, nullptr);
-        marks::PointSet points = torus(other.memory, 130);
-        add_torus_strokes(points, marks::Kind::hatch, 300, 27, 0.3);
-        const marks::PointSet ring = clustered(other, std::move(points));
-        Style own = style;
-        own.hidden_lines = frame::HiddenLines::attenuate;
-        own.attenuation_front = 0.4;
-        own.splat_overlap = 2.0F;
-        const std::array items{layered_item(ring, own)};
-        DrawnFrame own_frame(other);
-        own_frame.draw(items, perspective_from({2.0, -4.0, 3.0}, {0.0, 0.0, 0.0}, 0.5));
-        std::vector<float> numbers;
-        for (const Disc& d : own_frame.discs())
-            numbers.insert(numbers.end(), {d.x, d.y, d.radius, d.depth, d.color.w, static_cast<float>(d.id)});
-        const Counts& info = own_frame.info();
-        numbers.push_back(static_cast<float>(info.culled + info.shown + info.dropped_hidden));
-        std::vector<std::byte> bytes(numbers.size() * sizeof(float));
-        std::memcpy(bytes.data(), numbers.data(), bytes.size());
-        return bytes;
-    };
-    for (const Style& style : styles()) {
-        const auto expected = bytes_of(1, base::InstructionSet::automatic, style);
-        EXPECT_GT(expected.size(), 1000U);
-        for (const int threads : {2, 3, 7})
-            EXPECT_EQ(bytes_of(threads, base::InstructionSet::automatic, style), expected) << threads;
-        for (const base::InstructionSet one : test::instruction_sets())
-            EXPECT_EQ(bytes_of(2, one, style), expected) << static_cast<int>(one);
-    }
-}
-
 } // namespace
 } // namespace hrbfnpr::testing::culling_test

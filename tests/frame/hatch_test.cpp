@@ -323,38 +323,6 @@ TEST_P(HatchPieces, ThatArePassedOverWouldNotBeDrawn) {
     }
 }
 
-TEST_F(Hatch, SameBitsForAnyThreadCountAndInstructionSet) {
-    std::vector<float> expected;
-    std::vector<std::pair<int, base::InstructionSet>> machines;
-    for (const base::InstructionSet one : test::instruction_sets()) machines.emplace_back(1, one);
-    machines.emplace_back(3, machines.back().second);
-    for (const auto& [threads, instructions] : machines) {
-        const base::Runtime other(nullptr, nullptr, nullptr, base::Parallel(threads, nullptr, nullptr), instructions,
-                                  nullptr, nullptr);
-        marks::PointSet ball(other.memory);
-        add_latitudes(ball);
-        ball = clustered(other, std::move(ball));
-        style.tone = frame::Tone::light;
-        style.hidden_lines = frame::HiddenLines::attenuate;
-        style.layers = std::span(&layer, 1);
-        const std::array items{layered_item(ball, style)};
-        DrawnFrame own(other);
-        std::vector<float> numbers;
-        for (int turn = 0; turn < 8; ++turn) {
-            frame::Camera camera = front_camera(size, size, 1.25);
-            camera.view = frame::look_at({7.0 * std::cos(turn), 7.0 * std::sin(turn), 5.0}, glm::dvec3(0.0), {0, 0, 1});
-            own.draw(items, camera);
-            EXPECT_GT(own.drawing().strokes.size(), 20);
-            for (const StrokePoint& p : own.drawing().points)
-                numbers.insert(numbers.end(),
-                               {p.x, p.y, p.radius, p.opacity, p.depth, p.length, static_cast<float>(p.id)});
-            for (const Stroke& s : own.drawing().strokes) numbers.push_back(static_cast<float>(s.count));
-        }
-        if (expected.empty()) expected = numbers;
-        EXPECT_EQ(numbers, expected) << threads << " " << static_cast<int>(instructions);
-    }
-}
-
 TEST_F(Hatch, CountsAndLayersSayWhatIsDrawn) {
     set = nested_plane(runtime.memory);
     cluster();

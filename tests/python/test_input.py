@@ -119,12 +119,6 @@ def holed():
     return obj(vertices, [face[::-1] for face in faces])
 
 
-def two_parts():
-    vertices, faces = tube()
-    beside = [[i + len(vertices) for i in face] for face in faces]
-    return obj(np.vstack([vertices, vertices + [3, 0, 0]]), [*faces, *beside])
-
-
 def nested_parts():
     vertices, faces = tube()
     middle = (vertices.min(axis=0) + vertices.max(axis=0)) / 2
@@ -377,13 +371,6 @@ def test_several_normals_at_one_place(tmp_path, capsys):
     assert "all points are in pairs with opposite normals" in capsys.readouterr().err
 
 
-def test_check_of_points_without_normals(tmp_path, capsys):
-    points, normals = ball()
-    for name, data, why in (("a.xyz", table(points), "there are none"), ("b.xyzn", table(points, 0 * normals), "zero")):
-        facts = checked(write(tmp_path, name, data), capsys)
-        assert facts["status"] == "warnings" and "no normals" in facts["warnings"][0] and why in facts["repairs"][0]
-
-
 def test_check_of_what_cannot_be_used(tmp_path, capsys):
     for name, data, words in (
         ("b.xyz", "Dear\n", "^line 1, column 1"),
@@ -397,42 +384,11 @@ def test_check_of_what_cannot_be_used(tmp_path, capsys):
         assert facts["status"] == "unusable" and re.search(words, facts["errors"][0]), facts["errors"]
 
 
-def test_check_of_solids_that_touch_in_an_edge(tmp_path, capsys):
-    corners = np.array([[x, y, z] for x in (0, 1) for y in (0, 1) for z in (0, 1)])
-    quads = [[0, 1, 3, 2], [4, 6, 7, 5], [0, 4, 5, 1], [2, 3, 7, 6], [0, 2, 6, 4], [1, 5, 7, 3]]
-    two = obj(np.vstack([corners, corners + [1, 1, 0]]), [[i + at for i in quad] for at in (0, 8) for quad in quads])
-    facts = checked(write(tmp_path, "a.obj", two), capsys)
-    assert facts["mesh"]["non_manifold_edges"] == 1
-    assert "1 edge of more than two triangles parted, as solids touch there" in facts["repairs"]
-    assert not any("more than two" in warning for warning in facts["warnings"])
-    both = [face for quad in quads for face in (quad, quad[::-1])]
-    repairs = checked(write(tmp_path, "c.obj", obj(corners, both)), capsys)["repairs"]
-    assert any("mended, as faces that are there twice are left out" in repair for repair in repairs)
-    faces = obj([[0, 0, 0], [0, 0, 1], [1, 0, 0], [-1, 1, 0], [-1, -1, 0]], [[0, 1, 2], [0, 1, 3], [0, 1, 4]])
-    assert "1 edge of more than two triangles" in checked(write(tmp_path, "b.obj", faces), capsys)["warnings"]
-
-
 def test_check_of_meshes(tmp_path, capsys):
     facts = checked(write(tmp_path, "a.obj", obj(*tube())), capsys)
     mesh = facts["mesh"]
     assert facts["status"] == "fine" and mesh["closed"] and mesh["components"] == 1
     assert mesh["volume"] == pytest.approx(3 * np.pi, rel=0.02) and mesh["area"] == pytest.approx(8 * np.pi, rel=0.02)
-    mesh = checked(write(tmp_path, "b.obj", obj(tube()[0], [face[::-1] for face in tube()[1]])), capsys)["mesh"]
-    assert mesh["inside_out"] and mesh["parts_inside_out"] == 1
-    facts = checked(write(tmp_path, "c.obj", obj(*tube(ends=False))), capsys)
-    mesh = facts["mesh"]
-    assert not mesh["closed"] and mesh["boundary_edges"] == 48 and mesh["holes"] == 2 and mesh["unused_vertices"] == 2
-    assert "it is open: 2 borders of 48 edges" in facts["warnings"]
-    mesh = checked(write(tmp_path, "d.obj", obj(*tube(turned=[5]))), capsys)["mesh"]
-    assert mesh["inconsistent_edges"] == 4 and not mesh["closed"]
-    mesh = checked(write(tmp_path, "e.obj", two_parts()), capsys)["mesh"]
-    assert mesh["components"] == 2 and mesh["closed"]
-    mesh = checked(write(tmp_path, "f.obj", obj(*tube()) + "f 1 2 200\nf 1 1 2\nf 289 1 2\n"), capsys)["mesh"]
-    assert mesh["non_manifold_edges"] >= 2 and mesh["degenerate_triangles"] == 1 and mesh["duplicate_triangles"] == 1
-    mesh = checked(write(tmp_path, "g.obj", not_finite()), capsys)["mesh"]
-    assert mesh["faces_not_finite"] == 1 and mesh["closed"]
-    facts = checked(write(tmp_path, "j.obj", hanging()), capsys)
-    assert "the surface is a terrain that looks down along z" in facts["warnings"] and facts["up"] == "z"
     facts = checked(write(tmp_path, "h.stl", stl(True)), capsys)
     assert facts["mesh"]["joined_vertices"] == 8 and facts["mesh"]["closed"] and facts["up"] == "z"
     facts = checked(write(tmp_path, "i.glb", glb(*gltf())), capsys)

@@ -55,15 +55,6 @@ def test_normals_that_are_turned_make_the_same_picture(tmp_path, capsys):
 # --- up ----------------------------------------------------------------------------------------
 
 
-def terrain(relief):
-    grid = np.stack(np.meshgrid(np.linspace(-6, 6, 40), np.linspace(-5, 5, 34)), axis=-1).reshape(-1, 2)
-    heights = relief * np.sin(grid[:, 0]) * np.cos(0.8 * grid[:, 1])
-    x, y = grid[:, 0], 0.8 * grid[:, 1]
-    slope = relief * np.column_stack([np.cos(x) * np.cos(y), -0.8 * np.sin(x) * np.sin(y)])
-    normals = np.column_stack([-slope, np.ones(len(grid))])
-    return shapes.Shape(np.column_stack([grid[:, 0], grid[:, 1], heights + 1200]), normals)
-
-
 def test_up_by_the_format(tmp_path, capsys):
     path = write(tmp_path, "a.stl", stl(True))
     more = ["--samples", "200"]
@@ -75,14 +66,6 @@ def test_up_by_the_format(tmp_path, capsys):
     path = write(tmp_path, "a.glb", glb(*gltf()))
     assert draw(path, tmp_path / "d.png", *more, "--up", "auto") == 0
     assert "up is" not in capsys.readouterr().err
-
-
-def test_up_of_saved_models(tmp_path, capsys):
-    ground = terrain(0.6)
-    keep = slice(None, None, 4)
-    hrbfnpr.Model.fit(ground.points[keep], ground.normals[keep]).save(tmp_path / "m")
-    assert draw(tmp_path / "m", tmp_path / "a.png") == 0
-    assert "up is z: the surface is a terrain" in capsys.readouterr().err
 
 
 # --- pictures with nothing in them -------------------------------------------------------------

@@ -317,42 +317,6 @@ TEST_F(LayerRaster, DiscsAreThoseThatTheInfoCounts) {
     }
 }
 
-TEST_F(LayerRaster, SameBitsForAnyThreadCountAndInstructionSet) {
-    const auto picture_of = [](int threads, base::InstructionSet set, bool many, bool linear) {
-        const base::Runtime other(nullptr, nullptr, nullptr, base::Parallel(threads, nullptr, nullptr), set, nullptr,
-                                  nullptr);
-        const marks::PointSet ball = clustered(other, sphere(other.memory, 20000));
-        const marks::PointSet ring = clustered(other, torus(other.memory, 90));
-        Style style;
-        style.kind[0].radius = 1.7F;
-        style.attenuation_front = 0.3;
-        style.splat_overlap = 2.0F;
-        Style other_style = style;
-        if (many) other_style.kind[0].ink = {0.9F, 0.2F, 0.1F, 0.8F};
-        const std::array items{layered_item(ball, style), layered_item(ring, other_style)};
-        DrawnFrame own(other);
-        frame::Camera camera = front_camera(333, 222);
-        camera.projection = frame::perspective(0.3, 333, 222, 1.0, 30.0, camera.depth);
-        camera.view = frame::look_at({3.0, 4.0, 8.0}, glm::dvec3(0.0), {0, 1, 0});
-        own.draw(items, camera);
-        EXPECT_EQ(own.drawing().one_color, !many);
-        Picture picture(333, 222);
-        DrawSettings settings;
-        settings.linear_light = linear;
-        output::Raster(other).draw(own.drawing(), picture.image(), settings);
-        return picture.bytes;
-    };
-    for (const bool many : {false, true}) {
-        for (const bool linear : {false, true}) {
-            const auto expected = picture_of(1, base::InstructionSet::automatic, many, linear);
-            for (const int threads : {2, 3, 7})
-                EXPECT_EQ(picture_of(threads, base::InstructionSet::automatic, many, linear), expected) << threads;
-            for (const base::InstructionSet set : test::instruction_sets())
-                EXPECT_EQ(picture_of(2, set, many, linear), expected) << static_cast<int>(set);
-        }
-    }
-}
-
 TEST_F(LayerRaster, AViewportShiftsThePictureAndLeavesTheRestAlone) {
     add_colors();
     draw(papers[0]);

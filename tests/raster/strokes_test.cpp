@@ -342,40 +342,5 @@ TEST(StrokeSegments, CoverWhatTheirEndsDo) {
     EXPECT_EQ(drawing::ends_of(stroke, 7).end, Cap::flat);
 }
 
-TEST_F(StrokePicture, SameBitsForAnyThreadCountAndInstructionSet) {
-    const auto picture_of = [](int threads, base::InstructionSet instructions, bool many) {
-        const base::Runtime other(nullptr, nullptr, nullptr, base::Parallel(threads, nullptr, nullptr), instructions,
-                                  nullptr, nullptr);
-        marks::PointSet ring = torus(other.memory, 60);
-        add_torus_strokes(ring, marks::Kind::hatch, 600, 27, 0.3);
-        ring = clustered(other, std::move(ring));
-        std::array<LayerStyle, 2> layers;
-        layers[0].kind = marks::Kind::hatch;
-        layers[0].shape = frame::Shape::strokes;
-        layers[0].radius = 1.4F;
-        layers[0].ink[3] = 0.8F;
-        if (many) layers[0].ink[0] = 0.7F;
-        layers[1].kind = marks::Kind::stipples;
-        frame::Style style;
-        style.layers = layers;
-        const std::array items{layered_item(ring, style)};
-        DrawnFrame own(other);
-        frame::Camera camera = front_camera(333, 222, 1.6);
-        camera.view = frame::look_at({3.0, 4.0, 8.0}, glm::dvec3(0.0), {0, 1, 0});
-        own.draw(items, camera);
-        EXPECT_GT(own.drawing().strokes.size(), 100);
-        Picture made(333, 222);
-        output::Raster(other).draw(own.drawing(), made.image(), {});
-        return made.bytes;
-    };
-    for (const bool many : {false, true}) {
-        const auto expected = picture_of(1, base::InstructionSet::automatic, many);
-        for (const int threads : {2, 3, 7})
-            EXPECT_EQ(picture_of(threads, base::InstructionSet::automatic, many), expected) << threads;
-        for (const base::InstructionSet one : test::instruction_sets())
-            EXPECT_EQ(picture_of(2, one, many), expected) << static_cast<int>(one);
-    }
-}
-
 } // namespace
 } // namespace hrbfnpr::testing::strokes_test

@@ -134,5 +134,45 @@ TEST(DeterminismOfInstructionSets, NearlyTheSameNumbers) {
     }
 }
 
+// Pictures are the same to the bit if their marks are, in one colour and in several.
+TEST(DeterminismOfInstructionSets, TheSamePicturesOfTheSameMarks) {
+    constexpr std::int32_t side = 300;
+    Error error;
+    Bytes file;
+    std::map<std::array<std::uint32_t, 3>, Bytes> pictures;
+    for (const std::uint32_t set : {HRBFNPR_INSTRUCTION_SET_BASELINE, HRBFNPR_INSTRUCTION_SET_AVX2,
+                                    HRBFNPR_INSTRUCTION_SET_AVX512, HRBFNPR_INSTRUCTION_SET_NEON}) {
+        auto desc = made(hrbfnpr_context_desc_init);
+        desc.thread_count = 2;
+        desc.highest_instruction_set = set;
+        const Context context = make_context(desc);
+        if (info_of(context).instruction_set != set) continue;
+        if (file.empty())
+            file = saved(generate(context, fit(context, scenes::torus(200)), hrbfnpr::test::three_layers(4000)));
+        hrbfnpr_point_set* loaded = nullptr;
+        ASSERT_OK(hrbfnpr_point_set_load_memory(context.get(), file.data(), static_cast<std::int64_t>(file.size()),
+                                                &loaded, error));
+        const PointSet marks(loaded);
+        const Renderer renderer = make_renderer(context);
+        for (const std::uint32_t shape : {HRBFNPR_SHAPE_DOTS, HRBFNPR_SHAPE_STROKES, HRBFNPR_SHAPE_HATCH})
+            for (const std::uint32_t hidden : {HRBFNPR_HIDDEN_LINES_HIDE, HRBFNPR_HIDDEN_LINES_ATTENUATE})
+                for (const std::uint32_t colours : {1U, 2U}) {
+                    std::array layers{made(hrbfnpr_layer_style_init), made(hrbfnpr_layer_style_init)};
+                    layers[0].kind = HRBFNPR_LAYER_KIND_STIPPLES;
+                    layers[0].ink[0] = colours == 1 ? 0.0F : 0.9F;
+                    layers[0].shape = layers[1].shape = shape;
+                    auto style = made(hrbfnpr_style_init);
+                    style.layers = layers.data();
+                    style.layer_count = 2;
+                    style.hidden_lines = hidden;
+                    const Drawing drawing = draw_item(renderer, item_of(marks, &style), front_camera(side));
+                    const Bytes pixels = rasterize(drawing, side);
+                    const auto& first = pictures.try_emplace({shape, hidden, colours}, pixels).first->second;
+                    EXPECT_TRUE(first == pixels) << "instruction set " << set << ", shape " << shape;
+                }
+    }
+    EXPECT_EQ(pictures.size(), 12U);
+}
+
 } // namespace
 } // namespace api_test::stages_test
