@@ -7,7 +7,8 @@
 
 namespace test {
 
-inline hrbfnpr::implicit::HrbfData hermite_data(hrbfnpr::base::Memory& memory, hrbfnpr::kernel::Kind kind, int centres) {
+inline hrbfnpr::implicit::HrbfData hermite_data(hrbfnpr::base::Memory& memory, hrbfnpr::kernel::Kind kind,
+                                                int centres) {
     hrbfnpr::implicit::HrbfData data(memory);
     data.kernel = kind;
     data.kernel_radius = kind == hrbfnpr::kernel::Kind::gaussian ? 0.8 : 1.5;
