@@ -9,7 +9,6 @@ import sys
 import numpy as np
 import pytest
 from conftest import PACKAGE, fibonacci_sphere, torus
-from looks import look
 from test_input import ball, obj, table, tube
 from test_meshes import glb, gltf
 from test_shapes import stl, write
