@@ -14,7 +14,6 @@ from test_meshes import glb, gltf
 from test_shapes import stl, write
 
 import hrbfnpr
-from hrbfnpr import shapes
 from hrbfnpr.cli import main
 
 Image = pytest.importorskip("PIL.Image")
