@@ -84,7 +84,7 @@ void smooth_depth_image(hrbfnpr_context& context, const hrbfnpr_depth_image_desc
     const base::OutView normals = out_view(out_normals, "out_normals", points_type, input.points.count);
     if (info != nullptr) check_output_struct(info, "info");
     const OperationUse use(operation);
-    const orient::DepthImage image = orient::smooth_depth_image(context.runtime, input, use.progress());
+    const orient::DepthImage image = orient::smooth_depth_image({context.runtime, use.progress()}, input);
     use.finish();
     check_fits(image.point, points, "out_points");
     write_vectors(context.runtime, image.point, points);

@@ -150,7 +150,7 @@ hrbfnpr_point_set* generate(hrbfnpr_context& context, const hrbfnpr_model& model
     generate::check_request(model.implicit(), settings);
     const implicit::Implicit& implicit =
         model.implicit_for(generate::expected_evaluations(samples, settings), use.progress());
-    marks::PointSet set = generate::generate(context.runtime, implicit, samples, settings, use.progress());
+    marks::PointSet set = generate::generate({context.runtime, use.progress()}, implicit, samples, settings);
     use.finish();
     return make_handle<hrbfnpr_point_set>(context, std::move(set));
 }
@@ -161,7 +161,7 @@ double step_patches(const hrbfnpr_context& context, const hrbfnpr_model& model, 
     const std::int64_t count = deref(corners, "corners").count;
     const base::OutView out = out_view(corners, "corners", {12, float_types}, count);
     const OperationUse use(operation);
-    return generate::step_patches(context.runtime, model.implicit(), model.samples(), settings, out, use.progress());
+    return generate::step_patches({context.runtime, use.progress()}, model.implicit(), model.samples(), settings, out);
 }
 
 } // namespace

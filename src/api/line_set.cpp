@@ -212,8 +212,9 @@ hrbfnpr_line_set_info describe(const hrbfnpr_line_set& set) noexcept {
 
 hrbfnpr_line_set::hrbfnpr_line_set(hrbfnpr_context& context, const hrbfnpr_model& of,
                                    const curves::LineSetSettings& settings, const base::Progress& progress)
-    : Child(context), model(of), lines(context.runtime, of.implicit_for(api::expected_evaluations, progress),
-                                       api::shape_of(context, of), settings, progress) {
+    : Child(context), model(of),
+      lines({context.runtime, progress}, of.implicit_for(api::expected_evaluations, progress),
+            api::shape_of(context, of), settings) {
     model.add_reference();
 }
 

@@ -105,7 +105,7 @@ hrbfnpr_mesh* create(hrbfnpr_context& context, const hrbfnpr_mesh_desc& desc, hr
     mesh_fields().check("mesh_desc", desc);
     mesh_fields().copy(desc, input);
     const OperationUse use(operation);
-    mesh::Mesh made = mesh::make_mesh(context.runtime, input, use.progress().part(0.0, 0.9));
+    mesh::Mesh made = mesh::make_mesh({context.runtime, use.progress().part(0.0, 0.9)}, input);
     log_mesh(context.runtime, made.report);
     return use.finish_with(make_handle<hrbfnpr_mesh>(context, std::move(made), use.progress().part(0.9, 1.0)));
 }
@@ -182,7 +182,7 @@ void sample(const hrbfnpr_mesh& handle, const hrbfnpr_sample_desc& desc, const h
     const OperationUse use(operation);
     const base::Runtime& runtime = handle.runtime();
     const mesh::MeshSamples samples =
-        mesh::even_samples(runtime, handle.mesh, count, candidates, settings.seed, use.progress());
+        mesh::even_samples({runtime, use.progress()}, handle.mesh, count, candidates, settings.seed);
     use.finish();
     check_fits(samples.position, position, "points");
     write_vectors(runtime, samples.position, position);

@@ -12,9 +12,9 @@
 struct hrbfnpr_mesh : hrbfnpr::api::Child {
     hrbfnpr_mesh(hrbfnpr_context& context, hrbfnpr::mesh::Mesh&& made, const hrbfnpr::base::Progress& progress)
         : Child(context), mesh(std::move(made)),
-          tree(context.runtime, mesh.vertex, mesh.triangle, progress.part(0.0, 0.7)),
-          creases(hrbfnpr::mesh::look_for_creases(context.runtime, mesh, hrbfnpr::mesh::default_crease_angle,
-                                                  progress.part(0.7, 1.0))) {}
+          tree({context.runtime, progress.part(0.0, 0.7)}, mesh.vertex, mesh.triangle),
+          creases(hrbfnpr::mesh::look_for_creases({context.runtime, progress.part(0.7, 1.0)}, mesh,
+                                                  hrbfnpr::mesh::default_crease_angle)) {}
 
     const hrbfnpr::mesh::Mesh mesh;
     const hrbfnpr::mesh::FaceTree tree;

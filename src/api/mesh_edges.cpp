@@ -67,7 +67,7 @@ void find_edges(const hrbfnpr_mesh& handle, const MeshEdgesDesc& desc, const hrb
     settings.tolerance = settings.far / 5.0; // as in a fit whose `far` is the default
     const OperationUse use(operation);
     const mesh::PlannedCreases plan =
-        mesh::find_planned_creases(handle.runtime(), mesh, handle.tree, handle.creases, settings, use.progress());
+        mesh::find_planned_creases({handle.runtime(), use.progress()}, mesh, handle.tree, handle.creases, settings);
     use.finish();
     for (std::int64_t face = 0; face < mesh.faces(); ++face) {
         if (patches) patches.set(face, 0, plan.creases ? static_cast<double>(plan.creases->patch[face]) : 0.0);

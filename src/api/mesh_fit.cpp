@@ -111,7 +111,7 @@ std::unique_ptr<surface::Support> support_of(const hrbfnpr_model& model, double 
         position.push_back({p[i], p[i + 1], p[i + 2]});
         normal.push_back({n[i], n[i + 1], n[i + 2]});
     }
-    return std::make_unique<surface::Support>(model.runtime(), position, normal, 0.0, progress);
+    return std::make_unique<surface::Support>(base::Work(model.runtime(), progress), position, normal, 0.0);
 }
 
 hrbfnpr_comparison described(const mesh::Comparison& result) noexcept {
@@ -151,7 +151,7 @@ void compare(const hrbfnpr_model& model, const hrbfnpr_mesh& mesh, const Compare
     const std::unique_ptr<surface::Support> support = support_of(model, desc.support, use.progress());
     const implicit::Implicit& implicit = model.implicit_for(evaluations_of_a_comparison, use.progress());
     const mesh::Comparison result =
-        mesh::compare(model.runtime(), implicit, mesh.mesh, mesh.tree, support.get(), settings, use.progress());
+        mesh::compare({model.runtime(), use.progress()}, implicit, mesh.mesh, mesh.tree, support.get(), settings);
     use.finish();
     write_struct(out, described(result));
 }
@@ -212,8 +212,8 @@ hrbfnpr_model* fit_mesh(const hrbfnpr_mesh& mesh, const MeshFitDesc& desc, const
     const fit::FitInput options = checked_options(fit);
     const OperationUse use(operation);
     mesh::PlannedFit made =
-        mesh::fit_as_planned(mesh.runtime(), mesh.mesh, mesh.tree, mesh.creases, settings, options,
-                             fit.trim != HRBFNPR_TRIM_NEVER, use.progress().part(0.0, end_of_mesh_fit));
+        mesh::fit_as_planned({mesh.runtime(), use.progress().part(0.0, end_of_mesh_fit)}, mesh.mesh, mesh.tree,
+                             mesh.creases, settings, options, fit.trim != HRBFNPR_TRIM_NEVER);
     const hrbfnpr_mesh_fit_info to = described(made);
     const bool ends = made.end.end != mesh::End::nowhere;
     const base::Progress rest = use.progress().part(end_of_mesh_fit, 1.0);

@@ -59,9 +59,9 @@ std::size_t hrbfnpr_model::way_for(double evaluations) const noexcept {
 
 std::unique_ptr<implicit::Implicit> hrbfnpr_model::prepare(std::size_t way, const base::Progress& progress) const {
     if (const auto* made = std::get_if<implicit::Pieces>(&surface))
-        return std::make_unique<implicit::PreparedPieces>(runtime(), *made,
-                                                          static_cast<implicit::PreparedPieces::Scope>(way), progress);
-    return implicit::Prepared::make(runtime(), *data(), progress);
+        return std::make_unique<implicit::PreparedPieces>(base::Work(runtime(), progress), *made,
+                                                          static_cast<implicit::PreparedPieces::Scope>(way));
+    return implicit::Prepared::make({runtime(), progress}, *data());
 }
 
 const implicit::Implicit& hrbfnpr_model::implicit_for(double evaluations, const base::Progress& progress) const {
@@ -224,7 +224,7 @@ hrbfnpr_model* reaching_all(hrbfnpr_model* fitted, const geometry::VecArray& sam
     const Hold<hrbfnpr_model> whole(fitted); // from here on
     release_handle(fitted);
     auto& surface = *std::get_if<implicit::Hrbf>(&fitted->surface);
-    surface.set_bounds(generate::closed_bounds(fitted->runtime(), surface, samples, progress));
+    surface.set_bounds(generate::closed_bounds({fitted->runtime(), progress}, surface, samples));
     fitted->add_reference();
     return fitted;
 }
@@ -232,9 +232,9 @@ hrbfnpr_model* reaching_all(hrbfnpr_model* fitted, const geometry::VecArray& sam
 hrbfnpr_model* fit_model(hrbfnpr_context& context, const hrbfnpr_fit_desc& desc, hrbfnpr_operation* operation) {
     fit::FitInput input = checked(desc);
     const OperationUse use(operation);
-    const NormalsOfFit normals(context.runtime, desc.normal_mode, input, use.progress());
+    const NormalsOfFit normals({context.runtime, use.progress()}, desc.normal_mode, input);
     const base::Progress progress = normals.rest(use.progress());
-    fit::FitResult result = fit::fit(context.runtime, input, progress.part(0.0, end_of_fit));
+    fit::FitResult result = fit::fit({context.runtime, progress.part(0.0, end_of_fit)}, input);
     normals.report(result.report);
     log_fit(context.runtime, result.report);
     log_choice(context.runtime, input, result.report, result.data.count());

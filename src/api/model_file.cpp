@@ -139,7 +139,7 @@ io::TrimFile file_of(base::Memory& memory, const generate::FoundTrim& found) {
 }
 
 generate::FoundTrim trim_of(const base::Runtime& runtime, const io::TrimFile& file) {
-    surface::Support support(runtime, unpacked(file.position), unpacked(file.normal), file.closest, {});
+    surface::Support support(runtime, unpacked(file.position), unpacked(file.normal), file.closest);
     geometry::CellSet kept(runtime.memory);
     geometry::CellSet ends(runtime.memory);
     for (const std::int64_t cell : file.kept) kept.insert(static_cast<std::uint64_t>(cell));

@@ -59,7 +59,6 @@ namespace {
 constexpr double hessian_cost = 2.5;
 
 constexpr std::int64_t block_size = 262144;
-constexpr std::int64_t points_a_look = 8192;
 struct FieldOutputs {
     base::OutView value, gradient, hessian;
 };
@@ -109,7 +108,7 @@ void evaluate(const hrbfnpr_model& model, const Queries& queries, const FieldOut
     for_blocks(
         queries.count(), block_size, progress, [&](std::int64_t begin, std::int64_t end, const base::Progress& part) {
             queries.read(begin, end, points);
-            implicit::evaluate_all(runtime, implicit, points, block.fields(), part);
+            implicit::evaluate_all({runtime, part}, implicit, points, block.fields());
             runtime.parallel.for_chunks(end - begin, 4096, part,
                                         [&](std::int64_t from, std::int64_t to) { block.write(from, to, begin); });
         });
@@ -136,8 +135,7 @@ struct ProjectionOutputs {
 std::int64_t write(const surface::Projection& block, const ProjectionOutputs& out, std::int64_t first,
                    const base::Progress& progress) {
     std::int64_t converged = 0;
-    for (std::int64_t i = 0; i < block.status.size(); ++i) {
-        if (i % points_a_look == 0) progress.check();
+    for (const std::int64_t i : progress.over(block.status.size())) {
         const glm::dvec3 gradient = block.gradient[i];
         const double length = glm::length(gradient);
         const bool has_normal = std::isfinite(length) && length > 0.0;
@@ -159,7 +157,7 @@ std::int64_t project(const hrbfnpr_model& model, const Queries& queries, const s
     for_blocks(queries.count(), block_size, progress,
                [&](std::int64_t begin, std::int64_t end, const base::Progress& part) {
                    queries.read(begin, end, block.position);
-                   surface::project(model.runtime(), implicit, settings, block, part);
+                   surface::project({model.runtime(), part}, implicit, settings, block);
                    converged += write(block, out, begin, part);
                });
     return converged;
@@ -179,8 +177,7 @@ struct CurvatureOutputs {
 
 void write(const base::Array<surface::Curvature>& block, const CurvatureOutputs& out, std::int64_t first,
            const base::Progress& progress) {
-    for (std::int64_t i = 0; i < block.size(); ++i) {
-        if (i % points_a_look == 0) progress.check();
+    for (const std::int64_t i : progress.over(block.size())) {
         const surface::Curvature& c = block[i];
         if (out.k1) Answer("curvature.k1").set(out.k1, first + i, 0, c.k1);
         if (out.k2) Answer("curvature.k2").set(out.k2, first + i, 0, c.k2);
@@ -199,7 +196,7 @@ void curvature(const hrbfnpr_model& model, const Queries& queries, const Curvatu
     for_blocks(queries.count(), block_size, progress,
                [&](std::int64_t begin, std::int64_t end, const base::Progress& part) {
                    queries.read(begin, end, points);
-                   surface::principal_curvatures(model.runtime(), implicit, points, block, part);
+                   surface::principal_curvatures({model.runtime(), part}, implicit, points, block);
                    write(block, out, begin, part);
                });
 }

@@ -82,8 +82,9 @@ geometry::VecArray normals_of(const hrbfnpr_model& model, const hrbfnpr_trim_des
     if (normals.empty() && desc.points.count == 0) normals = vectors(memory, model.sample_normals());
     if (normals.empty()) {
         normals.resize(points.size());
-        implicit::evaluate_all(model.runtime(), model.implicit_for(static_cast<double>(points.size()), progress),
-                               points, {nullptr, {normals.x.data(), normals.y.data(), normals.z.data()}, {}}, progress);
+        implicit::evaluate_all({model.runtime(), progress},
+                               model.implicit_for(static_cast<double>(points.size()), progress), points,
+                               {nullptr, {normals.x.data(), normals.y.data(), normals.z.data()}, {}});
     }
     for (std::int64_t i = 0; i < normals.size(); ++i) {
         if (!(glm::length(normals[i]) > 0.0)) refuse_normal(i, !given.empty());
@@ -117,7 +118,7 @@ hrbfnpr_model* trim(const hrbfnpr_model& given, const hrbfnpr_trim_desc& desc, h
     const geometry::VecArray normals = normals_of(whole, desc, points, use.progress().part(0.0, 0.1));
     const base::Runtime& runtime = whole.runtime();
     generate::FoundTrim found =
-        generate::find_trim(runtime, implicit_of(whole), points, normals, settings, use.progress().part(0.1, 1.0));
+        generate::find_trim({runtime, use.progress().part(0.1, 1.0)}, implicit_of(whole), points, normals, settings);
     use.finish();
     log_trim(runtime, found.report);
     return make_handle<hrbfnpr_model>(whole.context(), whole, std::move(found));
@@ -146,7 +147,7 @@ generate::FoundTrim trim_of_fit(const hrbfnpr_model& fitted, const geometry::Vec
     const base::Runtime& runtime = fitted.runtime();
     try {
         if (position.size() < fewest) fail(Status::not_converged, "there are too few samples to tell where it ends");
-        return generate::find_trim(runtime, implicit_of(fitted), position, normal, settings, progress);
+        return generate::find_trim({runtime, progress}, implicit_of(fitted), position, normal, settings);
     } catch (const Error& error) {
         if (error.status() != Status::not_converged) throw;
         runtime.log(base::LogLevel::info, "trim: the surface is left whole: %s", error.what());

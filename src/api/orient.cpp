@@ -105,7 +105,7 @@ void orient_points(hrbfnpr_context& context, const hrbfnpr_orient_desc& desc, hr
     if (!out) fail(Status::invalid_argument, "out_normals is not given; it takes one normal for each point");
     if (info != nullptr) check_output_struct(info, "info");
     const OperationUse use(operation);
-    const orient::Orientation result = orient::orient(context.runtime, input, use.progress());
+    const orient::Orientation result = orient::orient({context.runtime, use.progress()}, input);
     use.finish();
     for (std::int64_t i = 0; i < input.points.count; ++i) set_vector(out, i, result.normal[i]);
     if (info != nullptr) write_struct(info, describe(result.report));
@@ -117,22 +117,21 @@ bool may_lack_normals(std::uint32_t mode) noexcept {
     return mode == HRBFNPR_NORMALS_NONE || mode == HRBFNPR_NORMALS_AUTO;
 }
 
-NormalsOfFit::NormalsOfFit(const base::Runtime& runtime, std::uint32_t mode, fit::FitInput& input,
-                           const base::Progress& progress)
-    : made_(mode != HRBFNPR_NORMALS_GIVEN), packed_(runtime.memory) {
+NormalsOfFit::NormalsOfFit(const base::Work& work, std::uint32_t mode, fit::FitInput& input)
+    : made_(mode != HRBFNPR_NORMALS_GIVEN), packed_(work.memory) {
     if (!made_) {
-        inward_ = orient::plainly_inward(runtime, input.points, input.normals, progress.part(0.0, 0.0));
+        inward_ = orient::plainly_inward(work.part(0.0, 0.0), input.points, input.normals);
         if (inward_)
-            runtime.log(base::LogLevel::warning,
-                        "fit: all normals look inward: nothing of such a surface is seen; pass normal_mode "
-                        "HRBFNPR_NORMALS_INWARD or _AUTO");
+            work.runtime().log(base::LogLevel::warning,
+                               "fit: all normals look inward: nothing of such a surface is seen; pass normal_mode "
+                               "HRBFNPR_NORMALS_INWARD or _AUTO");
         return;
     }
     orient::OrientInput wanted;
     wanted.points = input.points;
     wanted.normals = input.normals;
     wanted.mode = static_cast<orient::NormalMode>(mode);
-    orient::Orientation result = orient::orient(runtime, wanted, progress.part(0.0, share));
+    orient::Orientation result = orient::orient(work.part(0.0, share), wanted);
     found_ = result.report;
     packed_.resize_for_overwrite(3 * result.normal.size());
     for (std::int64_t i = 0; i < result.normal.size(); ++i) {

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "base/operation.h"
-#include "base/runtime.h"
+#include "base/work.h"
 #include "fit/fit.h"
 #include "orient/orient.h"
 
@@ -16,8 +16,7 @@ namespace hrbfnpr::api {
 class NormalsOfFit {
 public:
     // Puts them into the input.
-    NormalsOfFit(const base::Runtime& runtime, std::uint32_t mode, fit::FitInput& input,
-                 const base::Progress& progress);
+    NormalsOfFit(const base::Work& work, std::uint32_t mode, fit::FitInput& input);
 
     // What is left of the progress.
     [[nodiscard]] base::Progress rest(const base::Progress& progress) const noexcept;

@@ -321,7 +321,7 @@ hrbfnpr_page_info write(const base::Runtime& runtime, const PageDesc& desc, io::
             Status::invalid_argument,
             "a drawing of PUBLISHED visibility has discs of paper over ink, which cannot be plotted or sorted; draw it "
             "with DEPTH_LAYERS");
-    const output::PageCounts counts = output::write_page(runtime, reader.page(), settings, writer, use.progress());
+    const output::PageCounts counts = output::write_page({runtime, use.progress()}, reader.page(), settings, writer);
     use.finish();
     return describe(counts, size);
 }

@@ -104,7 +104,8 @@ std::int64_t cast_rays(const hrbfnpr_model& model, const Queries& origins, const
                        surface::RaySettings settings, const RayOutputs& out, const base::Progress& progress) {
     const base::Runtime& runtime = model.runtime();
     const bool estimate = settings.lipschitz == 0.0 && origins.count() > 0;
-    if (estimate) settings.lipschitz = surface::lipschitz_estimate(runtime, model.implicit(), progress.part(0.0, 0.1));
+    if (estimate)
+        settings.lipschitz = surface::lipschitz_estimate({runtime, progress.part(0.0, 0.1)}, model.implicit());
     surface::Rays rays(runtime.memory);
     surface::RayHits block(runtime.memory);
     std::int64_t hit_rays = 0;
@@ -112,7 +113,7 @@ std::int64_t cast_rays(const hrbfnpr_model& model, const Queries& origins, const
                [&](std::int64_t begin, std::int64_t end, const base::Progress& part) {
                    origins.read(begin, end, rays.origin);
                    directions.read(begin, end, rays.direction);
-                   surface::cast_rays(runtime, model.implicit(), settings, rays, block, part);
+                   surface::cast_rays({runtime, part}, model.implicit(), settings, rays, block);
                    for (std::int64_t i = 0; i < end - begin; ++i) {
                        write_ray(block, i, settings.maximum_hits, out, begin);
                        hit_rays += block.count[i] > 0 ? 1 : 0;
@@ -130,7 +131,7 @@ std::int64_t contains(const hrbfnpr_model& model, const Queries& queries, const 
     for_blocks(queries.count(), rays_at_once, progress,
                [&](std::int64_t begin, std::int64_t end, const base::Progress& part) {
                    queries.read(begin, end, points);
-                   surface::contains(model.runtime(), model.implicit(), points, block, part);
+                   surface::contains({model.runtime(), part}, model.implicit(), points, block);
                    for (std::int64_t i = 0; i < end - begin; ++i) {
                        if (out) out.set(begin + i, 0, static_cast<double>(block[i]));
                        inside += block[i];
@@ -185,7 +186,7 @@ hrbfnpr_status hrbfnpr_model_lipschitz(const hrbfnpr_model* model, double* lipsc
         const auto& handle = api::deref(model, "model");
         api::require_pointer(lipschitz, "lipschitz");
         const api::OperationUse use(operation);
-        const double estimate = surface::lipschitz_estimate(handle.runtime(), handle.implicit(), use.progress());
+        const double estimate = surface::lipschitz_estimate({handle.runtime(), use.progress()}, handle.implicit());
         use.finish();
         *lipschitz = estimate;
     });

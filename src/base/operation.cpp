@@ -50,8 +50,7 @@ void Progress::update(double fraction) const {
     check();
 }
 
-void Progress::check() const {
-    if (operation_ == nullptr) return;
+void Progress::look() const {
     operation_->remind();
     if (operation_->is_cancelled()) fail(Status::cancelled, "the operation was cancelled");
 }

@@ -111,13 +111,12 @@ struct SheetMesh {
     }
 };
 
-void find_sheets(const base::Runtime& runtime, SheetMesh& at, const base::Progress& progress) {
+void find_sheets(const base::Work& work, SheetMesh& at) {
     const std::int64_t from = at.sheet.size();
     const geometry::VecArray& p = at.mesh.position;
     at.sheet.resize(p.size());
-    at.implicit.threads(runtime.parallel)
-        .for_chunks(p.size() - from, implicit::batch_size, [&](std::int64_t begin, std::int64_t end) {
-            progress.check();
+    at.implicit.threads(work).for_chunks(
+        p.size() - from, implicit::batch_size, [&](std::int64_t begin, std::int64_t end) {
             const std::int64_t i = from + begin;
             at.sheets.active({p.x.data() + i, p.y.data() + i, p.z.data() + i, end - begin}, at.sheet.data() + i);
         });
@@ -126,15 +125,14 @@ void find_sheets(const base::Runtime& runtime, SheetMesh& at, const base::Progre
 // Between two sheets that are hardly apart the mesh has a vertex in them by chance only. A vertex of whose sheet no
 // vertex beside it is, and whose neighbours' sheets are alike there, is one more of the first of these, and moves onto
 // it.
-void settle_alone(const base::Runtime& runtime, SheetMesh& at, const base::Progress& progress) {
+void settle_alone(const base::Work& work, SheetMesh& at) {
     constexpr std::int32_t none = std::numeric_limits<std::int32_t>::max();
     constexpr std::int32_t not_alone = -1;
     SurfaceMesh& mesh = at.mesh;
-    base::Array<std::int32_t> first(runtime.memory, mesh.vertices()); // the first sheet beside each vertex
+    base::Array<std::int32_t> first(work.memory, mesh.vertices()); // the first sheet beside each vertex
     std::fill(first.begin(), first.end(), none);
     const auto for_neighbours = [&](const auto& visit) {
-        for (std::int64_t e = 0; e < mesh.corner.size(); ++e) {
-            if (e % 16384 == 0) progress.check();
+        for (const std::int64_t e : work.over(mesh.corner.size())) {
             visit(start_of(mesh, e), end_of(mesh, e));
             visit(end_of(mesh, e), start_of(mesh, e));
         }
@@ -210,12 +208,12 @@ void look_at(const SheetMesh& in, EdgeNode& node) {
 }
 
 // Nodes of edges that had the same ends and sheets before are kept.
-void find_edges(const base::Runtime& runtime, SheetMesh& in, const base::Progress& progress) {
+void find_edges(const base::Work& work, SheetMesh& in) {
     const auto by_ends = [](const EdgeNode& a, const EdgeNode& b) { return a.ends < b.ends; };
-    base::Array<EdgeNode> before(runtime.memory);
+    base::Array<EdgeNode> before(work.memory);
     std::swap(in.edges, before);
     std::sort(before.begin(), before.end(), by_ends);
-    base::Array<std::int32_t> fresh(runtime.memory);
+    base::Array<std::int32_t> fresh(work.memory);
     in.node.resize(in.mesh.corner.size());
     for (std::int64_t e = 0; e < in.mesh.corner.size(); ++e) {
         in.node[e] = -1;
@@ -235,11 +233,9 @@ void find_edges(const base::Runtime& runtime, SheetMesh& in, const base::Progres
     for (std::int64_t i = 0; i < in.edges.size(); ++i)
         if (const std::int64_t other = opposite_of(in.mesh, in.edges[i].edge); other >= 0)
             in.node[other] = static_cast<std::int32_t>(i);
-    in.implicit.threads(runtime.parallel)
-        .for_chunks(fresh.size(), nodes_a_task, [&](std::int64_t begin, std::int64_t end) {
-            progress.check();
-            for (std::int64_t i = begin; i < end; ++i) look_at(in, in.edges[fresh[i]]);
-        });
+    in.implicit.threads(work).for_chunks(fresh.size(), nodes_a_task, [&](std::int64_t begin, std::int64_t end) {
+        for (std::int64_t i = begin; i < end; ++i) look_at(in, in.edges[fresh[i]]);
+    });
 }
 
 // Where sheets lie upon each other any is active: the first of them gets all. Returns whether anything changed.
@@ -259,32 +255,30 @@ bool settle_equal(SheetMesh& in) {
     return changed;
 }
 
-void find_corners(const base::Runtime& runtime, SheetMesh& in, const base::Progress& progress) {
+void find_corners(const base::Work& work, SheetMesh& in) {
     in.corners.clear();
     for (std::int64_t t = 0; t < in.mesh.triangles(); ++t)
         if (in.sheets_of(t) == 3) in.corners.push_back({t, {}, {}});
-    in.implicit.threads(runtime.parallel)
-        .for_chunks(in.corners.size(), nodes_a_task, [&](std::int64_t begin, std::int64_t end) {
-            progress.check();
-            for (std::int64_t i = begin; i < end; ++i) {
-                CornerNode& node = in.corners[i];
-                glm::dvec3 middle(0.0);
-                for (std::int64_t e = 3 * node.triangle; e < 3 * node.triangle + 3; ++e)
-                    middle += in.edges[in.node[e]].at.position / 3.0;
-                const surface::MeetingPlace found =
-                    in.meeting({in.mesh.corner.data() + 3 * node.triangle, 3}, middle, in.mesh.side);
-                node.at.position = found.found ? found.position : middle;
-                node.gradient = found.gradient;
-                node.at.exact = found.found && in.off_surface(found.position) <= crease_tuning.on_surface;
-            }
-        });
+    in.implicit.threads(work).for_chunks(in.corners.size(), nodes_a_task, [&](std::int64_t begin, std::int64_t end) {
+        for (std::int64_t i = begin; i < end; ++i) {
+            CornerNode& node = in.corners[i];
+            glm::dvec3 middle(0.0);
+            for (std::int64_t e = 3 * node.triangle; e < 3 * node.triangle + 3; ++e)
+                middle += in.edges[in.node[e]].at.position / 3.0;
+            const surface::MeetingPlace found =
+                in.meeting({in.mesh.corner.data() + 3 * node.triangle, 3}, middle, in.mesh.side);
+            node.at.position = found.found ? found.position : middle;
+            node.gradient = found.gradient;
+            node.at.exact = found.found && in.off_surface(found.position) <= crease_tuning.on_surface;
+        }
+    });
 }
 
 // Halves edges whose sheets meet beside them, but not on the surface, since another sheet lies between, and the longest
 // of triangles that have no corner where theirs do. Returns whether there were any.
-bool halve_unclear(const base::Runtime& runtime, SheetMesh& in, const base::Progress& progress) {
-    base::Array<std::uint8_t> chosen(runtime.memory, in.mesh.corner.size());
-    base::Array<std::int64_t> edges(runtime.memory);
+bool halve_unclear(const base::Work& work, SheetMesh& in) {
+    base::Array<std::uint8_t> chosen(work.memory, in.mesh.corner.size());
+    base::Array<std::int64_t> edges(work.memory);
     const auto add = [&](std::int64_t e) {
         e = in.edges[in.node[e]].edge;
         if (chosen[e] != 0 || in.length_of(e) < crease_tuning.shortest_edge * in.mesh.side) return;
@@ -300,8 +294,8 @@ bool halve_unclear(const base::Runtime& runtime, SheetMesh& in, const base::Prog
             if (in.length_of(e) > in.length_of(longest)) longest = e;
         add(longest);
     }
-    if (!halve_edges(runtime, in.implicit, edges, 0.5, false, in.mesh, progress)) return false;
-    find_sheets(runtime, in, progress);
+    if (!halve_edges(work, in.implicit, edges, 0.5, false, in.mesh)) return false;
+    find_sheets(work, in);
     return true;
 }
 
@@ -380,7 +374,7 @@ void find_chains(const SheetMesh& in, CreaseChains& chains) {
             if (taken[node.edge] == 0 && (mesh.neighbour[node.edge] < 0) == border) follow(node.edge);
 }
 
-void build(const base::Runtime& runtime, SheetMesh& in, SharpMesh& out, const base::Progress& progress) {
+void build(const base::Work& work, SheetMesh& in, SharpMesh& out) {
     SurfaceMesh& to = out.mesh;
     to.region = in.mesh.region;
     to.domain = in.mesh.domain;
@@ -414,8 +408,7 @@ void build(const base::Runtime& runtime, SheetMesh& in, SharpMesh& out, const ba
         add(vertex[0], vertex[2], vertex[3], sheet);
     };
     std::int32_t corner = first_of_corners;
-    for (std::int64_t t = 0; t < in.mesh.triangles(); ++t) {
-        if (t % 4096 == 0) progress.check();
+    for (const std::int64_t t : work.over(in.mesh.triangles())) {
         const auto edge = [&](std::int64_t k) { return 3 * t + k % 3; };
         const auto at = [&](std::int64_t k) { return in.mesh.corner[edge(k)]; };
         const int count = in.sheets_of(t);
@@ -434,7 +427,7 @@ void build(const base::Runtime& runtime, SheetMesh& in, SharpMesh& out, const ba
         }
     }
     HRBFNPR_ASSERT(corner == static_cast<std::int32_t>(to.vertices()));
-    to.neighbour = find_neighbours(runtime, to.corner, to.vertices());
+    to.neighbour = find_neighbours(work, to.corner, to.vertices());
 }
 
 // ---- Curves
@@ -674,23 +667,22 @@ private:
 
 } // namespace
 
-SharpMesh split_at_creases(const base::Runtime& runtime, const implicit::Implicit& implicit, SurfaceMesh mesh,
-                           const base::Progress& progress) {
+SharpMesh split_at_creases(const base::Work& work, const implicit::Implicit& implicit, SurfaceMesh mesh) {
     HRBFNPR_ASSERT(implicit.sheets() != nullptr && mesh.side > 0.0);
-    const base::Progress standing = progress.standing();
-    SheetMesh in(runtime.memory, implicit, std::move(mesh));
-    find_sheets(runtime, in, standing);
+    const base::Work standing = work.standing();
+    SheetMesh in(work.memory, implicit, std::move(mesh));
+    find_sheets(standing, in);
     for (int round = 0;; ++round) {
-        settle_alone(runtime, in, standing);
-        find_edges(runtime, in, standing);
-        for (int i = 0; i < crease_tuning.settlings && settle_equal(in); ++i) find_edges(runtime, in, standing);
-        find_corners(runtime, in, standing);
-        if (round == crease_tuning.rounds || !halve_unclear(runtime, in, standing)) break;
+        settle_alone(standing, in);
+        find_edges(standing, in);
+        for (int i = 0; i < crease_tuning.settlings && settle_equal(in); ++i) find_edges(standing, in);
+        find_corners(standing, in);
+        if (round == crease_tuning.rounds || !halve_unclear(standing, in)) break;
     }
     place_rest(in);
-    SharpMesh out(runtime.memory);
+    SharpMesh out(work.memory);
     find_chains(in, out.creases);
-    build(runtime, in, out, progress);
+    build(work, in, out);
     return out;
 }
 
@@ -743,15 +735,14 @@ double CreasePoint::angle() const noexcept {
     return glm::dot(cross, tangent) < 0.0 ? -size : size;
 }
 
-Creases trace_creases(const base::Runtime& runtime, const implicit::Implicit& implicit, const CreaseChains& chains,
-                      double side, const base::Progress& progress) {
+Creases trace_creases(const base::Work& work, const implicit::Implicit& implicit, const CreaseChains& chains,
+                      double side) {
     HRBFNPR_ASSERT(side > 0.0 && chains.left.size() == chains.count() && chains.right.size() == chains.count());
     const implicit::Sheets& sheets = *implicit.sheets();
-    const base::Parallel threads = implicit.threads(runtime.parallel);
-    Creases creases(runtime.memory);
+    const base::Work threads = implicit.threads(work);
+    Creases creases(work.memory);
     for (std::int64_t c = 0; c < chains.count(); ++c) add_chain(chains, c, side, creases);
     threads.for_each(creases.count(), [&](std::int64_t c) {
-        progress.check();
         for (std::int64_t i = creases.first[c]; i < creases.first[c + 1]; ++i)
             set_normals(sheets, creases, c, creases.point[i]);
     });
@@ -767,9 +758,8 @@ Creases trace_creases(const base::Runtime& runtime, const implicit::Implicit& im
         return length > crease_tuning.longest_piece || (turns && length > crease_tuning.shortest_piece);
     };
     const auto bring = [&](base::Array<CreasePoint>& added, const base::Array<std::int64_t>& of, const auto&) {
-        base::Array<std::uint8_t> found(runtime.memory, added.size());
+        base::Array<std::uint8_t> found(work.memory, added.size());
         threads.for_chunks(added.size(), points_a_task, [&](std::int64_t begin, std::int64_t end) {
-            progress.check();
             for (std::int64_t k = begin; k < end; ++k) {
                 surface::Meeting meeting;
                 meeting.add(creases.left[of[k]]);

@@ -43,8 +43,7 @@ struct SharpMesh {
 
 // The vertices of `mesh` stay the first ones. Some edges are halved whose sheets meet beside them, but off the surface,
 // since another sheet lies between. The same bits for any thread count.
-[[nodiscard]] SharpMesh split_at_creases(const base::Runtime& runtime, const implicit::Implicit& implicit,
-                                         SurfaceMesh mesh, const base::Progress& progress);
+[[nodiscard]] SharpMesh split_at_creases(const base::Work& work, const implicit::Implicit& implicit, SurfaceMesh mesh);
 
 struct SheetPart {
     SheetPart(base::Memory& memory, const implicit::Implicit& whole, const implicit::Sheets& sheets, std::int32_t of)
@@ -82,8 +81,8 @@ struct Creases : Chains<CreasePoint> {
 
 // Each point is on both sheets, and there are as many as the crease's turns want. Creases end at corners, or where the
 // mesh ends. side: of the mesh's cells.
-[[nodiscard]] Creases trace_creases(const base::Runtime& runtime, const implicit::Implicit& implicit,
-                                    const CreaseChains& chains, double side, const base::Progress& progress);
+[[nodiscard]] Creases trace_creases(const base::Work& work, const implicit::Implicit& implicit,
+                                    const CreaseChains& chains, double side);
 
 // Tells whether places are on creases whose angle is at least `least` degrees.
 class NearCreases {

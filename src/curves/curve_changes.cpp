@@ -30,17 +30,16 @@ struct OnPiece {
 };
 
 // Brings places onto their curves by one or two of Newton's steps. Adds to `evaluations`.
-void bring_onto(const base::Runtime& runtime, const Level& level, base::Array<OnPiece>& places,
-                std::int64_t& evaluations, const base::Progress& progress) {
-    base::Array<CurvePoint> points(runtime.memory, places.size());
-    base::Array<double> enough(runtime.memory, places.size());
-    geometry::VecArray begin(runtime.memory, places.size());
+void bring_onto(const base::Work& work, const Level& level, base::Array<OnPiece>& places, std::int64_t& evaluations) {
+    base::Array<CurvePoint> points(work.memory, places.size());
+    base::Array<double> enough(work.memory, places.size());
+    geometry::VecArray begin(work.memory, places.size());
     for (std::int64_t i = 0; i < places.size(); ++i) {
         const CubicPiece cubic(places[i].a, places[i].b);
         begin.set(i, points[i].position = cubic.at(places[i].share));
         enough[i] = curve_tuning.near_curve * cubic.length();
     }
-    bring_closer(runtime, level, enough, points, evaluations, progress);
+    bring_closer(work, level, enough, points, evaluations);
     for (std::int64_t i = 0; i < places.size(); ++i) {
         OnPiece& place = places[i];
         const double most = curve_tuning.astray * glm::distance(place.a.position, place.b.position);
@@ -52,25 +51,24 @@ void bring_onto(const base::Runtime& runtime, const Level& level, base::Array<On
 
 // Finds the zeros, all side by side; value(place) is the function at a point of the curve. Returns the points.
 template <class Value>
-base::Array<CurvePoint> find_zeros(const base::Runtime& runtime, const Level& level, const Curves& curves,
-                                   base::Array<Change>& changes, Value&& value, std::int64_t& evaluations,
-                                   const base::Progress& progress) {
-    base::Array<CurvePoint> found(runtime.memory, changes.size());
+base::Array<CurvePoint> find_zeros(const base::Work& work, const Level& level, const Curves& curves,
+                                   base::Array<Change>& changes, Value&& value, std::int64_t& evaluations) {
+    base::Array<CurvePoint> found(work.memory, changes.size());
     // The piece between the ends of the search: it comes to lie on the curve.
-    base::Array<OnPiece> ends(runtime.memory);
-    base::Array<std::int64_t> active(runtime.memory);
+    base::Array<OnPiece> ends(work.memory);
+    base::Array<std::int64_t> active(work.memory);
     for (std::int64_t i = 0; i < changes.size(); ++i) {
         ends.push_back({curves.point[changes[i].piece], curves.point[changes[i].next], 0.0});
         active.push_back(i);
     }
-    base::Array<OnPiece> places(runtime.memory);
+    base::Array<OnPiece> places(work.memory);
     while (!active.empty()) {
         places.clear();
         for (const std::int64_t i : active) {
             const Illinois& root = changes[i].root;
             places.push_back({ends[i].a, ends[i].b, (root.trial - root.low) / (root.high - root.low)});
         }
-        bring_onto(runtime, level, places, evaluations, progress);
+        bring_onto(work, level, places, evaluations);
         std::int64_t left = 0;
         for (std::int64_t k = 0; k < places.size(); ++k) {
             const std::int64_t i = active[k];
@@ -121,10 +119,10 @@ bool changes_between(const CurvePoint& a, const CurvePoint& b, const View& view)
     return (end < 0.0) != (begin < 0.0) || std::any_of(inner_shares.begin(), inner_shares.end(), turned);
 }
 
-Curves refined_at_cusps(const base::Runtime& runtime, const Level& contour, const View& view, const Curves& curves,
-                        std::int64_t& evaluations, const base::Progress& progress) {
-    base::Array<OnPiece> places(runtime.memory);
-    base::Array<std::int64_t> piece(runtime.memory); // the first point of the piece that each place is on
+Curves refined_at_cusps(const base::Work& work, const Level& contour, const View& view, const Curves& curves,
+                        std::int64_t& evaluations) {
+    base::Array<OnPiece> places(work.memory);
+    base::Array<std::int64_t> piece(work.memory); // the first point of the piece that each place is on
     for_pieces(curves, [&](std::int64_t at, std::int64_t next) {
         if (!changes_between(curves.point[at], curves.point[next], view)) return;
         for (const double u : inner_shares) {
@@ -132,8 +130,8 @@ Curves refined_at_cusps(const base::Runtime& runtime, const Level& contour, cons
             piece.push_back(at);
         }
     });
-    bring_onto(runtime, contour, places, evaluations, progress);
-    Curves result(runtime.memory);
+    bring_onto(work, contour, places, evaluations);
+    Curves result(work.memory);
     std::int64_t k = 0;
     for (std::int64_t c = 0; c < curves.count(); ++c) {
         for (std::int64_t at = curves.first[c]; at < curves.first[c + 1]; ++at) {
@@ -176,18 +174,18 @@ base::Array<std::uint8_t> find_held(const base::Runtime& runtime, const implicit
 
 } // namespace
 
-Curves with_cusps(const base::Runtime& runtime, const Level& contour, const View& view, const Curves& given,
-                  std::int64_t& evaluations, const base::Progress& progress) {
-    const Curves curves = refined_at_cusps(runtime, contour, view, given, evaluations, progress);
-    base::Array<Change> changes(runtime.memory);
+Curves with_cusps(const base::Work& work, const Level& contour, const View& view, const Curves& given,
+                  std::int64_t& evaluations) {
+    const Curves curves = refined_at_cusps(work, contour, view, given, evaluations);
+    base::Array<Change> changes(work.memory);
     for_pieces(curves, [&](std::int64_t at, std::int64_t next) {
         const double from = radial(curves.point[at], view);
         const double to = radial(curves.point[next], view);
         if ((from < 0.0) != (to < 0.0)) changes.push_back({at, next, Illinois(from, to, curve_tuning.trusted_steps)});
     });
     const base::Array<CurvePoint> cusps = find_zeros(
-        runtime, contour, curves, changes, [&](const CurvePoint& p) { return radial(p, view); }, evaluations, progress);
-    Curves result(runtime.memory);
+        work, contour, curves, changes, [&](const CurvePoint& p) { return radial(p, view); }, evaluations);
+    Curves result(work.memory);
     const auto add = [&](const CurvePoint& p, bool cusp) {
         result.point.push_back(p);
         result.point.back().is_cusp = cusp ? 1 : 0;
@@ -207,16 +205,15 @@ Curves with_cusps(const base::Runtime& runtime, const Level& contour, const View
     return result;
 }
 
-Curves finer_curves(const base::Runtime& runtime, const Level& contour, const View& view, const Curves& curves,
-                    std::span<const std::uint8_t> marked, double tolerance, std::int64_t& evaluations,
-                    const base::Progress& progress) {
+Curves finer_curves(const base::Work& work, const Level& contour, const View& view, const Curves& curves,
+                    std::span<const std::uint8_t> marked, double tolerance, std::int64_t& evaluations) {
     HRBFNPR_ASSERT(static_cast<std::int64_t>(marked.size()) == curves.point.size());
     struct FinePoint {
         CurvePoint at;
         bool halved; // whether the piece that begins there is to be halved
     };
-    Chains<FinePoint> fine(runtime.memory); // the curves that have a mark
-    base::Array<std::uint8_t> changes(runtime.memory, curves.count());
+    Chains<FinePoint> fine(work.memory); // the curves that have a mark
+    base::Array<std::uint8_t> changes(work.memory, curves.count());
     std::int64_t marks = 0;
     for (std::int64_t c = 0; c < curves.count(); ++c) {
         const auto own =
@@ -232,11 +229,11 @@ Curves finer_curves(const base::Runtime& runtime, const Level& contour, const Vi
     const auto wanted = [&](std::int64_t, std::int64_t i, std::int64_t, FinePoint&) { return fine.point[i].halved; };
     const auto bring = [&](base::Array<FinePoint>& added, const base::Array<std::int64_t>& of,
                            const base::Array<std::int64_t>& after) {
-        base::Array<OnPiece> middles(runtime.memory);
+        base::Array<OnPiece> middles(work.memory);
         for (std::int64_t k = 0; k < added.size(); ++k)
             middles.push_back({fine.point[after[k]].at, fine.point[fine.next(of[k], after[k])].at, 0.5});
-        bring_onto(runtime, contour, middles, evaluations, progress);
-        base::Array<std::uint8_t> found(runtime.memory, added.size());
+        bring_onto(work, contour, middles, evaluations);
+        base::Array<std::uint8_t> found(work.memory, added.size());
         for (std::int64_t k = 0; k < added.size(); ++k) {
             const OnPiece& middle = middles[k];
             const glm::dvec2 guess = view.see(CubicPiece(middle.a, middle.b).at(0.5)).place;
@@ -250,12 +247,12 @@ Curves finer_curves(const base::Runtime& runtime, const Level& contour, const Vi
     const std::int64_t most = fine.point.size() + curve_tuning.most_added * marks;
     for (int depth = 0; depth < curve_tuning.deepest_piece && fine.point.size() < most; ++depth)
         if (!halve_pieces(fine, wanted, bring)) break;
-    Curves changed(runtime.memory);
+    Curves changed(work.memory);
     for (const FinePoint& p : fine.point) changed.point.push_back(p.at);
     changed.first = std::move(fine.first);
     changed.closed = std::move(fine.closed);
-    const Curves with = with_cusps(runtime, contour, view, changed, evaluations, progress);
-    Curves result(runtime.memory);
+    const Curves with = with_cusps(work, contour, view, changed, evaluations);
+    Curves result(work.memory);
     std::int64_t number = 0; // the place of the next changed curve in `with`
     for (std::int64_t c = 0; c < curves.count(); ++c) {
         const Curves& from = changes[c] != 0 ? with : curves;
@@ -267,22 +264,21 @@ Curves finer_curves(const base::Runtime& runtime, const Level& contour, const Vi
     return result;
 }
 
-Curves clip(const base::Runtime& runtime, const Level& level, const implicit::Domain& domain, const Curves& curves,
-            const base::Progress& progress) {
-    const base::Array<std::uint8_t> holds = find_held(runtime, domain, curves);
+Curves clip(const base::Work& work, const Level& level, const implicit::Domain& domain, const Curves& curves) {
+    const base::Array<std::uint8_t> holds = find_held(work, domain, curves);
     const auto beyond = [&](const CurvePoint& p) { return domain.beyond(p.position, p.gradient); };
-    base::Array<Change> changes(runtime.memory);
+    base::Array<Change> changes(work.memory);
     for_pieces(curves, [&](std::int64_t at, std::int64_t next) {
         if (holds[at] == holds[next]) return;
         const double from = holds[at] != 0 ? -1.0 : 1.0;
         changes.push_back({at, next, Illinois(from, -from, curve_tuning.trusted_steps)});
     });
     std::int64_t evaluations = 0;
-    const base::Array<CurvePoint> ends = find_zeros(runtime, level, curves, changes, beyond, evaluations, progress);
-    Curves result(runtime.memory);
+    const base::Array<CurvePoint> ends = find_zeros(work, level, curves, changes, beyond, evaluations);
+    Curves result(work.memory);
     // The points of a curve with its ends on the border, and whether the surface is there.
-    base::Array<CurvePoint> points(runtime.memory);
-    base::Array<std::uint8_t> held(runtime.memory);
+    base::Array<CurvePoint> points(work.memory);
+    base::Array<std::uint8_t> held(work.memory);
     std::int64_t next = 0; // the next change
     for (std::int64_t c = 0; c < curves.count(); ++c) {
         points.clear();

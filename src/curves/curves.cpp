@@ -113,11 +113,10 @@ void ContourLevel::evaluate(const implicit::PointBatch& points, const LevelBatch
                     });
 }
 
-void ContourLevel::at_vertices(const base::Runtime& runtime, const SurfaceMesh& mesh, base::Array<double>& level,
-                               const base::Progress& progress) const {
+void ContourLevel::at_vertices(const base::Work& work, const SurfaceMesh& mesh, base::Array<double>& level) const {
     HRBFNPR_ASSERT(mesh.gradient.size() == mesh.vertices());
     level.resize_for_overwrite(mesh.vertices());
-    runtime.parallel.for_chunks(mesh.vertices(), vertices_a_task, progress, [&](std::int64_t begin, std::int64_t end) {
+    work.for_chunks(mesh.vertices(), vertices_a_task, [&](std::int64_t begin, std::int64_t end) {
         for (std::int64_t i = begin; i < end; ++i) level[i] = glm::dot(mesh.gradient[i], view_.sight(mesh.position[i]));
     });
 }
@@ -132,9 +131,8 @@ void SupportLevel::evaluate(const implicit::PointBatch& points, const LevelBatch
                     });
 }
 
-void SupportLevel::at_vertices(const base::Runtime& runtime, const SurfaceMesh& mesh, base::Array<double>& level,
-                               const base::Progress& progress) const {
-    support_.evaluate_all(runtime, mesh.position, mesh.gradient, level, progress);
+void SupportLevel::at_vertices(const base::Work& work, const SurfaceMesh& mesh, base::Array<double>& level) const {
+    support_.evaluate_all(work, mesh.position, mesh.gradient, level);
     HRBFNPR_ASSERT(level.size() == mesh.vertices());
     for (double& value : level) value = std::isfinite(value) ? value - limit_ : unsupported;
 }
@@ -153,29 +151,25 @@ glm::dvec3 CurvePoint::newton_step() const noexcept {
 }
 
 // The points are worked on cell by cell where the surface has cells and that pays.
-void evaluate(const base::Runtime& runtime, const Level& level, base::Array<CurvePoint>& points,
-              const base::Progress& progress) {
-    base::Array<std::int32_t> order(runtime.memory);
-    if (points.size() > points_a_task)
-        order = implicit::order_by_cell(runtime, level.surface(), positions_of(points), progress);
+void evaluate(const base::Work& work, const Level& level, base::Array<CurvePoint>& points) {
+    base::Array<std::int32_t> order(work.memory);
+    if (points.size() > points_a_task) order = implicit::order_by_cell(work, level.surface(), positions_of(points));
     if (order.empty()) {
         order.resize(points.size());
         std::iota(order.begin(), order.end(), 0);
     }
     HRBFNPR_ASSERT(order.size() == points.size());
-    level.surface()
-        .threads(runtime.parallel)
-        .for_chunks(points.size(), points_a_task, progress, [&](std::int64_t begin, std::int64_t end) {
-            evaluate_some(level, points.data(), order.data() + begin, end - begin);
-        });
+    level.surface().threads(work).for_chunks(points.size(), points_a_task, [&](std::int64_t begin, std::int64_t end) {
+        evaluate_some(level, points.data(), order.data() + begin, end - begin);
+    });
 }
 
-void bring_closer(const base::Runtime& runtime, const Level& level, const base::Array<double>& enough,
-                  base::Array<CurvePoint>& points, std::int64_t& evaluations, const base::Progress& progress) {
+void bring_closer(const base::Work& work, const Level& level, const base::Array<double>& enough,
+                  base::Array<CurvePoint>& points, std::int64_t& evaluations) {
     HRBFNPR_ASSERT(enough.size() == points.size());
-    evaluate(runtime, level, points, progress);
-    base::Array<CurvePoint> far(runtime.memory);
-    base::Array<std::int64_t> which(runtime.memory);
+    evaluate(work, level, points);
+    base::Array<CurvePoint> far(work.memory);
+    base::Array<std::int64_t> which(work.memory);
     for (std::int64_t i = 0; i < points.size(); ++i) {
         const glm::dvec3 way = points[i].newton_step();
         points[i].position += way;
@@ -183,7 +177,7 @@ void bring_closer(const base::Runtime& runtime, const Level& level, const base::
         far.push_back(points[i]);
         which.push_back(i);
     }
-    evaluate(runtime, level, far, progress);
+    evaluate(work, level, far);
     evaluations += points.size() + far.size();
     for (std::int64_t k = 0; k < which.size(); ++k) {
         points[which[k]] = far[k];
@@ -191,22 +185,21 @@ void bring_closer(const base::Runtime& runtime, const Level& level, const base::
     }
 }
 
-std::int64_t bring_to_curve(const base::Runtime& runtime, const Level& level, const NewtonSettings& settings,
-                            base::Array<CurvePoint>& points, base::Array<std::uint8_t>& found,
-                            const base::Progress& progress) {
+std::int64_t bring_to_curve(const base::Work& work, const Level& level, const NewtonSettings& settings,
+                            base::Array<CurvePoint>& points, base::Array<std::uint8_t>& found) {
     HRBFNPR_ASSERT(settings.tolerance >= 0.0 && settings.farthest > 0.0);
     found.clear();
     found.resize(points.size());
     const geometry::VecArray begin = positions_of(points);
-    base::Array<double> last_step(runtime.memory, points.size());
-    base::Array<std::int64_t> walking(runtime.memory, points.size());
+    base::Array<double> last_step(work.memory, points.size());
+    base::Array<std::int64_t> walking(work.memory, points.size());
     std::iota(walking.begin(), walking.end(), std::int64_t{0});
-    base::Array<CurvePoint> trial(runtime.memory);
+    base::Array<CurvePoint> trial(work.memory);
     std::int64_t evaluations = 0;
     for (int step = 0; step < curve_tuning.newton_steps && !walking.empty(); ++step) {
         trial.resize(walking.size());
         for (std::int64_t i = 0; i < walking.size(); ++i) trial[i].position = points[walking[i]].position;
-        evaluate(runtime, level, trial, progress);
+        evaluate(work, level, trial);
         evaluations += trial.size();
         std::int64_t left = 0;
         for (std::int64_t i = 0; i < walking.size(); ++i) {
@@ -227,9 +220,9 @@ std::int64_t bring_to_curve(const base::Runtime& runtime, const Level& level, co
     return evaluations;
 }
 
-std::int64_t halve(const base::Runtime& runtime, const Level& level, const base::Array<Straddle>& places, int halvings,
-                   base::Array<CurvePoint>& points, const base::Progress& progress) {
-    base::Array<Straddle> between(runtime.memory, places.size());
+std::int64_t halve(const base::Work& work, const Level& level, const base::Array<Straddle>& places, int halvings,
+                   base::Array<CurvePoint>& points) {
+    base::Array<Straddle> between(work.memory, places.size());
     std::copy(places.begin(), places.end(), between.begin());
     points.resize(places.size());
     for (int step = 0; step < halvings; ++step) {
@@ -237,14 +230,14 @@ std::int64_t halve(const base::Runtime& runtime, const Level& level, const base:
             points[i].position = 0.5 * (between[i].negative + between[i].positive);
         // The middle of a chord is off the surface by the square of its length; one step leaves the fourth power. A
         // step longer than half of the chord leads elsewhere, as where f hardly rises or has a crease.
-        evaluate(runtime, level, points, progress);
+        evaluate(work, level, points);
         for (std::int64_t i = 0; i < places.size(); ++i) {
             const glm::dvec3 middle = points[i].position;
             step_to_surface(points[i]);
             const double most = 0.5 * glm::distance(between[i].negative, between[i].positive);
             if (!(glm::distance(points[i].position, middle) <= most)) points[i].position = middle;
         }
-        evaluate(runtime, level, points, progress);
+        evaluate(work, level, points);
         for (std::int64_t i = 0; i < places.size(); ++i)
             (points[i].level < 0.0 ? between[i].negative : between[i].positive) = points[i].position;
     }
@@ -423,8 +416,7 @@ SurfaceLines with_turns(const base::Runtime& runtime, const SurfaceLines& lines,
             place.set(i, CubicPiece(curves.point[turns[i].a], curves.point[turns[i].b]).at(turns[i].share));
         }
         implicit::evaluate_all(runtime, surface, place,
-                               {nullptr, {gradient.x.data(), gradient.y.data(), gradient.z.data()}, {}},
-                               base::Progress());
+                               {nullptr, {gradient.x.data(), gradient.y.data(), gradient.z.data()}, {}});
         left = false;
         for (std::int64_t i = 0; i < turns.size(); ++i) {
             turns[i].gradient = gradient[i];

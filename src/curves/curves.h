@@ -7,7 +7,7 @@
 #include "base/assert.h"
 #include "base/memory.h"
 #include "base/operation.h"
-#include "base/runtime.h"
+#include "base/work.h"
 #include "curves/chains.h"
 #include "curves/surface_mesh.h"
 #include "curves/tuning.h"
@@ -67,8 +67,7 @@ public:
     // f = 0 only.
     virtual void evaluate(const implicit::PointBatch& points, const LevelBatch& out) const = 0;
     // g at the vertices of a mesh of the surface, by the gradients that the mesh holds. `level` is resized.
-    virtual void at_vertices(const base::Runtime& runtime, const SurfaceMesh& mesh, base::Array<double>& level,
-                             const base::Progress& progress) const = 0;
+    virtual void at_vertices(const base::Work& work, const SurfaceMesh& mesh, base::Array<double>& level) const = 0;
 };
 
 // The occluding contour: g = grad f . v, where v leads from the eye to the point.
@@ -79,8 +78,7 @@ public:
     [[nodiscard]] const implicit::Implicit& surface() const noexcept override { return surface_; }
     [[nodiscard]] const View& view() const noexcept { return view_; }
     void evaluate(const implicit::PointBatch& points, const LevelBatch& out) const override;
-    void at_vertices(const base::Runtime& runtime, const SurfaceMesh& mesh, base::Array<double>& level,
-                     const base::Progress& progress) const override;
+    void at_vertices(const base::Work& work, const SurfaceMesh& mesh, base::Array<double>& level) const override;
 
 private:
     const implicit::Implicit& surface_;
@@ -95,8 +93,7 @@ public:
 
     [[nodiscard]] const implicit::Implicit& surface() const noexcept override { return surface_; }
     void evaluate(const implicit::PointBatch& points, const LevelBatch& out) const override;
-    void at_vertices(const base::Runtime& runtime, const SurfaceMesh& mesh, base::Array<double>& level,
-                     const base::Progress& progress) const override;
+    void at_vertices(const base::Work& work, const SurfaceMesh& mesh, base::Array<double>& level) const override;
 
 private:
     const implicit::Implicit& surface_;
@@ -123,13 +120,12 @@ struct CurvePoint {
 };
 
 // Evaluates f and g at the positions of all points, on all threads.
-void evaluate(const base::Runtime& runtime, const Level& level, base::Array<CurvePoint>& points,
-              const base::Progress& progress);
+void evaluate(const base::Work& work, const Level& level, base::Array<CurvePoint>& points);
 
 // Brings points onto their curves by one of Newton's steps, and by a second one where the first was longer than
 // `enough` of that point. Adds to `evaluations`.
-void bring_closer(const base::Runtime& runtime, const Level& level, const base::Array<double>& enough,
-                  base::Array<CurvePoint>& points, std::int64_t& evaluations, const base::Progress& progress);
+void bring_closer(const base::Work& work, const Level& level, const base::Array<double>& enough,
+                  base::Array<CurvePoint>& points, std::int64_t& evaluations);
 
 struct NewtonSettings {
     double tolerance = 0.0; // a shorter step is the last one, and a longer one if the next one would be negligible
@@ -137,9 +133,8 @@ struct NewtonSettings {
 };
 
 // Brings points onto curves, all at once. found[i] is 1 where that succeeded. Returns the number of evaluations.
-std::int64_t bring_to_curve(const base::Runtime& runtime, const Level& level, const NewtonSettings& settings,
-                            base::Array<CurvePoint>& points, base::Array<std::uint8_t>& found,
-                            const base::Progress& progress);
+std::int64_t bring_to_curve(const base::Work& work, const Level& level, const NewtonSettings& settings,
+                            base::Array<CurvePoint>& points, base::Array<std::uint8_t>& found);
 
 // Two places of the surface near each other: g < 0 at one and >= 0 at the other, so that g has a zero
 // between them.
@@ -149,8 +144,8 @@ struct Straddle {
 
 // Finds zeros of g between places by halving, on the surface: each point is within 2^-halvings of the places' distance
 // of one. Returns the number of evaluations.
-std::int64_t halve(const base::Runtime& runtime, const Level& level, const base::Array<Straddle>& places, int halvings,
-                   base::Array<CurvePoint>& points, const base::Progress& progress);
+std::int64_t halve(const base::Work& work, const Level& level, const base::Array<Straddle>& places, int halvings,
+                   base::Array<CurvePoint>& points);
 
 // Makes a step towards f = 0 along grad f.
 inline void step_to_surface(CurvePoint& p) noexcept {

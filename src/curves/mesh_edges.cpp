@@ -69,27 +69,26 @@ double area_of(const SurfaceMesh& mesh) noexcept {
 
 // The place where g is 0 on each of the edges, by Newton's steps from where it is 0 by its values at the ends; where
 // these fail, from where halving leads.
-base::Array<CurvePoint> find_cut_points(const base::Runtime& runtime, const Level& level, const SurfaceMesh& mesh,
-                                        const base::Array<double>& value, const base::Array<CutEdge>& edges,
-                                        const base::Progress& progress) {
+base::Array<CurvePoint> find_cut_points(const base::Work& work, const Level& level, const SurfaceMesh& mesh,
+                                        const base::Array<double>& value, const base::Array<CutEdge>& edges) {
     const double tolerance = curve_tuning.exact * mesh.side;
-    base::Array<CurvePoint> points(runtime.memory, edges.size());
+    base::Array<CurvePoint> points(work.memory, edges.size());
     for (std::int64_t i = 0; i < edges.size(); ++i) {
         const auto [kept, lost] = edges[i];
         const double share = value[kept] / (value[kept] - value[lost]);
         points[i].position = glm::mix(mesh.position[kept], mesh.position[lost], share);
     }
-    base::Array<std::uint8_t> found(runtime.memory);
-    bring_to_curve(runtime, level, {tolerance, curve_tuning.farthest_cut * mesh.side}, points, found, progress);
-    base::Array<Straddle> places(runtime.memory);
-    base::Array<std::int64_t> which(runtime.memory);
+    base::Array<std::uint8_t> found(work.memory);
+    bring_to_curve(work, level, {tolerance, curve_tuning.farthest_cut * mesh.side}, points, found);
+    base::Array<Straddle> places(work.memory);
+    base::Array<std::int64_t> which(work.memory);
     for (std::int64_t i = 0; i < edges.size(); ++i) {
         if (found[i] != 0) continue;
         places.push_back({mesh.position[edges[i].kept], mesh.position[edges[i].lost]});
         which.push_back(i);
     }
-    base::Array<CurvePoint> halved(runtime.memory);
-    halve(runtime, level, places, curve_tuning.cut_halvings, halved, progress);
+    base::Array<CurvePoint> halved(work.memory);
+    halve(work, level, places, curve_tuning.cut_halvings, halved);
     for (std::int64_t i = 0; i < which.size(); ++i) points[which[i]] = halved[i];
     return points;
 }
@@ -104,28 +103,25 @@ std::int64_t opposite_of(const SurfaceMesh& mesh, std::int64_t edge) noexcept {
     return -1;
 }
 
-base::Array<std::int32_t> find_neighbours(const base::Runtime& runtime, const base::Array<std::int32_t>& corner,
-                                          std::int64_t vertices, const base::Progress& progress) {
-    constexpr std::int64_t edges_at_once = 65536; // edges without a look for a cancel
+base::Array<std::int32_t> find_neighbours(const base::Work& work, const base::Array<std::int32_t>& corner,
+                                          std::int64_t vertices) {
     HRBFNPR_ASSERT(corner.size() % 3 == 0);
     // Edges by the vertex that they start at: edge e = 3 t + k leads from corner k of triangle t.
-    base::Array<std::int64_t> begin(runtime.memory);
-    base::resize_long(begin, vertices + 2, progress);
-    for (std::int64_t e = 0; e < corner.size(); ++e) {
-        if (e % edges_at_once == 0) progress.check();
+    base::Array<std::int64_t> begin(work.memory);
+    base::resize_long(begin, vertices + 2, work);
+    for (const std::int64_t e : work.over(corner.size())) {
         ++begin[corner[e] + 2];
     }
     for (std::int64_t v = 2; v < begin.size(); ++v) begin[v] += begin[v - 1];
-    progress.check();
-    base::Array<std::int64_t> edge(runtime.memory);
-    base::resize_long(edge, corner.size(), progress);
-    for (std::int64_t e = 0; e < corner.size(); ++e) {
-        if (e % edges_at_once == 0) progress.check();
+    work.check();
+    base::Array<std::int64_t> edge(work.memory);
+    base::resize_long(edge, corner.size(), work);
+    for (const std::int64_t e : work.over(corner.size())) {
         edge[begin[corner[e] + 1]++] = e;
     }
-    base::Array<std::int32_t> neighbour(runtime.memory);
+    base::Array<std::int32_t> neighbour(work.memory);
     neighbour.resize_for_overwrite(corner.size());
-    runtime.parallel.for_chunks(corner.size(), 8192, progress, [&](std::int64_t first, std::int64_t end) {
+    work.for_chunks(corner.size(), 8192, [&](std::int64_t first, std::int64_t end) {
         for (std::int64_t e = first; e < end; ++e) {
             const std::int32_t to = corner[next_in_triangle(e)];
             neighbour[e] = -1;
@@ -137,23 +133,20 @@ base::Array<std::int32_t> find_neighbours(const base::Runtime& runtime, const ba
     return neighbour;
 }
 
-bool halve_edges(const base::Runtime& runtime, const implicit::Implicit& implicit,
-                 const base::Array<std::int64_t>& edges, double farthest, bool smooth, SurfaceMesh& mesh,
-                 const base::Progress& progress) {
-    constexpr std::int64_t at_once = 8192; // edges without a look for a cancel
+bool halve_edges(const base::Work& work, const implicit::Implicit& implicit, const base::Array<std::int64_t>& edges,
+                 double farthest, bool smooth, SurfaceMesh& mesh) {
     const auto between = [&](std::int64_t e) {
         HRBFNPR_ASSERT(e >= 0 && e < mesh.corner.size());
         return 0.5 * (mesh.position[start_of(mesh, e)] + mesh.position[end_of(mesh, e)]);
     };
-    surface::Projection at(runtime.memory);
+    surface::Projection at(work.memory);
     for (const std::int64_t e : edges) at.position.push_back(between(e));
-    surface::project(runtime, implicit, {}, at, progress);
-    base::Array<std::int32_t> middle(runtime.memory);
+    surface::project(work, implicit, {}, at);
+    base::Array<std::int32_t> middle(work.memory);
     middle.resize_for_overwrite(mesh.corner.size());
     std::fill(middle.begin(), middle.end(), -1);
     const std::int64_t before = mesh.vertices();
-    for (std::int64_t i = 0; i < edges.size(); ++i) {
-        if (i % at_once == 0) progress.check();
+    for (const std::int64_t i : work.over(edges.size())) {
         const std::int64_t e = edges[i];
         const double length = glm::distance(mesh.position[start_of(mesh, e)], mesh.position[end_of(mesh, e)]);
         const auto agrees = [&](std::int32_t end) { return glm::dot(at.gradient[i], mesh.gradient[end]) > 0.0; };
@@ -163,28 +156,27 @@ bool halve_edges(const base::Runtime& runtime, const implicit::Implicit& implici
             continue;
         middle[e] = static_cast<std::int32_t>(mesh.vertices());
         if (const std::int64_t other = opposite_of(mesh, e); other >= 0) middle[other] = middle[e];
-        geometry::push_back_long(mesh.position, at.position[i], progress);
-        geometry::push_back_long(mesh.gradient, at.gradient[i], progress);
+        geometry::push_back_long(mesh.position, at.position[i], work);
+        geometry::push_back_long(mesh.gradient, at.gradient[i], work);
     }
     if (mesh.vertices() == before) return false;
-    cut_at_middles(runtime, middle, mesh);
+    cut_at_middles(work, middle, mesh);
     return true;
 }
 
-ClippedMesh clip(const base::Runtime& runtime, const Level& level, const SurfaceMesh& mesh,
-                 const base::Progress& progress) {
-    base::Array<double> value(runtime.memory);
-    level.at_vertices(runtime, mesh, value, progress);
+ClippedMesh clip(const base::Work& work, const Level& level, const SurfaceMesh& mesh) {
+    base::Array<double> value(work.memory);
+    level.at_vertices(work, mesh, value);
     HRBFNPR_ASSERT(value.size() == mesh.vertices());
     const auto keeps = [&](std::int32_t vertex) { return value[vertex] <= 0.0; };
 
-    ClippedMesh clipped(runtime.memory);
+    ClippedMesh clipped(work.memory);
     SurfaceMesh& to = clipped.mesh;
     to.region = mesh.region;
     to.side = mesh.side;
     to.unresolved = mesh.unresolved;
     to.missed_seeds = mesh.missed_seeds;
-    base::Array<std::int32_t> number(runtime.memory, mesh.vertices()); // the new numbers of the vertices that are kept
+    base::Array<std::int32_t> number(work.memory, mesh.vertices()); // the new numbers of the vertices that are kept
     for (std::int32_t v = 0; v < mesh.vertices(); ++v) {
         if (!keeps(v)) continue;
         number[v] = static_cast<std::int32_t>(to.vertices());
@@ -193,7 +185,7 @@ ClippedMesh clip(const base::Runtime& runtime, const Level& level, const Surface
     }
     clipped.first_cut = to.vertices();
 
-    base::Array<CutEdge> edges(runtime.memory);
+    base::Array<CutEdge> edges(work.memory);
     for (std::int64_t e = 0; e < mesh.corner.size(); ++e) {
         const std::int32_t a = start_of(mesh, e);
         const std::int32_t b = end_of(mesh, e);
@@ -201,7 +193,7 @@ ClippedMesh clip(const base::Runtime& runtime, const Level& level, const Surface
     }
     std::sort(edges.begin(), edges.end());
     edges.resize(std::unique(edges.begin(), edges.end()) - edges.begin());
-    clipped.cut = find_cut_points(runtime, level, mesh, value, edges, progress);
+    clipped.cut = find_cut_points(work, level, mesh, value, edges);
     for (const CurvePoint& p : clipped.cut) {
         to.position.push_back(p.position);
         to.gradient.push_back(p.gradient);
@@ -235,7 +227,7 @@ ClippedMesh clip(const base::Runtime& runtime, const Level& level, const Surface
         put(number[b], number[c], cut_of(c, a));
         put(number[b], cut_of(c, a), cut_of(b, a));
     }
-    to.neighbour = find_neighbours(runtime, to.corner, to.vertices());
+    to.neighbour = find_neighbours(work, to.corner, to.vertices());
     const double before = area_of(mesh);
     clipped.left_out = before > 0.0 ? std::max(0.0, 1.0 - area_of(to) / before) : 0.0;
     return clipped;

@@ -31,17 +31,15 @@ namespace hrbfnpr::curves {
 }
 
 // For oriented triangles, no two of which have an edge in the same direction, as SurfaceMesh::neighbour.
-[[nodiscard]] base::Array<std::int32_t> find_neighbours(const base::Runtime& runtime,
-                                                        const base::Array<std::int32_t>& corner, std::int64_t vertices,
-                                                        const base::Progress& progress = {});
+[[nodiscard]] base::Array<std::int32_t> find_neighbours(const base::Work& work, const base::Array<std::int32_t>& corner,
+                                                        std::int64_t vertices);
 
 // Halves edges, each told by one of its two sides: brings their middles onto the surface, and cuts the triangles there.
 // An edge stays whole if its middle has no place on the surface within `farthest` of its length, or, where the surface
 // is smooth, one whose gradient turns away from those at its ends, as across a thin wall. Returns whether any was
 // halved.
-bool halve_edges(const base::Runtime& runtime, const implicit::Implicit& implicit,
-                 const base::Array<std::int64_t>& edges, double farthest, bool smooth, SurfaceMesh& mesh,
-                 const base::Progress& progress);
+bool halve_edges(const base::Work& work, const implicit::Implicit& implicit, const base::Array<std::int64_t>& edges,
+                 double farthest, bool smooth, SurfaceMesh& mesh);
 
 // ---- The part of a mesh where g is not positive
 
@@ -55,8 +53,7 @@ struct ClippedMesh {
 };
 
 // The same bits for any thread count.
-[[nodiscard]] ClippedMesh clip(const base::Runtime& runtime, const Level& level, const SurfaceMesh& mesh,
-                               const base::Progress& progress);
+[[nodiscard]] ClippedMesh clip(const base::Work& work, const Level& level, const SurfaceMesh& mesh);
 
 // ---- Chains of edges
 

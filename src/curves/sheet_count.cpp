@@ -274,12 +274,10 @@ struct Piece {
 
 // f and its gradient at places.
 struct Field {
-    Field(const base::Runtime& runtime, const implicit::Implicit& implicit, const geometry::VecArray& point,
-          const base::Progress& progress)
-        : value(runtime.memory, point.size()), gradient(runtime.memory, point.size()) {
-        implicit::evaluate_all(runtime, implicit, point,
-                               {value.data(), {gradient.x.data(), gradient.y.data(), gradient.z.data()}, {}},
-                               progress.standing());
+    Field(const base::Work& work, const implicit::Implicit& implicit, const geometry::VecArray& point)
+        : value(work.memory, point.size()), gradient(work.memory, point.size()) {
+        implicit::evaluate_all(work.standing(), implicit, point,
+                               {value.data(), {gradient.x.data(), gradient.y.data(), gradient.z.data()}, {}});
     }
     [[nodiscard]] Place place(std::int64_t i, const Line& line, double at) const noexcept {
         return {at, value[i], glm::dot(gradient[i], line.direction), glm::length(gradient[i])};
@@ -321,14 +319,13 @@ double split_of(const Place& a, const Place& b) noexcept {
 
 // Counts the roots in each span, and lists those that are certain. Pieces of spans are split, all of them at once,
 // until the values and slopes at their ends tell the number of roots.
-void count_roots(const base::Runtime& runtime, const implicit::Implicit& implicit, const base::Array<Line>& lines,
-                 const Spans& spans, base::Array<RootCount>& counts, base::Array<Root>& roots,
-                 const base::Progress& progress) {
+void count_roots(const base::Work& work, const implicit::Implicit& implicit, const base::Array<Line>& lines,
+                 const Spans& spans, base::Array<RootCount>& counts, base::Array<Root>& roots) {
     const double noise = curve_tuning.root_noise * implicit.diagonal();
     counts.resize(spans.span.size());
     std::fill(counts.begin(), counts.end(), RootCount{});
-    base::Array<Piece> pieces(runtime.memory); // the pieces to split next
-    geometry::VecArray point(runtime.memory);  // the places to split them at
+    base::Array<Piece> pieces(work.memory); // the pieces to split next
+    geometry::VecArray point(work.memory);  // the places to split them at
     const auto touches = [&](const Place& at) {
         return std::abs(at.value) <= curve_tuning.touching * implicit.diagonal() * at.gradient &&
                std::abs(at.slope) <= curve_tuning.along_surface * at.gradient;
@@ -364,12 +361,12 @@ void count_roots(const base::Runtime& runtime, const implicit::Implicit& implici
         if (a.negative() != b.negative()) ++count.roots;
     };
 
-    geometry::VecArray first(runtime.memory);
+    geometry::VecArray first(work.memory);
     std::int64_t at = 0;
     for (const Span& span : spans.span)
         for (std::int64_t k = 0; k < span.places; ++k) first.push_back(lines[span.line].at(spans.place[at++]));
     HRBFNPR_ASSERT(at == spans.place.size());
-    const Field field(runtime, implicit, first, progress);
+    const Field field(work, implicit, first);
     at = 0;
     for (std::int64_t i = 0; i < spans.span.size(); ++i) {
         const Span& span = spans.span[i];
@@ -386,9 +383,9 @@ void count_roots(const base::Runtime& runtime, const implicit::Implicit& implici
         }
     }
     while (!pieces.empty()) {
-        progress.check();
-        const Field middles(runtime, implicit, point, progress);
-        base::Array<Piece> split(runtime.memory);
+        work.check();
+        const Field middles(work, implicit, point);
+        base::Array<Piece> split(work.memory);
         std::swap(split, pieces);
         point.clear();
         for (std::int64_t i = 0; i < split.size(); ++i) {
@@ -409,24 +406,24 @@ void count_roots(const base::Runtime& runtime, const implicit::Implicit& implici
 
 // Takes the roots beyond the surface's end from the list and from the counts; those near the border are found exactly
 // first. Where one lies on the border, as far as numbers tell, its count is not certain.
-void drop_roots(const base::Runtime& runtime, const implicit::Implicit& implicit, const implicit::Domain& domain,
+void drop_roots(const base::Work& work, const implicit::Implicit& implicit, const implicit::Domain& domain,
                 const base::Array<Line>& lines, const Spans& spans, base::Array<Root>& roots,
-                base::Array<RootCount>& counts, const base::Progress& progress) {
+                base::Array<RootCount>& counts) {
     const auto line = [&](const Root& root) -> const Line& { return lines[spans.span[root.span].line]; };
     const auto width = [&](const Root& root) {
         return curve_tuning.root_noise * implicit.diagonal() / (root.high - root.low);
     };
-    base::Array<double> beyond(runtime.memory, roots.size());
+    base::Array<double> beyond(work.memory, roots.size());
     std::fill(beyond.begin(), beyond.end(), -1.0);
-    base::Array<std::int64_t> left(runtime.memory); // the roots that are still searched
+    base::Array<std::int64_t> left(work.memory); // the roots that are still searched
     for (std::int64_t i = 0; i < roots.size(); ++i)
         if (domain.near_end(line(roots[i]).at(0.5 * (roots[i].low + roots[i].high)))) left.push_back(i);
-    geometry::VecArray place(runtime.memory);
+    geometry::VecArray place(work.memory);
     while (!left.empty()) {
         place.clear();
         for (const std::int64_t i : left)
             place.push_back(line(roots[i]).at(glm::mix(roots[i].low, roots[i].high, roots[i].search.trial)));
-        const Field field(runtime, implicit, place, progress);
+        const Field field(work, implicit, place);
         std::int64_t kept = 0;
         for (std::int64_t k = 0; k < left.size(); ++k) {
             const std::int64_t i = left[k];
@@ -455,43 +452,39 @@ void drop_roots(const base::Runtime& runtime, const implicit::Implicit& implicit
 
 } // namespace
 
-SheetCounter::SheetCounter(const base::Runtime& runtime, const SurfaceMesh& mesh, const base::Progress& progress)
-    : mesh_(mesh), bulge_(runtime.memory, mesh.triangles()),
-      tree_(
-          runtime, mesh.triangles(),
-          [&](std::int64_t t) {
-              bulge_[t] = bulge_of(mesh, t);
-              geometry::Bounds box;
-              for (const glm::dvec3& corner : corners_of(mesh, t)) box.extend(corner);
-              return box.grown(bulge_[t]);
-          },
-          progress) {}
+SheetCounter::SheetCounter(const base::Work& work, const SurfaceMesh& mesh)
+    : mesh_(mesh), bulge_(work.memory, mesh.triangles()), tree_(work, mesh.triangles(), [&](std::int64_t t) {
+          bulge_[t] = bulge_of(mesh, t);
+          geometry::Bounds box;
+          for (const glm::dvec3& corner : corners_of(mesh, t)) box.extend(corner);
+          return box.grown(bulge_[t]);
+      }) {}
 
-void SheetCounter::count(const base::Runtime& runtime, const implicit::Implicit& implicit,
-                         const geometry::VecArray& from, const geometry::VecArray& to, const base::Array<double>& clear,
-                         base::Array<Answer>& answer, const base::Progress& progress) const {
+void SheetCounter::count(const base::Work& work, const implicit::Implicit& implicit, const geometry::VecArray& from,
+                         const geometry::VecArray& to, const base::Array<double>& clear,
+                         base::Array<Answer>& answer) const {
     const std::int64_t segments = from.size();
     HRBFNPR_ASSERT(to.size() == segments && clear.size() == segments);
-    base::Array<Line> lines(runtime.memory, segments);
-    base::List<Spans> found(runtime.memory);
+    base::Array<Line> lines(work.memory, segments);
+    base::List<Spans> found(work.memory);
     found.reserve((segments + segments_a_task - 1) / segments_a_task);
-    for (std::int64_t k = 0; k < segments; k += segments_a_task) found.add(runtime.memory);
-    runtime.parallel.for_chunks(segments, segments_a_task, progress, [&](std::int64_t begin, std::int64_t end) {
+    for (std::int64_t k = 0; k < segments; k += segments_a_task) found.add(work.memory);
+    work.for_chunks(segments, segments_a_task, [&](std::int64_t begin, std::int64_t end) {
         for (std::int64_t i = begin; i < end; ++i) {
             lines[i] = line_of(mesh_.region, from[i], to[i], clear[i]);
             find_spans(mesh_, tree_, bulge_, lines[i], i, found[begin / segments_a_task]);
         }
     });
-    Spans spans(runtime.memory);
+    Spans spans(work.memory);
     for (const Spans& some : found) {
         for (const Span& span : some.span) spans.span.push_back(span);
         for (const double place : some.place) spans.place.push_back(place);
     }
-    base::Array<RootCount> counts(runtime.memory);
-    base::Array<Root> roots(runtime.memory);
+    base::Array<RootCount> counts(work.memory);
+    base::Array<Root> roots(work.memory);
     const implicit::Domain* const domain = mesh_.domain;
-    count_roots(runtime, implicit, lines, spans, counts, roots, progress);
-    if (domain != nullptr) drop_roots(runtime, implicit, *domain, lines, spans, roots, counts, progress);
+    count_roots(work, implicit, lines, spans, counts, roots);
+    if (domain != nullptr) drop_roots(work, implicit, *domain, lines, spans, roots, counts);
 
     answer.resize(segments);
     std::fill(answer.begin(), answer.end(), Answer{});
@@ -502,14 +495,14 @@ void SheetCounter::count(const base::Runtime& runtime, const implicit::Implicit&
         const bool beside_end = span.line_begins || span.line_ends;
         if (!counts[i].certain || (!beside_end && counts[i].roots != span.crossings)) its.certain = false;
     }
-    base::Array<std::uint8_t> known(runtime.memory, segments);
+    base::Array<std::uint8_t> known(work.memory, segments);
     for (const Root& root : roots) {
         const std::int64_t line = spans.span[root.span].line;
         Answer& its = answer[line];
         its.nearest = known[line] != 0 ? std::min(its.nearest, root.at) : root.at;
         known[line] = 1;
     }
-    progress.update(1.0);
+    work.update(1.0);
 }
 
 } // namespace hrbfnpr::curves

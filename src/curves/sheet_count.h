@@ -4,7 +4,7 @@
 
 #include "base/memory.h"
 #include "base/operation.h"
-#include "base/runtime.h"
+#include "base/work.h"
 #include "curves/surface_mesh.h"
 #include "geometry/box_tree.h"
 #include "geometry/vec_array.h"
@@ -17,7 +17,7 @@ namespace hrbfnpr::curves {
 // It is made once for a mesh, which must outlive it; const afterwards, for any number of threads.
 class SheetCounter {
 public:
-    SheetCounter(const base::Runtime& runtime, const SurfaceMesh& mesh, const base::Progress& progress = {});
+    SheetCounter(const base::Work& work, const SurfaceMesh& mesh);
 
     struct Answer {
         std::int32_t sheets = 0;
@@ -29,9 +29,8 @@ public:
     //
     // Triangles say where to look, and within these spans f and its slope along the segment decide; both are counted.
     // Beside an end of the segment f alone is asked: there the triangles are not near enough to the surface.
-    void count(const base::Runtime& runtime, const implicit::Implicit& implicit, const geometry::VecArray& from,
-               const geometry::VecArray& to, const base::Array<double>& clear, base::Array<Answer>& answer,
-               const base::Progress& progress) const;
+    void count(const base::Work& work, const implicit::Implicit& implicit, const geometry::VecArray& from,
+               const geometry::VecArray& to, const base::Array<double>& clear, base::Array<Answer>& answer) const;
 
     [[nodiscard]] const SurfaceMesh& mesh() const noexcept { return mesh_; }
     [[nodiscard]] std::int64_t bytes() const noexcept { return tree_.bytes() + bulge_.bytes(); }

@@ -33,7 +33,6 @@ namespace {
 using Cell = geometry::CellGrid::Cell;
 
 constexpr std::int64_t most_surface_triangles = std::int64_t{1} << 28; // corners of triangles have 32-bit numbers
-constexpr std::int64_t cells_a_look = 4096;                            // elements without a look for a cancel
 
 // ---- The lattice
 
@@ -193,8 +192,7 @@ private:
     void grow(const base::Progress& progress) {
         base::Array<Entry> larger(table_.memory());
         base::resize_long(larger, std::max<std::int64_t>(1024, 2 * table_.size()), progress);
-        for (std::int64_t i = 0; i < table_.size(); ++i) {
-            if (i % cells_a_look == 0) progress.check();
+        for (const std::int64_t i : progress.over(table_.size())) {
             if (table_[i].name != 0) place(larger, table_[i].name) = table_[i];
         }
         table_ = std::move(larger);
@@ -205,11 +203,10 @@ private:
 };
 
 // Seeds brought onto the surface, without those that do not come there or have to go far.
-surface::Projection seeds_on_surface(const base::Runtime& runtime, const implicit::Implicit& implicit,
-                                     const geometry::VecArray& seeds, const MeshSettings& settings,
-                                     const base::Progress& progress) {
-    surface::Projection on(runtime.memory);
-    geometry::VecArray before(runtime.memory);
+surface::Projection seeds_on_surface(const base::Work& work, const implicit::Implicit& implicit,
+                                     const geometry::VecArray& seeds, const MeshSettings& settings) {
+    surface::Projection on(work.memory);
+    geometry::VecArray before(work.memory);
     for (std::int64_t i = 0; i < seeds.size(); ++i) {
         if (!settings.region.contains(seeds[i])) continue;
         on.position.push_back(seeds[i]);
@@ -218,7 +215,7 @@ surface::Projection seeds_on_surface(const base::Runtime& runtime, const implici
     surface::ProjectionSettings steps;
     steps.evaluation_limit = curve_tuning.newton_steps;
     steps.tolerance = std::max(settings.tolerance, curve_tuning.close * settings.side / implicit.diagonal());
-    surface::project(runtime, implicit, steps, on, progress);
+    surface::project(work, implicit, steps, on);
     std::int64_t kept = 0;
     for (std::int64_t i = 0; i < before.size(); ++i) {
         const glm::dvec3 place = on.position[i];
@@ -235,9 +232,8 @@ surface::Projection seeds_on_surface(const base::Runtime& runtime, const implici
 
 // The flood goes in waves: the cells of a wave get their corners, new corners their values, and over each face that the
 // surface passes through it goes on. Blocks of cells that are surely beyond the end of the surface are left out.
-CrossedCells find_crossed_cells(const base::Runtime& runtime, const implicit::Implicit& implicit,
-                                const geometry::VecArray& seeds, const Lattice& lattice, const MeshSettings& settings,
-                                const base::Progress& progress) {
+CrossedCells find_crossed_cells(const base::Work& work, const implicit::Implicit& implicit,
+                                const geometry::VecArray& seeds, const Lattice& lattice, const MeshSettings& settings) {
     // The corners of a cell's faces, and the ways over them.
     struct Face {
         unsigned corners;
@@ -253,8 +249,8 @@ CrossedCells find_crossed_cells(const base::Runtime& runtime, const implicit::Im
     const auto sum = [](const Cell& a, const Cell& b) { return Cell{a[0] + b[0], a[1] + b[1], a[2] + b[2]}; };
     const std::int64_t limit = std::min(settings.triangle_limit, most_surface_triangles);
 
-    CrossedCells cells(runtime.memory, lattice);
-    geometry::CellSet asked(runtime.memory), beyond(runtime.memory); // blocks of cells
+    CrossedCells cells(work.memory, lattice);
+    geometry::CellSet asked(work.memory), beyond(work.memory); // blocks of cells
     const auto is_beyond = [&](const Cell& cell) {
         if (settings.domain == nullptr) return false;
         const Cell block{cell[0] / block_side, cell[1] / block_side, cell[2] / block_side};
@@ -269,8 +265,8 @@ CrossedCells find_crossed_cells(const base::Runtime& runtime, const implicit::Im
         }
         return beyond.contains(packed);
     };
-    geometry::CellSet known(runtime.memory);
-    base::Array<std::uint64_t> front(runtime.memory), next(runtime.memory); // packed cells of this wave and the next
+    geometry::CellSet known(work.memory);
+    base::Array<std::uint64_t> front(work.memory), next(work.memory); // packed cells of this wave and the next
     const auto go_to = [&](const Cell& cell) {
         if (!lattice.inside(cell) || is_beyond(cell)) return;
         if (const std::uint64_t packed = geometry::CellGrid::pack(cell); known.insert(packed)) next.push_back(packed);
@@ -278,44 +274,41 @@ CrossedCells find_crossed_cells(const base::Runtime& runtime, const implicit::Im
     for (std::int64_t i = 0; i < seeds.size(); ++i)
         if (lattice.region.contains(seeds[i])) go_to(lattice.cell_of(seeds[i]));
 
-    CornerMap corners(runtime.memory);
-    base::Array<CrossedCell> wave(runtime.memory);
-    geometry::VecArray fresh(runtime.memory); // corners that no wave before had
-    base::Array<double> value(runtime.memory);
+    CornerMap corners(work.memory);
+    base::Array<CrossedCell> wave(work.memory);
+    geometry::VecArray fresh(work.memory); // corners that no wave before had
+    base::Array<double> value(work.memory);
     for (bool seeded = true; !next.empty(); seeded = false) {
-        progress.check();
+        work.check();
         std::swap(front, next);
         next.clear();
         wave.resize_for_overwrite(front.size());
         fresh.clear();
-        for (std::int64_t i = 0; i < front.size(); ++i) {
-            if (i % cells_a_look == 0) progress.check();
+        for (const std::int64_t i : work.over(front.size())) {
             const Cell cell = geometry::CellGrid::unpack(front[i]);
             wave[i].code = geometry::morton_code(cell);
             for (unsigned k = 0; k < 8; ++k) {
                 const Cell corner = sum(cell, {k & 1U, k >> 1U & 1U, k >> 2U});
                 const std::uint64_t packed = geometry::CellGrid::pack(corner);
-                wave[i].corner[k] = corners.number_of(packed, progress);
+                wave[i].corner[k] = corners.number_of(packed, work);
                 if (wave[i].corner[k] != cells.place.size()) continue;
-                base::push_back_long(cells.place, packed, progress);
-                geometry::push_back_long(fresh, lattice.corner(corner), progress);
+                base::push_back_long(cells.place, packed, work);
+                geometry::push_back_long(fresh, lattice.corner(corner), work);
             }
         }
         value.resize_for_overwrite(fresh.size());
-        implicit::evaluate_all(runtime, implicit, fresh, {value.data(), {}, {}}, progress.standing());
-        for (std::int64_t i = 0; i < fresh.size(); ++i) {
-            if (i % cells_a_look == 0) progress.check();
-            geometry::push_back_long(cells.position, fresh[i], progress);
-            base::push_back_long(cells.value, value[i], progress);
+        implicit::evaluate_all(work.standing(), implicit, fresh, {value.data(), {}, {}});
+        for (const std::int64_t i : work.over(fresh.size())) {
+            geometry::push_back_long(cells.position, fresh[i], work);
+            base::push_back_long(cells.value, value[i], work);
         }
         HRBFNPR_ASSERT(cells.value.size() == cells.place.size());
-        for (std::int64_t i = 0; i < front.size(); ++i) {
-            if (i % cells_a_look == 0) progress.check();
+        for (const std::int64_t i : work.over(front.size())) {
             const Cell place = geometry::CellGrid::unpack(front[i]);
             const unsigned negative = cells.negative_corners(wave[i]);
             std::int64_t triangles = 0;
             cells.sections_of(wave[i], [&](const Tetrahedron&, const Section& s) { triangles += s.size - 2; });
-            if (triangles > 0) base::push_back_long(cells.cell, wave[i], progress);
+            if (triangles > 0) base::push_back_long(cells.cell, wave[i], work);
             cells.triangles += triangles;
             for (const Face& face : faces)
                 if ((negative & face.corners) != 0 && (~negative & face.corners) != 0) go_to(sum(place, face.way));
@@ -331,21 +324,19 @@ CrossedCells find_crossed_cells(const base::Runtime& runtime, const implicit::Im
     }
     base::sort_long(
         cells.cell.begin(), cells.cell.end(),
-        [](const CrossedCell& a, const CrossedCell& b) { return a.code < b.code; }, progress);
+        [](const CrossedCell& a, const CrossedCell& b) { return a.code < b.code; }, work);
     return cells;
 }
 
 // A surface that passes a corner very near cuts all edges there in the same point, and the triangles degenerate.
 // Corners that are very near move away from it, along the region's faces where they are on these. Signs stay, and so
 // does the way in which triangles are connected.
-void clear_corners(const base::Runtime& runtime, const implicit::Implicit& implicit, CrossedCells& cells,
-                   const base::Progress& progress) {
+void clear_corners(const base::Work& work, const implicit::Implicit& implicit, CrossedCells& cells) {
     const double clearance = curve_tuning.corner_clearance;
     const Lattice& lattice = cells.lattice;
     const double distance = clearance * std::min({lattice.side.x, lattice.side.y, lattice.side.z});
-    base::Array<std::uint8_t> near(runtime.memory, cells.value.size());
-    for (std::int64_t i = 0; i < cells.cell.size(); ++i) {
-        if (i % cells_a_look == 0) progress.check();
+    base::Array<std::uint8_t> near(work.memory, cells.value.size());
+    for (const std::int64_t i : work.over(cells.cell.size())) {
         const CrossedCell& cell = cells.cell[i];
         cells.sections_of(cell, [&](const Tetrahedron& tetrahedron, const Section& section) {
             for (std::size_t k = 0; k < section.size; ++k) {
@@ -357,19 +348,17 @@ void clear_corners(const base::Runtime& runtime, const implicit::Implicit& impli
             }
         });
     }
-    base::Array<std::int32_t> which(runtime.memory);
-    geometry::VecArray place(runtime.memory), gradient(runtime.memory);
-    for (std::int64_t i = 0; i < near.size(); ++i) {
-        if (i % cells_a_look == 0) progress.check();
+    base::Array<std::int32_t> which(work.memory);
+    geometry::VecArray place(work.memory), gradient(work.memory);
+    for (const std::int64_t i : work.over(near.size())) {
         if (near[i] == 0) continue;
         which.push_back(static_cast<std::int32_t>(i));
-        push_back_long(place, cells.position[i], progress);
+        push_back_long(place, cells.position[i], work);
     }
-    resize_long(gradient, place.size(), progress);
-    implicit::evaluate_all(runtime, implicit, place,
-                           {nullptr, {gradient.x.data(), gradient.y.data(), gradient.z.data()}, {}}, progress);
-    for (std::int64_t i = 0; i < which.size(); ++i) {
-        if (i % cells_a_look == 0) progress.check();
+    resize_long(gradient, place.size(), work);
+    implicit::evaluate_all(work, implicit, place,
+                           {nullptr, {gradient.x.data(), gradient.y.data(), gradient.z.data()}, {}});
+    for (const std::int64_t i : work.over(which.size())) {
         const double slope = glm::length(gradient[i]);
         const double value = cells.value[which[i]];
         const double missing = distance - std::abs(value) / slope;
@@ -382,8 +371,8 @@ void clear_corners(const base::Runtime& runtime, const implicit::Implicit& impli
         }
         place.set(i, place[i] + way);
     }
-    base::Array<double> value(runtime.memory, which.size());
-    implicit::evaluate_all(runtime, implicit, place, {value.data(), {}, {}}, progress);
+    base::Array<double> value(work.memory, which.size());
+    implicit::evaluate_all(work, implicit, place, {value.data(), {}, {}});
     for (std::int64_t i = 0; i < which.size(); ++i) {
         double& known = cells.value[which[i]];
         if (!std::isfinite(value[i]) || (value[i] < 0.0) != (known < 0.0)) continue;
@@ -413,8 +402,7 @@ base::Array<std::int32_t> number_edges(const CrossedCells& cells, base::Array<Cr
                                        const base::Progress& progress) {
     base::Array<std::int32_t> numbers(edges.memory());
     base::resize_long(numbers, std::int64_t{7} * cells.value.size(), progress);
-    for (std::int64_t i = 0; i < cells.cell.size(); ++i) {
-        if (i % cells_a_look == 0) progress.check();
+    for (const std::int64_t i : progress.over(cells.cell.size())) {
         const CrossedCell& cell = cells.cell[i];
         cells.sections_of(cell, [&](const Tetrahedron& tetrahedron, const Section& section) {
             for (std::size_t k = 0; k < section.size; ++k) {
@@ -525,25 +513,22 @@ std::int64_t find_some_vertices(const implicit::Implicit& implicit, const Crosse
 }
 
 // Sets position, gradient and unresolved of the mesh: one vertex for each edge.
-void find_vertices(const base::Runtime& runtime, const implicit::Implicit& implicit, const CrossedCells& cells,
-                   const base::Array<CrossedEdge>& edges, double tolerance, SurfaceMesh& mesh,
-                   const base::Progress& progress) {
+void find_vertices(const base::Work& work, const implicit::Implicit& implicit, const CrossedCells& cells,
+                   const base::Array<CrossedEdge>& edges, double tolerance, SurfaceMesh& mesh) {
     const std::int64_t count = edges.size();
-    resize_long(mesh.position, count, progress);
-    resize_long(mesh.gradient, count, progress);
-    for (std::int64_t i = 0; i < count; ++i) {
-        if (i % cells_a_look == 0) progress.check();
+    resize_long(mesh.position, count, work);
+    resize_long(mesh.gradient, count, work);
+    for (const std::int64_t i : work.over(count)) {
         mesh.position.set(i, 0.5 * (cells.position[edges[i].from] + cells.position[edges[i].to]));
     }
-    const base::Array<std::int32_t> order = implicit::order_by_cell(runtime, implicit, mesh.position, progress);
+    const base::Array<std::int32_t> order = implicit::order_by_cell(work, implicit, mesh.position);
     std::atomic<std::int64_t> unresolved{0}, done{0};
-    implicit.threads(runtime.parallel)
-        .for_chunks(count, implicit::batch_size, [&](std::int64_t begin, std::int64_t end) {
-            base::Boxed<RootLanes> lanes(runtime.memory);
-            unresolved +=
-                find_some_vertices(implicit, cells, edges, order.data(), begin, end, tolerance, *lanes, mesh, progress);
-            progress.update(static_cast<double>(done += end - begin) / static_cast<double>(count));
-        });
+    implicit.threads(work).for_chunks(count, implicit::batch_size, [&](std::int64_t begin, std::int64_t end) {
+        base::Boxed<RootLanes> lanes(work.memory);
+        unresolved +=
+            find_some_vertices(implicit, cells, edges, order.data(), begin, end, tolerance, *lanes, mesh, work);
+        work.update(static_cast<double>(done += end - begin) / static_cast<double>(count));
+    });
     mesh.unresolved = unresolved;
 }
 
@@ -553,8 +538,7 @@ void find_vertices(const base::Runtime& runtime, const implicit::Implicit& impli
 void add_triangles(const CrossedCells& cells, const base::Array<std::int32_t>& numbers, SurfaceMesh& mesh,
                    const base::Progress& progress) {
     mesh.corner.reserve(3 * cells.triangles);
-    for (std::int64_t i = 0; i < cells.cell.size(); ++i) {
-        if (i % cells_a_look == 0) progress.check();
+    for (const std::int64_t i : progress.over(cells.cell.size())) {
         const CrossedCell& cell = cells.cell[i];
         cells.sections_of(cell, [&](const Tetrahedron& tetrahedron, const Section& section) {
             std::array<std::int32_t, 4> v{};
@@ -579,10 +563,9 @@ void add_triangles(const CrossedCells& cells, const base::Array<std::int32_t>& n
 
 // The number of i in [0, total) that holds(i) is true for.
 template <class Holds>
-std::int64_t count_all(const base::Runtime& runtime, std::int64_t total, const base::Progress& progress,
-                       Holds&& holds) {
+std::int64_t count_all(const base::Work& work, std::int64_t total, Holds&& holds) {
     std::atomic<std::int64_t> sum{0};
-    runtime.parallel.for_chunks(total, 1024, progress, [&](std::int64_t begin, std::int64_t end) {
+    work.for_chunks(total, 1024, [&](std::int64_t begin, std::int64_t end) {
         std::int64_t here = 0;
         for (std::int64_t i = begin; i < end; ++i) here += holds(i) ? 1 : 0;
         sum += here;
@@ -590,11 +573,10 @@ std::int64_t count_all(const base::Runtime& runtime, std::int64_t total, const b
     return sum;
 }
 
-std::int64_t count_missed(const base::Runtime& runtime, const surface::Projection& seeds, const SurfaceMesh& mesh,
-                          const base::Progress& progress) {
+std::int64_t count_missed(const base::Work& work, const surface::Projection& seeds, const SurfaceMesh& mesh) {
     const double reach = curve_tuning.vertex_reach * mesh.side;
-    const geometry::PointGrid grid(mesh.position, reach, progress);
-    return count_all(runtime, seeds.position.size(), progress, [&](std::int64_t i) {
+    const geometry::PointGrid grid(mesh.position, reach, work);
+    return count_all(work, seeds.position.size(), [&](std::int64_t i) {
         bool found = false;
         grid.around(seeds.position[i], [&](std::int64_t at) {
             const std::int64_t v = grid.index(at);
@@ -619,34 +601,31 @@ bool is_turned(const SurfaceMesh& mesh, std::int64_t triangle) noexcept {
     return false;
 }
 
-SurfaceMesh triangulate(const base::Runtime& runtime, const implicit::Implicit& implicit,
-                        const geometry::VecArray& seeds, const MeshSettings& settings, const base::Progress& progress) {
+SurfaceMesh triangulate(const base::Work& work, const implicit::Implicit& implicit, const geometry::VecArray& seeds,
+                        const MeshSettings& settings) {
     const Lattice lattice = lattice_of(settings);
-    SurfaceMesh mesh(runtime.memory);
+    SurfaceMesh mesh(work.memory);
     mesh.region = settings.region;
     mesh.side = lattice.longest();
-    const surface::Projection on = seeds_on_surface(runtime, implicit, seeds, settings, progress.part(0.0, 0.05));
-    CrossedCells cells =
-        find_crossed_cells(runtime, implicit, on.position, lattice, settings, progress.part(0.05, 0.3));
-    clear_corners(runtime, implicit, cells, progress.part(0.3, 0.4));
-    base::Array<CrossedEdge> edges(runtime.memory);
-    const base::Array<std::int32_t> numbers = number_edges(cells, edges, progress);
-    find_vertices(runtime, implicit, cells, edges, settings.tolerance * implicit.diagonal(), mesh,
-                  progress.part(0.4, 0.9));
-    add_triangles(cells, numbers, mesh, progress);
-    mesh.neighbour = find_neighbours(runtime, mesh.corner, mesh.vertices(), progress);
-    mesh.missed_seeds = count_missed(runtime, on, mesh, progress);
-    mesh.turned = count_all(runtime, mesh.triangles(), progress, [&](std::int64_t t) { return is_turned(mesh, t); });
-    progress.update(1.0);
+    const surface::Projection on = seeds_on_surface(work.part(0.0, 0.05), implicit, seeds, settings);
+    CrossedCells cells = find_crossed_cells(work.part(0.05, 0.3), implicit, on.position, lattice, settings);
+    clear_corners(work.part(0.3, 0.4), implicit, cells);
+    base::Array<CrossedEdge> edges(work.memory);
+    const base::Array<std::int32_t> numbers = number_edges(cells, edges, work);
+    find_vertices(work.part(0.4, 0.9), implicit, cells, edges, settings.tolerance * implicit.diagonal(), mesh);
+    add_triangles(cells, numbers, mesh, work);
+    mesh.neighbour = find_neighbours(work, mesh.corner, mesh.vertices());
+    mesh.missed_seeds = count_missed(work, on, mesh);
+    mesh.turned = count_all(work, mesh.triangles(), [&](std::int64_t t) { return is_turned(mesh, t); });
+    work.update(1.0);
     return mesh;
 }
 
-SurfaceMesh triangulate_of_any_size(const base::Runtime& runtime, const implicit::Implicit& implicit,
-                                    const geometry::VecArray& seeds, MeshSettings& settings,
-                                    const base::Progress& progress) {
+SurfaceMesh triangulate_of_any_size(const base::Work& work, const implicit::Implicit& implicit,
+                                    const geometry::VecArray& seeds, MeshSettings& settings) {
     while (true) {
         try {
-            return triangulate(runtime, implicit, seeds, settings, progress);
+            return triangulate(work, implicit, seeds, settings);
         } catch (const Error& error) {
             if (error.status() != Status::invalid_argument || settings.side > implicit.diagonal()) throw;
             settings.side *= 2.0;

@@ -5,7 +5,7 @@
 #include "base/assert.h"
 #include "base/memory.h"
 #include "base/operation.h"
-#include "base/runtime.h"
+#include "base/work.h"
 #include "geometry/vec_array.h"
 #include "implicit/implicit.h"
 
@@ -60,13 +60,11 @@ struct SurfaceMesh {
 // Seeds are points on or near the surface; parts of it that no seed belongs to are not reached.
 // The same bits for any thread count.  Throws Error{out_of_memory, cancelled, callback}, and Error{invalid_argument}
 // where the mesh would pass triangle_limit.
-[[nodiscard]] SurfaceMesh triangulate(const base::Runtime& runtime, const implicit::Implicit& implicit,
-                                      const geometry::VecArray& seeds, const MeshSettings& settings,
-                                      const base::Progress& progress);
+[[nodiscard]] SurfaceMesh triangulate(const base::Work& work, const implicit::Implicit& implicit,
+                                      const geometry::VecArray& seeds, const MeshSettings& settings);
 
 // The same with cells twice as wide, and again, while there would be too many triangles. It changes settings.side.
-[[nodiscard]] SurfaceMesh triangulate_of_any_size(const base::Runtime& runtime, const implicit::Implicit& implicit,
-                                                  const geometry::VecArray& seeds, MeshSettings& settings,
-                                                  const base::Progress& progress);
+[[nodiscard]] SurfaceMesh triangulate_of_any_size(const base::Work& work, const implicit::Implicit& implicit,
+                                                  const geometry::VecArray& seeds, MeshSettings& settings);
 
 } // namespace hrbfnpr::curves

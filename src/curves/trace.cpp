@@ -135,20 +135,19 @@ Curves thinned(const base::Runtime& runtime, const SurfaceMesh& mesh, const Curv
 
 // Runs of points from starts: each is a part of a curve, or all of it if it is closed. No place of a curve is in two
 // runs, but beside their ends. Starts follow each other as the points of a curve do.
-Curves runs_from(const base::Runtime& runtime, const Level& level, const SurfaceMesh& mesh, const Curves& starts,
-                 const TraceSettings& settings, TraceReport& report, const base::Progress& progress) {
+Curves runs_from(const base::Work& work, const Level& level, const SurfaceMesh& mesh, const Curves& starts,
+                 const TraceSettings& settings, TraceReport& report) {
     const double side = mesh.side;
     HRBFNPR_ASSERT(side > 0.0 && settings.longest > 0.0);
     const auto bring_points = [&](base::Array<CurvePoint>& points, double farthest) {
-        base::Array<std::uint8_t> found(runtime.memory);
-        report.evaluations +=
-            bring_to_curve(runtime, level, {settings.tolerance * side, farthest}, points, found, progress);
+        base::Array<std::uint8_t> found(work.memory);
+        report.evaluations += bring_to_curve(work, level, {settings.tolerance * side, farthest}, points, found);
         return found;
     };
-    base::Array<CurvePoint> points(runtime.memory, starts.point.size());
+    base::Array<CurvePoint> points(work.memory, starts.point.size());
     std::copy(starts.point.begin(), starts.point.end(), points.begin());
     const base::Array<std::uint8_t> brought = bring_points(points, curve_tuning.start_reach * side);
-    Chains<RunPoint> chains(runtime.memory); // the starts that could be brought onto curves
+    Chains<RunPoint> chains(work.memory); // the starts that could be brought onto curves
     for (std::int64_t c = 0; c < starts.count(); ++c) {
         for (std::int64_t i = starts.first[c]; i < starts.first[c + 1]; ++i)
             if (brought[i] != 0 && (chains.point.size() == chains.first.back() ||
@@ -178,7 +177,7 @@ Curves runs_from(const base::Runtime& runtime, const Level& level, const Surface
     };
     const auto bring = [&](base::Array<RunPoint>& added, const base::Array<std::int64_t>& of,
                            const base::Array<std::int64_t>& after) {
-        base::Array<CurvePoint> middle(runtime.memory);
+        base::Array<CurvePoint> middle(work.memory);
         for (const RunPoint& p : added) middle.push_back(p.at);
         base::Array<std::uint8_t> found = bring_points(middle, 0.5 * settings.longest * side);
         for (std::int64_t k = 0; k < added.size(); ++k) {
@@ -190,9 +189,8 @@ Curves runs_from(const base::Runtime& runtime, const Level& level, const Surface
         }
         return found;
     };
-    for (int round = 0; round < curve_tuning.gap_halvings && halve_pieces(chains, wanted, bring); ++round)
-        progress.check();
-    Curves runs(runtime.memory);
+    for (int round = 0; round < curve_tuning.gap_halvings && halve_pieces(chains, wanted, bring); ++round) work.check();
+    Curves runs(work.memory);
     for (std::int64_t c = 0; c < chains.count(); ++c) {
         const std::int64_t first = chains.first[c];
         const std::int64_t count = chains.size_of(c);
@@ -209,7 +207,7 @@ Curves runs_from(const base::Runtime& runtime, const Level& level, const Surface
             runs.end(whole);
         });
     }
-    return without_doubles(runtime, runs, curve_tuning.found_already * side, settings.longest * side);
+    return without_doubles(work, runs, curve_tuning.found_already * side, settings.longest * side);
 }
 
 // ---- Following
@@ -364,10 +362,10 @@ void take(Paths& paths, Path& path) {
 }
 
 // Follows one path from each of these runs, all in step: from its last point, or backwards from its first.
-void follow_from(const base::Runtime& runtime, const Level& level, const base::Array<std::int64_t>& from, double sense,
-                 Paths& paths, TraceReport& report, const base::Progress& progress) {
+void follow_from(const base::Work& work, const Level& level, const base::Array<std::int64_t>& from, double sense,
+                 Paths& paths, TraceReport& report) {
     const Curves& runs = paths.runs;
-    base::Array<std::int64_t> active(runtime.memory);
+    base::Array<std::int64_t> active(work.memory);
     for (const std::int64_t r : from) {
         if (runs.closed[r] != 0) continue;
         const CurvePoint& last = runs.point[sense > 0.0 ? runs.first[r + 1] - 1 : runs.first[r]];
@@ -379,11 +377,11 @@ void follow_from(const base::Runtime& runtime, const Level& level, const base::A
         active.push_back(paths.path.size());
         paths.path.push_back(path);
     }
-    base::Array<CurvePoint> trial(runtime.memory);
+    base::Array<CurvePoint> trial(work.memory);
     while (!active.empty()) {
         trial.resize(active.size());
         for (std::int64_t i = 0; i < active.size(); ++i) trial[i].position = paths.path[active[i]].trial.position;
-        evaluate(runtime, level, trial, progress);
+        evaluate(work, level, trial);
         report.evaluations += trial.size();
         std::int64_t left = 0;
         for (std::int64_t i = 0; i < active.size(); ++i) {
@@ -444,13 +442,13 @@ void add_curves(const Paths& paths, Curves& curves, TraceReport& report) {
 }
 
 // Adds the curves that go through the runs.
-void follow(const base::Runtime& runtime, const Level& level, const SurfaceMesh& mesh, const Curves& runs,
-            const TraceSettings& settings, Curves& curves, TraceReport& report, const base::Progress& progress) {
+void follow(const base::Work& work, const Level& level, const SurfaceMesh& mesh, const Curves& runs,
+            const TraceSettings& settings, Curves& curves, TraceReport& report) {
     report.starts += runs.count();
     Paths paths(mesh, runs, settings);
-    base::Array<std::int64_t> all(runtime.memory), first(runtime.memory);
+    base::Array<std::int64_t> all(work.memory), first(work.memory);
     for (std::int64_t r = 0; r < runs.count(); ++r) all.push_back(r);
-    follow_from(runtime, level, all, 1.0, paths, report, progress);
+    follow_from(work, level, all, 1.0, paths, report);
     // The path that comes to the first point of a run leads to it.
     for (const Path& path : paths.path) {
         if (path.met < 0) continue;
@@ -468,7 +466,7 @@ void follow(const base::Runtime& runtime, const Level& level, const SurfaceMesh&
     }
     for (std::int64_t r = 0; r < runs.count(); ++r)
         if (is_first(paths, r)) first.push_back(r);
-    follow_from(runtime, level, first, -1.0, paths, report, progress);
+    follow_from(work, level, first, -1.0, paths, report);
     add_curves(paths, curves, report);
 }
 
@@ -530,11 +528,11 @@ base::Array<std::int32_t> find_low(const base::Runtime& runtime, const SurfaceMe
 }
 
 // Evaluates f and g at the points, and again after a step along grad f where that is longer than `near`.
-void evaluate_on_surface(const base::Runtime& runtime, const Level& level, double near, base::Array<CurvePoint>& points,
-                         std::int64_t& evaluations, const base::Progress& progress) {
-    evaluate(runtime, level, points, progress);
-    base::Array<CurvePoint> off(runtime.memory);
-    base::Array<std::int64_t> which(runtime.memory);
+void evaluate_on_surface(const base::Work& work, const Level& level, double near, base::Array<CurvePoint>& points,
+                         std::int64_t& evaluations) {
+    evaluate(work, level, points);
+    base::Array<CurvePoint> off(work.memory);
+    base::Array<std::int64_t> which(work.memory);
     for (std::int64_t i = 0; i < points.size(); ++i) {
         CurvePoint p = points[i];
         step_to_surface(p);
@@ -542,7 +540,7 @@ void evaluate_on_surface(const base::Runtime& runtime, const Level& level, doubl
         off.push_back(p);
         which.push_back(i);
     }
-    evaluate(runtime, level, off, progress);
+    evaluate(work, level, off);
     evaluations += points.size() + off.size();
     for (std::int64_t k = 0; k < which.size(); ++k) points[which[k]] = off[k];
 }
@@ -550,9 +548,8 @@ void evaluate_on_surface(const base::Runtime& runtime, const Level& level, doubl
 // Loops of g = 0 that pass between the vertices of the mesh: each goes round an extremum of g beside a vertex where |g|
 // is least. Searches for these extrema by Newton's steps, and returns a place on either side of each loop where g has
 // changed its sign on the way. Adds to `evaluations`.
-base::Array<Straddle> find_small_loops(const base::Runtime& runtime, const Level& level, const SurfaceMesh& mesh,
-                                       const base::Array<double>& at_vertices, std::int64_t& evaluations,
-                                       const base::Progress& progress) {
+base::Array<Straddle> find_small_loops(const base::Work& work, const Level& level, const SurfaceMesh& mesh,
+                                       const base::Array<double>& at_vertices, std::int64_t& evaluations) {
     // The three points of a search are its place and one beside it in each tangent direction.
     HRBFNPR_ASSERT(at_vertices.size() == mesh.vertices());
     const double side = mesh.side;
@@ -561,13 +558,13 @@ base::Array<Straddle> find_small_loops(const base::Runtime& runtime, const Level
         std::int32_t vertex;
         glm::dvec3 place, u, v; // u and v are tangent at the vertex
     };
-    base::Array<Search> active(runtime.memory);
-    for (const std::int32_t vertex : find_low(runtime, mesh, at_vertices)) {
+    base::Array<Search> active(work.memory);
+    for (const std::int32_t vertex : find_low(work, mesh, at_vertices)) {
         const glm::dvec3 n = glm::normalize(mesh.gradient[vertex]);
         const glm::dvec3 u = geometry::any_perpendicular(n);
         active.push_back({vertex, mesh.position[vertex], u, glm::cross(n, u)});
     }
-    base::Array<Straddle> found(runtime.memory);
+    base::Array<Straddle> found(work.memory);
     // Makes Newton's step to where the part of grad g in the tangent plane is 0, by its differences between the three
     // points. Whether the search goes on.
     const auto go_on = [&](Search& search, const CurvePoint* three) {
@@ -599,7 +596,7 @@ base::Array<Straddle> find_small_loops(const base::Runtime& runtime, const Level
         search.place = three[0].position + step.x * search.u + step.y * search.v;
         return glm::distance(search.place, vertex) <= curve_tuning.farthest_extremum * side;
     };
-    base::Array<CurvePoint> points(runtime.memory);
+    base::Array<CurvePoint> points(work.memory);
     for (int step = 0; step < curve_tuning.extremum_steps && !active.empty(); ++step) {
         points.resize(3 * active.size());
         for (std::int64_t i = 0; i < active.size(); ++i) {
@@ -608,7 +605,7 @@ base::Array<Straddle> find_small_loops(const base::Runtime& runtime, const Level
             points[3 * i + 1].position = place + probe * u;
             points[3 * i + 2].position = place + probe * v;
         }
-        evaluate_on_surface(runtime, level, curve_tuning.close * side, points, evaluations, progress);
+        evaluate_on_surface(work, level, curve_tuning.close * side, points, evaluations);
         std::int64_t left = 0;
         for (std::int64_t i = 0; i < active.size(); ++i) {
             Search search = active[i];
@@ -623,31 +620,30 @@ base::Array<Straddle> find_small_loops(const base::Runtime& runtime, const Level
 
 // The curves that are known already, and the arguments of trace().
 struct Tracing {
-    const base::Runtime& runtime;
+    const base::Work& work;
     const Level& level;
     const SurfaceMesh& mesh;
     const TraceSettings& settings;
     TraceReport& report;
-    const base::Progress& progress;
     Curves curves;
 
     [[nodiscard]] NearCurves near_curves() const {
         return {curves, settings.longest * mesh.side, curve_tuning.covered * mesh.side};
     }
-    void add(const Curves& runs) { follow(runtime, level, mesh, runs, settings, curves, report, progress); }
+    void add(const Curves& runs) { follow(work, level, mesh, runs, settings, curves, report); }
 };
 
 // Beads that no curve passes by.
 base::Array<Bead> uncovered(const Tracing& tracing, const base::Array<Bead>& beads) {
     const NearCurves near = tracing.near_curves();
-    base::Array<std::uint8_t> is_covered(tracing.runtime.memory, beads.size());
-    tracing.runtime.parallel.for_chunks(beads.size(), 512, [&](std::int64_t begin, std::int64_t end) {
+    base::Array<std::uint8_t> is_covered(tracing.work.memory, beads.size());
+    tracing.work.for_chunks(beads.size(), 512, [&](std::int64_t begin, std::int64_t end) {
         std::int64_t guess = 0; // beads follow each other along curves
         for (std::int64_t i = begin; i < end; ++i)
             is_covered[i] =
                 near.passes(beads[i].place, beads[i].way, curve_tuning.covered * tracing.mesh.side, guess) ? 1 : 0;
     });
-    base::Array<Bead> left(tracing.runtime.memory);
+    base::Array<Bead> left(tracing.work.memory);
     for (std::int64_t i = 0; i < beads.size(); ++i)
         if (is_covered[i] == 0) left.push_back(beads[i]);
     return left;
@@ -670,7 +666,7 @@ base::Array<std::uint8_t> on_curves(Tracing& tracing, const base::Array<CurvePoi
     }
     base::Array<std::uint8_t> found(points.memory());
     const NewtonSettings newton{tracing.settings.tolerance * side, curve_tuning.covered * side};
-    tracing.report.evaluations += bring_to_curve(tracing.runtime, tracing.level, newton, feet, found, tracing.progress);
+    tracing.report.evaluations += bring_to_curve(tracing.work, tracing.level, newton, feet, found);
     for (std::int64_t i = 0; i < which.size(); ++i) {
         const glm::dvec3 way = points[which[i]].position - feet[i].position;
         const glm::dvec3 along = glm::normalize(feet[i].direction());
@@ -683,12 +679,11 @@ base::Array<std::uint8_t> on_curves(Tracing& tracing, const base::Array<CurvePoi
 // Follows curves from those of the points that can be brought onto one, once for each place and not where a curve
 // passes already. Returns which of the points could not be brought onto a curve.
 base::Array<std::int64_t> start_from(Tracing& tracing, base::Array<CurvePoint> points) {
-    base::Memory& memory = tracing.runtime.memory;
+    base::Memory& memory = tracing.work.memory;
     const double side = tracing.mesh.side;
     base::Array<std::uint8_t> found(memory);
     const NewtonSettings newton{tracing.settings.tolerance * side, curve_tuning.start_reach * side};
-    tracing.report.evaluations +=
-        bring_to_curve(tracing.runtime, tracing.level, newton, points, found, tracing.progress);
+    tracing.report.evaluations += bring_to_curve(tracing.work, tracing.level, newton, points, found);
     const base::Array<std::uint8_t> known = on_curves(tracing, points);
     base::Array<CurvePoint> fresh(memory);
     base::Array<std::int64_t> lost(memory);
@@ -719,10 +714,9 @@ base::Array<std::int64_t> start_from(Tracing& tracing, base::Array<CurvePoint> p
 
 // The same from zeros of g that halving finds.
 base::Array<Straddle> start_from(Tracing& tracing, const base::Array<Straddle>& places) {
-    base::Array<CurvePoint> points(tracing.runtime.memory);
-    tracing.report.evaluations +=
-        halve(tracing.runtime, tracing.level, places, curve_tuning.halvings, points, tracing.progress);
-    base::Array<Straddle> lost(tracing.runtime.memory);
+    base::Array<CurvePoint> points(tracing.work.memory);
+    tracing.report.evaluations += halve(tracing.work, tracing.level, places, curve_tuning.halvings, points);
+    base::Array<Straddle> lost(tracing.work.memory);
     for (const std::int64_t i : start_from(tracing, std::move(points))) lost.push_back(places[i]);
     return lost;
 }
@@ -730,9 +724,9 @@ base::Array<Straddle> start_from(Tracing& tracing, const base::Array<Straddle>& 
 // The same from beads that no curve passes by: by Newton's steps, and by halving where these fail.
 base::Array<Straddle> start_from(Tracing& tracing, const base::Array<Bead>& beads) {
     const base::Array<Bead> left = uncovered(tracing, beads);
-    base::Array<CurvePoint> points(tracing.runtime.memory, left.size());
+    base::Array<CurvePoint> points(tracing.work.memory, left.size());
     for (std::int64_t i = 0; i < left.size(); ++i) points[i].position = left[i].place;
-    base::Array<Straddle> edges(tracing.runtime.memory);
+    base::Array<Straddle> edges(tracing.work.memory);
     for (const std::int64_t i : start_from(tracing, std::move(points))) edges.push_back(left[i].edge);
     return start_from(tracing, edges);
 }
@@ -740,10 +734,10 @@ base::Array<Straddle> start_from(Tracing& tracing, const base::Array<Bead>& bead
 // Changes of sign that no curve was found for are looked at on a mesh of smaller cells, which need not join parts that
 // the surface does not join, as where |grad f| nearly vanishes. Returns the number of those that are left.
 std::int64_t look_closer(Tracing& tracing, const base::Array<Straddle>& lost) {
-    const base::Runtime& runtime = tracing.runtime;
+    const base::Work work = tracing.work.standing();
     const SurfaceMesh& mesh = tracing.mesh;
-    base::Array<geometry::Bounds> boxes(runtime.memory); // around places that are near each other
-    geometry::VecArray seeds(runtime.memory);
+    base::Array<geometry::Bounds> boxes(work.memory); // around places that are near each other
+    geometry::VecArray seeds(work.memory);
     for (const Straddle& edge : lost) {
         seeds.push_back(edge.negative);
         seeds.push_back(edge.positive);
@@ -757,43 +751,41 @@ std::int64_t look_closer(Tracing& tracing, const base::Array<Straddle>& lost) {
         else
             *box = {glm::min(box->min, own.min), glm::max(box->max, own.max)};
     }
-    base::Array<Bead> beads(runtime.memory);
+    base::Array<Bead> beads(work.memory);
     for (const geometry::Bounds& box : boxes) {
         MeshSettings settings;
         settings.region = {glm::max(box.min, mesh.region.min), glm::min(box.max, mesh.region.max)};
         settings.side =
             std::max(mesh.side / curve_tuning.closer, glm::length(settings.region.size()) / curve_tuning.most_cells);
-        const SurfaceMesh part = triangulate(runtime, tracing.level.surface(), seeds, settings, {});
-        base::Array<double> at_vertices(runtime.memory);
-        tracing.level.at_vertices(runtime, part, at_vertices, tracing.progress);
-        for (const Bead& bead : find_beads(runtime, part, at_vertices).point) beads.push_back(bead);
+        const SurfaceMesh part = triangulate(work, tracing.level.surface(), seeds, settings);
+        base::Array<double> at_vertices(work.memory);
+        tracing.level.at_vertices(work, part, at_vertices);
+        for (const Bead& bead : find_beads(work, part, at_vertices).point) beads.push_back(bead);
     }
     return start_from(tracing, beads).size();
 }
 
 } // namespace
 
-Curves trace(const base::Runtime& runtime, const Level& level, const SurfaceMesh& mesh, const TraceSettings& settings,
-             TraceReport& report, const base::Progress& progress, const Curves* near) {
+Curves trace(const base::Work& work, const Level& level, const SurfaceMesh& mesh, const TraceSettings& settings,
+             TraceReport& report, const Curves* near) {
     report = TraceReport{};
-    base::Array<double> at_vertices(runtime.memory);
-    level.at_vertices(runtime, mesh, at_vertices, progress);
-    const Chains<Bead> beads = find_beads(runtime, mesh, at_vertices);
-    Tracing tracing{runtime, level, mesh, settings, report, progress, Curves(runtime.memory)};
+    base::Array<double> at_vertices(work.memory);
+    level.at_vertices(work, mesh, at_vertices);
+    const Chains<Bead> beads = find_beads(work, mesh, at_vertices);
+    Tracing tracing{work, level, mesh, settings, report, Curves(work.memory)};
     const Curves starts =
-        near != nullptr ? thinned(runtime, mesh, *near, settings) : starts_of(runtime, mesh, beads, settings);
-    tracing.add(runs_from(runtime, level, mesh, starts, settings, report, progress));
+        near != nullptr ? thinned(work, mesh, *near, settings) : starts_of(work, mesh, beads, settings);
+    tracing.add(runs_from(work, level, mesh, starts, settings, report));
     const std::int64_t first = report.starts;
     base::Array<Straddle> lost = start_from(tracing, beads.point);
     const std::int64_t before = report.starts;
-    const base::Array<Straddle> loops =
-        find_small_loops(runtime, level, mesh, at_vertices, report.evaluations, progress);
+    const base::Array<Straddle> loops = find_small_loops(work, level, mesh, at_vertices, report.evaluations);
     for (const Straddle& edge : start_from(tracing, loops)) lost.push_back(edge);
     report.loops = report.starts - before;
     report.missed = lost.size() > curve_tuning.most_lost ? lost.size() : look_closer(tracing, lost);
     report.added = report.starts - first;
-    return mesh.domain != nullptr ? clip(runtime, level, *mesh.domain, tracing.curves, progress)
-                                  : std::move(tracing.curves);
+    return mesh.domain != nullptr ? clip(work, level, *mesh.domain, tracing.curves) : std::move(tracing.curves);
 }
 
 Curves moved_contours(base::Memory& memory, const View& view, const Curves& contours, double farthest) {

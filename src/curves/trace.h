@@ -5,7 +5,7 @@
 #pragma once
 
 #include "base/operation.h"
-#include "base/runtime.h"
+#include "base/work.h"
 #include "curves/mesh_edges.h"
 
 namespace hrbfnpr::curves {
@@ -30,9 +30,8 @@ struct TraceReport {
 // The same bits for any thread count.  near: places near the curves, in their order, that are tried before the changes
 // of sign on the mesh, as the curves of the view before, moved_contours(). Curves that they miss are found as without
 // them.
-[[nodiscard]] Curves trace(const base::Runtime& runtime, const Level& level, const SurfaceMesh& mesh,
-                           const TraceSettings& settings, TraceReport& report, const base::Progress& progress,
-                           const Curves* near = nullptr);
+[[nodiscard]] Curves trace(const base::Work& work, const Level& level, const SurfaceMesh& mesh,
+                           const TraceSettings& settings, TraceReport& report, const Curves* near = nullptr);
 
 // Where points of contours of another view come to in this one, by a step of Newton's with f as it is known there:
 // grad g changes as little as the view. Points that move by more than `farthest` are left out.

@@ -121,17 +121,16 @@ bool is_rough(const ShapePoint& a, const ShapePoint& b, const glm::dvec3& edge, 
     return off > place * change * glm::dot(edge, edge);
 }
 
-base::Array<std::int64_t> find_rough_edges(const base::Runtime& runtime, const ShapedMesh& shaped, double place,
-                                           const base::Progress& progress) {
+base::Array<std::int64_t> find_rough_edges(const base::Work& work, const ShapedMesh& shaped, double place) {
     const SurfaceMesh& mesh = shaped.mesh;
     HRBFNPR_ASSERT(shaped.shape.size() == mesh.vertices());
     double sum = 0.0;
     for (const ShapePoint& s : shaped.shape) sum += largest_change(s) * largest_change(s);
     const double least =
         feature_tuning.least_change * std::sqrt(sum / std::max(1.0, static_cast<double>(shaped.shape.size())));
-    base::Array<std::uint8_t> rough(runtime.memory);
+    base::Array<std::uint8_t> rough(work.memory);
     rough.resize_for_overwrite(mesh.corner.size());
-    runtime.parallel.for_chunks(rough.size(), edges_a_task, progress, [&](std::int64_t begin, std::int64_t end) {
+    work.for_chunks(rough.size(), edges_a_task, [&](std::int64_t begin, std::int64_t end) {
         for (std::int64_t e = begin; e < end; ++e) {
             const std::int32_t a = start_of(mesh, e);
             const std::int32_t b = end_of(mesh, e);
@@ -139,9 +138,8 @@ base::Array<std::int64_t> find_rough_edges(const base::Runtime& runtime, const S
                        is_rough(shaped.shape[a], shaped.shape[b], mesh.position[b] - mesh.position[a], least, place);
         }
     });
-    base::Array<std::int64_t> edges(runtime.memory);
-    for (std::int64_t e = 0; e < rough.size(); ++e) {
-        if (e % edges_a_task == 0) progress.check();
+    base::Array<std::int64_t> edges(work.memory);
+    for (const std::int64_t e : work.over(rough.size())) {
         if (rough[e] != 0) edges.push_back(e);
     }
     return edges;
@@ -264,16 +262,15 @@ FeatureValue requested_value(const FeatureRequest& request, const ShapePoint& sh
     return value;
 }
 
-base::Array<FeatureValue> vertex_values(const base::Runtime& runtime, const FeatureSurface& surface,
-                                        const FeatureRequest& request, const base::Progress& progress) {
+base::Array<FeatureValue> vertex_values(const base::Work& work, const FeatureSurface& surface,
+                                        const FeatureRequest& request) {
     const SurfaceMesh& mesh = surface.mesh;
-    base::Array<FeatureValue> value(runtime.memory);
+    base::Array<FeatureValue> value(work.memory);
     value.resize_for_overwrite(mesh.vertices());
     const bool section = request.kind == FeatureKind::section;
     HRBFNPR_ASSERT(section || surface.shape.size() == mesh.vertices());
     const double unit = surface.implicit.diagonal();
-    runtime.parallel.for_chunks(mesh.vertices(), vertices_a_task, [&](std::int64_t begin, std::int64_t end) {
-        progress.check();
+    work.for_chunks(mesh.vertices(), vertices_a_task, [&](std::int64_t begin, std::int64_t end) {
         for (std::int64_t i = begin; i < end; ++i)
             value[i] = section ? FeatureValue{glm::dot(request.plane, mesh.position[i]), 1.0}
                                : requested_value(request, surface.shape[i], mesh.position[i], unit);
@@ -374,17 +371,15 @@ struct FeatureField {
 
 // Undirected chains have negative g to the left, as seen from outside. Crossings that do not count are there only next
 // to one that counts, to tell where between them a line ends.
-Chains<FeatureCrossing> find_crossings(const base::Runtime& runtime, const FeatureField& field,
-                                       const base::Progress& progress) {
-    base::Array<std::uint8_t> crossed(runtime.memory);
+Chains<FeatureCrossing> find_crossings(const base::Work& work, const FeatureField& field) {
+    base::Array<std::uint8_t> crossed(work.memory);
     crossed.resize_for_overwrite(field.mesh.triangles());
-    runtime.parallel.for_chunks(crossed.size(), vertices_a_task, [&](std::int64_t begin, std::int64_t end) {
-        progress.check();
+    work.for_chunks(crossed.size(), vertices_a_task, [&](std::int64_t begin, std::int64_t end) {
         for (std::int64_t t = begin; t < end; ++t) crossed[t] = field.crossed(t);
     });
     const auto enters = [&](std::int64_t edge) { return field.directed || field.negative(start_of(field.mesh, edge)); };
     Chains<std::int64_t> edges = walk_chains(field.mesh, crossed, enters);
-    Chains<FeatureCrossing> chains(runtime.memory);
+    Chains<FeatureCrossing> chains(work.memory);
     chains.point.reserve(edges.point.size());
     for (std::int64_t c = 0; c < edges.count(); ++c)
         for (std::int64_t i = edges.first[c]; i < edges.first[c + 1]; ++i) {
@@ -436,16 +431,15 @@ Chains<FeatureCrossing> keep_candidates(const Chains<FeatureCrossing>& chains, c
 
 // ---- Points of lines
 
-void evaluate(const base::Runtime& runtime, const FeatureSurface& surface, const FeatureRequest& request, double level,
-              const surface::Projection& at, base::Array<ShapePoint>& shape, base::Array<FeatureValue>& value,
-              const base::Progress& progress) {
+void evaluate(const base::Work& work, const FeatureSurface& surface, const FeatureRequest& request, double level,
+              const surface::Projection& at, base::Array<ShapePoint>& shape, base::Array<FeatureValue>& value) {
     const std::int64_t count = at.position.size();
     value.resize_for_overwrite(count);
     if (request.kind == FeatureKind::isophote) {
         shape.resize(count); // all that n . l needs are normals
         for (std::int64_t i = 0; i < count; ++i) shape[i].normal = glm::normalize(at.gradient[i]);
     } else {
-        measure_shape(runtime, surface.source, at.position, at.gradient, shape, progress);
+        measure_shape(work, surface.source, at.position, at.gradient, shape);
     }
     for (std::int64_t i = 0; i < count; ++i)
         value[i] = requested_value(request, shape[i], at.position[i], surface.implicit.diagonal());
@@ -460,14 +454,13 @@ struct FeatureSearch {
 
 // The root of g on the surface between the two vertices of each edge, by the Illinois method along the edge, whose
 // points are projected onto f = 0; all side by side. vertex: the values that the crossings were found from.
-base::Array<FeaturePoint> refine_crossings(const base::Runtime& runtime, const FeatureSurface& surface,
+base::Array<FeaturePoint> refine_crossings(const base::Work& work, const FeatureSurface& surface,
                                            const FeatureRequest& request, double level,
                                            const base::Array<FeatureValue>& vertex,
-                                           const base::Array<FeatureCrossing>& crossing,
-                                           const base::Progress& progress) {
+                                           const base::Array<FeatureCrossing>& crossing) {
     const SurfaceMesh& mesh = surface.mesh;
-    base::Array<FeaturePoint> points(runtime.memory, crossing.size());
-    base::Array<FeatureSearch> active(runtime.memory);
+    base::Array<FeaturePoint> points(work.memory, crossing.size());
+    base::Array<FeatureSearch> active(work.memory);
     active.reserve(crossing.size());
     for (std::int64_t i = 0; i < crossing.size(); ++i) {
         const FeatureCrossing& c = crossing[i];
@@ -478,26 +471,26 @@ base::Array<FeaturePoint> refine_crossings(const base::Runtime& runtime, const F
         active.push_back({i, Illinois(c.g_a, c.g_b), std::max(std::abs(c.g_a), std::abs(c.g_b))});
         active.back().root.trial = c.share;
     }
-    surface::Projection at(runtime.memory);
+    surface::Projection at(work.memory);
     if (request.rounds <= 0) { // without any evaluation of g
         for (const FeaturePoint& p : points) at.position.push_back(p.position);
-        surface::project(runtime, surface.implicit, {}, at, {});
+        surface::project(work, surface.implicit, {}, at);
         for (std::int64_t i = 0; i < points.size(); ++i) {
             points[i].position = at.position[i];
             points[i].resolved = at.status[i] == surface::ProjectionStatus::converged;
             if (points[i].resolved) points[i].normal = glm::normalize(at.gradient[i]);
         }
     }
-    base::Array<ShapePoint> shape(runtime.memory);
-    base::Array<FeatureValue> values(runtime.memory);
+    base::Array<ShapePoint> shape(work.memory);
+    base::Array<FeatureValue> values(work.memory);
     for (std::int32_t round = 0; round < request.rounds && !active.empty(); ++round) {
         at.position.resize(active.size());
         for (std::int64_t i = 0; i < active.size(); ++i) {
             const FeatureCrossing& c = crossing[active[i].crossing];
             at.position.set(i, glm::mix(mesh.position[c.a], mesh.position[c.b], active[i].root.trial));
         }
-        surface::project(runtime, surface.implicit, {}, at, {});
-        evaluate(runtime, surface, request, level, at, shape, values, progress);
+        surface::project(work, surface.implicit, {}, at);
+        evaluate(work, surface, request, level, at, shape, values);
         std::int64_t kept = 0;
         for (std::int64_t i = 0; i < active.size(); ++i) {
             FeatureSearch search = active[i];
@@ -523,24 +516,22 @@ base::Array<FeaturePoint> refine_crossings(const base::Runtime& runtime, const F
 
 // Points of a section, by Newton's steps to where f and the height above the plane are 0. The strength of a section is
 // the sine of the angle between the plane and the surface.
-base::Array<FeaturePoint> refine_section(const base::Runtime& runtime, const FeatureSurface& surface,
-                                         const glm::dvec3& plane, double level,
-                                         const base::Array<FeatureCrossing>& crossing, const base::Progress& progress) {
+base::Array<FeaturePoint> refine_section(const base::Work& work, const FeatureSurface& surface, const glm::dvec3& plane,
+                                         double level, const base::Array<FeatureCrossing>& crossing) {
     constexpr int most_steps = 12;
     const double tolerance = feature_tuning.section_tolerance * surface.implicit.diagonal();
     const std::int64_t count = crossing.size();
-    geometry::VecArray place(runtime.memory, count), gradient(runtime.memory, count);
-    base::Array<double> value(runtime.memory, count);
-    base::Array<FeaturePoint> points(runtime.memory, count);
+    geometry::VecArray place(work.memory, count), gradient(work.memory, count);
+    base::Array<double> value(work.memory, count);
+    base::Array<FeaturePoint> points(work.memory, count);
     const auto start = [&](const FeatureCrossing& c) {
         return glm::mix(surface.mesh.position[c.a], surface.mesh.position[c.b], c.share);
     };
     for (std::int64_t i = 0; i < count; ++i) place.set(i, start(crossing[i]));
     bool left = count > 0;
     for (int step = 0; step < most_steps && left; ++step) {
-        implicit::evaluate_all(runtime, surface.implicit, place,
-                               {value.data(), {gradient.x.data(), gradient.y.data(), gradient.z.data()}, {}},
-                               progress.standing());
+        implicit::evaluate_all(work.standing(), surface.implicit, place,
+                               {value.data(), {gradient.x.data(), gradient.y.data(), gradient.z.data()}, {}});
         left = false;
         for (std::int64_t i = 0; i < count; ++i) {
             if (points[i].resolved) continue;
@@ -559,18 +550,18 @@ base::Array<FeaturePoint> refine_section(const base::Runtime& runtime, const Fea
 // Multiplies the strengths of ridges and valleys by how much the curvature drops to both sides, from 0 for none, as on
 // a cylinder, to 1. The measure is 2 (1 - k' / k) / (k s)^2, which for small s is -k'' / k^3, at s = 1 / 2k, a
 // turn of half a radian.
-void weigh_by_drop(const base::Runtime& runtime, const FeatureSurface& surface, FeatureKind kind,
-                   base::Array<FeaturePoint>& points, const base::Progress& progress) {
+void weigh_by_drop(const base::Work& work, const FeatureSurface& surface, FeatureKind kind,
+                   base::Array<FeaturePoint>& points) {
     const bool convex = kind == FeatureKind::ridge;
     const auto bend = [&](const ShapePoint& s) { return convex ? -s.k2 : s.k1; };
     const double least = feature_tuning.least_aside * surface.mesh.side;
     const double most = std::max(least, feature_tuning.most_aside * surface.implicit.diagonal());
     const auto measure = [&](surface::Projection& at, base::Array<ShapePoint>& shape) {
-        surface::project(runtime, surface.implicit, {}, at, {});
-        measure_shape(runtime, surface.source, at.position, at.gradient, shape, progress);
+        surface::project(work, surface.implicit, {}, at);
+        measure_shape(work, surface.source, at.position, at.gradient, shape);
     };
-    surface::Projection here(runtime.memory), aside(runtime.memory);
-    base::Array<ShapePoint> shape(runtime.memory), beside(runtime.memory);
+    surface::Projection here(work.memory), aside(work.memory);
+    base::Array<ShapePoint> shape(work.memory), beside(work.memory);
     for (const FeaturePoint& p : points) here.position.push_back(p.position);
     measure(here, shape);
     const auto step = [&](double curvature) {
@@ -675,50 +666,47 @@ ShapePoint shape_point(const glm::dvec3& gradient, const std::array<double, 6>& 
     return std::isfinite(sum) ? result : ShapePoint{};
 }
 
-void measure_shape(const base::Runtime& runtime, const implicit::ShapeSource& source,
-                   const geometry::VecArray& position, const geometry::VecArray& gradient,
-                   base::Array<ShapePoint>& result, const base::Progress& progress) {
+void measure_shape(const base::Work& work, const implicit::ShapeSource& source, const geometry::VecArray& position,
+                   const geometry::VecArray& gradient, base::Array<ShapePoint>& result) {
     const std::int64_t count = position.size();
     HRBFNPR_ASSERT(gradient.size() == count);
     result.resize_for_overwrite(count);
     std::atomic<std::int64_t> done{0};
-    const base::Parallel threads = source.concurrent() ? runtime.parallel : base::Parallel();
+    const base::Work threads = source.concurrent() ? work : work.on_one_thread();
     threads.for_chunks(count, points_a_look, [&](std::int64_t begin, std::int64_t end) {
-        progress.check();
-        base::Boxed<ShapeBatch> at(runtime.memory);
+        base::Boxed<ShapeBatch> at(work.memory);
         source.evaluate({position.x.data() + begin, position.y.data() + begin, position.z.data() + begin, end - begin},
                         at->out());
         for (std::int64_t i = begin; i < end; ++i) result[i] = at->at(static_cast<std::size_t>(i - begin), gradient[i]);
         const std::int64_t now = done.fetch_add(end - begin, std::memory_order_relaxed) + end - begin;
-        progress.update(static_cast<double>(now) / static_cast<double>(count));
+        work.update(static_cast<double>(now) / static_cast<double>(count));
     });
 }
 
-ShapedMesh measured_mesh(const base::Runtime& runtime, const implicit::Implicit& implicit,
-                         const implicit::ShapeSource& source, const SurfaceMesh& mesh, const base::Progress& progress) {
-    ShapedMesh shaped(runtime.memory);
-    copy(mesh.position, shaped.mesh.position, progress);
-    copy(mesh.gradient, shaped.mesh.gradient, progress);
-    copy(mesh.corner, shaped.mesh.corner, progress);
-    copy(mesh.neighbour, shaped.mesh.neighbour, progress);
+ShapedMesh measured_mesh(const base::Work& work, const implicit::Implicit& implicit,
+                         const implicit::ShapeSource& source, const SurfaceMesh& mesh) {
+    ShapedMesh shaped(work.memory);
+    copy(mesh.position, shaped.mesh.position, work);
+    copy(mesh.gradient, shaped.mesh.gradient, work);
+    copy(mesh.corner, shaped.mesh.corner, work);
+    copy(mesh.neighbour, shaped.mesh.neighbour, work);
     shaped.mesh.region = mesh.region;
     shaped.mesh.side = mesh.side;
-    measure_shape(runtime, source, mesh.position, mesh.gradient, shaped.shape, progress.part(0.0, 0.3));
+    measure_shape(work.part(0.0, 0.3), source, mesh.position, mesh.gradient, shaped.shape);
     for (int round = 0; round < feature_tuning.halvings; ++round) {
-        const base::Progress part = progress.part(0.3 + 0.2 * round, 0.5 + 0.2 * round);
+        const base::Work part = work.part(0.3 + 0.2 * round, 0.5 + 0.2 * round);
         const base::Array<std::int64_t> edges =
-            find_rough_edges(runtime, shaped, feature_tuning.off_line * implicit.diagonal(), part);
+            find_rough_edges(part, shaped, feature_tuning.off_line * implicit.diagonal());
         if (edges.empty() || shaped.mesh.triangles() + 2 * edges.size() > feature_tuning.most_triangles ||
-            !halve_edges(runtime, implicit, edges, feature_tuning.farthest_middle, true, shaped.mesh,
-                         part.part(0.0, 0.3)))
+            !halve_edges(part.part(0.0, 0.3), implicit, edges, feature_tuning.farthest_middle, true, shaped.mesh))
             break;
-        geometry::VecArray position(runtime.memory), gradient(runtime.memory); // those of the new vertices
+        geometry::VecArray position(work.memory), gradient(work.memory); // those of the new vertices
         for (std::int64_t i = shaped.shape.size(); i < shaped.mesh.vertices(); ++i) {
             position.push_back(shaped.mesh.position[i]);
             gradient.push_back(shaped.mesh.gradient[i]);
         }
-        base::Array<ShapePoint> shape(runtime.memory);
-        measure_shape(runtime, source, position, gradient, shape, part.part(0.3, 0.7));
+        base::Array<ShapePoint> shape(work.memory);
+        measure_shape(part.part(0.3, 0.7), source, position, gradient, shape);
         for (const ShapePoint& s : shape) base::push_back_long(shaped.shape, s, part);
     }
     return shaped;
@@ -743,27 +731,26 @@ FeatureValue feature_value(FeatureKind kind, const ShapePoint& shape, const glm:
     return {};
 }
 
-FeatureLines find_feature_lines(const base::Runtime& runtime, const FeatureSurface& surface,
-                                const FeatureRequest& request, const base::Progress& progress) {
-    FeatureLines lines(runtime.memory);
-    base::Array<FeatureValue> value = vertex_values(runtime, surface, request, progress);
+FeatureLines find_feature_lines(const base::Work& work, const FeatureSurface& surface, const FeatureRequest& request) {
+    FeatureLines lines(work.memory);
+    base::Array<FeatureValue> value = vertex_values(work, surface, request);
     const bool directed = is_directed(request.kind);
     const bool has_levels = !needs_shape(request.kind) || request.kind == FeatureKind::isophote;
     constexpr std::array<double, 1> zero = {0.0};
     const std::span<const double> levels = has_levels ? request.levels : std::span<const double>(zero);
     double before = 0.0;
     for (std::size_t k = 0; k < levels.size(); ++k) {
-        progress.update(static_cast<double>(k) / static_cast<double>(levels.size()));
+        work.update(static_cast<double>(k) / static_cast<double>(levels.size()));
         for (FeatureValue& v : value) v.g += before - levels[k];
         before = levels[k];
-        const Chains<FeatureCrossing> chains = keep_candidates(
-            find_crossings(runtime, {surface.mesh, value, directed, request.lower}, progress), request, lines.weak);
+        const Chains<FeatureCrossing> chains =
+            keep_candidates(find_crossings(work, {surface.mesh, value, directed, request.lower}), request, lines.weak);
         base::Array<FeaturePoint> points =
             request.kind == FeatureKind::section
-                ? refine_section(runtime, surface, request.plane, levels[k], chains.point, progress)
-                : refine_crossings(runtime, surface, request, levels[k], value, chains.point, progress);
+                ? refine_section(work, surface, request.plane, levels[k], chains.point)
+                : refine_crossings(work, surface, request, levels[k], value, chains.point);
         if (request.kind == FeatureKind::ridge || request.kind == FeatureKind::valley)
-            weigh_by_drop(runtime, surface, request.kind, points, progress);
+            weigh_by_drop(work, surface, request.kind, points);
         for (const FeaturePoint& p : points) lines.unresolved += p.resolved ? 0 : 1;
         add_lines(chains, points, request, surface.implicit.diagonal(), feature_tuning.least_gap * surface.mesh.side,
                   static_cast<std::int32_t>(k), lines);

@@ -52,9 +52,8 @@ struct ShapePoint {
                                      const std::array<double, 10>& third) noexcept;
 
 // gradient: grad f at the points. result is resized. The same bits for any thread count.
-void measure_shape(const base::Runtime& runtime, const implicit::ShapeSource& source,
-                   const geometry::VecArray& position, const geometry::VecArray& gradient,
-                   base::Array<ShapePoint>& result, const base::Progress& progress);
+void measure_shape(const base::Work& work, const implicit::ShapeSource& source, const geometry::VecArray& position,
+                   const geometry::VecArray& gradient, base::Array<ShapePoint>& result);
 
 struct ShapedMesh {
     explicit ShapedMesh(base::Memory& memory) noexcept : mesh(memory), shape(memory) {}
@@ -67,9 +66,8 @@ struct ShapedMesh {
 // Edges are halved, up to three times, and their middles brought onto the surface; each triangle is cut into two, three
 // or four at its halved edges, so that triangles still meet nowhere but in edges and corners.  The first vertices are
 // those of `mesh`.  The same bits for any thread count.  Throws Error{out_of_memory, cancelled, callback}.
-[[nodiscard]] ShapedMesh measured_mesh(const base::Runtime& runtime, const implicit::Implicit& implicit,
-                                       const implicit::ShapeSource& source, const SurfaceMesh& mesh,
-                                       const base::Progress& progress);
+[[nodiscard]] ShapedMesh measured_mesh(const base::Work& work, const implicit::Implicit& implicit,
+                                       const implicit::ShapeSource& source, const SurfaceMesh& mesh);
 
 enum class FeatureKind : std::uint8_t {
     suggestive_contour, // [DeCarlo et al. 2003]
@@ -156,8 +154,8 @@ struct FeatureLines : Chains<FeaturePoint> {
 };
 
 // The same bits for any thread count.  Throws Error{out_of_memory, cancelled, callback}.
-[[nodiscard]] FeatureLines find_feature_lines(const base::Runtime& runtime, const FeatureSurface& surface,
-                                              const FeatureRequest& request, const base::Progress& progress);
+[[nodiscard]] FeatureLines find_feature_lines(const base::Work& work, const FeatureSurface& surface,
+                                              const FeatureRequest& request);
 
 [[nodiscard]] SurfaceLines as_lines(base::Memory& memory, const FeatureLines& features);
 

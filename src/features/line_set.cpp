@@ -33,16 +33,16 @@ geometry::VecArray given_seeds(base::Memory& memory, std::span<const double> giv
 }
 
 // Points of a lattice brought onto the surface: those that stay in the region.
-geometry::VecArray found_seeds(const base::Runtime& runtime, const implicit::Implicit& surface,
-                               const geometry::Bounds& region, const base::Progress& progress) {
-    surface::Projection points(runtime.memory);
+geometry::VecArray found_seeds(const base::Work& work, const implicit::Implicit& surface,
+                               const geometry::Bounds& region) {
+    surface::Projection points(work.memory);
     const glm::dvec3 step = (region.max - region.min) / static_cast<double>(feature_tuning.lattice);
     for (std::int64_t z = 0; z < feature_tuning.lattice; ++z)
         for (std::int64_t y = 0; y < feature_tuning.lattice; ++y)
             for (std::int64_t x = 0; x < feature_tuning.lattice; ++x)
                 points.position.push_back(region.min + step * (glm::dvec3(x, y, z) + 0.5));
-    surface::project(runtime, surface, {}, points, progress);
-    geometry::VecArray seeds(runtime.memory);
+    surface::project(work, surface, {}, points);
+    geometry::VecArray seeds(work.memory);
     for (std::int64_t i = 0; i < points.position.size(); ++i)
         if (points.status[i] == surface::ProjectionStatus::converged && region.contains(points.position[i]))
             seeds.push_back(points.position[i]);
@@ -50,14 +50,14 @@ geometry::VecArray found_seeds(const base::Runtime& runtime, const implicit::Imp
 }
 
 // Lines of the caller's, with points between so that cubics are straight, and cut at corners.
-SurfaceLines own_lines(const base::Runtime& runtime, const implicit::Implicit& surface, const LineRequest& request,
-                       double side, const base::Progress& progress) {
+SurfaceLines own_lines(const base::Work& work, const implicit::Implicit& surface, const LineRequest& request,
+                       double side) {
     HRBFNPR_ASSERT(side > 0.0);
-    const geometry::VecArray points = given_seeds(runtime.memory, request.points);
-    geometry::VecArray gradient(runtime.memory, points.size());
-    implicit::evaluate_all(runtime, surface, points,
-                           {nullptr, {gradient.x.data(), gradient.y.data(), gradient.z.data()}, {}}, progress);
-    SurfaceLines lines(runtime.memory);
+    const geometry::VecArray points = given_seeds(work.memory, request.points);
+    geometry::VecArray gradient(work.memory, points.size());
+    implicit::evaluate_all(work, surface, points,
+                           {nullptr, {gradient.x.data(), gradient.y.data(), gradient.z.data()}, {}});
+    SurfaceLines lines(work.memory);
     LineBuilder builder(lines, true);
     for (std::size_t l = 0; l + 1 < request.first.size(); ++l) {
         const std::int64_t begin = request.first[l];
@@ -159,10 +159,9 @@ SurfaceLines border_lines(base::Memory& memory, const SurfaceMesh& mesh) {
 
 // The border of a mesh that was cut along g = 0: there the points are on f = g = 0, as many as the curve's turns want,
 // with exact tangents.
-SurfaceLines exact_border(const base::Runtime& runtime, const Level& level, const ClippedMesh& clipped,
-                          const base::Progress& progress) {
+SurfaceLines exact_border(const base::Work& work, const Level& level, const ClippedMesh& clipped) {
     const double side = clipped.mesh.side;
-    Chains<BorderPoint> chains = thinned_border(border_vertices(runtime.memory, clipped.mesh), clipped);
+    Chains<BorderPoint> chains = thinned_border(border_vertices(work.memory, clipped.mesh), clipped);
     const auto wanted = [&](std::int64_t, std::int64_t i, std::int64_t j, BorderPoint& p) {
         const BorderPoint& a = chains.point[i];
         const BorderPoint& b = chains.point[j];
@@ -175,15 +174,15 @@ SurfaceLines exact_border(const base::Runtime& runtime, const Level& level, cons
         return length > feature_tuning.longest_border_piece || (turns && length > feature_tuning.shortest_border_piece);
     };
     const auto bring = [&](base::Array<BorderPoint>& added, const auto&, const auto&) {
-        base::Array<CurvePoint> points(runtime.memory);
+        base::Array<CurvePoint> points(work.memory);
         for (const BorderPoint& p : added) points.push_back(p.at);
-        base::Array<std::uint8_t> found(runtime.memory);
-        bring_to_curve(runtime, level, {1e-9 * side, 0.2 * side}, points, found, progress);
+        base::Array<std::uint8_t> found(work.memory);
+        bring_to_curve(work, level, {1e-9 * side, 0.2 * side}, points, found);
         for (std::int64_t k = 0; k < added.size(); ++k) added[k].at = points[k];
         return found;
     };
     for (int round = 0; round < most_rounds && halve_pieces(chains, wanted, bring); ++round) continue;
-    SurfaceLines lines(runtime.memory);
+    SurfaceLines lines(work.memory);
     LineBuilder builder(lines);
     for (std::int64_t c = 0; c < chains.count(); ++c) {
         for (std::int64_t i = chains.first[c]; i < chains.first[c + 1]; ++i) {
@@ -383,7 +382,7 @@ Thresholds default_thresholds(LineKind kind) noexcept {
     }
 }
 
-void LineSet::make_mesh(const base::Runtime& runtime, const LineSetSettings& settings, const base::Progress& progress) {
+void LineSet::make_mesh(const base::Work& work, const LineSetSettings& settings) {
     MeshSettings mesh;
     mesh.region = surface::search_region(surface_);
     mesh.side = settings.side;
@@ -392,22 +391,20 @@ void LineSet::make_mesh(const base::Runtime& runtime, const LineSetSettings& set
         mesh.side = settings.spacing > 0.0
                         ? std::max(settings.spacing / feature_tuning.sides_a_spacing, 1e-9 * surface_.diagonal())
                         : surface_.diagonal() / feature_tuning.sides_a_diagonal;
-    const geometry::VecArray seeds = settings.seeds.empty()
-                                         ? found_seeds(runtime, surface_, mesh.region, progress.part(0.0, 0.2))
-                                         : given_seeds(runtime.memory, settings.seeds);
+    const geometry::VecArray seeds = settings.seeds.empty() ? found_seeds(work.part(0.0, 0.2), surface_, mesh.region)
+                                                            : given_seeds(work.memory, settings.seeds);
     mesh.domain = settings.support.domain;
     double last = std::numeric_limits<double>::infinity(); // the side before
     for (double from = 0.2;; from = 0.5 * (1.0 + from)) {
-        mesh_ = automatic
-                    ? triangulate_of_any_size(runtime, surface_, seeds, mesh, progress.part(from, 0.5 * (1.0 + from)))
-                    : triangulate(runtime, surface_, seeds, mesh, progress.part(from, 0.5 * (1.0 + from)));
-        if (domain_ != nullptr) clip_mesh(runtime, progress);
-        if (domain_ == nullptr) border_ = border_lines(runtime.memory, *mesh_);
+        mesh_ = automatic ? triangulate_of_any_size(work.part(from, 0.5 * (1.0 + from)), surface_, seeds, mesh)
+                          : triangulate(work.part(from, 0.5 * (1.0 + from)), surface_, seeds, mesh);
+        if (domain_ != nullptr) clip_mesh(work);
+        if (domain_ == nullptr) border_ = border_lines(work.memory, *mesh_);
         // If walls are thinner than the cells, creases cut very many triangles, and fewer where cells are smaller.
         const bool last_one =
             !automatic || 4 * mesh_->triangles() > feature_tuning.most_triangles_of_finer || mesh.side >= last;
         const bool missed = mesh_->missed_seeds > 0;
-        if (surface_.sheets() != nullptr && (last_one || !missed)) split_mesh(runtime, progress);
+        if (surface_.sheets() != nullptr && (last_one || !missed)) split_mesh(work);
         const bool many = 4 * mesh_->triangles() > feature_tuning.most_triangles_of_finer;
         const double turned = static_cast<double>(mesh_->turned) / static_cast<double>(mesh_->triangles());
         const bool thin = missed || turned > (many ? feature_tuning.torn_share : feature_tuning.turned_share);
@@ -423,40 +420,39 @@ void LineSet::make_mesh(const base::Runtime& runtime, const LineSetSettings& set
     if (mesh_->triangles() == 0)
         fail(Status::not_converged, "no surface was found to draw lines of: f has no zero near the seeds; give "
                                     "seed_points on the surface");
-    sheets_.emplace(runtime, *mesh_, progress);
+    sheets_.emplace(work, *mesh_);
 }
 
 // Where no normals are given, the surface's own are taken.
-void LineSet::measure_support(const base::Runtime& runtime, const SupportSettings& settings,
-                              const base::Progress& progress) {
-    const geometry::VecArray points = given_seeds(runtime.memory, settings.points);
-    geometry::VecArray normals = given_seeds(runtime.memory, settings.normals);
+void LineSet::measure_support(const base::Work& work, const SupportSettings& settings) {
+    const geometry::VecArray points = given_seeds(work.memory, settings.points);
+    geometry::VecArray normals = given_seeds(work.memory, settings.normals);
     if (normals.empty()) {
         normals.resize(points.size());
-        implicit::evaluate_all(runtime, surface_, points,
-                               {nullptr, {normals.x.data(), normals.y.data(), normals.z.data()}, {}}, progress);
+        implicit::evaluate_all(work, surface_, points,
+                               {nullptr, {normals.x.data(), normals.y.data(), normals.z.data()}, {}});
     }
     for (std::int64_t i = 0; i < normals.size(); ++i) normals.set(i, glm::normalize(normals[i]));
-    own_domain_.emplace(surface::Support(runtime, points, normals, 0.0, progress), settings.limit, 0.0);
+    own_domain_.emplace(surface::Support(work, points, normals, 0.0), settings.limit, 0.0);
     domain_ = &*own_domain_;
 }
 
-void LineSet::split_mesh(const base::Runtime& runtime, const base::Progress& progress) {
-    SharpMesh sharp = split_at_creases(runtime, surface_, std::move(*mesh_), progress.part(0.0, 0.0));
-    creases_ = trace_creases(runtime, surface_, sharp.creases, sharp.mesh.side, progress.part(0.0, 0.0));
+void LineSet::split_mesh(const base::Work& work) {
+    SharpMesh sharp = split_at_creases(work.part(0.0, 0.0), surface_, std::move(*mesh_));
+    creases_ = trace_creases(work, surface_, sharp.creases, sharp.mesh.side);
     const Thresholds by = thresholds_of(LineKind::crease, {});
-    if (creases_.count() > 0) near_creases_.emplace(runtime.memory, creases_, by.lower, sharp.mesh.side);
-    parts_ = sheet_parts(runtime, surface_, sharp);
+    if (creases_.count() > 0) near_creases_.emplace(work.memory, creases_, by.lower, sharp.mesh.side);
+    parts_ = sheet_parts(work, surface_, sharp);
     mesh_ = std::move(sharp.mesh);
 }
 
-void LineSet::clip_mesh(const base::Runtime& runtime, const base::Progress& progress) {
+void LineSet::clip_mesh(const base::Work& work) {
     border_level_.emplace(surface_, domain_->support(), domain_->limit());
-    ClippedMesh clipped = clip(runtime, *border_level_, *mesh_, progress);
-    border_ = exact_border(runtime, *border_level_, clipped, progress);
+    ClippedMesh clipped = clip(work, *border_level_, *mesh_);
+    border_ = exact_border(work, *border_level_, clipped);
     border_exact_ = is_all_cut(clipped);
     if (own_domain_) {
-        geometry::VecArray border(runtime.memory);
+        geometry::VecArray border(work.memory);
         for (const CurvePoint& p : clipped.cut) border.push_back(p.position);
         own_domain_->set_border(border, curve_tuning.border_reach * mesh_->side);
     }
@@ -465,9 +461,8 @@ void LineSet::clip_mesh(const base::Runtime& runtime, const base::Progress& prog
     left_out_ = clipped.left_out;
 }
 
-SurfaceLines LineSet::find(const base::Runtime& runtime, const LineRequest& request,
-                           const base::Progress& progress) const {
-    if (request.kind == LineKind::own) return own_lines(runtime, surface_, request, mesh_->side, progress);
+SurfaceLines LineSet::find(const base::Work& work, const LineRequest& request) const {
+    if (request.kind == LineKind::own) return own_lines(work, surface_, request, mesh_->side);
     FeatureRequest feature;
     feature.kind = feature_of(request.kind);
     feature.plane = glm::normalize(request.plane);
@@ -476,37 +471,36 @@ SurfaceLines LineSet::find(const base::Runtime& runtime, const LineRequest& requ
     feature.lower = thresholds.lower;
     feature.upper = thresholds.upper;
     feature.shortest = request.shortest;
-    FeatureLines found = find_feature_lines(runtime, features(), feature, progress);
+    FeatureLines found = find_feature_lines(work, features(), feature);
     const implicit::Sheets* const sheets = surface_.sheets();
-    if (sheets == nullptr || feature.kind != FeatureKind::section) return as_lines(runtime.memory, found);
-    return joined_sections(runtime, *sheets, creases_, feature.plane, feature.levels, mesh_->side, found);
+    if (sheets == nullptr || feature.kind != FeatureKind::section) return as_lines(work.memory, found);
+    return joined_sections(work, *sheets, creases_, feature.plane, feature.levels, mesh_->side, found);
 }
 
-LineSet::LineSet(const base::Runtime& runtime, const implicit::Implicit& surface,
-                 std::unique_ptr<const implicit::ShapeSource> shape, const LineSetSettings& settings,
-                 const base::Progress& progress)
-    : surface_(surface), source_(std::move(shape)), shaped_(runtime.memory), border_(runtime.memory),
-      creases_(runtime.memory), parts_(runtime.memory), found_(runtime.memory) {
+LineSet::LineSet(const base::Work& work, const implicit::Implicit& surface,
+                 std::unique_ptr<const implicit::ShapeSource> shape, const LineSetSettings& settings)
+    : surface_(surface), source_(std::move(shape)), shaped_(work.memory), border_(work.memory), creases_(work.memory),
+      parts_(work.memory), found_(work.memory) {
     const base::Stopwatch watch;
     domain_ = settings.support.domain;
-    if (domain_ == nullptr && settings.support.limit > 0.0) measure_support(runtime, settings.support, progress);
-    make_mesh(runtime, settings, progress.part(0.0, 0.4));
+    if (domain_ == nullptr && settings.support.limit > 0.0) measure_support(work, settings.support);
+    make_mesh(work.part(0.0, 0.4), settings);
     bool with_shape = settings.with_shape;
     for (const LineRequest& request : settings.lines)
         with_shape = with_shape || (request.kind != LineKind::own && needs_shape(feature_of(request.kind)));
-    if (with_shape) shaped_ = measured_mesh(runtime, surface_, *source_, *mesh_, progress.part(0.4, 0.7));
+    if (with_shape) shaped_ = measured_mesh(work.part(0.4, 0.7), surface_, *source_, *mesh_);
     for (const LineRequest& request : settings.lines) {
-        FoundLines& found = found_.add(runtime.memory);
+        FoundLines& found = found_.add(work.memory);
         found.kind = request.kind;
         found.name = request.name;
-        found.lines = find(runtime, request, progress.part(0.7, 0.7));
+        found.lines = find(work.part(0.7, 0.7), request);
     }
     seconds_ = watch.seconds();
-    runtime.log(base::LogLevel::info,
-                "lines: %lld triangles of cells of %.3g in %.3f s, %lld look away, %lld seeds missed",
-                static_cast<long long>(mesh_->triangles()), mesh_->side, seconds_,
-                static_cast<long long>(mesh_->turned), static_cast<long long>(mesh_->missed_seeds));
-    progress.update(1.0);
+    work.runtime().log(base::LogLevel::info,
+                       "lines: %lld triangles of cells of %.3g in %.3f s, %lld look away, %lld seeds missed",
+                       static_cast<long long>(mesh_->triangles()), mesh_->side, seconds_,
+                       static_cast<long long>(mesh_->turned), static_cast<long long>(mesh_->missed_seeds));
+    work.update(1.0);
 }
 
 std::int64_t LineSet::bytes() const noexcept {

@@ -92,9 +92,8 @@ class LineSet {
 public:
     // The implicit, and what `shape` refers to, must outlive it.  Throws as triangulate() does, and
     // Error{not_converged} where no surface is found.
-    LineSet(const base::Runtime& runtime, const implicit::Implicit& surface,
-            std::unique_ptr<const implicit::ShapeSource> shape, const LineSetSettings& settings,
-            const base::Progress& progress);
+    LineSet(const base::Work& work, const implicit::Implicit& surface,
+            std::unique_ptr<const implicit::ShapeSource> shape, const LineSetSettings& settings);
     LineSet(const LineSet&) = delete;
     LineSet& operator=(const LineSet&) = delete;
 
@@ -125,12 +124,11 @@ public:
     [[nodiscard]] std::int64_t bytes() const noexcept;
 
 private:
-    void make_mesh(const base::Runtime& runtime, const LineSetSettings& settings, const base::Progress& progress);
-    void measure_support(const base::Runtime& runtime, const SupportSettings& settings, const base::Progress& progress);
-    void split_mesh(const base::Runtime& runtime, const base::Progress& progress);
-    void clip_mesh(const base::Runtime& runtime, const base::Progress& progress);
-    [[nodiscard]] SurfaceLines find(const base::Runtime& runtime, const LineRequest& request,
-                                    const base::Progress& progress) const;
+    void make_mesh(const base::Work& work, const LineSetSettings& settings);
+    void measure_support(const base::Work& work, const SupportSettings& settings);
+    void split_mesh(const base::Work& work);
+    void clip_mesh(const base::Work& work);
+    [[nodiscard]] SurfaceLines find(const base::Work& work, const LineRequest& request) const;
 
     std::shared_ptr<const void> identity_ = std::make_shared<char>();
     const implicit::Implicit& surface_;

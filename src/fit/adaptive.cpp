@@ -31,10 +31,10 @@ struct Misfits {
     base::Array<double> spacing;   // distance of that centre from the next one
 };
 
-Misfits misfits_of(const base::Runtime& runtime, const Samples& samples, const base::Array<std::int64_t>& centres,
-                   const Distances& distances, const CandidateOptions& options, const base::Progress& progress) {
-    const geometry::PointTree tree(positions_of_centres(samples, centres), progress);
-    base::Array<double> spacing(runtime.memory, centres.size()); // by place in the tree
+Misfits misfits_of(const base::Work& work, const Samples& samples, const base::Array<std::int64_t>& centres,
+                   const Distances& distances, const CandidateOptions& options) {
+    const geometry::PointTree tree(positions_of_centres(samples, centres), work);
+    base::Array<double> spacing(work.memory, centres.size()); // by place in the tree
     for (std::int64_t at = 0; at < centres.size(); ++at)
         spacing[at] = std::min(tree.nearest_other(at), samples.bounds.diagonal());
     // 0 where the gradient is along the normal, 2 where it is against it.
@@ -43,7 +43,7 @@ Misfits misfits_of(const base::Runtime& runtime, const Samples& samples, const b
         const double slope = glm::length(gradient);
         return slope > 0.0 ? glm::distance(gradient / slope, samples.normal[i]) : 2.0;
     };
-    Misfits found(runtime.memory, samples.position.size());
+    Misfits found(work.memory, samples.position.size());
     const auto measure = [&](std::int64_t i) {
         // The noise of one sample says nothing about the surface; the mean of some does.
         double distance = distances.distance[i];
@@ -68,8 +68,7 @@ Misfits misfits_of(const base::Runtime& runtime, const Samples& samples, const b
                                     : std::abs(distance);
         found.score[i] = found.error[i] + adaptive_tuning.lever * off * found.to_centre[i];
     };
-    runtime.parallel.for_chunks(samples.position.size(), 512, [&](std::int64_t begin, std::int64_t end) {
-        progress.check();
+    work.for_chunks(samples.position.size(), 512, [&](std::int64_t begin, std::int64_t end) {
         for (std::int64_t i = begin; i < end; ++i) measure(i);
     });
     return found;
@@ -89,25 +88,25 @@ void resize_held(Samples& held, std::int64_t count) {
 
 // ---- The loop
 
-AdaptiveFit fit_adaptively(const base::Runtime& runtime, const FitInput& input, const Samples& candidates,
+AdaptiveFit fit_adaptively(const base::Work& work, const FitInput& input, const Samples& candidates,
                            base::Array<std::int64_t> first, const Smoothing& smoothing,
-                           const AdaptiveSettings& settings, const Oracle& oracle, const base::Progress& progress) {
+                           const AdaptiveSettings& settings, const Oracle& oracle) {
     HRBFNPR_ASSERT(!first.empty() && std::is_sorted(first.begin(), first.end()) && settings.most_rounds > 0);
     const base::Stopwatch watch;
     const auto fit_round = [&](std::int32_t round, const base::Array<std::int64_t>& centres, const Samples& held,
                                const Smoothing& smooth) {
         // The number of rounds is not known; each is longer than the one before.
-        const base::Progress part = progress.part(1.0 - std::pow(0.75, round), 1.0 - std::pow(0.75, round + 1));
-        return fit_centres(runtime, input, centres_of(runtime, candidates, centres, held, progress), smooth, part);
+        const base::Work part = work.part(1.0 - std::pow(0.75, round), 1.0 - std::pow(0.75, round + 1));
+        return fit_centres(part, input, centres_of(work, candidates, centres, held), smooth);
     };
-    Samples none(runtime.memory);
+    Samples none(work.memory);
     CentreFit first_fit = fit_round(0, first, none, smoothing);
     AdaptiveFit now{std::move(first_fit), std::move(first), std::move(none), 1, watch.seconds(), 0.0};
     for (;;) {
         const Growth growth = oracle(now);
         if (!growth.goes_on || now.rounds >= settings.most_rounds) return now;
         const double before = watch.seconds();
-        base::Array<std::int64_t> centres(runtime.memory);
+        base::Array<std::int64_t> centres(work.memory);
         centres.reserve(now.centres.size() + growth.centres.size());
         for (const base::Array<std::int64_t>* const some : {&std::as_const(now.centres), &growth.centres})
             for (const std::int64_t i : *some) centres.push_back(i);
@@ -123,9 +122,9 @@ AdaptiveFit fit_adaptively(const base::Runtime& runtime, const FitInput& input, 
             now.fit = fit_round(now.rounds, centres, now.held, growth.smoothing);
         } catch (const Error& error) {
             if (!settings.keeps_last || !is_unsolvable(error)) throw;
-            runtime.log(base::LogLevel::debug, "fit: with %lld centres: %s; with %lld it is solved",
-                        static_cast<long long>(centres.size() + now.held.position.size()), error.what(),
-                        static_cast<long long>(now.centres.size() + held));
+            work.runtime().log(base::LogLevel::debug, "fit: with %lld centres: %s; with %lld it is solved",
+                               static_cast<long long>(centres.size() + now.held.position.size()), error.what(),
+                               static_cast<long long>(now.centres.size() + held));
             resize_held(now.held, held);
             return now;
         }
@@ -144,10 +143,10 @@ base::Array<std::int64_t> even_choice(const Samples& candidates, std::int64_t co
     return std::move(found.order);
 }
 
-Samples centres_of(const base::Runtime& runtime, const Samples& candidates, const base::Array<std::int64_t>& centres,
-                   const Samples& held, const base::Progress& progress) {
+Samples centres_of(const base::Work& work, const Samples& candidates, const base::Array<std::int64_t>& centres,
+                   const Samples& held) {
     HRBFNPR_ASSERT(held.value.size() == held.position.size());
-    Samples chosen(runtime.memory);
+    Samples chosen(work.memory);
     chosen.position.reserve(centres.size() + held.position.size());
     chosen.normal.reserve(centres.size() + held.position.size());
     for (const std::int64_t i : centres) {
@@ -157,7 +156,7 @@ Samples centres_of(const base::Runtime& runtime, const Samples& candidates, cons
     if (centres.size() == candidates.position.size() && candidates.spacing > 0.0)
         chosen.spacing = candidates.spacing;
     else
-        measure_extent(runtime, chosen, progress);
+        measure_extent(work, chosen);
     chosen.bounds = candidates.bounds;
     if (held.position.empty()) return chosen;
     chosen.value.resize(centres.size());
@@ -176,30 +175,30 @@ std::int64_t batch_of(std::int64_t centres, double outside) noexcept {
 
 // ---- What to add
 
-Candidates worst_candidates(const base::Runtime& runtime, const Samples& samples, const geometry::PointTree& tree,
+Candidates worst_candidates(const base::Work& work, const Samples& samples, const geometry::PointTree& tree,
                             const base::Array<std::int64_t>& centres, const Distances& distances,
-                            const CandidateOptions& options, const base::Progress& progress) {
+                            const CandidateOptions& options) {
     const std::int64_t count = samples.position.size();
     HRBFNPR_ASSERT(!centres.empty() && tree.size() == count && distances.distance.size() == count);
-    const Misfits misfit = misfits_of(runtime, samples, centres, distances, options, progress);
-    Candidates result(runtime.memory);
+    const Misfits misfit = misfits_of(work, samples, centres, distances, options);
+    Candidates result(work.memory);
     for (const double error : misfit.error) result.outside += error > options.tolerance ? 1 : 0;
     if (result.outside == 0) return result;
 
-    base::Array<std::uint8_t> is_centre(runtime.memory, count);
+    base::Array<std::uint8_t> is_centre(work.memory, count);
     for (const std::int64_t i : centres) is_centre[i] = 1;
-    base::Array<std::int64_t> order(runtime.memory);
+    base::Array<std::int64_t> order(work.memory);
     for (std::int64_t i = 0; i < count; ++i)
         if (is_centre[i] == 0 && misfit.error[i] >= adaptive_tuning.nearly_outside * options.tolerance)
             order.push_back(i);
     std::sort(order.begin(), order.end(), [&](std::int64_t a, std::int64_t b) {
         return misfit.score[a] > misfit.score[b] || (misfit.score[a] == misfit.score[b] && a < b);
     });
-    base::Array<std::int64_t> place(runtime.memory, count); // in the tree
+    base::Array<std::int64_t> place(work.memory, count); // in the tree
     for (std::int64_t at = 0; at < tree.size(); ++at) place[tree.index(at)] = at;
 
     const auto take = [&](double share) {
-        base::Array<std::uint8_t> covered(runtime.memory, count); // by place in the tree
+        base::Array<std::uint8_t> covered(work.memory, count); // by place in the tree
         for (const std::int64_t i : order) {
             if (result.chosen.size() >= options.most) return;
             const double radius = std::max(share * misfit.spacing[i], options.least_distance);
@@ -208,7 +207,7 @@ Candidates worst_candidates(const base::Runtime& runtime, const Samples& samples
             // A sample that is near enough to share its typical one with another is not tried again.
             if (is_centre[added] == 0) result.chosen.push_back(added);
             tree.within(samples.position[i], radius, [&](std::int64_t at, double) { covered[at] = 1; });
-            if (result.chosen.size() % 256 == 0) progress.check();
+            work.check();
         }
     };
     for (double share = adaptive_tuning.apart; share >= adaptive_tuning.least_apart && result.chosen.empty();

@@ -47,19 +47,17 @@ struct AdaptiveSettings {
 };
 
 // Fits in rounds until the oracle is content.
-[[nodiscard]] AdaptiveFit fit_adaptively(const base::Runtime& runtime, const FitInput& input, const Samples& candidates,
+[[nodiscard]] AdaptiveFit fit_adaptively(const base::Work& work, const FitInput& input, const Samples& candidates,
                                          base::Array<std::int64_t> first, const Smoothing& smoothing,
-                                         const AdaptiveSettings& settings, const Oracle& oracle,
-                                         const base::Progress& progress);
+                                         const AdaptiveSettings& settings, const Oracle& oracle);
 
 // Numbers of at most `count` candidates in ascending order, chosen by farthest points.
 [[nodiscard]] base::Array<std::int64_t> even_choice(const Samples& candidates, std::int64_t count,
                                                     const base::Progress& progress);
 
 // The samples that a fit has for centres: candidates, then those that are held.
-[[nodiscard]] Samples centres_of(const base::Runtime& runtime, const Samples& candidates,
-                                 const base::Array<std::int64_t>& centres, const Samples& held,
-                                 const base::Progress& progress);
+[[nodiscard]] Samples centres_of(const base::Work& work, const Samples& candidates,
+                                 const base::Array<std::int64_t>& centres, const Samples& held);
 
 // The most centres that a round adds to this many: half as many, or as many while nearly all that are added are needed,
 // as more than a quarter of the candidates is outside the tolerance. `outside` is their share.
@@ -85,9 +83,8 @@ struct Candidates {
 };
 
 // tree: the samples. centres: numbers of samples, not empty.
-[[nodiscard]] Candidates worst_candidates(const base::Runtime& runtime, const Samples& samples,
+[[nodiscard]] Candidates worst_candidates(const base::Work& work, const Samples& samples,
                                           const geometry::PointTree& tree, const base::Array<std::int64_t>& centres,
-                                          const Distances& distances, const CandidateOptions& options,
-                                          const base::Progress& progress);
+                                          const Distances& distances, const CandidateOptions& options);
 
 } // namespace hrbfnpr::fit

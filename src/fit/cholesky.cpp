@@ -50,8 +50,7 @@ TiledCholesky::Position TiledCholesky::position(std::int64_t t) noexcept {
 
 double TiledCholesky::norm(const base::Parallel& parallel, const base::Progress& progress) const {
     base::Array<double> sums(tiles_data_.memory(), padded());
-    parallel.for_each(tiles_, [&](std::int64_t j) {
-        progress.check();
+    parallel.for_each(tiles_, progress, [&](std::int64_t j) {
         Eigen::Map<Eigen::Matrix<double, side, 1>> sum(sums.data() + j * side);
         for (std::int64_t k = 0; k < j; ++k) sum += ConstTile(tile(j, k)).cwiseAbs().rowwise().sum();
         for (std::int64_t i = j; i < tiles_; ++i) sum += ConstTile(tile(i, j)).cwiseAbs().colwise().sum().transpose();

@@ -40,8 +40,7 @@ std::int64_t first_count(const FitInput& input, std::int64_t most) noexcept {
 
 } // namespace
 
-Choice choose_and_fit(const base::Runtime& runtime, const FitInput& input, const Samples& samples, const Noise& noise,
-                      const base::Progress& progress) {
+Choice choose_and_fit(const base::Work& work, const FitInput& input, const Samples& samples, const Noise& noise) {
     const std::int64_t count = samples.position.size();
     HRBFNPR_ASSERT(count > 0 && samples.normal.size() == count);
     const std::int64_t most = input.maximum_centres > 0 ? input.maximum_centres : count;
@@ -50,14 +49,13 @@ Choice choose_and_fit(const base::Runtime& runtime, const FitInput& input, const
     const bool noisy = automatic || input.regularization > 0.0;
 
     std::optional<geometry::Neighbours> neighbours; // of noisy samples
-    base::Array<std::int64_t> typical(runtime.memory);
+    base::Array<std::int64_t> typical(work.memory);
     if (noisy && count >= fewest_to_clean) {
-        neighbours.emplace(runtime.parallel, samples.position, choice_tuning.averaged, progress);
-        typical = typical_samples(runtime, samples, *neighbours, progress);
+        neighbours.emplace(work.runtime().parallel, samples.position, choice_tuning.averaged, work);
+        typical = typical_samples(work, samples, *neighbours);
     }
     std::int64_t first = keeps_all ? (automatic ? choice_tuning.pilot_centres : count) : first_count(input, most);
-    base::Array<std::int64_t> centres =
-        first < count ? even_choice(samples, first, progress) : all_of(runtime.memory, count);
+    base::Array<std::int64_t> centres = first < count ? even_choice(samples, first, work) : all_of(work.memory, count);
     if (first < count && neighbours) {
         for (std::int64_t& i : centres) i = typical[i];
         std::sort(centres.begin(), centres.end()); // two samples may have the same typical one
@@ -65,7 +63,7 @@ Choice choose_and_fit(const base::Runtime& runtime, const FitInput& input, const
     }
 
     std::optional<geometry::PointTree> tree; // of the samples
-    Distances distances(runtime.memory);     // of all samples, from the last fit that was measured
+    Distances distances(work.memory);        // of all samples, from the last fit that was measured
     Smoothing smoothing{input.regularization, input.regularization};
     int settling = automatic ? 1 : choice_tuning.settling_fits;
     const auto smooth = [&](const AdaptiveFit& now) {
@@ -75,10 +73,10 @@ Choice choose_and_fit(const base::Runtime& runtime, const FitInput& input, const
     const auto measure = [&](const AdaptiveFit& now) {
         const bool known = now.centres.size() == count && !now.fit.misfit.empty();
         distances = known ? distances_of_misfit(now.fit.misfit, now.fit.result.data, samples)
-                          : measure_distances(runtime, now.fit.result.data, samples, progress);
+                          : measure_distances(work, now.fit.result.data, samples);
     };
     const auto look = [&](const AdaptiveFit& now) {
-        Growth growth(runtime.memory, smoothing);
+        Growth growth(work.memory, smoothing);
         if (settling < choice_tuning.settling_fits) {
             const double before = smoothing.value;
             smooth(now);
@@ -88,13 +86,13 @@ Choice choose_and_fit(const base::Runtime& runtime, const FitInput& input, const
             if (growth.goes_on) return growth;
         }
         if (keeps_all && now.centres.size() < count) {
-            growth.centres = all_of(runtime.memory, count);
+            growth.centres = all_of(work.memory, count);
             growth.goes_on = true;
             return growth;
         }
         measure(now);
         if (keeps_all || now.centres.size() >= most) return growth;
-        if (!tree) tree.emplace(samples.position, progress);
+        if (!tree) tree.emplace(samples.position, work);
         // The surface may be off the mean of some samples by less than a single one may.
         const double tolerance = std::max(input.tolerance - choice_tuning.noise_allowed * noise.position,
                                           choice_tuning.least_tolerance * input.tolerance);
@@ -102,10 +100,10 @@ Choice choose_and_fit(const base::Runtime& runtime, const FitInput& input, const
                                  std::min(batch_of(now.centres.size(), 1.0), most - now.centres.size())};
         if (neighbours) options.neighbours = &*neighbours;
         if (neighbours) options.typical = &typical;
-        Candidates worst = worst_candidates(runtime, samples, *tree, now.centres, distances, options, progress);
-        runtime.log(base::LogLevel::debug, "fit: round %d: %lld centres, %lld samples outside",
-                    static_cast<int>(now.rounds), static_cast<long long>(now.centres.size()),
-                    static_cast<long long>(worst.outside));
+        Candidates worst = worst_candidates(work, samples, *tree, now.centres, distances, options);
+        work.runtime().log(base::LogLevel::debug, "fit: round %d: %lld centres, %lld samples outside",
+                           static_cast<int>(now.rounds), static_cast<long long>(now.centres.size()),
+                           static_cast<long long>(worst.outside));
         const double outside = static_cast<double>(worst.outside) / static_cast<double>(count);
         worst.chosen.resize(std::min(worst.chosen.size(), batch_of(now.centres.size(), outside)));
         const std::int64_t fewest =
@@ -116,8 +114,8 @@ Choice choose_and_fit(const base::Runtime& runtime, const FitInput& input, const
         growth.smoothing = smoothing;
         return growth;
     };
-    AdaptiveFit made = fit_adaptively(runtime, input, samples, std::move(centres), smoothing,
-                                      {choice_tuning.most_rounds, false}, std::ref(look), progress);
+    AdaptiveFit made = fit_adaptively(work, input, samples, std::move(centres), smoothing,
+                                      {choice_tuning.most_rounds, false}, std::ref(look));
     return {std::move(made.fit), std::move(made.centres), std::move(distances), keeps_all ? 0 : made.rounds,
             made.seconds_before};
 }

@@ -19,7 +19,7 @@ struct Choice {
 // Chooses by farthest-point sampling and then, in rounds, by what is worst off the fit so far, until all samples
 // are within the tolerance or there are maximum_centres.  The greedy choice is that of Carr et al.,
 // "Reconstruction and representation of 3D objects with radial basis functions", 2001, in batches.
-[[nodiscard]] Choice choose_and_fit(const base::Runtime& runtime, const FitInput& input, const Samples& samples,
-                                    const Noise& noise, const base::Progress& progress);
+[[nodiscard]] Choice choose_and_fit(const base::Work& work, const FitInput& input, const Samples& samples,
+                                    const Noise& noise);
 
 } // namespace hrbfnpr::fit

@@ -104,22 +104,21 @@ bool repair(Samples& samples, const Suspects& suspects, Repair outliers, Repair 
 
 } // namespace
 
-Cleaning clean(const base::Runtime& runtime, Samples& samples, Repair outliers, Repair flipped_normals,
-               const base::Progress& progress) {
+Cleaning clean(const base::Work& work, Samples& samples, Repair outliers, Repair flipped_normals) {
     Cleaning report;
-    progress.update(0.0);
+    work.update(0.0);
     if (samples.position.size() < fewest_to_clean) return report;
     std::optional<geometry::Neighbours> neighbours;
-    neighbours.emplace(runtime.parallel, samples.position, neighbours_each, progress);
-    progress.update(0.3);
+    neighbours.emplace(work.runtime().parallel, samples.position, neighbours_each, work);
+    work.update(0.3);
     const Duplicates duplicates = find_duplicates(samples, *neighbours);
     report.near_duplicates = duplicates.merged;
     if (duplicates.merged > 0) {
         merge(samples, duplicates.representative);
-        neighbours.emplace(runtime.parallel, samples.position, neighbours_each, progress);
+        neighbours.emplace(work.runtime().parallel, samples.position, neighbours_each, work);
     }
-    progress.update(0.5);
-    Suspects suspects = find_suspects(runtime, samples, *neighbours, progress);
+    work.update(0.5);
+    Suspects suspects = find_suspects(work, samples, *neighbours);
     const base::Array<std::uint8_t> odd = without_merged(duplicates);
     for (std::int64_t i = 0; i < odd.size(); ++i) {
         suspects.outlier[i] |= odd[i];
@@ -127,10 +126,10 @@ Cleaning clean(const base::Runtime& runtime, Samples& samples, Repair outliers, 
     }
     report.outliers_found = count_of(suspects.outlier);
     report.flipped_found = count_of(suspects.flipped);
-    progress.update(0.8);
+    work.update(0.8);
     if (repair(samples, suspects, outliers, flipped_normals, report) || duplicates.merged > 0)
-        measure_extent(runtime, samples, progress);
-    progress.update(1.0);
+        measure_extent(work, samples);
+    work.update(1.0);
     return report;
 }
 

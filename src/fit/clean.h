@@ -19,7 +19,6 @@ struct Cleaning {
 inline constexpr std::int64_t fewest_to_clean = 33;
 
 // Merges near duplicates, and keeps, drops or turns what find_suspects() finds.
-[[nodiscard]] Cleaning clean(const base::Runtime& runtime, Samples& samples, Repair outliers, Repair flipped_normals,
-                             const base::Progress& progress);
+[[nodiscard]] Cleaning clean(const base::Work& work, Samples& samples, Repair outliers, Repair flipped_normals);
 
 } // namespace hrbfnpr::fit

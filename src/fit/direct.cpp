@@ -85,28 +85,27 @@ private:
 [[nodiscard]] bool solved(const Solution& solution) noexcept { return solution.residual <= residual_limit; }
 
 // False if the matrix is not definite, or too badly conditioned to solve without pivoting.
-[[nodiscard]] bool solve_on_null_space(const base::Runtime& runtime, const HermiteSystem& system,
-                                       Refinement& refinement, std::int32_t limit, Solution& solution,
-                                       const base::Progress& progress) {
+[[nodiscard]] bool solve_on_null_space(const base::Work& work, const HermiteSystem& system, Refinement& refinement,
+                                       std::int32_t limit, Solution& solution) {
     base::Stopwatch watch;
-    NullSpaceSolver solver(runtime, system, progress.part(0.0, 0.15));
+    NullSpaceSolver solver(work.part(0.0, 0.15), system);
     solution.seconds_assemble = watch.seconds();
     watch.restart();
-    const bool definite = solver.factor(progress.part(0.15, 0.9));
+    const bool definite = solver.factor(work.part(0.15, 0.9));
     if (definite) {
-        refinement.run(solver, limit, solution, progress.part(0.9, 0.95));
-        solution.condition = solver.condition(progress);
+        refinement.run(solver, limit, solution, work.part(0.9, 0.95));
+        solution.condition = solver.condition(work);
     }
     solution.seconds_solve = watch.seconds();
     return definite && solved(solution);
 }
 
-void solve_by_lu(const base::Runtime& runtime, const HermiteSystem& system, Refinement& refinement, std::int32_t limit,
-                 Solution& solution, const base::Progress& progress) {
+void solve_by_lu(const base::Work& work, const HermiteSystem& system, Refinement& refinement, std::int32_t limit,
+                 Solution& solution) {
     const base::Stopwatch watch;
-    const DenseLu lu(runtime, system, progress.part(0.0, 0.9));
-    refinement.run(lu, limit, solution, progress.part(0.9, 0.95));
-    solution.condition = lu.condition(progress);
+    const DenseLu lu(work.part(0.0, 0.9), system);
+    refinement.run(lu, limit, solution, work.part(0.9, 0.95));
+    solution.condition = lu.condition(work);
     solution.fallback = true;
     solution.seconds_solve += watch.seconds();
     if (!solved(solution))
@@ -118,14 +117,13 @@ void solve_by_lu(const base::Runtime& runtime, const HermiteSystem& system, Refi
 
 } // namespace
 
-void solve_directly(const base::Runtime& runtime, const HermiteSystem& system, const double* rhs,
-                    const SolveOptions& options, Solution& solution, const base::Progress& progress) {
+void solve_directly(const base::Work& work, const HermiteSystem& system, const double* rhs, const SolveOptions& options,
+                    Solution& solution) {
     solution.solver = SolverKind::direct;
-    Refinement refinement(runtime, system, rhs);
-    if (solve_on_null_space(runtime, system, refinement, options.refinement_steps, solution, progress.part(0.0, 0.9)))
-        return;
-    runtime.log(base::LogLevel::warning, "fit: the system is not positive definite; trying LU with pivoting");
-    solve_by_lu(runtime, system, refinement, options.refinement_steps, solution, progress.part(0.9, 1.0));
+    Refinement refinement(work, system, rhs);
+    if (solve_on_null_space(work.part(0.0, 0.9), system, refinement, options.refinement_steps, solution)) return;
+    work.runtime().log(base::LogLevel::warning, "fit: the system is not positive definite; trying LU with pivoting");
+    solve_by_lu(work.part(0.9, 1.0), system, refinement, options.refinement_steps, solution);
 }
 
 } // namespace hrbfnpr::fit

@@ -7,7 +7,7 @@
 namespace hrbfnpr::fit {
 
 // Throws Error{invalid_argument, singular_system, out_of_memory, cancelled}.
-void solve_directly(const base::Runtime& runtime, const HermiteSystem& system, const double* rhs,
-                    const SolveOptions& options, Solution& solution, const base::Progress& progress);
+void solve_directly(const base::Work& work, const HermiteSystem& system, const double* rhs, const SolveOptions& options,
+                    Solution& solution);
 
 } // namespace hrbfnpr::fit

@@ -38,29 +38,25 @@ Distances distances_of_misfit(const base::Array<double>& misfit, const implicit:
     return result;
 }
 
-Distances measure_distances(const base::Runtime& runtime, const implicit::HrbfData& data, const Samples& samples,
-                            const base::Progress& progress) {
+Distances measure_distances(const base::Work& work, const implicit::HrbfData& data, const Samples& samples) {
     const std::int64_t count = samples.position.size();
-    Distances result = of_size(runtime.memory, count);
+    Distances result = of_size(work.memory, count);
     const implicit::PointBatch points{samples.position.x.data(), samples.position.y.data(), samples.position.z.data(),
                                       count};
     const implicit::FieldBatch fields{
         result.value.data(), {result.gradient.x.data(), result.gradient.y.data(), result.gradient.z.data()}, {}};
-    runtime.parallel.for_chunks(count, implicit::batch_size, [&](std::int64_t begin, std::int64_t end) {
-        progress.check();
-        implicit::evaluate(runtime.instruction_set, data, implicit::slice(points, begin, end), fields.from(begin));
+    work.for_chunks(count, implicit::batch_size, [&](std::int64_t begin, std::int64_t end) {
+        implicit::evaluate(work.instruction_set, data, implicit::slice(points, begin, end), fields.from(begin));
         for (std::int64_t i = begin; i < end; ++i) set_distance(result, i);
     });
     return result;
 }
 
-Distances measure_distances(const base::Runtime& runtime, const implicit::Implicit& implicit, const Samples& samples,
-                            const base::Progress& progress) {
-    Distances result = of_size(runtime.memory, samples.position.size());
+Distances measure_distances(const base::Work& work, const implicit::Implicit& implicit, const Samples& samples) {
+    Distances result = of_size(work.memory, samples.position.size());
     implicit::evaluate_all(
-        runtime, implicit, samples.position,
-        {result.value.data(), {result.gradient.x.data(), result.gradient.y.data(), result.gradient.z.data()}, {}},
-        progress);
+        work, implicit, samples.position,
+        {result.value.data(), {result.gradient.x.data(), result.gradient.y.data(), result.gradient.z.data()}, {}});
     for (std::int64_t i = 0; i < samples.position.size(); ++i) set_distance(result, i);
     return result;
 }

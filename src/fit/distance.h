@@ -3,7 +3,7 @@
 #pragma once
 
 #include "base/operation.h"
-#include "base/runtime.h"
+#include "base/work.h"
 #include "fit/samples.h"
 #include "implicit/hrbf.h"
 
@@ -23,10 +23,10 @@ struct Distances {
 [[nodiscard]] Distances distances_of_misfit(const base::Array<double>& misfit, const implicit::HrbfData& data,
                                             const Samples& samples);
 
-[[nodiscard]] Distances measure_distances(const base::Runtime& runtime, const implicit::HrbfData& data,
-                                          const Samples& samples, const base::Progress& progress);
+[[nodiscard]] Distances measure_distances(const base::Work& work, const implicit::HrbfData& data,
+                                          const Samples& samples);
 // The same of any function of which the surface is 0.
-[[nodiscard]] Distances measure_distances(const base::Runtime& runtime, const implicit::Implicit& implicit,
-                                          const Samples& samples, const base::Progress& progress);
+[[nodiscard]] Distances measure_distances(const base::Work& work, const implicit::Implicit& implicit,
+                                          const Samples& samples);
 
 } // namespace hrbfnpr::fit

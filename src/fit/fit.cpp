@@ -76,30 +76,29 @@ void report_cleaning(const Cleaning& cleaning, FitReport& report) noexcept {
     report.flipped_repaired = cleaning.flipped_repaired;
 }
 
-[[nodiscard]] Noise noise_of(const base::Runtime& runtime, const FitInput& input, const Samples& samples,
-                             const base::Progress& progress) {
+[[nodiscard]] Noise noise_of(const base::Work& work, const FitInput& input, const Samples& samples) {
     if (input.regularization_mode == RegularizationMode::given) return {};
-    return measure_noise(runtime, samples, progress);
+    return measure_noise(work, samples);
 }
 
 } // namespace
 
-FitResult fit(const base::Runtime& runtime, const FitInput& input, const base::Progress& progress) {
+FitResult fit(const base::Work& work, const FitInput& input) {
     const base::Stopwatch watch;
     check(input);
-    Samples samples = read_samples(runtime, input.points, input.normals, progress.part(0.0, 0.02));
+    Samples samples = read_samples(work.part(0.0, 0.02), input.points, input.normals);
     const double seconds_read = watch.seconds();
     const std::int64_t before_cleaning = samples.position.size();
-    const Cleaning cleaning = clean(runtime, samples, input.outliers, input.flipped_normals, progress.part(0.02, 0.03));
-    const Noise noise = noise_of(runtime, input, samples, progress);
+    const Cleaning cleaning = clean(work.part(0.02, 0.03), samples, input.outliers, input.flipped_normals);
+    const Noise noise = noise_of(work, input, samples);
     const double seconds_clean = watch.seconds() - seconds_read;
-    Choice choice = choose_and_fit(runtime, input, samples, noise, progress.part(0.03, 1.0));
+    Choice choice = choose_and_fit(work.part(0.03, 1.0), input, samples, noise);
 
     FitReport& report = choice.fit.result.report;
     report_cleaning(cleaning, report);
-    progress.check();
+    work.check();
     report_residuals(choice, samples, report);
-    progress.check();
+    work.check();
     report_distances(choice, input.tolerance, before_cleaning - cleaning.near_duplicates, report);
     report.samples = input.points.count;
     report.merged_samples = samples.merged;
@@ -109,9 +108,9 @@ FitResult fit(const base::Runtime& runtime, const FitInput& input, const base::P
     report.seconds_assemble += seconds_read;
     report.seconds_clean = seconds_clean;
     report.seconds_choose = choice.seconds_before;
-    report.peak_bytes = runtime.memory.bytes_peak();
+    report.peak_bytes = work.memory.bytes_peak();
     report.seconds_total = watch.seconds();
-    progress.update(1.0);
+    work.update(1.0);
     choice.fit.result.samples = std::move(samples);
     return std::move(choice.fit.result);
 }

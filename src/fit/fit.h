@@ -3,8 +3,8 @@
 #pragma once
 
 #include "base/operation.h"
-#include "base/runtime.h"
 #include "base/view.h"
+#include "base/work.h"
 #include "fit/samples.h"
 #include "fit/solver_kind.h"
 #include "implicit/hrbf.h"
@@ -88,6 +88,6 @@ struct FitResult {
 };
 
 // Throws Error{invalid_argument, singular_system, out_of_memory, cancelled}.
-[[nodiscard]] FitResult fit(const base::Runtime& runtime, const FitInput& input, const base::Progress& progress);
+[[nodiscard]] FitResult fit(const base::Work& work, const FitInput& input);
 
 } // namespace hrbfnpr::fit

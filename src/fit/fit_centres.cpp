@@ -144,24 +144,23 @@ void report_solution(const Solution& solution, FitReport& report) noexcept {
 
 } // namespace
 
-CentreFit fit_centres(const base::Runtime& runtime, const FitInput& input, const Samples& centres,
-                      const Smoothing& smoothing, const base::Progress& progress) {
+CentreFit fit_centres(const base::Work& work, const FitInput& input, const Samples& centres,
+                      const Smoothing& smoothing) {
     const base::Stopwatch watch;
-    CentreFit fit{{normalise(runtime, input, centres), {}, base::Array<double>(runtime.memory)},
-                  base::Array<double>(runtime.memory),
-                  0.0};
+    CentreFit fit{
+        {normalise(work, input, centres), {}, base::Array<double>(work.memory)}, base::Array<double>(work.memory), 0.0};
     implicit::HrbfData& data = fit.result.data;
-    progress.check();
+    work.check();
     const HermiteSystem system(data.centre_position, system_options(input, smoothing, data));
-    const base::Array<double> rhs = right_hand_side(runtime.memory, system, centres, data.scale);
+    const base::Array<double> rhs = right_hand_side(work.memory, system, centres, data.scale);
     const double seconds_before = watch.seconds();
-    progress.check();
-    Solution solution = solve(runtime, system, rhs.data(), solve_options(input), progress);
-    progress.check();
+    work.check();
+    Solution solution = solve(work, system, rhs.data(), solve_options(input));
+    work.check();
     store(solution, data);
-    progress.check();
+    work.check();
     fit.variance = variance(system, rhs.data(), solution, data);
-    progress.check();
+    work.check();
     report_solution(solution, fit.result.report);
     fit.misfit = std::move(solution.misfit);
     fit.result.history = std::move(solution.history);

@@ -23,7 +23,7 @@ struct CentreFit {
 };
 
 // The bounds of `centres` need not be those of its positions: they are the model's.
-[[nodiscard]] CentreFit fit_centres(const base::Runtime& runtime, const FitInput& input, const Samples& centres,
-                                    const Smoothing& smoothing, const base::Progress& progress);
+[[nodiscard]] CentreFit fit_centres(const base::Work& work, const FitInput& input, const Samples& centres,
+                                    const Smoothing& smoothing);
 
 } // namespace hrbfnpr::fit

@@ -10,7 +10,6 @@ namespace hrbfnpr::fit {
 namespace {
 
 constexpr std::int64_t energies_a_task = 1024; // samples
-constexpr std::int64_t elements_a_look = 65536;
 constexpr std::int32_t most_iterations = 60;
 
 [[nodiscard]] HermiteSystem::Options options_of(double ridge) noexcept {
@@ -20,12 +19,10 @@ constexpr std::int32_t most_iterations = 60;
 } // namespace
 
 struct HermiteEnergy::Solver {
-    Solver(const base::Runtime& runtime, const HermiteSystem& system, Preconditioner& preconditioner,
-           const base::Progress& progress)
-        : size(system.rows()), polynomials(runtime, system, progress),
-          product(runtime, system.positions(), system.options(), 1e-3, progress),
-          cg(runtime, product, preconditioner, polynomials, size), w(runtime.memory, size), r(runtime.memory, size),
-          history(runtime.memory) {}
+    Solver(const base::Work& work, const HermiteSystem& system, Preconditioner& preconditioner)
+        : size(system.rows()), polynomials(work, system), product(work, system.positions(), system.options(), 1e-3),
+          cg(work, product, preconditioner, polynomials, size), w(work.memory, size), r(work.memory, size),
+          history(work.memory) {}
 
     std::int64_t size;
     PolynomialSpace polynomials;
@@ -36,12 +33,11 @@ struct HermiteEnergy::Solver {
     base::Array<double> history;
 };
 
-HermiteEnergy::HermiteEnergy(const base::Runtime& runtime, const geometry::PointTree& tree,
-                             const base::Array<std::int64_t>& rank, const Options& options,
-                             const base::Progress& progress)
-    : runtime_(runtime), system_(tree.points(), options_of(options.ridge)),
-      preconditioner_(runtime, system_, tree, rank, options.neighbours, progress), r_(runtime.memory, system_.rows()),
-      z_(runtime.memory, system_.rows()) {}
+HermiteEnergy::HermiteEnergy(const base::Work& work, const geometry::PointTree& tree,
+                             const base::Array<std::int64_t>& rank, const Options& options)
+    : runtime_(work), system_(tree.points(), options_of(options.ridge)),
+      preconditioner_(work, system_, tree, rank, options.neighbours), r_(work.memory, system_.rows()),
+      z_(work.memory, system_.rows()) {}
 
 HermiteEnergy::~HermiteEnergy() = default;
 
@@ -73,7 +69,8 @@ double HermiteEnergy::sparse(const geometry::VecArray& normal, geometry::VecArra
 
 double HermiteEnergy::solved(const geometry::VecArray& normal, geometry::VecArray& beta, double tolerance,
                              const base::Progress& progress) {
-    if (solver_ == nullptr) solver_ = std::make_unique<Solver>(runtime_, system_, preconditioner_, progress);
+    if (solver_ == nullptr)
+        solver_ = std::make_unique<Solver>(base::Work(runtime_, progress), system_, preconditioner_);
     Solver& solver = *solver_;
     load(normal);
     std::copy_n(r_.data(), solver.size, solver.r.data());
@@ -123,8 +120,7 @@ base::Array<double> HermiteEnergy::stiffness(const base::Progress& progress) con
         for (std::int64_t i = begin; i < end; ++i) sum += static_cast<double>(f[i]) * static_cast<double>(f[i]);
         return sum;
     };
-    for (std::int64_t e = 0; e < size() * blocks.set_size; ++e) {
-        if (e % elements_a_look == 0) progress.check();
+    for (const std::int64_t e : progress.over(size() * blocks.set_size)) {
         if (blocks.set[e - e % blocks.set_size] >= 0) result[blocks.set[e]] += square(blocks.factor + 16 * e, 4, 16);
     }
     for (std::int64_t k = 0; k < blocks.coarse_count; ++k)

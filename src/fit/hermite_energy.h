@@ -22,8 +22,8 @@ public:
 
     // Of the tree's points, which should be about 1 apart, in the tree's order, as all vectors below.  rank: of each in
     // a farthest-first order.  Refers to both.  Throws Error{out_of_memory, cancelled, singular_system}.
-    HermiteEnergy(const base::Runtime& runtime, const geometry::PointTree& tree, const base::Array<std::int64_t>& rank,
-                  const Options& options, const base::Progress& progress);
+    HermiteEnergy(const base::Work& work, const geometry::PointTree& tree, const base::Array<std::int64_t>& rank,
+                  const Options& options);
     ~HermiteEnergy();
     HermiteEnergy(const HermiteEnergy&) = delete;
     HermiteEnergy& operator=(const HermiteEnergy&) = delete;

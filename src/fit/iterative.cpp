@@ -23,10 +23,9 @@ constexpr std::int64_t some_samples = 512;
 // The system in the k-d tree's order, in which neighbours in space are neighbours in memory.
 class Arranged {
 public:
-    Arranged(const base::Runtime& runtime, const HermiteSystem& system, const base::Progress& progress)
-        : tree_(system.positions(), progress), system_(tree_.points(), system.options()),
-          rank_(runtime.memory, tree_.size()) {
-        const geometry::FarthestOrder order = geometry::farthest_order(tree_.points(), 0, progress);
+    Arranged(const base::Work& work, const HermiteSystem& system)
+        : tree_(system.positions(), work), system_(tree_.points(), system.options()), rank_(work.memory, tree_.size()) {
+        const geometry::FarthestOrder order = geometry::farthest_order(tree_.points(), 0, work);
         for (std::int64_t k = 0; k < order.order.size(); ++k) rank_[order.order[k]] = k;
     }
 
@@ -55,14 +54,13 @@ private:
 
 class Iteration {
 public:
-    Iteration(const base::Runtime& runtime, const Arranged& arranged, Preconditioner& preconditioner, double tolerance,
-              const base::Progress& progress)
-        : size_(arranged.system().rows()), polynomials_(runtime, arranged.system(), progress),
-          product_(runtime, arranged.tree().points(), arranged.system().options(), tolerance, progress),
-          cg_(runtime, product_, preconditioner, polynomials_, size_), w_(runtime.memory), w_before_(runtime.memory),
-          r_(runtime.memory), h_(runtime.memory) {
-        for (base::Array<double>* of : {&w_, &r_, &h_}) base::resize_long(*of, size_, progress);
-        if (product_.approximate()) base::resize_long(w_before_, size_, progress);
+    Iteration(const base::Work& work, const Arranged& arranged, Preconditioner& preconditioner, double tolerance)
+        : size_(arranged.system().rows()), polynomials_(work, arranged.system()),
+          product_(work, arranged.tree().points(), arranged.system().options(), tolerance),
+          cg_(work, product_, preconditioner, polynomials_, size_), w_(work.memory), w_before_(work.memory),
+          r_(work.memory), h_(work.memory) {
+        for (base::Array<double>* of : {&w_, &r_, &h_}) base::resize_long(*of, size_, work);
+        if (product_.approximate()) base::resize_long(w_before_, size_, work);
     }
 
     void run(const Arranged& arranged, const double* rhs, const SolveOptions& options, Solution& solution,
@@ -170,20 +168,19 @@ private:
 
 } // namespace
 
-void solve_iteratively(const base::Runtime& runtime, const HermiteSystem& system, const double* rhs,
-                       const SolveOptions& options, std::int32_t neighbours, Solution& solution,
-                       const base::Progress& progress) {
+void solve_iteratively(const base::Work& work, const HermiteSystem& system, const double* rhs,
+                       const SolveOptions& options, std::int32_t neighbours, Solution& solution) {
     base::Stopwatch watch;
-    const Arranged arranged(runtime, system, progress.part(0.0, 0.05));
+    const Arranged arranged(work.part(0.0, 0.05), system);
     solution.seconds_assemble += watch.seconds();
     watch.restart();
-    Preconditioner preconditioner(runtime, arranged.system(), arranged.tree(), arranged.rank(), neighbours,
-                                  progress.part(0.05, 0.25));
+    Preconditioner preconditioner(work.part(0.05, 0.25), arranged.system(), arranged.tree(), arranged.rank(),
+                                  neighbours);
     solution.seconds_precondition += watch.seconds();
     watch.restart();
     const double accuracy = options.product_tolerance > 0.0 ? options.product_tolerance : options.tolerance;
-    Iteration iteration(runtime, arranged, preconditioner, accuracy, progress);
-    iteration.run(arranged, rhs, options, solution, progress.part(0.25, 1.0));
+    Iteration iteration(work, arranged, preconditioner, accuracy);
+    iteration.run(arranged, rhs, options, solution, work.part(0.25, 1.0));
     solution.seconds_solve += watch.seconds();
 }
 

@@ -8,8 +8,7 @@ namespace hrbfnpr::fit {
 
 // Ends with solution.converged false if the tolerance is not reached.  Throws Error{invalid_argument (samples that
 // do not determine the polynomial), singular_system, out_of_memory, cancelled}.
-void solve_iteratively(const base::Runtime& runtime, const HermiteSystem& system, const double* rhs,
-                       const SolveOptions& options, std::int32_t neighbours, Solution& solution,
-                       const base::Progress& progress);
+void solve_iteratively(const base::Work& work, const HermiteSystem& system, const double* rhs,
+                       const SolveOptions& options, std::int32_t neighbours, Solution& solution);
 
 } // namespace hrbfnpr::fit

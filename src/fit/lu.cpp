@@ -20,19 +20,19 @@ using Vector = Eigen::Map<Eigen::VectorXd>;
 
 } // namespace
 
-DenseLu::DenseLu(const base::Runtime& runtime, const HermiteSystem& system, const base::Progress& progress)
-    : runtime_(runtime), size_(system.unknowns()), matrix_(runtime.memory), pivot_(runtime.memory) {
+DenseLu::DenseLu(const base::Work& work, const HermiteSystem& system)
+    : runtime_(work), size_(system.unknowns()), matrix_(work.memory), pivot_(work.memory) {
     matrix_.resize(size_ * size_);
     pivot_.resize(size_);
-    assemble(system, progress.part(0.0, 0.1));
-    factor(progress.part(0.1, 1.0));
+    assemble(system, work.part(0.0, 0.1));
+    factor(work.part(0.1, 1.0));
 }
 
 void DenseLu::assemble(const HermiteSystem& system, const base::Progress& progress) {
-    runtime_.parallel.for_chunks(system.samples(), samples_per_task, [&](std::int64_t begin, std::int64_t end) {
-        progress.check();
-        system.block(0, system.samples(), begin, end, column(4 * begin), size_);
-    });
+    runtime_.parallel.for_chunks(system.samples(), samples_per_task, progress,
+                                 [&](std::int64_t begin, std::int64_t end) {
+                                     system.block(0, system.samples(), begin, end, column(4 * begin), size_);
+                                 });
     const std::int64_t rows = system.rows();
     base::Array<double> p(runtime_.memory, rows * system.terms());
     system.constraints(p.data());
@@ -80,8 +80,7 @@ void DenseLu::update(std::int64_t begin, std::int64_t end, const base::Progress&
     const std::int64_t width = end - begin;
     const std::int64_t below = size_ - end;
     const Eigen::OuterStride<> stride(size_);
-    runtime_.parallel.for_chunks(size_ - width, panel_columns, [&](std::int64_t first, std::int64_t last) {
-        progress.check();
+    runtime_.parallel.for_chunks(size_ - width, panel_columns, progress, [&](std::int64_t first, std::int64_t last) {
         for (std::int64_t other = first; other < last; ++other) {
             double* data = column(other < begin ? other : other + width);
             for (std::int64_t k = begin; k < end; ++k) std::swap(data[k], data[pivot_[k]]);

@@ -10,7 +10,7 @@ namespace hrbfnpr::fit {
 class DenseLu {
 public:
     // Assembles and factors.  Throws Error{singular_system, out_of_memory, cancelled}.
-    DenseLu(const base::Runtime& runtime, const HermiteSystem& system, const base::Progress& progress);
+    DenseLu(const base::Work& work, const HermiteSystem& system);
 
     // They look for a cancel only.
     [[nodiscard]] double condition(const base::Progress& progress) const;

@@ -86,12 +86,12 @@ using Rows = std::array<Coefficients, groups.size()>; // each times the coeffici
 
 } // namespace
 
-Noise measure_noise(const base::Runtime& runtime, const Samples& samples, const base::Progress& progress) {
+Noise measure_noise(const base::Work& work, const Samples& samples) {
     if (samples.position.size() <= geometry::Neighbours::most) return {};
-    const geometry::Neighbours neighbours(runtime.parallel, samples.position, geometry::Neighbours::most, progress);
+    const geometry::Neighbours neighbours(work.runtime().parallel, samples.position, geometry::Neighbours::most, work);
     std::array<Pairs, groups.size()> pairs;
     for (std::size_t k = 0; k < groups.size(); ++k) {
-        progress.check();
+        work.check();
         pairs[k] = measure(samples, neighbours, groups[k]);
         // Exactly flat, or no two normals agree.
         if (!(pairs[k].variance > 0.0 && pairs[k].distance > 0.0)) return {};

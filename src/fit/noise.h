@@ -3,7 +3,7 @@
 #pragma once
 
 #include "base/operation.h"
-#include "base/runtime.h"
+#include "base/work.h"
 #include "fit/samples.h"
 
 namespace hrbfnpr::fit {
@@ -16,6 +16,6 @@ struct Noise {
 // A smooth f with f(x) = 0 and grad f(x) = n has (x_j - x_i) . (n_i + n_j) / 2 = O(d^3), d = |x_j - x_i|: the
 // trapezoidal rule.  Noise adds 2 position^2 + normal^2 d^2 / 2 to its variance.  So the variance is taken over the
 // pairs of each sample with its neighbours, in groups from the nearest to the 32nd, and a + b d^2 + c d^6 is fitted.
-[[nodiscard]] Noise measure_noise(const base::Runtime& runtime, const Samples& samples, const base::Progress& progress);
+[[nodiscard]] Noise measure_noise(const base::Work& work, const Samples& samples);
 
 } // namespace hrbfnpr::fit

@@ -29,11 +29,10 @@ using ConstMatrix = Eigen::Map<const Eigen::MatrixXd>;
 
 } // namespace
 
-NullSpaceSolver::NullSpaceSolver(const base::Runtime& runtime, const HermiteSystem& system,
-                                 const base::Progress& progress)
-    : runtime_(runtime), space_(runtime.memory, system), cholesky_(make_matrix(runtime.memory, space_)),
-      border_(runtime.memory, space_.rows() * space_.terms()) {
-    assemble(system, progress);
+NullSpaceSolver::NullSpaceSolver(const base::Work& work, const HermiteSystem& system)
+    : runtime_(work), space_(work.memory, system), cholesky_(make_matrix(work.memory, space_)),
+      border_(work.memory, space_.rows() * space_.terms()) {
+    assemble(system, work);
 }
 
 // With Q = I - V T V^T and Y = A V T, B = Q^T A Q is A less a product of low rank,
@@ -58,8 +57,7 @@ void NullSpaceSolver::assemble(const HermiteSystem& system, const base::Progress
             for (std::int64_t l = 0; l < terms; ++l) x.col(k) -= g(l, k) * space_.v().col(l);
     }
     progress.update(0.5);
-    runtime_.parallel.for_each(cholesky_.tile_count(), [&](std::int64_t t) {
-        progress.check();
+    runtime_.parallel.for_each(cholesky_.tile_count(), progress, [&](std::int64_t t) {
         const TiledCholesky::Position at = TiledCholesky::position(t);
         assemble_tile(system, x_data.data(), at.i, at.j);
     });

@@ -10,7 +10,7 @@ namespace hrbfnpr::fit {
 class NullSpaceSolver {
 public:
     // Assembles Q^T A Q.  Throws Error{invalid_argument, out_of_memory, cancelled}.
-    NullSpaceSolver(const base::Runtime& runtime, const HermiteSystem& system, const base::Progress& progress);
+    NullSpaceSolver(const base::Work& work, const HermiteSystem& system);
 
     // False if the matrix is not positive definite there.
     [[nodiscard]] bool factor(const base::Progress& progress);

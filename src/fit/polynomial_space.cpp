@@ -18,22 +18,21 @@ using Map = Eigen::Map<Eigen::MatrixXd, 0, Eigen::OuterStride<>>;
 
 } // namespace
 
-PolynomialSpace::PolynomialSpace(const base::Runtime& runtime, const HermiteSystem& system,
-                                 const base::Progress& progress)
-    : runtime_(runtime), rows_(system.rows()), terms_(system.terms()), q_(runtime.memory),
+PolynomialSpace::PolynomialSpace(const base::Work& work, const HermiteSystem& system)
+    : runtime_(work), rows_(system.rows()), terms_(system.terms()), q_(work.memory),
       r_(Small::Identity(terms_, terms_)) {
     if (terms_ == 0) return;
-    base::resize_long(q_, rows_ * terms_, progress);
+    base::resize_long(q_, rows_ * terms_, work);
     system.constraints(q_.data());
     for (std::int64_t k = 0; k < terms_; ++k) {
-        progress.check();
+        work.check();
         Eigen::Map<Eigen::VectorXd> column(q_.data() + k * rows_, rows_);
         const double norm = column.norm();
         if (norm > 0.0) column /= norm;
         r_(k, k) = norm;
     }
     for (int pass = 0; pass < 2; ++pass) {
-        progress.check();
+        work.check();
         orthonormalise();
     }
 }

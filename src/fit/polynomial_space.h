@@ -18,7 +18,7 @@ public:
 
     // P = Q R by Cholesky's factor of P^T P, taken twice (CholeskyQR2: Fukaya and others 2014), with P's columns
     // scaled first.  Throws Error{invalid_argument} if the samples do not determine the polynomial.
-    PolynomialSpace(const base::Runtime& runtime, const HermiteSystem& system, const base::Progress& progress = {});
+    PolynomialSpace(const base::Work& work, const HermiteSystem& system);
 
     [[nodiscard]] std::int64_t terms() const noexcept { return terms_; }
 

@@ -20,7 +20,6 @@ namespace {
 }
 
 constexpr std::int64_t corrections_a_task = 256; // samples
-constexpr std::int64_t samples_a_look = 4096;
 
 // Functionals of `at` less their Taylor expansions about sample 0: Z^T with Z's first rows for sample 0.
 [[nodiscard]] Eigen::MatrixXd beside_linear(const geometry::PointTree& tree, const base::Array<std::int64_t>& at) {
@@ -38,30 +37,28 @@ constexpr std::int64_t samples_a_look = 4096;
 
 } // namespace
 
-Preconditioner::Preconditioner(const base::Runtime& runtime, const HermiteSystem& system,
-                               const geometry::PointTree& tree, const base::Array<std::int64_t>& rank,
-                               std::int32_t neighbours, const base::Progress& progress)
-    : runtime_(runtime), samples_(system.samples()), set_size_(neighbours + 1),
-      beside_linear_(kernel::order(system.options().kernel) > 1), coarse_(runtime.memory),
-      coarse_factor_(runtime.memory), set_(runtime.memory), factor_(runtime.memory), use_begin_(runtime.memory),
-      use_(runtime.memory), t_(runtime.memory, 4 * samples_) {
-    base::resize_long(set_, samples_ * set_size_, progress);
+Preconditioner::Preconditioner(const base::Work& work, const HermiteSystem& system, const geometry::PointTree& tree,
+                               const base::Array<std::int64_t>& rank, std::int32_t neighbours)
+    : runtime_(work), samples_(system.samples()), set_size_(neighbours + 1),
+      beside_linear_(kernel::order(system.options().kernel) > 1), coarse_(work.memory), coarse_factor_(work.memory),
+      set_(work.memory), factor_(work.memory), use_begin_(work.memory), use_(work.memory),
+      t_(work.memory, 4 * samples_) {
+    base::resize_long(set_, samples_ * set_size_, work);
     coarse_.resize(coarse_count(samples_, neighbours));
     for (std::int64_t at = 0; at < samples_; ++at)
         if (rank[at] < coarse_.size()) coarse_[rank[at]] = at;
-    find_sets(tree, rank, progress.part(0.0, 0.3));
-    index_uses(progress);
-    progress.check();
+    find_sets(tree, rank, work.part(0.0, 0.3));
+    index_uses(work);
+    work.check();
     factor_coarse(system, tree);
-    factor_sets(system, tree, progress.part(0.3, 1.0));
+    factor_sets(system, tree, work.part(0.3, 1.0));
 }
 
 void Preconditioner::find_sets(const geometry::PointTree& tree, const base::Array<std::int64_t>& rank,
                                const base::Progress& progress) {
     progress.check();
     const base::Array<std::int64_t> smallest = tree.smallest_of_nodes([&](std::int64_t at) { return rank[at]; });
-    runtime_.parallel.for_chunks(samples_, corrections_a_task, [&](std::int64_t begin, std::int64_t end) {
-        progress.check();
+    runtime_.parallel.for_chunks(samples_, corrections_a_task, progress, [&](std::int64_t begin, std::int64_t end) {
         std::int64_t found[LocalSystems::largest_set];
         for (std::int64_t at = begin; at < end; ++at) {
             std::int32_t* set = set_.data() + at * set_size_;
@@ -86,8 +83,7 @@ void Preconditioner::factor_sets(const HermiteSystem& system, const geometry::Po
     const base::InstructionSet isa = runtime_.instruction_set;
     const FactorLocalSystems factor = local_factors(isa);
     const std::int64_t batch = 8 * local_factor_batch(isa);
-    runtime_.parallel.for_chunks(samples_, batch, [&](std::int64_t begin, std::int64_t end) {
-        progress.check();
+    runtime_.parallel.for_chunks(samples_, batch, progress, [&](std::int64_t begin, std::int64_t end) {
         std::fill(factor_.begin() + begin * set_size_ * 16, factor_.begin() + end * set_size_ * 16, 0.0F);
         base::Array<double> room(runtime_.memory, local_factor_room(isa, set_size_));
         base::Array<double> position(runtime_.memory, batch * set_size_ * 3);
@@ -132,8 +128,7 @@ void Preconditioner::factor_coarse(const HermiteSystem& system, const geometry::
 // A sample's uses: the elements of all sets that are this sample, in ascending order.
 void Preconditioner::index_uses(const base::Progress& progress) {
     use_begin_.resize(samples_ + 1);
-    for (std::int64_t at = 0; at < samples_; ++at) {
-        if (at % samples_a_look == 0) progress.check();
+    for (const std::int64_t at : progress.over(samples_)) {
         if (set_[at * set_size_] < 0) continue;
         for (std::int32_t k = 0; k < set_size_; ++k) ++use_begin_[set_[at * set_size_ + k] + 1];
     }
@@ -142,8 +137,7 @@ void Preconditioner::index_uses(const base::Progress& progress) {
     base::resize_long(use_, use_begin_[samples_], progress);
     base::Array<std::int64_t> next(runtime_.memory, samples_);
     std::copy_n(use_begin_.begin(), samples_, next.begin());
-    for (std::int64_t at = 0; at < samples_; ++at) {
-        if (at % samples_a_look == 0) progress.check();
+    for (const std::int64_t at : progress.over(samples_)) {
         if (set_[at * set_size_] < 0) continue;
         for (std::int32_t k = 0; k < set_size_; ++k) {
             const std::int64_t element = at * set_size_ + k;

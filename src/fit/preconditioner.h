@@ -16,8 +16,8 @@ public:
     // `system` is of the tree's points in the tree's order, and so are all vectors, 4 numbers a sample.
     // neighbours: of each sample, at most LocalSystems::largest_set - 1.  Throws Error{out_of_memory, cancelled,
     // singular_system} (the last if the coarsest block is not definite).
-    Preconditioner(const base::Runtime& runtime, const HermiteSystem& system, const geometry::PointTree& tree,
-                   const base::Array<std::int64_t>& rank, std::int32_t neighbours, const base::Progress& progress);
+    Preconditioner(const base::Work& work, const HermiteSystem& system, const geometry::PointTree& tree,
+                   const base::Array<std::int64_t>& rank, std::int32_t neighbours);
 
     // z = L L^T r
     void apply(const double* r, double* z, const base::Progress& progress = {});

@@ -35,14 +35,14 @@ constexpr int finest = 4;
 
 } // namespace
 
-HermiteProduct::HermiteProduct(const base::Runtime& runtime, const geometry::VecArray& position,
-                               const HermiteSystem::Options& options, double tolerance, const base::Progress& progress)
-    : runtime_(runtime), position_(position), options_(options), alpha_(runtime.memory, position.size()),
-      beta_(runtime.memory, position.size()), value_(runtime.memory, position.size()),
-      gradient_(runtime.memory, position.size()), boxes_(runtime.memory) {
+HermiteProduct::HermiteProduct(const base::Work& work, const geometry::VecArray& position,
+                               const HermiteSystem::Options& options, double tolerance)
+    : runtime_(work), position_(position), options_(options), alpha_(work.memory, position.size()),
+      beta_(work.memory, position.size()), value_(work.memory, position.size()),
+      gradient_(work.memory, position.size()), boxes_(work.memory) {
     make_boxes();
     far_options_.tolerance = tolerance;
-    if (options.kernel == kernel::Kind::triharmonic && position.size() >= far_field_from) make_far_field(progress);
+    if (options.kernel == kernel::Kind::triharmonic && position.size() >= far_field_from) make_far_field(work);
 }
 
 void HermiteProduct::make_boxes() {
@@ -69,7 +69,7 @@ void HermiteProduct::for_runs_in_reach(const geometry::Bounds& box, const Sum& s
 
 void HermiteProduct::make_far_field(const base::Progress& progress) {
     far_.reset();
-    far_ = std::make_unique<implicit::FarField>(runtime_, position_, far_options_, progress);
+    far_ = std::make_unique<implicit::FarField>(base::Work(runtime_, progress), position_, far_options_);
 }
 
 bool HermiteProduct::refine(const base::Progress& progress) {
@@ -128,8 +128,7 @@ base::Array<double> HermiteProduct::multiply_some(const double* x, std::int64_t 
 void HermiteProduct::sum_directly(const geometry::VecArray& at, base::Array<double>& value,
                                   geometry::VecArray& gradient, const base::Progress& progress) const {
     const implicit::AddHermiteSums add = implicit::hermite_sums(runtime_.instruction_set, options_.kernel);
-    runtime_.parallel.for_chunks(at.size(), targets_a_task, [&](std::int64_t begin, std::int64_t end) {
-        progress.check();
+    runtime_.parallel.for_chunks(at.size(), targets_a_task, progress, [&](std::int64_t begin, std::int64_t end) {
         double* const sums[4] = {value.data() + begin, gradient.x.data() + begin, gradient.y.data() + begin,
                                  gradient.z.data() + begin};
         for (double* const sum : sums) std::fill_n(sum, end - begin, 0.0);

@@ -14,8 +14,8 @@ namespace hrbfnpr::fit {
 class HermiteProduct {
 public:
     // tolerance: relative to the right-hand side, for which a fast product is accurate enough.
-    HermiteProduct(const base::Runtime& runtime, const geometry::VecArray& position,
-                   const HermiteSystem::Options& options, double tolerance, const base::Progress& progress);
+    HermiteProduct(const base::Work& work, const geometry::VecArray& position, const HermiteSystem::Options& options,
+                   double tolerance);
 
     // 4 numbers a sample: value, x, y, z.  x and y do not overlap.
     void multiply(const double* x, double* y, const base::Progress& progress);

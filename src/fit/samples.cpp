@@ -9,8 +9,6 @@
 namespace hrbfnpr::fit {
 namespace {
 
-constexpr std::int64_t read_at_once = 4096; // samples without a look for a cancel
-
 // Squares and cubes of what is accepted stay far from the ends of a double's range.
 constexpr double coordinate_limit = 1e100;
 
@@ -90,9 +88,8 @@ void require_agreement(const Samples& samples, std::int64_t a, std::int64_t b) {
     const base::Array<Along> order = sorted_along(samples.position, samples.bounds, progress);
     base::Array<std::int64_t> representative(memory, order.size());
     base::Array<Along> kept(memory);
-    std::int64_t looked = 0;
-    for (const Along& sample : order) {
-        if (looked++ % read_at_once == 0) progress.check();
+    for (const std::int64_t next : progress.over(order.size())) {
+        const Along& sample = order[next];
         std::int64_t found = -1;
         for (std::int64_t k = kept.size() - 1; k >= 0 && found < 0; --k) {
             if (sample.key - kept[k].key > 1.001 * tolerance) break;
@@ -121,14 +118,12 @@ void require_agreement(const Samples& samples, std::int64_t a, std::int64_t b) {
     return best;
 }
 
-[[nodiscard]] double mean_spacing(const base::Runtime& runtime, const Samples& samples,
-                                  const base::Progress& progress) {
+[[nodiscard]] double mean_spacing(const base::Work& work, const Samples& samples) {
     const std::int64_t count = samples.position.size();
     if (count < 2) return 0.0;
-    const base::Array<Along> order = sorted_along(samples.position, samples.bounds, progress);
-    base::Array<double> distance(runtime.memory, count);
-    runtime.parallel.for_chunks(count, 256, [&](std::int64_t begin, std::int64_t end) {
-        progress.check();
+    const base::Array<Along> order = sorted_along(samples.position, samples.bounds, work);
+    base::Array<double> distance(work.memory, count);
+    work.for_chunks(count, 256, [&](std::int64_t begin, std::int64_t end) {
         for (std::int64_t i = begin; i < end; ++i) distance[i] = nearest(samples.position, order, i);
     });
     double sum = 0.0;
@@ -167,20 +162,18 @@ void merge(Samples& samples, const base::Array<std::int64_t>& representative) {
     samples.normal.resize(kept);
 }
 
-void measure_extent(const base::Runtime& runtime, Samples& samples, const base::Progress& progress) {
+void measure_extent(const base::Work& work, Samples& samples) {
     samples.bounds = {};
     for (std::int64_t i = 0; i < samples.position.size(); ++i) samples.bounds.extend(samples.position[i]);
-    samples.spacing = mean_spacing(runtime, samples, progress);
+    samples.spacing = mean_spacing(work, samples);
 }
 
-Samples read_samples(const base::Runtime& runtime, const base::InView& points, const base::InView& normals,
-                     const base::Progress& progress) {
-    progress.update(0.0);
-    Samples samples(runtime.memory);
+Samples read_samples(const base::Work& work, const base::InView& points, const base::InView& normals) {
+    work.update(0.0);
+    Samples samples(work.memory);
     samples.position.resize(points.count);
     samples.normal.resize(points.count);
-    for (std::int64_t i = 0; i < points.count; ++i) {
-        if (i % read_at_once == 0) progress.check();
+    for (const std::int64_t i : work.over(points.count)) {
         samples.position.set(i, checked_point(points, i));
         samples.normal.set(i, checked_normal(normals, i, samples.rescaled_normals));
         samples.bounds.extend(samples.position[i]);
@@ -188,13 +181,13 @@ Samples read_samples(const base::Runtime& runtime, const base::InView& points, c
     const double diagonal = samples.bounds.diagonal();
     if (diagonal > 0.0 && diagonal < 1.0 / coordinate_limit)
         fail(Status::invalid_argument, "points span %.3g only, less than 1e-100; use a smaller unit", diagonal);
-    progress.update(0.25);
-    merge(samples, representatives(samples, progress));
-    progress.check();
+    work.update(0.25);
+    merge(samples, representatives(samples, work));
+    work.check();
     samples.merged = points.count - samples.position.size();
-    progress.update(0.5);
-    samples.spacing = mean_spacing(runtime, samples, progress);
-    progress.update(1.0);
+    work.update(0.5);
+    samples.spacing = mean_spacing(work, samples);
+    work.update(1.0);
     return samples;
 }
 

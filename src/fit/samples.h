@@ -3,8 +3,8 @@
 #pragma once
 
 #include "base/operation.h"
-#include "base/runtime.h"
 #include "base/view.h"
+#include "base/work.h"
 #include "geometry/vec_array.h"
 
 namespace hrbfnpr::fit {
@@ -22,14 +22,13 @@ struct Samples {
 };
 
 // Throws Error{invalid_argument} naming "points" or "normals" and the index.
-[[nodiscard]] Samples read_samples(const base::Runtime& runtime, const base::InView& points,
-                                   const base::InView& normals, const base::Progress& progress);
+[[nodiscard]] Samples read_samples(const base::Work& work, const base::InView& points, const base::InView& normals);
 
 // Replaces samples by the average of all that have the same representative (one of them), in the order of
 // the first of each.
 void merge(Samples& samples, const base::Array<std::int64_t>& representative);
 
 // Bounds and spacing of the samples as they are now.
-void measure_extent(const base::Runtime& runtime, Samples& samples, const base::Progress& progress);
+void measure_extent(const base::Work& work, Samples& samples);
 
 } // namespace hrbfnpr::fit

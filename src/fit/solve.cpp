@@ -55,46 +55,47 @@ constexpr double softened_tolerance = 3e-4;
 
 // Again with a little regularization, which bounds the weights of samples that contradict each other, and to what the
 // product of these weights resolves.
-void soften(const base::Runtime& runtime, const HermiteSystem& system, const double* rhs, SolveOptions options,
-            std::int32_t neighbours, Solution& solution, const base::Progress& progress) {
+void soften(const base::Work& work, const HermiteSystem& system, const double* rhs, SolveOptions options,
+            std::int32_t neighbours, Solution& solution) {
     HermiteSystem::Options soft = system.options();
     if (soft.value_diagonal > 0.0 || options.acceptable <= options.tolerance) return; // as the caller said
     soft.value_diagonal = solution.value_diagonal = softening_of_values;
     soft.gradient_diagonal = softening_of_gradients;
     options.product_tolerance = options.tolerance; // a looser product would not be definite
     options.tolerance = std::max(options.tolerance, softened_tolerance);
-    runtime.log(
+    work.runtime().log(
         base::LogLevel::warning,
         "fit: samples contradict each other (slivers?): a little regularization takes the place of none, and the "
         "tolerance is %.0e",
         options.tolerance);
     solution.iterations = 0;
     solution.history.clear();
-    solve_iteratively(runtime, HermiteSystem(system.positions(), soft), rhs, options, neighbours, solution, progress);
+    solve_iteratively(work, HermiteSystem(system.positions(), soft), rhs, options, neighbours, solution);
 }
 
 // Starts again with more neighbours if need be.
-void iterate(const base::Runtime& runtime, const HermiteSystem& system, const double* rhs, const SolveOptions& options,
-             Solution& solution, const base::Progress& progress) {
+void iterate(const base::Work& work, const HermiteSystem& system, const double* rhs, const SolveOptions& options,
+             Solution& solution) {
     const std::int32_t first =
         options.neighbours > 0 ? options.neighbours : first_neighbours(system.samples(), system.options().kernel);
     solution.solver = SolverKind::iterative;
-    solve_iteratively(runtime, system, rhs, options, first, solution, progress);
+    solve_iteratively(work, system, rhs, options, first, solution);
     if (rounding_ends(system, options, solution)) {
-        runtime.log(base::LogLevel::warning,
-                    "fit: rounding ends the iterations at a relative residual of %.1e, not %.1e", solution.residual,
-                    options.tolerance);
+        work.runtime().log(base::LogLevel::warning,
+                           "fit: rounding ends the iterations at a relative residual of %.1e, not %.1e",
+                           solution.residual, options.tolerance);
         solution.converged = true;
     }
     if (!solution.converged && solution.residual > hopeless_residual && system.samples() > most_direct)
-        return soften(runtime, system, rhs, options, first, solution, progress);
+        return soften(work, system, rhs, options, first, solution);
     if (solution.converged || options.neighbours > 0) return;
-    runtime.log(base::LogLevel::info, "fit: residual %.1e after %d iterations; trying %d neighbours in place of %d",
-                solution.residual, static_cast<int>(solution.iterations), static_cast<int>(second_neighbours),
-                static_cast<int>(first));
+    work.runtime().log(base::LogLevel::info,
+                       "fit: residual %.1e after %d iterations; trying %d neighbours in place of %d", solution.residual,
+                       static_cast<int>(solution.iterations), static_cast<int>(second_neighbours),
+                       static_cast<int>(first));
     solution.iterations = 0;
     solution.history.clear();
-    solve_iteratively(runtime, system, rhs, options, second_neighbours, solution, progress);
+    solve_iteratively(work, system, rhs, options, second_neighbours, solution);
 }
 
 [[noreturn]] void fail_to_converge(const HermiteSystem& system, const Solution& solution, const SolveOptions& options) {
@@ -107,11 +108,10 @@ void iterate(const base::Runtime& runtime, const HermiteSystem& system, const do
          gaussian ? "a smaller kernel_radius (this one is too wide for so many samples), " : "");
 }
 
-[[nodiscard]] SolverReason try_iterations(const base::Runtime& runtime, const HermiteSystem& system, const double* rhs,
-                                          const SolveOptions& options, Solution& solution,
-                                          const base::Progress& progress) {
+[[nodiscard]] SolverReason try_iterations(const base::Work& work, const HermiteSystem& system, const double* rhs,
+                                          const SolveOptions& options, Solution& solution) {
     try {
-        iterate(runtime, system, rhs, options, solution, progress);
+        iterate(work, system, rhs, options, solution);
     } catch (const Error& error) {
         if (error.status() != Status::singular_system) throw;
         return SolverReason::not_definite;
@@ -121,32 +121,31 @@ void iterate(const base::Runtime& runtime, const HermiteSystem& system, const do
 
 } // namespace
 
-Solution solve(const base::Runtime& runtime, const HermiteSystem& system, const double* rhs, SolveOptions options,
-               const base::Progress& progress) {
-    Solution solution(runtime.memory);
+Solution solve(const base::Work& work, const HermiteSystem& system, const double* rhs, SolveOptions options) {
+    Solution solution(work.memory);
     if (options.tolerance == 0.0) options.tolerance = system.samples() <= small ? 1e-10 : 1e-8;
     const bool possible = definite(system.options());
     if (options.solver == SolverKind::iterative) {
         if (!possible)
             fail(Status::invalid_argument, "solver is ITERATIVE, which needs polynomial_degree >= 1 with the "
                                            "triharmonic kernel; use that, or the direct solver");
-        iterate(runtime, system, rhs, options, solution, progress);
+        iterate(work, system, rhs, options, solution);
         if (!solution.converged) fail_to_converge(system, solution, options);
         return solution;
     }
     if (options.solver == SolverKind::automatic) {
         solution.reason = possible ? SolverReason::small : SolverReason::not_definite;
         if (possible && system.samples() >= crossover) {
-            solution.reason = try_iterations(runtime, system, rhs, options, solution, progress.part(0.0, 0.9));
+            solution.reason = try_iterations(work.part(0.0, 0.9), system, rhs, options, solution);
             if (solution.reason == SolverReason::large) return solution;
             if (system.samples() > most_direct) fail_to_converge(system, solution, options);
-            runtime.log(base::LogLevel::warning, "fit: no convergence (residual %.1e); solving directly",
-                        solution.residual);
+            work.runtime().log(base::LogLevel::warning, "fit: no convergence (residual %.1e); solving directly",
+                               solution.residual);
         }
     }
     solution.misfit.clear(); // the attempt's
     solution.history.clear();
-    solve_directly(runtime, system, rhs, options, solution, progress);
+    solve_directly(work, system, rhs, options, solution);
     return solution;
 }
 

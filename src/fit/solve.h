@@ -42,7 +42,7 @@ struct Solution {
 
 // rhs: unknowns() long, zeros in its last terms().
 // Throws Error{invalid_argument, singular_system, not_converged, out_of_memory, cancelled}.
-[[nodiscard]] Solution solve(const base::Runtime& runtime, const HermiteSystem& system, const double* rhs,
-                             SolveOptions options, const base::Progress& progress);
+[[nodiscard]] Solution solve(const base::Work& work, const HermiteSystem& system, const double* rhs,
+                             SolveOptions options);
 
 } // namespace hrbfnpr::fit

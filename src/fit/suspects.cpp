@@ -58,12 +58,11 @@ using Buffer = std::array<double, geometry::Neighbours::most>;
 
 class SuspectFinder {
 public:
-    SuspectFinder(const base::Runtime& runtime, const Samples& samples, const geometry::Neighbours& neighbours,
-                  const base::Progress& progress)
-        : runtime_(runtime), samples_(samples), neighbours_(neighbours), progress_(progress),
-          local_(runtime.memory, samples.position.size()), found_(runtime.memory) {
+    SuspectFinder(const base::Work& work, const Samples& samples, const geometry::Neighbours& neighbours)
+        : runtime_(work), samples_(samples), neighbours_(neighbours), progress_(work),
+          local_(work.memory, samples.position.size()), found_(work.memory) {
         for_each([&](std::int64_t i) { local_[i] = measure(i); });
-        base::Array<double> distance(runtime.memory, local_.size());
+        base::Array<double> distance(work.memory, local_.size());
         for (std::int64_t i = 0; i < local_.size(); ++i) distance[i] = local_[i].distance;
         double* middle = distance.data() + distance.size() / 2;
         std::nth_element(distance.begin(), middle, distance.end());
@@ -183,9 +182,8 @@ private:
 
 } // namespace
 
-Suspects find_suspects(const base::Runtime& runtime, const Samples& samples, const geometry::Neighbours& neighbours,
-                       const base::Progress& progress) {
-    return SuspectFinder(runtime, samples, neighbours, progress).run();
+Suspects find_suspects(const base::Work& work, const Samples& samples, const geometry::Neighbours& neighbours) {
+    return SuspectFinder(work, samples, neighbours).run();
 }
 
 } // namespace hrbfnpr::fit

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "base/operation.h"
-#include "base/runtime.h"
+#include "base/work.h"
 #include "fit/samples.h"
 #include "geometry/neighbours.h"
 
@@ -17,7 +17,7 @@ struct Suspects {
 };
 
 // neighbours: some 16 of each sample.
-[[nodiscard]] Suspects find_suspects(const base::Runtime& runtime, const Samples& samples,
-                                     const geometry::Neighbours& neighbours, const base::Progress& progress);
+[[nodiscard]] Suspects find_suspects(const base::Work& work, const Samples& samples,
+                                     const geometry::Neighbours& neighbours);
 
 } // namespace hrbfnpr::fit

@@ -45,8 +45,7 @@ void HermiteSystem::multiply(const base::Parallel& parallel, const double* x, st
                              const base::Progress& progress) const {
     using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic>;
     using Strided = Eigen::OuterStride<>;
-    parallel.for_chunks(samples(), product_samples, [&](std::int64_t i0, std::int64_t i1) {
-        progress.check();
+    parallel.for_chunks(samples(), product_samples, progress, [&](std::int64_t i0, std::int64_t i1) {
         alignas(64) double tile[16 * product_samples * product_samples];
         const std::int64_t height = 4 * (i1 - i0);
         Eigen::Map<Matrix, 0, Strided> sum(y + 4 * i0, height, columns, Strided(rows()));

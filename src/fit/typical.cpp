@@ -26,14 +26,13 @@ constexpr std::int64_t spacings_a_task = 512;
 
 } // namespace
 
-base::Array<std::int64_t> typical_samples(const base::Runtime& runtime, const Samples& samples,
-                                          const geometry::Neighbours& neighbours, const base::Progress& progress) {
+base::Array<std::int64_t> typical_samples(const base::Work& work, const Samples& samples,
+                                          const geometry::Neighbours& neighbours) {
     const std::int64_t count = samples.position.size();
-    base::Array<double> odd(runtime.memory, count);
-    base::Array<std::int64_t> typical(runtime.memory, count);
+    base::Array<double> odd(work.memory, count);
+    base::Array<std::int64_t> typical(work.memory, count);
     const auto for_each = [&](auto&& visit) {
-        runtime.parallel.for_chunks(count, spacings_a_task, [&](std::int64_t begin, std::int64_t end) {
-            progress.check();
+        work.for_chunks(count, spacings_a_task, [&](std::int64_t begin, std::int64_t end) {
             for (std::int64_t i = begin; i < end; ++i) visit(i);
         });
     };

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "base/operation.h"
-#include "base/runtime.h"
+#include "base/work.h"
 #include "fit/samples.h"
 #include "geometry/neighbours.h"
 
@@ -11,8 +11,7 @@ namespace hrbfnpr::fit {
 
 // For each sample, the one of it and its neighbours that agrees best with those around it in position and normal.
 // What is worst off a fit is the worst of the noise, too: a scan's rims have normals of all directions.
-[[nodiscard]] base::Array<std::int64_t> typical_samples(const base::Runtime& runtime, const Samples& samples,
-                                                        const geometry::Neighbours& neighbours,
-                                                        const base::Progress& progress);
+[[nodiscard]] base::Array<std::int64_t> typical_samples(const base::Work& work, const Samples& samples,
+                                                        const geometry::Neighbours& neighbours);
 
 } // namespace hrbfnpr::fit

@@ -75,22 +75,22 @@ struct Followed {
 };
 
 // Follows the surface from samples, finds its parts, reports those left out. A wary look has fewer cells, lower limits.
-[[nodiscard]] Followed follow(const base::Runtime& runtime, const implicit::Implicit& implicit,
+[[nodiscard]] Followed follow(const base::Work& work, const implicit::Implicit& implicit,
                               const surface::Support& support, const TrimSettings& settings, bool wary,
-                              const geometry::VecArray& samples, TrimReport& report, const base::Progress& progress) {
+                              const geometry::VecArray& samples, TrimReport& report) {
     const double diagonal = implicit.diagonal();
     const geometry::Bounds region = implicit.bounds().grown(stipples::stipple_tuning.most_margin * diagonal);
     const double a_spacing = wary ? 1.0 : generate_tuning.cells_a_spacing;
     const double side =
         std::clamp(support.median_spacing() / a_spacing, region.diagonal() / generate_tuning.finest_cells,
                    region.diagonal() / generate_tuning.coarsest_cells);
-    const marks::Site site{runtime, implicit, unused, 1};
-    Followed found(stipples::find_surface_cells(site, samples, region, side, progress.part(0.0, 0.6)));
+    const marks::Site site{work, implicit, unused, 1};
+    Followed found(stipples::find_surface_cells(site.part(0.0, 0.6), samples, region, side));
     const stipples::SurfaceCells& cells = found.cells;
     const std::int64_t count = cells.cell.size();
-    base::Array<double> value(runtime.memory, count); // s where the surface is nearest to a cell's centre
+    base::Array<double> value(work.memory, count); // s where the surface is nearest to a cell's centre
     constexpr std::int64_t cells_a_task = 256;
-    runtime.parallel.for_chunks(count, cells_a_task, progress, [&](std::int64_t begin, std::int64_t end) {
+    work.for_chunks(count, cells_a_task, [&](std::int64_t begin, std::int64_t end) {
         for (std::int64_t i = begin; i < end; ++i) {
             const stipples::SurfaceCell& cell = cells.cell[i];
             value[i] = std::isnan(cell.distance) ? 0.0 : support.value(found.place(i), cell.normal);
@@ -101,7 +101,7 @@ struct Followed {
     const double share = wary ? generate_tuning.wary : 1.0;
     const geometry::Bounds inner = region.grown(-side);
     std::int64_t left_out = 0;
-    base::Array<std::int64_t> front(runtime.memory);
+    base::Array<std::int64_t> front(work.memory);
     for (std::int64_t first = 0; first < count; ++first) {
         if (found.part_of[first] != in_no_part_yet) continue;
         Part part;
@@ -115,7 +115,7 @@ struct Followed {
         };
         take(first);
         for (std::int64_t next = 0; next < front.size(); ++next) {
-            if (next % cells_a_task == 0) progress.check();
+            work.check();
             found.for_neighbours(front[next], [&](const CellGrid::Cell&, std::int32_t there) {
                 if (there >= 0 && found.part_of[there] == in_no_part_yet) take(there);
             });
@@ -137,20 +137,19 @@ struct Followed {
 }
 
 // Whether there may be something to leave out: if there is, a part of it begins where samples are not surrounded.
-[[nodiscard]] bool may_end(const base::Runtime& runtime, const ImplicitFor& implicit_for,
-                           const surface::Support& support, const TrimSettings& settings,
-                           const base::Progress& progress) {
+[[nodiscard]] bool may_end(const base::Work& work, const ImplicitFor& implicit_for, const surface::Support& support,
+                           const TrimSettings& settings) {
     if (!(settings.off <= generate_tuning.on_surface * support.median_spacing())) return true;
     const geometry::VecArray from = support.not_surrounded();
     if (from.size() == 0) return false;
     if (2 * from.size() > support.samples()) return true;
     const double evaluations = generate_tuning.evaluations_of_sample * static_cast<double>(from.size());
-    const implicit::Implicit& implicit = implicit_for(evaluations, progress.standing());
+    const implicit::Implicit& implicit = implicit_for(evaluations, work.standing());
     const Doubtful doubtful(support, settings.limit);
     const implicit::Trimmed some(implicit, doubtful);
     for (const bool wary : {true, false}) {
         TrimReport report;
-        static_cast<void>(follow(runtime, some, support, settings, wary, from, report, progress));
+        static_cast<void>(follow(work, some, support, settings, wary, from, report));
         if (report.parts == 0) return false;
     }
     return true;
@@ -158,50 +157,49 @@ struct Followed {
 
 } // namespace
 
-FoundTrim find_trim(const base::Runtime& runtime, const ImplicitFor& implicit_for, const geometry::VecArray& position,
-                    const geometry::VecArray& normal, const TrimSettings& settings, const base::Progress& progress) {
+FoundTrim find_trim(const base::Work& work, const ImplicitFor& implicit_for, const geometry::VecArray& position,
+                    const geometry::VecArray& normal, const TrimSettings& settings) {
     HRBFNPR_ASSERT(position.size() > 0 && position.size() == normal.size());
     const double closest = settings.closest * implicit_for(0.0, {}).diagonal();
-    surface::Support support(runtime, position, normal, closest, progress.part(0.0, 0.2));
+    surface::Support support(work.part(0.0, 0.2), position, normal, closest);
     FoundTrim trim;
     trim.report.samples = position.size();
     trim.report.spacing = support.median_spacing();
-    if (!may_end(runtime, implicit_for, support, settings, progress.part(0.2, 0.3))) return trim;
-    const implicit::Implicit& implicit = implicit_for(generate_tuning.evaluations_of_surface, progress.part(0.3, 0.5));
-    const Followed found =
-        follow(runtime, implicit, support, settings, false, position, trim.report, progress.part(0.5, 1.0));
+    if (!may_end(work.part(0.2, 0.3), implicit_for, support, settings)) return trim;
+    const implicit::Implicit& implicit = implicit_for(generate_tuning.evaluations_of_surface, work.part(0.3, 0.5));
+    const Followed found = follow(work.part(0.5, 1.0), implicit, support, settings, false, position, trim.report);
     if (trim.report.share == 1.0)
         fail(Status::not_converged, "no part of the surface is near its samples: give more of them, or a larger limit");
     if (trim.report.parts == 0) return trim;
     // The surface ends between a cell that is left out and one that is not: cells around those left out count as left
     // out, but for those of holes that stay closed. All others are kept.
-    geometry::CellSet left_out(runtime.memory);
+    geometry::CellSet left_out(work.memory);
     for (std::int64_t i = 0; i < found.part_of.size(); ++i)
         if (found.is_left_out(i))
             found.for_neighbours(i, [&](const CellGrid::Cell& there, std::int32_t number) {
                 if (number < 0 || found.part_of[number] < 0 || found.is_left_out(number))
                     left_out.insert(CellGrid::pack(there));
             });
-    geometry::CellSet kept(runtime.memory);
+    geometry::CellSet kept(work.memory);
     for (const stipples::SurfaceCell& cell : found.cells.cell)
         if (const std::uint64_t packed = CellGrid::pack(geometry::morton_cell(cell.code)); !left_out.contains(packed))
             kept.insert(packed);
     support.keep(found.cells.grid, std::move(kept), std::move(left_out), settings.limit);
     trim.trim = std::make_unique<surface::SupportDomain>(std::move(support), settings.limit, closest);
-    progress.update(1.0);
+    work.update(1.0);
     return trim;
 }
 
-geometry::Bounds closed_bounds(const base::Runtime& runtime, const implicit::Implicit& implicit,
-                               const geometry::VecArray& position, const base::Progress& progress) {
+geometry::Bounds closed_bounds(const base::Work& work, const implicit::Implicit& implicit,
+                               const geometry::VecArray& position) {
     geometry::Bounds bounds = implicit.bounds();
     if (position.size() > generate_tuning.most_samples_along_curves) return bounds;
-    if (!geometry::along_curves(geometry::PointTree(position, progress.part(0.0, 0.1)))) return bounds;
+    if (!geometry::along_curves(geometry::PointTree(position, work.part(0.0, 0.1)))) return bounds;
     const double diagonal = implicit.diagonal();
     const geometry::Bounds region = bounds.grown(generate_tuning.bulge * diagonal);
-    const marks::Site site{runtime, implicit, unused, 1};
-    const stipples::SurfaceCells found = stipples::find_surface_cells(
-        site, position, region, diagonal / generate_tuning.cells_of_bounds, progress.part(0.1, 1.0));
+    const marks::Site site{work, implicit, unused, 1};
+    const stipples::SurfaceCells found =
+        stipples::find_surface_cells(site.part(0.1, 1.0), position, region, diagonal / generate_tuning.cells_of_bounds);
     const geometry::Bounds inside = region.grown(-found.grid.side);
     for (std::int64_t i = 0; i < found.cell.size(); ++i) {
         const stipples::SurfaceCell& cell = found.cell[i];

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "base/operation.h"
-#include "base/runtime.h"
+#include "base/work.h"
 #include "geometry/vec_array.h"
 #include "implicit/implicit.h"
 #include "surface/support_domain.h"
@@ -50,14 +50,14 @@ using ImplicitFor = std::function<const implicit::Implicit&(double evaluations, 
 //    mere hole between samples.
 //
 // Throws Error{not_converged} where nothing would be left.
-[[nodiscard]] FoundTrim find_trim(const base::Runtime& runtime, const ImplicitFor& implicit_for,
+[[nodiscard]] FoundTrim find_trim(const base::Work& work, const ImplicitFor& implicit_for,
                                   const geometry::VecArray& position, const geometry::VecArray& normal,
-                                  const TrimSettings& settings, const base::Progress& progress);
+                                  const TrimSettings& settings);
 
 // The box of a surface through samples at `position`. It is the implicit's own one, but for 20 000 samples along curves
 // at most: between wires and beyond the first and last of cross sections their surface bulges out of it. Where it
 // closes within a third of a diagonal around them, the box is that of both.
-[[nodiscard]] geometry::Bounds closed_bounds(const base::Runtime& runtime, const implicit::Implicit& implicit,
-                                             const geometry::VecArray& position, const base::Progress& progress);
+[[nodiscard]] geometry::Bounds closed_bounds(const base::Work& work, const implicit::Implicit& implicit,
+                                             const geometry::VecArray& position);
 
 } // namespace hrbfnpr::generate

@@ -31,10 +31,10 @@ namespace {
 // A model, its samples and the settings' lengths in a unit of the model's size, in which floats hold squares and cubes.
 struct InUnit {
     // The settings have passed check_request(); all arguments live as long as this.
-    InUnit(const base::Runtime& runtime, const implicit::Implicit& implicit, const SampleHint& given_samples,
+    InUnit(const base::Work& work, const implicit::Implicit& implicit, const SampleHint& given_samples,
            const Settings& given)
-        : site_runtime(runtime), unscaled(implicit), unit(geometry::unit_for(implicit.diagonal())),
-          sample_position(runtime.memory), seed_position(runtime.memory), samples(given_samples), settings(given) {
+        : work_of_all(work), unscaled(implicit), unit(geometry::unit_for(implicit.diagonal())),
+          sample_position(work.memory), seed_position(work.memory), samples(given_samples), settings(given) {
         if (unit == 1.0) return;
         HRBFNPR_ASSERT(unit > 0.0);
         scaled.emplace(implicit, unit);
@@ -52,10 +52,10 @@ struct InUnit {
     }
 
     [[nodiscard]] marks::Site site() const noexcept {
-        return {site_runtime, scaled ? *scaled : unscaled, settings.projection_tolerance, settings.random_seed, unit};
+        return {work_of_all, scaled ? *scaled : unscaled, settings.projection_tolerance, settings.random_seed, unit};
     }
 
-    const base::Runtime& site_runtime;
+    base::Work work_of_all;
     const implicit::Implicit& unscaled;
     double unit;
     std::optional<implicit::Scaled> scaled; // only in another unit than the caller's
@@ -99,7 +99,6 @@ struct Ground {
     const SampleHint& samples;
     const Settings& settings;
     const marks::Seeds& seeds;
-    base::Progress progress; // that of all layers together
 };
 
 // A layer while it grows.
@@ -109,10 +108,10 @@ struct Growing {
         site.random_seed = marks::layer_seed(all.random_seed, its.kind, number_of_kind);
     }
     // Seeds take the first tenth, the last part is for assembling; the layers share the rest.
-    [[nodiscard]] base::Progress part_of(const Ground& ground) const noexcept {
+    [[nodiscard]] marks::Site part_of(const Ground& ground) const noexcept {
         const double each = 0.75 / static_cast<double>(ground.settings.layers.size());
         const double first = 0.2 + each * static_cast<double>(place);
-        return ground.progress.part(first, first + each);
+        return site.part(first, first + each);
     }
 
     const LayerSettings& settings;
@@ -152,8 +151,7 @@ void grow_published(const Ground& ground, base::List<Growing>& growing, marks::P
         if (layer.settings.has_strokes()) continue;
         const base::Stopwatch watch;
         marks::LayerReport& report = set.layers[layer.place].report;
-        published::grow_stipples(layer.site, from_seeds, growth_of(ground, layer), layer.marks, report,
-                                 layer.part_of(ground));
+        published::grow_stipples(layer.part_of(ground), from_seeds, growth_of(ground, layer), layer.marks, report);
         report.seconds = watch.seconds();
         if (stipples == nullptr) stipples = &layer.marks;
     }
@@ -164,7 +162,7 @@ void grow_published(const Ground& ground, base::List<Growing>& growing, marks::P
         growth.levels = levels_to_start;
         growth.step = seeds.step;
         marks::LayerReport report(ground.site.memory());
-        published::grow_stipples(ground.site, from_seeds, growth, hidden, report, ground.progress.part(0.1, 0.2));
+        published::grow_stipples(ground.site.part(0.1, 0.2), from_seeds, growth, hidden, report);
     }
     if (stipples == nullptr) stipples = &hidden;
     for (Growing& layer : growing) {
@@ -181,8 +179,8 @@ void grow_published(const Ground& ground, base::List<Growing>& growing, marks::P
         }
         const published::Start from_stipples{position, normal,
                                              marks::grown_count(seeds.report.attempted, 5, its.start_level)};
-        published::grow_strokes(layer.site, its.from_stipples ? from_stipples : from_seeds, growth_of(ground, layer),
-                                layer.marks, report, layer.part_of(ground));
+        published::grow_strokes(layer.part_of(ground), its.from_stipples ? from_stipples : from_seeds,
+                                growth_of(ground, layer), layer.marks, report);
         report.seconds = watch.seconds();
     }
 }
@@ -193,8 +191,8 @@ void grow_published(const Ground& ground, base::List<Growing>& growing, marks::P
 double spread_stipples(const Ground& ground, const stipples::SurfaceCells& cells, Growing& layer,
                        marks::LayerReport& report) {
     const base::Stopwatch watch;
-    stipples::EvenMarks even = stipples::spread_by_density(layer.site, cells, layer.settings.budget,
-                                                           layer.settings.density, layer.part_of(ground));
+    stipples::EvenMarks even =
+        stipples::spread_by_density(layer.part_of(ground), cells, layer.settings.budget, layer.settings.density);
     marks::Marks& marks = layer.marks;
     const std::int64_t count = even.position.size();
     marks.position = std::move(even.position);
@@ -217,18 +215,18 @@ double spread_stipples(const Ground& ground, const stipples::SurfaceCells& cells
 // not depend on the other layers: they have cells of their own. Returns the area of the surface.
 double hatch(const Ground& ground, Growing& layer, std::optional<hatching::Ground>& last, marks::LayerReport& report) {
     const base::Stopwatch watch;
-    const marks::Site& site = ground.site;
+    // Its random numbers are those of all layers.
+    const marks::Site site = ground.site.with(layer.part_of(ground).work);
     hatching::Settings settings = layer.settings.hatching;
     settings.layer = layer.place;
     settings.budget = layer.settings.budget;
     settings.field.diagonal = site.implicit.diagonal();
-    const base::Progress progress = layer.part_of(ground);
     if (!last || !settings.is_on_ground_of(last->settings()))
-        last.emplace(site,
-                     stipples::cover_surface(site, ground.seeds, ground.samples.spacing,
-                                             hatching::hatching_tuning.most_samples, progress.part(0.0, 0.1)),
-                     settings, progress.part(0.1, 0.6));
-    last->lay_lines(site, settings, layer.marks, report, progress.part(0.6, 1.0));
+        last.emplace(site.part(0.1, 0.6),
+                     stipples::cover_surface(site.part(0.0, 0.1), ground.seeds, ground.samples.spacing,
+                                             hatching::hatching_tuning.most_samples),
+                     settings);
+    last->lay_lines(site.part(0.6, 1.0), settings, layer.marks, report);
     report.seconds = watch.seconds();
     return last->area();
 }
@@ -238,8 +236,8 @@ double grow_even(const Ground& ground, base::List<Growing>& growing, marks::Poin
     std::int64_t most = 1;
     for (const LayerSettings& layer : ground.settings.layers)
         if (!layer.has_strokes()) most = std::max(most, layer.budget);
-    const stipples::SurfaceCells cells = stipples::cover_surface(ground.site, ground.seeds, ground.samples.spacing,
-                                                                 most, ground.progress.part(0.1, 0.2));
+    const stipples::SurfaceCells cells =
+        stipples::cover_surface(ground.site.part(0.1, 0.2), ground.seeds, ground.samples.spacing, most);
     double area = 0.0;
     std::optional<hatching::Ground> last;
     for (Growing& layer : growing) {
@@ -275,11 +273,10 @@ void require_some(base::List<Growing>& growing, marks::PointSet& set) {
 }
 
 // `area`: of the surface; 0 where it is not known.
-void assemble_layers(const marks::Site& site, base::List<Growing>& growing, double area, marks::PointSet& set,
-                     const base::Progress& progress) {
+void assemble_layers(const marks::Site& site, base::List<Growing>& growing, double area, marks::PointSet& set) {
     base::Array<const geometry::VecArray*> positions(site.memory());
     for (const Growing& layer : growing) positions.push_back(&layer.marks.position);
-    measure(site.runtime, positions.span(), area, set, progress.part(0.95, 0.95));
+    measure(site.work.part(0.95, 0.95), positions.span(), area, set);
     std::int64_t largest = 0; // marks in one layer
     for (const Growing& layer : growing) largest = std::max(largest, layer.marks.count());
     for (Growing& layer : growing) {
@@ -288,13 +285,13 @@ void assemble_layers(const marks::Site& site, base::List<Growing>& growing, doub
         if (length > 0.0 && layer.marks.count() > 0) {
             const double known = area > 0.0 ? area : set.spacing * set.spacing * static_cast<double>(largest);
             const double spacing = std::sqrt(known / static_cast<double>(layer.marks.count()));
-            marks::soften_normals(layer.site, layer.marks, length, spacing, to.tone_normal, progress.part(0.95, 1.0));
+            marks::soften_normals(layer.site, layer.marks, length, spacing, to.tone_normal);
         }
         marks::AssembleSettings settings;
         settings.strokes = layer.settings.has_strokes();
         settings.with_curvature = !layer.marks.curvature.empty() || layer.settings.with_curvature;
         settings.part = layer.settings.part;
-        marks::assemble(layer.site, layer.marks, settings, set.origin, to, progress.part(0.95, 1.0));
+        marks::assemble(layer.site.part(0.95, 1.0), layer.marks, settings, set.origin, to);
         layer.marks = marks::Marks(site.memory()); // gives the doubles back
     }
 }
@@ -337,12 +334,12 @@ double expected_evaluations(const SampleHint& samples, const Settings& settings)
     return evaluations;
 }
 
-marks::PointSet generate(const base::Runtime& runtime, const implicit::Implicit& implicit, const SampleHint& samples,
-                         const Settings& given, const base::Progress& progress) {
+marks::PointSet generate(const base::Work& work, const implicit::Implicit& implicit, const SampleHint& samples,
+                         const Settings& given) {
     const base::Stopwatch watch;
     const Settings complete = completed(given);
     check_request(implicit, complete);
-    const InUnit in_unit(runtime, implicit, samples, complete);
+    const InUnit in_unit(work, implicit, samples, complete);
     const marks::Site site = in_unit.site();
     const Settings& settings = in_unit.settings;
     marks::PointSet set(site.memory());
@@ -354,36 +351,36 @@ marks::PointSet generate(const base::Runtime& runtime, const implicit::Implicit&
         layer.name = its.name;
         layer.progressive = settings.distribution == marks::Distribution::blue_noise;
     }
-    const marks::Seeds seeds = make_seeds(site, in_unit.samples, settings, progress.part(0.0, 0.1));
+    const marks::Seeds seeds = make_seeds(site.part(0.0, 0.1), in_unit.samples, settings);
     set.distribution = settings.distribution;
     set.seed_source = seeds.source;
     set.seeds = seeds.report;
     set.seconds_seeds = watch.seconds();
-    const Ground ground{site, in_unit.samples, settings, seeds, progress};
+    const Ground ground{site, in_unit.samples, settings, seeds};
     double area = 0.0;
     if (settings.distribution == marks::Distribution::published)
         grow_published(ground, growing, set);
     else
         area = grow_even(ground, growing, set);
     require_some(growing, set);
-    assemble_layers(site, growing, area, set, progress);
+    assemble_layers(site, growing, area, set);
     set.seconds_total = watch.seconds();
-    progress.update(1.0);
+    work.update(1.0);
     to_callers_unit(set, site.unit);
-    marks::cluster_marks(runtime, set, progress);
+    marks::cluster_marks(work, set);
     for (const marks::Layer& layer : set.layers)
-        runtime.log(base::LogLevel::info, "generate: %lld marks in layer '%s' in %.3f s",
-                    static_cast<long long>(layer.count()), layer.name.data(), layer.report.seconds);
+        work.runtime().log(base::LogLevel::info, "generate: %lld marks in layer '%s' in %.3f s",
+                           static_cast<long long>(layer.count()), layer.name.data(), layer.report.seconds);
     return set;
 }
 
-double step_patches(const base::Runtime& runtime, const implicit::Implicit& implicit, const SampleHint& samples,
-                    const Settings& given, const base::OutView& corners, const base::Progress& progress) {
+double step_patches(const base::Work& work, const implicit::Implicit& implicit, const SampleHint& samples,
+                    const Settings& given, const base::OutView& corners) {
     const Settings settings = completed(given);
     check_request(implicit, settings);
-    const InUnit in_unit(runtime, implicit, samples, settings);
+    const InUnit in_unit(work, implicit, samples, settings);
     const marks::Site site = in_unit.site();
-    const marks::Seeds seeds = make_seeds(site, in_unit.samples, in_unit.settings, progress);
+    const marks::Seeds seeds = make_seeds(site, in_unit.samples, in_unit.settings);
     // The seeds in a random order: patches are placed at different ones as long as there are some.
     struct Ticket {
         std::uint64_t number;
@@ -399,7 +396,7 @@ double step_patches(const base::Runtime& runtime, const implicit::Implicit& impl
         order[i] = {static_cast<std::uint64_t>(bits[0]) << 32U | bits[1], i};
     }
     std::sort(order.begin(), order.end());
-    progress.update(1.0); // the last chance to cancel, before anything is written
+    work.update(1.0); // the last chance to cancel, before anything is written
     for (std::int64_t patch = 0; patch < corners.count; ++patch) {
         const std::int64_t seed = order[patch % order.size()].seed;
         const geometry::TangentFrame frame = geometry::stipple_frame(seeds.normal[seed]);

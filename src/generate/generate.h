@@ -3,8 +3,8 @@
 #pragma once
 
 #include "base/operation.h"
-#include "base/runtime.h"
 #include "base/view.h"
+#include "base/work.h"
 #include "generate/settings.h"
 #include "implicit/implicit.h"
 #include "marks/point_set.h"
@@ -17,8 +17,7 @@ namespace hrbfnpr::generate {
 void check_request(const implicit::Implicit& implicit, const Settings& settings);
 
 // Finds where marks start from: throws not_converged if none reaches the surface. The settings are completed().
-[[nodiscard]] marks::Seeds make_seeds(const marks::Site& site, const SampleHint& samples, const Settings& settings,
-                                      const base::Progress& progress);
+[[nodiscard]] marks::Seeds make_seeds(const marks::Site& site, const SampleHint& samples, const Settings& settings);
 
 // Makes a set that is ready for frames, in the model's unit:
 //
@@ -27,15 +26,14 @@ void check_request(const implicit::Implicit& implicit, const Settings& settings)
 // 3. Normals are softened for tone, the layers assembled, scaled to the caller's unit, and clustered.
 //
 // Throws Error{invalid_argument, not_converged, out_of_memory, cancelled, callback}.
-[[nodiscard]] marks::PointSet generate(const base::Runtime& runtime, const implicit::Implicit& implicit,
-                                       const SampleHint& samples, const Settings& given,
-                                       const base::Progress& progress);
+[[nodiscard]] marks::PointSet generate(const base::Work& work, const implicit::Implicit& implicit,
+                                       const SampleHint& samples, const Settings& given);
 
 // The evaluations of the implicit that the completed() settings take, roughly.
 [[nodiscard]] double expected_evaluations(const SampleHint& samples, const Settings& settings) noexcept;
 
 // Figure 5: `corners.count` squares of side 2 rho_0 in tangent planes of random seeds, 12 numbers each. Returns rho_0.
-double step_patches(const base::Runtime& runtime, const implicit::Implicit& implicit, const SampleHint& samples,
-                    const Settings& given, const base::OutView& corners, const base::Progress& progress);
+double step_patches(const base::Work& work, const implicit::Implicit& implicit, const SampleHint& samples,
+                    const Settings& given, const base::OutView& corners);
 
 } // namespace hrbfnpr::generate

@@ -14,8 +14,7 @@ namespace hrbfnpr::generate {
 namespace {
 
 // Projects starting points, a chunk at a time; those that come to rest within `stray_limit` become seeds.
-void settle_seeds(const marks::Site& site, const geometry::VecArray& start, double stray_limit, marks::Seeds& seeds,
-                  const base::Progress& progress) {
+void settle_seeds(const marks::Site& site, const geometry::VecArray& start, double stray_limit, marks::Seeds& seeds) {
     HRBFNPR_ASSERT(stray_limit > 0.0);
     marks::Settler settler(site);
     const auto share = [&](std::int64_t i) { return static_cast<double>(i) / static_cast<double>(start.size()); };
@@ -23,7 +22,7 @@ void settle_seeds(const marks::Site& site, const geometry::VecArray& start, doub
         const std::int64_t end = std::min(start.size(), begin + marks::chunk_size);
         settler.start.clear();
         for (std::int64_t i = begin; i < end; ++i) settler.start.push_back(start[i]);
-        settler.settle(stray_limit, seeds.report, progress.part(share(begin), share(end)));
+        settler.settle(stray_limit, seeds.report, site.work.part(share(begin), share(end)));
         for (std::int64_t i = 0; i < settler.start.size(); ++i) {
             if (!settler.placed(i)) continue;
             seeds.position.push_back(settler.position(i));
@@ -42,8 +41,7 @@ glm::dvec3 in_ball(const std::array<double, 4>& u, double longest) noexcept {
 }
 
 // A jittered grid in the box. A box of no thickness (coplanar samples, a single one) still gets one layer of cells.
-void seeds_in_box(const marks::Site& site, const Settings& settings, std::int32_t resolution, marks::Seeds& seeds,
-                  const base::Progress& progress) {
+void seeds_in_box(const marks::Site& site, const Settings& settings, std::int32_t resolution, marks::Seeds& seeds) {
     HRBFNPR_ASSERT(resolution > 0);
     const geometry::Bounds& bounds = site.implicit.bounds();
     const glm::dvec3 size = bounds.size();
@@ -67,17 +65,16 @@ void seeds_in_box(const marks::Site& site, const Settings& settings, std::int32_
         start.push_back(corner + side * (cell + 0.5) + in_ball(random, settings.seeds.box_jitter * side));
     }
     seeds.step = std::sqrt(3.0) * side; // "the voxel diameter"
-    settle_seeds(site, start, seeds.step, seeds, progress);
+    settle_seeds(site, start, seeds.step, seeds);
 }
 
 // Samples and given points lie on the surface or are meant to be near it, but a smoothed fit may pass the samples by:
 // they are projected like all others, with the model's diagonal as the limit. The step is the average empty-ball
 // diameter. The largest ball that holds no seed inside and has a seed and its nearest neighbour as the ends of a
 // diameter is as wide as their distance; so it is the mean of those.
-void seeds_at(const marks::Site& site, const geometry::VecArray& start, marks::Seeds& seeds,
-              const base::Progress& progress) {
-    settle_seeds(site, start, site.implicit.diagonal(), seeds, progress.part(0.0, 0.9));
-    const double mean = marks::neighbour_distances(site.runtime, seeds.position, progress.part(0.9, 1.0)).mean;
+void seeds_at(const marks::Site& site, const geometry::VecArray& start, marks::Seeds& seeds) {
+    settle_seeds(site.part(0.0, 0.9), start, site.implicit.diagonal(), seeds);
+    const double mean = marks::neighbour_distances(site.work.part(0.9, 1.0), seeds.position).mean;
     seeds.step = mean > 0.0 ? mean : generate_tuning.step_of_one_seed * site.implicit.diagonal();
 }
 
@@ -108,23 +105,21 @@ void seeds_at(const marks::Site& site, const geometry::VecArray& start, marks::S
     return points;
 }
 
-[[nodiscard]] marks::SeedSource choose(const marks::Site& site, const SampleHint& samples, const Settings& settings,
-                                       const base::Progress& progress) {
+[[nodiscard]] marks::SeedSource choose(const marks::Site& site, const SampleHint& samples, const Settings& settings) {
     if (settings.seeds.source != marks::SeedSource::automatic) return settings.seeds.source;
     if (samples.position.empty()) return marks::SeedSource::box;
     // The blue-noise order only needs a seed on each sheet; how the seeds are spread does not matter.
     if (settings.distribution == marks::Distribution::blue_noise) return marks::SeedSource::samples;
-    const auto distances = marks::neighbour_distances(site.runtime, sample_points(site, samples), progress);
+    const auto distances = marks::neighbour_distances(site.work, sample_points(site, samples));
     return distances.variation < generate_tuning.well_spread_variation ? marks::SeedSource::samples
                                                                        : marks::SeedSource::box;
 }
 
 } // namespace
 
-marks::Seeds make_seeds(const marks::Site& site, const SampleHint& samples, const Settings& settings,
-                        const base::Progress& progress) {
+marks::Seeds make_seeds(const marks::Site& site, const SampleHint& samples, const Settings& settings) {
     marks::Seeds seeds(site.memory());
-    seeds.source = choose(site, samples, settings, progress);
+    seeds.source = choose(site, samples, settings);
     const bool finer = settings.distribution == marks::Distribution::blue_noise &&
                        settings.seeds.source == marks::SeedSource::automatic;
     const std::int32_t resolution =
@@ -135,11 +130,11 @@ marks::Seeds make_seeds(const marks::Site& site, const SampleHint& samples, cons
         if (samples.position.empty())
             fail(Status::invalid_argument,
                  "seed_source SAMPLES needs a model that was fitted to samples: use AUTO or BOX");
-        seeds_at(site, sample_points(site, samples), seeds, progress);
+        seeds_at(site, sample_points(site, samples), seeds);
         break;
-    case marks::SeedSource::points: seeds_at(site, given_points(site, settings.seeds.points), seeds, progress); break;
+    case marks::SeedSource::points: seeds_at(site, given_points(site, settings.seeds.points), seeds); break;
     case marks::SeedSource::automatic:
-    case marks::SeedSource::box: seeds_in_box(site, settings, resolution, seeds, progress); break;
+    case marks::SeedSource::box: seeds_in_box(site, settings, resolution, seeds); break;
     }
     const marks::LevelReport& r = seeds.report;
     if (seeds.position.empty())

@@ -4,7 +4,7 @@
 
 #include "base/assert.h"
 #include "base/long_array.h"
-#include "base/runtime.h"
+#include "base/work.h"
 #include "geometry/vec.h"
 
 #include <algorithm>
@@ -16,7 +16,7 @@ class BoxTree {
 public:
     // bounds(i) is the box of item i; it is asked for on all threads.
     template <class BoundsOf>
-    BoxTree(const base::Runtime& runtime, std::int64_t items, BoundsOf&& bounds, const base::Progress& progress);
+    BoxTree(const base::Work& work, std::int64_t items, BoundsOf&& bounds);
 
     // Calls visit(item) for all items in boxes for which meets(box) is true, and for some beside them.
     template <class Meets, class Visit>
@@ -33,21 +33,20 @@ private:
 };
 
 template <class BoundsOf>
-BoxTree::BoxTree(const base::Runtime& runtime, std::int64_t items, BoundsOf&& bounds, const base::Progress& progress)
-    : items_(items), box_(runtime.memory) {
+BoxTree::BoxTree(const base::Work& work, std::int64_t items, BoundsOf&& bounds) : items_(items), box_(work.memory) {
     HRBFNPR_ASSERT(items >= 0);
     while (leaves_ * leaf_size < items) leaves_ *= 2;
-    base::fill_long(box_, 2 * leaves_, Bounds{}, progress);
+    base::fill_long(box_, 2 * leaves_, Bounds{}, work);
     const std::int64_t used = (items + leaf_size - 1) / leaf_size;
-    runtime.parallel.for_chunks(used, 1024, progress, [&](std::int64_t begin, std::int64_t end) {
+    work.for_chunks(used, 1024, [&](std::int64_t begin, std::int64_t end) {
         for (std::int64_t i = begin * leaf_size; i < std::min(end * leaf_size, items); ++i) {
             const Bounds own = bounds(i);
             box_[leaves_ + i / leaf_size].extend(own.min);
             box_[leaves_ + i / leaf_size].extend(own.max);
         }
     });
-    for (std::int64_t node = leaves_ - 1; node > 0; --node) {
-        if (node % 16384 == 0) progress.check();
+    for (const std::int64_t i : work.over(leaves_ - 1)) {
+        const std::int64_t node = leaves_ - 1 - i; // Children come before their parents.
         box_[node] = {glm::min(box_[2 * node].min, box_[2 * node + 1].min),
                       glm::max(box_[2 * node].max, box_[2 * node + 1].max)};
     }

@@ -13,8 +13,7 @@ Neighbours::Neighbours(const base::Parallel& parallel, const VecArray& points, s
     : each_(std::clamp<std::int64_t>(each, 0, std::min(most, std::max<std::int64_t>(points.size() - 1, 0)))),
       index_(points.memory(), points.size() * each_) {
     const PointTree tree(points, progress);
-    parallel.for_chunks(points.size(), 256, [&](std::int64_t begin, std::int64_t end) {
-        progress.check();
+    parallel.for_chunks(points.size(), 256, progress, [&](std::int64_t begin, std::int64_t end) {
         std::array<std::int64_t, most> found;
         for (std::int64_t at = begin; at < end; ++at) {
             tree.nearest(

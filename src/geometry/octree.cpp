@@ -12,8 +12,6 @@
 namespace hrbfnpr::geometry {
 namespace {
 
-constexpr std::int64_t at_once = 16384; // without a look for a cancel
-
 struct Keyed {
     std::uint64_t key;
     std::int64_t index;
@@ -37,7 +35,7 @@ public:
 
 private:
     void walk(std::int64_t target, std::int64_t source, bool counting) {
-        if (walked_++ % at_once == 0) progress_.check();
+        progress_.check();
         const Octree::Node& t = tree_.nodes()[target];
         const Octree::Node& s = tree_.nodes()[source];
         if (!touching(t, s)) return add(lists_.far_begin, lists_.far, target, source, counting);
@@ -94,8 +92,7 @@ void Octree::sort(const VecArray& points, const base::Progress& progress) {
     resize_long(points_, points.size(), progress);
     base::Array<Keyed> keyed(points.memory());
     base::resize_long(keyed, points.size(), progress);
-    for (std::int64_t i = 0; i < points.size(); ++i) {
-        if (i % at_once == 0) progress.check();
+    for (const std::int64_t i : progress.over(points.size())) {
         const glm::dvec3 place = (points[i] - corner_) * (cells / width_);
         std::array<std::int64_t, 3> cell;
         for (std::size_t c = 0; c < 3; ++c) cell[c] = whole(place[static_cast<glm::length_t>(c)], last);
@@ -105,8 +102,7 @@ void Octree::sort(const VecArray& points, const base::Progress& progress) {
         keyed.begin(), keyed.end(),
         [](const Keyed& a, const Keyed& b) { return a.key < b.key || (a.key == b.key && a.index < b.index); },
         progress);
-    for (std::int64_t at = 0; at < keyed.size(); ++at) {
-        if (at % at_once == 0) progress.check();
+    for (const std::int64_t at : progress.over(keyed.size())) {
         key_[at] = keyed[at].key;
         index_[at] = keyed[at].index;
         points_.set(at, points[keyed[at].index]);
@@ -123,7 +119,7 @@ void Octree::divide(std::int64_t leaf_size, const base::Progress& progress) {
         if (level == deepest_level) break;
         for (std::int64_t node = begin; node < end; ++node) {
             if (nodes_[node].count() > leaf_size) divide_node(node);
-            if (node % 1024 == 0) progress.check();
+            progress.check();
         }
     }
 }

@@ -6,11 +6,7 @@
 #include <bit>
 
 namespace hrbfnpr::geometry {
-namespace {
-
-constexpr std::int64_t numbered_at_once = 16384; // points without a look for a cancel
-
-} // namespace
+namespace {} // namespace
 
 PointGrid::PointGrid(const VecArray& points, double radius, const base::Progress& progress)
     : radius_(radius), begin_(points.memory()), index_(points.memory()), cell_(points.memory()) {
@@ -27,8 +23,7 @@ PointGrid::PointGrid(const VecArray& points, double radius, const base::Progress
     base::Array<std::uint64_t> cells(points.memory()); // of the points as given
     cells.resize_for_overwrite(points.size());
     // Sorting by counting, which keeps the order of the points of a bucket.
-    for (std::int64_t i = 0; i < points.size(); ++i) {
-        if (i % numbered_at_once == 0) progress.check();
+    for (const std::int64_t i : progress.over(points.size())) {
         cells[i] = CellGrid::pack(grid_.cell_of(points[i]));
         ++begin_[bucket(cells[i]) + 1];
     }
@@ -38,8 +33,7 @@ PointGrid::PointGrid(const VecArray& points, double radius, const base::Progress
     base::Array<std::int64_t> next(points.memory());
     next.resize_for_overwrite(buckets);
     for (std::int64_t b = 0; b < buckets; ++b) next[b] = begin_[b];
-    for (std::int64_t i = 0; i < points.size(); ++i) {
-        if (i % numbered_at_once == 0) progress.check();
+    for (const std::int64_t i : progress.over(points.size())) {
         const std::int64_t at = next[bucket(cells[i])]++;
         index_[at] = i;
         cell_[at] = cells[i];
@@ -49,8 +43,7 @@ PointGrid::PointGrid(const VecArray& points, double radius, const base::Progress
 VecArray PointGrid::in_order(const VecArray& values, const base::Progress& progress) const {
     VecArray sorted(values.memory());
     for (base::Array<double>* const part : {&sorted.x, &sorted.y, &sorted.z}) part->resize_for_overwrite(size());
-    for (std::int64_t at = 0; at < size(); ++at) {
-        if (at % numbered_at_once == 0) progress.check();
+    for (const std::int64_t at : progress.over(size())) {
         sorted.set(at, values[index_[at]]);
     }
     return sorted;

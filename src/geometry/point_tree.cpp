@@ -8,11 +8,7 @@
 #include <type_traits>
 
 namespace hrbfnpr::geometry {
-namespace {
-
-constexpr std::int64_t halved_at_once = 65536; // points without a look for a cancel
-
-} // namespace
+namespace {} // namespace
 
 PointTree::PointTree(const VecArray& points, const base::Progress& progress)
     : points_(points.memory()), index_(points.memory()), bounds_(points.memory()) {
@@ -21,15 +17,13 @@ PointTree::PointTree(const VecArray& points, const base::Progress& progress)
     base::resize_long(bounds_, Range::nodes(count), progress);
     base::Array<Place> places(points.memory());
     base::resize_long(places, count, progress);
-    for (std::int64_t i = 0; i < count; ++i) {
-        if (i % halved_at_once == 0) progress.check();
+    for (const std::int64_t i : progress.over(count)) {
         places[i] = {points[i], i};
     }
     build(places.data(), {0, 0, count}, progress);
     base::resize_long(index_, count, progress);
     resize_long(points_, count, progress);
-    for (std::int64_t at = 0; at < count; ++at) {
-        if (at % halved_at_once == 0) progress.check();
+    for (const std::int64_t at : progress.over(count)) {
         points_.set(at, places[at].point);
         index_[at] = places[at].index;
     }
@@ -37,13 +31,9 @@ PointTree::PointTree(const VecArray& points, const base::Progress& progress)
 
 void PointTree::build(Place* places, const Range& range, const base::Progress& progress) {
     Bounds box;
-    for (std::int64_t at = range.begin; at < range.end; ++at) {
-        if ((at - range.begin) % halved_at_once == halved_at_once - 1) progress.check();
-        box.extend(places[at].point);
-    }
+    for (const std::int64_t at : progress.over(range.begin, range.end)) box.extend(places[at].point);
     bounds_[range.node] = box;
     if (range.leaf()) return;
-    if (range.end - range.begin > 4096) progress.check();
     const auto halve = [&](auto of) {
         constexpr glm::length_t axis = decltype(of)::value;
         // Ties are broken by index, so that the halves are the same with any standard library.

@@ -38,8 +38,8 @@ constexpr std::int64_t nodes_a_task = 2048;
 
 // Calls visit(i) once for each node, concurrently.
 template <class Visit>
-void for_nodes(const base::Runtime& runtime, std::int64_t nodes, const base::Progress& progress, const Visit& visit) {
-    runtime.parallel.for_chunks(nodes, nodes_a_task, progress, [&](std::int64_t begin, std::int64_t end) {
+void for_nodes(const base::Work& work, std::int64_t nodes, const Visit& visit) {
+    work.for_chunks(nodes, nodes_a_task, [&](std::int64_t begin, std::int64_t end) {
         for (std::int64_t i = begin; i < end; ++i) visit(i);
     });
 }
@@ -48,11 +48,10 @@ class Links {
 public:
     // The graph must outlive these. link_between(i, j): the link from node i to its neighbour j.
     template <class LinkBetween>
-    Links(const base::Runtime& runtime, const Graph& graph, const base::Progress& progress,
-          const LinkBetween& link_between)
-        : graph_(graph), link_(runtime.memory) {
+    Links(const base::Work& work, const Graph& graph, const LinkBetween& link_between)
+        : graph_(graph), link_(work.memory) {
         link_.resize_for_overwrite(graph.neighbour.size());
-        for_nodes(runtime, nodes(), progress, [&](std::int64_t i) {
+        for_nodes(work, nodes(), [&](std::int64_t i) {
             for (std::int64_t k = graph.first[i]; k < graph.first[i + 1]; ++k) {
                 HRBFNPR_ASSERT(graph.neighbour[k] >= 0 && graph.neighbour[k] < nodes());
                 link_[k] = link_between(i, graph.neighbour[k]);
@@ -79,8 +78,8 @@ public:
         return (around(i, z) + z[i]) / (1.0 + count(i));
     }
     // Makes these the links of waves of half the period: along each link the phase grows by twice as much.
-    void halve_period(const base::Runtime& runtime, const base::Progress& progress) {
-        for_nodes(runtime, nodes(), progress, [&](std::int64_t i) {
+    void halve_period(const base::Work& work) {
+        for_nodes(work, nodes(), [&](std::int64_t i) {
             for (std::int64_t k = graph_.first[i]; k < graph_.first[i + 1]; ++k)
                 link_[k].factor = product(link_[k].factor, link_[k].factor);
         });
@@ -93,19 +92,19 @@ private:
 
 // Replaces z by next(i, z) at all nodes at once, as many times as there are rounds.
 template <class Next>
-void iterate(const base::Runtime& runtime, int rounds, Numbers& z, const base::Progress& progress, const Next& next) {
-    Numbers after(runtime.memory, z.size());
+void iterate(const base::Work& work, int rounds, Numbers& z, const Next& next) {
+    Numbers after(work.memory, z.size());
     for (int round = 0; round < rounds; ++round) {
-        for_nodes(runtime, z.size(), progress, [&](std::int64_t i) { after[i] = next(i, z); });
+        for_nodes(work, z.size(), [&](std::int64_t i) { after[i] = next(i, z); });
         std::swap(after, z);
     }
 }
 
 // Adds value(i) up over all nodes: first within each task, then over the tasks in their order.
 template <class Value>
-double sum_over(const base::Runtime& runtime, std::int64_t nodes, const base::Progress& progress, const Value& value) {
-    base::Array<double> part(runtime.memory, (nodes + nodes_a_task - 1) / nodes_a_task);
-    runtime.parallel.for_chunks(nodes, nodes_a_task, progress, [&](std::int64_t begin, std::int64_t end) {
+double sum_over(const base::Work& work, std::int64_t nodes, const Value& value) {
+    base::Array<double> part(work.memory, (nodes + nodes_a_task - 1) / nodes_a_task);
+    work.for_chunks(nodes, nodes_a_task, [&](std::int64_t begin, std::int64_t end) {
         double sum = 0.0;
         for (std::int64_t i = begin; i < end; ++i) sum += value(i);
         part[begin / nodes_a_task] = sum;
@@ -121,19 +120,18 @@ double inner(const Complex& a, const Complex& b) noexcept { return a.real() * b.
 // Conjugate gradients for the system diagonal_i x_i - coupling * links.around(i, x) = right_i, which must be positive
 // definite over the reals. x: the start, and the solution. It ends where the norm of the residual is `tolerance` times
 // that of the right side.
-void solve(const base::Runtime& runtime, double tolerance, int most_steps, const Links& links,
-           const base::Array<double>& diagonal, double coupling, const Numbers& right, Numbers& x,
-           const base::Progress& progress) {
+void solve(const base::Work& work, double tolerance, int most_steps, const Links& links,
+           const base::Array<double>& diagonal, double coupling, const Numbers& right, Numbers& x) {
     const std::int64_t n = right.size();
     HRBFNPR_ASSERT(links.nodes() == n && diagonal.size() == n && x.size() == n);
     HRBFNPR_ASSERT(coupling >= 0.0 && tolerance > 0.0);
     const auto row = [&](std::int64_t i, const Numbers& z) {
         return diagonal[i] * z[i] - coupling * links.around(i, z);
     };
-    const auto sum = [&](const auto& value) { return sum_over(runtime, n, progress, value); };
-    Numbers residual(runtime.memory, n);
-    Numbers way(runtime.memory, n);
-    Numbers image(runtime.memory, n);
+    const auto sum = [&](const auto& value) { return sum_over(work, n, value); };
+    Numbers residual(work.memory, n);
+    Numbers way(work.memory, n);
+    Numbers image(work.memory, n);
     double squared = sum([&](std::int64_t i) {
         way[i] = residual[i] = right[i] - row(i, x);
         return inner(residual[i], residual[i]);
@@ -151,7 +149,7 @@ void solve(const base::Runtime& runtime, double tolerance, int most_steps, const
             return inner(residual[i], residual[i]);
         });
         const double kept = next / squared;
-        for_nodes(runtime, n, progress, [&](std::int64_t i) { way[i] = residual[i] + kept * way[i]; });
+        for_nodes(work, n, [&](std::int64_t i) { way[i] = residual[i] + kept * way[i]; });
         squared = next;
     }
 }
@@ -191,10 +189,9 @@ struct Bends {
 };
 
 // Averages with the neighbours: each round spreads by about half a spacing, and the rounds together by some four.
-Bends average_bends(const marks::Site& site, const SampleGraph& graph, const Links& links,
-                    const base::Progress& progress) {
+Bends average_bends(const marks::Site& site, const SampleGraph& graph, const Links& links) {
     base::Array<surface::Curvature> curvature(site.memory());
-    surface::principal_curvatures(site.runtime, site.implicit, graph.position, curvature, progress);
+    surface::principal_curvatures(site.work, site.implicit, graph.position, curvature);
     Bends bends{base::Array<double>(site.memory(), graph.nodes()), Numbers(site.memory(), graph.nodes())};
     Numbers means(site.memory(), graph.nodes());
     const double sharpest = 4.0 / graph.spacing; // samples cannot tell sharper bends
@@ -207,7 +204,7 @@ Bends average_bends(const marks::Site& site, const SampleGraph& graph, const Lin
     }
     base::Array<double> next(site.memory(), graph.nodes());
     for (int round = 0; round < hatching_tuning.bend_averages; ++round) {
-        for_nodes(site.runtime, graph.nodes(), progress, [&](std::int64_t i) {
+        for_nodes(site.work, graph.nodes(), [&](std::int64_t i) {
             next[i] = bends.mean[i];
             for (std::int64_t k = graph.first[i]; k < graph.first[i + 1]; ++k)
                 next[i] += bends.mean[graph.neighbour[k]];
@@ -215,7 +212,7 @@ Bends average_bends(const marks::Site& site, const SampleGraph& graph, const Lin
         });
         std::swap(next, bends.mean);
     }
-    iterate(site.runtime, hatching_tuning.bend_averages, bends.difference, progress,
+    iterate(site.work, hatching_tuning.bend_averages, bends.difference,
             [&](std::int64_t i, const Numbers& z) { return links.mean(i, z); });
     return bends;
 }
@@ -272,18 +269,17 @@ Complex axis_line(const SampleGraph& graph, std::int64_t i, const FieldSettings&
 }
 
 Numbers wanted_lines(const marks::Site& site, const SampleGraph& graph, const Links& links,
-                     const FieldSettings& settings, const marks::DirectionFunction& function,
-                     const base::Progress& progress) {
+                     const FieldSettings& settings, const marks::DirectionFunction& function) {
     Numbers wanted(site.memory(), graph.nodes());
     if (function.function != nullptr) {
         geometry::VecArray direction(site.memory(), graph.nodes());
-        marks::directions_at(site, function, graph.position, graph.normal, direction, progress);
+        marks::directions_at(site, function, graph.position, graph.normal, direction);
         for (std::int64_t i = 0; i < graph.nodes(); ++i)
             if (const glm::dvec3 d = direction[i]; glm::dot(d, d) > 0.5)
                 wanted[i] = std::polar(1.0, 2.0 * graph.angle(i, d));
         return wanted;
     }
-    const Bends bends = average_bends(site, graph, links, progress);
+    const Bends bends = average_bends(site, graph, links);
     const double weight = settings.guide == Guide::curvature ? 0.0 : settings.guide_weight;
     for (std::int64_t i = 0; i < graph.nodes(); ++i) {
         wanted[i] = curvature_line(bends.mean[i], bends.difference[i], settings.diagonal);
@@ -297,9 +293,8 @@ Numbers wanted_lines(const marks::Site& site, const SampleGraph& graph, const Li
 
 // ---- Waves
 
-Links wave_links(const base::Runtime& runtime, const Graph& graph, const Waves& waves, double period,
-                 const base::Progress& progress) {
-    return {runtime, graph, progress, [&](std::int64_t i, std::int32_t j) -> Link {
+Links wave_links(const base::Work& work, const Graph& graph, const Waves& waves, double period) {
+    return {work, graph, [&](std::int64_t i, std::int32_t j) -> Link {
                 return {std::polar(1.0, -waves.growth(i, j, period)), j, waves.turned(i, j) ? -1.0F : 1.0F};
             }};
 }
@@ -307,35 +302,33 @@ Links wave_links(const base::Runtime& runtime, const Graph& graph, const Waves& 
 // The wave that neighbours agree on most: the eigenvector of the least eigenvalue, by inverse iteration. It lives in a
 // few places only; where it is small its phase is right already. It grows by 1 / eigen_shift at most in each step,
 // which no number overflows by.
-Numbers first_wave(const base::Runtime& runtime, const Links& links, std::uint64_t seed,
-                   const base::Progress& progress) {
+Numbers first_wave(const base::Work& work, const Links& links, std::uint64_t seed) {
     const std::int64_t n = links.nodes();
-    base::Array<double> diagonal(runtime.memory, n);
-    Numbers x(runtime.memory, n);
+    base::Array<double> diagonal(work.memory, n);
+    Numbers x(work.memory, n);
     for (std::int64_t i = 0; i < n; ++i) {
         diagonal[i] = links.count(i) + hatching_tuning.eigen_shift;
         x[i] = std::polar(1.0, tau * base::uniform4(seed, static_cast<std::uint64_t>(i), base::Purpose::stripes)[0]);
     }
-    Numbers next(runtime.memory, n);
+    Numbers next(work.memory, n);
     for (int step = 0; step < hatching_tuning.eigen_steps; ++step) {
-        for_nodes(runtime, n, progress, [&](std::int64_t i) { next[i] = x[i] / hatching_tuning.eigen_shift; });
-        solve(runtime, 1e-3, 200, links, diagonal, 1.0, x, next, progress);
+        for_nodes(work, n, [&](std::int64_t i) { next[i] = x[i] / hatching_tuning.eigen_shift; });
+        solve(work, 1e-3, 200, links, diagonal, 1.0, x, next);
         std::swap(x, next);
     }
-    for_nodes(runtime, n, progress, [&](std::int64_t i) { x[i] = to_unit(x[i]); });
+    for_nodes(work, n, [&](std::int64_t i) { x[i] = to_unit(x[i]); });
     return x;
 }
 
 // The wave of half the period of the links has twice the phase. In plain means it is low where it is squeezed or drawn
 // out, so that waves of the right length grow into it from around there, and a fork of two lines becomes two forks;
 // among waves of one height none would, and lines would stay too dense or too sparse.
-Numbers halved(const base::Runtime& runtime, const Links& links, const Numbers& wave, int means,
-               const base::Progress& progress) {
+Numbers halved(const base::Work& work, const Links& links, const Numbers& wave, int means) {
     HRBFNPR_ASSERT(links.nodes() == wave.size());
-    Numbers z(runtime.memory, wave.size());
-    for_nodes(runtime, z.size(), progress, [&](std::int64_t i) { z[i] = to_unit(product(wave[i], wave[i])); });
-    iterate(runtime, means, z, progress, [&](std::int64_t i, const Numbers& now) { return links.mean(i, now); });
-    iterate(runtime, hatching_tuning.unit_averages, z, progress,
+    Numbers z(work.memory, wave.size());
+    for_nodes(work, z.size(), [&](std::int64_t i) { z[i] = to_unit(product(wave[i], wave[i])); });
+    iterate(work, means, z, [&](std::int64_t i, const Numbers& now) { return links.mean(i, now); });
+    iterate(work, hatching_tuning.unit_averages, z,
             [&](std::int64_t i, const Numbers& now) { return to_unit(links.around(i, now) + now[i]); });
     return z;
 }
@@ -391,19 +384,16 @@ void interpolate(const Waves& samples, base::Array<Heard>& heard, const glm::dve
     }
 }
 
-Waves interpolated(const base::Runtime& runtime, const SampleGraph& graph, const Waves& samples,
-                   const curves::SurfaceMesh& mesh, const base::Array<std::int32_t>& sheets,
-                   const base::Progress& progress) {
-    Waves result(runtime.memory, mesh.position, samples.period);
-    for (std::int64_t level = 0; level < samples.level.size(); ++level)
-        result.level.add(runtime.memory, mesh.vertices());
+Waves interpolated(const base::Work& work, const SampleGraph& graph, const Waves& samples,
+                   const curves::SurfaceMesh& mesh, const base::Array<std::int32_t>& sheets) {
+    Waves result(work.memory, mesh.position, samples.period);
+    for (std::int64_t level = 0; level < samples.level.size(); ++level) result.level.add(work.memory, mesh.vertices());
     const double radius = hatching_tuning.influence * graph.spacing;
-    const geometry::PointGrid grid(graph.position, radius, progress);
-    const geometry::VecArray places = grid.in_order(graph.position, progress);
-    runtime.parallel.for_chunks(mesh.vertices(), nodes_a_task, [&](std::int64_t begin, std::int64_t end) {
-        base::Array<Heard> heard(runtime.memory);
-        for (std::int64_t v = begin; v < end; ++v) {
-            if (v % 128 == 0) progress.check();
+    const geometry::PointGrid grid(graph.position, radius, work);
+    const geometry::VecArray places = grid.in_order(graph.position, work);
+    work.for_chunks(mesh.vertices(), nodes_a_task, [&](std::int64_t begin, std::int64_t end) {
+        base::Array<Heard> heard(work.memory);
+        for (const std::int64_t v : work.over(begin, end)) {
             const glm::dvec3 p = mesh.position[v];
             const glm::dvec3 n = glm::normalize(mesh.gradient[v]);
             heard.clear();
@@ -451,23 +441,22 @@ Complex curvature_line(double mean, const Complex& difference, double diagonal) 
     return (k1 >= k2 ? sure : -sure) / apart * difference;
 }
 
-void link_samples(const base::Runtime& runtime, SampleGraph& graph, const base::Progress& progress) {
+void link_samples(const base::Work& work, SampleGraph& graph) {
     const std::int64_t n = graph.position.size();
     HRBFNPR_ASSERT(graph.normal.size() == n && (graph.sheet.empty() || graph.sheet.size() == n));
     HRBFNPR_ASSERT(graph.spacing > 0.0 || n == 0);
     graph.u.resize(n);
     for (std::int64_t i = 0; i < n; ++i) graph.u.set(i, geometry::any_perpendicular(graph.normal[i]));
-    const geometry::Neighbours near(runtime.parallel, graph.position, hatching_tuning.neighbours, progress);
-    base::Array<std::uint64_t> links(runtime.memory); // the begin in the upper half, the end in the lower one
-    for (std::int64_t i = 0; i < n; ++i) {
-        if (i % nodes_a_task == 0) progress.check();
+    const geometry::Neighbours near(work.runtime().parallel, graph.position, hatching_tuning.neighbours, work);
+    base::Array<std::uint64_t> links(work.memory); // the begin in the upper half, the end in the lower one
+    for (const std::int64_t i : work.over(n)) {
         for (const std::int64_t j : near.of(i)) {
             if (!are_linked(graph, i, j)) continue;
             links.push_back(static_cast<std::uint64_t>(i) << 32U | static_cast<std::uint64_t>(j));
             links.push_back(static_cast<std::uint64_t>(j) << 32U | static_cast<std::uint64_t>(i));
         }
     }
-    base::sort_long(links.begin(), links.end(), std::less<>(), progress); // equal ones are the same link
+    base::sort_long(links.begin(), links.end(), std::less<>(), work); // equal ones are the same link
     links.resize(std::unique(links.begin(), links.end()) - links.begin());
     graph.first.resize(n + 1);
     for (const std::uint64_t link : links) {
@@ -480,53 +469,52 @@ void link_samples(const base::Runtime& runtime, SampleGraph& graph, const base::
 // With L the links' Laplacian, a how sure the wanted lines q are, l the smoothing and h the spacing, this solves
 // (L (l / h)^2 / 6 + a) z = a q, and then again with a term that pulls z to unit length.
 base::Array<double> line_angles(const marks::Site& site, const SampleGraph& graph, const FieldSettings& settings,
-                                const marks::DirectionFunction& function, const base::Progress& progress) {
-    const base::Runtime& runtime = site.runtime;
-    const Links links(runtime, graph, progress, [&](std::int64_t i, std::int32_t j) { return line_link(graph, i, j); });
-    const Numbers wanted = wanted_lines(site, graph, links, settings, function, progress);
+                                const marks::DirectionFunction& function) {
+    const base::Runtime& runtime = site.work;
+    const Links links(site.work, graph, [&](std::int64_t i, std::int32_t j) { return line_link(graph, i, j); });
+    const Numbers wanted = wanted_lines(site, graph, links, settings, function);
     const double length = settings.smoothing * settings.diagonal / graph.spacing;
     const double stiffness = length * length / 6.0;
     Numbers z(runtime.memory, graph.nodes());
     Numbers right(runtime.memory, graph.nodes());
     base::Array<double> diagonal(runtime.memory, graph.nodes());
     for (const double pull : {0.0, hatching_tuning.pull_to_unit, hatching_tuning.pull_to_unit}) {
-        for_nodes(runtime, graph.nodes(), progress, [&](std::int64_t i) {
+        for_nodes(site.work, graph.nodes(), [&](std::int64_t i) {
             const double size = std::abs(z[i]);
             right[i] = wanted[i] + (size > 0.0 ? pull / size * z[i] : Complex(0.0));
             diagonal[i] = std::abs(wanted[i]) + pull + 1e-6 + stiffness * links.count(i);
         });
-        solve(runtime, 1e-4, 400, links, diagonal, stiffness, right, z, progress);
+        solve(site.work, 1e-4, 400, links, diagonal, stiffness, right, z);
     }
     base::Array<double> angle(runtime.memory, graph.nodes());
     for (std::int64_t i = 0; i < graph.nodes(); ++i) angle[i] = 0.5 * std::arg(z[i]);
     return angle;
 }
 
-void add_sample_waves(const base::Runtime& runtime, const SampleGraph& graph, std::uint64_t seed, int levels,
-                      Waves& samples, const base::Progress& progress) {
+void add_sample_waves(const base::Work& work, const SampleGraph& graph, std::uint64_t seed, int levels,
+                      Waves& samples) {
     HRBFNPR_ASSERT(samples.along.size() == graph.nodes() && samples.level.empty() && samples.period > 0.0);
-    Links links = wave_links(runtime, graph, samples, samples.period, progress);
-    samples.level.add(first_wave(runtime, links, seed, progress));
+    Links links = wave_links(work, graph, samples, samples.period);
+    samples.level.add(first_wave(work, links, seed));
     const double finest = hatching_tuning.finest_period * graph.spacing;
     while (samples.finest() < levels && samples.period_of(samples.finest() + 1) >= finest) {
-        links.halve_period(runtime, progress);
-        samples.level.add(halved(runtime, links, samples.level.back(), hatching_tuning.sample_means, progress));
+        links.halve_period(work);
+        samples.level.add(halved(work, links, samples.level.back(), hatching_tuning.sample_means));
     }
 }
 
-Waves waves_at_vertices(const base::Runtime& runtime, const SampleGraph& graph, const Waves& samples,
-                        const curves::SurfaceMesh& mesh, const base::Array<std::int32_t>& sheets, int levels,
-                        const base::Progress& progress) {
+Waves waves_at_vertices(const base::Work& work, const SampleGraph& graph, const Waves& samples,
+                        const curves::SurfaceMesh& mesh, const base::Array<std::int32_t>& sheets, int levels) {
     HRBFNPR_ASSERT(!samples.level.empty());
     HRBFNPR_ASSERT(sheets.empty() || (sheets.size() == mesh.vertices() && graph.sheet.size() == graph.nodes()));
-    Waves waves = interpolated(runtime, graph, samples, mesh, sheets, progress.part(0.0, 0.5));
+    Waves waves = interpolated(work.part(0.0, 0.5), graph, samples, mesh, sheets);
     const auto is_next_known = [&] { return waves.period_of(waves.finest() + 1) >= mesh.side; };
     if (waves.finest() >= levels || !is_next_known()) return waves;
-    const Graph edges = graph_of(runtime.memory, mesh);
-    Links links = wave_links(runtime, edges, waves, waves.period_of(waves.finest()), progress);
+    const Graph edges = graph_of(work.memory, mesh);
+    Links links = wave_links(work, edges, waves, waves.period_of(waves.finest()));
     while (waves.finest() < levels && is_next_known()) {
-        links.halve_period(runtime, progress);
-        waves.level.add(halved(runtime, links, waves.level.back(), hatching_tuning.vertex_means, progress));
+        links.halve_period(work);
+        waves.level.add(halved(work, links, waves.level.back(), hatching_tuning.vertex_means));
     }
     return waves;
 }

@@ -77,7 +77,7 @@ struct SampleGraph : Graph {
 };
 
 // Links the samples, whose positions, normals, sheets and spacing are there.
-void link_samples(const base::Runtime& runtime, SampleGraph& graph, const base::Progress& progress);
+void link_samples(const base::Work& work, SampleGraph& graph);
 
 // The line along the larger of both principal curvatures by amount, of which this is the mean and half the difference,
 // as exp(2 i angle) times how sure it is, from 0 to 1.
@@ -85,8 +85,7 @@ void link_samples(const base::Runtime& runtime, SampleGraph& graph, const base::
 
 // The angle of the line of each sample in its frame. The function, if there is one, takes the place of curvature.
 [[nodiscard]] base::Array<double> line_angles(const marks::Site& site, const SampleGraph& graph,
-                                              const FieldSettings& settings, const marks::DirectionFunction& function,
-                                              const base::Progress& progress);
+                                              const FieldSettings& settings, const marks::DirectionFunction& function);
 
 // ---- Waves
 
@@ -126,13 +125,12 @@ struct Waves {
 [[nodiscard]] inline Complex seen(const Complex& z, bool turned) noexcept { return turned ? std::conj(z) : z; }
 
 // Adds waves to the samples' lines: as many levels as wanted, but none too fine for the samples.
-void add_sample_waves(const base::Runtime& runtime, const SampleGraph& graph, std::uint64_t seed, int levels,
-                      Waves& samples, const base::Progress& progress);
+void add_sample_waves(const base::Work& work, const SampleGraph& graph, std::uint64_t seed, int levels, Waves& samples);
 
 // sheets: the implicit's sheet at each vertex; empty where the samples have none. As many levels as wanted, but none
 // too fine for the mesh.
-[[nodiscard]] Waves waves_at_vertices(const base::Runtime& runtime, const SampleGraph& graph, const Waves& samples,
+[[nodiscard]] Waves waves_at_vertices(const base::Work& work, const SampleGraph& graph, const Waves& samples,
                                       const curves::SurfaceMesh& mesh, const base::Array<std::int32_t>& sheets,
-                                      int levels, const base::Progress& progress);
+                                      int levels);
 
 } // namespace hrbfnpr::hatching

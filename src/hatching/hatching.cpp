@@ -48,39 +48,38 @@ bool Settings::is_on_ground_of(const Settings& other) const noexcept {
            field == other.field && direction == other.direction;
 }
 
-Ground::Ground(const marks::Site& site, const stipples::SurfaceCells& cells, const Settings& settings,
-               const base::Progress& progress)
+Ground::Ground(const marks::Site& site, const stipples::SurfaceCells& cells, const Settings& settings)
     : settings_(settings), region_(cells.region), graph_(site.memory()), angle_(site.memory()), mesh_(site.memory()),
       sheet_(site.memory()) {
     require_room(site, settings, cells.rough_area());
     const double spacing = hatching_tuning.sample_spacing * separation_of(settings, cells.rough_area());
     const auto samples = static_cast<std::int64_t>(std::min(cells.rough_area() / (spacing * spacing), 1e9));
     stipples::EvenMarks even = stipples::spread_evenly(
-        site, cells, std::clamp(samples, hatching_tuning.fewest_samples, hatching_tuning.most_samples),
-        marks::Kind::stipples, progress.part(0.0, 0.4));
+        site.part(0.0, 0.4), cells, std::clamp(samples, hatching_tuning.fewest_samples, hatching_tuning.most_samples),
+        marks::Kind::stipples);
     area_ = even.area > 0.0 ? even.area : cells.rough_area();
     graph_.spacing = std::sqrt(area_ / static_cast<double>(even.position.size()));
     graph_.position = std::move(even.position);
     graph_.normal = std::move(even.normal);
-    graph_.sheet = surface::sheets_at(site.runtime, site.implicit, graph_.position, progress.part(0.4, 0.4));
-    link_samples(site.runtime, graph_, progress.part(0.4, 0.46));
-    angle_ = line_angles(site, graph_, settings.field, settings.direction, progress.part(0.46, 0.64));
+    graph_.sheet = surface::sheets_at(site.work, site.implicit, graph_.position);
+    link_samples(site.work.part(0.4, 0.46), graph_);
+    angle_ = line_angles(site.part(0.46, 0.64), graph_, settings.field, settings.direction);
     curves::MeshSettings mesh;
     mesh.region = region_;
     mesh.side = std::max(separation_of(settings, area_),
                          std::sqrt(hatching_tuning.triangles_a_cell * area_ / hatching_tuning.most_triangles));
     mesh.domain = site.implicit.domain();
-    mesh_ = triangulate_of_any_size(site.runtime, site.implicit, graph_.position, mesh, progress.part(0.64, 0.94));
+    mesh_ = triangulate_of_any_size(site.work.part(0.64, 0.94), site.implicit, graph_.position, mesh);
     if (site.implicit.sheets() == nullptr) return;
     // Lines end where the mesh does.
-    curves::SharpMesh sharp = split_at_creases(site.runtime, site.implicit, std::move(mesh_), progress.part(0.94, 1.0));
+    curves::SharpMesh sharp = split_at_creases(site.work.part(0.94, 1.0), site.implicit, std::move(mesh_));
     mesh_ = std::move(sharp.mesh);
     sheet_.resize(mesh_.vertices());
     for (std::int64_t i = 0; i < mesh_.corner.size(); ++i) sheet_[mesh_.corner[i]] = sharp.sheet[i / 3];
 }
 
 void Ground::lay_lines(const marks::Site& site, const Settings& settings, marks::Marks& marks,
-                       marks::LayerReport& report, const base::Progress& progress) const {
+                       marks::LayerReport& report) const {
     require_room(site, settings, area_);
     const double separation = separation_of(settings, area_);
     HRBFNPR_ASSERT(separation > 0.0 && graph_.nodes() == angle_.size());
@@ -89,15 +88,13 @@ void Ground::lay_lines(const marks::Site& site, const Settings& settings, marks:
     Waves samples(site.memory(), graph_.position, std::ldexp(separation, levels));
     for (std::int64_t i = 0; i < graph_.nodes(); ++i)
         samples.set_line(i, graph_.normal[i], graph_.tangent(i, angle_[i] + settings.angle));
-    add_sample_waves(site.runtime, graph_, site.random_seed, levels, samples, progress.part(0.0, 0.4));
-    const Waves waves =
-        waves_at_vertices(site.runtime, graph_, samples, mesh_, sheet_, levels, progress.part(0.4, 0.56));
-    const base::Progress rest = progress.part(0.56, 0.6);
-    Lines lines = find_crests(site.runtime, mesh_, waves, levels, rest);
+    add_sample_waves(site.work.part(0.0, 0.4), graph_, site.random_seed, levels, samples);
+    const Waves waves = waves_at_vertices(site.work.part(0.4, 0.56), graph_, samples, mesh_, sheet_, levels);
+    const base::Work rest = site.work.part(0.56, 0.6);
+    Lines lines = find_crests(rest, mesh_, waves, levels);
     lines = join_ends(lines, hatching_tuning.widest_gap * separation, rest);
-    lines = even_out(site.runtime, lines, separation, rest);
-    add_line_marks(site, lines, separation, step_of(settings, separation), region_, marks, report,
-                   progress.part(0.6, 1.0));
+    lines = even_out(rest, lines, separation);
+    add_line_marks(site.part(0.6, 1.0), lines, separation, step_of(settings, separation), region_, marks, report);
     report.step = separation;
     report.levels = levels;
 }

@@ -31,14 +31,13 @@ struct Settings {
 // What lines of any angle are laid on: the field, and the mesh that they are found on.
 class Ground {
 public:
-    Ground(const marks::Site& site, const stipples::SurfaceCells& cells, const Settings& settings,
-           const base::Progress& progress);
+    Ground(const marks::Site& site, const stipples::SurfaceCells& cells, const Settings& settings);
 
     [[nodiscard]] const Settings& settings() const noexcept { return settings_; }
     [[nodiscard]] double area() const noexcept { return area_; } // the area of the surface that the lines are laid on
     // Appends marks, line after line, coarse levels first.
-    void lay_lines(const marks::Site& site, const Settings& settings, marks::Marks& marks, marks::LayerReport& report,
-                   const base::Progress& progress) const;
+    void lay_lines(const marks::Site& site, const Settings& settings, marks::Marks& marks,
+                   marks::LayerReport& report) const;
 
 private:
     Settings settings_;

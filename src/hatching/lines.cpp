@@ -92,13 +92,12 @@ struct Crossings {
     base::Array<std::int64_t> link;
 };
 
-Crossings cross_edges(const base::Runtime& runtime, const curves::SurfaceMesh& mesh, const Waves& waves, int halvings,
-                      const base::Progress& progress) {
-    Crossings found(runtime.memory);
+Crossings cross_edges(const base::Work& work, const curves::SurfaceMesh& mesh, const Waves& waves, int halvings) {
+    Crossings found(work.memory);
     const std::int64_t edges = mesh.corner.size();
-    base::resize_long(found.first, edges + 1, progress);
+    base::resize_long(found.first, edges + 1, work);
     const auto for_edges = [&](const auto& visit) {
-        runtime.parallel.for_chunks(edges, triangles_a_task, progress, [&](std::int64_t begin, std::int64_t end) {
+        work.for_chunks(edges, triangles_a_task, [&](std::int64_t begin, std::int64_t end) {
             for (std::int64_t edge = begin; edge < end; ++edge)
                 if (is_owned(mesh, edge)) visit(edge, mesh.corner[edge], end_of(mesh, edge));
         });
@@ -106,12 +105,11 @@ Crossings cross_edges(const base::Runtime& runtime, const curves::SurfaceMesh& m
     for_edges([&](std::int64_t edge, std::int32_t a, std::int32_t b) {
         visit_crests(waves, halvings, a, b, [&](const Crossing&, std::int64_t) { ++found.first[edge + 1]; });
     });
-    for (std::int64_t edge = 0; edge < edges; ++edge) {
-        if (edge % base::at_once<std::int64_t> == 0) progress.check();
+    for (const std::int64_t edge : work.over(edges)) {
         found.first[edge + 1] += found.first[edge];
     }
     found.crossing.resize_for_overwrite(found.first[edges]);
-    base::fill_long(found.link, 2 * found.first[edges], std::int64_t{-1}, progress);
+    base::fill_long(found.link, 2 * found.first[edges], std::int64_t{-1}, work);
     for_edges([&](std::int64_t edge, std::int32_t a, std::int32_t b) {
         std::int64_t at = found.first[edge];
         visit_crests(waves, halvings, a, b, [&](Crossing c, std::int64_t line) {
@@ -182,8 +180,7 @@ Lines walk(const curves::SurfaceMesh& mesh, const Crossings& found, const base::
         }
     };
     for (const bool open : {true, false})
-        for (std::int64_t c = 0; c < found.crossing.size(); ++c) {
-            if (c % triangles_a_task == 0) progress.check();
+        for (const std::int64_t c : progress.over(found.crossing.size())) {
             const int links = (found.link[2 * c] >= 0 ? 1 : 0) + (found.link[2 * c + 1] >= 0 ? 1 : 0);
             if (taken[c] == 0 && links == (open ? 1 : 2)) follow(c);
         }
@@ -233,8 +230,7 @@ base::Array<std::int64_t> partners(const Lines& lines, const Ends& ends, double 
     };
     const geometry::PointGrid grid(ends.place, reach, progress);
     base::Array<Pair> pairs(lines.first.memory());
-    for (std::int64_t a = 0; a < ends.place.size(); ++a) {
-        if (a % 256 == 0) progress.check();
+    for (const std::int64_t a : progress.over(ends.place.size())) {
         if (lines.closed[a / 2] != 0) continue;
         grid.around(ends.place[a], [&](std::int64_t at) {
             const std::int64_t b = grid.index(at);
@@ -290,10 +286,10 @@ struct Stretch {
 };
 
 template <class Visit>
-void for_lines(const base::Runtime& runtime, const Lines& lines, const base::Progress& progress, const Visit& visit) {
-    runtime.parallel.for_chunks(lines.count(), lines_a_task, [&](std::int64_t begin, std::int64_t end) {
+void for_lines(const base::Work& work, const Lines& lines, const Visit& visit) {
+    work.for_chunks(lines.count(), lines_a_task, [&](std::int64_t begin, std::int64_t end) {
         for (std::int64_t l = begin; l < end; ++l) {
-            progress.check();
+            work.check();
             visit(Stretch{lines.first[l], lines.first[l + 1], lines.closed[l] != 0});
         }
     });
@@ -339,14 +335,14 @@ using Beside = base::Array<std::array<Neighbour, 2>>;
 
 // Where the plane across the line at each point meets other lines, or a part of the same line farther on: the nearest
 // place on either side.
-void find_beside(const base::Runtime& runtime, const Lines& lines, const geometry::VecArray& across, double separation,
-                 Beside& beside, const base::Progress& progress) {
+void find_beside(const base::Work& work, const Lines& lines, const geometry::VecArray& across, double separation,
+                 Beside& beside) {
     const double step = hatching_tuning.even_step;
-    const geometry::PointGrid grid(lines.position, (hatching_tuning.beside + step) * separation, progress);
-    const geometry::VecArray places = grid.in_order(lines.position, progress);
-    base::Array<std::int32_t> next(runtime.memory); // the point after each point on its line; -1: the line ends there
-    base::resize_long(next, lines.position.size(), progress);
-    for_lines(runtime, lines, progress, [&](const Stretch& line) {
+    const geometry::PointGrid grid(lines.position, (hatching_tuning.beside + step) * separation, work);
+    const geometry::VecArray places = grid.in_order(lines.position, work);
+    base::Array<std::int32_t> next(work.memory); // the point after each point on its line; -1: the line ends there
+    base::resize_long(next, lines.position.size(), work);
+    for_lines(work, lines, [&](const Stretch& line) {
         for (std::int64_t i = line.begin; i < line.end; ++i) next[i] = static_cast<std::int32_t>(line.after(i));
     });
     // Along a line its own points are beside others only where it winds round.
@@ -390,9 +386,9 @@ void find_beside(const base::Runtime& runtime, const Lines& lines, const geometr
         });
         beside[i] = found;
     };
-    for_lines(runtime, lines, progress, [&](const Stretch& line) {
+    for_lines(work, lines, [&](const Stretch& line) {
         for (std::int64_t i = line.begin; i < line.end; ++i) {
-            if ((i - line.begin) % 512 == 0) progress.check();
+            work.check();
             look_around(line, i);
         }
     });
@@ -428,17 +424,16 @@ float way_to_middle(const Beside& beside, const base::Array<float>& move, std::i
 }
 
 // How far each point is to move across its line, in separations.
-base::Array<float> even_moves(const base::Runtime& runtime, const Lines& lines, const Beside& beside,
-                              const base::Progress& progress) {
-    base::Array<float> move(runtime.memory, beside.size());
-    base::Array<float> wanted(runtime.memory, beside.size());
+base::Array<float> even_moves(const base::Work& work, const Lines& lines, const Beside& beside) {
+    base::Array<float> move(work.memory, beside.size());
+    base::Array<float> wanted(work.memory, beside.size());
     for (int round = 0; round < hatching_tuning.moves; ++round) {
-        for_lines(runtime, lines, progress, [&](const Stretch& line) {
+        for_lines(work, lines, [&](const Stretch& line) {
             for (std::int64_t i = line.begin; i < line.end; ++i)
                 wanted[i] = hatching_tuning.move_share * std::clamp(way_to_middle(beside, move, i), -0.5F, 0.5F);
             average(line, wanted.data());
         });
-        for_lines(runtime, lines, progress, [&](const Stretch& line) {
+        for_lines(work, lines, [&](const Stretch& line) {
             for (std::int64_t i = line.begin; i < line.end; ++i) move[i] += wanted[i];
         });
     }
@@ -477,11 +472,10 @@ bool mark_kinks(const Lines& lines, const Stretch& line, base::Array<float>& tur
 }
 
 // Moves points in kinks halfway to the middle of those beside them, across the line.
-void straighten(const base::Runtime& runtime, Lines& lines, geometry::VecArray& across,
-                const base::Progress& progress) {
-    base::Array<float> turn(runtime.memory, lines.position.size());
-    base::Array<std::uint8_t> kink(runtime.memory, lines.position.size());
-    for_lines(runtime, lines, progress, [&](const Stretch& line) {
+void straighten(const base::Work& work, Lines& lines, geometry::VecArray& across) {
+    base::Array<float> turn(work.memory, lines.position.size());
+    base::Array<std::uint8_t> kink(work.memory, lines.position.size());
+    for_lines(work, lines, [&](const Stretch& line) {
         for (int round = 0; round < hatching_tuning.straightenings && mark_kinks(lines, line, turn, kink); ++round) {
             set_across(lines, line, across);
             move_between(lines.position, line,
@@ -514,29 +508,29 @@ void smooth_levels(Lines& lines, std::int64_t reach) {
 
 // Brings marks onto the surface; the normal of one that did not settle is 0.
 void settle(const marks::Site& site, double separation, const geometry::Bounds& region, Lines& lines,
-            marks::LevelReport& report, const base::Progress& progress) {
+            marks::LevelReport& report) {
     marks::Settler settler(site);
     const std::int64_t count = lines.position.size();
     for (std::int64_t from = 0; from < count; from += marks::chunk_size) {
         settler.start.clear();
         const std::int64_t end = std::min(count, from + marks::chunk_size);
         for (std::int64_t i = from; i < end; ++i) settler.start.push_back(lines.position[i]);
-        settler.settle(separation, report, base::Progress(progress).part(0.0, 0.0));
+        settler.settle(separation, report, site.work.standing());
         for (std::int64_t i = from; i < end; ++i) {
             if (settler.placed(i - from) && !region.contains(settler.position(i - from)))
                 settler.drop(i - from, report.dropped_strayed, report);
             lines.position.set(i, settler.position(i - from));
             lines.normal.set(i, settler.placed(i - from) ? settler.normal(i - from) : glm::dvec3(0.0));
         }
-        progress.update(static_cast<double>(end) / static_cast<double>(count));
+        site.work.update(static_cast<double>(end) / static_cast<double>(count));
     }
 }
 
 // 1 for marks on another sheet than the mark before them, which is the last one for the first of a line; empty where
 // the surface is smooth. A mark on the crease itself belongs to the sheet of the marks that it goes on from, or else
 // leads to, and gets its normal.
-base::Array<std::uint8_t> starts_at_creases(const marks::Site& site, Lines& lines, const base::Progress& progress) {
-    base::Array<std::int32_t> sheet = surface::sheets_at(site.runtime, site.implicit, lines.position, progress);
+base::Array<std::uint8_t> starts_at_creases(const marks::Site& site, Lines& lines) {
+    base::Array<std::int32_t> sheet = surface::sheets_at(site.work, site.implicit, lines.position);
     base::Array<std::uint8_t> starts(site.memory(), sheet.size());
     const implicit::Sheets* const sheets = site.implicit.sheets();
     if (sheets == nullptr) return starts;
@@ -550,7 +544,7 @@ base::Array<std::uint8_t> starts_at_creases(const marks::Site& site, Lines& line
     };
     const auto has_settled = [&](std::int64_t i) { return lines.normal[i] != glm::dvec3(0.0); };
     for (std::int64_t l = 0; l < lines.count(); ++l) {
-        progress.check();
+        site.work.check();
         bool goes_on = false; // the mark before does, from the one before that
         for (std::int64_t i = lines.first[l], last = lines.first[l + 1] - 1; i < lines.first[l + 1]; last = i++) {
             if (i == lines.first[l] && lines.closed[l] == 0) continue;
@@ -594,8 +588,7 @@ CreaseEnd crease_end(const implicit::Sheets* sheets, const glm::dvec3& inner, co
 }
 
 // Lines in pieces each of which lies on the surface and on one side of all creases.
-Lines cut(const marks::Site& site, const Lines& lines, const base::Array<std::uint8_t>& starts, double step,
-          const base::Progress& progress) {
+Lines cut(const marks::Site& site, const Lines& lines, const base::Array<std::uint8_t>& starts, double step) {
     Lines pieces(site.memory());
     const auto add = [&](std::int64_t l, std::int64_t begin, std::int64_t end) {
         const auto at = [&](std::int64_t k) { return lines.first[l] + k % lines.points(l); };
@@ -605,11 +598,11 @@ Lines cut(const marks::Site& site, const Lines& lines, const base::Array<std::ui
         const CreaseEnd tail = crease_end(site.implicit.sheets(), place(end - 2), place(end - 1), step);
         const auto add_crease = [&](const surface::MeetingPlace& crease, std::int64_t k) {
             if (crease.found)
-                pieces.add_point(crease.position, glm::normalize(crease.gradient[0]), lines.level[at(k)], progress);
+                pieces.add_point(crease.position, glm::normalize(crease.gradient[0]), lines.level[at(k)], site.work);
         };
         add_crease(head.place, begin);
         for (std::int64_t k = begin + (head.replaces ? 1 : 0); k < end - (tail.replaces ? 1 : 0); ++k)
-            pieces.add_point(place(k), lines.normal[at(k)], lines.level[at(k)], progress);
+            pieces.add_point(place(k), lines.normal[at(k)], lines.level[at(k)], site.work);
         add_crease(tail.place, end - 1);
         pieces.end_line(false);
     };
@@ -639,7 +632,7 @@ void Lines::add_point(const glm::dvec3& at, const glm::dvec3& its_normal, std::u
     geometry::push_back_long(position, at, progress);
     geometry::push_back_long(normal, its_normal, progress);
     base::push_back_long(level, its_level, progress);
-    if (position.size() % 512 == 0) progress.check();
+    progress.check();
 }
 
 void Lines::end_line(bool is_closed) {
@@ -648,18 +641,15 @@ void Lines::end_line(bool is_closed) {
     closed.push_back(is_closed ? 1 : 0);
 }
 
-Lines find_crests(const base::Runtime& runtime, const curves::SurfaceMesh& mesh, const Waves& waves, int levels,
-                  const base::Progress& progress) {
+Lines find_crests(const base::Work& work, const curves::SurfaceMesh& mesh, const Waves& waves, int levels) {
     HRBFNPR_ASSERT(waves.along.size() == mesh.vertices() && mesh.neighbour.size() == mesh.corner.size());
     const int halvings = std::max(0, levels - static_cast<int>(waves.finest()));
-    Crossings found = cross_edges(runtime, mesh, waves, halvings, progress);
-    runtime.parallel.for_chunks(mesh.triangles(), triangles_a_task, progress,
-                                [&](std::int64_t begin, std::int64_t end) {
-                                    base::Array<std::int64_t> open(runtime.memory);
-                                    for (std::int64_t t = begin; t < end; ++t)
-                                        link_triangle(mesh, waves, t, found, open);
-                                });
-    return walk(mesh, found, progress);
+    Crossings found = cross_edges(work, mesh, waves, halvings);
+    work.for_chunks(mesh.triangles(), triangles_a_task, [&](std::int64_t begin, std::int64_t end) {
+        base::Array<std::int64_t> open(work.memory);
+        for (std::int64_t t = begin; t < end; ++t) link_triangle(mesh, waves, t, found, open);
+    });
+    return walk(mesh, found, work);
 }
 
 Lines join_ends(const Lines& lines, double reach, const base::Progress& progress) {
@@ -717,46 +707,44 @@ Lines resampled(const Lines& lines, double step, double shortest, const base::Pr
     return result;
 }
 
-Lines even_out(const base::Runtime& runtime, const Lines& given, double separation, const base::Progress& progress) {
+Lines even_out(const base::Work& work, const Lines& given, double separation) {
     HRBFNPR_ASSERT(separation > 0.0);
-    Lines lines =
-        resampled(given, hatching_tuning.even_step * separation, hatching_tuning.shortest * separation, progress);
+    Lines lines = resampled(given, hatching_tuning.even_step * separation, hatching_tuning.shortest * separation, work);
     // Points on a mesh's edges know their place only to a part of its cells.
-    for_lines(runtime, lines, progress, [&](const Stretch& line) {
+    for_lines(work, lines, [&](const Stretch& line) {
         for (int round = 0; round < hatching_tuning.smoothings; ++round)
             move_between(lines.position, line,
                          [](std::int64_t, const glm::dvec3& before, const glm::dvec3& p, const glm::dvec3& after) {
                              return 0.25 * before + 0.5 * p + 0.25 * after;
                          });
     });
-    geometry::VecArray across(runtime.memory);
-    geometry::resize_long(across, lines.position.size(), progress);
-    Beside beside(runtime.memory);
-    base::resize_long(beside, lines.position.size(), progress);
+    geometry::VecArray across(work.memory);
+    geometry::resize_long(across, lines.position.size(), work);
+    Beside beside(work.memory);
+    base::resize_long(beside, lines.position.size(), work);
     for (int round = 0; round < hatching_tuning.rounds; ++round) {
-        for_lines(runtime, lines, progress, [&](const Stretch& line) { set_across(lines, line, across); });
-        find_beside(runtime, lines, across, separation, beside, progress);
-        const base::Array<float> move = even_moves(runtime, lines, beside, progress);
-        for_lines(runtime, lines, progress, [&](const Stretch& line) {
+        for_lines(work, lines, [&](const Stretch& line) { set_across(lines, line, across); });
+        find_beside(work, lines, across, separation, beside);
+        const base::Array<float> move = even_moves(work, lines, beside);
+        for_lines(work, lines, [&](const Stretch& line) {
             for (std::int64_t i = line.begin; i < line.end; ++i)
                 lines.position.set(i, lines.position[i] + static_cast<double>(move[i]) * separation * across[i]);
         });
     }
-    straighten(runtime, lines, across, progress);
+    straighten(work, lines, across);
     return lines;
 }
 
 void add_line_marks(const marks::Site& site, const Lines& given, double separation, double step,
-                    const geometry::Bounds& region, marks::Marks& marks, marks::LayerReport& report,
-                    const base::Progress& progress) {
+                    const geometry::Bounds& region, marks::Marks& marks, marks::LayerReport& report) {
     HRBFNPR_ASSERT(separation > 0.0 && step > 0.0 && marks.count() == 0);
-    Lines lines = resampled(given, step, 0.0, progress);
+    Lines lines = resampled(given, step, 0.0, site.work);
     const double reach = std::ceil(0.5 * hatching_tuning.level_length * separation / step);
     smooth_levels(lines, static_cast<std::int64_t>(reach));
     marks::LevelReport& level = report.of(0);
-    settle(site, separation, region, lines, level, progress);
-    const base::Array<std::uint8_t> starts = starts_at_creases(site, lines, progress);
-    const Lines pieces = cut(site, lines, starts, step, progress);
+    settle(site, separation, region, lines, level);
+    const base::Array<std::uint8_t> starts = starts_at_creases(site, lines);
+    const Lines pieces = cut(site, lines, starts, step);
     // Marks that no piece is made of were placed for nothing; those on creases, and ends of rings, come on top.
     const std::int64_t all = pieces.position.size();
     const std::int64_t added = std::max<std::int64_t>(0, all - level.placed);
@@ -776,7 +764,7 @@ void add_line_marks(const marks::Site& site, const Lines& given, double separati
     });
     std::uint32_t number = 0;
     for (const Order& next : order) {
-        progress.check();
+        site.work.check();
         const double middle = static_cast<double>(marks.count()) + 0.5 * static_cast<double>(pieces.points(next.piece));
         const std::int64_t first = pieces.first[next.piece];
         const std::int64_t last = pieces.first[next.piece + 1] - 1;

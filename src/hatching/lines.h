@@ -33,8 +33,8 @@ struct Lines {
 };
 
 // Between two crests of the finest wave more lines are put in until there are as many levels as wanted.
-[[nodiscard]] Lines find_crests(const base::Runtime& runtime, const curves::SurfaceMesh& mesh, const Waves& waves,
-                                int levels, const base::Progress& progress);
+[[nodiscard]] Lines find_crests(const base::Work& work, const curves::SurfaceMesh& mesh, const Waves& waves,
+                                int levels);
 
 // Joins ends that are no farther apart than `reach` and run towards each other: a mesh does not always show a line
 // through a fork.
@@ -45,13 +45,11 @@ struct Lines {
 
 // Moves lines across themselves, by amounts that change slowly along each line, so that none is bent. The points of
 // the result are about half a separation apart. The same bits for any number of threads.
-[[nodiscard]] Lines even_out(const base::Runtime& runtime, const Lines& lines, double separation,
-                             const base::Progress& progress);
+[[nodiscard]] Lines even_out(const base::Work& work, const Lines& lines, double separation);
 
 // Appends marks a step apart along each line, brought onto the surface, line after line; those that are of a coarse
 // level somewhere come first. `separation` is that of all levels together; beyond the region there is no surface.
 void add_line_marks(const marks::Site& site, const Lines& lines, double separation, double step,
-                    const geometry::Bounds& region, marks::Marks& marks, marks::LayerReport& report,
-                    const base::Progress& progress);
+                    const geometry::Bounds& region, marks::Marks& marks, marks::LayerReport& report);
 
 } // namespace hrbfnpr::hatching

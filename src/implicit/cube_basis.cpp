@@ -10,8 +10,6 @@
 namespace hrbfnpr::implicit {
 namespace {
 
-constexpr std::int64_t columns_a_look = 64; // columns of a matrix, or rows
-
 using Chebyshev = std::array<double, CubeBasis::degree_max + 1>;
 
 void chebyshev(int degree, double x, Chebyshev& t) noexcept {
@@ -36,8 +34,7 @@ void chebyshev(int degree, double x, Chebyshev& t) noexcept {
     const std::int64_t columns = CubeBasis::terms(degree);
     base::Array<double> matrix(points.memory(), stride * columns);
     base::Array<double> terms(points.memory(), columns);
-    for (std::int64_t i = 0; i < count; ++i) {
-        if (i % columns_a_look == 0) progress.check();
+    for (const std::int64_t i : progress.over(count)) {
         CubeBasis::evaluate(degree, points[i], terms.data());
         for (std::int64_t k = 0; k < columns; ++k) matrix[k * stride + i] = terms[k];
     }
@@ -207,17 +204,17 @@ constexpr std::int64_t rows_at_a_time = 128;
 
 } // namespace
 
-CubeBasis::CubeBasis(const base::Runtime& runtime, int degree, const base::Progress& progress)
-    : degree_(degree), nodes_(runtime.memory, stride()), to_coefficients_(runtime.memory), transposed_(runtime.memory) {
-    const geometry::VecArray grid = lobatto_grid(runtime.memory, std::max(degree_, 1));
+CubeBasis::CubeBasis(const base::Work& work, int degree)
+    : degree_(degree), nodes_(work.memory, stride()), to_coefficients_(work.memory), transposed_(work.memory) {
+    const geometry::VecArray grid = lobatto_grid(work.memory, std::max(degree_, 1));
     const std::int64_t rows = padded(static_cast<int>(grid.size()));
-    base::Array<double> matrix = triharmonic_values(grid, grid.size(), degree_, rows, progress);
-    Elimination elimination(runtime, matrix.data(), grid.size(), rows, size());
-    const base::Array<std::int64_t>& row = elimination.run(progress);
+    base::Array<double> matrix = triharmonic_values(grid, grid.size(), degree_, rows, work);
+    Elimination elimination(work, matrix.data(), grid.size(), rows, size());
+    const base::Array<std::int64_t>& row = elimination.run(work);
     for (std::int64_t k = 0; k < size(); ++k) nodes_.set(k, grid[row[k]]);
-    progress.check();
-    invert(runtime, matrix.data(), rows, progress);
-    transpose(progress);
+    work.check();
+    invert(work, matrix.data(), rows);
+    transpose(work);
 }
 
 void CubeBasis::evaluate(int degree, const glm::dvec3& p, double* terms) noexcept {
@@ -230,39 +227,36 @@ void CubeBasis::evaluate(int degree, const glm::dvec3& p, double* terms) noexcep
 }
 
 // Coefficients of the basis times (L U)^-1.
-void CubeBasis::invert(const base::Runtime& runtime, const double* factor, std::int64_t factor_stride,
-                       const base::Progress& progress) {
-    to_coefficients_ = triharmonic_coefficients(runtime.memory, degree_, term_stride(), progress);
+void CubeBasis::invert(const base::Work& work, const double* factor, std::int64_t factor_stride) {
+    to_coefficients_ = triharmonic_coefficients(work.memory, degree_, term_stride(), work);
     // Rows by themselves, several vectors of them at a time.
-    runtime.parallel.for_chunks(term_stride(), rows_at_a_time, [&](std::int64_t begin, std::int64_t end) {
-        progress.check();
-        RightSolve(runtime.memory, cube_loops(runtime.instruction_set), {factor, factor_stride, size()},
+    work.for_chunks(term_stride(), rows_at_a_time, [&](std::int64_t begin, std::int64_t end) {
+        RightSolve(work.memory, cube_loops(work.instruction_set), {factor, factor_stride, size()},
                    to_coefficients_.data() + begin, term_stride(), static_cast<int>(end - begin))
-            .run(progress);
+            .run(work);
     });
 }
 
 void CubeBasis::transpose(const base::Progress& progress) {
     transposed_.resize(std::int64_t{terms()} * stride());
-    for (std::int64_t j = 0; j < size(); ++j) {
-        if (j % columns_a_look == 0) progress.check();
+    for (const std::int64_t j : progress.over(size())) {
         for (std::int64_t k = 0; k < terms(); ++k)
             transposed_[k * stride() + j] = to_coefficients_[j * term_stride() + k];
     }
 }
 
-base::Array<double> CubeBasis::interpolation(const base::Runtime& runtime, const geometry::VecArray& points, int count,
-                                             const base::Progress& progress) const {
+base::Array<double> CubeBasis::interpolation(const base::Work& work, const geometry::VecArray& points,
+                                             int count) const {
     const int n = size();
     const int rows = padded(count);
-    const base::Array<double> values = vandermonde(points, count, degree_, rows, progress);
-    base::Array<double> result(runtime.memory, std::int64_t{rows} * n);
-    runtime.parallel.for_chunks(n, cube_batch, progress, [&](std::int64_t begin, std::int64_t end) {
-        base::Array<double> in(runtime.memory, std::int64_t{terms()} * cube_batch);
+    const base::Array<double> values = vandermonde(points, count, degree_, rows, work);
+    base::Array<double> result(work.memory, std::int64_t{rows} * n);
+    work.for_chunks(n, cube_batch, [&](std::int64_t begin, std::int64_t end) {
+        base::Array<double> in(work.memory, std::int64_t{terms()} * cube_batch);
         for (std::int64_t v = 0; begin + v < end; ++v)
             for (std::int64_t k = 0; k < terms(); ++k)
                 in[k * cube_batch + v] = to_coefficients_[(begin + v) * term_stride() + k];
-        add_product(runtime, {values.data(), rows, terms()}, in.data(), result.data() + begin * rows,
+        add_product(work, {values.data(), rows, terms()}, in.data(), result.data() + begin * rows,
                     static_cast<int>(end - begin));
     });
     return result;

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "base/operation.h"
-#include "base/runtime.h"
+#include "base/work.h"
 #include "geometry/vec_array.h"
 #include "implicit/triharmonic_basis.h"
 
@@ -18,7 +18,7 @@ public:
 
     // The points are taken from a Chebyshev grid by elimination with pivoting, greedily so that their determinant is
     // large (discrete Leja points: Bos, De Marchi, Sommariva, Vianello, SIAM J. Numer. Anal. 48, 2010).
-    CubeBasis(const base::Runtime& runtime, int degree, const base::Progress& progress);
+    CubeBasis(const base::Work& work, int degree);
 
     [[nodiscard]] static constexpr int terms(int degree) noexcept {
         return (degree + 1) * (degree + 2) * (degree + 3) / 6;
@@ -49,12 +49,11 @@ public:
     static void evaluate(int degree, const glm::dvec3& p, double* terms) noexcept;
     // The matrix that takes values at this basis' nodes to values at `count` points, column-major with columns of
     // padded(count).
-    [[nodiscard]] base::Array<double> interpolation(const base::Runtime& runtime, const geometry::VecArray& points,
-                                                    int count, const base::Progress& progress = {}) const;
+    [[nodiscard]] base::Array<double> interpolation(const base::Work& work, const geometry::VecArray& points,
+                                                    int count) const;
 
 private:
-    void invert(const base::Runtime& runtime, const double* factor, std::int64_t factor_stride,
-                const base::Progress& progress);
+    void invert(const base::Work& work, const double* factor, std::int64_t factor_stride);
     void transpose(const base::Progress& progress);
 
     int degree_;

@@ -21,14 +21,14 @@ struct Gathered {
 
 } // namespace
 
-base::Array<std::int32_t> order_by_cell(const base::Runtime& runtime, const Implicit& implicit,
-                                        const geometry::VecArray& points, const base::Progress& progress) {
-    base::Array<std::int32_t> order(runtime.memory);
+base::Array<std::int32_t> order_by_cell(const base::Work& work, const Implicit& implicit,
+                                        const geometry::VecArray& points) {
+    base::Array<std::int32_t> order(work.memory);
     const std::int64_t cells = implicit.cells();
     if (cells == 0 || points.size() > std::numeric_limits<std::int32_t>::max()) return order;
-    base::Array<std::int32_t> cell(runtime.memory);
+    base::Array<std::int32_t> cell(work.memory);
     cell.resize_for_overwrite(points.size());
-    runtime.parallel.for_chunks(points.size(), 4096, progress, [&](std::int64_t begin, std::int64_t end) {
+    work.for_chunks(points.size(), 4096, [&](std::int64_t begin, std::int64_t end) {
         for (std::int64_t i = begin; i < end; ++i) cell[i] = implicit.cell_of(points[i]);
     });
     order.resize_for_overwrite(points.size());
@@ -38,30 +38,28 @@ base::Array<std::int32_t> order_by_cell(const base::Runtime& runtime, const Impl
                   [&](std::int32_t a, std::int32_t b) { return cell[a] != cell[b] ? cell[a] < cell[b] : a < b; });
         return order;
     }
-    base::Array<std::int32_t> next(runtime.memory, cells + 1);
+    base::Array<std::int32_t> next(work.memory, cells + 1);
     for (const std::int32_t c : cell) ++next[c + 1];
-    progress.check();
+    work.check();
     for (std::int64_t c = 0; c < cells; ++c) next[c + 1] += next[c];
-    progress.check();
-    for (std::int64_t i = 0; i < points.size(); ++i) {
-        if (i % 65536 == 0) progress.check();
+    work.check();
+    for (const std::int64_t i : work.over(points.size())) {
         order[next[cell[i]]++] = static_cast<std::int32_t>(i);
     }
     return order;
 }
 
-void evaluate_all(const base::Runtime& runtime, const Implicit& implicit, const geometry::VecArray& points,
-                  const FieldBatch& fields, const base::Progress& progress) {
+void evaluate_all(const base::Work& work, const Implicit& implicit, const geometry::VecArray& points,
+                  const FieldBatch& fields) {
     const std::int64_t count = points.size();
-    const base::Array<std::int32_t> order = order_by_cell(runtime, implicit, points, progress);
+    const base::Array<std::int32_t> order = order_by_cell(work, implicit, points);
     std::atomic<std::int64_t> done{0};
-    implicit.threads(runtime.parallel).for_chunks(count, batch_size, [&](std::int64_t begin, std::int64_t end) {
-        progress.check();
+    implicit.threads(work).for_chunks(count, batch_size, [&](std::int64_t begin, std::int64_t end) {
         if (order.empty()) {
             implicit.evaluate(slice({points.x.data(), points.y.data(), points.z.data(), count}, begin, end),
                               fields.from(begin));
         } else {
-            base::Boxed<Gathered> some(runtime.memory);
+            base::Boxed<Gathered> some(work.memory);
             for (std::int64_t i = begin; i < end; ++i) some->points.add(points[order[i]], order[i]);
             implicit.evaluate(
                 some->points.points(),
@@ -69,7 +67,7 @@ void evaluate_all(const base::Runtime& runtime, const Implicit& implicit, const 
             some->fields.scatter(some->points.index, end - begin, fields);
         }
         const std::int64_t now = done.fetch_add(end - begin, std::memory_order_relaxed) + end - begin;
-        progress.update(static_cast<double>(now) / static_cast<double>(count));
+        work.update(static_cast<double>(now) / static_cast<double>(count));
     });
 }
 

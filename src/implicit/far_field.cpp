@@ -18,15 +18,14 @@ constexpr std::int64_t translate_tasks = 16;
 
 } // namespace
 
-FarField::FarField(const base::Runtime& runtime, const geometry::VecArray& centres, const SourceTreeOptions& options,
-                   const base::Progress& progress)
-    : runtime_(runtime), sources_(runtime, centres, options, progress), tree_(sources_.tree()),
-      lists_(geometry::octree_interactions(tree_, progress)), pairs_(runtime.memory), group_begin_(runtime.memory),
-      incoming_(runtime.memory, sources_.vectors_size()), value_(runtime.memory, centres.size()),
-      gradient_(runtime.memory, centres.size()), leaves_(runtime.memory) {
+FarField::FarField(const base::Work& work, const geometry::VecArray& centres, const SourceTreeOptions& options)
+    : runtime_(work), sources_(work, centres, options), tree_(sources_.tree()),
+      lists_(geometry::octree_interactions(tree_, work)), pairs_(work.memory), group_begin_(work.memory),
+      incoming_(work.memory, sources_.vectors_size()), value_(work.memory, centres.size()),
+      gradient_(work.memory, centres.size()), leaves_(work.memory) {
     for (std::int64_t node = 0; node < tree_.nodes().size(); ++node)
         if (tree_.nodes()[node].leaf()) leaves_.push_back(node);
-    sort_pairs(progress);
+    sort_pairs(work);
 }
 
 double* FarField::incoming(std::int64_t node, std::int32_t level) noexcept {
@@ -54,8 +53,7 @@ void FarField::sum(const double* alpha, const geometry::VecArray& beta, double* 
         group += (cubes + translate_cubes - 1) / translate_cubes;
     }
     evaluate_leaves(progress);
-    for (std::int64_t at = 0; at < tree_.points().size(); ++at) {
-        if (at % 16384 == 0) progress.check();
+    for (const std::int64_t at : progress.over(tree_.points().size())) {
         value[tree_.index(at)] = value_[at];
         gradient.set(tree_.index(at), gradient_[at]);
     }
@@ -91,8 +89,7 @@ void FarField::translate(std::int32_t level, std::int64_t first_group, const bas
     const std::int64_t groups = (cubes + translate_cubes - 1) / translate_cubes;
     const std::int64_t rows = sources_.basis(level).stride();
     const std::int64_t parts = std::clamp<std::int64_t>(translate_tasks / groups, 1, rows / 8);
-    runtime_.parallel.for_each(groups * parts, [&](std::int64_t task) {
-        progress.check();
+    runtime_.parallel.for_each(groups * parts, progress, [&](std::int64_t task) {
         const std::int64_t group = first_group + task / parts;
         const std::int64_t part = task % parts;
         const std::span<const SourceTree::Pair> pairs(pairs_.data() + group_begin_[group],
@@ -108,28 +105,28 @@ void FarField::pass_down(std::int32_t level, const base::Progress& progress) {
     const CubeBasis& child_basis = sources_.basis(level + 1);
     const CubeLoops loops = cube_loops(runtime_.instruction_set);
     const std::int64_t first = tree_.level_begin(level);
-    runtime_.parallel.for_chunks(tree_.level_end(level) - first, chunk, [&](std::int64_t begin, std::int64_t end) {
-        progress.check();
-        base::Array<double> nobody(runtime_.memory, child_basis.stride());
-        CubeVectors batch(runtime_.memory, basis.size());
-        for (int octant = 0; octant < 8; ++octant) {
-            const auto flush = [&] {
-                if (batch.empty()) return;
-                progress.check();
-                loops.multiply(sources_.to_child(level, octant).data(), child_basis.stride(), child_basis.stride(),
-                               basis.size(), batch.in(), batch.out(nobody.data()), batch.count());
-                batch.clear();
-            };
-            for (std::int64_t node = first + begin; node < first + end; ++node) {
-                const geometry::Octree::Node& cube = tree_.nodes()[node];
-                for (std::int64_t child = cube.first_child; child < cube.first_child + cube.children; ++child)
-                    if (geometry::Octree::octant(tree_.nodes()[child]) == octant)
-                        batch.add(incoming(node, level), basis.size(), incoming(child, level + 1));
-                if (batch.full()) flush();
+    runtime_.parallel.for_chunks(
+        tree_.level_end(level) - first, chunk, progress, [&](std::int64_t begin, std::int64_t end) {
+            base::Array<double> nobody(runtime_.memory, child_basis.stride());
+            CubeVectors batch(runtime_.memory, basis.size());
+            for (int octant = 0; octant < 8; ++octant) {
+                const auto flush = [&] {
+                    if (batch.empty()) return;
+                    progress.check();
+                    loops.multiply(sources_.to_child(level, octant).data(), child_basis.stride(), child_basis.stride(),
+                                   basis.size(), batch.in(), batch.out(nobody.data()), batch.count());
+                    batch.clear();
+                };
+                for (std::int64_t node = first + begin; node < first + end; ++node) {
+                    const geometry::Octree::Node& cube = tree_.nodes()[node];
+                    for (std::int64_t child = cube.first_child; child < cube.first_child + cube.children; ++child)
+                        if (geometry::Octree::octant(tree_.nodes()[child]) == octant)
+                            batch.add(incoming(node, level), basis.size(), incoming(child, level + 1));
+                    if (batch.full()) flush();
+                }
+                flush();
             }
-            flush();
-        }
-    });
+        });
 }
 
 void FarField::evaluate_leaves(const base::Progress& progress) {

@@ -11,8 +11,7 @@ namespace hrbfnpr::implicit {
 class FarField {
 public:
     // Of these centres, which are targets too.  Throws Error{out_of_memory, cancelled}.
-    FarField(const base::Runtime& runtime, const geometry::VecArray& centres, const SourceTreeOptions& options,
-             const base::Progress& progress);
+    FarField(const base::Work& work, const geometry::VecArray& centres, const SourceTreeOptions& options);
 
     // value = sum of equation 1 and gradient at all centres, in their order.  Not thread-safe.
     void sum(const double* alpha, const geometry::VecArray& beta, double* value, geometry::VecArray& gradient,

@@ -3,7 +3,7 @@
 // on this interface only, so that it works on any implicit.
 #pragma once
 
-#include "base/parallel.h"
+#include "base/work.h"
 #include "geometry/vec.h"
 #include "implicit/domain.h"
 
@@ -76,9 +76,9 @@ public:
     // Length scale of tolerances: the diagonal of the bounds, positive even for one sample.
     [[nodiscard]] double diagonal() const noexcept;
 
-    // `parallel` if evaluate() may run on several threads, else serial.
-    [[nodiscard]] base::Parallel threads(const base::Parallel& parallel) const noexcept {
-        return concurrent() ? parallel : base::Parallel();
+    // The work on all of its threads if evaluate() may run on several, else on the calling one.
+    [[nodiscard]] base::Work threads(const base::Work& work) const noexcept {
+        return concurrent() ? work : work.on_one_thread();
     }
 };
 

@@ -116,17 +116,17 @@ private:
     // What the polynomial of the cell above is in its children.
     void pass_down(std::int32_t level, const base::Progress& progress) {
         const CubeShift shift(field_.sources_.basis(level - 1).degree(), field_.sources_.basis(level).degree());
-        runtime_.parallel.for_chunks(begin_ - above_, cells_a_task, [&](std::int64_t first, std::int64_t last) {
-            progress.check();
-            base::Boxed<CubeShift::Work> work(runtime_.memory);
-            for (std::int64_t k = first; k < last; ++k) {
-                const Cell& parent = field_.cells_[above_ + k];
-                for (int octant = 0; octant < 8; ++octant)
-                    if (parent.has_child(octant))
-                        shift.add(field_.terms_.data() + parent.terms, octant,
-                                  field_.terms_.data() + field_.cells_[parent.child(octant)].terms, *work);
-            }
-        });
+        runtime_.parallel.for_chunks(
+            begin_ - above_, cells_a_task, progress, [&](std::int64_t first, std::int64_t last) {
+                base::Boxed<CubeShift::Work> work(runtime_.memory);
+                for (std::int64_t k = first; k < last; ++k) {
+                    const Cell& parent = field_.cells_[above_ + k];
+                    for (int octant = 0; octant < 8; ++octant)
+                        if (parent.has_child(octant))
+                            shift.add(field_.terms_.data() + parent.terms, octant,
+                                      field_.terms_.data() + field_.cells_[parent.child(octant)].terms, *work);
+                }
+            });
     }
 
     // Cells [first, last) of the level with what acts on them, those at the same offset together.
@@ -153,8 +153,7 @@ private:
             const base::Array<SourceTree::Pair> pairs =
                 pairs_of(first, std::min(end_ - begin_, first + translate_cells));
             const std::int64_t parts = std::min(local_tasks, rows / 8);
-            runtime_.parallel.for_each(parts, [&](std::int64_t part) {
-                progress.check();
+            runtime_.parallel.for_each(parts, progress, [&](std::int64_t part) {
                 field_.sources_.translate(level, pairs.span(), static_cast<int>(part * (rows / 8) / parts * 8),
                                           static_cast<int>((part + 1) * (rows / 8) / parts * 8), incoming_.data(),
                                           progress);
@@ -201,8 +200,7 @@ private:
         base::Array<std::int64_t> next_begin(runtime_.memory);
         base::Array<std::int64_t> next(runtime_.memory);
         next_begin.push_back(0);
-        for (std::int64_t k = 0; k < end_ - begin_; ++k) {
-            if (k % cells_a_task == 0) progress.check();
+        for (const std::int64_t k : progress.over(end_ - begin_)) {
             if (level + 1 < tree_.levels() && near_centres(k) > most_near_) add_children(k, next_begin, next, progress);
             if (field_.cells_[begin_ + k].serves()) keep_near(k, progress);
         }
@@ -293,8 +291,7 @@ private:
         for (std::int64_t cell = begin_; cell < end_; ++cell, size += basis.term_stride())
             field_.cells_[cell].terms = size;
         base::resize_long(field_.terms_, size, progress);
-        runtime_.parallel.for_chunks(end_ - begin_, 64, [&](std::int64_t first, std::int64_t last) {
-            progress.check();
+        runtime_.parallel.for_chunks(end_ - begin_, 64, progress, [&](std::int64_t first, std::int64_t last) {
             base::Array<double> nobody(runtime_.memory, basis.term_stride());
             CubeVectors batch(runtime_.memory, basis.size());
             for (std::int64_t k = first; k < last; ++k) {
@@ -324,16 +321,14 @@ private:
     base::Array<double> incoming_;              // values at the nodes of each cell of the level, of what acts there
 };
 
-LocalField::LocalField(const base::Runtime& runtime, const geometry::VecArray& centres, const double* alpha,
-                       const geometry::VecArray& beta, const LocalFieldOptions& options, const base::Progress& progress)
-    : set_(runtime.instruction_set),
-      sources_(runtime, centres,
-               {options.spacing, options.finer, sources_in_leaf, tolerance_of(options, root_mean_square(alpha, beta)),
-                separation, margin},
-               progress),
-      cells_(runtime.memory), near_(runtime.memory), terms_(runtime.memory) {
-    sources_.load(alpha, beta, progress);
-    Builder(runtime, *this, options).run(progress);
+LocalField::LocalField(const base::Work& work, const geometry::VecArray& centres, const double* alpha,
+                       const geometry::VecArray& beta, const LocalFieldOptions& options)
+    : set_(work.instruction_set), sources_(work, centres,
+                                           {options.spacing, options.finer, sources_in_leaf,
+                                            tolerance_of(options, root_mean_square(alpha, beta)), separation, margin}),
+      cells_(work.memory), near_(work.memory), terms_(work.memory) {
+    sources_.load(alpha, beta, work);
+    Builder(work, *this, options).run(work);
     sources_.forget_expansions();
 }
 

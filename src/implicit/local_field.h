@@ -35,8 +35,8 @@ struct LocalFieldOptions {
 class LocalField {
 public:
     // Throws Error{out_of_memory, cancelled}.
-    LocalField(const base::Runtime& runtime, const geometry::VecArray& centres, const double* alpha,
-               const geometry::VecArray& beta, const LocalFieldOptions& options, const base::Progress& progress);
+    LocalField(const base::Work& work, const geometry::VecArray& centres, const double* alpha,
+               const geometry::VecArray& beta, const LocalFieldOptions& options);
 
     // The cube that a point lies in, in [0, cubes()); -1 outside of all.
     [[nodiscard]] std::int32_t cube_of(const glm::dvec3& point) const noexcept;

@@ -425,15 +425,14 @@ std::optional<PreparedPieces::Scope> PreparedPieces::pays(const PiecesData& data
     return Scope::zones;
 }
 
-PreparedPieces::PreparedPieces(const base::Runtime& runtime, const PiecesOf& of, Scope scope,
-                               const base::Progress& progress)
-    : PiecesOf(of.instruction_set(), of.data(), &own_zones_, &sheet_), own_zones_(runtime, of.data(), progress),
-      sheet_(runtime.memory) {
-    runtime.log(base::LogLevel::info, "cells of %lld sheets prepared in %.3f s, %.1f MB",
-                static_cast<long long>(data().sheet.size()), watch_.seconds(),
-                static_cast<double>(own_zones_.bytes()) / 1e6);
+PreparedPieces::PreparedPieces(const base::Work& work, const PiecesOf& of, Scope scope)
+    : PiecesOf(of.instruction_set(), of.data(), &own_zones_, &sheet_), own_zones_(work, of.data()),
+      sheet_(work.memory) {
+    work.runtime().log(base::LogLevel::info, "cells of %lld sheets prepared in %.3f s, %.1f MB",
+                       static_cast<long long>(data().sheet.size()), watch_.seconds(),
+                       static_cast<double>(own_zones_.bytes()) / 1e6);
     for (std::int64_t i = 0; scope == Scope::sheets && i < data().sheet.size(); ++i)
-        sheet_.add(Prepared::make(runtime, data().sheet[i], progress));
+        sheet_.add(Prepared::make(work, data().sheet[i]));
 }
 
 PreparedPieces::~PreparedPieces() = default;

@@ -76,7 +76,7 @@ public:
     [[nodiscard]] static std::optional<Scope> pays(const PiecesData& data, double points) noexcept;
 
     // The pieces must outlive it.
-    PreparedPieces(const base::Runtime& runtime, const PiecesOf& of, Scope scope, const base::Progress& progress);
+    PreparedPieces(const base::Work& work, const PiecesOf& of, Scope scope);
     ~PreparedPieces() override;
 
     [[nodiscard]] std::int64_t bytes() const noexcept;

@@ -280,10 +280,9 @@ bool is_sound(const PiecesData& data) noexcept {
     return is_octree(data);
 }
 
-PiecesZones::PiecesZones(const base::Runtime& runtime, const PiecesData& data, const base::Progress& progress)
-    : data_(data), top_(runtime.memory), node_(runtime.memory), level_(runtime.memory), cuts_(runtime.memory),
-      first_(runtime.memory), code_(runtime.memory), zone_(runtime.memory), part_(runtime.memory),
-      program_(runtime.memory) {
+PiecesZones::PiecesZones(const base::Work& work, const PiecesData& data)
+    : data_(data), top_(work.memory), node_(work.memory), level_(work.memory), cuts_(work.memory), first_(work.memory),
+      code_(work.memory), zone_(work.memory), part_(work.memory), program_(work.memory) {
     const std::int64_t leaves = data.leaves();
     node_.resize_for_overwrite(leaves);
     level_.resize_for_overwrite(leaves);
@@ -302,13 +301,12 @@ PiecesZones::PiecesZones(const base::Runtime& runtime, const PiecesData& data, c
             node = data.child[node] + octant(digit, level);
         top_.push_back(data.child[node] < 0 ? data.child[node] : node);
     }
-    base::List<LeafZones> made(runtime.memory);
+    base::List<LeafZones> made(work.memory);
     made.reserve(leaves);
-    for (std::int64_t leaf = 0; leaf < leaves; ++leaf) made.add(runtime.memory);
-    runtime.parallel.for_chunks(leaves, 16, [&](std::int64_t begin, std::int64_t end) {
-        progress.check();
+    for (std::int64_t leaf = 0; leaf < leaves; ++leaf) made.add(work.memory);
+    work.for_chunks(leaves, 16, [&](std::int64_t begin, std::int64_t end) {
         for (std::int64_t leaf = begin; leaf < end; ++leaf)
-            made[leaf] = zones_of(runtime, data, node_, static_cast<std::int32_t>(leaf), level_[leaf]);
+            made[leaf] = zones_of(work, data, node_, static_cast<std::int32_t>(leaf), level_[leaf]);
     });
     for (const LeafZones& one : made) {
         const auto parts = static_cast<std::int32_t>(part_.size());

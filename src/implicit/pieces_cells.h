@@ -8,7 +8,7 @@
 
 #include "base/list.h"
 #include "base/operation.h"
-#include "base/runtime.h"
+#include "base/work.h"
 #include "implicit/hrbf.h"
 
 #include <algorithm>
@@ -90,7 +90,7 @@ struct PiecesNode {
 class PiecesZones {
 public:
     // The data must outlive it.
-    PiecesZones(const base::Runtime& runtime, const PiecesData& data, const base::Progress& progress);
+    PiecesZones(const base::Work& work, const PiecesData& data);
 
     // A cell that has a say in a zone, and what is left of its program there; empty: the cell has none.
     struct Part {

@@ -42,8 +42,8 @@ bool Prepared::pays(const HrbfData& data, double points) noexcept {
            1.5e-10 * points * centres > 0.2 + 1.2e-5 * centres;
 }
 
-std::unique_ptr<Prepared> Prepared::make(const base::Runtime& runtime, const HrbfData& data,
-                                         const base::Progress& progress, const LocalFieldOptions& options) {
+std::unique_ptr<Prepared> Prepared::make(const base::Work& work, const HrbfData& data,
+                                         const LocalFieldOptions& options) {
     if (data.kernel != kernel::Kind::triharmonic || data.count() < fewest_centres) return nullptr;
     LocalFieldOptions its = options;
     its.spacing = spacing_of(data);
@@ -51,9 +51,9 @@ std::unique_ptr<Prepared> Prepared::make(const base::Runtime& runtime, const Hrb
     for (int finer = 0; finer <= finest; ++finer) {
         const base::Stopwatch watch;
         its.finer = finer;
-        auto prepared = std::make_unique<Prepared>(runtime, data, its, progress);
+        auto prepared = std::make_unique<Prepared>(work, data, its);
         const Error error = prepared->error();
-        runtime.log(
+        work.runtime().log(
             base::LogLevel::info,
             "evaluation of %lld centres prepared in %.3f s, %.1f MB; values are off by %.1e diagonals, gradients by "
             "%.1e",
@@ -67,11 +67,10 @@ std::unique_ptr<Prepared> Prepared::make(const base::Runtime& runtime, const Hrb
     return nullptr;
 }
 
-Prepared::Prepared(const base::Runtime& runtime, const HrbfData& data, const LocalFieldOptions& options,
-                   const base::Progress& progress)
-    : set_(runtime.instruction_set), data_(data),
-      field_(runtime, data.centre_position, data.alpha.data(), data.beta, options, progress) {
-    measure_error(runtime, progress);
+Prepared::Prepared(const base::Work& work, const HrbfData& data, const LocalFieldOptions& options)
+    : set_(work.instruction_set), data_(data),
+      field_(work, data.centre_position, data.alpha.data(), data.beta, options) {
+    measure_error(work);
 }
 
 std::int32_t Prepared::cell_of(const glm::dvec3& point) const noexcept {
@@ -121,22 +120,21 @@ void Prepared::evaluate_cell(std::int32_t cell, const PointBatch& points, const 
 }
 
 // At places about a spacing from centres, against all centres.
-void Prepared::measure_error(const base::Runtime& runtime, const base::Progress& progress) {
+void Prepared::measure_error(const base::Work& work) {
     const std::int64_t count = std::min(probes, data_.count());
-    geometry::VecArray places(runtime.memory);
+    geometry::VecArray places(work.memory);
     for (std::int64_t k = 0; k < count; ++k) {
         const std::int64_t i = k * data_.count() / count;
         const std::array<double, 4> u = base::uniform4(0, static_cast<std::uint64_t>(i), base::Purpose::probe, 0);
         const glm::dvec3 off = 2.0 * glm::dvec3(u[0], u[1], u[2]) - 1.0;
         places.push_back(data_.centre + data_.scale * (data_.centre_position[i] + spacing_of(data_) * off));
     }
-    base::Array<double> value(runtime.memory, 2 * count);
-    geometry::VecArray gradient(runtime.memory, 2 * count);
+    base::Array<double> value(work.memory, 2 * count);
+    geometry::VecArray gradient(work.memory, 2 * count);
     const FieldBatch quick{value.data(), {gradient.x.data(), gradient.y.data(), gradient.z.data()}, {}};
-    evaluate_all(runtime, *this, places, quick, progress);
+    evaluate_all(work, *this, places, quick);
     const FieldBatch plain = quick.from(count);
-    runtime.parallel.for_chunks(count, block_size, [&](std::int64_t begin, std::int64_t end) {
-        progress.check();
+    work.for_chunks(count, block_size, [&](std::int64_t begin, std::int64_t end) {
         implicit::evaluate(set_, data_, slice({places.x.data(), places.y.data(), places.z.data(), count}, begin, end),
                            plain.from(begin));
     });

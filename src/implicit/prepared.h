@@ -20,14 +20,12 @@ public:
 
     // Null where it is not for this kind of function, or would not be accurate: weights that contradict each other.
     // The data must outlive it.  Of the options, the spacing is the data's.
-    [[nodiscard]] static std::unique_ptr<Prepared> make(const base::Runtime& runtime, const HrbfData& data,
-                                                        const base::Progress& progress,
+    [[nodiscard]] static std::unique_ptr<Prepared> make(const base::Work& work, const HrbfData& data,
                                                         const LocalFieldOptions& options = {});
     // Whether for so many points preparing takes less time than it saves.
     [[nodiscard]] static bool pays(const HrbfData& data, double points) noexcept;
 
-    Prepared(const base::Runtime& runtime, const HrbfData& data, const LocalFieldOptions& options,
-             const base::Progress& progress);
+    Prepared(const base::Work& work, const HrbfData& data, const LocalFieldOptions& options);
 
     void evaluate(const PointBatch& points, const FieldBatch& fields) const override;
     [[nodiscard]] bool concurrent() const noexcept override { return true; }
@@ -40,7 +38,7 @@ public:
 
 private:
     void evaluate_cell(std::int32_t cell, const PointBatch& points, const FieldBatch& fields) const noexcept;
-    void measure_error(const base::Runtime& runtime, const base::Progress& progress);
+    void measure_error(const base::Work& work);
 
     base::InstructionSet set_;
     const HrbfData& data_;

@@ -34,14 +34,13 @@ constexpr std::int64_t cubes_a_task = 32; // cubes of a task
 
 } // namespace
 
-SourceTree::SourceTree(const base::Runtime& runtime, const geometry::VecArray& centres,
-                       const SourceTreeOptions& options, const base::Progress& progress)
-    : runtime_(runtime), tree_(centres, options.leaf_size, options.margin, progress), outgoing_(runtime.memory),
-      alpha_(runtime.memory, centres.size()), beta_(runtime.memory, centres.size()) {
+SourceTree::SourceTree(const base::Work& work, const geometry::VecArray& centres, const SourceTreeOptions& options)
+    : runtime_(work), tree_(centres, options.leaf_size, options.margin, work), outgoing_(work.memory),
+      alpha_(work.memory, centres.size()), beta_(work.memory, centres.size()) {
     std::int64_t size = 0;
     for (std::int32_t level = 0; level < tree_.levels(); ++level) {
         const int degree = degree_of(level, options);
-        levels_.push_back({find_basis(degree, progress), nullptr, size});
+        levels_.push_back({find_basis(degree, work), nullptr, size});
         size += levels_.back().basis->stride() * (tree_.level_end(level) - tree_.level_begin(level));
     }
     vectors_size_ = size + CubeBasis::padded(CubeBasis::terms(CubeBasis::degree_max));
@@ -82,7 +81,7 @@ int SourceTree::degree_of(std::int32_t level, const SourceTreeOptions& options) 
 std::shared_ptr<CubeBasis> SourceTree::find_basis(int degree, const base::Progress& progress) const {
     for (const Level& level : levels_)
         if (level.basis->degree() == degree) return level.basis;
-    return std::make_shared<CubeBasis>(runtime_, degree, progress);
+    return std::make_shared<CubeBasis>(base::Work(runtime_, progress), degree);
 }
 
 std::shared_ptr<SourceTree::Transfers> SourceTree::find_transfers(std::int32_t level,
@@ -94,15 +93,14 @@ std::shared_ptr<SourceTree::Transfers> SourceTree::find_transfers(std::int32_t l
     auto transfers = std::make_shared<Transfers>();
     for (int octant = 0; octant < 8; ++octant) {
         progress.check();
-        transfers->to_child.push_back(here.interpolation(runtime_, in_parent(child, octant), child.size(), progress));
+        transfers->to_child.push_back(here.interpolation({runtime_, progress}, in_parent(child, octant), child.size()));
         transfers->transposed.push_back(transposed(transfers->to_child.back(), child.size(), here.size()));
     }
     return transfers;
 }
 
 void SourceTree::load(const double* alpha, const geometry::VecArray& beta, const base::Progress& progress) {
-    for (std::int64_t at = 0; at < tree_.points().size(); ++at) {
-        if (at % 16384 == 0) progress.check();
+    for (const std::int64_t at : progress.over(tree_.points().size())) {
         alpha_[at] = alpha[tree_.index(at)];
         beta_.set(at, beta[tree_.index(at)]);
     }
@@ -133,8 +131,7 @@ void SourceTree::gather_moments(std::int32_t level, const base::Progress& progre
     const CubeLoops loops = cube_loops(runtime_.instruction_set);
     const std::int64_t first = tree_.level_begin(level);
     runtime_.parallel.for_chunks(
-        tree_.level_end(level) - first, cubes_a_task, [&](std::int64_t begin, std::int64_t end) {
-            progress.check();
+        tree_.level_end(level) - first, cubes_a_task, progress, [&](std::int64_t begin, std::int64_t end) {
             base::Array<double> terms(runtime_.memory, basis.terms());
             base::Array<double> sums(runtime_.memory, std::int64_t{basis.terms()} * cube_lanes);
             base::Array<double> nobody(runtime_.memory, basis.stride());

@@ -8,7 +8,7 @@
 #pragma once
 
 #include "base/operation.h"
-#include "base/runtime.h"
+#include "base/work.h"
 #include "geometry/octree.h"
 #include "implicit/cube_basis.h"
 #include "implicit/hermite_sums.h"
@@ -31,8 +31,7 @@ struct SourceTreeOptions {
 class SourceTree {
 public:
     // Throws Error{out_of_memory, cancelled}.
-    SourceTree(const base::Runtime& runtime, const geometry::VecArray& centres, const SourceTreeOptions& options,
-               const base::Progress& progress);
+    SourceTree(const base::Work& work, const geometry::VecArray& centres, const SourceTreeOptions& options);
 
     // Gives the centres their weights, in the centres' order.
     void load(const double* alpha, const geometry::VecArray& beta, const base::Progress& progress);

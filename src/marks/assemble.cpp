@@ -32,8 +32,7 @@ void resize(Layer& layer, std::int64_t count, bool with_curvature, bool with_wid
     if (with_width) base::resize_long(layer.width, count, progress);
 }
 
-void compute_curvature(const Site& site, const Marks& marks, base::Array<float>& result,
-                       const base::Progress& progress) {
+void compute_curvature(const Site& site, const Marks& marks, base::Array<float>& result) {
     geometry::VecArray points(site.memory());
     base::Array<surface::Curvature> curvature(site.memory());
     const auto all = static_cast<double>(marks.count());
@@ -41,8 +40,8 @@ void compute_curvature(const Site& site, const Marks& marks, base::Array<float>&
         const std::int64_t end = std::min(marks.count(), begin + chunk_size);
         points.clear();
         for (std::int64_t i = begin; i < end; ++i) points.push_back(marks.position[i]);
-        surface::principal_curvatures(site.runtime, site.implicit, points, curvature,
-                                      progress.part(static_cast<double>(begin) / all, static_cast<double>(end) / all));
+        surface::principal_curvatures(site.work.part(static_cast<double>(begin) / all, static_cast<double>(end) / all),
+                                      site.implicit, points, curvature);
         for (std::int64_t i = begin; i < end; ++i) {
             const surface::Curvature& c = curvature[i - begin];
             set_vector(result, i, {held_curvature(c.k1), held_curvature(c.k2), c.confidence});
@@ -53,8 +52,7 @@ void compute_curvature(const Site& site, const Marks& marks, base::Array<float>&
 std::int64_t occupied_cells(base::Memory& memory, const geometry::VecArray& points, const geometry::CellGrid& grid,
                             const base::Progress& progress) {
     geometry::CellSet cells(memory);
-    for (std::int64_t i = 0; i < points.size(); ++i) {
-        if (i % 65536 == 0) progress.check();
+    for (const std::int64_t i : progress.over(points.size())) {
         cells.insert(geometry::CellGrid::pack(grid.cell_of(points[i])));
     }
     return cells.size();
@@ -67,14 +65,13 @@ float random_rank(std::uint64_t random_seed, std::uint64_t key, Kind kind) noexc
 }
 
 void assemble(const Site& site, const Marks& marks, const AssembleSettings& settings, const glm::dvec3& origin,
-              Layer& result, const base::Progress& progress) {
+              Layer& result) {
     const std::int64_t count = marks.count();
     HRBFNPR_ASSERT(marks.normal.size() == count && marks.key.size() == count && marks.level.size() == count);
     HRBFNPR_ASSERT(marks.stroke.size() == count && marks.place.size() == count);
     HRBFNPR_ASSERT(!settings.strokes || marks.direction.size() == count);
-    resize(result, count, settings.with_curvature, !marks.width.empty(), progress);
-    for (std::int64_t i = 0; i < count; ++i) {
-        if (i % 16384 == 0) progress.check();
+    resize(result, count, settings.with_curvature, !marks.width.empty(), site.work);
+    for (const std::int64_t i : site.work.over(count)) {
         const glm::dvec3 n = marks.normal[i];
         set_vector(result.position, i, marks.position[i] - origin);
         set_vector(result.normal, i, n);
@@ -93,13 +90,12 @@ void assemble(const Site& site, const Marks& marks, const AssembleSettings& sett
             for (std::size_t k = 0; k < 3; ++k)
                 result.curvature[3 * i + static_cast<std::int64_t>(k)] = marks.curvature[i][k];
     }
-    if (settings.with_curvature && marks.curvature.empty()) compute_curvature(site, marks, result.curvature, progress);
-    if (settings.strokes) index_strokes(result, progress);
-    progress.update(1.0);
+    if (settings.with_curvature && marks.curvature.empty()) compute_curvature(site, marks, result.curvature);
+    if (settings.strokes) index_strokes(result, site.work);
+    site.work.update(1.0);
 }
 
-void measure(const base::Runtime& runtime, std::span<const geometry::VecArray* const> positions, double area,
-             PointSet& set, const base::Progress& progress) {
+void measure(const base::Work& work, std::span<const geometry::VecArray* const> positions, double area, PointSet& set) {
     HRBFNPR_ASSERT(!positions.empty());
     const geometry::VecArray* largest = positions.front();
     for (const geometry::VecArray* layer : positions) {
@@ -108,16 +104,13 @@ void measure(const base::Runtime& runtime, std::span<const geometry::VecArray* c
     }
     if (set.bounds.empty()) return; // no mark: an origin or a spacing would be 0 / 0
     set.origin = set.bounds.centre();
-    set.spacing = area > 0.0 ? std::sqrt(area / static_cast<double>(largest->size()))
-                             : covered_spacing(runtime, *largest, progress);
+    set.spacing = area > 0.0 ? std::sqrt(area / static_cast<double>(largest->size())) : covered_spacing(work, *largest);
 }
 
-NeighbourDistances neighbour_distances(const base::Runtime& runtime, const geometry::VecArray& points,
-                                       const base::Progress& progress) {
-    const geometry::PointTree tree(points, progress);
-    base::Array<double> distance(runtime.memory, points.size());
-    runtime.parallel.for_chunks(points.size(), 1024, [&](std::int64_t begin, std::int64_t end) {
-        progress.check();
+NeighbourDistances neighbour_distances(const base::Work& work, const geometry::VecArray& points) {
+    const geometry::PointTree tree(points, work);
+    base::Array<double> distance(work.memory, points.size());
+    work.for_chunks(points.size(), 1024, [&](std::int64_t begin, std::int64_t end) {
         for (std::int64_t at = begin; at < end; ++at) distance[at] = tree.nearest_other(at);
     });
     // Points that coincide say nothing of the spacing of the others.
@@ -141,11 +134,10 @@ NeighbourDistances neighbour_distances(const base::Runtime& runtime, const geome
 // |nx| + |ny| + |nz| over all normals being 1.5.  The finest grid whose occupied cells hold
 // that many marks on average is used; a part of the cells that the surface cuts only at a
 // corner hold none then, which the factor 1.25 in place of 1.5 allows for (measured: tests).
-double covered_spacing(const base::Runtime& runtime, const geometry::VecArray& points, const base::Progress& progress) {
+double covered_spacing(const base::Work& work, const geometry::VecArray& points) {
     const auto count = static_cast<double>(points.size());
     // The mean distance to the nearest other one of few, evenly spread marks is 0.87 of it.
-    if (points.size() < marks_tuning.fewest_for_cells)
-        return 1.15 * neighbour_distances(runtime, points, progress).mean;
+    if (points.size() < marks_tuning.fewest_for_cells) return 1.15 * neighbour_distances(work, points).mean;
     geometry::Bounds box;
     for (std::int64_t i = 0; i < points.size(); ++i) box.extend(points[i]);
     const glm::dvec3 size = box.size();
@@ -156,30 +148,28 @@ double covered_spacing(const base::Runtime& runtime, const geometry::VecArray& p
         const double side = longest / static_cast<double>(std::int64_t{1} << level);
         // Half a cell off the box, so that a flat side of it does not lie between two layers of cells.
         const geometry::CellGrid grid{box.min - 0.5 * side, side};
-        const auto cells = static_cast<double>(occupied_cells(runtime.memory, points, grid, progress));
+        const auto cells = static_cast<double>(occupied_cells(work.memory, points, grid, work));
         if (count < marks_tuning.marks_a_cell * cells) break;
         area = cells * side * side / 1.25;
     }
     return std::sqrt(area / count);
 }
 
-void soften_normals(const Site& site, const Marks& marks, double length, double spacing, base::Array<float>& result,
-                    const base::Progress& progress) {
+void soften_normals(const Site& site, const Marks& marks, double length, double spacing, base::Array<float>& result) {
     HRBFNPR_ASSERT(length > 0.0 && spacing > 0.0);
     const double radius = marks_tuning.tone_reach * length;
     const double within = std::numbers::pi * radius * radius / (spacing * spacing);
     const auto each = static_cast<std::int64_t>(std::clamp(within / marks_tuning.tone_marks, 1.0, 1e6));
-    const base::Array<std::int32_t> sheet =
-        surface::sheets_at(site.runtime, site.implicit, marks.position, progress.part(0.0, 0.0));
+    const base::Array<std::int32_t> sheet = surface::sheets_at(site.work, site.implicit, marks.position);
     geometry::VecArray some(site.memory()); // the marks that are averaged
     geometry::VecArray some_normals(site.memory());
     for (std::int64_t i = 0; i < marks.count(); i += each) {
         some.push_back(marks.position[i]);
         some_normals.push_back(marks.normal[i]);
     }
-    const geometry::PointGrid grid(some, radius, progress);
-    const geometry::VecArray position = grid.in_order(some, progress);
-    const geometry::VecArray normal = grid.in_order(some_normals, progress);
+    const geometry::PointGrid grid(some, radius, site.work);
+    const geometry::VecArray position = grid.in_order(some, site.work);
+    const geometry::VecArray normal = grid.in_order(some_normals, site.work);
     // The mark's own normal counts once, so that there is always one. Most places are too far away: that is asked
     // first.
     const auto averaged = [&](std::int64_t i) {
@@ -201,9 +191,9 @@ void soften_normals(const Site& site, const Marks& marks, double length, double 
         return glm::normalize(sum);
     };
     result.resize(3 * marks.count());
-    site.runtime.parallel.for_chunks(marks.count(), chunk_size, [&](std::int64_t begin, std::int64_t end) {
+    site.work.for_chunks(marks.count(), chunk_size, [&](std::int64_t begin, std::int64_t end) {
         for (std::int64_t i = begin; i < end; ++i) {
-            if ((i - begin) % 256 == 0) progress.check();
+            site.work.check();
             set_vector(result, i, averaged(i));
         }
     });
@@ -425,7 +415,7 @@ void measure_all(const base::Runtime& runtime, const base::List<geometry::VecArr
     if (largest_before == 0) {
         base::Array<const geometry::VecArray*> all(runtime.memory);
         for (const geometry::VecArray& of_layer : positions) all.push_back(&of_layer);
-        return measure(runtime, all.span(), 0.0, set, {});
+        return measure(runtime, all.span(), 0.0, set);
     }
     std::int64_t largest = largest_before;
     for (const geometry::VecArray& of_layer : positions) {

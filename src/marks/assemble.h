@@ -24,30 +24,26 @@ struct AssembleSettings {
 // Fills all of `result` but its kind, name and report. Positions become relative to `origin`. Marks without ranks get
 // those of their places in the array in a progressive layer, else random ones.
 void assemble(const Site& site, const Marks& marks, const AssembleSettings& settings, const glm::dvec3& origin,
-              Layer& result, const base::Progress& progress);
+              Layer& result);
 
 // Finds bounds, origin and spacing of a set from its layers' positions, before they are assembled.
 // `area` 0: it is estimated from the positions of the largest layer.
-void measure(const base::Runtime& runtime, std::span<const geometry::VecArray* const> positions, double area,
-             PointSet& set, const base::Progress& progress);
+void measure(const base::Work& work, std::span<const geometry::VecArray* const> positions, double area, PointSet& set);
 
 // The distances from each point to its nearest other one.
 struct NeighbourDistances {
     double mean = 0.0;      // 0 for fewer than two distinct points
     double variation = 0.0; // standard deviation over mean
 };
-[[nodiscard]] NeighbourDistances neighbour_distances(const base::Runtime& runtime, const geometry::VecArray& points,
-                                                     const base::Progress& progress);
+[[nodiscard]] NeighbourDistances neighbour_distances(const base::Work& work, const geometry::VecArray& points);
 
 // sqrt(area per point) of marks on an unknown surface, within about 15 % where the marks cover it.
-[[nodiscard]] double covered_spacing(const base::Runtime& runtime, const geometry::VecArray& points,
-                                     const base::Progress& progress);
+[[nodiscard]] double covered_spacing(const base::Work& work, const geometry::VecArray& points);
 
 // Normals that tone goes by: of a rough surface, averaged over some of it, so that its grain is no form. Averages over
 // marks on the same side of creases whose normals agree, within twice the `length`, in object units; nearer ones count
 // for more.  spacing: the root of the area for each mark.  result: 3 for each mark.
-void soften_normals(const Site& site, const Marks& marks, double length, double spacing, base::Array<float>& result,
-                    const base::Progress& progress);
+void soften_normals(const Site& site, const Marks& marks, double length, double spacing, base::Array<float>& result);
 
 // ---- Ready-made marks
 

@@ -124,8 +124,7 @@ base::Array<Keyed> sorted_along_curve(const Layer& layer, double unit, const bas
     for (std::int64_t i = 0; i < order.size(); ++i) bounds.extend(place(i));
     const double side = bounds.longest_side();
     const double scale = side > 0.0 ? static_cast<double>(last) / side : 0.0;
-    for (std::int64_t i = 0; i < order.size(); ++i) {
-        if (i % 16384 == 0) progress.check();
+    for (const std::int64_t i : progress.over(order.size())) {
         const glm::dvec3 at = (place(i) - bounds.min) * scale;
         const std::uint64_t code = geometry::morton_code(
             {geometry::whole(at.x, last), geometry::whole(at.y, last), geometry::whole(at.z, last)});
@@ -225,8 +224,7 @@ void find_clusters(const Layer& layer, double unit, MarkClusters& result, const 
 
 void cut_strokes(const Layer& layer, double unit, base::Array<StrokePiece>& pieces, const base::Progress& progress) {
     const float* const tone_normal = layer.tone_normal.empty() ? layer.normal.data() : layer.tone_normal.data();
-    for (std::int64_t s = 0; s < layer.strokes(); ++s) {
-        if (s % 1024 == 0) progress.check();
+    for (const std::int64_t s : progress.over(layer.strokes())) {
         const std::int64_t end = layer.stroke_first[s + 1];
         for (std::int64_t first = layer.stroke_first[s]; first < end; first += StrokePiece::most) {
             StrokePiece piece;
@@ -285,25 +283,24 @@ float gap_around(const Layer& layer, const geometry::VecArray& place, const geom
 // Fills the gap of each of the layer's marks, in separations: the distance between the lines around it, averaged over
 // some of them and along its own, since tone goes by the paper that each line has. A layer without lines of a known
 // separation gets none.
-void measure_gaps(const base::Runtime& runtime, const Layer& layer, base::Array<float>& gap,
-                  const base::Progress& progress) {
+void measure_gaps(const base::Work& work, const Layer& layer, base::Array<float>& gap) {
     gap.clear();
     // Published strokes lie as they grew: their report's step is not the distance between them.
     const bool nested = layer.kind == Kind::own || (layer.kind == Kind::hatch && layer.progressive);
     if (!nested || layer.strokes() <= 1 || !(layer.report.step > 0.0)) return;
     HRBFNPR_ASSERT(layer.direction.size() == 3 * layer.count());
     const std::int64_t marks = layer.count();
-    geometry::VecArray place(runtime.memory, marks);
+    geometry::VecArray place(work.memory, marks);
     for (std::int64_t i = 0; i < marks; ++i) place.set(i, glm::dvec3(vector_at(layer.position, i)));
-    const geometry::PointGrid grid(place, marks_tuning.gap_reach * layer.report.step, progress);
+    const geometry::PointGrid grid(place, marks_tuning.gap_reach * layer.report.step, work);
     // A file may have any separation: only few marks around each one can all be looked at.
     const std::int64_t sample = std::max<std::int64_t>(marks / 32, 1);
     std::int64_t visits = 0;
     for (std::int64_t i = 0; i < marks; i += sample) grid.around(place[i], [&](std::int64_t) { ++visits; });
     if (visits > marks_tuning.most_visits * (marks / sample)) return;
     gap.resize(marks);
-    runtime.parallel.for_chunks(layer.strokes(), strokes_a_task, [&](std::int64_t begin, std::int64_t end) {
-        base::Array<float> measured(runtime.memory);
+    work.for_chunks(layer.strokes(), strokes_a_task, [&](std::int64_t begin, std::int64_t end) {
+        base::Array<float> measured(work.memory);
         const auto averaged = [&](std::int64_t k) {
             const std::int64_t reach = std::min({marks_tuning.most_averaged, k, measured.size() - 1 - k});
             float sum = 0.0F;
@@ -311,7 +308,7 @@ void measure_gaps(const base::Runtime& runtime, const Layer& layer, base::Array<
             return sum / static_cast<float>(2 * reach + 1);
         };
         for (std::int64_t s = begin; s < end; ++s) {
-            progress.check();
+            work.check();
             const std::int64_t first = layer.stroke_first[s];
             const std::int64_t count = std::int64_t{layer.stroke_first[s + 1]} - first;
             measured.clear();
@@ -358,19 +355,19 @@ std::int64_t MarkClusters::bytes() const noexcept {
     return block.bytes() + width.bytes() + cluster.bytes() + piece.bytes() + gap.bytes();
 }
 
-void cluster_marks(const base::Runtime& runtime, PointSet& set, const base::Progress& progress) {
+void cluster_marks(const base::Work& work, PointSet& set) {
     float largest = 0.0F;
     for (const Layer& layer : set.layers)
         for (const float coordinate : layer.position) largest = std::max(largest, std::abs(coordinate));
     set.unit = geometry::unit_for(double{largest});
-    runtime.parallel.for_each(set.layers.size(), [&](std::int64_t number) {
+    work.for_each(set.layers.size(), [&](std::int64_t number) {
         Layer& layer = set.layers[number];
         HRBFNPR_ASSERT(layer.position.size() == 3 * layer.count() && layer.normal.size() == 3 * layer.count());
-        layer.clusters = MarkClusters(runtime.memory);
-        if (layer.count() > 0) find_clusters(layer, set.unit, layer.clusters, progress);
-        cut_strokes(layer, set.unit, layer.clusters.piece, progress);
+        layer.clusters = MarkClusters(work.memory);
+        if (layer.count() > 0) find_clusters(layer, set.unit, layer.clusters, work);
+        cut_strokes(layer, set.unit, layer.clusters.piece, work);
     });
-    for (Layer& layer : set.layers) measure_gaps(runtime, layer, layer.clusters.gap, progress);
+    for (Layer& layer : set.layers) measure_gaps(work, layer, layer.clusters.gap);
 }
 
 void move_clusters(const Layer& layer, const float* position, const float* normal, double unit, MarkClusters& moved) {

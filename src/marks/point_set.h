@@ -5,7 +5,7 @@
 #include "base/assert.h"
 #include "base/list.h"
 #include "base/operation.h"
-#include "base/runtime.h"
+#include "base/work.h"
 #include "geometry/vec.h"
 
 #include <algorithm>
@@ -243,7 +243,7 @@ struct PointSet {
 void index_strokes(Layer& layer, const base::Progress& progress = {});
 
 // Fills set.unit and the layers' clusters. Any finite numbers will do. Bits do not depend on the number of threads.
-void cluster_marks(const base::Runtime& runtime, PointSet& set, const base::Progress& progress = {});
+void cluster_marks(const base::Work& work, PointSet& set);
 
 // The same marks in the same clusters at other places, as those of an animated surface: three floats of each mark,
 // relative to the set's origin. `unit` is the set's. Allocates nothing where `moved` has held as many marks before.

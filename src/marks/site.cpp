@@ -18,7 +18,7 @@ void Settler::settle(double stray_limit, LevelReport& report, const base::Progre
     for (std::int64_t i = 0; i < count; ++i) projection_.position.set(i, start[i]);
     surface::ProjectionSettings settings;
     settings.tolerance = site_.projection_tolerance;
-    surface::project(site_.runtime, site_.implicit, settings, projection_, progress);
+    surface::project({site_.work, progress}, site_.implicit, settings, projection_);
 
     placed_.resize(count);
     report.attempted += count;
@@ -44,7 +44,7 @@ void Settler::settle(double stray_limit, LevelReport& report, const base::Progre
 void Settler::drop_beyond_end(LevelReport& report) {
     if (site_.implicit.domain() == nullptr) return;
     constexpr std::int64_t grain = 256;
-    site_.runtime.parallel.for_chunks(placed_.size(), grain, [&](std::int64_t begin, std::int64_t end) {
+    site_.work.for_chunks(placed_.size(), grain, [&](std::int64_t begin, std::int64_t end) {
         for (std::int64_t i = begin; i < end; ++i)
             if (placed_[i] != 0 && !site_.implicit.holds(projection_.position[i], projection_.gradient[i]))
                 placed_[i] = beyond;
@@ -62,8 +62,7 @@ void Settler::drop(std::int64_t i, std::int64_t& reason, LevelReport& report) no
     ++reason;
 }
 
-void evaluate(const Site& site, const geometry::VecArray& points, FieldSamples& fields,
-              const base::Progress& progress) {
+void evaluate(const Site& site, const geometry::VecArray& points, FieldSamples& fields) {
     const std::int64_t count = points.size();
     fields.value.resize_for_overwrite(count);
     for (base::Array<double>* of : {&fields.gradient.x, &fields.gradient.y, &fields.gradient.z})
@@ -71,7 +70,7 @@ void evaluate(const Site& site, const geometry::VecArray& points, FieldSamples& 
     implicit::FieldBatch all;
     all.value = fields.value.data();
     all.gradient = {fields.gradient.x.data(), fields.gradient.y.data(), fields.gradient.z.data()};
-    implicit::evaluate_all(site.runtime, site.implicit, points, all, progress);
+    implicit::evaluate_all(site.work, site.implicit, points, all);
 }
 
 glm::dvec3 tangent_part(const glm::dvec3& d, const glm::dvec3& n) noexcept {
@@ -83,15 +82,15 @@ glm::dvec3 tangent_part(const glm::dvec3& d, const glm::dvec3& n) noexcept {
 
 base::Array<double> ask_at(const Site& site, PlaceFn function, void* user, const char* name,
                            const geometry::VecArray& positions, const geometry::VecArray& normals,
-                           std::int64_t components, const base::Progress& progress) {
+                           std::int64_t components) {
     constexpr std::int64_t places_a_call = 4096;
     const std::int64_t all = positions.size();
     HRBFNPR_ASSERT(normals.size() == all && function != nullptr && components > 0);
-    progress.check();
+    site.work.check();
     base::Array<double> results(site.memory(), components * all);
     base::Array<double> packed(site.memory(), 6 * std::min(all, places_a_call)); // positions, then normals
     for (std::int64_t begin = 0; begin < all; begin += places_a_call) {
-        progress.update(static_cast<double>(begin) / static_cast<double>(all));
+        site.work.update(static_cast<double>(begin) / static_cast<double>(all));
         const std::int64_t count = std::min(places_a_call, all - begin);
         for (std::int64_t i = 0; i < count; ++i)
             for (int c = 0; c < 3; ++c) {
@@ -106,9 +105,9 @@ base::Array<double> ask_at(const Site& site, PlaceFn function, void* user, const
 }
 
 void directions_at(const Site& site, const DirectionFunction& field, const geometry::VecArray& positions,
-                   const geometry::VecArray& normals, geometry::VecArray& directions, const base::Progress& progress) {
+                   const geometry::VecArray& normals, geometry::VecArray& directions) {
     const base::Array<double> given =
-        ask_at(site, field.function, field.user, "direction_function", positions, normals, 3, progress);
+        ask_at(site, field.function, field.user, "direction_function", positions, normals, 3);
     directions.resize(positions.size());
     for (std::int64_t i = 0; i < positions.size(); ++i) {
         const glm::dvec3 d(given[3 * i], given[3 * i + 1], given[3 * i + 2]);
@@ -166,17 +165,14 @@ std::uint64_t Thinning::ticket(std::uint64_t key) const noexcept {
 void Thinning::choose(base::Array<std::uint64_t>& tickets, std::int64_t kept, const base::Progress& progress) {
     HRBFNPR_ASSERT(kept >= 0 && kept < tickets.size());
     constexpr unsigned first_bits = 52; // tickets have 64 bits, and each value of the upper 12 has a counter
-    constexpr std::int64_t at_once = 262144;
     std::array<std::int64_t, std::size_t{1} << (64U - first_bits)> counted{};
-    for (std::int64_t i = 0; i < tickets.size(); ++i) {
-        if (i % at_once == 0) progress.check();
+    for (const std::int64_t i : progress.over(tickets.size())) {
         ++counted[static_cast<std::size_t>(tickets[i] >> first_bits)];
     }
     std::uint64_t first = 0;
     for (; kept >= counted[static_cast<std::size_t>(first)]; ++first) kept -= counted[static_cast<std::size_t>(first)];
     std::int64_t alike = 0;
-    for (std::int64_t i = 0; i < tickets.size(); ++i) {
-        if (i % at_once == 0) progress.check();
+    for (const std::int64_t i : progress.over(tickets.size())) {
         if (tickets[i] >> first_bits == first) tickets[alike++] = tickets[i];
     }
     std::nth_element(tickets.begin(), tickets.begin() + kept, tickets.begin() + alike);

@@ -3,8 +3,7 @@
 // the surface, and the marks of a layer while they grow, in double precision.
 #pragma once
 
-#include "base/operation.h"
-#include "base/runtime.h"
+#include "base/work.h"
 #include "geometry/vec_array.h"
 #include "implicit/implicit.h"
 #include "marks/point_set.h"
@@ -16,13 +15,19 @@
 namespace hrbfnpr::marks {
 
 struct Site {
-    const base::Runtime& runtime;
+    base::Work work;
     const implicit::Implicit& implicit;
     double projection_tolerance; // in diagonals
     std::uint64_t random_seed;
     double unit = 1.0; // the unit of all lengths here, in the caller's unit
 
-    [[nodiscard]] base::Memory& memory() const noexcept { return runtime.memory; }
+    [[nodiscard]] base::Memory& memory() const noexcept { return work.memory; }
+    // The same site with a part of the work's progress, or with the progress of another stage.
+    [[nodiscard]] Site part(double from, double to) const noexcept { return with(work.progress().part(from, to)); }
+    [[nodiscard]] Site standing() const noexcept { return with(work.progress().standing()); }
+    [[nodiscard]] Site with(const base::Progress& progress) const noexcept {
+        return {{work.runtime(), progress}, implicit, projection_tolerance, random_seed, unit};
+    }
 };
 
 // A stage handles this many points at a time, which bounds its scratch memory and the time between two looks for a
@@ -71,7 +76,7 @@ struct FieldSamples {
         return surface::is_slope(slope) ? value[i] / slope : std::numeric_limits<double>::quiet_NaN();
     }
 };
-void evaluate(const Site& site, const geometry::VecArray& points, FieldSamples& fields, const base::Progress& progress);
+void evaluate(const Site& site, const geometry::VecArray& points, FieldSamples& fields);
 
 // Where marks start from.                                             [NPAR 4.2, 5.1]
 struct Seeds {
@@ -92,7 +97,7 @@ using PlaceFn = std::int32_t (*)(void* user, std::int64_t count, const double* p
 // first. Throws Error{callback} with the function's name if it fails.
 [[nodiscard]] base::Array<double> ask_at(const Site& site, PlaceFn function, void* user, const char* name,
                                          const geometry::VecArray& positions, const geometry::VecArray& normals,
-                                         std::int64_t components, const base::Progress& progress);
+                                         std::int64_t components);
 
 // The caller's field of directions.
 struct DirectionFunction {
@@ -107,7 +112,7 @@ struct DirectionFunction {
 
 // Fills in unit tangents, or zero where the field has none. Throws Error{callback}.
 void directions_at(const Site& site, const DirectionFunction& field, const geometry::VecArray& positions,
-                   const geometry::VecArray& normals, geometry::VecArray& directions, const base::Progress& progress);
+                   const geometry::VecArray& normals, geometry::VecArray& directions);
 
 // Diagonals of what marks, which are floats, can be placed on: their distances and curvatures, in the caller's unit,
 // stay within a float's normal range.
@@ -164,8 +169,7 @@ public:
     Thinning() noexcept = default; // keeps all
     // key_of(i) for i in [0, count) identifies the candidates.
     template <class KeyOf>
-    Thinning(const Site& site, std::int64_t count, std::int64_t kept, std::uint32_t stream, KeyOf key_of,
-             const base::Progress& progress);
+    Thinning(const Site& site, std::int64_t count, std::int64_t kept, std::uint32_t stream, KeyOf key_of);
 
     [[nodiscard]] bool active() const noexcept { return active_; }
     [[nodiscard]] bool keeps(std::uint64_t key) const noexcept { return !active_ || ticket(key) < limit_; }
@@ -181,17 +185,15 @@ private:
 };
 
 template <class KeyOf>
-Thinning::Thinning(const Site& site, std::int64_t count, std::int64_t kept, std::uint32_t stream, KeyOf key_of,
-                   const base::Progress& progress)
+Thinning::Thinning(const Site& site, std::int64_t count, std::int64_t kept, std::uint32_t stream, KeyOf key_of)
     : active_(kept < count), seed_(site.random_seed), stream_(stream) {
     if (!active_) return;
     base::Array<std::uint64_t> tickets(site.memory());
     tickets.resize_for_overwrite(count);
-    site.runtime.parallel.for_chunks(count, chunk_size, [&](std::int64_t begin, std::int64_t end) {
-        progress.check();
+    site.work.for_chunks(count, chunk_size, [&](std::int64_t begin, std::int64_t end) {
         for (std::int64_t i = begin; i < end; ++i) tickets[i] = ticket(key_of(i));
     });
-    choose(tickets, kept, progress);
+    choose(tickets, kept, site.work);
 }
 
 // A layer's random numbers do not depend on which other layers are made: this is their seed.  number: of the layer

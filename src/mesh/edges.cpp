@@ -9,20 +9,19 @@ namespace hrbfnpr::mesh {
 namespace {
 
 constexpr std::int64_t run = 1 << 16; // sides that are sorted at a time
-constexpr std::int64_t faces_a_look = 16384;
 
 [[nodiscard]] bool before(const Side& a, const Side& b) noexcept {
     return a.edge < b.edge || (a.edge == b.edge && a.face < b.face);
 }
 
-void merge_runs(const base::Runtime& runtime, base::Array<Side>& sides, const base::Progress& progress) {
-    base::Array<Side> other(runtime.memory);
+void merge_runs(const base::Work& work, base::Array<Side>& sides) {
+    base::Array<Side> other(work.memory);
     other.resize_for_overwrite(sides.size());
     for (std::int64_t width = run; width < sides.size(); width *= 2) {
-        runtime.parallel.for_chunks(sides.size(), 2 * width, [&](std::int64_t begin, std::int64_t end) {
+        work.for_chunks(sides.size(), 2 * width, [&](std::int64_t begin, std::int64_t end) {
             const std::int64_t middle = std::min(begin + width, end);
             base::merge_long(sides.begin() + begin, sides.begin() + middle, sides.begin() + middle, sides.begin() + end,
-                             other.begin() + begin, before, progress);
+                             other.begin() + begin, before, work);
         });
         std::swap(sides, other);
     }
@@ -30,11 +29,10 @@ void merge_runs(const base::Runtime& runtime, base::Array<Side>& sides, const ba
 
 } // namespace
 
-base::Array<Side> sides_by_edge(const base::Runtime& runtime, const base::Array<Triangle>& triangle,
-                                const base::Progress& progress) {
-    base::Array<Side> sides(runtime.memory);
+base::Array<Side> sides_by_edge(const base::Work& work, const base::Array<Triangle>& triangle) {
+    base::Array<Side> sides(work.memory);
     sides.resize_for_overwrite(3 * triangle.size());
-    runtime.parallel.for_chunks(triangle.size(), run / 3, progress, [&](std::int64_t begin, std::int64_t end) {
+    work.for_chunks(triangle.size(), run / 3, [&](std::int64_t begin, std::int64_t end) {
         for (std::int64_t face = begin; face < end; ++face)
             for (std::size_t k = 0; k < 3; ++k) {
                 const auto a = static_cast<std::uint64_t>(triangle[face][k]);
@@ -43,11 +41,10 @@ base::Array<Side> sides_by_edge(const base::Runtime& runtime, const base::Array<
                                                                   static_cast<std::int32_t>(face), a < b ? 1 : 0};
             }
     });
-    runtime.parallel.for_chunks(sides.size(), run, [&](std::int64_t begin, std::int64_t end) {
-        progress.check();
+    work.for_chunks(sides.size(), run, [&](std::int64_t begin, std::int64_t end) {
         std::sort(sides.begin() + begin, sides.begin() + end, before);
     });
-    merge_runs(runtime, sides, progress);
+    merge_runs(work, sides);
     return sides;
 }
 
@@ -69,16 +66,14 @@ base::Array<std::int32_t> components_of(const base::Array<Triangle>& triangle, s
                                         std::int64_t& count, const base::Progress& progress) {
     base::Memory& memory = triangle.memory();
     Sets sets(memory, vertices);
-    for (std::int64_t face = 0; face < triangle.size(); ++face) {
-        if (face % faces_a_look == 0) progress.check();
+    for (const std::int64_t face : progress.over(triangle.size())) {
         const Triangle& t = triangle[face];
         sets.join(t[0], t[1]);
         sets.join(t[0], t[2]);
     }
     NumbersInOrder numbers(memory, vertices);
     base::Array<std::int32_t> component(memory, triangle.size());
-    for (std::int64_t face = 0; face < triangle.size(); ++face) {
-        if (face % faces_a_look == 0) progress.check();
+    for (const std::int64_t face : progress.over(triangle.size())) {
         component[face] = numbers.of(sets.of(triangle[face][0]));
     }
     count = numbers.count();

@@ -77,8 +77,7 @@ struct Side {
 }
 
 // All sides, those of one edge one after the other.
-[[nodiscard]] base::Array<Side> sides_by_edge(const base::Runtime& runtime, const base::Array<Triangle>& triangle,
-                                              const base::Progress& progress = {});
+[[nodiscard]] base::Array<Side> sides_by_edge(const base::Work& work, const base::Array<Triangle>& triangle);
 
 // Returns, for each side of the faces, the side of another face with the same edge; -1 where not exactly
 // two faces meet.
@@ -86,18 +85,17 @@ struct Side {
                                                      const base::Array<Side>& sides,
                                                      const base::Progress& progress = {});
 
-// Calls visit(first side, behind the last) for each edge.
+// Calls visit(first side, one after the last) for each edge.
 template <class Visit>
 void for_edges(const base::Array<Side>& sides, const base::Progress& progress, Visit&& visit) {
-    constexpr std::int64_t edges_a_look = 16384;
-    std::int64_t edges = 0;
-    for (const Side* first = sides.begin(); first != sides.end();) {
-        if (edges++ % edges_a_look == 0) progress.check();
-        const Side* last = first + 1;
-        while (last != sides.end() && last->edge == first->edge) ++last;
-        visit(first, last);
-        first = last;
+    const Side* first = sides.begin();
+    for (const std::int64_t at : progress.over(sides.size())) {
+        const Side* const side = sides.begin() + at;
+        if (side->edge == first->edge) continue;
+        visit(first, side);
+        first = side;
     }
+    if (first != sides.end()) visit(first, sides.end());
 }
 
 template <class Visit>
@@ -122,10 +120,7 @@ void for_edges(const base::Array<Side>& sides, Visit&& visit) {
 [[nodiscard]] inline base::Array<glm::dvec3> unit_normals(const Mesh& mesh, const base::Progress& progress) {
     base::Array<glm::dvec3> normal(mesh.vertex.memory());
     normal.reserve(mesh.faces());
-    for (std::int64_t face = 0; face < mesh.faces(); ++face) {
-        if (face % 16384 == 0) progress.check();
-        normal.push_back(unit_normal(mesh, face));
-    }
+    for (const std::int64_t face : progress.over(mesh.faces())) normal.push_back(unit_normal(mesh, face));
     return normal;
 }
 
@@ -140,8 +135,7 @@ void for_edges(const base::Array<Side>& sides, Visit&& visit) {
 // Returns the numbers of the corners at each vertex, rising.
 [[nodiscard]] inline base::Groups corners_at_vertices(const Mesh& mesh, const base::Progress& progress) {
     return {mesh.vertex.memory(), mesh.vertex.size(), [&](auto&& put) {
-                for (std::int64_t corner = 0; corner < 3 * mesh.faces(); ++corner) {
-                    if (corner % 16384 == 0) progress.check();
+                for (const std::int64_t corner : progress.over(3 * mesh.faces())) {
                     put(mesh.triangle[corner / 3][static_cast<std::size_t>(corner % 3)],
                         static_cast<std::int32_t>(corner));
                 }

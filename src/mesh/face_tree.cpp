@@ -29,26 +29,24 @@ namespace {
 
 } // namespace
 
-FaceTree::FaceTree(const base::Runtime& runtime, const base::Array<glm::dvec3>& vertex,
-                   const base::Array<Triangle>& triangle, const base::Progress& progress)
-    : box_(runtime.memory), face_(runtime.memory), corners_(runtime.memory) {
+FaceTree::FaceTree(const base::Work& work, const base::Array<glm::dvec3>& vertex, const base::Array<Triangle>& triangle)
+    : box_(work.memory), face_(work.memory), corners_(work.memory) {
     const std::int64_t count = triangle.size();
-    base::Array<glm::dvec3> middle(runtime.memory);
+    base::Array<glm::dvec3> middle(work.memory);
     middle.resize_for_overwrite(count);
     face_.resize_for_overwrite(count);
-    for (std::int64_t face = 0; face < count; ++face) {
+    for (const std::int64_t face : work.over(count)) {
         const Triangle& t = triangle[face];
-        if (face % 16384 == 0) progress.check();
         const glm::dvec3 a = vertex[t[0]], b = vertex[t[1]], c = vertex[t[2]];
         middle[face] = glm::min(glm::min(a, b), c) + glm::max(glm::max(a, b), c);
         face_[face] = static_cast<std::int32_t>(face);
     }
     box_.resize_for_overwrite(Range::nodes(count));
-    base::Array<Range> ranges(runtime.memory); // of the nodes, level after level
+    base::Array<Range> ranges(work.memory); // of the nodes, level after level
     ranges.push_back({0, 0, count});
     for (std::int64_t first = 0, last = 1; first < last; first = std::exchange(last, ranges.size())) {
         const std::int64_t at_once = 1 + 4096 / (1 + ranges[first].end - ranges[first].begin);
-        runtime.parallel.for_chunks(last - first, at_once, progress, [&](std::int64_t begin, std::int64_t end) {
+        work.for_chunks(last - first, at_once, [&](std::int64_t begin, std::int64_t end) {
             for (std::int64_t i = first + begin; i < first + end; ++i) split(middle, ranges[i]);
         });
         for (std::int64_t i = first; i < last; ++i) {
@@ -58,14 +56,12 @@ FaceTree::FaceTree(const base::Runtime& runtime, const base::Array<glm::dvec3>& 
         }
     }
     corners_.resize_for_overwrite(count);
-    for (std::int64_t at = 0; at < count; ++at) {
-        if (at % 16384 == 0) progress.check();
+    for (const std::int64_t at : work.over(count)) {
         const Triangle& t = triangle[face_[at]];
         corners_[at] = {vertex[t[0]], vertex[t[1]], vertex[t[2]]};
     }
-    for (std::int64_t i = ranges.size() - 1; i >= 0; --i) {
-        if (i % 16384 == 0) progress.check();
-        const Range& range = ranges[i];
+    for (const std::int64_t i : work.over(ranges.size())) {
+        const Range& range = ranges[ranges.size() - 1 - i]; // Children come before their parents.
         geometry::Bounds& box = box_[range.node] = {};
         if (!range.leaf()) {
             const geometry::Bounds& low = box_[range.low().node];

@@ -22,8 +22,7 @@ public:
         std::int64_t face = -1;                             // -1: none
     };
 
-    FaceTree(const base::Runtime& runtime, const base::Array<glm::dvec3>& vertex, const base::Array<Triangle>& triangle,
-             const base::Progress& progress);
+    FaceTree(const base::Work& work, const base::Array<glm::dvec3>& vertex, const base::Array<Triangle>& triangle);
 
     // All of these are for any number of threads. Of faces that are as near it is always the same one that is found.
     // limit: a squared distance; faces beyond it are not found.

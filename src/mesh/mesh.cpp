@@ -53,15 +53,13 @@ void keep_components(const Welded& welded, const base::Array<std::int32_t>& comp
     for (std::int64_t face = 0; face < welded.triangle.size(); ++face)
         if (name[component[face]] != 0)
             for (const std::int32_t corner : welded.triangle[face]) number[corner] = 1;
-    for (std::int64_t v = 0; v < welded.vertex.size(); ++v) {
-        if (v % mesh_tuning.at_once == 0) progress.check();
+    for (const std::int64_t v : progress.over(welded.vertex.size())) {
         if (number[v] == 0) continue;
         mesh.vertex.push_back(welded.vertex[v]);
         mesh.bounds.extend(welded.vertex[v]);
         number[v] = static_cast<std::int32_t>(mesh.vertex.size());
     }
-    for (std::int64_t face = 0; face < welded.triangle.size(); ++face) {
-        if (face % mesh_tuning.at_once == 0) progress.check();
+    for (const std::int64_t face : progress.over(welded.triangle.size())) {
         if (name[component[face]] == 0) {
             ++mesh.report.left_out_faces;
             continue;
@@ -73,17 +71,17 @@ void keep_components(const Welded& welded, const base::Array<std::int32_t>& comp
     }
 }
 
-void measure_edges(const base::Runtime& runtime, Mesh& mesh, const base::Progress& progress) {
+void measure_edges(const base::Work& work, Mesh& mesh) {
     MeshReport& report = mesh.report;
     mesh.border.resize(mesh.faces());
     const auto mark = [&](std::int64_t face, std::int64_t bit) {
         mesh.border[face] = static_cast<std::uint8_t>(mesh.border[face] | 1U << static_cast<unsigned>(bit));
     };
-    Sets rims(runtime.memory, mesh.vertex.size());
+    Sets rims(work.memory, mesh.vertex.size());
     std::int64_t edges = 0;
     std::int64_t joined = 0; // vertices of borders that are in a rim with another
-    base::Array<std::uint8_t> at_border(runtime.memory, mesh.vertex.size());
-    for_edges(sides_by_edge(runtime, mesh.triangle, progress), progress, [&](const Side* first, const Side* last) {
+    base::Array<std::uint8_t> at_border(work.memory, mesh.vertex.size());
+    for_edges(sides_by_edge(work, mesh.triangle), work, [&](const Side* first, const Side* last) {
         report.nonmanifold_edges += last - first > 2 ? 1 : 0;
         ++edges;
         report.contrary_edges += last - first == 2 && first[0].forward == first[1].forward ? 1 : 0;
@@ -105,13 +103,12 @@ void measure_edges(const base::Runtime& runtime, Mesh& mesh, const base::Progres
     report.euler_characteristic = mesh.vertex.size() - edges + mesh.faces();
 }
 
-void measure(const base::Runtime& runtime, Mesh& mesh, const base::Progress& progress) {
+void measure(const base::Work& work, Mesh& mesh) {
     MeshReport& report = mesh.report;
-    measure_edges(runtime, mesh, progress);
+    measure_edges(work, mesh);
     double volume = 0.0;
     const glm::dvec3 middle = mesh.bounds.centre();
-    for (std::int64_t face = 0; face < mesh.faces(); ++face) {
-        if (face % mesh_tuning.at_once == 0) progress.check();
+    for (const std::int64_t face : work.over(mesh.faces())) {
         const auto p = mesh.corners(face);
         report.area += 0.5 * glm::length(doubled_area(p));
         volume += glm::dot(p[0] - middle, doubled_area(p)) / 6.0;
@@ -132,18 +129,17 @@ void check_extent(const Welded& welded) {
 
 // Sets the unit normals of all corners: the mean over the faces at the vertex that are within the crease angle, by the
 // angles that they have there.
-void set_corner_normals(const base::Runtime& runtime, double crease_angle, Mesh& mesh, const base::Progress& progress) {
-    const base::Groups corners = corners_at_vertices(mesh, progress);
-    base::Array<glm::dvec3> normal(runtime.memory);   // of faces
-    base::Array<glm::dvec3> weighted(runtime.memory); // the same, times the angle, for each corner
+void set_corner_normals(const base::Work& work, double crease_angle, Mesh& mesh) {
+    const base::Groups corners = corners_at_vertices(mesh, work);
+    base::Array<glm::dvec3> normal(work.memory);   // of faces
+    base::Array<glm::dvec3> weighted(work.memory); // the same, times the angle, for each corner
     normal.resize_for_overwrite(mesh.faces());
     weighted.resize_for_overwrite(3 * mesh.faces());
     mesh.corner_normal.resize_for_overwrite(3 * mesh.faces());
-    const auto for_faces = [&](auto&& work) {
-        runtime.parallel.for_chunks(mesh.faces(), mesh_tuning.at_once, progress,
-                                    [&](std::int64_t begin, std::int64_t end) {
-                                        for (std::int64_t face = begin; face < end; ++face) work(face);
-                                    });
+    const auto for_faces = [&](auto&& visit) {
+        work.for_chunks(mesh.faces(), mesh_tuning.at_once, [&](std::int64_t begin, std::int64_t end) {
+            for (std::int64_t face = begin; face < end; ++face) visit(face);
+        });
     };
     for_faces([&](std::int64_t face) {
         const auto p = mesh.corners(face);
@@ -190,27 +186,27 @@ glm::dvec3 shares_of(const std::array<glm::dvec3, 3>& p, const glm::dvec3& place
     return {1.0 - b - c, b, c};
 }
 
-Mesh make_mesh(const base::Runtime& runtime, const MeshInput& input, const base::Progress& progress) {
+Mesh make_mesh(const base::Work& work, const MeshInput& input) {
     const base::Stopwatch watch;
-    Mesh mesh(runtime.memory);
+    Mesh mesh(work.memory);
     MeshReport& report = mesh.report;
-    Welded welded = weld(runtime, input, report, progress);
+    Welded welded = weld(work, input, report);
     check_extent(welded);
-    progress.update(0.3);
-    if (input.faces == Faces::turn) report.turned_faces = agree(runtime, welded.vertex, welded.triangle, progress);
+    work.update(0.3);
+    if (input.faces == Faces::turn) report.turned_faces = agree(work, welded.vertex, welded.triangle);
     const base::Array<std::int32_t> component =
-        components_of(welded.triangle, welded.vertex.size(), report.components, progress);
+        components_of(welded.triangle, welded.vertex.size(), report.components, work);
     base::Array<Component> measured =
-        measure_components(runtime, welded.vertex, welded.triangle, component, report.components, progress);
-    progress.update(0.6);
-    find_nested(runtime, welded.vertex, welded.triangle, component, measured, progress);
+        measure_components(work, welded.vertex, welded.triangle, component, report.components);
+    work.update(0.6);
+    find_nested(work, welded.vertex, welded.triangle, component, measured);
     turn_components(input, component, measured, welded, report);
-    keep_components(welded, component, input.parts, measured, mesh, progress);
-    measure(runtime, mesh, progress);
-    progress.update(0.8);
-    set_corner_normals(runtime, input.crease_angle, mesh, progress);
+    keep_components(welded, component, input.parts, measured, mesh, work);
+    measure(work, mesh);
+    work.update(0.8);
+    set_corner_normals(work, input.crease_angle, mesh);
     report.seconds = watch.seconds();
-    progress.update(1.0);
+    work.update(1.0);
     return mesh;
 }
 

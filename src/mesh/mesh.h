@@ -5,8 +5,8 @@
 
 #include "base/assert.h"
 #include "base/operation.h"
-#include "base/runtime.h"
 #include "base/view.h"
+#include "base/work.h"
 #include "geometry/vec_array.h"
 
 #include <array>
@@ -98,6 +98,6 @@ struct Mesh {
 [[nodiscard]] glm::dvec3 shares_of(const std::array<glm::dvec3, 3>& p, const glm::dvec3& place) noexcept;
 
 // Throws Error{invalid_argument} that names the face and the index, or the vertex; out_of_memory, cancelled.
-[[nodiscard]] Mesh make_mesh(const base::Runtime& runtime, const MeshInput& input, const base::Progress& progress);
+[[nodiscard]] Mesh make_mesh(const base::Work& work, const MeshInput& input);
 
 } // namespace hrbfnpr::mesh

@@ -27,27 +27,26 @@ namespace {
 }
 
 // Adds to each component's volume what fans about the middles of its holes enclose.
-void close_holes(const base::Runtime& runtime, const base::Array<glm::dvec3>& vertex,
-                 const base::Array<Triangle>& triangle, const base::Array<std::int32_t>& component,
-                 const base::Array<glm::dvec3>& middle, base::Array<Component>& result,
-                 const base::Progress& progress) {
-    const base::Array<Side> sides = sides_by_edge(runtime, triangle, progress);
-    Sets rims(runtime.memory, vertex.size());
+void close_holes(const base::Work& work, const base::Array<glm::dvec3>& vertex, const base::Array<Triangle>& triangle,
+                 const base::Array<std::int32_t>& component, const base::Array<glm::dvec3>& middle,
+                 base::Array<Component>& result) {
+    const base::Array<Side> sides = sides_by_edge(work, triangle);
+    Sets rims(work.memory, vertex.size());
     bool open = false;
-    for_edges(sides, progress, [&](const Side* first, const Side* last) {
+    for_edges(sides, work, [&](const Side* first, const Side* last) {
         if (surplus(first, last) == 0) return;
         open = true;
         result[component[first->face]].closed = false;
         rims.join(low_end(*first), high_end(*first));
     });
     if (!open) return;
-    base::Array<glm::dvec4> rim(runtime.memory, vertex.size()); // the sum of the ends, and their number
-    for_edges(sides, progress, [&](const Side* first, const Side* last) {
+    base::Array<glm::dvec4> rim(work.memory, vertex.size()); // the sum of the ends, and their number
+    for_edges(sides, work, [&](const Side* first, const Side* last) {
         if (surplus(first, last) == 0) return;
         for (const std::int32_t end : {low_end(*first), high_end(*first)})
             rim[rims.of(end)] += glm::dvec4(vertex[end], 1.0);
     });
-    for_edges(sides, progress, [&](const Side* first, const Side* last) {
+    for_edges(sides, work, [&](const Side* first, const Side* last) {
         const auto more = static_cast<double>(surplus(first, last));
         if (more == 0.0) return;
         const std::int32_t a = low_end(*first);
@@ -132,22 +131,20 @@ components_around(const FaceTree& tree, const base::Array<std::int32_t>& compone
 
 } // namespace
 
-std::int64_t agree(const base::Runtime& runtime, const base::Array<glm::dvec3>& vertex, base::Array<Triangle>& triangle,
-                   const base::Progress& progress) {
-    const base::Array<std::int64_t> beyond =
-        sides_beyond(triangle, sides_by_edge(runtime, triangle, progress), progress);
-    base::Array<std::int8_t> way(runtime.memory, triangle.size()); // 1 as the first of its patch, -1 against it
-    base::Array<std::int32_t> patch(runtime.memory);
+std::int64_t agree(const base::Work& work, const base::Array<glm::dvec3>& vertex, base::Array<Triangle>& triangle) {
+    const base::Array<std::int64_t> beyond = sides_beyond(triangle, sides_by_edge(work, triangle), work);
+    base::Array<std::int8_t> way(work.memory, triangle.size()); // 1 as the first of its patch, -1 against it
+    base::Array<std::int32_t> patch(work.memory);
     std::int64_t turned = 0;
     for (std::int64_t first = 0; first < triangle.size(); ++first) {
         if (way[first] != 0) continue;
-        progress.check();
+        work.check();
         patch.clear();
         patch.push_back(static_cast<std::int32_t>(first));
         way[first] = 1;
         double balance = 0.0; // of area
         for (std::int64_t at = 0; at < patch.size(); ++at) {
-            if (at % mesh_tuning.at_once == 0) progress.check();
+            work.check();
             const std::int32_t face = patch[at];
             balance += way[face] * glm::length(doubled_area_of(vertex, triangle[face]));
             for (std::int64_t k = 3 * std::int64_t{face}; k < 3 * std::int64_t{face} + 3; ++k) {
@@ -166,29 +163,26 @@ std::int64_t agree(const base::Runtime& runtime, const base::Array<glm::dvec3>& 
     return turned;
 }
 
-base::Array<Component> measure_components(const base::Runtime& runtime, const base::Array<glm::dvec3>& vertex,
+base::Array<Component> measure_components(const base::Work& work, const base::Array<glm::dvec3>& vertex,
                                           const base::Array<Triangle>& triangle,
-                                          const base::Array<std::int32_t>& component, std::int64_t count,
-                                          const base::Progress& progress) {
+                                          const base::Array<std::int32_t>& component, std::int64_t count) {
     HRBFNPR_ASSERT(component.size() == triangle.size());
-    base::Array<Component> result(runtime.memory);
+    base::Array<Component> result(work.memory);
     result.resize_for_overwrite(count);
     std::fill(result.begin(), result.end(), Component{});
-    base::Array<glm::dvec3> middle(runtime.memory, count);
-    for (std::int64_t face = 0; face < triangle.size(); ++face) {
-        if (face % mesh_tuning.at_once == 0) progress.check();
+    base::Array<glm::dvec3> middle(work.memory, count);
+    for (const std::int64_t face : work.over(triangle.size())) {
         ++result[component[face]].faces;
         for (const std::int32_t corner : triangle[face]) middle[component[face]] += vertex[corner];
     }
     for (std::int64_t i = 0; i < count; ++i) middle[i] /= 3.0 * static_cast<double>(result[i].faces);
-    for (std::int64_t face = 0; face < triangle.size(); ++face) {
-        if (face % mesh_tuning.at_once == 0) progress.check();
+    for (const std::int64_t face : work.over(triangle.size())) {
         Component& of = result[component[face]];
         const glm::dvec3 area = doubled_area_of(vertex, triangle[face]);
         of.area += 0.5 * glm::length(area);
         of.volume += glm::dot(vertex[triangle[face][0]] - middle[component[face]], area) / 6.0;
     }
-    close_holes(runtime, vertex, triangle, component, middle, result, progress);
+    close_holes(work, vertex, triangle, component, middle, result);
     return result;
 }
 
@@ -197,18 +191,16 @@ bool inside_out(const Component& component) noexcept {
     return has_inside && component.volume < 0.0;
 }
 
-void find_nested(const base::Runtime& runtime, const base::Array<glm::dvec3>& vertex,
-                 const base::Array<Triangle>& triangle, const base::Array<std::int32_t>& component,
-                 base::Array<Component>& measured, const base::Progress& progress) {
+void find_nested(const base::Work& work, const base::Array<glm::dvec3>& vertex, const base::Array<Triangle>& triangle,
+                 const base::Array<std::int32_t>& component, base::Array<Component>& measured) {
     if (measured.size() < 2) return;
-    const FaceTree tree(runtime, vertex, triangle, progress);
-    const base::Groups faces(runtime.memory, measured.size(), [&](auto&& put) {
+    const FaceTree tree(work, vertex, triangle);
+    const base::Groups faces(work.memory, measured.size(), [&](auto&& put) {
         for (std::int64_t face = 0; face < component.size(); ++face)
             put(component[face], static_cast<std::int32_t>(face));
     });
-    runtime.parallel.for_each(measured.size(), [&](std::int64_t i) {
-        progress.check();
-        base::Array<std::int32_t> holders(runtime.memory); // closed components that all tested places lie inside
+    work.for_each(measured.size(), [&](std::int64_t i) {
+        base::Array<std::int32_t> holders(work.memory); // closed components that all tested places lie inside
         const base::Array<std::int32_t> tested = faces_to_test(vertex, triangle, faces[i]);
         for (std::int64_t k = 0; k < places_of_face * tested.size(); ++k) {
             const Triangle& t = triangle[tested[k / places_of_face]];

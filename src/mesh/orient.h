@@ -22,21 +22,17 @@ inline void turn(Triangle& triangle) noexcept { std::swap(triangle[1], triangle[
 
 // Turns faces to agree with most of their patch, which ends at edges that not exactly two faces have. Returns how many
 // it turned.
-std::int64_t agree(const base::Runtime& runtime, const base::Array<glm::dvec3>& vertex, base::Array<Triangle>& triangle,
-                   const base::Progress& progress);
+std::int64_t agree(const base::Work& work, const base::Array<glm::dvec3>& vertex, base::Array<Triangle>& triangle);
 
-[[nodiscard]] base::Array<Component> measure_components(const base::Runtime& runtime,
-                                                        const base::Array<glm::dvec3>& vertex,
+[[nodiscard]] base::Array<Component> measure_components(const base::Work& work, const base::Array<glm::dvec3>& vertex,
                                                         const base::Array<Triangle>& triangle,
-                                                        const base::Array<std::int32_t>& component, std::int64_t count,
-                                                        const base::Progress& progress);
+                                                        const base::Array<std::int32_t>& component, std::int64_t count);
 
 // Tells whether a component encloses a volume, but for small holes, and that is negative.
 [[nodiscard]] bool inside_out(const Component& component) noexcept;
 
 // Sets `nested` of components that lie wholly inside a closed one, as rays from some of their faces tell.
-void find_nested(const base::Runtime& runtime, const base::Array<glm::dvec3>& vertex,
-                 const base::Array<Triangle>& triangle, const base::Array<std::int32_t>& component,
-                 base::Array<Component>& measured, const base::Progress& progress);
+void find_nested(const base::Work& work, const base::Array<glm::dvec3>& vertex, const base::Array<Triangle>& triangle,
+                 const base::Array<std::int32_t>& component, base::Array<Component>& measured);
 
 } // namespace hrbfnpr::mesh

@@ -81,15 +81,15 @@ RandomPlaces::Place RandomPlaces::at(std::uint64_t seed, std::int64_t number, st
             {1.0 - root, root * (1.0 - random[2]), root * random[2]}};
 }
 
-MeshSamples random_samples(const base::Runtime& runtime, const Mesh& mesh, std::int64_t count, std::uint64_t seed,
-                           std::uint32_t stream, const base::Progress& progress) {
-    MeshSamples samples(runtime.memory);
+MeshSamples random_samples(const base::Work& work, const Mesh& mesh, std::int64_t count, std::uint64_t seed,
+                           std::uint32_t stream) {
+    MeshSamples samples(work.memory);
     samples.position.resize(count);
     samples.normal.resize(count);
     samples.face.resize(count);
     const RandomPlaces places(
-        runtime.memory, mesh.faces(), [&](std::int64_t face) { return mesh.corners(face); }, progress);
-    runtime.parallel.for_chunks(count, mesh_tuning.at_once, progress, [&](std::int64_t begin, std::int64_t end) {
+        work.memory, mesh.faces(), [&](std::int64_t face) { return mesh.corners(face); }, work);
+    work.for_chunks(count, mesh_tuning.at_once, [&](std::int64_t begin, std::int64_t end) {
         for (std::int64_t i = begin; i < end; ++i) {
             const auto [face, shares] = places.at(seed, i, stream);
             const auto p = mesh.corners(face);
@@ -101,12 +101,12 @@ MeshSamples random_samples(const base::Runtime& runtime, const Mesh& mesh, std::
     return samples;
 }
 
-MeshSamples even_samples(const base::Runtime& runtime, const Mesh& mesh, std::int64_t count, std::int64_t candidates,
-                         std::uint64_t seed, const base::Progress& progress) {
-    MeshSamples all = random_samples(runtime, mesh, std::max(count, candidates), seed, 0, progress.part(0.0, 0.2));
+MeshSamples even_samples(const base::Work& work, const Mesh& mesh, std::int64_t count, std::int64_t candidates,
+                         std::uint64_t seed) {
+    MeshSamples all = random_samples(work, mesh, std::max(count, candidates), seed, 0);
     if (candidates <= count) return all;
-    const geometry::FarthestOrder chosen = geometry::farthest_order(all.position, count, progress.part(0.2, 1.0));
-    MeshSamples samples(runtime.memory);
+    const geometry::FarthestOrder chosen = geometry::farthest_order(all.position, count, work.part(0.2, 1.0));
+    MeshSamples samples(work.memory);
     for (std::int64_t k = 0; k < count; ++k) {
         const std::int64_t i = chosen.order[k];
         samples.add(all.position[i], all.normal[i], all.face[i]);
@@ -120,16 +120,15 @@ double border_length(const Mesh& mesh) noexcept {
     return length;
 }
 
-MeshSamples end_samples(const base::Runtime& runtime, const Mesh& mesh, const FaceTree& tree, std::int64_t count,
-                        double closest, std::uint64_t seed, const base::Progress& progress) {
+MeshSamples end_samples(const base::Work& work, const Mesh& mesh, const FaceTree& tree, std::int64_t count,
+                        double closest, std::uint64_t seed) {
     HRBFNPR_ASSERT(count > 0 && closest > 0.0);
-    const MeshSamples even =
-        even_samples(runtime, mesh, count, mesh_tuning.candidates_each * count, seed, progress.part(0.0, 0.7));
+    const MeshSamples even = even_samples(work.part(0.0, 0.7), mesh, count, mesh_tuning.candidates_each * count, seed);
     const double inset = mesh_tuning.row_inset * closest;
     const MeshSamples border = border_places(mesh, mesh_tuning.row_step * closest,
                                              mesh_tuning.shortest_border * 2.0 * std::numbers::pi * closest);
     const geometry::PointTree border_tree(border.position, base::Progress{});
-    MeshSamples row(runtime.memory);
+    MeshSamples row(work.memory);
     const auto add_to_row = [&](const glm::dvec3& place, std::int64_t face) {
         row.add(place, normal_at(mesh, face, shares_of(mesh.corners(face), place)), face);
     };
@@ -146,19 +145,19 @@ MeshSamples end_samples(const base::Runtime& runtime, const Mesh& mesh, const Fa
     // Where there is no room for a row, as on a narrow strip, the border itself stands for it.
     for (std::int64_t i = 0; i < border.position.size(); ++i)
         if (!has_row(i)) add_to_row(border.position[i], border.face[i]);
-    base::Array<std::uint8_t> replaced(runtime.memory, even.position.size());
-    runtime.parallel.for_chunks(replaced.size(), 256, progress, [&](std::int64_t begin, std::int64_t end) {
+    base::Array<std::uint8_t> replaced(work.memory, even.position.size());
+    work.for_chunks(replaced.size(), 256, [&](std::int64_t begin, std::int64_t end) {
         for (std::int64_t i = begin; i < end; ++i) {
             const std::int64_t at = nearest_in(border_tree, even.position[i]);
             replaced[i] = at >= 0 && has_row(at) &&
                           glm::distance(border.position[at], even.position[i]) < mesh_tuning.replaced * inset;
         }
     });
-    MeshSamples all(runtime.memory);
+    MeshSamples all(work.memory);
     for (std::int64_t i = 0; i < replaced.size(); ++i)
         if (replaced[i] == 0) all.add(even.position[i], even.normal[i], even.face[i]);
     for (std::int64_t i = 0; i < row.position.size(); ++i) all.add(row.position[i], row.normal[i], row.face[i]);
-    progress.update(1.0);
+    work.update(1.0);
     return all;
 }
 

@@ -35,8 +35,7 @@ public:
         HRBFNPR_ASSERT(faces > 0);
         area_.reserve(faces);
         double sum = 0.0;
-        for (std::int64_t face = 0; face < faces; ++face) {
-            if (face % 4096 == 0) progress.check();
+        for (const std::int64_t face : progress.over(faces)) {
             sum += glm::length(doubled_area(corners(face)));
             area_.push_back(sum);
         }
@@ -52,20 +51,19 @@ private:
 [[nodiscard]] glm::dvec3 normal_at(const Mesh& mesh, std::int64_t face, const glm::dvec3& shares) noexcept;
 
 // Returns RandomPlaces of a mesh.
-[[nodiscard]] MeshSamples random_samples(const base::Runtime& runtime, const Mesh& mesh, std::int64_t count,
-                                         std::uint64_t seed, std::uint32_t stream, const base::Progress& progress);
+[[nodiscard]] MeshSamples random_samples(const base::Work& work, const Mesh& mesh, std::int64_t count,
+                                         std::uint64_t seed, std::uint32_t stream);
 
 // Returns `count` of the random candidates in farthest-point order, or all in random order if there are no more.
-[[nodiscard]] MeshSamples even_samples(const base::Runtime& runtime, const Mesh& mesh, std::int64_t count,
-                                       std::int64_t candidates, std::uint64_t seed, const base::Progress& progress);
+[[nodiscard]] MeshSamples even_samples(const base::Work& work, const Mesh& mesh, std::int64_t count,
+                                       std::int64_t candidates, std::uint64_t seed);
 
 // Returns samples that tell where an open mesh ends: a support of them ends where the mesh does (surface/support.h).
 // They are `count` even ones, of which a row along the border replaces the nearest. Random ones would end the surface
 // like torn paper. The row is as far inside that s, whose spacings are `closest` at least, is 1.5 on the border.
 // Borders that are no longer than that of a hole that stays closed have none.
-[[nodiscard]] MeshSamples end_samples(const base::Runtime& runtime, const Mesh& mesh, const FaceTree& tree,
-                                      std::int64_t count, double closest, std::uint64_t seed,
-                                      const base::Progress& progress);
+[[nodiscard]] MeshSamples end_samples(const base::Work& work, const Mesh& mesh, const FaceTree& tree,
+                                      std::int64_t count, double closest, std::uint64_t seed);
 
 // Returns the length of all borders.
 [[nodiscard]] double border_length(const Mesh& mesh) noexcept;

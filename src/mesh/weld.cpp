@@ -43,25 +43,23 @@ void check_vertex(const glm::dvec3& p, std::int64_t vertex, std::int64_t face) {
 }
 
 // Returns triangles of given vertices.
-[[nodiscard]] base::Array<Triangle> read_triangles(const base::Runtime& runtime, const MeshInput& input,
-                                                   const base::Progress& progress) {
+[[nodiscard]] base::Array<Triangle> read_triangles(const base::Work& work, const MeshInput& input) {
     const std::int64_t vertices = input.vertices.count;
-    base::Array<Triangle> triangle(runtime.memory);
+    base::Array<Triangle> triangle(work.memory);
     triangle.resize_for_overwrite(input.triangles.count);
-    runtime.parallel.for_chunks(
-        triangle.size(), mesh_tuning.at_once, progress, [&](std::int64_t begin, std::int64_t end) {
-            for (std::int64_t face = begin; face < end; ++face)
-                for (std::uint32_t k = 0; k < 3; ++k) {
-                    const std::int64_t index = input.triangles.get_integer(face, k);
-                    if (index < 0 || index >= vertices)
-                        fail(Status::invalid_argument,
-                             "triangles[%lld] has the index %lld; there are %lld vertices, numbered from 0 to %lld",
-                             static_cast<long long>(face), static_cast<long long>(index),
-                             static_cast<long long>(vertices), static_cast<long long>(vertices - 1));
-                    triangle[face][k] = static_cast<std::int32_t>(index);
-                    check_vertex(vertex_at(input.vertices, index), index, face);
-                }
-        });
+    work.for_chunks(triangle.size(), mesh_tuning.at_once, [&](std::int64_t begin, std::int64_t end) {
+        for (std::int64_t face = begin; face < end; ++face)
+            for (std::uint32_t k = 0; k < 3; ++k) {
+                const std::int64_t index = input.triangles.get_integer(face, k);
+                if (index < 0 || index >= vertices)
+                    fail(Status::invalid_argument,
+                         "triangles[%lld] has the index %lld; there are %lld vertices, numbered from 0 to %lld",
+                         static_cast<long long>(face), static_cast<long long>(index), static_cast<long long>(vertices),
+                         static_cast<long long>(vertices - 1));
+                triangle[face][k] = static_cast<std::int32_t>(index);
+                check_vertex(vertex_at(input.vertices, index), index, face);
+            }
+    });
     return triangle;
 }
 
@@ -105,8 +103,7 @@ void join_vertices(const base::InView& given, Welded& welded, MeshReport& report
     progress.check();
     Numbers numbers(memory, given.count);
     std::int64_t used = 0;
-    for (std::int64_t i = 0; i < given.count; ++i) {
-        if (i % mesh_tuning.at_once == 0) progress.check();
+    for (const std::int64_t i : progress.over(given.count)) {
         if (number[i] == 0) continue;
         ++used;
         const glm::dvec3 p = vertex_at(given, i);
@@ -144,25 +141,25 @@ void rename_corners(Sets& same, Welded& welded) noexcept {
 
 // Joins vertices of borders that are near to each other: faces that were made apart have corners that rounding keeps
 // apart. Faces may have corners in common then.
-void join_borders(const base::Runtime& runtime, Welded& welded, MeshReport& report, const base::Progress& progress) {
+void join_borders(const base::Work& work, Welded& welded, MeshReport& report) {
     if (is_balanced(welded.triangle)) return;
     geometry::Bounds bounds;
     for (const glm::dvec3& p : welded.vertex) bounds.extend(p);
     const double near = mesh_tuning.border_rounding * bounds.diagonal();
-    base::Array<std::uint8_t> is_border(runtime.memory, welded.vertex.size());
-    for_edges(sides_by_edge(runtime, welded.triangle, progress), progress, [&](const Side* first, const Side* last) {
+    base::Array<std::uint8_t> is_border(work.memory, welded.vertex.size());
+    for_edges(sides_by_edge(work, welded.triangle), work, [&](const Side* first, const Side* last) {
         if (last - first == 1) is_border[low_end(*first)] = is_border[high_end(*first)] = 1;
     });
-    base::Array<std::int32_t> border(runtime.memory);
-    geometry::VecArray place(runtime.memory);
+    base::Array<std::int32_t> border(work.memory);
+    geometry::VecArray place(work.memory);
     for (std::int64_t v = 0; v < welded.vertex.size(); ++v) {
         if (is_border[v] == 0) continue;
         border.push_back(static_cast<std::int32_t>(v));
         place.push_back(welded.vertex[v]);
     }
     if (border.empty() || !(near > 0.0)) return;
-    const geometry::PointGrid grid(place, near, progress);
-    Sets same(runtime.memory, welded.vertex.size());
+    const geometry::PointGrid grid(place, near, work);
+    Sets same(work.memory, welded.vertex.size());
     for (std::int64_t i = 0; i < border.size(); ++i)
         grid.around(place[i], [&](std::int64_t at) {
             const std::int64_t j = grid.index(at);
@@ -238,8 +235,7 @@ void take_across(Sliver& sliver, std::int32_t face, bool forward) noexcept {
 [[nodiscard]] base::Array<Sliver> find_slivers(const Welded& welded, double rounding,
                                                base::Array<std::uint64_t>& longest, const base::Progress& progress) {
     base::Array<Sliver> found(welded.vertex.memory());
-    for (std::int32_t face = 0; face < welded.triangle.size(); ++face) {
-        if (face % mesh_tuning.at_once == 0) progress.check();
+    for (const auto face : progress.over(static_cast<std::int32_t>(welded.triangle.size()))) {
         const Triangle& t = welded.triangle[face];
         const int side = sliver_side(welded, t, rounding);
         longest[face] = no_edge;
@@ -251,7 +247,7 @@ void take_across(Sliver& sliver, std::int32_t face, bool forward) noexcept {
     std::sort(found.begin(), found.end(),
               [](const Sliver& a, const Sliver& b) { return a.edge != b.edge ? a.edge < b.edge : a.face < b.face; });
     for (std::int32_t face = 0; face < welded.triangle.size() && !found.empty(); ++face) {
-        if (face % mesh_tuning.at_once == 0) progress.check();
+        progress.check();
         const Triangle& t = welded.triangle[face];
         for (std::size_t k = 0; k < 3; ++k) {
             const std::uint64_t edge = edge_of(t[k], t[(k + 1) % 3]);
@@ -328,8 +324,7 @@ struct Repeated {
     base::Array<Repeated> repeated(welded.vertex.memory());
     Numbers numbers(welded.vertex.memory(), welded.triangle.size());
     std::int64_t kept = 0;
-    for (std::int64_t face = 0; face < welded.triangle.size(); ++face) {
-        if (face % mesh_tuning.at_once == 0) progress.check();
+    for (const std::int64_t face : progress.over(welded.triangle.size())) {
         const Triangle t = welded.triangle[face];
         const glm::dvec3 area = doubled_area({welded.vertex[t[0]], welded.vertex[t[1]], welded.vertex[t[2]]});
         // Nor has it a normal where the square of its area is too small for a double.
@@ -417,17 +412,16 @@ enum class Twin : std::uint8_t {
 // wall where it ends at other faces on both sides, and nowhere else: a leaf of two sides ends at nothing, and a solid
 // with two sides nowhere. It is a part of a contact where those other faces lie on each other, too, in triangles of
 // their own.
-[[nodiscard]] base::Array<Twin> find_walls(const base::Runtime& runtime, const Welded& welded,
-                                           const base::Array<Repeated>& repeated, double rounding,
-                                           const base::Progress& progress) {
+[[nodiscard]] base::Array<Twin> find_walls(const base::Work& work, const Welded& welded,
+                                           const base::Array<Repeated>& repeated, double rounding) {
     constexpr unsigned ends = 1;    // at an edge with fewer than two other faces
     constexpr unsigned meets = 2;   // others, two or more
     constexpr unsigned goes_on = 4; // of these, two that lie on each other and look against each other
     const std::int64_t faces = welded.triangle.size();
     const auto is_twin = [&](const Side& side) { return repeated[side.face].balance == 0; };
-    Sets sheets(runtime.memory, faces);
-    base::Array<FaceAbout> about(runtime.memory);
-    base::Array<std::uint8_t> at(runtime.memory, faces);
+    Sets sheets(work.memory, faces);
+    base::Array<FaceAbout> about(work.memory);
+    base::Array<std::uint8_t> at(work.memory, faces);
     const auto others_touch = [&](const Side* first, const Side* last) {
         measure_about(welded, rounding, first, last, about);
         for (std::int64_t i = 0; i < about.size(); ++i)
@@ -438,7 +432,7 @@ enum class Twin : std::uint8_t {
             }
         return false;
     };
-    for_edges(sides_by_edge(runtime, welded.triangle, progress), progress, [&](const Side* first, const Side* last) {
+    for_edges(sides_by_edge(work, welded.triangle), work, [&](const Side* first, const Side* last) {
         const Side* one = nullptr;
         std::int64_t twins = 0;
         for (const Side* side = first; side != last; ++side) {
@@ -453,12 +447,12 @@ enum class Twin : std::uint8_t {
                                (others && others_touch(first, last) ? goes_on : 0U);
         at[one->face] = static_cast<std::uint8_t>(at[one->face] | found);
     });
-    base::Array<std::uint8_t> of_sheet(runtime.memory, faces);
+    base::Array<std::uint8_t> of_sheet(work.memory, faces);
     for (std::int64_t face = 0; face < faces; ++face) {
         std::uint8_t& all = of_sheet[sheets.of(static_cast<std::int32_t>(face))];
         all = static_cast<std::uint8_t>(all | at[face]);
     }
-    base::Array<Twin> result(runtime.memory, faces);
+    base::Array<Twin> result(work.memory, faces);
     for (std::int64_t face = 0; face < faces; ++face) {
         if (repeated[face].balance != 0) continue;
         const unsigned found = of_sheet[sheets.of(static_cast<std::int32_t>(face))];
@@ -470,11 +464,11 @@ enum class Twin : std::uint8_t {
 
 // Between solids that share a wall there is nothing to be seen. Where solids touch in more than in faces that both
 // have, each keeps its own.
-void leave_out_walls(const base::Runtime& runtime, const base::Array<Repeated>& repeated, double rounding,
-                     Welded& welded, MeshReport& report, const base::Progress& progress) {
+void leave_out_walls(const base::Work& work, const base::Array<Repeated>& repeated, double rounding, Welded& welded,
+                     MeshReport& report) {
     if (report.repeated_faces == 0) return;
-    const base::Array<Twin> kind = find_walls(runtime, welded, repeated, rounding, progress);
-    Welded other_sides(runtime.memory); // of contacts
+    const base::Array<Twin> kind = find_walls(work, welded, repeated, rounding);
+    Welded other_sides(work.memory); // of contacts
     std::int64_t kept = 0;
     for (std::int64_t face = 0; face < kind.size(); ++face) {
         if (kind[face] == Twin::wall) {
@@ -549,8 +543,7 @@ void give_vertices(Sets& corners, const base::Array<std::uint8_t>& parted, Welde
     base::Memory& memory = welded.vertex.memory();
     base::Array<std::int32_t> owner(memory, welded.vertex.size()); // a set + 1
     base::Array<std::int32_t> own(memory, 3 * welded.triangle.size());
-    for (std::int64_t corner = 0; corner < own.size(); ++corner) {
-        if (corner % mesh_tuning.at_once == 0) progress.check();
+    for (const std::int64_t corner : progress.over(own.size())) {
         std::int32_t& at = welded.triangle[corner / 3][static_cast<std::size_t>(corner % 3)];
         if (parted[at] == 0) continue;
         const std::int32_t set = corners.of(static_cast<std::int32_t>(corner));
@@ -567,12 +560,12 @@ void give_vertices(Sets& corners, const base::Array<std::uint8_t>& parted, Welde
 // Where an edge has two faces or more in either sense, those that have a solid between them get an edge of their own,
 // by vertices at the same places, so that each solid is closed. Solids that share a vertex and no edge get vertices of
 // their own, where no border passes: they are parts, and whether one lies against another is asked of parts.
-void part_edges(const base::Runtime& runtime, double rounding, Welded& welded, const base::Progress& progress) {
-    const base::Array<Side> sides = sides_by_edge(runtime, welded.triangle, progress);
-    Sets corners(runtime.memory, 3 * welded.triangle.size()); // that share a vertex
-    base::Array<std::uint8_t> parted(runtime.memory, welded.vertex.size());
+void part_edges(const base::Work& work, double rounding, Welded& welded) {
+    const base::Array<Side> sides = sides_by_edge(work, welded.triangle);
+    Sets corners(work.memory, 3 * welded.triangle.size()); // that share a vertex
+    base::Array<std::uint8_t> parted(work.memory, welded.vertex.size());
     std::fill(parted.begin(), parted.end(), std::uint8_t{1});
-    for_edges(sides, progress, [&](const Side* first, const Side* last) {
+    for_edges(sides, work, [&](const Side* first, const Side* last) {
         if (last - first == 1) parted[low_end(*first)] = parted[high_end(*first)] = 0;
     });
     const auto join = [&](const Side& a, const Side& b) {
@@ -580,8 +573,8 @@ void part_edges(const base::Runtime& runtime, double rounding, Welded& welded, c
             corners.join(static_cast<std::int32_t>(corner_at(welded.triangle, a.face, end)),
                          static_cast<std::int32_t>(corner_at(welded.triangle, b.face, end)));
     };
-    base::Array<FaceAbout> about(runtime.memory);
-    for_edges(sides, progress, [&](const Side* first, const Side* last) {
+    base::Array<FaceAbout> about(work.memory);
+    for_edges(sides, work, [&](const Side* first, const Side* last) {
         if (last - first >= 4) {
             measure_about(welded, rounding, first, last, about);
             if (pair_about(about)) {
@@ -592,28 +585,28 @@ void part_edges(const base::Runtime& runtime, double rounding, Welded& welded, c
         }
         for (const Side* side = first + 1; side != last; ++side) join(*first, *side);
     });
-    give_vertices(corners, parted, welded, progress);
+    give_vertices(corners, parted, welded, work);
 }
 
 } // namespace
 
-Welded weld(const base::Runtime& runtime, const MeshInput& input, MeshReport& report, const base::Progress& progress) {
-    Welded welded(runtime.memory);
+Welded weld(const base::Work& work, const MeshInput& input, MeshReport& report) {
+    Welded welded(work.memory);
     report.given_vertices = input.vertices.count;
     report.given_faces = input.triangles.count;
-    welded.triangle = read_triangles(runtime, input, progress);
+    welded.triangle = read_triangles(work, input);
     welded.given_face.resize_for_overwrite(welded.triangle.size());
     std::iota(welded.given_face.begin(), welded.given_face.end(), 0);
-    join_vertices(input.vertices, welded, report, progress);
-    join_borders(runtime, welded, report, progress);
+    join_vertices(input.vertices, welded, report, work);
+    join_borders(work, welded, report);
     double largest = 0.0;
     for (const glm::dvec3& p : welded.vertex)
         largest = std::max({largest, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
     const double rounding = mesh_tuning.coordinate_rounding * largest;
-    split_slivers(rounding, welded, report, progress);
-    const base::Array<Repeated> repeated = leave_out_faces(welded, report, progress);
-    leave_out_walls(runtime, repeated, rounding, welded, report, progress);
-    part_edges(runtime, rounding, welded, progress);
+    split_slivers(rounding, welded, report, work);
+    const base::Array<Repeated> repeated = leave_out_faces(welded, report, work);
+    leave_out_walls(work, repeated, rounding, welded, report);
+    part_edges(work, rounding, welded);
     if (welded.triangle.empty())
         fail(Status::invalid_argument, "triangles has %lld faces, and none has an area; give at least one that has",
              static_cast<long long>(report.given_faces));

@@ -15,7 +15,6 @@ struct Welded {
 };
 
 // Counts in the report what it joins and leaves out.
-[[nodiscard]] Welded weld(const base::Runtime& runtime, const MeshInput& input, MeshReport& report,
-                          const base::Progress& progress);
+[[nodiscard]] Welded weld(const base::Work& work, const MeshInput& input, MeshReport& report);
 
 } // namespace hrbfnpr::mesh

@@ -99,24 +99,24 @@ void rotate(Symmetric& m, int p, int q) noexcept {
 
 } // namespace
 
-Cloud read_cloud(const base::Runtime& runtime, const base::InView& points, const base::Progress& progress) {
-    Cloud cloud(runtime.memory);
-    geometry::VecArray position = checked(runtime, points);
+Cloud read_cloud(const base::Work& work, const base::InView& points) {
+    Cloud cloud(work.memory);
+    geometry::VecArray position = checked(work, points);
     geometry::Bounds bounds;
     for (std::int64_t i = 0; i < position.size(); ++i) bounds.extend(position[i]);
     require(position.size() >= fewest_points, position.size(), "elements");
     require(bounds.longest_side() > 1.0 / coordinate_limit, position.size(), "elements at one place");
     require_area(position, bounds);
-    progress.update(0.05);
+    work.update(0.05);
     cloud.centre = bounds.centre();
-    const geometry::PointTree all(position, progress);
-    base::Array<double> distance(runtime.memory, all.size());
-    for_places(runtime, all.size(), progress, [&](std::int64_t at) { distance[at] = all.nearest_other(at); });
+    const geometry::PointTree all(position, work);
+    base::Array<double> distance(work.memory, all.size());
+    for_places(work, all.size(), [&](std::int64_t at) { distance[at] = all.nearest_other(at); });
     cloud.spacing = spacing_of(distance, 1e-9 * bounds.diagonal());
     if (!(cloud.spacing > 0.0)) cloud.spacing = bounds.diagonal();
-    progress.update(0.3);
+    work.update(0.3);
     const base::Array<std::int64_t> first = representatives(all, distance, tuning.merged * cloud.spacing);
-    base::Array<std::int64_t> kept(runtime.memory, all.size()); // number among the kept
+    base::Array<std::int64_t> kept(work.memory, all.size()); // number among the kept
     position.clear();
     for (std::int64_t at = 0; at < all.size(); ++at) {
         if (first[at] != at) continue;
@@ -125,13 +125,13 @@ Cloud read_cloud(const base::Runtime& runtime, const base::InView& points, const
     }
     require(position.size() >= fewest_points, position.size(), "different elements");
     cloud.merged = all.size() - position.size();
-    cloud.tree = std::make_unique<geometry::PointTree>(position, progress);
-    base::Array<std::int64_t> at_of(runtime.memory, position.size());
+    cloud.tree = std::make_unique<geometry::PointTree>(position, work);
+    base::Array<std::int64_t> at_of(work.memory, position.size());
     for (std::int64_t at = 0; at < cloud.size(); ++at) at_of[cloud.tree->index(at)] = at;
     cloud.place.resize(points.count);
     for (std::int64_t at = 0; at < all.size(); ++at) cloud.place[all.index(at)] = at_of[kept[first[at]]];
-    progress.update(0.5);
-    geometry::FarthestOrder order = geometry::farthest_order(cloud.tree->points(), 0, progress.part(0.5, 1.0));
+    work.update(0.5);
+    geometry::FarthestOrder order = geometry::farthest_order(cloud.tree->points(), 0, work.part(0.5, 1.0));
     cloud.rank.resize(cloud.size());
     for (std::int64_t k = 0; k < order.order.size(); ++k) cloud.rank[order.order[k]] = k;
     cloud.apart = std::move(order.distance);
@@ -142,18 +142,17 @@ Cloud read_cloud(const base::Runtime& runtime, const base::InView& points, const
     return cloud;
 }
 
-FirstPlaces::FirstPlaces(const base::Runtime& runtime, const Cloud& cloud, std::int64_t count,
-                         const base::Progress& progress)
-    : Places(runtime.memory), place(runtime.memory, count) {
+FirstPlaces::FirstPlaces(const base::Work& work, const Cloud& cloud, std::int64_t count)
+    : Places(work.memory), place(work.memory, count) {
     HRBFNPR_ASSERT(count > 0 && count <= cloud.size());
-    geometry::VecArray points(runtime.memory);
-    base::Array<std::int64_t> places(runtime.memory);
+    geometry::VecArray points(work.memory);
+    base::Array<std::int64_t> places(work.memory);
     for (std::int64_t at = 0; at < cloud.size(); ++at) {
         if (cloud.rank[at] >= count) continue;
         points.push_back(cloud.point(at));
         places.push_back(at);
     }
-    tree = std::make_unique<geometry::PointTree>(points, progress);
+    tree = std::make_unique<geometry::PointTree>(points, work);
     rank.resize(count);
     for (std::int64_t at = 0; at < count; ++at) {
         place[at] = places[tree->index(at)];
@@ -167,11 +166,10 @@ geometry::VecArray FirstPlaces::pick(const geometry::VecArray& normal) const {
     return own;
 }
 
-Near::Near(const base::Runtime& runtime, const geometry::PointTree& tree, std::int64_t each,
-           const base::Progress& progress)
-    : each_(std::clamp<std::int64_t>(each, 0, std::min(most, tree.size() - 1))), index_(runtime.memory) {
+Near::Near(const base::Work& work, const geometry::PointTree& tree, std::int64_t each)
+    : each_(std::clamp<std::int64_t>(each, 0, std::min(most, tree.size() - 1))), index_(work.memory) {
     index_.resize_for_overwrite(tree.size() * each_);
-    for_places(runtime, tree.size(), progress, [&](std::int64_t at) {
+    for_places(work, tree.size(), [&](std::int64_t at) {
         std::array<std::int64_t, most> found;
         tree.nearest(
             tree.points()[at], each_, [](std::int64_t) { return true; },
@@ -184,7 +182,7 @@ Near::Near(const base::Runtime& runtime, const geometry::PointTree& tree, std::i
 base::Array<double> local_spacing(const base::Runtime& runtime, const geometry::PointTree& tree, const Near& near) {
     HRBFNPR_ASSERT(near.each() > 0);
     base::Array<double> spacing(runtime.memory, tree.size());
-    for_places(runtime, tree.size(), {}, [&](std::int64_t at) {
+    for_places(runtime, tree.size(), [&](std::int64_t at) {
         const std::span<const std::int32_t> around = near.of(at, Near::of_spacing);
         double sum = 0.0;
         for (const std::int32_t other : around) sum += glm::distance(tree.points()[at], tree.points()[other]);
@@ -247,10 +245,10 @@ Plane plane_of(const Moments& moments) noexcept {
     return plane;
 }
 
-geometry::VecArray plane_normals(const base::Runtime& runtime, const geometry::PointTree& tree, const Near& near,
-                                 std::int64_t count, const base::Progress& progress) {
-    geometry::VecArray normal(runtime.memory, tree.size());
-    for_places(runtime, tree.size(), progress, [&](std::int64_t at) {
+geometry::VecArray plane_normals(const base::Work& work, const geometry::PointTree& tree, const Near& near,
+                                 std::int64_t count) {
+    geometry::VecArray normal(work.memory, tree.size());
+    for_places(work, tree.size(), [&](std::int64_t at) {
         const glm::dvec3 p = tree.points()[at];
         Moments moments;
         moments.add(glm::dvec3(0.0));

@@ -3,8 +3,8 @@
 #pragma once
 
 #include "base/operation.h"
-#include "base/runtime.h"
 #include "base/view.h"
+#include "base/work.h"
 #include "geometry/point_tree.h"
 
 #include <array>
@@ -43,12 +43,11 @@ struct Cloud : Places {
 
 // Throws Error{invalid_argument} naming "points" if a number is not finite, if fewer than 4 points differ, or if all
 // lie on one line.
-[[nodiscard]] Cloud read_cloud(const base::Runtime& runtime, const base::InView& points,
-                               const base::Progress& progress);
+[[nodiscard]] Cloud read_cloud(const base::Work& work, const base::InView& points);
 
 // The first places of a cloud's farthest-first order, in an order of their own.
 struct FirstPlaces : Places {
-    FirstPlaces(const base::Runtime& runtime, const Cloud& cloud, std::int64_t count, const base::Progress& progress);
+    FirstPlaces(const base::Work& work, const Cloud& cloud, std::int64_t count);
 
     // Returns the elements of the whole cloud's array that belong to these places.
     [[nodiscard]] geometry::VecArray pick(const geometry::VecArray& normal) const;
@@ -58,8 +57,8 @@ struct FirstPlaces : Places {
 
 // Calls f(place) for all places, on all threads.
 template <class F>
-void for_places(const base::Runtime& runtime, std::int64_t count, const base::Progress& progress, F&& f) {
-    runtime.parallel.for_chunks(count, 512, progress, [&](std::int64_t begin, std::int64_t end) {
+void for_places(const base::Work& work, std::int64_t count, F&& f) {
+    work.for_chunks(count, 512, [&](std::int64_t begin, std::int64_t end) {
         for (std::int64_t at = begin; at < end; ++at) f(at);
     });
 }
@@ -70,8 +69,7 @@ public:
     static constexpr std::int64_t most = 63;      // the tree finds no more
     static constexpr std::int64_t of_spacing = 6; // neighbours whose mean distance is a local spacing
 
-    Near(const base::Runtime& runtime, const geometry::PointTree& tree, std::int64_t each,
-         const base::Progress& progress);
+    Near(const base::Work& work, const geometry::PointTree& tree, std::int64_t each);
 
     [[nodiscard]] std::int64_t each() const noexcept { return each_; }
     // The `count` nearest ones, or all if there are fewer.
@@ -110,8 +108,8 @@ struct Plane {
 [[nodiscard]] Plane plane_of(const Moments& moments) noexcept;
 
 // Returns unit normals, of any sign, of the planes through each place and its nearest `count` neighbours.
-[[nodiscard]] geometry::VecArray plane_normals(const base::Runtime& runtime, const geometry::PointTree& tree,
-                                               const Near& near, std::int64_t count, const base::Progress& progress);
+[[nodiscard]] geometry::VecArray plane_normals(const base::Work& work, const geometry::PointTree& tree,
+                                               const Near& near, std::int64_t count);
 
 // Returns the share of places whose signs are the same, or of those whose signs differ if these are more: 0.5 .. 1.
 [[nodiscard]] double share_alike(const geometry::VecArray& a, const geometry::VecArray& b) noexcept;

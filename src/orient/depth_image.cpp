@@ -93,8 +93,7 @@ struct Camera {
 [[nodiscard]] base::Array<double> values_if(const base::Array<double>& from, bool (*wanted)(double),
                                             const base::Progress& progress) {
     base::Array<double> some(from.memory());
-    for (std::int64_t i = 0; i < from.size(); ++i) {
-        if (i % pixels_a_task == 0) progress.check();
+    for (const std::int64_t i : progress.over(from.size())) {
         if (wanted(from[i])) some.push_back(from[i]);
     }
     return some;
@@ -140,27 +139,25 @@ void read_pixel(const DepthImageInput& input, std::int64_t i, Camera& camera) {
     camera.down.add(camera.row_of(i), p.y / p.z);
 }
 
-[[nodiscard]] Camera read(const base::Runtime& runtime, const DepthImageInput& input, const base::Progress& progress) {
-    Camera camera(runtime.memory);
+[[nodiscard]] Camera read(const base::Work& work, const DepthImageInput& input) {
+    Camera camera(work.memory);
     InverseDepth& depth = camera.depth;
     depth.columns = input.columns;
     depth.rows = input.rows;
     depth.value.resize_for_overwrite(depth.size());
-    for (std::int64_t i = 0; i < depth.size(); ++i) {
-        if (i % pixels_a_task == 0) progress.check();
+    for (const std::int64_t i : work.over(depth.size())) {
         read_pixel(input, i, camera);
     }
     require_camera(camera);
     camera.focal_length = 1.0 / std::sqrt(std::abs(camera.across.slope() * camera.down.slope()));
     base::Array<double> seen = values_if(
-        depth.value, [](double x) { return !std::isnan(x); }, progress);
-    camera.unit = median(seen, progress);
-    for (std::int64_t i = 0; i < depth.size(); ++i) {
-        if (i % pixels_a_task == 0) progress.check();
+        depth.value, [](double x) { return !std::isnan(x); }, work);
+    camera.unit = median(seen, work);
+    for (const std::int64_t i : work.over(depth.size())) {
         depth.value[i] = camera.unit / depth.value[i];
     }
-    base::resize_long(camera.error, depth.size(), progress);
-    runtime.parallel.for_chunks(depth.size(), pixels_a_task, progress, [&](std::int64_t begin, std::int64_t end) {
+    base::resize_long(camera.error, depth.size(), work);
+    work.for_chunks(depth.size(), pixels_a_task, [&](std::int64_t begin, std::int64_t end) {
         for (std::int64_t i = begin; i < end; ++i) {
             const auto plane = small_plane(depth, camera.column_of(i), camera.row_of(i));
             camera.error[i] = plane ? plane->error : std::numeric_limits<double>::infinity();
@@ -170,8 +167,8 @@ void read_pixel(const DepthImageInput& input, std::int64_t i, Camera& camera) {
         camera.noise = input.noise * camera.unit;
     } else {
         base::Array<double> errors = values_if(
-            camera.error, [](double x) { return std::isfinite(x); }, progress);
-        camera.noise = std::max(median(errors, progress), of_step * depth_step(depth.value, progress));
+            camera.error, [](double x) { return std::isfinite(x); }, work);
+        camera.noise = std::max(median(errors, work), of_step * depth_step(depth.value, work));
     }
     return camera;
 }
@@ -343,22 +340,21 @@ std::optional<DepthPlane> plane_around(const InverseDepth& depth, std::int32_t c
     return std::abs(plane.value - here) <= limit ? std::optional(plane) : std::nullopt;
 }
 
-DepthImage smooth_depth_image(const base::Runtime& runtime, const DepthImageInput& input,
-                              const base::Progress& progress) {
+DepthImage smooth_depth_image(const base::Work& work, const DepthImageInput& input) {
     HRBFNPR_ASSERT(input.points.count == std::int64_t{input.columns} * input.rows && input.smoothing > 0.0);
     const base::Stopwatch watch;
-    const Camera camera = read(runtime, input, progress.part(0.0, 0.05));
-    const Discs discs(runtime.memory);
+    const Camera camera = read(work.part(0.0, 0.05), input);
+    const Discs discs(work.memory);
     const std::int64_t pixels = camera.depth.size();
-    DepthImage image(runtime.memory);
-    geometry::resize_long(image.point, pixels, progress);
-    geometry::resize_long(image.normal, pixels, progress);
+    DepthImage image(work.memory);
+    geometry::resize_long(image.point, pixels, work);
+    geometry::resize_long(image.normal, pixels, work);
     const std::int64_t tasks = (pixels + pixels_a_task - 1) / pixels_a_task;
-    base::Array<std::int64_t> left_out(runtime.memory, tasks);
-    const base::Progress smoothing = progress.part(0.05, 1.0);
+    base::Array<std::int64_t> left_out(work.memory, tasks);
+    const base::Work smoothing = work.part(0.05, 1.0);
     for (std::int64_t from = 0; from < tasks; from += tasks_a_band) {
         const std::int64_t count = std::min(tasks_a_band, tasks - from);
-        runtime.parallel.for_each(count, smoothing, [&](std::int64_t task) {
+        smoothing.for_each(count, [&](std::int64_t task) {
             const std::int64_t begin = (from + task) * pixels_a_task;
             for (std::int64_t i = begin; i < std::min(begin + pixels_a_task, pixels); ++i)
                 left_out[from + task] += smooth_pixel(camera, input, discs, i, image) ? 0 : 1;
@@ -373,10 +369,10 @@ DepthImage smooth_depth_image(const base::Runtime& runtime, const DepthImageInpu
     report.depth = camera.unit;
     report.radius = camera.radius_at(1.0, input.smoothing);
     report.seconds = watch.seconds();
-    runtime.log(base::LogLevel::info, "depth image: %lld points smoothed over %.1f pixels in %.2f s, %lld left out",
-                static_cast<long long>(report.seen), report.radius, report.seconds,
-                static_cast<long long>(report.left_out));
-    progress.update(1.0);
+    work.runtime().log(
+        base::LogLevel::info, "depth image: %lld points smoothed over %.1f pixels in %.2f s, %lld left out",
+        static_cast<long long>(report.seen), report.radius, report.seconds, static_cast<long long>(report.left_out));
+    work.update(1.0);
     return image;
 }
 

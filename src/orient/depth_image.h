@@ -7,8 +7,8 @@
 #pragma once
 
 #include "base/operation.h"
-#include "base/runtime.h"
 #include "base/view.h"
+#include "base/work.h"
 #include "geometry/vec_array.h"
 
 #include <array>
@@ -47,8 +47,7 @@ struct DepthImage {
 };
 
 // Throws Error{invalid_argument, out_of_memory, cancelled}.
-[[nodiscard]] DepthImage smooth_depth_image(const base::Runtime& runtime, const DepthImageInput& input,
-                                            const base::Progress& progress);
+[[nodiscard]] DepthImage smooth_depth_image(const base::Work& work, const DepthImageInput& input);
 
 // ---- Its parts, for tests
 

@@ -60,7 +60,7 @@ struct Likeness {
 // In doubt the given normals alone tell.
 [[nodiscard]] bool are_inward(const Case& c, double alike, const base::Progress& progress) {
     if (!c.evidence.doubtful) return alike < 0.5;
-    return measure_sides(c.runtime, c.tree, c.near, c.given.normal, progress).outward() < 0;
+    return measure_sides({c.runtime, progress}, c.tree, c.near, c.given.normal).outward() < 0;
 }
 
 // Returns whether the given signs are those of a tossed coin: neighbours agree with the signs of least energy as often
@@ -145,12 +145,11 @@ glm::dvec3 given_normal(const base::InView& normals, std::int64_t point) noexcep
     return {normals.get(point, 0), normals.get(point, 1), normals.get(point, 2)};
 }
 
-GivenNormals read_given(const base::Runtime& runtime, const base::InView& normals, const Cloud& cloud, const Near& near,
-                        const base::Progress& progress) {
+GivenNormals read_given(const base::Work& work, const base::InView& normals, const Cloud& cloud, const Near& near) {
     HRBFNPR_ASSERT(normals.count == cloud.place.size());
-    GivenNormals given(runtime.memory);
+    GivenNormals given(work.memory);
     given.known.resize(cloud.size());
-    given.normal = plane_normals(runtime, *cloud.tree, near, 16, progress);
+    given.normal = plane_normals(work, *cloud.tree, near, 16);
     for (std::int64_t i = 0; i < normals.count; ++i) {
         const glm::dvec3 n = given_normal(normals, i);
         if (!std::isfinite(n.x + n.y + n.z))
@@ -166,20 +165,20 @@ GivenNormals read_given(const base::Runtime& runtime, const base::InView& normal
     return given;
 }
 
-Judgement judge(const base::Runtime& runtime, const Cloud& cloud, const Near& near, const GivenNormals& given,
-                const Evidence& evidence, NormalMode mode, const base::Progress& progress) {
+Judgement judge(const base::Work& work, const Cloud& cloud, const Near& near, const GivenNormals& given,
+                const Evidence& evidence, NormalMode mode) {
     HRBFNPR_ASSERT(evidence.least.size() == cloud.size() && given.normal.size() == cloud.size());
-    Judgement judgement(runtime.memory);
+    Judgement judgement(work.memory);
     if (given.known_count == 0) return judgement;
-    const Case c{runtime, *cloud.tree, near, given, evidence};
+    const Case c{work, *cloud.tree, near, given, evidence};
     const Likeness likeness = compare(c);
-    progress.check();
+    work.check();
     const double alike = likeness.same_sign;
     const bool looks = mode == NormalMode::automatic || mode == NormalMode::given;
     const bool strange = !evidence.doubtful && likeness.far > tuning.senseless;
     if (looks && (likeness.median < tuning.meaningful || strange)) return judgement;
 
-    judgement.signs = all_positive(runtime.memory, cloud.size());
+    judgement.signs = all_positive(work.memory, cloud.size());
     const auto turn_everything = [&] {
         std::fill(judgement.signs.begin(), judgement.signs.end(), std::int8_t{-1});
         judgement.found = NormalMode::inward;
@@ -198,7 +197,7 @@ Judgement judge(const base::Runtime& runtime, const Cloud& cloud, const Near& ne
         for (std::int64_t at = 0; at < cloud.size(); ++at)
             if (judgement.made_sign * c.cosine(at) < 0.0) judgement.signs[at] = -1;
     } else {
-        if (judgement.made_sign > 0.0 && are_inward(c, alike, progress)) turn_everything();
+        if (judgement.made_sign > 0.0 && are_inward(c, alike, work)) turn_everything();
         const bool may_differ = std::max(alike, 1.0 - alike) < tuning.all_alike || mode == NormalMode::mixed;
         if (may_differ)
             for (const std::int32_t at : patches_against(c, judgement.signs)) {

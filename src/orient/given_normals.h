@@ -21,8 +21,8 @@ struct GivenNormals {
 [[nodiscard]] glm::dvec3 given_normal(const base::InView& normals, std::int64_t point) noexcept;
 
 // Throws Error{invalid_argument} naming "normals" and the index of one that is not finite.
-[[nodiscard]] GivenNormals read_given(const base::Runtime& runtime, const base::InView& normals, const Cloud& cloud,
-                                      const Near& near, const base::Progress& progress);
+[[nodiscard]] GivenNormals read_given(const base::Work& work, const base::InView& normals, const Cloud& cloud,
+                                      const Near& near);
 
 // The evidence that given normals are judged by.
 struct Evidence {
@@ -41,8 +41,7 @@ struct Judgement {
     bool by_place = false;      // all normals of a place are turned to agree with its first
 };
 
-[[nodiscard]] Judgement judge(const base::Runtime& runtime, const Cloud& cloud, const Near& near,
-                              const GivenNormals& given, const Evidence& evidence, NormalMode mode,
-                              const base::Progress& progress);
+[[nodiscard]] Judgement judge(const base::Work& work, const Cloud& cloud, const Near& near, const GivenNormals& given,
+                              const Evidence& evidence, NormalMode mode);
 
 } // namespace hrbfnpr::orient

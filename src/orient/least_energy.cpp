@@ -30,16 +30,15 @@ using geometry::VecArray;
 // Limited-memory BFGS (Nocedal 1980) on a product of spheres, scaled by the energy's stiffness at each normal.
 class Descent {
 public:
-    Descent(const base::Runtime& runtime, fit::HermiteEnergy& energy, const base::Array<double>& stiffness,
-            VecArray& normal, const base::Progress& progress)
-        : runtime_(runtime), energy_(energy), stiffness_(stiffness), normal_(normal), progress_(progress),
-          size_(normal.size()), gradient_(runtime.memory, size_), next_(runtime.memory, size_),
-          next_gradient_(runtime.memory, size_), direction_(runtime.memory, size_),
-          part_(runtime.memory, (size_ + places_a_sum - 1) / places_a_sum) {
+    Descent(const base::Work& work, fit::HermiteEnergy& energy, const base::Array<double>& stiffness, VecArray& normal)
+        : runtime_(work), energy_(energy), stiffness_(stiffness), normal_(normal), progress_(work),
+          size_(normal.size()), gradient_(work.memory, size_), next_(work.memory, size_),
+          next_gradient_(work.memory, size_), direction_(work.memory, size_),
+          part_(work.memory, (size_ + places_a_sum - 1) / places_a_sum) {
         HRBFNPR_ASSERT(stiffness.size() == size_ && energy.size() == size_);
         for (int k = 0; k < most_pairs; ++k) {
-            step_.emplace_back(runtime.memory, size_);
-            change_.emplace_back(runtime.memory, size_);
+            step_.emplace_back(work.memory, size_);
+            change_.emplace_back(work.memory, size_);
         }
         value_ = evaluate(normal_, gradient_);
     }
@@ -76,7 +75,7 @@ private:
 
     template <class F>
     void for_all(F&& f) const {
-        for_places(runtime_, size_, progress_, f);
+        for_places(base::Work(runtime_, progress_), size_, f);
     }
 
     // Sums or maxima of chunks do not depend on the number of threads.
@@ -166,12 +165,12 @@ private:
 };
 
 // Turns the normals to the least energy near them, and returns it.
-double descend(const base::Runtime& runtime, fit::HermiteEnergy& energy, const base::Array<double>& stiffness,
-               VecArray& normal, const base::Progress& progress) {
-    Descent descent(runtime, energy, stiffness, normal, progress);
+double descend(const base::Work& work, fit::HermiteEnergy& energy, const base::Array<double>& stiffness,
+               VecArray& normal) {
+    Descent descent(work, energy, stiffness, normal);
     double before = descent.value();
     for (int step = 1; step <= tuning.most_steps; ++step) {
-        progress.check();
+        work.check();
         if (!descent.step()) break;
         if (step % tuning.looked_back != 0) continue;
         if (before - descent.value() < tuning.enough_gain * before) break;
@@ -223,13 +222,11 @@ private:
 
 // Turns directions so that neighbours agree, along the minimum spanning forest of the pairs whose directions are most
 // alike (Hoppe and others, "Surface reconstruction from unorganized points", 1992).
-void spread_signs(const base::Runtime& runtime, const Near& near, std::int64_t neighbours, VecArray& normal,
-                  const base::Progress& progress) {
-    constexpr std::int64_t edges_a_look = 16384;
+void spread_signs(const base::Work& work, const Near& near, std::int64_t neighbours, VecArray& normal) {
     const std::int64_t each = std::min(neighbours, near.each());
-    base::Array<Edge> edges(runtime.memory);
+    base::Array<Edge> edges(work.memory);
     edges.resize_for_overwrite(normal.size() * each);
-    for_places(runtime, normal.size(), progress, [&](std::int64_t at) {
+    for_places(work, normal.size(), [&](std::int64_t at) {
         Edge* edge = edges.data() + at * each;
         for (const std::int32_t other : near.of(at, each)) {
             const double cosine = glm::dot(normal[at], normal[other]);
@@ -244,10 +241,9 @@ void spread_signs(const base::Runtime& runtime, const Near& near, std::int64_t n
         [](const Edge& x, const Edge& y) {
             return std::tie(x.doubt, x.a, x.b, x.turned) < std::tie(y.doubt, y.a, y.b, y.turned);
         },
-        progress);
-    SignedSets sets(runtime.memory, normal.size());
-    for (std::int64_t k = 0; k < edges.size(); ++k) {
-        if (k % edges_a_look == 0) progress.check();
+        work);
+    SignedSets sets(work.memory, normal.size());
+    for (const std::int64_t k : work.over(edges.size())) {
         sets.join(edges[k]);
     }
     for (std::int64_t at = 0; at < normal.size(); ++at)
@@ -264,13 +260,13 @@ void spread_signs(const base::Runtime& runtime, const Near& near, std::int64_t n
 
 // Planes through the nearest of the first places in the farthest-first order, of which there are a share: neighbours on
 // all sides even where places stand along lines.
-[[nodiscard]] VecArray coarse_normals(const base::Runtime& runtime, const Places& places, std::int64_t share,
-                                      std::int64_t count, const base::Progress& progress) {
+[[nodiscard]] VecArray coarse_normals(const base::Work& work, const Places& places, std::int64_t share,
+                                      std::int64_t count) {
     const geometry::PointTree& tree = *places.tree;
     const std::int64_t first = std::max<std::int64_t>(tree.size() / share, std::min<std::int64_t>(tree.size(), 12));
     const base::Array<std::int64_t> least = tree.smallest_of_nodes([&](std::int64_t at) { return places.rank[at]; });
-    VecArray normal(runtime.memory, tree.size());
-    for_places(runtime, tree.size(), progress, [&](std::int64_t at) {
+    VecArray normal(work.memory, tree.size());
+    for_places(work, tree.size(), [&](std::int64_t at) {
         std::array<std::int64_t, 64> found;
         const glm::dvec3 p = tree.points()[at];
         const std::int64_t there = tree.nearest(
@@ -326,31 +322,30 @@ double agreement(const std::vector<Result>& results, const Result& chosen, const
 
 } // namespace
 
-LeastEnergy least_energy(const base::Runtime& runtime, const Places& places, const Near& near, double ridge,
-                         const VecArray* given, const Effort& effort, const base::Progress& progress) {
+LeastEnergy least_energy(const base::Work& work, const Places& places, const Near& near, double ridge,
+                         const VecArray* given, const Effort& effort) {
     HRBFNPR_ASSERT(given == nullptr || given->size() == places.size());
     HRBFNPR_ASSERT(places.rank.size() == places.size() && ridge >= 0.0 && effort.starts >= 0);
     const std::int64_t size = places.size();
-    const base::Progress standing = progress.standing();
+    const base::Work standing = work.standing();
     // More neighbours of few places cost little.
     const auto neighbours = static_cast<std::int32_t>(
         std::min<std::int64_t>(size < tuning.few_places ? tuning.neighbours_of_few : tuning.neighbours, size - 1));
-    fit::HermiteEnergy energy(runtime, *places.tree, places.rank, {ridge, neighbours}, progress.part(0.0, 0.1));
-    const base::Array<double> stiffness = energy.stiffness(progress);
+    fit::HermiteEnergy energy(work.part(0.0, 0.1), *places.tree, places.rank, {ridge, neighbours});
+    const base::Array<double> stiffness = energy.stiffness(work);
     std::vector<Result> results;
     const auto settle = [&](VecArray normal, bool keep_signs) {
-        if (!keep_signs) find_signs(runtime, places, near, energy, normal, standing);
-        const double reached = descend(runtime, energy, stiffness, normal, standing);
+        if (!keep_signs) find_signs(standing, places, near, energy, normal);
+        const double reached = descend(standing, energy, stiffness, normal);
         results.push_back({std::move(normal), reached});
     };
-    const auto planes = [&](std::int64_t count) { return plane_normals(runtime, *places.tree, near, count, progress); };
-    const std::array<std::function<VecArray()>, 6> starts{
-        [&] { return planes(8); },
-        [&] { return planes(16); },
-        [&] { return coarse_normals(runtime, places, 4, 8, progress); },
-        [&] { return planes(32); },
-        [&] { return coarse_normals(runtime, places, 16, 8, progress); },
-        [&] { return radial_normals(*places.tree); }};
+    const auto planes = [&](std::int64_t count) { return plane_normals(work, *places.tree, near, count); };
+    const std::array<std::function<VecArray()>, 6> starts{[&] { return planes(8); },
+                                                          [&] { return planes(16); },
+                                                          [&] { return coarse_normals(work, places, 4, 8); },
+                                                          [&] { return planes(32); },
+                                                          [&] { return coarse_normals(work, places, 16, 8); },
+                                                          [&] { return radial_normals(*places.tree); }};
     if (given != nullptr) {
         settle(copy(*given), true);
         settle(copy(*given), false);
@@ -359,7 +354,7 @@ LeastEnergy least_energy(const base::Runtime& runtime, const Places& places, con
     if (effort.tree) {
         constexpr std::int64_t of_tree = 16;
         VecArray normal = planes(of_tree);
-        spread_signs(runtime, near, of_tree, normal, progress);
+        spread_signs(work, near, of_tree, normal);
         settle(std::move(normal), true);
     }
     const auto best = [&] {
@@ -367,7 +362,7 @@ LeastEnergy least_energy(const base::Runtime& runtime, const Places& places, con
                                 [](const Result& a, const Result& b) { return a.energy < b.energy; });
     };
     for (std::size_t k = 0; k < starts.size() && static_cast<int>(k) < effort.starts; ++k) {
-        progress.update(0.1 + 0.9 * static_cast<double>(k) / static_cast<double>(starts.size()));
+        work.update(0.1 + 0.9 * static_cast<double>(k) / static_cast<double>(starts.size()));
         settle(starts[k](), false);
         if (effort.all || results.size() < 2) continue;
         const Result& last = results.back();
@@ -377,11 +372,11 @@ LeastEnergy least_energy(const base::Runtime& runtime, const Places& places, con
         if (found && best()->energy > (1.0 - tuning.same_energy) * last.energy) break;
     }
     const auto chosen = best();
-    LeastEnergy result(runtime.memory);
+    LeastEnergy result(work.memory);
     result.agreement = agreement(results, *chosen, effort.begin, result.rival);
     result.energy = std::max(chosen->energy, 0.0) / (4.0 * static_cast<double>(size) - 4.0);
     result.normal = std::move(chosen->normal);
-    progress.update(1.0);
+    work.update(1.0);
     return result;
 }
 

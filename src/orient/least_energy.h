@@ -39,8 +39,7 @@ struct LeastEnergy {
 };
 
 // ridge: that of fit::HermiteEnergy. given: normals to begin with, with their signs, or null.
-[[nodiscard]] LeastEnergy least_energy(const base::Runtime& runtime, const Places& places, const Near& near,
-                                       double ridge, const geometry::VecArray* given, const Effort& effort,
-                                       const base::Progress& progress);
+[[nodiscard]] LeastEnergy least_energy(const base::Work& work, const Places& places, const Near& near, double ridge,
+                                       const geometry::VecArray* given, const Effort& effort);
 
 } // namespace hrbfnpr::orient

@@ -24,10 +24,9 @@ using geometry::VecArray;
 
 // A cloud, and the normals that are to be refined.
 struct Refined {
-    const base::Runtime& runtime;
+    const base::Work& work;
     const geometry::PointTree& tree;
     const VecArray& normal;
-    const base::Progress& progress;
     double spacing;
     base::Array<double> part; // of each place, of a sum
 };
@@ -44,8 +43,8 @@ struct Refined {
 
 // Returns means of the places around each place whose normals point the same way.
 [[nodiscard]] VecArray mean_places(const Refined& r, const Near& near) {
-    VecArray mean(r.runtime.memory, r.tree.size());
-    for_places(r.runtime, r.tree.size(), r.progress, [&](std::int64_t at) {
+    VecArray mean(r.work.memory, r.tree.size());
+    for_places(r.work, r.tree.size(), [&](std::int64_t at) {
         glm::dvec3 sum = r.tree.points()[at];
         double all = 1.0;
         for (const std::int32_t other : near.of(at, tuning.mean_place_neighbours)) {
@@ -64,7 +63,7 @@ struct Refined {
 // Returns the sum of squares of twice the sines between chords and planes, for pairs of places of one face.
 [[nodiscard]] double misfit(Refined& r, const VecArray& place, const VecArray& normal) {
     const double from = tuning.chords_from * r.spacing;
-    for_places(r.runtime, r.tree.size(), r.progress, [&](std::int64_t at) {
+    for_places(r.work, r.tree.size(), [&](std::int64_t at) {
         double sum = 0.0;
         r.tree.within(r.tree.points()[at], tuning.chords_to * r.spacing, [&](std::int64_t other, double square) {
             if (!(square > from * from) || !(glm::dot(r.normal[at], r.normal[other]) > tuning.same_face)) return;
@@ -101,11 +100,11 @@ struct Refined {
 // ---- Means of points
 
 // Returns the mean that is nearest to each place, the means standing at `centre` in their own unit.
-[[nodiscard]] base::Array<std::int64_t> nearest_means(const base::Runtime& runtime, const Cloud& cloud,
+[[nodiscard]] base::Array<std::int64_t> nearest_means(const base::Work& work, const Cloud& cloud,
                                                       const geometry::PointTree& means, const glm::dvec3& centre,
-                                                      double spacing, const base::Progress& progress) {
-    base::Array<std::int64_t> nearest(runtime.memory, cloud.size());
-    for_places(runtime, cloud.size(), progress, [&](std::int64_t at) {
+                                                      double spacing) {
+    base::Array<std::int64_t> nearest(work.memory, cloud.size());
+    for_places(work, cloud.size(), [&](std::int64_t at) {
         means.nearest((cloud.point(at) - centre) / spacing, 1, any_place, any_place, &nearest[at]);
     });
     return nearest;
@@ -153,11 +152,11 @@ void add_moved(const Moments& moments, const glm::dvec3& origin, double weight, 
 
 } // namespace
 
-VecArray smooth_directions(const base::Runtime& runtime, const geometry::PointTree& tree, const Near& near,
-                           const VecArray& normal, double deviation, const base::Progress& progress) {
+VecArray smooth_directions(const base::Work& work, const geometry::PointTree& tree, const Near& near,
+                           const VecArray& normal, double deviation) {
     HRBFNPR_ASSERT(normal.size() == tree.size() && deviation > 0.0);
-    VecArray smooth(runtime.memory, tree.size());
-    for_places(runtime, tree.size(), progress, [&](std::int64_t at) {
+    VecArray smooth(work.memory, tree.size());
+    for_places(work, tree.size(), [&](std::int64_t at) {
         const glm::dvec3 own = normal[at];
         glm::dvec3 sum = own;
         for (const std::int32_t other : near.of(at)) {
@@ -171,18 +170,16 @@ VecArray smooth_directions(const base::Runtime& runtime, const geometry::PointTr
     return smooth;
 }
 
-void refine_noisy(const base::Runtime& runtime, const geometry::PointTree& tree, VecArray& normal,
-                  const base::Progress& progress) {
+void refine_noisy(const base::Work& work, const geometry::PointTree& tree, VecArray& normal) {
     HRBFNPR_ASSERT(normal.size() == tree.size() && tree.size() > 6);
-    const Near near(runtime, tree, tuning.mean_direction_neighbours, progress);
-    Refined r{
-        runtime, tree, normal, progress, median_spacing(tree, near), base::Array<double>(runtime.memory, tree.size())};
+    const Near near(work, tree, tuning.mean_direction_neighbours);
+    Refined r{work, tree, normal, median_spacing(tree, near), base::Array<double>(work.memory, tree.size())};
     const VecArray place = mean_places(r, near);
-    VecArray best(runtime.memory);
+    VecArray best(work.memory);
     double best_over = 0.0;
     double least = tuning.plainly_better * misfit(r, place, normal);
     for (double over = tuning.least_mean_over; over <= tuning.most_mean_over; over += tuning.mean_over_step) {
-        VecArray means = smooth_directions(runtime, tree, near, normal, over * r.spacing / std::sqrt(2.0), progress);
+        VecArray means = smooth_directions(work, tree, near, normal, over * r.spacing / std::sqrt(2.0));
         const double now = misfit(r, place, means);
         if (!(now < least)) continue;
         least = now;
@@ -190,44 +187,41 @@ void refine_noisy(const base::Runtime& runtime, const geometry::PointTree& tree,
         best_over = over;
     }
     if (best.empty()) return;
-    runtime.log(base::LogLevel::debug, "orient: directions are means over %.1f spacings", best_over);
+    work.runtime().log(base::LogLevel::debug, "orient: directions are means over %.1f spacings", best_over);
     for (int round = 0; best_over >= tuning.smooth_enough && round < tuning.face_rounds; ++round) {
-        for_places(runtime, tree.size(), progress,
+        for_places(work, tree.size(),
                    [&](std::int64_t at) { r.part[at] = is_of_other_face(r, best, at) ? -1.0 : 1.0; });
         for (std::int64_t at = 0; at < tree.size(); ++at) best.set(at, r.part[at] * best[at]);
     }
     normal = std::move(best);
 }
 
-Cloud means_of(const base::Runtime& runtime, const Cloud& cloud, std::int64_t count, const base::Progress& progress) {
+Cloud means_of(const base::Work& work, const Cloud& cloud, std::int64_t count) {
     HRBFNPR_ASSERT(count > 0 && count <= cloud.size());
-    VecArray first(runtime.memory, count);
+    VecArray first(work.memory, count);
     for (std::int64_t at = 0; at < cloud.size(); ++at)
         if (cloud.rank[at] < count) first.set(cloud.rank[at], cloud.point(at));
-    const geometry::PointTree centres(first, progress);
-    const base::Array<std::int64_t> nearest = nearest_means(runtime, cloud, centres, glm::dvec3(0.0), 1.0, progress);
-    base::Array<Moments> sum(runtime.memory, count);
+    const geometry::PointTree centres(first, work);
+    const base::Array<std::int64_t> nearest = nearest_means(work, cloud, centres, glm::dvec3(0.0), 1.0);
+    base::Array<Moments> sum(work.memory, count);
     for (std::int64_t at = 0; at < cloud.size(); ++at) {
         sum[nearest[at]].sum += cloud.point(at);
         sum[nearest[at]].count += 1.0;
     }
-    base::Array<double> packed(runtime.memory, 3 * count);
+    base::Array<double> packed(work.memory, 3 * count);
     for (std::int64_t k = 0; k < count; ++k)
         for (glm::length_t c = 0; c < 3; ++c) packed[3 * k + c] = sum[k].sum[c] / sum[k].count;
-    return read_cloud(runtime, {reinterpret_cast<const std::byte*>(packed.data()), count, 24, base::Scalar::float64, 3},
-                      progress);
+    return read_cloud(work, {reinterpret_cast<const std::byte*>(packed.data()), count, 24, base::Scalar::float64, 3});
 }
 
-VecArray normals_by_means(const base::Runtime& runtime, const Cloud& cloud, const Cloud& means, const VecArray& normal,
-                          const base::Progress& progress) {
+VecArray normals_by_means(const base::Work& work, const Cloud& cloud, const Cloud& means, const VecArray& normal) {
     HRBFNPR_ASSERT(normal.size() == means.size() && means.spacing > 0.0);
-    const base::Array<std::int64_t> nearest =
-        nearest_means(runtime, cloud, *means.tree, means.centre, means.spacing, progress);
+    const base::Array<std::int64_t> nearest = nearest_means(work, cloud, *means.tree, means.centre, means.spacing);
     const auto place = [&](std::int64_t at) { return (cloud.point(at) - means.centre) / means.spacing; };
-    base::Array<Moments> moments(runtime.memory, means.size()); // of each mean's points about it, in its unit
+    base::Array<Moments> moments(work.memory, means.size()); // of each mean's points about it, in its unit
     for (std::int64_t at = 0; at < cloud.size(); ++at) moments[nearest[at]].add(place(at) - means.point(nearest[at]));
-    VecArray result(runtime.memory, cloud.size());
-    for_places(runtime, cloud.size(), progress,
+    VecArray result(work.memory, cloud.size());
+    for_places(work, cloud.size(),
                [&](std::int64_t at) { result.set(at, normal_by_means(means, moments, normal, place(at))); });
     return result;
 }

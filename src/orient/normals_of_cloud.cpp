@@ -37,34 +37,33 @@ struct Noise {
 };
 
 // Returns places that follow each other in the tree's order, which lie together.
-[[nodiscard]] Places patch_at(const base::Runtime& runtime, const Cloud& cloud, std::int64_t begin, std::int64_t end,
-                              const base::Progress& progress) {
-    VecArray position(runtime.memory);
+[[nodiscard]] Places patch_at(const base::Work& work, const Cloud& cloud, std::int64_t begin, std::int64_t end) {
+    VecArray position(work.memory);
     for (std::int64_t at = begin; at < end; ++at) position.push_back(cloud.point(at));
-    Places patch(runtime.memory);
-    patch.tree = std::make_unique<geometry::PointTree>(position, progress);
+    Places patch(work.memory);
+    patch.tree = std::make_unique<geometry::PointTree>(position, work);
     const geometry::FarthestOrder order = geometry::farthest_order(patch.tree->points(), 0, base::Progress());
     patch.rank.resize(patch.size());
     for (std::int64_t k = 0; k < patch.size(); ++k) patch.rank[order.order[k]] = k;
     return patch;
 }
 
-[[nodiscard]] Noise noise_of(const base::Runtime& runtime, const Places& places, const base::Progress& progress) {
-    const Near near(runtime, *places.tree, tuning.most_neighbours, progress);
+[[nodiscard]] Noise noise_of(const base::Work& work, const Places& places) {
+    const Near near(work, *places.tree, tuning.most_neighbours);
     const auto fit = [&](double ridge, const Effort& effort) {
-        return least_energy(runtime, places, near, ridge, nullptr, effort, progress.standing());
+        return least_energy(work.standing(), places, near, ridge, nullptr, effort);
     };
     LeastEnergy clean = fit(0.0, {2, true, true});
     if (clean.energy < tuning.clean_below) return {};
     if (places.size() < tuning.few_to_measure) clean = fit(0.0, {6, true, true});
     const bool clear = clean.rival > tuning.noisy_rival;
     if (clean.energy < tuning.clean_below || (clean.energy > tuning.no_order_above && clear)) return {};
-    LeastEnergy fitted(runtime.memory);
+    LeastEnergy fitted(work.memory);
     Noise noise;
     noise.ridge = tuning.first_ridge;
     for (int k = 1; k < tuning.most_ridges; ++k, noise.ridge *= ridge_factor) {
         fitted = fit(noise.ridge, {1, true, false});
-        runtime.log(base::LogLevel::debug, "orient: ridge %.0f: energy %.4f", noise.ridge, fitted.energy);
+        work.runtime().log(base::LogLevel::debug, "orient: ridge %.0f: energy %.4f", noise.ridge, fitted.energy);
         if (fitted.energy < tuning.settled_below) break;
     }
     // Few points of thin tubes, whose signs were clear, are lost by a ridge.
@@ -73,15 +72,14 @@ struct Noise {
     return noise;
 }
 
-[[nodiscard]] Noise measure_noise(const base::Runtime& runtime, const Cloud& cloud, const base::Progress& progress) {
+[[nodiscard]] Noise measure_noise(const base::Work& work, const Cloud& cloud) {
     if (cloud.size() < tuning.fewest_to_measure) return {};
-    if (cloud.size() <= 2 * tuning.patch_size) return noise_of(runtime, cloud, progress);
+    if (cloud.size() <= 2 * tuning.patch_size) return noise_of(work, cloud);
     constexpr int patches = 3;
     std::array<Noise, patches> found;
     for (int k = 0; k < patches; ++k) {
         const std::int64_t begin = (2 * k + 1) * (cloud.size() - tuning.patch_size) / (2 * patches);
-        found[static_cast<std::size_t>(k)] =
-            noise_of(runtime, patch_at(runtime, cloud, begin, begin + tuning.patch_size, progress), progress);
+        found[static_cast<std::size_t>(k)] = noise_of(work, patch_at(work, cloud, begin, begin + tuning.patch_size));
     }
     std::sort(found.begin(), found.end(), [](const Noise& a, const Noise& b) { return a.deviation < b.deviation; });
     return found[patches / 2];
@@ -110,28 +108,28 @@ struct Noise {
     return {count <= tuning.many_points ? 3 : 1, false, count <= tuning.many_points};
 }
 
-void fit_even(const base::Runtime& runtime, const Cloud& cloud, const Near& near, const Noise& noise,
-              const VecArray* given, CloudNormals& result, const base::Progress& progress) {
+void fit_even(const base::Work& work, const Cloud& cloud, const Near& near, const Noise& noise, const VecArray* given,
+              CloudNormals& result) {
     const auto fit = [&](double ridge, const VecArray* begin, const Effort& effort, const base::Progress& part) {
-        return least_energy(runtime, cloud, near, ridge, begin, effort, part);
+        return least_energy({work, part}, cloud, near, ridge, begin, effort);
     };
-    result.fitted = fit(noise.ridge, given, effort_for(cloud.size()), progress);
+    result.fitted = fit(noise.ridge, given, effort_for(cloud.size()), work);
     result.confidence =
         confidence_of(std::clamp(result.fitted.agreement, 0.0, 1.0), result.fitted.energy, noise.deviation);
     if (noise.ridge == 0.0 || cloud.size() > tuning.few_points) return;
     // With less of a ridge the signs should be the same: they are not where walls are as thin as the noise.
-    const LeastEnergy other = fit(tuning.softer * noise.ridge, nullptr, {1, false, false}, progress.standing());
+    const LeastEnergy other = fit(tuning.softer * noise.ridge, nullptr, {1, false, false}, work.standing());
     result.confidence *= std::max(0.0, 2.0 * share_alike(result.fitted.normal, other.normal) - 1.0);
 }
 
-void fit_noisy(const base::Runtime& runtime, const Cloud& cloud, const Near& near, const Noise& noise,
-               const VecArray* given, CloudNormals& result, const base::Progress& progress) {
-    RidgeFit found = follow_ridges(runtime, cloud, near, noise.ridge, given, {3, false, true}, progress);
+void fit_noisy(const base::Work& work, const Cloud& cloud, const Near& near, const Noise& noise, const VecArray* given,
+               CloudNormals& result) {
+    RidgeFit found = follow_ridges(work, cloud, near, noise.ridge, given, {3, false, true});
     result.confidence = confidence_of(found, noise.deviation);
-    runtime.log(base::LogLevel::debug, "orient: energy %.4f, agreement %.3f, steadiness %.3f, noise %.3f, ridge %.0f",
-                found.roughest, found.fitted.agreement, found.steadiness, noise.deviation, noise.ridge);
-    found.fitted.normal =
-        smooth_directions(runtime, *cloud.tree, near, found.fitted.normal, tuning.smoothed_over, progress);
+    work.runtime().log(base::LogLevel::debug,
+                       "orient: energy %.4f, agreement %.3f, steadiness %.3f, noise %.3f, ridge %.0f", found.roughest,
+                       found.fitted.agreement, found.steadiness, noise.deviation, noise.ridge);
+    found.fitted.normal = smooth_directions(work, *cloud.tree, near, found.fitted.normal, tuning.smoothed_over);
     result.fitted = std::move(found.fitted);
 }
 
@@ -139,11 +137,11 @@ void fit_noisy(const base::Runtime& runtime, const Cloud& cloud, const Near& nea
 
 // Returns the normals at the points of a finer tree: those of the three nearest first places, by the inverse squares of
 // their distances.
-[[nodiscard]] VecArray blend(const base::Runtime& runtime, const FirstPlaces& first, const VecArray& normal,
-                             const geometry::PointTree& finer, const base::Progress& progress) {
+[[nodiscard]] VecArray blend(const base::Work& work, const FirstPlaces& first, const VecArray& normal,
+                             const geometry::PointTree& finer) {
     constexpr std::size_t blended = 3;
-    VecArray all(runtime.memory, finer.size());
-    for_places(runtime, finer.size(), progress, [&](std::int64_t at) {
+    VecArray all(work.memory, finer.size());
+    for_places(work, finer.size(), [&](std::int64_t at) {
         std::array<std::int64_t, blended> found;
         const glm::dvec3 p = finer.points()[at];
         const auto any = [](std::int64_t /*place*/) { return true; };
@@ -162,23 +160,22 @@ void fit_noisy(const base::Runtime& runtime, const Cloud& cloud, const Near& nea
 // Returns the normals of least energy of the first places that stand all over the surface, then of twice as many, each
 // time begun from those before: one for each. The energy of points without noise falls; interpolated noise has the more
 // the nearer points are to each other.
-[[nodiscard]] std::vector<Begin> begin_from_coarser(const base::Runtime& runtime, const Cloud& cloud,
-                                                    const base::Progress& progress) {
+[[nodiscard]] std::vector<Begin> begin_from_coarser(const base::Work& work, const Cloud& cloud) {
     std::vector<Begin> levels;
     const std::int64_t most = std::min(cloud.size(), tuning.few_points);
     for (std::int64_t count = cloud.all_over; 3 * count < 2 * most; count *= 2) {
-        const FirstPlaces level(runtime, cloud, count, progress);
-        Begin begin(runtime.memory);
+        const FirstPlaces level(work, cloud, count);
+        Begin begin(work.memory);
         Effort effort{6, true, true};
         if (!levels.empty()) {
             begin.normal = level.pick(levels.back().normal);
             begin.agreement = levels.back().agreement;
             effort = {2, false, false, &begin};
         }
-        const Near near(runtime, *level.tree, tuning.most_neighbours, progress);
-        const LeastEnergy found = least_energy(runtime, level, near, 0.0, nullptr, effort, progress.standing());
-        Begin& reached = levels.emplace_back(runtime.memory);
-        reached.normal = blend(runtime, level, found.normal, *cloud.tree, progress);
+        const Near near(work, *level.tree, tuning.most_neighbours);
+        const LeastEnergy found = least_energy(work.standing(), level, near, 0.0, nullptr, effort);
+        Begin& reached = levels.emplace_back(work.memory);
+        reached.normal = blend(work, level, found.normal, *cloud.tree);
         reached.energy = found.energy;
         reached.apart = cloud.apart[count / 2];
         reached.agreement = found.agreement;
@@ -202,14 +199,14 @@ void fit_noisy(const base::Runtime& runtime, const Cloud& cloud, const Near& nea
 }
 
 // The coarser clouds are enough for many points.
-void fit_curves(const base::Runtime& runtime, const Cloud& cloud, const Near& near, const VecArray* given,
-                CloudNormals& result, const base::Progress& progress) {
-    std::vector<Begin> coarser = begin_from_coarser(runtime, cloud, progress.part(0.0, 0.5));
+void fit_curves(const base::Work& work, const Cloud& cloud, const Near& near, const VecArray* given,
+                CloudNormals& result) {
+    std::vector<Begin> coarser = begin_from_coarser(work.part(0.0, 0.5), cloud);
     double energy = std::numeric_limits<double>::infinity();
     if (cloud.size() <= tuning.few_points) {
         Effort effort = effort_for(cloud.size());
         effort.begin = &coarser.back();
-        result.fitted = least_energy(runtime, cloud, near, 0.0, given, effort, progress.part(0.5, 1.0));
+        result.fitted = least_energy(work.part(0.5, 1.0), cloud, near, 0.0, given, effort);
         result.confidence = confidence_of(std::clamp(result.fitted.agreement, 0.0, 1.0), result.fitted.energy, 0.0);
         energy = result.fitted.energy * cloud.apart[cloud.size() / 2];
     }
@@ -221,20 +218,19 @@ void fit_curves(const base::Runtime& runtime, const Cloud& cloud, const Near& ne
     result.confidence = level->agreement * level->agreement;
 }
 
-void fit(const base::Runtime& runtime, const Cloud& cloud, const Near& near, const Noise& noise, const VecArray* given,
-         CloudNormals& result, const base::Progress& progress) {
+void fit(const base::Work& work, const Cloud& cloud, const Near& near, const Noise& noise, const VecArray* given,
+         CloudNormals& result) {
     if (cloud.is_of_curves())
-        fit_curves(runtime, cloud, near, given, result, progress);
+        fit_curves(work, cloud, near, given, result);
     else if (noise.ridge > 0.0 && cloud.size() <= tuning.few_for_path)
-        fit_noisy(runtime, cloud, near, noise, given, result, progress);
+        fit_noisy(work, cloud, near, noise, given, result);
     else
-        fit_even(runtime, cloud, near, noise, given, result, progress);
+        fit_even(work, cloud, near, noise, given, result);
 }
 
 // Returns means of the cloud's points, in its coordinates, that are far enough apart for their noise, which is written.
-[[nodiscard]] Cloud reduced(const base::Runtime& runtime, const Cloud& cloud, Noise& noise,
-                            const base::Progress& progress) {
-    Cloud means(runtime.memory);
+[[nodiscard]] Cloud reduced(const base::Work& work, const Cloud& cloud, Noise& noise) {
+    Cloud means(work.memory);
     const Cloud* last = &cloud;
     for (int k = 0; k < tuning.most_reductions && noise.deviation > tuning.noisiest && last->size() > tuning.few_points;
          ++k) {
@@ -244,66 +240,65 @@ void fit(const base::Runtime& runtime, const Cloud& cloud, const Near& near, con
             last->apart.begin();
         const glm::dvec3 centre = k == 0 ? glm::dvec3(0.0) : last->centre;
         const double spacing = k == 0 ? 1.0 : last->spacing;
-        means = means_of(runtime, *last, std::max(tuning.fewest_means, count), progress);
+        means = means_of(work, *last, std::max(tuning.fewest_means, count));
         means.centre = centre + spacing * means.centre;
         means.spacing *= spacing;
         last = &means;
-        noise = measure_noise(runtime, means, progress);
-        runtime.log(base::LogLevel::debug, "orient: %lld means have a noise of %.2f spacings",
-                    static_cast<long long>(means.size()), noise.deviation);
+        noise = measure_noise(work, means);
+        work.runtime().log(base::LogLevel::debug, "orient: %lld means have a noise of %.2f spacings",
+                           static_cast<long long>(means.size()), noise.deviation);
     }
     return means;
 }
 
 } // namespace
 
-RidgeFit follow_ridges(const base::Runtime& runtime, const Cloud& cloud, const Near& near, double most,
-                       const VecArray* given, const Effort& effort, const base::Progress& progress) {
+RidgeFit follow_ridges(const base::Work& work, const Cloud& cloud, const Near& near, double most, const VecArray* given,
+                       const Effort& effort) {
     HRBFNPR_ASSERT(most > 0.0);
     double ridge = 1.0;
-    RidgeFit best{least_energy(runtime, cloud, near, ridge, given, effort, progress.standing())};
+    RidgeFit best{least_energy(work.standing(), cloud, near, ridge, given, effort)};
     best.roughest = best.fitted.energy;
     const auto next_fit = [&](const LeastEnergy& last) {
-        progress.update(std::log(ridge) / std::log(ridge_factor * most));
+        work.update(std::log(ridge) / std::log(ridge_factor * most));
         ridge *= ridge_factor;
-        return least_energy(runtime, cloud, near, ridge, &last.normal, {2, false, false}, progress.standing());
+        return least_energy(work.standing(), cloud, near, ridge, &last.normal, {2, false, false});
     };
     const auto ends = [&](const LeastEnergy& last) {
         return last.energy < tuning.path_settled || ridge * ridge_factor > 1.01 * most;
     };
     while (best.fitted.energy > tuning.trusted_below && !ends(best.fitted)) best.fitted = next_fit(best.fitted);
-    LeastEnergy last(runtime.memory);
+    LeastEnergy last(work.memory);
     for (const LeastEnergy* before = &best.fitted; !ends(*before); before = &last) {
         last = next_fit(*before);
         const double alike = share_alike(last.normal, best.fitted.normal);
         best.steadiness = std::min(best.steadiness, alike);
-        runtime.log(base::LogLevel::debug, "orient: ridge %.0f: energy %.4f, signs alike %.3f", ridge, last.energy,
-                    alike);
+        work.runtime().log(base::LogLevel::debug, "orient: ridge %.0f: energy %.4f, signs alike %.3f", ridge,
+                           last.energy, alike);
         if (alike < tuning.path_same_signs) return best;
     }
     if (!last.normal.empty()) best.fitted = std::move(last);
-    progress.update(1.0);
+    work.update(1.0);
     return best;
 }
 
-CloudNormals normals_of_cloud(const base::Runtime& runtime, const Cloud& cloud, const Near& near, const VecArray* given,
-                              const base::Progress& progress) {
+CloudNormals normals_of_cloud(const base::Work& work, const Cloud& cloud, const Near& near, const VecArray* given) {
     HRBFNPR_ASSERT(given == nullptr || given->size() == cloud.size());
-    CloudNormals result(runtime.memory);
-    Noise noise = measure_noise(runtime, cloud, progress.part(0.0, 0.1));
-    progress.update(0.1);
+    CloudNormals result(work.memory);
+    Noise noise = measure_noise(work.part(0.0, 0.1), cloud);
+    work.update(0.1);
     result.noise = noise.deviation;
     if (noise.deviation > tuning.noisiest && cloud.size() > tuning.few_points && !cloud.is_of_curves()) {
-        const Cloud means = reduced(runtime, cloud, noise, progress.part(0.1, 0.2));
-        const Near near_means(runtime, *means.tree, tuning.most_neighbours, progress);
-        fit(runtime, means, near_means, noise, nullptr, result, progress.part(0.2, 0.95));
-        result.fitted.normal = normals_by_means(runtime, cloud, means, result.fitted.normal, progress.part(0.95, 1.0));
+        const Cloud means = reduced(work.part(0.1, 0.2), cloud, noise);
+        const Near near_means(work, *means.tree, tuning.most_neighbours);
+        fit(work.part(0.2, 0.95), means, near_means, noise, nullptr, result);
+        result.fitted.normal = normals_by_means(work.part(0.95, 1.0), cloud, means, result.fitted.normal);
     } else {
-        fit(runtime, cloud, near, noise, given, result, progress.part(0.1, 0.95));
+        fit(work.part(0.1, 0.95), cloud, near, noise, given, result);
         if (noise.ridge > 0.0 && cloud.size() >= tuning.fewest_to_refine && cloud.size() <= tuning.few_points)
-            refine_noisy(runtime, *cloud.tree, result.fitted.normal, progress.part(0.95, 1.0));
+            refine_noisy(work.part(0.95, 1.0), *cloud.tree, result.fitted.normal);
     }
-    progress.update(1.0);
+    work.update(1.0);
     return result;
 }
 

@@ -15,8 +15,8 @@ struct CloudNormals {
 };
 
 // given: normals to begin with, with their signs, or null.
-[[nodiscard]] CloudNormals normals_of_cloud(const base::Runtime& runtime, const Cloud& cloud, const Near& near,
-                                            const geometry::VecArray* given, const base::Progress& progress);
+[[nodiscard]] CloudNormals normals_of_cloud(const base::Work& work, const Cloud& cloud, const Near& near,
+                                            const geometry::VecArray* given);
 
 // ---- Its parts, for tests
 
@@ -28,8 +28,7 @@ struct RidgeFit {
 
 // Fits a noisy cloud from a ridge that only begins to see the noise up to the one it calls for, `most`, while the signs
 // stay: a ridge that is too high makes one sheet of two, and merges tips.
-[[nodiscard]] RidgeFit follow_ridges(const base::Runtime& runtime, const Cloud& cloud, const Near& near, double most,
-                                     const geometry::VecArray* given, const Effort& effort,
-                                     const base::Progress& progress);
+[[nodiscard]] RidgeFit follow_ridges(const base::Work& work, const Cloud& cloud, const Near& near, double most,
+                                     const geometry::VecArray* given, const Effort& effort);
 
 } // namespace hrbfnpr::orient

@@ -66,19 +66,17 @@ void log_report(const base::Runtime& runtime, const OrientReport& report, std::i
 
 } // namespace
 
-Orientation orient(const base::Runtime& runtime, const OrientInput& input, const base::Progress& progress) {
+Orientation orient(const base::Work& work, const OrientInput& input) {
     const base::Stopwatch watch;
-    const Cloud cloud = read_cloud(runtime, input.points, progress.part(0.0, 0.1));
-    const Near near(runtime, *cloud.tree, tuning.most_neighbours, progress);
+    const Cloud cloud = read_cloud(work.part(0.0, 0.1), input.points);
+    const Near near(work, *cloud.tree, tuning.most_neighbours);
     const bool use_given = !input.normals.empty() && input.mode != NormalMode::none;
-    const GivenNormals given =
-        use_given ? read_given(runtime, input.normals, cloud, near, progress) : GivenNormals(runtime.memory);
-    CloudNormals found =
-        normals_of_cloud(runtime, cloud, near, use_given ? &given.normal : nullptr, progress.part(0.1, 0.9));
+    const GivenNormals given = use_given ? read_given(work, input.normals, cloud, near) : GivenNormals(work.memory);
+    CloudNormals found = normals_of_cloud(work.part(0.1, 0.9), cloud, near, use_given ? &given.normal : nullptr);
     VecArray& least = found.fitted.normal;
     const OutwardRule rule{input.up, (input.viewpoint - cloud.centre) / cloud.spacing, input.has_viewpoint};
-    const Whole whole = turn_outward(runtime, cloud, near, rule, least, progress.part(0.9, 0.95));
-    Orientation result(runtime.memory);
+    const Whole whole = turn_outward(work.part(0.9, 0.95), cloud, near, rule, least);
+    Orientation result(work.memory);
     result.normal.resize(input.points.count);
     OrientReport& report = result.report;
     report.merged = cloud.merged;
@@ -88,11 +86,11 @@ Orientation orient(const base::Runtime& runtime, const OrientInput& input, const
     report.confidence = found.confidence;
     report.closed = whole.closed;
     report.outward_by = whole.by;
-    report.components = count_pieces(runtime, *cloud.tree, near);
+    report.components = count_pieces(work, *cloud.tree, near);
     report.found = NormalMode::none;
     if (use_given) {
         const Evidence evidence{least, whole.by != OutwardBy::inside, found.confidence < tuning.doubtful};
-        const Judgement judgement = judge(runtime, cloud, near, given, evidence, input.mode, progress);
+        const Judgement judgement = judge(work, cloud, near, given, evidence, input.mode);
         if (judgement.follows_given) report.outward_by = OutwardBy::as_given;
         report.found = judgement.found;
         write_normals(input, cloud, least, given, judgement, result);
@@ -101,18 +99,17 @@ Orientation orient(const base::Runtime& runtime, const OrientInput& input, const
         report.made = input.points.count;
     }
     report.seconds = watch.seconds();
-    log_report(runtime, report, input.points.count);
-    progress.update(1.0);
+    log_report(work, report, input.points.count);
+    work.update(1.0);
     return result;
 }
 
-bool plainly_inward(const base::Runtime& runtime, const base::InView& points, const base::InView& normals,
-                    const base::Progress& progress) {
+bool plainly_inward(const base::Work& work, const base::InView& points, const base::InView& normals) {
     constexpr std::int64_t fewest = 16;
     if (points.count < fewest || normals.count != points.count) return false;
     const std::int64_t step = (points.count + tuning.most_compared - 1) / tuning.most_compared;
-    VecArray position(runtime.memory);
-    VecArray given(runtime.memory);
+    VecArray position(work.memory);
+    VecArray given(work.memory);
     for (std::int64_t i = 0; i < points.count; i += step) {
         const glm::dvec3 n = given_normal(normals, i);
         const double length = glm::length(n);
@@ -120,11 +117,11 @@ bool plainly_inward(const base::Runtime& runtime, const base::InView& points, co
         position.push_back({points.get(i, 0), points.get(i, 1), points.get(i, 2)});
         given.push_back(n / length);
     }
-    const geometry::PointTree tree(position, progress);
-    VecArray normal(runtime.memory, tree.size());
+    const geometry::PointTree tree(position, work);
+    VecArray normal(work.memory, tree.size());
     for (std::int64_t at = 0; at < tree.size(); ++at) normal.set(at, given[tree.index(at)]);
-    const Near near(runtime, tree, Near::of_spacing, progress);
-    const Sides sides = measure_sides(runtime, tree, near, normal, progress);
+    const Near near(work, tree, Near::of_spacing);
+    const Sides sides = measure_sides(work, tree, near, normal);
     return sides.closed() && sides.against < 0.5 * sides.along && sides.outward() < 0;
 }
 

@@ -3,8 +3,8 @@
 #pragma once
 
 #include "base/operation.h"
-#include "base/runtime.h"
 #include "base/view.h"
+#include "base/work.h"
 #include "geometry/vec_array.h"
 #include "orient/given_normals.h"
 #include "orient/outward.h"
@@ -48,12 +48,10 @@ struct Orientation {
 };
 
 // Throws Error{invalid_argument, out_of_memory, cancelled}.
-[[nodiscard]] Orientation orient(const base::Runtime& runtime, const OrientInput& input,
-                                 const base::Progress& progress);
+[[nodiscard]] Orientation orient(const base::Work& work, const OrientInput& input);
 
 // Returns whether given normals plainly all point into a closed surface. It looks at some thousand points only, which
 // takes no time.
-[[nodiscard]] bool plainly_inward(const base::Runtime& runtime, const base::InView& points, const base::InView& normals,
-                                  const base::Progress& progress);
+[[nodiscard]] bool plainly_inward(const base::Work& work, const base::InView& points, const base::InView& normals);
 
 } // namespace hrbfnpr::orient

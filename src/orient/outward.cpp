@@ -47,11 +47,10 @@ int Sides::outward() const noexcept {
     return std::abs(along - against) > tuning.told_apart ? (along < against ? 1 : -1) : 0;
 }
 
-Sides measure_sides(const base::Runtime& runtime, const geometry::PointTree& tree, const Near& near,
-                    const VecArray& normal, const base::Progress& progress) {
+Sides measure_sides(const base::Work& work, const geometry::PointTree& tree, const Near& near, const VecArray& normal) {
     HRBFNPR_ASSERT(normal.size() == tree.size() && tree.size() > 0);
-    const base::Array<double> spacing = local_spacing(runtime, tree, near);
-    VecArray moment(runtime.memory, tree.size()); // of dipoles: normals times areas
+    const base::Array<double> spacing = local_spacing(work, tree, near);
+    VecArray moment(work.memory, tree.size()); // of dipoles: normals times areas
     for (std::int64_t at = 0; at < tree.size(); ++at)
         moment.set(at, area_share * spacing[at] * spacing[at] * normal[at]);
     const auto winding_number = [&](const glm::dvec3& p) {
@@ -64,8 +63,8 @@ Sides measure_sides(const base::Runtime& runtime, const geometry::PointTree& tre
         return sum / sphere;
     };
     const std::int64_t probes = std::min(tuning.probes, tree.size());
-    base::Array<double> number(runtime.memory, 2 * probes);
-    runtime.parallel.for_each(2 * probes, progress, [&](std::int64_t i) {
+    base::Array<double> number(work.memory, 2 * probes);
+    work.for_each(2 * probes, [&](std::int64_t i) {
         const std::int64_t at = (i / 2) * tree.size() / probes;
         const double way = (i % 2 == 0 ? 1.0 : -1.0) * tuning.probe_step * spacing[at];
         number[i] = std::min(1.5, std::abs(winding_number(tree.points()[at] + way * normal[at])));
@@ -76,27 +75,27 @@ Sides measure_sides(const base::Runtime& runtime, const geometry::PointTree& tre
     return sides;
 }
 
-Whole turn_outward(const base::Runtime& runtime, const Cloud& cloud, const Near& near, const OutwardRule& rule,
-                   VecArray& normal, const base::Progress& progress) {
+Whole turn_outward(const base::Work& work, const Cloud& cloud, const Near& near, const OutwardRule& rule,
+                   VecArray& normal) {
     HRBFNPR_ASSERT(normal.size() == cloud.size());
     Whole whole;
     int side = 0;
     if (cloud.is_of_curves()) {
         // Places along curves stand for no area: the first of them do.
-        const FirstPlaces first(runtime, cloud, cloud.all_over, progress);
-        const Near around(runtime, *first.tree, Near::of_spacing, progress);
-        const Sides sides = measure_sides(runtime, *first.tree, around, first.pick(normal), progress);
+        const FirstPlaces first(work, cloud, cloud.all_over);
+        const Near around(work, *first.tree, Near::of_spacing);
+        const Sides sides = measure_sides(work, *first.tree, around, first.pick(normal));
         whole.closed = sides.nearly_closed();
         side = sides.outward();
     } else {
-        const Sides sides = measure_sides(runtime, *cloud.tree, near, normal, progress);
+        const Sides sides = measure_sides(work, *cloud.tree, near, normal);
         whole.closed = sides.closed();
         side = sides.outward();
     }
     // An open surface that was seen from somewhere has no other outside.
     if (side == 0 || (!whole.closed && rule.has_viewpoint)) {
         whole.by = rule.has_viewpoint ? OutwardBy::viewpoint : OutwardBy::up;
-        side = side_by_rule(cloud, local_spacing(runtime, *cloud.tree, near), rule, normal);
+        side = side_by_rule(cloud, local_spacing(work, *cloud.tree, near), rule, normal);
     }
     if (side < 0)
         for (std::int64_t at = 0; at < normal.size(); ++at) normal.set(at, -normal[at]);

@@ -20,8 +20,8 @@ struct Sides {
 
 // Takes each place as a dipole as large as its area (Barill and others, "Fast winding numbers for soups and clouds",
 // 2018).
-[[nodiscard]] Sides measure_sides(const base::Runtime& runtime, const geometry::PointTree& tree, const Near& near,
-                                  const geometry::VecArray& normal, const base::Progress& progress);
+[[nodiscard]] Sides measure_sides(const base::Work& work, const geometry::PointTree& tree, const Near& near,
+                                  const geometry::VecArray& normal);
 
 // The values equal those of the constants HRBFNPR_OUTWARD_ of hrbfnpr.h.
 enum class OutwardBy : std::uint32_t { inside = 0, up = 1, viewpoint = 2, as_given = 3 };
@@ -38,7 +38,7 @@ struct Whole {
 };
 
 // Turns all normals outward, as winding numbers tell, or else by the rule.
-[[nodiscard]] Whole turn_outward(const base::Runtime& runtime, const Cloud& cloud, const Near& near,
-                                 const OutwardRule& rule, geometry::VecArray& normal, const base::Progress& progress);
+[[nodiscard]] Whole turn_outward(const base::Work& work, const Cloud& cloud, const Near& near, const OutwardRule& rule,
+                                 geometry::VecArray& normal);
 
 } // namespace hrbfnpr::orient

@@ -25,7 +25,6 @@ namespace hrbfnpr::orient {
 namespace {
 
 constexpr std::int64_t clusters_a_task = 256;
-constexpr std::int64_t terms_a_look = 1024;
 constexpr std::int64_t places_a_look = 512;
 
 // Sums by the name of a cluster.
@@ -60,10 +59,9 @@ using Levels = std::vector<base::Array<std::int32_t>>;
 
 // The energy's terms for given directions.
 struct SignTerms {
-    SignTerms(const base::Runtime& all, const fit::HermiteEnergy& energy, const geometry::VecArray& normal,
-              const base::Progress& progress)
-        : runtime(all), terms(energy.terms(normal, progress)), blocks(terms.blocks), size(energy.size()),
-          dense(all.memory, size) {
+    SignTerms(const base::Work& work, const fit::HermiteEnergy& energy, const geometry::VecArray& normal)
+        : runtime(work), terms(energy.terms(normal, work)), blocks(terms.blocks), size(energy.size()),
+          dense(work.memory, size) {
         for (std::int64_t k = 0; k < blocks.coarse_count; ++k) dense[blocks.coarse[k]] = k + 1;
     }
 
@@ -218,9 +216,8 @@ private:
     [[nodiscard]] Partner find_partner(std::int32_t name) {
         const base::ScratchPool<SumsByName>::Lease sums(sums_);
         sums->clear(size_);
-        std::int64_t terms = 0; // A large cluster has many.
         for_terms(name, [&](std::int64_t term) {
-            if (terms++ % terms_a_look == 0) progress_.check();
+            progress_.check(); // A large cluster has many terms.
             const Four own = part_of(name, term);
             energy_.for_elements(term, [&](std::int64_t e) {
                 const std::int32_t other = cluster_[blocks_.set[e]];
@@ -314,7 +311,7 @@ public:
           dense_part_(energy.runtime.memory, blocks_.coarse_columns), seen_(energy.runtime.memory, energy.size),
           terms_(energy.runtime.memory), part_(energy.runtime.memory, 4 * energy.size) {
         for (std::int64_t k = 0; k < blocks_.coarse_count; ++k) add_dense(k, dense_total_);
-        for_places(energy.runtime, energy.size, progress, [&](std::int64_t term) {
+        for_places(base::Work(energy.runtime, progress), energy.size, [&](std::int64_t term) {
             if (blocks_.set[term * blocks_.set_size] < 0) return;
             energy_.for_elements(term, [&](std::int64_t e) {
                 const Four part = energy_.part(e, signs_);
@@ -453,16 +450,16 @@ Signs all_positive(base::Memory& memory, std::int64_t size) {
     return signs;
 }
 
-void find_signs(const base::Runtime& runtime, const Places& places, const Near& near, const fit::HermiteEnergy& energy,
-                geometry::VecArray& normal, const base::Progress& progress) {
+void find_signs(const base::Work& work, const Places& places, const Near& near, const fit::HermiteEnergy& energy,
+                geometry::VecArray& normal) {
     HRBFNPR_ASSERT(normal.size() == places.size() && energy.size() == places.size());
-    const SignTerms terms(runtime, energy, normal, progress);
-    Signs signs = all_positive(runtime.memory, places.size());
-    const double given = Turning(terms, signs, progress).energy();
+    const SignTerms terms(work, energy, normal);
+    Signs signs = all_positive(work.memory, places.size());
+    const double given = Turning(terms, signs, work).energy();
     Levels levels;
     if (places.size() > tuning.many_places) levels.push_back(find_patches(places, near, normal, signs));
-    Agglomeration(terms, levels, signs, progress).run();
-    if (!(improve(terms, levels, signs, progress) < given * (1.0 - 1e-9))) return;
+    Agglomeration(terms, levels, signs, work).run();
+    if (!(improve(terms, levels, signs, work) < given * (1.0 - 1e-9))) return;
     for (std::int64_t at = 0; at < places.size(); ++at)
         if (signs[at] < 0) normal.set(at, -normal[at]);
 }

@@ -5,7 +5,7 @@
 // places are turned wherever that lowers the energy.
 #pragma once
 
-#include "base/runtime.h"
+#include "base/work.h"
 #include "fit/hermite_energy.h"
 #include "orient/cloud.h"
 
@@ -16,7 +16,7 @@ using Signs = base::Array<std::int8_t>; // 1 or -1 for each place
 [[nodiscard]] Signs all_positive(base::Memory& memory, std::int64_t size);
 
 // Gives directions the signs of least energy. A large cloud begins with patches of neighbours.
-void find_signs(const base::Runtime& runtime, const Places& places, const Near& near, const fit::HermiteEnergy& energy,
-                geometry::VecArray& normal, const base::Progress& progress);
+void find_signs(const base::Work& work, const Places& places, const Near& near, const fit::HermiteEnergy& energy,
+                geometry::VecArray& normal);
 
 } // namespace hrbfnpr::orient

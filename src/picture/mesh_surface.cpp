@@ -258,7 +258,7 @@ bool has_creases(const Mesh& mesh, const base::Progress& progress) {
     const hrbfnpr_mesh& made = *mesh.get();
     mesh::FitMeshSettings rough;
     rough.tolerance = mesh_tuning.rough_tolerance * made.mesh.bounds.diagonal();
-    return mesh::find_planned_creases(made.runtime(), made.mesh, made.tree, made.creases, rough, progress)
+    return mesh::find_planned_creases({made.runtime(), progress}, made.mesh, made.tree, made.creases, rough)
         .creases.has_value();
 }
 

@@ -49,10 +49,9 @@ template <class KeyOf, class Append>
 bool place_seeds(Growth& growth, std::int64_t count, const KeyOf& key_of, const Append& append,
                  const base::Progress& progress) {
     const std::int64_t room = growth.settings.budget > 0 ? growth.settings.budget : count;
-    const marks::Thinning thinning(growth.site, count, room, marks::stream_of(growth.kind), key_of, progress);
+    const marks::Thinning thinning(growth.site.with(progress), count, room, marks::stream_of(growth.kind), key_of);
     make_room(growth, std::min(room, count), progress);
-    for (std::int64_t i = 0; i < count; ++i) {
-        if (i % marks::chunk_size == 0) progress.check();
+    for (const std::int64_t i : progress.over(count)) {
         if (thinning.keeps(key_of(i))) append(i);
     }
     marks::LevelReport& level = growth.report.of(0);
@@ -74,7 +73,7 @@ bool refine_level(Growth& growth, std::int32_t number, double stray_limit, const
     const std::int64_t all = growth.children * parents;
     const std::int64_t room =
         growth.settings.budget > 0 ? std::max<std::int64_t>(0, growth.settings.budget - parents) : all;
-    const marks::Thinning thinning(growth.site, all, room, marks::stream_of(growth.kind), key_of, progress);
+    const marks::Thinning thinning(growth.site.with(progress), all, room, marks::stream_of(growth.kind), key_of);
     make_room(growth, parents + std::min(room, all), progress);
     for (std::int64_t begin = 0; begin < all; begin += marks::chunk_size) {
         const std::int64_t end = std::min(all, begin + marks::chunk_size);
@@ -172,13 +171,13 @@ constexpr std::int32_t sets = 2;
     const marks::Site& site = growth.site;
     base::Array<surface::Curvature> curvature(site.memory());
     if (growth.by_curvature()) {
-        surface::principal_curvatures(site.runtime, site.implicit, position, curvature, progress);
+        surface::principal_curvatures({site.work, progress}, site.implicit, position, curvature);
         return curvature;
     }
     curvature.resize(position.size());
     if (growth.settings.directions != Directions::function) return curvature;
     geometry::VecArray given(site.memory());
-    marks::directions_at(site, growth.settings.function, position, normal, given, progress);
+    marks::directions_at(site.with(progress), growth.settings.function, position, normal, given);
     for (std::int64_t i = 0; i < position.size(); ++i) {
         surface::Curvature& c = curvature[i];
         c = {};
@@ -234,7 +233,7 @@ void append_stroke_mark(Growth& growth, const glm::dvec3& position, const glm::d
 } // namespace
 
 void grow_stipples(const marks::Site& site, const Start& start, const GrowthSettings& settings, marks::Marks& marks,
-                   marks::LayerReport& report, const base::Progress& progress) {
+                   marks::LayerReport& report) {
     Growth growth{site, settings, marks, report, marks::Kind::stipples, 4};
     const std::int64_t seeds = start.position.size();
     report.full_count = marks::grown_count(start.full_count, 5, settings.levels);
@@ -247,9 +246,9 @@ void grow_stipples(const marks::Site& site, const Start& start, const GrowthSett
             append_stipple(start.position[i], start.normal[i], static_cast<std::uint64_t>(i),
                            static_cast<std::uint32_t>(i), 0, marks);
         },
-        progress);
+        site.work);
     auto full_count = static_cast<std::uint64_t>(seeds); // marks before a level, had none been dropped
-    refine_levels(growth, full, progress, [&](std::int32_t level, double rho, const base::Progress& part) {
+    refine_levels(growth, full, site.work, [&](std::int32_t level, double rho, const base::Progress& part) {
         // The mark `key` of a full tree of n marks has the children n + 4 key + {0, 1, 2, 3}.
         const auto key_of = [&](std::int64_t i) {
             return full_count + 4 * marks.key[i / 4] + static_cast<std::uint64_t>(i % 4);
@@ -274,7 +273,7 @@ void grow_stipples(const marks::Site& site, const Start& start, const GrowthSett
 }
 
 void grow_strokes(const marks::Site& site, const Start& start, const GrowthSettings& settings, marks::Marks& marks,
-                  marks::LayerReport& report, const base::Progress& progress) {
+                  marks::LayerReport& report) {
     Growth growth{site, settings, marks, report, marks::Kind::hatch, 2};
     const std::int64_t seeds = sets * start.position.size();
     report.full_count = marks::grown_count(sets * start.full_count, 3, settings.levels);
@@ -282,7 +281,7 @@ void grow_strokes(const marks::Site& site, const Start& start, const GrowthSetti
     marks::require_room(settings.layer, marks::grown_count(seeds, 3, settings.levels), settings.levels,
                         settings.budget);
     const auto work = static_cast<double>(marks::grown_count(1, 3, settings.levels));
-    const base::Progress first = progress.part(0.0, 1.0 / work);
+    const base::Work first = site.work.part(0.0, 1.0 / work);
     const base::Array<surface::Curvature> at_seeds = measured(growth, start.position, start.normal, first);
     // A seed of a stroke is its middle; stroke i belongs to set i % 2.
     const bool full = place_seeds(
@@ -294,7 +293,7 @@ void grow_strokes(const marks::Site& site, const Start& start, const GrowthSetti
         first);
     geometry::VecArray landed(site.memory());
     geometry::VecArray landed_normal(site.memory());
-    refine_levels(growth, full, progress, [&](std::int32_t level, double rho, const base::Progress& part) {
+    refine_levels(growth, full, site.work, [&](std::int32_t level, double rho, const base::Progress& part) {
         // Places are numbered in steps of the last level that was asked for. Children lie back and onward.
         const auto finest = static_cast<std::int32_t>(marks::grown_count(1, 3, settings.levels - level));
         const auto place_of = [&](std::int64_t i) { return marks.place[i / 2] + (i % 2 == 0 ? -finest : finest); };

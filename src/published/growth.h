@@ -38,11 +38,11 @@ struct GrowthSettings {
 
 // The x5 recursion.
 void grow_stipples(const marks::Site& site, const Start& start, const GrowthSettings& settings, marks::Marks& marks,
-                   marks::LayerReport& report, const base::Progress& progress);
+                   marks::LayerReport& report);
 
 // The x3 recursion of strokes along both directions. A combing stroke that enters another region of the field takes up
 // the new direction, as published, and breaks there.
 void grow_strokes(const marks::Site& site, const Start& start, const GrowthSettings& settings, marks::Marks& marks,
-                  marks::LayerReport& report, const base::Progress& progress);
+                  marks::LayerReport& report);
 
 } // namespace hrbfnpr::published

@@ -101,8 +101,7 @@ void repair_distances(const marks::Site& site, const base::Array<std::int64_t>& 
 }
 
 // Projects the chosen marks. Those that do not arrive leave a gap in the order, and are counted.
-void project(const marks::Site& site, const SurfaceCells& cells, const OrderedMarks& chosen, EvenMarks& marks,
-             const base::Progress& progress) {
+void project(const marks::Site& site, const SurfaceCells& cells, const OrderedMarks& chosen, EvenMarks& marks) {
     const std::int64_t all = chosen.size();
     const auto share = [&](std::int64_t i) { return static_cast<double>(i) / static_cast<double>(all); };
     marks.position.reserve(all);
@@ -118,9 +117,8 @@ void project(const marks::Site& site, const SurfaceCells& cells, const OrderedMa
             settler.start.push_back(cells.grid.origin + glm::dvec3(p[0], p[1], p[2]));
         }
         // A mark that goes farther than a cell's side comes to another sheet.
-        settler.settle(cells.grid.side, report, progress.part(share(begin), share(begin + count)));
-        for (std::int64_t i = 0; i < count; ++i) {
-            if (i % marks_a_look == 0) progress.check();
+        settler.settle(cells.grid.side, report, site.work.part(share(begin), share(begin + count)));
+        for (const std::int64_t i : site.work.over(count)) {
             if (!settler.placed(i)) continue;
             if (!cells.region.contains(settler.position(i))) {
                 settler.drop(i, report.dropped_strayed, report);
@@ -134,8 +132,8 @@ void project(const marks::Site& site, const SurfaceCells& cells, const OrderedMa
                 glm::dot(normal, glm::dvec3(n[0], n[1], n[2])) <
                     stipple_tuning.wandered_cosine * double{unpacked_length})
                 wandered.push_back(marks.position.size());
-            geometry::push_back_long(marks.position, settler.position(i), progress);
-            geometry::push_back_long(marks.normal, normal, progress);
+            geometry::push_back_long(marks.position, settler.position(i), site.work);
+            geometry::push_back_long(marks.normal, normal, site.work);
         }
     }
     if (!wandered.empty()) repair_distances(site, wandered, marks, report);
@@ -150,11 +148,10 @@ void project(const marks::Site& site, const SurfaceCells& cells, const OrderedMa
 
 // The densities at marks. `mean_bend` is the mean over all marks of the first call, which sets it.
 [[nodiscard]] base::Array<double> densities_by_curvature(const marks::Site& site, const EvenMarks& marks,
-                                                         double strength, std::optional<double>& mean_bend,
-                                                         const base::Progress& progress) {
+                                                         double strength, std::optional<double>& mean_bend) {
     HRBFNPR_ASSERT(strength >= 0.0 && strength <= 1.0);
     base::Array<surface::Curvature> curvature(site.memory());
-    surface::principal_curvatures(site.runtime, site.implicit, marks.position, curvature, progress);
+    surface::principal_curvatures(site.work, site.implicit, marks.position, curvature);
     base::Array<double> density(site.memory(), marks.position.size());
     for (std::int64_t i = 0; i < density.size(); ++i) {
         const double bend = std::sqrt(0.5 * (curvature[i].k1 * curvature[i].k1 + curvature[i].k2 * curvature[i].k2));
@@ -164,8 +161,7 @@ void project(const marks::Site& site, const SurfaceCells& cells, const OrderedMa
         mean_bend = 0.0;
         for (const double bend : density) *mean_bend += bend / static_cast<double>(density.size());
     }
-    for (std::int64_t i = 0; i < density.size(); ++i) {
-        if (i % marks_a_look == 0) progress.check();
+    for (const std::int64_t i : site.work.over(density.size())) {
         const double relative = *mean_bend > 0.0 ? density[i] / (density[i] + *mean_bend) : 0.5;
         density[i] = 1.0 - strength + strength * relative;
     }
@@ -173,10 +169,9 @@ void project(const marks::Site& site, const SurfaceCells& cells, const OrderedMa
 }
 
 [[nodiscard]] base::Array<double> densities_by_function(const marks::Site& site, const EvenMarks& marks,
-                                                        const DensitySettings& settings,
-                                                        const base::Progress& progress) {
-    base::Array<double> density = marks::ask_at(site, settings.function, settings.user, "density_function",
-                                                marks.position, marks.normal, 1, progress);
+                                                        const DensitySettings& settings) {
+    base::Array<double> density =
+        marks::ask_at(site, settings.function, settings.user, "density_function", marks.position, marks.normal, 1);
     for (double& number : density) {
         if (!(number >= 0.0))
             fail(Status::callback, "density_function gave %g as a density; it must be a number from 0 to 1", number);
@@ -188,7 +183,7 @@ void project(const marks::Site& site, const SurfaceCells& cells, const OrderedMa
 } // namespace
 
 SurfaceCells cover_surface(const marks::Site& site, const marks::Seeds& seeds, double sample_spacing,
-                           std::int64_t marks, const base::Progress& progress) {
+                           std::int64_t marks) {
     const geometry::Bounds region = region_of(site, seeds, sample_spacing);
     const double diagonal = region.diagonal();
     SurfaceCells cells(site.memory());
@@ -198,8 +193,8 @@ SurfaceCells cover_surface(const marks::Site& site, const marks::Seeds& seeds, d
     double side = diagonal / stipple_tuning.fewest_in_diagonal;
     for (int round = 0; round < stipple_tuning.cover_rounds; ++round) {
         // Later rounds are those of small surfaces in large boxes.
-        const base::Progress part = progress.part(1.0 - std::exp2(-round), 1.0 - std::exp2(-round - 1));
-        cells = find_surface_cells(site, seeds.position, region, side, part);
+        const base::Work part = site.work.part(1.0 - std::exp2(-round), 1.0 - std::exp2(-round - 1));
+        cells = find_surface_cells(site.with(part), seeds.position, region, side);
         const double spacing = std::sqrt(cells.rough_area() / static_cast<double>(marks));
         // A few cells do not tell its shape or its area.
         const bool known = cells_across(cells) >= stipple_tuning.fewest_across;
@@ -217,16 +212,15 @@ SurfaceCells cover_surface(const marks::Site& site, const marks::Seeds& seeds, d
     return cells;
 }
 
-EvenMarks spread_evenly(const marks::Site& site, const SurfaceCells& cells, std::int64_t wanted, marks::Kind kind,
-                        const base::Progress& progress) {
+EvenMarks spread_evenly(const marks::Site& site, const SurfaceCells& cells, std::int64_t wanted, marks::Kind kind) {
     const auto many = static_cast<std::int64_t>(stipple_tuning.candidates_per_mark * static_cast<double>(wanted));
     Candidates candidates =
-        draw_candidates(site, cells, std::max(many, stipple_tuning.fewest_candidates), kind, progress.part(0.0, 0.5));
-    const OrderedMarks chosen = progressive_order(site, candidates, wanted, progress.part(0.5, 0.9));
+        draw_candidates(site.part(0.0, 0.5), cells, std::max(many, stipple_tuning.fewest_candidates), kind);
+    const OrderedMarks chosen = progressive_order(site.part(0.5, 0.9), candidates, wanted);
     EvenMarks marks(site.memory());
     marks.report = candidates.report;
     marks.area = candidates.area;
-    project(site, cells, chosen, marks, progress.part(0.9, 1.0));
+    project(site.part(0.9, 1.0), cells, chosen, marks);
     if (marks.position.empty())
         fail(Status::not_converged,
              "no mark could be placed in %lld cells near the surface: %lld points were tried, %lld did not "
@@ -239,18 +233,17 @@ EvenMarks spread_evenly(const marks::Site& site, const SurfaceCells& cells, std:
 }
 
 EvenMarks spread_by_density(const marks::Site& site, const SurfaceCells& cells, std::int64_t wanted,
-                            const DensitySettings& density, const base::Progress& progress) {
-    if (density.kind == Density::uniform) return spread_evenly(site, cells, wanted, marks::Kind::stipples, progress);
+                            const DensitySettings& density) {
+    if (density.kind == Density::uniform) return spread_evenly(site, cells, wanted, marks::Kind::stipples);
     std::optional<double> mean_bend;
     const auto densities = [&](const EvenMarks& marks, const base::Progress& part) {
         return density.kind == Density::curvature
-                   ? densities_by_curvature(site, marks, density.strength, mean_bend, part)
-                   : densities_by_function(site, marks, density, part);
+                   ? densities_by_curvature(site.with(part), marks, density.strength, mean_bend)
+                   : densities_by_function(site.with(part), marks, density);
     };
-    const EvenMarks probe =
-        spread_evenly(site, cells, stipple_tuning.probes, marks::Kind::stipples, progress.part(0.0, 0.1));
+    const EvenMarks probe = spread_evenly(site.part(0.0, 0.1), cells, stipple_tuning.probes, marks::Kind::stipples);
     double mean = 0.0;
-    for (const double number : densities(probe, progress.part(0.1, 0.15))) mean += number;
+    for (const double number : densities(probe, site.work.part(0.1, 0.15))) mean += number;
     mean /= static_cast<double>(probe.position.size());
     if (!(mean > 0.0))
         fail(Status::invalid_argument, "the density is 0 at all of %lld places on the surface: no mark can be made",
@@ -265,8 +258,8 @@ EvenMarks spread_by_density(const marks::Site& site, const SurfaceCells& cells, 
                                     std::max(mean, 1.0 / stipple_tuning.most_excess),
                                 static_cast<double>(marks::most_even_marks));
     const EvenMarks even =
-        spread_evenly(site, cells, static_cast<std::int64_t>(all), marks::Kind::stipples, progress.part(0.15, 0.9));
-    const base::Array<double> at = densities(even, progress.part(0.9, 1.0));
+        spread_evenly(site.part(0.15, 0.9), cells, static_cast<std::int64_t>(all), marks::Kind::stipples);
+    const base::Array<double> at = densities(even, site.work.part(0.9, 1.0));
     struct Place {
         double key; // place in the even order over the density
         std::int64_t mark;
@@ -275,12 +268,11 @@ EvenMarks spread_by_density(const marks::Site& site, const SurfaceCells& cells, 
         }
     };
     base::Array<Place> places(site.memory());
-    for (std::int64_t i = 0; i < at.size(); ++i) {
-        if (i % marks_a_look == 0) progress.check();
+    for (const std::int64_t i : site.work.over(at.size())) {
         const double key = (static_cast<double>(i) + 0.5) / at[i]; // infinite where the density is 0
         if (key < static_cast<double>(at.size())) places.push_back({key, i});
     }
-    base::sort_long(places.begin(), places.end(), std::less<>(), progress);
+    base::sort_long(places.begin(), places.end(), std::less<>(), site.work);
     const std::int64_t kept = std::min(wanted, places.size());
     if (kept == 0)
         fail(Status::invalid_argument,
@@ -289,8 +281,7 @@ EvenMarks spread_by_density(const marks::Site& site, const SurfaceCells& cells, 
     EvenMarks marks(site.memory());
     marks.area = even.area;
     marks.report = even.report;
-    for (std::int64_t i = 0; i < kept; ++i) {
-        if (i % marks_a_look == 0) progress.check();
+    for (const std::int64_t i : site.work.over(kept)) {
         marks.position.push_back(even.position[places[i].mark]);
         marks.normal.push_back(even.normal[places[i].mark]);
     }

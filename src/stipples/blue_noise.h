@@ -11,7 +11,7 @@ namespace hrbfnpr::stipples {
 
 // The part of the surface that the marks are spread over, cut finely enough for `marks` of them.
 [[nodiscard]] SurfaceCells cover_surface(const marks::Site& site, const marks::Seeds& seeds, double sample_spacing,
-                                         std::int64_t marks, const base::Progress& progress);
+                                         std::int64_t marks);
 
 struct EvenMarks {
     explicit EvenMarks(base::Memory& memory) noexcept : position(memory), normal(memory) {}
@@ -24,7 +24,7 @@ struct EvenMarks {
 
 // Throws not_converged if there is not a single one.
 [[nodiscard]] EvenMarks spread_evenly(const marks::Site& site, const SurfaceCells& cells, std::int64_t wanted,
-                                      marks::Kind kind, const base::Progress& progress);
+                                      marks::Kind kind);
 
 // ---- Densities: where stipples are to be denser
 
@@ -41,6 +41,6 @@ struct DensitySettings {
 // `wanted` marks of an even order, from which those are left out whose place in the order, divided by the density at
 // the mark, is too high: every prefix of the rest is, at each place, a prefix of the even order.
 [[nodiscard]] EvenMarks spread_by_density(const marks::Site& site, const SurfaceCells& cells, std::int64_t wanted,
-                                          const DensitySettings& density, const base::Progress& progress);
+                                          const DensitySettings& density);
 
 } // namespace hrbfnpr::stipples

@@ -192,7 +192,7 @@ void draw_trials(const marks::Site& site, const SurfaceCells& cells, std::span<c
     trial.resize(slot.back()); // at first a slot for each, with NaN where it is not worth evaluating
     ticket.resize_for_overwrite(slot.back());
     const auto count = static_cast<std::int64_t>(trial_cells.size());
-    site.runtime.parallel.for_chunks(count, cells_a_task, [&](std::int64_t begin, std::int64_t end) {
+    site.work.for_chunks(count, cells_a_task, [&](std::int64_t begin, std::int64_t end) {
         for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i) {
             const SurfaceCell& cell = cells.cell[trial_cells[i]];
             const glm::dvec3 corner = cells.grid.corner(geometry::morton_cell(cell.code));
@@ -220,8 +220,7 @@ void draw_trials(const marks::Site& site, const SurfaceCells& cells, std::span<c
 // How often each trial counts: once within the band, but beside creases not at all, or twice.
 [[nodiscard]] base::Array<std::uint8_t> times_that_count(const marks::Site& site, const SurfaceCells& cells,
                                                          const geometry::VecArray& trial,
-                                                         const marks::FieldSamples& field,
-                                                         const base::Progress& progress) {
+                                                         const marks::FieldSamples& field) {
     base::Array<std::uint8_t> times(site.memory(), trial.size());
     const bool creased = site.implicit.sheets() != nullptr;
     base::Array<std::int64_t> near(site.memory());
@@ -238,7 +237,7 @@ void draw_trials(const marks::Site& site, const SurfaceCells& cells, std::span<c
     }
     if (!creased) return times;
     marks::FieldSamples beside(site.memory());
-    evaluate(site, places, beside, progress);
+    evaluate(site, places, beside);
     for (std::int64_t k = 0; k < near.size(); ++k) {
         const glm::dvec3 normal = glm::normalize(field.gradient[near[k]]);
         const auto is_alike = [&](std::int64_t place) {
@@ -295,16 +294,16 @@ struct Landed {
 
 // Appends the projections of trials.
 void step_down(const marks::Site& site, const JudgedCells& judged, const geometry::VecArray& trial,
-               const base::Array<std::uint32_t>& ticket, LayerCandidates& layer, const base::Progress& progress) {
+               const base::Array<std::uint32_t>& ticket, LayerCandidates& layer) {
     HRBFNPR_ASSERT(trial.size() == ticket.size());
     marks::FieldSamples field(site.memory());
-    evaluate(site, trial, field, progress);
-    const base::Array<std::uint8_t> times = times_that_count(site, judged.cells, trial, field, progress);
+    evaluate(site, trial, field);
+    const base::Array<std::uint8_t> times = times_that_count(site, judged.cells, trial, field);
     const std::int64_t most = (site.implicit.sheets() != nullptr ? 2 : 1) * layer.each;
     base::Array<Projection> projection(site.memory()); // `most` places for each trial
     base::Array<Landed> landed(site.memory(), trial.size());
     projection.resize_for_overwrite(most * trial.size());
-    site.runtime.parallel.for_chunks(trial.size(), points_a_task, [&](std::int64_t begin, std::int64_t end) {
+    site.work.for_chunks(trial.size(), points_a_task, [&](std::int64_t begin, std::int64_t end) {
         for (std::int64_t i = begin; i < end; ++i)
             if (times[i] > 0)
                 landed[i] = land(site, judged, trial[i], ticket[i], field.distance(i), field.gradient[i],
@@ -320,12 +319,12 @@ void step_down(const marks::Site& site, const JudgedCells& judged, const geometr
 // Whether projections that a cell's plane agrees with are off the surface all the same. Planes of a function that is no
 // distance, such as a square of one, tell the wrong distance alike at all points.
 [[nodiscard]] bool many_are_off(const marks::Site& site, const SurfaceCells& cells,
-                                std::span<const Projection> projections, const base::Progress& progress) {
+                                std::span<const Projection> projections) {
     geometry::VecArray place(site.memory());
     for (std::size_t i = 0; i < projections.size(); i += static_cast<std::size_t>(stipple_tuning.every_projection))
         if (!projections[i].bent) place.push_back(cells.grid.origin + glm::dvec3(projections[i].position));
     marks::FieldSamples field(site.memory());
-    evaluate(site, place, field, progress);
+    evaluate(site, place, field);
     std::int64_t off = 0;
     for (std::int64_t k = 0; k < place.size(); ++k)
         if (!(std::abs(field.distance(k)) <= stipple_tuning.plane_error * cells.grid.side)) ++off;
@@ -369,13 +368,11 @@ void step_down(const marks::Site& site, const JudgedCells& judged, const geometr
 }
 
 // Takes the projections from `first` on further down where one step is not enough.
-void step_down_again(const marks::Site& site, const JudgedCells& judged, std::int64_t first, LayerCandidates& layer,
-                     const base::Progress& progress) {
+void step_down_again(const marks::Site& site, const JudgedCells& judged, std::int64_t first, LayerCandidates& layer) {
     base::Array<Projection>& all = layer.projection;
     HRBFNPR_ASSERT(first >= 0 && first <= all.size());
     if (!layer.all_bent)
-        layer.all_bent =
-            many_are_off(site, judged.cells, all.span().subspan(static_cast<std::size_t>(first)), progress);
+        layer.all_bent = many_are_off(site, judged.cells, all.span().subspan(static_cast<std::size_t>(first)));
     base::Array<std::int64_t> bent(site.memory());
     for (std::int64_t i = first; i < all.size(); ++i)
         if (layer.all_bent || all[i].bent) bent.push_back(i);
@@ -384,7 +381,7 @@ void step_down_again(const marks::Site& site, const JudgedCells& judged, std::in
     for (int step = 0; step < stipple_tuning.most_steps && !bent.empty(); ++step) {
         place.clear();
         for (const std::int64_t i : bent) place.push_back(judged.cells.grid.origin + glm::dvec3(all[i].position));
-        evaluate(site, place, field, progress);
+        evaluate(site, place, field);
         std::int64_t left = 0;
         for (std::int64_t k = 0; k < bent.size(); ++k)
             if (step_on(site, judged, field.distance(k), field.gradient[k], step == 0, all[bent[k]], layer.strayed))
@@ -399,7 +396,7 @@ void step_down_again(const marks::Site& site, const JudgedCells& judged, std::in
 
 // Both cell by cell, each cell with groups of its own; cells without any are left out.
 void merge(const marks::Site& site, const JudgedCells& judged, const PlaneCandidates& planes,
-           const LayerCandidates& layer, Candidates& candidates, const base::Progress& progress) {
+           const LayerCandidates& layer, Candidates& candidates) {
     const std::int64_t count = judged.cells.cell.size();
     base::Array<std::int64_t> next(site.memory(), count); // place of each cell's next candidate; at first, their number
     for (const Projection& projection : layer.projection) ++next[projection.cell];
@@ -416,7 +413,7 @@ void merge(const marks::Site& site, const JudgedCells& judged, const PlaneCandid
     }
     candidates.group.resize_for_overwrite(groups);
     candidates.ticket.resize_for_overwrite(OrderGroup::size * groups);
-    site.runtime.parallel.for_chunks(count, cells_a_task, progress, [&](std::int64_t begin, std::int64_t end) {
+    site.work.for_chunks(count, cells_a_task, [&](std::int64_t begin, std::int64_t end) {
         for (std::int64_t cell = begin; cell < end; ++cell)
             if (planes.count[cell] > 0) put_from_plane(site, judged, cell, planes, next[cell], candidates);
     });
@@ -426,10 +423,10 @@ void merge(const marks::Site& site, const JudgedCells& judged, const PlaneCandid
 
 } // namespace
 
-JudgedCells judge_cells(const marks::Site& site, const SurfaceCells& cells, const base::Progress& progress) {
+JudgedCells judge_cells(const marks::Site& site, const SurfaceCells& cells) {
     JudgedCells judged(cells);
     const std::int64_t count = cells.cell.size();
-    site.runtime.parallel.for_chunks(count, cells_a_task, progress, [&](std::int64_t begin, std::int64_t end) {
+    site.work.for_chunks(count, cells_a_task, [&](std::int64_t begin, std::int64_t end) {
         CellMap::BlocksAround blocks;
         for (std::int64_t i = begin; i < end; ++i) judged.cell[i] = judge(site, cells, judged.number, i, blocks);
     });
@@ -437,16 +434,16 @@ JudgedCells judge_cells(const marks::Site& site, const SurfaceCells& cells, cons
 }
 
 PlaneCandidates draw_on_planes(const marks::Site& site, const JudgedCells& judged, std::uint32_t stream, double density,
-                               double most_trials, const base::Progress& progress) {
+                               double most_trials) {
     HRBFNPR_ASSERT(density > 0.0);
     constexpr double most_of_cell = 1e6; // so that trials can be numbered
     const auto flat = static_cast<double>(std::count_if(judged.cell.begin(), judged.cell.end(),
                                                         [](const JudgedCell& c) { return c.kind == CellKind::flat; }));
     PlaneCandidates planes{stream | 0xffff0000U, density, std::min(most_trials / std::max(flat, 1.0), most_of_cell),
                            base::Array<std::int32_t>(site.memory(), judged.cell.size())};
-    site.runtime.parallel.for_chunks(judged.cell.size(), cells_a_task, [&](std::int64_t begin, std::int64_t end) {
+    site.work.for_chunks(judged.cell.size(), cells_a_task, [&](std::int64_t begin, std::int64_t end) {
         for (std::int64_t i = begin; i < end; ++i) {
-            progress.check(); // a cell may have many
+            site.work.check(); // a cell may have many
             if (judged.kind(i) == CellKind::flat)
                 for_candidates_on_plane(site, judged.cells, i, planes,
                                         [&](const glm::dvec3&, double) { ++planes.count[i]; });
@@ -491,8 +488,7 @@ LayerCandidates layer_candidates(const JudgedCells& judged, std::uint32_t stream
     return layer;
 }
 
-void draw_in_layer(const marks::Site& site, const JudgedCells& judged, double density, LayerCandidates& layer,
-                   const base::Progress& progress) {
+void draw_in_layer(const marks::Site& site, const JudgedCells& judged, double density, LayerCandidates& layer) {
     const std::int64_t cells = layer.trial_cell.size();
     const double missing = density * layer.area() - static_cast<double>(layer.projection.size());
     if (cells == 0 || !(missing > 0.0)) return;
@@ -504,7 +500,7 @@ void draw_in_layer(const marks::Site& site, const JudgedCells& judged, double de
     base::Array<std::int64_t> slot(site.memory()); // where each cell's trials begin in the batch, and the end
     geometry::VecArray trial(site.memory());
     base::Array<std::uint32_t> ticket(site.memory());
-    const base::Progress standing = progress.standing();
+    const marks::Site standing = site.standing();
     for (std::int64_t begin = 0, end = 0; begin < cells; begin = end) {
         slot.clear();
         slot.push_back(0);
@@ -518,40 +514,39 @@ void draw_in_layer(const marks::Site& site, const JudgedCells& judged, double de
         draw_trials(site, judged.cells, layer.trial_cell.span().subspan(batch, slot.span().size() - 1), slot.span(),
                     stream, trial, ticket);
         const std::int64_t first = layer.projection.size();
-        step_down(site, judged, trial, ticket, layer, standing);
-        step_down_again(site, judged, first, layer, standing);
-        progress.update(static_cast<double>(end) / static_cast<double>(cells));
+        step_down(standing, judged, trial, ticket, layer);
+        step_down_again(standing, judged, first, layer);
+        site.work.update(static_cast<double>(end) / static_cast<double>(cells));
     }
 }
 
-Candidates draw_candidates(const marks::Site& site, const SurfaceCells& cells, std::int64_t wanted, marks::Kind kind,
-                           const base::Progress& progress) {
+Candidates draw_candidates(const marks::Site& site, const SurfaceCells& cells, std::int64_t wanted, marks::Kind kind) {
     Candidates candidates(site.memory());
     candidates.grid = cells.grid;
     candidates.region = cells.region;
     if (cells.cell.empty()) return candidates;
     const std::uint32_t stream = marks::stream_of(kind);
-    const JudgedCells judged = judge_cells(site, cells, progress);
+    const JudgedCells judged = judge_cells(site, cells);
     LayerCandidates layer = layer_candidates(judged, stream, wanted);
     // Where the function is no distance, the cells' area is wrong, and the first round gives too few.
     const auto many = static_cast<double>(wanted);
     double density = many / cells.rough_area();
     PlaneCandidates planes{stream, density, 0.0, base::Array<std::int32_t>(site.memory())};
     for (int round = 0; round < stipple_tuning.candidate_rounds; ++round) {
-        planes = draw_on_planes(site, judged, stream, density, stipple_tuning.most_trials * many, progress);
-        draw_in_layer(site, judged, stipple_tuning.layer_density * density, layer,
-                      progress.part(round == 0 ? 0.0 : 0.7, round == 0 ? 0.7 : 0.8));
+        planes = draw_on_planes(site, judged, stream, density, stipple_tuning.most_trials * many);
+        draw_in_layer(site.part(round == 0 ? 0.0 : 0.7, round == 0 ? 0.7 : 0.8), judged,
+                      stipple_tuning.layer_density * density, layer);
         const double placed = static_cast<double>(planes.all) +
                               static_cast<double>(layer.projection.size()) / stipple_tuning.layer_density;
         if (placed >= stipple_tuning.enough * many || !(placed > 0.0)) break;
         density *= many / placed;
     }
-    merge(site, judged, planes, layer, candidates, progress);
+    merge(site, judged, planes, layer, candidates);
     candidates.report.placed = candidates.count;
     candidates.report.dropped_strayed = layer.strayed;
     candidates.report.attempted = candidates.report.placed + candidates.report.dropped_strayed;
     candidates.area = planes.area() + layer.area();
-    progress.update(1.0);
+    site.work.update(1.0);
     return candidates;
 }
 

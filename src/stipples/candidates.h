@@ -41,8 +41,7 @@ struct JudgedCells {
     base::Array<JudgedCell> cell;
 };
 
-[[nodiscard]] JudgedCells judge_cells(const marks::Site& site, const SurfaceCells& cells,
-                                      const base::Progress& progress);
+[[nodiscard]] JudgedCells judge_cells(const marks::Site& site, const SurfaceCells& cells);
 
 // Candidates on planes are kept as numbers of trials only: each is drawn again from its cell's random numbers.
 struct PlaneCandidates {
@@ -57,7 +56,7 @@ struct PlaneCandidates {
 
 // Draws that many for each unit of area, but no more trials than `most_trials` in all cells together.
 [[nodiscard]] PlaneCandidates draw_on_planes(const marks::Site& site, const JudgedCells& judged, std::uint32_t stream,
-                                             double density, double most_trials, const base::Progress& progress);
+                                             double density, double most_trials);
 
 // A point on the surface, to second order, and its cell.
 struct Projection {
@@ -98,8 +97,7 @@ struct LayerCandidates {
 // `wanted`: the number of candidates of the whole surface.
 [[nodiscard]] LayerCandidates layer_candidates(const JudgedCells& judged, std::uint32_t stream, std::int64_t wanted);
 // Draws more, until there are about that many for each unit of area; each time others.
-void draw_in_layer(const marks::Site& site, const JudgedCells& judged, double density, LayerCandidates& layer,
-                   const base::Progress& progress);
+void draw_in_layer(const marks::Site& site, const JudgedCells& judged, double density, LayerCandidates& layer);
 
 // Candidates cell by cell along a space-filling curve, in single precision: a chosen one comes to rest on the surface
 // later.
@@ -132,7 +130,7 @@ struct Candidates {
 
 // Draws about `wanted` candidates.
 [[nodiscard]] Candidates draw_candidates(const marks::Site& site, const SurfaceCells& cells, std::int64_t wanted,
-                                         marks::Kind kind, const base::Progress& progress);
+                                         marks::Kind kind);
 
 // ---- The progressive order
 //
@@ -166,7 +164,6 @@ using OrderedMarks = base::Array<OrderMark>;
 
 // Orders `wanted` marks, or as many as differ. Works in the candidates themselves, which come to stand in another
 // order.
-[[nodiscard]] OrderedMarks progressive_order(const marks::Site& site, Candidates& candidates, std::int64_t wanted,
-                                             const base::Progress& progress);
+[[nodiscard]] OrderedMarks progressive_order(const marks::Site& site, Candidates& candidates, std::int64_t wanted);
 
 } // namespace hrbfnpr::stipples

@@ -106,12 +106,11 @@ constexpr unsigned tile_bits = 3;
 // of which no two are neighbours: a mark changes candidates less than two cells outside its tile. Within its turn a
 // tile is filled greedily, one mark after the other.
 struct Stage {
-    Stage(const marks::Site& of, const Candidates& candidates, const Home& home_cells, const StageSettings& its,
-          const base::Progress& watch)
+    Stage(const marks::Site& of, const Candidates& candidates, const Home& home_cells, const StageSettings& its)
         : site(of),
           grid(candidates.grid), region{candidates.region.min - grid.origin, candidates.region.max - grid.origin},
-          home(home_cells), settings(its), progress(watch), side(static_cast<float>(std::ldexp(grid.side, its.level))),
-          creased(of.implicit.sheets() != nullptr), loops(order_loops(of.runtime.instruction_set)), number(of.memory()),
+          home(home_cells), settings(its), side(static_cast<float>(std::ldexp(grid.side, its.level))),
+          creased(of.implicit.sheets() != nullptr), loops(order_loops(of.work.instruction_set)), number(of.memory()),
           cell(of.memory()), neighbour(of.memory()), lowest(of.memory()), floor(of.memory()), own_group(of.memory()),
           extra(of.memory()), tile(of.memory()), fresh(of.memory()), fresh_count(of.memory()) {}
 
@@ -141,10 +140,9 @@ struct Stage {
     // Calls visit(c) for all cells, on all threads.
     template <class Visit>
     void for_cells(Visit&& visit) const {
-        site.runtime.parallel.for_chunks(cell.size(), cells_a_task, progress,
-                                         [&](std::int64_t begin, std::int64_t end) {
-                                             for (std::int64_t c = begin; c < end; ++c) visit(c);
-                                         });
+        site.work.for_chunks(cell.size(), cells_a_task, [&](std::int64_t begin, std::int64_t end) {
+            for (std::int64_t c = begin; c < end; ++c) visit(c);
+        });
     }
     // Calls visit on the cells that have a point nearer than `distance` to a place in cell c.
     template <class Visit>
@@ -176,9 +174,8 @@ struct Stage {
     geometry::Bounds region; // relative to the grid's origin
     const Home& home;
     StageSettings settings;
-    base::Progress progress; // only looked at for a cancel
-    float side;              // the side of a cell of the stage, object units
-    std::size_t creased;     // 1 if the surface has creases, else 0: the index of its loops
+    float side;          // the side of a cell of the stage, object units
+    std::size_t creased; // 1 if the surface has creases, else 0: the index of its loops
     OrderLoops loops;
 
     CellMap number; // gives the number of a cell by its code
@@ -218,7 +215,6 @@ struct Stage {
         const glm::vec3 low(static_cast<float>(at[0]), static_cast<float>(at[1]), static_cast<float>(at[2]));
         return StageCell{group, static_cast<std::int32_t>(groups_for(count)), -1, 0, -1, stage.side * low, {}};
     };
-    const base::Parallel& parallel = stage.site.runtime.parallel;
     if (settings.level == 0 && settings.ticket_limit > 0xffffffffU) {
         stage.group = candidates.group.data();
         stage.for_cells([&](std::int64_t c) {
@@ -233,7 +229,7 @@ struct Stage {
     };
     // A few large cells have as many candidates as many small ones.
     const std::int64_t grain = std::clamp<std::int64_t>(code.size() / 64, 1, cells_a_task);
-    parallel.for_chunks(code.size(), grain, stage.progress, [&](std::int64_t begin, std::int64_t end) {
+    stage.site.work.for_chunks(code.size(), grain, [&](std::int64_t begin, std::int64_t end) {
         for (std::int64_t c = begin; c < end; ++c) {
             std::int64_t count = 0;
             for_taken(c, [&](std::int64_t) { ++count; });
@@ -244,9 +240,9 @@ struct Stage {
     for (StageCell& cell : stage.cell) cell.group = std::exchange(groups, groups + cell.groups);
     stage.own_group.resize_for_overwrite(groups);
     stage.group = stage.own_group.data();
-    parallel.for_chunks(code.size(), grain, [&](std::int64_t begin, std::int64_t end) {
+    stage.site.work.for_chunks(code.size(), grain, [&](std::int64_t begin, std::int64_t end) {
         for (std::int64_t c = begin; c < end; ++c) {
-            stage.progress.check();
+            stage.site.work.check();
             const OrderBlock block = stage.block_of(c);
             std::int64_t count = 0;
             for_taken(c, [&](std::int64_t place) { copy_place(candidates.places(), place, block, count++); });
@@ -273,7 +269,7 @@ void find_tiles(const base::Array<std::uint64_t>& code, Stage& stage) {
     stage.lowest.resize(code.size());
     stage.floor.resize(code.size());
     const std::int64_t count = code.size();
-    stage.site.runtime.parallel.for_chunks(count, cells_a_task, stage.progress, [&](auto begin, auto end) {
+    stage.site.work.for_chunks(count, cells_a_task, [&](auto begin, auto end) {
         CellMap::BlocksAround blocks;
         for (std::int64_t c = begin; c < end; ++c) stage.neighbour[c] = stage.number.around(code[c], blocks);
     });
@@ -282,13 +278,10 @@ void find_tiles(const base::Array<std::uint64_t>& code, Stage& stage) {
 // Puts marks of earlier stages into their cells. A mark outside all of them would be felt by none: `Home` prevents it.
 void link_all(const OrderedMarks& marks, Stage& stage) {
     base::Array<std::int32_t> cell(stage.site.memory(), marks.size());
-    stage.site.runtime.parallel.for_chunks(marks.size(), points_a_task, stage.progress,
-                                           [&](std::int64_t begin, std::int64_t end) {
-                                               for (std::int64_t i = begin; i < end; ++i)
-                                                   cell[i] = stage.cell_at(stage.code_at(vector(marks[i].position)));
-                                           });
-    for (std::int64_t i = 0; i < marks.size(); ++i) {
-        if (i % marks_a_look == 0) stage.progress.check();
+    stage.site.work.for_chunks(marks.size(), points_a_task, [&](std::int64_t begin, std::int64_t end) {
+        for (std::int64_t i = begin; i < end; ++i) cell[i] = stage.cell_at(stage.code_at(vector(marks[i].position)));
+    });
+    for (const std::int64_t i : stage.site.work.over(marks.size())) {
         if (cell[i] >= 0 && !stage.link(marks[i], cell[i])) stage.link_more(marks[i], cell[i]);
     }
 }
@@ -537,21 +530,20 @@ void sweep(std::span<const SweepStep> steps, std::int64_t room, Stage& stage, Or
         const std::int64_t tiles = stage.turn[turn + 1] - first;
         stage.fresh.resize_for_overwrite(most_fresh * tiles);
         stage.fresh_count.resize_for_overwrite(tiles);
-        stage.site.runtime.parallel.for_chunks(
+        stage.site.work.for_chunks(
             tiles, std::clamp<std::int64_t>(tiles / 32, 1, 16), [&](std::int64_t begin, std::int64_t end) {
                 for (std::int64_t t = begin; t < end; ++t) {
-                    stage.progress.check();
+                    stage.site.work.check();
                     stage.fresh_count[t] =
                         fill_tile(stage, stage.tile[first + t], steps, stage.fresh.data() + most_fresh * t);
                 }
             });
-        for (std::int64_t t = 0; t < tiles; ++t) {
-            if (t % 256 == 0) stage.progress.check();
+        for (const std::int64_t t : stage.site.work.over(tiles)) {
             for (std::int32_t k = 0; k < stage.fresh_count[t]; ++k) {
                 const Fresh& fresh = stage.fresh[most_fresh * t + k];
-                base::push_back_long(order.mark, fresh.mark, stage.progress);
-                base::push_back_long(order.step, fresh.step, stage.progress);
-                base::push_back_long(energy, fresh.energy, stage.progress);
+                base::push_back_long(order.mark, fresh.mark, stage.site.work);
+                base::push_back_long(order.step, fresh.step, stage.site.work);
+                base::push_back_long(energy, fresh.energy, stage.site.work);
                 if (!fresh.linked) stage.link_more(fresh.mark, fresh.cell);
             }
         }
@@ -616,7 +608,7 @@ bool fill(Stage& stage, double area, std::int64_t last, std::int64_t wanted, dou
 
 // Fills up to `last` marks in cells of that level; returns false where no place is left for them.
 bool run_stage(const marks::Site& site, Candidates& candidates, const Home& home, std::int32_t level, std::int64_t last,
-               std::int64_t wanted, Order& order, const base::Progress& progress) {
+               std::int64_t wanted, Order& order) {
     HRBFNPR_ASSERT(level >= home.level);
     const double end = densest_distance(candidates.area, static_cast<double>(last));
     const double side = std::ldexp(candidates.grid.side, level);
@@ -632,14 +624,14 @@ bool run_stage(const marks::Site& site, Candidates& candidates, const Home& home
     settings.farthest_move = std::min(0.5 * (1.0 - stipple_tuning.kept_distance) * side,
                                       stipple_tuning.farthest_move * candidates.grid.side);
     for (const double least : {stipple_tuning.least_distance, 0.0}) {
-        Stage stage(site, candidates, home, settings, progress);
+        Stage stage(site, candidates, home, settings);
         find_tiles(take_candidates(candidates, stage), stage);
         link_all(order.mark, stage);
         feel_all(stage);
         // Closer points are the same to float positions.
         const double closest = std::max(least, 1e-7 * candidates.region.diagonal() / end);
         const double needless = settings.nearness * least * end;
-        if (fill(stage, candidates.area, last, wanted, closest, needless, order, progress)) return true;
+        if (fill(stage, candidates.area, last, wanted, closest, needless, order, site.work)) return true;
     }
     return false;
 }
@@ -658,7 +650,7 @@ bool run_stage(const marks::Site& site, Candidates& candidates, const Home& home
     OrderedMarks sorted(site.memory());
     lot.resize_for_overwrite(count);
     sorted.resize_for_overwrite(count);
-    site.runtime.parallel.for_each(order.sweep.size(), [&](std::int64_t sweep) {
+    site.work.for_each(order.sweep.size(), [&](std::int64_t sweep) {
         const std::int64_t begin = order.sweep[sweep];
         const std::int64_t end = sweep + 1 < order.sweep.size() ? order.sweep[sweep + 1] : count;
         for (std::int64_t i = begin; i < end; ++i) {
@@ -724,8 +716,7 @@ glm::dvec2 toward_void(std::span<const glm::dvec2> around, double wanted, double
     return squared(at) <= farthest * farthest ? at : glm::dvec2(0.0);
 }
 
-OrderedMarks progressive_order(const marks::Site& site, Candidates& candidates, std::int64_t wanted,
-                               const base::Progress& progress) {
+OrderedMarks progressive_order(const marks::Site& site, Candidates& candidates, std::int64_t wanted) {
     Order order(site.memory());
     if (candidates.count == 0 || wanted <= 0) return std::move(order.mark);
     const auto side = [&](std::int32_t level) { return std::ldexp(candidates.grid.side, level); };
@@ -748,10 +739,9 @@ OrderedMarks progressive_order(const marks::Site& site, Candidates& candidates, 
         // With this number of marks the energies of a stage reach as far as the side of its cells.
         const double within = std::floor(std::pow(reach(1.0) / side(level), 2.0));
         const std::int64_t last = std::min(static_cast<std::int64_t>(within), wanted);
-        if (last > order.mark.size())
-            has_room = run_stage(site, candidates, home, level, last, wanted, order, progress);
+        if (last > order.mark.size()) has_room = run_stage(site, candidates, home, level, last, wanted, order);
     }
-    run_stage(site, candidates, home, home.level, wanted, wanted, order, progress);
+    run_stage(site, candidates, home, home.level, wanted, wanted, order);
     return shuffled(site, order);
 }
 

@@ -86,7 +86,7 @@ struct Judged {
 } // namespace
 
 SurfaceCells find_surface_cells(const marks::Site& site, const geometry::VecArray& seeds,
-                                const geometry::Bounds& region, double side, const base::Progress& progress) {
+                                const geometry::Bounds& region, double side) {
     HRBFNPR_ASSERT(side > 0.0);
     SurfaceCells cells(site.memory());
     cells.grid = {region.min - 2.5 * side, side};
@@ -103,24 +103,21 @@ SurfaceCells find_surface_cells(const marks::Site& site, const geometry::VecArra
     marks::FieldSamples field(site.memory());
     base::Array<Judged> judged(site.memory());
     for (bool seeded = true; !front.empty(); seeded = false) {
-        resize_long(centre, front.size(), progress);
-        for (std::int64_t i = 0; i < front.size(); ++i) {
-            if (i % marks_a_look == 0) progress.check();
+        resize_long(centre, front.size(), site.work);
+        for (const std::int64_t i : site.work.over(front.size())) {
             centre.set(i, cells.grid.centre(geometry::CellGrid::unpack(front[i].cell)));
         }
-        evaluate(site, centre, field, progress);
+        evaluate(site, centre, field);
         judged.resize_for_overwrite(front.size());
-        site.runtime.parallel.for_chunks(
-            front.size(), cells_a_task, progress, [&](std::int64_t begin, std::int64_t end) {
-                for (std::int64_t i = begin; i < end; ++i)
-                    judged[i] = judge_reached(site, cells, front[i], seeded, field.distance(i), field.gradient[i]);
-            });
+        site.work.for_chunks(front.size(), cells_a_task, [&](std::int64_t begin, std::int64_t end) {
+            for (std::int64_t i = begin; i < end; ++i)
+                judged[i] = judge_reached(site, cells, front[i], seeded, field.distance(i), field.gradient[i]);
+        });
         next.clear();
-        for (std::int64_t i = 0; i < judged.size(); ++i) {
-            if (i % points_a_task == 0) progress.check();
+        for (const std::int64_t i : site.work.over(judged.size())) {
             if (!judged[i].belongs) continue;
             const SurfaceCell& cell = judged[i].cell;
-            base::push_back_long(cells.cell, cell, progress);
+            base::push_back_long(cells.cell, cell, site.work);
             const Cell place = geometry::morton_cell(cell.code);
             for (std::uint32_t left = known.insert_around(place, judged[i].onward); left != 0; left &= left - 1) {
                 const Cell there = geometry::neighbour(place, std::countr_zero(left));
@@ -131,8 +128,8 @@ SurfaceCells find_surface_cells(const marks::Site& site, const geometry::VecArra
     }
     base::sort_long(
         cells.cell.begin(), cells.cell.end(),
-        [](const SurfaceCell& a, const SurfaceCell& b) { return a.code < b.code; }, progress);
-    progress.update(1.0);
+        [](const SurfaceCell& a, const SurfaceCell& b) { return a.code < b.code; }, site.work);
+    site.work.update(1.0);
     return cells;
 }
 

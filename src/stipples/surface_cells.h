@@ -47,8 +47,7 @@ struct SurfaceCells {
 
 // Cells of side `side`; the band is half of that.
 [[nodiscard]] SurfaceCells find_surface_cells(const marks::Site& site, const geometry::VecArray& seeds,
-                                              const geometry::Bounds& region, double side,
-                                              const base::Progress& progress);
+                                              const geometry::Bounds& region, double side);
 
 // The numbers of cells by their codes: a hash table of blocks of 4 x 4 x 4 cells.
 class CellMap {

@@ -143,7 +143,5 @@ inline constexpr StippleTuning stipple_tuning;
 inline constexpr std::int64_t cells_a_task = 512;
 inline constexpr std::int64_t points_a_task = 4096;
 inline constexpr std::int64_t points_a_batch = 262144;
-// A serial loop over marks looks for a cancel each time.
-inline constexpr std::int64_t marks_a_look = 16384;
 
 } // namespace hrbfnpr::stipples

@@ -277,8 +277,8 @@ void Batch::run(const Rays& rays, std::int64_t begin, std::int64_t end, const ba
 
 } // namespace
 
-void cast_rays(const base::Runtime& runtime, const implicit::Implicit& implicit, const RaySettings& settings,
-               const Rays& rays, RayHits& hits, const base::Progress& progress) {
+void cast_rays(const base::Work& work, const implicit::Implicit& implicit, const RaySettings& settings,
+               const Rays& rays, RayHits& hits) {
     const std::int64_t count = rays.origin.size();
     hits.t.resize(count * settings.maximum_hits);
     hits.position.resize(count * settings.maximum_hits);
@@ -288,12 +288,11 @@ void cast_rays(const base::Runtime& runtime, const implicit::Implicit& implicit,
     hits.status.resize(count);
     if (count == 0) return;
     const bool estimate = !(settings.lipschitz > 0.0);
-    const double lipschitz =
-        estimate ? lipschitz_estimate(runtime, implicit, progress.part(0.0, 0.1)) : settings.lipschitz;
-    const base::Progress casting = progress.part(estimate ? 0.1 : 0.0, 1.0);
+    const double lipschitz = estimate ? lipschitz_estimate(work.part(0.0, 0.1), implicit) : settings.lipschitz;
+    const base::Work casting = work.part(estimate ? 0.1 : 0.0, 1.0);
     std::atomic<std::int64_t> done{0};
-    implicit.threads(runtime.parallel).for_chunks(count, batch_size, [&](std::int64_t begin, std::int64_t end) {
-        base::Boxed<Batch> batch(runtime.memory, implicit, settings, lipschitz, hits);
+    implicit.threads(work).for_chunks(count, batch_size, [&](std::int64_t begin, std::int64_t end) {
+        base::Boxed<Batch> batch(work.memory, implicit, settings, lipschitz, hits);
         batch->run(rays, begin, end, casting);
         const std::int64_t now = done.fetch_add(end - begin, std::memory_order_relaxed) + end - begin;
         casting.update(static_cast<double>(now) / static_cast<double>(count));

@@ -4,7 +4,7 @@
 
 #include "base/memory.h"
 #include "base/operation.h"
-#include "base/runtime.h"
+#include "base/work.h"
 #include "geometry/vec_array.h"
 #include "implicit/implicit.h"
 
@@ -47,7 +47,7 @@ struct RayHits {
 };
 
 // Casts all rays on all threads; hits is resized.  The bits of a ray do not depend on the others.
-void cast_rays(const base::Runtime& runtime, const implicit::Implicit& implicit, const RaySettings& settings,
-               const Rays& rays, RayHits& hits, const base::Progress& progress);
+void cast_rays(const base::Work& work, const implicit::Implicit& implicit, const RaySettings& settings,
+               const Rays& rays, RayHits& hits);
 
 } // namespace hrbfnpr::surface

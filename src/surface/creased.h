@@ -3,15 +3,15 @@
 #pragma once
 
 #include "base/operation.h"
-#include "base/runtime.h"
+#include "base/work.h"
 #include "geometry/vec_array.h"
 #include "implicit/implicit.h"
 
 namespace hrbfnpr::surface {
 
 // Of each point; empty where the implicit is smooth.
-[[nodiscard]] base::Array<std::int32_t> sheets_at(const base::Runtime& runtime, const implicit::Implicit& implicit,
-                                                  const geometry::VecArray& points, const base::Progress& progress);
+[[nodiscard]] base::Array<std::int32_t> sheets_at(const base::Work& work, const implicit::Implicit& implicit,
+                                                  const geometry::VecArray& points);
 
 // The cosine of 15 degrees: sheets that meet at a smaller angle are one surface.
 inline constexpr double smooth_cosine = 0.9659;

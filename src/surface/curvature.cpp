@@ -72,19 +72,18 @@ Curvature principal_curvature(const glm::dvec3& gradient, const std::array<doubl
     return result;
 }
 
-void principal_curvatures(const base::Runtime& runtime, const implicit::Implicit& implicit,
-                          const geometry::VecArray& points, base::Array<Curvature>& result,
-                          const base::Progress& progress) {
+void principal_curvatures(const base::Work& work, const implicit::Implicit& implicit, const geometry::VecArray& points,
+                          base::Array<Curvature>& result) {
     const std::int64_t count = points.size();
     const double diagonal = implicit.diagonal();
-    base::Array<double> columns(runtime.memory);
-    base::resize_long(columns, 9 * count, progress); // each batch of points would touch it all over for the first time
+    base::Array<double> columns(work.memory);
+    base::resize_long(columns, 9 * count, work); // each batch of points would touch it all over for the first time
     implicit::FieldBatch fields;
     for (std::int64_t k = 0; k < 3; ++k) fields.gradient[static_cast<std::size_t>(k)] = columns.data() + k * count;
     for (std::int64_t k = 0; k < 6; ++k) fields.hessian[static_cast<std::size_t>(k)] = columns.data() + (3 + k) * count;
-    implicit::evaluate_all(runtime, implicit, points, fields, progress);
+    implicit::evaluate_all(work, implicit, points, fields);
     result.resize_for_overwrite(count);
-    runtime.parallel.for_chunks(count, 4096, progress, [&](std::int64_t begin, std::int64_t end) {
+    work.for_chunks(count, 4096, [&](std::int64_t begin, std::int64_t end) {
         for (std::int64_t i = begin; i < end; ++i) {
             std::array<double, 6> hessian;
             for (std::size_t k = 0; k < 6; ++k) hessian[k] = fields.hessian[k][i];

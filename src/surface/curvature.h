@@ -3,7 +3,7 @@
 #pragma once
 
 #include "base/operation.h"
-#include "base/runtime.h"
+#include "base/work.h"
 #include "geometry/vec_array.h"
 #include "implicit/implicit.h"
 
@@ -44,8 +44,7 @@ struct Curvature {
                                             double diagonal) noexcept;
 
 // For all points, on all threads; result is resized.
-void principal_curvatures(const base::Runtime& runtime, const implicit::Implicit& implicit,
-                          const geometry::VecArray& points, base::Array<Curvature>& result,
-                          const base::Progress& progress);
+void principal_curvatures(const base::Work& work, const implicit::Implicit& implicit, const geometry::VecArray& points,
+                          base::Array<Curvature>& result);
 
 } // namespace hrbfnpr::surface

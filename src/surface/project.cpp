@@ -175,22 +175,21 @@ void ProjectedBatch::run(Projection& points, std::int64_t begin, std::int64_t en
 
 } // namespace
 
-void project(const base::Runtime& runtime, const implicit::Implicit& implicit, const ProjectionSettings& settings,
-             Projection& points, const base::Progress& progress) {
+void project(const base::Work& work, const implicit::Implicit& implicit, const ProjectionSettings& settings,
+             Projection& points) {
     const std::int64_t count = points.position.size();
     points.gradient.resize(count);
     points.status.resize(count);
-    const base::Array<std::int32_t> order = implicit::order_by_cell(runtime, implicit, points.position, progress);
+    const base::Array<std::int32_t> order = implicit::order_by_cell(work, implicit, points.position);
     std::atomic<std::int64_t> done{0};
-    implicit.threads(runtime.parallel).for_chunks(count, projected_at_once, [&](std::int64_t begin, std::int64_t end) {
-        base::Boxed<ProjectedBatch> batch(runtime.memory, implicit, settings, order.data());
-        batch->run(points, begin, end, progress);
+    implicit.threads(work).for_chunks(count, projected_at_once, [&](std::int64_t begin, std::int64_t end) {
+        base::Boxed<ProjectedBatch> batch(work.memory, implicit, settings, order.data());
+        batch->run(points, begin, end, work);
         const std::int64_t now = done.fetch_add(end - begin, std::memory_order_relaxed) + end - begin;
-        progress.update(static_cast<double>(now) / static_cast<double>(count));
+        work.update(static_cast<double>(now) / static_cast<double>(count));
     });
-    if (implicit.sheets() != nullptr) project_onto_creases(runtime, implicit, settings, points, progress);
-    if (implicit.sheets() != nullptr || implicit.lipschitz() > 0.0)
-        project_by_search(runtime, implicit, settings, points, progress);
+    if (implicit.sheets() != nullptr) project_onto_creases(work, implicit, settings, points);
+    if (implicit.sheets() != nullptr || implicit.lipschitz() > 0.0) project_by_search(work, implicit, settings, points);
 }
 
 } // namespace hrbfnpr::surface

@@ -7,7 +7,7 @@
 
 #include "base/memory.h"
 #include "base/operation.h"
-#include "base/runtime.h"
+#include "base/work.h"
 #include "geometry/vec_array.h"
 #include "implicit/implicit.h"
 
@@ -37,7 +37,7 @@ struct Projection {
 };
 
 // Projects all points on all threads.  The bits of a point do not depend on the others.
-void project(const base::Runtime& runtime, const implicit::Implicit& implicit, const ProjectionSettings& settings,
-             Projection& points, const base::Progress& progress);
+void project(const base::Work& work, const implicit::Implicit& implicit, const ProjectionSettings& settings,
+             Projection& points);
 
 } // namespace hrbfnpr::surface

@@ -59,13 +59,12 @@ private:
 
 } // namespace
 
-void project_onto_creases(const base::Runtime& runtime, const implicit::Implicit& implicit,
-                          const ProjectionSettings& settings, Projection& points, const base::Progress& progress) {
-    base::Array<std::int64_t> left(runtime.memory);
+void project_onto_creases(const base::Work& work, const implicit::Implicit& implicit,
+                          const ProjectionSettings& settings, Projection& points) {
+    base::Array<std::int64_t> left(work.memory);
     for (std::int64_t i = 0; i < points.status.size(); ++i)
         if (points.status[i] == ProjectionStatus::not_converged) left.push_back(i);
-    implicit.threads(runtime.parallel).for_chunks(left.size(), grain, [&](std::int64_t begin, std::int64_t end) {
-        progress.check();
+    implicit.threads(work).for_chunks(left.size(), grain, [&](std::int64_t begin, std::int64_t end) {
         Walker walker(implicit, settings);
         for (std::int64_t k = begin; k < end; ++k) {
             const std::int64_t i = left[k];

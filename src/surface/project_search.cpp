@@ -99,23 +99,22 @@ private:
 
 } // namespace
 
-void project_by_search(const base::Runtime& runtime, const implicit::Implicit& implicit,
-                       const ProjectionSettings& settings, Projection& points, const base::Progress& progress) {
-    base::Array<std::int64_t> left(runtime.memory);
+void project_by_search(const base::Work& work, const implicit::Implicit& implicit, const ProjectionSettings& settings,
+                       Projection& points) {
+    base::Array<std::int64_t> left(work.memory);
     for (std::int64_t i = 0; i < points.status.size(); ++i)
         if (points.status[i] == ProjectionStatus::not_converged || points.status[i] == ProjectionStatus::zero_gradient)
             left.push_back(i);
-    implicit.threads(runtime.parallel)
-        .for_chunks(left.size(), searches_a_task, [&](std::int64_t begin, std::int64_t end) {
-            Searcher searcher(implicit, settings);
-            for (std::int64_t k = begin; k < end; ++k) {
-                const std::int64_t i = left[k];
-                if (!searcher.run(points.position[i], progress)) continue;
-                points.position.set(i, searcher.place);
-                points.gradient.set(i, searcher.gradient);
-                points.status[i] = ProjectionStatus::converged;
-            }
-        });
+    implicit.threads(work).for_chunks(left.size(), searches_a_task, [&](std::int64_t begin, std::int64_t end) {
+        Searcher searcher(implicit, settings);
+        for (std::int64_t k = begin; k < end; ++k) {
+            const std::int64_t i = left[k];
+            if (!searcher.run(points.position[i], work)) continue;
+            points.position.set(i, searcher.place);
+            points.gradient.set(i, searcher.gradient);
+            points.status[i] = ProjectionStatus::converged;
+        }
+    });
 }
 
 } // namespace hrbfnpr::surface

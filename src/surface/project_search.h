@@ -9,7 +9,7 @@ namespace hrbfnpr::surface {
 // Of the points that have not converged, or ended where f is flat: from their last iterates, on spheres that grow, up
 // to the end of the search region; then by halving.  Those around which f changes its sign nowhere stay as they are.
 // For implicits that have local minima of |f| off the surface by their making: minima and maxima of parts.
-void project_by_search(const base::Runtime& runtime, const implicit::Implicit& implicit,
-                       const ProjectionSettings& settings, Projection& points, const base::Progress& progress);
+void project_by_search(const base::Work& work, const implicit::Implicit& implicit, const ProjectionSettings& settings,
+                       Projection& points);
 
 } // namespace hrbfnpr::surface

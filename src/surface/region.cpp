@@ -77,34 +77,31 @@ geometry::Bounds search_region(const implicit::Implicit& implicit) noexcept {
     return implicit.bounds().grown(region_margin * implicit.diagonal());
 }
 
-double lipschitz_estimate(const base::Runtime& runtime, const implicit::Implicit& implicit,
-                          const base::Progress& progress) {
+double lipschitz_estimate(const base::Work& work, const implicit::Implicit& implicit) {
     if (implicit.lipschitz() > 0.0) return implicit.lipschitz();
     constexpr std::int64_t chunks = (grid_size + region_batch - 1) / region_batch;
     const geometry::Bounds region = search_region(implicit);
     std::array<double, static_cast<std::size_t>(chunks)> most{};
     std::atomic<std::int64_t> done{0};
-    implicit.threads(runtime.parallel).for_chunks(grid_size, region_batch, [&](std::int64_t begin, std::int64_t end) {
-        progress.check();
+    implicit.threads(work).for_chunks(grid_size, region_batch, [&](std::int64_t begin, std::int64_t end) {
         most[static_cast<std::size_t>(begin / region_batch)] = steepest(implicit, region, begin, end);
         const std::int64_t now = done.fetch_add(end - begin, std::memory_order_relaxed) + end - begin;
-        progress.update(static_cast<double>(now) / static_cast<double>(grid_size));
+        work.update(static_cast<double>(now) / static_cast<double>(grid_size));
     });
     const double estimate = safety * *std::max_element(most.begin(), most.end());
     return std::clamp(estimate, std::numeric_limits<double>::min(), std::numeric_limits<double>::max());
 }
 
-void contains(const base::Runtime& runtime, const implicit::Implicit& implicit, const geometry::VecArray& points,
-              base::Array<std::uint8_t>& inside, const base::Progress& progress) {
+void contains(const base::Work& work, const implicit::Implicit& implicit, const geometry::VecArray& points,
+              base::Array<std::uint8_t>& inside) {
     const std::int64_t count = points.size();
     const geometry::Bounds region = search_region(implicit);
     inside.resize(count);
     std::atomic<std::int64_t> done{0};
-    implicit.threads(runtime.parallel).for_chunks(count, region_batch, [&](std::int64_t begin, std::int64_t end) {
-        progress.check();
+    implicit.threads(work).for_chunks(count, region_batch, [&](std::int64_t begin, std::int64_t end) {
         contains_batch(implicit, region, points, inside, begin, end);
         const std::int64_t now = done.fetch_add(end - begin, std::memory_order_relaxed) + end - begin;
-        progress.update(static_cast<double>(now) / static_cast<double>(count));
+        work.update(static_cast<double>(now) / static_cast<double>(count));
     });
 }
 

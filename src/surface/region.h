@@ -3,7 +3,7 @@
 #pragma once
 
 #include "base/operation.h"
-#include "base/runtime.h"
+#include "base/work.h"
 #include "geometry/vec_array.h"
 #include "implicit/implicit.h"
 
@@ -17,11 +17,10 @@ inline constexpr double region_margin = 0.05;
 // The largest |grad f| of a grid of 24^3 points over the region, times 1.5: an estimate of f's
 // Lipschitz constant there, and no proof; or a bound that the implicit knows.  Positive; the same bits for any thread
 // count.
-[[nodiscard]] double lipschitz_estimate(const base::Runtime& runtime, const implicit::Implicit& implicit,
-                                        const base::Progress& progress);
+[[nodiscard]] double lipschitz_estimate(const base::Work& work, const implicit::Implicit& implicit);
 
 // 1 where a point lies in the region and f < 0, else 0; inside is resized.  f is evaluated in the region only.
-void contains(const base::Runtime& runtime, const implicit::Implicit& implicit, const geometry::VecArray& points,
-              base::Array<std::uint8_t>& inside, const base::Progress& progress);
+void contains(const base::Work& work, const implicit::Implicit& implicit, const geometry::VecArray& points,
+              base::Array<std::uint8_t>& inside);
 
 } // namespace hrbfnpr::surface

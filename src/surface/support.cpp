@@ -56,13 +56,13 @@ struct Support::Near {
     [[nodiscard]] double s() const noexcept { return scale * (glm::dot(middle, middle) + least - std::log(sum)); }
 };
 
-Support::Support(const base::Runtime& runtime, const geometry::VecArray& position, const geometry::VecArray& normal,
-                 double closest, const base::Progress& progress)
-    : tree_(position, progress), normal_(position.memory(), position.size()),
-      spacing_(position.memory(), position.size()), sharpness_(position.memory(), position.size()),
-      surrounded_(position.memory(), position.size()), kept_(position.memory()), ends_(position.memory()) {
+Support::Support(const base::Work& work, const geometry::VecArray& position, const geometry::VecArray& normal,
+                 double closest)
+    : tree_(position, work), normal_(position.memory(), position.size()), spacing_(position.memory(), position.size()),
+      sharpness_(position.memory(), position.size()), surrounded_(position.memory(), position.size()),
+      kept_(position.memory()), ends_(position.memory()) {
     for (std::int64_t at = 0; at < tree_.size(); ++at) normal_.set(at, normal[tree_.index(at)]);
-    measure_spacing(runtime, closest, progress);
+    measure_spacing(work, closest);
 }
 
 void Support::keep(const geometry::CellGrid& grid, geometry::CellSet kept, geometry::CellSet ends, double limit) {
@@ -98,17 +98,16 @@ bool Support::has_nothing_near(const glm::dvec3& place, double half, double limi
     return !(limit_ > 0.0) || for_cells(place, half, [&](std::uint64_t cell) { return !kept_.contains(cell); });
 }
 
-void Support::measure_spacing(const base::Runtime& runtime, double closest, const base::Progress& progress) {
+void Support::measure_spacing(const base::Work& work, double closest) {
     const geometry::VecArray& position = tree_.points();
     const std::int64_t count = position.size();
-    const geometry::Neighbours neighbours(runtime.parallel, position, around, progress);
-    base::Array<double> distance(runtime.memory, count);
+    const geometry::Neighbours neighbours(work.runtime().parallel, position, around, work);
+    base::Array<double> distance(work.memory, count);
     // A sample without others, or on top of them, has any spacing but 0.
     const double smallest = std::max(1e-9 * tree_.bounds().diagonal(), 1e-100);
     for (std::int64_t i = 0; i < count; ++i)
         distance[i] = std::max(smallest, neighbours.each() > 0 ? distance_to_sixth(position, neighbours, i) : smallest);
-    runtime.parallel.for_chunks(count, supported_a_task, [&](std::int64_t begin, std::int64_t end) {
-        progress.check();
+    work.for_chunks(count, supported_a_task, [&](std::int64_t begin, std::int64_t end) {
         for (std::int64_t i = begin; i < end; ++i) {
             const double h = neighbours.each() > 0 ? own_and_median(distance, neighbours.of(i), i) : smallest;
             spacing_[i] = std::max(h, closest);
@@ -198,12 +197,10 @@ Support::Answer Support::evaluate(const glm::dvec3& place, const glm::dvec3& gra
     return answer;
 }
 
-void Support::evaluate_all(const base::Runtime& runtime, const geometry::VecArray& place,
-                           const geometry::VecArray& gradient, base::Array<double>& value,
-                           const base::Progress& progress) const {
+void Support::evaluate_all(const base::Work& work, const geometry::VecArray& place, const geometry::VecArray& gradient,
+                           base::Array<double>& value) const {
     value.resize_for_overwrite(place.size());
-    runtime.parallel.for_chunks(place.size(), supported_a_task, [&](std::int64_t begin, std::int64_t end) {
-        progress.check();
+    work.for_chunks(place.size(), supported_a_task, [&](std::int64_t begin, std::int64_t end) {
         for (std::int64_t i = begin; i < end; ++i) value[i] = this->value(place[i], gradient[i]);
     });
 }

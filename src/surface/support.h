@@ -11,7 +11,7 @@
 #pragma once
 
 #include "base/operation.h"
-#include "base/runtime.h"
+#include "base/work.h"
 #include "geometry/along_curves.h"
 #include "geometry/cell_set.h"
 #include "geometry/point_tree.h"
@@ -34,8 +34,8 @@ public:
 
     // position and normal (unit) of the same samples, one or more.  No spacing is taken to be less than the closest:
     // what a dense sample of a shape shall bear out is as near to it as that, and not as its samples to each other.
-    Support(const base::Runtime& runtime, const geometry::VecArray& position, const geometry::VecArray& normal,
-            double closest, const base::Progress& progress);
+    Support(const base::Work& work, const geometry::VecArray& position, const geometry::VecArray& normal,
+            double closest);
 
     // From here on s is below `limit` in the cells that are kept: holes that shall stay closed are.  ends: those that
     // the surface may end in, of all that it is known to pass.
@@ -51,8 +51,8 @@ public:
     [[nodiscard]] double value(const glm::dvec3& place, const glm::dvec3& gradient) const noexcept;
     [[nodiscard]] Answer evaluate(const glm::dvec3& place, const glm::dvec3& gradient) const noexcept;
     // At many places, by grad f there, which need not be unit; value: resized.  The same bits for any thread count.
-    void evaluate_all(const base::Runtime& runtime, const geometry::VecArray& place, const geometry::VecArray& gradient,
-                      base::Array<double>& value, const base::Progress& progress) const;
+    void evaluate_all(const base::Work& work, const geometry::VecArray& place, const geometry::VecArray& gradient,
+                      base::Array<double>& value) const;
 
     // How far it is to the nearest sample, the spacing there, and whether others surround it (surface/surrounded.h).
     struct Nearest {
@@ -86,7 +86,7 @@ private:
     // visit(packed cell) for the cells of the grid in a cube, until it returns false; false where they are many.
     template <class Visit>
     [[nodiscard]] bool for_cells(const glm::dvec3& place, double half, Visit&& visit) const;
-    void measure_spacing(const base::Runtime& runtime, double closest, const base::Progress& progress);
+    void measure_spacing(const base::Work& work, double closest);
     // From a sample to a place, in widths of its kernel.
     [[nodiscard]] glm::dvec3 away(std::int64_t j, const glm::dvec3& place) const noexcept;
     [[nodiscard]] Near look(const glm::dvec3& place, const glm::dvec3& normal) const noexcept;

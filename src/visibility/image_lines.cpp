@@ -240,20 +240,18 @@ bool find_pairs_in(const Scene& in, const Grid& grid, std::int64_t cell, base::A
 }
 
 // Pairs of segments that cross, in the order of the cells for any number of threads.
-base::Array<SegmentPair> find_pairs(const base::Runtime& runtime, const Scene& in, CrossingReport& report,
-                                    const base::Progress& progress) {
-    const Grid grid = make_grid(runtime.memory, in.lines);
+base::Array<SegmentPair> find_pairs(const base::Work& work, const Scene& in, CrossingReport& report) {
+    const Grid grid = make_grid(work.memory, in.lines);
     const std::int64_t cells = grid.begin.size() - 1;
-    base::List<base::Array<SegmentPair>> found(runtime.memory);
-    for (std::int64_t begin = 0; begin < cells; begin += cells_a_task) found.add(runtime.memory);
-    base::Array<std::int64_t> tangles(runtime.memory, found.size());
-    runtime.parallel.for_chunks(cells, cells_a_task, [&](std::int64_t begin, std::int64_t end) {
-        progress.check();
+    base::List<base::Array<SegmentPair>> found(work.memory);
+    for (std::int64_t begin = 0; begin < cells; begin += cells_a_task) found.add(work.memory);
+    base::Array<std::int64_t> tangles(work.memory, found.size());
+    work.for_chunks(cells, cells_a_task, [&](std::int64_t begin, std::int64_t end) {
         const std::int64_t task = begin / cells_a_task;
         for (std::int64_t cell = begin; cell < end; ++cell)
             if (!find_pairs_in(in, grid, cell, found[task])) ++tangles[task];
     });
-    base::Array<SegmentPair> pairs(runtime.memory);
+    base::Array<SegmentPair> pairs(work.memory);
     for (const base::Array<SegmentPair>& some : found)
         for (const SegmentPair& pair : some) pairs.push_back(pair);
     for (const std::int64_t some : tangles) report.tangles += some;
@@ -388,20 +386,19 @@ bool is_suspect(const Scene& in, const Crossing& c) noexcept {
 }
 
 // Moves the places of all suspects onto their curves, by two of Newton's steps.
-void correct(const base::Runtime& runtime, std::span<const Subject> subjects, base::Array<Suspect>& suspects,
-             const base::Progress& progress) {
+void correct(const base::Work& work, std::span<const Subject> subjects, base::Array<Suspect>& suspects) {
     for (std::size_t s = 0; s < subjects.size(); ++s) {
-        base::Array<curves::CurvePoint*> which(runtime.memory);
+        base::Array<curves::CurvePoint*> which(work.memory);
         for (Suspect& suspect : suspects)
             for (const int k : {0, 1})
                 if (!suspect.done && static_cast<std::size_t>(suspect.subject[k]) == s)
                     which.push_back(&suspect.point[k]);
         if (which.empty()) continue;
-        base::Array<curves::CurvePoint> points(runtime.memory);
+        base::Array<curves::CurvePoint> points(work.memory);
         for (const curves::CurvePoint* p : which) points.push_back(*p);
         std::int64_t evaluations = 0;
-        const base::Array<double> always(runtime.memory, points.size()); // a second step after any first one
-        curves::bring_closer(runtime, *subjects[s].level, always, points, evaluations, progress);
+        const base::Array<double> always(work.memory, points.size()); // a second step after any first one
+        curves::bring_closer(work, *subjects[s].level, always, points, evaluations);
         for (std::int64_t i = 0; i < points.size(); ++i) *which[i] = points[i];
     }
 }
@@ -477,9 +474,8 @@ base::Array<PiercingPlace> evaluate_places(const PiercingScene& in, const base::
     }
     geometry::VecArray gradient(memory, point.size());
     base::Array<double> value(memory, point.size());
-    implicit::evaluate_all(in.runtime, *in.occluder.surface, point,
-                           {value.data(), {gradient.x.data(), gradient.y.data(), gradient.z.data()}, {}},
-                           progress.part(0.0, 0.0));
+    implicit::evaluate_all({in.runtime, progress.part(0.0, 0.0)}, *in.occluder.surface, point,
+                           {value.data(), {gradient.x.data(), gradient.y.data(), gradient.z.data()}, {}});
     std::int64_t next = 0;
     for (PiercingPlace& place : places) {
         if (!place.inside) continue;
@@ -649,10 +645,10 @@ std::int64_t Lengths::piece_at(const Line& line, double at) const noexcept {
     return low;
 }
 
-std::int64_t verify_crossings(const base::Runtime& runtime, std::span<const Subject> subjects, const ImageLines& lines,
-                              base::Array<Crossing>& crossings, const base::Progress& progress) {
+std::int64_t verify_crossings(const base::Work& work, std::span<const Subject> subjects, const ImageLines& lines,
+                              base::Array<Crossing>& crossings) {
     const Scene in{subjects, lines};
-    base::Array<Suspect> suspects(runtime.memory);
+    base::Array<Suspect> suspects(work.memory);
     for (std::int64_t i = 0; i < crossings.size(); ++i) {
         const Crossing& c = crossings[i];
         if (!is_suspect(in, c)) continue;
@@ -665,7 +661,7 @@ std::int64_t verify_crossings(const base::Runtime& runtime, std::span<const Subj
         suspects.push_back(suspect);
     }
     for (int round = 0; round < visibility_tuning.verifying_rounds; ++round) {
-        correct(runtime, subjects, suspects, progress);
+        correct(work, subjects, suspects);
         for (Suspect& suspect : suspects)
             if (!suspect.done) advance(subjects, suspect);
     }
@@ -681,12 +677,12 @@ std::int64_t verify_crossings(const base::Runtime& runtime, std::span<const Subj
     return removed;
 }
 
-base::Array<Crossing> find_crossings(const base::Runtime& runtime, std::span<const Subject> subjects,
-                                     const ImageLines& lines, CrossingReport& report, const base::Progress& progress) {
+base::Array<Crossing> find_crossings(const base::Work& work, std::span<const Subject> subjects, const ImageLines& lines,
+                                     CrossingReport& report) {
     const Scene in{subjects, lines};
-    const base::Array<SegmentPair> pairs = find_pairs(runtime, in, report, progress);
-    base::Array<Crossing> looked(runtime.memory, pairs.size());
-    runtime.parallel.for_chunks(pairs.size(), pairs_a_task, [&](std::int64_t begin, std::int64_t end) {
+    const base::Array<SegmentPair> pairs = find_pairs(work, in, report);
+    base::Array<Crossing> looked(work.memory, pairs.size());
+    work.for_chunks(pairs.size(), pairs_a_task, [&](std::int64_t begin, std::int64_t end) {
         for (std::int64_t i = begin; i < end; ++i)
             if (!look_at(in, pairs[i], looked[i])) looked[i].far_piece = -1;
     });
@@ -703,19 +699,18 @@ base::Array<Crossing> find_crossings(const base::Runtime& runtime, std::span<con
                std::abs(a.near_share - b.near_share) <= visibility_tuning.same_place;
     };
     looked.resize(std::unique(looked.begin(), looked.end(), same) - looked.begin());
-    verify_crossings(runtime, subjects, lines, looked, progress);
+    verify_crossings(work, subjects, lines, looked);
     report.rejected = pairs.size() - looked.size();
     return looked;
 }
 
-base::Array<Pierced> find_pierced(const base::Runtime& runtime, std::span<const Subject> subjects,
-                                  std::span<const Occluder> occluders, const ImageLines& lines,
-                                  const base::Progress& progress) {
-    base::Array<Pierced> found(runtime.memory);
+base::Array<Pierced> find_pierced(const base::Work& work, std::span<const Subject> subjects,
+                                  std::span<const Occluder> occluders, const ImageLines& lines) {
+    base::Array<Pierced> found(work.memory);
     for (std::size_t o = 0; o < occluders.size() && occluders.size() > 1; ++o)
-        find_pierced_by({runtime, subjects, lines, occluders[o], static_cast<std::int32_t>(o),
+        find_pierced_by({work, subjects, lines, occluders[o], static_cast<std::int32_t>(o),
                          occluders[o].sheets->mesh().region, glm::inverse(occluders[o].to_world)},
-                        found, progress);
+                        found, work);
     std::sort(found.begin(), found.end(), [](const Pierced& a, const Pierced& b) {
         return std::tie(a.piece, a.share, a.item) < std::tie(b.piece, b.share, b.item);
     });

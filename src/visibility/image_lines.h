@@ -5,7 +5,7 @@
 #pragma once
 
 #include "base/assert.h"
-#include "base/runtime.h"
+#include "base/work.h"
 #include "curves/curves.h"
 #include "curves/sheet_count.h"
 #include "visibility/tuning.h"
@@ -123,14 +123,13 @@ struct CrossingReport {
 };
 
 // Crossings of all lines with those that begin or end sheets (Subject::sheets > 0). Sorted by farther piece and share.
-[[nodiscard]] base::Array<Crossing> find_crossings(const base::Runtime& runtime, std::span<const Subject> subjects,
-                                                   const ImageLines& lines, CrossingReport& report,
-                                                   const base::Progress& progress);
+[[nodiscard]] base::Array<Crossing> find_crossings(const base::Work& work, std::span<const Subject> subjects,
+                                                   const ImageLines& lines, CrossingReport& report);
 
 // Takes out crossings of curves that are near in space, too, and which the curves themselves do not have: beside a cusp
 // the cubics may cross where the curve does not. Returns their number.
-std::int64_t verify_crossings(const base::Runtime& runtime, std::span<const Subject> subjects, const ImageLines& lines,
-                              base::Array<Crossing>& crossings, const base::Progress& progress);
+std::int64_t verify_crossings(const base::Work& work, std::span<const Subject> subjects, const ImageLines& lines,
+                              base::Array<Crossing>& crossings);
 
 struct Pierced {
     std::int32_t piece;  // the line's piece
@@ -141,8 +140,7 @@ struct Pierced {
 
 // Places of all lines on all surfaces but their own. Between two places where f and its slope along the line's cubic
 // are known f is taken for a cubic; where that may have a root it is looked at. Sorted by piece and share.
-[[nodiscard]] base::Array<Pierced> find_pierced(const base::Runtime& runtime, std::span<const Subject> subjects,
-                                                std::span<const Occluder> occluders, const ImageLines& lines,
-                                                const base::Progress& progress);
+[[nodiscard]] base::Array<Pierced> find_pierced(const base::Work& work, std::span<const Subject> subjects,
+                                                std::span<const Occluder> occluders, const ImageLines& lines);
 
 } // namespace hrbfnpr::visibility

@@ -21,14 +21,13 @@ namespace {
 
 // All steps of counting read these.
 struct Counting {
-    const base::Runtime& runtime;
+    const base::Work& work;
     std::span<const Subject> subjects;
     std::span<const Occluder> occluders;
     const ImageLines& lines;
     const Lengths& lengths;
-    const base::Progress& progress;
 
-    [[nodiscard]] base::Memory& memory() const noexcept { return runtime.memory; }
+    [[nodiscard]] base::Memory& memory() const noexcept { return work.memory; }
     [[nodiscard]] const Line& line(std::int64_t l) const noexcept { return lines.lines[l]; }
 };
 
@@ -131,7 +130,7 @@ void send_rays(const Counting& in, bool from_beyond, base::Array<Ray>& rays) {
             to.set(i, place);
             clear[i] = own ? subject.clear * subject.side : 0.0;
         }
-        occluder.sheets->count(in.runtime, *occluder.surface, from, to, clear, answers, in.progress);
+        occluder.sheets->count(in.work, *occluder.surface, from, to, clear, answers);
         HRBFNPR_ASSERT(answers.size() == rays.size());
         for (std::int64_t i = 0; i < rays.size(); ++i) {
             Ray& ray = rays[i];
@@ -293,7 +292,7 @@ void refine_curves(const Counting& in, std::span<const std::int32_t> bad, double
         if (subject.level == nullptr || !is_any) continue; // polylines are as fine as can be
         std::int64_t evaluations = 0;
         auto& made = out.finer.add(std::make_unique<curves::Curves>(curves::finer_curves(
-            in.runtime, *subject.level, subject.view, *subject.curves, marked, tolerance, evaluations, in.progress)));
+            in.work, *subject.level, subject.view, *subject.curves, marked, tolerance, evaluations)));
         subject.curves = made.get();
     }
 }
@@ -472,22 +471,20 @@ base::Array<Event> without_torn_swallowtails(base::Memory& memory, const Line& l
     return kept;
 }
 
-Invisibility find_invisibility(const base::Runtime& runtime, std::span<const Subject> subjects,
-                               std::span<const Occluder> occluders, const InvisibilitySettings& settings,
-                               const base::Progress& progress) {
+Invisibility find_invisibility(const base::Work& work, std::span<const Subject> subjects,
+                               std::span<const Occluder> occluders, const InvisibilitySettings& settings) {
     HRBFNPR_ASSERT(settings.rounds > 0 && settings.probes > 0 && settings.tolerance > 0.0);
-    Invisibility out(runtime.memory);
+    Invisibility out(work.memory);
     for (const Subject& subject : subjects) out.subjects.push_back(subject);
     double tolerance = settings.tolerance;
     for (int r = 0; r < settings.rounds; ++r, tolerance *= visibility_tuning.finer) {
         const std::span<const Subject> now = std::as_const(out.subjects).span();
-        out.lines = draw_lines(runtime, now, tolerance);
-        out.pierced = find_pierced(runtime, now, occluders, out.lines, progress);
-        out.crossings = find_crossings(runtime, now, out.lines, out.report.crossings, progress);
-        const Lengths lengths(runtime.memory, out.lines);
-        const Events events =
-            collect_events(runtime.memory, now, out.lines, out.crossings, out.pierced.span(), lengths);
-        const Counting in{runtime, now, occluders, out.lines, lengths, progress};
+        out.lines = draw_lines(work, now, tolerance);
+        out.pierced = find_pierced(work, now, occluders, out.lines);
+        out.crossings = find_crossings(work, now, out.lines, out.report.crossings);
+        const Lengths lengths(work.memory, out.lines);
+        const Events events = collect_events(work.memory, now, out.lines, out.crossings, out.pierced.span(), lengths);
+        const Counting in{work, now, occluders, out.lines, lengths};
         const base::Array<std::int32_t> bad = count(in, events, settings.probes, out);
         out.report.rounds = r;
         out.report.cusps = events.cusps;
@@ -506,12 +503,12 @@ Invisibility find_invisibility(const base::Runtime& runtime, std::span<const Sub
     return out;
 }
 
-void find_hidden_by(const base::Runtime& runtime, std::span<const Subject> subjects,
-                    std::span<const Occluder> occluders, Invisibility& found, const base::Progress& progress) {
-    const Lengths lengths(runtime.memory, found.lines);
-    const Counting in{runtime, subjects, occluders, found.lines, lengths, progress};
-    base::Array<Ray> rays(runtime.memory);
-    base::Array<Interval*> asked(runtime.memory);
+void find_hidden_by(const base::Work& work, std::span<const Subject> subjects, std::span<const Occluder> occluders,
+                    Invisibility& found) {
+    const Lengths lengths(work.memory, found.lines);
+    const Counting in{work, subjects, occluders, found.lines, lengths};
+    base::Array<Ray> rays(work.memory);
+    base::Array<Interval*> asked(work.memory);
     for (Interval& part : found.intervals) {
         part.hidden_by = part.sheets > 0 ? subjects[static_cast<std::size_t>(in.line(part.line).subject)].item : -1;
         if (part.sheets <= 0 || occluders.size() < 2) continue;
@@ -524,26 +521,25 @@ void find_hidden_by(const base::Runtime& runtime, std::span<const Subject> subje
         if (rays[i].nearest >= 0) asked[i]->hidden_by = rays[i].nearest;
 }
 
-Outline find_outline(const base::Runtime& runtime, std::span<const Subject> subjects,
-                     std::span<const Occluder> occluders, const Invisibility& found, const Lengths& lengths,
-                     std::span<const std::uint8_t> wanted, const base::Progress& progress) {
+Outline find_outline(const base::Work& work, std::span<const Subject> subjects, std::span<const Occluder> occluders,
+                     const Invisibility& found, const Lengths& lengths, std::span<const std::uint8_t> wanted) {
     HRBFNPR_ASSERT(wanted.size() == subjects.size());
-    const Counting in{runtime, subjects, occluders, found.lines, lengths, progress};
+    const Counting in{work, subjects, occluders, found.lines, lengths};
     const base::Array<BesideChange> changes = changes_beside(in, found.crossings, wanted);
     const auto changes_of = [&](std::int32_t line) {
         const auto less = [](const BesideChange& a, const BesideChange& b) { return a.line < b.line; };
         const auto [first, end] = std::equal_range(changes.begin(), changes.end(), BesideChange{line, 0.0, 0}, less);
         return std::span<const BesideChange>(first, end);
     };
-    base::Array<Interval> stretches(runtime.memory);
+    base::Array<Interval> stretches(work.memory);
     for (const Interval& part : found.intervals)
         if (part.sheets <= 0 && wanted[static_cast<std::size_t>(in.line(part.line).subject)] != 0)
             add_stretches(in, part, changes_of(part.line), stretches);
-    base::Array<Ray> rays(runtime.memory);
+    base::Array<Ray> rays(work.memory);
     for_lines(stretches.span(),
               [&](std::span<Interval> of_line) { add_rays(in, of_line, visibility_tuning.outline_rays, rays); });
     send_rays(in, true, rays);
-    base::Array<std::int32_t> bad(runtime.memory);
+    base::Array<std::int32_t> bad(work.memory);
     for_lines(stretches.span(), [&](std::span<Interval> of_line) {
         const std::int32_t l = of_line[0].line;
         std::int32_t sum = 0;
@@ -551,7 +547,7 @@ Outline find_outline(const base::Runtime& runtime, std::span<const Subject> subj
         if (!set_numbers(of_line, rays_of(rays, l), lengths.whole(in.line(l))) || (sum != 0 && in.line(l).closed))
             bad.push_back(l);
     });
-    Outline out(runtime.memory);
+    Outline out(work.memory);
     out.rays = rays.size();
     out.settled = bad.size();
     settle(in, true, bad.span(), stretches.span(), out.rays);

@@ -94,13 +94,12 @@ struct Invisibility {
 };
 
 // Gives the same bits for any thread count, as do the others below.
-[[nodiscard]] Invisibility find_invisibility(const base::Runtime& runtime, std::span<const Subject> subjects,
-                                             std::span<const Occluder> occluders, const InvisibilitySettings& settings,
-                                             const base::Progress& progress);
+[[nodiscard]] Invisibility find_invisibility(const base::Work& work, std::span<const Subject> subjects,
+                                             std::span<const Occluder> occluders, const InvisibilitySettings& settings);
 
 // Sets Interval::hidden_by, by a ray to each part that is hidden; with one occluder without.
-void find_hidden_by(const base::Runtime& runtime, std::span<const Subject> subjects,
-                    std::span<const Occluder> occluders, Invisibility& found, const base::Progress& progress);
+void find_hidden_by(const base::Work& work, std::span<const Subject> subjects, std::span<const Occluder> occluders,
+                    Invisibility& found);
 
 // A part of a line from one place along it to another, pixels.
 struct OutlinePart {
@@ -120,9 +119,8 @@ struct Outline {
 // has nothing beside them on the side where their surface ends. The number of sheets beside a line changes where it
 // crosses another line that begins or ends sheets, whichever is nearer, and nowhere else: not at its own cusps.
 // [Benard & Hertzmann 2019, 4] wanted: 1 for subjects whose lines are asked for.
-[[nodiscard]] Outline find_outline(const base::Runtime& runtime, std::span<const Subject> subjects,
+[[nodiscard]] Outline find_outline(const base::Work& work, std::span<const Subject> subjects,
                                    std::span<const Occluder> occluders, const Invisibility& found,
-                                   const Lengths& lengths, std::span<const std::uint8_t> wanted,
-                                   const base::Progress& progress);
+                                   const Lengths& lengths, std::span<const std::uint8_t> wanted);
 
 } // namespace hrbfnpr::visibility

@@ -56,6 +56,24 @@ void evaluate_many(const Model& model) {
     EXPECT_EQ(value[1999], 0.5 * (0.75 - 1.0));
 }
 
+void project_many(const Model& model) {
+    Error error;
+    const std::vector<double> point(3 * 2000, 0.5);
+    const hrbfnpr_array points = in(point);
+    std::vector<std::uint8_t> inside(2000);
+    const hrbfnpr_array_out insides = out(inside, 1);
+    EXPECT_OK(hrbfnpr_model_contains(model.get(), &points, &insides, nullptr, nullptr, error));
+    EXPECT_EQ(inside[1999], 1);
+    std::vector<double> position(point.size());
+    auto projection = made(hrbfnpr_projection_init);
+    projection.position = out(position);
+    EXPECT_OK(hrbfnpr_model_project(model.get(), &points, nullptr, &projection, nullptr, error));
+    std::vector<double> t(2000);
+    auto hits = made(hrbfnpr_ray_hits_init);
+    hits.t = out(t, 1);
+    EXPECT_OK(hrbfnpr_model_cast_rays(model.get(), &points, &points, nullptr, &hits, nullptr, error));
+}
+
 TEST(Custom, IsCalledOnTheEnteringThreadOnly) {
     auto desc = made(hrbfnpr_context_desc_init);
     desc.thread_count = 4;
@@ -65,7 +83,9 @@ TEST(Custom, IsCalledOnTheEnteringThreadOnly) {
         Threads threads;
         const Model model = threads_model(context, threads, 0);
         evaluate_many(model);
-        const PointSet set = generate(context, model, small_desc());
+        for (const std::uint32_t distribution : {HRBFNPR_DISTRIBUTION_BLUE_NOISE, HRBFNPR_DISTRIBUTION_PUBLISHED})
+            generate(context, model, small_desc(distribution));
+        project_many(model);
         EXPECT_EQ(threads.seen, (std::set<std::thread::id>{std::this_thread::get_id()})) << "hook " << hook;
     }
 }

@@ -21,8 +21,7 @@ base::Runtime& runtime() {
 std::unique_ptr<LineSet> line_set(const implicit::Implicit& shape, double side) {
     LineSetSettings settings;
     settings.side = side;
-    return std::make_unique<LineSet>(runtime(), shape, std::make_unique<implicit::DifferencedShape>(shape), settings,
-                                     base::Progress());
+    return std::make_unique<LineSet>(runtime(), shape, std::make_unique<implicit::DifferencedShape>(shape), settings);
 }
 
 struct Measured {
@@ -238,7 +237,7 @@ TEST(Creases, OfThinWallsAreFoundInSmallerCells) {
     LineSetSettings settings;
     settings.seeds = seeds;
     settings.spacing = 0.08;
-    const LineSet lines(runtime(), shape, std::make_unique<implicit::DifferencedShape>(shape), settings, {});
+    const LineSet lines(runtime(), shape, std::make_unique<implicit::DifferencedShape>(shape), settings);
     EXPECT_LT(lines.mesh().side, thickness);
     EXPECT_LT(lines.mesh().turned, 1e-3 * static_cast<double>(lines.mesh().triangles()));
     EXPECT_EQ(lines.mesh().missed_seeds, 0);
@@ -350,8 +349,7 @@ std::unique_ptr<LineSet> cut(const implicit::Implicit& shape, const glm::dvec3& 
     LineSetSettings settings;
     settings.side = 0.1;
     settings.lines = std::span(&request, 1);
-    return std::make_unique<LineSet>(runtime(), shape, std::make_unique<implicit::DifferencedShape>(shape), settings,
-                                     base::Progress());
+    return std::make_unique<LineSet>(runtime(), shape, std::make_unique<implicit::DifferencedShape>(shape), settings);
 }
 
 // Pieces that turn by more than 20 degrees; all that are longer than those at corners stay smooth.

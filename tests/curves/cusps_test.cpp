@@ -204,7 +204,7 @@ TEST(Cusps, OfNoCurvesAreNone) {
     const ContourLevel level(sphere, {});
     Curves none(runtime().memory);
     std::int64_t evaluations = 0;
-    const Curves found = with_cusps(runtime(), level, {}, none, evaluations, {});
+    const Curves found = with_cusps(runtime(), level, {}, none, evaluations);
     EXPECT_EQ(found.count(), 0);
     EXPECT_EQ(found.point.size(), 0);
     EXPECT_EQ(evaluations, 0);

@@ -44,7 +44,7 @@ protected:
         for (const CurvePoint& p : middle) before.push_back(p.position);
         std::int64_t evaluations = 0;
         const base::Array<double> none(runtime().memory, middle.size());
-        bring_closer(runtime(), found.level, none, middle, evaluations, {});
+        bring_closer(runtime(), found.level, none, middle, evaluations);
         double most = 0.0;
         for (std::int64_t i = 0; i < middle.size(); ++i)
             most = std::max(most, glm::distance(seen(before[i]), seen(middle[i].position)));
@@ -64,7 +64,7 @@ TEST_F(FinerCurves, AreAsNearAsAsked) {
     std::fill(all.begin(), all.end(), std::uint8_t{1});
     std::int64_t evaluations = 0;
     const Curves finer =
-        finer_curves(runtime(), found.level, view, found.curves, std::as_const(all).span(), 1e-4, evaluations, {});
+        finer_curves(runtime(), found.level, view, found.curves, std::as_const(all).span(), 1e-4, evaluations);
     EXPECT_LE(farthest(found, finer), 1e-4);
     EXPECT_GT(evaluations, 0);
     EXPECT_EQ(finer.count(), found.curves.count());
@@ -75,7 +75,7 @@ TEST_F(FinerCurves, StayWhereNothingIsMarked) {
     const Contours found(runtime(), of, view, coarse());
     const base::Array<std::uint8_t> none(runtime().memory, found.curves.point.size());
     std::int64_t evaluations = 0;
-    const Curves same = finer_curves(runtime(), found.level, view, found.curves, none.span(), 1e-4, evaluations, {});
+    const Curves same = finer_curves(runtime(), found.level, view, found.curves, none.span(), 1e-4, evaluations);
     ASSERT_EQ(same.point.size(), found.curves.point.size());
     for (std::int64_t i = 0; i < same.point.size(); ++i)
         EXPECT_EQ(same.point[i].position, found.curves.point[i].position);

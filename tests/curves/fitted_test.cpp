@@ -21,7 +21,7 @@ implicit::Hrbf fitted(const base::Runtime& runtime, const Samples& samples) {
     fit::FitInput input;
     input.points = view(samples.points);
     input.normals = view(samples.normals);
-    return {runtime.instruction_set, fit::fit(runtime, input, {}).data};
+    return {runtime.instruction_set, fit::fit(runtime, input).data};
 }
 
 geometry::VecArray points_of(const base::Runtime& runtime, const Samples& samples) {
@@ -40,7 +40,7 @@ class Fitted : public testing::Test {
 protected:
     Fitted()
         : samples(bumpy(700, 0.3)), hrbf(fitted(runtime, samples)),
-          mesh(triangulate(runtime, hrbf, points_of(runtime, samples), test_shapes::settings(hrbf, 0.06), {})) {}
+          mesh(triangulate(runtime, hrbf, points_of(runtime, samples), test_shapes::settings(hrbf, 0.06))) {}
 
     base::Runtime runtime = with_threads(2);
     Samples samples;
@@ -57,8 +57,7 @@ TEST_F(Fitted, MeshIsClosedAndOnTheSurface) {
 }
 
 TEST_F(Fitted, MeshHardlyDependsOnItsSide) {
-    const SurfaceMesh fine =
-        triangulate(runtime, hrbf, points_of(runtime, samples), test_shapes::settings(hrbf, 0.03), {});
+    const SurfaceMesh fine = triangulate(runtime, hrbf, points_of(runtime, samples), test_shapes::settings(hrbf, 0.03));
     const test_checks::Measures a = test_checks::measure(mesh, hrbf);
     const test_checks::Measures b = test_checks::measure(fine, hrbf);
     EXPECT_NEAR(a.area, b.area, 0.01 * b.area);
@@ -81,7 +80,7 @@ TEST_F(Fitted, SheetsAreThoseOfTheReference) {
     }
     const SheetCounter counter(runtime, mesh);
     base::Array<SheetCounter::Answer> answer(runtime.memory);
-    counter.count(runtime, hrbf, from, to, clear, answer, {});
+    counter.count(runtime, hrbf, from, to, clear, answer);
     std::int64_t certain = 0;
     std::int64_t sheets = 0;
     for (std::int64_t i = 0; i < count; ++i) {

@@ -34,8 +34,7 @@ public:
             for (std::size_t c = 0; c < 3; ++c) out.level_gradient[c][i] = c == 0 ? 1.0 : 0.0;
         }
     }
-    void at_vertices(const base::Runtime&, const SurfaceMesh&, base::Array<double>&,
-                     const base::Progress&) const override {}
+    void at_vertices(const base::Work&, const SurfaceMesh&, base::Array<double>&) const override {}
 
 private:
     const implicit::Implicit& surface_;
@@ -47,7 +46,7 @@ CurvePoint halved(double slope) {
     base::Array<Straddle> places(runtime.memory);
     places.push_back({{-1.0, 0.0, 0.0}, {1.0, 0.0, 0.0}});
     base::Array<CurvePoint> points(runtime.memory);
-    halve(runtime, Across(surface), places, 10, points, {});
+    halve(runtime, Across(surface), places, 10, points);
     return points[0];
 }
 

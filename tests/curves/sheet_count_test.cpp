@@ -43,7 +43,7 @@ Counted compare(const base::Runtime& runtime, const implicit::Implicit& implicit
                 const Segments& segments, int samples) {
     const SheetCounter counter(runtime, mesh);
     base::Array<SheetCounter::Answer> answer(runtime.memory);
-    counter.count(runtime, implicit, segments.from, segments.to, segments.clear, answer, {});
+    counter.count(runtime, implicit, segments.from, segments.to, segments.clear, answer);
     Counted counted;
     for (std::int64_t i = 0; i < segments.size(); ++i) {
         glm::dvec3 from = segments.from[i];
@@ -76,7 +76,7 @@ protected:
     Sheets() : implicit(GetParam().make()), mesh(runtime.memory) {
         geometry::VecArray seed(runtime.memory);
         for (const glm::dvec3& place : GetParam().seed) seed.push_back(place);
-        mesh = triangulate(runtime, *implicit, seed, settings(*implicit, GetParam().side), {});
+        mesh = triangulate(runtime, *implicit, seed, settings(*implicit, GetParam().side));
     }
 
     base::Runtime runtime = with_threads(2);
@@ -129,8 +129,8 @@ TEST_P(Sheets, DoNotCountTheEndItself) {
     const SheetCounter counter(runtime, mesh);
     base::Array<SheetCounter::Answer> a(runtime.memory);
     base::Array<SheetCounter::Answer> b(runtime.memory);
-    counter.count(runtime, *implicit, open.from, open.to, open.clear, a, {});
-    counter.count(runtime, *implicit, clear.from, clear.to, clear.clear, b, {});
+    counter.count(runtime, *implicit, open.from, open.to, open.clear, a);
+    counter.count(runtime, *implicit, clear.from, clear.to, clear.clear, b);
     for (std::int64_t i = 0; i < a.size(); ++i) {
         if (!a[i].certain || !b[i].certain) continue;
         ASSERT_EQ(a[i].sheets, b[i].sheets) << i;
@@ -159,13 +159,13 @@ INSTANTIATE_TEST_SUITE_P(
 class SheetCount : public testing::Test {
 protected:
     void make(const implicit::Implicit& implicit, const glm::dvec3& seed, double side) {
-        mesh = triangulate(runtime, implicit, seeds(runtime, {seed}), settings(implicit, side), {});
+        mesh = triangulate(runtime, implicit, seeds(runtime, {seed}), settings(implicit, side));
     }
     [[nodiscard]] SheetCounter::Answer count(const implicit::Implicit& implicit, const glm::dvec3& from,
                                              const glm::dvec3& to, double clear = 0.0) {
         Segments one(runtime.memory);
         one.add(from, to, clear);
-        SheetCounter(runtime, mesh).count(runtime, implicit, one.from, one.to, one.clear, answer, {});
+        SheetCounter(runtime, mesh).count(runtime, implicit, one.from, one.to, one.clear, answer);
         return answer[0];
     }
 
@@ -194,7 +194,7 @@ TEST_F(SheetCount, ThroughCornersOfTriangles) {
     Segments segments(runtime.memory);
     for (std::int64_t i = 0; i < mesh.vertices(); ++i)
         segments.add(3.0 * mesh.position[i], -3.0 * mesh.position[i] + glm::dvec3(1e-13 * static_cast<double>(i % 3)));
-    SheetCounter(runtime, mesh).count(runtime, sphere, segments.from, segments.to, segments.clear, answer, {});
+    SheetCounter(runtime, mesh).count(runtime, sphere, segments.from, segments.to, segments.clear, answer);
     for (const SheetCounter::Answer& each : answer) {
         ASSERT_EQ(each.sheets, 2);
         ASSERT_TRUE(each.certain);
@@ -209,7 +209,7 @@ TEST_F(SheetCount, NothingIsCountedWhereNothingIs) {
     const double nan = std::numeric_limits<double>::quiet_NaN();
     EXPECT_EQ(count(sphere, {nan, 0, 0}, {-3, 0, 0}).sheets, 0);
     geometry::VecArray none(runtime.memory);
-    SheetCounter(runtime, mesh).count(runtime, sphere, none, none, base::Array<double>(runtime.memory), answer, {});
+    SheetCounter(runtime, mesh).count(runtime, sphere, none, none, base::Array<double>(runtime.memory), answer);
     EXPECT_TRUE(answer.empty());
 }
 
@@ -291,7 +291,7 @@ TEST_F(SheetCount, AsksForFewValues) {
     for (std::int64_t i = 0; i < 1000; ++i) segments.add(3.0 * random(i, 0), random(i, 1));
     const SheetCounter counter(runtime, mesh);
     const std::int64_t before = sphere.evaluations;
-    counter.count(runtime, sphere, segments.from, segments.to, segments.clear, answer, {});
+    counter.count(runtime, sphere, segments.from, segments.to, segments.clear, answer);
     std::int64_t sheets = 0;
     for (const SheetCounter::Answer& each : answer) sheets += each.sheets;
     EXPECT_LT(sphere.evaluations - before, 3 * sheets);

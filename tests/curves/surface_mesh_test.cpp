@@ -44,7 +44,7 @@ TEST_P(Closed, IsAClosedOrientedManifoldOnTheSurface) {
     const std::unique_ptr<implicit::Implicit> implicit = shape.make();
     geometry::VecArray seed(runtime.memory);
     for (const glm::dvec3& place : shape.seed) seed.push_back(place);
-    const SurfaceMesh mesh = triangulate(runtime, *implicit, seed, settings(*implicit, shape.side), {});
+    const SurfaceMesh mesh = triangulate(runtime, *implicit, seed, settings(*implicit, shape.side));
     const Measures found = measure(mesh, *implicit);
     EXPECT_EQ(found.euler, shape.euler);
     EXPECT_EQ(found.border, 0);
@@ -106,7 +106,7 @@ TEST(SurfaceMesh, EndsWhereTheRegionEnds) {
     const Sphere sphere;
     MeshSettings half = settings(sphere, 0.05);
     half.region.max.z = 0.3;
-    const SurfaceMesh mesh = triangulate(runtime, sphere, seeds(runtime, {{0, 0, -1}}), half, {});
+    const SurfaceMesh mesh = triangulate(runtime, sphere, seeds(runtime, {{0, 0, -1}}), half);
     const Measures found = measure(mesh, sphere);
     EXPECT_EQ(found.euler, 1);
     EXPECT_EQ(found.bad_edges, 0);
@@ -133,11 +133,11 @@ TEST(SurfaceMesh, EndsBeyondItsSamples) {
     for (double angle = 0.0; angle < 0.4; angle += 0.04) // around the south pole
         for (double turn = 0.0; turn < 2 * pi; turn += 0.04 / std::max(0.04, std::sin(angle)))
             samples.push_back({std::sin(angle) * std::cos(turn), std::sin(angle) * std::sin(turn), -std::cos(angle)});
-    const surface::SupportDomain domain(surface::Support(runtime, samples, samples, 0.0, {}), 3.0, 0.0);
+    const surface::SupportDomain domain(surface::Support(runtime, samples, samples, 0.0), 3.0, 0.0);
     MeshSettings cells = settings(sphere, 0.02);
-    const SurfaceMesh whole = triangulate(runtime, sphere, samples, cells, {});
+    const SurfaceMesh whole = triangulate(runtime, sphere, samples, cells);
     cells.domain = &domain;
-    const SurfaceMesh cap = triangulate(runtime, sphere, samples, cells, {});
+    const SurfaceMesh cap = triangulate(runtime, sphere, samples, cells);
     std::set<std::array<double, 3>> kept;
     double highest = -1.0;
     for (std::int64_t i = 0; i < cap.vertices(); ++i) {
@@ -162,8 +162,8 @@ TEST(SurfaceMesh, OfAnySizeTakesWiderCellsWhereTooManyTrianglesWouldBe) {
     const geometry::VecArray seed = seeds(runtime, {{0.0, 0.0, 1.0}});
     MeshSettings cells = settings(sphere, 0.02);
     cells.triangle_limit = 20000;
-    EXPECT_THROW((void)triangulate(runtime, sphere, seed, cells, {}), Error);
-    const SurfaceMesh mesh = triangulate_of_any_size(runtime, sphere, seed, cells, {});
+    EXPECT_THROW((void)triangulate(runtime, sphere, seed, cells), Error);
+    const SurfaceMesh mesh = triangulate_of_any_size(runtime, sphere, seed, cells);
     EXPECT_LE(mesh.triangles(), 20000);
     EXPECT_GT(mesh.triangles(), 2000);
     EXPECT_EQ(cells.side, 0.08);
@@ -172,14 +172,13 @@ TEST(SurfaceMesh, OfAnySizeTakesWiderCellsWhereTooManyTrianglesWouldBe) {
 TEST(SurfaceMesh, ReachesOnlyPartsWithASeed) {
     const base::Runtime runtime = with_threads(2);
     const AnyField both(cube(1.2), two_spheres);
-    const SurfaceMesh mesh = triangulate(runtime, both, seeds(runtime, {{.6, .1, .1}}), settings(both, 0.04), {});
+    const SurfaceMesh mesh = triangulate(runtime, both, seeds(runtime, {{.6, .1, .1}}), settings(both, 0.04));
     EXPECT_EQ(measure(mesh, both).euler, 2);
     EXPECT_NEAR(measure(mesh, both).area, 4 * pi * 0.09, 0.01 * 4 * pi * 0.09);
-    EXPECT_EQ(triangulate(runtime, both, seeds(runtime, {}), settings(both, 0.04), {}).triangles(), 0);
+    EXPECT_EQ(triangulate(runtime, both, seeds(runtime, {}), settings(both, 0.04)).triangles(), 0);
     // Outside of the region, and far from the surface.
-    EXPECT_EQ(
-        triangulate(runtime, both, seeds(runtime, {{9, 9, 9}, {.6, -.2, .1}}), settings(both, 0.04), {}).triangles(),
-        0);
+    EXPECT_EQ(triangulate(runtime, both, seeds(runtime, {{9, 9, 9}, {.6, -.2, .1}}), settings(both, 0.04)).triangles(),
+              0);
 }
 
 // The seed's own cell has all corners on one side: the cap above it is lower than the cell.
@@ -190,7 +189,7 @@ TEST(SurfaceMesh, FindsTheSurfaceFromASeedBesideIt) {
         const auto at = spiral_point(k, 200);
         const glm::dvec3 n(at[0], at[1], at[2]);
         const SurfaceMesh mesh =
-            triangulate(runtime, sphere, seeds(runtime, {n * (1.0 + 0.09 * std::sin(k))}), settings(sphere, 0.2), {});
+            triangulate(runtime, sphere, seeds(runtime, {n * (1.0 + 0.09 * std::sin(k))}), settings(sphere, 0.2));
         ASSERT_EQ(measure(mesh, sphere).euler, 2) << k;
         ASSERT_EQ(mesh.missed_seeds, 0);
     }
@@ -203,7 +202,7 @@ TEST(SurfaceMesh, FindsTheSurfaceFromACellWithoutAChangeOfSign) {
     MeshSettings cells;
     cells.side = 0.2001;
     cells.region = {{-1.1, -1.1, -1.205}, {1.1, 1.1, 1.195}};
-    const SurfaceMesh mesh = triangulate(runtime, sphere, seeds(runtime, {{0, 0, 1}}), cells, {});
+    const SurfaceMesh mesh = triangulate(runtime, sphere, seeds(runtime, {{0, 0, 1}}), cells);
     EXPECT_EQ(measure(mesh, sphere).euler, 2);
     EXPECT_EQ(mesh.missed_seeds, 0);
 }
@@ -220,9 +219,9 @@ TEST(SurfaceMesh, CountsSeedsOfPartsThatCellsMiss) {
     MeshSettings coarse = settings(two, 0.1);
     const glm::dvec3 small(0.85, 0.83, 0.83);
     geometry::VecArray seed = seeds(runtime, {{0.6, 0, 0}, {0, 0.6, 0}, small, small - glm::dvec3(0.04, 0, 0)});
-    EXPECT_EQ(triangulate(runtime, two, seed, coarse, {}).missed_seeds, 2);
+    EXPECT_EQ(triangulate(runtime, two, seed, coarse).missed_seeds, 2);
     coarse.side = 0.01;
-    EXPECT_EQ(triangulate(runtime, two, seed, coarse, {}).missed_seeds, 0);
+    EXPECT_EQ(triangulate(runtime, two, seed, coarse).missed_seeds, 0);
 }
 
 // It is near triangles, but they face the other way.
@@ -237,13 +236,13 @@ TEST(SurfaceMesh, CountsMissedSeedsBesideAnotherPart) {
     MeshSettings cells;
     cells.side = 0.1501;
     cells.region = {{-1.05, -1.05, -1.125}, {1.05, 1.05, 1.125}};
-    EXPECT_EQ(triangulate(runtime, drop, seed, cells, {}).missed_seeds, 1);
+    EXPECT_EQ(triangulate(runtime, drop, seed, cells).missed_seeds, 1);
 }
 
 TEST(SurfaceMesh, SaysWhereAWallIsTooThin) {
     const base::Runtime runtime = with_threads(2);
     const AnyField shell(cube(1.1), Shell{0.03});
-    EXPECT_GT(triangulate(runtime, shell, seeds(runtime, {{0, 0, 1}}), settings(shell, 0.06), {}).turned, 0);
+    EXPECT_GT(triangulate(runtime, shell, seeds(runtime, {{0, 0, 1}}), settings(shell, 0.06)).turned, 0);
 }
 
 TEST(SurfaceMesh, TooManyTrianglesNameTheRemedy) {
@@ -251,12 +250,12 @@ TEST(SurfaceMesh, TooManyTrianglesNameTheRemedy) {
     const Sphere sphere;
     MeshSettings fine = settings(sphere, 0.05);
     const geometry::VecArray seed = seeds(runtime, {{0, 0, 1}});
-    const std::int64_t triangles = triangulate(runtime, sphere, seed, fine, {}).triangles();
+    const std::int64_t triangles = triangulate(runtime, sphere, seed, fine).triangles();
     fine.triangle_limit = triangles;
-    EXPECT_EQ(triangulate(runtime, sphere, seed, fine, {}).triangles(), triangles);
+    EXPECT_EQ(triangulate(runtime, sphere, seed, fine).triangles(), triangles);
     const auto refused = [&] {
         try {
-            static_cast<void>(triangulate(runtime, sphere, seed, fine, {}));
+            static_cast<void>(triangulate(runtime, sphere, seed, fine));
         } catch (const Error& error) {
             return error.status() == Status::invalid_argument &&
                    std::string(error.what()).find("larger side") != std::string::npos;
@@ -283,7 +282,7 @@ TEST(SurfaceMesh, LeavesOutWhereThereIsNoNumber) {
         if (p.z > 0.9 || std::abs(p.z + 0.30101) < 1e-4) return Field{nan, glm::dvec3(nan), {}};
         return Field{r - 1.0, p / r, {}};
     });
-    const SurfaceMesh mesh = triangulate(runtime, holed, seeds(runtime, {{1, 0, 0}}), settings(holed, 0.05), {});
+    const SurfaceMesh mesh = triangulate(runtime, holed, seeds(runtime, {{1, 0, 0}}), settings(holed, 0.05));
     const Measures found = measure(mesh, Sphere());
     EXPECT_EQ(found.euler, 1);
     EXPECT_EQ(found.bad_edges, 0);
@@ -302,7 +301,7 @@ TEST(SurfaceMesh, LeavesOutWhereThereIsNoNumber) {
 TEST(SurfaceMesh, CostsTwoEvaluationsAVertex) {
     const base::Runtime runtime = with_threads(2);
     const AnyField quartic(cube(1.2), two_holes);
-    const SurfaceMesh mesh = triangulate(runtime, quartic, seeds(runtime, {{0, 0, .2}}), settings(quartic, 0.03), {});
+    const SurfaceMesh mesh = triangulate(runtime, quartic, seeds(runtime, {{0, 0, .2}}), settings(quartic, 0.03));
     EXPECT_LT(quartic.evaluations, 3 * mesh.vertices());
 }
 

@@ -48,13 +48,13 @@ TEST(Trace, GoesOnFromTheViewBefore) {
     for (int frame = 0; frame < 12; ++frame) {
         const ContourLevel level(torus, seen_from(0.01 * frame));
         TraceReport cold;
-        Curves anew = trace(runtime(), level, meshed.mesh, {}, cold, {});
+        Curves anew = trace(runtime(), level, meshed.mesh, {}, cold);
         ASSERT_EQ(anew.count(), 2);
         if (frame > 0) {
             const Curves near = moved_contours(runtime().memory, level.view(), last, meshed.mesh.side);
             EXPECT_EQ(near.point.size(), last.point.size());
             TraceReport warm;
-            const Curves found = trace(runtime(), level, meshed.mesh, {}, warm, {}, &near);
+            const Curves found = trace(runtime(), level, meshed.mesh, {}, warm, &near);
             ASSERT_EQ(found.count(), 2);
             EXPECT_EQ(warm.broken + warm.missed, 0);
             EXPECT_LT(warm.evaluations, cold.evaluations);
@@ -65,7 +65,7 @@ TEST(Trace, GoesOnFromTheViewBefore) {
             one.first.push_back(one.point.size());
             one.closed.push_back(1);
             TraceReport half;
-            EXPECT_EQ(trace(runtime(), level, meshed.mesh, {}, half, {}, &one).count(), 2);
+            EXPECT_EQ(trace(runtime(), level, meshed.mesh, {}, half, &one).count(), 2);
             EXPECT_GT(half.added, 0);
         }
         last = std::move(anew);

@@ -24,10 +24,10 @@ struct Meshed {
     Meshed(const base::Runtime& runtime, const implicit::Implicit& implicit, std::initializer_list<glm::dvec3> places,
            double side)
         : surface(implicit), mesh(triangulate(runtime, implicit, test_shapes::seeds(runtime, places),
-                                              test_shapes::settings(implicit, side), {})) {}
+                                              test_shapes::settings(implicit, side))) {}
     Meshed(const base::Runtime& runtime, const implicit::Implicit& implicit, const geometry::VecArray& seeds,
            double side)
-        : surface(implicit), mesh(triangulate(runtime, implicit, seeds, test_shapes::settings(implicit, side), {})) {}
+        : surface(implicit), mesh(triangulate(runtime, implicit, seeds, test_shapes::settings(implicit, side))) {}
 
     const implicit::Implicit& surface;
     SurfaceMesh mesh;
@@ -40,8 +40,8 @@ inline std::int64_t count_cusps(const Curves& curves) {
 struct Contours {
     Contours(const base::Runtime& runtime, const Meshed& of, const View& seen, const TraceSettings& settings = {})
         : view(seen), level(of.surface, seen), curves(runtime.memory) {
-        const Curves found = trace(runtime, level, of.mesh, settings, report, {});
-        curves = with_cusps(runtime, level, view, found, report.evaluations, {});
+        const Curves found = trace(runtime, level, of.mesh, settings, report);
+        curves = with_cusps(runtime, level, view, found, report.evaluations);
     }
     [[nodiscard]] std::int64_t cusps() const { return count_cusps(curves); }
     [[nodiscard]] std::int64_t closed() const { return std::count(curves.closed.begin(), curves.closed.end(), 1); }
@@ -71,7 +71,7 @@ inline double length(const Curves& curves, std::int64_t curve) {
 inline double farthest_off(const base::Runtime& runtime, const Level& level, const Curves& curves) {
     base::Array<CurvePoint> points(runtime.memory);
     for (const CurvePoint& p : curves.point) points.push_back(p);
-    evaluate(runtime, level, points, {});
+    evaluate(runtime, level, points);
     double farthest = 0.0;
     for (const CurvePoint& p : points) {
         const double off = glm::length(p.newton_step());

@@ -22,7 +22,7 @@ struct Open {
     Open(const base::Runtime& runtime, const implicit::Implicit& surface, const PartSamples& samples, double side,
          double limit = 1.5)
         : lines(runtime, surface, std::make_unique<implicit::DifferencedShape>(surface),
-                settings_of(samples, side, limit), {}) {}
+                settings_of(samples, side, limit)) {}
 
     [[nodiscard]] const implicit::Domain& domain() const { return *lines.mesh().domain; }
     LineSet lines;
@@ -86,7 +86,7 @@ TEST_F(OpenSphere, ContoursEndOnIt) {
         const View view = eye.view();
         const ContourLevel level(sphere, view);
         TraceReport report;
-        const Curves curves = trace(runtime, level, open.lines.mesh(), {}, report, {});
+        const Curves curves = trace(runtime, level, open.lines.mesh(), {}, report);
         ASSERT_EQ(curves.count(), 1);
         ASSERT_EQ(curves.closed[0], 0);
         EXPECT_EQ(report.broken + report.missed, 0);
@@ -105,7 +105,7 @@ TEST_F(OpenSphere, ContoursBeyondItAreNone) {
     const View view = Eye::at({0.05, 0.0, -1.0}, 1.2, true).view(); // sees a circle at z = -0.83
     const ContourLevel level(sphere, view);
     TraceReport report;
-    EXPECT_EQ(trace(runtime, level, open.lines.mesh(), {}, report, {}).count(), 0);
+    EXPECT_EQ(trace(runtime, level, open.lines.mesh(), {}, report).count(), 0);
 }
 
 TEST_F(OpenSphere, RaysGoThroughWhatIsNotThere) {
@@ -116,7 +116,7 @@ TEST_F(OpenSphere, RaysGoThroughWhatIsNotThere) {
     const std::array<std::int32_t, 5> sheets{1, 1, 2, 0, 1};
     const base::Array<double> clear(runtime.memory, from.size());
     base::Array<SheetCounter::Answer> answer(runtime.memory);
-    open.lines.sheets().count(runtime, sphere, from, to, clear, answer, {});
+    open.lines.sheets().count(runtime, sphere, from, to, clear, answer);
     for (std::size_t i = 0; i < sheets.size(); ++i) {
         EXPECT_EQ(answer[static_cast<std::int64_t>(i)].sheets, sheets[i]) << i;
         EXPECT_TRUE(answer[static_cast<std::int64_t>(i)].certain) << i;
@@ -137,7 +137,7 @@ TEST_F(OpenSphere, RaysBesideTheBorder) {
     }
     const base::Array<double> clear(runtime.memory, from.size());
     base::Array<SheetCounter::Answer> answer(runtime.memory);
-    open.lines.sheets().count(runtime, sphere, from, to, clear, answer, {});
+    open.lines.sheets().count(runtime, sphere, from, to, clear, answer);
     int told = 0;
     for (std::int64_t i = 0; i < answer.size(); ++i) {
         if (!answer[i].certain) continue;
@@ -161,7 +161,7 @@ TEST_F(OpenSphere, FacingPartsFitTogether) {
     // Where the line of sight is tangent to the surface: where a contour ends.
     const ContourLevel level(sphere, view);
     TraceReport report;
-    const Curves contour = trace(runtime, level, open.lines.mesh(), {}, report, {});
+    const Curves contour = trace(runtime, level, open.lines.mesh(), {}, report);
     ASSERT_EQ(contour.count(), 1);
     for (const glm::dvec3& end : {a[0].position, b[0].position}) {
         EXPECT_NEAR(glm::dot(glm::normalize(end), glm::normalize(view.sight(end))), 0.0, 1e-6);

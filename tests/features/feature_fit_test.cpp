@@ -22,7 +22,7 @@ base::Runtime& runtime() {
 // A fit with its smoothed derivatives.
 struct Fitted {
     Fitted(const fit_test::Cloud& cloud, double smoothing)
-        : hrbf(runtime().instruction_set, fit::fit(runtime(), fit_test::input(cloud), {}).data),
+        : hrbf(runtime().instruction_set, fit::fit(runtime(), fit_test::input(cloud)).data),
           source(runtime().instruction_set, hrbf.data(), smoothing) {}
     [[nodiscard]] Subject meshed(double side) const {
         geometry::VecArray seeds(runtime().memory);
@@ -124,9 +124,9 @@ double spread_at_samples(const Fitted& fitted) {
         const glm::dvec3 v = glm::cross(n, u);
         for (const glm::dvec3& side : {u, v, -u, -v}) around.position.push_back(p + 1e-3 * data.spacing * side);
     }
-    surface::project(runtime(), fitted.hrbf, {}, around, {});
+    surface::project(runtime(), fitted.hrbf, {}, around);
     base::Array<ShapePoint> shape(runtime().memory);
-    measure_shape(runtime(), fitted.source, around.position, around.gradient, shape, {});
+    measure_shape(runtime(), fitted.source, around.position, around.gradient, shape);
     double spread = 0.0;
     double size = 0.0;
     for (std::int64_t i = 0; i < shape.size(); ++i) {

@@ -32,13 +32,13 @@ fit_test::Cloud rough() {
 
 struct Fitted {
     explicit Fitted(const fit_test::Cloud& cloud)
-        : hrbf(runtime().instruction_set, fit::fit(runtime(), fit_test::input(cloud), {}).data),
+        : hrbf(runtime().instruction_set, fit::fit(runtime(), fit_test::input(cloud)).data),
           source(runtime().instruction_set, hrbf.data()) {}
     [[nodiscard]] SurfaceMesh meshed(double spacings) const {
         geometry::VecArray seeds(runtime().memory);
         const base::Array<double>& p = hrbf.data().sample_position;
         for (std::int64_t i = 0; i < p.size(); i += 3) seeds.push_back({p[i], p[i + 1], p[i + 2]});
-        return triangulate(runtime(), hrbf, seeds, test_shapes::settings(hrbf, spacings * hrbf.data().spacing), {});
+        return triangulate(runtime(), hrbf, seeds, test_shapes::settings(hrbf, spacings * hrbf.data().spacing));
     }
 
     implicit::Hrbf hrbf;
@@ -48,7 +48,7 @@ struct Fitted {
 TEST(FeatureMesh, IsAsClosedAsItsCoarseMeshAndLiesOnTheSurface) {
     const Fitted fitted(rough());
     const SurfaceMesh mesh = fitted.meshed(0.5);
-    const ShapedMesh fine = measured_mesh(runtime(), fitted.hrbf, fitted.source, mesh, {});
+    const ShapedMesh fine = measured_mesh(runtime(), fitted.hrbf, fitted.source, mesh);
     EXPECT_GT(fine.mesh.triangles(), 3 * mesh.triangles());
     EXPECT_EQ(fine.shape.size(), fine.mesh.vertices());
     EXPECT_EQ(fine.mesh.position[0], mesh.position[0]);
@@ -66,24 +66,24 @@ TEST(FeatureMesh, OfASmoothSurfaceNothingIsHalved) {
     const AnyField shape(box, [](const glm::dvec3& p) { return elliptic_torus(p, 0.4, 0.3); });
     const implicit::DifferencedShape source(shape);
     const SurfaceMesh mesh = triangulate(runtime(), shape, test_shapes::seeds(runtime(), {{1.4, 0.0, 0.0}}),
-                                         test_shapes::settings(shape, 0.03), {});
-    EXPECT_EQ(measured_mesh(runtime(), shape, source, mesh, {}).mesh.triangles(), mesh.triangles());
+                                         test_shapes::settings(shape, 0.03));
+    EXPECT_EQ(measured_mesh(runtime(), shape, source, mesh).mesh.triangles(), mesh.triangles());
 }
 
 // Against a mesh of an eighth of a spacing, within a pixel of 720.
 TEST(FeatureMesh, MakesSuggestiveContoursOfARoughFitThoseOfADenseMesh) {
     const Fitted fitted(rough());
-    const ShapedMesh fine = measured_mesh(runtime(), fitted.hrbf, fitted.source, fitted.meshed(0.5), {});
+    const ShapedMesh fine = measured_mesh(runtime(), fitted.hrbf, fitted.source, fitted.meshed(0.5));
     const SurfaceMesh dense = fitted.meshed(0.08);
     base::Array<ShapePoint> shape(runtime().memory);
-    measure_shape(runtime(), fitted.source, dense.position, dense.gradient, shape, {});
+    measure_shape(runtime(), fitted.source, dense.position, dense.gradient, shape);
     const double pixel = fitted.hrbf.diagonal() / 720.0;
     FeatureRequest request;
     request.towards = glm::dvec4(0.5, -0.8, 0.3, 0.0);
     request.rounds = 0;
     const auto find = [&](const SurfaceMesh& mesh, const base::Array<ShapePoint>& its, double least) {
         request.lower = request.upper = least;
-        return along(find_feature_lines(runtime(), {fitted.hrbf, fitted.source, mesh, its}, request, {}), pixel);
+        return along(find_feature_lines(runtime(), {fitted.hrbf, fitted.source, mesh, its}, request), pixel);
     };
     const std::vector<glm::dvec3> drawn = find(fine.mesh, fine.shape, 10.0);
     EXPECT_GT(drawn.size(), 1000U);

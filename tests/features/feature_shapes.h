@@ -41,12 +41,11 @@ struct Subject {
     Subject(const base::Runtime& runtime, const implicit::Implicit& implicit, const geometry::VecArray& seeds,
             double side, const implicit::ShapeSource* given = nullptr)
         : differenced(implicit), source(given != nullptr ? *given : differenced), surface(implicit),
-          mesh(triangulate(runtime, implicit, seeds, test_shapes::settings(implicit, side), {})),
-          shape(runtime.memory) {
-        measure_shape(runtime, source, mesh.position, mesh.gradient, shape, {});
+          mesh(triangulate(runtime, implicit, seeds, test_shapes::settings(implicit, side))), shape(runtime.memory) {
+        measure_shape(runtime, source, mesh.position, mesh.gradient, shape);
     }
     [[nodiscard]] FeatureLines find(const base::Runtime& runtime, const FeatureRequest& request) const {
-        return find_feature_lines(runtime, {surface, source, mesh, shape}, request, {});
+        return find_feature_lines(runtime, {surface, source, mesh, shape}, request);
     }
 
     implicit::DifferencedShape differenced;

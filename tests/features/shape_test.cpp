@@ -41,9 +41,9 @@ On at(const implicit::Implicit& surface, const glm::dvec3& p) {
     projection.position.push_back(p);
     surface::ProjectionSettings settings;
     settings.tolerance = 1e-14;
-    surface::project(runtime(), surface, settings, projection, {});
+    surface::project(runtime(), surface, settings, projection);
     base::Array<ShapePoint> shape(runtime().memory);
-    measure_shape(runtime(), implicit::DifferencedShape(surface), projection.position, projection.gradient, shape, {});
+    measure_shape(runtime(), implicit::DifferencedShape(surface), projection.position, projection.gradient, shape);
     return {projection.position[0], shape[0]};
 }
 

@@ -52,7 +52,7 @@ void expect_subset(const fit::FitResult& result, const Cloud& cloud) {
 TEST(Choose, FewSamplesBringADenseTorusWithinTheTolerance) {
     const base::Runtime runtime;
     const Cloud cloud = torus(20000);
-    const fit::FitResult result = fit::fit(runtime, choosing(cloud, 1e-4), {});
+    const fit::FitResult result = fit::fit(runtime, choosing(cloud, 1e-4));
     EXPECT_LT(result.data.count(), 2000);
     EXPECT_GE(result.report.choice_rounds, 2);
     EXPECT_EQ(result.report.samples, 20000);
@@ -77,7 +77,7 @@ TEST(Choose, ALooserToleranceTakesFewer) {
     const Cloud cloud = bumpy(8000);
     std::int64_t before = 8000;
     for (const double tolerance : {3e-4, 1e-3, 3e-3}) {
-        const fit::FitResult result = fit::fit(runtime, choosing(cloud, tolerance), {});
+        const fit::FitResult result = fit::fit(runtime, choosing(cloud, tolerance));
         EXPECT_LT(result.data.count(), before) << tolerance;
         EXPECT_LE(result.report.input_distance_max, tolerance);
         before = result.data.count();
@@ -94,7 +94,7 @@ TEST(Choose, BothSheetsOfAThinWallAreRepresented) {
         wall.add({u, v, height + 0.005 * up}, up * glm::normalize(glm::dvec3(-0.3 * std::cos(3.0 * u), 0.0, 1.0)));
     }
     const base::Runtime runtime;
-    const fit::FitResult result = fit::fit(runtime, choosing(wall, 5e-4), {});
+    const fit::FitResult result = fit::fit(runtime, choosing(wall, 5e-4));
     EXPECT_EQ(result.report.input_share_within, 1.0);
     EXPECT_LT(result.data.count(), 3000);
     for (std::int64_t i = 0; i < wall.count(); ++i)
@@ -106,7 +106,7 @@ TEST(Choose, MaximumCentresWithoutAToleranceIsReached) {
     const Cloud cloud = bumpy(5000);
     double before = 2.0;
     for (const std::int64_t most : {1, 20, 100, 400}) {
-        const fit::FitResult result = fit::fit(runtime, choosing(cloud, 0.0, most), {});
+        const fit::FitResult result = fit::fit(runtime, choosing(cloud, 0.0, most));
         ASSERT_EQ(result.data.count(), most);
         expect_subset(result, cloud);
         EXPECT_TRUE(std::isnan(result.report.input_share_within)) << "without a tolerance";
@@ -125,7 +125,7 @@ TEST(Choose, TheWorstAreAddedRatherThanTheFarthest) {
         cloud.add({p.x, p.y, height}, glm::normalize(glm::dvec3(120.0 * height * p, 1.0)));
     }
     const base::Runtime runtime;
-    const fit::FitResult result = fit::fit(runtime, choosing(cloud, 0.0, 400), {});
+    const fit::FitResult result = fit::fit(runtime, choosing(cloud, 0.0, 400));
     std::int64_t on_bump = 0;
     for (std::int64_t i = 0; i < result.data.count(); ++i) {
         const double* p = result.data.sample_position.data() + 3 * i;
@@ -137,7 +137,7 @@ TEST(Choose, TheWorstAreAddedRatherThanTheFarthest) {
 TEST(Choose, ReportsWhatIsReachedWithTooFewCentres) {
     const base::Runtime runtime;
     const Cloud cloud = bumpy(5000);
-    const fit::FitResult result = fit::fit(runtime, choosing(cloud, 1e-5, 300), {});
+    const fit::FitResult result = fit::fit(runtime, choosing(cloud, 1e-5, 300));
     EXPECT_EQ(result.data.count(), 300);
     EXPECT_GT(result.report.input_distance_max, 1e-5);
     std::int64_t within = 0;
@@ -149,12 +149,12 @@ TEST(Choose, AllSamplesAreCentresIfNobodyAsksOrTheyAreFew) {
     const base::Runtime runtime;
     const Cloud cloud = bumpy(300);
     for (const fit::FitInput& call : {choosing(cloud, 0.0), choosing(cloud, 0.0, 300), choosing(cloud, 0.0, 301)}) {
-        const fit::FitResult result = fit::fit(runtime, call, {});
+        const fit::FitResult result = fit::fit(runtime, call);
         EXPECT_EQ(result.data.count(), 300);
         EXPECT_EQ(result.report.choice_rounds, 0);
         EXPECT_LT(result.report.input_distance_max, 1e-6);
     }
-    EXPECT_EQ(fit::fit(runtime, choosing(sphere(1), 1e-3, 1), {}).data.count(), 1);
+    EXPECT_EQ(fit::fit(runtime, choosing(sphere(1), 1e-3, 1)).data.count(), 1);
 }
 
 double gaussian(std::int64_t i, std::uint32_t lane) {
@@ -179,7 +179,7 @@ TEST(Choose, DoesNotChaseNoise) {
     const base::Runtime runtime;
     fit::FitInput call = choosing(cloud, 0.015, 6000);
     call.regularization_mode = fit::RegularizationMode::automatic;
-    const fit::FitResult result = fit::fit(runtime, call, {});
+    const fit::FitResult result = fit::fit(runtime, call);
     EXPECT_LT(result.data.count(), 2000);
     EXPECT_GT(result.report.input_share_within, 0.98);
     EXPECT_NEAR(result.report.noise_estimate, 0.005, 0.0015);

@@ -18,13 +18,13 @@ using namespace fit_test;
 using fit::Repair;
 
 fit::Samples samples_of(const base::Runtime& runtime, const Cloud& cloud) {
-    return fit::read_samples(runtime, view(cloud.points), view(cloud.normals), {});
+    return fit::read_samples(runtime, view(cloud.points), view(cloud.normals));
 }
 
 struct Cleaned {
     explicit Cleaned(const Cloud& cloud, Repair outliers = Repair::keep, Repair flipped = Repair::keep, int threads = 1)
         : runtime(hrbfnpr::test::with_threads(threads)), samples(samples_of(runtime, cloud)),
-          report(fit::clean(runtime, samples, outliers, flipped, {})) {}
+          report(fit::clean(runtime, samples, outliers, flipped)) {}
 
     base::Runtime runtime;
     fit::Samples samples;

@@ -23,8 +23,7 @@ struct Made {
     }
     // Of spacing 1.
     geometry::VecArray points(const fit_test::Cloud& cloud) {
-        const auto samples =
-            fit::read_samples(runtime, fit_test::view(cloud.points), fit_test::view(cloud.normals), base::Progress());
+        const auto samples = fit::read_samples(runtime, fit_test::view(cloud.points), fit_test::view(cloud.normals));
         geometry::VecArray position(runtime.memory);
         for (std::int64_t i = 0; i < cloud.count(); ++i) position.push_back(cloud.point(i) / samples.spacing);
         return position;
@@ -43,13 +42,13 @@ struct Made {
 TEST(HermiteEnergy, SolvedIsTheFitsAndSparseIsNearIt) {
     const fit_test::Cloud cloud = fit_test::torus(600);
     Made made(cloud);
-    fit::HermiteEnergy energy(made.runtime, made.tree, made.rank, {}, base::Progress());
+    fit::HermiteEnergy energy(made.runtime, made.tree, made.rank, {});
     const geometry::VecArray normal = made.normals(cloud);
     geometry::VecArray beta(made.runtime.memory, made.tree.size());
     const double solved = energy.solved(normal, beta, 1e-8, base::Progress());
     const double sparse = energy.sparse(normal, beta);
 
-    const auto fitted = fit::fit(made.runtime, fit_test::input(cloud), base::Progress());
+    const auto fitted = fit::fit(made.runtime, fit_test::input(cloud));
     double exact = 0.0;
     for (std::int64_t i = 0; i < cloud.count(); ++i) exact += glm::dot(cloud.normal(i), fitted.data.beta[i]);
     EXPECT_NEAR(solved, exact, 1e-4 * exact);
@@ -59,7 +58,7 @@ TEST(HermiteEnergy, SolvedIsTheFitsAndSparseIsNearIt) {
 TEST(HermiteEnergy, DerivativesAreThose) {
     const fit_test::Cloud cloud = fit_test::bumpy(300);
     Made made(cloud);
-    fit::HermiteEnergy energy(made.runtime, made.tree, made.rank, {2.0, 16}, base::Progress());
+    fit::HermiteEnergy energy(made.runtime, made.tree, made.rank, {2.0, 16});
     geometry::VecArray normal = made.normals(cloud);
     geometry::VecArray beta(made.runtime.memory, made.tree.size());
     geometry::VecArray rest(made.runtime.memory, made.tree.size());

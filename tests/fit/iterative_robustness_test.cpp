@@ -31,7 +31,7 @@ fit::FitInput iterative(const Cloud& cloud, Kind kind = Kind::triharmonic, std::
 void expect_error(const fit::FitInput& chosen, Status status, const std::string& part) {
     const base::Runtime runtime;
     try {
-        static_cast<void>(fit::fit(runtime, chosen, {}));
+        static_cast<void>(fit::fit(runtime, chosen));
         ADD_FAILURE() << "no error";
     } catch (const hrbfnpr::Error& error) {
         EXPECT_EQ(error.status(), status) << error.what();
@@ -63,7 +63,7 @@ TEST(IterativeErrors, AsManyNeighboursAsThereMayBe) {
     fit::FitInput chosen = iterative(cloud);
     const base::Runtime runtime;
     chosen.preconditioner_neighbours = 48;
-    EXPECT_LE(fit::fit(runtime, chosen, {}).report.gradient_residual_max, 1e-6);
+    EXPECT_LE(fit::fit(runtime, chosen).report.gradient_residual_max, 1e-6);
     chosen.preconditioner_neighbours = 49;
     expect_error(chosen, Status::invalid_argument, "preconditioner_neighbours is 49");
 }
@@ -75,8 +75,8 @@ TEST(IterativeRobustness, SameBitsForManySamples) {
     chosen.solver_tolerance = 0.1;
     chosen.preconditioner_neighbours = 8;
     const base::Runtime serial = with_threads(1), three = with_threads(3);
-    const fit::FitResult expected = fit::fit(serial, chosen, {});
-    const fit::FitResult found = fit::fit(three, chosen, {});
+    const fit::FitResult expected = fit::fit(serial, chosen);
+    const fit::FitResult found = fit::fit(three, chosen);
     EXPECT_TRUE(same_bits(found.data.alpha, expected.data.alpha));
     EXPECT_TRUE(same_bits(found.data.beta.x, expected.data.beta.x));
     EXPECT_TRUE(same_bits(found.data.beta.y, expected.data.beta.y));

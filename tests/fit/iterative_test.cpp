@@ -31,7 +31,7 @@ fit::FitInput solved_by(fit::SolverKind solver, const Cloud& cloud, Kind kind = 
 
 // In spacings: 0.9 and 3, as a caller would give them.
 double radius(Kind kind, const Cloud& cloud) {
-    const double spacing = fit::fit(base::Runtime(), input(cloud), {}).data.spacing;
+    const double spacing = fit::fit(base::Runtime(), input(cloud)).data.spacing;
     return kind == Kind::triharmonic ? 0.0 : (kind == Kind::gaussian ? 0.9 : 3.0) * spacing;
 }
 
@@ -53,9 +53,9 @@ void expect_same_function(const fit::FitResult& a, const fit::FitResult& b, cons
 void expect_the_direct_solution(fit::FitInput chosen, const Cloud& cloud, const std::string& what) {
     const base::Runtime runtime;
     chosen.solver = fit::SolverKind::direct;
-    const fit::FitResult direct = fit::fit(runtime, chosen, {});
+    const fit::FitResult direct = fit::fit(runtime, chosen);
     chosen.solver = fit::SolverKind::iterative;
-    const fit::FitResult iterative = fit::fit(runtime, chosen, {});
+    const fit::FitResult iterative = fit::fit(runtime, chosen);
     EXPECT_EQ(direct.report.solver, fit::SolverKind::direct) << what;
     EXPECT_EQ(iterative.report.solver, fit::SolverKind::iterative) << what;
     EXPECT_EQ(iterative.report.solver_reason, fit::SolverReason::requested) << what;
@@ -110,7 +110,7 @@ TEST(Iterative, ReportsTheMisfitOfTheFinishedFunction) {
     for (const double regularization : {0.0, 1e-3}) {
         fit::FitInput chosen = solved_by(fit::SolverKind::iterative, cloud);
         chosen.regularization = regularization;
-        const fit::FitResult result = fit::fit(runtime, chosen, {});
+        const fit::FitResult result = fit::fit(runtime, chosen);
         double value = 0.0;
         double gradient = 0.0;
         for (std::int64_t i = 0; i < cloud.count(); ++i) {
@@ -125,7 +125,7 @@ TEST(Iterative, ReportsTheMisfitOfTheFinishedFunction) {
 
 TEST(Iterative, TakesFewIterations) {
     const base::Runtime runtime;
-    const fit::FitReport report = fit::fit(runtime, solved_by(fit::SolverKind::iterative, bumpy(1500)), {}).report;
+    const fit::FitReport report = fit::fit(runtime, solved_by(fit::SolverKind::iterative, bumpy(1500))).report;
     EXPECT_GE(report.iterations, 3);
     EXPECT_LE(report.iterations, 20);
     EXPECT_GE(report.condition_estimate, 1.0);
@@ -141,7 +141,7 @@ TEST(Iterative, TakesFewerIterationsTheMoreNeighboursThereAre) {
     std::int32_t before = 1000;
     for (const std::uint32_t neighbours : {6U, 16U, 48U}) {
         chosen.preconditioner_neighbours = neighbours;
-        const fit::FitReport report = fit::fit(runtime, chosen, {}).report;
+        const fit::FitReport report = fit::fit(runtime, chosen).report;
         EXPECT_LT(report.iterations, before) << neighbours;
         before = report.iterations;
     }
@@ -154,7 +154,7 @@ TEST(Iterative, EndsAtTheGivenTolerance) {
     std::int32_t before = 0;
     for (const double tolerance : {1e-2, 1e-5, 1e-10}) {
         chosen.solver_tolerance = tolerance;
-        const fit::FitReport report = fit::fit(runtime, chosen, {}).report;
+        const fit::FitReport report = fit::fit(runtime, chosen).report;
         EXPECT_LE(report.solver_residual, 1.2 * tolerance);
         EXPECT_GT(report.iterations, before) << tolerance;
         before = report.iterations;
@@ -176,7 +176,7 @@ Cloud sheets(int side) {
 TEST(Iterative, ConvergesBetweenTwoSheets) {
     const base::Runtime runtime;
     const Cloud cloud = sheets(20);
-    const fit::FitResult result = fit::fit(runtime, solved_by(fit::SolverKind::iterative, cloud), {});
+    const fit::FitResult result = fit::fit(runtime, solved_by(fit::SolverKind::iterative, cloud));
     EXPECT_LE(result.report.iterations, 40);
     EXPECT_LT(at(result.data, {0.5, 0.5, 0.005}).value, 0.0);
     EXPECT_GT(at(result.data, {0.5, 0.5, 0.015}).value, 0.0);
@@ -186,21 +186,21 @@ TEST(Iterative, ConvergesBetweenTwoSheets) {
 TEST(Solver, AutomaticIsDirectForFewSamplesAndIterativeForMany) {
     const base::Runtime runtime;
     for (const Kind kind : kinds) {
-        const fit::FitReport few = fit::fit(runtime, input(bumpy(80), kind, 1), {}).report;
+        const fit::FitReport few = fit::fit(runtime, input(bumpy(80), kind, 1)).report;
         EXPECT_EQ(few.solver, fit::SolverKind::direct);
         EXPECT_EQ(few.solver_reason, fit::SolverReason::small);
     }
-    const fit::FitReport many = fit::fit(runtime, input(bumpy(600)), {}).report;
+    const fit::FitReport many = fit::fit(runtime, input(bumpy(600))).report;
     EXPECT_EQ(many.solver, fit::SolverKind::iterative);
     EXPECT_EQ(many.solver_reason, fit::SolverReason::large);
-    const fit::FitReport asked = fit::fit(runtime, solved_by(fit::SolverKind::direct, bumpy(300)), {}).report;
+    const fit::FitReport asked = fit::fit(runtime, solved_by(fit::SolverKind::direct, bumpy(300))).report;
     EXPECT_EQ(asked.solver, fit::SolverKind::direct);
     EXPECT_EQ(asked.solver_reason, fit::SolverReason::requested);
 }
 
 TEST(Solver, AutomaticIsDirectWhereTheSystemIsNotDefinite) {
     const base::Runtime runtime;
-    const fit::FitReport report = fit::fit(runtime, input(bumpy(250), Kind::triharmonic, 0), {}).report;
+    const fit::FitReport report = fit::fit(runtime, input(bumpy(250), Kind::triharmonic, 0)).report;
     EXPECT_EQ(report.solver, fit::SolverKind::direct);
     EXPECT_EQ(report.solver_reason, fit::SolverReason::not_definite);
 }
@@ -210,7 +210,7 @@ TEST(Solver, AutomaticFallsBackToTheDirectOne) {
     const Cloud cloud = bumpy(250);
     fit::FitInput chosen = input(cloud);
     chosen.iteration_limit = 2;
-    const fit::FitReport report = fit::fit(runtime, chosen, {}).report;
+    const fit::FitReport report = fit::fit(runtime, chosen).report;
     EXPECT_EQ(report.solver, fit::SolverKind::direct);
     EXPECT_EQ(report.solver_reason, fit::SolverReason::not_converged);
     EXPECT_LE(report.solver_residual, 1e-10);
@@ -246,9 +246,9 @@ TEST(Solver, AutomaticTakesWhatTheIterativeOneIsContentWith) {
     const base::Runtime runtime;
     const Cloud cloud = graded_box();
     fit::FitInput chosen = input(cloud);
-    const fit::FitReport automatic = fit::fit(runtime, chosen, {}).report;
+    const fit::FitReport automatic = fit::fit(runtime, chosen).report;
     chosen.solver = fit::SolverKind::iterative;
-    const fit::FitReport asked = fit::fit(runtime, chosen, {}).report;
+    const fit::FitReport asked = fit::fit(runtime, chosen).report;
     EXPECT_GT(asked.solver_residual, 1e-10) << "it tells nothing";
     EXPECT_EQ(automatic.solver, fit::SolverKind::iterative);
     EXPECT_EQ(automatic.solver_reason, fit::SolverReason::large);

@@ -34,14 +34,14 @@ Cloud noisy(const Cloud& cloud, double position, double normal) {
 
 fit::Noise measured(const Cloud& cloud) {
     const base::Runtime runtime;
-    return fit::measure_noise(runtime, fit::read_samples(runtime, view(cloud.points), view(cloud.normals), {}), {});
+    return fit::measure_noise(runtime, fit::read_samples(runtime, view(cloud.points), view(cloud.normals)));
 }
 
 // The runtime outlives the result, whose memory it owns.
 fit::FitResult fitted(const base::Runtime& runtime, const Cloud& cloud, bool automatic) {
     fit::FitInput call = input(cloud);
     if (automatic) call.regularization_mode = fit::RegularizationMode::automatic;
-    return fit::fit(runtime, call, {});
+    return fit::fit(runtime, call);
 }
 
 // Root mean square distance of points of the true surface.

@@ -166,7 +166,7 @@ double inverse_error(const base::Runtime& runtime, const VecArray& x, const fit:
                      std::int32_t neighbours) {
     const Arranged arranged(x);
     const fit::HermiteSystem system(arranged.tree.points(), o);
-    fit::Preconditioner preconditioner(runtime, system, arranged.tree, arranged.rank, neighbours, {});
+    fit::Preconditioner preconditioner(runtime, system, arranged.tree, arranged.rank, neighbours);
     Eigen::VectorXd w = wave(system.rows());
     if (o.kernel == Kind::triharmonic) {
         Eigen::MatrixXd p(system.rows(), system.terms());
@@ -215,7 +215,7 @@ TEST(Preconditioner, IsBetterTheMoreNeighboursItHas) {
 
 Eigen::VectorXd applied(const base::Runtime& runtime, const Arranged& arranged, const fit::HermiteSystem::Options& o) {
     const fit::HermiteSystem system(arranged.tree.points(), o);
-    fit::Preconditioner preconditioner(runtime, system, arranged.tree, arranged.rank, 16, {});
+    fit::Preconditioner preconditioner(runtime, system, arranged.tree, arranged.rank, 16);
     Eigen::VectorXd z(system.rows());
     preconditioner.apply(wave(system.rows()).data(), z.data());
     return z;

@@ -52,12 +52,11 @@ VecArray places(base::Memory& memory, const Cloud& cloud) {
 
 class PreparedTest : public testing::Test {
 protected:
-    PreparedTest()
-        : cloud(bumpy(800)), result(fit::fit(runtime, input(cloud), {})), at(places(runtime.memory, cloud)) {}
+    PreparedTest() : cloud(bumpy(800)), result(fit::fit(runtime, input(cloud))), at(places(runtime.memory, cloud)) {}
 
     [[nodiscard]] Everything evaluate(const base::Runtime& on, const implicit::Implicit& of) const {
         Everything all(const_cast<base::Memory&>(on.memory), at.size());
-        implicit::evaluate_all(on, of, at, all.fields, {});
+        implicit::evaluate_all(on, of, at, all.fields);
         return all;
     }
 
@@ -68,7 +67,7 @@ protected:
 };
 
 TEST_F(PreparedTest, EqualsTheSumOverAllCentres) {
-    const auto prepared = Prepared::make(runtime, result.data, {});
+    const auto prepared = Prepared::make(runtime, result.data);
     ASSERT_NE(prepared, nullptr);
     const Everything found = evaluate(runtime, *prepared);
     Everything expected(runtime.memory, at.size());
@@ -89,7 +88,7 @@ TEST_F(PreparedTest, EqualsTheSumOverAllCentres) {
 }
 
 TEST_F(PreparedTest, WhatIsFarIsSummedUpAlready) {
-    const auto prepared = Prepared::make(runtime, result.data, {});
+    const auto prepared = Prepared::make(runtime, result.data);
     ASSERT_NE(prepared, nullptr);
     EXPECT_GT(prepared->cells(), 50);
     std::int64_t inside = 0;
@@ -101,7 +100,7 @@ TEST_F(PreparedTest, WhatIsFarIsSummedUpAlready) {
 }
 
 TEST_F(PreparedTest, APointsResultDoesNotDependOnTheOthers) {
-    const auto prepared = Prepared::make(runtime, result.data, {});
+    const auto prepared = Prepared::make(runtime, result.data);
     const Everything all = evaluate(runtime, *prepared);
     for (std::int64_t i = 0; i < at.size(); i += 37) {
         Everything one(runtime.memory, 1);
@@ -118,8 +117,8 @@ TEST(Prepared, IsThereForPartsThatCross) {
     Cloud crossing = bumpy(1200);
     const Cloud other = bumpy(1200).moved(1.0, {0.003, 0.002, 0.001});
     for (std::int64_t i = 0; i < other.count(); ++i) crossing.add(other.point(i), other.normal(i));
-    const fit::FitResult fitted = fit::fit(runtime, input(crossing), {});
-    const auto prepared = Prepared::make(runtime, fitted.data, {});
+    const fit::FitResult fitted = fit::fit(runtime, input(crossing));
+    const auto prepared = Prepared::make(runtime, fitted.data);
     ASSERT_NE(prepared, nullptr);
     EXPECT_GT(prepared->error().gradient, 20e-7); // so it is what this is about
     EXPECT_LT(prepared->error().value, 200e-9);
@@ -128,13 +127,13 @@ TEST(Prepared, IsThereForPartsThatCross) {
 
 TEST(Prepared, IsForManyCentresOfTheTriharmonicKernelOnly) {
     const base::Runtime runtime;
-    const fit::FitResult few = fit::fit(runtime, input(bumpy(100)), {});
-    EXPECT_EQ(Prepared::make(runtime, few.data, {}), nullptr);
+    const fit::FitResult few = fit::fit(runtime, input(bumpy(100)));
+    EXPECT_EQ(Prepared::make(runtime, few.data), nullptr);
     EXPECT_FALSE(Prepared::pays(few.data, 1e12));
-    const fit::FitResult other = fit::fit(runtime, input(bumpy(600), hrbfnpr::kernel::Kind::wendland_c2, 1), {});
-    EXPECT_EQ(Prepared::make(runtime, other.data, {}), nullptr);
+    const fit::FitResult other = fit::fit(runtime, input(bumpy(600), hrbfnpr::kernel::Kind::wendland_c2, 1));
+    EXPECT_EQ(Prepared::make(runtime, other.data), nullptr);
     EXPECT_FALSE(Prepared::pays(other.data, 1e12));
-    const fit::FitResult many = fit::fit(runtime, input(bumpy(600)), {});
+    const fit::FitResult many = fit::fit(runtime, input(bumpy(600)));
     EXPECT_FALSE(Prepared::pays(many.data, 1000.0));
     EXPECT_TRUE(Prepared::pays(many.data, 1e8));
 }

@@ -67,7 +67,7 @@ TEST(Regularization, IsAddedInCoordinatesWhoseDiagonalIsOne) {
         for (const double eta : {1e-4, 1e-2}) {
             fit::FitInput smoothed = input(cloud, kind, 1);
             smoothed.regularization = eta;
-            const fit::FitResult result = fit::fit(runtime, smoothed, {});
+            const fit::FitResult result = fit::fit(runtime, smoothed);
             for (const glm::dvec3& p : {glm::dvec3(3, 4, 5), glm::dvec3(20, -10, 12), cloud.point(3)}) {
                 const Sampled expected = by_definition(cloud, kind, result.report.kernel_radius, eta, p);
                 const Sampled found = at(result.data, p);
@@ -104,7 +104,7 @@ TEST(Regularization, SmoothsNoise) {
         for (const double eta : {0.0, 1e-5, 1e-4, 1e-3}) {
             fit::FitInput smoothed = input(cloud, kind, 1);
             smoothed.regularization = eta;
-            const fit::FitResult result = fit::fit(runtime, smoothed, {});
+            const fit::FitResult result = fit::fit(runtime, smoothed);
             EXPECT_GT(result.report.value_residual_rms, residual) << kernel::name(kind) << eta;
             residual = result.report.value_residual_rms;
             const double now = deviation_from_sphere(result);

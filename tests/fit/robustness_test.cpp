@@ -25,7 +25,7 @@ TEST(Robustness, AMatrixThatDoesNotFitIsNamedWithItsBytes) {
     fit::FitInput dense = input(cloud);
     dense.solver = fit::SolverKind::direct;
     try {
-        static_cast<void>(fit::fit(runtime, dense, {}));
+        static_cast<void>(fit::fit(runtime, dense));
         FAIL() << "no error";
     } catch (const hrbfnpr::Error& error) {
         EXPECT_EQ(error.status(), Status::out_of_memory);
@@ -40,7 +40,7 @@ TEST(Robustness, ASingularSystemSaysWhatToDo) {
     fit::FitInput flat = input(cloud, Kind::gaussian, 1);
     flat.kernel_radius = 1e6; // all rows alike
     try {
-        static_cast<void>(fit::fit(runtime, flat, {}));
+        static_cast<void>(fit::fit(runtime, flat));
         FAIL() << "no error";
     } catch (const hrbfnpr::Error& error) {
         EXPECT_EQ(error.status(), Status::singular_system);
@@ -48,7 +48,7 @@ TEST(Robustness, ASingularSystemSaysWhatToDo) {
         EXPECT_NE(std::string(error.what()).find("regularization"), std::string::npos) << error.what();
     }
     flat.regularization = 1e-3; // and it is solvable again
-    EXPECT_NO_THROW(static_cast<void>(fit::fit(runtime, flat, {})));
+    EXPECT_NO_THROW(static_cast<void>(fit::fit(runtime, flat)));
 }
 
 TEST(Robustness, NoFitIsReturnedThatDoesNotInterpolate) {
@@ -61,7 +61,7 @@ TEST(Robustness, NoFitIsReturnedThatDoesNotInterpolate) {
         wide.kernel_radius = radius;
         wide.refinement_steps = 0;
         try {
-            const fit::FitResult result = fit::fit(runtime, wide, {});
+            const fit::FitResult result = fit::fit(runtime, wide);
             EXPECT_LE(result.report.solver_residual, 1e-6) << radius;
             EXPECT_LE(result.report.gradient_residual_max, 1e-5) << radius;
             ++good;
@@ -80,9 +80,9 @@ TEST(Robustness, RefinementLowersTheResidual) {
     fit::FitInput refined = input(cloud, Kind::gaussian, 1);
     refined.kernel_radius = 0.54; // condition 1e15
     refined.refinement_steps = 0;
-    const fit::FitReport once = fit::fit(runtime, refined, {}).report;
+    const fit::FitReport once = fit::fit(runtime, refined).report;
     refined.refinement_steps = 5;
-    const fit::FitReport better = fit::fit(runtime, refined, {}).report;
+    const fit::FitReport better = fit::fit(runtime, refined).report;
     EXPECT_EQ(once.iterations, 0);
     EXPECT_GE(better.iterations, 1);
     EXPECT_LE(better.iterations, 5);
@@ -96,7 +96,7 @@ TEST(Robustness, SamplesMayBeVeryClose) {
             Cloud cloud = sphere(50);
             const glm::dvec3 near = glm::normalize(cloud.point(7) + glm::dvec3(gap, 0, 0));
             cloud.add(near, near);
-            const fit::FitResult result = fit::fit(runtime, input(cloud, kind, 1), {});
+            const fit::FitResult result = fit::fit(runtime, input(cloud, kind, 1));
             EXPECT_LE(result.report.gradient_residual_max, 1e-8) << gap;
             const Cloud truth = sphere(200);
             for (std::int64_t i = 0; i < truth.count(); ++i)

@@ -21,7 +21,7 @@ namespace {
 std::string message(const fit::FitInput& bad, Status status) {
     const Runtime runtime;
     try {
-        static_cast<void>(fit::fit(runtime, bad, {}));
+        static_cast<void>(fit::fit(runtime, bad));
     } catch (const hrbfnpr::Error& error) {
         EXPECT_EQ(error.status(), status) << error.what();
         EXPECT_EQ(runtime.memory.bytes_now(), 0);
@@ -44,7 +44,7 @@ TEST(Samples, CoincidentOnesThatAgreeAreMergedAndCounted) {
     doubled.add(cloud.point(7), cloud.normal(7));
     doubled.add(cloud.point(7) + glm::dvec3(1e-10, 0, 0), glm::normalize(cloud.normal(7) + glm::dvec3(0.005, 0, 0)));
     doubled.add(cloud.point(3), cloud.normal(3));
-    const fit::FitResult result = fit::fit(runtime, input(doubled), {});
+    const fit::FitResult result = fit::fit(runtime, input(doubled));
     EXPECT_EQ(result.report.samples, 53);
     EXPECT_EQ(result.report.merged_samples, 3);
     EXPECT_EQ(result.data.count(), 50);
@@ -65,7 +65,7 @@ TEST(Samples, OnesThatNearlyCoincideAreKept) {
     Cloud cloud = sphere(50);
     cloud.add(glm::normalize(cloud.point(7) + glm::dvec3(1e-4, 0, 0)),
               glm::normalize(cloud.point(7) + glm::dvec3(1e-4, 0, 0)));
-    const fit::FitResult result = fit::fit(runtime, input(cloud), {});
+    const fit::FitResult result = fit::fit(runtime, input(cloud));
     EXPECT_EQ(result.report.merged_samples, 0);
     EXPECT_LE(result.report.gradient_residual_max, 1e-8);
 }
@@ -74,7 +74,7 @@ TEST(Samples, AllInOnePlaceAreOneSample) {
     const Runtime runtime;
     Cloud cloud;
     for (int i = 0; i < 3000; ++i) cloud.add({1, 2, 3}, {0, 1, 0});
-    const fit::FitResult result = fit::fit(runtime, input(cloud), {});
+    const fit::FitResult result = fit::fit(runtime, input(cloud));
     EXPECT_EQ(result.report.merged_samples, 2999);
     EXPECT_EQ(result.data.count(), 1);
     EXPECT_NEAR(at(result.data, {9, 5, 9}).value, 3.0, 1e-12);
@@ -86,7 +86,7 @@ TEST(Samples, NormalsAreNormalisedAndCounted) {
     Cloud stretched;
     const double lengths[] = {1.0, 1.0 + 5e-5, 2.0, 1e-200, 1e200, 0.5};
     for (std::int64_t i = 0; i < 20; ++i) stretched.add(cloud.point(i), lengths[i % 6] * cloud.normal(i));
-    const fit::FitResult result = fit::fit(runtime, input(stretched), {});
+    const fit::FitResult result = fit::fit(runtime, input(stretched));
     EXPECT_EQ(result.report.rescaled_normals, 12); // not those of 1 and 1 + 5e-5: 4 + 4
     for (std::int64_t i = 0; i < 20; ++i)
         EXPECT_NEAR(glm::distance(at(result.data, cloud.point(i)).gradient, cloud.normal(i)), 0.0, 1e-10);
@@ -127,7 +127,7 @@ TEST(Samples, MaximumCentresCountsWhatIsLeftAfterMerging) {
     cloud.add(cloud.point(0), cloud.normal(0));
     fit::FitInput enough = input(cloud);
     enough.maximum_centres = 10;
-    EXPECT_EQ(fit::fit(runtime, enough, {}).data.count(), 10);
+    EXPECT_EQ(fit::fit(runtime, enough).data.count(), 10);
 }
 
 TEST(Samples, ADegreeThatTheyDoNotDetermineIsNamed) {
@@ -165,7 +165,7 @@ TEST(Samples, AreReadFromAnyStrideAndScalar) {
     const auto* last = reinterpret_cast<const std::byte*>(mixed.data() + 7 * 39);
     strided.points = {last, 40, -28, hrbfnpr::base::Scalar::float32, 3};
     strided.normals = {last + 16, 40, -28, hrbfnpr::base::Scalar::float32, 3};
-    const fit::FitResult result = fit::fit(runtime, strided, {});
+    const fit::FitResult result = fit::fit(runtime, strided);
     EXPECT_EQ(result.report.rescaled_normals, 0);
     for (std::int64_t i = 0; i < 40; ++i)
         for (glm::length_t c = 0; c < 3; ++c)
@@ -183,7 +183,7 @@ TEST(Samples, SpacingIsTheMeanDistanceToTheNearest) {
             if (i != j) best = std::min(best, glm::distance(cloud.point(i), cloud.point(j)));
         sum += best;
     }
-    const fit::FitResult result = fit::fit(runtime, input(cloud), {});
+    const fit::FitResult result = fit::fit(runtime, input(cloud));
     EXPECT_NEAR(result.data.spacing, sum / 200, 1e-13);
     EXPECT_EQ(result.data.scale, result.data.spacing);
     for (glm::length_t c = 0; c < 3; ++c) EXPECT_LE(result.data.bounds.min[c], result.data.centre[c]);

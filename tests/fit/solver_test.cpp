@@ -138,7 +138,7 @@ TEST(NullSpaceSolver, EqualsAPlainLuOfTheWholeSystem) {
                 const Eigen::MatrixXd plain = plain_system(x, options(kind, degree));
                 const Eigen::VectorXd rhs = right_hand_side(plain.rows());
                 const Eigen::VectorXd expected = fit_test::solved(plain, rhs);
-                fit::NullSpaceSolver solver(runtime, system, {});
+                fit::NullSpaceSolver solver(runtime, system);
                 ASSERT_TRUE(solver.factor({})) << count << " " << kernel::name(kind) << degree;
                 Eigen::VectorXd found = rhs;
                 solver.solve(found.data(), {});
@@ -155,12 +155,12 @@ TEST(NullSpaceSolver, NoticesWhatIsNotDefinite) {
     fit::HermiteSystem::Options o = options(Kind::triharmonic, -1);
     o.value_diagonal = o.gradient_diagonal = 0.0;
     const fit::HermiteSystem system(x, o);
-    fit::NullSpaceSolver solver(runtime, system, {});
+    fit::NullSpaceSolver solver(runtime, system);
     EXPECT_FALSE(solver.factor({}));
     o = options(Kind::gaussian, 0);
     o.value_diagonal = std::numeric_limits<double>::quiet_NaN();
     const fit::HermiteSystem broken(x, o);
-    fit::NullSpaceSolver other(runtime, broken, {});
+    fit::NullSpaceSolver other(runtime, broken);
     EXPECT_FALSE(other.factor({}));
 }
 
@@ -173,7 +173,7 @@ TEST(DenseLu, EqualsAPlainLu) {
             const Eigen::MatrixXd plain = plain_system(x, options(Kind::triharmonic, degree));
             const Eigen::VectorXd rhs = right_hand_side(plain.rows());
             const Eigen::VectorXd expected = fit_test::solved(plain, rhs);
-            const fit::DenseLu lu(runtime, system, {});
+            const fit::DenseLu lu(runtime, system);
             Eigen::VectorXd found = rhs;
             lu.solve(found.data(), {});
             EXPECT_LT((found - expected).norm(), 1e-9 * expected.norm()) << count << " " << degree;

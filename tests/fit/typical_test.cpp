@@ -27,14 +27,14 @@ fit::Samples torus_with_odd_ones(const base::Runtime& runtime) {
         const bool turned = odd(i) && i % 2 == 1;
         cloud.add(even.point(i) + (high ? 0.1 : 0.0) * even.normal(i), turned ? aside : even.normal(i));
     }
-    return fit::read_samples(runtime, view(cloud.points), view(cloud.normals), {});
+    return fit::read_samples(runtime, view(cloud.points), view(cloud.normals));
 }
 
 TEST(Typical, IsNoneOfTheOddOnesAndNear) {
     const base::Runtime runtime;
     const fit::Samples samples = torus_with_odd_ones(runtime);
     const geometry::Neighbours neighbours(runtime.parallel, samples.position, 16, {});
-    const base::Array<std::int64_t> typical = fit::typical_samples(runtime, samples, neighbours, {});
+    const base::Array<std::int64_t> typical = fit::typical_samples(runtime, samples, neighbours);
     ASSERT_EQ(typical.size(), samples.position.size());
     for (std::int64_t i = 0; i < typical.size(); ++i) {
         EXPECT_FALSE(odd(typical[i])) << i;

@@ -19,7 +19,7 @@ protected:
         curves::LineSetSettings settings;
         settings.side = 0.1;
         lines_ = std::make_unique<curves::LineSet>(runtime, box_, std::make_unique<implicit::DifferencedShape>(box_),
-                                                   settings, base::Progress());
+                                                   settings);
         constexpr int side = 24; // splats are 6 pixels apart
         for (int i = 0; i < side; ++i) {
             for (int j = 0; j < side; ++j) {

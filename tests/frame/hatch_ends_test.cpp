@@ -122,7 +122,7 @@ TEST_F(Hatch, LinesOnlyRoundOffAtCreases) {
                                  test::max_of({test::plane({0, 0, 1}, 0.0), test::plane({1, 0, 0}, 0.5)}));
     curves::LineSetSettings settings;
     settings.side = 0.1;
-    const curves::LineSet lines(runtime, shape, std::make_unique<implicit::DifferencedShape>(shape), settings, {});
+    const curves::LineSet lines(runtime, shape, std::make_unique<implicit::DifferencedShape>(shape), settings);
     add_line(set, {0.1, -0.5, 0.5, 0}, 0.02);
     add_line(set, {-0.1, -0.5, 0.3, 0}, 0.02);
     set_nesting(set, 0.02, 0);

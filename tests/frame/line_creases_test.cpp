@@ -36,7 +36,7 @@ protected:
         curves::LineSetSettings settings;
         settings.side = 0.1;
         lines_ = std::make_unique<curves::LineSet>(runtime, shape, std::make_unique<implicit::DifferencedShape>(shape),
-                                                   settings, base::Progress());
+                                                   settings);
         camera_ = camera;
     }
     [[nodiscard]] glm::dvec2 window_of(const glm::dvec3& place) const {
@@ -329,7 +329,7 @@ TEST_F(LineCreases, SmoothItemsHaveNoLayerForThem) {
     const test::SquareSphere ball;
     curves::LineSetSettings settings;
     settings.side = 0.1;
-    const curves::LineSet smooth(runtime, ball, std::make_unique<implicit::DifferencedShape>(ball), settings, {});
+    const curves::LineSet smooth(runtime, ball, std::make_unique<implicit::DifferencedShape>(ball), settings);
     const auto cube = test::sharp_cube(glm::dmat3(1.0));
     look_at(*cube, {-0.8, 1.0, -0.6});
     draw();

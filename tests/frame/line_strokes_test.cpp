@@ -81,8 +81,8 @@ protected:
     base::Runtime runtime = test::with_threads(2);
     test::SquareSphere ball;
     test::Torus ring{1.0, 0.4};
-    curves::LineSet ball_lines{runtime, ball, std::make_unique<implicit::DifferencedShape>(ball), cells(0.1), {}};
-    curves::LineSet ring_lines{runtime, ring, std::make_unique<implicit::DifferencedShape>(ring), cells(0.1), {}};
+    curves::LineSet ball_lines{runtime, ball, std::make_unique<implicit::DifferencedShape>(ball), cells(0.1)};
+    curves::LineSet ring_lines{runtime, ring, std::make_unique<implicit::DifferencedShape>(ring), cells(0.1)};
     marks::PointSet set = clustered(runtime, sphere(runtime.memory, 2000));
     std::array<LineStyle, 1> style{};
     DrawnFrame frame{runtime};

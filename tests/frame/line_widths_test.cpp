@@ -73,8 +73,7 @@ protected:
 
     base::Runtime runtime = test::with_threads(2);
     test::SquareSphere ball;
-    curves::LineSet ball_lines{
-        runtime, ball, std::make_unique<implicit::DifferencedShape>(ball), with_sections({}), {}};
+    curves::LineSet ball_lines{runtime, ball, std::make_unique<implicit::DifferencedShape>(ball), with_sections({})};
     marks::PointSet set = clustered(runtime, sphere(runtime.memory, 500));
     std::array<LineStyle, 1> style{[] {
         LineStyle lines;
@@ -142,7 +141,7 @@ TEST_F(LineWidths, ByCurvatureAcrossALine) {
     const double level[1] = {0.15};
     request.levels = level;
     const curves::LineSet lines(runtime, torus, std::make_unique<implicit::DifferencedShape>(torus),
-                                with_sections({&request, 1}), {});
+                                with_sections({&request, 1}));
     style[0].kind = curves::LineKind::section;
     style[0].curvature_factor = 2.0F;
     style[0].curvature_radius = 0.5F;
@@ -192,8 +191,7 @@ TEST_F(LineWidths, ChangeSmoothlyFromTheOutline) {
 // From within a torus and beside it, with all laws: lines that pass beside the eye are as long as numbers go.
 TEST_F(LineWidths, FromAnyCamera) {
     const test::Torus torus(1.0, 0.4);
-    const curves::LineSet lines(runtime, torus, std::make_unique<implicit::DifferencedShape>(torus), with_sections({}),
-                                {});
+    const curves::LineSet lines(runtime, torus, std::make_unique<implicit::DifferencedShape>(torus), with_sections({}));
     style[0].outline_factor = 2.0F;
     style[0].far_factor = style[0].lit_factor = style[0].curvature_factor = 0.5F;
     style[0].wobble = 1.0F;

@@ -33,7 +33,7 @@ TEST(Determinism, TheRandomSeedChangesTheMarks) {
 
 TEST(Memory, BytesAreThoseOfTheArrays) {
     const base::Runtime runtime;
-    const PointSet set = generate::generate(runtime, Torus(), {}, small_blue(), {});
+    const PointSet set = generate::generate(runtime, Torus(), {}, small_blue());
     EXPECT_EQ(set.bytes(), runtime.memory.bytes_now());
     EXPECT_GT(set.bytes(), 9000 * (3 * 12 + 4 + 1 + 8));
 }
@@ -49,7 +49,7 @@ TEST(Callbacks, AFailureEndsTheCall) {
                 return Sphere().at(p);
             });
             expect_error(Status::callback, {"the function failed"},
-                         [&] { (void)generate::generate(threads, fails, {}, settings, {}); });
+                         [&] { (void)generate::generate(threads, fails, {}, settings); });
         }
     }
 }

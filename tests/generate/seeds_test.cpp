@@ -150,7 +150,7 @@ TEST(Patches, AreSquaresOfTwoStepsInTangentPlanes) {
     use_points(settings, seeds);
     std::vector<double> corners(70 * 12, 0.0);
     const base::OutView out{reinterpret_cast<std::byte*>(corners.data()), 70, 96, base::Scalar::float64, 12};
-    const double step = step_patches(runtime(), sphere, {}, settings, out, {});
+    const double step = step_patches(runtime(), sphere, {}, settings, out);
     EXPECT_EQ(step, make(sphere, settings).layers[0].report.step);
     std::vector<int> used(50, 0);
     for (std::size_t i = 0; i < 70; ++i) {
@@ -173,9 +173,9 @@ TEST(Patches, AreSquaresOfTwoStepsInTangentPlanes) {
 
     settings.distribution = Distribution::blue_noise;
     of(settings, Kind::stipples).budget = 100;
-    EXPECT_EQ(step_patches(runtime(), sphere, {}, settings, out, {}), step) << "the seeds' whatever the distribution";
+    EXPECT_EQ(step_patches(runtime(), sphere, {}, settings, out), step) << "the seeds' whatever the distribution";
     settings.seeds.initial_step = 0.5;
-    EXPECT_EQ(step_patches(runtime(), sphere, {}, settings, out, {}), 0.5);
+    EXPECT_EQ(step_patches(runtime(), sphere, {}, settings, out), 0.5);
 }
 
 } // namespace

@@ -34,7 +34,7 @@ Found look_at(const SharpShape& shape) {
     settings.layers.resize(1);
     settings.layers[0].kind = marks::Kind::hatch;
     settings.layers[0].budget = 8000;
-    const marks::PointSet set = generate::generate(runtime(), shape, {}, settings, {});
+    const marks::PointSet set = generate::generate(runtime(), shape, {}, settings);
     const marks::Layer& layer = set.layers[0];
     const auto at = [&](const base::Array<float>& numbers, std::int64_t i) {
         return glm::dvec3(static_cast<double>(numbers[3 * i]), static_cast<double>(numbers[3 * i + 1]),

@@ -36,7 +36,7 @@ TEST(EvenLines, MoveToTheMiddleWithTheirLevels) {
     add_line(lines, 0.0, 0.0, 40.0, 1);
     add_line(lines, 0.6, 0.0, 40.0, 3);
     add_line(lines, 2.0, 0.0, 40.0, 2);
-    const Lines even = even_out(runtime, lines, 1.0, {});
+    const Lines even = even_out(runtime, lines, 1.0);
     ASSERT_EQ(even.count(), 3);
     EXPECT_LT(farthest_from(even, 1, 1.0, 0.0, 40.0), 0.05);
     // A line with a neighbour on one side only stays.
@@ -53,7 +53,7 @@ TEST(EvenLines, StayInTheMiddleOfAFan) {
     add_line(lines, 0.5, 0.0, 60.0, 0, 1.0 / 120.0);
     add_line(lines, -0.5, 0.0, 60.0, 0, -1.0 / 120.0);
     add_line(lines, 0.3, 3.0, 60.0, 1);
-    const Lines even = even_out(runtime, lines, 1.0, {});
+    const Lines even = even_out(runtime, lines, 1.0);
     ASSERT_EQ(even.count(), 3);
     EXPECT_LT(farthest_from(even, 2, 0.0, 0.0, 60.0), 0.12);
 }
@@ -94,7 +94,7 @@ TEST(EvenLines, TurnSlowlyButWhereTheFieldTurns) {
     const auto turned = [&](double turn) {
         Lines lines(runtime.memory);
         add_turning_line(lines, turn);
-        return even_out(runtime, lines, 1.0, {});
+        return even_out(runtime, lines, 1.0);
     };
     constexpr double degree = 0.0174533;
     for (const double kink : {35.0, 50.0, 65.0}) EXPECT_LT(most_turn_of(turned(kink * degree)), 30.0 * degree) << kink;
@@ -103,7 +103,7 @@ TEST(EvenLines, TurnSlowlyButWhereTheFieldTurns) {
     // What does not turn much stays where it is.
     Lines lines(runtime.memory);
     add_turning_line(lines, 15.0 * degree);
-    const Lines even = even_out(runtime, lines, 1.0, {});
+    const Lines even = even_out(runtime, lines, 1.0);
     EXPECT_NEAR(most_turn_of(even), 15.0 * degree, 2.0 * degree);
 }
 

@@ -75,7 +75,7 @@ double power(const glm::dvec3& p, int l, int k, double angle) {
 TEST(CubeBasis, InterpolationReproducesTriharmonicPolynomials) {
     const base::Runtime runtime;
     for (const int degree : {0, 1, 2, 3, 5, 8, 14, CubeBasis::degree_max}) {
-        const CubeBasis basis(runtime, degree, {});
+        const CubeBasis basis(runtime, degree);
         for (int k = 0; k < 3; ++k)
             for (int l = 0; l + 2 * k <= degree; ++l)
                 for (const double angle : {0.0, 0.7, 2.0}) {
@@ -86,7 +86,7 @@ TEST(CubeBasis, InterpolationReproducesTriharmonicPolynomials) {
         const auto too_high = [&](const glm::dvec3& p) { return power(p, degree + 1, 0, 0.7); };
         EXPECT_GT(largest_error(runtime, basis, too_high), 1e-3) << degree;
     }
-    const CubeBasis basis(runtime, 6, {});
+    const CubeBasis basis(runtime, 6);
     EXPECT_GT(largest_error(runtime, basis, [](const glm::dvec3& p) { return power(p, 0, 3, 0.0); }), 1e-2);
 }
 
@@ -95,19 +95,19 @@ TEST(CubeBasis, ApproximatesFarSources) {
     const base::Runtime runtime;
     const glm::dvec3 source(3.1, 0.9, -0.7);
     const auto kernel = [&](const glm::dvec3& p) { return std::pow(glm::distance(p, source), 3.0); };
-    const double first = largest_error(runtime, CubeBasis(runtime, 6, {}), kernel);
+    const double first = largest_error(runtime, CubeBasis(runtime, 6), kernel);
     EXPECT_LT(first, 3e-2);
     for (const int degree : {9, 12, 15}) {
-        const double error = largest_error(runtime, CubeBasis(runtime, degree, {}), kernel);
+        const double error = largest_error(runtime, CubeBasis(runtime, degree), kernel);
         EXPECT_LT(error, 4.0 * first * std::pow(2.9, 6 - degree)) << degree;
     }
-    EXPECT_LT(largest_error(runtime, CubeBasis(runtime, CubeBasis::degree_max, {}), kernel), 1e-9);
+    EXPECT_LT(largest_error(runtime, CubeBasis(runtime, CubeBasis::degree_max), kernel), 1e-9);
 }
 
 TEST(CubeBasis, ToCoefficientsInverts) {
     const base::Runtime runtime;
     for (const int degree : {0, 1, 2, 6, 9, CubeBasis::degree_max}) {
-        const CubeBasis basis(runtime, degree, {});
+        const CubeBasis basis(runtime, degree);
         std::vector<double> terms(static_cast<std::size_t>(basis.terms()));
         for (std::int64_t i = 0; i<basis.size(); i += basis.size()> 300 ? 97 : 1) {
             CubeBasis::evaluate(degree, basis.nodes()[i], terms.data());
@@ -123,7 +123,7 @@ TEST(CubeBasis, ToCoefficientsInverts) {
 
 TEST(CubeBasis, TheTransposedMatrixIsTheTransposed) {
     const base::Runtime runtime;
-    const CubeBasis basis(runtime, 7, {});
+    const CubeBasis basis(runtime, 7);
     for (std::int64_t j = 0; j < basis.size(); ++j)
         for (std::int64_t k = 0; k < basis.terms(); ++k)
             EXPECT_EQ(basis.to_coefficients()[j * basis.term_stride() + k],
@@ -133,7 +133,7 @@ TEST(CubeBasis, TheTransposedMatrixIsTheTransposed) {
 TEST(CubeBasis, NodesAreDistinctAndInTheCube) {
     const base::Runtime runtime;
     for (const int degree : {0, 3, 10}) {
-        const CubeBasis basis(runtime, degree, {});
+        const CubeBasis basis(runtime, degree);
         EXPECT_EQ(basis.nodes().size(), basis.stride());
         EXPECT_EQ(basis.stride() % 8, 0);
         for (std::int64_t i = 0; i < basis.size(); ++i) {
@@ -148,7 +148,7 @@ TEST(CubeBasis, NodesAreDistinctAndInTheCube) {
 // Lebesgue's constant stays small: that is what the points are chosen for.
 TEST(CubeBasis, InterpolationIsStable) {
     const base::Runtime runtime;
-    const CubeBasis basis(runtime, 10, {});
+    const CubeBasis basis(runtime, 10);
     const VecArray points = points_in_cube(runtime.memory, 50);
     const base::Array<double> matrix = basis.interpolation(runtime, points, 50);
     for (std::int64_t i = 0; i < 50; ++i) {

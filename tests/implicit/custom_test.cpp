@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "fields.h"
+#include "support/runtime.h"
 
 #include "base/status.h"
 #include "implicit/custom.h"
@@ -221,10 +222,11 @@ TEST(Custom, RunsOnTheCallersThreadUnlessItIsThreadSafe) {
     implicit::CustomFunction function = make(calls, true, false);
     const implicit::Custom serial(function);
     EXPECT_FALSE(serial.concurrent());
-    EXPECT_EQ(serial.threads(hrbfnpr::base::Parallel(4, nullptr, nullptr)).threads(), 1);
+    const hrbfnpr::base::Runtime four = hrbfnpr::test::with_threads(4);
+    EXPECT_EQ(serial.threads(four).threads(), 1);
     function.thread_safe = true;
     const implicit::Custom parallel(function);
-    EXPECT_EQ(parallel.threads(hrbfnpr::base::Parallel(4, nullptr, nullptr)).threads(), 4);
+    EXPECT_EQ(parallel.threads(four).threads(), 4);
     EXPECT_EQ(parallel.bounds().max.x, 1.0);
 }
 

@@ -62,7 +62,7 @@ TEST(EvaluateAll, ResultsAreInTheCallersOrder) {
             const Slices slices(cells);
             const VecArray p = points(runtime.memory, count);
             test::Fields fields(static_cast<std::size_t>(count));
-            implicit::evaluate_all(runtime, slices, p, fields.all(), {});
+            implicit::evaluate_all(runtime, slices, p, fields.all());
             for (std::int64_t i = 0; i < count; ++i) {
                 const auto at = static_cast<std::size_t>(i);
                 EXPECT_EQ(fields.value[at], p.x[i] + 2.0 * p.y[i] + 4.0 * p.z[i]);
@@ -77,7 +77,7 @@ TEST(EvaluateAll, OnlyWhatIsWantedIsWritten) {
     const Slices slices(5);
     const VecArray p = points(runtime.memory, 300);
     test::Fields fields(300);
-    implicit::evaluate_all(runtime, slices, p, fields.batch(false, true, false), {});
+    implicit::evaluate_all(runtime, slices, p, fields.batch(false, true, false));
     EXPECT_EQ(fields.value[7], -7.0);
     EXPECT_EQ(fields.hessian[0][7], -7.0);
     EXPECT_EQ(fields.gradient[2][7], p.x[7] + 2.0);
@@ -88,7 +88,7 @@ TEST(EvaluateAll, PointsOfACellComeTogether) {
     const Slices slices(10);
     const VecArray p = points(runtime.memory, 2000);
     test::Fields fields(2000);
-    implicit::evaluate_all(runtime, slices, p, fields.all(), {});
+    implicit::evaluate_all(runtime, slices, p, fields.all());
     EXPECT_LT(slices.changes, 10);
     const base::Array<std::int32_t> order = implicit::order_by_cell(runtime, slices, p);
     ASSERT_EQ(order.size(), 2000);

@@ -73,7 +73,7 @@ Sums directly(const base::Runtime& runtime, const VecArray& p, const Weights& w)
 
 Sums quickly(const base::Runtime& runtime, const VecArray& points, const Weights& w,
              const implicit::SourceTreeOptions& options) {
-    implicit::FarField field(runtime, points, options, {});
+    implicit::FarField field(runtime, points, options);
     Sums sums(runtime.memory, points.size());
     field.sum(w.alpha.data(), w.beta, sums.value.data(), sums.gradient, {});
     return sums;
@@ -131,8 +131,8 @@ TEST(FarField, ClustersAreDividedAsDeeplyAsTheyNeed) {
     const Sums expected = directly(runtime, points, weights);
     for (const std::int64_t leaf_size : {10, 40, 640})
         EXPECT_LT(error(quickly(runtime, points, weights, {4.0, 0, leaf_size, 1.0}), expected), 1e-4) << leaf_size;
-    const implicit::FarField shallow(runtime, points, {4.0, 0, 1499, 1.0}, {});
-    const implicit::FarField deep(runtime, points, {4.0, 0, 10, 1.0}, {});
+    const implicit::FarField shallow(runtime, points, {4.0, 0, 1499, 1.0});
+    const implicit::FarField deep(runtime, points, {4.0, 0, 10, 1.0});
     EXPECT_GT(deep.bytes(), 2 * shallow.bytes());
 }
 
@@ -154,7 +154,7 @@ TEST(FarField, IsExactWhereEverythingIsNear) {
 TEST(FarField, SumsNothingOfTheCallBefore) {
     const base::Runtime runtime;
     const VecArray points = sphere(runtime.memory, 600);
-    implicit::FarField field(runtime, points, {4.0, 0, 30, 1.0}, {});
+    implicit::FarField field(runtime, points, {4.0, 0, 30, 1.0});
     const Weights weights(runtime.memory, points.size());
     Sums first(runtime.memory, points.size());
     Sums second(runtime.memory, points.size());

@@ -62,7 +62,7 @@ struct Error {
 
 // At places around the sources, in units of the sum of absolute terms: there are no side conditions that make it small.
 Error largest_error(const base::Runtime& runtime, const Sources& sources, const implicit::LocalFieldOptions& options) {
-    const implicit::LocalField field(runtime, sources.position, sources.alpha.data(), sources.beta, options, {});
+    const implicit::LocalField field(runtime, sources.position, sources.alpha.data(), sources.beta, options);
     const auto sums = implicit::hermite_sums(runtime.instruction_set, Kind::triharmonic);
     const auto hessians = implicit::hermite_hessians(runtime.instruction_set, Kind::triharmonic);
     Error error;
@@ -144,7 +144,7 @@ TEST(LocalField, ALooserToleranceIsLessAccurate) {
 TEST(LocalField, OutsideOfAllCubesThereIsNone) {
     const base::Runtime runtime;
     const Sources sources = sheet(runtime.memory, 16, 0);
-    const implicit::LocalField field(runtime, sources.position, sources.alpha.data(), sources.beta, {1.0, 1e-3, 0}, {});
+    const implicit::LocalField field(runtime, sources.position, sources.alpha.data(), sources.beta, {1.0, 1e-3, 0});
     EXPECT_EQ(field.cube_of({-5.0, 3.0, 0.0}), -1);
     EXPECT_EQ(field.cube_of({3.0, 3.0, 1e9}), -1);
     EXPECT_EQ(field.cube_of({NAN, 3.0, 0.0}), -1);

@@ -201,7 +201,7 @@ TEST(Pieces, ZonesOfOneSheetThatIsNamedTwiceAreThatSheet) {
     data.plain.resize(4 * 512);
     const implicit::Pieces f(InstructionSet::automatic, std::move(data));
     ASSERT_TRUE(implicit::is_sound(f.data()));
-    const implicit::PreparedPieces prepared(runtime, f, implicit::PreparedPieces::Scope::zones, {});
+    const implicit::PreparedPieces prepared(runtime, f, implicit::PreparedPieces::Scope::zones);
     EXPECT_FALSE(prepared.zones()->at(glm::dvec3(0.1)).parts.empty());
     for (std::uint64_t i = 0; i < 100; ++i) {
         const glm::dvec3 p = place(i, 1.0);

@@ -17,7 +17,7 @@ std::uint64_t key_of(std::int64_t i) noexcept { return static_cast<std::uint64_t
 std::int64_t kept(std::int64_t count, std::int64_t room) {
     static const test::Sphere anything;
     const Site site{test::runtime(), anything, 1e-6, 7};
-    const Thinning thinning(site, count, room, 0, key_of, base::Progress());
+    const Thinning thinning(site, count, room, 0, key_of);
     std::int64_t found = 0;
     for (std::int64_t i = 0; i < count; ++i) found += thinning.keeps(key_of(i)) ? 1 : 0;
     return found;

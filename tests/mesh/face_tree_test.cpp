@@ -40,7 +40,7 @@ double plain_distance(const std::array<glm::dvec3, 3>& p, const glm::dvec3& from
 
 TEST(FaceTree, FindsTheNearestPlace) {
     const mesh::Mesh ring = made(runtime(), torus(24, 10, 0.3));
-    const mesh::FaceTree tree(runtime(), ring.vertex, ring.triangle, {});
+    const mesh::FaceTree tree(runtime(), ring.vertex, ring.triangle);
     for (int i = 0; i < 200; ++i) {
         const glm::dvec3 p = place(i);
         const auto nearest = tree.nearest(p);
@@ -61,14 +61,14 @@ TEST(FaceTree, FindsTheNearestPlace) {
 
 TEST(FaceTree, KnowsTheDistanceFromASphere) {
     const mesh::Mesh sphere = made(runtime(), icosphere(5));
-    const mesh::FaceTree tree(runtime(), sphere.vertex, sphere.triangle, {});
+    const mesh::FaceTree tree(runtime(), sphere.vertex, sphere.triangle);
     for (int i = 0; i < 500; ++i)
         ASSERT_NEAR(tree.distance(place(i)), std::abs(glm::length(place(i)) - 1.0), 1.5e-3) << i;
 }
 
 TEST(FaceTree, RaysMeetWhatAllFacesSay) {
     const mesh::Mesh ring = made(runtime(), torus(24, 10, 0.3));
-    const mesh::FaceTree tree(runtime(), ring.vertex, ring.triangle, {});
+    const mesh::FaceTree tree(runtime(), ring.vertex, ring.triangle);
     int several = 0;
     for (int i = 0; i < 1000; ++i) {
         const glm::dvec3 from = place(i);

@@ -107,7 +107,7 @@ TEST(MakeMesh, TurnsFacesToAgree) {
     EXPECT_GT(turned.report.volume, 4.0);
     mesh::MeshInput as_it_is = input(from);
     as_it_is.faces = mesh::Faces::keep;
-    EXPECT_GT(mesh::make_mesh(runtime(), as_it_is, {}).report.contrary_edges, 800);
+    EXPECT_GT(mesh::make_mesh(runtime(), as_it_is).report.contrary_edges, 800);
 }
 
 TEST(MakeMesh, TurnsAClosedOneThatIsInsideOut) {
@@ -119,7 +119,7 @@ TEST(MakeMesh, TurnsAClosedOneThatIsInsideOut) {
     const Triangles from = icosphere(3).turned();
     mesh::MeshInput as_it_is = input(from);
     as_it_is.faces = mesh::Faces::keep;
-    EXPECT_LT(mesh::make_mesh(runtime(), as_it_is, {}).report.volume, -4.0);
+    EXPECT_LT(mesh::make_mesh(runtime(), as_it_is).report.volume, -4.0);
 }
 
 TEST(MakeMesh, TurnsOneWithHolesToo) {
@@ -260,7 +260,7 @@ TEST(MakeMesh, HasNormalsThatKeepCreases) {
     const Triangles from = box(1, 1, 1, 4);
     mesh::MeshInput smooth = input(from);
     smooth.crease_angle = 180.0;
-    const Mesh rounded = mesh::make_mesh(runtime(), smooth, {});
+    const Mesh rounded = mesh::make_mesh(runtime(), smooth);
     double most = 0.0;
     for (std::int64_t corner = 0; corner < 3 * rounded.faces(); ++corner)
         most = std::max(most, glm::distance(rounded.corner_normal[corner],
@@ -296,7 +296,7 @@ TEST(MakeMesh, KnowsPlacesOnItsBorder) {
 
 std::string message_of(const mesh::MeshInput& desc) {
     try {
-        static_cast<void>(mesh::make_mesh(runtime(), desc, {}));
+        static_cast<void>(mesh::make_mesh(runtime(), desc));
     } catch (const hrbfnpr::Error& error) {
         EXPECT_EQ(error.status(), hrbfnpr::Status::invalid_argument);
         return error.what();

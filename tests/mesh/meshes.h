@@ -22,7 +22,7 @@ inline hrbfnpr::mesh::Mesh made(const hrbfnpr::base::Runtime& runtime, const Tri
                                 hrbfnpr::mesh::Parts parts = hrbfnpr::mesh::Parts::outer) {
     hrbfnpr::mesh::MeshInput desc = input(from);
     desc.parts = parts;
-    return hrbfnpr::mesh::make_mesh(runtime, desc, {});
+    return hrbfnpr::mesh::make_mesh(runtime, desc);
 }
 
 } // namespace mesh_test

@@ -28,7 +28,7 @@ TEST(MeshSamples, LieOnTheMeshEvenOverItsArea) {
     const base::Runtime two = runtime(2);
     // A long thin box: a seventh of its faces has nearly all of its area.
     const mesh::Mesh plate = made(two, box(1.0, 1.0, 0.01, 5));
-    const mesh::MeshSamples samples = mesh::random_samples(two, plate, 20000, 1, 0, {});
+    const mesh::MeshSamples samples = mesh::random_samples(two, plate, 20000, 1, 0);
     int on_lid = 0;
     for (std::int64_t i = 0; i < samples.position.size(); ++i) {
         const glm::dvec3 p = samples.position[i];
@@ -44,7 +44,7 @@ TEST(MeshSamples, LieOnTheMeshEvenOverItsArea) {
 TEST(MeshSamples, KeepTheirDistanceInEveryPrefix) {
     const base::Runtime two = runtime(2);
     const mesh::Mesh sphere = made(two, icosphere(4));
-    const mesh::MeshSamples samples = mesh::even_samples(two, sphere, 1000, 40000, 1, {});
+    const mesh::MeshSamples samples = mesh::even_samples(two, sphere, 1000, 40000, 1);
     for (const std::int64_t count : {100, 1000}) {
         double least = HUGE_VAL;
         for (std::int64_t i = 0; i < count; ++i)
@@ -54,7 +54,7 @@ TEST(MeshSamples, KeepTheirDistanceInEveryPrefix) {
         const double lattice = std::sqrt(8.0 * 3.14159265 / (1.7320508 * static_cast<double>(count)));
         EXPECT_GT(least, 0.65 * lattice) << count;
     }
-    EXPECT_EQ(mesh::even_samples(two, sphere, 300, 0, 1, {}).position.size(), 300);
+    EXPECT_EQ(mesh::even_samples(two, sphere, 300, 0, 1).position.size(), 300);
 }
 
 } // namespace

@@ -17,7 +17,7 @@ TEST(OrientCurves, IsRightWhereTheyAreFarApart) {
     const base::Runtime runtime;
     for (const double spacing : {0.05, 0.065}) {
         const Samples wires = test::torus_wires(spacing);
-        const orient::Orientation result = orient::orient(runtime, input(wires), base::Progress());
+        const orient::Orientation result = orient::orient(runtime, input(wires));
         EXPECT_EQ(score(wires, result.normal).right, 1.0) << spacing;
         EXPECT_LT(score(wires, result.normal).angle, 3.0) << spacing;
         EXPECT_EQ(result.report.outward_by, OutwardBy::inside);
@@ -28,7 +28,7 @@ TEST(OrientCurves, IsRightWhereTheyAreFarApart) {
 TEST(OrientCurves, IsRightOfCrossSections) {
     const base::Runtime runtime;
     const Samples sections = test::torus_sections(9, 60);
-    const orient::Orientation result = orient::orient(runtime, input(sections), base::Progress());
+    const orient::Orientation result = orient::orient(runtime, input(sections));
     EXPECT_EQ(score(sections, result.normal).right, 1.0);
     EXPECT_TRUE(result.report.closed);
     EXPECT_GT(result.report.confidence, 0.5);
@@ -36,7 +36,7 @@ TEST(OrientCurves, IsRightOfCrossSections) {
 
 void expect_right(const Samples& wires, double noise, double angle) {
     const base::Runtime runtime;
-    const orient::Orientation result = orient::orient(runtime, input(test::with_noise(wires, noise)), base::Progress());
+    const orient::Orientation result = orient::orient(runtime, input(test::with_noise(wires, noise)));
     EXPECT_EQ(score(wires, result.normal).right, 1.0) << noise;
     EXPECT_LT(score(wires, result.normal).angle, angle) << noise;
     EXPECT_TRUE(result.report.closed) << noise;
@@ -67,7 +67,7 @@ TEST(OrientCurves, MakesNormalsAnewOfWhichManyLieInTheSurface) {
     }
     orient::OrientInput wanted = input(sections);
     wanted.normals = view(given.normals);
-    const orient::Orientation result = orient::orient(runtime, wanted, base::Progress());
+    const orient::Orientation result = orient::orient(runtime, wanted);
     EXPECT_EQ(result.report.found, NormalMode::none);
     EXPECT_EQ(score(sections, result.normal).right, 1.0);
 }

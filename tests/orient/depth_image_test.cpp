@@ -40,7 +40,7 @@ const base::Runtime& plain() {
 }
 
 orient::DepthImage smoothed(const SeenDepths& image, const base::Runtime& runtime = plain()) {
-    return orient::smooth_depth_image(runtime, input_of(image), base::Progress());
+    return orient::smooth_depth_image(runtime, input_of(image));
 }
 
 struct Errors {
@@ -151,7 +151,7 @@ TEST(DepthImage, KeepsPointsIfItShall) {
     const SeenDepths image = seen_depths(64, 48, kinect);
     orient::DepthImageInput input = input_of(image);
     input.keep_points = true;
-    const orient::DepthImage kept = orient::smooth_depth_image(plain(), input, base::Progress());
+    const orient::DepthImage kept = orient::smooth_depth_image(plain(), input);
     const orient::DepthImage moved = smoothed(image);
     for (std::int64_t i = 0; i < kept.point.size(); ++i) {
         EXPECT_EQ(kept.normal[i], moved.normal[i]);
@@ -167,7 +167,7 @@ TEST(DepthImage, IsSmootherOverAWiderDisc) {
     for (const double smoothing : {0.25, 0.5, 1.0}) {
         orient::DepthImageInput input = input_of(image);
         input.smoothing = smoothing;
-        const orient::DepthImage result = orient::smooth_depth_image(plain(), input, base::Progress());
+        const orient::DepthImage result = orient::smooth_depth_image(plain(), input);
         const double error = errors_of(image, result).normal;
         EXPECT_LT(error, 0.8 * last) << smoothing;
         last = error;
@@ -178,7 +178,7 @@ TEST(DepthImage, TakesTheGivenNoise) {
     const SeenDepths image = seen_depths(64, 48);
     orient::DepthImageInput input = input_of(image);
     input.noise = 0.01;
-    const orient::DepthImage result = orient::smooth_depth_image(plain(), input, base::Progress());
+    const orient::DepthImage result = orient::smooth_depth_image(plain(), input);
     EXPECT_NEAR(result.report.noise, 0.01, 1e-15);
     EXPECT_NEAR(result.report.radius, 12.0 * std::sqrt(0.01 * result.report.depth * result.report.focal_length), 1e-9);
 }

@@ -23,7 +23,7 @@ orient::Orientation with(const std::vector<double>& normals, NormalMode mode = N
     orient::OrientInput wanted = input(samples);
     wanted.normals = view(normals);
     wanted.mode = mode;
-    return orient::orient(runtime, wanted, base::Progress());
+    return orient::orient(runtime, wanted);
 }
 
 // turned(i): whether the i-th normal points the other way.
@@ -127,7 +127,7 @@ TEST(GivenNormals, OfAClosedSurfaceAreSeenToPointInward) {
     const Samples sheet = terrain(20);
     const auto inward = [&](const Samples& samples, bool turn) {
         const std::vector<double> normals = turned(samples, [&](std::int64_t) { return turn; });
-        return orient::plainly_inward(runtime, view(samples.points), view(normals), base::Progress());
+        return orient::plainly_inward(runtime, view(samples.points), view(normals));
     };
     EXPECT_TRUE(inward(shape(), true));
     EXPECT_FALSE(inward(shape(), false));

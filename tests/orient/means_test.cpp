@@ -25,8 +25,8 @@ struct Sheet {
         for (int i = 0; i < 90; ++i)
             for (int j = 0; j < 90; ++j) flat.add({1.0 * i, 1.0 * j, 0.0}, {0.0, 0.0, 1.0});
         const Samples rough = noisy(flat, 1.0);
-        cloud = orient::read_cloud(runtime, view(rough.points), base::Progress());
-        means = orient::means_of(runtime, cloud, 900, base::Progress());
+        cloud = orient::read_cloud(runtime, view(rough.points));
+        means = orient::means_of(runtime, cloud, 900);
         normal = geometry::VecArray(runtime.memory, means.size());
         for (std::int64_t k = 0; k < means.size(); ++k) {
             const double turn = 2.4 * static_cast<double>(k);
@@ -50,8 +50,7 @@ TEST(Means, AreFewerAndNearerToTheSheet) {
 
 TEST(Means, GiveNormalsOfThePointsAroundThem) {
     const Sheet sheet;
-    const geometry::VecArray found =
-        orient::normals_by_means(sheet.runtime, sheet.cloud, sheet.means, sheet.normal, base::Progress());
+    const geometry::VecArray found = orient::normals_by_means(sheet.runtime, sheet.cloud, sheet.means, sheet.normal);
     ASSERT_EQ(found.size(), sheet.cloud.size());
     double angle = 0.0;
     for (std::int64_t at = 0; at < found.size(); ++at) {

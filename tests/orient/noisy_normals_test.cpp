@@ -25,7 +25,7 @@ struct Found {
         : tree(unpacked(runtime, samples.points), base::Progress()), normal(runtime.memory, tree.size()) {
         for (std::int64_t k = 0; k < tree.size(); ++k) normal.set(k, at(normals, tree.index(k)));
     }
-    void refine(const base::Runtime& runtime) { orient::refine_noisy(runtime, tree, normal, base::Progress()); }
+    void refine(const base::Runtime& runtime) { orient::refine_noisy(runtime, tree, normal); }
     [[nodiscard]] Score score_of(const base::Runtime& runtime, const Samples& samples) const {
         geometry::VecArray given(runtime.memory, tree.size());
         for (std::int64_t k = 0; k < tree.size(); ++k) given.set(tree.index(k), normal[k]);

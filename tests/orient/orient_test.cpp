@@ -15,7 +15,7 @@ using namespace orient_test;
 using orient::OutwardBy;
 
 orient::Orientation oriented(const Samples& samples, const base::Runtime& runtime) {
-    return orient::orient(runtime, input(samples), base::Progress());
+    return orient::orient(runtime, input(samples));
 }
 
 TEST(Orient, FindsOutwardNormalsOfClosedShapesOfAnySize) {
@@ -49,15 +49,15 @@ TEST(Orient, TurnsOpenSheetsUpOrToTheViewpoint) {
     const base::Runtime runtime;
     const Samples sheet = terrain(22);
     orient::OrientInput wanted = input(sheet);
-    const orient::Orientation above = orient::orient(runtime, wanted, base::Progress());
+    const orient::Orientation above = orient::orient(runtime, wanted);
     EXPECT_EQ(score(sheet, above.normal).right, 1.0);
     EXPECT_FALSE(above.report.closed);
     EXPECT_EQ(above.report.outward_by, OutwardBy::up);
     wanted.up = {0.0, 0.0, -1.0};
-    EXPECT_EQ(score(sheet, orient::orient(runtime, wanted, base::Progress()).normal).right, 0.0);
+    EXPECT_EQ(score(sheet, orient::orient(runtime, wanted).normal).right, 0.0);
     wanted.has_viewpoint = true;
     wanted.viewpoint = {10.0, 10.0, 50.0};
-    const orient::Orientation seen = orient::orient(runtime, wanted, base::Progress());
+    const orient::Orientation seen = orient::orient(runtime, wanted);
     EXPECT_EQ(score(sheet, seen.normal).right, 1.0);
     EXPECT_EQ(seen.report.outward_by, OutwardBy::viewpoint);
 }

@@ -21,8 +21,7 @@ Samples noisy_wall() { return noisy(sheets(14, 1.5), 0.3); }
 
 struct NoisyCloud {
     NoisyCloud(const base::Runtime& runtime, const Samples& samples)
-        : cloud(orient::read_cloud(runtime, view(samples.points), base::Progress())),
-          near(runtime, *cloud.tree, 32, base::Progress()) {}
+        : cloud(orient::read_cloud(runtime, view(samples.points))), near(runtime, *cloud.tree, 32) {}
 
     // Of the places, or of all with the other sign.
     [[nodiscard]] double right(const Samples& samples, const geometry::VecArray& normal) const {
@@ -44,11 +43,9 @@ TEST(RidgePath, KeepsTheSheetsApartThatAHighRidgeMerges) {
     const base::Runtime runtime;
     const Samples wall = noisy_wall();
     const NoisyCloud noisy(runtime, wall);
-    const orient::LeastEnergy merged =
-        orient::least_energy(runtime, noisy.cloud, noisy.near, high, nullptr, effort, base::Progress());
+    const orient::LeastEnergy merged = orient::least_energy(runtime, noisy.cloud, noisy.near, high, nullptr, effort);
     EXPECT_LT(noisy.right(wall, merged.normal), 0.7);
-    const orient::RidgeFit found =
-        orient::follow_ridges(runtime, noisy.cloud, noisy.near, high, nullptr, effort, base::Progress());
+    const orient::RidgeFit found = orient::follow_ridges(runtime, noisy.cloud, noisy.near, high, nullptr, effort);
     EXPECT_GE(noisy.right(wall, found.fitted.normal), 0.97);
 }
 
@@ -57,8 +54,7 @@ TEST(RidgePath, IsSteadyOnRoundShapesOnly) {
     const NoisyCloud ball(runtime, noisy(test::sphere(300), 0.02));
     const NoisyCloud wall(runtime, noisy_wall());
     const auto steadiness = [&](const NoisyCloud& noisy) {
-        return orient::follow_ridges(runtime, noisy.cloud, noisy.near, high, nullptr, effort, base::Progress())
-            .steadiness;
+        return orient::follow_ridges(runtime, noisy.cloud, noisy.near, high, nullptr, effort).steadiness;
     };
     EXPECT_EQ(steadiness(ball), 1.0);
     EXPECT_LT(steadiness(wall), 0.97);
@@ -80,7 +76,7 @@ TEST(RidgePath, SmoothsDirectionsButNotOverToTheOtherSide) {
         return score(wall, of_points).angle;
     };
     const double before = angle();
-    normal = orient::smooth_directions(runtime, *clean.cloud.tree, clean.near, normal, 1.5, base::Progress());
+    normal = orient::smooth_directions(runtime, *clean.cloud.tree, clean.near, normal, 1.5);
     EXPECT_LT(angle(), 0.6 * before);
     EXPECT_EQ(clean.right(wall, normal), 1.0);
 }
@@ -88,7 +84,7 @@ TEST(RidgePath, SmoothsDirectionsButNotOverToTheOtherSide) {
 TEST(RidgePath, IsDoubtfulOfNoisyWallsAndMoreOfNoiseWithoutOrder) {
     const base::Runtime runtime;
     const auto confidence = [&](double deviation) {
-        return orient::orient(runtime, input(noisy(sheets(14, 1.5), deviation)), base::Progress()).report.confidence;
+        return orient::orient(runtime, input(noisy(sheets(14, 1.5), deviation))).report.confidence;
     };
     EXPECT_GT(confidence(0.0), 0.9);
     EXPECT_LT(confidence(0.3), 0.5);

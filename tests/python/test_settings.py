@@ -77,10 +77,6 @@ def test_what_is_wrong_is_named(folder, capsys, settings, message):
     assert message in said and "s.json" in said and said.count("\n") == 1
 
 
-@pytest.mark.parametrize("text, message", [("{}", "these are no settings"), ("{", "this is no JSON"), ("[1]", "no settings"),
-                                           ('{"hrbfnpr-settings": 2}', "version 1 is known here, not 2")])  # fmt: skip
-
-
 def test_what_is_not_held_is_said(folder, capsys):
     assert main(["draw", str(SAMPLES), "a.png", "--samples", "100", "--size", "80", "--marks", "2000", "--save-settings",
                  "s.json"]) == 0  # fmt: skip

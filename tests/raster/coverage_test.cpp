@@ -22,7 +22,7 @@ marks::PointSet patch(const base::Runtime& runtime, std::int64_t marks) {
     const test::Plane plane({0.0, 0.0, 1.0}, 0.0, {{-1.0, -1.0, 0.0}, {1.0, 1.0, 0.0}});
     generate::Settings settings;
     settings.layers.emplace_back().budget = marks;
-    return clustered(runtime, generate::generate(runtime, plane, {}, settings, {}));
+    return clustered(runtime, generate::generate(runtime, plane, {}, settings));
 }
 
 // Front ink only; tau = the cosine of the light.

@@ -119,10 +119,10 @@ TEST(BlueNoise, OrdersThatUseUpTheirCandidatesEnd) {
     const geometry::Bounds region = torus.bounds().grown(0.1);
     for (const std::int64_t wanted : {4000, 6000, 9000, 13000}) {
         const SurfaceCells cells =
-            find_surface_cells(site, seed, region, 2.2 * std::sqrt(torus.area() / static_cast<double>(wanted)), {});
+            find_surface_cells(site, seed, region, 2.2 * std::sqrt(torus.area() / static_cast<double>(wanted)));
         for (const std::int64_t each : {1, 2, 3}) {
-            Candidates candidates = draw_candidates(site, cells, each * wanted, Kind::stipples, {});
-            const OrderedMarks marks = progressive_order(site, candidates, wanted, {});
+            Candidates candidates = draw_candidates(site, cells, each * wanted, Kind::stipples);
+            const OrderedMarks marks = progressive_order(site, candidates, wanted);
             EXPECT_GT(marks.size(), wanted * (each == 1 ? 6 : 9) / 10) << each;
         }
     }

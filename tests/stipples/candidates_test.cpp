@@ -20,12 +20,12 @@ constexpr double sphere_area = 4.0 * 3.14159265358979323846;
 
 struct Cover {
     Cover(const implicit::Implicit& surface, const glm::dvec3& seed, double side)
-        : site{runtime(), surface, 1e-6, 1}, cells(found(site, seed, side)), judged(judge_cells(site, cells, {})) {}
+        : site{runtime(), surface, 1e-6, 1}, cells(found(site, seed, side)), judged(judge_cells(site, cells)) {}
 
     static SurfaceCells found(const Site& site, const glm::dvec3& seed, double side) {
         geometry::VecArray seeds(runtime().memory);
         seeds.push_back(seed);
-        return find_surface_cells(site, seeds, site.implicit.bounds().grown(0.1), side, {});
+        return find_surface_cells(site, seeds, site.implicit.bounds().grown(0.1), side);
     }
     [[nodiscard]] std::array<std::int64_t, 3> kinds() const {
         std::array<std::int64_t, 3> count{};
@@ -59,7 +59,7 @@ TEST(PlaneCandidates, AreTheSurfaceWhereItIsFlatToItsCells) {
 TEST(PlaneCandidates, LieInTheirCellsNearTheSurfaceAndEvenly) {
     const Sphere sphere;
     Cover cover(sphere, {1.0, 0.0, 0.0}, 0.05);
-    Candidates candidates = draw_candidates(cover.site, cover.cells, 40000, Kind::stipples, {});
+    Candidates candidates = draw_candidates(cover.site, cover.cells, 40000, Kind::stipples);
     EXPECT_NEAR(static_cast<double>(candidates.count), 40000.0, 6000.0);
     EXPECT_NEAR(candidates.area, sphere_area, 0.01 * sphere_area);
     EXPECT_EQ(candidates.report.placed, candidates.count);
@@ -102,7 +102,7 @@ TEST(Candidates, DoNotDependOnWhatMemoryHeld) {
     const PointSet plain = make(torus, blue({Kind::stipples}, 3000));
     const base::Runtime poisoned(filled, give_back, nullptr, base::Parallel(0, nullptr, nullptr),
                                  base::InstructionSet::automatic, nullptr, nullptr);
-    const PointSet set = generate::generate(poisoned, torus, {}, blue({Kind::stipples}, 3000), {});
+    const PointSet set = generate::generate(poisoned, torus, {}, blue({Kind::stipples}, 3000));
     ASSERT_EQ(of(set, Kind::stipples).count(), of(plain, Kind::stipples).count());
     for (std::int64_t i = 0; i < 3 * of(set, Kind::stipples).count(); ++i)
         ASSERT_EQ(of(set, Kind::stipples).position[i], of(plain, Kind::stipples).position[i]);
@@ -112,7 +112,7 @@ TEST(Candidates, DoNotDependOnWhatMemoryHeld) {
 TEST(PlaneCandidates, APartByTicketsIsSpreadLikeAll) {
     const Sphere sphere;
     Cover cover(sphere, {1.0, 0.0, 0.0}, 0.05);
-    Candidates candidates = draw_candidates(cover.site, cover.cells, 40000, Kind::stipples, {});
+    Candidates candidates = draw_candidates(cover.site, cover.cells, 40000, Kind::stipples);
     for (const double share : {0.5, 0.1, 0.01}) {
         const auto limit = static_cast<std::uint64_t>(share * 4294967296.0);
         const double expected = share * static_cast<double>(candidates.count);
@@ -148,7 +148,8 @@ TEST(PlaneCandidates, AreDrawnInSoManyTrialsAtMost) {
     const Sphere sphere;
     const Cover cover(sphere, {1.0, 0.0, 0.0}, 0.05);
     const auto draw = [&](double most_trials, const base::Progress& progress) {
-        return draw_on_planes(cover.site, cover.judged, stream_of(Kind::stipples), 1e30, most_trials, progress).all;
+        return draw_on_planes(cover.site.with(progress), cover.judged, stream_of(Kind::stipples), 1e30, most_trials)
+            .all;
     };
     const std::int64_t flat = cover.kinds()[1];
     ASSERT_GT(flat, 2000);
@@ -172,9 +173,9 @@ TEST(Candidates, OfPlanesAndLayersAreAlikeInDensity) {
     EXPECT_GT(kinds[2], 500);
     constexpr double density = 10000.0;
     constexpr std::uint32_t stream = stream_of(Kind::stipples);
-    const PlaneCandidates planes = draw_on_planes(cover.site, cover.judged, stream, density, 1e300, {});
+    const PlaneCandidates planes = draw_on_planes(cover.site, cover.judged, stream, density, 1e300);
     LayerCandidates layer = layer_candidates(cover.judged, stream, 60000);
-    draw_in_layer(cover.site, cover.judged, density, layer, {});
+    draw_in_layer(cover.site, cover.judged, density, layer);
     EXPECT_GT(layer.projection.size(), 5000);
     for (const Projection& projection : layer.projection) EXPECT_NE(cover.judged.kind(projection.cell), CellKind::flat);
     EXPECT_NEAR(planes.area() + layer.area(), area, 0.02 * area);
@@ -184,7 +185,7 @@ TEST(Candidates, OfPlanesAndLayersAreAlikeInDensity) {
         if (p.z > 0.5 && std::abs(p.y) < 0.45 && std::abs(p.x) < 0.5)
             strip[static_cast<std::size_t>(12.0 * (p.x + 0.5))] += 1.0;
     };
-    Candidates candidates = draw_candidates(cover.site, cover.cells, 70000, Kind::stipples, {});
+    Candidates candidates = draw_candidates(cover.site, cover.cells, 70000, Kind::stipples);
     for (std::int64_t cell = 0; cell < candidates.cells(); ++cell)
         for (std::int64_t at = candidates.first[cell]; at < candidates.first[cell] + candidates.number[cell]; ++at)
             count(place_of(candidates, at));
@@ -204,7 +205,7 @@ TEST(Candidates, OfAFunctionThatIsNoDistanceAreEnough) {
     });
     Cover cover(signed_square, {1.0, 0.0, 0.0}, 0.05);
     EXPECT_EQ(cover.kinds()[1], 0) << "its cells' planes contradict each other";
-    Candidates candidates = draw_candidates(cover.site, cover.cells, 20000, Kind::stipples, {});
+    Candidates candidates = draw_candidates(cover.site, cover.cells, 20000, Kind::stipples);
     EXPECT_GT(candidates.count, 16000);
     for (std::int64_t cell = 0; cell < candidates.cells(); ++cell)
         for (std::int64_t at = candidates.first[cell]; at < candidates.first[cell] + candidates.number[cell]; ++at)

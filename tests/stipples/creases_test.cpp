@@ -26,7 +26,7 @@ marks::PointSet stippled(const implicit::Implicit& shape, std::int64_t budget) {
     generate::Settings settings;
     settings.layers.resize(1);
     settings.layers[0].budget = budget;
-    return generate::generate(runtime(), shape, {}, settings, {});
+    return generate::generate(runtime(), shape, {}, settings);
 }
 
 glm::dvec3 vector_at(const base::Array<float>& numbers, std::int64_t i) {
@@ -43,7 +43,7 @@ geometry::VecArray places_of(const marks::PointSet& set) {
 
 // Of the nearest neighbours' distances, in spacings.
 marks::NeighbourDistances distances_of(const geometry::VecArray& places, double area) {
-    marks::NeighbourDistances near = marks::neighbour_distances(runtime(), places, {});
+    marks::NeighbourDistances near = marks::neighbour_distances(runtime(), places);
     near.mean /= std::sqrt(area / static_cast<double>(places.size()));
     return near;
 }

@@ -9,7 +9,6 @@
 #include <atomic>
 #include <cmath>
 #include <functional>
-#include <thread>
 
 namespace hrbfnpr::test {
 
@@ -35,7 +34,7 @@ inline Hessian operator+(const Hessian& a, const Hessian& b) {
 
 inline Hessian identity(double factor) { return {factor, 0.0, 0.0, factor, 0.0, factor}; }
 
-// A field as an implicit.  Counts the evaluated points, and whether it ran on another thread than the one that made it.
+// A field as an implicit.  Counts the evaluated points.
 class Analytic : public implicit::Implicit {
 public:
     explicit Analytic(const geometry::Bounds& bounds) : bounds_(bounds) {}
@@ -43,7 +42,6 @@ public:
     [[nodiscard]] virtual Field at(const glm::dvec3& p) const = 0;
 
     void evaluate(const implicit::PointBatch& points, const implicit::FieldBatch& fields) const override {
-        if (std::this_thread::get_id() != maker_) strange_thread = true;
         evaluations += points.count;
         for (std::int64_t i = 0; i < points.count; ++i) {
             const Field field = at({points.x[i], points.y[i], points.z[i]});
@@ -54,16 +52,13 @@ public:
                 for (std::size_t k = 0; k < 6; ++k) fields.hessian[k][i] = field.hessian[k];
         }
     }
-    [[nodiscard]] bool concurrent() const noexcept override { return is_concurrent; }
+    [[nodiscard]] bool concurrent() const noexcept override { return true; }
     [[nodiscard]] const geometry::Bounds& bounds() const noexcept override { return bounds_; }
 
-    bool is_concurrent = true;
-    mutable std::atomic<bool> strange_thread{false};
     mutable std::atomic<std::int64_t> evaluations{0};
 
 private:
     geometry::Bounds bounds_;
-    std::thread::id maker_ = std::this_thread::get_id();
 };
 
 inline geometry::Bounds cube(double half, const glm::dvec3& centre = glm::dvec3(0.0)) {

@@ -90,7 +90,7 @@ inline void use_points(generate::Settings& settings, const std::vector<double>& 
 
 inline PointSet make(const implicit::Implicit& implicit, const generate::Settings& settings,
                      const SampleHint& samples = {}) {
-    return generate::generate(runtime(), implicit, samples, settings, {});
+    return generate::generate(runtime(), implicit, samples, settings);
 }
 
 // An empty layer if there is none.

@@ -35,7 +35,7 @@ Rays rays_of(const std::vector<Line>& lines) {
 
 RayHits cast(const implicit::Implicit& implicit, const std::vector<Line>& lines, const RaySettings& settings = {}) {
     RayHits hits(runtime().memory);
-    cast_rays(runtime(), implicit, settings, rays_of(lines), hits, {});
+    cast_rays(runtime(), implicit, settings, rays_of(lines), hits);
     return hits;
 }
 

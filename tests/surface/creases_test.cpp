@@ -38,7 +38,7 @@ int not_converged(const implicit::Implicit& shape, double reach, double worst_sh
     for (int i = 0; i < count; ++i) p.position.push_back(reach * pseudo_random(i + 1));
     geometry::VecArray from(runtime().memory);
     for (int i = 0; i < count; ++i) from.push_back(p.position[i]);
-    project(runtime(), shape, {}, p, {});
+    project(runtime(), shape, {}, p);
     int left = 0;
     for (int i = 0; i < count; ++i) {
         if (p.status[i] != ProjectionStatus::converged) {
@@ -78,7 +78,7 @@ TEST(ProjectBySearch, ComesFromLeastFOffTheSurfaceOntoIt) {
     EXPECT_EQ(not_converged(shape, 3.0), 0);
     Projection p(runtime().memory);
     p.position.push_back({0.01, 0.02, -0.01});
-    project(runtime(), shape, {}, p, {});
+    project(runtime(), shape, {}, p);
     ASSERT_EQ(p.status[0], ProjectionStatus::converged);
     EXPECT_NEAR(glm::distance(p.position[0], {0.0, 3.0, 0.0}), 0.7, 1e-7);
     const glm::dvec3 normal = (p.position[0] - glm::dvec3(0.0, 3.0, 0.0)) / 0.7;
@@ -90,7 +90,7 @@ TEST(ProjectBySearch, WhereThereIsNoSurfaceItSaysSo) {
     EXPECT_EQ(not_converged(shape, 2.0), 3000);
     Projection p(runtime().memory);
     p.position.push_back({0.3, 0.4, 0.0});
-    project(runtime(), shape, {}, p, {});
+    project(runtime(), shape, {}, p);
     EXPECT_EQ(p.status[0], ProjectionStatus::not_converged);
     EXPECT_LE(std::abs(p.position[0].x), 1.5) << "the last iterate of descent stays";
 }
@@ -140,7 +140,7 @@ TEST(RaysAtCreases, HitBesideEdges) {
         settings.maximum_hits = 2;
         settings.smallest_step = 1e-8;
         settings.evaluation_limit = 1000000;
-        cast_rays(runtime(), *shape, settings, rays, hits, {});
+        cast_rays(runtime(), *shape, settings, rays, hits);
         for (std::int64_t i = 0; i < rays.origin.size(); ++i) {
             ASSERT_EQ(hits.count[i], i % 2 == 0 ? 2 : 0) << beside << ' ' << i;
             if (i % 2 != 0) continue;
@@ -158,13 +158,13 @@ TEST(RaysAtCreases, InsideAndCurvatureAreTheActiveSheets) {
                                 glm::dvec3(0.5000001, 0.0, 0.0000001), glm::dvec3(0.4999999, 0.0, 0.5)})
         points.push_back(p);
     base::Array<std::uint8_t> inside(runtime().memory);
-    contains(runtime(), *shape, points, inside, {});
+    contains(runtime(), *shape, points, inside);
     for (std::int64_t i = 0; i < 4; ++i) EXPECT_EQ(inside[i], i % 3 == 0 ? 1 : 0) << i;
     geometry::VecArray on(runtime().memory);
     on.push_back({0.5, 0.0, 1e-6});   // on the thin cylinder, beside the ring
     on.push_back({0.500001, 0.0, 0}); // on the ring, beside the cylinder
     base::Array<Curvature> curvature(runtime().memory);
-    principal_curvatures(runtime(), *shape, on, curvature, {});
+    principal_curvatures(runtime(), *shape, on, curvature);
     EXPECT_NEAR(curvature[0].k2, -2.0, 1e-9);
     EXPECT_NEAR(curvature[0].k1, 0.0, 1e-9);
     EXPECT_NEAR(curvature[1].k1, 0.0, 1e-9);

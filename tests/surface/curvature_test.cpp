@@ -171,7 +171,7 @@ TEST(Curvature, BatchesAreThePointsOneByOne) {
         points.push_back(glm::dvec3(1.2 * x, 1.2 * y, 0.3 * z));
     }
     base::Array<Curvature> result(runtime.memory);
-    principal_curvatures(runtime, torus, points, result, {});
+    principal_curvatures(runtime, torus, points, result);
     ASSERT_EQ(result.size(), 600);
     for (int i = 0; i < 600; ++i) {
         const Curvature c = of(torus, points[i]);
@@ -182,7 +182,7 @@ TEST(Curvature, BatchesAreThePointsOneByOne) {
     base::Operation operation;
     operation.begin();
     operation.cancel();
-    EXPECT_THROW(principal_curvatures(runtime, torus, points, result, base::Progress(&operation)), Error);
+    EXPECT_THROW(principal_curvatures({runtime, base::Progress(&operation)}, torus, points, result), Error);
 }
 
 TEST(Eigen2, SolvesTheSymmetricProblem) {

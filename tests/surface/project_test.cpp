@@ -20,7 +20,7 @@ Projection run(const implicit::Implicit& implicit, std::initializer_list<glm::dv
                const ProjectionSettings& settings = {}) {
     Projection projection(runtime().memory);
     for (const glm::dvec3& p : points) projection.position.push_back(p);
-    project(runtime(), implicit, settings, projection, {});
+    project(runtime(), implicit, settings, projection);
     return projection;
 }
 
@@ -43,7 +43,7 @@ TEST(Project, ConvergesFromEverywhereOnFunctionsThatAreNoDistance) {
     Projection p(runtime().memory);
     constexpr int count = 1000; // more than a batch, and not a multiple of it
     for (int i = 0; i < count; ++i) p.position.push_back(3.0 * pseudo_random(i + 1));
-    project(runtime(), sphere, {}, p, {});
+    project(runtime(), sphere, {}, p);
     for (int i = 0; i < count; ++i) {
         ASSERT_EQ(p.status[i], ProjectionStatus::converged) << i;
         EXPECT_NEAR(glm::length(p.position[i]), 1.0, 1e-8);
@@ -64,7 +64,7 @@ TEST(Project, NoPointDependsOnTheOthers) {
     for (int i = 0; i < 700; ++i) many.position.push_back(1.5 * pseudo_random(i));
     geometry::VecArray starts(runtime().memory);
     for (int i = 0; i < 700; ++i) starts.push_back(many.position[i]);
-    project(runtime(), torus, {}, many, {});
+    project(runtime(), torus, {}, many);
     for (int i = 0; i < 700; i += 37) {
         const Projection alone = run(torus, {starts[i]});
         EXPECT_EQ(alone.position[0], many.position[i]);

@@ -17,11 +17,8 @@ constexpr int whole = 1000;
 const double spacing = std::sqrt(4.0 * 3.141592653589793 / whole);
 
 Support support_of(const base::Runtime& runtime, const PartSamples& samples) {
-    return {runtime,
-            PartSamples::unpacked(runtime.memory, samples.points),
-            PartSamples::unpacked(runtime.memory, samples.normals),
-            0.0,
-            {}};
+    return {runtime, PartSamples::unpacked(runtime.memory, samples.points),
+            PartSamples::unpacked(runtime.memory, samples.normals), 0.0};
 }
 
 glm::dvec3 on_sphere(double z, double turn) {

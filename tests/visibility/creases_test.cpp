@@ -19,7 +19,7 @@ std::unique_ptr<curves::LineSet> line_set(const implicit::Implicit& shape, doubl
     curves::LineSetSettings settings;
     settings.side = side;
     return std::make_unique<curves::LineSet>(runtime(), shape, std::make_unique<implicit::DifferencedShape>(shape),
-                                             settings, base::Progress());
+                                             settings);
 }
 
 // Contours sheet by sheet, creases that are contours, and the others.
@@ -58,10 +58,10 @@ private:
     void add_contours(const curves::SheetPart& part) {
         levels_.push_back(std::make_unique<curves::ContourLevel>(part.surface, view_));
         curves::TraceReport report;
-        const curves::Curves traced = curves::trace(runtime(), *levels_.back(), part.mesh, {}, report, {});
+        const curves::Curves traced = curves::trace(runtime(), *levels_.back(), part.mesh, {}, report);
         broken += report.broken + report.missed;
         curves_.push_back(std::make_unique<curves::Curves>(
-            curves::with_cusps(runtime(), *levels_.back(), view_, traced, report.evaluations, {})));
+            curves::with_cusps(runtime(), *levels_.back(), view_, traced, report.evaluations)));
         add(*curves_.back(), 2, levels_.back().get());
     }
 

@@ -216,7 +216,7 @@ TEST(Tangles, HaveFewCrossings) {
     const std::array subjects{subject};
     const ImageLines image = draw_lines(runtime(), subjects, 0.05);
     CrossingReport report;
-    const base::Array<Crossing> found = find_crossings(runtime(), subjects, image, report, {});
+    const base::Array<Crossing> found = find_crossings(runtime(), subjects, image, report);
     EXPECT_GT(report.tangles, 10);
     EXPECT_LT(found.size(), 16 * image.points.size());
     EXPECT_EQ(std::count_if(found.begin(), found.end(), [](const Crossing& c) { return c.place.y > 100.0; }), 1);

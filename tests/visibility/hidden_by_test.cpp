@@ -53,7 +53,7 @@ TEST(HiddenBy, IsTheNearestSurfaceBefore) {
         SCOPED_TRACE(named(eye));
         Picture picture(runtime, stage, eye);
         picture.find();
-        find_hidden_by(runtime, picture.subjects, picture.occluders, *picture.found, {});
+        find_hidden_by(runtime, picture.subjects, picture.occluders, *picture.found);
         for (const Interval& part : picture.found->intervals) {
             ASSERT_EQ(part.hidden_by < 0, part.sheets == 0);
             if (part.end_at - part.begin_at < 1.0 || part.sheets == 0) continue;
@@ -84,7 +84,7 @@ TEST(HiddenBy, OneItemHidesItself) {
     add(runtime, stage, torus, {1.4, 0.0, 0.0}, 0.08);
     Picture picture(runtime, stage, Eye::at({0.1, -1.0, 0.4}, 5.0, true));
     picture.find();
-    find_hidden_by(runtime, picture.subjects, picture.occluders, *picture.found, {});
+    find_hidden_by(runtime, picture.subjects, picture.occluders, *picture.found);
     int hidden = 0;
     for (const Interval& part : picture.found->intervals) {
         EXPECT_EQ(part.hidden_by, part.sheets > 0 ? 0 : -1);

@@ -260,7 +260,7 @@ TEST(Invisibility, LinesThatPassBehindTheEye) {
 TEST(Invisibility, Fitted) {
     const test::Samples samples = test::bumpy(700, 0.3);
     const fit_test::Cloud cloud(samples);
-    const implicit::Hrbf hrbf(runtime().instruction_set, fit::fit(runtime(), fit_test::input(cloud), {}).data);
+    const implicit::Hrbf hrbf(runtime().instruction_set, fit::fit(runtime(), fit_test::input(cloud)).data);
     Stage stage;
     add(runtime(), stage, hrbf, {samples.points[0], samples.points[1], samples.points[2]}, 0.06);
     int compared = 0;

@@ -20,7 +20,7 @@ base::Runtime& runtime() {
 
 Outline outline_of(const Picture& picture, const base::Runtime& on = runtime()) {
     const std::vector<std::uint8_t> wanted(picture.subjects.size(), 1);
-    return find_outline(on, picture.subjects, picture.occluders, *picture.found, *picture.lengths, wanted, {});
+    return find_outline(on, picture.subjects, picture.occluders, *picture.found, *picture.lengths, wanted);
 }
 
 double length_of(const Outline& outline) {
@@ -178,7 +178,7 @@ TEST(Outline, OnlyOfWhatIsWanted) {
     picture.find();
     const std::vector<std::uint8_t> wanted{0};
     const Outline none =
-        find_outline(runtime(), picture.subjects, picture.occluders, *picture.found, *picture.lengths, wanted, {});
+        find_outline(runtime(), picture.subjects, picture.occluders, *picture.found, *picture.lengths, wanted);
     EXPECT_EQ(none.parts.size() + none.rays, 0);
 }
 

@@ -94,7 +94,7 @@ TEST(Pierced, TorusThroughASphere) {
 TEST(Pierced, SlabThroughAFit) {
     const auto cloud = hrbfnpr::test::bumpy(400, 0.3);
     base::Runtime& with = runtime();
-    const implicit::Hrbf fitted{with.instruction_set, fit::fit(with, fit_test::input(cloud), {}).data};
+    const implicit::Hrbf fitted{with.instruction_set, fit::fit(with, fit_test::input(cloud)).data};
     const test::Ellipsoid slab({1.6, 1.4, 0.12});
     Stage stage;
     geometry::VecArray seeds(with.memory);

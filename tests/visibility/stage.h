@@ -45,7 +45,7 @@ private:
         curves::MeshSettings settings;
         settings.region = surface::search_region(implicit);
         settings.side = side;
-        return curves::triangulate(runtime, implicit, seeds, settings, {});
+        return curves::triangulate(runtime, implicit, seeds, settings);
     }
 };
 
@@ -74,7 +74,7 @@ public:
     void add(const Subject& subject) { subjects.push_back(subject); }
     void find(const InvisibilitySettings& settings = {}, const base::Progress& progress = {}) {
         if (!found) given_ = subjects;
-        found.emplace(find_invisibility(runtime_, given_, occluders, settings, progress));
+        found.emplace(find_invisibility({runtime_, progress}, given_, occluders, settings));
         subjects.assign(found->subjects.begin(), found->subjects.end()); // with the curves of its lines
         lengths.emplace(runtime_.memory, found->lines);
     }
@@ -124,7 +124,7 @@ public:
         base::Array<curves::CurvePoint> p(runtime_.memory, 1);
         p[0].position = cubic(subjects, piece).at(place.share);
         for (int step = 0; step < 3 && subject.level != nullptr; ++step) {
-            curves::evaluate(runtime_, *subject.level, p, {});
+            curves::evaluate(runtime_, *subject.level, p);
             p[0].position += p[0].newton_step();
         }
         return p[0].position;
@@ -157,9 +157,9 @@ private:
         const curves::View view = eye_.view(actor.to_world);
         levels_.push_back(std::make_unique<curves::ContourLevel>(actor.surface, view));
         curves::TraceReport report;
-        const curves::Curves traced = curves::trace(runtime_, *levels_.back(), actor.mesh, {}, report, {});
+        const curves::Curves traced = curves::trace(runtime_, *levels_.back(), actor.mesh, {}, report);
         curves_.push_back(std::make_unique<curves::Curves>(
-            curves::with_cusps(runtime_, *levels_.back(), view, traced, report.evaluations, {})));
+            curves::with_cusps(runtime_, *levels_.back(), view, traced, report.evaluations)));
         Subject subject;
         subject.curves = curves_.back().get();
         subject.level = levels_.back().get();

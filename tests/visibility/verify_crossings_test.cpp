@@ -42,7 +42,7 @@ TEST(VerifyCrossings, OnlyThoseStayThatTheCurvesHave) {
         }
         const std::int64_t right = crossings.size();
         add_wrong_ones(lines, crossings);
-        EXPECT_EQ(verify_crossings(runtime, picture.subjects, lines, crossings, {}), 4);
+        EXPECT_EQ(verify_crossings(runtime, picture.subjects, lines, crossings), 4);
         ASSERT_EQ(crossings.size(), right);
         for (const Crossing& c : crossings) EXPECT_NE(c.change, 0);
     }
@@ -61,7 +61,7 @@ TEST(VerifyCrossings, NoCurveMeetsItself) {
         picture.find();
         base::Array<Crossing> crossings(runtime.memory);
         add_wrong_ones(picture.found->lines, crossings);
-        EXPECT_EQ(verify_crossings(runtime, picture.subjects, picture.found->lines, crossings, {}), 4);
+        EXPECT_EQ(verify_crossings(runtime, picture.subjects, picture.found->lines, crossings), 4);
     }
 }
 

@@ -242,7 +242,7 @@ std::int64_t cast(const base::Runtime& runtime, const Scene& scene, const ItemVi
     surface::RaySettings settings;
     settings.maximum_hits = most_layers;
     if (scene.lens.centre.w != 0.0F) settings.t_max = 1.0; // at the eye
-    surface::cast_rays(runtime, *item.model, settings, scratch.rays, scratch.hits, {});
+    surface::cast_rays(runtime, *item.model, settings, scratch.rays, scratch.hits);
     std::int64_t hidden = 0;
     for (std::int64_t i = 0; i < scratch.asked.size(); ++i) {
         Dot& ink = drawing.dots[scratch.asked[i]];

@@ -133,9 +133,8 @@ visibility::Subject& add_subject(const Source& source, const curves::Curves& cur
 
 // The contours of an item, or of a part of it, in this view. Seen from where the last frame saw them, they are the
 // same.
-std::unique_ptr<Contours> find_contours(const base::Runtime& runtime, const curves::LineSet& lines, std::int64_t item,
-                                        std::int64_t part, const curves::ContourLevel& level, ContourList& all_last,
-                                        const base::Progress& progress) {
+std::unique_ptr<Contours> find_contours(const base::Work& work, const curves::LineSet& lines, std::int64_t item,
+                                        std::int64_t part, const curves::ContourLevel& level, ContourList& all_last) {
     const curves::View& view = level.view();
     HRBFNPR_ASSERT(part >= 0 && (part == 0 || part < lines.parts().size()));
     std::unique_ptr<Contours> last;
@@ -145,7 +144,7 @@ std::unique_ptr<Contours> find_contours(const base::Runtime& runtime, const curv
             last = std::move(known);
     if (last != nullptr && last->eye == view.eye) return last;
     const curves::SurfaceMesh& mesh = lines.parts().empty() ? lines.mesh() : lines.parts()[part]->mesh;
-    auto contours = std::make_unique<Contours>(runtime.memory);
+    auto contours = std::make_unique<Contours>(work.memory);
     contours->set = lines.identity();
     contours->item = item;
     contours->part = part;
@@ -154,33 +153,32 @@ std::unique_ptr<Contours> find_contours(const base::Runtime& runtime, const curv
         curves::TraceReport report;
         curves::TraceSettings settings;
         if (near != nullptr) settings.tolerance = line_tuning.moved_tolerance;
-        contours->traced = curves::trace(runtime, level, mesh, settings, report, progress, near);
+        contours->traced = curves::trace(work, level, mesh, settings, report, near);
         contours->from_last = near != nullptr;
         contours->broken = report.broken + report.missed;
     };
     // Tracing begins with the last contours if nearly all of their points go on.
     if (last != nullptr) {
         const curves::Curves moved =
-            curves::moved_contours(runtime.memory, view, last->traced, line_tuning.farthest_move * mesh.side);
+            curves::moved_contours(work.memory, view, last->traced, line_tuning.farthest_move * mesh.side);
         const double least = (1.0 - line_tuning.most_left_out) * static_cast<double>(last->traced.point.size());
         if (!moved.point.empty() && static_cast<double>(moved.point.size()) >= least) trace(&moved);
     }
     if (!contours->from_last || contours->broken > 0) trace(nullptr);
     std::int64_t evaluations = 0;
-    contours->with_cusps = curves::with_cusps(runtime, level, view, contours->traced, evaluations, progress);
+    contours->with_cusps = curves::with_cusps(work, level, view, contours->traced, evaluations);
     return contours;
 }
 
 // Contours of a sheet end at its creases.
-void trace_contours(const base::Runtime& runtime, const Source& source, ContourList& last,
-                    const base::Progress& progress, TracedLines& out) {
+void trace_contours(const base::Work& work, const Source& source, ContourList& last, TracedLines& out) {
     const curves::LineSet& lines = source.lines();
     for (std::int64_t p = 0; p < std::max<std::int64_t>(1, lines.parts().size()); ++p) {
         const implicit::Implicit& surface = lines.parts().empty() ? lines.surface() : lines.parts()[p]->surface;
         const curves::ContourLevel& level =
             *out.levels.add(std::make_unique<curves::ContourLevel>(surface, source.view));
-        const Contours& contours = *out.contours.add(
-            find_contours(runtime, lines, out.items[source.number], p, level, last, progress.standing()));
+        const Contours& contours =
+            *out.contours.add(find_contours(work.standing(), lines, out.items[source.number], p, level, last));
         out.broken += contours.broken;
         visibility::Subject& subject = add_subject(source, contours.with_cusps, out);
         subject.level = &level;
@@ -264,8 +262,8 @@ void add_bent(const base::Runtime& runtime, const Source& source, const LineStyl
 
 // Adds feature lines by interpolation on the mesh, which is enough to draw. towards: the eye, or the light of
 // isophotes.
-void add_features(const base::Runtime& runtime, const Source& source, const LineStyle& style, std::uint32_t layer,
-                  const glm::dvec4& towards, const base::Progress& progress, TracedLines& out) {
+void add_features(const base::Work& work, const Source& source, const LineStyle& style, std::uint32_t layer,
+                  const glm::dvec4& towards, TracedLines& out) {
     curves::FeatureRequest request;
     request.kind = curves::feature_of(style.kind);
     request.towards = towards;
@@ -275,19 +273,18 @@ void add_features(const base::Runtime& runtime, const Source& source, const Line
     request.upper = by.upper;
     request.shortest = line_tuning.shortest_feature;
     request.rounds = style.kind == LineKind::apparent_ridge ? line_tuning.ridge_rounds : 0;
-    const curves::FeatureLines lines =
-        find_feature_lines(runtime, source.lines().features(), request, progress.standing());
-    add_lines(runtime, source, curves::as_lines(runtime.memory, lines), &style, layer, 0, out);
+    const curves::FeatureLines lines = find_feature_lines(work.standing(), source.lines().features(), request);
+    add_lines(work, source, curves::as_lines(work.memory, lines), &style, layer, 0, out);
 }
 
-void add_style(const base::Runtime& runtime, const Scene& scene, const Source& source, const LineStyle& style,
-               std::uint32_t layer, const base::Progress& progress, TracedLines& out) {
+void add_style(const base::Work& work, const Scene& scene, const Source& source, const LineStyle& style,
+               std::uint32_t layer, TracedLines& out) {
     const Item& item = source.item;
     switch (style.kind) {
     case LineKind::contour:
         for (std::int32_t s = source.contours; s < source.border; ++s) out.styles.push_back({&style, s, layer});
         break;
-    case LineKind::crease: add_bent(runtime, source, style, layer, out); break;
+    case LineKind::crease: add_bent(work, source, style, layer, out); break;
     case LineKind::border:
         for (std::int32_t s = source.border; s < source.end; ++s) out.styles.push_back({&style, s, layer});
         break;
@@ -295,7 +292,7 @@ void add_style(const base::Runtime& runtime, const Scene& scene, const Source& s
     case LineKind::apparent_ridge: {
         const glm::dvec4& eye = source.view.eye;
         const glm::dvec4 towards = eye.w == 0.0 ? glm::dvec4(-glm::dvec3(eye), 0.0) : eye;
-        add_features(runtime, source, style, layer, towards, progress, out);
+        add_features(work, source, style, layer, towards, out);
         break;
     }
     case LineKind::isophote: {
@@ -304,36 +301,36 @@ void add_style(const base::Runtime& runtime, const Scene& scene, const Source& s
                                         ? glm::dmat3(scene.camera.view * item.transform)
                                         : glm::dmat3(item.transform);
         const glm::dvec4 light(glm::normalize(glm::inverse(to_space) * item.style.light), 0.0);
-        add_features(runtime, source, style, layer, light, progress, out);
+        add_features(work, source, style, layer, light, out);
         break;
     }
     default:
         for (const curves::FoundLines& found : source.lines().found())
             if (found.kind == style.kind && (style.name == nullptr || std::strcmp(style.name, found.name.data()) == 0))
-                add_lines(runtime, source, found.lines, &style, layer, 0, out);
+                add_lines(work, source, found.lines, &style, layer, 0, out);
     }
 }
 
 // All lines of the items. Adds a layer to the drawing for each style of lines. Takes contours of the last frame that
 // are the same.
-TracedLines trace_lines(const base::Runtime& runtime, const Scene& scene, std::span<const Item> items,
-                        ContourList& last, const base::Progress& progress, drawing::Drawing& drawing) {
-    TracedLines out(runtime.memory);
-    base::List<Source> sources(runtime.memory);
+TracedLines trace_lines(const base::Work& work, const Scene& scene, std::span<const Item> items, ContourList& last,
+                        drawing::Drawing& drawing) {
+    TracedLines out(work.memory);
+    base::List<Source> sources(work.memory);
     const Camera camera = camera_off_planes(scene, items);
     for (std::size_t i = 0; i < items.size(); ++i) {
         const Item& item = items[i];
         if (item.lines == nullptr) continue;
-        progress.update(static_cast<double>(i) / static_cast<double>(items.size()));
+        work.update(static_cast<double>(i) / static_cast<double>(items.size()));
         const bool mirrored = glm::determinant(glm::dmat3(scene.camera.view * item.transform)) < 0.0;
         const auto first = static_cast<std::int32_t>(out.subjects.size());
         Source& source = sources.add(Source{item, view_of(camera, item), static_cast<std::int32_t>(out.items.size()),
                                             mirrored, first, first, first});
         out.occluders.push_back({&item.lines->sheets(), &item.lines->surface(), item.transform, source.view.eye});
         out.items.push_back(static_cast<std::int32_t>(i));
-        trace_contours(runtime, source, last, progress, out);
-        add_folds(runtime, source, out);
-        add_border(runtime, source, out);
+        trace_contours(work, source, last, out);
+        add_folds(work, source, out);
+        add_border(work, source, out);
     }
     for (const Source& source : sources) {
         const std::int64_t first = out.styles.size();
@@ -349,7 +346,7 @@ TracedLines trace_lines(const base::Runtime& runtime, const Scene& scene, std::s
             layer.line_kind = static_cast<std::uint32_t>(style.kind);
             if (style.name != nullptr)
                 std::string_view(style.name).copy(layer.line_name.data(), layer.line_name.size() - 1);
-            add_style(runtime, scene, source, style, static_cast<std::uint32_t>(drawing.layers.size()), progress, out);
+            add_style(work, scene, source, style, static_cast<std::uint32_t>(drawing.layers.size()), out);
             drawing.layers.push_back(layer);
         }
         for (std::int64_t i = first; i < out.styles.size(); ++i) {
@@ -484,11 +481,11 @@ const LineStrokes& LineFrame::run(const Scene& scene, std::span<const Item> item
     const base::Stopwatch watch;
     const std::int64_t layers = drawing.layers.size();
     const auto trace = [&] {
-        return trace_lines(runtime_, scene, items, contours_, progress.part(0.0, traced_end), drawing);
+        return trace_lines({runtime_, progress.part(0.0, traced_end)}, scene, items, contours_, drawing);
     };
     const auto count_sheets = [&](const TracedLines& lines) {
-        return visibility::find_invisibility(runtime_, lines.subjects.span(), lines.occluders.span(), {},
-                                             progress.part(traced_end, found_end).standing());
+        return visibility::find_invisibility({runtime_, progress.part(traced_end, found_end).standing()},
+                                             lines.subjects.span(), lines.occluders.span(), {});
     };
     TracedLines traced = trace();
     visibility::Invisibility found = count_sheets(traced);
@@ -500,8 +497,8 @@ const LineStrokes& LineFrame::run(const Scene& scene, std::span<const Item> item
         traced = trace();
         found = count_sheets(traced);
     }
-    visibility::find_hidden_by(runtime_, std::as_const(found.subjects).span(), traced.occluders.span(), found,
-                               progress.part(found_end, hidden_end).standing());
+    visibility::find_hidden_by({runtime_, progress.part(found_end, hidden_end).standing()},
+                               std::as_const(found.subjects).span(), traced.occluders.span(), found);
     count(found, traced, drawing.line_counts);
     const visibility::Lengths lengths(runtime_.memory, found.lines);
     const LineNumbers numbers = number_lines(runtime_.memory, found.subjects, traced.occluders, found.lines, known_);

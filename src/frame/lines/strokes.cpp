@@ -133,16 +133,15 @@ void find_radial_curvature(const visibility::Subject& subject, base::Array<doubl
 }
 
 // b H b / |grad f|, b tangent to the surface and across the line.
-void find_curvature_across(const base::Runtime& runtime, const implicit::Implicit& surface,
-                           const base::Array<curves::CurvePoint>& points, base::Array<double>& curvature,
-                           const base::Progress& progress) {
-    geometry::VecArray place(runtime.memory, points.size());
+void find_curvature_across(const base::Work& work, const implicit::Implicit& surface,
+                           const base::Array<curves::CurvePoint>& points, base::Array<double>& curvature) {
+    geometry::VecArray place(work.memory, points.size());
     for (std::int64_t i = 0; i < points.size(); ++i) place.set(i, points[i].position);
-    base::Array<double> hessian(runtime.memory, 6 * points.size());
+    base::Array<double> hessian(work.memory, 6 * points.size());
     implicit::FieldBatch fields;
     for (std::size_t c = 0; c < 6; ++c)
         fields.hessian[c] = hessian.data() + static_cast<std::int64_t>(c) * points.size();
-    implicit::evaluate_all(runtime, surface, place, fields, progress.standing());
+    implicit::evaluate_all(work.standing(), surface, place, fields);
     for (std::int64_t i = 0; i < points.size(); ++i) {
         const glm::dvec3 b = glm::normalize(glm::cross(points[i].gradient, points[i].direction()));
         const auto h = [&](std::size_t c) { return fields.hessian[c][i]; };
@@ -194,7 +193,7 @@ void add_curvature(const LineInput& in, const DrawnAs& as, base::Array<float>& f
     if (subject.level != nullptr)
         find_radial_curvature(subject, curvature);
     else
-        find_curvature_across(in.runtime, surface, subject.curves->point, curvature, progress);
+        find_curvature_across({in.runtime, progress}, surface, subject.curves->point, curvature);
     for (double& c : curvature)
         if (!std::isfinite(c)) c = 0.0;
     curvature = smooth_along(subject, line_tuning.smooth_widths * static_cast<double>(as.style->width), curvature);
@@ -223,8 +222,8 @@ visibility::Outline find_widths(const LineInput& in, const drawing::Drawing& dra
     }
     if (std::none_of(wanted.begin(), wanted.end(), [](std::uint8_t w) { return w != 0; }))
         return visibility::Outline(in.runtime.memory);
-    return visibility::find_outline(in.runtime, in.found.subjects.span(), in.traced.occluders.span(), in.found,
-                                    in.lengths, wanted.span(), progress.standing());
+    return visibility::find_outline({in.runtime, progress.standing()}, in.found.subjects.span(),
+                                    in.traced.occluders.span(), in.found, in.lengths, wanted.span());
 }
 
 // All steps of strokes read these.

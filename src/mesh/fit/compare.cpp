@@ -30,31 +30,29 @@ constexpr std::uint32_t places_of_mesh = 77;
 constexpr std::uint32_t places_of_surface = 1U << 16U;
 
 struct CompareTask {
-    const base::Runtime& runtime;
+    const base::Work& work;
     const implicit::Implicit& implicit;
     const SurfaceSearch& search;
-    const base::Progress& progress;
 };
 
 [[nodiscard]] surface::Projection projected(const CompareTask& task, const geometry::VecArray& places, int evaluations,
                                             double tolerance, const base::Progress& progress) {
-    surface::Projection on(task.runtime.memory);
+    surface::Projection on(task.work.memory);
     on.position.reserve(places.size());
     for (std::int64_t i = 0; i < places.size(); ++i) on.position.push_back(places[i]);
     surface::ProjectionSettings settings;
     settings.evaluation_limit = evaluations;
     settings.tolerance = tolerance;
-    surface::project(task.runtime, task.implicit, settings, on, progress);
+    surface::project({task.work, progress}, task.implicit, settings, on);
     return on;
 }
 
 // Returns distance(i) of all i. A few take long, as places may be far from all faces.
 template <class Distance>
 [[nodiscard]] base::Array<double> distances(const CompareTask& task, std::int64_t count, Distance&& distance) {
-    base::Array<double> result(task.runtime.memory, count);
-    task.runtime.parallel.for_chunks(count, 256, [&](std::int64_t begin, std::int64_t end) {
-        for (std::int64_t i = begin; i < end; ++i) {
-            if (i % 16 == 0) task.progress.check();
+    base::Array<double> result(task.work.memory, count);
+    task.work.for_chunks(count, 256, [&](std::int64_t begin, std::int64_t end) {
+        for (const std::int64_t i : task.work.over(begin, end)) {
             result[i] = distance(i);
         }
     });
@@ -67,11 +65,11 @@ void add_lattice(const CompareTask& task, geometry::VecArray& seeds) {
     const std::int64_t n = mesh_fit_tuning.lattice;
     const geometry::Bounds& region = task.search.region;
     const glm::dvec3 step = region.size() / static_cast<double>(n);
-    geometry::VecArray lattice(task.runtime.memory);
+    geometry::VecArray lattice(task.work.memory);
     for (std::int64_t i = 0; i < n * n * n; ++i)
         lattice.push_back(region.min + step * (glm::dvec3(i % n, i / n % n, i / (n * n)) + 0.5));
     const surface::Projection on =
-        projected(task, lattice, mesh_fit_tuning.place_evaluations, mesh_fit_tuning.on_surface_of_seeds, task.progress);
+        projected(task, lattice, mesh_fit_tuning.place_evaluations, mesh_fit_tuning.on_surface_of_seeds, task.work);
     for (std::int64_t i = 0; i < on.position.size(); ++i)
         if (on.status[i] == surface::ProjectionStatus::converged && region.contains(on.position[i]))
             seeds.push_back(on.position[i]);
@@ -120,16 +118,15 @@ struct SurfaceParts {
 }
 
 // Returns the triangles as faces of a tree.
-[[nodiscard]] FaceTree tree_of(const base::Runtime& runtime, const curves::SurfaceMesh& surface,
-                               const base::Progress& progress) {
-    base::Array<glm::dvec3> vertex(runtime.memory);
-    base::Array<Triangle> triangle(runtime.memory);
+[[nodiscard]] FaceTree tree_of(const base::Work& work, const curves::SurfaceMesh& surface) {
+    base::Array<glm::dvec3> vertex(work.memory);
+    base::Array<Triangle> triangle(work.memory);
     vertex.reserve(surface.vertices());
     triangle.reserve(surface.triangles());
     for (std::int64_t v = 0; v < surface.vertices(); ++v) vertex.push_back(surface.position[v]);
     for (std::int64_t t = 0; t < surface.triangles(); ++t)
         triangle.push_back({surface.corner[3 * t], surface.corner[3 * t + 1], surface.corner[3 * t + 2]});
-    return {runtime, vertex, triangle, progress};
+    return {work, vertex, triangle};
 }
 
 // ---- From the surface
@@ -137,15 +134,15 @@ struct SurfaceParts {
 // Returns places on the surface, even over its area. Those of which the projection fails stay on their triangle.
 [[nodiscard]] SurfacePlaces places_on(const CompareTask& task, const curves::SurfaceMesh& surface,
                                       const base::Progress& progress) {
-    SurfacePlaces places(task.runtime.memory);
+    SurfacePlaces places(task.work.memory);
     if (surface.triangles() == 0) return places;
     const auto corners = [&](std::int64_t t) {
         const std::int32_t* const v = surface.corner.data() + 3 * t;
         return std::array<glm::dvec3, 3>{surface.position[v[0]], surface.position[v[1]], surface.position[v[2]]};
     };
-    const RandomPlaces random(task.runtime.memory, surface.triangles(), corners, task.progress);
-    geometry::VecArray flat(task.runtime.memory, task.search.count);
-    task.runtime.parallel.for_chunks(flat.size(), 4096, [&](std::int64_t begin, std::int64_t end) {
+    const RandomPlaces random(task.work.memory, surface.triangles(), corners, task.work);
+    geometry::VecArray flat(task.work.memory, task.search.count);
+    task.work.for_chunks(flat.size(), 4096, [&](std::int64_t begin, std::int64_t end) {
         for (std::int64_t i = begin; i < end; ++i) {
             const auto [t, s] = random.at(task.search.seed, i, places_of_surface);
             const auto p = corners(t);
@@ -165,9 +162,9 @@ struct SurfaceParts {
 
 void from_surface(const CompareTask& task, const Mesh& mesh, const curves::SurfaceMesh& surface,
                   const OuterFaces& outer, double far, Comparison& result) {
-    SurfacePlaces places = places_on(task, surface, task.progress.part(0.4, 0.6));
+    SurfacePlaces places = places_on(task, surface, task.work.part(0.4, 0.6));
     const std::int64_t found = places.position.size();
-    leave_out(task.runtime, task.search, places, task.progress.part(0.4, 0.6));
+    leave_out(task.work.part(0.4, 0.6), task.search, places);
     base::Array<double> distance = distances(task, places.position.size(), [&](std::int64_t i) {
         const FaceTree::Nearest nearest = outer.tree().nearest(places.position[i]);
         return on_border(mesh, nearest.face, nearest.place) ? -1.0 : std::sqrt(nearest.squared);
@@ -185,15 +182,15 @@ void from_surface(const CompareTask& task, const Mesh& mesh, const curves::Surfa
 void from_mesh(const CompareTask& task, const curves::SurfaceMesh& surface, const MeshSamples& samples, double far,
                Comparison& result) {
     const surface::Projection on = projected(task, samples.position, mesh_fit_tuning.mesh_evaluations,
-                                             mesh_fit_tuning.on_surface, task.progress.part(0.7, 0.9));
-    base::Array<double> distance(task.runtime.memory, samples.position.size());
+                                             mesh_fit_tuning.on_surface, task.work.part(0.7, 0.9));
+    base::Array<double> distance(task.work.memory, samples.position.size());
     std::fill(distance.begin(), distance.end(), std::numeric_limits<double>::infinity());
     if (surface.triangles() > 0) {
-        const FaceTree tree = tree_of(task.runtime, surface, task.progress);
+        const FaceTree tree = tree_of(task.work, surface);
         distance = distances(task, samples.position.size(),
                              [&](std::int64_t i) { return tree.distance(samples.position[i]); });
     }
-    base::Array<double> angle(task.runtime.memory);
+    base::Array<double> angle(task.work.memory);
     for (std::int64_t i = 0; i < distance.size(); ++i) {
         const double slope = glm::length(on.gradient[i]);
         if (on.status[i] != surface::ProjectionStatus::converged || !(slope > 0.0)) continue;
@@ -238,31 +235,29 @@ Spread spread_of(base::Array<double>& distance, double tolerance, double far) {
     return spread;
 }
 
-curves::SurfaceMesh find_surface(const base::Runtime& runtime, const implicit::Implicit& implicit,
-                                 const geometry::VecArray& seeds, const SurfaceSearch& search,
-                                 const base::Progress& progress) {
+curves::SurfaceMesh find_surface(const base::Work& work, const implicit::Implicit& implicit,
+                                 const geometry::VecArray& seeds, const SurfaceSearch& search) {
     HRBFNPR_ASSERT(search.side > 0.0 && !search.region.empty());
-    geometry::VecArray all(runtime.memory);
+    geometry::VecArray all(work.memory);
     all.reserve(seeds.size());
     for (std::int64_t i = 0; i < seeds.size(); ++i) all.push_back(seeds[i]);
-    add_lattice({runtime, implicit, search, progress}, all);
+    add_lattice({work, implicit, search}, all);
     curves::MeshSettings settings{search.region, search.side};
     settings.tolerance = search.precision;
-    curves::SurfaceMesh surface = curves::triangulate_of_any_size(runtime, implicit, all, settings, progress);
+    curves::SurfaceMesh surface = curves::triangulate_of_any_size(work, implicit, all, settings);
     const double least = implicit.diagonal() / mesh_fit_tuning.most_cells;
     while ((search.finer && too_thin(surface)) || (surface.triangles() == 0 && settings.side > least)) {
         settings.side *= 0.5;
-        surface = curves::triangulate(runtime, implicit, all, settings, progress);
+        surface = curves::triangulate(work, implicit, all, settings);
     }
     return surface;
 }
 
-void leave_out(const base::Runtime& runtime, const SurfaceSearch& search, SurfacePlaces& places,
-               const base::Progress& progress) {
+void leave_out(const base::Work& work, const SurfaceSearch& search, SurfacePlaces& places) {
     HRBFNPR_ASSERT(places.position.size() == places.gradient.size());
     if (search.support == nullptr) return;
-    base::Array<double> beyond(runtime.memory);
-    search.support->evaluate_all(runtime, places.position, places.gradient, beyond, progress);
+    base::Array<double> beyond(work.memory);
+    search.support->evaluate_all(work, places.position, places.gradient, beyond);
     std::int64_t kept = 0;
     for (std::int64_t i = 0; i < beyond.size(); ++i) {
         if (!(beyond[i] <= search.limit)) continue;
@@ -273,11 +268,10 @@ void leave_out(const base::Runtime& runtime, const SurfaceSearch& search, Surfac
     places.gradient.resize(kept);
 }
 
-Comparison compare(const base::Runtime& runtime, const implicit::Implicit& implicit, const Mesh& mesh,
-                   const FaceTree& tree, const surface::Support* support, const CompareSettings& settings,
-                   const base::Progress& progress) {
+Comparison compare(const base::Work& work, const implicit::Implicit& implicit, const Mesh& mesh, const FaceTree& tree,
+                   const surface::Support* support, const CompareSettings& settings) {
     const base::Stopwatch watch;
-    const OuterFaces outer(runtime, mesh, tree, progress);
+    const OuterFaces outer(work, mesh, tree);
     Comparison result;
     result.diagonal = mesh.bounds.diagonal();
     result.tolerance = plan_tolerance(settings.tolerance, result.diagonal);
@@ -291,23 +285,22 @@ Comparison compare(const base::Runtime& runtime, const implicit::Implicit& impli
     search.support = settings.support > 0.0 ? support : nullptr;
     search.limit = settings.support;
 
-    MeshSamples samples =
-        random_samples(runtime, mesh, search.count, search.seed, places_of_mesh, progress.part(0.0, 0.1));
-    keep_outer(runtime, mesh, tree, samples.position, samples.normal, progress);
-    curves::SurfaceMesh surface = find_surface(runtime, implicit, samples.position, search, progress.part(0.1, 0.3));
-    SurfaceParts parts = parts_of(runtime, surface);
+    MeshSamples samples = random_samples(work, mesh, search.count, search.seed, places_of_mesh);
+    keep_outer(work, mesh, tree, samples.position, samples.normal);
+    curves::SurfaceMesh surface = find_surface(work.part(0.1, 0.3), implicit, samples.position, search);
+    SurfaceParts parts = parts_of(work, surface);
     if (search.finer && differ(parts, mesh.report) && surface.triangles() < mesh_fit_tuning.most_to_look_closer) {
         search.side = 0.5 * surface.side;
-        surface = find_surface(runtime, implicit, samples.position, search, progress.part(0.3, 0.4));
-        parts = parts_of(runtime, surface);
+        surface = find_surface(work.part(0.3, 0.4), implicit, samples.position, search);
+        parts = parts_of(work, surface);
     }
     result.components = parts.components;
     result.genus = parts.genus;
-    const CompareTask task{runtime, implicit, search, progress};
+    const CompareTask task{work, implicit, search};
     from_surface(task, mesh, surface, outer, far, result);
     from_mesh(task, surface, samples, far, result);
     result.seconds = watch.seconds();
-    progress.update(1.0);
+    work.update(1.0);
     return result;
 }
 

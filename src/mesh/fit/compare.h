@@ -77,17 +77,15 @@ struct SurfacePlaces {
 };
 
 // Returns the surface that the seeds are near to, or places of a coarse lattice lead to, as triangles.
-[[nodiscard]] curves::SurfaceMesh find_surface(const base::Runtime& runtime, const implicit::Implicit& implicit,
-                                               const geometry::VecArray& seeds, const SurfaceSearch& search,
-                                               const base::Progress& progress);
+[[nodiscard]] curves::SurfaceMesh find_surface(const base::Work& work, const implicit::Implicit& implicit,
+                                               const geometry::VecArray& seeds, const SurfaceSearch& search);
 
 // Drops places beyond the support's limit, if there is a support.
-void leave_out(const base::Runtime& runtime, const SurfaceSearch& search, SurfacePlaces& places,
-               const base::Progress& progress);
+void leave_out(const base::Work& work, const SurfaceSearch& search, SurfacePlaces& places);
 
 // support may be null; otherwise it is that of the model's samples.
-[[nodiscard]] Comparison compare(const base::Runtime& runtime, const implicit::Implicit& implicit, const Mesh& mesh,
-                                 const FaceTree& tree, const surface::Support* support, const CompareSettings& settings,
-                                 const base::Progress& progress);
+[[nodiscard]] Comparison compare(const base::Work& work, const implicit::Implicit& implicit, const Mesh& mesh,
+                                 const FaceTree& tree, const surface::Support* support,
+                                 const CompareSettings& settings);
 
 } // namespace hrbfnpr::mesh

@@ -56,7 +56,7 @@ public:
         : data_(data), plain_(set, data), precision_(precision) {}
 
     // Before it is asked at so many places: prepares for that, where it takes less time.
-    void expect(const base::Runtime& runtime, std::int64_t places, const base::Progress& progress);
+    void expect(const base::Work& work, std::int64_t places);
 
     [[nodiscard]] const implicit::Implicit& operator*() const noexcept {
         if (prepared_ != nullptr) return *prepared_;
@@ -70,12 +70,12 @@ private:
     std::unique_ptr<implicit::Implicit> prepared_;
 };
 
-void FitField::expect(const base::Runtime& runtime, std::int64_t places, const base::Progress& progress) {
+void FitField::expect(const base::Work& work, std::int64_t places) {
     if (prepared_ != nullptr || !pays(data_.count(), places)) return;
     implicit::LocalFieldOptions options;
     options.tolerance = precision_;
     options.most_near = most_near;
-    std::unique_ptr<implicit::Prepared> prepared = implicit::Prepared::make(runtime, data_, progress, options);
+    std::unique_ptr<implicit::Prepared> prepared = implicit::Prepared::make(work, data_, options);
     if (prepared == nullptr) return;
     const implicit::Prepared::Error error = prepared->error();
     if (error.value <= precision_ && error.gradient <= gradient_precision) prepared_ = std::move(prepared);
@@ -89,28 +89,26 @@ double root_mean_square(const base::Array<double>& distance, double unit) noexce
 }
 
 // Fills in the fit's report, but for the candidates' distances. `chosen` are the centres of the fit.
-void describe(const base::Runtime& runtime, const fit::Samples& chosen, const FitMeshReport& report,
-              fit::CentreFit& fit, const base::Progress& progress) {
+void describe(const base::Work& work, const fit::Samples& chosen, const FitMeshReport& report, fit::CentreFit& fit) {
     fit::FitReport& to = fit.result.report;
-    describe_residuals(runtime, fit.result.data, chosen, to, progress);
+    describe_residuals(work, fit.result.data, chosen, to);
     to.samples = report.candidates;
     to.choice_rounds = report.rounds;
     to.input_distance_max = report.mesh.most;
     to.input_share_within = report.mesh.share;
     to.seconds_choose = report.seconds_sample + report.seconds_measure;
-    to.peak_bytes = runtime.memory.bytes_peak();
+    to.peak_bytes = work.memory.bytes_peak();
 }
 
 // ---- The mesh and its candidates
 
 // The data that all steps read.
 struct Task {
-    const base::Runtime& runtime;
+    const base::Work& work;
     const Mesh& mesh;
     const FaceTree& tree;
     const FitMeshSettings& settings;
     const OuterFaces outer;
-    const base::Progress& progress;
 };
 
 FitMeshReport first_report(const Mesh& mesh, const FitMeshSettings& settings) noexcept {
@@ -123,15 +121,15 @@ FitMeshReport first_report(const Mesh& mesh, const FitMeshSettings& settings) no
 
 // Candidates are even over the area, and in the middles of faces, which are small where there are details.
 fit::Samples gather_candidates(const Task& task, FitMeshReport& report) {
-    const auto& [runtime, mesh, tree, settings, outer, progress] = task;
+    const auto& [work, mesh, tree, settings, outer] = task;
     const std::int64_t faces = mesh.faces();
     const std::int64_t most_of_faces = fit_mesh_tuning.most_candidates / 2;
     const std::int64_t wanted = settings.candidates > 0
                                     ? settings.candidates
                                     : std::clamp(faces, fit_mesh_tuning.fewest_candidates, most_of_faces);
-    MeshSamples even = random_samples(runtime, mesh, wanted, settings.seed, 1, progress);
-    report.touching = warn_of_touching(runtime, mesh, tree, even, report.tolerance, false, progress);
-    fit::Samples candidates(runtime.memory);
+    MeshSamples even = random_samples(work, mesh, wanted, settings.seed, 1);
+    report.touching = warn_of_touching(work, mesh, tree, even, report.tolerance, false);
+    fit::Samples candidates(work.memory);
     candidates.position = std::move(even.position);
     candidates.normal = std::move(even.normal);
     const std::int64_t step = (faces + most_of_faces - 1) / most_of_faces;
@@ -139,7 +137,7 @@ fit::Samples gather_candidates(const Task& task, FitMeshReport& report) {
         candidates.position.push_back(middle_of(mesh, face));
         candidates.normal.push_back(normal_at(mesh, face, glm::dvec3(1.0 / 3.0)));
     }
-    keep_outer(runtime, mesh, tree, candidates.position, candidates.normal, progress);
+    keep_outer(work, mesh, tree, candidates.position, candidates.normal);
     candidates.bounds = mesh.bounds;
     report.candidates = candidates.position.size();
     return candidates;
@@ -151,7 +149,7 @@ fit::Samples gather_candidates(const Task& task, FitMeshReport& report) {
 // surface.
 base::Array<double> distances_of_candidates(const Task& task, const fit::Samples& candidates,
                                             const fit::Distances& distances, double tolerance) {
-    base::Array<double> distance(task.runtime.memory);
+    base::Array<double> distance(task.work.memory);
     for (std::int64_t i = 0; i < candidates.position.size(); ++i) {
         const bool against = glm::dot(distances.gradient[i], candidates.normal[i]) < 0.0;
         const double d = std::abs(distances.distance[i]);
@@ -162,17 +160,16 @@ base::Array<double> distances_of_candidates(const Task& task, const fit::Samples
 
 // Measures the distances of other places of the mesh, to the surface itself: at the candidates they are of first order.
 Spread verify(const Task& task, const implicit::HrbfData& data, const FitMeshReport& report) {
-    const auto& [runtime, mesh, tree, settings, outer, progress] = task;
-    MeshSamples samples =
-        random_samples(runtime, mesh, fit_mesh_tuning.verified_places, settings.seed, 2, progress.standing());
-    keep_outer(runtime, mesh, tree, samples.position, samples.normal, progress);
-    surface::Projection on(runtime.memory);
+    const auto& [work, mesh, tree, settings, outer] = task;
+    MeshSamples samples = random_samples(work, mesh, fit_mesh_tuning.verified_places, settings.seed, 2);
+    keep_outer(work, mesh, tree, samples.position, samples.normal);
+    surface::Projection on(work.memory);
     for (std::int64_t i = 0; i < samples.position.size(); ++i) on.position.push_back(samples.position[i]);
-    const FitData implicit(runtime.instruction_set, data);
+    const FitData implicit(work.instruction_set, data);
     surface::ProjectionSettings steps;
     steps.tolerance = 1e-6;
-    surface::project(runtime, implicit, steps, on, progress.standing());
-    base::Array<double> distance(runtime.memory);
+    surface::project(work.standing(), implicit, steps, on);
+    base::Array<double> distance(work.memory);
     for (std::int64_t i = 0; i < samples.position.size(); ++i) {
         const bool found = on.status[i] == surface::ProjectionStatus::converged;
         distance.push_back(found ? glm::distance(on.position[i], samples.position[i])
@@ -185,9 +182,8 @@ Spread verify(const Task& task, const implicit::HrbfData& data, const FitMeshRep
 
 // Surface beyond a border has the distance 0: a drawing trims it.
 base::Array<double> distances_to_mesh(const Task& task, const geometry::VecArray& place) {
-    base::Array<double> distance(task.runtime.memory, place.size());
-    task.runtime.parallel.for_chunks(distance.size(), 256, [&](std::int64_t begin, std::int64_t end) {
-        task.progress.check();
+    base::Array<double> distance(task.work.memory, place.size());
+    task.work.for_chunks(distance.size(), 256, [&](std::int64_t begin, std::int64_t end) {
         for (std::int64_t i = begin; i < end; ++i) {
             const FaceTree::Nearest nearest = task.outer.tree().nearest(place[i]);
             distance[i] = on_border(task.mesh, nearest.face, nearest.place) ? 0.0 : std::sqrt(nearest.squared);
@@ -202,7 +198,7 @@ base::Array<double> distances_to_mesh(const Task& task, const geometry::VecArray
 void hold_off_mesh(const Task& task, const geometry::VecArray& place, const base::Array<double>& distance,
                    double tolerance, std::int64_t room, const fit::Samples& held, fit::Samples& added) {
     HRBFNPR_ASSERT(distance.size() == place.size());
-    base::Array<std::int64_t> order(task.runtime.memory);
+    base::Array<std::int64_t> order(task.work.memory);
     for (std::int64_t i = 0; i < place.size(); ++i)
         if (distance[i] > fit_mesh_tuning.held_beyond * tolerance) order.push_back(i);
     std::sort(order.begin(), order.end(), [&](std::int64_t a, std::int64_t b) {
@@ -230,9 +226,9 @@ void hold_off_mesh(const Task& task, const geometry::VecArray& place, const base
 
 } // namespace
 
-void describe_residuals(const base::Runtime& runtime, const implicit::HrbfData& data, const fit::Samples& centres,
-                        fit::FitReport& to, const base::Progress& progress) {
-    const fit::Distances at = fit::measure_distances(runtime, data, centres, progress);
+void describe_residuals(const base::Work& work, const implicit::HrbfData& data, const fit::Samples& centres,
+                        fit::FitReport& to) {
+    const fit::Distances at = fit::measure_distances(work, data, centres);
     const double unit = data.scale; // no underflow in small units
     double values = 0.0;
     double gradients = 0.0;
@@ -249,11 +245,11 @@ void describe_residuals(const base::Runtime& runtime, const implicit::HrbfData& 
     to.gradient_residual_rms = std::sqrt(gradients / static_cast<double>(count));
 }
 
-MeshFit fit_mesh(const base::Runtime& runtime, const Mesh& mesh, const FaceTree& tree, const FitMeshSettings& settings,
-                 const fit::FitInput& given, const base::Progress& progress) {
+MeshFit fit_mesh(const base::Work& work, const Mesh& mesh, const FaceTree& tree, const FitMeshSettings& settings,
+                 const fit::FitInput& given) {
     refuse_flat_solid(mesh);
     const base::Stopwatch watch;
-    const Task task{runtime, mesh, tree, settings, OuterFaces(runtime, mesh, tree, progress), progress};
+    const Task task{work, mesh, tree, settings, OuterFaces(work, mesh, tree)};
     const double diagonal = mesh.bounds.diagonal();
     FitMeshReport report = first_report(mesh, settings);
     const double share = settings.share + fit_mesh_tuning.margin * (1.0 - settings.share);
@@ -265,7 +261,7 @@ MeshFit fit_mesh(const base::Runtime& runtime, const Mesh& mesh, const FaceTree&
     fit::Samples candidates = gather_candidates(task, report);
     std::optional<geometry::PointTree> candidate_tree;
     std::optional<surface::Support> support;
-    if (report.supported) support.emplace(runtime, candidates.position, candidates.normal, 0.0, progress);
+    if (report.supported) support.emplace(work, candidates.position, candidates.normal, 0.0);
     report.seconds_sample = watch.seconds();
 
     SurfaceSearch search;
@@ -284,12 +280,12 @@ MeshFit fit_mesh(const base::Runtime& runtime, const Mesh& mesh, const FaceTree&
 
     // Looks at the whole surface, and adds to `growth` what holds f off the mesh. Returns whether anything was added.
     const auto look_at_surface = [&](const FitField& field, const fit::AdaptiveFit& now, fit::Growth& growth) {
-        geometry::VecArray seeds(runtime.memory);
+        geometry::VecArray seeds(work.memory);
         for (const std::int64_t i : now.centres) seeds.push_back(candidates.position[i]);
-        curves::SurfaceMesh surface = find_surface(runtime, *field, seeds, search, progress.standing());
+        curves::SurfaceMesh surface = find_surface(work.standing(), *field, seeds, search);
         surface_places = fit_mesh_tuning.places_a_vertex * surface.position.size();
         // The places are its vertices, which lie on f = 0: even a small part has some.
-        SurfacePlaces places(runtime.memory);
+        SurfacePlaces places(work.memory);
         places.position = std::move(surface.position);
         places.gradient = std::move(surface.gradient);
         base::Array<double> distance = distances_to_mesh(task, places.position);
@@ -297,7 +293,7 @@ MeshFit fit_mesh(const base::Runtime& runtime, const Mesh& mesh, const FaceTree&
         const std::int64_t room = settings.maximum_centres - now.centres.size() - now.held.position.size() - before;
         hold_off_mesh(task, places.position, distance, report.tolerance, room, now.held, growth.held);
         if (report.supported) {
-            leave_out(runtime, search, places, progress);
+            leave_out(work, search, places);
             distance = distances_to_mesh(task, places.position);
         }
         report.surface = spread_of(distance, report.tolerance, report.far);
@@ -316,10 +312,10 @@ MeshFit fit_mesh(const base::Runtime& runtime, const Mesh& mesh, const FaceTree&
     };
     const auto look = [&](const fit::AdaptiveFit& now) {
         const base::Stopwatch of_look;
-        fit::Growth growth(runtime.memory, {options.regularization, options.regularization});
-        FitField field(runtime.instruction_set, now.fit.result.data, search.precision);
-        field.expect(runtime, candidates.position.size() + surface_places, progress.standing());
-        const fit::Distances distances = fit::measure_distances(runtime, *field, candidates, progress.standing());
+        fit::Growth growth(work.memory, {options.regularization, options.regularization});
+        FitField field(work.instruction_set, now.fit.result.data, search.precision);
+        field.expect(work, candidates.position.size() + surface_places);
+        const fit::Distances distances = fit::measure_distances(work.standing(), *field, candidates);
         input_distance_rms = root_mean_square(distances.distance, now.fit.result.data.scale);
         base::Array<double> distance = distances_of_candidates(task, candidates, distances, report.tolerance);
         report.mesh = spread_of(distance, report.tolerance, report.far);
@@ -335,10 +331,9 @@ MeshFit fit_mesh(const base::Runtime& runtime, const Mesh& mesh, const FaceTree&
             const std::int64_t batch = fit::batch_of(now.centres.size(), 1.0 - report.mesh.share);
             const fit::CandidateOptions wanted{fit_mesh_tuning.inner * report.tolerance,
                                                fit_mesh_tuning.apart * report.tolerance, std::min(batch, room)};
-            if (!candidate_tree) candidate_tree.emplace(candidates.position, progress);
+            if (!candidate_tree) candidate_tree.emplace(candidates.position, work);
             growth.centres =
-                fit::worst_candidates(runtime, candidates, *candidate_tree, now.centres, distances, wanted, progress)
-                    .chosen;
+                fit::worst_candidates(work, candidates, *candidate_tree, now.centres, distances, wanted).chosen;
             grown = !growth.centres.empty() || grown;
         }
         if (!looked && !grown) grown = look_at_surface(field, now, growth);
@@ -349,42 +344,40 @@ MeshFit fit_mesh(const base::Runtime& runtime, const Mesh& mesh, const FaceTree&
             const double ratio = search.side / side;
             if (ratio > 1.0) {
                 search.side = side;
-                field.expect(runtime, static_cast<std::int64_t>(ratio * ratio * static_cast<double>(surface_places)),
-                             progress.standing());
+                field.expect(work, static_cast<std::int64_t>(ratio * ratio * static_cast<double>(surface_places)));
                 growth.goes_on = look_at_surface(field, now, growth) && !all_good();
             }
         } else {
             growth.goes_on = grown && (!looked || gains());
         }
-        runtime.log(base::LogLevel::debug,
-                    "mesh fit: round %d, %lld centres: of the mesh %.4f within, the farthest %.3g; of the surface %.4f "
-                    "and %.3g; %lld more, and %lld off the surface",
-                    static_cast<int>(now.rounds), static_cast<long long>(now.fit.result.data.count()),
-                    report.mesh.share, report.mesh.most, report.surface.share, report.surface.most,
-                    static_cast<long long>(growth.centres.size()), static_cast<long long>(growth.held.position.size()));
+        work.runtime().log(
+            base::LogLevel::debug,
+            "mesh fit: round %d, %lld centres: of the mesh %.4f within, the farthest %.3g; of the surface %.4f "
+            "and %.3g; %lld more, and %lld off the surface",
+            static_cast<int>(now.rounds), static_cast<long long>(now.fit.result.data.count()), report.mesh.share,
+            report.mesh.most, report.surface.share, report.surface.most, static_cast<long long>(growth.centres.size()),
+            static_cast<long long>(growth.held.position.size()));
         report.seconds_measure += of_look.seconds();
         return growth;
     };
 
     fit::AdaptiveFit made = fit::fit_adaptively(
-        runtime, options, candidates,
-        fit::even_choice(candidates, std::min(fit_mesh_tuning.first_centres, settings.maximum_centres), progress),
-        {options.regularization, options.regularization}, {fit_mesh_tuning.most_rounds, true}, std::ref(look),
-        progress);
+        work, options, candidates,
+        fit::even_choice(candidates, std::min(fit_mesh_tuning.first_centres, settings.maximum_centres), work),
+        {options.regularization, options.regularization}, {fit_mesh_tuning.most_rounds, true}, std::ref(look));
     report.rounds = made.rounds;
     report.seconds_fit = made.seconds_fit;
     report.off_surface = made.held.position.size();
     report.mesh = verify(task, made.fit.result.data, report);
     report.reached =
         report.mesh.is_within(settings.share, report.far) && report.surface.is_within(settings.share, report.far);
-    describe(runtime, fit::centres_of(runtime, candidates, made.centres, made.held, progress), report, made.fit,
-             progress);
+    describe(work, fit::centres_of(work, candidates, made.centres, made.held), report, made.fit);
     report.seconds_total = watch.seconds();
     fit::FitResult result = std::move(made.fit.result);
     result.report.input_distance_rms = input_distance_rms;
     result.report.seconds_total = report.seconds_total;
     result.samples = std::move(candidates);
-    progress.update(1.0);
+    work.update(1.0);
     return {std::move(result), report};
 }
 

@@ -60,12 +60,11 @@ private:
 };
 
 // Fills in the residuals at the centres, where the data is to have a normal, and a value or 0.
-void describe_residuals(const base::Runtime& runtime, const implicit::HrbfData& data, const fit::Samples& centres,
-                        fit::FitReport& to, const base::Progress& progress);
+void describe_residuals(const base::Work& work, const implicit::HrbfData& data, const fit::Samples& centres,
+                        fit::FitReport& to);
 
 // options: kernel, solver and regularization; its views are empty, its tolerance and maximum_centres 0.
-[[nodiscard]] MeshFit fit_mesh(const base::Runtime& runtime, const Mesh& mesh, const FaceTree& tree,
-                               const FitMeshSettings& settings, const fit::FitInput& options,
-                               const base::Progress& progress);
+[[nodiscard]] MeshFit fit_mesh(const base::Work& work, const Mesh& mesh, const FaceTree& tree,
+                               const FitMeshSettings& settings, const fit::FitInput& options);
 
 } // namespace hrbfnpr::mesh

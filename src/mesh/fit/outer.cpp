@@ -64,10 +64,9 @@ namespace {
 
 // Finds the first of `count` things for which find(i, place) is a component; component_of(i) is its own.
 template <class Find, class ComponentOf>
-[[nodiscard]] Touching first_of(const base::Runtime& runtime, std::int64_t count, const base::Progress& progress,
-                                Find&& find, ComponentOf&& component_of) {
-    base::Array<std::int32_t> other(runtime.memory, count);
-    runtime.parallel.for_chunks(count, 256, progress, [&](std::int64_t begin, std::int64_t end) {
+[[nodiscard]] Touching first_of(const base::Work& work, std::int64_t count, Find&& find, ComponentOf&& component_of) {
+    base::Array<std::int32_t> other(work.memory, count);
+    work.for_chunks(count, 256, [&](std::int64_t begin, std::int64_t end) {
         glm::dvec3 place;
         for (std::int64_t i = begin; i < end; ++i) other[i] = find(i, place);
     });
@@ -105,13 +104,13 @@ Where where(const FaceTree& tree, const glm::dvec3& place) noexcept {
     return votes <= mesh_fit_tuning.dissenters ? Where::outside : Where::unsure;
 }
 
-void keep_outer(const base::Runtime& runtime, const Mesh& mesh, const FaceTree& tree, geometry::VecArray& position,
-                geometry::VecArray& normal, const base::Progress& progress) {
+void keep_outer(const base::Work& work, const Mesh& mesh, const FaceTree& tree, geometry::VecArray& position,
+                geometry::VecArray& normal) {
     HRBFNPR_ASSERT(position.size() == normal.size());
     if (!may_overlap(mesh)) return;
-    base::Array<std::uint8_t> inside(runtime.memory, position.size());
+    base::Array<std::uint8_t> inside(work.memory, position.size());
     const double off = mesh_fit_tuning.beside_face * mesh.bounds.diagonal();
-    runtime.parallel.for_chunks(position.size(), 512, progress, [&](std::int64_t begin, std::int64_t end) {
+    work.for_chunks(position.size(), 512, [&](std::int64_t begin, std::int64_t end) {
         for (std::int64_t i = begin; i < end; ++i) inside[i] = is_inside(tree, position[i] + off * normal[i]) ? 1 : 0;
     });
     std::int64_t kept = 0;
@@ -125,42 +124,38 @@ void keep_outer(const base::Runtime& runtime, const Mesh& mesh, const FaceTree& 
     normal.resize(kept);
 }
 
-OuterFaces::OuterFaces(const base::Runtime& runtime, const Mesh& mesh, const FaceTree& all,
-                       const base::Progress& progress)
-    : all_(all) {
+OuterFaces::OuterFaces(const base::Work& work, const Mesh& mesh, const FaceTree& all) : all_(all) {
     if (!may_overlap(mesh)) return;
-    base::Array<std::uint8_t> covered(runtime.memory, mesh.faces());
+    base::Array<std::uint8_t> covered(work.memory, mesh.faces());
     const double off = mesh_fit_tuning.beside_face * mesh.bounds.diagonal();
-    runtime.parallel.for_chunks(mesh.faces(), 512, progress, [&](std::int64_t begin, std::int64_t end) {
+    work.for_chunks(mesh.faces(), 512, [&](std::int64_t begin, std::int64_t end) {
         for (std::int64_t face = begin; face < end; ++face) covered[face] = is_covered(mesh, all, face, off) ? 1 : 0;
     });
-    base::Array<Triangle> outer(runtime.memory);
+    base::Array<Triangle> outer(work.memory);
     for (std::int64_t face = 0; face < mesh.faces(); ++face)
         if (covered[face] == 0) outer.push_back(mesh.triangle[face]);
-    if (!outer.empty() && outer.size() < mesh.faces()) outer_.emplace(runtime, mesh.vertex, outer, progress);
+    if (!outer.empty() && outer.size() < mesh.faces()) outer_.emplace(work, mesh.vertex, outer);
 }
 
 bool has_parts(const Mesh& mesh) noexcept { return mesh.report.components - mesh.report.left_out_components >= 2; }
 
-Touching find_crossing(const base::Runtime& runtime, const Mesh& mesh, const FaceTree& tree,
-                       const base::Progress& progress) {
+Touching find_crossing(const base::Work& work, const Mesh& mesh, const FaceTree& tree) {
     if (!has_parts(mesh)) return {};
     return first_of(
-        runtime, mesh.faces(), progress,
-        [&](std::int64_t face, glm::dvec3& place) { return pierced_by(mesh, tree, face, place); },
+        work, mesh.faces(), [&](std::int64_t face, glm::dvec3& place) { return pierced_by(mesh, tree, face, place); },
         [&](std::int64_t face) { return mesh.component[face]; });
 }
 
-Touching find_touching(const base::Runtime& runtime, const Mesh& mesh, const FaceTree& tree, const MeshSamples& places,
-                       double near, bool solids_apart, const base::Progress& progress) {
+Touching find_touching(const base::Work& work, const Mesh& mesh, const FaceTree& tree, const MeshSamples& places,
+                       double near, bool solids_apart) {
     HRBFNPR_ASSERT(places.face.size() == places.position.size());
     if (!has_parts(mesh)) return {};
     Touching found;
-    if (!solids_apart) found = find_crossing(runtime, mesh, tree, progress);
+    if (!solids_apart) found = find_crossing(work, mesh, tree);
     if (found.one < 0) {
         const double alike = solids_apart ? mesh_fit_tuning.least_alike : 0.0;
         found = first_of(
-            runtime, places.position.size(), progress,
+            work, places.position.size(),
             [&](std::int64_t i, glm::dvec3& place) {
                 place = places.position[i];
                 return other_component(mesh, tree, places, i, near, alike);
@@ -171,16 +166,17 @@ Touching find_touching(const base::Runtime& runtime, const Mesh& mesh, const Fac
     return found;
 }
 
-Touching warn_of_touching(const base::Runtime& runtime, const Mesh& mesh, const FaceTree& tree,
-                          const MeshSamples& places, double near, bool solids_apart, const base::Progress& progress) {
-    const Touching found = find_touching(runtime, mesh, tree, places, near, solids_apart, progress);
+Touching warn_of_touching(const base::Work& work, const Mesh& mesh, const FaceTree& tree, const MeshSamples& places,
+                          double near, bool solids_apart) {
+    const Touching found = find_touching(work, mesh, tree, places, near, solids_apart);
     if (found.one >= 0)
-        runtime.log(base::LogLevel::warning,
-                    "mesh fit: parts %d and %d of the mesh, and maybe others, %s nearer to each other than the "
-                    "tolerance, as near %.4g %.4g %.4g: the surface may join them there; a smaller tolerance holds "
-                    "apart what does not cross",
-                    static_cast<int>(found.one), static_cast<int>(found.other),
-                    found.may_cross ? "cross or are" : "are", found.place.x, found.place.y, found.place.z);
+        work.runtime().log(
+            base::LogLevel::warning,
+            "mesh fit: parts %d and %d of the mesh, and maybe others, %s nearer to each other than the "
+            "tolerance, as near %.4g %.4g %.4g: the surface may join them there; a smaller tolerance holds "
+            "apart what does not cross",
+            static_cast<int>(found.one), static_cast<int>(found.other), found.may_cross ? "cross or are" : "are",
+            found.place.x, found.place.y, found.place.z);
     return found;
 }
 

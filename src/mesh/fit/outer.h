@@ -20,14 +20,14 @@ enum class Where : std::uint8_t { outside, inside, unsure };
 [[nodiscard]] Where where(const FaceTree& tree, const glm::dvec3& place) noexcept;
 
 // Drops samples of closed components that lie inside others, where components overlap.
-void keep_outer(const base::Runtime& runtime, const Mesh& mesh, const FaceTree& tree, geometry::VecArray& position,
-                geometry::VecArray& normal, const base::Progress& progress);
+void keep_outer(const base::Work& work, const Mesh& mesh, const FaceTree& tree, geometry::VecArray& position,
+                geometry::VecArray& normal);
 
 // The faces that distances are measured to: all, or, where closed components overlap, those that are not inside
 // another.
 class OuterFaces {
 public:
-    OuterFaces(const base::Runtime& runtime, const Mesh& mesh, const FaceTree& all, const base::Progress& progress);
+    OuterFaces(const base::Work& work, const Mesh& mesh, const FaceTree& all);
 
     // Its faces may have other numbers than in the mesh; none of them is at a border then.
     [[nodiscard]] const FaceTree& tree() const noexcept { return outer_ ? *outer_ : all_; }
@@ -48,20 +48,17 @@ struct Touching {
 };
 
 // Finds the first edge that goes through a face of another component.
-[[nodiscard]] Touching find_crossing(const base::Runtime& runtime, const Mesh& mesh, const FaceTree& tree,
-                                     const base::Progress& progress);
+[[nodiscard]] Touching find_crossing(const base::Work& work, const Mesh& mesh, const FaceTree& tree);
 
 // Finds the first of some places on the mesh from which another component is no farther than `near` along the normal or
 // against it. Where solids are fitted apart the parts must look to or from each other there, as solids may cross.
 // Otherwise find_crossing() comes first.
-[[nodiscard]] Touching find_touching(const base::Runtime& runtime, const Mesh& mesh, const FaceTree& tree,
-                                     const MeshSamples& places, double near, bool solids_apart,
-                                     const base::Progress& progress);
+[[nodiscard]] Touching find_touching(const base::Work& work, const Mesh& mesh, const FaceTree& tree,
+                                     const MeshSamples& places, double near, bool solids_apart);
 
 // Does the same, and says in the log what it found.
-[[nodiscard]] Touching warn_of_touching(const base::Runtime& runtime, const Mesh& mesh, const FaceTree& tree,
-                                        const MeshSamples& places, double near, bool solids_apart,
-                                        const base::Progress& progress);
+[[nodiscard]] Touching warn_of_touching(const base::Work& work, const Mesh& mesh, const FaceTree& tree,
+                                        const MeshSamples& places, double near, bool solids_apart);
 
 // Throws Error{invalid_argument} where all faces lie in one plane and look both ways: a surface through both cannot be
 // told from none.

@@ -83,7 +83,7 @@ struct Beside {
 // distance computation using the angle weighted pseudonormal", 2005).
 class Sides {
 public:
-    Sides(const base::Runtime& runtime, const Mesh& mesh, const FaceTree& tree, const base::Progress& progress);
+    Sides(const base::Work& work, const Mesh& mesh, const FaceTree& tree);
 
     [[nodiscard]] Beside beside(const glm::dvec3& place) const noexcept {
         const FaceTree::Nearest nearest = tree_.nearest(place);
@@ -112,8 +112,7 @@ public:
     [[nodiscard]] const glm::dvec3& normal(std::int64_t face) const noexcept { return normal_[face]; }
 
 private:
-    [[nodiscard]] bool look_solid(const base::Runtime& runtime, const base::Array<std::int64_t>& face,
-                                  const base::Progress& progress) const;
+    [[nodiscard]] bool look_solid(const base::Work& work, const base::Array<std::int64_t>& face) const;
     [[nodiscard]] glm::dvec3 pseudo_normal(std::int64_t face, const glm::dvec3& place, bool& inner) const noexcept;
 
     const Mesh& mesh_;
@@ -142,14 +141,14 @@ private:
     return faces;
 }
 
-Sides::Sides(const base::Runtime& runtime, const Mesh& mesh, const FaceTree& tree, const base::Progress& progress)
-    : mesh_(mesh), tree_(tree), normal_(unit_normals(mesh, progress)), edge_(runtime.memory, 3 * mesh.faces()),
-      vertex_(runtime.memory, mesh.vertex.size()), folded_(runtime.memory, mesh.vertex.size()),
+Sides::Sides(const base::Work& work, const Mesh& mesh, const FaceTree& tree)
+    : mesh_(mesh), tree_(tree), normal_(unit_normals(mesh, work)), edge_(work.memory, 3 * mesh.faces()),
+      vertex_(work.memory, mesh.vertex.size()), folded_(work.memory, mesh.vertex.size()),
       off_(cell_tuning.off_face * mesh.bounds.diagonal()) {
     for (std::int64_t face = 0; face < mesh.faces(); ++face)
         for (std::size_t k = 0; k < 3; ++k)
             vertex_[mesh.triangle[face][k]] += angle_at(mesh.corners(face), k) * normal_[face];
-    for_edges(sides_by_edge(runtime, mesh.triangle, progress), progress, [&](const Side* first, const Side* last) {
+    for_edges(sides_by_edge(work, mesh.triangle), work, [&](const Side* first, const Side* last) {
         glm::dvec3 sum(0.0);
         for (const Side* side = first; side != last; ++side) sum += normal_[side->face];
         const bool folded = last - first == 2 && glm::length(sum) < cell_tuning.folded;
@@ -159,15 +158,14 @@ Sides::Sides(const base::Runtime& runtime, const Mesh& mesh, const FaceTree& tre
                 if (folded) folded_[vertex] = 1;
         }
     });
-    solid_ = mesh.report.closed || look_solid(runtime, faces_to_probe(mesh), progress);
+    solid_ = mesh.report.closed || look_solid(work, faces_to_probe(mesh));
     by_rays_ = solid_ && (!mesh.report.closed || has_parts(mesh));
 }
 
 // Tells whether rays agree, at nearly all of these faces, with the side that they look to.
-bool Sides::look_solid(const base::Runtime& runtime, const base::Array<std::int64_t>& face,
-                       const base::Progress& progress) const {
-    base::Array<std::uint8_t> right(runtime.memory, face.size());
-    runtime.parallel.for_chunks(face.size(), 16, progress, [&](std::int64_t begin, std::int64_t end) {
+bool Sides::look_solid(const base::Work& work, const base::Array<std::int64_t>& face) const {
+    base::Array<std::uint8_t> right(work.memory, face.size());
+    work.for_chunks(face.size(), 16, [&](std::int64_t begin, std::int64_t end) {
         for (std::int64_t i = begin; i < end; ++i) {
             const glm::dvec3 middle = middle_of(mesh_, face[i]);
             const glm::dvec3 off = off_ * normal_[face[i]];
@@ -505,17 +503,16 @@ void make_plain(const Sides& sides, const Node& node, Found& found) noexcept {
 
 // Where neither side is all of space, a cell without surface has what the nearest one with surface has: beyond its
 // borders the surface goes on as it comes.
-void continue_surface(const base::Runtime& runtime, const Sides& sides, const geometry::VecArray& centres,
-                      PiecesData& data, const base::Progress& progress) {
-    base::Array<std::int32_t> from(runtime.memory, data.leaves());
-    runtime.parallel.for_chunks(data.leaves(), 64, progress, [&](std::int64_t begin, std::int64_t end) {
+void continue_surface(const base::Work& work, const Sides& sides, const geometry::VecArray& centres, PiecesData& data) {
+    base::Array<std::int32_t> from(work.memory, data.leaves());
+    work.for_chunks(data.leaves(), 64, [&](std::int64_t begin, std::int64_t end) {
         for (std::int64_t leaf = begin; leaf < end; ++leaf)
             from[leaf] = data.program_begin[leaf] < data.program_begin[leaf + 1]
                              ? static_cast<std::int32_t>(leaf)
                              : data.leaf_at(sides.beside(centres[leaf]).place);
     });
-    base::Array<std::int32_t> begin(runtime.memory);
-    base::Array<std::int32_t> program(runtime.memory);
+    base::Array<std::int32_t> begin(work.memory);
+    base::Array<std::int32_t> program(work.memory);
     for (const std::int32_t leaf : from) {
         begin.push_back(static_cast<std::int32_t>(program.size()));
         for (std::int32_t at = data.program_begin[leaf]; at < data.program_begin[leaf + 1]; ++at)
@@ -549,32 +546,30 @@ ReadOnceTrees::ReadOnceTrees(base::Memory& memory) : first_(memory), begin_(memo
     begin_.push_back(code_.size());
 }
 
-CellsReport make_cells(const base::Runtime& runtime, const Mesh& mesh, const FaceTree& tree, const Creases& creases,
-                       const base::Array<double>& chord, std::uint64_t seed, PiecesData& data,
-                       const base::Progress& progress) {
+CellsReport make_cells(const base::Work& work, const Mesh& mesh, const FaceTree& tree, const Creases& creases,
+                       const base::Array<double>& chord, std::uint64_t seed, PiecesData& data) {
     HRBFNPR_ASSERT(data.sheet.size() == creases.patches && chord.size() == mesh.vertex.size());
-    const Sides sides(runtime, mesh, tree, progress);
-    const ReadOnceTrees trees(runtime.memory);
+    const Sides sides(work, mesh, tree);
+    const ReadOnceTrees trees(work.memory);
     const double diagonal = mesh.bounds.diagonal();
-    const CellTask task{runtime, mesh, creases, sides, chord, trees, data, cell_tuning.near * diagonal, seed};
+    const CellTask task{work, mesh, creases, sides, chord, trees, data, cell_tuning.near * diagonal, seed};
     data.bounds = mesh.bounds;
     data.side = cell_tuning.root_side * PiecesData::reach * diagonal;
     data.corner = mesh.bounds.centre() - 0.5 * data.side;
-    base::Array<Node> nodes(runtime.memory); // of one level
+    base::Array<Node> nodes(work.memory); // of one level
     nodes.push_back({mesh.bounds.centre(), 0.5 * data.side, 0});
-    base::List<FaceList> above(runtime.memory); // in the box of each node of the level above
-    FaceList& all = above.add(runtime.memory);
+    base::List<FaceList> above(work.memory); // in the box of each node of the level above
+    FaceList& all = above.add(work.memory);
     for (std::int64_t face = 0; face < mesh.faces(); ++face) all.push_back(static_cast<std::int32_t>(face));
-    geometry::VecArray centres(runtime.memory);
+    geometry::VecArray centres(work.memory);
     CellsReport report;
     for (std::int32_t level = 0; !nodes.empty(); ++level) {
-        base::List<FaceList> faces(runtime.memory);
-        for (std::int64_t i = 0; i < nodes.size(); ++i) faces.add(runtime.memory);
-        base::Array<Found> found(runtime.memory, nodes.size());
+        base::List<FaceList> faces(work.memory);
+        for (std::int64_t i = 0; i < nodes.size(); ++i) faces.add(work.memory);
+        base::Array<Found> found(work.memory, nodes.size());
         const bool may_split =
             level < cell_tuning.most_level && data.child.size() + 8 * nodes.size() < cell_tuning.most_cells;
-        runtime.parallel.for_each(nodes.size(), [&](std::int64_t i) {
-            progress.check();
+        work.for_each(nodes.size(), [&](std::int64_t i) {
             for (const std::int32_t face : above[nodes[i].parent])
                 if (meets(nodes[i].box(), mesh.corners(face))) faces[i].push_back(face);
             const std::uint64_t cell = (static_cast<std::uint64_t>(level) << 32U) + static_cast<std::uint64_t>(i);
@@ -582,9 +577,9 @@ CellsReport make_cells(const base::Runtime& runtime, const Mesh& mesh, const Fac
         });
         nodes = add_level(nodes, found, data, centres, report);
         above = std::move(faces);
-        progress.update(static_cast<double>(level + 1) / (cell_tuning.most_level + 1));
+        work.update(static_cast<double>(level + 1) / (cell_tuning.most_level + 1));
     }
-    if (!sides.solid()) continue_surface(runtime, sides, centres, data, progress);
+    if (!sides.solid()) continue_surface(work, sides, centres, data);
     report.cells = data.leaves();
     return report;
 }

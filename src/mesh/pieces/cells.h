@@ -44,8 +44,8 @@ struct CellsReport {
 
 // Fills in the cells of `data`, whose sheets are those of the patches, in their order. chord: how far the faces at each
 // vertex are from the smooth surface that they stand for.
-[[nodiscard]] CellsReport make_cells(const base::Runtime& runtime, const Mesh& mesh, const FaceTree& tree,
+[[nodiscard]] CellsReport make_cells(const base::Work& work, const Mesh& mesh, const FaceTree& tree,
                                      const Creases& creases, const base::Array<double>& chord, std::uint64_t seed,
-                                     implicit::PiecesData& data, const base::Progress& progress);
+                                     implicit::PiecesData& data);
 
 } // namespace hrbfnpr::mesh

@@ -31,12 +31,11 @@ constexpr double no_crease = 180.0;
 
 // The data that all steps read.
 struct Task {
-    const base::Runtime& runtime;
+    const base::Work& work;
     const Mesh& mesh;
     const base::Array<Side>& sides;
     const base::Array<Sharpness>& sharpness; // one for all faces, or several with a number for each face
     const base::Array<std::int32_t>& of_face;
-    const base::Progress& progress;
 
     [[nodiscard]] const Sharpness& sharpness_of(std::int32_t face) const noexcept {
         return sharpness[sharpness.size() == 1 ? 0 : of_face[face]];
@@ -83,11 +82,11 @@ bool is_fading(const Creases& creases, const Bend& bend) noexcept {
 // it is empty, all may be.
 Bends find_bends(const Task& task, const base::Array<Crease>& known, const base::Array<std::uint8_t>& may_be_sharp) {
     const Mesh& mesh = task.mesh;
-    base::Array<Bend> edge(task.runtime.memory);
-    base::Array<std::int32_t> degree(task.runtime.memory, mesh.vertex.size());
-    const base::Array<glm::dvec3> normal = unit_normals(mesh, task.progress);
+    base::Array<Bend> edge(task.work.memory);
+    base::Array<std::int32_t> degree(task.work.memory, mesh.vertex.size());
+    const base::Array<glm::dvec3> normal = unit_normals(mesh, task.work);
     const Crease* next_known = known.begin();
-    for_edges(task.sides, task.progress, [&](const Side* first, const Side* last) {
+    for_edges(task.sides, task.work, [&](const Side* first, const Side* last) {
         const std::int32_t from = low_end(*first);
         const std::int32_t to = high_end(*first);
         if (!is_plain(first, last)) { // patches end here, and so may creases
@@ -110,7 +109,7 @@ Bends find_bends(const Task& task, const base::Array<Crease>& known, const base:
         degree[from] += sharp ? 1 : 0;
         degree[to] += sharp ? 1 : 0;
     });
-    base::Groups at(task.runtime.memory, mesh.vertex.size(), [&](auto&& put) {
+    base::Groups at(task.work.memory, mesh.vertex.size(), [&](auto&& put) {
         for (std::int32_t i = 0; i < edge.size(); ++i)
             for (const std::int32_t end : {edge[i].from, edge[i].to}) put(end, i);
     });
@@ -169,7 +168,7 @@ bool is_corner(const Task& task, const Bends& bends, std::int32_t vertex) noexce
 
 // A smooth patch has no outline with corners at both ends of an edge, so such an edge is one between facets.
 void sharpen_between_corners(const Task& task, Bends& bends) {
-    base::Array<std::int64_t> found(task.runtime.memory);
+    base::Array<std::int64_t> found(task.work.memory);
     for (std::int64_t i = 0; i < bends.edge.size(); ++i) {
         const Bend& bend = bends.edge[i];
         if (!bend.sharp && bend.angle >= crease_tuning.least_bend * radians && is_corner(task, bends, bend.from) &&
@@ -182,20 +181,20 @@ void sharpen_between_corners(const Task& task, Bends& bends) {
 // Sets `cut`, `patch` and `patches` by the edges that are sharp.
 void find_patches(const Task& task, const Bends& bends, Creases& creases) {
     const Mesh& mesh = task.mesh;
-    base::Array<std::uint8_t> cut(task.runtime.memory, 3 * mesh.faces());
+    base::Array<std::uint8_t> cut(task.work.memory, 3 * mesh.faces());
     for (const Bend& bend : bends.edge)
         if (bend.sharp)
             cut[corner_at(mesh.triangle, bend.left, bend.from)] = cut[corner_at(mesh.triangle, bend.right, bend.to)] =
                 1;
-    Sets sets(task.runtime.memory, mesh.faces());
-    for_edges(task.sides, task.progress, [&](const Side* first, const Side* last) {
+    Sets sets(task.work.memory, mesh.faces());
+    for_edges(task.sides, task.work, [&](const Side* first, const Side* last) {
         const bool joined = is_plain(first, last);
         for (const Side* side = first; side != last; ++side)
             if (!joined) cut[number_of(mesh.triangle, *side)] = 1;
         if (joined && cut[number_of(mesh.triangle, *first)] == 0) sets.join(first[0].face, first[1].face);
     });
     creases.cut = std::move(cut);
-    NumbersInOrder numbers(task.runtime.memory, mesh.faces());
+    NumbersInOrder numbers(task.work.memory, mesh.faces());
     creases.patch.resize(mesh.faces());
     for (std::int32_t face = 0; face < mesh.faces(); ++face) creases.patch[face] = numbers.of(sets.of(face));
     creases.patches = numbers.count();
@@ -203,7 +202,7 @@ void find_patches(const Task& task, const Bends& bends, Creases& creases) {
 
 // Returns whether there were faces too far from a surface that is curved as their normals are.
 bool sharpen_coarse(const Task& task, const Creases& creases, Bends& bends) {
-    const base::Array<glm::dvec3> normal = patch_normals(task.runtime, task.mesh, creases).normal;
+    const base::Array<glm::dvec3> normal = patch_normals(task.work, task.mesh, creases).normal;
     bool sharpened = false;
     for (Bend& bend : bends.edge) {
         if (bend.sharp) continue;
@@ -219,17 +218,17 @@ bool sharpen_coarse(const Task& task, const Creases& creases, Bends& bends) {
 // of a plate does. Returns whether there were any.
 bool drop_short_fading(const Task& task, const Creases& creases, Bends& bends) {
     const std::int64_t vertices = task.mesh.vertex.size();
-    Sets sets(task.runtime.memory, vertices); // fading creases that hang together
+    Sets sets(task.work.memory, vertices); // fading creases that hang together
     for (const Bend& bend : bends.edge)
         if (is_fading(creases, bend)) sets.join(bend.from, bend.to);
-    base::Array<double> length(task.runtime.memory, vertices);
-    base::Array<std::int64_t> edges(task.runtime.memory, vertices);
+    base::Array<double> length(task.work.memory, vertices);
+    base::Array<std::int64_t> edges(task.work.memory, vertices);
     for (const Bend& bend : bends.edge)
         if (is_fading(creases, bend)) {
             length[sets.of(bend.from)] += length_of(task.mesh, bend);
             ++edges[sets.of(bend.from)];
         }
-    base::Array<std::int32_t> anchors(task.runtime.memory, vertices); // vertices where other creases pass
+    base::Array<std::int32_t> anchors(task.work.memory, vertices); // vertices where other creases pass
     for (std::int32_t v = 0; v < vertices; ++v) {
         const std::span<const std::int32_t> at = bends.at[v];
         const bool is_anchor = std::any_of(at.begin(), at.end(), [&](std::int32_t i) {
@@ -253,7 +252,7 @@ bool drop_short_fading(const Task& task, const Creases& creases, Bends& bends) {
 // Joins each patch that is too small to be seen with the patch beyond its flattest edge. Returns whether there were
 // any.
 bool join_scraps(const Task& task, const Creases& creases, Bends& bends) {
-    base::Memory& memory = task.runtime.memory;
+    base::Memory& memory = task.work.memory;
     base::Array<std::int64_t> faces(memory, creases.patches);
     base::Array<double> area(memory, creases.patches);
     for (std::int64_t face = 0; face < task.mesh.faces(); ++face) {
@@ -299,53 +298,52 @@ void describe(const Mesh& mesh, const Bends& bends, Creases& creases) {
     }
 }
 
-Creases found_creases(const base::Runtime& runtime, const Mesh& mesh, const base::Array<Sharpness>& sharpness,
+Creases found_creases(const base::Work& work, const Mesh& mesh, const base::Array<Sharpness>& sharpness,
                       const base::Array<std::int32_t>& of_face, const base::Array<Crease>& known,
-                      const base::Array<std::uint8_t>& may_be_sharp, const base::Progress& progress) {
+                      const base::Array<std::uint8_t>& may_be_sharp) {
     HRBFNPR_ASSERT(!sharpness.empty() && of_face.size() == mesh.faces());
-    const base::Array<Side> sides = sides_by_edge(runtime, mesh.triangle, progress);
-    const Task task{runtime, mesh, sides, sharpness, of_face, progress};
-    Creases creases(runtime.memory);
+    const base::Array<Side> sides = sides_by_edge(work, mesh.triangle);
+    const Task task{work, mesh, sides, sharpness, of_face};
+    Creases creases(work.memory);
     Bends bends = find_bends(task, known, may_be_sharp);
     grow(mesh, bends);
     sharpen_between_corners(task, bends);
-    progress.check();
+    work.check();
     find_patches(task, bends, creases);
     if (sharpen_coarse(task, creases, bends)) find_patches(task, bends, creases);
     if (drop_short_fading(task, creases, bends)) find_patches(task, bends, creases);
     while (join_scraps(task, creases, bends)) find_patches(task, bends, creases);
     describe(mesh, bends, creases);
-    split_patches(runtime, mesh, sides, creases, progress);
+    split_patches(work, mesh, sides, creases);
     describe(mesh, bends, creases);
     return creases;
 }
 
 } // namespace
 
-Creases find_creases(const base::Runtime& runtime, const Mesh& mesh, const Sharpness& sharpness,
-                     const base::Progress& progress) {
-    base::Array<Sharpness> of_all(runtime.memory);
+Creases find_creases(const base::Work& work, const Mesh& mesh, const Sharpness& sharpness) {
+    base::Array<Sharpness> of_all(work.memory);
     of_all.push_back(sharpness);
-    const base::Array<Crease> none(runtime.memory);
-    const base::Array<std::uint8_t> all(runtime.memory);
-    return found_creases(runtime, mesh, of_all, mesh.component, none, all, progress);
+    const base::Array<Crease> none(work.memory);
+    const base::Array<std::uint8_t> all(work.memory);
+    return found_creases(work, mesh, of_all, mesh.component, none, all);
 }
 
-Creases find_creases(const base::Runtime& runtime, const Mesh& mesh, const base::Array<Sharpness>& of_component,
-                     const base::Array<std::uint8_t>& sides, const base::Progress& progress) {
+Creases find_creases(const base::Work& work, const Mesh& mesh, const base::Array<Sharpness>& of_component,
+                     const base::Array<std::uint8_t>& sides) {
     HRBFNPR_ASSERT(sides.size() == 3 * mesh.faces());
-    const base::Array<Crease> none(runtime.memory);
-    return found_creases(runtime, mesh, of_component, mesh.component, none, sides, progress);
+    const base::Array<Crease> none(work.memory);
+    return found_creases(work, mesh, of_component, mesh.component, none, sides);
 }
 
-Creases find_more_creases(const base::Runtime& runtime, const Mesh& mesh, const Creases& known,
-                          const base::Array<std::uint8_t>& within, double angle, const base::Progress& progress) {
+Creases find_more_creases(const base::Work& work, const Mesh& mesh, const Creases& known,
+                          const base::Array<std::uint8_t>& within, double angle) {
     HRBFNPR_ASSERT(within.size() == known.patches);
     constexpr double no_limit = std::numeric_limits<double>::infinity();
-    base::Array<Sharpness> of_patch(runtime.memory);
+    base::Array<Sharpness> of_patch(work.memory);
     for (const std::uint8_t is : within) of_patch.push_back({is != 0 ? angle : no_crease, no_limit});
-    const base::Array<std::uint8_t> all(runtime.memory);
-    return found_creases(runtime, mesh, of_patch, known.patch, known.edge, all, progress);
+    const base::Array<std::uint8_t> all(work.memory);
+    return found_creases(work, mesh, of_patch, known.patch, known.edge, all);
 }
 
 } // namespace hrbfnpr::mesh

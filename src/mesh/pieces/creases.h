@@ -31,16 +31,13 @@ struct Creases {
 };
 
 // Creases that end nowhere are grown along edges that go on as they do; short pieces that part nothing are none.
-[[nodiscard]] Creases find_creases(const base::Runtime& runtime, const Mesh& mesh, const Sharpness& sharpness,
-                                   const base::Progress& progress);
+[[nodiscard]] Creases find_creases(const base::Work& work, const Mesh& mesh, const Sharpness& sharpness);
 // By what each component is said to be. Creases begin with those sides of the faces, 3 face + k, that are not 0 in
 // `sides`, if they bend by more than the angle.
-[[nodiscard]] Creases find_creases(const base::Runtime& runtime, const Mesh& mesh,
-                                   const base::Array<Sharpness>& of_component, const base::Array<std::uint8_t>& sides,
-                                   const base::Progress& progress);
+[[nodiscard]] Creases find_creases(const base::Work& work, const Mesh& mesh, const base::Array<Sharpness>& of_component,
+                                   const base::Array<std::uint8_t>& sides);
 // Those, and what bends by more than an angle in some of the patches between them: patch by patch, whether.
-[[nodiscard]] Creases find_more_creases(const base::Runtime& runtime, const Mesh& mesh, const Creases& known,
-                                        const base::Array<std::uint8_t>& within, double angle,
-                                        const base::Progress& progress);
+[[nodiscard]] Creases find_more_creases(const base::Work& work, const Mesh& mesh, const Creases& known,
+                                        const base::Array<std::uint8_t>& within, double angle);
 
 } // namespace hrbfnpr::mesh

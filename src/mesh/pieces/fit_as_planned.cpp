@@ -15,14 +15,13 @@ namespace hrbfnpr::mesh {
 namespace {
 
 // Finds the creases that are meant in each component, as one may have edges and another none.
-Creases creases_that_are_meant(const base::Runtime& runtime, const Mesh& mesh, const CreaseEvidence& whole,
-                               const FitMeshSettings& settings, double far, double tolerance,
-                               const base::Progress& progress) {
-    const CreaseEvidenceOfParts found = look_for_creases_of_parts(runtime, mesh, settings.crease_angle, progress);
-    base::Array<Sharpness> sharpness(runtime.memory);
+Creases creases_that_are_meant(const base::Work& work, const Mesh& mesh, const CreaseEvidence& whole,
+                               const FitMeshSettings& settings, double far, double tolerance) {
+    const CreaseEvidenceOfParts found = look_for_creases_of_parts(work, mesh, settings.crease_angle);
+    base::Array<Sharpness> sharpness(work.memory);
     for (const CreaseEvidence& part : found.part)
         sharpness.push_back(plan_sharpness(part, whole, settings.crease_angle, far, tolerance));
-    return find_creases(runtime, mesh, sharpness, found.sharp, progress);
+    return find_creases(work, mesh, sharpness, found.sharp);
 }
 
 void log_doubt(const base::Runtime& runtime, const PlannedCreases& found, double crease_angle) {
@@ -59,8 +58,8 @@ void log_pieces(const base::Runtime& runtime, const PiecesReport& report) {
 }
 
 // Sets the places that the surface ends with. `samples` are those of a smooth fit.
-void find_end(const base::Runtime& runtime, const Mesh& mesh, const FaceTree& tree, std::uint64_t seed, bool may_end,
-              std::optional<fit::Samples>&& samples, PlannedFit& made, const base::Progress& progress) {
+void find_end(const base::Work& work, const Mesh& mesh, const FaceTree& tree, std::uint64_t seed, bool may_end,
+              std::optional<fit::Samples>&& samples, PlannedFit& made) {
     made.end = plan_end(end_facts(mesh, made.report, made.pieces.has_value()), may_end);
     if (made.end.end == End::at_samples) {
         HRBFNPR_ASSERT(samples.has_value());
@@ -68,32 +67,30 @@ void find_end(const base::Runtime& runtime, const Mesh& mesh, const FaceTree& tr
         made.end_normal = std::move(samples->normal);
     }
     if (made.end.end != End::at_places) return;
-    MeshSamples places = end_places(runtime, mesh, tree, made.end, seed, progress);
+    MeshSamples places = end_places(work, mesh, tree, made.end, seed);
     made.end_place = std::move(places.position);
     made.end_normal = std::move(places.normal);
 }
 
 } // namespace
 
-PlannedCreases find_planned_creases(const base::Runtime& runtime, const Mesh& mesh, const FaceTree& tree,
-                                    const CreaseEvidence& known, const FitMeshSettings& settings,
-                                    const base::Progress& progress) {
+PlannedCreases find_planned_creases(const base::Work& work, const Mesh& mesh, const FaceTree& tree,
+                                    const CreaseEvidence& known, const FitMeshSettings& settings) {
     const double angle = settings.crease_angle;
     const double tolerance = plan_tolerance(settings.tolerance, mesh.bounds.diagonal());
     const double far = plan_far(settings.far, tolerance);
     CreaseEvidence whole = known;
     if (settings.edges == Edges::automatic && angle != default_crease_angle)
-        whole = look_for_creases(runtime, mesh, angle, progress);
+        whole = look_for_creases(work, mesh, angle);
     const auto solids_cross = [&] {
-        return mesh.report.boundary_edges == 0 && find_crossing(runtime, mesh, tree, progress).one >= 0;
+        return mesh.report.boundary_edges == 0 && find_crossing(work, mesh, tree).one >= 0;
     };
     PlannedCreases planned;
     if (settings.edges == Edges::automatic && !whole.creases) planned.doubtful = whole.length;
     const SharpEdges sharp = plan_edges(settings.edges, whole, std::ref(solids_cross));
     if (sharp == SharpEdges::none) return planned;
-    Creases creases = sharp == SharpEdges::meant
-                          ? creases_that_are_meant(runtime, mesh, whole, settings, far, tolerance, progress)
-                          : find_creases(runtime, mesh, plan_sharpness(angle, far), progress);
+    Creases creases = sharp == SharpEdges::meant ? creases_that_are_meant(work, mesh, whole, settings, far, tolerance)
+                                                 : find_creases(work, mesh, plan_sharpness(angle, far));
     if (creases.patches >= 2) planned.creases = std::move(creases);
     return planned;
 }
@@ -113,36 +110,35 @@ EndFacts end_facts(const Mesh& mesh, const FitMeshReport& report, bool has_creas
     return facts;
 }
 
-MeshSamples end_places(const base::Runtime& runtime, const Mesh& mesh, const FaceTree& tree, const EndPlan& plan,
-                       std::uint64_t seed, const base::Progress& progress) {
+MeshSamples end_places(const base::Work& work, const Mesh& mesh, const FaceTree& tree, const EndPlan& plan,
+                       std::uint64_t seed) {
     HRBFNPR_ASSERT(plan.off > 0.0);
-    return end_samples(runtime, mesh, tree, plan_tuning.places, plan.off * mesh.bounds.diagonal(), seed, progress);
+    return end_samples(work, mesh, tree, plan_tuning.places, plan.off * mesh.bounds.diagonal(), seed);
 }
 
-PlannedFit fit_as_planned(const base::Runtime& runtime, const Mesh& mesh, const FaceTree& tree,
-                          const CreaseEvidence& known, const FitMeshSettings& settings, const fit::FitInput& options,
-                          bool may_end, const base::Progress& progress) {
+PlannedFit fit_as_planned(const base::Work& work, const Mesh& mesh, const FaceTree& tree, const CreaseEvidence& known,
+                          const FitMeshSettings& settings, const fit::FitInput& options, bool may_end) {
     constexpr double end_of_fit = 0.95; // of the progress
-    const base::Progress of_fit = progress.part(0.0, end_of_fit);
-    const PlannedCreases planned = find_planned_creases(runtime, mesh, tree, known, settings, progress);
-    log_doubt(runtime, planned, settings.crease_angle);
-    PlannedFit made(runtime.memory);
+    const base::Work of_fit = work.part(0.0, end_of_fit);
+    const PlannedCreases planned = find_planned_creases(work, mesh, tree, known, settings);
+    log_doubt(work, planned, settings.crease_angle);
+    PlannedFit made(work.memory);
     std::optional<fit::Samples> samples;
     if (planned.creases) {
-        made.pieces = fit_pieces(runtime, mesh, tree, *planned.creases, settings, options, of_fit);
+        made.pieces = fit_pieces(of_fit, mesh, tree, *planned.creases, settings, options);
         made.report = made.pieces->mesh;
         made.centres = made.pieces->data.centres();
     } else {
-        MeshFit smooth = fit_mesh(runtime, mesh, tree, settings, options, of_fit);
+        MeshFit smooth = fit_mesh(of_fit, mesh, tree, settings, options);
         made.report = smooth.report;
         made.centres = smooth.fit.data.count();
         samples = std::exchange(smooth.fit.samples, std::nullopt);
         made.smooth = std::move(smooth.fit);
     }
-    log_fit(runtime, made.report, made.centres);
-    if (made.pieces) log_pieces(runtime, made.pieces->pieces);
-    find_end(runtime, mesh, tree, settings.seed, may_end, std::move(samples), made, progress.part(end_of_fit, 1.0));
-    progress.update(1.0);
+    log_fit(work, made.report, made.centres);
+    if (made.pieces) log_pieces(work, made.pieces->pieces);
+    find_end(work.part(end_of_fit, 1.0), mesh, tree, settings.seed, may_end, std::move(samples), made);
+    work.update(1.0);
     return made;
 }
 

@@ -17,16 +17,15 @@ struct PlannedCreases {
 };
 
 // Finds the creases that settings.edges asks for. `known` is the evidence at default_crease_angle.
-[[nodiscard]] PlannedCreases find_planned_creases(const base::Runtime& runtime, const Mesh& mesh, const FaceTree& tree,
-                                                  const CreaseEvidence& known, const FitMeshSettings& settings,
-                                                  const base::Progress& progress);
+[[nodiscard]] PlannedCreases find_planned_creases(const base::Work& work, const Mesh& mesh, const FaceTree& tree,
+                                                  const CreaseEvidence& known, const FitMeshSettings& settings);
 
 // Measures what plan_end() needs. `has_creases` tells that fit_pieces() made the fit.
 [[nodiscard]] EndFacts end_facts(const Mesh& mesh, const FitMeshReport& report, bool has_creases) noexcept;
 
 // Returns places all over a mesh. A support around them ends where the mesh ends.
-[[nodiscard]] MeshSamples end_places(const base::Runtime& runtime, const Mesh& mesh, const FaceTree& tree,
-                                     const EndPlan& plan, std::uint64_t seed, const base::Progress& progress);
+[[nodiscard]] MeshSamples end_places(const base::Work& work, const Mesh& mesh, const FaceTree& tree,
+                                     const EndPlan& plan, std::uint64_t seed);
 
 struct PlannedFit {
     explicit PlannedFit(base::Memory& memory) noexcept : end_place(memory), end_normal(memory) {}
@@ -41,8 +40,8 @@ struct PlannedFit {
 };
 
 // Fits a surface. If it may not end, its end is nowhere. Says in the log what came out.
-[[nodiscard]] PlannedFit fit_as_planned(const base::Runtime& runtime, const Mesh& mesh, const FaceTree& tree,
+[[nodiscard]] PlannedFit fit_as_planned(const base::Work& work, const Mesh& mesh, const FaceTree& tree,
                                         const CreaseEvidence& known, const FitMeshSettings& settings,
-                                        const fit::FitInput& options, bool may_end, const base::Progress& progress);
+                                        const fit::FitInput& options, bool may_end);
 
 } // namespace hrbfnpr::mesh

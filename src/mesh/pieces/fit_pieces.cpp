@@ -49,8 +49,8 @@ fit::Samples centres_of(base::Memory& memory, const implicit::HrbfData& data) {
 }
 
 // Fits a sheet to a patch, with as many of its samples as it takes, but at most `most` centres.
-[[nodiscard]] SheetFit fit_sheet(const base::Runtime& runtime, const PatchSamples& patch, const fit::FitInput& given,
-                                 std::int64_t most, const base::Progress& progress) {
+[[nodiscard]] SheetFit fit_sheet(const base::Work& work, const PatchSamples& patch, const fit::FitInput& given,
+                                 std::int64_t most) {
     const fit::Samples& samples = patch.samples;
     HRBFNPR_ASSERT(most > 0 && !patch.tolerance.empty() && patch.tolerance.size() == samples.position.size());
     const double unit = *std::min_element(patch.tolerance.begin(), patch.tolerance.end());
@@ -59,11 +59,11 @@ fit::Samples centres_of(base::Memory& memory, const implicit::HrbfData& data) {
     const fit::Smoothing smoothing{options.regularization, options.regularization};
 
     std::optional<geometry::PointTree> tree;
-    SheetFit sheet{implicit::HrbfData(runtime.memory), {}};
+    SheetFit sheet{implicit::HrbfData(work.memory), {}};
     double input_distance_max = 0.0;
     const auto look = [&](const fit::AdaptiveFit& now) {
-        fit::Growth growth(runtime.memory, smoothing);
-        fit::Distances distances = fit::measure_distances(runtime, now.fit.result.data, samples, progress);
+        fit::Growth growth(work.memory, smoothing);
+        fit::Distances distances = fit::measure_distances(work, now.fit.result.data, samples);
         sheet.worst = sheet.squares = input_distance_max = 0.0;
         sheet.outside = 0;
         for (std::int64_t i = 0; i < distances.distance.size(); ++i) {
@@ -80,21 +80,20 @@ fit::Samples centres_of(base::Memory& memory, const implicit::HrbfData& data) {
         const auto share = static_cast<std::int64_t>(sheet_tuning.batch * static_cast<double>(now.centres.size()));
         const fit::CandidateOptions wanted{unit, sheet_tuning.apart * unit,
                                            std::min(room, std::max(sheet_tuning.smallest_batch, share))};
-        if (!tree) tree.emplace(samples.position, progress);
-        growth.centres =
-            fit::worst_candidates(runtime, samples, *tree, now.centres, distances, wanted, progress).chosen;
+        if (!tree) tree.emplace(samples.position, work);
+        growth.centres = fit::worst_candidates(work, samples, *tree, now.centres, distances, wanted).chosen;
         growth.goes_on = !growth.centres.empty();
         return growth;
     };
     fit::AdaptiveFit made = fit::fit_adaptively(
-        runtime, options, samples, fit::even_choice(samples, std::min(sheet_tuning.first_centres, most), progress),
-        smoothing, {sheet_tuning.most_rounds, true}, std::ref(look), progress.standing());
+        work.standing(), options, samples, fit::even_choice(samples, std::min(sheet_tuning.first_centres, most), work),
+        smoothing, {sheet_tuning.most_rounds, true}, std::ref(look));
     sheet.data = std::move(made.fit.result.data);
     sheet.report = made.fit.result.report;
     sheet.report.input_distance_max = input_distance_max;
     sheet.report.choice_rounds = sheet.rounds = made.rounds;
     sheet.samples = samples.position.size();
-    describe_residuals(runtime, sheet.data, centres_of(runtime.memory, sheet.data), sheet.report, progress);
+    describe_residuals(work, sheet.data, centres_of(work.memory, sheet.data), sheet.report);
     return sheet;
 }
 
@@ -162,15 +161,14 @@ void give_back(Sheets& sheets, Sheets& before) {
                                  const PatchNormals& normals, bool grows, std::int64_t most,
                                  const base::Progress& progress) {
     PatchSamples patch =
-        sample_patch(task.runtime, task.mesh, sheets.creases, normals, sheets.faces[p],
+        sample_patch({task.runtime, progress}, task.mesh, sheets.creases, normals, sheets.faces[p],
                      {pieces_tuning.at_crease * task.tolerance, pieces_tuning.far_from_crease * task.tolerance,
-                      pieces_tuning.ramp * task.mesh.bounds.diagonal()},
-                     progress);
+                      pieces_tuning.ramp * task.mesh.bounds.diagonal()});
     fit::Samples& samples = patch.samples;
     for (std::int64_t i = 0; grows && i < samples.position.size(); ++i)
         samples.position.set(i, samples.position[i] +
                                     pieces_tuning.contact * task.mesh.bounds.diagonal() * samples.normal[i]);
-    SheetFit made = fit_sheet(task.runtime, patch, task.options, most, progress.part(0.0, 0.0));
+    SheetFit made = fit_sheet({task.runtime, progress.part(0.0, 0.0)}, patch, task.options, most);
     task.runtime.log(base::LogLevel::debug,
                      "pieces: sheet %d: %lld faces, %lld samples, %lld centres in %d rounds, %lld outside, the worst "
                      "by %.2f",
@@ -183,17 +181,17 @@ void give_back(Sheets& sheets, Sheets& before) {
 // Gives the model places at which searches for its surface may begin.
 void gather_samples(const PiecesTask& task, const base::Array<glm::dvec3>& normal, implicit::PiecesData& data,
                     const base::Progress& progress) {
-    MeshSamples even = even_samples(task.runtime, task.mesh, pieces_tuning.even_places, 4 * pieces_tuning.even_places,
-                                    task.settings.seed, progress);
+    MeshSamples even = even_samples({task.runtime, progress}, task.mesh, pieces_tuning.even_places,
+                                    4 * pieces_tuning.even_places, task.settings.seed);
     for (std::int64_t i = 0; i < even.position.size(); ++i) {
         const glm::dvec3 shares = shares_of(task.mesh.corners(even.face[i]), even.position[i]);
         const glm::dvec3* const n = normal.data() + 3 * std::int64_t{even.face[i]};
         even.normal.set(i, glm::normalize(shares.x * n[0] + shares.y * n[1] + shares.z * n[2]));
     }
-    keep_outer(task.runtime, task.mesh, task.tree, even.position, even.normal, progress);
+    keep_outer({task.runtime, progress}, task.mesh, task.tree, even.position, even.normal);
     fit::Samples samples(task.runtime.memory);
     samples.position = std::move(even.position);
-    fit::measure_extent(task.runtime, samples, progress);
+    fit::measure_extent({task.runtime, progress}, samples);
     data.spacing = samples.spacing;
     for (std::int64_t i = 0; i < samples.position.size(); ++i)
         for (int c = 0; c < 3; ++c) {
@@ -210,8 +208,8 @@ void fit_sheets(const PiecesTask& task, Sheets& sheets, PiecesFit& result, const
     // next to it, there would be surface in the midst of the solid.
     base::Array<std::uint8_t> grows(runtime.memory, patches);
     if (!result.mesh.supported && has_parts(task.mesh))
-        grows = patches_in_contact(runtime, task.mesh, task.tree, sheets.creases, task.places,
-                                   pieces_tuning.contact * task.mesh.bounds.diagonal(), progress);
+        grows = patches_in_contact({runtime, progress}, task.mesh, task.tree, sheets.creases, task.places,
+                                   pieces_tuning.contact * task.mesh.bounds.diagonal());
     const PatchNormals normals = patch_normals(runtime, task.mesh, sheets.creases, task.tolerance);
     sheets.chord = chord_errors(task.mesh, normals.normal);
     std::int64_t faces_left = 0;
@@ -303,8 +301,8 @@ void move_sheets(Sheets& from, implicit::PiecesData& to) {
 void make_whole(const PiecesTask& task, Sheets& sheets, PiecesFit& result, const base::Progress& progress) {
     const base::Runtime& runtime = task.runtime;
     move_sheets(sheets, result.data);
-    const CellsReport cells = make_cells(runtime, task.mesh, task.tree, sheets.creases, sheets.chord,
-                                         task.settings.seed, result.data, progress.part(0.6, 0.85));
+    const CellsReport cells = make_cells({runtime, progress.part(0.6, 0.85)}, task.mesh, task.tree, sheets.creases,
+                                         sheets.chord, task.settings.seed, result.data);
     runtime.log(base::LogLevel::debug, "pieces: %lld cells, %lld with surface, %lld of them poor",
                 static_cast<long long>(cells.cells), static_cast<long long>(cells.surface_cells),
                 static_cast<long long>(cells.poor_cells));
@@ -320,10 +318,11 @@ void make_whole(const PiecesTask& task, Sheets& sheets, PiecesFit& result, const
     settings.seed = task.settings.seed;
     // What sheets of an open mesh do beyond its borders is no error: a drawing trims it.
     std::optional<surface::Support> support;
-    if (result.mesh.supported) support.emplace(runtime, task.places.position, task.places.normal, 0.0, progress);
+    if (result.mesh.supported)
+        support.emplace(base::Work(runtime, progress), task.places.position, task.places.normal, 0.0);
     settings.support = support ? pieces_tuning.support_limit : 0.0;
-    const Comparison found =
-        compare(runtime, made, task.mesh, task.tree, support ? &*support : nullptr, settings, progress.part(0.85, 1.0));
+    const Comparison found = compare({runtime, progress.part(0.85, 1.0)}, made, task.mesh, task.tree,
+                                     support ? &*support : nullptr, settings);
     result.mesh.surface = found.surface;
     result.mesh.mesh = found.mesh;
     result.mesh.reached = found.surface.is_within(task.settings.share, result.mesh.far) &&
@@ -377,23 +376,23 @@ void make_whole(const PiecesTask& task, Sheets& sheets, PiecesFit& result, const
 
 } // namespace
 
-PiecesFit fit_pieces(const base::Runtime& runtime, const Mesh& mesh, const FaceTree& tree, const Creases& creases,
-                     const FitMeshSettings& settings, const fit::FitInput& options, const base::Progress& progress) {
+PiecesFit fit_pieces(const base::Work& work, const Mesh& mesh, const FaceTree& tree, const Creases& creases,
+                     const FitMeshSettings& settings, const fit::FitInput& options) {
     constexpr double end_of_first = 0.7; // of the progress
     HRBFNPR_ASSERT(creases.patches >= 1 && creases.patch.size() == mesh.faces());
     refuse_flat_solid(mesh);
     const base::Stopwatch watch;
     // With this many places no contact of two parts is missed that matters.
-    const MeshSamples places = random_samples(
-        runtime, mesh, std::clamp(mesh.faces(), pieces_tuning.fewest_on_parts, pieces_tuning.most_on_parts),
-        settings.seed, 2, progress);
+    const MeshSamples places =
+        random_samples(work, mesh, std::clamp(mesh.faces(), pieces_tuning.fewest_on_parts, pieces_tuning.most_on_parts),
+                       settings.seed, 2);
     const PiecesTask task{
-        runtime, mesh, tree, places, settings, options, plan_tolerance(settings.tolerance, mesh.bounds.diagonal())};
+        work, mesh, tree, places, settings, options, plan_tolerance(settings.tolerance, mesh.bounds.diagonal())};
     const Touching touching =
-        warn_of_touching(runtime, mesh, tree, places, task.tolerance, mesh.report.boundary_edges == 0, progress);
+        warn_of_touching(work, mesh, tree, places, task.tolerance, mesh.report.boundary_edges == 0);
     PiecesFit best = empty_result(task);
-    std::optional<Sheets> sheets(std::in_place, runtime.memory, mesh, creases);
-    const base::Progress first = progress.part(0.0, end_of_first);
+    std::optional<Sheets> sheets(std::in_place, work.memory, mesh, creases);
+    const base::Work first = work.part(0.0, end_of_first);
     const base::Stopwatch first_watch;
     fit_sheets(task, *sheets, best, first);
     report_sheets(task, *sheets, best);
@@ -404,23 +403,22 @@ PiecesFit fit_pieces(const base::Runtime& runtime, const Mesh& mesh, const FaceT
     for (std::size_t i = 0; i < more.size() && settings.edges == Edges::automatic; ++i) {
         const double angle = pieces_tuning.smaller_angles[i];
         if (!(farthest(best.mesh) > best.mesh.far)) break; // no farther than coarse faces are off what is round
-        more[i].emplace(
-            find_more_creases(runtime, mesh, sheets->creases, sheets->unsettled, angle, progress.part(done, done)));
+        more[i].emplace(find_more_creases(work.part(done, done), mesh, sheets->creases, sheets->unsettled, angle));
         if (more[i]->patches == sheets->creases.patches) continue;
         const double next = 0.5 * (done + 1.0);
-        Sheets other_sheets(runtime.memory, mesh, *more[i]);
+        Sheets other_sheets(work.memory, mesh, *more[i]);
         PiecesFit other = empty_result(task);
-        if (!improves(task, other_sheets, other, *sheets, best, progress.part(done, next))) break;
+        if (!improves(task, other_sheets, other, *sheets, best, work.part(done, next))) break;
         sheets.emplace(std::move(other_sheets));
         best = std::move(other);
-        runtime.log(base::LogLevel::debug, "pieces: %d sheets, parted along edges of %g degrees",
-                    static_cast<int>(sheets->creases.patches), angle);
+        work.runtime().log(base::LogLevel::debug, "pieces: %d sheets, parted along edges of %g degrees",
+                           static_cast<int>(sheets->creases.patches), angle);
         done = next;
     }
     move_sheets(*sheets, best.data);
     best.mesh.touching = touching;
     best.mesh.seconds_total = best.fit.seconds_total = watch.seconds();
-    progress.update(1.0);
+    work.update(1.0);
     return best;
 }
 

@@ -25,8 +25,8 @@ struct PiecesFit {
 
 // settings and options are those of fit_mesh(). Where the surface is far off, patches that no function goes through are
 // parted along edges that bend less, unless the settings say what is sharp.
-[[nodiscard]] PiecesFit fit_pieces(const base::Runtime& runtime, const Mesh& mesh, const FaceTree& tree,
+[[nodiscard]] PiecesFit fit_pieces(const base::Work& work, const Mesh& mesh, const FaceTree& tree,
                                    const Creases& creases, const FitMeshSettings& settings,
-                                   const fit::FitInput& options, const base::Progress& progress);
+                                   const fit::FitInput& options);
 
 } // namespace hrbfnpr::mesh

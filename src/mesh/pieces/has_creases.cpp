@@ -14,7 +14,6 @@ namespace hrbfnpr::mesh {
 namespace {
 
 constexpr double degrees = 57.29577951308232;
-constexpr std::int64_t faces_a_check = 1024;
 
 // ---- The mesh by its sides. Side 3 face + k goes from corner k of the face to the next one.
 
@@ -42,20 +41,19 @@ struct SidedMesh {
 // Calls visit(side, side of the neighbour) for each edge of two faces.
 template <class Visit>
 void for_plain_edges(const SidedMesh& sided, const base::Progress& progress, Visit&& visit) {
-    for (std::int64_t side = 0; side < sided.beyond.size(); ++side) {
-        if (side % faces_a_check == 0) progress.check();
+    for (const std::int64_t side : progress.over(sided.beyond.size())) {
         if (sided.beyond[side] > side) visit(side, sided.beyond[side]);
     }
 }
 
-SidedMesh by_sides(const base::Runtime& runtime, const Mesh& mesh, const base::Progress& progress) {
-    SidedMesh sided(mesh, unit_normals(mesh, progress),
-                    sides_beyond(mesh.triangle, sides_by_edge(runtime, mesh.triangle, progress), progress));
+SidedMesh by_sides(const base::Work& work, const Mesh& mesh) {
+    SidedMesh sided(mesh, unit_normals(mesh, work),
+                    sides_beyond(mesh.triangle, sides_by_edge(work, mesh.triangle), work));
     for (std::int64_t side = 0; side < sided.beyond.size(); ++side) {
         const std::int64_t other = sided.beyond[side];
         if (other >= 0 && !run_opposite(mesh.triangle, side, other)) sided.beyond[side] = sided.beyond[other] = -1;
     }
-    for_plain_edges(sided, progress, [&](std::int64_t one, std::int64_t other) {
+    for_plain_edges(sided, work, [&](std::int64_t one, std::int64_t other) {
         const glm::dvec3& a = sided.normal[one / 3];
         const glm::dvec3& b = sided.normal[other / 3];
         const glm::dvec3 about = glm::cross(a, b);
@@ -109,15 +107,14 @@ Turn turn_beside(const SidedMesh& sided, std::int64_t side, double reach) noexce
 }
 
 // Counts the faces of the flat polygon that each face belongs to.
-base::Array<std::int32_t> faces_of_polygons(const base::Runtime& runtime, const SidedMesh& sided,
-                                            const base::Progress& progress) {
+base::Array<std::int32_t> faces_of_polygons(const base::Work& work, const SidedMesh& sided) {
     const std::int64_t faces = sided.mesh.faces();
-    Sets polygons(runtime.memory, faces);
-    for_plain_edges(sided, progress, [&](std::int64_t side, std::int64_t other) {
+    Sets polygons(work.memory, faces);
+    for_plain_edges(sided, work, [&](std::int64_t side, std::int64_t other) {
         if (std::abs(sided.bend[side]) < has_creases_tuning.flat)
             polygons.join(static_cast<std::int32_t>(side / 3), static_cast<std::int32_t>(other / 3));
     });
-    base::Array<std::int32_t> count(runtime.memory, faces);
+    base::Array<std::int32_t> count(work.memory, faces);
     for (std::int32_t face = 0; face < faces; ++face) ++count[polygons.of(face)];
     for (std::int32_t face = 0; face < faces; ++face) count[face] = count[polygons.of(face)];
     return count;
@@ -196,17 +193,16 @@ CreaseEvidence judged_whole(const base::Array<EdgeLengths>& lengths, const base:
 
 } // namespace
 
-CreaseEvidenceOfParts look_for_creases_of_parts(const base::Runtime& runtime, const Mesh& mesh, double angle,
-                                                const base::Progress& progress) {
+CreaseEvidenceOfParts look_for_creases_of_parts(const base::Work& work, const Mesh& mesh, double angle) {
     HRBFNPR_ASSERT(angle > 0.0 && mesh.faces() > 0);
-    const SidedMesh sided = by_sides(runtime, mesh, progress);
-    const base::Array<std::int32_t> faces_of_polygon = faces_of_polygons(runtime, sided, progress);
-    const Sizes sizes = sizes_of_parts(runtime, mesh);
-    CreaseEvidenceOfParts found{base::Array<CreaseEvidence>(runtime.memory, sizes.area.size()),
-                                base::Array<std::uint8_t>(runtime.memory, 3 * mesh.faces()),
+    const SidedMesh sided = by_sides(work, mesh);
+    const base::Array<std::int32_t> faces_of_polygon = faces_of_polygons(work, sided);
+    const Sizes sizes = sizes_of_parts(work, mesh);
+    CreaseEvidenceOfParts found{base::Array<CreaseEvidence>(work.memory, sizes.area.size()),
+                                base::Array<std::uint8_t>(work.memory, 3 * mesh.faces()),
                                 {}};
-    base::Array<EdgeLengths> lengths(runtime.memory, sizes.area.size());
-    for_plain_edges(sided, progress, [&](std::int64_t side, std::int64_t other) {
+    base::Array<EdgeLengths> lengths(work.memory, sizes.area.size());
+    for_plain_edges(sided, work, [&](std::int64_t side, std::int64_t other) {
         if (!bends_more(std::abs(sided.bend[side]), angle)) return;
         const std::int64_t number = mesh.component[side / 3];
         EdgeLengths& part = lengths[number];
@@ -219,7 +215,7 @@ CreaseEvidenceOfParts look_for_creases_of_parts(const base::Runtime& runtime, co
         if (off >= has_creases_tuning.far_off * sizes.diagonal[number]) part.coarse += length;
     });
     for (std::int64_t i = 0; i < lengths.size(); ++i) found.part[i] = judge_edges(lengths[i], sizes.diagonal[i]);
-    for_plain_edges(sided, progress, [&](std::int64_t side, std::int64_t other) {
+    for_plain_edges(sided, work, [&](std::int64_t side, std::int64_t other) {
         const std::int64_t number = mesh.component[side / 3];
         if (!found.part[number].polyhedron) return;
         const double off = std::max(bulge(sided, side), bulge(sided, other));
@@ -229,9 +225,8 @@ CreaseEvidenceOfParts look_for_creases_of_parts(const base::Runtime& runtime, co
     return found;
 }
 
-CreaseEvidence look_for_creases(const base::Runtime& runtime, const Mesh& mesh, double angle,
-                                const base::Progress& progress) {
-    return look_for_creases_of_parts(runtime, mesh, angle, progress).whole;
+CreaseEvidence look_for_creases(const base::Work& work, const Mesh& mesh, double angle) {
+    return look_for_creases_of_parts(work, mesh, angle).whole;
 }
 
 } // namespace hrbfnpr::mesh

@@ -24,11 +24,9 @@ struct CreaseEvidenceOfParts {
 
 // Looks for creases among the edges that bend by more than an angle, in degrees. Each component is judged by itself, as
 // a statue is smooth on a block with edges.
-[[nodiscard]] CreaseEvidenceOfParts look_for_creases_of_parts(const base::Runtime& runtime, const Mesh& mesh,
-                                                              double angle, const base::Progress& progress);
+[[nodiscard]] CreaseEvidenceOfParts look_for_creases_of_parts(const base::Work& work, const Mesh& mesh, double angle);
 
 // Returns the evidence of the whole.
-[[nodiscard]] CreaseEvidence look_for_creases(const base::Runtime& runtime, const Mesh& mesh, double angle,
-                                              const base::Progress& progress);
+[[nodiscard]] CreaseEvidence look_for_creases(const base::Work& work, const Mesh& mesh, double angle);
 
 } // namespace hrbfnpr::mesh

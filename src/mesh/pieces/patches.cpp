@@ -241,15 +241,14 @@ private:
 }
 
 // Sets how far each place may be from the sheet. Where a tip is rounded that is as far as its centres are apart.
-void set_tolerances(const base::Runtime& runtime, const PatchTolerance& tolerance, std::int64_t on_creases,
-                    const base::Array<glm::dvec3>& tips, double around_tip, PatchSamples& result,
-                    const base::Progress& progress) {
+void set_tolerances(const base::Work& work, const PatchTolerance& tolerance, std::int64_t on_creases,
+                    const base::Array<glm::dvec3>& tips, double around_tip, PatchSamples& result) {
     const geometry::VecArray& position = result.samples.position;
     result.tolerance.resize(position.size());
-    geometry::VecArray crease(runtime.memory);
+    geometry::VecArray crease(work.memory);
     for (std::int64_t i = 0; i < on_creases; ++i) crease.push_back(position[i]);
-    const geometry::PointTree tree(crease, progress);
-    runtime.parallel.for_chunks(position.size(), 512, [&](std::int64_t begin, std::int64_t end) {
+    const geometry::PointTree tree(crease, work);
+    work.for_chunks(position.size(), 512, [&](std::int64_t begin, std::int64_t end) {
         const auto any = [](std::int64_t) { return true; };
         for (std::int64_t i = begin; i < end; ++i) {
             std::int64_t found = 0;
@@ -332,9 +331,8 @@ base::Array<double> chord_errors(const Mesh& mesh, const base::Array<glm::dvec3>
     return error;
 }
 
-PatchSamples sample_patch(const base::Runtime& runtime, const Mesh& mesh, const Creases& creases,
-                          const PatchNormals& normals, std::span<const std::int32_t> faces,
-                          const PatchTolerance& tolerance, const base::Progress& progress) {
+PatchSamples sample_patch(const base::Work& work, const Mesh& mesh, const Creases& creases, const PatchNormals& normals,
+                          std::span<const std::int32_t> faces, const PatchTolerance& tolerance) {
     HRBFNPR_ASSERT(!faces.empty() && tolerance.ramp > 0.0);
     const double diagonal = mesh.bounds.diagonal();
     double area = 0.0;
@@ -345,9 +343,9 @@ PatchSamples sample_patch(const base::Runtime& runtime, const Mesh& mesh, const 
     };
     const geometry::CellGrid grid = grid_of(patch_tuning.thinned);
     const geometry::CellGrid crease_grid = grid_of(patch_tuning.thinned_crease);
-    geometry::CellSet taken(runtime.memory), taken_crease(runtime.memory);
-    base::Array<glm::dvec3> tips(runtime.memory);
-    PatchSamples result(runtime.memory);
+    geometry::CellSet taken(work.memory), taken_crease(work.memory);
+    base::Array<glm::dvec3> tips(work.memory);
+    PatchSamples result(work.memory);
     const auto add = [&](const glm::dvec3& place, const glm::dvec3& normal, bool crease) {
         const std::uint64_t cell = geometry::CellGrid::pack(grid.cell_of(place));
         if (crease && !taken_crease.insert(geometry::CellGrid::pack(crease_grid.cell_of(place)))) return;
@@ -400,17 +398,16 @@ PatchSamples sample_patch(const base::Runtime& runtime, const Mesh& mesh, const 
             if (creases.cut[3 * std::int64_t{face} + k] == 1) add_crease(face, k);
     const std::int64_t on_creases = result.samples.position.size();
     for (const std::int32_t face : faces) add_face(face);
-    fit::measure_extent(runtime, result.samples, progress);
-    set_tolerances(runtime, tolerance, on_creases, tips, patch_tuning.around_tip * spacing, result, progress);
+    fit::measure_extent(work, result.samples);
+    set_tolerances(work, tolerance, on_creases, tips, patch_tuning.around_tip * spacing, result);
     return result;
 }
 
-base::Array<std::uint8_t> patches_in_contact(const base::Runtime& runtime, const Mesh& mesh, const FaceTree& tree,
-                                             const Creases& creases, const MeshSamples& places, double near,
-                                             const base::Progress& progress) {
+base::Array<std::uint8_t> patches_in_contact(const base::Work& work, const Mesh& mesh, const FaceTree& tree,
+                                             const Creases& creases, const MeshSamples& places, double near) {
     const std::int64_t count = places.position.size();
-    base::Array<std::int32_t> against(runtime.memory, count); // a face of another component, or -1
-    runtime.parallel.for_chunks(count, 256, progress, [&](std::int64_t begin, std::int64_t end) {
+    base::Array<std::int32_t> against(work.memory, count); // a face of another component, or -1
+    work.for_chunks(count, 256, [&](std::int64_t begin, std::int64_t end) {
         for (std::int64_t i = begin; i < end; ++i) {
             const glm::dvec3 normal = unit_normal(mesh, places.face[i]);
             against[i] = -1;
@@ -424,7 +421,7 @@ base::Array<std::uint8_t> patches_in_contact(const base::Runtime& runtime, const
                            });
         }
     });
-    base::Array<std::uint8_t> touches(runtime.memory, creases.patches);
+    base::Array<std::uint8_t> touches(work.memory, creases.patches);
     for (std::int64_t i = 0; i < count; ++i) {
         if (against[i] < 0) continue;
         touches[creases.patch[places.face[i]]] = 1;

@@ -45,15 +45,14 @@ struct PatchTolerance {
 
 // Returns the vertices of a patch's faces, and places between them on the surface that is curved as the normals are
 // (Vlachos et al., "Curved PN triangles", 2001).
-[[nodiscard]] PatchSamples sample_patch(const base::Runtime& runtime, const Mesh& mesh, const Creases& creases,
+[[nodiscard]] PatchSamples sample_patch(const base::Work& work, const Mesh& mesh, const Creases& creases,
                                         const PatchNormals& normals, std::span<const std::int32_t> faces,
-                                        const PatchTolerance& tolerance, const base::Progress& progress);
+                                        const PatchTolerance& tolerance);
 
 // Returns 1 for each patch that lies against another solid, as boxes that stand on each other do: at one of the places
 // a face of another component looks the other way and is no farther than `near`. The patch of that face has 1, too.
-[[nodiscard]] base::Array<std::uint8_t> patches_in_contact(const base::Runtime& runtime, const Mesh& mesh,
+[[nodiscard]] base::Array<std::uint8_t> patches_in_contact(const base::Work& work, const Mesh& mesh,
                                                            const FaceTree& tree, const Creases& creases,
-                                                           const MeshSamples& places, double near,
-                                                           const base::Progress& progress);
+                                                           const MeshSamples& places, double near);
 
 } // namespace hrbfnpr::mesh

@@ -339,23 +339,23 @@ using Patch = std::span<const std::int32_t>; // faces
 // Cuts patches that wind around beside themselves across, smoothly, into parts that are no more than half a turn long.
 // A sheet through turns that lie above each other and face the same way would have to fall to 0 between them once more,
 // and one of many turns that lie beside each other is asked everywhere, with all its centres.
-void split_winding(const base::Runtime& runtime, const Mesh& mesh, Creases& creases, const base::Progress& progress) {
+void split_winding(const base::Work& work, const Mesh& mesh, Creases& creases) {
     HRBFNPR_ASSERT(creases.patch.size() == mesh.faces());
-    const base::Groups corners = corners_at_vertices(mesh, progress);
-    const base::Groups patches(runtime.memory, creases.patches, [&](auto&& put) {
+    const base::Groups corners = corners_at_vertices(mesh, work);
+    const base::Groups patches(work.memory, creases.patches, [&](auto&& put) {
         for (std::int32_t face = 0; face < mesh.faces(); ++face) put(creases.patch[face], face);
     });
-    base::Array<double> to_vertex(runtime.memory, mesh.vertex.size());
-    base::Array<double> way(runtime.memory, mesh.faces());        // of each face, from one end of its patch
-    base::Array<std::int32_t> part(runtime.memory, mesh.faces()); // of its patch
+    base::Array<double> to_vertex(work.memory, mesh.vertex.size());
+    base::Array<double> way(work.memory, mesh.faces());        // of each face, from one end of its patch
+    base::Array<std::int32_t> part(work.memory, mesh.faces()); // of its patch
     bool any = false;
     for (std::int32_t p = 0; p < creases.patches; ++p) {
-        progress.check();
+        work.check();
         const Patch patch = patches[p];
         const std::int32_t end = measure_ways(mesh, creases, corners, patch[0], patch, to_vertex, way);
         const double length = way[measure_ways(mesh, creases, corners, end, patch, to_vertex, way)];
         if (length < winding_tuning.least_way * mesh.bounds.diagonal()) continue;
-        const double turn = turn_of(mesh, patch, way, progress);
+        const double turn = turn_of(mesh, patch, way, work);
         if (turn == infinite) continue;
         const double parts =
             std::clamp(std::ceil(length / (winding_tuning.part_of_turn * turn)), 1.0, winding_tuning.most_parts);
@@ -367,7 +367,7 @@ void split_winding(const base::Runtime& runtime, const Mesh& mesh, Creases& crea
     }
     if (!any) return;
     const auto most = static_cast<std::int64_t>(winding_tuning.most_parts);
-    NumbersInOrder numbers(runtime.memory, most * creases.patches);
+    NumbersInOrder numbers(work.memory, most * creases.patches);
     for (std::int64_t face = 0; face < mesh.faces(); ++face)
         creases.patch[face] = numbers.of(most * creases.patch[face] + part[face]);
     creases.patches = numbers.count();
@@ -375,15 +375,14 @@ void split_winding(const base::Runtime& runtime, const Mesh& mesh, Creases& crea
 
 } // namespace
 
-void split_patches(const base::Runtime& runtime, const Mesh& mesh, const base::Array<Side>& sides, Creases& creases,
-                   const base::Progress& progress) {
+void split_patches(const base::Work& work, const Mesh& mesh, const base::Array<Side>& sides, Creases& creases) {
     HRBFNPR_ASSERT(creases.patch.size() == mesh.faces() && creases.cut.size() == 3 * mesh.faces());
-    const base::Array<std::int64_t> beyond = sides_beyond(mesh.triangle, sides, progress);
+    const base::Array<std::int64_t> beyond = sides_beyond(mesh.triangle, sides, work);
     const Patched patched{mesh, creases, beyond};
     const Labels labels = spread_labels(patched, find_seeds(patched));
-    progress.check();
+    work.check();
     number_parts(labels, creases);
-    split_winding(runtime, mesh, creases, progress);
+    split_winding(work, mesh, creases);
     for (std::int64_t side = 0; side < creases.cut.size(); ++side)
         if (creases.cut[side] == 0 && beyond[side] >= 0 &&
             creases.patch[patched.across(side)] != creases.patch[side / 3])

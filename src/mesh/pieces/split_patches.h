@@ -10,7 +10,6 @@ namespace hrbfnpr::mesh {
 // each side of their creases, and patches that wind around beside themselves, as the flanks of a screw thread do.
 // Numbers the patches anew, and says which faces beyond a smooth cut the sheets are to be fitted to as well, so that
 // they agree there.
-void split_patches(const base::Runtime& runtime, const Mesh& mesh, const base::Array<Side>& sides, Creases& creases,
-                   const base::Progress& progress);
+void split_patches(const base::Work& work, const Mesh& mesh, const base::Array<Side>& sides, Creases& creases);
 
 } // namespace hrbfnpr::mesh

@@ -9,7 +9,7 @@
 
 #include "base/memory.h"
 #include "base/operation.h"
-#include "base/runtime.h"
+#include "base/work.h"
 #include "drawing/drawing.h"
 #include "geometry/polylines.h"
 #include "io/stream.h"
@@ -282,7 +282,6 @@ struct Page {
 // The page's size, mm.
 [[nodiscard]] glm::dvec2 page_size(const Page& page, const PageSettings& settings) noexcept;
 
-PageCounts write_page(const base::Runtime& runtime, const Page& page, const PageSettings& settings, io::Writer& writer,
-                      const base::Progress& progress);
+PageCounts write_page(const base::Work& work, const Page& page, const PageSettings& settings, io::Writer& writer);
 
 } // namespace hrbfnpr::output

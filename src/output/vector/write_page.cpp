@@ -728,8 +728,7 @@ glm::dvec2 page_size(const Page& page, const PageSettings& settings) noexcept {
     return {settings.width > 0.0 ? settings.width : reach.x, settings.height > 0.0 ? settings.height : reach.y};
 }
 
-PageCounts write_page(const base::Runtime& runtime, const Page& page, const PageSettings& given, io::Writer& writer,
-                      const base::Progress& progress) {
+PageCounts write_page(const base::Work& work, const Page& page, const PageSettings& given, io::Writer& writer) {
     PageCounts counts;
     PageInfo info = page.info;
     PageSettings settings = given;
@@ -737,13 +736,13 @@ PageCounts write_page(const base::Runtime& runtime, const Page& page, const Page
     info.width = settings.width = size.x;
     info.height = settings.height = size.y;
     // The pipeline is made from its end: the writer, and before it filters.
-    base::Memory& memory = runtime.memory;
+    base::Memory& memory = work.memory;
     const std::unique_ptr<PageSink> file = make_writer(memory, writer, info, settings, counts);
     PenTrack track(counts, settings.plot.speeds, {0.0, size.y});
     std::unique_ptr<PageSink> sorted;
     // Plotters' writers track the pen themselves, by the units that they round to.
     if (settings.in_plot_order || settings.for_plotter())
-        sorted = plot_order(memory, *file, settings, counts, settings.for_plotter() ? nullptr : &track, progress);
+        sorted = plot_order(memory, *file, settings, counts, settings.for_plotter() ? nullptr : &track, work);
     LineTypes dashed(memory, sorted ? *sorted : *file);
     const auto parts = static_cast<double>(page.placements.size() + 1);
     double done = 0.0;
@@ -756,11 +755,11 @@ PageCounts write_page(const base::Runtime& runtime, const Page& page, const Page
     for (Placement placement : page.placements) {
         placement.with_paper = filled && placement.drawing->paper != paper;
         placement.far_to_near = !sorted; // each pen is taken up once
-        lay_out(memory, placement, page.pens, dashed, progress.part(done / parts, (done + 1.0) / parts));
+        lay_out(memory, placement, page.pens, dashed, work.part(done / parts, (done + 1.0) / parts));
         done += 1.0;
-        progress.update(done / parts);
+        work.update(done / parts);
     }
-    add_annotations(memory, page, dashed, progress);
+    add_annotations(memory, page, dashed, work);
     dashed.finish();
     return counts;
 }

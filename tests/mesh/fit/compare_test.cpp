@@ -29,13 +29,13 @@ mesh::Comparison compared(const hrbfnpr::implicit::Implicit& surface, const Tria
                           double limit = 0.0) {
     const hrbfnpr::base::Runtime runtime = with_threads(threads);
     const mesh::Mesh made = mesh_test::made(runtime, with);
-    const mesh::FaceTree tree(runtime, made.vertex, made.triangle, {});
+    const mesh::FaceTree tree(runtime, made.vertex, made.triangle);
     mesh::CompareSettings settings;
     settings.tolerance = tolerance;
     settings.far = far;
     settings.points = 4000;
     settings.support = limit;
-    return mesh::compare(runtime, surface, made, tree, support, settings, {});
+    return mesh::compare(runtime, surface, made, tree, support, settings);
 }
 
 // Two balls as one surface: the union's distance.
@@ -111,7 +111,7 @@ TEST(FindSurface, TakesSmallerCellsWhereNoneShowsAnything) {
     mesh::SurfaceSearch search;
     search.region = hrbfnpr::test::cube(1.0);
     search.side = 0.3;
-    const hrbfnpr::curves::SurfaceMesh found = mesh::find_surface(runtime, Plate(), seeds, search, {});
+    const hrbfnpr::curves::SurfaceMesh found = mesh::find_surface(runtime, Plate(), seeds, search);
     EXPECT_GT(found.triangles(), 0);
     EXPECT_LT(found.side, 0.02);
 }
@@ -126,7 +126,7 @@ TEST(Compare, LeavesOutWhatIsNotSupported) {
         position.push_back(p);
         normal.push_back(p);
     }
-    const hrbfnpr::surface::Support support(runtime, position, normal, 0.0, {});
+    const hrbfnpr::surface::Support support(runtime, position, normal, 0.0);
     const mesh::Comparison found = compared(Sphere(1.0), ball, 0.01, 0.05, 2, &support, 3.0);
     EXPECT_NEAR(found.left_out, 0.5, 0.05);
     EXPECT_EQ(compared(Sphere(1.0), ball, 0.01, 0.05, 2, &support, 0.0).left_out, 0.0);

@@ -42,10 +42,9 @@ Triangles sheet(double width, int cells, F&& leave_out) {
 // What a sheet's end samples bear out.
 struct Ended {
     explicit Ended(const Triangles& from, int threads = 2)
-        : runtime(with_threads(threads)), shape(made(runtime, from)), tree(runtime, shape.vertex, shape.triangle, {}),
-          closest(0.009 * shape.bounds.diagonal()),
-          samples(mesh::end_samples(runtime, shape, tree, 20000, closest, 1, {})),
-          support(runtime, samples.position, samples.normal, closest, {}) {}
+        : runtime(with_threads(threads)), shape(made(runtime, from)), tree(runtime, shape.vertex, shape.triangle),
+          closest(0.009 * shape.bounds.diagonal()), samples(mesh::end_samples(runtime, shape, tree, 20000, closest, 1)),
+          support(runtime, samples.position, samples.normal, closest) {}
 
     // How far beyond a place the surface ends, in `closest`.
     [[nodiscard]] double beyond(const glm::dvec3& place, const glm::dvec3& out) const {

@@ -26,8 +26,8 @@ namespace {
 
 struct Fitted {
     explicit Fitted(const Triangles& from, const mesh::FitMeshSettings& settings = {}, int threads = 2)
-        : runtime(with_threads(threads)), shape(made(runtime, from)), tree(runtime, shape.vertex, shape.triangle, {}),
-          result(mesh::fit_mesh(runtime, shape, tree, settings, {}, {})) {}
+        : runtime(with_threads(threads)), shape(made(runtime, from)), tree(runtime, shape.vertex, shape.triangle),
+          result(mesh::fit_mesh(runtime, shape, tree, settings, {})) {}
 
     [[nodiscard]] const mesh::FitMeshReport& report() const { return result.report; }
     [[nodiscard]] const hrbfnpr::implicit::HrbfData& data() const { return result.fit.data; }
@@ -35,8 +35,7 @@ struct Fitted {
     [[nodiscard]] mesh::Comparison error(std::int64_t points = 10000) const {
         mesh::CompareSettings settings;
         settings.points = points;
-        return mesh::compare(runtime, mesh::FitData(runtime.instruction_set, data()), shape, tree, nullptr, settings,
-                             {});
+        return mesh::compare(runtime, mesh::FitData(runtime.instruction_set, data()), shape, tree, nullptr, settings);
     }
 
     hrbfnpr::base::Runtime runtime;
@@ -113,8 +112,8 @@ TEST(FitMesh, KnowsOnWhichSideAPlaceIs) {
     const auto most = [](double, double, double z) { return z < 0.9; };
     const auto half = [](double, double, double z) { return z < 0.0; };
     const mesh::Mesh ball = made(runtime, icosphere(4).where(most)), bowl = made(runtime, icosphere(4).where(half));
-    const mesh::FaceTree in_ball(runtime, ball.vertex, ball.triangle, {});
-    const mesh::FaceTree in_bowl(runtime, bowl.vertex, bowl.triangle, {});
+    const mesh::FaceTree in_ball(runtime, ball.vertex, ball.triangle);
+    const mesh::FaceTree in_bowl(runtime, bowl.vertex, bowl.triangle);
     EXPECT_EQ(mesh::where(in_ball, {0.1, 0.2, -0.3}), mesh::Where::inside);
     EXPECT_EQ(mesh::where(in_ball, {1.5, 0.2, -0.3}), mesh::Where::outside);
     EXPECT_EQ(mesh::where(in_bowl, {0.1, 0.2, -0.1}), mesh::Where::unsure);

@@ -23,9 +23,9 @@ namespace {
 mesh::Touching find(const Triangles& from, double near, std::int64_t places, int threads = 2, bool crossing = true) {
     const auto runtime = with_threads(threads);
     const mesh::Mesh shape = made(runtime, from);
-    const mesh::FaceTree tree(runtime, shape.vertex, shape.triangle, {});
-    const mesh::MeshSamples at = mesh::random_samples(runtime, shape, places, 1, 0, {});
-    return mesh::find_touching(runtime, shape, tree, at, near, !crossing, {});
+    const mesh::FaceTree tree(runtime, shape.vertex, shape.triangle);
+    const mesh::MeshSamples at = mesh::random_samples(runtime, shape, places, 1, 0);
+    return mesh::find_touching(runtime, shape, tree, at, near, !crossing);
 }
 
 const Triangles cube = box(1.0, 1.0, 1.0, 1);

@@ -27,8 +27,8 @@ namespace {
 struct Found {
     explicit Found(const Triangles& from, double angle = 30.0, mesh::Parts parts = mesh::Parts::all)
         : runtime(test::with_threads(2)), shape(mesh_test::made(runtime, from, parts)),
-          creases(mesh::find_creases(runtime, shape, {angle, 0.008 * shape.bounds.diagonal()}, {})),
-          evidence(mesh::look_for_creases(runtime, shape, angle, {})) {}
+          creases(mesh::find_creases(runtime, shape, {angle, 0.008 * shape.bounds.diagonal()})),
+          evidence(mesh::look_for_creases(runtime, shape, angle)) {}
 
     hrbfnpr::base::Runtime runtime;
     mesh::Mesh shape;
@@ -55,7 +55,7 @@ TEST(Creases, CutABoxIntoItsSides) {
 TEST(Creases, AreLookedForInEachPart) {
     const Found both(test::icosphere(1).with(test::box(1.0, 1.0, 1.0, 2).moved(1.0, 0.4, -0.5, -0.5)), 15.0);
     EXPECT_TRUE(both.evidence.creases);
-    const mesh::CreaseEvidenceOfParts found = mesh::look_for_creases_of_parts(both.runtime, both.shape, 15.0, {});
+    const mesh::CreaseEvidenceOfParts found = mesh::look_for_creases_of_parts(both.runtime, both.shape, 15.0);
     ASSERT_EQ(found.part.size(), 2);
     EXPECT_FALSE(found.part[0].creases);
     EXPECT_TRUE(found.part[1].creases);
@@ -63,7 +63,7 @@ TEST(Creases, AreLookedForInEachPart) {
     hrbfnpr::base::Array<mesh::Sharpness> sharpness(both.runtime.memory);
     sharpness.push_back({180.0, 1.0});
     sharpness.push_back({15.0, 1.0});
-    EXPECT_EQ(mesh::find_creases(both.runtime, both.shape, sharpness, found.sharp, {}).patches, 7);
+    EXPECT_EQ(mesh::find_creases(both.runtime, both.shape, sharpness, found.sharp).patches, 7);
 }
 
 TEST(Creases, OfTurnedShapesAreTheirSteps) {
@@ -132,7 +132,7 @@ TEST(Creases, AreNotThereOnSubdividedCages) {
             for (const verdict::Cut how : {verdict::Cut::first, verdict::Cut::second, verdict::Cut::random}) {
                 hrbfnpr::base::Runtime runtime = test::with_threads(2);
                 const mesh::Mesh made = mesh_test::made(runtime, verdict::cut(shape, how));
-                const mesh::CreaseEvidence found = mesh::look_for_creases(runtime, made, 30.0, {});
+                const mesh::CreaseEvidence found = mesh::look_for_creases(runtime, made, 30.0);
                 EXPECT_FALSE(found.creases) << rounds << ' ' << found.standing << ' ' << found.coarse;
             }
         }
@@ -170,7 +170,7 @@ TEST(Creases, AreSharpUnlessTheyAreRound) {
     const Triangles capsule = verdict::cut(verdict::capsule(10, 20), verdict::Cut::first);
     for (const bool is_round : {false, true}) {
         const Found found(is_round ? capsule : grooved);
-        const mesh::CreaseEvidenceOfParts parts = mesh::look_for_creases_of_parts(found.runtime, found.shape, 30.0, {});
+        const mesh::CreaseEvidenceOfParts parts = mesh::look_for_creases_of_parts(found.runtime, found.shape, 30.0);
         EXPECT_LT(parts.whole.standing, 0.5);
         std::int64_t sharp = 0;
         for (const std::uint8_t is : parts.sharp) sharp += is;

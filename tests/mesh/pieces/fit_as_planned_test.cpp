@@ -19,14 +19,14 @@ namespace {
 struct Planned {
     explicit Planned(const Triangles& from)
         : runtime(test::with_threads(2)), shape(mesh_test::made(runtime, from, mesh::Parts::all)),
-          tree(runtime, shape.vertex, shape.triangle, {}),
-          known(mesh::look_for_creases(runtime, shape, mesh::default_crease_angle, {})) {}
+          tree(runtime, shape.vertex, shape.triangle),
+          known(mesh::look_for_creases(runtime, shape, mesh::default_crease_angle)) {}
 
     [[nodiscard]] mesh::PlannedCreases creases(mesh::Edges edges, double angle = mesh::default_crease_angle) const {
         mesh::FitMeshSettings settings;
         settings.edges = edges;
         settings.crease_angle = angle;
-        return mesh::find_planned_creases(runtime, shape, tree, known, settings, {});
+        return mesh::find_planned_creases(runtime, shape, tree, known, settings);
     }
 
     // Distances are in diagonals.
@@ -108,7 +108,7 @@ TEST(FitAsPlanned, AnOpenSurfaceEndsAtItsBorder) {
     EXPECT_EQ(plan.end, mesh::End::at_places);
     EXPECT_EQ(plan.off, 0.009);
     EXPECT_LT(bowl.end(true, 1e-5, 0.0, false).off, 0.009001);
-    const mesh::MeshSamples places = mesh::end_places(bowl.runtime, bowl.shape, bowl.tree, plan, 1, {});
+    const mesh::MeshSamples places = mesh::end_places(bowl.runtime, bowl.shape, bowl.tree, plan, 1);
     ASSERT_GT(places.position.size(), 10000);
     double highest = -1.0;
     for (std::int64_t i = 0; i < places.position.size(); ++i) highest = std::max(highest, places.position[i].z);

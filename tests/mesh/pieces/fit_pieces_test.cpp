@@ -26,9 +26,9 @@ namespace {
 struct Fitted {
     explicit Fitted(const Triangles& from, int threads = 2, std::int64_t most = 8000)
         : runtime(test::with_threads(threads)), shape(mesh_test::made(runtime, from, mesh::Parts::all)),
-          tree(runtime, shape.vertex, shape.triangle, {}),
-          creases(mesh::find_creases(runtime, shape, {30.0, 0.008 * shape.bounds.diagonal()}, {})),
-          result(mesh::fit_pieces(runtime, shape, tree, creases, settings(most), {}, {})),
+          tree(runtime, shape.vertex, shape.triangle),
+          creases(mesh::find_creases(runtime, shape, {30.0, 0.008 * shape.bounds.diagonal()})),
+          result(mesh::fit_pieces(runtime, shape, tree, creases, settings(most), {})),
           f(runtime.instruction_set, std::move(result.data)) {}
 
     [[nodiscard]] static mesh::FitMeshSettings settings(std::int64_t most) {
@@ -53,7 +53,7 @@ struct Fitted {
     template <class Inside>
     [[nodiscard]] int wrong_signs(Inside&& inside) const {
         const double diagonal = shape.bounds.diagonal();
-        const mesh::MeshSamples on = mesh::random_samples(runtime, shape, 3000, 5, 3, {});
+        const mesh::MeshSamples on = mesh::random_samples(runtime, shape, 3000, 5, 3);
         int wrong = 0;
         for (std::int64_t i = 0; i < 6000; ++i) {
             const auto random =
@@ -330,7 +330,7 @@ struct Asked {
 TEST(PreparedPieces, AreTheSameFunction) {
     for (const Triangles& shape : {test::box(1.0, 1.0, 1.0, 8), test::gear(16, 3), test::drilled_cube(0.5, 48)}) {
         const Fitted fitted(shape);
-        const implicit::PreparedPieces prepared(fitted.runtime, fitted.f, implicit::PreparedPieces::Scope::zones, {});
+        const implicit::PreparedPieces prepared(fitted.runtime, fitted.f, implicit::PreparedPieces::Scope::zones);
         const Asked plain(fitted, fitted.f);
         const Asked ready(fitted, prepared);
         int same = 0;
@@ -347,7 +347,7 @@ TEST(PreparedPieces, AreTheSameFunction) {
 // Whatever stands beside a point in its batch.
 TEST(PreparedPieces, OfAPointDoNotDependOnOthers) {
     const Fitted fitted(test::drilled_cube(0.5, 48));
-    const implicit::PreparedPieces prepared(fitted.runtime, fitted.f, implicit::PreparedPieces::Scope::sheets, {});
+    const implicit::PreparedPieces prepared(fitted.runtime, fitted.f, implicit::PreparedPieces::Scope::sheets);
     const Asked all(fitted, prepared);
     for (std::size_t i = 0; i < all.x.size(); i += 7) {
         double value = 0.0, gradient[3];
@@ -361,7 +361,7 @@ TEST(PreparedPieces, OfAPointDoNotDependOnOthers) {
 // Far from creases one sheet is asked, so most places cost that.
 TEST(PreparedPieces, KnowTheOneSheetOfMostPlaces) {
     const Fitted fitted(test::drilled_cube(0.5, 48));
-    const implicit::PiecesZones zones(fitted.runtime, fitted.f.data(), {});
+    const implicit::PiecesZones zones(fitted.runtime, fitted.f.data());
     const Asked asked(fitted, fitted.f);
     int one = 0;
     int known = 0;

@@ -34,13 +34,13 @@ Triangles plate() {
 struct Plate {
     explicit Plate(int threads = 2)
         : runtime(test::with_threads(threads)), shape(mesh_test::made(runtime, plate(), mesh::Parts::all)),
-          tree(runtime, shape.vertex, shape.triangle, {}),
-          creases(mesh::find_creases(runtime, shape, {at_plates, 0.012 * shape.bounds.diagonal()}, {})) {}
+          tree(runtime, shape.vertex, shape.triangle),
+          creases(mesh::find_creases(runtime, shape, {at_plates, 0.012 * shape.bounds.diagonal()})) {}
 
     [[nodiscard]] mesh::PiecesFit fit(mesh::Edges edges = mesh::Edges::automatic) const {
         mesh::FitMeshSettings settings;
         settings.edges = edges;
-        return mesh::fit_pieces(runtime, shape, tree, creases, settings, {}, {});
+        return mesh::fit_pieces(runtime, shape, tree, creases, settings, {});
     }
     // Of the bevel and the lid.
     [[nodiscard]] hrbfnpr::base::Array<std::uint8_t> on_top() const {
@@ -62,7 +62,7 @@ TEST(PartedPatches, AreThoseThatAreNamed) {
     const Plate plate;
     ASSERT_EQ(plate.creases.patches, sides + 2);
     const auto more = [&](const auto& within, double angle) {
-        return mesh::find_more_creases(plate.runtime, plate.shape, plate.creases, within, angle, {});
+        return mesh::find_more_creases(plate.runtime, plate.shape, plate.creases, within, angle);
     };
     const mesh::Creases parted = more(plate.on_top(), 10.0);
     EXPECT_EQ(parted.patches, 2 * sides + 2);

@@ -26,7 +26,7 @@ namespace {
 struct Cut {
     explicit Cut(const Triangles& from)
         : runtime(test::with_threads(2)), shape(mesh_test::made(runtime, from, mesh::Parts::all)),
-          creases(mesh::find_creases(runtime, shape, {30.0, 0.008 * shape.bounds.diagonal()}, {})) {}
+          creases(mesh::find_creases(runtime, shape, {30.0, 0.008 * shape.bounds.diagonal()})) {}
     hrbfnpr::base::Runtime runtime;
     mesh::Mesh shape;
     mesh::Creases creases;
@@ -57,8 +57,8 @@ TEST(WindingPatches, AreNoOthers) {
 
 void expect_close(const Triangles& from) {
     const Cut cut(from);
-    const mesh::FaceTree tree(cut.runtime, cut.shape.vertex, cut.shape.triangle, {});
-    mesh::PiecesFit fit = mesh::fit_pieces(cut.runtime, cut.shape, tree, cut.creases, {}, {}, {});
+    const mesh::FaceTree tree(cut.runtime, cut.shape.vertex, cut.shape.triangle);
+    mesh::PiecesFit fit = mesh::fit_pieces(cut.runtime, cut.shape, tree, cut.creases, {}, {});
     EXPECT_TRUE(fit.mesh.reached);
     EXPECT_EQ(fit.pieces.poor_cells, 0);
     // All but the shaft.
